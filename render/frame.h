@@ -52,9 +52,10 @@ struct FrameStatistics {
   std::vector<SkippedStage> on_cpu;
   std::size_t gaussians_total = 0;
   std::size_t gaussians_used = 0;
-  std::size_t exact_pixels = 0;   // airlight evaluated, not interpolated
-  std::uint64_t light_pairs = 0;  // Gaussian x ray pairs evaluated from lights
-  std::uint64_t view_pairs = 0;   // Gaussian x ray pairs evaluated from the eye
+  std::size_t exact_pixels = 0;    // airlight evaluated, not interpolated
+  std::size_t sampled_pixels = 0;  // by more than their centers
+  std::uint64_t light_pairs = 0;   // Gaussian x ray pairs evaluated from lights
+  std::uint64_t view_pairs = 0;    // Gaussian x ray pairs evaluated from the eye
   std::optional<Convergence> scattering;
   std::size_t grid_bytes = 0;  // memory of the light that a grid holds
   // view_pairs per pixel, 0 for interpolated ones; empty without a medium.
@@ -70,8 +71,16 @@ struct Frame {
   std::vector<float> beauty;         // RGBA per pixel; A = 1 on surfaces, else 1 - transmittance
   std::vector<float> airlight;       // RGB per pixel
   std::vector<float> transmittance;  // RGB per pixel, eye to first surface or through the medium
-  std::vector<float> depth;          // distance along the view ray [u], +inf where nothing is hit
+  // Distance along the view ray through the center [u], +inf where nothing is hit; never filtered.
+  std::vector<float> depth;
+  // The airlight of rays through centers, RGB per pixel, where that of pixels is filtered; else
+  // empty. What errors are measured by.
+  std::vector<float> airlight_at_centers;
   FrameStatistics statistics;
+
+  [[nodiscard]] const std::vector<float>& center_airlight() const {
+    return airlight_at_centers.empty() ? airlight : airlight_at_centers;
+  }
 };
 
 // Frames hold finite values: radiance beyond the range of float is clamped; NaN would be a bug of
@@ -95,9 +104,5 @@ ImageLayers to_layers(const Frame& frame);
 
 // 2^stops; 1 for NaN.
 float exposure_gain(double stops);
-
-// Linear radiance as 8-bit sRGB, RGB per pixel, for the screen and PNG. `exposure` in stops. The
-// view transform is in view_transform.h; it is never baked into an EXR.
-std::vector<std::uint8_t> to_display(const Frame& frame, double exposure);
 
 }  // namespace brume

@@ -16,6 +16,7 @@
 #include "render/prepare/albedo.h"
 #include "render/prepare/frame_stages.h"
 #include "render/renderer.h"
+#include "render/samples/mean_frame.h"
 
 namespace brume {
 
@@ -218,6 +219,14 @@ std::optional<Frame> GlRenderer::Impl::render(const Scene& scene, const Camera& 
   std::string why = failure;
   if (const std::optional<Reason> reason = refusal(plan); why.empty() && reason) {
     why = to_string(*reason);
+  }
+  if (why.empty() && settings.samples > 1) {
+    // All pixels as often: whole frames are quick here, and few are read back in between.
+    const auto render_film = [&](const Film& shifted, const Settings& single, const Job& part) {
+      Target memory;
+      return render(scene, camera, shifted, single, part, memory);
+    };
+    return render_shifted(film, settings, job, render_film);
   }
   if (why.empty()) {
     try {

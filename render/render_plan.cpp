@@ -12,6 +12,17 @@
 namespace brume {
 namespace {
 
+bool is_emissive(const Surface& surface) {
+  const Material& material = surface.material;
+  return material.type == Material::Type::metallic_roughness &&
+         material.metallic_roughness.emissive != glm::dvec3(0.0);
+}
+
+bool has_transfer(const Surface& surface) {
+  return surface.transfer != Surface::Transfer::none &&
+         surface.material.type != Material::Type::metallic_roughness;
+}
+
 // What there is to render in a scene.
 struct Content {
   std::vector<PointLight> lights;  // that are on and not black
@@ -22,6 +33,7 @@ struct Content {
   // Of Gaussians; emission counts as light of methods that know it.
   bool has_own_optics;
   bool has_emission = false;
+  bool emissive_surfaces;  // seen, and lighting what paths meet; no light of other methods
 
   Content(const Scene& scene, AirlightMethod method)
       : surfaces(!scene.surfaces.empty()),
@@ -29,7 +41,8 @@ struct Content {
         gaussians(std::ranges::any_of(scene.medium.densities(), [](double c) { return c > 0.0; })),
         homogeneous(scene.medium.homogeneous_density() > 0.0),
         noise(gaussians && scene.optics.noise.amplitude > 0.0),
-        has_own_optics(scene.medium.has_albedos() || scene.medium.has_emission()) {
+        has_own_optics(scene.medium.has_albedos() || scene.medium.has_emission()),
+        emissive_surfaces(std::ranges::any_of(scene.surfaces, is_emissive)) {
     const bool is_paper = method == AirlightMethod::paper;
     has_emission = !is_paper && gaussians && scene.medium.has_emission();
     for (const Light& light : scene.lights) {
@@ -60,6 +73,7 @@ struct Content {
 
   // Direct light of point lights uses shadow rays.
   [[nodiscard]] bool needs_transfer(const Surface& surface) const {
+    if (!has_transfer(surface)) return false;
     switch (surface.transfer) {
       case Surface::Transfer::none:
         return false;
@@ -137,11 +151,11 @@ StageSet planned_stages(const Content& content, AirlightMethod method, bool has_
   stages.add(Stage::light_table, sliced && lit_gaussians);
   stages.add(Stage::shadow_map,
              sliced && content.surfaces && content.medium() && content.point_light());
-  if (path && content.light()) {
+  if (path && (content.light() || content.emissive_surfaces)) {
     stages.add(Stage::paths, content.medium() || content.surfaces);
   } else {
     stages.add(content.light() ? Stage::airlight : Stage::transmittance, content.medium());
-    stages.add(Stage::surfaces, content.surfaces && content.light());
+    stages.add(Stage::surfaces, content.surfaces && (content.light() || content.emissive_surfaces));
   }
   return stages;
 }
@@ -176,12 +190,16 @@ std::vector<SkippedStage> skipped_stages(const Scene& scene, const Content& cont
   const auto skip = [&](Stage stage, Reason why, std::size_t count = 0) {
     skipped.push_back({stage, to_string(why, count)});
   };
-  const bool requests_transfer = std::ranges::any_of(scene.surfaces, [](const Surface& surface) {
-    return surface.transfer != Surface::Transfer::none;
+  const bool requests_transfer = std::ranges::any_of(scene.surfaces, has_transfer);
+  const bool is_refused = std::ranges::any_of(scene.surfaces, [](const Surface& surface) {
+    return surface.transfer != Surface::Transfer::none && !has_transfer(surface);
   });
+  if (is_refused) skip(Stage::transfer, Reason::transfer_of_metallic_roughness);
   if (!content.surfaces) skip(Stage::visibility, Reason::no_surfaces);
-  if (content.surfaces && !content.light()) skip(Stage::surfaces, Reason::no_light);
-  if (plan.transfers.empty()) {
+  if (content.surfaces && !content.light() && !content.emissive_surfaces) {
+    skip(Stage::surfaces, Reason::no_light);
+  }
+  if (plan.transfers.empty() && (requests_transfer || !is_refused)) {
     skip(Stage::transfer, !requests_transfer                  ? Reason::no_transfer_requested
                           : !content.light()                  ? Reason::no_light
                           : method == AirlightMethod::path    ? Reason::part_of_paths
@@ -258,6 +276,7 @@ RenderPlan::RenderPlan(const Scene& scene, const Film& film, const Settings& req
   skipped = skipped_stages(scene, content, method, *this);
 
   stages.add(Stage::scattering, has_all_orders);
+  stages.add(Stage::samples, settings.samples > 1 && !is_path);
   if (why_once) skipped.push_back({Stage::scattering, to_string(*why_once)});
 
   const auto pixels = static_cast<std::size_t>(film.width) * static_cast<std::size_t>(film.height);
@@ -267,6 +286,10 @@ RenderPlan::RenderPlan(const Scene& scene, const Film& film, const Settings& req
   has_all_light_at_surfaces = runs(Stage::scattering) && content.surfaces;
   has_receivers = runs(Stage::environment) && content.surfaces && !has_all_light_at_surfaces;
   has_indirect_light = content.indirect_light() && !is_path;
+  has_metallic_roughness =
+      runs(Stage::surfaces) && std::ranges::any_of(scene.surfaces, [](const Surface& surface) {
+        return surface.material.type == Material::Type::metallic_roughness;
+      });
   surface_depths = planned_surface_depths(content, method);
   has_exact_occlusion = is_reference;
   precision = is_reference ? Settings::Precision::plain_double : settings.precision;
@@ -276,7 +299,7 @@ RenderPlan::RenderPlan(const Scene& scene, const Film& film, const Settings& req
 }
 
 bool RenderPlan::needs_transfer(const Surface& surface) const {
-  return surface.transfer != Surface::Transfer::none &&
+  return has_transfer(surface) &&
          std::ranges::find(transfers, transfer_request(surface)) != transfers.end();
 }
 

@@ -64,6 +64,8 @@ struct RenderPlan {
   bool has_all_light_at_surfaces = false;
   // Surfaces that are not diffuse reflect light from all directions.
   bool has_indirect_light = false;
+  // Of some surfaces, that are shaded.
+  bool has_metallic_roughness = false;
   // Of point lights at surfaces: from the optical depth tables, or summed exactly. Neither: zero.
   enum class SurfaceDepths { none, tables, exact };
   SurfaceDepths surface_depths = SurfaceDepths::none;

@@ -9,6 +9,7 @@
 
 #include "render/cpu/composite.h"
 #include "render/cpu/film_airlight.h"
+#include "render/cpu/film_samples.h"
 #include "render/cpu/film_slices.h"
 #include "render/cpu/marched_airlight.h"
 #include "render/cpu/paper_airlight.h"
@@ -19,6 +20,8 @@
 #include "render/prepare/frame_stages.h"
 #include "render/prepare/light_limits.h"
 #include "render/reference/reference_airlight.h"
+#include "render/samples/mean_frame.h"
+#include "render/samples/pixel_filter.h"
 
 namespace brume {
 
@@ -31,7 +34,13 @@ struct Renderer::Impl {
   std::optional<Frame> render(FrameContext& work);
   // Outgoing radiance of surfaces, RGB per pixel; empty if none is lit.
   std::span<const glm::vec3> trace_paths(FrameContext& work, StageClock& clock);
-  void integrate_medium(FrameContext& work, StageClock& clock);
+  // The medium on the view rays, for more of them.
+  struct SeenMedium {
+    AirlightIntegrator method;
+    Tiles::Lists lists;
+  };
+  SeenMedium integrate_medium(FrameContext& work, StageClock& clock);
+  void sample_pixels(FrameContext& work, const SeenMedium& medium, StageClock& clock);
   AirlightIntegrator airlight_method(FrameContext& work, StageClock& clock);
   AirlightIntegrator paper(FrameContext& work, StageClock& clock);
   AirlightIntegrator sliced(FrameContext& work, StageClock& clock);
@@ -51,8 +60,14 @@ Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 std::optional<Frame> Renderer::render(const Scene& scene, const Camera& camera, const Film& film,
                                       const Settings& settings, std::stop_token stop,
                                       const std::function<void(double)>& progress) {
-  const RenderPlan plan(scene, film, settings, own_transfers_ ? nullptr : transfers_.get());
-  return render(plan, scene, camera, film, {std::move(stop), progress});
+  const auto render_film = [&](const Film& shifted, const Settings& wanted, const Job& job) {
+    const RenderPlan plan(scene, shifted, wanted, own_transfers_ ? nullptr : transfers_.get());
+    return render(plan, scene, camera, shifted, job);
+  };
+  const Job job{std::move(stop), progress};
+  const bool is_path = settings.airlight == AirlightMethod::path;
+  return is_path && settings.samples > 1 ? render_shifted(film, settings, job, render_film)
+                                         : render_film(film, settings, job);
 }
 
 std::optional<Frame> Renderer::render(const RenderPlan& plan, const Scene& scene,
@@ -80,16 +95,24 @@ std::optional<Frame> Renderer::Impl::render(FrameContext& work) {
   if (!stages.begin(work, clock)) return std::nullopt;
   stages.find_hits(work, clock);
   std::span<const glm::vec3> surfaces;
+  SeenMedium medium;
+  const Job job = work.job;
+  if (work.plan.runs(Stage::samples)) work.job = job.subrange(0.0, 0.5);
   if (work.settings.airlight == AirlightMethod::path) {
     surfaces = trace_paths(work, clock);
   } else {
     if (!stages.prepare_source(work, clock)) return std::nullopt;
-    integrate_medium(work, clock);
+    medium = integrate_medium(work, clock);
     surfaces = stages.shade_surfaces(work, clock);
   }
   if (work.job.stop.stop_requested()) return std::nullopt;
   composite(work.rays, stages.shading().environment(), surfaces, work.job, work.frame);
   clock.finish(Stage::composite);
+  if (work.plan.runs(Stage::samples)) {
+    work.job = job.subrange(0.5, 1.0);
+    sample_pixels(work, medium, clock);
+    if (work.job.stop.stop_requested()) return std::nullopt;
+  }
   work.frame.statistics.frame_milliseconds =
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   return std::move(work.frame);
@@ -102,10 +125,10 @@ std::span<const glm::vec3> Renderer::Impl::trace_paths(FrameContext& work, Stage
 }
 
 // Airlight and transmittance of the view rays.
-void Renderer::Impl::integrate_medium(FrameContext& work, StageClock& clock) {
-  if (!work.plan.has_medium()) return;
-  const AirlightIntegrator method = airlight_method(work, clock);
-  const FilmAirlight film =
+Renderer::Impl::SeenMedium Renderer::Impl::integrate_medium(FrameContext& work, StageClock& clock) {
+  if (!work.plan.has_medium()) return {};
+  AirlightIntegrator method = airlight_method(work, clock);
+  FilmAirlight film =
       film_airlight(stages.prepared().medium(), work.plan.lights, work.rays, work.settings, method,
                     stages.ray_ends(work), work.job, work.frame);
   FrameStatistics& statistics = work.frame.statistics;
@@ -113,6 +136,31 @@ void Renderer::Impl::integrate_medium(FrameContext& work, StageClock& clock) {
   statistics.exact_pixels = film.exact_pixels;
   statistics.view_pairs += film.pairs;
   clock.finish(work.plan.medium_stage());
+  return {std::move(method), std::move(film.lists)};
+}
+
+void Renderer::Impl::sample_pixels(FrameContext& work, const SeenMedium& medium,
+                                   StageClock& clock) {
+  const int scale = work.settings.airlight_scale;
+  const Tiles tiles(sample_film(work.frame.film, scale));
+  const RayEnds ends = stages.ray_ends(work);
+  // Samples see what pixels beside their tile see, perhaps farther away.
+  const FilmTiles film{tiles, medium.lists, work.rays, ends, work.frame, scale, 1};
+  if (medium.method.prepare) medium.method.prepare(film);
+  const FilmSurfaces surfaces = stages.film_surfaces(work);
+  SampledView view{.tiles = film,
+                   .surfaces = work.plan.runs(Stage::visibility) ? &surfaces : nullptr,
+                   .are_lit = work.plan.runs(Stage::surfaces),
+                   .environment = stages.shading().environment(),
+                   .fog_tolerance = work.settings.upsampling_tolerance};
+  if (work.plan.has_medium()) {
+    view.medium = &stages.prepared().medium();
+    view.method = &medium.method;
+  }
+  work.frame.statistics.view_pairs +=
+      sample_film(view, find_details(work.frame, work.job), pixel_samples(work.settings.samples),
+                  work.job, work.frame);
+  clock.finish(Stage::samples);
 }
 
 AirlightIntegrator Renderer::Impl::airlight_method(FrameContext& work, StageClock& clock) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "core/scene/scene.h"
+
 namespace brume {
 
 const char* to_string(AirlightMethod method) {
@@ -69,6 +71,11 @@ Settings limit_light_map_memory(Settings settings, std::size_t lights, bool shad
     shrink(settings.shadow_cells, wanted.shadow_cells, min_shadow_cells, eighths);
   }
   return settings;
+}
+
+int chosen_samples(const Scene& scene) {
+  const auto is_visible = [](const Surface& surface) { return surface.visible; };
+  return std::ranges::any_of(scene.surfaces, is_visible) ? edge_samples : 1;
 }
 
 Settings without_auto(Settings settings) {

@@ -8,6 +8,8 @@
 
 namespace brume {
 
+struct Scene;
+
 enum class AirlightMethod {
   auto_,      // the cheapest settings of `sliced` that keep max_error, see render_requested()
   paper,      // the paper's approximation, as published
@@ -69,6 +71,10 @@ struct Settings {
   // `auto_`: maximum relative RMSE of the airlight.
   double max_error = 0.02;
 
+  // Samples of pixels that are not the same all over; 1: all pixels are what their centers see. See
+  // render/samples. `path` and OpenGL sample all pixels as often.
+  int samples = 1;
+
   // Worker threads; 0: all.
   int threads = 0;
 
@@ -121,6 +127,11 @@ inline constexpr int max_paths = limits::paths;
 
 const char* to_string(AirlightMethod method);
 const char* to_string(Scattering scattering);
+
+// Samples a pixel where nothing else is asked for: more than one if there are surfaces, whose edges
+// need them.
+inline constexpr int edge_samples = 16;
+int chosen_samples(const Scene& scene);
 
 // The method as on the command line, with its parameter: "march:64".
 std::string airlight_name(const Settings& settings);

@@ -32,6 +32,8 @@ const char* to_string(Stage stage) {
       return "surfaces";
     case Stage::composite:
       return "composite";
+    case Stage::samples:
+      return "samples";
     case Stage::homogeneous:
       return "homogeneous";
     case Stage::noise:
@@ -99,6 +101,8 @@ std::string to_string(Reason reason, std::size_t count) {
       return "no surface requests it";
     case Reason::only_direct_light:
       return "all light is direct";
+    case Reason::transfer_of_metallic_roughness:
+      return "metallic-roughness materials have none";
     case Reason::transfer_pending:
       return "it is not computed yet";
     case Reason::lights_off:

@@ -23,6 +23,7 @@ enum class Stage {
   paths,          // `path`: airlight, transmittance and surfaces
   surfaces,       // their shading
   composite,
+  samples,  // more of them of pixels that need it
   // Parts of the stages above. OpenGL takes time for some of them.
   homogeneous,         // fog
   noise,               // of the Gaussians
@@ -82,6 +83,7 @@ enum class Reason {
   thin_medium,
   no_transfer_requested,
   only_direct_light,
+  transfer_of_metallic_roughness,
   transfer_pending,
   lights_off,
   black_lights,

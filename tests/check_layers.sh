@@ -27,7 +27,7 @@ refuse "a relative path" '\.\./' core render app tools
 
 # Within a layer: files, and what else of the layer they may include beside their own folder. Each
 # row names only rows above it, so there are no circles.
-values='render/frame.h render/settings.h render/stage.h render/view_transform.h'
+values='render/frame.h render/settings.h render/stage.h'
 surfaces='render/geometry/ render/simd/ render/visibility/ render/lighting/ render/shading/'
 while IFS=: read -r files allowed; do
   [[ $files ]] || continue
@@ -54,13 +54,16 @@ core/io/mesh/*.[hc]*:core/[a-z_]+.h core/scene/ core/io/[a-z_]+.h
 core/io/image/*.[hc]*:core/[a-z_]+.h core/scene/ core/io/[a-z_]+.h
 core/io/volume/*.[hc]*:core/[a-z_]+.h core/volume/ core/io/[a-z_]+.h
 core/io/gaussians/*.[hc]*:core/[a-z_]+.h core/medium/ core/scene/ core/io/[a-z_]+.h
+core/io/scene/json_*.[hc]*:core/[a-z_]+.h core/io/[a-z_]+.h
+core/io/import/*.[hc]*:core/[a-z_]+.h core/scene/ core/io/[a-z_]+.h core/io/image/ core/io/scene/json_reader.h
 core/io/scene/*.[hc]*:core/[a-z_]+.h core/medium/ core/scene/ core/io/
 core/fit/*.[hc]*:core/[a-z_]+.h core/medium/ core/scene/ core/transport/ core/volume/ core/io/volume/
 render/util/*.[hc]*:
 render/geometry/*.[hc]*:
 render/stage.*:
-render/frame.*:render/stage.h render/view_transform.h
+render/frame.*:render/stage.h
 render/settings.*:render/frame.h
+render/display/*.[hc]*:$values
 render/simd/*.[hc]*:$values render/geometry/
 render/visibility/*.[hc]*:render/util/ render/geometry/ render/simd/
 render/transfer/*.[hc]*:render/util/ render/simd/ render/visibility/
@@ -70,9 +73,12 @@ render/shading/*.[hc]*:$values render/render_plan.h render/util/ render/transfer
 render/prepare/*.[hc]*:$values render/render_plan.h render/util/ render/transfer/ $surfaces
 render/reference/*.[hc]*:$values render/render_plan.h render/util/ $surfaces render/prepare/
 render/paths/*.[hc]*:$values render/util/ render/geometry/ render/simd/ render/visibility/ render/reference/ render/prepare/light_limits.h
-render/cpu/*.[hc]*:$values render/render_plan.h render/util/ $surfaces render/prepare/ render/paths/
-render/gl/*.[hc]*:$values render/render_plan.h render/util/ $surfaces render/prepare/
-render/output/*.[hc]*:$values
+render/samples/*.[hc]*:$values render/frame_renderer.h render/util/ render/prepare/albedo.h render/paths/path_random.h
+render/cpu/*.[hc]*:$values render/render_plan.h render/util/ $surfaces render/prepare/ render/samples/ render/paths/
+render/layers/*.[hc]*:$values render/frame_renderer.h render/util/ render/samples/ $surfaces
+render/gl/*.[hc]*:$values render/display/ render/render_plan.h render/util/ $surfaces render/prepare/
+render/output/*.[hc]*:$values render/display/
+render/deep/*.[hc]*:$values render/render_plan.h render/util/ render/transfer/ $surfaces render/prepare/ render/cpu/ render/output/
 render/quality/*.[hc]*:$values render/frame_renderer.h render/util/ render/geometry/ render/prepare/ render/reference/ render/visibility/ render/render_plan.h render/paths/
 app/document/*.[hc]*:
 app/commands/*.[hc]*:app/document/

@@ -15,4 +15,12 @@ inline QString allowed_name(const QString& text, qsizetype room = 0) {
   return name;
 }
 
+// `name`, or with the first number after it that makes it one that is not taken.
+template <class IsTaken>
+QString free_name(const QString& name, IsTaken is_taken) {
+  QString result = name;
+  for (int k = 2; is_taken(result); ++k) result = name + ' ' + QString::number(k);
+  return result;
+}
+
 }  // namespace brume

@@ -11,6 +11,7 @@
 #include "app/commands/edit_medium.h"
 #include "app/commands/undo_text.h"
 #include "app/document/document.h"
+#include "app/document/number_text.h"
 #include "core/io/gaussians/gaussian_columns.h"
 
 namespace brume {

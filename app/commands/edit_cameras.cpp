@@ -76,6 +76,19 @@ void set_vertical_fov(Document& document, double degrees, MergeId gesture) {
   set_scene_part(document, part, undo_text("Set field of view"), gesture);
 }
 
+void set_aperture(Document& document, double radius, MergeId gesture) {
+  KeyedCamera part{document.scene().camera, document.scene().camera_keys};
+  part.camera.aperture = radius;
+  set_scene_part(document, part, undo_text("Set aperture"), gesture);
+}
+
+void set_focus_distance(Document& document, std::optional<double> distance, MergeId gesture) {
+  KeyedCamera part{document.scene().camera, document.scene().camera_keys};
+  part.camera.focus_distance = distance;
+  if (!distance) part.keys.focus_distance.clear();
+  set_scene_part(document, part, undo_text("Set focus distance"), gesture);
+}
+
 void move_camera(Document& document, const Camera& camera, MergeId gesture) {
   set_scene_part(document, KeyedCamera{camera, document.scene().camera_keys},
                  undo_text("Move camera"), gesture);

@@ -27,15 +27,11 @@ QString name_of(const Group& group) {
 }
 
 // With a number if another group has it.
-QString free_name(const Groups& groups, const QString& name, GroupId own = 0) {
-  QString result = name;
-  const auto is_taken = [&](const Group& group) {
-    return group.id != own && name_of(group) == result;
-  };
-  for (int k = 2; std::ranges::any_of(groups, is_taken); ++k) {
-    result = name + ' ' + QString::number(k);
-  }
-  return result;
+QString free_group_name(const Groups& groups, const QString& name, GroupId own = 0) {
+  return free_name(name, [&](const QString& text) {
+    return std::ranges::any_of(
+        groups, [&](const Group& group) { return group.id != own && name_of(group) == text; });
+  });
 }
 
 Group* find(Groups& groups, GroupId id) {
@@ -116,7 +112,7 @@ void group_selection(Document& document) {
   Group group;
   for (const Group& other : groups) group.id = std::max(group.id, other.id);
   ++group.id;
-  group.name = free_name(groups, undo_text("Group")).toStdString();
+  group.name = free_group_name(groups, undo_text("Group")).toStdString();
   group.color = colors[groups.size() % colors.size()];
   group.parent = common_outer_group(document);
   groups.push_back(group);
@@ -202,7 +198,7 @@ void rename_group(Document& document, GroupId group, const QString& name) {
   const QString trimmed = allowed_name(name, 10);  // with room for a number
   if (!found || trimmed.isEmpty() || trimmed == name_of(*found)) return;
   const QString old_name = name_of(*found);
-  found->name = free_name(groups, trimmed, group).toStdString();
+  found->name = free_group_name(groups, trimmed, group).toStdString();
   const QString text = undo_text("Rename %1 to %2").arg(old_name, name_of(*found));
   set_scene_part(document, std::move(groups), text);
 }

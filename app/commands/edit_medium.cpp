@@ -9,6 +9,7 @@
 #include "app/commands/scene_part_command.h"
 #include "app/commands/undo_text.h"
 #include "app/document/document.h"
+#include "app/document/number_text.h"
 
 namespace brume {
 namespace {

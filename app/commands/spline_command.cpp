@@ -4,30 +4,30 @@
 
 namespace brume {
 
-SplineCommand::SplineCommand(Document& document, std::shared_ptr<PaintedSpline> spline,
-                             PaintedSpline after, MediumEdit edit, const QString& text,
-                             MergeId merge_id)
+SplineCommand::SplineCommand(Document& document, Splines after, MediumEdit edit,
+                             const QString& text, MergeId merge_id)
     : SceneCommand(document, text),
-      spline_(std::move(spline)),
-      before_(*spline_),
+      before_(document.scene().splines),
       after_(std::move(after)),
       edit_(std::move(edit)),
-      merge_id_(merge_id) {}
+      merge_id_(merge_id) {
+  setObsolete(edit_.empty() && after_ == before_);
+}
 
-// The spline first: who hears of the medium looks at it.
+// The splines first: who hears of the medium looks at them.
 void SplineCommand::apply() {
-  *spline_ = after_;
-  document_.apply(edit_);
+  document_.set_splines(after_);
+  if (!edit_.empty()) document_.apply(edit_);
 }
 
 void SplineCommand::revert() {
-  *spline_ = before_;
-  document_.apply(edit_.inverted());
+  document_.set_splines(before_);
+  if (!edit_.empty()) document_.apply(edit_.inverted());
 }
 
 bool SplineCommand::merge(const SceneCommand& later) {
   const auto* command = dynamic_cast<const SplineCommand*>(&later);
-  if (!command || command->spline_ != spline_) return false;
+  if (!command) return false;
   after_ = command->after_;
   edit_.merge(command->edit_);
   setObsolete(edit_.empty() && after_ == before_);

@@ -1,29 +1,22 @@
 #pragma once
 
-#include <memory>
 #include <vector>
 
 #include "app/commands/merge_id.h"
 #include "app/commands/scene_command.h"
 #include "core/medium/medium_edit.h"
+#include "core/scene/painted_spline.h"
 
 namespace brume {
 
-// A spline that is being edited: its points, and the Gaussians painted along it.
-struct PaintedSpline {
-  std::vector<glm::dvec3> points;
-  std::vector<GaussianId> ids;
-  std::uint64_t seed = 1;
+using Splines = std::vector<PaintedSpline>;
 
-  bool operator==(const PaintedSpline&) const = default;
-};
-
-// A change of a spline and of its fog at once, so that undo takes the points back, too.
+// A change of the scene's splines and of their fog at once, so that undo takes points back, too. No
+// step if there is none.
 class SplineCommand : public SceneCommand {
  public:
-  // `spline`: what is changed, to `after`.
-  SplineCommand(Document& document, std::shared_ptr<PaintedSpline> spline, PaintedSpline after,
-                MediumEdit edit, const QString& text, MergeId merge_id);
+  SplineCommand(Document& document, Splines after, MediumEdit edit, const QString& text,
+                MergeId merge_id);
 
   [[nodiscard]] int id() const override { return merge_id_; }
 
@@ -33,9 +26,8 @@ class SplineCommand : public SceneCommand {
   bool merge(const SceneCommand& later) override;
 
  private:
-  std::shared_ptr<PaintedSpline> spline_;
-  PaintedSpline before_;
-  PaintedSpline after_;
+  Splines before_;
+  Splines after_;
   MediumEdit edit_;
   MergeId merge_id_;
 };

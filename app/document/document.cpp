@@ -2,13 +2,13 @@
 
 #include <QDir>
 #include <algorithm>
-#include <functional>
 #include <iterator>
 
 #include "app/document/paths.h"
 #include "core/io/atomic_file.h"
 #include "core/io/scene/scene_file.h"
 #include "core/scene/animation.h"
+#include "core/scene/imported_scene.h"
 
 namespace brume {
 
@@ -53,14 +53,16 @@ std::shared_ptr<const Scene> Document::snapshot() const {
 
 std::shared_ptr<const Scene> Document::visible_snapshot() const {
   if (hidden_.empty() && scene_.groups.empty() &&
-      std::ranges::all_of(scene_.surfaces, &Surface::visible)) {
+      std::ranges::all_of(scene_.surfaces, [](const Surface& surface) {
+        return surface.visible && !surface.imported;
+      })) {
     return snapshot();
   }
   if (!visible_) {
     auto scene = std::make_shared<Scene>(scene_);
     scene->medium = visible_medium();
     scene->groups.clear();
-    std::erase_if(scene->surfaces, std::not_fn(&Surface::visible));
+    scene->surfaces = shown_surfaces(scene_.surfaces);
     visible_ = std::move(scene);
   }
   return visible_;
@@ -154,6 +156,7 @@ void Document::open(SceneDocument document, const std::filesystem::path& file,
   active_emitter_ = 0;
   object_.reset();
   active_group_ = 0;
+  active_spline_ = 0;
   scene_changed();
   file_ = file;
   file_version_ = version;
@@ -270,6 +273,22 @@ void Document::set_active_group(GroupId id) {
   if (id == active_group_) return;
   active_group_ = id;
   Q_EMIT active_group_changed();
+}
+
+const PaintedSpline* Document::active_spline() const {
+  return find_spline(scene_.splines, active_spline_);
+}
+
+void Document::set_active_spline(SplineId id) {
+  if (id == active_spline_) return;
+  active_spline_ = id;
+  Q_EMIT active_spline_changed();
+}
+
+void Document::set_splines(std::vector<PaintedSpline> splines) {
+  scene_.splines = std::move(splines);
+  scene_changed();
+  Q_EMIT splines_changed();
 }
 
 void Document::apply(const MediumEdit& edit) {

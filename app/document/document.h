@@ -35,8 +35,8 @@ class Document : public QObject {
   [[nodiscard]] Gaussian effective_gaussian(std::size_t index) const;
   // An immutable snapshot for other threads; copied only after changes.
   [[nodiscard]] std::shared_ptr<const Scene> snapshot() const;
-  // A snapshot without hidden Gaussians and surfaces; its medium is what groups make of it, and it
-  // has no groups.
+  // A snapshot without hidden Gaussians, with the surfaces that frames show (shown_surfaces()); its
+  // medium is what groups make of it, and it has no groups.
   [[nodiscard]] std::shared_ptr<const Scene> visible_snapshot() const;
 
   [[nodiscard]] QUndoStack& undo_stack() { return undo_stack_; }
@@ -106,9 +106,14 @@ class Document : public QObject {
   void set_active_group(GroupId id);
   [[nodiscard]] const GroupEffects& group_effects() const { return grouped().effects(); }
 
+  // The spline that is being edited; nullptr: none. Editor state.
+  [[nodiscard]] const PaintedSpline* active_spline() const;
+  void set_active_spline(SplineId id);
+
   // For commands only: changes without undo.
   void apply(const MediumEdit& edit);
   void set_part(const ScenePart& part);
+  void set_splines(std::vector<PaintedSpline> splines);
   void select(std::vector<GaussianId> ids);
   // Identifies a state of the scene; equal revisions of a document are equal states.
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
@@ -124,6 +129,8 @@ class Document : public QObject {
   void active_emitter_changed();
   void object_changed();
   void active_group_changed();
+  void splines_changed();
+  void active_spline_changed();
   void groups_changed();            // or what they do at another time
   void hidden_or_locked_changed();  // hidden or locked Gaussians
   void file_changed();
@@ -159,6 +166,7 @@ class Document : public QObject {
   std::size_t active_emitter_ = 0;
   std::optional<ObjectRef> object_;
   GroupId active_group_ = 0;
+  SplineId active_spline_ = 0;
   std::uint64_t revision_ = 0;
   std::uint64_t last_revision_ = 0;
   std::uint64_t saved_revision_ = 0;

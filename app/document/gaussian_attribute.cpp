@@ -1,13 +1,13 @@
 #include "app/document/gaussian_attribute.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 #include <limits>
 
 #include "app/document/arithmetic.h"
+#include "app/document/number_text.h"
 #include "core/scene/photometry.h"
 
 namespace brume {
@@ -151,14 +151,6 @@ double parse_number(const QString& text) {
   if (!ok) value = plain.replace(QLatin1Char(','), QLatin1Char('.')).toDouble(&ok);
   if (ok) return value;
   return evaluate(plain).value_or(std::numeric_limits<double>::quiet_NaN());
-}
-
-QString number_text(double value) {
-  return QString::number(value, 'g', 6);
-}
-
-QString exact_number_text(double value) {
-  return QString::number(value, 'g', QLocale::FloatingPointShortest);
 }
 
 QString gaussians_text(std::size_t count) {

@@ -41,9 +41,6 @@ QString attribute_problem(GaussianAttribute field, double value);
 
 // Parses a number or arithmetic expression (see evaluate()); NaN otherwise.
 double parse_number(const QString& text);
-// Short for display; exact for editing.
-QString number_text(double value);
-QString exact_number_text(double value);
 
 // "Gaussian" for one, "3 Gaussians" for three.
 QString gaussians_text(std::size_t count);

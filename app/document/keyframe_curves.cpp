@@ -1,5 +1,6 @@
 #include "app/document/keyframe_curves.h"
 
+#include <QCoreApplication>
 #include <algorithm>
 #include <cstring>
 #include <glm/geometric.hpp>
@@ -40,7 +41,7 @@ bool may_vanish(const char* name) {
 double Curve::at(double time) const {
   return std::visit(
       [&](const auto& of) {
-        const auto now = value_at(of, time);
+        const auto now = value_at(of, time, domain);
         return number_of(now, component);
       },
       keys);
@@ -50,8 +51,13 @@ std::vector<Curve::Point> Curve::points() const {
   std::vector<Point> points;
   std::visit(
       [&](const auto& of) {
-        for (const auto& key : of) {
-          points.push_back({key.time, number_of(key.value, component), key.interpolation});
+        for (std::size_t i = 0; i < of.size(); ++i) {
+          const auto [in, out] = slopes_at(of, i);
+          points.push_back({of[i].time,
+                            number_of(of[i].value, component),
+                            of[i].interpolation,
+                            tangents_of(of[i]),
+                            {number_of(in, component), number_of(out, component)}});
         }
       },
       keys);
@@ -66,30 +72,63 @@ std::vector<Curve> curves_of(const Scene& scene, const Track& row) {
                                       const NumberDomain& domain) {
     const std::size_t value = i++;
     if (value < row.first || value >= row.first + row.count || keys.empty()) return;
-    constexpr int count = components_of<T>;
-    for (int k = 0; k < count; ++k) {
-      curves.push_back({value, k, curve_title(name, k, count, domain), keys});
+    if constexpr (std::is_same_v<T, glm::dquat>) {
+      const QString title = QCoreApplication::translate("Curves", "turned, degrees");
+      curves.push_back({{value, 0}, title, domain, turned_angles(keys), true});
+    } else {
+      constexpr int count = components_of<T>;
+      for (int k = 0; k < count; ++k) {
+        curves.push_back({{value, k}, curve_title(name, k, count, domain), domain, keys});
+      }
     }
   });
   return curves;
 }
 
-void set_key_value(ScenePart& part, const Curve& curve, double time, double value) {
+namespace {
+
+// Calls visit(keys, index, name, domain) for the key of a curve at a time; a rotation has none.
+void visit_key(ScenePart& part, const CurveId& curve, double time, auto&& visit) {
   std::size_t i = 0;
   visit_keyed_part(
       part, [&]<class T>(const char* name, const auto&, Keys<T>& keys, const NumberDomain& domain) {
-        if (i++ != curve.value || curve.component >= components_of<T>) return;
-        const auto at = find_key(keys, time);
-        if (at == keys.end()) return;
-        T changed = at->value;
-        number_of(changed, curve.component) =
-            domain.open ? value : std::clamp(value, domain.min_value, domain.max_value);
-        if (!domain.contains(number_of(changed, curve.component))) return;
+        if (i++ != curve.value) return;
+        if constexpr (!std::is_same_v<T, glm::dquat>) {
+          const auto at = find_key(keys, time);
+          if (at == keys.end() || curve.component >= components_of<T>) return;
+          visit(keys, static_cast<std::size_t>(at - keys.begin()), name, domain);
+        }
+      });
+}
+
+}  // namespace
+
+void set_key_value(ScenePart& part, const CurveId& curve, double time, double value) {
+  visit_key(
+      part, curve, time,
+      [&]<class T>(Keys<T>& keys, std::size_t i, const char* name, const NumberDomain& domain) {
+        T changed = keys[i].value;
+        number_of(changed, curve.component) = domain.nearest(value);
         if constexpr (components_of<T> == 3) {
           if (!may_vanish(name) && glm::length(changed) == 0.0) return;
         }
-        keys[static_cast<std::size_t>(at - keys.begin())].value = changed;
+        keys[i].value = changed;
       });
+}
+
+void set_tangent(ScenePart& part, const CurveId& curve, const TangentEdit& edit) {
+  visit_key(part, curve, edit.time,
+            [&]<class T>(Keys<T>& keys, std::size_t i, const char*, const NumberDomain&) {
+              Key<T>& key = keys[i];
+              const bool both = !edit.alone && tangents_of(key) != Tangents::free;
+              auto [in, out] = slopes_at(keys, i);
+              const double slope = domain::slope.nearest(edit.slope);
+              if (both || edit.side == TangentSide::in) number_of(in, curve.component) = slope;
+              if (both || edit.side == TangentSide::out) number_of(out, curve.component) = slope;
+              key.in = in;
+              key.out = out;
+              key.aligned = both;
+            });
 }
 
 }  // namespace brume

@@ -8,12 +8,18 @@
 
 namespace brume {
 
-// One number of a track over time: a component of one of its values.
-struct Curve {
+// A number of a track: a component of one of its values.
+struct CurveId {
   std::size_t value = 0;  // index among the part's animatable values, as Track::first
   int component = 0;
+};
+
+// It over time. A rotation is one curve, of how far it has turned [degrees].
+struct Curve : CurveId {
   QString title;  // "position x", "intensity"
+  NumberDomain domain;
   std::variant<Keys<double>, Keys<glm::dvec2>, Keys<glm::dvec3>> keys;
+  bool is_rotation = false;  // its keys have no tangents, and move in time only
 
   [[nodiscard]] double at(double time) const;  // [s]; at least one key
 
@@ -21,6 +27,8 @@ struct Curve {
     double time;
     double value;
     Interpolation interpolation;
+    Tangents tangents;
+    Slopes<double> slopes;
   };
   [[nodiscard]] std::vector<Point> points() const;
 };
@@ -28,7 +36,17 @@ struct Curve {
 // Those of a track that have keys.
 std::vector<Curve> curves_of(const Scene& scene, const Track& row);
 
-// Sets that number in the key at a time, as far as it is allowed; no effect without such a key.
-void set_key_value(ScenePart& part, const Curve& curve, double time, double value);
+// Edits of that number in the key at a time, as far as it is allowed; no effect without such a key.
+void set_key_value(ScenePart& part, const CurveId& curve, double time, double value);
+// Sets the slope on one side of the key [1/s]. Automatic tangents become aligned, aligned ones stay
+// so; `alone` makes them free.
+enum class TangentSide { in, out };
+struct TangentEdit {
+  double time;
+  TangentSide side;
+  double slope;
+  bool alone;
+};
+void set_tangent(ScenePart& part, const CurveId& curve, const TangentEdit& edit);
 
 }  // namespace brume

@@ -3,7 +3,9 @@
 #include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
+#include <map>
 
+#include "app/document/surface_names.h"
 #include "app/document/visit_keyed_part.h"
 
 namespace brume {
@@ -71,11 +73,48 @@ void add_group_tracks(std::vector<Track>& rows, const Groups& groups) {
   }
 }
 
+// In the order of visit_keyed_surface().
+void add_surface_tracks(std::vector<Track>& rows, const Surfaces& surfaces) {
+  const QStringList names = surface_names(surfaces);
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < surfaces.size(); ++k) {
+    const auto add = [&](const QString& title) {
+      rows.push_back({title.arg(names[static_cast<int>(k)]), index_of<Surfaces>(), count++, 1,
+                      ObjectRef{ObjectRef::Kind::surface, k}});
+    };
+    add(track_text("%1 position"));
+    add(track_text("%1 rotation"));
+    add(track_text("%1 scale"));
+    const bool is_phong = surfaces[k].material.type == Material::Type::phong;
+    if (!is_phong && surfaces[k].material.type != Material::Type::diffuse) continue;
+    add(track_text("%1 reflectance"));
+    if (!is_phong) continue;
+    add(track_text("%1 specular"));
+    add(track_text("%1 exponent"));
+  }
+}
+
+// Keys of a row at some times.
+void visit_keys(ScenePart& part, const Track& row, std::span<const double> times, auto&& visit) {
+  visit_row(part, row, [&](const auto&, auto& keys) {
+    for (const double time : times) {
+      const auto at = find_key(keys, time);
+      if (at != keys.end()) visit(keys, static_cast<std::size_t>(at - keys.begin()));
+    }
+  });
+}
+
 }  // namespace
 
 std::vector<Track> tracks(const Scene& scene) {
   std::vector<Track> rows;
   rows.push_back({track_text("Camera"), index_of<KeyedCamera>(), 0, 3});
+  if (scene.camera.aperture > 0.0 || !scene.camera_keys.aperture.empty()) {
+    rows.push_back({track_text("Camera aperture"), index_of<KeyedCamera>(), 3, 1});
+    if (scene.camera.focus_distance) {
+      rows.push_back({track_text("Camera focus distance"), index_of<KeyedCamera>(), 4, 1});
+    }
+  }
   std::size_t of_lights = 0;
   for (std::size_t k = 0; k < scene.lights.size(); ++k) {
     const auto add = [&](const QString& title) {
@@ -119,14 +158,29 @@ std::vector<Track> tracks(const Scene& scene) {
   rows.push_back({track_text("Noise amplitude"), optics, 2, 1});
   rows.push_back({track_text("Noise frequency"), optics, 3, 1});
   rows.push_back({track_text("Wind"), optics, 4, 1});
+  add_surface_tracks(rows, scene.surfaces);
   add_group_tracks(rows, scene.groups);
   add_emitter_tracks(rows, scene.emitters);
   return rows;
 }
 
+// Copies each part once: there may be many surfaces.
 std::vector<Track> tracks_with_keys(const Scene& scene) {
   std::vector<Track> rows = tracks(scene);
-  std::erase_if(rows, [&](const Track& row) { return keyframes_of(scene, row).empty(); });
+  std::map<std::size_t, std::vector<bool>> keyed;  // by part, of its values
+  std::erase_if(rows, [&](const Track& row) {
+    const auto [at, is_new] = keyed.try_emplace(row.part);
+    std::vector<bool>& values = at->second;
+    if (is_new) {
+      const ScenePart part = scene_part(scene, row.part);
+      visit_values(part, [&values](std::size_t, const auto&, const auto& keys) {
+        values.push_back(!keys.empty());
+      });
+    }
+    const auto first = values.begin() + static_cast<std::ptrdiff_t>(row.first);
+    return std::none_of(first, first + static_cast<std::ptrdiff_t>(row.count),
+                        [](bool has_keys) { return has_keys; });
+  });
   return rows;
 }
 
@@ -139,7 +193,7 @@ std::vector<Keyframe> keyframes_of(const Scene& scene, const Track& row) {
         return std::abs(mark.time - key.time) < min_key_distance;
       };
       if (std::any_of(marks.begin(), marks.end(), is_same)) continue;
-      marks.push_back({key.time, key.interpolation});
+      marks.push_back({key.time, key.interpolation, tangents_of(key)});
     }
   });
   std::sort(marks.begin(), marks.end(),
@@ -147,9 +201,20 @@ std::vector<Keyframe> keyframes_of(const Scene& scene, const Track& row) {
   return marks;
 }
 
+bool may_have_tangents(const Scene& scene, const Track& row) {
+  const ScenePart part = scene_part(scene, row.part);
+  bool may = false;
+  visit_row(part, row, [&may]<class T>(const T&, const Keys<T>&) {
+    may = may || !std::is_same_v<T, glm::dquat>;
+  });
+  return may;
+}
+
 void set_keys(ScenePart& part, const Track& row, double time) {
   visit_row(part, row, [time]<class T>(const T& value, Keys<T>& keys) {
-    Key<T> key{.time = time, .value = value};
+    const auto at = find_key(keys, time);
+    Key<T> key = at != keys.end() ? *at : Key<T>{.time = time};
+    key.value = value;
     // It goes on as the values did.
     for (const Key<T>& other : keys) {
       if (other.time < time + min_key_distance) key.interpolation = other.interpolation;
@@ -158,44 +223,63 @@ void set_keys(ScenePart& part, const Track& row, double time) {
   });
 }
 
-void delete_keys(ScenePart& part, const Track& row, double time) {
-  visit_row(part, row, [time](const auto&, auto& keys) {
-    if (const auto at = find_key(keys, time); at != keys.end()) keys.erase(at);
+void delete_keys(ScenePart& part, const Track& row, std::span<const double> times) {
+  visit_keys(part, row, times, [](auto& keys, std::size_t i) {
+    keys.erase(keys.begin() + static_cast<std::ptrdiff_t>(i));
   });
 }
 
-void move_keys(ScenePart& part, const Track& row, double old_time, double new_time) {
-  visit_row(part, row, [old_time, new_time](const auto&, auto& keys) {
-    const auto at = find_key(keys, old_time);
-    if (at == keys.end()) return;
-    auto key = *at;
-    keys.erase(at);
-    key.time = new_time;
-    set_key(keys, key);
+void move_keys(ScenePart& part, const Track& row, std::span<const KeyMove> moves) {
+  visit_row(part, row, [moves]<class T>(const T&, Keys<T>& keys) {
+    Keys<T> moved;
+    for (const KeyMove& move : moves) {
+      const auto at = find_key(keys, move.from);
+      if (at == keys.end()) continue;
+      moved.push_back(*at);
+      moved.back().time = move.to;
+      keys.erase(at);
+    }
+    for (const Key<T>& key : moved) set_key(keys, key);
   });
 }
 
-void set_interpolation(ScenePart& part, const Track& row, double time,
+void set_interpolation(ScenePart& part, const Track& row, std::span<const double> times,
                        Interpolation interpolation) {
-  visit_row(part, row, [=](const auto&, auto& keys) {
-    const auto at = find_key(keys, time);
-    if (at != keys.end()) {
-      keys[static_cast<std::size_t>(at - keys.begin())].interpolation = interpolation;
+  visit_keys(part, row, times,
+             [interpolation](auto& keys, std::size_t i) { keys[i].interpolation = interpolation; });
+}
+
+void set_tangents(ScenePart& part, const Track& row, std::span<const double> times,
+                  Tangents tangents) {
+  visit_keys(part, row, times, [tangents]<class T>(Keys<T>& keys, std::size_t i) {
+    if constexpr (!std::is_same_v<T, glm::dquat>) {
+      auto [in, out] = slopes_at(keys, i);
+      Key<T>& key = keys[i];
+      key.interpolation = Interpolation::smooth;
+      key.aligned = tangents == Tangents::aligned;
+      if (key.aligned) in = out = 0.5 * (in + out);
+      key.in = in;
+      key.out = out;
+      if (tangents != Tangents::automatic) return;
+      key.in.reset();
+      key.out.reset();
     }
   });
 }
 
 void apply_keys(ScenePart& part, double time) {
-  visit_values(part, [time](std::size_t, auto& value, const auto& keys) {
-    if (!keys.empty()) value = value_at(keys, time);
-  });
+  visit_keyed_part(part,
+                   [time](const char*, auto& value, const auto& keys, const NumberDomain& domain) {
+                     if (!keys.empty()) value = value_at(keys, time, domain);
+                   });
 }
 
 void key_changes(const ScenePart& before, ScenePart& after, double time) {
   if (before.index() != after.index()) return;
   using Visited = std::variant<std::pair<const double*, const Keys<double>*>,
                                std::pair<const glm::dvec2*, const Keys<glm::dvec2>*>,
-                               std::pair<const glm::dvec3*, const Keys<glm::dvec3>*>>;
+                               std::pair<const glm::dvec3*, const Keys<glm::dvec3>*>,
+                               std::pair<const glm::dquat*, const Keys<glm::dquat>*>>;
   std::vector<Visited> were;
   visit_values(before, [&were]<class T>(std::size_t, const T& value, const Keys<T>& keys) {
     were.emplace_back(std::pair(&value, &keys));

@@ -2,8 +2,10 @@
 
 #include <QString>
 #include <optional>
+#include <span>
 #include <vector>
 
+#include "app/document/object_ref.h"
 #include "app/document/scene_part.h"
 
 namespace brume {
@@ -15,29 +17,52 @@ struct Track {
   // Range of the part's animatable values, in the order of core/scene/animation.h.
   std::size_t first = 0;
   std::size_t count = 1;
+  std::optional<ObjectRef> surface{};  // whose value it is, if of one
 };
 
 // All tracks; and those with keyframes.
 std::vector<Track> tracks(const Scene& scene);
 std::vector<Track> tracks_with_keys(const Scene& scene);
 
+// Who chooses the slopes of a smooth curve at a key: nobody, the user one for both sides, or one
+// for each.
+enum class Tangents { automatic, aligned, free };
+template <class T>
+Tangents tangents_of(const Key<T>& key) {
+  if (!key.in && !key.out) return Tangents::automatic;
+  return key.aligned ? Tangents::aligned : Tangents::free;
+}
+
 // A keyframe of a track.
 struct Keyframe {
   double time = 0.0;
   Interpolation interpolation = Interpolation::smooth;
+  Tangents tangents = Tangents::automatic;
 
   bool operator==(const Keyframe&) const = default;
 };
 std::vector<Keyframe> keyframes_of(const Scene& scene, const Track& row);
 
-// Edits of a part's keyframes; no effect without such a key.
+// Whether its curves may have tangents: those of rotations have none.
+bool may_have_tangents(const Scene& scene, const Track& row);
+
+// Edits of a part's keyframes at some times; no effect without such a key.
 //
-// Sets keys from the track's current values at a time.
+// Sets keys from the track's current values at a time. A key that is there keeps its tangents.
 void set_keys(ScenePart& part, const Track& row, double time);
-void delete_keys(ScenePart& part, const Track& row, double time);
-// Replaces a key at `new_time`.
-void move_keys(ScenePart& part, const Track& row, double old_time, double new_time);
-void set_interpolation(ScenePart& part, const Track& row, double time, Interpolation interpolation);
+void delete_keys(ScenePart& part, const Track& row, std::span<const double> times);
+// Replaces keys that are where others go; of several that go to one place the last stays.
+struct KeyMove {
+  double from;  // [s]
+  double to;
+};
+void move_keys(ScenePart& part, const Track& row, std::span<const KeyMove> moves);
+void set_interpolation(ScenePart& part, const Track& row, std::span<const double> times,
+                       Interpolation interpolation);
+// Makes them smooth. Tangents begin as the automatic slopes; aligned ones as the mean of what they
+// were.
+void set_tangents(ScenePart& part, const Track& row, std::span<const double> times,
+                  Tangents tangents);
 
 // Evaluates the part's keyframed values at a time.
 void apply_keys(ScenePart& part, double time);

@@ -22,6 +22,8 @@ void visit_keyed_part(auto& part, auto&& visit) {
           for (auto& light : value) visit_keyed_light(light, visit);
         } else if constexpr (std::is_same_v<Part, Emitters>) {
           for (auto& emitter : value) visit_keyed_emitter(emitter, visit);
+        } else if constexpr (std::is_same_v<Part, Surfaces>) {
+          for (auto& surface : value) visit_keyed_surface(surface, visit);
         } else if constexpr (std::is_same_v<Part, Groups>) {
           for (auto& group : value) visit_keyed_group(group, visit);
         } else if constexpr (std::is_same_v<Part, std::optional<Environment>>) {

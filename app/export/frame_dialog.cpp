@@ -11,6 +11,8 @@
 
 #include "app/document/paths.h"
 #include "app/files/file_dialogs.h"
+#include "app/files/picture_format.h"
+#include "app/widgets/layer_boxes.h"
 #include "render/settings.h"
 
 namespace brume {
@@ -20,17 +22,20 @@ constexpr int first_paths = 256;  // a noise of a few per cent in most scenes
 
 }  // namespace
 
-FrameDialog::FrameDialog(const QString& folder, bool path_traced, QWidget* parent)
+FrameDialog::FrameDialog(const QString& folder, bool path_traced, const OutputLayers& layers,
+                         QWidget* parent)
     : QDialog(parent),
       format_(new QComboBox(this)),
       file_(new QLineEdit(last_folder(FileKind::picture, folder) + "/frame.png", this)),
       method_(new QComboBox(this)),
-      paths_(new QSpinBox(this)) {
+      paths_(new QSpinBox(this)),
+      layers_(new LayerBoxes(this)) {
   setWindowTitle(tr("Export frame"));
   setAttribute(Qt::WA_DeleteOnClose);
   format_->setObjectName("frame_format");
   format_->addItem(tr("PNG picture"), ".png");
   format_->addItem(tr("EXR with layers"), ".exr");
+  format_->addItem(tr("Deep EXR, for holdouts"), ".deep.exr");
   file_->setObjectName("frame_file");
   file_->setMinimumWidth(360);
   method_->setObjectName("frame_method");
@@ -53,14 +58,18 @@ FrameDialog::FrameDialog(const QString& folder, bool path_traced, QWidget* paren
   form->addRow(tr("File"), row);
   form->addRow(tr("Rendered"), method_);
   form->addRow(tr("Paths per pixel"), paths_);
+  layers_->set_layers(layers);
+  form->addRow(tr("Layers"), layers_);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
   export_ = buttons->addButton(tr("Export"), QDialogButtonBox::AcceptRole);
   export_->setObjectName("export_frame");
   form->addRow(buttons);
 
   connect(browse, &QPushButton::clicked, this, &FrameDialog::browse);
-  connect(format_, &QComboBox::currentIndexChanged, this,
-          [this] { file_->setText(to_qstring(with_extension(file_->text()))); });
+  connect(format_, &QComboBox::currentIndexChanged, this, [this] {
+    file_->setText(to_qstring(with_extension(file_->text())));
+    update_enabled();
+  });
   connect(file_, &QLineEdit::textChanged, this, &FrameDialog::update_enabled);
   connect(method_, &QComboBox::currentIndexChanged, this, &FrameDialog::update_enabled);
   connect(buttons, &QDialogButtonBox::accepted, this, &FrameDialog::confirm);
@@ -69,13 +78,16 @@ FrameDialog::FrameDialog(const QString& folder, bool path_traced, QWidget* paren
 }
 
 void FrameDialog::update_enabled() {
-  paths_->setEnabled(method_->currentData().toBool());
+  const QString format = format_->currentData().toString();
+  const bool is_deep = format == ".deep.exr";
+  method_->setEnabled(!is_deep);
+  paths_->setEnabled(!is_deep && method_->currentData().toBool());
+  layers_->setEnabled(format == ".exr");
   export_->setEnabled(to_path(file_->text()).has_stem());
 }
 
 std::filesystem::path FrameDialog::with_extension(const QString& name) const {
-  std::filesystem::path file = to_path(name);
-  return file.replace_extension(format_->currentData().toString().toStdString());
+  return with_picture_format(to_path(name), format_->currentData().toString().toStdString());
 }
 
 void FrameDialog::browse() {
@@ -88,8 +100,9 @@ void FrameDialog::confirm() {
   const std::filesystem::path file = to_path(file_->text());
   if (!may_replace(this, file, std::nullopt)) return;
   remember_folder(FileKind::picture, file);
-  const bool path_traced = method_->currentData().toBool();
-  Q_EMIT requested(file, path_traced ? std::optional(paths_->value()) : std::nullopt);
+  const bool path_traced = paths_->isEnabled();
+  Q_EMIT requested(file, path_traced ? std::optional(paths_->value()) : std::nullopt,
+                   layers_->layers());
   accept();
 }
 

@@ -11,17 +11,21 @@ class QSpinBox;
 
 namespace brume {
 
+class LayerBoxes;
+struct OutputLayers;
+
 // Dialog to export one frame.
 class FrameDialog : public QDialog {
   Q_OBJECT
  public:
-  // `path_traced`: offered first.
-  FrameDialog(const QString& folder, bool path_traced, QWidget* parent);
+  // `path_traced` and `layers`: offered first.
+  FrameDialog(const QString& folder, bool path_traced, const OutputLayers& layers, QWidget* parent);
 
  Q_SIGNALS:
-  // The extension selects the format: .png or .exr. `paths` per pixel; nullopt: rendered by the
-  // method of the view.
-  void requested(const std::filesystem::path& file, std::optional<int> paths);
+  // The extension selects the format: .png, .exr or .deep.exr. `paths` per pixel; nullopt: rendered
+  // by the method of the view. `layers`: of .exr.
+  void requested(const std::filesystem::path& file, std::optional<int> paths,
+                 const brume::OutputLayers& layers);
 
  private:
   [[nodiscard]] std::filesystem::path with_extension(const QString& name) const;
@@ -33,6 +37,7 @@ class FrameDialog : public QDialog {
   QLineEdit* file_;
   QComboBox* method_;
   QSpinBox* paths_;
+  LayerBoxes* layers_;
   QPushButton* export_;
 };
 

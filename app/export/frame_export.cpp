@@ -5,8 +5,10 @@
 #include "app/document/paths.h"
 #include "app/export/frame_source.h"
 #include "app/export/video_file.h"
+#include "app/files/picture_format.h"
 #include "core/io/atomic_file.h"
 #include "core/io/file_bytes.h"
+#include "render/layers/frame_layers.h"
 
 namespace brume {
 namespace {
@@ -24,7 +26,7 @@ class Exporter {
         written_(written),
         deliver_(std::move(deliver)),
         source_(request.scene, request.camera, request.film.value_or(request.scene->film),
-                request.settings, request.backend) {}
+                request.settings, request.exposure, request.backend) {}
 
   void run() {
     if (!request_.range) {
@@ -45,10 +47,20 @@ class Exporter {
     timer.start();
     auto frame = source_.at(time, job_.subrange(static_cast<double>(k) / count, (k + 1.0) / count));
     if (!frame || job_.stop.stop_requested()) throw Cancelled();
+    add_layers(*frame);
     const double milliseconds = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
     const QString details = picture_details(*frame, request_.settings, milliseconds);
-    deliver_({make_picture(*frame, request_.info.exposure, title, details), milliseconds});
+    deliver_({make_picture(*frame, request_.info.look, title, details), milliseconds});
     return std::move(*frame);
+  }
+
+  // Which may change the frame.
+  void add_layers(Frame& frame) {
+    more_ = {};
+    if (picture_format(request_.file) != ".exr" || !has_more_layers(request_.info.layers)) return;
+    std::optional<ImageLayers> more = source_.layers(frame, request_.info.layers, {job_.stop, {}});
+    if (!more) throw Cancelled();
+    more_ = std::move(*more);
   }
 
   void for_each_frame(const std::function<void(int, const Frame&)>& take) {
@@ -66,7 +78,11 @@ class Exporter {
     FrameInfo info = request_.info;
     info.backend = frame.statistics.backend;
     info.noise = relative_noise(frame);
-    write_frame(file, frame, info);
+    if (!is_deep_file(file)) {
+      write_frame(file, frame, info, more_);
+    } else if (!source_.write_deep(file, frame, info, {job_.stop, {}})) {
+      throw Cancelled();
+    }
     ++written_;
   }
 
@@ -75,7 +91,7 @@ class Exporter {
       VideoFile video(request_.file, temporary, request_.film.value_or(request_.scene->film),
                       request_.range->frames_per_second);
       for_each_frame([&](int, const Frame& frame) {
-        video.add(to_display(frame, request_.info.exposure), job_.stop);
+        video.add(to_display(frame, request_.info.look), job_.stop);
       });
       video.finish(job_.stop);
       if (job_.stop.stop_requested()) throw Cancelled();
@@ -88,6 +104,7 @@ class Exporter {
   int& written_;
   Deliver deliver_;
   FrameSource source_;
+  ImageLayers more_;  // of the last frame
 };
 
 }  // namespace

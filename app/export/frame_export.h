@@ -10,6 +10,7 @@
 #include "core/scene/scene.h"
 #include "render/gl_renderer.h"
 #include "render/output/frame_file.h"
+#include "render/samples/exposure.h"
 #include "render/settings.h"
 
 namespace brume {
@@ -20,6 +21,7 @@ struct FrameExportRequest {
   std::optional<Camera> camera;        // nullopt: the scene's camera at each time
   Settings settings;
   FrameInfo info;  // without backend and noise, set per frame
+  Exposure exposure{};
   Backend backend = Backend::auto_;
   // The extension decides the format: .exr or .png, or .mp4 of several frames. Empty: no file.
   std::filesystem::path file;
@@ -31,7 +33,7 @@ struct FrameExportRequest {
   std::optional<Range> range;  // nullopt: one frame
   double time = 0.0;           // of that [s]
   QString title{};             // of its pictures
-  std::optional<Film> film{};  // absent: the scene\'s; or a region of that
+  std::optional<Film> film{};  // absent: the scene's; or a region of that
 };
 
 // A frame of an export, to be looked at.

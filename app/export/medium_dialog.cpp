@@ -12,6 +12,7 @@
 #include <QSpinBox>
 
 #include "app/document/gaussian_attribute.h"
+#include "app/document/number_text.h"
 #include "app/document/paths.h"
 #include "app/document/timeline.h"
 #include "app/files/file_dialogs.h"

@@ -2,6 +2,7 @@
 
 #include <QStandardPaths>
 
+#include "app/document/number_text.h"
 #include "app/document/paths.h"
 #include "core/error.h"
 
@@ -26,7 +27,7 @@ VideoFile::VideoFile(const std::filesystem::path& shown, const std::filesystem::
   process_.start(
       find_ffmpeg(),
       {"-hide_banner", "-loglevel", "error", "-y", "-f", "rawvideo", "-pixel_format", "rgb24",
-       "-video_size", size, "-framerate", QString::number(frames_per_second), "-i", "pipe:0",
+       "-video_size", size, "-framerate", exact_number_text(frames_per_second), "-i", "pipe:0",
        // What players expect, with sides that are even.
        "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p", "-f", "mp4", target});
   if (!process_.waitForStarted()) fail();

@@ -19,6 +19,7 @@ enum class FileKind {
   gather,
   environment,
   material,
+  color,
   profile,
   missing
 };

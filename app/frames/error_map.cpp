@@ -47,8 +47,8 @@ void fill_block(ErrorMap& map, std::size_t pixel, int step, float error) {
 double difference(const Frame& frame, std::size_t pixel, const PixelAirlight& truth) {
   double square = -truth.variance;
   for (std::size_t c = 0; c < 3; ++c) {
-    const double d =
-        static_cast<double>(frame.airlight[3 * pixel + c]) - truth.radiance[static_cast<int>(c)];
+    const double d = static_cast<double>(frame.center_airlight()[3 * pixel + c]) -
+                     truth.radiance[static_cast<int>(c)];
     square += d * d;
   }
   return std::sqrt(std::max(square, 0.0) / 3.0);
@@ -78,7 +78,7 @@ void ErrorMapper::work(const std::shared_ptr<const RenderedFrame>& rendered, con
   const FrameRequest& request = rendered->request;
   const bool all_orders = frame.statistics.scattering.has_value();
   ErrorMap map{frame.film, std::vector<float>(frame.depth.size(), 0.0F), 0.0, all_orders};
-  const double unit = rms(frame.airlight);
+  const double unit = rms(frame.center_airlight());
   const auto tell = [&] {
     job_.deliver(job, [this, rendered, copy = std::make_shared<const ErrorMap>(map)] {
       Q_EMIT grown(rendered, copy);

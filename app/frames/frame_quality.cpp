@@ -20,9 +20,10 @@ FrameQuality::FrameQuality(QObject* parent) : QObject(parent), control_(interpol
   connect(&meter_, &ErrorMeter::failed, this, &FrameQuality::failed);
 }
 
-void FrameQuality::set_airlight(AirlightMethod method) {
-  if (method == airlight_) return;
+void FrameQuality::set_airlight(AirlightMethod method, int slices) {
+  if (method == airlight_ && slices == slices_) return;
   airlight_ = method;
+  slices_ = slices;
   stop_measuring();
   error_.reset();  // not even a hint of the new one
   chosen_.reset();
@@ -57,6 +58,7 @@ Settings FrameQuality::settings() const {
   if (is_auto()) return control_.settings();
   Settings settings = interpolated(scattering_);
   settings.airlight = airlight_;
+  settings.slices = slices_;
   return settings;
 }
 
@@ -94,7 +96,8 @@ void FrameQuality::set_measured(const std::shared_ptr<const RenderedFrame>& fram
   if (frame != frame_) return;  // cancelled meanwhile
   frame_.reset();
   error_ = error;
-  const Settings& used = frame->request.settings;
+  Settings used = frame->request.settings;
+  used.samples = settings().samples;  // of no meaning for the error, which is that of centers
   if (is_auto()) {
     control_.record(used, error, frame->milliseconds);
   } else {

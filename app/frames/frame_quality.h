@@ -19,7 +19,11 @@ class FrameQuality : public QObject {
   explicit FrameQuality(QObject* parent = nullptr);
 
   [[nodiscard]] AirlightMethod airlight() const { return airlight_; }
-  void set_airlight(AirlightMethod method);
+  // `slices`: of a manually chosen `sliced`.
+  void set_airlight(AirlightMethod method, int slices = Settings().slices);
+  static constexpr int fast_slices = 8;
+  [[nodiscard]] bool is_fast() const { return slices_ == fast_slices; }
+  [[nodiscard]] int slices() const { return slices_; }
   [[nodiscard]] Scattering scattering() const { return scattering_; }
   void set_scattering(Scattering scattering);
   [[nodiscard]] bool is_auto() const { return airlight_ == AirlightMethod::auto_; }
@@ -62,6 +66,7 @@ class FrameQuality : public QObject {
   void set_measured(const std::shared_ptr<const RenderedFrame>& frame, const ErrorEstimate& error);
 
   AirlightMethod airlight_ = AirlightMethod::auto_;
+  int slices_ = Settings().slices;
   Scattering scattering_ = Scattering::multiple;
   QualityControl control_;
   std::shared_ptr<const RenderedFrame> frame_;  // being measured

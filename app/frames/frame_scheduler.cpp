@@ -56,6 +56,7 @@ FrameScheduler::FrameScheduler(const Document& document, FrameServices& services
     if (active_) Q_EMIT failed(message);
   });
   connect(&services.service, &FrameService::failed, this, [this] { refines_cache_ = false; });
+  connect(&services.color, &ColorManagement::view_changed, this, &FrameScheduler::picture_changed);
   connect(&services.transfer_job, &TransferJob::made, this, &FrameScheduler::change_look);
   connect(&services.service, &FrameService::backend_changed, this, &FrameScheduler::change_look);
   connect(&document, &Document::scene_replaced, this, [this] {
@@ -86,6 +87,10 @@ void FrameScheduler::set_exposure(double stops) {
   Q_EMIT picture_changed();
 }
 
+DisplayLook FrameScheduler::display() const {
+  return {exposure_, services_.color.view()};
+}
+
 void FrameScheduler::set_mode(ViewMode mode) {
   if (mode == mode_) return;
   const bool other_frames = (mode == ViewMode::path_traced) != (mode_ == ViewMode::path_traced);
@@ -111,7 +116,7 @@ bool FrameScheduler::is_settled() const {
 // One in motion may be, where that saves nothing.
 bool FrameScheduler::is_full(const RenderedFrame& frame) const {
   return frame.divisor == 1 && !frame.on_device && !frame.cached &&
-         frame.request.settings == quality_.settings();
+         frame.request.settings == rest_settings(*frame.request.scene);
 }
 
 bool FrameScheduler::shows_paths() const {
@@ -136,6 +141,14 @@ void FrameScheduler::ask_for_paths(FrameRequest& request) const {
   } else {
     request.settings.paths = std::min(2 * shown_->request.settings.paths, max_view_paths);
   }
+}
+
+// As many as are chosen, or fewer if the output has fewer.
+Settings FrameScheduler::rest_settings(const Scene& scene) const {
+  Settings settings = quality_.settings();
+  const int most = chosen_samples(scene);
+  settings.samples = std::min(document_.scene().output.samples.value_or(most), most);
+  return settings;
 }
 
 Settings FrameScheduler::motion_settings(const std::shared_ptr<const Scene>& scene) const {
@@ -180,8 +193,8 @@ FrameRequest FrameScheduler::frame_request(bool moving) {
   FrameRequest request{.scene = scene,
                        .camera = view_.shown_camera(),
                        .film = look_.film,
-                       .settings = moving ? motion_settings(scene) : quality_.settings(),
-                       .exposure = exposure_,
+                       .settings = moving ? motion_settings(scene) : rest_settings(*scene),
+                       .display = display(),
                        .mode = mode_,
                        .view = index(),
                        .serial = serial_,
@@ -246,9 +259,10 @@ void FrameScheduler::forget_cached() {
 void FrameScheduler::check_look() {
   const QSize pixels = (QSizeF(pane_.size()) * pane_.devicePixelRatioF()).toSize();
   const Look look{.film = {std::max(1, pixels.width()), std::max(1, pixels.height())},
-                  .exposure = exposure_,
+                  .display = display(),
                   .mode = mode_,
                   .airlight = quality_.airlight(),
+                  .slices = quality_.slices(),
                   .scattering = quality_.scattering(),
                   .max_error = quality_.max_error()};
   if (look == look_) return;

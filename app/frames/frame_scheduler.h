@@ -36,6 +36,7 @@ class FrameScheduler : public QObject {
 
   [[nodiscard]] double exposure() const { return exposure_; }
   void set_exposure(double stops);
+  [[nodiscard]] DisplayLook display() const;  // with the view that all share
   [[nodiscard]] ViewMode mode() const { return mode_; }
   void set_mode(ViewMode mode);
 
@@ -63,6 +64,8 @@ class FrameScheduler : public QObject {
   // At full resolution with the settings for rest, and all its layers.
   [[nodiscard]] bool is_full(const RenderedFrame& frame) const;
   void ask_for_paths(FrameRequest& request) const;
+  // With samples of edges, which frames in motion do without.
+  [[nodiscard]] Settings rest_settings(const Scene& scene) const;
   [[nodiscard]] Settings motion_settings(const std::shared_ptr<const Scene>& scene) const;
   [[nodiscard]] FrameRequest frame_request(bool moving);
   void send(FrameRequest request);
@@ -95,9 +98,10 @@ class FrameScheduler : public QObject {
   // What cached pictures were made for.
   struct Look {
     Film film;
-    double exposure = 0.0;
+    DisplayLook display;
     ViewMode mode = ViewMode::final;
     AirlightMethod airlight = AirlightMethod::auto_;
+    int slices = 0;
     Scattering scattering = Scattering::multiple;
     double max_error = 0.0;
     bool operator==(const Look&) const = default;

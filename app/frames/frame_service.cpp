@@ -49,7 +49,7 @@ class ChosenRenderer {
                                         const std::stop_token& stop) {
     auto rendered = std::make_shared<RenderedFrame>();
     auto options =
-        sharing_ && request.moving ? display_options(request.exposure, request.mode) : std::nullopt;
+        sharing_ && request.moving ? display_options(request.display, request.mode) : std::nullopt;
     const Scene& scene = *request.scene;
     if (options) {
       options->depth = request.depth;
@@ -64,7 +64,7 @@ class ChosenRenderer {
     }
     if (!problem_.empty()) rendered->frame.statistics.on_cpu = {{Stage::frame, problem_}};
     if (!rendered->on_device) {
-      rendered->picture = to_picture(rendered->frame, request.exposure, request.mode);
+      rendered->picture = to_picture(rendered->frame, request.display, request.mode);
     }
     return rendered;
   }

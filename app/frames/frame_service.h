@@ -25,7 +25,7 @@ struct FrameRequest {
   Camera camera;
   Film film;  // full resolution
   Settings settings;
-  double exposure = 0.0;  // stops
+  DisplayLook display;
   ViewMode mode = ViewMode::final;
   int view = 0;              // index of the view
   std::uint64_t serial = 0;  // identifies the state of scene, camera and film

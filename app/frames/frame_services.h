@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/frames/color_management.h"
 #include "app/frames/error_map.h"
 #include "app/frames/frame_service.h"
 #include "app/frames/picture_cache.h"
@@ -17,6 +18,7 @@ struct FrameServices {
   FrameService service;
   ErrorMapper error_mapper;  // for the active view
   PictureCache cache;
+  ColorManagement color;
 };
 
 }  // namespace brume

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "app/document/number_text.h"
 #include "app/frames/error_map.h"
 #include "app/widgets/frame_text.h"
 #include "render/frame.h"
@@ -19,8 +20,8 @@ constexpr double error_decades = 2.0;
 constexpr int cost_block = 8;           // pixels that a cost is the mean of, either way
 constexpr double behind_outlines = -2;  // stops
 
-QImage displayed(const Frame& frame, double exposure) {
-  const auto bytes = to_display(frame, exposure);
+QImage displayed(const Frame& frame, const DisplayLook& look) {
+  const auto bytes = to_display(frame, look);
   QImage image(frame.film.width, frame.film.height, QImage::Format_RGB888);
   const auto row = static_cast<std::size_t>(frame.film.width) * 3;
   for (int y = 0; y < frame.film.height; ++y) {
@@ -29,7 +30,7 @@ QImage displayed(const Frame& frame, double exposure) {
   return image;
 }
 
-QImage airlight_only(const Frame& frame, double exposure) {
+QImage airlight_only(const Frame& frame, const DisplayLook& look) {
   Frame only;
   only.film = frame.film;
   const std::size_t pixels = frame.airlight.size() / 3;
@@ -37,7 +38,7 @@ QImage airlight_only(const Frame& frame, double exposure) {
   for (std::size_t k = 0; k < pixels; ++k) {
     std::copy_n(&frame.airlight[3 * k], 3, &only.beauty[4 * k]);
   }
-  return displayed(only, exposure);
+  return displayed(only, look);
 }
 
 QImage depths(const Frame& frame) {
@@ -130,33 +131,34 @@ ViewMode next_view_mode(ViewMode mode) {
                                    : static_cast<ViewMode>(static_cast<int>(mode) + 1);
 }
 
-QImage to_picture(const Frame& frame, double exposure, ViewMode mode) {
+QImage to_picture(const Frame& frame, const DisplayLook& look, ViewMode mode) {
   switch (mode) {
     case ViewMode::airlight:
-      return airlight_only(frame, exposure);
+      return airlight_only(frame, look);
     case ViewMode::optical_depth:
       return depths(frame);
     case ViewMode::cost:
       return cost_picture(frame);
     case ViewMode::outlines:
     case ViewMode::error:
-      return displayed(frame, exposure + behind_outlines);
+      return displayed(frame, {look.exposure + behind_outlines, look.view});
     default:
-      return displayed(frame, exposure);
+      return displayed(frame, look);
   }
 }
 
-std::optional<gl::DisplayOptions> display_options(double exposure, ViewMode mode) {
+std::optional<gl::DisplayOptions> display_options(const DisplayLook& look, ViewMode mode) {
+  if (look.view) return std::nullopt;
   using Layer = gl::DisplayOptions::Layer;
   switch (mode) {
     case ViewMode::final:
     case ViewMode::path_traced:
-      return {{.layer = Layer::beauty, .exposure = exposure}};
+      return {{.layer = Layer::beauty, .exposure = look.exposure}};
     case ViewMode::outlines:
     case ViewMode::error:
-      return {{.layer = Layer::beauty, .exposure = exposure + behind_outlines}};
+      return {{.layer = Layer::beauty, .exposure = look.exposure + behind_outlines}};
     case ViewMode::airlight:
-      return {{.layer = Layer::airlight, .exposure = exposure}};
+      return {{.layer = Layer::airlight, .exposure = look.exposure}};
     default:
       return std::nullopt;
   }
@@ -181,14 +183,14 @@ ColorScale color_scale(const Frame& frame, ViewMode mode, const ErrorMap* map) {
     case ViewMode::cost: {
       const double max_value = costs_of(frame).scale;
       return {mode_text("Pairs of Gaussian and ray per pixel"),
-              {"0", QString::number(0.5 * max_value), QString::number(max_value)}};
+              {"0", number_text(0.5 * max_value), number_text(max_value)}};
     }
     case ViewMode::error: {
       if (!map) return {mode_text("Error: waiting for the measurement"), {}};
       QString title =
           map->all_orders ? mode_text("Error, all orders of scattering") : mode_text("Error");
       if (map->done < 1.0) {
-        title += mode_text(", %1 % of the pixels").arg(100.0 * map->done, 0, 'f', 0);
+        title += mode_text(", %1 % of the pixels").arg(fixed_text(100.0 * map->done, 0));
       }
       return {title, {"0.1 %", "1 %", "10 %"}};
     }

@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 
+#include "render/display/to_display.h"
 #include "render/gl/display_options.h"
 
 namespace brume {
@@ -30,11 +31,11 @@ inline constexpr std::array view_modes{
 QString view_mode_title(ViewMode mode);  // "Airlight Only"
 ViewMode next_view_mode(ViewMode mode);
 
-// Exposure in stops, ignored for false colours. In error mode, the dimmed picture until
+// `look` is ignored for false colours. In error mode, the dimmed picture until
 // error_picture() is available.
-QImage to_picture(const Frame& frame, double exposure, ViewMode mode);
+QImage to_picture(const Frame& frame, const DisplayLook& look, ViewMode mode);
 // The same for a frame on the device; nullopt if unsupported.
-std::optional<gl::DisplayOptions> display_options(double exposure, ViewMode mode);
+std::optional<gl::DisplayOptions> display_options(const DisplayLook& look, ViewMode mode);
 QImage error_picture(const ErrorMap& map);
 
 // Title and equidistant tick labels of a false-colour scale; or a title alone.

@@ -7,13 +7,14 @@
 #include <algorithm>
 #include <array>
 
+#include "app/document/number_text.h"
 #include "core/number_domain.h"
 
 namespace brume {
 
 QLineEdit* number_edit(const char* name, double value, double min_value, double max_value,
                        QWidget* parent) {
-  auto* edit = new QLineEdit(QString::number(value), parent);
+  auto* edit = new QLineEdit(exact_number_text(value), parent);
   edit->setObjectName(name);
   auto* domain = new QDoubleValidator(min_value, max_value, 12, edit);
   domain->setLocale(QLocale::c());

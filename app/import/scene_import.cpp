@@ -10,7 +10,9 @@
 #include "app/document/document.h"
 #include "app/document/paths.h"
 #include "app/files/file_dialogs.h"
+#include "app/import/add_imported.h"
 #include "app/import/folder_dialog.h"
+#include "app/import/scene_dialog.h"
 #include "app/import/volume_dialog.h"
 #include "app/import/vtk_points.h"
 #include "core/error.h"
@@ -18,6 +20,7 @@
 #include "core/io/gaussians/gaussian_file.h"
 #include "core/io/gaussians/sequence_file.h"
 #include "core/io/image/radiance_map_file.h"
+#include "core/io/import/imported_scene_file.h"
 #include "core/io/mesh/mesh_file.h"
 #include "core/io/ply.h"
 
@@ -28,6 +31,7 @@ namespace {
 constexpr std::array<std::string_view, 2> tables{".csv", ".ply"};
 constexpr std::array<std::string_view, 2> vtk_files{".vtp", ".vtu"};
 constexpr std::array<std::string_view, 3> meshes{".obj", ".stl", ".off"};
+constexpr std::array<std::string_view, 3> scenes{".gltf", ".glb", ".fbx"};
 constexpr std::array<std::string_view, 2> environments{".exr", ".hdr"};
 
 bool is_one_of(const fs::path& file, const auto& extensions) {
@@ -37,6 +41,12 @@ bool is_one_of(const fs::path& file, const auto& extensions) {
 
 bool is_volume(const fs::path& file) {
   return lower_case_extension(file) == ".vdb";
+}
+
+// With materials of its own; an OBJ may be either.
+bool is_scene(const fs::path& file) {
+  return is_one_of(file, scenes) ||
+         (lower_case_extension(file) == ".obj" && obj_has_materials(file));
 }
 
 // A PLY may be either.
@@ -78,14 +88,15 @@ SceneImport::SceneImport(Document& document, BackgroundJob& job, QWidget* window
 
 bool SceneImport::can_import(const fs::path& file) {
   return is_volume(file) || is_one_of(file, tables) || is_one_of(file, vtk_files) ||
-         is_one_of(file, meshes) || is_one_of(file, environments);
+         is_one_of(file, meshes) || is_one_of(file, scenes) || is_one_of(file, environments);
 }
 
 void SceneImport::ask() {
   const fs::path file = ask_for_file(
       window_, FileKind::import, tr("Import"),
-      tr("All supported files (*.vdb *.csv *.ply *.vtp *.vtu *.obj *.stl *.off *.exr *.hdr);;"
-         "Volumes (*.vdb);;Gaussians (*.csv *.ply *.vtp *.vtu);;Meshes (*.obj *.ply *.stl *.off);;"
+      tr("All supported files (*.vdb *.csv *.ply *.vtp *.vtu *.gltf *.glb *.fbx *.obj *.stl *.off "
+         "*.exr *.hdr);;Scenes (*.gltf *.glb *.fbx *.obj);;Volumes (*.vdb);;Gaussians (*.csv *.ply "
+         "*.vtp *.vtu);;Meshes (*.obj *.ply *.stl *.off);;"
          "Environments (*.exr *.hdr);;All files (*)"),
       document_.folder());
   if (!file.empty()) import_file(file);
@@ -126,6 +137,7 @@ BackgroundJob::Apply SceneImport::read(const fs::path& file, const std::stop_tok
                      tr("Import environment %1").arg(to_qstring(file.filename())));
     };
   }
+  if (is_scene(file)) return read_scene(file, stop, true);
   if (is_mesh(file)) {
     return [this, surface = read_surface(file)] {
       add_surfaces({surface}, tr("Import %1").arg(to_qstring(surface.mesh_file.filename())));
@@ -134,6 +146,42 @@ BackgroundJob::Apply SceneImport::read(const fs::path& file, const std::stop_tok
   return [this, gaussians = read_any_gaussians(file, stop)] {
     add_gaussians(document_, gaussians, tr("Import"));
   };
+}
+
+// Where it has cameras or lights, `asks` whether they are wanted; else all are.
+BackgroundJob::Apply SceneImport::read_scene(const fs::path& file, const std::stop_token& stop,
+                                             bool asks) {
+  std::vector<std::string> warnings;
+  const std::shared_ptr<const ImportedScene> scene = read_imported_scene(file, warnings, stop);
+  if (!scene) return {};
+  if (scene->parts.empty() && scene->cameras.empty() && scene->lights.empty()) {
+    throw InputError(file, "", "found neither meshes nor cameras nor lights");
+  }
+  QStringList lines;
+  for (const std::string& warning : warnings) lines << QString::fromStdString(warning);
+  return [this, scene, asks, text = lines.join('\n')] {
+    if (!text.isEmpty()) Q_EMIT warned(text);
+    if (!asks || (scene->cameras.empty() && scene->lights.empty())) {
+      add_scene(scene, true, true);
+      return;
+    }
+    auto* dialog = new SceneDialog(*scene, window_);
+    connect(dialog, &SceneDialog::requested, this,
+            [this, scene](bool cameras, bool lights) { add_scene(scene, cameras, lights); });
+    dialog->show();
+  };
+}
+
+void SceneImport::add_scene(const std::shared_ptr<const ImportedScene>& scene, bool cameras,
+                            bool lights) {
+  const QString text = tr("Import %1").arg(to_qstring(scene->files.front().filename()));
+  const Scene& before = document_.scene();
+  const bool is_new = before.lights == new_scene().lights && !before.environment;
+  document_.undo_stack().beginMacro(text);
+  if (!scene->parts.empty()) add_surfaces({surface_of(scene)}, text);
+  if (cameras && !scene->cameras.empty()) add_cameras(document_, *scene, text);
+  if (lights && !scene->lights.empty()) add_lights(document_, *scene, is_new, text);
+  document_.undo_stack().endMacro();
 }
 
 BackgroundJob::Apply SceneImport::read(const FrameRun& run) {
@@ -159,8 +207,8 @@ void SceneImport::import_files(const std::vector<fs::path>& files) {
   }
   if (!others.empty()) {
     Q_EMIT failed(tr("%1: cannot be imported; allowed: volumes (.vdb), Gaussians (.csv, .ply, "
-                     ".vtp, .vtu), meshes (.obj, .ply, .stl, .off), environments (.exr, .hdr), and "
-                     "one scene (.brume) by itself")
+                     ".vtp, .vtu), scenes (.gltf, .glb, .fbx, .obj), meshes (.obj, .ply, .stl, "
+                     ".off), environments (.exr, .hdr), and one scene (.brume) by itself")
                       .arg(others.join(", ")));
   }
   if (possible.size() == 1) import_file(possible.front());
@@ -196,7 +244,9 @@ void SceneImport::import_each(const std::vector<fs::path>& files,
           std::vector<Surface> surfaces;  // added together, after what else may light them
           for (const fs::path& file : files) {
             if (job.stop.stop_requested()) return {};
-            if (is_mesh(file)) {
+            if (is_scene(file)) {
+              takes.push_back(read_scene(file, job.stop, false));
+            } else if (is_mesh(file)) {
               surfaces.push_back(read_surface(file));
             } else {
               takes.push_back(read(file, job.stop));
@@ -206,7 +256,9 @@ void SceneImport::import_each(const std::vector<fs::path>& files,
           }
           return [this, takes, surfaces, text = tr("Import %1 files").arg(files.size())] {
             document_.undo_stack().beginMacro(text);
-            for (const BackgroundJob::Apply& take : takes) take();
+            for (const BackgroundJob::Apply& take : takes) {
+              if (take) take();
+            }
             if (!surfaces.empty()) add_surfaces(surfaces, text);
             document_.undo_stack().endMacro();
           };

@@ -19,14 +19,14 @@ namespace brume {
 class Document;
 
 // Imports files in the background, each as one undo step: Gaussians (.csv, .ply, .vtp, .vtu),
-// volumes (.vdb, fitted), meshes (.obj, .ply, .stl, .off), environments (.exr, .hdr); Gaussians and
-// volumes also as sequences.
+// volumes (.vdb, fitted), scenes (.gltf, .glb, .fbx, .obj with materials), meshes (.obj, .ply,
+// .stl, .off), environments (.exr, .hdr); Gaussians and volumes also as sequences.
 class SceneImport : public QObject {
   Q_OBJECT
  public:
   SceneImport(Document& document, BackgroundJob& job, QWidget* window);
 
-  // Asks for a file, and for a volume's fit options.
+  // Asks for a file, for a volume's fit options, and what of a scene is wanted.
   void ask();
   void ask_sequence();
 
@@ -50,6 +50,7 @@ class SceneImport : public QObject {
 
  Q_SIGNALS:
   void failed(const QString& message);
+  void warned(const QString& message);
   void surfaces_added();  // within the undo step of the import
 
  private:
@@ -57,6 +58,9 @@ class SceneImport : public QObject {
   // In the background: reads a file other than a volume, or a sequence.
   BackgroundJob::Apply read(const std::filesystem::path& file, const std::stop_token& stop);
   BackgroundJob::Apply read(const FrameRun& run);
+  BackgroundJob::Apply read_scene(const std::filesystem::path& file, const std::stop_token& stop,
+                                  bool asks);
+  void add_scene(const std::shared_ptr<const ImportedScene>& scene, bool cameras, bool lights);
   void import_each(const std::vector<std::filesystem::path>& files,
                    const std::optional<FrameRun>& run);
   void add_sequence(MediumSequence sequence);

@@ -8,6 +8,7 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <algorithm>
+#include <glm/geometric.hpp>
 
 #include "app/commands/edit_cameras.h"
 #include "app/commands/scene_part_command.h"
@@ -34,6 +35,7 @@ CameraPanel::CameraPanel(Document& document, std::function<Camera()> view, QWidg
   toggles_->setContentsMargins(0, 0, 0, 0);
   form->addRow(toggles);
   add_lens(*form);
+  add_focus(*form);
   add_place(*form);
   on_refresh([this] { show_cameras(); });
   refresh();
@@ -119,6 +121,33 @@ void CameraPanel::add_lens(QFormLayout& form) {
       ->setToolTip(tr("From the bottom to the top of the picture"));
 }
 
+void CameraPanel::add_focus(QFormLayout& form) {
+  const auto camera = [this]() -> const Camera& { return document_.scene().camera; };
+  add_number(form, tr("Aperture, u"),
+             {"aperture", domain::not_negative, ValueField::Scale::linear, 0.005,
+              [camera] { return std::optional(camera().aperture); },
+              [this](double value, MergeId gesture) { set_aperture(document_, value, gesture); }})
+      ->setToolTip(tr("The radius of the lens: the larger, the more is blurred before and behind "
+                      "the plane in focus. 0: all is in focus. Seen in what is exported"));
+  auto* on_target = new QCheckBox(tr("Focus on what it looks at"), this);
+  on_target->setObjectName("focus_on_target");
+  form.addRow({}, on_target);
+  connect(on_target, &QCheckBox::clicked, this, [this, camera](bool on) {
+    const double distance = glm::length(camera().target - camera().eye);
+    set_focus_distance(document_, on ? std::nullopt : std::optional(distance), no_merge);
+  });
+  add_number(
+      form, tr("Focus distance, u"),
+      {"focus_distance", domain::length, ValueField::Scale::logarithmic, 0.01,
+       [camera] { return camera().focus_distance; },
+       [this](double value, MergeId gesture) { set_focus_distance(document_, value, gesture); }})
+      ->setToolTip(tr("From the camera to the plane in focus, along its axis"));
+  on_refresh([on_target, camera] {
+    on_target->setChecked(!camera().focus_distance);
+    on_target->setEnabled(camera().aperture > 0.0);
+  });
+}
+
 void CameraPanel::add_place(QFormLayout& form) {
   const auto add = [&](const QString& title, const char* name, glm::dvec3 Camera::*point) {
     add_vector(form, title,
@@ -134,8 +163,9 @@ void CameraPanel::add_place(QFormLayout& form) {
                   move_camera(document_, camera, gesture);
                 }});
   };
-  add(tr("Position, u"), "camera_eye", &Camera::eye);
-  add(tr("Looks at, u"), "camera_target", &Camera::target);
+  add(tr("Position"), "camera_eye", &Camera::eye);
+  add(tr("Looks at"), "camera_target", &Camera::target);
+  show_length_units(*this, {"camera_eye", "camera_target"});
 }
 
 QString CameraPanel::current_name() const {

@@ -27,6 +27,7 @@ class CameraPanel : public SceneForm {
   QWidget* new_list();
   QWidget* new_buttons();
   void add_lens(QFormLayout& form);
+  void add_focus(QFormLayout& form);
   void add_place(QFormLayout& form);
   void show_cameras();
   [[nodiscard]] QString current_name() const;

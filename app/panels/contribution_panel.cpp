@@ -11,6 +11,7 @@
 #include "app/commands/select_command.h"
 #include "app/document/document.h"
 #include "app/document/gaussian_attribute.h"
+#include "app/document/number_text.h"
 #include "app/view/surface_picker.h"
 #include "app/view/view.h"
 #include "app/widgets/application.h"
@@ -130,9 +131,6 @@ void ContributionPanel::paintEvent(QPaintEvent* /*event*/) {
     painter.fillRect(bar.left(), bar.top(), width, bar.height(), color);
     y += row_height();
   };
-  const auto percent = [](double share) {
-    return QString("%1 %").arg(100.0 * share, 0, 'f', share < 0.1 ? 1 : 0);
-  };
   const Facts& f = *facts_;
   QFont bold = font();
   bold.setBold(true);
@@ -144,16 +142,15 @@ void ContributionPanel::paintEvent(QPaintEvent* /*event*/) {
   y += row_height();
   const QColor plain = palette().color(QPalette::PlaceholderText);
   const double optical_depth = luminance(f.contribution.optical_depth);
-  row(tr("Optical depth"), optical_depth / deepest, QString::number(optical_depth, 'g', 3), plain);
-  row(tr("Attenuates"), f.contribution.fraction, percent(f.contribution.fraction), plain);
+  row(tr("Optical depth"), optical_depth / deepest, number_text(optical_depth, 3), plain);
+  row(tr("Attenuates"), f.contribution.fraction, percent_text(f.contribution.fraction), plain);
   const glm::dvec3& emitted = f.contribution.emitted;
   double max_value = luminance(emitted);
   for (const LightShare& light : f.lights)
     max_value = std::max(max_value, luminance(light.radiance));
   const auto radiance_row = [&](const QString& title, const glm::dvec3& rgb, const QColor& color) {
     const double radiance = luminance(rgb);
-    row(title, max_value > 0.0 ? radiance / max_value : 0.0, QString::number(radiance, 'g', 3),
-        color);
+    row(title, max_value > 0.0 ? radiance / max_value : 0.0, number_text(radiance, 3), color);
   };
   if (emitted != glm::dvec3(0.0)) {
     radiance_row(tr("Emission"), emitted, to_color(emission_color(emitted)));
@@ -170,7 +167,7 @@ void ContributionPanel::paintEvent(QPaintEvent* /*event*/) {
     const bool shines = met.effect() > met.fraction;  // more than it attenuates
     const QColor color = shines ? to_color(emission_color(met.emitted)) : plain;
     row(name_of(id), met.effect(),
-        shines ? QString::number(met.effect(), 'g', 3) : percent(met.fraction),
+        shines ? number_text(met.effect(), 3) : percent_text(met.fraction),
         document_.is_selected(id) ? accent_color() : color);
   }
 }

@@ -17,7 +17,8 @@
 namespace brume {
 namespace {
 
-constexpr double point_radius = 4.0;  // pixels
+constexpr double point_radius = 4.0;   // pixels
+constexpr double handle_radius = 3.0;  // pixels
 
 // Red, green, blue as the axes; further values of a track are dashed.
 QPen curve_pen(const std::vector<Curve>& curves, std::size_t k) {
@@ -30,27 +31,19 @@ QPen curve_pen(const std::vector<Curve>& curves, std::size_t k) {
   return pen;
 }
 
-// 1, 2 or 5 times a power of ten, at least `step`.
-double round_step(double step) {
-  const double power = std::pow(10.0, std::floor(std::log10(step)));
-  for (const double factor : {1.0, 2.0, 5.0}) {
-    if (factor * power >= step) return factor * power;
-  }
-  return 10.0 * power;
-}
-
 }  // namespace
 
 CurveEditor::CurveEditor(Timeline& timeline, Document& document, QWidget* parent)
     : QWidget(parent), timeline_(timeline), document_(document) {
   setFocusPolicy(Qt::ClickFocus);
   setToolTip(
-      tr("Drag a key in time and value, Del to delete, right-click for options, double-click to "
-         "add one. Wheel to zoom (Shift: time only, Ctrl: value only), middle button to pan, Home "
-         "to fit."));
+      tr("Drag keys in time and value, and the ends of their tangents (Alt: one side alone). Shift "
+         "or a rectangle selects several. Del to delete, right-click for options, double-click to "
+         "add a key. Drag along the frame numbers to scrub. Wheel to zoom (Shift: time only, Ctrl: "
+         "value only), middle button to pan, Home to fit."));
   connect(&document_, &Document::scene_replaced, this, [this] {
-    drag_.reset();
-    chosen_.reset();
+    drag_ = {};
+    selection_.set({});
     refresh();
   });
   connect(&document_, &Document::part_changed, this, &CurveEditor::refresh);
@@ -59,101 +52,43 @@ CurveEditor::CurveEditor(Timeline& timeline, Document& document, QWidget* parent
 
 void CurveEditor::set_track(const std::optional<Track>& row) {
   row_ = row;
-  drag_.reset();
-  chosen_.reset();
+  drag_ = {};
+  selection_.set({});
   refresh();
   fit();
 }
 
 void CurveEditor::refresh() {
   curves_ = row_ ? curves_of(document_.scene(), *row_) : std::vector<Curve>();
-  if (chosen_ && chosen_->curve >= curves_.size()) chosen_.reset();
+  selection_.prune(curves_);
   update();
 }
 
 void CurveEditor::fit() {
-  if (curves_.empty()) return;
-  double begin = timeline_.time_of(timeline_.first());
-  double end = timeline_.time_of(timeline_.last());
-  double low = curves_.front().points().front().value;
-  double high = low;
-  for (const Curve& curve : curves_) {
-    for (const Curve::Point& point : curve.points()) {
-      begin = std::min(begin, point.time);
-      end = std::max(end, point.time);
-      low = std::min(low, point.value);
-      high = std::max(high, point.value);
-    }
-  }
-  // A constant has no range of its own.
-  const double range = high > low ? high - low : std::max(1.0, std::abs(high));
-  const double length = std::max(end - begin, timeline_.time_of(1));
-  const double middle = 0.5 * (low + high);
-  constexpr double margin = 0.1;
-  shown_ = QRectF(begin - 0.03 * length, middle - (0.5 + margin) * range, 1.06 * length,
-                  (1.0 + 2.0 * margin) * range);
+  axes_.fit(curves_, timeline_);
   update();
 }
 
-QPointF CurveEditor::position(double time, double value) const {
-  return {(time - shown_.left()) / shown_.width() * width(),
-          (shown_.bottom() - value) / shown_.height() * height()};
-}
-
-double CurveEditor::time_at(double x) const {
-  return shown_.left() + x / std::max(1, width()) * shown_.width();
-}
-
-double CurveEditor::value_of(double y) const {
-  return shown_.bottom() - y / std::max(1, height()) * shown_.height();
+void CurveEditor::resizeEvent(QResizeEvent*) {
+  axes_.set_size(size());
 }
 
 int CurveEditor::frame_near(double x) const {
   const double last = std::max(timeline_.last(), timeline_.frame());
   return static_cast<int>(
-      std::clamp(std::round(timeline_.frame_of(time_at(x))), 0.0, std::max(last, 0.0)));
+      std::clamp(std::round(timeline_.frame_of(axes_.time_at(x))), 0.0, std::max(last, 0.0)));
 }
 
-std::optional<CurveEditor::Mark> CurveEditor::mark_near(QPointF at) const {
-  std::optional<Mark> nearest;
-  double min_value = point_radius + 3.0;
-  for (std::size_t k = 0; k < curves_.size(); ++k) {
-    for (const Curve::Point& point : curves_[k].points()) {
-      const QPointF offset = position(point.time, point.value) - at;
-      const double distance = std::hypot(offset.x(), offset.y());
-      if (distance > min_value) continue;
-      min_value = distance;
-      nearest = Mark{k, point.time};
-    }
-  }
-  return nearest;
+double CurveEditor::on_frame(double time) const {
+  const double nearest = timeline_.time_of(std::round(timeline_.frame_of(time)));
+  return std::abs(nearest - time) < min_key_distance ? nearest : time;
 }
 
-void CurveEditor::paint_grid(QPainter& painter) const {
-  constexpr double between_lines = 60.0;  // pixels
-  QColor line = palette().color(QPalette::Text);
-  QColor text = line;
-  line.setAlphaF(0.12F);
-  text.setAlphaF(0.6F);
-  const double frames = timeline_.frame_of(shown_.width());
-  const double column = std::max(1.0, round_step(frames * between_lines / width()));
-  const double left = timeline_.frame_of(shown_.left());
-  for (double f = std::ceil(left / column) * column; f <= left + frames; f += column) {
-    const double x = position(timeline_.time_of(f), 0.0).x();
-    painter.setPen(line);
-    painter.drawLine(QPointF(x, 0), QPointF(x, height()));
-    painter.setPen(text);
-    painter.drawText(QPointF(x + 3, height() - 4), QString::number(f));
+double CurveEditor::value_of(const CurveMark& mark) const {
+  for (const Curve::Point& point : curves_[mark.curve].points()) {
+    if (mark.is({mark.curve, point.time})) return point.value;
   }
-  const double row = round_step(shown_.height() * 0.7 * between_lines / height());
-  const double first_row = std::ceil(shown_.top() / row);
-  for (double k = first_row; k * row <= shown_.bottom(); ++k) {
-    const double y = position(0.0, k * row).y();
-    painter.setPen(line);
-    painter.drawLine(QPointF(0, y), QPointF(width(), y));
-    painter.setPen(text);
-    painter.drawText(QPointF(4, y - 3), QString::number(k * row, 'g', 5));
-  }
+  return 0.0;
 }
 
 void CurveEditor::paint_curve(QPainter& painter, std::size_t k) const {
@@ -161,27 +96,30 @@ void CurveEditor::paint_curve(QPainter& painter, std::size_t k) const {
   QPainterPath path;
   constexpr int step = 2;  // pixels
   for (int x = 0; x <= width() + step; x += step) {
-    const QPointF at = position(time_at(x), curve.at(time_at(x)));
+    const QPointF at = position(axes_.time_at(x), curve.at(axes_.time_at(x)));
     x == 0 ? path.moveTo(at) : path.lineTo(at);
   }
-  QPen pen = curve_pen(curves_, k);
+  const QPen pen = curve_pen(curves_, k);
   painter.setBrush(Qt::NoBrush);
   painter.setPen(pen);
   painter.drawPath(path);
   for (const Curve::Point& point : curve.points()) {
-    const QPointF at = position(point.time, point.value);
-    const bool chosen =
-        chosen_ && chosen_->curve == k && std::abs(chosen_->time - point.time) < min_key_distance;
-    painter.setPen(QPen(palette().color(chosen ? QPalette::Text : QPalette::Base), 1.5));
+    const bool selected = selection_.contains({k, point.time});
+    painter.setPen(QPen(palette().color(selected ? QPalette::Text : QPalette::Base), 1.5));
     painter.setBrush(pen.color());
-    const double r = chosen ? point_radius + 1.5 : point_radius;
-    if (point.interpolation == Interpolation::smooth) {
-      const QPointF corners[]{at + QPointF(0, -r), at + QPointF(r, 0), at + QPointF(0, r),
-                              at + QPointF(-r, 0)};
-      painter.drawConvexPolygon(corners, 4);
-    } else {
-      painter.drawRect(QRectF(at.x() - 0.8 * r, at.y() - 0.8 * r, 1.6 * r, 1.6 * r));
-    }
+    painter.drawConvexPolygon(key_shape(point.interpolation, position(point.time, point.value),
+                                        selected ? point_radius + 1.5 : point_radius));
+  }
+}
+
+void CurveEditor::paint_handles(QPainter& painter) const {
+  for (const TangentHandle& handle : handles()) {
+    const QColor color = curve_pen(curves_, handle.mark.curve).color();
+    painter.setPen(QPen(color, 1.2, handle.is_automatic ? Qt::DotLine : Qt::SolidLine));
+    painter.drawLine(handle.key, handle.tip);
+    painter.setPen(QPen(color, 1.2));
+    painter.setBrush(handle.is_automatic ? palette().color(QPalette::Base) : color);
+    painter.drawEllipse(handle.tip, handle_radius, handle_radius);
   }
 }
 
@@ -196,10 +134,11 @@ void CurveEditor::paintEvent(QPaintEvent*) {
                         "press I to set its first keyframe."));
     return;
   }
-  paint_grid(painter);
+  axes_.paint_grid(painter, palette(), timeline_);
   painter.setPen(QPen(accent_color(), 1.5));
   const double now = position(timeline_.time(), 0.0).x();
   painter.drawLine(QPointF(now, 0), QPointF(now, height()));
+  paint_handles(painter);
   for (std::size_t k = 0; k < curves_.size(); ++k) paint_curve(painter, k);
   double x = width() - 8.0;
   for (std::size_t k = curves_.size(); k-- > 0;) {
@@ -207,66 +146,132 @@ void CurveEditor::paintEvent(QPaintEvent*) {
     painter.setPen(curve_pen(curves_, k).color());
     painter.drawText(QPointF(x, fontMetrics().height()), curves_[k].title);
   }
+  if (const auto* drawn = std::get_if<RectangleDrag>(&drag_)) {
+    QColor fill = accent_color();
+    painter.setPen(QPen(fill, 1.0, Qt::DashLine));
+    fill.setAlphaF(0.15F);
+    painter.setBrush(fill);
+    painter.drawRect(QRectF(drawn->press, drawn->now).normalized());
+  }
 }
 
 void CurveEditor::mousePressEvent(QMouseEvent* event) {
   if (event->button() == Qt::MiddleButton) {
-    pan_ = event->position();
-    return;
-  }
-  if (curves_.empty()) return;
-  chosen_ = mark_near(event->position());
-  if (event->button() == Qt::LeftButton) {
-    if (chosen_) {
-      drag_ = Drag{scene_part(document_.scene(), row_->part),
-                   chosen_->time,
-                   curves_[chosen_->curve].at(chosen_->time),
-                   chosen_->time,
-                   event->position(),
-                   new_merge_id()};
-    } else {
-      scrubs_ = true;
-      timeline_.set_frame(frame_near(event->position().x()));
-    }
+    drag_ = Pan{event->position()};
+  } else if (event->button() == Qt::LeftButton && !curves_.empty()) {
+    press_left(event->position(), event->modifiers() & Qt::ShiftModifier);
   }
   update();
 }
 
+void CurveEditor::press_left(const QPointF& at, bool adds) {
+  const std::optional<CurveMark> mark = mark_near(curves_, axes_, at);
+  if (mark) {
+    press_key(*mark, at, adds);
+    return;
+  }
+  if (const auto handle = handle_near(handles(), at)) {
+    drag_ = TangentDrag{handle->mark, value_of(handle->mark), handle->side, new_merge_id()};
+    return;
+  }
+  constexpr double playhead_width = 4.0;  // pixels, to either side
+  const double playhead = position(timeline_.time(), 0.0).x();
+  if (axes_.is_on_ruler(at) || (!adds && std::abs(at.x() - playhead) < playhead_width)) {
+    drag_ = Scrub{};
+    timeline_.set_frame(frame_near(at.x()));
+    return;
+  }
+  if (!adds) selection_.set({});
+  drag_ = RectangleDrag{at, at, selection_.marks()};
+}
+
+void CurveEditor::press_key(const CurveMark& mark, const QPointF& at, bool adds) {
+  if (adds) {
+    selection_.toggle(mark);
+    return;
+  }
+  if (!selection_.contains(mark)) selection_.set({mark});
+  KeysDrag keys{.before = scene_part(document_.scene(), row_->part),
+                .marks = selection_.marks(),
+                .values = {},
+                .grabbed = mark,
+                .press = at,
+                .gesture = new_merge_id()};
+  for (const CurveMark& selected : keys.marks) keys.values.push_back(value_of(selected));
+  drag_ = std::move(keys);
+}
+
 void CurveEditor::mouseMoveEvent(QMouseEvent* event) {
   const QPointF at = event->position();
-  if (pan_) {
-    const QPointF moved = at - *pan_;
-    shown_.translate(-moved.x() / std::max(1, width()) * shown_.width(),
-                     moved.y() / std::max(1, height()) * shown_.height());
-    pan_ = at;
-    update();
+  if (auto* pan = std::get_if<Pan>(&drag_)) {
+    axes_.pan(at - pan->last);
+    pan->last = at;
+  } else if (std::holds_alternative<Scrub>(drag_)) {
+    timeline_.set_frame(frame_near(at.x()));
+  } else if (auto* keys = std::get_if<KeysDrag>(&drag_)) {
+    drag_keys(*keys, at);
+  } else if (const auto* tangent = std::get_if<TangentDrag>(&drag_)) {
+    drag_tangent(*tangent, at, event->modifiers() & Qt::AltModifier);
+  } else if (auto* rectangle = std::get_if<RectangleDrag>(&drag_)) {
+    drag_rectangle(*rectangle, at);
   }
-  if (scrubs_) timeline_.set_frame(frame_near(at.x()));
-  if (!drag_ || !chosen_) return;
-  const QPointF moved = at - drag_->press;
+  update();
+}
+
+void CurveEditor::drag_keys(KeysDrag& drag, const QPointF& to) {
+  const QPointF moved = to - drag.press;
+  if (moved.isNull() && !drag.has_moved) return;
+  drag.has_moved = true;
+  const double from = drag.grabbed.time;
   // A key between two frames stays there until it is moved.
-  const double frames =
-      std::round(timeline_.frame_of(moved.x() / std::max(1, width()) * shown_.width()));
-  const double old_frame = timeline_.frame_of(drag_->from);
-  const double to = frames == 0.0
-                        ? drag_->from
-                        : timeline_.time_of(std::max(0.0, std::round(old_frame + frames)));
-  const double value = drag_->value - moved.y() / std::max(1, height()) * shown_.height();
-  drag_->to = to;
-  chosen_->time = to;
-  move_curve_key(document_, *row_, curves_[chosen_->curve], drag_->before,
-                 {drag_->from, drag_->to, value}, drag_->gesture);
+  const double frames = std::round(timeline_.frame_of(moved.x() * axes_.time_per_pixel()));
+  const double frame = std::round(timeline_.frame_of(from) + frames);
+  double shift = frames == 0.0 ? 0.0 : timeline_.time_of(frame) - from;
+  for (const CurveMark& mark : drag.marks) shift = std::max(shift, std::min(0.0, -mark.time));
+  std::vector<CurveKeyMove> moves;
+  std::vector<CurveMark> now;
+  for (std::size_t i = 0; i < drag.marks.size(); ++i) {
+    const auto [curve, time] = drag.marks[i];
+    const double value = drag.values[i] - moved.y() * axes_.value_per_pixel();
+    const double moved_time = shift == 0.0 ? time : on_frame(time + shift);
+    moves.push_back({curves_[curve], {time, moved_time}, value});
+    now.push_back({curve, moved_time});
+  }
+  selection_.set(now);
+  move_curve_keys(document_, *row_, drag.before, moves, drag.gesture);
+}
+
+// The tangent points at the mouse, which stays on its side of the key.
+void CurveEditor::drag_tangent(const TangentDrag& drag, const QPointF& to, bool alone) {
+  const double sign = drag.side == TangentSide::out ? 1.0 : -1.0;
+  const double min_distance = axes_.time_per_pixel();
+  const double distance = std::max(min_distance, sign * (axes_.time_at(to.x()) - drag.mark.time));
+  const double slope = sign * (axes_.value_at(to.y()) - drag.value) / distance;
+  set_tangent(document_, *row_, curves_[drag.mark.curve], {drag.mark.time, drag.side, slope, alone},
+              drag.gesture);
+}
+
+void CurveEditor::drag_rectangle(RectangleDrag& drag, const QPointF& to) {
+  drag.now = to;
+  const QRectF area = QRectF(drag.press, to).normalized();
+  selection_.set(drag.kept);
+  for (const CurveMark& mark : all_marks(curves_)) {
+    if (area.contains(position(mark.time, value_of(mark)))) selection_.add(mark);
+  }
 }
 
 void CurveEditor::mouseReleaseEvent(QMouseEvent*) {
-  drag_.reset();
-  pan_.reset();
-  scrubs_ = false;
+  // A click on one of several selected keys selects it alone.
+  if (const auto* keys = std::get_if<KeysDrag>(&drag_); keys && !keys->has_moved) {
+    selection_.set({keys->grabbed});
+  }
+  drag_ = {};
+  update();
 }
 
 void CurveEditor::mouseDoubleClickEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton || curves_.empty()) return;
-  const std::optional<Mark> mark = mark_near(event->position());
+  const auto mark = mark_near(curves_, axes_, event->position());
   const int frame = mark ? static_cast<int>(std::round(timeline_.frame_of(mark->time)))
                          : frame_near(event->position().x());
   timeline_.set_frame(frame);
@@ -277,41 +282,54 @@ void CurveEditor::wheelEvent(QWheelEvent* event) {
   // Qt turns the wheel sideways with some keys.
   const QPoint angle = event->angleDelta();
   const double factor = std::pow(0.999, angle.y() != 0 ? angle.y() : angle.x());
-  const QPointF at = event->position();
-  const double time = time_at(at.x());
-  const double value = value_of(at.y());
-  const double in_time = event->modifiers() & Qt::ControlModifier ? 1.0 : factor;
-  const double in_value = event->modifiers() & Qt::ShiftModifier ? 1.0 : factor;
-  const double width = std::clamp(shown_.width() * in_time, 1e-3, 1e6);
-  const double height = std::clamp(shown_.height() * in_value, 1e-9, 1e12);
-  shown_ = QRectF(time - (time - shown_.left()) * width / shown_.width(),
-                  value - (value - shown_.top()) * height / shown_.height(), width, height);
+  axes_.zoom(event->position(), event->modifiers() & Qt::ControlModifier ? 1.0 : factor,
+             event->modifiers() & Qt::ShiftModifier ? 1.0 : factor);
   update();
   event->accept();
 }
 
 void CurveEditor::contextMenuEvent(QContextMenuEvent* event) {
-  chosen_ = mark_near(event->pos());
+  const auto mark = mark_near(curves_, axes_, event->pos());
+  if (!mark) return;
+  if (!selection_.contains(*mark)) selection_.set({*mark});
   update();
-  if (!chosen_) return;
-  show_key_menu(
-      *this, document_, *row_, chosen_->time, [this] { delete_chosen(); }, event->globalPos());
+  std::vector<double> times = selection_.times();
+  // The menu says how the key below the mouse is.
+  std::ranges::rotate(times, std::ranges::find_if(times, [&mark](double time) {
+                        return std::abs(time - mark->time) < min_key_distance;
+                      }));
+  const double value = value_of(*mark);
+  std::vector<KeyAction> actions{
+      {tr("Align to &Playhead"), [this] { align_keys(document_, *row_, selection_.times()); }}};
+  if (selection_.marks().size() > 1) {
+    actions.push_back({tr("Same &Value"), [this, value] { level(value); }});
+  }
+  actions.push_back({tr("&Delete"), [this] { delete_selected(); }});
+  show_key_menu(*this, document_, *row_, times, actions, event->globalPos());
 }
 
-void CurveEditor::delete_chosen() {
-  if (!chosen_) return;
-  const double time = chosen_->time;
-  chosen_.reset();
-  drag_.reset();
-  delete_keys(document_, *row_, time);
+void CurveEditor::level(double value) {
+  std::vector<CurveKeyMove> moves;
+  for (const CurveMark& mark : selection_.marks()) {
+    moves.push_back({curves_[mark.curve], {mark.time, mark.time}, value});
+  }
+  move_curve_keys(document_, *row_, scene_part(document_.scene(), row_->part), moves, no_merge);
 }
 
-// Delete and Home are shortcuts of the window too.
+void CurveEditor::delete_selected() {
+  const std::vector<double> times = selection_.times();
+  selection_.set({});
+  drag_ = {};
+  if (row_ && !times.empty()) delete_keys(document_, *row_, times);
+}
+
+// Delete, Home and Ctrl+A are shortcuts of the window too.
 bool CurveEditor::event(QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride) {
-    const int key = static_cast<QKeyEvent*>(event)->key();
-    if ((key == Qt::Key_Delete && chosen_) ||
-        (key == Qt::Key_Home && static_cast<QKeyEvent*>(event)->modifiers() == Qt::NoModifier)) {
+    const auto* key = static_cast<QKeyEvent*>(event);
+    if ((key->key() == Qt::Key_Delete && !selection_.empty()) ||
+        (key->key() == Qt::Key_Home && key->modifiers() == Qt::NoModifier) ||
+        key->matches(QKeySequence::SelectAll)) {
       event->accept();
       return true;
     }
@@ -320,10 +338,13 @@ bool CurveEditor::event(QEvent* event) {
 }
 
 void CurveEditor::keyPressEvent(QKeyEvent* event) {
-  if (event->key() == Qt::Key_Delete && chosen_) {
-    delete_chosen();
+  if (event->key() == Qt::Key_Delete && !selection_.empty()) {
+    delete_selected();
   } else if (event->key() == Qt::Key_Home && event->modifiers() == Qt::NoModifier) {
     fit();
+  } else if (event->matches(QKeySequence::SelectAll)) {
+    selection_.set(all_marks(curves_));
+    update();
   } else {
     QWidget::keyPressEvent(event);
   }

@@ -2,20 +2,25 @@
 
 #include <QWidget>
 #include <optional>
+#include <variant>
 #include <vector>
 
 #include "app/commands/merge_id.h"
 #include "app/document/keyframe_curves.h"
+#include "app/panels/curve_axes.h"
+#include "app/panels/curve_marks.h"
 
 namespace brume {
 
 class Document;
 class Timeline;
 
-// The curves of a track: its numbers over time, with their keys as points. Drag a point in time and
-// value; Delete deletes; right click opens a menu; double click adds a key; dragging elsewhere
-// scrubs the timeline. The wheel zooms (Shift: time only, Ctrl: value only), the middle button
-// pans, Home fits.
+// The curves of a track: its numbers over time, with their keys as points. Click selects a key,
+// Shift adds to the selection, a drag elsewhere draws a rectangle around more. Selected keys are
+// dragged together in time and value and show their tangents, whose ends are dragged too (Alt: one
+// side alone). Delete deletes; right click opens a menu; double click adds a key. Dragging along
+// the ruler or the playhead scrubs the timeline. The wheel zooms (Shift: time only, Ctrl: value
+// only), the middle button pans, Home fits, Ctrl+A selects all.
 class CurveEditor : public QWidget {
   Q_OBJECT
  public:
@@ -26,13 +31,20 @@ class CurveEditor : public QWidget {
   void fit();
 
   [[nodiscard]] const std::vector<Curve>& curves() const { return curves_; }
-  [[nodiscard]] QPointF position(double time, double value) const;
+  [[nodiscard]] const CurveSelection& selection() const { return selection_; }
+  [[nodiscard]] QPointF position(double time, double value) const {
+    return axes_.position(time, value);
+  }
+  [[nodiscard]] std::vector<TangentHandle> handles() const {
+    return tangent_handles(curves_, selection_, axes_);
+  }
   [[nodiscard]] QSize sizeHint() const override { return {400, 180}; }
   [[nodiscard]] QSize minimumSizeHint() const override { return {160, 80}; }
 
  protected:
   bool event(QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
@@ -42,37 +54,53 @@ class CurveEditor : public QWidget {
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
-  struct Mark {
-    std::size_t curve;
-    double time;
+  // What the mouse does while a button is down.
+  struct KeysDrag {
+    ScenePart before;
+    std::vector<CurveMark> marks;  // where they were
+    std::vector<double> values;
+    CurveMark grabbed;
+    QPointF press;
+    MergeId gesture;
+    bool has_moved = false;
   };
+  struct TangentDrag {
+    CurveMark mark;
+    double value;  // of the key
+    TangentSide side;
+    MergeId gesture;
+  };
+  struct RectangleDrag {
+    QPointF press;
+    QPointF now;
+    std::vector<CurveMark> kept;  // selected besides
+  };
+  struct Scrub {};
+  struct Pan {
+    QPointF last;
+  };
+
   void refresh();
-  [[nodiscard]] double time_at(double x) const;
-  [[nodiscard]] double value_of(double y) const;
-  [[nodiscard]] int frame_near(double x) const;  // >= 0
-  [[nodiscard]] std::optional<Mark> mark_near(QPointF position) const;
-  void paint_grid(QPainter& painter) const;
+  void press_left(const QPointF& at, bool adds);
+  void press_key(const CurveMark& mark, const QPointF& at, bool adds);
+  void drag_keys(KeysDrag& drag, const QPointF& to);
+  void drag_tangent(const TangentDrag& drag, const QPointF& to, bool alone);
+  void drag_rectangle(RectangleDrag& drag, const QPointF& to);
+  [[nodiscard]] double on_frame(double time) const;  // but for rounding
+  [[nodiscard]] int frame_near(double x) const;      // >= 0
+  [[nodiscard]] double value_of(const CurveMark& mark) const;
   void paint_curve(QPainter& painter, std::size_t k) const;
-  void delete_chosen();
+  void paint_handles(QPainter& painter) const;
+  void delete_selected();
+  void level(double value);  // sets that value in all selected keys
 
   Timeline& timeline_;
   Document& document_;
   std::optional<Track> row_;
   std::vector<Curve> curves_;
-  QRectF shown_{0.0, -1.0, 1.0, 2.0};  // time [s] and value; bottom() is the greatest value
-  std::optional<Mark> chosen_;
-  // A drag of a key: original part, original and current place.
-  struct Drag {
-    ScenePart before;
-    double from;
-    double value;  // at the start
-    double to;
-    QPointF press;
-    MergeId gesture;
-  };
-  std::optional<Drag> drag_;
-  std::optional<QPointF> pan_;
-  bool scrubs_ = false;
+  CurveAxes axes_;
+  CurveSelection selection_;
+  std::variant<std::monostate, KeysDrag, TangentDrag, RectangleDrag, Scrub, Pan> drag_;
 };
 
 }  // namespace brume

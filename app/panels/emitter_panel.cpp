@@ -121,6 +121,7 @@ void EmitterPanel::add_fields(QFormLayout& form) {
 
 void EmitterPanel::add_optics(QFormLayout& form) {
   auto* optics = new OpticsEditor(form, tr("Emission at birth"), "emitter", this);
+  show_length_units(*this, {"emitter_position", "emitter_radius_birth", "emitter_radius_death"});
   auto* at_death = new EmissionEditor(tr("at death"), "emitter_death", this);
   form.addRow(at_death->title(), at_death);
   connect(optics, &OpticsEditor::edited, this,

@@ -31,7 +31,7 @@ QImage environment_picture(const Environment& environment, int width, int height
   // A sun's worth of light in few pixels must not leave the rest black.
   const double mean = sum / (static_cast<double>(width) * height);
   const double exposure = mean > 0.0 ? std::clamp(std::log2(0.4 / mean), -30.0, 30.0) : 0.0;
-  return to_picture(frame, exposure, ViewMode::final);
+  return to_picture(frame, {exposure, nullptr}, ViewMode::final);
 }
 
 }  // namespace brume

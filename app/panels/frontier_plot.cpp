@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/document/number_text.h"
 #include "app/frames/frame_quality.h"
 #include "app/widgets/frame_text.h"
 
@@ -118,9 +119,9 @@ bool FrontierPlot::event(QEvent* event) {
   for (const Point& point : points_) {
     const QPointF off = position(point) - QPointF(help->pos());
     if (std::hypot(off.x(), off.y()) > 2.0 * radius) continue;
-    QString text = tr("%1: %2 in %3 ms")
-                       .arg(settings_text(point.settings), error_text(point.error))
-                       .arg(point.milliseconds, 0, 'f', 1);
+    QString text = tr("%1: %2 in %3")
+                       .arg(settings_text(point.settings), error_text(point.error),
+                            duration_text(point.milliseconds));
     if (point.is_shown) text += tr("\nOn screen");
     if (point.is_auto_choice) text += tr("\nAuto's choice");
     QToolTip::showText(help->globalPos(), text, this);
@@ -159,8 +160,8 @@ void FrontierPlot::paintEvent(QPaintEvent* /*event*/) {
   // Only the ends have room for their numbers.
   painter.setPen(text);
   const QRectF below(area.left() - 12, area.bottom(), area.width() + 18, height() - area.bottom());
-  const QString low = tr("%1 ms").arg(milliseconds_.low);
-  const QString high = tr("%1 ms").arg(milliseconds_.high);
+  const QString low = tr("%1 ms").arg(number_text(milliseconds_.low));
+  const QString high = tr("%1 ms").arg(number_text(milliseconds_.high));
   if (QFontMetricsF(font()).horizontalAdvance(low + "  " + high) <= below.width()) {
     painter.drawText(below, Qt::AlignLeft | Qt::AlignVCenter, low);
   }

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/scene/group_effects.h"
+
 namespace brume {
 namespace {
 
@@ -21,6 +23,19 @@ std::optional<GaussianAttribute> field_called(const QString& name) {
   return std::nullopt;
 }
 
+constexpr const char* group_field = "group";
+constexpr const char* no_group = "none";
+
+QString lower_name(const Group* group) {
+  return group ? QString::fromStdString(group->name).toLower() : QString(no_group);
+}
+
+bool is_in(const QString& name, GroupId id, const std::vector<Group>& groups) {
+  const Group* group = find_group(groups, id);
+  return lower_name(group) == name ||
+         (group && group->parent != 0 && lower_name(find_group(groups, group->parent)) == name);
+}
+
 }  // namespace
 
 std::optional<GaussianFilter> GaussianFilter::parse(const QString& text, QString& problem) {
@@ -30,10 +45,17 @@ std::optional<GaussianFilter> GaussianFilter::parse(const QString& text, QString
   GaussianFilter filter;
   for (const QString& part : text.trimmed().toLower().split(separator, Qt::SkipEmptyParts)) {
     const QRegularExpressionMatch match = condition.match(part);
+    if (match.hasMatch() && match.captured(2) == "=" &&
+        QString(group_field).startsWith(match.captured(1))) {
+      filter.groups_.push_back(match.captured(3));
+      continue;
+    }
     const auto field = match.hasMatch() ? field_called(match.captured(1)) : std::nullopt;
     const double value = match.hasMatch() ? parse_number(match.captured(3)) : 0.0;
     if (!field || std::isnan(value)) {
-      problem = filter_text("“%1” is not a condition. Examples: density > 0.2, radius < 1, x >= 0.")
+      problem = filter_text(
+                    "“%1” is not a condition. Examples: density > 0.2, radius < 1, x >= 0, group = "
+                    "steam.")
                     .arg(part);
       return std::nullopt;
     }
@@ -48,7 +70,10 @@ std::optional<GaussianFilter> GaussianFilter::parse(const QString& text, QString
   return filter;
 }
 
-bool GaussianFilter::passes(const Gaussian& gaussian) const {
+bool GaussianFilter::passes(const Gaussian& gaussian, const std::vector<Group>& groups) const {
+  for (const QString& name : groups_) {
+    if (!is_in(name, gaussian.group, groups)) return false;
+  }
   return std::ranges::all_of(conditions_, [&](const Condition& condition) {
     const double value = attribute_value(gaussian, condition.field);
     switch (condition.comparison) {

@@ -5,19 +5,22 @@
 #include <vector>
 
 #include "app/document/gaussian_attribute.h"
+#include "core/scene/group.h"
 
 namespace brume {
 
-// A conjunction of conditions on a Gaussian's attributes: "radius < 0.5, density > 0.2".
+// A conjunction of conditions on a Gaussian's attributes and group: "radius < 0.5, group = steam".
 class GaussianFilter {
  public:
-  // Conditions are separated by commas or "and"; fields are x, y, z, radius, density, albedo and
-  // emission, or as many of their letters as tell them apart; comparisons are < <= > >= =. Empty
-  // text lets all pass. nullopt where the text is something else; `problem` then says what.
+  // Conditions are separated by commas or "and"; fields are x, y, z, radius, density, albedo,
+  // emission and group, or as many of their letters as tell them apart; comparisons are
+  // < <= > >= =, of a group only = its name, or that of the group it is in, or "none". Empty text
+  // lets all pass. nullopt where the text is something else; `problem` then says what.
   static std::optional<GaussianFilter> parse(const QString& text, QString& problem);
 
-  [[nodiscard]] bool passes(const Gaussian& gaussian) const;
-  [[nodiscard]] bool is_empty() const { return conditions_.empty(); }
+  [[nodiscard]] bool passes(const Gaussian& gaussian, const std::vector<Group>& groups = {}) const;
+  [[nodiscard]] bool is_empty() const { return conditions_.empty() && groups_.empty(); }
+  [[nodiscard]] bool is_of_groups() const { return !groups_.empty(); }
 
  private:
   enum class Comparison { less, at_most, more, at_least, equal };
@@ -27,6 +30,7 @@ class GaussianFilter {
     double value;
   };
   std::vector<Condition> conditions_;
+  std::vector<QString> groups_;  // names in lower case
 };
 
 }  // namespace brume

@@ -56,6 +56,7 @@ GaussianForm::GaussianForm(Document& document, QWidget* parent)
     fields_[k] = new ValueField(
         is_center ? QString(QChar("xyz"[k])) : attribute_title(field), attribute_domain(field),
         is_center ? ValueField::Scale::linear : ValueField::Scale::logarithmic, step, this);
+    if (is_center || field == GaussianAttribute::radius) fields_[k]->number().show_length_unit();
     fields_[k]->number().setObjectName(attribute_name(field).replace(' ', '_'));
     connect(fields_[k], &ValueField::edited, this, [this, field](double value, MergeId gesture) {
       const std::vector<GaussianId> ids = document_.selection();

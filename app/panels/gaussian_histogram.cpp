@@ -7,6 +7,7 @@
 
 #include "app/commands/select_command.h"
 #include "app/document/document.h"
+#include "app/document/number_text.h"
 #include "app/widgets/application.h"
 
 namespace brume {
@@ -117,7 +118,7 @@ void GaussianHistogram::paintEvent(QPaintEvent* /*event*/) {
   if (values_.empty()) return;
   const double left = dragging_ ? std::min(start_, end_) : 0.0;
   const double right = dragging_ ? std::max(start_, end_) : 1.0;
-  const auto text = [&](double at) { return QString::number(axis.at(at), 'g', 3); };
+  const auto text = [&](double at) { return number_text(axis.at(at), 3); };
   painter.drawText(below, Qt::AlignLeft, text(left));
   painter.drawText(below, Qt::AlignRight, text(right));
 }

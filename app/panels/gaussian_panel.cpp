@@ -117,6 +117,18 @@ GaussianPanel::GaussianPanel(Document& document, QWidget* parent)
     syncing_ = was_syncing;
     if (!edit.added().empty() || !edit.removed().empty()) select_rows();
   });
+  const auto show_groups = [this] {
+    table_->setColumnHidden(GaussianTableModel::group_column, document_.scene().groups.empty());
+  };
+  connect(&document_, &Document::scene_replaced, this, show_groups);
+  connect(&document_, &Document::groups_changed, this, [this, show_groups] {
+    show_groups();
+    const bool was_syncing = std::exchange(syncing_, true);
+    rows_->follow_groups();
+    syncing_ = was_syncing;
+    select_rows();
+  });
+  show_groups();
   connect(&document_, &Document::part_changed, this, [this] {
     const glm::dvec3& albedo = document_.scene().optics.albedo;
     if (std::exchange(shown_albedo_, albedo) == albedo) return;
@@ -139,9 +151,9 @@ void GaussianPanel::add_filter(QLayout& layout) {
     QPalette colors = palette();
     if (!parsed) colors.setColor(QPalette::Text, QColor(226, 92, 92));
     filter->setPalette(colors);
-    filter->setToolTip(parsed
-                           ? tr("Filter the table by x, y, z, radius, density, albedo or emission")
-                           : plain_tool_tip(problem));
+    filter->setToolTip(
+        parsed ? tr("Filter the table by x, y, z, radius, density, albedo, emission or group")
+               : plain_tool_tip(problem));
     if (!parsed) return;
     const bool was_syncing = std::exchange(syncing_, true);
     model_->set_filter(*parsed);

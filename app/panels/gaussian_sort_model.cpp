@@ -17,6 +17,29 @@ GaussianSortModel::GaussianSortModel(const Document& document, GaussianTableMode
   connect(&rows, &QAbstractItemModel::rowsInserted, this, forget);
   connect(&rows, &QAbstractItemModel::rowsRemoved, this, forget);
   setSourceModel(&rows);
+  connect(&document, &Document::groups_changed, this, [this] {
+    rank_groups();
+    if (sortColumn() == GaussianTableModel::group_column || filter_.is_of_groups()) invalidate();
+  });
+}
+
+void GaussianSortModel::rank_groups() {
+  std::map<QString, GroupId> by_name;
+  for (const Group& group : document_.scene().groups) {
+    by_name[QString::fromStdString(group.name).toLower()] = group.id;
+  }
+  group_ranks_.clear();
+  double rank = 0.0;
+  for (const auto& [name, id] : by_name) group_ranks_[id] = ++rank;
+}
+
+double GaussianSortModel::key(std::size_t index, int column) const {
+  if (column == GaussianTableModel::group_column) {
+    const auto rank = group_ranks_.find(document_.medium().group(index));
+    return rank == group_ranks_.end() ? 0.0 : rank->second;
+  }
+  return attribute_value(document_.effective_gaussian(index),
+                         gaussian_attributes[static_cast<std::size_t>(column)]);
 }
 
 void GaussianSortModel::sort(int column, Qt::SortOrder order) {
@@ -28,11 +51,10 @@ void GaussianSortModel::cache_keys(int column) {
   keys_.clear();
   keys_column_ = column;
   if (column < 0) return;
-  const GaussianAttribute field = gaussian_attributes[static_cast<std::size_t>(column)];
+  rank_groups();
   for (int row = 0; row < rows_.rowCount(); ++row) {
     const auto index = index_of(row);
-    keys_.push_back(index ? attribute_value(document_.effective_gaussian(*index), field)
-                          : -std::numeric_limits<double>::infinity());
+    keys_.push_back(index ? key(*index, column) : -std::numeric_limits<double>::infinity());
   }
 }
 
@@ -64,7 +86,7 @@ std::optional<std::size_t> GaussianSortModel::index_of(int source_row) const {
 bool GaussianSortModel::filterAcceptsRow(int row, const QModelIndex& /*parent*/) const {
   if (filter_.is_empty()) return true;
   const auto index = index_of(row);
-  return !index || filter_.passes(document_.effective_gaussian(*index));
+  return !index || filter_.passes(document_.effective_gaussian(*index), document_.scene().groups);
 }
 
 bool GaussianSortModel::lessThan(const QModelIndex& left, const QModelIndex& right) const {
@@ -75,9 +97,7 @@ bool GaussianSortModel::lessThan(const QModelIndex& left, const QModelIndex& rig
   const auto a = index_of(left.row());
   const auto b = index_of(right.row());
   if (!a || !b) return b.has_value();
-  const GaussianAttribute field = gaussian_attributes[static_cast<std::size_t>(left.column())];
-  return attribute_value(document_.effective_gaussian(*a), field) <
-         attribute_value(document_.effective_gaussian(*b), field);
+  return key(*a, left.column()) < key(*b, left.column());
 }
 
 }  // namespace brume

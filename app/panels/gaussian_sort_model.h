@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QSortFilterProxyModel>
+#include <map>
 #include <vector>
 
 #include "app/panels/gaussian_filter.h"
@@ -29,6 +30,8 @@ class GaussianSortModel : public QSortFilterProxyModel {
 
  private:
   void cache_keys(int column);
+  void rank_groups();
+  [[nodiscard]] double key(std::size_t index, int column) const;
   // Index in the medium; nullopt if the table is not up to date.
   [[nodiscard]] std::optional<std::size_t> index_of(int source_row) const;
 
@@ -38,6 +41,7 @@ class GaussianSortModel : public QSortFilterProxyModel {
   // Cached sort keys of all rows; empty after any change.
   std::vector<double> keys_;
   int keys_column_ = -1;
+  std::map<GroupId, double> group_ranks_;  // by name; 0 of none
 };
 
 }  // namespace brume

@@ -8,7 +8,9 @@
 
 #include "app/commands/edit_medium.h"
 #include "app/document/document.h"
+#include "app/document/number_text.h"
 #include "app/widgets/color_button.h"
+#include "app/widgets/plain_text.h"
 
 namespace brume {
 namespace {
@@ -61,7 +63,7 @@ QVariant swatch(const GaussianOptics& optics, GaussianAttribute field) {
 QString cell_text(double value, GaussianAttribute field) {
   const bool has_swatch =
       field == GaussianAttribute::albedo || field == GaussianAttribute::emission;
-  return has_swatch ? QString::number(value, 'g', 3) : number_text(value);
+  return number_text(value, has_swatch ? 3 : 6);
 }
 
 QString channels_text(const glm::dvec3& rgb) {
@@ -104,12 +106,13 @@ void GaussianTableModel::announce_changes(const MediumEdit& edit) {
   std::vector<Run> runs = runs_of(rows);
   if (runs.size() > max_runs) runs = {{runs.front().first, runs.back().last}};
   // Only the columns that changed: a view that is sorted by another one need not sort anew.
-  std::array<bool, gaussian_attributes.size()> changed{};
+  std::array<bool, group_column + 1> changed{};
   for (const auto& change : edit.changed()) {
-    for (std::size_t k = 0; k < changed.size(); ++k) {
+    for (std::size_t k = 0; k < gaussian_attributes.size(); ++k) {
       const GaussianAttribute field = gaussian_attributes[k];
       changed[k] = changed[k] || !is_shown_alike(change.before, change.after, field);
     }
+    changed.back() = changed.back() || change.before.group != change.after.group;
   }
   for (const Run& run : runs) {
     for (int k = 0; k < columnCount(); ++k) {
@@ -168,14 +171,18 @@ int GaussianTableModel::rowCount(const QModelIndex& parent) const {
 }
 
 int GaussianTableModel::columnCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : static_cast<int>(gaussian_attributes.size());
+  return parent.isValid() ? 0 : group_column + 1;
 }
 
 QVariant GaussianTableModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
-  if (role == Qt::TextAlignmentRole) return static_cast<int>(Qt::AlignRight | Qt::AlignVCenter);
+  if (role == Qt::TextAlignmentRole) {
+    const bool is_text = index.column() == group_column;
+    return static_cast<int>((is_text ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+  }
   const auto at = document_.medium().index_of(id(index.row()));
   if (!at) return {};
+  if (index.column() == group_column) return group_data(document_.medium().group(*at), role);
   const GaussianAttribute field = gaussian_attributes[static_cast<std::size_t>(index.column())];
   const GaussianOptics own = document_.medium().optics(*at);
   const Gaussian gaussian = document_.effective_gaussian(*at);
@@ -201,8 +208,24 @@ QVariant GaussianTableModel::data(const QModelIndex& index, int role) const {
   }
 }
 
+QVariant GaussianTableModel::group_data(GroupId id, int role) const {
+  const Group* group = find_group(document_.scene().groups, id);
+  if (!group) return {};
+  const QString name = QString::fromStdString(group->name);
+  if (role == Qt::DisplayRole) return name;
+  if (role != Qt::ToolTipRole) return {};
+  const Group* outer = find_group(document_.scene().groups, group->parent);
+  return plain_tool_tip(outer ? tr("%1, in %2").arg(name, QString::fromStdString(outer->name))
+                              : name);
+}
+
+void GaussianTableModel::follow_groups() {
+  if (ids_.empty()) return;
+  Q_EMIT dataChanged(index(0, group_column), index(rowCount() - 1, group_column));
+}
+
 bool GaussianTableModel::setData(const QModelIndex& index, const QVariant& value, int role) {
-  if (!index.isValid() || role != Qt::EditRole) return false;
+  if (!index.isValid() || role != Qt::EditRole || index.column() == group_column) return false;
   const std::array one{id(index.row())};
   const std::vector<GaussianId> selection = document_.selection();
   const std::span<const GaussianId> targets =
@@ -218,14 +241,16 @@ QVariant GaussianTableModel::headerData(int section, Qt::Orientation orientation
   if (orientation != Qt::Horizontal || role != Qt::DisplayRole) {
     return QAbstractTableModel::headerData(section, orientation, role);
   }
-  // Seven titles beside each other.
+  // As many titles beside each other.
+  if (section == group_column) return tr("Group");
   if (section < 3) return QString("XYZ"[section]);
   return attribute_title(gaussian_attributes[static_cast<std::size_t>(section)]);
 }
 
 Qt::ItemFlags GaussianTableModel::flags(const QModelIndex& index) const {
   if (!index.isValid()) return Qt::NoItemFlags;
-  return QAbstractTableModel::flags(index) | Qt::ItemIsEditable | Qt::ItemNeverHasChildren;
+  const Qt::ItemFlags flags = QAbstractTableModel::flags(index) | Qt::ItemNeverHasChildren;
+  return index.column() == group_column ? flags : flags | Qt::ItemIsEditable;
 }
 
 }  // namespace brume

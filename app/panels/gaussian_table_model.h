@@ -12,12 +12,14 @@ namespace brume {
 
 class Document;
 
-// Table model of the medium's Gaussians, in medium order. Albedo and emission have swatches; the
-// medium's albedo is grey text.
+// Table model of the medium's Gaussians, in medium order: their attributes and their group. Albedo
+// and emission have swatches; the medium's albedo is grey text.
 class GaussianTableModel : public QAbstractTableModel {
   Q_OBJECT
  public:
   explicit GaussianTableModel(Document& document, QObject* parent = nullptr);
+
+  static constexpr int group_column = static_cast<int>(gaussian_attributes.size());
 
   [[nodiscard]] GaussianId id(int row) const { return ids_[static_cast<std::size_t>(row)]; }
   [[nodiscard]] std::optional<int> row(GaussianId id) const;
@@ -27,6 +29,7 @@ class GaussianTableModel : public QAbstractTableModel {
   void reload();
   // After a change of the medium's albedo, which Gaussians without their own show.
   void follow_albedo();
+  void follow_groups();  // after a change of their names or colours
 
   [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
   [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
@@ -41,6 +44,7 @@ class GaussianTableModel : public QAbstractTableModel {
   void refused(const QString& problem);
 
  private:
+  [[nodiscard]] QVariant group_data(GroupId id, int role) const;
   void announce_changes(const MediumEdit& edit);
   void remove_rows(const MediumEdit& edit);
   void insert_rows(const MediumEdit& edit);

@@ -1,6 +1,8 @@
 #include "app/panels/group_rows.h"
 
 #include <QMenu>
+#include <QMimeData>
+#include <QTimer>
 #include <QTreeWidget>
 
 #include "app/commands/edit_groups.h"
@@ -15,6 +17,9 @@ namespace brume {
 namespace {
 
 constexpr int id_role = Qt::UserRole + 9;
+
+constexpr const char* group_mime = "application/x-brume-group";
+constexpr const char* selection_mime = "application/x-brume-selection";
 
 QString name_of(const Group& group) {
   return QString::fromStdString(group.name);
@@ -177,6 +182,33 @@ void GroupRows::fill_menu(QMenu& menu, GroupId group) {
   menu.addAction(tr("Ungroup"), this, [this, group] { dissolve_group(document_, group); });
   menu.addAction(tr("Delete with Gaussians"), this,
                  [this, group] { delete_group(document_, group); });
+}
+
+QStringList GroupRows::mime_types() {
+  return {group_mime, selection_mime};
+}
+
+QMimeData* GroupRows::mime_data(std::optional<GroupId> group) const {
+  if (group == GroupId{0} || (!group && document_.selection().empty())) return nullptr;
+  auto* data = new QMimeData;
+  if (group) {
+    data->setData(group_mime, QByteArray::number(*group));
+  } else {
+    data->setData(selection_mime, {});
+  }
+  return data;
+}
+
+// The edit comes later: it makes the rows anew, and the drop is not over yet.
+bool GroupRows::drop(const QMimeData& data, GroupId onto) {
+  if (data.hasFormat(selection_mime)) {
+    QTimer::singleShot(0, this, [this, onto] { move_selection_to_group(document_, onto); });
+    return true;
+  }
+  const auto group = static_cast<GroupId>(data.data(group_mime).toUInt());
+  if (!can_nest(document_, group, onto)) return false;
+  QTimer::singleShot(0, this, [this, group, onto] { nest_group(document_, group, onto); });
+  return true;
 }
 
 }  // namespace brume

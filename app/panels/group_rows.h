@@ -3,11 +3,13 @@
 #include <QObject>
 #include <functional>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "core/medium/gaussian.h"
 
 class QMenu;
+class QMimeData;
 class QTreeWidget;
 class QTreeWidgetItem;
 
@@ -32,6 +34,12 @@ class GroupRows : public QObject {
   void click(GroupId group, int column);
   void rename(GroupId group);  // in place
   void fill_menu(QMenu& menu, GroupId group);
+
+  // What is dragged: a group, or else the selected Gaussians; null: nothing.
+  [[nodiscard]] QMimeData* mime_data(std::optional<GroupId> group) const;
+  static QStringList mime_types();
+  // Moves what was dragged into a group, 0 out of all; false if that cannot be.
+  bool drop(const QMimeData& data, GroupId onto);
 
   static constexpr int name_column = 0;
   static constexpr int eye_column = 1;

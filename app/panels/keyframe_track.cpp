@@ -119,13 +119,7 @@ void KeyframeTrack::paintEvent(QPaintEvent*) {
       const bool chosen = is_chosen(k, mark.time);
       painter.setPen(QPen(chosen ? Qt::white : palette().color(QPalette::Base), 1.0));
       painter.setBrush(chosen ? accent_color() : text);
-      constexpr double r = mark_radius;
-      if (mark.interpolation == Interpolation::smooth) {
-        const QPointF corners[]{{x, y - r}, {x + r, y}, {x, y + r}, {x - r, y}};
-        painter.drawConvexPolygon(corners, 4);
-      } else {
-        painter.drawRect(QRectF(x - 0.8 * r, y - 0.8 * r, 1.6 * r, 1.6 * r));
-      }
+      painter.drawConvexPolygon(key_shape(mark.interpolation, {x, y}, mark_radius));
     }
   }
 }
@@ -154,7 +148,8 @@ void KeyframeTrack::mouseMoveEvent(QMouseEvent* event) {
   if (to == drag_->to) return;
   drag_->to = to;
   chosen_->time = to;
-  move_keys(document_, rows_[chosen_->row], drag_->before, drag_->from, to, drag_->gesture);
+  const KeyMove move{drag_->from, to};
+  move_keys(document_, rows_[chosen_->row], drag_->before, {&move, 1}, drag_->gesture);
 }
 
 void KeyframeTrack::mouseReleaseEvent(QMouseEvent*) {
@@ -176,8 +171,12 @@ void KeyframeTrack::contextMenuEvent(QContextMenuEvent* event) {
   chosen_ = mark_at(event->pos());
   update();
   if (!chosen_) return;
+  const Track& row = rows_[chosen_->row];
+  const std::vector<double> times{chosen_->time};
   show_key_menu(
-      *this, document_, rows_[chosen_->row], chosen_->time, [this] { delete_chosen(); },
+      *this, document_, row, times,
+      {{tr("Align to &Playhead"), [this, row, times] { align_keys(document_, row, times); }},
+       {tr("&Delete"), [this] { delete_chosen(); }}},
       event->globalPos());
 }
 
@@ -186,7 +185,7 @@ void KeyframeTrack::delete_chosen() {
   const Mark mark = *chosen_;
   chosen_.reset();
   drag_.reset();
-  delete_keys(document_, rows_[mark.row], mark.time);
+  delete_keys(document_, rows_[mark.row], {&mark.time, 1});
 }
 
 // Delete is a shortcut of the window too, for Gaussians.

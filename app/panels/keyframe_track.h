@@ -12,9 +12,9 @@ namespace brume {
 class Document;
 class Timeline;
 
-// The keyframe tracks of a scene: diamonds are smooth keys, squares linear ones. Click selects,
-// drag moves, Delete deletes, right click opens a menu, double click adds a key; dragging elsewhere
-// scrubs the timeline.
+// The keyframe tracks of a scene: diamonds are smooth keys, squares linear ones, triangles
+// constant ones. Click selects, drag moves, Delete deletes, right click opens a menu, double click
+// adds a key; dragging elsewhere scrubs the timeline.
 class KeyframeTrack : public QWidget {
   Q_OBJECT
  public:

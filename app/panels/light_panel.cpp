@@ -17,6 +17,7 @@
 #include "app/commands/undo_text.h"
 #include "app/document/document.h"
 #include "app/document/gaussian_attribute.h"
+#include "app/document/number_text.h"
 #include "app/document/paths.h"
 #include "app/files/file_dialogs.h"
 #include "app/panels/environment_panel.h"
@@ -296,6 +297,7 @@ void LightPanel::add_area_fields(QFormLayout& form) {
   add(tr("Width"), "light_width", &AreaLight::width, true, tr("Set width of %1"));
   add(tr("Height"), "light_height", &AreaLight::height, true, tr("Set height of %1"));
   add(tr("Radius"), "light_radius", &AreaLight::radius, false, tr("Set radius of %1"));
+  show_length_units(*this, {"light_position", "light_width", "light_height", "light_radius"});
   add_vector(form, tr("Up"),
              {"light_up", domain::coordinate, 0.01,
               [this, is_rectangle]() -> std::optional<glm::dvec3> {

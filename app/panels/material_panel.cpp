@@ -8,6 +8,7 @@
 #include "app/document/document.h"
 #include "app/document/euler_angles.h"
 #include "app/files/file_dialogs.h"
+#include "app/panels/metallic_roughness_form.h"
 #include "core/io/merl_file.h"
 
 namespace brume {
@@ -19,7 +20,7 @@ MaterialPanel::MaterialPanel(Document& document, QWidget* parent)
       transfer_(new QComboBox(this)) {
   surfaces_->setObjectName("surface");
   type_->setObjectName("material_type");
-  type_->addItems({tr("Diffuse"), tr("Phong"), tr("Measured…")});
+  type_->addItems({tr("Diffuse"), tr("Phong"), tr("Measured…"), tr("Metallic-roughness")});
   transfer_->setObjectName("transfer");
   transfer_->addItems({tr("None"), tr("Shadows"), tr("Shadows and interreflection")});
   transfer_->setToolTip(
@@ -60,6 +61,7 @@ MaterialPanel::MaterialPanel(Document& document, QWidget* parent)
   add_material_fields(*form);
   transfer_->setToolTip(tr("Where light is scattered once; all orders shadow and reflect anyway"));
   form->addRow(tr("Radiance transfer"), transfer_);
+  show_length_units(*this, {"surface_position", "surface_size"});
   refresh();
 }
 
@@ -73,8 +75,9 @@ const Surface* MaterialPanel::surface() const {
   return surfaces_->currentIndex() >= 0 && index < surfaces.size() ? &surfaces[index] : nullptr;
 }
 
+// An imported scene has its own.
 const Material* MaterialPanel::material() const {
-  return surface() ? &surface()->material : nullptr;
+  return surface() && !surface()->imported ? &surface()->material : nullptr;
 }
 
 void MaterialPanel::change_shown(const QString& text, MergeId gesture,
@@ -142,7 +145,10 @@ void MaterialPanel::add_material_fields(QFormLayout& form) {
   add_color(form, tr("Reflectance"),
             {"reflectance",
              [this]() -> std::optional<glm::dvec3> {
-               if (!material() || material()->type == Material::Type::measured) return std::nullopt;
+               if (!material() || material()->type == Material::Type::measured ||
+                   material()->type == Material::Type::metallic_roughness) {
+                 return std::nullopt;
+               }
                return material()->reflectance;
              },
              [this](const glm::dvec3& color, MergeId gesture) {
@@ -169,6 +175,18 @@ void MaterialPanel::add_material_fields(QFormLayout& form) {
                 change(tr("Set exponent of %1"), gesture,
                        [value](Material& m) { m.exponent = value; });
               }});
+  const auto shown = [this]() -> std::optional<std::size_t> {
+    if (!material() || material()->type != Material::Type::metallic_roughness) return std::nullopt;
+    return static_cast<std::size_t>(surfaces_->currentIndex());
+  };
+  const auto change_surface_at = [this](std::size_t index, const QString& verb, MergeId gesture,
+                                        const std::function<void(Surface&)>& how) {
+    change_surface(document_, index, verb, gesture, how);
+  };
+  auto* metallic_roughness = new MetallicRoughnessForm(document_, {shown, change_surface_at}, this);
+  connect(metallic_roughness, &MetallicRoughnessForm::refused, this, &MaterialPanel::refused);
+  on_refresh([metallic_roughness] { metallic_roughness->show_current(); });
+  form.addRow(metallic_roughness);
 }
 
 void MaterialPanel::choose_type(int index) {
@@ -196,6 +214,13 @@ void MaterialPanel::set_type(int index, Material::Type type, const std::filesyst
                              const std::shared_ptr<const MeasuredBrdf>& measured) {
   change_surface(document_, static_cast<std::size_t>(index), tr("Set material of %1"), no_merge,
                  [&](Surface& s) {
+                   if (type == Material::Type::metallic_roughness &&
+                       s.material.metallic_roughness == MetallicRoughness{}) {
+                     // What it looks like now, nearly, rather than glTF's white metal.
+                     s.material.metallic_roughness.base_color = s.material.reflectance;
+                     s.material.metallic_roughness.metallic = 0.0;
+                     s.material.metallic_roughness.roughness = 0.5;
+                   }
                    s.material.type = type;
                    s.material.file = file;
                    s.material.measured = measured;

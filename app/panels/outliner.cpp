@@ -9,10 +9,12 @@
 
 #include "app/commands/edit_groups.h"
 #include "app/commands/edit_objects.h"
+#include "app/commands/edit_splines.h"
 #include "app/document/document.h"
 #include "app/document/paths.h"
 #include "app/panels/group_rows.h"
 #include "app/panels/name_delegate.h"
+#include "app/panels/spline_rows.h"
 #include "app/widgets/frame_text.h"
 #include "app/widgets/icons.h"
 #include "app/widgets/keys.h"
@@ -31,6 +33,11 @@ QTreeWidgetItem* new_item(const QString& text, Outliner::Kind kind, std::size_t 
   auto* item = new QTreeWidgetItem({text});
   item->setData(0, kind_role, static_cast<int>(kind));
   item->setData(0, index_role, qulonglong{index});
+  const bool is_group = kind == Outliner::Kind::group;
+  const bool is_dragged = is_group || kind == Outliner::Kind::gaussians;
+  item->setFlags(item->flags()
+                     .setFlag(Qt::ItemIsDragEnabled, is_dragged)
+                     .setFlag(Qt::ItemIsDropEnabled, is_group));
   return item;
 }
 
@@ -53,7 +60,10 @@ bool is_key_of(const char* action, const QKeyEvent& event) {
 }  // namespace
 
 Outliner::Outliner(Document& document, QWidget* parent)
-    : QTreeWidget(parent), document_(document), groups_(new GroupRows(document, *this)) {
+    : QTreeWidget(parent),
+      document_(document),
+      groups_(new GroupRows(document, *this)),
+      splines_(new SplineRows(document, *this)) {
   setObjectName("outliner_tree");
   setHeaderHidden(true);
   setColumnCount(3);
@@ -64,6 +74,7 @@ Outliner::Outliner(Document& document, QWidget* parent)
                                             this));
   setEditTriggers(NoEditTriggers);
   setExpandsOnDoubleClick(false);
+  setDragDropMode(DragDrop);
   header()->setStretchLastSection(false);
   header()->setSectionResizeMode(name_column, QHeaderView::Stretch);
   for (const int column : {eye_column, lock_column}) {
@@ -71,6 +82,10 @@ Outliner::Outliner(Document& document, QWidget* parent)
   }
   connect(&document_, &Document::scene_replaced, this, &Outliner::rebuild);
   connect(&document_, &Document::part_changed, this, &Outliner::rebuild);
+  connect(&document_, &Document::splines_changed, this, [this] {
+    if (!splines_->is_current()) rebuild();
+  });
+  connect(splines_, &SplineRows::edit_asked, this, [this] { Q_EMIT asked_for(Kind::spline, 0); });
   connect(&document_, &Document::medium_changed, this, &Outliner::count_gaussians);
   connect(&document_, &Document::object_changed, this, &Outliner::follow_object);
   connect(this, &QTreeWidget::itemClicked, this, &Outliner::click);
@@ -84,12 +99,16 @@ void Outliner::rebuild() {
   const Scene& scene = document_.scene();
   const std::optional<ObjectRef> current = object_of(currentItem());
   const std::optional<GroupId> current_group = group_of(currentItem());
+  const std::optional<SplineId> current_spline = spline_of(currentItem());
   const QSignalBlocker blocker(this);
   clear();
   auto* medium = new_item(tr("Medium"), Kind::medium);
   gaussians_ = new_item({}, Kind::gaussians);
+  gaussians_->setToolTip(name_column, tr("Drag it onto a group to move the selected Gaussians "
+                                         "there"));
   medium->addChild(gaussians_);
   groups_->add_rows(*medium, [](GroupId group) { return new_item({}, Kind::group, group); });
+  splines_->add_rows(*medium, [](SplineId spline) { return new_item({}, Kind::spline, spline); });
   for (std::size_t k = 0; k < scene.emitters.size(); ++k) {
     medium->addChild(new_object_item({ObjectRef::Kind::emitter, k}));
   }
@@ -119,7 +138,8 @@ void Outliner::rebuild() {
   groups_->expand();
   count_gaussians();
   if (current) set_current(*current);
-  if (current_group) set_current(*current_group);
+  if (current_group) set_current(Kind::group, *current_group);
+  if (current_spline) set_current(Kind::spline, *current_spline);
 }
 
 QTreeWidgetItem* Outliner::new_object_item(const ObjectRef& ref) {
@@ -145,6 +165,13 @@ std::optional<GroupId> Outliner::group_of(const QTreeWidgetItem* item) {
   return static_cast<GroupId>(item->data(0, index_role).toULongLong());
 }
 
+std::optional<SplineId> Outliner::spline_of(const QTreeWidgetItem* item) {
+  if (!item || static_cast<Kind>(item->data(0, kind_role).toInt()) != Kind::spline) {
+    return std::nullopt;
+  }
+  return static_cast<SplineId>(item->data(0, index_role).toULongLong());
+}
+
 std::optional<ObjectRef> Outliner::object_of(const QTreeWidgetItem* item) {
   if (!item || !item->parent()) return std::nullopt;
   const auto kind = static_cast<Kind>(item->data(0, kind_role).toInt());
@@ -164,9 +191,12 @@ void Outliner::set_current(const ObjectRef& ref) {
   setCurrentItem(current);
 }
 
-void Outliner::set_current(GroupId group) {
+void Outliner::set_current(Kind kind, std::size_t index) {
   for (QTreeWidgetItemIterator it(this); *it; ++it) {
-    if (group_of(*it) == group) setCurrentItem(*it);
+    if ((*it)->data(0, kind_role).toInt() == static_cast<int>(kind) &&
+        (*it)->data(0, index_role).toULongLong() == index) {
+      setCurrentItem(*it);
+    }
   }
 }
 
@@ -189,6 +219,7 @@ void Outliner::click(const QTreeWidgetItem* item, int column) {
     groups_->click(*group, column);
     if (column != name_column) return;
   }
+  if (const auto spline = spline_of(item)) return splines_->edit(*spline);
   Q_EMIT asked_for(static_cast<Kind>(item->data(0, kind_role).toInt()),
                    item->data(0, index_role).toULongLong());
 }
@@ -197,6 +228,8 @@ void Outliner::click(const QTreeWidgetItem* item, int column) {
 void Outliner::rename(const QTreeWidgetItem* item, const QString& name) {
   if (const auto group = group_of(item)) {
     QTimer::singleShot(0, this, [this, group, name] { rename_group(document_, *group, name); });
+  } else if (const auto spline = spline_of(item)) {
+    QTimer::singleShot(0, this, [this, spline, name] { rename_spline(document_, *spline, name); });
   } else if (const auto ref = object_of(item)) {
     QTimer::singleShot(0, this, [this, ref = *ref, name] {
       if (!brume::object_of(document_.scene(), ref)) return;
@@ -215,7 +248,7 @@ bool Outliner::event(QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride) {
     const auto& key = static_cast<const QKeyEvent&>(*event);
     const bool is_object = object_of(currentItem()).has_value();
-    const bool is_group = group_of(currentItem()).has_value();
+    const bool is_group = group_of(currentItem()) || spline_of(currentItem());
     if (((is_object || is_group) && is_key_of("edit.delete", key)) ||
         (is_object && is_key_of("edit.duplicate", key)) ||
         (is_group && is_key_of("edit.rename", key))) {
@@ -234,6 +267,10 @@ void Outliner::keyPressEvent(QKeyEvent* event) {
     if (is_key_of("edit.delete", *event)) return delete_group(document_, *group);
     if (is_key_of("edit.rename", *event)) return editItem(currentItem(), name_column);
   }
+  if (const auto spline = spline_of(currentItem())) {
+    if (is_key_of("edit.delete", *event)) return delete_spline(document_, *spline);
+    if (is_key_of("edit.rename", *event)) return editItem(currentItem(), name_column);
+  }
   QTreeWidget::keyPressEvent(event);
 }
 
@@ -243,12 +280,17 @@ void Outliner::contextMenuEvent(QContextMenuEvent* event) {
   const std::optional<Object> object =
       ref ? brume::object_of(document_.scene(), *ref) : std::nullopt;
   const std::optional<GroupId> group = group_of(item);
-  if (!object && !group) return;
+  const std::optional<SplineId> spline = spline_of(item);
+  if (!object && !group && !spline) return;
   setCurrentItem(item);
   auto* menu = new QMenu(this);
   menu->setAttribute(Qt::WA_DeleteOnClose);
   if (group) {
     groups_->fill_menu(*menu, *group);
+    return menu->popup(event->globalPos());
+  }
+  if (spline) {
+    splines_->fill_menu(*menu, *spline);
     return menu->popup(event->globalPos());
   }
   document_.set_object(ref);
@@ -262,6 +304,20 @@ void Outliner::contextMenuEvent(QContextMenuEvent* event) {
   menu->addAction(tr("Duplicate"), this, [this, ref] { duplicate_object(document_, *ref); });
   menu->addAction(tr("Delete"), this, [this, ref] { delete_object(document_, *ref); });
   menu->popup(event->globalPos());
+}
+
+QStringList Outliner::mimeTypes() const {
+  return GroupRows::mime_types();
+}
+
+QMimeData* Outliner::mimeData(const QList<QTreeWidgetItem*>& items) const {
+  return groups_->mime_data(items.isEmpty() ? std::nullopt : group_of(items.front()));
+}
+
+bool Outliner::dropMimeData(QTreeWidgetItem* onto, int /*index*/, const QMimeData* dragged,
+                            Qt::DropAction /*action*/) {
+  const std::optional<GroupId> group = group_of(onto);
+  return group && groups_->drop(*dragged, *group);
 }
 
 void Outliner::count_gaussians() {

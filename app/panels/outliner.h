@@ -4,20 +4,22 @@
 #include <optional>
 
 #include "app/document/object_ref.h"
-#include "core/medium/gaussian.h"
+#include "core/scene/painted_spline.h"
 
 namespace brume {
 
 class Document;
 class GroupRows;
+class SplineRows;
 
 // The scene as a tree; a click requests the panel of an item. Lights, emitters and surfaces have an
 // eye that hides and shows them (a light is turned on and off), a lock, and names to edit; the keys
-// and the context menu delete and duplicate them. Rows of groups are GroupRows'.
+// and the context menu delete and duplicate them. Rows of groups are GroupRows',
+// those of splines SplineRows'.
 class Outliner : public QTreeWidget {
   Q_OBJECT
  public:
-  enum class Kind { gaussians, medium, group, emitter, light, environment, surface };
+  enum class Kind { gaussians, medium, group, spline, emitter, light, environment, surface };
   explicit Outliner(Document& document, QWidget* parent = nullptr);
 
  Q_SIGNALS:
@@ -31,23 +33,31 @@ class Outliner : public QTreeWidget {
   void keyPressEvent(QKeyEvent* event) override;
   void contextMenuEvent(QContextMenuEvent* event) override;
   void changeEvent(QEvent* event) override;
+  // Rows of groups are dragged onto others, that of the Gaussians takes the selected ones.
+  [[nodiscard]] QStringList mimeTypes() const override;
+  [[nodiscard]] QMimeData* mimeData(const QList<QTreeWidgetItem*>& items) const override;
+  bool dropMimeData(QTreeWidgetItem* onto, int index, const QMimeData* dragged,
+                    Qt::DropAction action) override;
+  [[nodiscard]] Qt::DropActions supportedDropActions() const override { return Qt::CopyAction; }
 
  private:
   static std::optional<ObjectRef> object_of(const QTreeWidgetItem* item);
   static std::optional<GroupId> group_of(const QTreeWidgetItem* item);
+  static std::optional<SplineId> spline_of(const QTreeWidgetItem* item);
   QTreeWidgetItem* new_object_item(const ObjectRef& ref);
 
   void rebuild();
   void count_gaussians();
   // Or the last of its kind, if there are fewer.
   void set_current(const ObjectRef& ref);
-  void set_current(GroupId group);
+  void set_current(Kind kind, std::size_t index);
   void follow_object();  // the document's
   void click(const QTreeWidgetItem* item, int column);
   void rename(const QTreeWidgetItem* item, const QString& name);
 
   Document& document_;
   GroupRows* groups_;
+  SplineRows* splines_;
   QTreeWidgetItem* gaussians_ = nullptr;
 };
 

@@ -21,6 +21,8 @@
 #include "app/document/timeline.h"
 #include "app/files/file_dialogs.h"
 #include "app/files/numbered_file.h"
+#include "app/files/picture_format.h"
+#include "app/widgets/layer_boxes.h"
 #include "app/widgets/plain_text.h"
 #include "core/io/file_bytes.h"
 
@@ -62,6 +64,8 @@ OutputPanel::OutputPanel(Document& document, const Timeline& timeline,
   add_size(*form);
   add_region(*form);
   add_method(*form);
+  add_samples(*form);
+  add_shutter(*form);
   add_frames(*form);
   add_file(*form);
   add_layers(*form);
@@ -232,6 +236,7 @@ void OutputPanel::add_file(QFormLayout& form) {
   format->setObjectName("output_format");
   format->addItem(tr("PNG picture"), ".png");
   format->addItem(tr("EXR with layers"), ".exr");
+  format->addItem(tr("Deep EXR, for holdouts"), ".deep.exr");
   format->addItem(tr("MP4 video"), ".mp4");
   format->setToolTip(
       tr("PNG: ready to show. EXR: linear light in 32-bit floats, with layers, for compositing. "
@@ -253,8 +258,7 @@ void OutputPanel::add_file(QFormLayout& form) {
   });
   connect(format, &QComboBox::activated, this, [this, format] {
     if (output().file.empty()) return;
-    std::filesystem::path path = output().file;
-    set_file(path.replace_extension(format->currentData().toString().toStdString()));
+    set_file(with_picture_format(output().file, format->currentData().toString().toStdString()));
   });
   on_refresh([this, file, format, names] {
     const std::filesystem::path& path = output().file;
@@ -268,7 +272,7 @@ void OutputPanel::add_file(QFormLayout& form) {
         path.empty() ? tr("Where pictures are written; frames of an animation get numbers. Without "
                           "a file, they are only shown")
                      : to_qstring(path)));
-    const int index = format->findData(QString::fromStdString(lower_case_extension(path)));
+    const int index = format->findData(QString::fromStdString(picture_format(path)));
     if (index >= 0) format->setCurrentIndex(index);
     const auto name = [&](int frame) { return to_qstring(numbered_file(path, frame).filename()); };
     const bool is_video = lower_case_extension(path) == ".mp4";
@@ -304,32 +308,15 @@ void OutputPanel::browse() {
 }
 
 void OutputPanel::add_layers(QFormLayout& form) {
-  auto* layers = new QWidget(this);
-  auto* row = new QHBoxLayout(layers);
-  row->setContentsMargins(0, 0, 0, 0);
-  const auto add = [&](const QString& title, const char* name, bool OutputLayers::*layer,
-                       const QString& tip) {
-    auto* box = new QCheckBox(title, this);
-    box->setObjectName(name);
-    box->setToolTip(tip);
-    row->addWidget(box);
-    connect(box, &QCheckBox::clicked, this, [this, layer](bool on) {
-      change_output(document_, tr("Set layers of output"), no_merge,
-                    [=](Output& output) { output.layers.*layer = on; });
-    });
-    on_refresh([this, box, layer] { box->setChecked(output().layers.*layer); });
-  };
-  add(tr("Airlight"), "layer_airlight", &OutputLayers::airlight,
-      tr("The light that the fog scatters to the camera"));
-  add(tr("Transmittance"), "layer_transmittance", &OutputLayers::transmittance,
-      tr("The share of light that the fog lets through"));
-  add(tr("Depth"), "layer_depth", &OutputLayers::depth,
-      tr("The distance along the view ray, in scene units"));
-  row->addStretch();
+  auto* layers = new LayerBoxes(this, [this](bool OutputLayers::*layer, bool on) {
+    change_output(document_, tr("Set layers of output"), no_merge,
+                  [=](Output& output) { output.layers.*layer = on; });
+  });
+  on_refresh([this, layers] { layers->set_layers(output().layers); });
   form.addRow(tr("Layers"), layers);
   on_refresh([this, layers] {
-    layers->setEnabled(lower_case_extension(output().file) == ".exr");
-    layers->setToolTip(layers->isEnabled() ? QString() : tr("Only EXR files have layers"));
+    layers->setEnabled(picture_format(output().file) == ".exr");
+    layers->setToolTip(layers->isEnabled() ? QString() : tr("Only flat EXR files have layers"));
   });
 }
 

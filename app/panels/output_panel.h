@@ -34,6 +34,8 @@ class OutputPanel : public SceneForm {
   void add_size(QFormLayout& form);
   void add_region(QFormLayout& form);
   void add_method(QFormLayout& form);
+  void add_samples(QFormLayout& form);
+  void add_shutter(QFormLayout& form);
   void add_frames(QFormLayout& form);
   void add_file(QFormLayout& form);
   void add_layers(QFormLayout& form);

@@ -4,6 +4,7 @@
 #include <QSettings>
 #include <QVBoxLayout>
 
+#include "app/document/number_text.h"
 #include "app/frames/frame_scheduler.h"
 #include "app/panels/frontier_plot.h"
 #include "app/widgets/frame_text.h"
@@ -13,11 +14,31 @@ namespace brume {
 namespace {
 
 constexpr const char* max_error_key = "view/max_error";
+constexpr const char* details_key = "performance/details";
 
 // Plain names of stages whose own are of the program.
 QString stage_title(Stage stage) {
   if (stage == Stage::scattering) return PerformancePanel::tr("multiple scattering");
   return to_string(stage);
+}
+
+// How a frame was rendered, in the words of View > Quality.
+QString method_text(const FrameScheduler& frames, const Settings& settings) {
+  const auto with_settings = [&](const QString& choice) {
+    return PerformancePanel::tr("%1: %2").arg(choice, settings_text(settings));
+  };
+  if (settings.airlight == AirlightMethod::path) {
+    return with_settings(PerformancePanel::tr("Reference"));
+  }
+  switch (frames.quality().airlight()) {
+    case AirlightMethod::auto_:
+      return with_settings(PerformancePanel::tr("Auto"));
+    case AirlightMethod::paper:
+      return PerformancePanel::tr("Paper's method");
+    default:
+      return with_settings(frames.quality().is_fast() ? PerformancePanel::tr("Fast")
+                                                      : PerformancePanel::tr("Fixed"));
+  }
 }
 
 // Why the frame has its settings.
@@ -61,25 +82,44 @@ PerformancePanel::PerformancePanel(std::function<const FrameScheduler&()> active
       stages_(new QTreeWidget(this)) {
   auto* form = new QFormLayout;
   form->addRow(tr("Max error"), max_error_);
-  shown_ = add_row(*form, tr("Current settings"), "shown");
-  why_ = add_row(*form, {}, "why");
+  time_ = add_row(*form, tr("Frame"), "frame_time",
+                  tr("How long the picture took to render, in milliseconds or seconds"));
+  error_ = add_row(*form, tr("Error"), "panel_error",
+                   tr("Relative RMSE of the airlight against the reference; of a path-traced "
+                      "picture its noise. Grey while it is being measured"));
+  method_ = add_row(*form, tr("Method"), "shown",
+                    tr("Chosen in View > Quality; the more slices along a ray, the more exact"));
+  QWidget* details = make_details();
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(6, 6, 6, 0);
+  layout->addLayout(form);
+  layout->addWidget(make_details_button(*details), 0, Qt::AlignLeft);
+  layout->addWidget(details, 1);
+  layout->addStretch();
+
+  fill_max_error();
+}
+
+QWidget* PerformancePanel::make_details() {
+  auto* details = new QWidget(this);
+  auto* form = new QFormLayout;
+  why_ = add_row(*form, {}, "why", {});
   why_->setWordWrap(true);
-  scattering_ = add_row(*form, tr("Scattering"), "panel_scattering");
+  scattering_ = add_row(
+      *form, tr("Scattering"), "panel_scattering",
+      tr("How often light is scattered, chosen in the panel Medium. All orders are solved on a "
+         "grid, by sweeps over it, until a sweep changes hardly anything"));
   scattering_->setWordWrap(true);
-  scattering_->setToolTip(tr(
-      "How often light is scattered, chosen in the panel Medium. All orders are solved on a grid, "
-      "by sweeps over it, until a sweep changes hardly anything"));
-  auto* numbers = new QFormLayout;
-  error_ = add_row(*numbers, tr("Error"), "panel_error");
-  error_->setToolTip(tr("Relative RMSE of the airlight against the reference"));
-  interval_ = add_row(*numbers, tr("Interval"), "interval");
-  interval_->setToolTip(tr("Contains the error of the whole picture in 95% of cases"));
-  gaussians_ = add_row(*numbers, tr("Gaussians"), "gaussians_used");
-  pairs_ = add_row(*numbers, tr("Pairs"), "pairs");
-  pairs_->setToolTip(tr("Evaluated pairs of Gaussian and ray, from the eye and from the lights"));
-  picture_ = add_row(*numbers, tr("Picture"), "picture");
-  backend_ = add_row(*form, tr("Render device"), "backend");
+  backend_ = add_row(*form, tr("Render device"), "backend", tr("Chosen in View > Render Device"));
   backend_->setWordWrap(true);
+  auto* numbers = new QFormLayout;
+  interval_ = add_row(*numbers, tr("Interval"), "interval",
+                      tr("Contains the error of the whole picture in 95% of cases"));
+  gaussians_ = add_row(*numbers, tr("Gaussians"), "gaussians_used",
+                       tr("Those that this view needs, of all"));
+  pairs_ = add_row(*numbers, tr("Pairs"), "pairs",
+                   tr("Evaluated pairs of Gaussian and ray, from the eye and from the lights"));
+  picture_ = add_row(*numbers, tr("Picture"), "picture", tr("Width and height in pixels"));
 
   stages_->setObjectName("stages");
   stages_->setHeaderLabels({tr("Stage"), tr("Milliseconds")});
@@ -90,22 +130,50 @@ PerformancePanel::PerformancePanel(std::function<const FrameScheduler&()> active
   stages_->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
   stages_->setMinimumHeight(50);
 
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(6, 6, 6, 0);
+  auto* layout = new QVBoxLayout(details);
+  layout->setContentsMargins(0, 0, 0, 0);
   layout->addLayout(form);
   auto* beside = new QHBoxLayout;
   beside->addLayout(numbers);
   beside->addWidget(frontier_, 1);
   layout->addLayout(beside);
   layout->addWidget(stages_, 1);
-
-  fill_max_error();
+  return details;
 }
 
-QLabel* PerformancePanel::add_row(QFormLayout& form, const QString& title, const char* name) {
+QToolButton* PerformancePanel::make_details_button(QWidget& details) {
+  auto* button = new QToolButton(this);
+  button->setObjectName("performance_details");
+  button->setText(tr("Details"));
+  button->setToolTip(tr("The state of auto, the settings tried, and the time of each stage"));
+  button->setCheckable(true);
+  button->setAutoRaise(true);
+  button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  const auto unfold = [button, &details](bool open) {
+    button->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
+    details.setVisible(open);
+  };
+  const bool was_open = QSettings().value(details_key).toBool();
+  button->setChecked(was_open);
+  unfold(was_open);
+  connect(button, &QToolButton::toggled, this, [unfold](bool open) {
+    QSettings().setValue(details_key, open);
+    unfold(open);
+  });
+  return button;
+}
+
+QLabel* PerformancePanel::add_row(QFormLayout& form, const QString& title, const char* name,
+                                  const QString& tip) {
   auto* value = new PlainLabel(this);
   value->setObjectName(name);
+  value->setToolTip(tip);
+  if (title.isEmpty()) {
+    form.addRow(value);
+    return value;
+  }
   form.addRow(title, value);
+  if (QWidget* label = form.labelForField(value)) label->setToolTip(tip);
   return value;
 }
 
@@ -159,7 +227,8 @@ void PerformancePanel::update_frame() {
   if (!frame) return;
   const FrameStatistics& statistics = frame->frame.statistics;
   const Film& film = frame->frame.film;
-  shown_->setText(settings_text(frame->request.settings));
+  time_->setText(duration_text(frame->milliseconds));
+  method_->setText(method_text(active_frames_(), frame->request.settings));
   scattering_->setText(scattering_text(frame->frame));
   gaussians_->setText(
       tr("%1 of %2 used")
@@ -174,12 +243,16 @@ void PerformancePanel::update_frame() {
   const QString backend = backend_text(statistics);
   backend_->setText(why_not_gl.isEmpty() ? backend : tr("%1: %2").arg(backend, why_not_gl));
 
+  show_stages(*frame);
+}
+
+void PerformancePanel::show_stages(const RenderedFrame& frame) {
+  const FrameStatistics& statistics = frame.frame.statistics;
   QList<QTreeWidgetItem*> rows;
   for (const StageTime& stage : statistics.stages) {
-    rows << new QTreeWidgetItem(
-        {stage_title(stage.stage), QString::number(stage.milliseconds, 'f', 1)});
+    rows << new QTreeWidgetItem({stage_title(stage.stage), fixed_text(stage.milliseconds, 1)});
   }
-  rows << new QTreeWidgetItem({tr("frame"), QString::number(frame->milliseconds, 'f', 1)});
+  rows << new QTreeWidgetItem({tr("frame"), fixed_text(frame.milliseconds, 1)});
   const auto add_notes = [&rows](const std::vector<SkippedStage>& stages, const QString& text) {
     for (const SkippedStage& stage : stages) {
       const QString why = text.arg(QString::fromStdString(stage.why));

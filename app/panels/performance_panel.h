@@ -3,6 +3,7 @@
 #include <QComboBox>
 #include <QFormLayout>
 #include <QLabel>
+#include <QToolButton>
 #include <QTreeWidget>
 #include <QWidget>
 #include <functional>
@@ -11,8 +12,10 @@ namespace brume {
 
 class FrontierPlot;
 class FrameScheduler;
+struct RenderedFrame;
 
-// Cost and error of the current frame, and the state of auto.
+// What the current frame costs, how wrong it is and how it was made, each in a line; the rest, and
+// the state of auto, below Details, which stays open or closed.
 class PerformancePanel : public QWidget {
   Q_OBJECT
  public:
@@ -33,12 +36,16 @@ class PerformancePanel : public QWidget {
   void showEvent(QShowEvent* event) override;
 
  private:
-  QLabel* add_row(QFormLayout& form, const QString& title, const char* name);
+  QLabel* add_row(QFormLayout& form, const QString& title, const char* name, const QString& tip);
+  QWidget* make_details();
+  QToolButton* make_details_button(QWidget& details);
+  void show_stages(const RenderedFrame& frame);
   void fill_max_error();
 
   std::function<const FrameScheduler&()> active_frames_;
   QComboBox* max_error_;
-  QLabel* shown_;
+  QLabel* time_;
+  QLabel* method_;
   QLabel* why_;
   QLabel* error_;
   QLabel* interval_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/document/number_text.h"
 #include "app/document/timeline.h"
 
 namespace brume {
@@ -10,8 +11,8 @@ namespace brume {
 QString playback_text(double measured, double of_scene) {
   const double dropped = std::round(std::max(0.0, of_scene - measured));
   const QString rate = PlaybackLabel::tr("%1 of %2 fps")
-                           .arg(std::min(std::round(measured), std::round(of_scene)))
-                           .arg(of_scene, 0, 'g', 5);
+                           .arg(number_text(std::min(std::round(measured), std::round(of_scene))),
+                                number_text(of_scene, 5));
   return dropped == 0.0 ? rate : PlaybackLabel::tr("%1, %2 dropped").arg(rate).arg(dropped);
 }
 

@@ -15,6 +15,7 @@
 #include "app/commands/edit_keys.h"
 #include "app/commands/scene_part_command.h"
 #include "app/document/document.h"
+#include "app/document/number_text.h"
 #include "app/document/timeline.h"
 #include "app/frames/picture_cache.h"
 #include "app/panels/keyframe_track.h"
@@ -141,6 +142,7 @@ TimelineBar::TimelineBar(Timeline& timeline, Document& document, std::function<C
     connect(&document_, signal, this, &TimelineBar::refresh_targets);
     connect(&document_, signal, this, &TimelineBar::fit_keys);
   }
+  connect(&document_, &Document::object_changed, this, &TimelineBar::refresh_targets);
   refresh_targets();
   fit_keys();
 
@@ -152,7 +154,7 @@ TimelineBar::TimelineBar(Timeline& timeline, Document& document, std::function<C
     slider->setRange(timeline.first(), timeline.last());
     slider->setValue(timeline.frame());
     frame->setValue(timeline.frame());
-    seconds->setText(tr("%1 s").arg(timeline.time(), 0, 'f', 2));
+    seconds->setText(tr("%1 s").arg(fixed_text(timeline.time(), 2)));
     first->setValue(timeline.first());
     last->setValue(timeline.last());
     loop->setChecked(timeline.loops());
@@ -183,9 +185,22 @@ void TimelineBar::fit_keys() {
   key_area_->setFixedHeight(std::min(max_value, keys_->sizeHint().height()));
 }
 
+// Of many surfaces only the selected one: a list of the values of hundreds would be of no use.
+std::vector<Track> TimelineBar::targets() const {
+  constexpr std::size_t max_surfaces = 16;
+  std::vector<Track> rows = tracks(document_.scene());
+  if (document_.scene().surfaces.size() > max_surfaces) {
+    std::erase_if(rows, [this](const Track& row) {
+      return row.surface && row.surface != document_.object();
+    });
+  }
+  return rows;
+}
+
 void TimelineBar::refresh_targets() {
+  rows_ = targets();
   QStringList titles;
-  for (const Track& row : tracks(document_.scene())) titles << row.title;
+  for (const Track& row : rows_) titles << row.title;
   QStringList shown;
   for (int k = 0; k < target_->count(); ++k) shown << target_->itemText(k);
   if (titles == shown) return;
@@ -196,13 +211,12 @@ void TimelineBar::refresh_targets() {
 }
 
 void TimelineBar::set_key() {
-  const std::vector<Track> rows = tracks(document_.scene());
   const auto k = static_cast<std::size_t>(target_->currentIndex());
-  if (k >= rows.size()) return;
-  if (rows[k].part == ScenePart(KeyedCamera{}).index()) {
+  if (k >= rows_.size()) return;
+  if (rows_[k].part == ScenePart(KeyedCamera{}).index()) {
     set_camera_keys(document_, view_());
   } else {
-    set_keys(document_, rows[k]);
+    set_keys(document_, rows_[k]);
   }
 }
 

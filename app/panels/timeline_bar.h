@@ -3,6 +3,7 @@
 #include <QWidget>
 #include <functional>
 
+#include "app/document/keyframe_tracks.h"
 #include "core/scene/camera.h"
 #include "core/scene/scene.h"
 
@@ -37,7 +38,8 @@ class TimelineBar : public QWidget {
   void curves_asked_for();  // shown or hidden
 
  private:
-  void set_playback(const Playback& playback);  // one undo step
+  void set_playback(const Playback& playback);       // one undo step
+  [[nodiscard]] std::vector<Track> targets() const;  // what keyframes can be set of
   void refresh_targets();
   void fit_keys();  // shows a few tracks at once
 
@@ -47,6 +49,7 @@ class TimelineBar : public QWidget {
   FrameSlider* slider_;
   PlaybackLabel* playback_;
   QComboBox* target_;
+  std::vector<Track> rows_;  // those in it
   KeyframeTrack* keys_;
   QScrollArea* key_area_;
 };

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "app/document/number_text.h"
 #include "app/widgets/frame_text.h"
 #include "core/io/image/image_file.h"
 #include "core/number_domain.h"
@@ -12,8 +13,8 @@
 namespace brume {
 namespace {
 
-QImage shown(const Frame& frame, double exposure) {
-  const std::vector<std::uint8_t> bytes = to_display(frame, exposure);
+QImage shown(const Frame& frame, const DisplayLook& look) {
+  const std::vector<std::uint8_t> bytes = to_display(frame, look);
   QImage image(frame.film.width, frame.film.height, QImage::Format_RGB888);
   const auto row = static_cast<std::size_t>(frame.film.width) * 3;
   for (int y = 0; y < frame.film.height; ++y) {
@@ -34,7 +35,7 @@ std::array<float, 3> Picture::at(int x, int y) const {
   return {pixel[0], pixel[1], pixel[2]};
 }
 
-std::shared_ptr<const Picture> make_picture(const Frame& frame, double exposure,
+std::shared_ptr<const Picture> make_picture(const Frame& frame, const DisplayLook& look,
                                             const QString& name, const QString& details) {
   auto picture = std::make_shared<Picture>();
   picture->name = name;
@@ -46,8 +47,8 @@ std::shared_ptr<const Picture> make_picture(const Frame& frame, double exposure,
   for (std::size_t i = 0; i < pixels; ++i) {
     std::copy_n(&frame.beauty[4 * i], 3, &picture->rgb[3 * i]);
   }
-  picture->exposure = exposure;
-  picture->image = shown(frame, exposure);
+  picture->look = look;
+  picture->image = shown(frame, look);
   return picture;
 }
 
@@ -61,19 +62,18 @@ void save_picture(const Picture& picture, const std::filesystem::path& file) {
   }
   write_png(file, picture.width, picture.height, bytes,
             {{"Software", "Brume " BRUME_VERSION},
-             {"brume:exposure", quoted_text(picture.exposure)},
+             {"brume:exposure", quoted_text(picture.look.exposure)},
+             {"brume:view_transform", view_name(picture.look)},
              {"brume:made", picture.details.toStdString()}});
 }
 
 QString picture_details(const Frame& frame, const Settings& settings, double milliseconds) {
   const QString paths = paths_text(frame);
-  const QString time = milliseconds < 1000.0 ? QString("%1 ms").arg(milliseconds, 0, 'f', 1)
-                                             : QString("%1 s").arg(1e-3 * milliseconds, 0, 'f', 1);
   return QString("%1 · %2 × %3 · %4")
       .arg(paths.isEmpty() ? settings_text(settings) : paths)
       .arg(frame.film.width)
       .arg(frame.film.height)
-      .arg(time);
+      .arg(duration_text(milliseconds));
 }
 
 std::optional<double> relative_difference(const Picture& a, const Picture& b) {
@@ -90,7 +90,7 @@ QImage difference_image(const Picture& a, const Picture& b, double stops) {
   for (std::size_t i = 0; i < a.rgb.size(); ++i) {
     frame.beauty[i / 3 * 4 + i % 3] = std::abs(a.rgb[i] - b.rgb[i]);
   }
-  return shown(frame, a.exposure + stops);
+  return shown(frame, {a.look.exposure + stops, a.look.view});
 }
 
 }  // namespace brume

@@ -8,9 +8,10 @@
 #include <optional>
 #include <vector>
 
+#include "render/display/to_display.h"
+
 namespace brume {
 
-struct Frame;
 struct Settings;
 
 // A rendered picture that is kept for comparison.
@@ -20,25 +21,25 @@ struct Picture {
   int width = 0;
   int height = 0;
   std::vector<float> rgb;  // linear radiance, rows from the top
-  double exposure = 0.0;   // that `image` shows it with [stops]
+  DisplayLook look;        // that `image` shows it with
   QImage image;
 
   // Linear radiance of a pixel, which is within the picture.
   [[nodiscard]] std::array<float, 3> at(int x, int y) const;
 };
 
-std::shared_ptr<const Picture> make_picture(const Frame& frame, double exposure,
+std::shared_ptr<const Picture> make_picture(const Frame& frame, const DisplayLook& look,
                                             const QString& name, const QString& details);
 
 // Writes what `image` shows as a PNG. Throws InputError.
 void save_picture(const Picture& picture, const std::filesystem::path& file);
 
-// "sliced 16 · 800 × 600 · 1.2 s", of a path-traced frame with its noise.
+// "16 slices · 800 × 600 · 1.2 s", of a path-traced frame with its noise.
 QString picture_details(const Frame& frame, const Settings& settings, double milliseconds);
 
 // RMS of A - B relative to that of B, over all channels; nullopt if their sizes differ.
 std::optional<double> relative_difference(const Picture& a, const Picture& b);
-// |A - B|, at the exposure of A and some stops more. Null if their sizes differ.
+// |A - B|, as A is shown and some stops brighter. Null if their sizes differ.
 QImage difference_image(const Picture& a, const Picture& b, double stops);
 
 }  // namespace brume

@@ -7,6 +7,7 @@
 #include <QPushButton>
 #include <QToolButton>
 
+#include "app/document/number_text.h"
 #include "app/widgets/application.h"
 #include "app/widgets/frame_text.h"
 #include "app/widgets/plain_text.h"
@@ -15,7 +16,8 @@ namespace brume {
 namespace {
 
 QString channels_text(const std::array<float, 3>& rgb) {
-  return QString("%1 %2 %3").arg(rgb[0], 0, 'g', 4).arg(rgb[1], 0, 'g', 4).arg(rgb[2], 0, 'g', 4);
+  return QString("%1 %2 %3")
+      .arg(number_text(rgb[0], 4), number_text(rgb[1], 4), number_text(rgb[2], 4));
 }
 
 }  // namespace

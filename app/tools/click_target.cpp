@@ -4,6 +4,7 @@
 
 #include "app/document/document.h"
 #include "app/view/view.h"
+#include "app/widgets/interface_settings.h"
 
 namespace brume {
 namespace {
@@ -14,7 +15,7 @@ std::optional<ObjectRef> object_at(const Document& document, View& view, QPointF
   for (std::size_t k = 0; k < emitters.size(); ++k) {
     const glm::dvec3 at = rays.project(emitters[k].position);
     if (!emitters[k].locked && at.z > 0.0 &&
-        QLineF(QPointF(at.x, at.y), position).length() <= emitter_radius) {
+        QLineF(QPointF(at.x, at.y), position).length() <= emitter_radius * handle_scale()) {
       return ObjectRef{ObjectRef::Kind::emitter, k};
     }
   }

@@ -9,6 +9,7 @@
 #include "app/view/gizmo.h"
 #include "app/view/view.h"
 #include "app/widgets/application.h"
+#include "app/widgets/interface_settings.h"
 #include "core/limits.h"
 
 namespace brume {
@@ -42,7 +43,9 @@ std::optional<std::size_t> EmitterTool::pick(QPointF position) const {
   for (std::size_t k = 0; k < emitters.size(); ++k) {
     if (emitters[k].locked) continue;
     const glm::dvec3 at = rays.project(emitters[k].position);
-    if (at.z > 0.0 && QLineF(QPointF(at.x, at.y), position).length() <= pick_radius) return k;
+    if (at.z > 0.0 &&
+        QLineF(QPointF(at.x, at.y), position).length() <= pick_radius * handle_scale())
+      return k;
   }
   return std::nullopt;
 }

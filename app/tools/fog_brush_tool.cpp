@@ -16,7 +16,9 @@
 #include "app/view/navigation.h"
 #include "app/view/view.h"
 #include "app/widgets/color_button.h"
+#include "app/widgets/number_field.h"
 #include "app/widgets/optics_editor.h"
+#include "core/math/rounded.h"
 
 namespace brume {
 namespace {
@@ -70,10 +72,15 @@ MirrorPlanes FogBrushTool::mirror_planes() const {
 
 void FogBrushTool::append_images(std::vector<Gaussian>& images, const Gaussian& gaussian,
                                  bool all) const {
+  append_images(images, gaussian, mirror_planes(), all);
+}
+
+void FogBrushTool::append_images(std::vector<Gaussian>& images, const Gaussian& gaussian,
+                                 const MirrorPlanes& planes, bool all) const {
   constexpr double same = 0.05;  // of the radius: one on the plane is painted once
   const Gaussian first = coloured(gaussian);
   std::size_t own = 0;
-  for (const Gaussian& image : mirror_images(first, mirror_planes())) {
+  for (const Gaussian& image : mirror_images(first, planes)) {
     const bool coincides = std::any_of(
         images.end() - static_cast<std::ptrdiff_t>(own), images.end(), [&](const Gaussian& other) {
           return glm::distance(image.center, other.center) < same * first.radius;
@@ -131,7 +138,9 @@ void FogBrushTool::add_gaussian_options(QHBoxLayout& row, const QString& prefix)
   add_preset_button(row, *this, prefix);
   add_number(
       row, *this, {tr("Radius"), prefix + "_radius", domain::length, Scale::logarithmic, 0.01},
-      [this] { return radius(); }, [this](double value) { set_both(value, density()); });
+      [this] { return radius(); }, [this](double value) { set_both(value, density()); })
+      ->number()
+      .show_length_unit();
   add_number(
       row, *this, {tr("Density"), prefix + "_density", domain::density, Scale::logarithmic, 0.01},
       [this] { return density(); }, [this](double value) { set_both(radius(), value); });
@@ -210,7 +219,7 @@ std::uint64_t FogBrushTool::stroke_seed() const {
 }
 
 double two_digits(double value) {
-  return QString::number(value, 'g', 2).toDouble();
+  return rounded(value, 2);
 }
 
 }  // namespace brume

@@ -67,6 +67,13 @@ class FogBrushTool : public BrushTool {
   [[nodiscard]] PenScale pen_scale(double fraction) const;
   // A Gaussian and its mirror images as they are added; `all`: also images that coincide.
   void append_images(std::vector<Gaussian>& images, const Gaussian& gaussian, bool all) const;
+  void append_images(std::vector<Gaussian>& images, const Gaussian& gaussian,
+                     const MirrorPlanes& planes, bool all) const;
+  // The planes of the stroke options, as the view is now.
+  [[nodiscard]] MirrorPlanes mirror_planes() const;
+
+  [[nodiscard]] const GaussianOptics& optics() const { return optics_; }
+  void set_optics(const GaussianOptics& optics) { optics_ = optics; }
 
   // The Gaussians as they are added: within their domains, with the brush's albedo and emission,
   // in the active group.
@@ -89,8 +96,6 @@ class FogBrushTool : public BrushTool {
   void set_both(double radius, double density);
 
   void add_optics_button(QHBoxLayout& row, const QString& prefix);
-
-  [[nodiscard]] MirrorPlanes mirror_planes() const;
 
   PaintTarget target_;
   StrokeOptions stroke_options_;

@@ -17,27 +17,38 @@
 #include "app/view/object_box.h"
 #include "app/view/overlay.h"
 #include "app/widgets/color_button.h"
+#include "app/widgets/interface_settings.h"
 #include "core/limits.h"
 #include "core/math/basis.h"
 #include "core/math/infinity.h"
+#include "core/math/rounded.h"
 #include "core/math/unit_direction.h"
 #include "core/scene/point_lights.h"
 
 namespace brume {
 namespace {
 
-constexpr double sun_radius = 6.0;  // pixels
+// In pixels, at a scale of the handles of 1.
+constexpr double sun_size = 6.0;
 constexpr double ring_min = 18.0;
 constexpr double ring_per_decade = 14.0;
-constexpr double pick_distance = 4.0;
+constexpr double pick_size = 4.0;
+
+double sun_radius() {
+  return sun_size * handle_scale();
+}
+
+double pick_distance() {
+  return pick_size * handle_scale();
+}
 
 double ring_radius(double strength) {
-  return ring_min + ring_per_decade * std::log10(1.0 + strength);
+  return handle_scale() * (ring_min + ring_per_decade * std::log10(1.0 + strength));
 }
 
 double strength_of(double radius) {
-  const double strength = std::pow(10.0, (radius - ring_min) / ring_per_decade) - 1.0;
-  return std::clamp(QString::number(strength, 'g', 4).toDouble(), 0.0, limits::intensity);
+  const double decades = (radius / handle_scale() - ring_min) / ring_per_decade;
+  return std::clamp(rounded(std::pow(10.0, decades) - 1.0, 4), 0.0, limits::intensity);
 }
 
 using Part = LightHandles::Handle::Part;
@@ -115,16 +126,17 @@ std::optional<LightHandles::Handle> LightHandles::pick(const CameraRays& rays,
     const glm::dvec3 at = rays.project(handle_position(lights[k], document_.scene(), rays.eye()));
     if (at.z <= 0.0 || lights[k].locked) continue;
     const double distance = QLineF(QPointF(at.x, at.y), position).length();
-    if (distance <= sun_radius + 3.0) return Handle{k, Part::light};
+    if (distance <= sun_radius() + 3.0) return Handle{k, Part::light};
     if (k != document_.active_light()) continue;
     const DrawnShape shape(lights[k], rays);
-    if (has_target(lights[k]) && film_distance(rays, shape.target, position) <= sun_radius) {
+    if (has_target(lights[k]) && film_distance(rays, shape.target, position) <= sun_radius()) {
       return Handle{k, Part::target};
     }
     for (const glm::dvec3& point : shape.outline) {
-      if (film_distance(rays, point, position) <= 1.5 * pick_distance) return Handle{k, Part::rim};
+      if (film_distance(rays, point, position) <= 1.5 * pick_distance())
+        return Handle{k, Part::rim};
     }
-    if (std::abs(distance - ring_radius(light_strength(lights[k]))) <= pick_distance) {
+    if (std::abs(distance - ring_radius(light_strength(lights[k]))) <= pick_distance()) {
       return Handle{k, Part::ring};
     }
   }
@@ -222,15 +234,15 @@ void LightHandles::draw(Overlay& overlay, const CameraRays& rays) const {
     const int alpha = lights[k].on ? 230 : 90;
     const QRgb rgba = qRgba(color.red(), color.green(), color.blue(), alpha);
     const bool hovered = hovered_ && hovered_->light == k;
-    overlay.add_circle(at.x, at.y, sun_radius, rgba);
+    overlay.add_circle(at.x, at.y, sun_radius(), rgba);
     for (int ray = 0; ray < 8; ++ray) {
       const double angle = glm::two_pi<double>() * ray / 8;
       const auto point = [&](double radius) {
         return Overlay::Vertex{static_cast<float>(at.x + radius * std::cos(angle)),
                                static_cast<float>(at.y + radius * std::sin(angle)), rgba};
       };
-      overlay.lines.push_back(point(sun_radius + 2.0));
-      overlay.lines.push_back(point(sun_radius + (hovered ? 7.0 : 5.0)));
+      overlay.lines.push_back(point(sun_radius() + 2.0));
+      overlay.lines.push_back(point(sun_radius() + (hovered ? 7.0 : 5.0)));
     }
     if (lights[k].directional) {
       const glm::dvec3 sun = handle_position(lights[k], document_.scene(), rays.eye());
@@ -248,7 +260,7 @@ void LightHandles::draw(Overlay& overlay, const CameraRays& rays) const {
     if (has_target(lights[k])) {
       line(lights[k].position, shape.target, hovered && hovered_->part == Part::target);
       const glm::dvec3 end = rays.project(shape.target);
-      if (active && end.z > 0.0) overlay.add_circle(end.x, end.y, 0.6 * sun_radius, rgba);
+      if (active && end.z > 0.0) overlay.add_circle(end.x, end.y, 0.6 * sun_radius(), rgba);
     }
     const bool bright_rim = hovered && hovered_->part == Part::rim;
     for (std::size_t i = 0; i < shape.outline.size(); ++i) {

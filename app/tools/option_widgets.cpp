@@ -4,6 +4,8 @@
 #include <QHBoxLayout>
 #include <QLabel>
 
+#include "app/widgets/number_field.h"
+
 namespace brume {
 
 ValueField* add_number(QHBoxLayout& row, Tool& tool, const NumberOption& option,
@@ -55,6 +57,7 @@ void add_target(QHBoxLayout& row, Tool& tool, const QString& prefix,
         target.position = value;
         set(target);
       });
+  at->number().show_length_unit();
   const auto show = [at, get] { at->setVisible(get().has_position()); };
   QObject::connect(&tool, &Tool::options_changed, at, show);
   show();

@@ -9,13 +9,6 @@
 #include "app/view/navigation.h"
 
 namespace brume {
-namespace {
-
-constexpr NumberDomain spacing_domain{0.05, 100.0, "a number from 0.05 to 100"};
-constexpr NumberDomain scatter_domain{0.0, 10.0, "a number from 0 to 10"};
-
-}  // namespace
-
 PaintbrushTool::PaintbrushTool(Document& document, View& view) : FogBrushTool(document, view) {
   PaintbrushTool::fit_to(target_distance(document.scene().camera));
 }
@@ -56,10 +49,10 @@ void PaintbrushTool::add_brush_options(QHBoxLayout& row, const QString& prefix) 
   add_gaussian_options(row, prefix);
   add_place_options(
       row, prefix,
-      {number(tr("Spacing"), "spacing", spacing_domain, Scale::logarithmic,
+      {number(tr("Spacing"), "spacing", domain::brush_spacing, Scale::logarithmic,
               tr("Distance between Gaussians along the stroke, relative to the radius"),
               &Paintbrush::spacing),
-       number(tr("Scatter"), "scatter", scatter_domain, Scale::linear,
+       number(tr("Scatter"), "scatter", domain::brush_scatter, Scale::linear,
               tr("Maximum random offset across the stroke, relative to the radius"),
               &Paintbrush::scatter),
        number(tr("Flow"), "flow", domain::unit, Scale::linear,

@@ -11,6 +11,7 @@
 #include "app/tools/click_target.h"
 #include "app/view/object_box.h"
 #include "app/view/view.h"
+#include "app/widgets/interface_settings.h"
 
 namespace brume {
 namespace {
@@ -119,7 +120,7 @@ void SelectTool::draw(Overlay& overlay, const CameraRays& rays) const {
   const Scene& scene = document_.scene();
   for (std::size_t k = 0; k < scene.emitters.size(); ++k) {
     const glm::dvec3 at = rays.project(scene.emitters[k].position);
-    if (at.z > 0.0) overlay.add_circle(at.x, at.y, emitter_radius, emitter_color);
+    if (at.z > 0.0) overlay.add_circle(at.x, at.y, emitter_radius * handle_scale(), emitter_color);
   }
   const auto& object = document_.object();
   if (object) add_object_outline(overlay, rays, scene, *object, object_color);

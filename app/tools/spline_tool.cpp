@@ -5,12 +5,14 @@
 #include <QPushButton>
 #include <algorithm>
 
+#include "app/commands/edit_splines.h"
 #include "app/commands/gaussian_budget.h"
+#include "app/commands/spline_command.h"
 #include "app/document/document.h"
-#include "app/document/gaussian_attribute.h"
 #include "app/view/overlay.h"
 #include "app/view/view.h"
 #include "app/widgets/application.h"
+#include "app/widgets/interface_settings.h"
 #include "core/authoring/spline.h"
 
 namespace brume {
@@ -23,18 +25,51 @@ constexpr double sample_step = 0.25;  // of the curve, relative to the radius
 
 SplineTool::SplineTool(Document& document, View& view) : PaintbrushTool(document, view) {
   connect(this, &Tool::options_changed, this, [this] {
-    if (spline_->points.empty()) return;
+    if (is_adopting_ || spline().points.empty()) return;
     if (options_id_ == no_merge) options_id_ = new_merge_id();
-    repaint(spline_->points, tr("Repaint spline"), options_id_);
+    repaint(spline().points, tr("Repaint spline"), options_id_);
+  });
+  connect(&document, &Document::active_spline_changed, this, [this] {
+    forget_gesture();
+    adopt_brush();
+  });
+  // Also by undo, which may have taken the dragged point away.
+  connect(&document, &Document::splines_changed, this, [this] {
+    if (dragged_ && *dragged_ >= spline().points.size()) dragged_.reset();
+    hovered_.reset();
+    adopt_brush();
   });
 }
 
-void SplineTool::finish() {
-  spline_ = std::make_shared<PaintedSpline>();  // steps of undo keep the old one
+const PaintedSpline& SplineTool::spline() const {
+  static const PaintedSpline none;
+  const PaintedSpline* active = document_.active_spline();
+  return active ? *active : none;
+}
+
+void SplineTool::forget_gesture() {
   hovered_.reset();
   dragged_.reset();
   options_id_ = no_merge;
   Q_EMIT appearance_changed();
+}
+
+void SplineTool::finish() {
+  document_.set_active_spline(0);
+  forget_gesture();
+}
+
+void SplineTool::adopt_brush() {
+  const PaintedSpline& active = spline();
+  if (active.points.empty()) return;
+  mirrored_ = stroke_options();
+  mirrored_.mirrors = active.mirrors.axes;
+  if (active.brush == brush() && active.optics == optics() && mirrored_ == stroke_options()) return;
+  is_adopting_ = true;
+  set_optics(active.optics);
+  set_stroke_options(mirrored_);
+  set_brush(active.brush);
+  is_adopting_ = false;
 }
 
 QString SplineTool::hint() const {
@@ -55,9 +90,9 @@ void SplineTool::add_options(QHBoxLayout& row) {
 std::optional<std::size_t> SplineTool::pick(QPointF position) const {
   const CameraRays rays = view().rays();
   std::optional<std::size_t> nearest;
-  double reach = point_reach;
-  for (std::size_t k = 0; k < spline_->points.size(); ++k) {
-    const glm::dvec3 at = rays.project(spline_->points[k]);
+  double reach = point_reach * handle_scale();
+  for (std::size_t k = 0; k < spline().points.size(); ++k) {
+    const glm::dvec3 at = rays.project(spline().points[k]);
     const double distance = QLineF(position, QPointF(at.x, at.y)).length();
     if (at.z <= 0.0 || distance > reach) continue;
     nearest = k;
@@ -79,7 +114,7 @@ void SplineTool::press(QPointF position, Qt::KeyboardModifiers modifiers) {
   hover(position);
   gesture_id_ = new_merge_id();
   options_id_ = no_merge;
-  before_ = spline_->points;
+  before_ = spline().points;
   std::vector<glm::dvec3> points = before_;
   if (hovered_ && modifiers.testFlag(Qt::ControlModifier)) {
     points.erase(points.begin() + static_cast<std::ptrdiff_t>(*hovered_));
@@ -91,16 +126,20 @@ void SplineTool::press(QPointF position, Qt::KeyboardModifiers modifiers) {
   if (dragged_) return;
   const auto point = paint_at(position);
   if (!point) return;
+  if (points.size() >= limits::spline_points) {
+    Q_EMIT refused(
+        tr("A spline has at most %1 points. New begins another.").arg(limits::spline_points));
+    return;
+  }
   dragged_ = points.size();
   points.push_back(point->position);
-  if (points.size() == 1) spline_->seed = stroke_seed();
   repaint(std::move(points), tr("Add point to spline"), gesture_id_);
 }
 
 void SplineTool::move(std::span<const QPointF> path) {
   PaintbrushTool::hover(path.back());
-  if (!dragged_ || *dragged_ >= spline_->points.size()) return;
-  std::vector<glm::dvec3> points = spline_->points;
+  if (!dragged_ || *dragged_ >= spline().points.size()) return;
+  std::vector<glm::dvec3> points = spline().points;
   // A view plane goes through the point itself.
   const auto point =
       paint_point(paint_target(), points[*dragged_], view().rays(), path.back(), view().surfaces());
@@ -124,44 +163,41 @@ void SplineTool::abandon() {
   finish();
 }
 
-// Undo may have taken the dragged point away.
-void SplineTool::medium_changed() {
-  if (dragged_ && *dragged_ >= spline_->points.size()) dragged_.reset();
-  hovered_.reset();
-}
-
-// Comes with another scene before anything else: its brush must not repaint the old spline.
-void SplineTool::fit_to(double distance) {
-  finish();
-  PaintbrushTool::fit_to(distance);
-}
-
-std::vector<Gaussian> SplineTool::painted(const PaintedSpline& spline) {
-  PaintStroke stroke(brush(), spline.seed);
+std::vector<Gaussian> SplineTool::painted(const PaintedSpline& spline) const {
+  PaintStroke stroke(spline.brush, static_cast<std::uint64_t>(spline.seed));
   std::vector<Gaussian> gaussians;
-  for (const glm::dvec3& point : sample_spline(spline.points, sample_step * brush().radius)) {
+  for (const glm::dvec3& point : sample_spline(spline.points, sample_step * spline.brush.radius)) {
     for (const Gaussian& gaussian : stroke.extend(point)) {
-      append_images(gaussians, gaussian, false);
+      append_images(gaussians, gaussian, spline.mirrors, false);
     }
   }
   return gaussians;
 }
 
 void SplineTool::repaint(std::vector<glm::dvec3> points, const QString& text, MergeId merge_id) {
-  PaintedSpline after = *spline_;
-  after.points = std::move(points);
-  const std::vector<Gaussian> gaussians = painted(after);
-  const Medium& medium = document_.medium();
-  // What has been erased or deleted since is not there any more.
-  std::vector<GaussianId> present;
-  std::vector<Gaussian> old;
-  for (const GaussianId id : spline_->ids) {
-    const auto index = medium.index_of(id);
-    if (!index) continue;
-    present.push_back(id);
-    old.push_back(medium.gaussian(*index));
+  const PaintedSpline before = spline();
+  PaintedSpline after = before;
+  if (before.id == 0) {
+    after = new_spline(document_);
+    after.seed = static_cast<std::int64_t>(stroke_seed());
   }
-  if (after.points == spline_->points && gaussians == old) return;
+  after.points = std::move(points);
+  after.brush = brush();
+  after.optics = optics();
+  const bool mirrors_otherwise = stroke_options().mirrors != mirrored_.mirrors ||
+                                 stroke_options().mirrors_at_pivot != mirrored_.mirrors_at_pivot;
+  if (before.id == 0 || mirrors_otherwise) after.mirrors = mirror_planes();
+
+  const Medium& medium = document_.medium();
+  const std::vector<GaussianId> present = present_gaussians(document_, before);
+  std::vector<Gaussian> old;
+  for (const GaussianId id : present) old.push_back(medium.gaussian(*medium.index_of(id)));
+  std::vector<Gaussian> gaussians = painted(after);
+  // Fog stays in the group that it is in.
+  for (std::size_t k = 0; k < gaussians.size() && !old.empty(); ++k) {
+    gaussians[k].group = old[k < old.size() ? k : 0].group;
+  }
+  if (after == before && gaussians == old) return;
   // Ids stay with as many as there are, so that what is said of them does, too.
   const std::size_t kept = std::min(present.size(), gaussians.size());
   const std::span<const Gaussian> all(gaussians);
@@ -170,29 +206,51 @@ void SplineTool::repaint(std::vector<glm::dvec3> points, const QString& text, Me
   MediumEdit edit = MediumEdit::change(medium, ids.first(kept), all.first(kept));
   edit.merge(MediumEdit::remove(medium, ids.subspan(kept)));
   edit.merge(MediumEdit::add(medium, all.subspan(kept)));
-  after.ids.assign(present.begin(), present.begin() + static_cast<std::ptrdiff_t>(kept));
-  for (const MediumEdit::Entry& entry : edit.added()) after.ids.push_back(entry.id);
+  after.gaussians.assign(present.begin(), present.begin() + static_cast<std::ptrdiff_t>(kept));
+  for (const MediumEdit::Entry& entry : edit.added()) after.gaussians.push_back(entry.id);
+
+  Splines splines = document_.scene().splines;
+  const SplineId id = after.id;
+  if (after.points.empty()) {
+    std::erase_if(splines, [id](const PaintedSpline& other) { return other.id == id; });
+  } else if (PaintedSpline* found = find_spline(splines, id)) {
+    *found = std::move(after);
+  } else if (splines.size() < limits::splines) {
+    splines.push_back(std::move(after));
+  } else {
+    Q_EMIT refused(tr("A scene has at most %1 splines.").arg(limits::splines));
+    return;
+  }
+  mirrored_ = stroke_options();
   document_.undo_stack().push(
-      new SplineCommand(document_, spline_, std::move(after), std::move(edit), text, merge_id));
+      new SplineCommand(document_, std::move(splines), std::move(edit), text, merge_id));
+  if (before.id == 0) {
+    const std::optional<std::size_t> dragged = dragged_;
+    document_.set_active_spline(id);
+    dragged_ = dragged;
+  }
   Q_EMIT appearance_changed();
 }
 
 void SplineTool::draw(Overlay& overlay, const CameraRays& rays) const {
   if (!hovered_ && !dragged_) PaintbrushTool::draw(overlay, rays);
-  if (spline_->points.empty()) return;
+  const std::vector<glm::dvec3>& points = spline().points;
+  if (points.empty()) return;
   const QColor accent = accent_color();
   const QRgb line = qRgba(accent.red(), accent.green(), accent.blue(), 170);
-  const auto samples = sample_spline(spline_->points, 0.5 * brush().radius);
+  // As fine as can be seen.
+  const double step = std::max(0.5 * brush().radius, 0.002 * view_distance());
+  const auto samples = sample_spline(points, step);
   for (std::size_t k = 1; k < samples.size(); ++k) {
     overlay.add_line(rays, samples[k - 1], samples[k], line);
   }
-  for (std::size_t k = 0; k < spline_->points.size(); ++k) {
-    const glm::dvec3 at = rays.project(spline_->points[k]);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const glm::dvec3 at = rays.project(points[k]);
     if (at.z <= 0.0) continue;
     const bool is_active = k == dragged_ || (!dragged_ && k == hovered_);
     const QRgb color = is_active ? qRgb(255, 255, 255) : accent.rgb();
     overlay.marks.push_back({static_cast<float>(at.x), static_cast<float>(at.y), color});
-    overlay.add_circle(at.x, at.y, is_active ? 7.0 : 5.0, color);
+    overlay.add_circle(at.x, at.y, (is_active ? 7.0 : 5.0) * handle_scale(), color);
   }
 }
 

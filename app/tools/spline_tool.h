@@ -1,22 +1,22 @@
 #pragma once
 
-#include <memory>
-
-#include "app/commands/spline_command.h"
+#include "app/commands/merge_id.h"
 #include "app/tools/paintbrush_tool.h"
+#include "core/scene/painted_spline.h"
 
 namespace brume {
 
-// Paints along a spline that stays editable: clicks add points, points can be dragged and removed,
-// and a change of the brush repaints it, until New begins another. Each gesture is one undo step,
-// of points and fog together. Only the fog is saved with a scene.
+// Paints along the document's active spline, which stays editable: clicks add points, points can be
+// dragged and removed, and a change of the brush repaints it, until New begins another. Each
+// gesture is one undo step, of points and fog together.
 class SplineTool : public PaintbrushTool {
   Q_OBJECT
  public:
   SplineTool(Document& document, View& view);
 
-  [[nodiscard]] const PaintedSpline& spline() const { return *spline_; }
-  // Leaves the fog of the spline as it is; the next click begins another.
+  // The one that is edited; without points if there is none.
+  [[nodiscard]] const PaintedSpline& spline() const;
+  // Leaves the spline as it is; the next click begins another.
   void finish();
 
   [[nodiscard]] QString hint() const override;
@@ -27,24 +27,24 @@ class SplineTool : public PaintbrushTool {
   void release(QPointF position) override;
   void cancel() override;
   void abandon() override;
-  void medium_changed() override;
   void draw(Overlay& overlay, const CameraRays& rays) const override;
-
- protected:
-  void fit_to(double distance) override;
 
  private:
   [[nodiscard]] std::optional<std::size_t> pick(QPointF position) const;
+  // Takes over the brush of the active spline.
+  void adopt_brush();
+  void forget_gesture();
   // Paints along `points` in place of the present ones.
   void repaint(std::vector<glm::dvec3> points, const QString& text, MergeId merge_id);
-  [[nodiscard]] std::vector<Gaussian> painted(const PaintedSpline& spline);
+  [[nodiscard]] std::vector<Gaussian> painted(const PaintedSpline& spline) const;
 
-  std::shared_ptr<PaintedSpline> spline_ = std::make_shared<PaintedSpline>();
   std::optional<std::size_t> hovered_;
   std::optional<std::size_t> dragged_;  // point
   std::vector<glm::dvec3> before_;      // the points when the drag began
   MergeId gesture_id_ = no_merge;
   MergeId options_id_ = no_merge;  // of changes of the brush in a row
+  bool is_adopting_ = false;
+  StrokeOptions mirrored_;  // that the spline's mirror images are of
 };
 
 }  // namespace brume

@@ -9,6 +9,7 @@
 #include <QWidgetAction>
 
 #include "app/tools/fog_brush_tool.h"
+#include "app/widgets/number_field.h"
 
 namespace brume {
 namespace {
@@ -55,9 +56,10 @@ void add_snap(QHBoxLayout& row, FogBrushTool& tool, const QString& prefix) {
       [change](int index) { change([&](PaintTarget& t) { t.snap = static_cast<Snap>(index); }); });
   ValueField* grid = add_number(
       row, tool,
-      {Tool::tr("Grid, u"), prefix + "_grid", domain::length, ValueField::Scale::logarithmic, 0.01},
+      {Tool::tr("Grid"), prefix + "_grid", domain::length, ValueField::Scale::logarithmic, 0.01},
       [&tool] { return tool.paint_target().grid; },
       [change](double value) { change([&](PaintTarget& t) { t.grid = value; }); });
+  grid->number().show_length_unit();
   grid->setToolTip(Tool::tr("Distance between the points of the grid in scene units"));
   const auto show = [grid, &tool] { grid->setEnabled(tool.paint_target().snap == Snap::grid); };
   QObject::connect(&tool, &Tool::options_changed, grid, show);

@@ -1,5 +1,7 @@
 #include "app/tools/tool_box.h"
 
+#include <algorithm>
+
 #include "app/document/document.h"
 #include "app/tools/airbrush_tool.h"
 #include "app/tools/brush_select_tool.h"
@@ -36,6 +38,11 @@ ToolBox::ToolBox(Document& document, View& view, std::function<void(Tool*)> use,
 
 ToolBox::~ToolBox() {
   use_(nullptr);
+}
+
+void ToolBox::activate(const QString& name) {
+  const auto found = std::ranges::find(entries_, name, &Entry::name);
+  if (found != entries_.end()) activate(static_cast<std::size_t>(found - entries_.begin()));
 }
 
 void ToolBox::activate(std::size_t index) {

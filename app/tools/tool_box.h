@@ -30,6 +30,7 @@ class ToolBox : public QObject {
   [[nodiscard]] std::size_t active() const { return active_; }
   [[nodiscard]] Tool& tool() const { return *entries_[active_].tool; }
   void activate(std::size_t index);
+  void activate(const QString& name);
 
  Q_SIGNALS:
   void activated(std::size_t index);

@@ -10,6 +10,7 @@
 #include "app/tools/option_widgets.h"
 #include "app/view/surface_picker.h"
 #include "app/view/view.h"
+#include "app/widgets/number_field.h"
 #include "core/authoring/soft_selection.h"
 
 namespace brume {
@@ -29,9 +30,10 @@ void TransformTool::add_options(QHBoxLayout& row) {
   const char* const names[] = {"move_soft", "rotate_soft", "scale_soft"};
   ValueField* soft = add_number(
       row, *this,
-      {tr("Soft, u"), names[static_cast<int>(kind_)], domain::not_negative,
-       ValueField::Scale::linear, 0.02},
+      {tr("Soft"), names[static_cast<int>(kind_)], domain::not_negative, ValueField::Scale::linear,
+       0.02},
       [this] { return soft_radius_; }, [this](double value) { set_soft_radius(value); });
+  soft->number().show_length_unit();
   soft->setToolTip(
       tr("Soft selection: Gaussians within this distance of the selection, in scene "
          "units, come along, the less the farther they are; 0 is off"));
@@ -159,13 +161,13 @@ void MoveTool::add_options(QHBoxLayout& row) {
         Q_EMIT options_changed();
       });
   ValueField* grid = add_number(
-      row, *this,
-      {tr("Grid, u"), "move_grid", domain::length, ValueField::Scale::logarithmic, 0.01},
+      row, *this, {tr("Grid"), "move_grid", domain::length, ValueField::Scale::logarithmic, 0.01},
       [this] { return grid_; },
       [this](double value) {
         grid_ = value;
         Q_EMIT options_changed();
       });
+  grid->number().show_length_unit();
   grid->setToolTip(tr("Distance between the points of the grid in scene units"));
   const auto show = [this, grid] { grid->setEnabled(snap_ == Snap::grid); };
   connect(this, &Tool::options_changed, grid, show);

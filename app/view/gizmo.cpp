@@ -7,6 +7,7 @@
 #include <glm/gtc/constants.hpp>
 
 #include "app/view/overlay.h"
+#include "app/widgets/interface_settings.h"
 #include "core/math/basis.h"
 
 namespace brume {
@@ -58,7 +59,7 @@ glm::dvec3 axis_of(Gizmo::Part part) {
 
 Gizmo::Gizmo(Kind kind, const glm::dvec3& pivot, const CameraRays& rays) {
   if (rays.project(pivot).z <= 0.0) return;  // behind the eye
-  const double size = size_on_film * pixel_at(pivot, rays);
+  const double size = size_on_film * handle_scale() * pixel_at(pivot, rays);
   for (const Part part : {Part::x, Part::y, Part::z}) {
     if (kind == Kind::rotate) {
       add_ring(part, rays, pivot, axis_of(part), size);
@@ -94,7 +95,7 @@ void Gizmo::add_ring(Part part, const CameraRays& rays, const glm::dvec3& pivot,
 
 std::optional<Gizmo::Part> Gizmo::pick(QPointF position) const {
   std::optional<Part> best;
-  double nearest = pick_distance;
+  double nearest = pick_distance * handle_scale();
   for (const Shape& shape : shapes_) {
     for (std::size_t k = 0; k + 1 < shape.line.size(); ++k) {
       const double distance = distance_to_segment(position, shape.line[k], shape.line[k + 1]);

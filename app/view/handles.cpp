@@ -6,6 +6,7 @@
 #include <glm/gtc/constants.hpp>
 
 #include "app/widgets/application.h"
+#include "app/widgets/interface_settings.h"
 
 namespace brume {
 namespace {
@@ -55,12 +56,13 @@ void Handles::classify_depth(const Medium& medium, const CameraRays& rays, const
 }
 
 std::optional<std::size_t> Handles::pick(QPointF position) const {
+  const double reach = pick_radius * handle_scale();
   std::optional<std::size_t> best;
   double best_distance = 0.0;
   for (std::size_t i = 0; i < positions_.size(); ++i) {
     const glm::dvec3& p = positions_[i];
     const double distance = std::hypot(p.x - position.x(), p.y - position.y());
-    if (p.z <= 0.0 || locked_[i] || !(distance <= pick_radius)) continue;
+    if (p.z <= 0.0 || locked_[i] || !(distance <= reach)) continue;
     // Less than two pixels nearer is no reason to take one from behind.
     const bool nearer = !best || distance < best_distance - 2.0 ||
                         (distance < best_distance + 2.0 && p.z < positions_[*best].z);

@@ -3,6 +3,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/view/overlay.h"
+#include "app/widgets/interface_settings.h"
 #include "core/scene/mesh_arrays.h"
 #include "core/scene/placement.h"
 #include "core/scene/point_lights.h"
@@ -52,7 +53,7 @@ void add_object_outline(Overlay& overlay, const CameraRays& rays, const Scene& s
                         const ObjectRef& ref, QRgb color) {
   if (ref.kind != ObjectRef::Kind::surface) {
     const glm::dvec3 at = rays.project(object_center(scene, ref, rays.eye()));
-    if (at.z > 0.0) overlay.add_circle(at.x, at.y, ring_radius, color);
+    if (at.z > 0.0) overlay.add_circle(at.x, at.y, ring_radius * handle_scale(), color);
     return;
   }
   const auto corners = box_corners(scene.surfaces.at(ref.index));

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 
+#include "app/widgets/interface_settings.h"
 #include "core/math/basis.h"
 
 namespace brume {
@@ -26,6 +27,18 @@ int outline_segments(double diameter) {
 }
 
 }  // namespace
+
+float Overlay::dot_size() {
+  return 3.0F * static_cast<float>(handle_scale());
+}
+
+float Overlay::mark_size() {
+  return 5.0F * static_cast<float>(handle_scale());
+}
+
+float Overlay::line_width() {
+  return 1.25F * static_cast<float>(handle_scale());
+}
 
 void Overlay::add_circle(double x, double y, double radius, QRgb color) {
   const int segments = std::clamp(static_cast<int>(radius * 2.0), 12, 64);
@@ -116,7 +129,7 @@ void paint(const Overlay& overlay, QPainter& painter) {
   for (std::size_t k = 0; k + 1 < overlay.lines.size(); k += 2) {
     const auto& a = overlay.lines[k];
     const auto& b = overlay.lines[k + 1];
-    painter.setPen(QPen(QColor::fromRgba(a.color), Overlay::line_width));
+    painter.setPen(QPen(QColor::fromRgba(a.color), Overlay::line_width()));
     painter.drawLine(QLineF(a.x, a.y, b.x, b.y));
   }
   painter.setRenderHint(QPainter::Antialiasing, false);
@@ -126,8 +139,8 @@ void paint(const Overlay& overlay, QPainter& painter) {
                        QColor::fromRgba(v.color));
     }
   };
-  squares(overlay.dots, Overlay::dot_size);
-  squares(overlay.marks, Overlay::mark_size);
+  squares(overlay.dots, Overlay::dot_size());
+  squares(overlay.marks, Overlay::mark_size());
 }
 
 }  // namespace brume

@@ -23,9 +23,10 @@ struct Overlay {
   std::vector<Vertex> marks;  // larger ones
   std::vector<Vertex> lines;  // two per segment
 
-  static constexpr float dot_size = 3.0F;
-  static constexpr float mark_size = 5.0F;
-  static constexpr float line_width = 1.25F;
+  // In the size of handles that the user chose.
+  static float dot_size();
+  static float mark_size();
+  static float line_width();
 
   void add_circle(double x, double y, double radius, QRgb color);
   // A world-space line, clipped behind the eye.

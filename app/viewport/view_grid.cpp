@@ -65,7 +65,7 @@ void ViewGrid::make_pane(Projection projection) {
     FrameScheduler& frames = pane->frames();
     const FrameScheduler& first = perspective().frames();
     frames.set_exposure(first.exposure());
-    frames.quality().set_airlight(first.quality().airlight());
+    frames.quality().set_airlight(first.quality().airlight(), first.quality().slices());
     frames.quality().set_scattering(first.quality().scattering());
     frames.quality().set_max_error(first.quality().max_error());
     pane->camera_controller().set_navigation(perspective().camera_controller().navigation());
@@ -148,8 +148,8 @@ void ViewGrid::show_ground_grid(bool shown) {
   for (Viewport* pane : panes_) pane->show_ground_grid(shown);
 }
 
-void ViewGrid::set_airlight(AirlightMethod method) {
-  for (Viewport* pane : panes_) pane->frames().quality().set_airlight(method);
+void ViewGrid::set_airlight(AirlightMethod method, int slices) {
+  for (Viewport* pane : panes_) pane->frames().quality().set_airlight(method, slices);
 }
 
 void ViewGrid::set_scattering(Scattering scattering) {

@@ -36,7 +36,7 @@ class ViewGrid : public QWidget {
   // What changes between is due to the time; see FrameScheduler.
   void hold_frames();
   void release_frames();
-  void set_airlight(AirlightMethod method);
+  void set_airlight(AirlightMethod method, int slices = Settings().slices);
   void set_scattering(Scattering scattering);
   void set_max_error(double max_error);
   // Handles, outlines and brushes over the picture.
@@ -49,6 +49,7 @@ class ViewGrid : public QWidget {
   [[nodiscard]] Backend backend() const { return services_.frames.service.backend(); }
 
   [[nodiscard]] const PictureCache& picture_cache() const { return services_.frames.cache; }
+  [[nodiscard]] ColorManagement& color() { return services_.frames.color; }
   [[nodiscard]] TransferJob& transfer_job() { return services_.frames.transfer_job; }
 
  Q_SIGNALS:

@@ -12,6 +12,7 @@
 #include "app/viewport/camera_frame.h"
 #include "app/viewport/legend.h"
 #include "app/viewport/view_services.h"
+#include "app/widgets/interface_settings.h"
 
 namespace brume {
 
@@ -57,6 +58,8 @@ Viewport::Viewport(Document& document, ViewServices& services, Projection projec
   connect(&document, &Document::active_emitter_changed, this, &Viewport::update_overlay);
   connect(&document, &Document::active_light_changed, this, &Viewport::update_overlay);
   connect(&document, &Document::object_changed, this, &Viewport::update_overlay);
+  connect(&InterfaceSettings::instance(), &InterfaceSettings::changed, this,
+          &Viewport::update_overlay);
   if (projection != Projection::perspective) camera_controller().reset();
 }
 
@@ -105,9 +108,9 @@ void Viewport::show_ground_grid(bool shown) {
 void Viewport::show_picture() {
   const RenderedFrame* frame = frames_.shown();
   if (!frame) return;
-  const double exposure = frames_.exposure();
+  const DisplayLook display = frames_.display();
   const ViewMode mode = frames_.mode();
-  const bool as_made = frame->request.exposure == exposure && frame->request.mode == mode;
+  const bool as_made = frame->request.display == display && frame->request.mode == mode;
   // The one at rest, which is to come, will be as asked.
   if ((frame->on_device || frame->cached) && !as_made) return;
   const ErrorMap* error_map = frames_.error_map();
@@ -123,7 +126,7 @@ void Viewport::show_picture() {
   } else if (frame->on_device) {
     surface_->show_picture(frame->on_device);
   } else {
-    surface_->show_picture(as_made ? frame->picture : to_picture(frame->frame, exposure, mode));
+    surface_->show_picture(as_made ? frame->picture : to_picture(frame->frame, display, mode));
   }
 }
 

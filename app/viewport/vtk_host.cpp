@@ -196,11 +196,11 @@ void VtkHost::show_overlay(const Overlay& overlay) {
 void VtkHost::rebuild_shapes() {
   const double height = size().height();
   shapes_[0]->set(overlay_.lines, height, scale_);
-  shapes_[0]->property().SetLineWidth(static_cast<float>(Overlay::line_width * scale_));
+  shapes_[0]->property().SetLineWidth(static_cast<float>(Overlay::line_width() * scale_));
   shapes_[1]->set(overlay_.dots, height, scale_);
-  shapes_[1]->property().SetPointSize(static_cast<float>(Overlay::dot_size * scale_));
+  shapes_[1]->property().SetPointSize(static_cast<float>(Overlay::dot_size() * scale_));
   shapes_[2]->set(overlay_.marks, height, scale_);
-  shapes_[2]->property().SetPointSize(static_cast<float>(Overlay::mark_size * scale_));
+  shapes_[2]->property().SetPointSize(static_cast<float>(Overlay::mark_size() * scale_));
 }
 
 unsigned VtkHost::render() {

@@ -1,9 +1,14 @@
 #include "app/widgets/color_button.h"
 
 #include <QColorDialog>
+#include <QHBoxLayout>
+#include <QLabel>
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
+
+#include "app/widgets/interface_settings.h"
+#include "app/widgets/value_field.h"
 
 namespace brume {
 namespace {
@@ -43,11 +48,14 @@ ColorButton::ColorButton(QWidget* parent) : QToolButton(parent) {
   setIconSize({34, 16});
   show_color(color_);
   connect(this, &QToolButton::clicked, this, &ColorButton::open_dialog);
+  connect(&InterfaceSettings::instance(), &InterfaceSettings::changed, this,
+          [this] { show_color(color_); });
 }
 
 void ColorButton::show_color(const glm::dvec3& linear) {
   color_ = linear;
   setIcon(color_swatch(linear, iconSize()));
+  setToolTip(color_numbers_text(linear));
 }
 
 void ColorButton::open_dialog() {
@@ -57,7 +65,34 @@ void ColorButton::open_dialog() {
   const MergeId gesture = new_merge_id();
   connect(dialog, &QColorDialog::currentColorChanged, this,
           [this, gesture](const QColor& color) { Q_EMIT edited(to_linear(color), gesture); });
+  if (InterfaceSettings::instance().color_numbers() == InterfaceSettings::ColorNumbers::linear) {
+    add_linear_fields(*dialog, gesture);
+  }
   dialog->show();
+}
+
+void ColorButton::add_linear_fields(QColorDialog& dialog, MergeId gesture) {
+  auto* row = new QHBoxLayout;
+  row->addWidget(new QLabel(tr("Linear")));
+  for (int k = 0; k < 3; ++k) {
+    auto* field = new ValueField(QString("RGB").at(k), domain::unit, ValueField::Scale::linear,
+                                 0.002, &dialog);
+    field->setObjectName(QString("linear_%1").arg(QString("rgb").at(k)));
+    field->show_value(color_[k]);
+    row->addWidget(field);
+    connect(&dialog, &QColorDialog::currentColorChanged, field,
+            [field, k](const QColor& color) { field->show_value(to_linear(color)[k]); });
+    // The number itself, which a colour of the dialog may round.
+    connect(field, &ValueField::edited, this, [this, &dialog, gesture, field, k](double value) {
+      glm::dvec3 linear = color_;
+      linear[k] = value;
+      const QSignalBlocker blocker(dialog);
+      dialog.setCurrentColor(to_color(linear));
+      field->show_value(value);
+      Q_EMIT edited(linear, gesture);
+    });
+  }
+  dialog.layout()->addItem(row);
 }
 
 }  // namespace brume

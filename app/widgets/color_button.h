@@ -6,6 +6,8 @@
 
 #include "app/commands/merge_id.h"
 
+class QColorDialog;
+
 namespace brume {
 
 // Conversion between sRGB of colour dialogs and linear RGB in [0, 1].
@@ -15,7 +17,8 @@ glm::dvec3 to_linear(const QColor& color);
 // A swatch with a border, to be seen on any background.
 QPixmap color_swatch(const glm::dvec3& linear, const QSize& size = {12, 12});
 
-// A colour swatch, linear RGB in [0, 1]; opens a modeless colour dialog.
+// A colour swatch, linear RGB in [0, 1], with the colour's numbers as its tool tip; opens a
+// modeless colour dialog, which has fields of linear numbers if those were chosen.
 class ColorButton : public QToolButton {
   Q_OBJECT
  public:
@@ -28,6 +31,7 @@ class ColorButton : public QToolButton {
 
  private:
   void open_dialog();
+  void add_linear_fields(QColorDialog& dialog, MergeId gesture);
 
   glm::dvec3 color_{1.0};
 };

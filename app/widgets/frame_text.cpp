@@ -1,8 +1,10 @@
 #include "app/widgets/frame_text.h"
 
+#include <QCoreApplication>
 #include <QLocale>
 #include <algorithm>
 
+#include "app/document/number_text.h"
 #include "render/frame.h"
 #include "render/quality/error_estimate.h"
 #include "render/settings.h"
@@ -16,8 +18,12 @@ int decimals(double share) {
   return share >= 0.0995 ? 0 : share >= 0.00995 ? 1 : 2;
 }
 
+QString frame_words(const char* text) {
+  return QCoreApplication::translate("Frame", text);
+}
+
 QString number(double share, int digits) {
-  return QString::number(100.0 * share, 'f', digits);
+  return fixed_text(100.0 * share, digits);
 }
 
 }  // namespace
@@ -27,10 +33,20 @@ QString count_text(std::uint64_t count) {
 }
 
 QString settings_text(const Settings& settings) {
-  const QString name = QString::fromStdString(airlight_name(settings));
-  return settings.airlight == AirlightMethod::sliced
-             ? QString("%1 %2").arg(name).arg(settings.slices)
-             : name;
+  switch (settings.airlight) {
+    case AirlightMethod::sliced:
+      return frame_words("%1 slices").arg(settings.slices);
+    case AirlightMethod::paper:
+      return frame_words("paper's method");
+    case AirlightMethod::reference:
+      return frame_words("reference");
+    case AirlightMethod::path:
+      return frame_words("path tracing");
+    case AirlightMethod::auto_:
+    case AirlightMethod::march:
+      break;
+  }
+  return QString::fromStdString(airlight_name(settings));
 }
 
 QString backend_text(const FrameStatistics& statistics) {
@@ -65,21 +81,15 @@ QString scattering_text(const Frame& frame) {
       .arg(solved->sweeps);
 }
 
-QString percent_text(double share) {
-  if (share > 0.0 && share < min_shown) return "< .01 %";
-  return number(share, decimals(share)) + " %";
-}
-
 QString bound_text(double share) {
-  return QString::number(100.0 * share, 'g', 3) + " %";
+  return number_text(100.0 * share, 3) + " %";
 }
 
 QString error_text(const ErrorEstimate& error) {
-  if (error.high < min_shown) return "< .01 %";
+  if (error.high < min_shown) return "< 0.01 %";
   const int digits = decimals(error.rel_rmse);
-  QString either_way = number(error.high - error.rel_rmse, digits);
-  if (either_way.startsWith("0.")) either_way.remove(0, 1);
-  return QString("%1 ± %2 %").arg(number(error.rel_rmse, digits), either_way);
+  return QString("%1 ± %2 %")
+      .arg(number(error.rel_rmse, digits), number(error.high - error.rel_rmse, digits));
 }
 
 QString interval_text(const ErrorEstimate& error) {

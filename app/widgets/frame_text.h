@@ -13,7 +13,7 @@ struct Settings;
 // "12,408"
 QString count_text(std::uint64_t count);
 
-// "sliced 16", "paper"
+// "16 slices", "paper's method"
 QString settings_text(const Settings& settings);
 
 // Render device: "CPU", "OpenGL on NVIDIA H100".
@@ -30,13 +30,10 @@ QString paths_text(const Frame& frame);
 // 0.06 % in 10 sweeps", "all orders, 64 paths, noise 1.2 %".
 QString scattering_text(const Frame& frame);
 
-// A share in per cent, to about two digits: "1.4 %".
-QString percent_text(double share);
-
 // A bound as it was chosen: "2 %".
 QString bound_text(double share);
 
-// The relative error and how far off it may be: "1.4 ± .2 %".
+// The relative error and how far off it may be: "1.4 ± 0.2 %".
 QString error_text(const ErrorEstimate& error);
 
 // "1.2 to 1.6 %"

@@ -3,7 +3,9 @@
 #include <QKeyEvent>
 
 #include "app/document/gaussian_attribute.h"
+#include "app/document/number_text.h"
 #include "app/widgets/field_filter.h"
+#include "app/widgets/interface_settings.h"
 
 namespace brume {
 
@@ -24,20 +26,43 @@ void NumberField::show_mixed() {
   setPlaceholderText(tr("mixed"));
 }
 
-void NumberField::revert() {
+void NumberField::show_length_unit() {
+  is_length_ = true;
+  connect(&InterfaceSettings::instance(), &InterfaceSettings::changed, this, [this] {
+    if (!hasFocus()) revert();
+  });
+  revert();
+}
+
+QString NumberField::shown_text() const {
+  if (!value_) return {};
   // All digits only for who is about to edit them.
-  setText(!value_ ? QString() : hasFocus() ? exact_number_text(*value_) : number_text(*value_));
+  if (hasFocus()) return exact_number_text(*value_);
+  const QString& unit = InterfaceSettings::instance().length_unit();
+  const QString number = number_text(*value_);
+  return is_length_ && !unit.isEmpty() ? number + ' ' + unit : number;
+}
+
+QString NumberField::typed_text() const {
+  const QString& unit = InterfaceSettings::instance().length_unit();
+  QString typed = text().trimmed();
+  if (is_length_ && !unit.isEmpty() && typed.endsWith(unit)) typed.chop(unit.size());
+  return typed;
+}
+
+void NumberField::revert() {
+  setText(shown_text());
   setCursorPosition(0);
 }
 
 void NumberField::commit() {
   if (!isModified()) return;
   setModified(false);
-  const std::optional<Adjustment> adjustment = parse_adjustment(text());
+  const std::optional<Adjustment> adjustment = parse_adjustment(typed_text());
   if (adjustment && is_mixed_) {
     Q_EMIT adjusted(*adjustment);
   } else {
-    Q_EMIT committed(adjustment && value_ ? adjustment->of(*value_) : parse_number(text()));
+    Q_EMIT committed(adjustment && value_ ? adjustment->of(*value_) : parse_number(typed_text()));
   }
 }
 

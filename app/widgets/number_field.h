@@ -18,6 +18,8 @@ class NumberField : public QLineEdit {
   void show_value(std::optional<double> value);  // nullopt: empty
   void show_mixed();                             // several different values
   void commit();                                 // typed text, if any
+  // Of a length: shows the user's unit behind it, unless it is being edited.
+  void show_length_unit();
 
  Q_SIGNALS:
   void committed(double value);                        // NaN if the text is no number
@@ -30,9 +32,12 @@ class NumberField : public QLineEdit {
 
  private:
   void revert();
+  [[nodiscard]] QString shown_text() const;
+  [[nodiscard]] QString typed_text() const;  // without a unit
 
   std::optional<double> value_;
   bool is_mixed_ = false;
+  bool is_length_ = false;
 };
 
 }  // namespace brume

@@ -111,4 +111,14 @@ void ValueField::enterEvent(QEnterEvent* event) {
   QWidget::enterEvent(event);
 }
 
+void show_length_units(const QWidget& form, std::initializer_list<const char*> names) {
+  for (const char* name : names) {
+    for (const char* part : {"", "_x", "_y", "_z"}) {
+      if (auto* field = form.findChild<ValueField*>(QString(name) + part)) {
+        field->number().show_length_unit();
+      }
+    }
+  }
+}
+
 }  // namespace brume

@@ -58,4 +58,7 @@ class ValueField : public QWidget {
   double last_x_ = 0.0;
 };
 
+// Shows the user's unit in the fields of these object names, or of these with _x, _y and _z.
+void show_length_units(const QWidget& form, std::initializer_list<const char*> names);
+
 }  // namespace brume

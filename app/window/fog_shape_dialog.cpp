@@ -4,10 +4,10 @@
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLocale>
 #include <QPushButton>
 
 #include "app/document/document.h"
+#include "app/widgets/frame_text.h"
 #include "app/widgets/value_field.h"
 #include "core/math/rounded.h"
 
@@ -80,7 +80,7 @@ FogShapeDialog::FogShapeDialog(Document& document, const FogPlace& place, QWidge
   number(tr("Density, 1/u"), "fog_shape_density", domain::density, Scale::logarithmic,
          tr("Scattering coefficient within the shape; of height fog at the ground"),
          &FogShape::density);
-  number(tr("Spacing, u"), "fog_shape_spacing", domain::length, Scale::logarithmic,
+  number(tr("Spacing"), "fog_shape_spacing", domain::length, Scale::logarithmic,
          tr("Distance between Gaussians in scene units; their radius is 0.8 of it"),
          &FogShape::spacing);
   number(tr("Jitter"), "fog_shape_jitter", domain::unit, Scale::linear,
@@ -93,6 +93,7 @@ FogShapeDialog::FogShapeDialog(Document& document, const FogPlace& place, QWidge
       [this](double value) { shape_.seed = static_cast<std::uint64_t>(value); });
   form->addRow(seed->detach_title(), seed);
 
+  show_length_units(*this, {"fog_shape_center", "fog_shape_size", "fog_shape_spacing"});
   count_->setObjectName("fog_shape_count");
   count_->setWordWrap(true);
   add_->setObjectName("fog_shape_add");
@@ -131,8 +132,8 @@ void FogShapeDialog::update_count() {
   const double cells = cell_count(shape_);
   const bool is_possible = cells <= max_cells;
   add_->setEnabled(is_possible);
-  const QString limit = QLocale().toString(max_cells, 'f', 0);
-  count_->setText(is_possible ? tr("%1 Gaussians").arg(fill(shape_).size())
+  const QString limit = count_text(static_cast<std::uint64_t>(max_cells));
+  count_->setText(is_possible ? tr("%1 Gaussians").arg(count_text(fill(shape_).size()))
                               : tr("More than %1 Gaussians: make the spacing larger.").arg(limit));
 }
 

@@ -17,14 +17,17 @@
 #include <numbers>
 
 #include "app/commands/edit_medium.h"
+#include "app/document/number_text.h"
 #include "app/document/paths.h"
 #include "app/document/timeline.h"
 #include "app/files/recent_pictures.h"
 #include "app/files/scene_files.h"
+#include "app/import/imported_reload.h"
 #include "app/jobs/background_job.h"
 #include "app/tools/tool_bars.h"
 #include "app/tools/tool_box.h"
 #include "app/viewport/view_grid.h"
+#include "app/widgets/interface_settings.h"
 #include "app/window/message_bar.h"
 #include "app/window/recovery_bar.h"
 #include "app/window/saved_views.h"
@@ -61,6 +64,7 @@ MainWindow::MainWindow(QWidget* parent)
       tools_(new ToolBox(
           document_, *viewport_, [this](Tool* tool) { views_->set_tool(tool); }, this)),
       timeline_(new Timeline(this)) {
+  InterfaceSettings::instance().load();
   auto* center = new QWidget(this);
   auto* layout = new QVBoxLayout(center);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -202,8 +206,8 @@ void MainWindow::save_current_picture() {
   if (viewport_->frames().mode() == ViewMode::path_traced) return;  // noisy yet
   if (pictured_ == std::pair(file, document_.revision())) return;
   pictured_ = {file, document_.revision()};
-  save_recent_picture(file,
-                      to_picture(frame->frame, viewport_->frames().exposure(), ViewMode::final));
+  save_recent_picture(
+      file, to_picture(frame->frame, {viewport_->frames().exposure(), nullptr}, ViewMode::final));
 }
 
 void MainWindow::show_status(const QString& message) {
@@ -222,7 +226,7 @@ void MainWindow::change_exposure(double stops) {
   Viewport& view = views_->active();
   view.frames().set_exposure(
       std::clamp(view.frames().exposure() + stops, -max_exposure, max_exposure));
-  show_status(tr("Exposure %1 stops").arg(view.frames().exposure(), 0, 'f', 1));
+  show_status(tr("Exposure %1 stops").arg(fixed_text(view.frames().exposure(), 1)));
 }
 
 void MainWindow::quit_with_screenshot(const QString& file) {
@@ -242,7 +246,10 @@ void MainWindow::quit_with_screenshot(const QString& file) {
 
 void MainWindow::changeEvent(QEvent* event) {
   QMainWindow::changeEvent(event);
-  if (event->type() == QEvent::ActivationChange && isActiveWindow()) files_->check_file_version();
+  if (event->type() == QEvent::ActivationChange && isActiveWindow()) {
+    files_->check_file_version();
+    imported_reload_->check();
+  }
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

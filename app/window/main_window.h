@@ -17,8 +17,10 @@ namespace brume {
 
 class Autosave;
 class FrameExport;
+struct Exposure;
 struct FrameExportRequest;
 class GaussianPanel;
+class ImportedReload;
 class MessageBar;
 struct Picture;
 class PictureViewer;
@@ -49,7 +51,8 @@ class MainWindow : public QMainWindow {
 
   // Exports what the view sees, on the scene's film; path-traced with `paths` per pixel, or by the
   // method of the view.
-  void export_frame_to(const std::filesystem::path& file, std::optional<int> paths = {});
+  void export_frame_to(const std::filesystem::path& file, std::optional<int> paths = {},
+                       const OutputLayers& layers = {});
 
   // The frames of the timeline that are named, numbered or as a video, by the file's extension: as
   // the scene's camera sees them if it has keys, else as the view does.
@@ -92,7 +95,6 @@ class MainWindow : public QMainWindow {
   void add_primitive(Primitive::Shape shape);
   void rename_object();
   void show_preferences();
-  void fill_airlight_menu(QMenu* menu);
   void fill_backend_menu(QMenu* menu);
   void fill_mode_menu(QMenu* menu);
   void fill_navigation_menu(QMenu* menu);
@@ -113,6 +115,7 @@ class MainWindow : public QMainWindow {
   // Unless another is running.
   void start_file_job(const QString& title, const BackgroundJob::Work& work);
   [[nodiscard]] FrameExportRequest export_request(const std::filesystem::path& file) const;
+  [[nodiscard]] Exposure exposure() const;  // of what is exported
   void change_exposure(double stops);
   void save_current_picture();  // of the scene as it is in its file
   void show_time();             // what the timeline says
@@ -139,6 +142,7 @@ class MainWindow : public QMainWindow {
   std::set<std::pair<std::filesystem::path, bool>> rendered_files_;
   BackgroundJob* file_job_ = nullptr;  // imports, exports of the medium, gathers
   SceneImport* import_ = nullptr;
+  ImportedReload* imported_reload_ = nullptr;
   std::pair<std::filesystem::path, std::uint64_t> pictured_;  // file and revision
   QString fallback_;  // the reason that was told last; empty: none
   QLabel* hint_ = nullptr;

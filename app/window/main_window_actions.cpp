@@ -21,25 +21,28 @@
 #include "app/files/scene_files.h"
 #include "app/import/scene_import.h"
 #include "app/panels/outliner.h"
+#include "app/panels/performance_panel.h"
 #include "app/panels/timeline_bar.h"
 #include "app/tools/tool_bars.h"
 #include "app/tools/tool_box.h"
 #include "app/viewport/view_grid.h"
 #include "app/widgets/application.h"
+#include "app/window/color_menu.h"
 #include "app/window/command_search.h"
 #include "app/window/fog_menu.h"
 #include "app/window/ground_grid_action.h"
 #include "app/window/group_menu.h"
 #include "app/window/help_windows.h"
+#include "app/window/layout_menu.h"
 #include "app/window/main_window.h"
 #include "app/window/menu_action.h"
 #include "app/window/preferences.h"
+#include "app/window/quality_menu.h"
 #include "app/window/start_page.h"
 
 namespace brume {
 namespace {
 
-constexpr const char* airlight_key = "view/airlight";
 constexpr const char* backend_key = "view/backend";
 constexpr const char* navigation_key = "view/navigation";
 constexpr double tool_step = 1.15;  // of a tool's size by one key
@@ -204,7 +207,9 @@ void MainWindow::create_actions() {
   add(view, tr("Exposure &Up"), "view.exposure_up", [this] { change_exposure(0.5); });
   add(view, tr("Exposure &Down"), "view.exposure_down", [this] { change_exposure(-0.5); });
   fill_mode_menu(view->addMenu(tr("S&how")));
-  fill_airlight_menu(view->addMenu(tr("&Quality")));
+  fill_quality_menu(*view->addMenu(tr("&Quality")), *views_, *findChild<PerformancePanel*>());
+  fill_color_menu(*view->addMenu(tr("&Color")), views_->color(),
+                  [this](const QString& message) { show_status(message); });
   fill_backend_menu(view->addMenu(tr("&Render Device")));
   fill_navigation_menu(view->addMenu(tr("&Navigation")));
   fill_theme_menu(view->addMenu(tr("&Theme")));
@@ -213,6 +218,7 @@ void MainWindow::create_actions() {
   overlays->setCheckable(true);
   overlays->setChecked(true);
   view->addSeparator();
+  fill_layout_menu(*view->addMenu(tr("La&youts")), *this, saveState());
   for (QDockWidget* dock : findChildren<QDockWidget*>()) view->addAction(dock->toggleViewAction());
 
   QMenu* render = menuBar()->addMenu(tr("&Render"));
@@ -277,34 +283,6 @@ void MainWindow::fill_mode_menu(QMenu* menu) {
     view.frames().set_mode(next_view_mode(view.frames().mode()));
     show_status(view_mode_title(view.frames().mode()));
   });
-}
-
-void MainWindow::fill_airlight_menu(QMenu* menu) {
-  const QString remembered = QSettings().value(airlight_key).toString();
-  auto* group = new QActionGroup(this);
-  group->setObjectName("airlight");
-  menu->setToolTipsVisible(true);
-  const auto add = [&](AirlightMethod method, const QString& text, const QString& what) {
-    const char* const name = to_string(method);
-    if (remembered == name) views_->set_airlight(method);
-    QAction* action = group->addAction(text);
-    action->setCheckable(true);
-    action->setObjectName(QString("airlight_") + name);
-    action->setToolTip(what);
-    action->setChecked(viewport_->frames().quality().airlight() == method);
-    connect(action, &QAction::triggered, this, [this, name, method] {
-      views_->set_airlight(method);
-      QSettings().setValue(airlight_key, name);
-    });
-  };
-  add(AirlightMethod::auto_, tr("&Auto (keeps the max error)"),
-      tr("The cheapest settings whose measured error stays below Performance > Max error"));
-  add(AirlightMethod::sliced, tr("&Fixed (24 slices)"),
-      tr("Always the same settings: 24 slices along each view ray, with shadows in the fog"));
-  add(AirlightMethod::paper, tr("&Paper's Method"),
-      tr("The approximation as published in 2007: light scattered once, without shadows in the "
-         "fog"));
-  menu->addActions(group->actions());
 }
 
 void MainWindow::fill_backend_menu(QMenu* menu) {

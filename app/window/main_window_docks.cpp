@@ -16,6 +16,7 @@
 #include "app/panels/outliner.h"
 #include "app/panels/performance_panel.h"
 #include "app/panels/timeline_bar.h"
+#include "app/tools/tool_box.h"
 #include "app/viewport/view_grid.h"
 #include "app/window/main_window.h"
 
@@ -83,7 +84,7 @@ void MainWindow::create_docks() {
   create_output_docks(at_cursor);
   performance->raise();
   resizeDocks({gaussians}, {400}, Qt::Horizontal);
-  resizeDocks({outline, gaussians, performance}, {150, 370, 220}, Qt::Vertical);
+  resizeDocks({outline, gaussians, performance}, {150, 420, 170}, Qt::Vertical);
 
   connect(gaussian_panel_, &GaussianPanel::refused, this, &MainWindow::show_status);
   for (SceneForm* form : findChildren<SceneForm*>()) {
@@ -127,6 +128,7 @@ void MainWindow::create_docks() {
           [this, gaussians, group, lights, medium, material, emitters](Outliner::Kind kind,
                                                                        std::size_t index) {
             using Kind = Outliner::Kind;
+            if (kind == Kind::spline) return tools_->activate("spline");
             if (kind == Kind::light) document_.set_active_light(index);
             QDockWidget* panel = kind == Kind::gaussians ? gaussians
                                  : kind == Kind::group   ? group

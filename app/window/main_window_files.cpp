@@ -29,13 +29,16 @@ bool is_scene(const std::filesystem::path& file) {
 
 void MainWindow::export_frame() {
   const bool path_traced = viewport_->frames().mode() == ViewMode::path_traced;
-  auto* dialog = new FrameDialog(document_.folder(), path_traced, this);
+  auto* dialog =
+      new FrameDialog(document_.folder(), path_traced, document_.scene().output.layers, this);
   connect(dialog, &FrameDialog::requested, this, &MainWindow::export_frame_to);
   dialog->show();
 }
 
-void MainWindow::export_frame_to(const std::filesystem::path& file, std::optional<int> paths) {
+void MainWindow::export_frame_to(const std::filesystem::path& file, std::optional<int> paths,
+                                 const OutputLayers& layers) {
   FrameExportRequest request = export_request(file);
+  request.info.layers = layers;
   if (paths) {
     request.settings.airlight = AirlightMethod::path;
     request.settings.paths = *paths;
@@ -58,6 +61,12 @@ void MainWindow::export_animation_to(const std::filesystem::path& file, int firs
   render_queue_->add(request);
 }
 
+Exposure MainWindow::exposure() const {
+  Exposure exposure = exposure_of(document_.scene());
+  exposure.frames_per_second = timeline_->frames_per_second();
+  return exposure;
+}
+
 FrameExportRequest MainWindow::export_request(const std::filesystem::path& file) const {
   const Settings settings = viewport_->frames().quality().settings();
   return {.scene = document_.snapshot(),
@@ -66,7 +75,8 @@ FrameExportRequest MainWindow::export_request(const std::filesystem::path& file)
           .info = {document_.file().string(),
                    airlight_name(settings),
                    {},
-                   viewport_->frames().exposure()},
+                   viewport_->frames().display()},
+          .exposure = exposure(),
           .backend = views_->backend(),
           .file = file,
           .range = std::nullopt,

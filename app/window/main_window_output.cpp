@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 
 #include "app/commands/edit_output.h"
+#include "app/document/number_text.h"
 #include "app/document/paths.h"
 #include "app/document/timeline.h"
 #include "app/export/queue_list.h"
@@ -50,8 +51,7 @@ QScrollArea* scrolled_panel(QWidget* panel) {
 QString region_text(const std::optional<QRectF>& region) {
   if (!region) return {};
   return MainWindow::tr("Region: %1 × %2 % of the picture")
-      .arg(100.0 * region->width(), 0, 'f', 0)
-      .arg(100.0 * region->height(), 0, 'f', 0);
+      .arg(fixed_text(100.0 * region->width(), 0), fixed_text(100.0 * region->height(), 0));
 }
 
 }  // namespace
@@ -173,7 +173,7 @@ FrameExportRequest MainWindow::output_request(bool animation) const {
     request.settings.paths = *output.paths;
     request.info.airlight = airlight_name(request.settings);
   }
-  if (output.exposure) request.info.exposure = *output.exposure;
+  if (output.exposure) request.info.look.exposure = *output.exposure;
   request.info.layers = output.layers;
   const QString camera = QString::fromStdString(scene.camera_name);
   if (animation) {
@@ -257,8 +257,8 @@ void MainWindow::keep_view() {
     details += tr(" · error %1").arg(error_text(*error));
   }
   const QString name = tr("View, frame %1").arg(timeline_->frame());
-  const std::size_t slot = picture_viewer_->pictures().keep(
-      make_picture(shown->frame, frames.exposure(), name, details));
+  const std::size_t slot =
+      picture_viewer_->pictures().keep(make_picture(shown->frame, frames.display(), name, details));
   picture_viewer_->show_new(slot);
   show_picture_viewer();
   show_status(tr("Kept in slot %1").arg(slot + 1));

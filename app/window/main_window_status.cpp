@@ -4,8 +4,10 @@
 #include <QMenuBar>
 #include <QStatusBar>
 
+#include "app/document/number_text.h"
 #include "app/export/render_queue.h"
 #include "app/files/scene_files.h"
+#include "app/import/imported_reload.h"
 #include "app/import/scene_import.h"
 #include "app/jobs/background_job.h"
 #include "app/jobs/job_bar.h"
@@ -31,16 +33,20 @@ void MainWindow::create_status_bar() {
   quality_ = new PlainLabel(this);
   quality_->setObjectName("quality");
   // Menu bars do not follow when what is in their corner grows.
-  quality_->setMinimumWidth(quality_->fontMetrics().horizontalAdvance("reference 128 · < .01 %"));
+  quality_->setMinimumWidth(quality_->fontMetrics().horizontalAdvance("paper's method · < 0.01 %"));
   quality_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   quality_->setContentsMargins(0, 4, 8, 0);
   menuBar()->setCornerWidget(quality_);
   frame_export_ = &render_queue_->exporter();
   file_job_ = new BackgroundJob(BackgroundJob::Policy::one_at_a_time, this);
   import_ = new SceneImport(document_, *file_job_, this);
+  imported_reload_ = new ImportedReload(document_, this);
   connect(file_job_, &BackgroundJob::cancelled, this, [this] { show_status(tr("Cancelled")); });
   connect(file_job_, &BackgroundJob::failed, message_bar_, &MessageBar::show_error);
   connect(import_, &SceneImport::failed, message_bar_, &MessageBar::show_error);
+  connect(import_, &SceneImport::warned, message_bar_, &MessageBar::show_note);
+  connect(imported_reload_, &ImportedReload::failed, message_bar_, &MessageBar::show_error);
+  connect(imported_reload_, &ImportedReload::warned, message_bar_, &MessageBar::show_note);
   connect(import_, &SceneImport::surfaces_added, this,
           [this, framed = Camera{}]() mutable { light_new_scene(document_, *viewport_, framed); });
   connect(&document_, &Document::refused, message_bar_, &MessageBar::show_error);
@@ -68,7 +74,7 @@ void MainWindow::update_status() {
   if (selected > 0) text += tr(", %1 selected").arg(count_text(selected));
   if (const RenderedFrame* frame = views_->active().frames().shown()) {
     const bool gl = frame->frame.statistics.backend == "gl";
-    text += tr(" · %1 ms%2 ·").arg(frame->milliseconds, 0, 'f', 1).arg(gl ? tr(", OpenGL") : "");
+    text += tr(" · %1%2 ·").arg(duration_text(frame->milliseconds), gl ? tr(", OpenGL") : "");
   }
   numbers_->setText(text);
   const bool is_select = tools_->active() == 0;

@@ -13,6 +13,7 @@
 #include <thread>
 
 #include "app/document/autosave.h"
+#include "app/window/display_preferences.h"
 #include "app/window/key_preferences.h"
 
 namespace brume {
@@ -41,6 +42,7 @@ Preferences::Preferences(Autosave& autosave, QWidget* window) : QDialog(window) 
   add_threads();
   auto* tabs = new QTabWidget(this);
   tabs->addTab(general, tr("General"));
+  tabs->addTab(new DisplayPreferences, tr("Display"));
   tabs->addTab(new KeyPreferences(*window), tr("Keys"));
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(tabs);
@@ -51,14 +53,18 @@ void Preferences::add_choice(const QString& title, const QString& name, QActionG
   auto* box = new QComboBox(this);
   box->setObjectName(name);
   const QList<QAction*> actions = group.actions();
-  for (const QAction* action : actions) {
+  for (int k = 0; k < actions.size(); ++k) {
+    const QAction* action = actions.at(k);
     box->addItem(action->text().remove('&'));
-    if (action->isChecked()) box->setCurrentIndex(box->count() - 1);
+    box->setItemData(k, action->toolTip(), Qt::ToolTipRole);
+    if (action->isChecked()) box->setCurrentIndex(k);
+    // Checked in the menu, or by what the view shows.
+    connect(action, &QAction::changed, box, [box, action, k] {
+      box->setItemText(k, action->text().remove('&'));
+      if (action->isChecked()) box->setCurrentIndex(k);
+    });
   }
   connect(box, &QComboBox::activated, &group, [actions](int k) { actions.at(k)->trigger(); });
-  connect(&group, &QActionGroup::triggered, box, [box, actions](QAction* action) {
-    box->setCurrentIndex(static_cast<int>(actions.indexOf(action)));
-  });
   form_->insertRow(form_->rowCount() - 2, title, box);
 }
 

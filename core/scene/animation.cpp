@@ -17,6 +17,7 @@ void visit_all(auto& scene, double& homogeneous_density, auto&& visit) {
   for (auto& emitter : scene.emitters) visit_keyed_emitter(emitter, visit);
   for (auto& light : scene.lights) visit_keyed_light(light, visit);
   if (scene.environment) visit_keyed_environment(*scene.environment, visit);
+  for (auto& surface : scene.surfaces) visit_keyed_surface(surface, visit);
 }
 
 }  // namespace
@@ -44,8 +45,8 @@ double last_key_time(const Scene& scene) {
 void apply_keys(Scene& scene, double time) {
   double homogeneous_density = scene.medium.homogeneous_density();
   visit_all(scene, homogeneous_density,
-            [time](const char*, auto& value, const auto& keys, const NumberDomain&) {
-              if (!keys.empty()) value = value_at(keys, time);
+            [time](const char*, auto& value, const auto& keys, const NumberDomain& domain) {
+              if (!keys.empty()) value = value_at(keys, time, domain);
             });
   scene.medium.set_homogeneous_density(homogeneous_density);
   Camera& camera = scene.camera;

@@ -57,11 +57,30 @@ void visit_keyed_environment(E& environment, auto&& visit) {
   visit("rotation", environment.rotation, environment.keys.rotation, domain::degrees);
 }
 
+template <class S>
+void visit_keyed_surface(S& surface, auto&& visit) {
+  auto& keys = surface.keys;
+  auto& material = surface.material;
+  visit("translate", surface.translate, keys.translate, domain::coordinate);
+  visit("rotate", surface.rotate, keys.rotate, domain::coordinate);
+  visit("scale", surface.scale, keys.scale, domain::length);
+  const bool is_phong = material.type == Material::Type::phong;
+  if (!is_phong && material.type != Material::Type::diffuse) return;
+  visit("reflectance", material.reflectance, keys.reflectance, domain::unit);
+  if (!is_phong) return;
+  visit("specular", material.specular, keys.specular, domain::unit);
+  visit("exponent", material.exponent, keys.exponent, domain::not_negative);
+}
+
 template <class C, class K>
 void visit_keyed_camera(C& camera, K& keys, auto&& visit) {
   visit("eye", camera.eye, keys.eye, domain::coordinate);
   visit("target", camera.target, keys.target, domain::coordinate);
   visit("vertical_fov", camera.vertical_fov, keys.vertical_fov, domain::field_of_view);
+  visit("aperture", camera.aperture, keys.aperture, domain::not_negative);
+  if (camera.focus_distance) {
+    visit("focus_distance", *camera.focus_distance, keys.focus_distance, domain::length);
+  }
 }
 
 template <class O>

@@ -1,11 +1,11 @@
 #include "core/scene/at_time.h"
 
 #include <algorithm>
-#include <functional>
 
 #include "core/medium/medium_edit.h"
 #include "core/scene/animation.h"
 #include "core/scene/group_effects.h"
+#include "core/scene/imported_scene.h"
 #include "core/scene/particles.h"
 
 namespace brume {
@@ -50,11 +50,11 @@ Scene evaluate_at(const Scene& scene, double time) {
   Noise& noise = result.optics.noise;
   // Noise drifts by velocity * time: the mean velocity gives the way that the wind has gone.
   if (!noise.keys.velocity.empty() && time != 0.0) {
-    noise.velocity = integral(noise.keys.velocity, 0.0, time) / time;
+    noise.velocity = nearest(domain::coordinate, integral(noise.keys.velocity, 0.0, time) / time);
   }
   clear_keys(result);
   apply_groups(result);
-  std::erase_if(result.surfaces, std::not_fn(&Surface::visible));
+  result.surfaces = shown_surfaces(scene.surfaces);
   for (const Emitter& emitter : scene.emitters) {
     if (!emitter.visible) continue;
     for (const Gaussian& gaussian : particles_at(emitter, time)) result.medium.append(gaussian);

@@ -22,7 +22,7 @@ void apply_groups(Scene& scene);
 
 // Evaluates a scene at a time [s]: keyframed values are evaluated, groups are applied, particles
 // and sequences are added to the medium; the result has no keys, groups, emitters, sequences or
-// hidden surfaces, and shows this time.
+// hidden surfaces, imported scenes are in parts (shown_surfaces()), and it shows this time.
 Scene evaluate_at(const Scene& scene, double time);
 
 }  // namespace brume

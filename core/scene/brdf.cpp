@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/math/sphere_rule.h"
+#include "core/scene/ggx.h"
 #include "core/scene/measured_brdf.h"
 
 namespace brume {
@@ -34,6 +35,8 @@ glm::dvec3 brdf(const Material& material, const glm::dvec3& wi, const glm::dvec3
     case Material::Type::measured:
       assert(material.measured);
       return (*material.measured)(wi, wo, n);
+    case Material::Type::metallic_roughness:
+      return ggx_brdf(average_material(material.metallic_roughness).reflection, wi, wo, n);
   }
   return glm::dvec3(0.0);
 }

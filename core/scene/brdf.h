@@ -15,6 +15,7 @@ namespace brume {
 //              n: the specular part reflects `specular` at normal incidence, and less at others
 //              (Lafortune and Willems 1994)
 //   measured   MeasuredBrdf
+//   metallic_roughness   ggx_brdf(), with the averages of its textures
 glm::dvec3 brdf(const Material& material, const glm::dvec3& wi, const glm::dvec3& wo,
                 const glm::dvec3& n);
 

@@ -24,6 +24,7 @@ Film film_region(const Film& film, const glm::dvec2& corner, const glm::dvec2& o
 CameraRays::CameraRays(const Camera& camera, const Film& film)
     : eye_(camera.eye),
       region_(film.region.value_or(FilmRegion{0, 0, film.width, film.height})),
+      shift_(film.shift),
       pixels_(film.width, film.height) {
   const glm::dvec2 size(region_.full_width, region_.full_height);
   const glm::dvec3 view = camera.target - camera.eye;
@@ -43,7 +44,7 @@ CameraRays::CameraRays(const Camera& camera, const Film& film)
   corner_ = forward_ - half_size_.x * right_ + half_size_.y * up_;
   per_x_ = 2.0 * half_size_.x / size.x * right_;
   per_y_ = -2.0 * half_size_.y / size.y * up_;
-  corner_ += static_cast<double>(region_.x) * per_x_ + static_cast<double>(region_.y) * per_y_;
+  corner_ += (region_.x + shift_.x) * per_x_ + (region_.y + shift_.y) * per_y_;
 }
 
 glm::dvec3 CameraRays::project(const glm::dvec3& point) const {
@@ -52,8 +53,8 @@ glm::dvec3 CameraRays::project(const glm::dvec3& point) const {
   if (!(z > 0.0)) return {0.0, 0.0, z};
   const double u = glm::dot(q, right_) / (z * half_size_.x);
   const double v = glm::dot(q, up_) / (z * half_size_.y);
-  return {0.5 * (u + 1.0) * region_.full_width - region_.x,
-          0.5 * (1.0 - v) * region_.full_height - region_.y, z};
+  return {0.5 * (u + 1.0) * region_.full_width - region_.x - shift_.x,
+          0.5 * (1.0 - v) * region_.full_height - region_.y - shift_.y, z};
 }
 
 namespace {
@@ -75,23 +76,32 @@ glm::dvec2 covered(double x, double z, double radius, double half_size) {
 
 }  // namespace
 
+CameraRays::Surround CameraRays::surround() const {
+  const glm::dvec2 margin = glm::ceil(glm::abs(shift_));
+  const glm::dvec2 start = glm::dvec2(region_.x, region_.y) + margin + shift_;
+  return {glm::ivec2(region_.full_width, region_.full_height) + 2 * glm::ivec2(margin), start};
+}
+
 CameraRays::PixelRectangle CameraRays::bounds(const glm::dvec3& point, double radius) const {
   const glm::dvec3 q = point - eye_;
   const double z = glm::dot(q, forward_);
-  const glm::dvec2 u = covered(glm::dot(q, right_), z, radius, half_size_.x);
-  const glm::dvec2 v = covered(-glm::dot(q, up_), z, radius, half_size_.y);
+  const Surround film = surround();
+  const double half_width = half_size_.x * film.size.x / region_.full_width;
+  const double half_height = half_size_.y * film.size.y / region_.full_height;
+  const glm::dvec2 u = covered(glm::dot(q, right_), z, radius, half_width);
+  const glm::dvec2 v = covered(-glm::dot(q, up_), z, radius, half_height);
   if (!(u[0] < u[1]) || !(v[0] < v[1])) return {};
   // Pixels whose centre lies inside, with a little room for rounding.
-  const auto first = [](double s, int size) {
-    return static_cast<int>(std::ceil(0.5 * (s + 1.0) * size - 0.5 - pixel_rounding));
+  const auto first = [](double s, int size, double start) {
+    return static_cast<int>(std::ceil(0.5 * (s + 1.0) * size - 0.5 - pixel_rounding - start));
   };
-  const auto last = [](double s, int size) {
-    return static_cast<int>(std::floor(0.5 * (s + 1.0) * size - 0.5 + pixel_rounding)) + 1;
+  const auto last = [](double s, int size, double start) {
+    return static_cast<int>(std::floor(0.5 * (s + 1.0) * size - 0.5 + pixel_rounding - start)) + 1;
   };
-  return {std::max(first(u[0], region_.full_width) - region_.x, 0),
-          std::max(first(v[0], region_.full_height) - region_.y, 0),
-          std::min(last(u[1], region_.full_width) - region_.x, pixels_.x),
-          std::min(last(v[1], region_.full_height) - region_.y, pixels_.y)};
+  return {std::max(first(u[0], film.size.x, film.start.x), 0),
+          std::max(first(v[0], film.size.y, film.start.y), 0),
+          std::min(last(u[1], film.size.x, film.start.x), pixels_.x),
+          std::min(last(v[1], film.size.y, film.start.y), pixels_.y)};
 }
 
 double CameraRays::pixel_half_angle() const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <glm/ext/vector_int2.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -7,12 +8,16 @@
 
 namespace brume {
 
-// A pinhole camera. vertical_fov is the full vertical angle of view in degrees, in (0, 180).
+// A camera with a thin lens, or a pinhole, as views and single samples have it. vertical_fov is the
+// full vertical angle of view in degrees, in (0, 180).
 struct Camera {
   glm::dvec3 eye{0.0, 0.0, 5.0};
   glm::dvec3 target{0.0};
   glm::dvec3 up{0.0, 1.0, 0.0};
   double vertical_fov = 45.0;
+  double aperture = 0.0;  // radius of the lens, >= 0 [u]; 0: a pinhole
+  // Of the plane in focus, along the axis, > 0 [u]; absent: through the target.
+  std::optional<double> focus_distance{};
 
   bool operator==(const Camera&) const = default;
 };
@@ -30,6 +35,7 @@ struct Film {
   int width = 800;
   int height = 600;
   std::optional<FilmRegion> region{};  // a part of the picture; absent: all of it
+  glm::dvec2 shift{0.0};               // of where pixels are sampled from their centers [pixels]
 
   bool operator==(const Film&) const = default;
 };
@@ -38,8 +44,8 @@ struct Film {
 // corner; at least a pixel.
 Film film_region(const Film& film, const glm::dvec2& corner, const glm::dvec2& other);
 
-// Maps between pixels of a film and rays of a camera. Pixel (x, y) has its center at (x + 0.5, y +
-// 0.5); y points down.
+// Maps between pixels of a film and rays of a camera, seen as a pinhole. Pixel (x, y) is sampled at
+// (x + 0.5, y + 0.5), its center unless the film is shifted; y points down.
 class CameraRays {
  public:
   CameraRays(const Camera& camera, const Film& film);
@@ -62,8 +68,19 @@ class CameraRays {
   };
   [[nodiscard]] FilmPlane plane() const { return {corner_, per_x_, per_y_}; }
 
-  // Where the film lies on the whole one, which forward() meets at its center.
-  [[nodiscard]] const FilmRegion& region() const { return region_; }
+  // The film position that forward() goes through: the center of the whole film, unless shifted.
+  [[nodiscard]] glm::dvec2 axis() const {
+    return 0.5 * glm::dvec2(region_.full_width, region_.full_height) -
+           glm::dvec2(region_.x, region_.y) - shift_;
+  }
+
+  // A film around the axis that contains this one, shifted or not: its size, and where this one
+  // begins on it [pixels].
+  struct Surround {
+    glm::ivec2 size;
+    glm::dvec2 start;
+  };
+  [[nodiscard]] Surround surround() const;
 
   // Film position of a point, and its depth along forward() in z [u]; for z <= 0 it is behind the
   // eye and x and y are 0.
@@ -86,6 +103,7 @@ class CameraRays {
   glm::dvec3 up_;
   glm::dvec2 half_size_;  // of the whole film at distance 1
   FilmRegion region_;
+  glm::dvec2 shift_;
   glm::ivec2 pixels_;  // of the film
   // A film position from the eye, at distance 1 along forward_: corner_ + x per_x_ + y per_y_.
   glm::dvec3 corner_;

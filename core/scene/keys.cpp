@@ -2,6 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <type_traits>
+
+#include "core/math/hermite_cubic.h"
 
 namespace brume {
 namespace {
@@ -35,24 +40,81 @@ double slope(const Point& a, const Point& b, const Point& c) {
   return (left + right) / (left / before + right / after);
 }
 
-// Component k between keys i and i + 1.
+// The automatic slope of component k at key i.
 template <class T>
-double between(const Keys<T>& keys, std::size_t i, double time, int k) {
+double automatic_slope(const Keys<T>& keys, std::size_t i, int k) {
+  if (i == 0 || i + 1 == keys.size()) return 0.0;
   const auto point = [&](std::size_t j) {
     return Point{keys[j].time, component(keys[j].value, k)};
   };
-  const Point a = point(i);
-  const Point b = point(i + 1);
-  const double length = b.time - a.time;
-  const double u = (time - a.time) / length;
-  if (keys[i].interpolation == Interpolation::linear) return std::lerp(a.value, b.value, u);
-  const double from = i > 0 ? slope(point(i - 1), a, b) : 0.0;
-  const double to = i + 2 < keys.size() ? slope(a, b, point(i + 2)) : 0.0;
-  const double v = 1.0 - u;
-  const double value = a.value + (b.value - a.value) * u * u * (3.0 - 2.0 * u) +
-                       length * u * v * (from * v - to * u);
-  const auto [min_value, max_value] = std::minmax(a.value, b.value);
+  return slope(point(i - 1), point(i), point(i + 1));
+}
+
+template <class T>
+double slope_of(const std::optional<T>& tangent, const Keys<T>& keys, std::size_t i, int k) {
+  return tangent ? component(*tangent, k) : automatic_slope(keys, i, k);
+}
+
+template <class T>
+bool has_tangents(const Keys<T>& keys, std::size_t i) {
+  return keys[i].interpolation == Interpolation::smooth && (keys[i].out || keys[i + 1].in);
+}
+
+// Component k from key i to key i + 1, where that is smooth.
+template <class T>
+HermiteCubic cubic(const Keys<T>& keys, std::size_t i, int k) {
+  const Key<T>& a = keys[i];
+  const Key<T>& b = keys[i + 1];
+  return {.length = b.time - a.time,
+          .begin = component(a.value, k),
+          .end = component(b.value, k),
+          .begin_slope = slope_of(a.out, keys, i, k),
+          .end_slope = slope_of(b.in, keys, i + 1, k)};
+}
+
+// Component k between keys i and i + 1.
+template <class T>
+double between(const Keys<T>& keys, std::size_t i, double time, int k) {
+  const double a = component(keys[i].value, k);
+  const double b = component(keys[i + 1].value, k);
+  const double since = time - keys[i].time;
+  if (keys[i].interpolation == Interpolation::constant) return a;
+  if (keys[i].interpolation == Interpolation::linear) {
+    return std::lerp(a, b, since / (keys[i + 1].time - keys[i].time));
+  }
+  const double value = cubic(keys, i, k).value(since);
+  if (has_tangents(keys, i)) return value;
+  const auto [min_value, max_value] = std::minmax(a, b);
   return std::clamp(value, min_value, max_value);  // rounding
+}
+
+void set_component(double& value, int, double number) {
+  value = number;
+}
+void set_component(auto& value, int k, double number) {
+  value[k] = number;
+}
+
+template <class T>
+constexpr int components_of = std::is_same_v<T, double>       ? 1
+                              : std::is_same_v<T, glm::dvec2> ? 2
+                                                              : 3;
+
+template <class T>
+T all_between(const Keys<T>& keys, std::size_t i, double time) {
+  T value{};
+  for (int k = 0; k < components_of<T>; ++k) set_component(value, k, between(keys, i, time, k));
+  return value;
+}
+
+template <class T>
+Slopes<T> all_slopes_at(const Keys<T>& keys, std::size_t i) {
+  Slopes<T> slopes;
+  for (int k = 0; k < components_of<T>; ++k) {
+    set_component(slopes.in, k, slope_of(keys[i].in, keys, i, k));
+    set_component(slopes.out, k, slope_of(keys[i].out, keys, i, k));
+  }
+  return slopes;
 }
 
 template <class T>
@@ -77,54 +139,131 @@ const T& outside(const Keys<T>& keys, double time) {
   return time >= keys.back().time ? keys.back().value : keys.front().value;
 }
 
+template <class T>
+T evaluated(const Keys<T>& keys, double time) {
+  if (is_outside(keys, time)) return outside(keys, time);
+  return all_between(keys, last_until(keys, time), time);
+}
+
+// Sums integrals from `low` to `high` of what is before the first key and after the last, and of
+// piece(i, from, to) of each interval from key i to the next.
+template <class T>
+T sum_of_pieces(const Keys<T>& keys, double low, double high, const auto& piece) {
+  const double first = keys.front().time;
+  const double last = keys.back().time;
+  T sum = std::max(0.0, std::min(high, first) - low) * keys.front().value +
+          std::max(0.0, high - std::max(low, last)) * keys.back().value;
+  std::size_t i = low > first ? last_until(keys, low) : 0;
+  for (; i + 1 < keys.size() && keys[i].time < high; ++i) {
+    const double from = std::max(low, keys[i].time);
+    const double to = std::min(high, keys[i + 1].time);
+    if (from < to) sum += piece(i, from, to);
+  }
+  return sum;
+}
+
+template <class T>
+T in_any_order(const Keys<T>& keys, double begin, double end, const auto& piece) {
+  return begin <= end ? sum_of_pieces(keys, begin, end, piece)
+                      : -sum_of_pieces(keys, end, begin, piece);
+}
+
 // Simpson's rule between times without a key in between: exact, since values are cubic there.
 template <class T>
-T piece(const Keys<T>& keys, double low, double high) {
-  return (high - low) / 6.0 *
-         (value_at(keys, low) + 4.0 * value_at(keys, 0.5 * (low + high)) + value_at(keys, high));
+auto simpson(const Keys<T>& keys) {
+  return [&keys](std::size_t i, double low, double high) {
+    return (high - low) / 6.0 *
+           (all_between(keys, i, low) + 4.0 * all_between(keys, i, 0.5 * (low + high)) +
+            all_between(keys, i, high));
+  };
 }
 
-template <class T>
-T sum_of_pieces(const Keys<T>& keys, double low, double high) {
-  T sum(0.0);
-  double last = low;
-  for (auto key = first_after(keys, low); key != keys.end() && key->time < high; ++key) {
-    sum += piece(keys, last, key->time);
-    last = key->time;
-  }
-  return sum + piece(keys, last, high);
-}
-
-template <class T>
-T any_order(const Keys<T>& keys, double begin, double end) {
-  return begin <= end ? sum_of_pieces(keys, begin, end) : -sum_of_pieces(keys, end, begin);
+double turned_angle(const glm::dquat& a, const glm::dquat& b) {
+  const glm::dquat turn = glm::conjugate(a) * b;
+  return glm::degrees(
+      2.0 * std::atan2(glm::length(glm::dvec3(turn.x, turn.y, turn.z)), std::abs(turn.w)));
 }
 
 }  // namespace
 
 double value_at(const Keys<double>& keys, double time) {
-  if (is_outside(keys, time)) return outside(keys, time);
-  return between(keys, last_until(keys, time), time, 0);
+  return evaluated(keys, time);
 }
 
 glm::dvec2 value_at(const Keys<glm::dvec2>& keys, double time) {
-  if (is_outside(keys, time)) return outside(keys, time);
-  const std::size_t i = last_until(keys, time);
-  return {between(keys, i, time, 0), between(keys, i, time, 1)};
+  return evaluated(keys, time);
 }
 
 glm::dvec3 value_at(const Keys<glm::dvec3>& keys, double time) {
+  return evaluated(keys, time);
+}
+
+glm::dquat value_at(const Keys<glm::dquat>& keys, double time) {
   if (is_outside(keys, time)) return outside(keys, time);
   const std::size_t i = last_until(keys, time);
-  return {between(keys, i, time, 0), between(keys, i, time, 1), between(keys, i, time, 2)};
+  // Slopes need only the neighbours.
+  const std::size_t begin = std::max<std::size_t>(i, 1) - 1;
+  const std::size_t end = std::min(i + 3, keys.size());
+  const auto at = [&keys](std::size_t k) { return keys.begin() + static_cast<std::ptrdiff_t>(k); };
+  const Keys<double> angles = turned_angles({at(begin), at(end)});
+  const double from = angles[i - begin].value;
+  const double whole = angles[i - begin + 1].value - from;
+  const double turned = value_at(angles, time) - from;
+  if (!(turned > 0.0)) return keys[i].value;
+  const double u = std::min(turned / whole, 1.0);
+  return glm::normalize(glm::slerp(keys[i].value, keys[i + 1].value, u));
+}
+
+Keys<double> turned_angles(const Keys<glm::dquat>& keys) {
+  Keys<double> angles;
+  angles.reserve(keys.size());
+  double angle = 0.0;
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    if (i > 0) angle += turned_angle(keys[i - 1].value, keys[i].value);
+    angles.push_back(
+        {.time = keys[i].time, .value = angle, .interpolation = keys[i].interpolation});
+  }
+  return angles;
+}
+
+double upper_bound(const Keys<double>& keys) {
+  double bound = keys.front().value;
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    bound = std::max(bound, keys[i].value);
+    if (i + 1 < keys.size() && has_tangents(keys, i)) {
+      bound = std::max(bound, cubic(keys, i, 0).upper_bound());
+    }
+  }
+  return bound;
+}
+
+Slopes<double> slopes_at(const Keys<double>& keys, std::size_t i) {
+  return all_slopes_at(keys, i);
+}
+
+Slopes<glm::dvec2> slopes_at(const Keys<glm::dvec2>& keys, std::size_t i) {
+  return all_slopes_at(keys, i);
+}
+
+Slopes<glm::dvec3> slopes_at(const Keys<glm::dvec3>& keys, std::size_t i) {
+  return all_slopes_at(keys, i);
 }
 
 double integral(const Keys<double>& keys, double begin, double end) {
-  return any_order(keys, begin, end);
+  return in_any_order(keys, begin, end, simpson(keys));
 }
 
 glm::dvec3 integral(const Keys<glm::dvec3>& keys, double begin, double end) {
-  return any_order(keys, begin, end);
+  return in_any_order(keys, begin, end, simpson(keys));
+}
+
+double integral_above(double floor, const Keys<double>& keys, double begin, double end) {
+  const auto piece = [&](std::size_t i, double low, double high) {
+    if (!has_tangents(keys, i)) return simpson(keys)(i, low, high);
+    const double start = keys[i].time;
+    return cubic(keys, i, 0).integral_above(floor, low - start, high - start);
+  };
+  return in_any_order(keys, begin, end, piece);
 }
 
 template <class T>
@@ -148,5 +287,7 @@ template void set_key(Keys<glm::dvec3>&, const Key<glm::dvec3>&);
 template Keys<double>::const_iterator find_key(const Keys<double>&, double);
 template Keys<glm::dvec2>::const_iterator find_key(const Keys<glm::dvec2>&, double);
 template Keys<glm::dvec3>::const_iterator find_key(const Keys<glm::dvec3>&, double);
+template void set_key(Keys<glm::dquat>&, const Key<glm::dquat>&);
+template Keys<glm::dquat>::const_iterator find_key(const Keys<glm::dquat>&, double);
 
 }  // namespace brume

@@ -16,9 +16,10 @@ glm::vec3 to_vec3(const Vec3f& v) {
   return {v[0], v[1], v[2]};
 }
 
-// Points, normals and OpenMesh's connectivity with its status bits.
-std::size_t bytes_of(std::size_t vertices, std::size_t edges, std::size_t faces) {
-  return 36 * vertices + 40 * edges + 8 * faces;
+// Points, normals, texture coordinates and OpenMesh's connectivity with its status bits.
+std::size_t bytes_of(std::size_t vertices, std::size_t edges, std::size_t faces,
+                     bool has_texcoords) {
+  return (has_texcoords ? 44 : 36) * vertices + 40 * edges + 8 * faces;
 }
 
 // OpenMesh reports each triangle that does not fit on its error stream.
@@ -45,9 +46,16 @@ std::vector<glm::vec3> points_of(const TriangleMesh& mesh) {
 }  // namespace
 
 MeshArrays to_arrays(const TriangleMesh& mesh) {
-  MeshArrays arrays{points_of(mesh), {}, {}};
+  MeshArrays arrays{points_of(mesh), {}, {}, {}};
   arrays.normals.reserve(mesh.n_vertices());
   for (const auto v : mesh.vertices()) arrays.normals.push_back(to_vec3(mesh.normal(v)));
+  if (mesh.has_vertex_texcoords2D()) {
+    arrays.texcoords.reserve(mesh.n_vertices());
+    for (const auto v : mesh.vertices()) {
+      const OpenMesh::Vec2f& uv = mesh.texcoord2D(v);
+      arrays.texcoords.emplace_back(uv[0], uv[1]);
+    }
+  }
   arrays.triangles.reserve(mesh.n_faces());
   for (const auto face : mesh.faces()) {
     glm::uvec3& corners = arrays.triangles.emplace_back(0);
@@ -59,15 +67,22 @@ MeshArrays to_arrays(const TriangleMesh& mesh) {
 
 std::shared_ptr<TriangleMesh> to_mesh(const MeshArrays& arrays, std::size_t max_bytes) {
   const std::size_t edges = arrays.triangles.size() * 3 / 2;
-  if (bytes_of(arrays.points.size(), edges, arrays.triangles.size()) > max_bytes) return nullptr;
+  const bool has_texcoords = !arrays.texcoords.empty();
+  if (bytes_of(arrays.points.size(), edges, arrays.triangles.size(), has_texcoords) > max_bytes) {
+    return nullptr;
+  }
   auto mesh = std::make_shared<TriangleMesh>();
   mesh->request_vertex_normals();
+  if (has_texcoords) mesh->request_vertex_texcoords2D();
   mesh->reserve(arrays.points.size(), edges, arrays.triangles.size());
   const auto add_vertex = [&](unsigned i) {
     const glm::vec3& p = arrays.points[i];
     const glm::vec3& n = arrays.normals[i];
     const VertexHandle vertex = mesh->add_vertex(Vec3f(p.x, p.y, p.z));
     mesh->set_normal(vertex, Vec3f(n.x, n.y, n.z));
+    if (has_texcoords) {
+      mesh->set_texcoord2D(vertex, OpenMesh::Vec2f(arrays.texcoords[i].x, arrays.texcoords[i].y));
+    }
     return vertex;
   };
   for (unsigned i = 0; i < arrays.points.size(); ++i) add_vertex(i);
@@ -86,7 +101,7 @@ std::shared_ptr<TriangleMesh> to_mesh(const MeshArrays& arrays, std::size_t max_
 }
 
 std::size_t mesh_bytes(const TriangleMesh& mesh) {
-  return bytes_of(mesh.n_vertices(), mesh.n_edges(), mesh.n_faces());
+  return bytes_of(mesh.n_vertices(), mesh.n_edges(), mesh.n_faces(), mesh.has_vertex_texcoords2D());
 }
 
 MeshBox box_of(const TriangleMesh& mesh) {

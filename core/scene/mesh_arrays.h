@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <limits>
 #include <memory>
@@ -18,6 +19,7 @@ struct MeshArrays {
   std::vector<glm::vec3> points;
   std::vector<glm::vec3> normals;  // unit; as many as points
   std::vector<glm::uvec3> triangles;
+  std::vector<glm::vec2> texcoords{};  // u to the right, v up; as many as points, or none
 
   bool operator==(const MeshArrays&) const = default;
 };

@@ -33,10 +33,9 @@ Gaussian particle(const Emitter& emitter, std::uint64_t number, double age) {
           glm::mix(emitter.density.x, emitter.density.y, relative_age), optics};
 }
 
+// Of a value that is not negative.
 double max_of(double value, const Keys<double>& keys) {
-  if (keys.empty()) return value;
-  // In between values stay between those of the keys.
-  return std::ranges::max_element(keys, {}, &Key<double>::value)->value;
+  return keys.empty() ? value : domain::not_negative.nearest(upper_bound(keys));
 }
 
 // When an emitter's particles are born.
@@ -45,7 +44,7 @@ class Births {
   explicit Births(const Emitter& emitter) : rate_(emitter.rate), keys_(emitter.keys.rate) {
     for (const Key<double>& key : keys_) {
       if (key.time <= times_.back()) continue;
-      counts_.push_back(counts_.back() + integral(keys_, times_.back(), key.time));
+      counts_.push_back(counts_.back() + integral_above(0.0, keys_, times_.back(), key.time));
       times_.push_back(key.time);
     }
     if (!keys_.empty()) rate_ = keys_.back().value;
@@ -54,8 +53,8 @@ class Births {
   // The integral of the rate from 0 to a time >= 0.
   [[nodiscard]] double count(double time) const {
     const std::size_t i = last_until(times_, time);
-    return counts_[i] +
-           (i + 1 < times_.size() ? integral(keys_, times_[i], time) : (time - times_[i]) * rate_);
+    return counts_[i] + (i + 1 < times_.size() ? integral_above(0.0, keys_, times_[i], time)
+                                               : (time - times_[i]) * rate_);
   }
 
   // When the integral passes a number; infinity if it never does.
@@ -69,7 +68,7 @@ class Births {
     double high = times_[i + 1];
     while (high - low > precision * std::max(1.0, high)) {
       const double middle = 0.5 * (low + high);
-      (counts_[i] + integral(keys_, times_[i], middle) <= number ? low : high) = middle;
+      (counts_[i] + integral_above(0.0, keys_, times_[i], middle) <= number ? low : high) = middle;
     }
     return low;
   }
@@ -113,10 +112,10 @@ std::vector<Gaussian> particles_at(const Emitter& emitter, double time) {
   Emitter at_birth = emitter;
   for (double number = first; number <= last; number += 1.0) {
     const double birth = births.time(number);
-    visit_keyed_emitter(at_birth,
-                        [birth](const char*, auto& value, const auto& keys, const NumberDomain&) {
-                          if (!keys.empty()) value = value_at(keys, birth);
-                        });
+    visit_keyed_emitter(
+        at_birth, [birth](const char*, auto& value, const auto& keys, const NumberDomain& domain) {
+          if (!keys.empty()) value = value_at(keys, birth, domain);
+        });
     const double age = time - birth;
     if (age < 0.0 || age >= at_birth.lifetime) continue;
     particles.push_back(particle(at_birth, static_cast<std::uint64_t>(number), age));

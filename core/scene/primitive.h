@@ -18,7 +18,9 @@ struct Primitive {
 };
 
 // Its triangles, whose normals are smooth across round sides and not across edges. So fine that
-// radiance transfer, which is kept at vertices, has some everywhere.
+// radiance transfer, which is kept at vertices, has some everywhere. A texture lies once on each
+// flat side, upright or with its lower edge next to +z (below: -z), and once around a round one,
+// from +z over +x.
 std::shared_ptr<const TriangleMesh> mesh_of(const Primitive& primitive);
 
 }  // namespace brume

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "render/cpu/upsampling.h"
@@ -75,21 +76,6 @@ class Batch {
   std::array<double, Tiles::pixels> depths_;
 };
 
-// Depth difference [u] for which the airlight may still be interpolated: small against the
-// Gaussians of the tile and the fog's mean free path.
-float distance_tolerance(const MediumIndex& medium, std::span<const std::uint32_t> gaussians,
-                         double tolerance) {
-  double tolerance_u = std::numeric_limits<double>::infinity();
-  for (const std::uint32_t i : gaussians) {
-    tolerance_u =
-        std::min(tolerance_u, double{radii_per_tolerance} * tolerance / medium.gaussians()[i].a);
-  }
-  const double b0 = medium.homogeneous_density();
-  if (b0 > 0.0)
-    tolerance_u = std::min(tolerance_u, double{free_paths_per_tolerance} * tolerance / b0);
-  return static_cast<float>(tolerance_u);
-}
-
 // Maximum ray length over a row of pixels.
 double max_end(const RayEnds& ends, const Frame& frame, std::size_t first, std::size_t count) {
   double max_distance = 0.0;
@@ -115,6 +101,23 @@ double max_end(const RayEnds& ends, const Frame& frame, std::size_t first, std::
 
 }  // namespace
 
+Film sample_film(const Film& film, int scale) {
+  return {(film.width + scale - 2) / scale + 1, (film.height + scale - 2) / scale + 1};
+}
+
+float distance_tolerance(const MediumIndex& medium, std::span<const std::uint32_t> gaussians,
+                         double tolerance) {
+  double tolerance_u = std::numeric_limits<double>::infinity();
+  for (const std::uint32_t i : gaussians) {
+    tolerance_u =
+        std::min(tolerance_u, double{radii_per_tolerance} * tolerance / medium.gaussians()[i].a);
+  }
+  const double b0 = medium.homogeneous_density();
+  if (b0 > 0.0)
+    tolerance_u = std::min(tolerance_u, double{free_paths_per_tolerance} * tolerance / b0);
+  return static_cast<float>(tolerance_u);
+}
+
 CameraRays::PixelRectangle FilmTiles::pixels(std::size_t tile) const {
   const CameraRays::PixelRectangle samples = tiles.rectangle(tile);
   const Film& film = frame.film;
@@ -127,8 +130,26 @@ CameraRays::PixelRectangle FilmTiles::pixels(std::size_t tile) const {
           end(samples.y1, film.height)};
 }
 
+CameraRays::PixelRectangle FilmTiles::own_pixels(std::size_t tile) const {
+  const CameraRays::PixelRectangle samples = tiles.rectangle(tile);
+  const Film& film = frame.film;
+  const Film sampled = sample_film(film, scale);
+  return {std::min(samples.x0 * scale, film.width), std::min(samples.y0 * scale, film.height),
+          samples.x1 == sampled.width ? film.width : samples.x1 * scale,
+          samples.y1 == sampled.height ? film.height : samples.y1 * scale};
+}
+
+glm::vec2 FilmTiles::place(std::size_t tile, const glm::vec2& pixel) const {
+  const CameraRays::PixelRectangle samples = tiles.rectangle(tile);
+  const glm::vec2 first(samples.x0 * scale, samples.y0 * scale);
+  const glm::vec2 size(Tiles::width * scale, Tiles::height * scale);
+  return glm::clamp((pixel - first) / size, 0.0f, 1.0f);
+}
+
 TileCone FilmTiles::cone(std::size_t tile) const {
-  const CameraRays::PixelRectangle r = pixels(tile);
+  CameraRays::PixelRectangle r = pixels(tile);
+  r = {std::max(r.x0 - margin, 0), std::max(r.y0 - margin, 0),
+       std::min(r.x1 + margin, frame.film.width), std::min(r.y1 + margin, frame.film.height)};
   std::array<glm::dvec3, 4> corners;
   for (std::size_t k = 0; k < 4; ++k) {
     corners[k] =
@@ -158,7 +179,7 @@ FilmAirlight film_airlight(const MediumIndex& medium, std::span<const PointLight
   const int scale = settings.airlight_scale;
   AirlightSamples samples(frame, scale);
   const Tiles tiles(samples.film());
-  const Tiles::Lists lists = tiles.lists(medium, rays, scale);
+  Tiles::Lists lists = tiles.lists(medium, rays, scale);
   const FilmTiles film{tiles, lists, rays, ends, frame, scale};
   if (method.prepare) method.prepare(film);
   FilmAirlight result;
@@ -204,6 +225,7 @@ FilmAirlight film_airlight(const MediumIndex& medium, std::span<const PointLight
   }
   result.pairs = pairs;
   result.exact_pixels = exact;
+  result.lists = std::move(lists);
   return result;
 }
 

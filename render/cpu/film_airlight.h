@@ -26,9 +26,14 @@ struct FilmTiles {
   const RayEnds& ends;
   const Frame& frame;
   int scale;
+  int margin = 0;  // how far beside a tile's pixels its rays go [pixels]
 
   // The pixels that a tile's samples cover.
   [[nodiscard]] CameraRays::PixelRectangle pixels(std::size_t tile) const;
+  // The same without those that other tiles cover too.
+  [[nodiscard]] CameraRays::PixelRectangle own_pixels(std::size_t tile) const;
+  // Where a pixel lies in a tile, see TileRays::positions.
+  [[nodiscard]] glm::vec2 place(std::size_t tile, const glm::vec2& pixel) const;
   // The cone of their rays.
   [[nodiscard]] TileCone cone(std::size_t tile) const;
 };
@@ -45,10 +50,19 @@ struct AirlightIntegrator {
 };
 
 struct FilmAirlight {
+  Tiles::Lists lists;  // of the tiles of sample_film()
   std::uint64_t pairs = 0;
   std::size_t gaussians_used = 0;  // that reach any ray
   std::size_t exact_pixels = 0;    // pixels evaluated by the method itself
 };
+
+// The film of airlight samples: every scale-th pixel, and the last of each row and column.
+Film sample_film(const Film& film, int scale);
+
+// Depth difference [u] up to which airlight may still be interpolated: small against the Gaussians
+// of the tile and the fog's mean free path.
+float distance_tolerance(const MediumIndex& medium, std::span<const std::uint32_t> gaussians,
+                         double tolerance);
 
 // Fills frame.airlight, frame.transmittance and the pairs per pixel, tile by tile. All layers must
 // be allocated, the depth layer filled.

@@ -22,31 +22,92 @@ struct SliceScratch {
   std::vector<float> along_rays, line_depths;
   std::array<std::vector<float>, 3> emission;
   std::array<std::vector<float>, light_pack> radiance;
+  std::vector<SourceWeights> weights;  // of the rays
+};
+
+// Where airlight goes: all of it, or what comes from before the end of each look-up.
+struct AirlightRows {
+  std::span<glm::vec3> airlight;  // [row * rays + i]
+  std::size_t rays;
+  std::size_t count;   // of rows
+  std::size_t slices;  // of running sums; 0: sums are total
+  std::size_t stride;  // of sums
+
+  // Of the sums that a row holds.
+  [[nodiscard]] std::size_t sums(std::size_t row) const {
+    if (slices == 0) return 0;
+    return (std::min((row + 1) * slices_per_lookup, slices) - 1) * stride;
+  }
+  // radiance[c] = value(i-th of the sums) is added to each ray of each row.
+  template <class Value>
+  void add(Value value) const {
+    for (std::size_t row = 0; row < count; ++row) {
+      for (std::size_t i = 0; i < rays; ++i) airlight[row * rays + i] += value(sums(row) + i);
+    }
+  }
 };
 
 // Adds the source function of the slices.
 void add_source_function(const SlicedSource& from, const TileRays& rays, SliceScratch& s,
-                         std::span<glm::vec3> airlight) {
+                         const AirlightRows& out) {
   const SourceFunction& function = *from.function;
   const SourceLookup& source = from.lookup;
   const std::size_t stride = s.rays.padded_size();
   s.lookup_sums.assign(stride * source.sums_size(), 0.0f);
+  s.weights.clear();
   bool needs_weights = function.has_forward_lobe();
-  for (std::size_t at = 0; at < s.lookup_weights.size(); at += stride) {
-    needs_weights |= source.add(s.rays, s.lookup_distances.data() + at,
-                                s.lookup_weights.data() + at, s.lookup_sums.data());
+  SourceWeights own;
+  // Once for each ray, or for all; kept for the rows to come.
+  const auto weights_of = [&](std::size_t i) -> const SourceWeights& {
+    if (!needs_weights) return own;
+    if (out.slices == 0) {
+      if (i == 0 || function.is_anisotropic()) own = function.weights(rays.directions[i]);
+      return own;
+    }
+    if (s.weights.empty()) {
+      const std::size_t count = function.is_anisotropic() ? out.rays : 1;
+      for (std::size_t k = 0; k < count; ++k) {
+        s.weights.push_back(function.weights(rays.directions[k]));
+      }
+    }
+    return s.weights[function.is_anisotropic() ? i : 0];
+  };
+  const std::size_t lookups = s.lookup_weights.size() / stride;
+  for (std::size_t j = 0; j < lookups; ++j) {
+    needs_weights |= source.add(s.rays, s.lookup_distances.data() + j * stride,
+                                s.lookup_weights.data() + j * stride, s.lookup_sums.data());
+    if (out.slices == 0 && j + 1 < lookups) continue;
+    const std::size_t row = out.slices == 0 ? 0 : j;
+    for (std::size_t i = 0; i < out.rays; ++i) {
+      const SourceWeights& weights = weights_of(i);
+      glm::vec3 scattered = source.source(
+          std::span(s.lookup_sums).subspan(i * source.sums_size(), source.sums_size()), weights);
+      if (function.has_forward_lobe()) {
+        scattered +=
+            s.along_rays[out.sums(row) + i] * function.lobe(source, weights, s.line_depths[i]);
+      }
+      out.airlight[row * out.rays + i] += glm::max(scattered, 0.0f);
+    }
   }
-  SourceWeights weights;
-  for (std::size_t i = 0; i < rays.directions.size(); ++i) {
-    if (needs_weights && (i == 0 || function.is_anisotropic())) {
-      weights = function.weights(rays.directions[i]);
+}
+
+// Fills distances and depths of profiles, front to back.
+void set_depths(const SliceScratch& s, double b0, std::size_t rays, TileProfiles& profiles) {
+  const std::size_t stride = s.rays.padded_size();
+  const std::size_t boundaries = s.slices.count();
+  profiles.distances.resize(boundaries * rays);
+  profiles.depths.resize(boundaries * rays);
+  for (std::size_t i = 0; i < rays; ++i) {
+    double depth = 0.0;
+    for (std::size_t k = 0; k < boundaries; ++k) {
+      const float t = *s.slices.at(i, k);
+      if (k > 0) {
+        const double length = static_cast<double>(t) - static_cast<double>(*s.slices.at(i, k - 1));
+        depth += b0 * length + std::max(s.increments[(k - 1) * stride + i], 0.0f);
+      }
+      profiles.distances[k * rays + i] = t;
+      profiles.depths[k * rays + i] = depth;
     }
-    glm::vec3 scattered = source.source(
-        std::span(s.lookup_sums).subspan(i * source.sums_size(), source.sums_size()), weights);
-    if (function.has_forward_lobe()) {
-      scattered += s.along_rays[i] * function.lobe(source, weights, s.line_depths[i]);
-    }
-    airlight[i] += glm::max(scattered, 0.0f);
   }
 }
 
@@ -55,22 +116,32 @@ void add_source_function(const SlicedSource& from, const TileRays& rays, SliceSc
 std::uint64_t sliced_airlight(const MediumIndex& medium, std::span<const std::uint32_t> gaussians,
                               std::span<const SlicedLight> lights, const SlicedSource* source,
                               const TileRays& rays, const SliceNodes& slices,
-                              const TileAirlight& out) {
+                              const TileAirlight& out, TileProfiles* profiles) {
   thread_local SliceScratch s;
   const std::size_t count = rays.directions.size();
   std::fill(out.airlight.begin(), out.airlight.end(), glm::vec3(0.0f));
   std::fill(out.depths.begin(), out.depths.end(), 0.0);
+  if (profiles) profiles->count = 0;
   if (slices.count == 0) return 0;
 
   s.batch.assign(medium, rays.eye, gaussians, medium.noise());
   s.batch.add_optics(medium);
   s.rays.assign(rays.directions, rays.lengths);
   s.slices.interpolate(slices, rays.positions, s.rays);
+  if (profiles) s.slices.subdivide(slices_per_lookup * profiles->parts);
   const std::size_t stride = s.rays.padded_size();
   const std::size_t last = s.slices.count() - 1;
   SliceOptics optics{.has = s.batch.has_optics()};
   s.increments.assign(last * stride * (optics.has ? optics_increments : 1), 0.0f);
   const std::uint64_t pairs = accumulate_increments(s.batch, s.rays, s.slices, s.increments.data());
+  const std::size_t sums = profiles ? last : 1;
+  AirlightRows rows{out.airlight, count, 1, 0, stride};
+  if (profiles) {
+    profiles->count = last / slices_per_lookup + 1;
+    profiles->airlight.assign(profiles->count * count, glm::vec3(0.0f));
+    // Nothing before the first distance.
+    rows = {std::span(profiles->airlight).subspan(count), count, profiles->count - 1, last, stride};
+  }
 
   const double b0 = medium.homogeneous_density();
   const auto negligible = static_cast<float>(medium.negligible_depth());
@@ -86,7 +157,7 @@ std::uint64_t sliced_airlight(const MediumIndex& medium, std::span<const std::ui
     slice_weights.lookup_distances = s.lookup_distances.data();
     slice_weights.extinction = light_extinction;
     if (source->function->has_forward_lobe()) {
-      s.along_rays.resize(stride);
+      s.along_rays.resize(stride * sums);
       slice_weights.along_rays = s.along_rays.data();
       s.line_depths.assign(stride, 0.0f);
       if (medium.anisotropy() > 0.0) {
@@ -99,7 +170,7 @@ std::uint64_t sliced_airlight(const MediumIndex& medium, std::span<const std::ui
   const SliceScattering scattering =
       slice_scattering(medium.anisotropy(), source ? source->function : nullptr);
   for (std::size_t c = 0; c < 3 && optics.has; ++c) {
-    s.emission[c].resize(stride);
+    s.emission[c].resize(stride * sums);
     optics.emission[c] = s.emission[c].data();
   }
   for (std::size_t first = 0; first == 0 || first < lights.size(); first += light_pack) {
@@ -127,21 +198,28 @@ std::uint64_t sliced_airlight(const MediumIndex& medium, std::span<const std::ui
         pack[l].fog_center = glm::vec3(light.fog.center - rays.eye);
         pack[l].fog_radius = static_cast<float>(light.fog.radius);
       }
-      s.radiance[l].assign(stride, 0.0f);
+      s.radiance[l].assign(stride * sums, 0.0f);
       radiance[l] = s.radiance[l].data();
     }
     sum_slices(s.rays, s.slices, s.increments.data(), static_cast<float>(b0), scattering,
                negligible, std::span(pack).first(size), s.depths.data(),
-               first == 0 ? slice_weights : SliceWeights(), optics, radiance);
+               first == 0 ? slice_weights : SliceWeights(), optics, radiance,
+               profiles ? SliceSums::running : SliceSums::total);
     optics.emission = {};
     for (std::size_t l = 0; l < size; ++l) {
       const glm::vec3 intensity(lights[first + l].intensity);
-      for (std::size_t k = 0; k < count; ++k) out.airlight[k] += intensity * radiance[l][k];
+      rows.add([&](std::size_t i) { return intensity * radiance[l][i]; });
     }
   }
-  if (source) add_source_function(*source, rays, s, out.airlight);
-  for (std::size_t k = 0; optics.has && k < count; ++k) {
-    out.airlight[k] += glm::vec3(s.emission[0][k], s.emission[1][k], s.emission[2][k]);
+  if (source) add_source_function(*source, rays, s, rows);
+  if (optics.has) {
+    rows.add([&](std::size_t i) {
+      return glm::vec3(s.emission[0][i], s.emission[1][i], s.emission[2][i]);
+    });
+  }
+  if (profiles) {
+    set_depths(s, b0, count, *profiles);
+    std::ranges::copy(std::span(profiles->airlight).last(count), out.airlight.begin());
   }
   for (std::size_t k = 0; k < count; ++k) {
     // Homogeneous fog continues behind the last slice; the Gaussians do not.

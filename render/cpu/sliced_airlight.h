@@ -1,5 +1,9 @@
 #pragma once
 
+#include <cstddef>
+#include <glm/vec3.hpp>
+#include <vector>
+
 #include "render/geometry/tile_rays.h"
 #include "render/lighting/optical_depth_table.h"
 #include "render/lighting/ray_slices.h"
@@ -20,12 +24,24 @@ struct SlicedSource {
   SourceLookup lookup;
 };
 
+// Airlight and optical depth of the rays of a tile up to each of `count` distances, ascending on
+// every ray: [k * rays + i]. Optical depths are also known half-way between: [(2 k) * rays + i],
+// and
+// [(2 k + 1) * rays + i] up to the middle.
+struct TileProfiles {
+  std::size_t parts = 1;         // in: slices are cut into 2 * parts of equal length
+  std::size_t count = 0;         // 0: no medium in the tile
+  std::vector<float> distances;  // [u], as often as depths
+  std::vector<double> depths;    // b0 included
+  std::vector<glm::vec3> airlight;
+};
+
 // Sliced airlight of one tile. Overwrites `out`. `gaussians`: indices of those that may contribute;
 // `source`: from the rays' eye, may be null; `slices`: of the tile. Returns the Gaussian x ray
-// pairs evaluated. Thread-safe.
+// pairs evaluated. `profiles`: filled if not null; out.airlight is what they end with. Thread-safe.
 std::uint64_t sliced_airlight(const MediumIndex& medium, std::span<const std::uint32_t> gaussians,
                               std::span<const SlicedLight> lights, const SlicedSource* source,
                               const TileRays& rays, const SliceNodes& slices,
-                              const TileAirlight& out);
+                              const TileAirlight& out, TileProfiles* profiles = nullptr);
 
 }  // namespace brume

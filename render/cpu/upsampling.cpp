@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 
+#include "render/cpu/film_airlight.h"
 #include "render/cpu/interpolation_kernels.h"
 #include "render/geometry/tiles.h"
 
@@ -23,8 +24,7 @@ bool continuous(float a, float b) {
 AirlightSamples::AirlightSamples(const Frame& frame, int scale)
     : frame_(frame),
       scale_(scale),
-      film_{(frame.film.width + scale - 2) / scale + 1,
-            (frame.film.height + scale - 2) / scale + 1},
+      film_(sample_film(frame.film, scale)),
       values_(static_cast<std::size_t>(film_.width) * static_cast<std::size_t>(film_.height)),
       curvatures_(values_.size()) {}
 

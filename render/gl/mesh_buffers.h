@@ -27,6 +27,11 @@ class MeshBuffers {
   void find_hits(Programs& programs, const CameraRays& rays, const Film& film, Texture& depth);
   // Downloads the hits of the last find_hits(), one per pixel.
   [[nodiscard]] std::vector<SurfaceHit> download_hits() const;
+  // Of triangles, in the order of the device.
+  struct Place {
+    std::uint32_t surface, index;
+  };
+  [[nodiscard]] const std::vector<Place>& places() const { return places_; }
   // A PixelHit per pixel.
   Buffer& hits() { return hits_; }
 
@@ -37,9 +42,6 @@ class MeshBuffers {
   double min_gap_ = 0.0;
   std::size_t node_count_ = 0;
   std::size_t pixels_ = 0;
-  struct Place {
-    std::uint32_t surface, index;
-  };
   std::vector<Place> places_;  // by triangle index on the device
   Buffer nodes_, corners_, hits_;
 };

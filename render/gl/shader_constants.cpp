@@ -10,15 +10,20 @@
 
 #include "core/math/spherical_harmonics.h"
 #include "core/scene/camera.h"
+#include "core/scene/ggx.h"
+#include "core/scene/ggx_sh.h"
 #include "core/scene/measured_brdf.h"
 #include "core/scene/photometric_profile.h"
 #include "core/scene/ray_noise.h"
+#include "core/scene/texture.h"
+#include "render/display/neutral_view.h"
 #include "render/frame.h"
 #include "render/geometry/direction_map.h"
 #include "render/geometry/edge_on.h"
 #include "render/geometry/ray_range.h"
 #include "render/geometry/tiles.h"
 #include "render/gl/arithmetic_peak.h"
+#include "render/gl/shader_structs.h"
 #include "render/lighting/environment_light.h"
 #include "render/lighting/lobe_broadening.h"
 #include "render/lighting/slice_boundaries.h"
@@ -28,7 +33,7 @@
 #include "render/simd/coefficients.h"
 #include "render/simd/reflection_kernels.h"
 #include "render/simd/scatter_table.h"
-#include "render/view_transform.h"
+#include "render/visibility/surface_materials.h"
 #include "render/visibility/triangle_bvh.h"
 
 namespace brume::gl {
@@ -150,6 +155,24 @@ void add_reflection(Constants& constants) {
   constants.add("scatter_scale", ScatterTable::scale);
 }
 
+// Of metallic-roughness materials and textures.
+void add_materials(Constants& constants) {
+  const auto encoding = [](brume::Texture::Encoding value) { return static_cast<unsigned>(value); };
+  constants.add("texture_linear", encoding(brume::Texture::Encoding::linear));
+  constants.add("texture_shared_exponent", encoding(brume::Texture::Encoding::shared_exponent));
+  constants.add("wrap_repeat", static_cast<unsigned>(TextureWrap::repeat));
+  constants.add("wrap_clamp", static_cast<unsigned>(TextureWrap::clamp));
+  constants.add("dielectric_f0", GgxReflection::dielectric_f0);
+  constants.add("min_alpha", GgxReflection::min_alpha);
+  constants.add("min_ggx_cosine", min_ggx_cosine);
+  constants.add("min_grazing_cosine", min_grazing_cosine);
+  constants.add("min_normal_height", min_normal_height);
+  constants.add("ggx_vectors", ggx_vectors);
+  constants.add("ggx_row", static_cast<int>(GgxSh::row_size));
+  constants.add("ggx_angles", GgxSh::angle_intervals);
+  constants.add("ggx_roughnesses", GgxSh::roughness_intervals);
+}
+
 void add_slices(Constants& constants) {
   constants.add("gauss_3_place", gauss_3_place);
   const auto add_shape = [&](const char* name, LightFalloff::Shape shape) {
@@ -234,6 +257,7 @@ std::string shader_constants() {
   Constants constants;
   add_kernels(constants);
   add_reflection(constants);
+  add_materials(constants);
   add_slices(constants);
   add_film(constants);
   add_display(constants);

@@ -181,6 +181,18 @@ constexpr std::array surface_members{
     BRUME_MEMBER(SurfaceRecord, grid_nodes)};
 static_assert(is_packed(surface_members, sizeof(SurfaceRecord)));
 
+constexpr std::array material_members{BRUME_MEMBER(MaterialRecord, base_color),
+                                      BRUME_MEMBER(MaterialRecord, metallic),
+                                      BRUME_MEMBER(MaterialRecord, emissive),
+                                      BRUME_MEMBER(MaterialRecord, roughness),
+                                      BRUME_MEMBER(MaterialRecord, normal_scale),
+                                      BRUME_MEMBER(MaterialRecord, is_metallic_roughness),
+                                      BRUME_MEMBER(MaterialRecord, base_color_texture),
+                                      BRUME_MEMBER(MaterialRecord, metallic_roughness_texture),
+                                      BRUME_MEMBER(MaterialRecord, normal_texture),
+                                      BRUME_MEMBER(MaterialRecord, emissive_texture)};
+static_assert(is_packed(material_members, sizeof(MaterialRecord)));
+
 constexpr std::array turn_members{BRUME_MEMBER(TurnElement, to), BRUME_MEMBER(TurnElement, from),
                                   BRUME_MEMBER(TurnElement, value)};
 static_assert(is_packed(turn_members, sizeof(TurnElement)));
@@ -222,6 +234,7 @@ std::string shader_structs() {
   add_struct("PixelHit", hit_members, out);
   add_places("batch", batch_members, sizeof(PixelBatch), out);
   add_places("surface", surface_members, sizeof(SurfaceRecord), out);
+  add_places("material", material_members, sizeof(MaterialRecord), out);
   add_places("turn", turn_members, sizeof(TurnElement), out);
   return out.str();
 }

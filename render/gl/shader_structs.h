@@ -139,6 +139,22 @@ struct SurfaceRecord {
   glm::vec3 grid_nodes{0.0f};
 };
 
+// A metallic-roughness material, as words among others; textures are places of those, 0: none.
+struct MaterialRecord {
+  glm::vec3 base_color{0.0f};
+  float metallic = 0.0f;
+  glm::vec3 emissive{0.0f};
+  float roughness = 0.0f;
+  float normal_scale = 0.0f;
+  std::uint32_t is_metallic_roughness = 0;  // 0: the surface is of another material
+  std::uint32_t base_color_texture = 0;
+  std::uint32_t metallic_roughness_texture = 0;
+  std::uint32_t normal_texture = 0;
+  std::uint32_t emissive_texture = 0;
+};
+// What shaders/materials.glsl finds of a pixel, as vectors.
+inline constexpr int ggx_vectors = 4;
+
 // An element of the quarter turn of spherical harmonics, as floats among other values.
 struct TurnElement {
   float to = 0.0f;

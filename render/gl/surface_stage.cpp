@@ -4,6 +4,7 @@
 #include <array>
 #include <cstring>
 
+#include "core/scene/ggx_sh.h"
 #include "core/scene/measured_brdf.h"
 #include "render/gl/grid_nodes.h"
 #include "render/gl/shader_structs.h"
@@ -84,7 +85,10 @@ std::uint64_t SurfaceStage::run(const FrameStages& stages, const FrameContext& w
   const bool is_glossy = std::ranges::any_of(
       stages.shading().surfaces(),
       [](const SurfaceShading& s) { return s.material && !s.material->is_diffuse(); });
-  const Program& program = device.programs[is_glossy ? "glossy_surfaces" : "surfaces"];
+  if (work.plan.has_metallic_roughness) materials_.run(work, device);
+  const Program& program = device.programs[work.plan.has_metallic_roughness ? "metallic_surfaces"
+                                           : is_glossy                      ? "glossy_surfaces"
+                                                                            : "surfaces"];
   set_rays(program, work.rays);
   program.set("light_count", static_cast<int>(lighting.lights.size()));
   program.set("b0", static_cast<float>(medium.homogeneous_density()));
@@ -172,6 +176,13 @@ void SurfaceStage::upload_values(const FrameStages& stages, const FrameContext& 
   }
   if (!records.empty()) {
     std::memcpy(values.data(), records.data(), std::span(records).size_bytes());
+  }
+  begin("ggx_at");
+  if (work.plan.has_metallic_roughness) {
+    const GgxSh& table = GgxSh::table();
+    for (const std::span<const float> rows : {table.diffuse(), table.scaled(), table.added()}) {
+      values.insert(values.end(), rows.begin(), rows.end());
+    }
   }
   begin("turn_at");
   for (const ShElement& e : sh_quarter_turn()) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/revision.h"
+#include "render/gl/material_stage.h"
 #include "render/gl/sliced_stage.h"
 
 namespace brume::gl {
@@ -27,6 +28,7 @@ class SurfaceStage {
                     const SurfaceLighting& lighting, const glm::dvec3& center,
                     const Program& program);
 
+  MaterialStage materials_;
   OpticalDepthTables lights_;  // without tables
   Buffer depths_, totals_, values_, light_;
   // Content of light_: revisions of the environment's grid (0: none) and of vertex lighting, and

@@ -82,11 +82,11 @@ void TileLists::build(Programs& programs, MediumBuffers& medium, const MediumInd
   project.set("forward", rays.forward());
   project.set("right", glm::normalize(plane.per_x));
   project.set("up", -glm::normalize(plane.per_y));
-  const FilmRegion& region = rays.region();
-  project.set("half_width", 0.5 * region.full_width * glm::length(plane.per_x));
-  project.set("half_height", 0.5 * region.full_height * glm::length(plane.per_y));
-  project.set("whole_film", glm::ivec2(region.full_width, region.full_height));
-  project.set("film_start", glm::ivec2(region.x, region.y));
+  const CameraRays::Surround whole = rays.surround();
+  project.set("half_width", 0.5 * whole.size.x * glm::length(plane.per_x));
+  project.set("half_height", 0.5 * whole.size.y * glm::length(plane.per_y));
+  project.set("whole_film", whole.size);
+  project.set("film_start", glm::dvec3(whole.start, 0.0));
   project.set("film", pixels);
   project.set("tiles", tiles_);
   project.set("scale", scale);

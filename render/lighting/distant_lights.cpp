@@ -36,9 +36,9 @@ struct MapLight {
 };
 
 // A map on a raster of equal angles, each cell with all the light of its part of the map.
-class Raster {
+class MapRaster {
  public:
-  Raster(const RadianceMap& map, int rows) : rows_(rows), columns_(2 * rows), cells_(size()) {
+  MapRaster(const RadianceMap& map, int rows) : rows_(rows), columns_(2 * rows), cells_(size()) {
     // A coarse map is taken as it is between its pixels.
     const int fine_y = (rows + map.height - 1) / map.height;
     const int fine_x = (columns_ + map.width - 1) / map.width;
@@ -89,7 +89,7 @@ struct RasterBox {
   bool operator<(const RasterBox& other) const { return spread < other.spread; }
 };
 
-RasterBox box_of(const Raster& raster, int x0, int y0, int x1, int y1) {
+RasterBox box_of(const MapRaster& raster, int x0, int y0, int x1, int y1) {
   RasterBox box{x0, y0, x1, y1, {}, 0.0};
   for (int y = y0; y < y1; ++y) {
     for (int x = x0; x < x1; ++x) box.light += raster.at(x, y);
@@ -99,7 +99,8 @@ RasterBox box_of(const Raster& raster, int x0, int y0, int x1, int y1) {
 }
 
 // The split of a box with minimum variance; nullopt for a single cell.
-std::optional<std::pair<RasterBox, RasterBox>> halves(const Raster& raster, const RasterBox& box) {
+std::optional<std::pair<RasterBox, RasterBox>> halves(const MapRaster& raster,
+                                                      const RasterBox& box) {
   double max_reduction = -1.0;
   int cut_x = 0;
   int cut_y = 0;
@@ -143,7 +144,7 @@ void append(const MapLight& light, std::vector<DistantLight>& lights) {
 constexpr int fine_rows = 64;
 
 // Splits the box of maximum variance until there are enough.
-std::vector<RasterBox> split(const Raster& raster, const LightGrouping& grouping) {
+std::vector<RasterBox> split(const MapRaster& raster, const LightGrouping& grouping) {
   const int side = raster.rows() / grouping.min_rows;
   // A single box covers all longitudes.
   const int width = grouping.min_rows == 1 ? raster.columns() : side;
@@ -179,7 +180,7 @@ std::vector<RasterBox> split(const Raster& raster, const LightGrouping& grouping
 }  // namespace
 
 std::vector<DistantLight> distant_lights(const RadianceMap& map, std::size_t count) {
-  const Raster raster(map, fine_rows);
+  const MapRaster raster(map, fine_rows);
   std::vector<DistantLight> lights;
   for (const RasterBox& box : split(raster, {.groups = count})) append(box.light, lights);
   return lights;
@@ -187,7 +188,7 @@ std::vector<DistantLight> distant_lights(const RadianceMap& map, std::size_t cou
 
 std::vector<LightGroup> distant_light_groups(const RadianceMap& map,
                                              const LightGrouping& grouping) {
-  const Raster raster(map, fine_rows);
+  const MapRaster raster(map, fine_rows);
   std::vector<LightGroup> groups;
   for (const RasterBox& box : split(raster, grouping)) {
     const auto combined = distant(box.light);
@@ -201,7 +202,7 @@ std::vector<LightGroup> distant_light_groups(const RadianceMap& map,
 }
 
 std::vector<DistantLight> uniform_distant_lights(const RadianceMap& map, int rows) {
-  const Raster raster(map, rows);
+  const MapRaster raster(map, rows);
   std::vector<DistantLight> lights;
   for (int y = 0; y < raster.rows(); ++y) {
     for (int x = 0; x < raster.columns(); ++x) append(raster.at(x, y), lights);

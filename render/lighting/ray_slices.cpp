@@ -100,4 +100,31 @@ void RaySlices::assign(std::span<const float> boundaries, const PathBatch& rays)
   }
 }
 
+void RaySlices::subdivide(std::size_t parts) {
+  if (parts == 1 || count_ < 2) return;
+  // `lanes` values for each boundary, group by group.
+  const auto cut = [&](std::vector<float>& values, std::size_t lanes) {
+    std::vector<float> all;
+    all.reserve(values.size() * parts);
+    const std::size_t groups = values.size() / (count_ * lanes);
+    for (std::size_t g = 0; g < groups; ++g) {
+      const float* from = values.data() + g * count_ * lanes;
+      for (std::size_t k = 0; k + 1 < count_; ++k, from += lanes) {
+        for (std::size_t part = 0; part < parts; ++part) {
+          const float x = static_cast<float>(part) / static_cast<float>(parts);
+          for (std::size_t i = 0; i < lanes; ++i) {
+            all.push_back(from[i] + x * (from[lanes + i] - from[i]));
+          }
+        }
+      }
+      all.insert(all.end(), from, from + lanes);
+    }
+    values.swap(all);
+  };
+  cut(t_, group);
+  cut(nearest_, 1);
+  cut(farthest_, 1);
+  count_ = (count_ - 1) * parts + 1;
+}
+
 }  // namespace brume

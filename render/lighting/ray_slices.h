@@ -29,6 +29,9 @@ class RaySlices {
   // The same boundaries for all rays.
   void assign(std::span<const float> boundaries, const PathBatch& rays);
 
+  // Cuts every slice into `parts` of equal length.
+  void subdivide(std::size_t parts);
+
   // Boundaries of each ray.
   [[nodiscard]] std::size_t count() const { return count_; }
   // Boundary k of a ray and the following ones of its group, clamped to each ray's end.

@@ -225,7 +225,7 @@ HWY_INLINE V Lit(const ShadowMap& shadows, const Vector& q, const glm::vec3& ori
 // (G' + b0) exp(-(1 -+ e) G - b0 t) dt, + for light from the eye, e its extinction. The exponent
 // grows evenly within a slice.
 void SumAlongRays(const RaySlices& slices, std::size_t stride, const float* increments,
-                  bool has_optics, float b0, float exponent_per_depth, float* sums) {
+                  bool has_optics, float b0, float exponent_per_depth, bool running, float* sums) {
   const D d;
   // Of the first optics: the albedo.
   const std::size_t to_scattered = has_optics ? (slices.count() - 1) * stride : 0;
@@ -249,10 +249,11 @@ void SumAlongRays(const RaySlices& slices, std::size_t stride, const float* incr
       const V scattered =
           hn::Max(hn::LoadU(d, increments + to_scattered + k * stride + i), hn::Zero(d));
       sum = hn::MulAdd(mean, hn::Add(scattered, fog), sum);
+      if (running) hn::StoreU(sum, d, sums + k * stride + i);
       transmittance_in = transmittance_out;
       begin = end;
     }
-    hn::StoreU(sum, d, sums + i);
+    if (!running) hn::StoreU(sum, d, sums + i);
   }
 }
 
@@ -317,15 +318,18 @@ HWY_INLINE V LobeLoss(const float* table, V cosine, V depth) {
 void SumSlices(const PathBatch& rays, const RaySlices& slices, const float* increments, float b0,
                const SliceScattering& scattering, float negligible,
                std::span<const SliceLight> lights, float* depths, const SliceWeights& weights,
-               const SliceOptics& optics, const std::array<float*, light_pack>& radiance) {
+               const SliceOptics& optics, const std::array<float*, light_pack>& radiance,
+               SliceSums sums) {
+  constexpr float phase = 0.0795774715459476679f;  // 1 / (4 pi)
   const D d;
+  const bool running = sums == SliceSums::running;
   const V zero = hn::Zero(d);
   const std::size_t stride = rays.padded_size();
   const std::size_t plane = (slices.count() - 1) * stride;
   if (weights.along_rays) {
     const float from_eye = scattering.anisotropy < 0.0f ? 1.0f : -1.0f;
     SumAlongRays(slices, stride, increments, optics.has, b0, 1.0f + from_eye * weights.extinction,
-                 weights.along_rays);
+                 running, weights.along_rays);
   }
   const bool has_view_extinction = scattering.view_extinction != 1.0f;
   const V view_extinction = set(scattering.view_extinction);
@@ -442,15 +446,24 @@ void SumSlices(const PathBatch& rays, const RaySlices& slices, const float* incr
         weight = zero;
         weighted_distance = zero;
       }
+      if (running) {
+        const std::size_t at = k * stride + i;
+        for (std::size_t c = 0; c < 3 && optics.emission[c]; ++c) {
+          hn::StoreU(emitted[c], d, optics.emission[c] + at);
+        }
+        for (std::size_t l = 0; l < lights.size(); ++l) {
+          hn::StoreU(hn::Mul(set(phase), sum[l]), d, radiance[l] + at);
+        }
+      }
       depth = next_depth;
       begin = end;
     }
     hn::StoreU(depth, d, depths + i);
+    if (running) continue;
     for (std::size_t c = 0; c < 3 && optics.emission[c]; ++c) {
       hn::StoreU(emitted[c], d, optics.emission[c] + i);
     }
     for (std::size_t l = 0; l < lights.size(); ++l) {
-      constexpr float phase = 0.0795774715459476679f;  // 1 / (4 pi)
       hn::StoreU(hn::MulAdd(set(phase), sum[l], hn::LoadU(d, radiance[l] + i)), d, radiance[l] + i);
     }
   }
@@ -482,9 +495,11 @@ void lookup_depths(const OpticalDepthTable& table, const PathBatch& paths, float
 void sum_slices(const PathBatch& rays, const RaySlices& slices, const float* increments, float b0,
                 const SliceScattering& scattering, float negligible,
                 std::span<const SliceLight> lights, float* depths, const SliceWeights& weights,
-                const SliceOptics& optics, const std::array<float*, light_pack>& radiance) {
+                const SliceOptics& optics, const std::array<float*, light_pack>& radiance,
+                SliceSums sums) {
   HWY_DYNAMIC_DISPATCH(SumSlices)
-  (rays, slices, increments, b0, scattering, negligible, lights, depths, weights, optics, radiance);
+  (rays, slices, increments, b0, scattering, negligible, lights, depths, weights, optics, radiance,
+   sums);
 }
 
 }  // namespace brume

@@ -86,12 +86,16 @@ struct SliceWeights {
   // mean distance of their centers weighted by it.
   float* lookups = nullptr;
   float* lookup_distances = nullptr;
-  // [i]: sum over the slices of ray i for light along the ray, attenuated by Gaussians only, their
-  // densities times `extinction`: from the eye, where it is 1, if the anisotropy is negative, else
-  // from behind, where it is exp(that optical depth of the ray).
+  // [i], see SliceSums: sum over the slices of ray i for light along the ray, attenuated by
+  // Gaussians only, their densities times `extinction`: from the eye, where it is 1, if the
+  // anisotropy is negative, else from behind, where it is exp(that optical depth of the ray).
   float* along_rays = nullptr;
   float extinction = 1.0f;
 };
+
+// Whether sums are of all slices of a ray, [i], or have a row for each slice, of those up to its
+// end: [k * rays.padded_size() + i].
+enum class SliceSums { total, running };
 
 // Single scattering summed front to back over the slices (K = slices.count() - 1):
 //   sum_k exp(-T_k) (1 - exp(-dT_k)) * mean of 1/r^2 over the slice * exp(-T(s, x_k)) / (4 pi)
@@ -102,12 +106,13 @@ struct SliceWeights {
 //   broadening takes from it, the same as without.
 // and with optics the fraction times the slice's mean albedo; emission[c][i] is set to the sum of
 // exp(-T_k) (1 - exp(-dT_k)) times its mean emission.
-// radiance[l][i] += that, per unit of radiant intensity [1/u^2]; depths[i] = T(v, p) of Gaussians
-// and b0 up to t_K. Slices of optical depth below `negligible` are skipped. At most light_pack
-// lights.
+// radiance[l][i] += that, per unit of radiant intensity [1/u^2], or running sums are set; depths[i]
+// = T(v, p) of Gaussians and b0 up to t_K. Slices of optical depth below `negligible` are skipped.
+// At most light_pack lights.
 void sum_slices(const PathBatch& rays, const RaySlices& slices, const float* increments, float b0,
                 const SliceScattering& scattering, float negligible,
                 std::span<const SliceLight> lights, float* depths, const SliceWeights& weights,
-                const SliceOptics& optics, const std::array<float*, light_pack>& radiance);
+                const SliceOptics& optics, const std::array<float*, light_pack>& radiance,
+                SliceSums sums = SliceSums::total);
 
 }  // namespace brume

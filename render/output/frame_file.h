@@ -1,10 +1,13 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 
+#include "core/io/image/image_file.h"
 #include "core/scene/output.h"
+#include "render/display/to_display.h"
 #include "render/frame.h"
 
 namespace brume {
@@ -14,10 +17,16 @@ struct FrameInfo {
   std::string scene;  // file name
   std::string airlight;
   std::string backend;
-  double exposure = 0.0;                 // [stops], of a PNG; an EXR is linear
+  DisplayLook look{};                    // of a PNG; an EXR is linear
   std::optional<RelativeNoise> noise{};  // of a path-traced frame
   OutputLayers layers{};                 // of an EXR
 };
+
+// Whether the name of a frame's file asks for a deep image: *.deep.exr, in any case.
+bool is_deep_file(const std::filesystem::path& file);
+
+// The metadata of a file, as below.
+std::map<std::string, std::string> frame_metadata(const FrameInfo& info);
 
 // Throws InputError unless the extension is .exr or .png, in any case.
 void check_frame_extension(const std::filesystem::path& file);
@@ -25,6 +34,8 @@ void check_frame_extension(const std::filesystem::path& file);
 // Writes a frame to .exr (all layers) or .png (exposure and view transform applied), with `info`
 // and the version as metadata under the prefix "brume:", since OpenEXR reserves names such as
 // "version". Throws InputError.
-void write_frame(const std::filesystem::path& file, const Frame& frame, const FrameInfo& info);
+// `more`: channels and metadata that an EXR gets besides.
+void write_frame(const std::filesystem::path& file, const Frame& frame, const FrameInfo& info,
+                 const ImageLayers& more = {});
 
 }  // namespace brume

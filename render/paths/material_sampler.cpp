@@ -79,4 +79,27 @@ double MaterialSampler::pdf(const glm::dvec3& wi, const glm::dvec3& n, const glm
   return sum;
 }
 
+GgxSampler::GgxSampler(const GgxReflection& reflection, const glm::dvec3& n, const glm::dvec3& wo)
+    : reflection_(reflection), n_(n), wo_(wo) {
+  const double cosine = std::clamp(glm::dot(n, wo), 0.0, 1.0);
+  const double s = std::pow(1.0 - cosine, 5.0);
+  const double specular = max_component(reflection.f0) * (1.0 - s) + s;
+  const double diffuse = max_component(reflection.diffuse) * (1.0 - s);
+  // Neither goes without samples: both are estimates.
+  specular_share_ = diffuse > 0.0 ? std::clamp(specular / (specular + diffuse), 0.1, 0.9) : 1.0;
+}
+
+glm::dvec3 GgxSampler::sample(PathRandom& random) const {
+  if (random.uniform() < specular_share_) {
+    const double u = random.uniform();
+    return sample_ggx(reflection_.alpha, wo_, n_, {u, random.uniform()});
+  }
+  return direction_around(n_, std::sqrt(random.uniform()), random);
+}
+
+double GgxSampler::pdf(const glm::dvec3& wi) const {
+  return (1.0 - specular_share_) * std::max(0.0, glm::dot(wi, n_)) / pi +
+         specular_share_ * ggx_pdf(reflection_.alpha, wi, wo_, n_);
+}
+
 }  // namespace brume

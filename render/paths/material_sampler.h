@@ -2,6 +2,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "core/scene/ggx.h"
 #include "core/scene/scene.h"
 #include "render/paths/path_random.h"
 
@@ -27,6 +28,22 @@ class MaterialSampler {
   Lobe lobe_ = Lobe::none;
   double exponent_ = 1.0;
   double lobe_share_ = 0.0;  // of the samples
+};
+
+// The same for a metallic-roughness material: a mixture of the cosine and of the normals that the
+// eye sees, which is what its specular part reflects but for Fresnel's term and the light's
+// masking.
+class GgxSampler {
+ public:
+  GgxSampler(const GgxReflection& reflection, const glm::dvec3& n, const glm::dvec3& wo);
+
+  [[nodiscard]] glm::dvec3 sample(PathRandom& random) const;
+  [[nodiscard]] double pdf(const glm::dvec3& wi) const;
+
+ private:
+  const GgxReflection& reflection_;
+  glm::dvec3 n_, wo_;
+  double specular_share_;  // of the samples
 };
 
 }  // namespace brume

@@ -8,7 +8,6 @@
 
 #include "core/math/infinity.h"
 #include "core/math/max_component.h"
-#include "core/scene/brdf.h"
 #include "core/transport/light_path.h"
 #include "core/transport/phase_function.h"
 #include "render/paths/direction_sampling.h"
@@ -56,12 +55,15 @@ glm::dvec3 PathTracer::scattering(const Vertex& vertex, const glm::dvec3& l) con
   const SurfacePoint& point = vertex.point;
   const double cosine = glm::dot(l, point.normal);
   if (!(cosine > 0.0)) return glm::dvec3(0.0);
-  return cosine * brdf(point.surface->material, l, point.to_eye, point.normal);
+  return cosine * brdf(point, l);
 }
 
 PathTracer::Direction PathTracer::sample_direction(const Vertex& vertex, PathRandom& random) const {
   if (vertex.is_surface) {
-    const glm::dvec3 w = material(vertex).sample(vertex.point.normal, vertex.point.to_eye, random);
+    const SurfacePoint& point = vertex.point;
+    const glm::dvec3 w = point.ggx
+                             ? GgxSampler(*point.ggx, point.normal, point.to_eye).sample(random)
+                             : material(vertex).sample(point.normal, point.to_eye, random);
     return {w, direction_pdf(vertex, w)};
   }
   const double g = scene_.anisotropy();
@@ -71,7 +73,9 @@ PathTracer::Direction PathTracer::sample_direction(const Vertex& vertex, PathRan
 
 double PathTracer::direction_pdf(const Vertex& vertex, const glm::dvec3& l) const {
   if (!vertex.is_surface) return scattering(vertex, l).x;
-  return material(vertex).pdf(l, vertex.point.normal, vertex.point.to_eye);
+  const SurfacePoint& point = vertex.point;
+  if (point.ggx) return GgxSampler(*point.ggx, point.normal, point.to_eye).pdf(l);
+  return material(vertex).pdf(l, point.normal, point.to_eye);
 }
 
 RelativeOptics PathTracer::optics_at(const glm::dvec3& x) const {
@@ -319,7 +323,7 @@ OrderedRadiance PathTracer::airlight(const CameraRay& ray, const StratifiedPair&
 OrderedRadiance PathTracer::surface(const SurfacePoint& point, PathRandom& random) const {
   OrderedRadiance sum;
   Vertex vertex = Vertex::on_surface(point);
-  sum.add(1, direct_light(vertex, random));
+  sum.add(1, point.emitted + direct_light(vertex, random));
   walk(vertex, glm::dvec3(1.0), random, sum);
   return sum;
 }
@@ -381,6 +385,7 @@ void PathTracer::walk(Vertex vertex, glm::dvec3 throughput, PathRandom& random,
       }
     } else if (hit) {
       vertex = Vertex::on_surface(scene_.ray_caster.point(hit, origin, w, scene_.surfaces));
+      sum.add(events, throughput * vertex.point.emitted);
     } else {
       if (!scene_.environment) return;
       const double pdf = scene_.environment->pdf(w);

@@ -22,8 +22,9 @@ struct OrderedRadiance {
 // Unbiased estimates of the light along view rays: random walks through medium and surfaces with
 // next-event estimation at every vertex, all orders, optical depths in closed form. Environments
 // are sampled by their radiance and by phase function or material, combined by the balance
-// heuristic (Veach); lights inside the medium by collisions and equi-angularly (Kulla and Fajardo
-// 2012); light that Gaussians emit by collisions and by what they emit, combined likewise.
+// heuristic (Veach), emissive surfaces by phase function or material alone; lights inside the
+// medium by collisions and equi-angularly (Kulla and Fajardo 2012); light that Gaussians emit by
+// collisions and by what they emit, combined likewise.
 //
 // What biases them: culling (PathMedium), h_min of lights and max_growth, all far below any noise,
 // and the end of endless fog (PathFog). Thread-safe.

@@ -74,7 +74,25 @@ void copy_channels(const AlbedoGroup& group, const Frame& group_frame, Frame& fr
       frame.beauty[4 * i + c] = albedo * airlight + surface;
     }
   }
+  for (std::size_t i = 0; i < group_frame.airlight_at_centers.size() / 3; ++i) {
+    for (const std::size_t c : group.channels) {
+      frame.airlight_at_centers[3 * i + c] = albedo * group_frame.airlight_at_centers[3 * i + c];
+    }
+  }
 }
+
+namespace {
+
+// Adds the share of the channels of a group to the alpha of filtered pixels, which surfaces may
+// cover in part.
+void add_alpha(const AlbedoGroup& group, const Frame& group_frame, std::vector<float>& alpha) {
+  if (group_frame.airlight_at_centers.empty()) return;
+  const float share = static_cast<float>(group.channels.size()) / 3.0f;
+  alpha.resize(group_frame.depth.size(), 0.0f);
+  for (std::size_t i = 0; i < alpha.size(); ++i) alpha[i] += share * group_frame.beauty[4 * i + 3];
+}
+
+}  // namespace
 
 std::optional<Frame> render_groups(const Scene& scene, std::span<const AlbedoGroup> groups,
                                    ExtinctionMedia& media, const Job& job,
@@ -83,6 +101,7 @@ std::optional<Frame> render_groups(const Scene& scene, std::span<const AlbedoGro
     return render(scene, 0, groups[0], job);
   }
   std::optional<Frame> frame;
+  std::vector<float> alpha;  // of filtered frames
   for (std::size_t i = 0; i < groups.size(); ++i) {
     Scene absorbing = scene;
     absorbing.medium = media.update(i, scene, groups[i]);
@@ -95,6 +114,7 @@ std::optional<Frame> render_groups(const Scene& scene, std::span<const AlbedoGro
     if (auto& noise = group_frame->statistics.path_noise) {
       noise->airlight_variance *= groups[i].albedo * groups[i].albedo;
     }
+    add_alpha(groups[i], *group_frame, alpha);
     if (!frame) {
       frame = *group_frame;
     } else {
@@ -102,6 +122,10 @@ std::optional<Frame> render_groups(const Scene& scene, std::span<const AlbedoGro
     }
     copy_channels(groups[i], *group_frame, *frame);
   }
+  for (std::size_t i = 0; i < alpha.size(); ++i) {
+    frame->beauty[4 * i + 3] = std::min(alpha[i], 1.0f);
+  }
+  if (!alpha.empty()) return frame;
   for (std::size_t i = 0; i < frame->beauty.size() / 4; ++i) {
     if (std::isfinite(frame->depth[i])) continue;  // a surface covers its pixel
     const float* transmittance = frame->transmittance.data() + 3 * i;
@@ -116,6 +140,7 @@ void add_cost(const FrameStatistics& group_frame, FrameStatistics& sum) {
   sum.light_pairs += group_frame.light_pairs;
   sum.view_pairs += group_frame.view_pairs;
   sum.exact_pixels = std::max(sum.exact_pixels, group_frame.exact_pixels);
+  sum.sampled_pixels = std::max(sum.sampled_pixels, group_frame.sampled_pixels);
   if (group_frame.scattering && sum.scattering) {
     sum.scattering->sweeps += group_frame.scattering->sweeps;
     sum.scattering->residual = std::max(sum.scattering->residual, group_frame.scattering->residual);

@@ -8,7 +8,6 @@
 
 #include "render/geometry/tiles.h"
 #include "render/prepare/light_limits.h"
-#include "render/shading/film_surfaces.h"
 
 namespace brume {
 
@@ -316,11 +315,9 @@ std::span<const glm::vec3> FrameStages::shade_surfaces(FrameContext& work, Stage
   if (!work.plan.runs(Stage::surfaces)) return {};
   surface_radiance_.resize(hits_.size());
   update_vertex_lighting(work);
-  const SurfaceLighting lighting = tabled_lighting(work);
-  const FilmSurfaces film{
-      work.scene.surfaces, prepared_.medium(), prepared_.ray_caster(), shading_, lighting,
-      work.rays,           work.frame.film,    work.plan.precision};
-  work.frame.statistics.light_pairs += film.shade(hits_, work.job, surface_radiance_);
+  lighting_ = tabled_lighting(work);
+  work.frame.statistics.light_pairs +=
+      film_surfaces(work).shade(hits_, work.job, surface_radiance_);
   clock.finish(Stage::surfaces);
   return surface_radiance_;
 }

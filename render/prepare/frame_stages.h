@@ -17,6 +17,7 @@
 #include "render/prepare/ray_ends.h"
 #include "render/render_plan.h"
 #include "render/settings.h"
+#include "render/shading/film_surfaces.h"
 #include "render/shading/prepared_shading.h"
 #include "render/shading/surface_shading.h"
 #include "render/transfer/transfer_store.h"
@@ -128,6 +129,11 @@ class FrameStages {
   void update_vertex_lighting(FrameContext& work);
   // Outgoing radiance of surfaces, RGB per pixel; empty if none is lit.
   std::span<const glm::vec3> shade_surfaces(FrameContext& work, StageClock& clock);
+  // What shades more points of them, after shade_surfaces(), until the next frame.
+  [[nodiscard]] FilmSurfaces film_surfaces(const FrameContext& work) const {
+    return {work.scene.surfaces, prepared_.medium(), prepared_.ray_caster(), shading_,
+            lighting_,           work.rays,          work.frame.film,        work.plan.precision};
+  }
 
  private:
   static bool make_transfers(FrameContext& work);
@@ -141,6 +147,7 @@ class FrameStages {
   PreparedShading shading_;
   EmissionLights emission_lights_;
   SourceFunction source_;
+  SurfaceLighting lighting_;  // of the frame
   // Members to reuse their memory.
   std::vector<RasterPixel> hits_;
   std::vector<double> distances_;  // of hits_ in double, where float is too coarse; else empty

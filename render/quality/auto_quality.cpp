@@ -83,6 +83,7 @@ std::optional<Settings> choose_settings(FrameRenderer& renderer, const Scene& sc
     // What the settings differ in shows in light that is scattered once, whose reference is exact.
     Settings single = tried;
     single.scattering = Scattering::single;
+    single.samples = 1;  // errors are those of centers
     const std::optional<Frame> frame = renderer.render(scene, camera, small, single, stop);
     if (!frame) return std::nullopt;
     const std::optional<ErrorEstimate> error =

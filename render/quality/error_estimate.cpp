@@ -31,7 +31,7 @@ Squares squares_of(const Frame& frame, std::size_t pixel, const PixelAirlight& r
   squares.reference = -reference.variance;
   for (std::size_t k = 0; k < 3; ++k) {
     const double t = reference.radiance[static_cast<int>(k)];
-    const double d = static_cast<double>(frame.airlight[3 * pixel + k]) - t;
+    const double d = static_cast<double>(frame.center_airlight()[3 * pixel + k]) - t;
     squares.error += d * d;
     squares.reference += t * t;
   }

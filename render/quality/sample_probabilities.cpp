@@ -20,8 +20,9 @@ constexpr double change_that_counts = 3e-3;
 
 std::vector<double> squared_radiance(const Frame& frame) {
   std::vector<double> square(frame.depth.size(), 0.0);
-  for (std::size_t i = 0; i < frame.airlight.size(); ++i) {
-    const auto x = static_cast<double>(frame.airlight[i]);
+  const std::vector<float>& airlight = frame.center_airlight();
+  for (std::size_t i = 0; i < airlight.size(); ++i) {
+    const auto x = static_cast<double>(airlight[i]);
     square[i / 3] += x * x;
   }
   return square;
@@ -31,11 +32,12 @@ std::vector<double> squared_radiance(const Frame& frame) {
 std::vector<double> squared_steps(const Frame& frame) {
   const auto width = static_cast<std::size_t>(frame.film.width);
   std::vector<double> steps(frame.depth.size(), 0.0);
+  const std::vector<float>& airlight = frame.center_airlight();
   const auto compare = [&](std::size_t i, std::size_t j) {
     double square = 0.0;
     for (std::size_t k = 0; k < 3; ++k) {
-      const double d = static_cast<double>(frame.airlight[3 * i + k]) -
-                       static_cast<double>(frame.airlight[3 * j + k]);
+      const double d =
+          static_cast<double>(airlight[3 * i + k]) - static_cast<double>(airlight[3 * j + k]);
       square += d * d;
     }
     steps[i] = std::max(steps[i], square);

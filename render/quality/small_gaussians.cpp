@@ -88,7 +88,7 @@ std::vector<SmallGaussian> small_gaussians(const Scene& scene, const CameraRays&
         line_profile(term, rays.eye(), rays.direction(x + 0.5, y + 0.5));
     const double depth = optical_depth(term, line, std::numeric_limits<double>::infinity());
     // It adds the light that it scatters and attenuates what is behind it.
-    const float* rgb = &guide.airlight[3 * pixel];
+    const float* rgb = &guide.center_airlight()[3 * pixel];
     const auto radiance = static_cast<double>(std::max({rgb[0], rgb[1], rgb[2]}));
     const double change =
         -std::expm1(-depth) * std::max(incident(gaussian, lights, environment_radiance), radiance);

@@ -210,7 +210,7 @@ class Sampler {
   }
   // f cos(theta_i).
   [[nodiscard]] glm::dvec3 reflected(const glm::dvec3& wi) const {
-    return brdf(point_.surface->material, wi, point_.to_eye, point_.normal) *
+    return brdf(point_, wi) *
            std::max(0.0, glm::dot(wi, point_.normal));
   }
   // Of a path with that depth by scattering alone.

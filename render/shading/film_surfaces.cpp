@@ -16,29 +16,6 @@ namespace {
 // So many neighbours are looked at by one thread, and their points shaded together.
 constexpr std::size_t tiles_together = 25;
 
-// Points of one surface.
-struct Seen {
-  std::array<SurfaceHit, Tiles::pixels> hits;
-  std::array<glm::vec3, Tiles::pixels> directions;
-  std::size_t count = 0;
-};
-
-// Computes their outgoing radiance.
-std::uint64_t shade_points(const FilmSurfaces& film, const Seen& seen, SurfacePoints& points,
-                           PointRadiance& outgoing) {
-  const auto hits = std::span(seen.hits).first(seen.count);
-  film.ray_caster.points(hits, std::span(seen.directions).first(seen.count), film.surfaces, points);
-  const SurfaceShading& shading =
-      film.shading.surfaces()[static_cast<std::size_t>(hits[0].surface)];
-  // What transfer does not hold.
-  const SurfaceLighting straight{.lights = film.lighting.lights};
-  const std::uint64_t pairs =
-      surface_radiance(film.medium, film.ray_caster, shading.transferred ? straight : film.lighting,
-                       shading, points, film.precision, outgoing);
-  if (shading.transferred) shading.transferred->add(hits, points, outgoing);
-  return pairs;
-}
-
 // What one thread does.
 class Shader {
  public:
@@ -86,20 +63,18 @@ class Shader {
   // Pixels that see one surface.
   void shade_now(std::vector<glm::ivec2>& pixels) {
     if (pixels.empty()) return;
-    Seen seen;
+    std::array<SurfaceHit, Tiles::pixels> hits;
+    std::array<glm::vec3, Tiles::pixels> seen_along, outgoing;
     PointVectors directions;
     find_view_directions(film_.rays, pixels, directions);
-    for (const glm::ivec2& pixel : pixels) {
-      const std::size_t k = seen.count++;
-      seen.hits[k] = film_.ray_caster.hit_of(hits_[index_of(pixel)]);
-      seen.directions[k] = {directions.x[k], directions.y[k], directions.z[k]};
+    for (std::size_t k = 0; k < pixels.size(); ++k) {
+      hits[k] = film_.ray_caster.hit_of(hits_[index_of(pixels[k])]);
+      seen_along[k] = {directions.x[k], directions.y[k], directions.z[k]};
     }
-    SurfacePoints points;
-    PointRadiance outgoing;
-    pairs_ += shade_points(film_, seen, points, outgoing);
-    for (std::size_t k = 0; k < seen.count; ++k) {
-      radiance_[index_of(pixels[k])] = {outgoing.r[k], outgoing.g[k], outgoing.b[k]};
-    }
+    pairs_ += film_.shade(std::span(hits).first(pixels.size()),
+                          std::span(seen_along).first(pixels.size()),
+                          std::span(outgoing).first(pixels.size()));
+    for (std::size_t k = 0; k < pixels.size(); ++k) radiance_[index_of(pixels[k])] = outgoing[k];
     pixels.clear();
   }
 
@@ -111,6 +86,26 @@ class Shader {
 };
 
 }  // namespace
+
+std::uint64_t FilmSurfaces::shade(std::span<const SurfaceHit> hits,
+                                  std::span<const glm::vec3> directions,
+                                  std::span<glm::vec3> radiance) const {
+  SurfacePoints points;
+  points.pixel_angle = static_cast<float>(2.0 * rays.pixel_half_angle());
+  ray_caster.points(hits, directions, surfaces, points);
+  const SurfaceShading& shaded = shading.surfaces()[static_cast<std::size_t>(hits[0].surface)];
+  // What transfer does not hold.
+  const SurfaceLighting straight{.lights = lighting.lights};
+  PointRadiance outgoing;
+  const std::uint64_t pairs =
+      surface_radiance(medium, ray_caster, shaded.transferred ? straight : lighting, shaded, points,
+                       precision, outgoing);
+  if (shaded.transferred) shaded.transferred->add(hits, points, outgoing);
+  for (std::size_t k = 0; k < hits.size(); ++k) {
+    radiance[k] = {outgoing.r[k], outgoing.g[k], outgoing.b[k]};
+  }
+  return pairs;
+}
 
 std::uint64_t FilmSurfaces::shade(std::span<const RasterPixel> hits, const Job& job,
                                   std::span<glm::vec3> radiance) const {

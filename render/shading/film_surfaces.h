@@ -28,6 +28,9 @@ struct FilmSurfaces {
   // Returns the Gaussian x path pairs evaluated.
   std::uint64_t shade(std::span<const RasterPixel> hits, const Job& job,
                       std::span<glm::vec3> radiance) const;
+  // The same of up to Tiles::pixels hits on one surface, seen in these unit directions.
+  std::uint64_t shade(std::span<const SurfaceHit> hits, std::span<const glm::vec3> directions,
+                      std::span<glm::vec3> radiance) const;
 };
 
 }  // namespace brume

@@ -63,7 +63,9 @@ void PreparedShading::update(const Scene& scene, const RenderPlan& plan,
   shading_.assign(scene.surfaces.size(), {});
   for (std::size_t i = 0; i < shading_.size(); ++i) {
     const Surface& surface = scene.surfaces[i];
-    if (surface.material.type != Material::Type::diffuse && plan.has_indirect_light) {
+    // All metallic-roughness materials share one table: GgxSh.
+    if (surface.material.type != Material::Type::diffuse &&
+        surface.material.type != Material::Type::metallic_roughness && plan.has_indirect_light) {
       shading_[i].material = &sh_material_of(surface.material);
     }
     if (needs_average) {

@@ -9,6 +9,7 @@
 #include "core/scene/brdf.h"
 #include "render/lighting/path_depths.h"
 #include "render/lighting/slice_kernels.h"
+#include "render/simd/ggx_kernels.h"
 #include "render/simd/reflection_kernels.h"
 #include "render/simd/surface_kernels.h"
 
@@ -76,11 +77,15 @@ void add_scattered(const LightAtPoints& light_at_point, const BandArrays& factor
   }
 }
 
-// Non-diffuse materials reflect all indirect light at once.
-void add_reflected(const SurfacePoints& points, const ReflectionTable& table,
+// Non-diffuse materials reflect all indirect light at once. `material`: null of metallic-roughness.
+void add_reflected(const SurfacePoints& points, const ShMaterial* material,
                    const IncidentLight& light, PointRadiance& radiance) {
   thread_local PointRadiance outgoing;
-  reflect(points, table, light, outgoing);
+  if (material) {
+    reflect(points, material->table(), light, outgoing);
+  } else {
+    reflect_ggx(points, light, outgoing);
+  }
   for (std::size_t k = 0; k < points.count; ++k) {
     add(glm::max(glm::vec3(outgoing.r[k], outgoing.g[k], outgoing.b[k]), 0.0f), k, radiance);
   }
@@ -145,7 +150,8 @@ std::uint64_t surface_radiance(const MediumIndex& medium, const RayCaster& ray_c
   thread_local IncidentLight indirect;  // of what is not diffuse
   for (PointArray* channel : {&radiance.r, &radiance.g, &radiance.b}) channel->fill(0.0f);
   const Material& material = points.surface->material;
-  const bool is_diffuse = !shading.material || shading.material->is_diffuse();
+  const bool is_ggx = material.type == Material::Type::metallic_roughness;
+  const bool is_diffuse = !is_ggx && (!shading.material || shading.material->is_diffuse());
   const bool reflects_indirect = !is_diffuse && (lighting.point || lighting.has_indirect());
   if (reflects_indirect) indirect.clear();
   std::uint64_t pairs = 0;
@@ -158,6 +164,8 @@ std::uint64_t surface_radiance(const MediumIndex& medium, const RayCaster& ray_c
     PointLightShading reflected = point_light_shading(material, light.source);
     if (material.type == Material::Type::measured) {
       add_measured_light(points, light_at_point, reflected.intensity, radiance);
+    } else if (is_ggx) {
+      add_ggx_light(points, light_at_point, reflected.intensity, radiance);
     } else {
       add_direct_light(points, light_at_point, reflected, radiance);
     }
@@ -181,7 +189,10 @@ std::uint64_t surface_radiance(const MediumIndex& medium, const RayCaster& ray_c
                       });
   }
   if (reflects_indirect) {
-    add_reflected(points, shading.material->table(), indirect, radiance);
+    add_reflected(points, is_ggx ? nullptr : shading.material, indirect, radiance);
+  }
+  for (std::size_t k = 0; is_ggx && k < points.count; ++k) {
+    add(glm::vec3(points.ggx.emitted[k]), k, radiance);
   }
   return pairs;
 }

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <span>
 
+#include "core/scene/ggx_sh.h"
+
 // Highway includes this file once per instruction set.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "render/simd/reflection_kernels.cpp"
@@ -99,12 +101,12 @@ struct Quarter {
   }
 };
 
-// Rows of a ReflectionTable for the polar angle of the eye, and how far it is between them.
+// Rows of a table for the polar angle of the eye, and how far it is between them.
 struct Rows {
   hn::Vec<hn::RebindToSigned<D>> first;
   V fraction;
 
-  HWY_INLINE explicit Rows(V cosine) {
+  HWY_INLINE explicit Rows(V cosine, std::size_t row_size) {
     const D d;
     const V coordinate =
         hn::Mul(hn::Acos(d, hn::Min(hn::Max(cosine, hn::Zero(d)), hn::Set(d, 1.0f))),
@@ -112,21 +114,88 @@ struct Rows {
     const V below = hn::Min(hn::Floor(coordinate), hn::Set(d, ReflectionTable::intervals - 1.0f));
     fraction = hn::Sub(coordinate, below);
     first = hn::ConvertTo(hn::RebindToSigned<D>(),
-                          hn::Mul(below, hn::Set(d, float{ReflectionTable::row_size})));
-  }
-
-  HWY_INLINE V operator()(const float* table, std::size_t i) const {
-    const D d;
-    const V a = hn::GatherIndex(d, table + i, first);
-    const V b = hn::GatherIndex(d, table + i + ReflectionTable::row_size, first);
-    return hn::MulAdd(fraction, hn::Sub(b, a), a);
+                          hn::Mul(below, hn::Set(d, static_cast<float>(row_size))));
   }
 };
 
-// read(i, f) reads the light of the vector of points that starts at i.
-template <class Read>
-HWY_INLINE void ReflectRead(const SurfacePoints& points, const float* table,
-                            const Quarters& quarters, PointRadiance& outgoing, Read read) {
+HWY_INLINE V Between(const float* table, hn::Vec<hn::RebindToSigned<D>> first, std::size_t row_size,
+                     V fraction) {
+  const D d;
+  const V a = hn::GatherIndex(d, table, first);
+  const V b = hn::GatherIndex(d, table + row_size, first);
+  return hn::MulAdd(fraction, hn::Sub(b, a), a);
+}
+
+// Coefficients of a ReflectionTable, R G B.
+struct TableRows {
+  const float* table;
+  Rows rows;
+
+  HWY_INLINE TableRows(const float* of_material, V cosine)
+      : table(of_material), rows(cosine, ReflectionTable::row_size) {}
+
+  HWY_INLINE void operator()(std::size_t i, V (&rgb)[3]) const {
+    for (std::size_t k = 0; k < 3; ++k) {
+      rgb[k] = Between(table + 3 * i + k, rows.first, ReflectionTable::row_size, rows.fraction);
+    }
+  }
+};
+
+// Coefficients of GgxSh at the points of the vector that starts at `at`.
+struct GgxRows {
+  Rows rows;
+  hn::Vec<hn::RebindToSigned<D>> first;  // of the tables over roughness
+  V roughness_fraction;
+  V diffuse[3], f0[3];
+  const float* diffuse_table;
+  const float* scaled_table;
+  const float* added_table;
+
+  HWY_INLINE GgxRows(const GgxSh& table, const GgxPoints& ggx, std::size_t at, V cosine)
+      : rows(cosine, GgxSh::row_size),
+        diffuse_table(table.diffuse().data()),
+        scaled_table(table.scaled().data()),
+        added_table(table.added().data()) {
+    const D d;
+    const V coordinate = hn::Mul(hn::Sqrt(hn::Load(d, ggx.alpha.data() + at)),
+                                 hn::Set(d, float{GgxSh::roughness_intervals}));
+    const V below = hn::Min(hn::Floor(coordinate), hn::Set(d, GgxSh::roughness_intervals - 1.0f));
+    roughness_fraction = hn::Sub(coordinate, below);
+    first = hn::Add(rows.first, hn::ConvertTo(hn::RebindToSigned<D>(),
+                                              hn::Mul(below, hn::Set(d, float{layer_size}))));
+    const PointArray* diffuse_arrays[] = {&ggx.diffuse.x, &ggx.diffuse.y, &ggx.diffuse.z};
+    const PointArray* f0_arrays[] = {&ggx.f0.x, &ggx.f0.y, &ggx.f0.z};
+    for (std::size_t k = 0; k < 3; ++k) {
+      diffuse[k] = hn::Load(d, diffuse_arrays[k]->data() + at);
+      f0[k] = hn::Load(d, f0_arrays[k]->data() + at);
+    }
+  }
+
+  HWY_INLINE void operator()(std::size_t i, V (&rgb)[3]) const {
+    const V cosine = Between(diffuse_table + i, rows.first, GgxSh::row_size, rows.fraction);
+    const V scaled = Layered(scaled_table + i);
+    const V added = Layered(added_table + i);
+    for (std::size_t k = 0; k < 3; ++k) {
+      rgb[k] = hn::MulAdd(diffuse[k], cosine, hn::MulAdd(f0[k], scaled, added));
+    }
+  }
+
+ private:
+  static constexpr std::size_t layer_size = (GgxSh::angle_intervals + 1) * GgxSh::row_size;
+  static_assert(std::size_t{GgxSh::angle_intervals} == ReflectionTable::intervals);
+
+  HWY_INLINE V Layered(const float* table) const {
+    const V a = Between(table, first, GgxSh::row_size, rows.fraction);
+    const V b = Between(table + layer_size, first, GgxSh::row_size, rows.fraction);
+    return hn::MulAdd(roughness_fraction, hn::Sub(b, a), a);
+  }
+};
+
+// read(i, f) reads the light of the vector of points that starts at i; rows_of(i, cosine) are the
+// coefficients of their materials for the angle of the eye.
+template <class Read, class RowsOf>
+HWY_INLINE void ReflectRead(const SurfacePoints& points, const Quarters& quarters,
+                            PointRadiance& outgoing, Read read, RowsOf rows_of) {
   const D d;
   const auto negative = [](const Angle& a) HWY_ATTR { return Angle{a.cosine, hn::Neg(a.sine)}; };
   Coefficients f;
@@ -155,13 +224,15 @@ HWY_INLINE void ReflectRead(const SurfacePoints& points, const float* table,
     Quarter{quarters.inverse}(turned, f);
     TurnAboutZ(negative(eye), f);
 
-    const Rows rows(cosine);
+    const auto rows = rows_of(i, cosine);
     V sum[3] = {hn::Zero(d), hn::Zero(d), hn::Zero(d)};
     std::size_t index = 0;
     for (int l = 0; l < sh_max_bands; ++l) {
       for (int m = 0; m <= l; ++m) {
+        V rgb[3];
+        rows(index++, rgb);
         for (std::size_t k = 0; k < 3; ++k) {
-          sum[k] = hn::MulAdd(rows(table, index++), f.get(3 * sh_index(l, m) + k), sum[k]);
+          sum[k] = hn::MulAdd(rgb[k], f.get(3 * sh_index(l, m) + k), sum[k]);
         }
       }
     }
@@ -171,20 +242,33 @@ HWY_INLINE void ReflectRead(const SurfacePoints& points, const float* table,
   }
 }
 
+HWY_INLINE void LoadLight(const IncidentLight& light, std::size_t i, Coefficients& f) {
+  for (std::size_t k = 0; k < 3 * functions; ++k) {
+    f.set(k, hn::Load(D(), light.values[k].data() + i));
+  }
+}
+
 void Reflect(const SurfacePoints& points, const float* table, const Quarters& quarters,
              const IncidentLight& light, PointRadiance& outgoing) {
-  ReflectRead(points, table, quarters, outgoing, [&](std::size_t i, Coefficients& f) HWY_ATTR {
-    for (std::size_t k = 0; k < 3 * functions; ++k) {
-      f.set(k, hn::Load(D(), light.values[k].data() + i));
-    }
-  });
+  ReflectRead(
+      points, quarters, outgoing,
+      [&](std::size_t i, Coefficients& f) HWY_ATTR { LoadLight(light, i, f); },
+      [&](std::size_t, V cosine) HWY_ATTR { return TableRows(table, cosine); });
+}
+
+void ReflectGgx(const SurfacePoints& points, const GgxSh& table, const Quarters& quarters,
+                const IncidentLight& light, PointRadiance& outgoing) {
+  ReflectRead(
+      points, quarters, outgoing,
+      [&](std::size_t i, Coefficients& f) HWY_ATTR { LoadLight(light, i, f); },
+      [&](std::size_t i, V cosine) HWY_ATTR { return GgxRows(table, points.ggx, i, cosine); });
 }
 
 void ReflectMixed(const SurfacePoints& points, const float* table, const Quarters& quarters,
                   std::span<const MixedLight> light, std::size_t size, PointRadiance& outgoing) {
   constexpr std::size_t lanes = HWY_LANES(float);
   static_assert(sizeof(glm::vec3) == 3 * sizeof(float));
-  ReflectRead(points, table, quarters, outgoing, [&](std::size_t i, Coefficients& f) HWY_ATTR {
+  const auto mix = [&](std::size_t i, Coefficients& f) HWY_ATTR {
     std::fill(f.values + 3 * size * lanes, std::end(f.values), 0.0f);
     for (std::size_t lane = 0; lane < lanes; ++lane) {
       const MixedLight& mixed = light[std::min(i + lane, light.size() - 1)];
@@ -201,7 +285,9 @@ void ReflectMixed(const SurfacePoints& points, const float* table, const Quarter
       }
       for (std::size_t k = 0; k < 3 * size; ++k) f.values[k * lanes + lane] = sum[k];
     }
-  });
+  };
+  ReflectRead(points, quarters, outgoing, mix,
+              [&](std::size_t, V cosine) HWY_ATTR { return TableRows(table, cosine); });
 }
 
 }  // namespace brume::HWY_NAMESPACE
@@ -226,6 +312,7 @@ std::span<const ShElement> inverse_quarter_turn() {
 
 HWY_EXPORT(Reflect);
 HWY_EXPORT(ReflectMixed);
+HWY_EXPORT(ReflectGgx);
 
 void IncidentLight::clear() {
   for (PointArray& coefficient : values) coefficient.fill(0.0f);
@@ -252,6 +339,11 @@ void reflect(const SurfacePoints& points, const ReflectionTable& table, const In
              PointRadiance& outgoing) {
   HWY_DYNAMIC_DISPATCH(Reflect)
   (points, table.rows(), {sh_quarter_turn(), inverse_quarter_turn()}, light, outgoing);
+}
+
+void reflect_ggx(const SurfacePoints& points, const IncidentLight& light, PointRadiance& outgoing) {
+  HWY_DYNAMIC_DISPATCH(ReflectGgx)
+  (points, GgxSh::table(), {sh_quarter_turn(), inverse_quarter_turn()}, light, outgoing);
 }
 
 void reflect(const SurfacePoints& points, const ReflectionTable& table,

@@ -53,6 +53,8 @@ class ReflectionTable {
 // bands.
 void reflect(const SurfacePoints& points, const ReflectionTable& table, const IncidentLight& light,
              PointRadiance& outgoing);
+// By metallic-roughness materials, see SurfacePoints::ggx and GgxSh.
+void reflect_ggx(const SurfacePoints& points, const IncidentLight& light, PointRadiance& outgoing);
 // With one MixedLight of `size` coefficients per point.
 void reflect(const SurfacePoints& points, const ReflectionTable& table,
              std::span<const MixedLight> light, std::size_t size, PointRadiance& outgoing);

@@ -26,6 +26,13 @@ struct PointVectors {
   }
 };
 
+// What a metallic-roughness material is at points: see GgxReflection.
+struct GgxPoints {
+  PointVectors diffuse, f0;
+  PointVectors emitted;  // radiance
+  PointArray alpha;
+};
+
 // Hit points of one surface in a tile, as arrays in single precision; padded to padded(count) by
 // repeating the last. See SurfacePoint.
 struct SurfacePoints {
@@ -38,6 +45,8 @@ struct SurfacePoints {
   PointVectors to_eye;         // unit
   PointVectors shadow_origin;  // [u]
   PointArray side;             // 1 if the front (of the mesh's normals) is visible, else -1
+  float pixel_angle = 0.0f;    // between neighbouring view rays; 0: textures are not averaged
+  GgxPoints ggx;               // set for such materials only
 
   [[nodiscard]] std::size_t padded_size() const { return padded(count); }
 };

@@ -399,7 +399,6 @@ Raster::Raster(const RasterTriangles& triangles, const CameraRays& rays, const g
       film_(film),
       bands_(static_cast<std::size_t>((film.height + band_rows - 1) / band_rows)) {
   const CameraRays::FilmPlane plane = rays.plane();
-  const FilmRegion& region = rays.region();
   view_ = {glm::vec3(eye),
            edge_on_height,
            glm::vec3(rays.forward()),
@@ -408,8 +407,7 @@ Raster::Raster(const RasterTriangles& triangles, const CameraRays& rays, const g
            glm::vec3(plane.per_y),
            glm::vec3(plane.per_x / glm::dot(plane.per_x, plane.per_x)),
            glm::vec3(plane.per_y / glm::dot(plane.per_y, plane.per_y)),
-           0.5f * glm::vec2(region.full_width - 1, region.full_height - 1) -
-               glm::vec2(region.x, region.y),
+           glm::vec2(rays.axis() - 0.5),
            film.width,
            film.height};
   const std::size_t vertices = triangles.x.size();

@@ -15,6 +15,7 @@
 
 #include "render/simd/surface_kernels.h"
 #include "render/visibility/embree.h"
+#include "render/visibility/surface_materials.h"
 
 namespace brume {
 namespace {
@@ -50,6 +51,7 @@ struct RayCaster::Impl {
   std::vector<Placed> surfaces;
   std::vector<std::vector<glm::uvec3>> triangles;  // vertex indices, per surface
   std::vector<std::vector<Vertex>> vertices;       // per surface
+  std::vector<std::vector<glm::vec2>> texcoords;   // per surface; empty: none
   RasterTriangles raster;
   std::vector<std::uint32_t> first_triangles;  // per surface, in raster.corners
   Box bounds;
@@ -97,6 +99,7 @@ struct RayCaster::Impl {
           {glm::vec3(p), glm::vec3(placement.normal_to_world(glm::dvec3(mesh.normals[v])))});
       radius = std::max(radius, glm::length(p));
     }
+    texcoords.push_back(std::move(mesh.texcoords));
     const auto& own_triangles = triangles.emplace_back(std::move(mesh.triangles));
     const glm::uvec3 first_vertex(static_cast<unsigned>(raster.x.size()));
     first_triangles.push_back(static_cast<std::uint32_t>(raster.corners.size()));
@@ -112,6 +115,21 @@ struct RayCaster::Impl {
     rtcCommitGeometry(geometry);
     rtcAttachGeometry(scene, geometry);
     rtcReleaseGeometry(geometry);
+  }
+
+  [[nodiscard]] TextureFrame texture_frame(const SurfaceHit& hit) const {
+    const auto surface = static_cast<std::size_t>(hit.surface);
+    if (texcoords[surface].empty()) return {};
+    const glm::uvec3& corners = triangles[surface][hit.triangle];
+    std::array<glm::dvec3, 3> positions;
+    std::array<glm::dvec2, 3> own_texcoords;
+    for (int k = 0; k < 3; ++k) {
+      positions[static_cast<std::size_t>(k)] = glm::dvec3(vertices[surface][corners[k]].position);
+      own_texcoords[static_cast<std::size_t>(k)] = glm::dvec2(texcoords[surface][corners[k]]);
+    }
+    const double u = static_cast<double>(hit.u);
+    const double v = static_cast<double>(hit.v);
+    return {positions, own_texcoords, {1.0 - u - v, u, v}};
   }
 
   // A ray from far away starts at the ball around the surfaces, where float has digits for it.
@@ -355,6 +373,13 @@ SurfacePoint RayCaster::point(const SurfaceHit& hit, const glm::dvec3& origin,
         std::min(glm::dot(result.position - positions[static_cast<std::size_t>(k)], n), 0.0);
     result.shadow_origin -= weights[k] * below * n;
   }
+  const Material& material = result.surface->material;
+  if (material.type == Material::Type::metallic_roughness) {
+    const MaterialPoint found = material_at(material.metallic_roughness, impl_->texture_frame(hit),
+                                            0.0, side, result.normal);
+    result.ggx = found.reflection;
+    result.emitted = found.emitted;
+  }
   return result;
 }
 
@@ -381,6 +406,22 @@ void RayCaster::points(std::span<const SurfaceHit> hits, std::span<const glm::ve
     points.to_eye.set(i, -directions[start]);
   }
   interpolate_points(triangles, static_cast<float>(self_hit_margin * impl_->radius), points);
+  if (points.surface->material.type == Material::Type::metallic_roughness) {
+    find_materials(hits, points);
+  }
+}
+
+void RayCaster::find_materials(std::span<const SurfaceHit> hits, SurfacePoints& points) const {
+  std::array<TextureFrame, Tiles::pixels> frames;
+  std::array<double, Tiles::pixels> distances;
+  const std::size_t textured =
+      has_textures(points.surface->material.metallic_roughness) ? points.count : 0;
+  for (std::size_t k = 0; k < textured; ++k) {
+    frames[k] = impl_->texture_frame(hits[k]);
+    distances[k] = hits[k].distance;
+  }
+  brume::find_materials(std::span(frames).first(textured), std::span(distances).first(textured),
+                        points);
 }
 
 void RayCaster::trace_shadow_rays(const SurfacePoints& points, const glm::vec3& position,

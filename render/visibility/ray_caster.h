@@ -14,6 +14,7 @@
 #include "render/geometry/box.h"
 #include "render/simd/surface_points.h"
 #include "render/visibility/raster.h"
+#include "render/visibility/surface_point.h"
 
 namespace brume {
 
@@ -25,18 +26,6 @@ struct SurfaceHit {
   float u = 0.0f, v = 0.0f;  // barycentric, of the triangle's second and third corner
 
   explicit operator bool() const { return surface >= 0; }
-};
-
-// A hit point with everything shading needs.
-struct SurfacePoint {
-  glm::dvec3 position{0.0};
-  glm::dvec3 normal{0.0};  // unit, interpolated, on the visible side
-  glm::dvec3 to_eye{0.0};  // unit
-  // Origin of shadow rays: offset from the triangle by a few float roundings, and onto the smooth
-  // surface implied by the normals, so coarse triangles do not self-shadow (Hanika, "Hacking the
-  // Shadow Terminator", Ray Tracing Gems II, 2021).
-  glm::dvec3 shadow_origin{0.0};
-  const Surface* surface = nullptr;
 };
 
 // A triangle in world space, relative to Visibility::center().
@@ -100,13 +89,14 @@ class RayCaster {
   [[nodiscard]] SurfaceHit hit_of(const RasterPixel& pixel) const;
   [[nodiscard]] RasterPixel pixel_of(const SurfaceHit& hit) const;
 
-  // The hit point of that ray. Thread-safe.
+  // The hit point of that ray; textures are not averaged. Thread-safe.
   [[nodiscard]] SurfacePoint point(const SurfaceHit& hit, const glm::dvec3& origin,
                                    const glm::dvec3& direction,
                                    std::span<const Surface> surfaces) const;
 
   // The same for hits on one surface, in single precision: positions to 1e-6 of the size of all
-  // surfaces, relative to their center. Thread-safe.
+  // surfaces, relative to their center. Textures are averaged over a view ray's cone of
+  // points.pixel_angle, as if it met the surface in a circle. Thread-safe.
   void points(std::span<const SurfaceHit> hits, std::span<const glm::vec3> directions,
               std::span<const Surface> surfaces, SurfacePoints& points) const;
 
@@ -121,6 +111,9 @@ class RayCaster {
   Revision revision_ = new_revision();
   void cast_shadow_rays(const SurfacePoints& points, const glm::vec3& position,
                         std::span<const std::uint8_t> pending, LightAtPoints& light) const;
+
+  // Sets points.ggx and turns normals.
+  void find_materials(std::span<const SurfaceHit> hits, SurfacePoints& points) const;
 
   struct Impl;
   std::unique_ptr<Impl> impl_;

@@ -1,9 +1,14 @@
 // Curves of animated values: their keys are moved in time and value with the mouse.
 
 #include <QComboBox>
+#include <QContextMenuEvent>
 #include <QDockWidget>
+#include <QMenu>
 #include <QToolButton>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 
+#include "app/commands/edit_lights.h"
 #include "app/document/timeline.h"
 #include "app/panels/curve_editor.h"
 #include "tests/app/test_window.h"
@@ -21,25 +26,60 @@ Scene animated_scene() {
   return scene;
 }
 
-// The window with the curves of the light's intensity.
+// The window with the curves of a track, the light's intensity if none is named.
 class Curves {
  public:
-  Curves() : window(animated_scene()) {
+  explicit Curves(const Scene& scene = animated_scene(), const char* track = "Light 1 intensity")
+      : window(scene) {
     QTest::mouseClick(window->findChild<QToolButton*>("curve"), Qt::LeftButton);
-    window->findChild<QComboBox*>("curve_track")->setCurrentText("Light 1 intensity");
+    window->findChild<QComboBox*>("curve_track")->setCurrentText(track);
     QCoreApplication::processEvents();
   }
   CurveEditor& editor() { return *window->findChild<CurveEditor*>("curves"); }
   const Keys<glm::dvec3>& keys() { return window->document().scene().lights.at(0).keys.intensity; }
   QPoint at(double time, double value) { return editor().position(time, value).toPoint(); }
-  void move(QPointF to, Qt::MouseButton button) {
-    QMouseEvent event(QEvent::MouseMove, to, editor().mapToGlobal(to), Qt::NoButton, button, {});
-    QApplication::sendEvent(&editor(), &event);
+  QPoint on_ruler(double time) { return {at(time, 0.0).x(), editor().height() - 5}; }
+  void drag(QPoint from, QPoint to, Qt::MouseButton button = Qt::LeftButton,
+            Qt::KeyboardModifiers modifiers = {}) {
+    QTest::mousePress(&editor(), button, modifiers, from);
+    for (int k = 1; k <= 4; ++k) {
+      const QPointF now = QPointF(from) + QPointF(to - from) * k / 4.0;
+      QMouseEvent event(QEvent::MouseMove, now, editor().mapToGlobal(now), Qt::NoButton, button,
+                        modifiers);
+      QApplication::sendEvent(&editor(), &event);
+    }
+    QTest::mouseRelease(&editor(), button, modifiers, to);
   }
-  void drag(QPoint from, QPoint to, Qt::MouseButton button = Qt::LeftButton) {
-    QTest::mousePress(&editor(), button, {}, from);
-    for (int k = 1; k <= 4; ++k) move(QPointF(from) + QPointF(to - from) * k / 4.0, button);
-    QTest::mouseRelease(&editor(), button, {}, to);
+  // Calls visit(action) for the menu that a right click opens.
+  void with_menu(QPoint at, const auto& visit) {
+    QContextMenuEvent event(QContextMenuEvent::Mouse, at, editor().mapToGlobal(at));
+    QApplication::sendEvent(&editor(), &event);
+    auto* menu = editor().findChild<QMenu*>();
+    QVERIFY(menu);
+    for (QAction* action : menu->actions()) visit(*action);
+    menu->close();
+    QCoreApplication::sendPostedEvents(menu, QEvent::DeferredDelete);
+  }
+  void choose(QPoint at, const QString& text) {
+    int chosen = 0;
+    with_menu(at, [&](QAction& action) {
+      if (action.text() != text) return;
+      ++chosen;
+      action.trigger();
+    });
+    QCOMPARE(chosen, 1);
+  }
+  QStringList menu_texts(QPoint at) {
+    QStringList texts;
+    with_menu(at, [&](const QAction& action) { texts << action.text(); });
+    return texts;
+  }
+  QStringList checked(QPoint at) {
+    QStringList texts;
+    with_menu(at, [&](const QAction& action) {
+      if (action.isChecked()) texts << action.text();
+    });
+    return texts;
   }
 
   TestWindow window;
@@ -144,9 +184,225 @@ class CurvesTest : public QObject {
     QVERIFY(QLineF(editor.position(1.0, 10.0), first + QPointF(30, -10)).length() < 1e-6);
     QTest::keyClick(&editor, Qt::Key_Home);
     QVERIFY(QLineF(editor.position(1.0, 10.0), first).length() < 1e-6);
-    QTest::mouseClick(&editor, Qt::LeftButton, {}, curves.at(2.0, 58.0));
+    QTest::mouseClick(&editor, Qt::LeftButton, {}, curves.on_ruler(2.0));
     QVERIFY(std::abs(curves.window->timeline().frame() - 60) <= 1);
+    // The playhead is dragged, too.
+    curves.drag(curves.at(curves.window->timeline().time(), 50.0), curves.at(1.0, 52.0));
+    QVERIFY(std::abs(curves.window->timeline().frame() - 30) <= 1);
     QCOMPARE(curves.window->document().undo_stack().count(), 0);
+  }
+
+  void shift_and_rectangles_select_keys() {
+    Curves curves;
+    CurveEditor& editor = curves.editor();
+    const auto count = [&] { return editor.selection().marks().size(); };
+    QTest::mouseClick(&editor, Qt::LeftButton, {}, curves.at(1.0, 10.0));
+    QCOMPARE(count(), std::size_t{1});
+    QTest::mouseClick(&editor, Qt::LeftButton, Qt::ShiftModifier, curves.at(3.0, 60.0));
+    QCOMPARE(count(), std::size_t{2});
+    QTest::mouseClick(&editor, Qt::LeftButton, Qt::ShiftModifier, curves.at(1.0, 10.0));
+    QCOMPARE(count(), std::size_t{1});
+    QVERIFY(editor.selection().contains({2, 3.0}));
+    // Around the two keys of 1 s below 30, then the others with Shift.
+    const int frame = curves.window->timeline().frame();
+    curves.drag(curves.at(0.6, 30.0), curves.at(1.4, 5.0));
+    QCOMPARE(count(), std::size_t{2});
+    QVERIFY(editor.selection().contains({0, 1.0}) && editor.selection().contains({1, 1.0}));
+    curves.drag(curves.at(0.6, 62.0), curves.at(3.4, 28.0), Qt::LeftButton, Qt::ShiftModifier);
+    QCOMPARE(count(), std::size_t{5});
+    QVERIFY(!editor.selection().contains({1, 3.0}));
+    // Beside the keys a click selects nothing, and looks at no other moment.
+    QTest::mouseClick(&editor, Qt::LeftButton, {}, curves.at(2.0, 15.0));
+    QCOMPARE(count(), std::size_t{0});
+    QCOMPARE(curves.window->timeline().frame(), frame);
+    QTest::keyClick(&editor, Qt::Key_A, Qt::ControlModifier);
+    QCOMPARE(count(), std::size_t{6});
+    QVERIFY(curves.window->document().selection().empty());
+    QCOMPARE(curves.window->document().undo_stack().count(), 0);
+  }
+
+  void selected_keys_move_together_in_one_step() {
+    Curves curves;
+    Document& document = curves.window->document();
+    const Scene before = document.scene();
+    // Both ends of red, and the end of blue.
+    QTest::mouseClick(&curves.editor(), Qt::LeftButton, {}, curves.at(1.0, 10.0));
+    QTest::mouseClick(&curves.editor(), Qt::LeftButton, Qt::ShiftModifier, curves.at(3.0, 30.0));
+    QTest::mouseClick(&curves.editor(), Qt::LeftButton, Qt::ShiftModifier, curves.at(3.0, 60.0));
+    const QPoint from = curves.at(3.0, 30.0);
+    curves.drag(from, curves.at(3.5, 40.0));
+    QCOMPARE(document.undo_stack().count(), 1);
+    QCOMPARE(document.undo_stack().undoText(), QString("Move keyframes of light 1 intensity"));
+    QCOMPARE(curves.keys().size(), std::size_t{2});
+    const Key<glm::dvec3>& first = curves.keys()[0];
+    const Key<glm::dvec3>& last = curves.keys()[1];
+    QVERIFY(std::abs(first.time - 1.5) < 0.07 && std::abs(last.time - first.time - 2.0) < 1e-9);
+    const double raised = first.value.x - 10.0;
+    QVERIFY(std::abs(raised - 10.0) < 1.0);
+    QVERIFY(glm::length(last.value - glm::dvec3(30.0 + raised, 25.0, 60.0 + raised)) < 1e-9);
+    QCOMPARE(first.value.y, 20.0);
+    // They stay selected, and go no further than the start of time.
+    QCOMPARE(curves.editor().selection().marks().size(), std::size_t{3});
+    curves.drag(curves.at(last.time, last.value.x), curves.at(0.2, last.value.x));
+    QCOMPARE(curves.keys()[0].time, 0.0);
+    QVERIFY(std::abs(curves.keys()[1].time - 2.0) < 1e-9);
+    document.undo_stack().setIndex(0);
+    QVERIFY(document.scene() == before);
+    // A click on one of several selects it alone.
+    curves.editor().fit();
+    QTest::keyClick(&curves.editor(), Qt::Key_A, Qt::ControlModifier);
+    QTest::mouseClick(&curves.editor(), Qt::LeftButton, {}, curves.at(3.0, 60.0));
+    QCOMPARE(curves.editor().selection().marks().size(), std::size_t{1});
+    QVERIFY(document.scene() == before);
+  }
+
+  void several_keys_are_aligned_and_deleted() {
+    Curves curves;
+    Document& document = curves.window->document();
+    const Scene before = document.scene();
+    QTest::mouseClick(&curves.editor(), Qt::LeftButton, {}, curves.at(1.0, 10.0));
+    QTest::mouseClick(&curves.editor(), Qt::LeftButton, Qt::ShiftModifier, curves.at(3.0, 30.0));
+    curves.choose(curves.at(3.0, 30.0), "Same &Value");
+    QCOMPARE(curves.keys()[0].value, glm::dvec3(30.0, 20.0, 40.0));
+    QCOMPARE(curves.keys()[1].value, glm::dvec3(30.0, 25.0, 60.0));
+    QCOMPARE(document.undo_stack().count(), 1);
+    document.undo_stack().undo();
+    QVERIFY(document.scene() == before);
+    curves.window->timeline().set_frame(60);
+    curves.choose(curves.at(1.0, 40.0), "Align to &Playhead");  // that key alone
+    QCOMPARE(curves.keys()[0].time, 2.0);
+    QCOMPARE(curves.keys()[0].value, glm::dvec3(10.0, 20.0, 40.0));
+    QCOMPARE(curves.keys().size(), std::size_t{2});
+    document.undo_stack().undo();
+    curves.window->timeline().set_frame(0);
+    QVERIFY(document.scene() == before);
+    QTest::keyClick(&curves.editor(), Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClick(&curves.editor(), Qt::Key_Delete);
+    QVERIFY(curves.keys().empty());
+    QCOMPARE(document.undo_stack().undoText(), QString("Delete keyframes of light 1 intensity"));
+    document.undo_stack().undo();
+    QVERIFY(document.scene() == before);
+  }
+
+  void tangents_are_dragged_with_the_mouse() {
+    Curves curves;
+    Document& document = curves.window->document();
+    QTest::mouseDClick(&curves.editor(), Qt::LeftButton, {}, curves.at(2.0, 55.0));
+    const Scene before = document.scene();
+    const auto key = [&]() -> const Key<glm::dvec3>& { return curves.keys()[1]; };
+    const double time = key().time;
+    QVERIFY(curves.editor().handles().empty());
+    QTest::mouseClick(&curves.editor(), Qt::LeftButton, {}, curves.at(time, key().value.x));
+    std::vector<TangentHandle> handles = curves.editor().handles();
+    QCOMPARE(handles.size(), std::size_t{2});
+    QVERIFY(handles[0].is_automatic && handles[0].tip.x() < handles[0].key.x());
+    const Slopes<glm::dvec3> automatic = slopes_at(curves.keys(), 1);
+
+    // Half a second on, and down by 10: a slope of -20 on both sides, of red alone.
+    const QPoint steep = curves.at(time + 0.5, key().value.x - 10.0);
+    curves.drag(handles[1].tip.toPoint(), steep);
+    QCOMPARE(document.undo_stack().undoText(), QString("Set tangent of light 1 intensity"));
+    QVERIFY(key().in && key().out && key().aligned);
+    QVERIFY(std::abs(key().out->x + 20.0) < 2.0);
+    QCOMPARE(*key().in, *key().out);
+    QVERIFY(std::abs(key().out->y - automatic.out.y) < 1e-9);
+    QCOMPARE(key().value, before.lights[0].keys.intensity[1].value);
+    QCOMPARE(document.undo_stack().count(), 2);  // one drag
+    // The curve goes through the handle's slope: it falls after the key.
+    QVERIFY(curves.editor().curves()[0].at(time + 0.1) < key().value.x - 1.0);
+
+    // The other end moves both; with Alt it is alone.
+    handles = curves.editor().handles();
+    curves.drag(handles[0].tip.toPoint(), curves.at(time - 0.5, key().value.x));
+    QVERIFY(std::abs(key().in->x) < 2.0 && *key().in == *key().out);
+    handles = curves.editor().handles();
+    curves.drag(handles[0].tip.toPoint(), curves.at(time - 0.5, key().value.x - 10.0),
+                Qt::LeftButton, Qt::AltModifier);
+    QVERIFY(std::abs(key().in->x - 20.0) < 2.0 && std::abs(key().out->x) < 2.0);
+    QVERIFY(!key().aligned);
+    const glm::dvec3 out = *key().out;
+    handles = curves.editor().handles();
+    curves.drag(handles[0].tip.toPoint(), curves.at(time - 0.5, key().value.x));
+    QCOMPARE(*key().out, out);
+    // Never to the other side of the key: as steep as a pixel lets it be.
+    handles = curves.editor().handles();
+    curves.drag(handles[1].tip.toPoint(), curves.at(time - 0.5, key().value.x + 5.0));
+    QVERIFY(key().out->x > 100.0 && std::isfinite(key().out->x));
+
+    // A key keeps its tangents when it is moved, and when its value is set anew.
+    const Key<glm::dvec3> shaped = key();
+    change_light(document, 0, "Set intensity of %1", no_merge,
+                 [](Light& light) { light.intensity = glm::dvec3(1.0); });
+    QCOMPARE(key().value, glm::dvec3(1.0));
+    QVERIFY(key().in == shaped.in && key().out == shaped.out);
+    document.undo_stack().setIndex(1);
+    QVERIFY(document.scene() == before);
+  }
+
+  void the_menu_chooses_interpolation_and_tangents() {
+    Curves curves;
+    Document& document = curves.window->document();
+    const Scene before = document.scene();
+    const auto first = [&]() -> const Key<glm::dvec3>& { return curves.keys()[0]; };
+    const QPoint at = curves.at(1.0, 10.0);
+    curves.choose(at, "&Constant");
+    QCOMPARE(first().interpolation, Interpolation::constant);
+    QCOMPARE(curves.editor().curves()[0].at(2.9), 10.0);
+    QVERIFY(curves.editor().handles().empty());
+    curves.choose(at, "&Linear");
+    QCOMPARE(first().interpolation, Interpolation::linear);
+    QCOMPARE(curves.editor().curves()[0].at(2.0), 20.0);
+    curves.choose(at, "&Free Tangents");
+    QCOMPARE(first().interpolation, Interpolation::smooth);
+    QVERIFY(first().out == glm::dvec3(0.0) && !first().aligned);
+    QCOMPARE(curves.checked(at), (QStringList{"&Smooth", "&Free Tangents"}));
+    // A free one is moved alone.
+    curves.drag(curves.editor().handles()[0].tip.toPoint(), curves.at(1.5, 30.0));
+    QVERIFY(first().out->x > 30.0 && first().in == glm::dvec3(0.0));
+    const double out = first().out->x;
+    curves.choose(at, "Ali&gned Tangents");
+    QVERIFY(first().aligned && first().in == first().out);
+    QCOMPARE(first().out->x, 0.5 * out);
+    curves.choose(at, "Automatic &Tangents");
+    QVERIFY(document.scene() == before);
+    QCOMPARE(document.undo_stack().undoText(),
+             QString("Make tangents of light 1 intensity automatic"));
+    // Of all that are selected.
+    QTest::keyClick(&curves.editor(), Qt::Key_A, Qt::ControlModifier);
+    curves.choose(at, "Ali&gned Tangents");
+    QVERIFY(curves.keys()[0].aligned && curves.keys()[1].aligned);
+    curves.editor().grab();
+    document.undo_stack().setIndex(0);
+    QVERIFY(document.scene() == before);
+  }
+
+  void a_rotation_is_one_curve_of_its_angle() {
+    Scene scene = small_scene();
+    scene.surfaces.push_back({.primitive = Primitive{}, .mesh = mesh_of(Primitive{})});
+    const auto about_y = [](double degrees) {
+      return glm::angleAxis(glm::radians(degrees), glm::dvec3(0, 1, 0));
+    };
+    scene.surfaces.back().keys.rotate = {{.time = 0.0, .value = about_y(0)},
+                                         {.time = 2.0, .value = about_y(90)},
+                                         {.time = 3.0, .value = about_y(30)}};
+    Curves curves(scene, "Plane rotation");
+    Document& document = curves.window->document();
+    const Scene before = document.scene();
+    const auto keys = [&]() -> const Keys<glm::dquat>& {
+      return document.scene().surfaces.back().keys.rotate;
+    };
+    QCOMPARE(curves.editor().curves().size(), std::size_t{1});
+    const double turned = curves.editor().curves()[0].points().back().value;
+    QVERIFY(std::abs(turned - 150.0) < 1e-9);
+    // It moves in time only, and has no tangents.
+    const glm::dquat value = keys()[1].value;
+    curves.drag(curves.at(2.0, 90.0), curves.at(1.0, 20.0));
+    QVERIFY(std::abs(keys()[1].time - 1.0) < 0.07);
+    QCOMPARE(keys()[1].value, value);
+    QVERIFY(curves.editor().handles().empty());
+    QVERIFY(!curves.menu_texts(curves.at(0.0, 0.0)).contains("&Free Tangents"));
+    document.undo_stack().undo();
+    QVERIFY(document.scene() == before);
   }
 };
 

@@ -144,7 +144,7 @@ class DisplayTest : public QObject {
         frame = gl->render(scene, scene.camera, film, settings);
       }).join();
       QVERIFY(picture && frame);
-      surface->show_picture(to_picture(*frame, 1.0, ViewMode::final));
+      surface->show_picture(to_picture(*frame, {1.0}, ViewMode::final));
       const QImage uploaded = seen();
       surface->show_picture(QImage(1, 1, QImage::Format_RGB888));
       QVERIFY(furthest(seen(), uploaded) > 20);
@@ -154,7 +154,7 @@ class DisplayTest : public QObject {
       // And again, as when only the handles change.
       surface->show_overlay({});
       QVERIFY(furthest(seen(), uploaded) <= 1);
-      surface->show_picture(to_picture(*frame, 1.0, ViewMode::final));
+      surface->show_picture(to_picture(*frame, {1.0}, ViewMode::final));
       QCOMPARE(seen(), uploaded);
     }
   }
@@ -187,7 +187,7 @@ class DisplayTest : public QObject {
     GlWindow window;
     Viewport& view = window.view();
     QVERIFY(window.see_motion([&](const RenderedFrame&) { view.frames().set_exposure(1.5); }));
-    QTRY_VERIFY(view.frames().shown()->request.exposure == 1.5);
+    QTRY_VERIFY(view.frames().shown()->request.display.exposure == 1.5);
     QVERIFY(window.settle());
     QVERIFY(
         window.see_motion([&](const RenderedFrame&) { view.frames().set_mode(ViewMode::cost); }));

@@ -5,6 +5,8 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QMimeData>
+#include <QTableView>
 #include <QTreeWidget>
 #include <random>
 
@@ -90,6 +92,22 @@ class GroupsWindow : public TestWindow {
   Medium shown_medium() { return (*this)->viewport().shown_scene()->medium; }
 };
 
+// Drags a row of the outliner onto that of a group, with the events of Qt.
+void drop(GroupsWindow& window, QTreeWidgetItem* row, const QString& onto) {
+  QTreeWidget& tree = window.tree();
+  tree.setCurrentItem(row);
+  const std::unique_ptr<QMimeData> data(tree.model()->mimeData({tree.currentIndex()}));
+  if (!data) return;
+  const QPoint at = window.position(onto);
+  QDragEnterEvent enter(at, Qt::CopyAction, data.get(), Qt::LeftButton, {});
+  QApplication::sendEvent(tree.viewport(), &enter);
+  QDragMoveEvent move(at, Qt::CopyAction, data.get(), Qt::LeftButton, {});
+  QApplication::sendEvent(tree.viewport(), &move);
+  QDropEvent event(at, Qt::CopyAction, data.get(), Qt::LeftButton, {});
+  QApplication::sendEvent(tree.viewport(), &event);
+  QCoreApplication::processEvents();
+}
+
 // Makes the window of a test be left as it was opened once all is undone.
 #define VERIFY_UNDONE(window, before)            \
   window.document().undo_stack().setIndex(0);    \
@@ -102,6 +120,61 @@ class GroupsTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
+  void groups_and_gaussians_are_dragged_onto_groups() {
+    GroupsWindow window;
+    const std::string before = bytes_of(window.document());
+    window.group({1, 2});
+    window.group({4});
+    drop(window, window.row("Group 2"), "Group");
+    QCOMPARE(window.document().undo_stack().undoText(), QString("Move Group 2 into Group"));
+    QCOMPARE(window.groups()[1].parent, window.groups()[0].id);
+    // A group that has one is in none.
+    const int steps = window.document().undo_stack().index();
+    drop(window, window.row("Group"), "Group 2");
+    QCOMPARE(window.document().undo_stack().index(), steps);
+    drop(window, window.row("Group 2"), "In no group");
+    QCOMPARE(window.groups()[1].parent, GroupId{0});
+    // The row of all Gaussians takes the selected ones.
+    select_gaussians(window.document(), {3, 5});
+    QTreeWidgetItem* gaussians =
+        window.tree().findItems("5 Gaussians", Qt::MatchExactly | Qt::MatchRecursive).value(0);
+    drop(window, gaussians, "Group 2");
+    QCOMPARE(members_of(window.document(), window.groups()[1].id), (Ids{3, 4, 5}));
+    select_gaussians(window.document(), {});
+    drop(window, gaussians, "Group");
+    QCOMPARE(members_of(window.document(), window.groups()[0].id), (Ids{1, 2}));
+    VERIFY_UNDONE(window, before);
+  }
+
+  void the_table_has_a_column_of_groups() {
+    GroupsWindow window;
+    auto* table = window->findChild<QTableView*>();
+    constexpr int column = 7;
+    QVERIFY(table->isColumnHidden(column));
+    window.group({1, 5});
+    window.group({3});
+    QVERIFY(!table->isColumnHidden(column));
+    const auto text = [&](int row) { return table->model()->index(row, column).data().toString(); };
+    QCOMPARE(text(0), QString("Group"));
+    QCOMPARE(text(1), QString());
+    QCOMPARE(text(2), QString("Group 2"));
+    QVERIFY(!table->model()->flags(table->model()->index(0, column)).testFlag(Qt::ItemIsEditable));
+    // Sorted by name, those in none first; also when a name changes.
+    table->sortByColumn(column, Qt::AscendingOrder);
+    QCOMPARE((QStringList{text(0), text(1), text(2), text(3), text(4)}),
+             (QStringList{"", "", "Group", "Group", "Group 2"}));
+    rename_group(window.document(), window.groups()[1].id, "Ash");
+    QCOMPARE((QStringList{text(2), text(3), text(4)}), (QStringList{"Ash", "Group", "Group"}));
+    auto* filter = window->findChild<QLineEdit*>("gaussian_filter");
+    QTest::keyClicks(filter, "group = group");
+    QCOMPARE(table->model()->rowCount(), 2);
+    filter->clear();
+    QTest::keyClicks(filter, "group = none");
+    QCOMPARE(table->model()->rowCount(), 2);
+    filter->clear();
+    table->sortByColumn(-1, Qt::AscendingOrder);
+  }
+
   void the_selection_becomes_a_group() {
     GroupsWindow window;
     const std::string before = bytes_of(window.document());

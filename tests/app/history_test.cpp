@@ -300,22 +300,50 @@ class RandomHands {
     const std::vector<Track> rows = tracks(document_.scene());
     const Track& row = rows[below(rows.size())];
     const auto moment = [this] { return static_cast<double>(below(4)); };
-    switch (below(4)) {
+    const std::vector times{moment(), moment()};
+    switch (below(8)) {
       case 0:
-        return delete_keys(document_, row, moment());
+        return delete_keys(document_, row, times);
       case 1: {
         const ScenePart before = scene_part(document_.scene(), row.part);
-        const double from = moment();
         const MergeId merge_id = new_merge_id();
         for (int step = 0; step < 2; ++step) {
-          move_keys(document_, row, before, from, moment(), merge_id);
+          const std::vector<KeyMove> moves{{times[0], moment()}, {times[1], moment()}};
+          move_keys(document_, row, before, moves, merge_id);
         }
         return;
       }
       case 2:
-        return set_interpolation(document_, row, moment(), static_cast<Interpolation>(below(2)));
+        return set_interpolation(document_, row, times, static_cast<Interpolation>(below(3)));
+      case 3:
+        return set_tangents(document_, row, times, static_cast<Tangents>(below(3)));
+      case 4:
+        return align_keys(document_, row, times);
+      case 5:
+        return curve_key(row, times);
       default:
         return set_keys(document_, row);
+    }
+  }
+  // Of one of the numbers of a row, in steps of one gesture.
+  void curve_key(const Track& row, const std::vector<double>& times) {
+    const std::vector<Curve> curves = curves_of(document_.scene(), row);
+    if (curves.empty()) return;
+    const Curve& curve = curves[below(curves.size())];
+    const ScenePart before = scene_part(document_.scene(), row.part);
+    const MergeId merge_id = new_merge_id();
+    const bool turns = below(2) == 0;
+    for (int step = 0; step < 2; ++step) {
+      if (turns) {
+        const auto side = static_cast<TangentSide>(below(2));
+        set_tangent(document_, row, curve, {times[0], side, 9.0 * number() - 4.0, below(3) == 0},
+                    merge_id);
+      } else {
+        const double shift = static_cast<double>(below(3));
+        const std::vector<CurveKeyMove> moves{{curve, {times[0], times[0] + shift}, number()},
+                                              {curve, {times[1], times[1] + shift}, number()}};
+        move_curve_keys(document_, row, before, moves, merge_id);
+      }
     }
   }
   void hide_or_lock() {

@@ -96,6 +96,17 @@ class InspectorTest : public QObject {
       QVERIFY2(!GaussianFilter::parse(text, problem), text);
       QVERIFY(!problem.isEmpty());
     }
+    Gaussian grouped = gaussian;
+    grouped.group = 2;
+    const std::vector<Group> groups{{.id = 1, .name = "Pot"},
+                                    {.id = 2, .name = "Steam", .parent = 1}};
+    const auto passes_group = [&](const char* text, const Gaussian& of) {
+      QString problem;
+      return GaussianFilter::parse(text, problem)->passes(of, groups);
+    };
+    QVERIFY(passes_group("group = steam", grouped) && passes_group("g=Pot, r < 1", grouped));
+    QVERIFY(!passes_group("group = none", grouped) && !passes_group("group = fog", grouped));
+    QVERIFY(passes_group("group = none", gaussian) && !passes_group("group=steam", gaussian));
   }
 
   void a_click_on_a_header_sorts() {

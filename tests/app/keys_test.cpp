@@ -307,6 +307,58 @@ class KeysTest : public QObject {
     QVERIFY(document.scene() == before);
   }
 
+  void a_surface_moves_and_changes_its_material() {
+    Scene scene = small_scene();
+    scene.surfaces.push_back({.name = "Floor",
+                              .primitive = Primitive{.shape = Primitive::Shape::box},
+                              .mesh = mesh_of(Primitive{.shape = Primitive::Shape::box})});
+    scene.surfaces.back().material.type = Material::Type::phong;
+    const std::size_t index = scene.surfaces.size() - 1;
+    TestWindow window(scene);
+    Document& document = window->document();
+    document.set_object(ObjectRef{ObjectRef::Kind::surface, index});
+    const Scene before = document.scene();
+    const auto surface = [&]() -> const Surface& { return document.scene().surfaces[index]; };
+    for (const char* value :
+         {"position", "rotation", "scale", "reflectance", "specular", "exponent"}) {
+      choose(window, (std::string("Floor ") + value).c_str());
+      set_key_at(window, 0);
+    }
+    visit_keyed_surface(
+        surface(), [&](const char* name, const auto& value, const auto& keys, const NumberDomain&) {
+          QVERIFY2(keys.size() == 1 && keys[0].value == value, name);
+        });
+    QCOMPARE(strip(window).rows().size(), std::size_t{6});
+    // Edits of the panel set a keyframe of now.
+    window->timeline().set_frame(60);
+    enter(window, "surface_position_x", "4");
+    enter(window, "surface_rotation_y", "90");
+    enter(window, "surface_scale", "3");
+    enter(window, "exponent", "21");
+    QCOMPARE(surface().keys.translate.size(), std::size_t{2});
+    QCOMPARE(surface().keys.rotate.size(), std::size_t{2});
+    QCOMPARE(surface().keys.exponent[1].value, 21.0);
+    QCOMPARE(surface().keys.reflectance.size(), std::size_t{1});
+    window->timeline().set_frame(30);
+    QCOMPARE(surface().translate.x, 2.0);
+    QCOMPARE(value(window, "surface_position_x"), QString("2"));
+    QCOMPARE(value(window, "surface_rotation_y"), QString("45"));
+    QCOMPARE(value(window, "surface_scale"), QString("2"));
+    QCOMPARE(value(window, "exponent"), QString("11"));
+    QVERIFY(window.settle());
+    const Surface& shown = window->viewport().frames().shown()->request.scene->surfaces[index];
+    QCOMPARE(shown.translate.x, 2.0);
+    QVERIFY(shown.keys == SurfaceKeys{});
+    // Without a highlight there are no keyframes of it.
+    auto* type = window->findChild<QComboBox*>("material_type");
+    type->setCurrentIndex(0);
+    Q_EMIT type->activated(0);
+    QCOMPARE(strip(window).rows().size(), std::size_t{4});
+    document.undo_stack().setIndex(0);
+    window->timeline().set_frame(0);
+    QVERIFY(document.scene() == before);
+  }
+
   void deleting_a_light_leaves_the_keys_of_the_others() {
     TestWindow window;
     Document& document = window->document();

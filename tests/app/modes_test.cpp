@@ -44,7 +44,7 @@ class ModesTest : public QObject {
     // A corner that is hardly reached costs less than fog; the end of the scale is no less than
     // any.
     const auto frame = rendered(sliced_settings({}, 12));
-    const QImage picture = to_picture(frame->frame, 0.0, ViewMode::cost);
+    const QImage picture = to_picture(frame->frame, {0.0}, ViewMode::cost);
     QVERIFY(2 * qGreen(picture.pixel(0, 0)) < qGreen(picture.pixel(22, 20)));
     const ColorScale scale = color_scale(frame->frame, ViewMode::cost, nullptr);
     QCOMPARE(scale.ticks.size(), 3);

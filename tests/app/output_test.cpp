@@ -19,6 +19,7 @@
 #include "app/view/camera_outline.h"
 #include "app/viewport/camera_frame.h"
 #include "app/viewport/viewport.h"
+#include "core/io/image/deep_exr_file.h"
 #include "core/io/image/image_file.h"
 #include "core/io/scene/scene_file.h"
 #include "core/scene/cameras.h"
@@ -135,6 +136,71 @@ class OutputTest : public QObject {
     QCOMPARE(window->timeline().frames_per_second(), 30.0);
   }
 
+  void samples_lens_and_shutter_are_undoable_and_saved() {
+    TestWindow window(tiny_scene());
+    const Scene before = window->document().scene();
+    const auto output = [&] { return window->document().scene().output; };
+    const auto camera = [&] { return window->document().scene().camera; };
+    click(window, "samples_chosen");
+    QCOMPARE(value(window, "output_samples"), "16");
+    enter(window, "output_samples", "32");
+    enter(window, "output_samples", "0");  // refused
+    QCOMPARE(output().samples, std::optional(32));
+    click(window, "motion_blur");
+    QVERIFY(output().shutter == Shutter{});
+    enter(window, "shutter_open", "-0.25");
+    enter(window, "shutter_close", "0.25");
+    enter(window, "shutter_close", "-0.5");  // before it opens: refused
+    QVERIFY(output().shutter == (Shutter{-0.25, 0.25}));
+
+    QVERIFY(!window->findChild<QAbstractButton*>("focus_on_target")->isEnabled());
+    enter(window, "aperture", "0.2");
+    click(window, "focus_on_target");
+    QCOMPARE(camera().focus_distance, glm::length(camera().target - camera().eye));
+    const int steps = window->document().undo_stack().count();
+    drag_title(window, "focus_distance", 30);
+    QCOMPARE(window->document().undo_stack().count(), steps + 1);
+    enter(window, "focus_distance", "4.5");
+    QCOMPARE(camera().focus_distance, std::optional(4.5));
+    QCOMPARE(camera().aperture, 0.2);
+
+    window->document().save(window.file("scene.brume"));
+    const Scene saved = load_scene(window.file("scene.brume"));
+    QVERIFY(saved.output == output());
+    QVERIFY(saved.camera == camera());
+    click(window, "focus_on_target");
+    QVERIFY(!camera().focus_distance);
+    while (window->document().undo_stack().canUndo()) window->document().undo_stack().undo();
+    QVERIFY(window->document().scene() == before);
+  }
+
+  // The lens of the scene's camera blurs what is rendered, not the view.
+  void renders_have_the_blur_of_the_lens() {
+    Scene scene = tiny_scene();
+    scene.output.samples = 8;
+    TestWindow window(scene);
+    type(window, "output_file", "a.exr");
+    window.key(Qt::Key_F12);
+    QVERIFY(wait_for(queue(window), RenderQueue::State::done));
+    enter(window, "aperture", "0.5");
+    enter(window, "camera_target_z", "2");  // before what is there
+    type(window, "output_file", "b.exr");
+    window.key(Qt::Key_F12);
+    QVERIFY(QTest::qWaitFor([&] { return queue(window).items().size() == 2; }, patience));
+    QVERIFY(wait_for(queue(window), RenderQueue::State::done));
+    const ImageLayers sharp = read_exr(window.file("a.exr"));
+    const ImageLayers blurred = read_exr(window.file("b.exr"));
+    // The sum of steps between neighbours: blurring makes gradients of them.
+    const auto roughness = [](const std::vector<float>& row) {
+      double sum = 0.0;
+      for (std::size_t i = 1; i < row.size(); ++i) {
+        sum += std::pow(static_cast<double>(row[i]) - static_cast<double>(row[i - 1]), 2);
+      }
+      return sum;
+    };
+    QVERIFY(roughness(blurred.channels.at("R")) < 0.8 * roughness(sharp.channels.at("R")));
+  }
+
   void f12_renders_without_a_dialog() {
     TestWindow window(tiny_scene());
     type(window, "output_file", "renders/shot.exr");
@@ -161,6 +227,37 @@ class OutputTest : public QObject {
     QVERIFY(viewer.findChild<QAbstractButton*>("slot_a_2")->isChecked());
     QVERIFY(viewer.findChild<QAbstractButton*>("slot_b_1")->isChecked());
     QVERIFY(viewer.pictures().at(1)->name == "Camera, frame 0");
+  }
+
+  void more_layers_are_rendered() {
+    TestWindow window(tiny_scene());
+    type(window, "output_file", "shot.exr");
+    for (const char* box : {"layer_lights", "layer_normal", "layer_objects"}) click(window, box);
+    QVERIFY(window->document().scene().output.layers.objects);
+    window.key(Qt::Key_F12);
+    QVERIFY(wait_for(queue(window), RenderQueue::State::done));
+    const ImageLayers image = read_exr(window.file("shot.exr"));
+    for (const char* name : {"Z", "airlight.light_1.R", "normal.X", "CryptoObject00.R"}) {
+      QVERIFY2(image.channels.contains(name), name);
+    }
+    QVERIFY(!image.channels.contains("albedo.R"));
+    window->document().undo_stack().undo();
+    QVERIFY(!window->findChild<QCheckBox*>("layer_objects")->isChecked());
+  }
+
+  void a_name_makes_a_deep_frame() {
+    TestWindow window(tiny_scene());
+    type(window, "output_file", "shot.deep.exr");
+    QVERIFY(!window->findChild<QCheckBox*>("layer_normal")->isEnabled());
+    enter(window, "output_first", "2");
+    enter(window, "output_last", "2");
+    click(window, "render.animation_button");
+    QVERIFY(wait_for(queue(window), RenderQueue::State::done));
+    DeepExrHeader header;
+    const DeepRows rows = read_deep_exr(window.file("shot_0002.deep.exr"), header);
+    QCOMPARE(header.width, 32);
+    QVERIFY(header.metadata.contains("brume:deep_error"));
+    QVERIFY(!rows.samples.empty());
   }
 
   void an_animation_asks_for_a_file_and_before_it_replaces() {

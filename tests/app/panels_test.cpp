@@ -17,10 +17,12 @@
 #include "app/panels/environment_panel.h"
 #include "app/panels/light_panel.h"
 #include "app/panels/material_panel.h"
+#include "app/panels/metallic_roughness_form.h"
 #include "app/viewport/viewport.h"
 #include "app/widgets/color_button.h"
 #include "app/widgets/number_field.h"
 #include "app/widgets/value_field.h"
+#include "core/io/image/image_file.h"
 #include "core/io/scene/scene_file.h"
 #include "core/scene/photometry.h"
 #include "tests/app/test_window.h"
@@ -123,6 +125,48 @@ class PanelsTest : public QObject {
     document.undo_stack().setIndex(0);
     QCOMPARE(transfer->currentIndex(), 0);
     QVERIFY(document.scene() == before);
+  }
+
+  void metallic_roughness() {
+    TestWindow window;
+    Document& document = window->document();
+    document.open(load_scene(BRUME_RESOURCES "/scenes/bunny_fog.brume"), {});
+    const Scene before = document.scene();
+    const auto material = [&]() -> const MetallicRoughness& {
+      return document.scene().surfaces[0].material.metallic_roughness;
+    };
+    window->findChild<MaterialPanel*>()->show_surface(0);
+    auto* form = window->findChild<MetallicRoughnessForm*>();
+    QVERIFY(form->isHidden());
+    auto* type = window->findChild<QComboBox*>("material_type");
+    type->setCurrentIndex(3);
+    Q_EMIT type->activated(3);
+    QVERIFY(document.scene().surfaces[0].material.type == Material::Type::metallic_roughness);
+    QVERIFY(!form->isHidden());
+    QCOMPARE(material().base_color, before.surfaces[0].material.reflectance);
+    enter(window, "roughness", "0.25");
+    enter(window, "metallic", "0.75");
+    enter(window, "emissive_y", "3");
+    QCOMPARE(material().roughness, 0.25);
+    QCOMPARE(material().metallic, 0.75);
+    QCOMPARE(material().emissive, glm::dvec3(0.0, 3.0, 0.0));
+    Q_EMIT window->findChild<ColorButton*>("base_color")->edited({0.5, 0.25, 0.125}, no_merge);
+    QCOMPARE(material().base_color, glm::dvec3(0.5, 0.25, 0.125));
+
+    const std::filesystem::path file = window.file("wood.png");
+    std::ofstream(file, std::ios::binary) << encode_png(1, 1, std::vector<std::uint8_t>(3, 200));
+    form->load_texture(&MetallicRoughness::base_color_texture, file);
+    QTRY_VERIFY(material().base_color_texture.content);
+    auto* choose = window->findChild<QPushButton*>("base_color_texture");
+    QCOMPARE(choose->text(), QString("wood.png"));
+    QCOMPARE(document.undo_stack().count(), 6);
+    window->findChild<QToolButton*>("base_color_texture_remove")->click();
+    QVERIFY(material().base_color_texture == TextureReference{});
+    document.undo_stack().undo();
+    QVERIFY(material().base_color_texture.content);
+    document.undo_stack().setIndex(0);
+    QVERIFY(document.scene() == before);
+    QVERIFY(form->isHidden());
   }
 
   void a_measured_material_is_read_in_the_background() {

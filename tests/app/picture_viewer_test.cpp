@@ -23,7 +23,7 @@ std::shared_ptr<const Picture> plain(const QString& name, float red, int width =
   for (int k = 0; k < width * height; ++k) {
     frame.beauty.insert(frame.beauty.end(), {red, 0.25F, 0.0F, 1.0F});
   }
-  return make_picture(frame, 0.0, name, "made by hand");
+  return make_picture(frame, {}, name, "made by hand");
 }
 
 // A viewer 400 pixels wide, its canvas large enough for a wipe.

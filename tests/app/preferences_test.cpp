@@ -1,18 +1,27 @@
 // Preferences: choices that apply at once and last.
 
+#include <QColorDialog>
 #include <QComboBox>
+#include <QDockWidget>
+#include <QInputDialog>
 #include <QKeySequenceEdit>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QPushButton>
 #include <QSettings>
 #include <QSpinBox>
 #include <QTreeWidget>
 
 #include "app/document/autosave.h"
+#include "app/view/overlay.h"
 #include "app/viewport/viewport.h"
 #include "app/widgets/application.h"
+#include "app/widgets/color_button.h"
+#include "app/widgets/interface_settings.h"
 #include "app/widgets/keys.h"
+#include "app/widgets/number_field.h"
+#include "app/widgets/value_field.h"
 #include "app/window/preferences.h"
 #include "tests/app/test_window.h"
 
@@ -101,7 +110,7 @@ class PreferencesTest : public QObject {
     QVERIFY(theme() == Theme::light);
     choose("theme", 0);
     QVERIFY(theme() == Theme::dark);
-    choose("airlight", 2);
+    choose("airlight", 3);
     QVERIFY(window->viewport().frames().quality().airlight() == AirlightMethod::paper);
     // The menu and the box agree.
     window.action("airlight_auto").trigger();
@@ -111,6 +120,122 @@ class PreferencesTest : public QObject {
     window.part<QSpinBox>("threads").setValue(1);
     QVERIFY(window.settle());  // still renders
     window.part<QSpinBox>("threads").setValue(0);
+  }
+
+  void lengths_have_the_unit_that_is_chosen() {
+    {
+      PreferencesWindow window;
+      window->document().select({window->document().medium().ids()[0]});
+      auto* radius = window->findChild<QLineEdit*>("radius");
+      auto* density = window->findChild<QLineEdit*>("density");
+      const QString plain = radius->text();
+      QVERIFY(!plain.contains(' '));
+      auto& unit = window.part<QComboBox>("length_unit");
+      unit.setFocus();
+      unit.lineEdit()->selectAll();
+      QTest::keyClicks(&unit, "cm");
+      QCOMPARE(radius->text(), plain + " cm");
+      QVERIFY(!density->text().contains("cm"));
+      // Numbers are taken as they are, with the unit and without.
+      radius->setFocus();
+      radius->selectAll();
+      QTest::keyClicks(radius, "0.5 cm");
+      QTest::keyClick(radius, Qt::Key_Return);
+      QCOMPARE(window->document().medium().radii()[0], 0.5);
+      QCOMPARE(radius->text(), QString("0.5 cm"));
+    }
+    PreferencesWindow later;
+    QCOMPARE(later.part<QComboBox>("length_unit").currentText(), QString("cm"));
+  }
+
+  void colours_have_the_numbers_that_are_chosen() {
+    PreferencesWindow window;
+    auto* albedo = window->findChild<ColorButton*>("gaussian_albedo");
+    albedo->show_color(glm::dvec3(0.5, 0.25, 0.0));
+    QCOMPARE(albedo->toolTip(), QString("sRGB 188, 137, 0"));
+    auto& numbers = window.part<QComboBox>("color_numbers");
+    numbers.setFocus();
+    QTest::keyClick(&numbers, Qt::Key_Down);
+    QCOMPARE(albedo->toolTip(), QString("linear 0.5, 0.25, 0"));
+    // The colour dialog has fields of such numbers then.
+    QSignalSpy edited(albedo, &ColorButton::edited);
+    albedo->setEnabled(true);
+    albedo->click();
+    auto* dialog = albedo->findChild<QColorDialog*>();
+    QVERIFY(dialog);
+    auto* green = dialog->findChild<ValueField*>("linear_g");
+    QVERIFY(green);
+    green->number().selectAll();
+    QTest::keyClicks(&green->number(), "0.125");
+    QTest::keyClick(&green->number(), Qt::Key_Return);
+    QVERIFY(!edited.isEmpty());
+    QCOMPARE(edited.back()[0].value<glm::dvec3>(), glm::dvec3(0.5, 0.125, 0.0));
+    dialog->close();
+  }
+
+  void handles_grow_and_are_picked_from_farther() {
+    PreferencesWindow window;
+    Viewport& view = window->viewport();
+    view.raise();
+    const QPoint beside = window.handle(0) + QPoint(14, 0);
+    const auto picked = [&] {
+      return view.shown_handles().handles().pick(beside) == std::optional<std::size_t>(0);
+    };
+    QVERIFY(!picked());
+    const float line = Overlay::line_width();
+    auto& scale = window.part<QComboBox>("handle_scale");
+    scale.setFocus();
+    while (scale.currentData().toDouble() != 2.0) QTest::keyClick(&scale, Qt::Key_Down);
+    QVERIFY(picked());
+    QCOMPARE(Overlay::line_width(), 2.0F * line);
+    QCOMPARE(handle_scale(), 2.0);
+    QCOMPARE(handle_scale_of(96.0), 1.0);
+    QCOMPARE(handle_scale_of(192.0), 2.0);
+    QCOMPARE(handle_scale_of(1000.0), 3.0);
+    scale.setFocus();
+    while (scale.currentIndex() > 0) QTest::keyClick(&scale, Qt::Key_Up);
+    QCOMPARE(handle_scale(), 1.0);
+  }
+
+  void layouts_are_saved_restored_and_deleted() {
+    const auto trigger = [](TestWindow& window, const QString& text) {
+      auto* menu = window->findChild<QMenu*>("layouts");
+      Q_EMIT menu->aboutToShow();
+      for (QMenu* shown : {menu, menu->findChild<QMenu*>("layout_delete")}) {
+        for (QAction* action : shown->actions()) {
+          if (action->text().remove('&') == text && !action->menu()) return action->trigger();
+        }
+      }
+      qFatal("no such layout");
+    };
+    const auto is_open = [](TestWindow& window, const char* dock) {
+      return !window->findChild<QDockWidget*>(dock)->isHidden();
+    };
+    {
+      TestWindow window;
+      window->findChild<QDockWidget*>("outliner")->close();
+      window->findChild<QDockWidget*>("timeline")->close();
+      trigger(window, "Save Current As…");
+      auto* dialog = window->findChild<QInputDialog*>("layout_name");
+      QVERIFY(dialog);
+      QTest::keyClicks(dialog->findChild<QLineEdit*>(), "Paint & look");
+      QTest::keyClick(dialog->findChild<QLineEdit*>(), Qt::Key_Return);
+      trigger(window, "Reset to Default");
+      QVERIFY(is_open(window, "outliner") && is_open(window, "timeline"));
+    }
+    TestWindow later;
+    QVERIFY(is_open(later, "outliner"));
+    auto* menu = later->findChild<QMenu*>("layouts");
+    Q_EMIT menu->aboutToShow();
+    QCOMPARE(menu->actions().front()->text(), QString("Paint && look"));
+    menu->actions().front()->trigger();
+    QVERIFY(!is_open(later, "outliner") && !is_open(later, "timeline"));
+    trigger(later, "Reset to Default");
+    Q_EMIT menu->aboutToShow();
+    menu->findChild<QMenu*>("layout_delete")->actions().front()->trigger();
+    Q_EMIT menu->aboutToShow();
+    QVERIFY(menu->actions().front()->text() != "Paint && look");
+    QVERIFY(QSettings().value("window/layouts").toMap().isEmpty());
   }
 
   void handles_can_be_hidden() {

@@ -7,9 +7,11 @@
 #include <QScopeGuard>
 #include <QSettings>
 #include <QStatusBar>
+#include <QToolButton>
 #include <QTreeWidget>
 #include <algorithm>
 
+#include "app/document/number_text.h"
 #include "app/document/paths.h"
 #include "app/files/scene_files.h"
 #include "app/frames/error_meter.h"
@@ -139,7 +141,7 @@ class QualityTest : public QObject {
     const int tight = slices_for("1 %");
     QVERIFY(error_of(*window).high <= 0.01);
     QVERIFY2(0 < loose && loose < tight, qPrintable(QString("%1 %2").arg(loose).arg(tight)));
-    QCOMPARE(label(*window, "shown"), QString("sliced %1").arg(tight));
+    QCOMPARE(label(*window, "shown"), QString("Auto: %1 slices").arg(tight));
     QVERIFY(label(*window, "why").contains("1 %"));
   }
 
@@ -288,15 +290,80 @@ class QualityTest : public QObject {
     QCOMPARE(label(*window, "gaussians_used"), QString("4 of 4 used"));
   }
 
+  // Frame time, error and method; the rest where it is asked for, by mouse and for later.
+  void the_panel_is_compact_until_it_is_unfolded() {
+    QSettings().remove("performance/details");
+    {
+      TestWindow window;
+      auto* details = window->findChild<QToolButton*>("performance_details");
+      auto* stages = window->findChild<QTreeWidget*>("stages");
+      for (const char* name : {"frame_time", "panel_error", "shown"}) {
+        QVERIFY2(window->findChild<QLabel*>(name)->isVisible(), name);
+        QVERIFY2(!label(*window, name).isEmpty(), name);
+      }
+      QVERIFY(label(*window, "frame_time").contains('s'));
+      QVERIFY(label(*window, "shown").startsWith("Auto: "));
+      QVERIFY(!stages->isVisible());
+      QVERIFY(!window->findChild<QLabel*>("interval")->isVisible());
+      QTest::mouseClick(details, Qt::LeftButton);
+      QVERIFY(stages->isVisible());
+      QVERIFY(window->findChild<QLabel*>("interval")->isVisible());
+    }
+    TestWindow later;
+    auto* details = later->findChild<QToolButton*>("performance_details");
+    QVERIFY(later->findChild<QTreeWidget*>("stages")->isVisible());
+    QTest::mouseClick(details, Qt::LeftButton);
+    QVERIFY(!later->findChild<QTreeWidget*>("stages")->isVisible());
+  }
+
+  void the_four_qualities_render() {
+    TestWindow window;
+    const Viewport& view = window->viewport();
+    const auto choose = [&](const char* name) {
+      window->findChild<QAction*>(name)->trigger();
+      return window.settle();
+    };
+    const auto is_checked = [&](const char* name) {
+      return window->findChild<QAction*>(name)->isChecked();
+    };
+    QCOMPARE(window->findChild<QAction*>("airlight_auto")->text().remove('&'),
+             QString("Auto (max error 2 %)"));
+    choose_bound(*window, "5 %");
+    QCOMPARE(window->findChild<QAction*>("airlight_auto")->text().remove('&'),
+             QString("Auto (max error 5 %)"));
+    choose_bound(*window, "2 %");
+    QVERIFY(choose("airlight_fast"));
+    QCOMPARE(view.frames().shown()->request.settings.slices, FrameQuality::fast_slices);
+    QCOMPARE(label(*window, "shown"), QString("Fast: 8 slices"));
+    QVERIFY(choose("airlight_sliced"));
+    QCOMPARE(label(*window, "shown"), QString("Fixed: 24 slices"));
+    QVERIFY(choose("airlight_paper"));
+    QCOMPARE(label(*window, "shown"), QString("Paper's method"));
+    // More paths come by themselves, and the window answers meanwhile.
+    QVERIFY(choose("airlight_reference"));
+    QCOMPARE(view.frames().mode(), ViewMode::path_traced);
+    QCOMPARE(label(*window, "shown"), QString("Reference: path tracing"));
+    const int paths = view.frames().shown()->request.settings.paths;
+    QTRY_VERIFY(view.frames().shown()->request.settings.paths > paths);
+    // What View > Show says wins, and the method is as it was before.
+    window->viewport().frames().set_mode(ViewMode::final);
+    QVERIFY(is_checked("airlight_paper") && !is_checked("airlight_reference"));
+    window->viewport().frames().set_mode(ViewMode::path_traced);
+    QVERIFY(is_checked("airlight_reference"));
+    QVERIFY(choose("airlight_auto"));
+    QCOMPARE(view.frames().mode(), ViewMode::final);
+    QVERIFY(is_checked("airlight_auto"));
+  }
+
   void numbers_are_short() {
     const auto text = [](double error, double high) {
       return error_text({error, error * error / high, high, 100});
     };
-    QCOMPARE(text(0.014, 0.016), QString("1.4 ± .2 %"));
+    QCOMPARE(text(0.014, 0.016), QString("1.4 ± 0.2 %"));
     QCOMPARE(text(0.353, 0.384), QString("35 ± 3 %"));
-    QCOMPARE(text(0.0021, 0.0025), QString("0.21 ± .04 %"));
-    QCOMPARE(text(1e-6, 2e-6), QString("< .01 %"));
-    QCOMPARE(error_text({}), QString("< .01 %"));
+    QCOMPARE(text(0.0021, 0.0025), QString("0.21 ± 0.04 %"));
+    QCOMPARE(text(1e-6, 2e-6), QString("< 0.01 %"));
+    QCOMPARE(error_text({}), QString("< 0.01 %"));
     QCOMPARE(count_text(12408), QString("12,408"));
     QCOMPARE(bound_text(0.02), QString("2 %"));
   }

@@ -246,9 +246,13 @@ class ScatteringTest : public QObject {
     QVERIFY(dialog);
     auto* paths = dialog->findChild<QSpinBox*>("frame_paths");
     QVERIFY(!paths->isEnabled());
-    dialog->findChild<QComboBox*>("frame_format")->setCurrentIndex(1);
+    auto* format = dialog->findChild<QComboBox*>("frame_format");
     auto* file = dialog->findChild<QLineEdit*>("frame_file");
-    QVERIFY(file->text().endsWith(".exr"));
+    format->setCurrentIndex(2);
+    QVERIFY(file->text().endsWith("frame.deep.exr"));
+    QVERIFY(!dialog->findChild<QComboBox*>("frame_method")->isEnabled());
+    format->setCurrentIndex(1);
+    QVERIFY(file->text().endsWith("frame.exr"));
     file->setText(to_qstring(window.file("paths.exr")));
     dialog->findChild<QComboBox*>("frame_method")->setCurrentIndex(1);
     QVERIFY(paths->isEnabled());

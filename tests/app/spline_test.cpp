@@ -1,13 +1,18 @@
 // The spline brush, and moves with a soft selection and with snapping.
 
 #include <QComboBox>
+#include <QLineEdit>
 #include <QPushButton>
+#include <QTreeWidget>
 #include <cmath>
 
+#include "app/commands/edit_groups.h"
 #include "app/commands/edit_medium.h"
+#include "app/commands/edit_splines.h"
 #include "app/tools/spline_tool.h"
 #include "app/tools/tool_box.h"
 #include "app/viewport/viewport.h"
+#include "core/io/scene/scene_file.h"
 #include "tests/app/test_window.h"
 
 using namespace brume;
@@ -158,6 +163,108 @@ class SplineTest : public QObject {
     QVERIFY(document.scene() == before);
     while (document.undo_stack().canRedo()) document.undo_stack().redo();
     QCOMPARE(document.medium().size(), count + 1);
+  }
+
+  // Its points are in the scene, not in the tool: by the file, and in the outliner.
+  void a_saved_spline_is_edited_again() {
+    SplineWindow window;
+    window.key(Qt::Key_B, Qt::ShiftModifier);
+    const QPoint center = window.view().rect().center();
+    enter(window, "spline_radius", "0.2");
+    enter(window, "spline_density", "3");
+    QTest::mouseClick(&window.view(), Qt::LeftButton, {}, center - QPoint(120, 0));
+    QTest::mouseClick(&window.view(), Qt::LeftButton, {}, center + QPoint(120, 0));
+    const PaintedSpline painted = window.document().scene().splines.at(0);
+    QVERIFY(painted.gaussians.size() > 5);
+    window.document().save(window.file("spline.brume"));
+
+    SplineWindow later;
+    Document& document = later.document();
+    document.open(load_document(window.file("spline.brume")), {});
+    const Scene opened = document.scene();
+    QVERIFY(later->tools().active() == 0);
+    auto* tree = later->findChild<QTreeWidget*>("outliner_tree");
+    QTreeWidgetItem* row =
+        tree->findItems("Spline", Qt::MatchExactly | Qt::MatchRecursive).value(0);
+    QVERIFY(row);
+    tree->scrollToItem(row);
+    QTest::mouseClick(tree->viewport(), Qt::LeftButton, {}, tree->visualItemRect(row).center());
+    auto* tool = dynamic_cast<SplineTool*>(&later->tools().tool());
+    QVERIFY(tool);
+    QVERIFY(tool->spline().points == painted.points);
+    QVERIFY(tool->brush() == painted.brush);
+    QVERIFY(!document.is_modified());  // looking at it is no edit
+
+    // Exactly its own Gaussians are painted again.
+    const glm::dvec3 end = later.view().rays().project(painted.points[1]);
+    const QPoint at = QPointF(end.x, end.y).toPoint();
+    later.drag(at, at + QPoint(0, 80));
+    QCOMPARE(document.undo_stack().undoText(), QString("Move point of spline"));
+    QVERIFY(tool->spline().points[1].y < painted.points[1].y - 0.3);
+    QVERIFY(document.medium().centers().back().y < opened.medium.centers().back().y - 0.1);
+    QCOMPARE(document.medium().radii().front(), 0.2);
+    document.undo_stack().undo();
+    QVERIFY(document.scene() == opened);
+
+    // Undo of a change of the brush gives the tool's back, too.
+    enter(later, "spline_density", "5");
+    QCOMPARE(document.scene().splines[0].brush.density, 5.0);
+    document.undo_stack().undo();
+    QCOMPARE(tool->brush().density, 3.0);
+    QVERIFY(document.scene() == opened);
+  }
+
+  void splines_are_renamed_and_deleted_in_the_outliner() {
+    SplineWindow window;
+    Document& document = window.document();
+    window.key(Qt::Key_B, Qt::ShiftModifier);
+    const QPoint center = window.view().rect().center();
+    QTest::mouseClick(&window.view(), Qt::LeftButton, {}, center);
+    const Scene painted = document.scene();
+    auto* tree = window->findChild<QTreeWidget*>("outliner_tree");
+    const auto row = [&](const QString& name) {
+      return tree->findItems(name, Qt::MatchExactly | Qt::MatchRecursive).value(0);
+    };
+    tree->setCurrentItem(row("Spline"));
+    tree->setFocus();
+    QTest::keyClick(tree, Qt::Key_F2);
+    auto* editor = tree->findChild<QLineEdit*>("row_name");
+    QVERIFY(editor);
+    editor->selectAll();
+    QTest::keyClicks(editor, "Trail");
+    QTest::keyClick(editor, Qt::Key_Return);
+    QTRY_VERIFY(row("Trail"));
+    QCOMPARE(document.undo_stack().undoText(), QString("Rename Spline to Trail"));
+    tree->setCurrentItem(row("Trail"));
+    tree->setFocus();
+    QTest::keyClick(tree, Qt::Key_Delete);
+    QVERIFY(document.scene().splines.empty() && document.medium().empty());
+    QVERIFY(!row("Trail"));
+    document.undo_stack().undo();
+    QVERIFY(row("Trail"));
+    QVERIFY(document.medium() == painted.medium);
+    release_spline(document, document.scene().splines[0].id);
+    QVERIFY(document.scene().splines.empty() && document.medium() == painted.medium);
+    while (document.undo_stack().canUndo()) document.undo_stack().undo();
+    QVERIFY(document.scene() == SplineWindow::scene_without_fog() || document.medium().empty());
+  }
+
+  // Fog that was put into a group stays there when its spline is painted again.
+  void a_repainted_spline_stays_in_its_group() {
+    SplineWindow window;
+    Document& document = window.document();
+    window.key(Qt::Key_B, Qt::ShiftModifier);
+    const QPoint center = window.view().rect().center();
+    QTest::mouseClick(&window.view(), Qt::LeftButton, {}, center);
+    document.select({document.medium().ids()[0]});
+    group_selection(document);
+    const GroupId group = document.scene().groups[0].id;
+    document.set_active_group(0);
+    QTest::mouseClick(&window.view(), Qt::LeftButton, {}, center + QPoint(150, 0));
+    QVERIFY(document.medium().size() > 3);
+    for (std::size_t k = 0; k < document.medium().size(); ++k) {
+      QCOMPARE(document.medium().group(k), group);
+    }
   }
 
   void another_scene_ends_a_spline() {

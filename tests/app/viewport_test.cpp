@@ -211,10 +211,11 @@ class ViewportTest : public QObject {
     window.key(Qt::Key_Tab);
     QVERIFY(view.frames().mode() == ViewMode::airlight);
     // Without surfaces the picture is airlight and nothing else.
-    QVERIFY(to_picture(frame, 0.0, ViewMode::airlight) == to_picture(frame, 0.0, ViewMode::final));
+    QVERIFY(to_picture(frame, {0.0}, ViewMode::airlight) ==
+            to_picture(frame, {0.0}, ViewMode::final));
     window.key(Qt::Key_Tab);
     QVERIFY(view.frames().mode() == ViewMode::optical_depth);
-    const QImage depths = to_picture(frame, 0.0, ViewMode::optical_depth);
+    const QImage depths = to_picture(frame, {0.0}, ViewMode::optical_depth);
     QCOMPARE(depths.pixel(corner), depth_color(0.0));
     QCOMPARE(depths.pixel(at), depth_color(-std::log(frame.transmittance[3 * pixel(at) + 1])));
     QVERIFY(depths.pixel(at) != depth_color(0.0));

@@ -1,16 +1,20 @@
 // Writes small valid files for the fuzzers to begin with: FOLDER/PARSER/NAME.
 
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <sstream>
 #include <string>
 #include <string_view>
 
 #include "core/io/gaussians/gaussian_file.h"
 #include "core/io/image/image_file.h"
+#include "core/io/import/raw_scene_bytes.h"
 #include "core/io/volume/volume_file.h"
 #include "core/medium/medium.h"
 #include "core/volume/medium_grid.h"
+#include "tests/core/io/import/gltf_builder.h"
 
 namespace brume {
 namespace {
@@ -64,6 +68,66 @@ void write(const std::filesystem::path& file, std::string_view content) {
   std::ofstream(file, std::ios::binary) << content;
 }
 
+// Materials, textures, transforms, cameras and lights, and accessors of all kinds.
+std::string gltf_scene() {
+  GltfBuilder builder;
+  const std::string pixel = encode_png(1, 1, std::vector<std::uint8_t>{255, 128, 0});
+  builder.json["images"] = {{{"bufferView", builder.add_view(pixel.data(), pixel.size())}},
+                            {{"uri", "none.png"}}};
+  builder.json["samplers"] = {{{"wrapS", 33071}, {"wrapT", 33648}}};
+  builder.json["textures"] = {{{"source", 0}, {"sampler", 0}}, {{"source", 1}}};
+  builder.json["materials"] = {
+      {{"pbrMetallicRoughness",
+        {{"baseColorFactor", {0.1, 0.2, 0.3, 1.0}},
+         {"metallicFactor", 0.5},
+         {"roughnessFactor", 0.5},
+         {"baseColorTexture",
+          {{"index", 0},
+           {"extensions",
+            {{"KHR_texture_transform",
+              {{"offset", {0.5, 0.25}}, {"rotation", 1.0}, {"scale", {2, 3}}}}}}}}}},
+       {"normalTexture", {{"index", 1}, {"scale", 0.75}}},
+       {"emissiveFactor", {1.0, 0.5, 0.0}},
+       {"alphaMode", "MASK"}}};
+  builder.primitive()["material"] = 0;
+  const std::uint8_t index = 2;
+  const std::array<float, 3> point{1, 1, 5};
+  builder.json["accessors"][0]["sparse"] = {
+      {"count", 1},
+      {"indices", {{"bufferView", builder.add_view(&index, 1)}, {"componentType", 5121}}},
+      {"values", {{"bufferView", builder.add_view(point.data(), sizeof point)}}}};
+  builder.json["extensions"]["KHR_lights_punctual"]["lights"] = {
+      {{"type", "spot"}, {"intensity", 5}, {"spot", {{"innerConeAngle", 0.1}}}},
+      {{"type", "directional"}, {"color", {1, 0.5, 0}}}};
+  builder.json["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", 0.8}}}}};
+  builder.json["nodes"] = {
+      {{"name", "a"}, {"mesh", 0}, {"children", {1, 2}}, {"scale", {-1, 2, 1}}},
+      {{"camera", 0}, {"rotation", {0, 0.6, 0, 0.8}}, {"translation", {1, 2, 3}}},
+      {{"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}},
+       {"matrix", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 4, 5, 6, 1}}}};
+  return builder.binary();
+}
+
+std::string raw_scene() {
+  RawScene scene;
+  scene.nodes = {{"a"}, {"b", 0}};
+  scene.materials.resize(1);
+  scene.materials[0].textures[2] = RawTexture{0, TextureWrap::clamp, TextureWrap::mirror};
+  scene.images = {{"a.png", "bytes"}};
+  RawPart part{1, 0, {}};
+  part.mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  part.mesh.normals.assign(3, {0, 0, 1});
+  part.mesh.texcoords.resize(3);
+  part.mesh.triangles = {{0, 1, 2}};
+  scene.parts = {part};
+  scene.cameras = {{"c", Camera{}, {}}};
+  scene.lights = {{.position = {1, 2, 3}, .spot = SpotCone{}, .name = "s"}};
+  scene.warnings = {"w"};
+  std::ostringstream out;
+  write_raw_scene(out, scene);
+  return out.str();
+}
+
 void write_seeds(const std::filesystem::path& folder) {
   for (const char* parser : {"gaussian_ply", "gaussian_csv", "exr", "vdb"}) {
     std::filesystem::create_directories(folder / parser);
@@ -82,6 +146,9 @@ void write_seeds(const std::filesystem::path& folder) {
   write(folder / "hdr/flat.hdr", hdr + std::string(8 * 4, '\x80'));
   write(folder / "hdr/runs.hdr", hdr + std::string("\2\2\0\10\210\12\210\13\210\14\210\210", 12));
   write(folder / "ies/quadrant.ies", ies);
+  write(folder / "gltf/scene.glb", gltf_scene());
+  write(folder / "gltf/text.gltf", GltfBuilder().text("none.bin"));
+  write(folder / "raw_scene/scene.bytes", raw_scene());
   write(folder / "merl/header.binary", std::string("\132\0\0\0\132\0\0\0\264\0\0\0", 12));
 
   Medium medium;

@@ -13,11 +13,15 @@
 #include <string_view>
 
 #include "core/error.h"
+#include "core/io/file_bytes.h"
 #include "core/io/gaussians/gaussian_csv.h"
 #include "core/io/gaussians/gaussian_ply.h"
 #include "core/io/ies_file.h"
 #include "core/io/image/hdr_file.h"
 #include "core/io/image/image_file.h"
+#include "core/io/image/texture_file.h"
+#include "core/io/import/imported_scene_file.h"
+#include "core/io/import/raw_scene_bytes.h"
 #include "core/io/merl_file.h"
 #include "core/io/mesh/mesh_file.h"
 #include "core/io/scene/scene_file.h"
@@ -47,7 +51,15 @@ constexpr Parser parsers[] = {
     // A few bytes can be a large image of one colour: the fuzzer would do little but fill it.
     {"exr", ".exr", [](const Path& file) { read_exr(file); }, 1 << 24},
     {"hdr", ".hdr", [](const Path& file) { read_hdr(file); }},
+    {"png", ".png", [](const Path& file) { read_texture(file, false); }, 1 << 24},
+    {"jpeg", ".jpg", [](const Path& file) { read_texture(file, false); }, 1 << 24},
     {"ies", ".ies", [](const Path& file) { read_ies(file); }},
+    {"gltf", ".glb",
+     [](const Path& file) {
+       std::vector<std::string> warnings;
+       read_imported_scene(file, warnings);
+     }},
+    {"raw_scene", ".bytes", [](const Path& file) { read_raw_scene(file, read_bytes(file)); }},
     {"merl", ".binary", [](const Path& file) { read_merl(file); }},
     {"vdb", ".vdb",
      [](const Path& file) {

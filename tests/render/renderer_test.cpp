@@ -1,4 +1,5 @@
 #include "render/renderer.h"
+#include "render/display/to_display.h"
 
 #include <gtest/gtest.h>
 
@@ -234,7 +235,7 @@ TEST(Display, PreservesColoursBelowTheKnee) {
   Frame frame;
   frame.film = {3, 1};
   frame.beauty = {0, 0, 0, 0, 0.2f + 0.04f, 0.2f + 0.04f, 0.2f + 0.04f, 1, 1e30f, 1, 0, 1};
-  const auto bytes = to_display(frame, 0.0);
+  const auto bytes = to_display(frame, {});
   EXPECT_EQ(bytes[0], 0);
   // sRGB of 0.2 (the curve takes away 0.04) is 124.
   EXPECT_EQ(bytes[3], 124);

@@ -111,6 +111,18 @@ TEST_F(MalformedScene, EachValueOfAGroupIsRefusedInOneLine) {
   expect_refused(all);
 }
 
+TEST_F(MalformedScene, EachValueOfAKeyframeIsRefusedInOneLine) {
+  const std::vector<MalformedCase> all = malformed_keys();
+  ASSERT_GE(all.size(), 60u);
+  expect_refused(all);
+}
+
+TEST_F(MalformedScene, EachValueOfASplineIsRefusedInOneLine) {
+  const std::vector<MalformedCase> all = malformed_splines();
+  ASSERT_GE(all.size(), 80u);
+  expect_refused(all);
+}
+
 TEST_F(MalformedScene, RefusesFoldersAndDevices) {
   const std::string out = (folder_ / "o.exr").string();
   for (const std::string& scene :

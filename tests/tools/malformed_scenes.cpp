@@ -93,6 +93,10 @@ std::string scene_with_groups(const std::string& groups) {
   return medium("\"groups\": " + groups);
 }
 
+std::string scene_with_splines(const std::string& splines) {
+  return medium("\"splines\": " + splines);
+}
+
 std::string good_scene() {
   return Parts{}.text();
 }

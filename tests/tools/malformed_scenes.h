@@ -22,13 +22,19 @@ std::vector<MalformedCase> malformed_emitters();
 std::vector<MalformedCase> malformed_primitives();
 // Every key of a group, and keyframes of it, with such values; groups that are not there.
 std::vector<MalformedCase> malformed_groups();
+// Every key of a painted spline with such values; splines that are not there.
+std::vector<MalformedCase> malformed_splines();
+
+// Keyframes of a surface, and their tangents, with such values.
+std::vector<MalformedCase> malformed_keys();
 
 // The text of a scene with one light, with one emitter, with this as its second surface, with an
-// array of groups.
+// array of groups, of splines.
 std::string scene_with_light(const std::string& members);
 std::string scene_with_emitter(const std::string& members);
 std::string scene_with_surface(const std::string& members);
 std::string scene_with_groups(const std::string& groups);
+std::string scene_with_splines(const std::string& splines);
 
 // The scene they are made from; it needs good.obj.
 std::string good_scene();

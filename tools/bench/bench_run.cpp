@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "core/io/scene/scene_file.h"
+#include "core/scene/imported_scene.h"
 #include "render/render_plan.h"
 #include "render/renderer.h"
 #include "render/transfer/transfer_store.h"
@@ -74,6 +75,7 @@ std::vector<BenchScene> chosen_scenes(const BenchOptions& options) {
   std::vector<BenchScene> scenes;
   for (const auto& file : options.scenes) {
     BenchScene& added = scenes.emplace_back(file.stem().string(), load_scene(file));
+    added.scene.surfaces = shown_surfaces(added.scene.surfaces);
     const Film& film = added.scene.film;
     if (options.quick && film.width * film.height > frontier_film.width * frontier_film.height) {
       added.scene.film = frontier_film;
@@ -148,6 +150,8 @@ BenchReport run_bench(const BenchOptions& options,
   report.all_orders = measure_all_orders(options.quick);
   log("kinds of lights");
   report.light_kinds = measure_light_kinds(options.quick);
+  log("filtered pixels");
+  report.samples = measure_samples(options.quick);
   if (!options.quick) measure_errors(report, log);
   report.curves = measure_cost_curves(options, log);
   log("threads");

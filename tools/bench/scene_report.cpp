@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/io/image/image_file.h"
+#include "render/display/to_display.h"
 #include "render/renderer.h"
 
 namespace brume {
@@ -64,7 +65,7 @@ BenchPicture picture(const Scene& scene, const Settings& settings, bool quick) {
   const double rms = std::sqrt(square / static_cast<double>(reference.airlight.size()));
   constexpr double white = 0.1;
   const auto png = [](const Frame& f) {
-    return encode_png(f.film.width, f.film.height, to_display(f, 0.0));
+    return encode_png(f.film.width, f.film.height, to_display(f, {}));
   };
   return {setting_name(settings), png(frame), png(reference),
           error_map(frame, reference, std::max(white * rms, 1e-30)), white};

@@ -1,16 +1,20 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
 #include "core/error.h"
 #include "core/io/file_bytes.h"
 #include "core/io/gaussians/gaussian_file.h"
+#include "core/io/import/imported_scene_file.h"
 #include "core/io/scene/light_json.h"
 #include "core/io/scene/scene_names.h"
 #include "core/io/text_scanner.h"
 #include "core/io/volume/volume_file.h"
 #include "core/number_domain.h"
+#include "core/scene/imported_scene.h"
 #include "core/scene/mesh.h"
+#include "core/scene/mesh_arrays.h"
 #include "core/transport/medium_summary.h"
 #include "tools/brume/command.h"
 #include "tools/brume/progress_line.h"
@@ -66,7 +70,8 @@ Json scene_json(const SceneDocument& document) {
     if (const auto& primitive = surface.primitive) {
       entry["primitive"] = scene_names::primitives[static_cast<std::size_t>(primitive->shape)];
     } else {
-      entry["mesh"] = surface.mesh_file.string();
+      entry[surface.imported ? "file" : "mesh"] = surface.mesh_file.string();
+      if (!surface.nodes.empty()) entry["nodes"] = surface.nodes;
     }
     entry["vertices"] = surface.mesh->n_vertices();
     entry["faces"] = surface.mesh->n_faces();
@@ -86,6 +91,45 @@ Json grids_json(const std::string& file) {
     if (grid.voxels > 0) entry["bounds"] = bounds(grid.min_corner, grid.max_corner);
     entry["voxel_size"] = to_json(grid.voxel_size);
     json.push_back(std::move(entry));
+  }
+  return json;
+}
+
+Json imported_json(const ImportedScene& scene) {
+  Json json;
+  const auto parts = chosen_parts(scene, {});
+  if (const auto mesh = joined_mesh(parts)) {
+    const MeshBox box = box_of(*mesh);
+    json["bounds"] = bounds(box.low, box.high);
+  }
+  std::set<const Texture*> textures;
+  std::vector<std::size_t> faces(scene.nodes.size(), 0);
+  for (const ImportedPart* part : parts) {
+    faces[part->node] += part->mesh->n_faces();
+    for (const TextureReference* texture : textures_of(part->material.metallic_roughness)) {
+      if (texture->content) textures.insert(texture->content.get());
+    }
+  }
+  json["textures"] = textures.size();
+  json["nodes"] = Json::array();
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+    Json& entry = json["nodes"].emplace_back();
+    entry["name"] = scene.nodes[i].name;
+    if (const auto parent = scene.nodes[i].parent) entry["parent"] = scene.nodes[*parent].name;
+    if (faces[i] > 0) entry["faces"] = faces[i];
+  }
+  json["cameras"] = Json::array();
+  for (const NamedCamera& camera : scene.cameras) {
+    json["cameras"].push_back({{"name", camera.name},
+                               {"eye", to_json(camera.camera.eye)},
+                               {"target", to_json(camera.camera.target)},
+                               {"up", to_json(camera.camera.up)},
+                               {"vertical_fov", camera.camera.vertical_fov}});
+  }
+  json["lights"] = Json::array();
+  for (const Light& light : scene.lights) {
+    Json& entry = json["lights"].emplace_back(light_to_json(light, ""));
+    if (!light.name.empty()) entry["name"] = light.name;
   }
   return json;
 }
@@ -125,7 +169,9 @@ void print_lines(std::ostream& out, const Json& json, const std::string& indent)
 class InfoCommand final : public Command {
  public:
   explicit InfoCommand(CLI::App& app) {
-    app.add_option("FILE", file_, "a scene (.brume), Gaussians (.ply, .csv) or a volume (.vdb)")
+    app.add_option(
+           "FILE", file_,
+           "a scene (.brume, .gltf, .glb, .obj, .fbx), Gaussians (.ply, .csv) or a volume (.vdb)")
         ->required();
     app.add_flag("--json", as_json_, "print JSON");
     app.footer(
@@ -147,15 +193,21 @@ class InfoCommand final : public Command {
       Medium medium;
       for (const Gaussian& gaussian : read_gaussians(file_)) medium.append(gaussian);
       json["medium"] = medium_json(medium);
+    } else if (is_imported_scene(file_)) {
+      const ProgressLine line("reading " + file_);
+      std::vector<std::string> warnings;
+      json.update(imported_json(*read_imported_scene(file_, warnings)));
+      print_warnings(warnings);
     } else if (extension == ".brume") {
       CommandFiles files;
       const SceneDocument document = read_document(file_, files);
       const ProgressLine line("measuring " + file_);
       json.update(scene_json(document));
     } else {
-      throw InputError(
-          file_, "",
-          "found the extension " + quoted_text(extension) + "; allowed: .brume, .ply, .csv, .vdb");
+      throw InputError(file_, "",
+                       "found the extension " + quoted_text(extension) +
+                           "; allowed: .brume, .ply, .csv, .vdb, .gltf, "
+                           ".glb, .obj, .fbx");
     }
     std::ostringstream text;
     if (as_json_) {

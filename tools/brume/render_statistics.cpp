@@ -65,7 +65,9 @@ std::string statistics_json(const RenderRun& run, const FrameStatistics& first,
   json["slices"] =
       run.settings.airlight == AirlightMethod::sliced ? Json(run.settings.slices) : Json(nullptr);
   json["airlight_scale"] = run.settings.airlight_scale;
-  json["exact_pixels"] = first.exact_pixels;  // whose airlight is not interpolated
+  json["samples"] = run.settings.samples;
+  json["sampled_pixels"] = first.sampled_pixels;  // that took so many
+  json["exact_pixels"] = first.exact_pixels;      // whose airlight is not interpolated
   json["threads"] = run.settings.threads;
   json["repeat"] = run.repeat;
   json["frame_ms"] = Json{{"median", frame.median}, {"min", frame.min}, {"max", frame.max}};
@@ -95,6 +97,15 @@ std::string statistics_json(const RenderRun& run, const FrameStatistics& first,
     json["noise"] = Json{{"paths", run.noise->paths},
                          {"airlight", run.noise->airlight},
                          {"picture", run.noise->picture}};
+  }
+  if (run.deep) {
+    const DeepStatistics& image = run.deep->image;
+    json["deep"] = Json{{"samples_per_pixel",
+                         static_cast<double>(image.samples) / static_cast<double>(image.pixels)},
+                        {"max_samples", image.max_samples},
+                        {"coarse_tiles", image.coarse_tiles},
+                        {"bytes", run.deep->bytes},
+                        {"ms", run.deep->milliseconds}};
   }
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -3,7 +3,6 @@
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
-#include <ImfIO.h>
 #include <ImfInputPart.h>
 #include <ImfMultiPartInputFile.h>
 #include <ImfOutputFile.h>
@@ -17,6 +16,7 @@
 #include "core/io/atomic_file.h"
 #include "core/io/file_bytes.h"
 #include "core/io/image/exr_limits.h"
+#include "core/io/image/exr_stream.h"
 #include "core/io/image/image_file.h"
 #include "core/io/text_scanner.h"
 
@@ -64,22 +64,6 @@ void read_last_row(Imf::InputPart& part, const Imf::Header& header) {
   part.setFrameBuffer(row);
   part.readPixels(window.max.y);
 }
-
-// OpenEXR writes its table of lines in the file's destructor, which cannot report errors: the
-// stream does.
-class ExrOutput final : public Imf::OStream {
- public:
-  ExrOutput(const fs::path& file, std::ostream& out) : OStream(file.c_str()), out_(out) {}
-  void write(const char* bytes, int count) override { out_.write(bytes, count); }
-  // Asked in the destructor too, which no exception may leave.
-  std::uint64_t tellp() override {
-    return out_ ? static_cast<std::uint64_t>(out_.tellp()) : std::uint64_t{0};
-  }
-  void seekp(std::uint64_t place) override { out_.seekp(static_cast<std::streamoff>(place)); }
-
- private:
-  std::ostream& out_;
-};
 
 void write_layers(const fs::path& file, std::ostream& out, const ImageLayers& image) {
   Imf::Header header(image.width, image.height);

@@ -66,8 +66,10 @@ void smooth_seams(const RawMesh& raw, std::vector<glm::dvec3>& sums) {
     for (auto i = first; last - first <= limit && i != last; ++i) {
       for (auto j = first; j != last; ++j) {
         if (i == j) continue;
+        const bool is_split =
+            !raw.file_points.empty() && raw.file_points[*i] == raw.file_points[*j];
         const double cosine = glm::dot(unit_or_zero(own[*i]), unit_or_zero(own[*j]));
-        if (cosine > cos_seam) sums[*i] += own[*j];
+        if (is_split || cosine > cos_seam) sums[*i] += own[*j];
       }
     }
     first = last;
@@ -99,6 +101,7 @@ std::shared_ptr<TriangleMesh> to_triangle_mesh(const std::filesystem::path& file
   const std::vector<glm::dvec3> normals = unit_normals(raw);
   arrays.normals.assign(normals.begin(), normals.end());
   for (const auto& [a, b, c] : raw.triangles) arrays.triangles.emplace_back(a, b, c);
+  arrays.texcoords = raw.texcoords;
   auto mesh = to_mesh(arrays, limits::scene_bytes);
   if (mesh) return mesh;
   throw InputError(file, "",
@@ -138,6 +141,19 @@ glm::dvec3 read_normal(TextScanner& scanner) {
     normal[axis] = parse_number(scanner.next_token()).value_or(0.0);
   }
   return normal;
+}
+
+glm::vec2 finite_texcoord(double u, double v) {
+  // Beyond this, float has no digits left within the texture.
+  constexpr double max_texcoord = 1e6;
+  const auto is_valid = [](double x) { return x >= -max_texcoord && x <= max_texcoord; };
+  return is_valid(u) && is_valid(v) ? glm::vec2(u, v) : glm::vec2(0.0f);
+}
+
+glm::vec2 read_texcoord(TextScanner& scanner) {
+  const double u = parse_number(scanner.next_token()).value_or(0.0);
+  const double v = parse_number(scanner.next_token()).value_or(0.0);
+  return finite_texcoord(u, v);
 }
 
 void add_polygon(RawMesh& mesh, std::span<const std::uint32_t> corners) {

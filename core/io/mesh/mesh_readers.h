@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <span>
 #include <string>
@@ -13,11 +14,15 @@
 namespace brume {
 
 // The content of a mesh file before conversion to TriangleMesh. Missing normals are zero; `normals`
-// is empty or as long as `points`.
+// and `texcoords` are empty or as long as `points`.
 struct RawMesh {
   std::vector<glm::dvec3> points;
   std::vector<glm::dvec3> normals;
   std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<glm::vec2> texcoords;  // u to the right, v up; missing ones are 0
+  // Vertices with the same number are one point of the file, split where its texture coordinates
+  // are: normals that are computed are smooth across. Empty: none is split.
+  std::vector<std::uint32_t> file_points;
 };
 
 // Own readers, since OpenMesh's trust counts and indices of the file and merge normals at creases.
@@ -32,6 +37,9 @@ RawMesh read_stl(const std::filesystem::path& file, std::string_view bytes);
 class TextScanner;
 glm::dvec3 read_point(const std::filesystem::path& file, TextScanner& scanner);
 glm::dvec3 read_normal(TextScanner& scanner);
+// Finite, or 0.
+glm::vec2 read_texcoord(TextScanner& scanner);
+glm::vec2 finite_texcoord(double u, double v);
 void check_point(const std::filesystem::path& file, const std::string& place,
                  const glm::dvec3& point);
 void add_polygon(RawMesh& mesh, std::span<const std::uint32_t> corners);

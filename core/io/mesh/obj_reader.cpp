@@ -31,9 +31,11 @@ class ObjReader {
         points_.push_back(read_point(file_, scanner_));
       } else if (keyword == "vn") {
         normals_.push_back(read_normal(scanner_));
+      } else if (keyword == "vt") {
+        texcoords_.push_back(read_texcoord(scanner_));
       } else if (keyword == "f") {
         read_face();
-      }  // everything else is no shape: texture, group, material, line
+      }  // everything else is no shape: group, material, line
     }
     check_range(max_point_, points_.size(), "vertex", point_line_);
     check_range(max_normal_, normals_.size(), "normal", normal_line_);
@@ -45,6 +47,18 @@ class ObjReader {
   struct Corner {
     std::int64_t point;
     std::int64_t normal;
+    std::int64_t texcoord;
+
+    bool operator==(const Corner&) const = default;
+  };
+  struct Hash {
+    std::size_t operator()(const Corner& corner) const {
+      std::uint64_t hash = 0;
+      for (const std::int64_t index : {corner.point, corner.normal, corner.texcoord}) {
+        hash = (hash ^ static_cast<std::uint64_t>(index)) * 0x9e3779b97f4a7c15u;
+      }
+      return hash ^ hash >> 32;
+    }
   };
 
   [[noreturn]] void fail(const std::string& message) {
@@ -59,13 +73,18 @@ class ObjReader {
       const std::size_t slash = token.find('/');
       const std::size_t second = slash == token.npos ? token.npos : token.find('/', slash + 1);
       const auto point = resolved(token.substr(0, slash), points_.size());
-      Corner corner{none, none};
+      Corner corner{none, none, none};
       if (!point) fail("found the vertex index " + quoted_text(token) + "; allowed: " + allowed());
       corner.point = *point;
       if (second != token.npos && second + 1 < token.size()) {
         const auto normal = resolved(token.substr(second + 1), normals_.size());
         if (!normal) fail("found the normal index " + quoted_text(token) + "; allowed: 1 or more");
         corner.normal = *normal;
+      }
+      if (slash != token.npos) {
+        // Many programs write indices without any coordinates: those count for nothing.
+        const std::string_view texcoord = token.substr(slash + 1, second - slash - 1);
+        corner.texcoord = resolved(texcoord, texcoords_.size()).value_or(none);
       }
       face_.push_back(vertex_of(corner));
     }
@@ -75,8 +94,9 @@ class ObjReader {
     add_polygon(mesh_, face_);
   }
 
-  // The vertex that joins a point and a normal: a point on a crease has several normals and
-  // becomes several vertices. Positive indices may run ahead, so ranges are checked at the end.
+  // The vertex that joins a point, a normal and texture coordinates: a point on a crease has
+  // several normals, on a seam several coordinates, and becomes several vertices. Positive indices
+  // may run ahead, so ranges are checked at the end.
   std::uint32_t vertex_of(const Corner& corner) {
     if (corner.point > max_point_) {
       max_point_ = corner.point;
@@ -86,10 +106,8 @@ class ObjReader {
       max_normal_ = corner.normal;
       normal_line_ = scanner_.place();
     }
-    const std::uint64_t key =
-        static_cast<std::uint64_t>(corner.point) << 32 | static_cast<std::uint32_t>(corner.normal);
     const auto [it, is_new] =
-        vertices_.try_emplace(key, static_cast<std::uint32_t>(corners_.size()));
+        vertices_.try_emplace(corner, static_cast<std::uint32_t>(corners_.size()));
     if (is_new) corners_.push_back(corner);
     return it->second;
   }
@@ -109,21 +127,29 @@ class ObjReader {
   void fill_vertices() {
     mesh_.points.reserve(corners_.size());
     if (!normals_.empty()) mesh_.normals.reserve(corners_.size());
+    if (!texcoords_.empty()) mesh_.texcoords.reserve(corners_.size());
     for (const Corner& corner : corners_) {
       mesh_.points.push_back(points_[static_cast<std::size_t>(corner.point)]);
-      if (normals_.empty()) continue;
-      mesh_.normals.push_back(corner.normal == none
-                                  ? glm::dvec3(0.0)
-                                  : normals_[static_cast<std::size_t>(corner.normal)]);
+      if (!normals_.empty()) mesh_.normals.push_back(at(normals_, corner.normal, glm::dvec3(0.0)));
+      if (texcoords_.empty()) continue;
+      mesh_.texcoords.push_back(at(texcoords_, corner.texcoord, glm::vec2(0.0f)));
+      mesh_.file_points.push_back(static_cast<std::uint32_t>(corner.point));
     }
+  }
+
+  template <class Value>
+  static Value at(const std::vector<Value>& values, std::int64_t index, const Value& missing) {
+    const auto i = static_cast<std::size_t>(index);
+    return index != none && i < values.size() ? values[i] : missing;
   }
 
   const std::filesystem::path& file_;
   TextScanner scanner_;
   std::vector<glm::dvec3> points_;
   std::vector<glm::dvec3> normals_;
+  std::vector<glm::vec2> texcoords_;
   std::vector<Corner> corners_;
-  std::unordered_map<std::uint64_t, std::uint32_t> vertices_;
+  std::unordered_map<Corner, std::uint32_t, Hash> vertices_;
   std::vector<std::uint32_t> face_;
   std::int64_t max_point_ = none;
   std::int64_t max_normal_ = none;

@@ -16,6 +16,20 @@ Columns scalar_columns(const PlyFile::Element& element, std::array<const char*, 
   return columns;
 }
 
+// Texture coordinates, by the names in use.
+std::optional<std::array<std::size_t, 2>> texcoord_columns(const PlyFile::Element& element) {
+  constexpr std::array<std::array<const char*, 2>, 4> names{
+      {{"s", "t"}, {"u", "v"}, {"texture_u", "texture_v"}, {"s0", "t0"}}};
+  for (const auto& [u_name, v_name] : names) {
+    const auto u = element.property(u_name);
+    const auto v = element.property(v_name);
+    if (!u || !v || element.properties[*u].list_count || element.properties[*v].list_count)
+      continue;
+    return std::array{*u, *v};
+  }
+  return std::nullopt;
+}
+
 bool all(const Columns& columns) {
   return columns[0] && columns[1] && columns[2];
 }
@@ -34,6 +48,7 @@ RawMesh read_ply_mesh(const std::filesystem::path& file, std::string_view bytes)
   if (faces == nullptr) throw InputError(file, "header", "the mesh has no faces");
   const Columns position = scalar_columns(*vertices, {"x", "y", "z"});
   const Columns normal = scalar_columns(*vertices, {"nx", "ny", "nz"});
+  const auto texcoord = texcoord_columns(*vertices);
   if (!all(position)) throw InputError(file, "element vertex", "there are no properties x y z");
   std::optional<std::size_t> corners = faces->property("vertex_indices");
   if (!corners) corners = faces->property("vertex_index");
@@ -49,6 +64,10 @@ RawMesh read_ply_mesh(const std::filesystem::path& file, std::string_view bytes)
           mesh.points.push_back(values(row, position));
           check_point(file, "vertex " + std::to_string(index), mesh.points.back());
           if (all(normal)) mesh.normals.push_back(values(row, normal));
+          if (texcoord) {
+            const auto& [u, v] = *texcoord;
+            mesh.texcoords.push_back(finite_texcoord(row.scalars[u], row.scalars[v]));
+          }
         } else if (&element == faces) {
           face.clear();
           for (const double corner : row.lists[*corners]) {

@@ -16,6 +16,10 @@ void read_values(JsonObject& object, Camera& camera) {
   camera.target = object.vector("target", domain::coordinate, camera.target);
   camera.up = object.vector("up", domain::coordinate, camera.up);
   camera.vertical_fov = object.number("vertical_fov", domain::field_of_view, camera.vertical_fov);
+  camera.aperture = object.number("aperture", domain::not_negative, camera.aperture);
+  if (object.find("focus_distance") != nullptr) {
+    camera.focus_distance = object.number("focus_distance", domain::length, {});
+  }
   if (!(glm::length(camera.target - camera.eye) > 0.0)) {
     object.fail("target", "found the position of the eye; allowed: any other point");
   }
@@ -44,6 +48,8 @@ void add_values(Json& object, const NamedCamera& camera, const UnknownKeys& unkn
   object["target"] = to_json(values.target);
   object["up"] = to_json(values.up);
   object["vertical_fov"] = values.vertical_fov;
+  if (values.aperture > 0.0 || !camera.keys.aperture.empty()) object["aperture"] = values.aperture;
+  if (values.focus_distance) object["focus_distance"] = *values.focus_distance;
   add_keys(object, unknown_keys, unknown_keys.of(camera.id, "keys"),
            [&](auto&& visit) { visit_keyed_camera(values, camera.keys, visit); });
   add_unknown_keys(object, unknown_keys.of(camera.id, ""));

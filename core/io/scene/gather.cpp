@@ -18,6 +18,7 @@
 #include "core/io/scene/scene_file.h"
 #include "core/io/scene/scene_files.h"
 #include "core/io/temporary_files.h"
+#include "core/scene/imported_scene.h"
 
 namespace brume {
 namespace fs = std::filesystem;
@@ -29,6 +30,15 @@ std::string lower_case(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return text;
+}
+
+// The deepest folder that holds both a folder and a file; both absolute.
+fs::path common_folder(const fs::path& folder, const fs::path& file) {
+  const auto [end, unused] =
+      std::mismatch(folder.begin(), folder.end(), file.begin(), std::prev(file.end()));
+  fs::path common;
+  for (auto part = folder.begin(); part != end; ++part) common /= *part;
+  return common;
 }
 
 // The copies of one scene's files.
@@ -45,6 +55,21 @@ class Copies {
       make(file, copy->second);
     }
     file = copy->second;
+  }
+
+  // The same for all files of an imported scene, which refer to each other by relative paths: in a
+  // folder of its own they stand to each other as they did.
+  void add(Surface& surface) {
+    const auto [copy, is_new] = copies_.try_emplace(surface.mesh_file);
+    if (is_new) {
+      const std::vector<fs::path>& files = surface.imported->files;
+      fs::path root = files.front().parent_path();
+      for (const fs::path& file : files) root = common_folder(root, file);
+      const fs::path folder = folder_ / free_name(surface.mesh_file.stem().string(), "");
+      for (const fs::path& file : files) make(file, folder / file.lexically_relative(root));
+      copy->second = folder / surface.mesh_file.lexically_relative(root);
+    }
+    surface.mesh_file = copy->second;
   }
 
   // The same for all files of a sequence, which get a folder of their own.

@@ -35,7 +35,7 @@ void JsonContext::fail(const JsonPath& path, const std::string& message) const {
 }
 
 void JsonContext::warn(const JsonPath& path, const std::string& message) {
-  if (warnings_ == nullptr || !warned_.insert(path.kind()).second) return;
+  if (warnings_ == nullptr || !warned_.insert(path.kind() + message).second) return;
   if (warned_.size() > max_warnings) return;
   warnings_->push_back(InputError(file_, path.kind(), message).what());
 }
@@ -188,6 +188,19 @@ std::vector<double> read_numbers(const JsonContext& context, const Json& value,
     numbers.push_back(value[i].get<double>());
   }
   return numbers;
+}
+
+glm::dquat read_unit_quaternion(const JsonContext& context, const Json& value,
+                                const JsonPath& path) {
+  const std::vector<double> q = read_numbers(context, value, path, 4, domain::coordinate);
+  const glm::dquat rotate(q[0], q[1], q[2], q[3]);
+  const double length = glm::length(rotate);
+  if (!(std::abs(length - 1.0) <= 1e-3)) {
+    context.fail(path, "found a quaternion of length " + quoted_text(length) +
+                           "; allowed: length 1, within 1e-3");
+  }
+  // What is unit up to rounding stays as it is, so that a saved scene is the same scene.
+  return std::abs(length - 1.0) <= 1e-12 ? rotate : rotate / length;
 }
 
 void add_unknown_keys(Json& object, const std::string& unknown_keys) {

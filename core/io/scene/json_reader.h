@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <glm/gtc/quaternion.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <nlohmann/json.hpp>
@@ -47,7 +48,7 @@ class JsonContext {
 
   [[nodiscard]] const std::filesystem::path& file() const { return file_; }
   [[noreturn]] void fail(const JsonPath& path, const std::string& message) const;
-  void warn(const JsonPath& path, const std::string& message);  // once per kind of path
+  void warn(const JsonPath& path, const std::string& message);  // once per message and kind of path
   // Only the first warnings are kept; appends the number of the others.
   void finish_warnings();
 
@@ -105,6 +106,10 @@ class JsonObject {
 std::vector<double> read_numbers(const JsonContext& context, const Json& value,
                                  const JsonPath& path, std::size_t count,
                                  const NumberDomain& domain);
+
+// A quaternion w x y z of length 1, within 1e-3; exactly, but for rounding, afterwards.
+glm::dquat read_unit_quaternion(const JsonContext& context, const Json& value,
+                                const JsonPath& path);
 
 // Adds unknown keys (text of an object, or "") to an object.
 void add_unknown_keys(Json& object, const std::string& unknown_keys);

@@ -1,5 +1,7 @@
 #include "core/io/scene/keys_json.h"
 
+#include <type_traits>
+
 #include "core/io/scene/scene_names.h"
 #include "core/limits.h"
 
@@ -13,18 +15,27 @@ Json to_json(const glm::dvec3& v) {
   return Json::array({v.x, v.y, v.z});
 }
 
+Json to_json(const glm::dquat& q) {
+  return Json::array({q.w, q.x, q.y, q.z});
+}
+
 namespace {
 
-void read_value(JsonObject& object, const NumberDomain& domain, double& value) {
-  value = object.number("value", domain, {});
+void read(JsonObject& object, const char* name, const NumberDomain& domain, double& value) {
+  value = object.number(name, domain, {});
 }
 
-void read_value(JsonObject& object, const NumberDomain& domain, glm::dvec2& value) {
-  value = object.pair("value", domain, {});
+void read(JsonObject& object, const char* name, const NumberDomain& domain, glm::dvec2& value) {
+  value = object.pair(name, domain, {});
 }
 
-void read_value(JsonObject& object, const NumberDomain& domain, glm::dvec3& value) {
-  value = object.vector("value", domain, {});
+void read(JsonObject& object, const char* name, const NumberDomain& domain, glm::dvec3& value) {
+  value = object.vector(name, domain, {});
+}
+
+template <class T>
+void read_tangent(JsonObject& object, const char* name, std::optional<T>& slope) {
+  if (object.find(name) != nullptr) read(object, name, domain::slope, slope.emplace());
 }
 
 template <class T>
@@ -33,7 +44,14 @@ Key<T> read_key(JsonContext& context, const Json& json, const JsonPath& path,
   JsonObject object(context, json, path);
   Key<T> key;
   key.time = object.number("time", domain::seconds, {});
-  read_value(object, domain, key.value);
+  if constexpr (std::is_same_v<T, glm::dquat>) {
+    key.value = read_unit_quaternion(context, object.required("value"), object.path_of("value"));
+  } else {
+    read(object, "value", domain, key.value);
+    read_tangent(object, "in", key.in);
+    read_tangent(object, "out", key.out);
+    key.aligned = object.boolean("aligned", key.aligned);
+  }
   key.interpolation = static_cast<Interpolation>(
       object.choice("interpolation", scene_names::interpolations, std::size_t{0}));
   unknown_keys.add(key.id, "", object.unknown_keys());
@@ -60,10 +78,8 @@ void read_all(JsonContext& context, JsonObject& object, const char* name,
 Json value_to_json(double value) {
   return value;
 }
-Json value_to_json(const glm::dvec2& value) {
-  return to_json(value);
-}
-Json value_to_json(const glm::dvec3& value) {
+template <class T>
+Json value_to_json(const T& value) {
   return to_json(value);
 }
 
@@ -75,6 +91,11 @@ Json all_to_json(const Keys<T>& keys, const UnknownKeys& unknown_keys) {
     if (key.interpolation != Interpolation::smooth) {
       entry["interpolation"] =
           scene_names::interpolations[static_cast<std::size_t>(key.interpolation)];
+    }
+    if constexpr (!std::is_same_v<T, glm::dquat>) {
+      if (key.in) entry["in"] = value_to_json(*key.in);
+      if (key.out) entry["out"] = value_to_json(*key.out);
+      if (key.aligned) entry["aligned"] = true;
     }
     add_unknown_keys(entry, unknown_keys.of(key.id, ""));
     array.push_back(std::move(entry));
@@ -99,6 +120,11 @@ void read_keys(JsonContext& context, JsonObject& object, const char* name,
   read_all(context, object, name, domain, keys, unknown_keys);
 }
 
+void read_keys(JsonContext& context, JsonObject& object, const char* name,
+               const NumberDomain& domain, Keys<glm::dquat>& keys, UnknownKeys& unknown_keys) {
+  read_all(context, object, name, domain, keys, unknown_keys);
+}
+
 Json keys_to_json(const Keys<double>& keys, const UnknownKeys& unknown_keys) {
   return all_to_json(keys, unknown_keys);
 }
@@ -108,6 +134,10 @@ Json keys_to_json(const Keys<glm::dvec2>& keys, const UnknownKeys& unknown_keys)
 }
 
 Json keys_to_json(const Keys<glm::dvec3>& keys, const UnknownKeys& unknown_keys) {
+  return all_to_json(keys, unknown_keys);
+}
+
+Json keys_to_json(const Keys<glm::dquat>& keys, const UnknownKeys& unknown_keys) {
   return all_to_json(keys, unknown_keys);
 }
 

@@ -1,6 +1,7 @@
 #include "core/io/scene/output_json.h"
 
-#include <array>
+#include <algorithm>
+#include <string>
 
 #include "core/io/file_bytes.h"
 #include "core/io/text_scanner.h"
@@ -9,13 +10,11 @@
 namespace brume {
 namespace {
 
-struct LayerName {
-  const char* name;
-  bool OutputLayers::*layer;
-};
-constexpr std::array layer_names{LayerName{"airlight", &OutputLayers::airlight},
-                                 LayerName{"transmittance", &OutputLayers::transmittance},
-                                 LayerName{"Z", &OutputLayers::depth}};
+std::string allowed_layers() {
+  std::string names;
+  for (const LayerName& layer : layer_names) names += quoted_text(layer.name) + ", ";
+  return names + "each once";
+}
 
 OutputLayers read_layers(JsonContext& context, JsonObject& object) {
   if (object.find("layers") == nullptr) return {};
@@ -26,9 +25,8 @@ OutputLayers read_layers(JsonContext& context, JsonObject& object) {
     const auto* found =
         std::ranges::find_if(layer_names, [&](const LayerName& it) { return names[i] == it.name; });
     if (found == layer_names.end() || layers.*found->layer) {
-      context.fail(path.element(i), "found " + quoted_json(names[i]) +
-                                        "; allowed: \"airlight\", \"transmittance\" and "
-                                        "\"Z\", each once");
+      context.fail(path.element(i),
+                   "found " + quoted_json(names[i]) + "; allowed: " + allowed_layers());
     }
     layers.*found->layer = true;
   }
@@ -53,6 +51,18 @@ Output read_output(JsonContext& context, const Json& value, const JsonPath& path
   if (object.find("paths") != nullptr) {
     output.paths = static_cast<int>(object.integer("paths", 1, limits::paths, 1));
   }
+  if (object.find("samples") != nullptr) {
+    output.samples = static_cast<int>(object.integer("samples", 1, limits::samples, 1));
+  }
+  if (object.find("shutter") != nullptr) {
+    const glm::dvec2 shutter = object.pair("shutter", domain::shutter, {});
+    if (!(shutter.x < shutter.y)) {
+      object.fail("shutter",
+                  "found an end that is not after the begin; allowed: [open, close] "
+                  "with open < close");
+    }
+    output.shutter = {shutter.x, shutter.y};
+  }
   if (object.find("exposure") != nullptr) {
     output.exposure = object.number("exposure", domain::stops, {});
   }
@@ -66,6 +76,8 @@ Json output_to_json(const Output& output, const UnknownKeys& unknown_keys,
   Json object = Json::object();
   if (!output.file.empty()) object["file"] = SceneReferences::text_for(output.file, directory);
   if (output.paths) object["paths"] = *output.paths;
+  if (output.samples) object["samples"] = *output.samples;
+  if (output.shutter) object["shutter"] = Json{output.shutter->open, output.shutter->close};
   if (output.exposure) object["exposure"] = *output.exposure;
   if (output.layers != OutputLayers{}) {
     Json& names = object["layers"] = Json::array();

@@ -1,13 +1,16 @@
 #include "core/io/scene/scene_budget.h"
 
+#include <set>
 #include <string>
 
 #include "core/limits.h"
 #include "core/medium/gaussian.h"
+#include "core/scene/imported_scene.h"
 #include "core/scene/measured_brdf.h"
 #include "core/scene/mesh_arrays.h"
 #include "core/scene/photometric_profile.h"
 #include "core/scene/radiance_map.h"
+#include "core/scene/texture.h"
 
 namespace brume {
 
@@ -35,8 +38,30 @@ void SceneBudget::reserve(const JsonPath& path, const PhotometricProfile& profil
   reserve_bytes(path, profile.bytes());
 }
 
+void SceneBudget::reserve(const JsonPath& path, const Texture& texture) {
+  reserve_bytes(path, texture.bytes());
+}
+
 void SceneBudget::reserve(const JsonPath& path, const TriangleMesh& mesh) {
   reserve_bytes(path, mesh_bytes(mesh));
+}
+
+void SceneBudget::reserve(const JsonPath& path, std::span<const ImportedPart* const> parts) {
+  constexpr std::size_t max_parts = 4 * limits::surfaces;
+  parts_ += parts.size();
+  if (parts_ > max_parts) {
+    context_.fail(path, "the imported scenes have " + std::to_string(parts_) +
+                            " meshes of nodes so far; allowed: at most " +
+                            std::to_string(max_parts));
+  }
+  std::set<const Texture*> textures;
+  for (const ImportedPart* part : parts) {
+    reserve(path, *part->mesh);
+    for (const TextureReference* texture : textures_of(part->material.metallic_roughness)) {
+      if (texture->content) textures.insert(texture->content.get());
+    }
+  }
+  for (const Texture* texture : textures) reserve(path, *texture);
 }
 
 void SceneBudget::reserve_bytes(const JsonPath& path, std::size_t bytes) {

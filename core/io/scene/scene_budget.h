@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 
 #include "core/io/scene/json_reader.h"
 
@@ -8,6 +9,8 @@ namespace brume {
 
 class MeasuredBrdf;
 class PhotometricProfile;
+class Texture;
+struct ImportedPart;
 struct RadianceMap;
 struct TriangleMesh;
 
@@ -22,6 +25,10 @@ class SceneBudget {
   void reserve(const JsonPath& path, const RadianceMap& map);
   void reserve(const JsonPath& path, const MeasuredBrdf& measured);
   void reserve(const JsonPath& path, const PhotometricProfile& profile);
+  // Per use: rendering on a device copies it for each.
+  void reserve(const JsonPath& path, const Texture& texture);
+  // Parts of one surface; a texture of several counts once.
+  void reserve(const JsonPath& path, std::span<const ImportedPart* const> parts);
   // Per surface: rendering copies the mesh for each.
   void reserve(const JsonPath& path, const TriangleMesh& mesh);
 
@@ -32,6 +39,7 @@ class SceneBudget {
 
   const JsonContext& context_;
   std::size_t gaussians_ = 0;
+  std::size_t parts_ = 0;  // of imported scenes
   std::size_t bytes_ = 0;
 };
 

@@ -3,6 +3,7 @@
 #include <type_traits>
 
 #include "core/io/frame_pattern.h"
+#include "core/scene/imported_scene.h"
 
 namespace brume {
 
@@ -14,6 +15,8 @@ std::vector<std::filesystem::path> files_of(const SceneDocument& document) {
       for (int frame = reference.first; frames && frame <= reference.last; ++frame) {
         files.emplace_back(frames->file_of(frame));
       }
+    } else if constexpr (std::is_same_v<decltype(reference), const Surface&>) {
+      files.insert(files.end(), reference.imported->files.begin(), reference.imported->files.end());
     } else {
       files.push_back(reference);
     }

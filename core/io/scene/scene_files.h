@@ -7,16 +7,27 @@
 
 namespace brume {
 
-// Calls visit(path) for each referenced file and visit(sequence) for each sequence, except
-// medium.file.
+// Calls visit(path) for each referenced file, visit(sequence) for each sequence and visit(surface)
+// for each with an imported scene, which has more than one file; except medium.file.
 template <class SceneOrConst, class Visit>
 void visit_files(SceneOrConst& scene, Visit visit) {
   for (auto& light : scene.lights) {
     if (light.profile.content) visit(light.profile.file);
   }
   for (auto& surface : scene.surfaces) {
+    if (surface.imported) {
+      visit(surface);
+      continue;
+    }
     if (!surface.primitive) visit(surface.mesh_file);
     if (surface.material.type == Material::Type::measured) visit(surface.material.file);
+    if (surface.material.type == Material::Type::metallic_roughness) {
+      auto& material = surface.material.metallic_roughness;
+      for (auto* texture : {&material.base_color_texture, &material.metallic_roughness_texture,
+                            &material.normal_texture, &material.emissive_texture}) {
+        if (texture->content) visit(texture->file);  // else it is missing
+      }
+    }
   }
   if (scene.environment) visit(scene.environment->file);
   for (auto& sequence : scene.sequences) visit(sequence);

@@ -1,6 +1,4 @@
 #include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
 #include <new>
 
 #include "core/error.h"
@@ -9,14 +7,17 @@
 #include "core/io/scene/group_json.h"
 #include "core/io/scene/json_reader.h"
 #include "core/io/scene/keys_json.h"
+#include "core/io/scene/material_json.h"
 #include "core/io/scene/output_json.h"
 #include "core/io/scene/scene_budget.h"
 #include "core/io/scene/scene_file.h"
 #include "core/io/scene/scene_names.h"
 #include "core/io/scene/scene_references.h"
+#include "core/io/scene/spline_json.h"
 #include "core/io/text_scanner.h"
 #include "core/limits.h"
 #include "core/scene/animation.h"
+#include "core/scene/imported_scene.h"
 #include "core/scene/particles.h"
 
 namespace brume {
@@ -107,6 +108,7 @@ class SceneLoader {
     load_elements(object, "groups", limits::groups, &SceneLoader::load_group);
     read_parents(context_, object.array("groups", limits::groups), object.path_of("groups"),
                  scene_.groups);
+    load_elements(object, "splines", limits::splines, &SceneLoader::load_spline);
     const JsonPath gaussians = object.path_of("gaussians");
     budget_.reserve_gaussians(gaussians, object.array("gaussians", limits::gaussians).size());
     load_elements(object, "gaussians", limits::gaussians, &SceneLoader::load_gaussian);
@@ -133,7 +135,10 @@ class SceneLoader {
     gaussian.density = object.number("density", domain::density, {});
     gaussian.optics = load_optics(object);
     gaussian.group = read_group_name(object, "group", scene_.groups);
-    unknown_keys_.add_of_gaussian(scene_.medium.append(gaussian), object.unknown_keys());
+    PaintedSpline* spline = read_spline_name(object, scene_.splines);
+    const GaussianId id = scene_.medium.append(gaussian);
+    if (spline != nullptr) spline->gaussians.push_back(id);
+    unknown_keys_.add_of_gaussian(id, object.unknown_keys());
   }
 
   void load_group(const Json& value, const JsonPath& path) {
@@ -145,7 +150,15 @@ class SceneLoader {
     scene_.groups.push_back(std::move(group));
   }
 
-  // Of a Gaussian, or of an emitter's.
+  void load_spline(const Json& value, const JsonPath& path) {
+    JsonObject object(context_, value, path);
+    PaintedSpline spline = read_spline(context_, object, scene_.splines);
+    spline.optics = load_optics(object);
+    unknown_keys_.add(spline.object_id, "", object.unknown_keys());
+    scene_.splines.push_back(std::move(spline));
+  }
+
+  // Of a Gaussian, a spline's or an emitter's.
   static GaussianOptics load_optics(JsonObject& object) {
     GaussianOptics optics;
     if (object.find("albedo")) optics.albedo = object.vector("albedo", domain::albedo, {});
@@ -344,32 +357,84 @@ class SceneLoader {
     load_mesh(object, surface);
     surface.translate = object.vector("translate", domain::coordinate, surface.translate);
     if (const Json* rotate = object.find("rotate")) {
-      surface.rotate = unit_quaternion(*rotate, object.path_of("rotate"));
+      surface.rotate = read_unit_quaternion(context_, *rotate, object.path_of("rotate"));
     }
     surface.scale = object.number("scale", domain::length, surface.scale);
-    if (const Json* material = object.find("material")) {
-      load_material(*material, object.path_of("material"), surface);
+    // One with a file of its own has its materials from there.
+    if (const Json* material = surface.imported ? nullptr : object.find("material")) {
+      read_material(context_, *material, object.path_of("material"), references_, budget_,
+                    unknown_keys_, surface);
     }
     surface.transfer = static_cast<Surface::Transfer>(
         object.choice("transfer", scene_names::transfers, std::size_t{0}));
     surface.visible = object.boolean("visible", surface.visible);
     surface.locked = object.boolean("locked", surface.locked);
+    unknown_keys_.add(surface.id, "keys", load_keys(object, [&](auto&& visit) {
+                        visit_keyed_surface(surface, visit);
+                      }));
     unknown_keys_.add(surface.id, "", object.unknown_keys());
     scene_.surfaces.push_back(std::move(surface));
   }
 
   void load_mesh(JsonObject& object, Surface& surface) {
     const Json* primitive = object.find("primitive");
-    const JsonPath path = object.path_of(primitive ? "primitive" : "mesh");
+    const char* key = primitive ? "primitive" : object.find("file") ? "file" : "mesh";
+    for (const char* other : {"file", "mesh"}) {
+      if (std::string_view(key) == other || !object.find(other)) continue;
+      object.fail(other, std::string("found besides ") + key + "; allowed: one of both");
+    }
+    const JsonPath path = object.path_of(key);
     if (primitive) {
-      if (object.find("mesh")) object.fail("mesh", "found besides primitive; allowed: one of both");
       surface.primitive = load_primitive(*primitive, path, surface);
       surface.mesh = mesh_of(*surface.primitive);
-    } else {
-      surface.mesh_file = references_.resolve(context_, path, object.text("mesh", {}));
-      surface.mesh = references_.mesh(context_, path, surface.mesh_file);
+      budget_.reserve(path, *surface.mesh);
+      return;
     }
+    surface.mesh_file = references_.resolve(context_, path, object.text(key, {}));
+    if (path.key == "file") {
+      load_imported(object, path, surface);
+      return;
+    }
+    surface.mesh = references_.mesh(context_, path, surface.mesh_file);
     budget_.reserve(path, *surface.mesh);
+  }
+
+  void load_imported(JsonObject& object, const JsonPath& path, Surface& surface) {
+    surface.imported = references_.imported(context_, path, surface.mesh_file);
+    const ImportedScene& scene = *surface.imported;
+    const bool is_missing = references_.is_missing(surface.mesh_file);  // then so are its nodes
+    const Json::array_t& nodes = object.array("nodes", limits::surfaces);
+    const JsonPath nodes_path = object.path_of("nodes");
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      if (!nodes[i].is_string() || nodes[i].get_ref<const std::string&>().empty()) {
+        context_.fail(nodes_path.element(i),
+                      "found " + quoted_json(nodes[i]) + "; allowed: a name");
+      }
+      surface.nodes.push_back(nodes[i].get<std::string>());
+      if (!is_missing) check_node(scene, nodes_path.element(i), surface.nodes.back());
+    }
+    if (object.find("nodes") && nodes.empty()) {
+      object.fail("nodes", "found no names; allowed: at least one");
+    }
+    const std::vector<const ImportedPart*> parts =
+        chosen_parts(scene, is_missing ? std::vector<std::string>() : surface.nodes);
+    if (parts.empty()) {
+      context_.fail(surface.nodes.empty() ? path : nodes_path, "found no triangles");
+    }
+    surface.mesh = joined_mesh(parts);
+    budget_.reserve(path, *surface.mesh);
+    budget_.reserve(path, parts);
+  }
+
+  void check_node(const ImportedScene& scene, const JsonPath& path, const std::string& name) {
+    if (std::ranges::count(scene.nodes, name, &ImportedNode::name) > 0) return;
+    std::string names;
+    for (std::size_t i = 0; i < std::min<std::size_t>(scene.nodes.size(), 10); ++i) {
+      names += (i > 0 ? ", " : "") + quoted_text(scene.nodes[i].name);
+    }
+    if (scene.nodes.size() > 10) names += " ...";
+    context_.fail(path, "found " + quoted_text(name) + "; allowed: a node of " +
+                            quoted_text(scene.files.front().string()) + ": " + names);
   }
 
   Primitive load_primitive(const Json& value, const JsonPath& path, Surface& surface) {
@@ -380,38 +445,6 @@ class SceneLoader {
     primitive.size = object.vector("size", domain::length, primitive.size);
     unknown_keys_.add(surface.id, "primitive", object.unknown_keys());
     return primitive;
-  }
-
-  [[nodiscard]] glm::dquat unit_quaternion(const Json& value, const JsonPath& path) const {
-    const std::vector<double> q = read_numbers(context_, value, path, 4, domain::coordinate);
-    const glm::dquat rotate(q[0], q[1], q[2], q[3]);
-    const double length = glm::length(rotate);
-    if (!(std::abs(length - 1.0) <= 1e-3)) {
-      context_.fail(path, "found a quaternion of length " + quoted_text(length) +
-                              "; allowed: length 1, within 1e-3");
-    }
-    // What is unit up to rounding stays as it is, so that a saved scene is the same scene.
-    return std::abs(length - 1.0) <= 1e-12 ? rotate : rotate / length;
-  }
-
-  void load_material(const Json& value, const JsonPath& path, Surface& surface) {
-    JsonObject object(context_, value, path);
-    Material& material = surface.material;
-    material.type =
-        static_cast<Material::Type>(object.choice("type", scene_names::materials, std::size_t{0}));
-    if (material.type == Material::Type::measured) {
-      const JsonPath file = object.path_of("file");
-      material.file = references_.resolve(context_, file, object.text("file", {}));
-      material.measured = references_.measured_brdf(context_, file, material.file);
-      budget_.reserve(file, *material.measured);
-    } else {
-      material.reflectance = object.vector("reflectance", domain::unit, material.reflectance);
-    }
-    if (material.type == Material::Type::phong) {
-      material.specular = object.vector("specular", domain::unit, material.specular);
-      material.exponent = object.number("exponent", domain::not_negative, material.exponent);
-    }
-    unknown_keys_.add(surface.id, "material", object.unknown_keys());
   }
 
   JsonContext context_;

@@ -10,9 +10,12 @@
 #include "core/io/gaussians/sequence_file.h"
 #include "core/io/ies_file.h"
 #include "core/io/image/radiance_map_file.h"
+#include "core/io/image/texture_file.h"
+#include "core/io/import/imported_scene_file.h"
 #include "core/io/merl_file.h"
 #include "core/io/mesh/mesh_file.h"
 #include "core/io/text_scanner.h"
+#include "core/scene/imported_scene.h"
 #include "core/scene/measured_brdf.h"
 #include "core/scene/mesh_arrays.h"
 #include "core/scene/radiance_map.h"
@@ -43,6 +46,14 @@ std::shared_ptr<TriangleMesh> invisible_mesh() {
   return to_mesh({std::vector(3, glm::vec3(0.0f)),
                   std::vector(3, glm::vec3(0.0f, 1.0f, 0.0f)),
                   {glm::uvec3(0, 1, 2)}});
+}
+
+ImportedScene invisible_scene(const fs::path& file) {
+  ImportedScene scene;
+  scene.nodes.push_back({"missing"});
+  scene.parts.push_back({0, invisible_mesh(), {}});
+  scene.files.push_back(file);
+  return scene;
 }
 
 RadianceMap black_map() {
@@ -149,6 +160,20 @@ std::shared_ptr<const TriangleMesh> SceneReferences::mesh(const JsonContext& con
   return mesh;
 }
 
+std::shared_ptr<const ImportedScene> SceneReferences::imported(JsonContext& context,
+                                                               const JsonPath& path,
+                                                               const fs::path& file) {
+  std::shared_ptr<const ImportedScene>& scene = imported_[file];
+  if (!scene && is_missing(file)) {
+    scene = std::make_shared<const ImportedScene>(invisible_scene(file));
+  }
+  if (scene) return scene;
+  std::vector<std::string> warnings;
+  scene = at_path(context, path, [&] { return read_imported_scene(file, warnings); });
+  for (const std::string& warning : warnings) context.warn(path, warning);
+  return scene;
+}
+
 std::vector<Gaussian> SceneReferences::gaussians(const JsonContext& context, const JsonPath& path,
                                                  const fs::path& file, std::size_t max_gaussians,
                                                  std::size_t max_group) {
@@ -184,6 +209,22 @@ std::shared_ptr<const MeasuredBrdf> SceneReferences::measured_brdf(const JsonCon
   if (!measured && is_missing(file)) measured = std::make_shared<const MeasuredBrdf>(gray_brdf());
   if (!measured) measured = at_path(context, path, [&] { return read_merl(file); });
   return measured;
+}
+
+std::pair<fs::path, std::shared_ptr<const Texture>> SceneReferences::texture(
+    JsonContext& context, const JsonPath& path, const std::string& text, bool has_colors) {
+  std::error_code error;
+  const fs::path place = found(absolute(context, path, text));
+  if (!fs::exists(place, error)) {
+    note_missing(place);
+    context.warn(path, "the texture " + quoted_text(place.string()) +
+                           " is missing; its surface is drawn without it");
+    return {place, nullptr};
+  }
+  fs::path file = resolve(context, path, text);
+  std::shared_ptr<const Texture>& texture = textures_[{file, has_colors}];
+  if (!texture) texture = at_path(context, path, [&] { return read_texture(file, has_colors); });
+  return {std::move(file), texture};
 }
 
 std::string SceneReferences::text_for(const fs::path& file, const fs::path& directory) {

@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/io/scene/json_reader.h"
@@ -23,7 +24,10 @@ class SceneReferences {
   std::filesystem::path resolve(const JsonContext& context, const JsonPath& path,
                                 const std::string& text) const;
 
-  // The same for a pattern of frames; does not check that files exist.
+  // Whether it was found missing, and that is no error.
+  [[nodiscard]] bool is_missing(const std::filesystem::path& file) const;
+
+  // resolve() for a pattern of frames; does not check that files exist.
   std::filesystem::path resolve_pattern(const JsonContext& context, const JsonPath& path,
                                         const std::string& text) const;
   // The same for a file that is to be written.
@@ -34,15 +38,23 @@ class SceneReferences {
   std::vector<SequenceFrame> sequence(const JsonContext& context, const JsonPath& path,
                                       const MediumSequence& sequence, std::size_t max_gaussians);
 
-  // Meshes and measured BRDFs are cached and shared.
+  // Meshes, profiles, measured BRDFs and textures are cached and shared.
   std::shared_ptr<const TriangleMesh> mesh(const JsonContext& context, const JsonPath& path,
                                            const std::filesystem::path& file);
+  // A scene of another program, cached and shared, too.
+  std::shared_ptr<const ImportedScene> imported(JsonContext& context, const JsonPath& path,
+                                                const std::filesystem::path& file);
   std::shared_ptr<const PhotometricProfile> profile(const JsonContext& context,
                                                     const JsonPath& path,
                                                     const std::filesystem::path& file);
   std::shared_ptr<const MeasuredBrdf> measured_brdf(const JsonContext& context,
                                                     const JsonPath& path,
                                                     const std::filesystem::path& file);
+  // The file of a texture and what it holds: null if it is missing, which is a warning.
+  std::pair<std::filesystem::path, std::shared_ptr<const Texture>> texture(JsonContext& context,
+                                                                           const JsonPath& path,
+                                                                           const std::string& text,
+                                                                           bool has_colors);
   // Their groups are the numbers of the column `group`, at most `max_group`; without groups it is
   // not read.
   std::vector<Gaussian> gaussians(const JsonContext& context, const JsonPath& path,
@@ -62,14 +74,15 @@ class SceneReferences {
   // The current location of a file; records missing ones if that is no error.
   [[nodiscard]] std::filesystem::path found(const std::filesystem::path& file) const;
   void note_missing(const std::filesystem::path& file) const;
-  [[nodiscard]] bool is_missing(const std::filesystem::path& file) const;
 
   std::filesystem::path scene_file_;
   MissingFiles* missing_;
   std::filesystem::path directory_;
   std::map<std::filesystem::path, std::shared_ptr<const TriangleMesh>> meshes_;
+  std::map<std::filesystem::path, std::shared_ptr<const ImportedScene>> imported_;
   std::map<std::filesystem::path, std::shared_ptr<const PhotometricProfile>> profiles_;
   std::map<std::filesystem::path, std::shared_ptr<const MeasuredBrdf>> measured_;
+  std::map<std::pair<std::filesystem::path, bool>, std::shared_ptr<const Texture>> textures_;
 };
 
 }  // namespace brume

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "core/error.h"
 #include "core/io/atomic_file.h"
@@ -8,10 +9,12 @@
 #include "core/io/scene/json_reader.h"
 #include "core/io/scene/keys_json.h"
 #include "core/io/scene/light_json.h"
+#include "core/io/scene/material_json.h"
 #include "core/io/scene/output_json.h"
 #include "core/io/scene/scene_file.h"
 #include "core/io/scene/scene_names.h"
 #include "core/io/scene/scene_references.h"
+#include "core/io/scene/spline_json.h"
 #include "core/scene/animation.h"
 #include "core/scene/group_effects.h"
 
@@ -33,7 +36,7 @@ bool is_unchanged(const MediumFile& loaded, const Scene& scene) {
   return true;
 }
 
-// Of a Gaussian, or of an emitter's.
+// Of a Gaussian, a spline's or an emitter's.
 void add_optics(Json& entry, const GaussianOptics& optics) {
   if (optics.albedo) entry["albedo"] = to_json(*optics.albedo);
   if (optics.emission != glm::dvec3(0.0)) entry["emission"] = to_json(optics.emission);
@@ -82,6 +85,13 @@ Json medium_to_json(const SceneDocument& document, const fs::path& directory) {
     add_unknown_keys(entry, unknown_keys.of(group.object_id, ""));
     object["groups"].push_back(std::move(entry));
   }
+  for (const PaintedSpline& spline : scene.splines) {
+    Json entry = spline_to_json(spline);
+    add_optics(entry, spline.optics);
+    add_unknown_keys(entry, unknown_keys.of(spline.object_id, ""));
+    object["splines"].push_back(std::move(entry));
+  }
+  const std::map<GaussianId, const PaintedSpline*> splines = splines_of_gaussians(scene.splines);
   Json& gaussians = object["gaussians"] = Json::array();
   for (std::size_t i = 0; i < medium.size(); ++i) {
     const GaussianId id = medium.ids()[i];
@@ -90,6 +100,9 @@ Json medium_to_json(const SceneDocument& document, const fs::path& directory) {
     Json entry{{"center", to_json(g.center)}, {"radius", g.radius}, {"density", g.density}};
     add_optics(entry, g.optics);
     if (const Group* group = find_group(scene.groups, g.group)) entry["group"] = group->name;
+    if (const auto spline = splines.find(id); spline != splines.end()) {
+      entry["spline"] = spline->second->name;
+    }
     add_unknown_keys(entry, unknown_keys.of_gaussian(id));
     gaussians.push_back(std::move(entry));
   }
@@ -130,23 +143,6 @@ Json medium_to_json(const SceneDocument& document, const fs::path& directory) {
   return object;
 }
 
-Json material_to_json(const Material& material, const std::string& unknown,
-                      const fs::path& directory) {
-  Json object;
-  object["type"] = scene_names::materials[static_cast<std::size_t>(material.type)];
-  if (material.type == Material::Type::measured) {
-    object["file"] = SceneReferences::text_for(material.file, directory);
-  } else {
-    object["reflectance"] = to_json(material.reflectance);
-  }
-  if (material.type == Material::Type::phong) {
-    object["specular"] = to_json(material.specular);
-    object["exponent"] = material.exponent;
-  }
-  add_unknown_keys(object, unknown);
-  return object;
-}
-
 Json surface_to_json(const Surface& surface, const UnknownKeys& unknown_keys,
                      const fs::path& directory) {
   Json object;
@@ -157,19 +153,21 @@ Json surface_to_json(const Surface& surface, const UnknownKeys& unknown_keys,
              {"size", to_json(primitive->size)}};
     add_unknown_keys(entry, unknown_keys.of(surface.id, "primitive"));
   } else {
-    object["mesh"] = SceneReferences::text_for(surface.mesh_file, directory);
+    object[surface.imported ? "file" : "mesh"] =
+        SceneReferences::text_for(surface.mesh_file, directory);
+    if (!surface.nodes.empty()) object["nodes"] = surface.nodes;
   }
   object["translate"] = to_json(surface.translate);
-  const glm::dquat& q = surface.rotate;
-  object["rotate"] = Json::array({q.w, q.x, q.y, q.z});
+  object["rotate"] = to_json(surface.rotate);
   object["scale"] = surface.scale;
-  object["material"] =
-      material_to_json(surface.material, unknown_keys.of(surface.id, "material"), directory);
+  if (!surface.imported) object["material"] = material_to_json(surface, unknown_keys, directory);
   if (surface.transfer != Surface::Transfer::none) {
     object["transfer"] = scene_names::transfers[static_cast<std::size_t>(surface.transfer)];
   }
   if (!surface.visible) object["visible"] = false;
   if (surface.locked) object["locked"] = true;
+  add_keys(object, unknown_keys, unknown_keys.of(surface.id, "keys"),
+           [&surface](auto&& visit) { visit_keyed_surface(surface, visit); });
   add_unknown_keys(object, unknown_keys.of(surface.id, ""));
   return object;
 }

@@ -22,7 +22,7 @@ uniform double half_width;  // of the whole film at distance 1
 uniform double half_height;
 uniform ivec2 film;
 uniform ivec2 whole_film;
-uniform ivec2 film_start;  // on the whole one
+uniform dvec3 film_start;  // on the whole one, x and y
 uniform ivec2 tiles;
 uniform int scale;
 uniform float farther;  // how far noise bends rays, in radii
@@ -43,12 +43,12 @@ dvec2 covered(double x, double z, double radius, double half_size) {
                high.y <= 0.0LF ? 1.0LF : min(1.0LF, high.x / (high.y * half_size)));
 }
 
-int first_pixel(double s, int size) {
-  return int(ceil(0.5LF * (s + 1.0LF) * double(size) - 0.5LF - pixel_rounding));
+int first_pixel(double s, int size, double start) {
+  return int(ceil(0.5LF * (s + 1.0LF) * double(size) - 0.5LF - pixel_rounding - start));
 }
 
-int end_pixel(double s, int size) {
-  return int(floor(0.5LF * (s + 1.0LF) * double(size) - 0.5LF + pixel_rounding)) + 1;
+int end_pixel(double s, int size, double start) {
+  return int(floor(0.5LF * (s + 1.0LF) * double(size) - 0.5LF + pixel_rounding - start)) + 1;
 }
 
 void main() {
@@ -67,10 +67,12 @@ void main() {
   const dvec2 u = covered(dot(q, right), z, radius, half_width);
   const dvec2 v = covered(-dot(q, up), z, radius, half_height);
   if (!(u.x < u.y) || !(v.x < v.y)) return;
-  const ivec2 first = ivec2(first_pixel(u.x, whole_film.x), first_pixel(v.x, whole_film.y));
-  const ivec2 last = ivec2(end_pixel(u.y, whole_film.x), end_pixel(v.y, whole_film.y));
-  const ivec2 low = max(first - film_start, ivec2(0));
-  const ivec2 high = min(last - film_start, film);
+  const ivec2 first = ivec2(first_pixel(u.x, whole_film.x, film_start.x),
+                            first_pixel(v.x, whole_film.y, film_start.y));
+  const ivec2 last = ivec2(end_pixel(u.y, whole_film.x, film_start.x),
+                           end_pixel(v.y, whole_film.y, film_start.y));
+  const ivec2 low = max(first, ivec2(0));
+  const ivec2 high = min(last, film);
   if (any(greaterThanEqual(low, high))) return;
   // A ray of the last column or row may lie slightly before its grid position.
   const ivec2 tile = ivec2(tile_width, tile_height);

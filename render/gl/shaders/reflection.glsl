@@ -40,8 +40,8 @@ void quarter_turn(bool inverse_) {
   }
 }
 
-// Outgoing radiance of a surface of normal n under `light`, which turns; its table begins at `table`.
-vec3 reflected(int table, vec3 n, vec3 to_eye) {
+// Turns `light` into the frame of a surface of normal n; the cosine of the angle of the eye.
+float turn_to_eye(vec3 n, vec3 to_eye) {
   // The frame of the surface is the world turned about z and y to the normal, and then about it to
   // the eye.
   const vec2 azimuth = angle_of(n.x, n.y);
@@ -55,7 +55,11 @@ vec3 reflected(int table, vec3 n, vec3 to_eye) {
     if (k > 0) quarter_turn(k == 2);
     turn_about_z(vec2(1.0, -1.0) * turns[k]);
   }
+  return cosine;
+}
 
+// Outgoing radiance of a surface whose table begins at `table`, under `light`, turned.
+vec3 reflected(int table, float cosine) {
   const float coordinate = acos(clamp(cosine, 0.0, 1.0)) * (float(reflection_intervals) * 2.0 / pi);
   const float row_below = min(floor(coordinate), float(reflection_intervals - 1));
   int row = table + int(row_below) * reflection_row;

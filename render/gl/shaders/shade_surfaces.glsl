@@ -1,5 +1,5 @@
 // Surface shading: surface_radiance() and VertexLighting of render/shading. The including file
-// defines whether any surface is `glossy` (not diffuse).
+// defines whether any surface is `glossy` (not diffuse), and whether any is `metallic`.
 #include "grid_corners.glsl"
 #include "lights.glsl"
 #include "rays.glsl"
@@ -8,8 +8,9 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-// RGB per pixel. Not an image: software renderers recompile for other image sizes.
-layout(std430, binding = 3) writeonly buffer Behind { vec4 behind[]; };
+// RGB per pixel. Not an image: software renderers recompile for other image sizes. Then what
+// materials.glsl has found.
+layout(std430, binding = 3) buffer Behind { vec4 behind[]; };
 // Incident light at grid nodes, R G B 0 per basis function; in place of the first 0, the bits of
 // GridOcclusion::blocked(). Then vertex lighting of surfaces with radiance transfer: per vertex the
 // outgoing radiance, and per basis function the light still to be reflected. Then average depths
@@ -53,6 +54,10 @@ vec3 light[sh_count];
 #include "radiance_map.glsl"
 #include "measured_brdf.glsl"
 #include "reflection.glsl"
+#include "ggx.glsl"
+
+// Of a metallic-roughness material.
+Ggx ggx = Ggx(false, vec3(0.0), vec3(0.0), vec3(0.0), 1.0);
 
 // A light as seen from a point.
 struct LightAtPoint {
@@ -99,6 +104,9 @@ vec3 direct_light(int l, SurfacePoint point, LightAtPoint light_at_point, vec3 t
   const vec3 intensity = lights[l].intensity;
   const float incoming =
       light_at_point.cosine * light_at_point.inverse_square * exp(-light_at_point.depth);
+  if (metallic && ggx.is_set) {
+    return ggx_brdf(ggx, -light_at_point.w, to_eye, point.normal) * intensity * incoming;
+  }
   const int measured = int(values[material + surface_measured_at]);
   if (measured >= 0) {
     return measured_brdf(measured, -light_at_point.w, to_eye, point.normal) * intensity * incoming;
@@ -321,7 +329,9 @@ vec3 transferred_light(SurfacePoint point, PixelHit hit, out bool is_unreflected
 vec3 surface_light(SurfacePoint point, PixelHit hit, vec3 to_eye, int index, int pixels) {
   const int surface = surface_size * point.surface;
   const bool transferred = values[surface + surface_has_transfer] > 0.0;
-  const bool is_diffuse = !glossy || values[surface + surface_reflection_at] == 0.0;
+  const bool is_ggx = metallic && ggx.is_set;
+  const bool is_diffuse =
+      !is_ggx && (!glossy || values[surface + surface_reflection_at] == 0.0);
   const bool is_scattered = scatters != 0 && !transferred;
   if (glossy) {
     for (int i = 0; i < sh_count; ++i) light[i] = vec3(0.0);
@@ -354,10 +364,15 @@ vec3 surface_light(SurfacePoint point, PixelHit hit, vec3 to_eye, int index, int
   }
   // In one place: this is most of the shader.
   if (glossy && is_unreflected) {
-    const int table = int(values[surface + surface_reflection_at]);
-    rest += reflected(table, point.normal, to_eye);
+    const float cosine = turn_to_eye(point.normal, to_eye);
+    if (is_ggx) {
+      rest += ggx_reflected(ggx, cosine);
+    } else {
+      rest += reflected(int(values[surface + surface_reflection_at]), cosine);
+    }
   }
-  return radiance + max(rest, vec3(0.0));
+  radiance += max(rest, vec3(0.0));
+  return is_ggx ? radiance + ggx.emitted : radiance;
 }
 
 void main() {
@@ -368,7 +383,8 @@ void main() {
   vec3 radiance = vec3(0.0);
   if (hit.triangle >= 0) {
     const vec3 to_eye = -ray_direction(pixel);
-    const SurfacePoint point = point_of(hit, to_eye, margin * float(surfaces_radius));
+    SurfacePoint point = point_of(hit, to_eye, margin * float(surfaces_radius));
+    if (metallic) ggx = ggx_of(film.x * film.y + ggx_vectors * index, point.normal);
     radiance = surface_light(point, hit, to_eye, index, film.x * film.y);
   }
   behind[index] = vec4(radiance, 0.0);

@@ -23,6 +23,7 @@
 #include <vector>
 
 #include "core/scene/mesh.h"
+#include "render/display/to_display.h"
 #include "render/quality/error_estimate.h"
 #include "render/render_plan.h"
 #include "render/renderer.h"
@@ -54,7 +55,7 @@ void write_image(const char* name, const Frame& frame) {
   const char* folder = std::getenv("BRUME_BENCHMARK_IMAGES");
   if (!folder) return;
   write_png(std::filesystem::path(folder) / (std::string(name) + ".png"), frame.film.width,
-            frame.film.height, to_display(frame, 0.0), {});
+            frame.film.height, to_display(frame, {}), {});
 }
 
 double median(std::vector<double> values) {

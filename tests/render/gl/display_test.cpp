@@ -1,5 +1,6 @@
 // What is shown of a frame without leaving the device, and the textures that it is in.
 
+#include "render/display/to_display.h"
 #include "render/gl/display_stage.h"
 
 #include <epoxy/gl.h>
@@ -116,7 +117,7 @@ TEST_F(Display, MatchesToDisplayForAllRadiances) {
        {0.0, -3.5, 20.0, -20.0, 1e9, std::numeric_limits<double>::quiet_NaN()}) {
     const auto picture = pool_->acquire({frame.film.width, 1});
     stage.run(programs, film, {.exposure = exposure}, all, true, true, picture->texture());
-    EXPECT_LE(furthest(bytes_of(*picture), to_display(frame, exposure)), 1) << exposure;
+    EXPECT_LE(furthest(bytes_of(*picture), to_display(frame, {exposure})), 1) << exposure;
   }
 }
 
@@ -131,14 +132,14 @@ TEST_F(Display, MatchesTheDownloadedFrame) {
       EXPECT_EQ(shown.frame.statistics.backend, "gl");
       const Frame frame = *gl_->render(scene, scene.camera, scene.film, quick());
       ASSERT_TRUE(context_->make_current());
-      EXPECT_LE(furthest(bytes_of(*shown.picture), to_display(frame, exposure)), 1);
+      EXPECT_LE(furthest(bytes_of(*shown.picture), to_display(frame, {exposure})), 1);
       const GlRenderer::DisplayFrame medium =
           show(scene, quick(), {DisplayOptions::Layer::airlight, exposure});
       Frame airlight = frame;
       for (std::size_t i = 0; i < frame.depth.size(); ++i) {
         std::copy_n(&frame.airlight[3 * i], 3, &airlight.beauty[4 * i]);
       }
-      EXPECT_LE(furthest(bytes_of(*medium.picture), to_display(airlight, exposure)), 1);
+      EXPECT_LE(furthest(bytes_of(*medium.picture), to_display(airlight, {exposure})), 1);
     }
   }
 }

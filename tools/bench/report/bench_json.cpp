@@ -197,6 +197,16 @@ std::string to_json(const BenchReport& report) {
                            {"edit_ratio", to_json(row.edit_ratio)}});
   }
   json["light_kinds"] = std::move(light_kinds);
+  OrderedJson samples = OrderedJson::array();
+  for (const SampleRow& row : report.samples) {
+    samples.push_back({{"name", row.scene},
+                       {"one", row.one},
+                       {"chosen", row.chosen},
+                       {"sampled", row.sampled},
+                       {"pairs_ratio", row.pairs},
+                       {"camera_ratio", row.time}});
+  }
+  json["samples"] = std::move(samples);
   OrderedJson noise_depths = OrderedJson::array();
   for (const NoiseDepthRow& row : report.noise_depths) {
     noise_depths.push_back(

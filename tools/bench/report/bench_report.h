@@ -9,6 +9,7 @@
 #include "tools/bench/errors/fog_errors.h"
 #include "tools/bench/errors/light_kinds.h"
 #include "tools/bench/errors/noise_errors.h"
+#include "tools/bench/errors/sample_errors.h"
 #include "tools/bench/measure/cache_gains.h"
 #include "tools/bench/measure/frontier.h"
 #include "tools/bench/measure/hard_cases.h"
@@ -82,6 +83,7 @@ struct BenchReport {
   std::vector<ScaleRow> scales;
   std::vector<AllOrdersRow> all_orders;
   std::vector<LightKindRow> light_kinds;
+  std::vector<SampleRow> samples;
   std::vector<ComparedError> point_light;     // on surfaces, as the next two
   std::vector<ComparedError> incident_light;  // of an environment
   std::vector<ComparedError> transfer;

@@ -28,6 +28,7 @@ std::vector<ReportTable> bench_tables(const BenchReport& report) {
                                      scale_table(report.scales),
                                      all_orders_table(report.all_orders),
                                      light_kind_table(report.light_kinds),
+                                     sample_table(report.samples),
                                      noise_depth_table(report.noise_depths),
                                      noise_table(report.noise),
                                      surface_light_table(report.point_light),

@@ -19,6 +19,7 @@ ReportTable inscattering_table(const std::vector<InscatteringRow>& rows);
 ReportTable scale_table(const std::vector<ScaleRow>& rows);
 ReportTable all_orders_table(const std::vector<AllOrdersRow>& rows);
 ReportTable light_kind_table(const std::vector<LightKindRow>& rows);
+ReportTable sample_table(const std::vector<SampleRow>& rows);
 ReportTable noise_depth_table(const std::vector<NoiseDepthRow>& rows);
 ReportTable noise_table(const std::vector<ComparedError>& rows);
 ReportTable surface_light_table(const std::vector<ComparedError>& rows);

@@ -29,17 +29,21 @@ class CamerasAndOutput : public ::testing::Test {
 
 TEST_F(CamerasAndOutput, OfAPlainSceneAreNotWritten) {
   const std::string text = saved(load_scene(write(R"("camera": {"eye": [0, 0, 3]})")));
-  for (const char* key : {"cameras", "\"name\"", "output", "frames_per_second"}) {
+  for (const char* key :
+       {"cameras", "\"name\"", "output", "frames_per_second", "aperture", "focus_distance"}) {
     EXPECT_FALSE(contains(text, key)) << key;
   }
 }
 
 TEST_F(CamerasAndOutput, ComeBackWithTheirUnknownKeys) {
   const SceneDocument document = load_document(write(R"(
-    "camera": {"name": "Wide", "eye": [0, 0, 3], "maker": "A"},
+    "camera": {"name": "Wide", "eye": [0, 0, 3], "aperture": 0.1, "maker": "A", "focus_distance": 2,
+               "keys": {"aperture": [{"time": 1, "value": 0.2}],
+                        "focus_distance": [{"time": 2, "value": 5}]}},
     "cameras": [{"name": "Close", "eye": [1, 0, 0], "vertical_fov": 20, "maker": "B",
                  "keys": {"eye": [{"time": 1, "value": [2, 0, 0]}]}}],
-    "output": {"file": "renders/shot.exr", "paths": 64, "exposure": -0.5, "layers": ["Z"],
+    "output": {"file": "renders/shot.exr", "paths": 64, "samples": 32, "shutter": [-0.25, 0.25],
+               "exposure": -0.5, "layers": ["Z"],
                "quality": "high"},
     "timeline": {"last": 9, "frames_per_second": 24})"));
   const Scene& scene = document.scene;
@@ -49,6 +53,12 @@ TEST_F(CamerasAndOutput, ComeBackWithTheirUnknownKeys) {
   EXPECT_EQ(scene.cameras[0].keys.eye.size(), 1U);
   EXPECT_EQ(scene.output.file, std::filesystem::canonical(folder_.path()) / "renders/shot.exr");
   EXPECT_EQ(scene.output.paths, 64);
+  EXPECT_EQ(scene.camera.aperture, 0.1);
+  EXPECT_EQ(scene.camera.focus_distance, 2.0);
+  EXPECT_EQ(scene.camera_keys.aperture.size(), 1U);
+  EXPECT_EQ(scene.camera_keys.focus_distance.size(), 1U);
+  EXPECT_EQ(scene.output.samples, 32);
+  EXPECT_EQ(scene.output.shutter, (Shutter{-0.25, 0.25}));
   EXPECT_EQ(scene.output.exposure, -0.5);
   EXPECT_EQ(scene.output.layers, (OutputLayers{false, false, true}));
   EXPECT_EQ(scene.playback->frames_per_second, 24.0);
@@ -95,6 +105,24 @@ TEST_F(CamerasAndOutput, RefuseMistakes) {
   for (const char* paths : {"0", "-1", "1.5", "1000001", R"("9")", "null"}) {
     expect_refused(std::string(R"("output": {"paths": )") + paths + "}", "output.paths");
   }
+  for (const char* samples : {"0", "-1", "1.5", "4097", R"("9")", "null"}) {
+    expect_refused(std::string(R"("output": {"samples": )") + samples + "}", "output.samples");
+  }
+  for (const char* shutter :
+       {"0.5", "[0]", "[0, 0]", "[0.5, 0]", R"(["0", "1"])", "null", "[0, 1, 2]", "{}"}) {
+    expect_refused(std::string(R"("output": {"shutter": )") + shutter + "}", "output.shutter");
+  }
+  expect_refused(R"("output": {"shutter": [-3, 0]})", "output.shutter[0]");
+  expect_refused(R"("output": {"shutter": [0, 1e300]})", "output.shutter[1]");
+  for (const char* aperture : {"-0.1", "1e13", R"("1")", "null", "[]"}) {
+    expect_refused(std::string(R"("camera": {"aperture": )") + aperture + "}", "camera.aperture");
+  }
+  for (const char* distance : {"0", "-1", "1e13", R"("1")", "null"}) {
+    expect_refused(std::string(R"("camera": {"focus_distance": )") + distance + "}",
+                   "camera.focus_distance");
+  }
+  expect_refused(R"("camera": {"keys": {"aperture": [{"time": 0, "value": -1}]}})",
+                 "camera.keys.aperture[0].value");
   for (const char* exposure : {"61", "-61", R"("0")", "null"}) {
     expect_refused(std::string(R"("output": {"exposure": )") + exposure + "}", "output.exposure");
   }

@@ -87,11 +87,20 @@ class RandomScene {
         surface.material.specular = {0.0, number(0, 1), number(0, 1)};
         surface.material.exponent = number(0, 1000);
       }
+      keys(surface.keys.translate, 1e6);
+      keys(surface.keys.rotate, 1.0);
+      keys(surface.keys.scale, 9.0);
+      keys(surface.keys.reflectance, 1.0);
+      if (surface.material.type == Material::Type::phong) keys(surface.keys.specular, 1.0);
       surface.transfer = static_cast<Surface::Transfer>(integer(0, 2));
       scene.surfaces.push_back(surface);
     }
     keys(scene.camera_keys.eye, 1e6);
     keys(scene.camera_keys.vertical_fov, 179.0);
+    scene.camera.aperture = maybe() ? number(0, 2) : 0.0;
+    if (maybe()) scene.camera.focus_distance = number(0.1, 9);
+    keys(scene.camera_keys.aperture, 1.0);
+    if (scene.camera.focus_distance) keys(scene.camera_keys.focus_distance, 9.0);
     keys(scene.density_keys, 9.0);
     keys(scene.optics.keys.albedo, 1.0);
     keys(scene.optics.noise.keys.amplitude, 2.0);
@@ -128,7 +137,7 @@ class RandomScene {
     if (maybe()) scene.output.file = folder_ / (maybe() ? "film.mp4" : "renders/a.exr");
     if (maybe()) scene.output.paths = integer(1, 999);
     if (maybe()) scene.output.exposure = number(-9, 9);
-    scene.output.layers = {maybe(), maybe(), maybe()};
+    for (const LayerName& name : layer_names) scene.output.layers.*name.layer = maybe();
     return scene;
   }
 
@@ -162,6 +171,9 @@ class RandomScene {
   glm::dvec3 up_to(double max_value, const glm::dvec3&) {
     return {number(0.01, max_value), number(0.01, max_value), number(0.01, max_value)};
   }
+  glm::dquat up_to(double max_value, const glm::dquat&) {
+    return glm::normalize(glm::dquat(number(0.1, max_value), number(-1, 1), number(-1, 1), 0.5));
+  }
   void groups(std::vector<Group>& groups) {
     for (int i = integer(1, 4); i > 0; --i) {
       Group group{.id = static_cast<GroupId>(groups.size() + 1), .name = std::to_string(i)};
@@ -185,7 +197,11 @@ class RandomScene {
   void keys(Keys<T>& keys, double max_value) {
     double time = number(-9, 9);
     for (int i = maybe() ? integer(0, 4) : 0; i > 0; --i, time += number(1e-3, 5)) {
-      keys.push_back({time, up_to(max_value, T{}), static_cast<Interpolation>(integer(0, 1))});
+      keys.push_back({time, up_to(max_value, T{}), static_cast<Interpolation>(integer(0, 2))});
+      if constexpr (std::is_same_v<T, glm::dquat>) continue;
+      if (maybe()) keys.back().in = up_to(1e30, T{});
+      if (maybe()) keys.back().out = -up_to(9.0, T{});
+      keys.back().aligned = maybe();
     }
   }
 

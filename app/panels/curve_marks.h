@@ -1,0 +1,59 @@
+#pragma once
+
+#include <QPointF>
+#include <optional>
+#include <vector>
+
+#include "app/document/keyframe_curves.h"
+
+namespace brume {
+
+class CurveAxes;
+
+// A key of a curve: a point in the curve editor.
+struct CurveMark {
+  std::size_t curve;  // index among those shown
+  double time;        // [s]
+
+  [[nodiscard]] bool is(const CurveMark& other) const;
+};
+
+// The selected keys of a curve editor.
+class CurveSelection {
+ public:
+  [[nodiscard]] bool contains(const CurveMark& mark) const;
+  [[nodiscard]] const std::vector<CurveMark>& marks() const { return marks_; }
+  [[nodiscard]] bool empty() const { return marks_.empty(); }
+  [[nodiscard]] std::vector<double> times() const;  // each once, in order
+  void set(std::vector<CurveMark> marks) { marks_ = std::move(marks); }
+  void add(const CurveMark& mark);
+  void toggle(const CurveMark& mark);
+  // Forgets keys that are no longer there.
+  void prune(const std::vector<Curve>& curves);
+
+ private:
+  std::vector<CurveMark> marks_;
+};
+
+// The end of a tangent, to be dragged.
+struct TangentHandle {
+  CurveMark mark;
+  TangentSide side;
+  QPointF key;
+  QPointF tip;
+  bool is_automatic;
+};
+
+// Of the selected keys, on sides where their curve is smooth.
+std::vector<TangentHandle> tangent_handles(const std::vector<Curve>& curves,
+                                           const CurveSelection& selection, const CurveAxes& axes);
+
+// What is nearest to a position, if near.
+std::optional<CurveMark> mark_near(const std::vector<Curve>& curves, const CurveAxes& axes,
+                                   const QPointF& at);
+std::optional<TangentHandle> handle_near(const std::vector<TangentHandle>& handles,
+                                         const QPointF& at);
+
+std::vector<CurveMark> all_marks(const std::vector<Curve>& curves);
+
+}  // namespace brume

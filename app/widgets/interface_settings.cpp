@@ -1,0 +1,82 @@
+#include "app/widgets/interface_settings.h"
+
+#include <QColor>
+#include <QCoreApplication>
+#include <QGuiApplication>
+#include <QScreen>
+#include <QSettings>
+#include <algorithm>
+#include <cmath>
+
+#include "app/document/number_text.h"
+#include "app/widgets/color_button.h"
+
+namespace brume {
+namespace {
+
+constexpr const char* unit_key = "display/length_unit";
+constexpr const char* colors_key = "display/color_numbers";
+constexpr const char* handles_key = "display/handle_scale";
+constexpr double max_handle_scale = 3.0;
+
+}  // namespace
+
+double handle_scale_of(double dots_per_inch) {
+  constexpr double usual = 96.0;
+  return std::clamp(std::round(4.0 * dots_per_inch / usual) / 4.0, 1.0, max_handle_scale);
+}
+
+InterfaceSettings& InterfaceSettings::instance() {
+  static InterfaceSettings settings;
+  return settings;
+}
+
+void InterfaceSettings::load() {
+  const QSettings settings;
+  length_unit_ = settings.value(unit_key).toString().left(max_unit_length);
+  color_numbers_ =
+      settings.value(colors_key) == "linear" ? ColorNumbers::linear : ColorNumbers::srgb;
+  const double scale = settings.value(handles_key).toDouble();
+  chosen_handle_scale_ = scale >= 1.0 && scale <= max_handle_scale ? scale : 0.0;
+  update_handle_scale();
+  Q_EMIT changed();
+}
+
+void InterfaceSettings::set_length_unit(const QString& unit) {
+  length_unit_ = unit.simplified().left(max_unit_length);
+  QSettings().setValue(unit_key, length_unit_);
+  Q_EMIT changed();
+}
+
+void InterfaceSettings::set_color_numbers(ColorNumbers numbers) {
+  color_numbers_ = numbers;
+  QSettings().setValue(colors_key, numbers == ColorNumbers::linear ? "linear" : "srgb");
+  Q_EMIT changed();
+}
+
+void InterfaceSettings::set_handle_scale(double scale) {
+  chosen_handle_scale_ = scale;
+  QSettings().setValue(handles_key, scale);
+  update_handle_scale();
+  Q_EMIT changed();
+}
+
+void InterfaceSettings::update_handle_scale() {
+  const QScreen* screen = QGuiApplication::primaryScreen();
+  const double by_screen = screen ? handle_scale_of(screen->logicalDotsPerInch()) : 1.0;
+  handle_scale_ = chosen_handle_scale_ > 0.0 ? chosen_handle_scale_ : by_screen;
+}
+
+QString color_numbers_text(const glm::dvec3& linear) {
+  if (InterfaceSettings::instance().color_numbers() == InterfaceSettings::ColorNumbers::linear) {
+    return QCoreApplication::translate("InterfaceSettings", "linear %1, %2, %3")
+        .arg(number_text(linear.r, 3), number_text(linear.g, 3), number_text(linear.b, 3));
+  }
+  const QColor color = to_color(linear);
+  return QCoreApplication::translate("InterfaceSettings", "sRGB %1, %2, %3")
+      .arg(color.red())
+      .arg(color.green())
+      .arg(color.blue());
+}
+
+}  // namespace brume

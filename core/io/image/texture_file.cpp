@@ -1,0 +1,41 @@
+#include "core/io/image/texture_file.h"
+
+#include "core/error.h"
+#include "core/io/file_bytes.h"
+#include "core/io/image/image_file.h"
+#include "core/io/image/pixel_decoders.h"
+#include "core/io/image/radiance_map_file.h"
+
+namespace brume {
+namespace {
+
+std::shared_ptr<const Texture> read_radiance(const std::filesystem::path& file) {
+  const auto map = read_radiance_map(file);
+  check_texture_size(file, static_cast<std::uint64_t>(map->width),
+                     static_cast<std::uint64_t>(map->height));
+  return std::make_shared<const Texture>(map->width, map->height, map->pixels);
+}
+
+}  // namespace
+
+std::shared_ptr<const Texture> decode_texture(const std::filesystem::path& file,
+                                              std::string_view bytes, bool has_colors) {
+  if (!is_png(bytes) && !is_jpeg(bytes)) {
+    throw InputError(file, "header",
+                     has_colors ? "found neither a PNG, JPEG, OpenEXR nor Radiance HDR image"
+                                : "found neither a PNG nor a JPEG image");
+  }
+  const Pixels pixels = is_png(bytes) ? decode_png(file, bytes) : decode_jpeg(file, bytes);
+  return std::make_shared<const Texture>(
+      pixels.width, pixels.height, pixels.rgba,
+      has_colors ? Texture::Encoding::srgb : Texture::Encoding::linear);
+}
+
+std::shared_ptr<const Texture> read_texture(const std::filesystem::path& file, bool has_colors) {
+  if (has_colors && (is_exr(file) || read_first_bytes(file, 2) == "#?")) {
+    return read_radiance(file);
+  }
+  return decode_texture(file, read_bytes(file), has_colors);
+}
+
+}  // namespace brume

@@ -1,0 +1,317 @@
+#include "core/io/import/gltf_file.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/error.h"
+#include "core/io/byte_reader.h"
+#include "core/io/file_bytes.h"
+#include "core/io/import/uri.h"
+#include "core/io/text_scanner.h"
+#include "core/limits.h"
+
+namespace brume {
+namespace fs = std::filesystem;
+namespace {
+
+// The numbers that glTF has from OpenGL.
+enum : std::int64_t { i8 = 5120, u8 = 5121, i16 = 5122, u16 = 5123, u32 = 5125, f32 = 5126 };
+
+std::size_t size_of(std::int64_t type) {
+  return type <= u8 ? 1 : type <= u16 ? 2 : 4;
+}
+
+template <class Number>
+double value_of(const char* bytes, bool is_normalized) {
+  Number value;
+  std::memcpy(&value, bytes, sizeof(Number));
+  if (!is_normalized || std::is_floating_point_v<Number>) return static_cast<double>(value);
+  return std::max(
+      static_cast<double>(value) / static_cast<double>(std::numeric_limits<Number>::max()), -1.0);
+}
+
+double value_of(std::int64_t type, const char* bytes, bool is_normalized) {
+  switch (type) {
+    case i8:
+      return value_of<std::int8_t>(bytes, is_normalized);
+    case u8:
+      return value_of<std::uint8_t>(bytes, is_normalized);
+    case i16:
+      return value_of<std::int16_t>(bytes, is_normalized);
+    case u16:
+      return value_of<std::uint16_t>(bytes, is_normalized);
+    case u32:
+      return value_of<std::uint32_t>(bytes, is_normalized);
+    default:
+      return value_of<float>(bytes, is_normalized);
+  }
+}
+
+constexpr std::array<std::string_view, 4> read_extensions{
+    "KHR_lights_punctual", "KHR_materials_emissive_strength", "KHR_mesh_quantization",
+    "KHR_texture_transform"};
+// Without these, materials look different, and that is all.
+constexpr std::array<std::string_view, 11> optional_extensions{
+    "KHR_materials_anisotropy", "KHR_materials_clearcoat",    "KHR_materials_dispersion",
+    "KHR_materials_ior",        "KHR_materials_iridescence",  "KHR_materials_sheen",
+    "KHR_materials_specular",   "KHR_materials_transmission", "KHR_materials_unlit",
+    "KHR_materials_variants",   "KHR_materials_volume"};
+
+// An accessor without a buffer view is all zeros: nothing in the file bounds its size.
+constexpr std::int64_t max_zeros = 1 << 20;
+constexpr std::int64_t max_bytes = limits::file_bytes;
+
+}  // namespace
+
+struct GltfFile::Accessor {
+  std::int64_t type = f32;  // of a component
+  std::size_t components = 1;
+  std::size_t count = 0;
+  bool is_normalized = false;
+  std::string_view bytes{};  // from its first element on; empty: zeros
+  std::size_t stride = 0;    // in bytes
+  const Json* sparse = nullptr;
+};
+
+GltfFile::GltfFile(const fs::path& file, std::vector<std::string>& warnings)
+    : context_(file, &warnings), files_{file} {
+  const std::string bytes = read_bytes(file);
+  if (bytes.starts_with("glTF")) {
+    read_binary(bytes);
+  } else {
+    root_ = parse_json(file, bytes);
+  }
+  check_version();
+}
+
+void GltfFile::read_binary(std::string_view bytes) {
+  ByteReader reader(context_.file(), bytes);
+  reader.read_bytes(4);
+  if (const auto version = reader.number<std::uint32_t>(); version != 2) {
+    reader.fail("found glTF " + std::to_string(version) + "; allowed: 2");
+  }
+  reader.number<std::uint32_t>();  // the length of all: the chunks have their own
+  constexpr std::uint32_t json_chunk = 0x4E4F534A;
+  constexpr std::uint32_t binary_chunk = 0x004E4942;
+  const auto json_length = reader.number<std::uint32_t>();
+  if (reader.number<std::uint32_t>() != json_chunk) reader.fail("found no JSON chunk");
+  root_ = parse_json(context_.file(), reader.read_bytes(json_length));
+  if (bytes.size() - reader.position() < 8) return;
+  const auto length = reader.number<std::uint32_t>();
+  if (reader.number<std::uint32_t>() == binary_chunk) chunk_ = reader.read_bytes(length);
+}
+
+void GltfFile::check_version() {
+  JsonObject root(context_, root_, root_path_);
+  const JsonPath path = root.path_of("asset");
+  JsonObject asset(context_, root.required("asset"), path);
+  const std::string version = asset.text("version", {});
+  if (!version.starts_with("2.")) {
+    asset.fail("version", "found " + quoted_text(version) + "; allowed: 2.0");
+  }
+  check_extensions(root);
+}
+
+void GltfFile::check_extensions(JsonObject& root) {
+  const auto is_in = [](const Json& name, const auto& names) {
+    return name.is_string() && std::ranges::count(names, name.get_ref<const std::string&>()) > 0;
+  };
+  const Json::array_t& required = root.array("extensionsRequired", limits::keys);
+  for (std::size_t i = 0; i < required.size(); ++i) {
+    if (is_in(required[i], read_extensions) || is_in(required[i], optional_extensions)) continue;
+    std::string names;
+    for (const std::string_view name : read_extensions) (names += name) += ", ";
+    context_.fail(
+        root.path_of("extensionsRequired").element(i),
+        "found " + quoted_json(required[i]) + "; allowed: " + names + "extensions of materials");
+  }
+  for (const Json& used : root.array("extensionsUsed", limits::keys)) {
+    if (is_in(used, read_extensions)) continue;
+    context_.warn(root.path_of("extensionsUsed"), quoted_json(used) + " is left out");
+  }
+}
+
+const Json::array_t& GltfFile::list(std::string_view key) {
+  constexpr std::size_t longest = 1 << 20;
+  return JsonObject(context_, root_, root_path_).array(key, longest);
+}
+
+std::optional<std::size_t> GltfFile::index(JsonObject& object, std::string_view key,
+                                           std::string_view of) {
+  if (object.find(key) == nullptr) return std::nullopt;
+  const std::size_t count = list(of).size();
+  if (count == 0) object.fail(key, "refers to " + std::string(of) + "; the file has none");
+  return static_cast<std::size_t>(object.integer(key, 0, static_cast<std::int64_t>(count) - 1, 0));
+}
+
+GltfFile::Accessor GltfFile::accessor(const JsonPath& path, std::size_t index) {
+  JsonObject object(context_, list("accessors")[index], path);
+  Accessor result;
+  result.type = object.integer("componentType", i8, f32, 0);
+  if (object.find("componentType") == nullptr || result.type == 5124) {
+    object.fail("componentType", "allowed: 5120, 5121, 5122, 5123, 5125, 5126");
+  }
+  result.components = 1 + object.choice("type", {"SCALAR", "VEC2", "VEC3", "VEC4"}, {});
+  static_cast<void>(object.required("count"));
+  result.is_normalized = object.boolean("normalized", false);
+  result.sparse = object.find("sparse");
+  const std::size_t size = size_of(result.type) * result.components;
+  const auto view = this->index(object, "bufferView", "bufferViews");
+  result.count =
+      static_cast<std::size_t>(object.integer("count", 1, view ? max_bytes : max_zeros, 1));
+  if (!view) return result;
+  result.bytes = buffer_view(*view);
+  const JsonPath views = root_path_.member("bufferViews");
+  const JsonPath view_path = views.element(*view);
+  JsonObject of_view(context_, list("bufferViews")[*view], view_path);
+  result.stride = of_view.find("byteStride")
+                      ? static_cast<std::size_t>(of_view.integer("byteStride", 1, 252, 4))
+                      : size;
+  const auto offset = static_cast<std::size_t>(object.integer("byteOffset", 0, max_bytes, 0));
+  const std::size_t needed = offset + result.stride * (result.count - 1) + size;
+  if (needed > result.bytes.size()) {
+    object.fail("count", "needs " + std::to_string(needed) + " bytes of a buffer view of " +
+                             std::to_string(result.bytes.size()));
+  }
+  result.bytes.remove_prefix(offset);
+  return result;
+}
+
+std::vector<float> GltfFile::read(const JsonPath& path, const Accessor& accessor) {
+  std::vector<float> values(accessor.count * accessor.components, 0.0f);
+  const std::size_t size = size_of(accessor.type);
+  for (std::size_t i = 0; i < accessor.count && !accessor.bytes.empty(); ++i) {
+    for (std::size_t k = 0; k < accessor.components; ++k) {
+      const char* bytes = accessor.bytes.data() + i * accessor.stride + k * size;
+      values[i * accessor.components + k] =
+          static_cast<float>(value_of(accessor.type, bytes, accessor.is_normalized));
+    }
+  }
+  if (accessor.sparse != nullptr) apply_sparse(path, *accessor.sparse, accessor, values);
+  return values;
+}
+
+void GltfFile::apply_sparse(const JsonPath& path, const Json& sparse, const Accessor& accessor,
+                            std::vector<float>& values) {
+  const JsonPath sparse_path = path.member("sparse");
+  JsonObject object(context_, sparse, sparse_path);
+  const auto count = static_cast<std::size_t>(
+      object.integer("count", 0, static_cast<std::int64_t>(accessor.count), 0));
+  const auto part = [&](const char* key, std::int64_t type, std::size_t components) {
+    const JsonPath part_path = sparse_path.member(key);
+    JsonObject part_object(context_, object.required(key), part_path);
+    static_cast<void>(part_object.required("bufferView"));
+    Accessor result = accessor;
+    result.type = type != 0 ? type : part_object.integer("componentType", u8, u32, u16);
+    result.components = components;
+    result.stride = size_of(result.type) * components;
+    result.bytes = buffer_view(*index(part_object, "bufferView", "bufferViews"));
+    const auto offset =
+        static_cast<std::size_t>(part_object.integer("byteOffset", 0, max_bytes, 0));
+    if (offset + count * result.stride > result.bytes.size()) {
+      part_object.fail("byteOffset", "the buffer view ends before");
+    }
+    result.bytes.remove_prefix(offset);
+    return result;
+  };
+  const Accessor indices = part("indices", 0, 1);
+  const Accessor replaced = part("values", accessor.type, accessor.components);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double at = value_of(indices.type, indices.bytes.data() + i * indices.stride, false);
+    if (!(at >= 0.0 && at < static_cast<double>(accessor.count))) {
+      object.fail("indices", "found " + quoted_text(at) + "; allowed: less than " +
+                                 std::to_string(accessor.count));
+    }
+    for (std::size_t k = 0; k < accessor.components; ++k) {
+      const char* bytes = replaced.bytes.data() + i * replaced.stride + k * size_of(replaced.type);
+      values[static_cast<std::size_t>(at) * accessor.components + k] =
+          static_cast<float>(value_of(replaced.type, bytes, accessor.is_normalized));
+    }
+  }
+}
+
+std::vector<float> GltfFile::numbers(const JsonPath& user, std::size_t index,
+                                     std::size_t components) {
+  const JsonPath accessors = root_path_.member("accessors");
+  const JsonPath path = accessors.element(index);
+  const Accessor found = accessor(path, index);
+  if (found.components != components) {
+    context_.fail(user, "refers to " + path.text() + ", which has " +
+                            std::to_string(found.components) +
+                            " components; allowed: " + std::to_string(components));
+  }
+  return read(path, found);
+}
+
+std::vector<std::uint32_t> GltfFile::indices(const JsonPath& user, std::size_t index) {
+  const JsonPath accessors = root_path_.member("accessors");
+  const JsonPath path = accessors.element(index);
+  const Accessor found = accessor(path, index);
+  const bool is_index = found.type == u8 || found.type == u16 || found.type == u32;
+  if (!is_index || found.components != 1 || found.is_normalized || found.sparse != nullptr) {
+    context_.fail(user, "refers to " + path.text() + "; allowed: one with unsigned integers");
+  }
+  std::vector<std::uint32_t> values(found.count, 0);
+  for (std::size_t i = 0; i < found.count && !found.bytes.empty(); ++i) {
+    values[i] = static_cast<std::uint32_t>(
+        value_of(found.type, found.bytes.data() + i * found.stride, false));
+  }
+  return values;
+}
+
+std::string_view GltfFile::buffer_view(std::size_t view) {
+  const JsonPath views = root_path_.member("bufferViews");
+  const JsonPath path = views.element(view);
+  JsonObject object(context_, list("bufferViews")[view], path);
+  static_cast<void>(object.required("buffer"));
+  const std::string_view bytes = buffer(*index(object, "buffer", "buffers"));
+  const auto offset = static_cast<std::size_t>(object.integer("byteOffset", 0, max_bytes, 0));
+  static_cast<void>(object.required("byteLength"));
+  const auto length = static_cast<std::size_t>(object.integer("byteLength", 1, max_bytes, 1));
+  if (offset + length > bytes.size()) {
+    object.fail("byteLength", "ends at byte " + std::to_string(offset + length) +
+                                  " of a buffer of " + std::to_string(bytes.size()) + " bytes");
+  }
+  return bytes.substr(offset, length);
+}
+
+std::string_view GltfFile::buffer(std::size_t index) {
+  buffers_.resize(list("buffers").size());
+  std::optional<std::string>& bytes = buffers_[index];
+  if (bytes) return *bytes;
+  const JsonPath buffers = root_path_.member("buffers");
+  const JsonPath path = buffers.element(index);
+  JsonObject object(context_, list("buffers")[index], path);
+  if (object.find("uri") == nullptr) {
+    if (index > 0) object.fail("uri", "missing");
+    bytes = std::move(chunk_);
+    return *bytes;
+  }
+  const JsonPath uri = object.path_of("uri");
+  Resource found = resource(uri, object.text("uri", {}));
+  if (!found.is_embedded) {
+    try {
+      found.bytes = read_bytes(found.file);
+    } catch (const InputError& error) {
+      context_.fail(uri, error.what());
+    }
+    files_.push_back(found.file);
+  }
+  bytes = std::move(found.bytes);
+  return *bytes;
+}
+
+GltfFile::Resource GltfFile::resource(const JsonPath& path, const std::string& uri) const {
+  if (uri.starts_with("data:")) {
+    auto bytes = decoded_data_uri(uri);
+    if (!bytes) context_.fail(path, "found " + quoted_text(uri, 40) + "; allowed: base64 data");
+    return {context_.file(), std::move(*bytes), true};
+  }
+  const std::optional<std::string> name = decoded_relative_uri(uri);
+  if (!name) {
+    context_.fail(path, "found " + quoted_text(uri, 80) + "; allowed: a relative path, or data");
+  }
+  return {(context_.file().parent_path() / *name).lexically_normal(), {}, false};
+}
+
+}  // namespace brume

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/io/scene/json_reader.h"
+
+namespace brume {
+
+// A glTF 2.0 file (.gltf or .glb) with its buffers: what its JSON refers to, each index, offset and
+// count checked. Throws InputError naming the JSON path.
+class GltfFile {
+ public:
+  // Warnings are collected in `warnings`.
+  GltfFile(const std::filesystem::path& file, std::vector<std::string>& warnings);
+  GltfFile(const GltfFile&) = delete;
+  GltfFile& operator=(const GltfFile&) = delete;
+
+  [[nodiscard]] JsonContext& context() { return context_; }
+  [[nodiscard]] const JsonPath& path() const { return root_path_; }
+  [[nodiscard]] const Json& root() const { return root_; }
+
+  // The elements of a list at the top, such as `nodes`; empty if missing.
+  [[nodiscard]] const Json::array_t& list(std::string_view key);
+  // The member `key` of an object, an index into the list `of`; nullopt if missing.
+  std::optional<std::size_t> index(JsonObject& object, std::string_view key, std::string_view of);
+
+  // The numbers of an accessor of `components` components, one element after the other; integers
+  // that are normalized, and only those, become fractions. `user`: what refers to it.
+  std::vector<float> numbers(const JsonPath& user, std::size_t accessor, std::size_t components);
+  // The number of components of an accessor.
+  std::size_t components(std::size_t accessor);
+  std::vector<std::uint32_t> indices(const JsonPath& user, std::size_t accessor);
+
+  // Valid as long as this is.
+  std::string_view buffer_view(std::size_t view);
+
+  // A reference of the file: bytes of its own ("data:..."), or else a file, which need not exist.
+  struct Resource {
+    std::filesystem::path file;
+    std::string bytes;
+    bool is_embedded = false;
+  };
+  [[nodiscard]] Resource resource(const JsonPath& path, const std::string& uri) const;
+
+  // The file itself and its buffers.
+  [[nodiscard]] const std::vector<std::filesystem::path>& files() const { return files_; }
+
+ private:
+  struct Accessor;
+
+  void read_binary(std::string_view bytes);
+  void check_version();
+  void check_extensions(JsonObject& root);
+  Accessor accessor(const JsonPath& path, std::size_t index);
+  std::vector<float> read(const JsonPath& path, const Accessor& accessor);
+  void apply_sparse(const JsonPath& path, const Json& sparse, const Accessor& accessor,
+                    std::vector<float>& values);
+  std::string_view buffer(std::size_t index);
+
+  JsonContext context_;
+  JsonPath root_path_;
+  Json root_;
+  std::string chunk_;                                // of a .glb
+  std::vector<std::optional<std::string>> buffers_;  // as far as read
+  std::vector<std::filesystem::path> files_;
+};
+
+}  // namespace brume

@@ -1,0 +1,171 @@
+#include "core/io/import/gltf_materials.h"
+
+#include <cmath>
+
+namespace brume {
+namespace {
+
+// A texture as a material refers to it.
+struct TextureUse {
+  RawTexture texture;
+  std::size_t texcoord_set = 0;
+  glm::dmat3 transform{1.0};
+};
+
+constexpr std::int64_t max_set = 15;
+
+TextureWrap wrap_of(JsonObject& sampler, const char* key) {
+  constexpr std::int64_t clamp = 33071;
+  constexpr std::int64_t mirror = 33648;
+  constexpr std::int64_t repeat = 10497;
+  const std::int64_t wrap = sampler.integer(key, 0, INT32_MAX, repeat);
+  return wrap == clamp    ? TextureWrap::clamp
+         : wrap == mirror ? TextureWrap::mirror
+                          : TextureWrap::repeat;
+}
+
+// KHR_texture_transform: scaled, rotated counterclockwise (with v down), moved.
+void read_transform(GltfFile& file, const Json& value, const JsonPath& path, TextureUse& use) {
+  JsonObject object(file.context(), value, path);
+  const glm::dvec2 offset = object.pair("offset", domain::coordinate, glm::dvec2(0.0));
+  const glm::dvec2 scale = object.pair("scale", domain::coordinate, glm::dvec2(1.0));
+  const double angle = object.number("rotation", domain::coordinate, 0.0);
+  const double c = std::cos(angle);
+  const double s = std::sin(angle);
+  use.transform = glm::dmat3(c * scale.x, -s * scale.x, 0.0, s * scale.y, c * scale.y, 0.0,
+                             offset.x, offset.y, 1.0);
+  use.texcoord_set = static_cast<std::size_t>(
+      object.integer("texCoord", 0, max_set, static_cast<std::int64_t>(use.texcoord_set)));
+}
+
+// Nullopt for an image of a format that only an extension has.
+std::optional<TextureUse> read_texture(GltfFile& file, JsonObject& object) {
+  if (object.find("index") == nullptr) object.fail("index", "missing");
+  const std::size_t index = *file.index(object, "index", "textures");
+  TextureUse use;
+  use.texcoord_set = static_cast<std::size_t>(object.integer("texCoord", 0, max_set, 0));
+  if (const Json* extensions = object.find("extensions")) {
+    const JsonPath path = object.path_of("extensions");
+    JsonObject all(file.context(), *extensions, path);
+    if (const Json* transform = all.find("KHR_texture_transform")) {
+      read_transform(file, *transform, all.path_of("KHR_texture_transform"), use);
+    }
+  }
+  const JsonPath textures = file.path().member("textures");
+  const JsonPath path = textures.element(index);
+  JsonObject texture(file.context(), file.list("textures")[index], path);
+  if (const auto sampler_index = file.index(texture, "sampler", "samplers")) {
+    const JsonPath samplers = file.path().member("samplers");
+    const JsonPath sampler_path = samplers.element(*sampler_index);
+    JsonObject sampler(file.context(), file.list("samplers")[*sampler_index], sampler_path);
+    use.texture.wrap_u = wrap_of(sampler, "wrapS");
+    use.texture.wrap_v = wrap_of(sampler, "wrapT");
+  }
+  const auto image = file.index(texture, "source", "images");
+  if (!image) {
+    file.context().warn(texture.path_of("source"), "missing: the texture is left out");
+    return std::nullopt;
+  }
+  use.texture.image = *image;
+  return use;
+}
+
+// Collects the textures of a material. A mesh has one set of texture coordinates: that of the
+// first.
+class Textures {
+ public:
+  Textures(GltfFile& file, GltfMaterial& material) : file_(file), material_(material) {}
+
+  // The texture `key` of an object, the `slot`th of textures_of(); the object of its reference
+  // is handed to `read` for what else it has.
+  void read(JsonObject& owner, const char* key, std::size_t slot, auto&& read_more) {
+    const Json* value = owner.find(key);
+    if (value == nullptr) return;
+    const JsonPath path = owner.path_of(key);
+    JsonObject object(file_.context(), *value, path);
+    read_more(object);
+    const std::optional<TextureUse> use = read_texture(file_, object);
+    if (!use) return;
+    material_.material.textures[slot] = use->texture;
+    if (!has_any_) {
+      material_.texcoord_set = use->texcoord_set;
+      material_.texcoord_transform = use->transform;
+      has_any_ = true;
+    } else if (material_.texcoord_set != use->texcoord_set ||
+               material_.texcoord_transform != use->transform) {
+      file_.context().warn(path,
+                           "has texture coordinates of its own: those of the material's first "
+                           "texture are used");
+    }
+  }
+
+ private:
+  GltfFile& file_;
+  GltfMaterial& material_;
+  bool has_any_ = false;
+};
+
+double emissive_strength(GltfFile& file, JsonObject& material) {
+  const Json* extensions = material.find("extensions");
+  if (extensions == nullptr) return 1.0;
+  const JsonPath path = material.path_of("extensions");
+  JsonObject all(file.context(), *extensions, path);
+  const Json* strength = all.find("KHR_materials_emissive_strength");
+  if (strength == nullptr) return 1.0;
+  const JsonPath strength_path = all.path_of("KHR_materials_emissive_strength");
+  return JsonObject(file.context(), *strength, strength_path)
+      .number("emissiveStrength", domain::not_negative, 1.0);
+}
+
+}  // namespace
+
+GltfMaterial read_gltf_material(GltfFile& file, const Json& value, const JsonPath& path) {
+  JsonObject object(file.context(), value, path);
+  GltfMaterial result;
+  MetallicRoughness& values = result.material.values;
+  Textures textures(file, result);
+  const auto nothing = [](JsonObject&) {};
+  if (const Json* metallic = object.find("pbrMetallicRoughness")) {
+    const JsonPath metallic_path = object.path_of("pbrMetallicRoughness");
+    JsonObject pbr(file.context(), *metallic, metallic_path);
+    if (const Json* color = pbr.find("baseColorFactor")) {
+      const auto rgba =
+          read_numbers(file.context(), *color, pbr.path_of("baseColorFactor"), 4, domain::unit);
+      values.base_color = {rgba[0], rgba[1], rgba[2]};
+    }
+    values.metallic = pbr.number("metallicFactor", domain::unit, 1.0);
+    values.roughness = pbr.number("roughnessFactor", domain::unit, 1.0);
+    textures.read(pbr, "baseColorTexture", 0, nothing);
+    textures.read(pbr, "metallicRoughnessTexture", 1, nothing);
+  }
+  textures.read(object, "normalTexture", 2, [&values](JsonObject& normal) {
+    static constexpr NumberDomain scales{-1000.0, 1000.0, "a number from -1000 to 1000"};
+    values.normal_scale = std::abs(normal.number("scale", scales, 1.0));
+  });
+  textures.read(object, "emissiveTexture", 3, nothing);
+  values.emissive = object.vector("emissiveFactor", domain::unit, glm::dvec3(0.0)) *
+                    emissive_strength(file, object);
+  if (object.text("alphaMode", "OPAQUE") != "OPAQUE") {
+    file.context().warn(object.path_of("alphaMode"), "surfaces are opaque here");
+  }
+  return result;
+}
+
+std::vector<RawImage> read_gltf_images(GltfFile& file) {
+  const Json::array_t& images = file.list("images");
+  const JsonPath path = file.path().member("images");
+  std::vector<RawImage> result;
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    const JsonPath image_path = path.element(i);
+    JsonObject image(file.context(), images[i], image_path);
+    if (const auto view = file.index(image, "bufferView", "bufferViews")) {
+      result.push_back({file.context().file(), std::string(file.buffer_view(*view))});
+    } else {
+      auto found = file.resource(image.path_of("uri"), image.text("uri", {}));
+      result.push_back({std::move(found.file), std::move(found.bytes)});
+    }
+  }
+  return result;
+}
+
+}  // namespace brume

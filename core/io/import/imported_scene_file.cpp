@@ -1,0 +1,170 @@
+#include "core/io/import/imported_scene_file.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "core/error.h"
+#include "core/io/file_bytes.h"
+#include "core/io/image/texture_file.h"
+#include "core/io/import/reader_program.h"
+#include "core/io/import/scene_readers.h"
+#include "core/io/text_scanner.h"
+#include "core/limits.h"
+#include "core/printable_text.h"
+#include "core/scene/mesh.h"
+
+namespace brume {
+namespace fs = std::filesystem;
+namespace {
+
+bool is_gltf(const fs::path& file) {
+  const std::string extension = lower_case_extension(file);
+  return extension == ".gltf" || extension == ".glb";
+}
+
+// Decodes the images and makes the meshes of a raw scene.
+class SceneBuilder {
+ public:
+  SceneBuilder(const fs::path& file, RawScene raw, std::vector<std::string>& warnings)
+      : file_(file), raw_(std::move(raw)), warnings_(warnings) {}
+
+  std::shared_ptr<const ImportedScene> build(const std::stop_token& stop) {
+    auto scene = std::make_shared<ImportedScene>();
+    scene->files = std::move(raw_.files);
+    for (RawPart& part : raw_.parts) {
+      if (stop.stop_requested()) return nullptr;
+      scene->parts.push_back(
+          {part.node, mesh_of(part.mesh), material(part.material, scene->files)});
+      part.mesh = {};
+    }
+    scene->changed = latest_change(scene->files);
+    scene->nodes = std::move(raw_.nodes);
+    scene->cameras = std::move(raw_.cameras);
+    scene->lights = std::move(raw_.lights);
+    return scene;
+  }
+
+ private:
+  using TextureOfImage = std::pair<std::size_t, bool>;  // and whether it has colors
+
+  std::shared_ptr<const TriangleMesh> mesh_of(const MeshArrays& arrays) {
+    auto mesh = to_mesh(arrays, limits::scene_bytes - bytes_);
+    if (!mesh) fail_too_large();
+    add_bytes(mesh_bytes(*mesh));
+    return mesh;
+  }
+
+  const Material& material(std::size_t index, std::vector<fs::path>& files) {
+    const auto [at, is_new] = materials_.try_emplace(index);
+    if (!is_new) return at->second;
+    const RawMaterial& raw = raw_.materials[index];
+    Material& result = at->second;
+    result.type = Material::Type::metallic_roughness;
+    result.metallic_roughness = raw.values;
+    for (const std::size_t slot : {0, 1, 2, 3}) {
+      const std::optional<RawTexture>& use = raw.textures[slot];
+      if (!use) continue;
+      const bool has_colors = slot == 0 || slot == 3;
+      TextureReference& texture = *textures_of(result.metallic_roughness)[slot];
+      texture.file = raw_.images[use->image].file;
+      texture.content = this->texture({use->image, has_colors}, files);
+      texture.wrap_u = use->wrap_u;
+      texture.wrap_v = use->wrap_v;
+    }
+    return result;
+  }
+
+  std::shared_ptr<const Texture> texture(const TextureOfImage& use, std::vector<fs::path>& files) {
+    const auto [at, is_new] = textures_.try_emplace(use);
+    if (!is_new) return at->second;
+    const auto& [index, has_colors] = use;
+    const RawImage& image = raw_.images[index];
+    std::error_code error;
+    if (!image.bytes.empty()) {
+      at->second = decode_texture(image.file, image.bytes, has_colors);
+    } else if (fs::exists(image.file, error)) {
+      at->second = read_texture(image.file, has_colors);
+      if (!std::ranges::count(files, image.file)) files.push_back(image.file);
+    } else if (!textures_.contains({index, !has_colors})) {
+      warnings_.push_back(
+          InputError(file_, "", "the texture " + printable(image.file.string()) + " is missing")
+              .what());
+    }
+    if (at->second) add_bytes(at->second->bytes());
+    return at->second;
+  }
+
+  void add_bytes(std::size_t bytes) {
+    bytes_ += bytes;
+    if (bytes_ > limits::scene_bytes) fail_too_large();
+  }
+
+  [[noreturn]] void fail_too_large() const {
+    throw InputError(file_, "",
+                     "its meshes and textures need more than the allowed " +
+                         std::to_string(limits::scene_bytes) + " bytes of memory");
+  }
+
+  const fs::path& file_;
+  RawScene raw_;
+  std::vector<std::string>& warnings_;
+  std::map<std::size_t, Material> materials_;
+  std::map<TextureOfImage, std::shared_ptr<const Texture>> textures_;
+  std::size_t bytes_ = 0;
+};
+
+}  // namespace
+
+bool is_imported_scene(const fs::path& file) {
+  const std::string extension = lower_case_extension(file);
+  return is_gltf(file) || extension == ".obj" || extension == ".fbx";
+}
+
+std::shared_ptr<const ImportedScene> read_imported_scene(const fs::path& file,
+                                                         std::vector<std::string>& warnings,
+                                                         const std::stop_token& stop) {
+  regular_file_size(file);  // report a missing file before its extension
+  if (!is_imported_scene(file)) {
+    throw InputError(file, "",
+                     "found a scene of format " + quoted_text(lower_case_extension(file)) +
+                         "; allowed: .gltf, .glb, .obj, .fbx");
+  }
+  RawScene raw = is_gltf(file) ? read_gltf(file) : read_by_program(file, stop);
+  if (stop.stop_requested()) return nullptr;
+  warnings.insert(warnings.end(), raw.warnings.begin(), raw.warnings.end());
+  return SceneBuilder(file, std::move(raw), warnings).build(stop);
+}
+
+fs::file_time_type latest_change(std::span<const fs::path> files) {
+  fs::file_time_type latest = fs::file_time_type::min();
+  for (const fs::path& file : files) {
+    std::error_code error;
+    const fs::file_time_type time = fs::last_write_time(file, error);
+    if (!error) latest = std::max(latest, time);
+  }
+  return latest;
+}
+
+bool obj_has_materials(const fs::path& file) {
+  // It stands before the faces that use a material.
+  const std::string begin = read_first_bytes(file, std::size_t{1} << 20);
+  return begin.starts_with("mtllib ") || begin.find("\nmtllib ") != std::string::npos;
+}
+
+std::string imported_name(std::string_view name, const std::string& otherwise) {
+  std::string result;
+  for (const char c : name.substr(0, limits::name_length)) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte >= 0x20 && byte != 0x7f) result += c;
+  }
+  // Not half a character of UTF-8.
+  if (name.size() > limits::name_length) {
+    while (!result.empty() && (static_cast<unsigned char>(result.back()) & 0xC0) == 0x80)
+      result.pop_back();
+    if (!result.empty() && static_cast<unsigned char>(result.back()) >= 0xC0) result.pop_back();
+  }
+  return result.empty() ? otherwise : result;
+}
+
+}  // namespace brume

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/scene/imported_scene.h"
+#include "core/scene/mesh_arrays.h"
+#include "core/scene/metallic_roughness.h"
+
+namespace brume {
+
+inline constexpr std::size_t max_imported_nodes = 1 << 16;
+
+// An image of a scene: a file of its own, or bytes within the scene's file.
+struct RawImage {
+  std::filesystem::path file;  // where it is, absolute; with bytes, the scene's file
+  std::string bytes;           // PNG or JPEG; empty: in `file`
+};
+
+struct RawTexture {
+  std::size_t image = 0;
+  TextureWrap wrap_u = TextureWrap::repeat;
+  TextureWrap wrap_v = TextureWrap::repeat;
+};
+
+struct RawMaterial {
+  MetallicRoughness values{};                           // without its textures
+  std::array<std::optional<RawTexture>, 4> textures{};  // in the order of textures_of()
+};
+
+struct RawPart {
+  std::size_t node = 0;
+  std::size_t material = 0;
+  MeshArrays mesh;
+};
+
+// The content of a scene file before its images are decoded and its meshes made. Readers have
+// checked all indices and numbers.
+struct RawScene {
+  std::vector<ImportedNode> nodes;
+  std::vector<RawPart> parts;
+  std::vector<RawMaterial> materials;
+  std::vector<RawImage> images;
+  std::vector<NamedCamera> cameras;
+  std::vector<Light> lights;
+  std::vector<std::filesystem::path> files;  // as in ImportedScene, without images
+  std::vector<std::string> warnings;         // one line each, with the file's name
+};
+
+}  // namespace brume

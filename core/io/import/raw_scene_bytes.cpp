@@ -1,0 +1,241 @@
+#include "core/io/import/raw_scene_bytes.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <type_traits>
+
+#include "core/io/byte_reader.h"
+#include "core/limits.h"
+#include "core/number_domain.h"
+
+namespace brume {
+namespace {
+
+// Both directions visit the same members in the same order.
+
+class Writer {
+ public:
+  explicit Writer(std::ostream& out) : out_(out) {}
+
+  template <class Value>
+  void plain(const Value& value) {
+    static_assert(std::is_trivially_copyable_v<Value>);
+    out_.write(reinterpret_cast<const char*>(&value), sizeof(Value));
+  }
+  template <class Value>
+  void plain_list(const std::vector<Value>& values) {
+    plain(std::uint64_t{values.size()});
+    out_.write(reinterpret_cast<const char*>(values.data()),
+               static_cast<std::streamsize>(values.size() * sizeof(Value)));
+  }
+  void text(const std::string& value) {
+    plain(std::uint64_t{value.size()});
+    out_.write(value.data(), static_cast<std::streamsize>(value.size()));
+  }
+  void list(const auto& values, auto&& visit_element) {
+    plain(std::uint64_t{values.size()});
+    for (const auto& value : values) visit_element(value);
+  }
+  template <class Value>
+  void maybe(const std::optional<Value>& value, auto&& visit_value) {
+    plain(std::uint8_t{value.has_value()});
+    if (value) visit_value(*value);
+  }
+
+ private:
+  std::ostream& out_;
+};
+
+class Reader {
+ public:
+  Reader(const std::filesystem::path& file, std::string_view bytes) : bytes_(file, bytes) {}
+
+  template <class Value>
+  void plain(Value& value) {
+    static_assert(std::is_trivially_copyable_v<Value>);
+    std::memcpy(&value, bytes_.read_bytes(sizeof(Value)).data(), sizeof(Value));
+  }
+  template <class Value>
+  void plain_list(std::vector<Value>& values) {
+    const std::string_view bytes = bytes_.read_bytes(count(sizeof(Value)) * sizeof(Value));
+    values.resize(bytes.size() / sizeof(Value));
+    if (!values.empty()) std::memcpy(values.data(), bytes.data(), bytes.size());
+  }
+  void text(std::string& value) { value = bytes_.read_bytes(count(1)); }
+  void list(auto& values, auto&& visit_element) {
+    for (std::size_t left = count(1); left > 0; --left) visit_element(values.emplace_back());
+  }
+  template <class Value>
+  void maybe(std::optional<Value>& value, auto&& visit_value) {
+    if (bytes_.number<std::uint8_t>() != 0) visit_value(value.emplace());
+  }
+
+  void check(bool is_valid) {
+    if (!is_valid) bytes_.fail("is not what the program that reads scenes writes");
+  }
+
+ private:
+  std::size_t count(std::size_t element_bytes) {
+    const auto count = bytes_.number<std::uint64_t>();
+    check(count <= limits::scene_bytes / element_bytes);
+    return static_cast<std::size_t>(count);
+  }
+
+  ByteReader bytes_;
+};
+
+void visit_path(Writer& io, const std::filesystem::path& path) {
+  io.text(path.native());
+}
+
+void visit_path(Reader& io, std::filesystem::path& path) {
+  std::string text;
+  io.text(text);
+  path = text;
+}
+
+void visit_values(auto& io, auto& values) {
+  io.plain(values.base_color);
+  io.plain(values.metallic);
+  io.plain(values.roughness);
+  io.plain(values.emissive);
+  io.plain(values.normal_scale);
+}
+
+void visit_light(auto& io, auto& light) {
+  io.text(light.name);
+  io.plain(light.position);
+  io.plain(light.intensity);
+  io.maybe(light.spot, [&io](auto& cone) {
+    io.plain(cone.direction);
+    io.plain(cone.inner_angle);
+    io.plain(cone.outer_angle);
+  });
+  io.maybe(light.directional, [&io](auto& directional) { io.plain(directional.direction); });
+}
+
+void visit_scene(auto& io, auto& scene) {
+  io.list(scene.nodes, [&io](auto& node) {
+    io.text(node.name);
+    io.maybe(node.parent, [&io](auto& parent) { io.plain(parent); });
+  });
+  io.list(scene.parts, [&io](auto& part) {
+    io.plain(part.node);
+    io.plain(part.material);
+    io.plain_list(part.mesh.points);
+    io.plain_list(part.mesh.normals);
+    io.plain_list(part.mesh.texcoords);
+    io.plain_list(part.mesh.triangles);
+  });
+  io.list(scene.materials, [&io](auto& material) {
+    visit_values(io, material.values);
+    for (auto& texture : material.textures) {
+      io.maybe(texture, [&io](auto& use) {
+        io.plain(use.image);
+        io.plain(use.wrap_u);
+        io.plain(use.wrap_v);
+      });
+    }
+  });
+  io.list(scene.images, [&io](auto& image) {
+    visit_path(io, image.file);
+    io.text(image.bytes);
+  });
+  io.list(scene.cameras, [&io](auto& camera) {
+    io.text(camera.name);
+    io.plain(camera.camera);
+  });
+  io.list(scene.lights, [&io](auto& light) { visit_light(io, light); });
+  io.list(scene.files, [&io](auto& file) { visit_path(io, file); });
+  io.list(scene.warnings, [&io](auto& warning) { io.text(warning); });
+}
+
+bool is_in(const glm::dvec3& v, const NumberDomain& domain) {
+  return domain.contains(v.x) && domain.contains(v.y) && domain.contains(v.z);
+}
+
+bool is_valid(const MeshArrays& mesh) {
+  const std::size_t count = mesh.points.size();
+  if (mesh.normals.size() != count) return false;
+  if (!mesh.texcoords.empty() && mesh.texcoords.size() != count) return false;
+  for (const glm::vec3& point : mesh.points) {
+    if (!is_in(point, domain::coordinate)) return false;
+  }
+  for (const glm::vec3& normal : mesh.normals) {
+    if (!(std::abs(glm::length(normal) - 1.0f) < 1e-3f)) return false;
+  }
+  for (const glm::vec2& uv : mesh.texcoords) {
+    if (!(std::abs(uv.x) <= 1e7f && std::abs(uv.y) <= 1e7f)) return false;
+  }
+  for (const glm::uvec3& t : mesh.triangles) {
+    if (t.x >= count || t.y >= count || t.z >= count) return false;
+  }
+  return true;
+}
+
+bool is_valid(TextureWrap wrap) {
+  return wrap == TextureWrap::repeat || wrap == TextureWrap::clamp || wrap == TextureWrap::mirror;
+}
+
+bool is_valid(const RawMaterial& material, std::size_t images) {
+  for (const auto& texture : material.textures) {
+    if (texture &&
+        (texture->image >= images || !is_valid(texture->wrap_u) || !is_valid(texture->wrap_v))) {
+      return false;
+    }
+  }
+  const MetallicRoughness& v = material.values;
+  return is_in(v.base_color, domain::unit) && domain::unit.contains(v.metallic) &&
+         domain::unit.contains(v.roughness) && is_in(v.emissive, domain::intensity) &&
+         domain::normal_scale.contains(v.normal_scale);
+}
+
+bool is_direction(const glm::dvec3& v) {
+  return is_in(v, domain::coordinate) && v != glm::dvec3(0.0);
+}
+
+bool is_valid(const Light& light) {
+  if (!is_in(light.position, domain::coordinate) || !is_in(light.intensity, domain::intensity)) {
+    return false;
+  }
+  if (light.directional) return !light.spot && is_direction(light.directional->direction);
+  return !light.spot ||
+         (is_direction(light.spot->direction) && light.spot->inner_angle >= 0.0 &&
+          light.spot->inner_angle < light.spot->outer_angle && light.spot->outer_angle <= 180.0);
+}
+
+bool is_valid(const Camera& camera) {
+  return is_in(camera.eye, domain::coordinate) && is_in(camera.target, domain::coordinate) &&
+         is_direction(camera.up) && camera.eye != camera.target &&
+         domain::field_of_view.contains(camera.vertical_fov);
+}
+
+}  // namespace
+
+void write_raw_scene(std::ostream& out, const RawScene& scene) {
+  Writer writer(out);
+  visit_scene(writer, scene);
+}
+
+RawScene read_raw_scene(const std::filesystem::path& file, std::string_view bytes) {
+  Reader reader(file, bytes);
+  RawScene scene;
+  visit_scene(reader, scene);
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+    reader.check(!scene.nodes[i].parent || *scene.nodes[i].parent < i);
+  }
+  reader.check(scene.nodes.size() <= max_imported_nodes && scene.parts.size() <= limits::surfaces &&
+               scene.lights.size() <= limits::lights && scene.cameras.size() <= limits::cameras);
+  for (const RawPart& part : scene.parts) {
+    reader.check(part.node < scene.nodes.size() && part.material < scene.materials.size() &&
+                 is_valid(part.mesh));
+  }
+  for (const RawMaterial& material : scene.materials) {
+    reader.check(is_valid(material, scene.images.size()));
+  }
+  for (const NamedCamera& camera : scene.cameras) reader.check(is_valid(camera.camera));
+  for (const Light& light : scene.lights) reader.check(is_valid(light));
+  return scene;
+}
+
+}  // namespace brume

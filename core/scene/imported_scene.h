@@ -1,0 +1,58 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/scene/scene.h"
+
+namespace brume {
+
+// A node of another program's scene. Its own transform is in the points of its parts.
+struct ImportedNode {
+  std::string name;                     // not empty; several nodes may have the same
+  std::optional<std::size_t> parent{};  // an earlier node
+};
+
+// A mesh of a node, all of one material.
+struct ImportedPart {
+  std::size_t node = 0;
+  std::shared_ptr<const TriangleMesh> mesh;  // in the coordinates of its file [u]
+  Material material;
+};
+
+// A glTF, OBJ or FBX scene, as its file has it: y up.
+struct ImportedScene {
+  std::vector<ImportedNode> nodes;
+  std::vector<ImportedPart> parts;
+  std::vector<NamedCamera> cameras;
+  std::vector<Light> lights;
+  // What it was read from: itself, then its buffers, material files and textures.
+  std::vector<std::filesystem::path> files;
+  std::filesystem::file_time_type changed{};  // the latest of them, when it was read
+};
+
+// The textures of a material, in the order that imported ones are listed in; base color and
+// emissive hold colors.
+auto textures_of(auto& material) {
+  return std::array{&material.base_color_texture, &material.metallic_roughness_texture,
+                    &material.normal_texture, &material.emissive_texture};
+}
+
+// The parts of the nodes with these names and of all nodes below them; of all nodes if there is no
+// name.
+std::vector<const ImportedPart*> chosen_parts(const ImportedScene& scene,
+                                              std::span<const std::string> nodes);
+
+// These parts as one mesh; null if there is none.
+std::shared_ptr<const TriangleMesh> joined_mesh(std::span<const ImportedPart* const> parts);
+
+// The surfaces that frames show: visible ones, and in place of one with an imported scene its
+// parts, each with the placement of that surface, named SURFACE/NODE, or NODE.
+std::vector<Surface> shown_surfaces(std::span<const Surface> surfaces);
+
+}  // namespace brume

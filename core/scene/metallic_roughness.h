@@ -1,0 +1,42 @@
+#pragma once
+
+#include <filesystem>
+#include <glm/vec3.hpp>
+#include <memory>
+
+namespace brume {
+
+class Texture;
+
+// Beyond its edges an image goes on from the other side, as its edge, or mirrored.
+enum class TextureWrap { repeat, clamp, mirror };
+
+// An image that a material looks up by texture coordinates: u to the right, v up, the image fills
+// [0, 1] x [0, 1].
+struct TextureReference {
+  std::filesystem::path file;              // empty: none
+  std::shared_ptr<const Texture> content;  // null: none, or its file is missing; as if white
+  TextureWrap wrap_u = TextureWrap::repeat;
+  TextureWrap wrap_v = TextureWrap::repeat;
+
+  bool operator==(const TextureReference&) const = default;
+};
+
+// The metallic-roughness material of glTF 2.0: reflection by GGX; evaluated by core/scene/ggx.h.
+// Each value is multiplied by what its texture holds.
+struct MetallicRoughness {
+  glm::dvec3 base_color{1.0};  // RGB in [0, 1]
+  double metallic = 1.0;       // in [0, 1]
+  double roughness = 1.0;      // in [0, 1]
+  glm::dvec3 emissive{0.0};    // radiance, RGB, >= 0 [W/(sr u^2)]
+  double normal_scale = 1.0;   // of the normal map's slopes, in [0, 1000]
+
+  TextureReference base_color_texture;          // RGB
+  TextureReference metallic_roughness_texture;  // roughness in G, metallic in B
+  TextureReference normal_texture;              // 2 RGB - 1: along u, along v, along the normal
+  TextureReference emissive_texture;            // RGB
+
+  bool operator==(const MetallicRoughness&) const = default;
+};
+
+}  // namespace brume

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <span>
+
+#include "render/cpu/film_airlight.h"
+#include "render/lighting/environment_light.h"
+#include "render/samples/contrast.h"
+#include "render/shading/film_surfaces.h"
+
+namespace brume {
+
+// What the samples of a pixel see.
+struct SampledView {
+  const FilmTiles& tiles;
+  const FilmSurfaces* surfaces = nullptr;         // null: none
+  bool are_lit = false;                           // else they are black
+  const EnvironmentLight* environment = nullptr;  // null: none
+  // Null: no medium.
+  const MediumIndex* medium = nullptr;
+  const AirlightIntegrator* method = nullptr;
+  double fog_tolerance = 0.01;  // see Settings::upsampling_tolerance
+};
+
+// Filters the pixels of a frame that have details, by samples at `offsets` from their centers.
+// Surfaces and environment are seen by every sample. The fog in front of surfaces is not paid for
+// as often: samples of a pixel that are about as far away share one ray, or take the fog of a pixel
+// beside them that is. Only details of the fog itself take a ray per sample.
+//
+// `frame` is complete, of one sample a pixel. Returns the Gaussian x ray pairs evaluated from the
+// eye; those from lights are added to the statistics.
+std::uint64_t sample_film(const SampledView& view, std::span<const PixelDetail> details,
+                          std::span<const glm::dvec2> offsets, const Job& job, Frame& frame);
+
+}  // namespace brume

@@ -1,0 +1,50 @@
+#include "render/deep/deep_file.h"
+
+#include <chrono>
+#include <cmath>
+
+#include "core/io/file_bytes.h"
+#include "core/number_domain.h"
+
+namespace brume {
+namespace {
+
+struct Stopped {};
+
+}  // namespace
+
+DeepSettings deep_settings(const Settings& settings, double error, const Frame& frame) {
+  double sum = 0.0;
+  for (const float light : frame.airlight) {
+    sum += static_cast<double>(light) * static_cast<double>(light);
+  }
+  const double count = std::max(static_cast<double>(frame.airlight.size()), 1.0);
+  return {settings, error, std::sqrt(sum / count)};
+}
+
+std::optional<DeepFileStatistics> write_deep_frame(const std::filesystem::path& file,
+                                                   const Scene& scene, const Camera& camera,
+                                                   const Film& film, const DeepSettings& deep,
+                                                   const TransferStore& transfers,
+                                                   const FrameInfo& info, const Job& job) {
+  const auto start = std::chrono::steady_clock::now();
+  DeepExrHeader header{film.width, film.height, has_colored_alpha(scene), frame_metadata(info)};
+  header.metadata["brume:deep_error"] = quoted_text(deep.error);
+  DeepFileStatistics statistics;
+  const auto produce = [&](const TakeDeepRows& take) {
+    const auto made = render_deep(scene, camera, film, deep, transfers, take, job);
+    if (!made) throw Stopped();
+    statistics.image = *made;
+  };
+  try {
+    write_deep_exr(file, header, produce);
+  } catch (const Stopped&) {
+    return std::nullopt;
+  }
+  statistics.bytes = regular_file_size(file);
+  statistics.milliseconds =
+      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  return statistics;
+}
+
+}  // namespace brume

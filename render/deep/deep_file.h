@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+
+#include "render/deep/deep_renderer.h"
+#include "render/frame.h"
+#include "render/output/frame_file.h"
+
+namespace brume {
+
+struct DeepFileStatistics {
+  DeepStatistics image;
+  std::uintmax_t bytes = 0;
+  double milliseconds = 0.0;
+};
+
+// The settings of a deep frame from those of a flat one and that frame.
+DeepSettings deep_settings(const Settings& settings, double error, const Frame& frame);
+
+// Renders the scene to a deep file, with the same metadata as a flat one and the error it keeps
+// (brume:deep_error). nullopt, and the file as it was, if stopped. Throws InputError.
+std::optional<DeepFileStatistics> write_deep_frame(const std::filesystem::path& file,
+                                                   const Scene& scene, const Camera& camera,
+                                                   const Film& film, const DeepSettings& deep,
+                                                   const TransferStore& transfers,
+                                                   const FrameInfo& info, const Job& job = {});
+
+}  // namespace brume

@@ -1,0 +1,212 @@
+#include "render/display/color_view.h"
+
+#include <OpenColorIO/OpenColorIO.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <sstream>
+
+#include "core/error.h"
+#include "core/io/file_bytes.h"
+#include "core/io/text_scanner.h"
+
+namespace OCIO = OCIO_NAMESPACE;
+
+namespace brume {
+namespace {
+
+// OpenColorIO 2.1 has the transforms of ACES 1.0, but no configuration of them. The matrix is from
+// linear Rec. 709 to ACES2065-1, adapted from D65 to the white of ACES (Bradford).
+constexpr const char* aces_text = R"(ocio_profile_version: 2
+search_path: ""
+strictparsing: true
+roles:
+  default: raw
+  scene_linear: lin_rec709
+  aces_interchange: ACES2065-1
+  cie_xyz_d65_interchange: CIE-XYZ-D65
+displays:
+  sRGB:
+    - !<View> {name: ACES 1.0 SDR, view_transform: ACES 1.0 SDR, display_colorspace: <USE_DISPLAY_NAME>}
+    - !<View> {name: Un-tone-mapped, view_transform: Un-tone-mapped, display_colorspace: <USE_DISPLAY_NAME>}
+  Rec.1886 Rec.709:
+    - !<View> {name: ACES 1.0 SDR, view_transform: ACES 1.0 SDR, display_colorspace: <USE_DISPLAY_NAME>}
+    - !<View> {name: Un-tone-mapped, view_transform: Un-tone-mapped, display_colorspace: <USE_DISPLAY_NAME>}
+default_view_transform: Un-tone-mapped
+view_transforms:
+  - !<ViewTransform>
+    name: ACES 1.0 SDR
+    from_scene_reference: !<BuiltinTransform> {style: ACES-OUTPUT - ACES2065-1_to_CIE-XYZ-D65 - SDR-VIDEO_1.0}
+  - !<ViewTransform>
+    name: Un-tone-mapped
+    from_scene_reference: !<BuiltinTransform> {style: UTILITY - ACES-AP0_to_CIE-XYZ-D65_BFD}
+display_colorspaces:
+  - !<ColorSpace>
+    name: CIE-XYZ-D65
+    isdata: false
+  - !<ColorSpace>
+    name: sRGB
+    from_display_reference: !<BuiltinTransform> {style: DISPLAY - CIE-XYZ-D65_to_sRGB}
+  - !<ColorSpace>
+    name: Rec.1886 Rec.709
+    from_display_reference: !<BuiltinTransform> {style: DISPLAY - CIE-XYZ-D65_to_REC.1886-REC.709}
+colorspaces:
+  - !<ColorSpace>
+    name: ACES2065-1
+    isdata: false
+  - !<ColorSpace>
+    name: lin_rec709
+    isdata: false
+    to_scene_reference: !<MatrixTransform> {matrix: [0.439632981919491, 0.382988698151554, 0.177378319928955, 0, 0.0897764429588424, 0.813439428748981, 0.0967841282921771, 0, 0.0175411703831727, 0.111546553302387, 0.870912276314441, 0, 0, 0, 0, 1]}
+  - !<ColorSpace>
+    name: raw
+    isdata: true
+)";
+
+// The same matrix, row by row with the alpha.
+constexpr std::array<double, 16> rec709_to_aces{0.439632981919491,
+                                                0.382988698151554,
+                                                0.177378319928955,
+                                                0.0,
+                                                0.0897764429588424,
+                                                0.813439428748981,
+                                                0.0967841282921771,
+                                                0.0,
+                                                0.0175411703831727,
+                                                0.111546553302387,
+                                                0.870912276314441,
+                                                0.0,
+                                                0.0,
+                                                0.0,
+                                                0.0,
+                                                1.0};
+
+[[noreturn]] void refuse(const std::string& config, const std::string& why) {
+  throw InputError(config, "", why);
+}
+
+OCIO::ConstConfigRcPtr open_config(const std::string& config) {
+  static const bool is_quiet = [] {  // it writes to standard error otherwise
+    OCIO::SetLoggingLevel(OCIO::LOGGING_LEVEL_NONE);
+    return true;
+  }();
+  (void)is_quiet;
+  try {
+    if (config == aces_config) {
+      std::istringstream text(aces_text);
+      return OCIO::Config::CreateFromStream(text);
+    }
+    regular_file_size(config);  // its own error if it is missing, or no file
+    OCIO::ConstConfigRcPtr read = OCIO::Config::CreateFromFile(config.c_str());
+    read->validate();
+    return read;
+  } catch (const OCIO::Exception& error) {
+    std::string why = error.what();
+    std::ranges::replace(why, '\n', ' ');
+    refuse(config, "no configuration of OpenColorIO: " + why);
+  }
+}
+
+std::vector<ColorDisplay> displays_of(const OCIO::Config& config) {
+  std::vector<ColorDisplay> displays;
+  for (int i = 0; i < config.getNumDisplays(); ++i) {
+    ColorDisplay display{config.getDisplay(i), {}};
+    for (int k = 0; k < config.getNumViews(display.name.c_str()); ++k) {
+      display.views.emplace_back(config.getView(display.name.c_str(), k));
+    }
+    if (!display.views.empty()) displays.push_back(std::move(display));
+  }
+  return displays;
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+// The choice with nothing left open.
+ColorChoice settled(ColorChoice choice, const OCIO::Config& config) {
+  const std::vector<ColorDisplay> displays = displays_of(config);
+  if (displays.empty()) refuse(choice.config, "the configuration has no display");
+  if (choice.display.empty()) choice.display = displays.front().name;
+  const auto display = std::ranges::find(displays, choice.display, &ColorDisplay::name);
+  if (display == displays.end()) {
+    std::vector<std::string> names;
+    for (const ColorDisplay& known : displays) names.push_back(known.name);
+    refuse(choice.config,
+           "found the display " + quoted_text(choice.display) + "; allowed: " + listed(names));
+  }
+  if (choice.view.empty()) choice.view = display->views.front();
+  if (std::ranges::find(display->views, choice.view) == display->views.end()) {
+    refuse(choice.config, "found the view " + quoted_text(choice.view) + " of " +
+                              quoted_text(choice.display) + "; allowed: " + listed(display->views));
+  }
+  return choice;
+}
+
+OCIO::TransformRcPtr to_source(const OCIO::Config& config, std::string& source) {
+  for (const char* name :
+       {"lin_rec709", "Linear Rec.709 (sRGB)", "lin_rec709_srgb", "Linear Rec.709",
+        "Utility - Linear - Rec.709", "Utility - Linear - sRGB", "lin_srgb", "Linear BT.709"}) {
+    if (!config.getColorSpace(name)) continue;
+    source = name;
+    return nullptr;
+  }
+  if (config.hasRole("aces_interchange")) {
+    source = "aces_interchange";
+    auto matrix = OCIO::MatrixTransform::Create();
+    matrix->setMatrix(rec709_to_aces.data());
+    return matrix;
+  }
+  source = OCIO::ROLE_SCENE_LINEAR;
+  return nullptr;
+}
+
+}  // namespace
+
+struct ColorView::Processor {
+  OCIO::ConstCPUProcessorRcPtr cpu;
+};
+
+std::vector<ColorDisplay> color_displays(const std::string& config) {
+  return displays_of(*open_config(config));
+}
+
+std::string default_color_config() {
+  const char* file = std::getenv("OCIO");
+  return file && *file ? file : aces_config;
+}
+
+ColorView::ColorView(const ColorChoice& choice) {
+  const OCIO::ConstConfigRcPtr config = open_config(choice.config);
+  choice_ = settled(choice, *config);
+  try {
+    std::string source;
+    const OCIO::TransformRcPtr first = to_source(*config, source);
+    const auto view = OCIO::DisplayViewTransform::Create();
+    view->setSrc(source.c_str());
+    view->setDisplay(choice_.display.c_str());
+    view->setView(choice_.view.c_str());
+    const auto all = OCIO::GroupTransform::Create();
+    if (first) all->appendTransform(first);
+    all->appendTransform(view);
+    const auto cpu = config->getProcessor(all)->getDefaultCPUProcessor();
+    processor_ = std::make_unique<const Processor>(Processor{cpu});
+  } catch (const OCIO::Exception& error) {
+    std::string why = error.what();
+    std::ranges::replace(why, '\n', ' ');
+    refuse(choice_.config, "the view " + quoted_text(choice_.view) + " cannot be used: " + why);
+  }
+}
+
+ColorView::~ColorView() = default;
+
+void ColorView::apply(std::span<float> rgb) const {
+  OCIO::PackedImageDesc image(rgb.data(), static_cast<long>(rgb.size() / 3), 1, 3);
+  processor_->cpu->apply(image);
+}
+
+}  // namespace brume

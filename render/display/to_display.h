@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "render/display/color_view.h"
+#include "render/frame.h"
+
+namespace brume {
+
+// How linear radiance is shown. A view transform is never baked into an EXR.
+struct DisplayLook {
+  double exposure = 0.0;                  // [stops]
+  std::shared_ptr<const ColorView> view;  // null: Khronos PBR Neutral in sRGB, see neutral_view.h
+
+  bool operator==(const DisplayLook&) const = default;
+};
+
+// The name of a look's view transform.
+std::string view_name(const DisplayLook& look);
+
+// A frame as 8-bit values of a display, RGB per pixel, for the screen, PNG and videos.
+std::vector<std::uint8_t> to_display(const Frame& frame, const DisplayLook& look);
+
+}  // namespace brume

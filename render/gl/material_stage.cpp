@@ -1,0 +1,129 @@
+#include "render/gl/material_stage.h"
+
+#include <algorithm>
+#include <cstring>
+#include <map>
+
+#include "core/scene/mesh_arrays.h"
+#include "core/scene/texture.h"
+#include "render/gl/shader_structs.h"
+
+namespace brume::gl {
+namespace {
+
+bool is_metallic_roughness(const Surface& surface) {
+  return surface.material.type == Material::Type::metallic_roughness;
+}
+
+// Texels of textures, each once, and what materials.glsl needs to know of their uses.
+class TextureRecords {
+ public:
+  std::vector<std::uint32_t> texels;
+  std::vector<std::uint32_t> words;
+
+  // The place of a use among `words`; 0: no texture.
+  std::uint32_t add(const TextureReference& reference) {
+    if (!reference.content) return 0;
+    const brume::Texture& texture = *reference.content;
+    const std::uint32_t first = first_texel(texture);
+    const auto place = static_cast<std::uint32_t>(words.size());
+    words.insert(words.end(), {static_cast<std::uint32_t>(texture.encoding()),
+                               static_cast<std::uint32_t>(reference.wrap_u),
+                               static_cast<std::uint32_t>(reference.wrap_v),
+                               static_cast<std::uint32_t>(texture.levels().size())});
+    for (const brume::Texture::Level& level : texture.levels()) {
+      words.insert(words.end(), {static_cast<std::uint32_t>(level.width),
+                                 static_cast<std::uint32_t>(level.height),
+                                 first + static_cast<std::uint32_t>(level.first)});
+    }
+    return place;
+  }
+
+ private:
+  std::uint32_t first_texel(const brume::Texture& texture) {
+    const auto [known, is_new] =
+        first_.try_emplace(&texture, static_cast<std::uint32_t>(texels.size()));
+    if (is_new) {
+      if (texels.size() + texture.texels().size() > UINT32_MAX) {
+        throw OutOfMemory("the textures do not fit into device memory");
+      }
+      texels.insert(texels.end(), texture.texels().begin(), texture.texels().end());
+    }
+    return known->second;
+  }
+
+  std::map<const brume::Texture*, std::uint32_t> first_;
+};
+
+}  // namespace
+
+void MaterialStage::run(const FrameContext& work, DeviceFrame& device) {
+  upload_materials(work.scene);
+  upload_texcoords(work.scene, device.mesh);
+  const Film& film = work.frame.film;
+  const std::size_t pixels =
+      static_cast<std::size_t>(film.width) * static_cast<std::size_t>(film.height);
+  device.textures.behind.reserve((1 + ggx_vectors) * pixels * sizeof(glm::vec4));
+  const Program& program = device.programs["materials"];
+  set_rays(program, work.rays);
+  program.set("margin", static_cast<float>(RayCaster::self_hit_margin));
+  program.set("film", glm::ivec2(film.width, film.height));
+  program.set("pixel_angle", static_cast<float>(2.0 * work.rays.pixel_half_angle()));
+  device.mesh.bind(program);
+  program.bind("Hits", device.mesh.hits());
+  program.bind("Behind", device.textures.behind);
+  program.bind("Texels", texels_);
+  program.bind("Texcoords", texcoords_);
+  program.bind("Records", records_);
+  program.dispatch_over({film.width, film.height});
+}
+
+void MaterialStage::upload_materials(const Scene& scene) {
+  std::vector<Material> materials;
+  for (const Surface& surface : scene.surfaces) materials.push_back(surface.material);
+  if (materials_ == materials) return;
+  materials_.reset();
+  std::vector<MaterialRecord> records(materials.size());
+  TextureRecords textures;
+  textures.words.resize(records.size() * sizeof(MaterialRecord) / sizeof(std::uint32_t));
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    if (!is_metallic_roughness(scene.surfaces[i])) continue;
+    const MetallicRoughness& material = materials[i].metallic_roughness;
+    records[i] = {.base_color = glm::vec3(material.base_color),
+                  .metallic = static_cast<float>(material.metallic),
+                  .emissive = glm::vec3(material.emissive),
+                  .roughness = static_cast<float>(material.roughness),
+                  .normal_scale = static_cast<float>(material.normal_scale),
+                  .is_metallic_roughness = 1,
+                  .base_color_texture = textures.add(material.base_color_texture),
+                  .metallic_roughness_texture = textures.add(material.metallic_roughness_texture),
+                  .normal_texture = textures.add(material.normal_texture),
+                  .emissive_texture = textures.add(material.emissive_texture)};
+  }
+  if (!records.empty()) {
+    std::memcpy(textures.words.data(), records.data(), std::span(records).size_bytes());
+  }
+  records_.upload(std::span<const std::uint32_t>(textures.words));
+  texels_.upload(std::span<const std::uint32_t>(textures.texels));
+  materials_ = std::move(materials);
+}
+
+void MaterialStage::upload_texcoords(const Scene& scene, const MeshBuffers& mesh) {
+  if (mesh_ == mesh.revision()) return;
+  mesh_ = 0;
+  std::vector<MeshArrays> arrays;
+  for (const Surface& surface : scene.surfaces) arrays.push_back(to_arrays(*surface.mesh));
+  std::vector<glm::vec2> texcoords;
+  texcoords.reserve(3 * mesh.places().size());
+  for (const MeshBuffers::Place& place : mesh.places()) {
+    const MeshArrays& own = arrays[place.surface];
+    for (int k = 0; k < 3; ++k) {
+      texcoords.push_back(own.texcoords.empty() ? glm::vec2(0.0f)
+                                                : own.texcoords[own.triangles[place.index][k]]);
+    }
+  }
+  texcoords_.upload(std::span<const glm::vec2>(texcoords));
+  mesh_ = mesh.revision();
+}
+
+}  // namespace brume::gl

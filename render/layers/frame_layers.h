@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "core/io/image/image_file.h"
+#include "core/scene/scene.h"
+#include "render/frame_renderer.h"
+#include "render/layers/light_layers.h"
+#include "render/samples/exposure.h"
+#include "render/util/job.h"
+
+namespace brume {
+
+// A frame that was rendered, and what its layers are made from.
+struct LayeredFrame {
+  const Scene& animated;  // for motion
+  const Scene& scene;     // evaluate_at() a time
+  const Camera* camera;   // null: the scene's; else the same at any time
+  const Settings& settings;
+  RenderLit render;
+  Frame& frame;
+};
+
+// What render_exposure() renders a frame from.
+struct ExposedView {
+  SceneAt scene_at;
+  double time = 0.0;             // [s]
+  std::optional<Camera> camera;  // absent: the scene's
+  Film film;
+  Exposure exposure;
+};
+// Renders as a renderer, which lives as long, did the frame: with the same samples.
+RenderLit render_lit_by(FrameRenderer& renderer, const ExposedView& view);
+
+// Whether a frame has more layers than it was rendered with.
+bool has_more_layers(const OutputLayers& layers);
+
+// Memory of those [bytes].
+std::size_t layer_bytes(const Scene& scene, const Film& film, const OutputLayers& layers);
+
+// The channels and metadata of all layers but airlight, transmittance and Z, see light_layers.h and
+// surface_layers.h, and optical_depth.R/G/B: -log of the transmittance, at most 87. The frame's
+// picture may change with them. nullopt if stopped.
+std::optional<ImageLayers> render_layers(const LayeredFrame& layered, const OutputLayers& layers,
+                                         const Job& job = {});
+
+}  // namespace brume

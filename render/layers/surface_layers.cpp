@@ -1,0 +1,199 @@
+#include "render/layers/surface_layers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "core/scene/placement.h"
+#include "render/layers/cryptomatte.h"
+#include "render/layers/layer_channels.h"
+#include "render/samples/pixel_filter.h"
+#include "render/visibility/ray_caster.h"
+
+namespace brume {
+namespace {
+
+std::string own_name(const Surface& surface) {
+  if (!surface.name.empty()) return surface.name;
+  if (!surface.primitive) return surface.mesh_file.filename().string();
+  constexpr std::array shapes{"Plane", "Box", "Sphere", "Cylinder"};
+  return shapes.at(static_cast<std::size_t>(surface.primitive->shape));
+}
+
+// The material of each surface, as an index into their names, in the order of their first use.
+struct Materials {
+  std::vector<std::uint32_t> of_surface;
+  std::vector<std::string> names;
+
+  explicit Materials(const std::vector<Surface>& surfaces) {
+    constexpr std::array types{"diffuse", "phong", "measured", "metallic_roughness"};
+    std::vector<const Material*> known;
+    for (const Surface& surface : surfaces) {
+      const auto same = std::ranges::find_if(
+          known, [&](const Material* material) { return *material == surface.material; });
+      of_surface.push_back(static_cast<std::uint32_t>(same - known.begin()));
+      if (same != known.end()) continue;
+      known.push_back(&surface.material);
+      names.push_back(std::string(types.at(static_cast<std::size_t>(surface.material.type))) + " " +
+                      std::to_string(known.size()));
+    }
+  }
+};
+
+glm::vec3 albedo_of(const SurfacePoint& point) {
+  const Material& material = point.surface->material;
+  if (point.ggx) return glm::vec3(point.ggx->diffuse + point.ggx->f0);
+  return material.type == Material::Type::measured ? glm::vec3(0.0f)
+                                                   : glm::vec3(material.reflectance);
+}
+
+// Where the points of a frame are a frame later.
+class Motion {
+ public:
+  Motion(const Scene& now, const Scene& next, const Camera& camera, const Film& film)
+      : now_(now), rays_(camera, film) {
+    for (std::size_t i = 0; i < now.surfaces.size(); ++i) {
+      const ObjectId id = now.surfaces[i].id;
+      const auto same = std::ranges::find_if(
+          next.surfaces, [&](const Surface& surface) { return id != 0 && surface.id == id; });
+      const bool by_place = id == 0 && i < next.surfaces.size();
+      next_.push_back(same != next.surfaces.end() ? &*same
+                      : by_place                  ? &next.surfaces[i]
+                                                  : &now.surfaces[i]);
+    }
+  }
+
+  // Of a point of a surface.
+  [[nodiscard]] glm::dvec3 moved(std::size_t surface, const glm::dvec3& point) const {
+    return Placement(*next_[surface])
+        .point_to_world(Placement(now_.surfaces[surface]).point_to_mesh(point));
+  }
+  // To the right and up from a film position; 0 for what comes to be behind the camera.
+  [[nodiscard]] glm::vec2 on_film(const glm::dvec3& point, const glm::dvec2& start) const {
+    const glm::dvec3 place = rays_.project(point);
+    if (!(place.z > 0.0)) return glm::vec2(0.0f);
+    return {place.x - start.x, start.y - place.y};
+  }
+  [[nodiscard]] const glm::dvec3& eye() const { return rays_.eye(); }
+
+ private:
+  const Scene& now_;
+  CameraRays rays_;
+  std::vector<const Surface*> next_;
+};
+
+// What one ray per pixel sees of the layers.
+class PointLayers {
+ public:
+  PointLayers(const Scene& scene, const RayCaster& ray_caster, const OutputLayers& layers,
+              const Motion* motion, ImageLayers& image)
+      : scene_(scene), ray_caster_(ray_caster), motion_(motion) {
+    if (layers.normal) normal_.emplace(image, "normal", "XYZ");
+    if (layers.albedo) albedo_.emplace(image, "albedo");
+    if (layers.position) position_.emplace(image, "position", "XYZ");
+    if (!motion) return;
+    const std::size_t pixels =
+        static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+    u_ = &image.channels["forward.u"];
+    v_ = &image.channels["forward.v"];
+    u_->assign(pixels, 0.0f);
+    v_->assign(pixels, 0.0f);
+  }
+
+  void set(std::size_t pixel, const glm::dvec2& place, const glm::dvec3& eye,
+           const glm::dvec3& direction, const SurfaceHit& hit) const {
+    if (!hit) {
+      if (motion_) set_motion(pixel, motion_->on_film(motion_->eye() + direction, place));
+      return;
+    }
+    const SurfacePoint point = ray_caster_.point(hit, eye, direction, scene_.surfaces);
+    if (normal_) normal_->set(pixel, glm::vec3(point.normal));
+    if (albedo_) albedo_->set(pixel, albedo_of(point));
+    if (position_) position_->set(pixel, glm::vec3(point.position));
+    if (!motion_) return;
+    const auto surface = static_cast<std::size_t>(hit.surface);
+    set_motion(pixel, motion_->on_film(motion_->moved(surface, point.position), place));
+  }
+
+ private:
+  void set_motion(std::size_t pixel, const glm::vec2& motion) const {
+    (*u_)[pixel] = motion.x;
+    (*v_)[pixel] = motion.y;
+  }
+
+  const Scene& scene_;
+  const RayCaster& ray_caster_;
+  const Motion* motion_;
+  std::optional<LayerChannels> normal_, albedo_, position_;
+  std::vector<float>*u_ = nullptr, *v_ = nullptr;
+};
+
+// First hits of a row's rays, shifted from the pixels' centers.
+void find_row(const RayCaster& ray_caster, const CameraRays& rays, std::size_t y,
+              const glm::dvec2& shift, std::vector<glm::dvec3>& directions,
+              std::vector<SurfaceHit>& hits) {
+  for (std::size_t x = 0; x < directions.size(); ++x) {
+    directions[x] = rays.direction(static_cast<double>(x) + 0.5 + shift.x,
+                                   static_cast<double>(y) + 0.5 + shift.y);
+  }
+  ray_caster.first_hits(rays.eye(), directions, hits);
+}
+
+}  // namespace
+
+std::vector<std::string> surface_names(const std::vector<Surface>& surfaces) {
+  std::vector<std::string> names;
+  std::map<std::string, int> counts;
+  for (const Surface& surface : surfaces) {
+    const std::string name = own_name(surface);
+    const int count = ++counts[name];
+    names.push_back(count == 1 ? name : name + " (" + std::to_string(count) + ")");
+  }
+  return names;
+}
+
+void add_surface_layers(const Scene& scene, const Camera& camera, const Film& film,
+                        const OutputLayers& layers, const Scene* next, const Camera& next_camera,
+                        const Job& job, ImageLayers& image) {
+  image.width = film.width;
+  image.height = film.height;
+  const auto width = static_cast<std::size_t>(film.width);
+  const auto height = static_cast<std::size_t>(film.height);
+  const RayCaster ray_caster(scene.surfaces);
+  const CameraRays rays(camera, film);
+  std::optional<Motion> motion;
+  if (layers.motion && next) motion.emplace(scene, *next, next_camera, film);
+  const PointLayers points(scene, ray_caster, layers, motion ? &*motion : nullptr, image);
+  const Materials materials(scene.surfaces);
+  CoverageFilm object_coverage(layers.objects ? width * height : 0, surface_names(scene.surfaces));
+  CoverageFilm material_coverage(layers.materials ? width * height : 0, materials.names);
+  const bool has_mattes = layers.objects || layers.materials;
+  const std::vector<glm::dvec2> samples = pixel_samples(matte_samples);
+  const float weight = 1.0f / static_cast<float>(samples.size());
+  job.parallel_for(height, [&](std::size_t y) {
+    std::vector<glm::dvec3> directions(width);
+    std::vector<SurfaceHit> hits(width);
+    find_row(ray_caster, rays, y, glm::dvec2(0.0), directions, hits);
+    for (std::size_t x = 0; x < width; ++x) {
+      const glm::dvec2 place(static_cast<double>(x) + 0.5, static_cast<double>(y) + 0.5);
+      points.set(y * width + x, place, rays.eye(), directions[x], hits[x]);
+    }
+    for (std::size_t k = 0; k < samples.size() && has_mattes; ++k) {
+      find_row(ray_caster, rays, y, samples[k], directions, hits);
+      for (std::size_t x = 0; x < width; ++x) {
+        if (!hits[x]) continue;
+        const auto surface = static_cast<std::uint32_t>(hits[x].surface);
+        if (layers.objects) object_coverage.add(y * width + x, surface, weight);
+        if (layers.materials) {
+          material_coverage.add(y * width + x, materials.of_surface[surface], weight);
+        }
+      }
+    }
+  });
+  if (layers.objects) object_coverage.write("CryptoObject", image);
+  if (layers.materials) material_coverage.write("CryptoMaterial", image);
+}
+
+}  // namespace brume

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "render/frame.h"
+#include "render/util/job.h"
+
+namespace brume {
+
+// What of a pixel is not the same all over it, so that its center alone does not tell its filtered
+// value: nothing, something seen through smooth fog, or the fog itself.
+enum class PixelDetail : std::uint8_t { none, surfaces, fog };
+
+// Finds them in a frame of one sample a pixel: where distances, what is behind the fog, or the fog
+// itself differ by more than a linear change from pixel to pixel, in any of eight directions.
+// Gradients do not count: the filter is symmetric. Pixels at the border, some of whose neighbours
+// are unknown, are taken to have details.
+std::vector<PixelDetail> find_details(const Frame& frame, const Job& job);
+
+}  // namespace brume

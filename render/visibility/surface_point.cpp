@@ -1,0 +1,53 @@
+#include "render/visibility/surface_point.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "core/scene/brdf.h"
+
+namespace brume {
+
+glm::dvec3 brdf(const SurfacePoint& point, const glm::dvec3& wi) {
+  if (point.ggx) return ggx_brdf(*point.ggx, wi, point.to_eye, point.normal);
+  return brdf(point.surface->material, wi, point.to_eye, point.normal);
+}
+
+TextureFrame::TextureFrame(const std::array<glm::dvec3, 3>& positions,
+                           const std::array<glm::dvec2, 3>& texcoords, const glm::dvec3& weights) {
+  for (int k = 0; k < 3; ++k) uv += weights[k] * texcoords[static_cast<std::size_t>(k)];
+  const glm::dvec3 p1 = positions[1] - positions[0];
+  const glm::dvec3 p2 = positions[2] - positions[0];
+  const glm::dvec2 t1 = texcoords[1] - texcoords[0];
+  const glm::dvec2 t2 = texcoords[2] - texcoords[0];
+  const double determinant = t1.x * t2.y - t1.y * t2.x;
+  const double area = glm::length(glm::cross(p1, p2));
+  if (determinant == 0.0 || !(area > 0.0)) return;
+  // Only directions count: not divided by the determinant, whose sign they have.
+  const double sign = determinant > 0.0 ? 1.0 : -1.0;
+  along_u = sign * (t2.y * p1 - t1.y * p2);
+  along_v = sign * (t1.x * p2 - t2.x * p1);
+  density = std::sqrt(std::abs(determinant) / area);
+}
+
+glm::dvec3 TextureFrame::to_world(const glm::dvec3& of_texture, const glm::dvec3& n) const {
+  const glm::dvec3 in_plane = along_u - glm::dot(along_u, n) * n;
+  const double length = glm::length(in_plane);
+  if (!(length > 0.0)) return n;
+  const glm::dvec3 tangent = in_plane / length;
+  const glm::dvec3 across = glm::cross(n, tangent);
+  // Where the texture is mirrored, v runs the other way.
+  const double handedness = glm::dot(across, along_v) < 0.0 ? -1.0 : 1.0;
+  return glm::normalize(of_texture.x * tangent + of_texture.y * handedness * across +
+                        of_texture.z * n);
+}
+
+MaterialPoint material_at(const MetallicRoughness& material, const TextureFrame& frame,
+                          double width, double side, glm::dvec3& normal) {
+  MaterialPoint point = material_at(material, frame.uv, width * frame.density);
+  if (material.normal_texture.content && glm::dot(normal, normal) > 0.0) {
+    normal = side * frame.to_world(point.normal, side * normal);
+  }
+  return point;
+}
+
+}  // namespace brume

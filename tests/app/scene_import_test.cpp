@@ -1,0 +1,250 @@
+// Scenes of other programs: imported with their cameras and lights, shown, read again.
+
+#include <QCheckBox>
+#include <QDropEvent>
+#include <QMimeData>
+#include <QPushButton>
+#include <fstream>
+
+#include "app/commands/scene_part_command.h"
+#include "app/document/document.h"
+#include "app/document/paths.h"
+#include "app/import/imported_reload.h"
+#include "app/import/scene_dialog.h"
+#include "app/import/scene_import.h"
+#include "app/jobs/background_job.h"
+#include "app/viewport/viewport.h"
+#include "app/window/message_bar.h"
+#include "core/scene/imported_scene.h"
+#include "core/scene/mesh_arrays.h"
+#include "tests/app/test_window.h"
+#include "tests/core/io/import/gltf_builder.h"
+
+using namespace brume;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Two squares, a camera and two lights.
+GltfBuilder room() {
+  GltfBuilder builder;
+  builder.json["extensions"]["KHR_lights_punctual"]["lights"] = {
+      {{"type", "point"}, {"intensity", 683}}, {{"type", "directional"}, {"intensity", 68.3}}};
+  const auto light = [](int index) {
+    return GltfBuilder::Json{{"KHR_lights_punctual", {{"light", index}}}};
+  };
+  builder.json["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", 0.7}}}}};
+  builder.json["nodes"] = {{{"name", "floor"}, {"mesh", 0}},
+                           {{"name", "wall"}, {"mesh", 0}, {"translation", {0, 0, -1}}},
+                           {{"name", "Camera"}, {"camera", 0}, {"translation", {0, 0, 4}}},
+                           {{"name", "lamp"}, {"extensions", light(0)}, {"translation", {0, 1, 1}}},
+                           {{"name", "sun"}, {"extensions", light(1)}}};
+  builder.json["scenes"][0]["nodes"] = {0, 1, 2, 3, 4};
+  return builder;
+}
+
+void write(const fs::path& file, const std::string& content) {
+  std::ofstream(file, std::ios::binary) << content;
+}
+
+// Waits for what is done in the background; what went wrong, or nothing.
+QString wait(TestWindow& window) {
+  auto* job = window->findChild<BackgroundJob*>();
+  QString problem;
+  const auto connection = QObject::connect(job, &BackgroundJob::failed,
+                                           [&problem](const QString& text) { problem = text; });
+  const bool ended = QTest::qWaitFor([job] { return !job->is_running(); }, patience);
+  QObject::disconnect(connection);
+  return ended ? problem : QString("it did not end");
+}
+
+void drop(TestWindow& window, const fs::path& file) {
+  QMimeData data;
+  data.setUrls({QUrl::fromLocalFile(to_qstring(file))});
+  QDragEnterEvent enter(QPoint(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(&*window, &enter);
+  QVERIFY(enter.isAccepted());
+  QDropEvent event(QPointF(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(&*window, &event);
+}
+
+// What the dialog asks is answered with a click on its button.
+void answer(TestWindow& window, bool cameras, bool lights) {
+  auto* dialog = window->findChild<SceneDialog*>();
+  QVERIFY(dialog && dialog->isVisible());
+  for (const auto& [name, wanted] :
+       {std::pair("import_cameras", cameras), std::pair("import_lights", lights)}) {
+    auto* box = dialog->findChild<QCheckBox*>(name);
+    QVERIFY(box->isEnabled() && box->isChecked());
+    if (!wanted) QTest::mouseClick(box, Qt::LeftButton, {}, QPoint(8, box->height() / 2));
+    QCOMPARE(box->isChecked(), wanted);
+  }
+  QTest::mouseClick(dialog->findChild<QPushButton*>("import"), Qt::LeftButton);
+}
+
+}  // namespace
+
+class SceneImportTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void a_dropped_scene_brings_its_cameras_and_lights_as_one_step() {
+    TestWindow window(new_scene());
+    Document& document = window->document();
+    const Scene before = document.scene();
+    write(window.file("room.glb"), room().binary());
+    drop(window, window.file("room.glb"));
+    QCOMPARE(wait(window), QString());
+    QVERIFY(document.scene() == before);  // until the question is answered
+    answer(window, true, true);
+    const Scene& scene = document.scene();
+    QCOMPARE(scene.surfaces.size(), std::size_t{1});
+    QCOMPARE(scene.surfaces[0].imported->parts.size(), std::size_t{2});
+    QCOMPARE(scene.surfaces[0].mesh_file, window.file("room.glb"));
+    // They take the place of the light of a new scene.
+    QCOMPARE(scene.lights.size(), std::size_t{2});
+    QCOMPARE(scene.lights[0].name, std::string("lamp"));
+    QCOMPARE(scene.lights[0].intensity, glm::dvec3(1.0));
+    QVERIFY(scene.lights[1].directional);
+    // The name is taken.
+    QCOMPARE(scene.cameras.size(), std::size_t{1});
+    QCOMPARE(scene.cameras[0].camera.eye, glm::dvec3(0, 0, 4));
+    QVERIFY(scene.cameras[0].name != scene.camera_name);
+    QCOMPARE(document.undo_stack().count(), 1);
+    QCOMPARE(document.undo_stack().undoText(), QString("Import room.glb"));
+    window.key(Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(document.scene() == before);
+    QVERIFY(!document.is_modified());
+  }
+
+  void what_is_not_wanted_stays_out() {
+    TestWindow window;
+    const Scene before = window->document().scene();
+    write(window.file("room.glb"), room().binary());
+    window->import().import_file(window.file("room.glb"));
+    QCOMPARE(wait(window), QString());
+    answer(window, false, false);
+    QCOMPARE(window->document().scene().surfaces.size(), std::size_t{1});
+    QVERIFY(window->document().scene().lights == before.lights);
+    QVERIFY(window->document().scene().cameras == before.cameras);
+  }
+
+  void surfaces_alone_need_no_question() {
+    TestWindow window;
+    write(window.file("square.glb"), GltfBuilder().binary());
+    drop(window, window.file("square.glb"));
+    QCOMPARE(wait(window), QString());
+    QVERIFY(!window->findChild<SceneDialog*>());
+    QCOMPARE(window->document().scene().surfaces.size(), std::size_t{1});
+  }
+
+  void an_obj_is_a_scene_if_it_has_materials() {
+    TestWindow window;
+    const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    write(window.file("plain.obj"), triangle);
+    write(window.file("red.mtl"), "newmtl red\nKd 1 0 0\n");
+    write(window.file("red.obj"), "mtllib red.mtl\nusemtl red\n" + triangle);
+    for (const char* name : {"plain.obj", "red.obj"}) {
+      drop(window, window.file(name));
+      QCOMPARE(wait(window), QString());
+    }
+    const Scene& scene = window->document().scene();
+    QCOMPARE(scene.surfaces.size(), std::size_t{2});
+    QVERIFY(!scene.surfaces[0].imported);
+    QVERIFY(scene.surfaces[1].imported);
+    const auto& part = scene.surfaces[1].imported->parts.at(0);
+    QCOMPARE(part.material.metallic_roughness.base_color, glm::dvec3(1, 0, 0));
+  }
+
+  void damaged_and_empty_scenes_are_reported() {
+    TestWindow window;
+    write(window.file("bad.glb"), "glTF");
+    window->import().import_file(window.file("bad.glb"));
+    QVERIFY(wait(window).contains("bad.glb"));
+    GltfBuilder empty;
+    empty.json["nodes"][0].erase("mesh");
+    write(window.file("empty.glb"), empty.binary());
+    window->import().import_file(window.file("empty.glb"));
+    QVERIFY(wait(window).contains("neither meshes nor cameras nor lights"));
+    QVERIFY(window->document().scene().surfaces.empty());
+  }
+
+  void missing_textures_are_a_note() {
+    TestWindow window;
+    GltfBuilder builder;
+    builder.json["images"] = {{{"uri", "gone.png"}}};
+    builder.json["textures"] = {{{"source", 0}}};
+    builder.json["materials"] = {{{"normalTexture", {{"index", 0}}}}};
+    builder.primitive()["material"] = 0;
+    write(window.file("a.glb"), builder.binary());
+    window->import().import_file(window.file("a.glb"));
+    QCOMPARE(wait(window), QString());
+    QCOMPARE(window->document().scene().surfaces.size(), std::size_t{1});
+    auto* bar = window->findChild<MessageBar*>();
+    QVERIFY(bar->message().contains("gone.png is missing"));
+  }
+
+  void a_changed_file_is_read_again_when_the_window_is_activated() {
+    TestWindow window;
+    Document& document = window->document();
+    const fs::path file = window.file("square.glb");
+    write(file, GltfBuilder().binary());
+    window->import().import_file(file);
+    QCOMPARE(wait(window), QString());
+    change_object_place(window);
+    const Scene imported = document.scene();
+    auto* reload = window->findChild<ImportedReload*>();
+    reload->check();  // nothing has changed
+    QTest::qWait(1);
+
+    GltfBuilder larger;
+    larger.json["nodes"][0]["scale"] = {3, 3, 3};
+    write(file, larger.binary());
+    fs::last_write_time(file, imported.surfaces[0].imported->changed + std::chrono::seconds(2));
+    QEvent activation(QEvent::ActivationChange);
+    QTRY_VERIFY2(
+        [&] {
+          QApplication::sendEvent(&*window, &activation);
+          return document.scene().surfaces[0].imported != imported.surfaces[0].imported;
+        }(),
+        "read again");
+    QCOMPARE(box_of(*document.scene().surfaces[0].mesh).high, glm::dvec3(3, 3, 0));
+    QCOMPARE(document.scene().surfaces[0].translate, imported.surfaces[0].translate);
+    QCOMPARE(document.undo_stack().undoText(), QString("Reload square.glb"));
+    document.undo_stack().undo();
+    QVERIFY(document.scene() == imported);
+  }
+
+  void a_change_that_cannot_be_read_is_reported_once_and_changes_nothing() {
+    TestWindow window;
+    const fs::path file = window.file("square.glb");
+    write(file, GltfBuilder().binary());
+    window->import().import_file(file);
+    QCOMPARE(wait(window), QString());
+    const Scene imported = window->document().scene();
+    write(file, "glTF");
+    fs::last_write_time(file, imported.surfaces[0].imported->changed + std::chrono::seconds(2));
+    auto* reload = window->findChild<ImportedReload*>();
+    QSignalSpy failures(reload, &ImportedReload::failed);
+    QTRY_VERIFY((reload->check(), failures.count() > 0));
+    QVERIFY(window->document().scene() == imported);
+    for (int k = 0; k < 3; ++k) {
+      reload->check();
+      QTest::qWait(20);
+    }
+    QCOMPARE(failures.count(), 1);
+  }
+
+ private:
+  // Moves the first surface, so that a reload has something to keep.
+  static void change_object_place(TestWindow& window) {
+    Scene scene = window->document().scene();
+    Surfaces surfaces = scene.surfaces;
+    surfaces[0].translate = {1, 2, 3};
+    set_scene_part(window->document(), std::move(surfaces), "Move");
+  }
+};
+
+BRUME_APP_SUITE("scene_import", SceneImportTest)
+#include "scene_import_test.moc"

@@ -1,0 +1,168 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <sstream>
+
+#include "core/io/image/image_file.h"
+#include "core/io/import/imported_scene_file.h"
+#include "core/io/import/raw_scene_bytes.h"
+#include "core/scene/mesh.h"
+#include "core/scene/mesh_arrays.h"
+#include "tests/core/io/input_error.h"
+#include "tests/core/io/temporary_folder.h"
+
+namespace brume {
+namespace {
+
+constexpr const char* two_squares = R"(mtllib my.mtl
+o left
+v 0 0 0
+v 1 0 0
+v 1 1 0
+v 0 1 0
+vt 0 0
+vt 1 0
+vt 1 1
+vt 0 1
+vn 0 0 1
+usemtl painted
+f 1/1/1 2/2/1 3/3/1 4/4/1
+o right
+v 2 0 0
+v 3 0 0
+v 3 1 0
+usemtl shiny
+f 5//1 6//1 7//1
+)";
+
+constexpr const char* two_materials = R"(newmtl painted
+Kd 0.2 0.4 0.6
+map_Kd paint.png
+newmtl shiny
+Kd 0.2 0.4 0.6
+Ks 1 1 1
+Ns 126
+Ke 1 2 3
+)";
+
+TEST(ReaderProgram, ReadsObjWithItsMaterials) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("scene.obj", two_squares);
+  folder.write("my.mtl", two_materials);
+  const std::vector<std::uint8_t> pixels(12, 255);
+  folder.write("paint.png", encode_png(2, 2, pixels));
+  std::vector<std::string> warnings;
+  const auto scene = read_imported_scene(file, warnings);
+  EXPECT_TRUE(warnings.empty()) << warnings.front();
+  ASSERT_EQ(scene->parts.size(), 2u);
+  EXPECT_EQ(scene->nodes[scene->parts[0].node].name, "left");
+  const MeshArrays mesh = to_arrays(*scene->parts[0].mesh);
+  ASSERT_EQ(mesh.points.size(), 4u);
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(mesh.texcoords[i], glm::vec2(mesh.points[i])) << "v is up";
+  }
+  const MetallicRoughness& painted = scene->parts[0].material.metallic_roughness;
+  EXPECT_EQ(painted.base_color, glm::dvec3(1.0)) << "the texture instead";
+  EXPECT_EQ(painted.base_color_texture.file, folder / "paint.png");
+  EXPECT_NE(painted.base_color_texture.content, nullptr);
+  const MetallicRoughness& shiny = scene->parts[1].material.metallic_roughness;
+  EXPECT_LT(glm::distance(shiny.base_color, {0.2, 0.4, 0.6}), 1e-6);
+  EXPECT_EQ(shiny.metallic, 0.0);
+  EXPECT_NEAR(shiny.roughness, std::pow(2.0 / 128.0, 0.25), 1e-6);
+  EXPECT_LT(glm::distance(shiny.emissive, {1, 2, 3}), 1e-6);
+  EXPECT_EQ(scene->files, (std::vector{file, folder / "my.mtl", folder / "paint.png"}));
+}
+
+TEST(ReaderProgram, MissingTexturesAreAWarning) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("scene.obj", two_squares);
+  folder.write("my.mtl", two_materials);
+  std::vector<std::string> warnings;
+  const auto scene = read_imported_scene(file, warnings);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_TRUE(contains(warnings[0], "paint.png is missing")) << warnings[0];
+  EXPECT_EQ(scene->parts[0].material.metallic_roughness.base_color_texture.content, nullptr);
+}
+
+TEST(ReaderProgram, DamagedFilesAreAnError) {
+  const TemporaryFolder folder;
+  std::vector<std::string> warnings;
+  for (const char* name : {"a.obj", "a.fbx"}) {
+    for (const char* content : {"", "f 1 2 3\n", "Kaydara FBX Binary  \x00\x1a\x00garbage"}) {
+      const auto file = folder.write(name, content);
+      const std::string error = error_of([&] { read_imported_scene(file, warnings); });
+      EXPECT_TRUE(error.starts_with(file.string() + ": cannot be read")) << error;
+    }
+  }
+  const std::string error = error_of([&] { read_imported_scene(folder / "b.fbx", warnings); });
+  EXPECT_TRUE(contains(error, "no such file")) << error;
+}
+
+TEST(ReaderProgram, StopsWhenAsked) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("scene.obj", two_squares);
+  std::stop_source source;
+  source.request_stop();
+  std::vector<std::string> warnings;
+  EXPECT_EQ(read_imported_scene(file, warnings, source.get_token()), nullptr);
+}
+
+RawScene small_scene() {
+  RawScene scene;
+  scene.nodes = {{"a"}, {"b", 0}};
+  scene.materials.resize(1);
+  scene.materials[0].textures[2] = RawTexture{0, TextureWrap::clamp, TextureWrap::mirror};
+  scene.images = {{"/a/b.png", "bytes"}};
+  RawPart part{1, 0, {}};
+  part.mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  part.mesh.normals.assign(3, {0, 0, 1});
+  part.mesh.texcoords = {{0, 0}, {1, 0}, {0, 1}};
+  part.mesh.triangles = {{0, 1, 2}};
+  scene.parts = {part};
+  scene.cameras = {{"c", Camera{}, {}}};
+  Light spot{.position = {1, 2, 3}, .spot = SpotCone{{0, -1, 0}, 10.0, 20.0}, .name = "s"};
+  Light sun{.directional = Directional{{0, -1, 0}}};
+  scene.lights = {spot, sun};
+  scene.files = {"/a/a.obj", "/a/a.mtl"};
+  scene.warnings = {"w"};
+  return scene;
+}
+
+std::string bytes_of(const RawScene& scene) {
+  std::ostringstream out;
+  write_raw_scene(out, scene);
+  return out.str();
+}
+
+TEST(RawSceneBytes, RoundTrip) {
+  const std::string bytes = bytes_of(small_scene());
+  const RawScene again = read_raw_scene("a.obj", bytes);
+  EXPECT_EQ(bytes_of(again), bytes);
+  EXPECT_EQ(again.nodes[1].parent, 0u);
+  EXPECT_EQ(again.lights, small_scene().lights);
+  EXPECT_EQ(again.parts[0].mesh, small_scene().parts[0].mesh);
+}
+
+// Whoever controls the program may send anything.
+TEST(RawSceneBytes, OthersAreRefusedOrValid) {
+  const std::string bytes = bytes_of(small_scene());
+  for (std::size_t length = 0; length < bytes.size(); ++length) {
+    error_of([&] { read_raw_scene("a.obj", bytes.substr(0, length)); });
+  }
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    std::string changed = bytes;
+    changed[i] = static_cast<char>(changed[i] ^ 0xff);
+    try {
+      const RawScene scene = read_raw_scene("a.obj", changed);
+      for (const RawPart& part : scene.parts) {
+        ASSERT_LT(part.node, scene.nodes.size());
+        ASSERT_LT(part.material, scene.materials.size());
+      }
+    } catch (const InputError&) {
+    }
+  }
+}
+
+}  // namespace
+}  // namespace brume

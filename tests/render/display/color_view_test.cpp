@@ -1,0 +1,128 @@
+#include "render/display/color_view.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "core/error.h"
+#include "render/display/to_display.h"
+#include "tests/core/io/temporary_folder.h"
+
+namespace brume {
+namespace {
+
+std::array<float, 3> shown(const ColorView& view, std::array<float, 3> rgb) {
+  view.apply(rgb);
+  return rgb;
+}
+
+float srgb(float x) {
+  return x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1.0f / 2.4f) - 0.055f;
+}
+
+std::string refusal(const ColorChoice& choice) {
+  try {
+    const ColorView view(choice);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(ColorView, AcesHasDisplaysAndViews) {
+  const std::vector<ColorDisplay> displays = color_displays(aces_config);
+  ASSERT_EQ(displays.size(), 2u);
+  EXPECT_EQ(displays[0].name, "sRGB");
+  EXPECT_EQ(displays[0].views, (std::vector<std::string>{"ACES 1.0 SDR", "Un-tone-mapped"}));
+  const ColorView view({aces_config, "", ""});
+  EXPECT_EQ(view.choice(), (ColorChoice{aces_config, "sRGB", "ACES 1.0 SDR"}));
+}
+
+// To ACES2065-1 and back: the way in and out agree, primaries and white included.
+TEST(ColorView, UntouchedColoursAreEncodedOnly) {
+  const ColorView view({aces_config, "sRGB", "Un-tone-mapped"});
+  for (const std::array<float, 3> rgb : {std::array{0.0f, 0.0f, 0.0f},
+                                         {1.0f, 1.0f, 1.0f},
+                                         {0.8f, 0.1f, 0.1f},
+                                         {0.1f, 0.7f, 0.2f},
+                                         {0.05f, 0.1f, 0.9f}}) {
+    const std::array<float, 3> found = shown(view, rgb);
+    for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(found[c], srgb(rgb[c]), 2e-3f) << rgb[0];
+  }
+}
+
+// ACES 1.0 shows middle grey, 0.18, as a tenth of its white (4.8 of 48 nits in the cinema), rolls
+// off what is brighter, and takes strong lights towards white.
+TEST(ColorView, AcesIsAces) {
+  const ColorView view({aces_config, "sRGB", "ACES 1.0 SDR"});
+  EXPECT_NEAR(shown(view, {0.18f, 0.18f, 0.18f})[1], srgb(0.1f), 0.01f);
+  float last = -1.0f;
+  for (float x = 0.0f; x < 40.0f; x = 1.5f * x + 0.01f) {
+    const float y = shown(view, {x, x, x})[0];
+    EXPECT_GE(y, last);
+    EXPECT_LE(y, 1.0f);
+    last = y;
+  }
+  EXPECT_GT(last, 0.97f);
+  EXPECT_GT(shown(view, {100.0f, 1.0f, 1.0f})[1], shown(view, {1.0f, 0.01f, 0.01f})[1]);
+}
+
+TEST(ColorView, ReadsAConfiguration) {
+  const TemporaryFolder folder;
+  const std::string config = folder
+                                 .write("config.ocio", R"(ocio_profile_version: 1
+roles:
+  scene_linear: linear
+displays:
+  screen:
+    - !<View> {name: plain, colorspace: linear}
+    - !<View> {name: half, colorspace: halved}
+colorspaces:
+  - !<ColorSpace>
+    name: linear
+  - !<ColorSpace>
+    name: halved
+    from_reference: !<MatrixTransform> {matrix: [0.5, 0, 0, 0, 0, 0.5, 0, 0, 0, 0, 0.5, 0, 0, 0, 0, 1]}
+)")
+                                 .string();
+  EXPECT_EQ(shown(ColorView({config, "screen", "half"}), {0.8f, 0.4f, 0.2f}),
+            (std::array{0.4f, 0.2f, 0.1f}));
+  EXPECT_EQ(refusal({config, "tv", ""}), config + ": found the display \"tv\"; allowed: screen");
+  EXPECT_EQ(refusal({config, "screen", "x"}),
+            config + ": found the view \"x\" of \"screen\"; allowed: plain, half");
+}
+
+TEST(ColorView, BadConfigurationsAreRefusedInOneLine) {
+  const TemporaryFolder folder;
+  for (const std::string& text :
+       {std::string(""), std::string("ocio_profile_version: 9"), std::string("{{{"),
+        std::string("ocio_profile_version: 1\ndisplays: {}\n"), std::string(100'000, '[')}) {
+    const std::string config = folder.write("bad.ocio", text).string();
+    const std::string found = refusal({config, "", ""});
+    EXPECT_TRUE(found.starts_with(config + ": ")) << found;
+    EXPECT_EQ(found.find('\n'), std::string::npos) << found;
+  }
+  EXPECT_NE(refusal({(folder / "none.ocio").string(), "", ""}), "");
+}
+
+TEST(ToDisplay, ShowsAFrameInAView) {
+  Frame frame;
+  frame.film = {2, 1};
+  frame.beauty = {0.18f, 0.18f, 0.18f, 1.0f, 1e30f, 0.0f, 0.0f, 1.0f};
+  DisplayLook look;
+  look.view = std::make_shared<ColorView>(ColorChoice{aces_config, "sRGB", "Un-tone-mapped"});
+  const std::vector<std::uint8_t> bytes = to_display(frame, look);
+  ASSERT_EQ(bytes.size(), 6u);
+  EXPECT_NEAR(bytes[0], 255.0f * srgb(0.18f), 1.0f);
+  EXPECT_EQ(bytes[3], 255);
+  look.exposure = 1.0;
+  EXPECT_NEAR(to_display(frame, look)[1], 255.0f * srgb(0.36f), 1.0f);
+  EXPECT_EQ(view_name(look), "Un-tone-mapped, sRGB");
+  EXPECT_EQ(view_name({}), "Khronos PBR Neutral, sRGB");
+}
+
+}  // namespace
+}  // namespace brume

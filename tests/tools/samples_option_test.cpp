@@ -1,0 +1,128 @@
+// brume render --samples and --shutter.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "tests/tools/command_line.h"
+
+namespace brume {
+namespace {
+
+using Json = nlohmann::json;
+
+class SamplesOption : public CommandLine {
+ protected:
+  struct Rendered {
+    ImageLayers image;
+    Json stats;
+  };
+  Rendered render(const std::string& scene, std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(),
+                     {"render", scene, "-o", file("o.exr"), "--stats", file("s.json"),
+                      "--scattering", "single", "--airlight", "sliced"});
+    const ProgramResult result = run_brume(arguments);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return {read_exr(file("o.exr")), Json::parse(content_of(folder_ / "s.json"))};
+  }
+  // The scene with more members of its objects.
+  [[nodiscard]] std::string with(const std::string& object, const std::string& members) const {
+    std::string text = scene_text;
+    const std::string begin = "\"" + object + "\": {";
+    const std::size_t found = text.find(begin);
+    if (found == std::string::npos)
+      return folder_.write("b.brume", "{ \"" + object + "\": {" + members + "}," + text.substr(1))
+          .string();
+    return folder_.write("b.brume", text.insert(found + begin.size(), members + ", ")).string();
+  }
+};
+
+// Pixels that the floor's edges cross.
+int partly_covered(const ImageLayers& image, float transmittance_at_most = 0.9F) {
+  int count = 0;
+  const std::vector<float>& alpha = image.channels.at("A");
+  for (const float a : alpha) count += a > 1.0F - transmittance_at_most && a < 0.999F;
+  return count;
+}
+
+TEST_F(SamplesOption, AreChosenByTheScene) {
+  const Rendered chosen = render(scene_, {});
+  EXPECT_EQ(chosen.stats["samples"], 16);
+  EXPECT_GT(chosen.stats["sampled_pixels"], 20);
+  const Rendered one = render(scene_, {"--samples", "1"});
+  EXPECT_EQ(one.stats["samples"], 1);
+  EXPECT_EQ(one.stats["sampled_pixels"], 0);
+  EXPECT_NE(chosen.image.channels.at("R"), one.image.channels.at("R"));
+  EXPECT_EQ(chosen.image.channels.at("Z"), one.image.channels.at("Z")) << "never filtered";
+  EXPECT_GT(partly_covered(chosen.image), partly_covered(one.image));
+  // The error is that of the same rays.
+  EXPECT_NEAR(chosen.stats["error"]["rel_rmse"].get<double>(),
+              one.stats["error"]["rel_rmse"].get<double>(),
+              0.2 * one.stats["error"]["rel_rmse"].get<double>());
+
+  std::string bare = scene_text;
+  bare = bare.substr(0, bare.find(",\n  \"surfaces\"")) + "}";
+  const std::string fog = folder_.write("fog.brume", bare).string();
+  const Rendered plain = render(fog, {});
+  EXPECT_EQ(plain.stats["samples"], 1);
+  EXPECT_EQ(plain.image.channels, render(fog, {"--samples", "1"}).image.channels);
+
+  const std::string own = with("output", R"("samples": 4)");
+  EXPECT_EQ(render(own, {}).stats["samples"], 4);
+  EXPECT_EQ(render(own, {"--samples", "8"}).stats["samples"], 8);
+}
+
+TEST_F(SamplesOption, AnApertureBlurs) {
+  const std::string lens = with("camera", R"("aperture": 0.4, "focus_distance": 2)");
+  const Rendered sharp = render(scene_, {});
+  const Rendered blurred = render(lens, {"--samples", "16"});
+  EXPECT_EQ(render(lens, {}).stats["samples"], 64);
+  EXPECT_EQ(blurred.image.channels.at("Z"), sharp.image.channels.at("Z"));
+  EXPECT_GT(partly_covered(blurred.image), 1.5 * partly_covered(sharp.image));
+  EXPECT_EQ(render(lens, {"--samples", "1"}).image.channels,
+            render(scene_, {"--samples", "1"}).image.channels);
+}
+
+TEST_F(SamplesOption, AShutterBlursWhatMoves) {
+  const std::string moving = with("camera", R"("keys": {"eye": [{"time": 0, "value": [0, 0, 5]},
+                                         {"time": 1, "value": [3, 0, 5]}]})");
+  const std::vector<std::string> at{"--time", "0.5", "--samples", "8"};
+  const Rendered still = render(moving, at);
+  std::vector<std::string> blurred = at;
+  blurred.insert(blurred.end(), {"--shutter", "0,2"});
+  const ImageLayers smeared = render(moving, blurred).image;
+  EXPECT_NE(smeared.channels.at("R"), still.image.channels.at("R"));
+  EXPECT_EQ(smeared.channels.at("Z"), still.image.channels.at("Z"));
+  // Nothing moves: the same as without.
+  std::vector<std::string> idle{"--samples", "8", "--shutter", "0,2"};
+  EXPECT_EQ(render(scene_, idle).image.channels, render(scene_, {"--samples", "8"}).image.channels);
+  const std::string own =
+      folder_.write("c.brume", R"({ "output": {"shutter": [0, 2]},)" + content_of(moving).substr(1))
+          .string();
+  EXPECT_EQ(render(own, at).image.channels, smeared.channels);
+  std::vector<std::string> none = at;
+  none.insert(none.end(), {"--shutter", "none"});
+  EXPECT_EQ(render(own, none).image.channels, still.image.channels);
+}
+
+TEST_F(SamplesOption, PathsAreShared) {
+  const ProgramResult result =
+      run_brume({"render", scene_, "-o", file("p.exr"), "--stats", file("p.json"), "--airlight",
+                 "path:32", "--samples", "4"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(Json::parse(content_of(folder_ / "p.json"))["noise"]["paths"], 32);
+}
+
+TEST_F(SamplesOption, RefuseMistakes) {
+  for (const char* samples : {"0", "4097", "x", "1.5"}) {
+    expect_refused({"render", scene_, "-o", file("o.exr"), "--samples", samples}, {"--samples"});
+  }
+  for (const char* shutter : {"0", "0,0", "1,0", "0,3", "a,b", "0,1,2", "0,nan", ","}) {
+    expect_refused({"render", scene_, "-o", file("o.exr"), "--shutter", shutter},
+                   {"--shutter", "allowed: OPEN,CLOSE"});
+  }
+}
+
+}  // namespace
+}  // namespace brume

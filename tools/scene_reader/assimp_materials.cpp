@@ -1,0 +1,156 @@
+#include "tools/scene_reader/assimp_materials.h"
+
+#include <assimp/material.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/error.h"
+#include "core/number_domain.h"
+
+namespace brume {
+namespace fs = std::filesystem;
+namespace {
+
+std::optional<double> number(const aiMaterial& material, const char* key, unsigned type,
+                             unsigned index) {
+  ai_real value = 0;
+  if (material.Get(key, type, index, value) != aiReturn_SUCCESS || !std::isfinite(value)) {
+    return std::nullopt;
+  }
+  return static_cast<double>(value);
+}
+
+std::optional<glm::dvec3> color(const aiMaterial& material, const char* key, unsigned type,
+                                unsigned index, double brightest) {
+  aiColor3D value;
+  if (material.Get(key, type, index, value) != aiReturn_SUCCESS) return std::nullopt;
+  const auto clamped = [brightest](float x) {
+    return std::isfinite(x) ? std::clamp(static_cast<double>(x), 0.0, brightest) : 0.0;
+  };
+  return glm::dvec3(clamped(value.r), clamped(value.g), clamped(value.b));
+}
+
+TextureWrap wrap_of(aiTextureMapMode mode) {
+  return mode == aiTextureMapMode_Mirror  ? TextureWrap::mirror
+         : mode == aiTextureMapMode_Clamp ? TextureWrap::clamp
+                                          : TextureWrap::repeat;
+}
+
+class Materials {
+ public:
+  Materials(const aiScene& from, const fs::path& file, RawScene& to)
+      : from_(from), file_(file), to_(to) {}
+
+  void add_all() {
+    for (unsigned i = 0; i < from_.mNumMaterials; ++i) add(*from_.mMaterials[i]);
+  }
+
+ private:
+  void add(const aiMaterial& material) {
+    RawMaterial result;
+    MetallicRoughness& values = result.values;
+    values.base_color =
+        color(material, AI_MATKEY_BASE_COLOR, 1.0)
+            .value_or(color(material, AI_MATKEY_COLOR_DIFFUSE, 1.0).value_or(glm::dvec3(0.8)));
+    values.metallic =
+        std::clamp(number(material, AI_MATKEY_METALLIC_FACTOR).value_or(0.0), 0.0, 1.0);
+    values.roughness = roughness(material);
+    values.emissive =
+        color(material, AI_MATKEY_COLOR_EMISSIVE, limits::intensity).value_or(glm::dvec3(0.0));
+    auto& [base, metallic_roughness, normal, emissive] = result.textures;
+    base = texture(material, {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE});
+    if (base) values.base_color = glm::dvec3(1.0);
+    emissive = texture(material, {aiTextureType_EMISSION_COLOR, aiTextureType_EMISSIVE});
+    if (emissive && values.emissive == glm::dvec3(0.0)) values.emissive = glm::dvec3(1.0);
+    normal = texture(material, {aiTextureType_NORMALS, aiTextureType_NORMAL_CAMERA});
+    const auto metal = texture(material, {aiTextureType_METALNESS});
+    const auto rough = texture(material, {aiTextureType_DIFFUSE_ROUGHNESS});
+    if (metal && rough && metal->image == rough->image) {
+      metallic_roughness = metal;
+      values.metallic = values.roughness = 1.0;
+    } else if (metal || rough) {
+      warn("textures of metalness and roughness that are not one image are left out");
+    }
+    if (number(material, AI_MATKEY_OPACITY).value_or(1.0) < 1.0) warn("surfaces are opaque here");
+    to_.materials.push_back(result);
+  }
+
+  static double roughness(const aiMaterial& material) {
+    if (const auto given = number(material, AI_MATKEY_ROUGHNESS_FACTOR)) {
+      return std::clamp(*given, 0.0, 1.0);
+    }
+    const auto specular = color(material, AI_MATKEY_COLOR_SPECULAR, 1.0);
+    const double exponent = number(material, AI_MATKEY_SHININESS).value_or(0.0);
+    if (!(exponent > 0.0) || specular == glm::dvec3(0.0)) return 1.0;
+    return std::pow(2.0 / (exponent + 2.0), 0.25);
+  }
+
+  // The first texture of one of the types.
+  std::optional<RawTexture> texture(const aiMaterial& material,
+                                    std::initializer_list<aiTextureType> types) {
+    for (const aiTextureType type : types) {
+      aiString name;
+      if (material.GetTexture(type, 0, &name) != aiReturn_SUCCESS || name.length == 0) continue;
+      const auto image = image_of(name);
+      if (!image) continue;
+      int u = aiTextureMapMode_Wrap;
+      int v = aiTextureMapMode_Wrap;
+      material.Get(AI_MATKEY_MAPPINGMODE_U(type, 0), u);
+      material.Get(AI_MATKEY_MAPPINGMODE_V(type, 0), v);
+      return RawTexture{*image, wrap_of(static_cast<aiTextureMapMode>(u)),
+                        wrap_of(static_cast<aiTextureMapMode>(v))};
+    }
+    return std::nullopt;
+  }
+
+  std::optional<std::size_t> image_of(const aiString& name) {
+    const std::string text = name.C_Str();
+    const auto known = std::ranges::find(names_, text);
+    if (known != names_.end()) return static_cast<std::size_t>(known - names_.begin());
+    RawImage image;
+    if (const aiTexture* embedded = from_.GetEmbeddedTexture(text.c_str())) {
+      if (embedded->mHeight != 0) {
+        warn("an embedded texture that is neither PNG nor JPEG is left out");
+        return std::nullopt;
+      }
+      image.file = file_;
+      image.bytes.assign(reinterpret_cast<const char*>(embedded->pcData), embedded->mWidth);
+    } else {
+      image.file = place_of(text);
+    }
+    names_.push_back(text);
+    to_.images.push_back(std::move(image));
+    return to_.images.size() - 1;
+  }
+
+  // Where a texture is: as it says, or, if nothing is there, beside the scene, since many files
+  // name folders of the machine they were made on.
+  [[nodiscard]] fs::path place_of(std::string text) const {
+    std::ranges::replace(text, '\\', '/');
+    const fs::path folder = file_.parent_path();
+    const fs::path named = (folder / text).lexically_normal();
+    const fs::path beside = folder / fs::path(text).filename();
+    std::error_code error;
+    return !fs::exists(named, error) && fs::exists(beside, error) ? beside : named;
+  }
+
+  void warn(const std::string& message) {
+    const std::string warning = InputError(file_, "", message).what();
+    if (std::ranges::count(to_.warnings, warning) == 0) to_.warnings.push_back(warning);
+  }
+
+  const aiScene& from_;
+  const fs::path& file_;
+  RawScene& to_;
+  std::vector<std::string> names_;  // of to_.images
+};
+
+}  // namespace
+
+void add_materials(const aiScene& from, const fs::path& file, RawScene& to) {
+  Materials(from, file, to).add_all();
+}
+
+}  // namespace brume

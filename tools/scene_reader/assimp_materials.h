@@ -1,0 +1,16 @@
+#pragma once
+
+#include <assimp/scene.h>
+
+#include <filesystem>
+
+#include "core/io/import/raw_scene.h"
+
+namespace brume {
+
+// The materials of a scene as metallic-roughness. Phong's exponent n becomes the roughness whose
+// distribution of microfacets is as wide, alpha^2 = 2 / (n + 2) with alpha = roughness^2; what has
+// no metalness is a dielectric. A texture of colors takes the place of the color.
+void add_materials(const aiScene& from, const std::filesystem::path& file, RawScene& to);
+
+}  // namespace brume

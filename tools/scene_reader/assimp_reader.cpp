@@ -1,0 +1,234 @@
+#include "tools/scene_reader/assimp_reader.h"
+
+#include <assimp/config.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+
+#include <algorithm>
+#include <assimp/Importer.hpp>
+#include <cmath>
+#include <glm/ext/matrix_transform.hpp>
+#include <glm/geometric.hpp>
+#include <map>
+#include <numbers>
+
+#include "core/error.h"
+#include "core/io/file_bytes.h"
+#include "core/io/import/node_transform.h"
+#include "core/io/import/scene_readers.h"
+#include "core/io/text_scanner.h"
+#include "core/limits.h"
+#include "core/number_domain.h"
+#include "tools/scene_reader/assimp_materials.h"
+#include "tools/scene_reader/limited_files.h"
+
+namespace brume {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
+constexpr double max_texcoord = 1e6;
+
+glm::dvec3 to_dvec3(const aiVector3D& v) {
+  return {v.x, v.y, v.z};
+}
+
+glm::dmat4 to_dmat4(const aiMatrix4x4& m) {  // which has rows
+  glm::dmat4 result;
+  for (unsigned row = 0; row < 4; ++row) {
+    for (unsigned column = 0; column < 4; ++column) {
+      result[static_cast<int>(column)][static_cast<int>(row)] = static_cast<double>(m[row][column]);
+    }
+  }
+  return result;
+}
+
+// What an FBX says of its axes and unit (centimeters) as a transform to y up and meters; assimp
+// leaves that to us, if it left the transform of the root alone.
+glm::dmat4 scene_transform(const aiScene& scene) {
+  glm::dmat4 result(1.0);
+  if (scene.mMetaData == nullptr) return result;
+  if (float unit = 0; scene.mMetaData->Get("UnitScaleFactor", unit) && unit > 0) {
+    result = glm::scale(result, glm::dvec3(0.01 * static_cast<double>(unit)));
+  }
+  if (!scene.mRootNode->mTransformation.IsIdentity()) return result;
+  glm::dmat4 axes(0.0);
+  axes[3][3] = 1.0;
+  int row = 0;
+  for (const char* key : {"CoordAxis", "UpAxis", "FrontAxis"}) {
+    int axis = 0;
+    int sign = 1;
+    if (!scene.mMetaData->Get(key, axis) || axis < 0 || axis > 2) return result;
+    scene.mMetaData->Get((std::string(key) + "Sign").c_str(), sign);
+    axes[axis][row++] = sign < 0 ? -1.0 : 1.0;
+  }
+  return std::abs(glm::determinant(axes)) == 1.0 ? result * axes : result;
+}
+
+class Reader {
+ public:
+  Reader(const aiScene& from, const fs::path& file) : from_(from), file_(file) {}
+
+  RawScene read() {
+    add_materials(from_, file_, scene_);
+    add_nodes();
+    for (unsigned i = 0; i < from_.mNumCameras; ++i) add_camera(*from_.mCameras[i]);
+    for (unsigned i = 0; i < from_.mNumLights; ++i) add_light(*from_.mLights[i]);
+    return std::move(scene_);
+  }
+
+ private:
+  void add_nodes() {
+    struct Visit {
+      const aiNode* node;
+      std::optional<std::size_t> parent;
+      glm::dmat4 to_world;
+    };
+    std::vector<Visit> open{{from_.mRootNode, std::nullopt, scene_transform(from_)}};
+    while (!open.empty()) {
+      const Visit visit = open.back();
+      open.pop_back();
+      const glm::dmat4 to_world = visit.to_world * to_dmat4(visit.node->mTransformation);
+      const std::size_t index = scene_.nodes.size();
+      if (index >= max_imported_nodes) {
+        throw InputError(file_, "",
+                         "found more than " + std::to_string(max_imported_nodes) +
+                             " nodes; allowed: " + std::to_string(max_imported_nodes));
+      }
+      const std::string name = visit.node->mName.C_Str();
+      scene_.nodes.push_back({imported_name(name, "node " + std::to_string(index)), visit.parent});
+      to_world_.try_emplace(name, to_world);
+      for (unsigned i = 0; i < visit.node->mNumMeshes; ++i) {
+        add_part(*from_.mMeshes[visit.node->mMeshes[i]], index, to_world);
+      }
+      for (unsigned i = visit.node->mNumChildren; i > 0; --i) {
+        open.push_back({visit.node->mChildren[i - 1], index, to_world});
+      }
+    }
+  }
+
+  void add_part(const aiMesh& mesh, std::size_t node, const glm::dmat4& to_world) {
+    if (mesh.mPrimitiveTypes != aiPrimitiveType_TRIANGLE &&
+        !(mesh.mPrimitiveTypes & aiPrimitiveType_TRIANGLE)) {
+      return;
+    }
+    if (scene_.parts.size() >= limits::surfaces) {
+      throw InputError(file_, "",
+                       "found more than " + std::to_string(limits::surfaces) +
+                           " meshes of nodes; allowed: " + std::to_string(limits::surfaces));
+    }
+    RawPart part{node, mesh.mMaterialIndex, {}};
+    MeshArrays& arrays = part.mesh;
+    for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
+      arrays.points.emplace_back(to_dvec3(mesh.mVertices[i]));
+      if (mesh.HasNormals()) arrays.normals.emplace_back(to_dvec3(mesh.mNormals[i]));
+      if (!mesh.HasTextureCoords(0)) continue;
+      const aiVector3D& uv = mesh.mTextureCoords[0][i];
+      const bool is_valid = std::abs(uv.x) <= max_texcoord && std::abs(uv.y) <= max_texcoord;
+      arrays.texcoords.push_back(is_valid ? glm::vec2(uv.x, uv.y) : glm::vec2(0.0f));
+    }
+    for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
+      const aiFace& face = mesh.mFaces[i];
+      if (face.mNumIndices != 3) continue;
+      const glm::uvec3 t(face.mIndices[0], face.mIndices[1], face.mIndices[2]);
+      if (t.x != t.y && t.y != t.z && t.z != t.x) arrays.triangles.push_back(t);
+    }
+    if (arrays.triangles.empty()) return;
+    if (arrays.normals.empty()) add_flat_normals(arrays);
+    apply_transform(to_world, file_, "node " + quoted_text(scene_.nodes[node].name), arrays);
+    include(arrays);
+    scene_.parts.push_back(std::move(part));
+  }
+
+  void include(const MeshArrays& arrays) {
+    for (const glm::vec3& point : arrays.points) {
+      low_ = glm::min(low_, glm::dvec3(point));
+      high_ = glm::max(high_, glm::dvec3(point));
+    }
+  }
+
+  // Cameras and lights are at the node of their name.
+  [[nodiscard]] glm::dmat4 node_of(const aiString& name) const {
+    const auto at = to_world_.find(name.C_Str());
+    return at == to_world_.end() ? glm::dmat4(1.0) : at->second;
+  }
+
+  void add_camera(const aiCamera& camera) {
+    const double half_width = std::tan(0.5 * static_cast<double>(camera.mHorizontalFOV));
+    const double aspect = camera.mAspect > 0 ? static_cast<double>(camera.mAspect) : 1.0;
+    const double fov = 2.0 * std::atan(half_width / aspect) * degrees_per_radian;
+    if (!domain::field_of_view.contains(fov) || scene_.cameras.size() >= limits::cameras) return;
+    const glm::dmat4 node = node_of(camera.mName);
+    const glm::dvec3 back = -to_dvec3(camera.mLookAt);
+    const glm::dvec3 up = to_dvec3(camera.mUp);
+    const glm::dmat4 axes(glm::dvec4(glm::cross(up, back), 0.0), glm::dvec4(up, 0.0),
+                          glm::dvec4(back, 0.0), glm::dvec4(to_dvec3(camera.mPosition), 1.0));
+    const glm::dvec3 center = scene_.parts.empty() ? glm::dvec3(0.0) : 0.5 * (low_ + high_);
+    scene_.cameras.push_back({imported_name(camera.mName.C_Str(), "Camera"),
+                              camera_of_node(node * axes, center, fov),
+                              {}});
+  }
+
+  void add_light(const aiLight& from) {
+    if (scene_.lights.size() >= limits::lights) return;
+    const glm::dmat4 node = node_of(from.mName);
+    Light light;
+    light.name = imported_name(from.mName.C_Str(), "");
+    light.position = glm::dvec3(node * glm::dvec4(to_dvec3(from.mPosition), 1.0));
+    for (int k = 0; k < 3; ++k) {
+      const double value = static_cast<double>(from.mColorDiffuse[static_cast<unsigned>(k)]);
+      light.intensity[k] = std::isfinite(value) ? std::clamp(value, 0.0, limits::intensity) : 0.0;
+    }
+    glm::dvec3 direction = glm::dmat3(node) * to_dvec3(from.mDirection);
+    const double length = glm::length(direction);
+    direction = length > 0.0 ? direction / length : glm::dvec3(0.0, -1.0, 0.0);
+    if (from.mType == aiLightSource_DIRECTIONAL) {
+      light.directional = Directional{direction};
+    } else if (from.mType == aiLightSource_SPOT) {  // whose angles are those of the whole cone
+      const double outer = 0.5 * static_cast<double>(from.mAngleOuterCone) * degrees_per_radian;
+      const double inner = 0.5 * static_cast<double>(from.mAngleInnerCone) * degrees_per_radian;
+      light.spot = SpotCone{direction};
+      if (outer > 0.0 && outer <= 180.0) light.spot->outer_angle = outer;
+      light.spot->inner_angle =
+          inner >= 0.0 ? std::min(inner, 0.999 * light.spot->outer_angle) : 0.0;
+    } else if (from.mType != aiLightSource_POINT) {
+      return;
+    }
+    scene_.lights.push_back(std::move(light));
+  }
+
+  const aiScene& from_;
+  const fs::path& file_;
+  RawScene scene_;
+  std::map<std::string, glm::dmat4> to_world_;
+  glm::dvec3 low_{limits::coordinate};
+  glm::dvec3 high_{-limits::coordinate};
+};
+
+}  // namespace
+
+RawScene read_with_assimp(const fs::path& file) {
+  Assimp::Importer importer;
+  auto* files = new LimitedFiles;  // the importer's from here on
+  importer.SetIOHandler(files);
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_READ_ANIMATIONS, false);
+  importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
+                              aiPrimitiveType_POINT | aiPrimitiveType_LINE);
+  // As of meshes: vertices at one place are smooth up to 60 degrees.
+  importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, 60.0f);
+  const aiScene* scene = importer.ReadFile(
+      file.string(), aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_GenSmoothNormals |
+                         aiProcess_JoinIdenticalVertices | aiProcess_ValidateDataStructure);
+  if (scene == nullptr) {
+    throw InputError(file, "", "cannot be read: " + quoted_text(importer.GetErrorString(), 200));
+  }
+  RawScene result = Reader(*scene, file).read();
+  result.files = {file};
+  for (const fs::path& opened : files->opened()) {
+    if (opened != file.lexically_normal()) result.files.push_back(opened);
+  }
+  return result;
+}
+
+}  // namespace brume

@@ -1,0 +1,67 @@
+#include "tools/scene_reader/limited_files.h"
+
+#include <algorithm>
+#include <assimp/IOStream.hpp>
+#include <cstring>
+#include <string>
+
+#include "core/error.h"
+#include "core/io/file_bytes.h"
+
+namespace brume {
+namespace {
+
+class Bytes : public Assimp::IOStream {
+ public:
+  explicit Bytes(std::string bytes) : bytes_(std::move(bytes)) {}
+
+  size_t Read(void* buffer, size_t size, size_t count) override {
+    if (size == 0) return 0;
+    const size_t whole = std::min(count, (bytes_.size() - position_) / size);
+    std::memcpy(buffer, bytes_.data() + position_, whole * size);
+    position_ += whole * size;
+    return whole;
+  }
+  size_t Write(const void*, size_t, size_t) override { return 0; }
+  aiReturn Seek(size_t offset, aiOrigin origin) override {
+    const size_t from = origin == aiOrigin_SET   ? 0
+                        : origin == aiOrigin_CUR ? position_
+                                                 : bytes_.size();
+    const size_t position = origin == aiOrigin_END ? from - offset : from + offset;
+    if (position > bytes_.size()) return aiReturn_FAILURE;
+    position_ = position;
+    return aiReturn_SUCCESS;
+  }
+  size_t Tell() const override { return position_; }
+  size_t FileSize() const override { return bytes_.size(); }
+  void Flush() override {}
+
+ private:
+  std::string bytes_;
+  size_t position_ = 0;
+};
+
+}  // namespace
+
+bool LimitedFiles::Exists(const char* file) const {
+  std::error_code error;
+  return std::filesystem::is_regular_file(file, error);
+}
+
+Assimp::IOStream* LimitedFiles::Open(const char* file, const char* mode) {
+  if (std::strpbrk(mode, "wa+") != nullptr) return nullptr;
+  try {
+    auto* stream = new Bytes(read_bytes(file));  // assimp gives it to Close()
+    const std::filesystem::path path = std::filesystem::path(file).lexically_normal();
+    if (std::ranges::count(opened_, path) == 0) opened_.push_back(path);
+    return stream;
+  } catch (const InputError&) {
+    return nullptr;
+  }
+}
+
+void LimitedFiles::Close(Assimp::IOStream* stream) {
+  delete stream;
+}
+
+}  // namespace brume
