@@ -208,7 +208,9 @@ void MainWindow::create_actions() {
   add(view, tr("Exposure &Down"), "view.exposure_down", [this] { change_exposure(-0.5); });
   fill_mode_menu(view->addMenu(tr("S&how")));
   fill_quality_menu(*view->addMenu(tr("&Quality")), *views_, *findChild<PerformancePanel*>());
-  fill_color_menu(*view->addMenu(tr("&Color")), views_->color(),
+  QMenu* color = view->addMenu(tr("&Color"));
+  color->setObjectName("color_menu");
+  fill_color_menu(*color, views_->color(),
                   [this](const QString& message) { show_status(message); });
   fill_backend_menu(view->addMenu(tr("&Render Device")));
   fill_navigation_menu(view->addMenu(tr("&Navigation")));

@@ -80,14 +80,14 @@ void specular_rows(double alpha, double theta_o, Row& scaled, Row& added) {
   });
 }
 
-// The position of x in [0, 1] among intervals.
+// The position of x in [0, 1] among `count` intervals.
 struct Position {
   std::size_t below;
   double fraction;
 
-  Position(double x, int intervals) {
-    const double at = std::clamp(x, 0.0, 1.0) * intervals;
-    below = static_cast<std::size_t>(std::min(std::floor(at), intervals - 1.0));
+  Position(double x, int count) {
+    const double at = std::clamp(x, 0.0, 1.0) * count;
+    below = static_cast<std::size_t>(std::min(std::floor(at), count - 1.0));
     fraction = at - static_cast<double>(below);
   }
 };

@@ -132,11 +132,11 @@ namespace {
 glm::ivec2 allocated(Texture::Format format, const glm::ivec2& size) {
   constexpr int longest = 16384;                      // that any device supports
   if (format == Texture::Format::rgba8) return size;  // whole pictures are handed on
-  const auto side = [](int n) {
+  const auto rounded = [](int n) {
     while (n < longest && std::has_single_bit(static_cast<unsigned>(n))) ++n;
     return n;
   };
-  return {side(size.x), side(size.y)};
+  return {rounded(size.x), rounded(size.y)};
 }
 
 }  // namespace

@@ -320,7 +320,7 @@ void SumSlices(const PathBatch& rays, const RaySlices& slices, const float* incr
                std::span<const SliceLight> lights, float* depths, const SliceWeights& weights,
                const SliceOptics& optics, const std::array<float*, light_pack>& radiance,
                SliceSums sums) {
-  constexpr float phase = 0.0795774715459476679f;  // 1 / (4 pi)
+  constexpr float isotropic_phase = 0.0795774715459476679f;  // 1 / (4 pi)
   const D d;
   const bool running = sums == SliceSums::running;
   const V zero = hn::Zero(d);
@@ -452,7 +452,7 @@ void SumSlices(const PathBatch& rays, const RaySlices& slices, const float* incr
           hn::StoreU(emitted[c], d, optics.emission[c] + at);
         }
         for (std::size_t l = 0; l < lights.size(); ++l) {
-          hn::StoreU(hn::Mul(set(phase), sum[l]), d, radiance[l] + at);
+          hn::StoreU(hn::Mul(set(isotropic_phase), sum[l]), d, radiance[l] + at);
         }
       }
       depth = next_depth;
@@ -464,7 +464,8 @@ void SumSlices(const PathBatch& rays, const RaySlices& slices, const float* incr
       hn::StoreU(emitted[c], d, optics.emission[c] + i);
     }
     for (std::size_t l = 0; l < lights.size(); ++l) {
-      hn::StoreU(hn::MulAdd(set(phase), sum[l], hn::LoadU(d, radiance[l] + i)), d, radiance[l] + i);
+      hn::StoreU(hn::MulAdd(set(isotropic_phase), sum[l], hn::LoadU(d, radiance[l] + i)), d,
+                 radiance[l] + i);
     }
   }
 }

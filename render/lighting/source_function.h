@@ -133,10 +133,10 @@ class SourceFunction {
     double anisotropy = 0.0;
     std::size_t directions = 0;
 
-    std::vector<SourceLight> lights;
+    std::vector<SourceLight> lights{};
     double power = 0.0;  // of all of them
     // Per cluster, the map convolved with the forward lobe; empty without lobe.
-    std::vector<std::shared_ptr<const RadianceMap>> lobes;
+    std::vector<std::shared_ptr<const RadianceMap>> lobes{};
     std::array<bool, source_clusters> is_narrow{};
   };
   // In use, and the one before: frames in motion and at rest take turns.

@@ -7,6 +7,7 @@
 #include <ImfDeepScanLineOutputFile.h>
 #include <ImfHeader.h>
 #include <ImfPartType.h>
+#include <ImfStandardAttributes.h>
 #include <ImfStringAttribute.h>
 
 #include <cassert>
@@ -87,6 +88,7 @@ void write_rows(const fs::path& file, std::ostream& out, const DeepExrHeader& im
   Imf::Header header(image.width, image.height);
   header.compression() = Imf::ZIPS_COMPRESSION;
   header.setType(Imf::DEEPSCANLINE);
+  Imf::addChromaticities(header, {});  // Rec. 709, D65
   for (const DeepChannel& channel : deep_channels) {
     if (channel.is_colored_alpha && !image.has_colored_alpha) continue;
     header.channels().insert(channel.name, Imf::Channel(Imf::FLOAT));

@@ -7,6 +7,7 @@
 #include <ImfMultiPartInputFile.h>
 #include <ImfOutputFile.h>
 #include <ImfPartType.h>
+#include <ImfStandardAttributes.h>
 #include <ImfStringAttribute.h>
 
 #include <cassert>
@@ -68,6 +69,7 @@ void read_last_row(Imf::InputPart& part, const Imf::Header& header) {
 void write_layers(const fs::path& file, std::ostream& out, const ImageLayers& image) {
   Imf::Header header(image.width, image.height);
   header.compression() = Imf::ZIP_COMPRESSION;
+  Imf::addChromaticities(header, {});  // Rec. 709, D65
   Imf::FrameBuffer frame;
   const auto width = static_cast<std::size_t>(image.width);
   for (const auto& [name, values] : image.channels) {

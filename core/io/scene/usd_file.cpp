@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/io/atomic_file.h"
+#include "core/io/scene/usd_material.h"
 #include "core/io/scene/usd_text.h"
 #include "core/scene/environment.h"
 #include "core/scene/mesh_arrays.h"
@@ -19,11 +20,6 @@ namespace brume {
 namespace {
 
 using Frames = std::span<const UsdFrame>;
-
-// A file as a stage in `folder` names it.
-std::string named_from(const std::filesystem::path& folder, const std::filesystem::path& file) {
-  return usd_asset(file.lexically_proximate(folder).generic_string());
-}
 
 // A frame with -z towards `forward` and y as far towards `up` as that allows, as cameras and lights
 // of USD have them.
@@ -178,6 +174,15 @@ void write_mesh(UsdText& out, const TriangleMesh& mesh) {
                }));
   out.constant("point3f[] points", vectors(arrays.points));
   out.constant("normal3f[] normals", vectors(arrays.normals), "interpolation = \"vertex\"");
+  if (!arrays.texcoords.empty()) {
+    out.constant("texCoord2f[] primvars:st",
+                 list_of(arrays.texcoords.size(),
+                         [&](std::size_t i) {
+                           const glm::dvec2 uv(arrays.texcoords[i]);
+                           return "(" + usd_value(uv.x) + ", " + usd_value(uv.y) + ")";
+                         }),
+                 "interpolation = \"vertex\"");
+  }
   out.constant("uniform token subdivisionScheme", "\"none\"");
   out.constant("uniform bool doubleSided", usd_value(true));
 }
@@ -187,7 +192,7 @@ std::string surface_name(const Surface& surface) {
   return surface.mesh_file.empty() ? "Surface" : surface.mesh_file.stem().string();
 }
 
-void write_surface(UsdText& out, Frames frames, std::size_t i) {
+void write_surface(UsdText& out, Frames frames, std::size_t i, UsdTextures& textures) {
   const auto surface = [&](std::size_t k) -> const Surface& { return frames[k].scene.surfaces[i]; };
   const Surface& first = surface(0);
   const std::string path = out.open("Mesh", surface_name(first), "\"MaterialBindingAPI\"");
@@ -197,19 +202,7 @@ void write_surface(UsdText& out, Frames frames, std::size_t i) {
            glm::scale(glm::dmat4(1.0), glm::dvec3(placement.scale));
   });
   write_mesh(out, *first.mesh);
-  const std::string material = path + "/Material";
-  out.constant("rel material:binding", "<" + material + ">");
-  out.open("Material", "Material");
-  out.constant("token outputs:surface.connect", "<" + material + "/Shader.outputs:surface>");
-  out.open("Shader", "Shader");
-  out.constant("uniform token info:id", "\"UsdPreviewSurface\"");
-  out.each_frame("color3f inputs:diffuseColor",
-                 [&](std::size_t k) { return surface(k).material.reflectance; });
-  out.constant("float inputs:roughness", usd_value(1.0));
-  out.constant("float inputs:metallic", usd_value(0.0));
-  out.declare("token outputs:surface");
-  out.close();
-  out.close();
+  write_usd_material(out, frames, i, path, textures);
   out.close();
 }
 
@@ -251,12 +244,13 @@ void write_usd(const std::filesystem::path& file, Frames frames, double frames_p
   for (const UsdFrame& frame : frames) codes.push_back(frame.frame);
   UsdText out(codes);
   const Scene& first = frames.front().scene;
-  const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
+  UsdTextures textures(file);
+  const std::filesystem::path& folder = textures.folder();
   out.open("Xform", "World");
   write_camera(out, frames);
   for (std::size_t i = 0; i < first.lights.size(); ++i) write_light(out, frames, i, folder);
   write_environment(out, frames, folder);
-  for (std::size_t i = 0; i < first.surfaces.size(); ++i) write_surface(out, frames, i);
+  for (std::size_t i = 0; i < first.surfaces.size(); ++i) write_surface(out, frames, i, textures);
   write_fog(out, frames);
   out.close();
   std::string head = "#usda 1.0\n(\n    defaultPrim = \"World\"\n    doc = \"Made by Brume\"\n";

@@ -19,7 +19,8 @@ struct UsdFrame {
 };
 
 // Writes a stage: the camera, lights (UsdLux), the environment (DomeLight), surfaces as meshes with
-// UsdPreviewSurface, and the medium as a Volume of OpenVDB assets. One unit of the scene is a
+// UsdPreviewSurface and their textures, and the medium as a Volume of OpenVDB assets. Textures
+// within another file become NAME_texture_1.png and so on, beside it. One unit of the scene is a
 // meter; y is up. What differs between frames gets time samples. What USD has no words for is in
 // attributes `brume:...`. Frames ascend, at least one, and are of one scene: they have the same
 // lights and surfaces. Throws InputError if the file cannot be written.

@@ -36,6 +36,11 @@ std::string usd_value(const glm::dvec3& value) {
   return "(" + usd_value(value.x) + ", " + usd_value(value.y) + ", " + usd_value(value.z) + ")";
 }
 
+std::string usd_value(const glm::dvec4& value) {
+  return "(" + usd_value(value.x) + ", " + usd_value(value.y) + ", " + usd_value(value.z) + ", " +
+         usd_value(value.w) + ")";
+}
+
 std::string usd_value(const glm::dmat4& transform) {
   std::string text;
   for (int column = 0; column < 4; ++column) {

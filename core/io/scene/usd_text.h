@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 #include <set>
 #include <span>
 #include <string>
@@ -16,6 +17,7 @@ namespace brume {
 std::string usd_value(double value);
 std::string usd_value(bool value);
 std::string usd_value(const glm::dvec3& value);
+std::string usd_value(const glm::dvec4& value);
 std::string usd_value(const glm::dmat4& transform);  // of column vectors, as GLM's; USD's are rows
 std::string usd_string(std::string_view text);       // quoted
 std::string usd_asset(std::string_view path);

@@ -157,7 +157,7 @@ TEST(Lens, FocalLengthAndFieldOfViewAgree) {
 TEST(Lens, NewCamerasGetFreeNames) {
   Scene scene;
   EXPECT_EQ(free_camera_name(scene, "Camera"), "Camera 2");
-  scene.cameras.push_back({.name = "Camera 2"});
+  scene.cameras.emplace_back().name = "Camera 2";
   EXPECT_EQ(free_camera_name(scene, "Camera"), "Camera 3");
   EXPECT_EQ(free_camera_name(scene, "Wide"), "Wide");
 }

@@ -129,7 +129,9 @@ class RandomScene {
     if (scene.playback && maybe()) scene.playback->frames_per_second = integer(1, 1000);
     if (maybe()) scene.camera_name = "Main";
     for (int i = integer(0, 3); i > 0; --i) {
-      NamedCamera camera{.name = "Camera " + std::to_string(i), .camera = {.eye = point()}};
+      NamedCamera camera;
+      camera.name = "Camera " + std::to_string(i);
+      camera.camera.eye = point();
       camera.camera.target = camera.camera.eye + glm::dvec3(1.0, 2.0, 3.0);
       keys(camera.keys.target, 1e6);
       scene.cameras.push_back(camera);

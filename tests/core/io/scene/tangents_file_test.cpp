@@ -8,7 +8,7 @@
 namespace brume {
 namespace {
 
-constexpr const char* text = R"({ "format": "brume-scene", "version": 1,
+constexpr const char* scene_text = R"({ "format": "brume-scene", "version": 1,
   "medium": { "keys": { "density": [
     { "time": 0, "value": 0.1, "out": 2.5 },
     { "time": 1, "value": 0.2, "interpolation": "constant", "in": -1, "out": -1, "aligned": true },
@@ -24,7 +24,7 @@ constexpr const char* text = R"({ "format": "brume-scene", "version": 1,
     "roughness": [ { "time": 0, "value": 1 } ] } } ] })";
 
 std::string with_unit_quaternion() {
-  std::string scene = text;
+  std::string scene = scene_text;
   return scene.replace(scene.find("2.0005"), 6, "1.0005");
 }
 
@@ -61,7 +61,9 @@ TEST(TangentsFile, LeaveOtherFilesAsTheyWere) {
   const TemporaryFolder folder;
   SceneDocument document;
   document.scene.density_keys = {{0.0, 0.5}, {1.0, 0.25, Interpolation::linear}};
-  document.scene.surfaces.push_back({.primitive = Primitive{}, .mesh = mesh_of(Primitive{})});
+  Surface& box = document.scene.surfaces.emplace_back();
+  box.primitive = Primitive{};
+  box.mesh = mesh_of(*box.primitive);
   const std::string saved = document_to_json(document, folder.path());
   EXPECT_NE(saved.find(R"({ "time": 0.0, "value": 0.5 },)"), std::string::npos) << saved;
   EXPECT_NE(saved.find(R"({ "time": 1.0, "value": 0.25, "interpolation": "linear" })"),

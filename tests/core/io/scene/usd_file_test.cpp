@@ -10,10 +10,13 @@
 #include <vector>
 
 #include "core/io/file_bytes.h"
+#include "core/io/image/pixel_decoders.h"
 #include "core/io/scene/usd_text.h"
 #include "core/number_domain.h"
+#include "core/scene/mesh_arrays.h"
 #include "core/scene/primitive.h"
 #include "core/scene/radiance_map.h"
+#include "core/scene/texture.h"
 #include "tests/core/io/temporary_folder.h"
 
 namespace brume {
@@ -153,6 +156,64 @@ TEST_F(UsdFile, SurfacesAreMeshesInTheirPlaces) {
   EXPECT_EQ(numbers(first, "normals").size(), 3 * points);
   EXPECT_LT(*std::ranges::max_element(indices), static_cast<double>(points));
   EXPECT_EQ(numbers(first, "inputs:diffuseColor"), (std::vector{0.1, 0.2, 0.3}));
+}
+
+TEST_F(UsdFile, MaterialsKeepTheirValuesAndTextures) {
+  Surface box;
+  box.name = "Box";
+  box.primitive = Primitive{};
+  MeshArrays arrays = to_arrays(*mesh_of(*box.primitive));
+  arrays.texcoords.assign(arrays.points.size(), {0.25f, 0.75f});
+  box.mesh = to_mesh(arrays);
+  box.material.type = Material::Type::metallic_roughness;
+  MetallicRoughness& m = box.material.metallic_roughness;
+  m.base_color = {0.5, 0.25, 1.0};
+  m.metallic = 0.75;
+  m.roughness = 0.5;
+  m.emissive = {1.0, 2.0, 3.0};
+  // Two texels, within a file of another kind.
+  const std::vector<std::uint8_t> texels{10, 20, 30, 255, 40, 50, 60, 255};
+  m.base_color_texture.file = folder_ / "model.glb";
+  m.base_color_texture.content = std::make_shared<Texture>(2, 1, texels, Texture::Encoding::srgb);
+  m.metallic_roughness_texture.file = folder_ / "rough.png";
+  m.metallic_roughness_texture.wrap_u = TextureWrap::mirror;
+  m.metallic_roughness_texture.content =
+      std::make_shared<Texture>(2, 1, texels, Texture::Encoding::linear);
+  scene_.surfaces = {box};
+  const std::string mesh = prim(stage(), "Box");
+  EXPECT_EQ(numbers(mesh, "primvars:st").size(), 2 * arrays.points.size());
+  const std::string shader = prim(mesh, "Shader");
+  const auto has = [](const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+  };
+  const std::string material = "</World/Box/Material/";
+  EXPECT_TRUE(has(shader, "diffuseColor.connect = " + material + "BaseColor.outputs:rgb>"));
+  EXPECT_TRUE(has(shader, "roughness.connect = " + material + "MetallicRoughness.outputs:g>"));
+  EXPECT_TRUE(has(shader, "metallic.connect = " + material + "MetallicRoughness.outputs:b>"));
+  EXPECT_EQ(numbers(shader, "inputs:emissiveColor"), (std::vector{1.0, 2.0, 3.0}));
+  const std::string color = prim(mesh, "BaseColor");
+  EXPECT_TRUE(has(color, "@a_texture_1.png@") && has(color, "\"sRGB\""));
+  EXPECT_EQ(numbers(color, "inputs:scale"), (std::vector{0.5, 0.25, 1.0, 1.0}));
+  const std::string pair = prim(mesh, "MetallicRoughness");
+  EXPECT_TRUE(has(pair, "@rough.png@") && has(pair, "\"raw\"") && has(pair, "\"mirror\""));
+  EXPECT_EQ(numbers(pair, "inputs:scale"), (std::vector{1.0, 0.5, 0.75, 1.0}));
+  const Pixels image = decode_png("a", read_bytes(folder_ / "a_texture_1.png"));
+  EXPECT_EQ(image.rgba, texels);
+}
+
+TEST_F(UsdFile, PhongLobesKeepTheirWidth) {
+  Surface box;
+  box.name = "Box";
+  box.primitive = Primitive{};
+  box.mesh = mesh_of(*box.primitive);
+  box.material.type = Material::Type::phong;
+  box.material.specular = {0.1, 0.2, 0.3};
+  box.material.exponent = 126.0;
+  scene_.surfaces = {box};
+  const std::string shader = prim(stage(), "Shader");
+  EXPECT_EQ(numbers(shader, "inputs:specularColor"), (std::vector{0.1, 0.2, 0.3}));
+  const double alpha = numbers(shader, "inputs:roughness").at(0);
+  EXPECT_NEAR(std::pow(alpha, 4), 2.0 / 128.0, 1e-9);
 }
 
 TEST_F(UsdFile, WhatMovesHasTimeSamples) {

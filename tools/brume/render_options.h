@@ -1,0 +1,77 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+
+#include "core/scene/output.h"
+#include "core/scene/scene.h"
+#include "render/output/frame_file.h"
+#include "render/samples/exposure.h"
+#include "render/settings.h"
+#include "tools/brume/backend_name.h"
+#include "tools/brume/command_files.h"
+
+namespace brume {
+
+// The options of brume render, and what they mean. What is asked of it throws UsageError where an
+// option is wrong, InputError where a file is.
+class RenderOptions {
+ public:
+  explicit RenderOptions(CLI::App& app);
+
+  // Everything that can be wrong without the scene. Before any work; the rest relies on it.
+  void check() const;
+  // The outputs, which can be written.
+  [[nodiscard]] CommandFiles outputs() const;
+
+  [[nodiscard]] const std::string& scene_file() const { return scene_file_; }
+  [[nodiscard]] const std::string& output() const { return output_; }
+  [[nodiscard]] const std::string& stats_file() const { return stats_file_; }  // empty: none
+  [[nodiscard]] double time() const { return time_; }
+  [[nodiscard]] int repeat() const { return repeat_; }
+  [[nodiscard]] double max_error() const { return max_error_; }
+
+  // `threads` are no more than there are.
+  [[nodiscard]] Settings settings() const;
+  [[nodiscard]] Backend backend() const { return parse_backend(backend_); }
+  [[nodiscard]] DisplayLook display() const;
+  [[nodiscard]] OutputLayers layers() const;
+  [[nodiscard]] bool is_deep() const;
+  [[nodiscard]] double deep_error() const;
+
+  // By the camera that is chosen.
+  [[nodiscard]] Scene seen_by_camera(Scene scene) const;
+  [[nodiscard]] Film film(const Scene& scene) const;
+  [[nodiscard]] Exposure exposure(const Scene& animation) const;
+
+ private:
+  void check_deep_options() const;
+
+  std::string scene_file_;
+  std::string output_;
+  std::string size_;
+  std::string region_;  // empty: all of the film
+  std::string camera_;  // empty: the one in use
+  std::string airlight_ = "auto";
+  int airlight_scale_ = 0;  // 0: not given
+  PaperOptions paper_;
+  bool paper_spread_ = false;
+  double max_error_ = Settings{}.max_error;
+  std::string scattering_ = to_string(Scattering::multiple);
+  int slices_ = Settings{}.slices;
+  double tolerance_ = Settings{}.reference_tolerance;
+  std::string layers_;  // empty: those by default
+  std::optional<double> deep_error_;
+  double time_ = 0.0;
+  int samples_ = 0;      // 0: not given
+  std::string shutter_;  // empty: the scene's
+  std::string backend_ = "auto";
+  int threads_ = 0;
+  int repeat_ = 1;
+  double exposure_ = 0.0;
+  ColorChoice color_;  // empty: Brume's own view
+  std::string stats_file_;
+};
+
+}  // namespace brume
