@@ -54,7 +54,7 @@ Scene evaluate_at(const Scene& scene, double time) {
   }
   clear_keys(result);
   apply_groups(result);
-  result.surfaces = shown_surfaces(scene.surfaces);
+  result.surfaces = shown_surfaces(result.surfaces);
   for (const Emitter& emitter : scene.emitters) {
     if (!emitter.visible) continue;
     for (const Gaussian& gaussian : particles_at(emitter, time)) result.medium.append(gaussian);

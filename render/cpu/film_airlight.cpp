@@ -134,9 +134,12 @@ CameraRays::PixelRectangle FilmTiles::own_pixels(std::size_t tile) const {
   const CameraRays::PixelRectangle samples = tiles.rectangle(tile);
   const Film& film = frame.film;
   const Film sampled = sample_film(film, scale);
+  // The last sample of an axis may lie beyond the film, so tiles before its own reach the border.
+  const auto end = [this](int last, int samples_in_all, int size) {
+    return last == samples_in_all ? size : std::min(last * scale, size);
+  };
   return {std::min(samples.x0 * scale, film.width), std::min(samples.y0 * scale, film.height),
-          samples.x1 == sampled.width ? film.width : samples.x1 * scale,
-          samples.y1 == sampled.height ? film.height : samples.y1 * scale};
+          end(samples.x1, sampled.width, film.width), end(samples.y1, sampled.height, film.height)};
 }
 
 glm::vec2 FilmTiles::place(std::size_t tile, const glm::vec2& pixel) const {
