@@ -6,7 +6,6 @@
 #include <set>
 
 #include "core/revision.h"
-
 #include "render/layers/layer_channels.h"
 
 namespace brume {
@@ -110,6 +109,7 @@ struct FrameParts {
   [[nodiscard]] glm::vec3 behind(std::size_t pixel) const {
     return rgb(frame.beauty, 4 * pixel) - airlight(pixel);
   }
+  // At the pixel's center. Of a filtered pixel, a surface may cover another part of it.
   [[nodiscard]] bool has_surface(std::size_t pixel) const {
     return std::isfinite(frame.depth[pixel]);
   }
@@ -123,16 +123,14 @@ void write_source(const std::string& name, const Frame& frame, ImageLayers& imag
   if (name == "environment") background.emplace(image, "background");
   for (std::size_t i = 0; i < frame.depth.size(); ++i) {
     airlight.set(i, parts.airlight(i));
-    if (parts.has_surface(i)) {
-      surface.set(i, parts.behind(i));
-    } else if (background) {
-      background->set(i, parts.behind(i));
-    }
+    const bool is_background = background && !parts.has_surface(i);
+    (is_background ? *background : surface).set(i, parts.behind(i));
   }
 }
 
-void write_orders(const Frame& all, const Frame& single, const OutputLayers& layers,
-                  ImageLayers& image) {
+// With an environment, what is behind the fog at open pixels is its picture, in no layer of orders.
+void write_orders(const Frame& all, const Frame& single, bool has_environment,
+                  const OutputLayers& layers, ImageLayers& image) {
   const FrameParts once{single};
   const FrameParts any{all};
   const auto write = [&](const std::string& name, auto value) {
@@ -140,7 +138,9 @@ void write_orders(const Frame& all, const Frame& single, const OutputLayers& lay
     const LayerChannels surface(image, "surface." + name);
     for (std::size_t i = 0; i < all.depth.size(); ++i) {
       airlight.set(i, value(once.airlight(i), any.airlight(i)));
-      if (any.has_surface(i)) surface.set(i, value(once.behind(i), any.behind(i)));
+      if (!has_environment || any.has_surface(i)) {
+        surface.set(i, value(once.behind(i), any.behind(i)));
+      }
     }
   };
   if (layers.direct)
@@ -251,7 +251,7 @@ bool add_light_layers(const RenderLit& render_lit, const Scene& scene, const Set
     exact.scattering = Scattering::single;
     const std::optional<Frame> single = render(as_it_is, exact);
     if (!single) return false;
-    write_orders(frame, *single, layers, image);
+    write_orders(frame, *single, is_lit_by_environment(scene), layers, image);
   }
   return true;
 }

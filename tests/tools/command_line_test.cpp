@@ -188,11 +188,11 @@ TEST_F(CommandLine, WritesTheStatisticsOfTheContract) {
   std::vector<std::string> keys;
   for (const auto& [key, value] : stats.items()) keys.push_back(key);
   EXPECT_EQ(keys, (std::vector<std::string>{
-                      "version",  "scene",     "size",           "backend",      "device",
-                      "airlight", "slices",    "airlight_scale", "exact_pixels", "threads",
-                      "repeat",   "frame_ms",  "first_frame_ms", "transfer_ms",  "stages",
-                      "skipped",  "gaussians", "pairs",          "scattering",   "error",
-                      "noise"}));
+                      "version",      "scene",   "size",           "backend",   "device",
+                      "airlight",     "slices",  "airlight_scale", "samples",   "sampled_pixels",
+                      "exact_pixels", "threads", "repeat",         "frame_ms",  "first_frame_ms",
+                      "transfer_ms",  "stages",  "skipped",        "gaussians", "pairs",
+                      "scattering",   "error",   "noise"}));
   EXPECT_EQ(stats["version"], BRUME_VERSION);
   EXPECT_EQ(stats["scene"], scene_);
   EXPECT_EQ(stats["size"], Json::array({8, 6}));

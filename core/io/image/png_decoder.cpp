@@ -28,8 +28,11 @@ class PngDecoder {
 
   Pixels decode() {
     if (info_ == nullptr) refuse("not enough memory");
+    // Before libpng reads on: the size is in the first chunk.
+    if (is_png(bytes_) && bytes_.size() >= 24 && bytes_.substr(12, 4) == "IHDR") {
+      check_texture_size(file_, big_endian(16), big_endian(20));
+    }
     if (!read_header()) refuse(reason_);
-    check_texture_size(file_, png_get_image_width(png_, info_), png_get_image_height(png_, info_));
     // Deflate packs at most 1032 bytes into one.
     constexpr std::size_t max_ratio = 1032;
     const std::size_t rows = png_get_image_height(png_, info_);
@@ -58,6 +61,13 @@ class PngDecoder {
     std::longjmp(decoder.jump_, 1);
   }
   static void ignore(png_structp, png_const_charp) {}
+
+  [[nodiscard]] std::uint32_t big_endian(std::size_t at) const {
+    std::uint32_t value = 0;
+    for (const char byte : bytes_.substr(at, 4))
+      value = value << 8 | static_cast<unsigned char>(byte);
+    return value;
+  }
 
   static void read_bytes(png_structp png, png_bytep to, std::size_t count) {
     auto& decoder = *static_cast<PngDecoder*>(png_get_io_ptr(png));
