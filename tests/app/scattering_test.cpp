@@ -184,7 +184,7 @@ class ScatteringTest : public QObject {
     QVERIFY2(matches(label(window, "error"), paths), qPrintable(label(window, "error")));
     QVERIFY(matches(label(window, "panel_error"), paths));
     QVERIFY(label(window, "panel_scattering").startsWith("all orders, "));
-    QVERIFY(label(window, "quality").startsWith("path:"));
+    QVERIFY(label(window, "quality").startsWith("path tracing"));
     QVERIFY(legend->isVisible());
     QVERIFY(legend->scale().title.startsWith("Path traced, "));
 
