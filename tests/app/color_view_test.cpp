@@ -9,6 +9,7 @@
 #include "app/viewport/view_grid.h"
 #include "core/error.h"
 #include "tests/app/test_window.h"
+#include "tests/render/display/halving_config.h"
 
 using namespace brume;
 
@@ -32,21 +33,6 @@ QImage shown(TestWindow& window) {
   const FrameScheduler& frames = window->viewport().frames();
   return to_picture(frames.shown()->frame, frames.display(), ViewMode::final);
 }
-
-constexpr const char* halving_config = R"(ocio_profile_version: 1
-roles:
-  scene_linear: linear
-displays:
-  screen:
-    - !<View> {name: plain, colorspace: linear}
-    - !<View> {name: half, colorspace: halved}
-colorspaces:
-  - !<ColorSpace>
-    name: linear
-  - !<ColorSpace>
-    name: halved
-    from_reference: !<MatrixTransform> {matrix: [0.5, 0, 0, 0, 0, 0.5, 0, 0, 0, 0, 0.5, 0, 0, 0, 0, 1]}
-)";
 
 void write(const std::filesystem::path& path, const char* text) {
   QFile file(to_qstring(path));

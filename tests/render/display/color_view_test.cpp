@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "render/display/to_display.h"
 #include "tests/core/io/temporary_folder.h"
+#include "tests/render/display/halving_config.h"
 
 namespace brume {
 namespace {
@@ -72,22 +73,7 @@ TEST(ColorView, AcesIsAces) {
 
 TEST(ColorView, ReadsAConfiguration) {
   const TemporaryFolder folder;
-  const std::string config = folder
-                                 .write("config.ocio", R"(ocio_profile_version: 1
-roles:
-  scene_linear: linear
-displays:
-  screen:
-    - !<View> {name: plain, colorspace: linear}
-    - !<View> {name: half, colorspace: halved}
-colorspaces:
-  - !<ColorSpace>
-    name: linear
-  - !<ColorSpace>
-    name: halved
-    from_reference: !<MatrixTransform> {matrix: [0.5, 0, 0, 0, 0, 0.5, 0, 0, 0, 0, 0.5, 0, 0, 0, 0, 1]}
-)")
-                                 .string();
+  const std::string config = folder.write("config.ocio", halving_config).string();
   EXPECT_EQ(shown(ColorView({config, "screen", "half"}), {0.8f, 0.4f, 0.2f}),
             (std::array{0.4f, 0.2f, 0.1f}));
   EXPECT_EQ(refusal({config, "tv", ""}), config + ": found the display tv; allowed: screen");
