@@ -179,6 +179,28 @@ TEST_F(CommandLine, RendersToPng) {
   EXPECT_EQ(png.find(folder_.path().string()), std::string::npos) << "a path of this machine";
 }
 
+TEST_F(CommandLine, RendersPngsInViewsOfOpenColorIO) {
+  const auto render = [&](const char* name, std::vector<std::string> options) {
+    options.insert(options.begin(), {"render", scene_, "-o", file(name), "--airlight", "paper"});
+    const ProgramResult result = run_brume(options);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return content_of(folder_ / name);
+  };
+  const std::string neutral = render("a.png", {});
+  const std::string aces = render("b.png", {"--color-config", "aces"});
+  EXPECT_NE(neutral.find("Khronos PBR Neutral, sRGB"), std::string::npos);
+  EXPECT_NE(aces.find("ACES 1.0 SDR, sRGB"), std::string::npos);
+  const auto refuse = [&](const char* name, const std::vector<std::string>& options,
+                          const std::vector<std::string>& parts) {
+    std::vector<std::string> all{"render", scene_, "-o", file(name)};
+    all.insert(all.end(), options.begin(), options.end());
+    expect_refused(all, parts);
+  };
+  refuse("c.exr", {"--view", "Un-tone-mapped"}, {"--view", "allowed for .png"});
+  refuse("c.png", {"--view", "Film"}, {"aces", "Film", "allowed: ACES 1.0 SDR, Un-tone-mapped"});
+  refuse("c.png", {"--color-config", file("none.ocio")}, {"none.ocio"});
+}
+
 TEST_F(CommandLine, WritesTheStatisticsOfTheContract) {
   const ProgramResult result =
       run_brume({"render", scene_, "-o", file("o.exr"), "--stats", file("s.json"), "--repeat", "3",

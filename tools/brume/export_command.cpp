@@ -160,7 +160,8 @@ class ExportCommand final : public Command {
       }
       frames.push_back(std::move(frame));
     }
-    write_usd(stage, frames, fps_);
+    write_usd(stage, frames, fps_,
+              [this](const std::filesystem::path& texture) { files_.add_output(texture); });
   }
 
   void write(const Medium& medium, const std::string& output) {

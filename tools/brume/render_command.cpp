@@ -91,6 +91,7 @@ class RenderCommand final : public Command {
     // Frames have their own arenas; this also limits everything else.
     const tbb::global_control bound(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(settings.threads));
+    const DisplayLook look = options_.display();
     CommandFiles files = options_.outputs();
 
     const Clock::time_point start = Clock::now();
@@ -113,7 +114,7 @@ class RenderCommand final : public Command {
     if (options_.backend() == Backend::gl) warn_of_cpu(problem, frame.statistics);
     if (error) warn_of_error(*error, options_.max_error());
     const std::vector<FrameStatistics> moved = moved_frames(shot, settings);
-    const std::optional<DeepFileStatistics> deep = write(shot, settings, frame, *transfers);
+    const std::optional<DeepFileStatistics> deep = write(shot, settings, look, frame, *transfers);
     if (options_.stats_file().empty()) return done;
 
     // What paths say of their error is their noise; the integral is scattered once only.
@@ -200,10 +201,10 @@ class RenderCommand final : public Command {
 
   // What there is to say of a deep file.
   [[nodiscard]] std::optional<DeepFileStatistics> write(const Shot& shot, const Settings& settings,
-                                                        Frame& frame,
+                                                        const DisplayLook& look, Frame& frame,
                                                         TransferStore& transfers) const {
     const FrameInfo info{options_.scene_file(), airlight_name(settings), frame.statistics.backend,
-                         options_.display(), relative_noise(frame)};
+                         look, relative_noise(frame)};
     const Camera& camera = shot.scene.camera;
     if (options_.is_deep()) {
       const ProgressLine line("deep frame");

@@ -198,7 +198,6 @@ void RenderOptions::check() const {
   static_cast<void>(backend());
   static_cast<void>(film({}));
   if (!shutter_.empty()) static_cast<void>(parse_shutter(shutter_));
-  static_cast<void>(display());
 }
 
 void RenderOptions::check_deep_options() const {

@@ -20,7 +20,7 @@ class RenderOptions {
  public:
   explicit RenderOptions(CLI::App& app);
 
-  // Everything that can be wrong without the scene. Before any work; the rest relies on it.
+  // Everything that can be wrong without any file. Before any work; the rest relies on it.
   void check() const;
   // The outputs, which can be written.
   [[nodiscard]] CommandFiles outputs() const;
@@ -35,7 +35,7 @@ class RenderOptions {
   // `threads` are no more than there are.
   [[nodiscard]] Settings settings() const;
   [[nodiscard]] Backend backend() const { return parse_backend(backend_); }
-  [[nodiscard]] DisplayLook display() const;
+  [[nodiscard]] DisplayLook display() const;  // reads a configuration
   [[nodiscard]] OutputLayers layers() const;
   [[nodiscard]] bool is_deep() const;
   [[nodiscard]] double deep_error() const;

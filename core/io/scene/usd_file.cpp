@@ -238,13 +238,14 @@ void write_fog(UsdText& out, Frames frames) {
 
 }  // namespace
 
-void write_usd(const std::filesystem::path& file, Frames frames, double frames_per_second) {
+void write_usd(const std::filesystem::path& file, Frames frames, double frames_per_second,
+               const AddOutput& add_output) {
   assert(!frames.empty());
   std::vector<int> codes;
   for (const UsdFrame& frame : frames) codes.push_back(frame.frame);
   UsdText out(codes);
   const Scene& first = frames.front().scene;
-  UsdTextures textures(file);
+  UsdTextures textures(file, add_output);
   const std::filesystem::path& folder = textures.folder();
   out.open("Xform", "World");
   write_camera(out, frames);

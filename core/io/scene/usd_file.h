@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <span>
 
 #include "core/scene/scene.h"
@@ -23,8 +24,10 @@ struct UsdFrame {
 // within another file become NAME_texture_1.png and so on, beside it. One unit of the scene is a
 // meter; y is up. What differs between frames gets time samples. What USD has no words for is in
 // attributes `brume:...`. Frames ascend, at least one, and are of one scene: they have the same
-// lights and surfaces. Throws InputError if the file cannot be written.
+// lights and surfaces. `add_output` is told of each texture before it is written, and may throw.
+// Throws InputError if a file cannot be written.
+using AddOutput = std::function<void(const std::filesystem::path& file)>;
 void write_usd(const std::filesystem::path& file, std::span<const UsdFrame> frames,
-               double frames_per_second);
+               double frames_per_second, const AddOutput& add_output = {});
 
 }  // namespace brume

@@ -182,8 +182,10 @@ std::string named_from(const std::filesystem::path& folder, const std::filesyste
   return usd_asset(file.lexically_proximate(folder).generic_string());
 }
 
-UsdTextures::UsdTextures(const std::filesystem::path& stage)
-    : folder_(std::filesystem::absolute(stage).parent_path()), stem_(stage.stem().string()) {}
+UsdTextures::UsdTextures(const std::filesystem::path& stage, AddOutput add_output)
+    : folder_(std::filesystem::absolute(stage).parent_path()),
+      stem_(stage.stem().string()),
+      add_output_(std::move(add_output)) {}
 
 std::string UsdTextures::asset(const TextureReference& texture) {
   const bool is_linear = texture.content->encoding() == Texture::Encoding::shared_exponent;
@@ -191,6 +193,7 @@ std::string UsdTextures::asset(const TextureReference& texture) {
   auto [at, is_new] = written_.try_emplace(texture.content.get());
   if (is_new) {
     at->second = folder_ / (stem_ + "_texture_" + std::to_string(written_.size()) + ".png");
+    if (add_output_) add_output_(at->second);
     write_image(at->second, *texture.content);
   }
   return named_from(folder_, at->second);

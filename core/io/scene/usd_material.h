@@ -18,7 +18,7 @@ std::string named_from(const std::filesystem::path& folder, const std::filesyste
 // stage, NAME_texture_1.png and so on.
 class UsdTextures {
  public:
-  explicit UsdTextures(const std::filesystem::path& stage);
+  UsdTextures(const std::filesystem::path& stage, AddOutput add_output);
 
   // The asset of a texture that has content, which it writes if that is not a file of its own.
   // Throws InputError.
@@ -28,6 +28,7 @@ class UsdTextures {
  private:
   std::filesystem::path folder_;
   std::string stem_;
+  AddOutput add_output_;  // may be none
   std::map<const Texture*, std::filesystem::path> written_;
 };
 

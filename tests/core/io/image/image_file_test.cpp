@@ -4,8 +4,10 @@
 #include <ImfDeepScanLineOutputFile.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
+#include <ImfInputFile.h>
 #include <ImfOutputFile.h>
 #include <ImfPartType.h>
+#include <ImfStandardAttributes.h>
 #include <ImfTiledOutputFile.h>
 #include <gtest/gtest.h>
 #include <half.h>
@@ -48,6 +50,14 @@ TEST(ExrFile, ReadsBackExactlyWhatWasWritten) {
   EXPECT_EQ(read.channels, image.channels);
   for (const auto& [key, text] : image.metadata) EXPECT_EQ(read.metadata.at(key), text);
   EXPECT_EQ(folder.entry_count(), 1u);
+}
+
+TEST(ExrFile, TellsItsChromaticities) {
+  const TemporaryFolder folder;
+  write_exr(folder / "a.exr", some_image());
+  const Imf::InputFile file((folder / "a.exr").c_str());
+  ASSERT_TRUE(Imf::hasChromaticities(file.header()));
+  EXPECT_EQ(Imf::chromaticities(file.header()), Imf::Chromaticities());  // Rec. 709
 }
 
 TEST(ExrFile, PreservesNaN) {

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/error.h"
 #include "core/io/file_bytes.h"
 #include "core/io/image/pixel_decoders.h"
 #include "core/io/scene/usd_text.h"
@@ -199,6 +200,12 @@ TEST_F(UsdFile, MaterialsKeepTheirValuesAndTextures) {
   EXPECT_EQ(numbers(pair, "inputs:scale"), (std::vector{1.0, 0.5, 0.75, 1.0}));
   const Pixels image = decode_png("a", read_bytes(folder_ / "a_texture_1.png"));
   EXPECT_EQ(image.rgba, texels);
+  // Who must not be written over is asked first.
+  std::filesystem::remove(folder_ / "a_texture_1.png");
+  const UsdFrame frame{0, scene_, {}};
+  const auto refuse = [](const std::filesystem::path& file) { throw InputError(file, "", "no"); };
+  EXPECT_THROW(write_usd(folder_ / "a.usda", {&frame, 1}, 24.0, refuse), InputError);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "a_texture_1.png"));
 }
 
 TEST_F(UsdFile, PhongLobesKeepTheirWidth) {
