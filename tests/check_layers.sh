@@ -3,45 +3,66 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-failed=0
-# refuse WHAT PATTERN FOLDERS...: no file of the folders may include what matches, be it by way of
-# "../". Folders that are missing or cannot be read fail too: else nothing would be checked.
-refuse() {
-  local what=$1 pattern=$2 status=0
-  shift 2
-  grep -rnE "^\s*#\s*include\s*[<\"](.*\.\./)?($pattern)" "$@" \
-    --include='*.h' --include='*.hpp' --include='*.cpp' || status=$?
-  case $status in
-    0) echo "$*: must not include $what"; failed=1 ;;
-    1) ;;
-    *) echo "$*: cannot be checked"; failed=1 ;;
-  esac
+# Folders that are missing or cannot be read fail: else nothing would be checked.
+includes=$(grep -rnE '^\s*#\s*include\s*[<"]' core render app tools \
+  --include='*.h' --include='*.hpp' --include='*.cpp') || {
+  echo "core, render, app, tools: cannot be checked"
+  exit 1
 }
-refuse "Qt or VTK" 'Q[A-Z]|Qt[A-Z]|vtk[A-Z]' core render tools
-refuse "OpenGL" 'epoxy/|GL/|EGL/' core tools
-refuse "a layer above itself" 'render/|app/|tools/' core
-refuse "a layer above itself" 'app/|tools/' render
-refuse "the editor" 'app/' tools
-refuse "the command line" 'tools/' app
-refuse "a relative path" '\.\./' core render app tools
 
-# Within a layer: files, and what else of the layer they may include beside their own folder. Each
-# row names only rows above it, so there are no circles.
 values='render/frame.h render/settings.h render/stage.h'
 surfaces='render/geometry/ render/simd/ render/visibility/ render/lighting/ render/shading/'
-while IFS=: read -r files allowed; do
-  [[ $files ]] || continue
-  layer=${files%%/*} folder=${files%/*}
-  pattern=$(tr -s ' ' '|' <<<"${allowed# }${allowed:+ }$folder/[^/]*\$")
-  found=$(compgen -G "$files" >/dev/null && grep -HoE '^\s*#\s*include\s*"[^"]+' $files |
-    sed -nE "s/^([^:]+):[^\"]*\"($layer\/.*)/\1 includes \2/p" |
-    awk -v pattern="^($pattern)" '$3 !~ pattern' || true)
-  if [[ $found ]]; then
-    echo "$found"
-    echo "$files: may include of $layer only:$allowed"
-    failed=1
-  fi
-done <<ROWS
+
+# First rows of "what it is: pattern: layers of which no file may include it", be it by way of "../".
+# Then, within a layer: files, and what else of the layer they may include beside their own folder;
+# each row names only rows above it, so there are no circles.
+awk '
+  function fail(text) { print text; failed = 1 }
+  FNR == NR {
+    count = FNR
+    split($0, part, ":")
+    line[count] = $0
+    file[count] = part[1]
+    quoted[count] = $0 ~ /^[^<"]*"/
+    sub(/^[^<"]*[<"]/, "")
+    sub(/[>"].*/, "")
+    target[count] = $0
+    next
+  }
+  { split($0, row, ":") }
+  row[3] {
+    pattern = "^(.*\\.\\./)?(" row[2] ")"
+    layers = "^(" row[3] ")/"
+    gsub(/ /, "|", layers)
+    for (i = 1; i <= count; i++) {
+      if (file[i] ~ layers && target[i] ~ pattern) fail(line[i] ": must not include " row[1])
+    }
+    next
+  }
+  {
+    files = "^" row[1] "$"
+    gsub(/\./, "\\.", files)
+    gsub(/\*/, "[^/]*", files)
+    layer = folder = row[1]
+    sub(/\/.*/, "/", layer)
+    sub(/[^\/]*$/, "", folder)
+    allowed = row[2]
+    gsub(/ /, "|", allowed)
+    allowed = "^(" allowed (allowed ? "|" : "") folder "[^/]*$)"
+    for (i = 1; i <= count; i++) {
+      if (!quoted[i] || file[i] !~ files || index(target[i], layer) != 1) continue
+      if (target[i] !~ allowed) fail(line[i] ": may include of " layer " only: " row[2])
+    }
+  }
+  END { exit failed }
+' <(echo "$includes") - <<ROWS
+Qt or VTK:Q[A-Z]|Qt[A-Z]|vtk[A-Z]:core render tools
+OpenGL:epoxy/|GL/|EGL/:core tools
+a layer above itself:render/|app/|tools/:core
+a layer above itself:app/|tools/:render
+the editor:app/:tools
+the command line:tools/:app
+a relative path:\.\./:core render app tools
 core/*.[hc]*:
 core/math/*.[hc]*:
 core/medium/*.[hc]*:core/[a-z_]+.h
@@ -98,4 +119,3 @@ tools/bench/measure/*.[hc]*:tools/bench/scenes/
 tools/bench/errors/*.[hc]*:tools/make_scenes/ tools/bench/scenes/ tools/bench/measure/
 tools/bench/report/*.[hc]*:tools/bench/measure/ tools/bench/errors/
 ROWS
-exit "$failed"
