@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "render/lighting/resampling.h"
+#include "render/lighting/sweep_kernels.h"
 
 namespace brume {
 namespace {
@@ -98,10 +99,6 @@ UnscatteredLight unscattered_light(const MultipleScattering::Input& input, std::
         level, light, job);
   }
   return light;
-}
-
-void add(std::span<const float> values, std::span<float> sums) {
-  for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += values[i];
 }
 
 // Light that the Gaussians of a level emit and its nodes hold.

@@ -12,7 +12,7 @@ namespace brume {
 namespace {
 
 // So many sweeps are held at a time.
-constexpr std::size_t batch = 16;
+constexpr std::size_t direction_batch = 16;
 
 // What each node scatters towards who looks along w, channel after channel.
 void scattered_along(const glm::dvec3& w, const NodeLight& incident, std::span<const double> phase,
@@ -107,10 +107,10 @@ void integrate(int degree, NodeLight& light, const Job& job, DirectionSweep swee
   const std::size_t stride = light.stride;
   const std::size_t functions = light.functions();
   std::fill(light.values.begin(), light.values.end(), 0.0f);
-  std::vector<float> arriving(channels * batch * stride, 0.0f);
-  for (std::size_t first = 0; first < directions.size(); first += batch) {
+  std::vector<float> arriving(channels * direction_batch * stride, 0.0f);
+  for (std::size_t first = 0; first < directions.size(); first += direction_batch) {
     const auto current =
-        std::span(directions).subspan(first, std::min(batch, directions.size() - first));
+        std::span(directions).subspan(first, std::min(direction_batch, directions.size() - first));
     std::vector<float> weights;
     for (const SphereNode& node : current) {
       const ShVector<double> basis = sh_basis(light.bands, node.direction);
@@ -121,15 +121,16 @@ void integrate(int degree, NodeLight& light, const Job& job, DirectionSweep swee
     job.parallel_for(current.size(), [&](std::size_t k) {
       Channels target;
       for (std::size_t c = 0; c < channels; ++c) {
-        target[c] = std::span(arriving).subspan((c * batch + k) * stride, stride);
+        target[c] = std::span(arriving).subspan((c * direction_batch + k) * stride, stride);
       }
       sweep(current[k].direction, target);
     });
     job.parallel_for((stride + node_block - 1) / node_block, [&](std::size_t b) {
       for (std::size_t c = 0; c < channels; ++c) {
-        add_weighted(std::span(arriving).subspan(c * batch * stride, batch * stride), weights,
-                     functions, stride, b * node_block, std::min((b + 1) * node_block, stride),
-                     std::span(light.values).subspan(c * functions * stride, functions * stride));
+        add_weighted(
+            std::span(arriving).subspan(c * direction_batch * stride, direction_batch * stride),
+            weights, functions, stride, b * node_block, std::min((b + 1) * node_block, stride),
+            std::span(light.values).subspan(c * functions * stride, functions * stride));
       }
     });
   }

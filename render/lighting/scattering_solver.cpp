@@ -1,4 +1,5 @@
 #include "render/lighting/scattering_solver.h"
+#include "render/lighting/sweep_kernels.h"
 
 #include <algorithm>
 #include <cassert>
@@ -22,10 +23,6 @@ TruncatedScattering::TruncatedScattering(double full_albedo, double anisotropy, 
 }
 
 namespace {
-
-void add(std::span<const float> values, std::span<float> sums) {
-  for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += values[i];
-}
 
 // What surfaces reflect of the light at the nodes; nothing without surfaces.
 std::vector<float> reflected(const GridMedium& medium, const NodeLight& incident) {

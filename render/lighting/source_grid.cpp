@@ -20,10 +20,10 @@ namespace {
 
 // Extent of each Gaussian covered by the fine grid [radii]: 1% of its extinction is beyond, where
 // look-ups clamp to the border.
-constexpr double core_radii = 2.5;
+constexpr double fine_grid_radii = 2.5;
 
 // So many sweeps are held at a time.
-constexpr std::size_t batch = 32;
+constexpr std::size_t sweep_batch = 32;
 
 struct Bounds {
   glm::dvec3 low{std::numeric_limits<double>::infinity()};
@@ -33,8 +33,8 @@ struct Bounds {
   Bounds(std::span<const GaussianTerm<double>> gaussians, const SourceGrid::Content& content) {
     for (const GaussianTerm<double>& g : gaussians) {
       if (!(g.c > 0.0)) continue;
-      low = glm::min(low, g.b - core_radii / g.a);
-      high = glm::max(high, g.b + core_radii / g.a);
+      low = glm::min(low, g.b - fine_grid_radii / g.a);
+      high = glm::max(high, g.b + fine_grid_radii / g.a);
       min_radius = std::min(min_radius, 1.0 / g.a);
     }
     if (!empty() || !(content.fog_density > 0.0)) return;
@@ -173,9 +173,9 @@ Transmitted transmitted_light(const SourceGrid::Level& level, const SourceGrid::
   if (surfaces) result.reflected.assign(3 * surfaces->surfels().size(), 0.0f);
   const std::size_t stride = result.light.stride;
   result.clusters.assign(static_cast<std::size_t>(clusters) * stride, 0.0f);
-  std::vector<float> transmittances(std::min(batch, lights.size()) * stride, 0.0f);
-  for (std::size_t first = 0; first < lights.size(); first += batch) {
-    const auto current = lights.subspan(first, std::min(batch, lights.size() - first));
+  std::vector<float> transmittances(std::min(sweep_batch, lights.size()) * stride, 0.0f);
+  for (std::size_t first = 0; first < lights.size(); first += sweep_batch) {
+    const auto current = lights.subspan(first, std::min(sweep_batch, lights.size() - first));
     const LightWeights weights(current, bands, clusters);
     job.parallel_for(current.size(), [&](std::size_t k) {
       thread_local std::vector<float> around;

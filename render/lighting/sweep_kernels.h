@@ -81,4 +81,8 @@ void add_weighted(std::span<const float> transmittances, std::span<const float> 
                   std::size_t channels, std::size_t stride, std::size_t begin, std::size_t end,
                   std::span<float> sums);
 
+inline void add(std::span<const float> values, std::span<float> sums) {
+  for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += values[i];
+}
+
 }  // namespace brume

@@ -30,10 +30,6 @@ namespace {
 
 using Ids = std::vector<GaussianId>;
 
-std::string bytes_of(const Document& document) {
-  return document_to_json({document.scene(), document.extras()}, "/");
-}
-
 class GroupsWindow : public TestWindow {
  public:
   Document& document() { return (*this)->document(); }

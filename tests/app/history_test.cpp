@@ -383,10 +383,6 @@ SceneDocument starting_document() {
   return {std::move(scene), std::move(extras)};
 }
 
-std::string bytes_of(const Document& document) {
-  return document_to_json({document.scene(), document.extras()}, "/");
-}
-
 }  // namespace
 
 class HistoryTest : public QObject {

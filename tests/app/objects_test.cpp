@@ -82,7 +82,7 @@ constexpr int lock_column = 2;
 constexpr ObjectRef box{ObjectRef::Kind::surface, 1};
 constexpr ObjectRef ball{ObjectRef::Kind::surface, 2};
 constexpr ObjectRef emitter{ObjectRef::Kind::emitter, 0};
-constexpr ObjectRef light{ObjectRef::Kind::light, 0};
+constexpr ObjectRef first_light{ObjectRef::Kind::light, 0};
 
 }  // namespace
 
@@ -105,7 +105,7 @@ class ObjectsTest : public QObject {
     window.click(window.on_film(window.document().scene().emitters[0].position));
     QVERIFY(window.document().object() == emitter);
     window.click(window.on_film(window.document().scene().lights[0].position));
-    QVERIFY(window.document().object() == light);
+    QVERIFY(window.document().object() == first_light);
     window.click({5, 5});
     QVERIFY(!window.document().object());
     // What is locked is left alone.

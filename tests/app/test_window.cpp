@@ -93,6 +93,10 @@ void TestWindow::key(Qt::Key key, Qt::KeyboardModifiers modifiers) {
   QTest::keyClick(&window_->viewport(), key, modifiers);
 }
 
+std::string bytes_of(const Document& document) {
+  return document_to_json({document.scene(), document.extras()}, "/");
+}
+
 void enter(TestWindow& window, const char* field, const QString& text) {
   auto* line = window->findChild<ValueField*>(field)->findChild<NumberField*>();
   line->setText(text);

@@ -59,6 +59,9 @@ class TestWindow {
   std::unique_ptr<MainWindow> window_;
 };
 
+// What a document's scene file would be, all of its values in it.
+std::string bytes_of(const Document& document);
+
 // Types into a ValueField, by name; its text.
 void enter(TestWindow& window, const char* field, const QString& text);
 QString value(TestWindow& window, const char* field);

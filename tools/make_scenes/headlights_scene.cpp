@@ -61,11 +61,6 @@ PatchMesh town() {
   return mesh;
 }
 
-SampleLight spot(const glm::dvec3& position, const glm::dvec3& direction,
-                 const glm::dvec3& intensity, double inner, double outer) {
-  return {position, intensity, inner, outer, {{0.0, direction}}};
-}
-
 }  // namespace
 
 void write_headlights_scene(const std::filesystem::path& folder) {

@@ -139,6 +139,11 @@ std::string medium_text(const SampleScene& scene) {
 
 }  // namespace
 
+SampleLight spot(const glm::dvec3& position, const glm::dvec3& direction,
+                 const glm::dvec3& intensity, double inner, double outer) {
+  return {position, intensity, inner, outer, {{0.0, direction}}};
+}
+
 double rounded(double value) {
   const double result = std::round(value * 1e4) / 1e4;
   return result == 0.0 ? 0.0 : result;  // no -0

@@ -33,6 +33,10 @@ struct SampleLight {
   double profile_rotation = 0.0;
 };
 
+// Angles in degrees.
+SampleLight spot(const glm::dvec3& position, const glm::dvec3& direction,
+                 const glm::dvec3& intensity, double inner, double outer);
+
 struct SampleSurface {
   std::string mesh;  // relative to the scene file
   glm::dvec3 translate{0.0};

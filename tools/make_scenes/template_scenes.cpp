@@ -13,7 +13,7 @@
 namespace brume {
 namespace {
 
-constexpr double quad = 0.5;  // size of quads [u]
+constexpr double template_quad = 0.5;  // size of quads [u]
 
 void write_mesh(const std::filesystem::path& file, const PatchMesh& mesh) {
   write_mesh_ply(file, mesh.vertices, mesh.triangles);
@@ -27,18 +27,15 @@ SampleLight sun(const glm::dvec3& direction, const glm::dvec3& irradiance) {
   return light;
 }
 
-SampleLight spot(const glm::dvec3& position, const glm::dvec3& direction,
-                 const glm::dvec3& intensity, double inner, double outer) {
-  return {position, intensity, inner, outer, {{0.0, direction}}};
-}
-
 // A floor of 6 x 5 and walls 2.8 high, with a window in the left wall.
 PatchMesh template_room() {
   PatchMesh mesh;
   constexpr double thick = 0.25;
   const glm::dvec3 low(-3.0, 0.0, -2.5);
   const glm::dvec3 high(3.0, 2.8, 2.5);
-  const auto box = [&](const glm::dvec3& a, const glm::dvec3& b) { add_box(a, b, quad, mesh); };
+  const auto box = [&](const glm::dvec3& a, const glm::dvec3& b) {
+    add_box(a, b, template_quad, mesh);
+  };
   box({low.x - thick, -thick, low.z - thick}, {high.x + thick, 0.0, high.z + thick});
   box({low.x - thick, high.y, low.z - thick}, {high.x + thick, high.y + thick, high.z + thick});
   box({low.x - thick, 0.0, low.z - thick}, {high.x + thick, high.y, low.z});
@@ -56,10 +53,10 @@ PatchMesh template_room() {
 
 PatchMesh table() {
   PatchMesh mesh;
-  add_box({-0.8, 0.72, -0.45}, {0.8, 0.77, 0.45}, quad, mesh);
+  add_box({-0.8, 0.72, -0.45}, {0.8, 0.77, 0.45}, template_quad, mesh);
   for (const double x : {-0.74, 0.68}) {
     for (const double z : {-0.39, 0.33}) {
-      add_box({x, 0.0, z}, {x + 0.06, 0.72, z + 0.06}, quad, mesh);
+      add_box({x, 0.0, z}, {x + 0.06, 0.72, z + 0.06}, template_quad, mesh);
     }
   }
   return mesh;
@@ -138,15 +135,16 @@ void write_landscape(const std::filesystem::path& folder) {
 PatchMesh stage_set() {
   PatchMesh mesh;
   add_box({-14.0, -0.2, -6.0}, {14.0, 0.0, 14.0}, 1.0, mesh);
-  add_box({-6.0, 0.0, -4.0}, {6.0, 0.9, 2.5}, quad, mesh);
+  add_box({-6.0, 0.0, -4.0}, {6.0, 0.9, 2.5}, template_quad, mesh);
   add_box({-14.0, 0.0, -6.0}, {14.0, 9.0, -5.6}, 1.0, mesh);
   for (int step = 0; step < 3; ++step) {
     const double z = 2.5 + 0.35 * (2 - step);
-    add_box({-1.2, 0.0, z}, {1.2, 0.225 * (step + 1), z + 0.35}, quad, mesh);
+    add_box({-1.2, 0.0, z}, {1.2, 0.225 * (step + 1), z + 0.35}, template_quad, mesh);
   }
   // A portal that carries the lights.
-  for (const double x : {-6.3, 6.0}) add_box({x, 0.0, -0.2}, {x + 0.3, 6.3, 0.1}, quad, mesh);
-  add_box({-6.3, 6.3, -0.2}, {6.3, 6.6, 0.1}, quad, mesh);
+  for (const double x : {-6.3, 6.0})
+    add_box({x, 0.0, -0.2}, {x + 0.3, 6.3, 0.1}, template_quad, mesh);
+  add_box({-6.3, 6.3, -0.2}, {6.3, 6.6, 0.1}, template_quad, mesh);
   return mesh;
 }
 

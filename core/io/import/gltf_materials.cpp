@@ -39,7 +39,7 @@ void read_transform(GltfFile& file, const Json& value, const JsonPath& path, Tex
 }
 
 // Nullopt for an image of a format that only an extension has.
-std::optional<TextureUse> read_texture(GltfFile& file, JsonObject& object) {
+std::optional<TextureUse> read_texture_use(GltfFile& file, JsonObject& object) {
   if (object.find("index") == nullptr) object.fail("index", "missing");
   const std::size_t index = *file.index(object, "index", "textures");
   TextureUse use;
@@ -84,7 +84,7 @@ class Textures {
     const JsonPath path = owner.path_of(key);
     JsonObject object(file_.context(), *value, path);
     read_more(object);
-    const std::optional<TextureUse> use = read_texture(file_, object);
+    const std::optional<TextureUse> use = read_texture_use(file_, object);
     if (!use) return;
     material_.material.textures[slot] = use->texture;
     if (!has_any_) {

@@ -8,7 +8,7 @@
 namespace brume {
 namespace {
 
-constexpr const char* scene_text = R"({ "format": "brume-scene", "version": 1,
+constexpr const char* tangents_scene_text = R"({ "format": "brume-scene", "version": 1,
   "medium": { "keys": { "density": [
     { "time": 0, "value": 0.1, "out": 2.5 },
     { "time": 1, "value": 0.2, "interpolation": "constant", "in": -1, "out": -1, "aligned": true },
@@ -24,7 +24,7 @@ constexpr const char* scene_text = R"({ "format": "brume-scene", "version": 1,
     "roughness": [ { "time": 0, "value": 1 } ] } } ] })";
 
 std::string with_unit_quaternion() {
-  std::string scene = scene_text;
+  std::string scene = tangents_scene_text;
   return scene.replace(scene.find("2.0005"), 6, "1.0005");
 }
 
