@@ -75,9 +75,9 @@ class MalformedScene : public ::testing::Test {
     }
   }
 
-  // The first by the program; the others, hundreds of values, by what it reads scenes with.
+  // A few by the program; all of them, hundreds, by what it reads scenes with.
   void expect_each_refused(const std::vector<MalformedCase>& all) const {
-    expect_refused(std::span(all).first(1));
+    expect_refused(std::span(all).first(4));
     const std::string scene = (folder_ / "scene/scene.brume").string();
     for (const auto& [name, text, place, said] : all) {
       SCOPED_TRACE(name);
@@ -111,7 +111,7 @@ TEST_F(MalformedScene, BaseSceneIsValid) {
 TEST_F(MalformedScene, EachCaseIsRefusedInOneLine) {
   const std::vector<MalformedCase> all = malformed_cases();
   ASSERT_GE(all.size(), 80u);
-  expect_refused(all);
+  expect_each_refused(all);
 }
 
 TEST_F(MalformedScene, EachValueOfALightIsRefusedInOneLine) {
