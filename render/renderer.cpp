@@ -21,7 +21,6 @@
 #include "render/prepare/light_limits.h"
 #include "render/reference/reference_airlight.h"
 #include "render/samples/mean_frame.h"
-#include "render/samples/pixel_filter.h"
 
 namespace brume {
 
@@ -157,9 +156,8 @@ void Renderer::Impl::sample_pixels(FrameContext& work, const SeenMedium& medium,
     view.medium = &stages.prepared().medium();
     view.method = &medium.method;
   }
-  work.frame.statistics.view_pairs +=
-      sample_film(view, find_details(work.frame, work.job), pixel_samples(work.settings.samples),
-                  work.job, work.frame);
+  work.frame.statistics.view_pairs += sample_film(view, find_details(work.frame, work.job),
+                                                  work.settings.samples, work.job, work.frame);
   clock.finish(Stage::samples);
 }
 

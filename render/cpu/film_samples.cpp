@@ -5,12 +5,15 @@
 #include <atomic>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "render/prepare/upsampling_limits.h"
+#include "render/samples/pixel_filter.h"
 
 namespace brume {
 namespace {
@@ -18,10 +21,17 @@ namespace {
 // Of all pixels that are traced together.
 constexpr std::size_t batch_samples = 2048;
 
+// Estimated RMS error of a frame from the samples of its pixels, relative to its RMS: above it the
+// worst pixels are sampled anew, four times as finely each time.
+constexpr double max_sample_error = 0.005;
+constexpr int refinements = 2;
+
 struct SampledPixel {
   std::size_t pixel = 0;
   glm::vec3 beauty{0.0f}, airlight{0.0f};
   float alpha = 0.0f, transmittance = 0.0f;
+  float square = 0.0f;    // mean of the samples' beauty squared, sum over channels
+  float variance = 0.0f;  // of beauty, as estimated
 };
 
 // Samples of a pixel about as far away, which see through the same fog.
@@ -30,6 +40,7 @@ struct SampleCluster {
   glm::dvec2 position{0.0};  // mean, on the film
   double length = 0.0;       // the same
   glm::vec3 behind{0.0f};    // radiance of their surfaces or background, mean
+  float square = 0.0f;       // of that, mean, sum over channels
   float share = 0.0f;        // of the pixel's samples
   float solid = 0.0f;        // of the pixel's samples, those that hit surfaces
   glm::vec3 airlight{0.0f};
@@ -96,6 +107,14 @@ class TileSampler {
       to.transmittance += c.share * c.transmittance;
       to.beauty += c.share * (c.airlight + c.transmittance * c.behind);
       to.alpha += c.solid + (c.share - c.solid) * (1.0f - c.transmittance);
+      to.square += c.share * (glm::dot(c.airlight, c.airlight + 2.0f * c.transmittance * c.behind) +
+                              c.transmittance * c.transmittance * c.square);
+    }
+    // Of an edge in a stratified set of n samples it falls with n^1.5.
+    const auto n = static_cast<float>(offsets_.size());
+    for (SampledPixel& pixel : std::span(results).subspan(first)) {
+      pixel.variance =
+          std::max(pixel.square - glm::dot(pixel.beauty, pixel.beauty), 0.0f) / (n * std::sqrt(n));
     }
     pixels_.clear();
   }
@@ -186,6 +205,7 @@ class TileSampler {
       c.position += position(sample);
       c.length += is_open ? view_.tiles.ends.open : distance(sample);
       c.behind += behind_[sample];
+      c.square += glm::dot(behind_[sample], behind_[sample]);
       c.share += weight;
       if (!is_open) c.solid += weight;
     }
@@ -195,6 +215,7 @@ class TileSampler {
       c.position /= count;
       c.length /= count;
       c.behind /= static_cast<float>(count);
+      c.square /= static_cast<float>(count);
     }
   }
 
@@ -301,24 +322,69 @@ void write(const SampledPixel& from, Frame& frame) {
   frame.beauty[4 * i + 3] = std::min(from.alpha, 1.0f);
 }
 
+double mean_square(std::span<const float> beauty) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < beauty.size(); i += 4) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      sum += static_cast<double>(beauty[i + c]) * static_cast<double>(beauty[i + c]);
+    }
+  }
+  return sum / static_cast<double>(std::max<std::size_t>(beauty.size() / 4, 1));
+}
+
+// Leaves details only where `pixels` err most: without them the others are within the bound.
+// Whether there are such.
+bool keep_worst(std::vector<SampledPixel> pixels, double max_variance,
+                std::vector<PixelDetail>& details) {
+  double sum = 0.0;
+  for (const SampledPixel& pixel : pixels) sum += static_cast<double>(pixel.variance);
+  if (!(sum > max_variance)) return false;
+  std::ranges::sort(pixels, [](const SampledPixel& a, const SampledPixel& b) {
+    return std::pair(-a.variance, a.pixel) < std::pair(-b.variance, b.pixel);
+  });
+  std::vector<PixelDetail> worst(details.size(), PixelDetail::none);
+  for (const SampledPixel& pixel : pixels) {
+    worst[pixel.pixel] = details[pixel.pixel];
+    sum -= static_cast<double>(pixel.variance);
+    if (sum <= 0.5 * max_variance) break;
+  }
+  details = std::move(worst);
+  return true;
+}
+
 }  // namespace
 
-std::uint64_t sample_film(const SampledView& view, std::span<const PixelDetail> details,
-                          std::span<const glm::dvec2> offsets, const Job& job, Frame& frame) {
-  // Written at the end: pixels take the fog of those beside them.
-  std::vector<std::vector<SampledPixel>> results(view.tiles.tiles.count());
+std::uint64_t sample_film(const SampledView& view, std::vector<PixelDetail> details, int count,
+                          const Job& job, Frame& frame) {
   std::atomic<std::uint64_t> view_pairs = 0, light_pairs = 0;
-  job.parallel_for_with_progress(results.size(), [&](std::size_t tile) {
-    TileSampler sampler(view, details, offsets, job, frame);
-    sampler.sample(tile, results[tile]);
-    view_pairs += sampler.view_pairs();
-    light_pairs += sampler.light_pairs();
-  });
-  frame.airlight_at_centers = frame.airlight;
-  for (const std::vector<SampledPixel>& tile : results) {
-    for (const SampledPixel& pixel : tile) write(pixel, frame);
-    frame.statistics.sampled_pixels += tile.size();
+  // Written at the end: pixels take the fog of those beside them.
+  std::vector<SampledPixel> sampled;
+  const double max_variance = max_sample_error * max_sample_error * mean_square(frame.beauty) *
+                              static_cast<double>(frame.depth.size());
+  for (int round = 0; round <= refinements; ++round) {
+    const std::vector<glm::dvec2> offsets = pixel_samples(count << (2 * round));
+    const Job part = job.subrange(round / (refinements + 1.0), (round + 1) / (refinements + 1.0));
+    std::vector<std::vector<SampledPixel>> results(view.tiles.tiles.count());
+    part.parallel_for_with_progress(results.size(), [&](std::size_t tile) {
+      TileSampler sampler(view, details, offsets, part, frame);
+      sampler.sample(tile, results[tile]);
+      view_pairs += sampler.view_pairs();
+      light_pairs += sampler.light_pairs();
+    });
+    const std::size_t first = sampled.size();
+    for (const std::vector<SampledPixel>& tile : results) {
+      sampled.insert(sampled.end(), tile.begin(), tile.end());
+    }
+    if (round == 0) frame.statistics.sampled_pixels += sampled.size();
+    // Pixels that were left stay within half of the bound.
+    const double left = round == 0 ? max_variance : 0.5 * max_variance;
+    if (!keep_worst({sampled.begin() + static_cast<std::ptrdiff_t>(first), sampled.end()}, left,
+                    details)) {
+      break;
+    }
   }
+  frame.airlight_at_centers = frame.airlight;
+  for (const SampledPixel& pixel : sampled) write(pixel, frame);
   frame.statistics.light_pairs += light_pairs;
   return view_pairs;
 }

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <glm/vec2.hpp>
-#include <span>
+#include <vector>
 
 #include "render/cpu/film_airlight.h"
 #include "render/lighting/environment_light.h"
@@ -22,14 +21,15 @@ struct SampledView {
   double fog_tolerance = 0.01;  // see Settings::upsampling_tolerance
 };
 
-// Filters the pixels of a frame that have details, by samples at `offsets` from their centers.
-// Surfaces and environment are seen by every sample. The fog in front of surfaces is not paid for
-// as often: samples of a pixel that are about as far away share one ray, or take the fog of a pixel
-// beside them that is. Only details of the fog itself take a ray per sample.
+// Filters the pixels of a frame that have details, by `count` samples as pixel_samples() has them,
+// and by up to 16 times as many where those differ so much that the frame would be off by more than
+// 0.5%. Surfaces and environment are seen by every sample. The fog in front of surfaces is not paid
+// for as often: samples of a pixel that are about as far away share one ray, or take the fog of a
+// pixel beside them that is. Only details of the fog itself take a ray per sample.
 //
 // `frame` is complete, of one sample a pixel. Returns the Gaussian x ray pairs evaluated from the
 // eye; those from lights are added to the statistics.
-std::uint64_t sample_film(const SampledView& view, std::span<const PixelDetail> details,
-                          std::span<const glm::dvec2> offsets, const Job& job, Frame& frame);
+std::uint64_t sample_film(const SampledView& view, std::vector<PixelDetail> details, int count,
+                          const Job& job, Frame& frame);
 
 }  // namespace brume

@@ -177,6 +177,20 @@ TEST_F(SampledFrames, HaveOneStageMore) {
   EXPECT_FALSE(runs(with_samples(path_traced(8), 16))) << "whole frames";
 }
 
+// A light so near a wall that its spot is smaller than a pixel: without more samples there than
+// elsewhere the frame is off by 29%.
+TEST(SampledFramesOfHotSpots, TakeMoreSamplesThere) {
+  Scene scene;
+  scene.film = {24, 18};
+  scene.camera.eye = {0.0, 0.0, 4.0};
+  scene.surfaces = {wall(-1.0, 3.0), ball({0.8, 0.4, 0.0}, 0.4, glm::dvec3(0.5))};
+  scene.lights = {{{0.05, 0.03, -0.98}, glm::dvec3(1.0), {}}};
+  const Frame many = whole_frames(scene, with_samples(sliced(8), 1024));
+  const Frame chosen = render_frame(scene, with_samples(sliced(8), edge_samples));
+  EXPECT_LT(rms_difference(chosen, many), 0.01);
+  EXPECT_LT(chosen.statistics.sampled_pixels, chosen.depth.size());
+}
+
 // Alpha is coverage, also where the channels' albedos differ and are rendered apart.
 TEST(SampledAlbedos, HaveTheSameAlpha) {
   Scene scene = balls_in_fog();
