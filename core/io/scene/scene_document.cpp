@@ -4,9 +4,9 @@ namespace brume {
 namespace {
 
 const std::string& find(const auto& texts, const auto& key) {
-  static const std::string none;
+  static const std::string no_text;
   const auto found = texts.find(key);
-  return found == texts.end() ? none : found->second;
+  return found == texts.end() ? no_text : found->second;
 }
 
 }  // namespace
