@@ -113,8 +113,9 @@ class TileSampler {
     // Of an edge in a stratified set of n samples it falls with n^1.5.
     const auto n = static_cast<float>(offsets_.size());
     for (SampledPixel& pixel : std::span(results).subspan(first)) {
-      pixel.variance =
-          std::max(pixel.square - glm::dot(pixel.beauty, pixel.beauty), 0.0f) / (n * std::sqrt(n));
+      // Of radiances whose squares no float holds it is not known, and taken for none.
+      const float spread = pixel.square - glm::dot(pixel.beauty, pixel.beauty);
+      pixel.variance = std::isfinite(spread) ? std::max(spread, 0.0f) / (n * std::sqrt(n)) : 0.0f;
     }
     pixels_.clear();
   }
