@@ -6,14 +6,14 @@
 namespace brume::gl {
 namespace {
 
-constexpr int side = PhotometricProfile::side;
+constexpr int map_side = PhotometricProfile::side;
 // Columns of maps: 32 rows of them hold one for each light that a scene may have, in 8224 texels a
 // side.
 constexpr int columns = 32;
 
 glm::ivec2 place_of(std::size_t index) {
   const auto i = static_cast<int>(index);
-  return {i % columns * side, i / columns * side};
+  return {i % columns * map_side, i / columns * map_side};
 }
 
 }  // namespace
@@ -33,12 +33,13 @@ void ProfileMaps::upload(std::span<const SlicedLight> lights) {
     return;
   }
   const glm::ivec2 size = place_of(std::min<std::size_t>(profiles_.size(), columns) - 1) +
-                          glm::ivec2(side, place_of(profiles_.size() - 1).y + side);
+                          glm::ivec2(map_side, place_of(profiles_.size() - 1).y + map_side);
   std::vector<float> texels(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
   for (std::size_t i = 0; i < profiles_.size(); ++i) {
     const glm::ivec2 at = place_of(i);
-    for (int row = 0; row < side; ++row) {
-      const auto from = profiles_[i]->map().subspan(static_cast<std::size_t>(row) * side, side);
+    for (int row = 0; row < map_side; ++row) {
+      const auto from =
+          profiles_[i]->map().subspan(static_cast<std::size_t>(row) * map_side, map_side);
       std::ranges::copy(from, texels.begin() + (at.y + row) * std::ptrdiff_t{size.x} + at.x);
     }
   }

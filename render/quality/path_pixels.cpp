@@ -16,7 +16,7 @@ namespace {
 constexpr double min_depth = 1e-200;
 
 // Of the random numbers, other than those of frames.
-constexpr std::uint64_t seed = 0x6d65;
+constexpr std::uint64_t pixel_seed = 0x6d65;
 
 }  // namespace
 
@@ -61,8 +61,8 @@ void PathPixels::trace(std::size_t pixel, int count, PixelPaths& paths,
     const PathTracer tracer(*group.scene);
     for (int k = paths.count; k < count && !stop.stop_requested(); ++k) {
       const auto sample = static_cast<std::uint64_t>(k);
-      const PathRandom block(seed, pixel, sample / path_block, 0);
-      PathRandom random(seed, pixel, sample, 1);
+      const PathRandom block(pixel_seed, pixel, sample / path_block, 0);
+      PathRandom random(pixel_seed, pixel, sample, 1);
       const StratifiedPair stratified(block, static_cast<unsigned>(k % path_block), random);
       OrderedRadiance radiance = tracer.airlight(ray, stratified, random);
       if (orders_ == Orders::after_first) radiance.orders[0] = glm::dvec3(0.0);

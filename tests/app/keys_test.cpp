@@ -25,7 +25,7 @@ using namespace brume;
 
 namespace {
 
-constexpr double frame = 1.0 / default_frame_rate;
+constexpr double frame_seconds = 1.0 / default_frame_rate;
 
 KeyframeTrack& strip(TestWindow& window) {
   return *window->findChild<KeyframeTrack*>("keys");
@@ -123,7 +123,7 @@ class KeysTest : public QObject {
     const auto times = [&] {
       std::vector<int> frames;
       for (const auto& key : light(window).keys.position)
-        frames.push_back(qRound(key.time / frame));
+        frames.push_back(qRound(key.time / frame_seconds));
       return frames;
     };
     drag(keys, keys.position(0, 60), keys.position(0, 90));

@@ -79,7 +79,7 @@ class ObjectsWindow : public TestWindow {
 
 constexpr int eye_column = 1;
 constexpr int lock_column = 2;
-constexpr ObjectRef box{ObjectRef::Kind::surface, 1};
+constexpr ObjectRef box_object{ObjectRef::Kind::surface, 1};
 constexpr ObjectRef ball{ObjectRef::Kind::surface, 2};
 constexpr ObjectRef emitter{ObjectRef::Kind::emitter, 0};
 constexpr ObjectRef first_light{ObjectRef::Kind::light, 0};
@@ -95,7 +95,7 @@ class ObjectsTest : public QObject {
     QVERIFY(window.picks());
     const QPoint corner = window.on_film({-1.85, 0.85, 0.5});  // beside the Gaussian's handle
     window.click(corner);
-    QVERIFY(window.document().object() == box);
+    QVERIFY(window.document().object() == box_object);
     QVERIFY(window.document().selection().empty());
     QCOMPARE(window.tree().currentItem(), window.row("Box"));
     // The ball is hidden by dense fog, which is what a click means there.
@@ -113,17 +113,17 @@ class ObjectsTest : public QObject {
     QVERIFY(window.surfaces()[1].locked);
     QVERIFY(window.picks());
     window.click(corner);
-    QVERIFY(window.document().object() != box);
+    QVERIFY(window.document().object() != box_object);
     QVERIFY(window.is_before());
   }
 
   void handles_move_turn_and_scale() {
     ObjectsWindow window;
     window.click_row("Box", 0);
-    QVERIFY(window.document().object() == box);
+    QVERIFY(window.document().object() == box_object);
     const auto drag_from_center = [&](const glm::dvec3& from, const QPoint& by) {
       const glm::dvec3 center =
-          object_center(window.document().scene(), box, window.view().rays().eye());
+          object_center(window.document().scene(), box_object, window.view().rays().eye());
       const QPoint start = window.on_film(center + from);
       QTest::mouseMove(&window.view(), start);
       window.drag(start, start + by);

@@ -17,7 +17,7 @@ namespace {
 
 using std::numbers::pi;
 
-const glm::dvec3 up(0.0, 0.0, 1.0);
+const glm::dvec3 z_axis(0.0, 0.0, 1.0);
 
 glm::dvec3 from_angles(double theta, double phi) {
   return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
@@ -73,12 +73,12 @@ Value integral(const GgxReflection& reflection, const glm::dvec3& wo, const Valu
                const auto& weigh) {
   const GgxReflection specular = specular_part(reflection);
   const auto specular_at = [&](const glm::dvec3& wi) {
-    return ggx_brdf(specular, wi, wo, up).x * wi.z;
+    return ggx_brdf(specular, wi, wo, z_axis).x * wi.z;
   };
   const Value highlight = over_highlight(
       reflection.alpha, wo, zero, [&](const glm::dvec3& wi) { return weigh(specular_at(wi), wi); });
   return over_hemisphere(highlight, [&](const glm::dvec3& wi) {
-    return weigh(ggx_brdf(reflection, wi, wo, up).x * wi.z - specular_at(wi), wi);
+    return weigh(ggx_brdf(reflection, wi, wo, z_axis).x * wi.z - specular_at(wi), wi);
   });
 }
 
@@ -92,12 +92,13 @@ TEST(Ggx, IsReciprocal) {
     const glm::dvec3 wi = from_angles(random.uniform(0, 1.5), random.uniform(0, 6));
     const glm::dvec3 wo = from_angles(random.uniform(0, 1.5), random.uniform(0, 6));
     const GgxReflection reflection({0.9, 0.5, 0.1}, random.uniform(0, 1), random.uniform(0, 1));
-    const glm::dvec3 there = ggx_brdf(reflection, wi, wo, up);
-    EXPECT_NEAR(glm::length(there - ggx_brdf(reflection, wo, wi, up)), 0.0,
+    const glm::dvec3 there = ggx_brdf(reflection, wi, wo, z_axis);
+    EXPECT_NEAR(glm::length(there - ggx_brdf(reflection, wo, wi, z_axis)), 0.0,
                 1e-12 * glm::length(there));
     EXPECT_GT(there.x, 0.0);
   }
-  EXPECT_EQ(ggx_brdf(white_metal(0.5), {0, 0, -1}, up, up), glm::dvec3(0.0)) << "from behind";
+  EXPECT_EQ(ggx_brdf(white_metal(0.5), {0, 0, -1}, z_axis, z_axis), glm::dvec3(0.0))
+      << "from behind";
 }
 
 TEST(Ggx, MicrofacetsFillTheSurface) {
@@ -141,8 +142,8 @@ TEST(Ggx, WhiteDielectricsGainEnergyAtGrazingAngles) {
       const double cosine = std::sqrt((i + 0.5) / steps);
       mean += albedo(dielectric, from_angles(std::acos(cosine), 0.3)) / steps;
     }
-    EXPECT_LE(albedo(dielectric, up), 1.0 + 1e-3) << roughness;
-    EXPECT_GE(albedo(dielectric, up), 0.97) << roughness;
+    EXPECT_LE(albedo(dielectric, z_axis), 1.0 + 1e-3) << roughness;
+    EXPECT_GE(albedo(dielectric, z_axis), 0.97) << roughness;
     EXPECT_LE(albedo(dielectric, from_angles(1.4, 0.0)), 1.4) << roughness;
     EXPECT_NEAR(mean, 1.0, 0.04) << roughness;
   }
@@ -159,10 +160,10 @@ TEST(Ggx, SamplesAreUnbiased) {
       constexpr int count = 4000;
       for (int i = 0; i < count; ++i) {
         const glm::dvec3 wi =
-            sample_ggx(reflection.alpha, wo, up, {random.uniform(0, 1), random.uniform(0, 1)});
-        const double pdf = ggx_pdf(reflection.alpha, wi, wo, up);
+            sample_ggx(reflection.alpha, wo, z_axis, {random.uniform(0, 1), random.uniform(0, 1)});
+        const double pdf = ggx_pdf(reflection.alpha, wi, wo, z_axis);
         ASSERT_GT(pdf, 0.0);
-        const double value = ggx_brdf(reflection, wi, wo, up).x * std::max(0.0, wi.z) / pdf;
+        const double value = ggx_brdf(reflection, wi, wo, z_axis).x * std::max(0.0, wi.z) / pdf;
         sum += value;
         squares += value * value;
       }
@@ -184,7 +185,8 @@ TEST(Ggx, SamplesFollowTheirDensity) {
     const glm::dvec3 wo = from_angles(0.9, 0.4);
     std::array<std::array<double, sectors>, rings> found{};
     for (int i = 0; i < count; ++i) {
-      const glm::dvec3 wi = sample_ggx(alpha, wo, up, {random.uniform(0, 1), random.uniform(0, 1)});
+      const glm::dvec3 wi =
+          sample_ggx(alpha, wo, z_axis, {random.uniform(0, 1), random.uniform(0, 1)});
       EXPECT_NEAR(glm::length(wi), 1.0, 1e-12);
       const int ring = std::min(rings - 1, static_cast<int>(0.5 * (1.0 - wi.z) * rings));
       const double turn = std::atan2(wi.y, wi.x) / (2.0 * pi);
@@ -202,7 +204,7 @@ TEST(Ggx, SamplesFollowTheirDensity) {
           const double z = 1.0 - 2.0 * (ring + (i + 0.5) / steps) / rings;
           for (int k = 0; k < steps; ++k) {
             const double phi = 2.0 * pi * (sector + (k + 0.5) / steps) / sectors;
-            expected += ggx_pdf(alpha, from_angles(std::acos(z), phi), wo, up);
+            expected += ggx_pdf(alpha, from_angles(std::acos(z), phi), wo, z_axis);
           }
         }
         expected *= count * 4.0 * pi / (rings * sectors * steps * steps);
@@ -272,7 +274,7 @@ TEST(MaterialAt, MultipliesTexturesAndTurnsNormals) {
   EXPECT_EQ(point.emitted, glm::dvec3(0.0, 2.0, 0.0));
   EXPECT_NEAR(point.normal.x, std::sqrt(0.5), 1e-5);  // 128 is not quite 0
   material.normal_scale = 0.0;
-  EXPECT_EQ(material_at(material, {0.3, 0.7}, 0.0).normal, up);
+  EXPECT_EQ(material_at(material, {0.3, 0.7}, 0.0).normal, z_axis);
   EXPECT_EQ(average_material(material).emitted, point.emitted);
 }
 

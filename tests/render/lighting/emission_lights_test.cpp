@@ -9,7 +9,7 @@ namespace brume {
 namespace {
 
 // Bounds of what is around.
-const Box room{glm::dvec3(-2.0), glm::dvec3(2.0)};
+const Box room_box{glm::dvec3(-2.0), glm::dvec3(2.0)};
 
 Gaussian hot(const glm::dvec3& center, double radius, double density = 0.1) {
   return {center, radius, density, {std::nullopt, {8.0, 4.0, 2.0}}};
@@ -33,7 +33,7 @@ struct Made {
               return medium;
             }(),
             1e-6) {
-    lights.update(index, 1.0, room, {});
+    lights.update(index, 1.0, room_box, {});
   }
 };
 
@@ -82,9 +82,9 @@ TEST(EmissionLights, LeavesOutWhatIsAbsorbedInIt) {
 TEST(EmissionLights, KeepsItsRevisionWhileNothingChanges) {
   Made made{hot({}, 0.02)};
   const Revision before = made.lights.revision();
-  made.lights.update(made.index, 1.0, room, {});
+  made.lights.update(made.index, 1.0, room_box, {});
   EXPECT_EQ(made.lights.revision(), before);
-  made.lights.update(made.index, 0.5, room, {});
+  made.lights.update(made.index, 0.5, room_box, {});
   EXPECT_NE(made.lights.revision(), before);
 }
 

@@ -10,13 +10,13 @@
 namespace brume {
 namespace {
 
-const Camera camera{{1, 2, 8}, {0.5, 0, 0}, {0.1, 1, 0}, 35.0};
+const Camera slanted_camera{{1, 2, 8}, {0.5, 0, 0}, {0.1, 1, 0}, 35.0};
 
 TEST(FilmShift, MovesWherePixelsAreSampled) {
   const Film film{64, 48};
   Film shifted = film;
   shifted.shift = {0.3, -1.7};
-  const CameraRays rays(camera, film), moved(camera, shifted);
+  const CameraRays rays(slanted_camera, film), moved(slanted_camera, shifted);
   const glm::dvec3 direction = moved.direction(10.5, 20.5);
   EXPECT_NEAR(glm::distance(direction, rays.direction(10.8, 18.8)), 0.0, 1e-14);
   const glm::dvec3 seen = moved.project(moved.eye() + 3.0 * direction);
@@ -32,7 +32,7 @@ TEST(FilmShift, BoundsBallsOnTheShiftedFilm) {
   for (const glm::dvec2 shift : {glm::dvec2(0.4, 0.2), glm::dvec2(-30.3, 21.0)}) {
     Film film{64, 48};
     film.shift = shift;
-    const CameraRays rays(camera, film);
+    const CameraRays rays(slanted_camera, film);
     for (const double along : {-20.5, 3.0, 31.5, 60.0, 80.0}) {
       const glm::dvec3 center = rays.eye() + 5.0 * rays.direction(along, 0.5 * along);
       const double radius = 0.2;
@@ -52,7 +52,7 @@ TEST(FilmShift, BoundsBallsOnTheShiftedFilm) {
 
 // All points of the lens see a point of the plane in focus in one pixel, and others in more.
 TEST(Lens, FocusesOnItsPlane) {
-  Camera lens = camera;
+  Camera lens = slanted_camera;
   lens.aperture = 0.3;
   lens.focus_distance = 6.0;
   Film film{64, 48};

@@ -220,7 +220,9 @@ TEST(SampledPaths, ShareWholeBlocks) {
   for (int k = 0; k < 8; ++k) {
     const Settings share = share_of_paths(path_traced(134), k, 8);
     EXPECT_GE(share.paths, 2 * path_block);
-    if (k < 7) EXPECT_EQ(share.paths % path_block, 0);
+    if (k < 7) {
+      EXPECT_EQ(share.paths % path_block, 0);
+    }
     sum += share.paths;
   }
   EXPECT_EQ(sum, 134);
