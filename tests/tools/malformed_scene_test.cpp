@@ -51,49 +51,46 @@ class MalformedScene : public ::testing::Test {
     folder_.write(std::string("scene/") + name, content);
   }
 
-  // By the program: exit code 2, one line that names the file, the place and what is wrong, nothing
-  // written.
-  void expect_refused(std::span<const MalformedCase> all) const {
+  // One line that names the file, the place and what is wrong.
+  static void expect_names(const std::string& message, const std::string& scene,
+                           const MalformedCase& expected) {
+    EXPECT_EQ(std::ranges::count(message, '\n'), 0) << message;
+    EXPECT_LT(message.size(), 6000u);
+    EXPECT_TRUE(message.starts_with(scene + ": ")) << message;
+    EXPECT_NE(message.find(expected.place), std::string::npos)
+        << expected.place << " in " << message;
+    for (const std::string& part : expected.said) {
+      EXPECT_NE(message.find(part), std::string::npos) << part << " in " << message;
+    }
+  }
+
+  // A few by the program, which writes nothing; all of them, hundreds, by what it reads scenes
+  // with.
+  void expect_each_refused(const std::vector<MalformedCase>& all) const {
     const std::string scene = (folder_ / "scene/scene.brume").string();
     write("scene.brume", "");
     const std::size_t entries = folder_.entry_count();
-    for (const auto& [name, text, place, said] : all) {
-      SCOPED_TRACE(name);
-      write("scene.brume", text);
+    for (const MalformedCase& refused : std::span(all).first(4)) {
+      SCOPED_TRACE(refused.name);
+      write("scene.brume", refused.text);
       const ProgramResult result = run_brume({"render", scene, "-o", (folder_ / "o.exr").string(),
                                               "--stats", (folder_ / "s.json").string()});
       EXPECT_EQ(result.exit_code, 2);
       EXPECT_EQ(result.out, "");
-      EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
-      EXPECT_LT(result.err.size(), 6000u);
-      EXPECT_TRUE(result.err.starts_with("brume: error: " + scene + ": ")) << result.err;
-      EXPECT_NE(result.err.find(place), std::string::npos) << place << " in " << result.err;
-      for (const std::string& part : said) {
-        EXPECT_NE(result.err.find(part), std::string::npos) << part << " in " << result.err;
-      }
+      const std::string before = "brume: error: ";
+      ASSERT_TRUE(result.err.starts_with(before) && result.err.ends_with('\n')) << result.err;
+      expect_names(result.err.substr(before.size(), result.err.size() - before.size() - 1), scene,
+                   refused);
       EXPECT_EQ(folder_.entry_count(), entries) << "something was written";
     }
-  }
-
-  // A few by the program; all of them, hundreds, by what it reads scenes with.
-  void expect_each_refused(const std::vector<MalformedCase>& all) const {
-    expect_refused(std::span(all).first(4));
-    const std::string scene = (folder_ / "scene/scene.brume").string();
-    for (const auto& [name, text, place, said] : all) {
-      SCOPED_TRACE(name);
-      write("scene.brume", text);
+    for (const MalformedCase& refused : all) {
+      SCOPED_TRACE(refused.name);
+      write("scene.brume", refused.text);
       try {
         load_scene(scene);
         ADD_FAILURE() << "not refused";
       } catch (const InputError& error) {
-        const std::string message = error.what();
-        EXPECT_EQ(std::ranges::count(message, '\n'), 0) << message;
-        EXPECT_LT(message.size(), 6000u);
-        EXPECT_TRUE(message.starts_with(scene + ": ")) << message;
-        EXPECT_NE(message.find(place), std::string::npos) << place << " in " << message;
-        for (const std::string& part : said) {
-          EXPECT_NE(message.find(part), std::string::npos) << part << " in " << message;
-        }
+        expect_names(error.what(), scene, refused);
       }
     }
   }
