@@ -1,4 +1,4 @@
-#include "render/frame.h"
+#include "brume/frame.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,28 +29,6 @@ std::optional<RelativeNoise> relative_noise(const Frame& frame) {
   return RelativeNoise{
       noise->paths, relative(noise->airlight_variance, frame.airlight, 3),
       relative(noise->airlight_variance + noise->surface_variance, frame.beauty, 4)};
-}
-
-ImageLayers to_layers(const Frame& frame) {
-  ImageLayers image;
-  image.width = frame.film.width;
-  image.height = frame.film.height;
-  const auto split = [&](const std::vector<float>& pixels,
-                         std::initializer_list<const char*> names) {
-    const std::size_t stride = names.size();
-    std::size_t k = 0;
-    for (const char* name : names) {
-      std::vector<float>& channel = image.channels[name];
-      channel.resize(pixels.size() / stride);
-      for (std::size_t i = 0; i < channel.size(); ++i) channel[i] = pixels[i * stride + k];
-      ++k;
-    }
-  };
-  split(frame.beauty, {"R", "G", "B", "A"});
-  split(frame.airlight, {"airlight.R", "airlight.G", "airlight.B"});
-  split(frame.transmittance, {"transmittance.R", "transmittance.G", "transmittance.B"});
-  split(frame.depth, {"Z"});
-  return image;
 }
 
 float exposure_gain(double stops) {

@@ -4,8 +4,8 @@
 #include <optional>
 #include <stop_token>
 
-#include "core/scene/scene.h"
-#include "render/frame.h"
+#include "brume/frame.h"
+#include "brume/scene.h"
 #include "render/settings.h"
 
 namespace brume {

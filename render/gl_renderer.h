@@ -3,6 +3,7 @@
 #include <memory>
 #include <string>
 
+#include "brume/methods.h"
 #include "render/frame_renderer.h"
 #include "render/gl/context.h"
 #include "render/gl/display_options.h"
@@ -10,10 +11,6 @@
 #include "render/transfer/transfer_store.h"
 
 namespace brume {
-
-// Render device: auto_ selects gl if there is a GPU; software OpenGL is used only on request, since
-// cpu is faster.
-enum class Backend { auto_, cpu, gl };
 
 // Creates a renderer; falls back to the CPU with the reason in `problem` (not with auto_).
 // `transfers`: see Renderer.

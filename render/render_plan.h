@@ -2,11 +2,11 @@
 
 #include <vector>
 
+#include "brume/frame.h"
+#include "brume/scene.h"
+#include "brume/stage.h"
 #include "core/scene/point_lights.h"
-#include "core/scene/scene.h"
-#include "render/frame.h"
 #include "render/settings.h"
-#include "render/stage.h"
 #include "render/transfer/transfer_store.h"
 
 namespace brume {

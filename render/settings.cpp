@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "core/scene/scene.h"
+#include "brume/scene.h"
 
 namespace brume {
 

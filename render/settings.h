@@ -4,20 +4,12 @@
 #include <cstdint>
 #include <string>
 
-#include "core/limits.h"
+#include "brume/limits.h"
+#include "brume/methods.h"
 
 namespace brume {
 
 struct Scene;
-
-enum class AirlightMethod {
-  auto_,      // the cheapest settings of `sliced` that keep max_error, see render_requested()
-  paper,      // the paper's approximation, as published
-  sliced,     // exact optical depths per slice of the ray, light from a table
-  march,      // ray marching: midpoint rule with exact optical depths, for comparison
-  reference,  // the converged integral
-  path,       // path tracing: all orders of scattering, surfaces included
-};
 
 // Resolution of the optical depth table of a light.
 struct OpticalDepthTableSize {
@@ -34,9 +26,6 @@ struct SourceGridSize {
 
   bool operator==(const SourceGridSize&) const = default;
 };
-
-// Which orders of scattering are rendered.
-enum class Scattering { single, multiple };
 
 // Where the iteration for light scattered more than once ends; see solve_scattering().
 struct ScatteringLimits {
@@ -124,9 +113,6 @@ struct Settings {
 };
 
 inline constexpr int max_paths = limits::paths;
-
-const char* to_string(AirlightMethod method);
-const char* to_string(Scattering scattering);
 
 // Samples a pixel where nothing else is asked for: more than one if there are surfaces, whose edges
 // need them.

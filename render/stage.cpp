@@ -1,4 +1,4 @@
-#include "render/stage.h"
+#include "brume/stage.h"
 
 namespace brume {
 

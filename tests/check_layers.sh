@@ -4,13 +4,13 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 # Folders that are missing or cannot be read fail: else nothing would be checked.
-includes=$(grep -rnE '^\s*#\s*include\s*[<"]' core render app tools \
+includes=$(grep -rnE '^\s*#\s*include\s*[<"]' include core render app tools \
   --include='*.h' --include='*.hpp' --include='*.cpp') || {
-  echo "core, render, app, tools: cannot be checked"
+  echo "include, core, render, app, tools: cannot be checked"
   exit 1
 }
 
-values='render/frame.h render/settings.h render/stage.h'
+values='render/settings.h'
 surfaces='render/geometry/ render/simd/ render/visibility/ render/lighting/ render/shading/'
 
 # First rows of "what it is: pattern: layers of which no file may include it", be it by way of "../".
@@ -56,13 +56,16 @@ awk '
   }
   END { exit failed }
 ' <(echo "$includes") - <<ROWS
-Qt or VTK:Q[A-Z]|Qt[A-Z]|vtk[A-Z]:core render tools
-OpenGL:epoxy/|GL/|EGL/:core tools
+Qt or VTK:Q[A-Z]|Qt[A-Z]|vtk[A-Z]:include core render tools
+OpenGL:epoxy/|GL/|EGL/:include core tools
+what is not public:core/|render/|app/|tools/|OpenMesh/|nlohmann/:include
+frames:brume/(frame|methods|render|stage)[.]h:core
+scenes:brume/(scene|lights|surface|at_time|camera|keys)[.]h:core/math core/medium core/volume
 a layer above itself:render/|app/|tools/:core
 a layer above itself:app/|tools/:render
 the editor:app/:tools
 the command line:tools/:app
-a relative path:\.\./:core render app tools
+a relative path:\.\./:include core render app tools
 core/*.[hc]*:
 core/math/*.[hc]*:
 core/medium/*.[hc]*:core/[a-z_]+.h
@@ -78,12 +81,13 @@ core/io/gaussians/*.[hc]*:core/[a-z_]+.h core/medium/ core/scene/ core/io/[a-z_]
 core/io/scene/json_*.[hc]*:core/[a-z_]+.h core/io/[a-z_]+.h
 core/io/import/*.[hc]*:core/[a-z_]+.h core/scene/ core/io/[a-z_]+.h core/io/image/ core/io/scene/json_reader.h
 core/io/scene/*.[hc]*:core/[a-z_]+.h core/medium/ core/scene/ core/io/
+core/files/*.[hc]*:core/[a-z_]+.h core/io/ core/volume/
 core/fit/*.[hc]*:core/[a-z_]+.h core/medium/ core/scene/ core/transport/ core/volume/ core/io/volume/
 render/util/*.[hc]*:
 render/geometry/*.[hc]*:
 render/stage.*:
-render/frame.*:render/stage.h
-render/settings.*:render/frame.h
+render/frame.*:
+render/settings.*:
 render/display/*.[hc]*:$values
 render/simd/*.[hc]*:$values render/geometry/
 render/visibility/*.[hc]*:render/util/ render/geometry/ render/simd/

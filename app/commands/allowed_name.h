@@ -2,7 +2,7 @@
 
 #include <QString>
 
-#include "core/limits.h"
+#include "brume/limits.h"
 
 namespace brume {
 

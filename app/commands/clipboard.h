@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/medium/gaussian.h"
+#include "brume/gaussian.h"
 
 namespace brume {
 

@@ -7,7 +7,7 @@
 #include "app/commands/scene_part_command.h"
 #include "app/commands/undo_text.h"
 #include "app/document/document.h"
-#include "core/limits.h"
+#include "brume/limits.h"
 #include "core/scene/cameras.h"
 
 namespace brume {

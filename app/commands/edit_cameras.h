@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "app/commands/merge_id.h"
-#include "core/scene/camera.h"
+#include "brume/camera.h"
 
 namespace brume {
 

@@ -4,7 +4,7 @@
 #include "app/commands/scene_part_command.h"
 #include "app/commands/undo_text.h"
 #include "app/document/document.h"
-#include "core/limits.h"
+#include "brume/limits.h"
 #include "core/math/rounded.h"
 #include "core/scene/particles.h"
 

@@ -5,7 +5,7 @@
 #include <glm/vec3.hpp>
 
 #include "app/commands/merge_id.h"
-#include "core/scene/emitter.h"
+#include "brume/emitter.h"
 
 namespace brume {
 

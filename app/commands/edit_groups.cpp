@@ -11,7 +11,7 @@
 #include "app/commands/undo_text.h"
 #include "app/document/document.h"
 #include "app/document/gaussian_attribute.h"
-#include "core/limits.h"
+#include "brume/limits.h"
 
 namespace brume {
 namespace {

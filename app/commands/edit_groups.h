@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/commands/merge_id.h"
-#include "core/scene/group.h"
+#include "brume/group.h"
 
 namespace brume {
 

@@ -11,7 +11,7 @@
 #include "app/commands/scene_part_command.h"
 #include "app/commands/undo_text.h"
 #include "app/document/document.h"
-#include "core/limits.h"
+#include "brume/limits.h"
 #include "core/math/unit_direction.h"
 #include "core/number_domain.h"
 #include "core/scene/photometry.h"

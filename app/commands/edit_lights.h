@@ -7,8 +7,8 @@
 #include <span>
 
 #include "app/commands/merge_id.h"
+#include "brume/scene.h"
 #include "core/scene/point_lights.h"
-#include "core/scene/scene.h"
 
 namespace brume {
 

@@ -10,6 +10,7 @@
 #include "app/commands/undo_text.h"
 #include "app/document/document.h"
 #include "app/document/number_text.h"
+#include "core/number_domain.h"
 
 namespace brume {
 namespace {

@@ -13,9 +13,9 @@
 #include "app/commands/scene_part_command.h"
 #include "app/commands/undo_text.h"
 #include "app/document/document.h"
-#include "core/limits.h"
+#include "brume/limits.h"
+#include "brume/mesh_arrays.h"
 #include "core/math/rounded.h"
-#include "core/scene/mesh_arrays.h"
 
 namespace brume {
 namespace {

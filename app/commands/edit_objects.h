@@ -8,7 +8,7 @@
 
 #include "app/commands/merge_id.h"
 #include "app/document/object_ref.h"
-#include "core/scene/scene.h"
+#include "brume/scene.h"
 
 namespace brume {
 

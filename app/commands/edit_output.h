@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "app/commands/merge_id.h"
-#include "core/scene/output.h"
+#include "brume/output.h"
 
 namespace brume {
 

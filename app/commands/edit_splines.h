@@ -2,7 +2,7 @@
 
 #include <QString>
 
-#include "core/scene/painted_spline.h"
+#include "brume/painted_spline.h"
 
 namespace brume {
 

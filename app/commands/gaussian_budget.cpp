@@ -4,8 +4,8 @@
 #include <QLocale>
 
 #include "app/document/document.h"
-#include "core/limits.h"
-#include "core/scene/at_time.h"
+#include "brume/at_time.h"
+#include "brume/limits.h"
 #include "core/scene/particles.h"
 
 namespace brume {

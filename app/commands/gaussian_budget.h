@@ -3,6 +3,7 @@
 #include <cstddef>
 
 #include "app/document/scene_part.h"
+#include "brume/limits.h"
 
 namespace brume {
 

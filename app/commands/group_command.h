@@ -2,7 +2,7 @@
 
 #include "app/commands/scene_command.h"
 #include "app/document/scene_part.h"
-#include "core/medium/medium_edit.h"
+#include "brume/edits.h"
 
 namespace brume {
 

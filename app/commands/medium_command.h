@@ -2,7 +2,7 @@
 
 #include "app/commands/merge_id.h"
 #include "app/commands/scene_command.h"
-#include "core/medium/medium_edit.h"
+#include "brume/edits.h"
 
 namespace brume {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/commands/merge_id.h"
-#include "core/medium/gaussian.h"
+#include "brume/gaussian.h"
 
 namespace brume {
 

@@ -4,8 +4,8 @@
 
 #include "app/commands/merge_id.h"
 #include "app/commands/scene_command.h"
-#include "core/medium/medium_edit.h"
-#include "core/scene/painted_spline.h"
+#include "brume/edits.h"
+#include "brume/painted_spline.h"
 
 namespace brume {
 

@@ -10,9 +10,9 @@
 #include "app/document/grouped_medium.h"
 #include "app/document/object_ref.h"
 #include "app/document/scene_part.h"
+#include "brume/edits.h"
 #include "core/io/file_version.h"
 #include "core/io/scene/scene_document.h"
-#include "core/medium/medium_edit.h"
 
 namespace brume {
 

@@ -3,7 +3,7 @@
 #include <QString>
 #include <array>
 
-#include "core/medium/gaussian.h"
+#include "brume/gaussian.h"
 #include "core/number_domain.h"
 
 namespace brume {

@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "brume/scene.h"
 #include "core/scene/group_effects.h"
-#include "core/scene/scene.h"
 
 namespace brume {
 

@@ -6,6 +6,8 @@
 #include <glm/geometric.hpp>
 
 #include "app/document/visit_keyed_part.h"
+#include "core/number_domain.h"
+#include "core/scene/keys_in_domain.h"
 
 namespace brume {
 namespace {

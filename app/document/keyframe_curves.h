@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/document/keyframe_tracks.h"
+#include "core/number_domain.h"
 
 namespace brume {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/limits.h"
+#include "brume/limits.h"
 
 namespace brume {
 namespace {

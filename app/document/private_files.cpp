@@ -2,7 +2,7 @@
 
 #include <fstream>
 
-#include "core/error.h"
+#include "brume/error.h"
 #include "core/io/atomic_file.h"
 
 namespace brume {

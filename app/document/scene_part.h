@@ -2,7 +2,7 @@
 
 #include <variant>
 
-#include "core/scene/scene.h"
+#include "brume/scene.h"
 
 namespace brume {
 

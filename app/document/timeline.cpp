@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/limits.h"
-#include "core/scene/at_time.h"
+#include "brume/at_time.h"
+#include "brume/limits.h"
 
 namespace brume {
 

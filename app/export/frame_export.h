@@ -7,7 +7,7 @@
 #include "app/files/numbered_file.h"
 #include "app/jobs/background_job.h"
 #include "app/pictures/picture.h"
-#include "core/scene/scene.h"
+#include "brume/scene.h"
 #include "render/gl_renderer.h"
 #include "render/output/frame_file.h"
 #include "render/samples/exposure.h"

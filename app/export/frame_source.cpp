@@ -1,6 +1,6 @@
 #include "app/export/frame_source.h"
 
-#include "core/scene/at_time.h"
+#include "brume/at_time.h"
 #include "render/deep/deep_file.h"
 #include "render/layers/frame_layers.h"
 #include "render/render_plan.h"

@@ -4,9 +4,9 @@
 #include <memory>
 #include <optional>
 
+#include "brume/frame.h"
+#include "brume/scene.h"
 #include "core/io/image/image_file.h"
-#include "core/scene/scene.h"
-#include "render/frame.h"
 #include "render/gl_renderer.h"
 #include "render/output/frame_file.h"
 #include "render/samples/exposure.h"

@@ -17,8 +17,8 @@
 #include "app/document/timeline.h"
 #include "app/files/file_dialogs.h"
 #include "app/widgets/plain_text.h"
+#include "brume/at_time.h"
 #include "core/io/file_bytes.h"
-#include "core/scene/at_time.h"
 #include "core/volume/medium_grid.h"
 
 namespace brume {

@@ -1,12 +1,12 @@
 #include "app/export/medium_export.h"
 
 #include "app/export/frame_export.h"
-#include "core/error.h"
+#include "brume/at_time.h"
+#include "brume/error.h"
 #include "core/io/file_bytes.h"
 #include "core/io/gaussians/gaussian_file.h"
 #include "core/io/volume/volume_file.h"
 #include "core/number_domain.h"
-#include "core/scene/at_time.h"
 #include "core/volume/medium_grid.h"
 
 namespace brume {

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "app/jobs/background_job.h"
-#include "core/scene/scene.h"
+#include "brume/scene.h"
 
 namespace brume {
 

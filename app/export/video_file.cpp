@@ -4,7 +4,7 @@
 
 #include "app/document/number_text.h"
 #include "app/document/paths.h"
-#include "core/error.h"
+#include "brume/error.h"
 
 namespace brume {
 namespace {

@@ -6,7 +6,7 @@
 #include <span>
 #include <stop_token>
 
-#include "core/scene/camera.h"
+#include "brume/camera.h"
 
 namespace brume {
 

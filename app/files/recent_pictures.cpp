@@ -9,7 +9,7 @@
 #include "app/document/paths.h"
 #include "app/document/private_files.h"
 #include "app/widgets/editor_style.h"
-#include "core/error.h"
+#include "brume/error.h"
 
 namespace brume {
 namespace {

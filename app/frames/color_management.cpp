@@ -3,7 +3,7 @@
 #include <QSettings>
 #include <utility>
 
-#include "core/error.h"
+#include "brume/error.h"
 
 namespace brume {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/jobs/background_job.h"
-#include "core/scene/camera.h"
+#include "brume/camera.h"
 
 namespace brume {
 

@@ -12,8 +12,8 @@
 
 #include "app/frames/view_mode.h"
 #include "app/jobs/background_job.h"
-#include "core/scene/scene.h"
-#include "render/frame.h"
+#include "brume/frame.h"
+#include "brume/scene.h"
 #include "render/gl_renderer.h"
 #include "render/settings.h"
 #include "render/transfer/transfer_store.h"

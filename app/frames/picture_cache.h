@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/scene/camera.h"
+#include "brume/camera.h"
 
 namespace brume {
 

@@ -9,7 +9,7 @@
 #include "app/document/number_text.h"
 #include "app/frames/error_map.h"
 #include "app/widgets/frame_text.h"
-#include "render/frame.h"
+#include "brume/frame.h"
 
 namespace brume {
 namespace {

@@ -5,7 +5,7 @@
 #include "app/commands/scene_part_command.h"
 #include "app/document/document.h"
 #include "app/document/paths.h"
-#include "core/limits.h"
+#include "brume/limits.h"
 #include "core/scene/cameras.h"
 
 namespace brume {

@@ -9,8 +9,8 @@
 #include "app/import/frame_run.h"
 #include "app/import/volume_fit.h"
 #include "app/jobs/background_job.h"
-#include "core/scene/medium_sequence.h"
-#include "core/scene/scene.h"
+#include "brume/medium_sequence.h"
+#include "brume/scene.h"
 
 class QWidget;
 

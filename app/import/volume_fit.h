@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include "brume/medium_sequence.h"
 #include "core/fit/volume_fitter.h"
-#include "core/scene/medium_sequence.h"
 #include "render/util/job.h"
 
 namespace brume {

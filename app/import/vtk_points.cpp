@@ -7,7 +7,7 @@
 #include <string>
 
 #include "app/document/paths.h"
-#include "core/error.h"
+#include "brume/error.h"
 #include "core/io/file_bytes.h"
 #include "core/io/gaussians/gaussian_ply.h"
 

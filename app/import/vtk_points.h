@@ -5,8 +5,8 @@
 #include <stop_token>
 #include <vector>
 
-#include "core/limits.h"
-#include "core/medium/gaussian.h"
+#include "brume/gaussian.h"
+#include "brume/limits.h"
 
 namespace brume {
 

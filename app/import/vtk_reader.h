@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "core/medium/gaussian.h"
+#include "brume/gaussian.h"
 
 namespace brume {
 

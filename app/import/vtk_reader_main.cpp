@@ -13,7 +13,7 @@
 #include <fstream>
 
 #include "app/import/vtk_reader.h"
-#include "core/error.h"
+#include "brume/error.h"
 #include "core/io/gaussians/gaussian_ply.h"
 
 namespace {

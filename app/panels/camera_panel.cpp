@@ -13,6 +13,7 @@
 #include "app/commands/edit_cameras.h"
 #include "app/commands/scene_part_command.h"
 #include "app/document/document.h"
+#include "core/number_domain.h"
 #include "core/scene/cameras.h"
 
 namespace brume {

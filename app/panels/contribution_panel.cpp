@@ -1,4 +1,5 @@
 #include "app/panels/contribution_panel.h"
+#include "core/scene/camera_rays.h"
 
 #include <QMouseEvent>
 #include <QPainter>

@@ -9,6 +9,7 @@
 #include "app/document/document.h"
 #include "app/widgets/emission_editor.h"
 #include "app/widgets/optics_editor.h"
+#include "core/number_domain.h"
 
 namespace brume {
 namespace {

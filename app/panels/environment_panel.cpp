@@ -12,6 +12,7 @@
 #include "app/panels/environment_picture.h"
 #include "app/widgets/plain_text.h"
 #include "core/io/image/radiance_map_file.h"
+#include "core/number_domain.h"
 
 namespace brume {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "app/jobs/background_job.h"
 #include "app/panels/scene_form.h"
-#include "core/scene/scene.h"
+#include "brume/scene.h"
 
 class QLabel;
 

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "app/frames/view_mode.h"
+#include "brume/frame.h"
 #include "core/scene/environment.h"
 #include "core/scene/radiance_map.h"
-#include "render/frame.h"
 
 namespace brume {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/document/gaussian_attribute.h"
-#include "core/scene/group.h"
+#include "brume/group.h"
 
 namespace brume {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/panels/gaussian_filter.h"
-#include "core/medium/gaussian.h"
+#include "brume/gaussian.h"
 
 namespace brume {
 

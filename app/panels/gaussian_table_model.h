@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/document/gaussian_attribute.h"
-#include "core/medium/medium_edit.h"
+#include "brume/edits.h"
 
 namespace brume {
 

@@ -7,6 +7,7 @@
 
 #include "app/commands/edit_groups.h"
 #include "app/document/document.h"
+#include "core/number_domain.h"
 
 namespace brume {
 

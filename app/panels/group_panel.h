@@ -1,7 +1,8 @@
 #pragma once
 
 #include "app/panels/scene_form.h"
-#include "core/scene/group.h"
+#include "brume/group.h"
+#include "core/number_domain.h"
 
 class QComboBox;
 class QFormLayout;

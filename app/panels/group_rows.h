@@ -6,7 +6,7 @@
 #include <optional>
 #include <set>
 
-#include "core/medium/gaussian.h"
+#include "brume/gaussian.h"
 
 class QMenu;
 class QMimeData;

@@ -24,8 +24,9 @@
 #include "app/view/view.h"
 #include "app/widgets/color_button.h"
 #include "app/widgets/plain_text.h"
+#include "brume/limits.h"
 #include "core/io/ies_file.h"
-#include "core/limits.h"
+#include "core/number_domain.h"
 #include "core/scene/photometry.h"
 
 namespace brume {

@@ -5,7 +5,7 @@
 #include "app/commands/edit_lights.h"
 #include "app/jobs/background_job.h"
 #include "app/panels/scene_form.h"
-#include "core/scene/scene.h"
+#include "brume/scene.h"
 
 class QLabel;
 class QListWidget;

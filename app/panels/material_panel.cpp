@@ -10,6 +10,7 @@
 #include "app/files/file_dialogs.h"
 #include "app/panels/metallic_roughness_form.h"
 #include "core/io/merl_file.h"
+#include "core/number_domain.h"
 
 namespace brume {
 

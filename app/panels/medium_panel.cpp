@@ -11,6 +11,7 @@
 #include "app/commands/edit_medium.h"
 #include "app/commands/scene_part_command.h"
 #include "app/document/document.h"
+#include "core/number_domain.h"
 
 namespace brume {
 namespace {

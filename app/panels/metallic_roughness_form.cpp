@@ -9,6 +9,7 @@
 #include "app/files/file_dialogs.h"
 #include "app/widgets/plain_text.h"
 #include "core/io/image/texture_file.h"
+#include "core/number_domain.h"
 
 namespace brume {
 namespace {

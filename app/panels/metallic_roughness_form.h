@@ -2,7 +2,7 @@
 
 #include "app/jobs/background_job.h"
 #include "app/panels/scene_form.h"
-#include "core/scene/scene.h"
+#include "brume/scene.h"
 
 namespace brume {
 

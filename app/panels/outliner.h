@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "app/document/object_ref.h"
-#include "core/scene/painted_spline.h"
+#include "brume/painted_spline.h"
 
 namespace brume {
 

@@ -24,7 +24,9 @@
 #include "app/files/picture_format.h"
 #include "app/widgets/layer_boxes.h"
 #include "app/widgets/plain_text.h"
+#include "brume/limits.h"
 #include "core/io/file_bytes.h"
+#include "core/number_domain.h"
 
 namespace brume {
 namespace {

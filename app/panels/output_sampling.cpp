@@ -9,7 +9,8 @@
 #include "app/commands/edit_output.h"
 #include "app/document/document.h"
 #include "app/panels/output_panel.h"
-#include "core/limits.h"
+#include "brume/limits.h"
+#include "core/number_domain.h"
 #include "render/samples/exposure.h"
 
 namespace brume {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/widgets/value_field.h"
+#include "core/number_domain.h"
 
 class QFormLayout;
 class QLabel;

@@ -5,7 +5,7 @@
 #include <map>
 #include <vector>
 
-#include "core/scene/painted_spline.h"
+#include "brume/painted_spline.h"
 
 class QMenu;
 class QTreeWidget;

@@ -23,7 +23,7 @@
 #include "app/widgets/frame_slider.h"
 #include "app/widgets/icons.h"
 #include "app/widgets/plain_text.h"
-#include "core/limits.h"
+#include "brume/limits.h"
 
 namespace brume {
 namespace {

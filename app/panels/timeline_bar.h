@@ -4,8 +4,8 @@
 #include <functional>
 
 #include "app/document/keyframe_tracks.h"
-#include "core/scene/camera.h"
-#include "core/scene/scene.h"
+#include "brume/camera.h"
+#include "brume/scene.h"
 
 class QComboBox;
 class QScrollArea;

@@ -5,9 +5,10 @@
 
 #include "app/document/number_text.h"
 #include "app/widgets/frame_text.h"
+#include "brume/frame.h"
+#include "brume/version.h"
 #include "core/io/image/image_file.h"
 #include "core/number_domain.h"
-#include "render/frame.h"
 #include "render/output/compare.h"
 
 namespace brume {
@@ -61,7 +62,7 @@ void save_picture(const Picture& picture, const std::filesystem::path& file) {
     bytes.insert(bytes.end(), line, line + row);
   }
   write_png(file, picture.width, picture.height, bytes,
-            {{"Software", "Brume " BRUME_VERSION},
+            {{"Software", std::string("Brume ") + version()},
              {"brume:exposure", quoted_text(picture.look.exposure)},
              {"brume:view_transform", view_name(picture.look)},
              {"brume:made", picture.details.toStdString()}});

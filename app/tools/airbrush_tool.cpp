@@ -12,6 +12,7 @@
 #include "app/view/navigation.h"
 #include "app/view/surface_picker.h"
 #include "app/view/view.h"
+#include "core/number_domain.h"
 
 namespace brume {
 namespace {

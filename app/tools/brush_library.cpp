@@ -8,7 +8,7 @@
 
 #include "app/document/paths.h"
 #include "app/document/private_files.h"
-#include "core/error.h"
+#include "brume/error.h"
 #include "core/io/file_bytes.h"
 #include "core/number_domain.h"
 

@@ -6,6 +6,7 @@
 #include "app/tools/paint_plane.h"
 #include "app/tools/stroke_path.h"
 #include "app/view/tool.h"
+#include "core/scene/camera_rays.h"
 
 namespace brume {
 

@@ -1,4 +1,5 @@
 #include "app/tools/click_target.h"
+#include "core/scene/camera_rays.h"
 
 #include <QLineF>
 

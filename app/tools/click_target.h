@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "app/document/object_ref.h"
-#include "core/medium/medium.h"
+#include "brume/medium.h"
 
 namespace brume {
 

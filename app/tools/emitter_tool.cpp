@@ -1,4 +1,5 @@
 #include "app/tools/emitter_tool.h"
+#include "core/scene/camera_rays.h"
 
 #include <QLineF>
 #include <glm/common.hpp>
@@ -10,7 +11,7 @@
 #include "app/view/view.h"
 #include "app/widgets/application.h"
 #include "app/widgets/interface_settings.h"
-#include "core/limits.h"
+#include "brume/limits.h"
 
 namespace brume {
 namespace {

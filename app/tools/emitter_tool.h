@@ -5,7 +5,8 @@
 #include "app/commands/merge_id.h"
 #include "app/tools/paint_plane.h"
 #include "app/view/tool.h"
-#include "core/scene/emitter.h"
+#include "brume/emitter.h"
+#include "core/scene/camera_rays.h"
 
 namespace brume {
 

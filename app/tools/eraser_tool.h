@@ -2,6 +2,7 @@
 
 #include "app/tools/brush_tool.h"
 #include "core/authoring/eraser.h"
+#include "core/scene/camera_rays.h"
 
 namespace brume {
 

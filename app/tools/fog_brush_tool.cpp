@@ -1,4 +1,6 @@
 #include "app/tools/fog_brush_tool.h"
+#include "core/number_domain.h"
+#include "core/scene/camera_rays.h"
 
 #include <QFormLayout>
 #include <QHBoxLayout>

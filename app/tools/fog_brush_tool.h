@@ -6,6 +6,7 @@
 #include "app/tools/brush_tool.h"
 #include "app/tools/stroke_options_button.h"
 #include "core/authoring/mirror.h"
+#include "core/scene/camera_rays.h"
 
 namespace brume {
 

@@ -1,4 +1,5 @@
 #include "app/tools/light_handles.h"
+#include "core/scene/camera_rays.h"
 
 #include <QLineF>
 #include <algorithm>
@@ -18,7 +19,7 @@
 #include "app/view/overlay.h"
 #include "app/widgets/color_button.h"
 #include "app/widgets/interface_settings.h"
-#include "core/limits.h"
+#include "brume/limits.h"
 #include "core/math/basis.h"
 #include "core/math/infinity.h"
 #include "core/math/rounded.h"

@@ -4,7 +4,8 @@
 #include <optional>
 
 #include "app/commands/merge_id.h"
-#include "core/scene/scene.h"
+#include "brume/scene.h"
+#include "core/scene/camera_rays.h"
 
 namespace brume {
 

@@ -5,6 +5,7 @@
 #include <QLabel>
 
 #include "app/widgets/number_field.h"
+#include "core/number_domain.h"
 
 namespace brume {
 

@@ -5,6 +5,7 @@
 #include "app/tools/paint_plane.h"
 #include "app/view/tool.h"
 #include "app/widgets/value_field.h"
+#include "core/number_domain.h"
 
 namespace brume {
 

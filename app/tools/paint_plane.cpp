@@ -1,4 +1,5 @@
 #include "app/tools/paint_plane.h"
+#include "core/scene/camera_rays.h"
 
 #include <cmath>
 #include <glm/common.hpp>

@@ -4,7 +4,7 @@
 #include <glm/vec3.hpp>
 #include <optional>
 
-#include "core/scene/camera.h"
+#include "core/scene/camera_rays.h"
 
 namespace brume {
 

@@ -7,6 +7,7 @@
 #include "app/document/gaussian_attribute.h"
 #include "app/tools/option_widgets.h"
 #include "app/view/navigation.h"
+#include "core/number_domain.h"
 
 namespace brume {
 PaintbrushTool::PaintbrushTool(Document& document, View& view) : FogBrushTool(document, view) {

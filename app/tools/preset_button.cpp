@@ -9,7 +9,7 @@
 #include "app/tools/brush_library.h"
 #include "app/tools/fog_brush_tool.h"
 #include "app/tools/stroke_options_button.h"
-#include "core/error.h"
+#include "brume/error.h"
 
 namespace brume {
 namespace {

@@ -1,4 +1,5 @@
 #include "app/tools/select_tool.h"
+#include "core/scene/camera_rays.h"
 
 #include <QLineF>
 #include <QRectF>

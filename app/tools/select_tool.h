@@ -9,7 +9,8 @@
 #include "app/document/object_ref.h"
 #include "app/tools/light_handles.h"
 #include "app/tools/selection_tool.h"
-#include "core/medium/gaussian.h"
+#include "brume/gaussian.h"
+#include "core/scene/camera_rays.h"
 
 namespace brume {
 

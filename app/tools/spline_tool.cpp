@@ -1,4 +1,6 @@
 #include "app/tools/spline_tool.h"
+#include "brume/limits.h"
+#include "core/scene/camera_rays.h"
 
 #include <QHBoxLayout>
 #include <QLineF>

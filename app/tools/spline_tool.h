@@ -2,7 +2,8 @@
 
 #include "app/commands/merge_id.h"
 #include "app/tools/paintbrush_tool.h"
-#include "core/scene/painted_spline.h"
+#include "brume/painted_spline.h"
+#include "core/scene/camera_rays.h"
 
 namespace brume {
 

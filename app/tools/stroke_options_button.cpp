@@ -10,6 +10,7 @@
 
 #include "app/tools/fog_brush_tool.h"
 #include "app/widgets/number_field.h"
+#include "core/number_domain.h"
 
 namespace brume {
 namespace {

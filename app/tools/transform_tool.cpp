@@ -1,4 +1,6 @@
 #include "app/tools/transform_tool.h"
+#include "core/number_domain.h"
+#include "core/scene/camera_rays.h"
 
 #include <algorithm>
 #include <glm/common.hpp>

@@ -4,6 +4,7 @@
 #include "app/tools/paint_plane.h"
 #include "app/tools/select_tool.h"
 #include "app/view/gizmo.h"
+#include "core/scene/camera_rays.h"
 
 namespace brume {
 

@@ -3,7 +3,7 @@
 #include <QString>
 
 #include "app/view/bounds.h"
-#include "core/scene/camera.h"
+#include "brume/camera.h"
 
 namespace brume {
 

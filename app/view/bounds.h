@@ -4,7 +4,7 @@
 #include <optional>
 #include <span>
 
-#include "core/scene/scene.h"
+#include "brume/scene.h"
 
 namespace brume {
 

@@ -7,6 +7,7 @@
 
 #include "app/view/axis_view.h"
 #include "app/view/navigation.h"
+#include "core/scene/camera_rays.h"
 
 class QWidget;
 

@@ -1,4 +1,5 @@
 #include "app/view/camera_outline.h"
+#include "core/scene/camera_rays.h"
 
 #include <array>
 #include <glm/geometric.hpp>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/view/overlay.h"
+#include "core/scene/camera_rays.h"
 
 namespace brume {
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/scene/camera.h"
+#include "core/scene/camera_rays.h"
 
 namespace brume {
 

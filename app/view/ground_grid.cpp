@@ -1,4 +1,5 @@
 #include "app/view/ground_grid.h"
+#include "core/scene/camera_rays.h"
 
 #include <algorithm>
 #include <cmath>

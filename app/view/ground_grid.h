@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "app/view/overlay.h"
-#include "render/frame.h"
+#include "brume/frame.h"
 
 namespace brume {
 

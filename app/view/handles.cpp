@@ -1,4 +1,5 @@
 #include "app/view/handles.h"
+#include "core/scene/camera_rays.h"
 
 #include <algorithm>
 #include <cmath>

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "app/view/overlay.h"
-#include "core/medium/medium.h"
-#include "core/scene/camera.h"
-#include "render/frame.h"
+#include "brume/frame.h"
+#include "brume/medium.h"
+#include "core/scene/camera_rays.h"
 
 namespace brume {
 

@@ -6,7 +6,7 @@
 #include <glm/vec3.hpp>
 #include <optional>
 
-#include "core/scene/camera.h"
+#include "brume/camera.h"
 
 namespace brume {
 

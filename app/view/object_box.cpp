@@ -1,10 +1,11 @@
 #include "app/view/object_box.h"
+#include "core/scene/camera_rays.h"
 
 #include <glm/geometric.hpp>
 
 #include "app/view/overlay.h"
 #include "app/widgets/interface_settings.h"
-#include "core/scene/mesh_arrays.h"
+#include "brume/mesh_arrays.h"
 #include "core/scene/placement.h"
 #include "core/scene/point_lights.h"
 

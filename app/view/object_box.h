@@ -5,7 +5,7 @@
 #include <glm/vec3.hpp>
 
 #include "app/document/object_ref.h"
-#include "core/scene/scene.h"
+#include "brume/scene.h"
 
 namespace brume {
 

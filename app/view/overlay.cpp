@@ -1,4 +1,5 @@
 #include "app/view/overlay.h"
+#include "core/scene/camera_rays.h"
 
 #include <QLineF>
 #include <algorithm>

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/scene/camera.h"
+#include "core/scene/camera_rays.h"
 
 namespace brume {
 

@@ -1,4 +1,5 @@
 #include "app/view/view.h"
+#include "core/scene/camera_rays.h"
 
 #include <QCursor>
 #include <QWidget>
@@ -13,8 +14,8 @@
 #include "app/view/gizmo.h"
 #include "app/view/object_box.h"
 #include "app/view/surface_picker.h"
+#include "brume/at_time.h"
 #include "core/authoring/contribution.h"
-#include "core/scene/at_time.h"
 #include "core/transport/optical_depth.h"
 
 namespace brume {

@@ -4,6 +4,7 @@
 
 #include "app/view/camera_controller.h"
 #include "app/view/shown_handles.h"
+#include "core/scene/camera_rays.h"
 
 namespace brume {
 

@@ -5,6 +5,7 @@
 #include <QSettings>
 
 #include "app/widgets/editor_style.h"
+#include "brume/version.h"
 
 #include "app/widgets/field_filter.h"
 
@@ -56,7 +57,7 @@ void prepare_application() {
   QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
   QCoreApplication::setOrganizationName("Brume");
   QCoreApplication::setApplicationName("Brume");
-  QCoreApplication::setApplicationVersion(BRUME_VERSION);
+  QCoreApplication::setApplicationVersion(version());
 }
 
 void set_up_application(QApplication& application) {

@@ -9,6 +9,7 @@
 
 #include "app/widgets/interface_settings.h"
 #include "app/widgets/value_field.h"
+#include "core/number_domain.h"
 
 namespace brume {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "app/document/number_text.h"
-#include "render/frame.h"
+#include "brume/frame.h"
 #include "render/quality/error_estimate.h"
 #include "render/settings.h"
 

@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "core/scene/output.h"
+#include "brume/output.h"
 
 class QCheckBox;
 

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "app/commands/merge_id.h"
-#include "core/medium/gaussian.h"
+#include "brume/gaussian.h"
 
 class QCheckBox;
 class QFormLayout;

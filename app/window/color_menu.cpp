@@ -5,7 +5,7 @@
 
 #include "app/files/file_dialogs.h"
 #include "app/frames/color_management.h"
-#include "core/error.h"
+#include "brume/error.h"
 
 namespace brume {
 namespace {

@@ -7,7 +7,7 @@
 #include "app/view/bounds.h"
 #include "app/view/surface_picker.h"
 #include "app/view/view.h"
-#include "core/scene/mesh_arrays.h"
+#include "brume/mesh_arrays.h"
 
 namespace brume {
 namespace {

@@ -10,6 +10,7 @@
 #include "app/widgets/frame_text.h"
 #include "app/widgets/value_field.h"
 #include "core/math/rounded.h"
+#include "core/number_domain.h"
 
 namespace brume {
 namespace {

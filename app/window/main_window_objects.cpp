@@ -15,6 +15,7 @@
 #include "app/viewport/view_grid.h"
 #include "app/window/main_window.h"
 #include "app/window/menu_action.h"
+#include "brume/limits.h"
 #include "core/math/rounded.h"
 
 namespace brume {

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "core/scene/camera.h"
+#include "brume/camera.h"
 
 namespace brume {
 

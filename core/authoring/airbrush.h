@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include "brume/gaussian.h"
 #include "core/math/random_source.h"
-#include "core/medium/gaussian.h"
 
 namespace brume {
 

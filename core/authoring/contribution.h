@@ -3,8 +3,8 @@
 #include <limits>
 #include <vector>
 
+#include "brume/scene.h"
 #include "core/scene/point_lights.h"
-#include "core/scene/scene.h"
 
 namespace brume {
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <unordered_map>
 
-#include "core/medium/medium_edit.h"
+#include "brume/edits.h"
 
 namespace brume {
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "core/medium/gaussian.h"
-#include "core/scene/brush.h"
+#include "brume/brush.h"
+#include "brume/gaussian.h"
 
 namespace brume {
 

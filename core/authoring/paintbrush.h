@@ -3,9 +3,9 @@
 #include <optional>
 #include <vector>
 
+#include "brume/brush.h"
+#include "brume/gaussian.h"
 #include "core/math/random_source.h"
-#include "core/medium/gaussian.h"
-#include "core/scene/brush.h"
 
 namespace brume {
 

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "core/medium/medium.h"
+#include "brume/medium.h"
 
 namespace brume {
 

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <span>
 
-#include "core/medium/gaussian.h"
-#include "core/volume/density_grid.h"
+#include "brume/density_grid.h"
+#include "brume/gaussian.h"
 
 namespace brume {
 

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "core/medium/gaussian.h"
-#include "core/volume/density_grid.h"
+#include "brume/density_grid.h"
+#include "brume/gaussian.h"
 
 namespace brume {
 

@@ -1,4 +1,4 @@
-#include "core/fit/gaussian_fit.h"
+#include "brume/fit.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "core/medium/gaussian.h"
+#include "brume/gaussian.h"
 
 namespace brume {
 

@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
-#include "core/medium/gaussian.h"
-#include "core/volume/density_grid.h"
+#include "brume/density_grid.h"
+#include "brume/gaussian.h"
 #include "core/volume/velocity_grid.h"
 
 namespace brume {

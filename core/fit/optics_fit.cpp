@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "brume/limits.h"
 #include "core/fit/fit_problem.h"
-#include "core/limits.h"
 
 namespace brume {
 namespace {

@@ -3,8 +3,8 @@
 #include <optional>
 #include <span>
 
-#include "core/medium/gaussian.h"
-#include "core/volume/density_grid.h"
+#include "brume/density_grid.h"
+#include "brume/gaussian.h"
 
 namespace brume {
 

@@ -6,9 +6,9 @@
 #include <stop_token>
 #include <vector>
 
-#include "core/fit/gaussian_fit.h"
+#include "brume/density_grid.h"
+#include "brume/fit.h"
 #include "core/fit/gaussian_numbers.h"
-#include "core/volume/density_grid.h"
 #include "core/volume/velocity_grid.h"
 
 namespace brume {

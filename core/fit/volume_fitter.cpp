@@ -5,7 +5,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <utility>
 
-#include "core/error.h"
+#include "brume/error.h"
 #include "core/io/volume/volume_file.h"
 
 namespace brume {

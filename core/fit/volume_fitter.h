@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "core/fit/gaussian_fit.h"
+#include "brume/density_grid.h"
+#include "brume/fit.h"
 #include "core/fit/sequence_fitter.h"
 #include "core/fit/volume_appearance.h"
-#include "core/volume/density_grid.h"
 
 namespace brume {
 

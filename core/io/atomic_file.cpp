@@ -10,7 +10,7 @@
 #include <fstream>
 #include <string>
 
-#include "core/error.h"
+#include "brume/error.h"
 #include "core/io/temporary_files.h"
 
 namespace brume {

@@ -6,8 +6,8 @@
 #include <cstring>
 #include <fstream>
 
-#include "core/error.h"
-#include "core/limits.h"
+#include "brume/error.h"
+#include "brume/limits.h"
 
 namespace brume {
 namespace fs = std::filesystem;

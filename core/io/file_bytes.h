@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <string>
 
+#include "brume/limits.h"
+
 namespace brume {
 
 // The size in bytes of a regular file. Throws InputError: missing, a folder or a device.

@@ -9,10 +9,10 @@
 #include <utility>
 #include <vector>
 
-#include "core/error.h"
+#include "brume/error.h"
+#include "brume/limits.h"
 #include "core/io/file_bytes.h"
 #include "core/io/text_scanner.h"
-#include "core/limits.h"
 
 namespace brume {
 namespace {

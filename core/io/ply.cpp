@@ -6,7 +6,7 @@
 #include <cstring>
 #include <utility>
 
-#include "core/error.h"
+#include "brume/error.h"
 #include "core/io/text_scanner.h"
 
 namespace brume {

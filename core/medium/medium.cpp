@@ -1,4 +1,4 @@
-#include "core/medium/medium.h"
+#include "brume/medium.h"
 
 #include <algorithm>
 
@@ -7,6 +7,11 @@ std::optional<std::size_t> Medium::index_of(GaussianId id) const {
   const auto it = std::lower_bound(ids_.begin(), ids_.end(), id);
   if (it == ids_.end() || *it != id) return std::nullopt;
   return static_cast<std::size_t>(it - ids_.begin());
+}
+
+Medium::Columns Medium::columns() {
+  revision_ = new_revision();
+  return {centers_, radii_, densities_};
 }
 
 GaussianId Medium::append(const Gaussian& gaussian) {

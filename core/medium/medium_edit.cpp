@@ -1,4 +1,4 @@
-#include "core/medium/medium_edit.h"
+#include "brume/edits.h"
 
 #include <algorithm>
 #include <cassert>

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-#include "core/scene/keys.h"
+#include "brume/keys.h"
+#include "core/scene/keys_in_domain.h"
 
 namespace brume {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "brume/scene.h"
 #include "core/number_domain.h"
-#include "core/scene/scene.h"
 
 namespace brume {
 

@@ -1,11 +1,13 @@
-#include "core/scene/at_time.h"
+#include "brume/at_time.h"
 
 #include <algorithm>
 
-#include "core/medium/medium_edit.h"
+#include "brume/edits.h"
+#include "core/number_domain.h"
 #include "core/scene/animation.h"
 #include "core/scene/group_effects.h"
 #include "core/scene/imported_scene.h"
+#include "core/scene/keys_in_domain.h"
 #include "core/scene/particles.h"
 
 namespace brume {

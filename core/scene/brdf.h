@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "brume/scene.h"
 #include "core/math/spherical_harmonics.h"
-#include "core/scene/scene.h"
 
 namespace brume {
 

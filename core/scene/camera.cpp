@@ -1,4 +1,4 @@
-#include "core/scene/camera.h"
+#include "core/scene/camera_rays.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/scene/scene.h"
+#include "brume/scene.h"
 
 namespace brume {
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "brume/scene.h"
 #include "core/math/spherical_harmonics.h"
-#include "core/scene/scene.h"
 
 namespace brume {
 

@@ -3,7 +3,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "core/scene/metallic_roughness.h"
+#include "brume/metallic_roughness.h"
 
 namespace brume {
 

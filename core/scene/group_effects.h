@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
-#include "core/medium/medium.h"
-#include "core/scene/group.h"
+#include "brume/group.h"
+#include "brume/medium.h"
 
 namespace brume {
 

@@ -3,8 +3,8 @@
 #include <set>
 #include <string_view>
 
+#include "brume/mesh_arrays.h"
 #include "core/scene/mesh.h"
-#include "core/scene/mesh_arrays.h"
 
 namespace brume {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/scene/keys.h"
+#include "brume/keys.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include <glm/vec3.hpp>
 #include <memory>
 
-#include "core/scene/scene.h"
+#include "brume/scene.h"
 
 namespace brume {
 

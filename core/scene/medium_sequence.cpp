@@ -1,4 +1,4 @@
-#include "core/scene/medium_sequence.h"
+#include "brume/medium_sequence.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,9 +5,11 @@
 #include <glm/common.hpp>
 #include <limits>
 
-#include "core/limits.h"
+#include "brume/limits.h"
 #include "core/math/random_source.h"
+#include "core/number_domain.h"
 #include "core/scene/animation.h"
+#include "core/scene/keys_in_domain.h"
 
 namespace brume {
 namespace {

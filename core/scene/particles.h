@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "core/medium/gaussian.h"
-#include "core/scene/emitter.h"
+#include "brume/emitter.h"
+#include "brume/gaussian.h"
 
 namespace brume {
 

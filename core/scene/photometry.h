@@ -3,7 +3,8 @@
 #include <glm/vec3.hpp>
 #include <optional>
 
-#include "core/scene/scene.h"
+#include "brume/scene.h"
+#include "core/number_domain.h"
 
 namespace brume {
 

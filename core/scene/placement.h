@@ -3,7 +3,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
 
-#include "core/scene/scene.h"
+#include "brume/scene.h"
 
 namespace brume {
 

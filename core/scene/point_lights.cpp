@@ -11,10 +11,10 @@
 #include <optional>
 #include <utility>
 
+#include "brume/mesh_arrays.h"
 #include "core/math/basis.h"
 #include "core/math/infinity.h"
 #include "core/math/unit_direction.h"
-#include "core/scene/mesh_arrays.h"
 
 namespace brume {
 namespace {

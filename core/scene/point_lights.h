@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "brume/scene.h"
 #include "core/scene/light_falloff.h"
-#include "core/scene/scene.h"
 
 namespace brume {
 

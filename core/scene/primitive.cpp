@@ -1,10 +1,10 @@
-#include "core/scene/primitive.h"
+#include "brume/primitive.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 
-#include "core/scene/mesh_arrays.h"
+#include "brume/mesh_arrays.h"
 
 namespace brume {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "core/scene/scene.h"
+#include "brume/scene.h"
 
 namespace brume {
 namespace {

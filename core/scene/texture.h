@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "core/scene/metallic_roughness.h"
+#include "brume/metallic_roughness.h"
 
 namespace brume {
 

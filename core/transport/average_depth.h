@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/medium/medium.h"
+#include "brume/medium.h"
 #include "core/transport/optical_depth.h"
 
 namespace brume {

@@ -2,7 +2,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "core/medium/medium.h"
+#include "brume/medium.h"
 
 namespace brume {
 

@@ -2,7 +2,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "core/medium/gaussian.h"
+#include "brume/gaussian.h"
 
 namespace brume {
 

@@ -1,10 +1,14 @@
-#include "core/volume/density_grid.h"
+#include "brume/density_grid.h"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 #include <map>
+#include <string>
 #include <tuple>
+
+#include "brume/error.h"
+#include "core/number_domain.h"
 
 namespace brume {
 namespace {
@@ -110,6 +114,55 @@ DensityGrid at_most(DensityGrid grid, std::size_t max_blocks) {
 void rotate(DensityGrid& grid, const glm::dquat& turn) {
   grid.rotation = turn * grid.rotation;
   grid.origin = turn * grid.origin;
+}
+
+DensityGrid grid_of(std::span<const float> values, const glm::ivec3& size, double spacing,
+                    const glm::dvec3& origin) {
+  if (size.x < 1 || size.y < 1 || size.z < 1 ||
+      values.size() != static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *
+                           static_cast<std::size_t>(size.z)) {
+    throw DomainError("values", "found " + std::to_string(values.size()) +
+                                    "; allowed: as many as the grid has voxels, at least 1");
+  }
+  if (!domain::length.contains(spacing)) {
+    throw DomainError("spacing", domain::length.refusal(spacing));
+  }
+  DensityGrid grid;
+  grid.spacing = glm::dvec3(spacing);
+  grid.origin = origin;
+  const auto at = [&](int i, int j, int k) {
+    return (static_cast<std::size_t>(i) * static_cast<std::size_t>(size.y) +
+            static_cast<std::size_t>(j)) *
+               static_cast<std::size_t>(size.z) +
+           static_cast<std::size_t>(k);
+  };
+  glm::ivec3 corner;
+  for (corner.x = 0; corner.x < size.x; corner.x += DensityGrid::side) {
+    for (corner.y = 0; corner.y < size.y; corner.y += DensityGrid::side) {
+      for (corner.z = 0; corner.z < size.z; corner.z += DensityGrid::side) {
+        DensityGrid::Block block{corner, {}};
+        bool is_empty = true;
+        const glm::ivec3 end = glm::min(corner + DensityGrid::side, size);
+        for (int i = corner.x; i < end.x; ++i) {
+          for (int j = corner.y; j < end.y; ++j) {
+            for (int k = corner.z; k < end.z; ++k) {
+              const float value = values[at(i, j, k)];
+              if (!domain::density.contains(static_cast<double>(value))) {
+                throw DomainError("values[" + std::to_string(i) + "][" + std::to_string(j) + "][" +
+                                      std::to_string(k) + "]",
+                                  domain::density.refusal(static_cast<double>(value)));
+              }
+              if (value == 0.0f) continue;
+              is_empty = false;
+              block.values[index_in_block({i, j, k}, corner)] = value;
+            }
+          }
+        }
+        if (!is_empty) grid.blocks.push_back(block);
+      }
+    }
+  }
+  return grid;
 }
 
 }  // namespace brume

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/volume/density_grid.h"
+#include "brume/density_grid.h"
 
 namespace brume {
 

@@ -11,7 +11,7 @@
 #include <glm/geometric.hpp>
 #include <unordered_map>
 
-#include "core/limits.h"
+#include "brume/limits.h"
 
 namespace brume {
 namespace {

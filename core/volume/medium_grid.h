@@ -8,8 +8,8 @@
 #include <stop_token>
 #include <vector>
 
-#include "core/medium/medium.h"
-#include "core/volume/density_grid.h"
+#include "brume/density_grid.h"
+#include "brume/medium.h"
 
 namespace brume {
 

@@ -1,4 +1,5 @@
 #include "render/cpu/composite.h"
+#include "core/scene/camera_rays.h"
 
 #include <algorithm>
 #include <vector>

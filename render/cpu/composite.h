@@ -3,8 +3,8 @@
 #include <glm/vec3.hpp>
 #include <span>
 
-#include "core/scene/camera.h"
-#include "render/frame.h"
+#include "brume/frame.h"
+#include "core/scene/camera_rays.h"
 #include "render/lighting/environment_light.h"
 #include "render/util/job.h"
 

@@ -6,9 +6,10 @@
 #include <limits>
 #include <span>
 
+#include "brume/frame.h"
+#include "brume/scene.h"
+#include "core/scene/camera_rays.h"
 #include "core/scene/point_lights.h"
-#include "core/scene/scene.h"
-#include "render/frame.h"
 #include "render/geometry/medium_index.h"
 #include "render/geometry/tile_rays.h"
 #include "render/geometry/tiles.h"

@@ -1,4 +1,5 @@
 #include "render/cpu/film_samples.h"
+#include "core/scene/camera_rays.h"
 
 #include <algorithm>
 #include <array>

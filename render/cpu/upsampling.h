@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
-#include "core/scene/camera.h"
-#include "render/frame.h"
+#include "brume/frame.h"
+#include "core/scene/camera_rays.h"
 #include "render/prepare/upsampling_limits.h"
 #include "render/util/job.h"
 

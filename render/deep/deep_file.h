@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <optional>
 
+#include "brume/frame.h"
 #include "render/deep/deep_renderer.h"
-#include "render/frame.h"
 #include "render/output/frame_file.h"
 
 namespace brume {

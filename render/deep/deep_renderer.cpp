@@ -1,4 +1,5 @@
 #include "render/deep/deep_renderer.h"
+#include "core/scene/camera_rays.h"
 
 #include <algorithm>
 #include <array>

@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <optional>
 
+#include "brume/scene.h"
 #include "core/io/image/deep_exr_file.h"
-#include "core/scene/scene.h"
 #include "render/settings.h"
 #include "render/transfer/transfer_store.h"
 #include "render/util/job.h"

@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "core/error.h"
+#include "brume/error.h"
 #include "core/io/file_bytes.h"
 #include "core/io/text_scanner.h"
 

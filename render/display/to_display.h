@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
+#include "brume/frame.h"
 #include "render/display/color_view.h"
-#include "render/frame.h"
 
 namespace brume {
 

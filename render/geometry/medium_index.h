@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
-#include "core/medium/medium.h"
-#include "core/revision.h"
+#include "brume/medium.h"
+#include "brume/revision.h"
 #include "core/scene/ray_noise.h"
 #include "core/transport/optical_depth.h"
 #include "render/geometry/sphere_bvh.h"

@@ -1,4 +1,5 @@
 #include "render/geometry/tiles.h"
+#include "core/scene/camera_rays.h"
 
 #include <tbb/parallel_for.h>
 

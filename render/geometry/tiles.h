@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "core/scene/camera.h"
+#include "core/scene/camera_rays.h"
 #include "render/geometry/medium_index.h"
 
 namespace brume {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "render/frame.h"
+#include "brume/frame.h"
 #include "render/gl/resources.h"
 
 namespace brume::gl {

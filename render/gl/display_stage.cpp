@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "render/frame.h"
+#include "brume/frame.h"
 
 namespace brume::gl {
 

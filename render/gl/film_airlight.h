@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <functional>
 
-#include "core/scene/camera.h"
-#include "core/scene/scene.h"
+#include "brume/scene.h"
+#include "core/scene/camera_rays.h"
 #include "render/gl/device_clock.h"
 #include "render/gl/programs.h"
 #include "render/gl/tile_lists.h"

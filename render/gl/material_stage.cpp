@@ -4,7 +4,7 @@
 #include <cstring>
 #include <map>
 
-#include "core/scene/mesh_arrays.h"
+#include "brume/mesh_arrays.h"
 #include "core/scene/texture.h"
 #include "render/gl/shader_structs.h"
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/revision.h"
+#include "brume/revision.h"
 #include "render/gl/sliced_stage.h"
 
 namespace brume::gl {

@@ -1,4 +1,5 @@
 #include "render/gl/mesh_buffers.h"
+#include "core/scene/camera_rays.h"
 
 #include "render/gl/film_airlight.h"
 #include "render/gl/shader_structs.h"

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/revision.h"
-#include "core/scene/camera.h"
+#include "brume/revision.h"
+#include "core/scene/camera_rays.h"
 #include "render/gl/programs.h"
 #include "render/visibility/ray_caster.h"
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "core/revision.h"
+#include "brume/revision.h"
 #include "render/gl/profile_maps.h"
 #include "render/gl/shader_structs.h"
 #include "render/gl/tile_lists.h"

@@ -8,8 +8,9 @@
 #include <sstream>
 #include <vector>
 
+#include "brume/frame.h"
 #include "core/math/spherical_harmonics.h"
-#include "core/scene/camera.h"
+#include "core/scene/camera_rays.h"
 #include "core/scene/ggx.h"
 #include "core/scene/ggx_sh.h"
 #include "core/scene/measured_brdf.h"
@@ -17,7 +18,6 @@
 #include "core/scene/ray_noise.h"
 #include "core/scene/texture.h"
 #include "render/display/neutral_view.h"
-#include "render/frame.h"
 #include "render/geometry/direction_map.h"
 #include "render/geometry/edge_on.h"
 #include "render/geometry/ray_range.h"

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "core/revision.h"
+#include "brume/revision.h"
 #include "render/geometry/direction_map.h"
 #include "render/gl/mesh_buffers.h"
 #include "render/lighting/sliced_light.h"

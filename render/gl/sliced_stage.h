@@ -2,7 +2,7 @@
 
 #include <tbb/task_arena.h>
 
-#include "core/revision.h"
+#include "brume/revision.h"
 #include "render/gl/film_airlight.h"
 #include "render/gl/optical_depth_tables.h"
 #include "render/gl/shadow_maps.h"

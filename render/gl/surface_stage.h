@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/revision.h"
+#include "brume/revision.h"
 #include "render/gl/material_stage.h"
 #include "render/gl/sliced_stage.h"
 

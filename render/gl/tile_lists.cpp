@@ -1,4 +1,5 @@
 #include "render/gl/tile_lists.h"
+#include "core/scene/camera_rays.h"
 
 #include <algorithm>
 #include <glm/geometric.hpp>

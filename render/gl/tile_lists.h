@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
-#include "core/revision.h"
-#include "core/scene/camera.h"
+#include "brume/revision.h"
+#include "core/scene/camera_rays.h"
 #include "render/geometry/medium_index.h"
 #include "render/gl/programs.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/scene/at_time.h"
+#include "brume/at_time.h"
 #include "render/layers/cryptomatte.h"
 #include "render/layers/layer_channels.h"
 #include "render/layers/light_layers.h"

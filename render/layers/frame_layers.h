@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <optional>
 
+#include "brume/scene.h"
 #include "core/io/image/image_file.h"
-#include "core/scene/scene.h"
 #include "render/frame_renderer.h"
 #include "render/layers/light_layers.h"
 #include "render/samples/exposure.h"

@@ -5,7 +5,7 @@
 #include <memory>
 #include <set>
 
-#include "core/revision.h"
+#include "brume/revision.h"
 #include "render/layers/layer_channels.h"
 
 namespace brume {

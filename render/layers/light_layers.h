@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "brume/frame.h"
+#include "brume/scene.h"
 #include "core/io/image/image_file.h"
-#include "core/scene/scene.h"
-#include "render/frame.h"
 #include "render/settings.h"
 #include "render/util/job.h"
 

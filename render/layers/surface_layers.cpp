@@ -1,4 +1,5 @@
 #include "render/layers/surface_layers.h"
+#include "core/scene/camera_rays.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "brume/scene.h"
 #include "core/io/image/image_file.h"
-#include "core/scene/scene.h"
 #include "render/util/job.h"
 
 namespace brume {

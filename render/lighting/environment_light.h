@@ -4,9 +4,9 @@
 #include <glm/vec3.hpp>
 #include <span>
 
+#include "brume/revision.h"
+#include "brume/scene.h"
 #include "core/math/spherical_harmonics.h"
-#include "core/revision.h"
-#include "core/scene/scene.h"
 #include "render/lighting/incident_lookup.h"
 #include "render/simd/scatter_table.h"
 

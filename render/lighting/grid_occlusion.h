@@ -9,8 +9,8 @@
 #include <span>
 #include <vector>
 
-#include "core/revision.h"
-#include "core/scene/scene.h"
+#include "brume/revision.h"
+#include "brume/scene.h"
 #include "render/lighting/sweep_kernels.h"
 #include "render/util/job.h"
 #include "render/visibility/ray_caster.h"

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "core/revision.h"
+#include "brume/revision.h"
 #include "render/geometry/point_source.h"
 #include "render/lighting/emission_lights.h"
 #include "render/lighting/incident_point_light.h"

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "core/revision.h"
+#include "brume/revision.h"
 #include "render/geometry/direction_map.h"
 #include "render/geometry/medium_index.h"
 #include "render/settings.h"

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "render/frame.h"
+#include "brume/frame.h"
 #include "render/lighting/ordinates.h"
 #include "render/settings.h"
 #include "render/util/job.h"

@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
-#include "core/revision.h"
-#include "core/scene/scene.h"
+#include "brume/revision.h"
+#include "brume/scene.h"
 #include "render/lighting/distant_lights.h"
 #include "render/lighting/emission_lights.h"
 #include "render/lighting/multiple_scattering.h"

@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "brume/revision.h"
 #include "core/math/spherical_harmonics.h"
-#include "core/revision.h"
 #include "core/transport/optical_depth.h"
 #include "render/geometry/box.h"
 #include "render/geometry/fog_ball.h"

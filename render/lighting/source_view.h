@@ -3,7 +3,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "core/revision.h"
+#include "brume/revision.h"
 #include "render/lighting/source_function.h"
 #include "render/lighting/source_lookup.h"
 #include "render/util/job.h"

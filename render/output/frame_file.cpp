@@ -1,6 +1,8 @@
 #include "render/output/frame_file.h"
 
-#include "core/error.h"
+#include "brume/error.h"
+#include "brume/files.h"
+#include "brume/version.h"
 #include "core/io/file_bytes.h"
 #include "core/io/image/image_file.h"
 #include "core/io/text_scanner.h"
@@ -8,6 +10,29 @@
 
 namespace brume {
 namespace {
+
+// The layers of the contract: R G B A, airlight.R/G/B, transmittance.R/G/B, Z.
+ImageLayers to_layers(const Frame& frame) {
+  ImageLayers image;
+  image.width = frame.film.width;
+  image.height = frame.film.height;
+  const auto split = [&](const std::vector<float>& pixels,
+                         std::initializer_list<const char*> names) {
+    const std::size_t stride = names.size();
+    std::size_t k = 0;
+    for (const char* name : names) {
+      std::vector<float>& channel = image.channels[name];
+      channel.resize(pixels.size() / stride);
+      for (std::size_t i = 0; i < channel.size(); ++i) channel[i] = pixels[i * stride + k];
+      ++k;
+    }
+  };
+  split(frame.beauty, {"R", "G", "B", "A"});
+  split(frame.airlight, {"airlight.R", "airlight.G", "airlight.B"});
+  split(frame.transmittance, {"transmittance.R", "transmittance.G", "transmittance.B"});
+  split(frame.depth, {"Z"});
+  return image;
+}
 
 void keep(ImageLayers& image, const OutputLayers& layers) {
   std::erase_if(image.channels, [&layers](const auto& channel) {
@@ -28,7 +53,7 @@ std::map<std::string, std::string> frame_metadata(const FrameInfo& info) {
   // Only its name: pictures are shared, and folders reveal their author.
   const std::string scene = std::filesystem::path(info.scene).filename().string();
   std::map<std::string, std::string> metadata{{"brume:scene", scene},
-                                              {"brume:version", BRUME_VERSION},
+                                              {"brume:version", version()},
                                               {"brume:airlight", info.airlight},
                                               {"brume:backend", info.backend}};
   if (info.noise) metadata["brume:noise"] = quoted_text(info.noise->picture);
@@ -55,11 +80,24 @@ void write_frame(const std::filesystem::path& file, const Frame& frame, const Fr
     layers.metadata.insert(more.metadata.begin(), more.metadata.end());
     write_exr(file, layers);
   } else {
-    metadata["Software"] = "Brume " BRUME_VERSION;  // a keyword of the PNG standard
+    metadata["Software"] = std::string("Brume ") + version();  // a keyword of the PNG standard
     metadata["brume:exposure"] = quoted_text(info.look.exposure);
     metadata["brume:view_transform"] = view_name(info.look);
     write_png(file, frame.film.width, frame.film.height, to_display(frame, info.look), metadata);
   }
+}
+
+void save_frame(const Frame& frame, const std::filesystem::path& file, double exposure) {
+  write_frame(file, frame,
+              {.airlight = frame.statistics.airlight,
+               .backend = frame.statistics.backend,
+               .look = {exposure, nullptr},
+               .noise = relative_noise(frame)},
+              frame.layers);
+}
+
+std::string encode_png(const Frame& frame, double exposure) {
+  return encode_png(frame.film.width, frame.film.height, to_display(frame, {exposure, nullptr}));
 }
 
 }  // namespace brume

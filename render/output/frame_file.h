@@ -5,18 +5,18 @@
 #include <optional>
 #include <string>
 
+#include "brume/frame.h"
+#include "brume/output.h"
 #include "core/io/image/image_file.h"
-#include "core/scene/output.h"
 #include "render/display/to_display.h"
-#include "render/frame.h"
 
 namespace brume {
 
 // Metadata of a frame's file. Empty texts are left out.
 struct FrameInfo {
-  std::string scene;  // file name
-  std::string airlight;
-  std::string backend;
+  std::string scene{};  // file name
+  std::string airlight{};
+  std::string backend{};
   DisplayLook look{};                    // of a PNG; an EXR is linear
   std::optional<RelativeNoise> noise{};  // of a path-traced frame
   OutputLayers layers{};                 // of an EXR

@@ -2,8 +2,8 @@
 
 #include <glm/vec3.hpp>
 
+#include "brume/scene.h"
 #include "core/scene/ggx.h"
-#include "core/scene/scene.h"
 #include "render/paths/path_random.h"
 
 namespace brume {

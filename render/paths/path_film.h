@@ -7,12 +7,12 @@
 #include <span>
 #include <vector>
 
-#include "core/revision.h"
-#include "core/scene/camera.h"
+#include "brume/frame.h"
+#include "brume/revision.h"
+#include "brume/scene.h"
+#include "core/scene/camera_rays.h"
 #include "core/scene/point_lights.h"
 #include "core/scene/ray_noise.h"
-#include "core/scene/scene.h"
-#include "render/frame.h"
 #include "render/paths/path_sums.h"
 #include "render/paths/path_tracer.h"
 #include "render/util/job.h"

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "core/scene/scene.h"
+#include "brume/scene.h"
 #include "render/geometry/fog_ball.h"
 #include "render/geometry/point_source.h"
 #include "render/paths/emission_sampler.h"

@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "core/revision.h"
-#include "core/scene/scene.h"
-#include "render/frame.h"
+#include "brume/frame.h"
+#include "brume/revision.h"
+#include "brume/scene.h"
 #include "render/util/job.h"
 
 namespace brume {

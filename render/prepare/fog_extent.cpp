@@ -5,7 +5,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "core/limits.h"
+#include "brume/limits.h"
 #include "core/math/infinity.h"
 #include "core/scene/point_lights.h"
 

@@ -3,8 +3,8 @@
 #include <glm/vec3.hpp>
 #include <span>
 
+#include "brume/scene.h"
 #include "core/scene/point_lights.h"
-#include "core/scene/scene.h"
 #include "render/geometry/box.h"
 #include "render/geometry/fog_ball.h"
 

@@ -1,4 +1,5 @@
 #include "render/prepare/frame_stages.h"
+#include "core/scene/camera_rays.h"
 
 #include <array>
 #include <cmath>

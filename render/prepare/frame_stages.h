@@ -5,8 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "core/scene/scene.h"
-#include "render/frame.h"
+#include "brume/frame.h"
+#include "brume/scene.h"
+#include "core/scene/camera_rays.h"
 #include "render/lighting/paper_lights.h"
 #include "render/lighting/sliced_light.h"
 #include "render/lighting/source_function.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-#include "core/scene/camera.h"
+#include "core/scene/camera_rays.h"
 
 namespace brume {
 

@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "core/scene/camera.h"
+#include "brume/scene.h"
+#include "core/scene/camera_rays.h"
 #include "core/scene/point_lights.h"
-#include "core/scene/scene.h"
 
 namespace brume {
 

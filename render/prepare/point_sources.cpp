@@ -1,4 +1,5 @@
 #include "render/prepare/point_sources.h"
+#include "core/scene/camera_rays.h"
 
 #include <algorithm>
 

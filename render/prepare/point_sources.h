@@ -3,7 +3,8 @@
 #include <span>
 #include <vector>
 
-#include "core/scene/scene.h"
+#include "brume/scene.h"
+#include "core/scene/camera_rays.h"
 #include "render/geometry/point_source.h"
 
 namespace brume {

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "core/revision.h"
-#include "core/scene/scene.h"
+#include "brume/revision.h"
+#include "brume/scene.h"
 #include "render/geometry/medium_index.h"
 #include "render/lighting/optical_depth_table.h"
 #include "render/lighting/path_depths.h"

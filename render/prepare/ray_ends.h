@@ -5,7 +5,7 @@
 #include <limits>
 #include <span>
 
-#include "render/frame.h"
+#include "brume/frame.h"
 
 namespace brume {
 

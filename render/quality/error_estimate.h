@@ -8,21 +8,12 @@
 #include <stop_token>
 #include <vector>
 
-#include "core/scene/scene.h"
-#include "render/frame.h"
+#include "brume/frame.h"
+#include "brume/scene.h"
 
 namespace brume {
 
 class ViewReference;
-
-// Error of a frame's airlight, estimated from a sample of its pixels.
-struct ErrorEstimate {
-  double rel_rmse = 0.0;  // rms(L - Lref) / rms(Lref) over RGB of the airlight
-  double low = 0.0;       // 95% confidence interval
-  double high = 0.0;
-  std::size_t pixels = 0;  // of the sample
-  double noise = 0.0;  // share of the interval's variance that is noise of the reference's paths
-};
 
 // A random sample of a view's pixels with their converged airlight. Importance-sampled by
 // sample_probabilities(). Pixels of probability 1 with large error add their 3x3 neighbourhood at

@@ -7,7 +7,8 @@
 #include <stop_token>
 #include <vector>
 
-#include "core/scene/scene.h"
+#include "brume/scene.h"
+#include "core/scene/camera_rays.h"
 #include "render/geometry/medium_index.h"
 #include "render/paths/environment_sampler.h"
 #include "render/paths/path_medium.h"

@@ -1,4 +1,5 @@
 #include "render/quality/sample_probabilities.h"
+#include "core/scene/camera_rays.h"
 
 #include <algorithm>
 #include <cmath>

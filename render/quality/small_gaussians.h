@@ -3,8 +3,9 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/scene/scene.h"
-#include "render/frame.h"
+#include "brume/frame.h"
+#include "brume/scene.h"
+#include "core/scene/camera_rays.h"
 
 namespace brume {
 

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "core/scene/scene.h"
+#include "brume/scene.h"
 #include "render/geometry/medium_index.h"
 #include "render/lighting/distant_lights.h"
 #include "render/reference/airlight_integral.h"

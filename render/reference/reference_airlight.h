@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "core/scene/scene.h"
+#include "brume/scene.h"
 #include "render/geometry/medium_index.h"
 #include "render/geometry/point_source.h"
 #include "render/reference/environment_integral.h"

@@ -5,7 +5,8 @@
 #include <stop_token>
 #include <vector>
 
-#include "core/scene/scene.h"
+#include "brume/scene.h"
+#include "core/scene/camera_rays.h"
 #include "render/geometry/medium_index.h"
 #include "render/prepare/fog_extent.h"
 #include "render/reference/reference_airlight.h"

@@ -5,7 +5,7 @@
 #include <glm/vec3.hpp>
 #include <limits>
 
-#include "core/scene/scene.h"
+#include "brume/scene.h"
 #include "render/visibility/ray_caster.h"
 
 namespace brume {

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "render/frame.h"
+#include "brume/frame.h"
 #include "render/util/job.h"
 
 namespace brume {

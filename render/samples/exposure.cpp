@@ -1,4 +1,5 @@
 #include "render/samples/exposure.h"
+#include "core/scene/camera_rays.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +7,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "core/scene/at_time.h"
+#include "brume/at_time.h"
 #include "render/samples/mean_frame.h"
 #include "render/samples/pixel_filter.h"
 

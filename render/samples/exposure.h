@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/scene/output.h"
+#include "brume/output.h"
 #include "render/frame_renderer.h"
 #include "render/util/job.h"
 

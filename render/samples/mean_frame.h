@@ -3,7 +3,7 @@
 #include <functional>
 #include <optional>
 
-#include "render/frame.h"
+#include "brume/frame.h"
 #include "render/settings.h"
 #include "render/util/job.h"
 

@@ -1,4 +1,5 @@
 #include "render/shading/film_surfaces.h"
+#include "core/scene/camera_rays.h"
 
 #include <algorithm>
 #include <array>

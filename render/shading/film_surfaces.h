@@ -4,6 +4,7 @@
 #include <glm/vec3.hpp>
 #include <span>
 
+#include "core/scene/camera_rays.h"
 #include "render/geometry/medium_index.h"
 #include "render/settings.h"
 #include "render/shading/prepared_shading.h"

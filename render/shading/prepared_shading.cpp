@@ -4,7 +4,7 @@
 #include <glm/common.hpp>
 #include <limits>
 
-#include "core/scene/mesh_arrays.h"
+#include "brume/mesh_arrays.h"
 #include "render/shading/surface_shading.h"
 
 namespace brume {

@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include "core/revision.h"
+#include "brume/revision.h"
+#include "brume/scene.h"
 #include "core/scene/placement.h"
-#include "core/scene/scene.h"
 #include "render/geometry/medium_index.h"
 #include "render/lighting/average_depth_grid.h"
 #include "render/lighting/environment_light.h"

@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
-#include "core/scene/mesh_arrays.h"
+#include "brume/mesh_arrays.h"
 #include "core/scene/placement.h"
 #include "render/shading/surface_shading.h"
 #include "render/simd/reflection_kernels.h"

@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "core/revision.h"
-#include "core/scene/scene.h"
+#include "brume/revision.h"
+#include "brume/scene.h"
 #include "render/geometry/medium_index.h"
 #include "render/geometry/point_source.h"
 #include "render/settings.h"

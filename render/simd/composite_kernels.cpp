@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include "render/frame.h"
+#include "brume/frame.h"
 
 // Highway includes this file once per instruction set.
 #undef HWY_TARGET_INCLUDE

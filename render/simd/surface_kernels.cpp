@@ -1,4 +1,5 @@
 #include "render/simd/surface_kernels.h"
+#include "core/scene/camera_rays.h"
 
 #include <algorithm>
 

@@ -5,7 +5,7 @@
 #include <glm/vec3.hpp>
 #include <span>
 
-#include "core/scene/camera.h"
+#include "core/scene/camera_rays.h"
 #include "core/scene/light_falloff.h"
 #include "render/simd/scatter_table.h"
 #include "render/simd/surface_points.h"

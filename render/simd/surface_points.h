@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 
-#include "core/scene/scene.h"
+#include "brume/scene.h"
 #include "render/geometry/tiles.h"
 #include "render/simd/gaussian_kernels.h"
 

@@ -9,7 +9,7 @@
 #include <numeric>
 #include <tuple>
 
-#include "core/scene/mesh_arrays.h"
+#include "brume/mesh_arrays.h"
 
 namespace brume {
 namespace {

@@ -9,11 +9,11 @@
 #include <span>
 #include <utility>
 
+#include "brume/mesh_arrays.h"
+#include "brume/scene.h"
 #include "core/math/sphere_rule.h"
 #include "core/scene/brdf.h"
 #include "core/scene/mesh.h"
-#include "core/scene/mesh_arrays.h"
-#include "core/scene/scene.h"
 #include "render/visibility/ray_caster.h"
 
 namespace brume {

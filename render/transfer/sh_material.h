@@ -2,9 +2,9 @@
 
 #include <optional>
 
+#include "brume/scene.h"
 #include "core/math/spherical_harmonics.h"
 #include "core/scene/brdf.h"
-#include "core/scene/scene.h"
 #include "render/simd/reflection_kernels.h"
 #include "render/transfer/radiance_transfer.h"
 

@@ -10,13 +10,13 @@
 #include <span>
 #include <string_view>
 
-#include "core/error.h"
+#include "brume/error.h"
+#include "brume/limits.h"
+#include "brume/mesh_arrays.h"
 #include "core/io/atomic_file.h"
 #include "core/io/content_hash.h"
 #include "core/io/file_bytes.h"
-#include "core/limits.h"
 #include "core/scene/mesh.h"
-#include "core/scene/mesh_arrays.h"
 
 namespace brume {
 namespace fs = std::filesystem;

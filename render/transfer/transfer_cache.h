@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "brume/limits.h"
 #include "render/transfer/radiance_transfer.h"
 
 namespace brume {

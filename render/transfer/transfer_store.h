@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/scene/scene.h"
+#include "brume/scene.h"
 #include "render/transfer/radiance_transfer.h"
 
 namespace brume {

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <optional>
 
-#include "core/scene/mesh_arrays.h"
+#include "brume/mesh_arrays.h"
 
 namespace brume {
 namespace {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/scene/scene.h"
+#include "brume/scene.h"
 #include "render/geometry/sphere_bvh.h"
 
 namespace brume {

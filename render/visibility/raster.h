@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "core/scene/camera.h"
+#include "core/scene/camera_rays.h"
 #include "render/util/job.h"
 
 namespace brume {

@@ -1,4 +1,5 @@
 #include "render/visibility/ray_caster.h"
+#include "core/scene/camera_rays.h"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +10,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "core/scene/mesh_arrays.h"
+#include "brume/mesh_arrays.h"
 #include "core/scene/placement.h"
 #include "render/geometry/edge_on.h"
 

@@ -9,8 +9,9 @@
 #include <span>
 #include <vector>
 
-#include "core/revision.h"
-#include "core/scene/scene.h"
+#include "brume/revision.h"
+#include "brume/scene.h"
+#include "core/scene/camera_rays.h"
 #include "render/geometry/box.h"
 #include "render/simd/surface_points.h"
 #include "render/visibility/raster.h"

@@ -5,8 +5,8 @@
 #include <glm/vec3.hpp>
 #include <optional>
 
+#include "brume/scene.h"
 #include "core/scene/ggx.h"
-#include "core/scene/scene.h"
 
 namespace brume {
 

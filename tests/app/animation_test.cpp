@@ -18,10 +18,10 @@
 #include "app/widgets/number_field.h"
 #include "app/widgets/value_field.h"
 #include "app/window/message_bar.h"
+#include "brume/at_time.h"
+#include "brume/limits.h"
+#include "brume/mesh_arrays.h"
 #include "core/io/scene/scene_file.h"
-#include "core/limits.h"
-#include "core/scene/at_time.h"
-#include "core/scene/mesh_arrays.h"
 #include "core/scene/particles.h"
 #include "tests/app/test_window.h"
 

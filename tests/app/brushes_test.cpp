@@ -21,7 +21,7 @@
 #include "app/tools/paintbrush_tool.h"
 #include "app/tools/tool_box.h"
 #include "app/viewport/viewport.h"
-#include "core/error.h"
+#include "brume/error.h"
 #include "tests/app/test_window.h"
 
 using namespace brume;

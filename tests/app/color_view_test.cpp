@@ -7,7 +7,7 @@
 
 #include "app/document/paths.h"
 #include "app/viewport/view_grid.h"
-#include "core/error.h"
+#include "brume/error.h"
 #include "tests/app/test_window.h"
 #include "tests/render/display/halving_config.h"
 

@@ -19,8 +19,8 @@
 #include "app/document/timeline.h"
 #include "app/viewport/viewport.h"
 #include "app/window/message_bar.h"
+#include "brume/at_time.h"
 #include "core/io/scene/scene_file.h"
-#include "core/scene/at_time.h"
 #include "core/scene/group_effects.h"
 #include "tests/app/test_window.h"
 

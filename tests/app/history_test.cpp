@@ -19,12 +19,12 @@
 #include "app/commands/select_command.h"
 #include "app/document/document.h"
 #include "app/document/euler_angles.h"
+#include "brume/at_time.h"
+#include "brume/edits.h"
+#include "brume/mesh_arrays.h"
 #include "core/authoring/eraser.h"
 #include "core/authoring/paintbrush.h"
 #include "core/io/scene/scene_file.h"
-#include "core/medium/medium_edit.h"
-#include "core/scene/at_time.h"
-#include "core/scene/mesh_arrays.h"
 #include "tests/app/test_window.h"
 
 using namespace brume;

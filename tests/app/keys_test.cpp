@@ -15,9 +15,10 @@
 #include "app/widgets/frame_slider.h"
 #include "app/widgets/number_field.h"
 #include "app/widgets/value_field.h"
+#include "brume/at_time.h"
 #include "core/io/scene/scene_file.h"
+#include "core/number_domain.h"
 #include "core/scene/animation.h"
-#include "core/scene/at_time.h"
 #include "core/scene/particles.h"
 #include "tests/app/test_window.h"
 

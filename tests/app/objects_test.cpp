@@ -13,9 +13,9 @@
 #include "app/view/object_box.h"
 #include "app/view/surface_picker.h"
 #include "app/viewport/viewport.h"
+#include "brume/at_time.h"
+#include "brume/medium.h"
 #include "core/io/scene/scene_file.h"
-#include "core/medium/medium.h"
-#include "core/scene/at_time.h"
 #include "tests/app/test_window.h"
 
 using namespace brume;

@@ -22,6 +22,7 @@
 #include "core/io/image/deep_exr_file.h"
 #include "core/io/image/image_file.h"
 #include "core/io/scene/scene_file.h"
+#include "core/scene/camera_rays.h"
 #include "core/scene/cameras.h"
 #include "tests/app/question.h"
 #include "tests/app/test_window.h"

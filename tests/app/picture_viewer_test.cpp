@@ -8,8 +8,8 @@
 #include "app/document/paths.h"
 #include "app/pictures/picture_viewer.h"
 #include "app/viewport/viewport.h"
-#include "core/error.h"
-#include "render/frame.h"
+#include "brume/error.h"
+#include "brume/frame.h"
 #include "tests/app/test_window.h"
 
 using namespace brume;

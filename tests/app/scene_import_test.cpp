@@ -15,8 +15,8 @@
 #include "app/jobs/background_job.h"
 #include "app/viewport/viewport.h"
 #include "app/window/message_bar.h"
+#include "brume/mesh_arrays.h"
 #include "core/scene/imported_scene.h"
-#include "core/scene/mesh_arrays.h"
 #include "tests/app/test_window.h"
 #include "tests/core/io/import/gltf_builder.h"
 

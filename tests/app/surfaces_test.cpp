@@ -13,10 +13,10 @@
 #include "app/document/euler_angles.h"
 #include "app/view/surface_picker.h"
 #include "app/viewport/viewport.h"
+#include "brume/at_time.h"
+#include "brume/medium.h"
+#include "brume/mesh_arrays.h"
 #include "core/io/scene/scene_file.h"
-#include "core/medium/medium.h"
-#include "core/scene/at_time.h"
-#include "core/scene/mesh_arrays.h"
 #include "tests/app/test_window.h"
 
 using namespace brume;

@@ -6,7 +6,7 @@
 
 #include "app/jobs/job_bar.h"
 #include "app/window/main_window.h"
-#include "core/scene/scene.h"
+#include "brume/scene.h"
 
 namespace brume {
 

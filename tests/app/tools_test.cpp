@@ -14,6 +14,7 @@
 #include "app/widgets/keys.h"
 #include "app/widgets/number_field.h"
 #include "app/widgets/value_field.h"
+#include "core/scene/camera_rays.h"
 #include "tests/app/test_window.h"
 
 using namespace brume;

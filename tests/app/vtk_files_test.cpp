@@ -11,7 +11,7 @@
 
 #include "app/document/paths.h"
 #include "app/import/vtk_points.h"
-#include "core/error.h"
+#include "brume/error.h"
 #include "tests/app/test_window.h"
 
 using namespace brume;

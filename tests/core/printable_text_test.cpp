@@ -5,7 +5,7 @@
 #include <array>
 #include <filesystem>
 
-#include "core/error.h"
+#include "brume/error.h"
 
 namespace brume {
 namespace {

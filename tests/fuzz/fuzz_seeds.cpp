@@ -8,11 +8,11 @@
 #include <string>
 #include <string_view>
 
+#include "brume/medium.h"
 #include "core/io/gaussians/gaussian_file.h"
 #include "core/io/image/image_file.h"
 #include "core/io/import/raw_scene_bytes.h"
 #include "core/io/volume/volume_file.h"
-#include "core/medium/medium.h"
 #include "core/volume/medium_grid.h"
 #include "tests/core/io/import/gltf_builder.h"
 

@@ -8,8 +8,9 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "brume/frame.h"
+#include "core/scene/camera_rays.h"
 #include "core/scene/point_lights.h"
-#include "render/frame.h"
 #include "render/reference/reference_pixels.h"
 #include "tests/render/test_scenes.h"
 

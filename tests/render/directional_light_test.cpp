@@ -8,9 +8,10 @@
 #include <glm/trigonometric.hpp>
 #include <numbers>
 
+#include "brume/frame.h"
+#include "core/scene/camera_rays.h"
 #include "core/scene/point_lights.h"
 #include "core/transport/optical_depth.h"
-#include "render/frame.h"
 #include "render/prepare/fog_extent.h"
 #include "tests/render/test_scenes.h"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/scene/scene.h"
+#include "brume/scene.h"
 
 namespace brume {
 

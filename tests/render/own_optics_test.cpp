@@ -8,7 +8,8 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "render/frame.h"
+#include "brume/frame.h"
+#include "core/scene/camera_rays.h"
 #include "tests/render/test_scenes.h"
 
 namespace brume {

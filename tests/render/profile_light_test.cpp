@@ -9,8 +9,8 @@
 #include <memory>
 #include <numbers>
 
+#include "brume/frame.h"
 #include "core/scene/photometric_profile.h"
-#include "render/frame.h"
 #include "tests/render/test_profiles.h"
 #include "tests/render/test_scenes.h"
 

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "core/scene/mesh_arrays.h"
+#include "brume/mesh_arrays.h"
 #include "core/scene/radiance_map.h"
 #include "tests/random.h"
 #include "tests/render/random_scene.h"

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "brume/mesh_arrays.h"
 #include "core/scene/measured_brdf.h"
-#include "core/scene/mesh_arrays.h"
 #include "core/scene/radiance_map.h"
 #include "tests/random.h"
 #include "tests/render/test_profiles.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/scene/scene.h"
+#include "brume/scene.h"
 
 namespace brume {
 

@@ -9,7 +9,7 @@
 #include <numbers>
 #include <thread>
 
-#include "core/medium/medium_edit.h"
+#include "brume/edits.h"
 #include "core/scene/brdf.h"
 #include "core/transport/point_spread.h"
 #include "tests/render/test_scenes.h"

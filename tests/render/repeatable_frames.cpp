@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/medium/medium_edit.h"
+#include "brume/edits.h"
 #include "tests/render/test_scenes.h"
 
 namespace brume {

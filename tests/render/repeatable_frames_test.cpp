@@ -7,7 +7,7 @@
 #include <array>
 #include <stop_token>
 
-#include "core/medium/medium_edit.h"
+#include "brume/edits.h"
 #include "render/renderer.h"
 #include "tests/render/test_scenes.h"
 

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <vector>
-#include "core/scene/scene.h"
+#include "brume/scene.h"
 
-#include "render/frame.h"
+#include "brume/frame.h"
 
 namespace brume {
 

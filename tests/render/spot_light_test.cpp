@@ -8,8 +8,9 @@
 #include <glm/trigonometric.hpp>
 #include <numbers>
 
+#include "brume/frame.h"
+#include "core/scene/camera_rays.h"
 #include "core/transport/optical_depth.h"
-#include "render/frame.h"
 #include "tests/render/test_scenes.h"
 
 namespace brume {

@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "core/scene/mesh_arrays.h"
+#include "brume/mesh_arrays.h"
 #include "core/scene/radiance_map.h"
 #include "core/transport/optical_depth.h"
 #include "render/renderer.h"

@@ -3,8 +3,8 @@
 #include <memory>
 #include <string>
 
-#include "core/scene/scene.h"
-#include "render/frame.h"
+#include "brume/frame.h"
+#include "brume/scene.h"
 #include "render/settings.h"
 
 namespace brume {

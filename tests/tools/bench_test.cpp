@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "core/error.h"
+#include "brume/error.h"
 #include "core/io/scene/scene_file.h"
 #include "tests/tools/command_line.h"
 #include "tools/bench/measure/frontier.h"

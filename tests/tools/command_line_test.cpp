@@ -19,7 +19,11 @@ namespace {
 using Json = nlohmann::json;
 
 TEST_F(CommandLine, HelpAndVersion) {
-  EXPECT_EQ(run_brume({"--version"}).out, "brume " BRUME_VERSION "\n");
+  const std::string version = run_brume({"--version"}).out;
+  EXPECT_TRUE(version.starts_with("brume " BRUME_VERSION "\n")) << version;
+  for (const char* part : {"compiler", "vector instructions", "Embree", "OpenVDB"}) {
+    EXPECT_NE(version.find(part), std::string::npos) << part;
+  }
   for (const std::vector<std::string>& arguments :
        std::vector<std::vector<std::string>>{{"-h"}, {"render", "-h"}, {"compare", "--help"}}) {
     const ProgramResult result = run_brume(arguments);

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "core/error.h"
+#include "brume/error.h"
 #include "core/io/image/image_file.h"
 #include "core/io/scene/scene_file.h"
 #include "tests/tools/malformed_scenes.h"

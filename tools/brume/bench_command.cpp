@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "core/error.h"
+#include "brume/error.h"
 #include "core/io/atomic_file.h"
 #include "core/io/file_bytes.h"
 #include "core/io/scene/scene_file.h"

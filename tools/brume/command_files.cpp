@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "core/error.h"
+#include "brume/error.h"
 #include "core/io/atomic_file.h"
 
 namespace brume {

@@ -2,7 +2,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "core/error.h"
+#include "brume/error.h"
 #include "core/io/image/image_file.h"
 #include "render/output/compare.h"
 #include "tools/brume/command.h"

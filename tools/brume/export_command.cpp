@@ -7,14 +7,14 @@
 #include <utility>
 #include <vector>
 
-#include "core/error.h"
+#include "brume/at_time.h"
+#include "brume/error.h"
 #include "core/io/file_bytes.h"
 #include "core/io/gaussians/gaussian_file.h"
 #include "core/io/scene/usd_file.h"
 #include "core/io/text_scanner.h"
 #include "core/io/volume/volume_file.h"
 #include "core/number_domain.h"
-#include "core/scene/at_time.h"
 #include "core/volume/medium_grid.h"
 #include "tools/brume/command.h"
 #include "tools/brume/command_files.h"

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/error.h"
+#include "brume/error.h"
 #include "core/fit/fit_error.h"
 #include "core/fit/volume_fitter.h"
 #include "core/io/file_bytes.h"

@@ -3,7 +3,8 @@
 #include <set>
 #include <sstream>
 
-#include "core/error.h"
+#include "brume/error.h"
+#include "brume/mesh_arrays.h"
 #include "core/io/file_bytes.h"
 #include "core/io/gaussians/gaussian_file.h"
 #include "core/io/import/imported_scene_file.h"
@@ -14,7 +15,6 @@
 #include "core/number_domain.h"
 #include "core/scene/imported_scene.h"
 #include "core/scene/mesh.h"
-#include "core/scene/mesh_arrays.h"
 #include "core/transport/medium_summary.h"
 #include "tools/brume/command.h"
 #include "tools/brume/progress_line.h"

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "core/scene/output.h"
+#include "brume/output.h"
 
 namespace brume {
 

@@ -8,7 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "core/error.h"
+#include "brume/error.h"
+#include "brume/version.h"
 #include "core/io/temporary_files.h"
 #include "core/printable_text.h"
 #include "render/util/frame_memory.h"
@@ -65,9 +66,15 @@ void check_names(const CLI::App& app, const std::vector<std::string>& arguments)
   }
 }
 
+std::string version_text() {
+  std::string text = std::string("brume ") + version();
+  for (const auto& [name, value] : build_information()) text += "\n  " + name + ": " + value;
+  return text;
+}
+
 int run(int argc, char** argv) {
   CLI::App app("Brume renders light in fog.", "brume");
-  app.set_version_flag("--version", "brume " BRUME_VERSION);
+  app.set_version_flag("--version", version_text, "print the version, and what it is built with");
   struct Subcommand {
     CLI::App* app;
     std::unique_ptr<Command> command;

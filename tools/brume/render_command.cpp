@@ -5,10 +5,10 @@
 #include <sstream>
 #include <utility>
 
-#include "core/error.h"
+#include "brume/at_time.h"
+#include "brume/error.h"
+#include "brume/limits.h"
 #include "core/io/atomic_file.h"
-#include "core/limits.h"
-#include "core/scene/at_time.h"
 #include "render/deep/deep_file.h"
 #include "render/gl_renderer.h"
 #include "render/layers/frame_layers.h"
@@ -16,6 +16,7 @@
 #include "render/quality/auto_quality.h"
 #include "render/render_plan.h"
 #include "render/samples/exposure.h"
+#include "render/shot.h"
 #include "render/transfer/transfer_cache.h"
 #include "render/transfer/transfer_store.h"
 #include "tools/brume/command.h"
@@ -106,15 +107,16 @@ class RenderCommand final : public Command {
     std::string problem;
     const std::unique_ptr<FrameRenderer> renderer =
         make_renderer(options_.backend(), transfers, problem);
-    const Shot shot{animation, scene, film, options_.exposure(animation), *renderer};
+    const Shot shot{animation, scene, std::nullopt, film, options_.exposure(animation)};
 
     std::optional<ErrorEstimate> error;
-    Frame frame = first_frame(shot, settings, error);
+    Frame frame = first_frame(*renderer, shot, settings, error);
     const Milliseconds first = Clock::now() - start;
     if (options_.backend() == Backend::gl) warn_of_cpu(problem, frame.statistics);
     if (error) warn_of_error(*error, options_.max_error());
-    const std::vector<FrameStatistics> moved = moved_frames(shot, settings);
-    const std::optional<DeepFileStatistics> deep = write(shot, settings, look, frame, *transfers);
+    const std::vector<FrameStatistics> moved = moved_frames(*renderer, shot, settings);
+    const std::optional<DeepFileStatistics> deep =
+        write(*renderer, shot, settings, look, frame, *transfers);
     if (options_.stats_file().empty()) return done;
 
     // What paths say of their error is their noise; the integral is scattered once only.
@@ -136,49 +138,14 @@ class RenderCommand final : public Command {
   }
 
  private:
-  // What is rendered, and who renders it.
-  struct Shot {
-    const Scene& animation;
-    const Scene& scene;  // of the animation, at the time of the options
-    Film film;
-    Exposure exposure;
-    FrameRenderer& renderer;
-  };
-
-  [[nodiscard]] SceneAt scene_at(const Shot& shot) const {
-    return [&shot, time = options_.time()](double t) {
-      return t == time ? shot.scene : evaluate_at(shot.animation, t);
-    };
-  }
-
-  [[nodiscard]] Frame render(const Shot& shot, const Camera& camera, const Settings& settings,
-                             int number) const {
-    const ProgressLine line("frame " + std::to_string(number) + " of " +
-                            std::to_string(1 + moved_count()));
-    return finished(render_exposure(shot.renderer, scene_at(shot), options_.time(), camera,
-                                    shot.film, settings, shot.exposure, line.job()));
-  }
-
   // `settings` become those that rendered it; with auto, `error` is measured.
-  [[nodiscard]] Frame first_frame(const Shot& shot, Settings& settings,
+  [[nodiscard]] Frame first_frame(FrameRenderer& renderer, const Shot& shot, Settings& settings,
                                   std::optional<ErrorEstimate>& error) const {
-    const Camera& camera = shot.scene.camera;
-    settings.samples = samples_of(shot.exposure, camera, shot.scene);
-    if (settings.airlight != AirlightMethod::auto_) return render(shot, camera, settings, 1);
-    // What auto renders has no blur.
-    const bool is_final = !is_blurred(shot.exposure, camera);
-    Settings wanted = settings;
-    if (!is_final) wanted.samples = 1;
-    RequestedFrame found = [&] {
-      const ProgressLine line("auto");
-      return finished(render_requested(shot.renderer, shot.scene, camera, shot.film, wanted,
-                                       interruption(), line.progress()));
-    }();
-    error = found.error;
-    const int samples = settings.samples;
+    const ProgressLine line("frame 1 of " + std::to_string(1 + moved_count()));
+    RequestedFrame found = finished(render_shot(renderer, shot, settings, line.job()));
     settings = found.settings;
-    settings.samples = samples;
-    return is_final ? std::move(found.frame) : render(shot, camera, settings, 1);
+    error = found.error;
+    return std::move(found.frame);
   }
 
   // Frames after the first, whose times are reported: in them everything is built.
@@ -186,21 +153,24 @@ class RenderCommand final : public Command {
     return options_.stats_file().empty() && options_.repeat() == 1 ? 0 : options_.repeat();
   }
 
-  [[nodiscard]] std::vector<FrameStatistics> moved_frames(const Shot& shot,
+  [[nodiscard]] std::vector<FrameStatistics> moved_frames(FrameRenderer& renderer, Shot shot,
                                                           const Settings& settings) const {
     std::vector<FrameStatistics> moved;
     for (int i = 1; i <= moved_count(); ++i) {
       // Too small a step to change the cost, but nothing of the last view can be reused.
-      Camera camera = shot.scene.camera;
+      Camera& camera = shot.camera.emplace(shot.scene.camera);
       camera.eye += (1 + i % 1000) * 1e-6 * (camera.target - camera.eye);
-      moved.push_back(render(shot, camera, settings, i + 1).statistics);
+      const ProgressLine line("frame " + std::to_string(i + 1) + " of " +
+                              std::to_string(1 + moved_count()));
+      moved.push_back(finished(render_shot(renderer, shot, settings, line.job())).frame.statistics);
     }
     check_interrupted();
     return moved;
   }
 
   // What there is to say of a deep file.
-  [[nodiscard]] std::optional<DeepFileStatistics> write(const Shot& shot, const Settings& settings,
+  [[nodiscard]] std::optional<DeepFileStatistics> write(FrameRenderer& renderer, const Shot& shot,
+                                                        const Settings& settings,
                                                         const DisplayLook& look, Frame& frame,
                                                         TransferStore& transfers) const {
     const FrameInfo info{options_.scene_file(), airlight_name(settings), frame.statistics.backend,
@@ -220,8 +190,8 @@ class RenderCommand final : public Command {
                                  shot.scene,
                                  nullptr,
                                  settings,
-                                 render_lit_by(shot.renderer, {scene_at(shot), options_.time(),
-                                                               camera, shot.film, shot.exposure}),
+                                 render_lit_by(renderer, {shot.moments(), options_.time(),
+                                                          shot.camera, shot.film, shot.exposure}),
                                  frame};
       const ProgressLine line("layers");
       more = finished(render_layers(layered, layers, line.job()));

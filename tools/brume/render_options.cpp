@@ -7,9 +7,10 @@
 #include <memory>
 #include <string_view>
 
+#include "brume/limits.h"
 #include "core/io/file_bytes.h"
 #include "core/io/text_scanner.h"
-#include "core/limits.h"
+#include "core/number_domain.h"
 #include "core/scene/cameras.h"
 #include "render/deep/deep_file.h"
 #include "render/layers/frame_layers.h"

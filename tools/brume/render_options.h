@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "core/scene/output.h"
-#include "core/scene/scene.h"
+#include "brume/output.h"
+#include "brume/scene.h"
 #include "render/output/frame_file.h"
 #include "render/samples/exposure.h"
 #include "render/settings.h"

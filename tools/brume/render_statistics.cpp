@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "brume/version.h"
 #include "tools/bench/measure/device_name.h"
 #include "tools/bench/measure/measurement.h"
 
@@ -56,7 +57,7 @@ std::string statistics_json(const RenderRun& run, const FrameStatistics& first,
   for (const FrameStatistics& frame : moved) times.push_back(frame.frame_milliseconds);
   const Spread frame = spread_of(times);
   Json json;
-  json["version"] = BRUME_VERSION;
+  json["version"] = version();
   json["scene"] = run.scene;
   json["size"] = Json::array({run.film.width, run.film.height});
   json["backend"] = first.backend;

@@ -4,8 +4,8 @@
 #include <span>
 #include <string>
 
+#include "brume/frame.h"
 #include "render/deep/deep_file.h"
-#include "render/frame.h"
 #include "render/quality/error_estimate.h"
 #include "render/settings.h"
 

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "brume/mesh_arrays.h"
 #include "core/io/image/deep_exr_file.h"
-#include "core/scene/mesh_arrays.h"
 #include "render/deep/deep_renderer.h"
 #include "render/deep/deep_samples.h"
 #include "render/renderer.h"

@@ -1,4 +1,5 @@
 #include "tools/fit_report/grid_picture.h"
+#include "core/scene/camera_rays.h"
 
 #include <tbb/parallel_for.h>
 

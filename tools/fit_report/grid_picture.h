@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "core/scene/camera.h"
-#include "core/scene/scene.h"
-#include "core/volume/density_grid.h"
+#include "brume/camera.h"
+#include "brume/density_grid.h"
+#include "brume/scene.h"
 
 namespace brume {
 

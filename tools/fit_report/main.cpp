@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "core/error.h"
+#include "brume/error.h"
+#include "brume/fit.h"
 #include "core/fit/fit_error.h"
-#include "core/fit/gaussian_fit.h"
 #include "core/fit/next_start.h"
 #include "core/io/frame_pattern.h"
 #include "core/io/volume/volume_file.h"

@@ -3,10 +3,10 @@
 #include <span>
 #include <vector>
 
-#include "core/medium/gaussian.h"
-#include "core/scene/camera.h"
-#include "core/scene/scene.h"
-#include "core/volume/density_grid.h"
+#include "brume/camera.h"
+#include "brume/density_grid.h"
+#include "brume/gaussian.h"
+#include "brume/scene.h"
 
 namespace brume {
 

@@ -4,7 +4,7 @@
 #include <cassert>
 #include <fstream>
 
-#include "core/error.h"
+#include "brume/error.h"
 #include "tools/make_scenes/sample_scene.h"
 
 namespace brume {

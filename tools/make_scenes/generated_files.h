@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/medium/gaussian.h"
+#include "brume/gaussian.h"
 
 namespace brume {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "core/medium/gaussian.h"
-#include "core/scene/camera.h"
+#include "brume/camera.h"
+#include "brume/gaussian.h"
 
 namespace brume {
 

@@ -6,7 +6,8 @@
 #include <array>
 #include <cmath>
 
-#include "core/error.h"
+#include "brume/error.h"
+#include "brume/limits.h"
 #include "core/number_domain.h"
 
 namespace brume {

@@ -12,12 +12,12 @@
 #include <map>
 #include <numbers>
 
-#include "core/error.h"
+#include "brume/error.h"
+#include "brume/limits.h"
 #include "core/io/file_bytes.h"
 #include "core/io/import/node_transform.h"
 #include "core/io/import/scene_readers.h"
 #include "core/io/text_scanner.h"
-#include "core/limits.h"
 #include "core/number_domain.h"
 #include "tools/scene_reader/assimp_materials.h"
 #include "tools/scene_reader/limited_files.h"

@@ -5,7 +5,7 @@
 #include <cstring>
 #include <string>
 
-#include "core/error.h"
+#include "brume/error.h"
 #include "core/io/file_bytes.h"
 
 namespace brume {

@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <vector>
 
+#include "brume/limits.h"
+
 namespace brume {
 
 // The files that assimp may read: regular ones of at most limits::file_bytes. None is written.

@@ -11,7 +11,7 @@
 #include <fstream>
 #include <iostream>
 
-#include "core/error.h"
+#include "brume/error.h"
 #include "core/io/import/raw_scene_bytes.h"
 #include "tools/scene_reader/assimp_reader.h"
 

@@ -9,7 +9,8 @@
 #include <string>
 #include <string_view>
 
-#include "core/medium/gaussian.h"
+#include "brume/gaussian.h"
+#include "brume/limits.h"
 #include "core/number_domain.h"
 
 namespace brume::gaussian_columns {

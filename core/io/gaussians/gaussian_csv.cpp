@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/error.h"
+#include "brume/error.h"
 #include "core/io/atomic_file.h"
 #include "core/io/file_bytes.h"
 #include "core/io/gaussians/gaussian_columns.h"

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/limits.h"
-#include "core/medium/gaussian.h"
+#include "brume/gaussian.h"
+#include "brume/limits.h"
 
 namespace brume {
 

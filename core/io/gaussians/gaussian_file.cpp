@@ -1,6 +1,6 @@
 #include "core/io/gaussians/gaussian_file.h"
 
-#include "core/error.h"
+#include "brume/error.h"
 #include "core/io/file_bytes.h"
 #include "core/io/gaussians/gaussian_columns.h"
 #include "core/io/gaussians/gaussian_csv.h"

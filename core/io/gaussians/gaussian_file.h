@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "core/limits.h"
-#include "core/medium/gaussian.h"
+#include "brume/gaussian.h"
+#include "brume/limits.h"
 
 namespace brume {
 

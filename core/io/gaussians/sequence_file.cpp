@@ -4,7 +4,7 @@
 #include <numeric>
 #include <string>
 
-#include "core/error.h"
+#include "brume/error.h"
 
 namespace brume {
 namespace {

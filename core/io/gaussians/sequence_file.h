@@ -4,9 +4,10 @@
 #include <functional>
 #include <vector>
 
+#include "brume/limits.h"
+#include "brume/medium_sequence.h"
 #include "core/io/frame_pattern.h"
 #include "core/io/gaussians/gaussian_file.h"
-#include "core/scene/medium_sequence.h"
 
 namespace brume {
 

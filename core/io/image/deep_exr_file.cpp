@@ -13,7 +13,7 @@
 #include <cassert>
 #include <cstddef>
 
-#include "core/error.h"
+#include "brume/error.h"
 #include "core/io/atomic_file.h"
 #include "core/io/file_bytes.h"
 #include "core/io/image/exr_stream.h"

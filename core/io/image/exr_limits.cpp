@@ -10,10 +10,10 @@
 #include <fstream>
 #include <string>
 
-#include "core/error.h"
+#include "brume/error.h"
+#include "brume/limits.h"
 #include "core/io/file_bytes.h"
 #include "core/io/text_scanner.h"
-#include "core/limits.h"
 
 namespace brume {
 namespace fs = std::filesystem;

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "brume/limits.h"
 #include "core/scene/radiance_map.h"
 
 namespace brume {

@@ -7,16 +7,10 @@
 #include <string>
 #include <vector>
 
-namespace brume {
+#include "brume/image_layers.h"
+#include "brume/limits.h"
 
-// An image of named float channels ("R", "airlight.G", "Z"), each width * height values, rows
-// from the top, plus text metadata.
-struct ImageLayers {
-  int width = 0;
-  int height = 0;
-  std::map<std::string, std::vector<float>> channels;
-  std::map<std::string, std::string> metadata;
-};
+namespace brume {
 
 // OpenEXR. Reads the first flat part, scan lines or tiles, of a file; half and uint channels
 // become float, values that are not finite stay. Throws InputError: no EXR, truncated, deep only,

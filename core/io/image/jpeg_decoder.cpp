@@ -6,7 +6,7 @@
 
 #include <jerror.h>
 
-#include "core/error.h"
+#include "brume/error.h"
 #include "core/io/image/pixel_decoders.h"
 
 namespace brume {

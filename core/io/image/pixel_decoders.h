@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "brume/limits.h"
+
 namespace brume {
 
 // RGBA of 8 bits each, rows from the top, as they are in the file: nothing is made linear.

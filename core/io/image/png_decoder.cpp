@@ -6,9 +6,9 @@
 #include <cstring>
 #include <string>
 
-#include "core/error.h"
+#include "brume/error.h"
+#include "brume/limits.h"
 #include "core/io/image/pixel_decoders.h"
-#include "core/limits.h"
 
 namespace brume {
 namespace {

@@ -7,7 +7,7 @@
 #include <new>
 #include <sstream>
 
-#include "core/error.h"
+#include "brume/error.h"
 #include "core/io/atomic_file.h"
 #include "core/io/image/image_file.h"
 

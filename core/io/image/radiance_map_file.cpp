@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 
-#include "core/error.h"
+#include "brume/error.h"
+#include "brume/limits.h"
 #include "core/io/file_bytes.h"
 #include "core/io/image/hdr_file.h"
 #include "core/io/image/image_file.h"
-#include "core/limits.h"
 #include "core/number_domain.h"
 
 namespace brume {

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "brume/limits.h"
 #include "core/scene/radiance_map.h"
 
 namespace brume {

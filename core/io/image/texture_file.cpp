@@ -1,6 +1,6 @@
 #include "core/io/image/texture_file.h"
 
-#include "core/error.h"
+#include "brume/error.h"
 #include "core/io/file_bytes.h"
 #include "core/io/image/image_file.h"
 #include "core/io/image/pixel_decoders.h"

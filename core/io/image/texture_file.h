@@ -4,6 +4,7 @@
 #include <memory>
 #include <string_view>
 
+#include "brume/limits.h"
 #include "core/scene/texture.h"
 
 namespace brume {

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <array>
 
-#include "core/error.h"
+#include "brume/error.h"
+#include "brume/limits.h"
 #include "core/io/byte_reader.h"
 #include "core/io/file_bytes.h"
 #include "core/io/import/uri.h"
 #include "core/io/text_scanner.h"
-#include "core/limits.h"
 
 namespace brume {
 namespace fs = std::filesystem;

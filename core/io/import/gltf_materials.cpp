@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/number_domain.h"
+
 namespace brume {
 namespace {
 

@@ -6,11 +6,13 @@
 #include <glm/gtc/quaternion.hpp>
 #include <numbers>
 
-#include "core/error.h"
+#include "brume/error.h"
+#include "brume/limits.h"
 #include "core/io/import/gltf_file.h"
 #include "core/io/import/gltf_materials.h"
 #include "core/io/import/node_transform.h"
 #include "core/io/import/scene_readers.h"
+#include "core/number_domain.h"
 
 namespace brume {
 namespace {

@@ -4,13 +4,13 @@
 #include <map>
 #include <utility>
 
-#include "core/error.h"
+#include "brume/error.h"
+#include "brume/limits.h"
 #include "core/io/file_bytes.h"
 #include "core/io/image/texture_file.h"
 #include "core/io/import/reader_program.h"
 #include "core/io/import/scene_readers.h"
 #include "core/io/text_scanner.h"
-#include "core/limits.h"
 #include "core/printable_text.h"
 #include "core/scene/mesh.h"
 

@@ -5,7 +5,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
-#include "core/error.h"
+#include "brume/error.h"
 #include "core/number_domain.h"
 
 namespace brume {
@@ -51,9 +51,9 @@ void apply_transform(const glm::dmat4& to_world, const std::filesystem::path& fi
     const glm::dvec3 point(to_world * glm::dvec4(mesh.points[i], 1.0));
     for (int axis = 0; axis < 3; ++axis) {
       if (domain::coordinate.contains(point[axis])) continue;
-      throw InputError(file, place,
-                       "vertex " + std::to_string(i) + ": " +
-                           domain::coordinate.refusal(point[axis]));
+      throw InputError(
+          file, place,
+          "vertex " + std::to_string(i) + ": " + domain::coordinate.refusal(point[axis]));
     }
     mesh.points[i] = point;
   }

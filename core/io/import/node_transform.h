@@ -4,15 +4,15 @@
 #include <glm/mat4x4.hpp>
 #include <string>
 
-#include "core/scene/camera.h"
-#include "core/scene/mesh_arrays.h"
+#include "brume/camera.h"
+#include "brume/mesh_arrays.h"
 
 namespace brume {
 
 // Moves a mesh from its node into the file's coordinates, whatever the transform: normals stay
 // perpendicular, triangles face the same side when mirrored. Normals become unit; where one has no
-// direction, that of its triangles is taken. Throws InputError (`place` for errors): a point that is
-// no coordinate of a scene.
+// direction, that of its triangles is taken. Throws InputError (`place` for errors): a point that
+// is no coordinate of a scene.
 void apply_transform(const glm::dmat4& to_world, const std::filesystem::path& file,
                      const std::string& place, MeshArrays& mesh);
 

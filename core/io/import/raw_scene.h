@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "brume/mesh_arrays.h"
+#include "brume/metallic_roughness.h"
 #include "core/scene/imported_scene.h"
-#include "core/scene/mesh_arrays.h"
-#include "core/scene/metallic_roughness.h"
 
 namespace brume {
 

@@ -4,8 +4,8 @@
 #include <glm/geometric.hpp>
 #include <type_traits>
 
+#include "brume/limits.h"
 #include "core/io/byte_reader.h"
-#include "core/limits.h"
 #include "core/number_domain.h"
 
 namespace brume {

@@ -12,10 +12,10 @@
 #include <cstring>
 #include <string>
 
-#include "core/error.h"
+#include "brume/error.h"
+#include "brume/limits.h"
 #include "core/io/file_bytes.h"
 #include "core/io/import/raw_scene_bytes.h"
-#include "core/limits.h"
 
 extern char** environ;
 

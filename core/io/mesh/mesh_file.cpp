@@ -7,13 +7,13 @@
 #include <tuple>
 #include <vector>
 
-#include "core/error.h"
+#include "brume/error.h"
+#include "brume/limits.h"
+#include "brume/mesh_arrays.h"
 #include "core/io/file_bytes.h"
 #include "core/io/mesh/mesh_readers.h"
 #include "core/io/text_scanner.h"
-#include "core/limits.h"
 #include "core/number_domain.h"
-#include "core/scene/mesh_arrays.h"
 
 namespace brume {
 namespace {

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "brume/limits.h"
 #include "core/scene/mesh.h"
 
 namespace brume {

@@ -1,7 +1,7 @@
 #include <limits>
 #include <unordered_map>
 
-#include "core/error.h"
+#include "brume/error.h"
 #include "core/io/mesh/mesh_readers.h"
 #include "core/io/text_scanner.h"
 

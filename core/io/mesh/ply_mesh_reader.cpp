@@ -1,4 +1,4 @@
-#include "core/error.h"
+#include "brume/error.h"
 #include "core/io/mesh/mesh_readers.h"
 #include "core/io/ply.h"
 

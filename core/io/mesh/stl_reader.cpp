@@ -2,7 +2,7 @@
 #include <cstring>
 #include <unordered_map>
 
-#include "core/error.h"
+#include "brume/error.h"
 #include "core/io/mesh/mesh_readers.h"
 #include "core/io/text_scanner.h"
 

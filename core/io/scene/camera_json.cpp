@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "brume/limits.h"
 #include "core/io/text_scanner.h"
-#include "core/limits.h"
+#include "core/number_domain.h"
 #include "core/scene/animation.h"
 #include "core/scene/cameras.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "brume/scene.h"
 #include "core/io/scene/keys_json.h"
-#include "core/scene/scene.h"
 
 namespace brume {
 

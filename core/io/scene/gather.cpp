@@ -12,7 +12,7 @@
 #include <set>
 #include <vector>
 
-#include "core/error.h"
+#include "brume/error.h"
 #include "core/io/atomic_file.h"
 #include "core/io/frame_pattern.h"
 #include "core/io/scene/scene_file.h"

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 
+#include "brume/limits.h"
 #include "core/io/text_scanner.h"
-#include "core/limits.h"
+#include "core/number_domain.h"
 #include "core/scene/group_effects.h"
 
 namespace brume {

@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "brume/group.h"
 #include "core/io/scene/keys_json.h"
-#include "core/scene/group.h"
 
 namespace brume {
 

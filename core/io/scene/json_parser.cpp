@@ -1,9 +1,9 @@
 #include <algorithm>
 
-#include "core/error.h"
+#include "brume/error.h"
+#include "brume/limits.h"
 #include "core/io/scene/json_reader.h"
 #include "core/io/text_scanner.h"
-#include "core/limits.h"
 
 namespace brume {
 namespace {

@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "brume/limits.h"
 #include "core/number_domain.h"
 
 namespace brume {

@@ -2,8 +2,9 @@
 
 #include <type_traits>
 
+#include "brume/limits.h"
 #include "core/io/scene/scene_names.h"
-#include "core/limits.h"
+#include "core/number_domain.h"
 
 namespace brume {
 

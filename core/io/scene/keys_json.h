@@ -1,8 +1,9 @@
 #pragma once
 
+#include "brume/keys.h"
 #include "core/io/scene/json_reader.h"
 #include "core/io/scene/scene_document.h"
-#include "core/scene/keys.h"
+#include "core/number_domain.h"
 
 namespace brume {
 

@@ -2,8 +2,8 @@
 
 #include <string>
 
+#include "brume/scene.h"
 #include "core/io/scene/keys_json.h"
-#include "core/scene/scene.h"
 
 namespace brume {
 

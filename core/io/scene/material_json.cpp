@@ -2,6 +2,7 @@
 
 #include "core/io/scene/keys_json.h"
 #include "core/io/scene/scene_names.h"
+#include "core/number_domain.h"
 
 namespace brume {
 namespace fs = std::filesystem;

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <string>
 
+#include "brume/limits.h"
 #include "core/io/file_bytes.h"
 #include "core/io/text_scanner.h"
-#include "core/limits.h"
+#include "core/number_domain.h"
 
 namespace brume {
 namespace {

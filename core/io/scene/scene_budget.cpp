@@ -3,11 +3,11 @@
 #include <set>
 #include <string>
 
-#include "core/limits.h"
-#include "core/medium/gaussian.h"
+#include "brume/gaussian.h"
+#include "brume/limits.h"
+#include "brume/mesh_arrays.h"
 #include "core/scene/imported_scene.h"
 #include "core/scene/measured_brdf.h"
-#include "core/scene/mesh_arrays.h"
 #include "core/scene/photometric_profile.h"
 #include "core/scene/radiance_map.h"
 #include "core/scene/texture.h"

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <span>
 
+#include "brume/limits.h"
 #include "core/io/scene/json_reader.h"
 
 namespace brume {

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/scene/scene.h"
+#include "brume/scene.h"
 
 namespace brume {
 

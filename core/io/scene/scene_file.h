@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "brume/files.h"
 #include "core/io/scene/scene_document.h"
 
 namespace brume {
@@ -15,8 +16,6 @@ namespace brume {
 // effect) are appended to `warnings` if given.
 SceneDocument load_document(const std::filesystem::path& file,
                             std::vector<std::string>* warnings = nullptr);
-// The scene alone, for what does not save it again.
-Scene load_scene(const std::filesystem::path& file, std::vector<std::string>* warnings = nullptr);
 
 // Writes a document, or a scene, losslessly; references become relative to the new file if
 // possible. Atomic. Throws InputError.

@@ -1,7 +1,8 @@
 #include <algorithm>
 #include <new>
 
-#include "core/error.h"
+#include "brume/error.h"
+#include "brume/limits.h"
 #include "core/io/file_bytes.h"
 #include "core/io/scene/camera_json.h"
 #include "core/io/scene/group_json.h"
@@ -15,7 +16,7 @@
 #include "core/io/scene/scene_references.h"
 #include "core/io/scene/spline_json.h"
 #include "core/io/text_scanner.h"
-#include "core/limits.h"
+#include "core/number_domain.h"
 #include "core/scene/animation.h"
 #include "core/scene/imported_scene.h"
 #include "core/scene/particles.h"

@@ -4,7 +4,8 @@
 #include <array>
 #include <numbers>
 
-#include "core/error.h"
+#include "brume/error.h"
+#include "brume/mesh_arrays.h"
 #include "core/io/file_bytes.h"
 #include "core/io/gaussians/gaussian_file.h"
 #include "core/io/gaussians/sequence_file.h"
@@ -17,7 +18,6 @@
 #include "core/io/text_scanner.h"
 #include "core/scene/imported_scene.h"
 #include "core/scene/measured_brdf.h"
-#include "core/scene/mesh_arrays.h"
 #include "core/scene/radiance_map.h"
 
 namespace brume {

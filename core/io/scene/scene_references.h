@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "brume/scene.h"
 #include "core/io/scene/json_reader.h"
 #include "core/io/scene/missing_files.h"
-#include "core/scene/scene.h"
 
 namespace brume {
 

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <map>
 
-#include "core/error.h"
+#include "brume/error.h"
 #include "core/io/atomic_file.h"
 #include "core/io/scene/camera_json.h"
 #include "core/io/scene/group_json.h"

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 
+#include "brume/limits.h"
 #include "core/io/scene/keys_json.h"
 #include "core/io/text_scanner.h"
+#include "core/number_domain.h"
 
 namespace brume {
 namespace {

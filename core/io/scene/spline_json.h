@@ -3,8 +3,8 @@
 #include <map>
 #include <vector>
 
+#include "brume/painted_spline.h"
 #include "core/io/scene/json_reader.h"
-#include "core/scene/painted_spline.h"
 
 namespace brume {
 

@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
+#include "brume/mesh_arrays.h"
 #include "core/io/atomic_file.h"
 #include "core/io/scene/usd_material.h"
 #include "core/io/scene/usd_text.h"
 #include "core/scene/environment.h"
-#include "core/scene/mesh_arrays.h"
 #include "core/scene/placement.h"
 
 namespace brume {

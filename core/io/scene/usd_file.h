@@ -4,7 +4,7 @@
 #include <functional>
 #include <span>
 
-#include "core/scene/scene.h"
+#include "brume/scene.h"
 
 namespace brume {
 

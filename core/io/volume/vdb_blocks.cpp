@@ -7,9 +7,9 @@
 #include <glm/matrix.hpp>
 #include <span>
 
-#include "core/error.h"
+#include "brume/error.h"
+#include "brume/limits.h"
 #include "core/io/text_scanner.h"
-#include "core/limits.h"
 #include "core/number_domain.h"
 
 namespace brume {

@@ -3,8 +3,9 @@
 #include <cstddef>
 #include <functional>
 
+#include "brume/density_grid.h"
+#include "brume/limits.h"
 #include "core/io/volume/vdb_file.h"
-#include "core/volume/density_grid.h"
 
 namespace brume {
 

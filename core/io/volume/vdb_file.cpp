@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <string_view>
 
+#include "brume/limits.h"
 #include "core/io/text_scanner.h"
-#include "core/limits.h"
 
 namespace brume {
 namespace {

@@ -5,12 +5,12 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "core/error.h"
+#include "brume/error.h"
+#include "brume/limits.h"
 #include "core/io/file_bytes.h"
 #include "core/io/volume/vdb_blocks.h"
 #include "core/io/volume/vdb_file.h"
 #include "core/io/volume/vdb_tree.h"
-#include "core/limits.h"
 #include "core/number_domain.h"
 
 namespace brume {

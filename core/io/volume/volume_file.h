@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "core/volume/density_grid.h"
+#include "brume/density_grid.h"
+#include "brume/limits.h"
 #include "core/volume/velocity_grid.h"
 
 namespace brume {

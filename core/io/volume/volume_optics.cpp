@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-#include "core/error.h"
+#include "brume/error.h"
 #include "core/io/file_bytes.h"
 #include "core/io/volume/vdb_blocks.h"
 #include "core/number_domain.h"

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "brume/density_grid.h"
 #include "core/io/volume/volume_file.h"
-#include "core/volume/density_grid.h"
 #include "core/volume/field_grid.h"
 
 namespace brume {

@@ -1,6 +1,6 @@
 #include <glm/matrix.hpp>
 
-#include "core/error.h"
+#include "brume/error.h"
 #include "core/io/atomic_file.h"
 #include "core/io/volume/openvdb_grid.h"
 #include "core/io/volume/volume_file.h"

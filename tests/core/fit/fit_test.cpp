@@ -8,10 +8,10 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "brume/fit.h"
 #include "core/fit/fit_error.h"
 #include "core/fit/fit_problem.h"
 #include "core/fit/fit_start.h"
-#include "core/fit/gaussian_fit.h"
 #include "core/fit/next_start.h"
 #include "core/io/volume/volume_file.h"
 #include "core/volume/medium_grid.h"

@@ -5,7 +5,7 @@
 #include <glm/vec3.hpp>
 #include <span>
 
-#include "core/medium/gaussian.h"
+#include "brume/gaussian.h"
 
 namespace brume {
 

@@ -8,7 +8,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "core/fit/gaussian_fit.h"
+#include "brume/fit.h"
 #include "core/volume/medium_grid.h"
 #include "tests/core/fit/matter.h"
 #include "tests/random.h"

@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 #include <set>
 
-#include "core/error.h"
+#include "brume/error.h"
 #include "core/scene/photometry.h"
 #include "tests/core/fit/matter.h"
 #include "tests/core/io/input_error.h"

@@ -7,7 +7,7 @@
 
 #include <csignal>
 
-#include "core/error.h"
+#include "brume/error.h"
 #include "core/io/atomic_file.h"
 #include "tests/core/io/temporary_folder.h"
 

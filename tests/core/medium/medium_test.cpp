@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <random>
 
-#include "core/medium/medium_edit.h"
+#include "brume/edits.h"
 
 namespace brume {
 namespace {

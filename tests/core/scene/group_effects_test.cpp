@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "brume/at_time.h"
 #include "core/number_domain.h"
-#include "core/scene/at_time.h"
 
 namespace brume {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/scene/keys.h"
+#include "brume/keys.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <cmath>
 #include <random>
 
+#include "brume/at_time.h"
 #include "core/scene/animation.h"
-#include "core/scene/at_time.h"
 
 namespace brume {
 namespace {

@@ -1,11 +1,11 @@
-#include "core/scene/medium_sequence.h"
+#include "brume/medium_sequence.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "brume/at_time.h"
 #include "core/fit/gaussian_numbers.h"
-#include "core/scene/at_time.h"
 
 namespace brume {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/scene/mesh_arrays.h"
+#include "brume/mesh_arrays.h"
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "brume/at_time.h"
 #include "core/authoring/airbrush.h"
-#include "core/scene/at_time.h"
 #include "core/scene/particles.h"
 
 namespace brume {

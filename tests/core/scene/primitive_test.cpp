@@ -1,11 +1,11 @@
-#include "core/scene/primitive.h"
+#include "brume/primitive.h"
 
 #include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 
-#include "core/scene/mesh_arrays.h"
+#include "brume/mesh_arrays.h"
 
 namespace brume {
 namespace {

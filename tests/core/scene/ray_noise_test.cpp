@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "core/scene/scene.h"
+#include "brume/scene.h"
 #include "tests/random.h"
 
 namespace brume {

@@ -6,8 +6,8 @@
 #include <glm/trigonometric.hpp>
 #include <random>
 
+#include "brume/at_time.h"
 #include "core/scene/animation.h"
-#include "core/scene/at_time.h"
 
 namespace brume {
 namespace {

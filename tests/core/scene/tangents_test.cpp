@@ -5,9 +5,12 @@
 #include <cmath>
 #include <string_view>
 
+#include "brume/at_time.h"
+#include "brume/keys.h"
+#include "brume/limits.h"
+#include "core/number_domain.h"
 #include "core/scene/animation.h"
-#include "core/scene/at_time.h"
-#include "core/scene/keys.h"
+#include "core/scene/keys_in_domain.h"
 #include "core/scene/particles.h"
 
 namespace brume {
@@ -139,7 +142,7 @@ TEST(Tangents, NeverLeadOutOfADomain) {
             ASSERT_TRUE(domain.contains(value)) << name;
           } else if constexpr (!std::is_same_v<T, glm::dquat>) {
             if (std::string_view(name) == "target") return;  // kept apart from the eye
-        for (int k = 0; k < value.length(); ++k) ASSERT_TRUE(domain.contains(value[k])) << name;
+            for (int k = 0; k < value.length(); ++k) ASSERT_TRUE(domain.contains(value[k])) << name;
           }
           ++visited;
         });

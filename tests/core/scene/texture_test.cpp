@@ -6,8 +6,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "core/scene/mesh_arrays.h"
-#include "core/scene/primitive.h"
+#include "brume/mesh_arrays.h"
+#include "brume/primitive.h"
 #include "tests/random.h"
 
 namespace brume {

@@ -1,4 +1,5 @@
 #include "render/cpu/film_airlight.h"
+#include "core/scene/camera_rays.h"
 
 #include <gtest/gtest.h>
 

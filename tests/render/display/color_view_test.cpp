@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/error.h"
+#include "brume/error.h"
 #include "render/display/to_display.h"
 #include "tests/core/io/temporary_folder.h"
 #include "tests/render/display/halving_config.h"

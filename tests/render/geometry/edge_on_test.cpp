@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/scene/mesh_arrays.h"
+#include "brume/mesh_arrays.h"
 #include "render/quality/auto_quality.h"
 #include "render/renderer.h"
 #include "tests/render/test_scenes.h"

@@ -1,4 +1,5 @@
 #include "render/geometry/sphere_bvh.h"
+#include "core/scene/camera_rays.h"
 
 #include <gtest/gtest.h>
 

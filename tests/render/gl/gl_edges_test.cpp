@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "core/scene/camera.h"
+#include "core/scene/camera_rays.h"
 #include "tests/render/gl/gl_frames.h"
 #include "tests/render/seams.h"
 #include "tests/render/test_scenes.h"

@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-#include "core/scene/scene.h"
+#include "brume/scene.h"
 #include "render/gl/device.h"
 #include "render/gl/failures.h"
 #include "render/gl/resources.h"

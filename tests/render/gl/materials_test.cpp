@@ -3,7 +3,7 @@
 #include <array>
 #include <glm/gtc/quaternion.hpp>
 
-#include "core/scene/primitive.h"
+#include "brume/primitive.h"
 #include "core/scene/texture.h"
 #include "tests/random.h"
 #include "tests/render/gl/gl_frames.h"

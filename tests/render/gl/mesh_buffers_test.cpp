@@ -1,6 +1,7 @@
 // Rays on the device against Embree's.
 
 #include "render/gl/mesh_buffers.h"
+#include "core/scene/camera_rays.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>

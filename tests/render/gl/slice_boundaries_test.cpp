@@ -1,6 +1,7 @@
 // Where slices begin and end: what is promised of them, on both backends.
 
 #include "render/lighting/slice_boundaries.h"
+#include "core/scene/camera_rays.h"
 
 #include <algorithm>
 #include <cmath>

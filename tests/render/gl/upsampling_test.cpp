@@ -2,6 +2,7 @@
 // airlight per pixel in place of a method's.
 
 #include "render/cpu/upsampling.h"
+#include "core/scene/camera_rays.h"
 
 #include <algorithm>
 #include <atomic>

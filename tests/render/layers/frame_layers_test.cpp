@@ -5,7 +5,7 @@
 #include <bit>
 #include <cmath>
 
-#include "core/scene/at_time.h"
+#include "brume/at_time.h"
 #include "render/layers/cryptomatte.h"
 #include "render/layers/light_layers.h"
 #include "render/layers/surface_layers.h"

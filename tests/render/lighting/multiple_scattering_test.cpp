@@ -9,8 +9,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "brume/mesh_arrays.h"
 #include "core/io/scene/scene_file.h"
-#include "core/scene/mesh_arrays.h"
 #include "render/output/compare.h"
 #include "render/renderer.h"
 #include "tests/render/golden_rays.h"

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/medium/medium_edit.h"
+#include "brume/edits.h"
 #include "render/lighting/slice_kernels.h"
 #include "render/renderer.h"
 #include "tests/random.h"

@@ -6,7 +6,7 @@
 #include <memory>
 #include <optional>
 
-#include "core/scene/scene.h"
+#include "brume/scene.h"
 #include "render/paths/path_tracer.h"
 #include "render/reference/environment_integral.h"
 

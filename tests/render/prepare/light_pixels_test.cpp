@@ -1,4 +1,5 @@
 #include "render/prepare/light_pixels.h"
+#include "core/scene/camera_rays.h"
 
 #include <gtest/gtest.h>
 

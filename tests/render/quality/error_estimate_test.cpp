@@ -1,4 +1,5 @@
 #include "render/quality/error_estimate.h"
+#include "core/scene/camera_rays.h"
 
 #include <gtest/gtest.h>
 

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "core/scene/camera_rays.h"
 #include "render/renderer.h"
 #include "tests/render/test_scenes.h"
 

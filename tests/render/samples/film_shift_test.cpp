@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "core/scene/camera.h"
+#include "core/scene/camera_rays.h"
 #include "render/samples/exposure.h"
 
 namespace brume {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stop_token>
 
-#include "core/scene/at_time.h"
+#include "brume/at_time.h"
 #include "render/gl_renderer.h"
 #include "render/paths/path_random.h"
 #include "render/render_plan.h"

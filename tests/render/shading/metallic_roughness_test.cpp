@@ -5,9 +5,9 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "brume/mesh_arrays.h"
+#include "brume/primitive.h"
 #include "core/scene/ggx.h"
-#include "core/scene/mesh_arrays.h"
-#include "core/scene/primitive.h"
 #include "core/scene/texture.h"
 #include "render/visibility/surface_point.h"
 #include "tests/render/test_scenes.h"

@@ -10,6 +10,7 @@
 
 #include "core/math/infinity.h"
 #include "core/math/sphere_rule.h"
+#include "core/scene/camera_rays.h"
 #include "core/scene/environment.h"
 #include "core/scene/mesh.h"
 #include "core/transport/average_depth.h"

@@ -1,6 +1,7 @@
 // The compositing of rows in single precision SIMD against plain double, pixel by pixel.
 
 #include "render/cpu/composite.h"
+#include "core/scene/camera_rays.h"
 
 #include <gtest/gtest.h>
 

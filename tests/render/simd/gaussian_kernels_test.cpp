@@ -10,7 +10,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "core/scene/scene.h"
+#include "brume/scene.h"
 #include "core/transport/gaussian_airlight.h"
 #include "core/transport/homogeneous_airlight.h"
 #include "core/transport/phase_function.h"

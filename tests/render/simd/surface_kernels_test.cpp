@@ -1,6 +1,7 @@
 // Surfaces in single precision SIMD against the same in plain double, point by point.
 
 #include "render/simd/surface_kernels.h"
+#include "core/scene/camera_rays.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,7 @@
 // The raster against rays, pixel by pixel.
 
 #include "render/visibility/raster.h"
+#include "core/scene/camera_rays.h"
 
 #include <gtest/gtest.h>
 

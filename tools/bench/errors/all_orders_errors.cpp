@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <utility>
 
+#include "brume/frame.h"
 #include "core/io/scene/scene_file.h"
-#include "render/frame.h"
 #include "render/output/compare.h"
 #include "render/renderer.h"
 #include "tools/bench/measure/report_text.h"

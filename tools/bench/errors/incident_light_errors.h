@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "core/scene/scene.h"
+#include "brume/scene.h"
 #include "render/settings.h"
 #include "tools/bench/errors/compared_error.h"
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "brume/at_time.h"
 #include "core/io/scene/scene_file.h"
-#include "core/scene/at_time.h"
 #include "render/output/compare.h"
 #include "render/renderer.h"
 #include "render/samples/mean_frame.h"

@@ -2,7 +2,7 @@
 
 #include <tbb/parallel_for.h>
 
-#include "core/scene/camera.h"
+#include "core/scene/camera_rays.h"
 
 namespace brume {
 

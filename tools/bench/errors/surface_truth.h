@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "render/frame.h"
+#include "brume/frame.h"
 #include "render/reference/surface_reference.h"
 #include "tools/bench/errors/unbiased_error.h"
 

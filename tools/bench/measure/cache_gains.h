@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "core/scene/scene.h"
+#include "brume/scene.h"
+#include "brume/stage.h"
 #include "render/render_plan.h"
-#include "render/stage.h"
 #include "render/transfer/transfer_store.h"
 #include "tools/bench/measure/measurement.h"
 

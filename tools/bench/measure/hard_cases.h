@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "core/scene/scene.h"
-#include "render/frame.h"
+#include "brume/frame.h"
+#include "brume/scene.h"
 #include "render/frame_renderer.h"
 
 namespace brume {

@@ -1,4 +1,5 @@
 #include "tools/bench/measure/kernel_limit.h"
+#include "core/scene/camera_rays.h"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/scene/scene.h"
+#include "brume/scene.h"
 #include "render/frame_renderer.h"
 #include "render/quality/error_estimate.h"
 #include "render/renderer.h"

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "core/error.h"
+#include "brume/error.h"
 #include "core/io/file_bytes.h"
 
 namespace brume {

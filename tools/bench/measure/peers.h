@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/scene/camera.h"
+#include "brume/camera.h"
 
 namespace brume {
 

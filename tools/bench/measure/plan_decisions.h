@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "core/scene/scene.h"
+#include "brume/scene.h"
+#include "brume/stage.h"
 #include "render/settings.h"
-#include "render/stage.h"
 #include "tools/bench/measure/measurement.h"
 
 namespace brume {

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "brume/version.h"
 #include "tools/bench/measure/device_name.h"
 
 namespace brume {
@@ -131,7 +132,7 @@ OrderedJson to_json(const SceneReport& scene) {
 
 std::string to_json(const BenchReport& report) {
   OrderedJson json;
-  json["version"] = BRUME_VERSION;
+  json["version"] = version();
   json["device"] = device_name();
   json["command"] = report.command;
   json["backends"] = OrderedJson::array({"cpu"});

@@ -1,5 +1,6 @@
 #include "tools/bench/report/bench_tables.h"
 
+#include "brume/version.h"
 #include "tools/bench/measure/device_name.h"
 #include "tools/bench/measure/report_text.h"
 #include "tools/bench/report/cache_table.h"
@@ -15,7 +16,7 @@ std::string bench_lead(const BenchReport& report) {
       "threads. Errors are the relative RMSE of the airlight against the converged integral, "
       "measured on the same frames. A setting meets an error bound if the upper end of its 95%% "
       "interval does.",
-      report.command.c_str(), BRUME_VERSION, device_name().c_str(), report.threads);
+      report.command.c_str(), version(), device_name().c_str(), report.threads);
 }
 
 std::vector<ReportTable> bench_tables(const BenchReport& report) {

@@ -4,7 +4,7 @@
 #include <memory>
 #include <span>
 
-#include "core/scene/scene.h"
+#include "brume/scene.h"
 #include "render/frame_renderer.h"
 
 namespace brume {

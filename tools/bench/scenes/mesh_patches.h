@@ -3,7 +3,7 @@
 #include <functional>
 #include <glm/vec3.hpp>
 
-#include "core/scene/mesh_arrays.h"
+#include "brume/mesh_arrays.h"
 
 namespace brume {
 

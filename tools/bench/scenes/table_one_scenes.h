@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "core/scene/scene.h"
+#include "brume/scene.h"
 
 namespace brume {
 

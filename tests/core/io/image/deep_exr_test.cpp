@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "core/error.h"
+#include "brume/error.h"
 #include "core/io/image/deep_exr_file.h"
 #include "core/io/image/image_file.h"
 #include "tests/core/io/temporary_folder.h"

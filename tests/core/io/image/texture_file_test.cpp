@@ -7,9 +7,9 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "brume/limits.h"
 #include "core/io/image/image_file.h"
 #include "core/io/image/pixel_decoders.h"
-#include "core/limits.h"
 #include "tests/core/io/input_error.h"
 #include "tests/core/io/temporary_folder.h"
 

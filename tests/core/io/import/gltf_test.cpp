@@ -5,11 +5,11 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "brume/mesh_arrays.h"
 #include "core/io/image/image_file.h"
 #include "core/io/import/imported_scene_file.h"
 #include "core/io/import/scene_readers.h"
 #include "core/scene/mesh.h"
-#include "core/scene/mesh_arrays.h"
 #include "core/scene/texture.h"
 #include "tests/core/io/import/gltf_builder.h"
 #include "tests/core/io/input_error.h"

@@ -4,11 +4,11 @@
 #include <glm/geometric.hpp>
 #include <sstream>
 
+#include "brume/mesh_arrays.h"
 #include "core/io/image/image_file.h"
 #include "core/io/import/imported_scene_file.h"
 #include "core/io/import/raw_scene_bytes.h"
 #include "core/scene/mesh.h"
-#include "core/scene/mesh_arrays.h"
 #include "tests/core/io/input_error.h"
 #include "tests/core/io/temporary_folder.h"
 

@@ -4,15 +4,15 @@
 
 #include <algorithm>
 
+#include "brume/at_time.h"
+#include "brume/mesh_arrays.h"
 #include "core/io/image/image_file.h"
 #include "core/io/scene/gather.h"
 #include "core/io/scene/missing_files.h"
 #include "core/io/scene/scene_file.h"
 #include "core/io/scene/scene_files.h"
-#include "core/scene/at_time.h"
 #include "core/scene/imported_scene.h"
 #include "core/scene/mesh.h"
-#include "core/scene/mesh_arrays.h"
 #include "tests/core/io/import/gltf_builder.h"
 #include "tests/core/io/input_error.h"
 #include "tests/core/io/temporary_folder.h"

@@ -2,8 +2,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "brume/mesh_arrays.h"
 #include "core/io/mesh/mesh_file.h"
-#include "core/scene/mesh_arrays.h"
 #include "tests/core/io/temporary_folder.h"
 
 namespace brume {

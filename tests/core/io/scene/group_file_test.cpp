@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
+#include "brume/edits.h"
 #include "core/io/scene/json_reader.h"
 #include "core/io/scene/scene_file.h"
-#include "core/medium/medium_edit.h"
 #include "tests/core/io/input_error.h"
 #include "tests/core/io/temporary_folder.h"
 

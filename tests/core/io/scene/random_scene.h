@@ -4,7 +4,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <random>
 
-#include "core/scene/scene.h"
+#include "brume/scene.h"
 #include "tests/core/io/temporary_folder.h"
 
 namespace brume {

@@ -1,11 +1,11 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
+#include "brume/at_time.h"
+#include "brume/limits.h"
 #include "core/io/gaussians/gaussian_file.h"
 #include "core/io/scene/json_reader.h"
 #include "core/io/scene/scene_file.h"
-#include "core/limits.h"
-#include "core/scene/at_time.h"
 #include "core/scene/particles.h"
 #include "tests/core/io/input_error.h"
 #include "tests/core/io/temporary_folder.h"

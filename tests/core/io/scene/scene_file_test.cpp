@@ -6,11 +6,11 @@
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
 
+#include "brume/at_time.h"
+#include "brume/edits.h"
 #include "core/io/gaussians/gaussian_file.h"
 #include "core/io/image/image_file.h"
 #include "core/io/scene/missing_files.h"
-#include "core/medium/medium_edit.h"
-#include "core/scene/at_time.h"
 #include "core/scene/mesh.h"
 #include "core/scene/photometric_profile.h"
 #include "core/scene/radiance_map.h"

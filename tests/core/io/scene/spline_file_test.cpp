@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
+#include "brume/edits.h"
 #include "core/io/scene/scene_file.h"
-#include "core/medium/medium_edit.h"
 #include "tests/core/io/input_error.h"
 #include "tests/core/io/temporary_folder.h"
 

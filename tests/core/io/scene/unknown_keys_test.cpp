@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "brume/edits.h"
 #include "core/io/image/image_file.h"
 #include "core/io/scene/json_reader.h"
 #include "core/io/scene/scene_file.h"
-#include "core/medium/medium_edit.h"
 #include "tests/core/io/input_error.h"
 #include "tests/core/io/scene/random_scene.h"
 #include "tests/core/io/temporary_folder.h"

@@ -9,13 +9,13 @@
 #include <string>
 #include <vector>
 
-#include "core/error.h"
+#include "brume/error.h"
+#include "brume/mesh_arrays.h"
+#include "brume/primitive.h"
 #include "core/io/file_bytes.h"
 #include "core/io/image/pixel_decoders.h"
 #include "core/io/scene/usd_text.h"
 #include "core/number_domain.h"
-#include "core/scene/mesh_arrays.h"
-#include "core/scene/primitive.h"
 #include "core/scene/radiance_map.h"
 #include "core/scene/texture.h"
 #include "tests/core/io/temporary_folder.h"

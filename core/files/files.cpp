@@ -1,0 +1,72 @@
+#include "brume/files.h"
+
+#include <utility>
+
+#include "brume/error.h"
+#include "core/io/gaussians/gaussian_file.h"
+#include "core/io/image/radiance_map_file.h"
+#include "core/io/mesh/mesh_file.h"
+#include "core/io/scene/scene_file.h"
+#include "core/io/volume/volume_file.h"
+#include "core/volume/medium_grid.h"
+
+namespace brume {
+namespace fs = std::filesystem;
+
+SceneFile load_scene_file(const fs::path& file, std::vector<std::string>* warnings) {
+  SceneDocument document = load_document(file, warnings);
+  return {std::move(document.scene),
+          std::make_shared<const SceneExtras>(std::move(document.extras))};
+}
+
+void save_scene_file(const SceneFile& scene, const fs::path& file) {
+  check(scene.scene);
+  for (std::size_t i = 0; i < scene.scene.surfaces.size(); ++i) {
+    const Surface& surface = scene.scene.surfaces[i];
+    if (!surface.primitive && surface.mesh_file.empty()) {
+      throw DomainError("surfaces[" + std::to_string(i) + "].mesh",
+                        "it is in memory alone; allowed in a file: a primitive, or of a mesh_file");
+    }
+  }
+  save_document({scene.scene, scene.extras ? *scene.extras : SceneExtras{}}, fs::absolute(file));
+}
+
+void save_scene(const Scene& scene, const fs::path& file) {
+  save_scene_file({scene, nullptr}, file);
+}
+
+std::vector<Gaussian> load_gaussians(const fs::path& file) {
+  return read_gaussians(file);
+}
+
+void save_gaussians(std::span<const Gaussian> gaussians, const fs::path& file) {
+  write_gaussians(file, gaussians);
+}
+
+Surface load_surface(const fs::path& mesh) {
+  Surface surface;
+  surface.mesh_file = fs::absolute(mesh);
+  surface.mesh = read_mesh(mesh);
+  return surface;
+}
+
+Environment load_environment(const fs::path& map) {
+  return {fs::absolute(map), read_radiance_map(map)};
+}
+
+DensityGrid load_volume(const fs::path& file, const std::string& grid) {
+  return read_volume(file, grid);
+}
+
+void save_volume(const Medium& medium, double voxel_size, const fs::path& file) {
+  constexpr std::size_t max_blocks = (std::size_t{2} << 30) / sizeof(DensityGrid::Block);
+  check(medium);
+  if (!(voxel_size > 0.0)) throw DomainError("voxel_size", "allowed: a number > 0");
+  const auto sampling = MediumSampling::plan(medium, voxel_size, max_blocks);
+  if (!sampling) {
+    throw DomainError("voxel_size", "the grid would take more than 2 GiB; allowed: a larger one");
+  }
+  write_volume(file, *sampling->sample(), false);
+}
+
+}  // namespace brume

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+
+#include "brume/export.h"
+
+namespace brume {
+
+// A camera with a thin lens, or a pinhole, as views and single samples have it. vertical_fov is the
+// full vertical angle of view in degrees, in (0, 180).
+struct Camera {
+  glm::dvec3 eye{0.0, 0.0, 5.0};
+  glm::dvec3 target{0.0};
+  glm::dvec3 up{0.0, 1.0, 0.0};
+  double vertical_fov = 45.0;
+  double aperture = 0.0;  // radius of the lens, >= 0 [u]; 0: a pinhole
+  // Of the plane in focus, along the axis, > 0 [u]; absent: through the target.
+  std::optional<double> focus_distance{};
+
+  bool operator==(const Camera&) const = default;
+};
+
+// Where a film lies on a larger one, in pixels of both.
+struct FilmRegion {
+  int x = 0, y = 0;  // of the first pixel
+  int full_width = 0, full_height = 0;
+
+  bool operator==(const FilmRegion&) const = default;
+};
+
+// The size of a frame in pixels.
+struct Film {
+  int width = 800;
+  int height = 600;
+  std::optional<FilmRegion> region{};  // a part of the picture; absent: all of it
+  glm::dvec2 shift{0.0};               // of where pixels are sampled from their centers [pixels]
+
+  bool operator==(const Film&) const = default;
+};
+
+// The part of a whole film between two corners, fractions of its sides from the upper left
+// corner; at least a pixel.
+BRUME_EXPORT Film film_region(const Film& film, const glm::dvec2& corner, const glm::dvec2& other);
+
+}  // namespace brume

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "brume/density_grid.h"
+#include "brume/export.h"
+#include "brume/frame.h"
+#include "brume/gaussian.h"
+#include "brume/scene.h"
+
+// Files in and out. All functions throw InputError, which names the file, the place in it and what
+// is allowed. An existing file is replaced only by a complete one.
+namespace brume {
+
+// A scene file, version 1 (.brume), with all files that it refers to. Unknown keys and keys without
+// effect are appended to `warnings`, a line each.
+BRUME_EXPORT Scene load_scene(const std::filesystem::path& file,
+                              std::vector<std::string>* warnings = nullptr);
+// Writes a scene losslessly; references become relative to the new file if possible. Throws
+// DomainError, too.
+BRUME_EXPORT void save_scene(const Scene& scene, const std::filesystem::path& file);
+
+// The same with what a file has besides its scene: keys that Brume does not know, which are kept
+// when it is saved, wherever their objects have moved, and the file of its Gaussians.
+struct SceneExtras;
+struct SceneFile {
+  Scene scene{};
+  std::shared_ptr<const SceneExtras> extras{};  // null: none
+};
+BRUME_EXPORT SceneFile load_scene_file(const std::filesystem::path& file,
+                                       std::vector<std::string>* warnings = nullptr);
+BRUME_EXPORT void save_scene_file(const SceneFile& scene, const std::filesystem::path& file);
+
+// Gaussians in PLY or CSV: read by the first bytes, written by the extension, losslessly.
+BRUME_EXPORT std::vector<Gaussian> load_gaussians(const std::filesystem::path& file);
+BRUME_EXPORT void save_gaussians(std::span<const Gaussian> gaussians,
+                                 const std::filesystem::path& file);
+
+// Surfaces and lights that a file makes, to be placed in a scene: a mesh (OBJ, PLY, STL, OFF), and
+// an environment map (EXR, HDR).
+BRUME_EXPORT Surface load_surface(const std::filesystem::path& mesh);
+BRUME_EXPORT Environment load_environment(const std::filesystem::path& map);
+
+// A grid of an OpenVDB file as density, to be fitted.
+BRUME_EXPORT DensityGrid load_volume(const std::filesystem::path& file,
+                                     const std::string& grid = "density");
+// The density of the Gaussians of a medium on a grid, sparse; voxel_size > 0 [u].
+BRUME_EXPORT void save_volume(const Medium& medium, double voxel_size,
+                              const std::filesystem::path& file);
+
+// A frame as .exr, linear with all its layers, or as .png, exposed by so many stops.
+BRUME_EXPORT void save_frame(const Frame& frame, const std::filesystem::path& file,
+                             double exposure = 0.0);
+// The bytes of that .png.
+BRUME_EXPORT std::string encode_png(const Frame& frame, double exposure = 0.0);
+
+}  // namespace brume

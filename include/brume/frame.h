@@ -1,0 +1,121 @@
+#pragma once
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "brume/camera.h"
+#include "brume/export.h"
+#include "brume/image_layers.h"
+#include "brume/stage.h"
+
+namespace brume {
+
+struct StageTime {
+  Stage stage = Stage::frame;
+  double milliseconds = 0.0;
+};
+
+// Adds to the time of the stage; a new one is appended.
+BRUME_EXPORT void add_time(std::vector<StageTime>& stages, Stage stage, double milliseconds);
+
+struct SkippedStage {
+  Stage stage = Stage::frame;
+  std::string why;  // the words of a Reason, or of an error
+};
+
+// How far the iteration for light scattered more than once came.
+struct Convergence {
+  int sweeps = 0;
+  double residual = 0.0;  // relative to the light, rms over what scatters it
+};
+
+// How noisy a path-traced frame is: sums over pixels and channels of squared standard errors.
+struct PathNoise {
+  int paths = 0;  // per pixel, >= 2
+  double airlight_variance = 0.0;
+  double surface_variance = 0.0;  // of surfaces seen through the medium
+};
+
+// Costs of a frame, and the stages it skipped.
+struct FrameStatistics {
+  std::string backend = "cpu";  // or gl
+  std::string airlight;         // the method with its parameter, "sliced:24"
+  std::string device;           // name of the OpenGL device; empty: the CPU
+  double frame_milliseconds = 0.0;
+  std::vector<StageTime> stages;      // in the order they first ran
+  std::vector<SkippedStage> skipped;  // not needed by the scene, with the reason
+  // With the backend gl: stages that ran on the CPU, with the reason.
+  std::vector<SkippedStage> on_cpu;
+  std::size_t gaussians_total = 0;
+  std::size_t gaussians_used = 0;
+  std::size_t exact_pixels = 0;    // airlight evaluated, not interpolated
+  std::size_t sampled_pixels = 0;  // by more than their centers
+  std::uint64_t light_pairs = 0;   // Gaussian x ray pairs evaluated from lights
+  std::uint64_t view_pairs = 0;    // Gaussian x ray pairs evaluated from the eye
+  std::optional<Convergence> scattering;
+  std::size_t grid_bytes = 0;  // memory of the light that a grid holds
+  // view_pairs per pixel, 0 for interpolated ones; empty without a medium.
+  std::vector<float> pixel_pairs;
+  std::optional<PathNoise> path_noise;  // of `path` with two paths or more
+};
+
+// Error of a frame's airlight, estimated from a sample of its pixels.
+struct ErrorEstimate {
+  double rel_rmse = 0.0;  // rms(L - Lref) / rms(Lref) over RGB of the airlight
+  double low = 0.0;       // 95% confidence interval
+  double high = 0.0;
+  std::size_t pixels = 0;  // of the sample
+  double noise = 0.0;  // share of the interval's variance that is noise of the reference's paths
+};
+
+// A rendered frame: linear radiance, rows from the top, width * height pixels. Its `depth` is a
+// distance; elsewhere `depth` is optical depth.
+struct Frame {
+  Film film;
+  double time = 0.0;                 // Scene::time [s]
+  std::vector<float> beauty;         // RGBA per pixel; A = 1 on surfaces, else 1 - transmittance
+  std::vector<float> airlight;       // RGB per pixel
+  std::vector<float> transmittance;  // RGB per pixel, eye to first surface or through the medium
+  // Distance along the view ray through the center [u], +inf where nothing is hit; never filtered.
+  std::vector<float> depth;
+  // The airlight of rays through centers, RGB per pixel, where that of pixels is filtered; else
+  // empty. What errors are measured by.
+  std::vector<float> airlight_at_centers;
+  FrameStatistics statistics;
+  // Of a frame that was asked for by a RenderRequest: its error, if it is known, layers besides
+  // those above, and what there is to say of it, a line each.
+  std::optional<ErrorEstimate> error;
+  ImageLayers layers;
+  std::vector<std::string> warnings;
+
+  [[nodiscard]] const std::vector<float>& center_airlight() const {
+    return airlight_at_centers.empty() ? airlight : airlight_at_centers;
+  }
+};
+
+// Frames hold finite values: radiance beyond the range of float is clamped; NaN would be a bug of
+// ours and becomes black.
+constexpr float max_radiance = 1e30f;
+inline float finite(float x) {
+  assert(!std::isnan(x));
+  return std::isnan(x) ? 0.0f : std::clamp(x, 0.0f, max_radiance);
+}
+
+// Standard error of a path-traced frame, relative to the RMS of the layer; 0 where that is black.
+struct RelativeNoise {
+  int paths = 0;
+  double airlight = 0.0;
+  double picture = 0.0;
+};
+BRUME_EXPORT std::optional<RelativeNoise> relative_noise(const Frame& frame);
+
+// 2^stops; 1 for NaN.
+BRUME_EXPORT float exposure_gain(double stops);
+
+}  // namespace brume

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstddef>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <limits>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "brume/export.h"
+
+namespace brume {
+
+struct Surface;
+struct TriangleMesh;
+
+// A mesh as flat arrays, in its file's own coordinates. The only place where OpenMesh's vertices
+// and faces become these, and these a mesh of OpenMesh.
+struct MeshArrays {
+  std::vector<glm::vec3> points;
+  std::vector<glm::vec3> normals;  // unit; as many as points
+  std::vector<glm::uvec3> triangles;
+  std::vector<glm::vec2> texcoords{};  // u to the right, v up; as many as points, or none
+
+  bool operator==(const MeshArrays&) const = default;
+};
+
+BRUME_EXPORT MeshArrays to_arrays(const TriangleMesh& mesh);
+
+// Vertices and triangles keep their order. OpenMesh holds manifolds only: where a triangle does not
+// fit, it gets vertices of its own, behind all others. Null: the mesh needs more than `max_bytes`.
+BRUME_EXPORT std::shared_ptr<TriangleMesh> to_mesh(
+    const MeshArrays& arrays, std::size_t max_bytes = std::numeric_limits<std::size_t>::max());
+
+// Approximate memory of a mesh.
+BRUME_EXPORT std::size_t mesh_bytes(const TriangleMesh& mesh);
+
+// The box around a mesh, in its file's own coordinates; of no vertices around the origin.
+struct MeshBox {
+  glm::dvec3 low{0.0};
+  glm::dvec3 high{0.0};
+};
+BRUME_EXPORT MeshBox box_of(const TriangleMesh& mesh);
+
+// The points of a surface's mesh in the world.
+BRUME_EXPORT std::vector<glm::dvec3> world_points(const Surface& surface,
+                                                  std::span<const glm::vec3> points);
+BRUME_EXPORT std::vector<glm::dvec3> world_points(const Surface& surface);
+
+}  // namespace brume

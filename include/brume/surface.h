@@ -1,0 +1,73 @@
+#pragma once
+
+#include <filesystem>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec3.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "brume/keys.h"
+#include "brume/metallic_roughness.h"
+#include "brume/object_id.h"
+#include "brume/primitive.h"
+
+namespace brume {
+
+class MeasuredBrdf;
+struct ImportedScene;
+struct TriangleMesh;
+
+// Reflection of a surface; evaluated by core/scene/brdf.h.
+struct Material {
+  enum class Type { diffuse, phong, measured, metallic_roughness };
+  Type type = Type::diffuse;
+  glm::dvec3 reflectance{0.5};   // diffuse albedo, RGB in [0, 1]; the diffuse BRDF is this / pi
+  glm::dvec3 specular{0.0};      // phong only, RGB in [0, 1]
+  double exponent = 1.0;         // phong only, >= 0
+  std::filesystem::path file{};  // measured only: a MERL .binary
+  std::shared_ptr<const MeasuredBrdf> measured{};  // its content; never null in a loaded scene
+  MetallicRoughness metallic_roughness{};          // metallic_roughness only
+
+  bool operator==(const Material&) const = default;
+};
+
+// Of its placement, and of a material that is not measured.
+struct SurfaceKeys {
+  Keys<glm::dvec3> translate;
+  Keys<glm::dquat> rotate;
+  Keys<double> scale;
+  Keys<glm::dvec3> reflectance;
+  // Of phong.
+  Keys<glm::dvec3> specular;
+  Keys<double> exponent;
+
+  bool operator==(const SurfaceKeys&) const = default;
+};
+
+// A mesh placed in the scene: world = translate + rotate * (scale * mesh). Or nodes of another
+// program's scene, placed in the same way: frames show them with the meshes and materials of that
+// file (shown_surfaces()); `mesh` is all of them as one, and `material` counts for nothing.
+struct Surface {
+  enum class Transfer { none, shadow, interreflection };
+  std::string name{};                    // empty: none of its own
+  std::filesystem::path mesh_file{};     // of `mesh` or `imported`; empty for a primitive
+  std::optional<Primitive> primitive{};  // what the mesh is made of instead of a file
+  std::shared_ptr<const ImportedScene> imported{};  // null: a mesh alone
+  std::vector<std::string> nodes{};                 // chosen of `imported`; empty: all
+  std::shared_ptr<const TriangleMesh> mesh{};       // never null in a loaded scene
+  glm::dvec3 translate{0.0};
+  glm::dquat rotate{1.0, 0.0, 0.0, 0.0};  // unit
+  double scale = 1.0;                     // > 0
+  Material material{};
+  SurfaceKeys keys{};
+  Transfer transfer = Transfer::none;
+  bool visible = true;  // else no frame has it: evaluate_at() leaves it out
+  bool locked = false;  // for editors: not to be changed in the view
+  ObjectId id = 0;
+
+  bool operator==(const Surface&) const = default;
+};
+
+}  // namespace brume

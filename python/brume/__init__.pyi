@@ -1,0 +1,212 @@
+from os import PathLike
+from typing import Callable, Iterable, Optional, Sequence, Tuple, Union
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+_Path = Union[str, PathLike[str]]
+_Vec3 = Sequence[float]
+_Progress = Optional[Callable[[float], object]]
+
+__version__: str
+
+class InputError(ValueError): ...
+class DomainError(ValueError): ...
+
+class Medium:
+    density: float
+    albedos: NDArray[np.float64]
+    emissions: NDArray[np.float64]
+    def __init__(self) -> None: ...
+    def __len__(self) -> int: ...
+    @property
+    def centers(self) -> NDArray[np.float64]: ...
+    @property
+    def radii(self) -> NDArray[np.float64]: ...
+    @property
+    def densities(self) -> NDArray[np.float64]: ...
+    def append(self, centers: ArrayLike, radii: ArrayLike, densities: ArrayLike) -> None: ...
+    def remove(self, indices: Sequence[int]) -> None: ...
+    def save(self, file: _Path, voxel: float = 0.1) -> None: ...
+
+class Camera:
+    eye: _Vec3
+    target: _Vec3
+    up: _Vec3
+    vertical_fov: float
+    aperture: float
+    focus_distance: Optional[float]
+    def __init__(self) -> None: ...
+
+class Environment:
+    intensity: float
+    rotation: float
+    def __init__(self, map: _Path) -> None: ...
+
+class Light:
+    name: str
+    on: bool
+    position: _Vec3
+    intensity: _Vec3
+    direction: _Vec3
+    inner_angle: float
+    outer_angle: float
+    angular_diameter: float
+    width: float
+    height: float
+    radius: float
+    @property
+    def kind(self) -> str: ...
+    @staticmethod
+    def point(position: _Vec3, intensity: _Vec3) -> Light: ...
+    @staticmethod
+    def spot(
+        position: _Vec3,
+        direction: _Vec3,
+        intensity: _Vec3,
+        inner_angle: float = 0.0,
+        outer_angle: float = 45.0,
+    ) -> Light: ...
+    @staticmethod
+    def directional(
+        direction: _Vec3, irradiance: _Vec3, angular_diameter: float = 0.0
+    ) -> Light: ...
+    @staticmethod
+    def rectangle(
+        position: _Vec3,
+        direction: _Vec3,
+        radiance: _Vec3,
+        width: float,
+        height: float,
+        up: _Vec3 = (0.0, 1.0, 0.0),
+    ) -> Light: ...
+    @staticmethod
+    def disk(position: _Vec3, direction: _Vec3, radiance: _Vec3, radius: float) -> Light: ...
+    @staticmethod
+    def sphere(position: _Vec3, radiance: _Vec3, radius: float) -> Light: ...
+
+class Surface:
+    name: str
+    visible: bool
+    translate: _Vec3
+    scale: float
+    rotate: Sequence[float]
+    reflectance: _Vec3
+    @staticmethod
+    def load(mesh: _Path) -> Surface: ...
+    @staticmethod
+    def primitive(shape: str, size: _Vec3 = (1.0, 1.0, 1.0)) -> Surface: ...
+    @staticmethod
+    def mesh(points: ArrayLike, triangles: ArrayLike) -> Surface: ...
+    def set_diffuse(self, reflectance: _Vec3) -> None: ...
+    def set_phong(self, reflectance: _Vec3, specular: _Vec3, exponent: float) -> None: ...
+    def set_metallic_roughness(
+        self,
+        base_color: _Vec3,
+        metallic: float = 0.0,
+        roughness: float = 0.5,
+        emissive: _Vec3 = (0.0, 0.0, 0.0),
+    ) -> None: ...
+
+class Scene:
+    camera: Camera
+    environment: Optional[Environment]
+    lights: list[Light]
+    surfaces: list[Surface]
+    size: Tuple[int, int]
+    albedo: _Vec3
+    anisotropy: float
+    def __init__(self) -> None: ...
+    @property
+    def medium(self) -> Medium: ...
+    @property
+    def is_animated(self) -> bool: ...
+    @property
+    def last_moment(self) -> float: ...
+    def save(self, file: _Path) -> None: ...
+
+class ErrorEstimate:
+    def __float__(self) -> float: ...
+    @property
+    def rel_rmse(self) -> float: ...
+    @property
+    def low(self) -> float: ...
+    @property
+    def high(self) -> float: ...
+    @property
+    def pixels(self) -> int: ...
+
+class Frame:
+    @property
+    def beauty(self) -> NDArray[np.float32]: ...
+    @property
+    def airlight(self) -> NDArray[np.float32]: ...
+    @property
+    def transmittance(self) -> NDArray[np.float32]: ...
+    @property
+    def depth(self) -> NDArray[np.float32]: ...
+    @property
+    def layers(self) -> dict[str, NDArray[np.float32]]: ...
+    @property
+    def size(self) -> Tuple[int, int]: ...
+    @property
+    def error(self) -> Optional[ErrorEstimate]: ...
+    @property
+    def airlight_method(self) -> str: ...
+    @property
+    def milliseconds(self) -> float: ...
+    @property
+    def request_milliseconds(self) -> float: ...
+    @property
+    def stages(self) -> dict[str, float]: ...
+    @property
+    def backend(self) -> str: ...
+    def save(self, file: _Path, exposure: float = 0.0) -> None: ...
+    def png(self, exposure: float = 0.0) -> bytes: ...
+
+class Renderer:
+    def __init__(self) -> None: ...
+    def render(
+        self,
+        scene: Scene,
+        *,
+        progress: _Progress = None,
+        size: Optional[Tuple[int, int]] = None,
+        max_error: float = 0.02,
+        airlight: str = "auto",
+        scattering: str = "multiple",
+        time: float = 0.0,
+        camera: Optional[Camera] = None,
+        samples: Optional[int] = None,
+        layers: Iterable[str] = (),
+        measure_error: bool = False,
+        backend: str = "auto",
+        threads: int = 0,
+    ) -> Frame: ...
+
+def load(file: _Path) -> Scene: ...
+def load_medium(file: _Path) -> Medium: ...
+def render(
+    scene: Scene,
+    *,
+    progress: _Progress = None,
+    size: Optional[Tuple[int, int]] = None,
+    max_error: float = 0.02,
+    airlight: str = "auto",
+    scattering: str = "multiple",
+    time: float = 0.0,
+    camera: Optional[Camera] = None,
+    samples: Optional[int] = None,
+    layers: Iterable[str] = (),
+    measure_error: bool = False,
+    backend: str = "auto",
+    threads: int = 0,
+) -> Frame: ...
+def fit(
+    densities: ArrayLike,
+    voxel: float,
+    origin: _Vec3 = (0.0, 0.0, 0.0),
+    count: int = 500,
+    max_error: float = 0.0,
+    progress: _Progress = None,
+) -> Tuple[Medium, float]: ...

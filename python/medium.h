@@ -1,0 +1,38 @@
+#pragma once
+
+#include <memory>
+
+#include "brume/medium.h"
+#include "python/vectors.h"
+
+namespace brume::python {
+
+// A medium whose columns are shown as arrays of numpy, which do not copy: each keeps the medium
+// alive, and while there are any, no Gaussian is added or removed.
+class ArrayMedium {
+ public:
+  explicit ArrayMedium(Medium medium = {}) : medium_(std::move(medium)) {}
+  ArrayMedium(const ArrayMedium&) = delete;
+  ArrayMedium& operator=(const ArrayMedium&) = delete;
+
+  // What has been written to the arrays counts as a change.
+  [[nodiscard]] const Medium& medium() {
+    if (views_ > 0) static_cast<void>(medium_.columns());
+    return medium_;
+  }
+  // To change how many Gaussians there are. Throws Python's BufferError while there are arrays.
+  [[nodiscard]] Medium& resizable();
+  // To change all else.
+  [[nodiscard]] Medium& changeable() { return medium_; }
+
+  // What keeps the medium alive for an array.
+  static pybind11::capsule view_of(const std::shared_ptr<ArrayMedium>& medium);
+
+ private:
+  Medium medium_;
+  std::size_t views_ = 0;
+};
+
+void bind_medium(pybind11::module_& module);
+
+}  // namespace brume::python

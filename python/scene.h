@@ -1,0 +1,30 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "brume/files.h"
+#include "python/medium.h"
+
+namespace brume::python {
+
+// A scene whose parts Python holds and changes: what list and what medium they are in does not
+// matter to their lives. They are put together to be rendered or saved.
+class SharedScene {
+ public:
+  explicit SharedScene(SceneFile file = {});
+
+  // A copy of all parts, checked. Throws DomainError, Python's TypeError.
+  [[nodiscard]] SceneFile assembled() const;
+
+  std::shared_ptr<ArrayMedium> medium;
+  std::shared_ptr<Camera> camera;
+  std::shared_ptr<Environment> environment;  // null: none
+  pybind11::list lights;
+  pybind11::list surfaces;
+  SceneFile rest;  // without the above
+};
+
+void bind_scene(pybind11::module_& module);
+
+}  // namespace brume::python

@@ -1,0 +1,41 @@
+#include "render/shot.h"
+
+#include <utility>
+
+#include "brume/at_time.h"
+
+namespace brume {
+
+SceneAt Shot::moments() const {
+  return [animation = &animation, scene = &scene](double time) {
+    return time == scene->time ? *scene : evaluate_at(*animation, time);
+  };
+}
+
+std::optional<RequestedFrame> render_shot(FrameRenderer& renderer, const Shot& shot,
+                                          Settings settings, const Job& job) {
+  const Camera& camera = shot.seen_by();
+  settings.samples = samples_of(shot.exposure, camera, shot.scene);
+  const bool is_auto = settings.airlight == AirlightMethod::auto_;
+  const bool has_blur = is_blurred(shot.exposure, camera);
+  RequestedFrame found{{}, settings, std::nullopt};
+  if (is_auto) {
+    Settings wanted = settings;
+    if (has_blur) wanted.samples = 1;
+    const Job choice = has_blur ? job.subrange(0.0, 0.5) : job;
+    std::optional<RequestedFrame> chosen = render_requested(renderer, shot.scene, camera, shot.film,
+                                                            wanted, choice.stop, choice.progress);
+    if (!chosen) return std::nullopt;
+    found = std::move(*chosen);
+    found.settings.samples = settings.samples;
+    if (!has_blur) return found;
+  }
+  std::optional<Frame> frame =
+      render_exposure(renderer, shot.moments(), shot.scene.time, shot.camera, shot.film,
+                      found.settings, shot.exposure, is_auto ? job.subrange(0.5, 1.0) : job);
+  if (!frame) return std::nullopt;
+  found.frame = std::move(*frame);
+  return found;
+}
+
+}  // namespace brume

@@ -1,0 +1,75 @@
+#include "brume/files.h"
+
+#include <gtest/gtest.h>
+
+#include "brume/error.h"
+#include "brume/mesh_arrays.h"
+#include "core/io/file_bytes.h"
+#include "tests/core/io/temporary_folder.h"
+
+namespace brume {
+namespace {
+
+class Files : public testing::Test {
+ protected:
+  TemporaryFolder folder_;
+};
+
+TEST_F(Files, SceneKeepsUnknownKeysWhereverItsObjectsMove) {
+  const auto file = folder_.write("s.brume", R"({ "format": "brume-scene", "version": 1,
+    "lights": [ { "type": "point", "position": [0, 1, 0], "gobo": "leaves" } ] })");
+  std::vector<std::string> warnings;
+  SceneFile scene = load_scene_file(file, &warnings);
+  EXPECT_EQ(warnings.size(), 1u);
+  scene.scene.lights.insert(scene.scene.lights.begin(), Light{});
+  const auto saved = folder_.path() / "t.brume";
+  save_scene_file(scene, saved);
+  const SceneFile again = load_scene_file(saved);
+  EXPECT_EQ(again.scene.lights.size(), 2u);
+  EXPECT_NE(read_bytes(saved).find("\"gobo\": \"leaves\""), std::string::npos);
+  // A scene alone has none.
+  save_scene(scene.scene, saved);
+  EXPECT_EQ(read_bytes(saved).find("gobo"), std::string::npos);
+}
+
+TEST_F(Files, SavingRefusesWhatAFileCannotHold) {
+  const auto refusal = [this](const Scene& scene) {
+    try {
+      save_scene(scene, folder_.path() / "s.brume");
+    } catch (const DomainError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  Scene scene;
+  scene.surfaces.emplace_back().mesh =
+      to_mesh({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}}, {{0, 1, 2}}});
+  EXPECT_TRUE(refusal(scene).starts_with("surfaces[0].mesh: it is in memory alone"));
+  scene = {};
+  scene.medium.set_homogeneous_density(-1.0);
+  EXPECT_TRUE(refusal(scene).starts_with("medium.density: found -1"));
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "s.brume"));
+}
+
+TEST_F(Files, VolumeOfAMediumHasItsDensity) {
+  Medium medium;
+  medium.append({{0.2, 0.0, 0.0}, 0.5, 2.0});
+  const auto file = folder_.path() / "m.vdb";
+  save_volume(medium, 0.1, file);
+  const DensityGrid grid = load_volume(file);
+  EXPECT_NEAR(grid.at(grid.to_voxel({0.2, 0.0, 0.0})), 2.0, 1e-6);
+  EXPECT_THROW(save_volume(medium, 1e-9, file), DomainError);
+  EXPECT_THROW(save_volume(medium, 0.0, file), DomainError);
+  EXPECT_THROW(static_cast<void>(load_volume(file, "smoke")), InputError);
+}
+
+TEST_F(Files, GaussiansAreReadAsTheyWereWritten) {
+  const std::vector<Gaussian> gaussians{{{1, 2, 3}, 0.1, 0.2}, {{4, 5, 6}, 0.3, 0.4}};
+  for (const char* name : {"g.ply", "g.csv"}) {
+    save_gaussians(gaussians, folder_.path() / name);
+    EXPECT_EQ(load_gaussians(folder_.path() / name), gaussians);
+  }
+}
+
+}  // namespace
+}  // namespace brume

@@ -1,0 +1,145 @@
+import gc
+import warnings
+
+import numpy as np
+import pytest
+
+import brume
+
+ONCE = dict(airlight="sliced", scattering="single", backend="cpu")
+
+
+def test_arrays_are_the_medium_itself(cloud):
+    centers = cloud.medium.centers
+    assert centers.shape == (3, 3) and centers.dtype == np.float64
+    assert centers.flags.writeable and not centers.flags.owndata
+    centers[0] = (1, 2, 3)
+    cloud.medium.radii[:] = 0.25
+    assert tuple(cloud.medium.centers[0]) == (1, 2, 3)
+    assert (cloud.medium.radii == 0.25).all()
+    assert np.shares_memory(centers, cloud.medium.centers)
+
+
+def test_what_is_written_later_is_rendered_next(cloud):
+    renderer = brume.Renderer()
+    densities = cloud.medium.densities
+    before = renderer.render(cloud, **ONCE).airlight.copy()
+    densities *= 2  # an array that was there before the first frame
+    after = renderer.render(cloud, **ONCE).airlight
+    assert not np.array_equal(before, after)
+    assert np.array_equal(after, brume.render(cloud, **ONCE).airlight)
+
+
+def test_arrays_outlive_medium_and_scene(cloud):
+    part = cloud.medium.centers[1:, 0]
+    expected = part.copy()
+    del cloud
+    gc.collect()
+    np.empty(1 << 20).fill(7)  # what could lie where they were
+    assert np.array_equal(part, expected)
+
+
+def test_no_resize_while_arrays_exist(cloud):
+    row = cloud.medium.centers[0]
+    with pytest.raises(BufferError, match="arrays of this medium exist"):
+        cloud.medium.append([[0, 0, 0]], 1, 1)
+    with pytest.raises(BufferError):
+        cloud.medium.remove([0])
+    assert len(cloud.medium) == 3
+    del row
+    cloud.medium.append([[0, 0, 0]], 1, 1)
+    cloud.medium.remove([0, 3, 3])
+    assert len(cloud.medium) == 2
+    with pytest.raises(IndexError):
+        cloud.medium.remove([2])
+
+
+@pytest.mark.parametrize(
+    "arguments, message",
+    [
+        (([0, 0, 0], 1, 1), r"centers: found the shape \(3,\); allowed: \(n, 3\)"),
+        (([[0, 0]], 1, 1), r"centers: found the shape \(1, 2\)"),
+        (([[0, 0, 0]], [1, 1], 1), r"radii: found the shape \(2,\); allowed: a number, or \(1,\)"),
+        (([[0, 0, 0]], 0, 1), r"medium.gaussians\[0\].radius: found 0; allowed: a number > 0"),
+        (([[0, 0, 0]] * 2, 1, [1, np.nan]), r"medium.gaussians\[1\].density: found nan"),
+        (([[0, np.inf, 0]], 1, 1), r"medium.gaussians\[0\].center\[1\]: found inf"),
+    ],
+)
+def test_wrong_shapes_and_values(cloud, arguments, message):
+    with pytest.raises(brume.DomainError, match=message):
+        cloud.medium.append(*arguments)
+    assert len(cloud.medium) == 3
+
+
+def test_wrong_types(cloud):
+    with pytest.raises((TypeError, ValueError)):
+        cloud.medium.append([["a", "b", "c"]], 1, 1)
+    with pytest.raises(TypeError):
+        cloud.medium.density = "thick"
+    with pytest.raises(brume.DomainError, match="medium.density: found -1"):
+        cloud.medium.density = -1
+
+
+def test_nan_that_was_written_is_refused_where_it_counts(cloud, tmp_path):
+    cloud.medium.centers[2, 1] = np.nan
+    for use in (
+        lambda: brume.render(cloud),
+        lambda: cloud.save(tmp_path / "s.brume"),
+        lambda: cloud.medium.save(tmp_path / "m.ply"),
+        lambda: cloud.medium.save(tmp_path / "m.vdb"),
+    ):
+        with pytest.raises(brume.DomainError, match=r"medium.gaussians\[2\].center\[1\]: found nan"):
+            use()
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_optics_are_copies_that_are_assigned(cloud):
+    assert np.isnan(cloud.medium.albedos).all()
+    assert (cloud.medium.emissions == 0).all()
+    centers = cloud.medium.centers
+    emissions = cloud.medium.emissions
+    emissions[1] = (3, 2, 1)
+    cloud.medium.emissions = emissions
+    albedos = np.full((3, 3), np.nan)
+    albedos[2] = 0.5
+    cloud.medium.albedos = albedos
+    assert tuple(cloud.medium.emissions[1]) == (3, 2, 1)
+    assert np.isnan(cloud.medium.albedos[0]).all() and (cloud.medium.albedos[2] == 0.5).all()
+    assert np.shares_memory(centers, cloud.medium.centers)
+    with pytest.raises(brume.DomainError, match="albedo"):
+        cloud.medium.albedos = np.full((3, 3), 2.0)
+    with pytest.raises(brume.DomainError, match="emissions: found 2 rows; allowed: 3"):
+        cloud.medium.emissions = np.zeros((2, 3))
+
+
+def test_files(cloud, tmp_path):
+    for name in ("m.ply", "m.csv"):
+        cloud.medium.save(tmp_path / name)
+        again = brume.load_medium(tmp_path / name)
+        assert np.array_equal(again.centers, cloud.medium.centers)
+        assert np.array_equal(again.densities, cloud.medium.densities)
+    with pytest.raises(brume.InputError, match="nothing.ply"):
+        brume.load_medium(tmp_path / "nothing.ply")
+
+
+def test_fit_finds_what_made_the_grid():
+    i = np.arange(24)
+    x, y, z = np.meshgrid(i, i, i, indexing="ij")
+    grid = 2 * np.exp(-((x - 10) ** 2 + (y - 12) ** 2 + (z - 14) ** 2) * 0.01 / 0.3**2)
+    medium, error = brume.fit(grid, 0.1, origin=(1, 0, 0), count=1)
+    assert error < 0.02
+    assert np.allclose(medium.centers, [[2.0, 1.2, 1.4]], atol=0.01)
+    assert np.allclose(medium.radii, 0.3, rtol=0.02)
+    with pytest.raises(brume.DomainError, match="densities: found 2 dimensions"):
+        brume.fit(grid[0], 0.1)
+    with pytest.raises(brume.DomainError, match="found nan"):
+        brume.fit(np.full((2, 2, 2), np.nan), 0.1)
+
+
+def test_warnings_are_pythons(tmp_path):
+    file = tmp_path / "s.brume"
+    file.write_text('{"format": "brume-scene", "version": 1, "gobo": 1}')
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        brume.load(file)
+    assert len(caught) == 1 and "gobo" in str(caught[0].message)

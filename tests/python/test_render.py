@@ -1,0 +1,217 @@
+import os
+import signal
+import threading
+import time
+
+import numpy as np
+import pytest
+
+import brume
+
+
+def test_three_lines(bunny, tmp_path):
+    frame = brume.render(bunny, size=(64, 48), max_error=0.05)
+    frame.save(tmp_path / "frame.exr")
+    assert (tmp_path / "frame.exr").stat().st_size > 10_000
+    assert frame.size == (64, 48)
+    assert frame.beauty.shape == (48, 64, 4)
+    assert frame.airlight.shape == frame.transmittance.shape == (48, 64, 3)
+    assert frame.depth.shape == (48, 64)
+    assert np.isfinite(frame.beauty).all() and frame.beauty[..., :3].max() > 0
+    assert 0 <= frame.error.low <= frame.error.rel_rmse <= frame.error.high < 0.06
+    assert frame.milliseconds > 0 and frame.stages["airlight"] > 0
+    assert frame.airlight_method.startswith("sliced:")
+
+
+def test_arrays_do_not_copy_and_keep_the_frame(cloud):
+    frame = brume.render(cloud, airlight="sliced", backend="cpu")
+    beauty = frame.beauty
+    assert np.shares_memory(beauty, frame.beauty)
+    with pytest.raises(ValueError):
+        beauty[0, 0, 0] = 1
+    expected = beauty.copy()
+    del frame
+    np.empty(1 << 20).fill(7)
+    assert np.array_equal(beauty, expected)
+
+
+def test_shows_itself(cloud):
+    frame = brume.render(cloud)
+    assert frame._repr_png_().startswith(b"\x89PNG") and frame._repr_png_() == frame.png()
+    assert frame.png(exposure=3) != frame.png()
+    assert "48 x 36" in repr(frame)
+
+
+def test_layers(cloud):
+    assert brume.render(cloud).layers == {}
+    frame = brume.render(cloud, airlight="sliced", layers=["lights", "optical_depth"])
+    total = np.stack([frame.layers[f"airlight.light_1.{c}"] for c in "RGB"], axis=-1)
+    assert np.allclose(total, frame.airlight, atol=1e-6)
+    assert frame.layers["optical_depth.R"].max() > 0
+
+
+@pytest.mark.parametrize(
+    "options, message",
+    [
+        (dict(airlight="quick"), "airlight: found 'quick'; allowed: auto, paper"),
+        (dict(airlight="path:many"), "airlight: found 'path:many'"),
+        (dict(airlight="path:0"), "paths: found 0; allowed: 1 to"),
+        (dict(scattering="twice"), "scattering: found 'twice'; allowed: single, multiple"),
+        (dict(layers=["glow"]), "layers: found 'glow'; allowed: airlight, "),
+        (dict(size=(0, 10)), "film.width: found 0"),
+        (dict(max_error=float("nan")), "max_error: found nan"),
+        (dict(backend="vulkan"), "backend: found 'vulkan'; allowed: auto, cpu, gl"),
+    ],
+)
+def test_wrong_values(cloud, options, message):
+    with pytest.raises(brume.DomainError, match=message):
+        brume.render(cloud, **options)
+
+
+@pytest.mark.parametrize(
+    "options, message",
+    [
+        (dict(colour=1), "no argument 'colour'"),
+        (dict(size=3), "size: found 3"),
+        (dict(time="noon"), "time: found 'noon'"),
+        (dict(samples="few"), "samples: found 'few'"),
+    ],
+)
+def test_wrong_types(cloud, options, message):
+    with pytest.raises(TypeError, match=message):
+        brume.render(cloud, **options)
+    cloud.lights.append("sun")
+    with pytest.raises(TypeError, match=r"lights\[1\]: found a str; allowed: a brume.Light"):
+        brume.render(cloud)
+
+
+def test_lists_and_parts_live_by_themselves(cloud):
+    light = cloud.lights[0]
+    cloud.lights.extend(brume.Light.point((0, 0, k), (1, 1, 1)) for k in range(100))
+    light.intensity = (0, 0, 5)
+    assert cloud.lights[0].intensity == (0, 0, 5)
+    cloud.lights.clear()
+    assert light.kind == "point"
+    camera = cloud.camera
+    camera.eye = (0, 1, 9)
+    assert cloud.camera.eye == (0, 1, 9)
+    del cloud
+    assert camera.eye == (0, 1, 9)
+
+
+def test_lights_and_surfaces(cloud, tmp_path):
+    Light, Surface = brume.Light, brume.Surface
+    cloud.lights += [
+        Light.spot((0, 3, 0), (0, -1, 0), (5, 5, 5), outer_angle=30),
+        Light.directional((1, -1, 0), (1, 1, 1), angular_diameter=0.53),
+        Light.rectangle((0, 3, 0), (0, -1, 0), (2, 2, 2), 1, 2),
+        Light.disk((0, 3, 0), (0, -1, 0), (2, 2, 2), 0.5),
+        Light.sphere((0, 3, 0), (2, 2, 2), 0.5),
+    ]
+    kinds = ["point", "spot", "directional", "rectangle", "disk", "sphere"]
+    assert [light.kind for light in cloud.lights] == kinds
+    assert cloud.lights[1].outer_angle == 30
+    with pytest.raises(AttributeError, match="a point light has no outer_angle"):
+        cloud.lights[0].outer_angle
+    floor = Surface.primitive("plane", (10, 1, 10))
+    floor.translate = (0, -1, 0)
+    floor.set_metallic_roughness((0.8, 0.4, 0.2), metallic=1, roughness=0.3)
+    cloud.surfaces.append(floor)
+    frame = brume.render(cloud)
+    assert np.isfinite(frame.depth).any()
+    cloud.save(tmp_path / "s.brume")
+    again = brume.load(tmp_path / "s.brume")
+    assert [light.kind for light in again.lights] == kinds
+    assert np.array_equal(brume.render(again).beauty, frame.beauty)
+    cloud.surfaces.append(Surface.mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]]))
+    with pytest.raises(brume.DomainError, match=r"surfaces\[1\].mesh: it is in memory alone"):
+        cloud.save(tmp_path / "t.brume")
+    with pytest.raises(brume.DomainError, match="there is no point 3"):
+        Surface.mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 3]])
+
+
+def test_ctrl_c_stops_a_render(bunny):
+    def interrupt():
+        time.sleep(0.5)
+        os.kill(os.getpid(), signal.SIGINT)
+
+    threading.Thread(target=interrupt).start()
+    start = time.monotonic()
+    with pytest.raises(KeyboardInterrupt):
+        brume.render(bunny, size=(1600, 1200), airlight="path:100000")
+    assert time.monotonic() - start < 60  # the frame takes hours
+
+
+def test_progress_may_stop_a_render(bunny):
+    seen = []
+
+    def progress(fraction):
+        seen.append(fraction)
+        if len(seen) == 3:
+            raise RuntimeError("enough")
+
+    with pytest.raises(RuntimeError, match="enough"):
+        brume.render(bunny, size=(1600, 1200), airlight="path:100000", progress=progress)
+    assert len(seen) == 3 and all(0 <= fraction <= 1 for fraction in seen)
+
+
+def test_other_threads_run_meanwhile(bunny):
+    counts = []
+    done = threading.Event()
+
+    def count():
+        n = 0
+        while not done.is_set():
+            n += 1
+            time.sleep(0.001)
+        counts.append(n)
+
+    thread = threading.Thread(target=count)
+    thread.start()
+    brume.render(bunny, size=(320, 240), airlight="path:16")
+    done.set()
+    thread.join()
+    assert counts[0] > 10
+
+
+def test_writing_while_a_frame_is_rendered_changes_nothing(cloud):
+    renderer = brume.Renderer()
+    expected = brume.render(cloud, airlight="path:64", backend="cpu").beauty
+    centers = cloud.medium.centers
+    kept = centers.copy()
+    done = threading.Event()
+
+    def disturb():
+        while not done.is_set():
+            centers[:] = np.nan
+        centers[:] = kept
+
+    results = []
+
+    def start(fraction):
+        if not results:
+            results.append(threading.Thread(target=disturb))
+            results[0].start()
+
+    try:
+        frame = renderer.render(cloud, airlight="path:64", backend="cpu", progress=start)
+    finally:
+        done.set()
+        for thread in results:
+            thread.join()
+    assert np.array_equal(frame.beauty, expected)
+
+
+def test_animation(bunny):
+    scene = brume.load(os.path.join(os.path.dirname(__file__), "../../resources/scenes/stage.brume"))
+    assert scene.is_animated and scene.last_moment > 1
+    options = dict(size=(48, 36), airlight="sliced", scattering="single")
+    assert not np.array_equal(
+        brume.render(scene, time=0, **options).beauty, brume.render(scene, time=2, **options).beauty
+    )
+    assert not bunny.is_animated
+
+
+def test_missing_file():
+    with pytest.raises(brume.InputError, match="nowhere.brume"):
+        brume.load("nowhere.brume")

@@ -1,0 +1,142 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+
+#include "brume/error.h"
+#include "brume/render.h"
+#include "tests/render/test_scenes.h"
+
+namespace brume {
+namespace {
+
+constexpr Film small{48, 36};
+const RenderRequest once{.film = small,
+                         .airlight = AirlightMethod::sliced,
+                         .scattering = Scattering::single,
+                         .backend = Backend::cpu};
+
+TEST(SceneRenderer, TellsErrorAndMethod) {
+  const Scene scene = cloud_scene(20, 1.0);
+  const Frame frame = *render(scene, {.film = small, .max_error = 0.05, .backend = Backend::cpu});
+  ASSERT_TRUE(frame.error);
+  EXPECT_LE(frame.error->rel_rmse, 0.05);
+  EXPECT_TRUE(frame.statistics.airlight.starts_with("sliced:")) << frame.statistics.airlight;
+
+  EXPECT_FALSE(render(scene, once)->error);
+  RenderRequest measured = once;
+  measured.measure_error = true;
+  const Frame sliced = *render(scene, measured);
+  ASSERT_TRUE(sliced.error);
+  EXPECT_EQ(sliced.airlight, render(scene, once)->airlight);
+  measured.airlight = AirlightMethod::reference;
+  EXPECT_FALSE(render(scene, measured)->error);
+}
+
+TEST(SceneRenderer, FramesDoNotDependOnThoseBefore) {
+  SceneRenderer renderer;
+  const Scene first = cloud_scene(20, 1.0, 1);
+  const Scene second = cloud_scene(20, 1.0, 2);
+  const Frame alone = *render(second, once);
+  static_cast<void>(renderer.render(first, once));
+  EXPECT_EQ(renderer.render(second, once)->beauty, alone.beauty);
+}
+
+TEST(SceneRenderer, RendersWhatWasWrittenToTheColumns) {
+  Scene scene = cloud_scene(20, 1.0);
+  SceneRenderer renderer;
+  const Frame before = *renderer.render(scene, once);
+  for (double& density : scene.medium.columns().densities) density *= 2.0;
+  const Frame after = *renderer.render(scene, once);
+  EXPECT_NE(before.airlight, after.airlight);
+  EXPECT_EQ(after.airlight, render(scene, once)->airlight);
+}
+
+TEST(SceneRenderer, ShutterBlursWhatACameraWithKeysSees) {
+  Scene scene;
+  scene.camera = {{0, 0, 3}, {0, 0, 0}, {0, 1, 0}, 40.0};
+  scene.camera_keys.target = {{.time = 0.0, .value = {0, 0, 0}}, {.time = 1.0, .value = {1, 0, 0}}};
+  scene.lights.push_back({.position = {0, 0, 3}, .intensity = {20, 20, 20}});
+  scene.surfaces.push_back(wall(0.0, 0.5));
+  scene.playback = Playback{.frames_per_second = 2.0};
+  RenderRequest request = once;
+  request.time = 0.25;
+  // Pixels of the middle row that are neither in nor out.
+  const auto partial = [&] {
+    const Frame frame = *render(scene, request);
+    int count = 0;
+    for (int x = 0; x < small.width; ++x) {
+      const float alpha = frame.beauty[static_cast<std::size_t>(4 * (18 * small.width + x) + 3)];
+      count += static_cast<int>(alpha > 0.05f && alpha < 0.95f);
+    }
+    return count;
+  };
+  const int sharp = partial();
+  request.shutter = Shutter{0.0, 0.5};
+  EXPECT_GE(partial(), sharp + 4);
+  // Nothing moves in front of a camera that is given.
+  request.camera = scene.camera;
+  EXPECT_LE(partial(), sharp + 1);
+}
+
+TEST(SceneRenderer, GivesTheLayersAskedFor) {
+  RenderRequest request = once;
+  EXPECT_TRUE(render(cloud_scene(5, 1.0), request)->layers.channels.empty());
+  request.layers.lights = true;
+  const Frame frame = *render(cloud_scene(5, 1.0), request);
+  EXPECT_EQ(frame.layers.channels.count("airlight.light_1.R"), 1u);
+}
+
+TEST(SceneRenderer, StopsWhenAsked) {
+  std::stop_source stop;
+  stop.request_stop();
+  EXPECT_FALSE(render(cloud_scene(20, 1.0), once, stop.get_token()));
+  std::stop_source later;
+  EXPECT_FALSE(render(cloud_scene(200, 3.0), {.film = Film{400, 300}, .backend = Backend::cpu},
+                      later.get_token(), [&](double done) {
+                        if (done > 0.1) later.request_stop();
+                      }));
+}
+
+TEST(SceneRenderer, RefusesWhatCannotBeAsked) {
+  const struct {
+    const char* place;
+    std::function<void(RenderRequest&)> spoil;
+  } cases[] = {
+      {"film.width",
+       [](RenderRequest& r) {
+         r.film = Film{0, 10};
+       }},
+      {"camera.vertical_fov", [](RenderRequest& r) { r.camera = Camera{.vertical_fov = 0.0}; }},
+      {"time", [](RenderRequest& r) { r.time = std::nan(""); }},
+      {"max_error", [](RenderRequest& r) { r.max_error = 0.0; }},
+      {"slices", [](RenderRequest& r) { r.slices = 1; }},
+      {"march_steps", [](RenderRequest& r) { r.march_steps = 0; }},
+      {"paths", [](RenderRequest& r) { r.paths = 0; }},
+      {"samples", [](RenderRequest& r) { r.samples = 0; }},
+      {"shutter",
+       [](RenderRequest& r) {
+         r.shutter = Shutter{0.5, 0.5};
+       }},
+      {"threads", [](RenderRequest& r) { r.threads = -1; }},
+  };
+  for (const auto& [place, spoil] : cases) {
+    RenderRequest request = once;
+    spoil(request);
+    std::string text;
+    try {
+      static_cast<void>(render(Scene{}, request));
+    } catch (const DomainError& error) {
+      text = error.what();
+    }
+    EXPECT_TRUE(text.starts_with(std::string(place) + ": ")) << place << ": " << text;
+  }
+  Scene scene = cloud_scene(3, 1.0);
+  scene.medium.columns().centers[1].x = std::nan("");
+  EXPECT_THROW(static_cast<void>(render(scene, once)), DomainError);
+}
+
+}  // namespace
+}  // namespace brume
