@@ -17,6 +17,13 @@ bin/brume render share/brume/scenes/bunny_fog.brume -o "$folder/frame.png" --siz
 test -s "$folder/frame.png"
 # Read by brume-scene-reader.
 bin/brume info share/brume/meshes/teapot.obj > /dev/null
+# A thumbnail, as a file manager asks for it.
+command=$(sed -n 's/^Exec=//p' share/thumbnailers/brume.thumbnailer)
+read -ra words <<< "$command"
+words=("${words[@]/#%i/share/brume/templates/room.brume}")
+words=("${words[@]/#%o/$folder/thumbnail.png}")
+PATH=$PWD/bin:$PATH "${words[@]/#%s/128}"
+test -s "$folder/thumbnail.png"
 
 if grep -rlF "$2" .; then
   echo "these refer to the build folder"
