@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Every link, anchor and picture of the manual as HTML leads to something in its folder.
 
-  check_html_manual FOLDER"""
+  check_html_manual.py FOLDER"""
 
 import html.parser
 import pathlib
