@@ -1,6 +1,5 @@
 #include "app/import/vtk_points.h"
 
-#include <QCoreApplication>
 #include <QProcess>
 #include <QTemporaryDir>
 #include <algorithm>
@@ -10,6 +9,7 @@
 #include "brume/error.h"
 #include "core/io/file_bytes.h"
 #include "core/io/gaussians/gaussian_ply.h"
+#include "core/io/installed_files.h"
 
 namespace brume {
 namespace {
@@ -59,11 +59,11 @@ std::vector<Gaussian> read_vtk_points(const std::filesystem::path& file,
                         number(seconds)};
   if (ids != nullptr) arguments << "ids";
   reader.setStandardErrorFile(QProcess::nullDevice());
-  reader.start(QCoreApplication::applicationDirPath() + "/brume-vtk-points", arguments);
+  reader.start(to_qstring(helper_program("brume-vtk-points")), arguments);
   if (!reader.waitForStarted(-1)) {
-    throw InputError(file, "",
-                     "the program brume-vtk-points was not found next to the editor: " +
-                         reader.errorString().toStdString());
+    throw InputError(
+        file, "",
+        "the program brume-vtk-points cannot be run: " + reader.errorString().toStdString());
   }
   if (!run(reader, stop)) return {};
   if (reader.exitStatus() == QProcess::NormalExit && reader.exitCode() == 0) {

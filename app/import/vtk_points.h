@@ -16,7 +16,7 @@ namespace brume {
 // `ids` gets the point array `id`, where there is one: what Gaussians of a sequence keep from frame
 // to frame. Throws InputError naming file and point, also for more than `max_count`.
 //
-// The file is read by a process of its own (brume-vtk-points, beside the running program), whose
+// The file is read by a process of its own (brume-vtk-points, installed with the editor), whose
 // memory and time depend on the file's size. Gives nothing when it is stopped.
 std::vector<Gaussian> read_vtk_points(const std::filesystem::path& file,
                                       std::vector<GaussianNumber>* ids = nullptr,

@@ -61,6 +61,8 @@ void prepare_application() {
 }
 
 void set_up_application(QApplication& application) {
+  // By this name a desktop finds the icon of the windows.
+  QApplication::setDesktopFileName("brume-editor");
   QApplication::setStyle(new EditorStyle);
   application.setPalette(palette_of(theme()));
   application.installEventFilter(new FieldFilter(&application));

@@ -81,7 +81,8 @@ constexpr std::array table = std::to_array<KeyEntry>({
     {"render.whole", "Ctrl+Alt+B"},
     {"render.viewer", "F11"},
     {"render.keep_view", "F9"},
-    {"help.keys", "?; F1"},
+    {"help.manual", "F1"},
+    {"help.keys", "?"},
 });
 
 QString setting_of(const char* action) {

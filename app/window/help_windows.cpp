@@ -2,11 +2,16 @@
 
 #include <QAction>
 #include <QCoreApplication>
+#include <QDesktopServices>
 #include <QDialog>
+#include <QFileInfo>
 #include <QKeySequence>
 #include <QLabel>
 #include <QScrollArea>
+#include <QUrl>
 #include <QVBoxLayout>
+
+#include "app/document/paths.h"
 
 namespace brume {
 namespace {
@@ -63,6 +68,20 @@ void show_keys(QWidget* parent, const QList<QAction*>& actions) {
     html += row(action->iconText(), action->shortcut().toString(QKeySequence::NativeText));
   }
   show_text(parent, help_text("Keyboard shortcuts"), html + "</table>");
+}
+
+QString open_manual(const std::filesystem::path& folder) {
+  const QString page = to_qstring(folder / "index.html");
+  if (!QFileInfo::exists(page)) {
+    return help_text(
+               "The manual is not installed: %1 is missing. In Debian it is the package "
+               "brume-doc.")
+        .arg(page);
+  }
+  if (!QDesktopServices::openUrl(QUrl::fromLocalFile(page))) {
+    return help_text("No browser could be started to show %1").arg(page);
+  }
+  return {};
 }
 
 }  // namespace brume

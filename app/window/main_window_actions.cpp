@@ -39,6 +39,7 @@
 #include "app/window/preferences.h"
 #include "app/window/quality_menu.h"
 #include "app/window/start_page.h"
+#include "core/io/installed_files.h"
 
 namespace brume {
 namespace {
@@ -227,6 +228,10 @@ void MainWindow::create_actions() {
   fill_render_menu(render);
 
   QMenu* help = menuBar()->addMenu(tr("&Help"));
+  add(help, tr("&Manual"), "help.manual", [this] {
+    const QString error = open_manual(manual_folder());
+    if (!error.isEmpty()) message_bar_->show_error(error);
+  });
   add(help, tr("&Keyboard Shortcuts"), "help.keys",
       [this, file, edit, adding, select, tool, time, view, render] {
         show_keys(this, file->actions() + edit->actions() + adding->actions() + select->actions() +

@@ -16,9 +16,9 @@
 #include "app/document/document.h"
 #include "app/document/paths.h"
 #include "app/files/recent_pictures.h"
-#include "app/files/resources.h"
 #include "app/files/scene_files.h"
 #include "app/window/tile_grid.h"
+#include "core/io/installed_files.h"
 
 namespace brume {
 namespace {

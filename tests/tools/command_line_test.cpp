@@ -48,7 +48,7 @@ TEST_F(CommandLine, RefusesBadUsageInOneLineWithASuggestion) {
   expect_refused({"render", scene_, "-o", out, "--threads", "many"}, {"--threads", "many"});
   expect_refused({"render", scene_, "-o", out, "--threads", "0"}, {"--threads"});
   expect_refused({"render", scene_, "-o", out, "--repeat", "-1"}, {"--repeat"});
-  for (const char* size : {"10", "x10", "10x", "0x10", "10x16385", "10x10x10", "1e3x10"}) {
+  for (const char* size : {"0", "x10", "10x", "0x10", "10x16385", "10x10x10", "1e3x10"}) {
     expect_refused({"render", scene_, "-o", out, "--size", size}, {"--size", "WIDTHxHEIGHT"});
   }
   expect_refused({"render", scene_, "-o", out, "--airlight", "papr"},
@@ -181,6 +181,15 @@ TEST_F(CommandLine, RendersToPng) {
     EXPECT_NE(png.find(text), std::string::npos) << text;
   }
   EXPECT_EQ(png.find(folder_.path().string()), std::string::npos) << "a path of this machine";
+}
+
+TEST_F(CommandLine, OneNumberIsTheLongerSide) {
+  const ProgramResult result =
+      run_brume({"render", scene_, "-o", file("o.png"), "--size", "12", "--airlight", "paper"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  // The film has 24 x 18 pixels. A PNG's sides follow the name of its first chunk.
+  const std::string png = content_of(folder_ / "o.png");
+  EXPECT_EQ(png.substr(16, 8), std::string("\0\0\0\x0c\0\0\0\x09", 8));
 }
 
 TEST_F(CommandLine, RendersPngsInViewsOfOpenColorIO) {

@@ -35,21 +35,26 @@ std::string shown_command(bool quick, bool of_scenes, bool with_peers) {
 class BenchCommand final : public Command {
  public:
   explicit BenchCommand(CLI::App& app) {
-    app.add_option("SCENE", scenes_, "scenes (.brume) instead of the built-in ones");
+    app.add_option("SCENE", scenes_, "scenes (.brume) instead of the built-in ones")
+        ->type_name("FILE");
     app.add_option("-o,--output", output_, "writes NAME.md, NAME.json, NAME.html and NAME.svg");
     app.add_flag("--quick", quick_, "fewer settings and frames: two minutes on two cores");
     app.add_option("--threads", threads_, "worker threads; default: all")
         ->check(finite_in(1, 1024));
     app.add_option("--backend", backend_,
-                   "measure OpenGL too: auto (if a GPU answers), cpu (no) or gl (yes)")
+                   "measure OpenGL too: gl; cpu: do not; auto: if a GPU answers")
+        ->type_name("TEXT:{auto,cpu,gl}")
         ->capture_default_str();
-    app.add_option("--peers", peers_, "results of other renderers, from tools/compare-peers");
+    app.add_option("--peers", peers_, "results of other renderers, from tools/compare-peers")
+        ->type_name("FILE");
     app.add_option("--plot", plotted_, "the scene shown in NAME.svg; default: the first");
     app.add_option(
-        "--compare", compare_,
-        "compare with an older NAME.json; exit with 1 if anything is slower or less accurate");
+           "--compare", compare_,
+           "compare with an older NAME.json; exit with 1 if anything is slower or less accurate")
+        ->type_name("FILE");
     app.add_option("--save-scenes", folder_,
-                   "only write the built-in scenes into this folder, as .brume");
+                   "only write the built-in scenes into this folder, as .brume")
+        ->type_name("FOLDER");
   }
 
   ExitCode run() override {

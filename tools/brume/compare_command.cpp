@@ -19,8 +19,8 @@ nlohmann::ordered_json finite_or_null(double value) {
 class CompareCommand final : public Command {
  public:
   explicit CompareCommand(CLI::App& app) {
-    app.add_option("A", a_, "the image to check, .exr")->required();
-    app.add_option("B", b_, "the reference, .exr")->required();
+    app.add_option("A", a_, "the image to check, .exr")->type_name("FILE")->required();
+    app.add_option("B", b_, "the reference, .exr")->type_name("FILE")->required();
     app.add_option("--layer", layer_,
                    "compare this layer, such as airlight or Z, instead of the beauty");
     app.add_option("--max-rel-rmse", max_rel_rmse_, "exit with 1 if rel_rmse is above this")

@@ -40,12 +40,14 @@ class ExportCommand final : public Command {
     app.add_option(
            "SCENE", input_,
            "a scene (.brume) or Gaussians (.ply, .csv; with %04d for the frame, a sequence)")
+        ->type_name("FILE")
         ->required();
     app.add_option(
            "-o,--output", output_,
            "output: .vdb (a fog volume with the grid density, and albedo and emission if "
            "Gaussians have their own), .ply, .csv, or .usda (a USD stage of a scene: camera, "
            "lights, surfaces and, in .vdb files beside it, the fog)")
+        ->type_name("FILE")
         ->required();
     app.add_option("--voxel", voxel_size_,
                    "voxel size of the .vdb; default: half the smallest radius")

@@ -26,8 +26,11 @@ class FitCommand final : public Command {
  public:
   explicit FitCommand(CLI::App& app) {
     app.add_option("VOLUME", volume_, "the volume, .vdb; with %04d for the frame, a sequence")
+        ->type_name("FILE")
         ->required();
-    app.add_option("-o,--output", output_, "the Gaussians, .ply or .csv")->required();
+    app.add_option("-o,--output", output_, "the Gaussians, .ply or .csv")
+        ->type_name("FILE")
+        ->required();
     app.add_option("--count", how_.options.count, "maximum number of Gaussians")
         ->check(finite_in(1, 1e6))
         ->capture_default_str();

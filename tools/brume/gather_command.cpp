@@ -13,8 +13,8 @@ namespace {
 class GatherCommand final : public Command {
  public:
   explicit GatherCommand(CLI::App& app) {
-    app.add_option("SCENE", scene_, "the scene, .brume")->required();
-    app.add_option("FOLDER", folder_, "a new or empty folder")->required();
+    app.add_option("SCENE", scene_, "the scene, .brume")->type_name("FILE")->required();
+    app.add_option("FOLDER", folder_, "a new or empty folder")->type_name("FOLDER")->required();
     app.footer("The scene keeps its name; copies of the files it refers to go to FOLDER/files.");
   }
 

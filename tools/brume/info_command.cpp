@@ -172,6 +172,7 @@ class InfoCommand final : public Command {
     app.add_option(
            "FILE", file_,
            "a scene (.brume, .gltf, .glb, .obj, .fbx), Gaussians (.ply, .csv) or a volume (.vdb)")
+        ->type_name("FILE")
         ->required();
     app.add_flag("--json", as_json_, "print JSON");
     app.footer(

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <memory>
 #include <string_view>
 
@@ -63,19 +64,27 @@ Scattering parse_scattering(const std::string& name) {
   throw UsageError("--scattering: found " + quoted_text(name) + "; allowed: single, multiple");
 }
 
-Film parse_size(const std::string& text) {
+// WIDTHxHEIGHT, or the longer side of a film with the proportions of `film`.
+Film parse_size(const std::string& text, const Film& film) {
   const std::size_t cross = text.find('x');
   const auto side = [&](std::string_view part) {
     const auto value = parse_integer(part);
     if (!value || *value < 1 || *value > limits::film_side) {
       throw UsageError("--size: found " + quoted_text(text) +
-                       "; allowed: WIDTHxHEIGHT, each 1 to " + std::to_string(limits::film_side));
+                       "; allowed: WIDTHxHEIGHT or one number, the longer side, each 1 to " +
+                       std::to_string(limits::film_side));
     }
     return static_cast<int>(*value);
   };
   const std::string_view view = text;
-  return {side(view.substr(0, cross)),
-          side(cross == std::string::npos ? std::string_view{} : view.substr(cross + 1))};
+  if (cross != std::string::npos) {
+    return {side(view.substr(0, cross)), side(view.substr(cross + 1))};
+  }
+  const double scale = static_cast<double>(side(view)) / std::max(film.width, film.height);
+  const auto scaled = [scale](int length) {
+    return std::max(1, static_cast<int>(std::lround(scale * length)));
+  };
+  return {scaled(film.width), scaled(film.height)};
 }
 
 // "x0,y0,x1,y1": fractions of the film's sides from the upper left corner.
@@ -119,20 +128,23 @@ std::optional<Shutter> parse_shutter(const std::string& text) {
 }  // namespace
 
 RenderOptions::RenderOptions(CLI::App& app) {
-  app.add_option("SCENE", scene_file_, "the scene, .brume")->required();
+  app.add_option("SCENE", scene_file_, "the scene, .brume")->type_name("FILE")->required();
   app.add_option("-o,--output", output_,
                  "the image: .exr (linear, all layers), .deep.exr (samples in depth) or .png")
+      ->type_name("FILE")
       ->required();
-  app.add_option("--size", size_, "WIDTHxHEIGHT in pixels, instead of the scene's film");
+  app.add_option("--size", size_,
+                 "WIDTHxHEIGHT in pixels, instead of the scene's film, or its longer side alone");
   app.add_option("--region", region_,
                  "x0,y0,x1,y1: renders this part of the picture only; fractions of its sides, "
                  "from the upper left corner");
   app.add_option("--camera", camera_, "the name of a camera of the scene; default: the one in use");
-  app.add_option("--airlight", airlight_,
-                 "auto, paper, sliced, reference, march:STEPS or path:PATHS")
+  app.add_option("--airlight", airlight_, "how the airlight is computed")
+      ->type_name("TEXT:{auto,paper,sliced,reference,march:STEPS,path:PATHS}")
       ->capture_default_str();
   app.add_option("--scattering", scattering_,
-                 "sliced: single or multiple, all orders of scattering and reflection")
+                 "of sliced; multiple: all orders of scattering and reflection")
+      ->type_name("TEXT:{single,multiple}")
       ->capture_default_str();
   app.add_option("--slices", slices_, "slices per view ray, for sliced")
       ->check(finite_in(4, 256))
@@ -154,8 +166,10 @@ RenderOptions::RenderOptions(CLI::App& app) {
       ->check(finite_in(1e-12, 1.0))
       ->capture_default_str();
   app.add_option("--layers", layers_,
-                 "NAME,...: more layers of an .exr: lights, environment, emission, direct, "
-                 "multiple, optical_depth, normal, albedo, position, motion, objects, materials");
+                 "more layers of an .exr, one or several with commas between them")
+      ->type_name(
+          "TEXT:{lights,environment,emission,direct,multiple,optical_depth,normal,albedo,position,"
+          "motion,objects,materials}");
   app.add_option("--deep-error", deep_error_,
                  "of a .deep.exr: how far its alpha and airlight may be off wherever they are "
                  "held out")
@@ -170,8 +184,8 @@ RenderOptions::RenderOptions(CLI::App& app) {
   app.add_option("--shutter", shutter_,
                  "OPEN,CLOSE: motion blur, from and to so many frames after the time, or none; "
                  "default: the scene's");
-  app.add_option("--backend", backend_,
-                 "auto, cpu or gl (OpenGL 4.5); auto uses gl if a GPU answers")
+  app.add_option("--backend", backend_, "gl: OpenGL 4.5; auto uses it if a GPU answers")
+      ->type_name("TEXT:{auto,cpu,gl}")
       ->capture_default_str();
   app.add_option("--threads", threads_, "maximum number of worker threads; default: all")
       ->check(finite_in(1, 1024));
@@ -184,12 +198,14 @@ RenderOptions::RenderOptions(CLI::App& app) {
       ->capture_default_str();
   app.add_option("--color-config", color_.config,
                  "of a .png: a configuration of OpenColorIO, .ocio, or aces for ACES 1.0; "
-                 "default: $OCIO, else aces, with --display or --view");
+                 "default: $OCIO, else aces, with --display or --view")
+      ->type_name("FILE");
   app.add_option("--display", color_.display, "a display of it; default: the first");
   app.add_option("--view", color_.view,
                  "a view of it; default: the first. Without any of the three: Khronos PBR "
                  "Neutral in sRGB");
-  app.add_option("--stats", stats_file_, "write timings and measured error as JSON");
+  app.add_option("--stats", stats_file_, "write timings and measured error as JSON")
+      ->type_name("FILE");
 }
 
 void RenderOptions::check() const {
@@ -278,7 +294,7 @@ Scene RenderOptions::seen_by_camera(Scene scene) const {
 }
 
 Film RenderOptions::film(const Scene& scene) const {
-  const Film whole = size_.empty() ? scene.film : parse_size(size_);
+  const Film whole = size_.empty() ? scene.film : parse_size(size_, scene.film);
   return region_.empty() ? whole : parse_region(region_, whole);
 }
 

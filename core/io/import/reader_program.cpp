@@ -16,6 +16,7 @@
 #include "brume/limits.h"
 #include "core/io/file_bytes.h"
 #include "core/io/import/raw_scene_bytes.h"
+#include "core/io/installed_files.h"
 
 extern char** environ;
 
@@ -30,10 +31,6 @@ constexpr std::uintmax_t bytes_per_second = 1'000'000;
 constexpr std::uintmax_t min_seconds = 30;
 
 constexpr int poll_time = 50;  // [ms]
-
-fs::path program() {
-  return fs::read_symlink("/proc/self/exe").parent_path() / "brume-scene-reader";
-}
 
 class Descriptor {
  public:
@@ -130,8 +127,8 @@ RawScene read_by_program(const fs::path& file, const std::stop_token& stop) {
   const std::uintmax_t memory =
       std::min<std::uintmax_t>(min_memory + memory_per_byte * size, limits::scene_bytes);
   const std::uintmax_t seconds = min_seconds + size / bytes_per_second;
-  Child child(file,
-              {program().string(), file.string(), std::to_string(memory), std::to_string(seconds)});
+  Child child(file, {helper_program("brume-scene-reader").string(), file.string(),
+                     std::to_string(memory), std::to_string(seconds)});
   const std::string output = child.read(memory, stop);
   if (stop.stop_requested()) return {};
   const int code = child.wait();

@@ -1,0 +1,88 @@
+#!/usr/bin/env bash
+# Every option that --help names is in the manual pages, and those of brume are offered by its
+# completions for bash, zsh and fish (these two where they are installed).
+#   check_command_help.sh BRUME FOLDER [EDITOR EDITOR_PAGE]
+# FOLDER is what tools/make-command-help has written.
+set -euo pipefail
+
+brume=$1 folder=$2 failed=
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+complain() {
+  echo "$1"
+  failed=yes
+}
+# The options at the beginnings of lines; what else a text mentions may be another command's.
+options_of() {
+  "$@" --help | sed -nE 's/^  (-[^ ,]+(, ?-[^ ,]+)?).*/\1/p' | grep -oE -- '-[A-Za-z-]+' | sort -u
+}
+in_page() {
+  grep -qF -- "\\fB${1//-/\\-}\\fR" "$2" || complain "$2: lacks $1 of $3"
+}
+
+# shellcheck source=/dev/null
+source "$folder/brume.bash"
+offered_by_bash() (
+  set +e  # as in a shell with keys
+  COMP_WORDS=("$@") COMP_CWORD=$(($# - 1))
+  _brume
+  printf '%s\n' "${COMPREPLY[@]}"
+)
+offered_by_fish() {
+  fish --no-config -c "source $folder/brume.fish; complete -C '$*'" | cut -f 1
+}
+# What each shell offers after these words must have the last argument.
+offers() {
+  local words=("${@:1:$#-1}") expected=${*: -1}
+  grep -qxE -- "$expected" <<< "$(offered_by_bash "${words[@]}")" ||
+    complain "bash: lacks $expected after ${words[*]}"
+  if command -v fish > /dev/null; then
+    grep -qxE -- "$expected" <<< "$(offered_by_fish "${words[@]}")" ||
+      complain "fish: lacks $expected after ${words[*]}"
+  fi
+}
+
+for option in $(options_of "$brume"); do
+  in_page "$option" "$folder/brume.1" brume
+  offers brume "${option%%[a-z]*}" "$option"
+done
+commands=$("$brume" --help | sed -n '/^Subcommands/,$ s/^  \([a-z]*\) .*/\1/p')
+[ -n "$commands" ] || complain "brume: names no subcommands"
+for command in $commands; do
+  offers brume "${command:0:2}" "$command"
+  options=$(options_of "$brume" "$command")
+  sed -n "/^\.SH BRUME ${command^^}/,/^\.SH BRUME/p" "$folder/brume.1" > "$work/page"
+  sed -n "/^    $command)/,/;;$/p" "$folder/brume.zsh" > "$work/zsh"
+  bash_offers=$(offered_by_bash brume "$command" -)
+  if command -v fish > /dev/null; then
+    fish_offers=$(offered_by_fish brume "$command" - 
+      offered_by_fish brume "$command" --)
+  fi
+  for option in $options; do
+    in_page "$option" "$work/page" "brume $command"
+    grep -qE -- "['{,]$option['},[]" "$work/zsh" || complain "zsh: lacks $option of brume $command"
+    grep -qxF -- "$option" <<< "$bash_offers" || complain "bash: lacks $option of brume $command"
+    if command -v fish > /dev/null; then
+      grep -qxF -- "$option" <<< "$fish_offers" || complain "fish: lacks $option of brume $command"
+    fi
+  done
+done
+
+# Values, and files by their extension.
+cd "$work"
+mkdir folder
+touch one.brume two.exr three.txt
+offers brume render --airlight '' paper
+offers brume render --airlight pa paper
+offers brume fit --up '' z
+offers brume render '' one.brume
+offers brume compare '' two.exr
+offers brume gather one.brume '' 'folder/?'
+
+if [ $# -gt 2 ]; then
+  for option in $(QT_QPA_PLATFORM=offscreen options_of "$3"); do
+    in_page "$option" "$4" brume-editor
+  done
+fi
+if command -v zsh > /dev/null; then zsh -n "$folder/brume.zsh"; fi
+[ -z "$failed" ]
