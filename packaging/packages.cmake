@@ -65,7 +65,9 @@ brume_package(programs brume SECTION graphics
 set(library libbrume${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
 brume_package(library ${library} SECTION libs
   SUMMARY "renderer for fog, smoke and steam: library"
-  TEXT "${method} This package has the library that programs link."
+  TEXT "${method} This package has the library that programs link. Scenes of other programs are read \
+by one of the package brume."
+  RECOMMENDS "brume"
   CONTROL_EXTRA ${CMAKE_CURRENT_LIST_DIR}/triggers)
 brume_package(development libbrume-dev SECTION libdevel
   SUMMARY "renderer for fog, smoke and steam: headers"

@@ -1,8 +1,11 @@
 #include "python/frame.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <chrono>
+#include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -80,9 +83,10 @@ Choice chosen(const char* name, const std::string& text,
   throw DomainError(name, "found '" + text + "'; allowed: " + allowed);
 }
 
-OutputLayers layers_of(const std::vector<std::string>& names) {
+OutputLayers layers_of(const py::iterable& names) {
   OutputLayers layers;
-  for (const std::string& name : names) {
+  for (const py::handle item : names) {
+    const auto name = item.cast<std::string>();
     const auto known = std::ranges::find_if(
         layer_names, [&name](const LayerName& layer) { return name == layer.name; });
     if (known == layer_names.end()) {
@@ -97,85 +101,107 @@ OutputLayers layers_of(const std::vector<std::string>& names) {
   return layers;
 }
 
-RenderRequest request_of(const py::kwargs& options) {
-  RenderRequest request;
-  for (const auto& [key, value] : options) {
-    const auto name = key.cast<std::string>();
-    try {
-      if (name == "size") {
-        if (value.is_none()) continue;
-        const auto size = value.cast<std::pair<int, int>>();
-        request.film = Film{size.first, size.second};
-      } else if (name == "camera") {
-        if (!value.is_none()) request.camera = *value.cast<std::shared_ptr<Camera>>();
-      } else if (name == "time") {
-        request.time = value.cast<double>();
-      } else if (name == "airlight") {
-        set_airlight(request, value.cast<std::string>());
-      } else if (name == "max_error") {
-        request.max_error = value.cast<double>();
-      } else if (name == "scattering") {
-        request.scattering = chosen<Scattering, 2>(
-            "scattering", value.cast<std::string>(),
-            {{{"single", Scattering::single}, {"multiple", Scattering::multiple}}});
-      } else if (name == "samples") {
-        request.samples = value.cast<std::optional<int>>();
-      } else if (name == "layers") {
-        request.layers = layers_of(value.cast<std::vector<std::string>>());
-      } else if (name == "measure_error") {
-        request.measure_error = value.cast<bool>();
-      } else if (name == "backend") {
-        request.backend = chosen<Backend, 3>(
-            "backend", value.cast<std::string>(),
-            {{{"auto", Backend::auto_}, {"cpu", Backend::cpu}, {"gl", Backend::gl}}});
-      } else if (name == "threads") {
-        request.threads = value.cast<int>();
-      } else {
-        throw py::type_error("render() has no argument '" + name + "'");
-      }
-    } catch (const py::cast_error&) {
-      throw py::type_error(name + ": found " + std::string(py::repr(value)) +
-                           ", which is of no type allowed there");
-    }
-  }
-  return request;
-}
+// Renders one frame at a time.
+struct Renderer {
+  SceneRenderer renderer;
+  bool is_busy = false;
+};
 
-std::shared_ptr<TimedFrame> render_by(SceneRenderer& renderer, const SharedScene& scene,
-                                      const py::object& progress, const py::kwargs& options) {
-  const RenderRequest request = request_of(options);
+class Busy {
+ public:
+  explicit Busy(Renderer& renderer) : renderer_(renderer) {
+    if (renderer_.is_busy) {
+      throw std::runtime_error("this renderer is rendering; allowed: another, or afterwards");
+    }
+    renderer_.is_busy = true;
+  }
+  ~Busy() { renderer_.is_busy = false; }
+  Busy(const Busy&) = delete;
+  Busy& operator=(const Busy&) = delete;
+
+ private:
+  Renderer& renderer_;
+};
+
+std::shared_ptr<TimedFrame> render_by(
+    Renderer& renderer, const SharedScene& scene, const std::optional<std::pair<int, int>>& size,
+    double max_error, const std::string& airlight, const std::string& scattering, double time,
+    const std::shared_ptr<Camera>& camera, const std::optional<int>& samples,
+    const std::optional<std::pair<double, double>>& shutter, const py::iterable& layers,
+    bool measure_error, const std::string& backend, int threads, const py::object& progress) {
+  const Busy busy(renderer);
+  RenderRequest request;
+  if (size) request.film = Film{size->first, size->second};
+  if (camera) request.camera = *camera;
+  request.time = time;
+  set_airlight(request, airlight);
+  request.max_error = max_error;
+  request.scattering =
+      chosen<Scattering, 2>("scattering", scattering,
+                            {{{"single", Scattering::single}, {"multiple", Scattering::multiple}}});
+  request.samples = samples;
+  if (shutter) request.shutter = Shutter{shutter->first, shutter->second};
+  request.layers = layers_of(layers);
+  request.measure_error = measure_error;
+  request.backend = chosen<Backend, 3>(
+      "backend", backend, {{{"auto", Backend::auto_}, {"cpu", Backend::cpu}, {"gl", Backend::gl}}});
+  request.threads = threads;
   // A copy: nothing that Python does meanwhile changes it.
   const SceneFile file = scene.assembled();
   using Clock = std::chrono::steady_clock;
-  std::chrono::duration<double, std::milli> time{};
+  std::chrono::duration<double, std::milli> taken{};
   std::optional<Frame> frame = interruptible(
       [&](const std::stop_token& stop, const std::function<void(double)>& fraction) {
         const Clock::time_point start = Clock::now();
-        std::optional<Frame> rendered = renderer.render(file.scene, request, stop, fraction);
-        time = Clock::now() - start;
+        std::optional<Frame> rendered =
+            renderer.renderer.render(file.scene, request, stop, fraction);
+        taken = Clock::now() - start;
         return rendered;
       },
       progress);
   for (const std::string& warning : frame->warnings) {
     if (PyErr_WarnEx(PyExc_UserWarning, warning.c_str(), 1) != 0) throw py::error_already_set();
   }
-  return std::make_shared<TimedFrame>(TimedFrame{std::move(*frame), time.count()});
+  return std::make_shared<TimedFrame>(TimedFrame{std::move(*frame), taken.count()});
 }
 
 constexpr const char* render_doc =
-    "Renders a frame. Keyword arguments, with the defaults of `brume render`:\n\n"
+    "Renders a frame, by default as `brume render` does.\n\n"
     "size: (width, height) [pixels]; None: the scene's.\n"
     "max_error: of 'auto', the relative RMSE of the airlight that it keeps.\n"
     "airlight: 'auto', 'paper', 'sliced', 'sliced:N', 'march:N', 'reference' or 'path:N'.\n"
     "scattering: 'multiple', all orders, or 'single'.\n"
     "time: of the animation [s].\n"
-    "camera: a Camera; None: the scene's.\n"
+    "camera: None: the scene's.\n"
     "samples: of pixels that need them; None: chosen.\n"
+    "shutter: (open, close) [frames]; None: the scene's.\n"
     "layers: names of more layers, for Frame.layers.\n"
     "measure_error: of methods other than auto, too.\n"
     "backend: 'auto', 'cpu' or 'gl'. threads: at most; 0: all.\n"
-    "progress: is called with the completed fraction, in [0, 1].\n\n"
+    "progress: is called with the completed fraction, in [0, 1], some times a second, and at the "
+    "end.\n\n"
     "Other threads of Python run meanwhile; Ctrl-C stops it.";
+
+// Of a renderer that is there, or of one for this frame.
+template <class Bound, class Function>
+void def_render(Bound& bound, Function function) {
+  bound.def("render", function, py::arg("scene"), py::kw_only(), py::arg("size") = py::none(),
+            py::arg("max_error") = RenderRequest{}.max_error, py::arg("airlight") = "auto",
+            py::arg("scattering") = "multiple", py::arg("time") = 0.0,
+            py::arg("camera") = py::none(), py::arg("samples") = py::none(),
+            py::arg("shutter") = py::none(), py::arg("layers") = py::tuple(),
+            py::arg("measure_error") = false, py::arg("backend") = "auto", py::arg("threads") = 0,
+            py::arg("progress") = py::none(), render_doc);
+}
+
+// render_by() with a renderer of its own.
+template <class... Arguments>
+auto once(std::shared_ptr<TimedFrame> (*)(Renderer&, Arguments...)) {
+  return [](Arguments... arguments) {
+    Renderer renderer;
+    return render_by(renderer, arguments...);
+  };
+}
 
 }  // namespace
 
@@ -272,19 +298,12 @@ void bind_frame(py::module_& module) {
         return "<brume.Frame of " + std::to_string(self.film.width) + " x " +
                std::to_string(self.film.height) + " by " + self.statistics.airlight + ">";
       });
-  py::class_<SceneRenderer>(
+  py::class_<Renderer> renderer(
       module, "Renderer",
-      "Renders frame after frame and keeps what is the same in the next. One at a time.")
-      .def(py::init<>())
-      .def("render", render_by, py::arg("scene"), py::kw_only(), py::arg("progress") = py::none(),
-           render_doc);
-  module.def(
-      "render",
-      [](const SharedScene& scene, const py::object& progress, const py::kwargs& options) {
-        SceneRenderer renderer;
-        return render_by(renderer, scene, progress, options);
-      },
-      py::arg("scene"), py::kw_only(), py::arg("progress") = py::none(), render_doc);
+      "Renders frame after frame and keeps what is the same in the next. One at a time.");
+  renderer.def(py::init<>());
+  def_render(renderer, render_by);
+  def_render(module, once(render_by));
 }
 
 }  // namespace brume::python

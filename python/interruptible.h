@@ -38,7 +38,9 @@ auto interruptible(Work work, const pybind11::object& progress) {
     result.wait();
     throw;
   }
-  return result.get();
+  auto finished = result.get();
+  if (!progress.is_none()) progress(1.0);
+  return finished;
 }
 
 }  // namespace brume::python

@@ -1,6 +1,7 @@
 #include "python/medium.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -32,6 +33,7 @@ py::capsule ArrayMedium::view_of(const std::shared_ptr<ArrayMedium>& medium) {
   return {new Owner(medium), [](void* owner) {
             const std::unique_ptr<Owner> last(static_cast<Owner*>(owner));
             --(*last)->views_;
+            (*last)->was_written_ = true;
           }};
 }
 
@@ -88,17 +90,42 @@ void append(const Shared& medium, const Doubles& centers, const Doubles& radii,
   for (std::size_t i = 0; i < rows.size(); ++i) added.append({rows[i], radius[i], density[i]});
   check(added);
   Medium& all = medium->resizable();
-  all.reserve(all.size() + added.size());
   for (std::size_t i = 0; i < added.size(); ++i) all.append(added.gaussian(i));
 }
 
-void remove(const Shared& medium, const std::vector<std::size_t>& indices) {
+// Indices, also from the end, or a mask of all.
+std::vector<std::size_t> indices_of(const py::array& chosen, std::size_t count) {
+  std::vector<std::size_t> indices;
+  if (chosen.dtype().kind() == 'b') {
+    const auto mask = chosen.cast<py::array_t<bool>>();
+    if (mask.ndim() != 1 || static_cast<std::size_t>(mask.size()) != count) {
+      throw DomainError("indices",
+                        "found a mask of another shape; allowed: (" + std::to_string(count) + ",)");
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      if (mask.at(i)) indices.push_back(i);
+    }
+    return indices;
+  }
+  if (chosen.size() > 0 && chosen.dtype().kind() != 'i' && chosen.dtype().kind() != 'u') {
+    throw py::type_error("indices: allowed: integers, or a mask of bool");
+  }
+  const auto numbers = chosen.cast<py::array_t<std::int64_t, py::array::forcecast>>();
+  for (const py::handle number : numbers.attr("ravel")()) {
+    const auto index = number.cast<std::int64_t>();
+    const std::int64_t from_start = index < 0 ? index + static_cast<std::int64_t>(count) : index;
+    if (from_start < 0 || from_start >= static_cast<std::int64_t>(count)) {
+      throw py::index_error("there is no Gaussian " + std::to_string(index));
+    }
+    indices.push_back(static_cast<std::size_t>(from_start));
+  }
+  return indices;
+}
+
+void remove(const Shared& medium, const py::array& chosen) {
   Medium& all = medium->resizable();
   std::vector<GaussianId> ids;
-  for (const std::size_t index : indices) {
-    if (index >= all.size()) throw py::index_error("there is no Gaussian " + std::to_string(index));
-    ids.push_back(all.ids()[index]);
-  }
+  for (const std::size_t index : indices_of(chosen, all.size())) ids.push_back(all.ids()[index]);
   std::ranges::sort(ids);
   const auto repeated = std::ranges::unique(ids);
   ids.erase(repeated.begin(), repeated.end());
@@ -138,6 +165,14 @@ void set_optics(const Shared& medium, const char* name, const Doubles& array, Se
       .apply(all);
 }
 
+// Checked, then written into the columns, which stay where arrays know them.
+void set_numbers(const Shared& medium, const char* name, const Doubles& array,
+                 std::span<double> Medium::Columns::*column) {
+  Medium& all = medium->changeable();
+  const std::vector<double> values = as_many(name, array, all.size());
+  std::ranges::copy(values, (all.columns().*column).begin());
+}
+
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
@@ -155,17 +190,32 @@ void bind_medium(py::module_& module) {
            [](ArrayMedium& self) {
              return "<brume.Medium of " + std::to_string(self.medium().size()) + " Gaussians>";
            })
-      .def_property_readonly(
+      .def_property(
           "centers",
           [](const Shared& self) { return vectors(self, self->changeable().columns().centers); },
+          [](const Shared& self, const Doubles& array) {
+            const std::vector<glm::dvec3> rows = rows_of("centers", array);
+            Medium& all = self->changeable();
+            if (rows.size() != all.size()) {
+              throw DomainError("centers", "found " + std::to_string(rows.size()) +
+                                               " rows; allowed: " + std::to_string(all.size()));
+            }
+            std::ranges::copy(rows, all.columns().centers.begin());
+          },
           "(n, 3) float64, writable [u].")
-      .def_property_readonly(
+      .def_property(
           "radii",
           [](const Shared& self) { return numbers(self, self->changeable().columns().radii); },
+          [](const Shared& self, const Doubles& array) {
+            set_numbers(self, "radii", array, &Medium::Columns::radii);
+          },
           "(n,) float64, writable, > 0 [u].")
-      .def_property_readonly(
+      .def_property(
           "densities",
           [](const Shared& self) { return numbers(self, self->changeable().columns().densities); },
+          [](const Shared& self, const Doubles& array) {
+            set_numbers(self, "densities", array, &Medium::Columns::densities);
+          },
           "(n,) float64, writable: scattering coefficients at the centers, >= 0 [1/u].")
       .def_property(
           "albedos",
@@ -205,14 +255,22 @@ void bind_medium(py::module_& module) {
           "Homogeneous scattering coefficient, >= 0 [1/u].")
       .def("append", append, py::arg("centers"), py::arg("radii"), py::arg("densities"),
            "Adds Gaussians: centers (n, 3) [u], radii and densities (n,) or one number for all.")
-      .def("remove", remove, py::arg("indices"), "Removes the Gaussians at these indices.")
+      .def("remove", remove, py::arg("indices"),
+           "Removes the Gaussians at these indices, or where a mask (n,) of bool is true.")
       .def(
           "save",
           [](ArrayMedium& self, const std::filesystem::path& file, double voxel) {
             const Medium& medium = self.medium();
-            if (file.extension() == ".vdb") {
+            std::string extension = file.extension().string();
+            std::ranges::transform(extension, extension.begin(),
+                                   [](unsigned char c) { return std::tolower(c); });
+            if (extension == ".vdb") {
               save_volume(medium, voxel, file);
               return;
+            }
+            if (extension != ".ply" && extension != ".csv") {
+              throw DomainError(
+                  "file", "found the extension '" + extension + "'; allowed: .ply, .csv, .vdb");
             }
             check(medium);
             std::vector<Gaussian> gaussians;
@@ -225,7 +283,10 @@ void bind_medium(py::module_& module) {
       "load_medium",
       [](const std::filesystem::path& file) {
         Medium medium;
-        for (const Gaussian& gaussian : load_gaussians(file)) medium.append(gaussian);
+        for (Gaussian gaussian : load_gaussians(file)) {
+          gaussian.group = 0;  // of what scene?
+          medium.append(gaussian);
+        }
         return std::make_shared<ArrayMedium>(std::move(medium));
       },
       py::arg("file"), "Gaussians of a .ply or .csv file.");

@@ -15,9 +15,10 @@ class ArrayMedium {
   ArrayMedium(const ArrayMedium&) = delete;
   ArrayMedium& operator=(const ArrayMedium&) = delete;
 
-  // What has been written to the arrays counts as a change.
+  // What has been written to arrays, there still or not, counts as a change.
   [[nodiscard]] const Medium& medium() {
-    if (views_ > 0) static_cast<void>(medium_.columns());
+    if (views_ > 0 || was_written_) static_cast<void>(medium_.columns());
+    was_written_ = false;
     return medium_;
   }
   // To change how many Gaussians there are. Throws Python's BufferError while there are arrays.
@@ -31,6 +32,7 @@ class ArrayMedium {
  private:
   Medium medium_;
   std::size_t views_ = 0;
+  bool was_written_ = false;
 };
 
 void bind_medium(pybind11::module_& module);

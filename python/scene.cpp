@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "brume/at_time.h"
+#include "brume/edits.h"
 #include "brume/error.h"
+#include "brume/limits.h"
 #include "brume/mesh_arrays.h"
 
 namespace py = pybind11;
@@ -37,6 +39,11 @@ std::vector<T> values_of(const py::list& list, const char* name, const char* typ
     values.push_back(*element.cast<std::shared_ptr<T>>());
   }
   return values;
+}
+
+template <class T>
+T copied(const T& value) {
+  return value;
 }
 
 void warn_of(const std::vector<std::string>& warnings) {
@@ -101,7 +108,8 @@ void bind_light(py::module_& module) {
       "or spot light radiant intensity [W/sr], of a directional one irradiance [W/u^2], of an area "
       "light radiance [W/(sr u^2)].");
   using Vec3 = glm::dvec3;
-  light
+  light.def("__copy__", copied<Light>)
+      .def("__deepcopy__", [](const Light& self, const py::dict&) { return self; })
       .def_static(
           "point",
           [](const Vec3& position, const Vec3& intensity) {
@@ -181,7 +189,7 @@ void bind_light(py::module_& module) {
 }
 
 using Floats = py::array_t<float, py::array::c_style | py::array::forcecast>;
-using Indices = py::array_t<std::uint32_t, py::array::c_style | py::array::forcecast>;
+using Indices = py::array_t<std::int64_t, py::array::c_style>;
 
 // A mesh of points (n, 3) and triangles (m, 3), with flat normals.
 std::shared_ptr<Surface> mesh_surface(const Floats& points, const Indices& triangles) {
@@ -195,26 +203,29 @@ std::shared_ptr<Surface> mesh_surface(const Floats& points, const Indices& trian
     std::array<glm::vec3, 3> corners;
     for (py::ssize_t k = 0; k < 3; ++k) {
       const auto index = static_cast<py::ssize_t>(triangles.at(i, k));
-      if (index >= points.shape(0)) {
+      if (index < 0 || index >= points.shape(0)) {
         throw DomainError("triangles[" + std::to_string(i) + "]",
                           "there is no point " + std::to_string(index));
       }
       glm::vec3& corner = corners[static_cast<std::size_t>(k)];
       for (int c = 0; c < 3; ++c) {
         corner[c] = points.at(index, c);
-        if (!std::isfinite(corner[c])) {
-          throw DomainError("points[" + std::to_string(index) + "]", "allowed: finite numbers");
+        if (!(std::abs(corner[c]) <= limits::coordinate)) {
+          throw DomainError("points[" + std::to_string(index) + "]",
+                            "allowed: numbers from -1e12 to 1e12");
         }
       }
     }
-    const glm::vec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
-    const float length = glm::length(normal);
-    if (!(length > 0.0f)) continue;  // of no area
+    const glm::dvec3 a(corners[0]);
+    const glm::dvec3 across = glm::cross(glm::dvec3(corners[1]) - a, glm::dvec3(corners[2]) - a);
+    const double area = glm::length(across);
+    if (!(area > 0.0)) continue;
+    const glm::vec3 normal(across / area);
     const auto first = static_cast<unsigned>(arrays.points.size());
     arrays.triangles.push_back({first, first + 1, first + 2});
     for (const glm::vec3& corner : corners) {
       arrays.points.push_back(corner);
-      arrays.normals.push_back(normal / length);
+      arrays.normals.push_back(normal);
     }
   }
   if (arrays.triangles.empty())
@@ -230,9 +241,10 @@ std::shared_ptr<Surface> primitive_surface(const std::string& shape, const glm::
   if (name == names.end()) {
     throw DomainError("shape", "found '" + shape + "'; allowed: plane, box, sphere, cylinder");
   }
-  if (!(size.x > 0.0) || !(size.y > 0.0) || !(size.z > 0.0) ||
-      !std::isfinite(size.x + size.y + size.z)) {
-    throw DomainError("size", "allowed: three numbers > 0");
+  for (int k = 0; k < 3; ++k) {
+    if (!(size[k] >= limits::min_length && size[k] <= limits::max_length)) {
+      throw DomainError("size", "allowed: three numbers from 1e-12 to 1e12");
+    }
   }
   auto surface = std::make_shared<Surface>();
   surface->primitive = Primitive{static_cast<Primitive::Shape>(name - names.begin()), size};
@@ -245,6 +257,8 @@ void bind_surface(py::module_& module) {
       module, "Surface",
       "A mesh in the scene: world = translate + rotate * (scale * mesh). `rotate` is a unit "
       "quaternion (w, x, y, z).")
+      .def("__copy__", copied<Surface>)
+      .def("__deepcopy__", [](const Surface& self, const py::dict&) { return self; })
       .def_static(
           "load",
           [](const std::filesystem::path& mesh) {
@@ -266,7 +280,13 @@ void bind_surface(py::module_& module) {
             return std::tuple(self.rotate.w, self.rotate.x, self.rotate.y, self.rotate.z);
           },
           [](Surface& self, const std::tuple<double, double, double, double>& q) {
-            self.rotate = {std::get<0>(q), std::get<1>(q), std::get<2>(q), std::get<3>(q)};
+            const glm::dquat rotation(std::get<0>(q), std::get<1>(q), std::get<2>(q),
+                                      std::get<3>(q));
+            // Within rounding, as in a file.
+            if (!(std::abs(glm::length(rotation) - 1.0) < 1e-3)) {
+              throw DomainError("rotate", "allowed: a unit quaternion, (w, x, y, z)");
+            }
+            self.rotate = glm::normalize(rotation);
           })
       .def_property(
           "reflectance", [](const Surface& self) { return self.material.reflectance; },
@@ -315,21 +335,48 @@ SharedScene::SharedScene(SceneFile file) : rest(std::move(file)) {
   surfaces = listed(scene.surfaces);
 }
 
-SceneFile SharedScene::assembled() const {
+SceneFile SharedScene::without_gaussians() const {
   SceneFile file = rest;
-  file.scene.medium = medium->medium();
   if (!camera) throw py::type_error("camera: found None; allowed: a brume.Camera");
   file.scene.camera = *camera;
   if (environment) file.scene.environment = *environment;
   file.scene.lights = values_of<Light>(lights, "lights", "Light");
   file.scene.surfaces = values_of<Surface>(surfaces, "surfaces", "Surface");
-  check(file.scene);
   return file;
+}
+
+SceneFile SharedScene::assembled() const {
+  SceneFile file = without_gaussians();
+  file.scene.medium = medium->medium();
+  return file;
+}
+
+void SharedScene::set_medium(ArrayMedium& other) {
+  Medium fresh = medium->medium();
+  const std::vector<GaussianId> old(fresh.ids().begin(), fresh.ids().end());
+  const Medium source = other.medium();
+  MediumEdit::remove(fresh, old).apply(fresh);
+  fresh.set_homogeneous_density(source.homogeneous_density());
+  for (std::size_t i = 0; i < source.size(); ++i) {
+    Gaussian gaussian = source.gaussian(i);
+    gaussian.group = 0;
+    fresh.append(gaussian);
+  }
+  medium = std::make_shared<ArrayMedium>(std::move(fresh));
 }
 
 void bind_scene(py::module_& module) {
   py::class_<Camera, std::shared_ptr<Camera>>(module, "Camera", "A pinhole, or a thin lens.")
-      .def(py::init<>())
+      .def(py::init([](const glm::dvec3& eye, const glm::dvec3& target, const glm::dvec3& up,
+                       double vertical_fov, double aperture,
+                       const std::optional<double>& focus_distance) {
+             return Camera{eye, target, up, vertical_fov, aperture, focus_distance};
+           }),
+           py::arg("eye") = Camera{}.eye, py::arg("target") = Camera{}.target,
+           py::arg("up") = Camera{}.up, py::arg("vertical_fov") = Camera{}.vertical_fov,
+           py::arg("aperture") = 0.0, py::arg("focus_distance") = py::none())
+      .def("__copy__", copied<Camera>)
+      .def("__deepcopy__", [](const Camera& self, const py::dict&) { return self; })
       .def_readwrite("eye", &Camera::eye, "[u]")
       .def_readwrite("target", &Camera::target, "[u]")
       .def_readwrite("up", &Camera::up)
@@ -353,11 +400,30 @@ void bind_scene(py::module_& module) {
       "What is rendered. Parts are changed in place; `lights` and `surfaces` are lists. Values "
       "with keyframes, groups, emitters and sequences are kept as the file has them.")
       .def(py::init([] { return std::make_shared<SharedScene>(); }))
-      .def_readonly("medium", &SharedScene::medium)
+      .def_property(
+          "medium", [](const SharedScene& self) { return self.medium; },
+          [](SharedScene& self, ArrayMedium& other) { self.set_medium(other); },
+          "Assigning another copies its Gaussians.")
       .def_readwrite("camera", &SharedScene::camera)
       .def_readwrite("environment", &SharedScene::environment, "None: none.")
-      .def_readwrite("lights", &SharedScene::lights, "A list of Light.")
-      .def_readwrite("surfaces", &SharedScene::surfaces, "A list of Surface.")
+      .def_property(
+          "lights", [](const SharedScene& self) { return self.lights; },
+          [](SharedScene& self, const py::sequence& lights) { self.lights = py::list(lights); },
+          "A list of Light.")
+      .def_property(
+          "surfaces", [](const SharedScene& self) { return self.surfaces; },
+          [](SharedScene& self, const py::sequence& list) { self.surfaces = py::list(list); },
+          "A list of Surface.")
+      .def("__deepcopy__",
+           [](const SharedScene& self, const py::dict&) {
+             return std::make_shared<SharedScene>(self.assembled());
+           })
+      .def("__repr__",
+           [](const SharedScene& self) {
+             return "<brume.Scene of " + std::to_string(self.medium->medium().size()) +
+                    " Gaussians, " + std::to_string(self.lights.size()) + " lights, " +
+                    std::to_string(self.surfaces.size()) + " surfaces>";
+           })
       .def_property(
           "size",
           [](const SharedScene& self) {
@@ -377,10 +443,10 @@ void bind_scene(py::module_& module) {
           "g of Henyey-Greenstein, in [-0.95, 0.95].")
       .def_property_readonly(
           "is_animated",
-          [](const SharedScene& self) { return is_animated(self.assembled().scene); })
+          [](const SharedScene& self) { return is_animated(self.without_gaussians().scene); })
       .def_property_readonly(
           "last_moment",
-          [](const SharedScene& self) { return last_moment(self.assembled().scene); },
+          [](const SharedScene& self) { return last_moment(self.without_gaussians().scene); },
           "Time of the last keyframe [s].")
       .def(
           "save",

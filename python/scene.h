@@ -14,8 +14,12 @@ class SharedScene {
  public:
   explicit SharedScene(SceneFile file = {});
 
-  // A copy of all parts, checked. Throws DomainError, Python's TypeError.
+  // A copy of all parts, not checked. Throws Python's TypeError.
   [[nodiscard]] SceneFile assembled() const;
+  // The same without the medium's Gaussians.
+  [[nodiscard]] SceneFile without_gaussians() const;
+  // Takes a copy of another medium's Gaussians, without their groups; they get ids that none had.
+  void set_medium(ArrayMedium& other);
 
   std::shared_ptr<ArrayMedium> medium;
   std::shared_ptr<Camera> camera;

@@ -7,6 +7,7 @@
 #include "brume/limits.h"
 #include "brume/render.h"
 #include "core/number_domain.h"
+#include "core/scene/check.h"
 #include "render/gl_renderer.h"
 #include "render/layers/frame_layers.h"
 #include "render/render_plan.h"
@@ -28,10 +29,7 @@ void check(const RenderRequest& request) {
   const auto check_number = [](const char* name, double value, const NumberDomain& domain) {
     if (!domain.contains(value)) throw DomainError(name, domain.refusal(value));
   };
-  if (request.film) {
-    check_count("film.width", request.film->width, 1, limits::film_side);
-    check_count("film.height", request.film->height, 1, limits::film_side);
-  }
+  if (request.film) check_film("film", *request.film);
   if (request.camera) brume::check(*request.camera);
   check_number("time", request.time, domain::seconds);
   check_number("max_error", request.max_error, error);

@@ -8,10 +8,21 @@
 #include "core/io/mesh/mesh_file.h"
 #include "core/io/scene/scene_file.h"
 #include "core/io/volume/volume_file.h"
+#include "core/number_domain.h"
 #include "core/volume/medium_grid.h"
 
 namespace brume {
 namespace fs = std::filesystem;
+namespace {
+
+fs::path absolute_name(const fs::path& file) {
+  std::error_code error;
+  fs::path path = fs::absolute(file, error);
+  if (error || file.empty()) throw InputError(file, "", "allowed: the name of a file");
+  return path;
+}
+
+}  // namespace
 
 SceneFile load_scene_file(const fs::path& file, std::vector<std::string>* warnings) {
   SceneDocument document = load_document(file, warnings);
@@ -28,7 +39,7 @@ void save_scene_file(const SceneFile& scene, const fs::path& file) {
                         "it is in memory alone; allowed in a file: a primitive, or of a mesh_file");
     }
   }
-  save_document({scene.scene, scene.extras ? *scene.extras : SceneExtras{}}, fs::absolute(file));
+  save_document({scene.scene, scene.extras ? *scene.extras : SceneExtras{}}, absolute_name(file));
 }
 
 void save_scene(const Scene& scene, const fs::path& file) {
@@ -45,13 +56,13 @@ void save_gaussians(std::span<const Gaussian> gaussians, const fs::path& file) {
 
 Surface load_surface(const fs::path& mesh) {
   Surface surface;
-  surface.mesh_file = fs::absolute(mesh);
+  surface.mesh_file = absolute_name(mesh);
   surface.mesh = read_mesh(mesh);
   return surface;
 }
 
 Environment load_environment(const fs::path& map) {
-  return {fs::absolute(map), read_radiance_map(map)};
+  return {absolute_name(map), read_radiance_map(map)};
 }
 
 DensityGrid load_volume(const fs::path& file, const std::string& grid) {
@@ -61,7 +72,9 @@ DensityGrid load_volume(const fs::path& file, const std::string& grid) {
 void save_volume(const Medium& medium, double voxel_size, const fs::path& file) {
   constexpr std::size_t max_blocks = (std::size_t{2} << 30) / sizeof(DensityGrid::Block);
   check(medium);
-  if (!(voxel_size > 0.0)) throw DomainError("voxel_size", "allowed: a number > 0");
+  if (!domain::length.contains(voxel_size)) {
+    throw DomainError("voxel_size", domain::length.refusal(voxel_size));
+  }
   const auto sampling = MediumSampling::plan(medium, voxel_size, max_blocks);
   if (!sampling) {
     throw DomainError("voxel_size", "the grid would take more than 2 GiB; allowed: a larger one");

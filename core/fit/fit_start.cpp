@@ -67,7 +67,8 @@ std::array<std::span<Sample>, 2> cut(const SampleGroup& group) {
 
 }  // namespace
 
-std::vector<FitGaussian> split_into_gaussians(const DensityGrid& grid, std::size_t count) {
+std::vector<FitGaussian> split_into_gaussians(const DensityGrid& grid, std::size_t count,
+                                              const std::stop_token& stop) {
   std::vector<Sample> samples;
   for (const DensityGrid::Block& block : grid.blocks) {
     std::size_t i = 0;
@@ -86,7 +87,7 @@ std::vector<FitGaussian> split_into_gaussians(const DensityGrid& grid, std::size
   std::priority_queue<SampleGroup> groups;
   std::vector<SampleGroup> single;  // groups of one voxel
   groups.emplace(std::span(samples));
-  while (groups.size() + single.size() < count && !groups.empty()) {
+  while (groups.size() + single.size() < count && !groups.empty() && !stop.stop_requested()) {
     const SampleGroup group = groups.top();
     groups.pop();
     if (group.samples.size() < 2) {

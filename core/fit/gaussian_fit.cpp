@@ -270,7 +270,7 @@ void Fitting::relocate() {
       g.b = center;
       g.a = std::min(1.0 / std::sqrt(2.0 * variance), sharpest_);
       g.c = -sum * grid_.voxel_volume() * std::pow(g.a, 3.0) / std::pow(std::numbers::pi, 1.5);
-      places.push_back({sum * sum / (side * side * side), g});
+      places.push_back({sum * sum / (edge * edge * edge), g});
     });
   }
   std::stable_sort(places.begin(), places.end(),
@@ -298,7 +298,9 @@ std::optional<Fit> fit_gaussians(const DensityGrid& grid, const FitOptions& opti
   const auto fit = [&](std::size_t count, double progress_begin, double progress_end) {
     constexpr int rounds = 4;
     constexpr int steps = 15;
-    fitting.begin(split_into_gaussians(grid, count));
+    std::vector<FitGaussian> start = split_into_gaussians(grid, count, stop);
+    if (stop.stop_requested()) return false;
+    fitting.begin(std::move(start));
     for (int round = 0; round < rounds; ++round) {
       const double begin = progress_begin + (progress_end - progress_begin) * round / rounds;
       const double end = begin + (progress_end - progress_begin) / rounds;

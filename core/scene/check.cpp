@@ -1,72 +1,106 @@
+#include "core/scene/check.h"
+
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <set>
 #include <string>
 
+#include "brume/at_time.h"
 #include "brume/error.h"
 #include "brume/limits.h"
 #include "brume/scene.h"
-#include "core/number_domain.h"
 #include "core/scene/animation.h"
+#include "core/scene/group_effects.h"
 
 namespace brume {
-namespace {
 
-void check_number(const std::string& place, double value, const NumberDomain& domain) {
+void check_value(const std::string& place, double value, const NumberDomain& domain) {
   if (!domain.contains(value)) throw DomainError(place, domain.refusal(value));
 }
 
-void check_value(const std::string& place, double value, const NumberDomain& domain) {
-  check_number(place, value, domain);
-}
+namespace {
 
 template <int n>
 void check_value(const std::string& place, const glm::vec<n, double>& value,
                  const NumberDomain& domain) {
   for (int k = 0; k < n; ++k) {
-    check_number(place + "[" + std::to_string(k) + "]", value[k], domain);
+    // Places are named for what is refused only: there are many values.
+    if (!domain.contains(value[k])) {
+      brume::check_value(place + "[" + std::to_string(k) + "]", value[k], domain);
+    }
   }
 }
 
 void check_value(const std::string& place, const glm::dquat& value, const NumberDomain&) {
   // NaN, too, is no unit.
-  if (!(std::abs(glm::length(value) - 1.0) < 1e-6)) {
+  if (!(std::abs(glm::length(value) - 1.0) < 1e-3)) {
     throw DomainError(place, "allowed: a unit quaternion");
   }
 }
 
+std::string element(const std::string& list, std::size_t index) {
+  return list + "[" + std::to_string(index) + "]";
+}
+
 // Values with keyframes, and their keys.
 auto in(const std::string& object) {
-  return [prefix = object.empty() ? object : object + "."](
-             const char* name, const auto& value, const auto& keys, const NumberDomain& domain) {
-    const std::string place = prefix + name;
-    check_value(place, value, domain);
-    double last = -limits::coordinate;
+  return [prefix = object + "."](const char* name, const auto& value, const auto& keys,
+                                 const NumberDomain& domain) {
+    check_value(prefix + name, value, domain);
+    if (keys.empty()) return;
+    const std::string list = prefix + "keys." + name;
+    if (keys.size() > limits::keys_of_value) {
+      throw DomainError(list,
+                        "allowed: at most " + std::to_string(limits::keys_of_value) + " keyframes");
+    }
     for (std::size_t i = 0; i < keys.size(); ++i) {
-      const std::string at = prefix + "keys." + name + "[" + std::to_string(i) + "]";
-      check_number(at + ".time", keys[i].time, domain::seconds);
-      if (i > 0 && !(keys[i].time - last >= min_key_distance)) {
+      const std::string at = element(list, i);
+      brume::check_value(at + ".time", keys[i].time, domain::seconds);
+      if (i > 0 && !(keys[i].time - keys[i - 1].time >= min_key_distance)) {
         throw DomainError(at + ".time", "allowed: later than the key before it");
       }
-      last = keys[i].time;
       check_value(at + ".value", keys[i].value, domain);
+      if (keys[i].in) check_value(at + ".in", *keys[i].in, domain::slope);
+      if (keys[i].out) check_value(at + ".out", *keys[i].out, domain::slope);
     }
   };
 }
 
-std::string element(const char* list, std::size_t index) {
-  return std::string(list) + "[" + std::to_string(index) + "]";
+void check_integer(const std::string& place, std::int64_t value, std::int64_t low,
+                   std::int64_t high) {
+  if (value >= low && value <= high) return;
+  throw DomainError(place, "found " + std::to_string(value) + "; allowed: " + std::to_string(low) +
+                               " to " + std::to_string(high));
 }
 
-void check_count(const char* list, std::size_t count, std::size_t allowed) {
+void check_count(const std::string& list, std::size_t count, std::size_t allowed) {
   if (count <= allowed) return;
   throw DomainError(list, "has " + std::to_string(count) + " elements; allowed: at most " +
                               std::to_string(allowed));
 }
 
+void check_name(const std::string& place, const std::string& name, std::size_t shortest) {
+  const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
+  if (name.size() < shortest || name.size() > limits::name_length ||
+      std::ranges::any_of(name, is_control)) {
+    throw DomainError(place, "allowed: a name of " + std::to_string(shortest) + " to " +
+                                 std::to_string(limits::name_length) +
+                                 " bytes without control characters");
+  }
+}
+
+// A name by which others refer to an object.
+void check_own_name(const std::string& place, const std::string& name,
+                    std::set<std::string>& known) {
+  check_name(place, name, 1);
+  if (!known.insert(name).second) {
+    throw DomainError(place, "allowed: a name that no other of its kind has");
+  }
+}
+
 void check_direction(const std::string& place, const glm::dvec3& direction) {
-  if (direction == glm::dvec3(0.0)) {
+  if (!(glm::length(direction) > 0.0)) {
     throw DomainError(place, "found a vector of length 0; allowed: any other");
   }
 }
@@ -76,13 +110,49 @@ void check_optics(const std::string& place, const GaussianOptics& optics) {
   check_value(place + ".emission", optics.emission, domain::intensity);
 }
 
+bool is_sound(const Gaussian& gaussian) {
+  const auto& [center, radius, density, optics, group] = gaussian;
+  return domain::coordinate.contains(center.x) && domain::coordinate.contains(center.y) &&
+         domain::coordinate.contains(center.z) && domain::length.contains(radius) &&
+         domain::density.contains(density);
+}
+
+void check_gaussian(const std::string& list, std::size_t index, const Gaussian& gaussian) {
+  const bool has_optics = gaussian.optics != GaussianOptics();
+  if (is_sound(gaussian) && !has_optics) return;
+  const std::string place = element(list, index);
+  check_value(place + ".center", gaussian.center, domain::coordinate);
+  brume::check_value(place + ".radius", gaussian.radius, domain::length);
+  brume::check_value(place + ".density", gaussian.density, domain::density);
+  check_optics(place, gaussian.optics);
+}
+
 void check_camera(const std::string& place, const Camera& camera, const CameraKeys& keys) {
   visit_keyed_camera(camera, keys, in(place));
   check_value(place + ".up", camera.up, domain::coordinate);
   check_direction(place + ".up", camera.up);
-  if (camera.eye == camera.target && keys.eye.empty() && keys.target.empty()) {
-    throw DomainError(place + ".target", "is where the eye is; allowed: any other point");
+  if (!(glm::length(camera.target - camera.eye) > 0.0)) {
+    throw DomainError(place + ".target", "found the position of the eye; allowed: any other point");
   }
+}
+
+void check_cameras(const Scene& scene) {
+  check_camera("camera", scene.camera, scene.camera_keys);
+  std::set<std::string> names;
+  check_own_name("camera.name", scene.camera_name, names);
+  check_count("cameras", scene.cameras.size(), limits::cameras);
+  for (std::size_t i = 0; i < scene.cameras.size(); ++i) {
+    const NamedCamera& camera = scene.cameras[i];
+    const std::string place = element("cameras", i);
+    check_own_name(place + ".name", camera.name, names);
+    check_camera(place, camera.camera, camera.keys);
+  }
+}
+
+// A direction with keys is theirs.
+void check_light_direction(const std::string& place, const Light& light,
+                           const glm::dvec3& direction) {
+  if (light.keys.direction.empty()) check_direction(place + ".direction", direction);
 }
 
 void check_light(const std::string& place, const Light& light) {
@@ -91,10 +161,11 @@ void check_light(const std::string& place, const Light& light) {
       1) {
     throw DomainError(place, "allowed: at most one of spot, directional and area");
   }
+  check_name(place + ".name", light.name, 0);
   visit_keyed_light(light, in(place));
   const LightKeys& keys = light.keys;
   if (light.spot) {
-    check_direction(place + ".direction", light.spot->direction);
+    check_light_direction(place, light, light.spot->direction);
     if (!(light.spot->inner_angle < light.spot->outer_angle) && keys.inner_angle.empty() &&
         keys.outer_angle.empty()) {
       throw DomainError(place + ".inner_angle", "found " + quoted_text(light.spot->inner_angle) +
@@ -102,78 +173,183 @@ void check_light(const std::string& place, const Light& light) {
                                                     quoted_text(light.spot->outer_angle));
     }
   }
-  if (light.directional) check_direction(place + ".direction", light.directional->direction);
-  if (light.area) check_direction(place + ".direction", light.area->direction);
+  if (light.directional) check_light_direction(place, light, light.directional->direction);
+  if (light.area && light.area->shape != AreaLight::Shape::sphere) {
+    check_light_direction(place, light, light.area->direction);
+  }
+}
+
+void check_material(const std::string& place, const Material& material) {
+  if (material.type == Material::Type::measured && !material.measured) {
+    throw DomainError(place + ".measured", "there is none");
+  }
+  if (material.type != Material::Type::metallic_roughness) return;
+  const MetallicRoughness& values = material.metallic_roughness;
+  check_value(place + ".base_color", values.base_color, domain::unit);
+  brume::check_value(place + ".metallic", values.metallic, domain::unit);
+  brume::check_value(place + ".roughness", values.roughness, domain::unit);
+  check_value(place + ".emissive", values.emissive, domain::intensity);
+  brume::check_value(place + ".normal_scale", values.normal_scale, domain::normal_scale);
 }
 
 void check_surface(const std::string& place, const Surface& surface) {
+  check_name(place + ".name", surface.name, 0);
   visit_keyed_surface(surface, in(place));
   if (!surface.mesh) throw DomainError(place + ".mesh", "there is none");
-  const Material& material = surface.material;
-  if (material.type == Material::Type::measured && !material.measured) {
-    throw DomainError(place + ".material.measured", "there is none");
-  }
-  if (material.type == Material::Type::metallic_roughness) {
-    const MetallicRoughness& values = material.metallic_roughness;
-    const std::string at = place + ".material.";
-    check_value(at + "base_color", values.base_color, domain::unit);
-    check_value(at + "metallic", values.metallic, domain::unit);
-    check_value(at + "roughness", values.roughness, domain::unit);
-    check_value(at + "emissive", values.emissive, domain::intensity);
-    check_value(at + "normal_scale", values.normal_scale, domain::normal_scale);
-  }
+  if (surface.primitive) check_size(place + ".primitive.size", *surface.primitive);
+  check_material(place + ".material", surface.material);
 }
 
 void check_groups(const Scene& scene) {
-  std::set<GroupId> known;
+  check_count("medium.groups", scene.groups.size(), limits::groups);
+  std::set<GroupId> ids;
+  std::set<std::string> names;
   for (std::size_t i = 0; i < scene.groups.size(); ++i) {
     const Group& group = scene.groups[i];
-    const std::string place = element("groups", i);
-    if (group.id == 0 || !known.insert(group.id).second) {
+    const std::string place = element("medium.groups", i);
+    if (group.id == 0 || !ids.insert(group.id).second) {
       throw DomainError(place + ".id", "allowed: above 0, and of no other group");
     }
+    check_own_name(place + ".name", group.name, names);
+    check_value(place + ".color", group.color, domain::unit);
     visit_keyed_group(group, in(place));
   }
   for (std::size_t i = 0; i < scene.groups.size(); ++i) {
     const Group& group = scene.groups[i];
     if (group.parent == 0) continue;
-    const auto parent = std::ranges::find(scene.groups, group.parent, &Group::id);
-    if (parent == scene.groups.end() || parent->parent != 0) {
-      throw DomainError(element("groups", i) + ".parent",
+    const Group* parent = find_group(scene.groups, group.parent);
+    if (parent == nullptr || parent->parent != 0) {
+      throw DomainError(element("medium.groups", i) + ".parent",
                         "allowed: the id of a group without a parent, or 0");
     }
   }
   for (std::size_t i = 0; i < scene.medium.size(); ++i) {
     const GroupId group = scene.medium.group(i);
-    if (group != 0 && !known.contains(group)) {
+    if (group != 0 && !ids.contains(group)) {
       throw DomainError(element("medium.gaussians", i) + ".group", "there is no such group");
     }
   }
 }
 
+void check_spline(const std::string& place, const PaintedSpline& spline) {
+  if (spline.points.empty()) throw DomainError(place + ".points", "allowed: at least one");
+  check_count(place + ".points", spline.points.size(), limits::spline_points);
+  for (std::size_t i = 0; i < spline.points.size(); ++i) {
+    check_value(element(place + ".points", i), spline.points[i], domain::coordinate);
+  }
+  const Paintbrush& brush = spline.brush;
+  brume::check_value(place + ".radius", brush.radius, domain::length);
+  brume::check_value(place + ".density", brush.density, domain::density);
+  brume::check_value(place + ".spacing", brush.spacing, domain::brush_spacing);
+  brume::check_value(place + ".scatter", brush.scatter, domain::brush_scatter);
+  brume::check_value(place + ".falloff", brush.falloff, domain::unit);
+  brume::check_value(place + ".flow", brush.flow, domain::unit);
+  brume::check_value(place + ".jitter", brush.jitter, domain::unit);
+  check_value(place + ".mirror_center", spline.mirrors.center, domain::coordinate);
+  check_optics(place, spline.optics);
+}
+
+void check_splines(const Scene& scene) {
+  check_count("medium.splines", scene.splines.size(), limits::splines);
+  std::set<SplineId> ids;
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < scene.splines.size(); ++i) {
+    const PaintedSpline& spline = scene.splines[i];
+    const std::string place = element("medium.splines", i);
+    if (spline.id == 0 || !ids.insert(spline.id).second) {
+      throw DomainError(place + ".id", "allowed: above 0, and of no other spline");
+    }
+    check_own_name(place + ".name", spline.name, names);
+    check_spline(place, spline);
+  }
+}
+
+void check_sequence(const std::string& place, const MediumSequence& sequence) {
+  constexpr int max_frame = 999'999'999;
+  check_integer(place + ".first", sequence.first, 0, max_frame);
+  check_integer(place + ".last", sequence.last, sequence.first,
+                std::min<std::int64_t>(max_frame,
+                                       std::int64_t{sequence.first} + limits::sequence_frames - 1));
+  brume::check_value(place + ".frames_per_second", sequence.frames_per_second, domain::rate);
+  brume::check_value(place + ".start", sequence.start, domain::seconds);
+  if (!sequence.frames) throw DomainError(place + ".frames", "there are none");
+  const std::vector<SequenceFrame>& frames = *sequence.frames;
+  if (frames.size() != static_cast<std::size_t>(sequence.last - sequence.first) + 1) {
+    throw DomainError(place + ".frames", "allowed: as many as from `first` to `last`");
+  }
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const std::string at = element(place + ".frames", i);
+    const SequenceFrame& frame = frames[i];
+    if (frame.ids.size() != frame.gaussians.size() ||
+        std::ranges::adjacent_find(frame.ids, std::greater_equal<>()) != frame.ids.end()) {
+      throw DomainError(at + ".ids", "allowed: ascending, one for each Gaussian");
+    }
+    for (std::size_t k = 0; k < frame.gaussians.size(); ++k) {
+      check_gaussian(at + ".gaussians", k, frame.gaussians[k]);
+    }
+  }
+}
+
+void check_medium(const Scene& scene) {
+  check(scene.medium);
+  const double density = scene.medium.homogeneous_density();
+  visit_keyed_density(density, scene.density_keys, in("medium"));
+  visit_keyed_optics(scene.optics, in("medium"));
+  visit_keyed_noise(scene.optics.noise, in("medium.noise"));
+  check_groups(scene);
+  check_splines(scene);
+  check_count("medium.emitters", scene.emitters.size(), limits::emitters);
+  for (std::size_t i = 0; i < scene.emitters.size(); ++i) {
+    const std::string place = element("medium.emitters", i);
+    check_name(place + ".name", scene.emitters[i].name, 0);
+    visit_keyed_emitter(scene.emitters[i], in(place));
+  }
+  check_count("medium.sequences", scene.sequences.size(), limits::sequences);
+  for (std::size_t i = 0; i < scene.sequences.size(); ++i) {
+    check_sequence(element("medium.sequences", i), scene.sequences[i]);
+  }
+  check_count("medium, with emitters and sequences", gaussian_count(scene), limits::gaussians);
+}
+
+void check_shutter(const std::string& place, const Shutter& shutter) {
+  brume::check_value(place + "[0]", shutter.open, domain::shutter);
+  brume::check_value(place + "[1]", shutter.close, domain::shutter);
+  if (!(shutter.open < shutter.close)) {
+    throw DomainError(place, "allowed: one that opens before it closes");
+  }
+}
+
+void check_output(const Output& output) {
+  if (output.paths) check_integer("output.paths", *output.paths, 1, limits::paths);
+  if (output.samples) check_integer("output.samples", *output.samples, 1, limits::samples);
+  if (output.shutter) check_shutter("output.shutter", *output.shutter);
+  if (output.exposure) brume::check_value("output.exposure", *output.exposure, domain::stops);
+}
+
 }  // namespace
+
+void check_film(const std::string& place, const Film& film) {
+  check_integer(place + ".width", film.width, 1, limits::film_side);
+  check_integer(place + ".height", film.height, 1, limits::film_side);
+  if (const auto& region = film.region) {
+    check_integer(place + ".region.full_width", region->full_width, 1, limits::film_side);
+    check_integer(place + ".region.full_height", region->full_height, 1, limits::film_side);
+    check_integer(place + ".region.x", region->x, 0, region->full_width - film.width);
+    check_integer(place + ".region.y", region->y, 0, region->full_height - film.height);
+  }
+  constexpr NumberDomain shift{-1e6, 1e6, "a number of pixels from -1e6 to 1e6"};
+  check_value(place + ".shift", film.shift, shift);
+}
+
+void check_size(const std::string& place, const Primitive& primitive) {
+  check_value(place, primitive.size, domain::length);
+}
 
 void check(const Medium& medium) {
   check_count("medium.gaussians", medium.size(), limits::gaussians);
-  check_number("medium.density", medium.homogeneous_density(), domain::density);
-  const auto refuse = [](std::size_t i, const char* name, auto value, const NumberDomain& domain) {
-    check_value(element("medium.gaussians", i) + name, value, domain);
-  };
+  check_value("medium.density", medium.homogeneous_density(), domain::density);
   for (std::size_t i = 0; i < medium.size(); ++i) {
-    const glm::dvec3& center = medium.centers()[i];
-    // Names are made for what is refused only.
-    if (!domain::coordinate.contains(center.x) || !domain::coordinate.contains(center.y) ||
-        !domain::coordinate.contains(center.z)) {
-      refuse(i, ".center", center, domain::coordinate);
-    }
-    if (!domain::length.contains(medium.radii()[i])) {
-      refuse(i, ".radius", medium.radii()[i], domain::length);
-    }
-    if (!domain::density.contains(medium.densities()[i])) {
-      refuse(i, ".density", medium.densities()[i], domain::density);
-    }
-    const GaussianOptics optics = medium.optics(i);
-    if (optics != GaussianOptics()) check_optics(element("medium.gaussians", i), optics);
+    check_gaussian("medium.gaussians", i, medium.gaussian(i));
   }
 }
 
@@ -182,36 +358,15 @@ void check(const Camera& camera) {
 }
 
 void check(const Scene& scene) {
-  check_camera("camera", scene.camera, scene.camera_keys);
-  check_count("cameras", scene.cameras.size(), limits::cameras);
-  for (std::size_t i = 0; i < scene.cameras.size(); ++i) {
-    check_camera(element("cameras", i), scene.cameras[i].camera, scene.cameras[i].keys);
+  check_cameras(scene);
+  check_film("film", scene.film);
+  check_output(scene.output);
+  if (const auto& playback = scene.playback) {
+    check_integer("timeline.first", playback->first, 0, limits::frame);
+    check_integer("timeline.last", playback->last, playback->first, limits::frame);
+    check_value("timeline.frames_per_second", playback->frames_per_second, domain::frame_rate);
   }
-  for (const int side : {scene.film.width, scene.film.height}) {
-    if (side < 1 || side > limits::film_side) {
-      throw DomainError("film", "found a side of " + std::to_string(side) +
-                                    " pixels; allowed: 1 to " + std::to_string(limits::film_side));
-    }
-  }
-
-  check(scene.medium);
-  const double density = scene.medium.homogeneous_density();
-  visit_keyed_density(density, scene.density_keys, in("medium"));
-  visit_keyed_optics(scene.optics, in("medium"));
-  visit_keyed_noise(scene.optics.noise, in("medium.noise"));
-  check_count("groups", scene.groups.size(), limits::groups);
-  check_groups(scene);
-  check_count("emitters", scene.emitters.size(), limits::emitters);
-  for (std::size_t i = 0; i < scene.emitters.size(); ++i) {
-    visit_keyed_emitter(scene.emitters[i], in(element("emitters", i)));
-  }
-  check_count("sequences", scene.sequences.size(), limits::sequences);
-  for (std::size_t i = 0; i < scene.sequences.size(); ++i) {
-    if (!scene.sequences[i].frames) {
-      throw DomainError(element("sequences", i) + ".frames", "there are none");
-    }
-  }
-
+  check_medium(scene);
   check_count("lights", scene.lights.size(), limits::lights);
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
     check_light(element("lights", i), scene.lights[i]);

@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <mutex>
+#include <string>
 
+#include "brume/error.h"
 #include "core/scene/mesh.h"
 #include "core/scene/placement.h"
 
@@ -25,7 +29,7 @@ std::size_t bytes_of(std::size_t vertices, std::size_t edges, std::size_t faces,
 // OpenMesh reports each triangle that does not fit on its error stream.
 class QuietErrors {
  public:
-  QuietErrors() { omerr().disable(); }
+  QuietErrors() : lock_(mutex_) { omerr().disable(); }
   ~QuietErrors() {
     if (was_enabled_) omerr().enable();
   }
@@ -33,8 +37,31 @@ class QuietErrors {
   QuietErrors& operator=(const QuietErrors&) = delete;
 
  private:
+  // OpenMesh has one stream for all threads.
+  static inline std::mutex mutex_;
+  const std::lock_guard<std::mutex> lock_;
   const bool was_enabled_ = omerr().is_enabled();
 };
+
+void check(const MeshArrays& arrays) {
+  const std::size_t count = arrays.points.size();
+  if (arrays.normals.size() != count ||
+      (!arrays.texcoords.empty() && arrays.texcoords.size() != count)) {
+    throw DomainError("normals, texcoords", "allowed: as many as points; no texcoords");
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const glm::vec3& p = arrays.points[i];
+    if (std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)) continue;
+    throw DomainError("points[" + std::to_string(i) + "]", "allowed: finite numbers");
+  }
+  for (std::size_t i = 0; i < arrays.triangles.size(); ++i) {
+    const glm::uvec3& t = arrays.triangles[i];
+    if (std::max({t.x, t.y, t.z}) < count) continue;
+    throw DomainError("triangles[" + std::to_string(i) + "]",
+                      "found the point " + std::to_string(std::max({t.x, t.y, t.z})) + " of " +
+                          std::to_string(count));
+  }
+}
 
 std::vector<glm::vec3> points_of(const TriangleMesh& mesh) {
   std::vector<glm::vec3> points;
@@ -66,6 +93,7 @@ MeshArrays to_arrays(const TriangleMesh& mesh) {
 }
 
 std::shared_ptr<TriangleMesh> to_mesh(const MeshArrays& arrays, std::size_t max_bytes) {
+  check(arrays);
   const std::size_t edges = arrays.triangles.size() * 3 / 2;
   const bool has_texcoords = !arrays.texcoords.empty();
   if (bytes_of(arrays.points.size(), edges, arrays.triangles.size(), has_texcoords) > max_bytes) {

@@ -1,6 +1,7 @@
 #include "brume/density_grid.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <map>
@@ -118,15 +119,20 @@ void rotate(DensityGrid& grid, const glm::dquat& turn) {
 
 DensityGrid grid_of(std::span<const float> values, const glm::ivec3& size, double spacing,
                     const glm::dvec3& origin) {
-  if (size.x < 1 || size.y < 1 || size.z < 1 ||
-      values.size() != static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *
-                           static_cast<std::size_t>(size.z)) {
+  constexpr int longest = 1 << 20;  // no product of three overflows
+  const bool has_sides = std::ranges::all_of(std::array{size.x, size.y, size.z},
+                                             [](int side) { return side >= 1 && side <= longest; });
+  if (!has_sides || values.size() != static_cast<std::size_t>(size.x) *
+                                         static_cast<std::size_t>(size.y) *
+                                         static_cast<std::size_t>(size.z)) {
     throw DomainError("values", "found " + std::to_string(values.size()) +
                                     "; allowed: as many as the grid has voxels, at least 1");
   }
-  if (!domain::length.contains(spacing)) {
-    throw DomainError("spacing", domain::length.refusal(spacing));
-  }
+  const auto check_number = [](const char* name, double value, const NumberDomain& domain) {
+    if (!domain.contains(value)) throw DomainError(name, domain.refusal(value));
+  };
+  check_number("spacing", spacing, domain::length);
+  for (int k = 0; k < 3; ++k) check_number("origin", origin[k], domain::coordinate);
   DensityGrid grid;
   grid.spacing = glm::dvec3(spacing);
   grid.origin = origin;

@@ -15,18 +15,15 @@ class DomainError(ValueError): ...
 
 class Medium:
     density: float
+    centers: NDArray[np.float64]
+    radii: NDArray[np.float64]
+    densities: NDArray[np.float64]
     albedos: NDArray[np.float64]
     emissions: NDArray[np.float64]
     def __init__(self) -> None: ...
     def __len__(self) -> int: ...
-    @property
-    def centers(self) -> NDArray[np.float64]: ...
-    @property
-    def radii(self) -> NDArray[np.float64]: ...
-    @property
-    def densities(self) -> NDArray[np.float64]: ...
     def append(self, centers: ArrayLike, radii: ArrayLike, densities: ArrayLike) -> None: ...
-    def remove(self, indices: Sequence[int]) -> None: ...
+    def remove(self, indices: ArrayLike) -> None: ...
     def save(self, file: _Path, voxel: float = 0.1) -> None: ...
 
 class Camera:
@@ -36,7 +33,15 @@ class Camera:
     vertical_fov: float
     aperture: float
     focus_distance: Optional[float]
-    def __init__(self) -> None: ...
+    def __init__(
+        self,
+        eye: _Vec3 = (0.0, 0.0, 5.0),
+        target: _Vec3 = (0.0, 0.0, 0.0),
+        up: _Vec3 = (0.0, 1.0, 0.0),
+        vertical_fov: float = 45.0,
+        aperture: float = 0.0,
+        focus_distance: Optional[float] = None,
+    ) -> None: ...
 
 class Environment:
     intensity: float
@@ -109,6 +114,7 @@ class Surface:
     ) -> None: ...
 
 class Scene:
+    medium: Medium
     camera: Camera
     environment: Optional[Environment]
     lights: list[Light]
@@ -117,8 +123,6 @@ class Scene:
     albedo: _Vec3
     anisotropy: float
     def __init__(self) -> None: ...
-    @property
-    def medium(self) -> Medium: ...
     @property
     def is_animated(self) -> bool: ...
     @property
@@ -170,7 +174,6 @@ class Renderer:
         self,
         scene: Scene,
         *,
-        progress: _Progress = None,
         size: Optional[Tuple[int, int]] = None,
         max_error: float = 0.02,
         airlight: str = "auto",
@@ -178,10 +181,13 @@ class Renderer:
         time: float = 0.0,
         camera: Optional[Camera] = None,
         samples: Optional[int] = None,
+        shutter: Optional[Tuple[float, float]] = None,
         layers: Iterable[str] = (),
         measure_error: bool = False,
         backend: str = "auto",
         threads: int = 0,
+    progress: _Progress = None,
+        progress: _Progress = None,
     ) -> Frame: ...
 
 def load(file: _Path) -> Scene: ...
@@ -189,7 +195,6 @@ def load_medium(file: _Path) -> Medium: ...
 def render(
     scene: Scene,
     *,
-    progress: _Progress = None,
     size: Optional[Tuple[int, int]] = None,
     max_error: float = 0.02,
     airlight: str = "auto",
@@ -197,10 +202,12 @@ def render(
     time: float = 0.0,
     camera: Optional[Camera] = None,
     samples: Optional[int] = None,
+    shutter: Optional[Tuple[float, float]] = None,
     layers: Iterable[str] = (),
     measure_error: bool = False,
     backend: str = "auto",
     threads: int = 0,
+    progress: _Progress = None,
 ) -> Frame: ...
 def fit(
     densities: ArrayLike,

@@ -30,6 +30,30 @@ def test_what_is_written_later_is_rendered_next(cloud):
     assert np.array_equal(after, brume.render(cloud, **ONCE).airlight)
 
 
+def test_what_was_written_counts_when_the_array_is_gone(cloud):
+    renderer = brume.Renderer()
+    densities = cloud.medium.densities
+    renderer.render(cloud, **ONCE)
+    densities *= 2
+    del densities
+    after = renderer.render(cloud, **ONCE).airlight
+    assert np.array_equal(after, brume.render(cloud, **ONCE).airlight)
+
+
+def test_arrays_can_be_assigned(cloud):
+    centers = cloud.medium.centers
+    cloud.medium.radii *= 2
+    assert (cloud.medium.radii == 1.2).all()
+    cloud.medium.densities = 0.5
+    assert (cloud.medium.densities == 0.5).all()
+    cloud.medium.centers = np.zeros((3, 3))
+    assert (centers == 0).all()
+    with pytest.raises(brume.DomainError, match="centers: found 2 rows; allowed: 3"):
+        cloud.medium.centers = np.zeros((2, 3))
+    with pytest.raises(brume.DomainError, match=r"radii: found the shape \(2,\)"):
+        cloud.medium.radii = [1, 2]
+
+
 def test_arrays_outlive_medium_and_scene(cloud):
     part = cloud.medium.centers[1:, 0]
     expected = part.copy()
@@ -50,8 +74,35 @@ def test_no_resize_while_arrays_exist(cloud):
     cloud.medium.append([[0, 0, 0]], 1, 1)
     cloud.medium.remove([0, 3, 3])
     assert len(cloud.medium) == 2
-    with pytest.raises(IndexError):
+    with pytest.raises(IndexError, match="there is no Gaussian 2"):
         cloud.medium.remove([2])
+
+
+def test_remove_takes_indices_and_masks(cloud):
+    cloud.medium.densities[:] = (1, 2, 3)
+    with pytest.raises(TypeError):
+        cloud.medium.remove([0.5])
+    with pytest.raises(brume.DomainError, match="mask of another shape"):
+        cloud.medium.remove([True])
+    mask = cloud.medium.densities > 1.5
+    mask[2] = False
+    cloud.medium.remove(mask)
+    assert list(cloud.medium.densities) == [1, 3]
+    cloud.medium.remove([-1])
+    cloud.medium.remove([])
+    assert list(cloud.medium.densities) == [1]
+
+
+def test_a_scene_takes_a_medium(cloud):
+    other = brume.Medium()
+    other.append([[1, 2, 3]], 0.5, 0.25)
+    other.emissions = [[3, 2, 1]]
+    other.density = 0.01
+    cloud.medium = other
+    assert cloud.medium.centers.tolist() == [[1, 2, 3]] and cloud.medium.density == 0.01
+    assert cloud.medium.emissions.tolist() == [[3, 2, 1]]
+    other.centers[:] = 0  # which was copied
+    assert cloud.medium.centers.tolist() == [[1, 2, 3]]
 
 
 @pytest.mark.parametrize(
@@ -122,6 +173,13 @@ def test_files(cloud, tmp_path):
         brume.load_medium(tmp_path / "nothing.ply")
 
 
+def test_the_extension_says_what_is_written(cloud, tmp_path):
+    cloud.medium.save(tmp_path / "m.VDB", voxel=0.2)
+    assert b"density" in (tmp_path / "m.VDB").read_bytes()
+    with pytest.raises(brume.DomainError, match="found the extension '.xyz'"):
+        cloud.medium.save(tmp_path / "m.xyz")
+
+
 def test_fit_finds_what_made_the_grid():
     i = np.arange(24)
     x, y, z = np.meshgrid(i, i, i, indexing="ij")
@@ -134,6 +192,8 @@ def test_fit_finds_what_made_the_grid():
         brume.fit(grid[0], 0.1)
     with pytest.raises(brume.DomainError, match="found nan"):
         brume.fit(np.full((2, 2, 2), np.nan), 0.1)
+    with pytest.raises(brume.DomainError, match="origin: found nan"):
+        brume.fit(grid, 0.1, origin=(0, np.nan, 0))
 
 
 def test_warnings_are_pythons(tmp_path):

@@ -58,7 +58,7 @@ class Interruption : public CommandLine {
 
 TEST_F(Interruption, EndsEverySubcommand) {
   const std::string old = folder_.write("old.png", "old").string();
-  expect_interruptible({"render", slow_, "-o", old, "--backend", "cpu"}, "auto: ");
+  expect_interruptible({"render", slow_, "-o", old, "--backend", "cpu"}, "frame 1 of 1: ");
   expect_interruptible({"render", slow_, "-o", old, "--airlight", "reference", "--backend", "cpu"},
                        "frame 1 of 1: ");
   EXPECT_EQ(content_of(old), "old");
@@ -71,7 +71,7 @@ TEST_F(Interruption, EndsEverySubcommand) {
 // The numbers of percent that were shown.
 std::set<int> percents(const std::string& shown) {
   std::set<int> all;
-  const std::string before = "auto: ";
+  const std::string before = "frame 1 of 1: ";
   for (std::size_t at = shown.find(before); at != std::string::npos;
        at = shown.find(before, at + 1)) {
     all.insert(std::atoi(shown.c_str() + at + before.size()));

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "brume/error.h"
 #include "brume/mesh_arrays.h"
 #include "core/io/file_bytes.h"
@@ -60,7 +62,14 @@ TEST_F(Files, VolumeOfAMediumHasItsDensity) {
   EXPECT_NEAR(grid.at(grid.to_voxel({0.2, 0.0, 0.0})), 2.0, 1e-6);
   EXPECT_THROW(save_volume(medium, 1e-9, file), DomainError);
   EXPECT_THROW(save_volume(medium, 0.0, file), DomainError);
+  EXPECT_THROW(save_volume(medium, std::numeric_limits<double>::infinity(), file), DomainError);
   EXPECT_THROW(static_cast<void>(load_volume(file, "smoke")), InputError);
+}
+
+TEST_F(Files, ANamelessFileIsAnErrorOfInput) {
+  EXPECT_THROW(save_scene({}, ""), InputError);
+  EXPECT_THROW(static_cast<void>(load_surface("")), InputError);
+  EXPECT_THROW(static_cast<void>(load_environment("")), InputError);
 }
 
 TEST_F(Files, GaussiansAreReadAsTheyWereWritten) {

@@ -2,7 +2,9 @@
 
 #include <functional>
 #include <limits>
+#include <memory>
 #include <string>
+#include <vector>
 
 #include "brume/error.h"
 #include "brume/primitive.h"
@@ -47,7 +49,7 @@ TEST(Check, NamesThePlaceTheValueAndWhatIsAllowed) {
   EXPECT_EQ(refusal([](Scene& s) { s.lights[0].position.y = nan; }),
             "lights[0].position[1]: found nan; allowed: a number from -1e12 to 1e12");
   EXPECT_EQ(refusal([](Scene& s) { s.camera.target = s.camera.eye; }),
-            "camera.target: is where the eye is; allowed: any other point");
+            "camera.target: found the position of the eye; allowed: any other point");
 }
 
 TEST(Check, RefusesWhatNoFileCouldHave) {
@@ -71,7 +73,7 @@ TEST(Check, RefusesWhatNoFileCouldHave) {
       {"medium.noise.amplitude", [](Scene& s) { s.optics.noise.amplitude = nan; }},
       {"camera.vertical_fov", [](Scene& s) { s.camera.vertical_fov = 180.0; }},
       {"camera.up", [](Scene& s) { s.camera.up = {}; }},
-      {"film", [](Scene& s) { s.film.width = 0; }},
+      {"film.width", [](Scene& s) { s.film.width = 0; }},
       {"cameras[0].target",
        [](Scene& s) {
          s.cameras.push_back({"b", {{}, {}}, {}});
@@ -109,18 +111,82 @@ TEST(Check, RefusesWhatNoFileCouldHave) {
       {"surfaces[0].material.measured",
        [](Scene& s) { s.surfaces[0].material.type = Material::Type::measured; }},
       {"environment.map", [](Scene& s) { s.environment.emplace(); }},
-      {"emitters[0].radius[1]", [](Scene& s) { s.emitters.emplace_back().radius.y = 0.0; }},
-      {"groups[0].parent",
+      {"medium.emitters[0].radius[1]", [](Scene& s) { s.emitters.emplace_back().radius.y = 0.0; }},
+      {"medium.groups[0].parent",
        [](Scene& s) { s.groups.push_back({.id = 1, .name = "a", .parent = 1}); }},
-      {"groups[1].id",
+      {"medium.groups[1].id",
        [](Scene& s) {
          s.groups = {{.id = 1, .name = "a"}, {.id = 1, .name = "b"}};
        }},
+      {"camera.up",
+       [](Scene& s) {
+         s.camera.up = {0, 1e-200, 0};
+       }},
+      {"camera.name", [](Scene& s) { s.camera_name = ""; }},
+      {"cameras[0].name",
+       [](Scene& s) {
+         s.cameras.push_back({s.camera_name, {}, {}});
+       }},
+      {"film.region.full_width", [](Scene& s) { s.film.region.emplace(); }},
+      {"film.shift[0]", [](Scene& s) { s.film.shift.x = nan; }},
+      {"output.samples", [](Scene& s) { s.output.samples = 0; }},
+      {"output.paths", [](Scene& s) { s.output.paths = -1; }},
+      {"output.shutter[1]",
+       [](Scene& s) {
+         s.output.shutter = Shutter{0.0, nan};
+       }},
+      {"output.shutter",
+       [](Scene& s) {
+         s.output.shutter = Shutter{1.0, 1.0};
+       }},
+      {"output.exposure", [](Scene& s) { s.output.exposure = infinity; }},
+      {"timeline.frames_per_second",
+       [](Scene& s) { s.playback = Playback{.frames_per_second = 0.0}; }},
+      {"timeline.last", [](Scene& s) { s.playback = Playback{.first = 2, .last = 1}; }},
+      {"lights[0].name", [](Scene& s) { s.lights[0].name = "a\nb"; }},
+      {"lights[0].keys.position[0].in[1]",
+       [](Scene& s) {
+         s.lights[0].keys.position = {{.time = 0.0, .in = glm::dvec3(0.0, nan, 0.0)}};
+       }},
+      {"surfaces[0].name", [](Scene& s) { s.surfaces[0].name = std::string(300, 'x'); }},
+      {"surfaces[0].primitive.size[0]", [](Scene& s) { s.surfaces[0].primitive->size.x = 1e300; }},
+      {"medium.groups[0].name", [](Scene& s) { s.groups.push_back({.id = 1}); }},
+      {"medium.groups[0].color[2]",
+       [](Scene& s) {
+         s.groups.push_back({.id = 1, .name = "a", .color = {0, 0, 2}});
+       }},
+      {"medium.splines[0].points", [](Scene& s) { s.splines.push_back({.id = 1, .name = "a"}); }},
+      {"medium.splines[0].radius",
+       [](Scene& s) {
+         s.splines.push_back({.id = 1, .name = "a", .points = {{}}, .brush = {.radius = 0.0}});
+       }},
+      {"medium.sequences[0].last", [](Scene& s) { s.sequences.push_back({.first = 3}); }},
+      {"medium.sequences[0].frames", [](Scene& s) { s.sequences.emplace_back(); }},
+      {"medium.sequences[0].frames[0].ids",
+       [](Scene& s) {
+         s.sequences.emplace_back().frames = std::make_shared<const std::vector<SequenceFrame>>(
+             std::vector<SequenceFrame>{{{}, {Gaussian{}}}});
+       }},
+      {"medium, with emitters and sequences",
+       [](Scene& s) { s.emitters.assign(1000, Emitter{.rate = 1e5, .lifetime = 1.0}); }},
   };
   for (const auto& [place, spoil] : cases) {
     const std::string text = refusal(spoil);
     EXPECT_TRUE(text.starts_with(std::string(place) + ": ")) << place << ": " << text;
   }
+}
+
+// As a file may have it.
+TEST(Check, AcceptsADirectionThatItsKeysGive) {
+  EXPECT_EQ(refusal([](Scene& s) {
+              s.lights[0].spot = SpotCone{{0, 0, 0}};
+              s.lights[0].keys.direction = {{.time = 0.0, .value = {0, -1, 0}}};
+            }),
+            "");
+  EXPECT_EQ(refusal([](Scene& s) {
+              s.lights[0].area = AreaLight{.shape = AreaLight::Shape::sphere, .direction = {}};
+            }),
+            "");
 }
 
 }  // namespace

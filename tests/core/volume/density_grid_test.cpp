@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -46,7 +47,9 @@ TEST(DensityGrid, OfAnArrayRefusesWhatIsNoDensity) {
                   .starts_with("values[1][0][0]: found nan"));
   EXPECT_TRUE(refused({0, 1, 2}, {1, 2, 2}, 1.0).starts_with("values: found 3;"));
   EXPECT_TRUE(refused({}, {0, 0, 0}, 1.0).starts_with("values: found 0;"));
+  EXPECT_TRUE(refused({}, {1 << 30, 1 << 30, 16}, 1.0).starts_with("values: found 0;"));
   EXPECT_TRUE(refused({0}, {1, 1, 1}, 0.0).starts_with("spacing: found 0;"));
+  EXPECT_THROW(static_cast<void>(grid_of({{0.0f}}, {1, 1, 1}, 1.0, glm::dvec3(NAN))), DomainError);
 }
 
 }  // namespace

@@ -22,6 +22,7 @@
 #include <thread>
 #include <vector>
 
+#include "core/io/image/image_file.h"
 #include "core/scene/mesh.h"
 #include "render/display/to_display.h"
 #include "render/quality/error_estimate.h"
