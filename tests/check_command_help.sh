@@ -60,7 +60,7 @@ for command in $commands; do
   fi
   for option in $options; do
     in_page "$option" "$work/page" "brume $command"
-    grep -qE -- "['{,]$option['},[]" "$work/zsh" || complain "zsh: lacks $option of brume $command"
+    grep -qE -- "['{,]${option}['},[]" "$work/zsh" || complain "zsh: lacks $option of brume $command"
     grep -qxF -- "$option" <<< "$bash_offers" || complain "bash: lacks $option of brume $command"
     if command -v fish > /dev/null; then
       grep -qxF -- "$option" <<< "$fish_offers" || complain "fish: lacks $option of brume $command"
@@ -79,10 +79,38 @@ offers brume render '' one.brume
 offers brume compare '' two.exr
 offers brume gather one.brume '' 'folder/?'
 
+# zsh completes in a terminal only: a key shows what a line becomes.
+if command -v zsh > /dev/null; then
+  mkdir functions
+  cp "$folder/brume.zsh" functions/_brume
+  cat > completed.zsh <<'ZSH'
+zmodload zsh/zpty
+zpty shell zsh -f -i
+zpty -w shell 'fpath=($PWD/functions $fpath); autoload -Uz compinit; compinit -u -D
+completed() { zle complete-word; print -r -- "<""<$BUFFER>"">"; BUFFER= }
+zle -N completed; bindkey "^X" completed; print "rea""dy"'
+zpty -r shell output '*ready*'
+for line in "$@"; do
+  zpty -w -n shell "$line"$'\x18'
+  zpty -r shell output '*<<*>>*'
+  print -r -- "${${${output##*<<}%%>>*}% }"
+done
+ZSH
+  lines=('brume inf' 'brume render --sl' 'brume render --airlight pap' 'brume render o'
+    'brume compare tw' 'brume gather one.brume fol')
+  expected='brume info
+brume render --slices
+brume render --airlight paper
+brume render one.brume
+brume compare two.exr
+brume gather one.brume folder/'
+  [ "$(timeout 60 zsh -f completed.zsh "${lines[@]}")" = "$expected" ] ||
+    complain "zsh: completes otherwise"
+fi
+
 if [ $# -gt 2 ]; then
   for option in $(QT_QPA_PLATFORM=offscreen options_of "$3"); do
     in_page "$option" "$4" brume-editor
   done
 fi
-if command -v zsh > /dev/null; then zsh -n "$folder/brume.zsh"; fi
 [ -z "$failed" ]
