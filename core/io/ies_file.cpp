@@ -1,4 +1,5 @@
 #include "core/io/ies_file.h"
+#include "core/number_domain.h"
 
 #include <algorithm>
 #include <cmath>
