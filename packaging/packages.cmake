@@ -79,6 +79,8 @@ brume_package(python python3-brume SECTION python
   SUMMARY "renderer for fog, smoke and steam: Python module"
   TEXT "${method} This package has the Python module."
   DEPENDS "${library} ${same_version}, python3 (>= 3.${Python_VERSION_MINOR}), python3 (<< 3.${next_minor}), python3-numpy")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_LIST_DIR}/python/postinst
+  ${CMAKE_CURRENT_LIST_DIR}/python/prerm)
 brume_package(documentation brume-doc SECTION doc ARCHITECTURE all
   SUMMARY "editor and renderer for fog, smoke and steam: manual"
   TEXT "${method} This package has the manual as HTML, which the editor's menu Help opens.")

@@ -1,6 +1,10 @@
 #pragma once
 
+// OpenVDB keeps names of types in static members and whether they are set in variables of inline
+// functions. Hidden, this program would have members of its own and the library's variables.
+#pragma GCC visibility push(default)
 #include <openvdb/openvdb.h>
+#pragma GCC visibility pop
 
 namespace brume {
 
