@@ -1,4 +1,4 @@
-#include "brume/medium_sequence.h"
+#include "core/scene/sequence_frames.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,6 +20,22 @@ GaussianOptics between(const GaussianOptics& a, const GaussianOptics& b, double 
 Gaussian between(const Gaussian& a, const Gaussian& b, double u, const glm::dvec3& medium_albedo) {
   return {glm::mix(a.center, b.center, u), a.radius * std::pow(b.radius / a.radius, u),
           std::lerp(a.density, b.density, u), between(a.optics, b.optics, u, medium_albedo)};
+}
+
+// How far between a frame, of at least one, and the next.
+struct Place {
+  std::size_t frame = 0;
+  double share = 0.0;
+};
+
+Place place_at(const MediumSequence& sequence, double time) {
+  const double last = static_cast<double>(sequence.frames->size()) - 1.0;
+  const double at = std::clamp((time - sequence.start) * sequence.frames_per_second, 0.0, last);
+  // Frames are met at moments that have no exact number.
+  const double nearest = std::round(at);
+  if (std::abs(at - nearest) < 1e-6) return {static_cast<std::size_t>(nearest), 0.0};
+  const double before = std::floor(at);
+  return {static_cast<std::size_t>(before), at - before};
 }
 
 Gaussian faded(Gaussian gaussian, double share) {
@@ -51,14 +67,16 @@ std::vector<Gaussian> sequence_at(const MediumSequence& sequence, double time,
                                   const glm::dvec3& medium_albedo) {
   const std::vector<SequenceFrame>& frames = *sequence.frames;
   if (frames.empty()) return {};
-  const double last = static_cast<double>(frames.size()) - 1.0;
-  const double at = std::clamp((time - sequence.start) * sequence.frames_per_second, 0.0, last);
-  // Frames are met at moments that have no exact number.
-  const double nearest = std::round(at);
-  if (std::abs(at - nearest) < 1e-6) return frames[static_cast<std::size_t>(nearest)].gaussians;
-  const auto before = static_cast<std::size_t>(at);
-  return between_frames(frames[before], frames[before + 1], at - static_cast<double>(before),
-                        medium_albedo);
+  const Place place = place_at(sequence, time);
+  if (place.share == 0.0) return frames[place.frame].gaussians;
+  return between_frames(frames[place.frame], frames[place.frame + 1], place.share, medium_albedo);
+}
+
+std::vector<int> frames_at(const MediumSequence& sequence, double time) {
+  if (sequence.frames->empty()) return {};
+  const Place place = place_at(sequence, time);
+  const int frame = static_cast<int>(place.frame);
+  return place.share == 0.0 ? std::vector{frame} : std::vector{frame, frame + 1};
 }
 
 std::size_t gaussian_count(const MediumSequence& sequence) {

@@ -49,6 +49,17 @@ bool is_deep_file(const std::filesystem::path& file) {
   return lower_case_extension(file) == ".exr" && lower_case_extension(file.stem()) == ".deep";
 }
 
+std::optional<std::string> fingerprint_of(const std::filesystem::path& file) {
+  try {
+    const std::map<std::string, std::string> texts =
+        lower_case_extension(file) == ".png" ? read_png_texts(file) : read_exr_texts(file);
+    const auto found = texts.find("brume:fingerprint");
+    return found == texts.end() ? std::nullopt : std::optional(found->second);
+  } catch (const InputError&) {  // there is no such file, or part of one
+    return std::nullopt;
+  }
+}
+
 std::map<std::string, std::string> frame_metadata(const FrameInfo& info) {
   // Only its name: pictures are shared, and folders reveal their author.
   const std::string scene = std::filesystem::path(info.scene).filename().string();
@@ -56,6 +67,7 @@ std::map<std::string, std::string> frame_metadata(const FrameInfo& info) {
                                               {"brume:version", version()},
                                               {"brume:airlight", info.airlight},
                                               {"brume:backend", info.backend}};
+  metadata["brume:fingerprint"] = info.fingerprint;
   if (info.noise) metadata["brume:noise"] = quoted_text(info.noise->picture);
   std::erase_if(metadata, [](const auto& entry) { return entry.second.empty(); });
   return metadata;

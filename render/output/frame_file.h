@@ -20,10 +20,14 @@ struct FrameInfo {
   DisplayLook look{};                    // of a PNG; an EXR is linear
   std::optional<RelativeNoise> noise{};  // of a path-traced frame
   OutputLayers layers{};                 // of an EXR
+  std::string fingerprint{};             // of all that it was made from
 };
 
 // Whether the name of a frame's file asks for a deep image: *.deep.exr, in any case.
 bool is_deep_file(const std::filesystem::path& file);
+
+// The fingerprint of a complete file; nullopt if there is none.
+std::optional<std::string> fingerprint_of(const std::filesystem::path& file);
 
 // The metadata of a file, as below.
 std::map<std::string, std::string> frame_metadata(const FrameInfo& info);

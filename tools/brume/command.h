@@ -29,6 +29,7 @@ std::unique_ptr<Command> make_fit_command(CLI::App& app);
 std::unique_ptr<Command> make_export_command(CLI::App& app);
 std::unique_ptr<Command> make_bench_command(CLI::App& app);
 std::unique_ptr<Command> make_gather_command(CLI::App& app);
+std::unique_ptr<Command> make_submit_command(CLI::App& app);
 
 // Writes a result to standard output, its lines printable (core/printable_text.h). Throws
 // InputError if it cannot be written.

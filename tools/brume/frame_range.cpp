@@ -1,6 +1,9 @@
 #include "tools/brume/frame_range.h"
 
-#include <numeric>
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <string_view>
 
 #include "core/io/text_scanner.h"
 #include "tools/brume/command.h"
@@ -13,18 +16,54 @@ FramePattern parse_pattern(const std::string& text) {
                    "; allowed for a sequence: a name with one %d or %04d for the frame");
 }
 
-std::vector<int> parse_frames(const std::string& text) {
-  constexpr int max_frames = 100'000;
+namespace {
+
+constexpr std::size_t max_frames = 100'000;
+constexpr std::int64_t max_number = 1'000'000'000;
+
+// "A", "A-B" or "A-BxN".
+struct FrameRange {
+  std::int64_t first, last, step;
+};
+std::optional<FrameRange> parse_range(std::string_view text) {
   const std::size_t dash = text.find('-');
+  const std::size_t cross = dash == std::string_view::npos ? dash : text.find('x', dash);
   const auto first = parse_integer(text.substr(0, dash));
-  const auto last = dash == std::string::npos ? first : parse_integer(text.substr(dash + 1));
-  if (!first || !last || *first < 0 || *last < *first || *last > 1'000'000'000 ||
-      *last - *first >= max_frames) {
-    throw UsageError("--frames: found " + quoted_text(text) + "; allowed: FIRST-LAST, at most " +
-                     std::to_string(max_frames) + " frames");
+  const auto last = dash == std::string_view::npos
+                        ? first
+                        : parse_integer(text.substr(dash + 1, cross - dash - 1));
+  const auto step = cross == std::string_view::npos ? std::optional(std::int64_t{1})
+                                                    : parse_integer(text.substr(cross + 1));
+  if (!first || !last || !step || *first < 0 || *last < *first || *last > max_number || *step < 1 ||
+      *step > max_number) {
+    return std::nullopt;
   }
-  std::vector<int> frames(static_cast<std::size_t>(*last - *first + 1));
-  std::iota(frames.begin(), frames.end(), static_cast<int>(*first));
+  return FrameRange{*first, *last, *step};
+}
+
+}  // namespace
+
+std::vector<int> parse_frames(const std::string& text) {
+  std::vector<int> frames;
+  std::set<std::int64_t> known;
+  const auto refuse = [&text] {
+    throw UsageError("--frames: found " + quoted_text(text) +
+                     "; allowed: FIRST-LAST, FIRST-LASTxSTEP or FRAME, several with commas between "
+                     "them, at most " +
+                     std::to_string(max_frames) + " frames");
+  };
+  std::string_view rest = text;
+  for (bool more = true; more;) {
+    const std::size_t comma = rest.find(',');
+    const std::optional<FrameRange> range = parse_range(rest.substr(0, comma));
+    if (!range) refuse();
+    for (std::int64_t frame = range->first; frame <= range->last; frame += range->step) {
+      if (known.insert(frame).second) frames.push_back(static_cast<int>(frame));
+      if (frames.size() > max_frames) refuse();
+    }
+    more = comma != std::string_view::npos;
+    if (more) rest.remove_prefix(comma + 1);
+  }
   return frames;
 }
 

@@ -10,7 +10,8 @@ namespace brume {
 // The file names of a sequence. Throws UsageError.
 FramePattern parse_pattern(const std::string& text);
 
-// "11-40" as 11, 12, ..., 40; "7" as 7. Throws UsageError.
+// "11-40" as 11, 12, ..., 40; "7" as 7; "1-9x2" as 1, 3, 5, 7, 9; several with commas between them.
+// Each once, in the order given. Throws UsageError.
 std::vector<int> parse_frames(const std::string& text);
 
 }  // namespace brume

@@ -90,6 +90,7 @@ int run(int argc, char** argv) {
   add("fit", "fit Gaussians to a volume", make_fit_command);
   add("export", "export the medium of a scene for other programs", make_export_command);
   add("gather", "copy a scene and its files into one folder", make_gather_command);
+  add("submit", "hand a sequence to a scheduler", make_submit_command);
   add("bench", "measure speed against error", make_bench_command);
 
   try {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <memory>
 #include <string_view>
 
@@ -17,6 +18,7 @@
 #include "render/layers/frame_layers.h"
 #include "tools/brume/command.h"
 #include "tools/brume/finite_in.h"
+#include "tools/brume/frame_range.h"
 #include "tools/brume/layer_names.h"
 
 namespace brume {
@@ -127,7 +129,7 @@ std::optional<Shutter> parse_shutter(const std::string& text) {
 
 }  // namespace
 
-RenderOptions::RenderOptions(CLI::App& app) {
+RenderOptions::RenderOptions(CLI::App& app) : app_(app) {
   app.add_option("SCENE", scene_file_, "the scene, .brume")->type_name("FILE")->required();
   app.add_option("-o,--output", output_,
                  "the image: .exr (linear, all layers), .deep.exr (samples in depth) or .png")
@@ -177,6 +179,16 @@ RenderOptions::RenderOptions(CLI::App& app) {
   app.add_option("--time", time_, "time to render [s], for keyframes, emitters and noise")
       ->check(finite_in(-1e9, 1e9))
       ->capture_default_str();
+  app.add_option("--frames", frames_,
+                 "FIRST-LAST, FIRST-LASTxSTEP or FRAME, several with commas between them: renders "
+                 "a sequence; the image needs %04d for the frame")
+      ->excludes("--time");
+  app.add_option("--fps", frames_per_second_, "frames per second: frame n is at n / fps seconds")
+      ->check(finite_in(1e-3, 1e6))
+      ->capture_default_str();
+  app.add_flag("--skip-existing", skips_existing_,
+               "leave frames alone that are complete and made from the same scene, files, options "
+               "and version");
   app.add_option("--samples", samples_,
                  "samples of pixels at edges, filtered; 1: the centers of all pixels; default: "
                  "the scene's, else 16 with surfaces, 64 where a lens or a shutter blurs")
@@ -211,6 +223,7 @@ RenderOptions::RenderOptions(CLI::App& app) {
 void RenderOptions::check() const {
   static_cast<void>(settings());
   check_deep_options();
+  check_sequence_options();
   static_cast<void>(layers());
   static_cast<void>(backend());
   static_cast<void>(film({}));
@@ -231,9 +244,85 @@ void RenderOptions::check_deep_options() const {
   }
 }
 
+void RenderOptions::check_sequence_options() const {
+  if (is_sequence() != FramePattern::is_pattern(output_)) {
+    throw UsageError("-o: found " + quoted_text(output_) +
+                     "; a sequence needs --frames, and %04d for the frame in the image's name");
+  }
+  if (!is_sequence()) {
+    if (skips_existing_)
+      throw UsageError("--skip-existing: is of a sequence; allowed: with --frames");
+    return;
+  }
+  static_cast<void>(frames());
+  static_cast<void>(output_pattern());
+  if (!stats_file_.empty() || repeat_ != 1) {
+    throw UsageError("--stats, --repeat: are of one frame; allowed: without --frames");
+  }
+}
+
+std::vector<int> RenderOptions::frames() const {
+  return parse_frames(frames_);
+}
+
+FramePattern RenderOptions::output_pattern() const {
+  return parse_pattern(output_);
+}
+
+std::string RenderOptions::what_matters(const std::vector<std::string>& others) const {
+  // Whatever is added counts, unless it is listed here.
+  constexpr std::array does_not{"SCENE",   "output", "frames", "skip-existing",
+                                "threads", "repeat", "stats",  "time"};
+  std::string text;
+  for (const CLI::Option* option : app_.get_options()) {
+    const std::string name = option->get_single_name();
+    if (option->count() == 0 || std::ranges::find(does_not, name) != does_not.end() ||
+        std::ranges::find(others, name) != others.end()) {
+      continue;
+    }
+    text += name + "=";
+    for (const std::string& value : option->results()) text += value + ",";
+    text += "\n";
+  }
+  // What a look of OpenColorIO comes from where nothing else is said.
+  const char* config = std::getenv("OCIO");
+  if (!(color_ == ColorChoice{}) && config != nullptr) text += std::string("OCIO=") + config;
+  return text;
+}
+
+std::vector<std::string> RenderOptions::arguments(const std::vector<std::string>& others) const {
+  const auto absolute = [](const std::string& file) {
+    return std::filesystem::absolute(file).lexically_normal().string();
+  };
+  std::vector<std::string> arguments{absolute(scene_file_), "--output", absolute(output_)};
+  for (const CLI::Option* option : app_.get_options()) {
+    const std::string name = option->get_single_name();
+    constexpr std::array known{"SCENE", "output", "frames", "skip-existing", "color-config"};
+    if (option->count() == 0 || std::ranges::find(known, name) != known.end() ||
+        std::ranges::find(others, name) != others.end()) {
+      continue;
+    }
+    arguments.push_back("--" + name);
+    if (option->get_expected_max() > 0) {
+      for (const std::string& value : option->results()) arguments.push_back(value);
+    }
+  }
+  if (!color_.config.empty()) {
+    arguments.insert(
+        arguments.end(),
+        {"--color-config", color_.config == "aces" ? color_.config : absolute(color_.config)});
+  }
+  return arguments;
+}
+
 CommandFiles RenderOptions::outputs() const {
   check_frame_extension(output_);
   CommandFiles files;
+  if (is_sequence()) {
+    const FramePattern pattern = output_pattern();
+    for (const int frame : frames()) files.add_output(pattern.file_of(frame));
+    return files;
+  }
   files.add_output(output_);
   if (!stats_file_.empty()) files.add_output(stats_file_);
   return files;

@@ -3,9 +3,11 @@
 #include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "brume/output.h"
 #include "brume/scene.h"
+#include "core/io/frame_pattern.h"
 #include "render/output/frame_file.h"
 #include "render/samples/exposure.h"
 #include "render/settings.h"
@@ -29,6 +31,17 @@ class RenderOptions {
   [[nodiscard]] const std::string& output() const { return output_; }
   [[nodiscard]] const std::string& stats_file() const { return stats_file_; }  // empty: none
   [[nodiscard]] double time() const { return time_; }
+  // Of a sequence, frame n is at n / frames_per_second().
+  [[nodiscard]] bool is_sequence() const { return !frames_.empty(); }
+  [[nodiscard]] std::vector<int> frames() const;
+  [[nodiscard]] double frames_per_second() const { return frames_per_second_; }
+  [[nodiscard]] FramePattern output_pattern() const;
+  [[nodiscard]] bool skips_existing() const { return skips_existing_; }
+  // All options that make a difference to a frame, and their values; `others`: of the same command,
+  // but not of frames.
+  [[nodiscard]] std::string what_matters(const std::vector<std::string>& others = {}) const;
+  // Those given, as arguments of brume render in any folder, but --frames and --skip-existing.
+  [[nodiscard]] std::vector<std::string> arguments(const std::vector<std::string>& others) const;
   [[nodiscard]] int repeat() const { return repeat_; }
   [[nodiscard]] double max_error() const { return max_error_; }
 
@@ -47,7 +60,9 @@ class RenderOptions {
 
  private:
   void check_deep_options() const;
+  void check_sequence_options() const;
 
+  const CLI::App& app_;
   std::string scene_file_;
   std::string output_;
   std::string size_;
@@ -64,6 +79,9 @@ class RenderOptions {
   std::string layers_;  // empty: those by default
   std::optional<double> deep_error_;
   double time_ = 0.0;
+  std::string frames_;  // empty: one frame
+  double frames_per_second_ = 24.0;
+  bool skips_existing_ = false;
   int samples_ = 0;      // 0: not given
   std::string shutter_;  // empty: the scene's
   std::string backend_ = "auto";

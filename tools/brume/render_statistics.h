@@ -17,11 +17,11 @@ struct RenderRun {
   Film film;
   Settings settings;  // `threads` as they ran
   int repeat = 1;
-  double first_frame_milliseconds = 0.0;   // with loading and building everything once
-  double transfer_milliseconds = 0.0;      // of those, for radiance transfer
-  std::optional<ErrorEstimate> error;      // of the first frame
-  std::optional<RelativeNoise> noise;      // of the first frame, if path-traced
-  std::optional<DeepFileStatistics> deep;  // of the file, if it is deep
+  double first_frame_milliseconds = 0.0;     // with loading and building everything once
+  double transfer_milliseconds = 0.0;        // of those, for radiance transfer
+  std::optional<ErrorEstimate> error{};      // of the first frame
+  std::optional<RelativeNoise> noise{};      // of the first frame, if path-traced
+  std::optional<DeepFileStatistics> deep{};  // of the file, if it is deep
 };
 
 // The JSON of --stats. Counts are those of the first frame; frame_ms and stages are over `moved`,

@@ -128,6 +128,23 @@ ImageLayers read_exr(const fs::path& file) {
   });
 }
 
+std::map<std::string, std::string> read_exr_texts(const fs::path& file) {
+  regular_file_size(file);
+  if (!is_exr(file)) throw InputError(file, "header", "not an OpenEXR file");
+  check_exr_attributes(file);
+  return guarded(file, [&] {
+    Imf::MultiPartInputFile input(file.c_str());
+    if (!input.partComplete(0)) throw InputError(file, "", "is incomplete");
+    const Imf::Header& header = input.header(0);
+    std::map<std::string, std::string> texts;
+    for (auto a = header.begin(); a != header.end(); ++a) {
+      const auto* text = dynamic_cast<const Imf::StringAttribute*>(&a.attribute());
+      if (text != nullptr) texts[a.name()] = text->value();
+    }
+    return texts;
+  });
+}
+
 void write_exr(const fs::path& file, const ImageLayers& image) {
   write_atomically(file, [&](std::ostream& out) {
     try {

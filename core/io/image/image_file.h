@@ -21,6 +21,12 @@ ImageLayers read_exr(const std::filesystem::path& file);
 // InputError. Every channel must have width * height values (assert).
 void write_exr(const std::filesystem::path& file, const ImageLayers& image);
 
+// The text attributes of the first part, flat or deep, of a complete file. Throws InputError, also
+// where a file is incomplete.
+std::map<std::string, std::string> read_exr_texts(const std::filesystem::path& file);
+// The texts in plain chunks of a complete PNG. Throws InputError.
+std::map<std::string, std::string> read_png_texts(const std::filesystem::path& file);
+
 // Whether the file begins as an OpenEXR file does. Throws InputError where it cannot be read.
 bool is_exr(const std::filesystem::path& file);
 

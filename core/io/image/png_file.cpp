@@ -1,4 +1,5 @@
 #include <png.h>
+#include <zlib.h>
 
 #include <algorithm>
 #include <cassert>
@@ -6,9 +7,11 @@
 #include <cstdio>
 #include <new>
 #include <sstream>
+#include <string_view>
 
 #include "brume/error.h"
 #include "core/io/atomic_file.h"
+#include "core/io/file_bytes.h"
 #include "core/io/image/image_file.h"
 
 namespace brume {
@@ -71,7 +74,41 @@ bool write_image(std::ostream& out, int width, int height, const std::uint8_t* r
   return true;
 }
 
+// The number at the begin of `bytes`, of at least four.
+std::uint32_t big_endian(std::string_view bytes) {
+  std::uint32_t value = 0;
+  for (int i = 0; i < 4; ++i) value = value << 8 | static_cast<unsigned char>(bytes[i]);
+  return value;
+}
+
 }  // namespace
+
+std::map<std::string, std::string> read_png_texts(const std::filesystem::path& file) {
+  constexpr std::string_view signature = "\x89PNG\r\n\x1a\n";
+  const std::string bytes = read_bytes(file);
+  std::string_view rest = bytes;
+  if (!rest.starts_with(signature)) throw InputError(file, "header", "not a PNG file");
+  rest.remove_prefix(signature.size());
+  std::map<std::string, std::string> texts;
+  for (;;) {
+    // Length, type, content, checksum of the last two.
+    const std::uint32_t length = rest.size() < 12 ? 0 : big_endian(rest);
+    if (rest.size() < 12 || length > rest.size() - 12) throw InputError(file, "", "is incomplete");
+    const std::string_view checked = rest.substr(4, 4 + std::size_t{length});
+    const auto sum = ::crc32(0, reinterpret_cast<const Bytef*>(checked.data()),
+                             static_cast<uInt>(checked.size()));
+    if (sum != big_endian(rest.substr(8 + length))) throw InputError(file, "", "is damaged");
+    const std::string_view content = checked.substr(4);
+    if (checked.starts_with("IEND")) return texts;
+    if (checked.starts_with("tEXt")) {
+      const std::size_t end = content.find('\0');
+      if (end != std::string_view::npos) {
+        texts[std::string(content.substr(0, end))] = content.substr(end + 1);
+      }
+    }
+    rest.remove_prefix(12 + std::size_t{length});
+  }
+}
 
 void write_png(const std::filesystem::path& file, int width, int height,
                std::span<const std::uint8_t> rgb,

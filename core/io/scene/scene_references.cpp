@@ -128,13 +128,19 @@ std::vector<SequenceFrame> SceneReferences::sequence(const JsonContext& context,
                                                      std::size_t max_gaussians) {
   const FramePattern files = *FramePattern::parse(sequence.file.string());
   std::error_code error;
+  const bool keeps_others = missing_ != nullptr && missing_->keeps_other_frames;
   for (int frame = sequence.first; missing_ != nullptr && frame <= sequence.last; ++frame) {
     if (fs::exists(files.file_of(frame), error)) continue;
-    note_missing(sequence.file);
+    note_missing(keeps_others ? fs::path(files.file_of(frame)) : sequence.file);
+    if (keeps_others) continue;
     return std::vector<SequenceFrame>(static_cast<std::size_t>(sequence.last - sequence.first) + 1);
   }
   return at_path(context, path, [&] {
-    return read_sequence(files, sequence.first, sequence.last, read_gaussians, max_gaussians);
+    const auto read = [&](const fs::path& file, std::vector<GaussianNumber>* ids,
+                          std::size_t max_count) {
+      return is_missing(file) ? std::vector<Gaussian>() : read_gaussians(file, ids, max_count);
+    };
+    return read_sequence(files, sequence.first, sequence.last, read, max_gaussians);
   });
 }
 

@@ -1,0 +1,176 @@
+// Frames of an animation, one file each, from one process or several.
+
+#include <csignal>
+#include <nlohmann/json.hpp>
+
+#include "core/io/file_bytes.h"
+#include "core/io/gaussians/gaussian_file.h"
+#include "tests/tools/command_line.h"
+#include "tests/tools/running_program.h"
+
+namespace brume {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+class FrameSequence : public CommandLine {
+ protected:
+  FrameSequence() {
+    Json scene = Json::parse(scene_text);
+    const auto keys = [](const Json& from, const Json& to) {
+      return Json::array({{{"time", 0}, {"value", from}}, {{"time", 1}, {"value", to}}});
+    };
+    scene["camera"]["keys"] = {{"eye", keys({0, 0, 5}, {4, 0, 5})}};
+    scene["lights"][0]["keys"] = {{"intensity", keys({0, 0, 60}, {60, 0, 0})}};
+    moving_ = folder_.write("moving.brume", scene.dump()).string();
+  }
+
+  // What it says it did.
+  Json render(std::vector<std::string> more, int exit_code = 0) {
+    std::vector<std::string> arguments{"render",       moving_,  "--airlight", "sliced",
+                                       "--scattering", "single", "--backend",  "cpu",
+                                       "--fps",        "10"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const ProgramResult result = run_brume(arguments);
+    EXPECT_EQ(result.exit_code, exit_code) << result.err;
+    errors_ = result.err;
+    return result.out.empty() ? Json() : Json::parse(result.out);
+  }
+
+  std::string bytes(const char* name) { return read_bytes(folder_ / name); }
+
+  std::string moving_;
+  std::string errors_;
+};
+
+TEST_F(FrameSequence, FramesAreThoseThatAreRenderedAlone) {
+  const Json result = render({"--frames", "0-4x2,3,2", "-o", file("s_%04d.exr")});
+  EXPECT_EQ(result["made"], Json({0, 2, 4, 3}));
+  EXPECT_EQ(result["skipped"], Json::array());
+  EXPECT_EQ(result["failed"], Json::array());
+  EXPECT_FALSE(fs::exists(folder_ / "s_0001.exr"));
+  for (const int frame : {0, 2, 3, 4}) {
+    render({"--time", std::to_string(0.1 * frame), "-o", file("alone.exr")});
+    const std::string name = "s_000" + std::to_string(frame) + ".exr";
+    EXPECT_EQ(read_exr(folder_ / name).channels, read_exr(folder_ / "alone.exr").channels) << name;
+  }
+  EXPECT_NE(read_exr(folder_ / "s_0000.exr").channels, read_exr(folder_ / "s_0004.exr").channels);
+}
+
+TEST_F(FrameSequence, FilesAreTheSameInAnyOrderChunksAndThreads) {
+  render({"--frames", "0-5", "-o", file("a_%d.exr")});
+  render({"--frames", "5,3,4", "--threads", "1", "-o", file("b_%d.exr")});
+  render({"--frames", "0-2", "-o", file("b_%d.exr")});
+  for (int frame = 0; frame <= 5; ++frame) {
+    const std::string number = std::to_string(frame) + ".exr";
+    EXPECT_EQ(bytes(("a_" + number).c_str()), bytes(("b_" + number).c_str())) << frame;
+  }
+}
+
+TEST_F(FrameSequence, SkipsFramesThatAreWholeAndCurrent) {
+  for (const std::string extension : {".exr", ".png", ".deep.exr"}) {
+    const std::string images = file(("s_%04d" + extension).c_str());
+    const std::vector<std::string> command{"--frames", "0-3", "--skip-existing", "-o", images};
+    const auto made = [&](std::vector<std::string> more = {}) {
+      more.insert(more.begin(), command.begin(), command.end());
+      return render(more)["made"];
+    };
+    const Json all{0, 1, 2, 3};
+    EXPECT_EQ(made(), all);
+    EXPECT_EQ(made(), Json::array());
+    EXPECT_EQ(made({"--threads", "1"}), Json::array());
+    // Cut short, foreign, or gone.
+    const fs::path second = folder_ / ("s_0001" + extension);
+    fs::resize_file(second, fs::file_size(second) - 100);
+    folder_.write("s_0002" + extension, "no image");
+    fs::remove(folder_ / ("s_0003" + extension));
+    EXPECT_EQ(made(), Json({1, 2, 3})) << extension;
+    // Of another frame.
+    fs::copy_file(folder_ / ("s_0000" + extension), second, fs::copy_options::overwrite_existing);
+    EXPECT_EQ(made(), Json({1}));
+    // Made from something else.
+    EXPECT_EQ(made({"--slices", "16"}), all);
+    EXPECT_EQ(made({"--slices", "16"}), Json::array());
+    EXPECT_EQ(made({"--fps", "20"}).size(), 4u);
+    EXPECT_EQ(made(), all);
+    folder_.write("floor.obj", "v -2 -1 -2\nv -2 -1 2\nv 2 -1 2\nf 1 2 3\n");
+    EXPECT_EQ(made(), all);
+    folder_.write("floor.obj", "v -2 -1 -2\nv -2 -1 2\nv 2 -1 2\nv 2 -1 -2\nf 1 2 3 4\n");
+    EXPECT_EQ(made(), all);
+  }
+}
+
+// One file is missing and one frame cannot be written: the others are made.
+TEST_F(FrameSequence, AFrameThatFailsLeavesTheOthersAlone) {
+  for (int frame = 0; frame < 6; ++frame) {
+    const std::vector<Gaussian> gaussians{{{0.1 * frame, 0, 0}, 1.0, 0.5}};
+    write_gaussians(folder_ / ("fog_" + std::to_string(frame) + ".ply"), gaussians);
+  }
+  fs::remove(folder_ / "fog_3.ply");
+  Json scene = Json::parse(scene_text);
+  scene["medium"]["sequences"] =
+      Json::array({{{"file", "fog_%d.ply"}, {"first", 0}, {"last", 5}, {"frames_per_second", 10}}});
+  moving_ = folder_.write("played.brume", scene.dump()).string();
+  fs::create_directory(folder_ / "s_5.exr.folder");
+  const Json result = render({"--frames", "0-5", "-o", file("s_%d.exr")}, 1);
+  EXPECT_EQ(result["made"], Json({0, 1, 2, 4, 5}));
+  EXPECT_EQ(result["failed"], Json({3}));
+  EXPECT_EQ(errors_, "brume: error: frame 3: " + file("fog_3.ply") + ": is missing\n");
+  // Any other file that is missing ends it all.
+  fs::remove(folder_ / "floor.obj");
+  render({"--frames", "0-5", "-o", file("s_%d.exr")}, 2);
+  EXPECT_NE(errors_.find("surfaces[0].mesh"), std::string::npos) << errors_;
+}
+
+TEST_F(FrameSequence, RefusesWhatCannotBeMeant) {
+  const auto refused = [this](std::vector<std::string> more, const std::string& part) {
+    more.insert(more.begin(), {"render", moving_});
+    expect_refused(more, {part});
+  };
+  for (const char* range : {"", "4-2", "1-", "-3", "1-9x0", "1-9x", "1,,2", "a", "1-2000000000"}) {
+    if (*range != '\0') refused({"--frames", range, "-o", file("s_%d.png")}, "--frames: found");
+  }
+  refused({"--frames", "1-2", "-o", file("s.png")}, "%04d for the frame");
+  refused({"-o", file("s_%d.png")}, "a sequence needs --frames");
+  refused({"--skip-existing", "-o", file("s.png")}, "--skip-existing: is of a sequence");
+  refused({"--frames", "1", "--stats", file("s.json"), "-o", file("s_%d.png")}, "--stats");
+  refused({"--frames", "1", "--time", "1", "-o", file("s_%d.png")}, "--time");
+  refused({"--frames", "1", "-o", file("nowhere/s_%d.png")}, "nowhere");
+}
+
+// Ended in the middle, what is there is whole, and going on makes the rest.
+TEST_F(FrameSequence, CanBeEndedAndGoOn) {
+  for (const int signal : {SIGINT, SIGTERM, SIGKILL}) {
+    const std::vector<std::string> arguments{"render",          moving_, "--airlight",     "sliced",
+                                             "--backend",       "cpu",   "--frames",       "0-9",
+                                             "--skip-existing", "-o",    file("k_%d.exr"), "--size",
+                                             "200x150"};
+    {
+      RunningProgram program(arguments);
+      ASSERT_TRUE(program.wait_for("3 of 10")) << program.shown();
+      ::kill(program.pid(), signal);
+      program.wait();
+    }
+    std::size_t whole = 0;
+    for (const auto& entry : fs::directory_iterator(folder_.path())) {
+      const std::string name = entry.path().filename().string();
+      if (!name.starts_with("k_")) continue;
+      if (signal != SIGKILL || name.ends_with(".exr")) {
+        EXPECT_NO_THROW(read_exr(entry.path())) << name;
+        ++whole;
+      }
+    }
+    EXPECT_GE(whole, 1u);
+    EXPECT_LT(whole, 10u);
+    const ProgramResult rest = run_brume(arguments);
+    EXPECT_EQ(rest.exit_code, 0) << rest.err;
+    EXPECT_GE(Json::parse(rest.out)["skipped"].size(), whole);
+    for (int frame = 0; frame <= 9; ++frame) {
+      fs::remove(folder_ / ("k_" + std::to_string(frame) + ".exr"));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace brume

@@ -1,0 +1,108 @@
+#include "tools/brume/slurm_job.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/io/atomic_file.h"
+#include "tools/brume/command.h"
+#include "tools/brume/other_program.h"
+
+namespace brume {
+namespace {
+
+std::string shell_words(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : " ") + shell_word(word);
+  return text;
+}
+
+std::string checked(const std::vector<std::string>& arguments) {
+  ProgramOutput result = run_other_program(arguments);
+  if (result.exit_code != 0) {
+    throw UsageError(arguments.front() + " refused; what it said is above");
+  }
+  while (result.out.ends_with('\n')) result.out.pop_back();
+  return std::move(result.out);
+}
+
+}  // namespace
+
+std::string frames_text(const std::vector<int>& frames) {
+  std::string text;
+  for (std::size_t i = 0; i < frames.size();) {
+    // As many as follow in equal steps.
+    const int step = i + 1 < frames.size() ? frames[i + 1] - frames[i] : 1;
+    std::size_t end = i + 1;
+    while (end < frames.size() && step > 0 && frames[end] - frames[end - 1] == step) ++end;
+    if (end - i == 2 && step > 1) end = i + 1;
+    text += (text.empty() ? "" : ",") + std::to_string(frames[i]);
+    if (end - i > 1) text += "-" + std::to_string(frames[end - 1]);
+    if (end - i > 1 && step > 1) text += "x" + std::to_string(step);
+    i = end;
+  }
+  return text;
+}
+
+std::string shell_word(const std::string& text) {
+  std::string word = "'";
+  for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return word + "'";
+}
+
+std::filesystem::path SlurmJob::log() const {
+  std::filesystem::path file = script;
+  return file.replace_extension().string() + "_%A_%a.log";
+}
+
+std::string slurm_script(const SlurmJob& job) {
+  std::string text = "#!/bin/sh\n#SBATCH --job-name=" + job.name + "\n#SBATCH --array=0-" +
+                     std::to_string(job.chunks.size() - 1) +
+                     "\n#SBATCH --output=" + shell_word(job.log().string()) +
+                     "\n#SBATCH --requeue\n" + "#SBATCH --open-mode=append\n";
+  for (const std::string& option : job.options) text += "#SBATCH --" + option + "\n";
+  text += "case \"$SLURM_ARRAY_TASK_ID\" in\n";
+  for (std::size_t i = 0; i < job.chunks.size(); ++i) {
+    text += std::to_string(i) + ") frames=" + frames_text(job.chunks[i]) + " ;;\n";
+  }
+  return text + "esac\nexec " + shell_words(job.command) + " --frames \"$frames\"\n";
+}
+
+std::string submit(const SlurmJob& job) {
+  const std::string running =
+      checked({"squeue", "--noheader", "--name", job.name, "--format", "%A"});
+  if (!running.empty()) {
+    throw UsageError("the job " + running.substr(0, running.find('\n')) +
+                     " makes the same files and is not finished; allowed: afterwards, or after "
+                     "scancel");
+  }
+  write_atomically(job.script, slurm_script(job));
+  const std::string id = checked({"sbatch", "--parsable", job.script.string()});
+  return id.substr(0, id.find(';'));  // what follows is the cluster
+}
+
+std::string submit_after(const std::string& job, const std::string& name,
+                         const std::vector<std::string>& command) {
+  std::vector<std::string> arguments{"sbatch", "--parsable", "--job-name",
+                                     name,     "--wrap",     shell_words(command)};
+  if (!job.empty()) arguments.insert(arguments.end() - 2, "--dependency=afterok:" + job);
+  return checked(arguments);
+}
+
+int unfinished_tasks(const std::string& job) {
+  // A job that is long gone is an error of squeue.
+  const ProgramOutput result = run_other_program(
+      {"squeue", "--noheader", "--array", "--states=all", "--jobs", job, "--format", "%T"});
+  if (result.exit_code != 0) return 0;
+  int count = 0;
+  for (std::size_t begin = 0; begin < result.out.size();) {
+    const std::size_t end = std::min(result.out.find('\n', begin), result.out.size());
+    const std::string state = result.out.substr(begin, end - begin);
+    count += static_cast<int>(state == "PENDING" || state == "RUNNING" || state == "COMPLETING" ||
+                              state == "CONFIGURING" || state == "SUSPENDED" ||
+                              state == "REQUEUED" || state == "STOPPED");
+    begin = end + 1;
+  }
+  return count;
+}
+
+}  // namespace brume
