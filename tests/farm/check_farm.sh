@@ -16,12 +16,14 @@ done
 brume=$1 scene=$2
 folder=$(mktemp -d)
 export SLURM_CONF=$folder/slurm.conf
+started=
 
 stop() {
   for file in "$folder"/*.pid; do
     [ ! -f "$file" ] || kill "$(cat "$file")" 2> /dev/null || true
   done
   pkill -f "$folder" 2> /dev/null || true
+  [ -z "$started" ] || pkill -x munged || true
   sleep 1
   rm -rf "$folder"
 }
@@ -29,7 +31,10 @@ trap stop EXIT
 
 mkdir -p "$folder"/{state,logs,spool/n1,spool/n2,farm,one} /run/munge
 chown munge:munge /run/munge
-munge -n > /dev/null 2>&1 || su -s /bin/sh munge -c munged || skip "munged does not start here"
+if ! munge -n > /dev/null 2>&1; then
+  su -s /bin/sh munge -c munged || skip "munged does not start here"
+  started=yes
+fi
 # A node that does not answer for five seconds is down, and its tasks go back into the queue.
 cat > "$SLURM_CONF" << CONF
 ClusterName=brume
