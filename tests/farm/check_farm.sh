@@ -74,16 +74,22 @@ options=(--frames 0-39 --fps 10 --size 96x72 --airlight sliced --backend cpu)
   > "$folder/result" 2> "$folder/errors" &
 submission=$!
 
-frames() { find "$folder/farm" -name 'f_*.exr' | wc -l; }
-until [ "$(frames)" -ge 3 ]; do sleep 0.2; done
+# Until there are so many frames, or it has ended.
+wait_for() {
+  while kill -0 $submission 2> /dev/null &&
+    [ "$(find "$folder/farm" -name 'f_*.exr' | wc -l)" -lt "$1" ]; do
+    sleep 0.2
+  done
+}
+wait_for 3
 # The same again is refused while it runs.
 if "$brume" submit slurm "$scene" "${options[@]}" -o "$folder/farm/f_%04d.exr" 2> "$folder/again"; then
   echo "two jobs make the same files" && exit 1
 fi
-grep -q 'is not finished' "$folder/again"
+grep -q 'is not finished' "$folder/again" || { cat "$folder/again" "$folder/errors" && exit 1; }
 # A task dies, and then a node with what runs on it.
 pkill -KILL -n -f "$brume render.*$folder/farm" || true
-until [ "$(frames)" -ge 10 ]; do sleep 0.2; done
+wait_for 10
 kill -KILL "$(cat "$folder/n2.pid")"
 pkill -KILL -n -f "$brume render.*$folder/farm" || true
 sleep 8
