@@ -91,7 +91,7 @@ TEST_F(Interruption, WorksWhereTheSignalWasIgnored) {
   const auto old = std::signal(SIGINT, SIG_IGN);
   RunningProgram program({"render", slow_, "-o", file("o.png"), "--backend", "cpu"});
   std::signal(SIGINT, old);
-  ASSERT_TRUE(program.wait_for("auto: ")) << program.shown();
+  ASSERT_TRUE(program.wait_for("frame 1 of 1: ")) << program.shown();
   ASSERT_EQ(::kill(program.pid(), SIGINT), 0);
   const int status = program.wait();
   EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGINT) << status;

@@ -5,12 +5,13 @@
 namespace brume {
 namespace {
 
-// The script that keeps the layers apart, run on a tree of four small files.
+// The script that keeps the layers apart, run on a tree of five small files.
 class Layers : public ::testing::Test {
  protected:
   Layers() {
     std::filesystem::create_directory(folder_ / "tests");
     std::filesystem::copy_file(BRUME_LAYERS_SCRIPT, folder_ / "tests/check_layers.sh");
+    write("include/brume/a.h", "#include <string>\n");
     write("core/a.h", "#include <vector>\n");
     write("render/a.h", "#include \"core/a.h\"\n#include <GL/gl.h>\n");
     write("tools/a.cpp", "#include \"render/a.h\"\n");
@@ -41,6 +42,8 @@ TEST_F(Layers, FailWhereAnArrowPointsUp) {
            {"core/b.cpp", "#include \"../render/a.h\"\n"},
            {"core/io/b.cpp", "  #  include \"../../render/a.h\"\n"},
            {"render/b.cpp", "#include \"core/../app/a.h\"\n"},
+           {"include/brume/b.h", "#include \"core/a.h\"\n"},
+           {"include/brume/b.h", "#include <nlohmann/json.hpp>\n"},
            {"tools/b.h", "#include <QWidget>\n"},
            {"tools/b.h", "#include <vtkNew.h>\n"},
            {"app/b.h", "#include \"tools/a.h\"\n"},
@@ -56,7 +59,7 @@ TEST_F(Layers, FailWhereAnArrowPointsUp) {
 }
 
 TEST_F(Layers, FailWhereAFolderIsMissing) {
-  for (const char* name : {"core", "render", "tools", "app"}) {
+  for (const char* name : {"include", "core", "render", "tools", "app"}) {
     std::filesystem::rename(folder_ / name, folder_ / "elsewhere");
     EXPECT_FALSE(passes()) << name;
     std::filesystem::rename(folder_ / "elsewhere", folder_ / name);

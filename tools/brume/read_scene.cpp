@@ -1,10 +1,8 @@
 #include "tools/brume/read_scene.h"
 
-#include <algorithm>
 #include <utility>
 #include <vector>
 
-#include "core/io/frame_pattern.h"
 #include "core/io/scene/missing_files.h"
 #include "core/io/scene/scene_file.h"
 #include "core/io/scene/scene_files.h"
@@ -14,28 +12,13 @@
 namespace brume {
 namespace {
 
-// Whether a file is one of the frames of a scene's sequences.
-bool is_of_sequence(const Scene& scene, const std::filesystem::path& file) {
-  return std::ranges::any_of(scene.sequences, [&file](const MediumSequence& sequence) {
-    const FramePattern files = *FramePattern::parse(sequence.file.string());
-    for (int frame = sequence.first; frame <= sequence.last; ++frame) {
-      if (files.file_of(frame) == file) return true;
-    }
-    return false;
-  });
-}
-
 SceneDocument load(const std::string& file, std::vector<std::string>& warnings,
                    std::vector<std::filesystem::path>* missing) {
   const ProgressLine line("reading " + file);
   if (missing == nullptr) return load_document(file, &warnings);
   MissingFiles files;
-  files.keeps_other_frames = true;
+  files.only_frames = true;
   SceneDocument document = load_document(file, &warnings, files);
-  const bool has_rest = std::ranges::all_of(files.missing, [&document](const auto& path) {
-    return is_of_sequence(document.scene, path);
-  });
-  if (!has_rest) return load_document(file);  // which names the place
   *missing = std::move(files.missing);
   return document;
 }

@@ -1,6 +1,7 @@
 #include <IexBaseExc.h>
 #include <ImfArray.h>
 #include <ImfChannelList.h>
+#include <ImfDeepScanLineInputPart.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfInputPart.h>
@@ -11,6 +12,7 @@
 #include <ImfStringAttribute.h>
 
 #include <cassert>
+#include <cstdint>
 #include <new>
 
 #include "brume/error.h"
@@ -64,6 +66,14 @@ void read_last_row(Imf::InputPart& part, const Imf::Header& header) {
   }
   part.setFrameBuffer(row);
   part.readPixels(window.max.y);
+}
+
+void read_last_row(Imf::DeepScanLineInputPart& part, const Imf::Header& header) {
+  const int last = header.dataWindow().max.y;
+  std::uint64_t bytes = 0;
+  part.rawPixelData(last, nullptr, bytes);  // tells how many
+  std::vector<char> row(bytes);
+  part.rawPixelData(last, row.data(), bytes);
 }
 
 void write_layers(const fs::path& file, std::ostream& out, const ImageLayers& image) {
@@ -134,8 +144,16 @@ std::map<std::string, std::string> read_exr_texts(const fs::path& file) {
   check_exr_attributes(file);
   return guarded(file, [&] {
     Imf::MultiPartInputFile input(file.c_str());
-    if (!input.partComplete(0)) throw InputError(file, "", "is incomplete");
     const Imf::Header& header = input.header(0);
+    // Rows are written in order, so where the last one is whole, all are.
+    if (header.hasType() && header.type() == Imf::DEEPSCANLINE) {
+      Imf::DeepScanLineInputPart part(input, 0);
+      read_last_row(part, header);
+    } else {
+      check_exr_image(file, header);
+      Imf::InputPart part(input, 0);
+      read_last_row(part, header);
+    }
     std::map<std::string, std::string> texts;
     for (auto a = header.begin(); a != header.end(); ++a) {
       const auto* text = dynamic_cast<const Imf::StringAttribute*>(&a.attribute());

@@ -16,9 +16,9 @@ using FoundFiles = std::map<std::filesystem::path, std::filesystem::path>;
 struct MissingFiles {
   FoundFiles found;                            // located elsewhere
   std::vector<std::filesystem::path> missing;  // not located
-  // Whether a sequence keeps the frames that are there: the others are empty, and their own files
-  // are `missing`.
-  bool keeps_other_frames = false;
+  // Whether nothing else may be missing than frames of sequences: those are empty, and `missing`
+  // names the files of the frames.
+  bool only_frames = false;
 };
 
 // load_document() that tolerates missing files: reads those in `missing.found` from there and adds

@@ -81,8 +81,8 @@ fs::path SceneReferences::found(const fs::path& file) const {
 
 void SceneReferences::note_missing(const fs::path& file) const {
   std::error_code error;
-  if (missing_ == nullptr || fs::exists(file, error) || is_missing(file)) return;
-  missing_->missing.push_back(file);
+  if (missing_ == nullptr || missing_->only_frames || fs::exists(file, error)) return;
+  if (!is_missing(file)) missing_->missing.push_back(file);
 }
 
 bool SceneReferences::is_missing(const fs::path& file) const {
@@ -128,11 +128,14 @@ std::vector<SequenceFrame> SceneReferences::sequence(const JsonContext& context,
                                                      std::size_t max_gaussians) {
   const FramePattern files = *FramePattern::parse(sequence.file.string());
   std::error_code error;
-  const bool keeps_others = missing_ != nullptr && missing_->keeps_other_frames;
   for (int frame = sequence.first; missing_ != nullptr && frame <= sequence.last; ++frame) {
-    if (fs::exists(files.file_of(frame), error)) continue;
-    note_missing(keeps_others ? fs::path(files.file_of(frame)) : sequence.file);
-    if (keeps_others) continue;
+    const fs::path file = files.file_of(frame);
+    if (fs::exists(file, error)) continue;
+    if (missing_->only_frames) {
+      if (!is_missing(file)) missing_->missing.push_back(file);
+      continue;
+    }
+    note_missing(sequence.file);
     return std::vector<SequenceFrame>(static_cast<std::size_t>(sequence.last - sequence.first) + 1);
   }
   return at_path(context, path, [&] {
