@@ -12,6 +12,7 @@
 #include "brume/error.h"
 #include "brume/files.h"
 #include "brume/scene.h"
+#include "python/integers.h"
 
 namespace py = pybind11;
 
@@ -94,7 +95,8 @@ void append(const Shared& medium, const Doubles& centers, const Doubles& radii,
 }
 
 // Indices, also from the end, or a mask of all.
-std::vector<std::size_t> indices_of(const py::array& chosen, std::size_t count) {
+std::vector<std::size_t> indices_of(const py::object& chosen_ones, std::size_t count) {
+  const py::array chosen = to_array(chosen_ones);
   std::vector<std::size_t> indices;
   if (chosen.dtype().kind() == 'b') {
     const auto mask = chosen.cast<py::array_t<bool>>();
@@ -107,11 +109,7 @@ std::vector<std::size_t> indices_of(const py::array& chosen, std::size_t count) 
     }
     return indices;
   }
-  if (chosen.size() > 0 && chosen.dtype().kind() != 'i' && chosen.dtype().kind() != 'u') {
-    throw py::type_error("indices: allowed: integers, or a mask of bool");
-  }
-  const auto numbers = chosen.cast<py::array_t<std::int64_t, py::array::forcecast>>();
-  for (const py::handle number : numbers.attr("ravel")()) {
+  for (const py::handle number : to_integers("indices", chosen).attr("ravel")()) {
     const auto index = number.cast<std::int64_t>();
     const std::int64_t from_start = index < 0 ? index + static_cast<std::int64_t>(count) : index;
     if (from_start < 0 || from_start >= static_cast<std::int64_t>(count)) {
@@ -122,7 +120,7 @@ std::vector<std::size_t> indices_of(const py::array& chosen, std::size_t count) 
   return indices;
 }
 
-void remove(const Shared& medium, const py::array& chosen) {
+void remove(const Shared& medium, const py::object& chosen) {
   Medium& all = medium->resizable();
   std::vector<GaussianId> ids;
   for (const std::size_t index : indices_of(chosen, all.size())) ids.push_back(all.ids()[index]);

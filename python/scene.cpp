@@ -13,6 +13,7 @@
 #include "brume/error.h"
 #include "brume/limits.h"
 #include "brume/mesh_arrays.h"
+#include "python/integers.h"
 
 namespace py = pybind11;
 
@@ -189,10 +190,10 @@ void bind_light(py::module_& module) {
 }
 
 using Floats = py::array_t<float, py::array::c_style | py::array::forcecast>;
-using Indices = py::array_t<std::int64_t, py::array::c_style>;
 
 // A mesh of points (n, 3) and triangles (m, 3), with flat normals.
-std::shared_ptr<Surface> mesh_surface(const Floats& points, const Indices& triangles) {
+std::shared_ptr<Surface> mesh_surface(const Floats& points, const py::object& indices) {
+  const Integers triangles = to_integers("triangles", to_array(indices));
   if (points.ndim() != 2 || points.shape(1) != 3 || triangles.ndim() != 2 ||
       triangles.shape(1) != 3) {
     throw DomainError("points, triangles", "allowed: arrays of the shapes (n, 3) and (m, 3)");

@@ -119,12 +119,12 @@ def test_lights_and_surfaces(cloud, tmp_path):
     floor.translate = (0, -1, 0)
     floor.set_metallic_roughness((0.8, 0.4, 0.2), metallic=1, roughness=0.3)
     cloud.surfaces.append(floor)
-    frame = brume.render(cloud)
+    frame = brume.render(cloud, airlight="sliced")
     assert np.isfinite(frame.depth).any()
     cloud.save(tmp_path / "s.brume")
     again = brume.load(tmp_path / "s.brume")
     assert [light.kind for light in again.lights] == kinds
-    assert np.array_equal(brume.render(again).beauty, frame.beauty)
+    assert np.array_equal(brume.render(again, airlight="sliced").beauty, frame.beauty)
     cloud.surfaces.append(Surface.mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]]))
     with pytest.raises(brume.DomainError, match=r"surfaces\[1\].mesh: it is in memory alone"):
         cloud.save(tmp_path / "t.brume")
@@ -186,7 +186,7 @@ def test_other_threads_run_meanwhile(bunny):
 
     thread = threading.Thread(target=count)
     thread.start()
-    brume.render(bunny, size=(320, 240), airlight="path:16")
+    brume.render(bunny, size=(160, 120), airlight="path:8")
     done.set()
     thread.join()
     assert counts[0] > 10

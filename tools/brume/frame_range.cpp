@@ -21,13 +21,13 @@ namespace {
 constexpr std::size_t max_frames = 100'000;
 constexpr std::int64_t max_number = 1'000'000'000;
 
-// "A", "A-B" or "A-BxN".
+// "A", "A-B", "A-BxN", or "A-B:N" as the Open Job Description has it.
 struct FrameRange {
   std::int64_t first, last, step;
 };
 std::optional<FrameRange> parse_range(std::string_view text) {
   const std::size_t dash = text.find('-');
-  const std::size_t cross = dash == std::string_view::npos ? dash : text.find('x', dash);
+  const std::size_t cross = dash == std::string_view::npos ? dash : text.find_first_of("x:", dash);
   const auto first = parse_integer(text.substr(0, dash));
   const auto last = dash == std::string_view::npos
                         ? first

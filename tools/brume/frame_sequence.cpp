@@ -30,6 +30,11 @@ std::string duration_text(double seconds) {
   return std::to_string(whole) + " s";
 }
 
+// A line as an engine of the Open Job Description reads it in the output of a task.
+void tell_engine(const RenderOptions& options, const char* what, const std::string& text) {
+  if (options.tells_engine()) print_result(std::string("openjd_") + what + ": " + text + "\n");
+}
+
 class FrameSequence {
  public:
   FrameSequence(const RenderOptions& options, SceneDocument document,
@@ -49,15 +54,20 @@ class FrameSequence {
       const std::string fingerprint = fingerprint_.of(frame);
       if (options_.skips_existing() && fingerprint_of(outputs_.file_of(frame)) == fingerprint) {
         skipped_.push_back(frame);
-        continue;
+      } else {
+        const std::string text = label(frame, i, frames.size());
+        tell_engine(options_, "status", text);
+        guarded(frame, [&] { make(frame, text, fingerprint); });
       }
-      guarded(frame, [&] { make(frame, label(frame, i, frames.size()), fingerprint); });
+      tell_engine(options_, "progress", std::to_string(100 * (i + 1) / frames.size()));
     }
     finish_writing();
     if (unsure_ > 0) {
       print_warnings(
           {"in " + std::to_string(unsure_) + " frames no setting is certain to meet --max-error"});
     }
+    // The last, since an engine may end a task that tells of a failure.
+    if (!failures_.empty()) tell_engine(options_, "fail", failures_);
     nlohmann::ordered_json result{{"made", made_}, {"skipped", skipped_}, {"failed", failed_}};
     print_result(result.dump() + "\n");
     return failed_.empty() ? done : check_failed;
@@ -76,7 +86,9 @@ class FrameSequence {
   }
 
   void fail(int frame, const std::string& why) {
-    print_note("error: frame " + std::to_string(frame) + ": " + why);
+    const std::string text = "frame " + std::to_string(frame) + ": " + why;
+    print_note("error: " + text);
+    failures_ += (failures_.empty() ? "" : "; ") + text;
     failed_.push_back(frame);
   }
 
@@ -142,6 +154,7 @@ class FrameSequence {
   FrameMaker maker_;
   std::optional<std::pair<int, std::future<void>>> writing_;
   std::vector<int> made_, skipped_, failed_;
+  std::string failures_;
   int unsure_ = 0;
   double seconds_ = 0.0;  // of `timed_` frames
   int timed_ = 0;
@@ -150,10 +163,15 @@ class FrameSequence {
 }  // namespace
 
 ExitCode render_sequence(const RenderOptions& options) {
-  CommandFiles files = options.outputs();
-  std::vector<std::filesystem::path> missing;
-  SceneDocument document = read_document(options.scene_file(), files, missing);
-  return FrameSequence(options, std::move(document), std::move(missing)).run();
+  try {
+    CommandFiles files = options.outputs();
+    std::vector<std::filesystem::path> missing;
+    SceneDocument document = read_document(options.scene_file(), files, missing);
+    return FrameSequence(options, std::move(document), std::move(missing)).run();
+  } catch (const InputError& error) {
+    tell_engine(options, "fail", error.what());
+    throw;
+  }
 }
 
 }  // namespace brume

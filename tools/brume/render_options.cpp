@@ -26,6 +26,10 @@ namespace {
 
 constexpr int max_march_steps = 65'536;
 
+std::string absolute_text(const std::string& file) {
+  return std::filesystem::absolute(file).lexically_normal().string();
+}
+
 // N of `name` = "method:N", in [1, max].
 std::optional<int> method_count(std::string_view name, AirlightMethod method, int max) {
   const std::string prefix = std::string(to_string(method)) + ':';
@@ -189,6 +193,11 @@ RenderOptions::RenderOptions(CLI::App& app) : app_(app) {
   app.add_flag("--skip-existing", skips_existing_,
                "leave frames alone that are complete and made from the same scene, files, options "
                "and version");
+  app.add_option("--progress", progress_,
+                 "of a sequence; openjd: lines that engines of the Open Job Description read")
+      ->type_name("TEXT:{terminal,openjd}")
+      ->check(CLI::IsMember({"terminal", "openjd"}))
+      ->capture_default_str();
   app.add_option("--samples", samples_,
                  "samples of pixels at edges, filtered; 1: the centers of all pixels; default: "
                  "the scene's, else 16 with surfaces, 64 where a lens or a shutter blurs")
@@ -250,8 +259,10 @@ void RenderOptions::check_sequence_options() const {
                      "; a sequence needs --frames, and %04d for the frame in the image's name");
   }
   if (!is_sequence()) {
-    if (skips_existing_)
-      throw UsageError("--skip-existing: is of a sequence; allowed: with --frames");
+    if (skips_existing_ || tells_engine()) {
+      throw UsageError(std::string(skips_existing_ ? "--skip-existing" : "--progress") +
+                       ": is of a sequence; allowed: with --frames");
+    }
     return;
   }
   static_cast<void>(frames());
@@ -269,15 +280,15 @@ FramePattern RenderOptions::output_pattern() const {
   return parse_pattern(output_);
 }
 
-std::string RenderOptions::what_matters(const std::vector<std::string>& others) const {
+std::string RenderOptions::what_matters(const std::set<std::string>& others) const {
   // Whatever is added counts, unless it is listed here.
-  constexpr std::array does_not{"SCENE",   "output", "frames", "skip-existing",
+  constexpr std::array does_not{"SCENE",   "output", "frames", "skip-existing", "progress",
                                 "threads", "repeat", "stats",  "time"};
   std::string text;
   for (const CLI::Option* option : app_.get_options()) {
     const std::string name = option->get_single_name();
     if (option->count() == 0 || std::ranges::find(does_not, name) != does_not.end() ||
-        std::ranges::find(others, name) != others.end()) {
+        others.contains(name)) {
       continue;
     }
     text += name + "=";
@@ -290,27 +301,26 @@ std::string RenderOptions::what_matters(const std::vector<std::string>& others) 
   return text;
 }
 
-std::vector<std::string> RenderOptions::arguments(const std::vector<std::string>& others) const {
-  const auto absolute = [](const std::string& file) {
-    return std::filesystem::absolute(file).lexically_normal().string();
-  };
-  std::vector<std::string> arguments{absolute(scene_file_), "--output", absolute(output_)};
+std::string RenderOptions::color_config_file() const {
+  return color_.config.empty() || color_.config == "aces" ? "" : absolute_text(color_.config);
+}
+
+std::vector<std::string> RenderOptions::arguments(const std::set<std::string>& others) const {
+  constexpr std::array known{"SCENE", "output", "frames", "skip-existing", "progress"};
+  std::vector<std::string> arguments{absolute_text(scene_file_), "--output",
+                                     absolute_text(output_)};
   for (const CLI::Option* option : app_.get_options()) {
     const std::string name = option->get_single_name();
-    constexpr std::array known{"SCENE", "output", "frames", "skip-existing", "color-config"};
     if (option->count() == 0 || std::ranges::find(known, name) != known.end() ||
-        std::ranges::find(others, name) != others.end()) {
+        others.contains(name)) {
       continue;
     }
     arguments.push_back("--" + name);
-    if (option->get_expected_max() > 0) {
+    if (name == "color-config" && color_.config != "aces") {
+      arguments.push_back(color_config_file());
+    } else if (option->get_expected_max() > 0) {
       for (const std::string& value : option->results()) arguments.push_back(value);
     }
-  }
-  if (!color_.config.empty()) {
-    arguments.insert(
-        arguments.end(),
-        {"--color-config", color_.config == "aces" ? color_.config : absolute(color_.config)});
   }
   return arguments;
 }

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -37,11 +38,16 @@ class RenderOptions {
   [[nodiscard]] double frames_per_second() const { return frames_per_second_; }
   [[nodiscard]] FramePattern output_pattern() const;
   [[nodiscard]] bool skips_existing() const { return skips_existing_; }
+  // Whether its progress is for an engine of the Open Job Description.
+  [[nodiscard]] bool tells_engine() const { return progress_ == "openjd"; }
   // All options that make a difference to a frame, and their values; `others`: of the same command,
   // but not of frames.
-  [[nodiscard]] std::string what_matters(const std::vector<std::string>& others = {}) const;
-  // Those given, as arguments of brume render in any folder, but --frames and --skip-existing.
-  [[nodiscard]] std::vector<std::string> arguments(const std::vector<std::string>& others) const;
+  [[nodiscard]] std::string what_matters(const std::set<std::string>& others = {}) const;
+  // Those given, as arguments of brume render in any folder, but what a farm says of its tasks:
+  // --frames, --skip-existing and --progress.
+  [[nodiscard]] std::vector<std::string> arguments(const std::set<std::string>& others) const;
+  // As in arguments(); empty: none.
+  [[nodiscard]] std::string color_config_file() const;
   [[nodiscard]] int repeat() const { return repeat_; }
   [[nodiscard]] double max_error() const { return max_error_; }
 
@@ -82,6 +88,7 @@ class RenderOptions {
   std::string frames_;  // empty: one frame
   double frames_per_second_ = 24.0;
   bool skips_existing_ = false;
+  std::string progress_ = "terminal";
   int samples_ = 0;      // 0: not given
   std::string shutter_;  // empty: the scene's
   std::string backend_ = "auto";

@@ -1,11 +1,12 @@
-#include "tools/brume/slurm_job.h"
+#include "tools/brume/submit/slurm_job.h"
 
 #include <algorithm>
 #include <utility>
 
 #include "core/io/atomic_file.h"
 #include "tools/brume/command.h"
-#include "tools/brume/other_program.h"
+#include "tools/brume/submit/other_program.h"
+#include "tools/brume/submit/sequence_job.h"
 
 namespace brume {
 namespace {
@@ -26,22 +27,6 @@ std::string checked(const std::vector<std::string>& arguments) {
 }
 
 }  // namespace
-
-std::string frames_text(const std::vector<int>& frames) {
-  std::string text;
-  for (std::size_t i = 0; i < frames.size();) {
-    // As many as follow in equal steps.
-    const int step = i + 1 < frames.size() ? frames[i + 1] - frames[i] : 1;
-    std::size_t end = i + 1;
-    while (end < frames.size() && step > 0 && frames[end] - frames[end - 1] == step) ++end;
-    if (end - i == 2 && step > 1) end = i + 1;
-    text += (text.empty() ? "" : ",") + std::to_string(frames[i]);
-    if (end - i > 1) text += "-" + std::to_string(frames[end - 1]);
-    if (end - i > 1 && step > 1) text += "x" + std::to_string(step);
-    i = end;
-  }
-  return text;
-}
 
 std::string shell_word(const std::string& text) {
   std::string word = "'";

@@ -6,9 +6,6 @@
 
 namespace brume {
 
-// Frames as --frames takes them: "1-5", "1-9x2", "3,8".
-std::string frames_text(const std::vector<int>& frames);
-
 // A text as one word of a POSIX shell.
 std::string shell_word(const std::string& text);
 

@@ -1,0 +1,226 @@
+// Jobs of the Open Job Description, run as its specification says: template schema 2023-09
+// (github.com/OpenJobDescription/openjd-specifications).
+
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <set>
+#include <stdexcept>
+
+#include "core/io/file_bytes.h"
+#include "tests/tools/command_line.h"
+
+namespace brume {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+// "1-9:2,12" as 1, 3, 5, 7, 9, 12; no ranges may overlap.
+std::vector<int> values_of(const std::string& range) {
+  std::vector<int> values;
+  const std::regex element(R"((\d+)(?:-(\d+)(?::(\d+))?)?(,|$))");
+  std::string::const_iterator at = range.begin();
+  std::smatch found;
+  while (at != range.end() && std::regex_search(at, range.end(), found, element,
+                                                std::regex_constants::match_continuous)) {
+    const int first = std::stoi(found[1]);
+    const int last = found[2].matched ? std::stoi(found[2]) : first;
+    const int step = found[3].matched ? std::stoi(found[3]) : 1;
+    EXPECT_TRUE(values.empty() || values.back() < first) << range;
+    for (int value = first; value <= last; value += step) values.push_back(value);
+    at = found[0].second;
+  }
+  EXPECT_EQ(at, range.end()) << range;
+  return values;
+}
+
+// An engine that knows of the schema what Brume needs, and refuses all else.
+class Engine {
+ public:
+  explicit Engine(const fs::path& bundle)
+      : job_(Json::parse(read_bytes(bundle / "template.json"))) {
+    expect_keys(job_,
+                {"specificationVersion", "extensions", "name", "parameterDefinitions", "steps"});
+    EXPECT_EQ(job_["specificationVersion"], "jobtemplate-2023-09");
+    EXPECT_EQ(job_["extensions"], Json({"TASK_CHUNKING"}));
+    EXPECT_LE(job_["name"].get<std::string>().size(), 128u);
+    for (const Json& parameter : job_["parameterDefinitions"]) {
+      expect_keys(parameter,
+                  {"name", "type", "objectType", "dataFlow", "description", "default", "minValue"});
+      const std::string name = parameter["name"];
+      EXPECT_TRUE(std::regex_match(name, std::regex("[A-Za-z_][A-Za-z0-9_]{0,63}"))) << name;
+      if (parameter["type"] == "PATH") {
+        EXPECT_FALSE(parameter.contains("default")) << "may not be absolute";
+      } else {
+        set(name, parameter["default"]);
+      }
+    }
+    const Json values = Json::parse(read_bytes(bundle / "parameter_values.json"));
+    for (const Json& value : values["parameterValues"]) set(value["name"], value["value"]);
+    EXPECT_EQ(values_.size(), job_["parameterDefinitions"].size());
+  }
+
+  void set(const std::string& parameter, const Json& value) {
+    values_["Param." + parameter] = value.is_string() ? value.get<std::string>() : value.dump();
+  }
+
+  // Runs all tasks, the last first; what they printed, by chunk.
+  std::map<std::string, ProgramResult> run() {
+    std::map<std::string, ProgramResult> results;
+    const Json& step = job_["steps"][0];
+    expect_keys(step, {"name", "parameterSpace", "script"});
+    const Json& parameters = step["parameterSpace"]["taskParameterDefinitions"];
+    EXPECT_EQ(parameters.size(), 1u);
+    const Json& parameter = parameters[0];
+    expect_keys(parameter, {"name", "type", "range", "chunks"});
+    EXPECT_EQ(parameter["type"], "CHUNK[INT]");
+    EXPECT_EQ(parameter["chunks"]["rangeConstraint"], "NONCONTIGUOUS");
+    const std::size_t count = std::stoul(resolved(parameter["chunks"]["defaultTaskCount"]));
+    std::vector<int> frames = values_of(resolved(parameter["range"]));
+    while (!frames.empty()) {
+      const std::size_t rest = (frames.size() - 1) / count * count;
+      std::string chunk;
+      for (std::size_t i = rest; i < frames.size(); ++i) {
+        chunk += (chunk.empty() ? "" : ",") + std::to_string(frames[i]);
+      }
+      frames.resize(rest);
+      values_["Task.Param." + parameter["name"].get<std::string>()] = chunk;
+      results[chunk] = run_brume(command(step));
+    }
+    return results;
+  }
+
+  // That of a step's tasks, without the program.
+  std::vector<std::string> command(const Json& step) {
+    const Json& run = step["script"]["actions"]["onRun"];
+    expect_keys(run, {"command", "args", "cancelation"});
+    expect_keys(run["cancelation"], {"mode", "notifyPeriodInSeconds"});
+    program_ = resolved(run["command"]);
+    std::vector<std::string> arguments;
+    for (const Json& argument : run["args"]) arguments.push_back(resolved(argument));
+    return arguments;
+  }
+
+  [[nodiscard]] const Json& job() const { return job_; }
+  [[nodiscard]] const std::string& program() const { return program_; }
+
+ private:
+  static void expect_keys(const Json& object, const std::set<std::string>& allowed) {
+    for (const auto& [key, value] : object.items()) EXPECT_TRUE(allowed.contains(key)) << key;
+  }
+
+  std::string resolved(std::string text) const {
+    for (std::size_t begin = 0; (begin = text.find("{{")) != std::string::npos;) {
+      const std::size_t end = text.find("}}", begin);
+      const auto value = values_.find(text.substr(begin + 2, end - begin - 2));
+      if (value == values_.end()) throw std::runtime_error("nothing is known of " + text);
+      text.replace(begin, end + 2 - begin, value->second);
+    }
+    return text;
+  }
+
+  Json job_;
+  std::map<std::string, std::string> values_;
+  std::string program_;
+};
+
+class JobBundle : public CommandLine {
+ protected:
+  fs::path bundle(std::vector<std::string> more) {
+    std::vector<std::string> arguments{"submit", "openjd", scene_,  "--airlight", "sliced", "--fps",
+                                       "10",     "--size", "16x12", "--backend",  "cpu"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const ProgramResult result = run_brume(arguments);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    errors_ = result.err;
+    return Json::parse(result.out)["bundle"].get<std::string>();
+  }
+
+  std::string errors_;
+};
+
+TEST_F(JobBundle, TasksMakeTheFramesOfTheSequence) {
+  fs::create_directory(folder_ / "farm");
+  fs::create_directory(folder_ / "here");
+  const fs::path folder =
+      bundle({"--frames", "7,0-4x2,3", "-o", file("farm/f_%02d.exr"), "--chunk", "2"});
+  EXPECT_EQ(folder, folder_ / "farm/f.openjd");
+  EXPECT_EQ(errors_, "");
+  Engine engine(folder);
+  const auto results = engine.run();
+  EXPECT_EQ(engine.program(), "brume");
+  ASSERT_EQ(results.size(), 3u);
+  for (const auto& [chunk, result] : results) {
+    EXPECT_EQ(result.exit_code, 0) << chunk << result.err;
+    EXPECT_NE(result.out.find("openjd_status: frame "), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("\nopenjd_progress: 100\n"), std::string::npos) << result.out;
+    EXPECT_EQ(result.out.find("openjd_fail"), std::string::npos) << result.out;
+  }
+  run_brume({"render", scene_, "--airlight", "sliced", "--fps", "10", "--size", "16x12",
+             "--backend", "cpu", "--frames", "0,2,3,4,7", "-o", file("here/f_%02d.exr")});
+  for (const char* frame : {"f_00.exr", "f_02.exr", "f_03.exr", "f_04.exr", "f_07.exr"}) {
+    EXPECT_EQ(read_bytes(folder_ / "farm" / frame), read_bytes(folder_ / "here" / frame)) << frame;
+  }
+}
+
+// As a farm has it that copies the folder of the scene, and maps both.
+TEST_F(JobBundle, PathsAreParameters) {
+  fs::create_directory(folder_ / "worker");
+  fs::create_directory(folder_ / "frames");
+  Engine engine(bundle({"--frames", "0-1", "-o", file("f_%d.png")}));
+  fs::rename(folder_ / "a.brume", folder_ / "worker/a.brume");
+  fs::rename(folder_ / "floor.obj", folder_ / "worker/floor.obj");
+  engine.set("SceneFolder", file("worker"));
+  engine.set("FrameFolder", file("frames"));
+  engine.set("FramesPerTask", "5");
+  EXPECT_EQ(engine.run().size(), 1u);
+  EXPECT_TRUE(fs::exists(folder_ / "frames/f_0.png"));
+  EXPECT_TRUE(fs::exists(folder_ / "frames/f_1.png"));
+}
+
+TEST_F(JobBundle, TellsOfFramesThatFail) {
+  Engine engine(bundle({"--frames", "0-2", "-o", file("f_%d.exr")}));
+  fs::create_directory(folder_ / "f_1.exr");
+  fs::create_directory(folder_ / "f_1.exr/full");
+  const auto results = engine.run();
+  ASSERT_EQ(results.size(), 1u);
+  const ProgramResult& result = results.begin()->second;
+  EXPECT_NE(result.exit_code, 0);
+  EXPECT_NE(result.out.find("openjd_fail: "), std::string::npos) << result.out << result.err;
+}
+
+TEST_F(JobBundle, VideosFollowTheirFrames) {
+  Engine engine(bundle({"--frames", "3-5", "-o", file("f_%d.png"), "--video", file("film.mp4")}));
+  const Json& step = engine.job()["steps"][1];
+  EXPECT_EQ(step["dependencies"], Json::parse(R"([{"dependsOn": "Render"}])"));
+  const std::vector<std::string> arguments = engine.command(step);
+  EXPECT_EQ(engine.program(), "ffmpeg");
+  EXPECT_EQ(arguments.back(), file("film.mp4"));
+  EXPECT_TRUE(std::ranges::count(arguments, file("f_%d.png"))) << Json(arguments).dump();
+}
+
+TEST_F(JobBundle, WarnOfFilesThatAFarmWouldNotCopy) {
+  fs::create_directory(folder_ / "scenes");
+  std::string text = scene_text;
+  text.replace(text.find("floor.obj"), 9, "../floor.obj");
+  scene_ = folder_.write("scenes/b.brume", text).string();
+  bundle({"--frames", "0", "-o", file("f_%d.exr")});
+  EXPECT_NE(errors_.find("brume gather"), std::string::npos) << errors_;
+}
+
+TEST_F(JobBundle, RefuseWhatATemplateCannotSay) {
+  const auto refused = [this](std::vector<std::string> more, const std::string& part) {
+    more.insert(more.begin(), {"submit", "openjd", scene_});
+    expect_refused(more, {part});
+  };
+  refused({"--frames", "0", "-o", file("{{Param.Frames}}_%d.exr")}, "without {{");
+  refused({"--frames", "0", "-o", file("f_%d.exr"), "--watch"}, "of slurm");
+  std::string frames;
+  for (int i = 0; i < 400; ++i) frames += (i ? "," : "") + std::to_string(i * i);
+  refused({"--frames", frames, "-o", file("f_%d.exr")}, "at most 1024 characters");
+  refused({"--frames", "0", "-o", file("nowhere/f_%d.exr")}, "nowhere");
+  EXPECT_EQ(run_brume({"submit", "cron", scene_, "--frames", "0", "-o", "f_%d.exr"}).exit_code, 2);
+}
+
+}  // namespace
+}  // namespace brume
