@@ -68,7 +68,7 @@ for _ in $(seq 60); do
 done
 [ "$(sinfo --noheader --format '%T %D')" = "idle 2" ] || skip "Slurm does not start here: $(sinfo)"
 
-options=(--frames 0-39 --fps 10 --size 96x72 --airlight sliced --backend cpu)
+options=(--frames 0-39 --fps 10 --size 480x360 --airlight sliced --scattering single --backend cpu)
 "$brume" render "$scene" "${options[@]}" -o "$folder/one/f_%04d.exr" > /dev/null
 "$brume" submit slurm "$scene" "${options[@]}" -o "$folder/farm/f_%04d.exr" --chunk 5 --watch \
   > "$folder/result" 2> "$folder/errors" &
@@ -87,16 +87,24 @@ if "$brume" submit slurm "$scene" "${options[@]}" -o "$folder/farm/f_%04d.exr" 2
   echo "two jobs make the same files" && exit 1
 fi
 grep -q 'is not finished' "$folder/again" || { cat "$folder/again" "$folder/errors" && exit 1; }
+kill_task() {
+  for _ in $(seq 100); do
+    if pkill -KILL -n -f "$brume render.*$folder/farm"; then return; fi
+    sleep 0.05
+  done
+  echo "no task runs" && exit 1
+}
 # A task dies, and then a node with what runs on it.
-pkill -KILL -n -f "$brume render.*$folder/farm" || true
+kill_task
 wait_for 10
 kill -KILL "$(cat "$folder/n2.pid")"
-pkill -KILL -n -f "$brume render.*$folder/farm" || true
+kill_task
 sleep 8
 slurmd -N n2
 
 wait $submission || { cat "$folder/errors" "$folder/result" && exit 1; }
 cat "$folder/errors" "$folder/result"
+grep -q 'were lost with their tasks' "$folder/errors"
 grep -q '"done":40,"failed":\[\],"lost":\[\]' "$folder/result"
 for frame in "$folder"/one/*.exr; do cmp "$frame" "$folder/farm/$(basename "$frame")"; done
 # All is there: nothing is submitted.
