@@ -37,26 +37,29 @@ HWY_INLINE std::uint64_t Increments(const GaussianBatch& g, const PathBatch& ray
   const D d;
   const std::size_t stride = rays.padded_size();
   const std::size_t last = slices.count() - 1;
+  const V one = set(1.0f);
   std::uint64_t pairs = 0;
   for (std::size_t i = 0; i < stride; i += hn::Lanes(d)) {
     const Vector w{hn::LoadU(d, rays.x.data() + i), hn::LoadU(d, rays.y.data() + i),
                    hn::LoadU(d, rays.z.data() + i)};
-    const float* const nearest = slices.nearest(i).data();
+    const std::span<const float> nearest = slices.nearest(i);
     const std::span<const float> farthest = slices.farthest(i);
+    // Before it no ray ends.
+    const float end = hn::GetLane(hn::MinOfLanes(d, hn::LoadU(d, rays.length.data() + i)));
     for (std::size_t j = 0; j < g.size(); ++j) {
       const V a = set(g.a[j]);
       const LineProfile<D> line = BatchLineProfile<kDisplaced>(d, g, j, w);
       const auto reached = hn::Le(line.e, set(g.max_e[j]));
       if (hn::AllFalse(d, reached)) continue;
       pairs += hn::CountTrue(d, reached);
-      // The slices in which any of the rays intersects the Gaussian.
-      const float cutoff_radius = std::sqrt(g.max_e[j]) / g.a[j];
-      const float t_min = hn::GetLane(hn::MinOfLanes(d, line.t0)) - cutoff_radius;
-      const float t_max = hn::GetLane(hn::MaxOfLanes(d, line.t0)) + cutoff_radius;
-      const auto begin = farthest.begin();
-      const auto after = std::upper_bound(begin, farthest.end(), t_min) - begin;
-      std::size_t k = after > 0 ? static_cast<std::size_t>(after - 1) : 0;
-      if (k >= last || nearest[0] >= t_max) continue;
+      // The slices in which any of the rays can meet the Gaussian.
+      const float near = g.near[j];
+      const float far = g.far[j];
+      // Counted, since a search by branches takes longer.
+      std::size_t before = 0;
+      for (const float t : farthest) before += t <= near ? 1 : 0;
+      std::size_t k = before > 0 ? before - 1 : 0;
+      if (k >= last || nearest[0] >= far) continue;
       const auto u = [&](std::size_t boundary) HWY_ATTR {
         return hn::Mul(a, hn::Sub(hn::LoadU(d, slices.at(i, boundary)), line.t0));
       };
@@ -71,9 +74,9 @@ HWY_INLINE std::uint64_t Increments(const GaussianBatch& g, const PathBatch& ray
           }
         }
       };
-      V previous = u(k);
       if (g.scale[j] > exact_above) {
-        for (; k < last && nearest[k] < t_max; ++k) {
+        V previous = u(k);
+        for (; k < last && nearest[k] < far; ++k) {
           const V current = u(k + 1);
           add(k, hn::Mul(set(g.scale[j]), SegmentIntegral(d, line.e, previous, current,
                                                           hn::Sub(current, previous))));
@@ -82,9 +85,11 @@ HWY_INLINE std::uint64_t Increments(const GaussianBatch& g, const PathBatch& ray
         continue;
       }
       const V scale = hn::Mul(set(g.scale[j]), hn::Exp(d, hn::Neg(line.e)));
-      previous = FastErf(previous);
-      for (; k < last && nearest[k] < t_max; ++k) {
-        const V current = FastErf(u(k + 1));
+      // Most boundaries lie before or behind all of a small Gaussian.
+      V previous = before > 0 ? hn::Neg(one) : FastErf(u(k));
+      for (; k < last && nearest[k] < far; ++k) {
+        const bool is_behind = nearest[k + 1] >= far && end >= far;
+        const V current = is_behind ? one : FastErf(u(k + 1));
         add(k, hn::Mul(scale, hn::Sub(current, previous)));
         previous = current;
       }

@@ -297,7 +297,7 @@ void accumulate_homogeneous_airlight(float b0, float attenuation, const glm::vec
 
 void GaussianBatch::assign(const MediumIndex& medium, const glm::dvec3& origin,
                            std::span<const std::uint32_t> indices, const RayNoise& ray_noise) {
-  for (auto* array : {&x, &y, &z, &a, &scale, &max_e}) array->resize(indices.size());
+  for (auto* array : {&x, &y, &z, &a, &scale, &max_e, &near, &far}) array->resize(indices.size());
   index.resize(indices.size());
   for (std::size_t k = 0; k < indices.size(); ++k) {
     const GaussianTerm<double>& g = medium.gaussians()[indices[k]];
@@ -311,6 +311,11 @@ void GaussianBatch::assign(const MediumIndex& medium, const glm::dvec3& origin,
     scale[k] = static_cast<float>(std::min(g.c / g.a * (0.5 * coefficient::sqrt_pi), 1e20));
     max_e[k] = static_cast<float>(cutoff_in_radii * cutoff_in_radii);
     index[k] = static_cast<std::int32_t>(indices[k]);
+    // A ray that meets it at the distance h from the center has its middle at sqrt(distance^2 - h^2).
+    const float distance2 = glm::dot(b, b);
+    const auto radius = static_cast<float>(medium.view_cutoff_radius(indices[k]));
+    near[k] = std::sqrt(std::max(distance2 - radius * radius, 0.0f)) - radius;
+    far[k] = std::sqrt(distance2) + radius;
   }
   for (auto& values : optics) values.clear();
   max_undisplaced_e.clear();

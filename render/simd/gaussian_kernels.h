@@ -39,6 +39,8 @@ struct GaussianBatch {
   std::vector<float> max_e;  // a^2 h^2 beyond which the Gaussian is culled
   std::vector<float>
       max_undisplaced_e;  // the same before displacement by noise; empty without noise
+  // Where rays of the origin can meet the Gaussian up to its cutoff [u]: from near to far.
+  std::vector<float> near, far;
   std::vector<std::int32_t> index;
   // RelativeOptics: albedo and emission R, G, B; empty until add_optics(), and if all are as by
   // default.
