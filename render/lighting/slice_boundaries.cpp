@@ -42,20 +42,20 @@ double core_radius(double r, double c) {
                                          : cutoff_radius(r, c, slice_demand::tail_depth);
 }
 
-// Closest approach of a tile's rays to a Gaussian of exponent g.a^2 at q relative to the eye: where
-// it needs slices.
-struct ClosestApproach {
-  double t;  // [u]
-  double h;  // in radii, of the nearest ray
+// Where a Gaussian among a tile's rays needs slices: where the nearest ray passes it. If the rays
+// only hit its tail, the light determines where; then the center's projection serves as well, and
+// is symmetric.
+struct SliceNeed {
+  double t, half;  // from t - half to t + half [u]
+  double radius;   // of the Gaussian [u]
+  double peak;     // its density where the nearest ray passes it [1/u]
 };
 
-// A Gaussian among the rays needs slices where the nearest ray passes it. If the rays only hit its
-// tail, the light determines where; then the center's projection serves as well, and is symmetric.
-ClosestApproach closest_approach(const TileCone& rays, const glm::dvec3& q, double a) {
-  const TileCone::Pass nearest = rays.nearest_pass(q);
-  const double center = glm::dot(q, rays.center);
-  const double h = a * nearest.h;
-  return {center + std::exp(-h * h) * (nearest.t - center), h};
+SliceNeed slice_need(const GaussianTerm<double>& g, double center, const TileCone::Pass& nearest) {
+  const double h = g.a * nearest.h;
+  const double share = std::exp(-h * h);
+  const double radius = 1.0 / g.a;
+  return {center + share * (nearest.t - center), core_radius(radius, g.c), radius, g.c * share};
 }
 
 // Demand for boundaries along a ray. The error of the midpoint rule is proportional to the second
@@ -168,14 +168,18 @@ void choose_slices(const MediumIndex& medium, std::span<const std::uint32_t> gau
   // end.
   RayRange extent;
   RayRange core;
+  thread_local std::vector<SliceNeed> needs;
+  needs.clear();
   for (const std::uint32_t i : gaussians) {
     const GaussianTerm<double>& g = medium.gaussians()[i];
     const glm::dvec3 q = g.b - rays.eye;
     const double r = medium.cutoff_radii()[i];
-    extent.add(glm::dot(q, w) - r, rays.nearest_pass(q).t + r);
-    const double t = closest_approach(rays, q, g.a).t;
-    const double half = std::min(core_radius(1.0 / g.a, g.c), r);
-    core.add(t - half, t + half);
+    const double center = glm::dot(q, w);
+    const TileCone::Pass nearest = rays.nearest_pass(q);
+    extent.add(center - r, nearest.t + r);
+    const SliceNeed& need = needs.emplace_back(slice_need(g, center, nearest));
+    const double half = std::min(need.half, r);
+    core.add(need.t - half, need.t + half);
   }
   extent.clip(max_length);
   core.clip(max_length);
@@ -192,13 +196,9 @@ void choose_slices(const MediumIndex& medium, std::span<const std::uint32_t> gau
   if (!extent.empty()) {
     if (!core.empty()) {
       SliceDemand demand(core, slice_demand::bins_per_slice * slices);
-      for (const std::uint32_t i : gaussians) {
-        const GaussianTerm<double>& g = medium.gaussians()[i];
-        const glm::dvec3 q = g.b - rays.eye;
-        const auto [t, h] = closest_approach(rays, q, g.a);
-        const double half = core_radius(1.0 / g.a, g.c);
-        if (t + half < core.begin || t - half > core.end) continue;
-        demand.add(t, 1.0 / g.a, g.c * std::exp(-h * h));
+      for (const SliceNeed& need : needs) {
+        if (need.t + need.half < core.begin || need.t - need.half > core.end) continue;
+        demand.add(need.t, need.radius, need.peak);
       }
       demand.place_boundaries(slices - 2, boundaries);
     }

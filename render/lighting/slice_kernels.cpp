@@ -31,6 +31,27 @@ HWY_INLINE V FastErf(V x) {
   return hn::Mul(y, Horner(d, hn::Mul(y, y), coefficient::erf_fast));
 }
 
+// The slices that no ray of a tile needs before each Gaussian: boundaries are in order, so that the
+// first one of a ray is found from there in few steps.
+std::span<const std::uint32_t> FirstSlices(const GaussianBatch& g, const RaySlices& slices,
+                                           std::size_t rays) {
+  thread_local std::vector<float> farthest;
+  thread_local std::vector<std::uint32_t> first;
+  farthest.assign(slices.count(), 0.0f);
+  for (std::size_t i = 0; i < rays; i += RaySlices::group) {
+    std::ranges::transform(farthest, slices.farthest(i), farthest.begin(),
+                           [](float a, float b) { return std::max(a, b); });
+  }
+  first.resize(g.size());
+  for (std::size_t j = 0; j < g.size(); ++j) {
+    // Counted, which is faster than a search by branches.
+    std::uint32_t after = 0;
+    for (const float t : farthest) after += t <= g.near[j] ? 1 : 0;
+    first[j] = std::max(after, 1u) - 1;
+  }
+  return first;
+}
+
 template <bool kDisplaced, bool kOptics>
 HWY_INLINE std::uint64_t Increments(const GaussianBatch& g, const PathBatch& rays,
                                     const RaySlices& slices, float* increments) {
@@ -38,6 +59,7 @@ HWY_INLINE std::uint64_t Increments(const GaussianBatch& g, const PathBatch& ray
   const std::size_t stride = rays.padded_size();
   const std::size_t last = slices.count() - 1;
   const V one = set(1.0f);
+  const std::span<const std::uint32_t> first = FirstSlices(g, slices, stride);
   std::uint64_t pairs = 0;
   for (std::size_t i = 0; i < stride; i += hn::Lanes(d)) {
     const Vector w{hn::LoadU(d, rays.x.data() + i), hn::LoadU(d, rays.y.data() + i),
@@ -55,11 +77,9 @@ HWY_INLINE std::uint64_t Increments(const GaussianBatch& g, const PathBatch& ray
       // The slices in which any of the rays can meet the Gaussian.
       const float near = g.near[j];
       const float far = g.far[j];
-      // Counted, since a search by branches takes longer.
-      std::size_t before = 0;
-      for (const float t : farthest) before += t <= near ? 1 : 0;
-      std::size_t k = before > 0 ? before - 1 : 0;
-      if (k >= last || nearest[0] >= far) continue;
+      std::size_t k = first[j];
+      while (k < last && farthest[k + 1] <= near) ++k;
+      if (k == last || nearest[0] >= far) continue;
       const auto u = [&](std::size_t boundary) HWY_ATTR {
         return hn::Mul(a, hn::Sub(hn::LoadU(d, slices.at(i, boundary)), line.t0));
       };
@@ -86,7 +106,7 @@ HWY_INLINE std::uint64_t Increments(const GaussianBatch& g, const PathBatch& ray
       }
       const V scale = hn::Mul(set(g.scale[j]), hn::Exp(d, hn::Neg(line.e)));
       // Most boundaries lie before or behind all of a small Gaussian.
-      V previous = before > 0 ? hn::Neg(one) : FastErf(u(k));
+      V previous = farthest[k] <= near ? hn::Neg(one) : FastErf(u(k));
       for (; k < last && nearest[k] < far; ++k) {
         const bool is_behind = nearest[k + 1] >= far && end >= far;
         const V current = is_behind ? one : FastErf(u(k + 1));
