@@ -12,6 +12,7 @@
 #include "app/document/document.h"
 #include "app/document/paths.h"
 #include "app/document/private_files.h"
+#include "core/io/atomic_file.h"
 #include "core/io/scene/scene_file.h"
 
 namespace brume {
@@ -164,12 +165,7 @@ void Autosave::sweep() {
     if (file.stem() == copy_.stem() || !lock.tryLock(0)) continue;  // its session lives
     std::filesystem::remove(beside(file, ".ini"), ignored);
   }  // the lock itself goes with its QLockFile
-  const QDateTime now = QDateTime::currentDateTimeUtc();
-  const auto hidden = QDir::Files | QDir::Hidden;
-  for (const QFileInfo& info : QDir(to_qstring(folder_)).entryInfoList({".brume-*.tmp"}, hidden)) {
-    if (info.lastModified().daysTo(now) <= days_offered) continue;
-    std::filesystem::remove(to_path(info.absoluteFilePath()), ignored);
-  }
+  remove_abandoned_files(folder_);
 }
 
 void Autosave::mark_offered(const RecoveryFile& work) {

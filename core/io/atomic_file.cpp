@@ -1,6 +1,7 @@
 #include "core/io/atomic_file.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -25,21 +26,39 @@ fs::path folder_of(const fs::path& file) {
   return file.has_parent_path() ? file.parent_path() : fs::path(".");
 }
 
-// A new empty file next to `target`, with the permissions a new file gets from the umask.
-fs::path create_temporary(const fs::path& file, const fs::path& target, TemporaryName& name) {
-  static std::atomic<unsigned> counter = 0;
-  for (;;) {
-    fs::path temporary = folder_of(target) / (".brume-" + std::to_string(::getpid()) + "-" +
-                                              std::to_string(counter++) + ".tmp");
-    name = TemporaryName(temporary);
-    const int fd = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (fd >= 0) {
-      ::close(fd);
-      return temporary;
+// A new empty file next to `target`, with the permissions a new file gets from the umask. It is
+// locked as long as this lives, by which remove_abandoned_files() knows that it is being written.
+class TemporaryFile {
+ public:
+  TemporaryFile(const fs::path& file, const fs::path& target) {
+    static std::atomic<unsigned> counter = 0;
+    for (;;) {
+      path_ = folder_of(target) /
+              (prefix + std::to_string(::getpid()) + "-" + std::to_string(counter++) + suffix);
+      name_ = TemporaryName(path_);
+      fd_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+      if (fd_ < 0 && errno != EEXIST) throw InputError(file, "", "cannot be written: " + reason());
+      if (fd_ < 0) continue;
+      // Where there are no locks, nothing is taken for abandoned.
+      struct stat made {};
+      if (::flock(fd_, LOCK_EX) != 0 || ::fstat(fd_, &made) != 0 || made.st_nlink > 0) return;
+      ::close(fd_);  // removed before it was locked
     }
-    if (errno != EEXIST) throw InputError(file, "", "cannot be written: " + reason());
   }
-}
+  ~TemporaryFile() { ::close(fd_); }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+  [[nodiscard]] const fs::path& path() const { return path_; }
+
+  static constexpr const char* prefix = ".brume-";
+  static constexpr const char* suffix = ".tmp";
+
+ private:
+  fs::path path_;
+  TemporaryName name_;
+  int fd_ = -1;
+};
 
 // A crash after the rename must not leave a name without content.
 void flush_to_disk(const fs::path& path, int flags) {
@@ -89,11 +108,25 @@ void check_writable(const fs::path& file) {
   }
 }
 
+void remove_abandoned_files(const fs::path& folder) {
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator();
+       entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    if (!name.starts_with(TemporaryFile::prefix) || !name.ends_with(TemporaryFile::suffix))
+      continue;
+    const int fd = ::open(entry->path().c_str(), O_WRONLY | O_CLOEXEC | O_NOFOLLOW);
+    if (fd < 0) continue;
+    if (::flock(fd, LOCK_EX | LOCK_NB) == 0) ::unlink(entry->path().c_str());
+    ::close(fd);
+  }
+}
+
 void write_atomically(const fs::path& file, const std::function<void(const fs::path&)>& write) {
   check_writable(file);
   const fs::path target = link_target(file);
-  TemporaryName name;
-  const fs::path temporary = create_temporary(file, target, name);
+  const TemporaryFile made(file, target);
+  const fs::path& temporary = made.path();
   try {
     write(temporary);
     struct stat old {};

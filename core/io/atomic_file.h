@@ -29,6 +29,10 @@ void write_atomically(const std::filesystem::path& file,
 // The same for given content.
 void write_atomically(const std::filesystem::path& file, std::string_view content);
 
+// Removes the temporary files in a folder that programs left which were killed: those that no
+// program holds locked, on this machine or, where the file system tells, on another.
+void remove_abandoned_files(const std::filesystem::path& folder);
+
 // Flushes a folder's entries to disk, so that files written as above survive a crash. Throws
 // InputError.
 void flush_folder(const std::filesystem::path& folder);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "brume/error.h"
+#include "core/io/atomic_file.h"
 #include "core/scene/sequence_frames.h"
 #include "tools/brume/frame_fingerprint.h"
 #include "tools/brume/frame_maker.h"
@@ -19,6 +20,12 @@
 
 namespace brume {
 namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
 
 // "1 h 2 min", "3 min 4 s", "5 s"
 std::string duration_text(double seconds) {
@@ -38,8 +45,9 @@ void tell_engine(const RenderOptions& options, const char* what, const std::stri
 class FrameSequence {
  public:
   FrameSequence(const RenderOptions& options, SceneDocument document,
-                std::vector<std::filesystem::path> missing)
+                std::vector<std::filesystem::path> missing, double reading)
       : options_(options),
+        reading_(reading),
         outputs_(options.output_pattern()),
         fingerprint_(document, options.what_matters()),
         missing_(std::move(missing)),
@@ -48,6 +56,7 @@ class FrameSequence {
 
   ExitCode run() {
     const std::vector<int> frames = options_.frames();
+    remove_abandoned_files(std::filesystem::absolute(options_.output()).parent_path());
     for (std::size_t i = 0; i < frames.size(); ++i) {
       check_interrupted();
       const int frame = frames[i];
@@ -69,6 +78,8 @@ class FrameSequence {
     // The last, since an engine may end a task that tells of a failure.
     if (!failures_.empty()) tell_engine(options_, "fail", failures_);
     nlohmann::ordered_json result{{"made", made_}, {"skipped", skipped_}, {"failed", failed_}};
+    result["seconds"] = {
+        {"reading", reading_}, {"rendering", rendering_}, {"waiting_for_files", waiting_}};
     print_result(result.dump() + "\n");
     return failed_.empty() ? done : check_failed;
   }
@@ -95,7 +106,8 @@ class FrameSequence {
   void make(int frame, const std::string& label, const std::string& fingerprint) {
     const double time = frame / options_.frames_per_second();
     check_present(time);
-    const auto start = std::chrono::steady_clock::now();
+    const auto start = Clock::now();
+    const double waited = waiting_;
     maker_.go_to(time);
     RequestedFrame found = maker_.render(label);
     if (found.error && found.error->high > options_.max_error()) ++unsure_;
@@ -110,7 +122,7 @@ class FrameSequence {
                     write_frame(file, content.frame, content.info, content.layers);
                   })};
     }
-    seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    rendering_ += seconds_since(start) - (waiting_ - waited);
     ++timed_;
   }
 
@@ -119,10 +131,12 @@ class FrameSequence {
     if (!writing_) return;
     auto [frame, file] = std::move(*writing_);
     writing_.reset();
+    const auto start = Clock::now();
     guarded(frame, [&, frame = frame] {
       file.get();
       made_.push_back(frame);
     });
+    waiting_ += seconds_since(start);
   }
 
   // Throws InputError where a moment needs a frame of a sequence whose file is missing.
@@ -140,13 +154,15 @@ class FrameSequence {
     std::string text = "frame " + std::to_string(frame) + ", " + std::to_string(index + 1) +
                        " of " + std::to_string(count);
     if (timed_ > 0) {
-      text +=
-          ", " + duration_text(seconds_ / timed_ * static_cast<double>(count - index)) + " left";
+      text += ", " +
+              duration_text((rendering_ + waiting_) / timed_ * static_cast<double>(count - index)) +
+              " left";
     }
     return text;
   }
 
   const RenderOptions& options_;
+  double reading_;  // [s], as below
   FramePattern outputs_;
   FrameFingerprint fingerprint_;
   std::vector<std::filesystem::path> missing_;
@@ -156,7 +172,8 @@ class FrameSequence {
   std::vector<int> made_, skipped_, failed_;
   std::string failures_;
   int unsure_ = 0;
-  double seconds_ = 0.0;  // of `timed_` frames
+  double rendering_ = 0.0;
+  double waiting_ = 0.0;  // for the file of the frame before
   int timed_ = 0;
 };
 
@@ -166,8 +183,10 @@ ExitCode render_sequence(const RenderOptions& options) {
   try {
     CommandFiles files = options.outputs();
     std::vector<std::filesystem::path> missing;
+    const auto start = Clock::now();
     SceneDocument document = read_document(options.scene_file(), files, missing);
-    return FrameSequence(options, std::move(document), std::move(missing)).run();
+    return FrameSequence(options, std::move(document), std::move(missing), seconds_since(start))
+        .run();
   } catch (const InputError& error) {
     tell_engine(options, "fail", error.what());
     throw;

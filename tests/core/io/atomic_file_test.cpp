@@ -40,6 +40,22 @@ TEST(AtomicFile, PreservesPermissions) {
   EXPECT_EQ(fs::status(file).permissions(), mode);
 }
 
+// What a program left that was killed, but not what is being written.
+TEST(AtomicFile, AbandonedFilesAreRemoved) {
+  const TemporaryFolder folder;
+  const fs::path abandoned = folder.write(".brume-1-0.tmp", "half");
+  const fs::path other = folder.write(".brume-notes", "kept");
+  write_atomically(folder / "a.txt", [&](const fs::path& temporary) {
+    remove_abandoned_files(folder.path());
+    EXPECT_TRUE(fs::exists(temporary));
+    std::ofstream(temporary) << "whole";
+  });
+  EXPECT_EQ(content_of(folder / "a.txt"), "whole");
+  EXPECT_FALSE(fs::exists(abandoned));
+  EXPECT_TRUE(fs::exists(other));
+  remove_abandoned_files(folder / "nowhere");
+}
+
 TEST(AtomicFile, WritesThroughALink) {
   const TemporaryFolder folder;
   const fs::path target = folder.write("inner/a.txt", "old");
