@@ -4,69 +4,16 @@
 #   check_farm.sh BRUME SCENE
 set -euo pipefail
 
-skip() {
-  echo "skipped: $1"
-  exit 77
-}
-[ "$(id -u)" = 0 ] || skip "Slurm's daemons need root"
-for program in slurmctld slurmd sbatch munged; do
-  command -v $program > /dev/null || skip "$program is missing: apt-get install slurm-wlm munge"
-done
+. "$(dirname -- "${BASH_SOURCE[0]}")/../../tools/slurm-cluster.sh"
 
 brume=$1 scene=$2
 folder=$(mktemp -d)
-export SLURM_CONF=$folder/slurm.conf
-started=
-
-stop() {
-  for file in "$folder"/*.pid; do
-    [ ! -f "$file" ] || kill "$(cat "$file")" 2> /dev/null || true
-  done
-  pkill -f "$folder" 2> /dev/null || true
-  [ -z "$started" ] || pkill -x munged || true
-  sleep 1
-  rm -rf "$folder"
-}
-trap stop EXIT
-
-mkdir -p "$folder"/{state,logs,spool/n1,spool/n2,farm,one} /run/munge
-chown munge:munge /run/munge
-if ! munge -n > /dev/null 2>&1; then
-  su -s /bin/sh munge -c munged || skip "munged does not start here"
-  started=yes
+mkdir "$folder"/{farm,one}
+trap 'stop_slurm; rm -rf "$folder"' EXIT
+if ! start_slurm "$folder" > "$folder/reason"; then
+  echo "skipped: $(cat "$folder/reason")"
+  exit 77
 fi
-# A node that does not answer for five seconds is down, and its tasks go back into the queue.
-cat > "$SLURM_CONF" << CONF
-ClusterName=brume
-SlurmctldHost=$(hostname -s)(127.0.0.1)
-SlurmUser=root
-SlurmdUser=root
-AuthType=auth/munge
-ProctrackType=proctrack/pgid
-TaskPlugin=task/none
-SelectType=select/cons_tres
-SelectTypeParameters=CR_Core
-StateSaveLocation=$folder/state
-SlurmdSpoolDir=$folder/spool/%n
-SlurmctldPidFile=$folder/controller.pid
-SlurmdPidFile=$folder/%n.pid
-SlurmctldLogFile=$folder/logs/controller
-SlurmdLogFile=$folder/logs/%n
-SlurmctldPort=16817
-SlurmdTimeout=5
-ReturnToService=2
-MpiDefault=none
-NodeName=n[1-2] NodeHostname=$(hostname -s) NodeAddr=127.0.0.1 Port=[17001-17002] CPUs=1 RealMemory=1000 State=UNKNOWN
-PartitionName=all Nodes=n[1-2] Default=YES MaxTime=INFINITE State=UP
-CONF
-slurmctld
-slurmd -N n1
-slurmd -N n2
-for _ in $(seq 60); do
-  [ "$(sinfo --noheader --format '%T %D')" != "idle 2" ] || break
-  sleep 1
-done
-[ "$(sinfo --noheader --format '%T %D')" = "idle 2" ] || skip "Slurm does not start here: $(sinfo)"
 
 options=(--frames 0-39 --fps 10 --size 480x360 --airlight sliced --scattering single --backend cpu)
 "$brume" render "$scene" "${options[@]}" -o "$folder/one/f_%04d.exr" > /dev/null

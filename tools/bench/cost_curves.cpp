@@ -36,7 +36,7 @@ std::vector<CostCurve> measure_cost_curves(const BenchOptions& options,
     curves.push_back(curve);
   };
   std::vector<int> counts = {100, 1000, 10'000};
-  if (!options.quick) counts.push_back(100'000);
+  if (!options.quick) counts.insert(counts.end(), {100'000, 1'000'000});
   add("Gaussians", counts, [&](int n) { return cpu(box_scene(n, 1), 24); });
   add("lights", {1, 2, 4, 8}, [&](int n) { return cpu(box_scene(1000, n), 24); });
   add("slices", {8, 16, 32, 64, 128}, [&](int k) { return cpu(box_scene(1000, 1), k); });
