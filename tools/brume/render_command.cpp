@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/io/atomic_file.h"
+#include "core/io/image/image_file.h"
 #include "render/quality/auto_quality.h"
 #include "tools/brume/command.h"
 #include "tools/brume/command_files.h"
@@ -44,8 +45,10 @@ class RenderCommand final : public Command {
   ExitCode run() override {
     options_.check();
     // Frames have their own arenas; this also limits everything else.
+    const int threads = options_.settings().threads;
     const tbb::global_control bound(tbb::global_control::max_allowed_parallelism,
-                                    static_cast<std::size_t>(options_.settings().threads));
+                                    static_cast<std::size_t>(threads));
+    set_image_threads(threads);
     if (options_.is_sequence()) return render_sequence(options_);
     CommandFiles files = options_.outputs();
     const Clock::time_point start = Clock::now();

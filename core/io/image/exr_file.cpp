@@ -10,6 +10,7 @@
 #include <ImfPartType.h>
 #include <ImfStandardAttributes.h>
 #include <ImfStringAttribute.h>
+#include <ImfThreading.h>
 
 #include <cassert>
 #include <cstdint>
@@ -79,6 +80,7 @@ void read_last_row(Imf::DeepScanLineInputPart& part, const Imf::Header& header) 
 void write_layers(const fs::path& file, std::ostream& out, const ImageLayers& image) {
   Imf::Header header(image.width, image.height);
   header.compression() = Imf::ZIP_COMPRESSION;
+  header.zipCompressionLevel() = 2;  // a fifth faster than 4, for 1.5% more bytes of a frame
   Imf::addChromaticities(header, {});  // Rec. 709, D65
   Imf::FrameBuffer frame;
   const auto width = static_cast<std::size_t>(image.width);
@@ -161,6 +163,10 @@ std::map<std::string, std::string> read_exr_texts(const fs::path& file) {
     }
     return texts;
   });
+}
+
+void set_image_threads(int threads) {
+  Imf::setGlobalThreadCount(threads > 1 ? threads : 0);
 }
 
 void write_exr(const fs::path& file, const ImageLayers& image) {

@@ -21,6 +21,9 @@ ImageLayers read_exr(const std::filesystem::path& file);
 // InputError. Every channel must have width * height values (assert).
 void write_exr(const std::filesystem::path& file, const ImageLayers& image);
 
+// How many threads compress rows of EXR files, in the whole program; at first the caller's alone.
+void set_image_threads(int threads);
+
 // The text attributes of the first part, flat or deep, of a complete file. Throws InputError, also
 // where a file is incomplete.
 std::map<std::string, std::string> read_exr_texts(const std::filesystem::path& file);
