@@ -41,10 +41,12 @@ HWY_INLINE std::uint64_t Samples(const GaussianBatch& g, const PathBatch& rays, 
       const auto reached = hn::Le(line.e, set(g.max_e[j]));
       if (hn::AllFalse(d, reached)) continue;
       pairs += hn::CountTrue(d, reached);
-      depth = hn::MulAdd(set(g.scale[j]), line.UnitDepth(d, a, distance), depth);
+      // Nothing beyond the cutoff, whatever rays share a vector.
+      const V half_depth = hn::IfThenElseZero(reached, set(g.scale[j]));
+      depth = hn::MulAdd(half_depth, line.UnitDepth(d, a, distance), depth);
       const V u = hn::Mul(a, hn::Sub(distance, line.t0));
       constexpr float two_over_sqrt_pi = 1.12837916709551257f;
-      const V peak = set(g.scale[j] * g.a[j] * two_over_sqrt_pi);
+      const V peak = hn::Mul(half_depth, set(g.a[j] * two_over_sqrt_pi));
       density = hn::MulAdd(peak, hn::Exp(d, hn::Neg(hn::MulAdd(u, u, line.e))), density);
     }
     hn::StoreU(density, d, densities + k);

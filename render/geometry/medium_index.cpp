@@ -76,7 +76,7 @@ double culling_tolerance(const Medium& medium, double error) {
   }
   deepest *= std::sqrt(std::numbers::pi);
   const double count = static_cast<double>(std::max<std::size_t>(medium.size(), 1));
-  return std::min(1.0, deepest) * std::min(0.1 * error, 25.0 * error / count);
+  return std::min(1.0, deepest) * std::min(0.06 * error, 16.0 * error / count);
 }
 
 }  // namespace brume

@@ -94,7 +94,7 @@ class MediumIndex {
 std::vector<RelativeOptics> relative_optics(const Medium& extinction);
 
 // Tolerance per Gaussian for which the optical depth of a ray is within `error`, as measured on
-// clouds (culled Gaussians add up to 1/25 of the rigorous n * tolerance). Relative to the deepest
+// clouds (culled Gaussians add up to 1/16 of the rigorous n * tolerance). Relative to the deepest
 // Gaussian in thin media, which would be culled altogether otherwise.
 double culling_tolerance(const Medium& medium, double error);
 

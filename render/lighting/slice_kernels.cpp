@@ -94,17 +94,19 @@ HWY_INLINE std::uint64_t Increments(const GaussianBatch& g, const PathBatch& ray
           }
         }
       };
+      // Nothing beyond the cutoff, so that frames are the same whatever rays share a vector.
+      const V half_depth = hn::IfThenElseZero(reached, set(g.scale[j]));
       if (g.scale[j] > exact_above) {
         V previous = u(k);
         for (; k < last && nearest[k] < far; ++k) {
           const V current = u(k + 1);
-          add(k, hn::Mul(set(g.scale[j]), SegmentIntegral(d, line.e, previous, current,
-                                                          hn::Sub(current, previous))));
+          add(k, hn::Mul(half_depth, SegmentIntegral(d, line.e, previous, current,
+                                                     hn::Sub(current, previous))));
           previous = current;
         }
         continue;
       }
-      const V scale = hn::Mul(set(g.scale[j]), hn::Exp(d, hn::Neg(line.e)));
+      const V scale = hn::Mul(half_depth, hn::Exp(d, hn::Neg(line.e)));
       // Most boundaries lie before or behind all of a small Gaussian.
       V previous = farthest[k] <= near ? hn::Neg(one) : FastErf(u(k));
       for (; k < last && nearest[k] < far; ++k) {

@@ -52,8 +52,11 @@ HWY_INLINE void PathDepths(const GaussianBatch& g, const PathBatch& paths, float
     for (std::size_t j = 0; j < g.size(); ++j) {
       const V a = set(g.a[j]);
       const LineProfile<D> line = BatchLineProfile<kDisplaced>(d, g, j, w);
-      if (hn::AllTrue(d, hn::Gt(line.e, set(g.max_e[j])))) continue;
-      const V depth = hn::Mul(set(g.scale[j]), line.UnitDepth(d, a, length));
+      // Whatever paths share a vector.
+      const M reached = hn::Le(line.e, set(g.max_e[j]));
+      if (hn::AllFalse(d, reached)) continue;
+      const V half_depth = hn::IfThenElseZero(reached, set(g.scale[j]));
+      const V depth = hn::Mul(half_depth, line.UnitDepth(d, a, length));
       const auto is_self = hn::RebindMask(d, hn::Eq(self, hn::Set(di, g.index[j])));
       sum = hn::Add(sum, hn::IfThenZeroElse(is_self, depth));
     }
@@ -111,7 +114,7 @@ HWY_INLINE std::uint64_t PaperAirlight(const GaussianBatch& g, const PathBatch& 
       const M reached = hn::Le(line.e, set(g.max_e[j]));
       if (hn::AllFalse(d, reached)) continue;
       pairs += hn::CountTrue(d, reached);
-      const V scale = set(g.scale[j]);
+      const V scale = hn::IfThenElseZero(reached, set(g.scale[j]));
       const V unit_depth = line.UnitDepth(d, a, length);
       const V depth = hn::Mul(scale, unit_depth);
       depth_sum = hn::Add(depth_sum, depth);
@@ -311,7 +314,8 @@ void GaussianBatch::assign(const MediumIndex& medium, const glm::dvec3& origin,
     scale[k] = static_cast<float>(std::min(g.c / g.a * (0.5 * coefficient::sqrt_pi), 1e20));
     max_e[k] = static_cast<float>(cutoff_in_radii * cutoff_in_radii);
     index[k] = static_cast<std::int32_t>(indices[k]);
-    // A ray that meets it at the distance h from the center has its middle at sqrt(distance^2 - h^2).
+    // A ray that meets it at the distance h from the center has its middle at sqrt(distance^2 -
+    // h^2).
     const float distance2 = glm::dot(b, b);
     const auto radius = static_cast<float>(medium.view_cutoff_radius(indices[k]));
     near[k] = std::sqrt(std::max(distance2 - radius * radius, 0.0f)) - radius;
