@@ -16,8 +16,8 @@ int main(int argc, char** argv) {
   for (int i = 0; i < count; ++i) {
     const double time = brume::last_moment(scene) * i / count;
     // One method for all frames, so that they cost and err alike.
-    const auto frame = renderer.render(
-        scene, {.film = brume::Film{160, 120}, .time = time, .airlight = sliced});
+    const auto frame =
+        renderer.render(scene, {.film = brume::Film{160, 120}, .time = time, .airlight = sliced});
     const std::string name = "frame_" + std::to_string(i) + ".png";
     brume::save_frame(*frame, std::filesystem::path(argv[2]) / name);
     std::cout << name << " at " << time << " s: " << frame->statistics.frame_milliseconds

@@ -314,8 +314,7 @@ void GaussianBatch::assign(const MediumIndex& medium, const glm::dvec3& origin,
     scale[k] = static_cast<float>(std::min(g.c / g.a * (0.5 * coefficient::sqrt_pi), 1e20));
     max_e[k] = static_cast<float>(cutoff_in_radii * cutoff_in_radii);
     index[k] = static_cast<std::int32_t>(indices[k]);
-    // A ray that meets it at the distance h from the center has its middle at sqrt(distance^2 -
-    // h^2).
+    // A ray that passes the center at h is nearest to it at sqrt(distance^2 - h^2).
     const float distance2 = glm::dot(b, b);
     const auto radius = static_cast<float>(medium.view_cutoff_radius(indices[k]));
     near[k] = std::sqrt(std::max(distance2 - radius * radius, 0.0f)) - radius;

@@ -11,7 +11,7 @@
 
 int main(int argc, char** argv) {
   const bool templates = argc == 3 && argv[1] == std::string_view("--templates");
-  if (argc != 2 && !templates) {
+  if ((argc != 2 && !templates) || *argv[argc - 1] == '-') {
     std::cerr << "usage: brume-make-scenes [--templates] FOLDER\n";
     return 2;
   }

@@ -80,7 +80,8 @@ void read_last_row(Imf::DeepScanLineInputPart& part, const Imf::Header& header) 
 void write_layers(const fs::path& file, std::ostream& out, const ImageLayers& image) {
   Imf::Header header(image.width, image.height);
   header.compression() = Imf::ZIP_COMPRESSION;
-  header.zipCompressionLevel() = 2;  // a fifth faster than 4, for 1.5% more bytes of a frame
+  // A fifth faster than 4, OpenEXR's own, for 1.5% more bytes of a frame.
+  header.zipCompressionLevel() = 2;
   Imf::addChromaticities(header, {});  // Rec. 709, D65
   Imf::FrameBuffer frame;
   const auto width = static_cast<std::size_t>(image.width);

@@ -82,6 +82,10 @@ fs::path SceneReferences::found(const fs::path& file) const {
 void SceneReferences::note_missing(const fs::path& file) const {
   std::error_code error;
   if (missing_ == nullptr || missing_->only_frames || fs::exists(file, error)) return;
+  add_missing(file);
+}
+
+void SceneReferences::add_missing(const fs::path& file) const {
   if (!is_missing(file)) missing_->missing.push_back(file);
 }
 
@@ -132,7 +136,7 @@ std::vector<SequenceFrame> SceneReferences::sequence(const JsonContext& context,
     const fs::path file = files.file_of(frame);
     if (fs::exists(file, error)) continue;
     if (missing_->only_frames) {
-      if (!is_missing(file)) missing_->missing.push_back(file);
+      add_missing(file);
       continue;
     }
     note_missing(sequence.file);

@@ -74,6 +74,7 @@ class SceneReferences {
   // The current location of a file; records missing ones if that is no error.
   [[nodiscard]] std::filesystem::path found(const std::filesystem::path& file) const;
   void note_missing(const std::filesystem::path& file) const;
+  void add_missing(const std::filesystem::path& file) const;
 
   std::filesystem::path scene_file_;
   MissingFiles* missing_;

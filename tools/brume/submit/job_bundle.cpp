@@ -70,6 +70,32 @@ Json action(std::vector<std::string> command) {
   return {{"actions", {{"onRun", std::move(run)}}}};
 }
 
+// That of a task, whose paths are parameters.
+std::vector<std::string> render_command(const SequenceJob& sequence, const fs::path& scene,
+                                        const fs::path& output, Paths& paths) {
+  const std::string scene_folder =
+      paths.add("SceneFolder", "the scene and its files", "DIRECTORY", "IN", scene.parent_path());
+  const std::string frame_folder =
+      paths.add("FrameFolder", "the frames", "DIRECTORY", "OUT", output.parent_path());
+  std::vector<std::string> command{"{{Param.Brume}}", "render"};
+  for (const std::string& argument : sequence.options.arguments(sequence.own_options)) {
+    check_literal(argument);
+    if (argument == scene) {
+      command.push_back(scene_folder + "/" + scene.filename().string());
+    } else if (argument == output) {
+      command.push_back(frame_folder + "/" + output.filename().string());
+    } else if (argument == sequence.options.color_config_file()) {
+      command.push_back(
+          paths.add("ColorConfig", "the OpenColorIO configuration", "FILE", "IN", argument));
+    } else {
+      command.push_back(argument);
+    }
+  }
+  command.insert(command.end(),
+                 {"--frames", "{{Task.Param.Frame}}", "--skip-existing", "--progress", "openjd"});
+  return command;
+}
+
 }  // namespace
 
 fs::path write_job_bundle(const SequenceJob& sequence, const SceneDocument& document) {
@@ -87,27 +113,7 @@ fs::path write_job_bundle(const SequenceJob& sequence, const SceneDocument& docu
   }
 
   Paths paths;
-  std::vector<std::string> command{"{{Param.Brume}}", "render"};
-  {
-    std::vector<std::string> arguments = sequence.options.arguments(sequence.own_options);
-    for (const std::string& argument : arguments) check_literal(argument);
-    const std::string scene_folder =
-        paths.add("SceneFolder", "the scene and its files", "DIRECTORY", "IN", scene.parent_path());
-    const std::string frame_folder =
-        paths.add("FrameFolder", "the frames", "DIRECTORY", "OUT", output.parent_path());
-    for (std::string& argument : arguments) {
-      if (argument == scene) argument = scene_folder + "/" + scene.filename().string();
-      if (argument == output) argument = frame_folder + "/" + output.filename().string();
-      if (argument == sequence.options.color_config_file()) {
-        argument = paths.add("ColorConfig", "the OpenColorIO configuration", "FILE", "IN",
-                             std::exchange(argument, {}));
-      }
-      command.push_back(std::move(argument));
-    }
-  }
-  command.insert(command.end(),
-                 {"--frames", "{{Task.Param.Frame}}", "--skip-existing", "--progress", "openjd"});
-
+  std::vector<std::string> command = render_command(sequence, scene, output, paths);
   const Json frame{
       {"name", "Frame"},
       {"type", "CHUNK[INT]"},
