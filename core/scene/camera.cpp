@@ -62,16 +62,15 @@ namespace {
 // The stretch of one film axis, in half sizes from -1 to 1, that a disc of `radius` around (x, z)
 // covers as seen from the origin along z.
 glm::dvec2 covered(double x, double z, double radius, double half_size) {
-  const double distance = std::hypot(x, z);
-  if (distance <= radius) return {-1.0, 1.0};
-  const double right_angle = 0.5 * glm::pi<double>();
-  const double middle = std::atan2(x, z);
-  const double half = std::asin(radius / distance);
-  const double low = middle - half;
-  const double high = middle + half;
-  if (low >= right_angle || high <= -right_angle) return {1.0, -1.0};
-  return {low <= -right_angle ? -1.0 : std::max(-1.0, std::tan(low) / half_size),
-          high >= right_angle ? 1.0 : std::min(1.0, std::tan(high) / half_size)};
+  const double square = x * x + z * z - radius * radius;
+  if (square <= 0.0) return {-1.0, 1.0};
+  if (z <= -radius) return {1.0, -1.0};  // all of it behind the eye
+  // Its tangents through the origin. One that does not go forward bounds nothing in view.
+  const double length = std::sqrt(square);
+  const glm::dvec2 low(x * length - z * radius, z * length + x * radius);
+  const glm::dvec2 high(x * length + z * radius, z * length - x * radius);
+  return {low.y > 0.0 ? std::max(-1.0, low.x / (low.y * half_size)) : -1.0,
+          high.y > 0.0 ? std::min(1.0, high.x / (high.y * half_size)) : 1.0};
 }
 
 }  // namespace

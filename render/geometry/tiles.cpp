@@ -5,8 +5,16 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace brume {
+namespace {
+
+// Parts in which Gaussians are sorted into tiles: enough for the threads, and each worth a task.
+constexpr std::size_t max_parts = 32;
+constexpr std::size_t min_part = 1024;
+
+}  // namespace
 
 Tiles::Tiles(const Film& film)
     : film_(film),
@@ -23,27 +31,39 @@ Tiles::Lists Tiles::lists(const MediumIndex& medium, const CameraRays& rays, int
                           std::size_t entry_limit) const {
   // In tiles: [x0, x1) x [y0, y1) per Gaussian.
   std::vector<CameraRays::PixelRectangle> bounds(medium.size());
-  tbb::parallel_for(std::size_t{0}, medium.size(), [&](std::size_t i) {
-    if (!(medium.cutoff_radii()[i] > 0.0)) return;
-    const auto b = rays.bounds(medium.gaussians()[i].b, medium.view_cutoff_radius(i));
-    if (b.empty()) return;
-    // A ray of the last column or row may lie slightly before its grid position.
-    bounds[i] = {b.x0 / scale / width, b.y0 / scale / height,
-                 std::min((b.x1 + scale - 2) / scale / width + 1, columns_),
-                 std::min((b.y1 + scale - 2) / scale / height + 1, rows_)};
+  // Gaussians in consecutive parts, each with its number of entries per tile.
+  const std::size_t part_size = std::max(medium.size() / max_parts + 1, min_part);
+  const std::size_t parts = (medium.size() + part_size - 1) / part_size;
+  std::vector<std::vector<std::size_t>> next(parts);
+  std::vector<std::size_t> used(parts, 0), entries(parts, 0);
+  const auto each_of = [&](std::size_t part, auto visit) {
+    const std::size_t end = std::min((part + 1) * part_size, medium.size());
+    for (std::size_t i = part * part_size; i < end; ++i) visit(i);
+  };
+  tbb::parallel_for(std::size_t{0}, parts, [&](std::size_t part) {
+    each_of(part, [&](std::size_t i) {
+      if (!(medium.cutoff_radii()[i] > 0.0)) return;
+      const auto b = rays.bounds(medium.gaussians()[i].b, medium.view_cutoff_radius(i));
+      if (b.empty()) return;
+      // A ray of the last column or row may lie slightly before its grid position.
+      bounds[i] = {b.x0 / scale / width, b.y0 / scale / height,
+                   std::min((b.x1 + scale - 2) / scale / width + 1, columns_),
+                   std::min((b.y1 + scale - 2) / scale / height + 1, rows_)};
+      if (bounds[i].empty()) return;
+      ++used[part];
+      entries[part] += static_cast<std::size_t>(bounds[i].x1 - bounds[i].x0) *
+                       static_cast<std::size_t>(bounds[i].y1 - bounds[i].y0);
+    });
   });
 
   Lists lists;
-  std::size_t entries = 0;
-  for (std::uint32_t i = 0; i < bounds.size(); ++i) {
-    const auto& b = bounds[i];
-    if (b.empty()) continue;
-    ++lists.used;
-    entries += static_cast<std::size_t>(b.x1 - b.x0) * static_cast<std::size_t>(b.y1 - b.y0);
-    lists.gaussians.push_back(i);
+  lists.used = std::reduce(used.begin(), used.end());
+  if (std::reduce(entries.begin(), entries.end()) > entry_limit) {
+    for (std::uint32_t i = 0; i < bounds.size(); ++i) {
+      if (!bounds[i].empty()) lists.gaussians.push_back(i);
+    }
+    return lists;
   }
-  if (entries > entry_limit) return lists;
-  lists.offsets.assign(count() + 1, 0);
   const auto each_tile = [&](const CameraRays::PixelRectangle& b, auto visit) {
     for (int y = b.y0; y < b.y1; ++y) {
       for (int x = b.x0; x < b.x1; ++x) {
@@ -52,15 +72,30 @@ Tiles::Lists Tiles::lists(const MediumIndex& medium, const CameraRays& rays, int
       }
     }
   };
-  for (const auto& b : bounds) {
-    each_tile(b, [&](std::size_t tile) { ++lists.offsets[tile + 1]; });
+  tbb::parallel_for(std::size_t{0}, parts, [&](std::size_t part) {
+    next[part].assign(count(), 0);
+    each_of(part, [&](std::size_t i) {
+      each_tile(bounds[i], [&](std::size_t tile) { ++next[part][tile]; });
+    });
+  });
+  // Where the entries of each part begin.
+  lists.offsets.assign(count() + 1, 0);
+  std::size_t sum = 0;
+  for (std::size_t tile = 0; tile < count(); ++tile) {
+    lists.offsets[tile] = sum;
+    for (std::vector<std::size_t>& of_part : next) {
+      sum += std::exchange(of_part[tile], sum);
+    }
   }
-  std::partial_sum(lists.offsets.begin(), lists.offsets.end(), lists.offsets.begin());
-  lists.gaussians.resize(lists.offsets.back());
-  std::vector<std::size_t> next(lists.offsets.begin(), lists.offsets.end() - 1);
-  for (std::uint32_t i = 0; i < bounds.size(); ++i) {
-    each_tile(bounds[i], [&](std::size_t tile) { lists.gaussians[next[tile]++] = i; });
-  }
+  lists.offsets.back() = sum;
+  lists.gaussians.resize(sum);
+  tbb::parallel_for(std::size_t{0}, parts, [&](std::size_t part) {
+    each_of(part, [&](std::size_t i) {
+      each_tile(bounds[i], [&](std::size_t tile) {
+        lists.gaussians[next[part][tile]++] = static_cast<std::uint32_t>(i);
+      });
+    });
+  });
   return lists;
 }
 
