@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "render/cpu/halved_cells.h"
 #include "render/cpu/upsampling.h"
 #include "render/prepare/light_pixels.h"
 
@@ -30,7 +31,9 @@ class Batch {
     per_pixel_ = 1.0f / glm::vec2(Tiles::width * film.scale, Tiles::height * film.scale);
   }
 
-  [[nodiscard]] bool full() const { return count_ == Tiles::pixels; }
+  // Pixels that share what a method prepares for a tile.
+  static constexpr std::size_t max_pixels = 4 * Tiles::pixels;
+  [[nodiscard]] bool full() const { return count_ == max_pixels; }
 
   void add(int x, int y) {
     pixels_[count_] = static_cast<std::size_t>(y) * static_cast<std::size_t>(frame_.film.width) +
@@ -69,12 +72,12 @@ class Batch {
   Frame& frame_;
   glm::vec2 first_, per_pixel_;  // of the tile
   std::size_t count_ = 0;
-  std::array<std::size_t, Tiles::pixels> pixels_;
-  std::array<glm::dvec3, Tiles::pixels> directions_;
-  std::array<double, Tiles::pixels> lengths_;
-  std::array<glm::vec2, Tiles::pixels> places_;
-  std::array<glm::vec3, Tiles::pixels> airlight_;
-  std::array<double, Tiles::pixels> depths_;
+  std::array<std::size_t, max_pixels> pixels_;
+  std::array<glm::dvec3, max_pixels> directions_;
+  std::array<double, max_pixels> lengths_;
+  std::array<glm::vec2, max_pixels> places_;
+  std::array<glm::vec3, max_pixels> airlight_;
+  std::array<double, max_pixels> depths_;
 };
 
 // Maximum ray length over a row of pixels.
@@ -209,22 +212,38 @@ FilmAirlight film_airlight(const MediumIndex& medium, std::span<const PointLight
     const TilePixels near_lights =
         sort_into_tiles(light_pixels(lights, rays, frame.film, light_block), samples.film(), scale);
     samples.measure_curvatures(settings.upsampling_tolerance, job);
-    job.parallel_for(tiles.count(), [&](std::size_t tile) {
+    const auto evaluate = [&](std::size_t tile, std::vector<glm::ivec2> pixels) {
+      std::ranges::sort(pixels, {}, in_blocks);
       Batch batch(film, tile, frame);
-      const auto evaluate = [&] {
+      const auto flush = [&] {
         pairs += batch.evaluate(method, [&](std::size_t pixel, const glm::vec4& value) {
           ++exact;
           set_airlight(frame, pixel, value);
         });
       };
-      const float tolerance_u =
-          distance_tolerance(medium, lists.gaussians_of(tile), settings.upsampling_tolerance);
-      upsample(samples, tiles.rectangle(tile), tolerance_u, near_lights.pixels_of(tile), frame,
-               [&](int x, int y) {
-                 if (batch.full()) evaluate();
-                 batch.add(x, y);
-               });
-      evaluate();
+      for (const glm::ivec2& pixel : pixels) {
+        if (batch.full()) flush();
+        batch.add(pixel.x, pixel.y);
+      }
+      flush();
+    };
+    const auto tolerance_of = [&](std::size_t tile) {
+      return distance_tolerance(medium, lists.gaussians_of(tile), settings.upsampling_tolerance);
+    };
+    std::vector<Missing> missing(tiles.count());
+    HalvedCells halved(samples);
+    job.parallel_for(tiles.count(), [&](std::size_t tile) {
+      missing[tile] = upsample(samples, tiles.rectangle(tile), tolerance_of(tile),
+                               near_lights.pixels_of(tile), frame);
+      halved.add(missing[tile]);
+    });
+    job.parallel_for(tiles.count(), [&](std::size_t tile) {
+      std::vector<glm::ivec2> pixels = halved.nodes(missing[tile].cells);
+      pixels.insert(pixels.end(), missing[tile].pixels.begin(), missing[tile].pixels.end());
+      evaluate(tile, std::move(pixels));
+    });
+    job.parallel_for(tiles.count(), [&](std::size_t tile) {
+      evaluate(tile, fill_halved_cells(samples, missing[tile].cells, tolerance_of(tile), frame));
     });
   }
   result.pairs = pairs;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 
+#include "render/lighting/increment_kernels.h"
 #include "render/lighting/slice_kernels.h"
 #include "render/simd/gaussian_kernels.h"
 
@@ -14,7 +15,7 @@ struct SliceScratch {
   RaySlices slices;
   GaussianBatch batch;
   PathBatch rays;
-  std::vector<float> increments;
+  std::vector<float> increments, moments;
   std::vector<float> depths;
   std::vector<float> lookup_weights, lookup_distances;  // see SliceWeights
   std::vector<float> lookup_sums;                       // of all rays
@@ -133,7 +134,9 @@ std::uint64_t sliced_airlight(const MediumIndex& medium, std::span<const std::ui
   const std::size_t last = s.slices.count() - 1;
   SliceOptics optics{.has = s.batch.has_optics()};
   s.increments.assign(last * stride * (optics.has ? optics_increments : 1), 0.0f);
-  const std::uint64_t pairs = accumulate_increments(s.batch, s.rays, s.slices, s.increments.data());
+  s.moments.assign(last * stride, 0.0f);
+  const std::uint64_t pairs =
+      accumulate_increments(s.batch, s.rays, s.slices, s.increments.data(), s.moments.data());
   const std::size_t sums = profiles ? last : 1;
   AirlightRows rows{out.airlight, count, 1, 0, stride};
   if (profiles) {
@@ -201,8 +204,8 @@ std::uint64_t sliced_airlight(const MediumIndex& medium, std::span<const std::ui
       s.radiance[l].assign(stride * sums, 0.0f);
       radiance[l] = s.radiance[l].data();
     }
-    sum_slices(s.rays, s.slices, s.increments.data(), static_cast<float>(b0), scattering,
-               negligible, std::span(pack).first(size), s.depths.data(),
+    sum_slices(s.rays, s.slices, s.increments.data(), s.moments.data(), static_cast<float>(b0),
+               scattering, negligible, std::span(pack).first(size), s.depths.data(),
                first == 0 ? slice_weights : SliceWeights(), optics, radiance,
                profiles ? SliceSums::running : SliceSums::total);
     optics.emission = {};

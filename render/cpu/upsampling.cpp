@@ -286,7 +286,9 @@ class CellStrip {
                  below_.data()};
   }
 
-  void upsample(float tolerance, Frame& frame, const std::function<void(int, int)>& exact) const {
+  // `listed`: pixels that are evaluated in any case.
+  void upsample(float tolerance, std::span<const glm::ivec2> listed, Frame& frame,
+                Missing& missing) const {
     if (count_ == 0) return;
     const Cell& first = cells_[0];
     const auto pixel = [&](int x, int y) {
@@ -303,20 +305,42 @@ class CellStrip {
     for (std::size_t i = 0; i < count_; ++i) {
       const Cell& cell = cells_[i];
       CellPixels pixels(samples_, cell, tolerance);
+      const std::size_t first_missing = missing.pixels.size();
       for (int y = cell.y0; y < cell.y1; ++y) {
         if ((done[static_cast<std::size_t>(y - cell.y0)] >> i & 1) != 0) continue;
         for (int x = cell.x0; x < cell.x1; ++x) {
           if (const std::optional<glm::vec4> value = pixels.value(x, y)) {
             set_airlight(frame, pixel(x, y), *value);
-          } else {
-            exact(x, y);
+          } else if (listed.empty() ||
+                     std::ranges::find(listed, glm::ivec2(x, y)) == listed.end()) {
+            missing.pixels.emplace_back(x, y);
           }
         }
       }
+      if (listed.empty()) take_curved(cell, first_missing, missing);
     }
   }
 
  private:
+  // Lists the missing pixels of a cell as a cell, if it may be worth to halve it.
+  void take_curved(const Cell& cell, std::size_t first_missing, Missing& missing) const {
+    const auto pixels = std::span(missing.pixels).subspan(first_missing);
+    // Of the film's last cells samples may be closer together, and pixels more.
+    const glm::ivec2 first(cell.x0, cell.y0);
+    const glm::ivec2 opposite(samples_.x(cell.column + 1), samples_.y(cell.row + 1));
+    if (pixels.size() <= static_cast<std::size_t>(halving_samples) ||
+        opposite - first != glm::ivec2(4) || glm::ivec2(cell.x1, cell.y1) != opposite)
+      return;
+    const auto open = std::ranges::count_if(cell.distances, [](float t) { return std::isinf(t); });
+    if (open != 0 && open != 4) return;
+    CurvedCell curved{first, open == 4};
+    for (const glm::ivec2& p : pixels) {
+      curved.missing |= static_cast<std::uint16_t>(1 << (4 * (p.y - cell.y0) + p.x - cell.x0));
+    }
+    missing.cells.push_back(curved);
+    missing.pixels.resize(first_missing);
+  }
+
   // Of samples four pixels apart; the film's last cells have the border's row too.
   static constexpr std::size_t max_cell_rows = 5;
 
@@ -332,25 +356,19 @@ class CellStrip {
 
 }  // namespace
 
-void upsample(const AirlightSamples& samples, const CameraRays::PixelRectangle& tile,
-              float tolerance, std::span<const glm::ivec2> exact_pixels, Frame& frame,
-              const std::function<void(int x, int y)>& exact) {
+Missing upsample(const AirlightSamples& samples, const CameraRays::PixelRectangle& tile,
+                 float tolerance, std::span<const glm::ivec2> exact_pixels, Frame& frame) {
   const int last_column = std::max(samples.film().width - 1, 1);
   const int last_row = std::max(samples.film().height - 1, 1);
-  const auto unless_listed = [&](int x, int y) {
-    if (std::ranges::find(exact_pixels, glm::ivec2(x, y)) == exact_pixels.end()) exact(x, y);
-  };
+  Missing missing;
   for (int row = tile.y0; row < std::min(tile.y1, last_row); ++row) {
     const CellStrip cells(samples, tile.x0, std::min(tile.x1, last_column), row);
-    if (exact_pixels.empty()) {
-      cells.upsample(tolerance, frame, exact);
-    } else {
-      cells.upsample(tolerance, frame, unless_listed);
-    }
+    cells.upsample(tolerance, exact_pixels, frame, missing);
   }
   for (const glm::ivec2& pixel : exact_pixels) {
-    if (!samples.is_sample(pixel)) exact(pixel.x, pixel.y);
+    if (!samples.is_sample(pixel)) missing.pixels.push_back(pixel);
   }
+  return missing;
 }
 
 }  // namespace brume

@@ -1,8 +1,9 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
-#include <functional>
+#include <cstdint>
 #include <glm/ext/vector_int2.hpp>
 #include <glm/vec4.hpp>
 #include <span>
@@ -54,6 +55,9 @@ class AirlightSamples {
   [[nodiscard]] float curvature(int column, int row) const {
     return curvatures_[index(column, row)];
   }
+  // The same of the middle one of three values in a row.
+  [[nodiscard]] float curvature_of(const glm::vec4& a, const glm::vec4& b,
+                                   const glm::vec4& c) const;
 
   // Linear extrapolation around a sample, on its surface or the background.
   struct LocalFit {
@@ -71,9 +75,6 @@ class AirlightSamples {
  private:
   struct Slope;
   [[nodiscard]] Slope slope(int column, int row, int right, int down) const;
-  // Second difference of three consecutive samples.
-  [[nodiscard]] float curvature_of(const glm::vec4& a, const glm::vec4& b,
-                                   const glm::vec4& c) const;
   [[nodiscard]] float curvature_along(int column, int row, int right, int down) const;
 
   const Frame& frame_;
@@ -84,16 +85,34 @@ class AirlightSamples {
   std::vector<float> curvatures_;
 };
 
+// The order of scattered pixels whose rays are evaluated together, so that vector lanes hold
+// neighbours: blocks of 8 x 8.
+inline std::array<int, 4> in_blocks(const glm::ivec2& pixel) {
+  return {pixel.y / 8, pixel.x / 8, pixel.y, pixel.x};
+}
+
 // Sets airlight and transmittance of a pixel.
 void set_airlight(Frame& frame, std::size_t pixel, const glm::vec4& value);
+
+// A cell of 4 x 4 pixels, all on surfaces or all open, that is too curved to be interpolated.
+struct CurvedCell {
+  glm::ivec2 first{0};        // its upper left pixel, a sample
+  bool is_open = false;       // no corner hits a surface
+  std::uint16_t missing = 0;  // bit 4 y + x: a pixel without airlight
+};
+
+// What upsample() leaves to be done.
+struct Missing {
+  std::vector<glm::ivec2> pixels;
+  std::vector<CurvedCell> cells;
+};
 
 // Fills the cells right of and below the samples of a tile, after measure_curvatures(): pixels
 // at the interpolated distance, to `tolerance` [u], in nearly linear cells by bilinear
 // interpolation; others by extrapolation from those of the four surrounding samples that lie on
-// their surface. Calls exact(x, y) for pixels for which neither applies, so that there are no halos
-// and no thin objects are lost, and for `exact_pixels`.
-void upsample(const AirlightSamples& samples, const CameraRays::PixelRectangle& tile,
-              float tolerance, std::span<const glm::ivec2> exact_pixels, Frame& frame,
-              const std::function<void(int x, int y)>& exact);
+// their surface. Lists pixels for which neither applies, so that there are no halos and no thin
+// objects are lost, and `exact_pixels`.
+Missing upsample(const AirlightSamples& samples, const CameraRays::PixelRectangle& tile,
+                 float tolerance, std::span<const glm::ivec2> exact_pixels, Frame& frame);
 
 }  // namespace brume

@@ -7,7 +7,12 @@
 
 namespace brume {
 
-MediumIndex::MediumIndex(const Medium& medium, double tolerance, double anisotropy)
+double CullingTolerance::of(const Gaussian& gaussian) const {
+  const double peak = std::sqrt(std::numbers::pi) * gaussian.density * gaussian.radius;
+  return std::max(depth, std::min(share * peak, max_depth));
+}
+
+MediumIndex::MediumIndex(const Medium& medium, const CullingTolerance& tolerance, double anisotropy)
     : optics_(relative_optics(medium)),
       b0_(medium.homogeneous_density()),
       tolerance_(tolerance),
@@ -17,7 +22,7 @@ MediumIndex::MediumIndex(const Medium& medium, double tolerance, double anisotro
   for (std::size_t i = 0; i < medium.size(); ++i) {
     const Gaussian g = medium.gaussian(i);
     gaussians_.emplace_back(g);
-    cutoff_radii_.push_back(brume::cutoff_radius(g.radius, g.density, tolerance));
+    cutoff_radii_.push_back(brume::cutoff_radius(g.radius, g.density, tolerance.of(g)));
     if (cutoff_radii_.back() > 0.0) max_radius_ = std::max(max_radius_, g.radius);
   }
   bvh_ = SphereBvh(medium.centers(), cutoff_radii_);
@@ -69,14 +74,16 @@ std::vector<RelativeOptics> relative_optics(const Medium& extinction) {
   return all;
 }
 
-double culling_tolerance(const Medium& medium, double error) {
+CullingTolerance culling_tolerance(const Medium& medium, double error) {
   double deepest = 0.0;
   for (std::size_t i = 0; i < medium.size(); ++i) {
     deepest = std::max(deepest, medium.densities()[i] * medium.radii()[i]);
   }
   deepest *= std::sqrt(std::numbers::pi);
   const double count = static_cast<double>(std::max<std::size_t>(medium.size(), 1));
-  return std::min(1.0, deepest) * std::min(0.06 * error, 16.0 * error / count);
+  const double of_one = 0.06 * error * std::min(1.0, deepest);
+  const double of_each = 16.0 * error / count * std::min(1.0, deepest);
+  return {std::min(of_one, of_each), error / 3.0, of_one};
 }
 
 }  // namespace brume

@@ -37,12 +37,28 @@ class OpticsMean {
   glm::dvec3 emission_{0.0};
 };
 
+// How much of Gaussians may be culled from a path.
+struct CullingTolerance {
+  // Optical depth below which a Gaussian may be.
+  double depth;
+  // Where Gaussians are many, the sum of what is culled counts: of each up to this share of the
+  // depth of a line through its center, so of a path up to this share of its depth, but at most
+  // `max_depth`, beyond which the edge of a single one would be seen.
+  double share = 0.0;
+  double max_depth = 0.0;
+
+  CullingTolerance(double depth_) : depth(depth_) {}  // NOLINT(google-explicit-constructor)
+  CullingTolerance(double depth_, double share_, double max_depth_)
+      : depth(depth_), share(share_), max_depth(max_depth_) {}
+
+  [[nodiscard]] double of(const Gaussian& gaussian) const;
+};
+
 // A medium prepared for queries: its Gaussians in the paper's symbols, their cutoff radii and a
 // bounding-volume hierarchy. Indices are the medium's.
 class MediumIndex {
  public:
-  // `tolerance`: optical depth below which a Gaussian may be culled from a path.
-  MediumIndex(const Medium& medium, double tolerance, double anisotropy = 0.0);
+  MediumIndex(const Medium& medium, const CullingTolerance& tolerance, double anisotropy = 0.0);
 
   [[nodiscard]] Revision revision() const { return revision_; }  // of all but its noise
   [[nodiscard]] std::size_t size() const { return gaussians_.size(); }
@@ -65,10 +81,14 @@ class MediumIndex {
   [[nodiscard]] double max_displacement() const;
   // g of its phase function, see henyey_greenstein().
   [[nodiscard]] double anisotropy() const { return anisotropy_; }
-  [[nodiscard]] double tolerance() const { return tolerance_; }
+  [[nodiscard]] const CullingTolerance& culling() const { return tolerance_; }
+  // Optical depth below which any Gaussian may be culled from a path.
+  [[nodiscard]] double tolerance() const { return tolerance_.depth; }
   // Segments below this optical depth are skipped, except in homogeneous fog, where short segments
   // near a light matter.
-  [[nodiscard]] double negligible_depth() const { return b0_ > 0.0 ? 0.0 : 1e-3 * tolerance_; }
+  [[nodiscard]] double negligible_depth() const {
+    return b0_ > 0.0 ? 0.0 : 1e-3 * tolerance_.depth;
+  }
   [[nodiscard]] double homogeneous_density() const { return b0_; }
 
   // b(x) of Gaussians and b0 [1/u], up to the tolerance.
@@ -86,16 +106,16 @@ class MediumIndex {
   RayNoise noise_;
   SphereBvh bvh_;
   double b0_;
-  double tolerance_;
+  CullingTolerance tolerance_;
   double anisotropy_;
 };
 
 // Of the Gaussians of an extinction_medium(); empty if all are as by default.
 std::vector<RelativeOptics> relative_optics(const Medium& extinction);
 
-// Tolerance per Gaussian for which the optical depth of a ray is within `error`, as measured on
-// clouds (culled Gaussians add up to 1/16 of the rigorous n * tolerance). Relative to the deepest
-// Gaussian in thin media, which would be culled altogether otherwise.
-double culling_tolerance(const Medium& medium, double error);
+// For which the optical depth of a ray is within `error`, as measured on clouds (culled Gaussians
+// add up to 1/16 of the rigorous n * tolerance). Relative to the deepest Gaussian in thin media,
+// which would be culled altogether otherwise.
+CullingTolerance culling_tolerance(const Medium& medium, double error);
 
 }  // namespace brume

@@ -45,11 +45,14 @@ std::size_t FilmAirlight::run(Programs& programs, DeviceClock& clock, const Prog
   const auto sample_count =
       static_cast<std::size_t>(sample_film.x) * static_cast<std::size_t>(sample_film.y);
   const auto capacity = static_cast<std::size_t>(max_requests(scale));
-  const auto batches_at = static_cast<int>(tile_count * capacity);
+  // Nodes of curved cells are requested beside pixels.
+  const auto nodes_at = static_cast<int>(tile_count * capacity);
+  const int batches_at = 2 * nodes_at;
   samples_.reserve(Texture::Format::rgba32f, sample_film);
   textures.pairs.fill(0.0f);
 
-  const auto run_method = [&](bool again, std::size_t groups) {
+  // `batches_before`: of those that were requested, as many have run.
+  const auto run_method = [&](bool again, std::size_t groups, std::size_t batches_before) {
     set_rays(method, view.rays);
     method.set("film", glm::ivec2(view.film.width, view.film.height));
     method.set("sample_film", sample_film);
@@ -58,7 +61,8 @@ std::size_t FilmAirlight::run(Programs& programs, DeviceClock& clock, const Prog
     method.set("ray_end", static_cast<float>(std::min(view.ray_end, endless)));
     method.set("again", again ? 1 : 0);
     method.set("groups", static_cast<int>(groups));
-    method.set("batches_at", batches_at);
+    method.set("batches_at", batches_at + static_cast<int>(batches_before * sizeof(PixelBatch) /
+                                                           sizeof(std::uint32_t)));
     bind();
     lists.bind(method);
     method.bind("Requests", requests_);
@@ -68,12 +72,14 @@ std::size_t FilmAirlight::run(Programs& programs, DeviceClock& clock, const Prog
     method.bind("pairs_image", textures.pairs);
     method.dispatch_linear(groups);
   };
-  clock.time(view.plan.medium_stage(), [&] { run_method(false, tile_count); });
+  clock.time(view.plan.medium_stage(), [&] { run_method(false, tile_count, 0); });
   if (!view.plan.runs(Stage::upsample)) return sample_count;
 
-  // A batch is at least one pixel that was asked for.
-  const std::size_t batches = tile_count * ((capacity + Tiles::pixels - 1) / Tiles::pixels);
-  requests_.reserve(tile_count * capacity * sizeof(std::uint32_t) + batches * sizeof(PixelBatch));
+  // A batch is at least one pixel that was asked for: in three runs.
+  const std::size_t batches = 3 * tile_count * ((capacity + Tiles::pixels - 1) / Tiles::pixels);
+  requests_.reserve(2 * tile_count * capacity * sizeof(std::uint32_t) +
+                    batches * sizeof(PixelBatch));
+  curved_cells_.reserve(tile_count * Tiles::pixels * sizeof(std::uint32_t));
   totals_.reserve(sizeof(UpsamplingTotals));
   totals_.clear();
   const TilePixels near_lights =
@@ -81,6 +87,24 @@ std::size_t FilmAirlight::run(Programs& programs, DeviceClock& clock, const Prog
                       {sample_film.x, sample_film.y}, scale);
   light_offsets_.upload(std::span<const std::uint32_t>(near_lights.offsets));
   light_pixels_.upload(std::span<const glm::ivec2>(near_lights.pixels));
+  const auto run_upsampling = [&](const Program& program, int requests_at) {
+    program.set("film", glm::ivec2(view.film.width, view.film.height));
+    program.set("sample_film", sample_film);
+    program.set("tiles", tiles);
+    program.set("scale", scale);
+    program.set("b0", static_cast<float>(view.b0));
+    program.set("tolerance", static_cast<float>(view.plan.settings.upsampling_tolerance));
+    program.set("capacity", static_cast<int>(capacity));
+    program.set("requests_at", requests_at);
+    program.set("batches_at", batches_at);
+    program.bind("depths", textures.depth);
+    program.bind("airlight_image", textures.airlight);
+    program.bind("Totals", totals_);
+    program.bind("Requests", requests_);
+    program.bind("CurvedCells", curved_cells_);
+    lists.bind(program);
+    program.dispatch_linear(tile_count);
+  };
   clock.time(Stage::upsample, [&] {
     const Program& rms = programs["rms"];
     rms.set("size", sample_film);
@@ -88,27 +112,25 @@ std::size_t FilmAirlight::run(Programs& programs, DeviceClock& clock, const Prog
     rms.bind("Totals", totals_);
     rms.dispatch(1);
     const Program& interpolate = programs["interpolate"];
-    interpolate.set("film", glm::ivec2(view.film.width, view.film.height));
-    interpolate.set("sample_film", sample_film);
-    interpolate.set("tiles", tiles);
-    interpolate.set("scale", scale);
-    interpolate.set("b0", static_cast<float>(view.b0));
-    interpolate.set("tolerance", static_cast<float>(view.plan.settings.upsampling_tolerance));
-    interpolate.set("capacity", static_cast<int>(capacity));
-    interpolate.set("batches_at", batches_at);
-    interpolate.bind("depths", textures.depth);
     interpolate.bind("samples", samples_);
-    interpolate.bind("airlight_image", textures.airlight);
     interpolate.bind("LightOffsets", light_offsets_);
     interpolate.bind("LightPixels", light_pixels_);
-    interpolate.bind("Totals", totals_);
-    interpolate.bind("Requests", requests_);
-    lists.bind(interpolate);
-    interpolate.dispatch_linear(tile_count);
+    run_upsampling(interpolate, 0);
+    run_upsampling(programs["curved_nodes"], nodes_at);
   });
   UpsamplingTotals totals;
   totals_.download(std::span(&totals, 1));
-  clock.time(view.plan.medium_stage(), [&] { run_method(true, totals.batches); });
+  clock.time(view.plan.medium_stage(), [&] { run_method(true, totals.batches, 0); });
+  if (totals.curved_cells == 0) return sample_count + totals.asked_pixels;
+  clock.time(Stage::upsample, [&] {
+    const Program& halve = programs["halve"];
+    halve.bind("nodes", textures.airlight);
+    run_upsampling(halve, 0);
+  });
+  const std::size_t batches_before = totals.batches;
+  totals_.download(std::span(&totals, 1));
+  clock.time(view.plan.medium_stage(),
+             [&] { run_method(true, totals.batches - batches_before, batches_before); });
   return sample_count + totals.asked_pixels;
 }
 

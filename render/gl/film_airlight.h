@@ -46,7 +46,7 @@ class FilmAirlight {
 
  private:
   Texture samples_;
-  Buffer requests_, totals_;
+  Buffer requests_, totals_, curved_cells_;
   Buffer light_offsets_, light_pixels_;
 };
 

@@ -27,6 +27,7 @@
 #include "render/lighting/environment_light.h"
 #include "render/lighting/lobe_broadening.h"
 #include "render/lighting/slice_boundaries.h"
+#include "render/lighting/increment_kernels.h"
 #include "render/lighting/slice_kernels.h"
 #include "render/lighting/source_grid.h"
 #include "render/prepare/upsampling_limits.h"
@@ -103,6 +104,8 @@ void add_kernels(Constants& constants) {
   constants.add("atan_small_coefficients", coefficient::atan_small);
   constants.add("atan_small_end", coefficient::atan_small_end);
   constants.add("exact_above", exact_above);
+  constants.add("min_lit_share", coefficient::min_lit_share);
+  constants.add("short_slice", coefficient::short_slice);
   constants.add("gauss_nodes", coefficient::gauss_nodes);
   constants.add("gauss_weights", coefficient::gauss_weights);
   constants.add("fog_nodes", coefficient::fog_rule.nodes);
@@ -196,6 +199,8 @@ void add_slices(Constants& constants) {
   constants.add("tail_step", slice_demand::tail_step);
   constants.add("inverse_tail_depth", 1.0 / slice_demand::tail_depth);
   constants.add("core_radii_of_thin", slice_demand::core_radii);
+  constants.add("max_demanding", static_cast<unsigned>(slice_demand::max_gaussians));
+  constants.add("outstanding_demand", slice_demand::outstanding);
   constants.add("max_front_depth", slice_demand::max_front_depth);
   constants.add("uniform_share", slice_demand::uniform_share);
   constants.add("near_light_share", near_light_share);
@@ -226,6 +231,7 @@ void add_film(Constants& constants) {
   constants.add("max_relative_step", max_relative_step);
   constants.add("middle_per_second_difference", middle_per_second_difference);
   constants.add("unknown_curvature", unknown_curvature);
+  constants.add("halving_samples", halving_samples);
   constants.add("max_local_fit_curvature", max_local_fit_curvature);
   constants.add("min_surface_weight", min_surface_weight);
   constants.add("radii_per_tolerance", radii_per_tolerance);

@@ -147,9 +147,9 @@ constexpr std::array tile_totals_members{BRUME_MEMBER(TileTotals, used),
                                          BRUME_MEMBER(TileTotals, coarse)};
 static_assert(is_std430(tile_totals_members, sizeof(TileTotals)));
 
-constexpr std::array upsampling_totals_members{BRUME_MEMBER(UpsamplingTotals, batches),
-                                               BRUME_MEMBER(UpsamplingTotals, asked_pixels),
-                                               BRUME_MEMBER(UpsamplingTotals, mean_square)};
+constexpr std::array upsampling_totals_members{
+    BRUME_MEMBER(UpsamplingTotals, batches), BRUME_MEMBER(UpsamplingTotals, asked_pixels),
+    BRUME_MEMBER(UpsamplingTotals, mean_square), BRUME_MEMBER(UpsamplingTotals, curved_cells)};
 static_assert(is_std430(upsampling_totals_members, sizeof(UpsamplingTotals)));
 
 constexpr std::array child_members{BRUME_MEMBER(BvhChild, low), BRUME_MEMBER(BvhChild, first),

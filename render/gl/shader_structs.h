@@ -99,6 +99,7 @@ struct UpsamplingTotals {
   std::uint32_t batches = 0;
   std::uint32_t asked_pixels = 0;
   float mean_square = 0.0f;  // of the airlight's samples
+  std::uint32_t curved_cells = 0;
 };
 
 // A work group's pixels, among those that the upsampling asks for.

@@ -98,7 +98,7 @@ MediumIndex part_of(const MediumIndex& medium, const Cluster& cluster, bool is_i
     const GaussianTerm<double>& g = medium.gaussians()[i];
     if (in_cluster[i] == is_in) part.append({g.b, 1.0 / g.a, g.c});
   }
-  return {part, medium.tolerance()};
+  return {part, medium.culling()};
 }
 
 // Of what a cluster emits, in the mean over directions, what it does not absorb itself.

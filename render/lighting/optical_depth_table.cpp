@@ -9,7 +9,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "render/lighting/slice_kernels.h"
+#include "render/lighting/increment_kernels.h"
 
 namespace brume {
 namespace {

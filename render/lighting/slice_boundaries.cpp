@@ -46,9 +46,10 @@ double core_radius(double r, double c) {
 // only hit its tail, the light determines where; then the center's projection serves as well, and
 // is symmetric.
 struct SliceNeed {
-  double t, half;  // from t - half to t + half [u]
-  double radius;   // of the Gaussian [u]
-  double peak;     // its density where the nearest ray passes it [1/u]
+  double t, half;       // from t - half to t + half [u]
+  double radius;        // of the Gaussian [u]
+  double peak;          // its density where the nearest ray passes it [1/u]
+  double weight = 1.0;  // Gaussians that it stands for
 };
 
 SliceNeed slice_need(const GaussianTerm<double>& g, double center, const TileCone::Pass& nearest) {
@@ -57,6 +58,35 @@ SliceNeed slice_need(const GaussianTerm<double>& g, double center, const TileCon
   const double radius = 1.0 / g.a;
   return {center + share * (nearest.t - center), core_radius(radius, g.c), radius, g.c * share};
 }
+
+// Which of a tile's Gaussians demand slices. Of many, every so manieth does for those beside it,
+// and each that stands out.
+class DemandingGaussians {
+ public:
+  DemandingGaussians(const MediumIndex& medium, std::span<const std::uint32_t> gaussians)
+      : step_(std::max<std::size_t>(gaussians.size() / slice_demand::max_gaussians, 1)) {
+    if (step_ == 1) return;
+    double sum = 0.0;
+    for (std::size_t k = 0; k < gaussians.size(); k += step_) {
+      sum += depth(medium.gaussians()[gaussians[k]]);
+    }
+    outstanding_ = slice_demand::outstanding * sum /
+                   static_cast<double>((gaussians.size() + step_ - 1) / step_);
+  }
+
+  // Gaussians that the k-th, g, stands for; 0: others stand for it.
+  [[nodiscard]] double weight(std::size_t k, const GaussianTerm<double>& g) const {
+    if (step_ == 1 || depth(g) > outstanding_) return 1.0;
+    return k % step_ == 0 ? static_cast<double>(step_) : 0.0;
+  }
+
+ private:
+  // Proportional to that of a line through its center.
+  static double depth(const GaussianTerm<double>& g) { return g.c / g.a; }
+
+  std::size_t step_;
+  double outstanding_ = 0.0;
+};
 
 // Demand for boundaries along a ray. The error of the midpoint rule is proportional to the second
 // derivative of the integrand, so the optimal density of slices is its cube root (c / r^2 within a
@@ -69,16 +99,17 @@ class SliceDemand {
         rate_(static_cast<std::size_t>(bins) + 1),
         curvature_(static_cast<std::size_t>(bins) + 1) {}
 
-  // A Gaussian of radius r whose density is `peak` where the ray passes it at t.
-  void add(double t, double r, double peak) {
+  // So many Gaussians of radius r whose density is `peak` where the ray passes them at t.
+  void add(double t, double r, double peak, double weight) {
     using namespace slice_demand;
-    add_box(t, box_radii * r, box_share * peak, peak / (r * r));
+    add_box(t, box_radii * r, weight * box_share * peak, weight * peak / (r * r));
     if (line_depth(peak, r) < slice_opaque) return;
     const double last = cutoff_radius(r, peak, tail_depth) / r;
     for (double k = box_radii; k < last; k += tail_step) {
       const double center = k + 0.5 * tail_step;
       const double density = peak * std::exp(-center * center);
-      add_box(t, (k + tail_step) * r, density, 4.0 * center * center * density / (r * r));
+      add_box(t, (k + tail_step) * r, weight * density,
+              weight * 4.0 * center * center * density / (r * r));
     }
   }
 
@@ -170,14 +201,22 @@ void choose_slices(const MediumIndex& medium, std::span<const std::uint32_t> gau
   RayRange core;
   thread_local std::vector<SliceNeed> needs;
   needs.clear();
-  for (const std::uint32_t i : gaussians) {
+  const DemandingGaussians demanding(medium, gaussians);
+  for (std::size_t k = 0; k < gaussians.size(); ++k) {
+    const std::uint32_t i = gaussians[k];
     const GaussianTerm<double>& g = medium.gaussians()[i];
     const glm::dvec3 q = g.b - rays.eye;
     const double r = medium.cutoff_radii()[i];
     const double center = glm::dot(q, w);
+    const double weight = demanding.weight(k, g);
+    if (weight == 0.0) {
+      extent.add(center - r, glm::length(q) + r);
+      continue;
+    }
     const TileCone::Pass nearest = rays.nearest_pass(q);
     extent.add(center - r, nearest.t + r);
-    const SliceNeed& need = needs.emplace_back(slice_need(g, center, nearest));
+    SliceNeed& need = needs.emplace_back(slice_need(g, center, nearest));
+    need.weight = weight;
     const double half = std::min(need.half, r);
     core.add(need.t - half, need.t + half);
   }
@@ -198,7 +237,7 @@ void choose_slices(const MediumIndex& medium, std::span<const std::uint32_t> gau
       SliceDemand demand(core, slice_demand::bins_per_slice * slices);
       for (const SliceNeed& need : needs) {
         if (need.t + need.half < core.begin || need.t - need.half > core.end) continue;
-        demand.add(need.t, need.radius, need.peak);
+        demand.add(need.t, need.radius, need.peak, need.weight);
       }
       demand.place_boundaries(slices - 2, boundaries);
     }

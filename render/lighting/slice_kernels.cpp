@@ -10,7 +10,6 @@
 // Highway's own order: foreach_target first.
 #include "render/lighting/slice_falloff-inl.h"
 #include "render/simd/gaussian-inl.h"
-#include "render/simd/noise-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace brume::HWY_NAMESPACE {
@@ -21,113 +20,6 @@ using Vector = V3<V>;
 
 HWY_INLINE V set(float x) {
   return hn::Set(D(), x);
-}
-
-// coefficient::erf_fast.
-HWY_INLINE V FastErf(V x) {
-  const D d;
-  const V end = set(coefficient::erf_fast_end);
-  const V y = hn::Min(hn::Max(x, hn::Neg(end)), end);
-  return hn::Mul(y, Horner(d, hn::Mul(y, y), coefficient::erf_fast));
-}
-
-// The slices that no ray of a tile needs before each Gaussian: boundaries are in order, so that the
-// first one of a ray is found from there in few steps.
-std::span<const std::uint32_t> FirstSlices(const GaussianBatch& g, const RaySlices& slices,
-                                           std::size_t rays) {
-  thread_local std::vector<float> farthest;
-  thread_local std::vector<std::uint32_t> first;
-  farthest.assign(slices.count(), 0.0f);
-  for (std::size_t i = 0; i < rays; i += RaySlices::group) {
-    std::ranges::transform(farthest, slices.farthest(i), farthest.begin(),
-                           [](float a, float b) { return std::max(a, b); });
-  }
-  first.resize(g.size());
-  for (std::size_t j = 0; j < g.size(); ++j) {
-    // Counted, which is faster than a search by branches.
-    std::uint32_t after = 0;
-    for (const float t : farthest) after += t <= g.near[j] ? 1 : 0;
-    first[j] = std::max(after, 1u) - 1;
-  }
-  return first;
-}
-
-template <bool kDisplaced, bool kOptics>
-HWY_INLINE std::uint64_t Increments(const GaussianBatch& g, const PathBatch& rays,
-                                    const RaySlices& slices, float* increments) {
-  const D d;
-  const std::size_t stride = rays.padded_size();
-  const std::size_t last = slices.count() - 1;
-  const V one = set(1.0f);
-  const std::span<const std::uint32_t> first = FirstSlices(g, slices, stride);
-  std::uint64_t pairs = 0;
-  for (std::size_t i = 0; i < stride; i += hn::Lanes(d)) {
-    const Vector w{hn::LoadU(d, rays.x.data() + i), hn::LoadU(d, rays.y.data() + i),
-                   hn::LoadU(d, rays.z.data() + i)};
-    const std::span<const float> nearest = slices.nearest(i);
-    const std::span<const float> farthest = slices.farthest(i);
-    // Before it no ray ends.
-    const float end = hn::GetLane(hn::MinOfLanes(d, hn::LoadU(d, rays.length.data() + i)));
-    for (std::size_t j = 0; j < g.size(); ++j) {
-      const V a = set(g.a[j]);
-      const LineProfile<D> line = BatchLineProfile<kDisplaced>(d, g, j, w);
-      const auto reached = hn::Le(line.e, set(g.max_e[j]));
-      if (hn::AllFalse(d, reached)) continue;
-      pairs += hn::CountTrue(d, reached);
-      // The slices in which any of the rays can meet the Gaussian.
-      const float near = g.near[j];
-      const float far = g.far[j];
-      std::size_t k = first[j];
-      while (k < last && farthest[k + 1] <= near) ++k;
-      if (k == last || nearest[0] >= far) continue;
-      const auto u = [&](std::size_t boundary) HWY_ATTR {
-        return hn::Mul(a, hn::Sub(hn::LoadU(d, slices.at(i, boundary)), line.t0));
-      };
-      const auto add = [&](std::size_t slice, V depth) HWY_ATTR {
-        float* increment = increments + slice * stride + i;
-        hn::StoreU(hn::Add(depth, hn::LoadU(d, increment)), d, increment);
-        if constexpr (kOptics) {
-          for (std::size_t c = 0; c < g.optics.size(); ++c) {
-            increment += last * stride;
-            const V weight = set(g.optics[c][j]);
-            hn::StoreU(hn::MulAdd(weight, depth, hn::LoadU(d, increment)), d, increment);
-          }
-        }
-      };
-      // Nothing beyond the cutoff, so that frames are the same whatever rays share a vector.
-      const V half_depth = hn::IfThenElseZero(reached, set(g.scale[j]));
-      if (g.scale[j] > exact_above) {
-        V previous = u(k);
-        for (; k < last && nearest[k] < far; ++k) {
-          const V current = u(k + 1);
-          add(k, hn::Mul(half_depth, SegmentIntegral(d, line.e, previous, current,
-                                                     hn::Sub(current, previous))));
-          previous = current;
-        }
-        continue;
-      }
-      const V scale = hn::Mul(half_depth, hn::Exp(d, hn::Neg(line.e)));
-      // Most boundaries lie before or behind all of a small Gaussian.
-      V previous = farthest[k] <= near ? hn::Neg(one) : FastErf(u(k));
-      for (; k < last && nearest[k] < far; ++k) {
-        const bool is_behind = nearest[k + 1] >= far && end >= far;
-        const V current = is_behind ? one : FastErf(u(k + 1));
-        add(k, hn::Mul(scale, hn::Sub(current, previous)));
-        previous = current;
-      }
-    }
-  }
-  return pairs;
-}
-
-std::uint64_t AccumulateIncrements(const GaussianBatch& g, const PathBatch& rays,
-                                   const RaySlices& slices, float* increments) {
-  if (g.has_optics()) {
-    return g.noise.on() ? Increments<true, true>(g, rays, slices, increments)
-                        : Increments<false, true>(g, rays, slices, increments);
-  }
-  return g.noise.on() ? Increments<true, false>(g, rays, slices, increments)
-                      : Increments<false, false>(g, rays, slices, increments);
 }
 
 // Position of a direction in a table over a map: the lower of the four cells to interpolate, and
@@ -342,8 +234,8 @@ HWY_INLINE V LobeLoss(const float* table, V cosine, V depth) {
   return hn::MulAdd(fx, hn::Sub(at_angle(LobeBroadening::depths), narrow), narrow);
 }
 
-void SumSlices(const PathBatch& rays, const RaySlices& slices, const float* increments, float b0,
-               const SliceScattering& scattering, float negligible,
+void SumSlices(const PathBatch& rays, const RaySlices& slices, const float* increments,
+               const float* moments, float b0, const SliceScattering& scattering, float negligible,
                std::span<const SliceLight> lights, float* depths, const SliceWeights& weights,
                const SliceOptics& optics, const std::array<float*, light_pack>& radiance,
                SliceSums sums) {
@@ -416,13 +308,20 @@ void SumSlices(const PathBatch& rays, const RaySlices& slices, const float* incr
           scattered_fraction = hn::Mul(scattered_fraction, albedo);
           truncated_fraction = hn::Mul(truncated_fraction, albedo);
         }
-        const V center = hn::Mul(set(0.5f), hn::Add(begin, end));
+        // Of what the slice holds, fog evenly.
+        const V middle_of_slice = hn::Mul(set(0.5f), hn::Add(begin, end));
+        const V fog_moment = hn::Mul(hn::Mul(set(b0), width), middle_of_slice);
+        const V moment = hn::Add(fog_moment, hn::LoadU(d, moments + k * stride + i));
+        const V mean = hn::Div(moment, hn::Max(increment, set(coefficient::tiny)));
+        const V center = hn::Min(hn::Max(mean, begin), end);
+        const V half = hn::Max(hn::Min(hn::Sub(center, begin), hn::Sub(end, center)),
+                               hn::Mul(set(coefficient::min_lit_share), width));
         const V counted = hn::IfThenElseZero(matters, truncated_fraction);
         weight = hn::Add(weight, counted);
         weighted_distance = hn::MulAdd(counted, center, weighted_distance);
         for (std::size_t l = 0; l < lights.size(); ++l) {
-          const V first = hn::Sub(begin, ts[l]);
-          const V last = hn::Sub(end, ts[l]);
+          const V first = hn::Sub(hn::Sub(center, half), ts[l]);
+          const V last = hn::Sub(hn::Add(center, half), ts[l]);
           V falloff;
           V middle = center;
           if (lights[l].falloff.is_isotropic()) {
@@ -503,14 +402,8 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace brume {
 
-HWY_EXPORT(AccumulateIncrements);
 HWY_EXPORT(LookupDepths);
 HWY_EXPORT(SumSlices);
-
-std::uint64_t accumulate_increments(const GaussianBatch& gaussians, const PathBatch& rays,
-                                    const RaySlices& slices, float* increments) {
-  return HWY_DYNAMIC_DISPATCH(AccumulateIncrements)(gaussians, rays, slices, increments);
-}
 
 void lookup_depths(const OpticalDepthTable& table, const PathBatch& paths, float* depths) {
   if (table.empty()) {
@@ -520,14 +413,14 @@ void lookup_depths(const OpticalDepthTable& table, const PathBatch& paths, float
   HWY_DYNAMIC_DISPATCH(LookupDepths)(table.view(), paths, depths);
 }
 
-void sum_slices(const PathBatch& rays, const RaySlices& slices, const float* increments, float b0,
-                const SliceScattering& scattering, float negligible,
+void sum_slices(const PathBatch& rays, const RaySlices& slices, const float* increments,
+                const float* moments, float b0, const SliceScattering& scattering, float negligible,
                 std::span<const SliceLight> lights, float* depths, const SliceWeights& weights,
                 const SliceOptics& optics, const std::array<float*, light_pack>& radiance,
                 SliceSums sums) {
   HWY_DYNAMIC_DISPATCH(SumSlices)
-  (rays, slices, increments, b0, scattering, negligible, lights, depths, weights, optics, radiance,
-   sums);
+  (rays, slices, increments, moments, b0, scattering, negligible, lights, depths, weights, optics,
+   radiance, sums);
 }
 
 }  // namespace brume

@@ -16,18 +16,6 @@ namespace brume {
 // SIMD kernels of the sliced airlight (Highway, single precision). Rays are cut at ascending
 // boundaries t_0 <= ... <= t_K, clamped to the ray's end.
 
-// Half the optical depth of a line through a Gaussian above which coefficient::erf_fast is too
-// coarse; below it errs by at most 3e-4 of optical depth.
-constexpr float exact_above = 10.0f;
-
-// increments[k * rays.padded_size() + i] += optical depth of the Gaussians on slice k of ray i;
-// nothing before t_0 or after t_K. If they have optics, the same times their albedo and their
-// emission R, G, B follows, each as long as the slices before the last boundary times the rays.
-// Returns the Gaussian x ray pairs evaluated.
-std::uint64_t accumulate_increments(const GaussianBatch& gaussians, const PathBatch& rays,
-                                    const RaySlices& slices, float* increments);
-constexpr std::size_t optics_increments = 5;  // with those of optical depth
-
 // depths[k] = the light table's optical depth at the end of path k, which starts at the light. For
 // padded_size() paths; 0 for an empty table.
 void lookup_depths(const OpticalDepthTable& table, const PathBatch& paths, float* depths);
@@ -99,7 +87,9 @@ enum class SliceSums { total, running };
 
 // Single scattering summed front to back over the slices (K = slices.count() - 1):
 //   sum_k exp(-T_k) (1 - exp(-dT_k)) * mean of 1/r^2 over the slice * exp(-T(s, x_k)) / (4 pi)
-//   (times henyey_greenstein() at the slice's center x_k)
+//   (times henyey_greenstein() at x_k)
+// where x_k is the mean of what the slice holds, by `moments`, see accumulate_increments(), and the
+// mean of 1/r^2 is taken as far to both sides of it as the slice reaches,
 // where the mean is of the falloff over r^2 for a spot, x_k then the middle of what it lights, and
 // with a view extinction e below 1 for the truncated phase function
 //   exp(-e T_k) (1 - exp(-e dT_k)) / e, as for look-ups, and for the rest of it, less what a lobe
@@ -109,8 +99,8 @@ enum class SliceSums { total, running };
 // radiance[l][i] += that, per unit of radiant intensity [1/u^2], or running sums are set; depths[i]
 // = T(v, p) of Gaussians and b0 up to t_K. Slices of optical depth below `negligible` are skipped.
 // At most light_pack lights.
-void sum_slices(const PathBatch& rays, const RaySlices& slices, const float* increments, float b0,
-                const SliceScattering& scattering, float negligible,
+void sum_slices(const PathBatch& rays, const RaySlices& slices, const float* increments,
+                const float* moments, float b0, const SliceScattering& scattering, float negligible,
                 std::span<const SliceLight> lights, float* depths, const SliceWeights& weights,
                 const SliceOptics& optics, const std::array<float*, light_pack>& radiance,
                 SliceSums sums = SliceSums::total);

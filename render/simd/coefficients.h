@@ -9,6 +9,11 @@ inline constexpr double sqrt_pi = 1.77245385090551602730;
 
 // Divisors are at least this: the quotient is finite, and no value of a picture is as small.
 inline constexpr float tiny = 1e-30f;
+// What a slice holds is lit over at least this share of the slice, to both sides of its mean.
+inline constexpr float min_lit_share = 1e-3f;
+// What a slice holds of a Gaussian lies in its middle where it is shorter than this [radii]: to a
+// twentieth of the slice.
+inline constexpr float short_slice = 0.25f;
 // Squared lengths up to this are too short to define a direction.
 inline constexpr float tiny_square = 1e-37f;
 // The same of the sine of an angle, where directions are unit.
@@ -29,6 +34,10 @@ inline constexpr float erf_fast[] = {4.48287326e-08f,  -2.10701818e-06f, 4.37320
                                      -5.34635078e-04f, 4.35594895e-03f,  -2.54599806e-02f,
                                      1.11661121e-01f,  -3.75768876e-01f, 1.12838748f};
 inline constexpr float erf_fast_end = 3.0f;
+
+// exp(-x^2) = (1 - y) P(y), y = erf(x)^2, to 5e-3: where a Gaussian's part lies, to 1% of its
+// radius.
+inline constexpr float exp_of_erf[] = {0.781783f, -0.432919f, 0.307849f, 1.0f};
 
 // atan(x) = x P(x^2) to 2e-6 for x below atan_small_end.
 inline constexpr float atan_small_end = 0.4f;

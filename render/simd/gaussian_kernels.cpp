@@ -1,5 +1,6 @@
 #include "render/simd/gaussian_kernels.h"
 
+#include <hwy/cache_control.h>
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -298,11 +299,21 @@ void accumulate_homogeneous_airlight(float b0, float attenuation, const glm::vec
   (b0, attenuation, light, h_min, anisotropy, rays, radiance);
 }
 
+// A large medium is not in the cache, and a tile's Gaussians are all over it.
+constexpr std::size_t ahead = 16;
+
 void GaussianBatch::assign(const MediumIndex& medium, const glm::dvec3& origin,
                            std::span<const std::uint32_t> indices, const RayNoise& ray_noise) {
-  for (auto* array : {&x, &y, &z, &a, &scale, &max_e, &near, &far}) array->resize(indices.size());
+  for (auto* array : {&x, &y, &z, &a, &scale, &max_e, &near, &far, &reach}) {
+    array->resize(padded(indices.size()));
+  }
   index.resize(indices.size());
   for (std::size_t k = 0; k < indices.size(); ++k) {
+    if (k + ahead < indices.size()) {
+      const std::uint32_t later = indices[k + ahead];
+      hwy::Prefetch(&medium.gaussians()[later]);
+      hwy::Prefetch(&medium.cutoff_radii()[later]);
+    }
     const GaussianTerm<double>& g = medium.gaussians()[indices[k]];
     const glm::vec3 b(g.b - origin);
     const double cutoff_in_radii = medium.cutoff_radii()[indices[k]] * g.a;
@@ -317,6 +328,7 @@ void GaussianBatch::assign(const MediumIndex& medium, const glm::dvec3& origin,
     // A ray that passes the center at h is nearest to it at sqrt(distance^2 - h^2).
     const float distance2 = glm::dot(b, b);
     const auto radius = static_cast<float>(medium.view_cutoff_radius(indices[k]));
+    reach[k] = radius;
     near[k] = std::sqrt(std::max(distance2 - radius * radius, 0.0f)) - radius;
     far[k] = std::sqrt(distance2) + radius;
   }
@@ -324,7 +336,7 @@ void GaussianBatch::assign(const MediumIndex& medium, const glm::dvec3& origin,
   max_undisplaced_e.clear();
   noise = {};
   if (!ray_noise.on()) return;
-  for (const float e : max_e) {
+  for (const float e : std::span(max_e).first(size())) {
     const auto max_displacement = static_cast<float>(RayNoise::max_shift * ray_noise.amplitude());
     max_undisplaced_e.push_back((std::sqrt(e) + max_displacement) *
                                 (std::sqrt(e) + max_displacement));

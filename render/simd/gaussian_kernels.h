@@ -30,7 +30,8 @@ struct BatchNoise {
   [[nodiscard]] bool on() const { return amplitude > 0.0f; }
 };
 
-// Gaussians relative to an origin, as a structure of arrays.
+// Gaussians relative to an origin, as a structure of arrays; those of floats are padded to
+// padded(size()) elements, except optics.
 struct GaussianBatch {
   std::vector<float> x, y, z;  // b_i - origin [u]
   std::vector<float> a;        // [1/u]
@@ -41,6 +42,7 @@ struct GaussianBatch {
       max_undisplaced_e;  // the same before displacement by noise; empty without noise
   // Where rays of the origin can meet the Gaussian up to its cutoff [u]: from near to far.
   std::vector<float> near, far;
+  std::vector<float> reach;  // cutoff radius, displacement by noise included [u]
   std::vector<std::int32_t> index;
   // RelativeOptics: albedo and emission R, G, B; empty until add_optics(), and if all are as by
   // default.
@@ -51,7 +53,7 @@ struct GaussianBatch {
   void assign(const MediumIndex& medium, const glm::dvec3& origin,
               std::span<const std::uint32_t> indices, const RayNoise& ray_noise = {});
   void add_optics(const MediumIndex& medium);
-  [[nodiscard]] std::size_t size() const { return x.size(); }
+  [[nodiscard]] std::size_t size() const { return index.size(); }
   [[nodiscard]] bool has_optics() const { return !optics[0].empty(); }
 };
 

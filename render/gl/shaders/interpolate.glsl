@@ -1,56 +1,17 @@
 // Depth-aware upsampling: AirlightSamples and upsample() of render/cpu/upsampling.h, for one tile. Lists
-// the pixels to evaluate exactly, in batches.
-#include "constants.glsl"
-#include "linear.glsl"
-#include "structs.glsl"
+// the pixels to evaluate exactly, in batches, and curved cells.
+#include "upsampling.glsl"
 
-layout(local_size_x = group_size) in;
-
-layout(r32f, binding = 0) readonly uniform image2D depths;  // to the surface; < 0: none
 layout(rgba32f, binding = 1) readonly uniform image2D samples;
-layout(rgba32f, binding = 2) writeonly uniform image2D airlight_image;
 
 // The pixels nearest to lights, and where those of each tile begin: TilePixels.
 layout(std430, binding = 0) readonly buffer LightOffsets { uint light_offsets[]; };
 layout(std430, binding = 1) readonly buffer LightPixels { ivec2 light_pixels[]; };
-layout(std430, binding = 2) readonly buffer Seen { SeenGaussian seen[]; };
-layout(std430, binding = 3) readonly buffer Offsets { uint offsets[]; };
-layout(std430, binding = 4) buffer Totals { UpsamplingTotals totals; };
-layout(std430, binding = 5) writeonly buffer Requests { uint requests[]; };
-layout(std430, binding = 6) readonly buffer Entries { uint list[]; };
-
-uniform ivec2 film;
-uniform ivec2 sample_film;
-uniform ivec2 tiles;
-uniform int scale;
-uniform float b0;
-uniform float tolerance;
-uniform int capacity;    // pixels that a tile may request
-uniform int batches_at;  // where batches begin in `requests`
-
-shared uint sums[group_size];
-shared uint first_batch;
-
-float distance_at(ivec2 pixel) {
-  const float depth = imageLoad(depths, pixel).r;
-  return depth >= 0.0 ? depth : endless;
-}
 
 float sample_distance(ivec2 sample_) { return distance_at(min(sample_ * scale, film - 1)); }
 
 // Whether two distances may belong to one surface.
 bool continuous(float a, float b) { return a == b || abs(a - b) < max_relative_step * min(a, b); }
-
-vec4 inverse_tolerance() {  // 1 / tolerance
-  return vec4(vec3(1.0 / max(tolerance * sqrt(totals.mean_square), tiny)), 1.0 / tolerance);
-}
-
-// Deviation from linear of the midpoint between two samples, from three in a row, in units of the
-// tolerance.
-float curvature_of(vec4 a, vec4 b, vec4 c) {
-  const vec4 d = abs(a + c - 2.0 * b) * inverse_tolerance() * middle_per_second_difference;
-  return max(max(d.x, d.y), max(d.z, d.w));
-}
 
 float curvature_along(ivec2 sample_, ivec2 step_) {
   // Ignore differences across a depth edge; the depth test rejects those pixels.
@@ -141,18 +102,9 @@ vec4 value_at(LocalFit s, ivec2 pixel) {
   return max(vec4(v.xyz, min(v.w, 1.0)), 0.0);
 }
 
-// Depth difference [u] for which the airlight may still be interpolated: small against the Gaussians
-// of the tile and the fog's mean free path.
-float distance_tolerance(int tile) {
-  float result = b0 > 0.0 ? free_paths_per_tolerance * tolerance / b0 : endless;
-  for (uint k = offsets[tile]; k < offsets[tile + 1]; ++k) {
-    result = min(result, radii_per_tolerance * tolerance / seen[list[k]].a);
-  }
-  return result;
-}
-
 struct Cell {
   ivec2 begin, end;    // pixels
+  ivec2 reach;         // pixels from the first sample to the opposite one
   vec2 per_pixel;      // cells
   vec4 v00, v10, v01, v11;
   vec4 t;              // distances at the corners
@@ -165,7 +117,8 @@ Cell cell_at(ivec2 sample_, ivec2 last) {
   cell.begin = min(sample_ * scale, film - 1);
   const ivec2 next = min(diagonal * scale, film - 1);
   cell.end = ivec2(sample_.x + 1 == last.x ? film.x : next.x, sample_.y + 1 == last.y ? film.y : next.y);
-  cell.per_pixel = 1.0 / vec2(max(next - cell.begin, 1));
+  cell.reach = next - cell.begin;
+  cell.per_pixel = 1.0 / vec2(max(cell.reach, 1));
   const ivec2 right = ivec2(diagonal.x, sample_.y);
   const ivec2 below = ivec2(sample_.x, diagonal.y);
   cell.v00 = imageLoad(samples, sample_);
@@ -278,36 +231,14 @@ void main() {
   const float tolerance_u = distance_tolerance(tile);
   const Cell cell = cell_at(min(sample_, sample_film - 1), last);
   const uint remaining = live ? fill(cell, sample_, tolerance_u, near_lights(cell, tile)) : 0u;
-  const uint count = uint(bitCount(remaining));
-  // Pixels are listed cell by cell, so that neighbours share their slices.
-  sums[id] = count;
-  for (int step_ = 1; step_ < group_size; step_ *= 2) {
-    barrier();
-    const uint lower_sum = id >= step_ ? sums[id - step_] : 0u;
-    barrier();
-    sums[id] += lower_sum;
-  }
-  barrier();
-  const uint total = sums[group_size - 1];
-  const uint begin = uint(tile * capacity);
-  uint slot = begin + sums[id] - count;
-  const int columns = cell.end.x - cell.begin.x;
-  for (uint bits = remaining; bits != 0u; bits &= bits - 1u) {
-    const int k = findLSB(bits);
-    const ivec2 pixel = cell.begin + ivec2(k % columns, k / columns);
-    requests[slot++] = uint(pixel.x | pixel.y << 16);
-  }
-  const uint group = uint(group_size);
-  const uint groups = (total + group - 1u) / group;
-  if (id == 0 && total > 0u) {
-    first_batch = atomicAdd(totals.batches, groups);
-    atomicAdd(totals.asked_pixels, total);
-  }
-  barrier();
-  for (uint k = uint(id); k < groups; k += group) {
-    const uint batch = uint(batches_at) + uint(batch_size) * (first_batch + k);
-    requests[batch + batch_tile] = uint(tile);
-    requests[batch + batch_first] = begin + group * k;
-    requests[batch + batch_count] = min(total - group * k, group);
-  }
+  const ivec2 size = cell.end - cell.begin;
+  const bool has_lights = light_offsets[tile] < light_offsets[tile + 1];
+  const bool is_curved = live && !has_lights && bitCount(remaining) > halving_samples &&
+                         (cell.open || cell.solid) && cell.reach == ivec2(4) && size == ivec2(4);
+  uint flags = is_curved ? curved_is_cell | (cell.open ? curved_is_open : 0u) | remaining : 0u;
+  if (!is_curved && size.x > 2 && (remaining >> 2 & 1u) != 0u) flags |= evaluates_top;
+  if (!is_curved && size.y > 2 && (remaining >> (2 * size.x) & 1u) != 0u) flags |= evaluates_left;
+  curved_cells[tile * group_size + id] = flags;
+  if (is_curved) atomicAdd(totals.curved_cells, 1u);
+  list_requests(tile, is_curved ? 0u : remaining, cell.begin, size.x);
 }

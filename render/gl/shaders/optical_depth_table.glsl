@@ -54,8 +54,9 @@ void main() {
   uint evaluated = 0u;
   for (int first = 0; first < last; first += chunk) {
     float increments[chunk];
+    float moments[chunk];  // of no use here
     float ends[chunk + 1];
-    for (int k = 0; k < chunk; ++k) increments[k] = 0.0;
+    for (int k = 0; k < chunk; ++k) increments[k] = moments[k] = 0.0;
     for (int k = 0; k <= chunk; ++k) ends[k] = nearest[min(first + k, last)];
     for (uint base = 0u; base < count; base += uint(bundle_size)) {
       barrier();  // what the group has found before is read below
@@ -85,7 +86,7 @@ void main() {
         const LineProfile line = line_profile(g.xyz, w, g.w);
         if (line.e > shapes_of[j].max_e) continue;
         evaluated += counted[j];
-        add_increments(increments, line, g.w, shapes_of[j].scale, ends, ranges[j]);
+        add_increments(increments, moments, line, g.w, shapes_of[j].scale, ends, ranges[j]);
       }
     }
     // A word holds a radius and the next; so the first of a chunk ends the last one of the former.

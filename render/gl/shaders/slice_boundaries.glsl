@@ -8,6 +8,8 @@ shared float demand_rate[max_bins];
 shared float demand_curvature[max_bins];
 shared vec4 demand_of[group_size];  // a Gaussian: place on the ray, radius, peak, radii that matter
 
+shared float demand_weights[group_size];
+
 #include "center_ray.glsl"
 
 void add_boundary(float t) { unsorted[atomicAdd(unsorted_count, 1u)] = t; }
@@ -29,8 +31,35 @@ vec2 closest_approach(CenterRay ray, vec3 q, float a) {
   return vec2(center + exp(-h * h) * (nearest.x - center), h);
 }
 
+// DemandingGaussians of render/lighting/slice_boundaries.cpp: every so manieth, and what stands out.
+struct Demanding {
+  uint step_;
+  float outstanding;
+};
+
+Demanding demanding_of(uint begin, uint end) {
+  Demanding demanding;
+  demanding.step_ = max((end - begin) / max_demanding, 1u);
+  demanding.outstanding = 0.0;
+  if (demanding.step_ == 1u) return demanding;  // uniform within the group
+  float sum = 0.0;
+  for (uint k = begin + gl_LocalInvocationID.x * demanding.step_; k < end;
+       k += uint(group_size) * demanding.step_) {
+    sum += seen[list[k]].scale;
+  }
+  const uint counted = (end - begin + demanding.step_ - 1u) / demanding.step_;
+  demanding.outstanding = outstanding_demand * reduce_sum(sum) / float(counted);
+  return demanding;
+}
+
+// Gaussians that the k-th of a list stands for; 0: others stand for it.
+float demand_weight(Demanding demanding, uint k, float scale) {
+  if (demanding.step_ == 1u || scale > demanding.outstanding) return 1.0;
+  return k % demanding.step_ == 0u ? float(demanding.step_) : 0.0;
+}
+
 // Slice demand: see SliceDemand.
-void find_demand(CenterRay ray, vec2 core, int bins, uint begin, uint end) {
+void find_demand(CenterRay ray, Demanding demanding, vec2 core, int bins, uint begin, uint end) {
   const int id = int(gl_LocalInvocationID.x);
   const float width = (core.y - core.x) / float(bins);
   for (int bin = id; bin < bins; bin += group_size) {
@@ -46,7 +75,9 @@ void find_demand(CenterRay ray, vec2 core, int bins, uint begin, uint end) {
       const vec2 pass = closest_approach(ray, g.center, g.a);
       const float t = pass.x;
       const float half_ = core_radii(2.0 * g.scale) / g.a;
-      if (t + half_ >= core.x && t - half_ <= core.y) {
+      const float weight = demand_weight(demanding, base + id - begin, g.scale);
+      demand_weights[id] = weight;
+      if (weight > 0.0 && t + half_ >= core.x && t - half_ <= core.y) {
         const float peak = g.scale * g.a / (0.5 * sqrt_pi) * exp(-pass.y * pass.y);
         const float depth = sqrt_pi * peak / g.a;
         demand_of[id] =
@@ -70,8 +101,8 @@ void find_demand(CenterRay ray, vec2 core, int bins, uint begin, uint end) {
                                density * vec2(1.0, 4.0 * center * center * curvature), core.x, width,
                                bins);
         }
-        demand_rate[bin] += demand.x;
-        demand_curvature[bin] += demand.y;
+        demand_rate[bin] += demand_weights[j] * demand.x;
+        demand_curvature[bin] += demand_weights[j] * demand.y;
       }
     }
   }
@@ -163,11 +194,16 @@ void choose_slices(CenterRay ray, uint begin, uint end, int slices, int per_ligh
   }
   vec2 extent = vec2(endless, 0.0);
   vec2 core = extent;
+  const Demanding demanding = demanding_of(begin, end);
   for (uint k = begin + id; k < end; k += group_size) {
     const uint i = list[k];
     const SeenGaussian g = seen[i];
-    const float t = closest_approach(ray, g.center, g.a).x;
     const float r = g.cutoff_radius;
+    if (demand_weight(demanding, k - begin, g.scale) == 0.0) {
+      extent = vec2(min(extent.x, dot(g.center, ray.w) - r), max(extent.y, length(g.center) + r));
+      continue;
+    }
+    const float t = closest_approach(ray, g.center, g.a).x;
     const float half_ = min(core_radii(2.0 * g.scale) / g.a, r);
     extent = vec2(min(extent.x, dot(g.center, ray.w) - r),
                  max(extent.y, nearest_pass(ray, g.center).x + r));
@@ -189,7 +225,7 @@ void choose_slices(CenterRay ray, uint begin, uint end, int slices, int per_ligh
   if (extent.x < extent.y) {
     if (core.x < core.y) {
       const int bins = bins_per_slice * slices;
-      find_demand(ray, core, bins, begin, end);
+      find_demand(ray, demanding, core, bins, begin, end);
       if (id == 0) place_boundaries(core, bins, slices - 2);
     }
     if (id == 0) {

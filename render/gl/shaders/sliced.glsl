@@ -35,6 +35,7 @@ shared vec4 spilled_optics[chunk * group_size];
 shared SeenGaussian batch[group_size];
 shared ivec4 batch_slices[group_size];  // a range of the chunk, and whether it counts
 shared float spilled[chunk * group_size];
+shared float spilled_moments[chunk * group_size];
 shared float spilled_ends[chunk * group_size];
 
 // The slices of the chunk at `first` that any ray of the group may meet Gaussian i in.
@@ -84,8 +85,9 @@ void main() {
   float transmittance_in = exp(-b0 * t_begin);
   for (int first = 0; first < last; first += chunk) {
     float increments[chunk];
+    float moments[chunk];
     float ends[chunk + 1];
-    for (int k = 0; k < chunk; ++k) increments[k] = 0.0;
+    for (int k = 0; k < chunk; ++k) increments[k] = moments[k] = 0.0;
 #ifdef OPTICS
     vec4 optics_increments[chunk];  // times optics
     for (int k = 0; k < chunk; ++k) optics_increments[k] = vec4(0.0);
@@ -127,19 +129,20 @@ void main() {
 #ifdef OPTICS
         float own[chunk];
         for (int k = 0; k < chunk; ++k) own[k] = 0.0;
-        add_increments(own, line, g.a, g.scale, ends, batch_slices[j].xy);
+        add_increments(own, moments, line, g.a, g.scale, ends, batch_slices[j].xy);
         for (int k = 0; k < chunk; ++k) {
           increments[k] += own[k];
           optics_increments[k] += own[k] * batch_optics[j];
         }
 #else
-        add_increments(increments, line, g.a, g.scale, ends, batch_slices[j].xy);
+        add_increments(increments, moments, line, g.a, g.scale, ends, batch_slices[j].xy);
 #endif
       }
     }
     // Shared memory, as the loop below indexes slices dynamically, which registers cannot be.
     for (int k = 0; k < chunk; ++k) {
       spilled[k * group_size + id] = increments[k];
+      spilled_moments[k * group_size + id] = moments[k];
       spilled_ends[k * group_size + id] = ends[k + 1];
 #ifdef OPTICS
       spilled_optics[k * group_size + id] = optics_increments[k];
@@ -179,7 +182,12 @@ void main() {
         whole_fraction *= scattering / max(increment, tiny);
         truncated_fraction *= scattering / max(increment, tiny);
 #endif
-        const float center = 0.5 * (t_begin + t_end);
+        // Of what the slice holds, fog evenly.
+        const float moment =
+            fog * 0.5 * (t_begin + t_end) + spilled_moments[k * group_size + id];
+        const float center = clamp(moment / max(increment, tiny), t_begin, t_end);
+        const float reach =
+            max(min(center - t_begin, t_end - center), min_lit_share * (t_end - t_begin));
         lookup_weight += truncated_fraction;
         lookup_position += truncated_fraction * center;
         for (int l = 0; l < light_count; ++l) {
@@ -190,9 +198,9 @@ void main() {
           float falloff;
           float middle = center;
           if (lights[l].falloff_shape == falloff_isotropic) {
-            falloff = mean_inverse_square(t_begin - ts, t_end - ts, h2);
+            falloff = mean_inverse_square(center - reach - ts, center + reach - ts, h2);
           } else {
-            const vec2 mean = falloff_mean(l, w, offset, t_begin - ts, t_end - ts, h2);
+            const vec2 mean = falloff_mean(l, w, offset, center - reach - ts, center + reach - ts, h2);
             if (!(mean.x > 0.0)) continue;
             falloff = mean.x;
             middle = ts + mean.y;

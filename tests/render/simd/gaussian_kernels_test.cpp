@@ -3,7 +3,6 @@
 #include "render/simd/gaussian_kernels.h"
 
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 
 #include <array>
 #include <cmath>
@@ -18,25 +17,12 @@
 #include "render/lighting/path_depths.h"
 #include "render/simd/phase_kernels.h"
 #include "tests/random.h"
+#include "tests/render/for_each_target.h"
 
 namespace brume {
 namespace {
 
 constexpr double half_sqrt_pi = 0.886226925452758;
-
-// Runs the body once for each instruction set that was compiled and that this machine has.
-template <class Body>
-void for_each_target(Body body) {
-  int targets = 0;
-  for (const auto target : hwy::SupportedAndGeneratedTargets()) {
-    SCOPED_TRACE(hwy::TargetName(target));
-    hwy::SetSupportedTargetsForTest(target);
-    body();
-    ++targets;
-  }
-  hwy::SetSupportedTargetsForTest(0);
-  EXPECT_GT(targets, 0);
-}
 
 Medium random_medium(Random& random, int count, double radius_low, double radius_high,
                      double density_low, double density_high) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "render/geometry/tiles.h"
+#include "render/lighting/increment_kernels.h"
 #include "render/lighting/slice_boundaries.h"
 #include "render/lighting/slice_kernels.h"
 #include "render/prepare/prepared_scene.h"
@@ -100,7 +101,7 @@ struct Seconds {
 
 Seconds run_kernels(const View& view, float negligible) {
   Seconds seconds;
-  std::vector<float> increments;
+  std::vector<float> increments, moments;
   std::array<float, padded(Tiles::pixels)> depths;
   std::array<std::array<float, padded(Tiles::pixels)>, light_pack> radiance{};
   std::array<float*, light_pack> out{};
@@ -112,10 +113,12 @@ Seconds run_kernels(const View& view, float negligible) {
   };
   for (const ViewTile& tile : view.tiles) {
     increments.assign((tile.boundaries.size() - 1) * tile.rays.padded_size(), 0.0f);
-    timed(seconds.view,
-          [&] { accumulate_increments(tile.batch, tile.rays, tile.slices, increments.data()); });
+    moments.assign(increments.size(), 0.0f);
+    timed(seconds.view, [&] {
+      accumulate_increments(tile.batch, tile.rays, tile.slices, increments.data(), moments.data());
+    });
     const auto sum = [&](const Lights& lights) {
-      sum_slices(tile.rays, tile.slices, increments.data(), 0.0f, {}, negligible,
+      sum_slices(tile.rays, tile.slices, increments.data(), moments.data(), 0.0f, {}, negligible,
                  std::span(lights).first(view.light_count), depths.data(), {}, {}, out);
     };
     timed(seconds.sum, [&] { sum(view.lights); });
