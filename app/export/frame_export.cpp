@@ -3,6 +3,7 @@
 #include <QElapsedTimer>
 
 #include "app/document/paths.h"
+#include "app/export/export_frames.h"
 #include "app/export/frame_source.h"
 #include "app/export/video_file.h"
 #include "app/files/picture_format.h"
@@ -12,8 +13,6 @@
 
 namespace brume {
 namespace {
-
-struct Cancelled {};
 
 // The work of one export, in its thread. Every function throws InputError, and Cancelled.
 class Exporter {
@@ -30,13 +29,16 @@ class Exporter {
 
   void run() {
     if (!request_.range) {
-      write(request_.file, frame(request_.time, request_.title, 0, 1));
+      writing(request_.file, frame(request_.time, request_.title, 0, 1))();
     } else if (lower_case_extension(request_.file) == ".mp4") {
       write_video();
     } else {
-      for_each_frame([this](int number, const Frame& frame) {
-        if (!request_.file.empty()) write(numbered_file(request_.file, number), frame);
-      });
+      export_frames(
+          request_.range->first, request_.range->last, job_, [this](int number, int k, int count) {
+            const std::filesystem::path file =
+                request_.file.empty() ? request_.file : numbered_file(request_.file, number);
+            return writing(file, numbered_frame(number, k, count));
+          });
     }
   }
 
@@ -63,36 +65,39 @@ class Exporter {
     more_ = std::move(*more);
   }
 
-  void for_each_frame(const std::function<void(int, const Frame&)>& take) {
-    const FrameExportRequest::Range& range = *request_.range;
-    const int count = range.last - range.first + 1;
-    for (int k = 0; k < count; ++k) {
-      const int number = range.first + k;
-      const QString title = QString("%1, frame %2").arg(request_.title).arg(number);
-      take(number, frame(number / range.frames_per_second, title, k, count));
-    }
+  Frame numbered_frame(int number, int k, int count) {
+    const QString title = QString("%1, frame %2").arg(request_.title).arg(number);
+    return frame(number / request_.range->frames_per_second, title, k, count);
   }
 
-  void write(const std::filesystem::path& file, const Frame& frame) {
-    if (file.empty()) return;
+  // What writes a frame. A deep file is rendered at once.
+  FrameRun::Write writing(const std::filesystem::path& file, Frame frame) {
+    if (file.empty()) return [] {};
     FrameInfo info = request_.info;
     info.backend = frame.statistics.backend;
     info.noise = relative_noise(frame);
-    if (!is_deep_file(file)) {
-      write_frame(file, frame, info, more_);
-    } else if (!source_.write_deep(file, frame, info, {job_.stop, {}})) {
-      throw Cancelled();
+    if (is_deep_file(file)) {
+      if (!source_.write_deep(file, frame, info, {job_.stop, {}})) throw Cancelled();
+      return [this] { ++written_; };
     }
-    ++written_;
+    const auto content =
+        std::make_shared<const std::pair<Frame, ImageLayers>>(std::move(frame), std::move(more_));
+    return [this, file, info, content] {
+      write_frame(file, content->first, info, content->second);
+      ++written_;
+    };
   }
 
   void write_video() {
     write_atomically(request_.file, [this](const std::filesystem::path& temporary) {
       VideoFile video(request_.file, temporary, request_.film.value_or(request_.scene->film),
                       request_.range->frames_per_second);
-      for_each_frame([&](int, const Frame& frame) {
-        video.add(to_display(frame, request_.info.look), job_.stop);
-      });
+      const int count = request_.range->last - request_.range->first + 1;
+      for (int k = 0; k < count; ++k) {
+        video.add(
+            to_display(numbered_frame(request_.range->first + k, k, count), request_.info.look),
+            job_.stop);
+      }
       video.finish(job_.stop);
       if (job_.stop.stop_requested()) throw Cancelled();
     });

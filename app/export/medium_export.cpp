@@ -1,6 +1,7 @@
 #include "app/export/medium_export.h"
 
-#include "app/export/frame_export.h"
+#include "app/export/export_frames.h"
+#include "app/files/numbered_file.h"
 #include "brume/at_time.h"
 #include "brume/error.h"
 #include "core/io/file_bytes.h"
@@ -19,16 +20,15 @@ double chosen_voxel_size(const Medium& medium, double request) {
   return size > 0.0 ? size : 1.0;  // nothing to sample
 }
 
-// Whether it was written.
-bool write(const MediumExport& request, const std::filesystem::path& file, double time,
-           const Job& job) {
+// What writes the medium of a time to a file. Throws Cancelled.
+FrameRun::Write writing(const MediumExport& request, const std::filesystem::path& file, double time,
+                        const Job& job) {
   const Scene scene = evaluate_at(*request.scene, time);
   const Medium& medium = scene.medium;
   if (lower_case_extension(file) != ".vdb") {
     std::vector<Gaussian> gaussians;
     for (std::size_t i = 0; i < medium.size(); ++i) gaussians.push_back(medium.gaussian(i));
-    write_gaussians(file, gaussians);
-    return true;
+    return [gaussians = std::move(gaussians), file] { write_gaussians(file, gaussians); };
   }
   const double size = chosen_voxel_size(medium, request.voxel_size);
   const auto plan = MediumSampling::plan(medium, size, max_blocks);
@@ -42,12 +42,14 @@ bool write(const MediumExport& request, const std::filesystem::path& file, doubl
   }
   const Job density_job = job.subrange(0.0, 0.5);
   const Job color_job = job.subrange(0.5, 1.0);
-  const auto density = plan->sample(density_job.stop, density_job.progress);
-  if (!density) return false;
-  const auto colors = plan->sample_colors(scene.optics.albedo, color_job.stop, color_job.progress);
-  if (!colors) return false;
-  write_volume(file, *density, request.half, *colors);
-  return true;
+  auto density = plan->sample(density_job.stop, density_job.progress);
+  if (!density) throw Cancelled();
+  auto colors = plan->sample_colors(scene.optics.albedo, color_job.stop, color_job.progress);
+  if (!colors) throw Cancelled();
+  const auto grids = std::make_shared<const std::pair<DensityGrid, VolumeColors>>(
+      std::move(*density), std::move(*colors));
+  return
+      [grids, file, half = request.half] { write_volume(file, grids->first, half, grids->second); };
 }
 
 }  // namespace
@@ -61,16 +63,14 @@ std::optional<std::uintmax_t> grid_bytes(const Medium& medium, double voxel_size
 BackgroundJob::Work export_medium(const MediumExport& request) {
   return [request](const Job& job) -> BackgroundJob::Apply {
     if (!request.range) {
-      write(request, request.file, request.time, job);
+      writing(request, request.file, request.time, job)();
       return {};
     }
     const MediumExport::Range& range = *request.range;
-    const double count = range.last - range.first + 1;
-    for (int frame = range.first; frame <= range.last && !job.stop.stop_requested(); ++frame) {
-      const double k = frame - range.first;
-      write(request, numbered_file(request.file, frame), frame / range.frames_per_second,
-            job.subrange(k / count, (k + 1.0) / count));
-    }
+    export_frames(range.first, range.last, job, [&](int frame, int k, int count) {
+      return writing(request, numbered_file(request.file, frame), frame / range.frames_per_second,
+                     job.subrange(static_cast<double>(k) / count, (k + 1.0) / count));
+    });
     return {};
   };
 }

@@ -2,6 +2,7 @@
 #include <array>
 #include <cstdio>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -23,6 +24,7 @@
 #include "tools/brume/interruption.h"
 #include "tools/brume/progress_line.h"
 #include "tools/brume/read_scene.h"
+#include "tools/brume/run_frames.h"
 
 namespace brume {
 namespace {
@@ -87,7 +89,7 @@ class ExportCommand final : public Command {
     }
     if (!is_sequence) {
       files_.add_output(output_);
-      write(read(time_), output_);
+      writing(read(time_), output_)();
       return done;
     }
     const FramePattern outputs = parse_pattern(output_);
@@ -96,11 +98,12 @@ class ExportCommand final : public Command {
       files_.add_output(outputs.file_of(frame));
       if (are_files) files_.add_input(parse_pattern(input_).file_of(frame));
     }
-    for (const int frame : frames) {
-      write(are_files ? read_file(parse_pattern(input_).file_of(frame)) : read(frame / fps_),
-            outputs.file_of(frame));
-    }
-    return done;
+    if (!are_files) read_scene_at(frames.front() / fps_);  // what is wrong with it is so in all
+    return run_frames(frames, [&](int frame, const std::string&) {
+      return writing(
+          are_files ? read_file(parse_pattern(input_).file_of(frame)) : read(frame / fps_),
+          outputs.file_of(frame));
+    });
   }
 
  private:
@@ -153,9 +156,10 @@ class ExportCommand final : public Command {
       UsdFrame frame{code, read_scene_at(is_sequence ? code / fps_ : time_), {}};
       if (frame.scene.medium.size() > 0) {
         frame.volume = file_of(code).filename();
-        const VolumeColors colors = write_grids(frame.scene.medium, file_of(code).string());
-        frame.has_albedo = colors.albedo.has_value();
-        frame.has_emission = colors.emission.has_value();
+        const Grids grids = sampled_grids(frame.scene.medium, file_of(code).string());
+        write_volume(file_of(code), grids.density, half_, grids.colors);
+        frame.has_albedo = grids.colors.albedo.has_value();
+        frame.has_emission = grids.colors.emission.has_value();
         const double homogeneous = frame.scene.medium.homogeneous_density();
         frame.scene.medium = {};  // its files have it
         frame.scene.medium.set_homogeneous_density(homogeneous);
@@ -166,20 +170,27 @@ class ExportCommand final : public Command {
               [this](const std::filesystem::path& texture) { files_.add_output(texture); });
   }
 
-  void write(const Medium& medium, const std::string& output) {
+  // What writes a medium.
+  FrameRun::Write writing(const Medium& medium, const std::string& output) {
     check_interrupted();
     if (lower_case_extension(output) == ".vdb") {
-      write_grids(medium, output);
-      return;
+      const auto grids = std::make_shared<const Grids>(sampled_grids(medium, output));
+      return [grids, output, half = half_] {
+        write_volume(output, grids->density, half, grids->colors);
+      };
     }
     std::vector<Gaussian> gaussians;
     for (std::size_t i = 0; i < medium.size(); ++i) gaussians.push_back(medium.gaussian(i));
-    write_gaussians(output, gaussians);
+    return [gaussians = std::move(gaussians), output] { write_gaussians(output, gaussians); };
   }
 
-  // Reports the size of the grids in advance. All frames use the voxel size of the first non-empty
-  // one. Returns what it wrote besides the density.
-  VolumeColors write_grids(const Medium& medium, const std::string& output) {
+  struct Grids {
+    DensityGrid density;
+    VolumeColors colors;
+  };
+
+  // Reports their size in advance. All frames use the voxel size of the first non-empty one.
+  Grids sampled_grids(const Medium& medium, const std::string& output) {
     if (!(voxel_size_ > 0.0)) voxel_size_ = fitting_voxel_size(medium);
     const double size = voxel_size_ > 0.0 ? voxel_size_ : 1.0;  // nothing to sample
     const auto plan = MediumSampling::plan(medium, size, max_blocks);
@@ -190,14 +201,12 @@ class ExportCommand final : public Command {
       const ProgressLine line("sampling " + output);
       return finished(sample(line.progress()));
     };
-    const DensityGrid density =
+    DensityGrid density =
         sampled([&](const auto& progress) { return plan->sample(interruption(), progress); });
     VolumeColors colors = sampled([&](const auto& progress) {
       return plan->sample_colors(albedo_, interruption(), progress);
     });
-    const ProgressLine line("writing " + output);
-    write_volume(output, density, half_, colors);
-    return colors;
+    return {std::move(density), std::move(colors)};
   }
 
   [[noreturn]] void refuse(const Medium& medium, double size) const {

@@ -18,6 +18,7 @@
 #include "tools/brume/frame_range.h"
 #include "tools/brume/interruption.h"
 #include "tools/brume/progress_line.h"
+#include "tools/brume/run_frames.h"
 
 namespace brume {
 namespace {
@@ -81,7 +82,7 @@ class FitCommand final : public Command {
     if (!is_sequence) {
       files.add_input(volume_);
       files.add_output(output_);
-      fit(volume_, output_, {});
+      fit(volume_, output_, {})();
       return done;
     }
     if (how_.options.max_error > 0.0)
@@ -93,8 +94,9 @@ class FitCommand final : public Command {
       files.add_input(volumes.file_of(frame));
       files.add_output(outputs.file_of(frame));
     }
-    for (const int frame : frames) fit(volumes.file_of(frame), outputs.file_of(frame), frame);
-    return done;
+    return run_frames(frames, [&](int frame, const std::string&) {
+      return fit(volumes.file_of(frame), outputs.file_of(frame), frame);
+    });
   }
 
  private:
@@ -128,12 +130,15 @@ class FitCommand final : public Command {
     return finished(fitter_->next(volume, interruption(), line.progress()));
   }
 
-  void fit(const std::string& volume, const std::string& output, std::optional<int> frame) {
+  // Returns what writes the Gaussians and tells of them.
+  FrameRun::Write fit(const std::string& volume, const std::string& output,
+                      std::optional<int> frame) {
     const auto start = std::chrono::steady_clock::now();
     const FittedVolume fitted = fitted_volume(volume);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    const std::vector<Gaussian> gaussians = fitted.gaussians();
-    write_gaussians(output, gaussians, frame ? fitter_->ids() : std::span<const GaussianNumber>());
+    std::vector<Gaussian> gaussians = fitted.gaussians();
+    std::vector<GaussianNumber> ids;
+    if (frame) ids.assign(fitter_->ids().begin(), fitter_->ids().end());
 
     nlohmann::ordered_json json;
     if (frame) json["frame"] = *frame;
@@ -150,7 +155,10 @@ class FitCommand final : public Command {
       json["flame_error"] = fitted.flames->density_error;
     }
     json["seconds"] = seconds.count();
-    print_result(json.dump() + "\n");
+    return [gaussians = std::move(gaussians), ids = std::move(ids), output, line = json.dump()] {
+      write_gaussians(output, gaussians, ids);
+      print_result(line + "\n");
+    };
   }
 
   std::string volume_;

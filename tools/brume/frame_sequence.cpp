@@ -2,16 +2,14 @@
 
 #include <algorithm>
 #include <chrono>
-#include <exception>
-#include <future>
-#include <new>
+#include <memory>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <utility>
 #include <vector>
 
 #include "brume/error.h"
-#include "core/io/atomic_file.h"
+#include "core/io/frame_run.h"
+#include "core/io/temporary_files.h"
 #include "core/scene/sequence_frames.h"
 #include "tools/brume/frame_fingerprint.h"
 #include "tools/brume/frame_maker.h"
@@ -20,22 +18,6 @@
 
 namespace brume {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-// "1 h 2 min", "3 min 4 s", "5 s"
-std::string duration_text(double seconds) {
-  const auto whole = static_cast<long long>(seconds + 0.5);
-  if (whole >= 3600) {
-    return std::to_string(whole / 3600) + " h " + std::to_string(whole / 60 % 60) + " min";
-  }
-  if (whole >= 60) return std::to_string(whole / 60) + " min " + std::to_string(whole % 60) + " s";
-  return std::to_string(whole) + " s";
-}
 
 // A line as an engine of the Open Job Description reads it in the output of a task.
 void tell_engine(const RenderOptions& options, const char* what, const std::string& text) {
@@ -55,88 +37,56 @@ class FrameSequence {
         maker_(options, options.seen_by_camera(std::move(document.scene))) {}
 
   ExitCode run() {
-    const std::vector<int> frames = options_.frames();
     remove_abandoned_files(std::filesystem::absolute(options_.output()).parent_path());
-    for (std::size_t i = 0; i < frames.size(); ++i) {
+    FrameRun::Steps steps;
+    steps.skips = [this](int frame) {
       check_interrupted();
-      const int frame = frames[i];
-      const std::string fingerprint = fingerprint_.of(frame);
-      if (options_.skips_existing() && fingerprint_of(outputs_.file_of(frame)) == fingerprint) {
-        skipped_.push_back(frame);
-      } else {
-        const std::string text = label(frame, i, frames.size());
-        tell_engine(options_, "status", text);
-        guarded(frame, [&] { make(frame, text, fingerprint); });
-      }
-      tell_engine(options_, "progress", std::to_string(100 * (i + 1) / frames.size()));
-    }
-    finish_writing();
+      return options_.skips_existing() &&
+             fingerprint_of(outputs_.file_of(frame)) == fingerprint_.of(frame);
+    };
+    steps.begins = [this](int, const std::string& label) {
+      tell_engine(options_, "status", label);
+    };
+    steps.make = [this](int frame, const std::string& label) { return make(frame, label); };
+    steps.failed = [this](int frame, const std::string& why) {
+      const std::string text = "frame " + std::to_string(frame) + ": " + why;
+      print_note("error: " + text);
+      failures_ += (failures_.empty() ? "" : "; ") + text;
+    };
+    steps.progressed = [this](std::size_t done, std::size_t of) {
+      tell_engine(options_, "progress", std::to_string(100 * done / of));
+    };
+    const FrameRun::Result result = FrameRun::run(options_.frames(), steps);
     if (unsure_ > 0) {
       print_warnings(
           {"in " + std::to_string(unsure_) + " frames no setting is certain to meet --max-error"});
     }
     // The last, since an engine may end a task that tells of a failure.
     if (!failures_.empty()) tell_engine(options_, "fail", failures_);
-    nlohmann::ordered_json result{{"made", made_}, {"skipped", skipped_}, {"failed", failed_}};
-    result["seconds"] = {
-        {"reading", reading_}, {"rendering", rendering_}, {"waiting_for_files", waiting_}};
-    print_result(result.dump() + "\n");
-    return failed_.empty() ? done : check_failed;
+    nlohmann::ordered_json json{
+        {"made", result.made}, {"skipped", result.skipped}, {"failed", result.failed_frames()}};
+    json["seconds"] = {
+        {"reading", reading_}, {"rendering", result.making}, {"waiting_for_files", result.waiting}};
+    print_result(json.dump() + "\n");
+    return result.failed.empty() ? done : check_failed;
   }
 
  private:
-  template <class Work>
-  void guarded(int frame, Work work) {
-    try {
-      work();
-    } catch (const InputError& error) {
-      fail(frame, error.what());
-    } catch (const std::bad_alloc&) {
-      fail(frame, "not enough memory");
-    }
-  }
-
-  void fail(int frame, const std::string& why) {
-    const std::string text = "frame " + std::to_string(frame) + ": " + why;
-    print_note("error: " + text);
-    failures_ += (failures_.empty() ? "" : "; ") + text;
-    failed_.push_back(frame);
-  }
-
-  void make(int frame, const std::string& label, const std::string& fingerprint) {
+  FrameRun::Write make(int frame, const std::string& label) {
     const double time = frame / options_.frames_per_second();
     check_present(time);
-    const auto start = Clock::now();
-    const double waited = waiting_;
     maker_.go_to(time);
     RequestedFrame found = maker_.render(label);
     if (found.error && found.error->high > options_.max_error()) ++unsure_;
     const std::filesystem::path file = outputs_.file_of(frame);
+    const std::string fingerprint = fingerprint_.of(frame);
     if (options_.is_deep()) {
       maker_.write_deep(file, found, fingerprint);
-      made_.push_back(frame);
-    } else {
-      FrameMaker::Content content = maker_.content(std::move(found), fingerprint);
-      finish_writing();
-      writing_ = {frame, std::async(std::launch::async, [file, content = std::move(content)] {
-                    write_frame(file, content.frame, content.info, content.layers);
-                  })};
+      return {};
     }
-    rendering_ += seconds_since(start) - (waiting_ - waited);
-    ++timed_;
-  }
-
-  // Waits until the last frame is written.
-  void finish_writing() {
-    if (!writing_) return;
-    auto [frame, file] = std::move(*writing_);
-    writing_.reset();
-    const auto start = Clock::now();
-    guarded(frame, [&, frame = frame] {
-      file.get();
-      made_.push_back(frame);
-    });
-    waiting_ += seconds_since(start);
+    const auto content =
+        std::make_shared<FrameMaker::Content>(maker_.content(std::move(found), fingerprint));
+    return [file, content] { write_frame(file, content->frame, content->info, content->layers); };
   }
 
   // Throws InputError where a moment needs a frame of a sequence whose file is missing.
@@ -150,31 +100,15 @@ class FrameSequence {
     }
   }
 
-  [[nodiscard]] std::string label(int frame, std::size_t index, std::size_t count) const {
-    std::string text = "frame " + std::to_string(frame) + ", " + std::to_string(index + 1) +
-                       " of " + std::to_string(count);
-    if (timed_ > 0) {
-      text += ", " +
-              duration_text((rendering_ + waiting_) / timed_ * static_cast<double>(count - index)) +
-              " left";
-    }
-    return text;
-  }
-
   const RenderOptions& options_;
-  double reading_;  // [s], as below
+  double reading_;  // [s]
   FramePattern outputs_;
   FrameFingerprint fingerprint_;
   std::vector<std::filesystem::path> missing_;
   std::vector<MediumSequence> sequences_;
   FrameMaker maker_;
-  std::optional<std::pair<int, std::future<void>>> writing_;
-  std::vector<int> made_, skipped_, failed_;
   std::string failures_;
   int unsure_ = 0;
-  double rendering_ = 0.0;
-  double waiting_ = 0.0;  // for the file of the frame before
-  int timed_ = 0;
 };
 
 }  // namespace
@@ -183,10 +117,10 @@ ExitCode render_sequence(const RenderOptions& options) {
   try {
     CommandFiles files = options.outputs();
     std::vector<std::filesystem::path> missing;
-    const auto start = Clock::now();
+    const auto start = std::chrono::steady_clock::now();
     SceneDocument document = read_document(options.scene_file(), files, missing);
-    return FrameSequence(options, std::move(document), std::move(missing), seconds_since(start))
-        .run();
+    const std::chrono::duration<double> reading = std::chrono::steady_clock::now() - start;
+    return FrameSequence(options, std::move(document), std::move(missing), reading.count()).run();
   } catch (const InputError& error) {
     tell_engine(options, "fail", error.what());
     throw;

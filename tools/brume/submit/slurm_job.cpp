@@ -5,7 +5,7 @@
 
 #include "core/io/atomic_file.h"
 #include "tools/brume/command.h"
-#include "tools/brume/submit/other_program.h"
+#include "tools/brume/other_program.h"
 #include "tools/brume/submit/sequence_job.h"
 
 namespace brume {

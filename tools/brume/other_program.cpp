@@ -1,4 +1,4 @@
-#include "tools/brume/submit/other_program.h"
+#include "tools/brume/other_program.h"
 
 #include <fcntl.h>
 #include <spawn.h>
