@@ -305,6 +305,7 @@ void GlRenderer::Impl::integrate_medium(FrameContext& work, Group& group, StageC
                                 ? group.paper.run(group.stages, work, cpu_clock, frame)
                                 : group.sliced.run(group.stages, work, frame);
   statistics.gaussians_used = group.lists.used();
+  if (prepared.is_merged()) statistics.gaussians_merged = prepared.medium().size();
   cpu_clock.finish(Stage::submit);
 }
 

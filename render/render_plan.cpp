@@ -296,6 +296,8 @@ RenderPlan::RenderPlan(const Scene& scene, const Film& film, const Settings& req
   depth_error = is_reference ? reference_depth_error
                 : is_path    ? path_depth_error
                              : settings.depth_error;
+  // Other methods are held to the medium as it is.
+  merge_error = method == AirlightMethod::sliced ? settings.merge_error : 0.0;
 }
 
 bool RenderPlan::needs_transfer(const Surface& surface) const {

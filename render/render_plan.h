@@ -74,6 +74,7 @@ struct RenderPlan {
   // Of `paper`, and of exact sums at surfaces.
   Settings::Precision precision = Settings::Precision::simd_float;
   double depth_error = 0.0;  // see Settings
+  double merge_error = 0.0;
 
   // Whether the transfer requested by a surface is used by any light.
   [[nodiscard]] bool needs_transfer(const Surface& surface) const;

@@ -132,6 +132,9 @@ Renderer::Impl::SeenMedium Renderer::Impl::integrate_medium(FrameContext& work, 
                     stages.ray_ends(work), work.job, work.frame);
   FrameStatistics& statistics = work.frame.statistics;
   statistics.gaussians_used = film.gaussians_used;
+  if (stages.prepared().is_merged()) {
+    statistics.gaussians_merged = stages.prepared().medium().size();
+  }
   statistics.exact_pixels = film.exact_pixels;
   statistics.view_pairs += film.pairs;
   clock.finish(work.plan.medium_stage());

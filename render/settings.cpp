@@ -95,6 +95,7 @@ Settings sliced_settings(Settings settings, int slices) {
                                   : slices < 64 ? 0.005
                                                 : 0.002;
   settings.depth_error = slices < 24 ? 3e-3 : slices < 48 ? 1e-3 : 1e-4;
+  settings.merge_error = slices < 12 ? 0.02 : slices < 24 ? 0.012 : slices < 32 ? 0.005 : 0.0;
   settings.shadow_cells = std::clamp(16 * slices, min_shadow_cells, 1024);
   settings.source_grid = slices < 8    ? SourceGridSize{20'000, 64}
                          : slices < 24 ? SourceGridSize{60'000, 64}

@@ -93,6 +93,10 @@ struct Settings {
   // Maximum error of a ray's optical depth from culling far Gaussians; the reference has its own.
   double depth_error = 1e-3;
 
+  // `sliced`: many small Gaussians that overlap are merged into fewer, up to this relative error of
+  // optical depth; see merged_medium(). 0: never.
+  double merge_error = 0.0;
+
   // `march`: steps per ray, >= 1.
   int march_steps = 64;
 

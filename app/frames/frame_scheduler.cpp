@@ -167,6 +167,7 @@ Settings FrameScheduler::motion_settings(const std::shared_ptr<const Scene>& sce
     settings.optical_depth_table = rest.optical_depth_table;
     settings.shadow_cells = rest.shadow_cells;
     settings.depth_error = rest.depth_error;
+    settings.merge_error = rest.merge_error;
     settings.source_grid = rest.source_grid;
     settings.scattering_limits = rest.scattering_limits;
   }

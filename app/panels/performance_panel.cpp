@@ -71,6 +71,15 @@ QString reason(const FrameScheduler& frames) {
   return PerformancePanel::tr("Meets %1, but not by enough to try %2.").arg(bound, name);
 }
 
+QString gaussians_text(const FrameStatistics& statistics) {
+  const QString used = count_text(statistics.gaussians_used);
+  if (statistics.gaussians_merged == 0) {
+    return PerformancePanel::tr("%1 of %2 used").arg(used, count_text(statistics.gaussians_total));
+  }
+  return PerformancePanel::tr("%1 of %2 used, merged from %3")
+      .arg(used, count_text(statistics.gaussians_merged), count_text(statistics.gaussians_total));
+}
+
 }  // namespace
 
 PerformancePanel::PerformancePanel(std::function<const FrameScheduler&()> active_frames,
@@ -230,9 +239,7 @@ void PerformancePanel::update_frame() {
   time_->setText(duration_text(frame->milliseconds));
   method_->setText(method_text(active_frames_(), frame->request.settings));
   scattering_->setText(scattering_text(frame->frame));
-  gaussians_->setText(
-      tr("%1 of %2 used")
-          .arg(count_text(statistics.gaussians_used), count_text(statistics.gaussians_total)));
+  gaussians_->setText(gaussians_text(statistics));
   pairs_->setText(tr("%1 eye, %2 lights")
                       .arg(count_text(statistics.view_pairs), count_text(statistics.light_pairs)));
   const QString size = tr("%1 × %2").arg(film.width).arg(film.height);

@@ -113,6 +113,7 @@ class MainWindow : public QMainWindow {
   void export_medium();
   void gather();
   // Unless another is running.
+  void show_simplify();
   void start_file_job(const QString& title, const BackgroundJob::Work& work);
   [[nodiscard]] FrameExportRequest export_request(const std::filesystem::path& file) const;
   [[nodiscard]] Exposure exposure() const;  // of what is exported

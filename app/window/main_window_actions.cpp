@@ -125,6 +125,7 @@ void MainWindow::create_actions() {
     }
     delete_selection(document_, tr("Delete"));
   });
+  add(edit, tr("Simplif&y…"), "edit.simplify", [this] { show_simplify(); });
   QAction* rename = add(edit, tr("Rena&me"), "edit.rename", [this] { rename_object(); });
   // Elsewhere F2 edits the cell of a table.
   rename->setShortcutContext(Qt::WidgetWithChildrenShortcut);

@@ -15,6 +15,8 @@
 #include "app/import/scene_import.h"
 #include "app/viewport/view_grid.h"
 #include "app/window/main_window.h"
+#include "app/window/simplify_dialog.h"
+#include "app/window/simplify_job.h"
 #include "core/io/file_bytes.h"
 #include "core/io/scene/gather.h"
 
@@ -115,6 +117,16 @@ void MainWindow::gather_to(const std::filesystem::path& folder) {
                      show_status(tr("Gathered in %1").arg(to_qstring(folder)));
                    };
                  });
+}
+
+void MainWindow::show_simplify() {
+  auto* dialog = new SimplifyDialog(document_, this);
+  connect(dialog, &SimplifyDialog::requested, this, [this](double max_error) {
+    start_file_job(
+        tr("Simplifying"),
+        simplifying(document_, max_error, [this](const QString& text) { show_status(text); }));
+  });
+  dialog->show();
 }
 
 void MainWindow::start_file_job(const QString& title, const BackgroundJob::Work& work) {

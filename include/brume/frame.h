@@ -54,6 +54,7 @@ struct FrameStatistics {
   std::vector<SkippedStage> on_cpu;
   std::size_t gaussians_total = 0;
   std::size_t gaussians_used = 0;
+  std::size_t gaussians_merged = 0;  // what all were merged into; 0: they were not
   std::size_t exact_pixels = 0;    // airlight evaluated, not interpolated
   std::size_t sampled_pixels = 0;  // by more than their centers
   std::uint64_t light_pairs = 0;   // Gaussian x ray pairs evaluated from lights

@@ -19,7 +19,9 @@ DeepSettings deep_settings(const Settings& settings, double error, const Frame& 
     sum += static_cast<double>(light) * static_cast<double>(light);
   }
   const double count = std::max(static_cast<double>(frame.airlight.size()), 1.0);
-  return {settings, error, std::sqrt(sum / count)};
+  Settings exact = settings;
+  exact.merge_error = 0.0;  // its own error is bounded for each pixel
+  return {exact, error, std::sqrt(sum / count)};
 }
 
 std::optional<DeepFileStatistics> write_deep_frame(const std::filesystem::path& file,

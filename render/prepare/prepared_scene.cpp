@@ -2,15 +2,21 @@
 
 #include <algorithm>
 
+#include "render/prepare/merged_medium.h"
+
 namespace brume {
 void PreparedScene::update(const Scene& scene, const RenderPlan& plan) {
   const Settings& settings = plan.settings;
-  const IndexInputs inputs{scene.medium.revision(), plan.depth_error, scene.optics.anisotropy};
+  const IndexInputs inputs{scene.medium.revision(), plan.depth_error, plan.merge_error,
+                           scene.optics.anisotropy};
   if (!index_ || inputs != index_inputs_) {
     depths_.clear();
     tables_.clear();
-    index_ = std::make_unique<MediumIndex>(
-        scene.medium, culling_tolerance(scene.medium, inputs.depth_error), inputs.anisotropy);
+    const std::optional<Medium> merged = merged_medium(scene.medium, inputs.merge_error);
+    const Medium& medium = merged ? *merged : scene.medium;
+    is_merged_ = merged.has_value();
+    index_ = std::make_unique<MediumIndex>(medium, culling_tolerance(medium, inputs.depth_error),
+                                           inputs.anisotropy);
     index_inputs_ = inputs;
   }
   index_->set_noise(RayNoise(scene.optics.noise, scene.time));

@@ -29,6 +29,8 @@ class PreparedScene {
 
   // State after the last update().
   [[nodiscard]] const MediumIndex& medium() const { return *index_; }
+  // Whether it has fewer Gaussians than the scene, see Settings::merge_error.
+  [[nodiscard]] bool is_merged() const { return is_merged_; }
   [[nodiscard]] const RayCaster& ray_caster() const { return *ray_caster_; }
   [[nodiscard]] const ExactOcclusion& exact_occlusion() const {
     return *exact_occlusion_;
@@ -48,6 +50,7 @@ class PreparedScene {
   struct IndexInputs {
     Revision medium = 0;
     double depth_error = 0.0;
+    double merge_error = 0.0;
     double anisotropy = 0.0;
 
     bool operator==(const IndexInputs&) const = default;
@@ -55,6 +58,7 @@ class PreparedScene {
 
   std::unique_ptr<MediumIndex> index_;
   IndexInputs index_inputs_;
+  bool is_merged_ = false;
 
   std::unique_ptr<RayCaster> ray_caster_;
   std::unique_ptr<ExactOcclusion> exact_occlusion_;

@@ -10,6 +10,7 @@
 
 #include "brume/at_time.h"
 #include "brume/error.h"
+#include "core/authoring/simplify.h"
 #include "core/io/file_bytes.h"
 #include "core/io/gaussians/gaussian_file.h"
 #include "core/io/scene/usd_file.h"
@@ -55,6 +56,9 @@ class ExportCommand final : public Command {
                    "voxel size of the .vdb; default: half the smallest radius")
         ->check(finite_in(1e-12, 1e12));
     app.add_flag("--half", half_, "store the .vdb in half precision");
+    app.add_option("--simplify", simplify_,
+                   "merge Gaussians into fewer, up to this relative rms error of optical depth")
+        ->check(finite_in(1e-4, 1.0));
     auto* const time =
         app.add_option("--time", time_, "time to export [s], for keyframes and emitters");
     time->check(finite_in(-1e9, 1e9))->capture_default_str();
@@ -89,7 +93,7 @@ class ExportCommand final : public Command {
     }
     if (!is_sequence) {
       files_.add_output(output_);
-      writing(read(time_), output_)();
+      writing(simplified(read(time_)), output_)();
       return done;
     }
     const FramePattern outputs = parse_pattern(output_);
@@ -107,6 +111,23 @@ class ExportCommand final : public Command {
   }
 
  private:
+  // As few Gaussians as --simplify asks for.
+  [[nodiscard]] Medium simplified(const Medium& medium) const {
+    if (!(simplify_ > 0.0)) return medium;
+    std::vector<Gaussian> gaussians;
+    for (std::size_t i = 0; i < medium.size(); ++i) gaussians.push_back(medium.gaussian(i));
+    const ProgressLine line("simplifying");
+    const Simplified less =
+        finished(brume::simplify(gaussians, simplify_, interruption(), line.progress()));
+    const std::vector<Gaussian> left = less.of(gaussians);
+    print_note(std::to_string(gaussians.size()) + " Gaussians became " +
+               std::to_string(left.size()) + ", with an error of " + quoted_text(less.error));
+    Medium result;
+    result.set_homogeneous_density(medium.homogeneous_density());
+    for (const Gaussian& gaussian : left) result.append(gaussian);
+    return result;
+  }
+
   static Medium read_file(const std::string& file) {
     Medium medium;
     for (const Gaussian& gaussian : read_gaussians(file)) medium.append(gaussian);
@@ -154,6 +175,7 @@ class ExportCommand final : public Command {
     std::vector<UsdFrame> frames;
     for (const int code : codes) {
       UsdFrame frame{code, read_scene_at(is_sequence ? code / fps_ : time_), {}};
+      frame.scene.medium = simplified(frame.scene.medium);
       if (frame.scene.medium.size() > 0) {
         frame.volume = file_of(code).filename();
         const Grids grids = sampled_grids(frame.scene.medium, file_of(code).string());
@@ -221,6 +243,7 @@ class ExportCommand final : public Command {
   std::string output_;
   double voxel_size_ = 0.0;
   bool half_ = false;
+  double simplify_ = 0.0;  // 0: not
   double time_ = 0.0;
   std::string frames_;
   double fps_ = 30.0;  // as the timeline

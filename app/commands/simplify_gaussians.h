@@ -1,0 +1,20 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "brume/gaussian.h"
+
+namespace brume {
+
+class Document;
+struct Simplified;
+
+// The selected Gaussians, or all.
+std::vector<GaussianId> to_simplify(const Document& document);
+
+// What simplify() has made of these Gaussians, as one undo step.
+void apply_simplified(Document& document, std::span<const GaussianId> ids,
+                      const Simplified& simplified);
+
+}  // namespace brume

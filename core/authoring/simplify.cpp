@@ -1,0 +1,280 @@
+#include "core/authoring/simplify.h"
+
+#include <tbb/parallel_invoke.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <cstdint>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <numbers>
+#include <numeric>
+
+#include "core/math/special_functions.h"
+
+namespace brume {
+namespace {
+
+// A Gaussian by what its optical depth adds up to over parallel lines.
+struct Ball {
+  glm::dvec3 center{0.0};
+  double radius = 1.0;
+  double mass = 0.0;  // [u^2]
+
+  explicit Ball(const Gaussian& g)
+      : center(g.center),
+        radius(g.radius),
+        mass(std::pow(std::numbers::pi, 1.5) * g.density * g.radius * g.radius * g.radius) {}
+  // The one of the mass, mean and variance of two.
+  Ball(const Ball& a, const Ball& b) : mass(a.mass + b.mass) {
+    const double share = mass > 0.0 ? b.mass / mass : 0.5;
+    const glm::dvec3 apart = b.center - a.center;
+    center = a.center + share * apart;
+    // Variances per axis are half the squared radii.
+    radius = std::sqrt(glm::mix(a.radius * a.radius, b.radius * b.radius, share) +
+                       2.0 / 3.0 * share * (1.0 - share) * glm::dot(apart, apart));
+  }
+  [[nodiscard]] double density() const {
+    return mass / (std::pow(std::numbers::pi, 1.5) * radius * radius * radius);
+  }
+};
+
+// The product of two Gaussians' optical depths, integrated over parallel lines and averaged over
+// their direction [u^2].
+double overlap(const Ball& a, const Ball& b) {
+  const double square = a.radius * a.radius + b.radius * b.radius;
+  const glm::dvec3 apart = b.center - a.center;
+  const double k = std::sqrt(glm::dot(apart, apart) / square);
+  const double mean = k < 1e-3 ? 1.0 - 2.0 / 3.0 * k * k : dawson(k) / k;
+  return a.mass * b.mass / (std::numbers::pi * square) * mean;
+}
+
+// The squared error of optical depth when `one` stands for a and b, integrated as above.
+double squared_error(const Ball& a, const Ball& b, const Ball& one) {
+  const double sum = overlap(a, a) + overlap(b, b) + overlap(one, one) +
+                     2.0 * (overlap(a, b) - overlap(a, one) - overlap(b, one));
+  return std::max(sum, 0.0);
+}
+
+// Optical depth of the lines through a medium along three axes, at the resolution of `cells`.
+class AxisDepths {
+ public:
+  explicit AxisDepths(std::span<const Gaussian> gaussians) {
+    low_ = glm::dvec3(std::numeric_limits<double>::infinity());
+    glm::dvec3 high(-std::numeric_limits<double>::infinity());
+    for (const Gaussian& g : gaussians) {
+      low_ = glm::min(low_, g.center - g.radius);
+      high = glm::max(high, g.center + g.radius);
+    }
+    size_ = glm::max(high - low_, 1e-300) / double{cells};
+    for (auto& image : depths_) image.assign(std::size_t{cells} * cells, 0.0);
+    for (const Gaussian& g : gaussians) add(Ball(g));
+  }
+
+  // Of the shallowest of the three lines through a point.
+  [[nodiscard]] double least(const glm::dvec3& x) const {
+    const glm::ivec3 cell = cell_of(x);
+    double depth = std::numeric_limits<double>::infinity();
+    for (int axis = 0; axis < 3; ++axis) {
+      depth = std::min(depth, depths_[static_cast<std::size_t>(axis)]
+                                     [index(cell[(axis + 1) % 3], cell[(axis + 2) % 3])]);
+    }
+    return depth;
+  }
+
+ private:
+  static constexpr int cells = 128;
+
+  static std::size_t index(int column, int row) {
+    return static_cast<std::size_t>(row) * cells + static_cast<std::size_t>(column);
+  }
+  [[nodiscard]] glm::ivec3 cell_of(const glm::dvec3& x) const {
+    return glm::clamp(glm::ivec3((x - low_) / size_), glm::ivec3(0), glm::ivec3(cells - 1));
+  }
+
+  // Spread evenly over the square of its size that has its greatest depth's share.
+  void add(const Ball& ball) {
+    const double half = 0.5 * std::sqrt(std::numbers::pi) * ball.radius;
+    const glm::ivec3 first = cell_of(ball.center - half);
+    const glm::ivec3 last = cell_of(ball.center + half);
+    for (int axis = 0; axis < 3; ++axis) {
+      const int u = (axis + 1) % 3;
+      const int v = (axis + 2) % 3;
+      const glm::dvec2 covered((last[u] - first[u] + 1) * size_[u],
+                               (last[v] - first[v] + 1) * size_[v]);
+      const double depth = ball.mass / (covered.x * covered.y);
+      std::vector<double>& image = depths_[static_cast<std::size_t>(axis)];
+      for (int row = first[v]; row <= last[v]; ++row) {
+        for (int column = first[u]; column <= last[u]; ++column) {
+          image[index(column, row)] += depth;
+        }
+      }
+    }
+  }
+
+  glm::dvec3 low_{0.0}, size_{1.0};
+  std::array<std::vector<double>, 3> depths_;
+};
+
+struct Part {
+  Ball ball;
+  double squared_error = 0.0;  // of what it stands for
+  std::uint32_t source = 0;    // one of these
+  bool is_merged = false;
+};
+
+class Simplification {
+ public:
+  Simplification(std::span<const Gaussian> gaussians, double max_error, const std::stop_token& stop,
+                 const std::function<void(double)>& progress)
+      : gaussians_(gaussians),
+        allowed_(max_error * max_error),
+        stop_(stop),
+        progress_(progress),
+        depths_(gaussians),
+        order_(gaussians.size()) {
+    std::iota(order_.begin(), order_.end(), 0u);
+  }
+
+  double estimated_share() {
+    if (gaussians_.empty()) return 1.0;
+    std::size_t sampled = 0;
+    std::size_t left = 0;
+    // Of four boxes in different places of the tree; a bit for each way.
+    for (const unsigned ways : {0x0u, 0x55555555u, 0xaaaaaaaau, 0xffffffffu}) {
+      std::span<std::uint32_t> box = order_;
+      for (unsigned level = 0; box.size() > sample_size; ++level) {
+        const std::size_t half = box.size() / 2;
+        split(box, half);
+        box = (ways >> level & 1) == 0 ? box.first(half) : box.subspan(half);
+      }
+      sampled += box.size();
+      left += merged(box).size();
+    }
+    return static_cast<double>(left) / static_cast<double>(sampled);
+  }
+
+  std::optional<Simplified> run() {
+    Simplified result;
+    if (gaussians_.empty()) return result;
+    const std::vector<Part> parts = merged(order_);
+    if (stop_.stop_requested()) return std::nullopt;
+    double squared_errors = 0.0;
+    double squares = 0.0;
+    for (const Part& part : parts) {
+      if (part.is_merged) {
+        Gaussian& g = result.merged.emplace_back(gaussians_[part.source]);
+        g.center = part.ball.center;
+        g.radius = part.ball.radius;
+        g.density = part.ball.density();
+      } else {
+        result.kept.push_back(part.source);
+      }
+      squared_errors += part.squared_error;
+      squares += part.ball.mass * seen_depth(part.ball);
+    }
+    std::ranges::sort(result.kept);
+    if (squares > 0.0) result.error = std::sqrt(squared_errors / squares);
+    return result;
+  }
+
+ private:
+  // Below it, a tree's halves are not worth two tasks.
+  static constexpr std::size_t parallel_size = 4096;
+  static constexpr std::size_t sample_size = 512;
+
+  // Light sees the first unit of optical depth.
+  [[nodiscard]] double seen_depth(const Ball& ball) const {
+    return std::min(depths_.least(ball.center), 1.0);
+  }
+
+  [[nodiscard]] bool may_merge(const Part& a, const Part& b) const {
+    const Gaussian& first = gaussians_[a.source];
+    const Gaussian& second = gaussians_[b.source];
+    return first.group == second.group && first.optics == second.optics;
+  }
+
+  // Of a box of Gaussians, halved along its longest side.
+  std::vector<Part> merged(std::span<std::uint32_t> order) {
+    if (order.size() == 1) return {{Ball(gaussians_[order[0]]), 0.0, order[0], false}};
+    if (stop_.stop_requested()) return {};
+    const std::size_t half = order.size() / 2;
+    split(order, half);
+    std::vector<Part> parts;
+    std::vector<Part> others;
+    const auto first = [&] { parts = merged(order.first(half)); };
+    const auto second = [&] { others = merged(order.subspan(half)); };
+    if (order.size() < parallel_size) {
+      first();
+      second();
+    } else {
+      tbb::parallel_invoke(first, second);
+    }
+    if (parts.size() == 1 && others.size() == 1 && may_merge(parts[0], others[0])) {
+      const Part& a = parts[0];
+      const Part& b = others[0];
+      const Ball one(a.ball, b.ball);
+      // Errors of different sizes do not add up in phase.
+      const double error = squared_error(a.ball, b.ball, one) + a.squared_error + b.squared_error;
+      if (error <= allowed_ * one.mass * seen_depth(one)) return {{one, error, a.source, true}};
+    }
+    parts.insert(parts.end(), others.begin(), others.end());
+    if (progress_ && order.size() >= parallel_size / 2 && order.size() < parallel_size) {
+      done_ += order.size();
+      progress_(static_cast<double>(done_) / static_cast<double>(gaussians_.size()));
+    }
+    return parts;
+  }
+
+  void split(std::span<std::uint32_t> order, std::size_t half) const {
+    glm::dvec3 low(std::numeric_limits<double>::infinity());
+    glm::dvec3 high(-std::numeric_limits<double>::infinity());
+    for (const std::uint32_t i : order) {
+      low = glm::min(low, gaussians_[i].center);
+      high = glm::max(high, gaussians_[i].center);
+    }
+    const glm::dvec3 size = high - low;
+    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    std::nth_element(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(half), order.end(),
+                     [&](std::uint32_t a, std::uint32_t b) {
+                       const double x = gaussians_[a].center[axis];
+                       const double y = gaussians_[b].center[axis];
+                       return x != y ? x < y : a < b;
+                     });
+  }
+
+  std::span<const Gaussian> gaussians_;
+  double allowed_;
+  const std::stop_token& stop_;
+  const std::function<void(double)>& progress_;
+  AxisDepths depths_;
+  std::vector<std::uint32_t> order_;
+  std::atomic<std::size_t> done_ = 0;
+};
+
+}  // namespace
+
+std::vector<Gaussian> Simplified::of(std::span<const Gaussian> gaussians) const {
+  std::vector<Gaussian> all;
+  all.reserve(kept.size() + merged.size());
+  for (const std::uint32_t i : kept) all.push_back(gaussians[i]);
+  all.insert(all.end(), merged.begin(), merged.end());
+  return all;
+}
+
+std::optional<Simplified> simplify(std::span<const Gaussian> gaussians, double max_error,
+                                   const std::stop_token& stop,
+                                   const std::function<void(double)>& progress) {
+  return Simplification(gaussians, max_error, stop, progress).run();
+}
+
+double estimated_share(std::span<const Gaussian> gaussians, double max_error) {
+  const std::stop_token stop;
+  const std::function<void(double)> progress;
+  return Simplification(gaussians, max_error, stop, progress).estimated_share();
+}
+
+}  // namespace brume

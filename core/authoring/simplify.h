@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <stop_token>
+#include <vector>
+
+#include "brume/gaussian.h"
+
+namespace brume {
+
+// Fewer Gaussians in place of many.
+struct Simplified {
+  std::vector<std::uint32_t> kept;  // indices of those that stay as they are
+  std::vector<Gaussian> merged;     // in place of the others
+  // Estimate of the relative rms error of optical depth that light sees: where lines are deeper
+  // than 1, of the first unit.
+  double error = 0.0;
+
+  // All that are left.
+  [[nodiscard]] std::vector<Gaussian> of(std::span<const Gaussian> gaussians) const;
+};
+
+// Merges neighbouring Gaussians of one group and equal optics: two become one of the same mass,
+// mean and variance. The error that each merge adds is known in closed form (the squared difference
+// of the lines' optical depths, integrated over all lines), and merges go on where the sum of
+// errors on a line stays within max_error, in (0, 1], of its depth: many small Gaussians that
+// overlap become few, one that stands alone stays. O(n log n), in parallel; the result is the same
+// whatever the threads. nullopt: stopped.
+std::optional<Simplified> simplify(std::span<const Gaussian> gaussians, double max_error,
+                                   const std::stop_token& stop = {},
+                                   const std::function<void(double)>& progress = {});
+
+// The share of the Gaussians that simplify() would leave, from samples of them: to a tenth or so.
+double estimated_share(std::span<const Gaussian> gaussians, double max_error);
+
+}  // namespace brume

@@ -1,0 +1,105 @@
+// Edit > Simplify: fewer Gaussians in one step, that undo takes back.
+
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QPushButton>
+#include <QStatusBar>
+
+#include "app/commands/edit_medium.h"
+#include "app/commands/select_command.h"
+#include "app/widgets/number_field.h"
+#include "app/window/simplify_dialog.h"
+#include "core/math/random_source.h"
+#include "tests/app/test_window.h"
+
+using namespace brume;
+
+namespace {
+
+// Small ones close together, and one far away.
+Scene crowded_scene() {
+  Scene scene = small_scene();
+  scene.medium = {};
+  RandomSource random(3);
+  for (int i = 0; i < 300; ++i) scene.medium.append({0.4 * random.in_ball(), 0.15, 0.2});
+  scene.medium.append({{1.2, 0.0, 0.0}, 0.1, 0.5});
+  return scene;
+}
+
+class SimplifyWindow : public TestWindow {
+ public:
+  SimplifyWindow() : TestWindow(crowded_scene()) {}
+
+  SimplifyDialog& show() {
+    (*this)->findChild<QAction*>("edit.simplify")->trigger();
+    return *(*this)->findChild<SimplifyDialog*>();
+  }
+  void simplify(const char* percent) {
+    SimplifyDialog& dialog = show();
+    auto* field = dialog.findChild<QLineEdit*>();
+    field->selectAll();
+    QTest::keyClicks(field, percent);
+    QTest::keyClick(field, Qt::Key_Tab);
+    QTest::mouseClick(dialog.findChild<QPushButton*>("simplify_now"), Qt::LeftButton);
+  }
+  Document& document() { return (*this)->document(); }
+};
+
+}  // namespace
+
+class SimplifyTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void is_one_step_that_undo_takes_back() {
+    SimplifyWindow window;
+    const Scene before = window.document().scene();
+    window.simplify("5");
+    QTRY_COMPARE(window.document().undo_stack().count(), 1);
+    QCOMPARE(window.document().undo_stack().undoText(), QString("Simplify 301 Gaussians"));
+    const std::size_t left = window.document().medium().size();
+    QVERIFY2(left < 150, qPrintable(QString::number(left)));
+    // The one that stands alone is as it was.
+    QCOMPARE(window.document().medium().ids()[0], before.medium.ids()[300]);
+    window.document().undo_stack().undo();
+    QVERIFY(window.document().scene() == before);
+    window.document().undo_stack().redo();
+    QCOMPARE(window.document().medium().size(), left);
+  }
+
+  void acts_on_what_is_selected() {
+    SimplifyWindow window;
+    const auto ids = window.document().medium().ids();
+    select_gaussians(window.document(), {ids.begin(), ids.begin() + 100});
+    SimplifyDialog& dialog = window.show();
+    QCOMPARE(dialog.findChild<QLabel*>("simplify_count")->text(),
+             QString("Merges 100 Gaussians, selected"));
+    dialog.reject();
+    window.simplify("20");
+    QTRY_COMPARE(window.document().undo_stack().undoText(), QString("Simplify 100 Gaussians"));
+    for (std::size_t i = 100; i < 301; ++i) {
+      QVERIFY(window.document().medium().index_of(crowded_scene().medium.ids()[i]));
+    }
+  }
+
+  void says_that_nothing_can_be_merged() {
+    SimplifyWindow window;
+    window.simplify("0.01");
+    QTRY_VERIFY(window->statusBar()->currentMessage().contains("No Gaussians"));
+    QCOMPARE(window.document().undo_stack().count(), 0);
+  }
+
+  void refuses_what_is_no_error() {
+    SimplifyWindow window;
+    SimplifyDialog& dialog = window.show();
+    auto* field = dialog.findChild<QLineEdit*>();
+    field->selectAll();
+    QTest::keyClicks(field, "-3");
+    QTest::keyClick(field, Qt::Key_Tab);
+    QVERIFY(dialog.findChild<QLabel*>("simplify_count")->text().contains("0.01 to 100"));
+  }
+};
+
+BRUME_APP_SUITE("simplify", SimplifyTest)
+#include "simplify_test.moc"

@@ -1,0 +1,130 @@
+#include "core/authoring/simplify.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "core/transport/optical_depth.h"
+#include "tests/random.h"
+
+namespace brume {
+namespace {
+
+std::vector<Gaussian> fog_bank(std::size_t count, double depth, unsigned seed) {
+  Random random(seed);
+  std::vector<Gaussian> gaussians;
+  double mass = 0.0;
+  for (std::size_t i = 0; i < count; ++i) {
+    Gaussian& g = gaussians.emplace_back();
+    g.center = random.point(1.0);
+    g.radius = random.uniform(0.03, 0.15);
+    g.density = random.uniform(0.5, 1.5);
+    mass += std::pow(std::numbers::pi, 1.5) * g.density * std::pow(g.radius, 3);
+  }
+  for (Gaussian& g : gaussians) g.density *= depth * 4.0 / mass;
+  return gaussians;
+}
+
+double depth_along(std::span<const Gaussian> gaussians, const glm::dvec3& origin,
+                   const glm::dvec3& w) {
+  double depth = 0.0;
+  for (const Gaussian& g : gaussians) {
+    const GaussianTerm<double> term(g);
+    depth += optical_depth(term, line_profile(term, origin, w), 20.0);
+  }
+  return depth;
+}
+
+double mass_of(std::span<const Gaussian> gaussians) {
+  double mass = 0.0;
+  for (const Gaussian& g : gaussians) mass += g.density * std::pow(g.radius, 3);
+  return mass;
+}
+
+// Over lines through the middle of the cube.
+double found_error(std::span<const Gaussian> from, std::span<const Gaussian> to) {
+  Random random(9);
+  double squares = 0.0;
+  double errors = 0.0;
+  for (int i = 0; i < 400; ++i) {
+    const glm::dvec3 w = glm::normalize(random.point(1.0));
+    const glm::dvec3 origin = random.point(0.6) - 10.0 * w;
+    const double depth = depth_along(from, origin, w);
+    const double error = depth_along(to, origin, w) - depth;
+    squares += depth * depth;
+    errors += error * error;
+  }
+  return std::sqrt(errors / squares);
+}
+
+TEST(Simplify, ErrorsAreAsEstimated) {
+  std::size_t last = 3001;
+  for (const double max_error : {0.01, 0.03, 0.1}) {
+    const std::vector<Gaussian> bank = fog_bank(3000, 0.8, 5);
+    const Simplified less = *simplify(bank, max_error);
+    const std::vector<Gaussian> left = less.of(bank);
+    SCOPED_TRACE(testing::Message() << max_error << ": " << left.size());
+    EXPECT_LT(left.size(), last);
+    last = left.size();
+    EXPECT_LE(less.error, max_error);
+    EXPECT_NEAR(mass_of(left), mass_of(bank), 1e-9 * mass_of(bank));
+    const double found = found_error(bank, left);
+    EXPECT_LT(found, 1.5 * less.error + 1e-3);
+    EXPECT_GT(found, 0.4 * less.error);
+  }
+  EXPECT_LT(last, 800u);
+}
+
+// Coincident ones cost nothing; those that stand alone are seen as they are.
+TEST(Simplify, KeepsWhatStandsAlone) {
+  std::vector<Gaussian> gaussians;
+  for (int i = 0; i < 8; ++i) gaussians.push_back({{10.0 * i, 0.0, 0.0}, 1.0, 0.5});
+  const Simplified same = *simplify(gaussians, 0.1);
+  EXPECT_TRUE(same.merged.empty());
+  EXPECT_EQ(same.of(gaussians), gaussians);
+  gaussians.push_back({{0.0, 0.0, 0.0}, 1.0, 0.25});
+  const Simplified less = *simplify(gaussians, 1e-3);
+  EXPECT_EQ(less.kept, (std::vector<std::uint32_t>{1, 2, 3, 4, 5, 6, 7}));
+  ASSERT_EQ(less.merged.size(), 1u);
+  EXPECT_NEAR(less.merged[0].density, 0.75, 1e-12);
+  EXPECT_NEAR(less.error, 0.0, 1e-6);
+}
+
+TEST(Simplify, MergesOnlyWhatIsAlike) {
+  Gaussian plain{{0, 0, 0}, 1.0, 0.5};
+  Gaussian grouped = plain;
+  grouped.group = 3;
+  Gaussian glowing = plain;
+  glowing.optics.emission = {1, 0, 0};
+  Gaussian dark = plain;
+  dark.optics.albedo = glm::dvec3(0.5);
+  for (const Gaussian& other : {grouped, glowing, dark}) {
+    EXPECT_EQ(simplify(std::vector{plain, other}, 1.0)->kept.size(), 2u);
+    const Simplified same = *simplify(std::vector{other, other}, 0.01);
+    ASSERT_EQ(same.merged.size(), 1u);
+    EXPECT_EQ(same.merged[0].optics, other.optics);
+    EXPECT_EQ(same.merged[0].group, other.group);
+  }
+}
+
+TEST(Simplify, NothingOfNothing) {
+  EXPECT_TRUE(simplify({}, 0.1)->of({}).empty());
+  std::vector<Gaussian> empty(5, Gaussian{{1, 2, 3}, 0.5, 0.0});
+  const Simplified less = *simplify(empty, 0.1);
+  EXPECT_EQ(mass_of(less.of(empty)), 0.0);
+  EXPECT_EQ(less.error, 0.0);
+  // Far apart, and of sizes that differ much.
+  const std::vector<Gaussian> far{
+      {{-1e9, 0, 0}, 1e-6, 1.0}, {{1e9, 0, 0}, 1e6, 1e-6}, {{0, 0, 0}, 1, 1}};
+  for (const Gaussian& g : simplify(far, 0.5)->of(far)) {
+    EXPECT_TRUE(std::isfinite(g.radius) && std::isfinite(g.density) && g.radius > 0.0);
+  }
+  std::stop_source stop;
+  stop.request_stop();
+  EXPECT_FALSE(simplify(empty, 0.1, stop.get_token()));
+}
+
+}  // namespace
+}  // namespace brume
