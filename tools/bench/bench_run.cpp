@@ -156,6 +156,12 @@ BenchReport run_bench(const BenchOptions& options,
   report.curves = measure_cost_curves(options, log);
   log("threads");
   report.thread_rows = measure_threads(options);
+  log("many Gaussians");
+  report.fog_banks = measure_fog_banks(options.quick);
+  if (options.run_brume) {
+    log("shots");
+    report.shot = measure_shot(options.run_brume, options.quick);
+  }
   log("skipped stages");
   for (const PlanDecision& decision : plan_decisions()) {
     report.savings.push_back(measure_saving(decision, options.quick ? 3 : 9));

@@ -19,6 +19,7 @@
 #include "tools/brume/command_files.h"
 #include "tools/brume/finite_in.h"
 #include "tools/brume/read_scene.h"
+#include "tools/brume/other_program.h"
 
 namespace brume {
 namespace {
@@ -30,6 +31,14 @@ std::string shown_command(bool quick, bool of_scenes, bool with_peers) {
   if (of_scenes) command += " SCENE...";
   if (with_peers) command += " --peers peers.json";
   return command + " -o speed";
+}
+
+std::string run_this_program(const std::vector<std::string>& arguments) {
+  std::vector<std::string> all{std::filesystem::read_symlink("/proc/self/exe").string()};
+  all.insert(all.end(), arguments.begin(), arguments.end());
+  const ProgramOutput output = run_other_program(all);
+  if (output.exit_code != 0) throw std::runtime_error("brume render has failed");
+  return output.out;
 }
 
 class BenchCommand final : public Command {
@@ -75,6 +84,7 @@ class BenchCommand final : public Command {
                          .threads = threads_,
                          .backend = parse_backend(backend_),
                          .scenes = {scenes_.begin(), scenes_.end()},
+                         .run_brume = run_this_program,
                          .peers = {}};
     if (!peers_.empty()) options.peers = read_other_renderers(peers_);
     std::optional<tbb::global_control> bound;

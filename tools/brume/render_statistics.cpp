@@ -78,6 +78,7 @@ std::string statistics_json(const RenderRun& run, const FrameStatistics& first,
   json["skipped"] = reasons(first.skipped);
   if (!first.on_cpu.empty()) json["on_cpu"] = reasons(first.on_cpu);
   json["gaussians"] = Json{{"total", first.gaussians_total}, {"used", first.gaussians_used}};
+  if (first.gaussians_merged > 0) json["gaussians"]["merged"] = first.gaussians_merged;
   json["pairs"] = Json{{"light", first.light_pairs}, {"view", first.view_pairs}};
   json["scattering"] = nullptr;
   if (first.scattering) {

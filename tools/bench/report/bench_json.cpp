@@ -232,6 +232,23 @@ std::string to_json(const BenchReport& report) {
     threads.push_back({{"threads", row.threads}, {"frame_ms", to_json(row.milliseconds)}});
   }
   json["thread_rows"] = std::move(threads);
+  OrderedJson banks = OrderedJson::array();
+  for (const FogBankRow& row : report.fog_banks) {
+    OrderedJson entry = to_json(row.measurement);
+    entry["gaussians"] = row.gaussians;
+    entry["merged"] = row.merged;
+    entry["unmerged_ratio"] = to_json(row.unmerged_ratio);
+    banks.push_back(std::move(entry));
+  }
+  json["fog_banks"] = std::move(banks);
+  OrderedJson shot = OrderedJson::array();
+  for (const ShotRow& row : report.shot) {
+    shot.push_back({{"workers", row.workers},
+                    {"seconds", row.seconds},
+                    {"frames_per_hour", row.frames_per_hour},
+                    {"lost", row.lost}});
+  }
+  json["shot"] = std::move(shot);
   OrderedJson savings = OrderedJson::array();
   for (const PlanSaving& saving : report.savings) {
     savings.push_back({{"stage", to_string(saving.stage)},

@@ -11,12 +11,14 @@
 #include "tools/bench/errors/noise_errors.h"
 #include "tools/bench/errors/sample_errors.h"
 #include "tools/bench/measure/cache_gains.h"
+#include "tools/bench/measure/fog_banks.h"
 #include "tools/bench/measure/frontier.h"
 #include "tools/bench/measure/hard_cases.h"
 #include "tools/bench/measure/kernel_limit.h"
 #include "tools/bench/measure/measurement.h"
 #include "tools/bench/measure/peers.h"
 #include "tools/bench/measure/plan_decisions.h"
+#include "tools/bench/measure/shot.h"
 
 namespace brume {
 
@@ -91,6 +93,8 @@ struct BenchReport {
   std::vector<ComparedError> noise;
   std::vector<CostCurve> curves;
   std::vector<ThreadRow> thread_rows;
+  std::vector<ShotRow> shot;
+  std::vector<FogBankRow> fog_banks;
   std::vector<PlanSaving> savings;
   std::vector<HardCaseRow> hard_cases;
   std::vector<TableOneRow> table_one;

@@ -41,6 +41,8 @@ std::vector<ReportTable> bench_tables(const BenchReport& report) {
                                      cache_table(report.caches),
                                      curve_table(report.curves),
                                      thread_table(report.thread_rows),
+                                     fog_bank_table(report.fog_banks),
+                                     shot_table(report.shot),
                                      saving_table(report.savings),
                                      hard_case_table(report.hard_cases)};
   std::erase_if(tables, [](const ReportTable& table) { return table.rows.empty(); });

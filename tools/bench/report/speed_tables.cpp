@@ -173,6 +173,43 @@ ReportTable thread_table(const std::vector<ThreadRow>& rows) {
   return table;
 }
 
+ReportTable fog_bank_table(const std::vector<FogBankRow>& rows) {
+  ReportTable table{
+      "Many Gaussians",
+      "Banks of small Gaussians that fill the view, at 800 x 600 and airlight scale 4, with the "
+      "fewest slices for an error of 2%. Merged: into how many Gaussians, as `sliced` with few "
+      "slices does where that is faster.",
+      {"Gaussians", "setting", "merged", "milliseconds per frame", "error",
+       "unmerged, times slower"},
+      {},
+      ""};
+  for (const FogBankRow& row : rows) {
+    table.rows.push_back({formatted("%d", row.gaussians), row.measurement.setting,
+                          row.merged > 0 ? formatted("%zu", row.merged) : "no",
+                          with_spread(row.measurement.milliseconds, 1),
+                          formatted("%.2f%%", 100.0 * row.measurement.error.rel_rmse),
+                          with_spread(row.unmerged_ratio, 2)});
+  }
+  return table;
+}
+
+ReportTable shot_table(const std::vector<ShotRow>& rows) {
+  ReportTable table{
+      "Shots",
+      "Frames of the animated scene `stage` at 480 x 270, by one `brume render --frames` and by "
+      "several that share the cores; their files are equal, byte for byte. Lost: reading the "
+      "scene, and waiting for files to be written.",
+      {"workers", "frames per hour", "speed-up over one", "lost"},
+      {},
+      ""};
+  for (const ShotRow& row : rows) {
+    table.rows.push_back({formatted("%d", row.workers), formatted("%.0f", row.frames_per_hour),
+                          formatted("%.2f", rows[0].seconds / row.seconds),
+                          formatted("%.1f%%", 100.0 * row.lost)});
+  }
+  return table;
+}
+
 ReportTable saving_table(const std::vector<PlanSaving>& savings) {
   ReportTable table{
       "Skipped stages",

@@ -5,10 +5,12 @@
 #include <ctime>
 #include <filesystem>
 #include <glm/geometric.hpp>
+#include <numbers>
 #include <optional>
 #include <vector>
 
 #include "core/io/scene/scene_file.h"
+#include "core/math/random_source.h"
 #include "core/scene/radiance_map.h"
 #include "core/transport/medium_summary.h"
 #include "render/quality/error_estimate.h"
@@ -16,8 +18,12 @@
 
 namespace brume {
 
+std::filesystem::path sample_scene_file(const char* name) {
+  return std::filesystem::path(BRUME_SCENES) / (std::string(name) + ".brume");
+}
+
 Scene sample_airlight(const char* name) {
-  Scene scene = load_scene(std::filesystem::path(BRUME_SCENES) / (std::string(name) + ".brume"));
+  Scene scene = load_scene(sample_scene_file(name));
   scene.surfaces.clear();
   return scene;
 }
@@ -70,6 +76,34 @@ Medium box_of(int count) {
     medium.append({center, radius, depth / (count * 5.568327996831708 * std::pow(radius, 3))});
   }
   return medium;
+}
+
+Scene fog_bank(int count) {
+  RandomSource random(1);
+  Scene scene;
+  scene.camera = {{0, 1, 7}, {0, 0, 0}, {0, 1, 0}, 45.0};
+  scene.film = {800, 600};
+  scene.lights.push_back({{3, 4, 3}, {60, 50, 40}, {}});
+  std::vector<Gaussian> gaussians;
+  double mass = 0.0;
+  for (int i = 0; i < count; ++i) {
+    Gaussian& g = gaussians.emplace_back();
+    const auto from = [&](double low, double high) {
+      return low + (high - low) * random.uniform();
+    };
+    g.center.x = from(-2.0, 2.0);
+    g.center.y = from(-1.0, 1.0);
+    g.center.z = from(-2.0, 2.0);
+    g.radius = from(0.01, 0.05);
+    g.density = from(0.5, 1.5);
+    mass += std::pow(std::numbers::pi, 1.5) * g.density * g.radius * g.radius * g.radius;
+  }
+  // An optical depth of 2 over the 4 u along a view ray, in 32 u^3.
+  for (Gaussian& g : gaussians) {
+    g.density *= 0.5 * 32.0 / mass;
+    scene.medium.append(g);
+  }
+  return scene;
 }
 
 Scene box_scene(int count, int lights) {

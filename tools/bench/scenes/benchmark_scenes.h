@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <span>
 
@@ -10,6 +11,9 @@
 namespace brume {
 
 // What the speed claims are measured on.
+
+// A scene of resources/scenes.
+std::filesystem::path sample_scene_file(const char* name);
 
 // A sample scene of resources/scenes, without its surfaces: the airlight alone.
 Scene sample_airlight(const char* name);
@@ -26,6 +30,10 @@ Medium with_depth(std::span<const Gaussian> gaussians, double depth);
 // n Gaussians in a unit box with the same optical depth through it for every n: radii shrink so
 // that a ray always meets about the same number of them.
 Medium box_of(int count);
+
+// Small Gaussians, of radii from 0.01 to 0.05, that fill a box of 4 x 2 x 4 to an optical depth of
+// 2 along the view.
+Scene fog_bank(int count);
 
 // That box before a camera, with `lights` lights around it.
 Scene box_scene(int count, int lights);
