@@ -10,7 +10,7 @@ namespace brume {
 namespace {
 
 // The first failure, and how many others there are.
-std::string summary(const FrameRun::Result& result) {
+std::string summary(const FrameLoop::Result& result) {
   const auto& [frame, why] = result.failed.front();
   const QString first =
       QCoreApplication::translate("export", "Frame %1: %2").arg(frame).arg(why.c_str());
@@ -26,7 +26,7 @@ void export_frames(int first, int last, const Job& job, const ExportFrame& make)
   std::vector<int> frames(static_cast<std::size_t>(last - first + 1));
   std::iota(frames.begin(), frames.end(), first);
   const int count = last - first + 1;
-  FrameRun::Steps steps;
+  FrameLoop::Steps steps;
   steps.make = [&](int frame, const std::string&) {
     if (job.stop.stop_requested()) throw Cancelled();
     return make(frame, frame - first, count);
@@ -34,7 +34,7 @@ void export_frames(int first, int last, const Job& job, const ExportFrame& make)
   steps.failed = [&](int frame, const std::string& why) {
     if (frame == first) throw std::runtime_error(why);
   };
-  const FrameRun::Result result = FrameRun::run(frames, steps);
+  const FrameLoop::Result result = FrameLoop::run(frames, steps);
   if (job.stop.stop_requested()) throw Cancelled();
   if (!result.failed.empty()) throw std::runtime_error(summary(result));
 }

@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "core/io/frame_run.h"
+#include "core/io/frame_loop.h"
 #include "render/util/job.h"
 
 namespace brume {
@@ -12,7 +12,7 @@ struct Cancelled {};
 // Exports the frames from first to last, the k-th of `count`. What fails in one leaves the others
 // alone, unless it is the first: then all would fail. Throws Cancelled, and at the end a
 // runtime_error that says which frames failed and why.
-using ExportFrame = std::function<FrameRun::Write(int frame, int k, int count)>;
+using ExportFrame = std::function<FrameLoop::Write(int frame, int k, int count)>;
 void export_frames(int first, int last, const Job& job, const ExportFrame& make);
 
 }  // namespace brume

@@ -71,7 +71,7 @@ class Exporter {
   }
 
   // What writes a frame. A deep file is rendered at once.
-  FrameRun::Write writing(const std::filesystem::path& file, Frame frame) {
+  FrameLoop::Write writing(const std::filesystem::path& file, Frame frame) {
     if (file.empty()) return [] {};
     FrameInfo info = request_.info;
     info.backend = frame.statistics.backend;

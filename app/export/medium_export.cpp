@@ -21,7 +21,7 @@ double chosen_voxel_size(const Medium& medium, double request) {
 }
 
 // What writes the medium of a time to a file. Throws Cancelled.
-FrameRun::Write writing(const MediumExport& request, const std::filesystem::path& file, double time,
+FrameLoop::Write writing(const MediumExport& request, const std::filesystem::path& file, double time,
                         const Job& job) {
   const Scene scene = evaluate_at(*request.scene, time);
   const Medium& medium = scene.medium;

@@ -105,6 +105,9 @@ void add_kernels(Constants& constants) {
   constants.add("atan_small_end", coefficient::atan_small_end);
   constants.add("exact_above", exact_above);
   constants.add("min_lit_share", coefficient::min_lit_share);
+  constants.add("falling_reach", coefficient::falling_reach);
+  constants.add("front_depth", coefficient::front_depth);
+  constants.add("max_slice_front_depth", coefficient::max_front_depth);
   constants.add("short_slice", coefficient::short_slice);
   constants.add("gauss_nodes", coefficient::gauss_nodes);
   constants.add("gauss_weights", coefficient::gauss_weights);

@@ -88,10 +88,10 @@ enum class SliceSums { total, running };
 // Single scattering summed front to back over the slices (K = slices.count() - 1):
 //   sum_k exp(-T_k) (1 - exp(-dT_k)) * mean of 1/r^2 over the slice * exp(-T(s, x_k)) / (4 pi)
 //   (times henyey_greenstein() at x_k)
-// where x_k is the mean of what the slice holds, by `moments`, see accumulate_increments(), and the
-// mean of 1/r^2 is taken as far to both sides of it as the slice reaches,
-// where the mean is of the falloff over r^2 for a spot, x_k then the middle of what it lights, and
-// with a view extinction e below 1 for the truncated phase function
+// where x_k is the mean of what the slice holds, by `moments`, see accumulate_increments(), moved
+// to the front by what attenuates it in the slice, and the mean of 1/r^2 is taken around it as far
+// as what has that mean reaches, where the mean is of the falloff over r^2 for a spot, x_k then the
+// middle of what it lights, and with a view extinction e below 1 for the truncated phase function
 //   exp(-e T_k) (1 - exp(-e dT_k)) / e, as for look-ups, and for the rest of it, less what a lobe
 //   broadening takes from it, the same as without.
 // and with optics the fraction times the slice's mean albedo; emission[c][i] is set to the sum of

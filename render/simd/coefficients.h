@@ -11,6 +11,13 @@ inline constexpr double sqrt_pi = 1.77245385090551602730;
 inline constexpr float tiny = 1e-30f;
 // What a slice holds is lit over at least this share of the slice, to both sides of its mean.
 inline constexpr float min_lit_share = 1e-3f;
+// exp(-T) moves the mean over a length with an optical depth of T by T / (T + this) of half of it
+// to the front, for small T; what is deeper mostly grows steeply towards its far end.
+inline constexpr float front_depth = 6.0f;
+inline constexpr float max_front_depth = 1.0f;
+// Half of the length that has the variance of a density that falls linearly to zero, per third of
+// the length over which it falls: sqrt(3 / 2).
+inline constexpr float falling_reach = 1.22474487f;
 // What a slice holds of a Gaussian lies in its middle where it is shorter than this [radii]: to a
 // twentieth of the slice.
 inline constexpr float short_slice = 0.25f;

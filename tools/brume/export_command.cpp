@@ -193,7 +193,7 @@ class ExportCommand final : public Command {
   }
 
   // What writes a medium.
-  FrameRun::Write writing(const Medium& medium, const std::string& output) {
+  FrameLoop::Write writing(const Medium& medium, const std::string& output) {
     check_interrupted();
     if (lower_case_extension(output) == ".vdb") {
       const auto grids = std::make_shared<const Grids>(sampled_grids(medium, output));

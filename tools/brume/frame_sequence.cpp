@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "brume/error.h"
-#include "core/io/frame_run.h"
+#include "core/io/frame_loop.h"
 #include "core/io/temporary_files.h"
 #include "core/scene/sequence_frames.h"
 #include "tools/brume/frame_fingerprint.h"
@@ -38,7 +38,7 @@ class FrameSequence {
 
   ExitCode run() {
     remove_abandoned_files(std::filesystem::absolute(options_.output()).parent_path());
-    FrameRun::Steps steps;
+    FrameLoop::Steps steps;
     steps.skips = [this](int frame) {
       check_interrupted();
       return options_.skips_existing() &&
@@ -56,7 +56,7 @@ class FrameSequence {
     steps.progressed = [this](std::size_t done, std::size_t of) {
       tell_engine(options_, "progress", std::to_string(100 * done / of));
     };
-    const FrameRun::Result result = FrameRun::run(options_.frames(), steps);
+    const FrameLoop::Result result = FrameLoop::run(options_.frames(), steps);
     if (unsure_ > 0) {
       print_warnings(
           {"in " + std::to_string(unsure_) + " frames no setting is certain to meet --max-error"});
@@ -72,7 +72,7 @@ class FrameSequence {
   }
 
  private:
-  FrameRun::Write make(int frame, const std::string& label) {
+  FrameLoop::Write make(int frame, const std::string& label) {
     const double time = frame / options_.frames_per_second();
     check_present(time);
     maker_.go_to(time);

@@ -6,8 +6,8 @@
 
 namespace brume {
 
-ExitCode run_frames(std::span<const int> frames, const FrameRun::Make& make) {
-  FrameRun::Steps steps;
+ExitCode run_frames(std::span<const int> frames, const FrameLoop::Make& make) {
+  FrameLoop::Steps steps;
   steps.make = [&](int frame, const std::string& label) {
     check_interrupted();
     return make(frame, label);
@@ -15,7 +15,7 @@ ExitCode run_frames(std::span<const int> frames, const FrameRun::Make& make) {
   steps.failed = [](int frame, const std::string& why) {
     print_note("error: frame " + std::to_string(frame) + ": " + why);
   };
-  return FrameRun::run(frames, steps).failed.empty() ? done : check_failed;
+  return FrameLoop::run(frames, steps).failed.empty() ? done : check_failed;
 }
 
 }  // namespace brume

@@ -185,9 +185,17 @@ void main() {
         // Of what the slice holds, fog evenly.
         const float moment =
             fog * 0.5 * (t_begin + t_end) + spilled_moments[k * group_size + id];
-        const float center = clamp(moment / max(increment, tiny), t_begin, t_end);
-        const float reach =
-            max(min(center - t_begin, t_end - center), min_lit_share * (t_end - t_begin));
+        const float held = clamp(moment / max(increment, tiny), t_begin, t_end);
+        const float half_ = 0.5 * (t_end - t_begin);
+        const float off = abs(held - 0.5 * (t_begin + t_end));
+        const float reach = max(3.0 * off < half_ ? sqrt(max(half_ * half_ - 3.0 * off * off, 0.0))
+                                                  : falling_reach * (half_ - off),
+                                min_lit_share * (t_end - t_begin));
+        // What is in front counts for more.
+        const float front = min(increment, max_slice_front_depth);
+        const float center = max(held - reach * front / (front + front_depth), t_begin);
+        const float lit_begin = max(center - reach, t_begin);
+        const float lit_end = min(center + reach, t_end);
         lookup_weight += truncated_fraction;
         lookup_position += truncated_fraction * center;
         for (int l = 0; l < light_count; ++l) {
@@ -198,9 +206,9 @@ void main() {
           float falloff;
           float middle = center;
           if (lights[l].falloff_shape == falloff_isotropic) {
-            falloff = mean_inverse_square(center - reach - ts, center + reach - ts, h2);
+            falloff = mean_inverse_square(lit_begin - ts, lit_end - ts, h2);
           } else {
-            const vec2 mean = falloff_mean(l, w, offset, center - reach - ts, center + reach - ts, h2);
+            const vec2 mean = falloff_mean(l, w, offset, lit_begin - ts, lit_end - ts, h2);
             if (!(mean.x > 0.0)) continue;
             falloff = mean.x;
             middle = ts + mean.y;

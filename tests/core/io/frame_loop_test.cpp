@@ -1,4 +1,4 @@
-#include "core/io/frame_run.h"
+#include "core/io/frame_loop.h"
 
 #include <gtest/gtest.h>
 
@@ -14,11 +14,11 @@ namespace {
 
 constexpr int frames[] = {3, 1, 4, 7};
 
-TEST(FrameRun, MakesAllAndSkipsWhatIsThere) {
+TEST(FrameLoop, MakesAllAndSkipsWhatIsThere) {
   std::vector<std::string> told;
   std::vector<int> written;
-  FrameRun::Steps steps;
-  steps.make = [&](int frame, const std::string& label) -> FrameRun::Write {
+  FrameLoop::Steps steps;
+  steps.make = [&](int frame, const std::string& label) -> FrameLoop::Write {
     told.push_back(label);
     if (frame == 7) return {};
     return [&, frame] { written.push_back(frame); };
@@ -29,7 +29,7 @@ TEST(FrameRun, MakesAllAndSkipsWhatIsThere) {
     EXPECT_EQ(of, 4u);
     done.push_back(count);
   };
-  const FrameRun::Result result = FrameRun::run(frames, steps);
+  const FrameLoop::Result result = FrameLoop::run(frames, steps);
   EXPECT_EQ(result.made, (std::vector{3, 4, 7}));
   EXPECT_EQ(result.skipped, std::vector{1});
   EXPECT_TRUE(result.failed.empty());
@@ -41,10 +41,10 @@ TEST(FrameRun, MakesAllAndSkipsWhatIsThere) {
 }
 
 // Each waits for the other: they would not end one after the other.
-TEST(FrameRun, WritesWhileItMakes) {
+TEST(FrameLoop, WritesWhileItMakes) {
   std::promise<void> next_is_made;
-  FrameRun::Steps steps;
-  steps.make = [&](int frame, const std::string&) -> FrameRun::Write {
+  FrameLoop::Steps steps;
+  steps.make = [&](int frame, const std::string&) -> FrameLoop::Write {
     if (frame == 1) next_is_made.set_value();
     return [&, frame] {
       if (frame != 3) return;
@@ -52,13 +52,13 @@ TEST(FrameRun, WritesWhileItMakes) {
       EXPECT_EQ(waited, std::future_status::ready);
     };
   };
-  EXPECT_EQ(FrameRun::run(frames, steps).made.size(), 4u);
+  EXPECT_EQ(FrameLoop::run(frames, steps).made.size(), 4u);
 }
 
-TEST(FrameRun, FailuresLeaveOtherFramesAlone) {
+TEST(FrameLoop, FailuresLeaveOtherFramesAlone) {
   std::vector<std::string> said;
-  FrameRun::Steps steps;
-  steps.make = [&](int frame, const std::string&) -> FrameRun::Write {
+  FrameLoop::Steps steps;
+  steps.make = [&](int frame, const std::string&) -> FrameLoop::Write {
     if (frame == 1) throw InputError("fog_0001.ply", "", "is missing");
     if (frame == 4) throw std::bad_alloc();
     return [frame] {
@@ -68,7 +68,7 @@ TEST(FrameRun, FailuresLeaveOtherFramesAlone) {
   steps.failed = [&](int frame, const std::string& why) {
     said.push_back(std::to_string(frame) + " " + why);
   };
-  const FrameRun::Result result = FrameRun::run(frames, steps);
+  const FrameLoop::Result result = FrameLoop::run(frames, steps);
   EXPECT_EQ(result.made, std::vector{7});
   EXPECT_EQ(result.failed_frames(), (std::vector{1, 3, 4}));
   EXPECT_EQ(said, (std::vector<std::string>{"1 fog_0001.ply: is missing",
@@ -77,15 +77,15 @@ TEST(FrameRun, FailuresLeaveOtherFramesAlone) {
 }
 
 // As Ctrl-C does; but a file that is being written is written.
-TEST(FrameRun, OtherExceptionsEndItWhenFilesAreWritten) {
+TEST(FrameLoop, OtherExceptionsEndItWhenFilesAreWritten) {
   struct Stopped {};
   std::atomic<int> written = 0;
-  FrameRun::Steps steps;
-  steps.make = [&](int frame, const std::string&) -> FrameRun::Write {
+  FrameLoop::Steps steps;
+  steps.make = [&](int frame, const std::string&) -> FrameLoop::Write {
     if (frame == 1) throw Stopped();
     return [&] { ++written; };
   };
-  EXPECT_THROW(FrameRun::run(frames, steps), Stopped);
+  EXPECT_THROW(FrameLoop::run(frames, steps), Stopped);
   EXPECT_EQ(written, 1);
 }
 

@@ -11,7 +11,7 @@ namespace brume {
 // Makes the frames of a sequence one after another, and writes the files of one while the next is
 // made. What fails in a frame, by InputError or for want of memory, leaves the others alone; other
 // exceptions end the run when the files before are written.
-class FrameRun {
+class FrameLoop {
  public:
   // Writes the files of a frame; empty: they are written already.
   using Write = std::function<void()>;

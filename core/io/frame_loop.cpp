@@ -1,4 +1,4 @@
-#include "core/io/frame_run.h"
+#include "core/io/frame_loop.h"
 
 #include <algorithm>
 #include <chrono>
@@ -29,10 +29,10 @@ std::string duration_text(double seconds) {
 
 class Running {
  public:
-  Running(std::span<const int> frames, const FrameRun::Steps& steps)
+  Running(std::span<const int> frames, const FrameLoop::Steps& steps)
       : frames_(frames), steps_(steps) {}
 
-  FrameRun::Result run() {
+  FrameLoop::Result run() {
     for (std::size_t i = 0; i < frames_.size(); ++i) {
       const int frame = frames_[i];
       if (steps_.skips && steps_.skips(frame)) {
@@ -66,7 +66,7 @@ class Running {
   void make(int frame, const std::string& label) {
     if (steps_.begins) steps_.begins(frame, label);
     const auto start = Clock::now();
-    FrameRun::Write write;
+    FrameLoop::Write write;
     bool is_made = false;
     guarded(frame, [&] {
       write = steps_.make(frame, label);
@@ -106,21 +106,21 @@ class Running {
   }
 
   std::span<const int> frames_;
-  const FrameRun::Steps& steps_;
-  FrameRun::Result result_;
+  const FrameLoop::Steps& steps_;
+  FrameLoop::Result result_;
   std::optional<std::pair<int, std::future<void>>> writing_;
   int timed_ = 0;
 };
 
 }  // namespace
 
-std::vector<int> FrameRun::Result::failed_frames() const {
+std::vector<int> FrameLoop::Result::failed_frames() const {
   std::vector<int> frames;
   for (const auto& [frame, why] : failed) frames.push_back(frame);
   return frames;
 }
 
-FrameRun::Result FrameRun::run(std::span<const int> frames, const Steps& steps) {
+FrameLoop::Result FrameLoop::run(std::span<const int> frames, const Steps& steps) {
   return Running(frames, steps).run();
 }
 
