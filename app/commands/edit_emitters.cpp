@@ -4,6 +4,7 @@
 #include "app/commands/scene_part_command.h"
 #include "app/commands/undo_text.h"
 #include "app/document/document.h"
+#include "brume/error.h"
 #include "brume/limits.h"
 #include "core/math/rounded.h"
 #include "core/scene/particles.h"
@@ -60,9 +61,14 @@ void freeze_particles(Document& document, double time) {
     const auto particles = particles_at(emitter, time);
     frozen.insert(frozen.end(), particles.begin(), particles.end());
   }
-  for (const MediumSequence& sequence : document.scene().sequences) {
-    const auto gaussians = sequence_at(sequence, time, document.scene().optics.albedo);
-    frozen.insert(frozen.end(), gaussians.begin(), gaussians.end());
+  try {
+    for (const MediumSequence& sequence : document.scene().sequences) {
+      const auto gaussians = sequence_at(sequence, time, document.scene().optics.albedo);
+      frozen.insert(frozen.end(), gaussians.begin(), gaussians.end());
+    }
+  } catch (const InputError& error) {
+    Q_EMIT document.refused(QString::fromUtf8(error.what()));
+    return;
   }
   add_gaussians(document, frozen, undo_text("Bake"));
 }

@@ -14,10 +14,10 @@
 #include "app/document/gaussian_attribute.h"
 #include "app/document/number_text.h"
 #include "app/document/paths.h"
+#include "app/document/scene_at.h"
 #include "app/document/timeline.h"
 #include "app/files/file_dialogs.h"
 #include "app/widgets/plain_text.h"
-#include "brume/at_time.h"
 #include "core/io/file_bytes.h"
 #include "core/volume/medium_grid.h"
 
@@ -50,7 +50,7 @@ MediumDialog::MediumDialog(std::shared_ptr<const Scene> scene, const Timeline& t
   auto* domain = new QDoubleValidator(1e-12, 1e12, 12, voxel_);
   domain->setLocale(QLocale::c());
   voxel_->setValidator(domain);
-  const double fitting = fitting_voxel_size(evaluate_at(*scene_, time_).medium);
+  const double fitting = fitting_voxel_size(scene_now().medium);
   voxel_->setText(number_text(fitting > 0.0 ? fitting : 1.0));
   auto* voxel_row = new QHBoxLayout;
   voxel_row->addWidget(voxel_, 1);
@@ -95,6 +95,12 @@ MediumDialog::MediumDialog(std::shared_ptr<const Scene> scene, const Timeline& t
   show_memory();
 }
 
+// Where a frame cannot be read the export says so.
+Scene MediumDialog::scene_now() const {
+  QString ignored;
+  return scene_at(*scene_, time_, ignored);
+}
+
 MediumExport MediumDialog::chosen() const {
   MediumExport request;
   request.scene = scene_;
@@ -120,7 +126,7 @@ void MediumDialog::show_memory() {
     possible = false;
     text = tr("The voxel size must be greater than 0.");
   } else if (is_volume) {
-    const auto bytes = grid_bytes(evaluate_at(*scene_, time_).medium, voxel_->text().toDouble());
+    const auto bytes = grid_bytes(scene_now().medium, voxel_->text().toDouble());
     possible = bytes.has_value();
     text = bytes ? tr("%1 MB").arg((*bytes + 999'999) / 1'000'000)
                  : tr("More than 2 GB: use larger voxels.");

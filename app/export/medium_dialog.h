@@ -29,6 +29,8 @@ class MediumDialog : public QDialog {
   void browse();
   [[nodiscard]] MediumExport chosen() const;
 
+  [[nodiscard]] Scene scene_now() const;
+
   std::shared_ptr<const Scene> scene_;
   double time_;
   double frames_per_second_;

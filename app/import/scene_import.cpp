@@ -190,8 +190,7 @@ BackgroundJob::Apply SceneImport::read(const FrameRun& run) {
   sequence.file = run.files.text();
   sequence.first = run.first;
   sequence.last = run.last;
-  sequence.frames = std::make_shared<const std::vector<SequenceFrame>>(
-      read_sequence(run.files, run.first, run.last));
+  sequence.frames = open_sequence(run.files, run.first, run.last);
   return [this, sequence] { add_sequence(sequence); };
 }
 
@@ -336,7 +335,7 @@ void SceneImport::start_sequence(const FrameRun& run, const fs::path& folder, Ma
           sequence.file = names;
           sequence.first = run.first;
           sequence.last = run.last;
-          sequence.frames = std::make_shared<const std::vector<SequenceFrame>>(std::move(frames));
+          sequence.frames = sequence_frames(std::move(frames));
           return [this, sequence] { add_sequence(sequence); };
         });
 }

@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "app/document/document.h"
+#include "app/document/scene_at.h"
 #include "app/view/bounds.h"
 #include "app/view/gizmo.h"
 #include "app/view/object_box.h"
@@ -48,7 +49,8 @@ std::shared_ptr<const Scene> View::shown_scene() const {
       projection() == Projection::perspective || scene->medium.homogeneous_density() == 0.0;
   if (!is_animated(*scene) && is_clear) return scene;
   if (at_time_of_ != scene) {
-    Scene shown = evaluate_at(*scene, time_);
+    problem_.clear();
+    Scene shown = scene_at(*scene, time_, problem_);
     if (!is_clear) shown.medium.set_homogeneous_density(0.0);
     // A medium that stays the same stays the same revision: nothing made from it is made again.
     if (at_time_of_ && at_time_->time == time_ &&

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QString>
 #include <memory>
 
 #include "app/view/camera_controller.h"
@@ -41,6 +42,8 @@ class View {
   // The scene at that time, including particles, without hidden Gaussians. Axis views hide
   // homogeneous fog, which would be opaque from so far away.
   [[nodiscard]] std::shared_ptr<const Scene> shown_scene() const;
+  // Why it is shown without its sequences; empty: it is not.
+  [[nodiscard]] const QString& problem() const { return problem_; }
 
   // Pivot of tools: the center of the document's object or of the selected Gaussians, or the
   // camera's target.
@@ -67,6 +70,7 @@ class View {
   // Cache of shown_scene() and the snapshot it derives from.
   mutable std::shared_ptr<const Scene> at_time_;
   mutable std::shared_ptr<const Scene> at_time_of_;
+  mutable QString problem_;
 };
 
 }  // namespace brume

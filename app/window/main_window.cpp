@@ -142,6 +142,7 @@ void MainWindow::connect_document() {
     connect(views_, signal, this, &MainWindow::update_status);
     connect(views_, signal, this, &MainWindow::update_error);
     connect(views_, signal, this, &MainWindow::show_fallback);
+    connect(views_, signal, this, &MainWindow::show_unreadable_frame);
   }
   connect(views_, &ViewGrid::error_changed, this, &MainWindow::update_error);
   connect(views_, &ViewGrid::mode_changed, this, &MainWindow::update_error);
@@ -150,6 +151,7 @@ void MainWindow::connect_document() {
   connect(&document_, &Document::scene_replaced, message_bar_, [this] {
     message_bar_->hide();
     fallback_.clear();
+    unreadable_.clear();
   });
   connect(&document_, &Document::file_changed, this, &MainWindow::update_title);
   connect(&document_, &Document::medium_changed, this, &MainWindow::update_status);

@@ -106,6 +106,7 @@ class MainWindow : public QMainWindow {
   void update_status();
   void update_error();
   void show_fallback();  // why OpenGL does not render, once for each reason
+  void show_unreadable_frame();
   void add_gaussian_in_view();
   void isolate_selection();  // shows all again if anything is hidden
   void export_frame();
@@ -145,7 +146,8 @@ class MainWindow : public QMainWindow {
   SceneImport* import_ = nullptr;
   ImportedReload* imported_reload_ = nullptr;
   std::pair<std::filesystem::path, std::uint64_t> pictured_;  // file and revision
-  QString fallback_;  // the reason that was told last; empty: none
+  QString fallback_;    // the reason that was told last; empty: none
+  QString unreadable_;  // the same of frames of sequences
   QLabel* hint_ = nullptr;
   QLabel* numbers_ = nullptr;
   QLabel* error_ = nullptr;

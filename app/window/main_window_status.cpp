@@ -120,4 +120,12 @@ void MainWindow::show_fallback() {
   }
 }
 
+// Once for each, however often it is played.
+void MainWindow::show_unreadable_frame() {
+  const QString& why = views_->active().problem();
+  if (why.isEmpty() || why == unreadable_) return;
+  unreadable_ = why;
+  message_bar_->show_error(why);
+}
+
 }  // namespace brume

@@ -24,5 +24,6 @@ Gaussian equivalent_sphere(const Splat& splat);
 // but at least the longest / 1.9. Neighbours are at most two deviations apart, so no gaps are
 // visible (the sum varies by 1.4%).
 std::vector<Gaussian> sphere_approximation(const Splat& splat);
+inline constexpr std::size_t max_spheres = 9;
 
 }  // namespace brume

@@ -273,13 +273,14 @@ void check_sequence(const std::string& place, const MediumSequence& sequence) {
   brume::check_value(place + ".frames_per_second", sequence.frames_per_second, domain::rate);
   brume::check_value(place + ".start", sequence.start, domain::seconds);
   if (!sequence.frames) throw DomainError(place + ".frames", "there are none");
-  const std::vector<SequenceFrame>& frames = *sequence.frames;
+  const SequenceFrames& frames = *sequence.frames;
   if (frames.size() != static_cast<std::size_t>(sequence.last - sequence.first) + 1) {
     throw DomainError(place + ".frames", "allowed: as many as from `first` to `last`");
   }
-  for (std::size_t i = 0; i < frames.size(); ++i) {
+  // Others are checked when they are read.
+  for (std::size_t i = 0; frames.are_in_memory() && i < frames.size(); ++i) {
     const std::string at = element(place + ".frames", i);
-    const SequenceFrame& frame = frames[i];
+    const SequenceFrame& frame = *frames.frame(i);
     if (frame.ids.size() != frame.gaussians.size() ||
         std::ranges::adjacent_find(frame.ids, std::greater_equal<>()) != frame.ids.end()) {
       throw DomainError(at + ".ids", "allowed: ascending, one for each Gaussian");

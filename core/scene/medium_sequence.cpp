@@ -43,7 +43,35 @@ Gaussian faded(Gaussian gaussian, double share) {
   return gaussian;
 }
 
+class FramesInMemory final : public SequenceFrames {
+ public:
+  explicit FramesInMemory(std::vector<SequenceFrame> frames) {
+    std::size_t before = 0;
+    for (SequenceFrame& frame : frames) {
+      const std::size_t count = frame.gaussians.size();
+      max_gaussians_ = std::max(max_gaussians_, before + count);
+      before = count;
+      frames_.push_back(std::make_shared<const SequenceFrame>(std::move(frame)));
+    }
+  }
+
+  [[nodiscard]] std::size_t size() const override { return frames_.size(); }
+  [[nodiscard]] std::shared_ptr<const SequenceFrame> frame(std::size_t index) const override {
+    return frames_[index];
+  }
+  [[nodiscard]] std::size_t max_gaussians() const override { return max_gaussians_; }
+  [[nodiscard]] bool are_in_memory() const override { return true; }
+
+ private:
+  std::vector<std::shared_ptr<const SequenceFrame>> frames_;
+  std::size_t max_gaussians_ = 0;
+};
+
 }  // namespace
+
+std::shared_ptr<const SequenceFrames> sequence_frames(std::vector<SequenceFrame> frames) {
+  return std::make_shared<FramesInMemory>(std::move(frames));
+}
 
 std::vector<Gaussian> between_frames(const SequenceFrame& a, const SequenceFrame& b, double u,
                                      const glm::dvec3& medium_albedo) {
@@ -65,24 +93,23 @@ std::vector<Gaussian> between_frames(const SequenceFrame& a, const SequenceFrame
 
 std::vector<Gaussian> sequence_at(const MediumSequence& sequence, double time,
                                   const glm::dvec3& medium_albedo) {
-  const std::vector<SequenceFrame>& frames = *sequence.frames;
-  if (frames.empty()) return {};
+  const SequenceFrames& frames = *sequence.frames;
+  if (frames.size() == 0) return {};
   const Place place = place_at(sequence, time);
-  if (place.share == 0.0) return frames[place.frame].gaussians;
-  return between_frames(frames[place.frame], frames[place.frame + 1], place.share, medium_albedo);
+  if (place.share == 0.0) return frames.frame(place.frame)->gaussians;
+  return between_frames(*frames.frame(place.frame), *frames.frame(place.frame + 1), place.share,
+                        medium_albedo);
 }
 
 std::vector<int> frames_at(const MediumSequence& sequence, double time) {
-  if (sequence.frames->empty()) return {};
+  if (sequence.frames->size() == 0) return {};
   const Place place = place_at(sequence, time);
   const int frame = static_cast<int>(place.frame);
   return place.share == 0.0 ? std::vector{frame} : std::vector{frame, frame + 1};
 }
 
 std::size_t gaussian_count(const MediumSequence& sequence) {
-  std::size_t count = 0;
-  for (const SequenceFrame& frame : *sequence.frames) count += frame.gaussians.size();
-  return count;
+  return sequence.frames->max_gaussians();
 }
 
 double end_of(const MediumSequence& sequence) {

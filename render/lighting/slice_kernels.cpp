@@ -314,29 +314,27 @@ void SumSlices(const PathBatch& rays, const RaySlices& slices, const float* incr
         const V moment = hn::Add(fog_moment, hn::LoadU(d, moments + k * stride + i));
         const V mean = hn::Div(moment, hn::Max(increment, set(coefficient::tiny)));
         const V held = hn::Min(hn::Max(mean, begin), end);
-        // Lit over the part around it of the variance that a linear density of this mean has, or
-        // one that falls to zero.
+        // Lit over the part around it that lies within the slice, up to the variance of a linear
+        // density of this mean, or of one that falls to zero.
         const V half = hn::Mul(set(0.5f), width);
         const V off = hn::Abs(hn::Sub(held, middle_of_slice));
         const V square = hn::NegMulAdd(hn::Mul(set(3.0f), off), off, hn::Mul(half, half));
         const V linear = hn::Sqrt(hn::Max(square, zero));
         const V falling = hn::Mul(set(coefficient::falling_reach), hn::Sub(half, off));
-        const V reach =
-            hn::Max(hn::IfThenElse(hn::Lt(hn::Mul(set(3.0f), off), half), linear, falling),
-                    hn::Mul(set(coefficient::min_lit_share), width));
+        const V reach = hn::IfThenElse(hn::Lt(hn::Mul(set(3.0f), off), half), linear, falling);
         // What is in front counts for more.
         const V front = hn::Min(increment, set(coefficient::max_front_depth));
         const V shift =
             hn::Div(hn::Mul(reach, front), hn::Add(front, set(coefficient::front_depth)));
         const V center = hn::Max(hn::Sub(held, shift), begin);
-        const V lit_begin = hn::Max(hn::Sub(center, reach), begin);
-        const V lit_end = hn::Min(hn::Add(center, reach), end);
+        const V lit = hn::Max(hn::Min(reach, hn::Min(hn::Sub(center, begin), hn::Sub(end, center))),
+                              hn::Mul(set(coefficient::min_lit_share), width));
         const V counted = hn::IfThenElseZero(matters, truncated_fraction);
         weight = hn::Add(weight, counted);
         weighted_distance = hn::MulAdd(counted, center, weighted_distance);
         for (std::size_t l = 0; l < lights.size(); ++l) {
-          const V first = hn::Sub(lit_begin, ts[l]);
-          const V last = hn::Sub(lit_end, ts[l]);
+          const V first = hn::Sub(hn::Sub(center, lit), ts[l]);
+          const V last = hn::Sub(hn::Add(center, lit), ts[l]);
           V falloff;
           V middle = center;
           if (lights[l].falloff.is_isotropic()) {

@@ -308,7 +308,7 @@ class ImportTest : public QObject {
       QVERIFY(std::abs(g.optics.albedo->g - 0.75) < 1e-4);
       QVERIFY(std::abs(g.optics.emission.r - 3.0) < 1e-3);
     }
-    for (const Gaussian& g : frames[0].gaussians) {
+    for (const Gaussian& g : frames.frame(0)->gaussians) {
       QVERIFY(std::abs(g.optics.albedo->g - 0.5) < 1e-4);
     }
   }
@@ -389,7 +389,7 @@ class ImportTest : public QObject {
     QCOMPARE(files_in(folder), std::size_t{2});
     QVERIFY(window->files().save_to(window.file("p.brume")));
     const Scene loaded = load_scene(window.file("p.brume"));
-    QVERIFY(*loaded.sequences.at(0).frames == *scene.sequences[0].frames);
+    QVERIFY(*loaded.sequences.at(0).frames->frame(0) == *scene.sequences[0].frames->frame(0));
 
     // What is wrong with a frame is said, and nothing is written.
     write_vtp(window.file("p_03.vtp"), "8 2 0  0 2 0", both + array("id", "9 9"));

@@ -1,5 +1,7 @@
 #include "core/io/gaussians/gaussian_file.h"
 
+#include <algorithm>
+
 #include "brume/error.h"
 #include "core/io/file_bytes.h"
 #include "core/io/gaussians/gaussian_columns.h"
@@ -22,6 +24,12 @@ std::vector<Gaussian> read_numbered(const std::filesystem::path& file,
 std::vector<Gaussian> read_gaussians(const std::filesystem::path& file,
                                      std::vector<GaussianNumber>* ids, std::size_t max_count) {
   return read_numbered(file, ids, max_count, gaussian_columns::id_name);
+}
+
+std::size_t max_gaussian_count(const std::filesystem::path& file) {
+  if (read_first_bytes(file, 3) == "ply") return max_gaussian_count_ply(file);
+  const std::string bytes = read_bytes(file);
+  return static_cast<std::size_t>(std::ranges::count(bytes, '\n')) + 1;
 }
 
 std::vector<Gaussian> read_grouped_gaussians(const std::filesystem::path& file,

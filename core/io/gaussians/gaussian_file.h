@@ -16,6 +16,10 @@ std::vector<Gaussian> read_gaussians(const std::filesystem::path& file,
                                      std::vector<GaussianNumber>* ids = nullptr,
                                      std::size_t max_count = limits::gaussians);
 
+// How many Gaussians a file has at most, without reading them all: by the header of a PLY, by the
+// lines of a CSV. Throws InputError.
+std::size_t max_gaussian_count(const std::filesystem::path& file);
+
 // Reads Gaussians of a scene with `max_group` groups: the column `group`, if present, has the
 // numbers that become their groups.
 std::vector<Gaussian> read_grouped_gaussians(const std::filesystem::path& file,

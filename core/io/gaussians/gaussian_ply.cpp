@@ -151,6 +151,19 @@ std::vector<Gaussian> read_gaussians_ply(const std::filesystem::path& file,
   return gaussians;
 }
 
+std::size_t max_gaussian_count_ply(const std::filesystem::path& file) {
+  constexpr std::size_t header_bytes = 1 << 16;
+  constexpr std::string_view header_end = "end_header";
+  std::string bytes = read_first_bytes(file, header_bytes);
+  if (bytes.find(header_end) == std::string::npos) bytes = read_bytes(file);
+  const PlyFile ply(file, bytes);
+  const PlyFile::Element* vertices = ply.element("vertex");
+  if (vertices == nullptr) return 0;
+  // Long splats become several.
+  const bool are_splats = columns<1>(*vertices, {"scale_0"}).has_value();
+  return static_cast<std::size_t>(vertices->count) * (are_splats ? max_spheres : 1);
+}
+
 void write_gaussians_ply(const std::filesystem::path& file, std::span<const Gaussian> gaussians,
                          std::span<const GaussianNumber> ids) {
   std::string bytes = "ply\nformat binary_little_endian 1.0\ncomment Gaussians of a Brume medium\n";

@@ -26,6 +26,9 @@ std::vector<Gaussian> read_gaussians_ply(const std::filesystem::path& file,
                                          std::size_t max_count = limits::gaussians,
                                          std::string_view number_name = "id");
 
+// How many Gaussians its header tells of at most.
+std::size_t max_gaussian_count_ply(const std::filesystem::path& file);
+
 // Writes binary little-endian PLY in double precision, lossless, with ids if given (as many as
 // Gaussians).
 void write_gaussians_ply(const std::filesystem::path& file, std::span<const Gaussian> gaussians,

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <numeric>
 #include <string>
+#include <system_error>
+#include <utility>
 
 #include "brume/error.h"
+#include "core/io/gaussians/sequence_reader.h"
 
 namespace brume {
 namespace {
@@ -45,6 +48,27 @@ std::vector<SequenceFrame> read_sequence(const FramePattern& files, int first, i
     total += frames.back().gaussians.size();
   }
   return frames;
+}
+
+std::shared_ptr<const SequenceFrames> open_sequence(const FramePattern& files, int first, int last,
+                                                    const FrameReader& read, std::size_t max_count,
+                                                    std::size_t max_in_memory) {
+  std::vector<std::size_t> counts;
+  std::error_code error;
+  for (int number = first; number <= last; ++number) {
+    const std::filesystem::path file = files.file_of(number);
+    const bool exists = std::filesystem::exists(file, error);
+    if (!exists) read(file, nullptr, max_count);  // whose judgement it is
+    counts.push_back(exists ? max_gaussian_count(file) : 0);
+  }
+  if (std::reduce(counts.begin(), counts.end()) <= max_in_memory) {
+    return sequence_frames(read_sequence(files, first, last, read, max_count));
+  }
+  const auto read_one = [files, first, read, max_count](std::size_t index) {
+    return read_frame(files.file_of(first + static_cast<int>(index)), read, max_count);
+  };
+  read_one(0);  // what is wrong with all of them is known at once
+  return std::make_shared<SequenceReader>(std::move(counts), read_one, 2 * max_in_memory);
 }
 
 }  // namespace brume

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "brume/limits.h"
@@ -21,5 +22,12 @@ using FrameReader = std::function<std::vector<Gaussian>(
 std::vector<SequenceFrame> read_sequence(const FramePattern& files, int first, int last,
                                          const FrameReader& read = read_gaussians,
                                          std::size_t max_count = limits::gaussians);
+
+// The frames of such files: read at once where they have at most `max_in_memory` Gaussians in all,
+// else when they are asked for. `max_count` is then for any moment.
+std::shared_ptr<const SequenceFrames> open_sequence(const FramePattern& files, int first, int last,
+                                                    const FrameReader& read = read_gaussians,
+                                                    std::size_t max_count = limits::gaussians,
+                                                    std::size_t max_in_memory = 2'000'000);
 
 }  // namespace brume

@@ -233,8 +233,7 @@ class SceneLoader {
     sequence.frames_per_second =
         object.number("frames_per_second", domain::rate, sequence.frames_per_second);
     sequence.start = object.number("start", domain::seconds, sequence.start);
-    sequence.frames = std::make_shared<std::vector<SequenceFrame>>(
-        references_.sequence(context_, file, sequence, budget_.gaussians_left()));
+    sequence.frames = references_.sequence(context_, file, sequence, budget_.gaussians_left());
     budget_.reserve_gaussians(file, gaussian_count(sequence));
     unknown_keys_.add(sequence.id, "", object.unknown_keys());
     scene_.sequences.push_back(std::move(sequence));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <numbers>
+#include <set>
 
 #include "brume/error.h"
 #include "brume/mesh_arrays.h"
@@ -126,28 +127,33 @@ fs::path SceneReferences::resolve_output(const JsonContext& context, const JsonP
   return file;
 }
 
-std::vector<SequenceFrame> SceneReferences::sequence(const JsonContext& context,
-                                                     const JsonPath& path,
-                                                     const MediumSequence& sequence,
-                                                     std::size_t max_gaussians) {
+std::shared_ptr<const SequenceFrames> SceneReferences::sequence(const JsonContext& context,
+                                                                const JsonPath& path,
+                                                                const MediumSequence& sequence,
+                                                                std::size_t max_gaussians) {
   const FramePattern files = *FramePattern::parse(sequence.file.string());
   std::error_code error;
+  std::set<fs::path> missing;
   for (int frame = sequence.first; missing_ != nullptr && frame <= sequence.last; ++frame) {
     const fs::path file = files.file_of(frame);
     if (fs::exists(file, error)) continue;
     if (missing_->only_frames) {
       add_missing(file);
+      missing.insert(file);
       continue;
     }
     note_missing(sequence.file);
-    return std::vector<SequenceFrame>(static_cast<std::size_t>(sequence.last - sequence.first) + 1);
+    const auto count = static_cast<std::size_t>(sequence.last - sequence.first) + 1;
+    return sequence_frames(std::vector<SequenceFrame>(count));
   }
   return at_path(context, path, [&] {
-    const auto read = [&](const fs::path& file, std::vector<GaussianNumber>* ids,
-                          std::size_t max_count) {
-      return is_missing(file) ? std::vector<Gaussian>() : read_gaussians(file, ids, max_count);
+    // By value: frames may be read when this is gone.
+    const auto read = [missing](const fs::path& file, std::vector<GaussianNumber>* ids,
+                                std::size_t max_count) {
+      return missing.contains(file) ? std::vector<Gaussian>()
+                                    : read_gaussians(file, ids, max_count);
     };
-    return read_sequence(files, sequence.first, sequence.last, read, max_gaussians);
+    return open_sequence(files, sequence.first, sequence.last, read, max_gaussians);
   });
 }
 

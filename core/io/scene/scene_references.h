@@ -33,10 +33,10 @@ class SceneReferences {
   // The same for a file that is to be written.
   std::filesystem::path resolve_output(const JsonContext& context, const JsonPath& path,
                                        const std::string& text) const;
-  // Reads the frames of a sequence whose file, first and last are set; at most `max_gaussians` in
-  // all.
-  std::vector<SequenceFrame> sequence(const JsonContext& context, const JsonPath& path,
-                                      const MediumSequence& sequence, std::size_t max_gaussians);
+  // Opens the frames of a sequence whose file, first and last are set; at most `max_gaussians`.
+  std::shared_ptr<const SequenceFrames> sequence(const JsonContext& context, const JsonPath& path,
+                                                 const MediumSequence& sequence,
+                                                 std::size_t max_gaussians);
 
   // Meshes, profiles, measured BRDFs and textures are cached and shared.
   std::shared_ptr<const TriangleMesh> mesh(const JsonContext& context, const JsonPath& path,

@@ -188,14 +188,13 @@ void main() {
         const float held = clamp(moment / max(increment, tiny), t_begin, t_end);
         const float half_ = 0.5 * (t_end - t_begin);
         const float off = abs(held - 0.5 * (t_begin + t_end));
-        const float reach = max(3.0 * off < half_ ? sqrt(max(half_ * half_ - 3.0 * off * off, 0.0))
-                                                  : falling_reach * (half_ - off),
-                                min_lit_share * (t_end - t_begin));
+        const float reach = 3.0 * off < half_ ? sqrt(max(half_ * half_ - 3.0 * off * off, 0.0))
+                                              : falling_reach * (half_ - off);
         // What is in front counts for more.
         const float front = min(increment, max_slice_front_depth);
         const float center = max(held - reach * front / (front + front_depth), t_begin);
-        const float lit_begin = max(center - reach, t_begin);
-        const float lit_end = min(center + reach, t_end);
+        const float lit_part = max(min(reach, min(center - t_begin, t_end - center)),
+                                   min_lit_share * (t_end - t_begin));
         lookup_weight += truncated_fraction;
         lookup_position += truncated_fraction * center;
         for (int l = 0; l < light_count; ++l) {
@@ -206,9 +205,9 @@ void main() {
           float falloff;
           float middle = center;
           if (lights[l].falloff_shape == falloff_isotropic) {
-            falloff = mean_inverse_square(lit_begin - ts, lit_end - ts, h2);
+            falloff = mean_inverse_square(center - lit_part - ts, center + lit_part - ts, h2);
           } else {
-            const vec2 mean = falloff_mean(l, w, offset, lit_begin - ts, lit_end - ts, h2);
+            const vec2 mean = falloff_mean(l, w, offset, center - lit_part - ts, center + lit_part - ts, h2);
             if (!(mean.x > 0.0)) continue;
             falloff = mean.x;
             middle = ts + mean.y;

@@ -164,8 +164,7 @@ TEST(Check, RefusesWhatNoFileCouldHave) {
       {"medium.sequences[0].frames", [](Scene& s) { s.sequences.emplace_back(); }},
       {"medium.sequences[0].frames[0].ids",
        [](Scene& s) {
-         s.sequences.emplace_back().frames = std::make_shared<const std::vector<SequenceFrame>>(
-             std::vector<SequenceFrame>{{{}, {Gaussian{}}}});
+         s.sequences.emplace_back().frames = sequence_frames({{{}, {Gaussian{}}}});
        }},
       {"medium, with emitters and sequences",
        [](Scene& s) { s.emitters.assign(1000, Emitter{.rate = 1e5, .lifetime = 1.0}); }},

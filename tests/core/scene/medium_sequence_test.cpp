@@ -55,8 +55,7 @@ MediumSequence smoke() {
   sequence.last = 12;
   sequence.frames_per_second = 10.0;
   sequence.start = 2.0;
-  sequence.frames =
-      std::make_shared<const std::vector<SequenceFrame>>(std::vector{frame_11, frame_12});
+  sequence.frames = sequence_frames({frame_11, frame_12});
   return sequence;
 }
 

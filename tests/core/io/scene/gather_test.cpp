@@ -60,7 +60,11 @@ TEST_F(Gather, MakesARelocatableFolder) {
   EXPECT_EQ(moved.surfaces[0].mesh_file.filename(), "mesh.obj");
   EXPECT_EQ(moved.surfaces[1].mesh_file.filename(), "Mesh_2.OBJ");
   EXPECT_EQ(moved.surfaces[0].mesh_file, moved.surfaces[2].mesh_file) << "copied once";
-  EXPECT_EQ(*moved.sequences.at(0).frames, *document.scene.sequences.at(0).frames);
+  const SequenceFrames& frames = *document.scene.sequences.at(0).frames;
+  ASSERT_EQ(moved.sequences.at(0).frames->size(), frames.size());
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    EXPECT_EQ(*moved.sequences[0].frames->frame(i), *frames.frame(i));
+  }
   EXPECT_EQ(entries(moved.sequences[0].file.parent_path()), 2u) << "not those of other frames";
   EXPECT_EQ(entries(folder_.path()), 1u) << "nothing else is left";
 }

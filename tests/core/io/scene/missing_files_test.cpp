@@ -80,7 +80,7 @@ TEST_F(MissingFilesTest, AreReadFromTheirNewPlace) {
   EXPECT_EQ(missing_.missing.at(1), folder_ / "elsewhere/steam_%02d.csv");
   folder_.write("elsewhere/steam_05.csv", "x,y,z,radius,density\n1,2,3,0.5,1\n");
   const Scene found = load_document(scene_, nullptr, missing_).scene;
-  EXPECT_EQ(found.sequences.at(0).frames->at(2).gaussians.size(), 1u);
+  EXPECT_EQ(found.sequences.at(0).frames->frame(2)->gaussians.size(), 1u);
 }
 
 TEST_F(MissingFilesTest, OtherMistakesStayErrors) {

@@ -428,16 +428,18 @@ TEST(SceneFile, NamesSequencesAndReadsTheirFrames) {
     {"file": "smoke/s_%03d.ply", "first": 11, "last": 12, "start": 0.5}]}})";
   const Scene scene = load_scene(folder.write("a.brume", text));
   ASSERT_EQ(scene.sequences.size(), 1u);
-  const std::vector<SequenceFrame>& frames = *scene.sequences[0].frames;
+  const SequenceFrames& frames = *scene.sequences[0].frames;
   ASSERT_EQ(frames.size(), 2u);
-  EXPECT_EQ(frames[0], (SequenceFrame{{3, 7}, {column[1], column[0]}})) << "ordered by id";
-  EXPECT_EQ(frames[1], (SequenceFrame{{0, 1}, column})) << "without ids by line";
+  EXPECT_EQ(*frames.frame(0), (SequenceFrame{{3, 7}, {column[1], column[0]}})) << "ordered by id";
+  EXPECT_EQ(*frames.frame(1), (SequenceFrame{{0, 1}, column})) << "without ids by line";
   EXPECT_EQ(scene.sequences[0].frames_per_second, 30.0);
   EXPECT_EQ(scene.sequences[0].start, 0.5);
   save_document(scene, folder / "smoke/b.brume");
   EXPECT_TRUE(contains(content_of(folder / "smoke/b.brume"), R"("file": "s_%03d.ply")"));
   Scene loaded = load_scene(folder / "smoke/b.brume");
-  EXPECT_EQ(*loaded.sequences[0].frames, frames);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(*loaded.sequences[0].frames->frame(i), *frames.frame(i));
+  }
   loaded.sequences[0].frames = scene.sequences[0].frames;
   EXPECT_EQ(loaded, scene);
 
