@@ -21,8 +21,8 @@ double chosen_voxel_size(const Medium& medium, double request) {
 }
 
 // What writes the medium of a time to a file. Throws Cancelled.
-FrameLoop::Write writing(const MediumExport& request, const std::filesystem::path& file, double time,
-                        const Job& job) {
+FrameLoop::Write writing(const MediumExport& request, const std::filesystem::path& file,
+                         double time, const Job& job) {
   const Scene scene = evaluate_at(*request.scene, time);
   const Medium& medium = scene.medium;
   if (lower_case_extension(file) != ".vdb") {

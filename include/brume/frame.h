@@ -55,10 +55,10 @@ struct FrameStatistics {
   std::size_t gaussians_total = 0;
   std::size_t gaussians_used = 0;
   std::size_t gaussians_merged = 0;  // what all were merged into; 0: they were not
-  std::size_t exact_pixels = 0;    // airlight evaluated, not interpolated
-  std::size_t sampled_pixels = 0;  // by more than their centers
-  std::uint64_t light_pairs = 0;   // Gaussian x ray pairs evaluated from lights
-  std::uint64_t view_pairs = 0;    // Gaussian x ray pairs evaluated from the eye
+  std::size_t exact_pixels = 0;      // airlight evaluated, not interpolated
+  std::size_t sampled_pixels = 0;    // by more than their centers
+  std::uint64_t light_pairs = 0;     // Gaussian x ray pairs evaluated from lights
+  std::uint64_t view_pairs = 0;      // Gaussian x ray pairs evaluated from the eye
   std::optional<Convergence> scattering;
   std::size_t grid_bytes = 0;  // memory of the light that a grid holds
   // view_pairs per pixel, 0 for interpolated ones; empty without a medium.

@@ -18,8 +18,8 @@ inline constexpr float unknown_curvature = 2.0f;
 // extrapolation over one cell errs by up to four times that.
 inline constexpr float max_local_fit_curvature = 0.125f;
 
-// Pixels that halving a cell evaluates, some of them for its neighbours too: with no more missing it
-// gains nothing.
+// Pixels that halving a cell evaluates, some of them for its neighbours too: with no more missing
+// it gains nothing.
 inline constexpr int halving_samples = 5;
 
 // Minimum total bilinear weight of the samples that lie on a pixel's surface.

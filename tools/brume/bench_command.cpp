@@ -18,8 +18,8 @@
 #include "tools/brume/command.h"
 #include "tools/brume/command_files.h"
 #include "tools/brume/finite_in.h"
-#include "tools/brume/read_scene.h"
 #include "tools/brume/other_program.h"
+#include "tools/brume/read_scene.h"
 
 namespace brume {
 namespace {

@@ -132,7 +132,7 @@ class FitCommand final : public Command {
 
   // Returns what writes the Gaussians and tells of them.
   FrameLoop::Write fit(const std::string& volume, const std::string& output,
-                      std::optional<int> frame) {
+                       std::optional<int> frame) {
     const auto start = std::chrono::steady_clock::now();
     const FittedVolume fitted = fitted_volume(volume);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
