@@ -73,5 +73,38 @@ TEST_F(AnimationCommands, PlaysASequenceThatWasFitted) {
   expect_refused({"export", scene, "-o", file("n.ply")}, {"medium.sequences[0].file", "s_25.csv"});
 }
 
+// Eight in one place are one of eight times the density.
+TEST_F(AnimationCommands, ExportSimplifies) {
+  std::string rows = "x,y,z,radius,density\n";
+  for (int i = 0; i < 8; ++i) rows += "0,0,0,0.5,0.1\n";
+  folder_.write("crowd.csv", rows);
+  const ProgramResult result =
+      run_brume({"export", file("crowd.csv"), "-o", file("few.csv"), "--simplify", "0.01"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_NE(result.err.find("8 Gaussians became 1, with an error of "), std::string::npos)
+      << result.err;
+  const std::vector<Gaussian> few = read_gaussians(folder_ / "few.csv");
+  ASSERT_EQ(few.size(), 1u);
+  EXPECT_NEAR(few[0].density, 0.8, 1e-12);
+  EXPECT_NEAR(few[0].radius, 0.5, 1e-12);
+  EXPECT_EQ(
+      run_brume({"export", file("crowd.csv"), "-o", file("few.csv"), "--simplify", "0"}).exit_code,
+      2);
+}
+
+TEST_F(AnimationCommands, ExportMakesTheOtherFramesOfASequence) {
+  for (const char* name : {"g_1.csv", "g_3.csv"}) {
+    folder_.write(name, "x,y,z,radius,density\n0,0,0,1,1\n");
+  }
+  folder_.write("g_2.csv", "x,y,z,radius,density\n0,0,0,-1,1\n");
+  const ProgramResult result =
+      run_brume({"export", file("g_%d.csv"), "-o", file("h_%d.ply"), "--frames", "1-3"});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_NE(result.err.find("error: frame 2: "), std::string::npos) << result.err;
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "h_1.ply"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "h_2.ply"));
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "h_3.ply"));
+}
+
 }  // namespace
 }  // namespace brume
