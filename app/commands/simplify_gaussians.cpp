@@ -1,6 +1,7 @@
 #include "app/commands/simplify_gaussians.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "app/commands/medium_command.h"
 #include "app/commands/merge_id.h"
@@ -15,8 +16,10 @@ std::vector<GaussianId> to_simplify(const Document& document) {
   if (!document.selection().empty()) {
     return {document.selection().begin(), document.selection().end()};
   }
-  const auto all = document.medium().ids();
-  return {all.begin(), all.end()};
+  std::vector<GaussianId> ids;
+  std::ranges::copy_if(document.medium().ids(), std::back_inserter(ids),
+                       [&](GaussianId id) { return document.is_editable(id); });
+  return ids;
 }
 
 void apply_simplified(Document& document, std::span<const GaussianId> ids,

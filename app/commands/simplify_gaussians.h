@@ -10,7 +10,7 @@ namespace brume {
 class Document;
 struct Simplified;
 
-// The selected Gaussians, or all.
+// The selected Gaussians, or all that are neither hidden nor locked.
 std::vector<GaussianId> to_simplify(const Document& document);
 
 // What simplify() has made of these Gaussians, as one undo step.

@@ -227,13 +227,13 @@ FilmAirlight film_airlight(const MediumIndex& medium, std::span<const PointLight
       }
       flush();
     };
-    const auto tolerance_of = [&](std::size_t tile) {
-      return distance_tolerance(medium, lists.gaussians_of(tile), settings.upsampling_tolerance);
-    };
+    std::vector<float> tolerances(tiles.count());  // of distances [u]
     std::vector<Missing> missing(tiles.count());
     HalvedCells halved(samples);
     job.parallel_for(tiles.count(), [&](std::size_t tile) {
-      missing[tile] = upsample(samples, tiles.rectangle(tile), tolerance_of(tile),
+      tolerances[tile] =
+          distance_tolerance(medium, lists.gaussians_of(tile), settings.upsampling_tolerance);
+      missing[tile] = upsample(samples, tiles.rectangle(tile), tolerances[tile],
                                near_lights.pixels_of(tile), frame);
       halved.add(missing[tile]);
     });
@@ -243,7 +243,7 @@ FilmAirlight film_airlight(const MediumIndex& medium, std::span<const PointLight
       evaluate(tile, std::move(pixels));
     });
     job.parallel_for(tiles.count(), [&](std::size_t tile) {
-      evaluate(tile, fill_halved_cells(samples, missing[tile].cells, tolerance_of(tile), frame));
+      evaluate(tile, fill_halved_cells(samples, missing[tile].cells, tolerances[tile], frame));
     });
   }
   result.pairs = pairs;

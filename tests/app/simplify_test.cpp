@@ -78,6 +78,19 @@ class SimplifyTest : public QObject {
     }
   }
 
+  void leaves_alone_what_is_locked_or_hidden() {
+    SimplifyWindow window;
+    const auto ids = window.document().medium().ids();
+    const std::vector<GaussianId> locked{ids.begin(), ids.begin() + 40};
+    const std::vector<GaussianId> hidden{ids.begin() + 40, ids.begin() + 80};
+    window.document().lock(locked);
+    window.document().hide(hidden);
+    window.simplify("20");
+    QTRY_COMPARE(window.document().undo_stack().undoText(), QString("Simplify 221 Gaussians"));
+    for (const GaussianId id : locked) QVERIFY(window.document().medium().index_of(id));
+    for (const GaussianId id : hidden) QVERIFY(window.document().medium().index_of(id));
+  }
+
   void says_that_nothing_can_be_merged() {
     SimplifyWindow window(small_scene());
     window.simplify("1");
