@@ -21,6 +21,12 @@ class ArrayMedium {
     was_written_ = false;
     return medium_;
   }
+  // A copy that does not share with it what arrays may write to.
+  [[nodiscard]] Medium copy() {
+    Medium copied = medium();
+    if (views_ > 0) static_cast<void>(copied.columns());
+    return copied;
+  }
   // To change how many Gaussians there are. Throws Python's BufferError while there are arrays.
   [[nodiscard]] Medium& resizable();
   // To change all else.

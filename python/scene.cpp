@@ -348,14 +348,14 @@ SceneFile SharedScene::without_gaussians() const {
 
 SceneFile SharedScene::assembled() const {
   SceneFile file = without_gaussians();
-  file.scene.medium = medium->medium();
+  file.scene.medium = medium->copy();
   return file;
 }
 
 void SharedScene::set_medium(ArrayMedium& other) {
-  Medium fresh = medium->medium();
+  Medium fresh = medium->copy();
   const std::vector<GaussianId> old(fresh.ids().begin(), fresh.ids().end());
-  const Medium source = other.medium();
+  const Medium source = other.copy();
   MediumEdit::remove(fresh, old).apply(fresh);
   fresh.set_homogeneous_density(source.homogeneous_density());
   for (std::size_t i = 0; i < source.size(); ++i) {

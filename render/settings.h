@@ -82,6 +82,9 @@ struct Settings {
   // `sliced` and `march`: environment light in the medium; `sliced`: all that is scattered more
   // than once.
   SourceGridSize source_grid{};
+  // What the medium scatters, of a grid that was made with other tables and at another merge_error,
+  // is used again: for frames in motion after one at rest.
+  bool any_source_precision = false;
   // `sliced`: light scattered and reflected more than once; the other methods are single.
   Scattering scattering = Scattering::single;
   ScatteringLimits scattering_limits{};

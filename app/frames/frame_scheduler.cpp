@@ -7,12 +7,15 @@
 #include "app/document/document.h"
 #include "app/frames/frame_services.h"
 #include "app/frames/headlight.h"
+#include "render/prepare/merged_medium.h"
 
 namespace brume {
 namespace {
 
 constexpr int rest_after = 150;  // milliseconds without a change
 constexpr int motion_slices = 8;
+// Of a million Gaussians of a bank it leaves a fiftieth, and an edit is seen twenty times as soon.
+constexpr double motion_merge_error = 0.05;
 // All orders of scattering, while the scene changes: from the last solution on, which is nearly
 // right. The frame at rest goes on to convergence.
 constexpr int motion_sweeps = 1;
@@ -155,6 +158,7 @@ Settings FrameScheduler::motion_settings(const std::shared_ptr<const Scene>& sce
   const Settings rest = quality_.settings();
   Settings settings = sliced_settings(rest, motion_slices);
   settings.airlight = rest.airlight;
+  settings.merge_error = motion_merge_error;
   if (settings.scattering == Scattering::multiple) {
     settings.scattering_limits.sweeps = motion_sweeps;
     settings.scattering_limits.warm_start = true;
@@ -164,10 +168,12 @@ Settings FrameScheduler::motion_settings(const std::shared_ptr<const Scene>& sce
   }
   if (scene == rested_scene_) {
     // Keeps prepared data: alternating between two would rebuild it each time.
-    settings.optical_depth_table = rest.optical_depth_table;
     settings.shadow_cells = rest.shadow_cells;
-    settings.depth_error = rest.depth_error;
-    settings.merge_error = rest.merge_error;
+    if (!MergedMedium::may_merge(scene->medium)) {
+      settings.optical_depth_table = rest.optical_depth_table;
+      settings.depth_error = rest.depth_error;
+    }
+    settings.any_source_precision = true;
     settings.source_grid = rest.source_grid;
     settings.scattering_limits = rest.scattering_limits;
   }

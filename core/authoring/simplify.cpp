@@ -121,9 +121,10 @@ class AxisDepths {
 
 struct Part {
   Ball ball;
-  double squared_error = 0.0;  // of what it stands for
-  std::uint32_t source = 0;    // one of these
-  bool is_merged = false;
+  double squared_error = 0.0;                // of what it stands for:
+  std::span<const std::uint32_t> members{};  // indices
+
+  [[nodiscard]] bool is_merged() const { return members.size() > 1; }
 };
 
 class Simplification {
@@ -165,13 +166,15 @@ class Simplification {
     double squared_errors = 0.0;
     double squares = 0.0;
     for (const Part& part : parts) {
-      if (part.is_merged) {
-        Gaussian& g = result.merged.emplace_back(gaussians_[part.source]);
+      if (part.is_merged()) {
+        Gaussian& g = result.merged.emplace_back(gaussians_[part.members[0]]);
         g.center = part.ball.center;
         g.radius = part.ball.radius;
         g.density = part.ball.density();
+        result.members.insert(result.members.end(), part.members.begin(), part.members.end());
+        result.member_ends.push_back(static_cast<std::uint32_t>(result.members.size()));
       } else {
-        result.kept.push_back(part.source);
+        result.kept.push_back(part.members[0]);
       }
       squared_errors += part.squared_error;
       squares += part.ball.mass * seen_depth(part.ball);
@@ -192,14 +195,14 @@ class Simplification {
   }
 
   [[nodiscard]] bool may_merge(const Part& a, const Part& b) const {
-    const Gaussian& first = gaussians_[a.source];
-    const Gaussian& second = gaussians_[b.source];
+    const Gaussian& first = gaussians_[a.members[0]];
+    const Gaussian& second = gaussians_[b.members[0]];
     return first.group == second.group && first.optics == second.optics;
   }
 
   // Of a box of Gaussians, halved along its longest side.
   std::vector<Part> merged(std::span<std::uint32_t> order) {
-    if (order.size() == 1) return {{Ball(gaussians_[order[0]]), 0.0, order[0], false}};
+    if (order.size() == 1) return {{Ball(gaussians_[order[0]]), 0.0, order}};
     if (stop_.stop_requested()) return {};
     const std::size_t half = order.size() / 2;
     split(order, half);
@@ -219,7 +222,7 @@ class Simplification {
       const Ball one(a.ball, b.ball);
       // Errors of different sizes do not add up in phase.
       const double error = squared_error(a.ball, b.ball, one) + a.squared_error + b.squared_error;
-      if (error <= allowed_ * one.mass * seen_depth(one)) return {{one, error, a.source, true}};
+      if (error <= allowed_ * one.mass * seen_depth(one)) return {{one, error, order}};
     }
     parts.insert(parts.end(), others.begin(), others.end());
     if (progress_ && order.size() >= parallel_size / 2 && order.size() < parallel_size) {

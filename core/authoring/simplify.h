@@ -15,10 +15,17 @@ namespace brume {
 struct Simplified {
   std::vector<std::uint32_t> kept;  // indices of those that stay as they are
   std::vector<Gaussian> merged;     // in place of the others
+  // The others' indices: of each of `merged` what it stands for, up to its end.
+  std::vector<std::uint32_t> members;
+  std::vector<std::uint32_t> member_ends;
   // Estimate of the relative rms error of optical depth that light sees: where lines are deeper
   // than 1, of the first unit.
   double error = 0.0;
 
+  [[nodiscard]] std::span<const std::uint32_t> members_of(std::size_t k) const {
+    const std::uint32_t first = k > 0 ? member_ends[k - 1] : 0;
+    return std::span(members).subspan(first, member_ends[k] - first);
+  }
   // All that are left.
   [[nodiscard]] std::vector<Gaussian> of(std::span<const Gaussian> gaussians) const;
 };

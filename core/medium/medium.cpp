@@ -4,27 +4,37 @@
 
 namespace brume {
 std::optional<std::size_t> Medium::index_of(GaussianId id) const {
-  const auto it = std::lower_bound(ids_.begin(), ids_.end(), id);
-  if (it == ids_.end() || *it != id) return std::nullopt;
-  return static_cast<std::size_t>(it - ids_.begin());
+  const auto it = std::ranges::lower_bound(ids(), id);
+  if (it == ids().end() || *it != id) return std::nullopt;
+  return static_cast<std::size_t>(it - ids().begin());
 }
 
 Medium::Columns Medium::columns() {
   revision_ = new_revision();
-  return {centers_, radii_, densities_};
+  return {centers_.write(), radii_.write(), densities_.write()};
 }
 
 GaussianId Medium::append(const Gaussian& gaussian) {
+  push_back(next_id_, gaussian);
+  revision_ = new_revision();
+  return next_id_++;
+}
+
+void Medium::push_back(GaussianId id, const Gaussian& gaussian) {
   centers_.push_back(gaussian.center);
   radii_.push_back(gaussian.radius);
   densities_.push_back(gaussian.density);
-  ids_.push_back(next_id_);
-  if (!optics_.empty()) optics_.emplace_back();
-  set_optics(size() - 1, gaussian.optics);
-  if (!groups_.empty()) groups_.emplace_back();
-  set_group(size() - 1, gaussian.group);
-  revision_ = new_revision();
-  return next_id_++;
+  ids_.push_back(id);
+  if (!optics_.empty()) {
+    optics_.push_back(gaussian.optics);
+  } else {
+    set_optics(size() - 1, gaussian.optics);
+  }
+  if (!groups_.empty()) {
+    groups_.push_back(gaussian.group);
+  } else {
+    set_group(size() - 1, gaussian.group);
+  }
 }
 
 void Medium::reserve(std::size_t count) {
@@ -45,7 +55,7 @@ void Medium::set_optics(std::size_t index, const GaussianOptics& optics) {
     if (optics == GaussianOptics()) return;
     optics_.resize(size());
   }
-  optics_[index] = optics;
+  optics_.set(index, optics);
 }
 
 void Medium::set_group(std::size_t index, GroupId group) {
@@ -53,15 +63,16 @@ void Medium::set_group(std::size_t index, GroupId group) {
     if (group == 0) return;
     groups_.resize(size());
   }
-  groups_[index] = group;
+  groups_.set(index, group);
 }
 
 bool Medium::has_albedos() const {
-  return std::ranges::any_of(optics_, [](const auto& optics) { return optics.albedo.has_value(); });
+  return std::ranges::any_of(optics_.all(),
+                             [](const auto& optics) { return optics.albedo.has_value(); });
 }
 
 bool Medium::has_emission() const {
-  return std::ranges::any_of(optics_,
+  return std::ranges::any_of(optics_.all(),
                              [](const auto& optics) { return optics.emission != glm::dvec3(0.0); });
 }
 

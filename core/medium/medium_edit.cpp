@@ -7,20 +7,41 @@
 namespace brume {
 namespace {
 
-// Calls visit(from, to) for every element that stays when the sorted `dropped` indices leave an
-// array of `size` elements, in order.
-template <class Visit>
-std::size_t compact(std::size_t size, const std::vector<std::size_t>& dropped, Visit visit) {
-  std::size_t target = 0;
-  std::size_t next = 0;
-  for (std::size_t source = 0; source < size; ++source) {
-    if (next < dropped.size() && dropped[next] == source) {
-      ++next;
-    } else {
-      visit(source, target++);
+// Removes the elements at sorted indices.
+template <class T>
+void erase(SharedColumn<T>& column, const std::vector<std::size_t>& dropped) {
+  const std::size_t left = column.size() - dropped.size();
+  if (dropped.front() < left) {
+    const std::span<T> all = column.write();
+    std::size_t target = dropped.front();
+    std::size_t next = 0;
+    for (std::size_t source = target; source < all.size(); ++source) {
+      if (next < dropped.size() && dropped[next] == source) {
+        ++next;
+      } else {
+        all[target++] = all[source];
+      }
     }
   }
-  return target;
+  column.resize(left);
+}
+
+// Makes room at sorted indices, which count what is inserted before them.
+template <class T>
+void insert(SharedColumn<T>& column, const std::vector<std::size_t>& added) {
+  std::size_t source = column.size();
+  column.resize(source + added.size());
+  const std::span<T> all = column.write();
+  // From the back: every element moves at most once.
+  std::size_t remaining = added.size();
+  for (std::size_t target = all.size(); remaining > 0;) {
+    --target;
+    if (added[remaining - 1] == target) {
+      --remaining;
+    } else {
+      all[target] = all[--source];
+    }
+  }
 }
 
 // Index of an id, found at once if the ids come in the order of the medium without gaps.
@@ -109,24 +130,20 @@ MediumEdit MediumEdit::inverted() const {
 
 void MediumEdit::apply(Medium& medium) const {
   if (empty()) return;
+  const auto each_column = [&medium](auto visit) {
+    visit(medium.centers_);
+    visit(medium.radii_);
+    visit(medium.densities_);
+    visit(medium.ids_);
+    if (!medium.optics_.empty()) visit(medium.optics_);
+    if (!medium.groups_.empty()) visit(medium.groups_);
+  };
   const auto put = [&medium](std::size_t index, const Gaussian& gaussian) {
-    medium.centers_[index] = gaussian.center;
-    medium.radii_[index] = gaussian.radius;
-    medium.densities_[index] = gaussian.density;
+    medium.centers_.set(index, gaussian.center);
+    medium.radii_.set(index, gaussian.radius);
+    medium.densities_.set(index, gaussian.density);
     medium.set_optics(index, gaussian.optics);
     medium.set_group(index, gaussian.group);
-  };
-  const auto resize = [&medium](std::size_t size) {
-    medium.centers_.resize(size);
-    medium.radii_.resize(size);
-    medium.densities_.resize(size);
-    medium.ids_.resize(size);
-    if (!medium.optics_.empty()) medium.optics_.resize(size);
-    if (!medium.groups_.empty()) medium.groups_.resize(size);
-  };
-  const auto move = [&](std::size_t source, std::size_t target) {
-    put(target, medium.gaussian(source));
-    medium.ids_[target] = medium.ids_[source];
   };
 
   if (!removed_.empty()) {
@@ -138,7 +155,7 @@ void MediumEdit::apply(Medium& medium) const {
       assert(index && "MediumEdit::apply: the Gaussian to remove is not there");
       dropped.push_back(*index);
     }
-    resize(compact(medium.size(), dropped, move));
+    each_column([&](auto& column) { erase(column, dropped); });
   }
   IndexFinder index_of(medium);
   for (const Change& change : changed_) {
@@ -147,18 +164,21 @@ void MediumEdit::apply(Medium& medium) const {
     put(*index, change.after);
   }
   if (!added_.empty()) {
-    // A merge from the back: every Gaussian moves at most once.
-    std::size_t source = medium.size();
-    std::size_t remaining = added_.size();
-    resize(source + remaining);
-    for (std::size_t target = medium.size(); remaining > 0;) {
-      --target;
-      if (source > 0 && medium.ids_[source - 1] > added_[remaining - 1].id) {
-        move(--source, target);
-      } else {
-        --remaining;
-        put(target, added_[remaining].gaussian);
-        medium.ids_[target] = added_[remaining].id;
+    if (medium.empty() || medium.ids().back() < added_.front().id) {
+      for (const Entry& entry : added_) medium.push_back(entry.id, entry.gaussian);
+    } else {
+      std::vector<std::size_t> added;
+      added.reserve(added_.size());
+      const std::span<const GaussianId> ids = medium.ids();
+      auto place = ids.begin();
+      for (const Entry& entry : added_) {
+        place = std::lower_bound(place, ids.end(), entry.id);
+        added.push_back(static_cast<std::size_t>(place - ids.begin()) + added.size());
+      }
+      each_column([&](auto& column) { insert(column, added); });
+      for (std::size_t k = 0; k < added.size(); ++k) {
+        medium.ids_.set(added[k], added_[k].id);
+        put(added[k], added_[k].gaussian);
       }
     }
     medium.next_id_ = std::max(medium.next_id_, added_.back().id + 1);

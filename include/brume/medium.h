@@ -4,11 +4,11 @@
 #include <glm/vec3.hpp>
 #include <optional>
 #include <span>
-#include <vector>
 
 #include "brume/export.h"
 #include "brume/gaussian.h"
 #include "brume/revision.h"
+#include "brume/shared_column.h"
 
 namespace brume {
 
@@ -18,16 +18,17 @@ class MediumEdit;
 //
 // A structure of arrays ordered by id; ids only grow. So lookup is a binary search, and a Gaussian
 // that is removed and restored returns to its place. Filled with append() on creation, modified
-// only by MediumEdit (undo relies on it).
+// only by MediumEdit (undo relies on it). Copies share what has not been changed: a copy costs
+// nothing, and an edit what it adds, or the columns in which it changes something.
 class BRUME_EXPORT Medium {
  public:
   [[nodiscard]] std::size_t size() const { return ids_.size(); }
   [[nodiscard]] bool empty() const { return ids_.empty(); }
 
-  [[nodiscard]] std::span<const glm::dvec3> centers() const { return centers_; }
-  [[nodiscard]] std::span<const double> radii() const { return radii_; }
-  [[nodiscard]] std::span<const double> densities() const { return densities_; }
-  [[nodiscard]] std::span<const GaussianId> ids() const { return ids_; }
+  [[nodiscard]] std::span<const glm::dvec3> centers() const { return centers_.all(); }
+  [[nodiscard]] std::span<const double> radii() const { return radii_.all(); }
+  [[nodiscard]] std::span<const double> densities() const { return densities_.all(); }
+  [[nodiscard]] std::span<const GaussianId> ids() const { return ids_.all(); }
 
   // The Gaussian at an index in [0, size()).
   [[nodiscard]] Gaussian gaussian(std::size_t index) const {
@@ -72,8 +73,8 @@ class BRUME_EXPORT Medium {
     medium.homogeneous_density_ = b0;
     for (std::size_t i = 0; i < size(); ++i) {
       const Gaussian changed = change(gaussian(i));
-      medium.radii_[i] = changed.radius;
-      medium.densities_[i] = changed.density;
+      medium.radii_.set(i, changed.radius);
+      medium.densities_.set(i, changed.density);
       medium.set_optics(i, changed.optics);
     }
     medium.revision_ = new_revision();
@@ -89,15 +90,16 @@ class BRUME_EXPORT Medium {
  private:
   friend class MediumEdit;
 
+  void push_back(GaussianId id, const Gaussian& gaussian);
   void set_optics(std::size_t index, const GaussianOptics& optics);
   void set_group(std::size_t index, GroupId group);
 
-  std::vector<glm::dvec3> centers_;
-  std::vector<double> radii_;
-  std::vector<double> densities_;
-  std::vector<GaussianOptics> optics_;  // empty: all as by default
-  std::vector<GroupId> groups_;         // empty: all in none
-  std::vector<GaussianId> ids_;
+  SharedColumn<glm::dvec3> centers_;
+  SharedColumn<double> radii_;
+  SharedColumn<double> densities_;
+  SharedColumn<GaussianOptics> optics_;  // empty: all as by default
+  SharedColumn<GroupId> groups_;         // empty: all in none
+  SharedColumn<GaussianId> ids_;
   GaussianId next_id_ = 1;
   double homogeneous_density_ = 0.0;
   Revision revision_ = 0;

@@ -152,8 +152,11 @@ double diagonal(const MediumIndex& medium, const Box& surfaces) {
 
 void EmissionLights::update(const MediumIndex& medium, double albedo, const Box& surfaces,
                             const Job& job) {
-  if (revision_ != 0 && medium_ == medium.revision() && albedo_ == albedo && surfaces_ == surfaces)
+  const bool has_none = revision_ != 0 && optics_.empty() && medium.optics().empty();
+  if (revision_ != 0 && (has_none || medium_ == medium.revision()) && albedo_ == albedo &&
+      surfaces_ == surfaces) {
     return;
+  }
   medium_ = medium.revision();
   albedo_ = albedo;
   surfaces_ = surfaces;

@@ -242,6 +242,15 @@ void MultipleScattering::clear() {
   *this = MultipleScattering();
 }
 
+bool MultipleScattering::Key::is_but_for_tables(const Key& other) const {
+  Key mine = *this;
+  Key its = other;
+  for (Key* key : {&mine, &its}) {
+    for (LightKey& light : key->lights) light.table = 0;
+  }
+  return mine == its;
+}
+
 bool MultipleScattering::update(const Input& input, const Job& job) {
   Key key{input.grid.distant_revision(),
           input.environment_scale,
@@ -259,7 +268,9 @@ bool MultipleScattering::update(const Input& input, const Job& job) {
     key.lights.push_back(
         {light.source.position, light.source.intensity, light.table->revision(), {}, {}});
   }
-  if (!levels_.empty() && key == key_) return true;
+  if (!levels_.empty() && (key == key_ || (input.any_precision && key.is_but_for_tables(key_)))) {
+    return true;
+  }
   key_ = std::move(key);
   levels_.clear();
   const std::optional<glm::vec3> color = common_color(input);

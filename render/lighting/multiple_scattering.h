@@ -37,6 +37,7 @@ class MultipleScattering {
     const RayCaster* surfaces;  // null: none
     Revision surfaces_revision;
     ScatteringLimits limits;
+    bool any_precision;  // of the lights' tables; see SourceFunction::Input
   };
   // False, and empty, if the job was stopped.
   bool update(const Input& input, const Job& job);
@@ -71,6 +72,7 @@ class MultipleScattering {
     ScatteringLimits limits;
 
     bool operator==(const Key&) const = default;
+    [[nodiscard]] bool is_but_for_tables(const Key& other) const;
   };
   // A level's last solution and where it lies.
   struct Solution {

@@ -137,12 +137,12 @@ bool SourceFunction::make_grid(const Input& input, const Job& job) {
   const Revision emission = input.multiple ? input.multiple->emission->revision() : 0;
   const bool same_light =
       grid_ && same_map && anisotropy_ == input.anisotropy && size_ == input.size;
-  const bool same = same_light &&
-                    (!environment || environment_->rotation == environment->rotation) &&
-                    has_same(input.receivers) && medium_ == input.medium.revision() &&
-                    fog_ball_ == input.fog_ball && in_fog_ == input.in_fog &&
-                    extinction_ == extinction && keeps_transmitted_ == input.multiple.has_value() &&
-                    emission_ == emission && surfaces_revision_ == surfaces_revision;
+  const bool same =
+      same_light && (!environment || environment_->rotation == environment->rotation) &&
+      has_same(input.receivers) && scene_medium_ == input.scene_medium &&
+      (input.any_precision || (medium_ == input.medium.revision() && emission_ == emission)) &&
+      fog_ball_ == input.fog_ball && in_fog_ == input.in_fog && extinction_ == extinction &&
+      keeps_transmitted_ == input.multiple.has_value() && surfaces_revision_ == surfaces_revision;
   environment_.reset();
   if (environment) environment_ = *environment;
   if (same) return true;
@@ -152,6 +152,7 @@ bool SourceFunction::make_grid(const Input& input, const Job& job) {
     read_map(environment->map, input.anisotropy, input.size.directions, job);
   }
   medium_ = input.medium.revision();
+  scene_medium_ = input.scene_medium;
   fog_ball_ = input.fog_ball;
   in_fog_ = input.in_fog;
   extinction_ = extinction;
@@ -188,7 +189,7 @@ bool SourceFunction::add_multiple(const Input& input, const Multiple& multiple, 
   if (!multiple_.update(
           {*grid_, environment_ ? scale : 0.0, multiple.lights, multiple.emission->lights(),
            multiple.albedo, anisotropy_, input.medium.homogeneous_density(), multiple.ray_caster,
-           occlusion_.revision(), multiple.limits},
+           occlusion_.revision(), multiple.limits, input.any_precision},
           job)) {
     return false;
   }

@@ -52,6 +52,9 @@ class SourceFunction {
     std::optional<SourceGrid::Receivers> receivers;
     SourceGridSize size;
     std::optional<Multiple> multiple;
+    Revision scene_medium = 0;  // of what `medium` stands for, see MergedMedium
+    // What was made for another precision of the same scene is used again.
+    bool any_precision = false;
   };
   // The environment's part; then the rest, with the same input. False, and empty, if the job was
   // stopped.
@@ -114,6 +117,7 @@ class SourceFunction {
   // Inputs of the cached grid and lights.
   std::optional<Environment> environment_;
   Revision medium_ = 0;
+  Revision scene_medium_ = 0;
   FogBall fog_ball_;
   Box in_fog_;
   double extinction_ = 1.0;

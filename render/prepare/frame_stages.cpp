@@ -31,7 +31,7 @@ bool FrameStages::begin(FrameContext& work, StageClock& clock) {
     if (!make_transfers(work)) return false;
     clock.finish(Stage::transfer);
   }
-  prepared_.update(work.scene, work.plan);
+  if (!prepared_.update(work.scene, work.plan, work.job.stop)) return false;
   shading_.update(work.scene, work.plan, work.transfers);
   clock.finish(Stage::prepare);
   return true;
@@ -105,14 +105,16 @@ bool FrameStages::prepare_source(FrameContext& work, StageClock& clock) {
   if (!work.plan.has_environment_in_medium && !has_multiple) source_.clear();
   if (!work.plan.has_source_function()) return true;
   SourceFunction::Input input{has_environment ? &*work.scene.environment : nullptr,
-                              work.scene.medium,
+                              prepared_.gaussians(),
                               work.scene.optics.anisotropy,
                               has_environment ? fog_depth(work) : 0.0,
                               has_multiple ? work.fog_extent.ball() : FogBall{},
                               lit_fog(work),
                               {},
                               work.settings.source_grid,
-                              {}};
+                              {},
+                              work.scene.medium.revision(),
+                              work.settings.any_source_precision};
   if (work.plan.has_receivers)
     input.receivers = {prepared_.ray_caster().bounds(), incident_optics(work)};
   if (has_multiple) input.multiple = multiple_scattering(work, clock);

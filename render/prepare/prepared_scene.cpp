@@ -2,24 +2,28 @@
 
 #include <algorithm>
 
-#include "render/prepare/merged_medium.h"
-
 namespace brume {
-void PreparedScene::update(const Scene& scene, const RenderPlan& plan) {
+bool PreparedScene::update(const Scene& scene, const RenderPlan& plan,
+                           const std::stop_token& stop) {
   const Settings& settings = plan.settings;
-  const IndexInputs inputs{scene.medium.revision(), plan.depth_error, plan.merge_error,
-                           scene.optics.anisotropy};
-  if (!index_ || inputs != index_inputs_) {
-    depths_.clear();
-    tables_.clear();
-    const std::optional<Medium> merged = merged_medium(scene.medium, inputs.merge_error);
-    const Medium& medium = merged ? *merged : scene.medium;
-    is_merged_ = merged.has_value();
-    index_ = std::make_unique<MediumIndex>(medium, culling_tolerance(medium, inputs.depth_error),
-                                           inputs.anisotropy);
-    index_inputs_ = inputs;
+  const PreparedMedium::Precision precision{plan.depth_error, plan.merge_error,
+                                            scene.optics.anisotropy};
+  if (media_[current_].index && media_[current_].precision != precision) {
+    current_ = 1 - current_;
+    if (media_[current_].precision != precision) media_[current_] = {};
   }
-  index_->set_noise(RayNoise(scene.optics.noise, scene.time));
+  PreparedMedium& prepared = media_[current_];
+  prepared.precision = precision;
+  if (!prepared.merged.update(scene.medium, precision.merge_error, stop)) return false;
+  const Medium& medium = prepared.merged.medium();
+  if (!prepared.index || prepared.indexed != medium.revision()) {
+    prepared.depths.clear();
+    prepared.tables.clear();
+    prepared.index = std::make_unique<MediumIndex>(
+        medium, culling_tolerance(medium, precision.depth_error), precision.anisotropy);
+    prepared.indexed = medium.revision();
+  }
+  prepared.index->set_noise(RayNoise(scene.optics.noise, scene.time));
   if (!ray_caster_ || !ray_caster_->shows(scene.surfaces)) {
     ray_caster_.reset();
     exact_occlusion_.reset();
@@ -32,34 +36,39 @@ void PreparedScene::update(const Scene& scene, const RenderPlan& plan) {
   const auto is_unused = [&](const glm::dvec3& position) {
     return std::ranges::find(plan.lights, position, &PointLight::position) == plan.lights.end();
   };
-  std::erase_if(depths_, [&](const auto& entry) { return is_unused(entry->light); });
-  std::erase_if(tables_, [&](const auto& entry) {
-    return is_unused(entry->table.light()) || !(entry->size == settings.optical_depth_table);
-  });
+  for (PreparedMedium& each : media_) {
+    std::erase_if(each.depths, [&](const auto& entry) { return is_unused(entry->light); });
+    std::erase_if(each.tables, [&](const auto& entry) { return is_unused(entry->table.light()); });
+  }
+  std::erase_if(prepared.tables,
+                [&](const auto& entry) { return !(entry->size == settings.optical_depth_table); });
   std::erase_if(shadows_, [&](const auto& entry) { return is_unused(entry->light()); });
+  return true;
 }
 
 const CenterDepths& PreparedScene::light_depths(const glm::dvec3& light,
                                                 Settings::Precision precision,
                                                 std::uint64_t& pairs) {
-  for (const auto& entry : depths_) {
+  std::vector<std::unique_ptr<Depths>>& depths = media_[current_].depths;
+  for (const auto& entry : depths) {
     if (entry->light == light && entry->precision == precision) return entry->depths;
   }
-  depths_.push_back(
-      std::make_unique<Depths>(Depths{light, precision, center_depths(*index_, light, precision)}));
-  pairs += depths_.back()->depths.pairs;
-  return depths_.back()->depths;
+  depths.push_back(std::make_unique<Depths>(
+      Depths{light, precision, center_depths(medium(), light, precision)}));
+  pairs += depths.back()->depths.pairs;
+  return depths.back()->depths;
 }
 
 const OpticalDepthTable& PreparedScene::optical_depth_table(const glm::dvec3& light,
                                                             const OpticalDepthTableSize& size,
                                                             std::uint64_t& pairs) {
-  for (const auto& entry : tables_) {
+  std::vector<std::unique_ptr<Table>>& tables = media_[current_].tables;
+  for (const auto& entry : tables) {
     if (entry->table.light() == light && entry->size == size) return entry->table;
   }
-  tables_.push_back(std::make_unique<Table>(Table{size, OpticalDepthTable(*index_, light, size)}));
-  pairs += tables_.back()->table.pairs;
-  return tables_.back()->table;
+  tables.push_back(std::make_unique<Table>(Table{size, OpticalDepthTable(medium(), light, size)}));
+  pairs += tables.back()->table.pairs;
+  return tables.back()->table;
 }
 
 const ShadowMap& PreparedScene::shadow_map(const glm::dvec3& light, const DirectionMap& map) {

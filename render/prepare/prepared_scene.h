@@ -1,9 +1,11 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "brume/revision.h"
@@ -12,6 +14,7 @@
 #include "render/lighting/optical_depth_table.h"
 #include "render/lighting/path_depths.h"
 #include "render/lighting/shadow_map.h"
+#include "render/prepare/merged_medium.h"
 #include "render/render_plan.h"
 #include "render/settings.h"
 #include "render/visibility/exact_occlusion.h"
@@ -24,13 +27,14 @@ namespace brume {
 class PreparedScene {
  public:
   // Brings medium and surfaces up to date and drops the caches of lights that are not the plan's.
-  // If memory runs out, stale data is dropped as well.
-  void update(const Scene& scene, const RenderPlan& plan);
+  // If memory runs out, stale data is dropped as well. False if stopped.
+  bool update(const Scene& scene, const RenderPlan& plan, const std::stop_token& stop = {});
 
   // State after the last update().
-  [[nodiscard]] const MediumIndex& medium() const { return *index_; }
-  // Whether it has fewer Gaussians than the scene, see Settings::merge_error.
-  [[nodiscard]] bool is_merged() const { return is_merged_; }
+  [[nodiscard]] const MediumIndex& medium() const { return *media_[current_].index; }
+  // What it is of: the scene's, or where is_merged() fewer Gaussians, see Settings::merge_error.
+  [[nodiscard]] const Medium& gaussians() const { return media_[current_].merged.medium(); }
+  [[nodiscard]] bool is_merged() const { return media_[current_].merged.is_merged(); }
   [[nodiscard]] const RayCaster& ray_caster() const { return *ray_caster_; }
   [[nodiscard]] const ExactOcclusion& exact_occlusion() const {
     return *exact_occlusion_;
@@ -46,23 +50,6 @@ class PreparedScene {
   const ShadowMap& shadow_map(const glm::dvec3& light, const DirectionMap& map);
 
  private:
-  // What index_ is made from.
-  struct IndexInputs {
-    Revision medium = 0;
-    double depth_error = 0.0;
-    double merge_error = 0.0;
-    double anisotropy = 0.0;
-
-    bool operator==(const IndexInputs&) const = default;
-  };
-
-  std::unique_ptr<MediumIndex> index_;
-  IndexInputs index_inputs_;
-  bool is_merged_ = false;
-
-  std::unique_ptr<RayCaster> ray_caster_;
-  std::unique_ptr<ExactOcclusion> exact_occlusion_;
-
   struct Depths {
     glm::dvec3 light;
     Settings::Precision precision;
@@ -72,9 +59,29 @@ class PreparedScene {
     OpticalDepthTableSize size;
     OpticalDepthTable table;
   };
-  // Pointers, to keep references valid when a vector grows.
-  std::vector<std::unique_ptr<Depths>> depths_;
-  std::vector<std::unique_ptr<Table>> tables_;
+  // A medium at the precision of some settings.
+  struct PreparedMedium {
+    struct Precision {
+      double depth_error = 0.0;
+      double merge_error = 0.0;
+      double anisotropy = 0.0;
+
+      bool operator==(const Precision&) const = default;
+    };
+    Precision precision;
+    MergedMedium merged;
+    Revision indexed = 0;  // of `merged`
+    std::unique_ptr<MediumIndex> index;
+    // Pointers, to keep references valid when a vector grows.
+    std::vector<std::unique_ptr<Depths>> depths;
+    std::vector<std::unique_ptr<Table>> tables;
+  };
+  // For frames in motion and at rest, which take turns.
+  std::array<PreparedMedium, 2> media_;
+  std::size_t current_ = 0;
+
+  std::unique_ptr<RayCaster> ray_caster_;
+  std::unique_ptr<ExactOcclusion> exact_occlusion_;
   std::vector<std::unique_ptr<ShadowMap>> shadows_;
 };
 

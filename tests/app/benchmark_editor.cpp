@@ -277,6 +277,10 @@ int main(int argc, char** argv) {
     benchmark.run_groups(100'000);
     return 0;
   }
+  if (argc > 1) {
+    benchmark.run(std::clamp(std::atoi(argv[1]), 1'000, 1'000'000));
+    return 0;
+  }
   for (const int count : {10'000, 100'000}) benchmark.run(count);
   benchmark.run_groups(100'000);
   return 0;

@@ -2,7 +2,7 @@
 // screen, no display needed (QT_QPA_PLATFORM=offscreen). The scene: 48 Gaussians, a mesh of 2,503
 // vertices, an environment, a light, an emitter. Beside milliseconds it prints what part that is of
 // the picture at rest, measured in the same run, and how wrong that picture is.
-//   benchmark_gestures [REPEATS]
+//   benchmark_gestures [REPEATS [SCENE]]
 
 #include <QElapsedTimer>
 #include <algorithm>
@@ -255,8 +255,12 @@ int main(int argc, char** argv) {
   prepare_application();
   QApplication application(argc, argv);
   set_up_application(application);
-  const std::filesystem::path file = to_path(settings.filePath("scene.brume"));
-  save_document(designers_scene(), file);
+  std::filesystem::path file = to_path(settings.filePath("scene.brume"));
+  if (argc > 2) {
+    file = argv[2];
+  } else {
+    save_document(designers_scene(), file);
+  }
   MainWindow window;
   window.resize(1280, 800);
   window.show();
