@@ -107,6 +107,8 @@ std::size_t triangle_count(const Scene& scene) {
 double max_multiple_share(const Scene& scene) {
   glm::dvec3 w = scene.optics.albedo;
   if (scene.medium.homogeneous_density() > 0.0) return 1.0;  // fog may be endless
+  const bool has_own = scene.medium.has_albedos();
+  constexpr double opaque = 40.0;
   double depth = 0.0;
   for (std::size_t i = 0; i < scene.medium.size(); ++i) {
     const Gaussian g = scene.medium.gaussian(i);
@@ -114,6 +116,7 @@ double max_multiple_share(const Scene& scene) {
     depth += g.density / std::min({albedo.x, albedo.y, albedo.z}) * g.radius *
              std::sqrt(std::numbers::pi);
     w = glm::max(w, albedo);
+    if (depth > opaque && !has_own) break;
   }
   const double opacity = -std::expm1(-depth);
   return std::max({w.x, w.y, w.z}) * opacity;
@@ -306,6 +309,7 @@ bool RenderPlan::needs_transfer(const Surface& surface) const {
 }
 
 std::vector<TransferRequest> needed_transfers(const Scene& scene, const Settings& settings) {
+  if (scene.surfaces.empty()) return {};
   return RenderPlan(scene, scene.film, settings).transfers;
 }
 

@@ -99,6 +99,8 @@ struct Settings {
   // `sliced`: many small Gaussians that overlap are merged into fewer, up to this relative error of
   // optical depth; see merged_medium(). 0: never.
   double merge_error = 0.0;
+  // The greatest share of them left with which merging makes up for its time.
+  double merge_share = 0.8;
 
   // `march`: steps per ray, >= 1.
   int march_steps = 64;

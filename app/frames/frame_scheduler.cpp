@@ -16,6 +16,8 @@ constexpr int rest_after = 150;  // milliseconds without a change
 constexpr int motion_slices = 8;
 // Of a million Gaussians of a bank it leaves a fiftieth, and an edit is seen twenty times as soon.
 constexpr double motion_merge_error = 0.05;
+// Of a sequence each picture has other Gaussians: merging that leaves more takes longer than they.
+constexpr double motion_merge_share = 0.4;
 // All orders of scattering, while the scene changes: from the last solution on, which is nearly
 // right. The frame at rest goes on to convergence.
 constexpr int motion_sweeps = 1;
@@ -159,6 +161,7 @@ Settings FrameScheduler::motion_settings(const std::shared_ptr<const Scene>& sce
   Settings settings = sliced_settings(rest, motion_slices);
   settings.airlight = rest.airlight;
   settings.merge_error = motion_merge_error;
+  settings.merge_share = motion_merge_share;
   if (settings.scattering == Scattering::multiple) {
     settings.scattering_limits.sweeps = motion_sweeps;
     settings.scattering_limits.warm_start = true;

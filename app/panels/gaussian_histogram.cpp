@@ -4,6 +4,8 @@
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "app/commands/select_command.h"
 #include "app/document/document.h"
@@ -15,14 +17,17 @@ namespace {
 
 constexpr double far_apart = 20.0;  // the factor from which an axis is logarithmic
 
+bool is_of_colour(GaussianAttribute field) {
+  return field == GaussianAttribute::albedo || field == GaussianAttribute::emission;
+}
+
 }  // namespace
 
-GaussianHistogram::Axis::Axis(std::span<const double> values) {
-  if (values.empty()) return;
-  const auto [min_value, max_value] = std::minmax_element(values.begin(), values.end());
-  low = *min_value;
-  high = *max_value;
-  logarithmic = low > 0.0 && high > far_apart * low;
+GaussianHistogram::Axis::Axis(double least, double greatest)
+    : low(least), high(greatest), logarithmic(low > 0.0 && high > far_apart * low) {}
+
+std::size_t GaussianHistogram::Axis::bin(double value) const {
+  return static_cast<std::size_t>(std::clamp(position(value) * bins, 0.0, bins - 1.0));
 }
 
 double GaussianHistogram::Axis::at(double position) const {
@@ -42,7 +47,7 @@ GaussianHistogram::GaussianHistogram(Document& document, GaussianAttribute field
   setCursor(Qt::CrossCursor);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   connect(&document_, &Document::scene_replaced, this, &GaussianHistogram::refresh);
-  connect(&document_, &Document::medium_changed, this, &GaussianHistogram::refresh);
+  connect(&document_, &Document::medium_changed, this, &GaussianHistogram::follow);
   connect(&document_, &Document::selection_changed, this, [this] { update(); });
   if (field_ == GaussianAttribute::albedo) {
     connect(&document_, &Document::part_changed, this, [this] {
@@ -52,18 +57,80 @@ GaussianHistogram::GaussianHistogram(Document& document, GaussianAttribute field
   refresh();
 }
 
-void GaussianHistogram::refresh() {
+bool GaussianHistogram::has_any() const {
   const Medium& medium = document_.medium();
-  const bool is_shown = field_ == GaussianAttribute::albedo     ? medium.has_albedos()
-                        : field_ == GaussianAttribute::emission ? medium.has_emission()
-                                                                : true;
-  shown_albedo_ = document_.scene().optics.albedo;
-  values_.clear();
-  for (std::size_t i = 0; is_shown && i < medium.size(); ++i) {
-    values_.push_back(attribute_value(document_.effective_gaussian(i), field_));
+  switch (field_) {
+    case GaussianAttribute::albedo:
+      return medium.has_albedos();
+    case GaussianAttribute::emission:
+      return medium.has_emission();
+    default:
+      return !medium.empty();
   }
-  setVisible(is_shown);
+}
+
+void GaussianHistogram::refresh() {
+  shown_albedo_ = document_.scene().optics.albedo;
+  is_counted_ = false;
+  setVisible(!is_of_colour(field_) || has_any());
   update();
+}
+
+void GaussianHistogram::follow(const MediumEdit& edit) {
+  if (is_of_colour(field_)) return refresh();
+  const auto add = [this](const Gaussian& gaussian) {
+    const double added = value(gaussian);
+    if (!(added >= axis_.low && added <= axis_.high)) is_counted_ = false;
+    if (is_counted_) ++all_[axis_.bin(added)];
+  };
+  const auto remove = [this](const Gaussian& gaussian) {
+    const double removed = value(gaussian);
+    if (removed == axis_.low || removed == axis_.high) is_counted_ = false;
+    if (is_counted_) --all_[axis_.bin(removed)];
+  };
+  for (const MediumEdit::Entry& entry : edit.added()) add(entry.gaussian);
+  for (const MediumEdit::Entry& entry : edit.removed()) remove(entry.gaussian);
+  for (const MediumEdit::Change& change : edit.changed()) {
+    if (value(change.before) == value(change.after)) continue;
+    add(change.after);
+    remove(change.before);
+  }
+  update();
+}
+
+double GaussianHistogram::value(std::size_t index) const {
+  return attribute_value(document_.effective_gaussian(index), field_);
+}
+
+double GaussianHistogram::value(Gaussian gaussian) const {
+  gaussian.optics.albedo = gaussian.optics.albedo.value_or(document_.scene().optics.albedo);
+  return attribute_value(gaussian, field_);
+}
+
+void GaussianHistogram::count_all() const {
+  if (std::exchange(is_counted_, true)) return;
+  axis_ = {};
+  all_ = {};
+  if (!has_any()) return;
+  std::vector<double> values(document_.medium().size());
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = value(i);
+  const auto [least, greatest] = std::ranges::minmax(values);
+  axis_ = Axis(least, greatest);
+  for (const double each : values) ++all_[axis_.bin(each)];
+}
+
+const GaussianHistogram::Axis& GaussianHistogram::axis() const {
+  count_all();
+  return axis_;
+}
+
+GaussianHistogram::Counts GaussianHistogram::selected_on(const Axis& axis) const {
+  Counts counts{};
+  if (!has_any()) return counts;
+  for (const GaussianId id : document_.selection()) {
+    ++counts[axis.bin(value(*document_.medium().index_of(id)))];
+  }
+  return counts;
 }
 
 QRect GaussianHistogram::bars() const {
@@ -72,26 +139,16 @@ QRect GaussianHistogram::bars() const {
 }
 
 void GaussianHistogram::paintEvent(QPaintEvent* /*event*/) {
-  const Axis axis = dragging_ ? drag_axis_ : this->axis();
-  std::array<std::size_t, bins> all{};
-  std::array<std::size_t, bins> selected{};
-  auto next = document_.selection().begin();
-  for (std::size_t i = 0; i < values_.size(); ++i) {
-    const auto bin =
-        static_cast<std::size_t>(std::clamp(axis.position(values_[i]) * bins, 0.0, bins - 1.0));
-    ++all[bin];
-    // Both are sorted by id.
-    if (next != document_.selection().end() && *next == document_.medium().ids()[i]) {
-      ++selected[bin];
-      ++next;
-    }
-  }
+  count_all();
+  const Axis& axis = dragging_ ? drag_axis_ : axis_;
+  const Counts& all = dragging_ ? drag_all_ : all_;
+  const Counts selected = selected_on(axis);
 
   QPainter painter(this);
   const QRect area = bars();
   painter.fillRect(area, palette().base());
   const double limit = static_cast<double>(*std::max_element(all.begin(), all.end()));
-  const auto draw = [&](const std::array<std::size_t, bins>& counts, const QColor& color) {
+  const auto draw = [&](const Counts& counts, const QColor& color) {
     for (std::size_t k = 0; k < bins && limit > 0.0; ++k) {
       if (counts[k] == 0) continue;
       // By the root, so that few are seen beside many.
@@ -115,7 +172,7 @@ void GaussianHistogram::paintEvent(QPaintEvent* /*event*/) {
   const QRect below(area.left(), area.bottom() + 1, area.width(), fontMetrics().height());
   painter.setPen(palette().color(QPalette::WindowText));
   painter.drawText(below, Qt::AlignHCenter, attribute_title(field_));
-  if (values_.empty()) return;
+  if (!has_any()) return;
   const double left = dragging_ ? std::min(start_, end_) : 0.0;
   const double right = dragging_ ? std::max(start_, end_) : 1.0;
   const auto text = [&](double at) { return number_text(axis.at(at), 3); };
@@ -124,9 +181,10 @@ void GaussianHistogram::paintEvent(QPaintEvent* /*event*/) {
 }
 
 void GaussianHistogram::mousePressEvent(QMouseEvent* event) {
-  if (event->button() != Qt::LeftButton || values_.empty()) return;
-  dragging_ = true;
+  if (event->button() != Qt::LeftButton || !has_any()) return;
   drag_axis_ = axis();
+  drag_all_ = all_;
+  dragging_ = true;
   modifiers_ = event->modifiers();
   before_ = document_.selection();
   merge_id_ = new_merge_id();
@@ -150,8 +208,9 @@ void GaussianHistogram::select_range(QPointF to) {
   const double low = drag_axis_.at(left);
   const double high = drag_axis_.at(right);
   std::vector<GaussianId> inside;
-  for (std::size_t i = 0; i < values_.size(); ++i) {
-    if (values_[i] >= low && values_[i] <= high) inside.push_back(document_.medium().ids()[i]);
+  for (std::size_t i = 0; i < document_.medium().size(); ++i) {
+    const double own = value(i);
+    if (own >= low && own <= high) inside.push_back(document_.medium().ids()[i]);
   }
   const SelectMode mode = modifiers_.testFlag(Qt::ShiftModifier)     ? SelectMode::add
                           : modifiers_.testFlag(Qt::ControlModifier) ? SelectMode::remove

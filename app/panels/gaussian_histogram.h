@@ -2,18 +2,18 @@
 
 #include <QWidget>
 #include <array>
-#include <span>
 
 #include "app/commands/merge_id.h"
 #include "app/document/gaussian_attribute.h"
+#include "brume/edits.h"
 
 namespace brume {
 
 class Document;
 
 // Histogram of an attribute with the selection marked; of albedo or emission, hidden while no
-// Gaussian has any. Dragging selects a range; Shift adds,
-// Ctrl removes.
+// Gaussian has any. Dragging selects a range; Shift adds, Ctrl removes. An edit costs what it
+// changes, unless the range of values changes.
 class GaussianHistogram : public QWidget {
   Q_OBJECT
  public:
@@ -25,14 +25,16 @@ class GaussianHistogram : public QWidget {
     double high = 0.0;
     bool logarithmic = false;
 
-    explicit Axis(std::span<const double> values = {});
+    Axis() = default;
+    Axis(double least, double greatest);
     [[nodiscard]] double at(double position) const;     // value at a position in [0, 1]
     [[nodiscard]] double position(double value) const;  // inverse of at()
+    [[nodiscard]] std::size_t bin(double value) const;  // of the histogram
   };
 
   GaussianHistogram(Document& document, GaussianAttribute field, QWidget* parent);
 
-  [[nodiscard]] Axis axis() const { return Axis(values_); }
+  [[nodiscard]] const Axis& axis() const;
   [[nodiscard]] QSize sizeHint() const override { return {120, 48}; }
 
  protected:
@@ -42,17 +44,30 @@ class GaussianHistogram : public QWidget {
   void mouseReleaseEvent(QMouseEvent* event) override;
 
  private:
+  using Counts = std::array<std::size_t, bins>;
+
   void refresh();
+  void follow(const MediumEdit& edit);
+  // What the shown medium's Gaussians have.
+  [[nodiscard]] double value(std::size_t index) const;
+  [[nodiscard]] double value(Gaussian gaussian) const;
+  [[nodiscard]] bool has_any() const;  // Gaussians, and of them ones to show
+  void count_all() const;
+  [[nodiscard]] Counts selected_on(const Axis& axis) const;
   [[nodiscard]] QRect bars() const;
   void select_range(QPointF to);
 
   Document& document_;
   GaussianAttribute field_;
-  std::vector<double> values_;    // of all Gaussians
   glm::dvec3 shown_albedo_{0.0};  // of the medium
+  // Of all Gaussians, on their axis; made when needed.
+  mutable bool is_counted_ = false;
+  mutable Axis axis_;
+  mutable Counts all_{};
   // State of a drag.
   bool dragging_ = false;
   Axis drag_axis_;
+  Counts drag_all_{};
   double start_ = 0.0;  // positions along the axis
   double end_ = 0.0;
   Qt::KeyboardModifiers modifiers_;

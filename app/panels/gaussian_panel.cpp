@@ -20,6 +20,10 @@
 namespace brume {
 namespace {
 
+// A table of so many rows takes longer to load than a picture.
+constexpr int many_rows = 20'000;
+constexpr int reload_after = 250;  // milliseconds
+
 // Qt compares every range of a selection with every other: quadratic. More scattered selections are
 // not mirrored in the view; rows are painted from the document anyway.
 constexpr int max_ranges = 500;
@@ -105,18 +109,14 @@ GaussianPanel::GaussianPanel(Document& document, QWidget* parent)
   connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
           &GaussianPanel::adopt_selection);
   connect(&document_, &Document::selection_changed, this, &GaussianPanel::select_rows);
-  connect(&document_, &Document::scene_replaced, this, [this] {
-    const bool was_syncing = std::exchange(syncing_, true);
-    rows_->reload();
-    syncing_ = was_syncing;
+  reload_timer_.setSingleShot(true);
+  reload_timer_.setInterval(reload_after);
+  connect(&reload_timer_, &QTimer::timeout, this, [this] {
+    reload();
+    select_rows();
   });
-  connect(&document_, &Document::medium_changed, this, [this](const MediumEdit& edit) {
-    // While rows come and go the view's selection is not the user's.
-    const bool was_syncing = std::exchange(syncing_, true);
-    rows_->follow(edit);
-    syncing_ = was_syncing;
-    if (!edit.added().empty() || !edit.removed().empty()) select_rows();
-  });
+  connect(&document_, &Document::scene_replaced, this, &GaussianPanel::reload);
+  connect(&document_, &Document::medium_changed, this, &GaussianPanel::follow);
   const auto show_groups = [this] {
     table_->setColumnHidden(GaussianTableModel::group_column, document_.scene().groups.empty());
   };
@@ -137,6 +137,26 @@ GaussianPanel::GaussianPanel(Document& document, QWidget* parent)
     syncing_ = was_syncing;
     select_rows();
   });
+}
+
+void GaussianPanel::reload() {
+  reload_timer_.stop();
+  const bool was_syncing = std::exchange(syncing_, true);
+  rows_->reload();
+  syncing_ = was_syncing;
+}
+
+void GaussianPanel::follow(const MediumEdit& edit) {
+  if (reload_timer_.isActive()) return reload_timer_.start();  // when the gesture pauses
+  // While rows come and go the view's selection is not the user's.
+  const bool was_syncing = std::exchange(syncing_, true);
+  const bool has_followed = rows_->follow(edit);
+  syncing_ = was_syncing;
+  if (!has_followed) {
+    if (rows_->rowCount() > many_rows) return reload_timer_.start();
+    reload();
+  }
+  if (!edit.added().empty() || !edit.removed().empty()) select_rows();
 }
 
 void GaussianPanel::add_filter(QLayout& layout) {

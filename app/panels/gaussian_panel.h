@@ -2,6 +2,7 @@
 
 #include <QLineEdit>
 #include <QTableView>
+#include <QTimer>
 #include <QWidget>
 #include <glm/vec3.hpp>
 
@@ -27,12 +28,15 @@ class GaussianPanel : public QWidget {
   void add_filter(QLayout& layout);
   void select_rows();  // from the document
   void adopt_selection();
+  void follow(const MediumEdit& edit);
+  void reload();
 
   Document& document_;
   GaussianTableModel* rows_;
   GaussianSortModel* model_;
   QTableView* table_;
   bool syncing_ = false;
+  QTimer reload_timer_;  // of very many rows: running while they are not those of the document
   glm::dvec3 shown_albedo_{0.0};  // of the medium
 };
 

@@ -89,14 +89,11 @@ void GaussianTableModel::reload() {
   endResetModel();
 }
 
-void GaussianTableModel::follow(const MediumEdit& edit) {
-  if (!edit.removed().empty() && !edit.added().empty()) {
-    reload();
-    return;
-  }
+bool GaussianTableModel::follow(const MediumEdit& edit) {
+  if (!edit.removed().empty() && !edit.added().empty()) return false;
   announce_changes(edit);
-  if (!edit.removed().empty()) remove_rows(edit);
-  if (!edit.added().empty()) insert_rows(edit);
+  if (!edit.removed().empty()) return remove_rows(edit);
+  return edit.added().empty() || insert_rows(edit);
 }
 
 void GaussianTableModel::announce_changes(const MediumEdit& edit) {
@@ -130,23 +127,21 @@ void GaussianTableModel::follow_albedo() {
   Q_EMIT dataChanged(index(0, column), index(rowCount() - 1, column));
 }
 
-void GaussianTableModel::remove_rows(const MediumEdit& edit) {
+bool GaussianTableModel::remove_rows(const MediumEdit& edit) {
   std::vector<int> rows;
   rows.reserve(edit.removed().size());
   for (const auto& entry : edit.removed()) rows.push_back(*row(entry.id));
   const std::vector<Run> runs = runs_of(rows);
-  if (runs.size() > max_runs) {
-    reload();
-    return;
-  }
+  if (runs.size() > max_runs) return false;
   for (auto run = runs.rbegin(); run != runs.rend(); ++run) {
     beginRemoveRows({}, run->first, run->last);
     ids_.erase(ids_.begin() + run->first, ids_.begin() + run->last + 1);
     endRemoveRows();
   }
+  return true;
 }
 
-void GaussianTableModel::insert_rows(const MediumEdit& edit) {
+bool GaussianTableModel::insert_rows(const MediumEdit& edit) {
   // Rows as they will be, from the front: each run then finds everything before it in place.
   std::vector<int> rows;
   rows.reserve(edit.added().size());
@@ -154,16 +149,14 @@ void GaussianTableModel::insert_rows(const MediumEdit& edit) {
     rows.push_back(static_cast<int>(*document_.medium().index_of(entry.id)));
   }
   const std::vector<Run> runs = runs_of(rows);
-  if (runs.size() > max_runs) {
-    reload();
-    return;
-  }
+  if (runs.size() > max_runs) return false;
   const auto now = document_.medium().ids();
   for (const Run& run : runs) {
     beginInsertRows({}, run.first, run.last);
     ids_.insert(ids_.begin() + run.first, now.begin() + run.first, now.begin() + run.last + 1);
     endInsertRows();
   }
+  return true;
 }
 
 int GaussianTableModel::rowCount(const QModelIndex& parent) const {
@@ -227,6 +220,7 @@ void GaussianTableModel::follow_groups() {
 bool GaussianTableModel::setData(const QModelIndex& index, const QVariant& value, int role) {
   if (!index.isValid() || role != Qt::EditRole || index.column() == group_column) return false;
   const std::array one{id(index.row())};
+  if (!document_.medium().index_of(one[0])) return false;  // not yet reloaded
   const std::vector<GaussianId> selection = document_.selection();
   const std::span<const GaussianId> targets =
       document_.is_selected(one[0]) ? std::span<const GaussianId>(selection) : one;

@@ -25,7 +25,8 @@ class GaussianTableModel : public QAbstractTableModel {
   [[nodiscard]] std::optional<int> row(GaussianId id) const;
 
   // Updates the rows after an edit; or resets the model.
-  void follow(const MediumEdit& edit);
+  // False if that would cost more than reload(), which then has to follow.
+  [[nodiscard]] bool follow(const MediumEdit& edit);
   void reload();
   // After a change of the medium's albedo, which Gaussians without their own show.
   void follow_albedo();
@@ -46,8 +47,8 @@ class GaussianTableModel : public QAbstractTableModel {
  private:
   [[nodiscard]] QVariant group_data(GroupId id, int role) const;
   void announce_changes(const MediumEdit& edit);
-  void remove_rows(const MediumEdit& edit);
-  void insert_rows(const MediumEdit& edit);
+  bool remove_rows(const MediumEdit& edit);
+  bool insert_rows(const MediumEdit& edit);
 
   Document& document_;
   // Ids known to views: the medium changes at once, but views are notified one range of rows at a

@@ -15,6 +15,8 @@ namespace {
 constexpr double pick_radius = 8.0;  // logical pixels
 constexpr std::size_t max_outlines = 2000;
 constexpr std::size_t max_marks = 500;
+// More would hide the fog, and cost more than its picture.
+constexpr std::size_t max_dots = 20'000;
 
 // Alpha for each of `count` shapes: the more there are, the fainter, or they would hide the fog.
 int crowd_alpha(std::size_t count, int few, int many) {
@@ -29,31 +31,39 @@ QRgb with_alpha(QRgb color, int alpha) {
 
 }  // namespace
 
-void Handles::project(const Medium& medium, const CameraRays& rays,
-                      std::span<const GaussianId> hidden, std::span<const GaussianId> locked) {
+void Handles::restrict(const Medium& medium, std::span<const GaussianId> hidden,
+                       std::span<const GaussianId> locked) {
+  const auto mark = [&medium](std::span<const GaussianId> ids, std::vector<bool>& marks) {
+    marks.clear();
+    if (ids.empty()) return;
+    marks.resize(medium.size());
+    for (const GaussianId id : ids) marks[*medium.index_of(id)] = true;
+  };
+  mark(hidden, hidden_);
+  mark(locked, locked_);
+}
+
+void Handles::project(const Medium& medium, const CameraRays& rays) {
   positions_.resize(medium.size());
   std::transform(medium.centers().begin(), medium.centers().end(), positions_.begin(),
                  [&rays](const glm::dvec3& center) { return rays.project(center); });
-  for (const GaussianId id : hidden) positions_[*medium.index_of(id)] = glm::dvec3(0.0);
-  locked_.assign(medium.size(), false);
-  for (const GaussianId id : locked) locked_[*medium.index_of(id)] = true;
 }
 
-void Handles::classify_depth(const Medium& medium, const CameraRays& rays, const Frame& frame) {
-  behind_.assign(medium.size(), false);
-  if (frame.depth.empty()) return;
-  for (std::size_t i = 0; i < medium.size(); ++i) {
-    const glm::dvec3& center = medium.centers()[i];
-    const glm::dvec3 at = rays.project(center);
-    const double x = std::floor(at.x);
-    const double y = std::floor(at.y);
-    if (at.z <= 0.0 || x < 0.0 || y < 0.0 || x >= frame.film.width || y >= frame.film.height) {
-      continue;
-    }
-    const auto pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.film.width) +
-                       static_cast<std::size_t>(x);
-    behind_[i] = glm::distance(center, rays.eye()) > static_cast<double>(frame.depth[pixel]);
-  }
+void Handles::set_depth(const CameraRays& rays, const Frame& frame) {
+  depth_.reset();
+  if (!frame.depth.empty()) depth_.emplace(FilmDepth{rays, frame.film, frame.depth});
+}
+
+bool Handles::is_behind_surface(const glm::dvec3& center) const {
+  if (!depth_) return false;
+  const auto& [rays, film, depth] = *depth_;
+  const glm::dvec3 at = rays.project(center);
+  const double x = std::floor(at.x);
+  const double y = std::floor(at.y);
+  if (at.z <= 0.0 || x < 0.0 || y < 0.0 || x >= film.width || y >= film.height) return false;
+  const auto pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(film.width) +
+                     static_cast<std::size_t>(x);
+  return glm::distance(center, rays.eye()) > static_cast<double>(depth[pixel]);
 }
 
 std::optional<std::size_t> Handles::pick(QPointF position) const {
@@ -62,8 +72,9 @@ std::optional<std::size_t> Handles::pick(QPointF position) const {
   double best_distance = 0.0;
   for (std::size_t i = 0; i < positions_.size(); ++i) {
     const glm::dvec3& p = positions_[i];
+    if (p.z <= 0.0 || !(std::abs(p.x - position.x()) <= reach)) continue;  // as most
     const double distance = std::hypot(p.x - position.x(), p.y - position.y());
-    if (p.z <= 0.0 || locked_[i] || !(distance <= reach)) continue;
+    if (is_hidden(i) || is_locked(i) || !(distance <= reach)) continue;
     // Less than two pixels nearer is no reason to take one from behind.
     const bool nearer = !best || distance < best_distance - 2.0 ||
                         (distance < best_distance + 2.0 && p.z < positions_[*best].z);
@@ -79,7 +90,9 @@ std::vector<std::size_t> Handles::inside(const std::function<bool(QPointF)>& are
   std::vector<std::size_t> indices;
   for (std::size_t i = 0; i < positions_.size(); ++i) {
     const glm::dvec3& p = positions_[i];
-    if (p.z > 0.0 && !locked_[i] && area(QPointF(p.x, p.y))) indices.push_back(i);
+    if (p.z > 0.0 && !is_hidden(i) && !is_locked(i) && area(QPointF(p.x, p.y))) {
+      indices.push_back(i);
+    }
   }
   return indices;
 }
@@ -89,44 +102,51 @@ void Handles::draw(Overlay& overlay, const Medium& medium, const CameraRays& ray
                    bool with_centers) const {
   const QRgb accent = accent_color().rgb();
   const QRgb plain = qRgb(235, 238, 242);
-  auto next_selected = selected.begin();
-  std::size_t outlines = 0;
   const int outline_alpha = crowd_alpha(selected.size(), 220, 28);
   const int mark_alpha = crowd_alpha(selected.size() / 4, 255, 120);
-  const int dot_alpha = crowd_alpha(positions_.size() / 4, 190, 90);
-  for (std::size_t i = 0; i < positions_.size(); ++i) {
-    const GaussianId id = medium.ids()[i];
-    while (next_selected != selected.end() && *next_selected < id) ++next_selected;
-    const bool is_selected = next_selected != selected.end() && *next_selected == id;
-    const glm::dvec3& p = positions_[i];
-    const bool dim = locked_[i] || (i < behind_.size() && behind_[i]);
-    if (is_selected && outlines < max_outlines) {
+  const int dot_alpha = crowd_alpha(medium.size() / 4, 190, 90);
+  const auto is_dim = [&](std::size_t i) {
+    return is_locked(i) || is_behind_surface(medium.centers()[i]);
+  };
+
+  const auto add_dot = [&](std::vector<Overlay::Vertex>& shapes, std::size_t i, QRgb color) {
+    const glm::dvec3 p = rays.project(medium.centers()[i]);
+    if (p.z > 0.0) shapes.push_back({static_cast<float>(p.x), static_cast<float>(p.y), color});
+  };
+  const std::size_t step = 1 + medium.size() / max_dots;
+  for (std::size_t i = 0; with_centers && i < medium.size(); i += step) {
+    if (is_hidden(i) || std::ranges::binary_search(selected, medium.ids()[i])) continue;
+    add_dot(overlay.dots, i, with_alpha(color_of(i, plain), is_dim(i) ? dot_alpha / 3 : dot_alpha));
+  }
+  // Small ones in a crowd, for the same reason.
+  auto& shapes = selected.size() > max_marks ? overlay.dots : overlay.marks;
+  const std::size_t selected_step = 1 + selected.size() / max_dots;
+  for (std::size_t k = 0; k < selected.size(); k += selected_step) {
+    const std::size_t i = *medium.index_of(selected[k]);
+    const bool dim = is_dim(i);
+    if (k / selected_step < max_outlines) {
       overlay.add_ball_outline(rays, medium.centers()[i], medium.radii()[i],
                                with_alpha(accent, dim ? outline_alpha / 2 : outline_alpha));
-      ++outlines;
     }
-    if (p.z <= 0.0 || !with_centers) continue;
-    const auto x = static_cast<float>(p.x);
-    const auto y = static_cast<float>(p.y);
-    if (is_selected) {
-      // Small ones in a crowd, for the same reason.
-      auto& shapes = selected.size() > max_marks ? overlay.dots : overlay.marks;
-      shapes.push_back({x, y, with_alpha(accent, dim ? mark_alpha / 2 : mark_alpha)});
-    } else {
-      overlay.dots.push_back(
-          {x, y, with_alpha(color_of(i, plain), dim ? dot_alpha / 3 : dot_alpha)});
+    if (with_centers && !is_hidden(i)) {
+      add_dot(shapes, i, with_alpha(accent, dim ? mark_alpha / 2 : mark_alpha));
     }
-    if (hovered == id && !is_selected) {
-      overlay.add_ball_outline(rays, medium.centers()[i], medium.radii()[i], with_alpha(plain, 90));
-    }
-    if (hovered == id) overlay.add_circle(p.x, p.y, 7.0, with_alpha(plain, 255));
   }
+  const auto at = hovered && with_centers ? medium.index_of(*hovered) : std::nullopt;
+  if (!at || is_hidden(*at)) return;
+  const glm::dvec3 p = rays.project(medium.centers()[*at]);
+  if (p.z <= 0.0) return;
+  if (!std::ranges::binary_search(selected, *hovered)) {
+    overlay.add_ball_outline(rays, medium.centers()[*at], medium.radii()[*at],
+                             with_alpha(plain, 90));
+  }
+  overlay.add_circle(p.x, p.y, 7.0, with_alpha(plain, 255));
 }
 
 void Handles::draw_outlines(Overlay& overlay, const Medium& medium, const CameraRays& rays) const {
   std::vector<std::size_t> indices;
   for (std::size_t i = 0; i < positions_.size(); ++i) {
-    if (positions_[i].z > 0.0) indices.push_back(i);
+    if (positions_[i].z > 0.0 && !is_hidden(i)) indices.push_back(i);
   }
   if (indices.size() > max_outlines) {
     std::nth_element(

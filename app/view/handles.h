@@ -18,17 +18,17 @@ namespace brume {
 // Works in film space, so picking needs no OpenGL.
 class Handles {
  public:
-  // Projects centers to the film; hidden Gaussians are excluded, locked ones cannot be picked. Ids
-  // are sorted.
-  void project(const Medium& medium, const CameraRays& rays, std::span<const GaussianId> hidden,
-               std::span<const GaussianId> locked);
+  // Hidden Gaussians are excluded, locked ones cannot be picked. Ids are sorted.
+  void restrict(const Medium& medium, std::span<const GaussianId> hidden,
+                std::span<const GaussianId> locked);
+  // Projects centers to the film, for the queries below; drawing needs no more than it draws.
+  void project(const Medium& medium, const CameraRays& rays);
 
   // Colours of their groups, without alpha; 0: of none. Empty: all in none.
   void set_colors(std::vector<QRgb> colors) { colors_ = std::move(colors); }
 
-  // Classifies Gaussians as behind surfaces by the depth of a frame and its camera; none without
-  // depth.
-  void classify_depth(const Medium& medium, const CameraRays& rays, const Frame& frame);
+  // Gaussians are behind surfaces by the depth of a frame of these rays; none without depth.
+  void set_depth(const CameraRays& rays, const Frame& frame);
 
   // Indices of Gaussians: the one under the mouse (the front one of ties), and all with center
   // inside an area.
@@ -38,7 +38,8 @@ class Handles {
   // Film position and depth of a Gaussian's centre; depth <= 0 is behind the eye.
   [[nodiscard]] const glm::dvec3& position(std::size_t index) const { return positions_[index]; }
 
-  // `selected`: sorted ids. Without centers, draws only their outlines.
+  // `selected`: sorted ids. Without centers, draws only their outlines. Of very many an even
+  // choice, and each that is selected, up to as many.
   void draw(Overlay& overlay, const Medium& medium, const CameraRays& rays,
             std::span<const GaussianId> selected, std::optional<GaussianId> hovered,
             bool with_centers) const;
@@ -52,10 +53,24 @@ class Handles {
     return index < colors_.size() && colors_[index] != 0 ? colors_[index] : other;
   }
 
+  [[nodiscard]] bool is_hidden(std::size_t index) const {
+    return index < hidden_.size() && hidden_[index];
+  }
+  [[nodiscard]] bool is_locked(std::size_t index) const {
+    return index < locked_.size() && locked_[index];
+  }
+  [[nodiscard]] bool is_behind_surface(const glm::dvec3& center) const;
+
   std::vector<glm::dvec3> positions_;
-  std::vector<bool> behind_;  // behind a surface; empty while unknown
-  std::vector<bool> locked_;
+  std::vector<bool> hidden_, locked_;  // empty: none are
   std::vector<QRgb> colors_;
+
+  struct FilmDepth {
+    CameraRays rays;
+    Film film;
+    std::vector<float> depth;
+  };
+  std::optional<FilmDepth> depth_;
 };
 
 }  // namespace brume

@@ -1,6 +1,7 @@
 #include "app/view/shown_handles.h"
 
 #include <map>
+#include <utility>
 
 #include "app/document/document.h"
 #include "app/view/camera_controller.h"
@@ -39,9 +40,16 @@ void ShownHandles::show_centers(bool centers) {
 }
 
 void ShownHandles::project() {
-  handles_.project(document_.grouped_medium(), camera_.rays(), document_.all_hidden(),
-                   document_.all_locked());
+  handles_.restrict(document_.grouped_medium(), document_.all_hidden(), document_.all_locked());
+  is_projected_ = false;
   Q_EMIT changed();
+}
+
+const Handles& ShownHandles::handles() const {
+  if (!std::exchange(is_projected_, true)) {
+    handles_.project(document_.grouped_medium(), camera_.rays());
+  }
+  return handles_;
 }
 
 void ShownHandles::color_by_group() {
@@ -67,8 +75,8 @@ void ShownHandles::color_by_group() {
   handles_.set_colors(std::move(colors));
 }
 
-void ShownHandles::classify_depth(const Camera& camera, const Frame& frame) {
-  handles_.classify_depth(document_.grouped_medium(), {camera, frame.film}, frame);
+void ShownHandles::set_depth(const Camera& camera, const Frame& frame) {
+  handles_.set_depth({camera, frame.film}, frame);
   Q_EMIT changed();
 }
 
@@ -82,7 +90,7 @@ void ShownHandles::draw(Overlay& overlay) const {
 }
 
 void ShownHandles::draw_outlines(Overlay& overlay) const {
-  handles_.draw_outlines(overlay, document_.grouped_medium(), camera_.rays());
+  handles().draw_outlines(overlay, document_.grouped_medium(), camera_.rays());
 }
 
 }  // namespace brume

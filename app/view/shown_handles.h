@@ -15,13 +15,14 @@ class ShownHandles : public QObject {
  public:
   ShownHandles(const Document& document, const CameraController& camera);
 
-  [[nodiscard]] const Handles& handles() const { return handles_; }
+  // Projected as the view is now.
+  [[nodiscard]] const Handles& handles() const;
   void set_hovered(std::optional<GaussianId> id);
   // Without, selected Gaussians have an outline only.
   void show_centers(bool centers);
   void project();  // again, after a resize
   // See Handles; a frame of `camera`.
-  void classify_depth(const Camera& camera, const Frame& frame);
+  void set_depth(const Camera& camera, const Frame& frame);
   // Whether that makes a difference.
   [[nodiscard]] bool use_depth() const;
 
@@ -36,7 +37,8 @@ class ShownHandles : public QObject {
 
   const Document& document_;
   const CameraController& camera_;
-  Handles handles_;
+  mutable Handles handles_;
+  mutable bool is_projected_ = false;
   std::optional<GaussianId> hovered_;
   bool centers_ = true;
 };

@@ -45,7 +45,7 @@ Viewport::Viewport(Document& document, ViewServices& services, Projection projec
   connect(&frames_, &FrameScheduler::frame_shown, this, [this] {
     show_picture();
     const RenderedFrame& frame = *frames_.shown();
-    if (!frame.cached) shown_handles().classify_depth(frame.request.camera, frame.frame);
+    if (!frame.cached) shown_handles().set_depth(frame.request.camera, frame.frame);
   });
   connect(&frames_, &FrameScheduler::picture_changed, this, &Viewport::show_picture);
   connect(&frames_, &FrameScheduler::mode_changed, this, &Viewport::update_overlay);

@@ -19,6 +19,17 @@ double max_channel(const glm::dvec3& rgb) {
   return std::max({rgb.r, rgb.g, rgb.b});
 }
 
+// Whether a Gaussian is nothing to a line: most are that far from it, and this takes no
+// exponential.
+bool is_far(const Medium& medium, std::size_t i, const glm::dvec3& origin,
+            const glm::dvec3& direction) {
+  constexpr double far = 12.0;  // radii: e^-144, so that no density makes up for it
+  const glm::dvec3 to_center = medium.centers()[i] - origin;
+  const glm::dvec3 across = to_center - glm::dot(to_center, direction) * direction;
+  const double reach = far * medium.radii()[i];
+  return glm::dot(across, across) > reach * reach;
+}
+
 glm::dvec3 opacity(const glm::dvec3& optical_depth) {
   return {-std::expm1(-optical_depth.r), -std::expm1(-optical_depth.g),
           -std::expm1(-optical_depth.b)};
@@ -35,6 +46,7 @@ std::vector<Contribution> contributions(const Medium& medium, const glm::dvec3& 
                                         double distance, double min_effect) {
   std::vector<Contribution> result;
   for (std::size_t i = 0; i < medium.size(); ++i) {
+    if (is_far(medium, i, eye, direction)) continue;
     const Gaussian gaussian = medium.gaussian(i);
     const glm::dvec3 albedo = gaussian.optics.albedo.value_or(medium_albedo);
     const GaussianTerm<double> g(gaussian);
@@ -81,6 +93,7 @@ glm::dvec3 scattered_radiance(const Scene& scene, const Contribution& contributi
   glm::dvec3 depth = contribution.depth_in_front +
                      medium.homogeneous_density() * std::min(distance, fog_length) / shared;
   for (std::size_t i = 0; i < medium.size(); ++i) {
+    if (is_far(medium, i, light.position, from_light / distance)) continue;
     const Gaussian g = medium.gaussian(i);
     depth += optical_depth(GaussianTerm<double>(g), light.position, point) /
              g.optics.albedo.value_or(shared);

@@ -1,6 +1,9 @@
 #include "core/authoring/eraser.h"
 
+#include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
+#include <optional>
 
 namespace brume {
 
@@ -13,6 +16,26 @@ bool may_touch(const EraserCone& cone, const glm::dvec3& center) {
   const double reach = along * cone.slope;
   const glm::dvec3 across = view - along * cone.direction;
   return along > 0.0 && glm::dot(across, across) <= 1.000001 * reach * reach;
+}
+
+// One that holds all of some with one eye; nullopt if they are too far apart.
+std::optional<EraserCone> hull(std::span<const EraserCone> cones) {
+  if (cones.empty()) return std::nullopt;
+  glm::dvec3 sum(0.0);
+  for (const EraserCone& cone : cones) {
+    if (cone.eye != cones[0].eye) return std::nullopt;
+    sum += cone.direction;
+  }
+  if (!(glm::length(sum) > 0.0)) return std::nullopt;
+  const glm::dvec3 axis = glm::normalize(sum);
+  double angle = 0.0;
+  for (const EraserCone& cone : cones) {
+    const double apart = std::acos(std::min(glm::dot(cone.direction, axis), 1.0));
+    angle = std::max(angle, apart + std::atan(cone.slope));
+  }
+  constexpr double widest = 1.4;
+  if (!(angle < widest)) return std::nullopt;
+  return EraserCone{cones[0].eye, axis, std::tan(angle + 1e-6)};
 }
 
 }  // namespace
@@ -30,7 +53,9 @@ MediumEdit EraserStroke::touch(const Medium& medium, std::span<const EraserCone>
   std::vector<GaussianId> thinned_ids;
   std::vector<Gaussian> after;
   std::vector<GaussianId> erased_ids;
+  const std::optional<EraserCone> all = hull(cones);
   for (std::size_t i = 0; i < medium.size(); ++i) {
+    if (all && !may_touch(*all, medium.centers()[i])) continue;
     const GaussianId id = medium.ids()[i];
     Touched* touched = nullptr;
     for (const EraserCone& cone : cones) {

@@ -3,7 +3,6 @@
 #include <tbb/parallel_invoke.h>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cmath>
 #include <cstdint>
@@ -59,66 +58,6 @@ double squared_error(const Ball& a, const Ball& b, const Ball& one) {
   return std::max(sum, 0.0);
 }
 
-// Optical depth of the lines through a medium along three axes, at the resolution of `cells`.
-class AxisDepths {
- public:
-  explicit AxisDepths(std::span<const Gaussian> gaussians) {
-    low_ = glm::dvec3(std::numeric_limits<double>::infinity());
-    glm::dvec3 high(-std::numeric_limits<double>::infinity());
-    for (const Gaussian& g : gaussians) {
-      low_ = glm::min(low_, g.center - g.radius);
-      high = glm::max(high, g.center + g.radius);
-    }
-    size_ = glm::max(high - low_, 1e-300) / double{cells};
-    for (auto& image : depths_) image.assign(std::size_t{cells} * cells, 0.0);
-    for (const Gaussian& g : gaussians) add(Ball(g));
-  }
-
-  // Of the shallowest of the three lines through a point.
-  [[nodiscard]] double least(const glm::dvec3& x) const {
-    const glm::ivec3 cell = cell_of(x);
-    double depth = std::numeric_limits<double>::infinity();
-    for (int axis = 0; axis < 3; ++axis) {
-      depth = std::min(depth, depths_[static_cast<std::size_t>(axis)]
-                                     [index(cell[(axis + 1) % 3], cell[(axis + 2) % 3])]);
-    }
-    return depth;
-  }
-
- private:
-  static constexpr int cells = 128;
-
-  static std::size_t index(int column, int row) {
-    return static_cast<std::size_t>(row) * cells + static_cast<std::size_t>(column);
-  }
-  [[nodiscard]] glm::ivec3 cell_of(const glm::dvec3& x) const {
-    return glm::clamp(glm::ivec3((x - low_) / size_), glm::ivec3(0), glm::ivec3(cells - 1));
-  }
-
-  // Spread evenly over the square of its size that has its greatest depth's share.
-  void add(const Ball& ball) {
-    const double half = 0.5 * std::sqrt(std::numbers::pi) * ball.radius;
-    const glm::ivec3 first = cell_of(ball.center - half);
-    const glm::ivec3 last = cell_of(ball.center + half);
-    for (int axis = 0; axis < 3; ++axis) {
-      const int u = (axis + 1) % 3;
-      const int v = (axis + 2) % 3;
-      const glm::dvec2 covered((last[u] - first[u] + 1) * size_[u],
-                               (last[v] - first[v] + 1) * size_[v]);
-      const double depth = ball.mass / (covered.x * covered.y);
-      std::vector<double>& image = depths_[static_cast<std::size_t>(axis)];
-      for (int row = first[v]; row <= last[v]; ++row) {
-        for (int column = first[u]; column <= last[u]; ++column) {
-          image[index(column, row)] += depth;
-        }
-      }
-    }
-  }
-
-  glm::dvec3 low_{0.0}, size_{1.0};
-  std::array<std::vector<double>, 3> depths_;
-};
-
 struct Part {
   Ball ball;
   double squared_error = 0.0;                // of what it stands for:
@@ -129,13 +68,13 @@ struct Part {
 
 class Simplification {
  public:
-  Simplification(std::span<const Gaussian> gaussians, double max_error, const std::stop_token& stop,
-                 const std::function<void(double)>& progress)
+  Simplification(std::span<const Gaussian> gaussians, double max_error, const AxisDepths& depths,
+                 const std::stop_token& stop, const std::function<void(double)>& progress)
       : gaussians_(gaussians),
         allowed_(max_error * max_error),
         stop_(stop),
         progress_(progress),
-        depths_(gaussians),
+        depths_(depths),
         order_(gaussians.size()) {
     std::iota(order_.begin(), order_.end(), 0u);
   }
@@ -253,7 +192,7 @@ class Simplification {
   double allowed_;
   const std::stop_token& stop_;
   const std::function<void(double)>& progress_;
-  AxisDepths depths_;
+  const AxisDepths& depths_;
   std::vector<std::uint32_t> order_;
   std::atomic<std::size_t> done_ = 0;
 };
@@ -271,13 +210,20 @@ std::vector<Gaussian> Simplified::of(std::span<const Gaussian> gaussians) const 
 std::optional<Simplified> simplify(std::span<const Gaussian> gaussians, double max_error,
                                    const std::stop_token& stop,
                                    const std::function<void(double)>& progress) {
-  return Simplification(gaussians, max_error, stop, progress).run();
+  return simplify(gaussians, max_error, AxisDepths(gaussians), stop, progress);
 }
 
-double estimated_share(std::span<const Gaussian> gaussians, double max_error) {
+std::optional<Simplified> simplify(std::span<const Gaussian> gaussians, double max_error,
+                                   const AxisDepths& depths, const std::stop_token& stop,
+                                   const std::function<void(double)>& progress) {
+  return Simplification(gaussians, max_error, depths, stop, progress).run();
+}
+
+double estimated_share(std::span<const Gaussian> gaussians, double max_error,
+                       const AxisDepths& depths) {
   const std::stop_token stop;
   const std::function<void(double)> progress;
-  return Simplification(gaussians, max_error, stop, progress).estimated_share();
+  return Simplification(gaussians, max_error, depths, stop, progress).estimated_share();
 }
 
 }  // namespace brume

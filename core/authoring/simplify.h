@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "brume/gaussian.h"
+#include "core/authoring/axis_depths.h"
 
 namespace brume {
 
@@ -40,7 +41,13 @@ std::optional<Simplified> simplify(std::span<const Gaussian> gaussians, double m
                                    const std::stop_token& stop = {},
                                    const std::function<void(double)>& progress = {});
 
+// The same for some of many Gaussians, whose depths these are.
+std::optional<Simplified> simplify(std::span<const Gaussian> gaussians, double max_error,
+                                   const AxisDepths& depths, const std::stop_token& stop = {},
+                                   const std::function<void(double)>& progress = {});
+
 // The share of the Gaussians that simplify() would leave, from samples of them: to a tenth or so.
-double estimated_share(std::span<const Gaussian> gaussians, double max_error);
+double estimated_share(std::span<const Gaussian> gaussians, double max_error,
+                       const AxisDepths& depths);
 
 }  // namespace brume

@@ -7,13 +7,10 @@
 namespace brume {
 namespace {
 
-// With more of them left the time that frames save does not make up for the merging.
-constexpr double max_share = 0.8;
-
 // All are merged anew when this share has changed.
 constexpr std::size_t max_changed = 8;  // 1 / 8
 
-constexpr std::uint32_t not_merged = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
 // Compares two media by their columns, which are the same memory where nothing was changed.
 class Comparison {
@@ -99,81 +96,126 @@ Gaussian without_group(Gaussian gaussian) {
 
 }  // namespace
 
-bool MergedMedium::update(const Medium& medium, double max_error, const std::stop_token& stop) {
-  if (made_from_ == medium.revision() && max_error_ == max_error) return true;
+bool MergedMedium::update(const Medium& medium, const Limits& limits, const std::stop_token& stop) {
+  if (made_from_ == medium.revision() && limits_ == limits) return true;
   made_from_.reset();
-  if (!(max_error > 0.0) || !may_merge(medium)) {
+  if (!(limits.error > 0.0) || !may_merge(medium)) {
     *this = {};
     medium_ = medium;
-  } else if (max_error_ != max_error || source_.empty()) {
-    if (!merge(medium, max_error, stop)) return false;
-  } else {
-    const Comparison change(source_, medium);
-    const std::size_t changed = std::max(change.gone().size(), change.more().size());
-    if (changed * max_changed > medium.size()) {
-      if (!merge(medium, max_error, stop)) return false;
-    } else if (is_merged_) {
-      assemble(medium, change.gone(), change.more());
-    } else {
-      medium_ = medium;
-    }
+  } else if (!follow(medium, limits, stop)) {
+    if (stop.stop_requested() || !merge(medium, limits, stop)) return false;
   }
   made_from_ = medium.revision();
-  max_error_ = max_error;
+  limits_ = limits;
   return true;
 }
 
-bool MergedMedium::merge(const Medium& medium, double max_error, const std::stop_token& stop) {
+bool MergedMedium::merge(const Medium& medium, const Limits& limits, const std::stop_token& stop) {
   std::vector<Gaussian> gaussians;
+  std::vector<std::uint32_t> indices;
   gaussians.reserve(medium.size());
+  indices.reserve(medium.size());
   for (std::size_t i = 0; i < medium.size(); ++i) {
     gaussians.push_back(without_group(medium.gaussian(i)));
+    indices.push_back(static_cast<std::uint32_t>(i));
   }
-  const bool pays = estimated_share(gaussians, max_error) <= max_share;
-  std::optional<Simplified> simplified;
-  if (pays) {
-    simplified = simplify(gaussians, max_error, stop);
-    if (!simplified) return false;
+  *this = {};
+  depths_.emplace(gaussians);
+  is_merged_ = estimated_share(gaussians, limits.error, *depths_) <= limits.share;
+  if (is_merged_) {
+    const auto simplified = simplify(gaussians, limits.error, *depths_, stop);
+    if (!simplified) {
+      *this = {};
+      return false;
+    }
+    part_of_.resize(medium.size());
+    append(*simplified, gaussians, indices);
   }
   source_ = medium;
-  is_merged_ = pays;
-  if (!pays) {
-    medium_ = medium;
-    return true;
-  }
-  simplified_ = std::move(*simplified);
-  merged_into_.assign(medium.size(), not_merged);
-  for (std::size_t k = 0; k < simplified_.merged.size(); ++k) {
-    for (const std::uint32_t i : simplified_.members_of(k)) {
-      merged_into_[i] = static_cast<std::uint32_t>(k);
-    }
-  }
-  assemble(medium, {}, {});
+  assemble();
   return true;
 }
 
-void MergedMedium::assemble(const Medium& now, const std::vector<std::uint32_t>& gone,
-                            const std::vector<std::uint32_t>& more) {
-  std::vector<bool> is_apart(simplified_.merged.size());
-  for (const std::uint32_t i : gone) {
-    if (merged_into_[i] != not_merged) is_apart[merged_into_[i]] = true;
-  }
-  const auto is_gone = [&](std::uint32_t i) { return std::ranges::binary_search(gone, i); };
-  medium_ = {};
-  medium_.set_homogeneous_density(now.homogeneous_density());
-  medium_.reserve(simplified_.kept.size() + simplified_.merged.size() + more.size());
-  const auto keep = [&](std::uint32_t i) {
-    if (!is_gone(i)) medium_.append(without_group(source_.gaussian(i)));
-  };
-  for (const std::uint32_t i : simplified_.kept) keep(i);
-  for (std::size_t k = 0; k < simplified_.merged.size(); ++k) {
-    if (is_apart[k]) {
-      for (const std::uint32_t i : simplified_.members_of(k)) keep(i);
-    } else {
-      medium_.append(simplified_.merged[k]);
+bool MergedMedium::follow(const Medium& medium, const Limits& limits, const std::stop_token& stop) {
+  if (limits_ != limits || source_.empty()) return false;
+  const Comparison change(source_, medium);
+  const std::size_t changed = changed_ + std::max(change.gone().size(), change.more().size());
+  if (changed * max_changed > medium.size()) return false;
+  if (is_merged_) {
+    std::vector<bool> is_touched(parts_.size());
+    for (const std::uint32_t i : change.gone()) is_touched[part_of_[i]] = true;
+    // Indices in `medium` of what is left of source_.
+    std::vector<std::uint32_t> now(source_.size(), none);
+    auto gone = change.gone().begin();
+    auto more = change.more().begin();
+    std::uint32_t j = 0;
+    for (std::uint32_t i = 0; i < now.size(); ++i) {
+      if (gone != change.gone().end() && *gone == i) {
+        ++gone;
+        continue;
+      }
+      while (more != change.more().end() && *more == j) ++more, ++j;
+      now[i] = j++;
     }
+    std::vector<std::uint32_t> indices = change.more();
+    for (std::size_t k = 0; k < parts_.size(); ++k) {
+      if (!is_touched[k]) continue;
+      for (const std::uint32_t i : parts_[k].members) {
+        if (now[i] != none) indices.push_back(now[i]);
+      }
+    }
+    std::ranges::sort(indices);
+    std::vector<Gaussian> gaussians;
+    gaussians.reserve(indices.size());
+    for (const std::uint32_t i : indices) gaussians.push_back(without_group(medium.gaussian(i)));
+    const auto simplified = simplify(gaussians, limits.error, *depths_, stop);
+    if (!simplified) return false;
+
+    std::size_t kept = 0;
+    part_of_.resize(medium.size());
+    for (std::size_t k = 0; k < parts_.size(); ++k) {
+      if (is_touched[k]) continue;
+      if (kept != k) parts_[kept] = std::move(parts_[k]);
+      for (std::uint32_t& i : parts_[kept].members) {
+        i = now[i];
+        part_of_[i] = static_cast<std::uint32_t>(kept);
+      }
+      ++kept;
+    }
+    parts_.resize(kept);
+    append(*simplified, gaussians, indices);
   }
-  for (const std::uint32_t j : more) medium_.append(without_group(now.gaussian(j)));
+  source_ = medium;
+  changed_ = changed;
+  assemble();
+  return true;
+}
+
+void MergedMedium::append(const Simplified& simplified, std::span<const Gaussian> gaussians,
+                          std::span<const std::uint32_t> indices) {
+  const auto add = [&](const Gaussian& gaussian, std::span<const std::uint32_t> members) {
+    Part& part = parts_.emplace_back(Part{gaussian, {}});
+    part.members.reserve(members.size());
+    for (const std::uint32_t i : members) {
+      part.members.push_back(indices[i]);
+      part_of_[indices[i]] = static_cast<std::uint32_t>(parts_.size() - 1);
+    }
+  };
+  for (const std::uint32_t i : simplified.kept) add(gaussians[i], {&i, 1});
+  for (std::size_t k = 0; k < simplified.merged.size(); ++k) {
+    add(simplified.merged[k], simplified.members_of(k));
+  }
+}
+
+void MergedMedium::assemble() {
+  if (!is_merged_) {
+    medium_ = source_;
+    return;
+  }
+  medium_ = {};
+  medium_.set_homogeneous_density(source_.homogeneous_density());
+  medium_.reserve(parts_.size());
+  for (const Part& part : parts_) medium_.append(part.gaussian);
 }
 
 }  // namespace brume

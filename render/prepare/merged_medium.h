@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <stop_token>
 #include <vector>
 
@@ -11,37 +12,54 @@
 namespace brume {
 
 // Level of detail: of a medium of many small Gaussians that overlap, one of fewer with an error of
-// optical depth up to a bound, see simplify(). An edit of some costs what it changes: what they
-// were merged into is taken apart again, and they are as they are. Beyond many, all are merged
-// anew.
+// optical depth up to a bound, see simplify(). An edit of some merges them anew, and what they were
+// merged with; when many have changed, all.
 class MergedMedium {
  public:
   // Of fewer Gaussians frames are fast, and merging them would be felt.
   static constexpr std::size_t min_gaussians = 20'000;
   static bool may_merge(const Medium& medium) { return medium.size() >= min_gaussians; }
 
-  // Of a medium, within an error; 0: as it is. False, and as it was, if stopped.
-  bool update(const Medium& medium, double max_error, const std::stop_token& stop);
+  // See Settings; an error of 0: as it is.
+  struct Limits {
+    double error = 0.0;
+    double share = 1.0;
+
+    bool operator==(const Limits&) const = default;
+  };
+
+  // False, and of no use until the next, if stopped.
+  bool update(const Medium& medium, const Limits& limits, const std::stop_token& stop);
 
   // After the last update(): the medium itself if merging would not make frames faster.
   [[nodiscard]] const Medium& medium() const { return medium_; }
   [[nodiscard]] bool is_merged() const { return is_merged_; }
 
  private:
-  // False if stopped.
-  bool merge(const Medium& medium, double max_error, const std::stop_token& stop);
-  // Sets medium_: of source_ without `gone`, and with `more` (indices of `now`). Sorted.
-  void assemble(const Medium& now, const std::vector<std::uint32_t>& gone,
-                const std::vector<std::uint32_t>& more);
+  // Gaussians of source_, and one that stands for them.
+  struct Part {
+    Gaussian gaussian;
+    std::vector<std::uint32_t> members;
+  };
+
+  // All of a medium; false if stopped.
+  bool merge(const Medium& medium, const Limits& limits, const std::stop_token& stop);
+  // What differs from source_; false, and nothing done, if there is too much, or if stopped.
+  bool follow(const Medium& medium, const Limits& limits, const std::stop_token& stop);
+  void append(const Simplified& simplified, std::span<const Gaussian> gaussians,
+              std::span<const std::uint32_t> indices);
+  void assemble();
 
   Medium medium_;
   std::optional<Revision> made_from_;
-  double max_error_ = 0.0;
+  Limits limits_;
   bool is_merged_ = false;
 
-  Medium source_;  // what was merged, and how
-  Simplified simplified_;
-  std::vector<std::uint32_t> merged_into_;  // of source_: which of `merged`, or `not_merged`
+  Medium source_;  // made_from_, while it may be merged
+  std::optional<AxisDepths> depths_;
+  std::vector<Part> parts_;
+  std::vector<std::uint32_t> part_of_;  // of source_
+  std::size_t changed_ = 0;             // since merge()
 };
 
 }  // namespace brume

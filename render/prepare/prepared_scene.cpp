@@ -6,15 +6,16 @@ namespace brume {
 bool PreparedScene::update(const Scene& scene, const RenderPlan& plan,
                            const std::stop_token& stop) {
   const Settings& settings = plan.settings;
-  const PreparedMedium::Precision precision{plan.depth_error, plan.merge_error,
-                                            scene.optics.anisotropy};
+  MergedMedium::Limits merging;
+  if (MergedMedium::may_merge(scene.medium)) merging = {plan.merge_error, settings.merge_share};
+  const PreparedMedium::Precision precision{plan.depth_error, merging, scene.optics.anisotropy};
   if (media_[current_].index && media_[current_].precision != precision) {
     current_ = 1 - current_;
     if (media_[current_].precision != precision) media_[current_] = {};
   }
   PreparedMedium& prepared = media_[current_];
   prepared.precision = precision;
-  if (!prepared.merged.update(scene.medium, precision.merge_error, stop)) return false;
+  if (!prepared.merged.update(scene.medium, precision.merging, stop)) return false;
   const Medium& medium = prepared.merged.medium();
   if (!prepared.index || prepared.indexed != medium.revision()) {
     prepared.depths.clear();

@@ -63,7 +63,7 @@ class PreparedScene {
   struct PreparedMedium {
     struct Precision {
       double depth_error = 0.0;
-      double merge_error = 0.0;
+      MergedMedium::Limits merging;
       double anisotropy = 0.0;
 
       bool operator==(const Precision&) const = default;

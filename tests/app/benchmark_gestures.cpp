@@ -2,7 +2,8 @@
 // screen, no display needed (QT_QPA_PLATFORM=offscreen). The scene: 48 Gaussians, a mesh of 2,503
 // vertices, an environment, a light, an emitter. Beside milliseconds it prints what part that is of
 // the picture at rest, measured in the same run, and how wrong that picture is.
-//   benchmark_gestures [REPEATS [SCENE]]
+// Or a bank of many Gaussians instead.
+//   benchmark_gestures [REPEATS [GAUSSIANS]]
 
 #include <QElapsedTimer>
 #include <algorithm>
@@ -26,6 +27,7 @@
 #include "core/io/scene/scene_file.h"
 #include "tests/app/test_window.h"
 #include "tests/random.h"
+#include "tools/bench/scenes/benchmark_scenes.h"
 
 using namespace brume;
 
@@ -144,6 +146,7 @@ class Gestures {
     constexpr int duration = 2000;  // milliseconds
     difference_.reset();
     std::vector<double> first;
+    std::vector<double> undone;
     double pictures = 0.0;
     double settled = 0.0;
     for (int k = 0; k < repeats_; ++k) {
@@ -184,9 +187,16 @@ class Gestures {
           last->request.camera == rest.request.camera) {
         difference_ = difference(last->frame, rest.frame);
       }
-      if (window_.document().undo_stack().canUndo()) window_.document().undo_stack().undo();
+      if (!window_.document().undo_stack().canUndo()) continue;
+      settle();
+      window_.document().undo_stack().undo();
+      undone.push_back(next_picture());
     }
     print(name, first, pictures / repeats_, settled / repeats_);
+    if (undone.empty()) return;
+    std::ranges::sort(undone);
+    std::printf("      undone: first picture %.0f ms, worst %.0f\n", undone[undone.size() / 2],
+                undone.back());
   }
 
   void play() {
@@ -255,12 +265,9 @@ int main(int argc, char** argv) {
   prepare_application();
   QApplication application(argc, argv);
   set_up_application(application);
-  std::filesystem::path file = to_path(settings.filePath("scene.brume"));
-  if (argc > 2) {
-    file = argv[2];
-  } else {
-    save_document(designers_scene(), file);
-  }
+  const std::filesystem::path file = to_path(settings.filePath("scene.brume"));
+  const int gaussians = argc > 2 ? std::clamp(std::atoi(argv[2]), 1, 1'000'000) : 0;
+  save_document(gaussians > 0 ? fog_bank(gaussians) : designers_scene(), file);
   MainWindow window;
   window.resize(1280, 800);
   window.show();

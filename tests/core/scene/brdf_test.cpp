@@ -7,6 +7,7 @@
 
 #include "core/math/quadrature.h"
 #include "core/math/sphere_rule.h"
+#include "tests/core/scene/from_angles.h"
 #include "tests/random.h"
 
 namespace brume {
@@ -26,10 +27,6 @@ Material phong(double reflectance, double specular, double exponent) {
   material.specular = glm::dvec3(specular);
   material.exponent = exponent;
   return material;
-}
-
-glm::dvec3 from_angles(double theta, double phi) {
-  return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
 }
 
 TEST(Brdf, IsReciprocal) {

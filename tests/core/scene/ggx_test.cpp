@@ -10,6 +10,7 @@
 #include "core/math/quadrature.h"
 #include "core/scene/ggx_sh.h"
 #include "core/scene/texture.h"
+#include "tests/core/scene/from_angles.h"
 #include "tests/random.h"
 
 namespace brume {
@@ -18,10 +19,6 @@ namespace {
 using std::numbers::pi;
 
 const glm::dvec3 z_axis(0.0, 0.0, 1.0);
-
-glm::dvec3 from_angles(double theta, double phi) {
-  return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
-}
 
 // Reflects all of what its microfacets meet.
 GgxReflection white_metal(double roughness) {

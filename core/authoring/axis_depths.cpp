@@ -1,0 +1,69 @@
+#include "core/authoring/axis_depths.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <glm/common.hpp>
+#include <limits>
+#include <numbers>
+
+namespace brume {
+namespace {
+
+constexpr int cells = 128;
+
+std::size_t index(int column, int row) {
+  return static_cast<std::size_t>(row) * cells + static_cast<std::size_t>(column);
+}
+
+}  // namespace
+
+AxisDepths::AxisDepths(std::span<const Gaussian> gaussians) {
+  low_ = glm::dvec3(std::numeric_limits<double>::infinity());
+  glm::dvec3 high(-std::numeric_limits<double>::infinity());
+  for (const Gaussian& g : gaussians) {
+    low_ = glm::min(low_, g.center - g.radius);
+    high = glm::max(high, g.center + g.radius);
+  }
+  size_ = glm::max(high - low_, 1e-300) / double{cells};
+  for (auto& image : depths_) image.assign(std::size_t{cells} * cells, 0.0);
+  for (const Gaussian& g : gaussians) add(g);
+}
+
+double AxisDepths::least(const glm::dvec3& x) const {
+  const glm::ivec3 cell = cell_of(x);
+  double depth = std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < 3; ++axis) {
+    depth = std::min(
+        depth,
+        depths_[static_cast<std::size_t>(axis)][index(cell[(axis + 1) % 3], cell[(axis + 2) % 3])]);
+  }
+  return depth;
+}
+
+glm::ivec3 AxisDepths::cell_of(const glm::dvec3& x) const {
+  return glm::ivec3(glm::clamp((x - low_) / size_, 0.0, cells - 1.0));
+}
+
+// Spread evenly over the square of its size that has its greatest depth's share.
+void AxisDepths::add(const Gaussian& gaussian) {
+  const double mass = std::pow(std::numbers::pi, 1.5) * gaussian.density * gaussian.radius *
+                      gaussian.radius * gaussian.radius;
+  const double half = 0.5 * std::sqrt(std::numbers::pi) * gaussian.radius;
+  const glm::ivec3 first = cell_of(gaussian.center - half);
+  const glm::ivec3 last = cell_of(gaussian.center + half);
+  for (int axis = 0; axis < 3; ++axis) {
+    const int u = (axis + 1) % 3;
+    const int v = (axis + 2) % 3;
+    const double width = (last[u] - first[u] + 1) * size_[u];
+    const double height = (last[v] - first[v] + 1) * size_[v];
+    std::vector<double>& image = depths_[static_cast<std::size_t>(axis)];
+    for (int row = first[v]; row <= last[v]; ++row) {
+      for (int column = first[u]; column <= last[u]; ++column) {
+        image[index(column, row)] += mass / (width * height);
+      }
+    }
+  }
+}
+
+}  // namespace brume

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <array>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "brume/gaussian.h"
+
+namespace brume {
+
+// Optical depth of the lines through Gaussians along three axes, at the resolution of a 128th of
+// their bounds.
+class AxisDepths {
+ public:
+  explicit AxisDepths(std::span<const Gaussian> gaussians);
+
+  // Of the shallowest of the three lines through a point; outside of the bounds, of the nearest.
+  [[nodiscard]] double least(const glm::dvec3& x) const;
+
+ private:
+  [[nodiscard]] glm::ivec3 cell_of(const glm::dvec3& x) const;
+  void add(const Gaussian& gaussian);
+
+  glm::dvec3 low_{0.0}, size_{1.0};
+  std::array<std::vector<double>, 3> depths_;
+};
+
+}  // namespace brume

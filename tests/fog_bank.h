@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <span>
+#include <vector>
+
+#include "brume/gaussian.h"
+#include "core/transport/optical_depth.h"
+#include "tests/random.h"
+
+namespace brume {
+
+// Many small Gaussians in the cube [-1, 1]^3, of a mean optical depth across it.
+inline std::vector<Gaussian> fog_bank(std::size_t count, double depth, unsigned seed) {
+  Random random(seed);
+  std::vector<Gaussian> gaussians;
+  double mass = 0.0;
+  for (std::size_t i = 0; i < count; ++i) {
+    Gaussian& g = gaussians.emplace_back();
+    g.center = random.point(1.0);
+    g.radius = random.uniform(0.03, 0.15);
+    g.density = random.uniform(0.5, 1.5);
+    mass += std::pow(std::numbers::pi, 1.5) * g.density * std::pow(g.radius, 3);
+  }
+  for (Gaussian& g : gaussians) g.density *= depth * 4.0 / mass;
+  return gaussians;
+}
+
+// Optical depth of a line of 20 u.
+inline double depth_along(std::span<const Gaussian> gaussians, const glm::dvec3& origin,
+                          const glm::dvec3& w) {
+  double depth = 0.0;
+  for (const Gaussian& g : gaussians) {
+    const GaussianTerm<double> term(g);
+    depth += optical_depth(term, line_profile(term, origin, w), 20.0);
+  }
+  return depth;
+}
+
+// Up to a constant.
+inline double mass_of(std::span<const Gaussian> gaussians) {
+  double mass = 0.0;
+  for (const Gaussian& g : gaussians) mass += g.density * std::pow(g.radius, 3);
+  return mass;
+}
+
+}  // namespace brume

@@ -1,0 +1,154 @@
+#include "render/prepare/merged_medium.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "brume/edits.h"
+#include "brume/render.h"
+#include "tests/fog_bank.h"
+
+namespace brume {
+namespace {
+
+constexpr std::size_t bank_size = 24'000;
+
+Medium medium_of(std::span<const Gaussian> gaussians) {
+  Medium medium;
+  for (const Gaussian& g : gaussians) medium.append(g);
+  return medium;
+}
+
+std::vector<Gaussian> gaussians_of(const Medium& medium) {
+  std::vector<Gaussian> all;
+  for (std::size_t i = 0; i < medium.size(); ++i) all.push_back(medium.gaussian(i));
+  return all;
+}
+
+// Relative, over lines through the cube.
+double depth_error(const Medium& from, const Medium& to) {
+  const std::vector<Gaussian> exact = gaussians_of(from);
+  const std::vector<Gaussian> merged = gaussians_of(to);
+  Random random(4);
+  double squares = 0.0;
+  double errors = 0.0;
+  for (int i = 0; i < 60; ++i) {
+    const glm::dvec3 w = glm::normalize(random.point(1.0));
+    const glm::dvec3 origin = random.point(0.6) - 10.0 * w;
+    const double depth = depth_along(exact, origin, w);
+    const double error = depth_along(merged, origin, w) - depth;
+    squares += depth * depth;
+    errors += error * error;
+  }
+  return std::sqrt(errors / squares);
+}
+
+void expect_stands_for(const MergedMedium& merged, const Medium& medium, double max_error) {
+  const double mass = mass_of(gaussians_of(medium));
+  EXPECT_NEAR(mass_of(gaussians_of(merged.medium())), mass, 1e-9 * mass);
+  EXPECT_LT(depth_error(medium, merged.medium()), 1.5 * max_error);
+  EXPECT_EQ(merged.medium().homogeneous_density(), medium.homogeneous_density());
+}
+
+TEST(MergedMedium, FollowsEdits) {
+  constexpr double max_error = 0.05;
+  Medium medium = medium_of(fog_bank(bank_size, 1.0, 1));
+  MergedMedium merged;
+  ASSERT_TRUE(merged.update(medium, {max_error}, {}));
+  ASSERT_TRUE(merged.is_merged());
+  const std::size_t at_first = merged.medium().size();
+  EXPECT_LT(at_first, bank_size / 4);
+
+  Random random(2);
+  std::vector<MediumEdit> edits;
+  for (int step = 0; step < 12; ++step) {
+    SCOPED_TRACE(step);
+    std::vector<GaussianId> ids;
+    std::vector<Gaussian> after;
+    const double edge = random.uniform(-0.9, 0.9);
+    for (std::size_t i = 0; i < medium.size(); ++i) {
+      if (std::abs(medium.centers()[i].x - edge) > 0.01) continue;
+      ids.push_back(medium.ids()[i]);
+      after.push_back(medium.gaussian(i));
+      after.back().density *= 0.5;
+      after.back().center.y += 0.02;
+    }
+    edits.push_back(step % 3 == 0   ? MediumEdit::remove(medium, ids)
+                    : step % 3 == 1 ? MediumEdit::change(medium, ids, after)
+                                    : MediumEdit::add(medium, after));
+    edits.back().apply(medium);
+    ASSERT_TRUE(merged.update(medium, {max_error}, {}));
+    expect_stands_for(merged, medium, max_error);
+    EXPECT_LT(merged.medium().size(), at_first + at_first / 2);
+  }
+  while (!edits.empty()) {
+    edits.back().inverted().apply(medium);
+    edits.pop_back();
+    ASSERT_TRUE(merged.update(medium, {max_error}, {}));
+  }
+  expect_stands_for(merged, medium, max_error);
+  medium.set_homogeneous_density(0.1);
+  ASSERT_TRUE(merged.update(medium, {max_error}, {}));
+  expect_stands_for(merged, medium, max_error);
+}
+
+TEST(MergedMedium, AsItIsWhereMergingDoesNotPay) {
+  const Medium few = medium_of(fog_bank(500, 1.0, 1));
+  Medium apart;
+  for (std::size_t i = 0; i < bank_size; ++i) {
+    apart.append({{static_cast<double>(i), 0.0, 0.0}, 0.1, 1.0});
+  }
+  MergedMedium merged;
+  for (const Medium& medium : {few, apart}) {
+    ASSERT_TRUE(merged.update(medium, {0.05, 0.8}, {}));
+    EXPECT_FALSE(merged.is_merged());
+    EXPECT_EQ(merged.medium().revision(), medium.revision());
+  }
+  MediumEdit::remove(apart, std::vector{apart.ids()[7]}).apply(apart);
+  ASSERT_TRUE(merged.update(apart, {0.05, 0.8}, {}));
+  EXPECT_EQ(merged.medium().revision(), apart.revision());
+  const Medium bank = medium_of(fog_bank(bank_size, 1.0, 1));
+  ASSERT_TRUE(merged.update(bank, {0.0}, {}));
+  EXPECT_FALSE(merged.is_merged());
+}
+
+TEST(MergedMedium, GoesOnAfterAStop) {
+  Medium medium = medium_of(fog_bank(bank_size, 1.0, 1));
+  std::stop_source stop;
+  stop.request_stop();
+  MergedMedium merged;
+  EXPECT_FALSE(merged.update(medium, {0.05}, stop.get_token()));
+  ASSERT_TRUE(merged.update(medium, {0.05}, {}));
+  MediumEdit::remove(medium, medium.ids().subspan(100, 50)).apply(medium);
+  EXPECT_FALSE(merged.update(medium, {0.05}, stop.get_token()));
+  ASSERT_TRUE(merged.update(medium, {0.05}, {}));
+  expect_stands_for(merged, medium, 0.05);
+}
+
+// What shines is held on the grid of scattered light by the Gaussians that it has become.
+TEST(MergedMedium, MayShineAndScatter) {
+  Scene scene;
+  scene.camera.eye = {0.0, 0.0, 5.0};
+  std::vector<Gaussian> bank = fog_bank(bank_size, 1.0, 1);
+  for (Gaussian& g : bank) g.optics.emission = glm::dvec3(g.center.x > 0.0 ? 1.0 : 0.2);
+  scene.medium = medium_of(bank);
+  RenderRequest request;
+  request.film = Film{32, 24};
+  request.backend = Backend::cpu;
+  request.airlight = AirlightMethod::sliced;
+  request.scattering = Scattering::multiple;
+  const auto mean = [&](int slices) {
+    request.slices = slices;
+    const Frame frame = *render(scene, request);
+    EXPECT_EQ(frame.statistics.gaussians_merged > 0, slices < 32);
+    double sum = 0.0;
+    for (const float each : frame.airlight) sum += static_cast<double>(each);
+    return sum;
+  };
+  const double exact = mean(48);
+  EXPECT_NEAR(mean(8), exact, 0.03 * exact);
+}
+
+}  // namespace
+}  // namespace brume
