@@ -82,6 +82,8 @@ struct Settings {
   // `sliced` and `march`: environment light in the medium; `sliced`: all that is scattered more
   // than once.
   SourceGridSize source_grid{};
+  // For frames in motion, between those at rest: the medium is kept at both precisions.
+  bool has_own_medium = false;
   // What the medium scatters, of a grid that was made with other tables and at another merge_error,
   // is used again: for frames in motion after one at rest.
   bool any_source_precision = false;

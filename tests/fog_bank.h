@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <glm/geometric.hpp>
 #include <numbers>
 #include <span>
 #include <vector>
@@ -44,6 +45,22 @@ inline double mass_of(std::span<const Gaussian> gaussians) {
   double mass = 0.0;
   for (const Gaussian& g : gaussians) mass += g.density * std::pow(g.radius, 3);
   return mass;
+}
+
+// Of optical depth, relative rms over lines through the middle of the cube.
+inline double depth_error(std::span<const Gaussian> from, std::span<const Gaussian> to, int lines) {
+  Random random(9);
+  double squares = 0.0;
+  double errors = 0.0;
+  for (int i = 0; i < lines; ++i) {
+    const glm::dvec3 w = glm::normalize(random.point(1.0));
+    const glm::dvec3 origin = random.point(0.6) - 10.0 * w;
+    const double depth = depth_along(from, origin, w);
+    const double error = depth_along(to, origin, w) - depth;
+    squares += depth * depth;
+    errors += error * error;
+  }
+  return std::sqrt(errors / squares);
 }
 
 }  // namespace brume

@@ -162,6 +162,7 @@ Settings FrameScheduler::motion_settings(const std::shared_ptr<const Scene>& sce
   settings.airlight = rest.airlight;
   settings.merge_error = motion_merge_error;
   settings.merge_share = motion_merge_share;
+  settings.has_own_medium = MergedMedium::may_merge(scene->medium);
   if (settings.scattering == Scattering::multiple) {
     settings.scattering_limits.sweeps = motion_sweeps;
     settings.scattering_limits.warm_start = true;
@@ -172,7 +173,7 @@ Settings FrameScheduler::motion_settings(const std::shared_ptr<const Scene>& sce
   if (scene == rested_scene_) {
     // Keeps prepared data: alternating between two would rebuild it each time.
     settings.shadow_cells = rest.shadow_cells;
-    if (!MergedMedium::may_merge(scene->medium)) {
+    if (!settings.has_own_medium) {
       settings.optical_depth_table = rest.optical_depth_table;
       settings.depth_error = rest.depth_error;
     }

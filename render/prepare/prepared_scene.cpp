@@ -9,11 +9,9 @@ bool PreparedScene::update(const Scene& scene, const RenderPlan& plan,
   MergedMedium::Limits merging;
   if (MergedMedium::may_merge(scene.medium)) merging = {plan.merge_error, settings.merge_share};
   const PreparedMedium::Precision precision{plan.depth_error, merging, scene.optics.anisotropy};
-  if (media_[current_].index && media_[current_].precision != precision) {
-    current_ = 1 - current_;
-    if (media_[current_].precision != precision) media_[current_] = {};
-  }
+  current_ = settings.has_own_medium ? 1 : 0;
   PreparedMedium& prepared = media_[current_];
+  if (prepared.precision != precision) prepared = {};
   prepared.precision = precision;
   if (!prepared.merged.update(scene.medium, precision.merging, stop)) return false;
   const Medium& medium = prepared.merged.medium();

@@ -9,22 +9,6 @@
 namespace brume {
 namespace {
 
-// Over lines through the middle of the cube.
-double found_error(std::span<const Gaussian> from, std::span<const Gaussian> to) {
-  Random random(9);
-  double squares = 0.0;
-  double errors = 0.0;
-  for (int i = 0; i < 400; ++i) {
-    const glm::dvec3 w = glm::normalize(random.point(1.0));
-    const glm::dvec3 origin = random.point(0.6) - 10.0 * w;
-    const double depth = depth_along(from, origin, w);
-    const double error = depth_along(to, origin, w) - depth;
-    squares += depth * depth;
-    errors += error * error;
-  }
-  return std::sqrt(errors / squares);
-}
-
 TEST(Simplify, ErrorsAreAsEstimated) {
   std::size_t last = 3001;
   for (const double max_error : {0.01, 0.03, 0.1}) {
@@ -36,7 +20,7 @@ TEST(Simplify, ErrorsAreAsEstimated) {
     last = left.size();
     EXPECT_LE(less.error, max_error);
     EXPECT_NEAR(mass_of(left), mass_of(bank), 1e-9 * mass_of(bank));
-    const double found = found_error(bank, left);
+    const double found = depth_error(bank, left, 400);
     EXPECT_LT(found, 1.5 * less.error + 1e-3);
     EXPECT_GT(found, 0.4 * less.error);
   }

@@ -26,28 +26,10 @@ std::vector<Gaussian> gaussians_of(const Medium& medium) {
   return all;
 }
 
-// Relative, over lines through the cube.
-double depth_error(const Medium& from, const Medium& to) {
-  const std::vector<Gaussian> exact = gaussians_of(from);
-  const std::vector<Gaussian> merged = gaussians_of(to);
-  Random random(4);
-  double squares = 0.0;
-  double errors = 0.0;
-  for (int i = 0; i < 60; ++i) {
-    const glm::dvec3 w = glm::normalize(random.point(1.0));
-    const glm::dvec3 origin = random.point(0.6) - 10.0 * w;
-    const double depth = depth_along(exact, origin, w);
-    const double error = depth_along(merged, origin, w) - depth;
-    squares += depth * depth;
-    errors += error * error;
-  }
-  return std::sqrt(errors / squares);
-}
-
 void expect_stands_for(const MergedMedium& merged, const Medium& medium, double max_error) {
   const double mass = mass_of(gaussians_of(medium));
   EXPECT_NEAR(mass_of(gaussians_of(merged.medium())), mass, 1e-9 * mass);
-  EXPECT_LT(depth_error(medium, merged.medium()), 1.5 * max_error);
+  EXPECT_LT(depth_error(gaussians_of(medium), gaussians_of(merged.medium()), 60), 1.5 * max_error);
   EXPECT_EQ(merged.medium().homogeneous_density(), medium.homogeneous_density());
 }
 

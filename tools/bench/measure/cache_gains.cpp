@@ -91,11 +91,10 @@ CacheGain measure_cache(const FrameCache& cache, const MovingView& view, Rendere
 
 FrameCache medium_index() {
   return {
-      .name = "index of the medium, and what is made with it",
+      .name = "index of the medium",
       .code = {12, "prepared_scene"},
       .is_used = [](const RenderPlan& plan, const Scene&) { return plan.has_medium(); },
-      // Another precision would have its own beside it.
-      .displace = [](Scene& scene, Settings&) { static_cast<void>(scene.medium.columns()); },
+      .displace = [](Scene&, Settings& settings) { settings.depth_error *= 2.0; },
   };
 }
 
