@@ -14,7 +14,7 @@ namespace {
 
 constexpr int rest_after = 150;  // milliseconds without a change
 constexpr int motion_slices = 8;
-// Of a million Gaussians of a bank it leaves a fiftieth, and an edit is seen twenty times as soon.
+// Of a million Gaussians of a bank it leaves a fiftieth.
 constexpr double motion_merge_error = 0.05;
 // Of a sequence each picture has other Gaussians: merging that leaves more takes longer than they.
 constexpr double motion_merge_share = 0.4;

@@ -25,6 +25,11 @@ int crowd_alpha(std::size_t count, int few, int many) {
                     few);
 }
 
+// One of so many is drawn.
+std::size_t dot_step(std::size_t count) {
+  return std::max<std::size_t>((count + max_dots - 1) / max_dots, 1);
+}
+
 QRgb with_alpha(QRgb color, int alpha) {
   return qRgba(qRed(color), qGreen(color), qBlue(color), alpha);
 }
@@ -113,14 +118,14 @@ void Handles::draw(Overlay& overlay, const Medium& medium, const CameraRays& ray
     const glm::dvec3 p = rays.project(medium.centers()[i]);
     if (p.z > 0.0) shapes.push_back({static_cast<float>(p.x), static_cast<float>(p.y), color});
   };
-  const std::size_t step = 1 + medium.size() / max_dots;
+  const std::size_t step = dot_step(medium.size());
   for (std::size_t i = 0; with_centers && i < medium.size(); i += step) {
     if (is_hidden(i) || std::ranges::binary_search(selected, medium.ids()[i])) continue;
     add_dot(overlay.dots, i, with_alpha(color_of(i, plain), is_dim(i) ? dot_alpha / 3 : dot_alpha));
   }
   // Small ones in a crowd, for the same reason.
   auto& shapes = selected.size() > max_marks ? overlay.dots : overlay.marks;
-  const std::size_t selected_step = 1 + selected.size() / max_dots;
+  const std::size_t selected_step = dot_step(selected.size());
   for (std::size_t k = 0; k < selected.size(); k += selected_step) {
     const std::size_t i = *medium.index_of(selected[k]);
     const bool dim = is_dim(i);
