@@ -9,8 +9,8 @@
 namespace brume {
 
 Timeline::Timeline(QObject* parent) : QObject(parent) {
-  timer_.setInterval(static_cast<int>(1000.0 / frames_per_second_));
   timer_.setTimerType(Qt::PreciseTimer);  // a coarse one drops frames
+  timer_.setSingleShot(true);
   connect(&timer_, &QTimer::timeout, this, &Timeline::advance_frame);
 }
 
@@ -18,10 +18,7 @@ void Timeline::set_frame(int frame) {
   frame = std::max(frame, 0);
   if (frame == frame_) return;
   frame_ = frame;
-  if (is_playing()) {
-    play_start_ = frame;
-    clock_.restart();
-  }
+  if (is_playing()) start_clock();
   Q_EMIT frame_changed();
   Q_EMIT changed();
 }
@@ -35,12 +32,7 @@ void Timeline::set_range(int first, int last) {
 void Timeline::set_frames_per_second(double rate) {
   if (rate == frames_per_second_) return;
   frames_per_second_ = rate;
-  constexpr int min_interval = 8;  // milliseconds: no screen shows more
-  timer_.setInterval(std::max(min_interval, static_cast<int>(1000.0 / rate)));
-  if (is_playing()) {
-    play_start_ = frame_;
-    clock_.restart();
-  }
+  if (is_playing()) start_clock();
   Q_EMIT frame_changed();
   Q_EMIT changed();
 }
@@ -63,10 +55,11 @@ void Timeline::set_loop(bool loops) {
 }
 
 void Timeline::play() {
-  if (frame_ < first_ || frame_ >= last_) set_frame(first_);
-  play_start_ = frame_;
-  clock_.start();
-  timer_.start();
+  // The frame shown is known already: the next one follows at once.
+  const bool restarts = frame_ < first_ || frame_ >= last_;
+  frame_ = restarts ? first_ : frame_ + 1;
+  start_clock();
+  Q_EMIT frame_changed();
   Q_EMIT changed();
 }
 
@@ -75,9 +68,24 @@ void Timeline::stop() {
   Q_EMIT changed();
 }
 
+void Timeline::start_clock() {
+  play_start_ = frame_;
+  clock_.start();
+  wait_for_next();
+}
+
+void Timeline::wait_for_next() {
+  // A timer of a whole number of milliseconds would come before its frame, and miss it.
+  constexpr int min_wait = 8;  // milliseconds: no screen shows more
+  const double next = 1e3 * (frame_ - play_start_ + 1) / frames_per_second_;
+  const auto wait = static_cast<int>(std::ceil(next)) - static_cast<int>(clock_.elapsed());
+  timer_.start(std::max(min_wait, wait));
+}
+
 void Timeline::advance_frame() {
   const double played = static_cast<double>(clock_.elapsed()) * 1e-3 * frames_per_second_;
   int frame = play_start_ + static_cast<int>(played);
+  bool goes_on = true;
   if (frame > last_) {
     if (loops_) {
       // Time goes on: a restarted clock would lose a part of a frame in each loop.
@@ -86,13 +94,13 @@ void Timeline::advance_frame() {
       frame = wrapped;
     } else {
       frame = last_;
-      timer_.stop();
+      goes_on = false;
     }
   }
-  if (frame != frame_) {
-    frame_ = frame;
-    Q_EMIT frame_changed();
-  }
+  const bool is_other = frame_ != frame;
+  frame_ = frame;
+  if (goes_on) wait_for_next();
+  if (is_other) Q_EMIT frame_changed();
   Q_EMIT changed();
 }
 

@@ -31,8 +31,8 @@ class Timeline : public QObject {
   // frames, looping.
   void follow(const Scene& scene);
 
-  // Plays in real time, dropping frames. Restarts from the first frame at the end; loops or stops
-  // there.
+  // Plays in real time, dropping frames, from the next frame on. Restarts from the first frame at
+  // the end; loops or stops there.
   [[nodiscard]] bool is_playing() const { return timer_.isActive(); }
   void play();
   void stop();
@@ -42,6 +42,8 @@ class Timeline : public QObject {
   void changed();  // any of the state
 
  private:
+  void start_clock();  // and the timer
+  void wait_for_next();
   void advance_frame();
 
   int frame_ = 0;
