@@ -8,6 +8,7 @@
 #include <QUuid>
 #include <algorithm>
 #include <exception>
+#include <utility>
 
 #include "app/document/document.h"
 #include "app/document/paths.h"
@@ -20,6 +21,11 @@ namespace {
 
 constexpr const char* interval_key = "autosave/seconds";
 constexpr int default_interval = 20;  // [s]
+
+// To write so many takes a core for seconds, which a gesture would feel: it waits for a pause.
+constexpr std::size_t many_gaussians = 100'000;
+constexpr int pause = 2000;    // milliseconds without a change
+constexpr int max_waits = 30;  // then it writes all the same
 
 std::filesystem::path beside(std::filesystem::path scene, const char* extension) {
   return scene.replace_extension(extension);
@@ -60,6 +66,8 @@ Autosave::Autosave(Document& document, const std::filesystem::path& folder, QObj
   timer_.setInterval(1000 * std::max(1, QSettings().value(interval_key, default_interval).toInt()));
   connect(&timer_, &QTimer::timeout, this, &Autosave::save_soon);
   timer_.start();
+  pause_timer_.setSingleShot(true);
+  connect(&pause_timer_, &QTimer::timeout, this, &Autosave::save_soon);
   connect(&document_, &Document::modified_changed, this, [this] {
     if (!document_.is_modified()) remove_copy();
   });
@@ -81,6 +89,12 @@ Autosave::~Autosave() {
 void Autosave::save_soon() {
   const std::uint64_t revision = document_.revision();
   if (writing_ || !document_.is_modified() || revision == written_revision_) return;
+  if (document_.medium().size() >= many_gaussians && waits_ < max_waits &&
+      std::exchange(waited_revision_, revision) != revision) {
+    ++waits_;
+    return pause_timer_.start(pause);
+  }
+  waits_ = 0;
   writing_ = true;
   {
     About about(copy_);
@@ -120,6 +134,7 @@ void Autosave::written(std::uint64_t revision, const QString& problem) {
 
 void Autosave::end() {
   timer_.stop();
+  pause_timer_.stop();
   wait();
   remove_copy();
 }

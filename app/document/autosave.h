@@ -66,6 +66,10 @@ class Autosave : public QObject {
   bool writing_ = false;
   bool complained_ = false;
   std::uint64_t written_revision_ = 0;
+  // Of very many Gaussians:
+  QTimer pause_timer_;
+  std::uint64_t waited_revision_ = 0;
+  int waits_ = 0;
 };
 
 }  // namespace brume

@@ -185,6 +185,24 @@ Gaussian Document::effective_gaussian(std::size_t index) const {
   return gaussian;
 }
 
+double Document::value(std::size_t index, GaussianAttribute field) const {
+  const Medium& all = medium();
+  switch (field) {
+    case GaussianAttribute::center_x:
+      return all.centers()[index].x;
+    case GaussianAttribute::center_y:
+      return all.centers()[index].y;
+    case GaussianAttribute::center_z:
+      return all.centers()[index].z;
+    case GaussianAttribute::radius:
+      return all.radii()[index];
+    case GaussianAttribute::density:
+      return all.densities()[index];
+    default:
+      return attribute_value(effective_gaussian(index), field);
+  }
+}
+
 bool Document::is_selected(GaussianId id) const {
   return contains(selection_, id);
 }

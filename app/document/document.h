@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/document/gaussian_attribute.h"
 #include "app/document/grouped_medium.h"
 #include "app/document/object_ref.h"
 #include "app/document/scene_part.h"
@@ -33,6 +34,7 @@ class Document : public QObject {
   [[nodiscard]] const Medium& grouped_medium() const { return grouped().medium(scene_.medium); }
   // A Gaussian of the medium, with the medium's albedo if it has none of its own.
   [[nodiscard]] Gaussian effective_gaussian(std::size_t index) const;
+  [[nodiscard]] double value(std::size_t index, GaussianAttribute field) const;  // of it
   // An immutable snapshot for other threads; copied only after changes.
   [[nodiscard]] std::shared_ptr<const Scene> snapshot() const;
   // A snapshot without hidden Gaussians, with the surfaces that frames show (shown_surfaces()); its

@@ -17,6 +17,10 @@ namespace {
 
 constexpr double far_apart = 20.0;  // the factor from which an axis is logarithmic
 
+// Counting so many takes longer than a picture: it waits for a gesture to pause.
+constexpr std::size_t many = 20'000;
+constexpr int recount_after = 250;  // milliseconds
+
 bool is_of_colour(GaussianAttribute field) {
   return field == GaussianAttribute::albedo || field == GaussianAttribute::emission;
 }
@@ -54,6 +58,9 @@ GaussianHistogram::GaussianHistogram(Document& document, GaussianAttribute field
       if (document_.scene().optics.albedo != shown_albedo_) refresh();
     });
   }
+  recount_timer_.setSingleShot(true);
+  recount_timer_.setInterval(recount_after);
+  connect(&recount_timer_, &QTimer::timeout, this, &GaussianHistogram::refresh);
   refresh();
 }
 
@@ -72,21 +79,25 @@ bool GaussianHistogram::has_any() const {
 void GaussianHistogram::refresh() {
   shown_albedo_ = document_.scene().optics.albedo;
   is_counted_ = false;
+  recount_timer_.stop();
   setVisible(!is_of_colour(field_) || has_any());
   update();
 }
 
 void GaussianHistogram::follow(const MediumEdit& edit) {
   if (is_of_colour(field_)) return refresh();
-  const auto add = [this](const Gaussian& gaussian) {
+  if (!is_counted_) return;
+  // What lies outside the axis counts at its end, until the axis follows.
+  bool fits = true;
+  const auto add = [&](const Gaussian& gaussian) {
     const double added = value(gaussian);
-    if (!(added >= axis_.low && added <= axis_.high)) is_counted_ = false;
-    if (is_counted_) ++all_[axis_.bin(added)];
+    fits = fits && added >= axis_.low && added <= axis_.high;
+    ++all_[axis_.bin(added)];
   };
-  const auto remove = [this](const Gaussian& gaussian) {
+  const auto remove = [&](const Gaussian& gaussian) {
     const double removed = value(gaussian);
-    if (removed == axis_.low || removed == axis_.high) is_counted_ = false;
-    if (is_counted_) --all_[axis_.bin(removed)];
+    fits = fits && removed > axis_.low && removed < axis_.high;
+    --all_[axis_.bin(removed)];
   };
   for (const MediumEdit::Entry& entry : edit.added()) add(entry.gaussian);
   for (const MediumEdit::Entry& entry : edit.removed()) remove(entry.gaussian);
@@ -96,10 +107,14 @@ void GaussianHistogram::follow(const MediumEdit& edit) {
     remove(change.before);
   }
   update();
+  if (recount_timer_.isActive() || !fits) {
+    if (document_.medium().size() < many) return refresh();
+    recount_timer_.start();
+  }
 }
 
 double GaussianHistogram::value(std::size_t index) const {
-  return attribute_value(document_.effective_gaussian(index), field_);
+  return document_.value(index, field_);
 }
 
 double GaussianHistogram::value(Gaussian gaussian) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QTimer>
 #include <QWidget>
 #include <array>
 
@@ -62,6 +63,7 @@ class GaussianHistogram : public QWidget {
   glm::dvec3 shown_albedo_{0.0};  // of the medium
   // Of all Gaussians, on their axis; made when needed.
   mutable bool is_counted_ = false;
+  QTimer recount_timer_;  // of very many, once a gesture pauses
   mutable Axis axis_;
   mutable Counts all_{};
   // State of a drag.

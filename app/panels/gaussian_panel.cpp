@@ -3,6 +3,7 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLineEdit>
+#include <QScrollBar>
 #include <QStyledItemDelegate>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -13,7 +14,6 @@
 #include "app/document/document.h"
 #include "app/panels/gaussian_form.h"
 #include "app/panels/gaussian_histogram.h"
-#include "app/panels/gaussian_sort_model.h"
 #include "app/panels/gaussian_table_model.h"
 #include "app/widgets/plain_text.h"
 
@@ -26,11 +26,11 @@ constexpr int reload_after = 250;  // milliseconds
 
 // Qt compares every range of a selection with every other: quadratic. More scattered selections are
 // not mirrored in the view; rows are painted from the document anyway.
-constexpr int max_ranges = 500;
+constexpr std::size_t max_ranges = 500;
 
 class RowDelegate : public QStyledItemDelegate {
  public:
-  RowDelegate(const Document& document, const GaussianSortModel& model, QObject* parent)
+  RowDelegate(const Document& document, const GaussianTableModel& model, QObject* parent)
       : QStyledItemDelegate(parent), document_(document), model_(model) {}
 
   // Digits stay where they were.
@@ -56,7 +56,7 @@ class RowDelegate : public QStyledItemDelegate {
 
  private:
   const Document& document_;
-  const GaussianSortModel& model_;
+  const GaussianTableModel& model_;
 };
 
 }  // namespace
@@ -64,8 +64,7 @@ class RowDelegate : public QStyledItemDelegate {
 GaussianPanel::GaussianPanel(Document& document, QWidget* parent)
     : QWidget(parent),
       document_(document),
-      rows_(new GaussianTableModel(document, this)),
-      model_(new GaussianSortModel(document, *rows_, this)),
+      model_(new GaussianTableModel(document, this)),
       table_(new QTableView(this)) {
   auto* form = new GaussianForm(document, this);
   table_->setModel(model_);
@@ -85,8 +84,8 @@ GaussianPanel::GaussianPanel(Document& document, QWidget* parent)
   table_->horizontalHeader()->setSortIndicatorClearable(true);  // the third click: as they came
   table_->horizontalHeader()->setSortIndicator(-1, Qt::AscendingOrder);
   table_->setSortingEnabled(true);
-  connect(table_->horizontalHeader(), &QHeaderView::sortIndicatorChanged, this,
-          &GaussianPanel::select_rows);
+  connect(model_, &QAbstractItemModel::modelAboutToBeReset, this, &GaussianPanel::remember_place);
+  connect(model_, &QAbstractItemModel::modelReset, this, &GaussianPanel::restore_place);
 
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -105,16 +104,13 @@ GaussianPanel::GaussianPanel(Document& document, QWidget* parent)
   layout->addWidget(table_, 1);
 
   connect(form, &GaussianForm::refused, this, &GaussianPanel::refused);
-  connect(rows_, &GaussianTableModel::refused, this, &GaussianPanel::refused);
+  connect(model_, &GaussianTableModel::refused, this, &GaussianPanel::refused);
   connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
           &GaussianPanel::adopt_selection);
   connect(&document_, &Document::selection_changed, this, &GaussianPanel::select_rows);
   reload_timer_.setSingleShot(true);
   reload_timer_.setInterval(reload_after);
-  connect(&reload_timer_, &QTimer::timeout, this, [this] {
-    reload();
-    select_rows();
-  });
+  connect(&reload_timer_, &QTimer::timeout, this, &GaussianPanel::reload);
   connect(&document_, &Document::scene_replaced, this, &GaussianPanel::reload);
   connect(&document_, &Document::medium_changed, this, &GaussianPanel::follow);
   const auto show_groups = [this] {
@@ -123,40 +119,50 @@ GaussianPanel::GaussianPanel(Document& document, QWidget* parent)
   connect(&document_, &Document::scene_replaced, this, show_groups);
   connect(&document_, &Document::groups_changed, this, [this, show_groups] {
     show_groups();
-    const bool was_syncing = std::exchange(syncing_, true);
-    rows_->follow_groups();
-    syncing_ = was_syncing;
-    select_rows();
+    model_->follow_groups();
   });
   show_groups();
   connect(&document_, &Document::part_changed, this, [this] {
     const glm::dvec3& albedo = document_.scene().optics.albedo;
-    if (std::exchange(shown_albedo_, albedo) == albedo) return;
-    const bool was_syncing = std::exchange(syncing_, true);
-    rows_->follow_albedo();
-    syncing_ = was_syncing;
-    select_rows();
+    if (std::exchange(shown_albedo_, albedo) != albedo) model_->follow_albedo();
   });
 }
 
 void GaussianPanel::reload() {
   reload_timer_.stop();
-  const bool was_syncing = std::exchange(syncing_, true);
-  rows_->reload();
-  syncing_ = was_syncing;
+  model_->reload();
+}
+
+void GaussianPanel::remember_place() {
+  const QModelIndex current = table_->currentIndex();
+  current_.reset();
+  if (current.isValid()) current_ = model_->id(current.row());
+  current_column_ = current.column();
+  scrolled_ = table_->verticalScrollBar()->value();
+}
+
+void GaussianPanel::restore_place() {
+  const auto row = current_ ? model_->row(*current_) : std::nullopt;
+  if (row) {
+    table_->selectionModel()->setCurrentIndex(model_->index(*row, current_column_),
+                                              QItemSelectionModel::NoUpdate);
+  }
+  table_->verticalScrollBar()->setValue(scrolled_);
+  select_rows();
 }
 
 void GaussianPanel::follow(const MediumEdit& edit) {
   if (reload_timer_.isActive()) return reload_timer_.start();  // when the gesture pauses
   // While rows come and go the view's selection is not the user's.
   const bool was_syncing = std::exchange(syncing_, true);
-  const bool has_followed = rows_->follow(edit);
+  const bool has_followed = model_->follow(edit);
   syncing_ = was_syncing;
   if (!has_followed) {
-    if (rows_->rowCount() > many_rows) return reload_timer_.start();
+    if (model_->rowCount() > many_rows) return reload_timer_.start();
     reload();
+  } else if (!edit.added().empty() || !edit.removed().empty()) {
+    select_rows();
   }
-  if (!edit.added().empty() || !edit.removed().empty()) select_rows();
 }
 
 void GaussianPanel::add_filter(QLayout& layout) {
@@ -174,11 +180,7 @@ void GaussianPanel::add_filter(QLayout& layout) {
     filter->setToolTip(
         parsed ? tr("Filter the table by x, y, z, radius, density, albedo, emission or group")
                : plain_tool_tip(problem));
-    if (!parsed) return;
-    const bool was_syncing = std::exchange(syncing_, true);
-    model_->set_filter(*parsed);
-    syncing_ = was_syncing;
-    select_rows();
+    if (parsed) model_->set_filter(*parsed);
   });
 }
 
@@ -202,32 +204,29 @@ void GaussianPanel::select_rows() {
     if (const auto row = model_->row(id)) shown.push_back(*row);
   }
   std::sort(shown.begin(), shown.end());
-  QItemSelection selection;
-  int first = -1;
-  int last = -1;
-  const auto close_range = [&] {
-    if (first >= 0) {
-      selection.append(QItemSelectionRange(model_->index(first, 0),
-                                           model_->index(last, model_->columnCount() - 1)));
-    }
+  struct Range {
+    int first = 0;
+    int last = 0;
   };
+  std::vector<Range> ranges;
   for (const int row : shown) {
-    if (first >= 0 && row == last + 1) {
-      last = row;
-      continue;
+    if (!ranges.empty() && ranges.back().last + 1 == row) {
+      ranges.back().last = row;
+    } else {
+      ranges.push_back({row, row});
     }
-    close_range();
-    first = last = row;
   }
-  close_range();
   auto* rows = table_->selectionModel();
-  if (selection.size() <= max_ranges) {
-    rows->select(selection, QItemSelectionModel::ClearAndSelect);
-  } else {
-    rows->clearSelection();
+  QItemSelection selection;
+  if (ranges.size() <= max_ranges) {
+    for (const Range& range : ranges) {
+      selection.append(QItemSelectionRange(model_->index(range.first, 0),
+                                           model_->index(range.last, model_->columnCount() - 1)));
+    }
   }
-  if (!selection.isEmpty()) {
-    const QModelIndex top = selection.first().topLeft();
+  rows->select(selection, QItemSelectionModel::ClearAndSelect);
+  if (!ranges.empty()) {
+    const QModelIndex top = model_->index(ranges.front().first, 0);
     // Typing then edits the selection, not some row that happened to be current before.
     const QModelIndex current = table_->currentIndex();
     if (!current.isValid() || !document_.is_selected(model_->id(current.row()))) {

@@ -5,11 +5,13 @@
 #include <QTimer>
 #include <QWidget>
 #include <glm/vec3.hpp>
+#include <optional>
+
+#include "brume/gaussian.h"
 
 namespace brume {
 
 class Document;
-class GaussianSortModel;
 class GaussianTableModel;
 
 // The inspector: attributes of the selection, histograms, and a sortable, filterable table
@@ -30,12 +32,16 @@ class GaussianPanel : public QWidget {
   void adopt_selection();
   void follow(const MediumEdit& edit);
   void reload();
+  void remember_place();  // before the model is reset, which leaves none
+  void restore_place();
 
   Document& document_;
-  GaussianTableModel* rows_;
-  GaussianSortModel* model_;
+  GaussianTableModel* model_;
   QTableView* table_;
   bool syncing_ = false;
+  std::optional<GaussianId> current_;  // while the model is reset
+  int current_column_ = 0;
+  int scrolled_ = 0;
   QTimer reload_timer_;  // of very many rows: running while they are not those of the document
   glm::dvec3 shown_albedo_{0.0};  // of the medium
 };

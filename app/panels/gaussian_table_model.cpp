@@ -4,7 +4,7 @@
 #include <QPalette>
 #include <algorithm>
 #include <array>
-#include <numeric>
+#include <utility>
 
 #include "app/commands/edit_medium.h"
 #include "app/document/document.h"
@@ -15,25 +15,18 @@
 namespace brume {
 namespace {
 
-// Beyond this many separate runs of rows, telling views about each costs more than a fresh start.
-constexpr std::size_t max_runs = 64;
-
+// The rows of entries of an edit, if they follow each other.
 struct Run {
-  int first = 0;
-  int last = 0;
+  std::size_t first = 0;
+  std::size_t count = 0;  // 0: they do not
 };
 
-// Consecutive numbers of an ascending list as runs.
-std::vector<Run> runs_of(const std::vector<int>& rows) {
-  std::vector<Run> runs;
-  for (const int row : rows) {
-    if (!runs.empty() && runs.back().last + 1 == row) {
-      runs.back().last = row;
-    } else {
-      runs.push_back({row, row});
-    }
-  }
-  return runs;
+// Entries ascend in their ids, rows as well.
+template <class RowOf>
+Run run_of(const std::vector<MediumEdit::Entry>& entries, RowOf row_of) {
+  const auto first = static_cast<std::size_t>(*row_of(entries.front().id));
+  const auto last = static_cast<std::size_t>(*row_of(entries.back().id));
+  return last - first + 1 == entries.size() ? Run{first, entries.size()} : Run{};
 }
 
 bool is_shown_alike(const Gaussian& a, const Gaussian& b, GaussianAttribute field) {
@@ -73,36 +66,50 @@ QString channels_text(const glm::dvec3& rgb) {
 }  // namespace
 
 GaussianTableModel::GaussianTableModel(Document& document, QObject* parent)
-    : QAbstractTableModel(parent), document_(document) {
-  reload();
-}
-
-std::optional<int> GaussianTableModel::row(GaussianId id) const {
-  const auto at = std::lower_bound(ids_.begin(), ids_.end(), id);
-  if (at == ids_.end() || *at != id) return std::nullopt;
-  return static_cast<int>(at - ids_.begin());
-}
+    : QAbstractTableModel(parent), document_(document), rows_(document) {}
 
 void GaussianTableModel::reload() {
   beginResetModel();
-  ids_.assign(document_.medium().ids().begin(), document_.medium().ids().end());
+  rows_.arrange();
+  endResetModel();
+}
+
+void GaussianTableModel::sort(int column, Qt::SortOrder order) {
+  beginResetModel();
+  rows_.sort_by(column, order);
+  endResetModel();
+}
+
+void GaussianTableModel::set_filter(GaussianFilter filter) {
+  beginResetModel();
+  rows_.set_filter(std::move(filter));
   endResetModel();
 }
 
 bool GaussianTableModel::follow(const MediumEdit& edit) {
-  if (!edit.removed().empty() && !edit.added().empty()) return false;
-  announce_changes(edit);
-  if (!edit.removed().empty()) return remove_rows(edit);
-  return edit.added().empty() || insert_rows(edit);
+  const auto& added = edit.added();
+  const auto& removed = edit.removed();
+  if (added.empty() && removed.empty()) return follow_changes(edit);
+  if (!rows_.is_as_in_medium() || (!added.empty() && !removed.empty())) return false;
+  if (!removed.empty()) {
+    const Run run = run_of(removed, [this](GaussianId id) { return rows_.row(id); });
+    if (run.count == 0) return false;
+    beginRemoveRows({}, static_cast<int>(run.first), static_cast<int>(run.first + run.count) - 1);
+    rows_.erase(run.first, run.count);
+    endRemoveRows();
+  } else {
+    const Medium& medium = document_.medium();
+    const Run run = run_of(added, [&](GaussianId id) { return medium.index_of(id); });
+    if (run.count == 0) return false;
+    beginInsertRows({}, static_cast<int>(run.first), static_cast<int>(run.first + run.count) - 1);
+    rows_.insert(run.first, run.count);
+    endInsertRows();
+  }
+  return follow_changes(edit);
 }
 
-void GaussianTableModel::announce_changes(const MediumEdit& edit) {
-  std::vector<int> rows;
-  rows.reserve(edit.changed().size());
-  for (const auto& change : edit.changed()) rows.push_back(*row(change.id));
-  std::vector<Run> runs = runs_of(rows);
-  if (runs.size() > max_runs) runs = {{runs.front().first, runs.back().last}};
-  // Only the columns that changed: a view that is sorted by another one need not sort anew.
+bool GaussianTableModel::follow_changes(const MediumEdit& edit) {
+  // Only the columns that changed: rows that are sorted by another one stay where they are.
   std::array<bool, group_column + 1> changed{};
   for (const auto& change : edit.changed()) {
     for (std::size_t k = 0; k < gaussian_attributes.size(); ++k) {
@@ -111,56 +118,34 @@ void GaussianTableModel::announce_changes(const MediumEdit& edit) {
     }
     changed.back() = changed.back() || change.before.group != change.after.group;
   }
-  for (const Run& run : runs) {
-    for (int k = 0; k < columnCount(); ++k) {
-      if (changed[static_cast<std::size_t>(k)]) {
-        Q_EMIT dataChanged(index(run.first, k), index(run.last, k));
-      }
+  for (int k = 0; k < columnCount(); ++k) {
+    if (changed[static_cast<std::size_t>(k)] && rows_.depends_on(k)) return false;
+  }
+  if (rowCount() == 0) return true;
+  for (int k = 0; k < columnCount(); ++k) {
+    if (changed[static_cast<std::size_t>(k)]) {
+      Q_EMIT dataChanged(index(0, k), index(rowCount() - 1, k));
     }
   }
+  return true;
 }
 
 void GaussianTableModel::follow_albedo() {
-  if (ids_.empty()) return;
   const auto at = std::ranges::find(gaussian_attributes, GaussianAttribute::albedo);
-  const auto column = static_cast<int>(at - gaussian_attributes.begin());
-  Q_EMIT dataChanged(index(0, column), index(rowCount() - 1, column));
+  follow_column(static_cast<int>(at - gaussian_attributes.begin()));
 }
 
-bool GaussianTableModel::remove_rows(const MediumEdit& edit) {
-  std::vector<int> rows;
-  rows.reserve(edit.removed().size());
-  for (const auto& entry : edit.removed()) rows.push_back(*row(entry.id));
-  const std::vector<Run> runs = runs_of(rows);
-  if (runs.size() > max_runs) return false;
-  for (auto run = runs.rbegin(); run != runs.rend(); ++run) {
-    beginRemoveRows({}, run->first, run->last);
-    ids_.erase(ids_.begin() + run->first, ids_.begin() + run->last + 1);
-    endRemoveRows();
-  }
-  return true;
+void GaussianTableModel::follow_groups() {
+  follow_column(group_column);
 }
 
-bool GaussianTableModel::insert_rows(const MediumEdit& edit) {
-  // Rows as they will be, from the front: each run then finds everything before it in place.
-  std::vector<int> rows;
-  rows.reserve(edit.added().size());
-  for (const auto& entry : edit.added()) {
-    rows.push_back(static_cast<int>(*document_.medium().index_of(entry.id)));
-  }
-  const std::vector<Run> runs = runs_of(rows);
-  if (runs.size() > max_runs) return false;
-  const auto now = document_.medium().ids();
-  for (const Run& run : runs) {
-    beginInsertRows({}, run.first, run.last);
-    ids_.insert(ids_.begin() + run.first, now.begin() + run.first, now.begin() + run.last + 1);
-    endInsertRows();
-  }
-  return true;
+void GaussianTableModel::follow_column(int column) {
+  if (rows_.depends_on(column)) return reload();
+  if (rowCount() > 0) Q_EMIT dataChanged(index(0, column), index(rowCount() - 1, column));
 }
 
 int GaussianTableModel::rowCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : static_cast<int>(ids_.size());
+  return parent.isValid() ? 0 : static_cast<int>(rows_.size());
 }
 
 int GaussianTableModel::columnCount(const QModelIndex& parent) const {
@@ -210,11 +195,6 @@ QVariant GaussianTableModel::group_data(GroupId id, int role) const {
   const Group* outer = find_group(document_.scene().groups, group->parent);
   return plain_tool_tip(outer ? tr("%1, in %2").arg(name, QString::fromStdString(outer->name))
                               : name);
-}
-
-void GaussianTableModel::follow_groups() {
-  if (ids_.empty()) return;
-  Q_EMIT dataChanged(index(0, group_column), index(rowCount() - 1, group_column));
 }
 
 bool GaussianTableModel::setData(const QModelIndex& index, const QVariant& value, int role) {

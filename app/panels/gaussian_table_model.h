@@ -1,37 +1,37 @@
 #pragma once
 
 #include <QAbstractTableModel>
-#include <functional>
 #include <optional>
-#include <vector>
 
-#include "app/document/gaussian_attribute.h"
-#include "brume/edits.h"
+#include "app/panels/gaussian_rows.h"
 
 namespace brume {
 
 class Document;
 
-// Table model of the medium's Gaussians, in medium order: their attributes and their group. Albedo
-// and emission have swatches; the medium's albedo is grey text.
+// The table of the medium's Gaussians: their attributes and their group. Albedo and emission have
+// swatches; the medium's albedo is grey text.
 class GaussianTableModel : public QAbstractTableModel {
   Q_OBJECT
  public:
   explicit GaussianTableModel(Document& document, QObject* parent = nullptr);
 
-  static constexpr int group_column = static_cast<int>(gaussian_attributes.size());
+  static constexpr int group_column = GaussianRows::group_column;
 
-  [[nodiscard]] GaussianId id(int row) const { return ids_[static_cast<std::size_t>(row)]; }
-  [[nodiscard]] std::optional<int> row(GaussianId id) const;
+  [[nodiscard]] GaussianId id(int row) const { return rows_.id(row); }
+  // nullopt: it is not shown.
+  [[nodiscard]] std::optional<int> row(GaussianId id) const { return rows_.row(id); }
 
-  // Updates the rows after an edit; or resets the model.
-  // False if that would cost more than reload(), which then has to follow.
+  // After an edit. False if rows come, go or move in more than one place: reload() has to follow,
+  // until then they are those of before.
   [[nodiscard]] bool follow(const MediumEdit& edit);
-  void reload();
+  void reload();  // resets the model
   // After a change of the medium's albedo, which Gaussians without their own show.
   void follow_albedo();
   void follow_groups();  // after a change of their names or colours
+  void set_filter(GaussianFilter filter);
 
+  void sort(int column, Qt::SortOrder order) override;
   [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
   [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
   [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
@@ -46,14 +46,11 @@ class GaussianTableModel : public QAbstractTableModel {
 
  private:
   [[nodiscard]] QVariant group_data(GroupId id, int role) const;
-  void announce_changes(const MediumEdit& edit);
-  bool remove_rows(const MediumEdit& edit);
-  bool insert_rows(const MediumEdit& edit);
+  [[nodiscard]] bool follow_changes(const MediumEdit& edit);
+  void follow_column(int column);
 
   Document& document_;
-  // Ids known to views: the medium changes at once, but views are notified one range of rows at a
-  // time.
-  std::vector<GaussianId> ids_;
+  GaussianRows rows_;  // those that views know of
 };
 
 }  // namespace brume

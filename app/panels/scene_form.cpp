@@ -11,7 +11,6 @@ namespace brume {
 SceneForm::SceneForm(Document& document, QWidget* parent) : QWidget(parent), document_(document) {
   connect(&document_, &Document::scene_replaced, this, &SceneForm::refresh);
   connect(&document_, &Document::part_changed, this, &SceneForm::refresh);
-  connect(&document_, &Document::medium_changed, this, &SceneForm::refresh);
 }
 
 void SceneForm::refresh() {

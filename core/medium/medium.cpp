@@ -3,10 +3,19 @@
 #include <algorithm>
 
 namespace brume {
+
 std::optional<std::size_t> Medium::index_of(GaussianId id) const {
-  const auto it = std::ranges::lower_bound(ids(), id);
-  if (it == ids().end() || *it != id) return std::nullopt;
-  return static_cast<std::size_t>(it - ids().begin());
+  const std::span<const GaussianId> all = ids();
+  if (all.empty() || id < all.front() || id > all.back()) return std::nullopt;
+  // Ids ascend: an index is at most as far from either end as the id is, so where none is missing
+  // it is found at once.
+  const std::size_t last = all.size() - 1;
+  const std::size_t low = last - std::min<std::size_t>(last, all.back() - id);
+  const std::size_t high = std::min<std::size_t>(last, id - all.front());
+  const auto range = all.subspan(low, high + 1 - low);
+  const auto at = std::ranges::lower_bound(range, id);
+  if (at == range.end() || *at != id) return std::nullopt;
+  return low + static_cast<std::size_t>(at - range.begin());
 }
 
 Medium::Columns Medium::columns() {

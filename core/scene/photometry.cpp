@@ -35,26 +35,41 @@ glm::dvec3 observer(double nm) {
 
 constexpr double second_constant = 1.438776877e7;  // hc / k [nm K]
 
-// Planck's law relative to its value at 560 nm: at low temperatures the rest is all that remains.
-double black_body(double nm, double temperature) {
-  const auto exponent = [&](double x) { return second_constant / (x * temperature); };
-  return std::pow(560.0 / nm, 5) * std::expm1(exponent(560.0)) / std::expm1(exponent(nm));
+// Samples of the visible spectrum.
+constexpr double wavelength_step = 5.0;  // [nm]
+constexpr int wavelength_count = 81;
+constexpr double wavelength(int k) {
+  return 380.0 + wavelength_step * k;
 }
 
-constexpr double wavelength_step = 5.0;  // [nm]
-
-// A black body's light, linear Rec. 709, relative to its radiance at 560 nm in a wavelength_step.
-glm::dvec3 relative_black_body(double temperature) {
-  glm::dvec3 xyz(0.0);
-  for (double nm = 380.0; nm <= 780.0; nm += wavelength_step) {
-    xyz += black_body(nm, temperature) * observer(nm);
-  }
-  // To Rec. 709; columns.
+// Linear Rec. 709 of the light at each wavelength, times what does not depend on the temperature in
+// Planck's law relative to its value at 560 nm.
+std::array<glm::dvec3, wavelength_count> weights_of_wavelengths() {
+  // From XYZ; columns.
   constexpr double m[3][3] = {{3.2404542, -0.9692660, 0.0556434},
                               {-1.5371385, 1.8760108, -0.2040259},
                               {-0.4985314, 0.0415560, 1.0572252}};
+  std::array<glm::dvec3, wavelength_count> weights{};
+  for (int k = 0; k < wavelength_count; ++k) {
+    const double nm = wavelength(k);
+    const glm::dvec3 xyz = std::pow(560.0 / nm, 5) * observer(nm);
+    for (int i = 0; i < 3; ++i) {
+      weights[static_cast<std::size_t>(k)] += xyz[i] * glm::dvec3(m[i][0], m[i][1], m[i][2]);
+    }
+  }
+  return weights;
+}
+
+// A black body's light, linear Rec. 709, relative to its radiance at 560 nm in a wavelength_step:
+// at low temperatures the rest is all that remains.
+glm::dvec3 relative_black_body(double temperature) {
+  static const auto weights = weights_of_wavelengths();
+  const auto rest = [&](double nm) { return std::expm1(second_constant / (nm * temperature)); };
+  const double at_560 = rest(560.0);
   glm::dvec3 rgb(0.0);
-  for (int k = 0; k < 3; ++k) rgb += xyz[k] * glm::dvec3(m[k][0], m[k][1], m[k][2]);
+  for (int k = 0; k < wavelength_count; ++k) {
+    rgb += at_560 / rest(wavelength(k)) * weights[static_cast<std::size_t>(k)];
+  }
   return glm::max(rgb, 0.0);
 }
 

@@ -132,6 +132,7 @@ bool MergedMedium::merge(const Medium& medium, const Limits& limits, const std::
     append(*simplified, gaussians, indices);
   }
   source_ = medium;
+  is_changed_.assign(medium.size(), false);
   assemble();
   return true;
 }
@@ -139,24 +140,30 @@ bool MergedMedium::merge(const Medium& medium, const Limits& limits, const std::
 bool MergedMedium::follow(const Medium& medium, const Limits& limits, const std::stop_token& stop) {
   if (limits_ != limits || source_.empty()) return false;
   const Comparison change(source_, medium);
-  const std::size_t changed = changed_ + std::max(change.gone().size(), change.more().size());
-  if (changed * max_changed > medium.size()) return false;
+  // Indices in `medium` of what is left of source_.
+  std::vector<std::uint32_t> now(source_.size(), none);
+  std::vector<bool> is_changed(medium.size(), true);
+  std::size_t changed = medium.size();
+  auto gone = change.gone().begin();
+  auto more = change.more().begin();
+  std::uint32_t j = 0;
+  for (std::uint32_t i = 0; i < now.size(); ++i) {
+    if (gone != change.gone().end() && *gone == i) {
+      ++gone;
+      continue;
+    }
+    while (more != change.more().end() && *more == j) ++more, ++j;
+    now[i] = j;
+    is_changed[j] = is_changed_[i];
+    if (!is_changed_[i]) --changed;
+    ++j;
+  }
+  const std::size_t removed =
+      removed_ + change.gone().size() - std::min(change.gone().size(), change.more().size());
+  if ((changed + removed) * max_changed > medium.size()) return false;
   if (is_merged_) {
     std::vector<bool> is_touched(parts_.size());
     for (const std::uint32_t i : change.gone()) is_touched[part_of_[i]] = true;
-    // Indices in `medium` of what is left of source_.
-    std::vector<std::uint32_t> now(source_.size(), none);
-    auto gone = change.gone().begin();
-    auto more = change.more().begin();
-    std::uint32_t j = 0;
-    for (std::uint32_t i = 0; i < now.size(); ++i) {
-      if (gone != change.gone().end() && *gone == i) {
-        ++gone;
-        continue;
-      }
-      while (more != change.more().end() && *more == j) ++more, ++j;
-      now[i] = j++;
-    }
     std::vector<std::uint32_t> indices = change.more();
     for (std::size_t k = 0; k < parts_.size(); ++k) {
       if (!is_touched[k]) continue;
@@ -186,7 +193,8 @@ bool MergedMedium::follow(const Medium& medium, const Limits& limits, const std:
     append(*simplified, gaussians, indices);
   }
   source_ = medium;
-  changed_ = changed;
+  is_changed_ = std::move(is_changed);
+  removed_ = removed;
   assemble();
   return true;
 }

@@ -59,7 +59,9 @@ class MergedMedium {
   std::optional<AxisDepths> depths_;
   std::vector<Part> parts_;
   std::vector<std::uint32_t> part_of_;  // of source_
-  std::size_t changed_ = 0;             // since merge()
+  // Since merge():
+  std::vector<bool> is_changed_;  // of source_
+  std::size_t removed_ = 0;
 };
 
 }  // namespace brume

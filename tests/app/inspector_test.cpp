@@ -8,6 +8,7 @@
 #include "app/panels/gaussian_filter.h"
 #include "app/panels/gaussian_histogram.h"
 #include "app/panels/gaussian_panel.h"
+#include "app/panels/gaussian_table_model.h"
 #include "app/viewport/view_grid.h"
 #include "app/widgets/number_field.h"
 #include "tests/app/test_window.h"
@@ -136,6 +137,38 @@ class InspectorTest : public QObject {
     QVERIFY(column(table, 3).front() >= column(table, 3).back());
     click_header(table, 3);  // as they came
     QCOMPARE(column(table, 3), unsorted);
+  }
+
+  void a_typed_value_moves_its_row_and_the_current_cell_with_it() {
+    TestWindow window;
+    Document& document = window->document();
+    QTableView* table = table_of(*window);
+    click_header(table, 3);
+    const auto id_of_row = [&](int row) {
+      auto* model = qobject_cast<GaussianTableModel*>(table->model());
+      return model->id(row);
+    };
+    const GaussianId first = id_of_row(0);
+    const QPoint cell = table->visualRect(table->model()->index(0, 3)).center();
+    QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, cell);
+    QTest::mouseDClick(table->viewport(), Qt::LeftButton, {}, cell);
+    auto* editor = table->viewport()->findChild<QLineEdit*>();
+    QVERIFY(editor);
+    editor->selectAll();
+    QTest::keyClicks(editor, "3.5");
+    QTest::keyClick(editor, Qt::Key_Return);
+    const int last = table->model()->rowCount() - 1;
+    QCOMPARE(document.medium().gaussian(*document.medium().index_of(first)).radius, 3.5);
+    QCOMPARE(id_of_row(last), first);
+    QCOMPARE(document.selection(), std::vector<GaussianId>{first});
+    QCOMPARE(table->currentIndex(), table->model()->index(last, 3));
+    document.undo_stack().undo();
+    QCOMPARE(table->currentIndex(), table->model()->index(0, 3));
+    // What is deleted goes from the middle of a sorted table.
+    delete_selection(document, "Delete");
+    QCOMPARE(table->model()->rowCount(), last);
+    document.undo_stack().undo();
+    QCOMPARE(id_of_row(0), first);
   }
 
   void a_filter_shows_some() {

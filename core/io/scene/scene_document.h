@@ -15,8 +15,12 @@ namespace brume {
 // unchanged, saving refers to the file again instead of writing them into the scene.
 struct MediumFile {
   std::filesystem::path file;
-  std::vector<GaussianId> ids;  // ascending
-  std::vector<Gaussian> gaussians;
+  Medium loaded;            // of the scene, which shares its columns while nothing is edited
+  GaussianId first_id = 0;  // the file's are this one and all after it
+
+  [[nodiscard]] bool contains(GaussianId id) const {
+    return id >= first_id && loaded.index_of(id).has_value();
+  }
 };
 
 // Unknown keys of a scene file, by object: the text of a JSON object, "" for none. An object that a

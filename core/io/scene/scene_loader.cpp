@@ -169,16 +169,17 @@ class SceneLoader {
 
   void load_medium_file(JsonObject& object) {
     const JsonPath path = object.path_of("file");
-    auto loaded = std::make_shared<MediumFile>();
-    loaded->file = references_.resolve(context_, path, object.text("file", {}));
-    loaded->gaussians = references_.gaussians(context_, path, loaded->file,
-                                              budget_.gaussians_left(), scene_.groups.size());
-    budget_.reserve_gaussians(path, loaded->gaussians.size());
+    auto source = std::make_shared<MediumFile>();
+    source->file = references_.resolve(context_, path, object.text("file", {}));
+    const std::vector<Gaussian> gaussians = references_.gaussians(
+        context_, path, source->file, budget_.gaussians_left(), scene_.groups.size());
+    budget_.reserve_gaussians(path, gaussians.size());
     Medium& medium = scene_.medium;
-    medium.reserve(medium.size() + loaded->gaussians.size());
-    loaded->ids.reserve(loaded->gaussians.size());
-    for (const Gaussian& g : loaded->gaussians) loaded->ids.push_back(medium.append(g));
-    document_.extras.medium_file = std::move(loaded);
+    source->first_id = medium.next_id();
+    medium.reserve(medium.size() + gaussians.size());
+    for (const Gaussian& g : gaussians) medium.append(g);
+    source->loaded = medium;
+    document_.extras.medium_file = std::move(source);
   }
 
   void load_noise(const Json& value, const JsonPath& path) {

@@ -24,14 +24,18 @@ namespace {
 
 // Whether the Gaussians that came from medium.file are still what they were, in groups that the
 // numbers of the file still mean.
-bool is_unchanged(const MediumFile& loaded, const Scene& scene) {
+bool is_unchanged(const MediumFile& file, const Scene& scene) {
+  const Medium& before = file.loaded;
+  const Medium& now = scene.medium;
+  const auto first = before.index_of(file.first_id);
+  if (!first) return true;  // a file without any
   const auto is_in_place = [&scene](GroupId group) {
     return group == 0 || (group <= scene.groups.size() && scene.groups[group - 1].id == group);
   };
-  for (std::size_t i = 0; i < loaded.ids.size(); ++i) {
-    const auto at = scene.medium.index_of(loaded.ids[i]);
-    if (!at || scene.medium.gaussian(*at) != loaded.gaussians[i]) return false;
-    if (!is_in_place(loaded.gaussians[i].group)) return false;
+  for (std::size_t i = *first; i < before.size(); ++i) {
+    const auto at = now.index_of(before.ids()[i]);
+    if (!at || now.gaussian(*at) != before.gaussian(i)) return false;
+    if (!is_in_place(before.group(i))) return false;
   }
   return true;
 }
@@ -95,7 +99,7 @@ Json medium_to_json(const SceneDocument& document, const fs::path& directory) {
   Json& gaussians = object["gaussians"] = Json::array();
   for (std::size_t i = 0; i < medium.size(); ++i) {
     const GaussianId id = medium.ids()[i];
-    if (file != nullptr && std::binary_search(file->ids.begin(), file->ids.end(), id)) continue;
+    if (file != nullptr && file->contains(id)) continue;
     const Gaussian g = medium.gaussian(i);
     Json entry{{"center", to_json(g.center)}, {"radius", g.radius}, {"density", g.density}};
     add_optics(entry, g.optics);
