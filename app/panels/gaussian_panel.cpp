@@ -109,7 +109,6 @@ GaussianPanel::GaussianPanel(Document& document, QWidget* parent)
           &GaussianPanel::adopt_selection);
   connect(&document_, &Document::selection_changed, this, &GaussianPanel::select_rows);
   reload_timer_.setSingleShot(true);
-  reload_timer_.setInterval(reload_after);
   connect(&reload_timer_, &QTimer::timeout, this, &GaussianPanel::reload);
   connect(&document_, &Document::scene_replaced, this, &GaussianPanel::reload);
   connect(&document_, &Document::medium_changed, this, &GaussianPanel::follow);
@@ -152,13 +151,17 @@ void GaussianPanel::restore_place() {
 }
 
 void GaussianPanel::follow(const MediumEdit& edit) {
-  if (reload_timer_.isActive()) return reload_timer_.start();  // when the gesture pauses
+  if (reload_timer_.isActive()) return reload_timer_.start(reload_after);  // once it pauses
   // While rows come and go the view's selection is not the user's.
   const bool was_syncing = std::exchange(syncing_, true);
   const bool has_followed = model_->follow(edit);
   syncing_ = was_syncing;
   if (!has_followed) {
-    if (model_->rowCount() > many_rows) return reload_timer_.start();
+    const bool is_typed = table_->isPersistentEditorOpen(table_->currentIndex());
+    // The editor of a cell closes first.
+    if (is_typed || model_->rowCount() > many_rows) {
+      return reload_timer_.start(is_typed ? 0 : reload_after);
+    }
     reload();
   } else if (!edit.added().empty() || !edit.removed().empty()) {
     select_rows();

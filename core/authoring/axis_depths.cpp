@@ -46,8 +46,8 @@ glm::ivec3 AxisDepths::cell_of(const glm::dvec3& x) const {
 }
 
 // Spread evenly over the square of its size that has its greatest depth's share.
-void AxisDepths::add(const Gaussian& gaussian) {
-  const double mass = std::pow(std::numbers::pi, 1.5) * gaussian.density * gaussian.radius *
+void AxisDepths::add(const Gaussian& gaussian, double times) {
+  const double mass = times * std::pow(std::numbers::pi, 1.5) * gaussian.density * gaussian.radius *
                       gaussian.radius * gaussian.radius;
   const double half = 0.5 * std::sqrt(std::numbers::pi) * gaussian.radius;
   const glm::ivec3 first = cell_of(gaussian.center - half);
@@ -60,7 +60,8 @@ void AxisDepths::add(const Gaussian& gaussian) {
     std::vector<double>& image = depths_[static_cast<std::size_t>(axis)];
     for (int row = first[v]; row <= last[v]; ++row) {
       for (int column = first[u]; column <= last[u]; ++column) {
-        image[index(column, row)] += mass / (width * height);
+        double& depth = image[index(column, row)];
+        depth = std::max(depth + mass / (width * height), 0.0);  // rounding may leave less
       }
     }
   }

@@ -2,27 +2,31 @@
 
 #include <algorithm>
 #include <cassert>
-#include <limits>
 
 namespace brume {
 namespace {
 
+// Closes the gaps that elements at sorted indices leave.
+template <class T>
+void close_gaps(std::span<T> all, const std::vector<std::size_t>& dropped) {
+  std::size_t target = dropped.front();
+  for (std::size_t k = 0; k < dropped.size(); ++k) {
+    const std::size_t first = dropped[k] + 1;
+    const std::size_t last = k + 1 < dropped.size() ? dropped[k + 1] : all.size();
+    for (std::size_t source = first; source < last; ++source) all[target++] = all[source];
+  }
+}
+
 // Removes the elements at sorted indices.
 template <class T>
-void erase(SharedColumn<T>& column, const std::vector<std::size_t>& dropped) {
+void drop(std::vector<T>& entries, const std::vector<std::size_t>& dropped) {
+  close_gaps(std::span(entries), dropped);
+  entries.resize(entries.size() - dropped.size());
+}
+template <class T>
+void drop(SharedColumn<T>& column, const std::vector<std::size_t>& dropped) {
   const std::size_t left = column.size() - dropped.size();
-  if (dropped.front() < left) {
-    const std::span<T> all = column.write();
-    std::size_t target = dropped.front();
-    std::size_t next = 0;
-    for (std::size_t source = target; source < all.size(); ++source) {
-      if (next < dropped.size() && dropped[next] == source) {
-        ++next;
-      } else {
-        all[target++] = all[source];
-      }
-    }
-  }
+  if (dropped.front() < left) close_gaps(column.write(), dropped);
   column.resize(left);
 }
 
@@ -61,6 +65,40 @@ class IndexFinder {
  private:
   const Medium& medium_;
   std::size_t next_ = 0;
+};
+
+// Entries ordered by id, of which some go and others come, all at once in the end.
+template <class T>
+class Splice {
+ public:
+  explicit Splice(std::vector<T>& entries) : entries_(entries) {}
+
+  [[nodiscard]] T* find(GaussianId id) {
+    const auto at = std::ranges::lower_bound(entries_, id, {}, &T::id);
+    return at == entries_.end() || at->id != id ? nullptr : &*at;
+  }
+  void erase(const T& entry) {
+    dropped_.push_back(static_cast<std::size_t>(&entry - entries_.data()));
+  }
+  void insert(const T& entry) { more_.push_back(entry); }
+
+  void finish() {
+    std::ranges::sort(dropped_);
+    if (!dropped_.empty()) drop(entries_, dropped_);
+    if (more_.empty()) return;
+    std::ranges::sort(more_, {}, &T::id);
+    const auto count = static_cast<std::ptrdiff_t>(entries_.size());
+    entries_.insert(entries_.end(), more_.begin(), more_.end());
+    const auto middle = entries_.begin() + count;
+    const auto first =
+        std::ranges::lower_bound(entries_.begin(), middle, more_.front().id, {}, &T::id);
+    std::ranges::inplace_merge(first, middle, entries_.end(), {}, &T::id);
+  }
+
+ private:
+  std::vector<T>& entries_;
+  std::vector<std::size_t> dropped_;
+  std::vector<T> more_;
 };
 
 template <class T>
@@ -155,7 +193,7 @@ void MediumEdit::apply(Medium& medium) const {
       assert(index && "MediumEdit::apply: the Gaussian to remove is not there");
       dropped.push_back(*index);
     }
-    each_column([&](auto& column) { erase(column, dropped); });
+    each_column([&](auto& column) { drop(column, dropped); });
   }
   IndexFinder index_of(medium);
   for (const Change& change : changed_) {
@@ -187,56 +225,44 @@ void MediumEdit::apply(Medium& medium) const {
   medium.revision_ = new_revision();
 }
 
-std::vector<MediumEdit::Step> MediumEdit::steps() const {
-  std::vector<Step> steps;
-  const std::size_t count = added_.size() + removed_.size() + changed_.size();
-  steps.reserve(count);
-  auto added = added_.begin();
-  auto removed = removed_.begin();
-  auto changed = changed_.begin();
-  const auto id_of = [](auto entry, const auto& entries) {
-    return entry == entries.end() ? std::numeric_limits<GaussianId>::max() : entry->id;
-  };
-  while (steps.size() < count) {
-    const GaussianId a = id_of(added, added_);
-    const GaussianId r = id_of(removed, removed_);
-    const GaussianId c = id_of(changed, changed_);
-    if (a < r && a < c) {
-      steps.push_back({a, std::nullopt, added++->gaussian});
-    } else if (r < c) {
-      steps.push_back({r, removed++->gaussian, std::nullopt});
+void MediumEdit::merge(const MediumEdit& later) {
+  Splice<Entry> added(added_);
+  Splice<Entry> removed(removed_);
+  Splice<Change> changed(changed_);
+  for (const Entry& entry : later.added_) {
+    const Entry* before = removed.find(entry.id);
+    if (!before) {
+      added.insert(entry);
     } else {
-      steps.push_back({c, changed->before, changed->after});
-      ++changed;
+      if (before->gaussian != entry.gaussian) {
+        changed.insert({entry.id, before->gaussian, entry.gaussian});
+      }
+      removed.erase(*before);
     }
   }
-  return steps;
-}
-
-void MediumEdit::append(const Step& step) {
-  if (step.before == step.after) return;
-  if (!step.before) {
-    added_.push_back({step.id, *step.after});
-  } else if (!step.after) {
-    removed_.push_back({step.id, *step.before});
-  } else {
-    changed_.push_back({step.id, *step.before, *step.after});
+  for (const Entry& entry : later.removed_) {
+    if (const Entry* before = added.find(entry.id)) {
+      added.erase(*before);
+    } else if (const Change* change = changed.find(entry.id)) {
+      removed.insert({entry.id, change->before});
+      changed.erase(*change);
+    } else {
+      removed.insert(entry);
+    }
   }
-}
-
-void MediumEdit::merge(const MediumEdit& later) {
-  const std::vector<Step> first = steps();
-  const std::vector<Step> second = later.steps();
-  added_.clear();
-  removed_.clear();
-  changed_.clear();
-  auto next = second.begin();
-  for (const Step& step : first) {
-    while (next != second.end() && next->id < step.id) append(*next++);
-    const bool again = next != second.end() && next->id == step.id;
-    append(again ? Step{step.id, step.before, (next++)->after} : step);
+  for (const Change& change : later.changed_) {
+    if (Entry* before = added.find(change.id)) {
+      before->gaussian = change.after;
+    } else if (Change* first = changed.find(change.id)) {
+      first->after = change.after;
+      if (first->before == first->after) changed.erase(*first);
+    } else {
+      changed.insert(change);
+    }
   }
-  while (next != second.end()) append(*next++);
+  added.finish();
+  removed.finish();
+  changed.finish();
 
   if (later.homogeneous_density_) {
     const double before =

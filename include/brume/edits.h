@@ -46,15 +46,6 @@ class BRUME_EXPORT MediumEdit {
   [[nodiscard]] const std::vector<Change>& changed() const { return changed_; }
 
  private:
-  // One Gaussian before and after; nullopt: absent.
-  struct Step {
-    GaussianId id = 0;
-    std::optional<Gaussian> before;
-    std::optional<Gaussian> after;
-  };
-  [[nodiscard]] std::vector<Step> steps() const;  // ordered by id
-  void append(const Step& step);
-
   // All three are ordered by id.
   std::vector<Entry> added_;
   std::vector<Entry> removed_;

@@ -1,16 +1,10 @@
 #include "render/prepare/merged_medium.h"
 
 #include <algorithm>
-#include <limits>
 #include <span>
 
 namespace brume {
 namespace {
-
-// All are merged anew when this share has changed.
-constexpr std::size_t max_changed = 8;  // 1 / 8
-
-constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
 // Compares two media by their columns, which are the same memory where nothing was changed.
 class Comparison {
@@ -112,14 +106,14 @@ bool MergedMedium::update(const Medium& medium, const Limits& limits, const std:
 
 bool MergedMedium::merge(const Medium& medium, const Limits& limits, const std::stop_token& stop) {
   std::vector<Gaussian> gaussians;
-  std::vector<std::uint32_t> indices;
   gaussians.reserve(medium.size());
-  indices.reserve(medium.size());
   for (std::size_t i = 0; i < medium.size(); ++i) {
     gaussians.push_back(without_group(medium.gaussian(i)));
-    indices.push_back(static_cast<std::uint32_t>(i));
   }
   *this = {};
+  first_id_ = medium.ids().front();
+  const std::size_t count = medium.ids().back() + 1 - first_id_;
+  is_changed_.resize(count);
   depths_.emplace(gaussians);
   is_merged_ = estimated_share(gaussians, limits.error, *depths_) <= limits.share;
   if (is_merged_) {
@@ -128,85 +122,88 @@ bool MergedMedium::merge(const Medium& medium, const Limits& limits, const std::
       *this = {};
       return false;
     }
-    part_of_.resize(medium.size());
-    append(*simplified, gaussians, indices);
+    part_of_.resize(count);
+    append(*simplified, gaussians, medium.ids());
   }
   source_ = medium;
-  is_changed_.assign(medium.size(), false);
   assemble();
   return true;
 }
 
 bool MergedMedium::follow(const Medium& medium, const Limits& limits, const std::stop_token& stop) {
   if (limits_ != limits || source_.empty()) return false;
+  if (medium.ids().front() < first_id_) return false;
   const Comparison change(source_, medium);
-  // Indices in `medium` of what is left of source_.
-  std::vector<std::uint32_t> now(source_.size(), none);
-  std::vector<bool> is_changed(medium.size(), true);
-  std::size_t changed = medium.size();
-  auto gone = change.gone().begin();
-  auto more = change.more().begin();
-  std::uint32_t j = 0;
-  for (std::uint32_t i = 0; i < now.size(); ++i) {
-    if (gone != change.gone().end() && *gone == i) {
-      ++gone;
-      continue;
-    }
-    while (more != change.more().end() && *more == j) ++more, ++j;
-    now[i] = j;
-    is_changed[j] = is_changed_[i];
-    if (!is_changed_[i]) --changed;
-    ++j;
+  is_changed_.resize(std::max<std::size_t>(is_changed_.size(), medium.next_id() - first_id_));
+  const auto note_changed = [this](GaussianId id) {
+    if (is_changed_[id - first_id_]) return;
+    is_changed_[id - first_id_] = true;
+    ++changed_;
+  };
+  for (const std::uint32_t i : change.gone()) note_changed(source_.ids()[i]);
+  for (const std::uint32_t i : change.more()) note_changed(medium.ids()[i]);
+  if (static_cast<double>(changed_) > limits.changed * static_cast<double>(medium.size())) {
+    return false;
   }
-  const std::size_t removed =
-      removed_ + change.gone().size() - std::min(change.gone().size(), change.more().size());
-  if ((changed + removed) * max_changed > medium.size()) return false;
   if (is_merged_) {
-    std::vector<bool> is_touched(parts_.size());
-    for (const std::uint32_t i : change.gone()) is_touched[part_of_[i]] = true;
-    std::vector<std::uint32_t> indices = change.more();
-    for (std::size_t k = 0; k < parts_.size(); ++k) {
-      if (!is_touched[k]) continue;
-      for (const std::uint32_t i : parts_[k].members) {
-        if (now[i] != none) indices.push_back(now[i]);
+    part_of_.resize(is_changed_.size());
+    std::vector<std::uint32_t> touched;
+    for (const std::uint32_t i : change.gone()) touched.push_back(part_of(source_.ids()[i]));
+    std::ranges::sort(touched);
+    touched.erase(std::ranges::unique(touched).begin(), touched.end());
+    // What is new or other, and what it or its like of before was merged with.
+    std::vector<GaussianId> ids;
+    for (const std::uint32_t i : change.more()) ids.push_back(medium.ids()[i]);
+    for (const std::uint32_t k : touched) {
+      for (const GaussianId id : parts_[k].members) {
+        if (medium.index_of(id)) ids.push_back(id);
       }
     }
-    std::ranges::sort(indices);
+    std::ranges::sort(ids);
+    ids.erase(std::ranges::unique(ids).begin(), ids.end());
     std::vector<Gaussian> gaussians;
-    gaussians.reserve(indices.size());
-    for (const std::uint32_t i : indices) gaussians.push_back(without_group(medium.gaussian(i)));
-    const auto simplified = simplify(gaussians, limits.error, *depths_, stop);
-    if (!simplified) return false;
-
-    std::size_t kept = 0;
-    part_of_.resize(medium.size());
-    for (std::size_t k = 0; k < parts_.size(); ++k) {
-      if (is_touched[k]) continue;
-      if (kept != k) parts_[kept] = std::move(parts_[k]);
-      for (std::uint32_t& i : parts_[kept].members) {
-        i = now[i];
-        part_of_[i] = static_cast<std::uint32_t>(kept);
-      }
-      ++kept;
+    gaussians.reserve(ids.size());
+    for (const GaussianId id : ids) {
+      gaussians.push_back(without_group(medium.gaussian(*medium.index_of(id))));
     }
-    parts_.resize(kept);
-    append(*simplified, gaussians, indices);
+    const auto exchange = [this](const Medium& from, const std::vector<std::uint32_t>& less,
+                                 const Medium& to, const std::vector<std::uint32_t>& more) {
+      for (const std::uint32_t i : less) depths_->remove(from.gaussian(i));
+      for (const std::uint32_t i : more) depths_->add(to.gaussian(i));
+    };
+    exchange(source_, change.gone(), medium, change.more());
+    const auto simplified = simplify(gaussians, limits.error, *depths_, stop);
+    if (!simplified) {
+      exchange(medium, change.more(), source_, change.gone());
+      return false;
+    }
+    remove_parts(touched);
+    append(*simplified, gaussians, ids);
   }
   source_ = medium;
-  is_changed_ = std::move(is_changed);
-  removed_ = removed;
   assemble();
   return true;
 }
 
+// The last ones come in their place. `places` ascend.
+void MergedMedium::remove_parts(std::span<const std::uint32_t> places) {
+  for (std::size_t k = places.size(); k-- > 0;) {
+    const std::uint32_t place = places[k];
+    if (place + 1 != parts_.size()) parts_[place] = std::move(parts_.back());
+    parts_.pop_back();
+    if (place == parts_.size()) continue;
+    for (const GaussianId id : parts_[place].members) part_of(id) = place;
+  }
+}
+
 void MergedMedium::append(const Simplified& simplified, std::span<const Gaussian> gaussians,
-                          std::span<const std::uint32_t> indices) {
+                          std::span<const GaussianId> ids) {
   const auto add = [&](const Gaussian& gaussian, std::span<const std::uint32_t> members) {
     Part& part = parts_.emplace_back(Part{gaussian, {}});
     part.members.reserve(members.size());
     for (const std::uint32_t i : members) {
-      part.members.push_back(indices[i]);
-      part_of_[indices[i]] = static_cast<std::uint32_t>(parts_.size() - 1);
+      part.members.push_back(ids[i]);
+      part_of(ids[i]) = static_cast<std::uint32_t>(parts_.size() - 1);
     }
   };
   for (const std::uint32_t i : simplified.kept) add(gaussians[i], {&i, 1});

@@ -24,6 +24,8 @@ class MergedMedium {
   struct Limits {
     double error = 0.0;
     double share = 1.0;
+    // Of the Gaussians: when so many have changed, all are merged anew.
+    double changed = 0.125;
 
     bool operator==(const Limits&) const = default;
   };
@@ -39,7 +41,7 @@ class MergedMedium {
   // Gaussians of source_, and one that stands for them.
   struct Part {
     Gaussian gaussian;
-    std::vector<std::uint32_t> members;
+    std::vector<GaussianId> members;
   };
 
   // All of a medium; false if stopped.
@@ -47,7 +49,9 @@ class MergedMedium {
   // What differs from source_; false, and nothing done, if there is too much, or if stopped.
   bool follow(const Medium& medium, const Limits& limits, const std::stop_token& stop);
   void append(const Simplified& simplified, std::span<const Gaussian> gaussians,
-              std::span<const std::uint32_t> indices);
+              std::span<const GaussianId> ids);
+  void remove_parts(std::span<const std::uint32_t> places);
+  [[nodiscard]] std::uint32_t& part_of(GaussianId id) { return part_of_[id - first_id_]; }
   void assemble();
 
   Medium medium_;
@@ -58,10 +62,11 @@ class MergedMedium {
   Medium source_;  // made_from_, while it may be merged
   std::optional<AxisDepths> depths_;
   std::vector<Part> parts_;
-  std::vector<std::uint32_t> part_of_;  // of source_
-  // Since merge():
-  std::vector<bool> is_changed_;  // of source_
-  std::size_t removed_ = 0;
+  // By id, from the first on:
+  GaussianId first_id_ = 0;
+  std::vector<std::uint32_t> part_of_;  // of those that source_ has
+  std::vector<bool> is_changed_;        // since merge()
+  std::size_t changed_ = 0;             // how many are
 };
 
 }  // namespace brume

@@ -11,10 +11,12 @@
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
+#include <glm/geometric.hpp>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "app/commands/select_command.h"
 #include "app/document/document.h"
 #include "app/document/paths.h"
 #include "app/document/timeline.h"
@@ -106,6 +108,13 @@ class Gestures {
     gesture("paint", Qt::LeftButton, middle);
     choose("eraser");
     gesture("erase", Qt::LeftButton, middle);
+    choose("move");
+    select_gaussians(window_.document(), some_ids());
+    gesture("drag up to 1,000 selected", Qt::LeftButton, [this] {
+      const glm::dvec3 pivot = view_.rays().project(view_.pivot());
+      return QPointF(pivot.x, pivot.y).toPoint();
+    });
+    select_gaussians(window_.document(), {});
     choose("select");
     gesture("drag a light", Qt::LeftButton, [this] {
       const glm::dvec3 light = view_.rays().project(window_.document().scene().lights[0].position);
@@ -121,6 +130,20 @@ class Gestures {
     for (std::size_t k = 0; k < entries.size(); ++k) {
       if (entries[k].name == name) window_.tools().activate(k);
     }
+  }
+
+  // Those nearest to what the camera looks at.
+  [[nodiscard]] std::vector<GaussianId> some_ids() const {
+    const Medium& medium = window_.document().medium();
+    std::vector<GaussianId> ids(medium.ids().begin(), medium.ids().end());
+    const auto distance = [&](GaussianId id) {
+      return glm::distance(medium.centers()[*medium.index_of(id)], view_.camera().target);
+    };
+    const std::size_t count = std::min<std::size_t>(ids.size(), 1000);
+    std::ranges::nth_element(ids, ids.begin() + static_cast<std::ptrdiff_t>(count) - 1, {},
+                             distance);
+    ids.resize(count);
+    return ids;
   }
 
   // Measuring the error of a picture of very many Gaussians takes minutes: once is enough.

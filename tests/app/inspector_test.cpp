@@ -157,9 +157,12 @@ class InspectorTest : public QObject {
     editor->selectAll();
     QTest::keyClicks(editor, "3.5");
     QTest::keyClick(editor, Qt::Key_Return);
+    const auto radius_of_first = [&] {
+      return document.medium().radii()[*document.medium().index_of(first)];
+    };
+    QTRY_COMPARE(radius_of_first(), 3.5);
     const int last = table->model()->rowCount() - 1;
-    QCOMPARE(document.medium().gaussian(*document.medium().index_of(first)).radius, 3.5);
-    QCOMPARE(id_of_row(last), first);
+    QTRY_COMPARE(id_of_row(last), first);
     QCOMPARE(document.selection(), std::vector<GaussianId>{first});
     QCOMPARE(table->currentIndex(), table->model()->index(last, 3));
     document.undo_stack().undo();
