@@ -5,6 +5,11 @@
 namespace brume {
 namespace {
 
+// What the reference prepares of so many takes seconds of all cores and cannot be stopped: it waits
+// until nobody seems to go on.
+constexpr std::size_t many_gaussians = 100'000;
+constexpr int measure_after = 4000;  // milliseconds
+
 // Airlight is interpolated where that is good enough: the picture is there several times sooner.
 Settings interpolated(Scattering scattering) {
   Settings settings;
@@ -18,6 +23,9 @@ Settings interpolated(Scattering scattering) {
 FrameQuality::FrameQuality(QObject* parent) : QObject(parent), control_(interpolated(scattering_)) {
   connect(&meter_, &ErrorMeter::measured, this, &FrameQuality::set_measured);
   connect(&meter_, &ErrorMeter::failed, this, &FrameQuality::failed);
+  wait_.setSingleShot(true);
+  wait_.setInterval(measure_after);
+  connect(&wait_, &QTimer::timeout, this, &FrameQuality::measure);
 }
 
 void FrameQuality::set_airlight(AirlightMethod method, int slices) {
@@ -86,6 +94,14 @@ void FrameQuality::scene_replaced() {
 void FrameQuality::frame_shown(std::shared_ptr<const RenderedFrame> frame) {
   stop_measuring();
   frame_ = std::move(frame);
+  if (frame_->request.scene->medium.size() < many_gaussians) {
+    measure();
+  } else {
+    wait_.start();
+  }
+}
+
+void FrameQuality::measure() {
   const std::optional<double> max_error =
       is_auto() ? std::optional(control_.max_error()) : std::nullopt;
   meter_.measure(frame_, max_error);
@@ -109,6 +125,7 @@ void FrameQuality::set_measured(const std::shared_ptr<const RenderedFrame>& fram
 }
 
 void FrameQuality::stop_measuring() {
+  wait_.stop();
   meter_.cancel();
   frame_.reset();
   measured_ = false;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QObject>
+#include <QTimer>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -63,6 +64,7 @@ class FrameQuality : public QObject {
   void failed(const QString& message);
 
  private:
+  void measure();
   void set_measured(const std::shared_ptr<const RenderedFrame>& frame, const ErrorEstimate& error);
 
   AirlightMethod airlight_ = AirlightMethod::auto_;
@@ -74,6 +76,7 @@ class FrameQuality : public QObject {
   std::optional<Tried> chosen_;  // of a manually chosen method
   bool measured_ = false;
   ErrorMeter meter_;
+  QTimer wait_;  // before it
 };
 
 }  // namespace brume

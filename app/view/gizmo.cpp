@@ -68,8 +68,12 @@ Gizmo::Gizmo(Kind kind, const glm::dvec3& pivot, const CameraRays& rays) {
       add_axis(part, rays, pivot, size);
     }
   }
-  add_ring(Part::all, rays, pivot, -rays.forward(),
-           kind == Kind::rotate ? 1.2 * size : 0.12 * size);
+  constexpr double middle = 0.12;
+  add_ring(Part::all, rays, pivot, -rays.forward(), (kind == Kind::rotate ? 1.2 : middle) * size);
+  if (kind == Kind::move) {
+    middle_ = on_film(rays, pivot);
+    middle_radius_ = middle * size_on_film * handle_scale();
+  }
 }
 
 void Gizmo::add_axis(Part part, const CameraRays& rays, const glm::dvec3& pivot, double length) {
@@ -95,6 +99,7 @@ void Gizmo::add_ring(Part part, const CameraRays& rays, const glm::dvec3& pivot,
 }
 
 std::optional<Gizmo::Part> Gizmo::pick(QPointF position) const {
+  if (middle_ && QLineF(position, *middle_).length() <= middle_radius_) return Part::all;
   std::optional<Part> best;
   double nearest = pick_distance * handle_scale();
   for (const Shape& shape : shapes_) {

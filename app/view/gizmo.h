@@ -36,6 +36,8 @@ class Gizmo {
                 double radius);
 
   std::vector<Shape> shapes_;
+  std::optional<QPointF> middle_;  // all within the middle's ring is it, too
+  double middle_radius_ = 0.0;
 };
 
 // The effect of a mouse drag between two film positions.
