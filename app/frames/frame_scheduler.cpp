@@ -22,9 +22,9 @@ constexpr double motion_merge_share = 0.4;
 // right. The frame at rest goes on to convergence.
 constexpr int motion_sweeps = 1;
 // Against 20,000 nodes of 64 directions and the degrees of rest it takes a half to a quarter of the
-// time, and pictures differ from those at rest by as much; on half as many nodes by up to three
-// times as much (benchmark_gestures).
-constexpr SourceGridSize motion_grid{8'000, 32};
+// time, and pictures differ from those at rest by as much; on 4,000 nodes by up to three times as
+// much (benchmark_gestures).
+constexpr SourceGridSize motion_grid{6'000, 32};
 constexpr int motion_degree = 7;
 constexpr int motion_light_degree = 9;
 constexpr int max_view_paths = 4096;  // per pixel

@@ -1,6 +1,7 @@
 #include "render/prepare/merged_medium.h"
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 
 namespace brume {
@@ -104,26 +105,40 @@ bool MergedMedium::update(const Medium& medium, const Limits& limits, const std:
   return true;
 }
 
+bool MergedMedium::is_decided(const Medium& medium, const Limits& limits) {
+  const auto size = static_cast<double>(medium.size());
+  const auto known = static_cast<double>(decision_.size);
+  if (decision_.limits != limits || std::abs(size - known) > 0.1 * known) return false;
+  return decision_.left-- > 0;
+}
+
 bool MergedMedium::merge(const Medium& medium, const Limits& limits, const std::stop_token& stop) {
-  std::vector<Gaussian> gaussians;
-  gaussians.reserve(medium.size());
-  for (std::size_t i = 0; i < medium.size(); ++i) {
-    gaussians.push_back(without_group(medium.gaussian(i)));
-  }
+  const bool is_known = is_decided(medium, limits);
+  const Decision decision = decision_;
   *this = {};
+  decision_ = decision;
   first_id_ = medium.ids().front();
   const std::size_t count = medium.ids().back() + 1 - first_id_;
   is_changed_.resize(count);
-  depths_.emplace(gaussians);
-  is_merged_ = estimated_share(gaussians, limits.error, *depths_) <= limits.share;
-  if (is_merged_) {
-    const auto simplified = simplify(gaussians, limits.error, *depths_, stop);
-    if (!simplified) {
-      *this = {};
-      return false;
+  if (!is_known || decision_.merges) {
+    std::vector<Gaussian> gaussians;
+    gaussians.reserve(medium.size());
+    for (std::size_t i = 0; i < medium.size(); ++i) {
+      gaussians.push_back(without_group(medium.gaussian(i)));
     }
-    part_of_.resize(count);
-    append(*simplified, gaussians, medium.ids());
+    depths_.emplace(gaussians);
+    if (!is_known) {
+      constexpr int decided_media = 16;
+      const double share = estimated_share(gaussians, limits.error, *depths_);
+      decision_ = {limits, medium.size(), decided_media, share <= limits.share};
+    }
+    if (decision_.merges) {
+      const auto simplified = simplify(gaussians, limits.error, *depths_, stop);
+      if (!simplified) return false;
+      part_of_.resize(count);
+      append(*simplified, gaussians, medium.ids());
+      is_merged_ = true;
+    }
   }
   source_ = medium;
   assemble();

@@ -54,10 +54,21 @@ class MergedMedium {
   [[nodiscard]] std::uint32_t& part_of(GaussianId id) { return part_of_[id - first_id_]; }
   void assemble();
 
+  // Whether merging pays, which takes about as long to find out as to merge: it holds for some more
+  // media of about the size, such as those of a sequence.
+  struct Decision {
+    Limits limits;
+    std::size_t size = 0;
+    int left = 0;
+    bool merges = false;
+  };
+  [[nodiscard]] bool is_decided(const Medium& medium, const Limits& limits);
+
   Medium medium_;
   std::optional<Revision> made_from_;
   Limits limits_;
   bool is_merged_ = false;
+  Decision decision_;
 
   Medium source_;  // made_from_, while it may be merged
   std::optional<AxisDepths> depths_;
