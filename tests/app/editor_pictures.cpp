@@ -145,7 +145,9 @@ class Pictures {
   void make_panels() {
     Document& document = window_.document();
     document.select({document.medium().ids()[2], document.medium().ids()[3]});
-    for (QDockWidget* dock : window_.findChildren<QDockWidget*>()) take_panel(*dock);
+    for (QDockWidget* dock : window_.findChildren<QDockWidget*>()) {
+      if (!dock->isFloating()) take_panel(*dock);  // the picture viewer is a window of its own
+    }
     document.select({});
   }
 
