@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "render/cpu/composite.h"
 #include "render/gl/composite_stage.h"
 #include "render/gl/device.h"
 #include "render/gl/display_stage.h"
@@ -348,6 +349,7 @@ void GlRenderer::Impl::read_back(FrameContext& work, StageClock& cpu_clock) {
   cpu_clock.finish(Stage::submit);
   work.make_layers();
   read_layers(textures, work.frame);
+  if (work.settings.background_apart) set_background_apart(work.frame);
   cpu_clock.finish(Stage::read_back);
 }
 

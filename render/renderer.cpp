@@ -106,6 +106,7 @@ std::optional<Frame> Renderer::Impl::render(FrameContext& work) {
   }
   if (work.job.stop.stop_requested()) return std::nullopt;
   composite(work.rays, stages.shading().environment(), surfaces, work.job, work.frame);
+  if (work.settings.background_apart) set_background_apart(work.frame);
   clock.finish(Stage::composite);
   if (work.plan.runs(Stage::samples)) {
     work.job = job.subrange(0.5, 1.0);

@@ -87,6 +87,8 @@ struct Settings {
   // What the medium scatters, of a grid that was made with other tables and at another merge_error,
   // is used again: for frames in motion after one at rest.
   bool any_source_precision = false;
+  // Frame::background is filled: for layers.
+  bool background_apart = false;
   // `sliced`: light scattered and reflected more than once; the other methods are single.
   Scattering scattering = Scattering::single;
   ScatteringLimits scattering_limits{};

@@ -2,6 +2,7 @@
 #include "core/scene/camera_rays.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "render/simd/composite_kernels.h"
@@ -37,6 +38,17 @@ void composite(const CameraRays& rays, const EnvironmentLight* environment,
     composite_row({row(frame.airlight, 3), row(frame.transmittance, 3), row(frame.depth, 1)},
                   behind, row(frame.beauty, 4));
   });
+}
+
+void set_background_apart(Frame& frame) {
+  frame.background.assign(frame.airlight.size(), 0.0f);
+  for (std::size_t i = 0; i < frame.depth.size(); ++i) {
+    if (std::isfinite(frame.depth[i])) continue;  // a surface
+    for (std::size_t c = 0; c < 3; ++c) {
+      frame.background[3 * i + c] =
+          std::max(frame.beauty[4 * i + c] - frame.airlight[3 * i + c], 0.0f);
+    }
+  }
 }
 
 }  // namespace brume

@@ -20,4 +20,8 @@ void behind_medium(const CameraRays& rays, const EnvironmentLight* environment,
 void composite(const CameraRays& rays, const EnvironmentLight* environment,
                std::span<const glm::vec3> surfaces, const Job& job, Frame& frame);
 
+// Frame::background of a frame whose pixels are one ray each: all that open ones show behind the
+// medium.
+void set_background_apart(Frame& frame);
+
 }  // namespace brume

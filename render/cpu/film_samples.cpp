@@ -29,7 +29,7 @@ constexpr int refinements = 2;
 
 struct SampledPixel {
   std::size_t pixel = 0;
-  glm::vec3 beauty{0.0f}, airlight{0.0f};
+  glm::vec3 beauty{0.0f}, airlight{0.0f}, background{0.0f};
   float alpha = 0.0f, transmittance = 0.0f;
   float square = 0.0f;    // mean of the samples' beauty squared, sum over channels
   float variance = 0.0f;  // of beauty, as estimated
@@ -107,6 +107,7 @@ class TileSampler {
       to.airlight += c.share * c.airlight;
       to.transmittance += c.share * c.transmittance;
       to.beauty += c.share * (c.airlight + c.transmittance * c.behind);
+      if (c.solid == 0.0f) to.background += c.share * c.transmittance * c.behind;
       to.alpha += c.solid + (c.share - c.solid) * (1.0f - c.transmittance);
       to.square += c.share * (glm::dot(c.airlight, c.airlight + 2.0f * c.transmittance * c.behind) +
                               c.transmittance * c.transmittance * c.square);
@@ -320,6 +321,8 @@ void write(const SampledPixel& from, Frame& frame) {
     frame.beauty[4 * i + c] = finite(from.beauty[static_cast<int>(c)]);
     frame.airlight[3 * i + c] = from.airlight[static_cast<int>(c)];
     frame.transmittance[3 * i + c] = from.transmittance;
+    if (frame.background.empty()) continue;
+    frame.background[3 * i + c] = finite(from.background[static_cast<int>(c)]);
   }
   frame.beauty[4 * i + 3] = std::min(from.alpha, 1.0f);
 }

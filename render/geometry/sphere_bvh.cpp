@@ -21,77 +21,115 @@ std::uint32_t node_count(std::uint32_t count) {
 
 }  // namespace
 
+// Sorts the spheres into the order of the leaves, and fits the nodes.
+class SphereBvh::Builder {
+ public:
+  struct Sphere {
+    glm::dvec3 center;
+    double radius;
+    std::uint32_t index;
+  };
+
+  Builder(std::span<Sphere> spheres, std::vector<Node>& nodes) : spheres_(spheres), nodes_(nodes) {}
+
+  void build() { build(0, 0, static_cast<std::uint32_t>(spheres_.size())); }
+
+ private:
+  struct Box {
+    glm::dvec3 low{std::numeric_limits<double>::infinity()};
+    glm::dvec3 high{-std::numeric_limits<double>::infinity()};
+
+    void add(const glm::dvec3& from, const glm::dvec3& to) {
+      low = glm::min(low, from);
+      high = glm::max(high, to);
+    }
+  };
+
+  // Returns the spheres' bounds.
+  Box build(std::uint32_t index, std::uint32_t first, std::uint32_t count) {
+    Node& node = nodes_[index];
+    const std::span<Sphere> own = spheres_.subspan(first, count);
+    Box box;
+    if (count <= leaf_size) {
+      node.first = first;
+      node.count = count;
+      for (const Sphere& s : own) box.add(s.center - s.radius, s.center + s.radius);
+      fit_spheres(node, box, own);
+      return box;
+    }
+    const std::uint32_t half = count / 2;
+    split(own, half);
+    const std::uint32_t left = index + 1;
+    const std::uint32_t right = left + node_count(half);
+    node.first = left;
+    node.second = right;
+    Box of_left, of_right;
+    const auto build_left = [&] { of_left = build(left, first, half); };
+    const auto build_right = [&] { of_right = build(right, first + half, count - half); };
+    if (count > 1024) {
+      tbb::parallel_invoke(build_left, build_right);
+    } else {
+      build_left();
+      build_right();
+    }
+    box = of_left;
+    box.add(of_right.low, of_right.high);
+    // Tightly where queries end; above, about the children, which takes no pass over all spheres.
+    constexpr std::uint32_t tight = 64;
+    if (count <= tight) {
+      fit_spheres(node, box, own);
+    } else {
+      node.center = 0.5 * (box.low + box.high);
+      for (const std::uint32_t child : {left, right}) {
+        const Node& part = nodes_[child];
+        node.radius = std::max(node.radius, glm::length(part.center - node.center) + part.radius);
+      }
+      node.radius = std::min(node.radius, glm::length(box.high - node.center));
+    }
+    return box;
+  }
+
+  static void fit_spheres(Node& node, const Box& box, std::span<const Sphere> own) {
+    node.center = 0.5 * (box.low + box.high);
+    for (const Sphere& s : own) {
+      node.radius = std::max(node.radius, glm::length(s.center - node.center) + s.radius);
+    }
+  }
+
+  // At the median of the longest axis of the centers.
+  static void split(std::span<Sphere> own, std::uint32_t half) {
+    Box box;
+    for (const Sphere& s : own) box.add(s.center, s.center);
+    const glm::dvec3 size = box.high - box.low;
+    const int axis = size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
+    std::nth_element(own.begin(), own.begin() + half, own.end(),
+                     [axis](const Sphere& a, const Sphere& b) {
+                       // The index breaks ties, so that the tree is the same every time.
+                       return a.center[axis] != b.center[axis] ? a.center[axis] < b.center[axis]
+                                                               : a.index < b.index;
+                     });
+  }
+
+  std::span<Sphere> spheres_;
+  std::vector<Node>& nodes_;
+};
+
 SphereBvh::SphereBvh(std::span<const glm::dvec3> centers, std::span<const double> radii) {
+  std::vector<Builder::Sphere> spheres;
+  spheres.reserve(centers.size());
   for (std::uint32_t i = 0; i < centers.size(); ++i) {
-    if (radii[i] > 0.0) indices_.push_back(i);
+    if (radii[i] > 0.0) spheres.push_back({centers[i], radii[i], i});
   }
-  const auto count = static_cast<std::uint32_t>(indices_.size());
-  if (count == 0) return;
-  centers_.assign(centers.begin(), centers.end());
-  radii_.assign(radii.begin(), radii.end());
-  nodes_.resize(node_count(count));
-  build(0, 0, count);
-  // From here on in the order of the leaves, where a query reads them.
-  std::vector<glm::dvec3> ordered_centers(count);
-  std::vector<double> ordered_radii(count);
-  for (std::uint32_t i = 0; i < count; ++i) {
-    ordered_centers[i] = centers[indices_[i]];
-    ordered_radii[i] = radii[indices_[i]];
-  }
-  centers_ = std::move(ordered_centers);
-  radii_ = std::move(ordered_radii);
-}
-
-void SphereBvh::fit(Node& node, std::uint32_t first, std::uint32_t count) const {
-  glm::dvec3 low(std::numeric_limits<double>::infinity());
-  glm::dvec3 high(-std::numeric_limits<double>::infinity());
-  for (std::uint32_t i = first; i < first + count; ++i) {
-    const std::uint32_t s = indices_[i];
-    low = glm::min(low, centers_[s] - radii_[s]);
-    high = glm::max(high, centers_[s] + radii_[s]);
-  }
-  node.center = 0.5 * (low + high);
-  for (std::uint32_t i = first; i < first + count; ++i) {
-    const std::uint32_t s = indices_[i];
-    node.radius = std::max(node.radius, glm::length(centers_[s] - node.center) + radii_[s]);
-  }
-}
-
-void SphereBvh::build(std::uint32_t index, std::uint32_t first, std::uint32_t count) {
-  Node& node = nodes_[index];
-  fit(node, first, count);
-  if (count <= leaf_size) {
-    node.first = first;
-    node.count = count;
-    return;
-  }
-  glm::dvec3 low(std::numeric_limits<double>::infinity());
-  glm::dvec3 high(-std::numeric_limits<double>::infinity());
-  for (std::uint32_t i = first; i < first + count; ++i) {
-    low = glm::min(low, centers_[indices_[i]]);
-    high = glm::max(high, centers_[indices_[i]]);
-  }
-  const glm::dvec3 size = high - low;
-  const int axis = size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
-  const std::uint32_t half = count / 2;
-  std::nth_element(indices_.begin() + first, indices_.begin() + first + half,
-                   indices_.begin() + first + count, [&](std::uint32_t a, std::uint32_t b) {
-                     // The index breaks ties, so that the tree is the same every time.
-                     return centers_[a][axis] != centers_[b][axis]
-                                ? centers_[a][axis] < centers_[b][axis]
-                                : a < b;
-                   });
-  const std::uint32_t left = index + 1;
-  const std::uint32_t right = left + node_count(half);
-  node.first = left;
-  node.second = right;
-  const auto build_left = [&] { build(left, first, half); };
-  const auto build_right = [&] { build(right, first + half, count - half); };
-  if (count > 1024) {
-    tbb::parallel_invoke(build_left, build_right);
-  } else {
-    build_left();
-    build_right();
+  if (spheres.empty()) return;
+  nodes_.resize(node_count(static_cast<std::uint32_t>(spheres.size())));
+  Builder(spheres, nodes_).build();
+  indices_.reserve(spheres.size());
+  centers_.reserve(spheres.size());
+  radii_.reserve(spheres.size());
+  for (const Builder::Sphere& s : spheres) {
+    indices_.push_back(s.index);
+    centers_.push_back(s.center);
+    radii_.push_back(s.radius);
   }
 }
 

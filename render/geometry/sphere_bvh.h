@@ -46,8 +46,7 @@ class SphereBvh {
     std::uint32_t second = 0;  // the other child
     std::uint32_t count = 0;   // of spheres in a leaf, 0 otherwise
   };
-  void build(std::uint32_t node, std::uint32_t first, std::uint32_t count);
-  void fit(Node& node, std::uint32_t first, std::uint32_t count) const;
+  class Builder;
 
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> indices_;

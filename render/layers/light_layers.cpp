@@ -99,19 +99,18 @@ glm::vec3 rgb(const std::vector<float>& values, std::size_t at) {
   return {values[at], values[at + 1], values[at + 2]};
 }
 
-// The parts of a frame: airlight, and what surfaces send and is behind all, through the medium.
+// The parts of a frame: airlight; what surfaces send and what is behind all, through the medium.
 struct FrameParts {
   const Frame& frame;
 
   [[nodiscard]] glm::vec3 airlight(std::size_t pixel) const {
     return rgb(frame.airlight, 3 * pixel);
   }
-  [[nodiscard]] glm::vec3 behind(std::size_t pixel) const {
-    return rgb(frame.beauty, 4 * pixel) - airlight(pixel);
+  [[nodiscard]] glm::vec3 surfaces(std::size_t pixel) const {
+    return rgb(frame.beauty, 4 * pixel) - airlight(pixel) - background(pixel);
   }
-  // At the pixel's center. Of a filtered pixel, a surface may cover another part of it.
-  [[nodiscard]] bool has_surface(std::size_t pixel) const {
-    return std::isfinite(frame.depth[pixel]);
+  [[nodiscard]] glm::vec3 background(std::size_t pixel) const {
+    return frame.background.empty() ? glm::vec3(0.0f) : rgb(frame.background, 3 * pixel);
   }
 };
 
@@ -123,14 +122,14 @@ void write_source(const std::string& name, const Frame& frame, ImageLayers& imag
   if (name == "environment") background.emplace(image, "background");
   for (std::size_t i = 0; i < frame.depth.size(); ++i) {
     airlight.set(i, parts.airlight(i));
-    const bool is_background = background && !parts.has_surface(i);
-    (is_background ? *background : surface).set(i, parts.behind(i));
+    surface.set(i, parts.surfaces(i));
+    if (background) background->set(i, parts.background(i));
   }
 }
 
-// With an environment, what is behind the fog at open pixels is its picture, in no layer of orders.
-void write_orders(const Frame& all, const Frame& single, bool has_environment,
-                  const OutputLayers& layers, ImageLayers& image) {
+// What is behind all is in no layer of orders.
+void write_orders(const Frame& all, const Frame& single, const OutputLayers& layers,
+                  ImageLayers& image) {
   const FrameParts once{single};
   const FrameParts any{all};
   const auto write = [&](const std::string& name, auto value) {
@@ -138,9 +137,7 @@ void write_orders(const Frame& all, const Frame& single, bool has_environment,
     const LayerChannels surface(image, "surface." + name);
     for (std::size_t i = 0; i < all.depth.size(); ++i) {
       airlight.set(i, value(once.airlight(i), any.airlight(i)));
-      if (!has_environment || any.has_surface(i)) {
-        surface.set(i, value(once.behind(i), any.behind(i)));
-      }
+      surface.set(i, value(once.surfaces(i), any.surfaces(i)));
     }
   };
   if (layers.direct)
@@ -154,28 +151,33 @@ void write_orders(const Frame& all, const Frame& single, bool has_environment,
 class FrameSum {
  public:
   explicit FrameSum(const Frame& frame)
-      : beauty_(frame.beauty.size()), airlight_(frame.airlight.size()) {}
+      : beauty_(frame.beauty.size()),
+        airlight_(frame.airlight.size()),
+        background_(frame.airlight.size()) {}
   void add(const Frame& frame) {
     for (std::size_t i = 0; i < beauty_.size(); ++i) {
       beauty_[i] += static_cast<double>(frame.beauty[i]);
     }
     for (std::size_t i = 0; i < airlight_.size(); ++i) {
       airlight_[i] += static_cast<double>(frame.airlight[i]);
+      background_[i] += static_cast<double>(frame.background[i]);
     }
   }
   // A and the transmittance are of one of them.
   void replace(const Frame& one, Frame& frame) const {
+    frame.background.resize(background_.size());
     frame.transmittance = one.transmittance;
     for (std::size_t i = 0; i < beauty_.size(); ++i) {
       frame.beauty[i] = i % 4 == 3 ? one.beauty[i] : finite(static_cast<float>(beauty_[i]));
     }
     for (std::size_t i = 0; i < airlight_.size(); ++i) {
       frame.airlight[i] = finite(static_cast<float>(airlight_[i]));
+      frame.background[i] = finite(static_cast<float>(background_[i]));
     }
   }
 
  private:
-  std::vector<double> beauty_, airlight_;
+  std::vector<double> beauty_, airlight_, background_;
 };
 
 bool wants_sources(const OutputLayers& layers) {
@@ -219,6 +221,7 @@ bool add_light_layers(const RenderLit& render_lit, const Scene& scene, const Set
                       ImageLayers& image) {
   Settings exact = settings;
   exact.airlight_scale = 1;
+  exact.background_apart = true;
   const std::size_t frames = light_layer_frames(scene, layers);
   std::size_t done = 0;
   const auto as_it_is = [](Scene&) {};
@@ -240,18 +243,19 @@ bool add_light_layers(const RenderLit& render_lit, const Scene& scene, const Set
       if (source.is_written) write_source(source.name, *alone, image);
     }
     if (alone) sum.replace(*alone, frame);
-  } else if (wants_orders(layers) && settings.airlight_scale > 1) {
+  } else if (wants_orders(layers)) {
     std::optional<Frame> whole = render(as_it_is, exact);
     if (!whole) return false;
     frame.beauty = std::move(whole->beauty);
     frame.airlight = std::move(whole->airlight);
     frame.transmittance = std::move(whole->transmittance);
+    frame.background = std::move(whole->background);
   }
   if (wants_orders(layers)) {
     exact.scattering = Scattering::single;
     const std::optional<Frame> single = render(as_it_is, exact);
     if (!single) return false;
-    write_orders(frame, *single, is_lit_by_environment(scene), layers, image);
+    write_orders(frame, *single, layers, image);
   }
   return true;
 }

@@ -74,6 +74,11 @@ void copy_channels(const AlbedoGroup& group, const Frame& group_frame, Frame& fr
       frame.beauty[4 * i + c] = albedo * airlight + surface;
     }
   }
+  for (std::size_t i = 0; i < group_frame.background.size() / 3; ++i) {
+    for (const std::size_t c : group.channels) {
+      frame.background[3 * i + c] = group_frame.background[3 * i + c];
+    }
+  }
   for (std::size_t i = 0; i < group_frame.airlight_at_centers.size() / 3; ++i) {
     for (const std::size_t c : group.channels) {
       frame.airlight_at_centers[3 * i + c] = albedo * group_frame.airlight_at_centers[3 * i + c];

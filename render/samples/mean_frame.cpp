@@ -33,6 +33,7 @@ std::optional<Frame> mean_frame(Frame center, int count, const Job& job, const R
       mean->beauty.resize(frame->beauty.size());
       mean->airlight.resize(frame->airlight.size());
       mean->transmittance.resize(frame->transmittance.size());
+      mean->background.resize(frame->background.size());
       mean->statistics = frame->statistics;
     } else {
       add_cost(frame->statistics, mean->statistics);
@@ -42,6 +43,7 @@ std::optional<Frame> mean_frame(Frame center, int count, const Job& job, const R
     add(frame->beauty, weight, mean->beauty);
     add(frame->airlight, weight, mean->airlight);
     add(frame->transmittance, weight, mean->transmittance);
+    add(frame->background, weight, mean->background);
   }
   if (!mean) return center;
   if (auto& noise = mean->statistics.path_noise) {

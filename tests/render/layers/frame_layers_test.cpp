@@ -174,6 +174,32 @@ TEST(LightLayers, OrdersAddUpToThePicture) {
   EXPECT_GT(background, 0.0);
 }
 
+// Filtered pixels: what covers a part of one counts as a surface, whatever its centre shows.
+TEST(LightLayers, PixelsShowSurfacesBesideTheBackground) {
+  Scene scene = lit_scene();
+  scene.medium = {};
+  scene.film = {32, 24};
+  Settings settings = quick(Scattering::single);
+  settings.samples = matte_samples;
+  OutputLayers layers;
+  layers.lights = layers.environment = layers.direct = layers.objects = true;
+  const Layered made = layered(scene, settings, layers);
+  expect_sum(made, {"surface.key", "surface.Fill_light", "surface.environment", "background"});
+  expect_sum(made, {"surface.direct", "background"});
+  const auto& coverage = made.image.channels.at("CryptoObject00.G");
+  int open_edges = 0;
+  for (std::size_t i = 0; i < coverage.size(); ++i) {
+    const double background = sum_of(made.image, {"background"}, i, 0);
+    // One sample: where no other pixel beside shows the edge, it is not looked for.
+    const double expected = 0.5 * (1.0 - static_cast<double>(coverage[i]));
+    EXPECT_NEAR(background, expected, 0.51 / matte_samples) << i;
+    if (coverage[i] < 0.2f || std::isfinite(made.frame.depth[i])) continue;
+    ++open_edges;
+    EXPECT_GT(sum_of(made.image, {"surface.environment"}, i, 0), 0.0);
+  }
+  EXPECT_GT(open_edges, 3);
+}
+
 TEST(LightLayers, NamesAreUniqueAndPlain) {
   std::vector<Light> lights(7);
   lights[0].name = "key";
