@@ -21,14 +21,14 @@ QString text(const char* source) {
 BackgroundJob::Work simplifying(Document& document, double max_error,
                                 const std::function<void(const QString&)>& tell) {
   const std::vector<GaussianId> ids = to_simplify(document);
-  std::vector<Gaussian> gaussians;
-  gaussians.reserve(ids.size());
+  Medium chosen;
+  chosen.reserve(ids.size());
   for (const GaussianId id : ids) {
-    gaussians.push_back(document.medium().gaussian(*document.medium().index_of(id)));
+    chosen.append(document.medium().gaussian(*document.medium().index_of(id)));
   }
   const Revision revision = document.medium().revision();
   return [=, &document](const Job& job) -> BackgroundJob::Apply {
-    const auto found = simplify(gaussians, max_error, job.stop, job.progress);
+    const auto found = simplify(chosen, {max_error}, job.stop, job.progress);
     if (!found) return {};
     return [=, &document, found = *found] {
       if (document.medium().revision() != revision) {

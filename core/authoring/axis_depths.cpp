@@ -18,16 +18,16 @@ std::size_t index(int column, int row) {
 
 }  // namespace
 
-AxisDepths::AxisDepths(std::span<const Gaussian> gaussians) {
+AxisDepths::AxisDepths(const Medium& medium) {
   low_ = glm::dvec3(std::numeric_limits<double>::infinity());
   glm::dvec3 high(-std::numeric_limits<double>::infinity());
-  for (const Gaussian& g : gaussians) {
-    low_ = glm::min(low_, g.center - g.radius);
-    high = glm::max(high, g.center + g.radius);
+  for (std::size_t i = 0; i < medium.size(); ++i) {
+    low_ = glm::min(low_, medium.centers()[i] - medium.radii()[i]);
+    high = glm::max(high, medium.centers()[i] + medium.radii()[i]);
   }
   size_ = glm::max(high - low_, 1e-300) / double{cells};
   for (auto& image : depths_) image.assign(std::size_t{cells} * cells, 0.0);
-  for (const Gaussian& g : gaussians) add(g);
+  for (std::size_t i = 0; i < medium.size(); ++i) add(medium.gaussian(i));
 }
 
 double AxisDepths::least(const glm::dvec3& x) const {

@@ -2,10 +2,9 @@
 
 #include <array>
 #include <glm/vec3.hpp>
-#include <span>
 #include <vector>
 
-#include "brume/gaussian.h"
+#include "brume/medium.h"
 
 namespace brume {
 
@@ -13,7 +12,7 @@ namespace brume {
 // their bounds.
 class AxisDepths {
  public:
-  explicit AxisDepths(std::span<const Gaussian> gaussians);
+  explicit AxisDepths(const Medium& medium);
 
   // One more of them, or less. Outside of the bounds of the first ones it counts at their border.
   void add(const Gaussian& gaussian) { add(gaussian, 1.0); }

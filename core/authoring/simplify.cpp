@@ -68,19 +68,20 @@ struct Part {
 
 class Simplification {
  public:
-  Simplification(std::span<const Gaussian> gaussians, double max_error, const AxisDepths& depths,
+  Simplification(const Medium& medium, const SimplifyLimits& limits, const AxisDepths& depths,
                  const std::stop_token& stop, const std::function<void(double)>& progress)
-      : gaussians_(gaussians),
-        allowed_(max_error * max_error),
+      : medium_(medium),
+        across_groups_(limits.across_groups),
+        allowed_(limits.max_error * limits.max_error),
         stop_(stop),
         progress_(progress),
         depths_(depths),
-        order_(gaussians.size()) {
+        order_(medium.size()) {
     std::iota(order_.begin(), order_.end(), 0u);
   }
 
   double estimated_share() {
-    if (gaussians_.empty()) return 1.0;
+    if (medium_.empty()) return 1.0;
     std::size_t sampled = 0;
     std::size_t left = 0;
     // Of four boxes in different places of the tree; a bit for each way.
@@ -99,14 +100,15 @@ class Simplification {
 
   std::optional<Simplified> run() {
     Simplified result;
-    if (gaussians_.empty()) return result;
+    if (medium_.empty()) return result;
     const std::vector<Part> parts = merged(order_);
     if (stop_.stop_requested()) return std::nullopt;
     double squared_errors = 0.0;
     double squares = 0.0;
     for (const Part& part : parts) {
       if (part.is_merged()) {
-        Gaussian& g = result.merged.emplace_back(gaussians_[part.members[0]]);
+        Gaussian& g = result.merged.emplace_back(medium_.gaussian(part.members[0]));
+        if (across_groups_) g.group = 0;
         g.center = part.ball.center;
         g.radius = part.ball.radius;
         g.density = part.ball.density();
@@ -134,14 +136,15 @@ class Simplification {
   }
 
   [[nodiscard]] bool may_merge(const Part& a, const Part& b) const {
-    const Gaussian& first = gaussians_[a.members[0]];
-    const Gaussian& second = gaussians_[b.members[0]];
-    return first.group == second.group && first.optics == second.optics;
+    const std::uint32_t first = a.members[0];
+    const std::uint32_t second = b.members[0];
+    if (!across_groups_ && medium_.group(first) != medium_.group(second)) return false;
+    return medium_.optics(first) == medium_.optics(second);
   }
 
   // Of a box of Gaussians, halved along its longest side.
   std::vector<Part> merged(std::span<std::uint32_t> order) {
-    if (order.size() == 1) return {{Ball(gaussians_[order[0]]), 0.0, order}};
+    if (order.size() == 1) return {{Ball(medium_.gaussian(order[0])), 0.0, order}};
     if (stop_.stop_requested()) return {};
     const std::size_t half = order.size() / 2;
     split(order, half);
@@ -166,7 +169,7 @@ class Simplification {
     parts.insert(parts.end(), others.begin(), others.end());
     if (progress_ && order.size() >= parallel_size / 2 && order.size() < parallel_size) {
       done_ += order.size();
-      progress_(static_cast<double>(done_) / static_cast<double>(gaussians_.size()));
+      progress_(static_cast<double>(done_) / static_cast<double>(medium_.size()));
     }
     return parts;
   }
@@ -174,21 +177,23 @@ class Simplification {
   void split(std::span<std::uint32_t> order, std::size_t half) const {
     glm::dvec3 low(std::numeric_limits<double>::infinity());
     glm::dvec3 high(-std::numeric_limits<double>::infinity());
+    const std::span<const glm::dvec3> centers = medium_.centers();
     for (const std::uint32_t i : order) {
-      low = glm::min(low, gaussians_[i].center);
-      high = glm::max(high, gaussians_[i].center);
+      low = glm::min(low, centers[i]);
+      high = glm::max(high, centers[i]);
     }
     const glm::dvec3 size = high - low;
     const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
     std::nth_element(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(half), order.end(),
                      [&](std::uint32_t a, std::uint32_t b) {
-                       const double x = gaussians_[a].center[axis];
-                       const double y = gaussians_[b].center[axis];
+                       const double x = centers[a][axis];
+                       const double y = centers[b][axis];
                        return x != y ? x < y : a < b;
                      });
   }
 
-  std::span<const Gaussian> gaussians_;
+  const Medium& medium_;
+  bool across_groups_;
   double allowed_;
   const std::stop_token& stop_;
   const std::function<void(double)>& progress_;
@@ -199,31 +204,31 @@ class Simplification {
 
 }  // namespace
 
-std::vector<Gaussian> Simplified::of(std::span<const Gaussian> gaussians) const {
+std::vector<Gaussian> Simplified::of(const Medium& medium) const {
   std::vector<Gaussian> all;
   all.reserve(kept.size() + merged.size());
-  for (const std::uint32_t i : kept) all.push_back(gaussians[i]);
+  for (const std::uint32_t i : kept) all.push_back(medium.gaussian(i));
   all.insert(all.end(), merged.begin(), merged.end());
   return all;
 }
 
-std::optional<Simplified> simplify(std::span<const Gaussian> gaussians, double max_error,
+std::optional<Simplified> simplify(const Medium& medium, const SimplifyLimits& limits,
                                    const std::stop_token& stop,
                                    const std::function<void(double)>& progress) {
-  return simplify(gaussians, max_error, AxisDepths(gaussians), stop, progress);
+  return simplify(medium, limits, AxisDepths(medium), stop, progress);
 }
 
-std::optional<Simplified> simplify(std::span<const Gaussian> gaussians, double max_error,
+std::optional<Simplified> simplify(const Medium& medium, const SimplifyLimits& limits,
                                    const AxisDepths& depths, const std::stop_token& stop,
                                    const std::function<void(double)>& progress) {
-  return Simplification(gaussians, max_error, depths, stop, progress).run();
+  return Simplification(medium, limits, depths, stop, progress).run();
 }
 
-double estimated_share(std::span<const Gaussian> gaussians, double max_error,
+double estimated_share(const Medium& medium, const SimplifyLimits& limits,
                        const AxisDepths& depths) {
   const std::stop_token stop;
   const std::function<void(double)> progress;
-  return Simplification(gaussians, max_error, depths, stop, progress).estimated_share();
+  return Simplification(medium, limits, depths, stop, progress).estimated_share();
 }
 
 }  // namespace brume

@@ -7,7 +7,6 @@
 #include <stop_token>
 #include <vector>
 
-#include "brume/gaussian.h"
 #include "core/authoring/axis_depths.h"
 
 namespace brume {
@@ -28,26 +27,31 @@ struct Simplified {
     return std::span(members).subspan(first, member_ends[k] - first);
   }
   // All that are left.
-  [[nodiscard]] std::vector<Gaussian> of(std::span<const Gaussian> gaussians) const;
+  [[nodiscard]] std::vector<Gaussian> of(const Medium& medium) const;
 };
 
-// Merges neighbouring Gaussians of one group and equal optics: two become one of the same mass,
+struct SimplifyLimits {
+  double max_error = 0.0;      // in (0, 1]
+  bool across_groups = false;  // what is merged of several is in none
+};
+
+// Merges neighbouring Gaussians of equal optics, and of one group: two become one of the same mass,
 // mean and variance. The error that each merge adds is known in closed form (the squared difference
 // of the lines' optical depths, integrated over all lines), and merges go on where the sum of
-// errors on a line stays within max_error, in (0, 1], of its depth: many small Gaussians that
+// errors on a line stays within max_error of its depth: many small Gaussians that
 // overlap become few, one that stands alone stays. O(n log n), in parallel; the result is the same
 // whatever the threads. nullopt: stopped.
-std::optional<Simplified> simplify(std::span<const Gaussian> gaussians, double max_error,
+std::optional<Simplified> simplify(const Medium& medium, const SimplifyLimits& limits,
                                    const std::stop_token& stop = {},
                                    const std::function<void(double)>& progress = {});
 
 // The same for some of many Gaussians, whose depths these are.
-std::optional<Simplified> simplify(std::span<const Gaussian> gaussians, double max_error,
+std::optional<Simplified> simplify(const Medium& medium, const SimplifyLimits& limits,
                                    const AxisDepths& depths, const std::stop_token& stop = {},
                                    const std::function<void(double)>& progress = {});
 
 // The share of the Gaussians that simplify() would leave, from samples of them: to a tenth or so.
-double estimated_share(std::span<const Gaussian> gaussians, double max_error,
+double estimated_share(const Medium& medium, const SimplifyLimits& limits,
                        const AxisDepths& depths);
 
 }  // namespace brume

@@ -84,6 +84,9 @@ class Comparison {
 };
 
 // Groups are the editor's, and nothing to frames.
+SimplifyLimits in_frames(const MergedMedium::Limits& limits) {
+  return {limits.error, true};
+}
 Gaussian without_group(Gaussian gaussian) {
   gaussian.group = 0;
   return gaussian;
@@ -121,22 +124,17 @@ bool MergedMedium::merge(const Medium& medium, const Limits& limits, const std::
   const std::size_t count = medium.ids().back() + 1 - first_id_;
   is_changed_.resize(count);
   if (!is_known || decision_.merges) {
-    std::vector<Gaussian> gaussians;
-    gaussians.reserve(medium.size());
-    for (std::size_t i = 0; i < medium.size(); ++i) {
-      gaussians.push_back(without_group(medium.gaussian(i)));
-    }
-    depths_.emplace(gaussians);
+    depths_.emplace(medium);
     if (!is_known) {
       constexpr int decided_media = 16;
-      const double share = estimated_share(gaussians, limits.error, *depths_);
+      const double share = estimated_share(medium, in_frames(limits), *depths_);
       decision_ = {limits, medium.size(), decided_media, share <= limits.share};
     }
     if (decision_.merges) {
-      const auto simplified = simplify(gaussians, limits.error, *depths_, stop);
+      const auto simplified = simplify(medium, in_frames(limits), *depths_, stop);
       if (!simplified) return false;
       part_of_.resize(count);
-      append(*simplified, gaussians, medium.ids());
+      append(*simplified, medium, medium.ids());
       is_merged_ = true;
     }
   }
@@ -176,24 +174,22 @@ bool MergedMedium::follow(const Medium& medium, const Limits& limits, const std:
     }
     std::ranges::sort(ids);
     ids.erase(std::ranges::unique(ids).begin(), ids.end());
-    std::vector<Gaussian> gaussians;
-    gaussians.reserve(ids.size());
-    for (const GaussianId id : ids) {
-      gaussians.push_back(without_group(medium.gaussian(*medium.index_of(id))));
-    }
+    Medium some;
+    some.reserve(ids.size());
+    for (const GaussianId id : ids) some.append(medium.gaussian(*medium.index_of(id)));
     const auto exchange = [this](const Medium& from, const std::vector<std::uint32_t>& less,
                                  const Medium& to, const std::vector<std::uint32_t>& more) {
       for (const std::uint32_t i : less) depths_->remove(from.gaussian(i));
       for (const std::uint32_t i : more) depths_->add(to.gaussian(i));
     };
     exchange(source_, change.gone(), medium, change.more());
-    const auto simplified = simplify(gaussians, limits.error, *depths_, stop);
+    const auto simplified = simplify(some, in_frames(limits), *depths_, stop);
     if (!simplified) {
       exchange(medium, change.more(), source_, change.gone());
       return false;
     }
     remove_parts(touched);
-    append(*simplified, gaussians, ids);
+    append(*simplified, some, ids);
   }
   source_ = medium;
   assemble();
@@ -211,7 +207,7 @@ void MergedMedium::remove_parts(std::span<const std::uint32_t> places) {
   }
 }
 
-void MergedMedium::append(const Simplified& simplified, std::span<const Gaussian> gaussians,
+void MergedMedium::append(const Simplified& simplified, const Medium& medium,
                           std::span<const GaussianId> ids) {
   const auto add = [&](const Gaussian& gaussian, std::span<const std::uint32_t> members) {
     Part& part = parts_.emplace_back(Part{gaussian, {}});
@@ -221,7 +217,7 @@ void MergedMedium::append(const Simplified& simplified, std::span<const Gaussian
       part_of(ids[i]) = static_cast<std::uint32_t>(parts_.size() - 1);
     }
   };
-  for (const std::uint32_t i : simplified.kept) add(gaussians[i], {&i, 1});
+  for (const std::uint32_t i : simplified.kept) add(without_group(medium.gaussian(i)), {&i, 1});
   for (std::size_t k = 0; k < simplified.merged.size(); ++k) {
     add(simplified.merged[k], simplified.members_of(k));
   }

@@ -48,8 +48,7 @@ class MergedMedium {
   bool merge(const Medium& medium, const Limits& limits, const std::stop_token& stop);
   // What differs from source_; false, and nothing done, if there is too much, or if stopped.
   bool follow(const Medium& medium, const Limits& limits, const std::stop_token& stop);
-  void append(const Simplified& simplified, std::span<const Gaussian> gaussians,
-              std::span<const GaussianId> ids);
+  void append(const Simplified& simplified, const Medium& medium, std::span<const GaussianId> ids);
   void remove_parts(std::span<const std::uint32_t> places);
   [[nodiscard]] std::uint32_t& part_of(GaussianId id) { return part_of_[id - first_id_]; }
   void assemble();

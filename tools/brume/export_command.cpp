@@ -114,14 +114,12 @@ class ExportCommand final : public Command {
   // As few Gaussians as --simplify asks for.
   [[nodiscard]] Medium simplified(const Medium& medium) const {
     if (!(simplify_ > 0.0)) return medium;
-    std::vector<Gaussian> gaussians;
-    for (std::size_t i = 0; i < medium.size(); ++i) gaussians.push_back(medium.gaussian(i));
     const ProgressLine line("simplifying");
     const Simplified less =
-        finished(brume::simplify(gaussians, simplify_, interruption(), line.progress()));
-    const std::vector<Gaussian> left = less.of(gaussians);
-    print_note(std::to_string(gaussians.size()) + " Gaussians became " +
-               std::to_string(left.size()) + ", with an error of " + quoted_text(less.error));
+        finished(brume::simplify(medium, {simplify_}, interruption(), line.progress()));
+    const std::vector<Gaussian> left = less.of(medium);
+    print_note(std::to_string(medium.size()) + " Gaussians became " + std::to_string(left.size()) +
+               ", with an error of " + quoted_text(less.error));
     Medium result;
     result.set_homogeneous_density(medium.homogeneous_density());
     for (const Gaussian& gaussian : left) result.append(gaussian);

@@ -9,12 +9,18 @@
 namespace brume {
 namespace {
 
+Medium medium_of(const std::vector<Gaussian>& gaussians) {
+  Medium medium;
+  for (const Gaussian& gaussian : gaussians) medium.append(gaussian);
+  return medium;
+}
+
 TEST(Simplify, ErrorsAreAsEstimated) {
   std::size_t last = 3001;
   for (const double max_error : {0.01, 0.03, 0.1}) {
     const std::vector<Gaussian> bank = fog_bank(3000, 0.8, 5);
-    const Simplified less = *simplify(bank, max_error);
-    const std::vector<Gaussian> left = less.of(bank);
+    const Simplified less = *simplify(medium_of(bank), {max_error});
+    const std::vector<Gaussian> left = less.of(medium_of(bank));
     SCOPED_TRACE(testing::Message() << max_error << ": " << left.size());
     EXPECT_LT(left.size(), last);
     last = left.size();
@@ -31,11 +37,11 @@ TEST(Simplify, ErrorsAreAsEstimated) {
 TEST(Simplify, KeepsWhatStandsAlone) {
   std::vector<Gaussian> gaussians;
   for (int i = 0; i < 8; ++i) gaussians.push_back({{10.0 * i, 0.0, 0.0}, 1.0, 0.5});
-  const Simplified same = *simplify(gaussians, 0.1);
+  const Simplified same = *simplify(medium_of(gaussians), {0.1});
   EXPECT_TRUE(same.merged.empty());
-  EXPECT_EQ(same.of(gaussians), gaussians);
+  EXPECT_EQ(same.of(medium_of(gaussians)), gaussians);
   gaussians.push_back({{0.0, 0.0, 0.0}, 1.0, 0.25});
-  const Simplified less = *simplify(gaussians, 1e-3);
+  const Simplified less = *simplify(medium_of(gaussians), {1e-3});
   EXPECT_EQ(less.kept, (std::vector<std::uint32_t>{1, 2, 3, 4, 5, 6, 7}));
   ASSERT_EQ(less.merged.size(), 1u);
   EXPECT_NEAR(less.merged[0].density, 0.75, 1e-12);
@@ -51,29 +57,32 @@ TEST(Simplify, MergesOnlyWhatIsAlike) {
   Gaussian dark = plain;
   dark.optics.albedo = glm::dvec3(0.5);
   for (const Gaussian& other : {grouped, glowing, dark}) {
-    EXPECT_EQ(simplify(std::vector{plain, other}, 1.0)->kept.size(), 2u);
-    const Simplified same = *simplify(std::vector{other, other}, 0.01);
+    EXPECT_EQ(simplify(medium_of({plain, other}), {1.0})->kept.size(), 2u);
+    const Simplified same = *simplify(medium_of({other, other}), {0.01});
     ASSERT_EQ(same.merged.size(), 1u);
     EXPECT_EQ(same.merged[0].optics, other.optics);
     EXPECT_EQ(same.merged[0].group, other.group);
   }
+  const Simplified across = *simplify(medium_of({plain, grouped}), {0.01, true});
+  ASSERT_EQ(across.merged.size(), 1u);
+  EXPECT_EQ(across.merged[0].group, 0u);
 }
 
 TEST(Simplify, NothingOfNothing) {
-  EXPECT_TRUE(simplify({}, 0.1)->of({}).empty());
+  EXPECT_TRUE(simplify({}, {0.1})->of({}).empty());
   std::vector<Gaussian> empty(5, Gaussian{{1, 2, 3}, 0.5, 0.0});
-  const Simplified less = *simplify(empty, 0.1);
-  EXPECT_EQ(mass_of(less.of(empty)), 0.0);
+  const Simplified less = *simplify(medium_of(empty), {0.1});
+  EXPECT_EQ(mass_of(less.of(medium_of(empty))), 0.0);
   EXPECT_EQ(less.error, 0.0);
   // Far apart, and of sizes that differ much.
   const std::vector<Gaussian> far{
       {{-1e9, 0, 0}, 1e-6, 1.0}, {{1e9, 0, 0}, 1e6, 1e-6}, {{0, 0, 0}, 1, 1}};
-  for (const Gaussian& g : simplify(far, 0.5)->of(far)) {
+  for (const Gaussian& g : simplify(medium_of(far), {0.5})->of(medium_of(far))) {
     EXPECT_TRUE(std::isfinite(g.radius) && std::isfinite(g.density) && g.radius > 0.0);
   }
   std::stop_source stop;
   stop.request_stop();
-  EXPECT_FALSE(simplify(empty, 0.1, stop.get_token()));
+  EXPECT_FALSE(simplify(medium_of(empty), {0.1}, stop.get_token()));
 }
 
 }  // namespace
