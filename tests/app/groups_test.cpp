@@ -1,8 +1,6 @@
-// Groups of Gaussians: made, nested, renamed, hidden and locked in the outliner, painted into, and
-// changed by factors with keyframes.
+// Groups of Gaussians: made, nested, renamed, hidden and locked in the outliner, painted into.
 
 #include <QComboBox>
-#include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMimeData>
@@ -16,77 +14,14 @@
 #include "app/commands/edit_medium.h"
 #include "app/commands/select_command.h"
 #include "app/document/document.h"
-#include "app/document/timeline.h"
 #include "app/viewport/viewport.h"
 #include "app/window/message_bar.h"
 #include "brume/at_time.h"
-#include "core/io/scene/scene_file.h"
-#include "core/scene/group_effects.h"
-#include "tests/app/test_window.h"
+#include "tests/app/groups_window.h"
 
 using namespace brume;
 
 namespace {
-
-using Ids = std::vector<GaussianId>;
-
-class GroupsWindow : public TestWindow {
- public:
-  Document& document() { return (*this)->document(); }
-  const Groups& groups() { return document().scene().groups; }
-  QTreeWidget& tree() { return *(*this)->findChild<QTreeWidget*>("outliner_tree"); }
-  // The row of a name, which is followed by a number.
-  QTreeWidgetItem* row(const QString& name) {
-    const auto found = tree().findItems(name + " (", Qt::MatchStartsWith | Qt::MatchRecursive);
-    return found.isEmpty() ? nullptr : found.front();
-  }
-  QPoint position(const QString& name, int column = 0) {
-    QTreeWidgetItem* item = row(name);
-    tree().scrollToItem(item);
-    const int x = tree().columnViewportPosition(column) + tree().columnWidth(column) / 2;
-    return {x, tree().visualItemRect(item).center().y()};
-  }
-  void click(const QString& name, int column = 0) {
-    QTest::mouseClick(tree().viewport(), Qt::LeftButton, {}, position(name, column));
-  }
-  // Chooses from the context menu of a row; "Move into/a" from a menu in it.
-  bool choose(const QString& name, const QString& text) {
-    const QPoint at = position(name);
-    QContextMenuEvent event(QContextMenuEvent::Mouse, at, tree().viewport()->mapToGlobal(at));
-    QApplication::sendEvent(tree().viewport(), &event);
-    auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
-    QMenu* shown = menu;
-    for (const QString& part : text.split('/')) {
-      if (!shown) break;
-      for (QAction* action : shown->actions()) {
-        if (action->text() != part) continue;
-        if (action->menu()) {
-          shown = action->menu();
-          break;
-        }
-        const bool enabled = action->isEnabled();
-        if (enabled) action->trigger();
-        menu->close();
-        return enabled;
-      }
-    }
-    if (menu) menu->close();
-    return false;
-  }
-  // Types a name into the editor that is open.
-  void type_name(const QString& name) {
-    auto* editor = tree().findChild<QLineEdit*>("row_name");
-    QVERIFY(editor);
-    editor->selectAll();
-    QTest::keyClicks(editor, name);
-    QTest::keyClick(editor, Qt::Key_Return);
-  }
-  void group(const Ids& ids) {
-    select_gaussians(document(), ids);
-    key(Qt::Key_G, Qt::ControlModifier);
-  }
-  Medium shown_medium() { return (*this)->viewport().shown_scene()->medium; }
-};
 
 // Drags a row of the outliner onto that of a group, with the events of Qt.
 void drop(GroupsWindow& window, QTreeWidgetItem* row, const QString& onto) {
@@ -103,12 +38,6 @@ void drop(GroupsWindow& window, QTreeWidgetItem* row, const QString& onto) {
   QApplication::sendEvent(tree.viewport(), &event);
   QCoreApplication::processEvents();
 }
-
-// Makes the window of a test be left as it was opened once all is undone.
-#define VERIFY_UNDONE(window, before)            \
-  window.document().undo_stack().setIndex(0);    \
-  QCOMPARE(bytes_of(window.document()), before); \
-  QVERIFY(!window.document().is_modified())
 
 }  // namespace
 
@@ -410,73 +339,6 @@ class GroupsTest : public QObject {
     VERIFY_UNDONE(window, before);
   }
 
-  void factors_and_offsets() {
-    GroupsWindow window;
-    Document& document = window.document();
-    const std::string before = bytes_of(document);
-    QVERIFY(!window->findChild<QLabel*>("group_hint")->isHidden());
-    window.group({1, 2});
-    QVERIFY(window->findChild<QLabel*>("group_hint")->isHidden());
-    window.click("Group");
-    const Medium plain = document.medium();
-    QCOMPARE(value(window, "group_density_factor"), QString("1"));
-    enter(window, "group_density_factor", "2");
-    QCOMPARE(document.undo_stack().undoText(), QString("Set density factor of Group"));
-    enter(window, "group_radius_offset", "0.1");
-    enter(window, "group_albedo_factor_y", "0.5");
-    QCOMPARE(document.medium().revision(), plain.revision());
-    const Medium shown = window.shown_medium();
-    QCOMPARE(shown.densities()[0], 2.0 * plain.densities()[0]);
-    QCOMPARE(shown.radii()[1], plain.radii()[1] + 0.1);
-    QCOMPARE(shown.optics(0).albedo->y, 0.5);
-    QCOMPARE(shown.gaussian(2), plain.gaussian(2));
-    QCOMPARE(shown, evaluate_at(document.scene(), 0.0).medium);
-    enter(window, "group_radius_factor", "0");  // refused
-    QCOMPARE(window.groups()[0].radius_factor, 1.0);
-    // A drag is one step.
-    const int count = document.undo_stack().count();
-    drag_title(window, "group_density_factor", 40);
-    QCOMPARE(document.undo_stack().count(), count + 1);
-    QVERIFY(window.groups()[0].density_factor > 2.0);
-    // What does not change the picture leaves the medium of frames as it is.
-    const Revision revision = window.shown_medium().revision();
-    window.click("Group", 2);
-    rename_group(document, window.groups()[0].id, "steam");
-    QCOMPARE(window.shown_medium().revision(), revision);
-    QVERIFY(window.settle());
-    VERIFY_UNDONE(window, before);
-    QCOMPARE(window.shown_medium(), document.medium());
-  }
-
-  void factors_have_keyframes() {
-    GroupsWindow window;
-    Document& document = window.document();
-    window.group({1});
-    window.click("Group");
-    auto* target = window->findChild<QComboBox*>("key_target");
-    const int index = target->findText("Group density factor");
-    QVERIFY(index >= 0);
-    target->setCurrentIndex(index);
-    window.key(Qt::Key_I);
-    window->timeline().set_frame(30);
-    enter(window, "group_density_factor", "3");
-    window.key(Qt::Key_I);
-    QCOMPARE(window.groups()[0].keys.density_factor.size(), std::size_t{2});
-    const double density = document.medium().densities()[0];
-    QCOMPARE(window.shown_medium().densities()[0], 3.0 * density);
-    window->timeline().set_frame(15);
-    QCOMPARE(window.shown_medium().densities()[0], 2.0 * density);
-    QCOMPARE(value(window, "group_density_factor"), QString("2"));
-    // From then on what is entered is a keyframe.
-    enter(window, "group_density_factor", "5");
-    QCOMPARE(window.groups()[0].keys.density_factor.size(), std::size_t{3});
-    window->timeline().set_frame(0);
-    QCOMPARE(window.shown_medium().densities()[0], density);
-    document.undo_stack().undo();
-    QCOMPARE(window.groups()[0].keys.density_factor.size(), std::size_t{2});
-  }
-
-  // Random sequences of all that is done with groups, among what else is done with Gaussians.
   void any_edit_can_be_undone_and_redone() {
     for (unsigned seed = 1; seed <= 300; ++seed) {
       std::mt19937 random(seed);

@@ -1,7 +1,10 @@
 #include "tests/app/test_window.h"
 
+#include <QAbstractButton>
 #include <QApplication>
+#include <QComboBox>
 #include <QLabel>
+#include <QLineEdit>
 
 #include "app/document/paths.h"
 #include "app/files/scene_files.h"
@@ -26,6 +29,12 @@ Scene small_scene() {
   light.position = {1.0, 2.0, 2.0};
   light.intensity = glm::dvec3(12.0, 10.0, 8.0);
   scene.lights.push_back(light);
+  return scene;
+}
+
+Scene tiny_scene() {
+  Scene scene = small_scene();
+  scene.film = {32, 24};
   return scene;
 }
 
@@ -101,6 +110,26 @@ void enter(TestWindow& window, const char* field, const QString& text) {
   auto* line = window->findChild<ValueField*>(field)->findChild<NumberField*>();
   line->setText(text);
   line->setModified(true);
+  QTest::keyClick(line, Qt::Key_Return);
+}
+
+void click(TestWindow& window, const char* name) {
+  auto* button = window->findChild<QAbstractButton*>(name);
+  QVERIFY2(button && button->isEnabled(), name);
+  button->click();
+}
+
+void choose(TestWindow& window, const char* name, int index) {
+  auto* box = window->findChild<QComboBox*>(name);
+  box->setCurrentIndex(index);
+  Q_EMIT box->activated(index);
+}
+
+void type(TestWindow& window, const char* name, const QString& text) {
+  auto* line = window->findChild<QLineEdit*>(name);
+  line->selectAll();
+  line->setFocus();
+  QTest::keyClicks(line, text);
   QTest::keyClick(line, Qt::Key_Return);
 }
 

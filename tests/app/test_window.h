@@ -26,6 +26,7 @@ namespace brume {
 
 // Five Gaussians well apart on screen, two of them behind each other's plane, and a light.
 Scene small_scene();
+Scene tiny_scene();  // the same in 32 x 24 pixels
 
 // A main window that shows a scene from a file, active and with its first full frame.
 //
@@ -64,6 +65,10 @@ std::string bytes_of(const Document& document);
 
 // Types into a ValueField, by name; its text.
 void enter(TestWindow& window, const char* field, const QString& text);
+// Of widgets with a name: presses a button, chooses from a box, types into a line.
+void click(TestWindow& window, const char* button);
+void choose(TestWindow& window, const char* box, int index);
+void type(TestWindow& window, const char* line, const QString& text);
 QString value(TestWindow& window, const char* field);
 // Drags a ValueField's title by some pixels, in steps.
 void drag_title(TestWindow& window, const char* field, int pixels);

@@ -1,0 +1,158 @@
+// Named cameras, their lens, and how views show and follow them.
+
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPushButton>
+
+#include "app/view/camera_outline.h"
+#include "app/viewport/camera_frame.h"
+#include "app/viewport/viewport.h"
+#include "core/scene/camera_rays.h"
+#include "core/scene/cameras.h"
+#include "tests/app/test_window.h"
+
+using namespace brume;
+
+namespace {
+
+QStringList cameras(TestWindow& window) {
+  QStringList names;
+  auto* list = window->findChild<QListWidget*>("cameras");
+  for (int k = 0; k < list->count(); ++k) names << list->item(k)->text();
+  return names;
+}
+
+QString used(TestWindow& window) {
+  return QString::fromStdString(window->document().scene().camera_name);
+}
+
+}  // namespace
+
+class CamerasTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void cameras_are_named_used_and_deleted() {
+    TestWindow window(tiny_scene());
+    const Scene before = window->document().scene();
+    Viewport& view = window->viewport();
+    window.drag({300, 300}, {380, 320}, Qt::MiddleButton);
+    const Camera seen = view.camera();
+    QVERIFY(seen != before.camera);
+    click(window, "add_camera");
+    QCOMPARE(cameras(window), (QStringList{"Camera", "Camera 2"}));
+    QCOMPARE(used(window), "Camera 2");
+    QVERIFY(window->document().scene().camera == seen);
+
+    auto* list = window->findChild<QListWidget*>("cameras");
+    list->editItem(list->item(1));
+    auto* editor = list->findChild<QLineEdit*>();
+    QVERIFY(editor);
+    editor->setText("Close up");
+    QTest::keyClick(editor, Qt::Key_Return);
+    QTRY_COMPARE(used(window), "Close up");
+    QCOMPARE(cameras(window), (QStringList{"Camera", "Close up"}));
+
+    QTest::mouseClick(list->viewport(), Qt::LeftButton, {},
+                      list->visualItemRect(list->item(0)).center());
+    QCOMPARE(used(window), "Camera");
+    QVERIFY(window->document().scene().camera == before.camera);
+    click(window, "delete_camera");
+    QCOMPARE(used(window), "Close up");
+    QVERIFY(!window->findChild<QPushButton*>("delete_camera")->isEnabled());
+    QVERIFY(window->document().scene().camera == seen);
+    while (window->document().undo_stack().canUndo()) window->document().undo_stack().undo();
+    QVERIFY(window->document().scene() == before);
+  }
+
+  void focal_length_and_field_of_view_are_one() {
+    TestWindow window(tiny_scene());
+    enter(window, "focal_length", "50");
+    const double fov = window->document().scene().camera.vertical_fov;
+    QVERIFY(std::abs(fov - vertical_fov(50.0, {32, 24})) < 1e-9);
+    enter(window, "camera_fov", "90");
+    QCOMPARE(value(window, "focal_length"), "13.5");  // 0.5 * 36 * 24 / 32
+    const int steps = window->document().undo_stack().count();
+    drag_title(window, "camera_fov", 30);
+    QCOMPARE(window->document().undo_stack().count(), steps + 1);
+    enter(window, "camera_target_z", "6");  // where the eye is: refused
+    QVERIFY(window->document().scene().camera.target == glm::dvec3(0.0));
+  }
+
+  void the_frame_of_the_camera_fits_into_the_view() {
+    TestWindow window(tiny_scene());
+    Viewport& view = window->viewport();
+    CameraFrame& frame = view.camera_frame();
+    QVERIFY(!frame.isVisible());
+    window.key(Qt::Key_0);
+    QVERIFY(frame.isVisible());
+    const auto frame_is_right = [&] {
+      const QRectF rect = *view.camera_controller().frame();
+      const Film film = window->document().scene().film;
+      // A point seen at a corner of the film is drawn at that corner of the frame.
+      const CameraRays rays(view.camera(), film);
+      const glm::dvec3 at = view.rays().project(rays.eye() + 3.0 * rays.direction(0.0, 0.0));
+      return QRectF(view.rect()).contains(rect) &&
+             QLineF(rect.topLeft(), QPointF(at.x, at.y)).length() < 1e-6 &&
+             std::abs(rect.width() / rect.height() -
+                      static_cast<double>(film.width) / film.height) < 1e-9;
+    };
+    QVERIFY(frame_is_right());
+    enter(window, "film_width", "200");  // wider than the view
+    QVERIFY(frame_is_right());
+    QVERIFY(window.settle());
+    QVERIFY(view.frames().shown()->request.camera == view.shown_camera());
+    enter(window, "film_height", "900");  // upright
+    QVERIFY(frame_is_right());
+    // Outside the frame the picture is dark.
+    QVERIFY(window.settle());
+    click(window, "view.camera_frame_box");
+    QVERIFY(!frame.isVisible());
+    QVERIFY(view.shown_camera() == view.camera());
+    click(window, "view.camera_frame_box");
+    QVERIFY(frame.isVisible());
+    window.drag({300, 300}, {340, 300}, Qt::MiddleButton);  // leaves the camera
+    QVERIFY(!frame.isVisible());
+    QVERIFY(view.camera() != window->document().scene().camera);
+  }
+
+  void other_views_see_the_camera() {
+    const Camera camera{{0, 0, 4}, {0, 0, 0}, {0, 1, 0}, 90.0};
+    const CameraRays from_above({{0, 50, 0}, {0, 0, 0}, {0, 0, -1}, 20.0}, {400, 400});
+    Overlay overlay;
+    add_camera_outline(overlay, from_above, camera, {200, 100});
+    QVERIFY(!overlay.lines.empty());
+    const glm::dvec3 eye = from_above.project(camera.eye);
+    QCOMPARE(overlay.lines[0].x, static_cast<float>(eye.x));
+    QCOMPARE(overlay.lines[0].y, static_cast<float>(eye.y));
+    // At a right angle upwards, twice as far to the sides.
+    const glm::dvec3 corner = from_above.project({-8.0, 4.0, 0.0});
+    QCOMPARE(overlay.lines[1].x, static_cast<float>(corner.x));
+    QCOMPARE(overlay.lines[1].y, static_cast<float>(corner.y));
+  }
+
+  void a_view_locked_to_the_camera_moves_it() {
+    TestWindow window(tiny_scene());
+    Viewport& view = window->viewport();
+    const Camera before = window->document().scene().camera;
+    window.key(Qt::Key_0);
+    click(window, "view.lock_camera_box");
+    window.drag({300, 300}, {380, 330}, Qt::MiddleButton);
+    const Camera moved = window->document().scene().camera;
+    QVERIFY(moved != before && view.camera() == moved);
+    QVERIFY(view.camera_frame().isVisible());
+    QCOMPARE(window->document().undo_stack().count(), 1);
+    window.drag({300, 300}, {320, 300}, Qt::MiddleButton);
+    QCOMPARE(window->document().undo_stack().count(), 2);
+    window.key(Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(window->document().scene().camera == moved && view.camera() == moved);
+    window.key(Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(window->document().scene().camera == before && view.camera() == before);
+    click(window, "view.lock_camera_box");
+    window.drag({300, 300}, {320, 300}, Qt::MiddleButton);
+    QVERIFY(window->document().scene().camera == before && view.camera() != before);
+  }
+};
+
+BRUME_APP_SUITE("cameras", CamerasTest)
+#include "cameras_test.moc"

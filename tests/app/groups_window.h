@@ -1,0 +1,82 @@
+#pragma once
+
+#include <QLineEdit>
+#include <QMenu>
+#include <QTreeWidget>
+#include <vector>
+
+#include "app/commands/select_command.h"
+#include "app/document/document.h"
+#include "app/viewport/viewport.h"
+#include "tests/app/test_window.h"
+
+namespace brume {
+
+using Ids = std::vector<GaussianId>;
+
+// The outliner's rows of groups.
+class GroupsWindow : public TestWindow {
+ public:
+  Document& document() { return (*this)->document(); }
+  const Groups& groups() { return document().scene().groups; }
+  QTreeWidget& tree() { return *(*this)->findChild<QTreeWidget*>("outliner_tree"); }
+  // The row of a name, which is followed by a number.
+  QTreeWidgetItem* row(const QString& name) {
+    const auto found = tree().findItems(name + " (", Qt::MatchStartsWith | Qt::MatchRecursive);
+    return found.isEmpty() ? nullptr : found.front();
+  }
+  QPoint position(const QString& name, int column = 0) {
+    QTreeWidgetItem* item = row(name);
+    tree().scrollToItem(item);
+    const int x = tree().columnViewportPosition(column) + tree().columnWidth(column) / 2;
+    return {x, tree().visualItemRect(item).center().y()};
+  }
+  void click(const QString& name, int column = 0) {
+    QTest::mouseClick(tree().viewport(), Qt::LeftButton, {}, position(name, column));
+  }
+  // Chooses from the context menu of a row; "Move into/a" from a menu in it.
+  bool choose(const QString& name, const QString& text) {
+    const QPoint at = position(name);
+    QContextMenuEvent event(QContextMenuEvent::Mouse, at, tree().viewport()->mapToGlobal(at));
+    QApplication::sendEvent(tree().viewport(), &event);
+    auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+    QMenu* shown = menu;
+    for (const QString& part : text.split('/')) {
+      if (!shown) break;
+      for (QAction* action : shown->actions()) {
+        if (action->text() != part) continue;
+        if (action->menu()) {
+          shown = action->menu();
+          break;
+        }
+        const bool enabled = action->isEnabled();
+        if (enabled) action->trigger();
+        menu->close();
+        return enabled;
+      }
+    }
+    if (menu) menu->close();
+    return false;
+  }
+  // Types a name into the editor that is open.
+  void type_name(const QString& name) {
+    auto* editor = tree().findChild<QLineEdit*>("row_name");
+    QVERIFY(editor);
+    editor->selectAll();
+    QTest::keyClicks(editor, name);
+    QTest::keyClick(editor, Qt::Key_Return);
+  }
+  void group(const Ids& ids) {
+    select_gaussians(document(), ids);
+    key(Qt::Key_G, Qt::ControlModifier);
+  }
+  Medium shown_medium() { return (*this)->viewport().shown_scene()->medium; }
+};
+
+// Makes the window of a test be left as it was opened once all is undone.
+#define VERIFY_UNDONE(window, before)            \
+  window.document().undo_stack().setIndex(0);    \
+  QCOMPARE(bytes_of(window.document()), before); \
+  QVERIFY(!window.document().is_modified())
+
+}  // namespace brume

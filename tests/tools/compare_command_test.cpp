@@ -1,0 +1,67 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "core/io/image/image_file.h"
+#include "tests/tools/command_line.h"
+
+namespace brume {
+namespace {
+
+using Json = nlohmann::json;
+
+TEST_F(CommandLine, ComparesAgainstTheSecondImage) {
+  write_image("a.exr", {{"R", 1}, {"G", 2}, {"B", 6}, {"Z", 2}});
+  write_image("b.exr", {{"R", 1}, {"G", 4}, {"B", 3}, {"Z", 4}});
+  const ProgramResult result = run_brume({"compare", file("a.exr"), file("b.exr")});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(std::count(result.out.begin(), result.out.end(), '\n'), 1);
+  const Json json = Json::parse(result.out);
+  EXPECT_DOUBLE_EQ(json["rel_rmse"], std::sqrt(0.5));
+  EXPECT_DOUBLE_EQ(json["max_error"], 3.0);
+  EXPECT_DOUBLE_EQ(json["bias"], 0.125);
+
+  const auto with = [&](const char* option, const char* value) {
+    return run_brume({"compare", file("a.exr"), file("b.exr"), option, value});
+  };
+  EXPECT_DOUBLE_EQ(Json::parse(with("--layer", "Z").out)["bias"], -0.5);
+  EXPECT_EQ(with("--max-rel-rmse", "0.7").exit_code, 1);
+  EXPECT_EQ(with("--max-rel-rmse", "0.71").exit_code, 0);
+  EXPECT_EQ(Json::parse(with("--max-rel-rmse", "0").out), json);
+}
+
+TEST_F(CommandLine, CompareStatesWhatCannotBeCompared) {
+  const float infinity = std::numeric_limits<float>::infinity();
+  write_image("a.exr", {{"R", 1}, {"G", 2}, {"B", std::nanf("")}, {"Z", infinity}});
+  write_image("b.exr", {{"R", 1}, {"G", 2}, {"B", 3}, {"Z", infinity}});
+  const ProgramResult result = run_brume({"compare", file("a.exr"), file("b.exr")});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_TRUE(Json::parse(result.out)["rel_rmse"].is_null());
+  EXPECT_NE(result.err.find("NaN"), std::string::npos);
+  const ProgramResult depth = run_brume({"compare", file("a.exr"), file("b.exr"), "--layer", "Z"});
+  EXPECT_EQ(depth.exit_code, 0);
+  EXPECT_EQ(Json::parse(depth.out)["rel_rmse"], 0.0);
+}
+
+TEST_F(CommandLine, RefusesWhatHasNothingToCompare) {
+  write_image("a.exr", {{"R", 1}, {"G", 2}, {"B", 3}});
+  write_image("z.exr", {{"Z", 1}});
+  ImageLayers wide;
+  wide.width = 2;
+  wide.height = 1;
+  for (const char* name : {"R", "G", "B"}) wide.channels[name] = {1, 2};
+  write_exr(folder_ / "wide.exr", wide);
+  folder_.write("not.exr", "hello");
+  expect_refused({"compare", file("a.exr"), file("wide.exr")}, {"a.exr", "1 x 1", "2 x 1"});
+  expect_refused({"compare", file("a.exr"), file("z.exr")}, {"z.exr", "no channels R G B"});
+  expect_refused({"compare", file("z.exr"), file("a.exr")}, {"z.exr", "no channels R G B"});
+  expect_refused({"compare", file("a.exr"), file("a.exr"), "--layer", "fog"}, {"fog", "R"});
+  expect_refused({"compare", file("a.exr"), file("not.exr")}, {"not.exr", "OpenEXR"});
+  expect_refused({"compare", file("a.exr"), file("none.exr")}, {"none.exr", "no such file"});
+  expect_refused({"compare", file("a.exr")}, {"B"});
+}
+
+}  // namespace
+}  // namespace brume

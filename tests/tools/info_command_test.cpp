@@ -1,0 +1,57 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/io/gaussians/gaussian_file.h"
+#include "tests/tools/command_line.h"
+
+namespace brume {
+namespace {
+
+using Json = nlohmann::json;
+
+TEST_F(CommandLine, SummarizesAScene) {
+  const ProgramResult result = run_brume({"info", scene_, "--json"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const Json info = Json::parse(result.out);
+  EXPECT_EQ(info["medium"]["gaussians"], 2);
+  EXPECT_EQ(info["medium"]["homogeneous_density"], 0.02);
+  EXPECT_EQ(info["medium"]["center_bounds"], Json::parse("[[0, 0, 0], [1, 0, 0]]"));
+  EXPECT_EQ(info["medium"]["bounds"], Json::parse("[[-2, -2, -2], [2, 2, 2]]"));
+  EXPECT_EQ(info["medium"]["radius_range"], Json::parse("[0.5, 1]"));
+  EXPECT_DOUBLE_EQ(info["medium"]["peak_density"], 0.02 + 2.0 + 0.5 * std::exp(-1.0));
+  EXPECT_EQ(info["film"], Json::parse("[24, 18]"));
+  EXPECT_EQ(info["lights"].size(), 1u);
+  EXPECT_EQ(info["surfaces"][0]["vertices"], 4);
+  EXPECT_EQ(info["surfaces"][0]["faces"], 2);
+  // The line through both centres sees both whole; 64 directions come near it.
+  const double both = std::sqrt(std::acos(-1.0)) * (1.0 * 0.5 + 0.5 * 2.0);
+  EXPECT_LE(info["medium"]["greatest_optical_depth"], both);
+  EXPECT_GT(info["medium"]["greatest_optical_depth"], 0.95 * both);
+
+  const ProgramResult words = run_brume({"info", scene_});
+  EXPECT_EQ(words.exit_code, 0);
+  EXPECT_NE(words.out.find("gaussians: 2"), std::string::npos) << words.out;
+  EXPECT_NE(words.out.find("center bounds: (0, 0, 0) to (1, 0, 0)"), std::string::npos)
+      << words.out;
+}
+
+TEST_F(CommandLine, SummarizesAMedium) {
+  write_gaussians(folder_ / "m.ply", std::vector<Gaussian>{{{1, 2, 3}, 2, 0.25}});
+  const ProgramResult result = run_brume({"info", file("m.ply"), "--json"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const Json medium = Json::parse(result.out)["medium"];
+  EXPECT_EQ(medium["gaussians"], 1);
+  EXPECT_DOUBLE_EQ(medium["greatest_optical_depth"], std::sqrt(std::acos(-1.0)) * 0.5);
+}
+
+TEST_F(CommandLine, AcceptsExtensionsInAnyCase) {
+  write_gaussians(folder_ / "M.PLY", std::vector<Gaussian>{{{1, 2, 3}, 2, 0.25}});
+  EXPECT_EQ(run_brume({"info", file("M.PLY")}).exit_code, 0);
+  EXPECT_EQ(run_brume({"info", folder_.write("A.Brume", scene_text).string()}).exit_code, 0);
+  expect_refused({"info", file("smoke.VDB")}, {"smoke.VDB", "no such file"});
+}
+
+}  // namespace
+}  // namespace brume
