@@ -137,6 +137,7 @@ void GaussianPanel::remember_place() {
   current_.reset();
   if (current.isValid()) current_ = model_->id(current.row());
   current_column_ = current.column();
+  is_typed_ = table_->isPersistentEditorOpen(current);
   scrolled_ = table_->verticalScrollBar()->value();
 }
 
@@ -148,6 +149,8 @@ void GaussianPanel::restore_place() {
   }
   table_->verticalScrollBar()->setValue(scrolled_);
   select_rows();
+  // Tab goes on to the next cell, wherever its row has gone.
+  if (row && is_typed_) table_->edit(model_->index(*row, current_column_));
 }
 
 void GaussianPanel::follow(const MediumEdit& edit) {

@@ -41,6 +41,7 @@ class GaussianPanel : public QWidget {
   bool syncing_ = false;
   std::optional<GaussianId> current_;  // while the model is reset
   int current_column_ = 0;
+  bool is_typed_ = false;  // whether its editor is open
   int scrolled_ = 0;
   QTimer reload_timer_;  // of very many rows: running while they are not those of the document
   glm::dvec3 shown_albedo_{0.0};  // of the medium

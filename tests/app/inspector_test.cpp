@@ -165,8 +165,23 @@ class InspectorTest : public QObject {
     QTRY_COMPARE(id_of_row(last), first);
     QCOMPARE(document.selection(), std::vector<GaussianId>{first});
     QCOMPARE(table->currentIndex(), table->model()->index(last, 3));
+    QVERIFY(!table->isPersistentEditorOpen(table->currentIndex()));
+    // Tab goes on to the density, in the row's new place.
+    QTest::keyClick(table->viewport(), Qt::Key_F2);
+    editor = table->viewport()->findChild<QLineEdit*>();
+    QVERIFY(editor);
+    editor->selectAll();
+    QTest::keyClicks(editor, "0.01");
+    QTest::keyClick(editor, Qt::Key_Tab);
+    QTRY_COMPARE(radius_of_first(), 0.01);
+    QTRY_COMPARE(id_of_row(0), first);
+    QTRY_COMPARE(table->currentIndex(), table->model()->index(0, 4));
+    QVERIFY(table->isPersistentEditorOpen(table->currentIndex()));
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
+    QTRY_VERIFY(!table->isPersistentEditorOpen(table->currentIndex()));
     document.undo_stack().undo();
-    QCOMPARE(table->currentIndex(), table->model()->index(0, 3));
+    document.undo_stack().undo();
+    QCOMPARE(table->currentIndex(), table->model()->index(0, 4));
     // What is deleted goes from the middle of a sorted table.
     delete_selection(document, "Delete");
     QCOMPARE(table->model()->rowCount(), last);
