@@ -95,11 +95,15 @@ Gaussian without_group(Gaussian gaussian) {
 }  // namespace
 
 bool MergedMedium::update(const Medium& medium, const Limits& limits, const std::stop_token& stop) {
-  if (made_from_ == medium.revision() && limits_ == limits) return true;
+  const bool is_same = made_from_ == medium.revision() && limits_ == limits;
+  if (is_same && !is_assumed_) return true;
   made_from_.reset();
   if (!(limits.error > 0.0) || !may_merge(medium)) {
     *this = {};
     medium_ = medium;
+  } else if (is_same) {
+    if (decide(medium, limits) != is_merged_ && !merge(medium, limits, stop)) return false;
+    is_assumed_ = false;
   } else if (!follow(medium, limits, stop)) {
     if (stop.stop_requested() || !merge(medium, limits, stop)) return false;
   }
@@ -108,35 +112,36 @@ bool MergedMedium::update(const Medium& medium, const Limits& limits, const std:
   return true;
 }
 
-bool MergedMedium::is_decided(const Medium& medium, const Limits& limits) {
+bool MergedMedium::is_like_last(const Medium& medium, const Limits& limits) const {
   const auto size = static_cast<double>(medium.size());
   const auto known = static_cast<double>(decision_.size);
-  if (decision_.limits != limits || std::abs(size - known) > 0.1 * known) return false;
-  return decision_.left-- > 0;
+  return decision_.limits == limits && std::abs(size - known) <= 0.1 * known;
+}
+
+bool MergedMedium::decide(const Medium& medium, const Limits& limits) {
+  depths_.emplace(medium);
+  const double share = estimated_share(medium, in_frames(limits), *depths_);
+  decision_ = {limits, medium.size(), share <= limits.share};
+  return decision_.merges;
 }
 
 bool MergedMedium::merge(const Medium& medium, const Limits& limits, const std::stop_token& stop) {
-  const bool is_known = is_decided(medium, limits);
+  // Of the same one it has just been decided.
   const Decision decision = decision_;
+  const bool is_assumed = is_like_last(medium, limits);
   *this = {};
   decision_ = decision;
+  is_assumed_ = is_assumed;
   first_id_ = medium.ids().front();
   const std::size_t count = medium.ids().back() + 1 - first_id_;
   is_changed_.resize(count);
-  if (!is_known || decision_.merges) {
-    depths_.emplace(medium);
-    if (!is_known) {
-      constexpr int decided_media = 16;
-      const double share = estimated_share(medium, in_frames(limits), *depths_);
-      decision_ = {limits, medium.size(), decided_media, share <= limits.share};
-    }
-    if (decision_.merges) {
-      const auto simplified = simplify(medium, in_frames(limits), *depths_, stop);
-      if (!simplified) return false;
-      part_of_.resize(count);
-      append(*simplified, medium, medium.ids());
-      is_merged_ = true;
-    }
+  if (is_assumed ? decision_.merges : decide(medium, limits)) {
+    if (!depths_) depths_.emplace(medium);
+    const auto simplified = simplify(medium, in_frames(limits), *depths_, stop);
+    if (!simplified) return false;
+    part_of_.resize(count);
+    append(*simplified, medium, medium.ids());
+    is_merged_ = true;
   }
   source_ = medium;
   assemble();

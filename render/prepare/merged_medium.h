@@ -46,28 +46,29 @@ class MergedMedium {
 
   // All of a medium; false if stopped.
   bool merge(const Medium& medium, const Limits& limits, const std::stop_token& stop);
-  // What differs from source_; false, and nothing done, if there is too much, or if stopped.
+  // What differs from source_; false, and nothing merged, if there is too much, or if stopped.
   bool follow(const Medium& medium, const Limits& limits, const std::stop_token& stop);
   void append(const Simplified& simplified, const Medium& medium, std::span<const GaussianId> ids);
   void remove_parts(std::span<const std::uint32_t> places);
   [[nodiscard]] std::uint32_t& part_of(GaussianId id) { return part_of_[id - first_id_]; }
   void assemble();
 
-  // Whether merging pays, which takes about as long to find out as to merge: it holds for some more
-  // media of about the size, such as those of a sequence.
+  // Whether merging pays, which takes about as long to find out as to merge. Of another medium of
+  // about the size, such as the next of a sequence, the same is assumed until it is seen again.
   struct Decision {
     Limits limits;
     std::size_t size = 0;
-    int left = 0;
     bool merges = false;
   };
-  [[nodiscard]] bool is_decided(const Medium& medium, const Limits& limits);
+  [[nodiscard]] bool is_like_last(const Medium& medium, const Limits& limits) const;
+  [[nodiscard]] bool decide(const Medium& medium, const Limits& limits);
 
   Medium medium_;
   std::optional<Revision> made_from_;
   Limits limits_;
   bool is_merged_ = false;
-  Decision decision_;
+  Decision decision_;  // the last
+  bool is_assumed_ = false;
 
   Medium source_;  // made_from_, while it may be merged
   std::optional<AxisDepths> depths_;

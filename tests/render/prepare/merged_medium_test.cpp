@@ -95,6 +95,22 @@ TEST(MergedMedium, AsItIsWhereMergingDoesNotPay) {
   EXPECT_FALSE(merged.is_merged());
 }
 
+// The next medium of a sequence is taken for one like the last; one that is seen again is not.
+TEST(MergedMedium, FindsOutWhetherItPaysForWhatIsSeenAgain) {
+  const Medium bank = medium_of(fog_bank(bank_size, 1.0, 1));
+  Medium apart;
+  for (std::size_t i = 0; i < bank_size; ++i) {
+    apart.append({{static_cast<double>(i), 0.0, 0.0}, 0.1, 1.0});
+  }
+  MergedMedium merged;
+  for (const Medium& medium : {apart, bank, apart}) {
+    ASSERT_TRUE(merged.update(medium, {0.05, 0.8}, {}));
+    ASSERT_TRUE(merged.update(medium, {0.05, 0.8}, {}));
+    EXPECT_EQ(merged.is_merged(), medium == bank);
+    expect_stands_for(merged, medium, 0.05);
+  }
+}
+
 TEST(MergedMedium, GoesOnAfterAStop) {
   Medium medium = medium_of(fog_bank(bank_size, 1.0, 1));
   std::stop_source stop;
