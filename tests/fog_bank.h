@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "brume/gaussian.h"
+#include "brume/medium.h"
 #include "core/transport/optical_depth.h"
 #include "tests/random.h"
 
@@ -27,6 +27,12 @@ inline std::vector<Gaussian> fog_bank(std::size_t count, double depth, unsigned 
   }
   for (Gaussian& g : gaussians) g.density *= depth * 4.0 / mass;
   return gaussians;
+}
+
+inline Medium medium_of(const std::vector<Gaussian>& gaussians) {
+  Medium medium;
+  for (const Gaussian& gaussian : gaussians) medium.append(gaussian);
+  return medium;
 }
 
 // Optical depth of a line of 20 u.

@@ -9,12 +9,6 @@
 namespace brume {
 namespace {
 
-Medium medium_of(const std::vector<Gaussian>& gaussians) {
-  Medium medium;
-  for (const Gaussian& gaussian : gaussians) medium.append(gaussian);
-  return medium;
-}
-
 TEST(Simplify, ErrorsAreAsEstimated) {
   std::size_t last = 3001;
   for (const double max_error : {0.01, 0.03, 0.1}) {

@@ -14,12 +14,6 @@ namespace {
 
 constexpr std::size_t bank_size = 24'000;
 
-Medium medium_of(std::span<const Gaussian> gaussians) {
-  Medium medium;
-  for (const Gaussian& g : gaussians) medium.append(g);
-  return medium;
-}
-
 std::vector<Gaussian> gaussians_of(const Medium& medium) {
   std::vector<Gaussian> all;
   for (std::size_t i = 0; i < medium.size(); ++i) all.push_back(medium.gaussian(i));
