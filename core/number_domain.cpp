@@ -1,5 +1,7 @@
 #include "core/number_domain.h"
 
+#include "core/math/max_component.h"
+
 #include <array>
 #include <charconv>
 
@@ -13,6 +15,14 @@ std::string quoted_text(double value) {
 
 std::string NumberDomain::refusal(double value) const {
   return "found " + quoted_text(value) + "; allowed: " + allowed;
+}
+
+std::string refused_radii(const glm::dvec3& radii) {
+  const double least = min_component(radii);
+  if (least >= limits::min_stretch * max_component(radii)) return {};
+  std::string why = "found ";
+  why.append(quoted_text(least)).append(" beside ").append(quoted_text(max_component(radii)));
+  return why.append("; allowed: radii of at least 1e-4 of the greatest");
 }
 
 }  // namespace brume

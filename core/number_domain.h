@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <glm/vec3.hpp>
 #include <string>
 
 #include "brume/limits.h"
@@ -35,6 +36,7 @@ inline constexpr NumberDomain coordinate{-limits::coordinate, limits::coordinate
                                          "a number from -1e12 to 1e12"};
 inline constexpr NumberDomain length{limits::min_length, limits::max_length,
                                      "a number > 0 (from 1e-12 to 1e12)"};
+inline constexpr NumberDomain stretch{limits::min_stretch, 1.0, "a number from 1e-4 to 1"};
 inline constexpr NumberDomain density{0.0, limits::density, "a number >= 0 (up to 1e12)"};
 inline constexpr NumberDomain intensity{0.0, limits::intensity, "a number >= 0 (up to 1e20)"};
 inline constexpr NumberDomain normal_scale{0.0, 1000.0, "a number in [0, 1000]"};
@@ -60,4 +62,8 @@ inline constexpr NumberDomain stops{-60.0, 60.0, "a number of stops from -60 to 
 inline constexpr NumberDomain degrees{-1e12, 1e12, "a number of degrees from -1e12 to 1e12"};
 
 }  // namespace domain
+
+// Why an ellipsoid may not have these radii, each of domain::length; empty if it may.
+std::string refused_radii(const glm::dvec3& radii);
+
 }  // namespace brume

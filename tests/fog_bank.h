@@ -40,8 +40,7 @@ inline double depth_along(std::span<const Gaussian> gaussians, const glm::dvec3&
                           const glm::dvec3& w) {
   double depth = 0.0;
   for (const Gaussian& g : gaussians) {
-    const GaussianTerm<double> term(g);
-    depth += optical_depth(term, line_profile(term, origin, w), 20.0);
+    depth += optical_depth(g, origin, origin + 20.0 * w);
   }
   return depth;
 }
@@ -49,7 +48,7 @@ inline double depth_along(std::span<const Gaussian> gaussians, const glm::dvec3&
 // Up to a constant.
 inline double mass_of(std::span<const Gaussian> gaussians) {
   double mass = 0.0;
-  for (const Gaussian& g : gaussians) mass += g.density * std::pow(g.radius, 3);
+  for (const Gaussian& g : gaussians) mass += g.density * std::pow(g.mean_radius(), 3);
   return mass;
 }
 

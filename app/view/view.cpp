@@ -107,7 +107,7 @@ std::optional<std::size_t> View::visible_surface(QPointF position) {
   depth /= mean(scene->optics.albedo);
   for (std::size_t i = 0; i < scene->medium.size() && depth < std::numbers::ln2; ++i) {
     const Gaussian gaussian = scene->medium.gaussian(i);
-    depth += optical_depth(GaussianTerm<double>(gaussian), view.eye(), surface->position) /
+    depth += optical_depth(gaussian, view.eye(), surface->position) /
              mean(gaussian.optics.albedo.value_or(scene->optics.albedo));
   }
   return depth < std::numbers::ln2 ? std::optional(index) : std::nullopt;

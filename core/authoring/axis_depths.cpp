@@ -7,13 +7,15 @@
 #include <limits>
 #include <numbers>
 
+#include "core/transport/optical_depth.h"
+
 namespace brume {
 namespace {
 
-constexpr int cells = 128;
+constexpr int cells_across = 128;
 
 std::size_t index(int column, int row) {
-  return static_cast<std::size_t>(row) * cells + static_cast<std::size_t>(column);
+  return static_cast<std::size_t>(row) * cells_across + static_cast<std::size_t>(column);
 }
 
 }  // namespace
@@ -25,8 +27,8 @@ AxisDepths::AxisDepths(const Medium& medium) {
     low_ = glm::min(low_, medium.centers()[i] - medium.radii()[i]);
     high = glm::max(high, medium.centers()[i] + medium.radii()[i]);
   }
-  size_ = glm::max(high - low_, 1e-300) / double{cells};
-  for (auto& image : depths_) image.assign(std::size_t{cells} * cells, 0.0);
+  size_ = glm::max(high - low_, 1e-300) / double{cells_across};
+  for (auto& image : depths_) image.assign(std::size_t{cells_across} * cells_across, 0.0);
   for (std::size_t i = 0; i < medium.size(); ++i) add(medium.gaussian(i));
 }
 
@@ -42,14 +44,16 @@ double AxisDepths::least(const glm::dvec3& x) const {
 }
 
 glm::ivec3 AxisDepths::cell_of(const glm::dvec3& x) const {
-  return glm::ivec3(glm::clamp((x - low_) / size_, 0.0, cells - 1.0));
+  return glm::ivec3(glm::clamp((x - low_) / size_, 0.0, cells_across - 1.0));
 }
 
 // Spread evenly over the square of its size that has its greatest depth's share.
 void AxisDepths::add(const Gaussian& gaussian, double times) {
-  const double mass = times * std::pow(std::numbers::pi, 1.5) * gaussian.density * gaussian.radius *
-                      gaussian.radius * gaussian.radius;
-  const double half = 0.5 * std::sqrt(std::numbers::pi) * gaussian.radius;
+  const double mass =
+      times * gaussian.density * std::pow(std::sqrt(std::numbers::pi) * gaussian.mean_radius(), 3);
+  glm::dvec3 reach(1.0);
+  if (!gaussian.is_ball()) reach = Ellipsoid<double>(gaussian.shape).reach();
+  const glm::dvec3 half = 0.5 * std::sqrt(std::numbers::pi) * gaussian.radius * reach;
   const glm::ivec3 first = cell_of(gaussian.center - half);
   const glm::ivec3 last = cell_of(gaussian.center + half);
   for (int axis = 0; axis < 3; ++axis) {

@@ -49,7 +49,8 @@ std::vector<Contribution> contributions(const Medium& medium, const glm::dvec3& 
     if (is_far(medium, i, eye, direction)) continue;
     const Gaussian gaussian = medium.gaussian(i);
     const glm::dvec3 albedo = gaussian.optics.albedo.value_or(medium_albedo);
-    const GaussianTerm<double> g(gaussian);
+    const StandaloneTerm term(gaussian);
+    const GaussianTerm<double>& g = *term;
     const LineProfile<double> line = line_profile(g, eye, direction);
     // What a scattering optical depth of 1 may change.
     const double scale =
@@ -62,7 +63,7 @@ std::vector<Contribution> contributions(const Medium& medium, const glm::dvec3& 
     if (scale * scattering < min_effect) continue;
     result.push_back({.index = i,
                       .optical_depth = scattering / albedo,
-                      .distance = truncated_mean(g, line, distance)});
+                      .distance = truncated_mean(line, distance)});
   }
   std::sort(result.begin(), result.end(),
             [](const Contribution& a, const Contribution& b) { return a.distance < b.distance; });
@@ -95,8 +96,7 @@ glm::dvec3 scattered_radiance(const Scene& scene, const Contribution& contributi
   for (std::size_t i = 0; i < medium.size(); ++i) {
     if (is_far(medium, i, light.position, from_light / distance)) continue;
     const Gaussian g = medium.gaussian(i);
-    depth += optical_depth(GaussianTerm<double>(g), light.position, point) /
-             g.optics.albedo.value_or(shared);
+    depth += optical_depth(g, light.position, point) / g.optics.albedo.value_or(shared);
   }
   const glm::dvec3 own = medium.optics(contribution.index).albedo.value_or(shared);
   const double cosine = -glm::dot(from_light, direction) / distance;

@@ -79,8 +79,7 @@ double depth_error(const DensityGrid& grid, std::span<const Gaussian> gaussians,
     const double far = 2.0 * glm::length(high - low) * voxel;
     double fitted = 0.0;
     for (const Gaussian& g : gaussians) {
-      fitted += optical_depth(GaussianTerm<double>(g), from - far / voxel * along,
-                              from + far / voxel * along);
+      fitted += optical_depth(g, from - far / voxel * along, from + far / voxel * along);
     }
     wrong[i] = (fitted - depth) * (fitted - depth);
     right[i] = depth * depth;
@@ -97,7 +96,7 @@ double depth_error(const DensityGrid& grid, std::span<const Gaussian> gaussians,
 double mass_ratio(const DensityGrid& grid, std::span<const Gaussian> gaussians) {
   double integral = 0.0;
   for (const Gaussian& g : gaussians) {
-    integral += g.density * std::pow(std::sqrt(std::numbers::pi) * g.radius, 3.0);
+    integral += g.density * std::pow(std::sqrt(std::numbers::pi) * g.mean_radius(), 3.0);
   }
   return integral / grid.integral();
 }

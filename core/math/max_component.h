@@ -9,4 +9,8 @@ namespace brume {
   return std::max({v.x, v.y, v.z});
 }
 
+[[nodiscard]] inline double min_component(const glm::dvec3& v) {
+  return std::min({v.x, v.y, v.z});
+}
+
 }  // namespace brume

@@ -3,6 +3,36 @@
 #include <algorithm>
 
 namespace brume {
+namespace {
+
+// Columns that are empty while all Gaussians are as by default.
+template <class T>
+void set_in(SharedColumn<T>& column, std::size_t size, std::size_t index, const T& value) {
+  if (column.empty()) {
+    if (value == T()) return;
+    column.resize(size);
+  }
+  column.set(index, value);
+}
+
+// Adds the last of `size`.
+template <class T>
+void add_to(SharedColumn<T>& column, std::size_t size, const T& value) {
+  if (!column.empty()) {
+    column.push_back(value);
+  } else {
+    set_in(column, size, size - 1, value);
+  }
+}
+
+template <class T>
+bool are_equal(const SharedColumn<T>& a, const SharedColumn<T>& b) {
+  if (a.empty() == b.empty()) return a == b;
+  return std::ranges::all_of((a.empty() ? b : a).all(),
+                             [](const T& value) { return value == T(); });
+}
+
+}  // namespace
 
 std::optional<std::size_t> Medium::index_of(GaussianId id) const {
   const std::span<const GaussianId> all = ids();
@@ -34,16 +64,9 @@ void Medium::push_back(GaussianId id, const Gaussian& gaussian) {
   radii_.push_back(gaussian.radius);
   densities_.push_back(gaussian.density);
   ids_.push_back(id);
-  if (!optics_.empty()) {
-    optics_.push_back(gaussian.optics);
-  } else {
-    set_optics(size() - 1, gaussian.optics);
-  }
-  if (!groups_.empty()) {
-    groups_.push_back(gaussian.group);
-  } else {
-    set_group(size() - 1, gaussian.group);
-  }
+  add_to(optics_, size(), gaussian.optics);
+  add_to(groups_, size(), gaussian.group);
+  add_to(shapes_, size(), gaussian.shape);
 }
 
 void Medium::reserve(std::size_t count) {
@@ -60,19 +83,15 @@ void Medium::set_homogeneous_density(double b0) {
 }
 
 void Medium::set_optics(std::size_t index, const GaussianOptics& optics) {
-  if (optics_.empty()) {
-    if (optics == GaussianOptics()) return;
-    optics_.resize(size());
-  }
-  optics_.set(index, optics);
+  set_in(optics_, size(), index, optics);
 }
 
 void Medium::set_group(std::size_t index, GroupId group) {
-  if (groups_.empty()) {
-    if (group == 0) return;
-    groups_.resize(size());
-  }
-  groups_.set(index, group);
+  set_in(groups_, size(), index, group);
+}
+
+void Medium::set_shape(std::size_t index, const GaussianShape& shape) {
+  set_in(shapes_, size(), index, shape);
 }
 
 bool Medium::has_albedos() const {
@@ -87,16 +106,10 @@ bool Medium::has_emission() const {
 
 bool Medium::operator==(const Medium& other) const {
   if (revision_ == other.revision_) return true;
-  const bool same_optics = optics_.empty() && other.optics_.empty();
-  for (std::size_t i = 0; !same_optics && i < size(); ++i) {
-    if (i >= other.size() || !(optics(i) == other.optics(i))) return false;
-  }
-  const bool same_groups = groups_.empty() && other.groups_.empty();
-  for (std::size_t i = 0; !same_groups && i < size(); ++i) {
-    if (i >= other.size() || group(i) != other.group(i)) return false;
-  }
   return homogeneous_density_ == other.homogeneous_density_ && ids_ == other.ids_ &&
-         centers_ == other.centers_ && radii_ == other.radii_ && densities_ == other.densities_;
+         centers_ == other.centers_ && radii_ == other.radii_ && densities_ == other.densities_ &&
+         are_equal(optics_, other.optics_) && are_equal(groups_, other.groups_) &&
+         are_equal(shapes_, other.shapes_);
 }
 
 }  // namespace brume

@@ -175,6 +175,7 @@ void MediumEdit::apply(Medium& medium) const {
     visit(medium.ids_);
     if (!medium.optics_.empty()) visit(medium.optics_);
     if (!medium.groups_.empty()) visit(medium.groups_);
+    if (!medium.shapes_.empty()) visit(medium.shapes_);
   };
   const auto put = [&medium](std::size_t index, const Gaussian& gaussian) {
     medium.centers_.set(index, gaussian.center);
@@ -182,6 +183,7 @@ void MediumEdit::apply(Medium& medium) const {
     medium.densities_.set(index, gaussian.density);
     medium.set_optics(index, gaussian.optics);
     medium.set_group(index, gaussian.group);
+    medium.set_shape(index, gaussian.shape);
   };
 
   if (!removed_.empty()) {

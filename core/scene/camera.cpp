@@ -73,6 +73,18 @@ glm::dvec2 covered(double x, double z, double radius, double half_size) {
           high.y > 0.0 ? std::min(1.0, high.x / (high.y * half_size)) : 1.0};
 }
 
+// The same of an ellipse; `squares` holds the products of its reaches along x and z.
+glm::dvec2 covered(double x, double z, double radius, const glm::dmat2& squares, double half_size) {
+  const double front = z * z - squares[1][1];
+  const double side = x * x - squares[0][0];
+  // In part behind the eye: as the disc around it.
+  if (!(z > 0.0) || !(front > 0.0)) return covered(x, z, radius, half_size);
+  const double middle = x * z - squares[0][1];
+  const double root = std::sqrt(std::max(middle * middle - front * side, 0.0));
+  return {std::max(-1.0, (middle - root) / (front * half_size)),
+          std::min(1.0, (middle + root) / (front * half_size))};
+}
+
 }  // namespace
 
 CameraRays::Surround CameraRays::surround() const {
@@ -81,14 +93,25 @@ CameraRays::Surround CameraRays::surround() const {
   return {glm::ivec2(region_.full_width, region_.full_height) + 2 * glm::ivec2(margin), start};
 }
 
-CameraRays::PixelRectangle CameraRays::bounds(const glm::dvec3& point, double radius) const {
-  const glm::dvec3 q = point - eye_;
+CameraRays::PixelRectangle CameraRays::bounds(const GaussianTerm<double>& gaussian,
+                                              double radius) const {
+  const glm::dvec3 q = gaussian.b - eye_;
   const double z = glm::dot(q, forward_);
   const Surround film = surround();
   const double half_width = half_size_.x * film.size.x / region_.full_width;
   const double half_height = half_size_.y * film.size.y / region_.full_height;
-  const glm::dvec2 u = covered(glm::dot(q, right_), z, radius, half_width);
-  const glm::dvec2 v = covered(-glm::dot(q, up_), z, radius, half_height);
+  const auto along = [&](const glm::dvec3& axis, double half_size) {
+    const double x = glm::dot(q, axis);
+    if (!gaussian.ellipsoid) return covered(x, z, radius, half_size);
+    const auto& [warp, axes, stretch] = *gaussian.ellipsoid;
+    const glm::dvec3 x_reach = radius * stretch * (axis * axes);
+    const glm::dvec3 z_reach = radius * stretch * (forward_ * axes);
+    const double xz = glm::dot(x_reach, z_reach);
+    const glm::dmat2 squares(glm::dot(x_reach, x_reach), xz, xz, glm::dot(z_reach, z_reach));
+    return covered(x, z, radius, squares, half_size);
+  };
+  const glm::dvec2 u = along(right_, half_width);
+  const glm::dvec2 v = along(-up_, half_height);
   if (!(u[0] < u[1]) || !(v[0] < v[1])) return {};
   // Pixels whose centre lies inside, with a little room for rounding.
   const auto first = [](double s, int size, double start) {

@@ -6,6 +6,7 @@
 #include <glm/vec3.hpp>
 
 #include "brume/camera.h"
+#include "core/transport/optical_depth.h"
 
 namespace brume {
 
@@ -51,12 +52,13 @@ class CameraRays {
   // eye and x and y are 0.
   [[nodiscard]] glm::dvec3 project(const glm::dvec3& point) const;
 
-  // The pixels [x0, x1) x [y0, y1) whose rays may pass within `radius` of a point; may be empty.
+  // The pixels [x0, x1) x [y0, y1) whose rays may pass within `radius` of a Gaussian's center, of
+  // an ellipsoid in the space in which it is a ball; may be empty.
   struct PixelRectangle {
     int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
     [[nodiscard]] bool empty() const { return x0 >= x1 || y0 >= y1; }
   };
-  [[nodiscard]] PixelRectangle bounds(const glm::dvec3& point, double radius) const;
+  [[nodiscard]] PixelRectangle bounds(const GaussianTerm<double>& gaussian, double radius) const;
 
   // Half the angle subtended by the central pixel [radians].
   [[nodiscard]] double pixel_half_angle() const;

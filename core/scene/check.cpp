@@ -10,6 +10,7 @@
 #include "brume/error.h"
 #include "brume/limits.h"
 #include "brume/scene.h"
+#include "core/math/max_component.h"
 #include "core/scene/animation.h"
 #include "core/scene/group_effects.h"
 
@@ -110,8 +111,16 @@ void check_optics(const std::string& place, const GaussianOptics& optics) {
   check_value(place + ".emission", optics.emission, domain::intensity);
 }
 
+void check_shape(const std::string& place, const GaussianShape& shape) {
+  check_value(place + ".stretch", shape.stretch, domain::stretch);
+  if (max_component(shape.stretch) != 1.0) {
+    throw DomainError(place + ".stretch", "allowed: numbers of which the greatest is 1");
+  }
+  check_value(place + ".rotation", shape.rotation, domain::stretch);
+}
+
 bool is_sound(const Gaussian& gaussian) {
-  const auto& [center, radius, density, optics, group] = gaussian;
+  const auto& [center, radius, density, optics, group, shape] = gaussian;
   return domain::coordinate.contains(center.x) && domain::coordinate.contains(center.y) &&
          domain::coordinate.contains(center.z) && domain::length.contains(radius) &&
          domain::density.contains(density);
@@ -119,12 +128,13 @@ bool is_sound(const Gaussian& gaussian) {
 
 void check_gaussian(const std::string& list, std::size_t index, const Gaussian& gaussian) {
   const bool has_optics = gaussian.optics != GaussianOptics();
-  if (is_sound(gaussian) && !has_optics) return;
+  if (is_sound(gaussian) && !has_optics && gaussian.is_ball()) return;
   const std::string place = element(list, index);
   check_value(place + ".center", gaussian.center, domain::coordinate);
   brume::check_value(place + ".radius", gaussian.radius, domain::length);
   brume::check_value(place + ".density", gaussian.density, domain::density);
   check_optics(place, gaussian.optics);
+  check_shape(place + ".shape", gaussian.shape);
 }
 
 void check_camera(const std::string& place, const Camera& camera, const CameraKeys& keys) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/matrix.hpp>
 
 namespace brume {
 namespace {
@@ -17,9 +18,19 @@ GaussianOptics between(const GaussianOptics& a, const GaussianOptics& b, double 
   return optics;
 }
 
+// Turns the ball of radius 1 into a Gaussian's.
+glm::dmat3 ellipsoid_of(const Gaussian& g) {
+  return g.radius * glm::inverse(warp(g.shape));
+}
+
 Gaussian between(const Gaussian& a, const Gaussian& b, double u, const glm::dvec3& medium_albedo) {
-  return {glm::mix(a.center, b.center, u), a.radius * std::pow(b.radius / a.radius, u),
-          std::lerp(a.density, b.density, u), between(a.optics, b.optics, u, medium_albedo)};
+  Gaussian g{glm::mix(a.center, b.center, u), a.radius * std::pow(b.radius / a.radius, u),
+             std::lerp(a.density, b.density, u), between(a.optics, b.optics, u, medium_albedo)};
+  if (a.is_ball() && b.is_ball()) return g;
+  // Whatever the order of their axes.
+  g.radius = 1.0;
+  transform(g, (1.0 - u) * ellipsoid_of(a) + u * ellipsoid_of(b));
+  return g;
 }
 
 // How far between a frame, of at least one, and the next.

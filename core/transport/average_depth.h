@@ -16,7 +16,10 @@ namespace brume {
 template <class Real>
 Real unit_average_depth(Real u);
 
-// Tbar_i(p) = c / a * Tbar(a |p - b|).
+// Tbar_i(p) = c / a * Tbar(a |p - b|). Of an ellipsoid of radii r_k, in its own axes from the
+// middle to p = q, from 1 / |x - p|^2 as the integral of exp(-s |x - p|^2) over s >= 0:
+//   c sqrt(pi) / 4 * integral of prod (l_k + s)^(-1/2) exp(-sum s l_k q_k^2 / (l_k + s)) ds,
+// l_k = 1 / r_k^2. Relative error at most 1e-12 (double), 1e-5 (float).
 template <class Real>
 Real average_depth(const GaussianTerm<Real>& g, const Vec3<Real>& p);
 

@@ -12,7 +12,7 @@ template <class Real>
 PointScattering<Real> point_scattering(const GaussianTerm<Real>& g, const LineProfile<Real>& line,
                                        Real d, ScatterPoint point) {
   const Real t =
-      point == ScatterPoint::mean ? truncated_mean(g, line, d) : std::clamp(line.t0, Real(0), d);
+      point == ScatterPoint::mean ? truncated_mean(line, d) : std::clamp(line.t0, Real(0), d);
   return {t, optical_depth(g, line, d), optical_depth(g, line, t)};
 }
 

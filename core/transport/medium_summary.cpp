@@ -58,19 +58,20 @@ struct Line {
 };
 
 // Along the whole line: sum of sqrt(pi) radius density exp(-h^2 / radius^2).
-double optical_depth_of_line(const Medium& medium, const glm::dvec3& point, const glm::dvec3& w) {
+double optical_depth_of_line(const GaussianTerms<double>& terms, const glm::dvec3& point,
+                             const glm::dvec3& w) {
   double sum = 0.0;
-  for (std::size_t i = 0; i < medium.size(); ++i) {
-    const GaussianTerm<double> term(medium.gaussian(i));
-    const double e = line_profile(term, point, w).e;
-    sum += std::sqrt(std::numbers::pi) * term.c / term.a * std::exp(-e);
+  for (const GaussianTerm<double>& term : terms.all()) {
+    const LineProfile<double> line = line_profile(term, point, w);
+    sum += std::sqrt(std::numbers::pi) * term.c / line.a * std::exp(-line.e);
   }
   return sum;
 }
 
 // Moves a line sideways (in units of `size`) and turns it as long as it gets deeper, by ever
 // smaller steps, of which it tries `max_steps` at most.
-Line deepest_nearby(const Medium& medium, Line line, double size, std::size_t max_steps) {
+Line deepest_nearby(const GaussianTerms<double>& terms, Line line, double size,
+                    std::size_t max_steps) {
   constexpr std::size_t moves = 8;  // tried in each round
   double step = 0.25;
   for (std::size_t tried = 0; tried + moves <= max_steps && step > 1e-3; tried += moves) {
@@ -82,7 +83,7 @@ Line deepest_nearby(const Medium& medium, Line line, double size, std::size_t ma
     for (const glm::dvec3& d : {u, -u, v, -v}) {
       for (const Line& next : {Line{line.point + step * size * d, w},
                                Line{line.point, glm::normalize(w + 0.3 * step * d)}}) {
-        const double depth = optical_depth_of_line(medium, next.point, next.direction);
+        const double depth = optical_depth_of_line(terms, next.point, next.direction);
         if (depth > best.depth) best = {next.point, next.direction, depth};
       }
     }
@@ -95,11 +96,11 @@ Line deepest_nearby(const Medium& medium, Line line, double size, std::size_t ma
   return line;
 }
 
-double density_at(const Medium& medium, const glm::dvec3& point) {
-  double sum = medium.homogeneous_density();
-  for (std::size_t i = 0; i < medium.size(); ++i) {
-    const glm::dvec3 offset = (point - medium.centers()[i]) / medium.radii()[i];
-    sum += medium.densities()[i] * std::exp(-glm::dot(offset, offset));
+double density_at(const GaussianTerms<double>& terms, double b0, const glm::dvec3& point) {
+  double sum = b0;
+  for (const GaussianTerm<double>& term : terms.all()) {
+    const glm::dvec3 offset = term.scaled(point);
+    sum += term.c * std::exp(-glm::dot(offset, offset));
   }
   return sum;
 }
@@ -154,22 +155,24 @@ MediumSummary summarize(const Medium& medium) {
     summary.max_radius = std::max(summary.max_radius, radius);
   }
 
+  const GaussianTerms<double> terms(medium);
   const SearchSize search = search_size(size);
   const std::vector<std::size_t> centers = thickest(medium, search.centers);
   summary.peak_density = std::max(summary.peak_density, max_of(centers.size(), [&](auto i) {
-                                    return density_at(medium, medium.centers()[centers[i]]);
+                                    return density_at(terms, medium.homogeneous_density(),
+                                                      medium.centers()[centers[i]]);
                                   }));
 
   std::vector<Line> lines(search.centers * search.directions);
   tbb::parallel_for(std::size_t{0}, lines.size(), [&](std::size_t i) {
     lines[i] = {medium.centers()[centers[i / search.directions]],
                 direction(i % search.directions, search.directions)};
-    lines[i].depth = optical_depth_of_line(medium, lines[i].point, lines[i].direction);
+    lines[i].depth = optical_depth_of_line(terms, lines[i].point, lines[i].direction);
   });
   std::partial_sort(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(search.starts),
                     lines.end(), [](const Line& a, const Line& b) { return a.depth > b.depth; });
   summary.max_optical_depth = max_of(search.starts, [&](std::size_t i) {
-    return deepest_nearby(medium, lines[i], summary.max_radius, search.steps).depth;
+    return deepest_nearby(terms, lines[i], summary.max_radius, search.steps).depth;
   });
   return summary;
 }

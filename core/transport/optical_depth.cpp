@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "core/math/max_component.h"
 #include "core/math/special_functions.h"
 
 namespace brume {
@@ -54,17 +55,67 @@ struct NormalisedSegment {
 }  // namespace
 
 template <class Real>
+GaussianTerms<Real>::GaussianTerms(const Medium& medium, double factor) {
+  reserve(medium.size());
+  for (std::size_t i = 0; i < medium.size(); ++i) {
+    Gaussian g = medium.gaussian(i);
+    g.density *= factor;
+    add(g);
+  }
+}
+
+template <class Real>
+void GaussianTerms<Real>::add(const Gaussian& g) {
+  const Ellipsoid<Real>* ellipsoid = nullptr;
+  if (!g.is_ball()) ellipsoid = &ellipsoids_.emplace_back(g.shape);
+  terms_.emplace_back(Real(1.0 / g.radius), Real(g.density), Vec3<Real>(g.center), ellipsoid);
+}
+
+StandaloneTerm::StandaloneTerm(const Gaussian& g) {
+  if (!g.is_ball()) ellipsoid_.emplace(g.shape);
+  term_ = {1.0 / g.radius, g.density, g.center, ellipsoid_ ? &*ellipsoid_ : nullptr};
+}
+
+double mean_radius_of(const GaussianTerm<double>& term) {
+  if (!term.ellipsoid) return 1.0 / term.a;
+  const glm::dvec3& s = term.ellipsoid->stretch;
+  return std::cbrt(s.x * s.y * s.z) / term.a;
+}
+
+double min_radius_of(const GaussianTerm<double>& term) {
+  return (term.ellipsoid ? min_component(term.ellipsoid->stretch) : 1.0) / term.a;
+}
+
+double volume_of(const GaussianTerm<double>& term) {
+  return std::pow(std::sqrt(std::numbers::pi) * mean_radius_of(term), 3);
+}
+
+Gaussian gaussian_of(const GaussianTerm<double>& term) {
+  Gaussian g{term.b, 1.0 / term.a, term.c};
+  if (term.ellipsoid) g.shape = {term.ellipsoid->stretch, glm::quat_cast(term.ellipsoid->axes)};
+  return g;
+}
+
+template <class Real>
 LineProfile<Real> line_profile(const GaussianTerm<Real>& g, const Vec3<Real>& origin,
                                const Vec3<Real>& w) {
   const Vec3<Real> q = g.b - origin;
-  const Real t0 = glm::dot(q, w) / glm::dot(w, w);
-  const Vec3<Real> p = g.a * (q - t0 * w);
-  return {t0, glm::dot(p, p)};
+  if (!g.ellipsoid) {
+    const Real t0 = glm::dot(q, w) / glm::dot(w, w);
+    const Vec3<Real> p = g.a * (q - t0 * w);
+    return {t0, glm::dot(p, p), g.a};
+  }
+  const auto& warp = g.ellipsoid->warp;
+  const Vec3<Real> v = warp * w;
+  const Real speed2 = glm::dot(v, v);
+  const Real t0 = glm::dot(warp * q, v) / speed2;
+  const Vec3<Real> p = g.a * (warp * (q - t0 * w));
+  return {t0, glm::dot(p, p), g.a * std::sqrt(speed2)};
 }
 
 template <class Real>
 Real optical_depth(const GaussianTerm<Real>& g, const LineProfile<Real>& line, Real d) {
-  const NormalisedSegment<Real> s(g.a, line.t0, d);
+  const NormalisedSegment<Real> s(line.a, line.t0, d);
   if (s.is_short) {
     // All terms are positive, so nothing cancels; d -> 0 gives density times length.
     const Real m = Real(0.5) * (s.u0 + s.u1);
@@ -76,7 +127,7 @@ Real optical_depth(const GaussianTerm<Real>& g, const LineProfile<Real>& line, R
     }
     return g.c * d * std::exp(-(line.e + m * m)) * sum;
   }
-  const Real scale = g.c / g.a * Real(0.5) * sqrt_pi<Real>;
+  const Real scale = g.c / line.a * Real(0.5) * sqrt_pi<Real>;
   if (s.straddles) return scale * std::exp(-line.e) * (std::erf(s.u1) - std::erf(s.u0));
   // Both ends on one side: the difference of erf would cancel in the tail, that of erfc does not.
   return scale * std::exp(-line.e) * (std::erfc(s.lo) - std::erfc(s.hi));
@@ -90,9 +141,13 @@ Real optical_depth(const GaussianTerm<Real>& g, const Vec3<Real>& A, const Vec3<
   return optical_depth(g, line_profile(g, A, v / d), d);
 }
 
+double optical_depth(const Gaussian& g, const glm::dvec3& A, const glm::dvec3& B) {
+  return optical_depth(*StandaloneTerm(g), A, B);
+}
+
 template <class Real>
-Real truncated_mean(const GaussianTerm<Real>& g, const LineProfile<Real>& line, Real d) {
-  const NormalisedSegment<Real> s(g.a, line.t0, d);
+Real truncated_mean(const LineProfile<Real>& line, Real d) {
+  const NormalisedSegment<Real> s(line.a, line.t0, d);
   Real mean;
   if (s.is_short) {
     const Real m = Real(0.5) * (s.u0 + s.u1);
@@ -105,15 +160,15 @@ Real truncated_mean(const GaussianTerm<Real>& g, const LineProfile<Real>& line, 
       integral += weight * std::cosh(2 * m * step);
       moment -= weight * step * std::sinh(2 * m * step);
     }
-    mean = Real(0.5) * d + moment / integral / g.a;
+    mean = Real(0.5) * d + moment / integral / line.a;
   } else if (s.straddles) {
     const Real integral = sqrt_pi<Real> * (std::erf(s.u1) - std::erf(s.u0));
-    mean = line.t0 + (std::exp(-s.u0 * s.u0) - std::exp(-s.u1 * s.u1)) / (g.a * integral);
+    mean = line.t0 + (std::exp(-s.u0 * s.u0) - std::exp(-s.u1 * s.u1)) / (line.a * integral);
   } else {
     // Scaled by exp(lo^2), so that the ratio lives on where both parts underflow.
     const Real decay = std::exp((s.lo - s.hi) * (s.lo + s.hi));
     const Real rest = decay > 0 ? decay * erfcx(s.hi) : Real(0);
-    const Real offset = (1 - decay) / (sqrt_pi<Real> * (erfcx(s.lo) - rest)) / g.a;
+    const Real offset = (1 - decay) / (sqrt_pi<Real> * (erfcx(s.lo) - rest)) / line.a;
     mean = s.u0 > 0 ? line.t0 + offset : line.t0 - offset;
   }
   return std::clamp(mean, Real(0), d);
@@ -131,11 +186,12 @@ double cutoff_cone(const glm::dvec3& center, double cutoff_radius, const glm::dv
 }
 
 #define BRUME_OPTICAL_DEPTH(Real)                                                               \
+  template class GaussianTerms<Real>;                                                           \
   template LineProfile<Real> line_profile(const GaussianTerm<Real>&, const Vec3<Real>&,         \
                                           const Vec3<Real>&);                                   \
   template Real optical_depth(const GaussianTerm<Real>&, const LineProfile<Real>&, Real);       \
   template Real optical_depth(const GaussianTerm<Real>&, const Vec3<Real>&, const Vec3<Real>&); \
-  template Real truncated_mean(const GaussianTerm<Real>&, const LineProfile<Real>&, Real);
+  template Real truncated_mean(const LineProfile<Real>&, Real);
 BRUME_OPTICAL_DEPTH(double)
 BRUME_OPTICAL_DEPTH(float)
 #undef BRUME_OPTICAL_DEPTH

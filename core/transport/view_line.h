@@ -16,8 +16,7 @@ LineProfile<Real> view_line_profile(const GaussianTerm<Real>& g, const Vec3<Real
   if (!noise.on()) return line;
   const glm::dvec3 direction(w);
   const glm::dvec3 x = glm::dvec3(eye) + static_cast<double>(line.t0) * direction;
-  const glm::dvec3 offset =
-      static_cast<double>(g.a) * (glm::dvec3(g.b) - x) - noise.shift(x, direction);
+  const glm::dvec3 offset = -glm::dvec3(g.scaled(Vec3<Real>(x))) - noise.shift(x, direction);
   line.e = static_cast<Real>(glm::dot(offset, offset));
   return line;
 }

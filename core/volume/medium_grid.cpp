@@ -12,6 +12,8 @@
 #include <unordered_map>
 
 #include "brume/limits.h"
+#include "core/math/max_component.h"
+#include "core/transport/optical_depth.h"
 
 namespace brume {
 namespace {
@@ -36,12 +38,19 @@ template <class Visit>
 bool each_block(const Gaussian& g, double voxel_size, std::size_t max_blocks, Visit visit) {
   const glm::dvec3 center = g.center / voxel_size;
   const double radius = cutoff_in_radii * g.radius / voxel_size;
-  const glm::dvec3 extent = glm::abs(center) + radius;
-  if (!(std::max({extent.x, extent.y, extent.z}) < max_voxels)) return false;
-  const glm::ivec3 low = block_corner(glm::ivec3(glm::floor(center - radius)));
-  const glm::ivec3 high = block_corner(glm::ivec3(glm::ceil(center + radius)));
-  // A ball has 52% of its box.
-  const glm::dvec3 across = glm::dvec3(high - low) / double(side) + 1.0;
+  std::optional<Ellipsoid<double>> ellipsoid;
+  if (!g.is_ball()) ellipsoid.emplace(g.shape);
+  const glm::dvec3 reach = radius * (ellipsoid ? ellipsoid->reach() : glm::dvec3(1.0));
+  if (!(max_component(glm::abs(center) + reach) < max_voxels)) return false;
+  const glm::ivec3 low = block_corner(glm::ivec3(glm::floor(center - reach)));
+  const glm::ivec3 high = block_corner(glm::ivec3(glm::ceil(center + reach)));
+  // Where a ball around a block is, in the space in which an ellipsoid is one.
+  constexpr double half = 0.5 * (side - 1);
+  const double block_radius =
+      ellipsoid ? half * std::sqrt(3.0) / min_component(g.shape.stretch) : 0;
+  // A ball has 52% of its box; an ellipsoid, of a box of its own.
+  const glm::dvec3 across =
+      (ellipsoid ? 2.0 * radius * g.shape.stretch : glm::dvec3(high - low)) / double(side) + 1.0;
   if (0.5 * across.x * across.y * across.z > static_cast<double>(max_blocks)) return false;
   for (int x = low.x; x <= high.x; x += side) {
     for (int y = low.y; y <= high.y; y += side) {
@@ -49,6 +58,10 @@ bool each_block(const Gaussian& g, double voxel_size, std::size_t max_blocks, Vi
         const glm::dvec3 first(x, y, z);
         const glm::dvec3 offset = glm::clamp(center, first, first + double(side - 1)) - center;
         if (glm::dot(offset, offset) > radius * radius) continue;
+        if (ellipsoid &&
+            glm::length(ellipsoid->warp * (first + half - center)) > radius + block_radius) {
+          continue;
+        }
         if (!visit(glm::ivec3(x, y, z))) return false;
       }
     }
@@ -62,6 +75,17 @@ using Sums = std::array<double, DensityGrid::block_size>;
 template <std::size_t count>
 void add(const Gaussian& g, const glm::ivec3& corner, double voxel_size,
          const std::array<double, count>& factors, std::array<Sums, count>& sums) {
+  if (!g.is_ball()) {
+    const StandaloneTerm term(g);
+    for (std::size_t i = 0; i < DensityGrid::block_size; ++i) {
+      const auto at = static_cast<int>(i);
+      const glm::ivec3 voxel = corner + glm::ivec3(at / (side * side), at / side % side, at % side);
+      const glm::dvec3 q = (*term).scaled(voxel_size * glm::dvec3(voxel));
+      const double density = g.density * std::exp(-glm::dot(q, q));
+      for (std::size_t k = 0; k < count; ++k) sums[k][i] += factors[k] * density;
+    }
+    return;
+  }
   std::array<std::array<double, side>, 3> along;
   for (int axis = 0; axis < 3; ++axis) {
     for (int k = 0; k < side; ++k) {
@@ -87,7 +111,8 @@ double fitting_voxel_size(const Medium& medium) {
   double min_radius = 0.0;
   for (std::size_t i = 0; i < medium.size(); ++i) {
     if (!(medium.densities()[i] > 0.0)) continue;
-    if (min_radius == 0.0 || medium.radii()[i] < min_radius) min_radius = medium.radii()[i];
+    const double radius = min_component(medium.gaussian(i).radii());
+    if (min_radius == 0.0 || radius < min_radius) min_radius = radius;
   }
   return 0.5 * min_radius;
 }

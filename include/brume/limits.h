@@ -40,8 +40,9 @@ inline constexpr std::size_t keys_of_value = 100'000;  // of an animation
 inline constexpr double coordinate = 1e12;   // |x| [u]
 inline constexpr double min_length = 1e-12;  // of radii and scales [u]
 inline constexpr double max_length = 1e12;
-inline constexpr double density = 1e12;    // [1/u]
-inline constexpr double intensity = 1e20;  // [W/sr]
-inline constexpr double slope = 1e30;      // of a value with keyframes [1/s]
+inline constexpr double min_stretch = 1e-4;  // of radii of an ellipsoid, to the greatest
+inline constexpr double density = 1e12;      // [1/u]
+inline constexpr double intensity = 1e20;    // [W/sr]
+inline constexpr double slope = 1e30;        // of a value with keyframes [1/s]
 
 }  // namespace brume::limits

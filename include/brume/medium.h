@@ -26,13 +26,15 @@ class BRUME_EXPORT Medium {
   [[nodiscard]] bool empty() const { return ids_.empty(); }
 
   [[nodiscard]] std::span<const glm::dvec3> centers() const { return centers_.all(); }
+  // The greatest of each Gaussian.
   [[nodiscard]] std::span<const double> radii() const { return radii_.all(); }
   [[nodiscard]] std::span<const double> densities() const { return densities_.all(); }
   [[nodiscard]] std::span<const GaussianId> ids() const { return ids_.all(); }
 
   // The Gaussian at an index in [0, size()).
   [[nodiscard]] Gaussian gaussian(std::size_t index) const {
-    return {centers_[index], radii_[index], densities_[index], optics(index), group(index)};
+    return {centers_[index], radii_[index], densities_[index],
+            optics(index),   group(index),  shape(index)};
   }
   [[nodiscard]] std::optional<std::size_t> index_of(GaussianId id) const;
 
@@ -42,6 +44,11 @@ class BRUME_EXPORT Medium {
   [[nodiscard]] GroupId group(std::size_t index) const {
     return groups_.empty() ? 0 : groups_[index];
   }
+  [[nodiscard]] GaussianShape shape(std::size_t index) const {
+    return shapes_.empty() ? GaussianShape() : shapes_[index];
+  }
+  // Of each Gaussian; empty if all are balls.
+  [[nodiscard]] std::span<const GaussianShape> shapes() const { return shapes_.all(); }
   // Whether a Gaussian has an albedo of its own, or shines.
   [[nodiscard]] bool has_albedos() const;
   [[nodiscard]] bool has_emission() const;
@@ -93,12 +100,14 @@ class BRUME_EXPORT Medium {
   void push_back(GaussianId id, const Gaussian& gaussian);
   void set_optics(std::size_t index, const GaussianOptics& optics);
   void set_group(std::size_t index, GroupId group);
+  void set_shape(std::size_t index, const GaussianShape& shape);
 
   SharedColumn<glm::dvec3> centers_;
   SharedColumn<double> radii_;
   SharedColumn<double> densities_;
   SharedColumn<GaussianOptics> optics_;  // empty: all as by default
   SharedColumn<GroupId> groups_;         // empty: all in none
+  SharedColumn<GaussianShape> shapes_;   // empty: all balls
   SharedColumn<GaussianId> ids_;
   GaussianId next_id_ = 1;
   double homogeneous_density_ = 0.0;

@@ -113,8 +113,8 @@ float distance_tolerance(const MediumIndex& medium, std::span<const std::uint32_
                          double tolerance) {
   double tolerance_u = std::numeric_limits<double>::infinity();
   for (const std::uint32_t i : gaussians) {
-    tolerance_u =
-        std::min(tolerance_u, double{radii_per_tolerance} * tolerance / medium.gaussians()[i].a);
+    const double radius = min_radius_of(medium.gaussians()[i]);
+    tolerance_u = std::min(tolerance_u, double{radii_per_tolerance} * tolerance * radius);
   }
   const double b0 = medium.homogeneous_density();
   if (b0 > 0.0)

@@ -25,7 +25,7 @@ HWY_INLINE Vector LoadDirection(const PathBatch& rays, std::size_t k) {
           hn::LoadU(d, rays.z.data() + k)};
 }
 
-template <bool kDisplaced>
+template <BatchKind kKind>
 HWY_INLINE std::uint64_t Samples(const GaussianBatch& g, const PathBatch& rays, const float* t,
                                  float* densities, float* depths) {
   const D d;
@@ -36,17 +36,16 @@ HWY_INLINE std::uint64_t Samples(const GaussianBatch& g, const PathBatch& rays, 
     V density = hn::Zero(d);
     V depth = hn::Zero(d);
     for (std::size_t j = 0; j < g.size(); ++j) {
-      const V a = set(g.a[j]);
-      const LineProfile<D> line = BatchLineProfile<kDisplaced>(d, g, j, w);
+      const LineProfile<D> line = BatchLineProfile<kKind>(d, g, j, w);
       const auto reached = hn::Le(line.e, set(g.max_e[j]));
       if (hn::AllFalse(d, reached)) continue;
       pairs += hn::CountTrue(d, reached);
       // Nothing beyond the cutoff, whatever rays share a vector.
-      const V half_depth = hn::IfThenElseZero(reached, set(g.scale[j]));
-      depth = hn::MulAdd(half_depth, line.UnitDepth(d, a, distance), depth);
-      const V u = hn::Mul(a, hn::Sub(distance, line.t0));
+      const V half_depth = hn::IfThenElseZero(reached, BatchHalfDepth<kKind>(d, g, j, line));
+      depth = hn::MulAdd(half_depth, line.UnitDepth(d, distance), depth);
+      const V u = hn::Mul(line.a, hn::Sub(distance, line.t0));
       constexpr float two_over_sqrt_pi = 1.12837916709551257f;
-      const V peak = hn::Mul(half_depth, set(g.a[j] * two_over_sqrt_pi));
+      const V peak = hn::Mul(half_depth, hn::Mul(line.a, set(two_over_sqrt_pi)));
       density = hn::MulAdd(peak, hn::Exp(d, hn::Neg(hn::MulAdd(u, u, line.e))), density);
     }
     hn::StoreU(density, d, densities + k);
@@ -57,8 +56,8 @@ HWY_INLINE std::uint64_t Samples(const GaussianBatch& g, const PathBatch& rays, 
 
 std::uint64_t SampleMedium(const GaussianBatch& g, const PathBatch& rays, const float* t,
                            float* densities, float* depths) {
-  return g.noise.on() ? Samples<true>(g, rays, t, densities, depths)
-                      : Samples<false>(g, rays, t, densities, depths);
+  return with_kind(
+      g, [&]<BatchKind kKind>() HWY_ATTR { return Samples<kKind>(g, rays, t, densities, depths); });
 }
 
 void AddScattered(const PathBatch& rays, const LitSamples& samples, const glm::vec3& light,

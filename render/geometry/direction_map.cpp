@@ -10,7 +10,7 @@ namespace brume {
 namespace {
 
 // To 60 degrees to each side a perspective map wastes less than an octahedral one.
-constexpr double widest = std::numbers::pi / 3.0;
+constexpr double widest_angle = std::numbers::pi / 3.0;
 
 struct Interval {
   double low = std::numeric_limits<double>::infinity();
@@ -26,7 +26,7 @@ bool widen(Interval& interval, double across, double along, double radius) {
   const double half = std::asin(radius / distance);
   interval.low = std::min(interval.low, center - half);
   interval.high = std::max(interval.high, center + half);
-  return interval.low > -widest && interval.high < widest;
+  return interval.low > -widest_angle && interval.high < widest_angle;
 }
 
 }  // namespace

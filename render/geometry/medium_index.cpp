@@ -21,7 +21,7 @@ MediumIndex::MediumIndex(const Medium& medium, const CullingTolerance& tolerance
   cutoff_radii_.reserve(medium.size());
   for (std::size_t i = 0; i < medium.size(); ++i) {
     const Gaussian g = medium.gaussian(i);
-    gaussians_.emplace_back(g);
+    gaussians_.add(g);
     cutoff_radii_.push_back(brume::cutoff_radius(g.radius, g.density, tolerance.of(g)));
     if (cutoff_radii_.back() > 0.0) max_radius_ = std::max(max_radius_, g.radius);
   }
@@ -36,7 +36,7 @@ double MediumIndex::density(const glm::dvec3& x) const {
   double sum = b0_;
   bvh_.query(RaySegment{x, {0.0, 0.0, 1.0}, 0.0}, [&](std::uint32_t i) {
     const GaussianTerm<double>& g = gaussians_[i];
-    const glm::dvec3 q = g.a * (x - g.b);
+    const glm::dvec3 q = g.scaled(x);
     sum += g.c * std::exp(-glm::dot(q, q));
   });
   return sum;
@@ -47,7 +47,7 @@ RelativeOptics MediumIndex::optics_at(const glm::dvec3& x, double fog) const {
   OpticsMean mean(fog);
   bvh_.query(RaySegment{x, {0.0, 0.0, 1.0}, 0.0}, [&](std::uint32_t i) {
     const GaussianTerm<double>& g = gaussians_[i];
-    const glm::dvec3 q = g.a * (x - g.b);
+    const glm::dvec3 q = g.scaled(x);
     mean.add(g.c * std::exp(-glm::dot(q, q)), optics_[i]);
   });
   return mean.mean();

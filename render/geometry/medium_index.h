@@ -62,7 +62,7 @@ class MediumIndex {
 
   [[nodiscard]] Revision revision() const { return revision_; }  // of all but its noise
   [[nodiscard]] std::size_t size() const { return gaussians_.size(); }
-  [[nodiscard]] std::span<const GaussianTerm<double>> gaussians() const { return gaussians_; }
+  [[nodiscard]] std::span<const GaussianTerm<double>> gaussians() const { return gaussians_.all(); }
   [[nodiscard]] std::span<const double> cutoff_radii() const { return cutoff_radii_; }
   // Of each Gaussian; empty if all are as by default.
   [[nodiscard]] std::span<const RelativeOptics> optics() const { return optics_; }
@@ -99,7 +99,7 @@ class MediumIndex {
 
  private:
   Revision revision_ = new_revision();
-  std::vector<GaussianTerm<double>> gaussians_;
+  GaussianTerms<double> gaussians_;
   std::vector<double> cutoff_radii_;
   std::vector<RelativeOptics> optics_;
   double max_radius_ = 0.0;

@@ -43,7 +43,7 @@ Tiles::Lists Tiles::lists(const MediumIndex& medium, const CameraRays& rays, int
   tbb::parallel_for(std::size_t{0}, parts, [&](std::size_t part) {
     each_of(part, [&](std::size_t i) {
       if (!(medium.cutoff_radii()[i] > 0.0)) return;
-      const auto b = rays.bounds(medium.gaussians()[i].b, medium.view_cutoff_radius(i));
+      const auto b = rays.bounds(medium.gaussians()[i], medium.view_cutoff_radius(i));
       if (b.empty()) return;
       // A ray of the last column or row may lie slightly before its grid position.
       bounds[i] = {b.x0 / scale / width, b.y0 / scale / height,

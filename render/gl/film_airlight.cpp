@@ -111,19 +111,19 @@ std::size_t FilmAirlight::run(Programs& programs, DeviceClock& clock, const Prog
     rms.bind("samples", samples_);
     rms.bind("Totals", totals_);
     rms.dispatch(1);
-    const Program& interpolate = programs["interpolate"];
+    const Program& interpolate = programs.get("interpolate", lists.defined());
     interpolate.bind("samples", samples_);
     interpolate.bind("LightOffsets", light_offsets_);
     interpolate.bind("LightPixels", light_pixels_);
     run_upsampling(interpolate, 0);
-    run_upsampling(programs["curved_nodes"], nodes_at);
+    run_upsampling(programs.get("curved_nodes", lists.defined()), nodes_at);
   });
   UpsamplingTotals totals;
   totals_.download(std::span(&totals, 1));
   clock.time(view.plan.medium_stage(), [&] { run_method(true, totals.batches, 0); });
   if (totals.curved_cells == 0) return sample_count + totals.asked_pixels;
   clock.time(Stage::upsample, [&] {
-    const Program& halve = programs["halve"];
+    const Program& halve = programs.get("halve", lists.defined());
     halve.bind("nodes", textures.airlight);
     run_upsampling(halve, 0);
   });

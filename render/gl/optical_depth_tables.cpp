@@ -87,7 +87,7 @@ std::uint64_t OpticalDepthTables::build(Programs& programs, MediumBuffers& mediu
       pairs_.clear();
     }
     any = true;
-    const Program& program = programs["optical_depth_table"];
+    const Program& program = programs.get("optical_depth_table", medium.defined());
     set_map(program, map_data(table.layout.map, l * max_words(size_)));
     program.set("count", static_cast<unsigned>(medium.count()));
     program.set("light", table.light);

@@ -116,7 +116,7 @@ std::uint64_t SurfaceStage::sum_depths(const SurfaceLighting& lighting, DeviceFr
   depths_.reserve(lighting.lights.size() * pixels * sizeof(float));
   totals_.reserve(sizeof(std::uint32_t));
   totals_.clear();
-  const Program& program = device.programs["surface_depths"];
+  const Program& program = device.programs.get("surface_depths", device.medium.defined());
   program.set("count", static_cast<unsigned>(device.medium.count()));
   program.set("film", glm::ivec2(film.width, film.height));
   for (std::size_t l = 0; l < lighting.lights.size(); ++l) {

@@ -1,4 +1,5 @@
 #include "render/gl/tile_lists.h"
+#include "core/math/max_component.h"
 #include "core/scene/camera_rays.h"
 
 #include <algorithm>
@@ -29,6 +30,7 @@ void MediumBuffers::update(const MediumIndex& medium) {
   centers_.upload(std::span<const glm::dvec3>(centers));
   shapes_.upload(std::span<const GaussianShape>(shapes));
   upload_optics(medium.optics());
+  upload_ellipsoids(batch, medium);
   count_ = all.size();
   revision_ = medium.revision();
 }
@@ -49,15 +51,38 @@ void MediumBuffers::upload_optics(std::span<const RelativeOptics> all) {
   optics_.upload({&texels[0].x, 4 * texels.size()});
 }
 
+void MediumBuffers::upload_ellipsoids(const GaussianBatch& batch, const MediumIndex& medium) {
+  has_ellipsoids_ = !batch.ellipsoids.empty();
+  if (!has_ellipsoids_) {
+    ellipsoids_.release();
+    return;
+  }
+  const int texels = 2 * static_cast<int>(batch.size());
+  const glm::ivec2 size(optics_width, (texels - 1) / optics_width + 1);
+  std::vector<glm::vec4> values(static_cast<std::size_t>(size.x) *
+                                static_cast<std::size_t>(size.y));
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    if (!batch.is_ellipsoid(i)) continue;
+    const auto& [xx, yy, zz, yz, xz, xy] = batch.ellipsoids[i].warp;
+    const glm::dvec3& stretch = medium.gaussians()[i].ellipsoid->stretch;
+    values[2 * i] = {xx, yy, zz, yz};
+    values[2 * i + 1] = {xz, xy, static_cast<float>(min_component(stretch)), 1.0f};
+  }
+  ellipsoids_.reserve(Texture::Format::rgba32f, size);
+  ellipsoids_.upload({&values[0].x, 4 * values.size()});
+}
+
 void MediumBuffers::bind(const Program& program) {
   program.bind("Centers", centers_);
   program.bind("Shapes", shapes_);
+  bind_ellipsoids(program);
 }
 
 void TileLists::bind(const Program& program) {
   program.bind("Seen", seen_);
   program.bind("Offsets", offsets_);
   program.bind("Entries", entries_);
+  medium_->bind_ellipsoids(program);
 }
 
 void TileLists::build(Programs& programs, MediumBuffers& medium, const MediumIndex& index,
@@ -77,7 +102,8 @@ void TileLists::build(Programs& programs, MediumBuffers& medium, const MediumInd
   offsets_.reserve((tile_count + 1) * sizeof(std::uint32_t));
 
   const CameraRays::FilmPlane plane = rays.plane();
-  const Program& project = programs["project"];
+  medium_ = &medium;
+  const Program& project = programs.get("project", medium.defined());
   project.set("count", static_cast<unsigned>(count));
   project.set("eye", rays.eye());
   project.set("forward", rays.forward());

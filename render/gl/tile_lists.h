@@ -6,6 +6,7 @@
 #include "core/scene/camera_rays.h"
 #include "render/geometry/medium_index.h"
 #include "render/gl/programs.h"
+#include "render/simd/gaussian_kernels.h"
 
 namespace brume::gl {
 
@@ -21,9 +22,13 @@ class MediumBuffers {
   // Of Gaussians with optics of their own, as `optics`.
   void bind_optics(const Program& program) { program.bind("optics", optics_); }
   [[nodiscard]] bool has_optics() const { return has_optics_; }
+  // As `ellipsoids`, for programs with the word that defines them.
+  void bind_ellipsoids(const Program& program) const { program.bind("ellipsoids", ellipsoids_); }
+  [[nodiscard]] const char* defined() const { return has_ellipsoids_ ? "ELLIPSOIDS" : ""; }
 
  private:
   void upload_optics(std::span<const RelativeOptics> all);
+  void upload_ellipsoids(const GaussianBatch& batch, const MediumIndex& medium);
 
   Revision revision_ = 0;  // of the index
   std::size_t count_ = 0;
@@ -31,6 +36,8 @@ class MediumBuffers {
   Buffer shapes_;   // GaussianShape
   Texture optics_;  // a texel of emission and albedo per Gaussian, row by row
   bool has_optics_ = false;
+  Texture ellipsoids_;  // see shaders/ellipsoids.glsl
+  bool has_ellipsoids_ = false;
 };
 
 // Tile binning on the device: for every tile the Gaussians that its rays may meet; Tiles::Lists in
@@ -47,6 +54,8 @@ class TileLists {
   [[nodiscard]] const glm::ivec2& sample_film() const { return sample_film_; }
   // As `Seen`, `Offsets` and `Entries`.
   void bind(const Program& program);
+  // MediumBuffers::defined() of the medium that they were built for, which bind() binds too.
+  [[nodiscard]] const char* defined() const { return medium_->defined(); }
   Buffer& offsets() { return offsets_; }  // start of each list
   Buffer& entries() { return entries_; }
 
@@ -54,6 +63,7 @@ class TileLists {
   glm::ivec2 tiles_{0};
   glm::ivec2 sample_film_{0};
   std::size_t used_ = 0;
+  const MediumBuffers* medium_ = nullptr;
   Buffer seen_, rectangles_, totals_, cursors_, offsets_, entries_;
 };
 

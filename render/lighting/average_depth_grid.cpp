@@ -15,6 +15,7 @@ namespace {
 
 constexpr double max_nodes = 32'768;
 constexpr double max_evaluations = 5e7;
+constexpr double ellipsoid_cost = 50.0;  // evaluations of a ball
 
 // The paper's table of Tbar(u), here over s = 1 / (1 + u^2), in which Tbar / s hardly varies.
 // Relative error at most 1e-4.
@@ -72,16 +73,24 @@ AverageDepthGrid::AverageDepthGrid(std::span<const GaussianTerm<double>> gaussia
   static const UnitAverageDepth unit_depth;
   double min_radius = std::numeric_limits<double>::infinity();
   std::vector<Term> terms;
+  GaussianTerms<float> ellipsoids;
   for (const GaussianTerm<double>& g : gaussians) {
     if (!(g.c > 0.0)) continue;
-    min_radius = std::min(min_radius, 1.0 / g.a);
+    min_radius = std::min(min_radius, min_radius_of(g));
+    if (g.ellipsoid) {
+      Gaussian own = gaussian_of(g);
+      own.center -= box.low;
+      ellipsoids.add(own);
+      continue;
+    }
     terms.push_back(
         {glm::vec3(g.b - box.low), static_cast<float>(g.a * g.a), static_cast<float>(g.c / g.a)});
   }
   const glm::dvec3 extent = box.high - box.low;
-  if (!terms.empty()) {
-    const double max_count =
-        std::clamp(max_evaluations / static_cast<double>(terms.size()), 64.0, max_nodes);
+  const double evaluations =
+      static_cast<double>(terms.size()) + ellipsoid_cost * static_cast<double>(ellipsoids.size());
+  if (evaluations > 0.0) {
+    const double max_count = std::clamp(max_evaluations / evaluations, 64.0, max_nodes);
     nodes_ = nodes_at(extent, spacing_for(extent, 0.25 * min_radius, max_count));
   }
   const glm::dvec3 cells(nodes_ - 1);
@@ -98,6 +107,7 @@ AverageDepthGrid::AverageDepthGrid(std::span<const GaussianTerm<double>> gaussia
         const glm::vec3 q = p - term.center;
         sum += term.depth * unit_depth(term.a2 * (q.x * q.x + q.y * q.y + q.z * q.z));
       }
+      for (const GaussianTerm<float>& g : ellipsoids.all()) sum += average_depth(g, p);
       depths[x] = sum;
     }
   });

@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
+#include <glm/exponential.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 
 namespace brume {
 namespace {
@@ -33,6 +37,62 @@ struct Profile {
   }
 };
 
+// An ellipsoid, each of its radii at least the spacing, by the same recurrence along each row.
+void add_ellipsoid(const GaussianTerm<double>& g, const glm::dvec3& first, const GridNodes& nodes,
+                   std::vector<float>& density) {
+  const double spacing = static_cast<double>(nodes.spacing);
+  const glm::dvec3 own = g.ellipsoid->stretch / g.a;
+  const glm::dvec3 radii = glm::max(own, spacing);
+  const glm::dvec3 shares = own / radii;
+  const double peak = g.c * shares.x * shares.y * shares.z;
+  const glm::dmat3& axes = g.ellipsoid->axes;
+  // Minus the exponent is q . form q.
+  glm::dmat3 form(0.0);
+  glm::dvec3 reach(0.0);
+  for (int k = 0; k < 3; ++k) {
+    form += glm::outerProduct(axes[k], axes[k]) / (radii[k] * radii[k]);
+    reach += glm::dvec3(radii[k] * radii[k]) * axes[k] * axes[k];
+  }
+  reach = followed * glm::sqrt(reach);
+  const glm::dvec3 center = g.b - first;
+  const glm::dvec3 low = glm::max(glm::ceil((center - reach) / spacing), glm::dvec3(0.0));
+  const glm::dvec3 high =
+      glm::min(glm::floor((center + reach) / spacing), glm::dvec3(nodes.count - 1));
+  if (!(low.x <= high.x && low.y <= high.y && low.z <= high.z)) return;
+  const glm::ivec3 begin(low);
+  const glm::ivec3 last(high);
+  // exp(-xx (x - middle)^2 - rest) along a row.
+  const double xx = form[0][0];
+  const double change = std::exp(-2.0 * xx * spacing * spacing);
+  for (int z = begin.z; z <= last.z; ++z) {
+    for (int y = begin.y; y <= last.y; ++y) {
+      const glm::dvec3 q =
+          glm::dvec3(0.0, y * spacing, z * spacing) - glm::dvec3(0.0, center.y, center.z);
+      const double middle = -(form[1][0] * q.y + form[2][0] * q.z) / xx;
+      const double rest = glm::dot(q, form * q) - xx * middle * middle;
+      const double left = followed * followed - rest;
+      if (!(left > 0.0)) continue;
+      const double half = std::sqrt(left / xx);
+      const double at = center.x + middle;
+      const int x0 = std::max(begin.x, static_cast<int>(std::ceil((at - half) / spacing)));
+      const int x1 = std::min(last.x, static_cast<int>(std::floor((at + half) / spacing)));
+      if (x0 > x1) continue;
+      const double offset = x0 * spacing - at;
+      double value = peak * std::exp(-(xx * offset * offset + rest));
+      double ratio = std::exp(-xx * (2.0 * offset + spacing) * spacing);
+      float* target =
+          density.data() + (static_cast<std::size_t>(z) * static_cast<std::size_t>(nodes.count.y) +
+                            static_cast<std::size_t>(y)) *
+                               static_cast<std::size_t>(nodes.count.x);
+      for (int x = x0; x <= x1; ++x) {
+        target[x] += static_cast<float>(value);
+        value *= ratio;
+        ratio *= change;
+      }
+    }
+  }
+}
+
 // Adds what some Gaussians are at the nodes.
 void add_density(std::span<const GaussianTerm<double>> gaussians, const glm::dvec3& first,
                  const GridNodes& nodes, std::vector<float>& density) {
@@ -41,6 +101,10 @@ void add_density(std::span<const GaussianTerm<double>> gaussians, const glm::dve
   const auto height = static_cast<std::size_t>(nodes.count.y);
   Profile x, y, z;
   for (const GaussianTerm<double>& g : gaussians) {
+    if (g.ellipsoid) {
+      add_ellipsoid(g, first, nodes, density);
+      continue;
+    }
     const double radius = std::max(1.0 / g.a, spacing);
     const double widened = 1.0 / (g.a * radius);
     const auto peak = static_cast<float>(g.c * widened * widened * widened);

@@ -48,7 +48,8 @@ Cluster cluster_of(std::vector<EmittingGaussian> emitters, const MediumIndex& me
   for (const EmittingGaussian& emitter : cluster.emitters) {
     const GaussianTerm<double>& g = medium.gaussians()[emitter.index];
     const glm::dvec3 q = g.b - cluster.center;
-    squares += emitter.weight * (q * q + 0.5 / (g.a * g.a));
+    const glm::dvec3 radii = (g.ellipsoid ? g.ellipsoid->reach() : glm::dvec3(1.0)) / g.a;
+    squares += emitter.weight * (q * q + 0.5 * radii * radii);
   }
   cluster.deviation = glm::sqrt(squares / cluster.weight);
   return cluster;
@@ -96,7 +97,7 @@ MediumIndex part_of(const MediumIndex& medium, const Cluster& cluster, bool is_i
   Medium part;
   for (std::size_t i = 0; i < medium.size(); ++i) {
     const GaussianTerm<double>& g = medium.gaussians()[i];
-    if (in_cluster[i] == is_in) part.append({g.b, 1.0 / g.a, g.c});
+    if (in_cluster[i] == is_in) part.append(gaussian_of(g));
   }
   return {part, medium.culling()};
 }
@@ -115,13 +116,14 @@ double escaping_share(const Cluster& cluster, const MediumIndex& medium) {
     // Of optical depth T through its center, it lets out Ein(T) / T. What others then let through
     // is found from six points: Gauss' rule of two of a normal distribution, along each axis.
     const GaussianTerm<double>& g = medium.gaussians()[emitter.index];
-    const double depth = g.c / g.a * std::sqrt(std::numbers::pi);
+    const double depth = g.c * mean_radius_of(g) * std::sqrt(std::numbers::pi);
     const double out = depth > 0.0 ? entire_exponential_integral(depth) / depth : 1.0;
     const double offset = std::sqrt(1.5) / g.a;
+    const glm::dmat3 axes = g.ellipsoid ? g.ellipsoid->axes : glm::dmat3(1.0);
+    const glm::dvec3 stretch = g.ellipsoid ? g.ellipsoid->stretch : glm::dvec3(1.0);
     for (int axis = 0; axis < 3; ++axis) {
       for (const double side : {-offset, offset}) {
-        glm::dvec3 x = g.b;
-        x[axis] += side;
+        const glm::dvec3 x = g.b + side * stretch[axis] * axes[axis];
         for (const SphereNode& node : directions) {
           const double others = own.depth({x, node.direction, infinity}) -
                                 optical_depth(g, line_profile(g, x, node.direction), infinity);
@@ -167,8 +169,7 @@ void EmissionLights::update(const MediumIndex& medium, double albedo, const Box&
   std::array<std::vector<EmittingGaussian>, 2> small_and_large;
   for (std::size_t i = 0; i < optics_.size(); ++i) {
     const GaussianTerm<double>& g = medium.gaussians()[i];
-    const double volume = std::pow(std::numbers::pi, 1.5) / (g.a * g.a * g.a);
-    const glm::dvec3 intensity = albedo * g.c * volume * optics_[i].emission;
+    const glm::dvec3 intensity = albedo * g.c * volume_of(g) * optics_[i].emission;
     const double weight = intensity.x + intensity.y + intensity.z;
     const bool is_large = 1.0 / g.a > small_share * extent;
     if (weight > 0.0 && weight < infinity) {

@@ -165,7 +165,7 @@ void GroupGaussians::choose(const GaussianBatch& g, const PathBatch& rays, const
   }
 }
 
-template <bool kDisplaced, bool kOptics, bool kMoments>
+template <BatchKind kKind, bool kOptics, bool kMoments>
 HWY_INLINE std::uint64_t Increments(const GaussianBatch& g, const PathBatch& rays,
                                     const RaySlices& slices, float* increments, float* moments,
                                     GroupGaussians& met) {
@@ -203,16 +203,16 @@ HWY_INLINE std::uint64_t Increments(const GaussianBatch& g, const PathBatch& ray
     const auto each = [&](const MetGaussians& list, auto body) HWY_ATTR {
       for (std::size_t m = 0; m < list.count; ++m) {
         const auto j = static_cast<std::size_t>(list.gaussian[m]);
-        const LineProfile<D> line = BatchLineProfile<kDisplaced>(d, g, j, w);
+        const LineProfile<D> line = BatchLineProfile<kKind>(d, g, j, w);
         const auto reached = hn::Le(line.e, set(g.max_e[j]));
         if (hn::AllFalse(d, reached)) continue;
         pairs += hn::CountTrue(d, reached);
         body(j, static_cast<std::size_t>(list.first[m]), static_cast<std::size_t>(list.end[m]),
-             line, hn::IfThenElseZero(reached, set(g.scale[j])));
+             line, hn::IfThenElseZero(reached, BatchHalfDepth<kKind>(d, g, j, line)));
       }
     };
-    const auto u = [&](std::size_t j, const LineProfile<D>& line, std::size_t boundary) HWY_ATTR {
-      return hn::Mul(set(g.a[j]), hn::Sub(hn::LoadU(d, slices.at(i, boundary)), line.t0));
+    const auto u = [&](const LineProfile<D>& line, std::size_t boundary) HWY_ATTR {
+      return hn::Mul(line.a, hn::Sub(hn::LoadU(d, slices.at(i, boundary)), line.t0));
     };
     const auto middle = [&](std::size_t slice) HWY_ATTR {
       const V ends =
@@ -221,8 +221,12 @@ HWY_INLINE std::uint64_t Increments(const GaussianBatch& g, const PathBatch& ray
     };
     // The part of a Gaussian's moment that depends on where it is cut: with exp(-u^2) there, in its
     // half depth.
-    const auto cut_moment = [&](std::size_t j, V exponential) HWY_ATTR {
-      return hn::Mul(set(static_cast<float>(1.0 / coefficient::sqrt_pi) / g.a[j]), exponential);
+    const auto cut_moment = [&](std::size_t j, const LineProfile<D>& line, V exponential) HWY_ATTR {
+      constexpr auto inv_sqrt_pi = static_cast<float>(1.0 / coefficient::sqrt_pi);
+      if constexpr (kKind == BatchKind::any) {
+        return hn::Div(hn::Mul(set(inv_sqrt_pi), exponential), line.a);
+      }
+      return hn::Mul(set(inv_sqrt_pi / g.a[j]), exponential);
     };
     each(met.whole, [&](std::size_t j, std::size_t first, std::size_t, const LineProfile<D>& line,
                         V half_depth) HWY_ATTR {
@@ -233,9 +237,9 @@ HWY_INLINE std::uint64_t Increments(const GaussianBatch& g, const PathBatch& ray
     each(met.cut, [&](std::size_t j, std::size_t first, std::size_t, const LineProfile<D>& line,
                       V half_depth) HWY_ATTR {
       const V scale = hn::Mul(half_depth, hn::Exp(d, hn::Neg(line.e)));
-      const V erf = FastErf(u(j, line, first + 1));
+      const V erf = FastErf(u(line, first + 1));
       V beyond = hn::Zero(d);
-      if constexpr (kMoments) beyond = hn::Mul(scale, cut_moment(j, ExpOfErf(erf)));
+      if constexpr (kMoments) beyond = hn::Mul(scale, cut_moment(j, line, ExpOfErf(erf)));
       const V before = hn::MulAdd(scale, erf, scale);
       const V behind = hn::NegMulAdd(scale, erf, scale);
       add(j, first, before, hn::MulSub(before, line.t0, beyond));
@@ -244,9 +248,9 @@ HWY_INLINE std::uint64_t Increments(const GaussianBatch& g, const PathBatch& ray
     each(met.other, [&](std::size_t j, std::size_t first, std::size_t end,
                         const LineProfile<D>& line, V half_depth) HWY_ATTR {
       if (g.scale[j] > exact_above) {
-        V previous = u(j, line, first);
+        V previous = u(line, first);
         for (std::size_t k = first; k < end; ++k) {
-          const V current = u(j, line, k + 1);
+          const V current = u(line, k + 1);
           const V width = hn::Sub(current, previous);
           const V depth = hn::Mul(half_depth, SegmentIntegral(d, line.e, previous, current, width));
           add(j, k, depth, hn::Mul(depth, middle(k)));
@@ -262,9 +266,9 @@ HWY_INLINE std::uint64_t Increments(const GaussianBatch& g, const PathBatch& ray
       const Cut before{set(-coefficient::erf_fast_end), hn::Neg(one), hn::Zero(d)};
       const Cut behind{set(coefficient::erf_fast_end), one, hn::Zero(d)};
       const auto cut_at = [&](std::size_t k) HWY_ATTR {
-        const V at = u(j, line, k);
+        const V at = u(line, k);
         V moment = hn::Zero(d);
-        if constexpr (kMoments) moment = cut_moment(j, hn::Exp(d, hn::Neg(hn::Mul(at, at))));
+        if constexpr (kMoments) moment = cut_moment(j, line, hn::Exp(d, hn::Neg(hn::Mul(at, at))));
         return Cut{at, FastErf(at), moment};
       };
       Cut previous = farthest[first] <= g.near[j] ? before : cut_at(first);
@@ -288,23 +292,20 @@ HWY_INLINE std::uint64_t Increments(const GaussianBatch& g, const PathBatch& ray
   return pairs;
 }
 
-template <bool kDisplaced, bool kOptics>
+template <BatchKind kKind, bool kOptics>
 std::uint64_t IncrementsOf(const GaussianBatch& g, const PathBatch& rays, const RaySlices& slices,
                            float* increments, float* moments, GroupGaussians& met) {
-  return moments
-             ? Increments<kDisplaced, kOptics, true>(g, rays, slices, increments, moments, met)
-             : Increments<kDisplaced, kOptics, false>(g, rays, slices, increments, moments, met);
+  return moments ? Increments<kKind, kOptics, true>(g, rays, slices, increments, moments, met)
+                 : Increments<kKind, kOptics, false>(g, rays, slices, increments, moments, met);
 }
 
 std::uint64_t AccumulateIncrements(const GaussianBatch& g, const PathBatch& rays,
                                    const RaySlices& slices, float* increments, float* moments) {
   thread_local GroupGaussians met;
-  if (g.has_optics()) {
-    return g.noise.on() ? IncrementsOf<true, true>(g, rays, slices, increments, moments, met)
-                        : IncrementsOf<false, true>(g, rays, slices, increments, moments, met);
-  }
-  return g.noise.on() ? IncrementsOf<true, false>(g, rays, slices, increments, moments, met)
-                      : IncrementsOf<false, false>(g, rays, slices, increments, moments, met);
+  return with_kind(g, [&]<BatchKind kKind>() HWY_ATTR {
+    return g.has_optics() ? IncrementsOf<kKind, true>(g, rays, slices, increments, moments, met)
+                          : IncrementsOf<kKind, false>(g, rays, slices, increments, moments, met);
+  });
 }
 
 }  // namespace brume::HWY_NAMESPACE

@@ -59,6 +59,15 @@ SliceNeed slice_need(const GaussianTerm<double>& g, double center, const TileCon
   return {center + share * (nearest.t - center), core_radius(radius, g.c), radius, g.c * share};
 }
 
+// Of an ellipsoid, by the axis of the cone. It is as wide along the rays as they pass it.
+SliceNeed slice_need_of_ellipsoid(const GaussianTerm<double>& g, const TileCone& rays) {
+  const LineProfile<double> line = line_profile(g, rays.eye, rays.center);
+  const double nearer = rays.spread * std::max(line.t0, 0.0) / min_radius_of(g);
+  const double h = std::max(std::sqrt(line.e) - nearer, 0.0);
+  const double radius = 1.0 / line.a;
+  return {line.t0, core_radius(radius, g.c), radius, g.c * std::exp(-h * h)};
+}
+
 // Which of a tile's Gaussians demand slices. Of many, every so manieth does for those beside it,
 // and each that stands out.
 class DemandingGaussians {
@@ -209,6 +218,16 @@ void choose_slices(const MediumIndex& medium, std::span<const std::uint32_t> gau
     const double r = medium.cutoff_radii()[i];
     const double center = glm::dot(q, w);
     const double weight = demanding.weight(k, g);
+    if (g.ellipsoid) {
+      // What it has on a ray lies as far along the axis, to the cosine between them.
+      const double along = r * g.ellipsoid->reach(w);
+      extent.add(center - along, (center + along) * std::hypot(1.0, rays.spread));
+      if (weight == 0.0) continue;
+      SliceNeed& need = needs.emplace_back(slice_need_of_ellipsoid(g, rays));
+      need.weight = weight;
+      core.add(need.t - need.half, need.t + need.half);
+      continue;
+    }
     if (weight == 0.0) {
       extent.add(center - r, glm::length(q) + r);
       continue;

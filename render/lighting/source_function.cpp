@@ -64,15 +64,6 @@ std::shared_ptr<const RadianceMap> scattered_by_forward_lobe(
   return map;
 }
 
-std::vector<GaussianTerm<double>> gaussian_terms(const Medium& medium, double factor) {
-  std::vector<GaussianTerm<double>> gaussians;
-  for (std::size_t i = 0; i < medium.size(); ++i) {
-    gaussians.emplace_back(medium.gaussian(i));
-    gaussians.back().c *= factor;
-  }
-  return gaussians;
-}
-
 double power(const DistantLight& light) {
   return light.irradiance.x + light.irradiance.y + light.irradiance.z;
 }
@@ -166,8 +157,9 @@ bool SourceFunction::make_grid(const Input& input, const Job& job) {
   receivers_ = input.receivers;
   size_ = input.size;
 
+  const GaussianTerms<double> terms(input.medium, extinction);
   grid_.emplace(
-      gaussian_terms(input.medium, extinction), lights_in_world(),
+      terms.all(), lights_in_world(),
       SourceGrid::Content{phase_.count(), input.medium.homogeneous_density(), input.fog_ball,
                           input.in_fog, receivers_, surfaces, input.multiple.has_value(),
                           input.multiple ? input.multiple->emission : nullptr},

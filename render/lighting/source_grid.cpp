@@ -33,9 +33,10 @@ struct Bounds {
   Bounds(std::span<const GaussianTerm<double>> gaussians, const SourceGrid::Content& content) {
     for (const GaussianTerm<double>& g : gaussians) {
       if (!(g.c > 0.0)) continue;
-      low = glm::min(low, g.b - fine_grid_radii / g.a);
-      high = glm::max(high, g.b + fine_grid_radii / g.a);
-      min_radius = std::min(min_radius, 1.0 / g.a);
+      const glm::dvec3 reach = g.ellipsoid ? g.ellipsoid->reach() : glm::dvec3(1.0);
+      low = glm::min(low, g.b - fine_grid_radii / g.a * reach);
+      high = glm::max(high, g.b + fine_grid_radii / g.a * reach);
+      min_radius = std::min(min_radius, min_radius_of(g));
     }
     if (!empty() || !(content.fog_density > 0.0)) return;
     // Above a plane as well as in it.
@@ -247,8 +248,9 @@ void fill(SourceGrid::Level& level, const SourceGrid::Level* coarse,
 // would let out: there it is widened to the spacing, and thinner. A Gaussian of depth T through its
 // center lets out Ein(T) / T.
 double escaping_share(const GaussianTerm<double>& g, float spacing) {
-  const double share = std::min(1.0 / (g.a * static_cast<double>(spacing)), 1.0);
-  const double depth = g.c / g.a * std::sqrt(std::numbers::pi);
+  const double radius = mean_radius_of(g);
+  const double share = std::min(radius / static_cast<double>(spacing), 1.0);
+  const double depth = g.c * radius * std::sqrt(std::numbers::pi);
   if (share == 1.0 || !(depth > 0.0)) return 1.0;
   const double widened = depth * share * share;
   if (!(widened > 0.0)) return 1.0;

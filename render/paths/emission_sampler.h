@@ -28,7 +28,7 @@ class EmissionSampler {
  private:
   struct Emitting {
     glm::dvec3 center;
-    double deviation;  // of its density, along each axis [u]
+    glm::dmat3 deviation;  // its axes, as long as standard deviations [u]
   };
   std::vector<Emitting> emitting_;
   std::vector<double> sums_;  // of what they emit up to each [W/sr]

@@ -23,8 +23,10 @@ MajorantGrid::MajorantGrid(std::span<const GaussianTerm<double>> gaussians,
   glm::dvec3 high(-infinity);
   for (std::size_t i = 0; i < gaussians.size(); ++i) {
     if (!(cutoff_radii[i] > 0.0)) continue;
-    low = glm::min(low, gaussians[i].b - cutoff_radii[i]);
-    high = glm::max(high, gaussians[i].b + cutoff_radii[i]);
+    const Ellipsoid<double>* ellipsoid = gaussians[i].ellipsoid;
+    const glm::dvec3 reach = cutoff_radii[i] * (ellipsoid ? ellipsoid->reach() : glm::dvec3(1.0));
+    low = glm::min(low, gaussians[i].b - reach);
+    high = glm::max(high, gaussians[i].b + reach);
   }
   if (!(low.x < high.x)) return;
   bounds_ = {low, high};
@@ -36,16 +38,16 @@ MajorantGrid::MajorantGrid(std::span<const GaussianTerm<double>> gaussians,
   offsets_.assign(cells + 1, 0);
   for (std::size_t i = 0; i < gaussians.size(); ++i) {
     const GaussianTerm<double>& g = gaussians[i];
-    each_cell(g.b, cutoff_radii[i], [&](std::size_t cell, double distance2) {
+    each_cell(g, cutoff_radii[i], [&](std::size_t cell, double e) {
       ++offsets_[cell + 1];
-      majorants_[cell] += g.c * std::exp(-g.a * g.a * distance2);
+      majorants_[cell] += g.c * std::exp(-e);
     });
   }
   for (std::size_t cell = 0; cell < cells; ++cell) offsets_[cell + 1] += offsets_[cell];
   entries_.resize(offsets_.back() + readable_past_end);
   std::vector<std::size_t> filled(offsets_.begin(), offsets_.end() - 1);
   for (std::size_t i = 0; i < gaussians.size(); ++i) {
-    each_cell(gaussians[i].b, cutoff_radii[i], [&](std::size_t cell, double) {
+    each_cell(gaussians[i], cutoff_radii[i], [&](std::size_t cell, double) {
       entries_[filled[cell]++] = static_cast<std::uint32_t>(i);
     });
   }
@@ -73,11 +75,26 @@ glm::ivec3 MajorantGrid::cell_of(const glm::dvec3& x) const {
   return glm::min(glm::ivec3(at), size_ - 1);
 }
 
+double MajorantGrid::exponent_in(const GaussianTerm<double>& g, const glm::ivec3& cell) const {
+  const glm::dvec3 half = (0.5 + border) * cell_;
+  const glm::dvec3 middle = bounds_.low + (glm::dvec3(cell) + 0.5) * cell_;
+  const glm::dvec3 q = (middle - g.b) * g.ellipsoid->axes;
+  glm::dvec3 nearest(0.0);
+  for (int k = 0; k < 3; ++k) {
+    nearest[k] = std::max(std::abs(q[k]) - glm::dot(glm::abs(g.ellipsoid->axes[k]), half), 0.0);
+  }
+  nearest *= g.a / g.ellipsoid->stretch;
+  return glm::dot(nearest, nearest);
+}
+
 template <class Visit>
-void MajorantGrid::each_cell(const glm::dvec3& center, double radius, Visit visit) const {
+void MajorantGrid::each_cell(const GaussianTerm<double>& g, double radius, Visit visit) const {
   if (!(radius > 0.0)) return;
-  const glm::ivec3 first = cell_of(center - radius - border * cell_);
-  const glm::ivec3 last = cell_of(center + radius + border * cell_);
+  const glm::dvec3& center = g.b;
+  const glm::dvec3 reach = radius * (g.ellipsoid ? g.ellipsoid->reach() : glm::dvec3(1.0));
+  const glm::ivec3 first = cell_of(center - reach - border * cell_);
+  const glm::ivec3 last = cell_of(center + reach + border * cell_);
+  const double a2 = g.a * g.a;
   // Squared distance of the cells of one axis.
   const auto distance2 = [&](int axis, int i) {
     const double low = bounds_.low[axis] + (i - border) * cell_[axis];
@@ -92,7 +109,9 @@ void MajorantGrid::each_cell(const glm::dvec3& center, double radius, Visit visi
       if (dy > radius * radius) continue;
       for (int x = first.x; x <= last.x; ++x) {
         const double d = dy + distance2(0, x);
-        if (d <= radius * radius) visit(index({x, y, z}), d);
+        if (d > radius * radius) continue;
+        const double e = g.ellipsoid ? exponent_in(g, {x, y, z}) : a2 * d;
+        if (e <= a2 * radius * radius) visit(index({x, y, z}), e);
       }
     }
   }

@@ -74,10 +74,12 @@ class MajorantGrid {
     return std::span(entries_).subspan(offsets_[cell], offsets_[cell + 1] - offsets_[cell]);
   }
   void choose_size(std::span<const double> cutoff_radii);
-  // Calls visit(cell index, squared distance of the cell from the center) for the cells that a
-  // sphere touches.
+  // Calls visit(cell index, minus the greatest exponent in it) for the cells in which a Gaussian is
+  // up to its cutoff radius.
   template <class Visit>
-  void each_cell(const glm::dvec3& center, double radius, Visit visit) const;
+  void each_cell(const GaussianTerm<double>& g, double radius, Visit visit) const;
+  // A bound of minus the exponent of an ellipsoid in a cell: along each of its own axes.
+  [[nodiscard]] double exponent_in(const GaussianTerm<double>& g, const glm::ivec3& cell) const;
 
   Box bounds_;
   glm::ivec3 size_{0};

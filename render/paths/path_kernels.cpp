@@ -58,9 +58,18 @@ double SegmentDepth(const GaussianColumns& g, std::size_t cluster_count, const g
       const auto near = segment.Touches(d, q, g.cutoff2 + i);
       if (hn::AllFalse(d, near)) continue;
       const V a = hn::LoadU(d, g.a + i);
-      const V depth =
-          hn::Mul(hn::LoadU(d, g.scale + i),
-                  LineProfile<D>(q, segment.direction, a).UnitDepth(d, a, segment.length));
+      V scale = hn::LoadU(d, g.scale + i);
+      V depth;
+      if (g.has_ellipsoids[group] != 0) {
+        const auto load = [&](std::size_t k) HWY_ATTR { return hn::LoadU(d, g.warp[k] + i); };
+        const WarpOf<V> warp{load(0), load(1), load(2), load(3), load(4), load(5)};
+        const LineProfile<D> line(d, warp(q), warp(segment.direction), a);
+        scale = hn::Mul(scale, hn::Div(a, line.a));
+        depth = hn::Mul(scale, line.UnitDepth(d, segment.length));
+      } else {
+        depth =
+            hn::Mul(scale, LineProfile<D>(q, segment.direction, a).UnitDepth(d, segment.length));
+      }
       sum = hn::Add(sum, hn::IfThenElseZero(near, depth));
     }
   };
@@ -100,10 +109,14 @@ double PointDensity(const GaussianColumns& g, const std::uint32_t* indices, std:
     const auto at =
         hn::PromoteTo(di, hn::LoadU(d32, reinterpret_cast<const std::int32_t*>(indices + i)));
     const V ai = hn::GatherIndex(d, g.a, at);
-    const V qx = hn::Mul(ai, hn::Sub(hn::GatherIndex(d, g.x, at), hn::Set(d, point.x)));
-    const V qy = hn::Mul(ai, hn::Sub(hn::GatherIndex(d, g.y, at), hn::Set(d, point.y)));
-    const V qz = hn::Mul(ai, hn::Sub(hn::GatherIndex(d, g.z, at), hn::Set(d, point.z)));
-    const V e = hn::MulAdd(qx, qx, hn::MulAdd(qy, qy, hn::Mul(qz, qz)));
+    V3<V> q{hn::Mul(ai, hn::Sub(hn::GatherIndex(d, g.x, at), hn::Set(d, point.x))),
+            hn::Mul(ai, hn::Sub(hn::GatherIndex(d, g.y, at), hn::Set(d, point.y))),
+            hn::Mul(ai, hn::Sub(hn::GatherIndex(d, g.z, at), hn::Set(d, point.z)))};
+    if (g.warp[0]) {
+      const auto gather = [&](std::size_t k) HWY_ATTR { return hn::GatherIndex(d, g.warp[k], at); };
+      q = WarpOf<V>{gather(0), gather(1), gather(2), gather(3), gather(4), gather(5)}(q);
+    }
+    const V e = dot(q, q);
     const V density = hn::Mul(hn::GatherIndex(d, g.peak, at), hn::Exp(d, hn::Neg(e)));
     sum = hn::Add(sum, hn::IfThenElseZero(hn::FirstN(d, count - i), density));
   }
@@ -127,12 +140,25 @@ void GaussianArrays::add(const GaussianTerm<double>& g, double cutoff_radius) {
   peak_.push_back(g.c);
   scale_.push_back(g.c / g.a * 0.5 * std::sqrt(std::numbers::pi));
   cutoff2_.push_back(cutoff_radius > 0.0 ? cutoff_radius * cutoff_radius : -1.0);
+  has_ellipsoids_.resize((x_.size() + max_lanes - 1) / max_lanes);
+  if (!g.ellipsoid && warp_[0].empty()) return;
+  // Those before it are balls.
+  const glm::dmat3 warp = g.ellipsoid ? g.ellipsoid->warp : glm::dmat3(1.0);
+  const std::array values{warp[0][0], warp[1][1], warp[2][2], warp[1][2], warp[0][2], warp[0][1]};
+  for (std::size_t k = 0; k < warp_.size(); ++k) {
+    warp_[k].resize(x_.size() - 1, k < 3 ? 1.0 : 0.0);
+    warp_[k].push_back(values[k]);
+  }
+  if (g.ellipsoid) has_ellipsoids_.back() = 1;
 }
 
 void GaussianArrays::finish() {
   for (auto* values : {&x_, &y_, &z_, &peak_, &scale_}) pad(*values, 0.0);
   pad(a_, 1.0);
   pad(cutoff2_, -1.0);
+  for (std::size_t k = 0; !warp_[0].empty() && k < warp_.size(); ++k) {
+    pad(warp_[k], k < 3 ? 1.0 : 0.0);
+  }
   groups_.enclose({x_.data(), y_.data(), z_.data(), cutoff2_.data()}, x_.size());
   clusters_.enclose(groups_.columns(), groups_.x.size());
 }
@@ -172,8 +198,21 @@ void GaussianArrays::Balls::enclose(const BallColumns& inner, std::size_t count)
 }
 
 GaussianColumns GaussianArrays::columns() const {
-  return {x_.data(),     y_.data(),       z_.data(),         a_.data(),          peak_.data(),
-          scale_.data(), cutoff2_.data(), groups_.columns(), clusters_.columns()};
+  GaussianColumns columns{.x = x_.data(),
+                          .y = y_.data(),
+                          .z = z_.data(),
+                          .a = a_.data(),
+                          .peak = peak_.data(),
+                          .scale = scale_.data(),
+                          .cutoff2 = cutoff2_.data(),
+                          .warp = {},
+                          .has_ellipsoids = has_ellipsoids_.data(),
+                          .groups = groups_.columns(),
+                          .clusters = clusters_.columns()};
+  for (std::size_t k = 0; !warp_[0].empty() && k < warp_.size(); ++k) {
+    columns.warp[k] = warp_[k].data();
+  }
+  return columns;
 }
 
 double GaussianArrays::depth(const glm::dvec3& origin, const glm::dvec3& w, double length) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -16,6 +17,8 @@ struct BallColumns {
 };
 struct GaussianColumns {
   const double *x, *y, *z, *a, *peak, *scale, *cutoff2;
+  std::array<const double*, 6> warp;   // of Ellipsoid: xx yy zz yz xz xy; null: all are balls
+  const std::uint8_t* has_ellipsoids;  // of each group
   BallColumns groups, clusters;
 };
 
@@ -53,6 +56,8 @@ class GaussianArrays {
   [[nodiscard]] GaussianColumns columns() const;
 
   std::vector<double> x_, y_, z_, a_, peak_, scale_, cutoff2_;
+  std::array<std::vector<double>, 6> warp_;  // from the first ellipsoid on
+  std::vector<std::uint8_t> has_ellipsoids_;
   Balls groups_, clusters_;
 };
 

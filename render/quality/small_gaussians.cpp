@@ -84,10 +84,10 @@ std::vector<SmallGaussian> small_gaussians(const Scene& scene, const CameraRays&
     if (distance - hidden_radii * gaussian.radius > static_cast<double>(guide.depth[pixel])) {
       continue;  // behind a surface
     }
-    const GaussianTerm<double> term(gaussian);
+    const StandaloneTerm term(gaussian);
     const LineProfile<double> line =
-        line_profile(term, rays.eye(), rays.direction(x + 0.5, y + 0.5));
-    const double depth = optical_depth(term, line, std::numeric_limits<double>::infinity());
+        line_profile(*term, rays.eye(), rays.direction(x + 0.5, y + 0.5));
+    const double depth = optical_depth(*term, line, std::numeric_limits<double>::infinity());
     // It adds the light that it scatters and attenuates what is behind it.
     const float* rgb = &guide.center_airlight()[3 * pixel];
     const auto radiance = static_cast<double>(std::max({rgb[0], rgb[1], rgb[2]}));

@@ -36,7 +36,7 @@ ViewRayMedium<Real>::ViewRayMedium(std::span<const GaussianTerm<Real>> gaussians
   for (std::size_t i = 0; i < gaussians.size(); ++i) {
     const GaussianTerm<Real>& g = gaussians[i];
     const LineProfile<Real> line = view_line_profile(g, eye, w, noise);
-    if (!optics.empty()) optics_.push_back({g.a, line.t0, g.c * std::exp(-line.e), optics[i]});
+    if (!optics.empty()) optics_.push_back({line.a, line.t0, g.c * std::exp(-line.e), optics[i]});
     crossings_.add(g, line);
     total += optical_depth(g, line, d);
   }
@@ -145,10 +145,16 @@ void add_shadow(const GaussianTerm<Real>& g, const ViewRayMedium<Real>& medium,
   down /= length;
   const Real x = glm::dot(q, medium.w);
   const Real y = glm::dot(q, down);
-  const Vec3<Real> offset = g.a * (q - x * medium.w - y * down);
-  if (!(peak * std::exp(-glm::dot(offset, offset)) > tolerance)) return;
+  const Vec3<Real> normal = glm::cross(medium.w, down);
+  const Real across =
+      g.a * glm::dot(q, normal) / (g.ellipsoid ? g.ellipsoid->reach(normal) : Real(1));
+  if (!(peak * std::exp(-across * across) > tolerance)) return;
   const Real distance = std::hypot(x, y);
-  const Real width = distance > 0 ? 1 / (g.a * distance) : Real(10);
+  // Across the ray of the fan through its center.
+  const Vec3<Real> aside =
+      distance > 0 ? (y * medium.w - x * down) / distance : Vec3<Real>(medium.w);
+  const Real half = (g.ellipsoid ? g.ellipsoid->reach(aside) : Real(1)) / g.a;
+  const Real width = distance > 0 ? half / distance : Real(10);
   if (width > Real(0.5)) return;  // as wide as the fan: the adaptive rule resolves it
   const Real start = std::atan2(-angular.path.ts, angular.path.h);
   const Real phi = std::atan2(x, y) - start;

@@ -55,8 +55,7 @@ double DepthFromLight(const double* x, const double* y, const double* z, const d
     const auto near = hn::Lt(dot(offset, offset), hn::LoadU(d, cutoff2 + i));
     if (hn::AllFalse(d, near)) continue;
     const V ai = hn::LoadU(d, a + i);
-    const V depth =
-        hn::Mul(hn::LoadU(d, scale + i), LineProfile<D>(q, u, ai).UnitDepth(d, ai, length));
+    const V depth = hn::Mul(hn::LoadU(d, scale + i), LineProfile<D>(q, u, ai).UnitDepth(d, length));
     sum = hn::Add(sum, hn::IfThenElseZero(near, depth));
   }
   return hn::GetLane(hn::SumOfLanes(d, sum));
@@ -85,9 +84,9 @@ HWY_EXPORT(DepthFromLight);
 template <class Real>
 void Crossings<Real>::add(const GaussianTerm<Real>& g, const LineProfile<Real>& line) {
   const Real decay = std::exp(-line.e);
-  const Real scale = g.c / g.a * Real(0.5) * std::sqrt(std::numbers::pi_v<Real>) * decay;
+  const Real scale = g.c / line.a * Real(0.5) * std::sqrt(std::numbers::pi_v<Real>) * decay;
   if (!(scale > 0)) return;
-  all_.push_back({g.a, line.t0, g.c * decay, scale, std::erfc(std::abs(g.a * line.t0))});
+  all_.push_back({line.a, line.t0, g.c * decay, scale, std::erfc(std::abs(line.a * line.t0))});
 }
 
 template <class Real>
@@ -125,6 +124,10 @@ typename Crossings<Real>::Sums Crossings<Real>::at(Real t) const {
 
 template <class Real>
 void GaussiansAroundLight<Real>::add(const GaussianTerm<Real>& g, Real cutoff_radius) {
+  if (g.ellipsoid) {
+    ellipsoids_.push_back({g, cutoff_radius * g.a});
+    return;
+  }
   const Vec3<Real> q = g.b - light_;
   x_.push_back(q.x);
   y_.push_back(q.y);
@@ -143,11 +146,16 @@ void GaussiansAroundLight<Real>::finish() {
 
 template <class Real>
 Real GaussiansAroundLight<Real>::depth(const Vec3<Real>& u, Real r) const {
+  Real sum = 0;
+  for (const auto& [g, cutoff_in_radii] : ellipsoids_) {
+    const LineProfile<Real> line = line_profile(g, light_, u);
+    if (line.e < cutoff_in_radii * cutoff_in_radii) sum += optical_depth(g, line, r);
+  }
   if constexpr (sizeof(Real) == sizeof(double)) {
-    return HWY_DYNAMIC_DISPATCH(DepthFromLight)(x_.data(), y_.data(), z_.data(), a_.data(),
-                                                scale_.data(), cutoff2_.data(), x_.size(), u, r);
+    return sum + HWY_DYNAMIC_DISPATCH(DepthFromLight)(x_.data(), y_.data(), z_.data(), a_.data(),
+                                                      scale_.data(), cutoff2_.data(), x_.size(), u,
+                                                      r);
   } else {
-    Real sum = 0;
     const Real half_line = Real(0.5) * std::sqrt(std::numbers::pi_v<Real>);
     for (std::size_t i = 0; i < x_.size(); ++i) {
       const Vec3<Real> q(x_[i], y_[i], z_[i]);

@@ -55,6 +55,12 @@ class GaussiansAroundLight {
   Vec3<Real> light_;
   std::vector<Real> x_, y_, z_;  // centers relative to the light
   std::vector<Real> a_, scale_, cutoff2_;
+  // One by one: each in a space of its own.
+  struct AroundEllipsoid {
+    GaussianTerm<Real> term;
+    Real cutoff_in_radii;
+  };
+  std::vector<AroundEllipsoid> ellipsoids_;
 };
 
 extern template class Crossings<double>;

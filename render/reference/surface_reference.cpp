@@ -51,7 +51,7 @@ class Ray {
   [[nodiscard]] double density(double t) const {
     double sum = b0_;
     for (const auto& g : gaussians_) {
-      const glm::dvec3 q = g.a * (at(t) - g.b);
+      const glm::dvec3 q = g.scaled(at(t));
       sum += g.c * std::exp(-glm::dot(q, q));
     }
     return sum;
@@ -121,7 +121,7 @@ class Sampler {
           const SurfaceSampling& sampling)
       : scene_(scene), ray_caster_(ray_caster), point_(point), far_(sampling.far) {
     for (std::size_t i = 0; i < scene.medium.size(); ++i) {
-      gaussians_.emplace_back(scene.medium.gaussian(i));
+      gaussians_.add(scene.medium.gaussian(i));
     }
   }
 
@@ -197,7 +197,7 @@ class Sampler {
 
  private:
   [[nodiscard]] Ray ray(const glm::dvec3& origin, const glm::dvec3& w) const {
-    return {gaussians_, scene_.medium.homogeneous_density(), origin, w};
+    return {gaussians_.all(), scene_.medium.homogeneous_density(), origin, w};
   }
   // From x to a light in the direction w at a distance. Of a far light, fog ends where the medium
   // does.
@@ -210,8 +210,7 @@ class Sampler {
   }
   // f cos(theta_i).
   [[nodiscard]] glm::dvec3 reflected(const glm::dvec3& wi) const {
-    return brdf(point_, wi) *
-           std::max(0.0, glm::dot(wi, point_.normal));
+    return brdf(point_, wi) * std::max(0.0, glm::dot(wi, point_.normal));
   }
   // Of a path with that depth by scattering alone.
   [[nodiscard]] glm::dvec3 transmittance(double depth) const {
@@ -236,7 +235,7 @@ class Sampler {
   const RayCaster& ray_caster_;
   const SurfacePoint& point_;
   double far_;
-  std::vector<GaussianTerm<double>> gaussians_;
+  GaussianTerms<double> gaussians_;
 };
 
 }  // namespace

@@ -121,11 +121,10 @@ const AverageDepthGrid& PreparedShading::average_depth_of(const Surface& surface
   for (const auto& entry : depths_) {
     if (entry->matches(surface)) return entry->grid;
   }
-  std::vector<GaussianTerm<double>> gaussians;
-  for (std::size_t i = 0; i < medium.size(); ++i) gaussians.emplace_back(medium.gaussian(i));
+  const GaussianTerms<double> gaussians(medium);
   light_revision_ = new_revision();
-  depths_.push_back(std::make_unique<Depths>(
-      Depths{surface.mesh, Placement(surface), AverageDepthGrid(gaussians, bounds(surface))}));
+  depths_.push_back(std::make_unique<Depths>(Depths{
+      surface.mesh, Placement(surface), AverageDepthGrid(gaussians.all(), bounds(surface))}));
   return depths_.back()->grid;
 }
 

@@ -142,20 +142,42 @@ HWY_INLINE V HenyeyGreenstein(D d, V cos_theta, hn::TFromD<D> g) {
   return hn::Div(hn::Set(d, 1 - g * g), hn::Mul(s, hn::Sqrt(s)));
 }
 
+// A symmetric matrix: Ellipsoid::warp.
+template <class V>
+struct WarpOf {
+  V xx, yy, zz, yz, xz, xy;
+
+  HWY_INLINE V3<V> operator()(const V3<V>& v) const {
+    return {hn::MulAdd(xx, v.x, hn::MulAdd(xy, v.y, hn::Mul(xz, v.z))),
+            hn::MulAdd(xy, v.x, hn::MulAdd(yy, v.y, hn::Mul(yz, v.z))),
+            hn::MulAdd(xz, v.x, hn::MulAdd(yz, v.y, hn::Mul(zz, v.z)))};
+  }
+};
+
 // A Gaussian of center b relative to a line through the origin: brume::LineProfile for vectors.
 template <class D, class V = hn::Vec<D>>
 struct LineProfile {
   V t0;  // [u]
   V e;   // a^2 h^2
+  V a;   // [1/u]
 
-  HWY_INLINE LineProfile(const V3<V>& b, const V3<V>& w, V a) : t0(dot(b, w)) {
+  HWY_INLINE LineProfile(const V3<V>& b, const V3<V>& w, V a_) : t0(dot(b, w)), a(a_) {
     const V3<V> p = minus(b, t0, w);
     const V3<V> q{hn::Mul(a, p.x), hn::Mul(a, p.y), hn::Mul(a, p.z)};
     e = dot(q, q);
   }
+  // Of an ellipsoid: b and w warped, a that of its greatest radius.
+  HWY_INLINE LineProfile(D d, const V3<V>& b, const V3<V>& w, V greatest_a) {
+    const V speed2 = dot(w, w);
+    const V inverse = hn::Div(hn::Set(d, hn::TFromD<D>(1)), speed2);
+    t0 = hn::Mul(dot(b, w), inverse);
+    const V3<V> p = minus(b, t0, w);
+    e = hn::Mul(hn::Mul(greatest_a, greatest_a), dot(p, p));
+    a = hn::Mul(greatest_a, hn::Sqrt(speed2));
+  }
 
   // Optical depth over [0, length] in units of c sqrt(pi) / (2 a).
-  HWY_INLINE V UnitDepth(D d, V a, V length) const {
+  HWY_INLINE V UnitDepth(D d, V length) const {
     const V u0 = hn::Neg(hn::Mul(a, t0));
     const V u1 = hn::Mul(a, hn::Sub(length, t0));
     return SegmentIntegral(d, e, u0, u1, hn::Mul(a, length));
@@ -163,7 +185,7 @@ struct LineProfile {
 
   // The mean parameter of the Gaussian on [0, length], in that interval; `unit_depth` is
   // UnitDepth()'s. Float only. Absolute error 1e-5 / a, or 1e-3 of a short segment.
-  HWY_INLINE V Mean(D d, V a, V length, V unit_depth) const {
+  HWY_INLINE V Mean(D d, V length, V unit_depth) const {
     const V u0 = hn::Neg(hn::Mul(a, t0));
     const V u1 = hn::Mul(a, hn::Sub(length, t0));
     const V k = hn::Mul(a, length);

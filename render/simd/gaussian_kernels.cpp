@@ -40,7 +40,7 @@ HWY_INLINE Vector LoadDirection(const PathBatch& paths, std::size_t k) {
           hn::LoadU(d, paths.z.data() + k)};
 }
 
-template <bool kDisplaced>
+template <BatchKind kKind>
 HWY_INLINE void PathDepths(const GaussianBatch& g, const PathBatch& paths, float* depths) {
   const D d;
   const hn::RebindToSigned<D> di;
@@ -51,13 +51,12 @@ HWY_INLINE void PathDepths(const GaussianBatch& g, const PathBatch& paths, float
     const auto self = hn::LoadU(di, paths.self.data() + k);
     V sum = hn::LoadU(d, depths + k);
     for (std::size_t j = 0; j < g.size(); ++j) {
-      const V a = set(g.a[j]);
-      const LineProfile<D> line = BatchLineProfile<kDisplaced>(d, g, j, w);
+      const LineProfile<D> line = BatchLineProfile<kKind>(d, g, j, w);
       // Whatever paths share a vector.
       const M reached = hn::Le(line.e, set(g.max_e[j]));
       if (hn::AllFalse(d, reached)) continue;
-      const V half_depth = hn::IfThenElseZero(reached, set(g.scale[j]));
-      const V depth = hn::Mul(half_depth, line.UnitDepth(d, a, length));
+      const V half_depth = hn::IfThenElseZero(reached, BatchHalfDepth<kKind>(d, g, j, line));
+      const V depth = hn::Mul(half_depth, line.UnitDepth(d, length));
       const auto is_self = hn::RebindMask(d, hn::Eq(self, hn::Set(di, g.index[j])));
       sum = hn::Add(sum, hn::IfThenZeroElse(is_self, depth));
     }
@@ -66,16 +65,16 @@ HWY_INLINE void PathDepths(const GaussianBatch& g, const PathBatch& paths, float
 }
 
 void AccumulatePathDepths(const GaussianBatch& g, const PathBatch& paths, float* depths) {
-  g.noise.on() ? PathDepths<true>(g, paths, depths) : PathDepths<false>(g, paths, depths);
+  with_kind(g, [&]<BatchKind kKind>() HWY_ATTR { PathDepths<kKind>(g, paths, depths); });
 }
 
 // Optical depth of a Gaussian up to the projection of its center on the ray, clamped to the ray:
 // zero if the center is behind the eye, all of `depth` if behind the surface, else half a line
 // minus the part behind the eye.
-HWY_INLINE V DepthToProjection(const LineProfile<D>& line, V a, V scale, V length, V depth) {
+HWY_INLINE V DepthToProjection(const LineProfile<D>& line, V scale, V length, V depth) {
   const D d;
   const V zero = hn::Zero(d);
-  const V u = hn::Mul(a, line.t0);
+  const V u = hn::Mul(line.a, line.t0);
   const V unscaled_depth = hn::IfThenElse(
       hn::Lt(u, set(1.0f)), hn::Mul(hn::Exp(d, hn::Neg(line.e)), ErfSmall(hn::Min(u, set(1.0f)))),
       hn::Sub(hn::Exp(d, hn::Neg(line.e)), ScaledErfc(d, line.e, u)));
@@ -84,8 +83,24 @@ HWY_INLINE V DepthToProjection(const LineProfile<D>& line, V a, V scale, V lengt
                                        hn::Mul(scale, hn::Max(unscaled_depth, zero))));
 }
 
+// Optical depth from a point to a light in unit direction w and at a distance through Gaussian j,
+// whose center is at q from the point.
+template <BatchKind kKind>
+HWY_INLINE V LightDepth(const GaussianBatch& g, std::size_t j, const Vector& q, const Vector& w,
+                        V distance) {
+  const D d;
+  if constexpr (kKind == BatchKind::any) {
+    if (g.is_ellipsoid(j)) {
+      const WarpOf<V> warp = BatchWarp(d, g.ellipsoids[j]);
+      const LineProfile<D> line(d, warp(q), warp(w), set(g.a[j]));
+      return hn::Mul(BatchHalfDepth<kKind>(d, g, j, line), line.UnitDepth(d, distance));
+    }
+  }
+  return hn::Mul(set(g.scale[j]), LineProfile<D>(q, w, set(g.a[j])).UnitDepth(d, distance));
+}
+
 // One pack of `kLights` lights; the number is a constant so that sums stay in registers.
-template <bool kDisplaced, std::size_t kLights>
+template <BatchKind kKind, std::size_t kLights>
 HWY_INLINE std::uint64_t PaperAirlight(const GaussianBatch& g, const PathBatch& rays,
                                        const LightBatch& lights, float* depths, float* scattered,
                                        const std::array<float*, light_pack>& radiance) {
@@ -109,25 +124,24 @@ HWY_INLINE std::uint64_t PaperAirlight(const GaussianBatch& g, const PathBatch& 
     V depth_sum = zero;
     V scattered_sum = zero;
     for (std::size_t j = 0; j < g.size(); ++j) {
-      const V a = set(g.a[j]);
       const Vector b{set(g.x[j]), set(g.y[j]), set(g.z[j])};
-      const LineProfile<D> line = BatchLineProfile<kDisplaced>(d, g, j, w);
+      const LineProfile<D> line = BatchLineProfile<kKind>(d, g, j, w);
       const M reached = hn::Le(line.e, set(g.max_e[j]));
       if (hn::AllFalse(d, reached)) continue;
       pairs += hn::CountTrue(d, reached);
-      const V scale = hn::IfThenElseZero(reached, set(g.scale[j]));
-      const V unit_depth = line.UnitDepth(d, a, length);
+      const V scale = hn::IfThenElseZero(reached, BatchHalfDepth<kKind>(d, g, j, line));
+      const V unit_depth = line.UnitDepth(d, length);
       const V depth = hn::Mul(scale, unit_depth);
       depth_sum = hn::Add(depth_sum, depth);
 
       V t;
       V depth_to_point;
       if (lights.at_mean) {
-        t = line.Mean(d, a, length, unit_depth);
-        depth_to_point = hn::Mul(scale, line.UnitDepth(d, a, t));
+        t = line.Mean(d, length, unit_depth);
+        depth_to_point = hn::Mul(scale, line.UnitDepth(d, t));
       } else {
         t = hn::Min(hn::Max(line.t0, zero), length);
-        depth_to_point = DepthToProjection(line, a, scale, length, depth);
+        depth_to_point = DepthToProjection(line, scale, length, depth);
       }
       if (scattered) {
         const V exponent = hn::Add(set(lights.from_eye[j]), depth_to_point);
@@ -146,7 +160,7 @@ HWY_INLINE std::uint64_t PaperAirlight(const GaussianBatch& g, const PathBatch& 
         const V inverse = hn::Div(set(1.0f), distance);
         const Vector wl{hn::Mul(to_light.x, inverse), hn::Mul(to_light.y, inverse),
                         hn::Mul(to_light.z, inverse)};
-        const V light_depth = hn::Mul(scale, LineProfile<D>(q, wl, a).UnitDepth(d, a, distance));
+        const V light_depth = LightDepth<kKind>(g, j, q, wl, distance);
         const V exponent = hn::Add(set(lights.frozen[l][j]), hn::Add(depth_to_point, light_depth));
         const V falloff = hn::Div(hn::Exp(d, hn::Neg(exponent)), distance2);
         V towards_eye = depth;
@@ -170,30 +184,31 @@ HWY_INLINE std::uint64_t PaperAirlight(const GaussianBatch& g, const PathBatch& 
   return pairs;
 }
 
-template <bool kDisplaced>
+template <BatchKind kKind>
 HWY_INLINE std::uint64_t PaperAirlightOfPack(const GaussianBatch& g, const PathBatch& rays,
                                              const LightBatch& lights, float* depths,
                                              float* scattered,
                                              const std::array<float*, light_pack>& radiance) {
   switch (lights.count) {
     case 0:
-      return PaperAirlight<kDisplaced, 0>(g, rays, lights, depths, scattered, radiance);
+      return PaperAirlight<kKind, 0>(g, rays, lights, depths, scattered, radiance);
     case 1:
-      return PaperAirlight<kDisplaced, 1>(g, rays, lights, depths, scattered, radiance);
+      return PaperAirlight<kKind, 1>(g, rays, lights, depths, scattered, radiance);
     case 2:
-      return PaperAirlight<kDisplaced, 2>(g, rays, lights, depths, scattered, radiance);
+      return PaperAirlight<kKind, 2>(g, rays, lights, depths, scattered, radiance);
     case 3:
-      return PaperAirlight<kDisplaced, 3>(g, rays, lights, depths, scattered, radiance);
+      return PaperAirlight<kKind, 3>(g, rays, lights, depths, scattered, radiance);
     default:
-      return PaperAirlight<kDisplaced, 4>(g, rays, lights, depths, scattered, radiance);
+      return PaperAirlight<kKind, 4>(g, rays, lights, depths, scattered, radiance);
   }
 }
 
 std::uint64_t AccumulatePaperAirlight(const GaussianBatch& g, const PathBatch& rays,
                                       const LightBatch& lights, float* depths, float* scattered,
                                       const std::array<float*, light_pack>& radiance) {
-  return g.noise.on() ? PaperAirlightOfPack<true>(g, rays, lights, depths, scattered, radiance)
-                      : PaperAirlightOfPack<false>(g, rays, lights, depths, scattered, radiance);
+  return with_kind(g, [&]<BatchKind kKind>() HWY_ATTR {
+    return PaperAirlightOfPack<kKind>(g, rays, lights, depths, scattered, radiance);
+  });
 }
 
 constexpr float pi = std::numbers::pi_v<float>;
@@ -308,6 +323,7 @@ void GaussianBatch::assign(const MediumIndex& medium, const glm::dvec3& origin,
     array->resize(padded(indices.size()));
   }
   index.resize(indices.size());
+  ellipsoids.clear();
   for (std::size_t k = 0; k < indices.size(); ++k) {
     if (k + ahead < indices.size()) {
       const std::uint32_t later = indices[k + ahead];
@@ -331,6 +347,7 @@ void GaussianBatch::assign(const MediumIndex& medium, const glm::dvec3& origin,
     reach[k] = radius;
     near[k] = std::sqrt(std::max(distance2 - radius * radius, 0.0f)) - radius;
     far[k] = std::sqrt(distance2) + radius;
+    if (g.ellipsoid) add_ellipsoid(k, g, origin);
   }
   for (auto& values : optics) values.clear();
   max_undisplaced_e.clear();
@@ -348,6 +365,22 @@ void GaussianBatch::assign(const MediumIndex& medium, const glm::dvec3& origin,
            cell.y,
            cell.z,
            ray_noise.key()};
+}
+
+void GaussianBatch::add_ellipsoid(std::size_t k, const GaussianTerm<double>& g,
+                                  const glm::dvec3& origin) {
+  if (ellipsoids.empty()) ellipsoids.resize(size());
+  const glm::mat3 warp(g.ellipsoid->warp);
+  const glm::dvec3 q = g.b - origin;
+  ellipsoids[k].warp = {warp[0][0], warp[1][1], warp[2][2], warp[1][2], warp[0][2], warp[0][1]};
+  ellipsoids[k].center = glm::vec3(g.ellipsoid->warp * q);
+  // It lies between two planes across the line to its center.
+  const double distance = glm::length(q);
+  if (!(distance > 0.0)) return;
+  const auto radius = static_cast<double>(reach[k]);
+  const double along = radius * g.ellipsoid->reach(q / distance);
+  near[k] = std::max(near[k], static_cast<float>(distance - along));
+  far[k] = std::min(far[k], static_cast<float>(std::hypot(distance + along, radius)));
 }
 
 void GaussianBatch::add_optics(const MediumIndex& medium) {

@@ -30,20 +30,30 @@ struct BatchNoise {
   [[nodiscard]] bool on() const { return amplitude > 0.0f; }
 };
 
+// The ellipsoid of a Gaussian relative to an origin.
+struct BatchEllipsoid {
+  std::array<float, 6> warp{};  // Ellipsoid::warp: xx yy zz yz xz xy; 0 0 0 0 0 0: a ball
+  glm::vec3 center{0.0f};       // warped [u]
+};
+
+// What kernels are made for.
+enum class BatchKind { balls, displaced_balls, any };
+
 // Gaussians relative to an origin, as a structure of arrays; those of floats are padded to
 // padded(size()) elements, except optics.
 struct GaussianBatch {
   std::vector<float> x, y, z;  // b_i - origin [u]
   std::vector<float> a;        // [1/u]
-  std::vector<float>
-      scale;  // c sqrt(pi) / (2 a): half the optical depth of a line through the center
-  std::vector<float> max_e;  // a^2 h^2 beyond which the Gaussian is culled
+  std::vector<float> scale;    // c sqrt(pi) / (2 a): half the optical depth of a line through the
+                               // center (of an ellipsoid along its longest axis)
+  std::vector<float> max_e;    // a^2 h^2 beyond which the Gaussian is culled
   std::vector<float>
       max_undisplaced_e;  // the same before displacement by noise; empty without noise
   // Where rays of the origin can meet the Gaussian up to its cutoff [u]: from near to far.
   std::vector<float> near, far;
   std::vector<float> reach;  // cutoff radius, displacement by noise included [u]
   std::vector<std::int32_t> index;
+  std::vector<BatchEllipsoid> ellipsoids;  // empty: all are balls
   // RelativeOptics: albedo and emission R, G, B; empty until add_optics(), and if all are as by
   // default.
   std::array<std::vector<float>, 4> optics;
@@ -55,6 +65,14 @@ struct GaussianBatch {
   void add_optics(const MediumIndex& medium);
   [[nodiscard]] std::size_t size() const { return index.size(); }
   [[nodiscard]] bool has_optics() const { return !optics[0].empty(); }
+  [[nodiscard]] bool is_ellipsoid(std::size_t j) const { return ellipsoids[j].warp[0] > 0.0f; }
+  [[nodiscard]] BatchKind kind() const {
+    if (!ellipsoids.empty()) return BatchKind::any;
+    return noise.on() ? BatchKind::displaced_balls : BatchKind::balls;
+  }
+
+ private:
+  void add_ellipsoid(std::size_t k, const GaussianTerm<double>& g, const glm::dvec3& origin);
 };
 
 // Rays or segments from the origin, as arrays: unit direction and length (may be +inf).
@@ -72,6 +90,19 @@ struct PathBatch {
   void resize(std::size_t size);
   [[nodiscard]] std::size_t padded_size() const { return x.size(); }
 };
+
+// Calls body.template operator()<kind>() with the kind of a batch.
+template <class Body>
+decltype(auto) with_kind(const GaussianBatch& batch, Body body) {
+  switch (batch.kind()) {
+    case BatchKind::balls:
+      return body.template operator()<BatchKind::balls>();
+    case BatchKind::displaced_balls:
+      return body.template operator()<BatchKind::displaced_balls>();
+    default:
+      return body.template operator()<BatchKind::any>();
+  }
+}
 
 // depths[k] += optical depth along path k, for padded_size() paths.
 void accumulate_path_depths(const GaussianBatch& gaussians, const PathBatch& paths, float* depths);

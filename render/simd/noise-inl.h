@@ -98,11 +98,11 @@ HWY_INLINE V3<V> PotentialGradient(D d, const BatchNoise& noise, const V3<V>& w,
   return sum;
 }
 
-// LineProfile::e of a Gaussian that the displaced ray passes at t0.
+// LineProfile::e of a Gaussian that the displaced ray passes at t0; p: its center, as warped, from
+// there.
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE V DisplacedDistance(D d, const BatchNoise& noise, const V3<V>& b, const V3<V>& w, V a,
+HWY_INLINE V DisplacedDistance(D d, const BatchNoise& noise, const V3<V>& p, const V3<V>& w, V a,
                                V t0) {
-  const V3<V> p = minus(b, t0, w);
   const V3<V> g = PotentialGradient(d, noise, w, t0);
   const V amplitude = hn::Set(d, noise.amplitude);
   // a p - amplitude w x g
@@ -115,20 +115,50 @@ HWY_INLINE V DisplacedDistance(D d, const BatchNoise& noise, const V3<V>& b, con
   return dot(offset, offset);
 }
 
-// Gaussian j of a batch as rays of direction w meet it. kDisplaced is a batch's noise.on(): rays
-// that nothing bends pay nothing for those that are.
-template <bool kDisplaced, class D, class V = hn::Vec<D>>
+// The warp of an ellipsoid of a batch.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE WarpOf<V> BatchWarp(D d, const BatchEllipsoid& e) {
+  const auto set = [&](int k) HWY_ATTR { return hn::Set(d, e.warp[static_cast<std::size_t>(k)]); };
+  return {set(0), set(1), set(2), set(3), set(4), set(5)};
+}
+
+// Gaussian j of a batch as rays of direction w meet it. Balls pay nothing for batches that have
+// ellipsoids, and rays that nothing bends nothing for those that are.
+template <BatchKind kKind, class D, class V = hn::Vec<D>>
 HWY_INLINE LineProfile<D> BatchLineProfile(D d, const GaussianBatch& g, std::size_t j,
                                            const V3<V>& w) {
-  const V3<V> b{hn::Set(d, g.x[j]), hn::Set(d, g.y[j]), hn::Set(d, g.z[j])};
   const V a = hn::Set(d, g.a[j]);
+  if constexpr (kKind == BatchKind::any) {
+    if (g.is_ellipsoid(j)) {
+      const BatchEllipsoid& ellipsoid = g.ellipsoids[j];
+      const glm::vec3& center = ellipsoid.center;
+      const V3<V> b{hn::Set(d, center.x), hn::Set(d, center.y), hn::Set(d, center.z)};
+      const V3<V> v = BatchWarp(d, ellipsoid)(w);
+      LineProfile<D> line(d, b, v, a);
+      if (g.noise.on() && !hn::AllTrue(d, hn::Gt(line.e, hn::Set(d, g.max_undisplaced_e[j])))) {
+        line.e = DisplacedDistance(d, g.noise, minus(b, line.t0, v), w, a, line.t0);
+      }
+      return line;
+    }
+  }
+  const V3<V> b{hn::Set(d, g.x[j]), hn::Set(d, g.y[j]), hn::Set(d, g.z[j])};
   LineProfile<D> line(b, w, a);
-  if constexpr (kDisplaced) {
+  if (kKind == BatchKind::displaced_balls || (kKind == BatchKind::any && g.noise.on())) {
     if (!hn::AllTrue(d, hn::Gt(line.e, hn::Set(d, g.max_undisplaced_e[j])))) {
-      line.e = DisplacedDistance(d, g.noise, b, w, a, line.t0);
+      line.e = DisplacedDistance(d, g.noise, minus(b, line.t0, w), w, a, line.t0);
     }
   }
   return line;
+}
+
+// Half the optical depth of a line through the center of Gaussian j, in the line's direction.
+template <BatchKind kKind, class D, class V = hn::Vec<D>>
+HWY_INLINE V BatchHalfDepth(D d, const GaussianBatch& g, std::size_t j,
+                            const LineProfile<D>& line) {
+  if constexpr (kKind == BatchKind::any) {
+    if (g.is_ellipsoid(j)) return hn::Div(hn::Set(d, g.scale[j] * g.a[j]), line.a);
+  }
+  return hn::Set(d, g.scale[j]);
 }
 
 }  // namespace brume::HWY_NAMESPACE

@@ -188,11 +188,28 @@ std::map<std::string, Quantity<Real>> quantities() {
        [](const Json& in) { return R{exact_airlight<Real>(in, ScatteredBy::homogeneous)}; }},
       {"airlight_gauss_paper", [](const Json& in) { return R{paper_gaussians<Real>(in)}; }},
       {"airlight_homog_paper", [](const Json& in) { return R{paper_homogeneous<Real>(in)}; }},
+      {"tau_ellipsoid",
+       [](const Json& in) {
+         // |L^T (x - b)| for M = L L^T: what turns the ball into it is the inverse of L^T.
+         glm::dmat3 L(0.0);
+         for (int i = 0; i < 3; ++i) {
+           for (int j = 0; j <= i; ++j) {
+             double sum = in["M"][static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
+             for (int k = 0; k < j; ++k) sum -= L[k][i] * L[k][j];
+             L[j][i] = i == j ? std::sqrt(sum) : sum / L[j][j];
+           }
+         }
+         Gaussian g{vec<double>(in["b"]), 1.0, in["c"]};
+         transform(g, glm::inverse(glm::transpose(L)));
+         GaussianTerms<Real> terms;
+         terms.add(g);
+         return R{optical_depth(terms[0], vec<Real>(in["A"]), vec<Real>(in["B"]))};
+       }},
       {"trunc_mean",
        [](const Json& in) {
          const Ray<Real> ray(in);
          const auto g = gaussian<Real>(in["g"]);
-         return R{truncated_mean(g, line_profile(g, ray.v, ray.w), ray.d)};
+         return R{truncated_mean(line_profile(g, ray.v, ray.w), ray.d)};
        }},
       {"npsf", [](const Json& in) { return R{Real(point_spread(1.0, in["gamma"]))}; }},
       {"npsf_sh", [](const Json& in) { return first_bands<Real>(1.0, in["order"]); }},

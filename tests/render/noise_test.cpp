@@ -111,10 +111,7 @@ TEST(Noise, PaperInSimdIsThePlainFrame) {
 // Along one line the medium is one, wherever on it the eye is and which way it looks.
 TEST(Noise, IsFixedInTheWorld) {
   const Scene scene = cloud_scene(30, 1.0);
-  std::vector<GaussianTerm<double>> gaussians;
-  for (std::size_t i = 0; i < scene.medium.size(); ++i) {
-    gaussians.emplace_back(scene.medium.gaussian(i));
-  }
+  const GaussianTerms<double> gaussians(scene.medium);
   const RayNoise displacement(noise(0.5, 2.0), 0.0);
   Random random(1);
   for (int i = 0; i < 50; ++i) {
@@ -122,7 +119,7 @@ TEST(Noise, IsFixedInTheWorld) {
     const glm::dvec3 eye = random.point(0.7) - 6.0 * w;
     const auto depth = [&](double from, double to) {
       const glm::dvec3 along = from < to ? w : -w;
-      return ViewRayMedium<double>(gaussians, 0.0, eye + from * w, along, 1e9, displacement)
+      return ViewRayMedium<double>(gaussians.all(), 0.0, eye + from * w, along, 1e9, displacement)
           .depth(std::abs(to - from));
     };
     const double whole = depth(0.0, 12.0);

@@ -38,7 +38,8 @@ double integral(const Scene& scene, const glm::dvec3& w, double begin, double en
     const double r = glm::length(to - from);
     double sum = scene.medium.homogeneous_density() * r;
     for (std::size_t i = 0; i < scene.medium.size(); ++i) {
-      const GaussianTerm<double> g(scene.medium.gaussian(i));
+      const StandaloneTerm term(scene.medium.gaussian(i));
+      const GaussianTerm<double>& g = *term;
       const glm::dvec3 along = (to - from) / r;
       const double t0 = glm::dot(g.b - from, along);
       const glm::dvec3 off = g.b - from - t0 * along;
@@ -59,7 +60,8 @@ double integral(const Scene& scene, const glm::dvec3& w, double begin, double en
     if (share == 0.0) continue;
     double density = scene.medium.homogeneous_density();
     for (std::size_t k = 0; k < scene.medium.size(); ++k) {
-      const GaussianTerm<double> g(scene.medium.gaussian(k));
+      const StandaloneTerm term(scene.medium.gaussian(k));
+      const GaussianTerm<double>& g = *term;
       const glm::dvec3 off = x - g.b;
       density += g.c * std::exp(-g.a * g.a * glm::dot(off, off));
     }

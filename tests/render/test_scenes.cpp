@@ -24,7 +24,7 @@ Scene cloud_scene(int count, double depth, unsigned seed) {
   }
   double along_axis = 0.0;
   for (const Gaussian& g : gaussians) {
-    along_axis += optical_depth(GaussianTerm<double>(g), {0, 0, -10}, {0, 0, 10});
+    along_axis += optical_depth(g, {0, 0, -10}, {0, 0, 10});
   }
   Scene scene;
   for (Gaussian& g : gaussians) {
@@ -34,6 +34,34 @@ Scene cloud_scene(int count, double depth, unsigned seed) {
   scene.camera = {{0, 0, 4}, {0, 0, 0}, {0, 1, 0}, 40.0};
   scene.film = {32, 32};
   scene.lights.push_back({{1.5, 3.0, 2.0}, {10, 10, 10}, {}});
+  return scene;
+}
+
+Scene ellipsoid_scene(int count, double depth, double elongation, unsigned seed) {
+  Scene scene = cloud_scene(count, depth, seed);
+  const Medium balls = scene.medium;
+  scene.medium = {};
+  Random random(seed + 1000);
+  double along_axis = 0.0;
+  std::vector<Gaussian> gaussians;
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    Gaussian g = balls.gaussian(i);
+    const glm::dvec3 q = random.point(1.0);
+    const double w = random.uniform(-1.0, 1.0);
+    const double half = 0.5 * std::log10(elongation);
+    const double x = random.power(-half, half);
+    const double y = random.power(-half, half);
+    const double z = random.power(-half, half);
+    if (i % 2 == 0) {
+      g.set_radii(g.radius * glm::dvec3(x, y, z), glm::normalize(glm::dquat(w, q.x, q.y, q.z)));
+    }
+    along_axis += optical_depth(g, {0, 0, -10}, {0, 0, 10});
+    gaussians.push_back(g);
+  }
+  for (Gaussian& g : gaussians) {
+    g.density *= depth / along_axis;
+    scene.medium.append(g);
+  }
   return scene;
 }
 
@@ -165,7 +193,8 @@ void expect_all_orders_match_paths(const Scene& scene, const std::string& name) 
 double plain_depth(const Medium& medium, const glm::dvec3& x, const glm::dvec3& w, double length) {
   double sum = 0.0;
   for (std::size_t i = 0; i < medium.size(); ++i) {
-    const GaussianTerm<double> g(medium.gaussian(i));
+    const StandaloneTerm term(medium.gaussian(i));
+    const GaussianTerm<double>& g = *term;
     const double t0 = glm::dot(g.b - x, w);
     const glm::dvec3 off = g.b - x - t0 * w;
     sum += g.c * std::exp(-g.a * g.a * glm::dot(off, off)) * std::sqrt(std::numbers::pi) /
@@ -177,7 +206,8 @@ double plain_depth(const Medium& medium, const glm::dvec3& x, const glm::dvec3& 
 double plain_density(const Medium& medium, const glm::dvec3& x) {
   double sum = medium.homogeneous_density();
   for (std::size_t k = 0; k < medium.size(); ++k) {
-    const GaussianTerm<double> g(medium.gaussian(k));
+    const StandaloneTerm term(medium.gaussian(k));
+    const GaussianTerm<double>& g = *term;
     const glm::dvec3 off = x - g.b;
     sum += g.c * std::exp(-g.a * g.a * glm::dot(off, off));
   }

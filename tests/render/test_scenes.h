@@ -14,6 +14,10 @@ namespace brume {
 // above. The same for the same seed everywhere.
 Scene cloud_scene(int count, double depth, unsigned seed = 1);
 
+// The same with every second Gaussian an ellipsoid, turned at random, of up to this many times its
+// radius along its longest axis, and down to 1 / elongation across it.
+Scene ellipsoid_scene(int count, double depth, double elongation, unsigned seed = 1);
+
 // With homogeneous density `b0`, 1/u.
 Scene in_fog(Scene scene, double b0);
 

@@ -70,7 +70,7 @@ TEST_F(VolumeCommands, ExportsWhatEmittersHaveMade) {
 double depth_between(std::span<const Gaussian> gaussians, const glm::dvec3& a,
                      const glm::dvec3& b) {
   double depth = 0.0;
-  for (const Gaussian& g : gaussians) depth += optical_depth(GaussianTerm<double>(g), a, b);
+  for (const Gaussian& g : gaussians) depth += optical_depth(g, a, b);
   return depth;
 }
 

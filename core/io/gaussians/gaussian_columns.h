@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -11,6 +12,7 @@
 
 #include "brume/gaussian.h"
 #include "brume/limits.h"
+#include "core/math/rounded.h"
 #include "core/number_domain.h"
 
 namespace brume::gaussian_columns {
@@ -57,6 +59,37 @@ GaussianOptics optics_of(const std::array<double, 6>& values, Refuse refuse) {
 inline bool have_optics(std::span<const Gaussian> gaussians) {
   return std::ranges::any_of(gaussians,
                              [](const Gaussian& g) { return g.optics != GaussianOptics(); });
+}
+
+// Of its shape, in files where a Gaussian is an ellipsoid, whose greatest radius is its radius too;
+// all seven or none. Radii along its own axes, and the quaternion that turns them.
+inline constexpr std::array<std::string_view, 7> shape_names{
+    "radius_x", "radius_y", "radius_z", "rotate_w", "rotate_x", "rotate_y", "rotate_z"};
+
+inline std::array<double, 7> shape_values(const Gaussian& g) {
+  const glm::dvec3 radii = g.radii();
+  const glm::dquat& q = g.shape.rotation;
+  return {rounded(radii.x, 15), rounded(radii.y, 15), rounded(radii.z, 15), q.w, q.x, q.y, q.z};
+}
+// `refuse(i, why)` throws: value i is not allowed.
+template <class Refuse>
+void set_shape(Gaussian& gaussian, const std::array<double, 7>& values, Refuse refuse) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!domain::length.contains(values[i])) refuse(i, domain::length.refusal(values[i]));
+  }
+  const glm::dvec3 radii(values[0], values[1], values[2]);
+  if (const std::string why = refused_radii(radii); !why.empty()) refuse(std::size_t{0}, why);
+  const glm::dquat rotation(values[3], values[4], values[5], values[6]);
+  const double length = glm::length(rotation);
+  if (!(std::abs(length - 1.0) < 1e-3)) {
+    refuse(std::size_t{3},
+           "found a quaternion of length " + quoted_text(length) + "; allowed: a unit quaternion");
+  }
+  gaussian.set_radii(radii, std::abs(length - 1.0) <= 1e-12 ? rotation : rotation / length);
+}
+// Whether a file of them has those columns.
+inline bool have_shapes(std::span<const Gaussian> gaussians) {
+  return std::ranges::any_of(gaussians, [](const Gaussian& g) { return !g.is_ball(); });
 }
 
 // Persistent id of a Gaussian in a sequence; an integer.

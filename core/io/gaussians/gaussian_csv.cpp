@@ -54,10 +54,11 @@ std::array<std::size_t, 5> find_columns(const std::filesystem::path& file,
   return columns;
 }
 
-// Places of the columns of optics; empty without them.
-std::vector<std::size_t> find_optics(const std::vector<std::string_view>& header) {
+// Places of columns of which a file has all or none.
+std::vector<std::size_t> find_all(const std::vector<std::string_view>& header,
+                                  std::span<const std::string_view> wanted) {
   std::vector<std::size_t> columns;
-  for (const std::string_view name : gaussian_columns::optics_names) {
+  for (const std::string_view name : wanted) {
     const auto it = std::find(header.begin(), header.end(), name);
     if (it == header.end()) return {};
     columns.push_back(static_cast<std::size_t>(it - header.begin()));
@@ -78,7 +79,8 @@ std::vector<Gaussian> read_gaussians_csv(const std::filesystem::path& file,
   const std::array<std::size_t, 5> columns = find_columns(file, header);
   const auto id_column = static_cast<std::size_t>(
       std::find(header.begin(), header.end(), number_name) - header.begin());
-  const std::vector<std::size_t> optics_columns = find_optics(header);
+  const std::vector<std::size_t> optics_columns = find_all(header, gaussian_columns::optics_names);
+  const std::vector<std::size_t> shape_columns = find_all(header, gaussian_columns::shape_names);
   std::vector<Gaussian> gaussians;
   while (text.next_line()) {
     const std::vector<std::string_view> row = cells(text.rest_of_line());
@@ -104,25 +106,29 @@ std::vector<Gaussian> read_gaussians_csv(const std::filesystem::path& file,
           "found too many Gaussians; allowed: " + gaussian_columns::allowed_count(max_count));
     }
     gaussians.push_back({{value[0], value[1], value[2]}, value[3], value[4]});
-    if (!optics_columns.empty()) {
-      const auto place = [&](std::size_t i) {
-        return text.place() + ", " + std::string(gaussian_columns::optics_names[i]);
+    // Calls set(values of the columns, refusal) if the file has them.
+    const auto read_all = [&]<std::size_t count>(const std::vector<std::size_t>& places,
+                                                 const std::array<std::string_view, count>& all,
+                                                 auto set) {
+      if (places.empty()) return;
+      const auto refuse = [&](std::size_t i, const std::string& why) {
+        throw InputError(file, text.place() + ", " + std::string(all[i]), why);
       };
-      std::array<double, 6> optics{};
-      for (std::size_t i = 0; i < optics.size(); ++i) {
-        const std::size_t column = optics_columns[i];
-        if (column >= row.size()) throw InputError(file, place(i), "is missing");
-        const auto number = parse_number(row[column]);
-        if (!number) {
-          throw InputError(file, place(i),
-                           "found " + quoted_text(row[column]) + "; allowed: a number");
-        }
-        optics[i] = *number;
+      std::array<double, count> values{};
+      for (std::size_t i = 0; i < count; ++i) {
+        if (places[i] >= row.size()) refuse(i, "is missing");
+        const auto number = parse_number(row[places[i]]);
+        if (!number) refuse(i, "found " + quoted_text(row[places[i]]) + "; allowed: a number");
+        values[i] = *number;
       }
-      gaussians.back().optics = gaussian_columns::optics_of(
-          optics,
-          [&](std::size_t i, const std::string& why) { throw InputError(file, place(i), why); });
-    }
+      set(values, refuse);
+    };
+    read_all(optics_columns, gaussian_columns::optics_names, [&](const auto& values, auto refuse) {
+      gaussians.back().optics = gaussian_columns::optics_of(values, refuse);
+    });
+    read_all(shape_columns, gaussian_columns::shape_names, [&](const auto& values, auto refuse) {
+      gaussian_columns::set_shape(gaussians.back(), values, refuse);
+    });
     if (!ids || id_column == header.size()) continue;
     const auto id = id_column < row.size() ? parse_number(row[id_column]) : std::nullopt;
     if (!id || !gaussian_columns::is_id(*id)) {
@@ -139,30 +145,30 @@ void write_gaussians_csv(const std::filesystem::path& file, std::span<const Gaus
                          std::span<const GaussianNumber> ids) {
   const bool has_optics = gaussian_columns::have_optics(gaussians);
   std::string text = "x,y,z,radius,density";
+  const bool has_shapes = gaussian_columns::have_shapes(gaussians);
   if (has_optics) {
     for (const std::string_view name : gaussian_columns::optics_names) (text += ',') += name;
   }
+  if (has_shapes) {
+    for (const std::string_view name : gaussian_columns::shape_names) (text += ',') += name;
+  }
   text += ids.empty() ? "\n" : ",id\n";
-  const auto append = [&](auto value, char after) {
+  const auto append = [&](auto value) {
     std::array<char, 32> digits;
     const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
     text.append(digits.data(), end);
-    text += after;
+    text += ',';
+  };
+  const auto append_all = [&](const auto& values) {
+    for (const double value : values) append(value);
   };
   for (std::size_t i = 0; i < gaussians.size(); ++i) {
     const Gaussian& g = gaussians[i];
-    append(g.center.x, ',');
-    append(g.center.y, ',');
-    append(g.center.z, ',');
-    append(g.radius, ',');
-    append(g.density, has_optics || !ids.empty() ? ',' : '\n');
-    if (has_optics) {
-      const auto values = gaussian_columns::optics_values(g.optics);
-      for (std::size_t k = 0; k < values.size(); ++k) {
-        append(values[k], k + 1 < values.size() || !ids.empty() ? ',' : '\n');
-      }
-    }
-    if (!ids.empty()) append(ids[i], '\n');
+    append_all(std::array{g.center.x, g.center.y, g.center.z, g.radius, g.density});
+    if (has_optics) append_all(gaussian_columns::optics_values(g.optics));
+    if (has_shapes) append_all(gaussian_columns::shape_values(g));
+    if (!ids.empty()) append(ids[i]);
+    text.back() = '\n';
   }
   write_atomically(file, text);
 }

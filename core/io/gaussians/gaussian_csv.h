@@ -18,7 +18,8 @@ std::vector<Gaussian> read_gaussians_csv(const std::filesystem::path& file,
                                          std::size_t max_count = limits::gaussians,
                                          std::string_view number_name = "id");
 
-// Writes x,y,z,radius,density with the fewest digits that read back the same.
+// Writes x,y,z,radius,density, and optics and shapes where there are any, with the fewest digits
+// that read back the same.
 void write_gaussians_csv(const std::filesystem::path& file, std::span<const Gaussian> gaussians,
                          std::span<const GaussianNumber> ids = {});
 

@@ -32,7 +32,7 @@ void append_little_endian(std::string& bytes, T value) {
 }
 
 // What a vertex becomes.
-using ToGaussians = std::function<std::vector<Gaussian>(const PlyFile::Row&)>;
+using ToGaussian = std::function<Gaussian(const PlyFile::Row&)>;
 
 // Columns of properties of one number each; nullopt if one of them is missing.
 template <std::size_t count>
@@ -47,12 +47,12 @@ std::optional<std::array<std::size_t, count>> columns(
   return result;
 }
 
-std::optional<ToGaussians> from_splats(const PlyFile::Element& vertices) {
+std::optional<ToGaussian> from_splats(const PlyFile::Element& vertices) {
   const auto indices =
       columns<7>(vertices, {"x", "y", "z", "scale_0", "scale_1", "scale_2", "opacity"});
   if (!indices) return std::nullopt;
   const auto rotation_columns = columns<4>(vertices, {"rot_0", "rot_1", "rot_2", "rot_3"});
-  return [indices = *indices, rotation_columns](const PlyFile::Row& row) -> std::vector<Gaussian> {
+  return [indices = *indices, rotation_columns](const PlyFile::Row& row) {
     const auto value = [&](std::size_t i) { return row.scalars[indices[i]]; };
     Splat splat;
     splat.center = {value(0), value(1), value(2)};
@@ -60,18 +60,16 @@ std::optional<ToGaussians> from_splats(const PlyFile::Element& vertices) {
     // -ln(1 - 1 / (1 + exp(-logit))) = ln(1 + exp(logit))
     const double logit = value(6);
     splat.depth = std::max(logit, 0.0) + std::log1p(std::exp(-std::abs(logit)));
-    if (!rotation_columns) return {equivalent_sphere(splat)};
+    if (!rotation_columns) return gaussian_of(splat);
     const auto component = [&](std::size_t i) { return row.scalars[(*rotation_columns)[i]]; };
     const glm::dquat rotation(component(0), component(1), component(2), component(3));
     const double length = glm::length(rotation);
-    // Without a direction there is no longer axis.
-    if (!(length > 0.0) || !std::isfinite(length)) return {equivalent_sphere(splat)};
-    splat.rotation = rotation / length;
-    return sphere_approximation(splat);
+    if (length > 0.0 && std::isfinite(length)) splat.rotation = rotation / length;
+    return gaussian_of(splat);
   };
 }
 
-ToGaussians from_points(const std::filesystem::path& file, const PlyFile::Element& vertices) {
+ToGaussian from_points(const std::filesystem::path& file, const PlyFile::Element& vertices) {
   std::array<std::size_t, 5> indices{};
   for (std::size_t i = 0; i < names.size(); ++i) {
     const auto column = gaussian_columns::find_column(
@@ -86,7 +84,7 @@ ToGaussians from_points(const std::filesystem::path& file, const PlyFile::Elemen
   }
   return [indices](const PlyFile::Row& row) {
     const auto value = [&](std::size_t i) { return row.scalars[indices[i]]; };
-    return std::vector<Gaussian>{{{value(0), value(1), value(2)}, value(3), value(4)}};
+    return Gaussian{{value(0), value(1), value(2)}, value(3), value(4)};
   };
 }
 
@@ -105,39 +103,41 @@ std::vector<Gaussian> read_gaussians_ply(const std::filesystem::path& file,
                          " Gaussians; allowed: " + gaussian_columns::allowed_count(max_count));
   }
   const auto splats = from_splats(*vertices);
-  const ToGaussians to_gaussians = splats ? *splats : from_points(file, *vertices);
+  const ToGaussian to_gaussian = splats ? *splats : from_points(file, *vertices);
   const auto optics_columns =
       splats ? std::nullopt : columns<6>(*vertices, gaussian_columns::optics_names);
+  const auto shape_columns =
+      splats ? std::nullopt : columns<7>(*vertices, gaussian_columns::shape_names);
   const auto id = columns<1>(*vertices, {number_name});
   std::vector<Gaussian> gaussians;
   ply.for_each_row(
       [&](const PlyFile::Element& element, std::uint64_t index, const PlyFile::Row& row) {
         if (&element != vertices) return;
-        for (const Gaussian& g : to_gaussians(row)) {
-          const std::array value{g.center.x, g.center.y, g.center.z, g.radius, g.density};
-          for (std::size_t i = 0; i < names.size(); ++i) {
-            if (!domains[i]->contains(value[i])) {
-              throw InputError(file, "vertex " + std::to_string(index),
-                               std::string(names[i]) + ": " + domains[i]->refusal(value[i]));
-            }
-          }
-          gaussians.push_back(g);
+        const auto refuse = [&](std::string_view name, const std::string& why) {
+          throw InputError(file, "vertex " + std::to_string(index), std::string(name) + ": " + why);
+        };
+        const auto values_of =
+            [&]<std::size_t count>(const std::array<std::size_t, count>& properties) {
+              std::array<double, count> values{};
+              for (std::size_t i = 0; i < count; ++i) values[i] = row.scalars[properties[i]];
+              return values;
+            };
+        Gaussian& g = gaussians.emplace_back(to_gaussian(row));
+        if (shape_columns) {
+          gaussian_columns::set_shape(g, values_of(*shape_columns),
+                                      [&](std::size_t i, const std::string& why) {
+                                        refuse(gaussian_columns::shape_names[i], why);
+                                      });
+        }
+        const std::array value{g.center.x, g.center.y, g.center.z, g.radius, g.density};
+        for (std::size_t i = 0; i < names.size(); ++i) {
+          if (!domains[i]->contains(value[i])) refuse(names[i], domains[i]->refusal(value[i]));
         }
         if (optics_columns) {
-          std::array<double, 6> optics{};
-          for (std::size_t i = 0; i < optics.size(); ++i)
-            optics[i] = row.scalars[(*optics_columns)[i]];
-          gaussians.back().optics =
-              gaussian_columns::optics_of(optics, [&](std::size_t i, const std::string& why) {
-                throw InputError(file, "vertex " + std::to_string(index),
-                                 std::string(gaussian_columns::optics_names[i]) + ": " + why);
-              });
-        }
-        if (gaussians.size() > max_count) {
-          throw InputError(file, "vertex " + std::to_string(index),
-                           "found " + std::to_string(gaussians.size()) +
-                               " Gaussians, including those that replace long splats; allowed: " +
-                               gaussian_columns::allowed_count(max_count));
+          g.optics = gaussian_columns::optics_of(values_of(*optics_columns),
+                                                 [&](std::size_t i, const std::string& why) {
+                                                   refuse(gaussian_columns::optics_names[i], why);
+                                                 });
         }
         if (!ids || !id || splats) return;
         const double number = row.scalars[(*id)[0]];
@@ -158,10 +158,7 @@ std::size_t max_gaussian_count_ply(const std::filesystem::path& file) {
   if (bytes.find(header_end) == std::string::npos) bytes = read_bytes(file);
   const PlyFile ply(file, bytes);
   const PlyFile::Element* vertices = ply.element("vertex");
-  if (vertices == nullptr) return 0;
-  // Long splats become several.
-  const bool are_splats = columns<1>(*vertices, {"scale_0"}).has_value();
-  return static_cast<std::size_t>(vertices->count) * (are_splats ? max_spheres : 1);
+  return vertices == nullptr ? 0 : static_cast<std::size_t>(vertices->count);
 }
 
 void write_gaussians_ply(const std::filesystem::path& file, std::span<const Gaussian> gaussians,
@@ -169,11 +166,13 @@ void write_gaussians_ply(const std::filesystem::path& file, std::span<const Gaus
   std::string bytes = "ply\nformat binary_little_endian 1.0\ncomment Gaussians of a Brume medium\n";
   bytes += "element vertex " + std::to_string(gaussians.size()) + "\n";
   const bool has_optics = gaussian_columns::have_optics(gaussians);
+  const bool has_shapes = gaussian_columns::have_shapes(gaussians);
   const auto add_property = [&](std::string_view name) {
     bytes += "property double " + std::string(name) + "\n";
   };
   std::ranges::for_each(names, add_property);
   if (has_optics) std::ranges::for_each(gaussian_columns::optics_names, add_property);
+  if (has_shapes) std::ranges::for_each(gaussian_columns::shape_names, add_property);
   if (!ids.empty()) bytes += "property uint " + std::string(gaussian_columns::id_name) + "\n";
   bytes += "end_header\n";
   bytes.reserve(bytes.size() + gaussians.size() * names.size() * sizeof(double));
@@ -182,11 +181,11 @@ void write_gaussians_ply(const std::filesystem::path& file, std::span<const Gaus
     for (const double value : {g.center.x, g.center.y, g.center.z, g.radius, g.density}) {
       append_little_endian(bytes, value);
     }
-    if (has_optics) {
-      for (const double value : gaussian_columns::optics_values(g.optics)) {
-        append_little_endian(bytes, value);
-      }
-    }
+    const auto append = [&](const auto& values) {
+      for (const double value : values) append_little_endian(bytes, value);
+    };
+    if (has_optics) append(gaussian_columns::optics_values(g.optics));
+    if (has_shapes) append(gaussian_columns::shape_values(g));
     if (!ids.empty()) append_little_endian(bytes, ids[i]);
   }
   write_atomically(file, bytes);

@@ -13,11 +13,8 @@ namespace brume {
 // Gaussians as PLY points, ascii or binary of either byte order; other properties and elements are
 // skipped. A vertex has x y z radius density, or what Gaussian splatting stores: x y z, scale_0 to
 // scale_2 (logarithms of standard deviations s_k), rot_0 to rot_3 (a quaternion, real part first),
-// and the logit of an opacity o. Such an ellipsoid has the mass of the ball of its volume, radius =
-// sqrt(2) (s_0 s_1 s_2)^(1/3), that is as opaque across its middle: density = -ln(1 - o) /
-// (sqrt(pi) radius). It becomes that ball where it is nearly round or not turned in any way, else
-// up to nine balls along its long axes (sphere_approximation()); colours are skipped. Throws
-// InputError naming file and vertex.
+// and the logit of an opacity o; see gaussian_of(), its depth is -ln(1 - o). Colours are skipped.
+// Throws InputError naming file and vertex.
 //
 // `ids` gets the numbers of the property id, where points have one. More than `max_count` are
 // refused.

@@ -132,7 +132,7 @@ class SceneLoader {
     JsonObject object(context_, value, path);
     Gaussian gaussian;
     gaussian.center = object.vector("center", domain::coordinate, {});
-    gaussian.radius = object.number("radius", domain::length, {});
+    load_radii(object, gaussian);
     gaussian.density = object.number("density", domain::density, {});
     gaussian.optics = load_optics(object);
     gaussian.group = read_group_name(object, "group", scene_.groups);
@@ -157,6 +157,22 @@ class SceneLoader {
     spline.optics = load_optics(object);
     unknown_keys_.add(spline.object_id, "", object.unknown_keys());
     scene_.splines.push_back(std::move(spline));
+  }
+
+  void load_radii(JsonObject& object, Gaussian& gaussian) {
+    if (!object.find("radii")) {
+      gaussian.radius = object.number("radius", domain::length, {});
+      return;
+    }
+    const JsonPath path = object.path_of("radii");
+    if (object.find("radius")) context_.fail(path, "found beside radius; allowed: one of the two");
+    const glm::dvec3 radii = object.vector("radii", domain::length, {});
+    if (const std::string why = refused_radii(radii); !why.empty()) context_.fail(path, why);
+    glm::dquat rotation(1.0, 0.0, 0.0, 0.0);
+    if (const Json* rotate = object.find("rotate")) {
+      rotation = read_unit_quaternion(context_, *rotate, object.path_of("rotate"));
+    }
+    gaussian.set_radii(radii, rotation);
   }
 
   // Of a Gaussian, a spline's or an emitter's.

@@ -15,6 +15,7 @@
 #include "core/io/scene/scene_names.h"
 #include "core/io/scene/scene_references.h"
 #include "core/io/scene/spline_json.h"
+#include "core/math/rounded.h"
 #include "core/scene/animation.h"
 #include "core/scene/group_effects.h"
 
@@ -44,6 +45,19 @@ bool is_unchanged(const MediumFile& file, const Scene& scene) {
 void add_optics(Json& entry, const GaussianOptics& optics) {
   if (optics.albedo) entry["albedo"] = to_json(*optics.albedo);
   if (optics.emission != glm::dvec3(0.0)) entry["emission"] = to_json(optics.emission);
+}
+
+void add_radii(Json& entry, const Gaussian& gaussian) {
+  if (gaussian.is_ball()) {
+    entry["radius"] = gaussian.radius;
+    return;
+  }
+  // They are products; what was read as 0.3 is written as that.
+  const glm::dvec3 radii = gaussian.radii();
+  entry["radii"] = {rounded(radii.x, 15), rounded(radii.y, 15), rounded(radii.z, 15)};
+  if (gaussian.shape.rotation != GaussianShape().rotation) {
+    entry["rotate"] = to_json(gaussian.shape.rotation);
+  }
 }
 
 void add_name(Json& object, const std::string& name) {
@@ -101,7 +115,8 @@ Json medium_to_json(const SceneDocument& document, const fs::path& directory) {
     const GaussianId id = medium.ids()[i];
     if (file != nullptr && file->contains(id)) continue;
     const Gaussian g = medium.gaussian(i);
-    Json entry{{"center", to_json(g.center)}, {"radius", g.radius}, {"density", g.density}};
+    Json entry{{"center", to_json(g.center)}, {"density", g.density}};
+    add_radii(entry, g);
     add_optics(entry, g.optics);
     if (const Group* group = find_group(scene.groups, g.group)) entry["group"] = group->name;
     if (const auto spline = splines.find(id); spline != splines.end()) {

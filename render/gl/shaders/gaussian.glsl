@@ -60,17 +60,28 @@ float segment_integral(float e, float u0, float u1, float k) {
 struct LineProfile {
   float t0;
   float e;
+  float a;
+  float share;  // of the depth of the longest line through the Gaussian, for one in this direction
 };
 
 LineProfile line_profile(vec3 b, vec3 w, float a) {
   const float t0 = dot(b, w);
   const vec3 q = a * (b - t0 * w);
-  return LineProfile(t0, dot(q, q));
+  return LineProfile(t0, dot(q, q), a, 1.0);
 }
 
-// Optical depth over [0, length] in units of c sqrt(pi) / (2 a).
-float unit_depth(LineProfile line, float a, float length_) {
-  return segment_integral(line.e, -a * line.t0, a * (length_ - line.t0), a * length_);
+// Of an ellipsoid: b and w warped, a that of its greatest radius.
+LineProfile warped_line_profile(vec3 b, vec3 w, float a) {
+  const float speed2 = dot(w, w);
+  const float t0 = dot(b, w) / speed2;
+  const vec3 q = a * (b - t0 * w);
+  const float speed = sqrt(speed2);
+  return LineProfile(t0, dot(q, q), a * speed, 1.0 / speed);
+}
+
+// Optical depth over [0, length] in units of c sqrt(pi) / (2 line.a).
+float unit_depth(LineProfile line, float length_) {
+  return segment_integral(line.e, -line.a * line.t0, line.a * (length_ - line.t0), line.a * length_);
 }
 
 float henyey_greenstein(float cos_theta, float g) {

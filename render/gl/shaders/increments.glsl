@@ -27,7 +27,8 @@ float cut_moment(float u, float a) { return exp(-u * u) / (sqrt_pi * a); }
 // `ends`: where the slices of the chunk begin and end on this ray. `moments`: increments times the
 // mean distance at which they lie.
 void add_increments(inout float increments[chunk], inout float moments[chunk], LineProfile line,
-                    float a, float scale, float ends[chunk + 1], ivec2 range) {
+                    float scale, float ends[chunk + 1], ivec2 range) {
+  const float a = line.a;
   if (scale > exact_above) {
     float u_begin = a * (ends[0] - line.t0);
     for (int k = 0; k < chunk; ++k) {

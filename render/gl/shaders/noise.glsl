@@ -1,5 +1,6 @@
 // Rays displaced by noise: GLSL counterpart of render/simd/noise-inl.h.
 #include "gaussian.glsl"
+#include "ellipsoids.glsl"
 
 uniform float noise_amplitude;  // over noise_lattice::rms; 0: none
 uniform float noise_frequency;  // [cells/u]
@@ -48,13 +49,31 @@ vec3 potential_gradient(vec3 w, float t) {
   return sum;
 }
 
-// line_profile() for a displaced ray. Gaussians beyond max_undisplaced_e stay culled.
-LineProfile view_line_profile(vec3 b, vec3 w, float a, float max_undisplaced_e) {
-  LineProfile line = line_profile(b, w, a);
+// Displaces a ray that passes a Gaussian, as warped, at the vector p from its center. Gaussians
+// beyond max_undisplaced_e stay culled.
+void displace(inout LineProfile line, vec3 p, vec3 w, float a, float max_undisplaced_e) {
   if (noise_amplitude > 0.0 && line.e <= max_undisplaced_e) {
-    const vec3 offset = a * (b - line.t0 * w) -
-                        noise_amplitude * cross(w, potential_gradient(w, line.t0));
+    const vec3 offset = a * p - noise_amplitude * cross(w, potential_gradient(w, line.t0));
     line.e = dot(offset, offset);
   }
+}
+
+// line_profile() for a displaced ray.
+LineProfile view_line_profile(vec3 b, vec3 w, float a, float max_undisplaced_e) {
+  LineProfile line = line_profile(b, w, a);
+  displace(line, b - line.t0 * w, w, a, max_undisplaced_e);
   return line;
 }
+
+#ifdef ELLIPSOIDS
+// The same of what may be an ellipsoid.
+LineProfile view_line_profile(EllipsoidWarp e, vec3 b, vec3 w, float a, float max_undisplaced_e) {
+  if (!is_ellipsoid(e)) return view_line_profile(b, w, a, max_undisplaced_e);
+  const mat3 warp = warp_of(e);
+  const vec3 q = warp * b;
+  const vec3 v = warp * w;
+  LineProfile line = warped_line_profile(q, v, a);
+  displace(line, q - line.t0 * v, w, a, max_undisplaced_e);
+  return line;
+}
+#endif

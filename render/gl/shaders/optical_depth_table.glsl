@@ -10,6 +10,7 @@ shared float nearest[max_table_radii];  // all rays have the same boundaries
 
 #include "cone.glsl"
 #include "direction_map.glsl"
+#include "ellipsoids.glsl"
 #include "increments.glsl"
 #include "compact.glsl"
 
@@ -30,6 +31,9 @@ uniform float curvature;  // see TableRadii
 
 shared vec4 gaussians[bundle_size];
 shared GaussianShape shapes_of[bundle_size];
+#ifdef ELLIPSOIDS
+shared EllipsoidWarp ellipsoids_of[bundle_size];
+#endif
 shared ivec2 ranges[bundle_size];
 shared uint counted[bundle_size];  // 1 in the first chunk that it touches
 
@@ -77,16 +81,25 @@ void main() {
       if (matters) {
         gaussians[slot] = vec4(b, shape.a);
         shapes_of[slot] = shape;
+#ifdef ELLIPSOIDS
+        ellipsoids_of[slot] = ellipsoid_of(i);
+#endif
         ranges[slot] = range;
         counted[slot] = first == 0 || length(b) - shape.cutoff_radius > nearest[first] ? 1u : 0u;
       }
       barrier();
       for (uint j = 0u; j < found; ++j) {
         const vec4 g = gaussians[j];
-        const LineProfile line = line_profile(g.xyz, w, g.w);
+        LineProfile line = line_profile(g.xyz, w, g.w);
+#ifdef ELLIPSOIDS
+        if (is_ellipsoid(ellipsoids_of[j])) {
+          const mat3 warp = warp_of(ellipsoids_of[j]);
+          line = warped_line_profile(warp * g.xyz, warp * w, g.w);
+        }
+#endif
         if (line.e > shapes_of[j].max_e) continue;
         evaluated += counted[j];
-        add_increments(increments, moments, line, g.w, shapes_of[j].scale, ends, ranges[j]);
+        add_increments(increments, moments, line, shapes_of[j].scale * line.share, ends, ranges[j]);
       }
     }
     // A word holds a radius and the next; so the first of a chunk ends the last one of the former.

@@ -21,19 +21,23 @@ uniform int conserves;  // whether any light conserves energy
 
 shared SeenGaussian batch[group_size];
 shared uint batch_index[group_size];
+#ifdef ELLIPSOIDS
+shared EllipsoidWarp batch_ellipsoids[group_size];
+#endif
 
 // Optical depth of a Gaussian up to the projection of its center on the ray, clamped to the ray.
-float depth_to_projection(LineProfile line, float a, float scale_, float length_, float depth) {
+float depth_to_projection(LineProfile line, float scale_, float length_, float depth) {
   if (line.t0 <= 0.0) return 0.0;
   if (line.t0 >= length_) return depth;
-  const float u = a * line.t0;
+  const float u = line.a * line.t0;
   const float unscaled_depth = u < 1.0 ? exp(-line.e) * erf_small(u)
                                        : exp(-line.e) - scaled_erfc(line.e, u);
   return scale_ * max(unscaled_depth, 0.0);
 }
 
 // The mean parameter of a Gaussian on [0, length_], in that interval: LineProfile::Mean().
-float mean_parameter(LineProfile line, float a, float length_, float view_unit_depth) {
+float mean_parameter(LineProfile line, float length_, float view_unit_depth) {
+  const float a = line.a;
   const float u0 = clamp(-a * line.t0, -erfc_end, erfc_end);
   const float u1 = clamp(a * (length_ - line.t0), -erfc_end, erfc_end);
   const float k = a * length_;
@@ -114,25 +118,34 @@ void main() {
       const uint i = list[base + id];
       batch[id] = seen[i];
       batch_index[id] = i;
+#ifdef ELLIPSOIDS
+      batch_ellipsoids[id] = ellipsoid_of(i);
+#endif
     }
     barrier();
     const uint size = min(uint(group_size), end - base);
     for (uint j = 0u; j < size; ++j) {
       const SeenGaussian g = batch[j];
+#ifdef ELLIPSOIDS
+      const EllipsoidWarp e = batch_ellipsoids[j];
+      const LineProfile line = view_line_profile(e, g.center, w, g.a, g.max_undisplaced_e);
+#else
       const LineProfile line = view_line_profile(g.center, w, g.a, g.max_undisplaced_e);
+#endif
       if (line.e > g.max_e) continue;
       ++pairs;
-      const float view_unit_depth = unit_depth(line, g.a, length_);
-      const float through = g.scale * view_unit_depth;
+      const float half_depth = g.scale * line.share;
+      const float view_unit_depth = unit_depth(line, length_);
+      const float through = half_depth * view_unit_depth;
       depth += through;
       float t;
       float depth_to_point;
       if (at_mean != 0) {
-        t = mean_parameter(line, g.a, length_, view_unit_depth);
-        depth_to_point = g.scale * unit_depth(line, g.a, t);
+        t = mean_parameter(line, length_, view_unit_depth);
+        depth_to_point = half_depth * unit_depth(line, t);
       } else {
         t = clamp(line.t0, 0.0, length_);
-        depth_to_point = depth_to_projection(line, g.a, g.scale, length_, through);
+        depth_to_point = depth_to_projection(line, half_depth, length_, through);
       }
       const int i = int(batch_index[j]);
       if (conserves != 0) {
@@ -149,8 +162,14 @@ void main() {
             along * along + max(dot(offset, offset), lights[l].h_min * lights[l].h_min);
         const float distance_ = sqrt(max(along * along + dot(offset, offset), tiny));
         const vec3 to_light = (s - t * w) / distance_;
+        LineProfile from_light = line_profile(q, to_light, g.a);
+#ifdef ELLIPSOIDS
+        if (is_ellipsoid(e)) {
+          from_light = warped_line_profile(warp_of(e) * q, warp_of(e) * to_light, g.a);
+        }
+#endif
         const float light_depth =
-            g.scale * unit_depth(line_profile(q, to_light, g.a), g.a, distance_);
+            g.scale * from_light.share * unit_depth(from_light, distance_);
         float light =
             through * exp(-(frozen[l * gaussian_count + i] + depth_to_point + light_depth)) / distance2;
         if (anisotropy != 0.0) light *= henyey_greenstein(cos_theta(along, distance_), anisotropy);

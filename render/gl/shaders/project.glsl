@@ -3,6 +3,7 @@
 #include "linear.glsl"
 #include "constants.glsl"
 #include "structs.glsl"
+#include "ellipsoids.glsl"
 
 layout(local_size_x = 64) in;
 
@@ -43,6 +44,22 @@ dvec2 covered(double x, double z, double radius, double half_size) {
                high.y <= 0.0LF ? 1.0LF : min(1.0LF, high.x / (high.y * half_size)));
 }
 
+#ifdef ELLIPSOIDS
+// The same of an ellipse; `squares` holds the products xx, xz and zz of its reaches along x and z.
+dvec2 covered(double x, double z, double radius, dvec3 squares, double half_size) {
+  const double front = z * z - squares.z;
+  // In part behind the eye: as the disc around it.
+  if (z <= 0.0LF || front <= 0.0LF) return covered(x, z, radius, half_size);
+  const double middle = x * z - squares.y;
+  const double root = sqrt(max(middle * middle - front * (x * x - squares.x), 0.0LF));
+  return dvec2(max(-1.0LF, (middle - root) / (front * half_size)),
+               min(1.0LF, (middle + root) / (front * half_size)));
+}
+
+// The warp is known in single precision.
+const double warp_room = 1.005LF;
+#endif
+
 int first_pixel(double s, int size, double start) {
   return int(ceil(0.5LF * (s + 1.0LF) * double(size) - 0.5LF - pixel_rounding - start));
 }
@@ -64,8 +81,22 @@ void main() {
 
   const double radius = double(shape.cutoff_radius) + double(farther) / double(shape.a);
   const double z = dot(q, forward);
-  const dvec2 u = covered(dot(q, right), z, radius, half_width);
-  const dvec2 v = covered(-dot(q, up), z, radius, half_height);
+  dvec2 u = covered(dot(q, right), z, radius, half_width);
+  dvec2 v = covered(-dot(q, up), z, radius, half_height);
+#ifdef ELLIPSOIDS
+  const EllipsoidWarp e = ellipsoid_of(i);
+  if (is_ellipsoid(e)) {
+    const dmat3 reaches = radius * warp_room * dmat3(inverse(warp_of(e)));
+    const dvec3 along_x = reaches * right;
+    const dvec3 along_y = reaches * -up;
+    const dvec3 along_z = reaches * forward;
+    const double zz = dot(along_z, along_z);
+    u = covered(dot(q, right), z, radius, dvec3(dot(along_x, along_x), dot(along_x, along_z), zz),
+                half_width);
+    v = covered(-dot(q, up), z, radius, dvec3(dot(along_y, along_y), dot(along_y, along_z), zz),
+                half_height);
+  }
+#endif
   if (!(u.x < u.y) || !(v.x < v.y)) return;
   const ivec2 first = ivec2(first_pixel(u.x, whole_film.x, film_start.x),
                             first_pixel(v.x, whole_film.y, film_start.y));

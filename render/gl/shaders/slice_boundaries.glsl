@@ -11,6 +11,8 @@ shared vec4 demand_of[group_size];  // a Gaussian: place on the ray, radius, pea
 shared float demand_weights[group_size];
 
 #include "center_ray.glsl"
+#include "gaussian.glsl"
+#include "ellipsoids.glsl"
 
 void add_boundary(float t) { unsorted[atomicAdd(unsorted_count, 1u)] = t; }
 
@@ -23,12 +25,31 @@ vec2 box_demand(float bin, float t, float half_, vec2 demand, float begin, float
   return bin >= ends.x && bin <= ends.y ? demand : vec2(0.0);
 }
 
-// As closest_approach() of the CPU: t, and h in radii.
-vec2 closest_approach(CenterRay ray, vec3 q, float a) {
-  const vec2 nearest = nearest_pass(ray, q);
-  const float center = dot(q, ray.w);
-  const float h = a * nearest.y;
-  return vec2(center + exp(-h * h) * (nearest.x - center), h);
+// Where a Gaussian needs slices: slice_need() of the CPU.
+struct SliceNeed {
+  float t;
+  float h;        // in radii
+  float a;        // along the ray
+  vec2 extent;    // of the whole Gaussian
+};
+
+SliceNeed slice_need(CenterRay ray, uint i, SeenGaussian g) {
+  const float center = dot(g.center, ray.w);
+#ifdef ELLIPSOIDS
+  const EllipsoidWarp e = ellipsoid_of(i);
+  if (is_ellipsoid(e)) {
+    const mat3 warp = warp_of(e);
+    const LineProfile line = warped_line_profile(warp * g.center, warp * ray.w, g.a);
+    const float nearer = ray.spread * max(line.t0, 0.0) * g.a / e.second.z;
+    const float along = g.cutoff_radius * reach_along(e, ray.w);
+    return SliceNeed(line.t0, max(sqrt(line.e) - nearer, 0.0), line.a,
+                     vec2(center - along, (center + along) * length(vec2(1.0, ray.spread))));
+  }
+#endif
+  const vec2 nearest = nearest_pass(ray, g.center);
+  const float h = g.a * nearest.y;
+  return SliceNeed(center + exp(-h * h) * (nearest.x - center), h, g.a,
+                   vec2(center, nearest.x) + vec2(-g.cutoff_radius, g.cutoff_radius));
 }
 
 // DemandingGaussians of render/lighting/slice_boundaries.cpp: every so manieth, and what stands out.
@@ -72,16 +93,18 @@ void find_demand(CenterRay ray, Demanding demanding, vec2 core, int bins, uint b
     if (base + id < end) {
       const uint i = list[base + id];
       const SeenGaussian g = seen[i];
-      const vec2 pass = closest_approach(ray, g.center, g.a);
-      const float t = pass.x;
-      const float half_ = core_radii(2.0 * g.scale) / g.a;
+      const SliceNeed need = slice_need(ray, i, g);
+      const float t = need.t;
+      // Of a line through the center, twice.
+      const float half_depth = g.scale * g.a / need.a;
+      const float half_ = core_radii(2.0 * half_depth) / need.a;
       const float weight = demand_weight(demanding, base + id - begin, g.scale);
       demand_weights[id] = weight;
       if (weight > 0.0 && t + half_ >= core.x && t - half_ <= core.y) {
-        const float peak = g.scale * g.a / (0.5 * sqrt_pi) * exp(-pass.y * pass.y);
-        const float depth = sqrt_pi * peak / g.a;
+        const float peak = g.scale * g.a / (0.5 * sqrt_pi) * exp(-need.h * need.h);
+        const float depth = sqrt_pi * peak / need.a;
         demand_of[id] =
-            vec4(t, 1.0 / g.a, peak, depth < slice_opaque ? box_radii : core_radii(depth));
+            vec4(t, 1.0 / need.a, peak, depth < slice_opaque ? box_radii : core_radii(depth));
       }
     }
     barrier();
@@ -203,11 +226,10 @@ void choose_slices(CenterRay ray, uint begin, uint end, int slices, int per_ligh
       extent = vec2(min(extent.x, dot(g.center, ray.w) - r), max(extent.y, length(g.center) + r));
       continue;
     }
-    const float t = closest_approach(ray, g.center, g.a).x;
-    const float half_ = min(core_radii(2.0 * g.scale) / g.a, r);
-    extent = vec2(min(extent.x, dot(g.center, ray.w) - r),
-                 max(extent.y, nearest_pass(ray, g.center).x + r));
-    core = vec2(min(core.x, t - half_), max(core.y, t + half_));
+    const SliceNeed need = slice_need(ray, i, g);
+    const float half_ = min(core_radii(2.0 * g.scale * g.a / need.a) / need.a, r);
+    extent = vec2(min(extent.x, need.extent.x), max(extent.y, need.extent.y));
+    core = vec2(min(core.x, need.t - half_), max(core.y, need.t + half_));
   }
   const vec2 ends = vec2(0.0, ray.max_length);
   extent = clamp(vec2(reduce_min(extent.x), reduce_max(extent.y)), ends.xx, ends.yy);

@@ -33,6 +33,9 @@ shared vec4 spilled_optics[chunk * group_size];
 #endif
 
 shared SeenGaussian batch[group_size];
+#ifdef ELLIPSOIDS
+shared EllipsoidWarp batch_ellipsoids[group_size];
+#endif
 shared ivec4 batch_slices[group_size];  // a range of the chunk, and whether it counts
 shared float spilled[chunk * group_size];
 shared float spilled_moments[chunk * group_size];
@@ -113,6 +116,9 @@ void main() {
       if (matters) {
         batch[slot] = seen[i];
         batch_slices[slot] = range;
+#ifdef ELLIPSOIDS
+        batch_ellipsoids[slot] = ellipsoid_of(i);
+#endif
 #ifdef OPTICS
         batch_optics[slot] = imageLoad(optics, ivec2(i % optics_width, i / optics_width));
 #endif
@@ -120,22 +126,28 @@ void main() {
       barrier();
       for (uint j = 0u; j < found; ++j) {
         const SeenGaussian g = batch[j];
+#ifdef ELLIPSOIDS
+        const LineProfile line =
+            view_line_profile(batch_ellipsoids[j], g.center, w, g.a, g.max_undisplaced_e);
+#else
         const LineProfile line = view_line_profile(g.center, w, g.a, g.max_undisplaced_e);
+#endif
         if (line.e > g.max_e) continue;
+        const float half_depth = g.scale * line.share;
         pairs += uint(batch_slices[j].z);
         if (needs_line && first == 0) {
-          line_depth += g.scale * unit_depth(line, g.a, endless_line);
+          line_depth += half_depth * unit_depth(line, endless_line);
         }
 #ifdef OPTICS
         float own[chunk];
         for (int k = 0; k < chunk; ++k) own[k] = 0.0;
-        add_increments(own, moments, line, g.a, g.scale, ends, batch_slices[j].xy);
+        add_increments(own, moments, line, half_depth, ends, batch_slices[j].xy);
         for (int k = 0; k < chunk; ++k) {
           increments[k] += own[k];
           optics_increments[k] += own[k] * batch_optics[j];
         }
 #else
-        add_increments(increments, moments, line, g.a, g.scale, ends, batch_slices[j].xy);
+        add_increments(increments, moments, line, half_depth, ends, batch_slices[j].xy);
 #endif
       }
     }

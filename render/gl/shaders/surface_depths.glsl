@@ -2,6 +2,7 @@
 // `bundle_side`^2 pixels; it culls Gaussians against the cone of its paths.
 #include "cone.glsl"
 #include "gaussian.glsl"
+#include "ellipsoids.glsl"
 #include "surface_point.glsl"
 
 layout(local_size_x = bundle_size) in;
@@ -21,6 +22,9 @@ uniform int first;  // where the light's depths begin
 shared uint longest;  // path, as bits: floats >= 0 are in the order of their bits
 shared vec4 gaussians[bundle_size];
 shared GaussianShape shapes_of[bundle_size];
+#ifdef ELLIPSOIDS
+shared EllipsoidWarp ellipsoids_of[bundle_size];
+#endif
 
 void main() {
   const uint id = gl_LocalInvocationID.x;
@@ -59,14 +63,23 @@ void main() {
     if (matters) {
       gaussians[slot] = vec4(b, shape.a);
       shapes_of[slot] = shape;
+#ifdef ELLIPSOIDS
+      ellipsoids_of[slot] = ellipsoid_of(i);
+#endif
     }
     barrier();
     for (uint j = 0u; j < found && length_ > 0.0; ++j) {
       const vec4 g = gaussians[j];
-      const LineProfile line = line_profile(g.xyz, w, g.w);
+      LineProfile line = line_profile(g.xyz, w, g.w);
+#ifdef ELLIPSOIDS
+      if (is_ellipsoid(ellipsoids_of[j])) {
+        const mat3 warp = warp_of(ellipsoids_of[j]);
+        line = warped_line_profile(warp * g.xyz, warp * w, g.w);
+      }
+#endif
       if (line.e > shapes_of[j].max_e) continue;
       ++evaluated;
-      depth += shapes_of[j].scale * unit_depth(line, g.w, length_);
+      depth += shapes_of[j].scale * line.share * unit_depth(line, length_);
     }
   }
   if (live) {

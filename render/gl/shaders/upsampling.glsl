@@ -2,6 +2,7 @@
 #include "constants.glsl"
 #include "linear.glsl"
 #include "structs.glsl"
+#include "ellipsoids.glsl"
 
 layout(local_size_x = group_size) in;
 
@@ -56,7 +57,12 @@ float curvature_of(vec4 a, vec4 b, vec4 c) {
 float distance_tolerance(int tile) {
   float result = b0 > 0.0 ? free_paths_per_tolerance * tolerance / b0 : endless;
   for (uint k = offsets[tile]; k < offsets[tile + 1]; ++k) {
-    result = min(result, radii_per_tolerance * tolerance / seen[list[k]].a);
+    float radius = 1.0 / seen[list[k]].a;
+#ifdef ELLIPSOIDS
+    const EllipsoidWarp e = ellipsoid_of(list[k]);
+    if (is_ellipsoid(e)) radius *= e.second.z;
+#endif
+    result = min(result, radii_per_tolerance * tolerance * radius);
   }
   return result;
 }

@@ -224,8 +224,8 @@ TEST(Contributions, SharesAreWhatTheRayLoses) {
   double sum = 0.0;
   double depth = 0.0;
   for (const Contribution& c : met) {
-    const double expected = optical_depth(GaussianTerm<double>(medium.gaussian(c.index)),
-                                          glm::dvec3(0), glm::dvec3(0, 0, -1000));
+    const double expected =
+        optical_depth(medium.gaussian(c.index), glm::dvec3(0), glm::dvec3(0, 0, -1000));
     EXPECT_NEAR(c.optical_depth.g, expected, 1e-12);
     sum += c.fraction;
     depth += c.optical_depth.g;
@@ -287,7 +287,7 @@ TEST(Contributions, EmissionIsAttenuatedByTheExtinctionInFront) {
     // Its optical depth up to a distance, and where on the ray it is.
     const auto depth = [&](std::size_t i) {
       const Gaussian g = medium.gaussian(i);
-      return optical_depth(GaussianTerm<double>(g), eye, glm::dvec3(0, 0, -1000)) /
+      return optical_depth(g, eye, glm::dvec3(0, 0, -1000)) /
              g.optics.albedo.value_or(medium_albedo);
     };
     const auto place = [&](std::size_t i) { return -medium.centers()[i].z; };

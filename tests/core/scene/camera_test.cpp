@@ -52,15 +52,16 @@ TEST(CameraRays, ARegionHasTheRaysOfTheWholeFilm) {
   const glm::dvec3 point = rays.eye() + 7.0 * rays.direction(30.0, 40.0);
   EXPECT_NEAR(rays.project(point).x, 30.0, 1e-9);
   EXPECT_NEAR(rays.project(point).y, 40.0, 1e-9);
-  const auto expected = all.bounds(point, 0.3);
-  const auto bounds = rays.bounds(point, 0.3);
+  const GaussianTerm<double> ball(1.0, 1.0, point);
+  const auto expected = all.bounds(ball, 0.3);
+  const auto bounds = rays.bounds(ball, 0.3);
   EXPECT_EQ(bounds.x0, std::max(expected.x0 - 160, 0));
   EXPECT_EQ(bounds.y0, std::max(expected.y0 - 120, 0));
   EXPECT_EQ(bounds.x1, std::min(expected.x1 - 160, 320));
   EXPECT_EQ(bounds.y1, std::min(expected.y1 - 120, 120));
   EXPECT_FALSE(bounds.empty());
   // What lies beside the region only.
-  EXPECT_TRUE(rays.bounds(rays.eye() + 7.0 * all.direction(20.0, 20.0), 0.01).empty());
+  EXPECT_TRUE(rays.bounds({1.0, 1.0, rays.eye() + 7.0 * all.direction(20.0, 20.0)}, 0.01).empty());
 }
 
 TEST(CameraRays, RegionsHaveAtLeastAPixelOfTheFilm) {

@@ -149,7 +149,8 @@ TEST(AverageDepth, MatchesTheMeanOverTheSphere) {
   double mean = 10.0 * 0.05;
   for (const SphereNode& node : sphere_rule(80)) {
     for (std::size_t i = 0; i < medium.size(); ++i) {
-      const GaussianTerm<double> g(medium.gaussian(i));
+      const StandaloneTerm term(medium.gaussian(i));
+      const GaussianTerm<double>& g = *term;
       mean += node.weight / (4 * std::numbers::pi) *
               optical_depth(g, line_profile(g, p, node.direction), infinity);
     }

@@ -154,11 +154,11 @@ TEST(TruncatedMean, MatchesTheMeanOfTheDensity) {
     breakpoints.push_back(d);
     const double reference = integrate<double>(moment, breakpoints, 1e-12).value /
                              integrate<double>(weight, breakpoints, 1e-12).value;
-    ASSERT_NEAR(truncated_mean(g, line, d), reference, 1e-9 * d) << "a " << a << " b " << g.b.z;
+    ASSERT_NEAR(truncated_mean(line, d), reference, 1e-9 * d) << "a " << a << " b " << g.b.z;
   }
   // Far behind: the density piles up at the near end, with the limit 1 / (2 a^2 |b|).
   const GaussianTerm<double> far(1.0, 1.0, {0, 0, -1e4});
-  EXPECT_NEAR(truncated_mean(far, line_profile(far, {0, 0, 0}, {0, 0, 1}), 10.0), 0.5e-4, 1e-11);
+  EXPECT_NEAR(truncated_mean(line_profile(far, {0, 0, 0}, {0, 0, 1}), 10.0), 0.5e-4, 1e-11);
 }
 
 // The bound behind all culling: a segment that misses the sphere is below the tolerance.
@@ -176,14 +176,14 @@ TEST(Reach, NothingOutsideReachesTheTolerance) {
     const double t = std::clamp(glm::dot(g.center - A, w), 0.0, glm::length(B - A));
     if (glm::length(g.center - A - t * w) <= r) continue;
     ++culled;
-    max_ratio = std::max(max_ratio, optical_depth(GaussianTerm<double>(g), A, B) / eps);
+    max_ratio = std::max(max_ratio, optical_depth(g, A, B) / eps);
     // The cone says the same of the whole ray.
     const double cone = cutoff_cone(g.center, r, A);
     const double angle =
         std::acos(std::clamp(glm::dot(glm::normalize(g.center - A), w), -1.0, 1.0));
     if (angle > cone + 1e-7) {
-      const auto line = line_profile(GaussianTerm<double>(g), A, w);
-      ASSERT_LE(optical_depth(GaussianTerm<double>(g), line, infinity), eps);
+      const auto line = line_profile(*StandaloneTerm(g), A, w);
+      ASSERT_LE(optical_depth(*StandaloneTerm(g), line, infinity), eps);
     }
   }
   EXPECT_LE(max_ratio, 1.0);

@@ -72,8 +72,7 @@ void depths_of_n_gaussians(benchmark::State& state) {
     double reference = 0.0;
     for (std::size_t j = 0; j < medium.size(); ++j) {
       if (j == i) continue;
-      reference +=
-          optical_depth(GaussianTerm<double>(medium.gaussian(j)), light, medium.centers()[i]);
+      reference += optical_depth(medium.gaussian(j), light, medium.centers()[i]);
     }
     error2 += (result.depths[i] - reference) * (result.depths[i] - reference);
     sum2 += reference * reference;

@@ -97,7 +97,7 @@ TEST(Increments, AgreeWithDouble) {
               const LineProfile<double> line = line_profile(g, start, bundle.directions[i]);
               const double part = optical_depth(g, line, end - begin);
               depth += part;
-              if (part > 0.0) moment += part * (begin + truncated_mean(g, line, end - begin));
+              if (part > 0.0) moment += part * (begin + truncated_mean(line, end - begin));
               if (0.5 * std::sqrt(M_PI) * g.c / g.a > double{exact_above}) opaque += part;
             }
             const auto at = k * stride + i;

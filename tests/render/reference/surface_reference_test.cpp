@@ -100,12 +100,10 @@ TEST(SurfaceReference, MatchesALightInAnAbsorbingMedium) {
   const auto f = [&](const glm::dvec3& w) {
     return brdf(surface.material, w, point.to_eye, point.normal).x;
   };
-  std::vector<GaussianTerm<double>> gaussians;
+  const GaussianTerms<double> terms(scene.medium);
+  const auto gaussians = terms.all();
   double depth = 0.05 * glm::length(light);
-  for (std::size_t i = 0; i < scene.medium.size(); ++i) {
-    gaussians.emplace_back(scene.medium.gaussian(i));
-    depth += optical_depth(gaussians.back(), glm::dvec3(0), light);
-  }
+  for (const GaussianTerm<double>& g : gaussians) depth += optical_depth(g, glm::dvec3(0), light);
   const LightSource<double> source{light, 0.0, gaussians, 0.5, std::nullopt};
   const double scattered =
       3.0 * irradiance(

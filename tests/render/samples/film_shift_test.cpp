@@ -36,7 +36,8 @@ TEST(FilmShift, BoundsBallsOnTheShiftedFilm) {
     for (const double along : {-20.5, 3.0, 31.5, 60.0, 80.0}) {
       const glm::dvec3 center = rays.eye() + 5.0 * rays.direction(along, 0.5 * along);
       const double radius = 0.2;
-      const CameraRays::PixelRectangle r = rays.bounds(center, radius);
+      const CameraRays::PixelRectangle r =
+          rays.bounds(GaussianTerm<double>(1.0, 1.0, center), radius);
       for (int y = 0; y < film.height; ++y) {
         for (int x = 0; x < film.width; ++x) {
           const glm::dvec3 w = rays.direction(x + 0.5, y + 0.5);

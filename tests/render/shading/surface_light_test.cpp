@@ -75,13 +75,10 @@ TEST(ScatterTable, MeetsItsErrorBound) {
 
 TEST(AverageDepthGrid, MatchesTheSumWithinTwoPercent) {
   const Scene scene = cloud_scene(40, 3.0);
-  std::vector<GaussianTerm<double>> gaussians;
-  for (std::size_t i = 0; i < scene.medium.size(); ++i) {
-    gaussians.emplace_back(scene.medium.gaussian(i));
-  }
+  const GaussianTerms<double> gaussians(scene.medium);
   for (const Box& box : {Box{{-1, -1, -1}, {1, 1, 1}}, Box{{-9, 0.25, -9}, {9, 0.25, 9}},
                          Box{{2, 3, 4}, {2, 3, 4}}}) {
-    const AverageDepthGrid grid(gaussians, box);
+    const AverageDepthGrid grid(gaussians.all(), box);
     Random random(3);
     for (int n = 0; n < 500; ++n) {
       const glm::dvec3 p =

@@ -53,7 +53,7 @@ double depth_to_light(const Scene& scene) {
   const glm::dvec3 facing = ball_radius * glm::normalize(light);
   double depth = 0.0;
   for (std::size_t i = 0; i < scene.medium.size(); ++i) {
-    depth += optical_depth(GaussianTerm<double>(scene.medium.gaussian(i)), facing, light);
+    depth += optical_depth(scene.medium.gaussian(i), facing, light);
   }
   return depth;
 }

@@ -1,0 +1,25 @@
+// The ellipsoids among Gaussians, where ELLIPSOIDS is defined: Ellipsoid of core/transport.
+#ifdef ELLIPSOIDS
+// Two texels of each: xx yy zz yz, and xz xy of its warp, its least stretch, and whether it is one.
+layout(rgba32f, binding = 7) readonly uniform image2D ellipsoids;
+
+struct EllipsoidWarp {
+  vec4 first, second;
+};
+
+EllipsoidWarp ellipsoid_of(uint i) {
+  const ivec2 at = ivec2(2u * i % uint(optics_width), 2u * i / uint(optics_width));
+  return EllipsoidWarp(imageLoad(ellipsoids, at), imageLoad(ellipsoids, at + ivec2(1, 0)));
+}
+
+bool is_ellipsoid(EllipsoidWarp e) { return e.second.w > 0.0; }
+
+mat3 warp_of(EllipsoidWarp e) {
+  return mat3(e.first.x, e.second.y, e.second.x,  //
+              e.second.y, e.first.y, e.first.w,   //
+              e.second.x, e.first.w, e.first.z);
+}
+
+// How far it reaches along a unit direction, over its greatest radius.
+float reach_along(EllipsoidWarp e, vec3 w) { return length(inverse(warp_of(e)) * w); }
+#endif
