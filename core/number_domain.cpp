@@ -1,7 +1,5 @@
 #include "core/number_domain.h"
 
-#include "core/math/max_component.h"
-
 #include <array>
 #include <charconv>
 
@@ -18,10 +16,10 @@ std::string NumberDomain::refusal(double value) const {
 }
 
 std::string refused_radii(const glm::dvec3& radii) {
-  const double least = min_component(radii);
-  if (least >= limits::min_stretch * max_component(radii)) return {};
+  const auto [least, greatest] = std::minmax({radii.x, radii.y, radii.z});
+  if (least >= limits::min_stretch * greatest) return {};
   std::string why = "found ";
-  why.append(quoted_text(least)).append(" beside ").append(quoted_text(max_component(radii)));
+  why.append(quoted_text(least)).append(" beside ").append(quoted_text(greatest));
   return why.append("; allowed: radii of at least 1e-4 of the greatest");
 }
 

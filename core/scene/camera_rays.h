@@ -6,7 +6,7 @@
 #include <glm/vec3.hpp>
 
 #include "brume/camera.h"
-#include "core/transport/optical_depth.h"
+#include "core/medium/gaussian_term.h"
 
 namespace brume {
 

@@ -7,7 +7,6 @@
 #include <limits>
 #include <numbers>
 
-#include "core/math/max_component.h"
 #include "core/math/special_functions.h"
 
 namespace brume {
@@ -53,48 +52,6 @@ struct NormalisedSegment {
 };
 
 }  // namespace
-
-template <class Real>
-GaussianTerms<Real>::GaussianTerms(const Medium& medium, double factor) {
-  reserve(medium.size());
-  for (std::size_t i = 0; i < medium.size(); ++i) {
-    Gaussian g = medium.gaussian(i);
-    g.density *= factor;
-    add(g);
-  }
-}
-
-template <class Real>
-void GaussianTerms<Real>::add(const Gaussian& g) {
-  const Ellipsoid<Real>* ellipsoid = nullptr;
-  if (!g.is_ball()) ellipsoid = &ellipsoids_.emplace_back(g.shape);
-  terms_.emplace_back(Real(1.0 / g.radius), Real(g.density), Vec3<Real>(g.center), ellipsoid);
-}
-
-StandaloneTerm::StandaloneTerm(const Gaussian& g) {
-  if (!g.is_ball()) ellipsoid_.emplace(g.shape);
-  term_ = {1.0 / g.radius, g.density, g.center, ellipsoid_ ? &*ellipsoid_ : nullptr};
-}
-
-double mean_radius_of(const GaussianTerm<double>& term) {
-  if (!term.ellipsoid) return 1.0 / term.a;
-  const glm::dvec3& s = term.ellipsoid->stretch;
-  return std::cbrt(s.x * s.y * s.z) / term.a;
-}
-
-double min_radius_of(const GaussianTerm<double>& term) {
-  return (term.ellipsoid ? min_component(term.ellipsoid->stretch) : 1.0) / term.a;
-}
-
-double volume_of(const GaussianTerm<double>& term) {
-  return std::pow(std::sqrt(std::numbers::pi) * mean_radius_of(term), 3);
-}
-
-Gaussian gaussian_of(const GaussianTerm<double>& term) {
-  Gaussian g{term.b, 1.0 / term.a, term.c};
-  if (term.ellipsoid) g.shape = {term.ellipsoid->stretch, glm::quat_cast(term.ellipsoid->axes)};
-  return g;
-}
 
 template <class Real>
 LineProfile<Real> line_profile(const GaussianTerm<Real>& g, const Vec3<Real>& origin,
@@ -186,7 +143,6 @@ double cutoff_cone(const glm::dvec3& center, double cutoff_radius, const glm::dv
 }
 
 #define BRUME_OPTICAL_DEPTH(Real)                                                               \
-  template class GaussianTerms<Real>;                                                           \
   template LineProfile<Real> line_profile(const GaussianTerm<Real>&, const Vec3<Real>&,         \
                                           const Vec3<Real>&);                                   \
   template Real optical_depth(const GaussianTerm<Real>&, const LineProfile<Real>&, Real);       \

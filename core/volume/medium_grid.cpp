@@ -13,7 +13,7 @@
 
 #include "brume/limits.h"
 #include "core/math/max_component.h"
-#include "core/transport/optical_depth.h"
+#include "core/medium/gaussian_term.h"
 
 namespace brume {
 namespace {
