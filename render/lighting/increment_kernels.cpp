@@ -57,6 +57,10 @@ struct GroupCone {
   }
 };
 
+// Room for the rounding of floats: relative to the cutoff radius, and to the distance.
+constexpr float cutoff_room = 1e-3f;
+constexpr float distance_room = 1e-6f;
+
 // Gaussians that rays of a group may meet, and the slices on which.
 struct MetGaussians {
   std::vector<std::int32_t> gaussian, first, end;
@@ -87,12 +91,44 @@ struct GroupGaussians {
               std::size_t group);
 
  private:
+  // Of those near rays, which are in `near_rays`, the ellipsoids that no ray meets: how many are
+  // left.
+  std::size_t drop_ellipsoids(const GaussianBatch& g, const GroupCone& cone, std::size_t count);
+
   std::vector<std::int32_t> near_rays;
 };
 
-// Room for the rounding of floats: relative to the cutoff radius, and to the distance.
-constexpr float cutoff_room = 1e-3f;
-constexpr float distance_room = 1e-6f;
+std::size_t GroupGaussians::drop_ellipsoids(const GaussianBatch& g, const GroupCone& cone,
+                                            std::size_t count) {
+  const D d;
+  const hn::RebindToSigned<D> di;
+  const Vector axis{set(cone.axis.x), set(cone.axis.y), set(cone.axis.z)};
+  constexpr auto floats = static_cast<std::int32_t>(sizeof(BatchEllipsoid) / sizeof(float));
+  static_assert(floats * sizeof(float) == sizeof(BatchEllipsoid));
+  const float* const members = g.ellipsoids[0].warp.data();
+  const auto end = near_rays.begin() + static_cast<std::ptrdiff_t>(count);
+  std::fill_n(end, hn::Lanes(d), 0);  // whole vectors are loaded
+  std::size_t left = 0;
+  for (std::size_t m = 0; m < count; m += hn::Lanes(d)) {
+    const auto j = hn::LoadU(di, near_rays.data() + m);
+    const auto first = hn::Mul(j, hn::Set(di, floats));
+    const auto member = [&](std::int32_t k) HWY_ATTR {
+      return hn::GatherIndex(d, members, hn::Add(first, hn::Set(di, k)));
+    };
+    const WarpOf<V> warp{member(0), member(1), member(2), member(3), member(4), member(5)};
+    const V a = hn::GatherIndex(d, g.a.data(), j);
+    const LineProfile<D> line(d, Vector{member(6), member(7), member(8)}, warp(axis), a);
+    // A ray that is off the axis by the spread is nearer by at most this, where it still matters.
+    const V far = hn::GatherIndex(d, g.far.data(), j);
+    const V nearer = hn::Mul(hn::Mul(a, far), hn::Mul(set(cone.spread), member(9)));
+    const V reach = hn::Mul(a, hn::GatherIndex(d, g.reach.data(), j));  // in radii
+    const auto is_ball = hn::Eq(warp.xx, hn::Zero(d));
+    const auto meets = hn::Le(hn::Sqrt(line.e), hn::MulAdd(reach, set(1.0f + cutoff_room), nearer));
+    const auto kept = hn::And(hn::FirstN(d, count - m), hn::Or(is_ball, meets));
+    left += hn::CompressBlendedStore(j, hn::RebindMask(di, kept), di, near_rays.data() + left);
+  }
+  return left;
+}
 
 void GroupGaussians::choose(const GaussianBatch& g, const PathBatch& rays, const RaySlices& slices,
                             std::size_t group) {
@@ -129,6 +165,7 @@ void GroupGaussians::choose(const GaussianBatch& g, const PathBatch& rays, const
         hn::CompressBlendedStore(hn::Iota(di, static_cast<std::int32_t>(j)),
                                  hn::RebindMask(di, met), di, near_rays.data() + near_count);
   }
+  if (!g.ellipsoids.empty()) near_count = drop_ellipsoids(g, cone, near_count);
   // Where nothing was stored, any Gaussian.
   std::fill_n(near_rays.begin() + static_cast<std::ptrdiff_t>(near_count), hn::Lanes(d), 0);
   for (std::size_t m = 0; m < near_count; m += hn::Lanes(d)) {

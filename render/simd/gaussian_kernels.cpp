@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "core/math/max_component.h"
 #include "render/geometry/ray_range.h"
 
 // Highway includes this file once per instruction set.
@@ -83,21 +84,49 @@ HWY_INLINE V DepthToProjection(const LineProfile<D>& line, V scale, V length, V 
                                        hn::Mul(scale, hn::Max(unscaled_depth, zero))));
 }
 
-// Optical depth from a point to a light in unit direction w and at a distance through Gaussian j,
-// whose center is at q from the point.
+// The depth of Gaussian j from points at t on rays of direction w to a light.
 template <BatchKind kKind>
-HWY_INLINE V LightDepth(const GaussianBatch& g, std::size_t j, const Vector& q, const Vector& w,
-                        V distance) {
-  const D d;
-  if constexpr (kKind == BatchKind::any) {
-    if (g.is_ellipsoid(j)) {
-      const WarpOf<V> warp = BatchWarp(d, g.ellipsoids[j]);
-      const LineProfile<D> line(d, warp(q), warp(w), set(g.a[j]));
-      return hn::Mul(BatchHalfDepth<kKind>(d, g, j, line), line.UnitDepth(d, distance));
+class LightDepth {
+ public:
+  HWY_INLINE LightDepth(const GaussianBatch& g, std::size_t j, const Vector& w, V t)
+      : g_(g), j_(j), t_(t), center_{set(g.x[j]), set(g.y[j]), set(g.z[j])}, direction_(w) {
+    if constexpr (kKind == BatchKind::any) {
+      if (!g.is_ellipsoid(j)) return;
+      const glm::vec3& center = g.ellipsoids[j].center;
+      center_ = {set(center.x), set(center.y), set(center.z)};
+      direction_ = BatchWarp(D(), g.ellipsoids[j])(w);
     }
   }
-  return hn::Mul(set(g.scale[j]), LineProfile<D>(q, w, set(g.a[j])).UnitDepth(d, distance));
-}
+
+  // `light`: its place; the inverse of its distance from the points.
+  HWY_INLINE V operator()(const glm::vec3& light, V distance, V inverse) const {
+    const D d;
+    const auto line_to = [&](const glm::vec3& s) HWY_ATTR {
+      const Vector q = minus(Vector{set(s.x), set(s.y), set(s.z)}, t_, direction_);
+      return Vector{hn::Mul(q.x, inverse), hn::Mul(q.y, inverse), hn::Mul(q.z, inverse)};
+    };
+    const Vector from_point = minus(center_, t_, direction_);
+    const V a = set(g_.a[j_]);
+    if constexpr (kKind == BatchKind::any) {
+      if (g_.is_ellipsoid(j_)) {
+        const auto& [xx, yy, zz, yz, xz, xy] = g_.ellipsoids[j_].warp;
+        const glm::vec3 warped(xx * light.x + xy * light.y + xz * light.z,
+                               xy * light.x + yy * light.y + yz * light.z,
+                               xz * light.x + yz * light.y + zz * light.z);
+        const LineProfile<D> line(d, from_point, line_to(warped), a);
+        return hn::Mul(BatchHalfDepth<kKind>(d, g_, j_, line), line.UnitDepth(d, distance));
+      }
+    }
+    const LineProfile<D> line(from_point, line_to(light), a);
+    return hn::Mul(set(g_.scale[j_]), line.UnitDepth(d, distance));
+  }
+
+ private:
+  const GaussianBatch& g_;
+  std::size_t j_;
+  V t_;
+  Vector center_, direction_;  // of an ellipsoid as warped
+};
 
 // One pack of `kLights` lights; the number is a constant so that sums stay in registers.
 template <BatchKind kKind, std::size_t kLights>
@@ -124,7 +153,6 @@ HWY_INLINE std::uint64_t PaperAirlight(const GaussianBatch& g, const PathBatch& 
     V depth_sum = zero;
     V scattered_sum = zero;
     for (std::size_t j = 0; j < g.size(); ++j) {
-      const Vector b{set(g.x[j]), set(g.y[j]), set(g.z[j])};
       const LineProfile<D> line = BatchLineProfile<kKind>(d, g, j, w);
       const M reached = hn::Le(line.e, set(g.max_e[j]));
       if (hn::AllFalse(d, reached)) continue;
@@ -147,7 +175,7 @@ HWY_INLINE std::uint64_t PaperAirlight(const GaussianBatch& g, const PathBatch& 
         const V exponent = hn::Add(set(lights.from_eye[j]), depth_to_point);
         scattered_sum = hn::MulAdd(depth, hn::Exp(d, hn::Neg(exponent)), scattered_sum);
       }
-      const Vector q = minus(b, t, w);  // centre relative to that point
+      const LightDepth<kKind> light_depth_of(g, j, w, t);
       for (std::size_t l = 0; l < kLights; ++l) {
         const V along = hn::Sub(t, ts[l]);
         // Attenuation uses the true length; only 1/r^2 is clamped (PointLightRay).
@@ -155,12 +183,9 @@ HWY_INLINE std::uint64_t PaperAirlight(const GaussianBatch& g, const PathBatch& 
         const V distance2 = hn::MulAdd(along, along, h2);
         const V distance =
             hn::Sqrt(hn::Max(hn::MulAdd(along, along, offset2[l]), set(coefficient::tiny)));
-        const Vector s{set(lights.x[l]), set(lights.y[l]), set(lights.z[l])};
-        const Vector to_light = minus(s, t, w);
         const V inverse = hn::Div(set(1.0f), distance);
-        const Vector wl{hn::Mul(to_light.x, inverse), hn::Mul(to_light.y, inverse),
-                        hn::Mul(to_light.z, inverse)};
-        const V light_depth = LightDepth<kKind>(g, j, q, wl, distance);
+        const V light_depth =
+            light_depth_of({lights.x[l], lights.y[l], lights.z[l]}, distance, inverse);
         const V exponent = hn::Add(set(lights.frozen[l][j]), hn::Add(depth_to_point, light_depth));
         const V falloff = hn::Div(hn::Exp(d, hn::Neg(exponent)), distance2);
         V towards_eye = depth;
@@ -374,6 +399,7 @@ void GaussianBatch::add_ellipsoid(std::size_t k, const GaussianTerm<double>& g,
   const glm::dvec3 q = g.b - origin;
   ellipsoids[k].warp = {warp[0][0], warp[1][1], warp[2][2], warp[1][2], warp[0][2], warp[0][1]};
   ellipsoids[k].center = glm::vec3(g.ellipsoid->warp * q);
+  ellipsoids[k].max_speed = static_cast<float>(1.0 / min_component(g.ellipsoid->stretch));
   // It lies between two planes across the line to its center.
   const double distance = glm::length(q);
   if (!(distance > 0.0)) return;

@@ -34,6 +34,7 @@ struct BatchNoise {
 struct BatchEllipsoid {
   std::array<float, 6> warp{};  // Ellipsoid::warp: xx yy zz yz xz xy; 0 0 0 0 0 0: a ball
   glm::vec3 center{0.0f};       // warped [u]
+  float max_speed = 0.0f;       // of warped unit vectors: 1 over the least stretch
 };
 
 // What kernels are made for.
