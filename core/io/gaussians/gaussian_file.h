@@ -6,15 +6,17 @@
 
 #include "brume/gaussian.h"
 #include "brume/limits.h"
+#include "brume/splat.h"
 
 namespace brume {
 
 // Reads Gaussians from PLY or CSV, detected by the first bytes. Throws InputError naming file and
 // place. `ids` gets the persistent ids of a sequence's Gaussians, if present. More than `max_count`
-// are an error.
+// are an error. Splats are as opaque as stored along the radius `along`.
 std::vector<Gaussian> read_gaussians(const std::filesystem::path& file,
                                      std::vector<GaussianNumber>* ids = nullptr,
-                                     std::size_t max_count = limits::gaussians);
+                                     std::size_t max_count = limits::gaussians,
+                                     OpacityAlong along = OpacityAlong::mean);
 
 // How many Gaussians a file has at most, without reading them all: by the header of a PLY, by the
 // lines of a CSV. Throws InputError.
