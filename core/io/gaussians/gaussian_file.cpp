@@ -7,6 +7,7 @@
 #include "core/io/gaussians/gaussian_columns.h"
 #include "core/io/gaussians/gaussian_csv.h"
 #include "core/io/gaussians/gaussian_ply.h"
+#include "core/io/gaussians/splat_ply.h"
 
 namespace brume {
 namespace {
@@ -57,6 +58,11 @@ void write_gaussians(const std::filesystem::path& file, std::span<const Gaussian
   } else {
     write_gaussians_ply(file, gaussians, ids);
   }
+}
+
+void write_splats(const std::filesystem::path& file, std::span<const Gaussian> gaussians,
+                  const SplatOutput& output) {
+  write_splats_ply(file, gaussians, output);
 }
 
 }  // namespace brume

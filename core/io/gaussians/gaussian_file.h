@@ -7,6 +7,7 @@
 #include "brume/gaussian.h"
 #include "brume/limits.h"
 #include "brume/splat.h"
+#include "core/io/gaussians/splat_output.h"
 
 namespace brume {
 
@@ -30,5 +31,9 @@ std::vector<Gaussian> read_grouped_gaussians(const std::filesystem::path& file,
 // Writes CSV if the extension is .csv, else PLY; lossless.
 void write_gaussians(const std::filesystem::path& file, std::span<const Gaussian> gaussians,
                      std::span<const GaussianNumber> ids = {});
+
+// Writes them as splats, for programs of Gaussian splatting: PLY.
+void write_splats(const std::filesystem::path& file, std::span<const Gaussian> gaussians,
+                  const SplatOutput& output = {});
 
 }  // namespace brume

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
-#include <cstring>
 #include <functional>
 #include <optional>
 #include <string>
@@ -14,6 +12,7 @@
 #include "core/io/atomic_file.h"
 #include "core/io/file_bytes.h"
 #include "core/io/gaussians/gaussian_columns.h"
+#include "core/io/little_endian.h"
 #include "core/io/ply.h"
 #include "core/medium/splat.h"
 
@@ -22,14 +21,6 @@ namespace {
 
 using gaussian_columns::domains;
 using gaussian_columns::names;
-
-template <class T>
-void append_little_endian(std::string& bytes, T value) {
-  std::array<char, sizeof(T)> raw;
-  std::memcpy(raw.data(), &value, sizeof(T));
-  if constexpr (std::endian::native == std::endian::big) std::reverse(raw.begin(), raw.end());
-  bytes.append(raw.data(), raw.size());
-}
 
 // What a vertex becomes.
 using ToGaussian = std::function<Gaussian(const PlyFile::Row&)>;
