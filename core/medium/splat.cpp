@@ -1,17 +1,46 @@
 #include "core/medium/splat.h"
 
-#include <cmath>
 #include <numbers>
 
-namespace brume {
+#include "core/math/max_component.h"
 
-Gaussian gaussian_of(const Splat& splat) {
-  const glm::dvec3& s = splat.deviations;
-  const double mean =
-      std::numbers::sqrt2 * std::exp((std::log(s.x) + std::log(s.y) + std::log(s.z)) / 3.0);
-  Gaussian g{splat.center, mean, splat.depth * std::numbers::inv_sqrtpi / mean};
-  g.set_radii(std::numbers::sqrt2 * s, splat.rotation);
+namespace brume {
+namespace {
+
+const double sqrt_pi = 1.0 / std::numbers::inv_sqrtpi;
+
+}  // namespace
+
+double radius_along(const Gaussian& gaussian, OpacityAlong along) {
+  switch (along) {
+    case OpacityAlong::shortest:
+      return min_component(gaussian.radii());
+    case OpacityAlong::mean:
+      return gaussian.mean_radius();
+    case OpacityAlong::longest:
+      return gaussian.radius;
+  }
+  return gaussian.radius;
+}
+
+double depth_along(const Gaussian& gaussian, OpacityAlong along) {
+  return sqrt_pi * gaussian.density * radius_along(gaussian, along);
+}
+
+void set_depth_along(Gaussian& gaussian, double depth, OpacityAlong along) {
+  gaussian.density = depth / (sqrt_pi * radius_along(gaussian, along));
+}
+
+Gaussian gaussian_of(const Splat& splat, OpacityAlong along) {
+  Gaussian g{splat.center};
+  g.set_radii(std::numbers::sqrt2 * splat.deviations, splat.rotation);
+  set_depth_along(g, splat.depth, along);
   return g;
+}
+
+Splat splat_of(const Gaussian& gaussian, OpacityAlong along) {
+  return {gaussian.center, gaussian.radii() / std::numbers::sqrt2, gaussian.shape.rotation,
+          depth_along(gaussian, along)};
 }
 
 }  // namespace brume

@@ -4,21 +4,34 @@
 #include <glm/vec3.hpp>
 
 #include "brume/gaussian.h"
+#include "brume/splat.h"
 
 namespace brume {
 
-// What Gaussian splatting stores: an ellipsoid that is as opaque from every side.
+// What Gaussian splatting stores: an ellipsoid that is as opaque from every side. Files have
+// opacity = 1 - exp(-depth).
 struct Splat {
   glm::dvec3 center{0.0};
-  glm::dvec3 deviations{1.0};  // standard deviations along its own axes [u], > 0, finite
+  glm::dvec3 deviations{1.0};  // standard deviations along its own axes [u], >= 0, one > 0, finite
   glm::dquat rotation{1.0, 0.0, 0.0, 0.0};
-  double depth = 0.0;  // optical depth through the center
+  double depth = 0.0;  // optical depth through the center, >= 0
 };
 
-// The same ellipsoid, of radii sqrt(2) times the deviations, as a medium. An opacity is no density:
-// a medium is more opaque along its longer axes, so along one length only it can be as deep as the
-// splat. That is its mean radius (s_0 s_1 s_2)^(1/3), and so it has the mass of the ball of its
-// volume that is as deep. Radii below limits::min_stretch of the greatest become as much.
-Gaussian gaussian_of(const Splat& splat);
+// The shortest or longest radius of a Gaussian, or the mean one [u].
+double radius_along(const Gaussian& gaussian, OpacityAlong along);
+
+// Optical depth of a Gaussian's density through its center along that radius:
+// sqrt(pi) density radius.
+double depth_along(const Gaussian& gaussian, OpacityAlong along);
+// Sets the density.
+void set_depth_along(Gaussian& gaussian, double depth, OpacityAlong along);
+
+// The ellipsoid of a splat, of radii sqrt(2) times the deviations, that along one of them is as
+// deep. Along the mean radius, it has the mass of the ball of its volume that is as deep. Radii
+// below limits::min_stretch of the greatest become as much.
+Gaussian gaussian_of(const Splat& splat, OpacityAlong along = OpacityAlong::mean);
+
+// The inverse, but for what the Gaussian has besides density and shape.
+Splat splat_of(const Gaussian& gaussian, OpacityAlong along = OpacityAlong::mean);
 
 }  // namespace brume

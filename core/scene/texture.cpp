@@ -8,6 +8,8 @@
 #include <glm/common.hpp>
 #include <glm/gtc/packing.hpp>
 
+#include "core/math/srgb.h"
+
 namespace brume {
 namespace {
 
@@ -19,17 +21,13 @@ std::uint32_t byte_of(float x) {
   return static_cast<std::uint32_t>(std::lround(255.0f * std::clamp(x, 0.0f, 1.0f)));
 }
 
-float linear_to_srgb(float x) {
-  return x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1.0f / 2.4f) - 0.055f;
-}
-
 std::uint32_t encode(const glm::vec4& value, Encoding encoding) {
   if (encoding == Encoding::shared_exponent) {
     return glm::packF3x9_E1x5(glm::clamp(glm::vec3(value), 0.0f, max_shared_exponent));
   }
   glm::vec4 v = value;
   if (encoding == Encoding::srgb) {
-    for (int c = 0; c < 3; ++c) v[c] = linear_to_srgb(v[c]);
+    for (int c = 0; c < 3; ++c) v[c] = srgb_encoded(v[c]);
   }
   return byte_of(v.r) | byte_of(v.g) << 8 | byte_of(v.b) << 16 | byte_of(v.a) << 24;
 }

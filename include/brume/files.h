@@ -11,6 +11,7 @@
 #include "brume/frame.h"
 #include "brume/gaussian.h"
 #include "brume/scene.h"
+#include "brume/splat.h"
 
 // Files in and out. All functions throw InputError, which names the file, the place in it and what
 // is allowed. An existing file is replaced only by a complete one.
@@ -35,8 +36,10 @@ BRUME_EXPORT SceneFile load_scene_file(const std::filesystem::path& file,
                                        std::vector<std::string>* warnings = nullptr);
 BRUME_EXPORT void save_scene_file(const SceneFile& scene, const std::filesystem::path& file);
 
-// Gaussians in PLY or CSV: read by the first bytes, written by the extension, losslessly.
-BRUME_EXPORT std::vector<Gaussian> load_gaussians(const std::filesystem::path& file);
+// Gaussians in PLY or CSV: read by the first bytes, written by the extension, losslessly. Of a PLY
+// of Gaussian splatting, each is as opaque as stored along the radius `along`.
+BRUME_EXPORT std::vector<Gaussian> load_gaussians(const std::filesystem::path& file,
+                                                  OpacityAlong along = OpacityAlong::mean);
 BRUME_EXPORT void save_gaussians(std::span<const Gaussian> gaussians,
                                  const std::filesystem::path& file);
 

@@ -10,6 +10,7 @@
 
 #include "brume/at_time.h"
 #include "brume/error.h"
+#include "brume/limits.h"
 #include "core/authoring/simplify.h"
 #include "core/io/file_bytes.h"
 #include "core/io/gaussians/gaussian_file.h"
@@ -52,6 +53,14 @@ class ExportCommand final : public Command {
            "lights, surfaces and, in .vdb files beside it, the fog)")
         ->type_name("FILE")
         ->required();
+    app.add_flag("--splats", splats_,
+                 "write the .ply as programs of Gaussian splatting do: opacities, logarithms of "
+                 "standard deviations, quaternions, and the albedo as color");
+    app.add_option("--opacity-along", along_,
+                   "the radius along which a Gaussian is as opaque as its splat, read or written")
+        ->type_name("TEXT:{shortest,mean,longest}")
+        ->check(CLI::IsMember({"shortest", "mean", "longest"}))
+        ->default_str("mean");
     app.add_option("--voxel", voxel_size_,
                    "voxel size of the .vdb; default: half the smallest radius")
         ->check(finite_in(1e-12, 1e12));
@@ -82,6 +91,10 @@ class ExportCommand final : public Command {
     if (extension != ".vdb" && extension != ".usda" && (half_ || voxel_size_ > 0.0)) {
       throw UsageError("--voxel and --half: only for .vdb and .usda");
     }
+    if (splats_ && extension != ".ply") throw UsageError("--splats: only for .ply");
+    if (!along_.empty() && !splats_ && lower_case_extension(input_) == ".brume") {
+      throw UsageError("--opacity-along: only for splats, read or written");
+    }
     if (extension == ".usda") {
       write_stage();
       return done;
@@ -111,6 +124,11 @@ class ExportCommand final : public Command {
   }
 
  private:
+  [[nodiscard]] OpacityAlong along() const {
+    if (along_ == "shortest") return OpacityAlong::shortest;
+    return along_ == "longest" ? OpacityAlong::longest : OpacityAlong::mean;
+  }
+
   // As few Gaussians as --simplify asks for.
   [[nodiscard]] Medium simplified(const Medium& medium) const {
     if (!(simplify_ > 0.0)) return medium;
@@ -126,9 +144,11 @@ class ExportCommand final : public Command {
     return result;
   }
 
-  static Medium read_file(const std::string& file) {
+  [[nodiscard]] Medium read_file(const std::string& file) const {
     Medium medium;
-    for (const Gaussian& gaussian : read_gaussians(file)) medium.append(gaussian);
+    for (const Gaussian& gaussian : read_gaussians(file, nullptr, limits::gaussians, along())) {
+      medium.append(gaussian);
+    }
     return medium;
   }
 
@@ -201,7 +221,12 @@ class ExportCommand final : public Command {
     }
     std::vector<Gaussian> gaussians;
     for (std::size_t i = 0; i < medium.size(); ++i) gaussians.push_back(medium.gaussian(i));
-    return [gaussians = std::move(gaussians), output] { write_gaussians(output, gaussians); };
+    if (!splats_) {
+      return [gaussians = std::move(gaussians), output] { write_gaussians(output, gaussians); };
+    }
+    return [gaussians = std::move(gaussians), output, splats = SplatOutput{along(), albedo_}] {
+      write_splats(output, gaussians, splats);
+    };
   }
 
   struct Grids {
@@ -241,6 +266,8 @@ class ExportCommand final : public Command {
   std::string output_;
   double voxel_size_ = 0.0;
   bool half_ = false;
+  bool splats_ = false;
+  std::string along_;      // empty: mean
   double simplify_ = 0.0;  // 0: not
   double time_ = 0.0;
   std::string frames_;

@@ -6,15 +6,18 @@
 
 #include "brume/gaussian.h"
 #include "brume/limits.h"
+#include "brume/splat.h"
+#include "core/io/gaussians/splat_output.h"
 
 namespace brume {
 
 // Reads Gaussians from PLY or CSV, detected by the first bytes. Throws InputError naming file and
 // place. `ids` gets the persistent ids of a sequence's Gaussians, if present. More than `max_count`
-// are an error.
+// are an error. Splats are as opaque as stored along the radius `along`.
 std::vector<Gaussian> read_gaussians(const std::filesystem::path& file,
                                      std::vector<GaussianNumber>* ids = nullptr,
-                                     std::size_t max_count = limits::gaussians);
+                                     std::size_t max_count = limits::gaussians,
+                                     OpacityAlong along = OpacityAlong::mean);
 
 // How many Gaussians a file has at most, without reading them all: by the header of a PLY, by the
 // lines of a CSV. Throws InputError.
@@ -28,5 +31,9 @@ std::vector<Gaussian> read_grouped_gaussians(const std::filesystem::path& file,
 // Writes CSV if the extension is .csv, else PLY; lossless.
 void write_gaussians(const std::filesystem::path& file, std::span<const Gaussian> gaussians,
                      std::span<const GaussianNumber> ids = {});
+
+// Writes them as splats, for programs of Gaussian splatting: PLY.
+void write_splats(const std::filesystem::path& file, std::span<const Gaussian> gaussians,
+                  const SplatOutput& output = {});
 
 }  // namespace brume

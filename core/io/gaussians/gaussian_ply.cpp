@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
-#include <cstring>
 #include <functional>
 #include <optional>
 #include <string>
@@ -14,6 +12,7 @@
 #include "core/io/atomic_file.h"
 #include "core/io/file_bytes.h"
 #include "core/io/gaussians/gaussian_columns.h"
+#include "core/io/little_endian.h"
 #include "core/io/ply.h"
 #include "core/medium/splat.h"
 
@@ -22,14 +21,6 @@ namespace {
 
 using gaussian_columns::domains;
 using gaussian_columns::names;
-
-template <class T>
-void append_little_endian(std::string& bytes, T value) {
-  std::array<char, sizeof(T)> raw;
-  std::memcpy(raw.data(), &value, sizeof(T));
-  if constexpr (std::endian::native == std::endian::big) std::reverse(raw.begin(), raw.end());
-  bytes.append(raw.data(), raw.size());
-}
 
 // What a vertex becomes.
 using ToGaussian = std::function<Gaussian(const PlyFile::Row&)>;
@@ -47,25 +38,30 @@ std::optional<std::array<std::size_t, count>> columns(
   return result;
 }
 
-std::optional<ToGaussian> from_splats(const PlyFile::Element& vertices) {
-  const auto indices =
-      columns<7>(vertices, {"x", "y", "z", "scale_0", "scale_1", "scale_2", "opacity"});
+std::optional<ToGaussian> from_splats(const PlyFile::Element& vertices, OpacityAlong along) {
+  const auto indices = columns<5>(vertices, {"x", "y", "z", "opacity", "scale_0"});
   if (!indices) return std::nullopt;
+  const auto scale_1 = columns<1>(vertices, {"scale_1"});
+  const auto scale_2 = columns<1>(vertices, {"scale_2"});
   const auto rotation_columns = columns<4>(vertices, {"rot_0", "rot_1", "rot_2", "rot_3"});
-  return [indices = *indices, rotation_columns](const PlyFile::Row& row) {
+  return [=, indices = *indices](const PlyFile::Row& row) {
     const auto value = [&](std::size_t i) { return row.scalars[indices[i]]; };
     Splat splat;
     splat.center = {value(0), value(1), value(2)};
-    splat.deviations = {std::exp(value(3)), std::exp(value(4)), std::exp(value(5))};
+    splat.deviations = glm::dvec3(std::exp(value(4)));
+    if (scale_1) {
+      splat.deviations.y = std::exp(row.scalars[(*scale_1)[0]]);
+      splat.deviations.z = scale_2 ? std::exp(row.scalars[(*scale_2)[0]]) : 0.0;
+    }
     // -ln(1 - 1 / (1 + exp(-logit))) = ln(1 + exp(logit))
-    const double logit = value(6);
+    const double logit = value(3);
     splat.depth = std::max(logit, 0.0) + std::log1p(std::exp(-std::abs(logit)));
-    if (!rotation_columns) return gaussian_of(splat);
+    if (!rotation_columns) return gaussian_of(splat, along);
     const auto component = [&](std::size_t i) { return row.scalars[(*rotation_columns)[i]]; };
     const glm::dquat rotation(component(0), component(1), component(2), component(3));
     const double length = glm::length(rotation);
     if (length > 0.0 && std::isfinite(length)) splat.rotation = rotation / length;
-    return gaussian_of(splat);
+    return gaussian_of(splat, along);
   };
 }
 
@@ -75,10 +71,9 @@ ToGaussian from_points(const std::filesystem::path& file, const PlyFile::Element
     const auto column = gaussian_columns::find_column(
         i, [&](std::string_view name) { return columns<1>(vertices, {name}); });
     if (!column) {
-      throw InputError(
-          file, "element vertex",
-          "there is no property " + std::string(names[i]) +
-              "; needed: x y z radius density, or x y z scale_0 scale_1 scale_2 opacity");
+      throw InputError(file, "element vertex",
+                       "there is no property " + std::string(names[i]) +
+                           "; needed: x y z radius density, or x y z scale_0 opacity");
     }
     indices[i] = (*column)[0];
   }
@@ -92,7 +87,7 @@ ToGaussian from_points(const std::filesystem::path& file, const PlyFile::Element
 
 std::vector<Gaussian> read_gaussians_ply(const std::filesystem::path& file,
                                          std::vector<GaussianNumber>* ids, std::size_t max_count,
-                                         std::string_view number_name) {
+                                         std::string_view number_name, OpacityAlong along) {
   const std::string bytes = read_bytes(file);
   const PlyFile ply(file, bytes);
   const PlyFile::Element* vertices = ply.element("vertex");
@@ -102,7 +97,7 @@ std::vector<Gaussian> read_gaussians_ply(const std::filesystem::path& file,
                      "found " + std::to_string(vertices->count) +
                          " Gaussians; allowed: " + gaussian_columns::allowed_count(max_count));
   }
-  const auto splats = from_splats(*vertices);
+  const auto splats = from_splats(*vertices, along);
   const ToGaussian to_gaussian = splats ? *splats : from_points(file, *vertices);
   const auto optics_columns =
       splats ? std::nullopt : columns<6>(*vertices, gaussian_columns::optics_names);
@@ -128,6 +123,11 @@ std::vector<Gaussian> read_gaussians_ply(const std::filesystem::path& file,
                                       [&](std::size_t i, const std::string& why) {
                                         refuse(gaussian_columns::shape_names[i], why);
                                       });
+        }
+        for (int k = 0; splats && k < 3; ++k) {  // NaN is in no comparison
+          if (!domain::stretch.contains(g.shape.stretch[k])) {
+            refuse("scale_" + std::to_string(k), "allowed: finite logarithms of deviations");
+          }
         }
         const std::array value{g.center.x, g.center.y, g.center.z, g.radius, g.density};
         for (std::size_t i = 0; i < names.size(); ++i) {

@@ -7,21 +7,24 @@
 
 #include "brume/gaussian.h"
 #include "brume/limits.h"
+#include "brume/splat.h"
 
 namespace brume {
 
 // Gaussians as PLY points, ascii or binary of either byte order; other properties and elements are
 // skipped. A vertex has x y z radius density, or what Gaussian splatting stores: x y z, scale_0 to
-// scale_2 (logarithms of standard deviations s_k), rot_0 to rot_3 (a quaternion, real part first),
-// and the logit of an opacity o; see gaussian_of(), its depth is -ln(1 - o). Colours are skipped.
-// Throws InputError naming file and vertex.
+// scale_2 (logarithms of standard deviations), rot_0 to rot_3 (a quaternion, real part first), and
+// the logit of an opacity o, so that the depth is -ln(1 - o); see gaussian_of() for `along`.
+// Without rot_0 to rot_3 nothing is turned, without scale_2 splats are discs, without scale_1
+// balls. Colours are skipped. Throws InputError naming file and vertex.
 //
 // `ids` gets the numbers of the property id, where points have one. More than `max_count` are
 // refused.
 std::vector<Gaussian> read_gaussians_ply(const std::filesystem::path& file,
                                          std::vector<GaussianNumber>* ids = nullptr,
                                          std::size_t max_count = limits::gaussians,
-                                         std::string_view number_name = "id");
+                                         std::string_view number_name = "id",
+                                         OpacityAlong along = OpacityAlong::mean);
 
 // How many Gaussians its header tells of at most.
 std::size_t max_gaussian_count_ply(const std::filesystem::path& file);

@@ -16,17 +16,24 @@ namespace brume {
 using FrameReader = std::function<std::vector<Gaussian>(
     const std::filesystem::path& file, std::vector<GaussianNumber>* ids, std::size_t max_count)>;
 
+// read_gaussians() of any splats as opaque as stored along their mean radius.
+inline std::vector<Gaussian> read_gaussian_frame(const std::filesystem::path& file,
+                                                 std::vector<GaussianNumber>* ids,
+                                                 std::size_t max_count) {
+  return read_gaussians(file, ids, max_count);
+}
+
 // Reads one file of Gaussians per frame, with ids from the column `id`; without it the line number
 // identifies a Gaussian. Throws InputError naming file and place, also for duplicate ids and for
 // more than `max_count` in all.
 std::vector<SequenceFrame> read_sequence(const FramePattern& files, int first, int last,
-                                         const FrameReader& read = read_gaussians,
+                                         const FrameReader& read = read_gaussian_frame,
                                          std::size_t max_count = limits::gaussians);
 
 // The frames of such files: read at once where they have at most `max_in_memory` Gaussians in all,
 // else when they are asked for. `max_count` is then for any moment.
 std::shared_ptr<const SequenceFrames> open_sequence(const FramePattern& files, int first, int last,
-                                                    const FrameReader& read = read_gaussians,
+                                                    const FrameReader& read = read_gaussian_frame,
                                                     std::size_t max_count = limits::gaussians,
                                                     std::size_t max_in_memory = 2'000'000);
 

@@ -92,6 +92,7 @@ std::vector<Writer> writers() {
       {"a.vdb", [](const fs::path& file) { write_volume(file, some_grid(), false); }},
       {"half.vdb", [](const fs::path& file) { write_volume(file, some_grid(), true); }},
       {"a.ply", [](const fs::path& file) { write_gaussians(file, some_gaussians()); }},
+      {"splats.ply", [](const fs::path& file) { write_splats(file, some_gaussians()); }},
       {"a.csv", [](const fs::path& file) { write_gaussians(file, some_gaussians()); }},
       {"a.brume", [](const fs::path& file) { save_document(some_scene(), file); }},
   };

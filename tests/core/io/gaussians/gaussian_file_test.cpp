@@ -62,9 +62,8 @@ TEST(GaussianFile, AcceptsColumnNamesOfOtherPrograms) {
             expected);
 }
 
-// As Gaussian splatting stores them: an ellipsoid becomes the ball of its volume that is as opaque
-// across its middle, or several where it is long.
-TEST(GaussianFile, SplatsBecomeBallsAsOpaque) {
+// As Gaussian splatting stores them: ellipsoids that are as opaque along their mean radius.
+TEST(GaussianFile, SplatsBecomeEllipsoidsAsOpaque) {
   const TemporaryFolder folder;
   const std::string splats =
       "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
@@ -80,9 +79,9 @@ TEST(GaussianFile, SplatsBecomeBallsAsOpaque) {
   const std::vector<Gaussian> balls = read_gaussians(file);
   ASSERT_EQ(balls.size(), 4u);
   EXPECT_EQ(balls[0].center, glm::dvec3(1, 2, 3));
-  EXPECT_NEAR(balls[0].radius, std::sqrt(2.0) * std::exp(-2.0), 1e-15);
+  EXPECT_NEAR(balls[0].mean_radius(), std::sqrt(2.0) * std::exp(-2.0), 1e-15);
   const auto opacity = [](const Gaussian& g) {
-    return -std::expm1(-g.density * std::sqrt(std::acos(-1.0)) * g.radius);
+    return -std::expm1(-g.density * std::sqrt(std::acos(-1.0)) * g.mean_radius());
   };
   EXPECT_NEAR(opacity(balls[0]), 0.5, 1e-15);
   EXPECT_NEAR(opacity(balls[1]), 1.0 / (1.0 + std::exp(-2.0)), 1e-15);
@@ -90,22 +89,44 @@ TEST(GaussianFile, SplatsBecomeBallsAsOpaque) {
   EXPECT_NEAR(balls[3].density * std::sqrt(std::acos(-1.0)) * balls[3].radius, 800.0, 1e-9);
 
   for (const char* row : {"0 0 0 0 0 nan 0 0 0 1 0 0 0", "0 0 0 0 0 0 900 900 900 1 0 0 0",
-                          "0 0 0 0 0 0 -90 -90 -90 1 0 0 0", "0 0 0 0 0 1e300 0 0 0 1 0 0 0"}) {
+                          "0 0 0 0 0 0 -90 -90 -90 1 0 0 0", "0 0 0 0 0 1e300 0 0 0 1 0 0 0",
+                          "0 0 0 0 0 0 nan 0 0 1 0 0 0", "0 0 0 0 0 0 0 0 nan 1 0 0 0"}) {
     std::string one = splats;
     one.replace(one.find("vertex 4"), 8, "vertex 1");
     const auto bad = folder.write("b.ply", one + row);
-    EXPECT_TRUE(contains(error_of([&] { read_gaussians(bad); }), "vertex 0")) << row;
+    for (const auto along : {OpacityAlong::shortest, OpacityAlong::mean, OpacityAlong::longest}) {
+      const auto read = [&] { read_gaussians(bad, nullptr, limits::gaussians, along); };
+      EXPECT_TRUE(contains(error_of(read), "vertex 0")) << row;
+    }
   }
 
   // Turned from x to y.
   std::string one = splats;
   one.replace(one.find("vertex 4"), 8, "vertex 1");
-  const auto turned = folder.write("c.ply", one + "1 2 3 0 0 0 0 -.3 -.3 5 0 0 5");
+  const auto turned = folder.write("c.ply", one + "1 2 3 0 0 0 0 -1 -2 5 0 0 5");
   const std::vector<Gaussian> row = read_gaussians(turned);
-  ASSERT_EQ(row.size(), 2u);
-  EXPECT_NEAR(row[0].center.x, 1.0, 1e-12);
-  EXPECT_LT(row[0].center.y, 1.5);
-  EXPECT_NEAR(row[0].center.y + row[1].center.y, 4.0, 1e-12);
+  ASSERT_EQ(row.size(), 1u);
+  const glm::dvec3 radii = std::sqrt(2.0) * glm::exp(glm::dvec3(0.0, -1.0, -2.0));
+  EXPECT_LT(glm::length(row[0].radii() - radii), 1e-15);
+  EXPECT_LT(glm::length(row[0].shape.rotation * glm::dvec3(1, 0, 0) - glm::dvec3(0, 1, 0)), 1e-15);
+}
+
+// What some programs leave out: rotations, and scales of discs and of balls.
+TEST(GaussianFile, SplatsMayLackScalesAndRotations) {
+  const TemporaryFolder folder;
+  const std::string head =
+      "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+      "property float z\nproperty float opacity\nproperty float scale_0\n";
+  const auto read = [&](const std::string& rest) {
+    return read_gaussians(folder.write("a.ply", head + rest)).at(0);
+  };
+  const Gaussian ball = read("end_header\n1 2 3 0 -1\n");
+  EXPECT_TRUE(ball.is_ball());
+  EXPECT_NEAR(ball.radius, std::sqrt(2.0) * std::exp(-1.0), 1e-15);
+  const Gaussian disc = read("property float scale_1\nend_header\n1 2 3 0 0 -1\n");
+  EXPECT_LT(glm::length(disc.shape.stretch - glm::dvec3(1.0, std::exp(-1.0), limits::min_stretch)),
+            1e-15);
+  EXPECT_NEAR(disc.density * std::sqrt(std::acos(-1.0)) * disc.mean_radius(), std::log(2.0), 1e-14);
 }
 
 TEST(GaussianFile, ReadsAscii) {

@@ -102,7 +102,7 @@ TEST(OpenSequence, ReadsLargeOnesWhenTheyAreNeeded) {
   const auto files = FramePattern::parse((folder / "f_%d.ply").string());
   const auto whole = open_sequence(*files, 0, 3);
   EXPECT_TRUE(whole->are_in_memory());
-  const auto lazy = open_sequence(*files, 0, 3, read_gaussians, limits::gaussians, 10);
+  const auto lazy = open_sequence(*files, 0, 3, read_gaussian_frame, limits::gaussians, 10);
   EXPECT_FALSE(lazy->are_in_memory());
   EXPECT_EQ(lazy->max_gaussians(), whole->max_gaussians());
   MediumSequence a{.file = files->text(), .first = 0, .last = 3, .frames = whole};
@@ -113,7 +113,7 @@ TEST(OpenSequence, ReadsLargeOnesWhenTheyAreNeeded) {
   }
   // What is missing is known when it is opened, as it is of small ones.
   EXPECT_NE(
-      error_of([&] { open_sequence(*files, 0, 4, read_gaussians, 1000, 10); }).find("f_4.ply"),
+      error_of([&] { open_sequence(*files, 0, 4, read_gaussian_frame, 1000, 10); }).find("f_4.ply"),
       std::string::npos);
 }
 

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include "brume/gaussian.h"
+#include "brume/splat.h"
+
+namespace brume {
+
+// How Gaussians become the splats of a file. Their depth is that of the density, whatever the
+// albedo; what they emit is left out.
+struct SplatOutput {
+  OpacityAlong along = OpacityAlong::mean;
+  glm::dvec3 albedo{1.0};  // of Gaussians without one of their own
+};
+
+// The color of a splat, the same from every side: the albedo, sRGB-encoded as viewers of splats
+// expect, as RGB coefficients of the spherical harmonic of degree 0: color = 0.5 + 0.2821
+// coefficient.
+glm::dvec3 sh_color(const Gaussian& gaussian, const SplatOutput& output);
+
+// Of an optical depth >= 0, in [0, 1].
+double opacity_of_depth(double depth);
+
+}  // namespace brume

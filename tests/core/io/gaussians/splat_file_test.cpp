@@ -1,0 +1,86 @@
+// Gaussians written as splats, and read back.
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <numbers>
+
+#include "core/io/gaussians/gaussian_file.h"
+#include "tests/core/io/gaussians/random_ellipsoids.h"
+#include "tests/core/io/input_error.h"
+#include "tests/core/io/temporary_folder.h"
+
+namespace brume {
+namespace {
+
+constexpr OpacityAlong every_opacity_along[] = {OpacityAlong::shortest, OpacityAlong::mean,
+                                                OpacityAlong::longest};
+
+TEST(SplatFile, PlyGivesBackShapesAndDensities) {
+  const TemporaryFolder folder;
+  const std::vector<Gaussian> gaussians = random_ellipsoids(200);
+  for (const OpacityAlong along : every_opacity_along) {
+    write_splats(folder / "a.ply", gaussians, {along});
+    const std::vector<Gaussian> back =
+        read_gaussians(folder / "a.ply", nullptr, limits::gaussians, along);
+    ASSERT_EQ(back.size(), gaussians.size());
+    for (std::size_t i = 0; i < back.size(); ++i) {
+      EXPECT_LT(shape_difference(back[i], gaussians[i]), 2e-5) << i;
+      EXPECT_NEAR(back[i].density, gaussians[i].density, 2e-6 * gaussians[i].density) << i;
+    }
+  }
+}
+
+// The layout that other programs read.
+TEST(SplatFile, PlyHasTheUsualProperties) {
+  const TemporaryFolder folder;
+  Gaussian g{{1.0, 2.0, 3.0}, 1.0};
+  g.set_radii(std::numbers::sqrt2 * glm::exp(glm::dvec3(-1.0, -2.0, -3.0)),
+              glm::dquat(0.5, 0.5, -0.5, 0.5));
+  g.density = std::log(4.0) * std::numbers::inv_sqrtpi / g.mean_radius();  // opacity 3/4
+  Gaussian colored = g;
+  colored.optics.albedo = glm::dvec3(1.0, 0.21404114048223255, 1e-6);
+  write_splats(folder / "a.ply", std::vector{g, colored}, {.albedo = glm::dvec3(1.0)});
+  const std::string bytes = content_of(folder / "a.ply");
+  const std::string header =
+      "ply\nformat binary_little_endian 1.0\nelement vertex 2\n"
+      "property float x\nproperty float y\nproperty float z\n"
+      "property float nx\nproperty float ny\nproperty float nz\n"
+      "property float f_dc_0\nproperty float f_dc_1\nproperty float f_dc_2\n"
+      "property float opacity\nproperty float scale_0\nproperty float scale_1\n"
+      "property float scale_2\nproperty float rot_0\nproperty float rot_1\n"
+      "property float rot_2\nproperty float rot_3\nend_header\n";
+  ASSERT_TRUE(bytes.starts_with(header));
+  std::array<float, 34> values{};
+  ASSERT_EQ(bytes.size(), header.size() + sizeof values);
+  std::memcpy(values.data(), bytes.data() + header.size(), sizeof values);
+  const double full = 0.5 / 0.28209479177387814;
+  const double expected[34] = {
+      1, 2, 3, 0, 0, 0, full, full, full,         0, -1, -2, -3, 0.5, 0.5, -0.5, 0.5,
+      1, 2, 3, 0, 0, 0, full, 0.0,  -full + 5e-5, 0, -1, -2, -3, 0.5, 0.5, -0.5, 0.5};
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const bool is_opacity = i % 17 == 9;
+    EXPECT_NEAR(values[i], is_opacity ? std::log(3.0) : expected[i], is_opacity ? 1e-6 : 2e-5) << i;
+  }
+}
+
+TEST(SplatFile, PlyKeepsExtremes) {
+  const TemporaryFolder folder;
+  std::vector<Gaussian> gaussians{{{1e12, -1e12, 0.0}, 9e11, 9e11},
+                                  {{0.0, 0.0, 0.0}, 2e-12, 9e11},
+                                  {{0.0, 0.0, 0.0}, 1.0, 1e-300},
+                                  {{0.0, 0.0, 0.0}, 1.0, 0.0}};
+  write_splats(folder / "a.ply", gaussians);
+  const std::vector<Gaussian> back = read_gaussians(folder / "a.ply");
+  ASSERT_EQ(back.size(), 4u);
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_NEAR(back[i].radius / gaussians[i].radius, 1.0, 1e-5);
+    EXPECT_NEAR(back[i].density, gaussians[i].density, 1e-4 * gaussians[i].density);
+  }
+  EXPECT_EQ(back[3].density, 0.0);
+  write_splats(folder / "none.ply", {});
+  EXPECT_TRUE(read_gaussians(folder / "none.ply").empty());
+}
+
+}  // namespace
+}  // namespace brume
