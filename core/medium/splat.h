@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
 
@@ -7,6 +8,11 @@
 #include "brume/splat.h"
 
 namespace brume {
+
+// What a splat shows into each direction: RGB coefficients of the real spherical harmonics of bands
+// 0 to 3, as sh_basis() has them, at the direction from the eye to the splat. Their sum is the
+// color.
+using SplatColor = std::array<glm::vec3, 16>;
 
 // What Gaussian splatting stores: an ellipsoid that is as opaque from every side. Files have
 // opacity = 1 - exp(-depth).

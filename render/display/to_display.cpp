@@ -26,12 +26,14 @@ std::array<float, 3> compress_highlights(std::array<float, 3> c) {
   return c;
 }
 
-std::uint8_t srgb_byte(float x) {
+float encoded(float x) {
   x = std::clamp(x, 0.0f, 1.0f);
-  const float encoded = x <= srgb::knee
-                            ? srgb::slope * x
-                            : srgb::gain * std::pow(x, 1.0f / srgb::exponent) - srgb::offset;
-  return static_cast<std::uint8_t>(std::lround(255.0f * encoded));
+  return x <= srgb::knee ? srgb::slope * x
+                         : srgb::gain * std::pow(x, 1.0f / srgb::exponent) - srgb::offset;
+}
+
+std::uint8_t srgb_byte(float x) {
+  return static_cast<std::uint8_t>(std::lround(255.0f * encoded(x)));
 }
 
 // See ColorView. In rows, which are few enough for their memory to stay near.
@@ -63,6 +65,16 @@ std::vector<std::uint8_t> in_view(const Frame& frame, float gain, const ColorVie
 std::string view_name(const DisplayLook& look) {
   if (!look.view) return "Khronos PBR Neutral, sRGB";
   return look.view->choice().view + ", " + look.view->choice().display;
+}
+
+glm::vec3 to_display(const glm::vec3& radiance, double exposure) {
+  const float gain = exposure_gain(exposure);
+  std::array<float, 3> c;
+  for (std::size_t k = 0; k < 3; ++k) {
+    c[k] = std::clamp(gain * radiance[static_cast<int>(k)], 0.0f, brightest_shown);
+  }
+  c = compress_highlights(c);
+  return {encoded(c[0]), encoded(c[1]), encoded(c[2])};
 }
 
 std::vector<std::uint8_t> to_display(const Frame& frame, const DisplayLook& look) {

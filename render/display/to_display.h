@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/vec3.hpp>
 #include <memory>
 #include <vector>
 
@@ -19,6 +20,9 @@ struct DisplayLook {
 
 // The name of a look's view transform.
 std::string view_name(const DisplayLook& look);
+
+// Linear radiance as Khronos PBR Neutral in sRGB shows it, in [0, 1].
+glm::vec3 to_display(const glm::vec3& radiance, double exposure);
 
 // A frame as 8-bit values of a display, RGB per pixel, for the screen, PNG and videos.
 std::vector<std::uint8_t> to_display(const Frame& frame, const DisplayLook& look);

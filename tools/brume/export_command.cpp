@@ -24,6 +24,7 @@
 #include "tools/brume/finite_in.h"
 #include "tools/brume/frame_range.h"
 #include "tools/brume/interruption.h"
+#include "tools/brume/lit_splats.h"
 #include "tools/brume/progress_line.h"
 #include "tools/brume/read_scene.h"
 #include "tools/brume/run_frames.h"
@@ -61,6 +62,15 @@ class ExportCommand final : public Command {
         ->type_name("TEXT:{shortest,mean,longest}")
         ->check(CLI::IsMember({"shortest", "mean", "longest"}))
         ->default_str("mean");
+    app.add_flag("--lit", lit_,
+                 "the splats of a .ply as the scene lights them, as spherical harmonics of display "
+                 "values; implies --splats");
+    app.add_flag("--y-down", y_down_,
+                 "splats of a .ply turned by half about z, as most viewers expect them");
+    app.add_flag("--web", web_,
+                 "write an .html: one page that shows the lit splats in a browser, offline");
+    app.add_option("--exposure", exposure_, "exposure of lit splats, in stops")
+        ->check(finite_in(-100.0, 100.0));
     app.add_option("--voxel", voxel_size_,
                    "voxel size of the .vdb; default: half the smallest radius")
         ->check(finite_in(1e-12, 1e12));
@@ -82,16 +92,27 @@ class ExportCommand final : public Command {
 
   ExitCode run() override {
     const std::string extension = lower_case_extension(output_);
-    const std::array allowed{".vdb", ".ply", ".csv", ".usda"};
+    const std::array allowed{".vdb", ".ply", ".csv", ".usda", ".html"};
     if (std::ranges::find(allowed, extension) == allowed.end()) {
-      throw InputError(
-          output_, "",
-          "found the extension " + quoted_text(extension) + "; allowed: .vdb, .ply, .csv, .usda");
+      throw InputError(output_, "",
+                       "found the extension " + quoted_text(extension) +
+                           "; allowed: .vdb, .ply, .csv, .usda, .html");
+    }
+    if (web_ != (extension == ".html"))
+      throw UsageError("--web: only for an .html, which needs it");
+    if (lit_ && extension != ".ply") throw UsageError("--lit: only for .ply");
+    if (exposure_ != 0.0 && !lit_ && !web_)
+      throw UsageError("--exposure: only for --lit and --web");
+    lit_ = lit_ || web_;
+    if (lit_ && lower_case_extension(input_) != ".brume") {
+      throw InputError(input_, "", "found no scene; allowed for --lit and --web: a .brume");
     }
     if (extension != ".vdb" && extension != ".usda" && (half_ || voxel_size_ > 0.0)) {
       throw UsageError("--voxel and --half: only for .vdb and .usda");
     }
-    if (splats_ && extension != ".ply") throw UsageError("--splats: only for .ply");
+    splats_ = splats_ || lit_;
+    if (y_down_ && (!splats_ || web_)) throw UsageError("--y-down: only for splats of a .ply");
+    if (splats_ && extension != ".ply" && !web_) throw UsageError("--splats: only for .ply");
     if (!along_.empty() && !splats_ && lower_case_extension(input_) == ".brume") {
       throw UsageError("--opacity-along: only for splats, read or written");
     }
@@ -106,7 +127,11 @@ class ExportCommand final : public Command {
     }
     if (!is_sequence) {
       files_.add_output(output_);
-      writing(simplified(read(time_)), output_)();
+      if (lit_) {
+        writing_lit(time_, output_)();
+      } else {
+        writing(simplified(read(time_)), output_)();
+      }
       return done;
     }
     const FramePattern outputs = parse_pattern(output_);
@@ -117,6 +142,7 @@ class ExportCommand final : public Command {
     }
     if (!are_files) read_scene_at(frames.front() / fps_);  // what is wrong with it is so in all
     return run_frames(frames, [&](int frame, const std::string&) {
+      if (lit_) return writing_lit(frame / fps_, outputs.file_of(frame));
       return writing(
           are_files ? read_file(parse_pattern(input_).file_of(frame)) : read(frame / fps_),
           outputs.file_of(frame));
@@ -210,6 +236,14 @@ class ExportCommand final : public Command {
               [this](const std::filesystem::path& texture) { files_.add_output(texture); });
   }
 
+  // What writes the light of a scene's medium at a time [s].
+  FrameLoop::Write writing_lit(double time, const std::string& output) {
+    check_interrupted();
+    Scene scene = read_scene_at(time);
+    scene.medium = simplified(scene.medium);
+    return lit_splats(scene, exposure_, along(), y_down_, output);
+  }
+
   // What writes a medium.
   FrameLoop::Write writing(const Medium& medium, const std::string& output) {
     check_interrupted();
@@ -224,7 +258,8 @@ class ExportCommand final : public Command {
     if (!splats_) {
       return [gaussians = std::move(gaussians), output] { write_gaussians(output, gaussians); };
     }
-    return [gaussians = std::move(gaussians), output, splats = SplatOutput{along(), albedo_}] {
+    return [gaussians = std::move(gaussians), output,
+            splats = SplatOutput{along(), albedo_, {}, y_down_}] {
       write_splats(output, gaussians, splats);
     };
   }
@@ -267,6 +302,10 @@ class ExportCommand final : public Command {
   double voxel_size_ = 0.0;
   bool half_ = false;
   bool splats_ = false;
+  bool lit_ = false;
+  bool web_ = false;
+  bool y_down_ = false;
+  double exposure_ = 0.0;  // [stops]
   std::string along_;      // empty: mean
   double simplify_ = 0.0;  // 0: not
   double time_ = 0.0;

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <glm/vec3.hpp>
+#include <span>
 
 #include "brume/gaussian.h"
 #include "brume/splat.h"
+#include "core/medium/splat.h"
 
 namespace brume {
 
@@ -12,6 +14,11 @@ namespace brume {
 struct SplatOutput {
   OpacityAlong along = OpacityAlong::mean;
   glm::dvec3 albedo{1.0};  // of Gaussians without one of their own
+  // Of each Gaussian what is shown of it in place of its albedo; empty: that.
+  std::span<const SplatColor> colors{};
+  // Of a PLY: turned by half about z, so that y points down, as captures have it and most viewers
+  // of PLY expect.
+  bool y_down = false;
 };
 
 // The color of a splat, the same from every side: the albedo, sRGB-encoded as viewers of splats

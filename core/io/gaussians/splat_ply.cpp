@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <string>
+#include <vector>
 
 #include "core/io/atomic_file.h"
 #include "core/io/little_endian.h"
+#include "core/math/spherical_harmonics.h"
 #include "core/medium/splat.h"
 
 namespace brume {
@@ -19,30 +22,66 @@ double opacity_logit(double depth) {
                      : transparent;
 }
 
+// About z.
+void turn_half(Splat& splat) {
+  splat.center = {-splat.center.x, -splat.center.y, splat.center.z};
+  splat.rotation = glm::dquat(0.0, 0.0, 0.0, 1.0) * splat.rotation;
+}
+
+// f_dc and f_rest. Viewers add 0.5 to what the coefficients sum to. To turn by half about z changes
+// the same signs as the Condon-Shortley phase does.
+void append_colors(const SplatColor& color, bool is_turned, std::string& bytes) {
+  constexpr float y_00 = 0.28209479177387814f;
+  for (int c = 0; c < 3; ++c) append_little_endian(bytes, color[0][c] - 0.5f / y_00);
+  for (int c = 0; c < 3; ++c) {
+    for (int l = 1; l < 4; ++l) {
+      for (int m = -l; m <= l; ++m) {
+        const float value = color[sh_index(l, m)][c];
+        append_little_endian(bytes, m % 2 == 0 || is_turned ? value : -value);
+      }
+    }
+  }
+}
+
 }  // namespace
+
+std::string splats_ply(std::span<const Gaussian> gaussians, const SplatOutput& output) {
+  std::vector<std::string> properties{"x",  "y",      "z",      "nx",    "ny",
+                                      "nz", "f_dc_0", "f_dc_1", "f_dc_2"};
+  const bool has_colors = !output.colors.empty();
+  for (int i = 0; has_colors && i < 45; ++i) properties.push_back("f_rest_" + std::to_string(i));
+  for (const char* property :
+       {"opacity", "scale_0", "scale_1", "scale_2", "rot_0", "rot_1", "rot_2", "rot_3"}) {
+    properties.emplace_back(property);
+  }
+  std::string bytes = "ply\nformat binary_little_endian 1.0\n";
+  bytes += "element vertex " + std::to_string(gaussians.size()) + "\n";
+  for (const std::string& property : properties) bytes += "property float " + property + "\n";
+  bytes += "end_header\n";
+  bytes.reserve(bytes.size() + gaussians.size() * properties.size() * sizeof(float));
+  const auto append = [&](std::initializer_list<double> values) {
+    for (const double value : values) append_little_endian(bytes, static_cast<float>(value));
+  };
+  for (std::size_t i = 0; i < gaussians.size(); ++i) {
+    Splat splat = splat_of(gaussians[i], output.along);
+    if (output.y_down) turn_half(splat);
+    const glm::dvec3 scale = glm::log(splat.deviations);
+    const glm::dquat& q = splat.rotation;
+    append({splat.center.x, splat.center.y, splat.center.z, 0.0, 0.0, 0.0});
+    if (has_colors) {
+      append_colors(output.colors[i], output.y_down, bytes);
+    } else {
+      const glm::dvec3 color = sh_color(gaussians[i], output);
+      append({color.x, color.y, color.z});
+    }
+    append({opacity_logit(splat.depth), scale.x, scale.y, scale.z, q.w, q.x, q.y, q.z});
+  }
+  return bytes;
+}
 
 void write_splats_ply(const std::filesystem::path& file, std::span<const Gaussian> gaussians,
                       const SplatOutput& output) {
-  constexpr const char* properties[] = {
-      "x",       "y",       "z",       "nx",      "ny",    "nz",    "f_dc_0", "f_dc_1", "f_dc_2",
-      "opacity", "scale_0", "scale_1", "scale_2", "rot_0", "rot_1", "rot_2",  "rot_3"};
-  std::string bytes = "ply\nformat binary_little_endian 1.0\n";
-  bytes += "element vertex " + std::to_string(gaussians.size()) + "\n";
-  for (const char* property : properties) bytes += "property float " + std::string(property) + "\n";
-  bytes += "end_header\n";
-  bytes.reserve(bytes.size() + gaussians.size() * std::size(properties) * sizeof(float));
-  for (const Gaussian& gaussian : gaussians) {
-    const Splat splat = splat_of(gaussian, output.along);
-    const glm::dvec3 color = sh_color(gaussian, output);
-    const glm::dvec3 scale = glm::log(splat.deviations);
-    const glm::dquat& q = splat.rotation;
-    for (const double value :
-         {splat.center.x, splat.center.y, splat.center.z, 0.0, 0.0, 0.0, color.x, color.y, color.z,
-          opacity_logit(splat.depth), scale.x, scale.y, scale.z, q.w, q.x, q.y, q.z}) {
-      append_little_endian(bytes, static_cast<float>(value));
-    }
-  }
-  write_atomically(file, bytes);
+  write_atomically(file, splats_ply(gaussians, output));
 }
 
 }  // namespace brume
