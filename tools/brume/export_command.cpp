@@ -43,19 +43,21 @@ class ExportCommand final : public Command {
   explicit ExportCommand(CLI::App& app) {
     app.add_option(
            "SCENE", input_,
-           "a scene (.brume) or Gaussians (.ply, .csv; with %04d for the frame, a sequence)")
+           "a scene (.brume) or Gaussians (.ply, .csv, splats of .glb, .gltf; with %04d for the "
+           "frame, a sequence)")
         ->type_name("FILE")
         ->required();
-    app.add_option(
-           "-o,--output", output_,
-           "output: .vdb (a fog volume with the grid density, and albedo and emission if "
-           "Gaussians have their own), .ply, .csv, or .usda (a USD stage of a scene: camera, "
-           "lights, surfaces and, in .vdb files beside it, the fog)")
+    app.add_option("-o,--output", output_,
+                   "output: .vdb (a fog volume with the grid density, and albedo and emission if "
+                   "Gaussians have their own), .ply, .csv, .glb or .gltf (splats), or .usda (a USD "
+                   "stage of a scene: camera, "
+                   "lights, surfaces and, in .vdb files beside it, the fog)")
         ->type_name("FILE")
         ->required();
     app.add_flag("--splats", splats_,
                  "write the .ply as programs of Gaussian splatting do: opacities, logarithms of "
-                 "standard deviations, quaternions, and the albedo as color");
+                 "standard deviations, quaternions, and the albedo as color; in a .usda the fog as "
+                 "splats too");
     app.add_option("--opacity-along", along_,
                    "the radius along which a Gaussian is as opaque as its splat, read or written")
         ->type_name("TEXT:{shortest,mean,longest}")
@@ -82,16 +84,19 @@ class ExportCommand final : public Command {
 
   ExitCode run() override {
     const std::string extension = lower_case_extension(output_);
-    const std::array allowed{".vdb", ".ply", ".csv", ".usda"};
+    const std::array allowed{".vdb", ".ply", ".csv", ".glb", ".gltf", ".usda"};
     if (std::ranges::find(allowed, extension) == allowed.end()) {
-      throw InputError(
-          output_, "",
-          "found the extension " + quoted_text(extension) + "; allowed: .vdb, .ply, .csv, .usda");
+      throw InputError(output_, "",
+                       "found the extension " + quoted_text(extension) +
+                           "; allowed: .vdb, .ply, .csv, .glb, .gltf, .usda");
     }
     if (extension != ".vdb" && extension != ".usda" && (half_ || voxel_size_ > 0.0)) {
       throw UsageError("--voxel and --half: only for .vdb and .usda");
     }
-    if (splats_ && extension != ".ply") throw UsageError("--splats: only for .ply");
+    if (splats_ && extension != ".ply" && extension != ".usda") {
+      throw UsageError("--splats: only for .ply and .usda; .glb and .gltf are splats");
+    }
+    if (extension == ".glb" || extension == ".gltf") splats_ = true;
     if (!along_.empty() && !splats_ && lower_case_extension(input_) == ".brume") {
       throw UsageError("--opacity-along: only for splats, read or written");
     }
@@ -194,6 +199,7 @@ class ExportCommand final : public Command {
     for (const int code : codes) {
       UsdFrame frame{code, read_scene_at(is_sequence ? code / fps_ : time_), {}};
       frame.scene.medium = simplified(frame.scene.medium);
+      if (splats_) frame.splats = gaussians_of(frame.scene.medium);
       if (frame.scene.medium.size() > 0) {
         frame.volume = file_of(code).filename();
         const Grids grids = sampled_grids(frame.scene.medium, file_of(code).string());
@@ -206,8 +212,14 @@ class ExportCommand final : public Command {
       }
       frames.push_back(std::move(frame));
     }
-    write_usd(stage, frames, fps_,
+    write_usd(stage, frames, fps_, along(),
               [this](const std::filesystem::path& texture) { files_.add_output(texture); });
+  }
+
+  static std::vector<Gaussian> gaussians_of(const Medium& medium) {
+    std::vector<Gaussian> gaussians;
+    for (std::size_t i = 0; i < medium.size(); ++i) gaussians.push_back(medium.gaussian(i));
+    return gaussians;
   }
 
   // What writes a medium.
@@ -219,8 +231,7 @@ class ExportCommand final : public Command {
         write_volume(output, grids->density, half, grids->colors);
       };
     }
-    std::vector<Gaussian> gaussians;
-    for (std::size_t i = 0; i < medium.size(); ++i) gaussians.push_back(medium.gaussian(i));
+    std::vector<Gaussian> gaussians = gaussians_of(medium);
     if (!splats_) {
       return [gaussians = std::move(gaussians), output] { write_gaussians(output, gaussians); };
     }

@@ -43,6 +43,22 @@ std::optional<std::string> decoded_data_uri(std::string_view uri) {
   return decoded_base64(uri.substr(comma + 1));
 }
 
+std::string encoded_data_uri(std::string_view bytes) {
+  static constexpr char digits[] =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string uri = "data:application/octet-stream;base64,";
+  uri.reserve(uri.size() + (bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::uint32_t bits = 0;
+    const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
+    for (std::size_t k = 0; k < 3; ++k) {
+      bits = bits << 8 | (k < count ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+    }
+    for (std::size_t k = 0; k < 4; ++k) uri += k <= count ? digits[bits >> (18 - 6 * k) & 63] : '=';
+  }
+  return uri;
+}
+
 std::optional<std::string> decoded_relative_uri(std::string_view uri) {
   std::string path;
   for (std::size_t i = 0; i < uri.size(); ++i) {
