@@ -77,9 +77,9 @@ core/io/*.[hc]*:core/[a-z_]+.h core/scene/
 core/io/mesh/*.[hc]*:core/[a-z_]+.h core/scene/ core/io/[a-z_]+.h
 core/io/image/*.[hc]*:core/[a-z_]+.h core/scene/ core/io/[a-z_]+.h
 core/io/volume/*.[hc]*:core/[a-z_]+.h core/volume/ core/io/[a-z_]+.h
-core/io/gaussians/*.[hc]*:core/[a-z_]+.h core/medium/ core/scene/ core/io/[a-z_]+.h
 core/io/scene/json_*.[hc]*:core/[a-z_]+.h core/io/[a-z_]+.h
 core/io/import/*.[hc]*:core/[a-z_]+.h core/scene/ core/io/[a-z_]+.h core/io/image/ core/io/scene/json_reader.h
+core/io/gaussians/*.[hc]*:core/[a-z_]+.h core/medium/ core/scene/ core/io/[a-z_]+.h core/io/import/ core/io/scene/json_reader.h
 core/io/scene/*.[hc]*:core/[a-z_]+.h core/medium/ core/scene/ core/io/
 core/files/*.[hc]*:core/[a-z_]+.h core/io/ core/volume/
 core/fit/*.[hc]*:core/[a-z_]+.h core/medium/ core/scene/ core/transport/ core/volume/ core/io/volume/

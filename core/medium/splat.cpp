@@ -1,5 +1,6 @@
 #include "core/medium/splat.h"
 
+#include <cmath>
 #include <numbers>
 
 #include "core/math/max_component.h"
@@ -10,6 +11,12 @@ namespace {
 const double sqrt_pi = 1.0 / std::numbers::inv_sqrtpi;
 
 }  // namespace
+
+glm::dquat unit_rotation(const glm::dquat& quaternion) {
+  const double length = glm::length(quaternion);
+  return length > 0.0 && std::isfinite(length) ? quaternion / length
+                                               : glm::dquat(1.0, 0.0, 0.0, 0.0);
+}
 
 double radius_along(const Gaussian& gaussian, OpacityAlong along) {
   switch (along) {

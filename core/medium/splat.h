@@ -23,6 +23,9 @@ struct Splat {
   double depth = 0.0;  // optical depth through the center, >= 0
 };
 
+// The rotation of a quaternion of any length; none where it has no direction.
+glm::dquat unit_rotation(const glm::dquat& quaternion);
+
 // The shortest or longest radius of a Gaussian, or the mean one [u].
 double radius_along(const Gaussian& gaussian, OpacityAlong along);
 

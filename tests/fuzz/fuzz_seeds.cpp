@@ -14,6 +14,7 @@
 #include "core/io/import/raw_scene_bytes.h"
 #include "core/io/volume/volume_file.h"
 #include "core/volume/medium_grid.h"
+#include "tests/core/io/gaussians/splat_gltf_builder.h"
 #include "tests/core/io/import/gltf_builder.h"
 
 namespace brume {
@@ -108,6 +109,18 @@ std::string gltf_scene() {
   return builder.binary();
 }
 
+// Two nodes with the same splats, of integers.
+std::string gltf_splats() {
+  SplatGltfBuilder builder;
+  builder.set("OPACITY", builder.add_normalized<std::uint8_t>({51, 255}, "SCALAR"));
+  builder.set("SCALE", builder.add_integers<std::uint8_t>({1, 2, 3, 4, 4, 4}, "VEC3"));
+  builder.json["nodes"] = {
+      {{"children", {1, 2}}, {"rotation", {0, 0.6, 0, 0.8}}, {"scale", {2, 2, 2}}},
+      {{"mesh", 0}},
+      {{"mesh", 0}, {"matrix", {1, 0, 0, 0, 0, -3, 0, 0, 0, 1, 1, 0, 0, 0, 5, 1}}}};
+  return builder.binary();
+}
+
 std::string raw_scene() {
   RawScene scene;
   scene.nodes = {{"a"}, {"b", 0}};
@@ -129,7 +142,8 @@ std::string raw_scene() {
 }
 
 void write_seeds(const std::filesystem::path& folder) {
-  for (const char* parser : {"gaussian_ply", "gaussian_csv", "exr", "vdb"}) {
+  for (const char* parser :
+       {"gaussian_ply", "gaussian_csv", "splat_ply", "splat_gltf", "exr", "vdb"}) {
     std::filesystem::create_directories(folder / parser);
   }
   write(folder / "scene/all.brume", scene);
@@ -142,6 +156,7 @@ void write_seeds(const std::filesystem::path& folder) {
   write(folder / "mesh_ply/text.ply", mesh);
   write(folder / "gaussian_ply/text.ply", points);
   write(folder / "gaussian_ply/splats.ply", splats);
+  write(folder / "splat_ply/text.ply", splats);
   const std::string hdr = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\nEXPOSURE=2\n\n-Y 1 +X 8\n";
   write(folder / "hdr/flat.hdr", hdr + std::string(8 * 4, '\x80'));
   write(folder / "hdr/runs.hdr", hdr + std::string("\2\2\0\10\210\12\210\13\210\14\210\210", 12));
@@ -156,6 +171,11 @@ void write_seeds(const std::filesystem::path& folder) {
   for (const Gaussian& gaussian : gaussians) medium.append(gaussian);
   write_gaussians(folder / "gaussian_ply/binary.ply", gaussians);
   write_gaussians(folder / "gaussian_csv/table.csv", gaussians);
+  gaussians.back().set_radii({0.3, 0.1, 0.2}, {0.5, 0.5, -0.5, 0.5});
+  write_splats(folder / "splat_ply/binary.ply", gaussians);
+  write_splats(folder / "splat_gltf/floats.glb", gaussians);
+  write_splats(folder / "splat_gltf/text.gltf", gaussians);
+  write(folder / "splat_gltf/placed.glb", gltf_splats());
   ImageLayers image;
   image.width = image.height = 4;
   for (const char* channel : {"R", "G", "B", "Z"}) {

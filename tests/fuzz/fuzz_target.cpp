@@ -11,11 +11,15 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "brume/error.h"
+#include "brume/medium.h"
+#include "brume/scene.h"
 #include "core/io/file_bytes.h"
 #include "core/io/gaussians/gaussian_csv.h"
 #include "core/io/gaussians/gaussian_ply.h"
+#include "core/io/gaussians/splat_gltf.h"
 #include "core/io/ies_file.h"
 #include "core/io/image/hdr_file.h"
 #include "core/io/image/image_file.h"
@@ -40,9 +44,30 @@ struct Parser {
   std::size_t max_memory = std::numeric_limits<std::size_t>::max();
 };
 
+// Rows without columns and nodes that share a mesh are many Gaussians in a few bytes.
+constexpr std::size_t max_fuzzed = 100'000;
+
+// What is read is of the domains of Gaussians, or else the reader is wrong.
+void check_gaussians(const std::vector<Gaussian>& gaussians) {
+  Medium medium;
+  for (const Gaussian& gaussian : gaussians) medium.append(gaussian);
+  check(medium);
+}
+
 constexpr Parser parsers[] = {
     {"scene", ".brume", [](const Path& file) { load_scene(file); }},
     {"gaussian_ply", ".ply", [](const Path& file) { read_gaussians_ply(file); }},
+    {"splat_ply", ".ply",
+     [](const Path& file) {
+       for (const auto along : {OpacityAlong::shortest, OpacityAlong::longest}) {
+         check_gaussians(read_gaussians_ply(file, nullptr, max_fuzzed, "id", along));
+       }
+     }},
+    {"splat_gltf", ".glb",
+     [](const Path& file) {
+       splat_count_gltf(file);
+       check_gaussians(read_splats_gltf(file, max_fuzzed));
+     }},
     {"gaussian_csv", ".csv", [](const Path& file) { read_gaussians_csv(file); }},
     {"mesh_ply", ".ply", [](const Path& file) { read_mesh(file); }},
     {"obj", ".obj", [](const Path& file) { read_mesh(file); }},

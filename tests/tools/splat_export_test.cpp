@@ -2,7 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <numbers>
+#include <fstream>
+#include <iterator>
 
 #include "core/io/gaussians/gaussian_file.h"
 #include "tests/tools/command_line.h"
@@ -49,9 +50,40 @@ TEST_F(SplatExport, PlyThereAndBack) {
   EXPECT_NEAR(read_gaussians(file("e.ply")).at(0).density, 1.0, 1e-6);
 }
 
+TEST_F(SplatExport, GltfThereAndBack) {
+  for (const char* name : {"b.glb", "b.gltf"}) {
+    expect_done({"export", file("a.ply"), "-o", file(name)});
+    expect_same(name, 2e-6);
+    expect_done({"export", file(name), "-o", file("c.ply")});
+    expect_same("c.ply", 2e-6);
+    EXPECT_NE(run_brume({"info", file(name)}).exit_code, 1);
+  }
+  folder_.write("s.brume", R"({ "format": "brume-scene", "version": 1,
+    "medium": { "file": "b.glb" } })");
+  expect_done({"export", file("s.brume"), "-o", file("d.ply")});
+  expect_same("d.ply", 2e-6);
+}
+
+TEST_F(SplatExport, StagesHaveSplatsToo) {
+  expect_done({"export", scene_, "-o", file("a.usda"), "--splats", "--voxel", "0.2"});
+  std::ifstream in(file("a.usda"));
+  const std::string stage{std::istreambuf_iterator<char>(in), {}};
+  EXPECT_NE(stage.find("def ParticleField3DGaussianSplat"), std::string::npos);
+  EXPECT_NE(stage.find("def Volume \"Fog\""), std::string::npos);
+}
+
+TEST_F(SplatExport, SequencesOfSplats) {
+  write_gaussians(file("s_1.ply"), read_gaussians(file("a.ply")));
+  write_gaussians(file("s_2.ply"), {});
+  expect_done({"export", file("s_%d.ply"), "--frames", "1-2", "-o", file("s_%d.glb")});
+  expect_same("s_1.glb", 2e-6);
+  EXPECT_TRUE(read_gaussians(file("s_2.glb")).empty());
+}
+
 TEST_F(SplatExport, RefusesWhatHasNoEffect) {
   const std::string ply = file("a.ply");
-  expect_refused({"export", ply, "-o", file("b.csv"), "--splats"}, {"--splats: only for .ply"});
+  expect_refused({"export", ply, "-o", file("b.csv"), "--splats"},
+                 {"--splats: only for .ply and .usda"});
   expect_refused({"export", ply, "-o", file("b.ply"), "--opacity-along", "x"},
                  {"--opacity-along", "shortest"});
   expect_refused({"export", scene_, "-o", file("b.ply"), "--opacity-along", "mean"},

@@ -44,19 +44,21 @@ class ExportCommand final : public Command {
   explicit ExportCommand(CLI::App& app) {
     app.add_option(
            "SCENE", input_,
-           "a scene (.brume) or Gaussians (.ply, .csv; with %04d for the frame, a sequence)")
+           "a scene (.brume) or Gaussians (.ply, .csv, splats of .glb, .gltf; with %04d for the "
+           "frame, a sequence)")
         ->type_name("FILE")
         ->required();
-    app.add_option(
-           "-o,--output", output_,
-           "output: .vdb (a fog volume with the grid density, and albedo and emission if "
-           "Gaussians have their own), .ply, .csv, or .usda (a USD stage of a scene: camera, "
-           "lights, surfaces and, in .vdb files beside it, the fog)")
+    app.add_option("-o,--output", output_,
+                   "output: .vdb (a fog volume with the grid density, and albedo and emission if "
+                   "Gaussians have their own), .ply, .csv, .glb or .gltf (splats), or .usda (a USD "
+                   "stage of a scene: camera, "
+                   "lights, surfaces and, in .vdb files beside it, the fog)")
         ->type_name("FILE")
         ->required();
     app.add_flag("--splats", splats_,
                  "write the .ply as programs of Gaussian splatting do: opacities, logarithms of "
-                 "standard deviations, quaternions, and the albedo as color");
+                 "standard deviations, quaternions, and the albedo as color; in a .usda the fog as "
+                 "splats too");
     app.add_option("--opacity-along", along_,
                    "the radius along which a Gaussian is as opaque as its splat, read or written")
         ->type_name("TEXT:{shortest,mean,longest}")
@@ -92,30 +94,7 @@ class ExportCommand final : public Command {
 
   ExitCode run() override {
     const std::string extension = lower_case_extension(output_);
-    const std::array allowed{".vdb", ".ply", ".csv", ".usda", ".html"};
-    if (std::ranges::find(allowed, extension) == allowed.end()) {
-      throw InputError(output_, "",
-                       "found the extension " + quoted_text(extension) +
-                           "; allowed: .vdb, .ply, .csv, .usda, .html");
-    }
-    if (web_ != (extension == ".html"))
-      throw UsageError("--web: only for an .html, which needs it");
-    if (lit_ && extension != ".ply") throw UsageError("--lit: only for .ply");
-    if (exposure_ != 0.0 && !lit_ && !web_)
-      throw UsageError("--exposure: only for --lit and --web");
-    lit_ = lit_ || web_;
-    if (lit_ && lower_case_extension(input_) != ".brume") {
-      throw InputError(input_, "", "found no scene; allowed for --lit and --web: a .brume");
-    }
-    if (extension != ".vdb" && extension != ".usda" && (half_ || voxel_size_ > 0.0)) {
-      throw UsageError("--voxel and --half: only for .vdb and .usda");
-    }
-    splats_ = splats_ || lit_;
-    if (y_down_ && (!splats_ || web_)) throw UsageError("--y-down: only for splats of a .ply");
-    if (splats_ && extension != ".ply" && !web_) throw UsageError("--splats: only for .ply");
-    if (!along_.empty() && !splats_ && lower_case_extension(input_) == ".brume") {
-      throw UsageError("--opacity-along: only for splats, read or written");
-    }
+    check(extension);
     if (extension == ".usda") {
       write_stage();
       return done;
@@ -150,6 +129,40 @@ class ExportCommand final : public Command {
   }
 
  private:
+  // Whether the options go together with the extension of the output, and what they imply.
+  void check(const std::string& extension) {
+    const std::array allowed{".vdb", ".ply", ".csv", ".glb", ".gltf", ".usda", ".html"};
+    if (std::ranges::find(allowed, extension) == allowed.end()) {
+      throw InputError(output_, "",
+                       "found the extension " + quoted_text(extension) +
+                           "; allowed: .vdb, .ply, .csv, .glb, .gltf, .usda, .html");
+    }
+    const bool is_ply = extension == ".ply";
+    if (web_ != (extension == ".html")) {
+      throw UsageError("--web: only for an .html, which needs it");
+    }
+    if (lit_ && !is_ply) throw UsageError("--lit: only for .ply");
+    if (exposure_ != 0.0 && !lit_ && !web_) {
+      throw UsageError("--exposure: only for --lit and --web");
+    }
+    if (splats_ && !is_ply && extension != ".usda") {
+      throw UsageError("--splats: only for .ply and .usda; .glb and .gltf are splats");
+    }
+    lit_ = lit_ || web_;
+    splats_ = splats_ || lit_ || extension == ".glb" || extension == ".gltf";
+    if (y_down_ && !(splats_ && is_ply)) throw UsageError("--y-down: only for splats of a .ply");
+    if (extension != ".vdb" && extension != ".usda" && (half_ || voxel_size_ > 0.0)) {
+      throw UsageError("--voxel and --half: only for .vdb and .usda");
+    }
+    const bool is_scene = lower_case_extension(input_) == ".brume";
+    if (lit_ && !is_scene) {
+      throw InputError(input_, "", "found no scene; allowed for --lit and --web: a .brume");
+    }
+    if (!along_.empty() && !splats_ && is_scene) {
+      throw UsageError("--opacity-along: only for splats, read or written");
+    }
+  }
+
   [[nodiscard]] OpacityAlong along() const {
     if (along_ == "shortest") return OpacityAlong::shortest;
     return along_ == "longest" ? OpacityAlong::longest : OpacityAlong::mean;
@@ -220,6 +233,7 @@ class ExportCommand final : public Command {
     for (const int code : codes) {
       UsdFrame frame{code, read_scene_at(is_sequence ? code / fps_ : time_), {}};
       frame.scene.medium = simplified(frame.scene.medium);
+      if (splats_) frame.splats = gaussians_of(frame.scene.medium);
       if (frame.scene.medium.size() > 0) {
         frame.volume = file_of(code).filename();
         const Grids grids = sampled_grids(frame.scene.medium, file_of(code).string());
@@ -232,7 +246,7 @@ class ExportCommand final : public Command {
       }
       frames.push_back(std::move(frame));
     }
-    write_usd(stage, frames, fps_,
+    write_usd(stage, frames, fps_, along(),
               [this](const std::filesystem::path& texture) { files_.add_output(texture); });
   }
 
@@ -244,6 +258,12 @@ class ExportCommand final : public Command {
     return lit_splats(scene, exposure_, along(), y_down_, output);
   }
 
+  static std::vector<Gaussian> gaussians_of(const Medium& medium) {
+    std::vector<Gaussian> gaussians;
+    for (std::size_t i = 0; i < medium.size(); ++i) gaussians.push_back(medium.gaussian(i));
+    return gaussians;
+  }
+
   // What writes a medium.
   FrameLoop::Write writing(const Medium& medium, const std::string& output) {
     check_interrupted();
@@ -253,8 +273,7 @@ class ExportCommand final : public Command {
         write_volume(output, grids->density, half, grids->colors);
       };
     }
-    std::vector<Gaussian> gaussians;
-    for (std::size_t i = 0; i < medium.size(); ++i) gaussians.push_back(medium.gaussian(i));
+    std::vector<Gaussian> gaussians = gaussians_of(medium);
     if (!splats_) {
       return [gaussians = std::move(gaussians), output] { write_gaussians(output, gaussians); };
     }

@@ -1,23 +1,47 @@
 #include "core/io/gaussians/gaussian_file.h"
 
 #include <algorithm>
+#include <cstdint>
 
 #include "brume/error.h"
 #include "core/io/file_bytes.h"
 #include "core/io/gaussians/gaussian_columns.h"
 #include "core/io/gaussians/gaussian_csv.h"
 #include "core/io/gaussians/gaussian_ply.h"
+#include "core/io/gaussians/splat_gltf.h"
 #include "core/io/gaussians/splat_ply.h"
 
 namespace brume {
 namespace {
 
+enum class Format : std::uint8_t { ply, csv, gltf };
+
+// By what the file begins with.
+Format format_of(const std::filesystem::path& file) {
+  const std::string bytes = read_first_bytes(file, 64);
+  if (bytes.starts_with("ply")) return Format::ply;
+  const std::size_t first = bytes.find_first_not_of(" \t\r\n");
+  const bool is_json = first != std::string::npos && bytes[first] == '{';
+  return is_json || bytes.starts_with("glTF") ? Format::gltf : Format::csv;
+}
+
 std::vector<Gaussian> read_numbered(const std::filesystem::path& file,
                                     std::vector<GaussianNumber>* numbers, std::size_t max_count,
                                     std::string_view number_name, OpacityAlong along) {
-  return read_first_bytes(file, 3) == "ply"
-             ? read_gaussians_ply(file, numbers, max_count, number_name, along)
-             : read_gaussians_csv(file, numbers, max_count, number_name);
+  switch (format_of(file)) {
+    case Format::ply:
+      return read_gaussians_ply(file, numbers, max_count, number_name, along);
+    case Format::gltf:
+      return read_splats_gltf(file, max_count, along);
+    case Format::csv:
+      break;
+  }
+  return read_gaussians_csv(file, numbers, max_count, number_name);
+}
+
+bool is_gltf_name(const std::filesystem::path& file) {
+  const std::string extension = lower_case_extension(file);
+  return extension == ".glb" || extension == ".gltf";
 }
 
 }  // namespace
@@ -29,7 +53,9 @@ std::vector<Gaussian> read_gaussians(const std::filesystem::path& file,
 }
 
 std::size_t max_gaussian_count(const std::filesystem::path& file) {
-  if (read_first_bytes(file, 3) == "ply") return max_gaussian_count_ply(file);
+  const Format format = format_of(file);
+  if (format == Format::ply) return max_gaussian_count_ply(file);
+  if (format == Format::gltf) return splat_count_gltf(file);
   const std::string bytes = read_bytes(file);
   return static_cast<std::size_t>(std::ranges::count(bytes, '\n')) + 1;
 }
@@ -55,6 +81,8 @@ void write_gaussians(const std::filesystem::path& file, std::span<const Gaussian
                      std::span<const GaussianNumber> ids) {
   if (lower_case_extension(file) == ".csv") {
     write_gaussians_csv(file, gaussians, ids);
+  } else if (is_gltf_name(file)) {
+    write_splats_gltf(file, gaussians);
   } else {
     write_gaussians_ply(file, gaussians, ids);
   }
@@ -62,7 +90,11 @@ void write_gaussians(const std::filesystem::path& file, std::span<const Gaussian
 
 void write_splats(const std::filesystem::path& file, std::span<const Gaussian> gaussians,
                   const SplatOutput& output) {
-  write_splats_ply(file, gaussians, output);
+  if (is_gltf_name(file)) {
+    write_splats_gltf(file, gaussians, output);
+  } else {
+    write_splats_ply(file, gaussians, output);
+  }
 }
 
 }  // namespace brume

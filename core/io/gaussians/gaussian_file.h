@@ -11,16 +11,16 @@
 
 namespace brume {
 
-// Reads Gaussians from PLY or CSV, detected by the first bytes. Throws InputError naming file and
-// place. `ids` gets the persistent ids of a sequence's Gaussians, if present. More than `max_count`
-// are an error. Splats are as opaque as stored along the radius `along`.
+// Reads Gaussians from PLY, CSV or glTF (of splats), detected by the first bytes. Throws InputError
+// naming file and place. `ids` gets the persistent ids of a sequence's Gaussians, if present. More
+// than `max_count` are an error. Splats are as opaque as stored along the radius `along`.
 std::vector<Gaussian> read_gaussians(const std::filesystem::path& file,
                                      std::vector<GaussianNumber>* ids = nullptr,
                                      std::size_t max_count = limits::gaussians,
                                      OpacityAlong along = OpacityAlong::mean);
 
 // How many Gaussians a file has at most, without reading them all: by the header of a PLY, by the
-// lines of a CSV. Throws InputError.
+// lines of a CSV, by the JSON of a glTF. Throws InputError.
 std::size_t max_gaussian_count(const std::filesystem::path& file);
 
 // Reads Gaussians of a scene with `max_group` groups: the column `group`, if present, has the
@@ -28,11 +28,12 @@ std::size_t max_gaussian_count(const std::filesystem::path& file);
 std::vector<Gaussian> read_grouped_gaussians(const std::filesystem::path& file,
                                              std::size_t max_count, std::size_t max_group);
 
-// Writes CSV if the extension is .csv, else PLY; lossless.
+// Writes CSV if the extension is .csv, else PLY, lossless; but splats if it is .glb or .gltf.
 void write_gaussians(const std::filesystem::path& file, std::span<const Gaussian> gaussians,
                      std::span<const GaussianNumber> ids = {});
 
-// Writes them as splats, for programs of Gaussian splatting: PLY.
+// Writes them as splats, for programs of Gaussian splatting: glTF if the extension is .glb or
+// .gltf, else PLY.
 void write_splats(const std::filesystem::path& file, std::span<const Gaussian> gaussians,
                   const SplatOutput& output = {});
 

@@ -58,9 +58,7 @@ std::optional<ToGaussian> from_splats(const PlyFile::Element& vertices, OpacityA
     splat.depth = std::max(logit, 0.0) + std::log1p(std::exp(-std::abs(logit)));
     if (!rotation_columns) return gaussian_of(splat, along);
     const auto component = [&](std::size_t i) { return row.scalars[(*rotation_columns)[i]]; };
-    const glm::dquat rotation(component(0), component(1), component(2), component(3));
-    const double length = glm::length(rotation);
-    if (length > 0.0 && std::isfinite(length)) splat.rotation = rotation / length;
+    splat.rotation = unit_rotation({component(0), component(1), component(2), component(3)});
     return gaussian_of(splat, along);
   };
 }

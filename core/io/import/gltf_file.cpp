@@ -47,9 +47,9 @@ double value_of(std::int64_t type, const char* bytes, bool is_normalized) {
   }
 }
 
-constexpr std::array<std::string_view, 4> read_extensions{
-    "KHR_lights_punctual", "KHR_materials_emissive_strength", "KHR_mesh_quantization",
-    "KHR_texture_transform"};
+constexpr std::array<std::string_view, 5> read_extensions{
+    "KHR_gaussian_splatting", "KHR_lights_punctual", "KHR_materials_emissive_strength",
+    "KHR_mesh_quantization", "KHR_texture_transform"};
 // Without these, materials look different, and that is all.
 constexpr std::array<std::string_view, 11> optional_extensions{
     "KHR_materials_anisotropy", "KHR_materials_clearcoat",    "KHR_materials_dispersion",
@@ -241,6 +241,11 @@ std::vector<float> GltfFile::numbers(const JsonPath& user, std::size_t index,
                             " components; allowed: " + std::to_string(components));
   }
   return read(path, found);
+}
+
+std::size_t GltfFile::count(std::size_t index) {
+  const JsonPath accessors = root_path_.member("accessors");
+  return accessor(accessors.element(index), index).count;
 }
 
 std::vector<std::uint32_t> GltfFile::indices(const JsonPath& user, std::size_t index) {

@@ -32,8 +32,8 @@ class GltfFile {
   // The numbers of an accessor of `components` components, one element after the other; integers
   // that are normalized, and only those, become fractions. `user`: what refers to it.
   std::vector<float> numbers(const JsonPath& user, std::size_t accessor, std::size_t components);
-  // The number of components of an accessor.
-  std::size_t components(std::size_t accessor);
+  // The number of elements of an accessor, all of them in its buffer view, if it has one.
+  std::size_t count(std::size_t accessor);
   std::vector<std::uint32_t> indices(const JsonPath& user, std::size_t accessor);
 
   // Valid as long as this is.

@@ -1,15 +1,14 @@
-// The nodes of a glTF file, and what hangs on them.
+// What hangs on the nodes of a glTF file.
 
 #include <algorithm>
 #include <cmath>
-#include <glm/ext/matrix_transform.hpp>
-#include <glm/gtc/quaternion.hpp>
 #include <numbers>
 
 #include "brume/error.h"
 #include "brume/limits.h"
 #include "core/io/import/gltf_file.h"
 #include "core/io/import/gltf_materials.h"
+#include "core/io/import/gltf_nodes.h"
 #include "core/io/import/node_transform.h"
 #include "core/io/import/scene_readers.h"
 #include "core/number_domain.h"
@@ -24,131 +23,26 @@ class GltfReader {
   explicit GltfReader(const std::filesystem::path& file) : file_(file, scene_.warnings) {}
 
   RawScene read() {
-    read_nodes();
+    nodes_ = read_gltf_nodes(file_);
+    for (const GltfNode& node : nodes_) add_node(node);
     scene_.images = read_gltf_images(file_);
     read_materials();
-    for (const Node& node : nodes_) add_parts(node);
+    for (std::size_t i = 0; i < nodes_.size(); ++i) add_parts(i);
     center_ = center();
-    for (const Node& node : nodes_) add_camera_and_light(node);
+    for (std::size_t i = 0; i < nodes_.size(); ++i) add_camera_and_light(i);
     file_.context().finish_warnings();
     scene_.files = file_.files();
     return std::move(scene_);
   }
 
  private:
-  struct Node {
-    std::size_t element;  // of the list `nodes`
-    std::size_t index;    // of scene_.nodes
-    glm::dmat4 to_world;
-  };
-
-  // Roots of the default scene; of all nodes, if the file has no scene.
-  std::vector<std::size_t> roots() {
-    const std::size_t count = file_.list("nodes").size();
-    JsonObject root(file_.context(), file_.root(), file_.path());
-    const Json::array_t& scenes = file_.list("scenes");
-    if (!scenes.empty()) {
-      const std::size_t index = file_.index(root, "scene", "scenes").value_or(0);
-      const JsonPath list = file_.path().member("scenes");
-      const JsonPath path = list.element(index);
-      JsonObject scene(file_.context(), scenes[index], path);
-      return node_indices(scene, "nodes");
-    }
-    std::vector<bool> is_child(count, false);
+  void add_node(const GltfNode& node) {
     const JsonPath list = file_.path().member("nodes");
-    for (std::size_t i = 0; i < count; ++i) {
-      const JsonPath path = list.element(i);
-      JsonObject node(file_.context(), file_.list("nodes")[i], path);
-      for (const std::size_t child : node_indices(node, "children")) is_child[child] = true;
-    }
-    std::vector<std::size_t> result;
-    for (std::size_t i = 0; i < count; ++i) {
-      if (!is_child[i]) result.push_back(i);
-    }
-    return result;
-  }
-
-  std::vector<std::size_t> node_indices(JsonObject& object, const char* key) {
-    const std::size_t count = file_.list("nodes").size();
-    std::vector<std::size_t> indices;
-    for (const Json& value : object.array(key, count)) {
-      if (!value.is_number_unsigned() || value.get<std::uint64_t>() >= count) {
-        object.fail(key, "found " + quoted_json(value) + "; allowed: one of the " +
-                             std::to_string(count) + " nodes");
-      }
-      indices.push_back(value.get<std::size_t>());
-    }
-    return indices;
-  }
-
-  // Parents come before their children.
-  void read_nodes() {
-    struct Visit {
-      std::size_t element;
-      std::optional<std::size_t> parent;
-    };
-    std::vector<Visit> open;
-    for (const std::size_t root : roots()) open.push_back({root, std::nullopt});
-    std::ranges::reverse(open);
-    std::vector<bool> is_known(file_.list("nodes").size(), false);
-    const JsonPath list = file_.path().member("nodes");
-    while (!open.empty()) {
-      const Visit visit = open.back();
-      open.pop_back();
-      const JsonPath path = list.element(visit.element);
-      JsonObject object(file_.context(), file_.list("nodes")[visit.element], path);
-      if (is_known[visit.element]) {
-        file_.context().fail(path, "is the child of more than one node; allowed: a tree");
-      }
-      is_known[visit.element] = true;
-      if (nodes_.size() >= max_imported_nodes) {
-        file_.context().fail(list, "found more than " + std::to_string(max_imported_nodes) +
-                                       " nodes; allowed: " + std::to_string(max_imported_nodes));
-      }
-      const std::size_t index = nodes_.size();
-      scene_.nodes.push_back(
-          {imported_name(object.text("name", ""), "node " + std::to_string(visit.element)),
-           visit.parent});
-      const glm::dmat4 parent = visit.parent ? nodes_[*visit.parent].to_world : glm::dmat4(1.0);
-      nodes_.push_back({visit.element, index, parent * transform(object)});
-      check_transform(path, nodes_.back().to_world);
-      std::vector<std::size_t> children = node_indices(object, "children");
-      for (auto child = children.rbegin(); child != children.rend(); ++child) {
-        open.push_back({*child, index});
-      }
-    }
-  }
-
-  void check_transform(const JsonPath& path, const glm::dmat4& to_world) {
-    for (int k = 0; k < 16; ++k) {
-      const double value = to_world[k / 4][k % 4];
-      if (domain::coordinate.contains(value)) continue;
-      file_.context().fail(path,
-                           "its transform in the scene: " + domain::coordinate.refusal(value));
-    }
-  }
-
-  glm::dmat4 transform(JsonObject& node) {
-    if (const Json* matrix = node.find("matrix")) {
-      const std::vector<double> m =
-          read_numbers(file_.context(), *matrix, node.path_of("matrix"), 16, domain::coordinate);
-      glm::dmat4 result;
-      for (int k = 0; k < 16; ++k) result[k / 4][k % 4] = m[static_cast<std::size_t>(k)];
-      return result;
-    }
-    glm::dquat rotation(1.0, 0.0, 0.0, 0.0);
-    if (const Json* value = node.find("rotation")) {
-      const std::vector<double> q =
-          read_numbers(file_.context(), *value, node.path_of("rotation"), 4, domain::coordinate);
-      rotation = glm::dquat(q[3], q[0], q[1], q[2]);
-      const double length = glm::length(rotation);
-      if (!(length > 0.0)) node.fail("rotation", "found length 0; allowed: a unit quaternion");
-      rotation /= length;
-    }
-    const glm::dvec3 scale = node.vector("scale", domain::coordinate, glm::dvec3(1.0));
-    const glm::dvec3 translation = node.vector("translation", domain::coordinate, glm::dvec3(0.0));
-    return glm::translate(glm::dmat4(1.0), translation) * glm::mat4_cast(rotation) *
-           glm::scale(glm::dmat4(1.0), scale);
+    const JsonPath path = list.element(node.element);
+    JsonObject object(file_.context(), file_.list("nodes")[node.element], path);
+    scene_.nodes.push_back(
+        {imported_name(object.text("name", ""), "node " + std::to_string(node.element)),
+         node.parent});
   }
 
   void read_materials() {
@@ -161,7 +55,8 @@ class GltfReader {
     for (const GltfMaterial& material : materials_) scene_.materials.push_back(material.material);
   }
 
-  void add_parts(const Node& node) {
+  void add_parts(std::size_t index_of_node) {
+    const GltfNode& node = nodes_[index_of_node];
     const JsonPath nodes = file_.path().member("nodes");
     const JsonPath node_path = nodes.element(node.element);
     JsonObject object(file_.context(), file_.list("nodes")[node.element], node_path);
@@ -176,16 +71,21 @@ class GltfReader {
     const Json::array_t& primitives = mesh.array("primitives", limits::surfaces);
     const JsonPath primitives_path = path.member("primitives");
     for (std::size_t i = 0; i < primitives.size(); ++i) {
-      add_part(node, primitives[i], primitives_path.element(i));
+      add_part(index_of_node, primitives[i], primitives_path.element(i));
     }
   }
 
-  void add_part(const Node& node, const Json& value, const JsonPath& path) {
+  void add_part(std::size_t node, const Json& value, const JsonPath& path) {
     JsonObject primitive(file_.context(), value, path);
     constexpr std::int64_t triangles = 4;
     const std::int64_t mode = primitive.integer("mode", 0, 6, triangles);
     if (mode < triangles) {
-      file_.context().warn(path, "points and lines are left out");
+      const Json* extensions = primitive.find("extensions");
+      const bool are_splats = extensions != nullptr && extensions->is_object() &&
+                              extensions->contains("KHR_gaussian_splatting");
+      file_.context().warn(path, are_splats
+                                     ? "Gaussian splats are left out: they are read as Gaussians"
+                                     : "points and lines are left out");
       return;
     }
     if (scene_.parts.size() >= limits::surfaces) {
@@ -194,7 +94,7 @@ class GltfReader {
                                " meshes of nodes; allowed: " + std::to_string(limits::surfaces));
     }
     RawPart part;
-    part.node = node.index;
+    part.node = node;
     part.material = file_.index(primitive, "material", "materials").value_or(materials_.size() - 1);
     read_mesh(primitive, mode, materials_[part.material], part.mesh);
     if (part.mesh.triangles.empty()) return;
@@ -204,7 +104,7 @@ class GltfReader {
       file_.context().fail(path, "the meshes up to here take more memory than the allowed " +
                                      std::to_string(limits::scene_bytes) + " bytes");
     }
-    apply_transform(node.to_world, file_.context().file(), path.text(), part.mesh);
+    apply_transform(nodes_[node].to_world, file_.context().file(), path.text(), part.mesh);
     scene_.parts.push_back(std::move(part));
   }
 
@@ -281,11 +181,13 @@ class GltfReader {
     }
   }
 
-  void add_camera_and_light(const Node& node) {
+  void add_camera_and_light(std::size_t index_of_node) {
+    const GltfNode& node = nodes_[index_of_node];
     const JsonPath nodes = file_.path().member("nodes");
     const JsonPath path = nodes.element(node.element);
     JsonObject object(file_.context(), file_.list("nodes")[node.element], path);
-    if (const auto camera = file_.index(object, "camera", "cameras")) add_camera(node, *camera);
+    if (const auto camera = file_.index(object, "camera", "cameras"))
+      add_camera(index_of_node, *camera);
     const Json* extensions = object.find("extensions");
     if (extensions == nullptr) return;
     const JsonPath extensions_path = object.path_of("extensions");
@@ -293,7 +195,7 @@ class GltfReader {
     if (const Json* use = all.find("KHR_lights_punctual")) {
       const JsonPath use_path = all.path_of("KHR_lights_punctual");
       JsonObject light(file_.context(), *use, use_path);
-      add_light(node, light);
+      add_light(index_of_node, light);
     }
   }
 
@@ -310,7 +212,7 @@ class GltfReader {
     return scene_.parts.empty() ? glm::dvec3(0.0) : 0.5 * (low + high);
   }
 
-  void add_camera(const Node& node, std::size_t index) {
+  void add_camera(std::size_t node, std::size_t index) {
     if (scene_.cameras.size() >= limits::cameras) return;
     const JsonPath list = file_.path().member("cameras");
     const JsonPath path = list.element(index);
@@ -324,12 +226,13 @@ class GltfReader {
     static constexpr NumberDomain half_turn{0.0, std::numbers::pi, "a number in (0, pi) radians",
                                             true};
     const double fov = perspective.number("yfov", half_turn, {}) * degrees_per_radian;
-    scene_.cameras.push_back({scene_.nodes[node.index].name,
-                              camera_of_node(node.to_world, center_, std::min(fov, 179.999)),
-                              {}});
+    scene_.cameras.push_back(
+        {scene_.nodes[node].name,
+         camera_of_node(nodes_[node].to_world, center_, std::min(fov, 179.999)),
+         {}});
   }
 
-  void add_light(const Node& node, JsonObject& use) {
+  void add_light(std::size_t node, JsonObject& use) {
     if (scene_.lights.size() >= limits::lights) return;
     JsonObject root(file_.context(), file_.root(), file_.path());
     const JsonPath extensions_path = root.path_of("extensions");
@@ -345,11 +248,11 @@ class GltfReader {
     const JsonPath path = lights_path.element(index);
     JsonObject object(file_.context(), lights[index], path);
     Light light;
-    light.name = scene_.nodes[node.index].name;
-    light.position = node.to_world[3];
+    light.name = scene_.nodes[node].name;
+    light.position = nodes_[node].to_world[3];
     light.intensity = object.vector("color", domain::unit, glm::dvec3(1.0)) *
                       object.number("intensity", domain::intensity, 1.0) / lumens_per_watt;
-    glm::dvec3 direction = -glm::dvec3(node.to_world[2]);
+    glm::dvec3 direction = -glm::dvec3(nodes_[node].to_world[2]);
     if (const double length = glm::length(direction); length > 0.0) direction /= length;
     const std::size_t type = object.choice("type", {"point", "spot", "directional"}, {});
     if (type != 0 && direction == glm::dvec3(0.0)) {
@@ -379,7 +282,7 @@ class GltfReader {
 
   RawScene scene_;
   GltfFile file_;
-  std::vector<Node> nodes_;
+  std::vector<GltfNode> nodes_;
   std::vector<GltfMaterial> materials_;
   glm::dvec3 center_{0.0};
   std::size_t bytes_ = 0;

@@ -11,8 +11,10 @@
 
 #include "brume/mesh_arrays.h"
 #include "core/io/atomic_file.h"
+#include "core/io/gaussians/splat_output.h"
 #include "core/io/scene/usd_material.h"
 #include "core/io/scene/usd_text.h"
+#include "core/medium/splat.h"
 #include "core/scene/environment.h"
 #include "core/scene/placement.h"
 
@@ -206,9 +208,54 @@ void write_surface(UsdText& out, Frames frames, std::size_t i, UsdTextures& text
   out.close();
 }
 
+bool have_splats(Frames frames) {
+  return std::ranges::any_of(frames, [](const UsdFrame& frame) { return !frame.splats.empty(); });
+}
+
+// The fog as UsdVol's particle field of 3D Gaussians: `scales` are standard deviations, `opacities`
+// linear, the color is the harmonic of degree 0.
+void write_splats_usd(UsdText& out, Frames frames, OpacityAlong along) {
+  if (!have_splats(frames)) return;
+  const auto each_splat = [&](std::string_view declaration, auto value_of,
+                              std::string_view metadata = {}) {
+    std::vector<std::string> values;
+    for (const UsdFrame& frame : frames) {
+      const SplatOutput output{along, frame.scene.optics.albedo};
+      values.push_back(list_of(frame.splats.size(),
+                               [&](std::size_t i) { return value_of(frame.splats[i], output); }));
+    }
+    out.animated(declaration, values, metadata);
+  };
+  const auto number = [](double value) { return usd_value(static_cast<float>(value)); };
+  const auto vector = [&](const glm::dvec3& v) {
+    return "(" + number(v.x) + ", " + number(v.y) + ", " + number(v.z) + ")";
+  };
+  out.open("ParticleField3DGaussianSplat", "Fog splats");
+  out.constant("uniform token purpose", "\"proxy\"");
+  each_splat("point3f[] positions",
+             [&](const Gaussian& g, const SplatOutput&) { return vector(g.center); });
+  each_splat("quatf[] orientations", [&](const Gaussian& g, const SplatOutput&) {
+    const glm::dquat& q = g.shape.rotation;
+    return "(" + number(q.w) + ", " + number(q.x) + ", " + number(q.y) + ", " + number(q.z) + ")";
+  });
+  each_splat("float3[] scales",
+             [&](const Gaussian& g, const SplatOutput&) { return vector(splat_of(g).deviations); });
+  each_splat("float[] opacities", [&](const Gaussian& g, const SplatOutput& output) {
+    return number(opacity_of_depth(depth_along(g, output.along)));
+  });
+  out.constant("uniform int radiance:sphericalHarmonicsDegree", "0");
+  each_splat(
+      "float3[] radiance:sphericalHarmonicsCoefficients",
+      [&](const Gaussian& g, const SplatOutput& output) { return vector(sh_color(g, output)); },
+      "elementSize = 1\ninterpolation = \"vertex\"");
+  out.constant("uniform token sortingModeHint", "\"cameraDistance\"");
+  out.close();
+}
+
 void write_fog(UsdText& out, Frames frames) {
   const auto optics = [&](std::size_t k) -> const MediumOptics& { return frames[k].scene.optics; };
   const std::string path = out.open("Volume", "Fog");
+  if (have_splats(frames)) out.constant("uniform token purpose", "\"render\"");
   out.each_frame("custom color3f brume:albedo", [&](std::size_t k) { return optics(k).albedo; });
   out.each_frame("custom double brume:anisotropy",
                  [&](std::size_t k) { return optics(k).anisotropy; });
@@ -239,7 +286,7 @@ void write_fog(UsdText& out, Frames frames) {
 }  // namespace
 
 void write_usd(const std::filesystem::path& file, Frames frames, double frames_per_second,
-               const AddOutput& add_output) {
+               OpacityAlong along, const AddOutput& add_output) {
   assert(!frames.empty());
   std::vector<int> codes;
   for (const UsdFrame& frame : frames) codes.push_back(frame.frame);
@@ -253,6 +300,7 @@ void write_usd(const std::filesystem::path& file, Frames frames, double frames_p
   write_environment(out, frames, folder);
   for (std::size_t i = 0; i < first.surfaces.size(); ++i) write_surface(out, frames, i, textures);
   write_fog(out, frames);
+  write_splats_usd(out, frames, along);
   out.close();
   std::string head = "#usda 1.0\n(\n    defaultPrim = \"World\"\n    doc = \"Made by Brume\"\n";
   head += "    metersPerUnit = 1\n    upAxis = \"Y\"\n";

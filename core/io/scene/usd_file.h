@@ -3,8 +3,10 @@
 #include <filesystem>
 #include <functional>
 #include <span>
+#include <vector>
 
 #include "brume/scene.h"
+#include "brume/splat.h"
 
 namespace brume {
 
@@ -17,17 +19,21 @@ struct UsdFrame {
   std::filesystem::path volume;  // OpenVDB file of its medium as the stage names it; empty: none
   bool has_albedo = false;       // grids of the volume besides density
   bool has_emission = false;
+  std::vector<Gaussian> splats{};  // of the medium; in no frame: none are written
 };
 
 // Writes a stage: the camera, lights (UsdLux), the environment (DomeLight), surfaces as meshes with
-// UsdPreviewSurface and their textures, and the medium as a Volume of OpenVDB assets. Textures
-// within another file become NAME_texture_1.png and so on, beside it. One unit of the scene is a
-// meter; y is up. What differs between frames gets time samples. What USD has no words for is in
-// attributes `brume:...`. Frames ascend, at least one, and are of one scene: they have the same
-// lights and surfaces. `add_output` is told of each texture before it is written, and may throw.
-// Throws InputError if a file cannot be written.
+// UsdPreviewSurface and their textures, and the medium as a Volume of OpenVDB assets; as splats
+// too, if frames have them: a ParticleField3DGaussianSplat (OpenUSD 26.03), for views (purpose
+// proxy), while the Volume is then for renders. Textures within another file become
+// NAME_texture_1.png and so on, beside it. One unit of the scene is a meter; y is up. What differs
+// between frames gets time samples. What USD has no words for is in attributes `brume:...`. Frames
+// ascend, at least one, and are of one scene: they have the same lights and surfaces. `add_output`
+// is told of each texture before it is written, and may throw. Throws InputError if a file cannot
+// be written.
 using AddOutput = std::function<void(const std::filesystem::path& file)>;
 void write_usd(const std::filesystem::path& file, std::span<const UsdFrame> frames,
-               double frames_per_second, const AddOutput& add_output = {});
+               double frames_per_second, OpacityAlong along = OpacityAlong::mean,
+               const AddOutput& add_output = {});
 
 }  // namespace brume

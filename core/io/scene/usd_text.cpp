@@ -97,16 +97,30 @@ void UsdText::close() {
 void UsdText::constant(std::string_view declaration, const std::string& value,
                        std::string_view metadata) {
   line(std::string(declaration) + " = " + value + (metadata.empty() ? "" : " ("));
+  close_metadata(metadata);
+}
+
+void UsdText::close_metadata(std::string_view metadata) {
   if (metadata.empty()) return;
-  line("    " + std::string(metadata));
+  for (std::size_t start = 0; start < metadata.size();) {
+    const std::size_t end = std::min(metadata.find('\n', start), metadata.size());
+    line("    " + std::string(metadata.substr(start, end - start)));
+    start = end + 1;
+  }
   line(")");
 }
 
-void UsdText::animated(std::string_view declaration, std::span<const std::string> values) {
+void UsdText::animated(std::string_view declaration, std::span<const std::string> values,
+                       std::string_view metadata) {
   assert(values.size() == frames_.size());
   if (std::ranges::adjacent_find(values, std::ranges::not_equal_to{}) == values.end()) {
-    constant(declaration, values.front());
+    constant(declaration, values.front(), metadata);
     return;
+  }
+  // Metadata are of the declaration, which has no value of its own.
+  if (!metadata.empty()) {
+    line(std::string(declaration) + " (");
+    close_metadata(metadata);
   }
   line(std::string(declaration) + ".timeSamples = {");
   for (std::size_t k = 0; k < values.size(); ++k) {

@@ -35,11 +35,12 @@ class UsdText {
 
   // Without a value. `declaration`: type and name.
   void declare(std::string_view declaration) { line(declaration); }
-  // What stays. `metadata`: of the attribute, "name = value"; empty: none.
+  // What stays. `metadata`: of the attribute, lines of "name = value"; empty: none.
   void constant(std::string_view declaration, const std::string& value,
                 std::string_view metadata = {});
   // Per frame; time samples if they differ.
-  void animated(std::string_view declaration, std::span<const std::string> values);
+  void animated(std::string_view declaration, std::span<const std::string> values,
+                std::string_view metadata = {});
   // animated() of value_of(k) for each frame k.
   template <class ValueOf>
   void each_frame(std::string_view declaration, ValueOf value_of) {
@@ -63,6 +64,7 @@ class UsdText {
   };
 
   void line(std::string_view text);
+  void close_metadata(std::string_view metadata);
 
   std::vector<int> frames_;
   std::string text_;

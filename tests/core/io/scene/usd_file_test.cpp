@@ -64,6 +64,45 @@ class UsdFile : public ::testing::Test {
   Scene scene_;
 };
 
+TEST_F(UsdFile, HasSplatsWhereFramesHaveThem) {
+  EXPECT_EQ(stage().find("ParticleField"), std::string::npos);
+  EXPECT_EQ(stage().find("purpose"), std::string::npos);
+  Gaussian g{{1.0, 2.0, 3.0}, 1.0};
+  g.set_radii(std::numbers::sqrt2 * glm::dvec3(0.5, 0.25, 0.125), {0.5, 0.5, -0.5, 0.5});
+  g.density = std::log(4.0) * std::numbers::inv_sqrtpi / g.mean_radius();
+  Gaussian black = g;
+  black.optics.albedo = glm::dvec3(1e-6);
+  scene_.optics.albedo = glm::dvec3(1.0);
+  UsdFrame frame{0, scene_, {}};
+  frame.splats = {g, black};
+  const std::string all = stage({frame});
+  EXPECT_NE(prim(all, "Fog").find("token purpose = \"render\""), std::string::npos);
+  const std::string splats = prim(all, "Fog_splats");
+  EXPECT_TRUE(splats.find("def ParticleField3DGaussianSplat") != std::string::npos) << splats;
+  EXPECT_NE(splats.find("token purpose = \"proxy\""), std::string::npos);
+  EXPECT_NE(splats.find("sphericalHarmonicsDegree = 0"), std::string::npos);
+  const auto expect = [&](const char* attribute, const std::vector<double>& expected) {
+    const std::vector<double> found = numbers(splats, attribute);
+    ASSERT_EQ(found.size(), expected.size()) << attribute;
+    for (std::size_t i = 0; i < found.size(); ++i) EXPECT_NEAR(found[i], expected[i], 1e-4);
+  };
+  const double full = 0.5 / 0.28209479177387814;
+  expect("positions", {1, 2, 3, 1, 2, 3});
+  expect("scales", {0.5, 0.25, 0.125, 0.5, 0.25, 0.125});
+  expect("orientations", {0.5, 0.5, -0.5, 0.5, 0.5, 0.5, -0.5, 0.5});
+  expect("opacities", {0.75, 0.75});
+  expect("Coefficients", {full, full, full, -full, -full, -full});
+
+  // Some at each time, none at the last.
+  UsdFrame empty{1, scene_, {}};
+  const std::string animated = prim(stage({frame, empty}), "Fog_splats");
+  EXPECT_NE(animated.find("positions.timeSamples = {"), std::string::npos) << animated;
+  EXPECT_NE(animated.find("1: [],"), std::string::npos);
+  EXPECT_NE(animated.find("sphericalHarmonicsCoefficients (\n            elementSize = 1"),
+            std::string::npos)
+      << animated;
+}
+
 TEST_F(UsdFile, CameraSeesWhatBrumeSees) {
   const std::string camera = prim(stage(), "Camera");
   const double height = numbers(camera, "verticalAperture")[0];
@@ -204,7 +243,8 @@ TEST_F(UsdFile, MaterialsKeepTheirValuesAndTextures) {
   std::filesystem::remove(folder_ / "a_texture_1.png");
   const UsdFrame frame{0, scene_, {}};
   const auto refuse = [](const std::filesystem::path& file) { throw InputError(file, "", "no"); };
-  EXPECT_THROW(write_usd(folder_ / "a.usda", {&frame, 1}, 24.0, refuse), InputError);
+  EXPECT_THROW(write_usd(folder_ / "a.usda", {&frame, 1}, 24.0, OpacityAlong::mean, refuse),
+               InputError);
   EXPECT_FALSE(std::filesystem::exists(folder_ / "a_texture_1.png"));
 }
 

@@ -1,0 +1,221 @@
+// Reading splats of glTF.
+
+#include "core/io/gaussians/splat_gltf.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/mat3x3.hpp>
+#include <string>
+#include <string_view>
+
+#include "brume/error.h"
+#include "core/io/gaussians/gaussian_columns.h"
+#include "core/io/import/gltf_file.h"
+#include "core/io/import/gltf_nodes.h"
+#include "core/medium/splat.h"
+
+namespace brume {
+namespace {
+
+constexpr const char* splat_extension = "KHR_gaussian_splatting";
+
+class GltfSplatReader {
+ public:
+  explicit GltfSplatReader(const std::filesystem::path& file)
+      : file_(file, warnings_),
+        nodes_(read_gltf_nodes(file_)),
+        meshes_(file_.list("meshes").size()) {
+    for (std::size_t i = 0; i < nodes_.size(); ++i) add_node(i);
+    for (std::size_t i = 0; i < meshes_.size(); ++i) count_mesh(i);
+    const auto has_splats = [](const Mesh& mesh) { return !mesh.primitives.empty(); };
+    if (std::ranges::none_of(meshes_, has_splats) && !uses_extension()) {
+      throw InputError(file, "meshes",
+                       "has no Gaussian splats; allowed: a primitive with the extension " +
+                           std::string(splat_extension));
+    }
+  }
+
+  // Over all nodes.
+  [[nodiscard]] std::size_t count() const {
+    std::size_t sum = 0;
+    for (const Mesh& mesh : meshes_) sum += mesh.nodes.size() * mesh.count;
+    return sum;
+  }
+
+  // A mesh is read once, however many nodes have it.
+  std::vector<Gaussian> read(OpacityAlong along) {
+    std::vector<Gaussian> gaussians;
+    gaussians.reserve(count());
+    for (std::size_t i = 0; i < meshes_.size(); ++i) {
+      std::vector<Splat> splats;
+      for (const std::size_t primitive : meshes_[i].primitives) {
+        read_primitive(i, primitive, splats);
+      }
+      for (const std::size_t node : meshes_[i].nodes) place(splats, nodes_[node], along, gaussians);
+    }
+    return gaussians;
+  }
+
+ private:
+  // A mesh that nodes have.
+  struct Mesh {
+    std::vector<std::size_t> nodes;
+    std::vector<std::size_t> primitives;  // those with splats
+    std::size_t count = 0;                // of splats
+  };
+
+  // An empty medium has no primitive.
+  bool uses_extension() {
+    JsonObject root(file_.context(), file_.root(), file_.path());
+    const Json::array_t& used = root.array("extensionsUsed", limits::keys);
+    return std::ranges::count(used, Json(splat_extension)) > 0;
+  }
+
+  void add_node(std::size_t index) {
+    const JsonPath list = file_.path().member("nodes");
+    const std::size_t element = nodes_[index].element;
+    const JsonPath path = list.element(element);
+    JsonObject object(file_.context(), file_.list("nodes")[element], path);
+    const auto mesh = file_.index(object, "mesh", "meshes");
+    if (mesh) meshes_[*mesh].nodes.push_back(index);
+  }
+
+  void count_mesh(std::size_t index) {
+    if (meshes_[index].nodes.empty()) return;
+    const JsonPath list = file_.path().member("meshes");
+    const JsonPath path = list.element(index);
+    JsonObject mesh(file_.context(), file_.list("meshes")[index], path);
+    const Json::array_t& primitives = mesh.array("primitives", limits::surfaces);
+    const JsonPath primitives_path = path.member("primitives");
+    for (std::size_t i = 0; i < primitives.size(); ++i) {
+      const JsonPath primitive_path = primitives_path.element(i);
+      JsonObject primitive(file_.context(), primitives[i], primitive_path);
+      if (!are_splats(primitive)) continue;
+      const JsonPath attributes_path = primitive.path_of("attributes");
+      JsonObject attributes(file_.context(), primitive.required("attributes"), attributes_path);
+      meshes_[index].primitives.push_back(i);
+      meshes_[index].count += file_.count(accessor(attributes, "POSITION"));
+    }
+  }
+
+  // Whether a primitive has splats; throws if they cannot be read.
+  bool are_splats(JsonObject& primitive) {
+    const Json* extensions = primitive.find("extensions");
+    if (extensions == nullptr) return false;
+    const JsonPath path = primitive.path_of("extensions");
+    JsonObject all(file_.context(), *extensions, path);
+    const Json* splats = all.find(splat_extension);
+    if (splats == nullptr) return false;
+    const JsonPath splats_path = all.path_of(splat_extension);
+    JsonObject object(file_.context(), *splats, splats_path);
+    object.choice("kernel", {"ellipse"}, 0);
+    if (const Json* inner = object.find("extensions"); inner != nullptr && !inner->empty()) {
+      object.fail("extensions", "found " + quoted_json(*inner) +
+                                    "; allowed: splats that are not compressed or extended");
+    }
+    if (primitive.integer("mode", 0, 6, 4) != 0) {
+      primitive.fail("mode", "allowed for splats: 0, points");
+    }
+    return true;
+  }
+
+  std::size_t accessor(JsonObject& attributes, std::string_view name) {
+    static_cast<void>(attributes.required(name));
+    return *file_.index(attributes, name, "accessors");
+  }
+
+  void read_primitive(std::size_t mesh, std::size_t index, std::vector<Splat>& splats) {
+    const JsonPath list = file_.path().member("meshes");
+    const JsonPath mesh_path = list.element(mesh);
+    const JsonPath primitives = mesh_path.member("primitives");
+    const JsonPath path = primitives.element(index);
+    JsonObject primitive(file_.context(), file_.list("meshes")[mesh]["primitives"][index], path);
+    const JsonPath attributes_path = primitive.path_of("attributes");
+    JsonObject attributes(file_.context(), primitive.required("attributes"), attributes_path);
+    const auto values = [&](std::string_view name, std::size_t components) {
+      return file_.numbers(attributes.path_of(name), accessor(attributes, name), components);
+    };
+    constexpr std::string_view scale_name = "KHR_gaussian_splatting:SCALE";
+    constexpr std::string_view opacity_name = "KHR_gaussian_splatting:OPACITY";
+    const std::vector<float> positions = values("POSITION", 3);
+    const std::vector<float> rotations = values("KHR_gaussian_splatting:ROTATION", 4);
+    const std::vector<float> scales = values(scale_name, 3);
+    const std::vector<float> opacities = values(opacity_name, 1);
+    const std::size_t count = positions.size() / 3;
+    for (const std::size_t found : {rotations.size() / 4, scales.size() / 3, opacities.size()}) {
+      if (found == count) continue;
+      file_.context().fail(attributes_path, "found " + std::to_string(found) + " values for " +
+                                                std::to_string(count) + " splats");
+    }
+    const auto check = [&](std::string_view name, std::size_t splat, const NumberDomain& domain,
+                           double value) {
+      if (domain.contains(value)) return;
+      file_.context().fail(attributes.path_of(name),
+                           "splat " + std::to_string(splat) + ": " + domain.refusal(value));
+    };
+    for (std::size_t i = 0; i < count; ++i) {
+      const float* p = &positions[3 * i];
+      const float* q = &rotations[4 * i];
+      const float* s = &scales[3 * i];
+      for (int k = 0; k < 3; ++k) check(scale_name, i, domain::not_negative, s[k]);
+      check(opacity_name, i, domain::unit, opacities[i]);
+      splats.push_back({{p[0], p[1], p[2]},
+                        {s[0], s[1], s[2]},
+                        unit_rotation({q[3], q[0], q[1], q[2]}),
+                        depth_of_opacity(opacities[i])});
+    }
+  }
+
+  static double depth_of_opacity(double opacity) {
+    constexpr double most_opaque = 1.0 - 0x1p-25;
+    return -std::log1p(-std::min(opacity, most_opaque));
+  }
+
+  // They are as deep wherever the node places them.
+  void place(const std::vector<Splat>& splats, const GltfNode& node, OpacityAlong along,
+             std::vector<Gaussian>& gaussians) {
+    const JsonPath list = file_.path().member("nodes");
+    const JsonPath path = list.element(node.element);
+    for (std::size_t i = 0; i < splats.size(); ++i) {
+      Gaussian& g = gaussians.emplace_back(gaussian_of(splats[i], along));
+      if (node.to_world != glm::dmat4(1.0)) {
+        g.center = glm::dvec3(node.to_world * glm::dvec4(g.center, 1.0));
+        transform(g, glm::dmat3(node.to_world));
+        set_depth_along(g, splats[i].depth, along);
+      }
+      const std::array value{g.center.x, g.center.y, g.center.z, g.radius, g.density};
+      for (std::size_t k = 0; k < value.size(); ++k) {
+        const NumberDomain& domain = *gaussian_columns::domains[k];
+        if (domain.contains(value[k])) continue;
+        file_.context().fail(path, "splat " + std::to_string(i) + ": " +
+                                       std::string(gaussian_columns::names[k]) + ": " +
+                                       domain.refusal(value[k]));
+      }
+    }
+  }
+
+  std::vector<std::string> warnings_;  // of what else the file has
+  GltfFile file_;
+  std::vector<GltfNode> nodes_;
+  std::vector<Mesh> meshes_;
+};
+
+}  // namespace
+
+std::vector<Gaussian> read_splats_gltf(const std::filesystem::path& file, std::size_t max_count,
+                                       OpacityAlong along) {
+  GltfSplatReader reader(file);
+  if (reader.count() > max_count) {
+    throw InputError(file, "meshes",
+                     "found " + std::to_string(reader.count()) +
+                         " Gaussians; allowed: " + gaussian_columns::allowed_count(max_count));
+  }
+  return reader.read(along);
+}
+
+std::size_t splat_count_gltf(const std::filesystem::path& file) {
+  return GltfSplatReader(file).count();
+}
+
+}  // namespace brume

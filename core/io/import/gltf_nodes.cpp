@@ -1,0 +1,122 @@
+#include "core/io/import/gltf_nodes.h"
+
+#include <algorithm>
+#include <glm/ext/matrix_transform.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <string>
+
+#include "core/io/import/raw_scene.h"
+#include "core/number_domain.h"
+
+namespace brume {
+namespace {
+
+std::vector<std::size_t> node_indices(GltfFile& file, JsonObject& object, const char* key) {
+  const std::size_t count = file.list("nodes").size();
+  std::vector<std::size_t> indices;
+  for (const Json& value : object.array(key, count)) {
+    if (!value.is_number_unsigned() || value.get<std::uint64_t>() >= count) {
+      object.fail(key, "found " + quoted_json(value) + "; allowed: one of the " +
+                           std::to_string(count) + " nodes");
+    }
+    indices.push_back(value.get<std::size_t>());
+  }
+  return indices;
+}
+
+// Roots of the default scene; of all nodes, if the file has no scene.
+std::vector<std::size_t> roots(GltfFile& file) {
+  const std::size_t count = file.list("nodes").size();
+  JsonObject root(file.context(), file.root(), file.path());
+  const Json::array_t& scenes = file.list("scenes");
+  if (!scenes.empty()) {
+    const std::size_t index = file.index(root, "scene", "scenes").value_or(0);
+    const JsonPath list = file.path().member("scenes");
+    const JsonPath path = list.element(index);
+    JsonObject scene(file.context(), scenes[index], path);
+    return node_indices(file, scene, "nodes");
+  }
+  std::vector<bool> is_child(count, false);
+  const JsonPath list = file.path().member("nodes");
+  for (std::size_t i = 0; i < count; ++i) {
+    const JsonPath path = list.element(i);
+    JsonObject node(file.context(), file.list("nodes")[i], path);
+    for (const std::size_t child : node_indices(file, node, "children")) is_child[child] = true;
+  }
+  std::vector<std::size_t> result;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!is_child[i]) result.push_back(i);
+  }
+  return result;
+}
+
+void check_node_transform(GltfFile& file, const JsonPath& path, const glm::dmat4& to_world) {
+  for (int k = 0; k < 16; ++k) {
+    const double value = to_world[k / 4][k % 4];
+    if (domain::coordinate.contains(value)) continue;
+    file.context().fail(path, "its transform in the scene: " + domain::coordinate.refusal(value));
+  }
+}
+
+glm::dmat4 node_transform(GltfFile& file, JsonObject& node) {
+  if (const Json* matrix = node.find("matrix")) {
+    const std::vector<double> m =
+        read_numbers(file.context(), *matrix, node.path_of("matrix"), 16, domain::coordinate);
+    glm::dmat4 result;
+    for (int k = 0; k < 16; ++k) result[k / 4][k % 4] = m[static_cast<std::size_t>(k)];
+    return result;
+  }
+  glm::dquat rotation(1.0, 0.0, 0.0, 0.0);
+  if (const Json* value = node.find("rotation")) {
+    const std::vector<double> q =
+        read_numbers(file.context(), *value, node.path_of("rotation"), 4, domain::coordinate);
+    rotation = glm::dquat(q[3], q[0], q[1], q[2]);
+    const double length = glm::length(rotation);
+    if (!(length > 0.0)) node.fail("rotation", "found length 0; allowed: a unit quaternion");
+    rotation /= length;
+  }
+  const glm::dvec3 scale = node.vector("scale", domain::coordinate, glm::dvec3(1.0));
+  const glm::dvec3 translation = node.vector("translation", domain::coordinate, glm::dvec3(0.0));
+  return glm::translate(glm::dmat4(1.0), translation) * glm::mat4_cast(rotation) *
+         glm::scale(glm::dmat4(1.0), scale);
+}
+
+}  // namespace
+
+std::vector<GltfNode> read_gltf_nodes(GltfFile& file) {
+  std::vector<GltfNode> nodes;
+  struct Visit {
+    std::size_t element;
+    std::optional<std::size_t> parent;
+  };
+  std::vector<Visit> open;
+  for (const std::size_t root : roots(file)) open.push_back({root, std::nullopt});
+  std::ranges::reverse(open);
+  std::vector<bool> is_known(file.list("nodes").size(), false);
+  const JsonPath list = file.path().member("nodes");
+  while (!open.empty()) {
+    const Visit visit = open.back();
+    open.pop_back();
+    const JsonPath path = list.element(visit.element);
+    JsonObject object(file.context(), file.list("nodes")[visit.element], path);
+    if (is_known[visit.element]) {
+      file.context().fail(path, "is the child of more than one node; allowed: a tree");
+    }
+    is_known[visit.element] = true;
+    if (nodes.size() >= max_imported_nodes) {
+      file.context().fail(list, "found more than " + std::to_string(max_imported_nodes) +
+                                    " nodes; allowed: " + std::to_string(max_imported_nodes));
+    }
+    const std::size_t index = nodes.size();
+    const glm::dmat4 parent = visit.parent ? nodes[*visit.parent].to_world : glm::dmat4(1.0);
+    nodes.push_back({visit.element, visit.parent, parent * node_transform(file, object)});
+    check_node_transform(file, path, nodes.back().to_world);
+    std::vector<std::size_t> children = node_indices(file, object, "children");
+    for (auto child = children.rbegin(); child != children.rend(); ++child) {
+      open.push_back({*child, index});
+    }
+  }
+  return nodes;
+}
+
+}  // namespace brume
