@@ -121,10 +121,10 @@ void MainWindow::gather_to(const std::filesystem::path& folder) {
 
 void MainWindow::show_simplify() {
   auto* dialog = new SimplifyDialog(document_, this);
-  connect(dialog, &SimplifyDialog::requested, this, [this](double max_error) {
-    start_file_job(
-        tr("Simplifying"),
-        simplifying(document_, max_error, [this](const QString& text) { show_status(text); }));
+  connect(dialog, &SimplifyDialog::requested, this, [this](const SimplifyLimits& limits) {
+    start_file_job(tr("Simplifying"), simplifying(document_, limits, [this](const QString& text) {
+                     show_status(text);
+                   }));
   });
   dialog->show();
 }

@@ -1,5 +1,6 @@
 #include "app/window/simplify_dialog.h"
 
+#include <QCheckBox>
 #include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QLabel>
@@ -19,7 +20,10 @@ constexpr NumberDomain percent_domain{0.01, 100.0, "a number from 0.01 to 100"};
 }  // namespace
 
 SimplifyDialog::SimplifyDialog(const Document& document, QWidget* window)
-    : QDialog(window), document_(document), count_(new QLabel(this)) {
+    : QDialog(window),
+      document_(document),
+      count_(new QLabel(this)),
+      ellipsoids_(new QCheckBox(tr("Ellipsoids"), this)) {
   setAttribute(Qt::WA_DeleteOnClose);
   setObjectName("simplify_dialog");
   setWindowTitle(tr("Simplify"));
@@ -37,16 +41,22 @@ SimplifyDialog::SimplifyDialog(const Document& document, QWidget* window)
     show_count();
   });
   connect(error, &ValueField::refused, count_, &QLabel::setText);
+  ellipsoids_->setObjectName("simplify_ellipsoids");
+  ellipsoids_->setToolTip(
+      tr("What is merged may be ellipsoids: fewer are left along strands and layers of fog. Else "
+         "it is balls"));
+  ellipsoids_->setChecked(true);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
   auto* simplify = buttons->addButton(tr("Simplify"), QDialogButtonBox::AcceptRole);
   simplify->setObjectName("simplify_now");
   auto* form = new QFormLayout(this);
   form->addRow(count_);
   form->addRow(error->detach_title(), error);
+  form->addRow(ellipsoids_);
   form->addRow(buttons);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   connect(buttons, &QDialogButtonBox::accepted, this, [this] {
-    Q_EMIT requested(0.01 * percent_);
+    Q_EMIT requested({.max_error = 0.01 * percent_, .ellipsoids = ellipsoids_->isChecked()});
     accept();
   });
   connect(&document, &Document::selection_changed, this, &SimplifyDialog::show_count);

@@ -2,20 +2,24 @@
 
 #include <QDialog>
 
+#include "core/authoring/simplify.h"
+
+class QCheckBox;
 class QLabel;
 
 namespace brume {
 
 class Document;
 
-// Asks within which error to merge the selected Gaussians, or all; not modal.
+// Asks within which error to merge the selected Gaussians, or all, and whether to ellipsoids; not
+// modal.
 class SimplifyDialog : public QDialog {
   Q_OBJECT
  public:
   SimplifyDialog(const Document& document, QWidget* window);
 
  Q_SIGNALS:
-  void requested(double max_error);  // relative
+  void requested(const SimplifyLimits& limits);
 
  private:
   void show_count();
@@ -23,6 +27,7 @@ class SimplifyDialog : public QDialog {
   const Document& document_;
   double percent_ = 1.0;
   QLabel* count_;
+  QCheckBox* ellipsoids_;
 };
 
 }  // namespace brume

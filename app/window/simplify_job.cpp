@@ -18,7 +18,7 @@ QString text(const char* source) {
 
 }  // namespace
 
-BackgroundJob::Work simplifying(Document& document, double max_error,
+BackgroundJob::Work simplifying(Document& document, const SimplifyLimits& limits,
                                 const std::function<void(const QString&)>& tell) {
   const std::vector<GaussianId> ids = to_simplify(document);
   Medium chosen;
@@ -28,7 +28,7 @@ BackgroundJob::Work simplifying(Document& document, double max_error,
   }
   const Revision revision = document.medium().revision();
   return [=, &document](const Job& job) -> BackgroundJob::Apply {
-    const auto found = simplify(chosen, {max_error}, job.stop, job.progress);
+    const auto found = simplify(chosen, limits, job.stop, job.progress);
     if (!found) return {};
     return [=, &document, found = *found] {
       if (document.medium().revision() != revision) {

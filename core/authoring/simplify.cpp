@@ -12,12 +12,13 @@
 #include <numbers>
 #include <numeric>
 
+#include "core/authoring/gaussian_moments.h"
 #include "core/math/special_functions.h"
 
 namespace brume {
 namespace {
 
-// A Gaussian by what its optical depth adds up to over parallel lines.
+// What GaussianMoments are of balls that stay balls, for which all is faster.
 struct Ball {
   glm::dvec3 center{0.0};
   double radius = 1.0;
@@ -36,8 +37,10 @@ struct Ball {
     radius = std::sqrt(glm::mix(a.radius * a.radius, b.radius * b.radius, share) +
                        2.0 / 3.0 * share * (1.0 - share) * glm::dot(apart, apart));
   }
-  [[nodiscard]] double density() const {
-    return mass / (std::pow(std::numbers::pi, 1.5) * radius * radius * radius);
+  void apply_to(Gaussian& gaussian) const {
+    gaussian.center = center;
+    gaussian.radius = radius;
+    gaussian.density = mass / (std::pow(std::numbers::pi, 1.5) * radius * radius * radius);
   }
 };
 
@@ -58,20 +61,25 @@ double squared_error(const Ball& a, const Ball& b, const Ball& one) {
   return std::max(sum, 0.0);
 }
 
-struct Part {
-  Ball ball;
-  double squared_error = 0.0;                // of what it stands for:
-  std::span<const std::uint32_t> members{};  // indices
+// What stands for two.
+Ball stand_in(const Ball& a, const Ball& b, const SimplifyLimits&) {
+  return {a, b};
+}
+GaussianMoments stand_in(const GaussianMoments& a, const GaussianMoments& b,
+                         const SimplifyLimits& limits) {
+  GaussianMoments one(a, b);
+  if (!limits.ellipsoids) one.make_round();
+  return one;
+}
 
-  [[nodiscard]] bool is_merged() const { return members.size() > 1; }
-};
-
+// Of Balls or GaussianMoments.
+template <class Moments>
 class Simplification {
  public:
   Simplification(const Medium& medium, const SimplifyLimits& limits, const AxisDepths& depths,
                  const std::stop_token& stop, const std::function<void(double)>& progress)
       : medium_(medium),
-        across_groups_(limits.across_groups),
+        limits_(limits),
         allowed_(limits.max_error * limits.max_error),
         stop_(stop),
         progress_(progress),
@@ -108,17 +116,15 @@ class Simplification {
     for (const Part& part : parts) {
       if (part.is_merged()) {
         Gaussian& g = result.merged.emplace_back(medium_.gaussian(part.members[0]));
-        if (across_groups_) g.group = 0;
-        g.center = part.ball.center;
-        g.radius = part.ball.radius;
-        g.density = part.ball.density();
+        if (limits_.across_groups) g.group = 0;
+        part.moments.apply_to(g);
         result.members.insert(result.members.end(), part.members.begin(), part.members.end());
         result.member_ends.push_back(static_cast<std::uint32_t>(result.members.size()));
       } else {
         result.kept.push_back(part.members[0]);
       }
       squared_errors += part.squared_error;
-      squares += part.ball.mass * seen_depth(part.ball);
+      squares += part.moments.mass * seen_depth(part.moments);
     }
     std::ranges::sort(result.kept);
     if (squares > 0.0) result.error = std::sqrt(squared_errors / squares);
@@ -130,21 +136,29 @@ class Simplification {
   static constexpr std::size_t parallel_size = 4096;
   static constexpr std::size_t sample_size = 512;
 
+  struct Part {
+    Moments moments;
+    double squared_error = 0.0;                // of what it stands for:
+    std::span<const std::uint32_t> members{};  // indices
+
+    [[nodiscard]] bool is_merged() const { return members.size() > 1; }
+  };
+
   // Light sees the first unit of optical depth.
-  [[nodiscard]] double seen_depth(const Ball& ball) const {
-    return std::min(depths_.least(ball.center), 1.0);
+  [[nodiscard]] double seen_depth(const Moments& moments) const {
+    return std::min(depths_.least(moments.center), 1.0);
   }
 
   [[nodiscard]] bool may_merge(const Part& a, const Part& b) const {
     const std::uint32_t first = a.members[0];
     const std::uint32_t second = b.members[0];
-    if (!across_groups_ && medium_.group(first) != medium_.group(second)) return false;
+    if (!limits_.across_groups && medium_.group(first) != medium_.group(second)) return false;
     return medium_.optics(first) == medium_.optics(second);
   }
 
   // Of a box of Gaussians, halved along its longest side.
   std::vector<Part> merged(std::span<std::uint32_t> order) {
-    if (order.size() == 1) return {{Ball(medium_.gaussian(order[0])), 0.0, order}};
+    if (order.size() == 1) return {{Moments(medium_.gaussian(order[0])), 0.0, order}};
     if (stop_.stop_requested()) return {};
     const std::size_t half = order.size() / 2;
     split(order, half);
@@ -161,9 +175,10 @@ class Simplification {
     if (parts.size() == 1 && others.size() == 1 && may_merge(parts[0], others[0])) {
       const Part& a = parts[0];
       const Part& b = others[0];
-      const Ball one(a.ball, b.ball);
+      const Moments one = stand_in(a.moments, b.moments, limits_);
       // Errors of different sizes do not add up in phase.
-      const double error = squared_error(a.ball, b.ball, one) + a.squared_error + b.squared_error;
+      const double error =
+          squared_error(a.moments, b.moments, one) + a.squared_error + b.squared_error;
       if (error <= allowed_ * one.mass * seen_depth(one)) return {{one, error, order}};
     }
     parts.insert(parts.end(), others.begin(), others.end());
@@ -193,7 +208,7 @@ class Simplification {
   }
 
   const Medium& medium_;
-  bool across_groups_;
+  const SimplifyLimits& limits_;
   double allowed_;
   const std::stop_token& stop_;
   const std::function<void(double)>& progress_;
@@ -201,6 +216,10 @@ class Simplification {
   std::vector<std::uint32_t> order_;
   std::atomic<std::size_t> done_ = 0;
 };
+
+bool has_only_balls(const Medium& medium, const SimplifyLimits& limits) {
+  return medium.shapes().empty() && !limits.ellipsoids;
+}
 
 }  // namespace
 
@@ -221,14 +240,21 @@ std::optional<Simplified> simplify(const Medium& medium, const SimplifyLimits& l
 std::optional<Simplified> simplify(const Medium& medium, const SimplifyLimits& limits,
                                    const AxisDepths& depths, const std::stop_token& stop,
                                    const std::function<void(double)>& progress) {
-  return Simplification(medium, limits, depths, stop, progress).run();
+  if (!has_only_balls(medium, limits)) {
+    return Simplification<GaussianMoments>(medium, limits, depths, stop, progress).run();
+  }
+  return Simplification<Ball>(medium, limits, depths, stop, progress).run();
 }
 
 double estimated_share(const Medium& medium, const SimplifyLimits& limits,
                        const AxisDepths& depths) {
   const std::stop_token stop;
   const std::function<void(double)> progress;
-  return Simplification(medium, limits, depths, stop, progress).estimated_share();
+  if (!has_only_balls(medium, limits)) {
+    return Simplification<GaussianMoments>(medium, limits, depths, stop, progress)
+        .estimated_share();
+  }
+  return Simplification<Ball>(medium, limits, depths, stop, progress).estimated_share();
 }
 
 }  // namespace brume

@@ -33,14 +33,15 @@ struct Simplified {
 struct SimplifyLimits {
   double max_error = 0.0;      // in (0, 1]
   bool across_groups = false;  // what is merged of several is in none
+  bool ellipsoids = false;     // what is merged may be ellipsoids, else it is balls
 };
 
 // Merges neighbouring Gaussians of equal optics, and of one group: two become one of the same mass,
-// mean and variance. The error that each merge adds is known in closed form (the squared difference
-// of the lines' optical depths, integrated over all lines), and merges go on where the sum of
-// errors on a line stays within max_error of its depth: many small Gaussians that
-// overlap become few, one that stands alone stays. O(n log n), in parallel; the result is the same
-// whatever the threads. nullopt: stopped.
+// mean and covariance, or as a ball of the same mean variance. The error that each merge adds is
+// known in closed form (the squared difference of the lines' optical depths, integrated over all
+// lines), and merges go on where the sum of errors on a line stays within max_error of its depth:
+// many small Gaussians that overlap become few, one that stands alone stays. O(n log n), in
+// parallel; the result is the same whatever the threads. nullopt: stopped.
 std::optional<Simplified> simplify(const Medium& medium, const SimplifyLimits& limits,
                                    const std::stop_token& stop = {},
                                    const std::function<void(double)>& progress = {});

@@ -67,9 +67,10 @@ class Comparison {
         !same(before_.densities(), after_.densities())) {
       return false;
     }
-    if (!has_optics_) return true;
+    if (!has_optics_ && !has_ellipsoids_) return true;
     for (std::size_t k = 0; k < count; ++k) {
       if (!(before_.optics(i + k) == after_.optics(j + k))) return false;
+      if (!(before_.shape(i + k) == after_.shape(j + k))) return false;
     }
     return true;
   }
@@ -80,6 +81,7 @@ class Comparison {
   const Medium& after_;
   bool has_optics_ = before_.has_albedos() || before_.has_emission() || after_.has_albedos() ||
                      after_.has_emission();
+  bool has_ellipsoids_ = !before_.shapes().empty() || !after_.shapes().empty();
   std::vector<std::uint32_t> gone_, more_;
 };
 

@@ -172,8 +172,8 @@ class ExportCommand final : public Command {
   [[nodiscard]] Medium simplified(const Medium& medium) const {
     if (!(simplify_ > 0.0)) return medium;
     const ProgressLine line("simplifying");
-    const Simplified less =
-        finished(brume::simplify(medium, {simplify_}, interruption(), line.progress()));
+    const Simplified less = finished(brume::simplify(
+        medium, {.max_error = simplify_, .ellipsoids = true}, interruption(), line.progress()));
     const std::vector<Gaussian> left = less.of(medium);
     print_note(std::to_string(medium.size()) + " Gaussians became " + std::to_string(left.size()) +
                ", with an error of " + quoted_text(less.error));

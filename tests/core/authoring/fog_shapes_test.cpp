@@ -22,7 +22,7 @@ double density_of(const std::vector<Gaussian>& gaussians, const glm::dvec3& poin
 }
 
 // The integral of the density over all space.
-double mass_of(const std::vector<Gaussian>& gaussians) {
+double total_mass(const std::vector<Gaussian>& gaussians) {
   double sum = 0.0;
   for (const Gaussian& g : gaussians) {
     sum += g.density * std::pow(std::numbers::pi, 1.5) * std::pow(g.radius, 3.0);
@@ -41,7 +41,7 @@ TEST(FogShapes, ABoxIsEvenInsideAndHasItsMass) {
   for (const glm::dvec3 offset : {glm::dvec3(0.0), glm::dvec3(0.53, 0.11, -0.37)}) {
     EXPECT_NEAR(density_of(gaussians, box.center + offset), 0.7, 0.007);
   }
-  EXPECT_NEAR(mass_of(gaussians), 0.7 * 24.0, 1e-6);
+  EXPECT_NEAR(total_mass(gaussians), 0.7 * 24.0, 1e-6);
 }
 
 TEST(FogShapes, ASphereStaysInside) {
@@ -52,7 +52,7 @@ TEST(FogShapes, ASphereStaysInside) {
   sphere.density = 0.5;
   const auto gaussians = fill(sphere);
   for (const Gaussian& g : gaussians) EXPECT_LE(glm::length(g.center), 1.0);
-  EXPECT_NEAR(mass_of(gaussians), 0.5 * 4.0 / 3.0 * std::numbers::pi, 0.1);
+  EXPECT_NEAR(total_mass(gaussians), 0.5 * 4.0 / 3.0 * std::numbers::pi, 0.1);
 }
 
 TEST(FogShapes, HeightFogFallsByE) {

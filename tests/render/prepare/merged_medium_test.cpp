@@ -69,6 +69,30 @@ TEST(MergedMedium, FollowsEdits) {
   expect_stands_for(merged, medium, max_error);
 }
 
+// They are merged to balls, for what they are; other shapes alone are an edit.
+TEST(MergedMedium, FollowsShapes) {
+  constexpr double max_error = 0.05;
+  std::vector<Gaussian> bank = fog_bank(bank_size, 1.0, 1);
+  for (std::size_t i = 0; i < bank.size(); i += 8) {
+    bank[i].set_radii(bank[i].radius * glm::dvec3(2.0, 1.0, 0.5), glm::dquat(1, 0, 0, 0));
+  }
+  Medium medium = medium_of(bank);
+  MergedMedium merged;
+  ASSERT_TRUE(merged.update(medium, {max_error}, {}));
+  ASSERT_TRUE(merged.is_merged());
+  expect_stands_for(merged, medium, max_error);
+  std::vector<GaussianId> ids;
+  std::vector<Gaussian> after;
+  for (std::size_t i = 0; i < bank.size(); i += 16) {
+    ids.push_back(medium.ids()[i]);
+    after.push_back(bank[i]);
+    after.back().shape.stretch = {0.1, 0.5, 1.0};
+  }
+  MediumEdit::change(medium, ids, after).apply(medium);
+  ASSERT_TRUE(merged.update(medium, {max_error}, {}));
+  expect_stands_for(merged, medium, max_error);
+}
+
 TEST(MergedMedium, AsItIsWhereMergingDoesNotPay) {
   const Medium few = medium_of(fog_bank(500, 1.0, 1));
   Medium apart;

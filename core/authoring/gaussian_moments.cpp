@@ -1,0 +1,125 @@
+#include "core/authoring/gaussian_moments.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <numbers>
+
+namespace brume {
+namespace {
+
+double volume_over_density(double mean_radius) {
+  return std::pow(std::numbers::pi, 1.5) * mean_radius * mean_radius * mean_radius;
+}
+
+double trace(const glm::dmat3& m) {
+  return m[0][0] + m[1][1] + m[2][2];
+}
+
+// Of a symmetric matrix: its inverse times its determinant.
+glm::dmat3 adjugate(const glm::dmat3& m) {
+  return {glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])};
+}
+
+// The product of two Gaussians' depths as a function of t: what is the same for each t.
+struct Product {
+  double masses;
+  // det(I + t S) and d^T adj(I + t S) d are polynomials.
+  double s1, s2, s3;
+  double d0, d1, d2;
+
+  Product(const GaussianMoments& a, const GaussianMoments& b) : masses(a.mass * b.mass) {
+    const glm::dmat3 s = a.covariance + b.covariance;
+    const glm::dmat3 adjoint = adjugate(s);
+    const glm::dvec3 d = b.center - a.center;
+    s1 = trace(s);
+    s2 = std::max(trace(adjoint), 0.0);
+    s3 = std::max(glm::dot(s[0], adjoint[0]), 0.0);
+    d0 = glm::dot(d, d);
+    d1 = s1 * d0 - glm::dot(d, s * d);
+    d2 = std::max(glm::dot(d, adjoint * d), 0.0);
+  }
+
+  [[nodiscard]] double at(double t) const {
+    const double determinant = 1.0 + t * (s1 + t * (s2 + t * s3));
+    const double square = (d0 + t * (d1 + t * d2)) / determinant;
+    return masses * std::exp(-0.5 * t * square) / std::sqrt(determinant);
+  }
+  // From it on the integrand decays as t^(-1/2) in ln t, and up to it as t.
+  [[nodiscard]] double end() const { return s3 > 0.0 ? 100.0 * s2 / s3 : 0.0; }
+  [[nodiscard]] double begin() const { return 0.01 / (s1 + d0); }
+};
+
+}  // namespace
+
+GaussianMoments::GaussianMoments(const Gaussian& g)
+    : mass(g.density * volume_over_density(g.mean_radius())), center(g.center) {
+  const double variance = 0.5 * g.radius * g.radius;
+  covariance = glm::dmat3(variance);
+  if (g.is_ball()) return;
+  const glm::dmat3 axes = glm::mat3_cast(g.shape.rotation);
+  glm::dmat3 scaled = axes;
+  for (int k = 0; k < 3; ++k) scaled[k] *= variance * g.shape.stretch[k] * g.shape.stretch[k];
+  covariance = scaled * glm::transpose(axes);
+}
+
+GaussianMoments::GaussianMoments(const GaussianMoments& a, const GaussianMoments& b)
+    : mass(a.mass + b.mass) {
+  const double share = mass > 0.0 ? b.mass / mass : 0.5;
+  const glm::dvec3 apart = b.center - a.center;
+  center = a.center + share * apart;
+  covariance = (1.0 - share) * a.covariance + share * b.covariance +
+               share * (1.0 - share) * glm::outerProduct(apart, apart);
+}
+
+void GaussianMoments::make_round() {
+  covariance = glm::dmat3(trace(covariance) / 3.0);
+}
+
+void GaussianMoments::apply_to(Gaussian& gaussian) const {
+  // The covariance is L L^T by Cholesky: L makes it of the ball of variance 1.
+  const glm::dmat3& s = covariance;
+  const double tiny = 1e-30 * trace(s);
+  const double xx = std::sqrt(s[0][0]);
+  const double yx = s[0][1] / xx;
+  const double zx = s[0][2] / xx;
+  const double yy = std::sqrt(std::max(s[1][1] - yx * yx, tiny));
+  const double zy = (s[1][2] - zx * yx) / yy;
+  const double zz = std::sqrt(std::max(s[2][2] - zx * zx - zy * zy, tiny));
+  gaussian.center = center;
+  gaussian.radius = std::numbers::sqrt2;
+  gaussian.shape = {};
+  transform(gaussian, {{xx, yx, zx}, {0.0, yy, zy}, {0.0, 0.0, zz}});
+  gaussian.density = mass / volume_over_density(gaussian.mean_radius());
+}
+
+double squared_error(const GaussianMoments& a, const GaussianMoments& b,
+                     const GaussianMoments& one) {
+  // By the trapezoidal rule over ln t, with the same t for all products: for each t their sum is
+  // a square, so that nothing is lost where they cancel.
+  constexpr double step = 1.5;
+  const Product products[]{{a, a}, {b, b}, {one, one}, {a, b}, {a, one}, {b, one}};
+  constexpr double times[]{1.0, 1.0, 1.0, 2.0, -2.0, -2.0};
+  double begin = products[0].begin();
+  double end = 0.0;
+  for (const Product& product : products) {
+    begin = std::min(begin, product.begin());
+    end = std::max(end, product.end());
+  }
+  const int nodes = 2 + std::max(0, static_cast<int>(std::log(end / begin) / step));
+  const double factor = std::exp(step);
+  double sum = 0.0;
+  double t = begin;
+  for (int i = 0; i < nodes; ++i, t *= factor) {
+    double at = 0.0;
+    for (std::size_t k = 0; k < 6; ++k) at += times[k] * products[k].at(t);
+    // What is beyond the ends is a geometric series.
+    if (i == 0) at /= 1.0 - 1.0 / factor;
+    if (i + 1 == nodes) at /= 1.0 - std::sqrt(1.0 / factor);
+    sum += std::max(at, 0.0) * t;
+  }
+  return step * sum / (4.0 * std::numbers::pi);
+}
+
+}  // namespace brume
