@@ -101,7 +101,7 @@ void FogBrushTool::draw(Overlay& overlay, const CameraRays& rays) const {
   if (!point) return;
   for (const Gaussian& image : mirror_images({point->position, radius(), 1.0}, mirror_planes())) {
     if (image.center == point->position) continue;
-    overlay.add_ball_outline(rays, image.center, image.radius, qRgba(235, 238, 242, 130));
+    overlay.add_outline(rays, image, qRgba(235, 238, 242, 130));
   }
 }
 
