@@ -52,6 +52,8 @@ inline constexpr NumberDomain temperature{800.0, 40000.0, "a number from 800 to 
 inline constexpr NumberDomain not_negative{0.0, 1e12, "a number >= 0 (up to 1e12)"};
 inline constexpr NumberDomain brush_spacing{0.05, 100.0, "a number from 0.05 to 100"};
 inline constexpr NumberDomain brush_scatter{0.0, 10.0, "a number from 0 to 10"};
+inline constexpr NumberDomain elongation{1.0, 1.0 / limits::min_stretch, "a number from 1 to 1e4"};
+inline constexpr NumberDomain brush_stretch{1.0, 5.0, "a number from 1 to 5"};
 inline constexpr NumberDomain seconds{-1e9, 1e9, "a number of seconds from -1e9 to 1e9"};
 inline constexpr NumberDomain slope{-limits::slope, limits::slope,
                                     "a number per second from -1e30 to 1e30"};

@@ -4,8 +4,10 @@
 #include <QGuiApplication>
 #include <QRegularExpression>
 #include <algorithm>
+#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
 
 #include "app/commands/edit_groups.h"
 #include "app/commands/edit_medium.h"
@@ -13,6 +15,8 @@
 #include "app/document/document.h"
 #include "app/document/number_text.h"
 #include "core/io/gaussians/gaussian_columns.h"
+#include "core/math/max_component.h"
+#include "core/number_domain.h"
 
 namespace brume {
 namespace {
@@ -37,20 +41,39 @@ glm::dvec3 center_of(const std::vector<Gaussian>& gaussians) {
   return 0.5 * (low + high);
 }
 
+// Exact, where the columns of files round radii.
+std::array<double, 7> stretch_and_rotation(const GaussianShape& shape) {
+  const glm::dvec3& s = shape.stretch;
+  const glm::dquat& q = shape.rotation;
+  return {s.x, s.y, s.z, q.w, q.x, q.y, q.z};
+}
+
+std::optional<GaussianShape> shape_of(const std::array<double, 7>& values) {
+  const GaussianShape shape{{values[0], values[1], values[2]},
+                            {values[3], values[4], values[5], values[6]}};
+  for (int k = 0; k < 3; ++k) {
+    if (!domain::stretch.contains(shape.stretch[k])) return std::nullopt;
+  }
+  const bool is_unit = std::abs(glm::length(shape.rotation) - 1.0) < 1e-12;
+  if (!is_unit || max_component(shape.stretch) != 1.0) return std::nullopt;
+  return shape;
+}
+
 }  // namespace
 
 QString gaussians_to_text(const std::vector<Gaussian>& gaussians) {
   QString text = heading + '\n';
   for (const Gaussian& gaussian : gaussians) {
     QStringList numbers;
-    for (std::size_t k = 0; k < shape_attributes; ++k) {
-      numbers << exact_number_text(attribute_value(gaussian, gaussian_attributes[k]));
+    const auto add = [&numbers](double value) { numbers << exact_number_text(value); };
+    for (std::size_t k = 0; k < ball_attributes; ++k) {
+      add(attribute_value(gaussian, gaussian_attributes[k]));
     }
-    if (gaussian.optics != GaussianOptics()) {
-      for (const double value : gaussian_columns::optics_values(gaussian.optics)) {
-        numbers << exact_number_text(value);
-      }
+    const bool is_ball = gaussian.is_ball();
+    if (!is_ball || gaussian.optics != GaussianOptics()) {
+      std::ranges::for_each(gaussian_columns::optics_values(gaussian.optics), add);
     }
+    if (!is_ball) std::ranges::for_each(stretch_and_rotation(gaussian.shape), add);
     text += numbers.join('\t') + '\n';
   }
   return text;
@@ -65,19 +88,29 @@ std::vector<Gaussian> gaussians_from_text(const QString& text) {
     std::vector<double> values;
     for (const QString& number : numbers) values.push_back(parse_number(number));
     std::array<double, gaussian_columns::optics_names.size()> optics{};
-    const bool has_optics = values.size() == shape_attributes + optics.size();
-    if (!has_optics && values.size() != shape_attributes) return {};
+    std::array<double, 7> shape{};
+    constexpr std::size_t with_optics = ball_attributes + optics.size();
+    constexpr std::size_t with_shape = with_optics + shape.size();
+    if (values.size() != ball_attributes && values.size() != with_optics &&
+        values.size() != with_shape) {
+      return {};
+    }
     Gaussian& gaussian = gaussians.emplace_back();
-    for (std::size_t k = 0; k < shape_attributes; ++k) {
+    for (std::size_t k = 0; k < ball_attributes; ++k) {
       if (!attribute_problem(gaussian_attributes[k], values[k]).isEmpty()) return {};
       set_attribute_value(gaussian, gaussian_attributes[k], values[k]);
     }
-    if (!has_optics) continue;
-    std::copy(values.begin() + shape_attributes, values.end(), optics.begin());
+    if (values.size() == ball_attributes) continue;
+    std::copy_n(values.begin() + ball_attributes, optics.size(), optics.begin());
     bool is_allowed = true;
     gaussian.optics = gaussian_columns::optics_of(
         optics, [&](std::size_t, const std::string&) { is_allowed = false; });
     if (!is_allowed) return {};
+    if (values.size() == with_optics) continue;
+    std::copy_n(values.begin() + with_optics, shape.size(), shape.begin());
+    const auto allowed = shape_of(shape);
+    if (!allowed) return {};
+    gaussian.shape = *allowed;
   }
   return gaussians;
 }

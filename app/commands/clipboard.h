@@ -12,7 +12,8 @@ namespace brume {
 class Document;
 
 // Gaussians as clipboard text, exchangeable with other windows and spreadsheets: a header line,
-// then x y z radius density of each, lossless.
+// then x y z radius density of each, where it has them its optics, and those and its shape.
+// Lossless.
 QString gaussians_to_text(const std::vector<Gaussian>& gaussians);
 // Empty for other text or numbers outside their domain.
 std::vector<Gaussian> gaussians_from_text(const QString& text);

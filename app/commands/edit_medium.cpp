@@ -56,6 +56,11 @@ void set_homogeneous_density(Document& document, double b0, MergeId merge_id) {
   }
 }
 
+QString set_attribute_text(GaussianAttribute field, std::size_t count, double value) {
+  return undo_text("Set %1 of %2 to %3")
+      .arg(attribute_name(field), gaussians_text(count), number_text(value));
+}
+
 QString set_attribute(Document& document, std::span<const GaussianId> ids, GaussianAttribute field,
                       double value, MergeId merge_id) {
   if (QString problem = attribute_problem(field, value); !problem.isEmpty()) return problem;
@@ -63,13 +68,12 @@ QString set_attribute(Document& document, std::span<const GaussianId> ids, Gauss
   std::vector<Gaussian> after;
   after.reserve(ids.size());
   for (const GaussianId id : ids) {
-    after.push_back(medium.gaussian(*medium.index_of(id)));
-    set_attribute_value(after.back(), field, value);
+    Gaussian gaussian = medium.gaussian(*medium.index_of(id));
+    set_attribute_value(gaussian, field, value);
+    after.push_back(within_domains(gaussian));
   }
   push(document, MediumEdit::change(medium, ids, after),
-       undo_text("Set %1 of %2 to %3")
-           .arg(attribute_name(field), gaussians_text(ids.size()), number_text(value)),
-       merge_id);
+       set_attribute_text(field, ids.size(), value), merge_id);
   return {};
 }
 

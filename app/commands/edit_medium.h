@@ -25,6 +25,9 @@ void set_homogeneous_density(Document& document, double b0, MergeId merge_id);
 QString set_attribute(Document& document, std::span<const GaussianId> ids, GaussianAttribute field,
                       double value, MergeId merge_id = no_merge);
 
+// "Set radius of 3 Gaussians to 0.4".
+QString set_attribute_text(GaussianAttribute field, std::size_t count, double value);
+
 // Changes one attribute of each Gaussian by what it is; values are clamped to their domains.
 void adjust_attribute(Document& document, std::span<const GaussianId> ids, GaussianAttribute field,
                       const Adjustment& adjustment);

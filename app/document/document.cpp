@@ -198,6 +198,8 @@ double Document::value(std::size_t index, GaussianAttribute field) const {
       return all.radii()[index];
     case GaussianAttribute::density:
       return all.densities()[index];
+    case GaussianAttribute::elongation:
+      return attribute_value({.shape = all.shape(index)}, field);
     default:
       return attribute_value(effective_gaussian(index), field);
   }

@@ -7,7 +7,10 @@
 #include <limits>
 
 #include "app/document/arithmetic.h"
+#include "app/document/euler_angles.h"
 #include "app/document/number_text.h"
+#include "core/math/max_component.h"
+#include "core/math/rounded.h"
 #include "core/scene/photometry.h"
 
 namespace brume {
@@ -22,11 +25,36 @@ double albedo_luminance(const glm::dvec3& albedo) {
   return albedo == glm::dvec3(albedo.x) ? albedo.x : luminance(albedo);
 }
 
+int axis_of(GaussianAttribute field, GaussianAttribute first) {
+  return static_cast<int>(field) - static_cast<int>(first);
+}
+
+// As it was set, whatever the greatest radius has become since.
+double radius_along(const Gaussian& gaussian, int axis) {
+  const double stretch = gaussian.shape.stretch[axis];
+  return stretch == 1.0 ? gaussian.radius : rounded(gaussian.radius * stretch, 15);
+}
+
 }  // namespace
+
+GaussianAttribute radius_attribute(int axis) {
+  return static_cast<GaussianAttribute>(static_cast<int>(GaussianAttribute::radius_x) + axis);
+}
+
+GaussianAttribute rotation_attribute(int axis) {
+  return static_cast<GaussianAttribute>(static_cast<int>(GaussianAttribute::rotation_x) + axis);
+}
+
+bool is_of_shape(GaussianAttribute field) {
+  return field >= GaussianAttribute::radius_x;
+}
 
 const NumberDomain& attribute_domain(GaussianAttribute field) {
   switch (field) {
     case GaussianAttribute::radius:
+    case GaussianAttribute::radius_x:
+    case GaussianAttribute::radius_y:
+    case GaussianAttribute::radius_z:
       return domain::length;
     case GaussianAttribute::density:
       return domain::density;
@@ -34,6 +62,12 @@ const NumberDomain& attribute_domain(GaussianAttribute field) {
       return domain::albedo;
     case GaussianAttribute::emission:
       return domain::intensity;
+    case GaussianAttribute::rotation_x:
+    case GaussianAttribute::rotation_y:
+    case GaussianAttribute::rotation_z:
+      return domain::degrees;
+    case GaussianAttribute::elongation:
+      return domain::elongation;
     default:
       return domain::coordinate;
   }
@@ -55,6 +89,20 @@ QString attribute_title(GaussianAttribute field) {
       return attribute_text("Albedo");
     case GaussianAttribute::emission:
       return attribute_text("Emission");
+    case GaussianAttribute::radius_x:
+      return attribute_text("Radius X");
+    case GaussianAttribute::radius_y:
+      return attribute_text("Radius Y");
+    case GaussianAttribute::radius_z:
+      return attribute_text("Radius Z");
+    case GaussianAttribute::rotation_x:
+      return attribute_text("Rotation X");
+    case GaussianAttribute::rotation_y:
+      return attribute_text("Rotation Y");
+    case GaussianAttribute::rotation_z:
+      return attribute_text("Rotation Z");
+    case GaussianAttribute::elongation:
+      return attribute_text("Elongation");
   }
   return {};
 }
@@ -79,6 +127,18 @@ double attribute_value(const Gaussian& gaussian, GaussianAttribute field) {
       return albedo_luminance(gaussian.optics.albedo.value_or(glm::dvec3(1.0)));
     case GaussianAttribute::emission:
       return emission_strength(gaussian.optics.emission);
+    case GaussianAttribute::radius_x:
+    case GaussianAttribute::radius_y:
+    case GaussianAttribute::radius_z:
+      return radius_along(gaussian, axis_of(field, GaussianAttribute::radius_x));
+    case GaussianAttribute::rotation_x:
+    case GaussianAttribute::rotation_y:
+    case GaussianAttribute::rotation_z: {
+      const int axis = axis_of(field, GaussianAttribute::rotation_x);
+      return gaussian.is_ball() ? 0.0 : to_euler_angles(gaussian.shape.rotation)[axis];
+    }
+    case GaussianAttribute::elongation:
+      return 1.0 / min_component(gaussian.shape.stretch);
   }
   return 0.0;
 }
@@ -107,6 +167,25 @@ void set_attribute_value(Gaussian& gaussian, GaussianAttribute field, double val
       if (value == emission_strength(gaussian.optics.emission)) break;  // not even rounded
       gaussian.optics.emission = value * emission_color(gaussian.optics.emission);
       break;
+    case GaussianAttribute::radius_x:
+    case GaussianAttribute::radius_y:
+    case GaussianAttribute::radius_z: {
+      glm::dvec3 radii = gaussian.radii();
+      radii[axis_of(field, GaussianAttribute::radius_x)] = value;
+      gaussian.set_radii(radii, gaussian.shape.rotation);
+      break;
+    }
+    case GaussianAttribute::rotation_x:
+    case GaussianAttribute::rotation_y:
+    case GaussianAttribute::rotation_z: {
+      if (gaussian.is_ball()) break;
+      glm::dvec3 angles = to_euler_angles(gaussian.shape.rotation);
+      angles[axis_of(field, GaussianAttribute::rotation_x)] = value;
+      gaussian.shape.rotation = from_euler_angles(angles);
+      break;
+    }
+    case GaussianAttribute::elongation:
+      break;
   }
 }
 
@@ -114,12 +193,16 @@ Gaussian within_domains(const Gaussian& gaussian) {
   Gaussian result = gaussian;
   for (const GaussianAttribute field : gaussian_attributes) {
     if (field == GaussianAttribute::albedo) continue;  // by channel
+    if (is_of_shape(field)) break;
     const NumberDomain& domain = attribute_domain(field);
     const double value = attribute_value(gaussian, field);
     set_attribute_value(result, field, std::clamp(value, domain.min_value, domain.max_value));
   }
   if (auto& albedo = result.optics.albedo) {
     albedo = glm::clamp(*albedo, domain::albedo.min_value, domain::albedo.max_value);
+  }
+  if (!result.is_ball() && min_component(result.radii()) < domain::length.min_value) {
+    result.set_radii(glm::max(result.radii(), domain::length.min_value), result.shape.rotation);
   }
   return result;
 }

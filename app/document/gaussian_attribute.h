@@ -8,16 +8,41 @@
 
 namespace brume {
 
-// The editable attributes of a Gaussian that are numbers, in display order. Its albedo is the
-// luminance; a new one is grey. Its emission is that of the brightest channel; it keeps its colour.
-enum class GaussianAttribute { center_x, center_y, center_z, radius, density, albedo, emission };
+// The attributes of a Gaussian that are numbers, in display order. Its albedo is the luminance; a
+// new one is grey. Its emission is that of the brightest channel; it keeps its colour. Its radius
+// is the greatest; a new one scales all. Its rotation is in Euler angles [degrees], of a ball 0.
+// Its elongation, the greatest radius over the smallest, cannot be set.
+enum class GaussianAttribute {
+  center_x,
+  center_y,
+  center_z,
+  radius,
+  density,
+  albedo,
+  emission,
+  radius_x,
+  radius_y,
+  radius_z,
+  rotation_x,
+  rotation_y,
+  rotation_z,
+  elongation
+};
 
 inline constexpr std::array gaussian_attributes{
-    GaussianAttribute::center_x, GaussianAttribute::center_y, GaussianAttribute::center_z,
-    GaussianAttribute::radius,   GaussianAttribute::density,  GaussianAttribute::albedo,
-    GaussianAttribute::emission};
-// Those without its optics.
-inline constexpr std::size_t shape_attributes = 5;
+    GaussianAttribute::center_x,   GaussianAttribute::center_y,   GaussianAttribute::center_z,
+    GaussianAttribute::radius,     GaussianAttribute::density,    GaussianAttribute::albedo,
+    GaussianAttribute::emission,   GaussianAttribute::radius_x,   GaussianAttribute::radius_y,
+    GaussianAttribute::radius_z,   GaussianAttribute::rotation_x, GaussianAttribute::rotation_y,
+    GaussianAttribute::rotation_z, GaussianAttribute::elongation};
+// The first of them, which are all of a ball without optics of its own.
+inline constexpr std::size_t ball_attributes = 5;
+
+// Of an axis of its own, x, y or z.
+GaussianAttribute radius_attribute(int axis);
+GaussianAttribute rotation_attribute(int axis);
+// Whether it is one of the last, of which all balls have the same, or all those of one radius.
+bool is_of_shape(GaussianAttribute field);
 
 QString attribute_title(GaussianAttribute field);  // "Center X"
 QString attribute_name(GaussianAttribute field);   // "center x", for use inside a sentence
@@ -33,7 +58,7 @@ void set_attribute_value(Gaussian& gaussian, GaussianAttribute field, double val
 double emission_strength(const glm::dvec3& emission);
 glm::dvec3 emission_color(const glm::dvec3& emission);
 
-// Clamps all attributes to their domains.
+// Clamps all attributes to their domains, and the smallest radius to that of lengths.
 Gaussian within_domains(const Gaussian& gaussian);
 
 // Message for a value outside the domain; empty if valid.

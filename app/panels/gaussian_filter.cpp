@@ -15,12 +15,15 @@ QString filter_text(const char* text) {
 }
 
 std::optional<GaussianAttribute> field_called(const QString& name) {
-  // As gaussian_attributes.
   constexpr std::array names{"x", "y", "z", "radius", "density", "albedo", "emission"};
   for (std::size_t k = 0; k < names.size(); ++k) {
     if (QString(names[k]).startsWith(name)) return gaussian_attributes[k];
   }
-  return std::nullopt;
+  if (attribute_name(GaussianAttribute::elongation).startsWith(name)) {
+    return GaussianAttribute::elongation;
+  }
+  const auto found = std::ranges::find(gaussian_attributes, name, attribute_name);  // "radius x"
+  return found == gaussian_attributes.end() ? std::nullopt : std::optional(*found);
 }
 
 constexpr const char* group_field = "group";
@@ -41,7 +44,7 @@ bool is_in(const QString& name, GroupId id, const std::vector<Group>& groups) {
 std::optional<GaussianFilter> GaussianFilter::parse(const QString& text, QString& problem) {
   // A comma between digits is not a decimal one here: that is what separates conditions.
   static const QRegularExpression separator(R"(\s*(?:,|;|\band\b)\s*)");
-  static const QRegularExpression condition(R"(^([a-z]+)\s*(<=|>=|<|>|=)\s*(\S.*)$)");
+  static const QRegularExpression condition(R"(^([a-z]+(?:\s+[xyz])?)\s*(<=|>=|<|>|=)\s*(\S.*)$)");
   GaussianFilter filter;
   for (const QString& part : text.trimmed().toLower().split(separator, Qt::SkipEmptyParts)) {
     const QRegularExpressionMatch match = condition.match(part);
@@ -50,7 +53,8 @@ std::optional<GaussianFilter> GaussianFilter::parse(const QString& text, QString
       filter.groups_.push_back(match.captured(3));
       continue;
     }
-    const auto field = match.hasMatch() ? field_called(match.captured(1)) : std::nullopt;
+    const auto field =
+        match.hasMatch() ? field_called(match.captured(1).simplified()) : std::nullopt;
     const double value = match.hasMatch() ? parse_number(match.captured(3)) : 0.0;
     if (!field || std::isnan(value)) {
       problem = filter_text(

@@ -13,7 +13,8 @@ namespace brume {
 class GaussianFilter {
  public:
   // Conditions are separated by commas or "and"; fields are x, y, z, radius, density, albedo,
-  // emission and group, or as many of their letters as tell them apart; comparisons are
+  // emission, elongation and group, or as many of their letters as tell them apart, and in full
+  // radius x, y, z and rotation x, y, z; comparisons are
   // < <= > >= =, of a group only = its name, or that of the group it is in, or "none". Empty text
   // lets all pass. nullopt where the text is something else; `problem` then says what.
   static std::optional<GaussianFilter> parse(const QString& text, QString& problem);

@@ -25,6 +25,11 @@ bool is_of_colour(GaussianAttribute field) {
   return field == GaussianAttribute::albedo || field == GaussianAttribute::emission;
 }
 
+// Of what Gaussians need not have.
+bool is_optional(GaussianAttribute field) {
+  return is_of_colour(field) || field == GaussianAttribute::elongation;
+}
+
 }  // namespace
 
 GaussianHistogram::Axis::Axis(double least, double greatest)
@@ -71,6 +76,9 @@ bool GaussianHistogram::has_any() const {
       return medium.has_albedos();
     case GaussianAttribute::emission:
       return medium.has_emission();
+    case GaussianAttribute::elongation:
+      return std::ranges::any_of(
+          medium.shapes(), [](const GaussianShape& shape) { return shape != GaussianShape(); });
     default:
       return !medium.empty();
   }
@@ -80,12 +88,13 @@ void GaussianHistogram::refresh() {
   shown_albedo_ = document_.scene().optics.albedo;
   is_counted_ = false;
   recount_timer_.stop();
-  setVisible(!is_of_colour(field_) || has_any());
+  setVisible(!is_optional(field_) || has_any());
   update();
 }
 
 void GaussianHistogram::follow(const MediumEdit& edit) {
   if (is_of_colour(field_)) return refresh();
+  if (is_optional(field_)) setVisible(has_any());
   if (!is_counted_) return;
   // What lies outside the axis counts at its end, until the axis follows.
   bool fits = true;

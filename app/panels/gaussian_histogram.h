@@ -12,9 +12,9 @@ namespace brume {
 
 class Document;
 
-// Histogram of an attribute with the selection marked; of albedo or emission, hidden while no
-// Gaussian has any. Dragging selects a range; Shift adds, Ctrl removes. An edit costs what it
-// changes, unless the range of values changes.
+// Histogram of an attribute with the selection marked; of albedo, emission or elongation, hidden
+// while no Gaussian has any. Dragging selects a range; Shift adds, Ctrl removes. An edit costs what
+// it changes, unless the range of values changes.
 class GaussianHistogram : public QWidget {
   Q_OBJECT
  public:

@@ -1,5 +1,6 @@
 #include "app/panels/gaussian_panel.h"
 
+#include <QAction>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLineEdit>
@@ -92,12 +93,13 @@ GaussianPanel::GaussianPanel(Document& document, QWidget* parent)
   layout->setSpacing(4);
   layout->addWidget(form);
   using Attribute = GaussianAttribute;
-  for (const auto& pair : {std::pair(Attribute::radius, Attribute::density),
-                           std::pair(Attribute::albedo, Attribute::emission)}) {
+  for (const auto& row : {std::vector{Attribute::radius, Attribute::density, Attribute::elongation},
+                          std::vector{Attribute::albedo, Attribute::emission}}) {
     auto* histograms = new QHBoxLayout;
     histograms->setContentsMargins(6, 0, 6, 0);
-    histograms->addWidget(new GaussianHistogram(document, pair.first, this));
-    histograms->addWidget(new GaussianHistogram(document, pair.second, this));
+    for (const Attribute field : row) {
+      histograms->addWidget(new GaussianHistogram(document, field, this));
+    }
     layout->addLayout(histograms);
   }
   add_filter(*layout);
@@ -121,10 +123,28 @@ GaussianPanel::GaussianPanel(Document& document, QWidget* parent)
     model_->follow_groups();
   });
   show_groups();
+  add_column_menu();
   connect(&document_, &Document::part_changed, this, [this] {
     const glm::dvec3& albedo = document_.scene().optics.albedo;
     if (std::exchange(shown_albedo_, albedo) != albedo) model_->follow_albedo();
   });
+}
+
+void GaussianPanel::add_column_menu() {
+  QHeaderView* header = table_->horizontalHeader();
+  header->setContextMenuPolicy(Qt::ActionsContextMenu);
+  for (std::size_t k = 3; k < gaussian_attributes.size(); ++k) {  // always the center
+    const auto column = static_cast<int>(k);
+    auto* action = new QAction(attribute_title(gaussian_attributes[k]), header);
+    action->setObjectName("column_" + attribute_name(gaussian_attributes[k]).replace(' ', '_'));
+    action->setCheckable(true);
+    connect(action, &QAction::toggled, table_,
+            [this, column](bool shown) { table_->setColumnHidden(column, !shown); });
+    header->addAction(action);
+    // There is room for few.
+    action->setChecked(true);
+    action->setChecked(!is_of_shape(gaussian_attributes[k]));
+  }
 }
 
 void GaussianPanel::reload() {
@@ -184,7 +204,8 @@ void GaussianPanel::add_filter(QLayout& layout) {
     if (!parsed) colors.setColor(QPalette::Text, QColor(226, 92, 92));
     filter->setPalette(colors);
     filter->setToolTip(
-        parsed ? tr("Filter the table by x, y, z, radius, density, albedo, emission or group")
+        parsed ? tr("Filter the table by x, y, z, radius, density, albedo, emission, elongation or "
+                    "group")
                : plain_tool_tip(problem));
     if (parsed) model_->set_filter(*parsed);
   });

@@ -28,7 +28,8 @@ class GaussianPanel : public QWidget {
 
  private:
   void add_filter(QLayout& layout);
-  void select_rows();  // from the document
+  void add_column_menu();  // of the header: which are shown
+  void select_rows();      // from the document
   void adopt_selection();
   void follow(const MediumEdit& edit);
   void reload();

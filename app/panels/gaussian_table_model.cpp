@@ -35,6 +35,16 @@ bool is_shown_alike(const Gaussian& a, const Gaussian& b, GaussianAttribute fiel
       return a.optics.albedo == b.optics.albedo;
     case GaussianAttribute::emission:
       return a.optics.emission == b.optics.emission;
+    case GaussianAttribute::radius_x:
+    case GaussianAttribute::radius_y:
+    case GaussianAttribute::radius_z:
+      return a.radius == b.radius && a.shape.stretch == b.shape.stretch;
+    case GaussianAttribute::rotation_x:
+    case GaussianAttribute::rotation_y:
+    case GaussianAttribute::rotation_z:
+      return a.shape.rotation == b.shape.rotation;
+    case GaussianAttribute::elongation:
+      return a.shape.stretch == b.shape.stretch;
     default:
       return attribute_value(a, field) == attribute_value(b, field);
   }
@@ -57,6 +67,13 @@ QString cell_text(double value, GaussianAttribute field) {
   const bool has_swatch =
       field == GaussianAttribute::albedo || field == GaussianAttribute::emission;
   return number_text(value, has_swatch ? 3 : 6);
+}
+
+// The group is chosen elsewhere, and what is too long could be so in several ways.
+bool is_editable(const QModelIndex& index) {
+  const auto column = static_cast<std::size_t>(index.column());
+  return column < gaussian_attributes.size() &&
+         gaussian_attributes[column] != GaussianAttribute::elongation;
 }
 
 QString channels_text(const glm::dvec3& rgb) {
@@ -198,7 +215,7 @@ QVariant GaussianTableModel::group_data(GroupId id, int role) const {
 }
 
 bool GaussianTableModel::setData(const QModelIndex& index, const QVariant& value, int role) {
-  if (!index.isValid() || role != Qt::EditRole || index.column() == group_column) return false;
+  if (!index.isValid() || role != Qt::EditRole || !is_editable(index)) return false;
   const std::array one{id(index.row())};
   if (!document_.medium().index_of(one[0])) return false;  // not yet reloaded
   const std::vector<GaussianId> selection = document_.selection();
@@ -224,7 +241,7 @@ QVariant GaussianTableModel::headerData(int section, Qt::Orientation orientation
 Qt::ItemFlags GaussianTableModel::flags(const QModelIndex& index) const {
   if (!index.isValid()) return Qt::NoItemFlags;
   const Qt::ItemFlags flags = QAbstractTableModel::flags(index) | Qt::ItemNeverHasChildren;
-  return index.column() == group_column ? flags : flags | Qt::ItemIsEditable;
+  return is_editable(index) ? flags | Qt::ItemIsEditable : flags;
 }
 
 }  // namespace brume

@@ -71,14 +71,23 @@ void AirbrushTool::add_options(QHBoxLayout& row) {
   add_gaussian_options(row, "air");
   add(tr("Rate"), "air_rate", rate_domain, &Airbrush::rate);
   add(tr("Speed"), "air_speed", domain::not_negative, &Airbrush::speed);
+  const auto number = [this](const QString& title, const char* name, const NumberDomain& domain,
+                             ValueField::Scale scale, const QString& tip,
+                             double Airbrush::*part) -> StrokeNumber {
+    return {{title, name, domain, scale, 0.01},
+            tip,
+            [this, part] { return airbrush_.*part; },
+            [this, part](double value) {
+              airbrush_.*part = value;
+              Q_EMIT options_changed();
+            }};
+  };
   add_place_options(row, "air",
-                    {{{tr("Jitter"), "air_jitter", domain::unit, ValueField::Scale::linear, 0.01},
-                      tr("Random variation of radius and density: at 1 from half to double"),
-                      [this] { return airbrush_.jitter; },
-                      [this](double value) {
-                        airbrush_.jitter = value;
-                        Q_EMIT options_changed();
-                      }}});
+                    {number(tr("Stretch"), "air_stretch", domain::brush_stretch,
+                            ValueField::Scale::logarithmic, stretch_tip(), &Airbrush::stretch),
+                     number(tr("Jitter"), "air_jitter", domain::unit, ValueField::Scale::linear,
+                            tr("Random variation of radius and density: at 1 from half to double"),
+                            &Airbrush::jitter)});
   add_choice(
       row, *this, {{}, "air_side"}, {tr("Outside"), tr("Inside")},
       [this] { return inside_ ? 1 : 0; }, [this](int index) { set_inside(index == 1); });
@@ -151,6 +160,7 @@ BrushPreset AirbrushTool::preset() const {
   preset.size = airbrush_.radius / distance;
   preset.depth = std::sqrt(std::numbers::pi) * airbrush_.radius * airbrush_.density;
   preset.jitter = airbrush_.jitter;
+  preset.stretch = airbrush_.stretch;
   preset.smoothing = stroke_options().smoothing;
   preset.rate = airbrush_.rate;
   preset.speed = airbrush_.speed / distance;
@@ -166,6 +176,7 @@ void AirbrushTool::apply_preset(const BrushPreset& preset) {
   airbrush.radius = two_digits(preset.size * distance);
   airbrush.density = two_digits(preset.depth / (std::sqrt(std::numbers::pi) * airbrush.radius));
   airbrush.jitter = preset.jitter;
+  airbrush.stretch = preset.stretch;
   airbrush.rate = preset.rate;
   airbrush.speed = two_digits(preset.speed * distance);
   airbrush.spread = preset.spread;

@@ -30,6 +30,7 @@ constexpr std::array library_keys = std::to_array<LibraryKey>({
     {"depth", &BrushPreset::depth, {0.0, 1e6, "a number from 0 to 1e6"}},
     {"jitter", &BrushPreset::jitter, domain::unit},
     {"smoothing", &BrushPreset::smoothing, {0.0, 500.0, "a number of pixels from 0 to 500"}},
+    {"stretch", &BrushPreset::stretch, domain::brush_stretch},
     {"spacing", &BrushPreset::spacing, {0.05, 100.0, "a number from 0.05 to 100"}},
     {"scatter", &BrushPreset::scatter, {0.0, 10.0, "a number from 0 to 10"}},
     {"falloff", &BrushPreset::falloff, domain::unit},

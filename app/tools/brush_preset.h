@@ -14,6 +14,7 @@ struct BrushPreset {
   double depth = 0.5;      // optical depth through its center: sqrt(pi) radius density
   double jitter = 0.0;     // as in core/authoring
   double smoothing = 0.0;  // [pixels]
+  double stretch = 1.0;
   // Of a paintbrush.
   double spacing = 1.0;
   double scatter = 0.5;

@@ -101,7 +101,7 @@ void FogBrushTool::draw(Overlay& overlay, const CameraRays& rays) const {
   if (!point) return;
   for (const Gaussian& image : mirror_images({point->position, radius(), 1.0}, mirror_planes())) {
     if (image.center == point->position) continue;
-    overlay.add_ball_outline(rays, image.center, image.radius, qRgba(235, 238, 242, 130));
+    overlay.add_outline(rays, image, qRgba(235, 238, 242, 130));
   }
 }
 
@@ -117,7 +117,7 @@ void FogBrushTool::press(QPointF position, Qt::KeyboardModifiers modifiers) {
   if (const auto id = view().max_visible(position)) {
     const Gaussian gaussian = document_.medium().gaussian(*document_.medium().index_of(*id));
     optics_ = gaussian.optics;
-    set_both(gaussian.radius, gaussian.density);
+    set_both(gaussian.mean_radius(), gaussian.density);
   }
 }
 
@@ -214,6 +214,12 @@ void FogBrushTool::add_place_options(QHBoxLayout& row, const QString& prefix,
   add_target(
       row, *this, prefix, [this] { return target_; },
       [this](const PaintTarget& target) { set_target(target); });
+}
+
+QString FogBrushTool::stretch_tip() {
+  return tr(
+      "How much longer Gaussians are along their way than across it: 1 lays balls, more as many "
+      "times fewer ellipsoids");
 }
 
 std::uint64_t FogBrushTool::stroke_seed() const {

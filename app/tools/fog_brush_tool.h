@@ -86,6 +86,8 @@ class FogBrushTool : public BrushTool {
   void add_place_options(QHBoxLayout& row, const QString& prefix,
                          std::vector<StrokeNumber> numbers);
 
+  static QString stretch_tip();
+
   // Sets what all brushes have of a preset.
   void apply_stroke_options(const BrushPreset& preset);
   [[nodiscard]] double view_distance() const;

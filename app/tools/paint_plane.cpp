@@ -66,8 +66,8 @@ std::optional<PaintPoint> paint_point(const PaintTarget& target, const glm::dvec
 void add_brush_cursor(Overlay& overlay, const CameraRays& rays, const PaintPoint& point,
                       double radius) {
   const QColor accent = accent_color();
-  overlay.add_ball_outline(rays, point.position, radius,
-                           qRgba(accent.red(), accent.green(), accent.blue(), 230));
+  overlay.add_outline(rays, {.center = point.position, .radius = radius},
+                      qRgba(accent.red(), accent.green(), accent.blue(), 230));
   // The plane as a net around the brush that fades outwards.
   const auto [u, v] = make_basis(point.normal);
   constexpr int cells = 4;

@@ -51,11 +51,13 @@ void PaintbrushTool::add_brush_options(QHBoxLayout& row, const QString& prefix) 
   add_place_options(
       row, prefix,
       {number(tr("Spacing"), "spacing", domain::brush_spacing, Scale::logarithmic,
-              tr("Distance between Gaussians along the stroke, relative to the radius"),
+              tr("Distance between Gaussians along the stroke, relative to their radius along it"),
               &Paintbrush::spacing),
        number(tr("Scatter"), "scatter", domain::brush_scatter, Scale::linear,
               tr("Maximum random offset across the stroke, relative to the radius"),
               &Paintbrush::scatter),
+       number(tr("Stretch"), "stretch", domain::brush_stretch, Scale::logarithmic, stretch_tip(),
+              &Paintbrush::stretch),
        number(tr("Flow"), "flow", domain::unit, Scale::linear,
               tr("Share of the density that one pass adds: 1 all of it, less builds up"),
               &Paintbrush::flow),
@@ -93,6 +95,7 @@ BrushPreset PaintbrushTool::preset() const {
   preset.size = brush_.radius / view_distance();
   preset.depth = std::sqrt(std::numbers::pi) * brush_.radius * brush_.density;
   preset.jitter = brush_.jitter;
+  preset.stretch = brush_.stretch;
   preset.smoothing = stroke_options().smoothing;
   preset.spacing = brush_.spacing;
   preset.scatter = brush_.scatter;
@@ -107,6 +110,7 @@ void PaintbrushTool::apply_preset(const BrushPreset& preset) {
   brush.radius = two_digits(preset.size * view_distance());
   brush.density = two_digits(preset.depth / (std::sqrt(std::numbers::pi) * brush.radius));
   brush.jitter = preset.jitter;
+  brush.stretch = preset.stretch;
   brush.spacing = preset.spacing;
   brush.scatter = preset.scatter;
   brush.falloff = preset.falloff;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <glm/common.hpp>
+#include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
@@ -16,6 +17,27 @@
 #include "core/authoring/soft_selection.h"
 
 namespace brume {
+namespace {
+
+// By a share of the movement, in [0, 1].
+Gaussian moved(const Gaussian& gaussian, const Movement& movement, double share) {
+  const glm::dquat still(1.0, 0.0, 0.0, 0.0);
+  const glm::dvec3 stretch = glm::mix(glm::dvec3(1.0), movement.stretch, share);
+  const glm::dquat turn = share == 1.0 ? movement.turn : glm::slerp(still, movement.turn, share);
+  Gaussian result = gaussian;
+  result.center = glm::mix(gaussian.center, movement.point(gaussian.center), share);
+  if (stretch == glm::dvec3(stretch.x)) {  // exactly
+    result.radius *= stretch.x;
+  } else {
+    transform(result, glm::dmat3(glm::scale(glm::dmat4(1.0), stretch)));
+  }
+  if (!result.is_ball() && turn != still) {
+    result.shape.rotation = glm::normalize(turn * result.shape.rotation);
+  }
+  return result;
+}
+
+}  // namespace
 
 bool TransformTool::has_something() const {
   return document_.object() || !document_.selection().empty();
@@ -95,10 +117,7 @@ void TransformTool::drag(QPointF position) {
   std::vector<Gaussian> after = gaussians_;
   if (position != start_) {
     for (std::size_t k = 0; k < after.size(); ++k) {
-      Gaussian& gaussian = after[k];
-      const double weight = weights_[k];
-      gaussian.center = glm::mix(gaussian.center, movement.point(gaussian.center), weight);
-      gaussian.radius *= glm::mix(1.0, movement.size, weight);
+      after[k] = moved(after[k], movement, weights_[k]);
     }
   }
   applying_ = true;
@@ -143,7 +162,8 @@ void TransformTool::draw(Overlay& overlay, const CameraRays& rays) const {
   SelectTool::draw(overlay, rays);
   if (!has_something()) return;
   if (soft_radius_ > 0.0 && !document_.object()) {
-    overlay.add_ball_outline(rays, view().pivot(), soft_radius_, qRgba(235, 238, 242, 90));
+    overlay.add_outline(rays, {.center = view().pivot(), .radius = soft_radius_},
+                        qRgba(235, 238, 242, 90));
   }
   const auto active = dragging_ ? std::optional(part_) : hovered_;
   Gizmo(kind_, view().pivot(), rays).draw(overlay, active);
@@ -217,7 +237,7 @@ Movement RotateTool::dragged(QPointF position) const {
 QString ScaleTool::hint() const {
   return tr(
       "Drag the ring to scale the selection uniformly, radii included; drag an axis to stretch "
-      "it.");
+      "it: balls become ellipsoids.");
 }
 
 Movement ScaleTool::dragged(QPointF position) const {

@@ -88,8 +88,8 @@ class RotateTool : public TransformTool {
   [[nodiscard]] QString verb() const override { return tr("Rotate %1"); }
 };
 
-// Uniform scaling also scales radii and sizes; axis scaling moves centers, and stretches
-// primitives.
+// Uniform scaling also scales radii and sizes; axis scaling moves centers, and stretches Gaussians
+// and primitives.
 class ScaleTool : public TransformTool {
   Q_OBJECT
  public:

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "brume/mesh_arrays.h"
+#include "core/medium/gaussian_term.h"
 
 namespace brume {
 namespace {
@@ -14,9 +15,15 @@ struct GrowingBox {
   glm::dvec3 low{std::numeric_limits<double>::infinity()};
   glm::dvec3 high{-std::numeric_limits<double>::infinity()};
 
-  void include(const glm::dvec3& point, double radius = 0.0) {
-    low = glm::min(low, point - radius);
-    high = glm::max(high, point + radius);
+  void include(const glm::dvec3& point, const glm::dvec3& reach = glm::dvec3(0.0)) {
+    low = glm::min(low, point - reach);
+    high = glm::max(high, point + reach);
+  }
+  void include(const Medium& medium, std::size_t index) {
+    glm::dvec3 reach(medium.radii()[index]);
+    const GaussianShape shape = medium.shape(index);
+    if (shape != GaussianShape()) reach *= Ellipsoid<double>(shape).reach();
+    include(medium.centers()[index], reach);
   }
 
   [[nodiscard]] std::optional<Sphere> sphere() const {
@@ -31,9 +38,7 @@ struct GrowingBox {
 std::optional<Sphere> bounding_sphere(const Medium& medium, std::span<const GaussianId> ids) {
   GrowingBox box;
   for (const GaussianId id : ids) {
-    if (const auto index = medium.index_of(id)) {
-      box.include(medium.centers()[*index], medium.radii()[*index]);
-    }
+    if (const auto index = medium.index_of(id)) box.include(medium, *index);
   }
   return box.sphere();
 }
@@ -46,14 +51,12 @@ Sphere bounding_sphere(const Surface& surface) {
 
 std::optional<Sphere> bounding_sphere(const Scene& scene) {
   GrowingBox box;
-  for (std::size_t i = 0; i < scene.medium.size(); ++i) {
-    box.include(scene.medium.centers()[i], scene.medium.radii()[i]);
-  }
+  for (std::size_t i = 0; i < scene.medium.size(); ++i) box.include(scene.medium, i);
   for (const Surface& surface : scene.surfaces) {
     for (const glm::dvec3& p : world_points(surface)) box.include(p);
   }
   if (!box.sphere()) {
-    for (const Light& light : scene.lights) box.include(light.position, 1.0);
+    for (const Light& light : scene.lights) box.include(light.position, glm::dvec3(1.0));
   }
   return box.sphere();
 }

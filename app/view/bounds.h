@@ -13,7 +13,7 @@ struct Sphere {
   double radius = 0.0;
 };
 
-// Bounding spheres for framing: of Gaussians (to their radius), and of the scene (Gaussians and
+// Bounding spheres for framing: of Gaussians (to their radii), and of the scene (Gaussians and
 // surfaces, or else lights). nullopt if empty.
 std::optional<Sphere> bounding_sphere(const Medium& medium, std::span<const GaussianId> ids);
 std::optional<Sphere> bounding_sphere(const Scene& scene);

@@ -130,8 +130,8 @@ void Handles::draw(Overlay& overlay, const Medium& medium, const CameraRays& ray
     const std::size_t i = *medium.index_of(selected[k]);
     const bool dim = is_dim(i);
     if (k / selected_step < max_outlines) {
-      overlay.add_ball_outline(rays, medium.centers()[i], medium.radii()[i],
-                               with_alpha(accent, dim ? outline_alpha / 2 : outline_alpha));
+      overlay.add_outline(rays, medium.gaussian(i),
+                          with_alpha(accent, dim ? outline_alpha / 2 : outline_alpha));
     }
     if (with_centers && !is_hidden(i)) {
       add_dot(shapes, i, with_alpha(accent, dim ? mark_alpha / 2 : mark_alpha));
@@ -142,8 +142,7 @@ void Handles::draw(Overlay& overlay, const Medium& medium, const CameraRays& ray
   const glm::dvec3 p = rays.project(medium.centers()[*at]);
   if (p.z <= 0.0) return;
   if (!std::ranges::binary_search(selected, *hovered)) {
-    overlay.add_ball_outline(rays, medium.centers()[*at], medium.radii()[*at],
-                             with_alpha(plain, 90));
+    overlay.add_outline(rays, medium.gaussian(*at), with_alpha(plain, 90));
   }
   overlay.add_circle(p.x, p.y, 7.0, with_alpha(plain, 255));
 }
@@ -162,7 +161,7 @@ void Handles::draw_outlines(Overlay& overlay, const Medium& medium, const Camera
   const int alpha = crowd_alpha(indices.size(), 200, 40);
   for (const std::size_t i : indices) {
     const QRgb color = with_alpha(color_of(i, qRgb(190, 215, 240)), alpha);
-    overlay.add_ball_outline(rays, medium.centers()[i], medium.radii()[i], color);
+    overlay.add_outline(rays, medium.gaussian(i), color);
   }
 }
 

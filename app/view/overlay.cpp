@@ -7,6 +7,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/matrix.hpp>
 
 #include "app/widgets/interface_settings.h"
 #include "core/math/basis.h"
@@ -25,6 +27,14 @@ int outline_segments(double diameter) {
   const double half = std::max(0.5 * diameter, 1.0);
   const double segments = glm::pi<double>() * std::sqrt(half / (2.0 * max_distance));
   return segments < 64.0 ? std::max(12, static_cast<int>(std::ceil(segments))) : 64;
+}
+
+// From the space in which an ellipsoid is a ball.
+glm::dmat3 inverse_warp(const GaussianShape& shape) {
+  const glm::dmat3 axes = glm::mat3_cast(shape.rotation);
+  glm::dmat3 scaled = axes;
+  for (int k = 0; k < 3; ++k) scaled[k] *= shape.stretch[k];
+  return scaled * glm::transpose(axes);
 }
 
 }  // namespace
@@ -63,20 +73,25 @@ void Overlay::add_line(const CameraRays& rays, const glm::dvec3& start, const gl
   lines.push_back({static_cast<float>(b.x), static_cast<float>(b.y), color});
 }
 
-void Overlay::add_ball_outline(const CameraRays& rays, const glm::dvec3& center, double radius,
-                               QRgb color) {
-  const glm::dvec3 view = center - rays.eye();
+void Overlay::add_outline(const CameraRays& rays, const Gaussian& gaussian, QRgb color) {
+  const bool is_ball = gaussian.is_ball();
+  const double radius = gaussian.radius;
+  // An ellipsoid in the space in which it is a ball, as what is seen of it touches the same rays.
+  const glm::dvec3 towards = gaussian.center - rays.eye();
+  const glm::dvec3 view = is_ball ? towards : warp(gaussian.shape) * towards;
   const double distance = glm::length(view);
   if (!(distance > radius)) return;
-  // The circle in which the cone from the eye touches the ball.
+  // The circle in which the cone from the eye touches the ball, around the center.
   const glm::dvec3 axis = view / distance;
   const double sine = radius / distance;
-  const glm::dvec3 middle = center - axis * (radius * sine);
   const double circle = radius * std::sqrt(std::max(0.0, 1.0 - sine * sine));
   const Basis plane = make_basis(axis);
+  glm::dmat3 frame(circle * plane.u, circle * plane.v, axis * (-radius * sine));
+  if (!is_ball) frame = inverse_warp(gaussian.shape) * frame;
+  const glm::dvec3 middle = gaussian.center + frame[2];
   const auto at = [&](double turn) {
     const double angle = glm::two_pi<double>() * turn;
-    return rays.project(middle + circle * (std::cos(angle) * plane.u + std::sin(angle) * plane.v));
+    return rays.project(middle + std::cos(angle) * frame[0] + std::sin(angle) * frame[1]);
   };
   glm::dvec3 last = at(0.0);
   const int segments =

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "brume/gaussian.h"
 #include "core/scene/camera_rays.h"
 
 namespace brume {
@@ -31,9 +32,9 @@ struct Overlay {
   void add_circle(double x, double y, double radius, QRgb color);
   // A world-space line, clipped behind the eye.
   void add_line(const CameraRays& rays, const glm::dvec3& start, const glm::dvec3& end, QRgb color);
-  // The exact perspective silhouette of a sphere; none if the eye is inside.
-  void add_ball_outline(const CameraRays& rays, const glm::dvec3& center, double radius,
-                        QRgb color);
+  // The exact perspective silhouette of a Gaussian at 1/e of its density; none if the eye is
+  // inside.
+  void add_outline(const CameraRays& rays, const Gaussian& gaussian, QRgb color);
 };
 
 // Draws the world axes in the lower left corner.

@@ -22,7 +22,7 @@ void Spray::advance(double seconds, const FindNozzle& find_nozzle,
     perturb(particle, seconds);
     advance_particle(particle, seconds, find_obstacle);
   }
-  due_ += airbrush_.rate * seconds;
+  due_ += airbrush_.rate / airbrush_.stretch * seconds;
   for (; due_ >= 1.0; due_ -= 1.0) {
     const glm::dvec3 aside = airbrush_.spread * random_.in_ball();
     // Born at some moment of the step, not all at its end.
@@ -70,7 +70,10 @@ std::vector<Gaussian> Spray::frozen() const {
   std::vector<Gaussian> gaussians;
   gaussians.reserve(particles_.size());
   for (const Particle& particle : particles_) {
-    gaussians.push_back({particle.position, particle.radius, particle.density});
+    const Gaussian ball{particle.position, particle.radius, particle.density};
+    const double speed = glm::length(particle.velocity);
+    gaussians.push_back(speed > 0.0 ? stretched(ball, particle.velocity / speed, airbrush_.stretch)
+                                    : ball);
   }
   return gaussians;
 }

@@ -12,13 +12,14 @@ namespace brume {
 // The airbrush of section 6 of the paper: sprayed particles bounce off surfaces, spread, and are
 // frozen into Gaussians at the end.
 struct Airbrush {
-  double radius = 0.2;   // of each particle's Gaussian [u], > 0
+  double radius = 0.2;   // of each particle's Gaussian, across its way [u], > 0
   double density = 0.5;  // [1/u], >= 0
-  double rate = 60.0;    // particles per second
+  double rate = 60.0;    // particles per second, of balls
   double speed = 1.0;    // initial speed along the spray direction [u/s]
   double spread = 0.7;   // maximum random velocity, relative to the speed
   double wander = 0.5;   // random acceleration [u/s^2]
   double jitter = 0.0;   // random factors of radius and density, as a paintbrush has
+  double stretch = 1.0;  // the radius along the way over that across it, >= 1: so many times fewer
 
   bool operator==(const Airbrush&) const = default;
 };

@@ -3,7 +3,17 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "core/medium/gaussian_term.h"
+
 namespace brume {
+namespace {
+
+// How far a Gaussian reaches along a unit direction [u].
+double reach(const Medium& medium, std::size_t index, const glm::dvec3& direction) {
+  return medium.radii()[index] * Ellipsoid<double>(medium.shape(index)).reach(direction);
+}
+
+}  // namespace
 
 std::vector<GaussianId> touching(const Medium& medium, std::span<const GaussianId> ids) {
   // Sorted by the minimum x of their spheres: a sphere touches only those that begin before its end
@@ -24,8 +34,12 @@ std::vector<GaussianId> touching(const Medium& medium, std::span<const GaussianI
     auto it = std::lower_bound(order.begin(), order.end(), first,
                                [&](std::size_t k, double x) { return begin_of(k) < x; });
     for (; it != order.end() && begin_of(*it) <= last; ++it) {
-      const double distance = glm::distance(medium.centers()[i], medium.centers()[*it]);
-      if (distance <= medium.radii()[i] + medium.radii()[*it]) touched[*it] = true;
+      const glm::dvec3 way = medium.centers()[*it] - medium.centers()[i];
+      const double distance = glm::length(way);
+      if (distance > medium.radii()[i] + medium.radii()[*it]) continue;
+      touched[*it] =
+          touched[*it] || medium.shapes().empty() || distance == 0.0 ||
+          distance <= reach(medium, i, way / distance) + reach(medium, *it, way / distance);
     }
   }
   std::vector<GaussianId> result;

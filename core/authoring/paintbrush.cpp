@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/mat3x3.hpp>
 
 #include "core/math/basis.h"
 
@@ -10,6 +12,15 @@ namespace brume {
 
 double jitter_factor(double jitter, RandomSource& random) {
   return jitter > 0.0 ? std::exp2(jitter * (2.0 * random.uniform() - 1.0)) : 1.0;
+}
+
+Gaussian stretched(const Gaussian& ball, const glm::dvec3& direction, double stretch) {
+  const Basis plane = make_basis(direction);
+  const glm::dmat3 axes(plane.u, plane.v, direction);
+  Gaussian result = ball;
+  result.set_radii(ball.radius * glm::dvec3(1.0, 1.0, stretch),
+                   glm::normalize(glm::quat_cast(axes)));
+  return result;
 }
 
 Gaussian PaintStroke::dab(const glm::dvec3& center, double offset, double size, double strength) {
@@ -20,12 +31,13 @@ Gaussian PaintStroke::dab(const glm::dvec3& center, double offset, double size, 
 }
 
 std::vector<Gaussian> PaintStroke::extend(const glm::dvec3& point, double size, double strength) {
-  const double step = std::max(brush_.spacing, 0.05) * brush_.radius * size;
+  const double step = std::max(brush_.spacing, 0.05) * brush_.stretch * brush_.radius * size;
   const glm::dvec3 way = last_ ? point - *last_ : glm::dvec3(0.0);
   const double length = glm::length(way);
   if (!last_ || !(length <= max_steps * step)) {
     last_ = point;
-    distance_to_next_ = step;
+    // From a ball to an ellipsoid, which reaches farther back.
+    distance_to_next_ = 0.5 * (1.0 + 1.0 / brush_.stretch) * step;
     return {dab(point, 0.0, size, strength)};
   }
   std::vector<Gaussian> gaussians;
@@ -36,8 +48,10 @@ std::vector<Gaussian> PaintStroke::extend(const glm::dvec3& point, double size, 
   for (; distance <= length; distance += step) {
     const glm::dvec2 in_disc = random_.in_disc();
     const glm::dvec2 offset = brush_.scatter * brush_.radius * size * in_disc;
-    gaussians.push_back(dab(*last_ + distance * direction + offset.x * plane.u + offset.y * plane.v,
-                            glm::length(in_disc), size, strength));
+    const glm::dvec3 center =
+        *last_ + distance * direction + offset.x * plane.u + offset.y * plane.v;
+    gaussians.push_back(
+        stretched(dab(center, glm::length(in_disc), size, strength), direction, brush_.stretch));
   }
   distance_to_next_ = distance - length;
   last_ = point;

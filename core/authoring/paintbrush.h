@@ -12,9 +12,12 @@ namespace brume {
 // A random factor of a brush's jitter: 2^jitter to 2^-jitter; 1 without, which draws no number.
 double jitter_factor(double jitter, RandomSource& random);
 
+// The ball drawn out `stretch` >= 1 times along a unit direction.
+Gaussian stretched(const Gaussian& ball, const glm::dvec3& direction, double stretch);
+
 // The state of one stroke. Gaussians are placed at equal arc lengths, with random offsets shorter
-// than scatter * radius perpendicular to the stroke (none for the first). The result depends on the
-// path, not on how many points sample it.
+// than scatter * radius perpendicular to the stroke (none for the first, which has no direction and
+// is a ball). The result depends on the path, not on how many points sample it.
 class PaintStroke {
  public:
   PaintStroke(const Paintbrush& brush, std::uint64_t seed) : brush_(brush), random_(seed) {}

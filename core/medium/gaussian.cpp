@@ -4,13 +4,44 @@
 #include <ImathMatrixAlgo.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
 #include "brume/limits.h"
 #include "core/math/max_component.h"
 
 namespace brume {
+namespace {
+
+// Singular vectors come by size: in the order and the directions of the axes that became them.
+void keep_order(const glm::dmat3& images, glm::dmat3& axes, glm::dvec3& sizes) {
+  const auto cosine = [&](int image, int axis) {
+    return glm::dot(glm::normalize(images[image]), axes[axis]);
+  };
+  std::array<int, 3> order{0, 1, 2};
+  std::array<int, 3> best = order;
+  double best_sum = 0.0;
+  do {
+    double sum = 0.0;
+    for (int k = 0; k < 3; ++k) sum += std::abs(cosine(k, order[static_cast<std::size_t>(k)]));
+    if (sum > best_sum) best = order;
+    best_sum = std::max(sum, best_sum);
+  } while (std::ranges::next_permutation(order).found);
+  const glm::dmat3 unordered = axes;
+  const glm::dvec3 unordered_sizes = sizes;
+  for (int k = 0; k < 3; ++k) {
+    const int from = best[static_cast<std::size_t>(k)];
+    axes[k] = unordered[from];
+    sizes[k] = unordered_sizes[from];
+  }
+  for (int k = 0; k < 3; ++k) {
+    if (cosine(k, k) < 0.0) axes[k] = -axes[k];
+  }
+}
+
+}  // namespace
 
 double Gaussian::mean_radius() const {
   const glm::dvec3& s = shape.stretch;
@@ -47,9 +78,10 @@ void transform(Gaussian& gaussian, const glm::dmat3& map) {
   for (int row = 0; row < 3; ++row) {
     for (int column = 0; column < 3; ++column) axes[column][row] = u[row][column];
   }
+  glm::dvec3 sizes = glm::abs(glm::dvec3(values.x, values.y, values.z));
+  keep_order(a, axes, sizes);
   // A mirrored frame is the same ellipsoid.
   if (glm::determinant(axes) < 0.0) axes[2] = -axes[2];
-  const glm::dvec3 sizes = glm::abs(glm::dvec3(values.x, values.y, values.z));
   const bool is_uniform =
       max_component(sizes) - min_component(sizes) <= 1e-14 * max_component(sizes);
   const glm::dvec3 radii = gaussian.radius * (is_uniform ? glm::dvec3(sizes.x) : sizes);

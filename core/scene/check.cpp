@@ -255,6 +255,7 @@ void check_spline(const std::string& place, const PaintedSpline& spline) {
   brume::check_value(place + ".falloff", brush.falloff, domain::unit);
   brume::check_value(place + ".flow", brush.flow, domain::unit);
   brume::check_value(place + ".jitter", brush.jitter, domain::unit);
+  brume::check_value(place + ".stretch", brush.stretch, domain::brush_stretch);
   check_value(place + ".mirror_center", spline.mirrors.center, domain::coordinate);
   check_optics(place, spline.optics);
 }

@@ -64,7 +64,8 @@ struct BRUME_EXPORT Gaussian {
 BRUME_EXPORT glm::dmat3 warp(const GaussianShape& shape);
 
 // The Gaussian under a linear map of the space around its center: the ellipsoid that its points
-// become. `map` must be invertible; elongations beyond the limit are cut off.
+// become, its own axes in the order that they had. `map` must be invertible; elongations beyond the
+// limit are cut off.
 BRUME_EXPORT void transform(Gaussian& gaussian, const glm::dmat3& map);
 
 // Identifies a Gaussian in its medium; ids are never reused.

@@ -312,6 +312,7 @@ class BrushesTest : public QObject {
       BrushWindow window;
       enter(window, "brush_scatter", "1.5");
       enter(window, "brush_flow", "0.4");
+      enter(window, "brush_stretch", "2.5");
       QMenu& menu = open_presets(window, "brush_presets");
       auto* name = menu.findChild<QLineEdit*>("brush_preset_name");
       auto* save = menu.findChild<QPushButton*>("brush_preset_save");
@@ -326,6 +327,7 @@ class BrushesTest : public QObject {
     own->trigger();
     QCOMPARE(window.brush().brush().scatter, 1.5);
     QCOMPARE(window.brush().brush().flow, 0.4);
+    QCOMPARE(window.brush().brush().stretch, 2.5);
     QVERIFY(!entry(open_presets(window, "air_presets"), "Thin && wide"));
 
     auto* remove = open_presets(window, "brush_presets").findChild<QAction*>("delete_Thin & wide");

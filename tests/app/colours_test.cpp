@@ -75,7 +75,7 @@ class ColoursTest : public QObject {
     TestWindow window(scene);
     auto* table = window->findChild<QTableView*>();
     QVERIFY(table);
-    QCOMPARE(table->model()->columnCount(), 8);
+    QCOMPARE(table->model()->columnCount(), 15);
     QCOMPARE(table->model()->rowCount(), 5);
     auto* filter = window->findChild<QLineEdit*>("gaussian_filter");
     QTest::keyClicks(filter, "emission > 1");

@@ -209,6 +209,7 @@ class DocumentTest : public QObject {
     add_gaussian(document, {{}, 1.0, 1.0});
     const std::vector<GaussianId> ids = document.selection();
     for (const GaussianAttribute field : gaussian_attributes) {
+      if (field == GaussianAttribute::elongation) continue;
       int taken = 0;
       for (const double value : {-1e300, -1.1e12, -1e12, -1.0, 0.0, 1e-300, 0.9e-12, 1e-12, 1e-6,
                                  0.5, 1.0, 1e12, 1.1e12, 1e20, 1e300}) {

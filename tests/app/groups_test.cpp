@@ -14,6 +14,7 @@
 #include "app/commands/edit_medium.h"
 #include "app/commands/select_command.h"
 #include "app/document/document.h"
+#include "app/panels/gaussian_table_model.h"
 #include "app/viewport/viewport.h"
 #include "app/window/message_bar.h"
 #include "brume/at_time.h"
@@ -74,7 +75,7 @@ class GroupsTest : public QObject {
   void the_table_has_a_column_of_groups() {
     GroupsWindow window;
     auto* table = window->findChild<QTableView*>();
-    constexpr int column = 7;
+    constexpr int column = GaussianTableModel::group_column;
     QVERIFY(table->isColumnHidden(column));
     window.group({1, 5});
     window.group({3});

@@ -36,6 +36,7 @@ Paintbrush read_brush(JsonObject& object) {
   brush.falloff = object.number("falloff", domain::unit, brush.falloff);
   brush.flow = object.number("flow", domain::unit, brush.flow);
   brush.jitter = object.number("jitter", domain::unit, brush.jitter);
+  brush.stretch = object.number("stretch", domain::brush_stretch, brush.stretch);
   return brush;
 }
 
@@ -83,6 +84,7 @@ Json spline_to_json(const PaintedSpline& spline) {
   json["falloff"] = brush.falloff;
   json["flow"] = brush.flow;
   json["jitter"] = brush.jitter;
+  if (brush.stretch != 1.0) json["stretch"] = brush.stretch;
   json["seed"] = spline.seed;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (spline.mirrors.axes[axis]) json[mirror_names[axis]] = true;

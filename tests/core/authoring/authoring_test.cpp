@@ -3,11 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/mat3x3.hpp>
 #include <numbers>
 #include <random>
 
+#include "core/authoring/airbrush.h"
 #include "core/authoring/contribution.h"
 #include "core/authoring/eraser.h"
+#include "core/authoring/mirror.h"
+#include "core/authoring/neighbours.h"
 #include "core/authoring/paintbrush.h"
 #include "core/authoring/smooth_path.h"
 #include "core/math/infinity.h"
@@ -37,6 +42,80 @@ TEST(PaintStroke, SpacesGaussiansEvenly) {
     EXPECT_LT(glm::distance(gaussians[k].center, on_path), 1e-12) << k;
     EXPECT_EQ(gaussians[k].radius, 0.5);
     EXPECT_EQ(gaussians[k].density, 2.0);
+  }
+}
+
+TEST(PaintStroke, StretchesAlongTheStroke) {
+  const Paintbrush brush{
+      .radius = 0.5, .density = 2.0, .spacing = 0.8, .scatter = 0.0, .stretch = 2.5};
+  const auto gaussians = paint(brush, 1, {{0, 0, 0}, {1.5, 0, 0}, {1.5, 2.5, 0}});
+  ASSERT_EQ(gaussians.size(), 5u);  // a path of 4 in steps of 1, after 0.7 from the ball
+  EXPECT_LT(glm::distance(gaussians[1].center, glm::dvec3(0.7, 0, 0)), 1e-12);
+  EXPECT_LT(glm::distance(gaussians[2].center, glm::dvec3(1.5, 0.2, 0)), 1e-12);
+  EXPECT_TRUE(gaussians[0].is_ball());
+  for (std::size_t k = 1; k < gaussians.size(); ++k) {
+    EXPECT_EQ(gaussians[k].radius, 1.25);
+    EXPECT_EQ(gaussians[k].density, 2.0);
+    const glm::dvec3 radii = glm::dvec3(0.5, 0.5, 1.25);
+    EXPECT_LT(glm::distance(gaussians[k].radii(), radii), 1e-12);
+    const glm::dvec3 direction = k == 1 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+    const glm::dvec3 long_axis = gaussians[k].shape.rotation * glm::dvec3(0, 0, 1);
+    EXPECT_NEAR(std::abs(glm::dot(long_axis, direction)), 1.0, 1e-12) << k;
+  }
+}
+
+TEST(Spray, StretchesAlongTheWayOfParticles) {
+  Airbrush airbrush{.radius = 0.1, .rate = 60.0, .spread = 0.3};
+  const auto spray = [&airbrush] {
+    Spray result(airbrush, 1);
+    for (int k = 0; k < 30; ++k) {
+      result.advance(
+          1.0 / 30.0,
+          [](double) {
+            return Nozzle{{0, 0, 0}, {0, 1, 0}};
+          },
+          [](const auto&, const auto&) { return std::nullopt; });
+    }
+    return result.frozen();
+  };
+  EXPECT_EQ(spray().size(), 60u);
+  airbrush.stretch = 3.0;
+  const std::vector<Gaussian> stretched = spray();
+  EXPECT_NEAR(static_cast<double>(stretched.size()), 20.0, 1.0);
+  double upwards = 0.0;
+  for (const Gaussian& gaussian : stretched) {
+    EXPECT_LT(glm::distance(gaussian.radii(), glm::dvec3(0.1, 0.1, 0.3)), 1e-12);
+    upwards += std::abs((gaussian.shape.rotation * glm::dvec3(0, 0, 1)).y);
+  }
+  EXPECT_GT(upwards / static_cast<double>(stretched.size()), 0.8);
+}
+
+TEST(Neighbours, EllipsoidsTouchByWhatTheyReach) {
+  Medium medium;
+  Gaussian flat{.center = {0, 0, 0}, .density = 1.0};
+  flat.set_radii({1.0, 0.1, 0.1}, {1, 0, 0, 0});
+  medium.append(flat);
+  medium.append({{1.4, 0.0, 0.0}, 0.5, 1.0});
+  medium.append({{0.0, 0.7, 0.0}, 0.5, 1.0});
+  const auto ids = medium.ids();
+  EXPECT_EQ(touching(medium, ids.first(1)), (std::vector{ids[0], ids[1]}));
+}
+
+TEST(Mirror, ImagesOfEllipsoidsAreAsDenseAtMirroredPoints) {
+  Gaussian gaussian{.center = {0.5, 1.0, -0.3}, .density = 1.0};
+  gaussian.set_radii({0.2, 1.0, 0.5}, glm::angleAxis(0.7, glm::normalize(glm::dvec3(1, -2, 3))));
+  const MirrorPlanes planes{{true, true, false}, {0.1, 0.2, 0.3}};
+  const std::vector<Gaussian> images = mirror_images(gaussian, planes);
+  ASSERT_EQ(images.size(), 4u);
+  const auto exponent = [](const Gaussian& g, const glm::dvec3& x) {
+    return glm::length(warp(g.shape) * (x - g.center)) / g.radius;
+  };
+  const glm::dvec3 point(0.7, 0.6, 0.1);
+  for (std::size_t k = 0; k < images.size(); ++k) {
+    glm::dvec3 mirrored = point;
+    if (k % 2 == 1) mirrored.x = 0.2 - point.x;
+    if (k / 2 == 1) mirrored.y = 0.4 - point.y;
+    EXPECT_NEAR(exponent(images[k], mirrored), exponent(gaussian, point), 1e-12) << k;
   }
 }
 

@@ -1,6 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/matrix.hpp>
 #include <random>
 
 #include "brume/edits.h"
@@ -195,6 +198,34 @@ TEST(MediumRevision, IsSharedByCopiesAndNewAfterEachChange) {
   MediumEdit().apply(medium);
   EXPECT_FALSE(is_new()) << "nothing has changed";
   EXPECT_EQ(copy.revision(), seen[1]);
+}
+
+// What is stretched along its own axes keeps them, so that its numbers are those that one expects.
+TEST(Transform, KeepsTheOrderOfAxes) {
+  Gaussian ball{.center = {1, 2, 3}, .radius = 0.5, .density = 1.0};
+  for (int axis = 0; axis < 3; ++axis) {
+    glm::dmat3 map(1.0);
+    map[axis][axis] = 3.0;
+    Gaussian long_one = ball;
+    transform(long_one, map);
+    glm::dvec3 radii(0.5);
+    radii[axis] = 1.5;
+    EXPECT_LT(glm::distance(long_one.radii(), radii), 1e-14);
+    EXPECT_EQ(long_one.shape.rotation, glm::dquat(1, 0, 0, 0));
+    EXPECT_EQ(long_one.center, ball.center);
+    map[axis][axis] = 1.0 / 3.0;
+    transform(long_one, map);
+    EXPECT_TRUE(long_one.is_ball());
+  }
+  // Turned ones as well.
+  const glm::dquat rotation = glm::angleAxis(0.4, glm::normalize(glm::dvec3(1, 2, -3)));
+  const glm::dmat3 axes = glm::mat3_cast(rotation);
+  Gaussian turned = ball;
+  turned.set_radii({0.2, 0.5, 0.4}, rotation);
+  const glm::dmat3 along(axes[0] * 4.0, axes[1], axes[2]);
+  transform(turned, along * glm::transpose(axes));
+  EXPECT_LT(glm::distance(turned.radii(), glm::dvec3(0.8, 0.5, 0.4)), 1e-14);
+  EXPECT_NEAR(glm::dot(turned.shape.rotation, rotation), 1.0, 1e-14);
 }
 
 }  // namespace

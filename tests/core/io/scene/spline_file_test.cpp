@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 constexpr const char* text_of_splines = R"({"format": "brume-scene", "version": 1, "medium": {
   "splines": [
     {"name": "trail", "points": [[0, 0, 0], [1, 2, 3]], "radius": 0.2, "density": 3,
-     "spacing": 0.5, "scatter": 0.25, "falloff": 0.75, "flow": 0.5, "jitter": 1, "seed": -7,
+     "spacing": 0.5, "scatter": 0.25, "falloff": 0.75, "flow": 0.5, "jitter": 1, "stretch": 3, "seed": -7,
      "mirror_y": true, "mirror_center": [0, 1, 0], "albedo": [1, 0.5, 0.25],
      "emission": [0, 0, 2], "x": 1},
     {"name": "wisp", "points": [[0, 1, 0]], "radius": 1, "density": 0}],
@@ -37,7 +37,8 @@ TEST(SplineFile, KeepsEveryKey) {
                                      .scatter = 0.25,
                                      .falloff = 0.75,
                                      .flow = 0.5,
-                                     .jitter = 1.0}));
+                                     .jitter = 1.0,
+                                     .stretch = 3.0}));
   EXPECT_EQ(trail.seed, -7);
   EXPECT_EQ(trail.mirrors, (MirrorPlanes{{false, true, false}, {0, 1, 0}}));
   EXPECT_EQ(trail.optics.albedo, glm::dvec3(1, 0.5, 0.25));

@@ -1,0 +1,419 @@
+// Gaussians that are ellipsoids: outlined, stretched and turned, in the inspector, painted, copied.
+
+#include <QClipboard>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "app/commands/clipboard.h"
+#include "app/commands/edit_groups.h"
+#include "app/document/euler_angles.h"
+#include "app/panels/gaussian_filter.h"
+#include "app/panels/gaussian_histogram.h"
+#include "app/panels/gaussian_panel.h"
+#include "app/panels/gaussian_table_model.h"
+#include "app/tools/airbrush_tool.h"
+#include "app/tools/paintbrush_tool.h"
+#include "app/tools/tool_box.h"
+#include "app/tools/transform_tool.h"
+#include "app/view/bounds.h"
+#include "app/viewport/viewport.h"
+#include "app/widgets/number_field.h"
+#include "tests/app/groups_window.h"
+#include "tests/app/test_window.h"
+
+using namespace brume;
+
+namespace {
+
+Gaussian ellipsoid(const glm::dvec3& center, const glm::dvec3& radii, const glm::dvec3& degrees) {
+  Gaussian gaussian{.center = center, .density = 0.8};
+  gaussian.set_radii(radii, from_euler_angles(degrees));
+  return gaussian;
+}
+
+// The five balls, the second and the third of them ellipsoids, of the same rotation.
+Scene scene_of_ellipsoids() {
+  Scene scene = small_scene();
+  Medium medium;
+  for (std::size_t i = 0; i < scene.medium.size(); ++i) {
+    Gaussian gaussian = scene.medium.gaussian(i);
+    if (i == 1) gaussian = ellipsoid(gaussian.center, {0.3, 0.6, 0.2}, {10.0, 20.0, 30.0});
+    if (i == 2) gaussian = ellipsoid(gaussian.center, {0.3, 0.4, 0.8}, {10.0, 20.0, 30.0});
+    medium.append(gaussian);
+  }
+  scene.medium = medium;
+  return scene;
+}
+
+Gaussian gaussian(TestWindow& window, std::size_t index) {
+  return window->document().medium().gaussian(index);
+}
+
+bool is_near(const glm::dvec3& a, const glm::dvec3& b, double distance = 1e-12) {
+  return glm::distance(a, b) < distance;
+}
+
+QPoint pivot_on_film(TestWindow& window) {
+  const glm::dvec3 at = window->viewport().rays().project(window->viewport().pivot());
+  return QPointF(at.x, at.y).toPoint();
+}
+
+template <class Tool>
+Tool& tool_of(TestWindow& window) {
+  for (const auto& entry : window->tools().entries()) {
+    if (auto* found = dynamic_cast<Tool*>(entry.tool.get())) return *found;
+  }
+  throw std::logic_error("no such tool");
+}
+
+// The inspector's number of a name.
+NumberField& number(TestWindow& window, const char* name) {
+  return *window->findChild<NumberField*>(name);
+}
+
+void type_into(TestWindow& window, const char* name, const QString& text) {
+  NumberField& field = number(window, name);
+  field.setFocus();
+  field.selectAll();
+  QTest::keyClicks(&field, text);
+  QTest::keyClick(&field, Qt::Key_Return);
+}
+
+// Undoes everything; whether all is as it was, to the last bit.
+bool is_undone(Document& document, const Scene& before) {
+  document.undo_stack().setIndex(0);
+  return document.scene() == before;
+}
+
+}  // namespace
+
+class EllipsoidsTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void outlines_are_where_rays_touch() {
+    Camera camera;
+    camera.eye = {1.0, 2.0, 7.0};
+    const CameraRays rays(camera, {640, 480});
+    for (const Gaussian& shown :
+         {Gaussian{.center = {0.5, 0.2, 0.0}, .radius = 0.7},
+          ellipsoid({0.5, 0.2, 0.0}, {0.2, 1.5, 0.7}, {20.0, -40.0, 70.0}),
+          ellipsoid({-1.0, 0.0, 1.0}, {2.0, 0.01, 0.3}, {0.0, 30.0, 0.0})}) {
+      Overlay overlay;
+      overlay.add_outline(rays, shown, qRgb(255, 255, 255));
+      QVERIFY(overlay.lines.size() >= 24);
+      const glm::dmat3 into_ball = warp(shown.shape);
+      for (const Overlay::Vertex& vertex : overlay.lines) {
+        const glm::dvec3 way = into_ball * rays.direction(static_cast<double>(vertex.x),
+                                                          static_cast<double>(vertex.y));
+        const glm::dvec3 center = into_ball * (shown.center - rays.eye());
+        const double distance = glm::length(glm::cross(center, way)) / glm::length(way);
+        QVERIFY(std::abs(distance / shown.radius - 1.0) < 2e-3);
+      }
+    }
+    Overlay overlay;
+    overlay.add_outline(rays, ellipsoid({1.0, 2.0, 6.0}, {0.1, 0.1, 1.5}, {}), qRgb(0, 0, 0));
+    QVERIFY(overlay.lines.empty());  // the eye is inside
+  }
+
+  void framing_takes_the_true_extent() {
+    Medium medium;
+    const double angle = 30.0;
+    medium.append(ellipsoid({1.0, 2.0, 3.0}, {2.0, 0.5, 0.5}, {0.0, 0.0, angle}));
+    const Sphere sphere = *bounding_sphere(medium, medium.ids());
+    const double c = std::cos(glm::radians(angle));
+    const double s = std::sin(glm::radians(angle));
+    const glm::dvec3 half(std::hypot(2.0 * c, 0.5 * s), std::hypot(2.0 * s, 0.5 * c), 0.5);
+    QVERIFY(is_near(sphere.center, {1.0, 2.0, 3.0}));
+    QVERIFY(std::abs(sphere.radius - glm::length(half)) < 1e-12);
+  }
+
+  void an_axis_of_the_scale_handle_makes_ellipsoids() {
+    TestWindow window;
+    Document& document = window->document();
+    const Scene before = document.scene();
+    document.select({1, 2, 3});
+    window.key(Qt::Key_S);
+    const glm::dvec3 pivot = window->viewport().pivot();
+    const QPoint middle = pivot_on_film(window);
+    window.drag(middle + QPoint(60, 0), middle + QPoint(90, 0));
+    QCOMPARE(document.undo_stack().count(), 1);
+    QCOMPARE(document.undo_stack().undoText(), QString("Scale 3 Gaussians"));
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Gaussian was = before.medium.gaussian(k);
+      const Gaussian is = gaussian(window, k);
+      const double factor = is.radii().x / was.radius;
+      QVERIFY(std::abs(factor - 1.5) < 0.05);
+      QVERIFY(is_near(is.radii(), was.radius * glm::dvec3(factor, 1.0, 1.0)));
+      QVERIFY(is_near(is.center, pivot + glm::dvec3(factor, 1.0, 1.0) * (was.center - pivot)));
+    }
+    QVERIFY(gaussian(window, 3).is_ball());
+    // Uniformly they keep their shape.
+    const GaussianShape shape = gaussian(window, 1).shape;
+    window.drag(middle + QPoint(0, 10), middle + QPoint(0, 20));
+    QCOMPARE(gaussian(window, 1).shape, shape);
+    QVERIFY(gaussian(window, 1).radius > 1.8 * 1.5 * before.medium.radii()[1]);
+    QVERIFY(is_undone(document, before));
+    // Escape puts them back.
+    QTest::mousePress(&window->viewport(), Qt::LeftButton, {}, middle + QPoint(60, 0));
+    window.move(middle + QPoint(90, 0));
+    QVERIFY(!gaussian(window, 0).is_ball());
+    QTest::keyClick(&window->viewport(), Qt::Key_Escape);
+    QTest::mouseRelease(&window->viewport(), Qt::LeftButton, {}, middle);
+    QVERIFY(document.scene() == before);
+  }
+
+  // By a third of what the selected one does.
+  void a_soft_selection_stretches_in_part() {
+    Scene scene = small_scene();
+    scene.medium = Medium();
+    scene.medium.append({{0.0, 0.0, 0.0}, 0.4, 0.8});
+    scene.medium.append({{0.0, 0.4, 0.0}, 0.4, 0.8});
+    TestWindow window(scene);
+    window->document().select({1});
+    window.key(Qt::Key_S);
+    enter(window, "scale_soft", "1");
+    const QPoint middle = pivot_on_film(window);
+    window.drag(middle + QPoint(40, 0), middle + QPoint(80, 0));
+    const double all = gaussian(window, 0).radii().x;
+    const double part = gaussian(window, 1).radii().x;
+    QVERIFY(all > 0.75 && part > 0.41 && part < all - 0.01);
+    QVERIFY(std::abs(gaussian(window, 1).radii().y - 0.4) < 1e-12);
+    QVERIFY(is_undone(window->document(), scene));
+  }
+
+  void a_ring_turns_ellipsoids() {
+    const Scene before = scene_of_ellipsoids();
+    TestWindow window(before);
+    Document& document = window->document();
+    document.select({2, 4});
+    window.key(Qt::Key_R);
+    const glm::dvec3 pivot = window->viewport().pivot();
+    const QPoint middle = pivot_on_film(window);
+    window.drag(middle + QPoint(96, 0), middle + QPoint(0, -96));
+    const Gaussian was = before.medium.gaussian(1);
+    const Gaussian is = gaussian(window, 1);
+    // Its center and its axes alike.
+    const glm::dmat3 turn =
+        glm::mat3_cast(is.shape.rotation) * glm::transpose(glm::mat3_cast(was.shape.rotation));
+    QVERIFY(is_near(is.center - pivot, turn * (was.center - pivot)));
+    QCOMPARE(is.radii(), was.radii());
+    QVERIFY(!is_near(is.center, was.center, 0.1));
+    QCOMPARE(gaussian(window, 3).shape, GaussianShape());
+    QVERIFY(is_undone(document, before));
+  }
+
+  void radii_and_rotation_in_the_inspector() {
+    TestWindow window;
+    Document& document = window->document();
+    const Scene before = document.scene();
+    document.select({1, 2});
+    QCOMPARE(number(window, "radius_x").text(), number(window, "radius").text());  // both mixed
+    QVERIFY(!number(window, "rotation_x").isEnabled());
+    type_into(window, "radius", "0.5");
+    QCOMPARE(number(window, "radius_y").text(), QString("0.5"));
+    type_into(window, "radius_z", "0.8");
+    QCOMPARE(document.undo_stack().undoText(), QString("Set radius z of 2 Gaussians to 0.8"));
+    QCOMPARE(number(window, "radius").text(), QString("0.8"));
+    QCOMPARE(number(window, "radius_x").text(), QString("0.5"));
+    for (const std::size_t k : {0U, 1U}) {
+      QVERIFY(is_near(gaussian(window, k).radii(), {0.5, 0.5, 0.8}));
+    }
+    QVERIFY(number(window, "rotation_x").isEnabled());
+    type_into(window, "rotation_y", "130");
+    type_into(window, "rotation_x", "15");
+    QCOMPARE(document.undo_stack().undoText(), QString("Set rotation x of 2 Gaussians to 15"));
+    QCOMPARE(number(window, "rotation_y").text(), QString("130"));  // as entered
+    QCOMPARE(gaussian(window, 1).shape.rotation, from_euler_angles({15.0, 130.0, 0.0}));
+    QCOMPARE(gaussian(window, 2).shape, GaussianShape());
+    // The one radius scales all.
+    type_into(window, "radius", "1.6");
+    QVERIFY(is_near(gaussian(window, 0).radii(), {1.0, 1.0, 1.6}));
+    // Of one of them another value: mixed for both.
+    document.select({1});
+    type_into(window, "rotation_z", "40");
+    type_into(window, "radius_y", "0.3");
+    document.select({1, 2});
+    QCOMPARE(number(window, "radius_x").text(), QString("1"));
+    QVERIFY(number(window, "radius_y").text() != QString("0.3"));
+    QVERIFY(number(window, "rotation_z").text() != QString("40"));
+    type_into(window, "radius_y", "*2");
+    QVERIFY(is_near(gaussian(window, 0).radii(), {1.0, 0.6, 1.6}));
+    QVERIFY(is_near(gaussian(window, 1).radii(), {1.0, 2.0, 1.6}));
+    // Equal radii make balls.
+    for (const char* field : {"radius_x", "radius_y", "radius_z"}) type_into(window, field, "0.5");
+    for (const std::size_t k : {0U, 1U}) {
+      QVERIFY(gaussian(window, k).is_ball());
+      QCOMPARE(gaussian(window, k).radius, 0.5);
+    }
+    QVERIFY(is_undone(document, before));
+  }
+
+  void dragging_an_angle_is_one_step_and_goes_round() {
+    const Scene before = scene_of_ellipsoids();
+    TestWindow window(before);
+    Document& document = window->document();
+    document.select({2});
+    const int count = document.undo_stack().count();
+    auto* field = window->findChild<NumberField*>("rotation_y");
+    auto* title = field->parentWidget()->findChild<QLabel*>();
+    QTest::mousePress(title, Qt::LeftButton, {}, QPoint(3, 3));
+    for (int x = 43; x <= 403; x += 40) {
+      const QPointF to(x, 3);
+      QMouseEvent move(QEvent::MouseMove, to, title->mapToGlobal(to), Qt::NoButton, Qt::LeftButton,
+                       Qt::NoModifier);
+      QApplication::sendEvent(title, &move);
+    }
+    QTest::mouseRelease(title, Qt::LeftButton, {}, QPoint(403, 3));
+    QCOMPARE(document.undo_stack().count(), count + 1);
+    // Half a degree a pixel, past 90.
+    const glm::dvec3 angles(10.0, 220.0, 30.0);
+    const double same = glm::dot(gaussian(window, 1).shape.rotation, from_euler_angles(angles));
+    QVERIFY(std::abs(std::abs(same) - 1.0) < 1e-9);
+    QCOMPARE(gaussian(window, 1).radii(), before.medium.gaussian(1).radii());
+    QVERIFY(is_undone(document, before));
+  }
+
+  void columns_filter_and_histogram() {
+    const Scene before = scene_of_ellipsoids();
+    TestWindow window(before);
+    Document& document = window->document();
+    QTableView* table = window->findChild<GaussianPanel*>()->table();
+    const auto column = [](GaussianAttribute field) {
+      return static_cast<int>(std::ranges::find(gaussian_attributes, field) -
+                              gaussian_attributes.begin());
+    };
+    const int elongation = column(GaussianAttribute::elongation);
+    QVERIFY(table->isColumnHidden(elongation));
+    QVERIFY(table->isColumnHidden(column(GaussianAttribute::rotation_y)));
+    window->findChild<QAction*>("column_elongation")->trigger();
+    QVERIFY(!table->isColumnHidden(elongation));
+    const auto text = [&](int row, int k) {
+      return table->model()->index(row, k).data().toString();
+    };
+    QCOMPARE(text(0, elongation), QString("1"));
+    QCOMPARE(text(1, elongation), QString("3"));
+    QCOMPARE(text(1, column(GaussianAttribute::radius_x)), QString("0.3"));
+    QCOMPARE(text(1, column(GaussianAttribute::rotation_y)), QString("20"));
+    QCOMPARE(text(0, column(GaussianAttribute::rotation_y)), QString("0"));
+    QVERIFY(
+        !table->model()->flags(table->model()->index(1, elongation)).testFlag(Qt::ItemIsEditable));
+    const QModelIndex cell = table->model()->index(1, column(GaussianAttribute::radius_x));
+    QVERIFY(table->model()->setData(cell, "0.9", Qt::EditRole));
+    QVERIFY(is_near(gaussian(window, 1).radii(), {0.9, 0.6, 0.2}));
+    document.undo_stack().undo();
+    table->sortByColumn(elongation, Qt::DescendingOrder);
+    QCOMPARE(text(0, elongation), QString("3"));
+    table->sortByColumn(-1, Qt::AscendingOrder);
+    auto* filter = window->findChild<QLineEdit*>("gaussian_filter");
+    const auto rows = [&](const char* condition) {
+      filter->clear();
+      QTest::keyClicks(filter, condition);
+      return table->model()->rowCount();
+    };
+    QCOMPARE(rows("elongation > 1"), 2);
+    QCOMPARE(rows("el > 2.9"), 1);
+    QCOMPARE(rows("e > 1"), 0);  // the emission
+    QCOMPARE(rows("radius x = 0.3, radius y < 0.5"), 1);
+    filter->clear();
+
+    auto* histogram = window->findChild<GaussianHistogram*>("histogram_elongation");
+    QVERIFY(!histogram->isHidden());
+    const auto at = [&](double position) {
+      return QPointF(2.0 + position * (histogram->width() - 4), 10.0).toPoint();
+    };
+    QTest::mousePress(histogram, Qt::LeftButton, {}, at(0.5));
+    const QPointF end = at(1.0);
+    QMouseEvent move(QEvent::MouseMove, end, histogram->mapToGlobal(end), Qt::NoButton,
+                     Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(histogram, &move);
+    QTest::mouseRelease(histogram, Qt::LeftButton, {}, end.toPoint());
+    QCOMPARE(document.selection(), (Ids{2, 3}));
+    type_into(window, "radius_x", "0.5");
+    type_into(window, "radius_y", "0.5");
+    type_into(window, "radius_z", "0.5");
+    QVERIFY(histogram->isHidden());
+    QVERIFY(is_undone(document, before));
+    QVERIFY(!histogram->isHidden());
+  }
+
+  void a_brush_stretches_along_its_stroke() {
+    TestWindow window;
+    Document& document = window->document();
+    const Scene before = document.scene();
+    window.key(Qt::Key_B);
+    auto& tool = tool_of<PaintbrushTool>(window);
+    tool.set_brush({.radius = 0.1, .density = 3.0, .spacing = 1.0, .scatter = 0.0});
+    const QPoint from(300, 200);
+    window.drag(from, from + QPoint(200, 0));
+    const std::size_t balls = document.medium().size() - 5;
+    document.undo_stack().undo();
+    enter(window, "brush_stretch", "4");
+    QCOMPARE(tool.brush().stretch, 4.0);
+    window.drag(from, from + QPoint(200, 0));
+    const std::size_t painted = document.medium().size() - 5;
+    QVERIFY(painted > 2 && painted <= balls / 4 + 1);
+    for (std::size_t k = 6; k < document.medium().size(); ++k) {
+      const Gaussian dab = document.medium().gaussian(k);
+      QVERIFY(is_near(dab.radii(), {0.1, 0.1, 0.4}));
+      // To the right on the view plane.
+      QVERIFY(std::abs((dab.shape.rotation * glm::dvec3(0, 0, 1)).x) > 0.999);
+    }
+    // Saved with the brush, and back.
+    const BrushPreset preset = tool.preset();
+    QCOMPARE(preset.stretch, 4.0);
+    tool.set_brush({});
+    tool.apply_preset(preset);
+    QCOMPARE(tool.brush().stretch, 4.0);
+    QVERIFY(is_undone(document, before));
+  }
+
+  void shapes_survive_the_clipboard_and_duplicates() {
+    const Scene before = scene_of_ellipsoids();
+    TestWindow window(before);
+    Document& document = window->document();
+    Gaussian shining = ellipsoid({1.0 / 3.0, 0.1, 0.0}, {0.1, 0.7 / 3.0, 0.3}, {1.0, 2.0, 3.0});
+    shining.optics = {glm::dvec3(0.5, 0.25, 1.0), {0.0, 1.0, 2.0}};
+    const std::vector<Gaussian> gaussians{shining, before.medium.gaussian(0),
+                                          before.medium.gaussian(1)};
+    const QString text = gaussians_to_text(gaussians);
+    QVERIFY(gaussians_from_text(text) == gaussians);
+    QString bad = text;
+    QVERIFY(gaussians_from_text(bad.replace("\t1\t", "\t2\t")).empty());
+
+    document.select({2, 3, 4});
+    window.key(Qt::Key_C, Qt::ControlModifier);
+    window.key(Qt::Key_V, Qt::ControlModifier | Qt::ShiftModifier);
+    QCOMPARE(document.undo_stack().undoText(), QString("Paste 3 Gaussians"));
+    for (const std::size_t k : {0U, 1U, 2U}) {
+      QCOMPARE(gaussian(window, 5 + k), before.medium.gaussian(1 + k));
+    }
+    window.key(Qt::Key_D, Qt::ControlModifier);
+    QCOMPARE(document.medium().size(), std::size_t{11});
+    for (const std::size_t k : {0U, 1U, 2U}) {
+      QCOMPARE(gaussian(window, 8 + k).shape, before.medium.gaussian(1 + k).shape);
+    }
+    QVERIFY(is_undone(document, before));
+  }
+
+  void factors_of_groups_keep_shapes() {
+    GroupsWindow window;
+    select_gaussians(window.document(), {1, 2});
+    type_into(window, "radius_z", "0.9");
+    window.group({1, 2});
+    window.click("Group");
+    const Medium plain = window.document().medium();
+    enter(window, "group_radius_factor", "2");
+    const Medium shown = window.shown_medium();
+    for (const std::size_t k : {0U, 1U}) {
+      QVERIFY(is_near(shown.gaussian(k).radii(), 2.0 * plain.gaussian(k).radii()));
+      QCOMPARE(shown.shape(k), plain.shape(k));
+    }
+  }
+};
+
+BRUME_APP_SUITE("ellipsoids", EllipsoidsTest)
+#include "ellipsoids_test.moc"
