@@ -1,4 +1,6 @@
 // The ellipsoids among Gaussians, where ELLIPSOIDS is defined: Ellipsoid of core/transport.
+#include "gaussian.glsl"
+
 #ifdef ELLIPSOIDS
 // Two texels of each: xx yy zz yz, and xz xy of its warp, its least stretch, and whether it is one.
 layout(rgba32f, binding = 7) readonly uniform image2D ellipsoids;
@@ -18,6 +20,13 @@ mat3 warp_of(EllipsoidWarp e) {
   return mat3(e.first.x, e.second.y, e.second.x,  //
               e.second.y, e.first.y, e.first.w,   //
               e.second.x, e.first.w, e.first.z);
+}
+
+// line_profile() of what may be an ellipsoid.
+LineProfile line_profile(EllipsoidWarp e, vec3 b, vec3 w, float a) {
+  if (!is_ellipsoid(e)) return line_profile(b, w, a);
+  const mat3 warp = warp_of(e);
+  return warped_line_profile(warp * b, warp * w, a);
 }
 
 // How far it reaches along a unit direction, over its greatest radius.

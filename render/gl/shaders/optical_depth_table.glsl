@@ -90,12 +90,10 @@ void main() {
       barrier();
       for (uint j = 0u; j < found; ++j) {
         const vec4 g = gaussians[j];
-        LineProfile line = line_profile(g.xyz, w, g.w);
 #ifdef ELLIPSOIDS
-        if (is_ellipsoid(ellipsoids_of[j])) {
-          const mat3 warp = warp_of(ellipsoids_of[j]);
-          line = warped_line_profile(warp * g.xyz, warp * w, g.w);
-        }
+        const LineProfile line = line_profile(ellipsoids_of[j], g.xyz, w, g.w);
+#else
+        const LineProfile line = line_profile(g.xyz, w, g.w);
 #endif
         if (line.e > shapes_of[j].max_e) continue;
         evaluated += counted[j];

@@ -162,11 +162,10 @@ void main() {
             along * along + max(dot(offset, offset), lights[l].h_min * lights[l].h_min);
         const float distance_ = sqrt(max(along * along + dot(offset, offset), tiny));
         const vec3 to_light = (s - t * w) / distance_;
-        LineProfile from_light = line_profile(q, to_light, g.a);
 #ifdef ELLIPSOIDS
-        if (is_ellipsoid(e)) {
-          from_light = warped_line_profile(warp_of(e) * q, warp_of(e) * to_light, g.a);
-        }
+        const LineProfile from_light = line_profile(e, q, to_light, g.a);
+#else
+        const LineProfile from_light = line_profile(q, to_light, g.a);
 #endif
         const float light_depth =
             g.scale * from_light.share * unit_depth(from_light, distance_);
