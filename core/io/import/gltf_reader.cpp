@@ -16,6 +16,8 @@
 namespace brume {
 namespace {
 
+// Nodes may share meshes: nothing in the file bounds how many primitives that are.
+constexpr std::size_t max_primitives = 1 << 20;
 constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
 
 class GltfReader {
@@ -70,6 +72,12 @@ class GltfReader {
     JsonObject mesh(file_.context(), file_.list("meshes")[*index], path);
     const Json::array_t& primitives = mesh.array("primitives", limits::surfaces);
     const JsonPath primitives_path = path.member("primitives");
+    primitives_ += primitives.size();
+    if (primitives_ > max_primitives) {
+      file_.context().fail(node_path,
+                           "found more than " + std::to_string(max_primitives) +
+                               " primitives of nodes; allowed: " + std::to_string(max_primitives));
+    }
     for (std::size_t i = 0; i < primitives.size(); ++i) {
       add_part(index_of_node, primitives[i], primitives_path.element(i));
     }
@@ -286,6 +294,7 @@ class GltfReader {
   std::vector<GltfMaterial> materials_;
   glm::dvec3 center_{0.0};
   std::size_t bytes_ = 0;
+  std::size_t primitives_ = 0;
 };
 
 }  // namespace

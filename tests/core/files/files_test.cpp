@@ -78,6 +78,13 @@ TEST_F(Files, GaussiansAreReadAsTheyWereWritten) {
     save_gaussians(gaussians, folder_.path() / name);
     EXPECT_EQ(load_gaussians(folder_.path() / name), gaussians);
   }
+  Gaussian flat{{1, 2, 3}, 1.0, 0.5};
+  flat.set_radii({1.0, 1.0, 0.1}, glm::dquat(1.0, 0.0, 0.0, 0.0));
+  save_gaussians(std::vector{flat}, folder_.path() / "g.glb");
+  const Gaussian back = load_gaussians(folder_.path() / "g.glb").at(0);
+  EXPECT_NEAR(back.density, flat.density, 1e-6);
+  const Gaussian denser = load_gaussians(folder_.path() / "g.glb", OpacityAlong::shortest).at(0);
+  EXPECT_NEAR(denser.density / back.density, std::cbrt(0.1) / 0.1, 1e-6);
 }
 
 }  // namespace

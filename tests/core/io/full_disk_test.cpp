@@ -94,6 +94,8 @@ std::vector<Writer> writers() {
       {"a.ply", [](const fs::path& file) { write_gaussians(file, some_gaussians()); }},
       {"splats.ply", [](const fs::path& file) { write_splats(file, some_gaussians()); }},
       {"a.csv", [](const fs::path& file) { write_gaussians(file, some_gaussians()); }},
+      {"a.glb", [](const fs::path& file) { write_splats(file, some_gaussians()); }},
+      {"a.gltf", [](const fs::path& file) { write_splats(file, some_gaussians()); }},
       {"a.brume", [](const fs::path& file) { save_document(some_scene(), file); }},
   };
 }

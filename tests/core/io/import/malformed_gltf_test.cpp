@@ -143,6 +143,22 @@ TEST(MalformedGltf, TruncatedAnywhereIsRefused) {
   }
 }
 
+// Points, which are left out, of a mesh that many nodes share: a small file, and no end to it.
+TEST(MalformedGltf, NodesWithTooManyPrimitivesAreRefused) {
+  const TemporaryFolder folder;
+  GltfBuilder builder;
+  GltfBuilder::Json points = builder.primitive();
+  points["mode"] = 0;
+  builder.json["meshes"][0]["primitives"] = std::vector(2048, points);
+  builder.json["nodes"] = std::vector<GltfBuilder::Json>(513, {{"mesh", 0}});
+  builder.json.erase("scene");
+  builder.json.erase("scenes");
+  const auto file = folder.write("scene.glb", builder.binary());
+  std::vector<std::string> warnings;
+  const std::string error = error_of([&] { read_imported_scene(file, warnings); });
+  EXPECT_TRUE(contains(error, "nodes[512]: found more than 1048576 primitives")) << error;
+}
+
 TEST(MalformedGltf, ABufferThatIsMissingIsNamed) {
   const TemporaryFolder folder;
   const auto file = folder.write("scene.gltf", GltfBuilder().text("gone.bin"));
