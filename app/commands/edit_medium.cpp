@@ -68,9 +68,10 @@ QString set_attribute(Document& document, std::span<const GaussianId> ids, Gauss
   std::vector<Gaussian> after;
   after.reserve(ids.size());
   for (const GaussianId id : ids) {
-    Gaussian gaussian = medium.gaussian(*medium.index_of(id));
+    Gaussian& gaussian = after.emplace_back(medium.gaussian(*medium.index_of(id)));
     set_attribute_value(gaussian, field, value);
-    after.push_back(within_domains(gaussian));
+    // Of a thin ellipsoid a radius may have become too small.
+    if (!gaussian.is_ball()) gaussian = within_domains(gaussian);
   }
   push(document, MediumEdit::change(medium, ids, after),
        set_attribute_text(field, ids.size(), value), merge_id);

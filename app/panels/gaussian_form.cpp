@@ -90,15 +90,21 @@ GaussianForm::GaussianForm(Document& document, QWidget* parent)
     title->setObjectName(fields_[k]->number().objectName() + "_title");
     return title;
   };
-  auto* layout = new QFormLayout(this);
-  layout->setContentsMargins(8, 8, 8, 4);
-  layout->addRow(tr("Center"), axes(0));
-  layout->addRow(one(3), fields_[3]);
-  layout->addRow(tr("Radii"), axes(of_shape));
-  layout->addRow(tr("Rotation"), axes(of_rotation));
-  layout->addRow(one(4), fields_[4]);
+  layout_ = new QFormLayout(this);
+  layout_->setContentsMargins(8, 8, 8, 4);
+  layout_->addRow(tr("Center"), axes(0));
+  // Beside each other: the table below needs the height.
+  auto* radius_and_density = new QHBoxLayout;
+  QLabel* radius = one(3);
+  radius_and_density->addWidget(fields_[3]);
+  radius_and_density->addWidget(one(4));
+  radius_and_density->addWidget(fields_[4]);
+  layout_->addRow(radius, radius_and_density);
+  layout_->addRow(tr("Radii"), axes(of_shape));
+  rotation_ = axes(of_rotation);
+  layout_->addRow(tr("Rotation"), rotation_);
 
-  optics_ = new OpticsEditor(*layout, tr("Emission"), "gaussian", this);
+  optics_ = new OpticsEditor(*layout_, tr("Emission"), "gaussian", this);
   connect(optics_, &OpticsEditor::refused, this, &GaussianForm::refused);
   connect(optics_, &OpticsEditor::edited, this, &GaussianForm::change_optics);
 
@@ -181,6 +187,7 @@ void GaussianForm::refresh() {
     }
     fields_[k]->setEnabled(is_there);
   }
+  layout_->setRowVisible(rotation_, common.any_ellipsoid);
   shown_albedo_ = document_.scene().optics.albedo;
   optics_->show_optics(any ? std::optional(common.first->optics) : std::nullopt, shown_albedo_);
 }

@@ -6,6 +6,9 @@
 #include "app/document/gaussian_attribute.h"
 #include "app/widgets/optics_editor.h"
 
+class QFormLayout;
+class QLayout;
+
 namespace brume {
 
 class Document;
@@ -38,6 +41,8 @@ class GaussianForm : public QWidget {
   Document& document_;
   std::array<ValueField*, attributes.size()> fields_{};
   glm::dvec3 entered_angles_{0.0};
+  QFormLayout* layout_ = nullptr;
+  QLayout* rotation_ = nullptr;     // its row, shown for ellipsoids
   OpticsEditor* optics_ = nullptr;  // shows the first of the selection
   glm::dvec3 shown_albedo_{0.0};    // of the medium
 };

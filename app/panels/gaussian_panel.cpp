@@ -98,7 +98,9 @@ GaussianPanel::GaussianPanel(Document& document, QWidget* parent)
     auto* histograms = new QHBoxLayout;
     histograms->setContentsMargins(6, 0, 6, 0);
     for (const Attribute field : row) {
-      histograms->addWidget(new GaussianHistogram(document, field, this));
+      // Wider for a longer title, which is between two numbers.
+      histograms->addWidget(new GaussianHistogram(document, field, this),
+                            static_cast<int>(attribute_title(field).size()) + 6);
     }
     layout->addLayout(histograms);
   }

@@ -212,7 +212,7 @@ class EllipsoidsTest : public QObject {
     const Scene before = document.scene();
     document.select({1, 2});
     QCOMPARE(number(window, "radius_x").text(), number(window, "radius").text());  // both mixed
-    QVERIFY(!number(window, "rotation_x").isEnabled());
+    QVERIFY(!number(window, "rotation_x").isVisible());
     type_into(window, "radius", "0.5");
     QCOMPARE(number(window, "radius_y").text(), QString("0.5"));
     type_into(window, "radius_z", "0.8");
@@ -222,7 +222,7 @@ class EllipsoidsTest : public QObject {
     for (const std::size_t k : {0U, 1U}) {
       QVERIFY(is_near(gaussian(window, k).radii(), {0.5, 0.5, 0.8}));
     }
-    QVERIFY(number(window, "rotation_x").isEnabled());
+    QVERIFY(number(window, "rotation_x").isVisible());
     type_into(window, "rotation_y", "130");
     type_into(window, "rotation_x", "15");
     QCOMPARE(document.undo_stack().undoText(), QString("Set rotation x of 2 Gaussians to 15"));
