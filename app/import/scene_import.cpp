@@ -13,6 +13,7 @@
 #include "app/import/add_imported.h"
 #include "app/import/folder_dialog.h"
 #include "app/import/scene_dialog.h"
+#include "app/import/splat_dialog.h"
 #include "app/import/volume_dialog.h"
 #include "app/import/vtk_points.h"
 #include "brume/error.h"
@@ -24,6 +25,7 @@
 #include "core/io/import/imported_scene_file.h"
 #include "core/io/mesh/mesh_file.h"
 #include "core/io/ply.h"
+#include "core/medium/splat.h"
 
 namespace brume {
 namespace fs = std::filesystem;
@@ -40,13 +42,19 @@ bool is_one_of(const fs::path& file, const auto& extensions) {
   return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
 }
 
+// A PLY or glTF may be either.
+bool is_of_splats(const fs::path& file) {
+  constexpr std::array<std::string_view, 3> possible{".ply", ".gltf", ".glb"};
+  return is_one_of(file, possible) && has_splats(file);
+}
+
 bool is_volume(const fs::path& file) {
   return lower_case_extension(file) == ".vdb";
 }
 
 // With materials of its own; an OBJ may be either.
 bool is_scene(const fs::path& file) {
-  return is_one_of(file, scenes) ||
+  return (is_one_of(file, scenes) && !is_of_splats(file)) ||
          (lower_case_extension(file) == ".obj" && obj_has_materials(file));
 }
 
@@ -125,7 +133,24 @@ void SceneImport::import_file(const fs::path& given) {
     dialog->show();
     return;
   }
-  start(file, [this, file](const Job& job) { return read(file, job.stop); });
+  start(file, [this, file](const Job& job) -> BackgroundJob::Apply {
+    if (is_of_splats(file)) return [this, file] { ask_about_splats(file); };
+    return read(file, job.stop);
+  });
+}
+
+void SceneImport::ask_about_splats(const fs::path& file) {
+  auto* dialog = new SplatDialog(file, window_);
+  connect(dialog, &SplatDialog::requested, this, [this, file](OpacityAlong along, bool y_down) {
+    start(file, [this, file, along, y_down](const Job&) -> BackgroundJob::Apply {
+      std::vector<Gaussian> gaussians = read_gaussians(file, nullptr, limits::gaussians, along);
+      if (y_down) std::ranges::for_each(gaussians, turn_half);
+      return [this, gaussians = std::move(gaussians)] {
+        add_gaussians(document_, gaussians, tr("Import"));
+      };
+    });
+  });
+  dialog->show();
 }
 
 BackgroundJob::Apply SceneImport::read(const fs::path& file, const std::stop_token& stop) {

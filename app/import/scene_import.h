@@ -19,8 +19,9 @@ namespace brume {
 class Document;
 
 // Imports files in the background, each as one undo step: Gaussians (.csv, .ply, .vtp, .vtu),
-// volumes (.vdb, fitted), scenes (.gltf, .glb, .fbx, .obj with materials), meshes (.obj, .ply,
-// .stl, .off), environments (.exr, .hdr); Gaussians and volumes also as sequences.
+// splats (.ply, .gltf, .glb), volumes (.vdb, fitted), scenes (.gltf, .glb, .fbx, .obj with
+// materials), meshes (.obj, .ply, .stl, .off), environments (.exr, .hdr); Gaussians and volumes
+// also as sequences.
 class SceneImport : public QObject {
   Q_OBJECT
  public:
@@ -60,6 +61,7 @@ class SceneImport : public QObject {
   BackgroundJob::Apply read(const FrameRun& run);
   BackgroundJob::Apply read_scene(const std::filesystem::path& file, const std::stop_token& stop,
                                   bool asks);
+  void ask_about_splats(const std::filesystem::path& file);
   void add_scene(const std::shared_ptr<const ImportedScene>& scene, bool cameras, bool lights);
   void import_each(const std::vector<std::filesystem::path>& files,
                    const std::optional<FrameRun>& run);

@@ -45,6 +45,11 @@ Gaussian gaussian_of(const Splat& splat, OpacityAlong along) {
   return g;
 }
 
+void turn_half(Gaussian& g) {
+  g.center = {-g.center.x, -g.center.y, g.center.z};
+  if (!g.is_ball()) g.shape.rotation = glm::dquat(0.0, 0.0, 0.0, 1.0) * g.shape.rotation;
+}
+
 Splat splat_of(const Gaussian& gaussian, OpacityAlong along) {
   return {gaussian.center, gaussian.radii() / std::numbers::sqrt2, gaussian.shape.rotation,
           depth_along(gaussian, along)};

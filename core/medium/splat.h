@@ -40,6 +40,9 @@ void set_depth_along(Gaussian& gaussian, double depth, OpacityAlong along);
 // below limits::min_stretch of the greatest become as much.
 Gaussian gaussian_of(const Splat& splat, OpacityAlong along = OpacityAlong::mean);
 
+// Turns a Gaussian by half about z around the origin: from y down, as captures have it, to y up.
+void turn_half(Gaussian& gaussian);
+
 // The inverse, but for what the Gaussian has besides density and shape.
 Splat splat_of(const Gaussian& gaussian, OpacityAlong along = OpacityAlong::mean);
 

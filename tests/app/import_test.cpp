@@ -16,6 +16,7 @@
 #include "app/files/scene_files.h"
 #include "app/import/folder_dialog.h"
 #include "app/import/scene_import.h"
+#include "app/import/splat_dialog.h"
 #include "app/import/volume_dialog.h"
 #include "app/import/vtk_points.h"
 #include "app/jobs/background_job.h"
@@ -224,6 +225,34 @@ class ImportTest : public QObject {
     write_text(window.file("junk.vtp"), "no XML");
     QVERIFY_EXCEPTION_THROWN(read_vtk_points(window.file("junk.vtp")), InputError);
     QVERIFY_EXCEPTION_THROWN(read_vtk_points(window.file("none.vtu")), InputError);
+  }
+
+  void splats_become_ellipsoids_as_the_dialog_says() {
+    Gaussian g{{1.0, 2.0, 3.0}, 1.0, 0.5};
+    g.set_radii({1.0, 0.5, 0.25}, {0.8, 0.6, 0.0, 0.0});
+    for (const char* name : {"splats.ply", "splats.glb"}) {
+      TestWindow window;
+      Document& document = window->document();
+      const Scene before = document.scene();
+      write_splats(window.file(name), std::vector{g}, {.along = OpacityAlong::longest});
+      drop(window, {window.file(name)});
+      QCOMPARE(wait(window), QString());
+      auto* dialog = shown<SplatDialog>(window);
+      QVERIFY(dialog);
+      auto* along = dialog->findChild<QComboBox*>("splat_opacity");
+      QCOMPARE(along->currentText(), QString("Mean radius"));
+      along->setCurrentText("Longest radius");
+      dialog->findChild<QComboBox*>("splat_up")->setCurrentIndex(1);
+      QTest::mouseClick(dialog->findChild<QPushButton*>("import"), Qt::LeftButton);
+      QCOMPARE(wait(window), QString());
+      QCOMPARE(document.medium().size(), std::size_t{1});
+      const Gaussian imported = document.medium().gaussian(0);
+      QVERIFY(glm::length(imported.center - glm::dvec3(-1.0, -2.0, 3.0)) < 1e-6);
+      QVERIFY(glm::length(imported.radii() - g.radii()) < 1e-6);
+      QVERIFY(std::abs(imported.density - 0.5) < 1e-6);
+      document.undo_stack().undo();
+      QVERIFY(document.scene() == before);
+    }
   }
 
   void a_volume_is_fitted_as_the_dialog_says() {

@@ -60,6 +60,18 @@ std::size_t max_gaussian_count(const std::filesystem::path& file) {
   return static_cast<std::size_t>(std::ranges::count(bytes, '\n')) + 1;
 }
 
+bool has_splats(const std::filesystem::path& file) {
+  switch (format_of(file)) {
+    case Format::ply:
+      return has_splats_ply(file);
+    case Format::gltf:
+      return splat_count_gltf(file) > 0;
+    case Format::csv:
+      break;
+  }
+  return false;
+}
+
 std::vector<Gaussian> read_grouped_gaussians(const std::filesystem::path& file,
                                              std::size_t max_count, std::size_t max_group) {
   std::vector<GaussianNumber> groups;

@@ -23,6 +23,10 @@ std::vector<Gaussian> read_gaussians(const std::filesystem::path& file,
 // lines of a CSV, by the JSON of a glTF. Throws InputError.
 std::size_t max_gaussian_count(const std::filesystem::path& file);
 
+// Whether read_gaussians() would read splats: by the header of a PLY, by the JSON of a glTF. Throws
+// InputError.
+bool has_splats(const std::filesystem::path& file);
+
 // Reads Gaussians of a scene with `max_group` groups: the column `group`, if present, has the
 // numbers that become their groups.
 std::vector<Gaussian> read_grouped_gaussians(const std::filesystem::path& file,

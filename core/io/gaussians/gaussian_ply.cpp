@@ -149,14 +149,31 @@ std::vector<Gaussian> read_gaussians_ply(const std::filesystem::path& file,
   return gaussians;
 }
 
-std::size_t max_gaussian_count_ply(const std::filesystem::path& file) {
+namespace {
+
+// Calls visit(the element vertex, or null) with what the header says.
+template <class Visit>
+auto with_header(const std::filesystem::path& file, Visit visit) {
   constexpr std::size_t header_bytes = 1 << 16;
   constexpr std::string_view header_end = "end_header";
   std::string bytes = read_first_bytes(file, header_bytes);
   if (bytes.find(header_end) == std::string::npos) bytes = read_bytes(file);
   const PlyFile ply(file, bytes);
-  const PlyFile::Element* vertices = ply.element("vertex");
-  return vertices == nullptr ? 0 : static_cast<std::size_t>(vertices->count);
+  return visit(ply.element("vertex"));
+}
+
+}  // namespace
+
+bool has_splats_ply(const std::filesystem::path& file) {
+  return with_header(file, [](const PlyFile::Element* vertices) {
+    return vertices != nullptr && from_splats(*vertices, OpacityAlong::mean).has_value();
+  });
+}
+
+std::size_t max_gaussian_count_ply(const std::filesystem::path& file) {
+  return with_header(file, [](const PlyFile::Element* vertices) {
+    return vertices == nullptr ? 0 : static_cast<std::size_t>(vertices->count);
+  });
 }
 
 void write_gaussians_ply(const std::filesystem::path& file, std::span<const Gaussian> gaussians,

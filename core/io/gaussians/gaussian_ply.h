@@ -26,6 +26,9 @@ std::vector<Gaussian> read_gaussians_ply(const std::filesystem::path& file,
                                          std::string_view number_name = "id",
                                          OpacityAlong along = OpacityAlong::mean);
 
+// Whether its header tells of splats.
+bool has_splats_ply(const std::filesystem::path& file);
+
 // How many Gaussians its header tells of at most.
 std::size_t max_gaussian_count_ply(const std::filesystem::path& file);
 

@@ -22,12 +22,6 @@ double opacity_logit(double depth) {
                      : transparent;
 }
 
-// About z.
-void turn_half(Splat& splat) {
-  splat.center = {-splat.center.x, -splat.center.y, splat.center.z};
-  splat.rotation = glm::dquat(0.0, 0.0, 0.0, 1.0) * splat.rotation;
-}
-
 // f_dc and f_rest. Viewers add 0.5 to what the coefficients sum to. To turn by half about z changes
 // the same signs as the Condon-Shortley phase does.
 void append_colors(const SplatColor& color, bool is_turned, std::string& bytes) {
@@ -63,8 +57,9 @@ std::string splats_ply(std::span<const Gaussian> gaussians, const SplatOutput& o
     for (const double value : values) append_little_endian(bytes, static_cast<float>(value));
   };
   for (std::size_t i = 0; i < gaussians.size(); ++i) {
-    Splat splat = splat_of(gaussians[i], output.along);
-    if (output.y_down) turn_half(splat);
+    Gaussian gaussian = gaussians[i];
+    if (output.y_down) turn_half(gaussian);
+    const Splat splat = splat_of(gaussian, output.along);
     const glm::dvec3 scale = glm::log(splat.deviations);
     const glm::dquat& q = splat.rotation;
     append({splat.center.x, splat.center.y, splat.center.z, 0.0, 0.0, 0.0});

@@ -1,0 +1,40 @@
+#include "app/import/splat_dialog.h"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QPushButton>
+
+#include "app/document/paths.h"
+
+namespace brume {
+
+SplatDialog::SplatDialog(const std::filesystem::path& file, QWidget* parent)
+    : QDialog(parent), along_(new QComboBox(this)), up_(new QComboBox(this)) {
+  setObjectName("import_splats");
+  setWindowTitle(tr("Import %1").arg(to_qstring(file.filename())));
+  setAttribute(Qt::WA_DeleteOnClose);
+  auto* form = new QFormLayout(this);
+  along_->setObjectName("splat_opacity");
+  along_->addItem(tr("Shortest radius"), static_cast<int>(OpacityAlong::shortest));
+  along_->addItem(tr("Mean radius"), static_cast<int>(OpacityAlong::mean));
+  along_->addItem(tr("Longest radius"), static_cast<int>(OpacityAlong::longest));
+  along_->setCurrentIndex(along_->findData(static_cast<int>(OpacityAlong::mean)));
+  along_->setToolTip(
+      tr("A splat is as opaque from every side; fog is more opaque along longer radii"));
+  form->addRow(tr("As opaque as stored along"), along_);
+  up_->setObjectName("splat_up");
+  up_->addItems({tr("y"), tr("-y (turned by half about z)")});
+  form->addRow(tr("Up axis"), up_);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
+  buttons->addButton(tr("Import"), QDialogButtonBox::AcceptRole)->setObjectName("import");
+  form->addRow(buttons);
+  connect(buttons, &QDialogButtonBox::accepted, this, [this] {
+    Q_EMIT requested(static_cast<OpacityAlong>(along_->currentData().toInt()),
+                     up_->currentIndex() == 1);
+    accept();
+  });
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+}
+
+}  // namespace brume
