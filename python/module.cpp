@@ -29,7 +29,7 @@ std::pair<std::shared_ptr<ArrayMedium>, double> fit(const Floats& densities, dou
       grid_of({densities.data(), static_cast<std::size_t>(densities.size())}, size, voxel, origin);
   const std::optional<Fit> fit = interruptible(
       [&](const std::stop_token& stop, const std::function<void(double)>& fraction) {
-        return fit_gaussians(grid, {count, max_error}, stop, fraction);
+        return fit_gaussians(grid, {count, max_error, FitShape::ball}, stop, fraction);
       },
       progress);
   Medium medium;

@@ -6,6 +6,8 @@
 #include <glm/matrix.hpp>
 #include <numbers>
 
+#include "core/medium/gaussian_covariance.h"
+
 namespace brume {
 namespace {
 
@@ -54,15 +56,9 @@ struct Product {
 }  // namespace
 
 GaussianMoments::GaussianMoments(const Gaussian& g)
-    : mass(g.density * volume_over_density(g.mean_radius())), center(g.center) {
-  const double variance = 0.5 * g.radius * g.radius;
-  covariance = glm::dmat3(variance);
-  if (g.is_ball()) return;
-  const glm::dmat3 axes = glm::mat3_cast(g.shape.rotation);
-  glm::dmat3 scaled = axes;
-  for (int k = 0; k < 3; ++k) scaled[k] *= variance * g.shape.stretch[k] * g.shape.stretch[k];
-  covariance = scaled * glm::transpose(axes);
-}
+    : mass(g.density * volume_over_density(g.mean_radius())),
+      center(g.center),
+      covariance(covariance_of(g)) {}
 
 GaussianMoments::GaussianMoments(const GaussianMoments& a, const GaussianMoments& b)
     : mass(a.mass + b.mass) {
@@ -78,19 +74,8 @@ void GaussianMoments::make_round() {
 }
 
 void GaussianMoments::apply_to(Gaussian& gaussian) const {
-  // The covariance is L L^T by Cholesky: L makes it of the ball of variance 1.
-  const glm::dmat3& s = covariance;
-  const double tiny = 1e-30 * trace(s);
-  const double xx = std::sqrt(s[0][0]);
-  const double yx = s[0][1] / xx;
-  const double zx = s[0][2] / xx;
-  const double yy = std::sqrt(std::max(s[1][1] - yx * yx, tiny));
-  const double zy = (s[1][2] - zx * yx) / yy;
-  const double zz = std::sqrt(std::max(s[2][2] - zx * zx - zy * zy, tiny));
   gaussian.center = center;
-  gaussian.radius = std::numbers::sqrt2;
-  gaussian.shape = {};
-  transform(gaussian, {{xx, yx, zx}, {0.0, yy, zy}, {0.0, 0.0, zz}});
+  set_covariance(gaussian, covariance);
   gaussian.density = mass / volume_over_density(gaussian.mean_radius());
 }
 

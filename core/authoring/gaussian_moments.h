@@ -11,7 +11,7 @@ namespace brume {
 struct GaussianMoments {
   double mass = 0.0;  // the integral of its density, or of its optical depth over a plane [u^2]
   glm::dvec3 center{0.0};
-  glm::dmat3 covariance{0.0};  // R diag(radii^2) R^T / 2 for the rotation R [u^2]
+  glm::dmat3 covariance{0.0};  // [u^2]
 
   explicit GaussianMoments(const Gaussian& gaussian);
   GaussianMoments(const GaussianMoments& a, const GaussianMoments& b);

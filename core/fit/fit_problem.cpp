@@ -5,9 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/matrix.hpp>
 #include <numbers>
 #include <set>
 #include <tuple>
+#include <utility>
+
+#include "core/fit/ellipsoid_block.h"
+#include "core/math/max_component.h"
 
 namespace brume {
 namespace {
@@ -119,6 +124,22 @@ void add_moments(const Axes& axes, float factor, const float* weights, Moments& 
   }
 }
 
+// J^T weights of an ellipsoid.
+FitStep step_of(const FitGaussian& g, const EllipsoidBlock::Moments& m) {
+  const glm::dvec3 first = 2.0 * g.c * m.first;
+  const glm::dmat3 second = -2.0 * g.c * m.second;
+  return {first.x,
+          first.y,
+          first.z,
+          g.c * m.one,
+          second[0][0],
+          second[1][1],
+          second[2][2],
+          2.0 * second[0][1],
+          2.0 * second[0][2],
+          2.0 * second[1][2]};
+}
+
 double square_sum(std::span<const float> values) {
   double sum = 0.0;
   for (const float v : values) sum += static_cast<double>(v) * static_cast<double>(v);
@@ -127,20 +148,28 @@ double square_sum(std::span<const float> values) {
 
 }  // namespace
 
-std::vector<FitGaussian> to_fit_gaussians(const DensityGrid& grid,
-                                          std::span<const Gaussian> gaussians) {
-  std::vector<FitGaussian> result;
-  for (const Gaussian& g : gaussians) {
-    result.push_back({grid.spacing * grid.to_voxel(g.center), 1.0 / g.radius, g.density});
+FitLimits FitProblem::limits(const DensityGrid& grid, FitShape shape) {
+  const double voxel = max_component(glm::abs(grid.spacing));
+  if (shape == FitShape::ball) return {.min_radius = voxel / 1.4};
+  // An ellipsoid is as narrow along one axis only, as sheets of smoke are. With 500 of the smoke of
+  // the manual errors of density and of optical depth are 8.5% and 2.7% with 1.4, 5.5% and 2.9%
+  // with 1.6, 4.3% and 3.5% with 1.8; of balls there is no such gain.
+  FitLimits limits{.min_radius = voxel / 1.7};
+  if (grid.blocks.empty()) return limits;
+  // Of one that is far outside, of any mass, the grid would see only the tail.
+  std::swap(limits.low, limits.high);
+  for (const DensityGrid::Block& block : grid.blocks) {
+    const glm::dvec3 first = grid.spacing * glm::dvec3(block.corner);
+    const glm::dvec3 last = grid.spacing * glm::dvec3(block.corner + (side - 1));
+    limits.low = glm::min(limits.low, glm::min(first, last));
+    limits.high = glm::max(limits.high, glm::max(first, last));
   }
-  return result;
+  limits.max_radius = 0.5 * max_component(limits.high - limits.low);
+  return limits;
 }
 
-double FitGaussian::integral() const {
-  return c * std::pow(std::numbers::pi, 1.5) / (a * a * a);
-}
-
-FitProblem::FitProblem(const DensityGrid& grid) : spacing_(grid.spacing) {
+FitProblem::FitProblem(const DensityGrid& grid, FitShape shape)
+    : shape_(shape), spacing_(grid.spacing) {
   std::set<std::tuple<int, int, int>> corners;
   for (const DensityGrid::Block& block : grid.blocks) {
     for (int i = 0; i < 27; ++i) {
@@ -179,21 +208,32 @@ std::vector<float> FitProblem::sampled(const DensityGrid& grid) const {
   return values;
 }
 
+bool FitProblem::reaches(const FitGaussian& g, const glm::dvec3& first) const {
+  if (shape_ == FitShape::ellipsoid) {
+    return EllipsoidBlock(g, first, spacing_, cutoff_in_radii).is_reached();
+  }
+  const double cutoff = cutoff_in_radii / g.a;
+  const glm::dvec3 last = first + spacing_ * (side - 0.5);
+  const glm::dvec3 nearest = glm::clamp(g.b, glm::min(first, last), glm::max(first, last));
+  const glm::dvec3 offset = nearest - g.b;
+  return glm::dot(offset, offset) <= cutoff * cutoff;
+}
+
 template <class Visit>
 void FitProblem::each_block(const FitGaussian& g, Visit visit) const {
-  const glm::dvec3 radius = glm::dvec3(cutoff_in_radii / g.a) / glm::abs(spacing_);
+  glm::dvec3 reach(1.0);  // to the bounding box
+  if (shape_ == FitShape::ellipsoid) {
+    const glm::dmat3 rows = glm::transpose(glm::inverse(g.shape));
+    reach = {glm::length(rows[0]), glm::length(rows[1]), glm::length(rows[2])};
+  }
+  const glm::dvec3 radius = glm::dvec3(cutoff_in_radii / g.a) * reach / glm::abs(spacing_);
   const glm::dvec3 center = g.b / spacing_;
   const glm::ivec3 low = block_corner(glm::ivec3(glm::floor(center - radius)));
   const glm::ivec3 high = block_corner(glm::ivec3(glm::ceil(center + radius)));
-  const double cutoff = cutoff_in_radii / g.a;
   for (int x = low.x; x <= high.x; x += side) {
     for (int y = low.y; y <= high.y; y += side) {
       for (int z = low.z; z <= high.z; z += side) {
-        const glm::dvec3 first = spacing_ * glm::dvec3(x, y, z);
-        const glm::dvec3 last = spacing_ * (glm::dvec3(x, y, z) + (side - 0.5));
-        const glm::dvec3 nearest = glm::clamp(g.b, glm::min(first, last), glm::max(first, last));
-        const glm::dvec3 offset = nearest - g.b;
-        if (glm::dot(offset, offset) > cutoff * cutoff) continue;
+        if (!reaches(g, spacing_ * glm::dvec3(x, y, z))) continue;
         if (const auto block = corners_.find({x, y, z})) {
           visit(static_cast<std::uint32_t>(*block));
           visit(static_cast<std::uint32_t>(*block + corners_.blocks.size()));
@@ -236,8 +276,13 @@ FitProblem::Squares FitProblem::residuals(std::span<float> residuals) const {
     for (std::size_t v = 0; v < block_residuals.size(); ++v) block_residuals[v] = -target[v];
     for (std::size_t k = gaussian_offsets_[block]; k < gaussian_offsets_[block + 1]; ++k) {
       const FitGaussian& g = gaussians_[gaussians_of_[k]];
-      add_gaussian(Axes(g, blocks_[block].first, spacing_),
-                   blocks_[block].weight * static_cast<float>(g.c), block_residuals.data());
+      const float c = blocks_[block].weight * static_cast<float>(g.c);
+      if (shape_ == FitShape::ellipsoid) {
+        EllipsoidBlock(g, blocks_[block].first, spacing_, cutoff_in_radii)
+            .add_gaussian(c, block_residuals.data());
+      } else {
+        add_gaussian(Axes(g, blocks_[block].first, spacing_), c, block_residuals.data());
+      }
     }
     sums[block] = square_sum(block_residuals);
   });
@@ -256,12 +301,22 @@ void FitProblem::apply(std::span<const FitStep> step, std::span<float> result) c
     for (std::size_t k = gaussian_offsets_[block]; k < gaussian_offsets_[block + 1]; ++k) {
       const std::uint32_t i = gaussians_of_[k];
       const FitGaussian& g = gaussians_[i];
-      // d/d(a b) = 2 t g, d/d(log a) = -2 |t|^2 g, d/d(log c) = g.
+      const float c = blocks_[block].weight * static_cast<float>(g.c);
+      // For t = m (p - b): d/d(m b) = 2 t g, d/d(log c) = g, d/d(log a) = -2 |t|^2 g, and with
+      // dm m^-1 = E, -2 t.E t g.
       const FitStep& s = step[i];
       const auto twice = [](double x) { return static_cast<float>(2.0 * x); };
-      add_polynomial(Axes(g, blocks_[block].first, spacing_),
-                     blocks_[block].weight * static_cast<float>(g.c), static_cast<float>(s[4]),
-                     {twice(s[0]), twice(s[1]), twice(s[2])}, -twice(s[3]), block_values);
+      if (shape_ == FitShape::ellipsoid) {
+        EllipsoidBlock(g, blocks_[block].first, spacing_, cutoff_in_radii)
+            .add_polynomial(c,
+                            {static_cast<float>(s[3]),
+                             {twice(s[0]), twice(s[1]), twice(s[2])},
+                             glm::mat3(-2.0 * matrix_change(s))},
+                            block_values);
+      } else {
+        add_polynomial(Axes(g, blocks_[block].first, spacing_), c, static_cast<float>(s[3]),
+                       {twice(s[0]), twice(s[1]), twice(s[2])}, -twice(s[4]), block_values);
+      }
     }
   });
 }
@@ -269,14 +324,24 @@ void FitProblem::apply(std::span<const FitStep> step, std::span<float> result) c
 void FitProblem::apply_transposed(std::span<const float> weights, std::span<FitStep> result) const {
   tbb::parallel_for(std::size_t{0}, gaussians_.size(), [&](std::size_t i) {
     const FitGaussian& g = gaussians_[i];
+    if (shape_ == FitShape::ellipsoid) {
+      EllipsoidBlock::Moments m;
+      for (std::size_t k = block_offsets_[i]; k < block_offsets_[i + 1]; ++k) {
+        const Block& block = blocks_[blocks_of_[k]];
+        EllipsoidBlock(g, block.first, spacing_, cutoff_in_radii)
+            .add_moments(block.weight, weights.data() + blocks_of_[k] * DensityGrid::block_size, m);
+      }
+      result[i] = step_of(g, m);
+      return;
+    }
     Moments m;
     for (std::size_t k = block_offsets_[i]; k < block_offsets_[i + 1]; ++k) {
       const std::size_t block = blocks_of_[k];
       add_moments(Axes(g, blocks_[block].first, spacing_), blocks_[block].weight,
                   weights.data() + block * DensityGrid::block_size, m);
     }
-    result[i] = {2.0 * g.c * m.x, 2.0 * g.c * m.y, 2.0 * g.c * m.z, -2.0 * g.c * m.square,
-                 g.c * m.one};
+    result[i] = {2.0 * g.c * m.x, 2.0 * g.c * m.y, 2.0 * g.c * m.z, g.c * m.one,
+                 -2.0 * g.c * m.square};
   });
 }
 

@@ -1,41 +1,26 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <span>
 #include <vector>
 
 #include "brume/density_grid.h"
-#include "brume/gaussian.h"
+#include "brume/fit.h"
+#include "core/fit/fit_gaussian.h"
 
 namespace brume {
-
-// A Gaussian c exp(-a^2 |p - b|^2) in the grid's own axes, p = spacing * voxel [u].
-struct FitGaussian {
-  glm::dvec3 b{0.0};
-  double a = 1.0;  // [1/u]
-  double c = 0.0;  // [1/u], > 0
-
-  [[nodiscard]] double integral() const;  // [u^2]
-};
-
-// Gaussians of the world in a grid's own axes.
-std::vector<FitGaussian> to_fit_gaussians(const DensityGrid& grid,
-                                          std::span<const Gaussian> gaussians);
-
-// A dimensionless step of one Gaussian: a db (three components), d log a, d log c.
-using FitStep = std::array<double, 5>;
 
 // The least-squares problem of fitting Gaussians to a density grid. Residuals, sum of Gaussians
 // minus density: one per voxel of the grid's blocks and of adjacent empty blocks; and one of less
 // weight at the center of each 2 x 2 x 2 voxels against their mean, since voxel-sized Gaussians
 // could fit the voxels alone and miss the space between, which rays integrate as well. The Jacobian
-// J is never stored: products with it are sums over pairs of Gaussian and block, where the Gaussian
-// is separable. Parallel and deterministic for any number of threads.
+// J is never stored: products with it are sums over pairs of Gaussian and block, where a ball is
+// separable. Parallel and deterministic for any number of threads.
 class FitProblem {
  public:
-  explicit FitProblem(const DensityGrid& grid);
+  // Of balls, steps have no shape.
+  FitProblem(const DensityGrid& grid, FitShape shape);
 
   // Number of residuals; the first half belongs to voxels.
   [[nodiscard]] std::size_t size() const { return targets_.size(); }
@@ -46,9 +31,9 @@ class FitProblem {
   // weights.
   [[nodiscard]] std::vector<float> sampled(const DensityGrid& grid) const;
 
-  // Sets the Gaussians. Their a times the spacing is clamped to `sharpest`.
   void set(std::span<const FitGaussian> gaussians);
-  static constexpr double sharpest = 1.4;
+  // Of Gaussians that the grid can hold.
+  [[nodiscard]] static FitLimits limits(const DensityGrid& grid, FitShape shape);
 
   // Sets size() residuals; returns the sum of their squares.
   struct Squares {
@@ -85,6 +70,9 @@ class FitProblem {
   }
 
  private:
+  // Whether a Gaussian may touch the block of voxels with this minimum corner [u], or that of the
+  // centers beside it.
+  [[nodiscard]] bool reaches(const FitGaussian& gaussian, const glm::dvec3& first) const;
   // Calls visit(block) for the blocks that a Gaussian touches.
   template <class Visit>
   void each_block(const FitGaussian& gaussian, Visit visit) const;
@@ -95,6 +83,7 @@ class FitProblem {
     float weight;      // square root of the weight
   };
 
+  FitShape shape_;
   glm::dvec3 spacing_;
   DensityGrid corners_;        // voxel blocks; values unused
   std::vector<Block> blocks_;  // of voxels, then of centers, both in the order of corners_

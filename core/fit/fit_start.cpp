@@ -9,6 +9,9 @@
 #include <queue>
 #include <span>
 
+#include "core/fit/fit_problem.h"
+#include "core/medium/gaussian_covariance.h"
+
 namespace brume {
 namespace {
 
@@ -68,7 +71,7 @@ std::array<std::span<Sample>, 2> cut(const SampleGroup& group) {
 }  // namespace
 
 std::vector<FitGaussian> split_into_gaussians(const DensityGrid& grid, std::size_t count,
-                                              const std::stop_token& stop) {
+                                              FitShape shape, const std::stop_token& stop) {
   std::vector<Sample> samples;
   for (const DensityGrid::Block& block : grid.blocks) {
     std::size_t i = 0;
@@ -99,15 +102,22 @@ std::vector<FitGaussian> split_into_gaussians(const DensityGrid& grid, std::size
 
   const double voxel_variance =
       glm::dot(grid.spacing, grid.spacing) / 12.0;  // a voxel is a little box
-  const double sharpest =
-      FitProblem::sharpest /
-      std::max({std::abs(grid.spacing.x), std::abs(grid.spacing.y), std::abs(grid.spacing.z)});
+  const FitLimits limits = FitProblem::limits(grid, shape);
   std::vector<FitGaussian> gaussians;
   const auto add = [&](const SampleGroup& group) {
     FitGaussian g;
     g.b = group.mean;
     const double variance = (group.trace() / group.weight + voxel_variance) / 3.0;
-    g.a = std::min(1.0 / std::sqrt(2.0 * variance), sharpest);
+    g.a = 1.0 / std::max(std::sqrt(2.0 * variance), limits.min_radius);
+    if (shape == FitShape::ellipsoid) {
+      glm::dmat3 covariance = group.inertia / group.weight;
+      for (int k = 0; k < 3; ++k) covariance[k][k] += grid.spacing[k] * grid.spacing[k] / 12.0;
+      Gaussian ellipsoid;
+      set_covariance(ellipsoid, covariance);
+      g.a = 1.0 / ellipsoid.mean_radius();
+      g.shape = ellipsoid.mean_radius() / ellipsoid.radius * warp(ellipsoid.shape);
+      limit(g, limits);
+    }
     g.c = group.weight * grid.voxel_volume() * std::pow(g.a, 3.0) / std::pow(std::numbers::pi, 1.5);
     gaussians.push_back(g);
   };

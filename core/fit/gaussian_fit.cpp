@@ -1,6 +1,7 @@
 #include "brume/fit.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -35,19 +36,21 @@ void add(Steps& a, double s, const Steps& b) {
 
 class Fitting {
  public:
-  Fitting(const DensityGrid& grid, const std::stop_token& stop,
+  Fitting(const DensityGrid& grid, FitShape shape, const std::stop_token& stop,
           const std::function<void(double)>& progress)
-      : grid_(grid), problem_(grid), stop_(stop), progress_(progress) {
+      : grid_(grid),
+        shape_(shape),
+        problem_(grid, shape),
+        stop_(stop),
+        progress_(progress),
+        limits_(FitProblem::limits(grid, shape)) {
     residuals_.resize(problem_.size());
     trial_residuals_.resize(problem_.size());
     along_.resize(problem_.size());
-    const glm::dvec3 h = glm::abs(grid.spacing);
-    sharpest_ = FitProblem::sharpest / std::max({h.x, h.y, h.z});
   }
 
   void begin(std::vector<FitGaussian> gaussians) {
     gaussians_ = std::move(gaussians);
-    for (FitGaussian& g : gaussians_) limit(g);
     renewed_.assign(gaussians_.size(), false);
     evaluate();
     damping_ = 1e-2;
@@ -104,49 +107,75 @@ class Fitting {
     Fit fit;
     fit.density_error = error();
     fit.products = products_;
-    for (const FitGaussian& g : gaussians_) {
-      fit.gaussians.push_back({grid_.to_world(g.b / grid_.spacing), 1.0 / g.a, g.c});
-    }
+    for (const FitGaussian& g : gaussians_) fit.gaussians.push_back(to_gaussian(grid_, g));
     return fit;
   }
   [[nodiscard]] const std::vector<bool>& renewed() const { return renewed_; }
 
  private:
-  void limit(FitGaussian& g) const { g.a = std::min(g.a, sharpest_); }
-  void evaluate() {
+  void evaluate() { squares_ = evaluate(residuals_); }
+  // After gaussians_ have changed; within limits from then on.
+  FitProblem::Squares evaluate(std::span<float> residuals) {
+    narrow_.resize(gaussians_.size());
+    for (std::size_t i = 0; i < narrow_.size(); ++i) narrow_[i] = limit(gaussians_[i], limits_);
     problem_.set(gaussians_);
-    squares_ = problem_.residuals(residuals_);
+    return problem_.residuals(residuals);
   }
   void relocate();
   // One accepted step; false if none helps.
   bool step();
   Steps solve(const Steps& gradient, std::span<const double> weights);
+  // Sets to 0 what `held_` says.
+  void hold(Steps& steps) const;
 
   const DensityGrid& grid_;
+  FitShape shape_;
   FitProblem problem_;
   std::stop_token stop_;
   const std::function<void(double)>& progress_;
-  double sharpest_;
+  FitLimits limits_;
   double damping_;
   double relocated_fraction_;  // fraction of Gaussians that may be moved
   std::size_t products_ = 0;
   FitProblem::Squares squares_;
   std::vector<FitGaussian> gaussians_;
+  std::vector<std::array<bool, 3>> narrow_;  // see limit()
+  // Axes of ellipsoids that are as narrow as they may be, and would become narrower by a step.
+  std::vector<std::array<bool, 3>> held_;
   std::vector<bool> renewed_;
   std::vector<float> residuals_, trial_residuals_, along_;
 };
 
 // The part of J^T J that belongs to one Gaussian alone, for many voxels per radius: with
-// w = integral of g^2, it is w for a db, and w ((15/4, -3/2), (-3/2, 1)) for log a and log c.
-// Returns the solution of (that, with `damping` of its diagonal added) x = r.
-FitStep solve_own(const FitStep& r, double w, double damping) {
+// w = integral of g^2, it is w for m db and off the diagonal of dm m^-1. For log c and log a it is
+// w ((1, -3/2), (-3/2, 15/4)); for log c and the diagonal, w times 1, -1/2 between them, and 3/4
+// and 1/4 within the diagonal. This is its diagonal over w.
+double own_diagonal(std::size_t k, FitShape shape) {
+  if (shape == FitShape::ball) return k == 4 ? 3.75 : 1.0;
+  return k >= 4 && k < 7 ? 0.75 : 1.0;
+}
+
+// The solution of (that, with `damping` of its diagonal added) x = r.
+FitStep solve_own(const FitStep& r, double w, double damping, FitShape shape) {
   const double damped = 1.0 + damping;
-  const double aa = 3.75 * w * damped;
-  const double cc = w * damped;
-  const double ac = -1.5 * w;
-  const double determinant = aa * cc - ac * ac;
-  return {r[0] / cc, r[1] / cc, r[2] / cc, (cc * r[3] - ac * r[4]) / determinant,
-          (aa * r[4] - ac * r[3]) / determinant};
+  FitStep x;
+  for (std::size_t k = 0; k < x.size(); ++k) x[k] = r[k] / (w * damped);
+  if (shape == FitShape::ball) {
+    const double determinant = 3.75 * damped * damped - 2.25;
+    x[3] = (3.75 * damped * r[3] + 1.5 * r[4]) / (w * determinant);
+    x[4] = (damped * r[4] + 1.5 * r[3]) / (w * determinant);
+    return x;
+  }
+  // The diagonal by its mean and what differs from it.
+  const double mean = (r[4] + r[5] + r[6]) / 3.0;
+  const double within = 0.75 * damped + 0.5;
+  const double determinant = within * damped - 0.75;
+  x[3] = (within * r[3] + 1.5 * mean) / (w * determinant);
+  const double change = (damped * mean + 0.5 * r[3]) / (w * determinant);
+  for (std::size_t k = 4; k < 7; ++k) {
+    x[k] = change + (r[k] - mean) / (w * (0.75 * damped - 0.25));
+  }
+  return x;
 }
 
 // (J^T J + damping D) x = -gradient by preconditioned conjugate gradients.
@@ -160,9 +189,11 @@ Steps Fitting::solve(const Steps& gradient, std::span<const double> weights) {
   for (FitStep& s : r) {
     for (double& v : s) v = -v;
   }
+  hold(r);
   Steps z(n);
   const auto precondition = [&] {
-    for (std::size_t i = 0; i < n; ++i) z[i] = solve_own(r[i], weights[i], damping_);
+    for (std::size_t i = 0; i < n; ++i) z[i] = solve_own(r[i], weights[i], damping_, shape_);
+    hold(z);
   };
   precondition();
   Steps p = z;
@@ -175,9 +206,10 @@ Steps Fitting::solve(const Steps& gradient, std::span<const double> weights) {
     products_ += 2;
     for (std::size_t i = 0; i < n; ++i) {
       for (std::size_t c = 0; c < q[i].size(); ++c) {
-        q[i][c] += damping_ * (c == 3 ? 3.75 : 1.0) * weights[i] * p[i][c];
+        q[i][c] += damping_ * own_diagonal(c, shape_) * weights[i] * p[i][c];
       }
     }
+    hold(q);
     const double curvature = dot(p, q);
     if (!(curvature > 0.0)) break;
     const double length = rz / curvature;
@@ -194,6 +226,14 @@ Steps Fitting::solve(const Steps& gradient, std::span<const double> weights) {
   return x;
 }
 
+void Fitting::hold(Steps& steps) const {
+  for (std::size_t i = 0; i < held_.size(); ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (held_[i][k]) steps[i][4 + k] = 0.0;
+    }
+  }
+}
+
 bool Fitting::step() {
   const std::size_t n = gaussians_.size();
   Steps gradient(n);
@@ -205,6 +245,11 @@ bool Fitting::step() {
     weights[i] = g.c * g.c * std::pow(std::numbers::pi / 2.0, 1.5) /
                  (g.a * g.a * g.a * grid_.voxel_volume());
   }
+  held_.clear();
+  if (shape_ == FitShape::ellipsoid) held_ = narrow_;
+  for (std::size_t i = 0; i < held_.size(); ++i) {
+    for (std::size_t k = 0; k < 3; ++k) held_[i][k] = narrow_[i][k] && gradient[i][4 + k] < 0.0;
+  }
   // A Gaussian that is almost nothing has no weight to hold it.
   const double min_weight =
       1e-6 * std::accumulate(weights.begin(), weights.end(), 0.0) / static_cast<double>(n);
@@ -215,16 +260,9 @@ bool Fitting::step() {
   for (int attempt = 0; attempt < 6; ++attempt) {
     const Steps change = solve(gradient, weights);
     for (std::size_t i = 0; i < n; ++i) {
-      const auto bounded = [&](std::size_t k) { return std::clamp(change[i][k], -0.7, 0.7); };
-      FitGaussian& g = gaussians_[i];
-      g = previous[i];
-      g.b += glm::dvec3(bounded(0), bounded(1), bounded(2)) / previous[i].a;
-      g.a *= std::exp(bounded(3));
-      g.c *= std::exp(bounded(4));
-      limit(g);
+      gaussians_[i] = moved(previous[i], change[i], shape_);
     }
-    problem_.set(gaussians_);
-    squares_ = problem_.residuals(trial_residuals_);
+    squares_ = evaluate(trial_residuals_);
     if (squares_.all < squares_before) {
       std::swap(residuals_, trial_residuals_);
       damping_ = std::max(0.3 * damping_, 1e-5);
@@ -251,7 +289,7 @@ void Fitting::relocate() {
     const FitGaussian& g = gaussians_[i];
     const double self_term = g.c * g.c * std::pow(std::numbers::pi / 2.0, 1.5) /
                              (g.a * g.a * g.a * grid_.voxel_volume());
-    worth.emplace_back(self_term - 2.0 * gradient[i][4], i);
+    worth.emplace_back(self_term - 2.0 * gradient[i][3], i);
   }
   std::sort(worth.begin(), worth.end());
 
@@ -268,7 +306,7 @@ void Fitting::relocate() {
       const double variance = edge * edge / 12.0 * glm::dot(grid_.spacing, grid_.spacing) / 3.0;
       FitGaussian g;
       g.b = center;
-      g.a = std::min(1.0 / std::sqrt(2.0 * variance), sharpest_);
+      g.a = 1.0 / std::max(std::sqrt(2.0 * variance), limits_.min_radius);
       g.c = -sum * grid_.voxel_volume() * std::pow(g.a, 3.0) / std::pow(std::numbers::pi, 1.5);
       places.push_back({sum * sum / (edge * edge * edge), g});
     });
@@ -294,11 +332,11 @@ void Fitting::relocate() {
 std::optional<Fit> fit_gaussians(const DensityGrid& grid, const FitOptions& options,
                                  const std::stop_token& stop,
                                  const std::function<void(double)>& progress) {
-  Fitting fitting(grid, stop, progress);
+  Fitting fitting(grid, options.shape, stop, progress);
   const auto fit = [&](std::size_t count, double progress_begin, double progress_end) {
     constexpr int rounds = 4;
     constexpr int steps = 15;
-    std::vector<FitGaussian> start = split_into_gaussians(grid, count, stop);
+    std::vector<FitGaussian> start = split_into_gaussians(grid, count, options.shape, stop);
     if (stop.stop_requested()) return false;
     fitting.begin(std::move(start));
     for (int round = 0; round < rounds; ++round) {
@@ -330,7 +368,7 @@ std::optional<Fit> fit_gaussians(const DensityGrid& grid, const FitOptions& opti
 std::optional<Refit> refit_gaussians(const DensityGrid& grid, std::span<const Gaussian> start,
                                      const std::stop_token& stop,
                                      const std::function<void(double)>& progress) {
-  Fitting fitting(grid, stop, progress);
+  Fitting fitting(grid, shape_of(start), stop, progress);
   fitting.begin(to_fit_gaussians(grid, start));
   constexpr int rounds = 6;
   constexpr int steps = 5;

@@ -8,7 +8,7 @@ namespace brume {
 
 std::vector<Gaussian> next_start(const DensityGrid& next, std::span<const Gaussian> gaussians,
                                  const VelocityGrid& velocity, double seconds) {
-  FitProblem problem(next);
+  FitProblem problem(next, shape_of(gaussians));
   std::vector<float> residuals(problem.size());
   const auto squares = [&](std::span<const Gaussian> moved) {
     problem.set(to_fit_gaussians(next, moved));

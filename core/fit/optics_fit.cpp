@@ -16,7 +16,8 @@ using Factors = std::vector<double>;
 class FactorFit {
  public:
   FactorFit(const DensityGrid& density, std::span<const Gaussian> gaussians)
-      : problem_(density), count_(gaussians.size()), sums_(problem_.size()) {
+
+      : problem_(density, shape_of(gaussians)), count_(gaussians.size()), sums_(problem_.size()) {
     problem_.set(to_fit_gaussians(density, gaussians));
   }
 
@@ -65,7 +66,7 @@ class FactorFit {
  private:
   void add_up(const Factors& factors) {
     std::vector<FitStep> steps(count_, FitStep{});
-    for (std::size_t k = 0; k < count_; ++k) steps[k][4] = factors[k];
+    for (std::size_t k = 0; k < count_; ++k) steps[k][3] = factors[k];
     problem_.apply(steps, sums_);
   }
   // Each Gaussian's sum over residuals.
@@ -73,7 +74,7 @@ class FactorFit {
     std::vector<FitStep> sums(count_);
     problem_.apply_transposed(values, sums);
     Factors result;
-    for (const FitStep& sum : sums) result.push_back(sum[4]);
+    for (const FitStep& sum : sums) result.push_back(sum[3]);
     return result;
   }
 

@@ -13,11 +13,16 @@
 
 namespace brume {
 
+// Of fitted Gaussians. Of volumes that have strands and sheets, half as many ellipsoids make the
+// error of balls.
+enum class FitShape { ball, ellipsoid };
+
 struct FitOptions {
   std::size_t count = 500;  // of Gaussians, at most
   // Target relative RMS error of density: stops when it is reached, and uses fewer Gaussians than
   // `count` if they suffice. 0: optimize fully with `count` Gaussians.
   double max_error = 0.0;
+  FitShape shape = FitShape::ellipsoid;
 };
 
 struct Fit {
@@ -36,7 +41,7 @@ BRUME_EXPORT std::optional<Fit> fit_gaussians(const DensityGrid& grid, const Fit
                                               const std::function<void(double)>& progress = {});
 
 // Fits from given Gaussians, such as the previous frame's: result i continues start[i] unless it
-// was moved elsewhere (renewed[i]). Same number of Gaussians.
+// was moved elsewhere (renewed[i]). Same number of Gaussians; ellipsoids if one of them is one.
 struct Refit {
   Fit fit;
   std::vector<bool> renewed;

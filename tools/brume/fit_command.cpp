@@ -39,6 +39,10 @@ class FitCommand final : public Command {
         app.add_option("--max-error", how_.options.max_error,
                        "relative RMS error of density to reach with as few Gaussians as possible");
     error->check(finite_in(1e-4, 1.0));
+    app.add_option("--shape", shape_, "shape of the Gaussians: ball or ellipsoid")
+        ->type_name("TEXT:{ball,ellipsoid}")
+        ->check(CLI::IsMember({"ball", "ellipsoid"}))
+        ->capture_default_str();
     app.add_option("--grid", how_.grid, "the grid to fit; none: flames only")
         ->capture_default_str();
     app.add_option("--up", up_, "up axis of the volume: y, or z, which is rotated to y")
@@ -77,6 +81,7 @@ class FitCommand final : public Command {
                        "found the extension " + quoted_text(extension) + "; allowed: .ply, .csv");
     }
     how_.z_up = up_ == "z";
+    how_.options.shape = shape_ == "ball" ? FitShape::ball : FitShape::ellipsoid;
     fitter_.emplace(how_);
     CommandFiles files;
     if (!is_sequence) {
@@ -164,6 +169,7 @@ class FitCommand final : public Command {
   std::string volume_;
   std::string output_;
   VolumeFit how_;
+  std::string shape_ = "ellipsoid";
   std::string up_ = "y";
   std::string frames_;
   std::optional<VolumeFitter> fitter_;

@@ -1,5 +1,6 @@
 // How well Gaussians make a sequence of volumes; figures of resources/manual/volumes.md.
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <ctime>
@@ -15,6 +16,7 @@
 #include "core/fit/next_start.h"
 #include "core/io/frame_pattern.h"
 #include "core/io/volume/volume_file.h"
+#include "core/math/max_component.h"
 #include "tools/fit_report/sequence_view.h"
 
 namespace brume {
@@ -25,21 +27,37 @@ double cpu_seconds() {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
+// The greatest radius over the least.
+double median_elongation(std::vector<Gaussian> gaussians) {
+  const auto least = [](const Gaussian& g) { return min_component(g.shape.stretch); };
+  const auto middle = gaussians.begin() + static_cast<std::ptrdiff_t>(gaussians.size() / 2);
+  std::ranges::nth_element(gaussians, middle, {}, least);
+  return 1.0 / least(*middle);
+}
+
 void print_errors_by_count(const DensityGrid& grid) {
-  std::puts("| Gaussians | density | optical depth | CPU seconds |\n|---|---|---|---|");
+  std::puts(
+      "| Gaussians | balls: density | optical depth | CPU seconds | ellipsoids: density | optical "
+      "depth | CPU seconds | median elongation |\n|---|---|---|---|---|---|---|---|");
   for (const std::size_t count : {50, 100, 200, 500, 1000, 2000, 5000}) {
-    const double start = cpu_seconds();
-    const Fit fit = *fit_gaussians(grid, {count, 0.0});
-    const double seconds = cpu_seconds() - start;
-    std::printf("| %zu | %.1f%% | %.1f%% | %.1f |\n", count, 100.0 * fit.density_error,
-                100.0 * depth_error(grid, fit.gaussians), seconds);
-    std::fflush(stdout);
+    std::printf("| %zu |", count);
+    for (const FitShape shape : {FitShape::ball, FitShape::ellipsoid}) {
+      const double start = cpu_seconds();
+      const Fit fit = *fit_gaussians(grid, {count, 0.0, shape});
+      const double seconds = cpu_seconds() - start;
+      std::printf(" %.1f%% | %.1f%% | %.1f |", 100.0 * fit.density_error,
+                  100.0 * depth_error(grid, fit.gaussians), seconds);
+      if (shape == FitShape::ellipsoid) std::printf(" %.1f |", median_elongation(fit.gaussians));
+      std::fflush(stdout);
+    }
+    std::puts("");
   }
 }
 
 // Fits frame by frame as `brume fit` does and renders fit and volume. The change between frames
 // shows whether Gaussians flicker.
-void print_coherence(const FramePattern& files, int first, int last, std::size_t count) {
+void print_coherence(const FramePattern& files, int first, int last, std::size_t count,
+                     FitShape shape) {
   std::optional<SequenceView> view;
   std::vector<Gaussian> gaussians;
   std::optional<VelocityGrid> velocity;
@@ -53,7 +71,7 @@ void print_coherence(const FramePattern& files, int first, int last, std::size_t
     if (!view) view.emplace(grid, Film{96, 96});
     const double start = cpu_seconds();
     if (gaussians.empty()) {
-      gaussians = fit_gaussians(grid, {count, 0.0})->gaussians;
+      gaussians = fit_gaussians(grid, {count, 0.0, shape})->gaussians;
     } else {
       if (velocity) gaussians = next_start(grid, gaussians, *velocity, 1.0 / 24.0);
       gaussians = refit_gaussians(grid, gaussians)->fit.gaussians;
@@ -96,8 +114,10 @@ int run(const std::vector<std::string>& arguments) {
   const int last = std::stoi(arguments[2]);
   const std::size_t count = arguments.size() == 4 ? std::stoul(arguments[3]) : 500;
   print_errors_by_count(read_volume(files->file_of((first + last) / 2), "density"));
-  std::puts("");
-  print_coherence(*files, first, last, count);
+  for (const FitShape shape : {FitShape::ball, FitShape::ellipsoid}) {
+    std::puts(shape == FitShape::ball ? "\nballs\n" : "\nellipsoids\n");
+    print_coherence(*files, first, last, count, shape);
+  }
   return 0;
 }
 

@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/matrix.hpp>
 #include <numbers>
 
 #include "brume/fit.h"
@@ -86,20 +89,35 @@ TEST(DensityGrid, CoarserKeepsTheMassWhereItIs) {
 }
 
 // J and its transpose against finite differences and each other.
-TEST(FitProblem, DerivativesAreRight) {
-  const DensityGrid grid = sampled(some_medium(4, 5), 0.1);
-  FitProblem problem(grid);
+class FitDerivatives : public testing::TestWithParam<FitShape> {};
+INSTANTIATE_TEST_SUITE_P(Shapes, FitDerivatives,
+                         testing::Values(FitShape::ball, FitShape::ellipsoid));
+
+TEST_P(FitDerivatives, AreRight) {
+  const bool is_ball = GetParam() == FitShape::ball;
+  DensityGrid grid = sampled(some_medium(4, 5), 0.1);
+  if (!is_ball) grid.spacing = {0.1, -0.1, 0.1};  // it may be mirrored
+  FitProblem problem(grid, GetParam());
   Random random(6);
   std::vector<FitGaussian> gaussians;
   for (int i = 0; i < 3; ++i) {
-    gaussians.push_back({random.point(0.8), random.uniform(2.0, 5.0), random.uniform(0.3, 2.0)});
+    FitGaussian& g = gaussians.emplace_back();
+    g.b = random.point(0.8);
+    g.a = random.uniform(2.0, 5.0);
+    g.c = random.uniform(0.3, 2.0);
+    if (is_ball) continue;
+    for (int k = 0; k < 3; ++k) g.shape[k] += random.point(0.3);
+    const double scale = std::cbrt(glm::determinant(g.shape));
+    g.a *= scale;
+    g.shape /= scale;
   }
   problem.set(gaussians);
   std::vector<float> before(problem.size());
   problem.residuals(before);
+  const std::size_t numbers = is_ball ? 5 : 10;
   std::vector<FitStep> step(3);
   for (FitStep& s : step) {
-    for (double& v : s) v = random.uniform(-1.0, 1.0);
+    for (std::size_t k = 0; k < numbers; ++k) s[k] = random.uniform(-1.0, 1.0);
   }
   std::vector<float> along(problem.size());
   problem.apply(step, along);
@@ -116,18 +134,18 @@ TEST(FitProblem, DerivativesAreRight) {
   }
   double right = 0.0;
   for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t k = 0; k < 5; ++k) right += gathered[i][k] * step[i][k];
+    for (std::size_t k = 0; k < numbers; ++k) right += gathered[i][k] * step[i][k];
   }
   EXPECT_NEAR(left, right, 1e-5 * scale);
 
   const double h = 1e-3;
-  std::vector<FitGaussian> moved = gaussians;
+  std::vector<FitGaussian> after_step;
   for (std::size_t i = 0; i < 3; ++i) {
-    moved[i].b += h / gaussians[i].a * glm::dvec3(step[i][0], step[i][1], step[i][2]);
-    moved[i].a *= std::exp(h * step[i][3]);
-    moved[i].c *= std::exp(h * step[i][4]);
+    FitStep small = step[i];
+    for (double& number : small) number *= h;
+    after_step.push_back(moved(gaussians[i], small, GetParam()));
   }
-  problem.set(moved);
+  problem.set(after_step);
   std::vector<float> after(problem.size());
   problem.residuals(after);
   for (std::size_t i = 0; i < after.size(); ++i) {
@@ -136,22 +154,55 @@ TEST(FitProblem, DerivativesAreRight) {
   }
 }
 
+// To the grid's axes and back, and what limits leave of them.
+TEST(FitGaussian, KeepsItsShape) {
+  DensityGrid grid;
+  grid.spacing = {-0.2, 0.2, 0.2};
+  grid.rotation = glm::normalize(glm::dquat(1.0, 0.4, -0.3, 0.2));
+  grid.origin = {100.0, -50.0, 7.0};
+  Gaussian g{{101.0, -49.0, 8.0}, 1.0, 2.0};
+  g.set_radii({0.3, 1.2, 0.5}, glm::normalize(glm::dquat(0.3, 0.1, -0.7, 0.2)));
+  FitGaussian own = to_fit_gaussians(grid, std::vector{g})[0];
+  const auto expect_same = [&](const Gaussian& back) {
+    EXPECT_LT(glm::length(back.center - g.center), 1e-12);
+    EXPECT_NEAR(back.radius, g.radius, 1e-12);
+    const glm::dmat3 difference = warp(back.shape) - warp(g.shape);
+    for (int k = 0; k < 3; ++k) EXPECT_LT(glm::length(difference[k]), 1e-12);
+  };
+  expect_same(to_gaussian(grid, own));
+  limit(own, {.min_radius = 0.1});
+  expect_same(to_gaussian(grid, own));
+  const std::array<bool, 3> narrow = limit(own, {.min_radius = 0.4});
+  EXPECT_EQ(std::ranges::count(narrow, true), 1);
+  const glm::dvec3 stretch = to_gaussian(grid, own).shape.stretch;
+  EXPECT_NEAR(std::min({stretch.x, stretch.y, stretch.z}), 0.4 / 1.2, 1e-12);
+  limit(own, {.min_radius = 0.1, .max_radius = 0.7, .low = own.b + 0.5});
+  EXPECT_NEAR(to_gaussian(grid, own).radius, 0.7, 1e-12);
+  EXPECT_NEAR(glm::length(to_gaussian(grid, own).center - g.center), std::sqrt(0.75), 1e-12);
+  g.set_radii({10.0, 0.1, 0.1}, g.shape.rotation);
+  own = to_fit_gaussians(grid, std::vector{g})[0];
+  limit(own, {.min_radius = 0.1});
+  EXPECT_NEAR(to_gaussian(grid, own).shape.stretch.y, 1.0 / max_fitted_elongation, 1e-12);
+}
+
 TEST(FitStart, PreservesTheMass) {
   const DensityGrid grid = sampled(some_medium(10, 7), 0.1);
-  for (const std::size_t count : {1u, 10u, 200u}) {
-    const std::vector<FitGaussian> gaussians = split_into_gaussians(grid, count);
-    ASSERT_EQ(gaussians.size(), count);
-    double integral = 0.0;
-    for (const FitGaussian& g : gaussians) integral += g.integral();
-    EXPECT_NEAR(integral / grid.integral(), 1.0, 1e-6);
+  for (const FitShape shape : {FitShape::ball, FitShape::ellipsoid}) {
+    for (const std::size_t count : {1u, 10u, 200u}) {
+      const std::vector<FitGaussian> gaussians = split_into_gaussians(grid, count, shape);
+      ASSERT_EQ(gaussians.size(), count);
+      double integral = 0.0;
+      for (const FitGaussian& g : gaussians) integral += g.integral();
+      EXPECT_NEAR(integral / grid.integral(), 1.0, 1e-6);
+    }
   }
-  EXPECT_TRUE(split_into_gaussians(DensityGrid(), 10).empty());
+  EXPECT_TRUE(split_into_gaussians(DensityGrid(), 10, FitShape::ball).empty());
 }
 
 // A medium, sampled and fitted again, has the same optical depth.
 TEST(GaussianFit, RecoversTheMedium) {
   const DensityGrid grid = sampled(some_medium(30, 8), 0.075);
-  const Fit fit = *fit_gaussians(grid, {60, 0.0});
+  const Fit fit = *fit_gaussians(grid, {60, 0.0, FitShape::ball});
   EXPECT_EQ(fit.gaussians.size(), 60u);
   EXPECT_LT(fit.density_error, 0.02);
   EXPECT_LT(depth_error(grid, fit.gaussians, 2000), 0.02);
@@ -175,6 +226,44 @@ TEST(GaussianFit, UsesNoMoreGaussiansThanTheErrorRequires) {
   EXPECT_LT(fine.density_error, 0.26);
   EXPECT_LT(rough.gaussians.size(), fine.gaussians.size());
   EXPECT_LT(fine.gaussians.size(), 500u);
+}
+
+// A medium of long and flat ones is found again by as many, but not by balls.
+TEST(GaussianFit, RecoversEllipsoids) {
+  Random random(13);
+  Medium medium;
+  for (int i = 0; i < 8; ++i) {
+    Gaussian g{random.point(0.8), 1.0, random.uniform(0.5, 2.0)};
+    const double flat = i % 2 == 0 ? 0.5 : 0.16;
+    g.set_radii({0.5, flat, 0.16},
+                glm::normalize(glm::dquat(1.0, random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0),
+                                          random.uniform(-1.0, 1.0))));
+    medium.append(g);
+  }
+  const DensityGrid grid = sampled(medium, 0.1);
+  const Fit fit = *fit_gaussians(grid, {16, 0.0});
+  const Fit balls = *fit_gaussians(grid, {16, 0.0, FitShape::ball});
+  EXPECT_LT(fit.density_error, 0.05);
+  EXPECT_GT(balls.density_error, 4.0 * fit.density_error);
+  for (const Gaussian& g : balls.gaussians) EXPECT_TRUE(g.is_ball());
+  EXPECT_LT(depth_error(grid, fit.gaussians, 2000), 0.03);
+  EXPECT_NEAR(mass_ratio(grid, fit.gaussians), 1.0, 1e-9);
+}
+
+// No more elongated than the smoke: few near the limit.
+TEST(GaussianFit, EllipsoidsHalveTheErrorOfSmoke) {
+  const DensityGrid grid = read_volume(volumes / "smoke_0025.vdb", "density");
+  const Fit ellipsoids = *fit_gaussians(grid, {100, 0.0});
+  const Fit balls = *fit_gaussians(grid, {100, 0.0, FitShape::ball});
+  EXPECT_LT(ellipsoids.density_error, 0.6 * balls.density_error);
+  EXPECT_LT(depth_error(grid, ellipsoids.gaussians), depth_error(grid, balls.gaussians));
+  std::size_t long_ones = 0;
+  for (const Gaussian& g : ellipsoids.gaussians) {
+    EXPECT_LT(g.radius, 2.0);  // the smoke is 2 wide
+    const glm::dvec3& s = g.shape.stretch;
+    long_ones += std::min({s.x, s.y, s.z}) < 0.2 ? 1 : 0;
+  }
+  EXPECT_LT(long_ones, 20u);
 }
 
 // The bounds are those that the project promises for 500 Gaussians.

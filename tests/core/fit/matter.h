@@ -19,7 +19,7 @@ inline Matter matter_at(std::span<const Gaussian> gaussians, const glm::dvec3& x
   glm::dvec3 extinction(0.0);
   glm::dvec3 emitted(0.0);
   for (const Gaussian& g : gaussians) {
-    const glm::dvec3 d = (x - g.center) / g.radius;
+    const glm::dvec3 d = warp(g.shape) * (x - g.center) / g.radius;
     const double b = g.density * std::exp(-glm::dot(d, d));
     scattering += b;
     extinction += b / *g.optics.albedo;

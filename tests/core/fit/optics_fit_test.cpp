@@ -88,7 +88,7 @@ TEST(OpticsFit, SampledColoursAreThoseOfTheMatter) {
 TEST(OpticsFit, RecoversColoursAndEmissions) {
   const Medium medium = colored_medium();
   const Sampled grids = sampled(medium);
-  Fit fit = *fit_gaussians(grids.density, {60, 0.0});
+  Fit fit = *fit_gaussians(grids.density, {60, 0.0, FitShape::ball});
   const OpticsErrors errors = fit_optics(grids.density, grids.targets, fit.gaussians);
   EXPECT_LT(*errors.extinction, 0.03);
   EXPECT_LT(*errors.emission, 0.05);

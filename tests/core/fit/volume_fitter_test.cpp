@@ -61,7 +61,7 @@ TEST_F(VolumeFitterTest, FlamesShineWithoutSmoke) {
     const glm::dvec3 radiance = black_body_radiance(1850.0);
     EXPECT_LT(glm::length(g.optics.emission - radiance), 1e-4 * glm::length(radiance));
     EXPECT_EQ(g.optics.albedo, glm::dvec3(flame_albedo));
-    const glm::dvec3 d = (g.center + glm::dvec3(0.7, 0.0, 0.0)) / g.radius;
+    const glm::dvec3 d = warp(g.shape) * (g.center + glm::dvec3(0.7, 0.0, 0.0)) / g.radius;
     extinction += g.density / flame_albedo * std::exp(-glm::dot(d, d));
   }
   // A flame of 1; the fit's error is 1%.
