@@ -16,6 +16,7 @@ namespace brume {
 namespace {
 
 constexpr double max_cells = 50'000.0;  // more would be slow to edit and to render
+constexpr NumberDomain flatness_domain{1.0, 20.0, "a number from 1 to 20"};
 constexpr NumberDomain shape_seed_domain{0.0, 1e9, "an integer from 0 to 1e9"};
 
 }  // namespace
@@ -82,8 +83,11 @@ FogShapeDialog::FogShapeDialog(Document& document, const FogPlace& place, QWidge
          tr("Scattering coefficient within the shape; of height fog at the ground"),
          &FogShape::density);
   number(tr("Spacing"), "fog_shape_spacing", domain::length, Scale::logarithmic,
-         tr("Distance between Gaussians in scene units; their radius is 0.8 of it"),
+         tr("Distance between Gaussians in scene units, along y; their radius is 0.8 of it"),
          &FogShape::spacing);
+  number(tr("Flatness"), "fog_shape_flatness", flatness_domain, Scale::logarithmic,
+         tr("So many times as wide as high are the Gaussians, and as far apart: fewer for layers"),
+         &FogShape::flatness);
   number(tr("Jitter"), "fog_shape_jitter", domain::unit, Scale::linear,
          tr("0: an even lattice; 1: random within its cells, so that the fog is patchy"),
          &FogShape::jitter);
@@ -123,7 +127,8 @@ void FogShapeDialog::set_kind(FogShape::Kind kind) {
   shape_.size = {side, height, side};
   for (int k = 0; k < 3; ++k) shape_.center[k] = rounded(place_.target[k], 3);
   if (!is_height) shape_.center.y = rounded(place_.target.y + 0.5 * height, 3);
-  shape_.spacing = round2(side / (is_height ? 10.0 : 6.0));
+  shape_.spacing = round2(side / (is_height ? 14.0 : 6.0));
+  shape_.flatness = is_height ? 2.0 : 1.0;
   shape_.density = round2(1.0 / side);
   update_count();
 }

@@ -25,14 +25,32 @@ glm::dvec3 filled_size(const FogShape& shape) {
 CellCounts cells_along(const FogShape& shape) {
   const glm::dvec3 size = filled_size(shape);
   const auto along = [&](int axis) {
-    return static_cast<int>(std::clamp(std::round(size[axis] / shape.spacing), 1.0, 1e6));
+    const double spacing = shape.spacing * (axis == 1 ? 1.0 : shape.flatness);
+    return static_cast<int>(std::clamp(std::round(size[axis] / spacing), 1.0, 1e6));
   };
   return {along(0), along(1), along(2)};
 }
 
-// The density of each Gaussian so that one to a cell of this volume makes a mean density.
-double density_per_cell(double mean, double cell_volume, double radius) {
-  return mean * cell_volume / (std::pow(std::numbers::pi, 1.5) * radius * radius * radius);
+// Gives a Gaussian the density at which one to a cell of this volume makes a mean density.
+void set_density(Gaussian& gaussian, double mean, double cell_volume) {
+  gaussian.density =
+      mean * cell_volume / std::pow(std::sqrt(std::numbers::pi) * gaussian.mean_radius(), 3);
+}
+
+// What turns y to a unit vector that points up.
+glm::dquat rotation_of(const glm::dvec3& up) {
+  const glm::dvec3 axis = glm::cross(glm::dvec3(0.0, 1.0, 0.0), up);
+  return glm::normalize(glm::dquat(1.0 + up.y, axis.x, axis.y, axis.z));
+}
+
+// The ground's normal, as found half a Gaussian to each side.
+glm::dvec3 normal_at(const glm::dvec3& x, double step, const FindGround& find_ground) {
+  const auto slope = [&](double dx, double dz) {
+    const auto before = find_ground(x.x - dx, x.z - dz);
+    const auto behind = find_ground(x.x + dx, x.z + dz);
+    return before && behind ? (*behind - *before) / (2.0 * step) : 0.0;
+  };
+  return glm::normalize(glm::dvec3(-slope(step, 0.0), 1.0, -slope(0.0, step)));
 }
 
 }  // namespace
@@ -47,7 +65,9 @@ std::vector<Gaussian> fill(const FogShape& shape) {
   const glm::dvec3 size = filled_size(shape);
   const glm::dvec3 cell = size / glm::dvec3(n[0], n[1], n[2]);
   const double radius = radius_per_spacing * shape.spacing;
-  const double peak = density_per_cell(shape.density, cell.x * cell.y * cell.z, radius);
+  Gaussian one;
+  one.set_radii(radius * glm::dvec3(shape.flatness, 1.0, shape.flatness), one.shape.rotation);
+  set_density(one, shape.density, cell.x * cell.y * cell.z);
   const bool is_height = shape.kind == FogShape::Kind::height;
   glm::dvec3 low = shape.center - 0.5 * size;
   if (is_height) low.y = shape.center.y;
@@ -66,7 +86,9 @@ std::vector<Gaussian> fill(const FogShape& shape) {
           continue;
         }
         const double thinned = is_height ? std::exp(-(center.y - low.y) / shape.size.y) : 1.0;
-        gaussians.push_back({center, radius, peak * thinned});
+        Gaussian& gaussian = gaussians.emplace_back(one);
+        gaussian.center = center;
+        gaussian.density *= thinned;
       }
     }
   }
@@ -86,6 +108,10 @@ std::vector<Gaussian> lay_on_ground(const FogShape& shape, const FindGround& fin
     gaussian.center.y = *ground + std::max(0.35 * radius + 0.5 * lift, 0.0);
     // As much of it as of a layer that thick.
     gaussian.density *= shape.size.y / shape.spacing;
+    if (!gaussian.is_ball()) {
+      const double step = 0.5 * gaussian.radius;
+      gaussian.shape.rotation = rotation_of(normal_at(gaussian.center, step, find_ground));
+    }
     gaussians.push_back(gaussian);
   }
   return gaussians;

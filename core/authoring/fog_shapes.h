@@ -18,8 +18,10 @@ struct FogShape {
   glm::dvec3 center{0.0};  // of height fog: of its footprint, on the ground
   glm::dvec3 size{1.0};    // edges or diameters, > 0 [u]
   double density = 0.1;    // scattering coefficient within; of height fog at the ground; >= 0 [1/u]
-  double spacing = 0.2;    // of the lattice, > 0 [u]; the radius of the Gaussians is 0.8 of it
-  double jitter = 0.0;     // random offsets within a cell of the lattice, in [0, 1]
+  double spacing =
+      0.2;  // of the lattice, > 0 [u], along y; the radius of the Gaussians is 0.8 of it
+  double flatness = 1.0;  // spacing and radii along x and z over those along y, >= 1
+  double jitter = 0.0;    // random offsets within a cell of the lattice, in [0, 1]
   std::uint64_t seed = 1;
 
   bool operator==(const FogShape&) const = default;
@@ -35,7 +37,8 @@ std::vector<Gaussian> fill(const FogShape& shape);
 using FindGround = std::function<std::optional<double>(double x, double z)>;
 
 // A layer of Gaussians on the ground within a footprint, one lattice cell thick; patchy by
-// `jitter`. Cells without ground stay empty. Of the shape, size.y is the thickness of the layer.
+// `jitter`. Flat ones lie along its slope. Cells without ground stay empty. Of the shape, size.y is
+// the thickness of the layer.
 std::vector<Gaussian> lay_on_ground(const FogShape& shape, const FindGround& find_ground);
 
 // Fog that rises from a point, widens, bends with the wind and thins as it mixes with air.

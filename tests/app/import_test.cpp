@@ -245,8 +245,8 @@ class ImportTest : public QObject {
       dialog->findChild<QComboBox*>("splat_up")->setCurrentIndex(1);
       QTest::mouseClick(dialog->findChild<QPushButton*>("import"), Qt::LeftButton);
       QCOMPARE(wait(window), QString());
-      QCOMPARE(document.medium().size(), std::size_t{1});
-      const Gaussian imported = document.medium().gaussian(0);
+      QCOMPARE(document.medium().size(), before.medium.size() + 1);
+      const Gaussian imported = document.medium().gaussian(before.medium.size());
       QVERIFY(glm::length(imported.center - glm::dvec3(-1.0, -2.0, 3.0)) < 1e-6);
       QVERIFY(glm::length(imported.radii() - g.radii()) < 1e-6);
       QVERIFY(std::abs(imported.density - 0.5) < 1e-6);

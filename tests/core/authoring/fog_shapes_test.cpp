@@ -97,6 +97,44 @@ TEST(FogShapes, ALayerFollowsTheGround) {
   }
 }
 
+TEST(FogShapes, FlatGaussiansAreFewerForTheSameFog) {
+  FogShape box;
+  box.size = {6.0, 2.0, 6.0};
+  box.density = 0.7;
+  box.spacing = 0.2;
+  box.flatness = 3.0;
+  const auto gaussians = fill(box);
+  EXPECT_EQ(gaussians.size(), 1000u);
+  EXPECT_EQ(cell_count(box), 1000.0);
+  double mass = 0.0;
+  for (const Gaussian& g : gaussians) {
+    mass += g.density * std::pow(std::sqrt(std::numbers::pi) * g.mean_radius(), 3);
+  }
+  EXPECT_NEAR(mass, 0.7 * 72.0, 1e-6);
+  for (const glm::dvec3 at : {glm::dvec3(0.0), glm::dvec3(0.53, 0.11, -0.37)}) {
+    double density = 0.0;
+    for (const Gaussian& g : gaussians) {
+      const glm::dvec3 q = (at - g.center) / glm::dvec3(0.48, 0.16, 0.48);
+      density += g.density * std::exp(-glm::dot(q, q));
+    }
+    EXPECT_NEAR(density, 0.7, 0.01);
+  }
+}
+
+TEST(FogShapes, FlatLayersLieAlongTheSlope) {
+  FogShape layer;
+  layer.size = {8.0, 0.5, 8.0};
+  layer.spacing = 0.5;
+  layer.flatness = 2.0;
+  const auto gaussians =
+      lay_on_ground(layer, [](double x, double) { return std::optional(0.75 * x); });
+  EXPECT_EQ(gaussians.size(), 64u);
+  for (const Gaussian& g : gaussians) {
+    const glm::dvec3 up = g.shape.rotation * glm::dvec3(0.0, 1.0, 0.0);
+    EXPECT_LT(glm::length(up - glm::dvec3(-0.6, 0.8, 0.0)), 1e-12);
+  }
+}
+
 TEST(FogShapes, AColumnRisesAndWidens) {
   FogColumn column;
   column.foot = {1.0, 0.0, 0.0};
