@@ -45,7 +45,11 @@ bool is_one_of(const fs::path& file, const auto& extensions) {
 // A PLY or glTF may be either.
 bool is_of_splats(const fs::path& file) {
   constexpr std::array<std::string_view, 3> possible{".ply", ".gltf", ".glb"};
-  return is_one_of(file, possible) && has_splats(file);
+  try {
+    return is_one_of(file, possible) && has_splats(file);
+  } catch (const InputError&) {
+    return false;  // who reads it says what is wrong
+  }
 }
 
 bool is_volume(const fs::path& file) {

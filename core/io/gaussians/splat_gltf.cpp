@@ -28,6 +28,10 @@ class GltfSplatReader {
         meshes_(file_.list("meshes").size()) {
     for (std::size_t i = 0; i < nodes_.size(); ++i) add_node(i);
     for (std::size_t i = 0; i < meshes_.size(); ++i) count_mesh(i);
+  }
+
+  // Refuses a file that is of something else.
+  void expect_splats(const std::filesystem::path& file) {
     const auto has_splats = [](const Mesh& mesh) { return !mesh.primitives.empty(); };
     if (std::ranges::none_of(meshes_, has_splats) && !uses_extension()) {
       throw InputError(file, "meshes",
@@ -206,6 +210,7 @@ class GltfSplatReader {
 std::vector<Gaussian> read_splats_gltf(const std::filesystem::path& file, std::size_t max_count,
                                        OpacityAlong along) {
   GltfSplatReader reader(file);
+  reader.expect_splats(file);
   if (reader.count() > max_count) {
     throw InputError(file, "meshes",
                      "found " + std::to_string(reader.count()) +
