@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "core/math/rounded.h"
 #include "core/transport/optical_depth.h"
 #include "render/gl_renderer.h"
 #include "render/renderer.h"
@@ -111,8 +112,8 @@ std::string of_scenes(std::vector<double> errors) {
   if (errors.empty()) return "";
   const Spread spread = spread_of(std::move(errors));
   std::array<char, 64> text;
-  std::snprintf(text.data(), text.size(), "%.2g%% (%.2g)", 100.0 * spread.median,
-                100.0 * spread.max);
+  std::snprintf(text.data(), text.size(), "%g%% (%g)", rounded(100.0 * spread.median, 2),
+                rounded(100.0 * spread.max, 2));
   return text.data();
 }
 
