@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec4.hpp>
+#include <glm/vector_relational.hpp>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -11,6 +15,7 @@
 #include "brume/edits.h"
 #include "brume/error.h"
 #include "brume/files.h"
+#include "brume/limits.h"
 #include "brume/scene.h"
 #include "python/integers.h"
 
@@ -81,14 +86,75 @@ std::vector<glm::dvec3> rows_of(const char* name, const Doubles& array) {
   return rows;
 }
 
+// `count` rows of three.
+std::vector<glm::dvec3> rows_of(const char* name, const Doubles& array, std::size_t count) {
+  std::vector<glm::dvec3> rows = rows_of(name, array);
+  if (rows.size() != count) {
+    throw DomainError(
+        name, "found " + std::to_string(rows.size()) + " rows; allowed: " + std::to_string(count));
+  }
+  return rows;
+}
+
+// Of each of `count` Gaussians, from rows of w, x, y, z.
+std::vector<glm::dquat> unit_quaternions(const Doubles& array, std::size_t count) {
+  if (array.ndim() != 2 || array.shape(1) != 4 ||
+      static_cast<std::size_t>(array.shape(0)) != count) {
+    throw DomainError("rotations", "found the shape " + shape_of(array) + "; allowed: (" +
+                                       std::to_string(count) + ", 4)");
+  }
+  std::vector<glm::dquat> rotations;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double* row = array.data() + 4 * i;
+    const glm::dquat rotation(row[0], row[1], row[2], row[3]);
+    const double length = glm::length(rotation);
+    if (!(std::abs(length - 1.0) <= 1e-3)) {
+      throw DomainError("rotations[" + std::to_string(i) + "]",
+                        "found a quaternion of length " + std::string(py::str(py::float_(length))) +
+                            "; allowed: 1");
+    }
+    rotations.push_back(rotation / length);
+  }
+  return rotations;
+}
+
+// Radii of `count` Gaussians along their own axes.
+std::vector<glm::dvec3> axis_radii_of(const Doubles& array, std::size_t count) {
+  std::vector<glm::dvec3> radii = rows_of("radii", array, count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto [least, greatest] = std::minmax({radii[i].x, radii[i].y, radii[i].z});
+    if (!(least > 0.0 && least >= limits::min_stretch * greatest)) {
+      throw DomainError("radii[" + std::to_string(i) + "]",
+                        "allowed: radii > 0, each at least 1e-4 of the greatest");
+    }
+  }
+  return radii;
+}
+
 void append(const Shared& medium, const Doubles& centers, const Doubles& radii,
-            const Doubles& densities) {
+            const Doubles& densities, const std::optional<Doubles>& rotations) {
   const std::vector<glm::dvec3> rows = rows_of("centers", centers);
-  const std::vector<double> radius = as_many("radii", radii, rows.size());
+  const bool are_balls = radii.ndim() < 2;
+  if (are_balls && rotations) {
+    throw DomainError("rotations", "allowed: with radii of the shape (n, 3)");
+  }
+  std::vector<double> radius(rows.size(), 1.0);
+  std::vector<glm::dvec3> axis_radii;
+  std::vector<glm::dquat> turned(rows.size(), glm::dquat(1.0, 0.0, 0.0, 0.0));
+  if (are_balls) {
+    radius = as_many("radii", radii, rows.size());
+  } else {
+    axis_radii = axis_radii_of(radii, rows.size());
+    if (rotations) turned = unit_quaternions(*rotations, rows.size());
+  }
   const std::vector<double> density = as_many("densities", densities, rows.size());
   Medium added;
   added.reserve(rows.size());
-  for (std::size_t i = 0; i < rows.size(); ++i) added.append({rows[i], radius[i], density[i]});
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    Gaussian gaussian{rows[i], radius[i], density[i]};
+    if (!are_balls) gaussian.set_radii(axis_radii[i], turned[i]);
+    added.append(gaussian);
+  }
   check(added);
   Medium& all = medium->resizable();
   for (std::size_t i = 0; i < added.size(); ++i) all.append(added.gaussian(i));
@@ -130,37 +196,42 @@ void remove(const Shared& medium, const py::object& chosen) {
   MediumEdit::remove(all, ids).apply(all);
 }
 
-// Row i for each Gaussian.
+// A copy: row i for each Gaussian, a vector of `width`.
 template <class Row>
-Doubles optics_rows(const Shared& medium, Row row) {
+Doubles rows_for(const Shared& medium, int width, Row row) {
   const Medium& all = medium->medium();
-  Doubles rows({all.size(), std::size_t{3}});
+  Doubles rows({all.size(), static_cast<std::size_t>(width)});
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const glm::dvec3 value = row(all.optics(i));
-    for (int k = 0; k < 3; ++k) rows.mutable_at(i, k) = value[k];
+    const auto value = row(all.gaussian(i));
+    for (int k = 0; k < width; ++k) rows.mutable_at(i, k) = value[k];
   }
   return rows;
 }
 
+// Of each Gaussian; `set` gets it and its index.
 template <class Set>
-void set_optics(const Shared& medium, const char* name, const Doubles& array, Set set) {
-  const std::vector<glm::dvec3> rows = rows_of(name, array);
+void change_all(const Shared& medium, Set set) {
   Medium& all = medium->changeable();
-  if (rows.size() != all.size()) {
-    throw DomainError(name, "found " + std::to_string(rows.size()) +
-                                " rows; allowed: " + std::to_string(all.size()));
-  }
   std::vector<Gaussian> after;
   Medium trial;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
+  for (std::size_t i = 0; i < all.size(); ++i) {
     after.push_back(all.gaussian(i));
-    set(after.back().optics, rows[i]);
+    set(after.back(), i);
     trial.append(after.back());
   }
   check(trial);
   // Value by value: the columns stay where arrays know them.
   MediumEdit::change(all, std::vector<GaussianId>(all.ids().begin(), all.ids().end()), after)
       .apply(all);
+}
+
+void set_ellipsoids(const Shared& medium, const Doubles& radii, const Doubles& rotations) {
+  const std::size_t count = medium->changeable().size();
+  const std::vector<glm::dvec3> axis_radii = axis_radii_of(radii, count);
+  const std::vector<glm::dquat> turned = unit_quaternions(rotations, count);
+  change_all(medium, [&](Gaussian& gaussian, std::size_t i) {
+    gaussian.set_radii(axis_radii[i], turned[i]);
+  });
 }
 
 // Checked, then written into the columns, which stay where arrays know them.
@@ -179,7 +250,7 @@ void bind_medium(py::module_& module) {
   py::class_<ArrayMedium, Shared>(
       module, "Medium",
       "A scattering medium: b(x) = density + sum of densities[i] exp(-|x - centers[i]|^2 / "
-      "radii[i]^2) [1/u].\n\n"
+      "radii[i]^2) [1/u], or of ellipsoids that have three radii.\n\n"
       "The arrays are the medium itself: nothing is copied, and what is written to them is "
       "rendered next. While one exists, no Gaussian can be added or removed (BufferError).")
       .def(py::init([] { return std::make_shared<ArrayMedium>(); }))
@@ -192,13 +263,8 @@ void bind_medium(py::module_& module) {
           "centers",
           [](const Shared& self) { return vectors(self, self->changeable().columns().centers); },
           [](const Shared& self, const Doubles& array) {
-            const std::vector<glm::dvec3> rows = rows_of("centers", array);
             Medium& all = self->changeable();
-            if (rows.size() != all.size()) {
-              throw DomainError("centers", "found " + std::to_string(rows.size()) +
-                                               " rows; allowed: " + std::to_string(all.size()));
-            }
-            std::ranges::copy(rows, all.columns().centers.begin());
+            std::ranges::copy(rows_of("centers", array, all.size()), all.columns().centers.begin());
           },
           "(n, 3) float64, writable [u].")
       .def_property(
@@ -207,7 +273,7 @@ void bind_medium(py::module_& module) {
           [](const Shared& self, const Doubles& array) {
             set_numbers(self, "radii", array, &Medium::Columns::radii);
           },
-          "(n,) float64, writable, > 0 [u].")
+          "(n,) float64, writable, > 0 [u]; of an ellipsoid the greatest, and the others with it.")
       .def_property(
           "densities",
           [](const Shared& self) { return numbers(self, self->changeable().columns().densities); },
@@ -218,14 +284,15 @@ void bind_medium(py::module_& module) {
       .def_property(
           "albedos",
           [](const Shared& self) {
-            return optics_rows(self, [](const GaussianOptics& optics) {
-              return optics.albedo.value_or(glm::dvec3(nan));
+            return rows_for(self, 3, [](const Gaussian& gaussian) {
+              return gaussian.optics.albedo.value_or(glm::dvec3(nan));
             });
           },
-          [](const Shared& self, const Doubles& rows) {
-            set_optics(self, "albedos", rows, [](GaussianOptics& optics, const glm::dvec3& row) {
-              const bool is_none = std::isnan(row.x) && std::isnan(row.y) && std::isnan(row.z);
-              optics.albedo = is_none ? std::nullopt : std::optional(row);
+          [](const Shared& self, const Doubles& array) {
+            const auto rows = rows_of("albedos", array, self->changeable().size());
+            change_all(self, [&](Gaussian& gaussian, std::size_t i) {
+              const bool is_none = glm::all(glm::isnan(rows[i]));
+              gaussian.optics.albedo = is_none ? std::nullopt : std::optional(rows[i]);
             });
           },
           "A copy, (n, 3) float64: single-scattering albedo, RGB in (0, 1]; rows of NaN have that "
@@ -233,15 +300,36 @@ void bind_medium(py::module_& module) {
       .def_property(
           "emissions",
           [](const Shared& self) {
-            return optics_rows(self, [](const GaussianOptics& optics) { return optics.emission; });
+            return rows_for(self, 3, [](const Gaussian& g) { return g.optics.emission; });
           },
-          [](const Shared& self, const Doubles& rows) {
-            set_optics(self, "emissions", rows, [](GaussianOptics& optics, const glm::dvec3& row) {
-              optics.emission = row;
+          [](const Shared& self, const Doubles& array) {
+            const auto rows = rows_of("emissions", array, self->changeable().size());
+            change_all(self, [&](Gaussian& gaussian, std::size_t i) {
+              gaussian.optics.emission = rows[i];
             });
           },
           "A copy, (n, 3) float64: emitted radiance, RGB >= 0 [W/(sr u^2)] per unit of optical "
           "depth. Assign to change it.")
+      .def_property_readonly(
+          "axis_radii",
+          [](const Shared& self) {
+            return rows_for(self, 3, [](const Gaussian& gaussian) { return gaussian.radii(); });
+          },
+          "A copy, (n, 3) float64: of ellipsoids along their own axes, of balls three of one "
+          "length [u].")
+      .def_property_readonly(
+          "rotations",
+          [](const Shared& self) {
+            return rows_for(self, 4, [](const Gaussian& gaussian) {
+              const glm::dquat& q = gaussian.shape.rotation;
+              return glm::dvec4(q.w, q.x, q.y, q.z);
+            });
+          },
+          "A copy, (n, 4) float64: unit quaternions w, x, y, z, which turn the own axes of "
+          "ellipsoids into those of the scene.")
+      .def("set_ellipsoids", set_ellipsoids, py::arg("radii"), py::arg("rotations"),
+           "Makes the Gaussians ellipsoids: radii along their own axes (n, 3) [u], each at least "
+           "1e-4 of the greatest, and unit quaternions w, x, y, z (n, 4).")
       .def_property(
           "density", [](ArrayMedium& self) { return self.medium().homogeneous_density(); },
           [](ArrayMedium& self, double density) {
@@ -252,7 +340,9 @@ void bind_medium(py::module_& module) {
           },
           "Homogeneous scattering coefficient, >= 0 [1/u].")
       .def("append", append, py::arg("centers"), py::arg("radii"), py::arg("densities"),
-           "Adds Gaussians: centers (n, 3) [u], radii and densities (n,) or one number for all.")
+           py::arg("rotations") = py::none(),
+           "Adds Gaussians: centers (n, 3) [u], radii and densities (n,) or one number for all. "
+           "Radii (n, 3) make ellipsoids, turned by rotations (n, 4): unit quaternions w, x, y, z.")
       .def("remove", remove, py::arg("indices"),
            "Removes the Gaussians at these indices, or where a mask (n,) of bool is true.")
       .def(

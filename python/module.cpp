@@ -18,18 +18,23 @@ using Floats = py::array_t<float, py::array::c_style | py::array::forcecast>;
 
 std::pair<std::shared_ptr<ArrayMedium>, double> fit(const Floats& densities, double voxel,
                                                     const glm::dvec3& origin, std::size_t count,
-                                                    double max_error, const py::object& progress) {
+                                                    double max_error, const std::string& shape,
+                                                    const py::object& progress) {
   if (densities.ndim() != 3) {
     throw DomainError("densities", "found " + std::to_string(densities.ndim()) +
                                        " dimensions; allowed: 3, for x, y and z");
   }
+  if (shape != "ball" && shape != "ellipsoid") {
+    throw DomainError("shape", "found '" + shape + "'; allowed: 'ball', 'ellipsoid'");
+  }
+  const FitShape fit_shape = shape == "ball" ? FitShape::ball : FitShape::ellipsoid;
   const glm::ivec3 size(static_cast<int>(densities.shape(0)), static_cast<int>(densities.shape(1)),
                         static_cast<int>(densities.shape(2)));
   const DensityGrid grid =
       grid_of({densities.data(), static_cast<std::size_t>(densities.size())}, size, voxel, origin);
   const std::optional<Fit> fit = interruptible(
       [&](const std::stop_token& stop, const std::function<void(double)>& fraction) {
-        return fit_gaussians(grid, {count, max_error, FitShape::ball}, stop, fraction);
+        return fit_gaussians(grid, {count, max_error, fit_shape}, stop, fraction);
       },
       progress);
   Medium medium;
@@ -49,9 +54,10 @@ PYBIND11_MODULE(_brume, module) {
   bind_frame(module);
   module.def(
       "fit", fit, py::arg("densities"), py::arg("voxel"), py::arg("origin") = glm::dvec3(0.0),
-      py::arg("count") = 500, py::arg("max_error") = 0.0, py::arg("progress") = py::none(),
+      py::arg("count") = 500, py::arg("max_error") = 0.0, py::arg("shape") = "ellipsoid",
+      py::arg("progress") = py::none(),
       "Fits Gaussians to densities (nx, ny, nz), >= 0 [1/u], on voxels of this size [u], the "
       "first centred at `origin`. At most `count`, fewer if they keep `max_error`, the "
-      "relative RMS error. Returns the Medium and its error.");
+      "relative RMS error; ellipsoids, or 'ball'. Returns the Medium and its error.");
   module.attr("__version__") = brume::version();
 }

@@ -163,12 +163,60 @@ def test_optics_are_copies_that_are_assigned(cloud):
         cloud.medium.emissions = np.zeros((2, 3))
 
 
+def test_ellipsoids_are_added_and_read_back(cloud):
+    quarter = np.sqrt(0.5)
+    cloud.medium.append([[0, 1, 0]], [[0.3, 0.6, 0.15]], 2, [[quarter, 0, 0, quarter]])
+    cloud.medium.append([[0, 2, 0]], [[0.1, 0.2, 0.3]], 1)
+    assert cloud.medium.radii.tolist() == [0.6, 0.6, 0.6, 0.6, 0.3]
+    radii = cloud.medium.axis_radii
+    assert radii[0].tolist() == [0.6] * 3
+    assert np.allclose(radii[3:], [[0.3, 0.6, 0.15], [0.1, 0.2, 0.3]], rtol=1e-15)
+    assert np.allclose(cloud.medium.rotations[3], [quarter, 0, 0, quarter])
+    assert cloud.medium.rotations[[0, 4]].tolist() == [[1, 0, 0, 0]] * 2
+
+
+def test_ellipsoids_are_rendered(cloud):
+    balls = brume.render(cloud, **ONCE).airlight.copy()
+    centers = cloud.medium.centers
+    assert np.array_equal(brume.render(cloud, **ONCE).airlight, balls)
+    cloud.medium.set_ellipsoids([[0.6, 0.1, 0.6]] * 3, [[1, 0, 0, 0]] * 3)
+    flat = brume.render(cloud, **ONCE).airlight
+    assert flat.sum() < 0.5 * balls.sum()
+    assert np.shares_memory(centers, cloud.medium.centers)
+    cloud.medium.set_ellipsoids([[0.6] * 3] * 3, [[1, 0, 0, 0]] * 3)
+    assert np.array_equal(brume.render(cloud, **ONCE).airlight, balls)
+
+
+@pytest.mark.parametrize(
+    "arguments, message",
+    [
+        (([[1, 1, 1]], [[1, 0, 0, 0]] * 3), "radii: found 1 rows; allowed: 3"),
+        (([1, 1, 1], [[1, 0, 0, 0]] * 3), r"radii: found the shape \(3,\); allowed: \(n, 3\)"),
+        (([[1, 1, 1e-5]] * 3, [[1, 0, 0, 0]] * 3), r"radii\[0\]: allowed: radii > 0, each at least"),
+        (([[1, 1, np.nan]] * 3, [[1, 0, 0, 0]] * 3), r"radii\[0\]: allowed"),
+        (([[1, 1, 1]] * 3, [[1, 0, 0]] * 3), r"rotations: found the shape \(3, 3\); allowed: \(3, 4\)"),
+        (([[1, 1, 1]] * 3, [[1, 0, 0, 0], [0, 0, 0, 0], [1, 0, 0, 0]]), r"rotations\[1\]: found a quat"),
+    ],
+)
+def test_wrong_ellipsoids(cloud, arguments, message):
+    with pytest.raises(brume.DomainError, match=message):
+        cloud.medium.set_ellipsoids(*arguments)
+    assert (cloud.medium.axis_radii == 0.6).all()
+
+
+def test_rotations_need_three_radii(cloud):
+    with pytest.raises(brume.DomainError, match=r"rotations: allowed: with radii of the shape"):
+        cloud.medium.append([[0, 1, 0]], 1, 1, [[1, 0, 0, 0]])
+
+
 def test_files(cloud, tmp_path):
+    cloud.medium.append([[0, 1, 0]], [[0.3, 0.6, 0.15]], 2)
     for name in ("m.ply", "m.csv"):
         cloud.medium.save(tmp_path / name)
         again = brume.load_medium(tmp_path / name)
         assert np.array_equal(again.centers, cloud.medium.centers)
         assert np.array_equal(again.densities, cloud.medium.densities)
+        assert np.allclose(again.axis_radii, cloud.medium.axis_radii, rtol=1e-15)
     with pytest.raises(brume.InputError, match="nothing.ply"):
         brume.load_medium(tmp_path / "nothing.ply")
 
@@ -187,7 +235,11 @@ def test_fit_finds_what_made_the_grid():
     medium, error = brume.fit(grid, 0.1, origin=(1, 0, 0), count=1)
     assert error < 0.02
     assert np.allclose(medium.centers, [[2.0, 1.2, 1.4]], atol=0.01)
-    assert np.allclose(medium.radii, 0.3, rtol=0.02)
+    assert np.allclose(medium.axis_radii, 0.3, rtol=0.02)
+    balls, _ = brume.fit(grid, 0.1, count=2, shape="ball")
+    assert np.ptp(balls.axis_radii, axis=1).max() == 0
+    with pytest.raises(brume.DomainError, match="shape: found 'cube'; allowed: 'ball', 'ellipsoid'"):
+        brume.fit(grid, 0.1, shape="cube")
     with pytest.raises(brume.DomainError, match="densities: found 2 dimensions"):
         brume.fit(grid[0], 0.1)
     with pytest.raises(brume.DomainError, match="found nan"):
