@@ -193,15 +193,31 @@ void GaussianHistogram::paintEvent(QPaintEvent* /*event*/) {
                             std::max(1.0, (right - left) * area.width()), area.height()),
                      veil);
   }
-  const QRect below(area.left(), area.bottom() + 1, area.width(), fontMetrics().height());
+  draw_axis(painter, QRect(area.left(), area.bottom() + 1, area.width(), fontMetrics().height()));
+}
+
+// The ends of the axis, or of what is dragged over, and between them as much of the title as fits.
+void GaussianHistogram::draw_axis(QPainter& painter, const QRect& line) const {
   painter.setPen(palette().color(QPalette::WindowText));
-  painter.drawText(below, Qt::AlignHCenter, attribute_title(field_));
-  if (!has_any()) return;
-  const double left = dragging_ ? std::min(start_, end_) : 0.0;
-  const double right = dragging_ ? std::max(start_, end_) : 1.0;
-  const auto text = [&](double at) { return number_text(axis.at(at), 3); };
-  painter.drawText(below, Qt::AlignLeft, text(left));
-  painter.drawText(below, Qt::AlignRight, text(right));
+  QString low;
+  QString high;
+  if (has_any()) {
+    const Axis& axis = dragging_ ? drag_axis_ : axis_;
+    low = number_text(axis.at(dragging_ ? std::min(start_, end_) : 0.0), 3);
+    high = number_text(axis.at(dragging_ ? std::max(start_, end_) : 1.0), 3);
+    painter.drawText(line, Qt::AlignLeft, low);
+    painter.drawText(line, Qt::AlignRight, high);
+  }
+  const QFontMetrics metrics = fontMetrics();
+  const int gap = metrics.horizontalAdvance(' ');
+  const QRect between = line.adjusted(metrics.horizontalAdvance(low) + gap, 0,
+                                      -metrics.horizontalAdvance(high) - gap, 0);
+  const QString title = attribute_title(field_);
+  // In the middle of the bars where it does not touch the ends.
+  QRect place(0, 0, metrics.horizontalAdvance(title), line.height());
+  place.moveCenter(line.center());
+  painter.drawText(between.contains(place) ? line : between, Qt::AlignHCenter,
+                   metrics.elidedText(title, Qt::ElideRight, between.width()));
 }
 
 void GaussianHistogram::mousePressEvent(QMouseEvent* event) {

@@ -56,6 +56,7 @@ class GaussianHistogram : public QWidget {
   void count_all() const;
   [[nodiscard]] Counts selected_on(const Axis& axis) const;
   [[nodiscard]] QRect bars() const;
+  void draw_axis(QPainter& painter, const QRect& line) const;
   void select_range(QPointF to);
 
   Document& document_;

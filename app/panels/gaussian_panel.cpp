@@ -5,6 +5,7 @@
 #include <QHeaderView>
 #include <QLineEdit>
 #include <QScrollBar>
+#include <QSettings>
 #include <QStyledItemDelegate>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -137,15 +138,19 @@ void GaussianPanel::add_column_menu() {
   header->setContextMenuPolicy(Qt::ActionsContextMenu);
   for (std::size_t k = 3; k < gaussian_attributes.size(); ++k) {  // always the center
     const auto column = static_cast<int>(k);
+    const QString name = "column_" + attribute_name(gaussian_attributes[k]).replace(' ', '_');
     auto* action = new QAction(attribute_title(gaussian_attributes[k]), header);
-    action->setObjectName("column_" + attribute_name(gaussian_attributes[k]).replace(' ', '_'));
+    action->setObjectName(name);
     action->setCheckable(true);
-    connect(action, &QAction::toggled, table_,
-            [this, column](bool shown) { table_->setColumnHidden(column, !shown); });
+    // There is room for few, unless more were asked for.
+    const QString key = "gaussians/" + name;
+    action->setChecked(QSettings().value(key, !is_of_shape(gaussian_attributes[k])).toBool());
+    table_->setColumnHidden(column, !action->isChecked());
+    connect(action, &QAction::toggled, table_, [this, column, key](bool shown) {
+      table_->setColumnHidden(column, !shown);
+      QSettings().setValue(key, shown);
+    });
     header->addAction(action);
-    // There is room for few.
-    action->setChecked(true);
-    action->setChecked(!is_of_shape(gaussian_attributes[k]));
   }
 }
 

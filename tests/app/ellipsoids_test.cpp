@@ -4,6 +4,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
+#include <QScopeGuard>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
@@ -289,8 +290,16 @@ class EllipsoidsTest : public QObject {
     const int elongation = column(GaussianAttribute::elongation);
     QVERIFY(table->isColumnHidden(elongation));
     QVERIFY(table->isColumnHidden(column(GaussianAttribute::rotation_y)));
-    window->findChild<QAction*>("column_elongation")->trigger();
+    auto* chosen = window->findChild<QAction*>("column_elongation");
+    chosen->trigger();
     QVERIFY(!table->isColumnHidden(elongation));
+    {
+      TestWindow next(before);  // remembers it
+      const QTableView* other = next->findChild<GaussianPanel*>()->table();
+      QVERIFY(!other->isColumnHidden(elongation));
+      QVERIFY(other->isColumnHidden(column(GaussianAttribute::rotation_y)));
+    }
+    const auto forget = qScopeGuard([&] { chosen->setChecked(false); });
     const auto text = [&](int row, int k) {
       return table->model()->index(row, k).data().toString();
     };
