@@ -17,7 +17,8 @@ std::string NumberDomain::refusal(double value) const {
 
 std::string refused_radii(const glm::dvec3& radii) {
   const auto [least, greatest] = std::minmax({radii.x, radii.y, radii.z});
-  if (least >= limits::min_stretch * greatest) return {};
+  constexpr double rounding = 1e-12;  // of numbers with a few digits less, and of products
+  if (least >= limits::min_stretch * greatest * (1.0 - rounding)) return {};
   std::string why = "found ";
   why.append(quoted_text(least)).append(" beside ").append(quoted_text(greatest));
   return why.append("; allowed: radii of at least 1e-4 of the greatest");

@@ -19,10 +19,33 @@ double trace(const glm::dmat3& m) {
   return m[0][0] + m[1][1] + m[2][2];
 }
 
-// Of a symmetric matrix: its inverse times its determinant.
-glm::dmat3 adjugate(const glm::dmat3& m) {
-  return {glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])};
+// Of a symmetric matrix, the trace of its inverse times its determinant.
+double adjugate_trace(const glm::dmat3& m) {
+  return glm::cross(m[1], m[2]).x + glm::cross(m[2], m[0]).y + glm::cross(m[0], m[1]).z;
 }
+
+// L D L^T of a covariance: unlike its determinant it loses nothing where that is far below the
+// cube of the greatest variance.
+struct Factors {
+  double l10, l20, l21;
+  glm::dvec3 d;  // >= least
+
+  Factors(const glm::dmat3& s, double least) {
+    d[0] = std::max(s[0][0], least);
+    l10 = s[0][1] / d[0];
+    l20 = s[0][2] / d[0];
+    d[1] = std::max(s[1][1] - l10 * s[0][1], least);
+    l21 = (s[1][2] - l20 * s[0][1]) / d[1];
+    d[2] = std::max(s[2][2] - l20 * s[0][2] - l21 * l21 * d[1], least);
+  }
+  [[nodiscard]] double determinant() const { return d[0] * d[1] * d[2]; }
+  // v^T S^-1 v
+  [[nodiscard]] double square_of(const glm::dvec3& v) const {
+    const double y = v[1] - l10 * v[0];
+    const double z = v[2] - l20 * v[0] - l21 * y;
+    return v[0] * v[0] / d[0] + y * y / d[1] + z * z / d[2];
+  }
+};
 
 // The product of two Gaussians' depths as a function of t: what is the same for each t.
 struct Product {
@@ -33,14 +56,15 @@ struct Product {
 
   Product(const GaussianMoments& a, const GaussianMoments& b) : masses(a.mass * b.mass) {
     const glm::dmat3 s = a.covariance + b.covariance;
-    const glm::dmat3 adjoint = adjugate(s);
     const glm::dvec3 d = b.center - a.center;
     s1 = trace(s);
-    s2 = std::max(trace(adjoint), 0.0);
-    s3 = std::max(glm::dot(s[0], adjoint[0]), 0.0);
+    // A variance is at least so much of another: limits::min_stretch, squared.
+    const Factors factors(s, 1e-9 * s1);
+    s2 = std::max(adjugate_trace(s), 0.0);
+    s3 = factors.determinant();
     d0 = glm::dot(d, d);
-    d1 = s1 * d0 - glm::dot(d, s * d);
-    d2 = std::max(glm::dot(d, adjoint * d), 0.0);
+    d1 = std::max(s1 * d0 - glm::dot(d, s * d), 0.0);
+    d2 = s3 * factors.square_of(d);
   }
 
   [[nodiscard]] double at(double t) const {
@@ -49,7 +73,7 @@ struct Product {
     return masses * std::exp(-0.5 * t * square) / std::sqrt(determinant);
   }
   // From it on the integrand decays as t^(-1/2) in ln t, and up to it as t.
-  [[nodiscard]] double end() const { return s3 > 0.0 ? 100.0 * s2 / s3 : 0.0; }
+  [[nodiscard]] double end() const { return 100.0 * s2 / s3; }
   [[nodiscard]] double begin() const { return 0.01 / (s1 + d0); }
 };
 

@@ -57,8 +57,12 @@ FitGaussian moved(const FitGaussian& gaussian, const FitStep& step, FitShape sha
     return result;
   }
   result.b += glm::inverse(gaussian.shape) * offset / gaussian.a;
-  // Nearly the exponential, and like it positive.
-  const glm::dmat3 half = glm::dmat3(1.0) + 0.5 * matrix_change(s);
+  // Nearly the exponential, and like it positive: no eigenvalue of the change is beyond its norm.
+  glm::dmat3 change = matrix_change(s);
+  const double norm = std::sqrt(glm::dot(change[0], change[0]) + glm::dot(change[1], change[1]) +
+                                glm::dot(change[2], change[2]));
+  change *= std::min(1.0, 1.2 / std::max(norm, 1e-300));
+  const glm::dmat3 half = glm::dmat3(1.0) + 0.5 * change;
   result.shape = half * half * gaussian.shape;
   const double scale = std::cbrt(glm::determinant(result.shape));
   result.a *= scale;

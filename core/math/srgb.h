@@ -4,11 +4,20 @@
 
 namespace brume {
 
-// The sRGB encoding of linear light in [0, 1] (IEC 61966-2-1).
+// sRGB (IEC 61966-2-1): slope * x up to `knee`, gain * x^(1 / exponent) - offset beyond.
+namespace srgb {
+constexpr double knee = 0.0031308;
+constexpr double slope = 12.92;
+constexpr double gain = 1.055;
+constexpr double offset = 0.055;
+constexpr double exponent = 2.4;
+}  // namespace srgb
+
+// The encoding of linear light in [0, 1].
 template <class Real>
 Real srgb_encoded(Real x) {
-  return x <= Real(0.0031308) ? Real(12.92) * x
-                              : Real(1.055) * std::pow(x, Real(1) / Real(2.4)) - Real(0.055);
+  if (x <= Real(srgb::knee)) return Real(srgb::slope) * x;
+  return Real(srgb::gain) * std::pow(x, Real(1) / Real(srgb::exponent)) - Real(srgb::offset);
 }
 
 }  // namespace brume

@@ -50,10 +50,14 @@ double Gaussian::mean_radius() const {
 
 void Gaussian::set_radii(const glm::dvec3& radii, const glm::dquat& rotation) {
   radius = max_component(radii);
-  shape = {};
-  if (radii == glm::dvec3(radius)) return;
+  if (radii == glm::dvec3(radius)) {
+    shape = {};
+    return;
+  }
+  // Unit ones as they are, so that files keep them. It may be this Gaussian's own.
+  const double length = glm::length(rotation);
+  shape.rotation = std::abs(length - 1.0) <= 1e-12 ? rotation : rotation / length;
   shape.stretch = glm::max(radii / radius, limits::min_stretch);
-  shape.rotation = rotation;
 }
 
 glm::dmat3 warp(const GaussianShape& shape) {

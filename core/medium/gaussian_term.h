@@ -40,6 +40,10 @@ struct Ellipsoid {
   [[nodiscard]] Vec3<Real> reach() const {
     return {reach({1, 0, 0}), reach({0, 1, 0}), reach({0, 0, 1})};
   }
+  // R diag(stretch^2) R^T times a vector: the inverse of the square of `warp`.
+  [[nodiscard]] Vec3<Real> squared(const Vec3<Real>& v) const {
+    return axes * (stretch * stretch * (v * axes));
+  }
 };
 
 // A Gaussian in the paper's symbols: a = 1 / radius [1/u], c = density [1/u], center b [u].

@@ -33,11 +33,15 @@ void check_value(const std::string& place, const glm::vec<n, double>& value,
   }
 }
 
-void check_value(const std::string& place, const glm::dquat& value, const NumberDomain&) {
+void check_rotation(const std::string& place, const glm::dquat& value, double tolerance) {
   // NaN, too, is no unit.
-  if (!(std::abs(glm::length(value) - 1.0) < 1e-3)) {
+  if (!(std::abs(glm::length(value) - 1.0) < tolerance)) {
     throw DomainError(place, "allowed: a unit quaternion");
   }
+}
+
+void check_value(const std::string& place, const glm::dquat& value, const NumberDomain&) {
+  check_rotation(place, value, 1e-3);
 }
 
 std::string element(const std::string& list, std::size_t index) {
@@ -116,7 +120,8 @@ void check_shape(const std::string& place, const GaussianShape& shape) {
   if (max_component(shape.stretch) != 1.0) {
     throw DomainError(place + ".stretch", "allowed: numbers of which the greatest is 1");
   }
-  check_value(place + ".rotation", shape.rotation, domain::stretch);
+  // Its error counts as many times as the ellipsoid is long.
+  check_rotation(place + ".rotation", shape.rotation, 1e-9);
 }
 
 bool is_sound(const Gaussian& gaussian) {

@@ -26,7 +26,9 @@ Real average_depth_of_ellipsoid(const GaussianTerm<Real>& g, const Vec3<Real>& p
   for (Real x = begin; x < end; x += step) {
     const Real s = std::exp(x);
     const Vec3<Real> r = rate + s;
-    sum += s / std::sqrt(r.x * r.y * r.z) * std::exp(-s * (u2.x / r.x + u2.y / r.y + u2.z / r.z));
+    // Their product would overflow.
+    const Real root = std::sqrt(r.x) * std::sqrt(r.y) * std::sqrt(r.z);
+    sum += s / root * std::exp(-s * (u2.x / r.x + u2.y / r.y + u2.z / r.z));
   }
   return g.c / g.a * Real(0.25) / std::numbers::inv_sqrtpi_v<Real> * step * sum;
 }

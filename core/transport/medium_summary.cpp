@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/math/max_component.h"
+#include "core/medium/gaussian_term.h"
 #include "core/transport/optical_depth.h"
 
 namespace brume {
@@ -148,13 +149,14 @@ MediumSummary summarize(const Medium& medium) {
   for (std::size_t i = 0; i < size; ++i) {
     const glm::dvec3& center = medium.centers()[i];
     const double radius = medium.radii()[i];
-    const double least =
-        medium.shapes().empty() ? radius : radius * min_component(medium.shape(i).stretch);
+    const GaussianShape shape = medium.shape(i);
+    glm::dvec3 reach(radius);
+    if (shape != GaussianShape()) reach *= Ellipsoid<double>(shape).reach();
     summary.min_center = glm::min(summary.min_center, center);
     summary.max_center = glm::max(summary.max_center, center);
-    summary.min_extent = glm::min(summary.min_extent, center - 2.0 * radius);
-    summary.max_extent = glm::max(summary.max_extent, center + 2.0 * radius);
-    summary.min_radius = std::min(summary.min_radius, least);
+    summary.min_extent = glm::min(summary.min_extent, center - 2.0 * reach);
+    summary.max_extent = glm::max(summary.max_extent, center + 2.0 * reach);
+    summary.min_radius = std::min(summary.min_radius, radius * min_component(shape.stretch));
     summary.max_radius = std::max(summary.max_radius, radius);
   }
 

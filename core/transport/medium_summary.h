@@ -12,7 +12,7 @@ struct MediumSummary {
   glm::dvec3 max_center{0.0};
   glm::dvec3 min_extent{0.0};  // bounds of center -+ 2 radius, where 2% of the peak density is left
   glm::dvec3 max_extent{0.0};
-  double min_radius = 0.0;  // [u]
+  double min_radius = 0.0;  // [u]; of an ellipsoid each of its radii counts
   double max_radius = 0.0;
   double peak_density = 0.0;       // maximum b(x) found at a center, with b0
   double max_optical_depth = 0.0;  // maximum along a line, without b0

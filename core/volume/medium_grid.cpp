@@ -9,6 +9,8 @@
 #include <cstdlib>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <limits>
 #include <unordered_map>
 
 #include "brume/limits.h"
@@ -32,41 +34,129 @@ struct CornerHash {
   }
 };
 
+// Blocks that a Gaussian touches, its center and its cutoff in voxels.
+struct Touched {
+  glm::dvec3 center;
+  double radius;
+
+  Touched(const Gaussian& g, double voxel_size)
+      : center(g.center / voxel_size), radius(cutoff_in_radii * g.radius / voxel_size) {}
+
+  // Calls visit(corner) for each; false if it returns false.
+  template <class Visit>
+  [[nodiscard]] bool each(Visit visit) const {
+    const glm::ivec3 low = block_corner(glm::ivec3(glm::floor(center - radius)));
+    const glm::ivec3 high = block_corner(glm::ivec3(glm::ceil(center + radius)));
+    for (int x = low.x; x <= high.x; x += side) {
+      for (int y = low.y; y <= high.y; y += side) {
+        for (int z = low.z; z <= high.z; z += side) {
+          const glm::dvec3 first(x, y, z);
+          const glm::dvec3 offset = glm::clamp(center, first, first + double(side - 1)) - center;
+          if (glm::dot(offset, offset) > radius * radius) continue;
+          if (!visit(glm::ivec3(x, y, z))) return false;
+        }
+      }
+    }
+    return true;
+  }
+};
+
+// The same of an ellipsoid: those with voxels in it, found by the columns of voxels that meet it,
+// as a thin slanted one has a small part of its box.
+class TouchedByEllipsoid {
+ public:
+  TouchedByEllipsoid(const Gaussian& g, double voxel_size) : ball_(g, voxel_size) {
+    const Ellipsoid<double> ellipsoid(g.shape);
+    const glm::dmat3 half(ellipsoid.axes[0] * g.shape.stretch[0],
+                          ellipsoid.axes[1] * g.shape.stretch[1],
+                          ellipsoid.axes[2] * g.shape.stretch[2]);
+    // Variances over the square of the greatest radius, and their inverse.
+    const glm::dmat3 s = half * glm::transpose(half);
+    reach_ = ball_.radius * ellipsoid.reach();
+    y_per_x_ = s[0][1] / s[0][0];
+    y_reach_ = ball_.radius * std::sqrt(std::max(s[1][1] - y_per_x_ * s[0][1], 0.0));
+    form_ = ellipsoid.warp * ellipsoid.warp;
+  }
+
+  [[nodiscard]] const glm::dvec3& reach() const { return reach_; }
+
+  template <class Visit>
+  [[nodiscard]] bool each(Visit visit) const {
+    const auto [first_x, last_x] = voxels(ball_.center.x, reach_.x);
+    for (int x = first_block(first_x); x <= last_x; x += side) {
+      Range rows;
+      for (int i = std::max(x, first_x); i <= std::min(x + side - 1, last_x); ++i) rows.add(row(i));
+      for (int y = first_block(rows.first); y <= rows.last; y += side) {
+        Range columns;
+        for (int i = std::max(x, first_x); i <= std::min(x + side - 1, last_x); ++i) {
+          const Range here = row(i);
+          for (int j = std::max(y, here.first); j <= std::min(y + side - 1, here.last); ++j) {
+            columns.add(column(i, j));
+          }
+        }
+        for (int z = first_block(columns.first); z <= columns.last; z += side) {
+          if (!visit(glm::ivec3(x, y, z))) return false;
+        }
+      }
+    }
+    return true;
+  }
+
+ private:
+  // Voxels from first to last; none if that is less.
+  struct Range {
+    int first = std::numeric_limits<int>::max();
+    int last = std::numeric_limits<int>::min();
+    void add(const Range& other) {
+      if (other.last < other.first) return;
+      first = std::min(first, other.first);
+      last = std::max(last, other.last);
+    }
+  };
+
+  static int first_block(int voxel) { return block_corner(glm::ivec3(voxel)).x; }
+  static Range voxels(double middle, double half) {
+    return {static_cast<int>(std::ceil(middle - half)),
+            static_cast<int>(std::floor(middle + half))};
+  }
+  // Of all y at x, and of all z at x and y.
+  [[nodiscard]] Range row(int x) const {
+    const double dx = x - ball_.center.x;
+    const double left = 1.0 - dx * dx / (reach_.x * reach_.x);
+    return voxels(ball_.center.y + y_per_x_ * dx, y_reach_ * std::sqrt(std::max(left, 0.0)));
+  }
+  [[nodiscard]] Range column(int x, int y) const {
+    const glm::dvec3 q(x - ball_.center.x, y - ball_.center.y, 0.0);
+    const double zz = form_[2][2];
+    const double middle = -(form_[0][2] * q.x + form_[1][2] * q.y) / zz;
+    const double left = ball_.radius * ball_.radius - glm::dot(q, form_ * q) + zz * middle * middle;
+    return voxels(ball_.center.z + middle, std::sqrt(std::max(left, 0.0) / zz));
+  }
+
+  Touched ball_;
+  glm::dvec3 reach_;      // of the box
+  double y_per_x_ = 0.0;  // of the middle of a row
+  double y_reach_ = 0.0;  // at x = 0
+  glm::dmat3 form_;       // q . form q = radius^2 on the surface
+};
+
 // Calls visit(corner) for the blocks that a Gaussian touches; false if visit() returns false, or if
 // there are too many to count or certainly more than `max_blocks`.
 template <class Visit>
 bool each_block(const Gaussian& g, double voxel_size, std::size_t max_blocks, Visit visit) {
-  const glm::dvec3 center = g.center / voxel_size;
-  const double radius = cutoff_in_radii * g.radius / voxel_size;
-  std::optional<Ellipsoid<double>> ellipsoid;
-  if (!g.is_ball()) ellipsoid.emplace(g.shape);
-  const glm::dvec3 reach = radius * (ellipsoid ? ellipsoid->reach() : glm::dvec3(1.0));
-  if (!(max_component(glm::abs(center) + reach) < max_voxels)) return false;
-  const glm::ivec3 low = block_corner(glm::ivec3(glm::floor(center - reach)));
-  const glm::ivec3 high = block_corner(glm::ivec3(glm::ceil(center + reach)));
-  // Where a ball around a block is, in the space in which an ellipsoid is one.
-  constexpr double half = 0.5 * (side - 1);
-  const double block_radius =
-      ellipsoid ? half * std::sqrt(3.0) / min_component(g.shape.stretch) : 0;
-  // A ball has 52% of its box; an ellipsoid, of a box of its own.
-  const glm::dvec3 across =
-      (ellipsoid ? 2.0 * radius * g.shape.stretch : glm::dvec3(high - low)) / double(side) + 1.0;
-  if (0.5 * across.x * across.y * across.z > static_cast<double>(max_blocks)) return false;
-  for (int x = low.x; x <= high.x; x += side) {
-    for (int y = low.y; y <= high.y; y += side) {
-      for (int z = low.z; z <= high.z; z += side) {
-        const glm::dvec3 first(x, y, z);
-        const glm::dvec3 offset = glm::clamp(center, first, first + double(side - 1)) - center;
-        if (glm::dot(offset, offset) > radius * radius) continue;
-        if (ellipsoid &&
-            glm::length(ellipsoid->warp * (first + half - center)) > radius + block_radius) {
-          continue;
-        }
-        if (!visit(glm::ivec3(x, y, z))) return false;
-      }
-    }
+  const auto fits = [&](const glm::dvec3& reach, const glm::dvec3& radii) {
+    const Touched ball(g, voxel_size);
+    if (!(max_component(glm::abs(ball.center) + reach) < max_voxels)) return false;
+    // A Gaussian has 52% of a box along its own axes.
+    const glm::dvec3 across = 2.0 * cutoff_in_radii / voxel_size * radii / double(side);
+    return 0.5 * across.x * across.y * across.z <= static_cast<double>(max_blocks);
+  };
+  if (g.is_ball()) {
+    const Touched touched(g, voxel_size);
+    return fits(glm::dvec3(touched.radius), glm::dvec3(g.radius)) && touched.each(visit);
   }
-  return true;
+  const TouchedByEllipsoid touched(g, voxel_size);
+  return fits(touched.reach(), g.radii()) && touched.each(visit);
 }
 
 using Sums = std::array<double, DensityGrid::block_size>;

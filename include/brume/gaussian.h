@@ -25,7 +25,7 @@ struct GaussianOptics {
 struct GaussianShape {
   // Radii along its own axes over the greatest of them: in [limits::min_stretch, 1], one is 1.
   glm::dvec3 stretch{1.0};
-  // Turns its own axes into those of the scene; a unit quaternion.
+  // Turns its own axes into those of the scene; a unit quaternion, to 1e-9.
   glm::dquat rotation{1.0, 0.0, 0.0, 0.0};
 
   bool operator==(const GaussianShape&) const = default;
@@ -53,7 +53,7 @@ struct BRUME_EXPORT Gaussian {
   // Of the ball of its volume, and so of its mass [u].
   [[nodiscard]] double mean_radius() const;
   // Makes it an ellipsoid, or of equal radii a ball. Those below limits::min_stretch of the
-  // greatest become as much.
+  // greatest become as much; the rotation, of any length > 0, a unit quaternion.
   void set_radii(const glm::dvec3& radii, const glm::dquat& rotation);
 
   bool operator==(const Gaussian&) const = default;

@@ -13,15 +13,6 @@ constexpr float knee = 0.08f;
 constexpr float slope = 6.25f;
 }  // namespace highlight
 
-// sRGB: slope * x up to `knee`, gain * x^(1 / exponent) - offset beyond.
-namespace srgb {
-constexpr float knee = 0.0031308f;
-constexpr float slope = 12.92f;
-constexpr float gain = 1.055f;
-constexpr float offset = 0.055f;
-constexpr float exponent = 2.4f;
-}  // namespace srgb
-
 // Radiance is clamped to this first: exposure must not overflow to infinity.
 constexpr float brightest_shown = 1e6f;
 

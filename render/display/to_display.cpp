@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 
+#include "core/math/srgb.h"
 #include "render/display/neutral_view.h"
 
 namespace brume {
@@ -27,9 +28,7 @@ std::array<float, 3> compress_highlights(std::array<float, 3> c) {
 }
 
 float encoded(float x) {
-  x = std::clamp(x, 0.0f, 1.0f);
-  return x <= srgb::knee ? srgb::slope * x
-                         : srgb::gain * std::pow(x, 1.0f / srgb::exponent) - srgb::offset;
+  return srgb_encoded(std::clamp(x, 0.0f, 1.0f));
 }
 
 std::uint8_t srgb_byte(float x) {

@@ -10,6 +10,7 @@
 
 #include "brume/frame.h"
 #include "core/math/spherical_harmonics.h"
+#include "core/math/srgb.h"
 #include "core/scene/camera_rays.h"
 #include "core/scene/ggx.h"
 #include "core/scene/ggx_sh.h"

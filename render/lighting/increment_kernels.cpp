@@ -118,9 +118,10 @@ std::size_t GroupGaussians::drop_ellipsoids(const GaussianBatch& g, const GroupC
     const WarpOf<V> warp{member(0), member(1), member(2), member(3), member(4), member(5)};
     const V a = hn::GatherIndex(d, g.a.data(), j);
     const LineProfile<D> line(d, Vector{member(6), member(7), member(8)}, warp(axis), a);
-    // A ray that is off the axis by the spread is nearer by at most this, where it still matters.
+    // A ray that is off the axis by the spread, or rounded, is nearer by at most this, where it
+    // still matters.
     const V far = hn::GatherIndex(d, g.far.data(), j);
-    const V nearer = hn::Mul(hn::Mul(a, far), hn::Mul(set(cone.spread), member(9)));
+    const V nearer = hn::Mul(hn::Mul(a, far), hn::Mul(set(cone.spread + distance_room), member(9)));
     const V reach = hn::Mul(a, hn::GatherIndex(d, g.reach.data(), j));  // in radii
     const auto is_ball = hn::Eq(warp.xx, hn::Zero(d));
     const auto meets = hn::Le(hn::Sqrt(line.e), hn::MulAdd(reach, set(1.0f + cutoff_room), nearer));
@@ -260,7 +261,7 @@ HWY_INLINE std::uint64_t Increments(const GaussianBatch& g, const PathBatch& ray
     // half depth.
     const auto cut_moment = [&](std::size_t j, const LineProfile<D>& line, V exponential) HWY_ATTR {
       constexpr auto inv_sqrt_pi = static_cast<float>(1.0 / coefficient::sqrt_pi);
-      if constexpr (kKind == BatchKind::any) {
+      if constexpr (kKind == BatchKind::ellipsoids) {
         return hn::Div(hn::Mul(set(inv_sqrt_pi), exponential), line.a);
       }
       return hn::Mul(set(inv_sqrt_pi / g.a[j]), exponential);

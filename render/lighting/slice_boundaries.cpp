@@ -225,7 +225,8 @@ void choose_slices(const MediumIndex& medium, std::span<const std::uint32_t> gau
       if (weight == 0.0) continue;
       SliceNeed& need = needs.emplace_back(slice_need_of_ellipsoid(g, rays));
       need.weight = weight;
-      core.add(need.t - need.half, need.t + need.half);
+      const double half = std::min(need.half, along);
+      core.add(need.t - half, need.t + half);
       continue;
     }
     if (weight == 0.0) {

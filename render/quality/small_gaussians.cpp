@@ -1,5 +1,4 @@
 #include "render/quality/small_gaussians.h"
-#include "core/scene/camera_rays.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "core/math/max_component.h"
+#include "core/scene/camera_rays.h"
 #include "core/scene/point_lights.h"
 #include "core/scene/radiance_map.h"
 #include "core/transport/optical_depth.h"
@@ -69,7 +70,8 @@ std::vector<SmallGaussian> small_gaussians(const Scene& scene, const CameraRays&
   for (std::size_t i = 0; i < scene.medium.size(); ++i) {
     const Gaussian gaussian = scene.medium.gaussian(i);
     const glm::dvec3 film_position = rays.project(gaussian.center);
-    if (!(film_position.z > 0.0 && gaussian.radius * per_radius < small_radius * film_position.z))
+    if (!(film_position.z > 0.0 &&
+          min_component(gaussian.radii()) * per_radius < small_radius * film_position.z))
       continue;
     // One whose center is next to the film may still overlap it.
     if (!(film_position.x > -small_radius && film_position.y > -small_radius &&

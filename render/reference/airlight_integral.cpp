@@ -135,7 +135,7 @@ void add_shadow(const GaussianTerm<Real>& g, const ViewRayMedium<Real>& medium,
                 const LightSource<Real>& light, const EquiAngular<Real>& angular, Real tolerance,
                 std::vector<AngularFeature<Real>>& features) {
   // In the plane of light and ray: x along the ray, y from the light towards it.
-  const Vec3<Real> q = g.b - light.position;
+  Vec3<Real> q = g.b - light.position;
   const Vec3<Real> to_eye = medium.eye - light.position;
   Vec3<Real> down = to_eye + angular.path.ts * medium.w;
   const Real length = glm::length(down);
@@ -143,17 +143,26 @@ void add_shadow(const GaussianTerm<Real>& g, const ViewRayMedium<Real>& medium,
   if (!(peak > tolerance)) return;
   if (!(length > 0)) return;  // the light is on the ray: there is no plane, and no shadow edge
   down /= length;
+  const Vec3<Real> normal = glm::cross(medium.w, down);
+  const Real offset = glm::dot(q, normal);
+  const Real across = g.a * offset / (g.ellipsoid ? g.ellipsoid->reach(normal) : Real(1));
+  if (!(peak * std::exp(-across * across) > tolerance)) return;
+  if (g.ellipsoid) {  // where it is densest in the plane
+    const Vec3<Real> image = g.ellipsoid->squared(normal);
+    q -= offset / glm::dot(normal, image) * image;
+  }
   const Real x = glm::dot(q, medium.w);
   const Real y = glm::dot(q, down);
-  const Vec3<Real> normal = glm::cross(medium.w, down);
-  const Real across =
-      g.a * glm::dot(q, normal) / (g.ellipsoid ? g.ellipsoid->reach(normal) : Real(1));
-  if (!(peak * std::exp(-across * across) > tolerance)) return;
   const Real distance = std::hypot(x, y);
   // Across the ray of the fan through its center.
   const Vec3<Real> aside =
       distance > 0 ? (y * medium.w - x * down) / distance : Vec3<Real>(medium.w);
-  const Real half = (g.ellipsoid ? g.ellipsoid->reach(aside) : Real(1)) / g.a;
+  Real half = 1 / g.a;
+  if (g.ellipsoid) {  // of its section with the plane
+    const Vec3<Real> u = g.ellipsoid->warp * aside;
+    const Vec3<Real> v = g.ellipsoid->warp * glm::cross(normal, aside);
+    half *= glm::length(v) / glm::length(glm::cross(u, v));
+  }
   const Real width = distance > 0 ? half / distance : Real(10);
   if (width > Real(0.5)) return;  // as wide as the fan: the adaptive rule resolves it
   const Real start = std::atan2(-angular.path.ts, angular.path.h);

@@ -90,7 +90,7 @@ class LightDepth {
  public:
   HWY_INLINE LightDepth(const GaussianBatch& g, std::size_t j, const Vector& w, V t)
       : g_(g), j_(j), t_(t), center_{set(g.x[j]), set(g.y[j]), set(g.z[j])}, direction_(w) {
-    if constexpr (kKind == BatchKind::any) {
+    if constexpr (kKind == BatchKind::ellipsoids) {
       if (!g.is_ellipsoid(j)) return;
       const glm::vec3& center = g.ellipsoids[j].center;
       center_ = {set(center.x), set(center.y), set(center.z)};
@@ -107,7 +107,7 @@ class LightDepth {
     };
     const Vector from_point = minus(center_, t_, direction_);
     const V a = set(g_.a[j_]);
-    if constexpr (kKind == BatchKind::any) {
+    if constexpr (kKind == BatchKind::ellipsoids) {
       if (g_.is_ellipsoid(j_)) {
         const auto& [xx, yy, zz, yz, xz, xy] = g_.ellipsoids[j_].warp;
         const glm::vec3 warped(xx * light.x + xy * light.y + xz * light.z,

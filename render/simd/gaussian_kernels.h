@@ -37,8 +37,8 @@ struct BatchEllipsoid {
   float max_speed = 0.0f;       // of warped unit vectors: 1 over the least stretch
 };
 
-// What kernels are made for.
-enum class BatchKind { balls, displaced_balls, any };
+// What kernels are made for; the last for all that has ellipsoids, displaced by noise or not.
+enum class BatchKind { balls, displaced_balls, ellipsoids };
 
 // Gaussians relative to an origin, as a structure of arrays; those of floats are padded to
 // padded(size()) elements, except optics.
@@ -68,7 +68,7 @@ struct GaussianBatch {
   [[nodiscard]] bool has_optics() const { return !optics[0].empty(); }
   [[nodiscard]] bool is_ellipsoid(std::size_t j) const { return ellipsoids[j].warp[0] > 0.0f; }
   [[nodiscard]] BatchKind kind() const {
-    if (!ellipsoids.empty()) return BatchKind::any;
+    if (!ellipsoids.empty()) return BatchKind::ellipsoids;
     return noise.on() ? BatchKind::displaced_balls : BatchKind::balls;
   }
 
@@ -101,7 +101,7 @@ decltype(auto) with_kind(const GaussianBatch& batch, Body body) {
     case BatchKind::displaced_balls:
       return body.template operator()<BatchKind::displaced_balls>();
     default:
-      return body.template operator()<BatchKind::any>();
+      return body.template operator()<BatchKind::ellipsoids>();
   }
 }
 

@@ -122,13 +122,13 @@ HWY_INLINE WarpOf<V> BatchWarp(D d, const BatchEllipsoid& e) {
   return {set(0), set(1), set(2), set(3), set(4), set(5)};
 }
 
-// Gaussian j of a batch as rays of direction w meet it. Balls pay nothing for batches that have
-// ellipsoids, and rays that nothing bends nothing for those that are.
+// Gaussian j of a batch as rays of direction w meet it. A kernel for balls does not test for
+// ellipsoids, and one without noise not for displaced rays.
 template <BatchKind kKind, class D, class V = hn::Vec<D>>
 HWY_INLINE LineProfile<D> BatchLineProfile(D d, const GaussianBatch& g, std::size_t j,
                                            const V3<V>& w) {
   const V a = hn::Set(d, g.a[j]);
-  if constexpr (kKind == BatchKind::any) {
+  if constexpr (kKind == BatchKind::ellipsoids) {
     if (g.is_ellipsoid(j)) {
       const BatchEllipsoid& ellipsoid = g.ellipsoids[j];
       const glm::vec3& center = ellipsoid.center;
@@ -143,7 +143,7 @@ HWY_INLINE LineProfile<D> BatchLineProfile(D d, const GaussianBatch& g, std::siz
   }
   const V3<V> b{hn::Set(d, g.x[j]), hn::Set(d, g.y[j]), hn::Set(d, g.z[j])};
   LineProfile<D> line(b, w, a);
-  if (kKind == BatchKind::displaced_balls || (kKind == BatchKind::any && g.noise.on())) {
+  if (kKind == BatchKind::displaced_balls || (kKind == BatchKind::ellipsoids && g.noise.on())) {
     if (!hn::AllTrue(d, hn::Gt(line.e, hn::Set(d, g.max_undisplaced_e[j])))) {
       line.e = DisplacedDistance(d, g.noise, minus(b, line.t0, w), w, a, line.t0);
     }
@@ -155,7 +155,7 @@ HWY_INLINE LineProfile<D> BatchLineProfile(D d, const GaussianBatch& g, std::siz
 template <BatchKind kKind, class D, class V = hn::Vec<D>>
 HWY_INLINE V BatchHalfDepth(D d, const GaussianBatch& g, std::size_t j,
                             const LineProfile<D>& line) {
-  if constexpr (kKind == BatchKind::any) {
+  if constexpr (kKind == BatchKind::ellipsoids) {
     if (g.is_ellipsoid(j)) return hn::Div(hn::Set(d, g.scale[j] * g.a[j]), line.a);
   }
   return hn::Set(d, g.scale[j]);

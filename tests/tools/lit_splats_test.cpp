@@ -90,7 +90,6 @@ TEST_F(LitSplats, APageHoldsAllThatItShows) {
 TEST_F(LitSplats, RefuseWhatHasNoLight) {
   expect_done({"export", file("lit.brume"), "-o", file("a.ply")});
   expect_refused({"export", file("a.ply"), "-o", file("b.ply"), "--lit"}, {"a.ply", ".brume"});
-  expect_refused({"export", file("lit.brume"), "-o", file("b.html")}, {"--web"});
   expect_refused({"export", file("lit.brume"), "-o", file("b.ply"), "--web"}, {"--web", ".html"});
   expect_refused({"export", file("lit.brume"), "-o", file("b.csv"), "--lit"}, {"--lit", ".ply"});
   expect_refused({"export", file("lit.brume"), "-o", file("b.ply"), "--exposure", "1"},

@@ -56,7 +56,9 @@ TEST_F(SplatExport, GltfThereAndBack) {
     expect_same(name, 2e-6);
     expect_done({"export", file(name), "-o", file("c.ply")});
     expect_same("c.ply", 2e-6);
-    EXPECT_NE(run_brume({"info", file(name)}).exit_code, 1);
+    const ProgramResult info = run_brume({"info", file(name)});
+    EXPECT_EQ(info.exit_code, 0) << info.err;
+    EXPECT_NE(info.out.find("  gaussians: 2\n"), std::string::npos) << info.out;
   }
   folder_.write("s.brume", R"({ "format": "brume-scene", "version": 1,
     "medium": { "file": "b.glb" } })");
@@ -80,14 +82,40 @@ TEST_F(SplatExport, SequencesOfSplats) {
   EXPECT_TRUE(read_gaussians(file("s_2.glb")).empty());
 }
 
+// As captures have it: what is read or written of the PLY is turned by half about z.
+TEST_F(SplatExport, SplatsOfPlyMayHaveYDown) {
+  expect_done({"export", file("a.ply"), "-o", file("down.ply"), "--splats", "--y-down"});
+  const Gaussian down = read_gaussians(file("down.ply")).at(0);
+  EXPECT_LT(glm::length(down.center - glm::dvec3(-1.0, -2.0, 3.0)), 1e-6);
+  expect_done({"export", file("down.ply"), "-o", file("up.csv"), "--y-down"});
+  expect_same("up.csv", 1e-6);
+}
+
+TEST_F(SplatExport, FramesAreSimplifiedToo) {
+  std::vector<Gaussian> gaussians;
+  for (int i = 0; i < 8; ++i) gaussians.push_back({{0.01 * i, 0.0, 0.0}, 1.0, 0.5});
+  for (const char* name : {"s_1.ply", "s_2.ply"}) write_gaussians(file(name), gaussians);
+  expect_done({"export", file("s_%d.ply"), "--frames", "1-2", "-o", file("t_%d.ply"), "--simplify",
+               "0.05"});
+  for (const char* name : {"t_1.ply", "t_2.ply"}) {
+    EXPECT_LT(read_gaussians(file(name)).size(), gaussians.size());
+  }
+}
+
 TEST_F(SplatExport, RefusesWhatHasNoEffect) {
   const std::string ply = file("a.ply");
   expect_refused({"export", ply, "-o", file("b.csv"), "--splats"},
                  {"--splats: only for .ply and .usda"});
   expect_refused({"export", ply, "-o", file("b.ply"), "--opacity-along", "x"},
                  {"--opacity-along", "shortest"});
-  expect_refused({"export", scene_, "-o", file("b.ply"), "--opacity-along", "mean"},
-                 {"--opacity-along"});
+  for (const std::string& other : {ply, scene_}) {
+    expect_refused({"export", other, "-o", file("b.csv"), "--opacity-along", "mean"},
+                   {"--opacity-along: only for splats"});
+    expect_refused({"export", other, "-o", file("b.csv"), "--y-down"},
+                   {"--y-down: only for splats"});
+    expect_refused({"export", other, "-o", file("b.glb"), "--y-down"},
+                   {"--y-down: only for splats"});
+  }
 }
 
 }  // namespace

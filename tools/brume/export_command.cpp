@@ -17,6 +17,7 @@
 #include "core/io/scene/usd_file.h"
 #include "core/io/text_scanner.h"
 #include "core/io/volume/volume_file.h"
+#include "core/medium/splat.h"
 #include "core/number_domain.h"
 #include "core/volume/medium_grid.h"
 #include "tools/brume/command.h"
@@ -48,11 +49,12 @@ class ExportCommand final : public Command {
            "frame, a sequence)")
         ->type_name("FILE")
         ->required();
-    app.add_option("-o,--output", output_,
-                   "output: .vdb (a fog volume with the grid density, and albedo and emission if "
-                   "Gaussians have their own), .ply, .csv, .glb or .gltf (splats), or .usda (a USD "
-                   "stage of a scene: camera, "
-                   "lights, surfaces and, in .vdb files beside it, the fog)")
+    app.add_option(
+           "-o,--output", output_,
+           "output: .vdb (a fog volume with the grid density, and albedo and emission if "
+           "Gaussians have their own), .ply, .csv, .glb or .gltf (splats), .html (see --web), "
+           "or .usda (a USD stage of a scene: camera, lights, surfaces and, in .vdb files "
+           "beside it, the fog)")
         ->type_name("FILE")
         ->required();
     app.add_flag("--splats", splats_,
@@ -68,9 +70,10 @@ class ExportCommand final : public Command {
                  "the splats of a .ply as the scene lights them, as spherical harmonics of display "
                  "values; implies --splats");
     app.add_flag("--y-down", y_down_,
-                 "splats of a .ply turned by half about z, as most viewers expect them");
+                 "y points down in splats of a .ply, read or written, as captures have it and most "
+                 "viewers expect it: turned by half about z");
     app.add_flag("--web", web_,
-                 "write an .html: one page that shows the lit splats in a browser, offline");
+                 "one page, an .html, that shows the lit splats in a browser, offline");
     app.add_option("--exposure", exposure_, "exposure of lit splats, in stops")
         ->check(finite_in(-100.0, 100.0));
     app.add_option("--voxel", voxel_size_,
@@ -104,12 +107,13 @@ class ExportCommand final : public Command {
     if (is_sequence != FramePattern::is_pattern(output_) || (are_files && !is_sequence)) {
       throw UsageError("a sequence needs --frames FIRST-LAST and %04d for the frame in OUT");
     }
+    check_splats(extension);
     if (!is_sequence) {
       files_.add_output(output_);
       if (lit_) {
         writing_lit(time_, output_)();
       } else {
-        writing(simplified(read(time_)), output_)();
+        writing(read(time_), output_)();
       }
       return done;
     }
@@ -138,19 +142,15 @@ class ExportCommand final : public Command {
                            "; allowed: .vdb, .ply, .csv, .glb, .gltf, .usda, .html");
     }
     const bool is_ply = extension == ".ply";
-    if (web_ != (extension == ".html")) {
-      throw UsageError("--web: only for an .html, which needs it");
-    }
-    if (lit_ && !is_ply) throw UsageError("--lit: only for .ply");
-    if (exposure_ != 0.0 && !lit_ && !web_) {
-      throw UsageError("--exposure: only for --lit and --web");
-    }
-    if (splats_ && !is_ply && extension != ".usda") {
+    const bool is_page = extension == ".html";
+    if (web_ && !is_page) throw UsageError("--web: only for .html");
+    if (lit_ && !is_ply && !is_page) throw UsageError("--lit: only for .ply and .html");
+    lit_ = lit_ || is_page;
+    if (exposure_ != 0.0 && !lit_) throw UsageError("--exposure: only for --lit and --web");
+    if (splats_ && (extension == ".vdb" || extension == ".csv")) {
       throw UsageError("--splats: only for .ply and .usda; .glb and .gltf are splats");
     }
-    lit_ = lit_ || web_;
     splats_ = splats_ || lit_ || extension == ".glb" || extension == ".gltf";
-    if (y_down_ && !(splats_ && is_ply)) throw UsageError("--y-down: only for splats of a .ply");
     if (extension != ".vdb" && extension != ".usda" && (half_ || voxel_size_ > 0.0)) {
       throw UsageError("--voxel and --half: only for .vdb and .usda");
     }
@@ -158,9 +158,27 @@ class ExportCommand final : public Command {
     if (lit_ && !is_scene) {
       throw InputError(input_, "", "found no scene; allowed for --lit and --web: a .brume");
     }
-    if (!along_.empty() && !splats_ && is_scene) {
+  }
+
+  // The same of options for splats, read or written.
+  void check_splats(const std::string& extension) const {
+    if (along_.empty() && !y_down_) return;
+    const bool is_sequence = FramePattern::is_pattern(input_);
+    const std::string first =
+        is_sequence ? parse_pattern(input_).file_of(parse_frames(frames_).front()) : input_;
+    const bool reads = lower_case_extension(input_) != ".brume" && has_splats(first);
+    if (!along_.empty() && !reads && !splats_) {
       throw UsageError("--opacity-along: only for splats, read or written");
     }
+    const bool reads_ply = reads && may_have_y_down(first);
+    if (y_down_ && !reads_ply && !(splats_ && extension == ".ply")) {
+      throw UsageError("--y-down: only for splats of a .ply, read or written");
+    }
+  }
+
+  // Whether --y-down counts for the splats of a file: those of glTF have y up.
+  static bool may_have_y_down(const std::string& file) {
+    return lower_case_extension(file) == ".ply";
   }
 
   [[nodiscard]] OpacityAlong along() const {
@@ -185,7 +203,9 @@ class ExportCommand final : public Command {
 
   [[nodiscard]] Medium read_file(const std::string& file) const {
     Medium medium;
-    for (const Gaussian& gaussian : read_gaussians(file, nullptr, limits::gaussians, along())) {
+    const bool is_turned = y_down_ && may_have_y_down(file) && has_splats(file);
+    for (Gaussian gaussian : read_gaussians(file, nullptr, limits::gaussians, along())) {
+      if (is_turned) turn_half(gaussian);
       medium.append(gaussian);
     }
     return medium;
@@ -264,9 +284,10 @@ class ExportCommand final : public Command {
     return gaussians;
   }
 
-  // What writes a medium.
-  FrameLoop::Write writing(const Medium& medium, const std::string& output) {
+  // What writes a medium, or what is left of it.
+  FrameLoop::Write writing(const Medium& whole, const std::string& output) {
     check_interrupted();
+    const Medium medium = simplified(whole);
     if (lower_case_extension(output) == ".vdb") {
       const auto grids = std::make_shared<const Grids>(sampled_grids(medium, output));
       return [grids, output, half = half_] {

@@ -44,6 +44,13 @@ Json medium_json(const Medium& medium) {
   return json;
 }
 
+Json gaussians_json(const std::string& file) {
+  const ProgressLine line("measuring " + file);
+  Medium medium;
+  for (const Gaussian& gaussian : read_gaussians(file)) medium.append(gaussian);
+  return medium_json(medium);
+}
+
 Json scene_json(const SceneDocument& document) {
   const Scene& scene = document.scene;
   Json json;
@@ -171,7 +178,8 @@ class InfoCommand final : public Command {
   explicit InfoCommand(CLI::App& app) {
     app.add_option(
            "FILE", file_,
-           "a scene (.brume, .gltf, .glb, .obj, .fbx), Gaussians (.ply, .csv) or a volume (.vdb)")
+           "a scene (.brume, .gltf, .glb, .obj, .fbx), Gaussians (.ply, .csv, splats of .glb and "
+           ".gltf) or a volume (.vdb)")
         ->type_name("FILE")
         ->required();
     app.add_flag("--json", as_json_, "print JSON");
@@ -190,11 +198,10 @@ class InfoCommand final : public Command {
       const ProgressLine line("reading " + file_);
       json["grids"] = grids_json(file_);
     } else if (extension == ".ply" || extension == ".csv") {
-      const ProgressLine line("measuring " + file_);
-      Medium medium;
-      for (const Gaussian& gaussian : read_gaussians(file_)) medium.append(gaussian);
-      json["medium"] = medium_json(medium);
+      json["medium"] = gaussians_json(file_);
     } else if (is_imported_scene(file_)) {
+      const bool is_gltf = extension == ".glb" || extension == ".gltf";
+      if (is_gltf && has_splats(file_)) json["medium"] = gaussians_json(file_);
       const ProgressLine line("reading " + file_);
       std::vector<std::string> warnings;
       json.update(imported_json(*read_imported_scene(file_, warnings)));

@@ -12,7 +12,7 @@
 
 #include "brume/gaussian.h"
 #include "brume/limits.h"
-#include "core/math/rounded.h"
+#include "core/medium/written_radii.h"
 #include "core/number_domain.h"
 
 namespace brume::gaussian_columns {
@@ -67,9 +67,9 @@ inline constexpr std::array<std::string_view, 7> shape_names{
     "radius_x", "radius_y", "radius_z", "rotate_w", "rotate_x", "rotate_y", "rotate_z"};
 
 inline std::array<double, 7> shape_values(const Gaussian& g) {
-  const glm::dvec3 radii = g.radii();
+  const glm::dvec3 radii = written_radii(g);
   const glm::dquat& q = g.shape.rotation;
-  return {rounded(radii.x, 15), rounded(radii.y, 15), rounded(radii.z, 15), q.w, q.x, q.y, q.z};
+  return {radii.x, radii.y, radii.z, q.w, q.x, q.y, q.z};
 }
 // `refuse(i, why)` throws: value i is not allowed.
 template <class Refuse>
@@ -79,13 +79,27 @@ void set_shape(Gaussian& gaussian, const std::array<double, 7>& values, Refuse r
   }
   const glm::dvec3 radii(values[0], values[1], values[2]);
   if (const std::string why = refused_radii(radii); !why.empty()) refuse(std::size_t{0}, why);
+  const double greatest = std::max({radii.x, radii.y, radii.z});
+  if (!(std::abs(gaussian.radius - greatest) <= 1e-5 * greatest)) {  // floats, or few digits
+    refuse(std::size_t{0}, "found radii of at most " + quoted_text(greatest) +
+                               " beside the radius " + quoted_text(gaussian.radius) +
+                               "; allowed: their greatest as radius");
+  }
   const glm::dquat rotation(values[3], values[4], values[5], values[6]);
   const double length = glm::length(rotation);
   if (!(std::abs(length - 1.0) < 1e-3)) {
     refuse(std::size_t{3},
            "found a quaternion of length " + quoted_text(length) + "; allowed: a unit quaternion");
   }
-  gaussian.set_radii(radii, std::abs(length - 1.0) <= 1e-12 ? rotation : rotation / length);
+  gaussian.set_radii(radii, rotation);
+}
+// The first of these columns that is missing beside others of them, or "": a file of some is of no
+// use, and of balls that were none. `has` tells whether there is a column of a name.
+template <class Has>
+std::string missing_of_shape(Has has) {
+  if (std::ranges::none_of(shape_names, has)) return {};
+  const auto missing = std::ranges::find_if_not(shape_names, has);
+  return missing == shape_names.end() ? std::string() : std::string(*missing);
 }
 // Whether a file of them has those columns.
 inline bool have_shapes(std::span<const Gaussian> gaussians) {

@@ -81,6 +81,12 @@ std::vector<Gaussian> read_gaussians_csv(const std::filesystem::path& file,
       std::find(header.begin(), header.end(), number_name) - header.begin());
   const std::vector<std::size_t> optics_columns = find_all(header, gaussian_columns::optics_names);
   const std::vector<std::size_t> shape_columns = find_all(header, gaussian_columns::shape_names);
+  const std::string missing = gaussian_columns::missing_of_shape(
+      [&](std::string_view name) { return std::ranges::find(header, name) != header.end(); });
+  if (!missing.empty()) {
+    throw InputError(file, "line 1",
+                     "there is no column " + missing + "; needed beside others of an ellipsoid");
+  }
   std::vector<Gaussian> gaussians;
   while (text.next_line()) {
     const std::vector<std::string_view> row = cells(text.rest_of_line());

@@ -101,6 +101,12 @@ std::vector<Gaussian> read_gaussians_ply(const std::filesystem::path& file,
       splats ? std::nullopt : columns<6>(*vertices, gaussian_columns::optics_names);
   const auto shape_columns =
       splats ? std::nullopt : columns<7>(*vertices, gaussian_columns::shape_names);
+  const std::string missing = gaussian_columns::missing_of_shape(
+      [&](std::string_view name) { return columns<1>(*vertices, {name}).has_value(); });
+  if (!splats && !missing.empty()) {
+    throw InputError(file, "element vertex",
+                     "there is no property " + missing + "; needed beside others of an ellipsoid");
+  }
   const auto id = columns<1>(*vertices, {number_name});
   std::vector<Gaussian> gaussians;
   ply.for_each_row(

@@ -92,7 +92,7 @@ class GltfReader {
       const bool are_splats = extensions != nullptr && extensions->is_object() &&
                               extensions->contains("KHR_gaussian_splatting");
       file_.context().warn(path, are_splats
-                                     ? "Gaussian splats are left out: they are read as Gaussians"
+                                     ? "Gaussian splats are no surfaces: they are read as Gaussians"
                                      : "points and lines are left out");
       return;
     }

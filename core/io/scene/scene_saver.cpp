@@ -15,7 +15,7 @@
 #include "core/io/scene/scene_names.h"
 #include "core/io/scene/scene_references.h"
 #include "core/io/scene/spline_json.h"
-#include "core/math/rounded.h"
+#include "core/medium/written_radii.h"
 #include "core/scene/animation.h"
 #include "core/scene/group_effects.h"
 
@@ -52,9 +52,7 @@ void add_radii(Json& entry, const Gaussian& gaussian) {
     entry["radius"] = gaussian.radius;
     return;
   }
-  // They are products; what was read as 0.3 is written as that.
-  const glm::dvec3 radii = gaussian.radii();
-  entry["radii"] = {rounded(radii.x, 15), rounded(radii.y, 15), rounded(radii.z, 15)};
+  entry["radii"] = to_json(written_radii(gaussian));
   if (gaussian.shape.rotation != GaussianShape().rotation) {
     entry["rotate"] = to_json(gaussian.shape.rotation);
   }

@@ -29,6 +29,15 @@ LineProfile line_profile(EllipsoidWarp e, vec3 b, vec3 w, float a) {
   return warped_line_profile(warp * b, warp * w, a);
 }
 
-// How far it reaches along a unit direction, over its greatest radius.
-float reach_along(EllipsoidWarp e, vec3 w) { return length(inverse(warp_of(e)) * w); }
+// Its length along a vector is how far it reaches along that, over its greatest radius. In double
+// precision: the determinant of a thin disc's warp cancels.
+dmat3 unwarp_of(EllipsoidWarp e) { return inverse(dmat3(warp_of(e))); }
+
+// The warp is known in single precision: the reach of thin ones to this factor.
+const double warp_room = 1.005LF;
+
+// How far it reaches along a unit direction, over its greatest radius, or somewhat farther.
+float reach_along(EllipsoidWarp e, vec3 w) {
+  return float(warp_room * length(unwarp_of(e) * dvec3(w)));
+}
 #endif

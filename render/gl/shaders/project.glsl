@@ -55,9 +55,6 @@ dvec2 covered(double x, double z, double radius, dvec3 squares, double half_size
   return dvec2(max(-1.0LF, (middle - root) / (front * half_size)),
                min(1.0LF, (middle + root) / (front * half_size)));
 }
-
-// The warp is known in single precision.
-const double warp_room = 1.005LF;
 #endif
 
 int first_pixel(double s, int size, double start) {
@@ -86,7 +83,7 @@ void main() {
 #ifdef ELLIPSOIDS
   const EllipsoidWarp e = ellipsoid_of(i);
   if (is_ellipsoid(e)) {
-    const dmat3 reaches = radius * warp_room * dmat3(inverse(warp_of(e)));
+    const dmat3 reaches = radius * warp_room * unwarp_of(e);
     const dvec3 along_x = reaches * right;
     const dvec3 along_y = reaches * -up;
     const dvec3 along_z = reaches * forward;

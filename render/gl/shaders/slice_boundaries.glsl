@@ -227,7 +227,8 @@ void choose_slices(CenterRay ray, uint begin, uint end, int slices, int per_ligh
       continue;
     }
     const SliceNeed need = slice_need(ray, i, g);
-    const float half_ = min(core_radii(2.0 * g.scale * g.a / need.a) / need.a, r);
+    const float along = dot(g.center, ray.w) - need.extent.x;
+    const float half_ = min(core_radii(2.0 * g.scale * g.a / need.a) / need.a, along);
     extent = vec2(min(extent.x, need.extent.x), max(extent.y, need.extent.y));
     core = vec2(min(core.x, need.t - half_), max(core.y, need.t + half_));
   }

@@ -103,6 +103,32 @@ TEST(GaussianMoments, SquaredErrorIsAsDefined) {
   }
 }
 
+// However thin and slanted: the same error for pairs that differ by a turn of all.
+TEST(GaussianMoments, SquaredErrorOfNeedlesAndDiscs) {
+  Random random(5);
+  for (const double thin : {1e-2, 1e-3, 1e-4}) {
+    for (const glm::dvec3& radii : {glm::dvec3(1.0, thin, thin), glm::dvec3(1.0, 1.0, thin)}) {
+      const auto error = [&](const glm::dquat& turn) {
+        Gaussian a{{}, 1.0, 1.0};
+        a.set_radii(radii, turn);
+        Gaussian b = a;
+        b.center = turn * (0.3 * radii);
+        const GaussianMoments first(a);
+        const GaussianMoments second(b);
+        return squared_error(first, second, GaussianMoments(first, second));
+      };
+      const double straight = error(glm::dquat(1.0, 0.0, 0.0, 0.0));
+      EXPECT_GT(straight, 0.0);
+      for (int i = 0; i < 50; ++i) {
+        const glm::dvec3 q = random.point(1.0);
+        const glm::dquat turn =
+            glm::normalize(glm::dquat(random.uniform(-1.0, 1.0), q.x, q.y, q.z));
+        EXPECT_NEAR(error(turn), straight, 0.01 * straight) << thin << ' ' << radii.y;
+      }
+    }
+  }
+}
+
 TEST(Simplify, EllipsoidsAreFewerWithinTheSameError) {
   const std::vector<Gaussian> bank = strands_and_sheets(6000, 0.8);
   const Medium medium = medium_of(bank);

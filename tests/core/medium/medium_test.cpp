@@ -146,6 +146,40 @@ TEST(MediumEdit, KeepsOptics) {
   EXPECT_NE(end, start);
 }
 
+// Shapes are there while a Gaussian is an ellipsoid.
+TEST(MediumEdit, KeepsShapes) {
+  Medium medium = make_medium(5);
+  const Medium start = medium;
+  Gaussian flat = medium.gaussian(2);
+  flat.set_radii({0.5, 0.1, 0.4}, {0.6, 0.8, 0.0, 0.0});
+  std::vector<MediumEdit> history;
+  const auto apply = [&](const MediumEdit& edit) {
+    history.push_back(edit);
+    edit.apply(medium);
+  };
+  apply(MediumEdit::change(medium, std::vector{medium.ids()[2]}, std::vector{flat}));
+  EXPECT_EQ(medium.gaussian(2), flat);
+  EXPECT_NE(medium, start);
+  apply(MediumEdit::remove(medium, std::vector{medium.ids()[0], medium.ids()[3]}));
+  EXPECT_EQ(medium.shape(1), flat.shape);
+  EXPECT_TRUE(medium.gaussian(0).is_ball());
+  apply(MediumEdit::add(medium, std::vector{Gaussian{}, flat}));
+  EXPECT_EQ(medium.gaussian(4), flat);
+  EXPECT_TRUE(medium.gaussian(3).is_ball());
+  history.back().inverted().apply(medium);
+  history.pop_back();
+  // One that goes and comes back in the middle.
+  apply(MediumEdit::remove(medium, std::vector{medium.ids()[1]}));
+  const Medium end = medium;
+  while (!history.empty()) {
+    history.back().inverted().apply(medium);
+    history.pop_back();
+  }
+  EXPECT_EQ(medium, start);
+  EXPECT_EQ(start, medium);
+  EXPECT_NE(end, start);
+}
+
 // A whole history merges into one edit that does and undoes the same.
 TEST(MediumEdit, AnyEditsMerge) {
   std::mt19937 random(11);
@@ -201,6 +235,19 @@ TEST(MediumRevision, IsSharedByCopiesAndNewAfterEachChange) {
 }
 
 // What is stretched along its own axes keeps them, so that its numbers are those that one expects.
+TEST(Gaussian, OtherRadiiKeepItsRotation) {
+  const glm::dquat turn(0.6, 0.0, 0.8, 0.0);
+  Gaussian g;
+  g.set_radii({0.5, 0.1, 0.2}, 3.0 * turn);
+  EXPECT_LT(glm::length(g.shape.rotation - turn), 1e-15);
+  const Gaussian before = g;
+  g.set_radii(2.0 * g.radii(), g.shape.rotation);
+  EXPECT_EQ(g.shape, before.shape);
+  EXPECT_EQ(g.radius, 2.0 * before.radius);
+  g.set_radii(glm::dvec3(0.3), g.shape.rotation);
+  EXPECT_TRUE(g.is_ball());
+}
+
 TEST(Transform, KeepsTheOrderOfAxes) {
   Gaussian ball{.center = {1, 2, 3}, .radius = 0.5, .density = 1.0};
   for (int axis = 0; axis < 3; ++axis) {

@@ -67,6 +67,22 @@ TEST(Check, RefusesWhatNoFileCouldHave) {
        [](Scene& s) {
          s.medium.append({{}, 1.0, 1.0, {}, 7});
        }},
+      {"medium.gaussians[1].shape.stretch[2]",
+       [](Scene& s) {
+         s.medium.append({{}, 1.0, 1.0, {}, 0, {{1.0, 1.0, 1e-5}}});
+       }},
+      {"medium.gaussians[1].shape.stretch",
+       [](Scene& s) {
+         s.medium.append({{}, 1.0, 1.0, {}, 0, {{0.5, 0.9, 0.9}}});
+       }},
+      {"medium.gaussians[1].shape.rotation",
+       [](Scene& s) {
+         s.medium.append({{}, 1.0, 1.0, {}, 0, {{1.0, 0.5, 0.5}, {0.924, 0.0, 0.0, 0.383}}});
+       }},
+      {"medium.gaussians[1].shape.rotation",
+       [](Scene& s) {
+         s.medium.append({{}, 1.0, 1.0, {}, 0, {{1.0, 0.5, 0.5}, {nan, 0.0, 0.0, 0.0}}});
+       }},
       {"medium.density", [](Scene& s) { s.medium.set_homogeneous_density(-0.1); }},
       {"medium.albedo[0]", [](Scene& s) { s.optics.albedo.x = 0.0; }},
       {"medium.anisotropy", [](Scene& s) { s.optics.anisotropy = 1.0; }},

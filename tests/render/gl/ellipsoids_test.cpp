@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/random.h"
 #include "tests/render/gl/gl_frames.h"
 #include "tests/render/test_scenes.h"
 
@@ -41,6 +42,27 @@ TEST_F(GlFrames, EllipsoidsAllAround) {
   const Frame cpu = on_cpu(scene, settings);
   const Frame gl = render_on_device(scene, settings, "among them");
   EXPECT_LE(rel_rmse(gl.airlight, cpu.airlight), 1e-2);
+}
+
+// As thin as may be: where the tiles' lists end, nothing is cut off.
+TEST_F(GlFrames, ThinDiscs) {
+  Scene scene = cloud_scene(1, 1.0);
+  Medium discs;
+  Random random(4);
+  for (int i = 0; i < 12; ++i) {
+    Gaussian g{random.point(0.6), 1.0, 0.0};
+    const glm::dvec3 q = random.point(1.0);
+    const double thin = random.power(-4.0, -3.0);
+    g.set_radii({0.4, 0.4, 0.4 * thin}, glm::dquat(random.uniform(-1.0, 1.0), q.x, q.y, q.z));
+    g.density = 1.0 / (0.4 * thin);
+    discs.append(g);
+  }
+  scene.medium = discs;
+  scene.film = {96, 72};
+  const Frame cpu = on_cpu(scene, quick_slices());
+  const Frame gl = render_on_device(scene, quick_slices(), "thin discs");
+  EXPECT_LE(rel_rmse(gl.airlight, cpu.airlight), 1e-2);
+  EXPECT_LE(rel_rmse(gl.transmittance, cpu.transmittance), 1e-3);
 }
 
 }  // namespace

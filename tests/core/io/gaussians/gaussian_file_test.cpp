@@ -6,6 +6,7 @@
 #include <cstring>
 #include <random>
 
+#include "tests/core/io/gaussians/random_ellipsoids.h"
 #include "tests/core/io/input_error.h"
 #include "tests/core/io/temporary_folder.h"
 
@@ -39,6 +40,54 @@ TEST(GaussianFile, ReadsBackExactlyWhatWasWritten) {
     write_gaussians(folder / "a.ply", gaussians);
     EXPECT_EQ(read_gaussians(folder / "a.ply"), gaussians);
   }
+}
+
+// Also at the limit of elongation, where rounding must not make a file that is refused. Beside
+// ellipsoids, balls are kept exactly, too.
+TEST(GaussianFile, KeepsEllipsoids) {
+  const TemporaryFolder folder;
+  std::vector<Gaussian> gaussians = random_ellipsoids(1000);
+  for (Gaussian g : random_ellipsoids(1000, 8)) {
+    if (!g.is_ball()) g.set_radii(g.radii() * glm::dvec3(1.0, 1e-6, 1.0), g.shape.rotation);
+    gaussians.push_back(g);
+  }
+  for (const char* name : {"a.ply", "a.csv"}) {
+    write_gaussians(folder / name, gaussians);
+    const std::vector<Gaussian> read = read_gaussians(folder / name);
+    ASSERT_EQ(read.size(), gaussians.size());
+    for (std::size_t i = 0; i < read.size(); ++i) {
+      const Gaussian& expected = gaussians[i];
+      EXPECT_EQ(read[i].center, expected.center) << i;
+      EXPECT_EQ(read[i].radius, expected.radius) << i;
+      EXPECT_EQ(read[i].density, expected.density) << i;
+      EXPECT_EQ(read[i].is_ball(), expected.is_ball()) << i;
+      EXPECT_EQ(read[i].shape.rotation, expected.shape.rotation) << i;
+      for (int k = 0; k < 3; ++k) {
+        const double stretch = expected.shape.stretch[k];
+        EXPECT_NEAR(read[i].shape.stretch[k], stretch, 3e-16 * stretch) << i;
+      }
+    }
+  }
+}
+
+TEST(GaussianFile, RefusesEllipsoidsThatContradictThemselves) {
+  const TemporaryFolder folder;
+  const auto refusal = [&](std::string_view text) {
+    const auto file = folder.write("a.csv", text);
+    return error_of([&] { read_gaussians(file); });
+  };
+  EXPECT_TRUE(contains(refusal("x,y,z,radius,density,radius_x,radius_y\n"),
+                       "line 1: there is no column radius_z"));
+  const std::string header =
+      "x,y,z,radius,density,radius_x,radius_y,radius_z,rotate_w,rotate_x,rotate_y,rotate_z\n";
+  EXPECT_TRUE(contains(refusal(header + "0,0,0,5,1,1,.5,1,1,0,0,0\n"),
+                       "line 2, radius_x: found radii of at most 1 beside the radius 5"));
+  EXPECT_TRUE(contains(refusal(header + "0,0,0,1,1,1,.5,1,1,1,0,0\n"), "line 2, rotate_w"));
+  std::string ply = ply_header;
+  ply.replace(ply.find("end_header"), 0, "property double rotate_x\n");
+  EXPECT_TRUE(contains(
+      error_of([&] { read_gaussians(folder.write("a.ply", ply + "1 2 3 1 1 0 1 2 3 1 1 0")); }),
+      "there is no property radius_x"));
 }
 
 TEST(GaussianFile, DetectsTheFormatByItsContent) {
