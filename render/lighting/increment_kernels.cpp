@@ -89,6 +89,11 @@ struct GroupGaussians {
 
   void choose(const GaussianBatch& g, const PathBatch& rays, const RaySlices& slices,
               std::size_t group);
+  // Half the depth of a line through the center of Gaussian j, at most, along rays of the group.
+  template <BatchKind kKind>
+  [[nodiscard]] float half_depth(const GaussianBatch& g, std::size_t j) const {
+    return kKind == BatchKind::ellipsoids ? half_depths[j] : g.scale[j];
+  }
 
  private:
   // Of those near rays, which are in `near_rays`, the ellipsoids that no ray meets: how many are
@@ -96,6 +101,7 @@ struct GroupGaussians {
   std::size_t drop_ellipsoids(const GaussianBatch& g, const GroupCone& cone, std::size_t count);
 
   std::vector<std::int32_t> near_rays;
+  std::vector<float> half_depths;  // of those, if there are ellipsoids
 };
 
 std::size_t GroupGaussians::drop_ellipsoids(const GaussianBatch& g, const GroupCone& cone,
@@ -108,6 +114,7 @@ std::size_t GroupGaussians::drop_ellipsoids(const GaussianBatch& g, const GroupC
   const float* const members = g.ellipsoids[0].warp.data();
   const auto end = near_rays.begin() + static_cast<std::ptrdiff_t>(count);
   std::fill_n(end, hn::Lanes(d), 0);  // whole vectors are loaded
+  half_depths.resize(padded(g.size()));
   std::size_t left = 0;
   for (std::size_t m = 0; m < count; m += hn::Lanes(d)) {
     const auto j = hn::LoadU(di, near_rays.data() + m);
@@ -122,8 +129,14 @@ std::size_t GroupGaussians::drop_ellipsoids(const GaussianBatch& g, const GroupC
     // still matters.
     const V far = hn::GatherIndex(d, g.far.data(), j);
     const V nearer = hn::Mul(hn::Mul(a, far), hn::Mul(set(cone.spread + distance_room), member(9)));
-    const V reach = hn::Mul(a, hn::GatherIndex(d, g.reach.data(), j));  // in radii
     const auto is_ball = hn::Eq(warp.xx, hn::Zero(d));
+    // Along such a ray it is no longer than this.
+    const V slowest = hn::NegMulAdd(hn::Mul(a, set(cone.spread)), member(9), line.a);
+    const V scale = hn::GatherIndex(d, g.scale.data(), j);
+    const V half_depth = hn::IfThenElse(hn::Or(is_ball, hn::Le(slowest, a)), scale,
+                                        hn::Div(hn::Mul(scale, a), slowest));
+    hn::ScatterIndex(half_depth, d, half_depths.data(), j);
+    const V reach = hn::Mul(a, hn::GatherIndex(d, g.reach.data(), j));  // in radii
     const auto meets = hn::Le(hn::Sqrt(line.e), hn::MulAdd(reach, set(1.0f + cutoff_room), nearer));
     const auto kept = hn::And(hn::FirstN(d, count - m), hn::Or(is_ball, meets));
     left += hn::CompressBlendedStore(j, hn::RebindMask(di, kept), di, near_rays.data() + left);
@@ -189,12 +202,13 @@ void GroupGaussians::choose(const GaussianBatch& g, const PathBatch& rays, const
     const auto on_slices =
         hn::And(hn::FirstN(di, near_count - m), hn::Gt(slice_count, hn::Zero(di)));
     // Neither its beginning nor its end is cut off.
-    const V scale = hn::GatherIndex(d, g.scale.data(), j);
+    const auto& thicknesses = g.ellipsoids.empty() ? g.scale : half_depths;
+    const V half_depth = hn::GatherIndex(d, thicknesses.data(), j);
     const auto is_inside = hn::And(
         hn::And(on_slices, hn::Gt(before, hn::Zero(di))),
         hn::RebindMask(di, hn::And(hn::And(hn::Ge(hn::GatherIndex(d, nearest.data(), end), far),
                                            hn::Ge(shortest, far)),
-                                   hn::Le(scale, set(exact_above)))));
+                                   hn::Le(half_depth, set(exact_above)))));
     const auto is_whole = hn::And(is_inside, hn::Eq(slice_count, one));
     const auto is_cut = hn::And(is_inside, hn::Eq(slice_count, hn::Add(one, one)));
     whole.add(is_whole, j, first, end);
@@ -285,7 +299,7 @@ HWY_INLINE std::uint64_t Increments(const GaussianBatch& g, const PathBatch& ray
     });
     each(met.other, [&](std::size_t j, std::size_t first, std::size_t end,
                         const LineProfile<D>& line, V half_depth) HWY_ATTR {
-      if (g.scale[j] > exact_above) {
+      if (met.half_depth<kKind>(g, j) > exact_above) {
         V previous = u(line, first);
         for (std::size_t k = first; k < end; ++k) {
           const V current = u(line, k + 1);

@@ -44,7 +44,8 @@ TEST_F(GlFrames, EllipsoidsAllAround) {
   EXPECT_LE(rel_rmse(gl.airlight, cpu.airlight), 1e-2);
 }
 
-// As thin as may be: where the tiles' lists end, nothing is cut off.
+// As thin as may be: nothing is cut off where the lists of tiles end, and what is deep along the
+// disc only is light in the middle of no slice but where it lies.
 TEST_F(GlFrames, ThinDiscs) {
   Scene scene = cloud_scene(1, 1.0);
   Medium discs;
@@ -54,15 +55,16 @@ TEST_F(GlFrames, ThinDiscs) {
     const glm::dvec3 q = random.point(1.0);
     const double thin = random.power(-4.0, -3.0);
     g.set_radii({0.4, 0.4, 0.4 * thin}, glm::dquat(random.uniform(-1.0, 1.0), q.x, q.y, q.z));
-    g.density = 1.0 / (0.4 * thin);
+    g.density = 0.05 / (0.4 * thin);
     discs.append(g);
   }
   scene.medium = discs;
   scene.film = {96, 72};
   const Frame cpu = on_cpu(scene, quick_slices());
   const Frame gl = render_on_device(scene, quick_slices(), "thin discs");
-  EXPECT_LE(rel_rmse(gl.airlight, cpu.airlight), 1e-2);
-  EXPECT_LE(rel_rmse(gl.transmittance, cpu.transmittance), 1e-3);
+  // Single precision knows the thinnest that are seen edge-on, or lit so, to a part in a thousand.
+  EXPECT_LE(rel_rmse(gl.airlight, cpu.airlight), 2e-2);
+  EXPECT_LE(rel_rmse(gl.transmittance, cpu.transmittance), 5e-4);
 }
 
 }  // namespace
