@@ -50,8 +50,10 @@ double Gaussian::mean_radius() const {
 
 void Gaussian::set_radii(const glm::dvec3& radii, const glm::dquat& rotation) {
   radius = max_component(radii);
-  shape = {};
-  if (radii == glm::dvec3(radius)) return;
+  if (radii == glm::dvec3(radius)) {
+    shape = {};  // not before: `rotation` may be that of the shape
+    return;
+  }
   shape.stretch = glm::max(radii / radius, limits::min_stretch);
   shape.rotation = rotation;
 }

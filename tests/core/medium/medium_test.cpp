@@ -228,5 +228,15 @@ TEST(Transform, KeepsTheOrderOfAxes) {
   EXPECT_NEAR(glm::dot(turned.shape.rotation, rotation), 1.0, 1e-14);
 }
 
+TEST(Gaussian, OtherRadiiKeepItsRotation) {
+  const glm::dquat rotation = glm::angleAxis(0.4, glm::normalize(glm::dvec3(1, 2, -3)));
+  Gaussian gaussian;
+  gaussian.set_radii({0.2, 0.5, 0.4}, rotation);
+  gaussian.set_radii({0.7, 0.5, 0.4}, gaussian.shape.rotation);
+  EXPECT_EQ(gaussian.shape.rotation, rotation);
+  gaussian.set_radii(glm::dvec3(0.5), gaussian.shape.rotation);
+  EXPECT_TRUE(gaussian.is_ball());
+}
+
 }  // namespace
 }  // namespace brume
