@@ -471,7 +471,7 @@ class EllipsoidsTest : public QObject {
     const Scene before = document.scene();
     window.key(Qt::Key_B);
     auto& tool = tool_of<PaintbrushTool>(window);
-    tool.set_brush({.radius = 0.1, .density = 3.0, .spacing = 1.0, .scatter = 0.0});
+    tool.set_brush({.radius = 0.1, .density = 300.0, .spacing = 1.0, .scatter = 0.0});
     const QPoint from(300, 200);
     window.drag(from, from + QPoint(200, 0));
     const std::size_t balls = document.medium().size() - 5;
@@ -487,6 +487,32 @@ class EllipsoidsTest : public QObject {
       // To the right on the view plane.
       QVERIFY(std::abs((dab.shape.rotation * glm::dvec3(0, 0, 1)).x) > 0.999);
     }
+    // Alt and a click pick the brush from what it painted.
+    const auto pick = [&](PaintbrushTool& brush, const glm::dvec3& center) {
+      brush.set_brush({.radius = 7.0, .density = 1.0, .stretch = 2.0});
+      const glm::dvec3 at = window->viewport().rays().project(center);
+      QTest::mouseClick(&window->viewport(), Qt::LeftButton, Qt::AltModifier,
+                        QPointF(at.x, at.y).toPoint());
+      return glm::dvec3(brush.brush().radius, brush.brush().density, brush.brush().stretch);
+    };
+    const Gaussian first = document.medium().gaussian(5);
+    QVERIFY(first.is_ball());
+    QVERIFY(is_near(pick(tool, document.medium().gaussian(7).center), {0.1, 300.0, 4.0}));
+    // Of what no stroke lays, the ball of its volume.
+    document.undo_stack().undo();
+    document.select({2});
+    type_into(window, "radius_x", "0.4");
+    type_into(window, "radius_z", "0.2");
+    type_into(window, "density", "5");
+    window.key(Qt::Key_B);
+    QVERIFY(is_near(pick(tool, gaussian(window, 1).center),
+                    {gaussian(window, 1).mean_radius(), 5.0, 2.0}));
+    // One that is longer than the brush can lay.
+    for (const char* field : {"radius_y", "radius_z"}) type_into(window, field, "0.01");
+    window.key(Qt::Key_B);
+    QVERIFY(is_near(pick(tool, gaussian(window, 1).center), {0.01, 5.0, 5.0}));
+    document.undo_stack().setIndex(0);
+    tool.set_brush({.stretch = 4.0});
     // Saved with the brush, and back.
     const BrushPreset preset = tool.preset();
     QCOMPARE(preset.stretch, 4.0);
