@@ -361,9 +361,7 @@ void bind_medium(py::module_& module) {
                   "file", "found the extension '" + extension + "'; allowed: .ply, .csv, .vdb");
             }
             check(medium);
-            std::vector<Gaussian> gaussians;
-            for (std::size_t i = 0; i < medium.size(); ++i) gaussians.push_back(medium.gaussian(i));
-            save_gaussians(gaussians, file);
+            save_gaussians(medium.gaussians(), file);
           },
           py::arg("file"), py::arg("voxel") = 0.1,
           "Writes .ply or .csv, losslessly, or .vdb: the density on voxels of this size [u].");

@@ -104,7 +104,7 @@ render/layers/*.[hc]*:$values render/frame_renderer.h render/util/ render/sample
 render/gl/*.[hc]*:$values render/display/ render/render_plan.h render/util/ $surfaces render/prepare/
 render/output/*.[hc]*:$values render/display/
 render/deep/*.[hc]*:$values render/render_plan.h render/util/ render/transfer/ $surfaces render/prepare/ render/cpu/ render/output/
-render/splats/*.[hc]*:$values render/render_plan.h render/util/ render/transfer/ $surfaces render/prepare/ render/cpu/
+render/splats/*.[hc]*:$values render/display/ render/render_plan.h render/util/ render/transfer/ $surfaces render/prepare/ render/cpu/
 render/quality/*.[hc]*:$values render/frame_renderer.h render/util/ render/geometry/ render/prepare/ render/reference/ render/visibility/ render/render_plan.h render/paths/
 app/document/*.[hc]*:
 app/commands/*.[hc]*:app/document/

@@ -29,4 +29,18 @@ glm::dvec3 to_euler_angles(const glm::dquat& rotation) {
   return glm::round(glm::degrees(angles) * digits) / digits + 0.0;  // no -0
 }
 
+glm::dvec3 EnteredAngles::of(GaussianId id, const Gaussian& gaussian) const {
+  if (gaussian.is_ball()) return glm::dvec3(0.0);
+  const glm::dquat& rotation = gaussian.shape.rotation;
+  const auto found = entered_.find(id);
+  const bool is_as_entered =
+      found != entered_.end() && from_euler_angles(found->second) == rotation;
+  return is_as_entered ? found->second : to_euler_angles(rotation);
+}
+
+void EnteredAngles::enter(GaussianId id, const glm::dvec3& degrees, Gaussian& gaussian) {
+  entered_[id] = degrees;
+  gaussian.shape.rotation = from_euler_angles(degrees);
+}
+
 }  // namespace brume

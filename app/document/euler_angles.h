@@ -2,6 +2,9 @@
 
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
+#include <unordered_map>
+
+#include "brume/gaussian.h"
 
 namespace brume {
 
@@ -9,5 +12,17 @@ namespace brume {
 glm::dquat from_euler_angles(const glm::dvec3& degrees);  // unit
 // To a billionth. y in [-90, 90], x and z in [-180, 180]; z = 0 at y = +-90, where x does the same.
 glm::dvec3 to_euler_angles(const glm::dquat& rotation);
+
+// The angles of ellipsoids as they were entered, while they give the rotation: others give it, too.
+class EnteredAngles {
+ public:
+  [[nodiscard]] glm::dvec3 of(GaussianId id, const Gaussian& gaussian) const;  // of a ball 0
+  // Sets the Gaussian's rotation.
+  void enter(GaussianId id, const glm::dvec3& degrees, Gaussian& gaussian);
+  void forget() { entered_.clear(); }
+
+ private:
+  std::unordered_map<GaussianId, glm::dvec3> entered_;
+};
 
 }  // namespace brume

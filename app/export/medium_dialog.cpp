@@ -1,6 +1,7 @@
 #include "app/export/medium_dialog.h"
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDoubleValidator>
 #include <QFileDialog>
@@ -9,7 +10,10 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QSignalBlocker>
 #include <QSpinBox>
+#include <algorithm>
+#include <array>
 
 #include "app/document/gaussian_attribute.h"
 #include "app/document/number_text.h"
@@ -19,43 +23,91 @@
 #include "app/files/file_dialogs.h"
 #include "app/widgets/plain_text.h"
 #include "core/io/file_bytes.h"
+#include "core/io/scene/usd_file.h"
+#include "core/number_domain.h"
 #include "core/volume/medium_grid.h"
 
 namespace brume {
 
+namespace {
+
+struct Format {
+  MediumFormat format;
+  const char* title;
+  QStringList extensions;  // the first one is offered
+};
+
+const std::array<Format, 6>& formats() {
+  static const std::array<Format, 6> all{
+      {{MediumFormat::volume, QT_TR_NOOP("Volume"), {".vdb"}},
+       {MediumFormat::gaussians, QT_TR_NOOP("Gaussians"), {".ply", ".csv"}},
+       {MediumFormat::splats, QT_TR_NOOP("Gaussian splats"), {".ply", ".glb", ".gltf"}},
+       {MediumFormat::lit_splats, QT_TR_NOOP("Lit splats"), {".ply"}},
+       {MediumFormat::page, QT_TR_NOOP("Web page"), {".html"}},
+       {MediumFormat::stage, QT_TR_NOOP("USD stage"), {".usda"}}}};
+  return all;
+}
+
+const Format& chosen_of(const QComboBox& box) {
+  return formats().at(static_cast<std::size_t>(box.currentIndex()));
+}
+
+bool has_extension(const Format& format, const QString& file) {
+  const std::string extension = lower_case_extension(to_path(file));
+  return format.extensions.contains(QString::fromStdString(extension));
+}
+
+bool has_volume(MediumFormat format) {
+  return format == MediumFormat::volume || format == MediumFormat::stage;
+}
+
+bool is_lit(MediumFormat format) {
+  return format == MediumFormat::lit_splats || format == MediumFormat::page;
+}
+
+constexpr NumberDomain exposure_domain{-100.0, 100.0, "a number of stops from -100 to 100"};
+
+void set_domain(double low, double high, QLineEdit* line) {
+  auto* validator = new QDoubleValidator(low, high, 12, line);
+  validator->setLocale(QLocale::c());
+  line->setValidator(validator);
+}
+
+}  // namespace
+
 MediumDialog::MediumDialog(std::shared_ptr<const Scene> scene, const Timeline& timeline,
-                           const QString& folder, QWidget* parent)
+                           double exposure, const QString& folder, QWidget* parent)
     : QDialog(parent),
       scene_(std::move(scene)),
       time_(timeline.time()),
       frames_per_second_(timeline.frames_per_second()),
+      form_(new QFormLayout(this)),
+      format_(new QComboBox(this)),
       file_(new QLineEdit(last_folder(FileKind::medium, folder) + "/medium.vdb", this)),
       voxel_(new QLineEdit(this)),
       half_(new QCheckBox(tr("half precision"), this)),
+      along_(new QComboBox(this)),
+      up_(new QComboBox(this)),
+      exposure_(new QLineEdit(this)),
       is_range_(new QCheckBox(tr("Frames"), this)),
       first_(new QSpinBox(this)),
       last_(new QSpinBox(this)),
       memory_(new PlainLabel(this)) {
   setWindowTitle(tr("Export medium"));
   setAttribute(Qt::WA_DeleteOnClose);
+  format_->setObjectName("medium_format");
+  for (const Format& format : formats()) {
+    format_->addItem(tr("%1 (%2)").arg(tr(format.title), format.extensions.join(", ")));
+  }
+  form_->addRow(tr("Format"), format_);
   file_->setObjectName("medium_file");
   file_->setMinimumWidth(360);
   auto* browse = new QPushButton(tr("Choose…"), this);
   auto* file_row = new QHBoxLayout;
   file_row->addWidget(file_, 1);
   file_row->addWidget(browse);
-  auto* form = new QFormLayout(this);
-  form->addRow(tr("File (.vdb, .ply, .csv)"), file_row);
-  voxel_->setObjectName("medium_voxel");
-  auto* domain = new QDoubleValidator(1e-12, 1e12, 12, voxel_);
-  domain->setLocale(QLocale::c());
-  voxel_->setValidator(domain);
-  const double fitting = fitting_voxel_size(scene_now().medium);
-  voxel_->setText(number_text(fitting > 0.0 ? fitting : 1.0));
-  auto* voxel_row = new QHBoxLayout;
-  voxel_row->addWidget(voxel_, 1);
-  voxel_row->addWidget(half_);
-  form->addRow(tr("Voxel size, u"), voxel_row);
+  form_->addRow(tr("File"), file_row);
+  add_options(form_, exposure);
   is_range_->setObjectName("medium_is_range");
   for (QSpinBox* box : {first_, last_}) {
     box->setRange(0, 1'000'000);
@@ -70,28 +122,90 @@ MediumDialog::MediumDialog(std::shared_ptr<const Scene> scene, const Timeline& t
   range_row->addWidget(first_);
   range_row->addWidget(new PlainLabel(tr("to"), this));
   range_row->addWidget(last_);
-  form->addRow(is_range_, range_row);
+  form_->addRow(is_range_, range_row);
   memory_->setObjectName("medium_memory");
-  form->addRow(tr("Memory"), memory_);
+  form_->addRow(tr("Memory"), memory_);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
   export_ = buttons->addButton(tr("Export"), QDialogButtonBox::AcceptRole);
   export_->setObjectName("export_medium");
-  form->addRow(buttons);
+  form_->addRow(buttons);
 
   connect(browse, &QPushButton::clicked, this, &MediumDialog::browse);
-  for (QLineEdit* line : {file_, voxel_}) {
+  connect(format_, &QComboBox::currentIndexChanged, this, &MediumDialog::follow_format);
+  connect(file_, &QLineEdit::textChanged, this, &MediumDialog::follow_file);
+  for (QLineEdit* line : {voxel_, exposure_}) {
     connect(line, &QLineEdit::textChanged, this, &MediumDialog::show_memory);
   }
   connect(buttons, &QDialogButtonBox::accepted, this, [this] {
     const MediumExport request = chosen();
-    std::optional<std::pair<int, int>> frames;
-    if (request.range) frames = {request.range->first, request.range->last};
-    if (!may_replace(this, request.file, frames)) return;
+    if (!may_replace_all(request)) return;
     remember_folder(FileKind::medium, request.file);
     Q_EMIT requested(request);
     accept();
   });
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  show_options();
+}
+
+void MediumDialog::add_options(QFormLayout* form, double exposure) {
+  voxel_->setObjectName("medium_voxel");
+  set_domain(1e-12, 1e12, voxel_);
+  const double fitting = fitting_voxel_size(scene_now().medium);
+  voxel_->setText(number_text(fitting > 0.0 ? fitting : 1.0));
+  auto* voxel_row = new QHBoxLayout;
+  voxel_row->addWidget(voxel_, 1);
+  voxel_row->addWidget(half_);
+  voxel_row_ = voxel_row;
+  form->addRow(tr("Voxel size, u"), voxel_row);
+  along_->setObjectName("medium_opacity");
+  along_->addItem(tr("Shortest radius"), static_cast<int>(OpacityAlong::shortest));
+  along_->addItem(tr("Mean radius"), static_cast<int>(OpacityAlong::mean));
+  along_->addItem(tr("Longest radius"), static_cast<int>(OpacityAlong::longest));
+  along_->setCurrentIndex(along_->findData(static_cast<int>(OpacityAlong::mean)));
+  along_->setToolTip(
+      tr("A splat is as opaque from every side; fog is more opaque along longer radii"));
+  form->addRow(tr("As opaque as fog along"), along_);
+  up_->setObjectName("medium_up");
+  up_->addItems({tr("y"), tr("-y (turned by half about z)")});
+  up_->setToolTip(tr("Most viewers of .ply splats expect -y, as captures have it"));
+  form->addRow(tr("Up axis"), up_);
+  exposure_->setObjectName("medium_exposure");
+  set_domain(exposure_domain.min_value, exposure_domain.max_value, exposure_);
+  exposure_->setText(number_text(exposure));
+  exposure_->setToolTip(tr("The light is written as it is displayed: in stops, as the view's"));
+  form->addRow(tr("Exposure, stops"), exposure_);
+}
+
+void MediumDialog::follow_format() {
+  const Format& chosen = chosen_of(*format_);
+  if (!has_extension(chosen, file_->text())) {
+    const QSignalBlocker blocker(file_);
+    std::filesystem::path file = to_path(file_->text());
+    file_->setText(to_qstring(file.replace_extension(chosen.extensions.front().toStdString())));
+  }
+  show_options();
+}
+
+void MediumDialog::follow_file() {
+  const auto has = [this](const Format& format) { return has_extension(format, file_->text()); };
+  const auto found = std::ranges::find_if(formats(), has);
+  // A .ply may be any of three.
+  if (!has(chosen_of(*format_)) && found != formats().end()) {
+    const QSignalBlocker blocker(format_);
+    format_->setCurrentIndex(static_cast<int>(found - formats().begin()));
+  }
+  show_options();
+}
+
+void MediumDialog::show_options() {
+  const MediumFormat chosen = chosen_of(*format_).format;
+  const bool are_files = chosen == MediumFormat::splats || chosen == MediumFormat::lit_splats;
+  const bool is_ply = lower_case_extension(to_path(file_->text())) == ".ply";
+  form_->setRowVisible(voxel_row_, has_volume(chosen));
+  form_->setRowVisible(along_,
+                       are_files || chosen == MediumFormat::page || chosen == MediumFormat::stage);
+  form_->setRowVisible(up_, are_files && is_ply);
+  form_->setRowVisible(exposure_, is_lit(chosen));
   show_memory();
 }
 
@@ -105,6 +219,10 @@ MediumExport MediumDialog::chosen() const {
   MediumExport request;
   request.scene = scene_;
   request.file = to_path(file_->text());
+  request.format = chosen_of(*format_).format;
+  request.along = static_cast<OpacityAlong>(along_->currentData().toInt());
+  request.y_down = up_->isVisibleTo(this) && up_->currentIndex() == 1;
+  request.exposure = exposure_->text().toDouble();
   request.voxel_size = voxel_->text().toDouble();
   request.half = half_->isChecked();
   request.time = time_;
@@ -115,17 +233,18 @@ MediumExport MediumDialog::chosen() const {
 }
 
 void MediumDialog::show_memory() {
-  const std::string extension = lower_case_extension(to_path(file_->text()));
-  const bool is_volume = extension == ".vdb";
-  for (QWidget* widget : std::initializer_list<QWidget*>{voxel_, half_}) {
-    widget->setEnabled(is_volume);
-  }
-  bool possible = is_volume || extension == ".ply" || extension == ".csv";
-  QString text = possible ? tr("little") : tr("The file must end in .vdb, .ply or .csv.");
-  if (is_volume && !voxel_->hasAcceptableInput()) {
+  const Format& chosen = chosen_of(*format_);
+  bool possible = has_extension(chosen, file_->text());
+  QString text = tr("little");
+  if (!possible) {
+    text = tr("The file must end in %1.").arg(chosen.extensions.join(tr(" or ")));
+  } else if (is_lit(chosen.format) && !exposure_->hasAcceptableInput()) {
+    possible = false;
+    text = tr("The exposure must be %1.").arg(exposure_domain.allowed);
+  } else if (has_volume(chosen.format) && !voxel_->hasAcceptableInput()) {
     possible = false;
     text = tr("The voxel size must be greater than 0.");
-  } else if (is_volume) {
+  } else if (has_volume(chosen.format)) {
     const auto bytes = grid_bytes(scene_now().medium, voxel_->text().toDouble());
     possible = bytes.has_value();
     text = bytes ? tr("%1 MB").arg((*bytes + 999'999) / 1'000'000)
@@ -135,11 +254,24 @@ void MediumDialog::show_memory() {
   export_->setEnabled(possible);
 }
 
+bool MediumDialog::may_replace_all(const MediumExport& request) {
+  std::optional<std::pair<int, int>> frames;
+  if (request.range) frames = {request.range->first, request.range->last};
+  if (request.format != MediumFormat::stage) return may_replace(this, request.file, frames);
+  return may_replace(this, request.file, std::nullopt) &&
+         may_replace(this, volume_of_stage(request.file), frames);
+}
+
 void MediumDialog::browse() {
+  QStringList filters;
+  for (const Format& format : formats()) {
+    filters << QString("%1 (*%2)").arg(tr(format.title), format.extensions.join(" *"));
+  }
+  QString filter = filters[format_->currentIndex()];
+  filters << tr("All files (*)");
   const QString name =
-      QFileDialog::getSaveFileName(this, tr("Export medium"), file_->text(),
-                                   tr("OpenVDB (*.vdb);;PLY (*.ply);;Table (*.csv);;All files (*)"),
-                                   nullptr, QFileDialog::DontConfirmOverwrite);
+      QFileDialog::getSaveFileName(this, tr("Export medium"), file_->text(), filters.join(";;"),
+                                   &filter, QFileDialog::DontConfirmOverwrite);
   if (!name.isEmpty()) file_->setText(name);
 }
 

@@ -5,7 +5,10 @@
 #include "app/export/medium_export.h"
 
 class QCheckBox;
+class QComboBox;
+class QFormLayout;
 class QLabel;
+class QLayout;
 class QLineEdit;
 class QPushButton;
 class QSpinBox;
@@ -14,18 +17,25 @@ namespace brume {
 
 class Timeline;
 
-// Dialog to export the medium; shows the memory of a grid.
+// Dialog to export the medium; shows the memory of a grid. The format and the extension of the file
+// follow each other.
 class MediumDialog : public QDialog {
   Q_OBJECT
  public:
-  MediumDialog(std::shared_ptr<const Scene> scene, const Timeline& timeline, const QString& folder,
-               QWidget* parent);
+  // `exposure` [stops] is offered for lit splats.
+  MediumDialog(std::shared_ptr<const Scene> scene, const Timeline& timeline, double exposure,
+               const QString& folder, QWidget* parent);
 
  Q_SIGNALS:
   void requested(const brume::MediumExport& request);
 
  private:
+  void add_options(QFormLayout* form, double exposure);
+  void follow_format();  // with the extension
+  void follow_file();    // with the format
+  void show_options();
   void show_memory();
+  [[nodiscard]] bool may_replace_all(const MediumExport& request);
   void browse();
   [[nodiscard]] MediumExport chosen() const;
 
@@ -34,9 +44,15 @@ class MediumDialog : public QDialog {
   std::shared_ptr<const Scene> scene_;
   double time_;
   double frames_per_second_;
+  QFormLayout* form_;
+  QComboBox* format_;
   QLineEdit* file_;
   QLineEdit* voxel_;
   QCheckBox* half_;
+  QLayout* voxel_row_ = nullptr;
+  QComboBox* along_;
+  QComboBox* up_;
+  QLineEdit* exposure_;
   QCheckBox* is_range_;
   QSpinBox* first_;
   QSpinBox* last_;

@@ -4,11 +4,13 @@
 #include "app/files/numbered_file.h"
 #include "brume/at_time.h"
 #include "brume/error.h"
-#include "core/io/file_bytes.h"
+#include "core/io/atomic_file.h"
 #include "core/io/gaussians/gaussian_file.h"
+#include "core/io/scene/usd_file.h"
 #include "core/io/volume/volume_file.h"
 #include "core/number_domain.h"
 #include "core/volume/medium_grid.h"
+#include "render/splats/lit_splat_file.h"
 
 namespace brume {
 namespace {
@@ -20,20 +22,17 @@ double chosen_voxel_size(const Medium& medium, double request) {
   return size > 0.0 ? size : 1.0;  // nothing to sample
 }
 
-// What writes the medium of a time to a file. Throws Cancelled.
-FrameLoop::Write writing(const MediumExport& request, const std::filesystem::path& file,
-                         double time, const Job& job) {
-  const Scene scene = evaluate_at(*request.scene, time);
-  const Medium& medium = scene.medium;
-  if (lower_case_extension(file) != ".vdb") {
-    std::vector<Gaussian> gaussians;
-    for (std::size_t i = 0; i < medium.size(); ++i) gaussians.push_back(medium.gaussian(i));
-    return [gaussians = std::move(gaussians), file] { write_gaussians(file, gaussians); };
-  }
-  const double size = chosen_voxel_size(medium, request.voxel_size);
-  const auto plan = MediumSampling::plan(medium, size, max_blocks);
+struct Grids {
+  DensityGrid density;
+  VolumeColors colors;
+};
+
+Grids sampled(const MediumExport& request, const std::filesystem::path& file, const Scene& scene,
+              const Job& job) {
+  const double size = chosen_voxel_size(scene.medium, request.voxel_size);
+  const auto plan = MediumSampling::plan(scene.medium, size, max_blocks);
   if (!plan) {
-    const auto sufficient = sufficient_voxel_size(medium, size, max_blocks);
+    const auto sufficient = sufficient_voxel_size(scene.medium, size, max_blocks);
     throw InputError(file, "",
                      "a grid with voxels of " + quoted_text(size) +
                          " needs more than 2 GB; allowed: " +
@@ -46,10 +45,57 @@ FrameLoop::Write writing(const MediumExport& request, const std::filesystem::pat
   if (!density) throw Cancelled();
   auto colors = plan->sample_colors(scene.optics.albedo, color_job.stop, color_job.progress);
   if (!colors) throw Cancelled();
-  const auto grids = std::make_shared<const std::pair<DensityGrid, VolumeColors>>(
-      std::move(*density), std::move(*colors));
-  return
-      [grids, file, half = request.half] { write_volume(file, grids->first, half, grids->second); };
+  return {std::move(*density), std::move(*colors)};
+}
+
+// What writes the medium of a time to a file. Throws Cancelled.
+FrameLoop::Write writing(const MediumExport& request, const std::filesystem::path& file,
+                         double time, const Job& job) {
+  const Scene scene = evaluate_at(*request.scene, time);
+  switch (request.format) {
+    case MediumFormat::volume:
+      return [grids = std::make_shared<const Grids>(sampled(request, file, scene, job)), file,
+              half = request.half] { write_volume(file, grids->density, half, grids->colors); };
+    case MediumFormat::splats:
+      return [gaussians = scene.medium.gaussians(), file,
+              output = SplatOutput{request.along, scene.optics.albedo, {}, request.y_down}] {
+        write_splats(file, gaussians, output);
+      };
+    case MediumFormat::lit_splats:
+    case MediumFormat::page: {
+      auto bytes =
+          lit_splat_file(scene, {request.exposure, request.along, request.y_down}, file, job);
+      if (!bytes) throw Cancelled();
+      return [bytes = std::move(*bytes), file] { write_atomically(file, bytes); };
+    }
+    case MediumFormat::gaussians:
+    case MediumFormat::stage:  // write_stage() has all its frames
+      break;
+  }
+  return [gaussians = scene.medium.gaussians(), file] { write_gaussians(file, gaussians); };
+}
+
+void write_stage(const MediumExport& request, const Job& job) {
+  const MediumExport::Range range = request.range.value_or(MediumExport::Range{});
+  std::vector<UsdFrame> frames;
+  const int count = range.last - range.first + 1;
+  for (int k = 0; k < count; ++k) {
+    const int number = range.first + k;
+    const double time = request.range ? number / range.frames_per_second : request.time;
+    UsdFrame& frame = frames.emplace_back();
+    frame.frame = number;
+    frame.scene = evaluate_at(*request.scene, time);
+    frame.splats = frame.scene.medium.gaussians();
+    if (frame.splats.empty()) continue;
+    const std::filesystem::path file =
+        volume_of_stage(request.file, request.range ? std::optional(number) : std::nullopt);
+    const Grids grids = sampled(request, file, frame.scene,
+                                job.subrange(static_cast<double>(k) / count, (k + 1.0) / count));
+    write_volume(file, grids.density, request.half, grids.colors);
+    replace_medium(frame, file, grids.colors);
+  }
+  if (job.stop.stop_requested()) throw Cancelled();
+  write_usd(request.file, frames, range.frames_per_second, request.along);
 }
 
 }  // namespace
@@ -62,6 +108,10 @@ std::optional<std::uintmax_t> grid_bytes(const Medium& medium, double voxel_size
 
 BackgroundJob::Work export_medium(const MediumExport& request) {
   return [request](const Job& job) -> BackgroundJob::Apply {
+    if (request.format == MediumFormat::stage) {
+      write_stage(request, job);
+      return {};
+    }
     if (!request.range) {
       writing(request, request.file, request.time, job)();
       return {};

@@ -7,17 +7,32 @@
 
 #include "app/jobs/background_job.h"
 #include "brume/scene.h"
+#include "brume/splat.h"
 
 namespace brume {
+
+// What Gaussians are exported as.
+enum class MediumFormat : std::uint8_t {
+  volume,      // .vdb, grids as write_volume() names them
+  gaussians,   // .ply, .csv
+  splats,      // .ply, .glb, .gltf
+  lit_splats,  // .ply, as lit_splat_file() writes it
+  page,        // .html, too
+  stage        // .usda of the scene: the fog as splats and, in a .vdb beside it, as a volume
+};
 
 // Parameters of exporting a scene's Gaussians. The homogeneous density is unbounded and excluded.
 struct MediumExport {
   std::shared_ptr<const Scene> scene;  // with all its times
-  std::filesystem::path file;          // .vdb (grids as write_volume() names them), .ply or .csv
-  double voxel_size = 0.0;             // of a .vdb; 0: half the least radius
-  bool half = false;                   // a .vdb in half precision
-  double time = 0.0;                   // [s]
-  // Frames of the timeline instead, into numbered files.
+  std::filesystem::path file;
+  MediumFormat format = MediumFormat::volume;
+  double voxel_size = 0.0;                  // of a .vdb; 0: half the least radius
+  bool half = false;                        // a .vdb in half precision
+  OpacityAlong along = OpacityAlong::mean;  // of splats
+  bool y_down = false;                      // of splats of a .ply
+  double exposure = 0.0;                    // of lit ones [stops]
+  double time = 0.0;                        // [s]
+  // Frames of the timeline instead, into numbered files; of a stage only its volumes are.
   struct Range {
     int first = 0;
     int last = 0;

@@ -13,7 +13,6 @@
 #include "app/import/add_imported.h"
 #include "app/import/folder_dialog.h"
 #include "app/import/scene_dialog.h"
-#include "app/import/splat_dialog.h"
 #include "app/import/volume_dialog.h"
 #include "app/import/vtk_points.h"
 #include "brume/error.h"
@@ -42,32 +41,22 @@ bool is_one_of(const fs::path& file, const auto& extensions) {
   return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
 }
 
-// A PLY or glTF may be either.
-bool is_of_splats(const fs::path& file) {
-  constexpr std::array<std::string_view, 3> possible{".ply", ".gltf", ".glb"};
-  try {
-    return is_one_of(file, possible) && has_splats(file);
-  } catch (const InputError&) {
-    return false;  // who reads it says what is wrong
-  }
-}
-
 bool is_volume(const fs::path& file) {
   return lower_case_extension(file) == ".vdb";
 }
 
-// With materials of its own; an OBJ may be either.
-bool is_scene(const fs::path& file) {
-  return (is_one_of(file, scenes) && !is_of_splats(file)) ||
-         (lower_case_extension(file) == ".obj" && obj_has_materials(file));
-}
-
-// A PLY may be either.
-bool is_mesh(const fs::path& file) {
-  if (lower_case_extension(file) != ".ply") return is_one_of(file, meshes);
+bool has_faces(const fs::path& file) {
   const std::string bytes = read_bytes(file);
   const PlyFile::Element* faces = PlyFile(file, bytes).element("face");
   return faces != nullptr && faces->count > 0;
+}
+
+std::vector<Gaussian> read_splats(const fs::path& file, const SplatOptions& options,
+                                  std::vector<GaussianNumber>* ids = nullptr,
+                                  std::size_t max_count = limits::gaussians) {
+  std::vector<Gaussian> gaussians = read_gaussians(file, ids, max_count, options.along);
+  if (options.y_down) std::ranges::for_each(gaussians, turn_half);
+  return gaussians;
 }
 
 std::vector<Gaussian> read_any_gaussians(const fs::path& file, const std::stop_token& stop) {
@@ -99,6 +88,24 @@ Surface read_surface(const fs::path& file) {
 SceneImport::SceneImport(Document& document, BackgroundJob& job, QWidget* window)
     : QObject(window), document_(document), job_(job), window_(window) {}
 
+// By its extension; what may be either of two is by what is in it.
+SceneImport::Kind SceneImport::kind_of(const fs::path& file) {
+  const std::string extension = lower_case_extension(file);
+  const bool is_ply = extension == ".ply";
+  if (is_one_of(file, environments)) return Kind::environment;
+  if ((is_ply || extension == ".gltf" || extension == ".glb") && has_splats(file)) {
+    return Kind::splats;
+  }
+  if (is_one_of(file, scenes)) return Kind::scene;
+  if (extension == ".obj" && obj_has_materials(file)) return Kind::scene;
+  const bool is_mesh = is_ply ? has_faces(file) : is_one_of(file, meshes);
+  return is_mesh ? Kind::mesh : Kind::gaussians;
+}
+
+bool SceneImport::needs_answer(const File& file) {
+  return file.kind == Kind::splats && max_gaussian_count(file.path) > 0;
+}
+
 bool SceneImport::can_import(const fs::path& file) {
   return is_volume(file) || is_one_of(file, tables) || is_one_of(file, vtk_files) ||
          is_one_of(file, meshes) || is_one_of(file, scenes) || is_one_of(file, environments);
@@ -109,7 +116,7 @@ void SceneImport::ask() {
       window_, FileKind::import, tr("Import"),
       tr("All supported files (*.vdb *.csv *.ply *.vtp *.vtu *.gltf *.glb *.fbx *.obj *.stl *.off "
          "*.exr *.hdr);;Scenes (*.gltf *.glb *.fbx *.obj);;Volumes (*.vdb);;Gaussians (*.csv *.ply "
-         "*.vtp *.vtu);;Meshes (*.obj *.ply *.stl *.off);;"
+         "*.vtp *.vtu *.gltf *.glb);;Meshes (*.obj *.ply *.stl *.off);;"
          "Environments (*.exr *.hdr);;All files (*)"),
       document_.folder());
   if (!file.empty()) import_file(file);
@@ -137,77 +144,106 @@ void SceneImport::import_file(const fs::path& given) {
     dialog->show();
     return;
   }
-  start(file, [this, file](const Job& job) -> BackgroundJob::Apply {
-    if (is_of_splats(file)) return [this, file] { ask_about_splats(file); };
-    return read(file, job.stop);
+  start(file, [this, path = file](const Job& job) -> BackgroundJob::Apply {
+    const File file{path, kind_of(path)};
+    if (!needs_answer(file)) return read(file, {}, job.stop, true);
+    return [this, file] {
+      ask_about_splats(to_qstring(file.path.filename()), [this, file](const SplatOptions& options) {
+        start(file.path, [this, file, options](const Job& job) {
+          return read(file, options, job.stop, true);
+        });
+      });
+    };
   });
 }
 
-void SceneImport::ask_about_splats(const fs::path& file) {
-  auto* dialog = new SplatDialog(file, window_);
-  connect(dialog, &SplatDialog::requested, this, [this, file](OpacityAlong along, bool y_down) {
-    start(file, [this, file, along, y_down](const Job&) -> BackgroundJob::Apply {
-      std::vector<Gaussian> gaussians = read_gaussians(file, nullptr, limits::gaussians, along);
-      if (y_down) std::ranges::for_each(gaussians, turn_half);
-      return [this, gaussians = std::move(gaussians)] {
-        add_gaussians(document_, gaussians, tr("Import"));
-      };
-    });
+void SceneImport::ask_about_splats(const QString& what,
+                                   const std::function<void(const SplatOptions&)>& import_them) {
+  auto* dialog = new SplatDialog(what, std::nullopt, window_);
+  connect(dialog, &SplatDialog::requested, this, import_them);
+  dialog->show();
+}
+
+void SceneImport::ask_about_splats(const FrameRun& run) {
+  auto* dialog = new SplatDialog(to_qstring(fs::path(run.files.text()).filename()), run, window_);
+  connect(dialog, &SplatDialog::requested, this, [this, run, dialog](const SplatOptions& options) {
+    import_splats(run, options, dialog->folder());
   });
   dialog->show();
 }
 
-BackgroundJob::Apply SceneImport::read(const fs::path& file, const std::stop_token& stop) {
-  if (is_one_of(file, environments)) {
-    return [this, file, map = read_radiance_map(file)] {
-      Environment environment = document_.scene().environment.value_or(Environment{});
-      environment.file = file;
-      environment.map = map;
-      set_scene_part(document_, std::optional(std::move(environment)),
-                     tr("Import environment %1").arg(to_qstring(file.filename())));
-    };
+BackgroundJob::Apply SceneImport::read(const File& file, const SplatOptions& options,
+                                       const std::stop_token& stop, bool asks) {
+  const fs::path& path = file.path;
+  switch (file.kind) {
+    case Kind::environment:
+      return [this, path, map = read_radiance_map(path)] {
+        Environment environment = document_.scene().environment.value_or(Environment{});
+        environment.file = path;
+        environment.map = map;
+        set_scene_part(document_, std::optional(std::move(environment)),
+                       tr("Import environment %1").arg(to_qstring(path.filename())));
+      };
+    case Kind::scene:
+      return read_scene(file, options, stop, asks);
+    case Kind::mesh:
+      return [this, surface = read_surface(path)] {
+        add_surfaces({surface}, tr("Import %1").arg(to_qstring(surface.mesh_file.filename())));
+      };
+    case Kind::splats:
+      if (is_one_of(path, scenes)) return read_scene(file, options, stop, asks);
+      return [this, gaussians = read_splats(path, options)] {
+        add_gaussians(document_, gaussians, tr("Import"));
+      };
+    case Kind::gaussians:
+      break;
   }
-  if (is_scene(file)) return read_scene(file, stop, true);
-  if (is_mesh(file)) {
-    return [this, surface = read_surface(file)] {
-      add_surfaces({surface}, tr("Import %1").arg(to_qstring(surface.mesh_file.filename())));
-    };
-  }
-  return [this, gaussians = read_any_gaussians(file, stop)] {
+  return [this, gaussians = read_any_gaussians(path, stop)] {
     add_gaussians(document_, gaussians, tr("Import"));
   };
 }
 
-// Where it has cameras or lights, `asks` whether they are wanted; else all are.
-BackgroundJob::Apply SceneImport::read_scene(const fs::path& file, const std::stop_token& stop,
-                                             bool asks) {
+BackgroundJob::Apply SceneImport::read_scene(const File& file, const SplatOptions& options,
+                                             const std::stop_token& stop, bool asks) {
+  const bool has_splats = file.kind == Kind::splats;
+  std::vector<Gaussian> gaussians;
+  if (has_splats) gaussians = read_splats(file.path, options);
   std::vector<std::string> warnings;
-  const std::shared_ptr<const ImportedScene> scene = read_imported_scene(file, warnings, stop);
+  const std::shared_ptr<const ImportedScene> scene = read_imported_scene(file.path, warnings, stop);
   if (!scene) return {};
-  if (scene->parts.empty() && scene->cameras.empty() && scene->lights.empty()) {
-    throw InputError(file, "", "found neither meshes nor cameras nor lights");
+  const bool is_empty = scene->parts.empty() && scene->cameras.empty() && scene->lights.empty();
+  if (is_empty && gaussians.empty()) {
+    throw InputError(
+        file.path, "",
+        has_splats ? "its medium is empty" : "found neither meshes nor cameras nor lights");
+  }
+  if (is_empty) {
+    return [this, gaussians] { add_gaussians(document_, gaussians, tr("Import")); };
   }
   QStringList lines;
   for (const std::string& warning : warnings) lines << QString::fromStdString(warning);
-  return [this, scene, asks, text = lines.join('\n')] {
+  return [this, scene, gaussians, asks, text = lines.join('\n')] {
     if (!text.isEmpty()) Q_EMIT warned(text);
     if (!asks || (scene->cameras.empty() && scene->lights.empty())) {
-      add_scene(scene, true, true);
+      add_scene(scene, gaussians, true, true);
       return;
     }
     auto* dialog = new SceneDialog(*scene, window_);
     connect(dialog, &SceneDialog::requested, this,
-            [this, scene](bool cameras, bool lights) { add_scene(scene, cameras, lights); });
+            [this, scene, gaussians](bool cameras, bool lights) {
+              add_scene(scene, gaussians, cameras, lights);
+            });
     dialog->show();
   };
 }
 
-void SceneImport::add_scene(const std::shared_ptr<const ImportedScene>& scene, bool cameras,
-                            bool lights) {
+void SceneImport::add_scene(const std::shared_ptr<const ImportedScene>& scene,
+                            const std::vector<Gaussian>& gaussians, bool cameras, bool lights) {
   const QString text = tr("Import %1").arg(to_qstring(scene->files.front().filename()));
   const Scene& before = document_.scene();
   const bool is_new = before.lights == new_scene().lights && !before.environment;
   document_.undo_stack().beginMacro(text);
+  if (!gaussians.empty()) add_gaussians(document_, gaussians, tr("Import"));
   if (!scene->parts.empty()) add_surfaces({surface_of(scene)}, text);
   if (cameras && !scene->cameras.empty()) add_cameras(document_, *scene, text);
   if (lights && !scene->lights.empty()) add_lights(document_, *scene, is_new, text);
@@ -267,31 +303,48 @@ void SceneImport::import_each(const std::vector<fs::path>& files,
   }
   if (read_at_once.empty()) return;
   start(read_at_once.front(),
-        [this, files = read_at_once, run](const Job& job) -> BackgroundJob::Apply {
-          if (run && !is_mesh(files.front())) return read(*run);
-          std::vector<BackgroundJob::Apply> takes;
-          std::vector<Surface> surfaces;  // added together, after what else may light them
-          for (const fs::path& file : files) {
-            if (job.stop.stop_requested()) return {};
-            if (is_scene(file)) {
-              takes.push_back(read_scene(file, job.stop, false));
-            } else if (is_mesh(file)) {
-              surfaces.push_back(read_surface(file));
-            } else {
-              takes.push_back(read(file, job.stop));
-            }
-            job.progress(static_cast<double>(takes.size() + surfaces.size()) /
-                         static_cast<double>(files.size()));
+        [this, paths = read_at_once, run](const Job& job) -> BackgroundJob::Apply {
+          std::vector<File> files;
+          for (const fs::path& path : paths) files.push_back({path, kind_of(path)});
+          if (run && files.front().kind == Kind::splats) {
+            return [this, run = *run] { ask_about_splats(run); };
           }
-          return [this, takes, surfaces, text = tr("Import %1 files").arg(files.size())] {
-            document_.undo_stack().beginMacro(text);
-            for (const BackgroundJob::Apply& take : takes) {
-              if (take) take();
-            }
-            if (!surfaces.empty()) add_surfaces(surfaces, text);
-            document_.undo_stack().endMacro();
+          if (run && files.front().kind != Kind::mesh) return read(*run);
+          // Once for all of them.
+          if (std::ranges::none_of(files, needs_answer)) return read(files, {}, job);
+          return [this, files] {
+            ask_about_splats(tr("%1 files").arg(files.size()),
+                             [this, files](const SplatOptions& options) {
+                               start(files.front().path, [this, files, options](const Job& job) {
+                                 return read(files, options, job);
+                               });
+                             });
           };
         });
+}
+
+BackgroundJob::Apply SceneImport::read(const std::vector<File>& files, const SplatOptions& options,
+                                       const Job& job) {
+  std::vector<BackgroundJob::Apply> takes;
+  std::vector<Surface> surfaces;  // added together, after what else may light them
+  for (const File& file : files) {
+    if (job.stop.stop_requested()) return {};
+    if (file.kind == Kind::mesh) {
+      surfaces.push_back(read_surface(file.path));
+    } else {
+      takes.push_back(read(file, options, job.stop, false));
+    }
+    job.progress(static_cast<double>(takes.size() + surfaces.size()) /
+                 static_cast<double>(files.size()));
+  }
+  return [this, takes, surfaces, text = tr("Import %1 files").arg(files.size())] {
+    document_.undo_stack().beginMacro(text);
+    for (const BackgroundJob::Apply& take : takes) {
+      if (take) take();
+    }
+    if (!surfaces.empty()) add_surfaces(surfaces, text);
+    document_.undo_stack().endMacro();
+  };
 }
 
 void SceneImport::import_volume(const fs::path& file, const VolumeFit& how) {
@@ -338,7 +391,10 @@ void SceneImport::import_sequence(const fs::path& given) {
       dialog->show();
       return;
     }
-    start(file, [this, run](const Job&) { return read(run); });
+    start(file, [this, run, file](const Job&) -> BackgroundJob::Apply {
+      if (kind_of(file) != Kind::splats) return read(run);
+      return [this, run] { ask_about_splats(run); };
+    });
   } catch (const std::exception& error) {
     Q_EMIT failed(QString::fromUtf8(error.what()));
   }
@@ -349,6 +405,11 @@ void SceneImport::start_sequence(const FrameRun& run, const fs::path& folder, Ma
   names.replace_extension(".ply");
   start(run.files.file_of(run.first),
         [this, run, names, make = std::move(make)](const Job& job) -> BackgroundJob::Apply {
+          std::error_code error;
+          if (fs::weakly_canonical(run.files.text(), error) == fs::weakly_canonical(names, error)) {
+            throw InputError(names.parent_path(), "",
+                             "has the files that are imported; allowed: another folder");
+          }
           std::vector<SequenceFrame> frames = make(job);
           const auto count = static_cast<std::size_t>(run.last - run.first) + 1;
           if (frames.size() != count || job.stop.stop_requested()) return {};
@@ -384,6 +445,17 @@ void SceneImport::import_vtk_files(const FrameRun& run, const fs::path& folder) 
     const auto read = [&](const fs::path& file, std::vector<GaussianNumber>* ids,
                           std::size_t max_count) {
       return read_vtk_points(file, ids, max_count, job.stop);
+    };
+    return read_sequence(run.files, run.first, run.last, read);
+  });
+}
+
+void SceneImport::import_splats(const FrameRun& run, const SplatOptions& options,
+                                const fs::path& folder) {
+  start_sequence(run, folder, [run, options](const Job&) {
+    const auto read = [&](const fs::path& file, std::vector<GaussianNumber>* ids,
+                          std::size_t max_count) {
+      return read_splats(file, options, ids, max_count);
     };
     return read_sequence(run.files, run.first, run.last, read);
   });

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <QObject>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <optional>
 #include <vector>
 
 #include "app/import/frame_run.h"
+#include "app/import/splat_dialog.h"
 #include "app/import/volume_fit.h"
 #include "app/jobs/background_job.h"
 #include "brume/medium_sequence.h"
@@ -39,10 +41,12 @@ class SceneImport : public QObject {
   void import_sequence(const std::filesystem::path& file);
   void import_volume(const std::filesystem::path& file, const VolumeFit& how);
   // These write Gaussians as PLY to a new folder and import that sequence, so scenes can be read
-  // without VTK. Volumes are fitted.
+  // without VTK, and whatever was chosen for splats. Volumes are fitted.
   void import_volumes(const FrameRun& run, const VolumeFit& how,
                       const std::filesystem::path& folder);
   void import_vtk_files(const FrameRun& run, const std::filesystem::path& folder);
+  void import_splats(const FrameRun& run, const SplatOptions& options,
+                     const std::filesystem::path& folder);
 
   // Adds surfaces as one undo step; the first ones of a new scene are framed and lit.
   void add_surfaces(const std::vector<Surface>& added, const QString& text);
@@ -56,13 +60,31 @@ class SceneImport : public QObject {
 
  private:
   void start(const std::filesystem::path& file, const BackgroundJob::Work& work);
-  // In the background: reads a file other than a volume, or a sequence.
-  BackgroundJob::Apply read(const std::filesystem::path& file, const std::stop_token& stop);
+  // What a file that is no volume is.
+  enum class Kind : std::uint8_t { gaussians, splats, scene, mesh, environment };
+  struct File {
+    std::filesystem::path path;
+    Kind kind;
+  };
+  static Kind kind_of(const std::filesystem::path& file);
+  // Whether there are splats of which to ask what they become; throws if they cannot be read.
+  static bool needs_answer(const File& file);
+  // Asks what the splats of `what`, or of a sequence, become.
+  void ask_about_splats(const QString& what,
+                        const std::function<void(const SplatOptions&)>& import_them);
+  void ask_about_splats(const FrameRun& run);
+  // In the background: reads a file other than a volume, or files as one undo step, or a sequence.
+  // Where a scene has cameras or lights, `asks` whether they are wanted; else all are.
+  BackgroundJob::Apply read(const File& file, const SplatOptions& options,
+                            const std::stop_token& stop, bool asks);
+  BackgroundJob::Apply read(const std::vector<File>& files, const SplatOptions& options,
+                            const Job& job);
   BackgroundJob::Apply read(const FrameRun& run);
-  BackgroundJob::Apply read_scene(const std::filesystem::path& file, const std::stop_token& stop,
-                                  bool asks);
-  void ask_about_splats(const std::filesystem::path& file);
-  void add_scene(const std::shared_ptr<const ImportedScene>& scene, bool cameras, bool lights);
+  // A glTF may have splats, too.
+  BackgroundJob::Apply read_scene(const File& file, const SplatOptions& options,
+                                  const std::stop_token& stop, bool asks);
+  void add_scene(const std::shared_ptr<const ImportedScene>& scene,
+                 const std::vector<Gaussian>& gaussians, bool cameras, bool lights);
   void import_each(const std::vector<std::filesystem::path>& files,
                    const std::optional<FrameRun>& run);
   void add_sequence(MediumSequence sequence);

@@ -3,16 +3,18 @@
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFormLayout>
+#include <QLineEdit>
 #include <QPushButton>
 
 #include "app/document/paths.h"
+#include "app/import/folder_dialog.h"
 
 namespace brume {
 
-SplatDialog::SplatDialog(const std::filesystem::path& file, QWidget* parent)
+SplatDialog::SplatDialog(const QString& what, const std::optional<FrameRun>& run, QWidget* parent)
     : QDialog(parent), along_(new QComboBox(this)), up_(new QComboBox(this)) {
   setObjectName("import_splats");
-  setWindowTitle(tr("Import %1").arg(to_qstring(file.filename())));
+  setWindowTitle(tr("Import %1").arg(what));
   setAttribute(Qt::WA_DeleteOnClose);
   auto* form = new QFormLayout(this);
   along_->setObjectName("splat_opacity");
@@ -26,15 +28,20 @@ SplatDialog::SplatDialog(const std::filesystem::path& file, QWidget* parent)
   up_->setObjectName("splat_up");
   up_->addItems({tr("y"), tr("-y (turned by half about z)")});
   form->addRow(tr("Up axis"), up_);
+  if (run) folder_ = add_folder_row(form, run->files.file_of(run->first), *run);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
   buttons->addButton(tr("Import"), QDialogButtonBox::AcceptRole)->setObjectName("import");
   form->addRow(buttons);
   connect(buttons, &QDialogButtonBox::accepted, this, [this] {
-    Q_EMIT requested(static_cast<OpacityAlong>(along_->currentData().toInt()),
-                     up_->currentIndex() == 1);
+    Q_EMIT requested(
+        {static_cast<OpacityAlong>(along_->currentData().toInt()), up_->currentIndex() == 1});
     accept();
   });
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+}
+
+std::filesystem::path SplatDialog::folder() const {
+  return folder_ ? to_path(folder_->text()) : std::filesystem::path();
 }
 
 }  // namespace brume

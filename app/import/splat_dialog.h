@@ -1,26 +1,38 @@
 #pragma once
 
 #include <QDialog>
-#include <filesystem>
+#include <optional>
 
+#include "app/import/frame_run.h"
 #include "brume/splat.h"
 
 class QComboBox;
+class QLineEdit;
 
 namespace brume {
 
-// Asks what splats become: an opacity is no density, and captures mostly have y down.
+// What splats become: an opacity is no density, and captures mostly have y down.
+struct SplatOptions {
+  OpacityAlong along = OpacityAlong::mean;
+  bool y_down = false;
+};
+
+// Asks for them; of a sequence also for the folder that its Gaussians are written to.
 class SplatDialog : public QDialog {
   Q_OBJECT
  public:
-  SplatDialog(const std::filesystem::path& file, QWidget* parent);
+  // `what` is imported.
+  SplatDialog(const QString& what, const std::optional<FrameRun>& run, QWidget* parent);
+
+  [[nodiscard]] std::filesystem::path folder() const;
 
  Q_SIGNALS:
-  void requested(brume::OpacityAlong along, bool y_down);
+  void requested(const brume::SplatOptions& options);
 
  private:
   QComboBox* along_;
   QComboBox* up_;
+  QLineEdit* folder_ = nullptr;
 };
 
 }  // namespace brume

@@ -3,8 +3,11 @@
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <algorithm>
+#include <cmath>
 #include <glm/common.hpp>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "app/commands/edit_medium.h"
@@ -31,27 +34,41 @@ struct Common {
 constexpr std::size_t of_shape = ball_attributes;
 constexpr std::size_t of_rotation = of_shape + 3;
 
-void compare_shapes(const Gaussian& gaussian, Common& common) {
+// The first of them, and its angles once others have been compared with them.
+struct First {
+  GaussianId id = 0;
+  std::optional<glm::dvec3> angles;
+};
+
+void compare_shapes(GaussianId id, const Gaussian& gaussian, const EnteredAngles& entered,
+                    First& first, Common& common) {
   constexpr double rounding = 1e-14;
   const glm::dvec3 radii = gaussian.radii();
   const glm::dvec3 radii_off = glm::abs(radii - common.first->radii());
-  const glm::dquat& first_rotation = common.first->shape.rotation;
-  const glm::dvec3 angles_off =
-      gaussian.shape.rotation == first_rotation
-          ? glm::dvec3(0.0)
-          : to_euler_angles(gaussian.shape.rotation) - to_euler_angles(first_rotation);
-  for (int axis = 0; axis < 3; ++axis) {
-    const std::size_t k = of_shape + static_cast<std::size_t>(axis);
-    if (radii_off[axis] > rounding * radii[axis]) common.is_mixed[k] = true;
-    if (angles_off[axis] != 0.0) common.is_mixed[k + 3] = true;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const int k = static_cast<int>(axis);
+    if (radii_off[k] > rounding * radii[k]) common.is_mixed[of_shape + axis] = true;
   }
   common.any_ellipsoid = common.any_ellipsoid || !gaussian.is_ball();
+  // A selection may be of very many, and angles take long.
+  const std::span are_mixed = std::span(common.is_mixed).subspan(of_rotation, 3);
+  if (gaussian.shape.rotation == common.first->shape.rotation ||
+      std::ranges::find(are_mixed, false) == are_mixed.end()) {
+    return;
+  }
+  if (!first.angles) first.angles = entered.of(first.id, *common.first);
+  const glm::dvec3 angles = entered.of(id, gaussian);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const int k = static_cast<int>(axis);
+    if (angles[k] != (*first.angles)[k]) are_mixed[axis] = true;
+  }
 }
 
-Common common_values(const Document& document) {
+Common common_values(const Document& document, const EnteredAngles& entered) {
   const Medium& medium = document.medium();
   const std::vector<GaussianId>& selection = document.selection();
   Common common;
+  First first;
   std::array<double, of_shape> values{};  // of the first
   auto next = selection.begin();
   // Both are sorted by id.
@@ -60,6 +77,7 @@ Common common_values(const Document& document) {
     const Gaussian gaussian = medium.gaussian(i);
     if (!common.first) {
       common.first = gaussian;
+      first.id = *next;
       common.any_ellipsoid = !gaussian.is_ball();
     }
     for (std::size_t k = 0; k < of_shape; ++k) {
@@ -68,7 +86,7 @@ Common common_values(const Document& document) {
       if (value != values[k]) common.is_mixed[k] = true;
     }
     if (gaussian.radius != common.first->radius || gaussian.shape != common.first->shape) {
-      compare_shapes(gaussian, common);
+      compare_shapes(*next, gaussian, entered, first, common);
     }
     ++next;
   }
@@ -112,8 +130,15 @@ GaussianForm::GaussianForm(Document& document, QWidget* parent)
   connect(&document_, &Document::part_changed, this, [this] {
     if (document_.scene().optics.albedo != shown_albedo_) refresh();
   });
-  connect(&document_, &Document::scene_replaced, this, &GaussianForm::refresh);
-  connect(&document_, &Document::medium_changed, this, &GaussianForm::refresh);
+  connect(&document_, &Document::scene_replaced, this, [this] {
+    start_ = {};
+    entered_angles_.forget();
+    refresh();
+  });
+  connect(&document_, &Document::medium_changed, this, [this] {
+    if (!applying_) start_ = {};  // stale
+    refresh();
+  });
   connect(&document_, &Document::selection_changed, this, &GaussianForm::refresh);
   refresh();
 }
@@ -134,54 +159,91 @@ void GaussianForm::add_field(std::size_t k) {
     fields_[k]->setToolTip(is_rotation ? tr("Euler angles in degrees that turn an ellipsoid's axes")
                                        : tr("Along its own axes: equal ones make it a ball"));
   }
-  connect(fields_[k], &ValueField::edited, this, [this, field](double value, MergeId gesture) {
-    const std::vector<GaussianId> ids = document_.selection();
-    if (field >= rotation_attribute(0)) return rotate(field, value, gesture);
-    set_attribute(document_, ids, field, value, gesture);
-  });
-  connect(fields_[k], &ValueField::adjusted, this, [this, field](const Adjustment& adjustment) {
-    const std::vector<GaussianId> ids = document_.selection();
-    adjust_attribute(document_, ids, field, adjustment);
-  });
+  connect(fields_[k], &ValueField::edited, this,
+          [this, field](double value, MergeId gesture) { set(field, value, gesture); });
+  connect(fields_[k], &ValueField::adjusted, this,
+          [this, field](const Adjustment& adjustment) { adjust(field, adjustment); });
   connect(fields_[k], &ValueField::refused, this, &GaussianForm::refused);
 }
 
-glm::dvec3 GaussianForm::angles(const Gaussian& gaussian) const {
-  if (gaussian.is_ball()) return glm::dvec3(0.0);
-  return from_euler_angles(entered_angles_) == gaussian.shape.rotation
-             ? entered_angles_
-             : to_euler_angles(gaussian.shape.rotation);
+void GaussianForm::set(GaussianAttribute field, double value, MergeId gesture) {
+  if (field >= rotation_attribute(0)) {
+    const std::vector<GaussianId> turned = selected_ellipsoids();
+    return rotate(
+        turned, field, [value](double) { return value; },
+        set_attribute_text(field, turned.size(), value), gesture);
+  }
+  const std::vector<GaussianId> ids = document_.selection();
+  if (!is_of_shape(field)) {
+    set_attribute(document_, ids, field, value, gesture);
+    return;
+  }
+  // From the start of the gesture: on its way an ellipsoid may be a ball, which has no rotation.
+  if (gesture == no_merge || gesture != start_.gesture || ids != start_.ids) {
+    start_ = {gesture, ids, {}};
+    for (const GaussianId id : ids) {
+      start_.gaussians.push_back(document_.medium().gaussian(*document_.medium().index_of(id)));
+    }
+  }
+  std::vector<Gaussian> after = start_.gaussians;
+  for (Gaussian& gaussian : after) set_attribute_value(gaussian, field, value);
+  applying_ = true;
+  change_gaussians(document_, ids, after, set_attribute_text(field, ids.size(), value), gesture);
+  applying_ = false;
 }
 
-void GaussianForm::rotate(GaussianAttribute field, double degrees, MergeId gesture) {
+void GaussianForm::adjust(GaussianAttribute field, const Adjustment& adjustment) {
+  if (field < rotation_attribute(0)) {
+    const std::vector<GaussianId> ids = document_.selection();
+    return adjust_attribute(document_, ids, field, adjustment);
+  }
+  const std::vector<GaussianId> turned = selected_ellipsoids();
+  rotate(
+      turned, field, [&adjustment](double degrees) { return adjustment.of(degrees); },
+      tr("Change %1 of %2").arg(attribute_name(field), gaussians_text(turned.size())), no_merge);
+}
+
+std::vector<GaussianId> GaussianForm::selected_ellipsoids() const {
+  std::vector<GaussianId> ids = document_.selection();
+  const Medium& medium = document_.medium();
+  std::erase_if(ids, [&medium](GaussianId id) {
+    return medium.shape(*medium.index_of(id)) == GaussianShape();
+  });
+  return ids;
+}
+
+void GaussianForm::rotate(std::span<const GaussianId> ids, GaussianAttribute field,
+                          const std::function<double(double)>& becomes, const QString& text,
+                          MergeId gesture) {
   const int axis = static_cast<int>(field) - static_cast<int>(rotation_attribute(0));
-  const std::vector<GaussianId> ids = document_.selection();
+  const NumberDomain& domain = attribute_domain(field);
   std::vector<Gaussian> after;
-  std::optional<glm::dvec3> entered;
+  after.reserve(ids.size());
   for (const GaussianId id : ids) {
     Gaussian& gaussian =
         after.emplace_back(document_.medium().gaussian(*document_.medium().index_of(id)));
-    if (gaussian.is_ball()) continue;
-    glm::dvec3 turned = angles(gaussian);
-    turned[axis] = degrees;
-    gaussian.shape.rotation = from_euler_angles(turned);
-    if (!entered) entered = turned;
+    glm::dvec3 angles = entered_angles_.of(id, gaussian);
+    const double degrees = becomes(angles[axis]);
+    if (std::isnan(degrees)) return;  // as of 0 * (1 / 0)
+    angles[axis] = std::clamp(degrees, domain.min_value, domain.max_value);
+    entered_angles_.enter(id, angles, gaussian);
   }
-  entered_angles_ = entered.value_or(entered_angles_);
-  change_gaussians(document_, ids, after, set_attribute_text(field, ids.size(), degrees), gesture);
+  change_gaussians(document_, ids, after, text, gesture);
 }
 
 void GaussianForm::refresh() {
-  const Common common = common_values(document_);
+  const Common common = common_values(document_, entered_angles_);
   const bool any = common.first.has_value();
+  const glm::dvec3 angles = common.any_ellipsoid
+                                ? entered_angles_.of(document_.selection().front(), *common.first)
+                                : glm::dvec3(0.0);
   for (std::size_t k = 0; k < fields_.size(); ++k) {
     const bool is_there = k < of_rotation ? any : common.any_ellipsoid;
     if (is_there && common.is_mixed[k]) {
       fields_[k]->show_mixed();
     } else if (is_there) {
-      fields_[k]->show_value(k < of_rotation
-                                 ? attribute_value(*common.first, attributes[k])
-                                 : angles(*common.first)[static_cast<int>(k - of_rotation)]);
+      fields_[k]->show_value(k < of_rotation ? attribute_value(*common.first, attributes[k])
+                                             : angles[static_cast<int>(k - of_rotation)]);
     } else {
       fields_[k]->show_value(std::nullopt);
     }

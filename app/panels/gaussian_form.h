@@ -2,7 +2,13 @@
 
 #include <QWidget>
 #include <array>
+#include <functional>
+#include <span>
+#include <vector>
 
+#include "app/commands/merge_id.h"
+#include "app/document/arithmetic.h"
+#include "app/document/euler_angles.h"
 #include "app/document/gaussian_attribute.h"
 #include "app/widgets/optics_editor.h"
 
@@ -33,14 +39,25 @@ class GaussianForm : public QWidget {
  private:
   void add_field(std::size_t k);
   void refresh();
-  // As entered, while they give the rotation: other angles may give it, too.
-  [[nodiscard]] glm::dvec3 angles(const Gaussian& gaussian) const;
-  void rotate(GaussianAttribute field, double degrees, MergeId gesture);
+  void set(GaussianAttribute field, double value, MergeId gesture);
+  void adjust(GaussianAttribute field, const Adjustment& adjustment);
+  [[nodiscard]] std::vector<GaussianId> selected_ellipsoids() const;
+  // Sets that angle of ellipsoids to what it becomes.
+  void rotate(std::span<const GaussianId> ids, GaussianAttribute field,
+              const std::function<double(double)>& becomes, const QString& text, MergeId gesture);
   void change_optics(const OpticsEditor::Change& change, MergeId gesture);
 
   Document& document_;
   std::array<ValueField*, attributes.size()> fields_{};
-  glm::dvec3 entered_angles_{0.0};
+  EnteredAngles entered_angles_;
+  // The selection before the first step of a gesture.
+  struct Start {
+    MergeId gesture = no_merge;
+    std::vector<GaussianId> ids;
+    std::vector<Gaussian> gaussians;
+  };
+  Start start_;
+  bool applying_ = false;
   QFormLayout* layout_ = nullptr;
   QLayout* rotation_ = nullptr;     // its row, shown for ellipsoids
   OpticsEditor* optics_ = nullptr;  // shows the first of the selection

@@ -69,11 +69,12 @@ QString cell_text(double value, GaussianAttribute field) {
   return number_text(value, has_swatch ? 3 : 6);
 }
 
-// The group is chosen elsewhere, and what is too long could be so in several ways.
+// The group is chosen elsewhere, and what is too long could be so in several ways. Rotations are of
+// the inspector, which knows the angles that were entered: here one would change the two others.
 bool is_editable(const QModelIndex& index) {
   const auto column = static_cast<std::size_t>(index.column());
   return column < gaussian_attributes.size() &&
-         gaussian_attributes[column] != GaussianAttribute::elongation;
+         gaussian_attributes[column] < GaussianAttribute::rotation_x;
 }
 
 QString channels_text(const glm::dvec3& rgb) {

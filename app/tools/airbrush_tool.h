@@ -31,6 +31,7 @@ class AirbrushTool : public FogBrushTool {
   [[nodiscard]] double radius() const override { return airbrush_.radius; }
   [[nodiscard]] double density() const override { return airbrush_.density; }
   void set_gaussian(double radius, double density) override;
+  void set_stretch(double stretch) override { airbrush_.stretch = stretch; }
   void fit_to(double distance) override;
   void begin_stroke(QPointF position) override;
   void extend_stroke(std::span<const QPointF> curve) override;

@@ -8,8 +8,10 @@
 #include <QToolButton>
 #include <QWidgetAction>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <optional>
 
 #include "app/commands/edit_groups.h"
 #include "app/document/document.h"
@@ -28,6 +30,24 @@ namespace {
 constexpr NumberDomain seed_domain{0.0, 1e9, "an integer from 0 to 1e9"};
 constexpr NumberDomain smoothing_domain{0.0, 500.0, "a number of pixels from 0 to 500"};
 constexpr double min_pressure = 0.02;  // a radius is never 0
+
+// The brush that lays such a Gaussian. One that is longer than wide lies along a stroke; balls,
+// which begin one, say nothing about its stretch.
+struct Picked {
+  double radius;
+  std::optional<double> stretch;
+};
+
+Picked picked(const Gaussian& gaussian) {
+  constexpr double rounding = 1e-3;  // as wide as thick, in files of floats, too
+  std::array<double, 3> radii{gaussian.radii().x, gaussian.radii().y, gaussian.radii().z};
+  std::ranges::sort(radii);
+  if (gaussian.is_ball() || radii[1] > (1.0 + rounding) * radii[0]) {
+    return {gaussian.mean_radius(), std::nullopt};
+  }
+  const NumberDomain& domain = domain::brush_stretch;
+  return {radii[0], std::clamp(radii[2] / radii[0], domain.min_value, domain.max_value)};
+}
 
 }  // namespace
 
@@ -117,7 +137,9 @@ void FogBrushTool::press(QPointF position, Qt::KeyboardModifiers modifiers) {
   if (const auto id = view().max_visible(position)) {
     const Gaussian gaussian = document_.medium().gaussian(*document_.medium().index_of(*id));
     optics_ = gaussian.optics;
-    set_both(gaussian.mean_radius(), gaussian.density);
+    const Picked brush = picked(gaussian);
+    if (brush.stretch) set_stretch(*brush.stretch);
+    set_both(brush.radius, gaussian.density);
   }
 }
 

@@ -41,7 +41,8 @@ class FogBrushTool : public BrushTool {
   [[nodiscard]] virtual BrushPreset preset() const = 0;
   virtual void apply_preset(const BrushPreset& preset) = 0;
 
-  // Alt picks radius, density and colours from the Gaussian under the mouse.
+  // Alt picks radius, density and colours from the Gaussian under the mouse, and of one that is
+  // longer than wide the stretch.
   void press(QPointF position, Qt::KeyboardModifiers modifiers) override;
   [[nodiscard]] bool uses_alt() const override { return true; }
   void draw(Overlay& overlay, const CameraRays& rays) const override;
@@ -53,6 +54,7 @@ class FogBrushTool : public BrushTool {
   [[nodiscard]] virtual double radius() const = 0;
   [[nodiscard]] virtual double density() const = 0;
   virtual void set_gaussian(double radius, double density) = 0;
+  virtual void set_stretch(double stretch) = 0;
   // Sets default sizes for a view distance [u].
   virtual void fit_to(double distance) = 0;
 

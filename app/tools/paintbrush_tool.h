@@ -26,6 +26,7 @@ class PaintbrushTool : public FogBrushTool {
   [[nodiscard]] double radius() const override { return brush_.radius; }
   [[nodiscard]] double density() const override { return brush_.density; }
   void set_gaussian(double radius, double density) override;
+  void set_stretch(double stretch) override { brush_.stretch = stretch; }
   void fit_to(double distance) override;
   void begin_stroke(QPointF position) override;
   void extend_stroke(std::span<const QPointF> curve) override;

@@ -87,7 +87,8 @@ FrameExportRequest MainWindow::export_request(const std::filesystem::path& file)
 }
 
 void MainWindow::export_medium() {
-  auto* dialog = new MediumDialog(document_.snapshot(), *timeline_, document_.folder(), this);
+  auto* dialog = new MediumDialog(document_.snapshot(), *timeline_, viewport_->frames().exposure(),
+                                  document_.folder(), this);
   connect(dialog, &MediumDialog::requested, this, [this](const MediumExport& what) {
     const QString name = to_qstring(what.file.filename());
     start_file_job(tr("Exporting %1").arg(name), brume::export_medium(what));

@@ -34,6 +34,13 @@ bool are_equal(const SharedColumn<T>& a, const SharedColumn<T>& b) {
 
 }  // namespace
 
+std::vector<Gaussian> Medium::gaussians() const {
+  std::vector<Gaussian> all;
+  all.reserve(size());
+  for (std::size_t i = 0; i < size(); ++i) all.push_back(gaussian(i));
+  return all;
+}
+
 std::optional<std::size_t> Medium::index_of(GaussianId id) const {
   const std::span<const GaussianId> all = ids();
   if (all.empty() || id < all.front() || id > all.back()) return std::nullopt;

@@ -36,6 +36,8 @@ class BRUME_EXPORT Medium {
     return {centers_[index], radii_[index], densities_[index],
             optics(index),   group(index),  shape(index)};
   }
+  // All of them, in their order.
+  [[nodiscard]] std::vector<Gaussian> gaussians() const;
   [[nodiscard]] std::optional<std::size_t> index_of(GaussianId id) const;
 
   [[nodiscard]] GaussianOptics optics(std::size_t index) const {

@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QScopeGuard>
+#include <functional>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
@@ -81,6 +82,43 @@ void type_into(TestWindow& window, const char* name, const QString& text) {
   field.selectAll();
   QTest::keyClicks(&field, text);
   QTest::keyClick(&field, Qt::Key_Return);
+}
+
+// Drags the title of one of the inspector's numbers by so many steps of 40 pixels, to the left if
+// negative; after each `check` is called.
+void drag_in_steps(
+    TestWindow& window, const char* name, int steps, const std::function<void()>& check = [] {}) {
+  auto* title = number(window, name).parentWidget()->findChild<QLabel*>();
+  QTest::mousePress(title, Qt::LeftButton, {}, QPoint(3, 3));
+  QPointF to(3, 3);
+  for (int k = 0; k < std::abs(steps); ++k) {
+    to.rx() += steps > 0 ? 40 : -40;
+    QMouseEvent move(QEvent::MouseMove, to, title->mapToGlobal(to), Qt::NoButton, Qt::LeftButton,
+                     Qt::NoModifier);
+    QApplication::sendEvent(title, &move);
+    check();
+  }
+  QTest::mouseRelease(title, Qt::LeftButton, {}, to.toPoint());
+}
+
+// Whether a Gaussian has the rotation of these angles, to about a billionth.
+bool is_turned(const Gaussian& gaussian, const glm::dvec3& degrees) {
+  const double same = glm::dot(gaussian.shape.rotation, from_euler_angles(degrees));
+  return std::abs(std::abs(same) - 1.0) < 1e-9;
+}
+
+// Two ellipsoids among the five, of other rotations about z.
+Scene scene_of_two_rotations() {
+  Scene scene = scene_of_ellipsoids();
+  Medium medium;
+  for (std::size_t i = 0; i < scene.medium.size(); ++i) {
+    Gaussian gaussian = scene.medium.gaussian(i);
+    if (i == 1) gaussian.shape.rotation = from_euler_angles({0.0, 88.0, 30.0});
+    if (i == 2) gaussian.shape.rotation = from_euler_angles({0.0, 88.0, 40.0});
+    medium.append(gaussian);
+  }
+  scene.medium = medium;
+  return scene;
 }
 
 // Undoes everything; whether all is as it was, to the last bit.
@@ -259,22 +297,90 @@ class EllipsoidsTest : public QObject {
     Document& document = window->document();
     document.select({2});
     const int count = document.undo_stack().count();
-    auto* field = window->findChild<NumberField*>("rotation_y");
-    auto* title = field->parentWidget()->findChild<QLabel*>();
-    QTest::mousePress(title, Qt::LeftButton, {}, QPoint(3, 3));
-    for (int x = 43; x <= 403; x += 40) {
-      const QPointF to(x, 3);
-      QMouseEvent move(QEvent::MouseMove, to, title->mapToGlobal(to), Qt::NoButton, Qt::LeftButton,
-                       Qt::NoModifier);
-      QApplication::sendEvent(title, &move);
-    }
-    QTest::mouseRelease(title, Qt::LeftButton, {}, QPoint(403, 3));
+    drag_in_steps(window, "rotation_y", 10);
     QCOMPARE(document.undo_stack().count(), count + 1);
     // Half a degree a pixel, past 90.
-    const glm::dvec3 angles(10.0, 220.0, 30.0);
-    const double same = glm::dot(gaussian(window, 1).shape.rotation, from_euler_angles(angles));
-    QVERIFY(std::abs(std::abs(same) - 1.0) < 1e-9);
+    QVERIFY(is_turned(gaussian(window, 1), {10.0, 220.0, 30.0}));
     QCOMPARE(gaussian(window, 1).radii(), before.medium.gaussian(1).radii());
+    QVERIFY(is_undone(document, before));
+  }
+
+  void angles_of_several_go_past_90_together() {
+    const Scene before = scene_of_two_rotations();
+    TestWindow window(before);
+    Document& document = window->document();
+    document.select({2, 3});
+    QCOMPARE(number(window, "rotation_y").text(), QString("88"));
+    double shown = 88.0;
+    drag_in_steps(window, "rotation_y", 4, [&] {
+      shown += 20.0;
+      QCOMPARE(number(window, "rotation_y").text(), QString::number(shown));
+      QVERIFY(is_turned(gaussian(window, 1), {0.0, shown, 30.0}));
+      QVERIFY(is_turned(gaussian(window, 2), {0.0, shown, 40.0}));
+    });
+    QCOMPARE(document.undo_stack().count(), 1);
+    QCOMPARE(number(window, "rotation_x").text(), QString("0"));
+    document.undo_stack().undo();
+    QCOMPARE(number(window, "rotation_y").text(), QString("88"));
+    for (int k = 0; k < 2; ++k) {
+      type_into(window, "rotation_y", "130");
+      QVERIFY(is_turned(gaussian(window, 1), {0.0, 130.0, 30.0}));
+      QVERIFY(is_turned(gaussian(window, 2), {0.0, 130.0, 40.0}));
+    }
+    // Each has the angles that were entered, whatever is edited in between.
+    document.select({2});
+    type_into(window, "rotation_x", "5");
+    document.select({3});
+    QCOMPARE(number(window, "rotation_y").text(), QString("130"));
+    QCOMPARE(number(window, "rotation_z").text(), QString("40"));
+    QVERIFY(is_undone(document, before));
+  }
+
+  void changes_of_angles_are_of_those_shown() {
+    const Scene before = scene_of_two_rotations();
+    TestWindow window(before);
+    Document& document = window->document();
+    document.select({1, 2, 3});
+    type_into(window, "rotation_y", "130");
+    // The ball does not turn.
+    QCOMPARE(document.undo_stack().undoText(), QString("Set rotation y of 2 Gaussians to 130"));
+    type_into(window, "rotation_y", "+10");
+    QCOMPARE(document.undo_stack().undoText(), QString("Change rotation y of 2 Gaussians"));
+    QVERIFY(is_turned(gaussian(window, 1), {0.0, 140.0, 30.0}));
+    QVERIFY(is_turned(gaussian(window, 2), {0.0, 140.0, 40.0}));
+    document.select({2, 3});
+    QCOMPARE(number(window, "rotation_y").text(), QString("140"));
+    type_into(window, "rotation_y", "*2");
+    type_into(window, "rotation_y", "-=30");
+    QCOMPARE(number(window, "rotation_y").text(), QString("250"));
+    type_into(window, "rotation_z", "*2");  // of what differs
+    QVERIFY(is_turned(gaussian(window, 1), {0.0, 250.0, 60.0}));
+    QVERIFY(is_turned(gaussian(window, 2), {0.0, 250.0, 80.0}));
+    QVERIFY(is_undone(document, before));
+  }
+
+  void a_radius_dragged_through_a_ball_keeps_the_rotation() {
+    Scene before = small_scene();
+    before.medium = Medium();
+    before.medium.append(ellipsoid({}, {1.0, 1.0, 0.5}, {10.0, 20.0, 30.0}));
+    TestWindow window(before);
+    Document& document = window->document();
+    document.select({1});
+    const double factor = std::pow(1.01, 40);
+    type_into(window, "radius_z", QString::number(1.0 / factor, 'f', 12));
+    bool was_ball = false;
+    // The title is a pixel's hundredth of the value; it rounds to four digits.
+    drag_in_steps(window, "radius_z", 2,
+                  [&] { was_ball = was_ball || gaussian(window, 0).is_ball(); });
+    QVERIFY(was_ball);
+    QCOMPARE(gaussian(window, 0).radii().z, 1.489);
+    QVERIFY(is_turned(gaussian(window, 0), {10.0, 20.0, 30.0}));
+    QCOMPARE(document.undo_stack().count(), 2);
+    // One of its own is made from a ball as it is.
+    for (int k = 0; k < 3; ++k) type_into(window, "radius_z", "1");
+    QVERIFY(gaussian(window, 0).is_ball());
+    drag_in_steps(window, "radius_z", 1);
+    QVERIFY(is_turned(gaussian(window, 0), {0.0, 0.0, 0.0}));
     QVERIFY(is_undone(document, before));
   }
 
@@ -308,11 +414,21 @@ class EllipsoidsTest : public QObject {
     QCOMPARE(text(1, column(GaussianAttribute::radius_x)), QString("0.3"));
     QCOMPARE(text(1, column(GaussianAttribute::rotation_y)), QString("20"));
     QCOMPARE(text(0, column(GaussianAttribute::rotation_y)), QString("0"));
-    QVERIFY(
-        !table->model()->flags(table->model()->index(1, elongation)).testFlag(Qt::ItemIsEditable));
+    const auto is_editable = [&](int k) {
+      return table->model()->flags(table->model()->index(1, k)).testFlag(Qt::ItemIsEditable);
+    };
+    QVERIFY(!is_editable(elongation));
+    QVERIFY(is_editable(column(GaussianAttribute::radius_z)));
+    for (int axis = 0; axis < 3; ++axis) {  // the fields above edit them
+      const int k = column(rotation_attribute(axis));
+      QVERIFY(!is_editable(k));
+      QVERIFY(!table->model()->setData(table->model()->index(1, k), "130", Qt::EditRole));
+    }
+    QVERIFY(document.scene() == before);
     const QModelIndex cell = table->model()->index(1, column(GaussianAttribute::radius_x));
     QVERIFY(table->model()->setData(cell, "0.9", Qt::EditRole));
     QVERIFY(is_near(gaussian(window, 1).radii(), {0.9, 0.6, 0.2}));
+    QVERIFY(is_turned(gaussian(window, 1), {10.0, 20.0, 30.0}));
     document.undo_stack().undo();
     table->sortByColumn(elongation, Qt::DescendingOrder);
     QCOMPARE(text(0, elongation), QString("3"));
@@ -355,7 +471,7 @@ class EllipsoidsTest : public QObject {
     const Scene before = document.scene();
     window.key(Qt::Key_B);
     auto& tool = tool_of<PaintbrushTool>(window);
-    tool.set_brush({.radius = 0.1, .density = 3.0, .spacing = 1.0, .scatter = 0.0});
+    tool.set_brush({.radius = 0.1, .density = 300.0, .spacing = 1.0, .scatter = 0.0});
     const QPoint from(300, 200);
     window.drag(from, from + QPoint(200, 0));
     const std::size_t balls = document.medium().size() - 5;
@@ -371,6 +487,32 @@ class EllipsoidsTest : public QObject {
       // To the right on the view plane.
       QVERIFY(std::abs((dab.shape.rotation * glm::dvec3(0, 0, 1)).x) > 0.999);
     }
+    // Alt and a click pick the brush from what it painted.
+    const auto pick = [&](PaintbrushTool& brush, const glm::dvec3& center) {
+      brush.set_brush({.radius = 7.0, .density = 1.0, .stretch = 2.0});
+      const glm::dvec3 at = window->viewport().rays().project(center);
+      QTest::mouseClick(&window->viewport(), Qt::LeftButton, Qt::AltModifier,
+                        QPointF(at.x, at.y).toPoint());
+      return glm::dvec3(brush.brush().radius, brush.brush().density, brush.brush().stretch);
+    };
+    const Gaussian first = document.medium().gaussian(5);
+    QVERIFY(first.is_ball());
+    QVERIFY(is_near(pick(tool, document.medium().gaussian(7).center), {0.1, 300.0, 4.0}));
+    // Of what no stroke lays, the ball of its volume.
+    document.undo_stack().undo();
+    document.select({2});
+    type_into(window, "radius_x", "0.4");
+    type_into(window, "radius_z", "0.2");
+    type_into(window, "density", "5");
+    window.key(Qt::Key_B);
+    QVERIFY(is_near(pick(tool, gaussian(window, 1).center),
+                    {gaussian(window, 1).mean_radius(), 5.0, 2.0}));
+    // One that is longer than the brush can lay.
+    for (const char* field : {"radius_y", "radius_z"}) type_into(window, field, "0.01");
+    window.key(Qt::Key_B);
+    QVERIFY(is_near(pick(tool, gaussian(window, 1).center), {0.01, 5.0, 5.0}));
+    document.undo_stack().setIndex(0);
+    tool.set_brush({.stretch = 4.0});
     // Saved with the brush, and back.
     const BrushPreset preset = tool.preset();
     QCOMPARE(preset.stretch, 4.0);

@@ -3,11 +3,13 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDropEvent>
+#include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMimeData>
 #include <QPushButton>
 #include <QSpinBox>
+#include <QTimer>
 #include <fstream>
 
 #include "app/document/paths.h"
@@ -15,6 +17,7 @@
 #include "app/export/medium_dialog.h"
 #include "app/files/scene_files.h"
 #include "app/import/folder_dialog.h"
+#include "app/import/scene_dialog.h"
 #include "app/import/scene_import.h"
 #include "app/import/splat_dialog.h"
 #include "app/import/volume_dialog.h"
@@ -24,12 +27,16 @@
 #include "app/window/message_bar.h"
 #include "brume/at_time.h"
 #include "brume/error.h"
+#include "core/io/file_bytes.h"
 #include "core/io/gaussians/gaussian_file.h"
+#include "core/io/ply.h"
 #include "core/io/scene/scene_file.h"
 #include "core/io/volume/volume_file.h"
 #include "core/scene/photometry.h"
 #include "core/volume/medium_grid.h"
+#include "tests/app/question.h"
 #include "tests/app/test_window.h"
+#include "tests/core/io/gaussians/splat_gltf_builder.h"
 
 using namespace brume;
 
@@ -101,6 +108,41 @@ template <class Dialog>
 Dialog* shown(TestWindow& window) {
   auto* dialog = window->findChild<Dialog*>();
   return dialog && dialog->isVisible() ? dialog : nullptr;
+}
+
+// Two ellipsoids of one shape as splats whose opacity is that along the longest radius.
+std::vector<Gaussian> write_two_splats(const fs::path& file, const glm::dvec3& center) {
+  Gaussian g{center, 1.0, 0.5};
+  g.set_radii({1.0, 0.5, 0.25}, {0.8, 0.6, 0.0, 0.0});
+  Gaussian other = g;
+  other.center.y += 1.0;
+  write_splats(file, std::vector{g, other}, {.along = OpacityAlong::longest});
+  return {g, other};
+}
+
+// Answers "longest radius" and y down.
+void answer_splats(SplatDialog& dialog) {
+  dialog.findChild<QComboBox*>("splat_opacity")->setCurrentText("Longest radius");
+  dialog.findChild<QComboBox*>("splat_up")->setCurrentIndex(1);
+  QTest::mouseClick(dialog.findChild<QPushButton*>("import"), Qt::LeftButton);
+}
+
+// Whether it is that Gaussian, turned by half about z.
+bool is_half_turned(const Gaussian& found, const Gaussian& g) {
+  return glm::length(found.center - glm::dvec3(-g.center.x, -g.center.y, g.center.z)) < 1e-6 &&
+         glm::length(found.radii() - g.radii()) < 1e-6 &&
+         std::abs(found.density - g.density) < 1e-6;
+}
+
+MediumDialog* open_export(TestWindow& window) {
+  // One that was accepted is still to be deleted.
+  for (MediumDialog* old : window->findChildren<MediumDialog*>()) {
+    if (!old->isVisible()) delete old;
+  }
+  for (QAction* action : window->findChildren<QAction*>()) {
+    if (action->text().contains("Export Me")) action->trigger();
+  }
+  return shown<MediumDialog>(window);
 }
 
 std::size_t files_in(const fs::path& folder) {
@@ -228,30 +270,162 @@ class ImportTest : public QObject {
   }
 
   void splats_become_ellipsoids_as_the_dialog_says() {
-    Gaussian g{{1.0, 2.0, 3.0}, 1.0, 0.5};
-    g.set_radii({1.0, 0.5, 0.25}, {0.8, 0.6, 0.0, 0.0});
     for (const char* name : {"splats.ply", "splats.glb"}) {
       TestWindow window;
       Document& document = window->document();
       const Scene before = document.scene();
-      write_splats(window.file(name), std::vector{g}, {.along = OpacityAlong::longest});
+      const std::vector<Gaussian> written = write_two_splats(window.file(name), {1.0, 2.0, 3.0});
       drop(window, {window.file(name)});
       QCOMPARE(wait(window), QString());
       auto* dialog = shown<SplatDialog>(window);
       QVERIFY(dialog);
-      auto* along = dialog->findChild<QComboBox*>("splat_opacity");
-      QCOMPARE(along->currentText(), QString("Mean radius"));
-      along->setCurrentText("Longest radius");
-      dialog->findChild<QComboBox*>("splat_up")->setCurrentIndex(1);
-      QTest::mouseClick(dialog->findChild<QPushButton*>("import"), Qt::LeftButton);
+      QCOMPARE(dialog->findChild<QComboBox*>("splat_opacity")->currentText(),
+               QString("Mean radius"));
+      answer_splats(*dialog);
       QCOMPARE(wait(window), QString());
-      QCOMPARE(document.medium().size(), before.medium.size() + 1);
-      const Gaussian imported = document.medium().gaussian(before.medium.size());
-      QVERIFY(glm::length(imported.center - glm::dvec3(-1.0, -2.0, 3.0)) < 1e-6);
-      QVERIFY(glm::length(imported.radii() - g.radii()) < 1e-6);
-      QVERIFY(std::abs(imported.density - 0.5) < 1e-6);
+      QCOMPARE(document.medium().size(), before.medium.size() + 2);
+      for (std::size_t k = 0; k < 2; ++k) {
+        QVERIFY(is_half_turned(document.medium().gaussian(before.medium.size() + k), written[k]));
+      }
       document.undo_stack().undo();
       QVERIFY(document.scene() == before);
+    }
+  }
+
+  void several_files_of_splats_are_asked_about_once() {
+    TestWindow window;
+    Document& document = window->document();
+    const Scene before = document.scene();
+    const auto first = write_two_splats(window.file("a.ply"), {1.0, 2.0, 3.0});
+    const auto last = write_two_splats(window.file("c.glb"), {4.0, 5.0, 6.0});
+    write_gaussians(window.file("b.csv"), two);
+    drop(window, {window.file("a.ply"), window.file("b.csv"), window.file("c.glb")});
+    QCOMPARE(wait(window), QString());
+    QCOMPARE(window->findChildren<SplatDialog*>().size(), 1);
+    auto* dialog = shown<SplatDialog>(window);
+    QCOMPARE(dialog->windowTitle(), QString("Import 3 files"));
+    QVERIFY(document.scene() == before);
+    answer_splats(*dialog);
+    QCOMPARE(wait(window), QString());
+    QCOMPARE(document.undo_stack().count(), 1);
+    QCOMPARE(document.undo_stack().undoText(), QString("Import 3 files"));
+    const auto imported = [&](std::size_t k) {
+      return document.medium().gaussian(before.medium.size() + k);
+    };
+    QCOMPARE(document.medium().size(), before.medium.size() + 6);
+    for (std::size_t k = 0; k < 2; ++k) {
+      QVERIFY(is_half_turned(imported(k), first[k]));
+      QVERIFY(imported(2 + k) == two[k]);
+      QVERIFY(is_half_turned(imported(4 + k), last[k]));
+    }
+    document.undo_stack().undo();
+    QVERIFY(document.scene() == before);
+  }
+
+  void a_sequence_of_splats_is_written_as_gaussians() {
+    TestWindow window;
+    std::vector<std::vector<Gaussian>> written;
+    for (const char* name : {"s_1.ply", "s_2.ply"}) {
+      const double x = static_cast<double>(written.size());
+      written.push_back(write_two_splats(window.file(name), {x, 2.0, 3.0}));
+    }
+    // Both ways to import one.
+    for (const bool by_dropping : {true, false}) {
+      const fs::path folder = window.file(by_dropping ? "dropped" : "chosen");
+      if (by_dropping) {
+        drop(window, {window.file("s_1.ply"), window.file("s_2.ply")});
+      } else {
+        window->import().import_sequence(window.file("s_2.ply"));
+      }
+      QCOMPARE(wait(window), QString());
+      auto* dialog = shown<SplatDialog>(window);
+      QVERIFY(dialog);
+      QCOMPARE(dialog->windowTitle(), QString("Import s_%d.ply"));
+      dialog->findChild<QLineEdit*>("sequence_folder")->setText(to_qstring(folder));
+      answer_splats(*dialog);
+      QCOMPARE(wait(window), QString());
+      const MediumSequence& sequence = window->document().scene().sequences.back();
+      QCOMPARE(sequence.file, folder / "s_%d.ply");
+      QCOMPARE(sequence.frames->size(), std::size_t{2});
+      for (std::size_t frame = 0; frame < 2; ++frame) {
+        for (std::size_t k = 0; k < 2; ++k) {
+          const Gaussian& found = sequence.frames->frame(frame)->gaussians.at(k);
+          QVERIFY(is_half_turned(found, written[frame][k]));
+        }
+      }
+      QCOMPARE(files_in(folder), std::size_t{2});
+    }
+    // Over the files themselves it is not.
+    window->import().import_splats(frames_around(window.file("s_1.ply")), {},
+                                   window.file("dropped") / "..");
+    QVERIFY(wait(window).contains("another folder"));
+    QVERIFY(has_splats(window.file("s_1.ply")));
+    QCOMPARE(window->document().undo_stack().count(), 2);
+  }
+
+  void splats_that_cannot_be_read_are_reported() {
+    TestWindow window;
+    SplatGltfBuilder compressed;
+    compressed.extension()["extensions"]["KHR_gaussian_splatting_compression_spz_2"]["bufferView"] =
+        0;
+    std::ofstream(window.file("spz.glb"), std::ios::binary) << compressed.binary();
+    write_splats(window.file("empty.gltf"), {});
+    for (const auto& [name, problem] :
+         {std::pair("spz.glb", "not compressed"), std::pair("empty.gltf", "medium is empty")}) {
+      drop(window, {window.file(name)});
+      const QString found = wait(window);
+      QVERIFY2(found.contains(problem), qPrintable(found));
+      drop(window, {window.file(name), window.file(name)});
+      QVERIFY(wait(window).contains(problem));
+    }
+    QVERIFY(!window->findChild<SplatDialog*>());
+    QCOMPARE(window->document().undo_stack().count(), 0);
+  }
+
+  void splats_come_with_what_else_their_gltf_has() {
+    SplatGltfBuilder builder;
+    const std::size_t corners = builder.add({0, 0, 0, 1, 0, 0, 1, 1, 0}, "VEC3");
+    builder.json["meshes"].push_back({{"primitives", {{{"attributes", {{"POSITION", corners}}}}}}});
+    builder.json["nodes"].push_back({{"name", "triangle"}, {"mesh", 1}});
+    builder.json["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", 0.7}}}}};
+    builder.json["nodes"].push_back({{"name", "Camera"}, {"camera", 0}});
+    builder.json["scenes"][0]["nodes"] = {0, 1, 2};
+    TestWindow window;
+    Document& document = window->document();
+    const Scene before = document.scene();
+    std::ofstream(window.file("both.glb"), std::ios::binary) << builder.binary();
+    drop(window, {window.file("both.glb")});
+    QCOMPARE(wait(window), QString());
+    auto* dialog = shown<SplatDialog>(window);
+    QVERIFY(dialog);
+    QTest::mouseClick(dialog->findChild<QPushButton*>("import"), Qt::LeftButton);
+    QCOMPARE(wait(window), QString());
+    auto* parts = shown<SceneDialog>(window);
+    QVERIFY(parts);
+    QTest::mouseClick(parts->findChild<QPushButton*>("import"), Qt::LeftButton);
+    QCOMPARE(document.medium().size(), before.medium.size() + 2);
+    QCOMPARE(document.scene().surfaces.size(), before.surfaces.size() + 1);
+    QCOMPARE(document.scene().surfaces.back().imported->parts.size(), std::size_t{1});
+    QCOMPARE(document.scene().cameras.size(), before.cameras.size() + 1);
+    QCOMPARE(document.undo_stack().count(), 1);
+    QCOMPARE(document.undo_stack().undoText(), QString("Import both.glb"));
+    document.undo_stack().undo();
+    QVERIFY(document.scene() == before);
+  }
+
+  void the_file_dialog_offers_splats_of_gltf_as_gaussians() {
+    TestWindow window;
+    QStringList filters;
+    QTimer::singleShot(0, [&filters] {
+      auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+      if (dialog) filters = dialog->nameFilters();
+      if (dialog) dialog->reject();
+    });
+    window->import().ask();
+    const QStringList gaussians = filters.filter("Gaussians (");
+    QCOMPARE(gaussians.size(), 1);
+    for (const char* pattern : {"*.csv", "*.ply", "*.gltf", "*.glb"}) {
+      QVERIFY(gaussians[0].contains(pattern));
     }
   }
 
@@ -488,6 +662,157 @@ class ImportTest : public QObject {
     std::vector<std::string> names;
     for (const VolumeGridInfo& grid : volume_grids(file)) names.push_back(grid.name);
     QCOMPARE(names, (std::vector<std::string>{"density", "albedo", "emission"}));
+  }
+
+  void the_medium_exports_as_splats() {
+    TestWindow window;
+    const std::vector<Gaussian> written = write_two_splats(window.file("a.ply"), {1.0, 2.0, 3.0});
+    write_gaussians(window.file("g.ply"), written);
+    window->document().create();
+    drop(window, {window.file("g.ply")});
+    QCOMPARE(wait(window), QString());
+    const auto expect_longest = [&](const fs::path& file, bool is_half_turned_about_z) {
+      const auto found = read_gaussians(file, nullptr, limits::gaussians, OpacityAlong::longest);
+      QCOMPARE(found.size(), std::size_t{2});
+      for (std::size_t k = 0; k < 2; ++k) {
+        Gaussian expected = written[k];
+        if (!is_half_turned_about_z) turn_half(expected);
+        QVERIFY(is_half_turned(found[k], expected));
+      }
+    };
+    auto* format = open_export(window)->findChild<QComboBox*>("medium_format");
+    const auto export_as = [&](const QString& title, const QString& extension) {
+      auto* dialog = shown<MediumDialog>(window);
+      if (!dialog) dialog = open_export(window);
+      format = dialog->findChild<QComboBox*>("medium_format");
+      auto* file = dialog->findChild<QLineEdit*>("medium_file");
+      file->setText(to_qstring(window.file("fog.vdb")));
+      format->setCurrentIndex(format->findText(title + " (", Qt::MatchStartsWith));
+      if (!extension.isEmpty()) file->setText(to_qstring(window.file("fog")) + extension);
+      dialog->findChild<QComboBox*>("medium_opacity")->setCurrentText("Longest radius");
+      dialog->findChild<QComboBox*>("medium_up")->setCurrentIndex(1);
+      const fs::path chosen = to_path(file->text());
+      QTest::mouseClick(dialog->findChild<QPushButton*>("export_medium"), Qt::LeftButton);
+      return chosen;
+    };
+    const fs::path ply = export_as("Gaussian splats", "");
+    QCOMPARE(wait(window), QString());
+    QCOMPARE(ply, window.file("fog.ply"));
+    QVERIFY(has_splats(ply));
+    expect_longest(ply, true);
+    const fs::path glb = export_as("Gaussian splats", ".glb");
+    QCOMPARE(wait(window), QString());
+    QVERIFY(has_splats(glb));
+    expect_longest(glb, false);  // its y is up
+    // The extension that is typed chooses the format, too.
+    auto* dialog = open_export(window);
+    format = dialog->findChild<QComboBox*>("medium_format");
+    auto* file = dialog->findChild<QLineEdit*>("medium_file");
+    for (const auto& [extension, title] :
+         {std::pair(".gltf", "Gaussian splats"), std::pair(".html", "Web page"),
+          std::pair(".csv", "Gaussians"), std::pair(".ply", "Gaussians"),
+          std::pair(".usda", "USD stage"), std::pair(".vdb", "Volume")}) {
+      file->setText(to_qstring(window.file("fog")) + extension);
+      QVERIFY2(format->currentText().startsWith(QString(title) + " ("), extension);
+    }
+    for (const auto& [title, row] :
+         {std::pair("Volume", "medium_voxel"), std::pair("USD stage", "medium_voxel"),
+          std::pair("USD stage", "medium_opacity"), std::pair("Gaussian splats", "medium_up"),
+          std::pair("Lit splats", "medium_up"), std::pair("Web page", "medium_exposure"),
+          std::pair("Lit splats", "medium_exposure")}) {
+      format->setCurrentIndex(format->findText(QString(title) + " (", Qt::MatchStartsWith));
+      QVERIFY2(dialog->findChild<QWidget*>(row)->isVisible(), row);
+    }
+    for (const char* row : {"medium_voxel", "medium_up", "medium_exposure"}) {
+      file->setText(to_qstring(window.file("fog.glb")));
+      QVERIFY2(!dialog->findChild<QWidget*>(row)->isVisible(), row);
+    }
+    file->setText(to_qstring(window.file("fog.txt")));
+    QVERIFY(!dialog->findChild<QPushButton*>("export_medium")->isEnabled());
+  }
+
+  void lit_splats_and_pages_are_exported_as_displayed() {
+    TestWindow window;
+    const auto export_to = [&](const QString& title, const char* exposure) {
+      auto* dialog = open_export(window);
+      auto* format = dialog->findChild<QComboBox*>("medium_format");
+      auto* file = dialog->findChild<QLineEdit*>("medium_file");
+      file->setText(to_qstring(window.file(exposure)) + ".vdb");
+      format->setCurrentIndex(format->findText(title + " (", Qt::MatchStartsWith));
+      dialog->findChild<QLineEdit*>("medium_exposure")->setText(exposure);
+      const fs::path chosen = to_path(file->text());
+      QTest::mouseClick(dialog->findChild<QPushButton*>("export_medium"), Qt::LeftButton);
+      return chosen;
+    };
+    const fs::path dark = export_to("Lit splats", "-2");
+    QCOMPARE(wait(window), QString());
+    const fs::path bright = export_to("Lit splats", "1");
+    QCOMPARE(wait(window), QString());
+    const auto sum_of = [](const fs::path& file, const char* name) {
+      const std::string bytes = read_bytes(file);
+      const PlyFile ply(file, bytes);
+      const PlyFile::Element& vertices = *ply.element("vertex");
+      const auto column = vertices.property(name);
+      double sum = 0.0;
+      ply.for_each_row([&](const PlyFile::Element&, std::uint64_t, const PlyFile::Row& row) {
+        sum += row.scalars.at(column.value());
+      });
+      return sum;
+    };
+    QVERIFY(sum_of(dark, "f_rest_44") != 0.0);
+    QVERIFY(sum_of(dark, "f_dc_0") < sum_of(bright, "f_dc_0"));
+    const fs::path page = export_to("Web page", "0");
+    QCOMPARE(wait(window), QString());
+    QVERIFY(read_bytes(page).find("data:application/octet-stream") != std::string::npos);
+    // The exposure that is offered is the view's.
+    for (QAction* action : window->findChildren<QAction*>()) {
+      if (action->text() == "Exposure &Up") action->trigger();
+    }
+    auto* exposure = open_export(window)->findChild<QLineEdit*>("medium_exposure");
+    QCOMPARE(exposure->text(), QString("0.5"));
+    exposure->clear();
+    auto* format = shown<MediumDialog>(window)->findChild<QComboBox*>("medium_format");
+    format->setCurrentIndex(format->findText("Web page (", Qt::MatchStartsWith));
+    QVERIFY(!shown<MediumDialog>(window)->findChild<QPushButton*>("export_medium")->isEnabled());
+    shown<MediumDialog>(window)->reject();
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+
+    // What is cancelled is not written.
+    const fs::path cancelled = export_to("Lit splats", "3");
+    window->findChild<BackgroundJob*>()->cancel();
+    QCOMPARE(wait(window), QString());
+    QVERIFY(!fs::exists(cancelled));
+  }
+
+  void a_stage_has_its_fog_as_splats_and_volumes() {
+    TestWindow window;
+    auto* dialog = open_export(window);
+    dialog->findChild<QLineEdit*>("medium_file")->setText(to_qstring(window.file("s.usda")));
+    dialog->findChild<QLineEdit*>("medium_voxel")->setText("0.2");
+    dialog->findChild<QCheckBox*>("medium_is_range")->setChecked(true);
+    dialog->findChild<QSpinBox*>("medium_first")->setValue(4);
+    dialog->findChild<QSpinBox*>("medium_last")->setValue(5);
+    QTest::mouseClick(dialog->findChild<QPushButton*>("export_medium"), Qt::LeftButton);
+    QCOMPARE(wait(window), QString());
+    const std::string stage = read_bytes(window.file("s.usda"));
+    QVERIFY(stage.find("ParticleField3DGaussianSplat") != std::string::npos);
+    QVERIFY(stage.find("startTimeCode = 4") != std::string::npos);
+    for (const char* name : {"s_fog_0004.vdb", "s_fog_0005.vdb"}) {
+      QVERIFY(stage.find(name) != std::string::npos);
+      QCOMPARE(volume_grids(window.file(name)).at(0).name, std::string("density"));
+    }
+    // Neither the stage nor its volumes are replaced unasked.
+    fs::remove(window.file("s.usda"));
+    dialog = open_export(window);
+    dialog->findChild<QLineEdit*>("medium_file")->setText(to_qstring(window.file("s.usda")));
+    dialog->findChild<QCheckBox*>("medium_is_range")->setChecked(true);
+    dialog->findChild<QSpinBox*>("medium_first")->setValue(5);
+    dialog->findChild<QSpinBox*>("medium_last")->setValue(5);
+    QString question;
+    answer(QMessageBox::Cancel, &question);
+    QTest::mouseClick(dialog->findChild<QPushButton*>("export_medium"), Qt::LeftButton);
+    QVERIFY2(question.contains("s_fog_0005.vdb"), qPrintable(question));
+    QVERIFY(!fs::exists(window.file("s.usda")));
   }
 
   void gathered_scenes_open_elsewhere() {

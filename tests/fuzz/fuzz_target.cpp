@@ -65,6 +65,7 @@ constexpr Parser parsers[] = {
      }},
     {"splat_gltf", ".glb",
      [](const Path& file) {
+       has_splats_gltf(file);
        splat_count_gltf(file);
        check_gaussians(read_splats_gltf(file, max_fuzzed));
      }},

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -242,10 +241,7 @@ class ExportCommand final : public Command {
     const std::filesystem::path stage = output_;
     const std::vector<int> codes = is_sequence ? parse_frames(frames_) : std::vector{0};
     const auto file_of = [&](int code) {
-      std::array<char, 16> number{};
-      if (is_sequence) std::snprintf(number.data(), number.size(), "_%04d", code);
-      std::filesystem::path file = stage;
-      return file.replace_filename(stage.stem().string() + "_fog" + number.data() + ".vdb");
+      return volume_of_stage(stage, is_sequence ? std::optional(code) : std::nullopt);
     };
     files_.add_output(output_);
     for (const int code : codes) files_.add_output(file_of(code).string());
@@ -253,16 +249,11 @@ class ExportCommand final : public Command {
     for (const int code : codes) {
       UsdFrame frame{code, read_scene_at(is_sequence ? code / fps_ : time_), {}};
       frame.scene.medium = simplified(frame.scene.medium);
-      if (splats_) frame.splats = gaussians_of(frame.scene.medium);
+      if (splats_) frame.splats = frame.scene.medium.gaussians();
       if (frame.scene.medium.size() > 0) {
-        frame.volume = file_of(code).filename();
         const Grids grids = sampled_grids(frame.scene.medium, file_of(code).string());
         write_volume(file_of(code), grids.density, half_, grids.colors);
-        frame.has_albedo = grids.colors.albedo.has_value();
-        frame.has_emission = grids.colors.emission.has_value();
-        const double homogeneous = frame.scene.medium.homogeneous_density();
-        frame.scene.medium = {};  // its files have it
-        frame.scene.medium.set_homogeneous_density(homogeneous);
+        replace_medium(frame, file_of(code), grids.colors);
       }
       frames.push_back(std::move(frame));
     }
@@ -278,12 +269,6 @@ class ExportCommand final : public Command {
     return lit_splats(scene, exposure_, along(), y_down_, output);
   }
 
-  static std::vector<Gaussian> gaussians_of(const Medium& medium) {
-    std::vector<Gaussian> gaussians;
-    for (std::size_t i = 0; i < medium.size(); ++i) gaussians.push_back(medium.gaussian(i));
-    return gaussians;
-  }
-
   // What writes a medium, or what is left of it.
   FrameLoop::Write writing(const Medium& whole, const std::string& output) {
     check_interrupted();
@@ -294,7 +279,7 @@ class ExportCommand final : public Command {
         write_volume(output, grids->density, half, grids->colors);
       };
     }
-    std::vector<Gaussian> gaussians = gaussians_of(medium);
+    std::vector<Gaussian> gaussians = medium.gaussians();
     if (!splats_) {
       return [gaussians = std::move(gaussians), output] { write_gaussians(output, gaussians); };
     }

@@ -65,7 +65,7 @@ bool has_splats(const std::filesystem::path& file) {
     case Format::ply:
       return has_splats_ply(file);
     case Format::gltf:
-      return splat_count_gltf(file) > 0;
+      return has_splats_gltf(file);
     case Format::csv:
       break;
   }

@@ -23,8 +23,8 @@ std::vector<Gaussian> read_gaussians(const std::filesystem::path& file,
 // lines of a CSV, by the JSON of a glTF. Throws InputError.
 std::size_t max_gaussian_count(const std::filesystem::path& file);
 
-// Whether read_gaussians() would read splats: by the header of a PLY, by the JSON of a glTF. Throws
-// InputError.
+// Whether it has splats: by the header of a PLY, by the JSON of a glTF, where read_gaussians() may
+// still refuse them. Throws InputError.
 bool has_splats(const std::filesystem::path& file);
 
 // Reads Gaussians of a scene with `max_group` groups: the column `group`, if present, has the

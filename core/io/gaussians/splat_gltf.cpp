@@ -20,6 +20,20 @@ namespace {
 
 constexpr const char* splat_extension = "KHR_gaussian_splatting";
 
+// An empty medium has no primitive.
+bool uses_splats(GltfFile& file) {
+  JsonObject root(file.context(), file.root(), file.path());
+  const Json::array_t& used = root.array("extensionsUsed", limits::keys);
+  return std::ranges::count(used, Json(splat_extension)) > 0;
+}
+
+// The member of what may be no object; null where there is none.
+const Json* member(const Json& value, const char* name) {
+  if (!value.is_object()) return nullptr;
+  const auto found = value.find(name);
+  return found == value.end() ? nullptr : &*found;
+}
+
 class GltfSplatReader {
  public:
   explicit GltfSplatReader(const std::filesystem::path& file)
@@ -33,7 +47,7 @@ class GltfSplatReader {
   // Refuses a file that is of something else.
   void expect_splats(const std::filesystem::path& file) {
     const auto has_splats = [](const Mesh& mesh) { return !mesh.primitives.empty(); };
-    if (std::ranges::none_of(meshes_, has_splats) && !uses_extension()) {
+    if (std::ranges::none_of(meshes_, has_splats) && !uses_splats(file_)) {
       throw InputError(file, "meshes",
                        "has no Gaussian splats; allowed: a primitive with the extension " +
                            std::string(splat_extension));
@@ -68,13 +82,6 @@ class GltfSplatReader {
     std::vector<std::size_t> primitives;  // those with splats
     std::size_t count = 0;                // of splats
   };
-
-  // An empty medium has no primitive.
-  bool uses_extension() {
-    JsonObject root(file_.context(), file_.root(), file_.path());
-    const Json::array_t& used = root.array("extensionsUsed", limits::keys);
-    return std::ranges::count(used, Json(splat_extension)) > 0;
-  }
 
   void add_node(std::size_t index) {
     const JsonPath list = file_.path().member("nodes");
@@ -217,6 +224,20 @@ std::vector<Gaussian> read_splats_gltf(const std::filesystem::path& file, std::s
                          " Gaussians; allowed: " + gaussian_columns::allowed_count(max_count));
   }
   return reader.read(along);
+}
+
+bool has_splats_gltf(const std::filesystem::path& file) {
+  std::vector<std::string> warnings;
+  GltfFile gltf(file, warnings);
+  if (uses_splats(gltf)) return true;
+  return std::ranges::any_of(gltf.list("meshes"), [](const Json& mesh) {
+    const Json* primitives = member(mesh, "primitives");
+    return primitives != nullptr && primitives->is_array() &&
+           std::ranges::any_of(*primitives, [](const Json& primitive) {
+             const Json* extensions = member(primitive, "extensions");
+             return extensions != nullptr && member(*extensions, splat_extension) != nullptr;
+           });
+  });
 }
 
 std::size_t splat_count_gltf(const std::filesystem::path& file) {

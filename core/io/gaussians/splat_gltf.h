@@ -21,7 +21,10 @@ std::vector<Gaussian> read_splats_gltf(const std::filesystem::path& file,
                                        std::size_t max_count = limits::gaussians,
                                        OpacityAlong along = OpacityAlong::mean);
 
-// How many that are.
+// Whether a file says that it has splats, of whatever kind: read_splats_gltf() may refuse them.
+bool has_splats_gltf(const std::filesystem::path& file);
+
+// How many splats read_splats_gltf() would read.
 std::size_t splat_count_gltf(const std::filesystem::path& file);
 
 // Writes one node of splats, of floats: binary if the extension is .glb, else text with the numbers

@@ -1,8 +1,10 @@
 #include "core/io/scene/usd_file.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
+#include <cstdio>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
@@ -284,6 +286,24 @@ void write_fog(UsdText& out, Frames frames) {
 }
 
 }  // namespace
+
+std::filesystem::path volume_of_stage(const std::filesystem::path& stage,
+                                      std::optional<int> frame) {
+  std::array<char, 16> number{};
+  if (frame) std::snprintf(number.data(), number.size(), "_%04d", *frame);
+  std::filesystem::path file = stage;
+  return file.replace_filename(stage.stem().string() + "_fog" + number.data() + ".vdb");
+}
+
+void replace_medium(UsdFrame& frame, const std::filesystem::path& volume,
+                    const VolumeColors& colors) {
+  frame.volume = volume.filename();
+  frame.has_albedo = colors.albedo.has_value();
+  frame.has_emission = colors.emission.has_value();
+  const double homogeneous = frame.scene.medium.homogeneous_density();
+  frame.scene.medium = {};
+  frame.scene.medium.set_homogeneous_density(homogeneous);
+}
 
 void write_usd(const std::filesystem::path& file, Frames frames, double frames_per_second,
                OpacityAlong along, const AddOutput& add_output) {

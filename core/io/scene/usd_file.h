@@ -2,9 +2,11 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "brume/density_grid.h"
 #include "brume/scene.h"
 #include "brume/splat.h"
 
@@ -21,6 +23,13 @@ struct UsdFrame {
   bool has_emission = false;
   std::vector<Gaussian> splats{};  // of the medium; in no frame: none are written
 };
+
+// The OpenVDB file beside a stage: NAME_fog.vdb, of a frame NAME_fog_0001.vdb.
+std::filesystem::path volume_of_stage(const std::filesystem::path& stage,
+                                      std::optional<int> frame = {});
+// Has a volume stand for the medium but for its homogeneous density.
+void replace_medium(UsdFrame& frame, const std::filesystem::path& volume,
+                    const VolumeColors& colors);
 
 // Writes a stage: the camera, lights (UsdLux), the environment (DomeLight), surfaces as meshes with
 // UsdPreviewSurface and their textures, and the medium as a Volume of OpenVDB assets; as splats

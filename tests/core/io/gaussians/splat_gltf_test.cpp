@@ -131,5 +131,25 @@ TEST(SplatGltf, AreLeftOutOfScenesWithAWarning) {
   EXPECT_TRUE(contains(warned[0], "read as Gaussians")) << warned[0];
 }
 
+TEST(SplatGltf, AreFoundWhetherOrNotTheyCanBeRead) {
+  const TemporaryFolder folder;
+  const auto has = [&folder](const GltfBuilder& builder) {
+    return has_splats(folder.write("a.glb", builder.binary()));
+  };
+  SplatGltfBuilder splats;
+  EXPECT_TRUE(has(splats));
+  splats.json.erase("extensionsUsed");
+  EXPECT_TRUE(has(splats));
+  splats.extension()["extensions"]["KHR_gaussian_splatting_compression_spz_2"]["bufferView"] = 0;
+  EXPECT_TRUE(has(splats));
+  GltfBuilder square;
+  EXPECT_FALSE(has(square));
+  square.json["meshes"].push_back(1);
+  square.json["meshes"].push_back({{"primitives", {1, {{"extensions", "x"}}}}});
+  EXPECT_FALSE(has(square));
+  write_splats(folder / "empty.gltf", {});
+  EXPECT_TRUE(has_splats(folder / "empty.gltf"));
+}
+
 }  // namespace
 }  // namespace brume

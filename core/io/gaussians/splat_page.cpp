@@ -1,4 +1,4 @@
-#include "tools/brume/web_page.h"
+#include "core/io/gaussians/splat_page.h"
 
 #include <zlib.h>
 
@@ -18,7 +18,7 @@
 namespace brume {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 // The page without content.
 std::string viewer() {
@@ -57,17 +57,17 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-Json to_json(const glm::dvec3& v) {
+OrderedJson three_of(const glm::dvec3& v) {
   return {v.x, v.y, v.z};
 }
 
 // Of the viewer: no effects beyond what was baked.
-Json settings_of(const Camera& camera, const Film& film) {
+OrderedJson viewer_settings(const Camera& camera, const Film& film) {
   // Its angle of view is that of the longer side.
   const double aspect = std::max(1.0, static_cast<double>(film.width) / film.height);
   const double half = std::tan(0.5 * glm::radians(camera.vertical_fov)) * aspect;
   const double angle = glm::degrees(2.0 * std::atan(half));
-  const auto off = [](Json effect) {
+  const auto off = [](OrderedJson effect) {
     effect["enabled"] = false;
     return effect;
   };
@@ -83,23 +83,23 @@ Json settings_of(const Camera& camera, const Film& film) {
          off({{"brightness", 1}, {"contrast", 1}, {"saturation", 1}, {"tint", {1, 1, 1}}})},
         {"vignette", off({{"intensity", 0.5}, {"inner", 0.3}, {"outer", 0.75}, {"curvature", 1}})},
         {"fringing", off({{"intensity", 0.5}})}}},
-      {"animTracks", Json::array()},
+      {"animTracks", OrderedJson::array()},
       {"cameras",
        {{{"initial",
-          {{"position", to_json(camera.eye)},
-           {"target", to_json(camera.target)},
+          {{"position", three_of(camera.eye)},
+           {"target", three_of(camera.target)},
            {"fov", angle}}}}}},
-      {"annotations", Json::array()},
+      {"annotations", OrderedJson::array()},
       {"startMode", "default"}};
 }
 
 }  // namespace
 
-std::string web_page(const std::string& title, const std::string& ply, const Camera& camera,
-                     const Film& film) {
-  const Json content{{"settings", settings_of(camera, film)},
-                     {"contentUrl", encoded_data_uri(ply)},
-                     {"contentFilename", "fog.ply"}};
+std::string splat_page(const std::string& title, const std::string& ply, const Camera& camera,
+                       const Film& film) {
+  const OrderedJson content{{"settings", viewer_settings(camera, film)},
+                            {"contentUrl", encoded_data_uri(ply)},
+                            {"contentFilename", "fog.ply"}};
   std::string page = viewer();
   replace_between(page, "<title>", "</title>", escaped(title));
   replace_between(page, "id=\"sse-bootstrap\">", "</script>", content.dump());
