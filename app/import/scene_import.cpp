@@ -54,7 +54,7 @@ bool has_faces(const fs::path& file) {
 std::vector<Gaussian> read_splats(const fs::path& file, const SplatOptions& options,
                                   std::vector<GaussianNumber>* ids = nullptr,
                                   std::size_t max_count = limits::gaussians) {
-  std::vector<Gaussian> gaussians = read_gaussians(file, ids, max_count, options.along);
+  std::vector<Gaussian> gaussians = read_gaussians(file, ids, max_count, options.input);
   if (options.y_down) std::ranges::for_each(gaussians, turn_half);
   return gaussians;
 }

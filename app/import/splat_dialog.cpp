@@ -1,5 +1,6 @@
 #include "app/import/splat_dialog.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFormLayout>
@@ -12,7 +13,10 @@
 namespace brume {
 
 SplatDialog::SplatDialog(const QString& what, const std::optional<FrameRun>& run, QWidget* parent)
-    : QDialog(parent), along_(new QComboBox(this)), up_(new QComboBox(this)) {
+    : QDialog(parent),
+      along_(new QComboBox(this)),
+      up_(new QComboBox(this)),
+      albedos_(new QCheckBox(tr("become albedos"), this)) {
   setObjectName("import_splats");
   setWindowTitle(tr("Import %1").arg(what));
   setAttribute(Qt::WA_DeleteOnClose);
@@ -28,13 +32,16 @@ SplatDialog::SplatDialog(const QString& what, const std::optional<FrameRun>& run
   up_->setObjectName("splat_up");
   up_->addItems({tr("y"), tr("-y (turned by half about z)")});
   form->addRow(tr("Up axis"), up_);
+  albedos_->setObjectName("splat_albedos");
+  albedos_->setToolTip(tr("As they are from all sides; else the fog has the medium's albedo"));
+  form->addRow(tr("Colours"), albedos_);
   if (run) folder_ = add_folder_row(form, run->files.file_of(run->first), *run);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
   buttons->addButton(tr("Import"), QDialogButtonBox::AcceptRole)->setObjectName("import");
   form->addRow(buttons);
   connect(buttons, &QDialogButtonBox::accepted, this, [this] {
-    Q_EMIT requested(
-        {static_cast<OpacityAlong>(along_->currentData().toInt()), up_->currentIndex() == 1});
+    const auto along = static_cast<OpacityAlong>(along_->currentData().toInt());
+    Q_EMIT requested({{along, albedos_->isChecked()}, up_->currentIndex() == 1});
     accept();
   });
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);

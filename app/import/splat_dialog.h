@@ -6,6 +6,7 @@
 #include "app/import/frame_run.h"
 #include "brume/splat.h"
 
+class QCheckBox;
 class QComboBox;
 class QLineEdit;
 
@@ -13,7 +14,7 @@ namespace brume {
 
 // What splats become: an opacity is no density, and captures mostly have y down.
 struct SplatOptions {
-  OpacityAlong along = OpacityAlong::mean;
+  SplatInput input;
   bool y_down = false;
 };
 
@@ -32,6 +33,7 @@ class SplatDialog : public QDialog {
  private:
   QComboBox* along_;
   QComboBox* up_;
+  QCheckBox* albedos_;
   QLineEdit* folder_ = nullptr;
 };
 

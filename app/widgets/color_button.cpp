@@ -9,19 +9,14 @@
 
 #include "app/widgets/interface_settings.h"
 #include "app/widgets/value_field.h"
+#include "core/math/srgb.h"
 #include "core/number_domain.h"
 
 namespace brume {
 namespace {
 
-// IEC 61966-2-1.
 double encoded(double linear) {
-  const double x = std::clamp(linear, 0.0, 1.0);
-  return x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1.0 / 2.4) - 0.055;
-}
-
-double decoded(double value) {
-  return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+  return srgb_encoded(std::clamp(linear, 0.0, 1.0));
 }
 
 }  // namespace
@@ -33,7 +28,7 @@ QColor to_color(const glm::dvec3& linear) {
 }
 
 glm::dvec3 to_linear(const QColor& color) {
-  return {decoded(color.redF()), decoded(color.greenF()), decoded(color.blueF())};
+  return {srgb_decoded(color.redF()), srgb_decoded(color.greenF()), srgb_decoded(color.blueF())};
 }
 
 QPixmap color_swatch(const glm::dvec3& linear, const QSize& size) {

@@ -46,8 +46,8 @@ void save_scene(const Scene& scene, const fs::path& file) {
   save_scene_file({scene, nullptr}, file);
 }
 
-std::vector<Gaussian> load_gaussians(const fs::path& file, OpacityAlong along) {
-  return read_gaussians(file, nullptr, limits::gaussians, along);
+std::vector<Gaussian> load_gaussians(const fs::path& file, const SplatInput& splats) {
+  return read_gaussians(file, nullptr, limits::gaussians, splats);
 }
 
 void save_gaussians(std::span<const Gaussian> gaussians, const fs::path& file) {

@@ -20,4 +20,11 @@ Real srgb_encoded(Real x) {
   return Real(srgb::gain) * std::pow(x, Real(1) / Real(srgb::exponent)) - Real(srgb::offset);
 }
 
+// Linear light of its encoding in [0, 1].
+template <class Real>
+Real srgb_decoded(Real x) {
+  if (x <= Real(srgb::slope * srgb::knee)) return x / Real(srgb::slope);
+  return std::pow((x + Real(srgb::offset)) / Real(srgb::gain), Real(srgb::exponent));
+}
+
 }  // namespace brume

@@ -42,6 +42,7 @@ Gaussian gaussian_of(const Splat& splat, OpacityAlong along) {
   Gaussian g{splat.center};
   g.set_radii(std::numbers::sqrt2 * splat.deviations, splat.rotation);
   set_depth_along(g, splat.depth, along);
+  g.optics.albedo = splat.albedo;
   return g;
 }
 

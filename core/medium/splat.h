@@ -3,6 +3,7 @@
 #include <array>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
 
 #include "brume/gaussian.h"
 #include "brume/splat.h"
@@ -21,6 +22,7 @@ struct Splat {
   glm::dvec3 deviations{1.0};  // standard deviations along its own axes [u], >= 0, one > 0, finite
   glm::dquat rotation{1.0, 0.0, 0.0, 0.0};
   double depth = 0.0;  // optical depth through the center, >= 0
+  std::optional<glm::dvec3> albedo{};
 };
 
 // The rotation of a quaternion of any length; none where it has no direction.
@@ -43,7 +45,7 @@ Gaussian gaussian_of(const Splat& splat, OpacityAlong along = OpacityAlong::mean
 // Turns a Gaussian by half about z around the origin: from y down, as captures have it, to y up.
 void turn_half(Gaussian& gaussian);
 
-// The inverse, but for what the Gaussian has besides density and shape.
+// The inverse of gaussian_of(), but for what the Gaussian has besides density and shape.
 Splat splat_of(const Gaussian& gaussian, OpacityAlong along = OpacityAlong::mean);
 
 }  // namespace brume

@@ -92,8 +92,7 @@ const std::array<float, 256>& srgb_to_linear() {
   static const std::array<float, 256> table = [] {
     std::array<float, 256> result{};
     for (std::size_t i = 0; i < result.size(); ++i) {
-      const double x = static_cast<double>(i) / 255.0;
-      result[i] = static_cast<float>(x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4));
+      result[i] = static_cast<float>(srgb_decoded(static_cast<double>(i) / 255.0));
     }
     return result;
   }();

@@ -9,4 +9,11 @@ namespace brume {
 // longer axes, so the two agree along one length only.
 enum class OpacityAlong : std::uint8_t { shortest, mean, longest };
 
+// How the splats of a file become Gaussians.
+struct SplatInput {
+  OpacityAlong along = OpacityAlong::mean;
+  // Their colors, as they are from all sides, become albedos.
+  bool has_albedos = false;
+};
+
 }  // namespace brume

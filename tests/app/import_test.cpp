@@ -274,18 +274,24 @@ class ImportTest : public QObject {
       TestWindow window;
       Document& document = window->document();
       const Scene before = document.scene();
-      const std::vector<Gaussian> written = write_two_splats(window.file(name), {1.0, 2.0, 3.0});
+      std::vector<Gaussian> written = write_two_splats(window.file(name), {1.0, 2.0, 3.0});
+      for (Gaussian& g : written) g.optics.albedo = glm::dvec3(1.0, 0.5, 0.1);
+      write_splats(window.file(name), written, {.along = OpacityAlong::longest});
       drop(window, {window.file(name)});
       QCOMPARE(wait(window), QString());
       auto* dialog = shown<SplatDialog>(window);
       QVERIFY(dialog);
       QCOMPARE(dialog->findChild<QComboBox*>("splat_opacity")->currentText(),
                QString("Mean radius"));
+      QTest::mouseClick(dialog->findChild<QCheckBox*>("splat_albedos"), Qt::LeftButton,
+                        Qt::NoModifier, {5, 10});
       answer_splats(*dialog);
       QCOMPARE(wait(window), QString());
       QCOMPARE(document.medium().size(), before.medium.size() + 2);
       for (std::size_t k = 0; k < 2; ++k) {
-        QVERIFY(is_half_turned(document.medium().gaussian(before.medium.size() + k), written[k]));
+        const Gaussian g = document.medium().gaussian(before.medium.size() + k);
+        QVERIFY(is_half_turned(g, written[k]));
+        QVERIFY(glm::length(g.optics.albedo.value() - glm::dvec3(1.0, 0.5, 0.1)) < 1e-6);
       }
       document.undo_stack().undo();
       QVERIFY(document.scene() == before);
@@ -672,7 +678,7 @@ class ImportTest : public QObject {
     drop(window, {window.file("g.ply")});
     QCOMPARE(wait(window), QString());
     const auto expect_longest = [&](const fs::path& file, bool is_half_turned_about_z) {
-      const auto found = read_gaussians(file, nullptr, limits::gaussians, OpacityAlong::longest);
+      const auto found = read_gaussians(file, nullptr, limits::gaussians, {OpacityAlong::longest});
       QCOMPARE(found.size(), std::size_t{2});
       for (std::size_t k = 0; k < 2; ++k) {
         Gaussian expected = written[k];

@@ -60,14 +60,14 @@ constexpr Parser parsers[] = {
     {"splat_ply", ".ply",
      [](const Path& file) {
        for (const auto along : {OpacityAlong::shortest, OpacityAlong::longest}) {
-         check_gaussians(read_gaussians_ply(file, nullptr, max_fuzzed, "id", along));
+         check_gaussians(read_gaussians_ply(file, nullptr, max_fuzzed, "id", {along, true}));
        }
      }},
     {"splat_gltf", ".glb",
      [](const Path& file) {
        has_splats_gltf(file);
        splat_count_gltf(file);
-       check_gaussians(read_splats_gltf(file, max_fuzzed));
+       check_gaussians(read_splats_gltf(file, max_fuzzed, {OpacityAlong::mean, true}));
      }},
     {"gaussian_csv", ".csv", [](const Path& file) { read_gaussians_csv(file); }},
     {"mesh_ply", ".ply", [](const Path& file) { read_mesh(file); }},

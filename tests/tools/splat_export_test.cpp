@@ -91,6 +91,20 @@ TEST_F(SplatExport, SplatsOfPlyMayHaveYDown) {
   expect_same("up.csv", 1e-6);
 }
 
+TEST_F(SplatExport, ColoursOfSplatsBecomeAlbedos) {
+  std::vector<Gaussian> gaussians = read_gaussians(file("a.ply"));
+  gaussians[0].optics.albedo = glm::dvec3(0.9, 0.5, 0.1);
+  write_splats(file("colours.ply"), gaussians);
+  expect_done({"export", file("colours.ply"), "-o", file("albedos.csv"), "--colors"});
+  const auto albedo = read_gaussians(file("albedos.csv")).at(0).optics.albedo;
+  ASSERT_TRUE(albedo.has_value());
+  EXPECT_LT(glm::length(*albedo - glm::dvec3(0.9, 0.5, 0.1)), 1e-6);
+  expect_done({"export", file("colours.ply"), "-o", file("none.csv")});
+  EXPECT_FALSE(read_gaussians(file("none.csv")).at(0).optics.albedo.has_value());
+  expect_refused({"export", file("a.ply"), "-o", file("b.ply"), "--splats", "--colors"},
+                 {"--colors: only for splats that are read"});
+}
+
 TEST_F(SplatExport, FramesAreSimplifiedToo) {
   std::vector<Gaussian> gaussians;
   for (int i = 0; i < 8; ++i) gaussians.push_back({{0.01 * i, 0.0, 0.0}, 1.0, 0.5});

@@ -65,6 +65,7 @@ class ExportCommand final : public Command {
         ->type_name("TEXT:{shortest,mean,longest}")
         ->check(CLI::IsMember({"shortest", "mean", "longest"}))
         ->default_str("mean");
+    app.add_flag("--colors", colors_, "colours of splats that are read become albedos");
     app.add_flag("--lit", lit_,
                  "the splats of a .ply as the scene lights them, as spherical harmonics of display "
                  "values; implies --splats");
@@ -161,7 +162,7 @@ class ExportCommand final : public Command {
 
   // The same of options for splats, read or written.
   void check_splats(const std::string& extension) const {
-    if (along_.empty() && !y_down_) return;
+    if (along_.empty() && !y_down_ && !colors_) return;
     const bool is_sequence = FramePattern::is_pattern(input_);
     const std::string first =
         is_sequence ? parse_pattern(input_).file_of(parse_frames(frames_).front()) : input_;
@@ -169,6 +170,7 @@ class ExportCommand final : public Command {
     if (!along_.empty() && !reads && !splats_) {
       throw UsageError("--opacity-along: only for splats, read or written");
     }
+    if (colors_ && !reads) throw UsageError("--colors: only for splats that are read");
     const bool reads_ply = reads && may_have_y_down(first);
     if (y_down_ && !reads_ply && !(splats_ && extension == ".ply")) {
       throw UsageError("--y-down: only for splats of a .ply, read or written");
@@ -203,7 +205,7 @@ class ExportCommand final : public Command {
   [[nodiscard]] Medium read_file(const std::string& file) const {
     Medium medium;
     const bool is_turned = y_down_ && may_have_y_down(file) && has_splats(file);
-    for (Gaussian gaussian : read_gaussians(file, nullptr, limits::gaussians, along())) {
+    for (Gaussian gaussian : read_gaussians(file, nullptr, limits::gaussians, {along(), colors_})) {
       if (is_turned) turn_half(gaussian);
       medium.append(gaussian);
     }
@@ -330,6 +332,7 @@ class ExportCommand final : public Command {
   bool lit_ = false;
   bool web_ = false;
   bool y_down_ = false;
+  bool colors_ = false;
   double exposure_ = 0.0;  // [stops]
   std::string along_;      // empty: mean
   double simplify_ = 0.0;  // 0: not

@@ -27,12 +27,12 @@ Format format_of(const std::filesystem::path& file) {
 
 std::vector<Gaussian> read_numbered(const std::filesystem::path& file,
                                     std::vector<GaussianNumber>* numbers, std::size_t max_count,
-                                    std::string_view number_name, OpacityAlong along) {
+                                    std::string_view number_name, const SplatInput& splats) {
   switch (format_of(file)) {
     case Format::ply:
-      return read_gaussians_ply(file, numbers, max_count, number_name, along);
+      return read_gaussians_ply(file, numbers, max_count, number_name, splats);
     case Format::gltf:
-      return read_splats_gltf(file, max_count, along);
+      return read_splats_gltf(file, max_count, splats);
     case Format::csv:
       break;
   }
@@ -48,8 +48,8 @@ bool is_gltf_name(const std::filesystem::path& file) {
 
 std::vector<Gaussian> read_gaussians(const std::filesystem::path& file,
                                      std::vector<GaussianNumber>* ids, std::size_t max_count,
-                                     OpacityAlong along) {
-  return read_numbered(file, ids, max_count, gaussian_columns::id_name, along);
+                                     const SplatInput& splats) {
+  return read_numbered(file, ids, max_count, gaussian_columns::id_name, splats);
 }
 
 std::size_t max_gaussian_count(const std::filesystem::path& file) {
@@ -76,7 +76,7 @@ std::vector<Gaussian> read_grouped_gaussians(const std::filesystem::path& file,
                                              std::size_t max_count, std::size_t max_group) {
   std::vector<GaussianNumber> groups;
   std::vector<Gaussian> gaussians =
-      read_numbered(file, &groups, max_count, gaussian_columns::group_name, OpacityAlong::mean);
+      read_numbered(file, &groups, max_count, gaussian_columns::group_name, {});
   for (std::size_t i = 0; i < groups.size(); ++i) {
     if (groups[i] > max_group) {
       throw InputError(file, "Gaussian " + std::to_string(i),

@@ -13,11 +13,11 @@ namespace brume {
 
 // Reads Gaussians from PLY, CSV or glTF (of splats), detected by the first bytes. Throws InputError
 // naming file and place. `ids` gets the persistent ids of a sequence's Gaussians, if present. More
-// than `max_count` are an error. Splats are as opaque as stored along the radius `along`.
+// than `max_count` are an error.
 std::vector<Gaussian> read_gaussians(const std::filesystem::path& file,
                                      std::vector<GaussianNumber>* ids = nullptr,
                                      std::size_t max_count = limits::gaussians,
-                                     OpacityAlong along = OpacityAlong::mean);
+                                     const SplatInput& splats = {});
 
 // How many Gaussians a file has at most, without reading them all: by the header of a PLY, by the
 // lines of a CSV, by the JSON of a glTF. Throws InputError.

@@ -12,6 +12,7 @@
 #include "core/io/atomic_file.h"
 #include "core/io/file_bytes.h"
 #include "core/io/gaussians/gaussian_columns.h"
+#include "core/io/gaussians/splat_color.h"
 #include "core/io/little_endian.h"
 #include "core/io/ply.h"
 #include "core/medium/splat.h"
@@ -21,6 +22,8 @@ namespace {
 
 using gaussian_columns::domains;
 using gaussian_columns::names;
+
+constexpr std::array<std::string_view, 3> color_names{"f_dc_0", "f_dc_1", "f_dc_2"};
 
 // What a vertex becomes.
 using ToGaussian = std::function<Gaussian(const PlyFile::Row&)>;
@@ -38,12 +41,13 @@ std::optional<std::array<std::size_t, count>> columns(
   return result;
 }
 
-std::optional<ToGaussian> from_splats(const PlyFile::Element& vertices, OpacityAlong along) {
+std::optional<ToGaussian> from_splats(const PlyFile::Element& vertices, const SplatInput& input) {
   const auto indices = columns<5>(vertices, {"x", "y", "z", "opacity", "scale_0"});
   if (!indices) return std::nullopt;
   const auto scale_1 = columns<1>(vertices, {"scale_1"});
   const auto scale_2 = columns<1>(vertices, {"scale_2"});
   const auto rotation_columns = columns<4>(vertices, {"rot_0", "rot_1", "rot_2", "rot_3"});
+  const auto color_columns = input.has_albedos ? columns<3>(vertices, color_names) : std::nullopt;
   return [=, indices = *indices](const PlyFile::Row& row) {
     const auto value = [&](std::size_t i) { return row.scalars[indices[i]]; };
     Splat splat;
@@ -56,10 +60,15 @@ std::optional<ToGaussian> from_splats(const PlyFile::Element& vertices, OpacityA
     // -ln(1 - 1 / (1 + exp(-logit))) = ln(1 + exp(logit))
     const double logit = value(3);
     splat.depth = std::max(logit, 0.0) + std::log1p(std::exp(-std::abs(logit)));
-    if (!rotation_columns) return gaussian_of(splat, along);
-    const auto component = [&](std::size_t i) { return row.scalars[(*rotation_columns)[i]]; };
-    splat.rotation = unit_rotation({component(0), component(1), component(2), component(3)});
-    return gaussian_of(splat, along);
+    if (rotation_columns) {
+      const auto component = [&](std::size_t i) { return row.scalars[(*rotation_columns)[i]]; };
+      splat.rotation = unit_rotation({component(0), component(1), component(2), component(3)});
+    }
+    if (color_columns) {
+      const auto channel = [&](std::size_t c) { return row.scalars[(*color_columns)[c]]; };
+      splat.albedo = albedo_of_sh({channel(0), channel(1), channel(2)});
+    }
+    return gaussian_of(splat, input.along);
   };
 }
 
@@ -85,7 +94,7 @@ ToGaussian from_points(const std::filesystem::path& file, const PlyFile::Element
 
 std::vector<Gaussian> read_gaussians_ply(const std::filesystem::path& file,
                                          std::vector<GaussianNumber>* ids, std::size_t max_count,
-                                         std::string_view number_name, OpacityAlong along) {
+                                         std::string_view number_name, const SplatInput& input) {
   const std::string bytes = read_bytes(file);
   const PlyFile ply(file, bytes);
   const PlyFile::Element* vertices = ply.element("vertex");
@@ -95,7 +104,7 @@ std::vector<Gaussian> read_gaussians_ply(const std::filesystem::path& file,
                      "found " + std::to_string(vertices->count) +
                          " Gaussians; allowed: " + gaussian_columns::allowed_count(max_count));
   }
-  const auto splats = from_splats(*vertices, along);
+  const auto splats = from_splats(*vertices, input);
   const ToGaussian to_gaussian = splats ? *splats : from_points(file, *vertices);
   const auto optics_columns =
       splats ? std::nullopt : columns<6>(*vertices, gaussian_columns::optics_names);
@@ -131,6 +140,11 @@ std::vector<Gaussian> read_gaussians_ply(const std::filesystem::path& file,
         for (int k = 0; splats && k < 3; ++k) {  // NaN is in no comparison
           if (!domain::stretch.contains(g.shape.stretch[k])) {
             refuse("scale_" + std::to_string(k), "allowed: finite logarithms of deviations");
+          }
+        }
+        for (int c = 0; splats && g.optics.albedo && c < 3; ++c) {
+          if (!domain::albedo.contains((*g.optics.albedo)[c])) {
+            refuse(color_names[static_cast<std::size_t>(c)], "allowed: a finite number");
           }
         }
         const std::array value{g.center.x, g.center.y, g.center.z, g.radius, g.density};
@@ -172,7 +186,7 @@ auto with_header(const std::filesystem::path& file, Visit visit) {
 
 bool has_splats_ply(const std::filesystem::path& file) {
   return with_header(file, [](const PlyFile::Element* vertices) {
-    return vertices != nullptr && from_splats(*vertices, OpacityAlong::mean).has_value();
+    return vertices != nullptr && from_splats(*vertices, {}).has_value();
   });
 }
 

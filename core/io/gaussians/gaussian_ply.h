@@ -16,7 +16,8 @@ namespace brume {
 // scale_2 (logarithms of standard deviations), rot_0 to rot_3 (a quaternion, real part first), and
 // the logit of an opacity o, so that the depth is -ln(1 - o); see gaussian_of() for `along`.
 // Without rot_0 to rot_3 nothing is turned, without scale_2 splats are discs, without scale_1
-// balls. Colours are skipped. Throws InputError naming file and vertex.
+// balls. f_dc_0 to f_dc_2 become albedos if these are wanted, other colors are skipped. Throws
+// InputError naming file and vertex.
 //
 // `ids` gets the numbers of the property id, where points have one. More than `max_count` are
 // refused.
@@ -24,7 +25,7 @@ std::vector<Gaussian> read_gaussians_ply(const std::filesystem::path& file,
                                          std::vector<GaussianNumber>* ids = nullptr,
                                          std::size_t max_count = limits::gaussians,
                                          std::string_view number_name = "id",
-                                         OpacityAlong along = OpacityAlong::mean);
+                                         const SplatInput& splats = {});
 
 // Whether its header tells of splats.
 bool has_splats_ply(const std::filesystem::path& file);

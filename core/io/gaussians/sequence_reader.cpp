@@ -17,19 +17,35 @@ SequenceReader::SequenceReader(std::vector<std::size_t> counts, Read read, std::
 SequenceReader::~SequenceReader() = default;
 
 std::shared_ptr<const SequenceFrame> SequenceReader::frame(std::size_t index) const {
-  {
-    std::unique_lock lock(mutex_);
-    last_ = index;
-    changed_.notify_all();
-    changed_.wait(lock, [&] { return being_read_ != index; });
-    if (const auto known = frames_.find(index); known != frames_.end() && known->second) {
-      return known->second;
-    }
+  std::unique_lock lock(mutex_);
+  last_ = index;
+  changed_.notify_all();
+  changed_.wait(lock, [&] { return !being_read_.contains(index); });
+  if (const auto known = frames_.find(index); known != frames_.end() && known->second) {
+    return known->second;
   }
-  const auto read = std::make_shared<const SequenceFrame>(read_(index));
-  const std::lock_guard lock(mutex_);
-  keep(index, read);
-  return read;
+  Frame frame = read(index, lock);
+  keep(index, frame);
+  return frame;
+}
+
+SequenceReader::Frame SequenceReader::read(std::size_t index,
+                                           std::unique_lock<std::mutex>& lock) const {
+  being_read_.insert(index);
+  lock.unlock();
+  const auto end = [&] {
+    lock.lock();
+    being_read_.erase(index);
+    changed_.notify_all();
+  };
+  try {
+    auto frame = std::make_shared<const SequenceFrame>(read_(index));
+    end();
+    return frame;
+  } catch (...) {
+    end();
+    throw;
+  }
 }
 
 std::vector<std::size_t> SequenceReader::kept() const {
@@ -44,23 +60,18 @@ std::vector<std::size_t> SequenceReader::kept() const {
 void SequenceReader::read_ahead(const std::stop_token& stop) const {
   std::unique_lock lock(mutex_);
   while (!stop.stop_requested()) {
-    being_read_ = next_ahead();
-    if (!being_read_) {
+    const auto next = next_ahead();
+    if (!next) {
       changed_.wait(lock, stop, [&] { return next_ahead().has_value(); });
       continue;
     }
-    const std::size_t index = *being_read_;
-    lock.unlock();
     Frame frame;
     try {
-      frame = std::make_shared<const SequenceFrame>(read_(index));
+      frame = read(*next, lock);
     } catch (const std::exception&) {
       // Said when it is asked for.
     }
-    lock.lock();
-    keep(index, std::move(frame));
-    being_read_.reset();
-    changed_.notify_all();
+    keep(*next, std::move(frame));
   }
 }
 
@@ -71,7 +82,7 @@ std::optional<std::size_t> SequenceReader::next_ahead() const {
   for (std::size_t i = *last_; i < counts_.size(); ++i) {
     count += counts_[i];
     if (count > max_kept_ / 2 && i > *last_ + 1) return std::nullopt;
-    if (!frames_.contains(i)) return i;
+    if (!frames_.contains(i) && !being_read_.contains(i)) return i;
   }
   return std::nullopt;
 }

@@ -5,6 +5,7 @@
 #include <map>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <thread>
 #include <vector>
 
@@ -34,6 +35,8 @@ class SequenceReader final : public SequenceFrames {
   using Frame = std::shared_ptr<const SequenceFrame>;
 
   void read_ahead(const std::stop_token& stop) const;
+  // Reads a frame, which is in `being_read_` until then, with the mutex open.
+  Frame read(std::size_t index, std::unique_lock<std::mutex>& lock) const;
   // The next frame to read: those from the last one asked for on that fit; nullopt: all are there.
   [[nodiscard]] std::optional<std::size_t> next_ahead() const;
   void keep(std::size_t index, Frame frame) const;
@@ -44,10 +47,10 @@ class SequenceReader final : public SequenceFrames {
   std::size_t max_gaussians_ = 0;
   mutable std::mutex mutex_;
   mutable std::condition_variable_any changed_;
-  mutable std::map<std::size_t, Frame> frames_;    // null: could not be read ahead
-  mutable std::optional<std::size_t> being_read_;  // by the thread
-  mutable std::optional<std::size_t> last_;        // asked for
-  mutable std::jthread thread_;                    // the last: it uses all of these
+  mutable std::map<std::size_t, Frame> frames_;  // null: could not be read ahead
+  mutable std::set<std::size_t> being_read_;     // by any thread
+  mutable std::optional<std::size_t> last_;      // asked for
+  mutable std::jthread thread_;                  // the last: it uses all of these
 };
 
 }  // namespace brume

@@ -11,6 +11,7 @@
 
 #include "brume/error.h"
 #include "core/io/gaussians/gaussian_columns.h"
+#include "core/io/gaussians/splat_color.h"
 #include "core/io/import/gltf_file.h"
 #include "core/io/import/gltf_nodes.h"
 #include "core/medium/splat.h"
@@ -62,15 +63,16 @@ class GltfSplatReader {
   }
 
   // A mesh is read once, however many nodes have it.
-  std::vector<Gaussian> read(OpacityAlong along) {
+  std::vector<Gaussian> read(const SplatInput& input) {
     std::vector<Gaussian> gaussians;
     gaussians.reserve(count());
     for (std::size_t i = 0; i < meshes_.size(); ++i) {
       std::vector<Splat> splats;
       for (const std::size_t primitive : meshes_[i].primitives) {
-        read_primitive(i, primitive, splats);
+        read_primitive(i, primitive, input.has_albedos, splats);
       }
-      for (const std::size_t node : meshes_[i].nodes) place(splats, nodes_[node], along, gaussians);
+      for (const std::size_t node : meshes_[i].nodes)
+        place(splats, nodes_[node], input.along, gaussians);
     }
     return gaussians;
   }
@@ -136,7 +138,8 @@ class GltfSplatReader {
     return *file_.index(attributes, name, "accessors");
   }
 
-  void read_primitive(std::size_t mesh, std::size_t index, std::vector<Splat>& splats) {
+  void read_primitive(std::size_t mesh, std::size_t index, bool has_albedos,
+                      std::vector<Splat>& splats) {
     const JsonPath list = file_.path().member("meshes");
     const JsonPath mesh_path = list.element(mesh);
     const JsonPath primitives = mesh_path.member("primitives");
@@ -153,8 +156,14 @@ class GltfSplatReader {
     const std::vector<float> rotations = values("KHR_gaussian_splatting:ROTATION", 4);
     const std::vector<float> scales = values(scale_name, 3);
     const std::vector<float> opacities = values(opacity_name, 1);
+    constexpr std::string_view color_name = "KHR_gaussian_splatting:SH_DEGREE_0_COEF_0";
+    const bool has_colors = has_albedos && attributes.find(color_name) != nullptr;
+    const std::vector<float> colors =
+        has_colors ? values(color_name, 3) : std::vector<float>(positions.size());
+    const bool is_linear = has_colors && has_linear_colors(primitive);
     const std::size_t count = positions.size() / 3;
-    for (const std::size_t found : {rotations.size() / 4, scales.size() / 3, opacities.size()}) {
+    for (const std::size_t found :
+         {rotations.size() / 4, scales.size() / 3, opacities.size(), colors.size() / 3}) {
       if (found == count) continue;
       file_.context().fail(attributes_path, "found " + std::to_string(found) + " values for " +
                                                 std::to_string(count) + " splats");
@@ -171,11 +180,24 @@ class GltfSplatReader {
       const float* s = &scales[3 * i];
       for (int k = 0; k < 3; ++k) check(scale_name, i, domain::not_negative, s[k]);
       check(opacity_name, i, domain::unit, opacities[i]);
-      splats.push_back({{p[0], p[1], p[2]},
-                        {s[0], s[1], s[2]},
-                        unit_rotation({q[3], q[0], q[1], q[2]}),
-                        depth_of_opacity(opacities[i])});
+      Splat& splat = splats.emplace_back();
+      splat = {{p[0], p[1], p[2]},
+               {s[0], s[1], s[2]},
+               unit_rotation({q[3], q[0], q[1], q[2]}),
+               depth_of_opacity(opacities[i])};
+      if (has_colors) {
+        const float* c = &colors[3 * i];
+        splat.albedo = albedo_of_sh({c[0], c[1], c[2]}, is_linear);
+      }
     }
+  }
+
+  bool has_linear_colors(JsonObject& primitive) {
+    const JsonPath path = primitive.path_of("extensions");
+    JsonObject all(file_.context(), primitive.required("extensions"), path);
+    const JsonPath splats_path = all.path_of(splat_extension);
+    JsonObject splats(file_.context(), all.required(splat_extension), splats_path);
+    return splats.choice("colorSpace", {"srgb_rec709_display", "lin_rec709_display"}, 0) == 1;
   }
 
   static double depth_of_opacity(double opacity) {
@@ -215,7 +237,7 @@ class GltfSplatReader {
 }  // namespace
 
 std::vector<Gaussian> read_splats_gltf(const std::filesystem::path& file, std::size_t max_count,
-                                       OpacityAlong along) {
+                                       const SplatInput& input) {
   GltfSplatReader reader(file);
   reader.expect_splats(file);
   if (reader.count() > max_count) {
@@ -223,7 +245,7 @@ std::vector<Gaussian> read_splats_gltf(const std::filesystem::path& file, std::s
                      "found " + std::to_string(reader.count()) +
                          " Gaussians; allowed: " + gaussian_columns::allowed_count(max_count));
   }
-  return reader.read(along);
+  return reader.read(input);
 }
 
 bool has_splats_gltf(const std::filesystem::path& file) {

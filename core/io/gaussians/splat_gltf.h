@@ -15,11 +15,11 @@ namespace brume {
 // opacities in [0, 1]. y is up, as in Brume.
 
 // Reads the splats of all nodes of the file's scene, where these place them; one of opacity 1 is as
-// deep as a float below 1 can tell, 17.3. Colors are skipped. Throws InputError naming the JSON
-// path, also for more than `max_count` and for splats that are compressed.
+// deep as a float below 1 can tell, 17.3. Throws InputError naming the JSON path, also for more
+// than `max_count` and for splats that are compressed.
 std::vector<Gaussian> read_splats_gltf(const std::filesystem::path& file,
                                        std::size_t max_count = limits::gaussians,
-                                       OpacityAlong along = OpacityAlong::mean);
+                                       const SplatInput& input = {});
 
 // Whether a file says that it has splats, of whatever kind: read_splats_gltf() may refuse them.
 bool has_splats_gltf(const std::filesystem::path& file);

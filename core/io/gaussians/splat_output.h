@@ -21,9 +21,7 @@ struct SplatOutput {
   bool y_down = false;
 };
 
-// The color of a splat, the same from every side: the albedo, sRGB-encoded as viewers of splats
-// expect, as RGB coefficients of the spherical harmonic of degree 0: color = 0.5 + 0.2821
-// coefficient.
+// The albedo as the color of a splat: sh_of_albedo().
 glm::dvec3 sh_color(const Gaussian& gaussian, const SplatOutput& output);
 
 // Of an optical depth >= 0, in [0, 1].

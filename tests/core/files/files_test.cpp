@@ -83,7 +83,7 @@ TEST_F(Files, GaussiansAreReadAsTheyWereWritten) {
   save_gaussians(std::vector{flat}, folder_.path() / "g.glb");
   const Gaussian back = load_gaussians(folder_.path() / "g.glb").at(0);
   EXPECT_NEAR(back.density, flat.density, 1e-6);
-  const Gaussian denser = load_gaussians(folder_.path() / "g.glb", OpacityAlong::shortest).at(0);
+  const Gaussian denser = load_gaussians(folder_.path() / "g.glb", {OpacityAlong::shortest}).at(0);
   EXPECT_NEAR(denser.density / back.density, std::cbrt(0.1) / 0.1, 1e-6);
 }
 

@@ -144,7 +144,7 @@ TEST(GaussianFile, SplatsBecomeEllipsoidsAsOpaque) {
     one.replace(one.find("vertex 4"), 8, "vertex 1");
     const auto bad = folder.write("b.ply", one + row);
     for (const auto along : {OpacityAlong::shortest, OpacityAlong::mean, OpacityAlong::longest}) {
-      const auto read = [&] { read_gaussians(bad, nullptr, limits::gaussians, along); };
+      const auto read = [&] { read_gaussians(bad, nullptr, limits::gaussians, {along}); };
       EXPECT_TRUE(contains(error_of(read), "vertex 0")) << row;
     }
   }

@@ -22,13 +22,56 @@ TEST(SplatFile, PlyGivesBackShapesAndDensities) {
   for (const OpacityAlong along : every_opacity_along) {
     write_splats(folder / "a.ply", gaussians, {along});
     const std::vector<Gaussian> back =
-        read_gaussians(folder / "a.ply", nullptr, limits::gaussians, along);
+        read_gaussians(folder / "a.ply", nullptr, limits::gaussians, {along});
     ASSERT_EQ(back.size(), gaussians.size());
     for (std::size_t i = 0; i < back.size(); ++i) {
       EXPECT_LT(shape_difference(back[i], gaussians[i]), 2e-5) << i;
       EXPECT_NEAR(back[i].density, gaussians[i].density, 2e-6 * gaussians[i].density) << i;
     }
   }
+}
+
+TEST(SplatFile, ColorsBecomeAlbedosIfWanted) {
+  const TemporaryFolder folder;
+  std::vector<Gaussian> gaussians = random_ellipsoids(20);
+  for (std::size_t i = 0; i < gaussians.size(); ++i) {
+    const double x = static_cast<double>(i) / 19.0;
+    gaussians[i].optics.albedo = glm::max(glm::dvec3(x, 1.0 - x, 0.002 * x), 1e-6);
+  }
+  for (const char* name : {"a.ply", "a.glb", "a.gltf"}) {
+    write_splats(folder / name, gaussians);
+    const auto plain = read_gaussians(folder / name);
+    const auto back =
+        read_gaussians(folder / name, nullptr, limits::gaussians, {.has_albedos = true});
+    ASSERT_EQ(back.size(), gaussians.size());
+    for (std::size_t i = 0; i < back.size(); ++i) {
+      EXPECT_FALSE(plain[i].optics.albedo.has_value());
+      ASSERT_TRUE(back[i].optics.albedo.has_value());
+      EXPECT_LT(glm::length(*back[i].optics.albedo - *gaussians[i].optics.albedo), 1e-6) << name;
+    }
+    write_gaussians(folder / "a.csv", back);
+    EXPECT_EQ(read_gaussians(folder / "a.csv"), back);
+  }
+}
+
+TEST(SplatFile, ColorsOfPlyMayBeMissingOrBeyondAlbedos) {
+  const TemporaryFolder folder;
+  const auto read_with = [&](const std::string& properties, const std::string& values) {
+    folder.write("a.ply", "ply\nformat ascii 1.0\nelement vertex 1\n" + properties +
+                              "property float x\nproperty float y\nproperty float z\n"
+                              "property float opacity\nproperty float scale_0\n"
+                              "end_header\n" +
+                              values + "0 0 0 0 -1\n");
+    return read_gaussians(folder / "a.ply", nullptr, limits::gaussians, {.has_albedos = true})
+        .at(0)
+        .optics.albedo;
+  };
+  const std::string colors =
+      "property float f_dc_0\nproperty float f_dc_1\nproperty float f_dc_2\n";
+  EXPECT_FALSE(read_with("", "").has_value());
+  EXPECT_EQ(read_with(colors, "-9 9 1e30 "), glm::dvec3(1e-6, 1.0, 1.0));
+  const std::string error = error_of([&] { read_with(colors, "0 nan 0 "); });
+  EXPECT_TRUE(contains(error, "vertex 0") && contains(error, "f_dc_1")) << error;
 }
 
 // The layout that other programs read.

@@ -32,7 +32,7 @@ TEST(SplatGltf, GivesBackShapesAndDensities) {
     for (const char* name : {"a.glb", "a.gltf"}) {
       write_splats(folder / name, gaussians, {along});
       const std::vector<Gaussian> back =
-          read_gaussians(folder / name, nullptr, limits::gaussians, along);
+          read_gaussians(folder / name, nullptr, limits::gaussians, {along});
       ASSERT_EQ(back.size(), gaussians.size());
       EXPECT_EQ(max_gaussian_count(folder / name), gaussians.size());
       for (std::size_t i = 0; i < back.size(); ++i) {
@@ -41,6 +41,26 @@ TEST(SplatGltf, GivesBackShapesAndDensities) {
       }
     }
   }
+}
+
+TEST(SplatGltf, ColorsAreEncodedOrLinear) {
+  const TemporaryFolder folder;
+  SplatGltfBuilder builder;
+  const auto albedo = [&] {
+    const auto file = folder.write("a.glb", builder.binary());
+    return read_gaussians(file, nullptr, limits::gaussians, {.has_albedos = true})
+        .at(0)
+        .optics.albedo;
+  };
+  EXPECT_LT(glm::length(*albedo() - glm::dvec3(0.21404114048223255)), 1e-9);
+  builder.extension()["colorSpace"] = "lin_rec709_display";
+  EXPECT_EQ(albedo(), glm::dvec3(0.5));
+  builder.extension()["colorSpace"] = "mauve";
+  const std::string error = error_of(albedo);
+  EXPECT_TRUE(contains(error, "colorSpace") && contains(error, "mauve")) << error;
+  EXPECT_EQ(read_gaussians(folder / "a.glb").size(), 2u);
+  builder.attributes().erase("KHR_gaussian_splatting:SH_DEGREE_0_COEF_0");
+  EXPECT_FALSE(albedo().has_value());
 }
 
 TEST(SplatGltf, IsWhatTheExtensionSays) {
