@@ -60,7 +60,8 @@ void turn(Viewport& view) {
 // A window whose frames are OpenGL's.
 class GlWindow : public TestWindow {
  public:
-  explicit GlWindow(const Scene& scene = small_scene()) : TestWindow(scene) {
+  // Small: OpenGL in software takes its time for each pixel.
+  explicit GlWindow(const Scene& scene = small_scene()) : TestWindow(scene, {500, 420}) {
     choose("backend_gl");
     if (!settle() || view().frames().shown()->frame.statistics.backend != "gl") qFatal("no OpenGL");
   }

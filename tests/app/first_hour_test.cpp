@@ -31,7 +31,7 @@ namespace {
 
 class Hour : public TestWindow {
  public:
-  Hour() : TestWindow(small_scene(), {1280, 800}) {}
+  Hour() : TestWindow(small_scene(), {900, 700}) {}
 
   Document& document() { return (*this)->document(); }
   Viewport& view() { return (*this)->viewport(); }

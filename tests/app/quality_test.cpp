@@ -317,7 +317,7 @@ class QualityTest : public QObject {
   }
 
   void the_four_qualities_render() {
-    TestWindow window;
+    TestWindow window(small_scene(), {500, 420});
     const Viewport& view = window->viewport();
     const auto choose = [&](const char* name) {
       window->findChild<QAction*>(name)->trigger();

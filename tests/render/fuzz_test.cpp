@@ -130,11 +130,11 @@ void run_scenes(unsigned first, unsigned count, MethodsOf methods_of) {
 }
 
 TEST(Fuzz, FramesAreFiniteAndInTheirBounds) {
-  run_scenes(1, random_cases(1500), fast_methods);
+  run_scenes(1, random_cases(1000), fast_methods);
 }
 
 TEST(Fuzz, FramesInDoubleAreFiniteAndInTheirBounds) {
-  run_scenes(100'001, random_cases(24), slow_methods);
+  run_scenes(100'001, random_cases(16), slow_methods);
 }
 
 TEST(Fuzz, PathTracedFramesAreFiniteAndInTheirBounds) {

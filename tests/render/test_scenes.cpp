@@ -181,7 +181,7 @@ Settings path_traced(int paths) {
 }
 
 void expect_all_orders_match_paths(const Scene& scene, const std::string& name) {
-  const Frame truth = render_frame(scene, path_traced(512));
+  const Frame truth = render_frame(scene, path_traced(256));
   const Frame frame = render_frame(scene, sliced(24, Scattering::multiple));
   const Difference airlight = difference(frame.airlight, truth.airlight);
   const double noise = relative_noise(truth)->airlight;

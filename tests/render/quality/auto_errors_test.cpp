@@ -130,7 +130,7 @@ Tally tally_auto(unsigned first, unsigned count) {
 // 95% intervals. No sample can detect every frame that breaks the bound; 1% is the limit we accept.
 // Seeds differ from those used in tuning.
 TEST(AutoErrors, IntervalsHoldOnRandomScenes) {
-  const unsigned scenes = random_cases(20);
+  const unsigned scenes = random_cases(14);
   const Tally tally = tally_auto(1001, scenes);
   for (const std::string& failure : tally.failures) std::cout << failure << '\n';
   std::cout << tally.covered << " of " << tally.lit << " covered, " << tally.false_pass
