@@ -211,9 +211,10 @@ void GaussianPanel::add_filter(QLayout& layout) {
     if (!parsed) colors.setColor(QPalette::Text, QColor(226, 92, 92));
     filter->setPalette(colors);
     filter->setToolTip(
-        parsed ? tr("Filter the table by x, y, z, radius, density, albedo, emission, radius x to z, "
-                    "rotation x to z, elongation or group")
-               : plain_tool_tip(problem));
+        parsed
+            ? tr("Filter the table by x, y, z, radius, density, albedo, emission, radius x to z, "
+                 "rotation x to z, elongation or group")
+            : plain_tool_tip(problem));
     if (parsed) model_->set_filter(*parsed);
   });
 }

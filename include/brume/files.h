@@ -37,8 +37,8 @@ BRUME_EXPORT SceneFile load_scene_file(const std::filesystem::path& file,
 BRUME_EXPORT void save_scene_file(const SceneFile& scene, const std::filesystem::path& file);
 
 // Gaussians in PLY or CSV: read by the first bytes, written by the extension, losslessly. What
-// Gaussian splatting stores, PLY and glTF (KHR_gaussian_splatting), is read as well, and written for
-// the extensions .glb and .gltf, as opaque as the Gaussians along the mean radius.
+// Gaussian splatting stores, PLY and glTF (KHR_gaussian_splatting), is read as well, and written
+// for the extensions .glb and .gltf, as opaque as the Gaussians along the mean radius.
 BRUME_EXPORT std::vector<Gaussian> load_gaussians(const std::filesystem::path& file,
                                                   const SplatInput& splats = {});
 BRUME_EXPORT void save_gaussians(std::span<const Gaussian> gaussians,
