@@ -21,6 +21,7 @@
 #include "app/document/scene_at.h"
 #include "app/document/timeline.h"
 #include "app/files/file_dialogs.h"
+#include "app/widgets/opacity_along_box.h"
 #include "app/widgets/plain_text.h"
 #include "core/io/file_bytes.h"
 #include "core/io/scene/usd_file.h"
@@ -86,7 +87,7 @@ MediumDialog::MediumDialog(std::shared_ptr<const Scene> scene, const Timeline& t
       file_(new QLineEdit(last_folder(FileKind::medium, folder) + "/medium.vdb", this)),
       voxel_(new QLineEdit(this)),
       half_(new QCheckBox(tr("half precision"), this)),
-      along_(new QComboBox(this)),
+      along_(new OpacityAlongBox(this)),
       up_(new QComboBox(this)),
       exposure_(new QLineEdit(this)),
       is_range_(new QCheckBox(tr("Frames"), this)),
@@ -158,12 +159,6 @@ void MediumDialog::add_options(QFormLayout* form, double exposure) {
   voxel_row_ = voxel_row;
   form->addRow(tr("Voxel size, u"), voxel_row);
   along_->setObjectName("medium_opacity");
-  along_->addItem(tr("Shortest radius"), static_cast<int>(OpacityAlong::shortest));
-  along_->addItem(tr("Mean radius"), static_cast<int>(OpacityAlong::mean));
-  along_->addItem(tr("Longest radius"), static_cast<int>(OpacityAlong::longest));
-  along_->setCurrentIndex(along_->findData(static_cast<int>(OpacityAlong::mean)));
-  along_->setToolTip(
-      tr("A splat is as opaque from every side; fog is more opaque along longer radii"));
   form->addRow(tr("As opaque as fog along"), along_);
   up_->setObjectName("medium_up");
   up_->addItems({tr("y"), tr("-y (turned by half about z)")});
@@ -220,7 +215,7 @@ MediumExport MediumDialog::chosen() const {
   request.scene = scene_;
   request.file = to_path(file_->text());
   request.format = chosen_of(*format_).format;
-  request.along = static_cast<OpacityAlong>(along_->currentData().toInt());
+  request.along = along_->along();
   request.y_down = up_->isVisibleTo(this) && up_->currentIndex() == 1;
   request.exposure = exposure_->text().toDouble();
   request.voxel_size = voxel_->text().toDouble();

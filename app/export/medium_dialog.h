@@ -15,6 +15,7 @@ class QSpinBox;
 
 namespace brume {
 
+class OpacityAlongBox;
 class Timeline;
 
 // Dialog to export the medium; shows the memory of a grid. The format and the extension of the file
@@ -50,7 +51,7 @@ class MediumDialog : public QDialog {
   QLineEdit* voxel_;
   QCheckBox* half_;
   QLayout* voxel_row_ = nullptr;
-  QComboBox* along_;
+  OpacityAlongBox* along_;
   QComboBox* up_;
   QLineEdit* exposure_;
   QCheckBox* is_range_;

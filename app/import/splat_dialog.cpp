@@ -9,12 +9,13 @@
 
 #include "app/document/paths.h"
 #include "app/import/folder_dialog.h"
+#include "app/widgets/opacity_along_box.h"
 
 namespace brume {
 
 SplatDialog::SplatDialog(const QString& what, const std::optional<FrameRun>& run, QWidget* parent)
     : QDialog(parent),
-      along_(new QComboBox(this)),
+      along_(new OpacityAlongBox(this)),
       up_(new QComboBox(this)),
       albedos_(new QCheckBox(tr("become albedos"), this)) {
   setObjectName("import_splats");
@@ -22,12 +23,6 @@ SplatDialog::SplatDialog(const QString& what, const std::optional<FrameRun>& run
   setAttribute(Qt::WA_DeleteOnClose);
   auto* form = new QFormLayout(this);
   along_->setObjectName("splat_opacity");
-  along_->addItem(tr("Shortest radius"), static_cast<int>(OpacityAlong::shortest));
-  along_->addItem(tr("Mean radius"), static_cast<int>(OpacityAlong::mean));
-  along_->addItem(tr("Longest radius"), static_cast<int>(OpacityAlong::longest));
-  along_->setCurrentIndex(along_->findData(static_cast<int>(OpacityAlong::mean)));
-  along_->setToolTip(
-      tr("A splat is as opaque from every side; fog is more opaque along longer radii"));
   form->addRow(tr("As opaque as stored along"), along_);
   up_->setObjectName("splat_up");
   up_->addItems({tr("y"), tr("-y (turned by half about z)")});
@@ -40,8 +35,7 @@ SplatDialog::SplatDialog(const QString& what, const std::optional<FrameRun>& run
   buttons->addButton(tr("Import"), QDialogButtonBox::AcceptRole)->setObjectName("import");
   form->addRow(buttons);
   connect(buttons, &QDialogButtonBox::accepted, this, [this] {
-    const auto along = static_cast<OpacityAlong>(along_->currentData().toInt());
-    Q_EMIT requested({{along, albedos_->isChecked()}, up_->currentIndex() == 1});
+    Q_EMIT requested({{along_->along(), albedos_->isChecked()}, up_->currentIndex() == 1});
     accept();
   });
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);

@@ -12,6 +12,8 @@ class QLineEdit;
 
 namespace brume {
 
+class OpacityAlongBox;
+
 // What splats become: an opacity is no density, and captures mostly have y down.
 struct SplatOptions {
   SplatInput input;
@@ -31,7 +33,7 @@ class SplatDialog : public QDialog {
   void requested(const brume::SplatOptions& options);
 
  private:
-  QComboBox* along_;
+  OpacityAlongBox* along_;
   QComboBox* up_;
   QCheckBox* albedos_;
   QLineEdit* folder_ = nullptr;

@@ -1,20 +1,16 @@
-// What comes in from files, and what goes out of the window but for frames.
+// What comes in from files.
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDropEvent>
 #include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
-#include <QMimeData>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QTimer>
 #include <fstream>
 
-#include "app/document/paths.h"
 #include "app/document/timeline.h"
-#include "app/export/medium_dialog.h"
 #include "app/files/scene_files.h"
 #include "app/import/folder_dialog.h"
 #include "app/import/scene_dialog.h"
@@ -22,20 +18,17 @@
 #include "app/import/splat_dialog.h"
 #include "app/import/volume_dialog.h"
 #include "app/import/vtk_points.h"
-#include "app/jobs/background_job.h"
 #include "app/viewport/viewport.h"
 #include "app/window/message_bar.h"
 #include "brume/at_time.h"
 #include "brume/error.h"
-#include "core/io/file_bytes.h"
 #include "core/io/gaussians/gaussian_file.h"
-#include "core/io/ply.h"
 #include "core/io/scene/scene_file.h"
 #include "core/io/volume/volume_file.h"
 #include "core/scene/photometry.h"
 #include "core/volume/medium_grid.h"
-#include "tests/app/question.h"
-#include "tests/app/test_window.h"
+#include "tests/app/file_jobs.h"
+#include "tests/app/two_splats.h"
 #include "tests/core/io/gaussians/splat_gltf_builder.h"
 
 using namespace brume;
@@ -54,19 +47,6 @@ constexpr const char* ply_triangle =
 
 void write_text(const fs::path& file, const std::string& text) {
   std::ofstream(file) << text;
-}
-
-// Lets files fall onto the window.
-void drop(TestWindow& window, const std::vector<fs::path>& files) {
-  QMimeData data;
-  QList<QUrl> urls;
-  for (const fs::path& file : files) urls << QUrl::fromLocalFile(to_qstring(file));
-  data.setUrls(urls);
-  QDragEnterEvent enter(QPoint(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-  QApplication::sendEvent(&*window, &enter);
-  QVERIFY(enter.isAccepted());
-  QDropEvent event(QPointF(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-  QApplication::sendEvent(&*window, &event);
 }
 
 // Two points in a VTK file.
@@ -93,56 +73,11 @@ void write_fire(const fs::path& file, double albedo) {
   write_volume(file, *plan.sample(), false, *plan.sample_colors(glm::dvec3(1.0)));
 }
 
-// Waits for what is done in the background; what went wrong, or nothing.
-QString wait(TestWindow& window) {
-  auto* job = window->findChild<BackgroundJob*>();
-  QString problem;
-  const auto connection = QObject::connect(job, &BackgroundJob::failed,
-                                           [&problem](const QString& text) { problem = text; });
-  const bool ended = QTest::qWaitFor([job] { return !job->is_running(); }, patience);
-  QObject::disconnect(connection);
-  return ended ? problem : QString("it did not end");
-}
-
-template <class Dialog>
-Dialog* shown(TestWindow& window) {
-  auto* dialog = window->findChild<Dialog*>();
-  return dialog && dialog->isVisible() ? dialog : nullptr;
-}
-
-// Two ellipsoids of one shape as splats whose opacity is that along the longest radius.
-std::vector<Gaussian> write_two_splats(const fs::path& file, const glm::dvec3& center) {
-  Gaussian g{center, 1.0, 0.5};
-  g.set_radii({1.0, 0.5, 0.25}, {0.8, 0.6, 0.0, 0.0});
-  Gaussian other = g;
-  other.center.y += 1.0;
-  write_splats(file, std::vector{g, other}, {.along = OpacityAlong::longest});
-  return {g, other};
-}
-
 // Answers "longest radius" and y down.
 void answer_splats(SplatDialog& dialog) {
   dialog.findChild<QComboBox*>("splat_opacity")->setCurrentText("Longest radius");
   dialog.findChild<QComboBox*>("splat_up")->setCurrentIndex(1);
   QTest::mouseClick(dialog.findChild<QPushButton*>("import"), Qt::LeftButton);
-}
-
-// Whether it is that Gaussian, turned by half about z.
-bool is_half_turned(const Gaussian& found, const Gaussian& g) {
-  return glm::length(found.center - glm::dvec3(-g.center.x, -g.center.y, g.center.z)) < 1e-6 &&
-         glm::length(found.radii() - g.radii()) < 1e-6 &&
-         std::abs(found.density - g.density) < 1e-6;
-}
-
-MediumDialog* open_export(TestWindow& window) {
-  // One that was accepted is still to be deleted.
-  for (MediumDialog* old : window->findChildren<MediumDialog*>()) {
-    if (!old->isVisible()) delete old;
-  }
-  for (QAction* action : window->findChildren<QAction*>()) {
-    if (action->text().contains("Export Me")) action->trigger();
-  }
-  return shown<MediumDialog>(window);
 }
 
 std::size_t files_in(const fs::path& folder) {
@@ -623,216 +558,6 @@ class ImportTest : public QObject {
     QCOMPARE(window->document().scene().sequences[0].frames->size(), std::size_t{2});
     QCOMPARE(read_gaussians(folder / "smoke_0026.ply").size(), std::size_t{25});
     QCOMPARE(files_in(folder), std::size_t{2});
-  }
-
-  void the_medium_exports_as_a_volume() {
-    TestWindow window;
-    for (QAction* action : window->findChildren<QAction*>()) {
-      if (action->text().contains("Export Me")) action->trigger();
-    }
-    auto* dialog = shown<MediumDialog>(window);
-    QVERIFY(dialog);
-    auto* button = dialog->findChild<QPushButton*>("export_medium");
-    auto* memory = dialog->findChild<QLabel*>("medium_memory");
-    dialog->findChild<QLineEdit*>("medium_file")->setText(to_qstring(window.file("m.vdb")));
-    QVERIFY2(memory->text().endsWith("MB"), qPrintable(memory->text()));
-    dialog->findChild<QLineEdit*>("medium_voxel")->setText("0.0001");
-    QVERIFY(memory->text().contains("More than 2 GB"));
-    QVERIFY(!button->isEnabled());
-    dialog->findChild<QLineEdit*>("medium_voxel")->setText("0.2");
-    dialog->findChild<QCheckBox*>("medium_is_range")->setChecked(true);
-    dialog->findChild<QSpinBox*>("medium_first")->setValue(4);
-    dialog->findChild<QSpinBox*>("medium_last")->setValue(5);
-    QTest::mouseClick(button, Qt::LeftButton);
-    QCOMPARE(wait(window), QString());
-    QCOMPARE(volume_grids(window.file("m_0005.vdb")).at(0).name, std::string("density"));
-    QVERIFY(fs::exists(window.file("m_0004.vdb")));
-  }
-
-  void exported_volumes_have_the_colours_of_gaussians() {
-    TestWindow window;
-    const Gaussian g{{0, 0, 0}, 0.5, 1.0, {glm::dvec3(0.5, 0.25, 1.0), glm::dvec3(1.0, 2.0, 3.0)}};
-    write_gaussians(window.file("g.csv"), std::vector{g});
-    drop(window, {window.file("g.csv")});
-    QCOMPARE(wait(window), QString());
-    for (QAction* action : window->findChildren<QAction*>()) {
-      if (action->text().contains("Export Me")) action->trigger();
-    }
-    auto* dialog = shown<MediumDialog>(window);
-    QVERIFY(dialog);
-    const fs::path file = window.file("m.vdb");
-    dialog->findChild<QLineEdit*>("medium_file")->setText(to_qstring(file));
-    dialog->findChild<QLineEdit*>("medium_voxel")->setText("0.2");
-    QTest::mouseClick(dialog->findChild<QPushButton*>("export_medium"), Qt::LeftButton);
-    QCOMPARE(wait(window), QString());
-    std::vector<std::string> names;
-    for (const VolumeGridInfo& grid : volume_grids(file)) names.push_back(grid.name);
-    QCOMPARE(names, (std::vector<std::string>{"density", "albedo", "emission"}));
-  }
-
-  void the_medium_exports_as_splats() {
-    TestWindow window;
-    const std::vector<Gaussian> written = write_two_splats(window.file("a.ply"), {1.0, 2.0, 3.0});
-    write_gaussians(window.file("g.ply"), written);
-    window->document().create();
-    drop(window, {window.file("g.ply")});
-    QCOMPARE(wait(window), QString());
-    const auto expect_longest = [&](const fs::path& file, bool is_half_turned_about_z) {
-      const auto found = read_gaussians(file, nullptr, limits::gaussians, {OpacityAlong::longest});
-      QCOMPARE(found.size(), std::size_t{2});
-      for (std::size_t k = 0; k < 2; ++k) {
-        Gaussian expected = written[k];
-        if (!is_half_turned_about_z) turn_half(expected);
-        QVERIFY(is_half_turned(found[k], expected));
-      }
-    };
-    auto* format = open_export(window)->findChild<QComboBox*>("medium_format");
-    const auto export_as = [&](const QString& title, const QString& extension) {
-      auto* dialog = shown<MediumDialog>(window);
-      if (!dialog) dialog = open_export(window);
-      format = dialog->findChild<QComboBox*>("medium_format");
-      auto* file = dialog->findChild<QLineEdit*>("medium_file");
-      file->setText(to_qstring(window.file("fog.vdb")));
-      format->setCurrentIndex(format->findText(title + " (", Qt::MatchStartsWith));
-      if (!extension.isEmpty()) file->setText(to_qstring(window.file("fog")) + extension);
-      dialog->findChild<QComboBox*>("medium_opacity")->setCurrentText("Longest radius");
-      dialog->findChild<QComboBox*>("medium_up")->setCurrentIndex(1);
-      const fs::path chosen = to_path(file->text());
-      QTest::mouseClick(dialog->findChild<QPushButton*>("export_medium"), Qt::LeftButton);
-      return chosen;
-    };
-    const fs::path ply = export_as("Gaussian splats", "");
-    QCOMPARE(wait(window), QString());
-    QCOMPARE(ply, window.file("fog.ply"));
-    QVERIFY(has_splats(ply));
-    expect_longest(ply, true);
-    const fs::path glb = export_as("Gaussian splats", ".glb");
-    QCOMPARE(wait(window), QString());
-    QVERIFY(has_splats(glb));
-    expect_longest(glb, false);  // its y is up
-    // The extension that is typed chooses the format, too.
-    auto* dialog = open_export(window);
-    format = dialog->findChild<QComboBox*>("medium_format");
-    auto* file = dialog->findChild<QLineEdit*>("medium_file");
-    for (const auto& [extension, title] :
-         {std::pair(".gltf", "Gaussian splats"), std::pair(".html", "Web page"),
-          std::pair(".csv", "Gaussians"), std::pair(".ply", "Gaussians"),
-          std::pair(".usda", "USD stage"), std::pair(".vdb", "Volume")}) {
-      file->setText(to_qstring(window.file("fog")) + extension);
-      QVERIFY2(format->currentText().startsWith(QString(title) + " ("), extension);
-    }
-    for (const auto& [title, row] :
-         {std::pair("Volume", "medium_voxel"), std::pair("USD stage", "medium_voxel"),
-          std::pair("USD stage", "medium_opacity"), std::pair("Gaussian splats", "medium_up"),
-          std::pair("Lit splats", "medium_up"), std::pair("Web page", "medium_exposure"),
-          std::pair("Lit splats", "medium_exposure")}) {
-      format->setCurrentIndex(format->findText(QString(title) + " (", Qt::MatchStartsWith));
-      QVERIFY2(dialog->findChild<QWidget*>(row)->isVisible(), row);
-    }
-    for (const char* row : {"medium_voxel", "medium_up", "medium_exposure"}) {
-      file->setText(to_qstring(window.file("fog.glb")));
-      QVERIFY2(!dialog->findChild<QWidget*>(row)->isVisible(), row);
-    }
-    file->setText(to_qstring(window.file("fog.txt")));
-    QVERIFY(!dialog->findChild<QPushButton*>("export_medium")->isEnabled());
-  }
-
-  void lit_splats_and_pages_are_exported_as_displayed() {
-    TestWindow window;
-    const auto export_to = [&](const QString& title, const char* exposure) {
-      auto* dialog = open_export(window);
-      auto* format = dialog->findChild<QComboBox*>("medium_format");
-      auto* file = dialog->findChild<QLineEdit*>("medium_file");
-      file->setText(to_qstring(window.file(exposure)) + ".vdb");
-      format->setCurrentIndex(format->findText(title + " (", Qt::MatchStartsWith));
-      dialog->findChild<QLineEdit*>("medium_exposure")->setText(exposure);
-      const fs::path chosen = to_path(file->text());
-      QTest::mouseClick(dialog->findChild<QPushButton*>("export_medium"), Qt::LeftButton);
-      return chosen;
-    };
-    const fs::path dark = export_to("Lit splats", "-2");
-    QCOMPARE(wait(window), QString());
-    const fs::path bright = export_to("Lit splats", "1");
-    QCOMPARE(wait(window), QString());
-    const auto sum_of = [](const fs::path& file, const char* name) {
-      const std::string bytes = read_bytes(file);
-      const PlyFile ply(file, bytes);
-      const PlyFile::Element& vertices = *ply.element("vertex");
-      const auto column = vertices.property(name);
-      double sum = 0.0;
-      ply.for_each_row([&](const PlyFile::Element&, std::uint64_t, const PlyFile::Row& row) {
-        sum += row.scalars.at(column.value());
-      });
-      return sum;
-    };
-    QVERIFY(sum_of(dark, "f_rest_44") != 0.0);
-    QVERIFY(sum_of(dark, "f_dc_0") < sum_of(bright, "f_dc_0"));
-    const fs::path page = export_to("Web page", "0");
-    QCOMPARE(wait(window), QString());
-    QVERIFY(read_bytes(page).find("data:application/octet-stream") != std::string::npos);
-    // The exposure that is offered is the view's.
-    for (QAction* action : window->findChildren<QAction*>()) {
-      if (action->text() == "Exposure &Up") action->trigger();
-    }
-    auto* exposure = open_export(window)->findChild<QLineEdit*>("medium_exposure");
-    QCOMPARE(exposure->text(), QString("0.5"));
-    exposure->clear();
-    auto* format = shown<MediumDialog>(window)->findChild<QComboBox*>("medium_format");
-    format->setCurrentIndex(format->findText("Web page (", Qt::MatchStartsWith));
-    QVERIFY(!shown<MediumDialog>(window)->findChild<QPushButton*>("export_medium")->isEnabled());
-    shown<MediumDialog>(window)->reject();
-    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
-
-    // What is cancelled is not written.
-    const fs::path cancelled = export_to("Lit splats", "3");
-    window->findChild<BackgroundJob*>()->cancel();
-    QCOMPARE(wait(window), QString());
-    QVERIFY(!fs::exists(cancelled));
-  }
-
-  void a_stage_has_its_fog_as_splats_and_volumes() {
-    TestWindow window;
-    auto* dialog = open_export(window);
-    dialog->findChild<QLineEdit*>("medium_file")->setText(to_qstring(window.file("s.usda")));
-    dialog->findChild<QLineEdit*>("medium_voxel")->setText("0.2");
-    dialog->findChild<QCheckBox*>("medium_is_range")->setChecked(true);
-    dialog->findChild<QSpinBox*>("medium_first")->setValue(4);
-    dialog->findChild<QSpinBox*>("medium_last")->setValue(5);
-    QTest::mouseClick(dialog->findChild<QPushButton*>("export_medium"), Qt::LeftButton);
-    QCOMPARE(wait(window), QString());
-    const std::string stage = read_bytes(window.file("s.usda"));
-    QVERIFY(stage.find("ParticleField3DGaussianSplat") != std::string::npos);
-    QVERIFY(stage.find("startTimeCode = 4") != std::string::npos);
-    for (const char* name : {"s_fog_0004.vdb", "s_fog_0005.vdb"}) {
-      QVERIFY(stage.find(name) != std::string::npos);
-      QCOMPARE(volume_grids(window.file(name)).at(0).name, std::string("density"));
-    }
-    // Neither the stage nor its volumes are replaced unasked.
-    fs::remove(window.file("s.usda"));
-    dialog = open_export(window);
-    dialog->findChild<QLineEdit*>("medium_file")->setText(to_qstring(window.file("s.usda")));
-    dialog->findChild<QCheckBox*>("medium_is_range")->setChecked(true);
-    dialog->findChild<QSpinBox*>("medium_first")->setValue(5);
-    dialog->findChild<QSpinBox*>("medium_last")->setValue(5);
-    QString question;
-    answer(QMessageBox::Cancel, &question);
-    QTest::mouseClick(dialog->findChild<QPushButton*>("export_medium"), Qt::LeftButton);
-    QVERIFY2(question.contains("s_fog_0005.vdb"), qPrintable(question));
-    QVERIFY(!fs::exists(window.file("s.usda")));
-  }
-
-  void gathered_scenes_open_elsewhere() {
-    TestWindow window;
-    drop(window, {BRUME_RESOURCES "/meshes/bunny.obj"});
-    QCOMPARE(wait(window), QString());
-    window->gather_to(window.file("gathered"));
-    QCOMPARE(wait(window), QString());
-    const Scene scene = load_scene(window.file("gathered") / "scene.brume");
-    QCOMPARE(scene.surfaces.size(), std::size_t{1});
-    QVERIFY(fs::exists(window.file("gathered") / "files/bunny.obj"));
-    QVERIFY(window->document().is_modified());  // what is being edited is not what was written
-    window->gather_to(window.file("gathered"));
-    QVERIFY(wait(window).contains("already exists"));
   }
 };
 

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <QDropEvent>
+#include <QMimeData>
+#include <filesystem>
+#include <vector>
+
+#include "app/document/paths.h"
+#include "app/jobs/background_job.h"
+#include "tests/app/test_window.h"
+
+namespace brume {
+
+// Lets files fall onto the window.
+inline void drop(TestWindow& window, const std::vector<std::filesystem::path>& files) {
+  QMimeData data;
+  QList<QUrl> urls;
+  for (const std::filesystem::path& file : files) urls << QUrl::fromLocalFile(to_qstring(file));
+  data.setUrls(urls);
+  QDragEnterEvent enter(QPoint(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(&*window, &enter);
+  QVERIFY(enter.isAccepted());
+  QDropEvent event(QPointF(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(&*window, &event);
+}
+
+// Waits for what is done in the background; what went wrong, or nothing.
+inline QString wait(TestWindow& window) {
+  auto* job = window->findChild<BackgroundJob*>();
+  QString problem;
+  const auto connection = QObject::connect(job, &BackgroundJob::failed,
+                                           [&problem](const QString& text) { problem = text; });
+  const bool ended = QTest::qWaitFor([job] { return !job->is_running(); }, patience);
+  QObject::disconnect(connection);
+  return ended ? problem : QString("it did not end");
+}
+
+// An open dialog of a kind; null if there is none.
+template <class Dialog>
+Dialog* shown(TestWindow& window) {
+  auto* dialog = window->findChild<Dialog*>();
+  return dialog && dialog->isVisible() ? dialog : nullptr;
+}
+
+}  // namespace brume
