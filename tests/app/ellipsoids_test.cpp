@@ -466,7 +466,7 @@ class EllipsoidsTest : public QObject {
   }
 
   void a_brush_stretches_along_its_stroke() {
-    TestWindow window;
+    TestWindow window(small_scene(), {900, 775});  // for a stroke of that length
     Document& document = window->document();
     const Scene before = document.scene();
     window.key(Qt::Key_B);

@@ -34,7 +34,7 @@ Scene tiny_scene();  // the same in 32 x 24 pixels
 class TestWindow {
  public:
   // By default a picture high enough to tell handles apart.
-  explicit TestWindow(const Scene& scene = small_scene(), const QSize& size = {900, 775});
+  explicit TestWindow(const Scene& scene = small_scene(), const QSize& size = {800, 660});
 
   MainWindow& operator*() { return *window_; }
   MainWindow* operator->() { return window_.get(); }

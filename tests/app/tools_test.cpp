@@ -102,7 +102,7 @@ class ToolsTest : public QObject {
   }
 
   void a_stroke_paints_on_the_view_plane_as_one_step() {
-    TestWindow window;
+    TestWindow window(small_scene(), {900, 775});  // where there is no fog
     Document& document = window->document();
     const Scene before = document.scene();
     const QPoint from(430, 200);
