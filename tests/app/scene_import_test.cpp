@@ -1,8 +1,6 @@
 // Scenes of other programs: imported with their cameras and lights, shown, read again.
 
 #include <QCheckBox>
-#include <QDropEvent>
-#include <QMimeData>
 #include <QPushButton>
 #include <fstream>
 
@@ -12,12 +10,11 @@
 #include "app/import/imported_reload.h"
 #include "app/import/scene_dialog.h"
 #include "app/import/scene_import.h"
-#include "app/jobs/background_job.h"
 #include "app/viewport/viewport.h"
 #include "app/window/message_bar.h"
 #include "brume/mesh_arrays.h"
 #include "core/scene/imported_scene.h"
-#include "tests/app/test_window.h"
+#include "tests/app/file_jobs.h"
 #include "tests/core/io/import/gltf_builder.h"
 
 using namespace brume;
@@ -48,27 +45,6 @@ void write(const fs::path& file, const std::string& content) {
   std::ofstream(file, std::ios::binary) << content;
 }
 
-// Waits for what is done in the background; what went wrong, or nothing.
-QString wait(TestWindow& window) {
-  auto* job = window->findChild<BackgroundJob*>();
-  QString problem;
-  const auto connection = QObject::connect(job, &BackgroundJob::failed,
-                                           [&problem](const QString& text) { problem = text; });
-  const bool ended = QTest::qWaitFor([job] { return !job->is_running(); }, patience);
-  QObject::disconnect(connection);
-  return ended ? problem : QString("it did not end");
-}
-
-void drop(TestWindow& window, const fs::path& file) {
-  QMimeData data;
-  data.setUrls({QUrl::fromLocalFile(to_qstring(file))});
-  QDragEnterEvent enter(QPoint(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-  QApplication::sendEvent(&*window, &enter);
-  QVERIFY(enter.isAccepted());
-  QDropEvent event(QPointF(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-  QApplication::sendEvent(&*window, &event);
-}
-
 // What the dialog asks is answered with a click on its button.
 void answer(TestWindow& window, bool cameras, bool lights) {
   auto* dialog = window->findChild<SceneDialog*>();
@@ -94,7 +70,7 @@ class SceneImportTest : public QObject {
     Document& document = window->document();
     const Scene before = document.scene();
     write(window.file("room.glb"), room().binary());
-    drop(window, window.file("room.glb"));
+    drop(window, {window.file("room.glb")});
     QCOMPARE(wait(window), QString());
     QVERIFY(document.scene() == before);  // until the question is answered
     answer(window, true, true);
@@ -133,7 +109,7 @@ class SceneImportTest : public QObject {
   void surfaces_alone_need_no_question() {
     TestWindow window;
     write(window.file("square.glb"), GltfBuilder().binary());
-    drop(window, window.file("square.glb"));
+    drop(window, {window.file("square.glb")});
     QCOMPARE(wait(window), QString());
     QVERIFY(!window->findChild<SceneDialog*>());
     QCOMPARE(window->document().scene().surfaces.size(), std::size_t{1});
@@ -146,7 +122,7 @@ class SceneImportTest : public QObject {
     write(window.file("red.mtl"), "newmtl red\nKd 1 0 0\n");
     write(window.file("red.obj"), "mtllib red.mtl\nusemtl red\n" + triangle);
     for (const char* name : {"plain.obj", "red.obj"}) {
-      drop(window, window.file(name));
+      drop(window, {window.file(name)});
       QCOMPARE(wait(window), QString());
     }
     const Scene& scene = window->document().scene();
