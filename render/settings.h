@@ -82,7 +82,8 @@ struct Settings {
   // `sliced` and `march`: environment light in the medium; `sliced`: all that is scattered more
   // than once.
   SourceGridSize source_grid{};
-  // For frames in motion, between those at rest: the medium is kept at both precisions.
+  // For frames in motion, between those at rest: the medium is kept at both precisions, and merged
+  // Gaussians follow edits. A frame then depends on those before it.
   bool has_own_medium = false;
   // What the medium scatters, of a grid that was made with other tables and at another merge_error,
   // is used again: for frames in motion after one at rest.

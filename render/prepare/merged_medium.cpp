@@ -130,7 +130,7 @@ bool MergedMedium::decide(const Medium& medium, const Limits& limits) {
 bool MergedMedium::merge(const Medium& medium, const Limits& limits, const std::stop_token& stop) {
   // Of the same one it has just been decided.
   const Decision decision = decision_;
-  const bool is_assumed = is_like_last(medium, limits);
+  const bool is_assumed = limits.followed > 0.0 && is_like_last(medium, limits);
   *this = {};
   decision_ = decision;
   is_assumed_ = is_assumed;
@@ -151,7 +151,7 @@ bool MergedMedium::merge(const Medium& medium, const Limits& limits, const std::
 }
 
 bool MergedMedium::follow(const Medium& medium, const Limits& limits, const std::stop_token& stop) {
-  if (limits_ != limits || source_.empty()) return false;
+  if (!(limits.followed > 0.0) || limits_ != limits || source_.empty()) return false;
   if (medium.ids().front() < first_id_) return false;
   const Comparison change(source_, medium);
   is_changed_.resize(std::max<std::size_t>(is_changed_.size(), medium.next_id() - first_id_));
@@ -162,7 +162,7 @@ bool MergedMedium::follow(const Medium& medium, const Limits& limits, const std:
   };
   for (const std::uint32_t i : change.gone()) note_changed(source_.ids()[i]);
   for (const std::uint32_t i : change.more()) note_changed(medium.ids()[i]);
-  if (static_cast<double>(changed_) > limits.changed * static_cast<double>(medium.size())) {
+  if (static_cast<double>(changed_) > limits.followed * static_cast<double>(medium.size())) {
     return false;
   }
   if (is_merged_) {

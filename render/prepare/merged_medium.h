@@ -12,8 +12,9 @@
 namespace brume {
 
 // Level of detail: of a medium of many small Gaussians that overlap, one of fewer with an error of
-// optical depth up to a bound, see simplify(). An edit of some merges them anew, and what they were
-// merged with; when many have changed, all.
+// optical depth up to a bound, see simplify(). By default a function of the medium and the limits
+// alone. For frames in motion it may follow edits: those Gaussians that have changed are merged
+// anew, with what they were merged with, and the result depends on the media before.
 class MergedMedium {
  public:
   // Of fewer Gaussians frames are fast, and merging them would be felt.
@@ -24,8 +25,8 @@ class MergedMedium {
   struct Limits {
     double error = 0.0;
     double share = 1.0;
-    // Of the Gaussians: when so many have changed, all are merged anew.
-    double changed = 0.125;
+    // Edits are followed until more than this share of the Gaussians has changed. 0: never.
+    double followed = 0.0;
 
     bool operator==(const Limits&) const = default;
   };
@@ -53,8 +54,9 @@ class MergedMedium {
   [[nodiscard]] std::uint32_t& part_of(GaussianId id) { return part_of_[id - first_id_]; }
   void assemble();
 
-  // Whether merging pays, which takes about as long to find out as to merge. Of another medium of
-  // about the size, such as the next of a sequence, the same is assumed until it is seen again.
+  // Whether merging pays, which takes about as long to find out as to merge. Where edits are
+  // followed, the same is assumed of another medium of about the size, such as the next of a
+  // sequence, until it is seen again.
   struct Decision {
     Limits limits;
     std::size_t size = 0;

@@ -8,8 +8,8 @@ bool PreparedScene::update(const Scene& scene, const RenderPlan& plan,
   const Settings& settings = plan.settings;
   MergedMedium::Limits merging;
   if (MergedMedium::may_merge(scene.medium)) {
-    // In motion merged parts may rather be of before than late.
-    merging = {plan.merge_error, settings.merge_share, settings.has_own_medium ? 0.5 : 0.125};
+    // In motion merged parts may rather be those of an earlier frame than late.
+    merging = {plan.merge_error, settings.merge_share, settings.has_own_medium ? 0.5 : 0.0};
   }
   const PreparedMedium::Precision precision{plan.depth_error, merging, scene.optics.anisotropy};
   current_ = settings.has_own_medium ? 1 : 0;

@@ -7,7 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "brume/at_time.h"
 #include "brume/edits.h"
+#include "tests/fog_bank.h"
 #include "tests/render/test_scenes.h"
 
 namespace brume {
@@ -51,12 +53,49 @@ void expect_same_bits(const Frame& a, const Frame& b, const std::string& what) {
   EXPECT_TRUE(are_same_bits(a.depth, b.depth)) << what << ": depth";
 }
 
+// Two frames of Gaussians that drift and thin out.
+MediumSequence drifting_sequence() {
+  std::vector<SequenceFrame> frames(2);
+  frames[0].gaussians = fog_bank(3'000, 0.3, 2);
+  for (std::size_t i = 0; i < frames[0].gaussians.size(); ++i) {
+    frames[0].ids.push_back(static_cast<GaussianNumber>(i));
+  }
+  frames[1] = frames[0];
+  for (Gaussian& gaussian : frames[1].gaussians) {
+    gaussian.center.x += 0.2;
+    gaussian.density *= 0.5;
+  }
+  MediumSequence sequence;
+  sequence.last = 1;
+  sequence.frames_per_second = 1.0;
+  sequence.frames = sequence_frames(std::move(frames));
+  return sequence;
+}
+
 }  // namespace
 
-void expect_repeatable(const std::function<std::unique_ptr<FrameRenderer>()>& create_renderer,
-                       Settings settings) {
+std::vector<Scene> moving_scenes() {
   std::vector<Scene> scenes;
   for (int i = 0; i < frame_count; ++i) scenes.push_back(scene_at(i));
+  return scenes;
+}
+
+std::vector<Scene> crowded_scenes() {
+  Scene scene;
+  scene.film = {32, 24};
+  scene.camera.eye = {0.0, 0.0, 5.0};
+  scene.medium = medium_of(fog_bank(40'000, 1.0, 1));
+  scene.lights.push_back({.position = {2.0, 2.0, 1.0}, .intensity = glm::dvec3(20.0)});
+  Emitter& emitter = scene.emitters.emplace_back();
+  emitter.rate = 40.0;
+  scene.sequences.push_back(drifting_sequence());
+  std::vector<Scene> scenes;
+  for (int i = 0; i < frame_count; ++i) scenes.push_back(evaluate_at(scene, 0.2 * i));
+  return scenes;
+}
+
+void expect_repeatable(const std::function<std::unique_ptr<FrameRenderer>()>& create_renderer,
+                       Settings settings, const std::vector<Scene>& scenes) {
   const auto render = [&](FrameRenderer& renderer, int i) {
     const Scene& scene = scenes[static_cast<std::size_t>(i)];
     return *renderer.render(scene, scene.camera, scene.film, settings);

@@ -30,6 +30,13 @@ TEST(RepeatableFrames, SlicedEveryPixel) {
   expect_repeatable(create_cpu_renderer, sliced_settings({}, 16));
 }
 
+TEST(RepeatableFrames, Merged) {
+  const std::vector<Scene> scenes = crowded_scenes();
+  const Settings settings = sliced_settings({}, 8);
+  ASSERT_GT(render_frame(scenes[0], settings).statistics.gaussians_merged, 0u);
+  expect_repeatable(create_cpu_renderer, settings, scenes);
+}
+
 TEST(RepeatableFrames, Paper) {
   expect_repeatable(create_cpu_renderer, paper_settings);
 }

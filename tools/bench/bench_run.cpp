@@ -30,6 +30,12 @@ constexpr Film frontier_film{200, 150};
 // In which caches are measured: those that differ in what they cache.
 constexpr std::array<std::string_view, 4> cached_scenes{"statue", "box", "machine", "terrain_sky"};
 
+void add_cache_gains(const MovingView& view, const BenchOptions& options, BenchReport& report) {
+  for (CacheGain& gain : measure_caches(view, options.quick ? 3 : 5)) {
+    report.caches.push_back(std::move(gain));
+  }
+}
+
 // One of its scenes, and what caches give in it.
 void measure_table_one(const TableOneScene& kind, const BenchOptions& options,
                        BenchReport& report) {
@@ -54,10 +60,20 @@ void measure_table_one(const TableOneScene& kind, const BenchOptions& options,
                        options.quick ? 3 : 15, {turn, 1});
   report.table_one.push_back(std::move(row));
   if (std::ranges::find(cached_scenes, kind.name) == cached_scenes.end()) return;
-  for (CacheGain& gain :
-       measure_caches({kind.name, scene, transfers, settings}, options.quick ? 3 : 5)) {
-    report.caches.push_back(std::move(gain));
-  }
+  add_cache_gains({kind.name, scene, transfers, settings}, options, report);
+}
+
+// What merging keeps, at rest and in motion.
+void measure_merged_media(const BenchOptions& options, BenchReport& report) {
+  Settings settings = sliced_settings({}, 8);
+  settings.airlight_scale = 4;
+  settings.threads = options.threads;
+  const MovingView bank{"bank of 100,000", fog_bank(100'000), nullptr, settings};
+  add_cache_gains(bank, options, report);
+  MovingView motion = bank;
+  motion.name += ", in motion";
+  motion.settings.has_own_medium = true;
+  add_cache_gains(motion, options, report);
 }
 
 // Null if OpenGL is not requested or not available.
@@ -158,6 +174,7 @@ BenchReport run_bench(const BenchOptions& options,
   report.thread_rows = measure_threads(options);
   log("many Gaussians");
   report.fog_banks = measure_fog_banks(options.quick);
+  measure_merged_media(options, report);
   if (options.run_brume) {
     log("shots");
     report.shot = measure_shot(options.run_brume, options.quick);

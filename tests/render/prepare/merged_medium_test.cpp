@@ -13,6 +13,7 @@ namespace brume {
 namespace {
 
 constexpr std::size_t bank_size = 24'000;
+constexpr MergedMedium::Limits following{0.05, 1.0, 0.125};
 
 std::vector<Gaussian> gaussians_of(const Medium& medium) {
   std::vector<Gaussian> all;
@@ -28,10 +29,10 @@ void expect_stands_for(const MergedMedium& merged, const Medium& medium, double 
 }
 
 TEST(MergedMedium, FollowsEdits) {
-  constexpr double max_error = 0.05;
+  constexpr double max_error = following.error;
   Medium medium = medium_of(fog_bank(bank_size, 1.0, 1));
   MergedMedium merged;
-  ASSERT_TRUE(merged.update(medium, {max_error}, {}));
+  ASSERT_TRUE(merged.update(medium, following, {}));
   ASSERT_TRUE(merged.is_merged());
   const std::size_t at_first = merged.medium().size();
   EXPECT_LT(at_first, bank_size / 4);
@@ -54,31 +55,31 @@ TEST(MergedMedium, FollowsEdits) {
                     : step % 3 == 1 ? MediumEdit::change(medium, ids, after)
                                     : MediumEdit::add(medium, after));
     edits.back().apply(medium);
-    ASSERT_TRUE(merged.update(medium, {max_error}, {}));
+    ASSERT_TRUE(merged.update(medium, following, {}));
     expect_stands_for(merged, medium, max_error);
     EXPECT_LT(merged.medium().size(), at_first + at_first / 2);
   }
   while (!edits.empty()) {
     edits.back().inverted().apply(medium);
     edits.pop_back();
-    ASSERT_TRUE(merged.update(medium, {max_error}, {}));
+    ASSERT_TRUE(merged.update(medium, following, {}));
   }
   expect_stands_for(merged, medium, max_error);
   medium.set_homogeneous_density(0.1);
-  ASSERT_TRUE(merged.update(medium, {max_error}, {}));
+  ASSERT_TRUE(merged.update(medium, following, {}));
   expect_stands_for(merged, medium, max_error);
 }
 
 // They are merged to balls, for what they are; other shapes alone are an edit.
 TEST(MergedMedium, FollowsShapes) {
-  constexpr double max_error = 0.05;
+  constexpr double max_error = following.error;
   std::vector<Gaussian> bank = fog_bank(bank_size, 1.0, 1);
   for (std::size_t i = 0; i < bank.size(); i += 8) {
     bank[i].set_radii(bank[i].radius * glm::dvec3(2.0, 1.0, 0.5), glm::dquat(1, 0, 0, 0));
   }
   Medium medium = medium_of(bank);
   MergedMedium merged;
-  ASSERT_TRUE(merged.update(medium, {max_error}, {}));
+  ASSERT_TRUE(merged.update(medium, following, {}));
   ASSERT_TRUE(merged.is_merged());
   expect_stands_for(merged, medium, max_error);
   std::vector<GaussianId> ids;
@@ -89,7 +90,7 @@ TEST(MergedMedium, FollowsShapes) {
     after.back().shape.stretch = {0.1, 0.5, 1.0};
   }
   MediumEdit::change(medium, ids, after).apply(medium);
-  ASSERT_TRUE(merged.update(medium, {max_error}, {}));
+  ASSERT_TRUE(merged.update(medium, following, {}));
   expect_stands_for(merged, medium, max_error);
 }
 
@@ -113,7 +114,25 @@ TEST(MergedMedium, AsItIsWhereMergingDoesNotPay) {
   EXPECT_FALSE(merged.is_merged());
 }
 
-// The next medium of a sequence is taken for one like the last; one that is seen again is not.
+// Frames at rest, and of a farm in any order, are equal.
+TEST(MergedMedium, DependsOnTheMediumAlone) {
+  const Medium bank = medium_of(fog_bank(bank_size, 1.0, 1));
+  Medium edited = bank;
+  MediumEdit::remove(edited, edited.ids().subspan(100, 50)).apply(edited);
+  Medium apart;
+  for (std::size_t i = 0; i < bank_size; ++i) {
+    apart.append({{static_cast<double>(i), 0.0, 0.0}, 0.1, 1.0});
+  }
+  MergedMedium used;
+  for (const Medium& medium : {bank, edited, apart, bank}) {
+    ASSERT_TRUE(used.update(medium, {0.05, 0.8}, {}));
+    MergedMedium fresh;
+    ASSERT_TRUE(fresh.update(medium, {0.05, 0.8}, {}));
+    EXPECT_EQ(gaussians_of(used.medium()), gaussians_of(fresh.medium()));
+  }
+}
+
+// Where edits are followed, the next medium of a sequence is taken for one like the last; one that is seen again is not.
 TEST(MergedMedium, FindsOutWhetherItPaysForWhatIsSeenAgain) {
   const Medium bank = medium_of(fog_bank(bank_size, 1.0, 1));
   Medium apart;
@@ -122,8 +141,8 @@ TEST(MergedMedium, FindsOutWhetherItPaysForWhatIsSeenAgain) {
   }
   MergedMedium merged;
   for (const Medium& medium : {apart, bank, apart}) {
-    ASSERT_TRUE(merged.update(medium, {0.05, 0.8}, {}));
-    ASSERT_TRUE(merged.update(medium, {0.05, 0.8}, {}));
+    ASSERT_TRUE(merged.update(medium, {0.05, 0.8, 0.125}, {}));
+    ASSERT_TRUE(merged.update(medium, {0.05, 0.8, 0.125}, {}));
     EXPECT_EQ(merged.is_merged(), medium == bank);
     expect_stands_for(merged, medium, 0.05);
   }
@@ -134,11 +153,11 @@ TEST(MergedMedium, GoesOnAfterAStop) {
   std::stop_source stop;
   stop.request_stop();
   MergedMedium merged;
-  EXPECT_FALSE(merged.update(medium, {0.05}, stop.get_token()));
-  ASSERT_TRUE(merged.update(medium, {0.05}, {}));
+  EXPECT_FALSE(merged.update(medium, following, stop.get_token()));
+  ASSERT_TRUE(merged.update(medium, following, {}));
   MediumEdit::remove(medium, medium.ids().subspan(100, 50)).apply(medium);
-  EXPECT_FALSE(merged.update(medium, {0.05}, stop.get_token()));
-  ASSERT_TRUE(merged.update(medium, {0.05}, {}));
+  EXPECT_FALSE(merged.update(medium, following, stop.get_token()));
+  ASSERT_TRUE(merged.update(medium, following, {}));
   expect_stands_for(merged, medium, 0.05);
 }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "brume/edits.h"
+#include "render/prepare/merged_medium.h"
 #include "render/renderer.h"
 #include "tools/bench/measure/plan_decisions.h"
 #include "tools/bench/scenes/benchmark_scenes.h"
@@ -73,14 +75,15 @@ class CachePairs {
 
 CacheGain measure_cache(const FrameCache& cache, const MovingView& view, Renderer& renderer,
                         int pairs) {
-  const Scene& scene = view.scene;
+  Scene scene = view.scene;
   const Settings settings = view.settings_of(cache.method);
-  Scene other_scene = scene;
-  Settings other_settings = settings;
-  cache.displace(other_scene, other_settings);
   static_cast<void>(renderer.render(scene, scene.camera, scene.film, settings));
   CachePairs all(cache.stage);
   for (int i = 1; i <= pairs; ++i) {
+    if (cache.edit) cache.edit(scene);
+    Scene other_scene = scene;
+    Settings other_settings = settings;
+    cache.displace(other_scene, other_settings);
     const Camera camera = orbited(scene.camera, i);
     const TimedFrame with = timed_frame(renderer, scene, camera, settings);
     static_cast<void>(renderer.render(other_scene, camera, scene.film, other_settings));
@@ -95,6 +98,44 @@ FrameCache medium_index() {
       .code = {12, "prepared_scene"},
       .is_used = [](const RenderPlan& plan, const Scene&) { return plan.has_medium(); },
       .displace = [](Scene&, Settings& settings) { settings.depth_error *= 2.0; },
+  };
+}
+
+bool merges(const RenderPlan& plan, const Scene& scene) {
+  return plan.merge_error > 0.0 && MergedMedium::may_merge(scene.medium);
+}
+
+FrameCache merged_medium() {
+  return {
+      .name = "merged medium",
+      .code = {10, "prepared_scene"},
+      .is_used =
+          [](const RenderPlan& plan, const Scene& scene) {
+            return merges(plan, scene) && !plan.settings.has_own_medium;
+          },
+      .displace = [](Scene&, Settings& settings) { settings.merge_error *= 0.9; },
+  };
+}
+
+FrameCache followed_edits() {
+  return {
+      .name = "merged medium, where edits are followed",
+      .code = {180, "merged_medium"},
+      .is_used =
+          [](const RenderPlan& plan, const Scene& scene) {
+            return merges(plan, scene) && plan.settings.has_own_medium;
+          },
+      .displace = [](Scene&, Settings& settings) { settings.merge_error *= 0.9; },
+      .edit =
+          [](Scene& scene) {
+            const auto ids = scene.medium.ids().first(scene.medium.size() / 100);
+            std::vector<Gaussian> thinned;
+            for (std::size_t i = 0; i < ids.size(); ++i) {
+              thinned.push_back(scene.medium.gaussian(i));
+              thinned.back().density *= 0.9;
+            }
+            MediumEdit::change(scene.medium, ids, thinned).apply(scene.medium);
+          },
   };
 }
 
@@ -239,9 +280,17 @@ Settings MovingView::settings_of(AirlightMethod method) const {
 }
 
 std::vector<FrameCache> frame_caches() {
-  return {medium_index(),  ray_caster(),       depth_tables(),
-          shadow_maps(),   environment_grid(), environment_light(),
-          reflections(),   vertex_lighting(),  center_depths_from_lights(),
+  return {medium_index(),
+          merged_medium(),
+          followed_edits(),
+          ray_caster(),
+          depth_tables(),
+          shadow_maps(),
+          environment_grid(),
+          environment_light(),
+          reflections(),
+          vertex_lighting(),
+          center_depths_from_lights(),
           average_depths()};
 }
 

@@ -36,6 +36,8 @@ struct FrameCache {
   bool (*is_used)(const RenderPlan& plan, const Scene& scene) = nullptr;
   // Changes a frame such that the renderer replaces this cache for it, but no other of the stage.
   void (*displace)(Scene& scene, Settings& settings) = nullptr;
+  // The edit between two frames; null: only the camera moves.
+  void (*edit)(Scene& scene) = nullptr;
 };
 std::vector<FrameCache> frame_caches();
 
