@@ -36,13 +36,15 @@ shared SeenGaussian batch[group_size];
 #ifdef ELLIPSOIDS
 shared EllipsoidWarp batch_ellipsoids[group_size];
 #endif
-shared ivec4 batch_slices[group_size];  // a range of the chunk, and whether it counts
+// A range of the chunk in two bytes, and in a third whether it counts. Packed, since OpenGL 4.5
+// guarantees a group no more than 32,768 bytes.
+shared int batch_slices[group_size];
 shared float spilled[chunk * group_size];
 shared float spilled_moments[chunk * group_size];
-shared float spilled_ends[chunk * group_size];
 
-// The slices of the chunk at `first` that any ray of the group may meet Gaussian i in.
-ivec4 slices_of(uint i, CenterRay ray, int first, int last) {
+// The slices of the chunk at `first` that any ray of the group may meet Gaussian i in, and whether
+// it counts there: once over all chunks.
+ivec3 slices_of(uint i, CenterRay ray, int first, int last) {
   const SeenGaussian g = seen[i];
   // A ray that is off the middle one by d meets it at most |d| h + |d|^2 t / 2 before or after.
   const float t = dot(g.center, ray.w);
@@ -50,7 +52,7 @@ ivec4 slices_of(uint i, CenterRay ray, int first, int last) {
   const float slack =
       sqrt(g.max_e) / g.a + ray.spread * (h + 0.5 * ray.spread * abs(t));
   const ivec2 range = touched_slices(t - slack, t + slack, first, last);
-  return ivec4(range, first == 0 || t - slack >= farthest[first] ? 1 : 0, 0);
+  return ivec3(range, first == 0 || t - slack >= farthest[first] ? 1 : 0);
 }
 
 // exp(-T) (1 - exp(-dT)), without cancellation for small dT.
@@ -104,7 +106,7 @@ void main() {
     for (uint base = begin; base < end; base += group_size) {
       barrier();  // what the group has found before is read below
       uint i = 0u;
-      ivec4 range = ivec4(0);
+      ivec3 range = ivec3(0);
       bool matters = base + id < end;
       if (matters) {
         i = list[base + id];
@@ -115,7 +117,7 @@ void main() {
       const uint slot = compact_slot(matters, found);
       if (matters) {
         batch[slot] = seen[i];
-        batch_slices[slot] = range;
+        batch_slices[slot] = range.x | range.y << 8 | range.z << 16;
 #ifdef ELLIPSOIDS
         batch_ellipsoids[slot] = ellipsoid_of(i);
 #endif
@@ -134,20 +136,21 @@ void main() {
 #endif
         if (line.e > g.max_e) continue;
         const float half_depth = g.scale * line.share;
-        pairs += uint(batch_slices[j].z);
+        const ivec2 touched = ivec2(batch_slices[j] & 255, batch_slices[j] >> 8 & 255);
+        pairs += uint(batch_slices[j] >> 16);
         if (needs_line && first == 0) {
           line_depth += half_depth * unit_depth(line, endless_line);
         }
 #ifdef OPTICS
         float own[chunk];
         for (int k = 0; k < chunk; ++k) own[k] = 0.0;
-        add_increments(own, moments, line, half_depth, ends, batch_slices[j].xy);
+        add_increments(own, moments, line, half_depth, ends, touched);
         for (int k = 0; k < chunk; ++k) {
           increments[k] += own[k];
           optics_increments[k] += own[k] * batch_optics[j];
         }
 #else
-        add_increments(increments, moments, line, half_depth, ends, batch_slices[j].xy);
+        add_increments(increments, moments, line, half_depth, ends, touched);
 #endif
       }
     }
@@ -155,14 +158,13 @@ void main() {
     for (int k = 0; k < chunk; ++k) {
       spilled[k * group_size + id] = increments[k];
       spilled_moments[k * group_size + id] = moments[k];
-      spilled_ends[k * group_size + id] = ends[k + 1];
 #ifdef OPTICS
       spilled_optics[k * group_size + id] = optics_increments[k];
 #endif
     }
     const int count = min(chunk, last - first);
     for (int k = 0; k < count; ++k) {
-      const float t_end = spilled_ends[k * group_size + id];
+      const float t_end = min(max(slice_boundary(position, first + k + 1), t_begin), length_);
       const float gaussians = max(spilled[k * group_size + id], 0.0);
       const float fog = b0 * (t_end - t_begin);
       const float increment = fog + gaussians;

@@ -18,6 +18,21 @@ TEST_F(GlFrames, Ellipsoids) {
   }
 }
 
+// Most memory of a work group is asked for by these.
+TEST_F(GlFrames, EllipsoidsWithOpticsOfTheirOwn) {
+  Scene scene = in_fog(ellipsoid_scene(20, 2.0, 12.0, 4), 0.02);
+  scene.film = {32, 24};
+  Medium medium;
+  for (std::size_t i = 0; i < scene.medium.size(); ++i) {
+    Gaussian g = scene.medium.gaussian(i);
+    if (i % 2 == 0) g.optics = {.albedo = glm::dvec3(1.0, 0.5, 0.2), .emission = {1.0, 2.0, 3.0}};
+    medium.append(g);
+  }
+  medium.set_homogeneous_density(scene.medium.homogeneous_density());
+  scene.medium = medium;
+  expect_backends_agree(scene, Scattering::single);
+}
+
 TEST_F(GlFrames, EllipsoidsByThePaper) {
   for (const bool at_mean : {false, true}) {
     Scene scene = ellipsoid_scene(20, 2.0, 12.0, 2);
