@@ -70,6 +70,8 @@ struct PointShare {
   int count;
 };
 constexpr int whole = 21;
+constexpr int whole_sphere = 34;  // half of its points face away
+constexpr int many_points = 256;
 constexpr std::array point_shares{PointShare{1.0, 13}, PointShare{1.5, 8}, PointShare{3.0, 5},
                                   PointShare{6.0, 1}};
 
@@ -206,16 +208,19 @@ std::pair<glm::dvec3, glm::dvec3> rectangle_axes(const AreaLight& area) {
   return {unit, glm::cross(unit, normal)};
 }
 
-std::vector<PointLight> point_lights(const Light& light, const LitRegion& region,
-                                     LightPoints count) {
-  if (light.directional) {
-    const int points = count == LightPoints::one ? 1 : count == LightPoints::few ? 8 : 64;
-    return points_on_disc(light, points, region);
-  }
+namespace {
+
+// A light with a surface or a disc becomes at most `max_points`.
+std::vector<PointLight> point_lights(const Light& light, const LitRegion& region, LightPoints count,
+                                     int max_points) {
+  const auto chosen = [&](int few, int many) {
+    const int points = count == LightPoints::one ? 1 : count == LightPoints::few ? few : many;
+    return std::min(points, max_points);
+  };
+  if (light.directional) return points_on_disc(light, chosen(8, 64), region);
   if (light.area) {
-    // Half of a sphere's face away.
-    const int few = light.area->shape == AreaLight::Shape::sphere ? 34 : 21;
-    const int points = count == LightPoints::one ? 1 : count == LightPoints::few ? few : 256;
+    const bool is_sphere = light.area->shape == AreaLight::Shape::sphere;
+    const int points = chosen(is_sphere ? whole_sphere : whole, many_points);
     return points_on_area(light, count_on(*light.area, light.position, region, points), region);
   }
   PointLight point{light.position, light.intensity};
@@ -227,17 +232,33 @@ std::vector<PointLight> point_lights(const Light& light, const LitRegion& region
   return {point};
 }
 
+}  // namespace
+
+std::vector<PointLight> point_lights(const Light& light, const LitRegion& region,
+                                     LightPoints count) {
+  return point_lights(light, region, count, many_points);
+}
+
 std::vector<PointLight> point_lights(const Scene& scene, LightPoints count) {
-  std::vector<PointLight> lights;
-  std::optional<LitRegion> region;  // reads all vertices: only for lights that ask for it
-  const auto asks = [count](const Light& light) {
-    return light.directional || (light.area && count != LightPoints::one);
-  };
+  std::vector<const Light*> shining;
   for (const Light& light : scene.lights) {
-    if (!light.on || light.intensity == glm::dvec3(0.0)) continue;
-    if (!region && asks(light)) region = LitRegion::of(scene);
-    const auto points = point_lights(light, region.value_or(LitRegion()), count);
-    lights.insert(lights.end(), points.begin(), points.end());
+    if (light.on && light.intensity != glm::dvec3(0.0)) shining.push_back(&light);
+  }
+  const bool needs_region = std::ranges::any_of(shining, [count](const Light* light) {
+    return light->directional || (light->area && count != LightPoints::one);
+  });
+  // Reads all vertices.
+  const LitRegion region = needs_region ? LitRegion::of(scene) : LitRegion();
+  // Fewer points for each where all of them would be too many; Fibonacci numbers, as above.
+  std::vector<PointLight> lights;
+  for (const int max_points : {whole_sphere, whole, 13, 8, 5, 3, 2, 1}) {
+    lights.clear();
+    for (const Light* light : shining) {
+      const auto points =
+          point_lights(*light, region, count, count == LightPoints::few ? max_points : many_points);
+      lights.insert(lights.end(), points.begin(), points.end());
+    }
+    if (count != LightPoints::few || lights.size() <= max_few_points) break;
   }
   return lights;
 }

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "brume/limits.h"
 #include "brume/scene.h"
 #include "core/scene/light_falloff.h"
 
@@ -59,9 +60,12 @@ std::pair<glm::dvec3, glm::dvec3> rectangle_axes(const AreaLight& area);
 // How many point lights stand for a light with a surface.
 enum class LightPoints {
   one,
-  few,   // for pictures
+  few,   // for pictures; of a scene at most max_few_points
   many,  // for what pictures are held against
 };
+
+// The smallest maps of so many fit max_light_map_bytes, and there are no more lights.
+inline constexpr std::size_t max_few_points = limits::lights;
 
 // For a light, whether it is on or not, in a region that holds what it lights.
 std::vector<PointLight> point_lights(const Light& light, const LitRegion& region,

@@ -393,6 +393,14 @@ class SceneLoader {
     scene_.surfaces.push_back(std::move(surface));
   }
 
+  // Equal primitives share their mesh.
+  std::shared_ptr<const TriangleMesh> primitive_mesh(const Primitive& primitive) {
+    for (const auto& [known, mesh] : primitive_meshes_) {
+      if (known == primitive) return mesh;
+    }
+    return primitive_meshes_.emplace_back(primitive, mesh_of(primitive)).second;
+  }
+
   void load_mesh(JsonObject& object, Surface& surface) {
     const Json* primitive = object.find("primitive");
     const char* key = primitive ? "primitive" : object.find("file") ? "file" : "mesh";
@@ -403,7 +411,7 @@ class SceneLoader {
     const JsonPath path = object.path_of(key);
     if (primitive) {
       surface.primitive = load_primitive(*primitive, path, surface);
-      surface.mesh = mesh_of(*surface.primitive);
+      surface.mesh = primitive_mesh(*surface.primitive);
       budget_.reserve(path, *surface.mesh);
       return;
     }
@@ -468,6 +476,7 @@ class SceneLoader {
   SceneBudget budget_{context_};
   JsonPath root_;
   SceneReferences references_;
+  std::vector<std::pair<Primitive, std::shared_ptr<const TriangleMesh>>> primitive_meshes_;
   SceneDocument document_;
   Scene& scene_ = document_.scene;
   UnknownKeys& unknown_keys_ = document_.extras.unknown_keys;

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "brume/edits.h"
+#include "core/scene/point_lights.h"
 #include "render/lighting/slice_kernels.h"
 #include "render/renderer.h"
 #include "tests/random.h"
@@ -94,6 +95,20 @@ TEST(OpticalDepthTable, ResolvesASmallCloudInAHugeGaussian) {
   }
   // Half of the radii are left to the cloud; with even ones it is 0.7.
   EXPECT_LT(std::sqrt(square / static_cast<double>(points.size())), 0.04);
+}
+
+// What their maps take is bounded however many points a light would become.
+TEST(Settings, ManyAreaLightsBecomeFewPointsEach) {
+  Scene scene = cloud_scene(3, 1.0);
+  scene.lights.clear();
+  for (const std::size_t count : {30, 31, 100, 1000}) {
+    Light sphere;
+    sphere.area = AreaLight{.shape = AreaLight::Shape::sphere};
+    scene.lights.assign(count, sphere);
+    const std::size_t points = point_lights(scene, LightPoints::few).size();
+    EXPECT_LE(points, max_few_points);
+    EXPECT_EQ(points, count * (count == 30 ? 34 : count == 31 ? 21 : count == 100 ? 8 : 1));
+  }
 }
 
 TEST(Settings, LightMapsOfManyLightsFitIntoMemory) {
