@@ -126,13 +126,12 @@ class Busy {
 std::shared_ptr<TimedFrame> render_by(
     Renderer& renderer, const SharedScene& scene, const std::optional<std::pair<int, int>>& size,
     double max_error, const std::string& airlight, const std::string& scattering, double time,
-    const std::shared_ptr<Camera>& camera, const std::optional<int>& samples,
+    const std::shared_ptr<KeyedCamera>& camera, const std::optional<int>& samples,
     const std::optional<std::pair<double, double>>& shutter, const py::iterable& layers,
     bool measure_error, const std::string& backend, int threads, const py::object& progress) {
   const Busy busy(renderer);
   RenderRequest request;
   if (size) request.film = Film{size->first, size->second};
-  if (camera) request.camera = *camera;
   request.time = time;
   set_airlight(request, airlight);
   request.max_error = max_error;
@@ -147,7 +146,11 @@ std::shared_ptr<TimedFrame> render_by(
       "backend", backend, {{{"auto", Backend::auto_}, {"cpu", Backend::cpu}, {"gl", Backend::gl}}});
   request.threads = threads;
   // A copy: nothing that Python does meanwhile changes it.
-  const SceneFile file = scene.assembled();
+  SceneFile file = scene.assembled();
+  if (camera) {
+    file.scene.camera = *camera;
+    file.scene.camera_keys = camera->keys;
+  }
   using Clock = std::chrono::steady_clock;
   std::chrono::duration<double, std::milli> taken{};
   std::optional<Frame> frame = interruptible(

@@ -18,6 +18,7 @@
 #include "brume/limits.h"
 #include "brume/scene.h"
 #include "python/integers.h"
+#include "python/keyed.h"
 
 namespace py = pybind11;
 
@@ -333,12 +334,16 @@ void bind_medium(py::module_& module) {
       .def_property(
           "density", [](ArrayMedium& self) { return self.medium().homogeneous_density(); },
           [](ArrayMedium& self, double density) {
+            check_unkeyed("density", self.density_keys());
             Medium homogeneous;
             homogeneous.set_homogeneous_density(density);
             check(homogeneous);
             self.changeable().set_homogeneous_density(density);
           },
           "Homogeneous scattering coefficient, >= 0 [1/u].")
+      .def(
+          "clear_keys", [](ArrayMedium& self) { self.density_keys().clear(); },
+          "Removes the keyframes of the homogeneous density, which is then constant.")
       .def("append", append, py::arg("centers"), py::arg("radii"), py::arg("densities"),
            py::arg("rotations") = py::none(),
            "Adds Gaussians: centers (n, 3) [u], radii and densities (n,) or one number for all. "

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "brume/keys.h"
 #include "brume/medium.h"
 #include "python/vectors.h"
 
@@ -32,11 +33,15 @@ class ArrayMedium {
   // To change all else.
   [[nodiscard]] Medium& changeable() { return medium_; }
 
+  // Of the homogeneous density.
+  [[nodiscard]] Keys<double>& density_keys() { return density_keys_; }
+
   // What keeps the medium alive for an array.
   static pybind11::capsule view_of(const std::shared_ptr<ArrayMedium>& medium);
 
  private:
   Medium medium_;
+  Keys<double> density_keys_;
   std::size_t views_ = 0;
   bool was_written_ = false;
 };

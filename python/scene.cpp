@@ -14,6 +14,7 @@
 #include "brume/limits.h"
 #include "brume/mesh_arrays.h"
 #include "python/integers.h"
+#include "python/keyed.h"
 
 namespace py = pybind11;
 
@@ -87,8 +88,9 @@ const char* kind_of(const Light& light) {
 }
 
 // A value that only some kinds of light have.
-template <class Class, class Find>
-void def_of_some(Class& bound, const char* name, Find find, const char* doc) {
+template <class Class, class Find, class Key>
+void def_of_some(Class& bound, const char* name, Find find, Keys<Key> LightKeys::*keys,
+                 const char* doc) {
   const auto found = [ name, find ](Light & light) -> auto& {
     auto* value = find(light);
     if (value == nullptr) {
@@ -99,7 +101,51 @@ void def_of_some(Class& bound, const char* name, Find find, const char* doc) {
   using Value = std::remove_reference_t<decltype(found(std::declval<Light&>()))>;
   bound.def_property(
       name, [found](Light& light) { return found(light); },
-      [found](Light& light, const Value& value) { found(light) = value; }, doc);
+      [=](Light& light, const Value& value) {
+        Value& member = found(light);
+        check_unkeyed(name, light.keys.*keys);
+        member = value;
+      },
+      doc);
+}
+
+void bind_camera(py::module_& module) {
+  py::class_<KeyedCamera, std::shared_ptr<KeyedCamera>> camera(module, "Camera",
+                                                               "A pinhole, or a thin lens.");
+  camera
+      .def(py::init([](const glm::dvec3& eye, const glm::dvec3& target, const glm::dvec3& up,
+                       double vertical_fov, double aperture,
+                       const std::optional<double>& focus_distance) {
+             return KeyedCamera{{eye, target, up, vertical_fov, aperture, focus_distance}, {}};
+           }),
+           py::arg("eye") = Camera{}.eye, py::arg("target") = Camera{}.target,
+           py::arg("up") = Camera{}.up, py::arg("vertical_fov") = Camera{}.vertical_fov,
+           py::arg("aperture") = 0.0, py::arg("focus_distance") = py::none())
+      .def("__copy__", copied<KeyedCamera>)
+      .def("__deepcopy__", [](const KeyedCamera& self, const py::dict&) { return self; })
+      .def_readwrite("up", &KeyedCamera::up);
+  def_keyed(camera, "eye", &Camera::eye, &CameraKeys::eye, "[u]");
+  def_keyed(camera, "target", &Camera::target, &CameraKeys::target, "[u]");
+  def_keyed(camera, "vertical_fov", &Camera::vertical_fov, &CameraKeys::vertical_fov,
+            "In (0, 180) [degrees].");
+  def_keyed(camera, "aperture", &Camera::aperture, &CameraKeys::aperture,
+            "Radius of the lens, >= 0 [u]; 0: a pinhole.");
+  def_keyed(camera, "focus_distance", &Camera::focus_distance, &CameraKeys::focus_distance,
+            "Of the plane in focus, > 0 [u]; None: through the target.");
+  def_clear_keys(camera);
+}
+
+void bind_environment(py::module_& module) {
+  py::class_<Environment, std::shared_ptr<Environment>> environment(
+      module, "Environment", "A latitude-longitude map that lights the scene from far away.");
+  environment.def(py::init([](const std::filesystem::path& map) {
+                    return std::make_shared<Environment>(load_environment(map));
+                  }),
+                  py::arg("map"), "An .exr or .hdr file.");
+  def_keyed(environment, "intensity", &Environment::intensity, &EnvironmentKeys::intensity, ">= 0");
+  def_keyed(environment, "rotation", &Environment::rotation, &EnvironmentKeys::rotation,
+            "About +y [degrees].");
+  def_clear_keys(environment);
 }
 
 void bind_light(py::module_& module) {
@@ -164,29 +210,32 @@ void bind_light(py::module_& module) {
       .def_property_readonly("kind", kind_of,
                              "'point', 'spot', 'directional', 'rectangle', 'disk' or 'sphere'.")
       .def_readwrite("name", &Light::name)
-      .def_readwrite("on", &Light::on)
-      .def_readwrite("position", &Light::position, "[u]; of no meaning for a directional light.")
-      .def_readwrite("intensity", &Light::intensity);
-  def_of_some(light, "direction", direction_of, "The way it shines; any length but 0.");
+      .def_readwrite("on", &Light::on);
+  def_keyed(light, "position", &Light::position, &LightKeys::position,
+            "[u]; of no meaning for a directional light.");
+  def_keyed(light, "intensity", &Light::intensity, &LightKeys::intensity, "RGB, >= 0.");
+  def_clear_keys(light);
+  def_of_some(light, "direction", direction_of, &LightKeys::direction,
+              "The way it shines; any length but 0.");
   def_of_some(
       light, "inner_angle", [](Light& l) { return l.spot ? &l.spot->inner_angle : nullptr; },
-      "Of a spot: full intensity within, from the axis [degrees].");
+      &LightKeys::inner_angle, "Of a spot: full intensity within, from the axis [degrees].");
   def_of_some(
       light, "outer_angle", [](Light& l) { return l.spot ? &l.spot->outer_angle : nullptr; },
-      "Of a spot: none beyond, from the axis [degrees].");
+      &LightKeys::outer_angle, "Of a spot: none beyond, from the axis [degrees].");
   def_of_some(
       light, "angular_diameter",
       [](Light& l) { return l.directional ? &l.directional->angular_diameter : nullptr; },
-      "Of a directional light, in [0, 90) [degrees].");
+      &LightKeys::angular_diameter, "Of a directional light, in [0, 90) [degrees].");
   def_of_some(
-      light, "width", [](Light& l) { return l.area ? &l.area->width : nullptr; },
+      light, "width", [](Light& l) { return l.area ? &l.area->width : nullptr; }, &LightKeys::width,
       "Of a rectangle [u].");
   def_of_some(
       light, "height", [](Light& l) { return l.area ? &l.area->height : nullptr; },
-      "Of a rectangle [u].");
+      &LightKeys::height, "Of a rectangle [u].");
   def_of_some(
       light, "radius", [](Light& l) { return l.area ? &l.area->radius : nullptr; },
-      "Of a disk or a sphere [u].");
+      &LightKeys::radius, "Of a disk or a sphere [u].");
 }
 
 using Floats = py::array_t<float, py::array::c_style | py::array::forcecast>;
@@ -253,12 +302,22 @@ std::shared_ptr<Surface> primitive_surface(const std::string& shape, const glm::
   return surface;
 }
 
+void set_material(Surface& surface, const Material& material) {
+  check_unkeyed("reflectance", surface.keys.reflectance);
+  check_unkeyed("specular", surface.keys.specular);
+  check_unkeyed("exponent", surface.keys.exponent);
+  surface.material = material;
+}
+
 void bind_surface(py::module_& module) {
-  py::class_<Surface, std::shared_ptr<Surface>>(
+  py::class_<Surface, std::shared_ptr<Surface>> surface(
       module, "Surface",
       "A mesh in the scene: world = translate + rotate * (scale * mesh). `rotate` is a unit "
-      "quaternion (w, x, y, z).")
-      .def("__copy__", copied<Surface>)
+      "quaternion (w, x, y, z).");
+  def_keyed(surface, "translate", &Surface::translate, &SurfaceKeys::translate, "[u]");
+  def_keyed(surface, "scale", &Surface::scale, &SurfaceKeys::scale, "> 0");
+  def_clear_keys(surface);
+  surface.def("__copy__", copied<Surface>)
       .def("__deepcopy__", [](const Surface& self, const py::dict&) { return self; })
       .def_static(
           "load",
@@ -273,8 +332,6 @@ void bind_surface(py::module_& module) {
                   "Points (n, 3) [u] and triangles (m, 3), shaded flat. It cannot be saved.")
       .def_readwrite("name", &Surface::name)
       .def_readwrite("visible", &Surface::visible)
-      .def_readwrite("translate", &Surface::translate)
-      .def_readwrite("scale", &Surface::scale)
       .def_property(
           "rotate",
           [](const Surface& self) {
@@ -287,38 +344,43 @@ void bind_surface(py::module_& module) {
             if (!(std::abs(glm::length(rotation) - 1.0) < 1e-3)) {
               throw DomainError("rotate", "allowed: a unit quaternion, (w, x, y, z)");
             }
+            check_unkeyed("rotate", self.keys.rotate);
             self.rotate = glm::normalize(rotation);
           })
       .def_property(
           "reflectance", [](const Surface& self) { return self.material.reflectance; },
-          [](Surface& self, const glm::dvec3& value) { self.material.reflectance = value; },
+          [](Surface& self, const glm::dvec3& value) {
+            check_unkeyed("reflectance", self.keys.reflectance);
+            self.material.reflectance = value;
+          },
           "Diffuse albedo, RGB in [0, 1], of diffuse and phong materials.")
       .def(
           "set_diffuse",
           [](Surface& self, const glm::dvec3& reflectance) {
-            self.material = Material{.type = Material::Type::diffuse, .reflectance = reflectance};
+            set_material(self, {.type = Material::Type::diffuse, .reflectance = reflectance});
           },
           py::arg("reflectance"))
       .def(
           "set_phong",
           [](Surface& self, const glm::dvec3& reflectance, const glm::dvec3& specular,
              double exponent) {
-            self.material = Material{.type = Material::Type::phong,
-                                     .reflectance = reflectance,
-                                     .specular = specular,
-                                     .exponent = exponent};
+            set_material(self, {.type = Material::Type::phong,
+                                .reflectance = reflectance,
+                                .specular = specular,
+                                .exponent = exponent});
           },
           py::arg("reflectance"), py::arg("specular"), py::arg("exponent"))
       .def(
           "set_metallic_roughness",
           [](Surface& self, const glm::dvec3& base_color, double metallic, double roughness,
              const glm::dvec3& emissive) {
-            self.material = Material{.type = Material::Type::metallic_roughness};
-            MetallicRoughness& values = self.material.metallic_roughness;
+            Material material{.type = Material::Type::metallic_roughness};
+            MetallicRoughness& values = material.metallic_roughness;
             values.base_color = base_color;
             values.metallic = metallic;
             values.roughness = roughness;
             values.emissive = emissive;
+            set_material(self, material);
           },
           py::arg("base_color"), py::arg("metallic") = 0.0, py::arg("roughness") = 0.5,
           py::arg("emissive") = glm::dvec3(0.0), "glTF's material; emissive [W/(sr u^2)].");
@@ -329,7 +391,8 @@ void bind_surface(py::module_& module) {
 SharedScene::SharedScene(SceneFile file) : rest(std::move(file)) {
   Scene& scene = rest.scene;
   medium = std::make_shared<ArrayMedium>(std::exchange(scene.medium, {}));
-  camera = std::make_shared<Camera>(scene.camera);
+  medium->density_keys() = std::exchange(scene.density_keys, {});
+  camera = std::make_shared<KeyedCamera>(scene.camera, std::exchange(scene.camera_keys, {}));
   if (scene.environment) environment = std::make_shared<Environment>(*scene.environment);
   scene.environment.reset();
   lights = listed(scene.lights);
@@ -340,6 +403,8 @@ SceneFile SharedScene::without_gaussians() const {
   SceneFile file = rest;
   if (!camera) throw py::type_error("camera: found None; allowed: a brume.Camera");
   file.scene.camera = *camera;
+  file.scene.camera_keys = camera->keys;
+  file.scene.density_keys = medium->density_keys();
   if (environment) file.scene.environment = *environment;
   file.scene.lights = values_of<Light>(lights, "lights", "Light");
   file.scene.surfaces = values_of<Surface>(surfaces, "surfaces", "Surface");
@@ -364,42 +429,20 @@ void SharedScene::set_medium(ArrayMedium& other) {
     fresh.append(gaussian);
   }
   medium = std::make_shared<ArrayMedium>(std::move(fresh));
+  medium->density_keys() = other.density_keys();
 }
 
 void bind_scene(py::module_& module) {
-  py::class_<Camera, std::shared_ptr<Camera>>(module, "Camera", "A pinhole, or a thin lens.")
-      .def(py::init([](const glm::dvec3& eye, const glm::dvec3& target, const glm::dvec3& up,
-                       double vertical_fov, double aperture,
-                       const std::optional<double>& focus_distance) {
-             return Camera{eye, target, up, vertical_fov, aperture, focus_distance};
-           }),
-           py::arg("eye") = Camera{}.eye, py::arg("target") = Camera{}.target,
-           py::arg("up") = Camera{}.up, py::arg("vertical_fov") = Camera{}.vertical_fov,
-           py::arg("aperture") = 0.0, py::arg("focus_distance") = py::none())
-      .def("__copy__", copied<Camera>)
-      .def("__deepcopy__", [](const Camera& self, const py::dict&) { return self; })
-      .def_readwrite("eye", &Camera::eye, "[u]")
-      .def_readwrite("target", &Camera::target, "[u]")
-      .def_readwrite("up", &Camera::up)
-      .def_readwrite("vertical_fov", &Camera::vertical_fov, "In (0, 180) [degrees].")
-      .def_readwrite("aperture", &Camera::aperture, "Radius of the lens, >= 0 [u]; 0: a pinhole.")
-      .def_readwrite("focus_distance", &Camera::focus_distance,
-                     "Of the plane in focus, > 0 [u]; None: through the target.");
-  py::class_<Environment, std::shared_ptr<Environment>>(
-      module, "Environment", "A latitude-longitude map that lights the scene from far away.")
-      .def(py::init([](const std::filesystem::path& map) {
-             return std::make_shared<Environment>(load_environment(map));
-           }),
-           py::arg("map"), "An .exr or .hdr file.")
-      .def_readwrite("intensity", &Environment::intensity, ">= 0")
-      .def_readwrite("rotation", &Environment::rotation, "About +y [degrees].");
+  bind_camera(module);
+  bind_environment(module);
   bind_light(module);
   bind_surface(module);
 
   py::class_<SharedScene, std::shared_ptr<SharedScene>>(
       module, "Scene",
-      "What is rendered. Parts are changed in place; `lights` and `surfaces` are lists. Values "
-      "with keyframes, groups, emitters and sequences are kept as the file has them.")
+      "What is rendered. Parts are changed in place; `lights` and `surfaces` are lists. Groups, "
+      "emitters, sequences and keyframes are kept as the file has them; a value with keyframes is "
+      "set after clear_keys() of the object that has it.")
       .def(py::init([] { return std::make_shared<SharedScene>(); }))
       .def_property(
           "medium", [](const SharedScene& self) { return self.medium; },
@@ -436,12 +479,23 @@ void bind_scene(py::module_& module) {
           "(width, height) of its pictures [pixels].")
       .def_property(
           "albedo", [](const SharedScene& self) { return self.rest.scene.optics.albedo; },
-          [](SharedScene& self, const glm::dvec3& value) { self.rest.scene.optics.albedo = value; },
+          [](SharedScene& self, const glm::dvec3& value) {
+            MediumOptics& optics = self.rest.scene.optics;
+            check_unkeyed("albedo", optics.keys.albedo);
+            optics.albedo = value;
+          },
           "Single-scattering albedo of the medium, RGB in (0, 1].")
       .def_property(
           "anisotropy", [](const SharedScene& self) { return self.rest.scene.optics.anisotropy; },
-          [](SharedScene& self, double value) { self.rest.scene.optics.anisotropy = value; },
+          [](SharedScene& self, double value) {
+            MediumOptics& optics = self.rest.scene.optics;
+            check_unkeyed("anisotropy", optics.keys.anisotropy);
+            optics.anisotropy = value;
+          },
           "g of Henyey-Greenstein, in [-0.95, 0.95].")
+      .def(
+          "clear_keys", [](SharedScene& self) { self.rest.scene.optics.keys = {}; },
+          "Removes the keyframes of albedo and anisotropy, which are then constant.")
       .def_property_readonly(
           "is_animated",
           [](const SharedScene& self) { return is_animated(self.without_gaussians().scene); })

@@ -8,6 +8,11 @@
 
 namespace brume::python {
 
+// A camera with its keyframes.
+struct KeyedCamera : Camera {
+  CameraKeys keys;
+};
+
 // A scene whose parts Python holds and changes: what list and what medium they are in does not
 // matter to their lives. They are put together to be rendered or saved.
 class SharedScene {
@@ -22,7 +27,7 @@ class SharedScene {
   void set_medium(ArrayMedium& other);
 
   std::shared_ptr<ArrayMedium> medium;
-  std::shared_ptr<Camera> camera;
+  std::shared_ptr<KeyedCamera> camera;
   std::shared_ptr<Environment> environment;  // null: none
   pybind11::list lights;
   pybind11::list surfaces;

@@ -1,4 +1,5 @@
 import copy
+import json
 import os
 import signal
 import threading
@@ -43,12 +44,61 @@ def test_shows_itself(cloud):
     assert "48 x 36" in repr(frame)
 
 
-def test_layers(cloud):
-    assert brume.render(cloud).layers == {}
-    frame = brume.render(cloud, airlight="sliced", layers=["lights", "optical_depth"])
-    total = np.stack([frame.layers[f"airlight.light_1.{c}"] for c in "RGB"], axis=-1)
-    assert np.allclose(total, frame.airlight, atol=1e-6)
-    assert frame.layers["optical_depth.R"].max() > 0
+@pytest.fixture
+def keyed(cloud, tmp_path):
+    """The cloud with keyframes of camera, light, albedo and density."""
+    cloud.save(tmp_path / "cloud.brume")
+    scene = json.loads((tmp_path / "cloud.brume").read_text())
+    scene["camera"]["keys"] = {"eye": [{"time": 0, "value": [0, 0, 5]}, {"time": 1, "value": [5, 0, 0]}]}
+    scene["lights"][0]["keys"] = {"intensity": [{"time": 0, "value": [1, 1, 1]}]}
+    scene["medium"]["keys"] = {
+        "albedo": [{"time": 0, "value": [0.5, 0.5, 0.5]}],
+        "density": [{"time": 0, "value": 0.1}],
+    }
+    (tmp_path / "keyed.brume").write_text(json.dumps(scene))
+    return brume.load(tmp_path / "keyed.brume")
+
+
+def pictures_differ(one, other):
+    def picture(scene):
+        return brume.render(scene, airlight="sliced", backend="cpu").beauty
+
+    return not np.array_equal(picture(one), picture(other))
+
+
+@pytest.mark.parametrize(
+    "part, name, value",
+    [
+        (lambda scene: scene.camera, "eye", (3, 0, 3)),
+        (lambda scene: scene.lights[0], "intensity", (2, 3, 4)),
+        (lambda scene: scene, "albedo", (0.9, 0.8, 0.7)),
+        (lambda scene: scene.medium, "density", 0.3),
+    ],
+)
+def test_values_with_keyframes_are_set_once_these_are_cleared(keyed, part, name, value):
+    kept = copy.deepcopy(keyed)
+    with pytest.raises(brume.DomainError, match=f"{name}: its keyframes .* clear_keys"):
+        setattr(part(keyed), name, value)
+    assert not pictures_differ(keyed, kept)
+    part(keyed).clear_keys()
+    setattr(part(keyed), name, value)
+    assert pictures_differ(keyed, kept)
+
+
+def test_a_camera_comes_with_its_keyframes(keyed, cloud):
+    still = copy.deepcopy(keyed)
+    still.camera = brume.Camera(eye=(0, 0, 4))
+    still.camera.eye = (0, 3, 3)
+
+    def beauty(scene, **options):
+        return brume.render(scene, airlight="sliced", backend="cpu", time=0.5, **options).beauty
+
+    for scene in [cloud, still]:
+        expected = beauty(scene, camera=keyed.camera)
+        changed = copy.deepcopy(scene)
+        changed.camera = keyed.camera
+        assert np.array_equal(beauty(changed), expected)
+        assert not np.array_equal(beauty(scene), expected)
 
 
 @pytest.mark.parametrize(

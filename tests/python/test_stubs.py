@@ -22,7 +22,9 @@ def public(thing):
 
 
 def test_stubs():
-    tree = ast.parse((pathlib.Path(brume.__file__).parent / "__init__.pyi").read_text())
+    text = (pathlib.Path(brume.__file__).parent / "__init__.pyi").read_text()
+    tree = ast.parse(text)
+    compile(text, "__init__.pyi", "exec")  # which refuses more than the parser alone
     assert {n for n in members(tree) if not n.startswith("_")} == set(brume.__all__)
     for node in tree.body:
         if isinstance(node, ast.ClassDef) and not issubclass(getattr(brume, node.name), Exception):
