@@ -1,32 +1,30 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
+
+#include "render/geometry/rounding.h"
 
 namespace brume {
 
 // Triangles seen edge-on: in single precision it is arbitrary whether rays hit them, so they are
 // invisible to all methods.
 
-// A few float roundings, relative.
-constexpr double edge_on_rounding = 1e-6;
+// An eye this share of the coordinates off a plane is meant to lie in it.
+constexpr double edge_on_share = 1e-8;
 
-// Maximum distance of the eye from the plane of such a triangle [u]. `eye`
-// is relative to the center of all surfaces, which lie within `radius` of it.
-inline double edge_on_height(const glm::dvec3& eye, double radius) {
-  return edge_on_rounding * std::max(glm::length(eye), radius);
-}
-
-// Whether a triangle is seen edge-on; always true for degenerate ones.
-inline bool is_edge_on(const std::array<glm::vec3, 3>& corners, const glm::dvec3& eye,
-                       double height) {
+// Whether a triangle is seen edge-on; always true for degenerate ones. `eye` and corners are
+// relative to the same point.
+inline bool is_edge_on(const std::array<glm::vec3, 3>& corners, const glm::dvec3& eye) {
   const glm::dvec3 first(corners[0]);
   const glm::dvec3 normal =
       glm::cross(glm::dvec3(corners[1]) - first, glm::dvec3(corners[2]) - first);
-  const double above = glm::dot(normal, eye - first);
-  return above * above <= height * height * glm::dot(normal, normal);
+  const glm::dvec3 sizes = glm::max(coordinate_sizes(corners), glm::abs(eye));
+  return std::abs(glm::dot(normal, eye - first)) <=
+         position_rounding * glm::dot(glm::abs(normal), sizes) +
+             edge_on_share * max_component(sizes) * glm::length(normal);
 }
 
 }  // namespace brume

@@ -66,7 +66,7 @@ void MaterialStage::run(const FrameContext& work, DeviceFrame& device) {
   device.textures.behind.reserve((1 + ggx_vectors) * pixels * sizeof(glm::vec4));
   const Program& program = device.programs["materials"];
   set_rays(program, work.rays);
-  program.set("margin", static_cast<float>(RayCaster::self_hit_margin));
+  program.set("eye", work.rays.eye() - device.mesh.center());
   program.set("film", glm::ivec2(film.width, film.height));
   program.set("pixel_angle", static_cast<float>(2.0 * work.rays.pixel_half_angle()));
   device.mesh.bind(program);

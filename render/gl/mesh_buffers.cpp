@@ -31,7 +31,6 @@ void MeshBuffers::update(const RayCaster& ray_caster) {
   node_count_ = bvh.nodes.size();
   center_ = ray_caster.center();
   radius_ = ray_caster.radius();
-  min_gap_ = ray_caster.min_gap();
   revision_ = ray_caster.revision();
 }
 

@@ -21,7 +21,6 @@ class MeshBuffers {
   void bind(const Program& program);
   // Origin of ray coordinates.
   [[nodiscard]] const glm::dvec3& center() const { return center_; }
-  [[nodiscard]] double min_gap() const { return min_gap_; }
 
   // Traces the view rays; `depth` gets their distances (< 0: none).
   void find_hits(Programs& programs, const CameraRays& rays, const Film& film, Texture& depth);
@@ -39,7 +38,6 @@ class MeshBuffers {
   Revision revision_ = 0;  // of the ray caster
   glm::dvec3 center_{0.0};
   double radius_ = 0.0;
-  double min_gap_ = 0.0;
   std::size_t node_count_ = 0;
   std::size_t pixels_ = 0;
   std::vector<Place> places_;  // by triangle index on the device

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "render/geometry/rounding.h"
 #include "render/gl/optical_depth_tables.h"
 
 namespace brume::gl {
@@ -23,7 +24,7 @@ void ShadowMaps::make(Programs& programs, MeshBuffers& mesh, std::span<const Sli
     const Program& program = programs["shadow_map"];
     set_map(program, map_data(map.directions, first(l)));
     program.set("light", map.light - mesh.center());
-    program.set("nearest", static_cast<float>(mesh.min_gap()));
+    program.set("nearest", static_cast<float>(rounding_at(map.light - mesh.center())));
     mesh.bind(program);
     program.bind("Shadows", values_);
     program.dispatch_over({map.directions.columns + 2, map.directions.rows + 2});

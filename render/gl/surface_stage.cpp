@@ -93,7 +93,7 @@ std::uint64_t SurfaceStage::run(const FrameStages& stages, const FrameContext& w
   program.set("light_count", static_cast<int>(lighting.lights.size()));
   program.set("b0", static_cast<float>(medium.homogeneous_density()));
   program.set("albedo", static_cast<float>(lighting.albedo));
-  program.set("margin", static_cast<float>(RayCaster::self_hit_margin));
+  program.set("eye", work.rays.eye() - device.mesh.center());
   program.set("film", glm::ivec2(work.frame.film.width, work.frame.film.height));
   program.set("has_depths", sums ? 1 : 0);
   upload_light(stages, work, lighting, device.mesh.center(), program);
@@ -121,6 +121,8 @@ std::uint64_t SurfaceStage::sum_depths(const SurfaceLighting& lighting, DeviceFr
   program.set("film", glm::ivec2(film.width, film.height));
   for (std::size_t l = 0; l < lighting.lights.size(); ++l) {
     const glm::dvec3& light = lighting.lights[l].source.position;
+    set_rays(program, device.view.rays);
+    program.set("eye", device.view.rays.eye() - device.mesh.center());
     program.set("light", light);
     program.set("light_at", glm::vec3(light - device.mesh.center()));
     program.set("first", static_cast<int>(l * pixels));

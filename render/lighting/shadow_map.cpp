@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "render/geometry/rounding.h"
+
 namespace brume {
 
 ShadowMap::ShadowMap(const RayCaster& ray_caster, const glm::dvec3& light, const DirectionMap& map)
@@ -17,7 +19,7 @@ ShadowMap::ShadowMap(const RayCaster& ray_caster, const glm::dvec3& light, const
     for (int x = 0; x < map.stride(); ++x) directions.push_back(map.direction(x - 1, y - 1));
     std::vector<SurfaceHit> hits(stride);
     // A light on a ceiling shines.
-    ray_caster.first_hits(light, directions, hits, ray_caster.min_gap());
+    ray_caster.first_hits(light, directions, hits, rounding_at(light - ray_caster.center()));
     float* const row = distances_.data() + static_cast<std::size_t>(y) * stride;
     for (std::size_t x = 0; x < stride; ++x) row[x] = static_cast<float>(hits[x].distance);
   });

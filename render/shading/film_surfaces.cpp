@@ -93,7 +93,7 @@ std::uint64_t FilmSurfaces::shade(std::span<const SurfaceHit> hits,
                                   std::span<glm::vec3> radiance) const {
   SurfacePoints points;
   points.pixel_angle = static_cast<float>(2.0 * rays.pixel_half_angle());
-  ray_caster.points(hits, directions, surfaces, points);
+  ray_caster.points(hits, rays.eye(), directions, surfaces, points);
   const SurfaceShading& shaded = shading.surfaces()[static_cast<std::size_t>(hits[0].surface)];
   // What transfer does not hold.
   const SurfaceLighting straight{.lights = lighting.lights};

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "render/geometry/rounding.h"
+
 // Highway includes this file once per instruction set.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "render/simd/surface_kernels.cpp"
@@ -72,7 +74,23 @@ void WalkAndNormalize(const glm::vec3& origin, const glm::vec3& per_x, const glm
   }
 }
 
-void InterpolatePoints(const PointTriangles& triangles, float offset, SurfacePoints& points) {
+HWY_INLINE V max_component(const Vector& v) {
+  return hn::Max(v.x, hn::Max(v.y, v.z));
+}
+HWY_INLINE Vector abs(const Vector& v) {
+  return {hn::Abs(v.x), hn::Abs(v.y), hn::Abs(v.z)};
+}
+HWY_INLINE Vector max(const Vector& a, const Vector& b) {
+  return {hn::Max(a.x, b.x), hn::Max(a.y, b.y), hn::Max(a.z, b.z)};
+}
+
+// off_plane_rounding()
+HWY_INLINE V OffPlaneRounding(const Vector& normal, const Vector& sizes) {
+  const V rounding = set(static_cast<float>(position_rounding));
+  return hn::Mul(rounding, hn::MulAdd(rounding, max_component(sizes), dot(abs(normal), sizes)));
+}
+
+void InterpolatePoints(const PointTriangles& triangles, SurfacePoints& points) {
   const D d;
   const V zero = hn::Zero(d);
   for (std::size_t i = 0; i < points.padded_size(); i += hn::Lanes(d)) {
@@ -85,8 +103,6 @@ void InterpolatePoints(const PointTriangles& triangles, float offset, SurfacePoi
                               load(triangles.normal[2], i)};
     const Vector along = minus(corners[1], corners[0]);
     const Vector across = minus(corners[2], corners[0]);
-    // From a corner, so that big triangles lose nothing near it.
-    const Vector p = plus(plus(corners[0], u, along), v, across);
     const Vector smooth = normalized(
         plus(plus(times(weights[0], normals[0]), weights[1], normals[1]), weights[2], normals[2]));
     // Lengthened first: the product of two short edges would vanish.
@@ -97,7 +113,10 @@ void InterpolatePoints(const PointTriangles& triangles, float offset, SurfacePoi
     Vector normal = choose(hn::Gt(dot(smooth, smooth), zero), smooth, geometric);
     const V side = hn::IfThenElse(hn::Lt(dot(normal, geometric), zero), set(-1.0f), set(1.0f));
     normal = times(side, normal);
-    Vector shadow = plus(p, set(offset), geometric);
+    Vector p = load(points.position, i);
+    p = plus(p, hn::Neg(dot(minus(p, corners[0]), geometric)), geometric);
+    const Vector sizes = max(abs(corners[0]), max(abs(corners[1]), abs(corners[2])));
+    Vector shadow = plus(p, OffPlaneRounding(geometric, sizes), geometric);
     for (std::size_t k = 0; k < 3; ++k) {
       // How far the point lies below the tangent plane of a corner.
       const Vector n = times(side, normals[k]);
@@ -254,8 +273,8 @@ void find_view_directions(const CameraRays& rays, std::span<const glm::ivec2> pi
    directions);
 }
 
-void interpolate_points(const PointTriangles& triangles, float offset, SurfacePoints& points) {
-  HWY_DYNAMIC_DISPATCH(InterpolatePoints)(triangles, offset, points);
+void interpolate_points(const PointTriangles& triangles, SurfacePoints& points) {
+  HWY_DYNAMIC_DISPATCH(InterpolatePoints)(triangles, points);
 }
 
 void point_to_light(const SurfacePoints& points, const glm::vec3& position,

@@ -26,9 +26,9 @@ struct PointTriangles {
   std::array<PointVectors, 3> normal;  // any length
 };
 
-// Sets position, normal, shadow_origin and side of points.padded_size() points from triangles, `u`,
-// `v` and `to_eye`; `offset` [u] is the distance of shadow-ray origins from the triangle.
-void interpolate_points(const PointTriangles& triangles, float offset, SurfacePoints& points);
+// Moves the positions of points.padded_size() points onto their triangles; sets normal,
+// shadow_origin and side from those, `u`, `v` and `to_eye`.
+void interpolate_points(const PointTriangles& triangles, SurfacePoints& points);
 
 // Sets all members of `light` but depths and lit, for a light at `position` relative to
 // points.origin; `radius`: see PointSource::distance2().

@@ -9,7 +9,6 @@
 #include <limits>
 #include <utility>
 
-#include "render/geometry/edge_on.h"
 #include "render/simd/gaussian_kernels.h"
 
 // Highway includes this file once per instruction set.
@@ -18,11 +17,10 @@
 #include <hwy/foreach_target.h>
 // Highway's own order: foreach_target first.
 #include "render/simd/gaussian-inl.h"
+#include "render/visibility/raster_bounds-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace brume::HWY_NAMESPACE {
-
-constexpr float infinite = std::numeric_limits<float>::infinity();
 
 using D = hn::CappedTag<float, Raster::block * Raster::block>;
 using V = hn::Vec<D>;
@@ -32,89 +30,6 @@ HWY_INLINE V set(float x) {
 }
 HWY_INLINE V3<V> set(const glm::vec3& v) {
   return {set(v.x), set(v.y), set(v.z)};
-}
-
-// Where rounding leaves a coordinate [pixels].
-HWY_INLINE float Below(float x) {
-  return x - (0.01f + 1e-5f * std::abs(x));
-}
-HWY_INLINE float Above(float x) {
-  return x + (0.01f + 1e-5f * std::abs(x));
-}
-
-// Where on the film a triangle is.
-struct Extent {
-  glm::vec2 low{infinite};
-  glm::vec2 high{-infinite};
-
-  HWY_INLINE void add(const glm::vec2& p) {
-    low = glm::min(low, p);
-    high = glm::max(high, p);
-  }
-  // An edge that runs on to behind the eye: where it leaves, in that direction on the film.
-  HWY_INLINE void add_beyond(const glm::vec2& direction, float rounding) {
-    for (int k = 0; k < 2; ++k) {
-      if (direction[k] > -rounding) high[k] = infinite;
-      if (direction[k] < rounding) low[k] = -infinite;
-    }
-  }
-};
-
-HWY_INLINE Raster::Bounds BoundsOf(const std::array<Raster::Vertex, 3>& corners,
-                                   const Raster::View& view) {
-  Extent extent;
-  int seen = 0;
-  for (const Raster::Vertex& v : corners) {
-    if (!(v.inverse > 0.0f)) continue;
-    ++seen;
-    extent.add(view.center + glm::vec2(v.x, v.y) * v.inverse);
-  }
-  if (seen == 0) return {};
-  for (std::size_t k = 0; seen < 3 && k < 3; ++k) {
-    for (const std::size_t l : {(k + 1) % 3, (k + 2) % 3}) {
-      const Raster::Vertex& from = corners[k];
-      const Raster::Vertex& to = corners[l];
-      if (!(from.inverse > 0.0f) || to.inverse > 0.0f) continue;
-      const glm::vec2 a(from.x, from.y);
-      const glm::vec2 b(to.x, to.y);
-      const float behind = std::min(to.z, 0.0f);
-      const glm::vec2 size = glm::abs(behind * a) + glm::abs(from.z * b);
-      extent.add_beyond(from.z * b - behind * a, 1e-4f * (size.x + size.y));
-    }
-  }
-  const auto width = static_cast<float>(view.width);
-  const auto height = static_cast<float>(view.height);
-  const auto first = [](float x, float end) HWY_ATTR {
-    return static_cast<std::int16_t>(std::ceil(std::min(std::max(Below(x), 0.0f), end)));
-  };
-  const auto last = [](float x, float end) HWY_ATTR {
-    return static_cast<std::int16_t>(std::floor(std::min(std::max(Above(x), -1.0f), end - 1.0f)));
-  };
-  return {first(extent.low.x, width), last(extent.high.x, width), first(extent.low.y, height),
-          last(extent.high.y, height)};
-}
-
-HWY_INLINE Raster::Winding WindingOf(const std::array<Raster::Vertex, 3>& corners) {
-  const auto& [a, b, c] = corners;
-  if (!(std::min({a.inverse, b.inverse, c.inverse}) > 0.0f)) return Raster::Winding::one;
-  const auto project = [](const Raster::Vertex& v) { return glm::vec2(v.x, v.y) * v.inverse; };
-  const glm::vec2 along = project(b) - project(a);
-  const glm::vec2 across = project(c) - project(a);
-  return along.x * across.y > along.y * across.x ? Raster::Winding::one : Raster::Winding::other;
-}
-
-// is_edge_on() of a triangle; few need it in double.
-HWY_INLINE bool IsEdgeOn(const RasterTriangles& triangles, const glm::uvec3& c,
-                         const Raster::View& view) {
-  const auto corner = [&](std::uint32_t vertex) {
-    return triangles.relative(vertex, glm::vec3(0.0f));
-  };
-  const std::array<glm::vec3, 3> corners{corner(c.x), corner(c.y), corner(c.z)};
-  const glm::vec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
-  const float above = glm::dot(normal, view.eye - corners[0]);
-  const auto far = 100.0f * static_cast<float>(view.edge_on_height);
-  if (above * above > far * far * glm::dot(normal, normal)) return false;
-  return is_edge_on(corners, glm::dvec3(view.eye), view.edge_on_height);
 }
 
 Raster::WindingDepths FindBounds(const RasterTriangles& triangles, const Raster::View& view,
@@ -204,17 +119,93 @@ struct LanePositions {
   }
 };
 
+// A triangle at pixels.
+struct DepthLanes {
+  V depth;  // along forward
+  V u, v;   // barycentric, of the second and third corner
+};
+
+// That by the planes through the eye and the edges, which weight the corners.
+class CornerWeights {
+ public:
+  HWY_INLINE explicit CornerWeights(const std::array<Raster::Vertex, 3>& corners)
+      : a_(set(corners[0].z)), b_(set(corners[1].z)), c_(set(corners[2].z)) {}
+
+  HWY_INLINE DepthLanes at(V, V, V ea, V eb, V ec) const {
+    const V inverse = hn::Div(set(1.0f), hn::Add(ea, hn::Add(eb, ec)));
+    const V sum = hn::MulAdd(ea, a_, hn::MulAdd(eb, b_, hn::Mul(ec, c_)));
+    return {hn::Mul(inverse, sum), hn::Mul(eb, inverse), hn::Mul(ec, inverse)};
+  }
+
+ private:
+  V a_, b_, c_;
+};
+
+// That by the triangle's plane, for one that is far larger than its distance: its corners are so
+// far away that their roundings exceed the eye's distance from the plane.
+class TrianglePlane {
+ public:
+  // Whether corner weights have too few digits.
+  HWY_INLINE static bool suits(const std::array<Raster::Vertex, 3>& corners) {
+    const auto& [a, b, c] = corners;
+    return std::max({a.z, b.z, c.z}) > 64.0f * std::min({a.z, b.z, c.z});
+  }
+
+  HWY_INLINE TrianglePlane(const RasterTriangles& triangles, const glm::uvec3& c,
+                           const Raster::View& view) {
+    const glm::vec3 to_first = triangles.relative(c.x, view.eye);
+    const glm::vec3 first = triangles.relative(c.x, glm::vec3(0.0f));
+    const glm::vec3 along = triangles.relative(c.y, first);
+    const glm::vec3 across = triangles.relative(c.z, first);
+    const glm::vec3 product = glm::cross(along, across);
+    const float area = glm::length(product);
+    const glm::vec3 normal = product / area;
+    height_ = set(glm::dot(normal, to_first));
+    steepness_ = Linear(normal, view);
+    const glm::vec3 per_u = glm::cross(across, normal) / area;
+    const glm::vec3 per_v = glm::cross(normal, along) / area;
+    u_ = Linear(per_u, view);
+    v_ = Linear(per_v, view);
+    first_u_ = set(glm::dot(per_u, to_first));
+    first_v_ = set(glm::dot(per_v, to_first));
+  }
+
+  HWY_INLINE DepthLanes at(V x, V y, V, V, V) const {
+    const V depth = hn::Div(height_, steepness_.at(x, y));
+    const auto weight = [&](const Linear& w, V first) HWY_ATTR {
+      return hn::Clamp(hn::MulSub(depth, w.at(x, y), first), set(0.0f), set(1.0f));
+    };
+    return {depth, weight(u_, first_u_), weight(v_, first_v_)};
+  }
+
+ private:
+  // The product of a vector and the direction through a pixel, which is 1 along forward.
+  struct Linear {
+    V value{}, per_x{}, per_y{};
+
+    Linear() = default;
+    HWY_INLINE Linear(const glm::vec3& v, const Raster::View& view)
+        : value(set(glm::dot(v, view.forward))),
+          per_x(set(glm::dot(v, view.per_x))),
+          per_y(set(glm::dot(v, view.per_y))) {}
+    HWY_INLINE V at(V x, V y) const { return hn::MulAdd(per_x, x, hn::MulAdd(per_y, y, value)); }
+  };
+
+  V height_, first_u_, first_v_;
+  Linear steepness_, u_, v_;
+};
+
 // Draws into the vectors `part` of blocks; where `passes_over`, not into those that are nearer.
-template <bool passes_over>
+template <bool passes_over, class Depths>
 HWY_INLINE void DrawTriangle(const std::array<Raster::Vertex, 3>& corners, std::uint32_t index,
-                             const Blocks& covered, const Raster::View& view, int first_row,
-                             std::size_t lane_group, Raster::Buffer& buffer) {
+                             const Depths& depths, const Blocks& covered, const Raster::View& view,
+                             int first_row, std::size_t lane_group, Raster::Buffer& buffer) {
   const D d;
   const hn::RebindToUnsigned<D> du;
   constexpr int side = Raster::block;
   const auto& [a, b, c] = corners;
   // Interpolation rounds.
-  const float min_depth = 0.99999f * std::min({a.z, b.z, c.z});
+  const float min_depth = std::min({a.z, b.z, c.z}) - 1e-5f * std::max({a.z, b.z, c.z});
   const int blocks = (view.width + side - 1) / side;
   const auto place = [&](int x, int y) HWY_ATTR {
     return static_cast<std::size_t>(y * blocks + x) * block_pixels + lane_group * hn::Lanes(d);
@@ -240,22 +231,18 @@ HWY_INLINE void DrawTriangle(const std::array<Raster::Vertex, 3>& corners, std::
       const V ea = of_a.at(px, py);
       const V eb = of_b.at(px, py);
       const V ec = of_c.at(px, py);
-      const V sum = hn::Add(ea, hn::Add(eb, ec));
       const auto inside = hn::Or(hn::Ge(hn::Min(ea, hn::Min(eb, ec)), zero),
                                  hn::Le(hn::Max(ea, hn::Max(eb, ec)), zero));
-      const auto there = hn::And(inside, hn::Ne(sum, zero));
-      if (hn::AllFalse(d, there)) continue;
-      const V inverse = hn::Div(set(1.0f), sum);
-      const V depth = hn::Mul(
-          inverse, hn::MulAdd(ea, set(a.z), hn::MulAdd(eb, set(b.z), hn::Mul(ec, set(c.z)))));
+      if (hn::AllFalse(d, inside)) continue;
+      const auto [depth, u, v] = depths.at(px, py, ea, eb, ec);
       const std::size_t k = place(x, y);
       const V previous_depth = hn::LoadU(d, buffer.distance.data() + k);
       const auto nearer =
-          hn::And(there, hn::And(hn::Gt(depth, zero), hn::Lt(depth, previous_depth)));
+          hn::And(inside, hn::And(hn::Gt(depth, zero), hn::Lt(depth, previous_depth)));
       if (hn::AllFalse(d, nearer)) continue;
       hn::BlendedStore(depth, nearer, d, buffer.distance.data() + k);
-      hn::BlendedStore(hn::Mul(eb, inverse), nearer, d, buffer.u.data() + k);
-      hn::BlendedStore(hn::Mul(ec, inverse), nearer, d, buffer.v.data() + k);
+      hn::BlendedStore(u, nearer, d, buffer.u.data() + k);
+      hn::BlendedStore(v, nearer, d, buffer.v.data() + k);
       hn::BlendedStore(hn::Set(du, index), hn::RebindMask(du, nearer), du,
                        buffer.triangle.data() + k);
     }
@@ -272,8 +259,16 @@ HWY_INLINE void DrawTriangles(const RasterTriangles& triangles, const Raster::Vi
     const glm::uvec3& c = triangles.corners[index];
     const std::array<Raster::Vertex, 3> corners{vertices[c.x], vertices[c.y], vertices[c.z]};
     const Blocks covered(bounds[index], first_row);
-    for (std::size_t lane_group = 0; lane_group < block_pixels / hn::Lanes(D()); ++lane_group) {
-      DrawTriangle<passes_over>(corners, index, covered, view, first_row, lane_group, buffer);
+    const auto draw = [&](const auto& depths) HWY_ATTR {
+      for (std::size_t lane_group = 0; lane_group < block_pixels / hn::Lanes(D()); ++lane_group) {
+        DrawTriangle<passes_over>(corners, index, depths, covered, view, first_row, lane_group,
+                                  buffer);
+      }
+    };
+    if (TrianglePlane::suits(corners)) {
+      draw(TrianglePlane(triangles, c, view));
+    } else {
+      draw(CornerWeights(corners));
     }
   }
 }
@@ -395,13 +390,13 @@ void RasterTriangles::pad() {
 }
 
 Raster::Raster(const RasterTriangles& triangles, const CameraRays& rays, const glm::dvec3& eye,
-               double edge_on_height, const Film& film, const Job& job)
+               const Film& film, const Job& job)
     : triangles_(triangles),
       film_(film),
       bands_(static_cast<std::size_t>((film.height + band_rows - 1) / band_rows)) {
   const CameraRays::FilmPlane plane = rays.plane();
   view_ = {glm::vec3(eye),
-           edge_on_height,
+           eye,
            glm::vec3(rays.forward()),
            glm::vec3(plane.corner + 0.5 * plane.per_x + 0.5 * plane.per_y),
            glm::vec3(plane.per_x),

@@ -42,11 +42,10 @@ class Raster {
  public:
   static constexpr int band_rows = 8;
 
-  // `eye` is relative to the vertices' origin; triangles whose plane is closer to it than
-  // `edge_on_height` are culled. Keeps a reference to `triangles`. Invalid after the job was
-  // stopped.
+  // `eye` is relative to the vertices' origin. Keeps a reference to `triangles`. Invalid after the
+  // job was stopped.
   Raster(const RasterTriangles& triangles, const CameraRays& rays, const glm::dvec3& eye,
-         double edge_on_height, const Film& film, const Job& job);
+         const Film& film, const Job& job);
 
   [[nodiscard]] std::size_t bands() const { return bands_; }
   // Writes hits and distances of a band, into arrays of the whole film. Thread-safe.
@@ -64,7 +63,7 @@ class Raster {
   // per_x + y per_y, at distance 1 along forward.
   struct View {
     glm::vec3 eye{0.0f};
-    double edge_on_height = 0.0;
+    glm::dvec3 exact_eye{0.0};
     glm::vec3 forward{0.0f};
     glm::vec3 corner{0.0f}, per_x{0.0f}, per_y{0.0f};
     glm::vec3 to_x{0.0f}, to_y{0.0f};  // per_x and per_y over the squares of their lengths

@@ -13,6 +13,7 @@
 #include "brume/scene.h"
 #include "core/scene/camera_rays.h"
 #include "render/geometry/box.h"
+#include "render/geometry/rounding.h"
 #include "render/simd/surface_points.h"
 #include "render/visibility/raster.h"
 #include "render/visibility/surface_point.h"
@@ -39,7 +40,7 @@ struct WorldTriangle {
 };
 
 // Ray casting against the surfaces of a scene, by Embree. Coordinates are stored as float relative
-// to the center of the surfaces, so scenes far from the origin lose no precision.
+// to coordinate_center(), so scenes far from the origin lose no precision.
 class RayCaster {
  public:
   explicit RayCaster(std::span<const Surface> surfaces);
@@ -65,8 +66,8 @@ class RayCaster {
   // Those within so many radii of the ball, and where others start, in its radii.
   static constexpr double near_radii = 8.0;
   static constexpr double start_radii = 1.01;
-  // Relative length by which shadow rays keep away from both ends: a few float roundings.
-  static constexpr double self_hit_margin = 1e-5;
+  // Shadow rays end this share of their length before the light, which may lie on a surface.
+  static constexpr double light_margin = 2.0 * position_rounding;
 
   // Whether these are the surfaces it was built from, comparing meshes and transforms (materials do
   // not count).
@@ -80,9 +81,6 @@ class RayCaster {
   void first_hits(const glm::dvec3& origin, std::span<const glm::dvec3> directions,
                   std::span<SurfaceHit> hits, double nearest = 0.0) const;
 
-  // Hits nearer than this to a ray's origin are ambiguous: a few float roundings [u].
-  [[nodiscard]] double min_gap() const;
-
   // Rasterization of a film's first hits: precise enough unless the eye is far away. Keeps a
   // reference to this.
   [[nodiscard]] bool can_rasterize(const CameraRays& rays) const;
@@ -95,11 +93,12 @@ class RayCaster {
                                    const glm::dvec3& direction,
                                    std::span<const Surface> surfaces) const;
 
-  // The same for hits on one surface, in single precision: positions to 1e-6 of the size of all
-  // surfaces, relative to their center. Textures are averaged over a view ray's cone of
-  // points.pixel_angle, as if it met the surface in a circle. Thread-safe.
-  void points(std::span<const SurfaceHit> hits, std::span<const glm::vec3> directions,
-              std::span<const Surface> surfaces, SurfacePoints& points) const;
+  // The same for hits on one surface, in single precision relative to the center. Textures are
+  // averaged over a view ray's cone of points.pixel_angle, as if it met the surface in a circle.
+  // Thread-safe.
+  void points(std::span<const SurfaceHit> hits, const glm::dvec3& origin,
+              std::span<const glm::vec3> directions, std::span<const Surface> surfaces,
+              SurfacePoints& points) const;
 
   // Sets `lit` of a light at `position` relative to points.origin that point_to_light() has seen.
   void trace_shadow_rays(const SurfacePoints& points, const glm::vec3& position,

@@ -1,6 +1,5 @@
 // Metallic-roughness materials where view rays hit: find_materials() of render/visibility, and
 // Texture::lookup() of core/scene.
-#include "rays.glsl"
 #include "surface_point.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -15,7 +14,6 @@ layout(std430, binding = 3) writeonly buffer Behind { vec4 behind[]; };
 // and v, the number of levels, and for each level width, height and its first texel.
 layout(std430, binding = 7) readonly buffer Records { uint records[]; };
 
-uniform float margin;  // RayCaster::self_hit_margin
 uniform ivec2 film;
 uniform float pixel_angle;
 
@@ -126,15 +124,14 @@ void main() {
   const int index = pixel.y * film.x + pixel.x;
   const PixelHit hit = hits[index];
   if (hit.triangle < 0) return;
-  const vec3 to_eye = -ray_direction(pixel);
-  const SurfacePoint point = point_of(hit, to_eye, margin * float(surfaces_radius));
+  const SurfacePoint point = point_of(hit, pixel);
   const int record = material_size * point.surface;
   const int result = film.x * film.y + ggx_vectors * index;
   behind[result] = vec4(0.0);
   if (records[record + material_is_metallic_roughness] == 0u) return;
 
   const TextureFrame frame = texture_frame(hit);
-  const float cosine = max(dot(point.normal, to_eye), min_grazing_cosine);
+  const float cosine = max(dot(point.normal, -ray_direction(pixel)), min_grazing_cosine);
   const float footprint = pixel_angle * hit.distance / cosine * frame.density;
   const vec3 base_color =
       color(record + material_base_color) *

@@ -2,7 +2,6 @@
 // defines whether any surface is `glossy` (not diffuse), and whether any is `metallic`.
 #include "grid_corners.glsl"
 #include "lights.glsl"
-#include "rays.glsl"
 #include "spherical_harmonics.glsl"
 #include "surface_point.glsl"
 
@@ -24,7 +23,6 @@ layout(std430, binding = 7) readonly buffer Values { float values[]; };
 
 uniform float b0;
 uniform float albedo;
-uniform float margin;  // RayCaster::self_hit_margin
 uniform ivec2 film;
 // 1: instead of tables, the optical depth of Gaussians per light and pixel.
 uniform int has_depths;
@@ -92,10 +90,11 @@ LightAtPoint point_to_light(int l, SurfacePoint point, int pixel, int pixels) {
 }
 
 bool is_lit(int l, SurfacePoint point, float length_) {
-  const float offset = min(margin, margin * 2.0 * float(surfaces_radius) / length_);
+  const float end = 1.0 - light_margin -
+      float(position_rounding) * max_component(abs(lights[l].position)) / length_;
   // Parametrised so that the light is at t = 1.
   const vec3 to_light = lights[l].position - point.shadow_origin;
-  return trace(point.shadow_origin, to_light, offset, 1.0 - offset, true).triangle < 0;
+  return trace(point.shadow_origin, to_light, 0.0, end, true).triangle < 0;
 }
 
 vec3 direct_light(int l, SurfacePoint point, LightAtPoint light_at_point, vec3 to_eye) {
@@ -382,10 +381,9 @@ void main() {
   const PixelHit hit = hits[index];
   vec3 radiance = vec3(0.0);
   if (hit.triangle >= 0) {
-    const vec3 to_eye = -ray_direction(pixel);
-    SurfacePoint point = point_of(hit, to_eye, margin * float(surfaces_radius));
+    SurfacePoint point = point_of(hit, pixel);
     if (metallic) ggx = ggx_of(film.x * film.y + ggx_vectors * index, point.normal);
-    radiance = surface_light(point, hit, to_eye, index, film.x * film.y);
+    radiance = surface_light(point, hit, -ray_direction(pixel), index, film.x * film.y);
   }
   behind[index] = vec4(radiance, 0.0);
 }

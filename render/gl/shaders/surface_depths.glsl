@@ -33,7 +33,7 @@ void main() {
   const int index = pixel.y * film.x + pixel.x;
   const PixelHit hit = hits[index];
   const bool live = all(lessThan(wanted, film)) && hit.triangle >= 0;
-  const vec3 q = live ? hit_position(hit) - light_at : vec3(0.0);
+  const vec3 q = live ? hit_position(hit, pixel) - light_at : vec3(0.0);
   const float length_ = length(q);
   const vec3 w = length_ > 0.0 ? q / length_ : vec3(0.0);
   directions[id] = w;

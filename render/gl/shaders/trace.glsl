@@ -25,14 +25,18 @@ struct Hit {
   int triangle;  // < 0: none
 };
 
-// Rays from `seen_from` see no triangle edge-on: see render/geometry/edge_on.h. < 0: other rays.
+// View rays, from `seen_from`, see no triangle edge-on: see render/geometry/edge_on.h.
 dvec3 seen_from = dvec3(0.0LF);
-double edge_on_height = -1.0LF;
+bool skips_edge_on = false;
+
+float max_component(vec3 v) { return max(v.x, max(v.y, v.z)); }
 
 bool is_edge_on(vec3 a, vec3 b, vec3 c) {
   const dvec3 normal = cross(dvec3(b) - dvec3(a), dvec3(c) - dvec3(a));
-  const double above = dot(normal, seen_from - dvec3(a));
-  return above * above <= edge_on_height * edge_on_height * dot(normal, normal);
+  const dvec3 sizes = max(dvec3(max(abs(a), max(abs(b), abs(c)))), abs(seen_from));
+  return abs(dot(normal, seen_from - dvec3(a))) <=
+         position_rounding * dot(abs(normal), sizes) +
+             edge_on_share * max(sizes.x, max(sizes.y, sizes.z)) * length(normal);
 }
 
 vec3 corner_of(int triangle, int k) { return corners[3 * triangle + k].vector; }
@@ -62,7 +66,7 @@ void intersect_triangle(int triangle, vec3 o, vec3 d, float tnear, inout Hit hit
   if (den == 0.0) return;
   const float t = 2.0 * dot(v0, normal) / den;
   if (!(t >= tnear && t < hit.t)) return;
-  if (edge_on_height >= 0.0LF &&
+  if (skips_edge_on &&
       is_edge_on(corner_of(triangle, 0), corner_of(triangle, 1), corner_of(triangle, 2))) {
     return;
   }
@@ -111,18 +115,21 @@ Hit trace(vec3 o, vec3 d, float tnear, float tfar, bool any_hit) {
   return hit;
 }
 
+// RayCaster::is_near()
+bool is_near(dvec3 origin) { return length(origin) < near_radii * surfaces_radius; }
+
 // The nearest surface on a ray from any distance, in double up to where float will do: it starts at
 // the ball around the surfaces. `skip`: how far that is. Hits nearer than `nearest` do not count.
 Hit first_hit(dvec3 origin, dvec3 direction, float nearest, out float skip) {
   double start = 0.0LF;
-  if (length(origin) >= near_radii * surfaces_radius) {
+  if (!is_near(origin)) {
     start = max(-dot(origin, direction) - start_radii * surfaces_radius, 0.0LF);
   }
   skip = float(start);
   seen_from = origin;
-  edge_on_height = edge_on_rounding * max(length(origin), surfaces_radius);
+  skips_edge_on = true;
   const Hit hit = trace(vec3(origin + start * direction), vec3(direction),
                         max(nearest - skip, 0.0), beyond_all, false);
-  edge_on_height = -1.0LF;
+  skips_edge_on = false;
   return hit;
 }
