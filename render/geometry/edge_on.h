@@ -12,8 +12,8 @@ namespace brume {
 // Triangles seen edge-on: in single precision it is arbitrary whether rays hit them, so they are
 // invisible to all methods.
 
-// An eye this share of the coordinates off a plane is meant to lie in it.
-constexpr double edge_on_share = 1e-8;
+// An eye that is off a plane by this share of the coordinates is meant to lie in it.
+constexpr double edge_on_share = 4e-8;
 
 // Whether a triangle is seen edge-on; always true for degenerate ones. `eye` and corners are
 // relative to the same point.

@@ -14,6 +14,7 @@
 #include "core/math/sphere_rule.h"
 #include "core/scene/brdf.h"
 #include "core/scene/mesh.h"
+#include "render/geometry/rounding.h"
 #include "render/visibility/ray_caster.h"
 
 namespace brume {
@@ -21,8 +22,9 @@ namespace {
 
 constexpr std::size_t vertex_block = 64;  // vertices between two looks at a stop
 
-// Rays start this share of the mesh's radius off it, a few roundings of float.
-constexpr double self_hit_margin = 1e-5;
+// Rays start this share of the coordinates around a vertex off it, which is more than those of
+// planes that are seen edge-on.
+constexpr double vertex_margin = 10.0 * position_rounding;
 
 // A vertex on a border may lie in the plane of another part, as the edge of a floor does in that of
 // the wall, and would see behind it: rays start this share of the way into its triangles.
@@ -37,7 +39,7 @@ class MeshGeometry {
       low = glm::min(low, glm::dvec3(p));
       high = glm::max(high, glm::dvec3(p));
     }
-    margin_ = self_hit_margin * 0.5 * glm::length(high - low);
+    center_ = 0.5 * (low + high);
   }
 
   [[nodiscard]] const std::vector<glm::uvec3>& triangles() const { return arrays_.triangles; }
@@ -54,7 +56,12 @@ class MeshGeometry {
   // Where rays from a vertex start on the side of n.
   [[nodiscard]] glm::dvec3 ray_origin(std::size_t vertex, const glm::dvec3& n) const {
     const OpenMesh::VertexHandle v(static_cast<int>(vertex));
-    glm::dvec3 origin = position(vertex) + margin_ * n;
+    double size = max_component(glm::abs(position(vertex) - center_));
+    for (const auto neighbour : mesh_.vv_range(v)) {
+      const glm::dvec3 p = position(static_cast<std::size_t>(neighbour.idx()));
+      size = std::max(size, max_component(glm::abs(p - center_)));
+    }
+    const glm::dvec3 origin = position(vertex) + vertex_margin * size * n;
     if (!mesh_.is_boundary(v)) return origin;
     glm::dvec3 inward(0.0);
     double corners = 0.0;
@@ -85,7 +92,7 @@ class MeshGeometry {
  private:
   const TriangleMesh& mesh_;
   MeshArrays arrays_;
-  double margin_;
+  glm::dvec3 center_{0.0};  // that rays are traced around
 };
 
 // Light that a vertex receives from a place of the mesh; the weight is its share of the irradiance

@@ -95,8 +95,8 @@ TEST(EdgeOn, MethodsAndTheErrorAgree) {
 TEST(EdgeOn, TrianglesWithoutAnAreaAlwaysAre) {
   EXPECT_TRUE(is_edge_on({glm::vec3(0.0f), glm::vec3(1.0f), glm::vec3(2.0f)}, {0, 5, 0}));
   EXPECT_FALSE(is_edge_on({glm::vec3(0.0f), {1, 0, 0}, {0, 0, 1}}, {0, 5, 0}));
-  EXPECT_FALSE(is_edge_on({glm::vec3(0.0f), {1, 0, 0}, {0, 0, 1}}, {0, 2e-8, 0}));
-  EXPECT_TRUE(is_edge_on({glm::vec3(0.0f), {1, 0, 0}, {0, 0, 1}}, {9, 5e-8, 9}));
+  EXPECT_FALSE(is_edge_on({glm::vec3(0.0f), {1, 0, 0}, {0, 0, 1}}, {0, 1e-7, 0}));
+  EXPECT_TRUE(is_edge_on({glm::vec3(0.0f), {1, 0, 0}, {0, 0, 1}}, {9, 2e-7, 9}));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "tests/render/gl/gl_frames.h"
 #include "tests/render/seams.h"
 #include "tests/render/test_scenes.h"
+#include "tests/render/visibility/box_on_floor.h"
 
 namespace brume::gl {
 namespace {
@@ -56,6 +57,26 @@ TEST_F(GlFrames, HideTrianglesSeenEdgeOn) {
       for (const float t : frame.depth) ASSERT_TRUE(std::isinf(t));
     }
   }
+}
+
+// See ShadowMargins of test_render.
+TEST_F(GlFrames, KeepShadowsOnFloorsOfAnySize) {
+  const auto floor = [](double size) {
+    return primitive_surface(Primitive::Shape::plane, {size, 1, size}, {});
+  };
+  for (const Light& light : {oblique_sun(), light_beside_box(1.0)}) {
+    const Frame expected = on_cpu(box_on_floor(floor(40.0), light), quick_slices());
+    for (const Surface& large : {floor(1e4), floor(1e7), two_triangles(1e5), two_triangles(1e7)}) {
+      const Frame frame =
+          render_on_device(box_on_floor(large, light), quick_slices(), "box on a floor");
+      EXPECT_LT(rel_rmse(frame.beauty, expected.beauty), 1e-3);
+    }
+  }
+}
+
+TEST_F(GlFrames, LeaveClosedRoomsDark) {
+  const Frame frame = render_on_device(closed_room(1e4), quick_slices(), "closed room");
+  for (std::size_t i = 0; i < frame.depth.size(); ++i) ASSERT_EQ(frame.beauty[4 * i], 0.0f);
 }
 
 }  // namespace

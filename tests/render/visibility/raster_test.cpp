@@ -7,6 +7,7 @@
 
 #include <hwy/targets.h>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <glm/geometric.hpp>
@@ -18,6 +19,7 @@
 #include "tests/random.h"
 #include "tests/render/test_meshes.h"
 #include "tests/render/test_scenes.h"
+#include "tests/render/visibility/box_on_floor.h"
 
 namespace brume {
 namespace {
@@ -140,6 +142,25 @@ TEST(Raster, HasNoGaps) {
         if (!std::isfinite(pixel.distance)) ++open;
       }
       EXPECT_EQ(open, 0) << segments;
+    }
+  }
+}
+
+// Their corners are rounded by more than the eye is above them.
+TEST(Raster, FindsDepthsOfFloorsFarLargerThanTheirDistance) {
+  for (const double size : {1e3, 1e5, 1e6}) {
+    const std::array surfaces{two_triangles(size)};
+    const RayCaster ray_caster(surfaces);
+    const Film film{80, 60};
+    const CameraRays rays({{0.3, 0.05, 0.7}, {0.5, 0.0, 0.0}, {0.1, 1, 0}, 40.0}, film);
+    ASSERT_TRUE(ray_caster.can_rasterize(rays));
+    const std::vector<RasterPixel> hits = drawn(ray_caster, rays, film);
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+      const auto x = static_cast<double>(i % 80);
+      const auto y = static_cast<double>(i / 80);
+      const glm::dvec3 w = rays.direction(x + 0.5, y + 0.5);
+      if (!(w.y < -1e-3)) continue;
+      EXPECT_NEAR(static_cast<double>(hits[i].distance) * -w.y / 0.05, 1.0, 2e-4) << size;
     }
   }
 }
