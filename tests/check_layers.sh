@@ -74,7 +74,7 @@ core/transport/*.[hc]*:core/math/ core/medium/ core/scene/
 core/authoring/*.[hc]*:core/[a-z_]+.h core/math/ core/medium/ core/scene/ core/transport/
 core/volume/*.[hc]*:core/[a-z_]+.h core/medium/
 core/io/*.[hc]*:core/[a-z_]+.h core/scene/
-core/io/mesh/*.[hc]*:core/[a-z_]+.h core/scene/ core/io/[a-z_]+.h
+core/io/mesh/*.[hc]*:core/[a-z_]+.h core/math/ core/scene/ core/io/[a-z_]+.h
 core/io/image/*.[hc]*:core/[a-z_]+.h core/scene/ core/io/[a-z_]+.h
 core/io/volume/*.[hc]*:core/[a-z_]+.h core/volume/ core/io/[a-z_]+.h
 core/io/scene/json_*.[hc]*:core/[a-z_]+.h core/io/[a-z_]+.h

@@ -19,7 +19,7 @@ struct TriangleMesh;
 // and faces become these, and these a mesh of OpenMesh.
 struct MeshArrays {
   std::vector<glm::vec3> points;
-  std::vector<glm::vec3> normals;  // unit; as many as points
+  std::vector<glm::vec3> normals;  // unit, or 0: the triangle's own; as many as points
   std::vector<glm::uvec3> triangles;
   std::vector<glm::vec2> texcoords{};  // u to the right, v up; as many as points, or none
 

@@ -107,10 +107,10 @@ void InterpolatePoints(const PointTriangles& triangles, SurfacePoints& points) {
         plus(plus(times(weights[0], normals[0]), weights[1], normals[1]), weights[2], normals[2]));
     // Lengthened first: the product of two short edges would vanish.
     Vector geometric = normalized(cross(normalized(along), normalized(across)));
+    Vector normal = choose(hn::Gt(dot(smooth, smooth), zero), smooth, geometric);
     const Vector w = load(points.to_eye, i);
     const V faces = hn::CopySign(set(1.0f), dot(geometric, w));
     geometric = times(faces, geometric);
-    Vector normal = choose(hn::Gt(dot(smooth, smooth), zero), smooth, geometric);
     const V side = hn::IfThenElse(hn::Lt(dot(normal, geometric), zero), set(-1.0f), set(1.0f));
     normal = times(side, normal);
     Vector p = load(points.position, i);

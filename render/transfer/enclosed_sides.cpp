@@ -20,6 +20,9 @@ using Index = std::uint32_t;
 // balls differ by roundings.
 constexpr double same_place = 1e-6;
 
+// Of a sum of volumes, relative.
+constexpr double rounding = 1e-12;
+
 // For each vertex the first one at the same place.
 std::vector<Index> places(const MeshArrays& mesh) {
   glm::dvec3 low(std::numeric_limits<double>::infinity());
@@ -71,7 +74,8 @@ struct Edge {
 
 struct Shape {
   double volume = 0.0;   // six times it, > 0 if the winding is outward
-  double normals = 0.0;  // > 0 if vertex normals go with the winding
+  double volumes = 0.0;  // the sum of what each triangle adds or takes
+  double normals = 0.0;  // < 0 if vertex normals go against the winding
   bool closed = true;
 };
 
@@ -115,15 +119,18 @@ std::vector<Enclosed> enclosed_sides(const TriangleMesh& of) {
       p[k] = glm::dvec3(mesh.points[corner]) - origin;
       normals += glm::dvec3(mesh.normals[corner]);
     }
-    shapes[component].volume += glm::dot(p[0], glm::cross(p[1], p[2]));
+    const double volume = glm::dot(p[0], glm::cross(p[1], p[2]));
+    shapes[component].volume += volume;
+    shapes[component].volumes += std::abs(volume);
     shapes[component].normals += glm::dot(glm::cross(p[1] - p[0], p[2] - p[0]), normals);
   }
 
   std::vector<Enclosed> result(place.size(), Enclosed::none);
   for (std::size_t i = 0; i < place.size(); ++i) {
     const Shape& shape = shapes[components.root(place[i])];
-    if (!shape.closed || shape.volume == 0.0) continue;
-    const bool outward = (shape.volume > 0.0) == (shape.normals > 0.0);
+    // Two sheets in one place have none but roundings.
+    if (!shape.closed || !(std::abs(shape.volume) > rounding * shape.volumes)) continue;
+    const bool outward = (shape.volume > 0.0) == (shape.normals >= 0.0);
     result[i] = outward ? Enclosed::back : Enclosed::front;
   }
   return result;

@@ -12,6 +12,7 @@
 #include "brume/mesh_arrays.h"
 #include "brume/scene.h"
 #include "core/math/sphere_rule.h"
+#include "core/scene/area_normal.h"
 #include "core/scene/brdf.h"
 #include "core/scene/mesh.h"
 #include "render/geometry/rounding.h"
@@ -46,9 +47,14 @@ class MeshGeometry {
   [[nodiscard]] glm::dvec3 position(std::size_t vertex) const {
     return glm::dvec3(arrays_.points[vertex]);
   }
-  // Any direction where the mesh has none.
+  // That of a triangle where the mesh has none; any direction where nothing has.
   [[nodiscard]] glm::dvec3 normal(std::size_t vertex) const {
-    const glm::dvec3 n(arrays_.normals[vertex]);
+    glm::dvec3 n(arrays_.normals[vertex]);
+    const OpenMesh::VertexHandle v(static_cast<int>(vertex));
+    for (const auto face : mesh_.vf_range(v)) {
+      if (n != glm::dvec3(0.0)) break;
+      n = area_normal(arrays_.points, arrays_.triangles[static_cast<std::size_t>(face.idx())]);
+    }
     const double length = glm::length(n);
     return length > 0.0 ? n / length : glm::dvec3(0.0, 0.0, 1.0);
   }
@@ -78,13 +84,12 @@ class MeshGeometry {
 
   // The side of a triangle that rays in the direction w meet.
   [[nodiscard]] MeshSide seen_side(const MeshPoint& point, const glm::dvec3& w) const {
-    std::array<glm::dvec3, 3> p;
+    const glm::dvec3 flat = area_normal(arrays_.points, point.corners);
     glm::dvec3 smooth(0.0);
     for (int k = 0; k < 3; ++k) {
-      p[static_cast<std::size_t>(k)] = position(point.corners[k]);
-      smooth += point.weights[k] * normal(point.corners[k]);
+      smooth += point.weights[k] * glm::dvec3(arrays_.normals[point.corners[k]]);
     }
-    const glm::dvec3 flat = glm::cross(p[1] - p[0], p[2] - p[0]);
+    if (smooth == glm::dvec3(0.0)) smooth = flat;
     const bool against = (glm::dot(flat, w) < 0.0) == (glm::dot(flat, smooth) > 0.0);
     return against ? MeshSide::front : MeshSide::back;
   }

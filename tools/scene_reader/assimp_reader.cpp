@@ -20,6 +20,7 @@
 #include "core/io/text_scanner.h"
 #include "core/number_domain.h"
 #include "tools/scene_reader/assimp_materials.h"
+#include "tools/scene_reader/assimp_polygons.h"
 #include "tools/scene_reader/limited_files.h"
 
 namespace brume {
@@ -217,9 +218,13 @@ RawScene read_with_assimp(const fs::path& file) {
                               aiPrimitiveType_POINT | aiPrimitiveType_LINE);
   // As of meshes: vertices at one place are smooth up to 60 degrees.
   importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, 60.0f);
-  const aiScene* scene = importer.ReadFile(
-      file.string(), aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_GenSmoothNormals |
-                         aiProcess_JoinIdenticalVertices | aiProcess_ValidateDataStructure);
+  const aiScene* scene = importer.ReadFile(file.string(), aiProcess_ValidateDataStructure);
+  if (scene != nullptr) {
+    cut_polygons(const_cast<aiScene&>(*scene));  // the importer's, which has steps to go
+    scene = importer.ApplyPostProcessing(aiProcess_SortByPType | aiProcess_GenSmoothNormals |
+                                         aiProcess_JoinIdenticalVertices |
+                                         aiProcess_ValidateDataStructure);
+  }
   if (scene == nullptr) {
     throw InputError(file, "", "cannot be read: " + quoted_text(importer.GetErrorString(), 200));
   }

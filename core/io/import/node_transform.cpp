@@ -2,11 +2,11 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
 #include "brume/error.h"
 #include "core/number_domain.h"
+#include "core/scene/area_normal.h"
 
 namespace brume {
 namespace {
@@ -24,22 +24,14 @@ glm::dvec3 direction_or_zero(const glm::dvec3& v) {
   return length > 0.0 && length <= 1e150 ? v / length : glm::dvec3(0.0);
 }
 
-glm::dvec3 area_normal(const MeshArrays& mesh, const glm::uvec3& triangle) {
-  const glm::dvec3 a(mesh.points[triangle.x]);
-  return glm::cross(glm::dvec3(mesh.points[triangle.y]) - a,
-                    glm::dvec3(mesh.points[triangle.z]) - a);
-}
-
-// Vertices whose normal is 0 get that of their triangles, or else +y.
+// Vertices whose normal is 0 get that of their triangles, if those have one in all.
 void complete_normals(MeshArrays& mesh) {
   std::vector<glm::dvec3> sums(mesh.points.size(), glm::dvec3(0.0));
   for (const glm::uvec3& triangle : mesh.triangles) {
-    for (int k = 0; k < 3; ++k) sums[triangle[k]] += area_normal(mesh, triangle);
+    for (int k = 0; k < 3; ++k) sums[triangle[k]] += area_normal(mesh.points, triangle);
   }
   for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
-    if (mesh.normals[i] != glm::vec3(0.0f)) continue;
-    const glm::dvec3 normal = direction_or_zero(sums[i]);
-    mesh.normals[i] = normal == glm::dvec3(0.0) ? glm::dvec3(0.0, 1.0, 0.0) : normal;
+    if (mesh.normals[i] == glm::vec3(0.0f)) mesh.normals[i] = direction_or_zero(sums[i]);
   }
 }
 
@@ -58,21 +50,22 @@ void apply_transform(const glm::dmat4& to_world, const std::filesystem::path& fi
     mesh.points[i] = point;
   }
   const glm::dmat3 matrix(to_world);
-  const glm::dmat3 of_normals = normal_matrix(matrix);
-  for (glm::vec3& normal : mesh.normals) {
-    normal = direction_or_zero(of_normals * direction_or_zero(glm::dvec3(normal)));
-  }
+  for (glm::vec3& normal : mesh.normals) normal = moved_normal(matrix, normal);
   if (glm::determinant(matrix) < 0.0) {
     for (glm::uvec3& triangle : mesh.triangles) std::swap(triangle.y, triangle.z);
   }
   complete_normals(mesh);
 }
 
+glm::dvec3 moved_normal(const glm::dmat3& to_world, const glm::dvec3& normal) {
+  return direction_or_zero(normal_matrix(to_world) * direction_or_zero(normal));
+}
+
 void add_flat_normals(MeshArrays& mesh) {
   MeshArrays flat;
   for (const glm::uvec3& triangle : mesh.triangles) {
     const auto first = static_cast<unsigned>(flat.points.size());
-    const glm::vec3 normal(direction_or_zero(area_normal(mesh, triangle)));
+    const glm::vec3 normal(direction_or_zero(area_normal(mesh.points, triangle)));
     for (int k = 0; k < 3; ++k) {
       flat.points.push_back(mesh.points[triangle[k]]);
       flat.normals.push_back(normal);

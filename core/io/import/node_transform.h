@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <string>
 
@@ -11,10 +12,13 @@ namespace brume {
 
 // Moves a mesh from its node into the file's coordinates, whatever the transform: normals stay
 // perpendicular, triangles face the same side when mirrored. Normals become unit; where one has no
-// direction, that of its triangles is taken. Throws InputError (`place` for errors): a point that
-// is no coordinate of a scene.
+// direction, that of its triangles is taken, 0 if those have none in all. Throws InputError
+// (`place` for errors): a point that is no coordinate of a scene.
 void apply_transform(const glm::dmat4& to_world, const std::filesystem::path& file,
                      const std::string& place, MeshArrays& mesh);
+
+// A normal moved so that it stays perpendicular, unit; 0 where it has no direction.
+glm::dvec3 moved_normal(const glm::dmat3& to_world, const glm::dvec3& normal);
 
 // A mesh without normals gets those of its triangles, which then share no vertices.
 void add_flat_normals(MeshArrays& mesh);

@@ -162,7 +162,7 @@ bool is_valid(const MeshArrays& mesh) {
     if (!is_in(point, domain::coordinate)) return false;
   }
   for (const glm::vec3& normal : mesh.normals) {
-    if (!(std::abs(glm::length(normal) - 1.0f) < 1e-3f)) return false;
+    if (normal != glm::vec3(0.0f) && !(std::abs(glm::length(normal) - 1.0f) < 1e-3f)) return false;
   }
   for (const glm::vec2& uv : mesh.texcoords) {
     if (!(std::abs(uv.x) <= 1e7f && std::abs(uv.y) <= 1e7f)) return false;

@@ -8,10 +8,10 @@
 
 namespace brume {
 
-// Reads OBJ, PLY, STL or OFF by extension; polygons become triangles. Normals in the file are
-// used, smooth ones (area-weighted, across seams of vertices at one place that are no edge of 60
-// degrees or more) computed where it has none; all are unit. Throws InputError: unreadable, no
-// faces, coordinates that are not finite, a mesh of more than limits::scene_bytes.
+// Reads OBJ, PLY, STL or OFF by extension; polygons become triangles (triangulate()). Normals in
+// the file are used, smooth ones (area-weighted, across seams of vertices at one place that are no
+// edge of 60 degrees or more) computed where it has none (vertex_normals()). Throws InputError:
+// unreadable, no faces, coordinates that are not finite, a mesh of more than limits::scene_bytes.
 std::shared_ptr<const TriangleMesh> read_mesh(const std::filesystem::path& file);
 
 }  // namespace brume

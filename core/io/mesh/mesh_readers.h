@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -18,8 +17,9 @@ namespace brume {
 struct RawMesh {
   std::vector<glm::dvec3> points;
   std::vector<glm::dvec3> normals;
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-  std::vector<glm::vec2> texcoords;  // u to the right, v up; missing ones are 0
+  std::vector<std::uint32_t> corners;     // of the polygons, one after the other
+  std::vector<std::size_t> polygon_ends;  // within `corners`
+  std::vector<glm::vec2> texcoords;       // u to the right, v up; missing ones are 0
   // Vertices with the same number are one point of the file, split where its texture coordinates
   // are: normals that are computed are smooth across. Empty: none is split.
   std::vector<std::uint32_t> file_points;
@@ -42,6 +42,7 @@ glm::vec2 read_texcoord(TextScanner& scanner);
 glm::vec2 finite_texcoord(double u, double v);
 void check_point(const std::filesystem::path& file, const std::string& place,
                  const glm::dvec3& point);
+// Leaves out corners that are the one before, and what has fewer than three.
 void add_polygon(RawMesh& mesh, std::span<const std::uint32_t> corners);
 
 }  // namespace brume

@@ -17,6 +17,7 @@
 #include "core/io/scene/usd_material.h"
 #include "core/io/scene/usd_text.h"
 #include "core/medium/splat.h"
+#include "core/scene/area_normal.h"
 #include "core/scene/environment.h"
 #include "core/scene/placement.h"
 
@@ -164,11 +165,31 @@ std::string list_of(std::size_t count, ValueOf value_of) {
   return text + "]";
 }
 
+std::string vectors(const std::vector<glm::vec3>& values) {
+  return list_of(values.size(), [&](std::size_t i) { return usd_value(glm::dvec3(values[i])); });
+}
+
+// Of the vertices; of the corners of triangles where a vertex has none, which USD does not know.
+void write_normals(UsdText& out, const MeshArrays& mesh) {
+  const glm::vec3 none(0.0f);
+  if (std::ranges::count(mesh.normals, none) == 0) {
+    out.constant("normal3f[] normals", vectors(mesh.normals), "interpolation = \"vertex\"");
+    return;
+  }
+  std::vector<glm::vec3> normals;
+  for (const glm::uvec3& t : mesh.triangles) {
+    const glm::dvec3 flat = area_normal(mesh.points, t);
+    const double length = glm::length(flat);
+    for (int k = 0; k < 3; ++k) {
+      const bool is_flat = mesh.normals[t[k]] == none && length > 0.0;
+      normals.push_back(is_flat ? glm::vec3(flat / length) : mesh.normals[t[k]]);
+    }
+  }
+  out.constant("normal3f[] normals", vectors(normals), "interpolation = \"faceVarying\"");
+}
+
 void write_mesh(UsdText& out, const TriangleMesh& mesh) {
   const MeshArrays arrays = to_arrays(mesh);
-  const auto vectors = [](const std::vector<glm::vec3>& values) {
-    return list_of(values.size(), [&](std::size_t i) { return usd_value(glm::dvec3(values[i])); });
-  };
   out.constant("int[] faceVertexCounts",
                list_of(arrays.triangles.size(), [](std::size_t) { return std::string("3"); }));
   out.constant("int[] faceVertexIndices", list_of(arrays.triangles.size(), [&](std::size_t i) {
@@ -177,7 +198,7 @@ void write_mesh(UsdText& out, const TriangleMesh& mesh) {
                         std::to_string(t.z);
                }));
   out.constant("point3f[] points", vectors(arrays.points));
-  out.constant("normal3f[] normals", vectors(arrays.normals), "interpolation = \"vertex\"");
+  write_normals(out, arrays);
   if (!arrays.texcoords.empty()) {
     out.constant("texCoord2f[] primvars:st",
                  list_of(arrays.texcoords.size(),

@@ -13,7 +13,7 @@ struct SurfacePoint {
   vec3 normal;         // unit, or 0 where neither triangle nor mesh has one
   vec3 shadow_origin;  // where shadow rays start
   int surface;
-  bool on_back;  // of the mesh, by its normals
+  bool on_back;  // of the mesh, by its normals, else by its winding
 };
 
 int vertex_of(int triangle, int k) { return corners[3 * (triangle_count + triangle) + k].index; }
@@ -47,14 +47,14 @@ SurfacePoint point_of(PixelHit hit, ivec2 pixel) {
   point.surface = corners[3 * hit.triangle].index;
   // Lengthened first: the product of two short edges would vanish.
   vec3 geometric = unit_or_none(cross(unit_or_none(at[1] - at[0]), unit_or_none(at[2] - at[0])));
+  const vec3 smooth_ = unit_or_none(sum);
+  point.normal = dot(smooth_, smooth_) > 0.0 ? smooth_ : geometric;
   if (dot(geometric, to_eye) < 0.0) geometric = -geometric;
   point.position = hit_position(hit, pixel);
   point.position -= dot(point.position - at[0], geometric) * geometric;
-  const vec3 smooth_ = unit_or_none(sum);
-  point.normal = dot(smooth_, smooth_) > 0.0 ? smooth_ : geometric;
   const float side = dot(point.normal, geometric) < 0.0 ? -1.0 : 1.0;
   point.normal *= side;
-  point.on_back = dot(sum, point.normal) < 0.0;
+  point.on_back = side < 0.0;
   const vec3 sizes = max(abs(at[0]), max(abs(at[1]), abs(at[2])));
   const float rounding = float(position_rounding);
   const float off_plane = dot(abs(geometric), sizes) + rounding * max_component(sizes);

@@ -103,6 +103,25 @@ TEST(SurfaceKernels, PointsAreThoseOfThePlainVersion) {
   }
 }
 
+TEST(SurfaceKernels, TrianglesWithoutNormalsHaveTheSideOfTheirWinding) {
+  Surface surface;
+  surface.mesh = to_mesh({{{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}},
+                          std::vector<glm::vec3>(3, glm::vec3(0.0f)),
+                          {{0, 1, 2}}});
+  const std::array surfaces{surface};
+  const RayCaster ray_caster(surfaces);
+  for (const double side : {1.0, -1.0}) {
+    const glm::dvec3 eye(0.1, 0.1, 2.0 * side);
+    const glm::dvec3 w(0.0, 0.0, -side);
+    const std::vector hits{ray_caster.first_hit(eye, w)};
+    SurfacePoints points;
+    ray_caster.points(hits, std::vector{glm::vec3(w)}, surfaces, points);
+    EXPECT_EQ(points.normal[0], glm::vec3(0, 0, side));
+    EXPECT_EQ(points.side[0], side);
+    EXPECT_EQ(ray_caster.point(hits[0], eye, w, surfaces).normal, glm::dvec3(0, 0, side));
+  }
+}
+
 TEST(SurfaceKernels, LightIsThatOfThePlainVersion) {
   Random random(2);
   std::array<PointArray, sh_max_bands> factors;

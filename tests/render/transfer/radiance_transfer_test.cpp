@@ -92,6 +92,16 @@ TEST(EnclosedSides, AreInsideClosedParts) {
   EXPECT_EQ(sides(*open, inward + 30), Enclosed::front);
 }
 
+// Its volume is only roundings.
+TEST(EnclosedSides, AreNotBetweenTwoSheetsInOnePlace) {
+  MeshArrays mesh;
+  add_ball(mesh, 8, {1, 2, 3}, 1.0, 2.0, false);
+  add_ball(mesh, 8, {1, 2, 3}, 1.0, 2.0, true);
+  for (const Enclosed enclosed : enclosed_sides(*to_mesh(mesh))) {
+    EXPECT_EQ(enclosed, Enclosed::none);
+  }
+}
+
 // What is seen from a ball, whose own lower hemispheres are mirrored from the upper ones: all.
 TEST(RadianceTransfer, ABallHasNoShadows) {
   const auto ball = ball_mesh(16);
@@ -367,6 +377,21 @@ TEST(RadianceTransfer, ShadowsASkyAsTheReferenceDoes) {
     }
     EXPECT_LT(std::sqrt(error / squares), row.error);
     EXPECT_NEAR(std::sqrt(unshadowed / squares), row.unshadowed_error, 0.01);
+  }
+}
+
+TEST(RadianceTransfer, WithoutNormalsIsThatOfTheTriangles) {
+  MeshArrays mesh;
+  add_floor(mesh, 3, 1.0);
+  const std::size_t upper = add_floor(mesh, 3, 1.0);
+  for (std::size_t i = upper; i < mesh.points.size(); ++i) mesh.points[i].z = 0.5f;
+  const TransferSettings settings{.order = 3, .directions = 64, .bounces = 2};
+  const RadianceTransfer with = transfer_of(to_mesh(mesh), settings);
+  mesh.normals.assign(mesh.points.size(), glm::vec3(0.0f));
+  const RadianceTransfer without = transfer_of(to_mesh(mesh), settings);
+  for (const MeshSide side : {MeshSide::front, MeshSide::back}) {
+    EXPECT_EQ(with.side(side).visibility, without.side(side).visibility);
+    EXPECT_EQ(with.side(side).reflected, without.side(side).reflected);
   }
 }
 

@@ -8,6 +8,7 @@
 #include "core/io/image/image_file.h"
 #include "core/io/import/imported_scene_file.h"
 #include "core/io/import/raw_scene_bytes.h"
+#include "core/scene/area_normal.h"
 #include "core/scene/mesh.h"
 #include "tests/core/io/input_error.h"
 #include "tests/core/io/temporary_folder.h"
@@ -85,6 +86,21 @@ TEST(ReaderProgram, MissingTexturesAreAWarning) {
   EXPECT_EQ(scene->parts[0].material.metallic_roughness.base_color_texture.content, nullptr);
 }
 
+TEST(ReaderProgram, CoversConcavePolygons) {
+  const TemporaryFolder folder;
+  const std::string points = "v 2 0 0\nv 2 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0\nv 0 0 0\n";
+  std::vector<std::string> warnings;
+  for (const char* face : {"f 1 2 3 4 5 6\n", "f 6 5 4 3 2 1\n", "f 4 5 6 1 2 3\nl 1 2\n"}) {
+    const auto scene = read_imported_scene(folder.write("l.obj", points + face), warnings);
+    const MeshArrays mesh = to_arrays(*scene->parts.at(0).mesh);
+    double area = 0.0;
+    for (const glm::uvec3& t : mesh.triangles) {
+      area += 0.5 * glm::length(area_normal(mesh.points, t));
+    }
+    EXPECT_NEAR(area, 3.0, 1e-6) << face;
+  }
+}
+
 TEST(ReaderProgram, DamagedFilesAreAnError) {
   const TemporaryFolder folder;
   std::vector<std::string> warnings;
@@ -116,7 +132,7 @@ RawScene small_scene() {
   scene.images = {{"/a/b.png", "bytes"}};
   RawPart part{1, 0, {}};
   part.mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-  part.mesh.normals.assign(3, {0, 0, 1});
+  part.mesh.normals = {{0, 0, 1}, {0, 0, 1}, {0, 0, 0}};
   part.mesh.texcoords = {{0, 0}, {1, 0}, {0, 1}};
   part.mesh.triangles = {{0, 1, 2}};
   scene.parts = {part};

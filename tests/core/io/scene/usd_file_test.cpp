@@ -198,6 +198,25 @@ TEST_F(UsdFile, SurfacesAreMeshesInTheirPlaces) {
   EXPECT_EQ(numbers(first, "inputs:diffuseColor"), (std::vector{0.1, 0.2, 0.3}));
 }
 
+TEST_F(UsdFile, CornersWithoutNormalsHaveThoseOfTheirTriangles) {
+  Surface bend;
+  bend.name = "Bend";
+  bend.mesh = to_mesh({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                       {{0, 0, 0}, {0, 0.6f, 0.8f}, {0, 0, 1}, {0, 1, 0}},
+                       {{0, 1, 2}, {0, 3, 1}}});
+  scene_.surfaces = {bend};
+  const std::string mesh = prim(stage(), "Bend");
+  EXPECT_NE(mesh.find("faceVarying"), std::string::npos);
+  const std::vector<double> normals = numbers(mesh, "normals");
+  ASSERT_EQ(normals.size(), 18u);
+  const auto normal = [&](std::size_t corner) {
+    return glm::vec3(normals[3 * corner], normals[3 * corner + 1], normals[3 * corner + 2]);
+  };
+  EXPECT_EQ(normal(0), glm::vec3(0, 0, 1));
+  EXPECT_EQ(normal(1), glm::vec3(0, 0.6f, 0.8f));
+  EXPECT_EQ(normal(3), glm::vec3(0, 1, 0));
+}
+
 TEST_F(UsdFile, MaterialsKeepTheirValuesAndTextures) {
   Surface box;
   box.name = "Box";

@@ -1,0 +1,123 @@
+#include "core/io/mesh/winding.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <tuple>
+#include <utility>
+
+#include "core/io/mesh/mesh_normals.h"
+#include "core/scene/area_normal.h"
+
+namespace brume {
+namespace {
+
+using Index = std::uint32_t;
+
+// Two triangles lie on each other if their normals are this close to opposite, about 8 degrees.
+constexpr double cos_folded = -0.99;
+// Beyond an edge of more than two triangles, those go on within this angle, 60 degrees.
+constexpr double cos_continued = 0.5;
+
+// Disjoint sets of triangles, each of which is turned against the first of its set or not.
+class TurnedSets {
+ public:
+  explicit TurnedSets(std::size_t size) : parents_(size), turned_(size, false) {
+    for (std::size_t i = 0; i < size; ++i) parents_[i] = static_cast<Index>(i);
+  }
+
+  // The first of the set, and whether the triangle is turned against it.
+  std::pair<Index, bool> root(Index triangle) {
+    Index first = triangle;
+    bool is_turned = false;
+    for (; parents_[first] != first; first = parents_[first]) {
+      is_turned = is_turned != turned_[first];
+    }
+    // The way there becomes a step.
+    for (bool rest = is_turned; parents_[triangle] != first && triangle != first;) {
+      const Index next = std::exchange(parents_[triangle], first);
+      const bool step = turned_[triangle];
+      turned_[triangle] = rest;
+      rest = rest != step;
+      triangle = next;
+    }
+    return {first, is_turned};
+  }
+
+  // Without effect where they are in one set.
+  void join(Index a, Index b, bool is_turned) {
+    auto [first, a_turned] = root(a);
+    auto [second, b_turned] = root(b);
+    if (first == second) return;
+    if (second < first) std::swap(first, second);
+    parents_[second] = first;
+    turned_[second] = is_turned != (a_turned != b_turned);
+  }
+
+ private:
+  std::vector<Index> parents_;
+  std::vector<bool> turned_;  // against the parent
+};
+
+struct Edge {
+  Index low, high;  // places
+  Index triangle;
+  bool is_forward;  // from low to high
+};
+
+std::vector<Edge> sorted_edges(std::span<const Index> places, const std::vector<bool>& ignored,
+                               std::span<const glm::uvec3> triangles) {
+  std::vector<Edge> edges;
+  edges.reserve(3 * triangles.size());
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    if (ignored[t]) continue;
+    for (int k = 0; k < 3; ++k) {
+      const Index a = places[triangles[t][k]];
+      const Index b = places[triangles[t][(k + 1) % 3]];
+      if (a != b) edges.push_back({std::min(a, b), std::max(a, b), static_cast<Index>(t), a < b});
+    }
+  }
+  std::ranges::sort(edges, [](const Edge& a, const Edge& b) {
+    return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
+  });
+  return edges;
+}
+
+}  // namespace
+
+void make_winding_consistent(const std::vector<glm::dvec3>& points, std::span<const Index> places,
+                             const std::vector<bool>& ignored, std::span<glm::uvec3> triangles) {
+  const auto normal = [&](Index t) { return unit_or_zero(area_normal(points, triangles[t])); };
+  TurnedSets sets(triangles.size());
+  std::vector<std::pair<Index, Index>> overlaps;  // and what goes on beyond an edge of several
+  const std::vector<Edge> edges = sorted_edges(places, ignored, triangles);
+  for (std::size_t i = 0; i < edges.size();) {
+    const Edge& first = edges[i];
+    const std::size_t begin = i;
+    while (i < edges.size() && edges[i].low == first.low && edges[i].high == first.high) ++i;
+    const bool has_two = i - begin == 2;
+    for (std::size_t k = begin + 1; k < i; ++k) {
+      const Edge& other = edges[k];
+      const bool is_turned = first.is_forward == other.is_forward;
+      const double cosine = glm::dot(normal(first.triangle), normal(other.triangle));
+      if (has_two && (is_turned ? -cosine : cosine) > cos_folded) {
+        sets.join(first.triangle, other.triangle, is_turned);
+      } else if (has_two || std::abs(cosine) > cos_continued) {
+        overlaps.emplace_back(first.triangle, other.triangle);
+      }
+    }
+  }
+  for (const auto& [a, b] : overlaps) sets.join(a, b, glm::dot(normal(a), normal(b)) < 0.0);
+
+  std::vector<std::int64_t> turned_less_others(triangles.size(), 0);  // by the first of each set
+  for (Index t = 0; t < triangles.size(); ++t) {
+    const auto [first, is_turned] = sets.root(t);
+    turned_less_others[first] += is_turned ? 1 : -1;
+  }
+  for (Index t = 0; t < triangles.size(); ++t) {
+    const auto [first, is_turned] = sets.root(t);
+    const bool most_are_turned = turned_less_others[first] > 0;
+    if (is_turned != most_are_turned) std::swap(triangles[t].y, triangles[t].z);
+  }
+}
+
+}  // namespace brume
