@@ -97,12 +97,17 @@ std::string gltf_scene() {
       {"count", 1},
       {"indices", {{"bufferView", builder.add_view(&index, 1)}, {"componentType", 5121}}},
       {"values", {{"bufferView", builder.add_view(point.data(), sizeof point)}}}};
+  const std::size_t joints =
+      builder.add_integers<std::uint8_t>(std::vector<std::uint8_t>(16), "VEC4");
+  builder.primitive()["attributes"]["JOINTS_0"] = joints;
+  builder.primitive()["attributes"]["WEIGHTS_0"] = joints;
+  builder.json["skins"] = {{{"joints", {1, 2}}}};
   builder.json["extensions"]["KHR_lights_punctual"]["lights"] = {
       {{"type", "spot"}, {"intensity", 5}, {"spot", {{"innerConeAngle", 0.1}}}},
       {{"type", "directional"}, {"color", {1, 0.5, 0}}}};
   builder.json["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", 0.8}}}}};
   builder.json["nodes"] = {
-      {{"name", "a"}, {"mesh", 0}, {"children", {1, 2}}, {"scale", {-1, 2, 1}}},
+      {{"name", "a"}, {"mesh", 0}, {"skin", 0}, {"children", {1, 2}}, {"scale", {-1, 2, 1}}},
       {{"camera", 0}, {"rotation", {0, 0.6, 0, 0.8}}, {"translation", {1, 2, 3}}},
       {{"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}},
        {"matrix", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 4, 5, 6, 1}}}};

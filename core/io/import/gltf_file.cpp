@@ -57,6 +57,15 @@ constexpr std::array<std::string_view, 11> optional_extensions{
     "KHR_materials_specular",   "KHR_materials_transmission", "KHR_materials_unlit",
     "KHR_materials_variants",   "KHR_materials_volume"};
 
+// The one for compression among an object's extensions; empty without.
+std::string compression_in(const Json* extensions) {
+  if (extensions == nullptr || !extensions->is_object()) return {};
+  for (const auto& [name, value] : extensions->items()) {
+    if (name.ends_with("_compression")) return name;
+  }
+  return {};
+}
+
 // An accessor without a buffer view is all zeros: nothing in the file bounds its size.
 constexpr std::int64_t max_zeros = 1 << 20;
 constexpr std::int64_t max_bytes = limits::file_bytes;
@@ -144,14 +153,17 @@ std::optional<std::size_t> GltfFile::index(JsonObject& object, std::string_view 
   return static_cast<std::size_t>(object.integer(key, 0, static_cast<std::int64_t>(count) - 1, 0));
 }
 
-GltfFile::Accessor GltfFile::accessor(const JsonPath& path, std::size_t index) {
+GltfFile::Accessor GltfFile::accessor(const JsonPath& path, std::size_t index,
+                                      std::size_t components) {
   JsonObject object(context_, list("accessors")[index], path);
   Accessor result;
   result.type = object.integer("componentType", i8, f32, 0);
   if (object.find("componentType") == nullptr || result.type == 5124) {
     object.fail("componentType", "allowed: 5120, 5121, 5122, 5123, 5125, 5126");
   }
-  result.components = 1 + object.choice("type", {"SCALAR", "VEC2", "VEC3", "VEC4"}, {});
+  result.components = components == 16
+                          ? 16 + object.choice("type", {"MAT4"}, {})
+                          : 1 + object.choice("type", {"SCALAR", "VEC2", "VEC3", "VEC4"}, {});
   static_cast<void>(object.required("count"));
   result.is_normalized = object.boolean("normalized", false);
   result.sparse = object.find("sparse");
@@ -234,7 +246,7 @@ std::vector<float> GltfFile::numbers(const JsonPath& user, std::size_t index,
                                      std::size_t components) {
   const JsonPath accessors = root_path_.member("accessors");
   const JsonPath path = accessors.element(index);
-  const Accessor found = accessor(path, index);
+  const Accessor found = accessor(path, index, components);
   if (found.components != components) {
     context_.fail(user, "refers to " + path.text() + ", which has " +
                             std::to_string(found.components) +
@@ -264,6 +276,24 @@ std::vector<std::uint32_t> GltfFile::indices(const JsonPath& user, std::size_t i
   return values;
 }
 
+std::string GltfFile::compression(const Json* extensions, std::size_t index) {
+  // Mistakes are found where it is read.
+  const auto referred = [this](const Json& object, const char* key, const char* of) -> const Json* {
+    const auto reference = object.is_object() ? object.find(key) : object.end();
+    if (reference == object.end() || !reference->is_number_unsigned()) return nullptr;
+    const auto element = reference->get<std::size_t>();
+    return element < list(of).size() ? &list(of)[element] : nullptr;
+  };
+  const Json& accessor = list("accessors")[index];
+  if (accessor.contains("sparse")) return {};
+  if (!accessor.contains("bufferView")) return compression_in(extensions);
+  const Json* const view = referred(accessor, "bufferView", "bufferViews");
+  const Json* const buffer = view ? referred(*view, "buffer", "buffers") : nullptr;
+  if (buffer == nullptr || buffer->contains("uri")) return {};
+  const bool is_chunk = chunk_ && buffer == &list("buffers")[0];
+  return is_chunk || !view->contains("extensions") ? "" : compression_in(&(*view)["extensions"]);
+}
+
 std::string_view GltfFile::buffer_view(std::size_t view) {
   const JsonPath views = root_path_.member("bufferViews");
   const JsonPath path = views.element(view);
@@ -289,11 +319,12 @@ std::string_view GltfFile::buffer(std::size_t index) {
   JsonObject object(context_, list("buffers")[index], path);
   if (object.find("uri") == nullptr) {
     if (index > 0) object.fail("uri", "missing");
-    bytes = std::move(chunk_);
+    bytes = std::move(chunk_).value_or("");
     return *bytes;
   }
   const JsonPath uri = object.path_of("uri");
-  Resource found = resource(uri, object.text("uri", {}));
+  Resource found = resource(object.text("uri", {}));
+  if (!found.refusal.empty()) context_.fail(uri, found.refusal);
   if (!found.is_embedded) {
     try {
       found.bytes = read_bytes(found.file);
@@ -306,17 +337,15 @@ std::string_view GltfFile::buffer(std::size_t index) {
   return *bytes;
 }
 
-GltfFile::Resource GltfFile::resource(const JsonPath& path, const std::string& uri) const {
+GltfFile::Resource GltfFile::resource(const std::string& uri) const {
   if (uri.starts_with("data:")) {
     auto bytes = decoded_data_uri(uri);
-    if (!bytes) context_.fail(path, "found " + quoted_text(uri, 40) + "; allowed: base64 data");
-    return {context_.file(), std::move(*bytes), true};
+    if (bytes) return {context_.file(), std::move(*bytes), true};
+    return {.refusal = "found " + quoted_text(uri, 40) + "; allowed: base64 data"};
   }
   const std::optional<std::string> name = decoded_relative_uri(uri);
-  if (!name) {
-    context_.fail(path, "found " + quoted_text(uri, 80) + "; allowed: a relative path, or data");
-  }
-  return {(context_.file().parent_path() / *name).lexically_normal(), {}, false};
+  if (name) return {(context_.file().parent_path() / *name).lexically_normal()};
+  return {.refusal = "found " + quoted_text(uri, 80) + "; allowed: a relative path, or data"};
 }
 
 }  // namespace brume

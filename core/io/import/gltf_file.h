@@ -29,23 +29,28 @@ class GltfFile {
   // The member `key` of an object, an index into the list `of`; nullopt if missing.
   std::optional<std::size_t> index(JsonObject& object, std::string_view key, std::string_view of);
 
-  // The numbers of an accessor of `components` components, one element after the other; integers
-  // that are normalized, and only those, become fractions. `user`: what refers to it.
+  // The numbers of an accessor of `components` components (16: matrices), one element after the
+  // other; integers that are normalized, and only those, become fractions. `user`: what refers to
+  // it.
   std::vector<float> numbers(const JsonPath& user, std::size_t accessor, std::size_t components);
   // The number of elements of an accessor, all of them in its buffer view, if it has one.
   std::size_t count(std::size_t accessor);
   std::vector<std::uint32_t> indices(const JsonPath& user, std::size_t accessor);
+  // The extension that compresses an accessor's numbers if they are in no buffer besides; else
+  // empty. `extensions`: of the object that refers to it; null if it has none.
+  std::string compression(const Json* extensions, std::size_t accessor);
 
   // Valid as long as this is.
   std::string_view buffer_view(std::size_t view);
 
   // A reference of the file: bytes of its own ("data:..."), or else a file, which need not exist.
   struct Resource {
-    std::filesystem::path file;
-    std::string bytes;
+    std::filesystem::path file{};
+    std::string bytes{};
     bool is_embedded = false;
+    std::string refusal{};  // not empty: it is neither, and why
   };
-  [[nodiscard]] Resource resource(const JsonPath& path, const std::string& uri) const;
+  [[nodiscard]] Resource resource(const std::string& uri) const;
 
   // The file itself and its buffers.
   [[nodiscard]] const std::vector<std::filesystem::path>& files() const { return files_; }
@@ -56,7 +61,7 @@ class GltfFile {
   void read_binary(std::string_view bytes);
   void check_version();
   void check_extensions(JsonObject& root);
-  Accessor accessor(const JsonPath& path, std::size_t index);
+  Accessor accessor(const JsonPath& path, std::size_t index, std::size_t components = 1);
   std::vector<float> read(const JsonPath& path, const Accessor& accessor);
   void apply_sparse(const JsonPath& path, const Json& sparse, const Accessor& accessor,
                     std::vector<float>& values);
@@ -65,7 +70,7 @@ class GltfFile {
   JsonContext context_;
   JsonPath root_path_;
   Json root_;
-  std::string chunk_;                                // of a .glb
+  std::optional<std::string> chunk_;                 // of a .glb; the first buffer
   std::vector<std::optional<std::string>> buffers_;  // as far as read
   std::vector<std::filesystem::path> files_;
 };

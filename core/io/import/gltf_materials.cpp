@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/io/import/gltf_values.h"
 #include "core/number_domain.h"
 
 namespace brume {
@@ -20,7 +21,7 @@ TextureWrap wrap_of(JsonObject& sampler, const char* key) {
   constexpr std::int64_t clamp = 33071;
   constexpr std::int64_t mirror = 33648;
   constexpr std::int64_t repeat = 10497;
-  const std::int64_t wrap = sampler.integer(key, 0, INT32_MAX, repeat);
+  const std::int64_t wrap = sampler.integer(key, INT32_MIN, INT32_MAX, repeat);
   return wrap == clamp    ? TextureWrap::clamp
          : wrap == mirror ? TextureWrap::mirror
                           : TextureWrap::repeat;
@@ -40,8 +41,8 @@ void read_transform(GltfFile& file, const Json& value, const JsonPath& path, Tex
       object.integer("texCoord", 0, max_set, static_cast<std::int64_t>(use.texcoord_set)));
 }
 
-// Nullopt for an image of a format that only an extension has.
-std::optional<TextureUse> read_texture_use(GltfFile& file, JsonObject& object) {
+// Nullopt for an image that cannot be read, as of a format that only an extension has.
+std::optional<TextureUse> read_texture_use(GltfFile& file, GltfImages& images, JsonObject& object) {
   if (object.find("index") == nullptr) object.fail("index", "missing");
   const std::size_t index = *file.index(object, "index", "textures");
   TextureUse use;
@@ -68,6 +69,7 @@ std::optional<TextureUse> read_texture_use(GltfFile& file, JsonObject& object) {
     file.context().warn(texture.path_of("source"), "missing: the texture is left out");
     return std::nullopt;
   }
+  if (!images.use(*image)) return std::nullopt;
   use.texture.image = *image;
   return use;
 }
@@ -76,7 +78,8 @@ std::optional<TextureUse> read_texture_use(GltfFile& file, JsonObject& object) {
 // first.
 class Textures {
  public:
-  Textures(GltfFile& file, GltfMaterial& material) : file_(file), material_(material) {}
+  Textures(GltfFile& file, GltfImages& images, GltfMaterial& material)
+      : file_(file), images_(images), material_(material) {}
 
   // The texture `key` of an object, the `slot`th of textures_of(); the object of its reference
   // is handed to `read` for what else it has.
@@ -86,7 +89,7 @@ class Textures {
     const JsonPath path = owner.path_of(key);
     JsonObject object(file_.context(), *value, path);
     read_more(object);
-    const std::optional<TextureUse> use = read_texture_use(file_, object);
+    const std::optional<TextureUse> use = read_texture_use(file_, images_, object);
     if (!use) return;
     material_.material.textures[slot] = use->texture;
     if (!has_any_) {
@@ -103,6 +106,7 @@ class Textures {
 
  private:
   GltfFile& file_;
+  GltfImages& images_;
   GltfMaterial& material_;
   bool has_any_ = false;
 };
@@ -115,37 +119,36 @@ double emissive_strength(GltfFile& file, JsonObject& material) {
   const Json* strength = all.find("KHR_materials_emissive_strength");
   if (strength == nullptr) return 1.0;
   const JsonPath strength_path = all.path_of("KHR_materials_emissive_strength");
-  return JsonObject(file.context(), *strength, strength_path)
-      .number("emissiveStrength", domain::not_negative, 1.0);
+  JsonObject object(file.context(), *strength, strength_path);
+  return nearest_number(file, object, "emissiveStrength", domain::not_negative, 1.0);
 }
 
 }  // namespace
 
-GltfMaterial read_gltf_material(GltfFile& file, const Json& value, const JsonPath& path) {
+GltfMaterial read_gltf_material(GltfFile& file, GltfImages& images, const Json& value,
+                                const JsonPath& path) {
   JsonObject object(file.context(), value, path);
   GltfMaterial result;
   MetallicRoughness& values = result.material.values;
-  Textures textures(file, result);
+  Textures textures(file, images, result);
   const auto nothing = [](JsonObject&) {};
   if (const Json* metallic = object.find("pbrMetallicRoughness")) {
     const JsonPath metallic_path = object.path_of("pbrMetallicRoughness");
     JsonObject pbr(file.context(), *metallic, metallic_path);
-    if (const Json* color = pbr.find("baseColorFactor")) {
-      const auto rgba =
-          read_numbers(file.context(), *color, pbr.path_of("baseColorFactor"), 4, domain::unit);
-      values.base_color = {rgba[0], rgba[1], rgba[2]};
-    }
-    values.metallic = pbr.number("metallicFactor", domain::unit, 1.0);
-    values.roughness = pbr.number("roughnessFactor", domain::unit, 1.0);
+    const auto rgba =
+        nearest_numbers(file, pbr, "baseColorFactor", domain::unit, {1.0, 1.0, 1.0, 1.0});
+    values.base_color = {rgba[0], rgba[1], rgba[2]};
+    values.metallic = nearest_number(file, pbr, "metallicFactor", domain::unit, 1.0);
+    values.roughness = nearest_number(file, pbr, "roughnessFactor", domain::unit, 1.0);
     textures.read(pbr, "baseColorTexture", 0, nothing);
     textures.read(pbr, "metallicRoughnessTexture", 1, nothing);
   }
-  textures.read(object, "normalTexture", 2, [&values](JsonObject& normal) {
+  textures.read(object, "normalTexture", 2, [&](JsonObject& normal) {
     static constexpr NumberDomain scales{-1000.0, 1000.0, "a number from -1000 to 1000"};
-    values.normal_scale = std::abs(normal.number("scale", scales, 1.0));
+    values.normal_scale = std::abs(nearest_number(file, normal, "scale", scales, 1.0));
   });
   textures.read(object, "emissiveTexture", 3, nothing);
-  values.emissive = object.vector("emissiveFactor", domain::unit, glm::dvec3(0.0)) *
+  values.emissive = nearest_vector(file, object, "emissiveFactor", domain::unit, glm::dvec3(0.0)) *
                     emissive_strength(file, object);
   if (object.text("alphaMode", "OPAQUE") != "OPAQUE") {
     file.context().warn(object.path_of("alphaMode"), "surfaces are opaque here");
@@ -153,21 +156,23 @@ GltfMaterial read_gltf_material(GltfFile& file, const Json& value, const JsonPat
   return result;
 }
 
-std::vector<RawImage> read_gltf_images(GltfFile& file) {
-  const Json::array_t& images = file.list("images");
-  const JsonPath path = file.path().member("images");
-  std::vector<RawImage> result;
-  for (std::size_t i = 0; i < images.size(); ++i) {
-    const JsonPath image_path = path.element(i);
-    JsonObject image(file.context(), images[i], image_path);
-    if (const auto view = file.index(image, "bufferView", "bufferViews")) {
-      result.push_back({file.context().file(), std::string(file.buffer_view(*view))});
-    } else {
-      auto found = file.resource(image.path_of("uri"), image.text("uri", {}));
-      result.push_back({std::move(found.file), std::move(found.bytes)});
-    }
+bool GltfImages::use(std::size_t index) {
+  RawImage& image = images_[index];
+  if (!image.file.empty()) return true;
+  const JsonPath list = file_.path().member("images");
+  const JsonPath path = list.element(index);
+  JsonObject object(file_.context(), file_.list("images")[index], path);
+  if (const auto view = file_.index(object, "bufferView", "bufferViews")) {
+    image = {file_.context().file(), std::string(file_.buffer_view(*view))};
+    return true;
   }
-  return result;
+  GltfFile::Resource found = file_.resource(object.text("uri", ""));
+  if (!found.refusal.empty()) {
+    file_.context().warn(object.path_of("uri"), found.refusal + ": the texture is left out");
+    return false;
+  }
+  image = {std::move(found.file), std::move(found.bytes)};
+  return true;
 }
 
 }  // namespace brume

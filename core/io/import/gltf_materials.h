@@ -11,13 +11,26 @@ namespace brume {
 // A material of a glTF file, and the texture coordinates of its textures.
 struct GltfMaterial {
   RawMaterial material;
-  std::size_t texcoord_set = 0;      // TEXCOORD_n
+  std::size_t texcoord_set = 0;        // TEXCOORD_n
   glm::dmat3 texcoord_transform{1.0};  // of (u, v, 1) as the file has them, v down
 };
 
-GltfMaterial read_gltf_material(GltfFile& file, const Json& value, const JsonPath& path);
+// The images of a glTF file that textures use; no others are looked at.
+class GltfImages {
+ public:
+  explicit GltfImages(GltfFile& file) : file_(file), images_(file.list("images").size()) {}
 
-// The image of each element of the list `images`.
-std::vector<RawImage> read_gltf_images(GltfFile& file);
+  // False, with a warning, if there is no reading it.
+  bool use(std::size_t index);
+  // As many as the list `images` has; empty ones where none is used.
+  [[nodiscard]] const std::vector<RawImage>& all() const { return images_; }
+
+ private:
+  GltfFile& file_;
+  std::vector<RawImage> images_;
+};
+
+GltfMaterial read_gltf_material(GltfFile& file, GltfImages& images, const Json& value,
+                                const JsonPath& path);
 
 }  // namespace brume

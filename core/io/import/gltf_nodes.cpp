@@ -11,19 +11,6 @@
 namespace brume {
 namespace {
 
-std::vector<std::size_t> node_indices(GltfFile& file, JsonObject& object, const char* key) {
-  const std::size_t count = file.list("nodes").size();
-  std::vector<std::size_t> indices;
-  for (const Json& value : object.array(key, count)) {
-    if (!value.is_number_unsigned() || value.get<std::uint64_t>() >= count) {
-      object.fail(key, "found " + quoted_json(value) + "; allowed: one of the " +
-                           std::to_string(count) + " nodes");
-    }
-    indices.push_back(value.get<std::size_t>());
-  }
-  return indices;
-}
-
 // Roots of the default scene; of all nodes, if the file has no scene.
 std::vector<std::size_t> roots(GltfFile& file) {
   const std::size_t count = file.list("nodes").size();
@@ -34,14 +21,15 @@ std::vector<std::size_t> roots(GltfFile& file) {
     const JsonPath list = file.path().member("scenes");
     const JsonPath path = list.element(index);
     JsonObject scene(file.context(), scenes[index], path);
-    return node_indices(file, scene, "nodes");
+    return gltf_node_indices(file, scene, "nodes");
   }
   std::vector<bool> is_child(count, false);
   const JsonPath list = file.path().member("nodes");
   for (std::size_t i = 0; i < count; ++i) {
     const JsonPath path = list.element(i);
     JsonObject node(file.context(), file.list("nodes")[i], path);
-    for (const std::size_t child : node_indices(file, node, "children")) is_child[child] = true;
+    for (const std::size_t child : gltf_node_indices(file, node, "children"))
+      is_child[child] = true;
   }
   std::vector<std::size_t> result;
   for (std::size_t i = 0; i < count; ++i) {
@@ -83,6 +71,19 @@ glm::dmat4 node_transform(GltfFile& file, JsonObject& node) {
 
 }  // namespace
 
+std::vector<std::size_t> gltf_node_indices(GltfFile& file, JsonObject& object, const char* key) {
+  const std::size_t count = file.list("nodes").size();
+  std::vector<std::size_t> indices;
+  for (const Json& value : object.array(key, count)) {
+    if (!value.is_number_unsigned() || value.get<std::uint64_t>() >= count) {
+      object.fail(key, "found " + quoted_json(value) + "; allowed: one of the " +
+                           std::to_string(count) + " nodes");
+    }
+    indices.push_back(value.get<std::size_t>());
+  }
+  return indices;
+}
+
 std::vector<GltfNode> read_gltf_nodes(GltfFile& file) {
   std::vector<GltfNode> nodes;
   struct Visit {
@@ -111,7 +112,7 @@ std::vector<GltfNode> read_gltf_nodes(GltfFile& file) {
     const glm::dmat4 parent = visit.parent ? nodes[*visit.parent].to_world : glm::dmat4(1.0);
     nodes.push_back({visit.element, visit.parent, parent * node_transform(file, object)});
     check_node_transform(file, path, nodes.back().to_world);
-    std::vector<std::size_t> children = node_indices(file, object, "children");
+    std::vector<std::size_t> children = gltf_node_indices(file, object, "children");
     for (auto child = children.rbegin(); child != children.rend(); ++child) {
       open.push_back({*child, index});
     }

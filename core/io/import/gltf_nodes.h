@@ -20,4 +20,7 @@ struct GltfNode {
 // max_imported_nodes.
 std::vector<GltfNode> read_gltf_nodes(GltfFile& file);
 
+// The member `key` of an object, a list of elements of the list `nodes`; empty if missing.
+std::vector<std::size_t> gltf_node_indices(GltfFile& file, JsonObject& object, const char* key);
+
 }  // namespace brume

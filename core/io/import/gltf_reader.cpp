@@ -9,8 +9,11 @@
 #include "core/io/import/gltf_file.h"
 #include "core/io/import/gltf_materials.h"
 #include "core/io/import/gltf_nodes.h"
+#include "core/io/import/gltf_skin.h"
+#include "core/io/import/gltf_values.h"
 #include "core/io/import/node_transform.h"
 #include "core/io/import/scene_readers.h"
+#include "core/io/text_scanner.h"
 #include "core/number_domain.h"
 
 namespace brume {
@@ -27,7 +30,6 @@ class GltfReader {
   RawScene read() {
     nodes_ = read_gltf_nodes(file_);
     for (const GltfNode& node : nodes_) add_node(node);
-    scene_.images = read_gltf_images(file_);
     read_materials();
     for (std::size_t i = 0; i < nodes_.size(); ++i) add_parts(i);
     center_ = center();
@@ -50,11 +52,13 @@ class GltfReader {
   void read_materials() {
     const Json::array_t& list = file_.list("materials");
     const JsonPath path = file_.path().member("materials");
+    GltfImages images(file_);
     for (std::size_t i = 0; i < list.size(); ++i) {
-      materials_.push_back(read_gltf_material(file_, list[i], path.element(i)));
+      materials_.push_back(read_gltf_material(file_, images, list[i], path.element(i)));
     }
     materials_.emplace_back();  // of what has none
     for (const GltfMaterial& material : materials_) scene_.materials.push_back(material.material);
+    scene_.images = images.all();
   }
 
   void add_parts(std::size_t index_of_node) {
@@ -64,9 +68,7 @@ class GltfReader {
     JsonObject object(file_.context(), file_.list("nodes")[node.element], node_path);
     const auto index = file_.index(object, "mesh", "meshes");
     if (!index) return;
-    if (object.find("skin")) {
-      file_.context().warn(object.path_of("skin"), "the mesh is shown as it is without its skin");
-    }
+    const std::vector<glm::dmat4>* const joints = skins_.joints(object);
     const JsonPath meshes = file_.path().member("meshes");
     const JsonPath path = meshes.element(*index);
     JsonObject mesh(file_.context(), file_.list("meshes")[*index], path);
@@ -79,11 +81,13 @@ class GltfReader {
                                " primitives of nodes; allowed: " + std::to_string(max_primitives));
     }
     for (std::size_t i = 0; i < primitives.size(); ++i) {
-      add_part(index_of_node, primitives[i], primitives_path.element(i));
+      add_part(index_of_node, joints, primitives[i], primitives_path.element(i));
     }
   }
 
-  void add_part(std::size_t node, const Json& value, const JsonPath& path) {
+  // `joints`: as of GltfSkins.
+  void add_part(std::size_t node, const std::vector<glm::dmat4>* joints, const Json& value,
+                const JsonPath& path) {
     JsonObject primitive(file_.context(), value, path);
     constexpr std::int64_t triangles = 4;
     const std::int64_t mode = primitive.integer("mode", 0, 6, triangles);
@@ -104,7 +108,8 @@ class GltfReader {
     RawPart part;
     part.node = node;
     part.material = file_.index(primitive, "material", "materials").value_or(materials_.size() - 1);
-    read_mesh(primitive, mode, materials_[part.material], part.mesh);
+    const bool is_skinned =
+        read_mesh(primitive, mode, materials_[part.material], joints, part.mesh);
     if (part.mesh.triangles.empty()) return;
     bytes_ += part.mesh.points.size() * (sizeof(glm::vec3) * 2 + sizeof(glm::vec2)) +
               part.mesh.triangles.size() * sizeof(glm::uvec3);
@@ -112,15 +117,22 @@ class GltfReader {
       file_.context().fail(path, "the meshes up to here take more memory than the allowed " +
                                      std::to_string(limits::scene_bytes) + " bytes");
     }
-    apply_transform(nodes_[node].to_world, file_.context().file(), path.text(), part.mesh);
+    const glm::dmat4 to_world = is_skinned ? glm::dmat4(1.0) : nodes_[node].to_world;
+    apply_transform(to_world, file_.context().file(), path.text(), part.mesh);
     scene_.parts.push_back(std::move(part));
   }
 
-  void read_mesh(JsonObject& primitive, std::int64_t mode, const GltfMaterial& material,
-                 MeshArrays& mesh) {
+  // Returns whether the mesh is in the world already, by the joints of its skin.
+  bool read_mesh(JsonObject& primitive, std::int64_t mode, const GltfMaterial& material,
+                 const std::vector<glm::dmat4>* joints, MeshArrays& mesh) {
     const JsonPath path = primitive.path_of("attributes");
     JsonObject attributes(file_.context(), primitive.required("attributes"), path);
     static_cast<void>(attributes.required("POSITION"));
+    if (const std::string name = compression(primitive, attributes); !name.empty()) {
+      file_.context().warn(path, "the mesh is missing: its data are compressed by " +
+                                     quoted_text(name) + ", and there are no others");
+      return false;
+    }
     mesh.points = vectors<glm::vec3>(attributes, "POSITION");
     mesh.normals = vectors<glm::vec3>(attributes, "NORMAL");
     if (attributes.find("COLOR_0")) {
@@ -137,7 +149,18 @@ class GltfReader {
                                      std::to_string(mesh.points.size()) + " vertices");
     }
     add_triangles(primitive, mode, mesh);
+    const bool is_skinned = joints != nullptr && apply_skin(file_, attributes, *joints, mesh);
     if (mesh.normals.empty()) add_flat_normals(mesh);
+    return is_skinned;
+  }
+
+  // The extension that compresses points or triangles where nothing else has them; else empty.
+  std::string compression(JsonObject& primitive, JsonObject& attributes) {
+    const auto points = file_.index(attributes, "POSITION", "accessors");
+    const auto indices = file_.index(primitive, "indices", "accessors");
+    const Json* const extensions = primitive.find("extensions");
+    std::string found = file_.compression(extensions, *points);
+    return found.empty() && indices ? file_.compression(extensions, *indices) : found;
   }
 
   // v up, as Brume has it.
@@ -258,8 +281,9 @@ class GltfReader {
     Light light;
     light.name = scene_.nodes[node].name;
     light.position = nodes_[node].to_world[3];
-    light.intensity = object.vector("color", domain::unit, glm::dvec3(1.0)) *
-                      object.number("intensity", domain::intensity, 1.0) / lumens_per_watt;
+    light.intensity = nearest_vector(file_, object, "color", domain::unit, glm::dvec3(1.0)) *
+                      nearest_number(file_, object, "intensity", domain::intensity, 1.0) /
+                      lumens_per_watt;
     glm::dvec3 direction = -glm::dvec3(nodes_[node].to_world[2]);
     if (const double length = glm::length(direction); length > 0.0) direction /= length;
     const std::size_t type = object.choice("type", {"point", "spot", "directional"}, {});
@@ -275,22 +299,23 @@ class GltfReader {
     SpotCone cone{direction};
     const Json* value = light.find("spot");
     if (value == nullptr) return cone;
-    static constexpr NumberDomain quarter_turn{0.0, std::numbers::pi / 2 + 1e-6,
-                                               "a number in [0, pi/2] radians"};
+    static constexpr double quarter_turn = std::numbers::pi / 2 + 1e-6;
+    static constexpr NumberDomain outer_angles{1e-6, quarter_turn, "a number in (0, pi/2] radians"};
     const JsonPath path = light.path_of("spot");
     JsonObject spot(file_.context(), *value, path);
-    cone.inner_angle = spot.number("innerConeAngle", quarter_turn, 0.0) * degrees_per_radian;
-    cone.outer_angle =
-        spot.number("outerConeAngle", quarter_turn, std::numbers::pi / 4) * degrees_per_radian;
-    if (!(cone.inner_angle < cone.outer_angle)) {
-      spot.fail("innerConeAngle", "allowed: less than outerConeAngle");
-    }
+    const double outer =
+        nearest_number(file_, spot, "outerConeAngle", outer_angles, std::numbers::pi / 4);
+    const NumberDomain inner_angles{0.0, outer, "a number from 0 to outerConeAngle"};
+    cone.inner_angle =
+        nearest_number(file_, spot, "innerConeAngle", inner_angles, 0.0) * degrees_per_radian;
+    cone.outer_angle = outer * degrees_per_radian;
     return cone;
   }
 
   RawScene scene_;
   GltfFile file_;
   std::vector<GltfNode> nodes_;
+  GltfSkins skins_{file_, nodes_};
   std::vector<GltfMaterial> materials_;
   glm::dvec3 center_{0.0};
   std::size_t bytes_ = 0;

@@ -7,9 +7,9 @@
 
 namespace brume {
 
-// Reads a glTF 2.0 scene (.gltf, .glb) of its default scene: triangles, metallic-roughness
-// materials, perspective cameras, KHR_lights_punctual. What it has besides is left out, with a
-// warning where it would be seen. Throws InputError naming the JSON path.
+// Reads a glTF 2.0 scene (.gltf, .glb) of its default scene: triangles, skinned ones at rest,
+// metallic-roughness materials, perspective cameras, KHR_lights_punctual. What it has besides is
+// left out, with a warning where it would be seen. Throws InputError naming the JSON path.
 RawScene read_gltf(const std::filesystem::path& file);
 
 // Luminous efficacy of the light of imported scenes, whose photometric units become radiometric

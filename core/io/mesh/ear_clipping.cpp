@@ -179,15 +179,15 @@ class EarClipper {
   }
 
   bool may_cut(Index i, Cut allowed) {
-    const double its_area = area(i);
-    const bool is_convex = its_area > min_area_;
+    const double corner_area = area(i);
+    const bool is_convex = corner_area > min_area_;
     switch (allowed) {
       case Cut::ears:
         return is_convex && !is_blocked(i, 0.0);
       case Cut::touching_ears:
         return is_convex && !is_blocked(i, min_area_);
       case Cut::lines:
-        return std::abs(its_area) <= min_area_;
+        return std::abs(corner_area) <= min_area_;
       case Cut::convex_corners:
         return is_convex;
       default:

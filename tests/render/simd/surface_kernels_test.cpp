@@ -12,6 +12,7 @@
 #include <numbers>
 #include <vector>
 
+#include "brume/mesh_arrays.h"
 #include "core/scene/brdf.h"
 #include "core/scene/mesh.h"
 #include "core/transport/incident_light.h"
@@ -116,7 +117,7 @@ TEST(SurfaceKernels, TrianglesWithoutNormalsHaveTheSideOfTheirWinding) {
     const std::vector hits{ray_caster.first_hit(eye, w)};
     SurfacePoints points;
     ray_caster.points(hits, std::vector{glm::vec3(w)}, surfaces, points);
-    EXPECT_EQ(points.normal[0], glm::vec3(0, 0, side));
+    EXPECT_EQ(points.normal[0], glm::dvec3(0, 0, side));
     EXPECT_EQ(points.side[0], side);
     EXPECT_EQ(ray_caster.point(hits[0], eye, w, surfaces).normal, glm::dvec3(0, 0, side));
   }

@@ -80,21 +80,13 @@ const std::vector<Mistake>& mistakes() {
       {"bufferViews[0].byteLength",
        [](GltfBuilder& b) { b.json["bufferViews"][0]["byteLength"] = 1000000; }},
       {"bufferViews[0].buffer", [](GltfBuilder& b) { b.json["bufferViews"][0]["buffer"] = 1; }},
-      {"images[0].uri",
-       [](GltfBuilder& b) {
-         b.json["images"] = {{{"uri", "http://x/y.png"}}};
-       }},
-      {"images[0].uri",
-       [](GltfBuilder& b) {
-         b.json["images"] = {{{"uri", "data:image/png;base64,*"}}};
-       }},
       {"materials[0].pbrMetallicRoughness.baseColorFactor",
        [](GltfBuilder& b) {
          b.json["materials"] = {{{"pbrMetallicRoughness", {{"baseColorFactor", {1, 1, 1}}}}}};
        }},
       {"materials[0].pbrMetallicRoughness.roughnessFactor",
        [](GltfBuilder& b) {
-         b.json["materials"] = {{{"pbrMetallicRoughness", {{"roughnessFactor", 2}}}}};
+         b.json["materials"] = {{{"pbrMetallicRoughness", {{"roughnessFactor", "rough"}}}}};
        }},
       {"materials[0].normalTexture.index",
        [](GltfBuilder& b) {
@@ -113,7 +105,7 @@ const std::vector<Mistake>& mistakes() {
       {"extensions.KHR_lights_punctual.lights[0].spot.innerConeAngle",
        [](GltfBuilder& b) {
          b.json["extensions"]["KHR_lights_punctual"]["lights"] = {
-             {{"type", "spot"}, {"spot", {{"innerConeAngle", 1.0}}}}};
+             {{"type", "spot"}, {"spot", {{"innerConeAngle", "wide"}}}}};
          b.json["nodes"][0]["extensions"]["KHR_lights_punctual"]["light"] = 0;
        }},
   };
