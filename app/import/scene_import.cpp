@@ -47,8 +47,9 @@ bool is_volume(const fs::path& file) {
 
 bool has_faces(const fs::path& file) {
   const std::string bytes = read_bytes(file);
-  const PlyFile::Element* faces = PlyFile(file, bytes).element("face");
-  return faces != nullptr && faces->count > 0;
+  return std::ranges::any_of(PlyFile(file, bytes).elements(), [](const PlyFile::Element& element) {
+    return (element.name == "face" || element.name == "tristrips") && element.count > 0;
+  });
 }
 
 std::vector<Gaussian> read_splats(const fs::path& file, const SplatOptions& options,
@@ -76,11 +77,17 @@ std::optional<FrameRun> run_of(const std::vector<fs::path>& files) {
   return frames_around(files.front());
 }
 
-Surface read_surface(const fs::path& file) {
+Surface read_surface(const fs::path& file, std::vector<std::string>& warnings) {
   Surface surface;
   surface.mesh_file = file;
-  surface.mesh = read_mesh(file);
+  surface.mesh = read_mesh(file, &warnings);
   return surface;
+}
+
+QString lines_of(const std::vector<std::string>& warnings) {
+  QStringList lines;
+  for (const std::string& warning : warnings) lines << QString::fromStdString(warning);
+  return lines.join('\n');
 }
 
 }  // namespace
@@ -186,10 +193,14 @@ BackgroundJob::Apply SceneImport::read(const File& file, const SplatOptions& opt
       };
     case Kind::scene:
       return read_scene(file, options, stop, asks);
-    case Kind::mesh:
-      return [this, surface = read_surface(path)] {
+    case Kind::mesh: {
+      std::vector<std::string> warnings;
+      const Surface surface = read_surface(path, warnings);
+      return [this, surface, text = lines_of(warnings)] {
+        if (!text.isEmpty()) Q_EMIT warned(text);
         add_surfaces({surface}, tr("Import %1").arg(to_qstring(surface.mesh_file.filename())));
       };
+    }
     case Kind::splats:
       if (is_one_of(path, scenes)) return read_scene(file, options, stop, asks);
       return [this, gaussians = read_splats(path, options)] {
@@ -220,9 +231,7 @@ BackgroundJob::Apply SceneImport::read_scene(const File& file, const SplatOption
   if (is_empty) {
     return [this, gaussians] { add_gaussians(document_, gaussians, tr("Import")); };
   }
-  QStringList lines;
-  for (const std::string& warning : warnings) lines << QString::fromStdString(warning);
-  return [this, scene, gaussians, asks, text = lines.join('\n')] {
+  return [this, scene, gaussians, asks, text = lines_of(warnings)] {
     if (!text.isEmpty()) Q_EMIT warned(text);
     if (!asks || (scene->cameras.empty() && scene->lights.empty())) {
       add_scene(scene, gaussians, true, true);

@@ -1,5 +1,6 @@
 #include "core/io/text_scanner.h"
 
+#include <algorithm>
 #include <charconv>
 
 namespace brume {
@@ -19,24 +20,38 @@ std::optional<Number> parse(std::string_view token) {
 
 }  // namespace
 
+TextScanner::TextScanner(std::string_view text, bool joins_lines)
+    : rest_(text), joins_lines_(joins_lines) {
+  constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+  if (rest_.starts_with(byte_order_mark)) rest_.remove_prefix(byte_order_mark.size());
+}
+
 bool TextScanner::next_line() {
-  if (rest_.empty()) {
-    line_ = {};
-    return false;
-  }
-  const std::size_t end = rest_.find('\n');
-  line_ = rest_.substr(0, end);
-  rest_ = end == std::string_view::npos ? std::string_view{} : rest_.substr(end + 1);
-  if (line_.ends_with('\r')) line_.remove_suffix(1);
+  while (goes_on_) read_line();
+  return read_line();
+}
+
+bool TextScanner::read_line() {
+  goes_on_ = false;
+  line_ = {};
+  if (rest_.empty()) return false;
+  const auto* const end =
+      std::find_if(rest_.begin(), rest_.end(), [](char c) { return c == '\n' || c == '\r'; });
+  line_ = rest_.substr(0, static_cast<std::size_t>(end - rest_.begin()));
+  rest_.remove_prefix(line_.size());
+  rest_.remove_prefix(rest_.starts_with("\r\n") ? 2 : rest_.empty() ? 0 : 1);
   ++number_;
+  goes_on_ = joins_lines_ && line_.ends_with('\\') && !line_.starts_with('#');
+  if (goes_on_) line_.remove_suffix(1);
   return true;
 }
 
 std::string_view TextScanner::next_token() {
-  const std::size_t begin = line_.find_first_not_of(blanks);
-  if (begin == std::string_view::npos) {
+  std::size_t begin = line_.find_first_not_of(blanks);
+  while (begin == std::string_view::npos) {
     line_ = {};
-    return {};
+    if (!goes_on_ || !read_line()) return {};
+    begin = line_.find_first_not_of(blanks);
   }
   line_.remove_prefix(begin);
   const std::string_view token = line_.substr(0, line_.find_first_of(blanks));

@@ -21,18 +21,42 @@ constexpr std::size_t best_compression = 16;
 
 using Rgbe = std::array<std::uint8_t, 4>;
 
-glm::vec3 radiance(const Rgbe& pixel, double scale) {
+glm::vec3 radiance(const Rgbe& pixel, const glm::dvec3& exposure) {
   if (pixel[3] == 0) return glm::vec3(0.0f);
   // The byte encodes the center of the values that round to it, as in Radiance's library.
-  const double unit = scale * std::ldexp(1.0, pixel[3] - (128 + 8));
-  return {(glm::dvec3(pixel[0], pixel[1], pixel[2]) + 0.5) * unit};
+  const double unit = std::ldexp(1.0, pixel[3] - (128 + 8));
+  return {(glm::dvec3(pixel[0], pixel[1], pixel[2]) + 0.5) * unit / exposure};
 }
 
-struct Header {
-  int width = 0;
-  int height = 0;
-  double exposure = 1.0;
+// One side of a picture, as "-Y 480": which, and whether the file has it from the right or the top.
+struct HdrSide {
+  bool is_width = false;
+  bool is_descending = false;
+  std::size_t length = 0;
+
+  // The column, or the row from the top, of what the file has at position `i`.
+  [[nodiscard]] std::size_t place(std::size_t i) const {
+    return is_width == is_descending ? length - 1 - i : i;
+  }
 };
+
+struct Header {
+  HdrSide lines;   // that the file has one after the other: rows of the picture, or columns
+  HdrSide pixels;  // of a line
+  glm::dvec3 exposure{1.0};
+};
+
+std::string_view without_blanks(std::string_view text) {
+  const std::size_t begin = text.find_first_not_of(" \t");
+  if (begin == text.npos) return {};
+  return text.substr(begin, text.find_last_not_of(" \t") + 1 - begin);
+}
+
+// Whether a text begins with an axis of the size, which ends the header.
+bool begins_with_axis(std::string_view text) {
+  return text.size() >= 2 && (text[0] == '-' || text[0] == '+') &&
+         (text[1] == 'X' || text[1] == 'Y');
+}
 
 class HdrReader {
  public:
@@ -41,8 +65,7 @@ class HdrReader {
   RadianceMap read() {
     const Header header = read_header();
     data_ = header_.rest_of_text();
-    const auto width = static_cast<std::size_t>(header.width);
-    const std::size_t pixels = width * static_cast<std::size_t>(header.height);
+    const std::size_t pixels = header.lines.length * header.pixels.length;
     if (pixels > free_pixels && pixels / best_compression > data_.size()) {
       fail_header("found " + std::to_string(pixels) + " pixels; the file is too short for them");
     }
@@ -50,17 +73,19 @@ class HdrReader {
       fail_header("found " + std::to_string(pixels) + " pixels; allowed: at most " +
                   std::to_string(limits::scene_bytes / sizeof(glm::vec3)));
     }
-    RadianceMap map{header.width, header.height, {}};
-    map.pixels.reserve(pixels);
-    std::vector<Rgbe> row(width);
-    for (row_ = 0; row_ < header.height; ++row_) {
-      read_row(row);
-      for (const Rgbe& pixel : row) map.pixels.push_back(radiance(pixel, 1.0 / header.exposure));
-    }
-    if (!data_.empty()) {
-      throw InputError(
-          file_, "",
-          "found " + std::to_string(data_.size()) + " bytes after the last row; allowed: none");
+    const bool has_rows = header.pixels.is_width;
+    const HdrSide& width = has_rows ? header.pixels : header.lines;
+    const HdrSide& height = has_rows ? header.lines : header.pixels;
+    RadianceMap map{static_cast<int>(width.length), static_cast<int>(height.length), {}};
+    map.pixels.resize(pixels);
+    std::vector<Rgbe> line(header.pixels.length);
+    for (row_ = 0; row_ < header.lines.length; ++row_) {
+      read_row(line);
+      for (std::size_t i = 0; i < line.size(); ++i) {
+        const std::size_t x = width.place(has_rows ? i : row_);
+        const std::size_t y = height.place(has_rows ? row_ : i);
+        map.pixels[y * width.length + x] = radiance(line[i], header.exposure);
+      }
     }
     return map;
   }
@@ -78,48 +103,72 @@ class HdrReader {
       fail_header("not a Radiance HDR image");
     }
     Header header;
-    for (;;) {
+    do {
       if (!header_.next_line()) fail_header("the header ends without an empty line");
-      const std::string_view line = header_.rest_of_line();
-      if (line.empty()) break;
-      if (line.starts_with("FORMAT=") && line != "FORMAT=32-bit_rle_rgbe") {
-        fail_header("found " + quoted_text(line) + "; allowed: FORMAT=32-bit_rle_rgbe");
-      }
-      if (line.starts_with("EXPOSURE=")) header.exposure *= read_exposure();
-    }
-    if (!(header.exposure >= 1e-12 && header.exposure <= 1e12)) {
-      fail_header("the exposures multiply to " + std::to_string(header.exposure) +
+      read_variable(header);
+    } while (!without_blanks(header_.rest_of_line()).empty() &&
+             !begins_with_axis(header_.rest_of_line()));
+    for (int k = 0; k < 3; ++k) {
+      if (header.exposure[k] >= 1e-12 && header.exposure[k] <= 1e12) continue;
+      fail_header("the exposures multiply to " + std::to_string(header.exposure[k]) +
                   "; allowed: 1e-12 to 1e12");
     }
-    if (!header_.next_line()) fail_header("the file ends before the size");
-    const std::string line(header_.rest_of_line());
-    const std::string_view y = header_.next_token();
-    const std::optional<std::int64_t> height = parse_integer(header_.next_token());
-    const std::string_view x = header_.next_token();
-    const std::optional<std::int64_t> width = parse_integer(header_.next_token());
-    const auto is_side = [](std::optional<std::int64_t> n) {
-      return n && *n >= 1 && *n <= limits::image_side;
-    };
-    if (y != "-Y" || x != "+X" || !is_side(height) || !is_side(width) ||
-        !header_.next_token().empty()) {
-      fail_header("found the size " + quoted_text(line) + "; allowed: -Y HEIGHT +X WIDTH, 1 to " +
-                  std::to_string(limits::image_side) + " a side");
+    while (without_blanks(header_.rest_of_line()).empty()) {
+      if (!header_.next_line()) fail_header("the file ends before the size");
     }
-    header.width = static_cast<int>(*width);
-    header.height = static_cast<int>(*height);
+    read_size(header);
     return header;
   }
 
-  double read_exposure() {
-    const std::string_view text =
-        header_.rest_of_line().substr(std::string_view("EXPOSURE=").size());
+  // "EXPOSURE=2", "COLORCORR=1 1 .9", "FORMAT=..."; others say nothing of the radiance.
+  void read_variable(Header& header) const {
+    const std::string_view line = header_.rest_of_line();
+    const std::size_t equals = line.find('=');
+    if (equals == line.npos) return;
+    const std::string_view name = without_blanks(line.substr(0, equals));
+    const std::string_view value = without_blanks(line.substr(equals + 1));
+    if (name == "FORMAT" && value != "32-bit_rle_rgbe") {
+      fail_header("found " + quoted_text(line) + "; allowed: FORMAT=32-bit_rle_rgbe");
+    }
+    if (name == "EXPOSURE") header.exposure *= read_exposure(value, 1);
+    if (name == "COLORCORR") header.exposure *= read_exposure(value, 3);
+  }
+
+  // One factor for all colors, or one for each.
+  [[nodiscard]] glm::dvec3 read_exposure(std::string_view text, int count) const {
     TextScanner value(text);
     value.next_line();
-    const std::optional<double> exposure = parse_number(value.next_token());
-    if (!exposure || !(*exposure > 0.0)) {
-      fail_header("found an exposure of " + quoted_text(text) + "; allowed: a number > 0");
+    glm::dvec3 factors;
+    for (int k = 0; k < count; ++k) {
+      const std::optional<double> factor = parse_number(value.next_token());
+      if (!factor || !(*factor > 0.0)) {
+        fail_header("found an exposure of " + quoted_text(text) + "; allowed: a number > 0");
+      }
+      factors[k] = *factor;
     }
-    return *exposure;
+    return count == 1 ? glm::dvec3(factors[0]) : factors;
+  }
+
+  void read_size(Header& header) {
+    const std::string line(header_.rest_of_line());
+    for (HdrSide* side : {&header.lines, &header.pixels}) {
+      const std::string_view axis = header_.next_token();
+      const std::optional<std::int64_t> length = parse_integer(header_.next_token());
+      if (axis.size() != 2 || !begins_with_axis(axis) || !length || *length < 1 ||
+          *length > limits::image_side) {
+        fail_size(line);
+      }
+      *side = {axis[1] == 'X', axis[0] == '-', static_cast<std::size_t>(*length)};
+    }
+    if (header.lines.is_width == header.pixels.is_width || !header_.next_token().empty()) {
+      fail_size(line);
+    }
+  }
+
+  [[noreturn]] void fail_size(const std::string& line) const {
+    fail_header("found the size " + quoted_text(line) +
+                "; allowed: -Y HEIGHT +X WIDTH, with either sign and in either order, 1 to " +
+                std::to_string(limits::image_side) + " a side");
   }
 
   std::uint8_t next_byte() {
@@ -194,7 +243,7 @@ class HdrReader {
   const fs::path& file_;
   TextScanner header_;
   std::string_view data_;
-  int row_ = 0;
+  std::size_t row_ = 0;
 };
 
 }  // namespace

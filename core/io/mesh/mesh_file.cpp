@@ -109,8 +109,12 @@ void add_polygon(RawMesh& mesh, std::span<const std::uint32_t> corners) {
   }
 }
 
-std::shared_ptr<const TriangleMesh> read_mesh(const std::filesystem::path& file) {
+std::shared_ptr<const TriangleMesh> read_mesh(const std::filesystem::path& file,
+                                              std::vector<std::string>* warnings) {
   const RawMesh raw = read_raw(file);
+  if (warnings != nullptr) {
+    warnings->insert(warnings->end(), raw.warnings.begin(), raw.warnings.end());
+  }
   Triangulation faces = triangulate(raw);
   if (faces.triangles.empty()) throw InputError(file, "", "the mesh has no faces");
   return to_triangle_mesh(file, raw, std::move(faces));

@@ -23,6 +23,7 @@ struct RawMesh {
   // Vertices with the same number are one point of the file, split where its texture coordinates
   // are: normals that are computed are smooth across. Empty: none is split.
   std::vector<std::uint32_t> file_points;
+  std::vector<std::string> warnings;  // one line each, with the file's name
 };
 
 // Own readers, since OpenMesh's trust counts and indices of the file and merge normals at creases.

@@ -38,12 +38,23 @@ glm::dvec3 values(const PlyFile::Row& row, const Columns& columns) {
   return {row.scalars[*columns[0]], row.scalars[*columns[1]], row.scalars[*columns[2]]};
 }
 
+// A strip of triangles, each of a vertex and the two before it, every second one turned round.
+// Lists of strips, as Stanford's programs write them, end each with -1.
+void add_strip(RawMesh& mesh, std::span<const std::uint32_t> strip) {
+  for (std::size_t i = 2; i < strip.size(); ++i) {
+    const std::size_t odd = i % 2;
+    add_polygon(mesh, std::array{strip[i - 2 + odd], strip[i - 1 - odd], strip[i]});
+  }
+}
+
 }  // namespace
 
 RawMesh read_ply_mesh(const std::filesystem::path& file, std::string_view bytes) {
   const PlyFile ply(file, bytes);
   const PlyFile::Element* vertices = ply.element("vertex");
   const PlyFile::Element* faces = ply.element("face");
+  const bool are_strips = faces == nullptr;
+  if (are_strips) faces = ply.element("tristrips");
   if (vertices == nullptr) throw InputError(file, "header", "there is no element vertex");
   if (faces == nullptr) throw InputError(file, "header", "the mesh has no faces");
   const Columns position = scalar_columns(*vertices, {"x", "y", "z"});
@@ -71,6 +82,11 @@ RawMesh read_ply_mesh(const std::filesystem::path& file, std::string_view bytes)
         } else if (&element == faces) {
           face.clear();
           for (const double corner : row.lists[*corners]) {
+            if (are_strips && corner == -1.0) {
+              add_strip(mesh, face);
+              face.clear();
+              continue;
+            }
             if (!(corner >= 0.0 && corner < static_cast<double>(vertices->count))) {
               throw InputError(file, "face " + std::to_string(index),
                                "found the vertex index " + std::to_string(corner) +
@@ -78,7 +94,7 @@ RawMesh read_ply_mesh(const std::filesystem::path& file, std::string_view bytes)
             }
             face.push_back(static_cast<std::uint32_t>(corner));
           }
-          add_polygon(mesh, face);
+          are_strips ? add_strip(mesh, face) : add_polygon(mesh, face);
         }
       });
   return mesh;

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <bit>
+#include <cctype>
 #include <cstring>
 #include <unordered_map>
 
@@ -64,16 +66,24 @@ RawMesh read_binary(const std::filesystem::path& file, std::string_view bytes) {
   return std::move(welder.mesh);
 }
 
+std::string upper_case(std::string_view text) {
+  std::string result(text);
+  std::ranges::transform(result, result.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return result;
+}
+
 RawMesh read_ascii(const std::filesystem::path& file, std::string_view bytes) {
   TextScanner scanner(bytes);
   Welder welder;
   std::vector<std::uint32_t> corners;
-  bool ended = false;
-  while (scanner.next_line()) {
-    const std::string_view keyword = scanner.next_token();
-    if (keyword == "vertex") {
+  bool has_ended = false;  // the last of the solids
+  for (std::string_view token = scanner.token_ahead(); !token.empty();
+       token = scanner.token_ahead()) {
+    const std::string keyword = upper_case(token);
+    if (keyword == "VERTEX") {
       corners.push_back(welder.vertex(read_point(file, scanner)));
-    } else if (keyword == "endfacet") {
+    } else if (keyword == "ENDFACET") {
       if (corners.size() != 3) {
         throw InputError(
             file, scanner.place(),
@@ -81,28 +91,39 @@ RawMesh read_ascii(const std::filesystem::path& file, std::string_view bytes) {
       }
       add_polygon(welder.mesh, corners);
       corners.clear();
-    } else if (keyword == "endsolid") {
-      ended = true;
-    } else if (!keyword.empty() && keyword != "solid" && keyword != "facet" && keyword != "outer" &&
-               keyword != "endloop") {
-      throw InputError(file, scanner.place(), "unknown keyword " + quoted_text(keyword));
+    } else if (keyword == "NORMAL") {
+      read_normal(scanner);
+    } else if (keyword == "SOLID" || keyword == "ENDSOLID") {
+      has_ended = keyword == "ENDSOLID";
+      scanner.skip_line();  // its name
+    } else if (keyword != "FACET" && keyword != "OUTER" && keyword != "LOOP" &&
+               keyword != "ENDLOOP") {
+      throw InputError(file, scanner.place(), "unknown keyword " + quoted_text(token));
     }
   }
-  if (!ended) throw InputError(file, scanner.place(), "the file ends without endsolid");
+  if (!has_ended) throw InputError(file, scanner.place(), "the file ends without endsolid");
   return std::move(welder.mesh);
+}
+
+// Whether a file begins with "solid" and goes on as text: the comment of binary ones may, too.
+bool is_ascii(std::string_view bytes) {
+  if (upper_case(TextScanner(bytes).token_ahead()) != "SOLID") return false;
+  const std::string_view begin = bytes.substr(0, 1024);
+  return begin.find('\0') == begin.npos;
 }
 
 }  // namespace
 
 RawMesh read_stl(const std::filesystem::path& file, std::string_view bytes) {
-  // Binary files may begin with "solid" too: the size decides.
   std::size_t expected = 0;
   if (bytes.size() >= binary_header) {
     expected = binary_header +
                std::size_t{little_endian<std::uint32_t>(bytes.data() + 80)} * binary_triangle;
     if (bytes.size() == expected) return read_binary(file, bytes);
   }
-  if (bytes.starts_with("solid")) return read_ascii(file, bytes);
+  if (is_ascii(bytes)) return read_ascii(file, bytes);
+  // Some programs add something at the end.
+  if (expected > binary_header && bytes.size() > expected) return read_binary(file, bytes);
   throw InputError(
       file, "header",
       "found " + std::to_string(bytes.size()) + " bytes; allowed: an ascii STL, or " +

@@ -46,6 +46,48 @@ TEST(HdrFile, UndoesTheExposure) {
   EXPECT_EQ(map.pixel(0, 0), glm::vec3(5.25f, 10.25f, 15.25f));
 }
 
+TEST(HdrFile, UndoesTheColorCorrection) {
+  const TemporaryFolder folder;
+  const RadianceMap map = read_hdr(
+      folder.write("a.hdr", hdr_header(1, 1, "EXPOSURE = 2\nCOLORCORR= 1 2 .5\n# EXPOSURE=9\n") +
+                                bytes({10, 20, 30, 136})));
+  EXPECT_EQ(map.pixel(0, 0), glm::vec3(5.25f, 5.125f, 30.5f));
+}
+
+TEST(HdrFile, ReadsRowsInAnyOrder) {
+  const TemporaryFolder folder;
+  // The picture, of three by two pixels, from the top: 1 2 3, 4 5 6.
+  const std::pair<const char*, std::vector<int>> orders[] = {
+      {"-Y 2 +X 3", {1, 2, 3, 4, 5, 6}}, {"-Y 2 -X 3", {3, 2, 1, 6, 5, 4}},
+      {"+Y 2 +X 3", {4, 5, 6, 1, 2, 3}}, {"+Y 2 -X 3", {6, 5, 4, 3, 2, 1}},
+      {"+X 3 -Y 2", {1, 4, 2, 5, 3, 6}}, {"+X 3 +Y 2", {4, 1, 5, 2, 6, 3}},
+      {"-X 3 -Y 2", {3, 6, 2, 5, 1, 4}}, {"-X 3 +Y 2", {6, 3, 5, 2, 4, 1}}};
+  for (const auto& [size, order] : orders) {
+    std::string pixels;
+    for (const int value : order) pixels += bytes({value, 0, 0, 136});
+    const RadianceMap map =
+        read_hdr(folder.write("a.hdr", std::string("#?RGBE\n\n") + size + "\n" + pixels));
+    ASSERT_EQ(map.width, 3) << size;
+    ASSERT_EQ(map.height, 2) << size;
+    for (int i = 0; i < 6; ++i) {
+      EXPECT_EQ(map.pixel(i % 3, i / 3).x, static_cast<float>(i) + 1.5f) << size;
+    }
+  }
+}
+
+TEST(HdrFile, ReadsHeadersOfOldPrograms) {
+  const TemporaryFolder folder;
+  const std::string pixel = bytes({10, 20, 30, 136});
+  for (const std::string& header :
+       {std::string("#?RGBE\n\n-Y 1 +X 1\n"),
+        std::string("#?RADIANCE\r\nFORMAT=32-bit_rle_rgbe\r\n\r\n-Y 1 +X 1\r\n"),
+        std::string("#?RADIANCE\npfilt -x 1\nFORMAT= 32-bit_rle_rgbe \n \n\n-Y 1 +X 1\n"),
+        std::string("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n-Y 1 +X 1\n")}) {
+    EXPECT_EQ(read_hdr(folder.write("a.hdr", header + pixel)).pixel(0, 0).x, 10.5f) << header;
+    EXPECT_EQ(read_hdr(folder.write("a.hdr", header + pixel + "behind")).pixel(0, 0).x, 10.5f);
+  }
+}
+
 TEST(HdrFile, ReadsTheOldRuns) {
   const TemporaryFolder folder;
   // A count of 3 + 256 in two pixels.
@@ -83,14 +125,15 @@ TEST(HdrFile, RefusesWhatItIsNot) {
       {hdr_header(1, 1, "EXPOSURE=0\n") + pixel, "exposure"},
       {hdr_header(1, 1, "EXPOSURE=nan\n") + pixel, "exposure"},
       {hdr_header(1, 1, "EXPOSURE=1e300\nEXPOSURE=1e300\n") + pixel, "exposures"},
-      {bad_header + "+Y 1 +X 1\n" + pixel, "-Y HEIGHT +X WIDTH"},
+      {bad_header + "+Y 1 -Y 1\n" + pixel, "-Y HEIGHT +X WIDTH"},
+      {bad_header + "Y 1 X 1\n" + pixel, "-Y HEIGHT +X WIDTH"},
+      {hdr_header(1, 1, "COLORCORR=1 1\n") + pixel, "exposure of 1 1"},
       {bad_header + "-Y 0 +X 1\n", "line 3"},
       {bad_header + "-Y 1 +X 99999\n", "32768"},
       {bad_header + "-Y 32768 +X 32768\n" + pixel, "too short"},
       {bad_header, "before the size"},
       {hdr_header(2, 1) + pixel, "row 0"},
       {hdr_header(1, 2) + pixel, "row 1"},
-      {hdr_header(1, 1) + pixel + "x", "1 bytes after"},
       {hdr_header(2, 1) + bytes({1, 1, 1, 1}) + pixel, "without a pixel"},
       {hdr_header(2, 1) + pixel + bytes({1, 1, 1, 9}), "beyond"},
       {hdr_header(8, 1) + bytes({2, 2, 0, 9}), "width of 9"},
