@@ -33,6 +33,9 @@ struct ImportedScene {
   std::vector<Light> lights;
   // What it was read from: itself, then its buffers, material files and textures.
   std::vector<std::filesystem::path> files;
+  // Those of them that its file names by absolute paths. On another machine the reader looks for
+  // them beside the file.
+  std::vector<std::filesystem::path> absolute_files;
   std::filesystem::file_time_type changed{};  // the latest of them, when it was read
 };
 

@@ -165,6 +165,12 @@ void write_seeds(const std::filesystem::path& folder) {
   const std::string hdr = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\nEXPOSURE=2\n\n-Y 1 +X 8\n";
   write(folder / "hdr/flat.hdr", hdr + std::string(8 * 4, '\x80'));
   write(folder / "hdr/runs.hdr", hdr + std::string("\2\2\0\10\210\12\210\13\210\14\210\210", 12));
+  const std::string tga("\0\0\12\0\0\0\0\0\0\0\0\0\4\0\2\0\30\0", 18);
+  write(folder / "tga/runs.tga", tga + "\203abc\3abcdefghijkl");
+  const std::string bmp("BM\0\0\0\0\0\0\0\0\76\0\0\0\50\0\0\0\4\0\0\0\2\0\0\0\1\0\10\0\1\0\0\0",
+                        34);
+  write(folder / "bmp/runs.bmp",
+        bmp + std::string(20, '\0') + "abc abc " + std::string("\4\1\0\0\0\3\1\1\1\0\0\1", 12));
   write(folder / "ies/quadrant.ies", ies);
   write(folder / "gltf/scene.glb", gltf_scene());
   write(folder / "gltf/text.gltf", GltfBuilder().text("none.bin"));

@@ -23,6 +23,7 @@
 #include "core/io/ies_file.h"
 #include "core/io/image/hdr_file.h"
 #include "core/io/image/image_file.h"
+#include "core/io/image/pixel_decoders.h"
 #include "core/io/image/texture_file.h"
 #include "core/io/import/imported_scene_file.h"
 #include "core/io/import/raw_scene_bytes.h"
@@ -79,6 +80,8 @@ constexpr Parser parsers[] = {
     {"hdr", ".hdr", [](const Path& file) { read_hdr(file); }},
     {"png", ".png", [](const Path& file) { read_texture(file, false); }, 1 << 24},
     {"jpeg", ".jpg", [](const Path& file) { read_texture(file, false); }, 1 << 24},
+    {"tga", ".tga", [](const Path& file) { decode_tga(file, read_bytes(file)); }, 1 << 24},
+    {"bmp", ".bmp", [](const Path& file) { decode_bmp(file, read_bytes(file)); }, 1 << 24},
     {"ies", ".ies", [](const Path& file) { read_ies(file); }},
     {"gltf", ".glb",
      [](const Path& file) {

@@ -9,6 +9,7 @@
 #include "brume/error.h"
 #include "brume/limits.h"
 #include "core/number_domain.h"
+#include "tools/scene_reader/limited_files.h"
 
 namespace brume {
 namespace fs = std::filesystem;
@@ -112,29 +113,23 @@ class Materials {
     if (known != names_.end()) return static_cast<std::size_t>(known - names_.begin());
     RawImage image;
     if (const aiTexture* embedded = from_.GetEmbeddedTexture(text.c_str())) {
-      if (embedded->mHeight != 0) {
-        warn("an embedded texture that is neither PNG nor JPEG is left out");
-        return std::nullopt;
-      }
       image.file = file_;
-      image.bytes.assign(reinterpret_cast<const char*>(embedded->pcData), embedded->mWidth);
+      image.name = embedded->mFilename.length > 0 ? embedded->mFilename.C_Str() : text;
+      if (embedded->mHeight == 0) {
+        image.bytes.assign(reinterpret_cast<const char*>(embedded->pcData), embedded->mWidth);
+      } else {
+        image.error = image.name + ": found pixels without a format; allowed: an image's file";
+      }
     } else {
-      image.file = place_of(text);
+      std::string path = text;
+      std::ranges::replace(path, '\\', '/');
+      const fs::path folder = file_.parent_path();
+      image.is_absolute = fs::path(path).is_absolute();
+      image.file = place_of((folder / path).lexically_normal(), folder);
     }
     names_.push_back(text);
     to_.images.push_back(std::move(image));
     return to_.images.size() - 1;
-  }
-
-  // Where a texture is: as it says, or, if nothing is there, beside the scene, since many files
-  // name folders of the machine they were made on.
-  [[nodiscard]] fs::path place_of(std::string text) const {
-    std::ranges::replace(text, '\\', '/');
-    const fs::path folder = file_.parent_path();
-    const fs::path named = (folder / text).lexically_normal();
-    const fs::path beside = folder / fs::path(text).filename();
-    std::error_code error;
-    return !fs::exists(named, error) && fs::exists(beside, error) ? beside : named;
   }
 
   void warn(const std::string& message) {

@@ -17,11 +17,13 @@
 #include "core/io/file_bytes.h"
 #include "core/io/import/node_transform.h"
 #include "core/io/import/scene_readers.h"
+#include "core/io/mesh/obj_corner.h"
 #include "core/io/text_scanner.h"
 #include "core/number_domain.h"
 #include "tools/scene_reader/assimp_materials.h"
 #include "tools/scene_reader/assimp_polygons.h"
 #include "tools/scene_reader/limited_files.h"
+#include "tools/scene_reader/obj_repair.h"
 
 namespace brume {
 namespace fs = std::filesystem;
@@ -206,11 +208,26 @@ class Reader {
   glm::dvec3 high_{-limits::coordinate};
 };
 
+// The MTL files that an OBJ names, each once, of those that could not be opened: for each of them
+// assimp has tried NAME.mtl of NAME.obj, too.
+std::vector<fs::path> missing_material_files(const fs::path& file,
+                                             const std::vector<fs::path>& missed) {
+  const fs::path substitute = file.lexically_normal().replace_extension(".mtl");
+  const auto tried = std::ranges::count(missed, substitute);
+  const bool is_named = 2 * tried > std::ssize(missed);
+  std::vector<fs::path> result;
+  for (const fs::path& path : missed) {
+    if (path == substitute && !is_named) continue;
+    if (std::ranges::count(result, path) == 0) result.push_back(path);
+  }
+  return result;
+}
+
 }  // namespace
 
 RawScene read_with_assimp(const fs::path& file) {
   Assimp::Importer importer;
-  auto* files = new LimitedFiles;  // the importer's from here on
+  auto* files = new LimitedFiles(file);  // the importer's from here on
   importer.SetIOHandler(files);
   importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
   importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_READ_ANIMATIONS, false);
@@ -218,7 +235,19 @@ RawScene read_with_assimp(const fs::path& file) {
                               aiPrimitiveType_POINT | aiPrimitiveType_LINE);
   // As of meshes: vertices at one place are smooth up to 60 degrees.
   importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, 60.0f);
-  const aiScene* scene = importer.ReadFile(file.string(), aiProcess_ValidateDataStructure);
+  const auto read = [&] {
+    return importer.ReadFile(file.string(), aiProcess_ValidateDataStructure);
+  };
+  const aiScene* scene = read();
+  ObjRepair repair;
+  if (scene == nullptr && lower_case_extension(file) == ".obj") {
+    std::string text = read_bytes(file);
+    repair = repair_obj(text);
+    if (repair.has_changed) {
+      files->replace_scene(std::move(text));
+      scene = read();
+    }
+  }
   if (scene != nullptr) {
     cut_polygons(const_cast<aiScene&>(*scene));  // the importer's, which has steps to go
     scene = importer.ApplyPostProcessing(aiProcess_SortByPType | aiProcess_GenSmoothNormals |
@@ -229,9 +258,17 @@ RawScene read_with_assimp(const fs::path& file) {
     throw InputError(file, "", "cannot be read: " + quoted_text(importer.GetErrorString(), 200));
   }
   RawScene result = Reader(*scene, file).read();
+  if (repair.bad_faces > 0) {
+    const std::string message = bad_obj_faces(repair.bad_faces);
+    result.warnings.emplace_back(InputError(file, repair.first_line, message).what());
+  }
   result.files = {file};
   for (const fs::path& opened : files->opened()) {
     if (opened != file.lexically_normal()) result.files.push_back(opened);
+  }
+  for (const fs::path& material_file : missing_material_files(file, files->missed())) {
+    const std::string message = "the material file " + material_file.string() + " is missing";
+    result.warnings.emplace_back(InputError(file, "", message).what());
   }
   return result;
 }

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "brume/error.h"
+#include "core/io/alike_file.h"
 #include "core/io/file_bytes.h"
 
 namespace brume {
@@ -43,6 +44,17 @@ class Bytes : public Assimp::IOStream {
 
 }  // namespace
 
+std::filesystem::path place_of(const std::filesystem::path& named,
+                               const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::path found = find_file_named_alike(named);
+  if (std::filesystem::exists(found, error)) return found;
+  std::string text = named.string();
+  std::ranges::replace(text, '\\', '/');
+  found = find_file_named_alike(folder / std::filesystem::path(text).filename());
+  return std::filesystem::exists(found, error) ? found : named;
+}
+
 bool LimitedFiles::Exists(const char* file) const {
   std::error_code error;
   return std::filesystem::is_regular_file(file, error);
@@ -50,12 +62,14 @@ bool LimitedFiles::Exists(const char* file) const {
 
 Assimp::IOStream* LimitedFiles::Open(const char* file, const char* mode) {
   if (std::strpbrk(mode, "wa+") != nullptr) return nullptr;
+  const std::filesystem::path path = place_of(file, scene_.parent_path()).lexically_normal();
   try {
-    auto* stream = new Bytes(read_bytes(file));  // assimp gives it to Close()
-    const std::filesystem::path path = std::filesystem::path(file).lexically_normal();
+    const bool is_replaced = scene_text_ && path == scene_;
+    auto* stream = new Bytes(is_replaced ? *scene_text_ : read_bytes(path));  // Close() gets it
     if (std::ranges::count(opened_, path) == 0) opened_.push_back(path);
     return stream;
   } catch (const InputError&) {
+    missed_.push_back(path);
     return nullptr;
   }
 }

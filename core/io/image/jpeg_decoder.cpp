@@ -39,6 +39,7 @@ class JpegDecoder {
     pixels_.height = static_cast<int>(jpeg_.output_height);
     pixels_.rgba.resize(std::size_t{4} * jpeg_.output_width * jpeg_.output_height);
     if (!read_pixels()) refuse(reason_);
+    if (jpeg_.out_color_space == JCS_CMYK) convert_inks();
     return std::move(pixels_);
   }
 
@@ -77,7 +78,8 @@ class JpegDecoder {
   bool begin_pixels() {
     // NOLINTNEXTLINE(cert-err52-cpp)
     if (setjmp(jump_) != 0) return false;
-    jpeg_.out_color_space = JCS_EXT_RGBA;
+    const bool has_inks = jpeg_.jpeg_color_space == JCS_CMYK || jpeg_.jpeg_color_space == JCS_YCCK;
+    jpeg_.out_color_space = has_inks ? JCS_CMYK : JCS_EXT_RGBA;
     jpeg_start_decompress(&jpeg_);
     return true;
   }
@@ -92,6 +94,21 @@ class JpegDecoder {
     }
     jpeg_finish_decompress(&jpeg_);
     return true;
+  }
+
+  // Cyan, magenta, yellow and black of a file, without its profile; Adobe's programs write how much
+  // of each is missing.
+  void convert_inks() {
+    const auto left_over = [this](std::uint8_t ink) -> unsigned {
+      return jpeg_.saw_Adobe_marker ? ink : 255u - ink;
+    };
+    for (std::size_t i = 0; i < pixels_.rgba.size(); i += 4) {
+      std::uint8_t* pixel = pixels_.rgba.data() + i;
+      for (std::size_t k = 0; k < 3; ++k) {
+        pixel[k] = static_cast<std::uint8_t>(left_over(pixel[k]) * left_over(pixel[3]) / 255u);
+      }
+      pixel[3] = 255;
+    }
   }
 
   const std::filesystem::path& file_;

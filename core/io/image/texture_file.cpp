@@ -3,6 +3,7 @@
 #include "brume/error.h"
 #include "core/io/file_bytes.h"
 #include "core/io/image/image_file.h"
+#include "core/io/image/image_kind.h"
 #include "core/io/image/pixel_decoders.h"
 #include "core/io/image/radiance_map_file.h"
 
@@ -20,12 +21,17 @@ std::shared_ptr<const Texture> read_radiance(const std::filesystem::path& file) 
 
 std::shared_ptr<const Texture> decode_texture(const std::filesystem::path& file,
                                               std::string_view bytes, bool has_colors) {
-  if (!is_png(bytes) && !is_jpeg(bytes)) {
+  const auto decode = is_png(bytes)    ? decode_png
+                      : is_jpeg(bytes) ? decode_jpeg
+                      : is_bmp(bytes)  ? decode_bmp
+                      : is_tga(bytes)  ? decode_tga
+                                       : nullptr;
+  if (decode == nullptr) {
     throw InputError(file, "header",
-                     has_colors ? "found neither a PNG, JPEG, OpenEXR nor Radiance HDR image"
-                                : "found neither a PNG nor a JPEG image");
+                     "found " + image_kind(bytes) + "; allowed: PNG, JPEG, TGA or BMP" +
+                         (has_colors ? ", of colors also OpenEXR and Radiance HDR" : ""));
   }
-  const Pixels pixels = is_png(bytes) ? decode_png(file, bytes) : decode_jpeg(file, bytes);
+  const Pixels pixels = decode(file, bytes);
   return std::make_shared<const Texture>(
       pixels.width, pixels.height, pixels.rgba,
       has_colors ? Texture::Encoding::srgb : Texture::Encoding::linear);

@@ -5,6 +5,7 @@
 
 #include "brume/error.h"
 #include "brume/limits.h"
+#include "core/io/alike_file.h"
 #include "core/io/byte_reader.h"
 #include "core/io/file_bytes.h"
 #include "core/io/import/uri.h"
@@ -344,8 +345,16 @@ GltfFile::Resource GltfFile::resource(const std::string& uri) const {
     return {.refusal = "found " + quoted_text(uri, 40) + "; allowed: base64 data"};
   }
   const std::optional<std::string> name = decoded_relative_uri(uri);
-  if (name) return {(context_.file().parent_path() / *name).lexically_normal()};
-  return {.refusal = "found " + quoted_text(uri, 80) + "; allowed: a relative path, or data"};
+  if (!name) {
+    return {.refusal = "found " + quoted_text(uri, 80) + "; allowed: a relative path, or data"};
+  }
+  const auto place = [this](const std::string& text) {
+    return find_file_named_alike((context_.file().parent_path() / text).lexically_normal());
+  };
+  std::error_code error;
+  const fs::path decoded = place(*name);
+  const fs::path literal = place(uri);  // as programs write it that encode nothing
+  return {fs::exists(literal, error) && !fs::exists(decoded, error) ? literal : decoded};
 }
 
 }  // namespace brume

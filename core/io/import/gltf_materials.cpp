@@ -2,8 +2,11 @@
 
 #include <cmath>
 
+#include "brume/error.h"
 #include "core/io/import/gltf_values.h"
+#include "core/io/text_scanner.h"
 #include "core/number_domain.h"
+#include "core/printable_text.h"
 
 namespace brume {
 namespace {
@@ -41,7 +44,7 @@ void read_transform(GltfFile& file, const Json& value, const JsonPath& path, Tex
       object.integer("texCoord", 0, max_set, static_cast<std::int64_t>(use.texcoord_set)));
 }
 
-// Nullopt for an image that cannot be read, as of a format that only an extension has.
+// Nullopt for an image of a format that only an extension has.
 std::optional<TextureUse> read_texture_use(GltfFile& file, GltfImages& images, JsonObject& object) {
   if (object.find("index") == nullptr) object.fail("index", "missing");
   const std::size_t index = *file.index(object, "index", "textures");
@@ -69,7 +72,7 @@ std::optional<TextureUse> read_texture_use(GltfFile& file, GltfImages& images, J
     file.context().warn(texture.path_of("source"), "missing: the texture is left out");
     return std::nullopt;
   }
-  if (!images.use(*image)) return std::nullopt;
+  images.use(*image);
   use.texture.image = *image;
   return use;
 }
@@ -156,23 +159,30 @@ GltfMaterial read_gltf_material(GltfFile& file, GltfImages& images, const Json& 
   return result;
 }
 
-bool GltfImages::use(std::size_t index) {
+void GltfImages::use(std::size_t index) {
   RawImage& image = images_[index];
-  if (!image.file.empty()) return true;
+  if (!image.file.empty()) return;
   const JsonPath list = file_.path().member("images");
   const JsonPath path = list.element(index);
   JsonObject object(file_.context(), file_.list("images")[index], path);
-  if (const auto view = file_.index(object, "bufferView", "bufferViews")) {
-    image = {file_.context().file(), std::string(file_.buffer_view(*view))};
-    return true;
+  image = {file_.context().file(), {}, path.text()};
+  if (const std::string name = object.text("name", ""); !name.empty()) {
+    image.name += " (" + quoted_text(name) + ")";
+  }
+  try {
+    if (const auto view = file_.index(object, "bufferView", "bufferViews")) {
+      image.bytes = file_.buffer_view(*view);
+      return;
+    }
+  } catch (const InputError& error) {  // which begins with the file's name
+    image.error = error.what();
+    image.error.erase(0, printable(file_.context().file().string()).size() + 2);
+    return;
   }
   GltfFile::Resource found = file_.resource(object.text("uri", ""));
-  if (!found.refusal.empty()) {
-    file_.context().warn(object.path_of("uri"), found.refusal + ": the texture is left out");
-    return false;
-  }
-  image = {std::move(found.file), std::move(found.bytes)};
-  return true;
+  if (!found.refusal.empty()) image.error = object.path_of("uri").text() + ": " + found.refusal;
+  image.bytes = std::move(found.bytes);
+  if (!found.file.empty()) image.file = std::move(found.file);
 }
 
 }  // namespace brume

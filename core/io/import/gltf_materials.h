@@ -20,8 +20,8 @@ class GltfImages {
  public:
   explicit GltfImages(GltfFile& file) : file_(file), images_(file.list("images").size()) {}
 
-  // False, with a warning, if there is no reading it.
-  bool use(std::size_t index);
+  // Reads one; what cannot be has an `error`.
+  void use(std::size_t index);
   // As many as the list `images` has; empty ones where none is used.
   [[nodiscard]] const std::vector<RawImage>& all() const { return images_; }
 

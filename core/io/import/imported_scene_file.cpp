@@ -34,8 +34,7 @@ class SceneBuilder {
     scene->files = std::move(raw_.files);
     for (RawPart& part : raw_.parts) {
       if (stop.stop_requested()) return nullptr;
-      scene->parts.push_back(
-          {part.node, mesh_of(part.mesh), material(part.material, scene->files)});
+      scene->parts.push_back({part.node, mesh_of(part.mesh), material(part.material, *scene)});
       part.mesh = {};
     }
     scene->changed = latest_change(scene->files);
@@ -55,7 +54,7 @@ class SceneBuilder {
     return mesh;
   }
 
-  const Material& material(std::size_t index, std::vector<fs::path>& files) {
+  const Material& material(std::size_t index, ImportedScene& scene) {
     const auto [at, is_new] = materials_.try_emplace(index);
     if (!is_new) return at->second;
     const RawMaterial& raw = raw_.materials[index];
@@ -68,31 +67,48 @@ class SceneBuilder {
       const bool has_colors = slot == 0 || slot == 3;
       TextureReference& texture = *textures_of(result.metallic_roughness)[slot];
       texture.file = raw_.images[use->image].file;
-      texture.content = this->texture({use->image, has_colors}, files);
+      texture.content = this->texture({use->image, has_colors}, scene);
       texture.wrap_u = use->wrap_u;
       texture.wrap_v = use->wrap_v;
     }
     return result;
   }
 
-  std::shared_ptr<const Texture> texture(const TextureOfImage& use, std::vector<fs::path>& files) {
+  // Null, which is white, with a warning where it is missing or cannot be read.
+  std::shared_ptr<const Texture> texture(const TextureOfImage& use, ImportedScene& scene) {
     const auto [at, is_new] = textures_.try_emplace(use);
     if (!is_new) return at->second;
     const auto& [index, has_colors] = use;
     const RawImage& image = raw_.images[index];
     std::error_code error;
-    if (!image.bytes.empty()) {
-      at->second = decode_texture(image.file, image.bytes, has_colors);
-    } else if (fs::exists(image.file, error)) {
-      at->second = read_texture(image.file, has_colors);
-      if (!std::ranges::count(files, image.file)) files.push_back(image.file);
-    } else if (!textures_.contains({index, !has_colors})) {
-      warnings_.push_back(
-          InputError(file_, "", "the texture " + printable(image.file.string()) + " is missing")
-              .what());
+    if (image.file != file_ && !fs::exists(image.file, error)) {
+      warn_of_texture(use, printable(image.file.string()) + " is missing");
+      return nullptr;
     }
-    if (at->second) add_bytes(at->second->bytes());
+    if (fs::is_regular_file(image.file, error) && !std::ranges::count(scene.files, image.file)) {
+      scene.files.push_back(image.file);
+      if (image.is_absolute) scene.absolute_files.push_back(image.file);
+    }
+    if (!image.error.empty()) {
+      warn_of_texture(use, image.error + "; it counts as white");
+      return nullptr;
+    }
+    try {
+      at->second = image.file == file_ ? decode_texture(image.name, image.bytes, has_colors)
+                                       : read_texture(image.file, has_colors);
+    } catch (const InputError& mistake) {
+      warn_of_texture(use, std::string(mistake.what()) + "; it counts as white");
+      return nullptr;
+    }
+    add_bytes(at->second->bytes());
     return at->second;
+  }
+
+  // Once per image, should it be used both as colors and as other values.
+  void warn_of_texture(const TextureOfImage& use, const std::string& message) {
+    const auto other = textures_.find({use.first, !use.second});
+    if (other != textures_.end() && other->second == nullptr) return;
+    warnings_.push_back(InputError(file_, "", "the texture " + message).what());
   }
 
   void add_bytes(std::size_t bytes) {

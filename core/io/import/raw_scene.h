@@ -16,8 +16,11 @@ inline constexpr std::size_t max_imported_nodes = 1 << 16;
 
 // An image of a scene: a file of its own, or bytes within the scene's file.
 struct RawImage {
-  std::filesystem::path file;  // where it is, absolute; with bytes, the scene's file
-  std::string bytes;           // PNG or JPEG; empty: in `file`
+  std::filesystem::path file{};  // where it is, absolute; within the scene's file, that
+  std::string bytes{};           // as in a file; empty: in `file`
+  std::string name{};            // within the scene's file, what that calls it
+  std::string error{};           // why there are no bytes, if the scene's file is to blame
+  bool is_absolute = false;      // the path that names it
 };
 
 struct RawTexture {

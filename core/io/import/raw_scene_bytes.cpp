@@ -140,6 +140,9 @@ void visit_scene(auto& io, auto& scene) {
   io.list(scene.images, [&io](auto& image) {
     visit_path(io, image.file);
     io.text(image.bytes);
+    io.text(image.name);
+    io.text(image.error);
+    io.plain(image.is_absolute);
   });
   io.list(scene.cameras, [&io](auto& camera) {
     io.text(camera.name);

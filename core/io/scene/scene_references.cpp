@@ -7,6 +7,7 @@
 
 #include "brume/error.h"
 #include "brume/mesh_arrays.h"
+#include "core/io/alike_file.h"
 #include "core/io/file_bytes.h"
 #include "core/io/gaussians/gaussian_file.h"
 #include "core/io/gaussians/sequence_file.h"
@@ -75,9 +76,11 @@ SceneReferences::SceneReferences(const fs::path& scene_file, MissingFiles* missi
       directory_(real_folder(scene_file.parent_path())) {}
 
 fs::path SceneReferences::found(const fs::path& file) const {
-  if (missing_ == nullptr) return file;
-  const auto at = missing_->found.find(file);
-  return at == missing_->found.end() ? file : at->second;
+  if (missing_ != nullptr) {
+    const auto at = missing_->found.find(file);
+    if (at != missing_->found.end()) return at->second;
+  }
+  return find_file_named_alike(file);
 }
 
 void SceneReferences::note_missing(const fs::path& file) const {
@@ -170,12 +173,15 @@ fs::path SceneReferences::resolve(const JsonContext& context, const JsonPath& pa
   return file;
 }
 
-std::shared_ptr<const TriangleMesh> SceneReferences::mesh(const JsonContext& context,
+std::shared_ptr<const TriangleMesh> SceneReferences::mesh(JsonContext& context,
                                                           const JsonPath& path,
                                                           const fs::path& file) {
   std::shared_ptr<const TriangleMesh>& mesh = meshes_[file];
   if (!mesh && is_missing(file)) mesh = invisible_mesh();
-  if (!mesh) mesh = at_path(context, path, [&] { return read_mesh(file); });
+  if (mesh) return mesh;
+  std::vector<std::string> warnings;
+  mesh = at_path(context, path, [&] { return read_mesh(file, &warnings); });
+  for (const std::string& warning : warnings) context.warn(path, warning);
   return mesh;
 }
 

@@ -39,7 +39,7 @@ class SceneReferences {
                                                  std::size_t max_gaussians);
 
   // Meshes, profiles, measured BRDFs and textures are cached and shared.
-  std::shared_ptr<const TriangleMesh> mesh(const JsonContext& context, const JsonPath& path,
+  std::shared_ptr<const TriangleMesh> mesh(JsonContext& context, const JsonPath& path,
                                            const std::filesystem::path& file);
   // A scene of another program, cached and shared, too.
   std::shared_ptr<const ImportedScene> imported(JsonContext& context, const JsonPath& path,

@@ -33,7 +33,8 @@ std::string png() {
   return encode_png(width, height, ramp());
 }
 
-std::string jpeg() {
+// Of pixels of 3 or 4 components.
+std::string jpeg(std::vector<std::uint8_t> pixels, J_COLOR_SPACE space, int components) {
   jpeg_compress_struct encoder{};
   jpeg_error_mgr errors{};
   encoder.err = jpeg_std_error(&errors);
@@ -43,14 +44,14 @@ std::string jpeg() {
   jpeg_mem_dest(&encoder, &bytes, &size);
   encoder.image_width = width;
   encoder.image_height = height;
-  encoder.input_components = 3;
-  encoder.in_color_space = JCS_RGB;
+  encoder.input_components = components;
+  encoder.in_color_space = space;
   jpeg_set_defaults(&encoder);
   jpeg_set_quality(&encoder, 98, TRUE);
   jpeg_start_compress(&encoder, TRUE);
-  std::vector<std::uint8_t> rgb = ramp();
   while (encoder.next_scanline < encoder.image_height) {
-    JSAMPROW row = rgb.data() + std::size_t{3} * width * encoder.next_scanline;
+    const std::size_t row_bytes = pixels.size() / height;
+    JSAMPROW row = pixels.data() + row_bytes * encoder.next_scanline;
     jpeg_write_scanlines(&encoder, &row, 1);
   }
   jpeg_finish_compress(&encoder);
@@ -58,6 +59,10 @@ std::string jpeg() {
   jpeg_destroy_compress(&encoder);
   std::free(bytes);
   return result;
+}
+
+std::string jpeg() {
+  return jpeg(ramp(), JCS_RGB, 3);
 }
 
 TEST(TextureFile, ReadsPngExactly) {
@@ -79,6 +84,37 @@ TEST(TextureFile, ReadsJpeg) {
   EXPECT_NEAR(pixels.rgba[4 * (7 * width) + 1], 224, 12);
 }
 
+// libjpeg marks them as Adobe's: 255 is no ink.
+TEST(TextureFile, ReadsJpegOfInks) {
+  std::vector<std::uint8_t> inks;
+  for (int i = 0; i < width * height; ++i) inks.insert(inks.end(), {255, 0, 128, 200});
+  const Pixels pixels = decode_jpeg("a.jpg", jpeg(inks, JCS_CMYK, 4));
+  EXPECT_NEAR(pixels.rgba[0], 200, 6);
+  EXPECT_NEAR(pixels.rgba[1], 0, 6);
+  EXPECT_NEAR(pixels.rgba[2], 100, 6);
+  EXPECT_EQ(pixels.rgba[3], 255);
+}
+
+TEST(TextureFile, NamesWhatItFound) {
+  using namespace std::string_view_literals;
+  for (const auto& [bytes, kind] : std::vector<std::pair<std::string_view, const char*>>{
+           {"version https://git-lfs.github.com/spec/v1\noid sha256:0"sv, "a Git LFS pointer"},
+           {"RIFF\x10\0\0\0WEBPVP8 "sv, "a WebP image"},
+           {"II*\0\x08\0\0\0"sv, "a TIFF image"},
+           {"MM\0*"sv, "a TIFF image"},
+           {"DDS |"sv, "a DDS image"},
+           {"\0\0\0\x1c"
+            "ftypavif"sv,
+            "an AVIF or HEIF image"},
+           {"<!DOCTYPE html>"sv, "text, such as a web page"},
+           {"abc"sv, "no image of a known kind"},
+           {""sv, "an empty file"}}) {
+    const std::string error = error_of([&] { decode_texture("a.tga", bytes, true); });
+    EXPECT_TRUE(contains(error, std::string("found ") + kind)) << error;
+    EXPECT_TRUE(contains(error, "allowed: PNG, JPEG, TGA or BMP")) << error;
+  }
+}
+
 TEST(TextureFile, TellsColorsFromOtherValues) {
   const TemporaryFolder folder;
   // The name does not matter.
@@ -91,7 +127,7 @@ TEST(TextureFile, TellsColorsFromOtherValues) {
   write_exr(folder / "a.exr", sky);
   EXPECT_EQ(read_texture(folder / "a.exr", true)->average().r, 7.0f);
   EXPECT_TRUE(contains(error_of([&] { read_texture(folder / "a.exr", false); }),
-                       "found neither a PNG nor a JPEG image"));
+                       "found an OpenEXR image; allowed: PNG, JPEG, TGA or BMP"));
 }
 
 TEST(TextureFile, RefusesDamagedFiles) {

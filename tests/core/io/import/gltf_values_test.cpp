@@ -113,7 +113,7 @@ TEST_F(GltfValues, ImagesThatHaveNoFileAreMissing) {
     builder_.json["textures"] = {{{"source", 0}}};
     const MetallicRoughness values =
         read_material({{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}});
-    EXPECT_TRUE(values.base_color_texture.file.empty());
+    EXPECT_EQ(values.base_color_texture.content, nullptr);
     EXPECT_TRUE(is_warned("images[].uri: found")) << image;
     EXPECT_EQ(warnings_.size(), 1u);
   }

@@ -159,27 +159,6 @@ TEST(MalformedGltf, ABufferThatIsMissingIsNamed) {
   EXPECT_TRUE(contains(error, "buffers[0].uri: " + (folder / "gone.bin").string())) << error;
 }
 
-TEST(MalformedGltf, ATextureThatIsDamagedOrTooLargeIsNamed) {
-  const TemporaryFolder folder;
-  GltfBuilder builder;
-  builder.json["images"] = {{{"uri", "t.png"}}};
-  builder.json["textures"] = {{{"source", 0}}};
-  builder.json["materials"] = {{{"normalTexture", {{"index", 0}}}}};
-  builder.primitive()["material"] = 0;
-  const auto file = folder.write("scene.glb", builder.binary());
-  folder.write("t.png", "no picture");
-  std::vector<std::string> warnings;
-  const std::string error = error_of([&] { read_imported_scene(file, warnings); });
-  EXPECT_TRUE(contains(error, (folder / "t.png").string())) << error;
-  // Its header alone says how large it would be.
-  folder.write("t.png",
-               std::string("\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\x80\0\0\0\x80\0\x08\x02\0\0\0"
-                           "\x4b\x1e\x34\x28",
-                           33));
-  const std::string large = error_of([&] { read_imported_scene(file, warnings); });
-  EXPECT_TRUE(contains(large, "16384")) << large;
-}
-
 TEST(MalformedGltf, OtherFormatsAreRefused) {
   const TemporaryFolder folder;
   std::vector<std::string> warnings;

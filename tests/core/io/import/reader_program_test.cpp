@@ -101,6 +101,34 @@ TEST(ReaderProgram, CoversConcavePolygons) {
   }
 }
 
+TEST(ReaderProgram, ReadsLinesThatGoOn) {
+  const TemporaryFolder folder;
+  std::vector<std::string> warnings;
+  const auto scene = read_imported_scene(
+      folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 1 \\\n1 0\nv 0 1 0\nf 1 2 \\\r\n3 4\n"), warnings);
+  EXPECT_EQ(to_arrays(*scene->parts.at(0).mesh).triangles.size(), 2u);
+}
+
+TEST(ReaderProgram, LeavesOutBadFacesOfObj) {
+  const TemporaryFolder folder;
+  const std::string good = "v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nvn 0 0 1\nf 1/1/1 2/1/1 3/1/1\n";
+  for (const char* bad : {"f 1 2 4", "f 0 1 2", "f -1 -2 -4", "f 1/1 2/1 \\\n9/1"}) {
+    SCOPED_TRACE(bad);
+    std::vector<std::string> warnings;
+    const auto file = folder.write("a.obj", good + bad + "\nf 3/1/1 2/1/1 1/1/1\n");
+    const auto scene = read_imported_scene(file, warnings);
+    EXPECT_EQ(to_arrays(*scene->parts.at(0).mesh).triangles.size(), 2u);
+    ASSERT_EQ(warnings.size(), 1u);
+    EXPECT_TRUE(warnings[0].starts_with(file.string() + ": line 7: found a face")) << warnings[0];
+  }
+  std::vector<std::string> warnings;
+  const auto scene =
+      read_imported_scene(folder.write("a.obj", good + "f 3/7/1 2/1/9 1/1/1\n"), warnings);
+  EXPECT_EQ(to_arrays(*scene->parts.at(0).mesh).triangles.size(), 2u)
+      << "without texture coordinates";
+  EXPECT_TRUE(warnings.empty()) << warnings[0];
+}
+
 TEST(ReaderProgram, DamagedFilesAreAnError) {
   const TemporaryFolder folder;
   std::vector<std::string> warnings;

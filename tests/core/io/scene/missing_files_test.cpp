@@ -67,6 +67,22 @@ TEST_F(MissingFilesTest, PreserveTheirReferences) {
   EXPECT_EQ(document_to_json(loaded, folder_.path()), saved);
 }
 
+// As archives of macOS and programs of Windows leave them.
+TEST(SceneReferences, FilesNamedAlikeAreFound) {
+  const TemporaryFolder folder;
+  const fs::path mesh = folder.write("Gera\u0308te/Stuhl.obj", triangle_obj);
+  for (const char* name :
+       {"Ger\u00e4te/Stuhl.obj", "geräte/stuhl.OBJ", "Gera\u0308te\\\\Stuhl.obj"}) {
+    const fs::path scene = folder.write("a.brume", std::string(
+                                                       R"({ "format": "brume-scene", "version": 1,
+          "surfaces": [ { "mesh": ")") + name + R"(" } ] })");
+    EXPECT_EQ(load_scene(scene).surfaces.at(0).mesh_file, mesh) << name;
+    MissingFiles missing;
+    load_document(scene, nullptr, missing);
+    EXPECT_TRUE(missing.missing.empty()) << name;
+  }
+}
+
 TEST_F(MissingFilesTest, AreReadFromTheirNewPlace) {
   const fs::path mesh = folder_.write("elsewhere/b.obj", triangle_obj);
   folder_.write("elsewhere/steam_03.csv", "x,y,z,radius,density\n1,2,3,0.5,1\n");

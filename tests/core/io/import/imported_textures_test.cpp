@@ -1,0 +1,180 @@
+// Textures of other programs' scenes: what is not found or cannot be read counts as white.
+
+#include <gtest/gtest.h>
+
+#include "core/io/image/image_file.h"
+#include "core/io/import/imported_scene_file.h"
+#include "core/scene/texture.h"
+#include "tests/core/io/import/gltf_builder.h"
+#include "tests/core/io/input_error.h"
+#include "tests/core/io/temporary_folder.h"
+
+namespace brume {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A TGA of one red pixel.
+std::string red_tga() {
+  std::string bytes(18, '\0');
+  bytes[2] = 2;
+  bytes[12] = bytes[14] = 1;
+  bytes[16] = 24;
+  return bytes + std::string("\0\0\xff", 3);
+}
+
+std::string red_png() {
+  return encode_png(1, 1, std::vector<std::uint8_t>{255, 0, 0});
+}
+
+class ImportedTextures : public ::testing::Test {
+ protected:
+  // The base color of the first part.
+  const Texture* read(const fs::path& file) {
+    warnings_.clear();
+    scene_ = read_imported_scene(file, warnings_);
+    return scene_->parts.at(0).material.metallic_roughness.base_color_texture.content.get();
+  }
+
+  // An OBJ that uses a material of `mtl`, which is written as a.mtl.
+  fs::path write_obj(const std::string& mtl, const std::string& library = "a.mtl") {
+    folder_.write("a.mtl", "newmtl m\nKd 1 1 1\n" + mtl);
+    return folder_.write("a.obj", "mtllib " + library +
+                                      "\nv 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\n"
+                                      "usemtl m\nf 1/1 2/2 3/3\n");
+  }
+
+  // A scene whose first image is the base color.
+  fs::path write_gltf(GltfBuilder builder, const GltfBuilder::Json& image) {
+    builder.json["images"] = {image};
+    builder.json["textures"] = {{{"source", 0}}};
+    builder.json["materials"] = {
+        {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}}};
+    builder.primitive()["material"] = 0;
+    return folder_.write("a.glb", builder.binary());
+  }
+
+  void expect_warning(const std::string& part, const std::string& other = "") {
+    ASSERT_EQ(warnings_.size(), 1u);
+    EXPECT_TRUE(contains(warnings_[0], part)) << warnings_[0];
+    EXPECT_TRUE(contains(warnings_[0], other)) << warnings_[0];
+  }
+
+  TemporaryFolder folder_;
+  std::vector<std::string> warnings_;
+  std::shared_ptr<const ImportedScene> scene_;
+};
+
+TEST_F(ImportedTextures, TgaIsRead) {
+  folder_.write("red.tga", red_tga());
+  const Texture* texture = read(write_obj("map_Kd red.tga\n"));
+  EXPECT_TRUE(warnings_.empty()) << warnings_[0];
+  ASSERT_NE(texture, nullptr);
+  EXPECT_EQ(texture->average(), glm::vec4(1, 0, 0, 1));
+}
+
+TEST_F(ImportedTextures, UnreadableOnesCountAsWhite) {
+  const std::string truncated = red_png().substr(0, 40);
+  const std::pair<const char*, std::string> files[] = {
+      {"a.webp", std::string("RIFF\0\0\0\0WEBP", 12)},
+      {"a.tif", std::string("II*\0", 4)},
+      {"lfs.png", "version https://git-lfs.github.com/spec/v1\n"},
+      {"truncated.png", truncated},
+      {"empty.png", ""}};
+  for (const auto& [name, content] : files) {
+    SCOPED_TRACE(name);
+    const fs::path file = folder_.write(name, content);
+    EXPECT_EQ(read(write_obj(std::string("map_Kd ") + name + "\n")), nullptr);
+    expect_warning("a.obj: the texture " + file.string() + ": ", "; it counts as white");
+    EXPECT_EQ(scene_->files.back(), file) << "read again when it has changed";
+  }
+  fs::create_directory(folder_ / "folder.png");
+  EXPECT_EQ(read(write_obj("map_Kd folder.png\n")), nullptr);
+  expect_warning("is a folder");
+}
+
+// Its header alone says how large it would be.
+TEST_F(ImportedTextures, TooLargeOnesCountAsWhite) {
+  folder_.write("t.png",
+                std::string("\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\x80\0\0\0\x80\0\x08\x02\0\0\0"
+                            "\x4b\x1e\x34\x28",
+                            33));
+  EXPECT_EQ(read(write_gltf({}, {{"uri", "t.png"}})), nullptr);
+  expect_warning("t.png", "16384");
+}
+
+TEST_F(ImportedTextures, EmbeddedOnesAreNamed) {
+  GltfBuilder builder;
+  const std::string damaged = "no picture";
+  const std::size_t view = builder.add_view(damaged.data(), damaged.size());
+  EXPECT_EQ(read(write_gltf(builder, {{"bufferView", view}, {"name", "wood"}})), nullptr);
+  expect_warning("a.glb: the texture images[0] (wood): header: found no image");
+  EXPECT_EQ(read(write_gltf({}, {{"uri", "data:image/png;base64,AAAA"}})), nullptr);
+  expect_warning("a.glb: the texture images[0]: header: found no image");
+  EXPECT_EQ(read(write_gltf({}, {{"uri", "data:image/png;base64,*"}})), nullptr);
+  expect_warning("a.glb: the texture images[0].uri: found data:image/png", "allowed: base64 data");
+  EXPECT_EQ(read(write_gltf({}, {{"uri", "http://x/y.png"}})), nullptr);
+  expect_warning("a.glb: the texture images[0].uri: found http://x/y.png");
+  EXPECT_EQ(read(write_gltf({}, {{"bufferView", 99}})), nullptr);
+  expect_warning("a.glb: the texture images[0].bufferView: found 99");
+}
+
+TEST_F(ImportedTextures, ThoseThatNoMaterialUsesAreNotRead) {
+  GltfBuilder builder;
+  builder.json["images"] = {{{"uri", "http://x/y.png"}}};
+  read(folder_.write("a.glb", builder.binary()));
+  EXPECT_TRUE(warnings_.empty()) << warnings_[0];
+}
+
+// One warning for an image that is used as colors and as other values.
+TEST_F(ImportedTextures, OneOfTwoUsesIsTold) {
+  GltfBuilder builder;
+  builder.json["images"] = {{{"uri", "t.png"}}};
+  builder.json["textures"] = {{{"source", 0}}};
+  builder.json["materials"] = {{{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}},
+                                {"normalTexture", {{"index", 0}}}}};
+  builder.primitive()["material"] = 0;
+  folder_.write("t.png", "no picture");
+  EXPECT_EQ(read(folder_.write("a.glb", builder.binary())), nullptr);
+  expect_warning("t.png: header: found no image of a known kind");
+}
+
+TEST_F(ImportedTextures, AreFoundAsWindowsNamesThem) {
+  folder_.write("Textures/red.png", red_png());
+  folder_.write("blue.png", red_png());
+  for (const char* line :
+       {"map_Kd textures\\RED.png\n", "map_Kd Textures/red.png \t\n", "map_Kd BLUE.PNG\r\n",
+        "map_Kd C:\\work\\Blue.png\n", "map_Kd .\\textures\\Red.PNG\n"}) {
+    EXPECT_NE(read(write_obj(line)), nullptr) << line;
+    EXPECT_TRUE(warnings_.empty()) << line << warnings_[0];
+  }
+  EXPECT_NE(read(write_gltf({}, {{"uri", "textures%2FRed.PNG"}})), nullptr);
+  EXPECT_NE(read(write_gltf({}, {{"uri", "Textures\\red.png"}})), nullptr);
+  folder_.write("100%25.png", red_png());
+  EXPECT_NE(read(write_gltf({}, {{"uri", "100%25.png"}})), nullptr) << "not encoded at all";
+  folder_.write("100%.png", red_png());
+  EXPECT_NE(read(write_gltf({}, {{"uri", "100%25.png"}})), nullptr);
+  EXPECT_EQ(scene_->files.back(), folder_ / "100%.png") << "encoded, as it should be";
+}
+
+TEST_F(ImportedTextures, MaterialFilesAreFoundAsWindowsNamesThem) {
+  folder_.write("red.png", red_png());
+  for (const char* library : {"A.MTL", "a.mtl ", ".\\A.mtl", "C:\\work\\a.mtl"}) {
+    EXPECT_NE(read(write_obj("map_Kd red.png\n", library)), nullptr) << library;
+    EXPECT_TRUE(warnings_.empty()) << library << warnings_[0];
+  }
+}
+
+TEST_F(ImportedTextures, MissingMaterialFilesAreTold) {
+  const fs::path file = write_obj("", "a.mtl");
+  fs::remove(folder_ / "a.mtl");
+  read(file);
+  expect_warning("a.obj: the material file " + (folder_ / "a.mtl").string() + " is missing");
+  const fs::path other = write_obj("", "other.mtl");
+  fs::remove(folder_ / "a.mtl");
+  read(other);
+  expect_warning("a.obj: the material file " + (folder_ / "other.mtl").string() + " is missing");
+}
+
+}  // namespace
+}  // namespace brume
