@@ -336,17 +336,20 @@ BackgroundJob::Apply SceneImport::read(const std::vector<File>& files, const Spl
                                        const Job& job) {
   std::vector<BackgroundJob::Apply> takes;
   std::vector<Surface> surfaces;  // added together, after what else may light them
+  std::vector<std::string> warnings;
   for (const File& file : files) {
     if (job.stop.stop_requested()) return {};
     if (file.kind == Kind::mesh) {
-      surfaces.push_back(read_surface(file.path));
+      surfaces.push_back(read_surface(file.path, warnings));
     } else {
       takes.push_back(read(file, options, job.stop, false));
     }
     job.progress(static_cast<double>(takes.size() + surfaces.size()) /
                  static_cast<double>(files.size()));
   }
-  return [this, takes, surfaces, text = tr("Import %1 files").arg(files.size())] {
+  return [this, takes, surfaces, lines = lines_of(warnings),
+          text = tr("Import %1 files").arg(files.size())] {
+    if (!lines.isEmpty()) Q_EMIT warned(lines);
     document_.undo_stack().beginMacro(text);
     for (const BackgroundJob::Apply& take : takes) {
       if (take) take();

@@ -19,6 +19,7 @@
 #include "app/window/simplify_job.h"
 #include "core/io/file_bytes.h"
 #include "core/io/scene/gather.h"
+#include "core/io/scene/scene_files.h"
 
 namespace brume {
 namespace {
@@ -110,14 +111,15 @@ void MainWindow::gather() {
 void MainWindow::gather_to(const std::filesystem::path& folder) {
   const std::string name =
       document_.file().empty() ? std::string("scene") : document_.file().stem().string();
-  start_file_job(tr("Gathering"),
-                 [this, folder, name,
-                  document = document_.document_to_save()](const Job& job) -> BackgroundJob::Apply {
-                   gather_scene(document, folder, name, job.stop);
-                   return [this, folder] {
-                     show_status(tr("Gathered in %1").arg(to_qstring(folder)));
-                   };
-                 });
+  start_file_job(tr("Gathering"), [this, folder, name, from = to_path(document_.folder()),
+                                   document = document_.document_to_save()](const Job& job) {
+    gather_scene(document, folder, name, job.stop);
+    QString text = tr("Gathered in %1").arg(to_qstring(folder));
+    if (const auto others = static_cast<int>(files_outside(document, from).size())) {
+      text += tr(", with %n file(s) from outside the scene's folder", nullptr, others);
+    }
+    return [this, text] { show_status(text); };
+  });
 }
 
 void MainWindow::show_simplify() {

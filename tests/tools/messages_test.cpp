@@ -73,6 +73,31 @@ TEST_F(Messages, ManyWarningsAreCounted) {
       << result.err;
 }
 
+TEST_F(Messages, NameWhatIsGatheredFromElsewhere) {
+  std::string surfaces = R"({ "mesh": "../floor.obj" })";
+  const std::string floor = content_of(folder_ / "floor.obj");
+  for (int i = 10; i < 22; ++i) {
+    const std::string name = "elsewhere/" + std::to_string(i) + ".obj";
+    folder_.write(name, floor);
+    surfaces += R"(, { "mesh": "../)" + name + "\" }";
+  }
+  folder_.write("here/own.obj", floor);
+  const auto scene = [&](const char* name, const std::string& list) {
+    const std::string text = R"({ "format": "brume-scene", "version": 1, "surfaces": [ )";
+    return folder_.write(name, text + list + " ] }").string();
+  };
+  const ProgramResult own =
+      run_brume({"gather", scene("here/a.brume", R"({ "mesh": "own.obj" })"), file("own")});
+  EXPECT_EQ(own.exit_code, 0);
+  EXPECT_EQ(own.err.find("outside"), std::string::npos) << own.err;
+  const ProgramResult others = run_brume({"gather", scene("here/b.brume", surfaces), file("all")});
+  EXPECT_EQ(others.exit_code, 0);
+  const std::string note = "copied from outside the scene's folder: " + file("floor.obj") + ", " +
+                           file("elsewhere/10.obj");
+  EXPECT_NE(others.err.find(note), std::string::npos) << others.err;
+  EXPECT_NE(others.err.find("18.obj and 3 more\n"), std::string::npos) << others.err;
+}
+
 TEST_F(Messages, SuggestASufficientVoxelSize) {
   const std::string scene =
       folder_

@@ -1,7 +1,10 @@
+#include <algorithm>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "core/io/scene/gather.h"
+#include "core/io/scene/scene_files.h"
 #include "tools/brume/command.h"
 #include "tools/brume/interruption.h"
 #include "tools/brume/progress_line.h"
@@ -26,10 +29,27 @@ class GatherCommand final : public Command {
                       interruption())) {
       throw Interrupted();
     }
+    tell_of_files_elsewhere(document);
     return done;
   }
 
  private:
+  // Somebody may not mean to hand them on.
+  void tell_of_files_elsewhere(const SceneDocument& document) const {
+    const std::filesystem::path folder = std::filesystem::absolute(scene_).parent_path();
+    const std::vector<std::filesystem::path> files = files_outside(document, folder);
+    if (files.empty()) return;
+    constexpr std::size_t max_named = 10;
+    std::string names;
+    for (std::size_t i = 0; i < std::min(files.size(), max_named); ++i) {
+      names += (i == 0 ? "" : ", ") + files[i].string();
+    }
+    if (files.size() > max_named) {
+      names += " and " + std::to_string(files.size() - max_named) + " more";
+    }
+    print_note("copied from outside the scene's folder: " + names);
+  }
+
   std::string scene_;
   std::string folder_;
 };

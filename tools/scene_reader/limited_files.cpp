@@ -65,7 +65,10 @@ Assimp::IOStream* LimitedFiles::Open(const char* file, const char* mode) {
   const std::filesystem::path path = place_of(file, scene_.parent_path()).lexically_normal();
   try {
     const bool is_replaced = scene_text_ && path == scene_;
-    auto* stream = new Bytes(is_replaced ? *scene_text_ : read_bytes(path));  // Close() gets it
+    std::string bytes = is_replaced ? *scene_text_ : read_bytes(path);
+    // Before the first keyword of a text assimp takes it for a part of that.
+    if (bytes.starts_with("\xef\xbb\xbf")) bytes.erase(0, 3);
+    auto* stream = new Bytes(std::move(bytes));  // Close() gets it
     if (std::ranges::count(opened_, path) == 0) opened_.push_back(path);
     return stream;
   } catch (const InputError&) {

@@ -165,7 +165,11 @@ fs::file_time_type latest_change(std::span<const fs::path> files) {
 bool obj_has_materials(const fs::path& file) {
   // It stands before the faces that use a material.
   const std::string begin = read_first_bytes(file, std::size_t{1} << 20);
-  return begin.starts_with("mtllib ") || begin.find("\nmtllib ") != std::string::npos;
+  TextScanner scanner(begin);
+  while (scanner.next_line()) {
+    if (scanner.next_token() == "mtllib") return true;
+  }
+  return false;
 }
 
 std::string imported_name(std::string_view name, const std::string& otherwise) {

@@ -1,9 +1,6 @@
 #include "core/io/scene/gather.h"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <atomic>
 #include <cctype>
 #include <cerrno>
 #include <cstring>
@@ -17,7 +14,7 @@
 #include "core/io/frame_pattern.h"
 #include "core/io/scene/scene_file.h"
 #include "core/io/scene/scene_files.h"
-#include "core/io/temporary_files.h"
+#include "core/io/staging_folder.h"
 #include "core/scene/imported_scene.h"
 
 namespace brume {
@@ -57,17 +54,30 @@ class Copies {
     file = copy->second;
   }
 
-  // The same for all files of an imported scene, which refer to each other by relative paths: in a
-  // folder of its own they stand to each other as they did.
+  // The same for all files of an imported scene: in a folder of its own those that refer to each
+  // other by relative paths stand to each other as they did, and others beside the scene, where its
+  // reader looks for them.
   void add(Surface& surface) {
     const auto [copy, is_new] = copies_.try_emplace(surface.mesh_file);
     if (is_new) {
-      const std::vector<fs::path>& files = surface.imported->files;
-      fs::path root = files.front().parent_path();
-      for (const fs::path& file : files) root = common_folder(root, file);
+      const ImportedScene& scene = *surface.imported;
+      const auto is_beside = [&scene](const fs::path& file) {
+        return std::ranges::count(scene.absolute_files, file) > 0;
+      };
+      fs::path root = scene.files.front().parent_path();
+      for (const fs::path& file : scene.files) {
+        if (!is_beside(file)) root = common_folder(root, file);
+      }
       const fs::path folder = folder_ / free_name(surface.mesh_file.stem().string(), "");
-      for (const fs::path& file : files) make(file, folder / file.lexically_relative(root));
       copy->second = folder / surface.mesh_file.lexically_relative(root);
+      std::map<fs::path, fs::path> files;  // by copy
+      for (const fs::path& file : scene.files) {
+        const fs::path to = is_beside(file) ? copy->second.parent_path() / file.filename()
+                                            : folder / file.lexically_relative(root);
+        const auto [other, is_free] = files.try_emplace(to, file);
+        if (!is_free) refuse_two_of_a_name(surface.mesh_file, file, other->second);
+        make(file, to);
+      }
     }
     surface.mesh_file = copy->second;
   }
@@ -96,6 +106,13 @@ class Copies {
     return name;
   }
 
+  [[noreturn]] static void refuse_two_of_a_name(const fs::path& scene, const fs::path& file,
+                                                const fs::path& other) {
+    throw InputError(scene, "",
+                     "refers to " + file.string() + " and to " + other.string() +
+                         ", which have one name; allowed: other names where a path is absolute");
+  }
+
   void make(const fs::path& file, const fs::path& copy) {
     std::error_code error;
     fs::create_directories(copy.parent_path(), error);
@@ -122,42 +139,25 @@ class Copies {
 // A new folder beside `folder`, which goes unless it is renamed.
 class TemporaryTarget {
  public:
-  explicit TemporaryTarget(const fs::path& folder) {
-    static std::atomic<unsigned> counter = 0;
-    const fs::path parent = folder.has_parent_path() ? folder.parent_path() : fs::path(".");
-    std::error_code error;
-    do {
-      path_ = fs::weakly_canonical(parent, error) /
-              (".brume-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".tmp");
-    } while (!error && fs::exists(path_));
-    name_ = TemporaryName(path_);
-    if (!error) fs::create_directory(path_, error);
-    if (error) throw InputError(folder, "", "cannot be created: " + error.message());
-  }
-  ~TemporaryTarget() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  TemporaryTarget(const TemporaryTarget&) = delete;
-  TemporaryTarget& operator=(const TemporaryTarget&) = delete;
+  explicit TemporaryTarget(const fs::path& folder)
+      : staging_(folder.has_parent_path() ? folder.parent_path() : fs::path("."), folder) {}
 
-  [[nodiscard]] const fs::path& path() const { return path_; }
+  [[nodiscard]] const fs::path& path() const { return staging_.path(); }
 
   // All of it is on the disk before it has its name.
   void become(const fs::path& folder) {
     std::error_code error;
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(path_)) {
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(path())) {
       if (entry.is_directory()) flush_folder(entry.path());
     }
-    flush_folder(path_);
-    fs::rename(path_, folder, error);
+    flush_folder(path());
+    fs::rename(path(), folder, error);
     if (error) throw InputError(folder, "", "cannot be created: " + error.message());
-    flush_folder(path_.parent_path());
+    flush_folder(path().parent_path());
   }
 
  private:
-  fs::path path_;
-  TemporaryName name_;
+  StagingFolder staging_;
 };
 
 // A name without a slash at its end.

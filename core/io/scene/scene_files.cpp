@@ -1,5 +1,6 @@
 #include "core/io/scene/scene_files.h"
 
+#include <algorithm>
 #include <type_traits>
 
 #include "core/io/frame_pattern.h"
@@ -23,6 +24,20 @@ std::vector<std::filesystem::path> files_of(const SceneDocument& document) {
   });
   if (const auto& loaded = document.extras.medium_file) files.push_back(loaded->file);
   return files;
+}
+
+std::vector<std::filesystem::path> files_outside(const SceneDocument& document,
+                                                 const std::filesystem::path& folder) {
+  const auto absolute = [](const std::filesystem::path& path) {
+    return std::filesystem::absolute(path).lexically_normal();
+  };
+  std::vector<std::filesystem::path> result;
+  for (const std::filesystem::path& file : files_of(document)) {
+    const std::filesystem::path relative = absolute(file).lexically_relative(absolute(folder));
+    const bool is_within = !relative.empty() && *relative.begin() != "..";
+    if (!is_within && std::ranges::count(result, file) == 0) result.push_back(file);
+  }
+  return result;
 }
 
 }  // namespace brume

@@ -36,4 +36,8 @@ void visit_files(SceneOrConst& scene, Visit visit) {
 // All files referenced by a loaded scene; may contain duplicates.
 std::vector<std::filesystem::path> files_of(const SceneDocument& document);
 
+// Those that are not within `folder`, each once.
+std::vector<std::filesystem::path> files_outside(const SceneDocument& document,
+                                                 const std::filesystem::path& folder);
+
 }  // namespace brume

@@ -47,13 +47,10 @@ void check_literal(const std::string& text) {
 }
 
 void warn_of_files_elsewhere(const SceneDocument& document, const fs::path& folder) {
-  for (const fs::path& file : files_of(document)) {
-    const fs::path relative = absolute_path(file).lexically_relative(folder);
-    if (!relative.empty() && *relative.begin() != "..") continue;
-    print_warnings({"a farm that copies files copies the folder of the scene only, without " +
-                    file.string() + "; brume gather puts all into one folder"});
-    return;
-  }
+  const std::vector<fs::path> files = files_outside(document, folder);
+  if (files.empty()) return;
+  print_warnings({"a farm that copies files copies the folder of the scene only, without " +
+                  files.front().string() + "; brume gather puts all into one folder"});
 }
 
 // Stops a task so that it leaves no part of a frame.

@@ -165,6 +165,16 @@ TEST_F(ImportedTextures, MaterialFilesAreFoundAsWindowsNamesThem) {
   }
 }
 
+TEST_F(ImportedTextures, TextMayBeginWithAByteOrderMark) {
+  folder_.write("red.png", red_png());
+  const std::string mark = "\xef\xbb\xbf";
+  const fs::path file = write_obj("map_Kd red.png\n");
+  folder_.write("a.mtl", mark + content_of(folder_ / "a.mtl"));
+  folder_.write("a.obj", mark + content_of(file));
+  EXPECT_NE(read(file), nullptr);
+  EXPECT_TRUE(obj_has_materials(file));
+}
+
 TEST_F(ImportedTextures, MissingMaterialFilesAreTold) {
   const fs::path file = write_obj("", "a.mtl");
   fs::remove(folder_ / "a.mtl");

@@ -5,6 +5,8 @@
 #include "core/io/gaussians/gaussian_file.h"
 #include "core/io/image/image_file.h"
 #include "core/io/scene/scene_file.h"
+#include "core/io/scene/scene_files.h"
+#include "core/scene/imported_scene.h"
 #include "tests/core/io/input_error.h"
 #include "tests/core/io/temporary_folder.h"
 #include "tests/core/io/triangle_obj.h"
@@ -67,6 +69,61 @@ TEST_F(Gather, MakesARelocatableFolder) {
   }
   EXPECT_EQ(entries(moved.sequences[0].file.parent_path()), 2u) << "not those of other frames";
   EXPECT_EQ(entries(folder_.path()), 1u) << "nothing else is left";
+}
+
+// An OBJ whose textures are beside it, elsewhere by a relative path, and elsewhere by an absolute
+// one.
+class GatherObj : public ::testing::Test {
+ protected:
+  GatherObj() {
+    const std::string png = encode_png(1, 1, std::vector<std::uint8_t>{255, 0, 0});
+    folder_.write("work/scene/own.png", png);
+    folder_.write("work/maps/wood.png", png);
+    folder_.write("private/metal.png", png);
+    folder_.write("work/scene/a.obj",
+                  "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nusemtl own\nf 1/1 2/1 3/1\n"
+                  "usemtl wood\nf 1/1 3/1 2/1\nusemtl metal\nf 2/1 1/1 3/1\n");
+    write_mtl("private/metal.png");
+    scene_ = folder_.write("work/scene/a.brume", R"({ "format": "brume-scene", "version": 1,
+      "surfaces": [ { "file": "a.obj" } ] })");
+  }
+
+  void write_mtl(const char* absolute) {
+    folder_.write("work/scene/a.mtl",
+                  "newmtl own\nmap_Kd own.png\nnewmtl wood\nmap_Kd ../maps/wood.png\n"
+                  "newmtl metal\nmap_Kd " +
+                      (folder_ / absolute).string() + "\n");
+  }
+
+  TemporaryFolder folder_;
+  fs::path scene_;
+};
+
+TEST_F(GatherObj, TexturesOfAbsolutePathsAreFoundThere) {
+  const SceneDocument document = load_document(scene_);
+  EXPECT_EQ(files_outside(document, folder_ / "work/scene"),
+            (std::vector<fs::path>{folder_ / "work/maps/wood.png", folder_ / "private/metal.png"}));
+  EXPECT_TRUE(files_outside(document, folder_.path()).empty());
+  ASSERT_TRUE(gather_scene(document, folder_ / "out", "scene"));
+  fs::remove_all(folder_ / "work");
+  fs::remove_all(folder_ / "private");
+  std::vector<std::string> warnings;
+  const Scene scene = load_scene(folder_ / "out/scene.brume", &warnings);
+  EXPECT_TRUE(warnings.empty()) << warnings[0];
+  const std::vector<fs::path>& files = scene.surfaces.at(0).imported->files;
+  EXPECT_EQ(files.size(), 5u);
+  for (const fs::path& file : files) {
+    EXPECT_TRUE(file.string().starts_with((folder_ / "out/files/a").string())) << file;
+  }
+}
+
+TEST_F(GatherObj, TwoOfOneNameAreRefused) {
+  folder_.write("private/own.png", content_of(folder_ / "private/metal.png"));
+  write_mtl("private/own.png");
+  const std::string error =
+      error_of([&] { gather_scene(load_document(scene_), folder_ / "out", "scene"); });
+  EXPECT_TRUE(contains(error, (folder_ / "private/own.png").string())) << error;
+  EXPECT_TRUE(contains(error, "which have one name")) << error;
 }
 
 TEST_F(Gather, LeavesNothingWhereItFails) {
