@@ -77,6 +77,7 @@ FrameLoop::Write writing(const MediumExport& request, const std::filesystem::pat
 
 void write_stage(const MediumExport& request, const Job& job) {
   const MediumExport::Range range = request.range.value_or(MediumExport::Range{});
+  FileGroup group;
   std::vector<UsdFrame> frames;
   const int count = range.last - range.first + 1;
   for (int k = 0; k < count; ++k) {
@@ -96,6 +97,7 @@ void write_stage(const MediumExport& request, const Job& job) {
   }
   if (job.stop.stop_requested()) throw Cancelled();
   write_usd(request.file, frames, range.frames_per_second, request.along);
+  group.commit();
 }
 
 }  // namespace

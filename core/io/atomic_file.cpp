@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <cassert>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -70,6 +71,21 @@ void flush_to_disk(const fs::path& path, int flags) {
   if (failed) throw InputError(path, "", "cannot be written: " + why);
 }
 
+// Before a complete file takes the place of another, whose permissions it gets.
+void make_ready(const fs::path& written, const fs::path& target) {
+  struct stat old {};
+  if (::stat(target.c_str(), &old) == 0) ::chmod(written.c_str(), old.st_mode & 07777);
+  flush_to_disk(written, O_RDONLY);
+}
+
+void replace(const fs::path& file, const fs::path& written, const fs::path& target) {
+  if (::rename(written.c_str(), target.c_str()) != 0) {
+    throw InputError(file, "", "cannot be written: " + reason());
+  }
+}
+
+thread_local FileGroup* group_of_thread = nullptr;
+
 }  // namespace
 
 fs::path link_target(const fs::path& file) {
@@ -108,6 +124,31 @@ void check_writable(const fs::path& file) {
   }
 }
 
+FileGroup::FileGroup() {
+  assert(group_of_thread == nullptr);
+  group_of_thread = this;
+}
+
+FileGroup::~FileGroup() {
+  group_of_thread = nullptr;
+}
+
+void FileGroup::write(const fs::path& file, const fs::path& target,
+                      const std::function<void(const fs::path&)>& write) {
+  const fs::path folder = folder_of(target);
+  const StagingFolder& stage = stages_.try_emplace(folder, folder, file).first->second;
+  const fs::path written = stage.path() / std::to_string(members_.size());
+  write(written);
+  make_ready(written, target);
+  members_.push_back({file, written, target});
+}
+
+void FileGroup::commit() {
+  for (const auto& [file, written, target] : members_) replace(file, written, target);
+  for (const auto& [folder, stage] : stages_) flush_folder(folder);
+  members_.clear();
+}
+
 void remove_abandoned_files(const fs::path& folder) {
   std::error_code error;
   for (fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator();
@@ -125,16 +166,16 @@ void remove_abandoned_files(const fs::path& folder) {
 void write_atomically(const fs::path& file, const std::function<void(const fs::path&)>& write) {
   check_writable(file);
   const fs::path target = link_target(file);
+  if (group_of_thread != nullptr) {
+    group_of_thread->write(file, target, write);
+    return;
+  }
   const TemporaryFile made(file, target);
   const fs::path& temporary = made.path();
   try {
     write(temporary);
-    struct stat old {};
-    if (::stat(target.c_str(), &old) == 0) ::chmod(temporary.c_str(), old.st_mode & 07777);
-    flush_to_disk(temporary, O_RDONLY);
-    if (::rename(temporary.c_str(), target.c_str()) != 0) {
-      throw InputError(file, "", "cannot be written: " + reason());
-    }
+    make_ready(temporary, target);
+    replace(file, temporary, target);
   } catch (...) {
     ::unlink(temporary.c_str());
     throw;

@@ -3,7 +3,11 @@
 #include <filesystem>
 #include <functional>
 #include <iosfwd>
+#include <map>
 #include <string_view>
+#include <vector>
+
+#include "core/io/staging_folder.h"
 
 namespace brume {
 
@@ -28,6 +32,34 @@ void write_atomically(const std::filesystem::path& file,
 
 // The same for given content.
 void write_atomically(const std::filesystem::path& file, std::string_view content);
+
+// Files that belong together, as a stage and its volumes: while one lives, what this thread writes
+// by write_atomically() waits under another name, and commit() replaces all files, in the order
+// they were written in. Without that none is replaced. One at a time per thread.
+class FileGroup {
+ public:
+  FileGroup();
+  ~FileGroup();
+  FileGroup(const FileGroup&) = delete;
+  FileGroup& operator=(const FileGroup&) = delete;
+
+  // Throws InputError.
+  void commit();
+
+  // For write_atomically(): writes what is to replace `target`, which errors call `file`.
+  void write(const std::filesystem::path& file, const std::filesystem::path& target,
+             const std::function<void(const std::filesystem::path& temporary)>& write);
+
+ private:
+  struct Member {
+    std::filesystem::path file;
+    std::filesystem::path written;
+    std::filesystem::path target;
+  };
+
+  std::vector<Member> members_;
+  std::map<std::filesystem::path, StagingFolder> stages_;  // by the folder of the targets
+};
 
 // Removes the temporary files in a folder that programs left which were killed: those that no
 // program holds locked, on this machine or, where the file system tells, on another.

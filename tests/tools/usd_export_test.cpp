@@ -56,6 +56,31 @@ TEST_F(UsdExport, WritesAVolumeForEachFrame) {
   EXPECT_TRUE(std::filesystem::exists(file("m_fog_0006.vdb")));
 }
 
+// 100 kB are all that a file may grow to: the volume fits, the stage does not.
+TEST_F(UsdExport, ReplacesNeitherFileWhereTheStageDoesNotFit) {
+  std::string obj;
+  for (int i = 0; i < 3000; ++i) {
+    obj += "v " + std::to_string(i) + " 0.123456 0\nv " + std::to_string(i) + " 1.654321 0\n";
+  }
+  for (int i = 1; i < 5999; ++i) {
+    obj +=
+        "f " + std::to_string(i) + ' ' + std::to_string(i + 1) + ' ' + std::to_string(i + 2) + '\n';
+  }
+  folder_.write("floor.obj", obj);
+  folder_.write("o.usda", "old");
+  folder_.write("o_fog.vdb", "old");
+  const std::size_t entries = folder_.entry_count();
+  const ProgramResult result = run_brume({"export", scene_, "-o", file("o.usda"), "--voxel", "0.5"},
+                                         {.before = "ulimit -f 200; "});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_NE(result.err.find(file("o.usda") + ": cannot be written: File too large"),
+            std::string::npos)
+      << result.err;
+  EXPECT_EQ(text_of("o.usda"), "old");
+  EXPECT_EQ(text_of("o_fog.vdb"), "old");
+  EXPECT_EQ(folder_.entry_count(), entries);
+}
+
 TEST_F(UsdExport, NeedsAScene) {
   folder_.write("g.csv", "x,y,z,radius,density\n0,0,0,1,1\n");
   expect_refused({"export", file("g.csv"), "-o", file("g.usda")}, {"g.csv", ".brume"});

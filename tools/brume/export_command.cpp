@@ -11,6 +11,7 @@
 #include "brume/error.h"
 #include "brume/limits.h"
 #include "core/authoring/simplify.h"
+#include "core/io/atomic_file.h"
 #include "core/io/file_bytes.h"
 #include "core/io/gaussians/gaussian_file.h"
 #include "core/io/scene/usd_file.h"
@@ -247,6 +248,7 @@ class ExportCommand final : public Command {
     };
     files_.add_output(output_);
     for (const int code : codes) files_.add_output(file_of(code).string());
+    FileGroup group;
     std::vector<UsdFrame> frames;
     for (const int code : codes) {
       UsdFrame frame{code, read_scene_at(is_sequence ? code / fps_ : time_), {}};
@@ -261,6 +263,7 @@ class ExportCommand final : public Command {
     }
     write_usd(stage, frames, fps_, along(),
               [this](const std::filesystem::path& texture) { files_.add_output(texture); });
+    group.commit();
   }
 
   // What writes the light of a scene's medium at a time [s].

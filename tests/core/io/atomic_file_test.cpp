@@ -40,6 +40,45 @@ TEST(AtomicFile, PreservesPermissions) {
   EXPECT_EQ(fs::status(file).permissions(), mode);
 }
 
+TEST(FileGroup, ReplacesAllFilesTogether) {
+  const TemporaryFolder folder;
+  const fs::path first = folder.write("a/first.txt", "old");
+  const fs::path second = folder.write("b/second.txt", "old");
+  fs::permissions(second, fs::perms::owner_read | fs::perms::owner_write);
+  fs::create_symlink("b/second.txt", folder / "link");
+  {
+    FileGroup group;
+    write_atomically(first, "new");
+    write_atomically(folder / "link", "new");
+    EXPECT_EQ(content_of(first), "old");
+    EXPECT_EQ(content_of(second), "old");
+    group.commit();
+  }
+  EXPECT_EQ(content_of(first), "new");
+  EXPECT_EQ(content_of(second), "new");
+  EXPECT_TRUE(fs::is_symlink(folder / "link"));
+  EXPECT_EQ(fs::status(second).permissions(), fs::perms::owner_read | fs::perms::owner_write);
+  EXPECT_EQ(folder.entry_count(), 5u) << "nothing else is left";
+  write_atomically(first, "newer");
+  EXPECT_EQ(content_of(first), "newer");
+}
+
+TEST(FileGroup, ReplacesNoneWhereOneFails) {
+  const TemporaryFolder folder;
+  const fs::path first = folder.write("first.txt", "old");
+  EXPECT_THROW(
+      {
+        FileGroup group;
+        write_atomically(first, "new");
+        write_atomically(folder / "second.txt",
+                         [](const fs::path&) { throw std::logic_error("stopped"); });
+        group.commit();
+      },
+      std::logic_error);
+  EXPECT_EQ(content_of(first), "old");
+  EXPECT_EQ(folder.entry_count(), 1u);
+}
+
 // What a program left that was killed, but not what is being written.
 TEST(AtomicFile, AbandonedFilesAreRemoved) {
   const TemporaryFolder folder;
