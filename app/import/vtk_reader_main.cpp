@@ -15,6 +15,7 @@
 #include "app/import/vtk_reader.h"
 #include "brume/error.h"
 #include "core/io/gaussians/gaussian_ply.h"
+#include "core/io/import/parent_program.h"
 
 namespace {
 
@@ -34,6 +35,7 @@ rlim_t address_space() {
 
 int main(int argc, char* argv[]) {
   if (argc < 6) return EXIT_FAILURE;
+  brume::end_with_parent();
   setenv("VTK_SMP_BACKEND_IN_USE", "Sequential", 1);  // threads take much address space each
   limit(RLIMIT_AS, address_space() + std::strtoull(argv[4], nullptr, 10));
   limit(RLIMIT_CPU, std::strtoull(argv[5], nullptr, 10));

@@ -12,6 +12,7 @@
 #include <iostream>
 
 #include "brume/error.h"
+#include "core/io/import/parent_program.h"
 #include "core/io/import/raw_scene_bytes.h"
 #include "tools/scene_reader/assimp_reader.h"
 
@@ -33,6 +34,7 @@ rlim_t address_space() {
 
 int main(int argc, char* argv[]) {
   if (argc != 4) return EXIT_FAILURE;
+  brume::end_with_parent();
   const auto seconds = std::strtoull(argv[3], nullptr, 10);
   limit(RLIMIT_AS, address_space() + std::strtoull(argv[2], nullptr, 10));
   limit(RLIMIT_CPU, seconds);
