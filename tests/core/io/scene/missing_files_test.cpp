@@ -83,6 +83,18 @@ TEST(SceneReferences, FilesNamedAlikeAreFound) {
   }
 }
 
+TEST(SceneReferences, WarnsOfFacesThatAreLeftOut) {
+  const TemporaryFolder folder;
+  folder.write("a.obj", std::string(triangle_obj) + "f 1 2 99\n");
+  const fs::path scene = folder.write("a.brume", R"({ "format": "brume-scene", "version": 1,
+    "surfaces": [ { "mesh": "a.obj" }, { "mesh": "a.obj" } ] })");
+  std::vector<std::string> warnings;
+  load_scene(scene, &warnings);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_TRUE(contains(warnings[0], "surfaces[].mesh: " + (folder / "a.obj").string()))
+      << warnings[0];
+}
+
 TEST_F(MissingFilesTest, AreReadFromTheirNewPlace) {
   const fs::path mesh = folder_.write("elsewhere/b.obj", triangle_obj);
   folder_.write("elsewhere/steam_03.csv", "x,y,z,radius,density\n1,2,3,0.5,1\n");
