@@ -17,6 +17,7 @@ class Repair {
     while (scanner_.next_line()) {
       const std::string_view keyword = scanner_.next_token();
       if (keyword == "f") repair_face(keyword);
+      if (keyword == "l" || keyword == "p") blank_element(keyword);
       before_.add(keyword);
     }
     return result_;
@@ -46,6 +47,13 @@ class Repair {
     }
     for (const std::string_view token : tokens_) {
       blank(is_face ? token.substr(std::min(token.find('/'), token.size())) : token);
+    }
+  }
+
+  void blank_element(std::string_view keyword) {
+    result_.has_changed = true;
+    for (std::string_view token = keyword; !token.empty(); token = scanner_.next_token()) {
+      blank(token);
     }
   }
 

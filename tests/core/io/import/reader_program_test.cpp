@@ -112,7 +112,8 @@ TEST(ReaderProgram, ReadsLinesThatGoOn) {
 TEST(ReaderProgram, LeavesOutBadFacesOfObj) {
   const TemporaryFolder folder;
   const std::string good = "v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nvn 0 0 1\nf 1/1/1 2/1/1 3/1/1\n";
-  for (const char* bad : {"f 1 2 4", "f 0 1 2", "f -1 -2 -4", "f 1/1 2/1 \\\n9/1"}) {
+  for (const char* bad : {"f 1 2 4", "f 0 1 2", "f -1 -2 -4", "f 1/1 2/1 \\\n9/1",
+                          "f 9 8 7 # l 1 99\nl 1 99\np 99"}) {
     SCOPED_TRACE(bad);
     std::vector<std::string> warnings;
     const auto file = folder.write("a.obj", good + bad + "\nf 3/1/1 2/1/1 1/1/1\n");
