@@ -331,8 +331,9 @@ bool GlRenderer::Impl::shade_surfaces(FrameContext& work, Group& group, StageClo
 // After the last group the picture is complete on return, for all contexts.
 void GlRenderer::Impl::show(FrameContext& work, std::size_t which, const Target& target,
                             StageClock& cpu_clock) {
+  const FilmRegion region = work.frame.film.region.value_or(FilmRegion{});
   clock.time(Stage::display, [&] {
-    display.run(programs, textures, *target.options, work.group, which == 0,
+    display.run(programs, textures, *target.options, {region.x, region.y}, work.group, which == 0,
                 which + 1 == groups.size(), target.picture->texture());
   });
   cpu_clock.finish(Stage::submit);

@@ -5,6 +5,7 @@
 #include "app/document/number_text.h"
 #include "app/document/paths.h"
 #include "brume/error.h"
+#include "core/io/mp4_arguments.h"
 
 namespace brume {
 namespace {
@@ -24,12 +25,14 @@ VideoFile::VideoFile(const std::filesystem::path& shown, const std::filesystem::
   // Without the protocol, ffmpeg would parse a name such as "http:/x" as a URL.
   const QString target = "file:" + to_qstring(std::filesystem::absolute(file));
   process_.setStandardOutputFile(QProcess::nullDevice());
-  process_.start(
-      find_ffmpeg(),
-      {"-hide_banner", "-loglevel", "error", "-y", "-f", "rawvideo", "-pixel_format", "rgb24",
-       "-video_size", size, "-framerate", exact_number_text(frames_per_second), "-i", "pipe:0",
-       // What players expect, with sides that are even.
-       "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p", "-f", "mp4", target});
+  QStringList arguments{
+      "-hide_banner", "-loglevel", "error",         "-y",
+      "-f",           "rawvideo",  "-pixel_format", "rgb24",
+      "-video_size",  size,        "-framerate",    exact_number_text(frames_per_second),
+      "-i",           "pipe:0"};
+  for (const char* argument : mp4_arguments) arguments << argument;
+  arguments.append({"-f", "mp4", target});
+  process_.start(find_ffmpeg(), arguments);
   if (!process_.waitForStarted()) fail();
 }
 

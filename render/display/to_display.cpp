@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/math/srgb.h"
+#include "render/display/dither.h"
 #include "render/display/neutral_view.h"
 
 namespace brume {
@@ -27,36 +28,49 @@ std::array<float, 3> compress_highlights(std::array<float, 3> c) {
   return c;
 }
 
+// srgb_encoded() of [0, 1], interpolated: off by less than a tenth of the last of 16 bits.
 float encoded(float x) {
-  return srgb_encoded(std::clamp(x, 0.0f, 1.0f));
+  constexpr std::size_t intervals = 1u << 16;
+  static const auto table = [] {
+    std::vector<float> values(intervals + 2);  // the last one is only multiplied by 0
+    for (std::size_t i = 0; i <= intervals; ++i) {
+      values[i] = srgb_encoded(static_cast<float>(i) / intervals);
+    }
+    return values;
+  }();
+  const float place = std::clamp(x, 0.0f, 1.0f) * intervals;
+  const auto i = static_cast<std::size_t>(place);
+  return table[i] + (place - static_cast<float>(i)) * (table[i + 1] - table[i]);
 }
 
-std::uint8_t srgb_byte(float x) {
-  return static_cast<std::uint8_t>(std::lround(255.0f * encoded(x)));
-}
-
-// See ColorView. In rows, which are few enough for their memory to stay near.
-std::vector<std::uint8_t> in_view(const Frame& frame, float gain, const ColorView& view) {
-  constexpr std::size_t row = 1024;
-  const std::size_t pixels = frame.beauty.size() / 4;
-  std::vector<std::uint8_t> rgb(3 * pixels);
-  std::vector<float> values(3 * row);
-  for (std::size_t first = 0; first < pixels; first += row) {
-    const std::size_t count = std::min(row, pixels - first);
-    for (std::size_t i = 0; i < count; ++i) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        values[3 * i + k] =
-            std::clamp(gain * frame.beauty[4 * (first + i) + k], 0.0f, brightest_shown);
-      }
-    }
-    view.apply(std::span(values).first(3 * count));
-    for (std::size_t i = 0; i < 3 * count; ++i) {
-      // A configuration may make anything of a colour, even no number.
-      const float x = values[i] > 0.0f ? std::min(values[i], 1.0f) : 0.0f;
-      rgb[3 * first + i] = static_cast<std::uint8_t>(std::lround(255.0f * x));
-    }
+void apply_neutral_view(std::span<float> rgb) {
+  for (std::size_t i = 0; i < rgb.size(); i += 3) {
+    const std::array<float, 3> c = compress_highlights({rgb[i], rgb[i + 1], rgb[i + 2]});
+    for (std::size_t k = 0; k < 3; ++k) rgb[i + k] = encoded(c[k]);
   }
-  return rgb;
+}
+
+// Calls take(y, values) with the values that a display shows, in [0, 1], row by row.
+template <class Take>
+void for_each_row(const Frame& frame, const DisplayLook& look, Take&& take) {
+  const float gain = exposure_gain(look.exposure);
+  const auto width = static_cast<std::size_t>(frame.film.width);
+  const std::size_t pixels = frame.beauty.size() / 4;
+  std::vector<float> row(3 * width);
+  for (std::size_t y = 0; y * width < pixels; ++y) {
+    const float* beauty = &frame.beauty[4 * y * width];
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      row[i] = std::clamp(gain * beauty[i / 3 * 4 + i % 3], 0.0f, brightest_shown);
+    }
+    if (look.view) {
+      look.view->apply(row);
+    } else {
+      apply_neutral_view(row);
+    }
+    // A configuration may make anything of a colour, even no number.
+    for (float& x : row) x = x > 0.0f ? std::min(x, 1.0f) : 0.0f;
+    take(y, std::span<const float>(row));
+  }
 }
 
 }  // namespace
@@ -77,32 +91,30 @@ glm::vec3 to_display(const glm::vec3& radiance, double exposure) {
 }
 
 std::vector<std::uint8_t> to_display(const Frame& frame, const DisplayLook& look) {
-  const float gain = exposure_gain(look.exposure);
-  if (look.view) return in_view(frame, gain, *look.view);
-  // sRGB bytes of even steps of [0, 1], finer than a byte even in the darkest values, whose slope
-  // is srgb::slope.
-  static const auto table = [] {
-    std::array<std::uint8_t, 8193> bytes{};
-    for (std::size_t i = 0; i < bytes.size(); ++i) {
-      bytes[i] = srgb_byte(static_cast<float>(i) / static_cast<float>(bytes.size() - 1));
+  const FilmRegion region = frame.film.region.value_or(FilmRegion{});
+  std::vector<std::uint8_t> rgb;
+  rgb.reserve(frame.beauty.size() / 4 * 3);
+  for_each_row(frame, look, [&](std::size_t y, std::span<const float> values) {
+    const auto row = static_cast<std::uint32_t>(region.y) + static_cast<std::uint32_t>(y);
+    for (std::size_t i = 0; i < values.size(); i += 3) {
+      const auto column = static_cast<std::uint32_t>(region.x) + static_cast<std::uint32_t>(i / 3);
+      const float threshold = dither_threshold(column, row);
+      for (std::size_t k = 0; k < 3; ++k) {
+        rgb.push_back(static_cast<std::uint8_t>(255.0f * values[i + k] + threshold));
+      }
     }
-    return bytes;
-  }();
-  const std::size_t pixels = frame.beauty.size() / 4;
-  std::vector<std::uint8_t> rgb(3 * pixels);
-  for (std::size_t i = 0; i < pixels; ++i) {
-    std::array<float, 3> c;
-    for (std::size_t k = 0; k < 3; ++k) {
-      c[k] = std::clamp(gain * frame.beauty[4 * i + k], 0.0f, brightest_shown);
+  });
+  return rgb;
+}
+
+std::vector<std::uint16_t> to_display_16(const Frame& frame, const DisplayLook& look) {
+  std::vector<std::uint16_t> rgb;
+  rgb.reserve(frame.beauty.size() / 4 * 3);
+  for_each_row(frame, look, [&](std::size_t, std::span<const float> values) {
+    for (const float x : values) {
+      rgb.push_back(static_cast<std::uint16_t>(std::lround(65535.0f * x)));
     }
-    c = compress_highlights(c);
-    for (std::size_t k = 0; k < 3; ++k) {
-      const float x = std::clamp(c[k], 0.0f, 1.0f) * static_cast<float>(table.size() - 1);
-      // lround() would take longer than all else here.
-      rgb[3 * i + k] =
-          table[static_cast<std::size_t>(x + 0.5f)];  // NOLINT(bugprone-incorrect-roundings)
-    }
-  }
+  });
   return rgb;
 }
 

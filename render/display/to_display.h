@@ -24,7 +24,9 @@ std::string view_name(const DisplayLook& look);
 // Linear radiance as Khronos PBR Neutral in sRGB shows it, in [0, 1].
 glm::vec3 to_display(const glm::vec3& radiance, double exposure);
 
-// A frame as 8-bit values of a display, RGB per pixel, for the screen, PNG and videos.
+// A frame as values of a display, RGB per pixel: of 8 bits, dithered by the place in the whole
+// picture (see dither.h), for the screen, PNG and videos; or of 16 bits, rounded.
 std::vector<std::uint8_t> to_display(const Frame& frame, const DisplayLook& look);
+std::vector<std::uint16_t> to_display_16(const Frame& frame, const DisplayLook& look);
 
 }  // namespace brume

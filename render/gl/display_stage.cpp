@@ -7,8 +7,8 @@
 namespace brume::gl {
 
 void DisplayStage::run(Programs& programs, const FilmTextures& film, const DisplayOptions& options,
-                       const AlbedoGroup& group, bool is_first, bool is_last,
-                       const Texture& picture) {
+                       const glm::ivec2& first_pixel, const AlbedoGroup& group, bool is_first,
+                       bool is_last, const Texture& picture) {
   glm::vec3 channels(0.0f);
   for (const std::size_t c : group.channels) channels[static_cast<int>(c)] = 1.0f;
   if (!is_first || !is_last) channels_.reserve(Texture::Format::rgba32f, picture.size());
@@ -19,6 +19,7 @@ void DisplayStage::run(Programs& programs, const FilmTextures& film, const Displ
   program.set("is_first", is_first ? 1 : 0);
   program.set("is_last", is_last ? 1 : 0);
   program.set("gain", exposure_gain(options.exposure));
+  program.set("first_pixel", first_pixel);
   program.bind("airlight", film.airlight);
   program.bind("beauty", film.beauty);
   program.bind("channels_so_far", channels_);

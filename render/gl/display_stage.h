@@ -12,9 +12,11 @@ namespace brume::gl {
 // to_display() on the device.
 class DisplayStage {
  public:
-  // Writes the channels of a group; after the last the picture is complete. `picture`: rgba8.
+  // Writes the channels of a group; after the last the picture is complete. `first_pixel`: where
+  // the film begins in the whole picture; `picture`: rgba8.
   void run(Programs& programs, const FilmTextures& film, const DisplayOptions& options,
-           const AlbedoGroup& group, bool is_first, bool is_last, const Texture& picture);
+           const glm::ivec2& first_pixel, const AlbedoGroup& group, bool is_first, bool is_last,
+           const Texture& picture);
   // Total Gaussian x ray pairs of all pixels. Waits for the device.
   std::uint64_t sum_pairs(Programs& programs, const FilmTextures& film);
 

@@ -18,6 +18,7 @@
 #include "core/scene/photometric_profile.h"
 #include "core/scene/ray_noise.h"
 #include "core/scene/texture.h"
+#include "render/display/dither.h"
 #include "render/display/neutral_view.h"
 #include "render/geometry/direction_map.h"
 #include "render/geometry/edge_on.h"
@@ -261,6 +262,10 @@ void add_display(Constants& constants) {
   constants.add("srgb_offset", srgb::offset);
   constants.add("srgb_exponent", srgb::exponent);
   constants.add("brightest_shown", brightest_shown);
+  constants.add("dither_column_step", dither::column_step);
+  constants.add("dither_row_step", dither::row_step);
+  constants.add("dither_threshold_bits", dither::threshold_bits);
+  constants.add("dither_threshold_unit", dither::threshold_unit);
 }
 
 }  // namespace

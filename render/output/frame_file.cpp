@@ -1,5 +1,7 @@
 #include "render/output/frame_file.h"
 
+#include <utility>
+
 #include "brume/error.h"
 #include "brume/files.h"
 #include "brume/version.h"
@@ -95,7 +97,12 @@ void write_frame(const std::filesystem::path& file, const Frame& frame, const Fr
     metadata["Software"] = std::string("Brume ") + version();  // a keyword of the PNG standard
     metadata["brume:exposure"] = quoted_text(info.look.exposure);
     metadata["brume:view_transform"] = view_name(info.look);
-    write_png(file, frame.film.width, frame.film.height, to_display(frame, info.look), metadata);
+    const auto [width, height] = std::pair(frame.film.width, frame.film.height);
+    if (info.bits == 16) {
+      write_png(file, width, height, to_display_16(frame, info.look), metadata);
+    } else {
+      write_png(file, width, height, to_display(frame, info.look), metadata);
+    }
   }
 }
 

@@ -18,6 +18,7 @@ struct FrameInfo {
   std::string airlight{};
   std::string backend{};
   DisplayLook look{};                    // of a PNG; an EXR is linear
+  int bits = 8;                          // of each value of a PNG: 8, dithered, or 16
   std::optional<RelativeNoise> noise{};  // of a path-traced frame
   OutputLayers layers{};                 // of an EXR
   std::string fingerprint{};             // of all that it was made from

@@ -183,6 +183,22 @@ TEST_F(CommandLine, RendersToPng) {
   EXPECT_EQ(png.find(folder_.path().string()), std::string::npos) << "a path of this machine";
 }
 
+TEST_F(CommandLine, PngsHaveEightOrSixteenBits) {
+  const auto bits = [&](std::vector<std::string> options) {
+    options.insert(options.begin(),
+                   {"render", scene_, "-o", file("o.png"), "--size", "7x5", "--airlight", "paper"});
+    const ProgramResult result = run_brume(options);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return int{content_of(folder_ / "o.png")[24]};  // in the header
+  };
+  EXPECT_EQ(bits({}), 8);
+  EXPECT_EQ(bits({"--bits", "8"}), 8);
+  EXPECT_EQ(bits({"--bits", "16"}), 16);
+  expect_refused({"render", scene_, "-o", file("o.png"), "--bits", "12"}, {"--bits", "8,16"});
+  expect_refused({"render", scene_, "-o", file("o.exr"), "--bits", "16"},
+                 {"--bits", "allowed for .png"});
+}
+
 TEST_F(CommandLine, OneNumberIsTheLongerSide) {
   const ProgramResult result =
       run_brume({"render", scene_, "-o", file("o.png"), "--size", "12", "--airlight", "paper"});

@@ -90,6 +90,7 @@ FrameInfo FrameMaker::info_of(const RequestedFrame& found, const std::string& fi
           .look = look_,
           .noise = relative_noise(found.frame),
           .fingerprint = fingerprint};
+          .bits = options_.bits(),
 }
 
 FrameMaker::Content FrameMaker::content(RequestedFrame found,

@@ -226,6 +226,8 @@ RenderOptions::RenderOptions(CLI::App& app) : app_(app) {
                  "a view of it; default: the first. Without any of the three: Khronos PBR "
                  "Neutral in sRGB");
   app.add_option("--stats", stats_file_, "write timings and measured error as JSON")
+  app.add_option("--bits", bits_, "of each value of a .png: 8, dithered, or 16; default: 8")
+      ->check(CLI::IsMember({8, 16}));
       ->type_name("FILE");
 }
 
@@ -248,6 +250,7 @@ void RenderOptions::check_deep_options() const {
   }
   const AirlightMethod method = settings().airlight;
   if (method != AirlightMethod::auto_ && method != AirlightMethod::sliced) {
+  static_cast<void>(bits());
     throw UsageError("--airlight: found " + quoted_text(airlight_) +
                      "; allowed for a deep frame: auto, sliced");
   }
@@ -380,6 +383,13 @@ OutputLayers RenderOptions::layers() const {
 bool RenderOptions::is_deep() const {
   return is_deep_file(output_);
 }
+int RenderOptions::bits() const {
+  if (bits_ && lower_case_extension(output_) != ".png") {
+    throw UsageError("--bits: an EXR has 32-bit floats; allowed for .png");
+  }
+  return bits_.value_or(8);
+}
+
 
 double RenderOptions::deep_error() const {
   return deep_error_.value_or(DeepSettings{}.error);

@@ -55,6 +55,7 @@ class RenderOptions {
   [[nodiscard]] Settings settings() const;
   [[nodiscard]] Backend backend() const { return parse_backend(backend_); }
   [[nodiscard]] DisplayLook display() const;  // reads a configuration
+  [[nodiscard]] int bits() const;             // of a PNG
   [[nodiscard]] OutputLayers layers() const;
   [[nodiscard]] bool is_deep() const;
   [[nodiscard]] double deep_error() const;
@@ -94,6 +95,7 @@ class RenderOptions {
   std::string backend_ = "auto";
   int threads_ = 0;
   int repeat_ = 1;
+  std::optional<int> bits_;
   double exposure_ = 0.0;
   ColorChoice color_;  // empty: Brume's own view
   std::string stats_file_;

@@ -33,13 +33,16 @@ std::map<std::string, std::string> read_png_texts(const std::filesystem::path& f
 // Whether the file begins as an OpenEXR file does. Throws InputError where it cannot be read.
 bool is_exr(const std::filesystem::path& file);
 
-// 8-bit sRGB PNG from width * height * 3 bytes, rows from the top; metadata goes into text chunks.
-// An existing file is replaced only by a complete one. Throws InputError.
+// sRGB PNG of 8 or 16 bits, from width * height * 3 values, rows from the top; metadata goes into
+// text chunks. An existing file is replaced only by a complete one. Throws InputError.
 void write_png(const std::filesystem::path& file, int width, int height,
                std::span<const std::uint8_t> rgb,
                const std::map<std::string, std::string>& metadata);
+void write_png(const std::filesystem::path& file, int width, int height,
+               std::span<const std::uint16_t> rgb,
+               const std::map<std::string, std::string>& metadata);
 
-// The same as the bytes of a file.
+// The bytes of such a file, of 8 bits.
 std::string encode_png(int width, int height, std::span<const std::uint8_t> rgb);
 
 }  // namespace brume

@@ -2,6 +2,7 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <csetjmp>
 #include <cstdio>
@@ -45,8 +46,31 @@ void write_bytes(png_structp png, png_bytep bytes, std::size_t count) {
 
 void flush_bytes(png_structp) {}
 
-bool write_image(std::ostream& out, int width, int height, const std::uint8_t* rgb, png_textp texts,
-                 int text_count, Failure& failure) {
+// R G B per pixel, rows from the top.
+struct Image {
+  int width;
+  int height;
+  std::span<const std::uint8_t> bytes;
+  int bits;  // 8, or 16 in the byte order of this machine
+
+  Image(int image_width, int image_height, std::span<const std::uint8_t> rgb)
+      : width(image_width), height(image_height), bytes(rgb), bits(8) {
+    assert(bytes.size() == static_cast<std::size_t>(height) * row_bytes());
+  }
+  Image(int image_width, int image_height, std::span<const std::uint16_t> rgb)
+      : width(image_width),
+        height(image_height),
+        bytes(reinterpret_cast<const std::uint8_t*>(rgb.data()), rgb.size_bytes()),
+        bits(16) {
+    assert(bytes.size() == static_cast<std::size_t>(height) * row_bytes());
+  }
+  [[nodiscard]] std::size_t row_bytes() const {
+    return static_cast<std::size_t>(width) * 3 * static_cast<std::size_t>(bits / 8);
+  }
+};
+
+bool write_image(std::ostream& out, const Image& image, png_textp texts, int text_count,
+                 Failure& failure) {
   png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &failure, on_error, on_warning);
   png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
   if (info == nullptr) {
@@ -60,18 +84,47 @@ bool write_image(std::ostream& out, int width, int height, const std::uint8_t* r
     return false;
   }
   png_set_write_fn(png, &out, write_bytes, flush_bytes);
-  png_set_IHDR(png, info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height), 8,
-               PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
-               PNG_FILTER_TYPE_DEFAULT);
+  png_set_IHDR(png, info, static_cast<png_uint_32>(image.width),
+               static_cast<png_uint_32>(image.height), image.bits, PNG_COLOR_TYPE_RGB,
+               PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
   png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
   if (text_count > 0) png_set_text(png, info, texts, text_count);
   png_write_info(png, info);
-  for (int y = 0; y < height; ++y) {
-    png_write_row(png, rgb + static_cast<std::size_t>(y) * static_cast<std::size_t>(width) * 3);
+  if (image.bits == 16 && std::endian::native == std::endian::little) png_set_swap(png);
+  for (int y = 0; y < image.height; ++y) {
+    png_write_row(png, image.bytes.data() + static_cast<std::size_t>(y) * image.row_bytes());
   }
   png_write_end(png, info);
   png_destroy_write_struct(&png, &info);
   return true;
+}
+
+void write_file(const std::filesystem::path& file, const Image& image,
+                const std::map<std::string, std::string>& metadata) {
+  std::vector<std::string> keywords;
+  keywords.reserve(metadata.size());
+  for (const auto& [key, value] : metadata) keywords.push_back(key.substr(0, longest_keyword));
+  std::vector<png_text> texts;
+  texts.reserve(metadata.size());
+  for (const auto& [key, value] : metadata) {
+    png_text text{};
+    const bool is_ascii =
+        std::all_of(value.begin(), value.end(), [](char c) { return (c & 0x80) == 0; });
+    text.compression = is_ascii ? PNG_TEXT_COMPRESSION_NONE : PNG_ITXT_COMPRESSION_NONE;
+    text.key = keywords[texts.size()].data();
+    text.text = const_cast<char*>(value.c_str());  // libpng copies it
+    text.text_length = is_ascii ? value.size() : 0;
+    text.itxt_length = is_ascii ? 0 : value.size();
+    texts.push_back(text);
+  }
+  write_atomically(file, [&](std::ostream& out) {
+    Failure failure{};
+    const bool written =
+        write_image(out, image, texts.data(), static_cast<int>(texts.size()), failure);
+    if (!written && out) {
+      throw InputError(file, "", std::string("cannot be written: ") + failure.reason);
+    }
+  });
 }
 
 // The number at the begin of `bytes`, of at least four.
@@ -113,38 +166,19 @@ std::map<std::string, std::string> read_png_texts(const std::filesystem::path& f
 void write_png(const std::filesystem::path& file, int width, int height,
                std::span<const std::uint8_t> rgb,
                const std::map<std::string, std::string>& metadata) {
-  assert(rgb.size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3);
-  std::vector<std::string> keywords;
-  keywords.reserve(metadata.size());
-  for (const auto& [key, value] : metadata) keywords.push_back(key.substr(0, longest_keyword));
-  std::vector<png_text> texts;
-  texts.reserve(metadata.size());
-  for (const auto& [key, value] : metadata) {
-    png_text text{};
-    const bool is_ascii =
-        std::all_of(value.begin(), value.end(), [](char c) { return (c & 0x80) == 0; });
-    text.compression = is_ascii ? PNG_TEXT_COMPRESSION_NONE : PNG_ITXT_COMPRESSION_NONE;
-    text.key = keywords[texts.size()].data();
-    text.text = const_cast<char*>(value.c_str());  // libpng copies it
-    text.text_length = is_ascii ? value.size() : 0;
-    text.itxt_length = is_ascii ? 0 : value.size();
-    texts.push_back(text);
-  }
-  write_atomically(file, [&](std::ostream& out) {
-    Failure failure{};
-    const bool written = write_image(out, width, height, rgb.data(), texts.data(),
-                                     static_cast<int>(texts.size()), failure);
-    if (!written && out) {
-      throw InputError(file, "", std::string("cannot be written: ") + failure.reason);
-    }
-  });
+  write_file(file, {width, height, rgb}, metadata);
+}
+
+void write_png(const std::filesystem::path& file, int width, int height,
+               std::span<const std::uint16_t> rgb,
+               const std::map<std::string, std::string>& metadata) {
+  write_file(file, {width, height, rgb}, metadata);
 }
 
 std::string encode_png(int width, int height, std::span<const std::uint8_t> rgb) {
-  assert(rgb.size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3);
   std::ostringstream out;
   Failure failure{};
-  if (!write_image(out, width, height, rgb.data(), nullptr, 0, failure)) throw std::bad_alloc();
+  if (!write_image(out, {width, height, rgb}, nullptr, 0, failure)) throw std::bad_alloc();
   return std::move(out).str();
 }
 

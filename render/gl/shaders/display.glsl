@@ -1,4 +1,4 @@
-// What a screen shows of a frame, as to_display() of render/frame has it. Of a medium that absorbs,
+// What a screen shows of a frame, as to_display() of render/display has it. Of a medium that absorbs,
 // which colour channels may take part in different frames, each adds its own; the last one shows
 // them: see render/prepare/albedo.
 #include "constants.glsl"
@@ -16,6 +16,9 @@ uniform bool airlight_only;
 uniform bool is_first;
 uniform bool is_last;
 uniform float gain;
+uniform ivec2 first_pixel;
+
+const float max_byte = 255.0;
 
 vec3 compress_highlights(vec3 c) {
   const float low = min(c.r, min(c.g, c.b));
@@ -34,6 +37,12 @@ vec3 srgb(vec3 c) {
              lessThanEqual(c, vec3(srgb_knee)));
 }
 
+// See render/display/dither.h.
+float dither_threshold(uvec2 place) {
+  const uint n = place.x * dither_column_step + place.y * dither_row_step;
+  return (float(n >> (32u - dither_threshold_bits)) + 0.5) * dither_threshold_unit;
+}
+
 void main() {
   const ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
   const ivec2 film = imageSize(picture);
@@ -47,5 +56,6 @@ void main() {
     return;
   }
   c = srgb(compress_highlights(clamp(gain * c, 0.0, brightest_shown)));
+  c = floor(max_byte * c + dither_threshold(uvec2(first_pixel + pixel))) / max_byte;
   imageStore(picture, ivec2(pixel.x, film.y - 1 - pixel.y), vec4(c, 1.0));
 }

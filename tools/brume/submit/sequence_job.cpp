@@ -3,6 +3,7 @@
 #include <cctype>
 
 #include "core/io/file_bytes.h"
+#include "core/io/mp4_arguments.h"
 #include "core/io/text_scanner.h"
 #include "core/number_domain.h"
 #include "tools/brume/command.h"
@@ -25,19 +26,19 @@ void SequenceJob::check_video() const {
 
 std::vector<std::string> SequenceJob::video_command(const std::string& frames,
                                                     const std::string& file) const {
-  return {"ffmpeg",
-          "-y",
-          "-loglevel",
-          "error",
-          "-framerate",
-          quoted_text(options.frames_per_second()),
-          "-start_number",
-          std::to_string(options.frames().front()),
-          "-i",
-          frames,
-          "-pix_fmt",
-          "yuv420p",
-          file};
+  std::vector<std::string> command{"ffmpeg",
+                                   "-y",
+                                   "-loglevel",
+                                   "error",
+                                   "-framerate",
+                                   quoted_text(options.frames_per_second()),
+                                   "-start_number",
+                                   std::to_string(options.frames().front()),
+                                   "-i",
+                                   frames};
+  command.insert(command.end(), mp4_arguments.begin(), mp4_arguments.end());
+  command.push_back(file);
+  return command;
 }
 
 fs::path SequenceJob::output() const {

@@ -292,10 +292,31 @@ TEST(PngFile, StoresPixelsAndText) {
   EXPECT_TRUE(contains(bytes, "sc\xc3\xa8ne"));
 }
 
+TEST(PngFile, StoresSixteenBits) {
+  const TemporaryFolder folder;
+  std::vector<std::uint16_t> rgb;
+  std::vector<std::uint8_t> high_bytes;
+  for (int i = 0; i < 4 * 3 * 3; ++i) {
+    high_bytes.push_back(static_cast<std::uint8_t>(3 * i));
+    rgb.push_back(static_cast<std::uint16_t>(256 * 3 * i + 16));
+  }
+  write_png(folder / "a.png", 4, 3, rgb, {});
+  EXPECT_EQ(content_of(folder / "a.png")[24], 16);  // bits of a value, in the header
+
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  ASSERT_NE(png_image_begin_read_from_file(&image, (folder / "a.png").c_str()), 0);
+  image.format = PNG_FORMAT_RGB;
+  std::vector<std::uint8_t> read(rgb.size());
+  ASSERT_NE(png_image_finish_read(&image, nullptr, read.data(), 0, nullptr), 0);
+  EXPECT_EQ(read, high_bytes);
+}
+
 TEST(PngFile, PreservesTheOldFileWhenWritingFails) {
   const TemporaryFolder folder;
   folder.write("a.png", "old");
-  EXPECT_THROW(write_png(folder / "a.png", 0, 3, {}, {}), InputError);  // libpng refuses it
+  const std::span<const std::uint8_t> none;
+  EXPECT_THROW(write_png(folder / "a.png", 0, 3, none, {}), InputError);  // libpng refuses it
   EXPECT_EQ(content_of(folder / "a.png"), "old");
   EXPECT_EQ(folder.entry_count(), 1u);
 }
