@@ -36,6 +36,12 @@ constexpr std::array<std::string_view, 3> meshes{".obj", ".stl", ".off"};
 constexpr std::array<std::string_view, 3> scenes{".gltf", ".glb", ".fbx"};
 constexpr std::array<std::string_view, 2> environments{".exr", ".hdr"};
 
+QString lines_of(const std::vector<std::string>& warnings) {
+  QStringList lines;
+  for (const std::string& warning : warnings) lines << QString::fromStdString(warning);
+  return lines.join('\n');
+}
+
 bool is_one_of(const fs::path& file, const auto& extensions) {
   const std::string extension = lower_case_extension(file);
   return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
@@ -183,14 +189,18 @@ BackgroundJob::Apply SceneImport::read(const File& file, const SplatOptions& opt
                                        const std::stop_token& stop, bool asks) {
   const fs::path& path = file.path;
   switch (file.kind) {
-    case Kind::environment:
-      return [this, path, map = read_radiance_map(path)] {
+    case Kind::environment: {
+      std::vector<std::string> warnings;
+      const auto map = read_radiance_map(path, &warnings);
+      return [this, path, map, text = lines_of(warnings)] {
+        if (!text.isEmpty()) Q_EMIT warned(text);
         Environment environment = document_.scene().environment.value_or(Environment{});
         environment.file = path;
         environment.map = map;
         set_scene_part(document_, std::optional(std::move(environment)),
                        tr("Import environment %1").arg(to_qstring(path.filename())));
       };
+    }
     case Kind::scene:
       return read_scene(file, options, stop, asks);
     case Kind::mesh: {

@@ -96,7 +96,10 @@ void EnvironmentPanel::load(const QString& file) {
   const std::filesystem::path path = std::filesystem::absolute(to_path(file));
   picture_->setText(tr("Reading %1 …").arg(to_qstring(path.filename())));
   reading_.start([this, path](const Job&) {
-    return [this, path, map = read_radiance_map(path)] {
+    std::vector<std::string> warnings;
+    const auto map = read_radiance_map(path, &warnings);
+    return [this, path, map, warnings] {
+      for (const std::string& warning : warnings) Q_EMIT refused(QString::fromStdString(warning));
       Environment environment = document_.scene().environment.value_or(Environment{});
       environment.file = path;
       environment.map = map;

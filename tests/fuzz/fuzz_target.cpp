@@ -24,6 +24,7 @@
 #include "core/io/image/hdr_file.h"
 #include "core/io/image/image_file.h"
 #include "core/io/image/pixel_decoders.h"
+#include "core/io/image/radiance_map_file.h"
 #include "core/io/image/texture_file.h"
 #include "core/io/import/imported_scene_file.h"
 #include "core/io/import/raw_scene_bytes.h"
@@ -76,7 +77,12 @@ constexpr Parser parsers[] = {
     {"off", ".off", [](const Path& file) { read_mesh(file); }},
     {"stl", ".stl", [](const Path& file) { read_mesh(file); }},
     // A few bytes can be a large image of one colour: the fuzzer would do little but fill it.
-    {"exr", ".exr", [](const Path& file) { read_exr(file); }, 1 << 24},
+    {"exr", ".exr",
+     [](const Path& file) {
+       read_radiance_map(file);
+       read_exr(file);
+     },
+     1 << 24},
     {"hdr", ".hdr", [](const Path& file) { read_hdr(file); }},
     {"png", ".png", [](const Path& file) { read_texture(file, false); }, 1 << 24},
     {"jpeg", ".jpg", [](const Path& file) { read_texture(file, false); }, 1 << 24},

@@ -45,6 +45,22 @@ TEST_F(CommandLine, CompareStatesWhatCannotBeCompared) {
   EXPECT_EQ(Json::parse(depth.out)["rel_rmse"], 0.0);
 }
 
+// The same colour, as ACEScg and as Rec. 709 have it.
+TEST_F(CommandLine, ComparesColoursOfOtherPrimaries) {
+  const auto write = [&](const char* name, const char* color, const char* chromaticities) {
+    const std::string command = quoted(BRUME_OIIOTOOL) + " --pattern constant:color=" + color +
+                                " 4x4 3 --attrib:type='float[8]' chromaticities " + chromaticities +
+                                " -d float -o " + quoted(file(name));
+    EXPECT_EQ(std::system(command.c_str()), 0);
+  };
+  write("a.exr", "0.7947038,0.5317338,0.2928541",
+        "0.713,0.293,0.165,0.83,0.128,0.044,0.32168,0.33767");
+  write("b.exr", "1,0.5,0.25", "0.64,0.33,0.3,0.6,0.15,0.06,0.3127,0.329");
+  const ProgramResult result = run_brume({"compare", file("a.exr"), file("b.exr")});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_LT(Json::parse(result.out)["max_error"], 1e-5);
+}
+
 TEST_F(CommandLine, RefusesWhatHasNothingToCompare) {
   write_image("a.exr", {{"R", 1}, {"G", 2}, {"B", 3}});
   write_image("z.exr", {{"Z", 1}});

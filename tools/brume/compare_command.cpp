@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "brume/error.h"
+#include "core/io/image/exr_picture.h"
 #include "core/io/image/image_file.h"
 #include "render/output/compare.h"
 #include "tools/brume/command.h"
@@ -28,8 +29,8 @@ class CompareCommand final : public Command {
   }
 
   ExitCode run() override {
-    const ImageLayers a = read_exr(a_);
-    const ImageLayers b = read_exr(b_);
+    const ImageLayers a = read(a_);
+    const ImageLayers b = read(b_);
     if (a.width != b.width || a.height != b.height) {
       throw InputError(a_, "", "found " + size_text(a) + " pixels; " + b_ + " has " + size_text(b));
     }
@@ -57,6 +58,22 @@ class CompareCommand final : public Command {
   }
 
  private:
+  // The layer, as it is stored; without one the picture, in linear Rec. 709.
+  [[nodiscard]] ImageLayers read(const std::string& file) const {
+    if (!layer_.empty()) return read_exr(file);
+    std::vector<std::string> warnings;
+    ExrPicture picture = read_exr_picture(file, &warnings);
+    print_warnings(warnings);
+    picture.convert_to_rec709();
+    ImageLayers image{picture.width, picture.height, {}, {}};
+    for (int c = 0; c < 3; ++c) {
+      std::vector<float>& channel = image.channels[std::string(1, "RGB"[c])];
+      channel.reserve(picture.pixels.size());
+      for (const glm::vec3& pixel : picture.pixels) channel.push_back(pixel[c]);
+    }
+    return image;
+  }
+
   static std::string size_text(const ImageLayers& image) {
     return std::to_string(image.width) + " x " + std::to_string(image.height);
   }
@@ -67,10 +84,7 @@ class CompareCommand final : public Command {
     if (!names.empty()) return names;
     std::string all;
     for (const auto& [name, values] : image.channels) all += " " + name;
-    throw InputError(
-        file, "",
-        (layer_.empty() ? "there are no channels R G B" : "there is no layer " + layer_) +
-            "; its channels:" + all);
+    throw InputError(file, "", "there is no layer " + layer_ + "; its channels:" + all);
   }
 
   std::string a_;

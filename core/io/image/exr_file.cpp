@@ -1,5 +1,4 @@
 #include <IexBaseExc.h>
-#include <ImfArray.h>
 #include <ImfChannelList.h>
 #include <ImfDeepScanLineInputPart.h>
 #include <ImfFrameBuffer.h>
@@ -14,59 +13,25 @@
 
 #include <cassert>
 #include <cstdint>
-#include <new>
 
 #include "brume/error.h"
 #include "core/io/atomic_file.h"
 #include "core/io/file_bytes.h"
 #include "core/io/image/exr_limits.h"
+#include "core/io/image/exr_reading.h"
 #include "core/io/image/exr_stream.h"
 #include "core/io/image/image_file.h"
-#include "core/io/text_scanner.h"
 
 namespace brume {
 namespace fs = std::filesystem;
 namespace {
 
-// OpenEXR throws many kinds of exceptions on hostile files; all of them mean a bad file.
-template <typename Work>
-auto guarded(const fs::path& file, Work&& work) {
-  try {
-    return work();
-  } catch (const InputError&) {
-    throw;
-  } catch (const std::bad_alloc&) {
-    throw InputError(file, "", "the image does not fit into memory");
-  } catch (const std::exception& error) {
-    throw InputError(file, "", "not a readable OpenEXR file: " + quoted_text(error.what(), 200));
-  }
-}
-
 // The first part that is an image of one value per pixel and channel.
 int first_flat_part(const fs::path& file, const Imf::MultiPartInputFile& input) {
   for (int part = 0; part < input.parts(); ++part) {
-    const Imf::Header& header = input.header(part);
-    if (!header.hasType() || header.type() == Imf::SCANLINEIMAGE ||
-        header.type() == Imf::TILEDIMAGE) {
-      return part;
-    }
+    if (is_flat(input.header(part))) return part;
   }
   throw InputError(file, "header", "found only deep images; allowed: a flat one");
-}
-
-// Throws where a part lacks its last row, as one does that claims more rows than there are: before
-// memory is taken for all of them.
-void read_last_row(Imf::InputPart& part, const Imf::Header& header) {
-  const Imath::Box2i& window = header.dataWindow();
-  const Imath::Box2i last({window.min.x, window.max.y}, window.max);
-  std::vector<float> values(static_cast<std::size_t>(window.max.x - window.min.x) + 1);
-  Imf::FrameBuffer row;
-  for (auto c = header.channels().begin(); c != header.channels().end(); ++c) {
-    row.insert(c.name(), Imf::Slice::Make(Imf::FLOAT, values.data(), last, sizeof(float),
-                                          sizeof(float) * values.size()));
-  }
-  part.setFrameBuffer(row);
-  part.readPixels(window.max.y);
 }
 
 void read_last_row(Imf::DeepScanLineInputPart& part, const Imf::Header& header) {
@@ -103,19 +68,44 @@ void write_layers(const fs::path& file, std::ostream& out, const ImageLayers& im
 
 }  // namespace
 
+bool is_flat(const Imf::Header& header) {
+  return !header.hasType() || header.type() == Imf::SCANLINEIMAGE ||
+         header.type() == Imf::TILEDIMAGE;
+}
+
+void read_last_row(Imf::InputPart& part, const Imf::Header& header) {
+  const Imath::Box2i& window = header.dataWindow();
+  const Imath::Box2i last({window.min.x, window.max.y}, window.max);
+  std::vector<float> values(static_cast<std::size_t>(window.max.x - window.min.x) + 1);
+  Imf::FrameBuffer row;
+  for (auto c = header.channels().begin(); c != header.channels().end(); ++c) {
+    const Imf::Channel& channel = c.channel();
+    row.insert(c.name(), Imf::Slice::Make(Imf::FLOAT, values.data(), last, sizeof(float),
+                                          sizeof(float) * values.size(), channel.xSampling,
+                                          channel.ySampling));
+  }
+  part.setFrameBuffer(row);
+  part.readPixels(window.max.y);
+}
+
+void check_exr_file(const fs::path& file) {
+  regular_file_size(file);
+  if (!is_exr(file)) throw InputError(file, "header", "not an OpenEXR file");
+  check_exr_attributes(file);
+}
+
 bool is_exr(const fs::path& file) {
   return read_first_bytes(file, 4) == std::string("\x76\x2f\x31\x01", 4);
 }
 
 ImageLayers read_exr(const fs::path& file) {
-  regular_file_size(file);
-  if (!is_exr(file)) throw InputError(file, "header", "not an OpenEXR file");
-  check_exr_attributes(file);
-  return guarded(file, [&] {
+  check_exr_file(file);
+  return guarded_exr(file, [&] {
     Imf::MultiPartInputFile input(file.c_str());
     const int part_number = first_flat_part(file, input);
     const Imf::Header& header = input.header(part_number);
     check_exr_image(file, header);
+    check_exr_sampling(file, header);
     const Imath::Box2i window = header.dataWindow();
     ImageLayers image;
     image.width = window.max.x - window.min.x + 1;
@@ -142,10 +132,8 @@ ImageLayers read_exr(const fs::path& file) {
 }
 
 std::map<std::string, std::string> read_exr_texts(const fs::path& file) {
-  regular_file_size(file);
-  if (!is_exr(file)) throw InputError(file, "header", "not an OpenEXR file");
-  check_exr_attributes(file);
-  return guarded(file, [&] {
+  check_exr_file(file);
+  return guarded_exr(file, [&] {
     Imf::MultiPartInputFile input(file.c_str());
     const Imf::Header& header = input.header(0);
     // Rows are written in order, so where the last one is whole, all are.

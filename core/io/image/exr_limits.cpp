@@ -140,22 +140,22 @@ void check_exr_image(const fs::path& file, const Imf::Header& header) {
                      "found a size of " + std::to_string(width) + " x " + std::to_string(height) +
                          "; allowed: 1 to " + std::to_string(limits::image_side) + " a side");
   }
+  const auto columns = static_cast<std::uintmax_t>(width);
+  const auto rows = static_cast<std::uintmax_t>(height);
   std::uintmax_t channels = 0;
-  std::uintmax_t stored = 0;  // bytes of a pixel, before compression
+  std::uintmax_t stored = 0;  // bytes before compression
   for (auto c = header.channels().begin(); c != header.channels().end(); ++c, ++channels) {
-    if (c.channel().xSampling != 1 || c.channel().ySampling != 1) {
-      throw InputError(file, "channel " + quoted_text(c.name()),
-                       "found subsampling; allowed: a value for every pixel");
-    }
-    stored += c.channel().type == Imf::HALF ? 2 : 4;
+    const auto every = [](int sampling) {
+      return static_cast<std::uintmax_t>(std::max(sampling, 1));
+    };
+    stored += (c.channel().type == Imf::HALF ? 2 : 4) * (columns / every(c.channel().xSampling)) *
+              (rows / every(c.channel().ySampling));
   }
   if (channels < 1 || channels > max_channels) {
     throw InputError(file, "header",
                      "found " + std::to_string(channels) + " channels; allowed: 1 to " +
                          std::to_string(max_channels));
   }
-  const auto columns = static_cast<std::uintmax_t>(width);
-  const auto rows = static_cast<std::uintmax_t>(height);
   const std::uintmax_t bytes = channels * sizeof(float) * columns * rows;
   if (bytes > limits::scene_bytes) {
     throw InputError(file, "header",
@@ -163,9 +163,7 @@ void check_exr_image(const fs::path& file, const Imf::Header& header) {
                          std::to_string(limits::scene_bytes));
   }
   const Block block = block_of(header.compression());
-  const std::uintmax_t all_stored = stored * columns * rows;
-  if (all_stored > free_pixel_bytes &&
-      all_stored / block.best_compression > regular_file_size(file)) {
+  if (stored > free_pixel_bytes && stored / block.best_compression > regular_file_size(file)) {
     throw InputError(file, "header",
                      "found " + sides(columns, rows) + " pixels of " + std::to_string(channels) +
                          (channels == 1 ? " channel" : " channels") +
@@ -190,6 +188,14 @@ void check_exr_image(const fs::path& file, const Imf::Header& header) {
                      "found blocks of " + sides(block_columns, block_rows) +
                          " pixels in an image of " + sides(columns, rows) +
                          "; allowed: at most 64 MiB more than the image");
+  }
+}
+
+void check_exr_sampling(const fs::path& file, const Imf::Header& header) {
+  for (auto c = header.channels().begin(); c != header.channels().end(); ++c) {
+    if (c.channel().xSampling == 1 && c.channel().ySampling == 1) continue;
+    throw InputError(file, "channel " + quoted_text(c.name()),
+                     "found subsampling; allowed: a value for every pixel");
   }
 }
 

@@ -41,6 +41,15 @@ auto at_path(const JsonContext& context, const JsonPath& path, Read&& read) {
   }
 }
 
+// The same of a reader that appends to warnings, which become the scene's.
+template <typename Read>
+auto at_path_with_warnings(JsonContext& context, const JsonPath& path, Read&& read) {
+  std::vector<std::string> warnings;
+  auto content = at_path(context, path, [&] { return read(warnings); });
+  for (const std::string& warning : warnings) context.warn(path, warning);
+  return content;
+}
+
 // What stands for files that are missing.
 
 // Of no area, so that nothing is seen of it; without any triangle a scene would have no bounds.
@@ -193,10 +202,9 @@ std::shared_ptr<const ImportedScene> SceneReferences::imported(JsonContext& cont
     scene = std::make_shared<const ImportedScene>(invisible_scene(file));
   }
   if (scene) return scene;
-  std::vector<std::string> warnings;
-  scene = at_path(context, path, [&] { return read_imported_scene(file, warnings); });
-  for (const std::string& warning : warnings) context.warn(path, warning);
-  return scene;
+  return scene = at_path_with_warnings(context, path, [&](std::vector<std::string>& warnings) {
+           return read_imported_scene(file, warnings);
+         });
 }
 
 std::vector<Gaussian> SceneReferences::gaussians(const JsonContext& context, const JsonPath& path,
@@ -209,11 +217,13 @@ std::vector<Gaussian> SceneReferences::gaussians(const JsonContext& context, con
   });
 }
 
-std::shared_ptr<const RadianceMap> SceneReferences::radiance_map(const JsonContext& context,
+std::shared_ptr<const RadianceMap> SceneReferences::radiance_map(JsonContext& context,
                                                                  const JsonPath& path,
                                                                  const fs::path& file) {
   if (is_missing(file)) return std::make_shared<const RadianceMap>(black_map());
-  return at_path(context, path, [&] { return read_radiance_map(file); });
+  return at_path_with_warnings(context, path, [&](std::vector<std::string>& warnings) {
+    return read_radiance_map(file, &warnings);
+  });
 }
 
 std::shared_ptr<const PhotometricProfile> SceneReferences::profile(const JsonContext& context,

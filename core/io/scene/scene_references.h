@@ -60,7 +60,7 @@ class SceneReferences {
   std::vector<Gaussian> gaussians(const JsonContext& context, const JsonPath& path,
                                   const std::filesystem::path& file, std::size_t max_gaussians,
                                   std::size_t max_group);
-  std::shared_ptr<const RadianceMap> radiance_map(const JsonContext& context, const JsonPath& path,
+  std::shared_ptr<const RadianceMap> radiance_map(JsonContext& context, const JsonPath& path,
                                                   const std::filesystem::path& file);
 
   // The reference from a scene file in `directory` to `file`: relative if possible.

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 #include "core/io/image/hdr_file.h"
 #include "core/io/image/image_file.h"
@@ -193,14 +192,12 @@ TEST(RadianceMapFile, RefusesWhatCannotLightAScene) {
     return error_of([&] { read_radiance_map(folder / "bad.exr"); });
   };
   ImageLayers image = sky();
-  image.channels["G"][1] = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_TRUE(contains(error(image), "pixel (1, 0): found nan"));
-  image.channels["G"][1] = std::numeric_limits<float>::infinity();
-  EXPECT_TRUE(contains(error(image), "pixel (1, 0): found inf"));
+  image.channels["G"][1] = 2e20f;
+  EXPECT_TRUE(contains(error(image), "pixel (1, 0): found 2"));
   image.channels["G"][1] = -3e38f;
   EXPECT_TRUE(contains(error(image), "pixel (1, 0)"));
   image.channels.erase("G");
-  EXPECT_TRUE(contains(error(image), "channel G"));
+  EXPECT_TRUE(contains(error(image), "no channels R G B or Y; its channels: B R"));
   EXPECT_TRUE(contains(error_of([&] { read_radiance_map(folder.write("not.exr", "PNG")); }),
                        "neither an OpenEXR"));
 }
