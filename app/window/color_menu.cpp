@@ -12,6 +12,20 @@ namespace {
 
 using Report = std::function<void(const QString&)>;
 
+// Reports what is wrong with what `choose` makes the view of.
+void choose_and_report(const ColorManagement& color, const Report& report,
+                       const std::function<void()>& choose) {
+  try {
+    choose();
+    if (!color.view()) return;
+    for (const std::string& warning : color.view()->warnings()) {
+      report(QString::fromStdString(warning));
+    }
+  } catch (const InputError& error) {
+    report(QString::fromUtf8(error.what()));
+  }
+}
+
 void add_choice(QMenu& menu, QActionGroup& group, const QString& title, ColorManagement& color,
                 const std::optional<ColorChoice>& choice, const Report& report) {
   QAction* action = menu.addAction(title);
@@ -19,11 +33,7 @@ void add_choice(QMenu& menu, QActionGroup& group, const QString& title, ColorMan
   action->setChecked(choice ? color.view() && color.view()->choice() == *choice : !color.view());
   group.addAction(action);
   QObject::connect(action, &QAction::triggered, &color, [&color, choice, report] {
-    try {
-      color.choose(choice);
-    } catch (const InputError& error) {
-      report(QString::fromUtf8(error.what()));
-    }
+    choose_and_report(color, report, [&] { color.choose(choice); });
   });
 }
 
@@ -67,11 +77,7 @@ void fill(QMenu& menu, ColorManagement& color, const Report& report) {
         ask_for_file(menu.window(), FileKind::color, QMenu::tr("Choose a configuration"),
                      QMenu::tr("OpenColorIO (*.ocio)"), {});
     if (file.empty()) return;
-    try {
-      color.set_config(file.string());
-    } catch (const InputError& error) {
-      report(QString::fromUtf8(error.what()));
-    }
+    choose_and_report(color, report, [&] { color.set_config(file.string()); });
   });
 }
 

@@ -83,8 +83,26 @@ constexpr std::array<double, 16> rec709_to_aces{0.439632981919491,
                                                 0.0,
                                                 1.0};
 
+constexpr const char* ocio_scheme = "ocio://";  // of configurations in OpenColorIO itself
+
 [[noreturn]] void refuse(const std::string& config, const std::string& why) {
   throw InputError(config, "", why);
+}
+
+std::string one_line(const OCIO::Exception& error) {
+  std::string text = error.what();
+  std::ranges::replace(text, '\n', ' ');
+  return text;
+}
+
+// Its complaints are about all of a configuration: what a view needs may be whole.
+std::vector<std::string> complaints_about(const std::string& config, const OCIO::Config& content) {
+  try {
+    content.validate();
+    return {};
+  } catch (const OCIO::Exception& error) {
+    return {InputError(config, "", "OpenColorIO says: " + one_line(error)).what()};
+  }
 }
 
 OCIO::ConstConfigRcPtr open_config(const std::string& config) {
@@ -98,14 +116,18 @@ OCIO::ConstConfigRcPtr open_config(const std::string& config) {
       std::istringstream text(aces_text);
       return OCIO::Config::CreateFromStream(text);
     }
-    regular_file_size(config);  // its own error if it is missing, or no file
-    OCIO::ConstConfigRcPtr read = OCIO::Config::CreateFromFile(config.c_str());
-    read->validate();
-    return read;
+    if (config.starts_with(ocio_scheme)) {
+      if (OCIO::GetVersionHex() < 0x02020000) {
+        refuse(config, std::string("needs OpenColorIO 2.2 or newer, which has configurations of "
+                                   "its own; this is ") +
+                           OCIO::GetVersion() + "; allowed: a file .ocio, or aces");
+      }
+    } else {
+      regular_file_size(config);  // its own error if it is missing, or no file
+    }
+    return OCIO::Config::CreateFromFile(config.c_str());
   } catch (const OCIO::Exception& error) {
-    std::string why = error.what();
-    std::ranges::replace(why, '\n', ' ');
-    refuse(config, "no configuration of OpenColorIO: " + why);
+    refuse(config, "no configuration of OpenColorIO: " + one_line(error));
   }
 }
 
@@ -147,6 +169,12 @@ ColorChoice settled(ColorChoice choice, const OCIO::Config& config) {
   return choice;
 }
 
+bool is_of_data(const OCIO::Config& config, const ColorChoice& choice) {
+  const OCIO::ConstColorSpaceRcPtr space = config.getColorSpace(
+      config.getDisplayViewColorSpaceName(choice.display.c_str(), choice.view.c_str()));
+  return space && space->isData();
+}
+
 OCIO::TransformRcPtr to_source(const OCIO::Config& config, std::string& source) {
   for (const char* name :
        {"lin_rec709", "Linear Rec.709 (sRGB)", "lin_rec709_srgb", "Linear Rec.709",
@@ -162,7 +190,21 @@ OCIO::TransformRcPtr to_source(const OCIO::Config& config, std::string& source) 
     return matrix;
   }
   source = OCIO::ROLE_SCENE_LINEAR;
+  for (const char* role : {OCIO::ROLE_SCENE_LINEAR, OCIO::ROLE_RENDERING, OCIO::ROLE_REFERENCE}) {
+    if (!config.hasRole(role)) continue;
+    source = role;
+    break;
+  }
   return nullptr;
+}
+
+std::vector<std::filesystem::path> files_used(const std::string& config,
+                                              const OCIO::Processor& processor) {
+  if (!is_config_file(config)) return {};
+  std::vector<std::filesystem::path> files{config};
+  const OCIO::ConstProcessorMetadataRcPtr metadata = processor.getProcessorMetadata();
+  for (int i = 0; i < metadata->getNumFiles(); ++i) files.emplace_back(metadata->getFile(i));
+  return files;
 }
 
 }  // namespace
@@ -170,6 +212,10 @@ OCIO::TransformRcPtr to_source(const OCIO::Config& config, std::string& source) 
 struct ColorView::Processor {
   OCIO::ConstCPUProcessorRcPtr cpu;
 };
+
+bool is_config_file(const std::string& config) {
+  return config != aces_config && !config.starts_with(ocio_scheme);
+}
 
 std::vector<ColorDisplay> color_displays(const std::string& config) {
   return displays_of(*open_config(config));
@@ -191,15 +237,17 @@ ColorView::ColorView(const ColorChoice& choice) {
     view->setDisplay(choice_.display.c_str());
     view->setView(choice_.view.c_str());
     const auto all = OCIO::GroupTransform::Create();
-    if (first) all->appendTransform(first);
+    // OpenColorIO converts nothing to a view of data.
+    if (first && !is_of_data(*config, choice_)) all->appendTransform(first);
     all->appendTransform(view);
-    const auto cpu = config->getProcessor(all)->getDefaultCPUProcessor();
-    processor_ = std::make_unique<const Processor>(Processor{cpu});
+    const OCIO::ConstProcessorRcPtr processor = config->getProcessor(all);
+    processor_ = std::make_unique<const Processor>(Processor{processor->getDefaultCPUProcessor()});
+    files_ = files_used(choice_.config, *processor);
   } catch (const OCIO::Exception& error) {
-    std::string why = error.what();
-    std::ranges::replace(why, '\n', ' ');
-    refuse(choice_.config, "the view " + quoted_text(choice_.view) + " cannot be used: " + why);
+    refuse(choice_.config,
+           "the view " + quoted_text(choice_.view) + " cannot be used: " + one_line(error));
   }
+  if (is_config_file(choice_.config)) warnings_ = complaints_about(choice_.config, *config);
 }
 
 ColorView::~ColorView() = default;

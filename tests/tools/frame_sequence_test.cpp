@@ -100,6 +100,57 @@ TEST_F(FrameSequence, SkipsFramesThatAreWholeAndCurrent) {
   }
 }
 
+TEST_F(FrameSequence, LooksAreTheContentOfTheirFiles) {
+  const auto lut = [&](const char* white) {
+    folder_.write(
+        "luts/curve.spi1d",
+        std::string("Version 1\nFrom 0.0 1.0\nLength 2\nComponents 1\n{\n0.0\n") + white + "\n}\n");
+  };
+  const auto config = [&](const std::string& more) {
+    folder_.write("look.ocio", R"(ocio_profile_version: 1
+search_path: "luts"
+roles:
+  scene_linear: linear
+displays:
+  screen:
+    - !<View> {name: curved, colorspace: curved}
+colorspaces:
+  - !<ColorSpace>
+    name: linear
+  - !<ColorSpace>
+    name: curved
+    from_reference: !<FileTransform> {src: curve.spi1d, interpolation: linear}
+)" + more);
+  };
+  const auto made = [&](const std::vector<std::string>& look) {
+    std::vector<std::string> all{"--frames", "1", "--skip-existing", "-o", file("s_%d.png"),
+                                 "--size",   "8"};
+    all.insert(all.end(), look.begin(), look.end());
+    return render(all)["made"];
+  };
+  const Json one{1};
+  const Json none = Json::array();
+  const std::vector<std::string> look{"--color-config", file("look.ocio")};
+  lut("0.5");
+  config("");
+  EXPECT_EQ(made(look), one);
+  EXPECT_EQ(made(look), none);
+  lut("0.7");
+  EXPECT_EQ(made(look), one);
+  config("  - !<ColorSpace>\n    name: another\n");
+  EXPECT_EQ(made(look), one);
+  EXPECT_EQ(made(look), none);
+  // The same by another way.
+  ::setenv("OCIO", file("look.ocio").c_str(), 1);
+  EXPECT_EQ(made({"--view", "curved"}), none);
+  lut("0.8");
+  EXPECT_EQ(made({"--view", "curved"}), one);
+  ::unsetenv("OCIO");
+  EXPECT_EQ(made({"--color-config", "aces"}), one);
+  EXPECT_EQ(made({}), one);
+  EXPECT_EQ(made({}), none);
+}
+
 // One file is missing and one frame cannot be written: the others are made.
 TEST_F(FrameSequence, AFrameThatFailsLeavesTheOthersAlone) {
   for (int frame = 0; frame < 6; ++frame) {

@@ -2,12 +2,12 @@
 
 #include <array>
 #include <cstdio>
+#include <optional>
 #include <span>
 
-#include "brume/error.h"
 #include "brume/version.h"
 #include "core/io/content_hash.h"
-#include "core/io/file_bytes.h"
+#include "core/io/file_version.h"
 #include "core/io/scene/scene_file.h"
 #include "core/io/scene/scene_files.h"
 
@@ -28,11 +28,8 @@ FrameFingerprint::FrameFingerprint(const SceneDocument& document, const std::str
   const std::vector<std::filesystem::path> files = files_of(document);
   add_text(hash, document_to_json(document, files.empty() ? "/" : files.front().parent_path()));
   for (const std::filesystem::path& file : files) {
-    try {
-      add_text(hash, read_bytes(file));
-    } catch (const InputError&) {
-      add_text(hash, "missing");
-    }
+    const std::optional<FileVersion> version = FileVersion::read(file);
+    add_text(hash, version ? version->text() : "missing");
   }
   all_frames_ = hash.value();
 }

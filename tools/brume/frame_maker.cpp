@@ -36,7 +36,9 @@ FrameMaker::FrameMaker(const RenderOptions& options, Scene animation)
       look_(options.display()),
       exposure_(options.exposure(animation_)),
       film_(options.film(animation_)),
-      renderer_(make_renderer(options.backend(), transfers_, problem_)) {}
+      renderer_(make_renderer(options.backend(), transfers_, problem_)) {
+  if (look_.view) print_warnings(look_.view->warnings());
+}
 
 void FrameMaker::go_to(double time) {
   scene_ = evaluate_at(animation_, time);
@@ -88,9 +90,9 @@ FrameInfo FrameMaker::info_of(const RequestedFrame& found, const std::string& fi
           .airlight = airlight_name(found.settings),
           .backend = found.frame.statistics.backend,
           .look = look_,
+          .bits = options_.bits(),
           .noise = relative_noise(found.frame),
           .fingerprint = fingerprint};
-          .bits = options_.bits(),
 }
 
 FrameMaker::Content FrameMaker::content(RequestedFrame found,

@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <memory>
 #include <string_view>
 
 #include "brume/limits.h"
 #include "core/io/file_bytes.h"
+#include "core/io/file_version.h"
 #include "core/io/text_scanner.h"
 #include "core/number_domain.h"
 #include "core/scene/cameras.h"
@@ -131,6 +131,18 @@ std::optional<Shutter> parse_shutter(const std::string& text) {
   return Shutter{*open, *close};
 }
 
+// What a look shows, wherever its files lie.
+std::string content_of(const DisplayLook& look) {
+  std::string text = view_name(look);
+  if (!look.view) return text;
+  if (look.view->files().empty()) text += look.view->choice().config;
+  for (const std::filesystem::path& file : look.view->files()) {
+    const std::optional<FileVersion> version = FileVersion::read(file);
+    text += ' ' + (version ? version->text() : "missing");
+  }
+  return text;
+}
+
 }  // namespace
 
 RenderOptions::RenderOptions(CLI::App& app) : app_(app) {
@@ -214,6 +226,8 @@ RenderOptions::RenderOptions(CLI::App& app) : app_(app) {
                  "frames with a moved camera to render after the first, for --stats")
       ->check(finite_in(1, 1e6))
       ->capture_default_str();
+  app.add_option("--bits", bits_, "of each value of a .png: 8, dithered, or 16; default: 8")
+      ->check(CLI::IsMember({8, 16}));
   app.add_option("--exposure", exposure_, "exposure of a .png, in stops")
       ->check(finite_in(-100.0, 100.0))
       ->capture_default_str();
@@ -226,8 +240,6 @@ RenderOptions::RenderOptions(CLI::App& app) : app_(app) {
                  "a view of it; default: the first. Without any of the three: Khronos PBR "
                  "Neutral in sRGB");
   app.add_option("--stats", stats_file_, "write timings and measured error as JSON")
-  app.add_option("--bits", bits_, "of each value of a .png: 8, dithered, or 16; default: 8")
-      ->check(CLI::IsMember({8, 16}));
       ->type_name("FILE");
 }
 
@@ -238,6 +250,7 @@ void RenderOptions::check() const {
   static_cast<void>(layers());
   static_cast<void>(backend());
   static_cast<void>(film({}));
+  static_cast<void>(bits());
   if (!shutter_.empty()) static_cast<void>(parse_shutter(shutter_));
 }
 
@@ -250,7 +263,6 @@ void RenderOptions::check_deep_options() const {
   }
   const AirlightMethod method = settings().airlight;
   if (method != AirlightMethod::auto_ && method != AirlightMethod::sliced) {
-  static_cast<void>(bits());
     throw UsageError("--airlight: found " + quoted_text(airlight_) +
                      "; allowed for a deep frame: auto, sliced");
   }
@@ -285,8 +297,9 @@ FramePattern RenderOptions::output_pattern() const {
 
 std::string RenderOptions::what_matters(const std::set<std::string>& others) const {
   // Whatever is added counts, unless it is listed here.
-  constexpr std::array does_not{"SCENE",   "output", "frames", "skip-existing", "progress",
-                                "threads", "repeat", "stats",  "time"};
+  constexpr std::array does_not{"SCENE",    "output",       "frames",  "skip-existing",
+                                "progress", "threads",      "repeat",  "stats",
+                                "time",     "color-config", "display", "view"};
   std::string text;
   for (const CLI::Option* option : app_.get_options()) {
     const std::string name = option->get_single_name();
@@ -298,14 +311,12 @@ std::string RenderOptions::what_matters(const std::set<std::string>& others) con
     for (const std::string& value : option->results()) text += value + ",";
     text += "\n";
   }
-  // What a look of OpenColorIO comes from where nothing else is said.
-  const char* config = std::getenv("OCIO");
-  if (!(color_ == ColorChoice{}) && config != nullptr) text += std::string("OCIO=") + config;
-  return text;
+  return text + content_of(display());
 }
 
 std::string RenderOptions::color_config_file() const {
-  return color_.config.empty() || color_.config == "aces" ? "" : absolute_text(color_.config);
+  return color_.config.empty() || !is_config_file(color_.config) ? ""
+                                                                 : absolute_text(color_.config);
 }
 
 std::vector<std::string> RenderOptions::arguments(const std::set<std::string>& others) const {
@@ -319,7 +330,7 @@ std::vector<std::string> RenderOptions::arguments(const std::set<std::string>& o
       continue;
     }
     arguments.push_back("--" + name);
-    if (name == "color-config" && color_.config != "aces") {
+    if (name == "color-config" && is_config_file(color_.config)) {
       arguments.push_back(color_config_file());
     } else if (option->get_expected_max() > 0) {
       for (const std::string& value : option->results()) arguments.push_back(value);
@@ -372,6 +383,13 @@ DisplayLook RenderOptions::display() const {
   return {exposure_, std::make_shared<const ColorView>(choice)};
 }
 
+int RenderOptions::bits() const {
+  if (bits_ && lower_case_extension(output_) != ".png") {
+    throw UsageError("--bits: an EXR has 32-bit floats; allowed for .png");
+  }
+  return bits_.value_or(8);
+}
+
 OutputLayers RenderOptions::layers() const {
   if (layers_.empty()) return {};
   if (is_deep() || lower_case_extension(output_) != ".exr") {
@@ -383,13 +401,6 @@ OutputLayers RenderOptions::layers() const {
 bool RenderOptions::is_deep() const {
   return is_deep_file(output_);
 }
-int RenderOptions::bits() const {
-  if (bits_ && lower_case_extension(output_) != ".png") {
-    throw UsageError("--bits: an EXR has 32-bit floats; allowed for .png");
-  }
-  return bits_.value_or(8);
-}
-
 
 double RenderOptions::deep_error() const {
   return deep_error_.value_or(DeepSettings{}.error);

@@ -40,8 +40,8 @@ class RenderOptions {
   [[nodiscard]] bool skips_existing() const { return skips_existing_; }
   // Whether its progress is for an engine of the Open Job Description.
   [[nodiscard]] bool tells_engine() const { return progress_ == "openjd"; }
-  // All options that make a difference to a frame, and their values; `others`: of the same command,
-  // but not of frames.
+  // All options that make a difference to a frame, and their values, of a look what its files hold;
+  // `others`: of the same command, but not of frames.
   [[nodiscard]] std::string what_matters(const std::set<std::string>& others = {}) const;
   // Those given, as arguments of brume render in any folder, but what a farm says of its tasks:
   // --frames, --skip-existing and --progress.

@@ -94,6 +94,95 @@ TEST(ColorView, BadConfigurationsAreRefusedInOneLine) {
   EXPECT_NE(refusal({(folder / "none.ocio").string(), "", ""}), "");
 }
 
+// Of the way by ACES2065-1, which Rec. 709 takes where a configuration has no name for it.
+TEST(ColorView, ViewsOfDataConvertNothing) {
+  const TemporaryFolder folder;
+  const std::string config = folder
+                                 .write("config.ocio", R"(ocio_profile_version: 2
+roles:
+  default: Linear
+  scene_linear: Linear
+  aces_interchange: ACES
+displays:
+  sRGB:
+    - !<View> {name: Raw, colorspace: Raw}
+    - !<View> {name: Linear, colorspace: Linear}
+colorspaces:
+  - !<ColorSpace>
+    name: Linear
+  - !<ColorSpace>
+    name: ACES
+    from_scene_reference: !<MatrixTransform> {matrix: [0.4396,0.3830,0.1774,0, 0.0898,0.8134,0.0968,0, 0.0175,0.1115,0.8709,0, 0,0,0,1]}
+  - !<ColorSpace>
+    name: Raw
+    isdata: true
+)")
+                                 .string();
+  EXPECT_EQ(shown(ColorView({config, "sRGB", "Raw"}), {1.0f, 0.5f, 0.25f}),
+            (std::array{1.0f, 0.5f, 0.25f}));
+  const std::array<float, 3> linear =
+      shown(ColorView({config, "sRGB", "Linear"}), {1.0f, 0.5f, 0.25f});
+  for (std::size_t c = 0; c < 3; ++c) {
+    EXPECT_NEAR(linear[c], (std::array{1.0f, 0.5f, 0.25f})[c], 2e-3f);  // four digits above
+  }
+}
+
+// A role of nothing, a look without its file, and a view that needs it.
+constexpr const char* incomplete_config = R"(ocio_profile_version: 1
+search_path: "luts"
+roles:
+  reference: linear
+  XYZ: none
+displays:
+  screen:
+    - !<View> {name: plain, colorspace: linear}
+    - !<View> {name: curved, colorspace: curved}
+    - !<View> {name: broken, colorspace: linear, looks: gone}
+active_displays: [screen, none]
+colorspaces:
+  - !<ColorSpace>
+    name: linear
+  - !<ColorSpace>
+    name: curved
+    from_reference: !<FileTransform> {src: curve.spi1d, interpolation: linear}
+looks:
+  - !<Look>
+    name: gone
+    process_space: linear
+    transform: !<FileTransform> {src: gone.spi1d, interpolation: linear}
+)";
+
+TEST(ColorView, ComplaintsAboutOtherViewsAreWarnings) {
+  const TemporaryFolder folder;
+  const std::string config = folder.write("config.ocio", incomplete_config).string();
+  const ColorView view({config, "screen", "plain"});
+  EXPECT_EQ(shown(view, {0.8f, 0.4f, 0.2f}), (std::array{0.8f, 0.4f, 0.2f}));
+  ASSERT_EQ(view.warnings().size(), 1u);
+  EXPECT_TRUE(view.warnings()[0].starts_with(config + ": OpenColorIO says: "));
+  EXPECT_EQ(view.warnings()[0].find('\n'), std::string::npos);
+  EXPECT_EQ(color_displays(config).size(), 1u);
+  EXPECT_NE(refusal({config, "screen", "broken"}).find("gone.spi1d"), std::string::npos);
+  EXPECT_TRUE(ColorView({aces_config, "", ""}).warnings().empty());
+}
+
+TEST(ColorView, FilesAreTheConfigurationAndItsLuts) {
+  const TemporaryFolder folder;
+  const std::string config = folder.write("config.ocio", incomplete_config).string();
+  const std::filesystem::path lut = folder.write(
+      "luts/curve.spi1d", "Version 1\nFrom 0.0 1.0\nLength 2\nComponents 1\n{\n0.0\n0.5\n}\n");
+  using Files = std::vector<std::filesystem::path>;
+  EXPECT_EQ(ColorView({config, "screen", "plain"}).files(), Files{config});
+  EXPECT_EQ(ColorView({config, "screen", "curved"}).files(), (Files{config, lut}));
+  EXPECT_TRUE(ColorView({aces_config, "", ""}).files().empty());
+}
+
+TEST(ColorView, ConfigurationsOfOpenColorIoNeedItsVersion) {
+  const std::string found = refusal({"ocio://default", "", ""});
+  EXPECT_TRUE(found.empty() || found.find("needs OpenColorIO 2.2 or newer") != std::string::npos)
+      << found;
+  EXPECT_NE(refusal({"ocio://none", "", ""}), "");
+}
+
 TEST(ToDisplay, ShowsAFrameInAView) {
   Frame frame;
   frame.film = {2, 1};
