@@ -7,6 +7,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/gtc/packing.hpp>
+#include <utility>
 
 #include "core/math/srgb.h"
 
@@ -43,6 +44,15 @@ glm::vec4 decode(std::uint32_t texel, Encoding encoding) {
   }
   const std::array<float, 256>& linear = srgb_to_linear();
   return {linear[byte(0)], linear[byte(1)], linear[byte(2)], fraction(byte(3))};
+}
+
+std::vector<std::uint32_t> packed(std::span<const std::uint8_t> rgba) {
+  std::vector<std::uint32_t> texels(rgba.size() / 4);
+  for (std::size_t i = 0; i < texels.size(); ++i) {
+    const auto byte = [&](std::size_t c) { return std::uint32_t{rgba[4 * i + c]}; };
+    texels[i] = byte(0) | byte(1) << 8 | byte(2) << 16 | byte(3) << 24;
+  }
+  return texels;
 }
 
 // The position in [0, 1] of the image that a coordinate shows. Beyond its ends `clamp` keeps going:
@@ -99,29 +109,33 @@ const std::array<float, 256>& srgb_to_linear() {
   return table;
 }
 
-Texture::Texture(int width, int height, std::span<const std::uint8_t> rgba, Encoding encoding)
-    : encoding_(encoding), levels_{{width, height, 0}} {
-  assert(width > 0 && height > 0 && encoding != Encoding::shared_exponent);
+std::size_t Texture::texel_count(int width, int height) {
   const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  assert(rgba.size() == 4 * count);
-  texels_.reserve(count + count / 2);
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto byte = [&](std::size_t c) { return std::uint32_t{rgba[4 * i + c]}; };
-    texels_.push_back(byte(0) | byte(1) << 8 | byte(2) << 16 | byte(3) << 24);
-  }
+  if (width == 1 && height == 1) return count;
+  return count + texel_count(std::max(1, width / 2), std::max(1, height / 2));
+}
+
+Texture::Texture(int width, int height, std::vector<std::uint32_t> texels, Encoding encoding)
+    : encoding_(encoding), levels_{{width, height, 0}}, texels_(std::move(texels)) {
+  assert(width > 0 && height > 0 && encoding != Encoding::shared_exponent);
+  assert(texels_.size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   add_levels();
 }
+
+Texture::Texture(int width, int height, std::span<const std::uint8_t> rgba, Encoding encoding)
+    : Texture(width, height, packed(rgba), encoding) {}
 
 Texture::Texture(int width, int height, std::span<const glm::vec3> radiance)
     : encoding_(Encoding::shared_exponent), levels_{{width, height, 0}} {
   assert(width > 0 && height > 0);
   assert(radiance.size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-  texels_.reserve(radiance.size() + radiance.size() / 2);
+  texels_.reserve(texel_count(width, height));
   for (const glm::vec3& value : radiance) texels_.push_back(encode({value, 1.0f}, encoding_));
   add_levels();
 }
 
 void Texture::add_levels() {
+  texels_.reserve(texel_count(width(), height()));
   while (levels_.back().width > 1 || levels_.back().height > 1) {
     const Level fine = levels_.back();
     const Level coarse{std::max(1, fine.width / 2), std::max(1, fine.height / 2), texels_.size()};

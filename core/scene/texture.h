@@ -24,7 +24,9 @@ class Texture {
     shared_exponent
   };
 
-  // RGBA of width * height pixels, rows from the top; `encoding` is srgb or linear.
+  // RGBA of width * height pixels, 4 bytes each, rows from the top; `encoding` is srgb or linear.
+  // Takes no more memory where the texels have room for texel_count().
+  Texture(int width, int height, std::vector<std::uint32_t> texels, Encoding encoding);
   Texture(int width, int height, std::span<const std::uint8_t> rgba, Encoding encoding);
   // Radiance, clamped to [0, 32768].
   Texture(int width, int height, std::span<const glm::vec3> radiance);
@@ -32,6 +34,9 @@ class Texture {
   [[nodiscard]] int width() const { return levels_[0].width; }
   [[nodiscard]] int height() const { return levels_[0].height; }
   [[nodiscard]] Encoding encoding() const { return encoding_; }
+
+  // Of all levels.
+  [[nodiscard]] static std::size_t texel_count(int width, int height);
 
   struct Level {
     int width = 0;

@@ -24,8 +24,7 @@ class BmpDecoder {
     read_palette();
     reader_.seek(data_offset_);
     check_length();
-    pixels_ = {static_cast<int>(width_), static_cast<int>(height_), {}};
-    pixels_.rgba.resize(std::size_t{4} * width_ * height_);
+    pixels_ = Pixels(static_cast<int>(width_), static_cast<int>(height_));
     if (is_packed()) {
       read_runs();
     } else {

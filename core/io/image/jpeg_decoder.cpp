@@ -34,10 +34,14 @@ class JpegDecoder {
   Pixels decode() {
     if (!read_header()) refuse(reason_);
     check_texture_size(file_, jpeg_.image_width, jpeg_.image_height);
+    // A Huffman code takes at least a bit of each 8 x 8 pixels.
+    constexpr std::size_t max_ratio = 512;
+    const std::size_t pixels = std::size_t{jpeg_.image_width} * jpeg_.image_height;
+    if (jpeg_.arith_code == FALSE && pixels > max_ratio * bytes_.size()) {
+      refuse("declares more pixels than a file of this length holds");
+    }
     if (!begin_pixels()) refuse(reason_);
-    pixels_.width = static_cast<int>(jpeg_.output_width);
-    pixels_.height = static_cast<int>(jpeg_.output_height);
-    pixels_.rgba.resize(std::size_t{4} * jpeg_.output_width * jpeg_.output_height);
+    pixels_ = Pixels(static_cast<int>(jpeg_.output_width), static_cast<int>(jpeg_.output_height));
     if (!read_pixels()) refuse(reason_);
     if (jpeg_.out_color_space == JCS_CMYK) convert_inks();
     return std::move(pixels_);
@@ -88,8 +92,7 @@ class JpegDecoder {
     // NOLINTNEXTLINE(cert-err52-cpp)
     if (setjmp(jump_) != 0) return false;
     while (jpeg_.output_scanline < jpeg_.output_height) {
-      JSAMPROW row =
-          pixels_.rgba.data() + std::size_t{4} * jpeg_.output_width * jpeg_.output_scanline;
+      JSAMPROW row = pixels_.row(jpeg_.output_scanline);
       jpeg_read_scanlines(&jpeg_, &row, 1);
     }
     jpeg_finish_decompress(&jpeg_);
@@ -102,8 +105,8 @@ class JpegDecoder {
     const auto left_over = [this](std::uint8_t ink) -> unsigned {
       return jpeg_.saw_Adobe_marker ? ink : 255u - ink;
     };
-    for (std::size_t i = 0; i < pixels_.rgba.size(); i += 4) {
-      std::uint8_t* pixel = pixels_.rgba.data() + i;
+    for (std::uint32_t& texel : pixels_.rgba) {
+      auto* pixel = reinterpret_cast<std::uint8_t*>(&texel);
       for (std::size_t k = 0; k < 3; ++k) {
         pixel[k] = static_cast<std::uint8_t>(left_over(pixel[k]) * left_over(pixel[3]) / 255u);
       }

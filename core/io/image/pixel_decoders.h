@@ -17,11 +17,17 @@ using Rgba = std::array<std::uint8_t, 4>;
 struct Pixels {
   int width = 0;
   int height = 0;
-  std::vector<std::uint8_t> rgba;
+  std::vector<std::uint32_t> rgba;  // with room for the smaller levels of a texture
 
+  Pixels() = default;
+  Pixels(int image_width, int image_height);
+
+  // The bytes of a row: R, G, B, A per pixel.
+  [[nodiscard]] std::uint8_t* row(std::size_t y) {
+    return reinterpret_cast<std::uint8_t*>(rgba.data() + y * static_cast<std::size_t>(width));
+  }
   void set(std::size_t x, std::size_t y, const Rgba& pixel) {
-    const std::size_t i = y * static_cast<std::size_t>(width) + x;
-    std::ranges::copy(pixel, rgba.begin() + static_cast<std::ptrdiff_t>(4 * i));
+    std::ranges::copy(pixel, row(y) + 4 * x);
   }
 };
 

@@ -42,10 +42,8 @@ class PngDecoder {
     if (!begin_pixels()) refuse(reason_);
     const std::size_t row_bytes = 4 * std::size_t{png_get_image_width(png_, info_)};
     if (png_get_rowbytes(png_, info_) != row_bytes) refuse("has an unknown kind of pixels");
-    pixels_.width = static_cast<int>(png_get_image_width(png_, info_));
-    pixels_.height = static_cast<int>(rows);
-    pixels_.rgba.resize(rows * row_bytes);
-    for (std::size_t y = 0; y < rows; ++y) rows_.push_back(pixels_.rgba.data() + y * row_bytes);
+    pixels_ = Pixels(static_cast<int>(png_get_image_width(png_, info_)), static_cast<int>(rows));
+    for (std::size_t y = 0; y < rows; ++y) rows_.push_back(pixels_.row(y));
     if (!read_pixels()) refuse(reason_);
     return std::move(pixels_);
   }

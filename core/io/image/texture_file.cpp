@@ -1,5 +1,7 @@
 #include "core/io/image/texture_file.h"
 
+#include <utility>
+
 #include "brume/error.h"
 #include "core/io/file_bytes.h"
 #include "core/io/image/image_file.h"
@@ -19,6 +21,11 @@ std::shared_ptr<const Texture> read_radiance(const std::filesystem::path& file) 
 
 }  // namespace
 
+Pixels::Pixels(int image_width, int image_height) : width(image_width), height(image_height) {
+  rgba.reserve(Texture::texel_count(width, height));
+  rgba.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+}
+
 std::shared_ptr<const Texture> decode_texture(const std::filesystem::path& file,
                                               std::string_view bytes, bool has_colors) {
   const auto decode = is_png(bytes)    ? decode_png
@@ -31,9 +38,9 @@ std::shared_ptr<const Texture> decode_texture(const std::filesystem::path& file,
                      "found " + image_kind(bytes) + "; allowed: PNG, JPEG, TGA or BMP" +
                          (has_colors ? ", of colors also OpenEXR and Radiance HDR" : ""));
   }
-  const Pixels pixels = decode(file, bytes);
+  Pixels pixels = decode(file, bytes);
   return std::make_shared<const Texture>(
-      pixels.width, pixels.height, pixels.rgba,
+      pixels.width, pixels.height, std::move(pixels.rgba),
       has_colors ? Texture::Encoding::srgb : Texture::Encoding::linear);
 }
 

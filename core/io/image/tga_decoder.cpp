@@ -63,8 +63,7 @@ class TgaDecoder {
     if (min_bytes > size_ - reader_.position()) {
       reader_.fail("declares more pixels than a file of this length holds");
     }
-    Pixels pixels{header_.width, header_.height, {}};
-    pixels.rgba.resize(4 * count);
+    Pixels pixels(header_.width, header_.height);
     if (header_.is_packed()) {
       read_packets(pixels, count);
     } else {

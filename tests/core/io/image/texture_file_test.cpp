@@ -66,22 +66,22 @@ std::string jpeg() {
 }
 
 TEST(TextureFile, ReadsPngExactly) {
-  const Pixels pixels = decode_png("a.png", png());
+  Pixels pixels = decode_png("a.png", png());
   ASSERT_EQ(pixels.width, width);
   ASSERT_EQ(pixels.height, height);
   const std::vector<std::uint8_t> rgb = ramp();
   for (std::size_t i = 0; i < rgb.size(); ++i) {
-    EXPECT_EQ(pixels.rgba[i / 3 * 4 + i % 3], rgb[i]);
+    EXPECT_EQ(pixels.row(0)[i / 3 * 4 + i % 3], rgb[i]);
   }
-  EXPECT_EQ(pixels.rgba[3], 255);
+  EXPECT_EQ(pixels.row(0)[3], 255);
 }
 
 TEST(TextureFile, ReadsJpeg) {
-  const Pixels pixels = decode_jpeg("a.jpg", jpeg());
+  Pixels pixels = decode_jpeg("a.jpg", jpeg());
   ASSERT_EQ(pixels.width, width);
   ASSERT_EQ(pixels.height, height);
-  EXPECT_NEAR(pixels.rgba[4 * 8], 128, 12);
-  EXPECT_NEAR(pixels.rgba[4 * (7 * width) + 1], 224, 12);
+  EXPECT_NEAR(pixels.row(0)[4 * 8], 128, 12);
+  EXPECT_NEAR(pixels.row(7)[1], 224, 12);
 }
 
 // libjpeg marks them as Adobe's: 255 is no ink.
@@ -168,6 +168,19 @@ TEST(TextureFile, RefusesSizesBeforeItsMemory) {
   wide[header + 7] = '\x70';  // 28688 pixels
   EXPECT_TRUE(contains(error_of([&] { decode_texture("a.jpg", wide, true); }),
                        "allowed: 1 to 16384 a side"));
+  for (const std::size_t side : {header + 5, header + 7}) wide[side] = '\x30';  // 12304 at least
+  EXPECT_TRUE(contains(error_of([&] { decode_texture("a.jpg", wide, true); }),
+                       "declares more pixels than a file of this length holds"));
+}
+
+TEST(TextureFile, LevelsAreMadeInTheMemoryOfThePixels) {
+  for (const bool is_jpeg : {false, true}) {
+    Pixels pixels = is_jpeg ? decode_jpeg("a.jpg", jpeg()) : decode_png("a.png", png());
+    const std::uint32_t* memory = pixels.rgba.data();
+    const Texture texture(width, height, std::move(pixels.rgba), Texture::Encoding::srgb);
+    EXPECT_EQ(texture.texels().data(), memory);
+    EXPECT_EQ(texture.texels().size(), Texture::texel_count(width, height));
+  }
 }
 
 }  // namespace
