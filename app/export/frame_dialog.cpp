@@ -26,6 +26,7 @@ FrameDialog::FrameDialog(const QString& folder, bool path_traced, const OutputLa
                          QWidget* parent)
     : QDialog(parent),
       format_(new QComboBox(this)),
+      bits_(new QComboBox(this)),
       file_(new QLineEdit(last_folder(FileKind::picture, folder) + "/frame.png", this)),
       method_(new QComboBox(this)),
       paths_(new QSpinBox(this)),
@@ -36,6 +37,10 @@ FrameDialog::FrameDialog(const QString& folder, bool path_traced, const OutputLa
   format_->addItem(tr("PNG picture"), ".png");
   format_->addItem(tr("EXR with layers"), ".exr");
   format_->addItem(tr("Deep EXR, for holdouts"), ".deep.exr");
+  bits_->setObjectName("frame_bits");
+  bits_->addItem(tr("8, dithered"), 8);
+  bits_->addItem(tr("16"), 16);
+  bits_->setToolTip(tr("Of each value of a PNG: 16 are for further editing"));
   file_->setObjectName("frame_file");
   file_->setMinimumWidth(360);
   method_->setObjectName("frame_method");
@@ -51,6 +56,7 @@ FrameDialog::FrameDialog(const QString& folder, bool path_traced, const OutputLa
 
   auto* form = new QFormLayout(this);
   form->addRow(tr("As"), format_);
+  form->addRow(tr("Bits"), bits_);
   auto* browse = new QPushButton(tr("Choose…"), this);
   auto* row = new QHBoxLayout;
   row->addWidget(file_, 1);
@@ -83,6 +89,7 @@ void FrameDialog::update_enabled() {
   method_->setEnabled(!is_deep);
   paths_->setEnabled(!is_deep && method_->currentData().toBool());
   layers_->setEnabled(format == ".exr");
+  bits_->setEnabled(format == ".png");
   export_->setEnabled(to_path(file_->text()).has_stem());
 }
 
@@ -102,7 +109,7 @@ void FrameDialog::confirm() {
   remember_folder(FileKind::picture, file);
   const bool path_traced = paths_->isEnabled();
   Q_EMIT requested(file, path_traced ? std::optional(paths_->value()) : std::nullopt,
-                   layers_->layers());
+                   layers_->layers(), bits_->currentData().toInt());
   accept();
 }
 

@@ -23,9 +23,9 @@ class FrameDialog : public QDialog {
 
  Q_SIGNALS:
   // The extension selects the format: .png, .exr or .deep.exr. `paths` per pixel; nullopt: rendered
-  // by the method of the view. `layers`: of .exr.
+  // by the method of the view. `layers`: of .exr. `bits`: of each value of .png, 8 or 16.
   void requested(const std::filesystem::path& file, std::optional<int> paths,
-                 const brume::OutputLayers& layers);
+                 const brume::OutputLayers& layers, int bits);
 
  private:
   [[nodiscard]] std::filesystem::path with_extension(const QString& name) const;
@@ -34,6 +34,7 @@ class FrameDialog : public QDialog {
   void confirm();
 
   QComboBox* format_;
+  QComboBox* bits_;
   QLineEdit* file_;
   QComboBox* method_;
   QSpinBox* paths_;

@@ -52,7 +52,7 @@ class MainWindow : public QMainWindow {
   // Exports what the view sees, on the scene's film; path-traced with `paths` per pixel, or by the
   // method of the view.
   void export_frame_to(const std::filesystem::path& file, std::optional<int> paths = {},
-                       const OutputLayers& layers = {});
+                       const OutputLayers& layers = {}, int bits = 8);
 
   // The frames of the timeline that are named, numbered or as a video, by the file's extension: as
   // the scene's camera sees them if it has keys, else as the view does.

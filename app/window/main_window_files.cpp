@@ -39,9 +39,10 @@ void MainWindow::export_frame() {
 }
 
 void MainWindow::export_frame_to(const std::filesystem::path& file, std::optional<int> paths,
-                                 const OutputLayers& layers) {
+                                 const OutputLayers& layers, int bits) {
   FrameExportRequest request = export_request(file);
   request.info.layers = layers;
+  request.info.bits = bits;
   if (paths) {
     request.settings.airlight = AirlightMethod::path;
     request.settings.paths = *paths;

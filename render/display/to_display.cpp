@@ -29,21 +29,26 @@ std::array<float, 3> compress_highlights(std::array<float, 3> c) {
 }
 
 // srgb_encoded() of [0, 1], interpolated: off by less than a tenth of the last of 16 bits.
-float encoded(float x) {
-  constexpr std::size_t intervals = 1u << 16;
-  static const auto table = [] {
-    std::vector<float> values(intervals + 2);  // the last one is only multiplied by 0
-    for (std::size_t i = 0; i <= intervals; ++i) {
-      values[i] = srgb_encoded(static_cast<float>(i) / intervals);
+class SrgbTable {
+ public:
+  SrgbTable() {
+    for (std::uint32_t i = 0; i <= intervals; ++i) {
+      values_[i] = srgb_encoded(static_cast<float>(i) / intervals);
     }
-    return values;
-  }();
-  const float place = std::clamp(x, 0.0f, 1.0f) * intervals;
-  const auto i = static_cast<std::size_t>(place);
-  return table[i] + (place - static_cast<float>(i)) * (table[i + 1] - table[i]);
-}
+  }
+  [[nodiscard]] float operator()(float x) const {
+    const float place = std::clamp(x, 0.0f, 1.0f) * intervals;
+    const auto i = static_cast<std::uint32_t>(place);
+    return values_[i] + (place - static_cast<float>(i)) * (values_[i + 1] - values_[i]);
+  }
+
+ private:
+  static constexpr std::uint32_t intervals = 1u << 16;
+  std::vector<float> values_ = std::vector<float>(intervals + 2);  // the last is multiplied by 0
+};
 
 void apply_neutral_view(std::span<float> rgb) {
+  static const SrgbTable encoded;
   for (std::size_t i = 0; i < rgb.size(); i += 3) {
     const std::array<float, 3> c = compress_highlights({rgb[i], rgb[i + 1], rgb[i + 2]});
     for (std::size_t k = 0; k < 3; ++k) rgb[i + k] = encoded(c[k]);
@@ -59,8 +64,10 @@ void for_each_row(const Frame& frame, const DisplayLook& look, Take&& take) {
   std::vector<float> row(3 * width);
   for (std::size_t y = 0; y * width < pixels; ++y) {
     const float* beauty = &frame.beauty[4 * y * width];
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      row[i] = std::clamp(gain * beauty[i / 3 * 4 + i % 3], 0.0f, brightest_shown);
+    for (std::size_t x = 0; x < width; ++x) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        row[3 * x + k] = std::clamp(gain * beauty[4 * x + k], 0.0f, brightest_shown);
+      }
     }
     if (look.view) {
       look.view->apply(row);
@@ -86,21 +93,22 @@ glm::vec3 to_display(const glm::vec3& radiance, double exposure) {
   for (std::size_t k = 0; k < 3; ++k) {
     c[k] = std::clamp(gain * radiance[static_cast<int>(k)], 0.0f, brightest_shown);
   }
-  c = compress_highlights(c);
-  return {encoded(c[0]), encoded(c[1]), encoded(c[2])};
+  apply_neutral_view(c);
+  return {c[0], c[1], c[2]};
 }
 
 std::vector<std::uint8_t> to_display(const Frame& frame, const DisplayLook& look) {
   const FilmRegion region = frame.film.region.value_or(FilmRegion{});
-  std::vector<std::uint8_t> rgb;
-  rgb.reserve(frame.beauty.size() / 4 * 3);
+  const auto left = static_cast<std::uint32_t>(region.x);
+  const auto top = static_cast<std::uint32_t>(region.y);
+  std::vector<std::uint8_t> rgb(frame.beauty.size() / 4 * 3);
   for_each_row(frame, look, [&](std::size_t y, std::span<const float> values) {
-    const auto row = static_cast<std::uint32_t>(region.y) + static_cast<std::uint32_t>(y);
-    for (std::size_t i = 0; i < values.size(); i += 3) {
-      const auto column = static_cast<std::uint32_t>(region.x) + static_cast<std::uint32_t>(i / 3);
-      const float threshold = dither_threshold(column, row);
+    std::uint8_t* row = &rgb[y * values.size()];
+    for (std::size_t x = 0; x < values.size() / 3; ++x) {
+      const float threshold = dither_threshold(left + static_cast<std::uint32_t>(x),
+                                               top + static_cast<std::uint32_t>(y));
       for (std::size_t k = 0; k < 3; ++k) {
-        rgb.push_back(static_cast<std::uint8_t>(255.0f * values[i + k] + threshold));
+        row[3 * x + k] = static_cast<std::uint8_t>(255.0f * values[3 * x + k] + threshold);
       }
     }
   });

@@ -239,6 +239,27 @@ class ScatteringTest : public QObject {
     window->findChild<QAction*>("backend_auto")->trigger();
   }
 
+  void a_png_of_16_bits_is_exported() {
+    TestWindow window(dense_scene());
+    window->findChild<QAction*>("file.export")->trigger();
+    auto* dialog = window->findChild<FrameDialog*>();
+    QVERIFY(dialog);
+    auto* format = dialog->findChild<QComboBox*>("frame_format");
+    auto* bits = dialog->findChild<QComboBox*>("frame_bits");
+    format->setCurrentIndex(1);
+    QVERIFY(!bits->isEnabled());
+    format->setCurrentIndex(0);
+    QVERIFY(bits->isEnabled());
+    bits->setCurrentIndex(1);
+    dialog->findChild<QLineEdit*>("frame_file")->setText(to_qstring(window.file("fine.png")));
+    QSignalSpy finished(window->findChild<FrameExport*>(), &FrameExport::finished);
+    QTest::mouseClick(dialog->findChild<QPushButton*>("export_frame"), Qt::LeftButton);
+    QVERIFY(finished.wait(patience));
+    QFile written(to_qstring(window.file("fine.png")));
+    QVERIFY(written.open(QIODevice::ReadOnly));
+    QCOMPARE(int{written.read(25).back()}, 16);  // bits of a value, in the header
+  }
+
   void a_path_traced_frame_is_exported() {
     TestWindow window(dense_scene());
     window->findChild<QAction*>("file.export")->trigger();
