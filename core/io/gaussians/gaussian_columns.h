@@ -23,9 +23,13 @@ inline constexpr std::array<const NumberDomain*, 5> domains{
     &domain::coordinate, &domain::coordinate, &domain::coordinate, &domain::length,
     &domain::density};
 
-// Alternative names: Houdini, CloudCompare. Read only.
+// Alternative names: Houdini, CloudCompare, ParaView. Read only.
 inline constexpr std::array<std::array<std::string_view, 2>, 5> other_names{
-    {{}, {}, {}, {"pscale", "scalar_radius"}, {"scalar_density", ""}}};
+    {{"points:0", "points_0"},
+     {"points:1", "points_1"},
+     {"points:2", "points_2"},
+     {"pscale", "scalar_radius"},
+     {"scalar_density", ""}}};
 
 // Of its optics, in files where a Gaussian has some; all six or none. An albedo of 0 0 0 is the
 // medium's.

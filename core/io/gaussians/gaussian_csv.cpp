@@ -10,6 +10,7 @@
 #include "brume/error.h"
 #include "core/io/atomic_file.h"
 #include "core/io/file_bytes.h"
+#include "core/io/gaussians/csv_table.h"
 #include "core/io/gaussians/gaussian_columns.h"
 #include "core/io/text_scanner.h"
 
@@ -19,130 +20,133 @@ namespace {
 using gaussian_columns::domains;
 using gaussian_columns::names;
 
-// The cells of a line, without the blanks around them.
-std::vector<std::string_view> cells(std::string_view line) {
-  std::vector<std::string_view> result;
-  for (;;) {
-    const std::size_t comma = line.find(',');
-    std::string_view cell = line.substr(0, comma);
-    const std::size_t first = cell.find_first_not_of(" \t");
-    cell = first == std::string_view::npos ? std::string_view{} : cell.substr(first);
-    while (!cell.empty() && (cell.back() == ' ' || cell.back() == '\t')) cell.remove_suffix(1);
-    result.push_back(cell);
-    if (comma == std::string_view::npos) return result;
-    line.remove_prefix(comma + 1);
-  }
-}
-
-std::array<std::size_t, 5> find_columns(const std::filesystem::path& file,
-                                        const std::vector<std::string_view>& header) {
-  std::array<std::size_t, 5> columns{};
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    const auto column =
-        gaussian_columns::find_column(i, [&](std::string_view name) -> std::optional<std::size_t> {
-          const auto it = std::find(header.begin(), header.end(), name);
-          if (it == header.end()) return std::nullopt;
-          return static_cast<std::size_t>(it - header.begin());
-        });
-    if (!column) {
-      throw InputError(
-          file, "line 1",
-          "there is no column " + std::string(names[i]) + "; needed: x,y,z,radius,density");
+// Reads Gaussians from the rows of a table, whose heading it takes.
+class CsvReader {
+ public:
+  CsvReader(const std::filesystem::path& file, std::string_view number_name)
+      : file_(file), table_(file, read_bytes(file)), number_name_(number_name) {
+    const auto has_columns = [&] { return !missing_column(); };
+    if (!table_.read_heading(has_columns)) {
+      throw InputError(file, "", "the file is empty; allowed: Gaussians as PLY or CSV");
     }
-    columns[i] = *column;
+    if (const auto missing = missing_column()) refuse_heading(*missing, "x,y,z,radius,density");
+    for (std::size_t i = 0; i < names.size(); ++i) columns_.push_back(*column(i));
+    optics_columns_ = find_all(gaussian_columns::optics_names);
+    shape_columns_ = find_all(gaussian_columns::shape_names);
+    number_column_ = table_.column(number_name);
+    const std::string missing = gaussian_columns::missing_of_shape(
+        [&](std::string_view name) { return table_.column(name).has_value(); });
+    if (!missing.empty()) refuse_heading(missing, "all columns of an ellipsoid, or none");
   }
-  return columns;
-}
 
-// Places of columns of which a file has all or none.
-std::vector<std::size_t> find_all(const std::vector<std::string_view>& header,
-                                  std::span<const std::string_view> wanted) {
-  std::vector<std::size_t> columns;
-  for (const std::string_view name : wanted) {
-    const auto it = std::find(header.begin(), header.end(), name);
-    if (it == header.end()) return {};
-    columns.push_back(static_cast<std::size_t>(it - header.begin()));
+  // nullopt at the end.
+  std::optional<Gaussian> next() {
+    if (!table_.next_row()) return std::nullopt;
+    const auto value = numbers(columns_, names);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      if (!domains[i]->contains(value[i])) refuse(names[i], domains[i]->refusal(value[i]));
+    }
+    Gaussian gaussian{{value[0], value[1], value[2]}, value[3], value[4]};
+    if (!optics_columns_.empty()) {
+      const auto& all = gaussian_columns::optics_names;
+      gaussian.optics = gaussian_columns::optics_of(
+          numbers(optics_columns_, all),
+          [&](std::size_t i, const std::string& why) { refuse(all[i], why); });
+    }
+    if (!shape_columns_.empty()) {
+      const auto& all = gaussian_columns::shape_names;
+      gaussian_columns::set_shape(
+          gaussian, numbers(shape_columns_, all),
+          [&](std::size_t i, const std::string& why) { refuse(all[i], why); });
+    }
+    return gaussian;
   }
-  return columns;
-}
+
+  [[nodiscard]] bool has_numbers() const { return number_column_.has_value(); }
+  // Of the Gaussian that next() returned.
+  GaussianNumber gaussian_number() {
+    const double value = number(*number_column_, number_name_);
+    if (!gaussian_columns::is_id(value)) {
+      refuse(number_name_, gaussian_columns::id_domain.refusal(value));
+    }
+    return static_cast<GaussianNumber>(value);
+  }
+
+  [[nodiscard]] std::string place() const { return table_.place(); }
+
+ private:
+  [[nodiscard]] std::optional<std::size_t> column(std::size_t i) const {
+    return gaussian_columns::find_column(
+        i, [&](std::string_view name) { return table_.column(name); });
+  }
+
+  [[nodiscard]] std::optional<std::string_view> missing_column() const {
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      if (!column(i)) return names[i];
+    }
+    return std::nullopt;
+  }
+
+  // Columns of which a file has all or none.
+  [[nodiscard]] std::vector<std::size_t> find_all(std::span<const std::string_view> wanted) const {
+    std::vector<std::size_t> columns;
+    for (const std::string_view name : wanted) {
+      const auto found = table_.column(name);
+      if (!found) return {};
+      columns.push_back(*found);
+    }
+    return columns;
+  }
+
+  template <std::size_t count>
+  std::array<double, count> numbers(std::span<const std::size_t> columns,
+                                    const std::array<std::string_view, count>& column_names) {
+    std::array<double, count> values{};
+    for (std::size_t i = 0; i < count; ++i) values[i] = number(columns[i], column_names[i]);
+    return values;
+  }
+
+  double number(std::size_t column, std::string_view name) {
+    const auto cell = table_.cell(column);
+    if (!cell) refuse(name, "is missing");
+    const auto value = table_.number(*cell);
+    if (!value) refuse(name, "found " + quoted_text(*cell) + "; allowed: a number");
+    return *value;
+  }
+
+  [[noreturn]] void refuse(std::string_view name, const std::string& why) const {
+    throw InputError(file_, table_.place() + ", " + std::string(name), why);
+  }
+  [[noreturn]] void refuse_heading(std::string_view missing, const std::string& needed) const {
+    throw InputError(file_, table_.place(),
+                     "there is no column " + std::string(missing) + "; found " +
+                         quoted_text(table_.heading()) + "; needed: " + needed);
+  }
+
+  const std::filesystem::path& file_;
+  CsvTable table_;
+  std::string_view number_name_;
+  std::vector<std::size_t> columns_;
+  std::vector<std::size_t> optics_columns_;  // empty: none
+  std::vector<std::size_t> shape_columns_;   // empty: none
+  std::optional<std::size_t> number_column_;
+};
 
 }  // namespace
 
 std::vector<Gaussian> read_gaussians_csv(const std::filesystem::path& file,
                                          std::vector<GaussianNumber>* ids, std::size_t max_count,
                                          std::string_view number_name) {
-  const std::string bytes = read_bytes(file);
-  TextScanner text(bytes);
-  if (!text.next_line())
-    throw InputError(file, "", "the file is empty; allowed: Gaussians as PLY or CSV");
-  const std::vector<std::string_view> header = cells(text.rest_of_line());
-  const std::array<std::size_t, 5> columns = find_columns(file, header);
-  const auto id_column = static_cast<std::size_t>(
-      std::find(header.begin(), header.end(), number_name) - header.begin());
-  const std::vector<std::size_t> optics_columns = find_all(header, gaussian_columns::optics_names);
-  const std::vector<std::size_t> shape_columns = find_all(header, gaussian_columns::shape_names);
-  const std::string missing = gaussian_columns::missing_of_shape(
-      [&](std::string_view name) { return std::ranges::find(header, name) != header.end(); });
-  if (!missing.empty()) {
-    throw InputError(file, "line 1",
-                     "there is no column " + missing + "; needed beside others of an ellipsoid");
-  }
+  CsvReader reader(file, number_name);
   std::vector<Gaussian> gaussians;
-  while (text.next_line()) {
-    const std::vector<std::string_view> row = cells(text.rest_of_line());
-    if (row.size() == 1 && row[0].empty()) continue;
-    std::array<double, 5> value{};
-    for (std::size_t i = 0; i < names.size(); ++i) {
-      const std::string place = text.place() + ", " + std::string(names[i]);
-      if (columns[i] >= row.size()) throw InputError(file, place, "is missing");
-      const auto number = parse_number(row[columns[i]]);
-      if (!number) {
-        throw InputError(
-            file, place,
-            "found " + quoted_text(row[columns[i]]) + "; allowed: " + domains[i]->allowed);
-      }
-      if (!domains[i]->contains(*number)) {
-        throw InputError(file, place, domains[i]->refusal(*number));
-      }
-      value[i] = *number;
-    }
+  while (const auto gaussian = reader.next()) {
     if (gaussians.size() == max_count) {
       throw InputError(
-          file, text.place(),
+          file, reader.place(),
           "found too many Gaussians; allowed: " + gaussian_columns::allowed_count(max_count));
     }
-    gaussians.push_back({{value[0], value[1], value[2]}, value[3], value[4]});
-    // Calls set(values of the columns, refusal) if the file has them.
-    const auto read_all = [&]<std::size_t count>(const std::vector<std::size_t>& places,
-                                                 const std::array<std::string_view, count>& all,
-                                                 auto set) {
-      if (places.empty()) return;
-      const auto refuse = [&](std::size_t i, const std::string& why) {
-        throw InputError(file, text.place() + ", " + std::string(all[i]), why);
-      };
-      std::array<double, count> values{};
-      for (std::size_t i = 0; i < count; ++i) {
-        if (places[i] >= row.size()) refuse(i, "is missing");
-        const auto number = parse_number(row[places[i]]);
-        if (!number) refuse(i, "found " + quoted_text(row[places[i]]) + "; allowed: a number");
-        values[i] = *number;
-      }
-      set(values, refuse);
-    };
-    read_all(optics_columns, gaussian_columns::optics_names, [&](const auto& values, auto refuse) {
-      gaussians.back().optics = gaussian_columns::optics_of(values, refuse);
-    });
-    read_all(shape_columns, gaussian_columns::shape_names, [&](const auto& values, auto refuse) {
-      gaussian_columns::set_shape(gaussians.back(), values, refuse);
-    });
-    if (!ids || id_column == header.size()) continue;
-    const auto id = id_column < row.size() ? parse_number(row[id_column]) : std::nullopt;
-    if (!id || !gaussian_columns::is_id(*id)) {
-      throw InputError(file, text.place() + ", " + std::string(number_name),
-                       (id ? "found " + quoted_text(row[id_column]) : std::string("no number")) +
-                           "; allowed: " + gaussian_columns::id_domain.allowed);
-    }
-    ids->push_back(static_cast<GaussianNumber>(*id));
+    gaussians.push_back(*gaussian);
+    if (ids && reader.has_numbers()) ids->push_back(reader.gaussian_number());
   }
   return gaussians;
 }

@@ -10,9 +10,9 @@
 
 namespace brume {
 
-// Reads Gaussians from comma-separated values: the first line names the columns, among them x, y,
-// z, radius and density (or alternatives, see gaussian_columns.h) in any order; other columns and
-// empty lines are skipped. Throws InputError naming file and line, also for more than `max_count`.
+// Reads Gaussians from a table (CsvTable) whose heading names the columns, among them x, y, z,
+// radius and density (or alternatives, see gaussian_columns.h) in any order; other columns are
+// skipped. Throws InputError naming file and line, also for more than `max_count`.
 std::vector<Gaussian> read_gaussians_csv(const std::filesystem::path& file,
                                          std::vector<GaussianNumber>* ids = nullptr,
                                          std::size_t max_count = limits::gaussians,

@@ -29,6 +29,54 @@ TEST(GaussianCsv, FindsItsColumnsByName) {
   EXPECT_EQ(read_gaussians_csv(file), expected);
 }
 
+// The two Gaussians that each of these tables holds.
+const std::vector<Gaussian> tabled{{{1, 2, 3}, 0.25, 0.5}, {{-4, 5, 6}, 1, 2}};
+
+TEST(GaussianCsv, ReadsWhatSpreadsheetsAndOtherProgramsWrite) {
+  const TemporaryFolder folder;
+  const std::pair<const char*, std::string> tables[] = {
+      {"a byte order mark", "\xef\xbb\xbfx,y,z,radius,density\r\n1,2,3,.25,.5\r\n-4,5,6,1,2\r\n"},
+      {"semicolons and decimal commas", "x;y;z;radius;density\n1,0;2;3;0,25;5E-1\n-4;5;6;1;2\n"},
+      {"a line that names the separator",
+       "sep=;\nx;y;z;radius;density;a,b,c,d,e,f\n1;2;3;,25;,5\n-4;5;6;1;2\n"},
+      {"tabs", "x\ty\tz\tradius\tdensity\n1\t2\t3\t0,25\t0,5\n-4\t5\t6\t1\t2\n"},
+      {"blanks", "x y  z radius density \n1 2 3 .25 .5\n -4 5  6 1 2 \n"},
+      {"quotes", "\"x\",\"y\",\"z\",\"radius\",\"density\"\n\"1\",2,3,\"0.25\",.5\n-4,5,6,1,2\n"},
+      {"quoted separators and lines",
+       "note,x,y,z,radius,density\n\"a, \"\"b\"\"\nc\",1,2,3,.25,.5\n5\" d,-4,5,6,1,2\n"},
+      {"names of rows",
+       "\"x\",\"y\",\"z\",\"radius\",\"density\"\n\"1\",1,2,3,.25,.5\n\"2\",-4,5,6,1,2"},
+      {"names of rows under no name",
+       "\"\",\"x\",\"y\",\"z\",\"radius\",\"density\"\n\"1\",1,2,3,.25,.5\n\"2\",-4,5,6,1,2"},
+      {"names of ParaView",
+       "\"radius\",\"density\",\"Points:0\",\"Points:1\",\"Points:2\"\n.25,.5,1,2,3\n1,2,-4,5,6\n"},
+      {"capitals and blanks", " X , Y,Z ,Radius,DENSITY\n1 , 2,3,.25,.5\n-4,5,6,1,2\n"},
+      {"comments",
+       "# by \"hand\n\nx,y,z,radius,density\n#9,9,9,9,9\n1,2,3,.25,.5\n,,,,\n  # x\n-4,5,6,1,2\n"},
+      {"a heading in a comment", "# of numpy\n# x,y,z,radius,density\n1,2,3,.25,.5\n-4,5,6,1,2\n"},
+      {"line ends of the Macintosh", "x,y,z,radius,density\r1,2,3,.25,.5\r-4,5,6,1,2\r"},
+      {"separators at the ends", "x,y,z,radius,density,\n1,2,3,.25,.5,\n-4,5,6,1,2,,\n"},
+  };
+  for (const auto& [what, text] : tables) {
+    const auto file = folder.write("a.csv", text);
+    EXPECT_EQ(read_gaussians(file), tabled) << what;
+    EXPECT_GE(max_gaussian_count(file), tabled.size()) << what;
+  }
+}
+
+TEST(GaussianCsv, ReadsUtf16) {
+  const TemporaryFolder folder;
+  const std::string text = "x\ty\tz\tradius\tdensity\r\n1\t2\t3\t0,25\t0,5\r\n-4\t5\t6\t1\t2\r\n";
+  std::string little = "\xff\xfe";
+  std::string big = "\xfe\xff";
+  for (const char c : text) {
+    little += {c, '\0'};
+    big += {'\0', c};
+  }
+  EXPECT_EQ(read_gaussians(folder.write("little.csv", little)), tabled);
+  EXPECT_EQ(read_gaussians(folder.write("big.csv", big)), tabled);
+}
+
 TEST(GaussianCsv, ErrorsNameLineAndColumn) {
   const TemporaryFolder folder;
   const auto refusal = [&](std::string_view text) {
@@ -43,6 +91,14 @@ TEST(GaussianCsv, ErrorsNameLineAndColumn) {
   EXPECT_TRUE(contains(refusal(header + "1,2,3,0,5\n"), "line 2, radius: found 0"));
   EXPECT_TRUE(contains(refusal(header + "1,nan,3,1,5\n"), "line 2, y: found nan"));
   EXPECT_TRUE(contains(refusal(header + "1,2,3,1,-5\n"), "line 2, density"));
+  EXPECT_TRUE(
+      contains(refusal("lon,lat,alt\n1,2,3\n"), "line 1: there is no column x; found lon,lat"));
+  EXPECT_TRUE(contains(refusal(header + "1,2,3,4,5\n1,2,3,4,5,6\n"), "line 3: found 6 cells"));
+  EXPECT_TRUE(contains(refusal(header + "1,2,3,4,\"5,5\"\n"), "line 2, density: found 5,5"));
+  EXPECT_TRUE(contains(refusal(header + "1,2,3,4,\"5\n1,2,3,4,5\n"), "line 2, density: found \"5"));
+  EXPECT_TRUE(contains(refusal("x;y;z;radius;density\n1.5;2;3;4;1,234\n"), "one decimal sign"));
+  EXPECT_TRUE(contains(refusal(std::string("\0\1x,y", 5)), "is no text"));
+  EXPECT_TRUE(contains(refusal("# nothing else\n"), "empty"));
 }
 
 TEST(GaussianIds, RoundTrip) {
