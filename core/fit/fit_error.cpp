@@ -12,27 +12,63 @@
 #include <vector>
 
 #include "core/transport/optical_depth.h"
+#include "core/volume/block_tree.h"
 
 namespace brume {
 namespace {
 
-// The stretch of a line inside a box, parameters in units of w.
-struct Stretch {
-  double begin = -std::numeric_limits<double>::infinity();
-  double end = std::numeric_limits<double>::infinity();
+// Where lines begin and end: in the box around the blocks or, where they fill less than a
+// thousandth of it, in blocks, since hardly a line through the box would meet one.
+class LinePoints {
+ public:
+  LinePoints(const DensityGrid& grid, std::uint32_t seed) : grid_(grid), random_(seed) {
+    for (const DensityGrid::Block& block : grid.blocks) {
+      low_ = glm::min(low_, glm::dvec3(block.corner));
+      high_ = glm::max(high_, glm::dvec3(block.corner + (DensityGrid::side - 1)));
+    }
+    const glm::dvec3 size = high_ - low_ + 1.0;
+    const double filled = static_cast<double>(grid.blocks.size() * DensityGrid::block_size) /
+                          (size.x * size.y * size.z);
+    is_sparse_ = filled < 1e-3;
+  }
+
+  // [voxels]
+  glm::dvec3 next() {
+    glm::dvec3 low = low_;
+    glm::dvec3 size = high_ - low_;
+    if (is_sparse_) {
+      const auto block =
+          static_cast<std::size_t>(uniform() * static_cast<double>(grid_.blocks.size()));
+      low = grid_.blocks[block].corner;
+      size = glm::dvec3(DensityGrid::side - 1);
+    }
+    glm::dvec3 p;
+    for (int k = 0; k < 3; ++k) p[k] = low[k] + size[k] * uniform();
+    return p;
+  }
+
+  [[nodiscard]] double diagonal() const { return glm::length(high_ - low_); }  // [voxels]
+
+ private:
+  double uniform() { return static_cast<double>(random_()) / 4294967296.0; }
+
+  const DensityGrid& grid_;
+  std::mt19937 random_;
+  glm::dvec3 low_{std::numeric_limits<double>::infinity()};
+  glm::dvec3 high_{-std::numeric_limits<double>::infinity()};
+  bool is_sparse_;
 };
 
-Stretch inside(const glm::dvec3& low, const glm::dvec3& high, const glm::dvec3& p,
-               const glm::dvec3& w) {
-  Stretch stretch;
-  for (int k = 0; k < 3; ++k) {
-    if (w[k] == 0.0) continue;
-    const double a = (low[k] - p[k]) / w[k];
-    const double b = (high[k] - p[k]) / w[k];
-    stretch.begin = std::max(stretch.begin, std::min(a, b));
-    stretch.end = std::min(stretch.end, std::max(a, b));
+// Of p + t w, |w| = 1 [voxels].
+double depth_along_line(const DensityGrid& grid, const BlockTree& tree, const glm::dvec3& p,
+                        const glm::dvec3& w) {
+  double depth = 0.0;
+  for (const auto& [begin, end] : tree.intervals(p, w)) {
+    const auto steps = static_cast<int>(std::ceil((end - begin) / 0.5));
+    const double step = (end - begin) / std::max(steps, 1);
+    for (int k = 0; k < steps; ++k) depth += step * grid.at(p + (begin + (k + 0.5) * step) * w);
   }
-  return stretch;
+  return depth;
 }
 
 }  // namespace
@@ -40,43 +76,28 @@ Stretch inside(const glm::dvec3& low, const glm::dvec3& high, const glm::dvec3& 
 double depth_error(const DensityGrid& grid, std::span<const Gaussian> gaussians, std::size_t lines,
                    std::uint32_t seed) {
   if (grid.blocks.empty()) return 0.0;
-  glm::dvec3 low(std::numeric_limits<double>::infinity());
-  glm::dvec3 high(-std::numeric_limits<double>::infinity());
-  for (const DensityGrid::Block& block : grid.blocks) {
-    low = glm::min(low, glm::dvec3(block.corner));
-    high = glm::max(high, glm::dvec3(block.corner + (DensityGrid::side - 1)));
-  }
-  std::mt19937 random(seed);
-  const auto point = [&] {
-    glm::dvec3 p;
-    for (int k = 0; k < 3; ++k) p[k] = low[k] + (high[k] - low[k]) * (random() / 4294967296.0);
-    return p;
-  };
+  LinePoints points(grid, seed);
+  const BlockTree tree(grid.blocks);
   struct Line {
     glm::dvec3 p, w;  // [voxels], |w| = 1
   };
   std::vector<Line> all(lines);
   for (Line& line : all) {
-    line.p = point();
-    line.w = glm::normalize(point() - line.p + 1e-9);
+    line.p = points.next();
+    line.w = glm::normalize(points.next() - line.p + 1e-9);
   }
 
   std::vector<double> wrong(lines);
   std::vector<double> right(lines);
   tbb::parallel_for(std::size_t{0}, lines, [&](std::size_t i) {
     const auto [p, w] = all[i];
-    const Stretch stretch = inside(low - 1.0, high + 1.0, p, w);
-    const auto steps = static_cast<int>(std::ceil((stretch.end - stretch.begin) / 0.5));
-    const double step = (stretch.end - stretch.begin) / steps;
-    double depth = 0.0;
-    for (int k = 0; k < steps; ++k) depth += grid.at(p + (stretch.begin + (k + 0.5) * step) * w);
     const glm::dvec3 from = grid.to_world(p);
     const glm::dvec3 along = grid.to_world(p + w) - from;
     const double voxel = glm::length(along);
-    depth *= step * voxel;
+    const double depth = depth_along_line(grid, tree, p, w) * voxel;
 
     // Gaussians reach out of the box.
-    const double far = 2.0 * glm::length(high - low) * voxel;
+    const double far = 2.0 * points.diagonal() * voxel;
     double fitted = 0.0;
     for (const Gaussian& g : gaussians) {
       fitted += optical_depth(g, from - far / voxel * along, from + far / voxel * along);
