@@ -36,7 +36,10 @@ VolumeDialog::VolumeDialog(const std::filesystem::path& file, const std::optiona
   std::vector<VolumeGridInfo> grids;
   try {
     grids = volume_grids(file);
-    for (const VolumeGridInfo& grid : grids) grid_->addItem(QString::fromStdString(grid.name));
+    for (const VolumeGridInfo& grid : grids) {
+      const QString name = QString::fromStdString(grid.name);
+      if (grid_->findText(name, Qt::MatchExactly) < 0) grid_->addItem(name);  // their sum
+    }
     grid_->setCurrentIndex(std::max(0, grid_->findText("density")));
   } catch (const std::exception& error) {
     problem = QString::fromUtf8(error.what());

@@ -12,7 +12,7 @@ namespace brume {
 // trilinear: a colour, a temperature.
 struct FieldGrid {
   std::vector<DensityGrid> components;  // 1 or 3, of the same transform
-  DensityGrid coverage;                 // 1 at voxels with a value
+  DensityGrid coverage;                 // how many values a voxel has
 
   // The value at a point of the world, a single component in x; nullopt where it has none.
   [[nodiscard]] std::optional<glm::dvec3> at(const glm::dvec3& world) const;

@@ -11,6 +11,7 @@
 #include "core/io/file_bytes.h"
 #include "core/io/gaussians/gaussian_file.h"
 #include "core/io/text_scanner.h"
+#include "core/io/volume/volume_file.h"
 #include "core/number_domain.h"
 #include "tools/brume/command.h"
 #include "tools/brume/command_files.h"
@@ -138,6 +139,7 @@ class FitCommand final : public Command {
   // Returns what writes the Gaussians and tells of them.
   FrameLoop::Write fit(const std::string& volume, const std::string& output,
                        std::optional<int> frame) {
+    print_warnings(volume_warnings(volume));
     const auto start = std::chrono::steady_clock::now();
     const FittedVolume fitted = fitted_volume(volume);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;

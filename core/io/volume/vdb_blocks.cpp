@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/matrix.hpp>
+#include <map>
 #include <span>
+#include <tuple>
 
 #include "brume/error.h"
 #include "brume/limits.h"
@@ -44,14 +47,16 @@ void set_transform(const Path& path, const VdbGrid::Transform& transform, Densit
 
 class BlockReader {
  public:
+  // `count`: how many blocks there are of other grids.
   BlockReader(const Path& path, std::string_view bytes, const VdbGrid& grid, std::size_t component,
-              const std::function<float(double)>& to_value)
+              const std::function<float(double)>& to_value, std::size_t count)
       : path_(path),
         name_(grid.name),
         values_(*grid.values),
         component_(component),
         to_value_(to_value),
-        reader_(vdb_tree(path, bytes, grid)) {}
+        reader_(vdb_tree(path, bytes, grid)),
+        others_(static_cast<double>(count)) {}
 
   std::vector<DensityGrid::Block> read() {
     read_vdb_topology(reader_, values_,
@@ -73,7 +78,7 @@ class BlockReader {
   // Before they take any memory.
   void count(double blocks) {
     count_ += blocks;
-    if (count_ > static_cast<double>(limits::volume_blocks)) {
+    if (others_ + count_ > static_cast<double>(limits::volume_blocks)) {
       throw InputError(path_, name_,
                        "has more active voxels than the allowed " +
                            std::to_string(limits::volume_blocks) + " blocks of 8 x 8 x 8");
@@ -120,10 +125,77 @@ class BlockReader {
   std::size_t component_;
   const std::function<float(double)>& to_value_;
   ByteReader reader_;
+  double others_;
   double count_ = 0.0;
   std::vector<VdbTile> tiles_;
   std::vector<VdbLeaf> leaves_;
   std::vector<DensityGrid::Block> blocks_;
+};
+
+// A grid without blocks.
+DensityGrid empty_grid(const Path& path, const VdbGrid& grid) {
+  if (!grid.transform) {
+    throw InputError(path, "transform",
+                     "found a perspective transform; allowed: translation, rotation, scale");
+  }
+  DensityGrid result;
+  set_transform(path, *grid.transform, result);
+  return result;
+}
+
+// Where the voxels of `other` lie among those of `grid`. Throws InputError if they lie between
+// them.
+glm::ivec3 shift_between(const Path& path, const std::string& name, const DensityGrid& grid,
+                         const DensityGrid& other) {
+  constexpr double max_error = 0.05;  // [voxels], as far away as voxels are in a large volume
+  constexpr double far = 1000.0;
+  constexpr double max_shift = 1 << 28;
+  const glm::dvec3 shift = glm::round(grid.to_voxel(other.origin));
+  for (int k = -1; k < 3; ++k) {
+    glm::dvec3 voxel(0.0);
+    if (k >= 0) voxel[k] = far;
+    const double error = glm::length(grid.to_voxel(other.to_world(voxel)) - voxel - shift);
+    if (error < max_error && glm::length(shift) < max_shift) continue;
+    throw InputError(path, name,
+                     "found several grids of this name whose voxels do not coincide; allowed: "
+                     "grids of one voxel size and rotation, whole voxels apart");
+  }
+  return glm::ivec3(shift);
+}
+
+// Adds blocks to those of a grid.
+class BlockSum {
+ public:
+  explicit BlockSum(std::vector<DensityGrid::Block> blocks) : blocks_(std::move(blocks)) {
+    for (std::size_t i = 0; i < blocks_.size(); ++i) places_[key(blocks_[i].corner)] = i;
+  }
+
+  void add(const DensityGrid::Block& block, const glm::ivec3& shift) {
+    for (std::size_t i = 0; i < DensityGrid::block_size; ++i) {
+      if (block.values[i] == 0.0f) continue;
+      const auto n = static_cast<int>(i);
+      const glm::ivec3 voxel = block.corner + shift + glm::ivec3(n / 64, n / 8 % 8, n % 8);
+      const glm::ivec3 corner = block_corner(voxel);
+      const glm::ivec3 p = voxel - corner;
+      values_at(corner)[static_cast<std::size_t>(p.x * 64 + p.y * 8 + p.z)] += block.values[i];
+    }
+  }
+
+  [[nodiscard]] std::size_t size() const { return blocks_.size(); }
+  std::vector<DensityGrid::Block> take() { return std::move(blocks_); }
+
+ private:
+  using Key = std::tuple<int, int, int>;
+  static Key key(const glm::ivec3& corner) { return {corner.x, corner.y, corner.z}; }
+
+  DensityGrid::Values& values_at(const glm::ivec3& corner) {
+    const auto [place, is_new] = places_.try_emplace(key(corner), blocks_.size());
+    if (is_new) blocks_.push_back({corner, {}});
+    return blocks_[place->second].values;
+  }
+
+  std::vector<DensityGrid::Block> blocks_;
+  std::map<Key, std::size_t> places_;
 };
 
 // Of a volume, to 0 or more.
@@ -144,33 +216,43 @@ ByteReader vdb_tree(const Path& path, std::string_view bytes, const VdbGrid& gri
   return reader;
 }
 
-DensityGrid read_vdb_blocks(const Path& path, std::string_view bytes, const VdbGrid& grid,
-                            std::size_t component, const std::function<float(double)>& to_value) {
-  if (!grid.transform) {
-    throw InputError(path, "transform",
-                     "found a perspective transform; allowed: translation, rotation, scale");
+DensityGrid read_vdb_blocks(const Path& path, std::string_view bytes,
+                            std::span<const VdbGrid> grids, std::size_t component,
+                            const std::function<float(double)>& to_value) {
+  const auto blocks_of = [&](const VdbGrid& grid, std::size_t others) {
+    return BlockReader(path, bytes, grid, component, to_value, others).read();
+  };
+  DensityGrid result = empty_grid(path, grids.front());
+  result.blocks = blocks_of(grids.front(), 0);
+  if (grids.size() > 1) {
+    BlockSum sum(std::move(result.blocks));
+    for (const VdbGrid& grid : grids.subspan(1)) {
+      const glm::ivec3 shift = shift_between(path, grid.name, result, empty_grid(path, grid));
+      for (const DensityGrid::Block& block : blocks_of(grid, sum.size())) sum.add(block, shift);
+    }
+    result.blocks = sum.take();
   }
-  DensityGrid result;
-  set_transform(path, *grid.transform, result);
-  result.blocks = BlockReader(path, bytes, grid, component, to_value).read();
   result.sort();
   return result;
 }
 
-DensityGrid read_vdb_density(const Path& path, std::string_view bytes, const VdbGrid& grid) {
-  require_fog(path, grid, 1);
-  return read_vdb_blocks(path, bytes, grid, 0,
-                         [&](double value) { return to_density(path, grid.name, value); });
+DensityGrid read_vdb_density(const Path& path, std::string_view bytes,
+                             std::span<const VdbGrid> grids) {
+  require_fog(path, grids, 1);
+  return read_vdb_blocks(path, bytes, grids, 0,
+                         [&](double value) { return to_density(path, grids.front().name, value); });
 }
 
-void require_fog(const Path& path, const VdbGrid& grid, std::size_t components) {
-  if (grid.kind == "level set") {
-    throw InputError(path, grid.name, "found a level set; allowed: a fog volume");
-  }
-  if (grid.transform && (!grid.values || grid.values->components != components)) {
-    throw InputError(path, grid.name,
-                     "found values of type " + quoted_text(grid.type) + "; allowed: " +
-                         (components == 1 ? "one number each" : "three numbers each"));
+void require_fog(const Path& path, std::span<const VdbGrid> grids, std::size_t components) {
+  for (const VdbGrid& grid : grids) {
+    if (grid.kind == "level set") {
+      throw InputError(path, grid.name, "found a level set; allowed: a fog volume");
+    }
+    if (grid.transform && (!grid.values || grid.values->components != components)) {
+      throw InputError(path, grid.name,
+                       "found values of type " + quoted_text(grid.type) + "; allowed: " +
+                           (components == 1 ? "one number each" : "three numbers each"));
+    }
   }
 }
 

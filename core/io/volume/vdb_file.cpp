@@ -1,6 +1,8 @@
 #include "core/io/volume/vdb_file.h"
 
 #include <algorithm>
+#include <iterator>
+#include <set>
 #include <string_view>
 
 #include "brume/limits.h"
@@ -11,7 +13,6 @@ namespace {
 
 constexpr std::int64_t magic = 0x56444220;
 constexpr std::uint32_t oldest_version = 222;
-constexpr std::uint32_t newest_version = 224;
 
 std::string read_string(ByteReader& reader) {
   return std::string(reader.read_bytes(reader.number<std::uint32_t>()));
@@ -113,23 +114,34 @@ void read_grid(ByteReader& reader, Descriptor& descriptor) {
 }
 
 std::string names_of(const std::vector<VdbGrid>& grids) {
+  std::set<std::string> known;
   std::string names;
   for (const VdbGrid& grid : grids) {
+    if (!known.insert(grid.name).second) continue;
     if (!names.empty()) names += ", ";
     names += quoted_text(grid.name);
   }
   return names.empty() ? "none" : names;
 }
 
+std::uint32_t read_version(ByteReader& reader) {
+  if (reader.number<std::int64_t>() != magic) reader.fail("not an OpenVDB file");
+  return reader.number<std::uint32_t>();
+}
+
 }  // namespace
+
+std::uint32_t vdb_version(const std::filesystem::path& file, std::string_view bytes) {
+  ByteReader reader(file, bytes);
+  return read_version(reader);
+}
 
 std::vector<VdbGrid> read_vdb_grids(const std::filesystem::path& file, std::string_view bytes) {
   ByteReader reader(file, bytes);
-  if (reader.number<std::int64_t>() != magic) reader.fail("not an OpenVDB file");
-  const auto version = reader.number<std::uint32_t>();
-  if (version < oldest_version || version > newest_version) {
-    reader.fail("found version " + std::to_string(version) + " of the format; allowed: " +
-                std::to_string(oldest_version) + " to " + std::to_string(newest_version));
+  const std::uint32_t version = read_version(reader);
+  if (version < oldest_version) {
+    reader.fail("found version " + std::to_string(version) +
+                " of the format; allowed: " + std::to_string(oldest_version) + " and later");
   }
   reader.read_bytes(2 * sizeof(std::uint32_t));  // version of the library
   if (reader.number<std::uint8_t>() == 0) {
@@ -171,15 +183,16 @@ std::vector<VdbGrid> read_vdb_grids(const std::filesystem::path& file, std::stri
   return grids;
 }
 
-const VdbGrid& grid_named(const std::filesystem::path& path, const std::vector<VdbGrid>& grids,
-                          const std::string& name) {
-  const auto it = std::find_if(grids.begin(), grids.end(),
-                               [&](const VdbGrid& grid) { return grid.name == name; });
-  if (it == grids.end()) {
+std::vector<VdbGrid> grids_named(const std::filesystem::path& path,
+                                 const std::vector<VdbGrid>& grids, const std::string& name) {
+  std::vector<VdbGrid> named;
+  std::ranges::copy_if(grids, std::back_inserter(named),
+                       [&](const VdbGrid& grid) { return grid.name == name; });
+  if (named.empty()) {
     throw InputError(path, "",
                      "has no grid " + quoted_text(name) + "; its grids: " + names_of(grids));
   }
-  return *it;
+  return named;
 }
 
 }  // namespace brume

@@ -27,12 +27,18 @@ struct VdbGrid {
   std::uint64_t tree = 0, end = 0;  // [bytes]
 };
 
-// The grids of a file in its order. Throws InputError: not OpenVDB's format in one of its versions
-// 222 to 224, damaged, or written as a stream (without the places of the grids).
+// The newest version of the format that is known: what a newer one changed may be read wrongly.
+inline constexpr std::uint32_t newest_vdb_version = 225;
+// The version of a file's format. Throws InputError: not OpenVDB's format.
+std::uint32_t vdb_version(const std::filesystem::path& file, std::string_view bytes);
+
+// The grids of a file in its order. Throws InputError: not OpenVDB's format from version 222 on,
+// damaged, or written as a stream (without the places of the grids).
 std::vector<VdbGrid> read_vdb_grids(const std::filesystem::path& file, std::string_view bytes);
 
-// The first grid of a name. Throws InputError naming the grids of the file if there is none.
-const VdbGrid& grid_named(const std::filesystem::path& file, const std::vector<VdbGrid>& grids,
-                          const std::string& name);
+// The grids of a name, of which programs write several, one for each of their primitives. Throws
+// InputError naming the grids of the file if there is none.
+std::vector<VdbGrid> grids_named(const std::filesystem::path& file,
+                                 const std::vector<VdbGrid>& grids, const std::string& name);
 
 }  // namespace brume

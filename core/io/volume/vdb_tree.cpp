@@ -30,7 +30,10 @@ bool is_real(Number number) {
 std::size_t size_of(Number number) {
   switch (number) {
     case Number::boolean:
+    case Number::mask:
       return 1;
+    case Number::float16:
+      return 2;
     case Number::int32:
     case Number::float32:
       return 4;
@@ -55,18 +58,18 @@ void append_as(std::string_view bytes, std::vector<double>& numbers) {
   }
 }
 
-void append(std::string_view bytes, Number number, bool half, std::vector<double>& numbers) {
-  if (half) {
-    for (std::size_t i = 0; i + 2 <= bytes.size(); i += 2) {
-      std::uint16_t bits;
-      std::memcpy(&bits, bytes.data() + i, 2);
-      numbers.push_back(static_cast<double>(imath_half_to_float(bits)));
-    }
-    return;
-  }
+void append(std::string_view bytes, Number number, std::vector<double>& numbers) {
   switch (number) {
     case Number::boolean:
+    case Number::mask:
       return append_as<std::uint8_t>(bytes, numbers);
+    case Number::float16:
+      for (std::size_t i = 0; i + 2 <= bytes.size(); i += 2) {
+        std::uint16_t bits;
+        std::memcpy(&bits, bytes.data() + i, 2);
+        numbers.push_back(static_cast<double>(imath_half_to_float(bits)));
+      }
+      return;
     case Number::int32:
       return append_as<std::int32_t>(bytes, numbers);
     case Number::int64:
@@ -152,10 +155,10 @@ class NodeReader {
     const bool half = values_.half && is_real(values_.number);
     numbers_.clear();
     if (half && stored == 0) return {numbers_, packed};
-    const std::size_t number_size = half ? 2 : size_of(values_.number);
+    const Number number = half ? Number::float16 : values_.number;
     const std::string_view bytes =
-        data(reader_, values_.compression, stored * values_.components * number_size, room_);
-    if (active > 0) append(bytes, values_.number, half, numbers_);
+        data(reader_, values_.compression, stored * values_.components * size_of(number), room_);
+    if (active > 0) append(bytes, number, numbers_);
     return {numbers_, packed};
   }
 
@@ -181,7 +184,7 @@ class TopologyReader {
     for (std::uint32_t i = 0; i < tiles; ++i) {
       const glm::ivec3 corner = root_corner();
       std::vector<double> number;
-      append(reader_.read_bytes(whole_size(values_)), values_.number, /*half=*/false, number);
+      append(reader_.read_bytes(whole_size(values_)), values_.number, number);
       if (reader_.number<std::uint8_t>() == 0) continue;
       visitor_.tile({corner, upper_side, value_at(number, 0, values_.components)});
     }
@@ -246,9 +249,10 @@ class TopologyReader {
 
 std::optional<VdbValues> VdbValues::of_type(const std::string& type) {
   static constexpr std::tuple<std::string_view, Number, std::size_t> types[] = {
-      {"bool", Number::boolean, 1},  {"int32", Number::int32, 1},    {"int64", Number::int64, 1},
-      {"float", Number::float32, 1}, {"double", Number::float64, 1}, {"vec3i", Number::int32, 3},
-      {"vec3s", Number::float32, 3}, {"vec3d", Number::float64, 3}};
+      {"bool", Number::boolean, 1},   {"mask", Number::mask, 1},    {"int32", Number::int32, 1},
+      {"int64", Number::int64, 1},    {"half", Number::float16, 1}, {"float", Number::float32, 1},
+      {"double", Number::float64, 1}, {"vec3i", Number::int32, 3},  {"vec3s", Number::float32, 3},
+      {"vec3d", Number::float64, 3}};
   for (const auto& [name, number, components] : types) {
     if (name == type) return VdbValues{number, components, false, 0};
   }
@@ -265,9 +269,37 @@ void read_vdb_topology(ByteReader& reader, const VdbValues& values, const VdbVis
   TopologyReader(reader, values, visitor).read();
 }
 
+namespace {
+
+// Leaves of booleans and masks: the mask of active voxels, the corner and, of booleans, a mask of
+// those that are true; never compressed.
+void read_bit_leaves(
+    ByteReader& reader, Number number, std::span<const VdbLeaf> leaves,
+    const std::function<void(const VdbLeaf&, std::span<const double> values)>& visit) {
+  constexpr std::size_t corner_bytes = 3 * sizeof(std::int32_t);
+  std::vector<double> active;
+  for (const VdbLeaf& leaf : leaves) {
+    reader.read_bytes(VdbLeaf::size / 8 + corner_bytes);
+    active.assign(leaf.active(), 1.0);
+    if (number == Number::boolean) {
+      const Mask<VdbLeaf::size> values(reader);
+      std::size_t next = 0;
+      for (std::size_t i = 0; i < VdbLeaf::size; ++i) {
+        if (leaf.is_active(i)) active[next++] = values.has(i) ? 1.0 : 0.0;
+      }
+    }
+    visit(leaf, active);
+  }
+}
+
+}  // namespace
+
 void read_vdb_leaves(
     ByteReader& reader, const VdbValues& values, std::span<const VdbLeaf> leaves,
     const std::function<void(const VdbLeaf&, std::span<const double> values)>& visit) {
+  if (values.number == Number::boolean || values.number == Number::mask) {
+    return read_bit_leaves(reader, values.number, leaves, visit);
+  }
   NodeReader nodes(reader, values);
   std::vector<double> active;
   for (const VdbLeaf& leaf : leaves) {

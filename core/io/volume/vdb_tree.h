@@ -20,7 +20,8 @@ namespace brume {
 
 // How values are stored.
 struct VdbValues {
-  enum class Number { boolean, int32, int64, float32, float64 };
+  // A mask has no values but whether voxels are active: these are 1.
+  enum class Number { boolean, mask, int32, int64, float16, float32, float64 };
   Number number = Number::float32;
   std::size_t components = 1;  // 1 or 3
   bool half = false;           // floating-point numbers in nodes are stored in half precision

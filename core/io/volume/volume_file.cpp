@@ -53,12 +53,22 @@ Extent extent_of(ByteReader reader, const VdbValues& values) {
 DensityGrid read_volume(const Path& path, const std::string& name) {
   const std::string bytes = read_bytes(path);
   const std::vector<VdbGrid> grids = read_vdb_grids(path, bytes);
-  return read_vdb_density(path, bytes, grid_named(path, grids, name));
+  return read_vdb_density(path, bytes, grids_named(path, grids, name));
+}
+
+std::vector<std::string> volume_warnings(const Path& path) {
+  constexpr std::size_t version_end = 12;
+  const std::uint32_t version = vdb_version(path, read_first_bytes(path, version_end));
+  if (version <= newest_vdb_version) return {};
+  return {path.string() + ": found version " + std::to_string(version) +
+          " of OpenVDB's format; known: up to " + std::to_string(newest_vdb_version) +
+          ". What it changed may be read wrongly"};
 }
 
 std::optional<VelocityGrid> read_velocity(const Path& path) {
   const std::string bytes = read_bytes(path);
-  for (const VdbGrid& source : read_vdb_grids(path, bytes)) {
+  const std::vector<VdbGrid> grids = read_vdb_grids(path, bytes);
+  for (const VdbGrid& source : grids) {
     const bool is_velocity =
         source.name == "velocity" || source.name == "vel" || source.name == "v";
     if (!is_velocity || !source.values || source.values->components != 3) continue;
@@ -68,10 +78,12 @@ std::optional<VelocityGrid> read_velocity(const Path& path) {
       }
       return static_cast<float>(value);
     };
+    const std::vector<VdbGrid> sources = grids_named(path, grids, source.name);
+    require_fog(path, sources, 3);
     VelocityGrid grid;
     for (std::size_t k = 0; k < 3; ++k) {
       DensityGrid& component = grid.components[k];
-      component = read_vdb_blocks(path, bytes, source, k, speed);
+      component = read_vdb_blocks(path, bytes, sources, k, speed);
       if (source.kind != "staggered") continue;
       // On the voxel's face of lower x, y or z.
       glm::dvec3 face(0.0);

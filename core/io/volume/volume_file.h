@@ -14,10 +14,15 @@ namespace brume {
 // OpenVDB files (.vdb).
 
 // Reads a scalar grid of any number type as density, with its transform (rotation, reflection and
-// axis scaling). Negative values, as solvers leave them, become 0. Voxels must be finite, at most
-// limits::density, and at most limits::voxels active. Throws InputError naming the file, and its
-// grids if there is none of that name.
+// axis scaling); booleans are 0 and 1. Of several grids of the name it is the sum. Negative values,
+// as solvers leave them, become 0. Voxels must be finite, at most limits::density, and at most
+// limits::voxels active. Throws InputError naming the file, and its grids if there is none of that
+// name.
 DensityGrid read_volume(const std::filesystem::path& file, const std::string& grid);
+
+// What is to be said of a file that is read: that its version of the format is newer than those
+// known. Throws InputError.
+std::vector<std::string> volume_warnings(const std::filesystem::path& file);
 
 // Reads a three-component grid `velocity`, `vel` or `v`, if present: in world axes [u/s], sampled
 // at voxels or, if staggered, on their faces. Throws InputError.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -77,48 +78,48 @@ class OpticsReader {
   // Values times `scale`; none of them counts if all are below `min_value`.
   std::optional<FieldGrid> field(const std::string& name, std::size_t components, double scale,
                                  const NumberDomain& domain, double min_value) {
-    const VdbGrid& grid = grid_named(path_, grids_, name);
-    require_fog(path_, grid, components);
-    FieldGrid field = covered(grid);
-    for (std::size_t k = 0; k < components; ++k) add(field, grid, k, scale, domain);
+    const std::vector<VdbGrid> grids = grids_named(path_, grids_, name);
+    require_fog(path_, grids, components);
+    FieldGrid field = covered(grids);
+    for (std::size_t k = 0; k < components; ++k) add(field, grids, k, scale, domain);
     return with_values_from(min_value, std::move(field));
   }
 
   std::optional<FieldGrid> split_color(const std::string& name, const NumberDomain& domain,
                                        double min_value) {
-    FieldGrid field = covered(grid_named(path_, grids_, name + channel_suffixes[0]));
+    FieldGrid field = covered(grids_named(path_, grids_, name + channel_suffixes[0]));
     for (const char* suffix : channel_suffixes) {
-      const VdbGrid& grid = grid_named(path_, grids_, name + suffix);
-      require_fog(path_, grid, 1);
-      add(field, grid, 0, 1.0, domain);
+      const std::vector<VdbGrid> grids = grids_named(path_, grids_, name + suffix);
+      require_fog(path_, grids, 1);
+      add(field, grids, 0, 1.0, domain);
     }
     return with_values_from(min_value, std::move(field));
   }
 
   DensityGrid density(const std::string& name) {
-    return at_most(read_vdb_density(path_, bytes_, grid_named(path_, grids_, name)), max_blocks_);
+    return at_most(read_vdb_density(path_, bytes_, grids_named(path_, grids_, name)), max_blocks_);
   }
 
  private:
-  // A field without components yet.
-  FieldGrid covered(const VdbGrid& grid) {
+  // A field without components yet. Where several grids have a value, it is their mean.
+  FieldGrid covered(std::span<const VdbGrid> grids) {
     FieldGrid field;
     field.coverage =
-        at_most(read_vdb_blocks(path_, bytes_, grid, 0, [](double) { return 1.0f; }), max_blocks_);
+        at_most(read_vdb_blocks(path_, bytes_, grids, 0, [](double) { return 1.0f; }), max_blocks_);
     return field;
   }
 
   // Downsampled as the field's coverage is, which has at least as many blocks.
-  void add(FieldGrid& field, const VdbGrid& grid, std::size_t component, double scale,
+  void add(FieldGrid& field, std::span<const VdbGrid> grids, std::size_t component, double scale,
            const NumberDomain& domain) {
     const auto to_value = [&](double value) {
       const double scaled = std::max(scale * value, 0.0);
       if (!std::isfinite(value) || !domain.contains(scaled)) {
-        throw InputError(path_, grid.name, domain.refusal(scale * value));
+        throw InputError(path_, grids.front().name, domain.refusal(scale * value));
       }
       return static_cast<float>(scaled);
     };
-    DensityGrid blocks = read_vdb_blocks(path_, bytes_, grid, component, to_value);
+    DensityGrid blocks = read_vdb_blocks(path_, bytes_, grids, component, to_value);
     const double spacing = std::abs(field.coverage.spacing.x);
     while (std::abs(blocks.spacing.x) < 0.75 * spacing) blocks = coarser(blocks);
     field.components.push_back(std::move(blocks));
@@ -149,14 +150,17 @@ constexpr NumberDomain kelvin_domain{0.0, domain::temperature.max_value,
 std::vector<std::string> possible_grids(OpticsRole role, const std::vector<VolumeGridInfo>& grids) {
   std::vector<std::string> possible;
   const std::size_t components = grids_of(role).components;
+  const auto add = [&](const std::string& name) {  // once
+    if (std::ranges::find(possible, name) == possible.end()) possible.push_back(name);
+  };
   for (const VolumeGridInfo& grid : grids) {
-    if (components_of(grid) == components) possible.push_back(grid.name);
+    if (components_of(grid) == components) add(grid.name);
     if (role != OpticsRole::color || !grid.name.ends_with(channel_suffixes[0])) continue;
     const std::string name = grid.name.substr(0, grid.name.size() - 2);
     if (std::ranges::all_of(channel_suffixes, [&](const char* suffix) {
           return has_numbers(grids, name + suffix);
         })) {
-      possible.push_back(name);
+      add(name);
     }
   }
   return possible;

@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <type_traits>
 
+#include "core/io/little_endian.h"
 #include "core/io/volume/openvdb_grid.h"
 #include "core/io/volume/volume_file.h"
 #include "tests/core/io/input_error.h"
@@ -17,6 +19,16 @@ namespace {
 
 using Coord = openvdb::Coord;
 
+// A multiple of a value; of booleans whether there is any.
+template <class Value>
+Value times(const Value& unit, int factor) {
+  if constexpr (std::is_same_v<Value, bool>) {
+    return factor != 0;
+  } else {
+    return unit * factor;
+  }
+}
+
 // Voxels alone, full leaves and tiles of both levels, on both sides of the origin.
 template <class Grid>
 typename Grid::Ptr some_grid(typename Grid::ValueType unit) {
@@ -24,14 +36,14 @@ typename Grid::Ptr some_grid(typename Grid::ValueType unit) {
   Random random(1);
   for (int i = 0; i < 300; ++i) {
     const glm::ivec3 voxel(random.point(300.0));
-    grid->tree().setValue(Coord(voxel.x, voxel.y, voxel.z), unit * static_cast<int>(1 + i % 100));
+    grid->tree().setValue(Coord(voxel.x, voxel.y, voxel.z), times(unit, i % 100));
   }
   for (int i = 0; i < 512; ++i) {
-    grid->tree().setValue(Coord(-16 + i / 64, i / 8 % 8, i % 8), unit * (1 + i % 7));
+    grid->tree().setValue(Coord(-16 + i / 64, i / 8 % 8, i % 8), times(unit, i % 7));
   }
-  grid->tree().addTile(1, Coord(1024, 0, 0), unit * 3, true);
-  grid->tree().addTile(2, Coord(0, -4096, 0), unit * 5, true);
-  grid->tree().addTile(1, Coord(1032, 0, 0), unit * 9, false);
+  grid->tree().addTile(1, Coord(1024, 0, 0), times(unit, 3), true);
+  grid->tree().addTile(2, Coord(0, -4096, 0), times(unit, 5), true);
+  grid->tree().addTile(1, Coord(1032, 0, 0), times(unit, 9), false);
   grid->setName("some");
   return grid;
 }
@@ -107,7 +119,7 @@ void expect_as_the_library_has_it(typename Grid::ValueType unit) {
       EXPECT_TRUE(found == expected);
       const std::vector<VolumeGridInfo> info = volume_grids(path);
       ASSERT_EQ(info.size(), 1u);
-      EXPECT_EQ(info[0].type, written->valueType());
+      EXPECT_EQ("Tree_" + info[0].type + "_5_4_3", written->type());
       EXPECT_EQ(info[0].voxels, written->activeVoxelCount());
       const auto box = written->evalActiveVoxelBoundingBox();
       EXPECT_EQ(info[0].min_corner, glm::dvec3(box.min().x(), box.min().y(), box.min().z()));
@@ -123,6 +135,106 @@ TEST(VdbFile, ReadsEachTypeAndCompression) {
   expect_as_the_library_has_it<openvdb::Int64Grid>(std::int64_t{1} << 40);
   expect_as_the_library_has_it<openvdb::Vec3SGrid>(openvdb::Vec3s(0.25f, -1.5f, 3.1f));
   expect_as_the_library_has_it<openvdb::Vec3DGrid>(openvdb::Vec3d(0.25, -1.5, 3.1));
+  expect_as_the_library_has_it<openvdb::BoolGrid>(true);
+  expect_as_the_library_has_it<openvdb::MaskGrid>(true);
+}
+
+// A file of OpenVDB 13, which has grids of half precision: a root with an
+// inactive tile, and a leaf at 0 with the voxels (0, 0, 1) of 1.5 and (0, 0, 2) of 2.
+std::string file_of_half_grid(std::uint32_t version) {
+  std::string bytes;
+  const auto add = [&](auto... numbers) { (append_little_endian(bytes, numbers), ...); };
+  const auto add_text = [&](std::string_view text) {
+    add(static_cast<std::uint32_t>(text.size()));
+    bytes += text;
+  };
+  constexpr std::uint16_t quarter = 0x3400, one_and_a_half = 0x3e00, two = 0x4000;
+  add(std::int64_t{0x56444220}, version, std::uint32_t{13}, std::uint32_t{0}, std::uint8_t{1});
+  bytes += "00000000-0000-0000-0000-000000000000";
+  add(std::uint32_t{0}, std::uint32_t{1});  // no properties, one grid
+  add_text("density");
+  add_text("Tree_half_5_4_3");
+  add_text("");  // no parent
+  const auto places = bytes.size();
+  add(std::uint64_t{0}, std::uint64_t{0}, std::uint64_t{0});
+  const auto begin = static_cast<std::uint64_t>(bytes.size());
+  add(std::uint32_t{0}, std::uint32_t{0});  // no compression, no properties
+  add_text("UniformScaleMap");
+  for (int i = 0; i < 15; ++i) add(0.5);
+  add(std::int32_t{1}, std::uint16_t{0}, std::uint32_t{1}, std::uint32_t{1});
+  add(std::int32_t{4096}, std::int32_t{0}, std::int32_t{0}, quarter, std::uint8_t{0});
+  add(std::int32_t{0}, std::int32_t{0}, std::int32_t{0});
+  for (const std::size_t size : {32 * 32 * 32, 16 * 16 * 16}) {  // of nodes whose first child is
+    std::string mask(size / 8, '\0');
+    bytes += '\1' + mask.substr(1) + mask + '\6' + std::string(2 * size, '\0');
+  }
+  const std::string leaf = '\6' + std::string(63, '\0');
+  bytes += leaf;
+  bytes += leaf + '\6';
+  add(std::uint16_t{0}, one_and_a_half, two);
+  bytes += std::string(2 * 509, '\0');
+  const auto end = static_cast<std::uint64_t>(bytes.size());
+  std::memcpy(bytes.data() + places, &begin, sizeof begin);
+  std::memcpy(bytes.data() + places + 16, &end, sizeof end);
+  return bytes;
+}
+
+TEST(VdbFile, ReadsGridsOfHalfPrecision) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("a.vdb", file_of_half_grid(225));
+  EXPECT_TRUE(volume_warnings(file).empty());
+  const DensityGrid grid = read_volume(file, "density");
+  EXPECT_EQ(grid.spacing, glm::dvec3(0.5));
+  EXPECT_EQ(grid.at({0, 0, 1}), 1.5);
+  EXPECT_EQ(grid.at({0, 0, 2}), 2.0);
+  EXPECT_EQ(grid.blocks.size(), 1u);
+  EXPECT_EQ(volume_grids(file).at(0).type, "half");
+}
+
+TEST(VdbFile, TriesNewerVersionsWithAWarning) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("a.vdb", file_of_half_grid(226));
+  EXPECT_EQ(read_volume(file, "density").at({0, 0, 1}), 1.5);
+  const std::vector<std::string> warnings = volume_warnings(file);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_TRUE(contains(warnings[0], "found version 226")) << warnings[0];
+  const auto old = folder.write("b.vdb", file_of_half_grid(221));
+  EXPECT_TRUE(contains(error_of([&] { read_volume(old, "density"); }), "allowed: 222 and later"));
+}
+
+// The sum of two grids of a name, `apart` in the world.
+DensityGrid sum_of_two(const openvdb::Vec3d& apart, double size_of_second = 0.5) {
+  const TemporaryFolder folder;
+  openvdb::GridPtrVec grids;
+  for (int i = 0; i < 2; ++i) {
+    const auto grid = new_grid<openvdb::FloatGrid>();
+    grid->setName("density");
+    grid->setTransform(
+        openvdb::math::Transform::createLinearTransform(i == 0 ? 0.5 : size_of_second));
+    if (i == 1) grid->transform().postTranslate(apart);
+    for (int x = 0; x < 5; ++x) grid->tree().setValue(Coord(x, 2, 3), 1.0f + x);
+    grids.push_back(grid);
+  }
+  openvdb::io::File((folder / "a.vdb").string()).write(grids);
+  return read_volume(folder / "a.vdb", "density");
+}
+
+TEST(VdbFile, SumsGridsOfOneName) {
+  const DensityGrid twice = sum_of_two(openvdb::Vec3d(0.0));
+  ASSERT_EQ(twice.blocks.size(), 1u);
+  EXPECT_EQ(twice.at({3, 2, 3}), 8.0);
+  // 6 voxels, and thus 2 within the first grid's block and 3 in the next; and back.
+  const DensityGrid apart = sum_of_two(openvdb::Vec3d(3.0, 0.0, 0.0));
+  for (int x = 0; x < 5; ++x) {
+    EXPECT_EQ(apart.at({x, 2, 3}), 1.0 + x);
+    EXPECT_EQ(apart.at({x + 6, 2, 3}), 1.0 + x);
+  }
+  EXPECT_EQ(sum_of_two(openvdb::Vec3d(-1.0, 0.0, 0.0)).at({0, 2, 3}), 4.0);
+  EXPECT_NEAR(sum_of_two(openvdb::Vec3d(1000.0)).integral(), 30.0 / 8.0, 1e-6);
+  for (const double size : {0.5, 0.25}) {
+    const std::string error = error_of([&] { sum_of_two(openvdb::Vec3d(0.2), size); });
+    EXPECT_TRUE(contains(error, "voxels do not coincide")) << error;
+  }
 }
 
 TEST(VdbFile, ReadsEachLinearTransform) {
@@ -169,16 +281,19 @@ TEST(VdbFile, GridsThatShareATreeAndGridsThatAreNoNumbers) {
   frustum->setName("frustum");
   frustum->setTransform(openvdb::math::Transform::createFrustumTransform(
       openvdb::BBoxd(openvdb::Vec3d(0.0), openvdb::Vec3d(10.0)), 0.5, 10.0));
-  const auto text = openvdb::GridBase::Ptr(new_grid<openvdb::MaskGrid>());
-  text->setName("mask");
-  openvdb::io::File((folder / "a.vdb").string()).write({grid, twin, frustum, text});
+  const auto mask = openvdb::GridBase::Ptr(new_grid<openvdb::MaskGrid>());
+  mask->setName("mask");
+  openvdb::io::File((folder / "a.vdb").string()).write({grid, twin, frustum, mask});
+  std::string bytes = content_of(folder / "a.vdb");
+  bytes.replace(bytes.find("Tree_mask"), 9, "Tree_text");
+  folder.write("a.vdb", bytes);
   std::map<std::string, std::uint64_t> voxels;
   for (const auto& info : volume_grids(folder / "a.vdb")) voxels[info.name] = info.voxels;
   EXPECT_EQ(voxels.size(), 4u);
   EXPECT_EQ(voxels["some"], grid->activeVoxelCount());
   EXPECT_EQ(voxels["twin"], grid->activeVoxelCount());
   EXPECT_TRUE(contains(error_of([&] { read_volume(folder / "a.vdb", "frustum"); }), "perspective"));
-  EXPECT_TRUE(contains(error_of([&] { read_volume(folder / "a.vdb", "mask"); }), "mask"));
+  EXPECT_TRUE(contains(error_of([&] { read_volume(folder / "a.vdb", "mask"); }), "text"));
 }
 
 // Whatever bytes say: an answer or an InputError, at once and in little memory. Any other exception
