@@ -16,6 +16,7 @@
 #include "brume/render.h"
 #include "python/interruptible.h"
 #include "python/scene.h"
+#include "python/warnings.h"
 
 namespace py = pybind11;
 
@@ -162,9 +163,7 @@ std::shared_ptr<TimedFrame> render_by(
         return rendered;
       },
       progress);
-  for (const std::string& warning : frame->warnings) {
-    if (PyErr_WarnEx(PyExc_UserWarning, warning.c_str(), 1) != 0) throw py::error_already_set();
-  }
+  warn_of(frame->warnings);
   return std::make_shared<TimedFrame>(TimedFrame{std::move(*frame), taken.count()});
 }
 

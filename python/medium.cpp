@@ -19,6 +19,7 @@
 #include "brume/scene.h"
 #include "python/integers.h"
 #include "python/keyed.h"
+#include "python/warnings.h"
 
 namespace py = pybind11;
 
@@ -374,7 +375,10 @@ void bind_medium(py::module_& module) {
       "load_medium",
       [](const std::filesystem::path& file) {
         Medium medium;
-        for (Gaussian gaussian : load_gaussians(file)) {
+        std::vector<std::string> warnings;
+        std::vector<Gaussian> gaussians = load_gaussians(file, {}, &warnings);
+        warn_of(warnings);
+        for (Gaussian& gaussian : gaussians) {
           gaussian.group = 0;  // of what scene?
           medium.append(gaussian);
         }

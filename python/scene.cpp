@@ -48,12 +48,6 @@ T copied(const T& value) {
   return value;
 }
 
-void warn_of(const std::vector<std::string>& warnings) {
-  for (const std::string& warning : warnings) {
-    if (PyErr_WarnEx(PyExc_UserWarning, warning.c_str(), 1) != 0) throw py::error_already_set();
-  }
-}
-
 std::shared_ptr<SharedScene> load(const std::filesystem::path& file) {
   std::vector<std::string> warnings;
   SceneFile loaded = [&] {

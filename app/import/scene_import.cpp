@@ -24,6 +24,7 @@
 #include "core/io/import/imported_scene_file.h"
 #include "core/io/mesh/mesh_file.h"
 #include "core/io/ply.h"
+#include "core/io/volume/volume_file.h"
 #include "core/medium/splat.h"
 
 namespace brume {
@@ -35,6 +36,8 @@ constexpr std::array<std::string_view, 2> vtk_files{".vtp", ".vtu"};
 constexpr std::array<std::string_view, 3> meshes{".obj", ".stl", ".off"};
 constexpr std::array<std::string_view, 3> scenes{".gltf", ".glb", ".fbx"};
 constexpr std::array<std::string_view, 2> environments{".exr", ".hdr"};
+// Not read, but the refusal says what to do with them.
+constexpr std::array<std::string_view, 4> compressed_splats{".spz", ".sog", ".splat", ".ksplat"};
 
 QString lines_of(const std::vector<std::string>& warnings) {
   QStringList lines;
@@ -59,11 +62,19 @@ bool has_faces(const fs::path& file) {
 }
 
 std::vector<Gaussian> read_splats(const fs::path& file, const SplatOptions& options,
+                                  std::vector<std::string>* warnings,
                                   std::vector<GaussianNumber>* ids = nullptr,
                                   std::size_t max_count = limits::gaussians) {
-  std::vector<Gaussian> gaussians = read_gaussians(file, ids, max_count, options.input);
-  if (options.y_down) std::ranges::for_each(gaussians, turn_half);
+  std::vector<Gaussian> gaussians = read_gaussians(file, ids, max_count, options.input, warnings);
+  if (options.up == SplatUp::minus_y) std::ranges::for_each(gaussians, turn_half);
+  if (options.up == SplatUp::z) std::ranges::for_each(gaussians, turn_z_up);
   return gaussians;
+}
+
+QString lines_of(const std::vector<std::string>& warnings) {
+  QStringList lines;
+  for (const std::string& warning : warnings) lines << QString::fromStdString(warning);
+  return lines.join('\n');
 }
 
 std::vector<Gaussian> read_any_gaussians(const fs::path& file, const std::stop_token& stop) {
@@ -121,7 +132,8 @@ bool SceneImport::needs_answer(const File& file) {
 
 bool SceneImport::can_import(const fs::path& file) {
   return is_volume(file) || is_one_of(file, tables) || is_one_of(file, vtk_files) ||
-         is_one_of(file, meshes) || is_one_of(file, scenes) || is_one_of(file, environments);
+         is_one_of(file, meshes) || is_one_of(file, scenes) || is_one_of(file, environments) ||
+         is_one_of(file, compressed_splats);
 }
 
 void SceneImport::ask() {
@@ -213,9 +225,7 @@ BackgroundJob::Apply SceneImport::read(const File& file, const SplatOptions& opt
     }
     case Kind::splats:
       if (is_one_of(path, scenes)) return read_scene(file, options, stop, asks);
-      return [this, gaussians = read_splats(path, options)] {
-        add_gaussians(document_, gaussians, tr("Import"));
-      };
+      return add_splats(path, options);
     case Kind::gaussians:
       break;
   }
@@ -224,12 +234,21 @@ BackgroundJob::Apply SceneImport::read(const File& file, const SplatOptions& opt
   };
 }
 
+BackgroundJob::Apply SceneImport::add_splats(const fs::path& file, const SplatOptions& options) {
+  std::vector<std::string> warnings;
+  std::vector<Gaussian> gaussians = read_splats(file, options, &warnings);
+  return [this, gaussians = std::move(gaussians), text = lines_of(warnings)] {
+    if (!text.isEmpty()) Q_EMIT warned(text);
+    add_gaussians(document_, gaussians, tr("Import"));
+  };
+}
+
 BackgroundJob::Apply SceneImport::read_scene(const File& file, const SplatOptions& options,
                                              const std::stop_token& stop, bool asks) {
   const bool has_splats = file.kind == Kind::splats;
-  std::vector<Gaussian> gaussians;
-  if (has_splats) gaussians = read_splats(file.path, options);
   std::vector<std::string> warnings;
+  std::vector<Gaussian> gaussians;
+  if (has_splats) gaussians = read_splats(file.path, options, &warnings);
   const std::shared_ptr<const ImportedScene> scene = read_imported_scene(file.path, warnings, stop);
   if (!scene) return {};
   const bool is_empty = scene->parts.empty() && scene->cameras.empty() && scene->lights.empty();
@@ -238,11 +257,12 @@ BackgroundJob::Apply SceneImport::read_scene(const File& file, const SplatOption
         file.path, "",
         has_splats ? "its medium is empty" : "found neither meshes nor cameras nor lights");
   }
-  if (is_empty) {
-    return [this, gaussians] { add_gaussians(document_, gaussians, tr("Import")); };
-  }
-  return [this, scene, gaussians, asks, text = lines_of(warnings)] {
+  return [this, scene, gaussians, asks, is_empty, text = lines_of(warnings)] {
     if (!text.isEmpty()) Q_EMIT warned(text);
+    if (is_empty) {
+      add_gaussians(document_, gaussians, tr("Import"));
+      return;
+    }
     if (!asks || (scene->cameras.empty() && scene->lights.empty())) {
       add_scene(scene, gaussians, true, true);
       return;
@@ -371,9 +391,13 @@ BackgroundJob::Apply SceneImport::read(const std::vector<File>& files, const Spl
 
 void SceneImport::import_volume(const fs::path& file, const VolumeFit& how) {
   start(file, [this, file, how](const Job& job) -> BackgroundJob::Apply {
+    const QString text = lines_of(volume_warnings(file));
     const auto gaussians = fit_volume(file, how, job);
     if (!gaussians) return {};
-    return [this, gaussians] { add_gaussians(document_, *gaussians, tr("Import")); };
+    return [this, gaussians, text] {
+      if (!text.isEmpty()) Q_EMIT warned(text);
+      add_gaussians(document_, *gaussians, tr("Import"));
+    };
   });
 }
 
@@ -477,7 +501,7 @@ void SceneImport::import_splats(const FrameRun& run, const SplatOptions& options
   start_sequence(run, folder, [run, options](const Job&) {
     const auto read = [&](const fs::path& file, std::vector<GaussianNumber>* ids,
                           std::size_t max_count) {
-      return read_splats(file, options, ids, max_count);
+      return read_splats(file, options, nullptr, ids, max_count);
     };
     return read_sequence(run.files, run.first, run.last, read);
   });

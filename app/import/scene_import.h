@@ -81,6 +81,7 @@ class SceneImport : public QObject {
                             const Job& job);
   BackgroundJob::Apply read(const FrameRun& run);
   // A glTF may have splats, too.
+  BackgroundJob::Apply add_splats(const std::filesystem::path& file, const SplatOptions& options);
   BackgroundJob::Apply read_scene(const File& file, const SplatOptions& options,
                                   const std::stop_token& stop, bool asks);
   void add_scene(const std::shared_ptr<const ImportedScene>& scene,

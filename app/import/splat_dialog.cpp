@@ -25,7 +25,7 @@ SplatDialog::SplatDialog(const QString& what, const std::optional<FrameRun>& run
   along_->setObjectName("splat_opacity");
   form->addRow(tr("As opaque as stored along"), along_);
   up_->setObjectName("splat_up");
-  up_->addItems({tr("y"), tr("-y (turned by half about z)")});
+  up_->addItems({tr("y"), tr("-y (turned by half about z)"), tr("z (turned about x)")});
   form->addRow(tr("Up axis"), up_);
   albedos_->setObjectName("splat_albedos");
   albedos_->setToolTip(tr("As they are from all sides; else the fog has the medium's albedo"));
@@ -35,7 +35,7 @@ SplatDialog::SplatDialog(const QString& what, const std::optional<FrameRun>& run
   buttons->addButton(tr("Import"), QDialogButtonBox::AcceptRole)->setObjectName("import");
   form->addRow(buttons);
   connect(buttons, &QDialogButtonBox::accepted, this, [this] {
-    Q_EMIT requested({{along_->along(), albedos_->isChecked()}, up_->currentIndex() == 1});
+    Q_EMIT requested({{along_->along(), albedos_->isChecked()}, SplatUp(up_->currentIndex())});
     accept();
   });
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);

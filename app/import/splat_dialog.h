@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QDialog>
+#include <cstdint>
 #include <optional>
 
 #include "app/import/frame_run.h"
@@ -14,10 +15,11 @@ namespace brume {
 
 class OpacityAlongBox;
 
-// What splats become: an opacity is no density, and captures mostly have y down.
+// What splats become: an opacity is no density, and captures mostly have y down, or z up.
+enum class SplatUp : std::uint8_t { y, minus_y, z };
 struct SplatOptions {
   SplatInput input;
-  bool y_down = false;
+  SplatUp up = SplatUp::y;
 };
 
 // Asks for them; of a sequence also for the folder that its Gaussians are written to.

@@ -1,5 +1,7 @@
 #include "brume/files.h"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "brume/error.h"
@@ -46,8 +48,9 @@ void save_scene(const Scene& scene, const fs::path& file) {
   save_scene_file({scene, nullptr}, file);
 }
 
-std::vector<Gaussian> load_gaussians(const fs::path& file, const SplatInput& splats) {
-  return read_gaussians(file, nullptr, limits::gaussians, splats);
+std::vector<Gaussian> load_gaussians(const fs::path& file, const SplatInput& splats,
+                                     std::vector<std::string>* warnings) {
+  return read_gaussians(file, nullptr, limits::gaussians, splats, warnings);
 }
 
 void save_gaussians(std::span<const Gaussian> gaussians, const fs::path& file) {
@@ -65,8 +68,11 @@ Environment load_environment(const fs::path& map) {
   return {absolute_name(map), read_radiance_map(map)};
 }
 
-DensityGrid load_volume(const fs::path& file, const std::string& grid) {
-  return read_volume(file, grid);
+DensityGrid load_volume(const fs::path& file, const std::string& grid,
+                        std::vector<std::string>* warnings) {
+  DensityGrid volume = read_volume(file, grid);
+  if (warnings) std::ranges::copy(volume_warnings(file), std::back_inserter(*warnings));
+  return volume;
 }
 
 void save_volume(const Medium& medium, double voxel_size, const fs::path& file) {

@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <string_view>
 
 #include "brume/error.h"
 #include "brume/limits.h"
@@ -26,13 +27,21 @@ std::uintmax_t regular_file_size(const fs::path& file) {
 }
 
 std::string read_first_bytes(const fs::path& file, std::size_t count) {
-  count = static_cast<std::size_t>(std::min<std::uintmax_t>(count, regular_file_size(file)));
+  // What stands in a repository for a file that was not fetched.
+  constexpr std::string_view lfs_pointer = "version https://git-lfs.github.com/spec/";
+  const std::size_t read_count = static_cast<std::size_t>(
+      std::min<std::uintmax_t>(std::max(count, lfs_pointer.size()), regular_file_size(file)));
   std::ifstream in(file, std::ios::binary);
   if (!in) throw InputError(file, "", std::string("cannot be opened: ") + std::strerror(errno));
-  std::string bytes(count, '\0');
-  in.read(bytes.data(), static_cast<std::streamsize>(count));
+  std::string bytes(read_count, '\0');
+  in.read(bytes.data(), static_cast<std::streamsize>(read_count));
   if (in.bad()) throw InputError(file, "", "cannot be read");
   bytes.resize(static_cast<std::size_t>(in.gcount()));
+  if (bytes.starts_with(lfs_pointer)) {
+    throw InputError(file, "",
+                     "is a pointer of Git LFS, not the file itself; git lfs pull gets it");
+  }
+  bytes.resize(std::min(bytes.size(), count));
   return bytes;
 }
 

@@ -51,6 +51,12 @@ void turn_half(Gaussian& g) {
   if (!g.is_ball()) g.shape.rotation = glm::dquat(0.0, 0.0, 0.0, 1.0) * g.shape.rotation;
 }
 
+void turn_z_up(Gaussian& g) {
+  constexpr double half = 0.5 * std::numbers::sqrt2;
+  g.center = {g.center.x, g.center.z, -g.center.y};
+  if (!g.is_ball()) g.shape.rotation = glm::dquat(half, -half, 0.0, 0.0) * g.shape.rotation;
+}
+
 Splat splat_of(const Gaussian& gaussian, OpacityAlong along) {
   return {gaussian.center, gaussian.radii() / std::numbers::sqrt2, gaussian.shape.rotation,
           depth_along(gaussian, along)};

@@ -44,6 +44,8 @@ Gaussian gaussian_of(const Splat& splat, OpacityAlong along = OpacityAlong::mean
 
 // Turns a Gaussian by half about z around the origin: from y down, as captures have it, to y up.
 void turn_half(Gaussian& gaussian);
+// Turns a Gaussian about x around the origin, from z up to y up.
+void turn_z_up(Gaussian& gaussian);
 
 // The inverse of gaussian_of(), but for what the Gaussian has besides density and shape.
 Splat splat_of(const Gaussian& gaussian, OpacityAlong along = OpacityAlong::mean);

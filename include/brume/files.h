@@ -38,9 +38,12 @@ BRUME_EXPORT void save_scene_file(const SceneFile& scene, const std::filesystem:
 
 // Gaussians in PLY or CSV: read by the first bytes, written by the extension, losslessly. What
 // Gaussian splatting stores, PLY and glTF (KHR_gaussian_splatting), is read as well, and written
-// for the extensions .glb and .gltf, as opaque as the Gaussians along the mean radius.
+// for the extensions .glb and .gltf, as opaque as the Gaussians along the mean radius. Splats with
+// numbers that no Gaussian has are left out if they are less than half; `warnings` gets their
+// number and the first place.
 BRUME_EXPORT std::vector<Gaussian> load_gaussians(const std::filesystem::path& file,
-                                                  const SplatInput& splats = {});
+                                                  const SplatInput& splats = {},
+                                                  std::vector<std::string>* warnings = nullptr);
 BRUME_EXPORT void save_gaussians(std::span<const Gaussian> gaussians,
                                  const std::filesystem::path& file);
 
@@ -49,9 +52,11 @@ BRUME_EXPORT void save_gaussians(std::span<const Gaussian> gaussians,
 BRUME_EXPORT Surface load_surface(const std::filesystem::path& mesh);
 BRUME_EXPORT Environment load_environment(const std::filesystem::path& map);
 
-// A grid of an OpenVDB file as density, to be fitted.
+// A grid of an OpenVDB file as density, to be fitted; of several grids of the name their sum.
+// `warnings` gets that the file's version of the format is newer than those known.
 BRUME_EXPORT DensityGrid load_volume(const std::filesystem::path& file,
-                                     const std::string& grid = "density");
+                                     const std::string& grid = "density",
+                                     std::vector<std::string>* warnings = nullptr);
 // The density of the Gaussians of a medium on a grid, sparse; voxel_size > 0 [u].
 BRUME_EXPORT void save_volume(const Medium& medium, double voxel_size,
                               const std::filesystem::path& file);

@@ -221,6 +221,26 @@ def test_files(cloud, tmp_path):
         brume.load_medium(tmp_path / "nothing.ply")
 
 
+def test_warns_of_splats_that_are_left_out(tmp_path):
+    names = ("x", "y", "z", "opacity", "scale_0")
+    header = ["ply", "format ascii 1.0", "element vertex 3"]
+    header += [f"property float {name}" for name in names] + ["end_header"]
+    rows = ["0 0 0 0 -1", "0 0 0 nan -1", "1 0 0 0 -1"]
+    (tmp_path / "capture.ply").write_text("\n".join(header + rows) + "\n")
+    with pytest.warns(UserWarning, match="1 of 3 splats left out"):
+        medium = brume.load_medium(tmp_path / "capture.ply")
+    assert np.array_equal(medium.centers, [[0, 0, 0], [1, 0, 0]])
+
+
+def test_says_what_a_file_of_no_gaussians_is(tmp_path):
+    (tmp_path / "smoke.vdb").write_bytes(b" BDV" + bytes(60))
+    with pytest.raises(brume.InputError, match="is a volume .*brume fit smoke.vdb"):
+        brume.load_medium(tmp_path / "smoke.vdb")
+    (tmp_path / "scan.spz").write_bytes(b"\x1f\x8b" + bytes(60))
+    with pytest.raises(brume.InputError, match="splat-transform scan.spz scan.ply"):
+        brume.load_medium(tmp_path / "scan.spz")
+
+
 def test_the_extension_says_what_is_written(cloud, tmp_path):
     cloud.medium.save(tmp_path / "m.VDB", voxel=0.2)
     assert b"density" in (tmp_path / "m.VDB").read_bytes()

@@ -91,6 +91,34 @@ TEST_F(SplatExport, SplatsOfPlyMayHaveYDown) {
   expect_same("up.csv", 1e-6);
 }
 
+TEST_F(SplatExport, ReadsFilesWithZUp) {
+  for (const char* name : {"up.csv", "up.ply"}) {
+    expect_done({"export", file("a.ply"), "-o", file("splats.ply"), "--splats"});
+    expect_done({"export", file("splats.ply"), "-o", file(name), "--up", "z"});
+    const Gaussian up = read_gaussians(file(name)).at(0);
+    EXPECT_LT(glm::length(up.center - glm::dvec3(1.0, 3.0, -2.0)), 1e-6);
+  }
+  expect_done({"export", file("a.ply"), "-o", file("b.ply"), "--up", "z"});
+  EXPECT_EQ(read_gaussians(file("b.ply")).at(0).center, glm::dvec3(1.0, 3.0, -2.0));
+  expect_done({"export", file("a.ply"), "-o", file("c.ply"), "--up", "z", "--splats", "--y-down"});
+  EXPECT_EQ(read_gaussians(file("c.ply")).at(0).center, glm::dvec3(-1.0, -3.0, -2.0));
+  expect_refused({"export", scene_, "-o", file("b.ply"), "--up", "z"}, {"--up"});
+}
+
+TEST_F(SplatExport, TellsOfSplatsThatAreLeftOut) {
+  folder_.write("bad.ply",
+                "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+                "property float z\nproperty float opacity\nproperty float scale_0\nend_header\n"
+                "0 0 0 0 -1\nnan 0 0 0 -1\n0 0 0 0 -1\n");
+  for (const ProgramResult& result :
+       {run_brume({"export", file("bad.ply"), "-o", file("good.csv")}),
+        run_brume({"info", file("bad.ply")})}) {
+    EXPECT_EQ(result.exit_code, 0);
+    EXPECT_NE(result.err.find("1 of 3 splats left out"), std::string::npos) << result.err;
+  }
+  EXPECT_EQ(read_gaussians(file("good.csv")).size(), 2u);
+}
+
 TEST_F(SplatExport, ColoursOfSplatsBecomeAlbedos) {
   std::vector<Gaussian> gaussians = read_gaussians(file("a.ply"));
   gaussians[0].optics.albedo = glm::dvec3(0.9, 0.5, 0.1);

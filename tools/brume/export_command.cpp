@@ -73,6 +73,12 @@ class ExportCommand final : public Command {
     app.add_flag("--y-down", y_down_,
                  "y points down in splats of a .ply, read or written, as captures have it and most "
                  "viewers expect it: turned by half about z");
+    app.add_option("--up", up_,
+                   "up axis of a file of Gaussians that is read: y, or z, which is turned to y; "
+                   "--y-down then counts for what is written")
+        ->type_name("TEXT:{y,z}")
+        ->check(CLI::IsMember({"y", "z"}))
+        ->default_str("y");
     app.add_flag("--web", web_,
                  "one page, an .html, that shows the lit splats in a browser, offline");
     app.add_option("--exposure", exposure_, "exposure of lit splats, in stops")
@@ -156,6 +162,7 @@ class ExportCommand final : public Command {
       throw UsageError("--voxel and --half: only for .vdb and .usda");
     }
     const bool is_scene = lower_case_extension(input_) == ".brume";
+    if (is_scene && !up_.empty()) throw UsageError("--up: only for files of Gaussians");
     if (lit_ && !is_scene) {
       throw InputError(input_, "", "found no scene; allowed for --lit and --web: a .brume");
     }
@@ -172,7 +179,7 @@ class ExportCommand final : public Command {
       throw UsageError("--opacity-along: only for splats, read or written");
     }
     if (colors_ && !reads) throw UsageError("--colors: only for splats that are read");
-    const bool reads_ply = reads && may_have_y_down(first);
+    const bool reads_ply = reads && may_have_y_down(first) && up_.empty();
     if (y_down_ && !reads_ply && !(splats_ && extension == ".ply")) {
       throw UsageError("--y-down: only for splats of a .ply, read or written");
     }
@@ -205,9 +212,14 @@ class ExportCommand final : public Command {
 
   [[nodiscard]] Medium read_file(const std::string& file) const {
     Medium medium;
-    const bool is_turned = y_down_ && may_have_y_down(file) && has_splats(file);
-    for (Gaussian gaussian : read_gaussians(file, nullptr, limits::gaussians, {along(), colors_})) {
+    const bool is_turned = y_down_ && up_.empty() && may_have_y_down(file) && has_splats(file);
+    std::vector<std::string> warnings;
+    std::vector<Gaussian> gaussians =
+        read_gaussians(file, nullptr, limits::gaussians, {along(), colors_}, &warnings);
+    print_warnings(warnings);
+    for (Gaussian& gaussian : gaussians) {
       if (is_turned) turn_half(gaussian);
+      if (up_ == "z") turn_z_up(gaussian);
       medium.append(gaussian);
     }
     return medium;
@@ -338,6 +350,7 @@ class ExportCommand final : public Command {
   bool colors_ = false;
   double exposure_ = 0.0;  // [stops]
   std::string along_;      // empty: mean
+  std::string up_;         // empty: y, or as --y-down says
   double simplify_ = 0.0;  // 0: not
   double time_ = 0.0;
   std::string frames_;

@@ -7,6 +7,7 @@
 #include "brume/mesh_arrays.h"
 #include "core/io/file_bytes.h"
 #include "core/io/gaussians/gaussian_file.h"
+#include "core/io/gaussians/other_format.h"
 #include "core/io/import/imported_scene_file.h"
 #include "core/io/scene/light_json.h"
 #include "core/io/scene/scene_names.h"
@@ -46,8 +47,12 @@ Json medium_json(const Medium& medium) {
 
 Json gaussians_json(const std::string& file) {
   const ProgressLine line("measuring " + file);
+  std::vector<std::string> warnings;
   Medium medium;
-  for (const Gaussian& gaussian : read_gaussians(file)) medium.append(gaussian);
+  for (const Gaussian& gaussian : read_gaussians(file, nullptr, limits::gaussians, {}, &warnings)) {
+    medium.append(gaussian);
+  }
+  print_warnings(warnings);
   return medium_json(medium);
 }
 
@@ -196,6 +201,7 @@ class InfoCommand final : public Command {
     const std::string extension = lower_case_extension(file_);
     if (extension == ".vdb") {
       const ProgressLine line("reading " + file_);
+      print_warnings(volume_warnings(file_));
       json["grids"] = grids_json(file_);
     } else if (extension == ".ply" || extension == ".csv") {
       json["medium"] = gaussians_json(file_);
@@ -212,6 +218,7 @@ class InfoCommand final : public Command {
       const ProgressLine line("measuring " + file_);
       json.update(scene_json(document));
     } else {
+      refuse_other_format(file_, read_first_bytes(file_, 64));
       throw InputError(file_, "",
                        "found the extension " + quoted_text(extension) +
                            "; allowed: .brume, .ply, .csv, .vdb, .gltf, "

@@ -8,6 +8,7 @@
 #include "core/io/gaussians/gaussian_columns.h"
 #include "core/io/gaussians/gaussian_csv.h"
 #include "core/io/gaussians/gaussian_ply.h"
+#include "core/io/gaussians/other_format.h"
 #include "core/io/gaussians/splat_gltf.h"
 #include "core/io/gaussians/splat_ply.h"
 
@@ -16,23 +17,29 @@ namespace {
 
 enum class Format : std::uint8_t { ply, csv, gltf };
 
-// By what the file begins with.
+// By what the file begins with. Throws InputError for formats that are not read.
 Format format_of(const std::filesystem::path& file) {
   const std::string bytes = read_first_bytes(file, 64);
   if (bytes.starts_with("ply")) return Format::ply;
   const std::size_t first = bytes.find_first_not_of(" \t\r\n");
   const bool is_json = first != std::string::npos && bytes[first] == '{';
-  return is_json || bytes.starts_with("glTF") ? Format::gltf : Format::csv;
+  if (is_json && file.filename().string().ends_with("meta.json")) {
+    refuse_compressed_splats(file, "SOG");
+  }
+  if (is_json || bytes.starts_with("glTF")) return Format::gltf;
+  refuse_other_format(file, bytes);
+  return Format::csv;
 }
 
 std::vector<Gaussian> read_numbered(const std::filesystem::path& file,
                                     std::vector<GaussianNumber>* numbers, std::size_t max_count,
-                                    std::string_view number_name, const SplatInput& splats) {
+                                    std::string_view number_name, const SplatInput& splats,
+                                    std::vector<std::string>* warnings) {
   switch (format_of(file)) {
     case Format::ply:
-      return read_gaussians_ply(file, numbers, max_count, number_name, splats);
+      return read_gaussians_ply(file, numbers, max_count, number_name, splats, warnings);
     case Format::gltf:
-      return read_splats_gltf(file, max_count, splats);
+      return read_splats_gltf(file, max_count, splats, warnings);
     case Format::csv:
       break;
   }
@@ -48,8 +55,8 @@ bool is_gltf_name(const std::filesystem::path& file) {
 
 std::vector<Gaussian> read_gaussians(const std::filesystem::path& file,
                                      std::vector<GaussianNumber>* ids, std::size_t max_count,
-                                     const SplatInput& splats) {
-  return read_numbered(file, ids, max_count, gaussian_columns::id_name, splats);
+                                     const SplatInput& splats, std::vector<std::string>* warnings) {
+  return read_numbered(file, ids, max_count, gaussian_columns::id_name, splats, warnings);
 }
 
 std::size_t max_gaussian_count(const std::filesystem::path& file) {
@@ -57,7 +64,8 @@ std::size_t max_gaussian_count(const std::filesystem::path& file) {
   if (format == Format::ply) return max_gaussian_count_ply(file);
   if (format == Format::gltf) return splat_count_gltf(file);
   const std::string bytes = read_bytes(file);
-  return static_cast<std::size_t>(std::ranges::count(bytes, '\n')) + 1;
+  const auto ends_line = [](char c) { return c == '\n' || c == '\r'; };
+  return static_cast<std::size_t>(std::ranges::count_if(bytes, ends_line)) + 1;
 }
 
 bool has_splats(const std::filesystem::path& file) {
@@ -73,10 +81,11 @@ bool has_splats(const std::filesystem::path& file) {
 }
 
 std::vector<Gaussian> read_grouped_gaussians(const std::filesystem::path& file,
-                                             std::size_t max_count, std::size_t max_group) {
+                                             std::size_t max_count, std::size_t max_group,
+                                             std::vector<std::string>* warnings) {
   std::vector<GaussianNumber> groups;
   std::vector<Gaussian> gaussians =
-      read_numbered(file, &groups, max_count, gaussian_columns::group_name, {});
+      read_numbered(file, &groups, max_count, gaussian_columns::group_name, {}, warnings);
   for (std::size_t i = 0; i < groups.size(); ++i) {
     if (groups[i] > max_group) {
       throw InputError(file, "Gaussian " + std::to_string(i),

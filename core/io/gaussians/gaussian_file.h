@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "brume/gaussian.h"
@@ -13,11 +14,13 @@ namespace brume {
 
 // Reads Gaussians from PLY, CSV or glTF (of splats), detected by the first bytes. Throws InputError
 // naming file and place. `ids` gets the persistent ids of a sequence's Gaussians, if present. More
-// than `max_count` are an error.
+// than `max_count` are an error. Splats that are none (DroppedSplats) are left out, which
+// `warnings` tells.
 std::vector<Gaussian> read_gaussians(const std::filesystem::path& file,
                                      std::vector<GaussianNumber>* ids = nullptr,
                                      std::size_t max_count = limits::gaussians,
-                                     const SplatInput& splats = {});
+                                     const SplatInput& splats = {},
+                                     std::vector<std::string>* warnings = nullptr);
 
 // How many Gaussians a file has at most, without reading them all: by the header of a PLY, by the
 // lines of a CSV, by the JSON of a glTF. Throws InputError.
@@ -30,7 +33,8 @@ bool has_splats(const std::filesystem::path& file);
 // Reads Gaussians of a scene with `max_group` groups: the column `group`, if present, has the
 // numbers that become their groups.
 std::vector<Gaussian> read_grouped_gaussians(const std::filesystem::path& file,
-                                             std::size_t max_count, std::size_t max_group);
+                                             std::size_t max_count, std::size_t max_group,
+                                             std::vector<std::string>* warnings = nullptr);
 
 // Writes CSV if the extension is .csv, else PLY, lossless; but splats if it is .glb or .gltf.
 void write_gaussians(const std::filesystem::path& file, std::span<const Gaussian> gaussians,

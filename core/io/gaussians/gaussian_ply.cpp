@@ -11,7 +11,9 @@
 #include "brume/error.h"
 #include "core/io/atomic_file.h"
 #include "core/io/file_bytes.h"
+#include "core/io/gaussians/dropped_splats.h"
 #include "core/io/gaussians/gaussian_columns.h"
+#include "core/io/gaussians/other_format.h"
 #include "core/io/gaussians/splat_color.h"
 #include "core/io/little_endian.h"
 #include "core/io/ply.h"
@@ -23,10 +25,16 @@ namespace {
 using gaussian_columns::domains;
 using gaussian_columns::names;
 
+constexpr std::array<std::string_view, 5> splat_names{"x", "y", "z", "opacity", "scale_0"};
 constexpr std::array<std::string_view, 3> color_names{"f_dc_0", "f_dc_1", "f_dc_2"};
 
-// What a vertex becomes.
-using ToGaussian = std::function<Gaussian(const PlyFile::Row&)>;
+// What a vertex becomes; nullopt: a splat that is left out.
+using ToGaussian =
+    std::function<std::optional<Gaussian>(std::uint64_t index, const PlyFile::Row& row)>;
+
+std::string vertex(std::uint64_t index) {
+  return "vertex " + std::to_string(index);
+}
 
 // Columns of properties of one number each; nullopt if one of them is missing.
 template <std::size_t count>
@@ -41,14 +49,19 @@ std::optional<std::array<std::size_t, count>> columns(
   return result;
 }
 
-std::optional<ToGaussian> from_splats(const PlyFile::Element& vertices, const SplatInput& input) {
-  const auto indices = columns<5>(vertices, {"x", "y", "z", "opacity", "scale_0"});
-  if (!indices) return std::nullopt;
+std::optional<std::array<std::size_t, 5>> splat_columns(const PlyFile::Element& vertices) {
+  return columns<5>(vertices, splat_names);
+}
+
+// Faults go to `dropped`.
+ToGaussian from_splats(const PlyFile::Element& vertices, const SplatInput& input,
+                       DroppedSplats& dropped) {
   const auto scale_1 = columns<1>(vertices, {"scale_1"});
   const auto scale_2 = columns<1>(vertices, {"scale_2"});
   const auto rotation_columns = columns<4>(vertices, {"rot_0", "rot_1", "rot_2", "rot_3"});
   const auto color_columns = input.has_albedos ? columns<3>(vertices, color_names) : std::nullopt;
-  return [=, indices = *indices](const PlyFile::Row& row) {
+  return [=, &dropped, indices = *splat_columns(vertices)](
+             std::uint64_t index, const PlyFile::Row& row) -> std::optional<Gaussian> {
     const auto value = [&](std::size_t i) { return row.scalars[indices[i]]; };
     Splat splat;
     splat.center = {value(0), value(1), value(2)};
@@ -68,8 +81,27 @@ std::optional<ToGaussian> from_splats(const PlyFile::Element& vertices, const Sp
       const auto channel = [&](std::size_t c) { return row.scalars[(*color_columns)[c]]; };
       splat.albedo = albedo_of_sh({channel(0), channel(1), channel(2)});
     }
-    return gaussian_of(splat, input.along);
+    const Gaussian gaussian = gaussian_of(splat, input.along);
+    const std::string fault = splat_fault(
+        gaussian, {{"x", "y", "z"}, {"scale_0", "scale_1", "scale_2"}, "opacity", color_names});
+    if (fault.empty()) return gaussian;
+    dropped.add(vertex(index), fault);
+    return std::nullopt;
   };
+}
+
+// What is missing of a file that has no Gaussians, in words of splats if these are what it has.
+[[noreturn]] void refuse_vertices(const std::filesystem::path& file,
+                                  const PlyFile::Element& vertices, std::string_view missing) {
+  const auto has = [&](std::string_view name) { return vertices.property(name).has_value(); };
+  if (has("packed_position")) refuse_compressed_splats(file, "PlayCanvas");
+  std::string needed = "x y z radius density, or x y z scale_0 opacity";
+  if (has("opacity") || has("scale_0") || has("rot_0") || has("f_dc_0")) {
+    missing = *std::ranges::find_if_not(splat_names, has);
+    needed = "of splats x y z scale_0 opacity";
+  }
+  throw InputError(file, "element vertex",
+                   "there is no property " + std::string(missing) + "; needed: " + needed);
 }
 
 ToGaussian from_points(const std::filesystem::path& file, const PlyFile::Element& vertices) {
@@ -77,16 +109,45 @@ ToGaussian from_points(const std::filesystem::path& file, const PlyFile::Element
   for (std::size_t i = 0; i < names.size(); ++i) {
     const auto column = gaussian_columns::find_column(
         i, [&](std::string_view name) { return columns<1>(vertices, {name}); });
-    if (!column) {
-      throw InputError(file, "element vertex",
-                       "there is no property " + std::string(names[i]) +
-                           "; needed: x y z radius density, or x y z scale_0 opacity");
-    }
+    if (!column) refuse_vertices(file, vertices, names[i]);
     indices[i] = (*column)[0];
   }
-  return [indices](const PlyFile::Row& row) {
-    const auto value = [&](std::size_t i) { return row.scalars[indices[i]]; };
-    return Gaussian{{value(0), value(1), value(2)}, value(3), value(4)};
+  const auto optics_columns = columns<6>(vertices, gaussian_columns::optics_names);
+  const auto shape_columns = columns<7>(vertices, gaussian_columns::shape_names);
+  const std::string missing = gaussian_columns::missing_of_shape(
+      [&](std::string_view name) { return columns<1>(vertices, {name}).has_value(); });
+  if (!missing.empty()) {
+    throw InputError(file, "element vertex",
+                     "there is no property " + missing + "; needed beside others of an ellipsoid");
+  }
+  return [=](std::uint64_t index, const PlyFile::Row& row) {
+    const auto refuse = [&](std::string_view name, const std::string& why) {
+      throw InputError(file, vertex(index), std::string(name) + ": " + why);
+    };
+    const auto values_of =
+        [&]<std::size_t count>(const std::array<std::size_t, count>& properties) {
+          std::array<double, count> values{};
+          for (std::size_t i = 0; i < count; ++i) values[i] = row.scalars[properties[i]];
+          return values;
+        };
+    const std::array<double, 5> value = values_of(indices);
+    Gaussian g{{value[0], value[1], value[2]}, value[3], value[4]};
+    if (shape_columns) {
+      gaussian_columns::set_shape(g, values_of(*shape_columns),
+                                  [&](std::size_t i, const std::string& why) {
+                                    refuse(gaussian_columns::shape_names[i], why);
+                                  });
+    }
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      if (!domains[i]->contains(value[i])) refuse(names[i], domains[i]->refusal(value[i]));
+    }
+    if (optics_columns) {
+      g.optics = gaussian_columns::optics_of(values_of(*optics_columns),
+                                             [&](std::size_t i, const std::string& why) {
+                                               refuse(gaussian_columns::optics_names[i], why);
+                                             });
+    }
+    return std::optional(g);
   };
 }
 
@@ -94,78 +155,40 @@ ToGaussian from_points(const std::filesystem::path& file, const PlyFile::Element
 
 std::vector<Gaussian> read_gaussians_ply(const std::filesystem::path& file,
                                          std::vector<GaussianNumber>* ids, std::size_t max_count,
-                                         std::string_view number_name, const SplatInput& input) {
+                                         std::string_view number_name, const SplatInput& input,
+                                         std::vector<std::string>* warnings) {
   const std::string bytes = read_bytes(file);
   const PlyFile ply(file, bytes);
   const PlyFile::Element* vertices = ply.element("vertex");
   if (vertices == nullptr) throw InputError(file, "header", "there is no element vertex");
+  const bool are_splats = splat_columns(*vertices).has_value();
   if (vertices->count > max_count) {
     throw InputError(file, "element vertex",
                      "found " + std::to_string(vertices->count) +
-                         " Gaussians; allowed: " + gaussian_columns::allowed_count(max_count));
+                         (are_splats ? " splats" : " Gaussians") +
+                         "; allowed: " + gaussian_columns::allowed_count(max_count));
   }
-  const auto splats = from_splats(*vertices, input);
-  const ToGaussian to_gaussian = splats ? *splats : from_points(file, *vertices);
-  const auto optics_columns =
-      splats ? std::nullopt : columns<6>(*vertices, gaussian_columns::optics_names);
-  const auto shape_columns =
-      splats ? std::nullopt : columns<7>(*vertices, gaussian_columns::shape_names);
-  const std::string missing = gaussian_columns::missing_of_shape(
-      [&](std::string_view name) { return columns<1>(*vertices, {name}).has_value(); });
-  if (!splats && !missing.empty()) {
-    throw InputError(file, "element vertex",
-                     "there is no property " + missing + "; needed beside others of an ellipsoid");
-  }
+  DroppedSplats dropped;
+  const ToGaussian to_gaussian =
+      are_splats ? from_splats(*vertices, input, dropped) : from_points(file, *vertices);
   const auto id = columns<1>(*vertices, {number_name});
   std::vector<Gaussian> gaussians;
   ply.for_each_row(
       [&](const PlyFile::Element& element, std::uint64_t index, const PlyFile::Row& row) {
         if (&element != vertices) return;
-        const auto refuse = [&](std::string_view name, const std::string& why) {
-          throw InputError(file, "vertex " + std::to_string(index), std::string(name) + ": " + why);
-        };
-        const auto values_of =
-            [&]<std::size_t count>(const std::array<std::size_t, count>& properties) {
-              std::array<double, count> values{};
-              for (std::size_t i = 0; i < count; ++i) values[i] = row.scalars[properties[i]];
-              return values;
-            };
-        Gaussian& g = gaussians.emplace_back(to_gaussian(row));
-        if (shape_columns) {
-          gaussian_columns::set_shape(g, values_of(*shape_columns),
-                                      [&](std::size_t i, const std::string& why) {
-                                        refuse(gaussian_columns::shape_names[i], why);
-                                      });
-        }
-        for (int k = 0; splats && k < 3; ++k) {  // NaN is in no comparison
-          if (!domain::stretch.contains(g.shape.stretch[k])) {
-            refuse("scale_" + std::to_string(k), "allowed: finite logarithms of deviations");
-          }
-        }
-        for (int c = 0; splats && g.optics.albedo && c < 3; ++c) {
-          if (!domain::albedo.contains((*g.optics.albedo)[c])) {
-            refuse(color_names[static_cast<std::size_t>(c)], "allowed: a finite number");
-          }
-        }
-        const std::array value{g.center.x, g.center.y, g.center.z, g.radius, g.density};
-        for (std::size_t i = 0; i < names.size(); ++i) {
-          if (!domains[i]->contains(value[i])) refuse(names[i], domains[i]->refusal(value[i]));
-        }
-        if (optics_columns) {
-          g.optics = gaussian_columns::optics_of(values_of(*optics_columns),
-                                                 [&](std::size_t i, const std::string& why) {
-                                                   refuse(gaussian_columns::optics_names[i], why);
-                                                 });
-        }
-        if (!ids || !id || splats) return;
+        const std::optional<Gaussian> gaussian = to_gaussian(index, row);
+        if (!gaussian) return;
+        gaussians.push_back(*gaussian);
+        if (!ids || !id || are_splats) return;
         const double number = row.scalars[(*id)[0]];
         if (!gaussian_columns::is_id(number)) {
           throw InputError(
-              file, "vertex " + std::to_string(index),
+              file, vertex(index),
               std::string(number_name) + ": " + gaussian_columns::id_domain.refusal(number));
         }
         ids->push_back(static_cast<GaussianNumber>(number));
       });
+  dropped.report(file, static_cast<std::size_t>(vertices->count), warnings);
   return gaussians;
 }
 
@@ -186,7 +209,7 @@ auto with_header(const std::filesystem::path& file, Visit visit) {
 
 bool has_splats_ply(const std::filesystem::path& file) {
   return with_header(file, [](const PlyFile::Element* vertices) {
-    return vertices != nullptr && from_splats(*vertices, {}).has_value();
+    return vertices != nullptr && splat_columns(*vertices).has_value();
   });
 }
 

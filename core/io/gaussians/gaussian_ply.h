@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -17,7 +18,7 @@ namespace brume {
 // the logit of an opacity o, so that the depth is -ln(1 - o); see gaussian_of() for `along`.
 // Without rot_0 to rot_3 nothing is turned, without scale_2 splats are discs, without scale_1
 // balls. f_dc_0 to f_dc_2 become albedos if these are wanted, other colors are skipped. Throws
-// InputError naming file and vertex.
+// InputError naming file and vertex; splats that are none are left out (DroppedSplats).
 //
 // `ids` gets the numbers of the property id, where points have one. More than `max_count` are
 // refused.
@@ -25,7 +26,8 @@ std::vector<Gaussian> read_gaussians_ply(const std::filesystem::path& file,
                                          std::vector<GaussianNumber>* ids = nullptr,
                                          std::size_t max_count = limits::gaussians,
                                          std::string_view number_name = "id",
-                                         const SplatInput& splats = {});
+                                         const SplatInput& splats = {},
+                                         std::vector<std::string>* warnings = nullptr);
 
 // Whether its header tells of splats.
 bool has_splats_ply(const std::filesystem::path& file);

@@ -6,10 +6,12 @@
 #include <array>
 #include <cmath>
 #include <glm/mat3x3.hpp>
+#include <map>
 #include <string>
 #include <string_view>
 
 #include "brume/error.h"
+#include "core/io/gaussians/dropped_splats.h"
 #include "core/io/gaussians/gaussian_columns.h"
 #include "core/io/gaussians/splat_color.h"
 #include "core/io/import/gltf_file.h"
@@ -20,6 +22,9 @@ namespace brume {
 namespace {
 
 constexpr const char* splat_extension = "KHR_gaussian_splatting";
+constexpr std::string_view scale_name = "KHR_gaussian_splatting:SCALE";
+constexpr std::string_view opacity_name = "KHR_gaussian_splatting:OPACITY";
+constexpr std::string_view color_name = "KHR_gaussian_splatting:SH_DEGREE_0_COEF_0";
 
 // An empty medium has no primitive.
 bool uses_splats(GltfFile& file) {
@@ -63,17 +68,19 @@ class GltfSplatReader {
   }
 
   // A mesh is read once, however many nodes have it.
-  std::vector<Gaussian> read(const SplatInput& input) {
+  std::vector<Gaussian> read(const std::filesystem::path& file, const SplatInput& input,
+                             std::vector<std::string>* warnings) {
     std::vector<Gaussian> gaussians;
     gaussians.reserve(count());
     for (std::size_t i = 0; i < meshes_.size(); ++i) {
-      std::vector<Splat> splats;
+      MeshSplats splats;
       for (const std::size_t primitive : meshes_[i].primitives) {
         read_primitive(i, primitive, input.has_albedos, splats);
       }
       for (const std::size_t node : meshes_[i].nodes)
         place(splats, nodes_[node], input.along, gaussians);
     }
+    dropped_.report(file, count(), warnings);
     return gaussians;
   }
 
@@ -83,6 +90,11 @@ class GltfSplatReader {
     std::vector<std::size_t> nodes;
     std::vector<std::size_t> primitives;  // those with splats
     std::size_t count = 0;                // of splats
+  };
+
+  struct MeshSplats {
+    std::vector<Splat> splats;
+    std::map<std::size_t, std::string> faults;  // of those that are none
   };
 
   void add_node(std::size_t index) {
@@ -138,8 +150,7 @@ class GltfSplatReader {
     return *file_.index(attributes, name, "accessors");
   }
 
-  void read_primitive(std::size_t mesh, std::size_t index, bool has_albedos,
-                      std::vector<Splat>& splats) {
+  void read_primitive(std::size_t mesh, std::size_t index, bool has_albedos, MeshSplats& read) {
     const JsonPath list = file_.path().member("meshes");
     const JsonPath mesh_path = list.element(mesh);
     const JsonPath primitives = mesh_path.member("primitives");
@@ -150,13 +161,10 @@ class GltfSplatReader {
     const auto values = [&](std::string_view name, std::size_t components) {
       return file_.numbers(attributes.path_of(name), accessor(attributes, name), components);
     };
-    constexpr std::string_view scale_name = "KHR_gaussian_splatting:SCALE";
-    constexpr std::string_view opacity_name = "KHR_gaussian_splatting:OPACITY";
     const std::vector<float> positions = values("POSITION", 3);
     const std::vector<float> rotations = values("KHR_gaussian_splatting:ROTATION", 4);
     const std::vector<float> scales = values(scale_name, 3);
     const std::vector<float> opacities = values(opacity_name, 1);
-    constexpr std::string_view color_name = "KHR_gaussian_splatting:SH_DEGREE_0_COEF_0";
     const bool has_colors = has_albedos && attributes.find(color_name) != nullptr;
     const std::vector<float> colors =
         has_colors ? values(color_name, 3) : std::vector<float>(positions.size());
@@ -168,19 +176,17 @@ class GltfSplatReader {
       file_.context().fail(attributes_path, "found " + std::to_string(found) + " values for " +
                                                 std::to_string(count) + " splats");
     }
-    const auto check = [&](std::string_view name, std::size_t splat, const NumberDomain& domain,
-                           double value) {
+    const auto check = [&](std::string_view name, const NumberDomain& domain, double value) {
       if (domain.contains(value)) return;
-      file_.context().fail(attributes.path_of(name),
-                           "splat " + std::to_string(splat) + ": " + domain.refusal(value));
+      read.faults.emplace(read.splats.size(), std::string(name) + ": " + domain.refusal(value));
     };
     for (std::size_t i = 0; i < count; ++i) {
       const float* p = &positions[3 * i];
       const float* q = &rotations[4 * i];
       const float* s = &scales[3 * i];
-      for (int k = 0; k < 3; ++k) check(scale_name, i, domain::not_negative, s[k]);
-      check(opacity_name, i, domain::unit, opacities[i]);
-      Splat& splat = splats.emplace_back();
+      for (int k = 0; k < 3; ++k) check(scale_name, domain::not_negative, s[k]);
+      check(opacity_name, domain::unit, opacities[i]);
+      Splat& splat = read.splats.emplace_back();
       splat = {{p[0], p[1], p[2]},
                {s[0], s[1], s[2]},
                unit_rotation({q[3], q[0], q[1], q[2]}),
@@ -206,24 +212,29 @@ class GltfSplatReader {
   }
 
   // They are as deep wherever the node places them.
-  void place(const std::vector<Splat>& splats, const GltfNode& node, OpacityAlong along,
+  void place(const MeshSplats& read, const GltfNode& node, OpacityAlong along,
              std::vector<Gaussian>& gaussians) {
+    constexpr SplatNames attribute_names{{"POSITION", "POSITION", "POSITION"},
+                                         {scale_name, scale_name, scale_name},
+                                         opacity_name,
+                                         {color_name, color_name, color_name}};
     const JsonPath list = file_.path().member("nodes");
     const JsonPath path = list.element(node.element);
-    for (std::size_t i = 0; i < splats.size(); ++i) {
-      Gaussian& g = gaussians.emplace_back(gaussian_of(splats[i], along));
+    for (std::size_t i = 0; i < read.splats.size(); ++i) {
+      const Splat& splat = read.splats[i];
+      Gaussian g = gaussian_of(splat, along);
       if (node.to_world != glm::dmat4(1.0)) {
         g.center = glm::dvec3(node.to_world * glm::dvec4(g.center, 1.0));
         transform(g, glm::dmat3(node.to_world));
-        set_depth_along(g, splats[i].depth, along);
+        set_depth_along(g, splat.depth, along);
       }
-      const std::array value{g.center.x, g.center.y, g.center.z, g.radius, g.density};
-      for (std::size_t k = 0; k < value.size(); ++k) {
-        const NumberDomain& domain = *gaussian_columns::domains[k];
-        if (domain.contains(value[k])) continue;
-        file_.context().fail(path, "splat " + std::to_string(i) + ": " +
-                                       std::string(gaussian_columns::names[k]) + ": " +
-                                       domain.refusal(value[k]));
+      const auto found = read.faults.find(i);
+      const std::string fault =
+          found == read.faults.end() ? splat_fault(g, attribute_names) : found->second;
+      if (fault.empty()) {
+        gaussians.push_back(g);
+      } else {
+        dropped_.add(path.text() + ", splat " + std::to_string(i), fault);
       }
     }
   }
@@ -232,20 +243,22 @@ class GltfSplatReader {
   GltfFile file_;
   std::vector<GltfNode> nodes_;
   std::vector<Mesh> meshes_;
+  DroppedSplats dropped_;
 };
 
 }  // namespace
 
 std::vector<Gaussian> read_splats_gltf(const std::filesystem::path& file, std::size_t max_count,
-                                       const SplatInput& input) {
+                                       const SplatInput& input,
+                                       std::vector<std::string>* warnings) {
   GltfSplatReader reader(file);
   reader.expect_splats(file);
   if (reader.count() > max_count) {
     throw InputError(file, "meshes",
                      "found " + std::to_string(reader.count()) +
-                         " Gaussians; allowed: " + gaussian_columns::allowed_count(max_count));
+                         " splats; allowed: " + gaussian_columns::allowed_count(max_count));
   }
-  return reader.read(input);
+  return reader.read(file, input, warnings);
 }
 
 bool has_splats_gltf(const std::filesystem::path& file) {

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "brume/gaussian.h"
@@ -16,10 +17,12 @@ namespace brume {
 
 // Reads the splats of all nodes of the file's scene, where these place them; one of opacity 1 is as
 // deep as a float below 1 can tell, 17.3. Throws InputError naming the JSON path, also for more
-// than `max_count` and for splats that are compressed.
+// than `max_count` and for splats that are compressed; splats that are none are left out
+// (DroppedSplats).
 std::vector<Gaussian> read_splats_gltf(const std::filesystem::path& file,
                                        std::size_t max_count = limits::gaussians,
-                                       const SplatInput& input = {});
+                                       const SplatInput& input = {},
+                                       std::vector<std::string>* warnings = nullptr);
 
 // Whether a file says that it has splats, of whatever kind: read_splats_gltf() may refuse them.
 bool has_splats_gltf(const std::filesystem::path& file);

@@ -207,14 +207,17 @@ std::shared_ptr<const ImportedScene> SceneReferences::imported(JsonContext& cont
          });
 }
 
-std::vector<Gaussian> SceneReferences::gaussians(const JsonContext& context, const JsonPath& path,
+std::vector<Gaussian> SceneReferences::gaussians(JsonContext& context, const JsonPath& path,
                                                  const fs::path& file, std::size_t max_gaussians,
                                                  std::size_t max_group) {
   if (is_missing(file)) return {};
-  return at_path(context, path, [&] {
-    return max_group == 0 ? read_gaussians(file, nullptr, max_gaussians)
-                          : read_grouped_gaussians(file, max_gaussians, max_group);
+  std::vector<std::string> warnings;
+  std::vector<Gaussian> gaussians = at_path(context, path, [&] {
+    return max_group == 0 ? read_gaussians(file, nullptr, max_gaussians, {}, &warnings)
+                          : read_grouped_gaussians(file, max_gaussians, max_group, &warnings);
   });
+  for (const std::string& warning : warnings) context.warn(path, warning);
+  return gaussians;
 }
 
 std::shared_ptr<const RadianceMap> SceneReferences::radiance_map(JsonContext& context,

@@ -57,7 +57,7 @@ class SceneReferences {
                                                                            bool has_colors);
   // Their groups are the numbers of the column `group`, at most `max_group`; without groups it is
   // not read.
-  std::vector<Gaussian> gaussians(const JsonContext& context, const JsonPath& path,
+  std::vector<Gaussian> gaussians(JsonContext& context, const JsonPath& path,
                                   const std::filesystem::path& file, std::size_t max_gaussians,
                                   std::size_t max_group);
   std::shared_ptr<const RadianceMap> radiance_map(JsonContext& context, const JsonPath& path,

@@ -205,10 +205,10 @@ TEST_F(MalformedSplats, GlbWithMoreThanAllowed) {
   builder.json["scenes"][0]["nodes"] = nodes;
   const auto file = folder_.write("a.glb", builder.binary());
   const std::string error = error_of([&] { read_gaussians(file); });
-  EXPECT_TRUE(contains(error, "found 11000000 Gaussians; allowed: at most 10000000")) << error;
+  EXPECT_TRUE(contains(error, "found 11000000 splats; allowed: at most 10000000")) << error;
   EXPECT_EQ(max_gaussian_count(file), 11'000'000u);
   const auto two = folder_.write("b.glb", SplatGltfBuilder().binary());
-  EXPECT_TRUE(contains(error_of([&] { read_gaussians(two, nullptr, 1); }), "found 2 Gaussians"));
+  EXPECT_TRUE(contains(error_of([&] { read_gaussians(two, nullptr, 1); }), "found 2 splats"));
 }
 
 TEST_F(MalformedSplats, GlbThatIsCutOrChanged) {

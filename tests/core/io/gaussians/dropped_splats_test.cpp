@@ -1,0 +1,101 @@
+// Captures in which a few splats are none: these are left out, with a warning.
+
+#include "core/io/gaussians/dropped_splats.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "core/io/gaussians/gaussian_file.h"
+#include "core/io/scene/scene_file.h"
+#include "tests/core/io/gaussians/splat_gltf_builder.h"
+#include "tests/core/io/input_error.h"
+#include "tests/core/io/temporary_folder.h"
+
+namespace brume {
+namespace {
+
+class DroppedSplatsTest : public ::testing::Test {
+ protected:
+  // A capture of `count` splats whose opacities are `opacity` at these places.
+  std::filesystem::path capture(int count, const std::vector<int>& places, const char* opacity) {
+    std::string text = "ply\nformat ascii 1.0\nelement vertex " + std::to_string(count) + "\n";
+    for (const char* name : {"x", "y", "z", "opacity", "scale_0"}) {
+      text += std::string("property float ") + name + "\n";
+    }
+    text += "end_header\n";
+    for (int i = 0; i < count; ++i) {
+      const bool is_bad = std::ranges::find(places, i) != places.end();
+      text += std::to_string(i) + " 2 3 " + (is_bad ? opacity : "0") + " -1\n";
+    }
+    return folder_.write("capture.ply", text);
+  }
+
+  std::vector<Gaussian> read(const std::filesystem::path& file) {
+    warnings_.clear();
+    return read_gaussians(file, nullptr, limits::gaussians, {}, &warnings_);
+  }
+
+  TemporaryFolder folder_;
+  std::vector<std::string> warnings_;
+};
+
+TEST_F(DroppedSplatsTest, AreCountedWithTheFirstPlace) {
+  for (const char* bad : {"nan", "inf"}) {
+    const std::vector<Gaussian> found = read(capture(1000, {17, 500}, bad));
+    ASSERT_EQ(found.size(), 998u);
+    EXPECT_EQ(found[17].center.x, 18.0);
+    ASSERT_EQ(warnings_.size(), 1u);
+    EXPECT_TRUE(contains(warnings_[0], "2 of 1000 splats left out; the first: vertex 17: opacity"))
+        << warnings_[0];
+  }
+  read(capture(10, {}, ""));
+  EXPECT_TRUE(warnings_.empty());
+}
+
+TEST_F(DroppedSplatsTest, RefusesFilesInWhichHalfAreBad) {
+  EXPECT_EQ(read(capture(5, {0, 1}, "nan")).size(), 3u);
+  const std::string error = error_of([&] { read(capture(4, {1, 3}, "nan")); });
+  EXPECT_TRUE(contains(error, "vertex 1: opacity")) << error;
+  EXPECT_TRUE(contains(error, "2 of 4 splats")) << error;
+}
+
+TEST_F(DroppedSplatsTest, OfGltfAreLeftOutWhereverNodesPlaceThem) {
+  SplatGltfBuilder builder;
+  builder.attributes()["POSITION"] = builder.add({1, 2, 3, 4, 5, 6, 7, 8, 9}, "VEC3");
+  builder.set("ROTATION", builder.add({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}, "VEC4"));
+  builder.set("SCALE", builder.add({1, 1, 1, 1, -1, 1, 1, 1, 1}, "VEC3"));
+  builder.set("OPACITY", builder.add({0.5, 0.5, 0.5}, "SCALAR"));
+  builder.json["nodes"].push_back({{"mesh", 0}, {"translation", {10, 0, 0}}});
+  builder.json["scenes"][0]["nodes"].push_back(1);
+  const std::vector<Gaussian> found = read(folder_.write("a.glb", builder.binary()));
+  ASSERT_EQ(found.size(), 4u);
+  EXPECT_EQ(found[1].center, glm::dvec3(7, 8, 9));
+  EXPECT_EQ(found[3].center, glm::dvec3(17, 8, 9));
+  ASSERT_EQ(warnings_.size(), 1u);
+  EXPECT_TRUE(contains(warnings_[0], "2 of 6 splats left out; the first: nodes[0], splat 1"))
+      << warnings_[0];
+}
+
+TEST_F(DroppedSplatsTest, AreAWarningOfTheSceneThatHasTheFile) {
+  capture(10, {3}, "nan");
+  const auto scene = folder_.write("a.brume", R"({ "format": "brume-scene", "version": 1,
+    "medium": { "file": "capture.ply" } })");
+  EXPECT_EQ(load_scene(scene, &warnings_).medium.size(), 9u);
+  ASSERT_EQ(warnings_.size(), 1u);
+  EXPECT_TRUE(contains(warnings_[0], "medium.file")) << warnings_[0];
+  EXPECT_TRUE(contains(warnings_[0], "1 of 10 splats")) << warnings_[0];
+}
+
+// In the file's own names, not in those of the Gaussians that splats become.
+TEST_F(DroppedSplatsTest, FaultsHaveTheNamesOfSplats) {
+  const SplatNames names{{"x", "y", "z"}, {"scale_0", "scale_1", "scale_2"}, "opacity", {"r"}};
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(splat_fault({{0, 0, 0}, 1, 1}, names), "");
+  EXPECT_TRUE(splat_fault({{0, nan, 0}, 1, 1}, names).starts_with("y: found nan"));
+  EXPECT_TRUE(splat_fault({{0, 0, 0}, 1e30, 1}, names).starts_with("scale_0: found"));
+  EXPECT_TRUE(splat_fault({{0, 0, 0}, 1, nan}, names).starts_with("opacity: "));
+}
+
+}  // namespace
+}  // namespace brume
