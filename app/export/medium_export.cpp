@@ -57,9 +57,11 @@ FrameLoop::Write writing(const MediumExport& request, const std::filesystem::pat
       return [grids = std::make_shared<const Grids>(sampled(request, file, scene, job)), file,
               half = request.half] { write_volume(file, grids->density, half, grids->colors); };
     case MediumFormat::splats:
-      return [gaussians = scene.medium.gaussians(), file,
+      return [gaussians = scene.medium.gaussians(), ids = written_ids(scene.medium), file,
               output = SplatOutput{request.along, scene.optics.albedo, {}, request.y_down}] {
-        write_splats(file, gaussians, output);
+        SplatOutput with_ids = output;
+        with_ids.ids = ids;
+        write_splats(file, gaussians, with_ids);
       };
     case MediumFormat::lit_splats:
     case MediumFormat::page: {
@@ -72,7 +74,9 @@ FrameLoop::Write writing(const MediumExport& request, const std::filesystem::pat
     case MediumFormat::stage:  // write_stage() has all its frames
       break;
   }
-  return [gaussians = scene.medium.gaussians(), file] { write_gaussians(file, gaussians); };
+  return [gaussians = scene.medium.gaussians(), ids = written_ids(scene.medium), file] {
+    write_gaussians(file, gaussians, ids);
+  };
 }
 
 void write_stage(const MediumExport& request, const Job& job) {

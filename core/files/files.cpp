@@ -49,12 +49,20 @@ void save_scene(const Scene& scene, const fs::path& file) {
 }
 
 std::vector<Gaussian> load_gaussians(const fs::path& file, const SplatInput& splats,
-                                     std::vector<std::string>* warnings) {
+                                     std::vector<std::string>* warnings,
+                                     std::vector<GaussianNumber>* ids) {
+  if (ids) return read_with_ids(file, *ids, splats, warnings);
   return read_gaussians(file, nullptr, limits::gaussians, splats, warnings);
 }
 
-void save_gaussians(std::span<const Gaussian> gaussians, const fs::path& file) {
-  write_gaussians(file, gaussians);
+void save_gaussians(std::span<const Gaussian> gaussians, const fs::path& file,
+                    std::span<const GaussianNumber> ids) {
+  if (!ids.empty() && ids.size() != gaussians.size()) {
+    throw DomainError("ids", "found " + std::to_string(ids.size()) + " for " +
+                                 std::to_string(gaussians.size()) +
+                                 " Gaussians; allowed: one each");
+  }
+  write_gaussians(file, gaussians, ids);
 }
 
 Surface load_surface(const fs::path& mesh) {

@@ -115,6 +115,17 @@ MediumEdit MediumEdit::add(const Medium& medium, std::span<const Gaussian> gauss
   return edit;
 }
 
+MediumEdit MediumEdit::add([[maybe_unused]] const Medium& medium,
+                           std::span<const Gaussian> gaussians, std::span<const GaussianId> ids) {
+  assert(ids.size() == gaussians.size() && std::ranges::is_sorted(ids));
+  MediumEdit edit;
+  for (std::size_t k = 0; k < ids.size(); ++k) {
+    assert(!medium.index_of(ids[k]) && "MediumEdit::add: the id is taken");
+    edit.added_.push_back({ids[k], gaussians[k]});
+  }
+  return edit;
+}
+
 MediumEdit MediumEdit::remove(const Medium& medium, std::span<const GaussianId> ids) {
   MediumEdit edit;
   edit.removed_.reserve(ids.size());

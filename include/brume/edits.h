@@ -27,6 +27,9 @@ class BRUME_EXPORT MediumEdit {
 
   // Factories. Ids must be in the medium (assert).
   static MediumEdit add(const Medium& medium, std::span<const Gaussian> gaussians);
+  // The same with ids that ascend and are not in the medium, as a file has them.
+  static MediumEdit add(const Medium& medium, std::span<const Gaussian> gaussians,
+                        std::span<const GaussianId> ids);
   static MediumEdit remove(const Medium& medium, std::span<const GaussianId> ids);
   // after[k] is the new value of ids[k]; unchanged Gaussians are skipped.
   static MediumEdit change(const Medium& medium, std::span<const GaussianId> ids,

@@ -21,8 +21,8 @@ namespace brume {
 // effect are appended to `warnings`, a line each.
 BRUME_EXPORT Scene load_scene(const std::filesystem::path& file,
                               std::vector<std::string>* warnings = nullptr);
-// Writes a scene losslessly; references become relative to the new file if possible. Throws
-// DomainError, too.
+// Writes a scene losslessly, with its Gaussians' ids; references become relative to the new file if
+// possible. Throws DomainError, too.
 BRUME_EXPORT void save_scene(const Scene& scene, const std::filesystem::path& file);
 
 // The same with what a file has besides its scene: keys that Brume does not know, which are kept
@@ -40,12 +40,15 @@ BRUME_EXPORT void save_scene_file(const SceneFile& scene, const std::filesystem:
 // Gaussian splatting stores, PLY and glTF (KHR_gaussian_splatting), is read as well, and written
 // for the extensions .glb and .gltf, as opaque as the Gaussians along the mean radius. Splats with
 // numbers that no Gaussian has are left out if they are less than half; `warnings` gets their
-// number and the first place.
+// number and the first place. `ids` are those of the column or property `id`; empty where a file
+// has none, as glTF. As many as Gaussians are written, none by default.
 BRUME_EXPORT std::vector<Gaussian> load_gaussians(const std::filesystem::path& file,
                                                   const SplatInput& splats = {},
-                                                  std::vector<std::string>* warnings = nullptr);
+                                                  std::vector<std::string>* warnings = nullptr,
+                                                  std::vector<GaussianNumber>* ids = nullptr);
 BRUME_EXPORT void save_gaussians(std::span<const Gaussian> gaussians,
-                                 const std::filesystem::path& file);
+                                 const std::filesystem::path& file,
+                                 std::span<const GaussianNumber> ids = {});
 
 // Surfaces and lights that a file makes, to be placed in a scene: a mesh (OBJ, PLY, STL, OFF), and
 // an environment map (EXR, HDR).

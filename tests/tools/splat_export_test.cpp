@@ -91,6 +91,33 @@ TEST_F(SplatExport, SplatsOfPlyMayHaveYDown) {
   expect_same("up.csv", 1e-6);
 }
 
+TEST_F(SplatExport, KeepsIds) {
+  const std::vector<Gaussian> two{{{0, 0, 0}, 1, 1}, {{1, 0, 0}, 1, 1}};
+  const std::vector<GaussianNumber> ids{4000000000, 3};
+  const auto ids_of = [&](const char* name) {
+    std::vector<GaussianNumber> found;
+    read_gaussians(file(name), &found);
+    return found;
+  };
+  write_gaussians(file("ids.csv"), two, ids);
+  expect_done({"export", file("ids.csv"), "-o", file("b.ply")});
+  expect_done({"export", file("b.ply"), "-o", file("c.ply"), "--splats"});
+  expect_done({"export", file("c.ply"), "-o", file("d.csv")});
+  for (const char* name : {"b.ply", "c.ply", "d.csv"}) EXPECT_EQ(ids_of(name), ids) << name;
+
+  folder_.write("s.brume", R"({ "format": "brume-scene", "version": 1, "medium": { "gaussians": [
+    { "center": [0, 0, 0], "radius": 1, "density": 1, "id": 5 },
+    { "center": [1, 0, 0], "radius": 1, "density": 1 } ] } })");
+  expect_done({"export", file("s.brume"), "-o", file("s.csv")});
+  EXPECT_EQ(ids_of("s.csv"), (std::vector<GaussianNumber>{5, 6}));
+  expect_done({"export", file("a.ply"), "-o", file("none.csv")});
+  EXPECT_TRUE(ids_of("none.csv").empty());
+  // A column of another program's.
+  folder_.write("words.csv", "id,x,y,z,radius,density\npuff,1,2,3,1,1\n");
+  expect_done({"export", file("words.csv"), "-o", file("e.csv")});
+  EXPECT_TRUE(ids_of("e.csv").empty());
+}
+
 TEST_F(SplatExport, ReadsFilesWithZUp) {
   for (const char* name : {"up.csv", "up.ply"}) {
     expect_done({"export", file("a.ply"), "-o", file("splats.ply"), "--splats"});

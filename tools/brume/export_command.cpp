@@ -195,6 +195,12 @@ class ExportCommand final : public Command {
     return along_ == "longest" ? OpacityAlong::longest : OpacityAlong::mean;
   }
 
+  // Gaussians, and their ids if these are written.
+  struct NumberedMedium {
+    Medium medium;
+    std::vector<GaussianNumber> ids{};
+  };
+
   // As few Gaussians as --simplify asks for.
   [[nodiscard]] Medium simplified(const Medium& medium) const {
     if (!(simplify_ > 0.0)) return medium;
@@ -210,19 +216,18 @@ class ExportCommand final : public Command {
     return result;
   }
 
-  [[nodiscard]] Medium read_file(const std::string& file) const {
-    Medium medium;
+  [[nodiscard]] NumberedMedium read_file(const std::string& file) const {
+    NumberedMedium read;
     const bool is_turned = y_down_ && up_.empty() && may_have_y_down(file) && has_splats(file);
     std::vector<std::string> warnings;
-    std::vector<Gaussian> gaussians =
-        read_gaussians(file, nullptr, limits::gaussians, {along(), colors_}, &warnings);
+    std::vector<Gaussian> gaussians = read_with_ids(file, read.ids, {along(), colors_}, &warnings);
     print_warnings(warnings);
     for (Gaussian& gaussian : gaussians) {
       if (is_turned) turn_half(gaussian);
       if (up_ == "z") turn_z_up(gaussian);
-      medium.append(gaussian);
+      read.medium.append(gaussian);
     }
-    return medium;
+    return read;
   }
 
   // The scene at a time [s].
@@ -241,8 +246,12 @@ class ExportCommand final : public Command {
   }
 
   // The medium at a time [s].
-  [[nodiscard]] Medium read(double time) {
-    if (lower_case_extension(input_) == ".brume") return read_scene_at(time).medium;
+  [[nodiscard]] NumberedMedium read(double time) {
+    if (lower_case_extension(input_) == ".brume") {
+      Medium medium = read_scene_at(time).medium;
+      std::vector<GaussianNumber> ids = written_ids(medium);
+      return {std::move(medium), std::move(ids)};
+    }
     files_.add_input(input_);
     return read_file(input_);
   }
@@ -287,9 +296,9 @@ class ExportCommand final : public Command {
   }
 
   // What writes a medium, or what is left of it.
-  FrameLoop::Write writing(const Medium& whole, const std::string& output) {
+  FrameLoop::Write writing(const NumberedMedium& whole, const std::string& output) {
     check_interrupted();
-    const Medium medium = simplified(whole);
+    const Medium medium = simplified(whole.medium);
     if (lower_case_extension(output) == ".vdb") {
       const auto grids = std::make_shared<const Grids>(sampled_grids(medium, output));
       return [grids, output, half = half_] {
@@ -297,12 +306,18 @@ class ExportCommand final : public Command {
       };
     }
     std::vector<Gaussian> gaussians = medium.gaussians();
+    std::vector<GaussianNumber> ids;  // of merged Gaussians there are none
+    if (!(simplify_ > 0.0)) ids = whole.ids;
     if (!splats_) {
-      return [gaussians = std::move(gaussians), output] { write_gaussians(output, gaussians); };
+      return [gaussians = std::move(gaussians), ids = std::move(ids), output] {
+        write_gaussians(output, gaussians, ids);
+      };
     }
-    return [gaussians = std::move(gaussians), output,
+    return [gaussians = std::move(gaussians), ids = std::move(ids), output,
             splats = SplatOutput{along(), albedo_, {}, y_down_}] {
-      write_splats(output, gaussians, splats);
+      SplatOutput with_ids = splats;
+      with_ids.ids = ids;
+      write_splats(output, gaussians, with_ids);
     };
   }
 

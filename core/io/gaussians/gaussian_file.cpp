@@ -59,6 +59,26 @@ std::vector<Gaussian> read_gaussians(const std::filesystem::path& file,
   return read_numbered(file, ids, max_count, gaussian_columns::id_name, splats, warnings);
 }
 
+std::vector<Gaussian> read_with_ids(const std::filesystem::path& file,
+                                    std::vector<GaussianNumber>& ids, const SplatInput& splats,
+                                    std::vector<std::string>* warnings) {
+  try {
+    return read_gaussians(file, &ids, limits::gaussians, splats, warnings);
+  } catch (const InputError&) {
+    ids.clear();  // if it is these, the file is read without; if not, there is the same error again
+    return read_gaussians(file, nullptr, limits::gaussians, splats, warnings);
+  }
+}
+
+std::vector<GaussianNumber> written_ids(const Medium& medium) {
+  const std::span<const GaussianId> ids = medium.ids();
+  if (ids.empty() || ids.back() == ids.size()) return {};  // they ascend
+  if (!gaussian_columns::is_id(static_cast<double>(ids.back()))) return {};
+  std::vector<GaussianNumber> numbers;
+  for (const GaussianId id : ids) numbers.push_back(static_cast<GaussianNumber>(id));
+  return numbers;
+}
+
 std::size_t max_gaussian_count(const std::filesystem::path& file) {
   const Format format = format_of(file);
   if (format == Format::ply) return max_gaussian_count_ply(file);

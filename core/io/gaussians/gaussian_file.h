@@ -7,6 +7,7 @@
 
 #include "brume/gaussian.h"
 #include "brume/limits.h"
+#include "brume/medium.h"
 #include "brume/splat.h"
 #include "core/io/gaussians/splat_output.h"
 
@@ -21,6 +22,16 @@ std::vector<Gaussian> read_gaussians(const std::filesystem::path& file,
                                      std::size_t max_count = limits::gaussians,
                                      const SplatInput& splats = {},
                                      std::vector<std::string>* warnings = nullptr);
+
+// The same of a file whose ids may be missing, or no ids but another program's words: then there
+// are none in `ids`.
+std::vector<Gaussian> read_with_ids(const std::filesystem::path& file,
+                                    std::vector<GaussianNumber>& ids, const SplatInput& splats = {},
+                                    std::vector<std::string>* warnings = nullptr);
+
+// The ids of a medium's Gaussians, to be written with them: none if they are 1, 2, 3 and so on, as
+// those of a file without ids become, or beyond 32 bits.
+std::vector<GaussianNumber> written_ids(const Medium& medium);
 
 // How many Gaussians a file has at most, without reading them all: by the header of a PLY, by the
 // lines of a CSV, by the JSON of a glTF. Throws InputError.

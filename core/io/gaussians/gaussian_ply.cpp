@@ -179,7 +179,7 @@ std::vector<Gaussian> read_gaussians_ply(const std::filesystem::path& file,
         const std::optional<Gaussian> gaussian = to_gaussian(index, row);
         if (!gaussian) return;
         gaussians.push_back(*gaussian);
-        if (!ids || !id || are_splats) return;
+        if (!ids || !id) return;
         const double number = row.scalars[(*id)[0]];
         if (!gaussian_columns::is_id(number)) {
           throw InputError(

@@ -19,6 +19,9 @@ struct SplatOutput {
   // Of a PLY: turned by half about z, so that y points down, as captures have it and most viewers
   // of PLY expect.
   bool y_down = false;
+  // Of each Gaussian in a PLY; empty: none. Programs of splatting skip a property that they do not
+  // know; an attribute of glTF has too few bits for ids.
+  std::span<const GaussianNumber> ids{};
 };
 
 // The albedo as the color of a splat: sh_of_albedo().

@@ -51,8 +51,9 @@ std::string splats_ply(std::span<const Gaussian> gaussians, const SplatOutput& o
   std::string bytes = "ply\nformat binary_little_endian 1.0\n";
   bytes += "element vertex " + std::to_string(gaussians.size()) + "\n";
   for (const std::string& property : properties) bytes += "property float " + property + "\n";
+  if (!output.ids.empty()) bytes += "property uint id\n";
   bytes += "end_header\n";
-  bytes.reserve(bytes.size() + gaussians.size() * properties.size() * sizeof(float));
+  bytes.reserve(bytes.size() + gaussians.size() * (properties.size() + 1) * sizeof(float));
   const auto append = [&](std::initializer_list<double> values) {
     for (const double value : values) append_little_endian(bytes, static_cast<float>(value));
   };
@@ -70,6 +71,7 @@ std::string splats_ply(std::span<const Gaussian> gaussians, const SplatOutput& o
       append({color.x, color.y, color.z});
     }
     append({opacity_logit(splat.depth), scale.x, scale.y, scale.z, q.w, q.x, q.y, q.z});
+    if (!output.ids.empty()) append_little_endian(bytes, output.ids[i]);
   }
   return bytes;
 }

@@ -1,9 +1,13 @@
 #include <algorithm>
+#include <array>
 #include <new>
+#include <span>
 
+#include "brume/edits.h"
 #include "brume/error.h"
 #include "brume/limits.h"
 #include "core/io/file_bytes.h"
+#include "core/io/gaussians/gaussian_columns.h"
 #include "core/io/scene/camera_json.h"
 #include "core/io/scene/group_json.h"
 #include "core/io/scene/json_reader.h"
@@ -137,9 +141,27 @@ class SceneLoader {
     gaussian.optics = load_optics(object);
     gaussian.group = read_group_name(object, "group", scene_.groups);
     PaintedSpline* spline = read_spline_name(object, scene_.splines);
-    const GaussianId id = scene_.medium.append(gaussian);
+    const std::array ids{read_id(object, value)};
+    const GaussianId id = ids[0];
+    if (id == scene_.medium.next_id()) {
+      scene_.medium.append(gaussian);
+    } else {
+      MediumEdit::add(scene_.medium, std::span(&gaussian, 1), ids).apply(scene_.medium);
+    }
     if (spline != nullptr) spline->gaussians.push_back(id);
     unknown_keys_.add_of_gaussian(id, object.unknown_keys());
+  }
+
+  // The id of the next Gaussian: one more than that of the last, or a larger one that it has. What
+  // else the key holds is another program's, and unknown.
+  GaussianId read_id(JsonObject& object, const Json& value) const {
+    const GaussianId next = scene_.medium.next_id();
+    const auto found = value.find("id");
+    if (found == value.end() || !found->is_number_unsigned()) return next;
+    const auto id = found->get<GaussianId>();
+    if (id < next || !gaussian_columns::is_id(static_cast<double>(id))) return next;
+    static_cast<void>(object.find("id"));
+    return id;
   }
 
   void load_group(const Json& value, const JsonPath& path) {

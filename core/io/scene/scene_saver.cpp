@@ -4,6 +4,7 @@
 
 #include "brume/error.h"
 #include "core/io/atomic_file.h"
+#include "core/io/gaussians/gaussian_columns.h"
 #include "core/io/scene/camera_json.h"
 #include "core/io/scene/group_json.h"
 #include "core/io/scene/json_reader.h"
@@ -109,6 +110,7 @@ Json medium_to_json(const SceneDocument& document, const fs::path& directory) {
   }
   const std::map<GaussianId, const PaintedSpline*> splines = splines_of_gaussians(scene.splines);
   Json& gaussians = object["gaussians"] = Json::array();
+  GaussianId next_id = 1;
   for (std::size_t i = 0; i < medium.size(); ++i) {
     const GaussianId id = medium.ids()[i];
     if (file != nullptr && file->contains(id)) continue;
@@ -120,6 +122,8 @@ Json medium_to_json(const SceneDocument& document, const fs::path& directory) {
     if (const auto spline = splines.find(id); spline != splines.end()) {
       entry["spline"] = spline->second->name;
     }
+    if (id != next_id && gaussian_columns::is_id(static_cast<double>(id))) entry["id"] = id;
+    next_id = id + 1;
     add_unknown_keys(entry, unknown_keys.of_gaussian(id));
     gaussians.push_back(std::move(entry));
   }

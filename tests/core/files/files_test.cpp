@@ -53,6 +53,18 @@ TEST_F(Files, SavingRefusesWhatAFileCannotHold) {
   EXPECT_FALSE(std::filesystem::exists(folder_.path() / "s.brume"));
 }
 
+TEST_F(Files, GaussiansKeepTheirIds) {
+  const std::vector<Gaussian> two{{{0, 0, 0}, 1, 1}, {{1, 0, 0}, 1, 1}};
+  const std::vector<GaussianNumber> ids{9, 2};
+  for (const char* name : {"a.ply", "a.csv"}) {
+    save_gaussians(two, folder_.path() / name, ids);
+    std::vector<GaussianNumber> found;
+    EXPECT_EQ(load_gaussians(folder_.path() / name, {}, nullptr, &found), two);
+    EXPECT_EQ(found, ids);
+  }
+  EXPECT_THROW(save_gaussians(two, folder_.path() / "a.csv", std::span(ids).first(1)), DomainError);
+}
+
 TEST_F(Files, VolumeOfAMediumHasItsDensity) {
   Medium medium;
   medium.append({{0.2, 0.0, 0.0}, 0.5, 2.0});

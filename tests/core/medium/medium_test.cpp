@@ -275,5 +275,19 @@ TEST(Transform, KeepsTheOrderOfAxes) {
   EXPECT_NEAR(glm::dot(turned.shape.rotation, rotation), 1.0, 1e-14);
 }
 
+TEST(MediumEdit, AddsWithIdsOfAFile) {
+  Medium medium;
+  medium.append({{0, 0, 0}, 1, 1});
+  const std::vector<Gaussian> two{{{1, 0, 0}, 1, 1}, {{2, 0, 0}, 1, 1}};
+  const std::vector<GaussianId> ids{5, 9};
+  const MediumEdit edit = MediumEdit::add(medium, two, ids);
+  edit.apply(medium);
+  EXPECT_TRUE(std::ranges::equal(medium.ids(), std::vector<GaussianId>{1, 5, 9}));
+  EXPECT_EQ(medium.gaussian(*medium.index_of(9)), two[1]);
+  EXPECT_EQ(medium.next_id(), 10u);
+  edit.inverted().apply(medium);
+  EXPECT_EQ(medium.size(), 1u);
+}
+
 }  // namespace
 }  // namespace brume

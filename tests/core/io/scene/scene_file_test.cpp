@@ -10,6 +10,7 @@
 #include "brume/edits.h"
 #include "core/io/gaussians/gaussian_file.h"
 #include "core/io/image/image_file.h"
+#include "core/io/scene/json_reader.h"
 #include "core/io/scene/missing_files.h"
 #include "core/scene/mesh.h"
 #include "core/scene/photometric_profile.h"
@@ -487,6 +488,45 @@ TEST(SceneFile, RandomScenesComeBackTheSame) {
     ASSERT_EQ(document_to_json(loaded, folder.path()), content_of(folder / "a.brume"));
     ASSERT_TRUE(loaded == scene) << content_of(folder / "a.brume");
   }
+}
+
+// Ids stay what they were where Gaussians were removed; a file tells only what they skip.
+TEST(SceneFile, KeepsTheIdsOfGaussians) {
+  const TemporaryFolder folder;
+  Scene scene;
+  for (int i = 0; i < 6; ++i) scene.medium.append({{1.0 * i, 0.0, 0.0}, 1.0, 1.0});
+  save_document({scene}, folder / "whole.brume");
+  EXPECT_FALSE(contains(content_of(folder / "whole.brume"), "\"id\""));
+  const std::vector<GaussianId> removed{1, 4};
+  MediumEdit::remove(scene.medium, removed).apply(scene.medium);
+  save_document({scene}, folder / "edited.brume");
+  const Scene loaded = load_scene(folder / "edited.brume");
+  EXPECT_EQ(loaded.medium, scene.medium);
+  const Json json = Json::parse(content_of(folder / "edited.brume"));
+  const Json& gaussians = json["medium"]["gaussians"];
+  EXPECT_EQ(gaussians[0]["id"], 2);
+  EXPECT_FALSE(gaussians[1].contains("id"));
+  EXPECT_EQ(gaussians[2]["id"], 5);
+}
+
+// Before there were ids, the key was another program's: what is no id is kept as it is.
+TEST(SceneFile, KeepsWhatIsNoIdAsAnUnknownKey) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("a.brume", R"({ "format": "brume-scene", "version": 1,
+    "medium": { "gaussians": [
+      { "center": [0, 0, 0], "radius": 1, "density": 1, "id": 7 },
+      { "center": [1, 0, 0], "radius": 1, "density": 1, "id": "puff" },
+      { "center": [2, 0, 0], "radius": 1, "density": 1, "id": 3 } ] } })");
+  std::vector<std::string> warnings;
+  const SceneDocument document = load_document(file, &warnings);
+  EXPECT_EQ(document.scene.medium.ids()[0], 7u);
+  EXPECT_EQ(document.scene.medium.ids()[2], 9u);
+  EXPECT_EQ(warnings.size(), 1u);
+  save_document(document, folder / "b.brume");
+  const Json saved = Json::parse(content_of(folder / "b.brume"))["medium"]["gaussians"];
+  EXPECT_EQ(saved[0]["id"], 7);
+  EXPECT_EQ(saved[1]["id"], "puff");
+  EXPECT_EQ(saved[2]["id"], 3);
 }
 
 }  // namespace
