@@ -15,6 +15,7 @@
 #include "brume/mesh_arrays.h"
 #include "python/integers.h"
 #include "python/keyed.h"
+#include "python/warnings.h"
 
 namespace py = pybind11;
 

@@ -255,7 +255,11 @@ RawScene read_with_assimp(const fs::path& file) {
                                          aiProcess_ValidateDataStructure);
   }
   if (scene == nullptr) {
-    throw InputError(file, "", "cannot be read: " + quoted_text(importer.GetErrorString(), 200));
+    // The importer's own words are about its code.
+    const bool is_obj = lower_case_extension(file) == ".obj";
+    throw InputError(
+        file, "",
+        std::string("cannot be read: it is damaged, or no ") + (is_obj ? "OBJ with faces" : "FBX"));
   }
   RawScene result = Reader(*scene, file).read();
   if (repair.bad_faces > 0) {
