@@ -71,12 +71,6 @@ std::vector<Gaussian> read_splats(const fs::path& file, const SplatOptions& opti
   return gaussians;
 }
 
-QString lines_of(const std::vector<std::string>& warnings) {
-  QStringList lines;
-  for (const std::string& warning : warnings) lines << QString::fromStdString(warning);
-  return lines.join('\n');
-}
-
 std::vector<Gaussian> read_any_gaussians(const fs::path& file, const std::stop_token& stop) {
   return is_one_of(file, vtk_files) ? read_vtk_points(file, nullptr, limits::gaussians, stop)
                                     : read_gaussians(file);
@@ -99,12 +93,6 @@ Surface read_surface(const fs::path& file, std::vector<std::string>& warnings) {
   surface.mesh_file = file;
   surface.mesh = read_mesh(file, &warnings);
   return surface;
-}
-
-QString lines_of(const std::vector<std::string>& warnings) {
-  QStringList lines;
-  for (const std::string& warning : warnings) lines << QString::fromStdString(warning);
-  return lines.join('\n');
 }
 
 }  // namespace
