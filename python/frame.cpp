@@ -126,10 +126,11 @@ class Busy {
 
 std::shared_ptr<TimedFrame> render_by(
     Renderer& renderer, const SharedScene& scene, const std::optional<std::pair<int, int>>& size,
-    double max_error, const std::string& airlight, const std::string& scattering, double time,
-    const std::shared_ptr<KeyedCamera>& camera, const std::optional<int>& samples,
-    const std::optional<std::pair<double, double>>& shutter, const py::iterable& layers,
-    bool measure_error, const std::string& backend, int threads, const py::object& progress) {
+    double max_error, const std::string& airlight, const std::string& scattering,
+    std::uint32_t seed, double time, const std::shared_ptr<KeyedCamera>& camera,
+    const std::optional<int>& samples, const std::optional<std::pair<double, double>>& shutter,
+    const py::iterable& layers, bool measure_error, const std::string& backend, int threads,
+    const py::object& progress) {
   const Busy busy(renderer);
   RenderRequest request;
   if (size) request.film = Film{size->first, size->second};
@@ -139,6 +140,7 @@ std::shared_ptr<TimedFrame> render_by(
   request.scattering =
       chosen<Scattering, 2>("scattering", scattering,
                             {{{"single", Scattering::single}, {"multiple", Scattering::multiple}}});
+  request.seed = seed;
   request.samples = samples;
   if (shutter) request.shutter = Shutter{shutter->first, shutter->second};
   request.layers = layers_of(layers);
@@ -173,7 +175,8 @@ constexpr const char* render_doc =
     "max_error: of 'auto', the relative RMSE of the airlight that it keeps.\n"
     "airlight: 'auto', 'paper', 'sliced', 'sliced:N', 'march:N', 'reference' or 'path:N'.\n"
     "scattering: 'multiple', all orders, or 'single'.\n"
-    "time: of the animation [s].\n"
+    "seed: of 'path': each is another, independent picture, 0 to 4294967295.\n"
+    "time: of the animation [s]; frame n is at n / scene.frames_per_second.\n"
     "camera: None: the scene's.\n"
     "samples: of pixels that need them; None: chosen.\n"
     "shutter: (open, close) [frames]; None: the scene's.\n"
@@ -189,7 +192,7 @@ template <class Bound, class Function>
 void def_render(Bound& bound, Function function) {
   bound.def("render", function, py::arg("scene"), py::kw_only(), py::arg("size") = py::none(),
             py::arg("max_error") = RenderRequest{}.max_error, py::arg("airlight") = "auto",
-            py::arg("scattering") = "multiple", py::arg("time") = 0.0,
+            py::arg("scattering") = "multiple", py::arg("seed") = 0, py::arg("time") = 0.0,
             py::arg("camera") = py::none(), py::arg("samples") = py::none(),
             py::arg("shutter") = py::none(), py::arg("layers") = py::tuple(),
             py::arg("measure_error") = false, py::arg("backend") = "auto", py::arg("threads") = 0,

@@ -498,6 +498,15 @@ void bind_scene(py::module_& module) {
           "last_moment",
           [](const SharedScene& self) { return last_moment(self.without_gaussians().scene); },
           "Time of the last keyframe [s].")
+      .def_property(
+          "frames_per_second", [](const SharedScene& self) { return frame_rate(self.rest.scene); },
+          [](SharedScene& self, double rate) {
+            Scene whole = self.without_gaussians().scene;
+            set_frame_rate(whole, rate);
+            self.rest.scene.playback = whole.playback;
+          },
+          "Of the timeline, else 30, from 1 to 1000: frame n is at n / frames_per_second seconds; "
+          "shutters and motion count in frames.")
       .def(
           "save",
           [](const SharedScene& self, const std::filesystem::path& file) {

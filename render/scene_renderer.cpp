@@ -10,6 +10,7 @@
 #include "core/scene/check.h"
 #include "render/gl_renderer.h"
 #include "render/layers/frame_layers.h"
+#include "render/output/frame_file.h"
 #include "render/render_plan.h"
 #include "render/shot.h"
 #include "render/transfer/transfer_cache.h"
@@ -54,6 +55,7 @@ Settings settings_of(const RenderRequest& request) {
   settings.scattering = request.scattering;
   settings.march_steps = request.march_steps;
   settings.paths = request.paths;
+  settings.path_seed = request.seed;
   settings.threads = request.threads;
   if (request.airlight == AirlightMethod::auto_) settings.airlight_scale = 4;
   return settings;
@@ -145,6 +147,7 @@ std::optional<Frame> SceneRenderer::render(const Scene& animation, const RenderR
     if (!layers) return std::nullopt;
     frame.layers = std::move(*layers);
   }
+  frame.layers.metadata.merge(settings_metadata(found->settings));
   frame.warnings = std::move(warnings);
   if (progress) progress(1.0);
   return frame;

@@ -38,7 +38,7 @@ void Timeline::set_frames_per_second(double rate) {
 }
 
 void Timeline::follow(const Scene& scene) {
-  set_frames_per_second(scene.playback ? scene.playback->frames_per_second : default_frame_rate);
+  set_frames_per_second(frame_rate(scene));
   if (const auto& playback = scene.playback) {
     set_loop(playback->loops);
     set_range(playback->first, playback->last);

@@ -37,7 +37,7 @@ class Exporter {
           request_.range->first, request_.range->last, job_, [this](int number, int k, int count) {
             const std::filesystem::path file =
                 request_.file.empty() ? request_.file : numbered_file(request_.file, number);
-            return writing(file, numbered_frame(number, k, count));
+            return writing(file, numbered_frame(number, k, count), number);
           });
     }
   }
@@ -71,11 +71,16 @@ class Exporter {
   }
 
   // What writes a frame. A deep file is rendered at once.
-  FrameLoop::Write writing(const std::filesystem::path& file, Frame frame) {
+  FrameLoop::Write writing(const std::filesystem::path& file, Frame frame,
+                           std::optional<int> number = {}) {
     if (file.empty()) return [] {};
     FrameInfo info = request_.info;
     info.backend = frame.statistics.backend;
     info.noise = relative_noise(frame);
+    Settings settings = request_.settings;
+    settings.samples = samples_of(request_.exposure, frame.camera, *request_.scene);
+    info.settings = settings_metadata(settings);
+    info.frame = number;
     if (is_deep_file(file)) {
       if (!source_.write_deep(file, frame, info, {job_.stop, {}})) throw Cancelled();
       return [this] { ++written_; };

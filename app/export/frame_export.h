@@ -20,7 +20,7 @@ struct FrameExportRequest {
   std::shared_ptr<const Scene> scene;  // with its animation
   std::optional<Camera> camera;        // nullopt: the scene's camera at each time
   Settings settings;
-  FrameInfo info;  // without backend and noise, set per frame
+  FrameInfo info;  // without backend, noise, settings and number, set per frame
   Exposure exposure{};
   Backend backend = Backend::auto_;
   // The extension decides the format: .exr or .png, or .mp4 of several frames. Empty: no file.
@@ -28,7 +28,7 @@ struct FrameExportRequest {
   struct Range {
     int first = 0;
     int last = 0;
-    double frames_per_second = 30.0;
+    double frames_per_second = default_frame_rate;
   };
   std::optional<Range> range;  // nullopt: one frame
   double time = 0.0;           // of that [s]

@@ -36,7 +36,7 @@ struct MediumExport {
   struct Range {
     int first = 0;
     int last = 0;
-    double frames_per_second = 30.0;
+    double frames_per_second = default_frame_rate;
   };
   std::optional<Range> range;
 };

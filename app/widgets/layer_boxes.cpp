@@ -44,6 +44,8 @@ constexpr std::array texts{
                                 "another render")},
     LayerText{"layer_optical_depth", QT_TRANSLATE_NOOP("layers", "Optical depth"),
               QT_TRANSLATE_NOOP("layers", "Minus the logarithm of the transmittance")},
+    LayerText{"layer_planar_depth", QT_TRANSLATE_NOOP("layers", "Planar depth"),
+              QT_TRANSLATE_NOOP("layers", "The depth along the camera's axis, in scene units")},
     LayerText{"layer_normal", QT_TRANSLATE_NOOP("layers", "Normal"),
               QT_TRANSLATE_NOOP("layers", "Of surfaces, in the world")},
     LayerText{"layer_albedo", QT_TRANSLATE_NOOP("layers", "Albedo"),

@@ -17,7 +17,6 @@ namespace brume {
 
 class Autosave;
 class FrameExport;
-struct Exposure;
 struct FrameExportRequest;
 class GaussianPanel;
 class ImportedReload;
@@ -117,7 +116,6 @@ class MainWindow : public QMainWindow {
   void show_simplify();
   void start_file_job(const QString& title, const BackgroundJob::Work& work);
   [[nodiscard]] FrameExportRequest export_request(const std::filesystem::path& file) const;
-  [[nodiscard]] Exposure exposure() const;  // of what is exported
   void change_exposure(double stops);
   void save_current_picture();  // of the scene as it is in its file
   void show_time();             // what the timeline says

@@ -65,12 +65,6 @@ void MainWindow::export_animation_to(const std::filesystem::path& file, int firs
   render_queue_->add(request);
 }
 
-Exposure MainWindow::exposure() const {
-  Exposure exposure = exposure_of(document_.scene());
-  exposure.frames_per_second = timeline_->frames_per_second();
-  return exposure;
-}
-
 FrameExportRequest MainWindow::export_request(const std::filesystem::path& file) const {
   const Settings settings = viewport_->frames().quality().settings();
   return {.scene = document_.snapshot(),
@@ -80,7 +74,7 @@ FrameExportRequest MainWindow::export_request(const std::filesystem::path& file)
                    airlight_name(settings),
                    {},
                    viewport_->frames().display()},
-          .exposure = exposure(),
+          .exposure = exposure_of(document_.scene()),
           .backend = views_->backend(),
           .file = file,
           .range = std::nullopt,

@@ -10,6 +10,7 @@
 
 #include "brume/density_grid.h"
 #include "brume/fit.h"
+#include "brume/scene.h"
 #include "core/fit/sequence_fitter.h"
 #include "core/fit/volume_appearance.h"
 
@@ -17,11 +18,11 @@ namespace brume {
 
 // Parameters of fitting a volume.
 struct VolumeFit {
-  std::string grid = "density";     // no_grid: none, for flames alone
-  FitOptions options;               // `count` is of smoke and flames together
-  double density_scale = 1.0;       // scattering coefficient of density 1 [1/u]
-  bool z_up = false;                // rotates z to y
-  double frames_per_second = 30.0;  // for sequences with velocities
+  std::string grid = "density";                   // no_grid: none, for flames alone
+  FitOptions options;                             // `count` is of smoke and flames together
+  double density_scale = 1.0;                     // scattering coefficient of density 1 [1/u]
+  bool z_up = false;                              // rotates z to y
+  double frames_per_second = default_frame_rate;  // for sequences with velocities
   AppearanceOptions appearance;
 };
 

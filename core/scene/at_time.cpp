@@ -1,8 +1,10 @@
 #include "brume/at_time.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "brume/edits.h"
+#include "brume/limits.h"
 #include "core/number_domain.h"
 #include "core/scene/animation.h"
 #include "core/scene/group_effects.h"
@@ -22,6 +24,18 @@ double last_moment(const Scene& scene) {
   double last = last_key_time(scene);
   for (const MediumSequence& sequence : scene.sequences) last = std::max(last, end_of(sequence));
   return last;
+}
+
+double frame_rate(const Scene& scene) {
+  return scene.playback ? scene.playback->frames_per_second : default_frame_rate;
+}
+
+void set_frame_rate(Scene& scene, double rate) {
+  if (!scene.playback) {
+    const double last = std::ceil(last_moment(scene) * rate - 1e-6);
+    scene.playback = Playback{0, static_cast<int>(std::clamp<double>(last, 0.0, limits::frame))};
+  }
+  scene.playback->frames_per_second = rate;
 }
 
 std::size_t gaussian_count(const Scene& scene) {

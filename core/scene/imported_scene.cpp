@@ -19,8 +19,9 @@ void append(MeshArrays& all, const MeshArrays& mesh) {
 
 Surface surface_of(const Surface& whole, const ImportedPart& part) {
   Surface surface = whole;
-  const std::string& node = whole.imported->nodes[part.node].name;
-  surface.name = whole.name.empty() ? node : whole.name + "/" + node;
+  const ImportedNode& source = whole.imported->nodes[part.node];
+  const std::string& node = source.mesh_name.empty() ? source.name : source.mesh_name;
+  surface.name = whole.name.empty() || whole.name == node ? node : whole.name + "/" + node;
   surface.imported = nullptr;
   surface.nodes.clear();
   surface.mesh = part.mesh;

@@ -16,6 +16,7 @@ namespace brume {
 struct ImportedNode {
   std::string name;                     // not empty; several nodes may have the same
   std::optional<std::size_t> parent{};  // an earlier node
+  std::string mesh_name{};              // what it shows is called, if the file names only its mesh
 };
 
 // A mesh of a node, all of one material.
@@ -55,7 +56,8 @@ std::vector<const ImportedPart*> chosen_parts(const ImportedScene& scene,
 std::shared_ptr<const TriangleMesh> joined_mesh(std::span<const ImportedPart* const> parts);
 
 // The surfaces that frames show: visible ones, and in place of one with an imported scene its
-// parts, each with the placement of that surface, named SURFACE/NODE, or NODE.
+// parts, each with the placement of that surface, named SURFACE/NODE, or NODE where the surface has
+// no name or the same. A node that has no name is called as its mesh.
 std::vector<Surface> shown_surfaces(std::span<const Surface> surfaces);
 
 }  // namespace brume

@@ -11,6 +11,12 @@ BRUME_EXPORT bool is_animated(const Scene& scene);
 // Time of the last keyframe or sequence frame, at least 0 [s].
 BRUME_EXPORT double last_moment(const Scene& scene);
 
+// Frames per second of the scene, by which frames become times, shutters and motion: those of its
+// timeline, else default_frame_rate.
+BRUME_EXPORT double frame_rate(const Scene& scene);
+// Sets it; a scene without a timeline gets one that ends at last_moment().
+BRUME_EXPORT void set_frame_rate(Scene& scene, double rate);
+
 // Upper bound of the Gaussians of a scene at any time, including sequences and particles; bounded
 // by limits::gaussians.
 BRUME_EXPORT std::size_t gaussian_count(const Scene& scene);

@@ -79,7 +79,9 @@ struct ErrorEstimate {
 // distance; elsewhere `depth` is optical depth.
 struct Frame {
   Film film;
+  Camera camera;                     // that saw it
   double time = 0.0;                 // Scene::time [s]
+  double frames_per_second = 0.0;    // frame_rate() of the scene; 0: not known
   std::vector<float> beauty;         // RGBA per pixel; A = 1 on surfaces, else 1 - transmittance
   std::vector<float> airlight;       // RGB per pixel
   std::vector<float> transmittance;  // RGB per pixel, eye to first surface or through the medium

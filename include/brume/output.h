@@ -21,6 +21,7 @@ struct OutputLayers {
   bool multiple = false;
   bool optical_depth = false;
   // Of the surface that is seen first.
+  bool planar_depth = false;  // along the camera's axis
   bool normal = false;
   bool albedo = false;
   bool position = false;
@@ -54,6 +55,7 @@ inline constexpr std::array layer_names{LayerName{"airlight", &OutputLayers::air
                                         LayerName{"direct", &OutputLayers::direct},
                                         LayerName{"multiple", &OutputLayers::multiple},
                                         LayerName{"optical_depth", &OutputLayers::optical_depth},
+                                        LayerName{"depth.planar", &OutputLayers::planar_depth},
                                         LayerName{"normal", &OutputLayers::normal},
                                         LayerName{"albedo", &OutputLayers::albedo},
                                         LayerName{"position", &OutputLayers::position},

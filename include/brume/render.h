@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -27,6 +28,8 @@ struct RenderRequest {
   int slices = 24;       // `sliced`: of a view ray, 4 to 256
   int march_steps = 64;  // `march`: of a view ray, 1 to 65,536
   int paths = 64;        // `path`: per pixel, 1 to limits::paths
+  // `path`: each seed gives another, independent picture.
+  std::uint32_t seed = 0;
 
   // Of pixels that need them, 1 to limits::samples; absent: the scene's, else chosen.
   std::optional<int> samples{};

@@ -29,6 +29,7 @@ struct Material {
   std::filesystem::path file{};  // measured only: a MERL .binary
   std::shared_ptr<const MeasuredBrdf> measured{};  // its content; never null in a loaded scene
   MetallicRoughness metallic_roughness{};          // metallic_roughness only
+  std::string name{};  // an imported material has that of its file; empty: none
 
   bool operator==(const Material&) const = default;
 };

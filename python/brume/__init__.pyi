@@ -136,6 +136,7 @@ class Scene:
     lights: list[Light]
     surfaces: list[Surface]
     size: Tuple[int, int]
+    frames_per_second: float
     albedo: _Vec3
     anisotropy: float
     def __init__(self) -> None: ...
@@ -195,6 +196,7 @@ class Renderer:
         max_error: float = 0.02,
         airlight: str = "auto",
         scattering: str = "multiple",
+        seed: int = 0,
         time: float = 0.0,
         camera: Optional[Camera] = None,
         samples: Optional[int] = None,
@@ -215,6 +217,7 @@ def render(
     max_error: float = 0.02,
     airlight: str = "auto",
     scattering: str = "multiple",
+    seed: int = 0,
     time: float = 0.0,
     camera: Optional[Camera] = None,
     samples: Optional[int] = None,

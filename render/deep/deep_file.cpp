@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "brume/at_time.h"
 #include "core/io/file_bytes.h"
 #include "core/number_domain.h"
 
@@ -30,7 +31,8 @@ std::optional<DeepFileStatistics> write_deep_frame(const std::filesystem::path& 
                                                    const TransferStore& transfers,
                                                    const FrameInfo& info, const Job& job) {
   const auto start = std::chrono::steady_clock::now();
-  DeepExrHeader header{film.width, film.height, has_colored_alpha(scene), frame_metadata(info)};
+  DeepExrHeader header{film.width, film.height, has_colored_alpha(scene),
+                       frame_metadata(info, scene.time), exr_view(camera, film, frame_rate(scene))};
   header.metadata["brume:deep_error"] = quoted_text(deep.error);
   DeepFileStatistics statistics;
   const auto produce = [&](const TakeDeepRows& take) {

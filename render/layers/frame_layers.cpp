@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "brume/at_time.h"
+#include "core/scene/camera_rays.h"
 #include "render/layers/cryptomatte.h"
 #include "render/layers/layer_channels.h"
 #include "render/layers/light_layers.h"
@@ -12,6 +13,18 @@
 
 namespace brume {
 namespace {
+
+// Of the points that Z is the distance of.
+void add_planar_depth(const CameraRays& rays, const Frame& frame, ImageLayers& image) {
+  std::vector<float>& planar = image.channels["depth.planar"];
+  planar = frame.depth;
+  const auto width = static_cast<std::size_t>(frame.film.width);
+  for (std::size_t i = 0; i < planar.size(); ++i) {
+    const glm::dvec3 direction =
+        rays.direction(static_cast<double>(i % width) + 0.5, static_cast<double>(i / width) + 0.5);
+    planar[i] *= static_cast<float>(glm::dot(direction, rays.forward()));
+  }
+}
 
 bool has_surface_layers(const OutputLayers& layers) {
   return layers.normal || layers.albedo || layers.position || layers.motion || layers.objects ||
@@ -51,6 +64,7 @@ std::size_t layer_bytes(const Scene& scene, const Film& film, const OutputLayers
        {layers.optical_depth, layers.normal, layers.albedo, layers.position, layers.motion}) {
     channels += one ? 3 : 0;
   }
+  if (layers.planar_depth) channels += 1;
   // Coverage is gathered apart from the channels.
   for (const bool matte : {layers.objects, layers.materials}) {
     channels += matte ? 4 * CoverageFilm::ranks : 0;
@@ -84,11 +98,11 @@ std::optional<ImageLayers> render_layers(const LayeredFrame& layered, const Outp
     return std::nullopt;
   }
   if (layers.optical_depth) add_optical_depth(layered.frame, image);
+  if (layers.planar_depth) add_planar_depth(CameraRays(camera, film), layered.frame, image);
   if (has_surface_layers(layers)) {
     std::optional<Scene> next;
     if (layers.motion) {
-      const double rate = scene.playback ? scene.playback->frames_per_second : default_frame_rate;
-      next = evaluate_at(layered.animated, scene.time + 1.0 / rate);
+      next = evaluate_at(layered.animated, scene.time + 1.0 / frame_rate(layered.animated));
     }
     const Camera& next_camera = layered.camera || !next ? camera : next->camera;
     add_surface_layers(scene, camera, film, layers, next ? &*next : nullptr, next_camera, job,

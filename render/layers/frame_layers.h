@@ -40,7 +40,8 @@ bool has_more_layers(const OutputLayers& layers);
 std::size_t layer_bytes(const Scene& scene, const Film& film, const OutputLayers& layers);
 
 // The channels and metadata of all layers but airlight, transmittance and Z, see light_layers.h and
-// surface_layers.h, and optical_depth.R/G/B: -log of the transmittance, at most 87. The frame's
+// surface_layers.h, and optical_depth.R/G/B: -log of the transmittance, at most 87; and
+// depth.planar, the depth along the camera's axis of what Z is the distance of. The frame's
 // picture may change with them. nullopt if stopped.
 std::optional<ImageLayers> render_layers(const LayeredFrame& layered, const OutputLayers& layers,
                                          const Job& job = {});

@@ -23,25 +23,11 @@ std::string own_name(const Surface& surface) {
   return shapes.at(static_cast<std::size_t>(surface.primitive->shape));
 }
 
-// The material of each surface, as an index into their names, in the order of their first use.
-struct Materials {
-  std::vector<std::uint32_t> of_surface;
-  std::vector<std::string> names;
-
-  explicit Materials(const std::vector<Surface>& surfaces) {
-    constexpr std::array types{"diffuse", "phong", "measured", "metallic_roughness"};
-    std::vector<const Material*> known;
-    for (const Surface& surface : surfaces) {
-      const auto same = std::ranges::find_if(
-          known, [&](const Material* material) { return *material == surface.material; });
-      of_surface.push_back(static_cast<std::uint32_t>(same - known.begin()));
-      if (same != known.end()) continue;
-      known.push_back(&surface.material);
-      names.push_back(std::string(types.at(static_cast<std::size_t>(surface.material.type))) + " " +
-                      std::to_string(known.size()));
-    }
-  }
-};
+// The name, numbered where something else has it already: "Box (2)".
+std::string unique_name(const std::string& name, std::map<std::string, int>& counts) {
+  const int count = ++counts[name];
+  return count == 1 ? name : name + " (" + std::to_string(count) + ")";
+}
 
 glm::vec3 albedo_of(const SurfacePoint& point) {
   const Material& material = point.surface->material;
@@ -144,15 +130,41 @@ void find_row(const RayCaster& ray_caster, const CameraRays& rays, std::size_t y
 
 }  // namespace
 
-std::vector<std::string> surface_names(const std::vector<Surface>& surfaces) {
-  std::vector<std::string> names;
+Mattes object_mattes(const std::vector<Surface>& surfaces) {
+  Mattes mattes;
   std::map<std::string, int> counts;
+  std::map<std::pair<ObjectId, std::string>, std::uint32_t> nodes;
   for (const Surface& surface : surfaces) {
     const std::string name = own_name(surface);
-    const int count = ++counts[name];
-    names.push_back(count == 1 ? name : name + " (" + std::to_string(count) + ")");
+    const auto index = static_cast<std::uint32_t>(mattes.names.size());
+    const auto [node, is_new] = nodes.try_emplace({surface.id, name}, index);
+    if (!is_new && surface.id != 0) {
+      mattes.of_surface.push_back(node->second);
+      continue;
+    }
+    mattes.of_surface.push_back(index);
+    mattes.names.push_back(unique_name(name, counts));
   }
-  return names;
+  return mattes;
+}
+
+Mattes material_mattes(const std::vector<Surface>& surfaces) {
+  constexpr std::array types{"diffuse", "phong", "measured", "metallic_roughness"};
+  Mattes mattes;
+  std::map<std::string, int> counts;
+  std::vector<const Material*> known;
+  for (const Surface& surface : surfaces) {
+    const Material& material = surface.material;
+    const auto same =
+        std::ranges::find_if(known, [&](const Material* other) { return *other == material; });
+    mattes.of_surface.push_back(static_cast<std::uint32_t>(same - known.begin()));
+    if (same != known.end()) continue;
+    known.push_back(&material);
+    const std::string type = types.at(static_cast<std::size_t>(material.type));
+    mattes.names.push_back(unique_name(
+        material.name.empty() ? type + " " + std::to_string(known.size()) : material.name, counts));
+  }
+  return mattes;
 }
 
 void add_surface_layers(const Scene& scene, const Camera& camera, const Film& film,
@@ -167,8 +179,9 @@ void add_surface_layers(const Scene& scene, const Camera& camera, const Film& fi
   std::optional<Motion> motion;
   if (layers.motion && next) motion.emplace(scene, *next, next_camera, film);
   const PointLayers points(scene, ray_caster, layers, motion ? &*motion : nullptr, image);
-  const Materials materials(scene.surfaces);
-  CoverageFilm object_coverage(layers.objects ? width * height : 0, surface_names(scene.surfaces));
+  const Mattes objects = object_mattes(scene.surfaces);
+  const Mattes materials = material_mattes(scene.surfaces);
+  CoverageFilm object_coverage(layers.objects ? width * height : 0, objects.names);
   CoverageFilm material_coverage(layers.materials ? width * height : 0, materials.names);
   const bool has_mattes = layers.objects || layers.materials;
   const std::vector<glm::dvec2> samples = pixel_samples(matte_samples);
@@ -185,8 +198,10 @@ void add_surface_layers(const Scene& scene, const Camera& camera, const Film& fi
       find_row(ray_caster, rays, y, samples[k], directions, hits);
       for (std::size_t x = 0; x < width; ++x) {
         if (!hits[x]) continue;
-        const auto surface = static_cast<std::uint32_t>(hits[x].surface);
-        if (layers.objects) object_coverage.add(y * width + x, surface, weight);
+        const auto surface = static_cast<std::size_t>(hits[x].surface);
+        if (layers.objects) {
+          object_coverage.add(y * width + x, objects.of_surface[surface], weight);
+        }
         if (layers.materials) {
           material_coverage.add(y * width + x, materials.of_surface[surface], weight);
         }

@@ -9,9 +9,16 @@ namespace brume {
 // Rays per pixel that mattes count. They are filtered as pixels are: see pixel_samples().
 inline constexpr int matte_samples = 16;
 
-// A name for each surface: its own, else of its mesh file or its shape; where several have the
-// same, the later ones are numbered, "Box (2)".
-std::vector<std::string> surface_names(const std::vector<Surface>& surfaces);
+// The matte of each surface, as an index into their names, which are in the order of first use.
+struct Mattes {
+  std::vector<std::uint32_t> of_surface;
+  std::vector<std::string> names;  // where several were the same, the later are numbered, "Box (2)"
+};
+// Surfaces by name: their own, else that of the mesh file or the shape. The parts of a node of an
+// imported scene are one.
+Mattes object_mattes(const std::vector<Surface>& surfaces);
+// Surfaces by material: the name that the imported file gives it, else its type and a number.
+Mattes material_mattes(const std::vector<Surface>& surfaces);
 
 // What camera rays hit first, computed on the CPU whatever renders the frame. Sets width and height
 // of `image`, and adds of `layers`, as far as they are on:
@@ -21,8 +28,8 @@ std::vector<std::string> surface_names(const std::vector<Surface>& surfaces);
 //   position   position.X/Y/Z in the world [u]
 //   motion     forward.u/v: how far the point moves until the next frame, to the right and up
 //              [pixels]; where nothing is hit, the direction
-//   objects    CryptoObject00 to 02, by surface_names()
-//   materials  CryptoMaterial00 to 02: surfaces of the same material have one name
+//   objects    CryptoObject00 to 02, of object_mattes()
+//   materials  CryptoMaterial00 to 02, of material_mattes()
 // All are 0 where nothing is hit, but motion. `next`: the scene a frame later, for motion.
 void add_surface_layers(const Scene& scene, const Camera& camera, const Film& film,
                         const OutputLayers& layers, const Scene* next, const Camera& next_camera,

@@ -1,5 +1,7 @@
 #include "render/output/frame_file.h"
 
+#include <glm/ext/matrix_transform.hpp>
+#include <glm/matrix.hpp>
 #include <utility>
 
 #include "brume/error.h"
@@ -9,6 +11,7 @@
 #include "core/io/image/image_file.h"
 #include "core/io/text_scanner.h"
 #include "core/number_domain.h"
+#include "core/scene/camera_rays.h"
 
 namespace brume {
 namespace {
@@ -62,7 +65,38 @@ std::optional<std::string> fingerprint_of(const std::filesystem::path& file) {
   }
 }
 
-std::map<std::string, std::string> frame_metadata(const FrameInfo& info) {
+std::map<std::string, std::string> settings_metadata(const Settings& settings) {
+  std::map<std::string, std::string> metadata{{"brume:samples", std::to_string(settings.samples)}};
+  if (settings.airlight == AirlightMethod::sliced) {
+    metadata["brume:slices"] = std::to_string(settings.slices);
+  }
+  if (settings.airlight == AirlightMethod::path) {
+    metadata["brume:seed"] = std::to_string(settings.path_seed);
+  }
+  return metadata;
+}
+
+ExrView exr_view(const Camera& camera, const Film& film, double frames_per_second) {
+  const CameraRays rays(camera, film);
+  const CameraRays::FilmPlane plane = rays.plane();
+  const glm::dvec3 right = glm::normalize(plane.per_x);
+  const glm::dvec3 up = -glm::normalize(plane.per_y);
+  const glm::dmat4 to_axes(glm::transpose(glm::dmat3(right, up, rays.forward())));
+  // The center of the view in NDC, and how far a slope of 1 is from there.
+  const glm::dvec2 center = rays.axis() / glm::dvec2(film.width, film.height);
+  const double per_x = 1.0 / (glm::length(plane.per_x) * film.width);
+  const double per_y = 1.0 / (glm::length(plane.per_y) * film.height);
+  ExrView view;
+  view.world_to_camera = glm::translate(to_axes, -rays.eye());
+  // Divided by the depth; z is its inverse.
+  const glm::dmat4 to_ndc({per_x, 0.0, 0.0, 0.0}, {0.0, -per_y, 0.0, 0.0},
+                          {center.x, center.y, 0.0, 1.0}, {0.0, 0.0, 1.0, 0.0});
+  view.world_to_ndc = to_ndc * view.world_to_camera;
+  view.frames_per_second = frames_per_second;
+  return view;
+}
+
+std::map<std::string, std::string> frame_metadata(const FrameInfo& info, double time) {
   // Only its name: pictures are shared, and folders reveal their author.
   const std::string scene = std::filesystem::path(info.scene).filename().string();
   std::map<std::string, std::string> metadata{{"brume:scene", scene},
@@ -70,6 +104,10 @@ std::map<std::string, std::string> frame_metadata(const FrameInfo& info) {
                                               {"brume:airlight", info.airlight},
                                               {"brume:backend", info.backend}};
   metadata["brume:fingerprint"] = info.fingerprint;
+  metadata["brume:time"] = quoted_text(time);
+  if (info.frame) metadata["brume:frame"] = std::to_string(*info.frame);
+  if (info.error) metadata["brume:error"] = quoted_text(info.error->rel_rmse);
+  metadata.insert(info.settings.begin(), info.settings.end());
   if (info.noise) metadata["brume:noise"] = quoted_text(info.noise->picture);
   std::erase_if(metadata, [](const auto& entry) { return entry.second.empty(); });
   return metadata;
@@ -85,14 +123,14 @@ void check_frame_extension(const std::filesystem::path& file) {
 void write_frame(const std::filesystem::path& file, const Frame& frame, const FrameInfo& info,
                  const ImageLayers& more) {
   check_frame_extension(file);
-  std::map<std::string, std::string> metadata = frame_metadata(info);
+  std::map<std::string, std::string> metadata = frame_metadata(info, frame.time);
   if (lower_case_extension(file) == ".exr") {
     ImageLayers layers = to_layers(frame);
     layers.metadata = std::move(metadata);
     keep(layers, info.layers);
     layers.channels.insert(more.channels.begin(), more.channels.end());
     layers.metadata.insert(more.metadata.begin(), more.metadata.end());
-    write_exr(file, layers);
+    write_exr(file, layers, exr_view(frame.camera, frame.film, frame.frames_per_second));
   } else {
     metadata["Software"] = std::string("Brume ") + version();  // a keyword of the PNG standard
     metadata["brume:exposure"] = quoted_text(info.look.exposure);
@@ -111,7 +149,8 @@ void save_frame(const Frame& frame, const std::filesystem::path& file, double ex
               {.airlight = frame.statistics.airlight,
                .backend = frame.statistics.backend,
                .look = {exposure, nullptr},
-               .noise = relative_noise(frame)},
+               .noise = relative_noise(frame),
+               .error = frame.error},
               frame.layers);
 }
 

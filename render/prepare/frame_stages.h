@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "brume/at_time.h"
 #include "brume/frame.h"
 #include "brume/scene.h"
 #include "core/scene/camera_rays.h"
@@ -69,7 +70,9 @@ struct FrameContext {
         fog_extent(extent),
         rays(frame_camera, film) {
     frame.film = film;
+    frame.camera = frame_camera;
     frame.time = scene.time;
+    frame.frames_per_second = frame_rate(scene);
     frame.statistics.skipped = plan.skipped;
     frame.statistics.on_cpu = plan.on_cpu;
     frame.statistics.gaussians_total = scene.medium.size();

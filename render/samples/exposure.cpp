@@ -68,7 +68,7 @@ LensView seen_through(const Camera& camera, const Film& film, const glm::dvec2& 
 
 Exposure exposure_of(const Scene& animation) {
   Exposure exposure{animation.output.samples, animation.output.shutter};
-  if (animation.playback) exposure.frames_per_second = animation.playback->frames_per_second;
+  exposure.frames_per_second = frame_rate(animation);
   exposure.animated = is_animated(animation);
   return exposure;
 }

@@ -29,7 +29,9 @@ std::optional<Frame> mean_frame(Frame center, int count, const Job& job, const R
     if (!mean) {
       mean.emplace();
       mean->film = center.film;
+      mean->camera = center.camera;
       mean->time = center.time;
+      mean->frames_per_second = center.frames_per_second;
       mean->beauty.resize(frame->beauty.size());
       mean->airlight.resize(frame->airlight.size());
       mean->transmittance.resize(frame->transmittance.size());

@@ -101,6 +101,26 @@ def test_a_camera_comes_with_its_keyframes(keyed, cloud):
         assert not np.array_equal(beauty(scene), expected)
 
 
+def test_seeds(cloud):
+    frames = [
+        brume.render(cloud, airlight="path:4", backend="cpu", seed=seed) for seed in (0, 0, 1)
+    ]
+    assert np.array_equal(frames[0].airlight, frames[1].airlight)
+    assert not np.array_equal(frames[0].airlight, frames[2].airlight)
+    with pytest.raises(TypeError):
+        brume.render(cloud, seed=-1)
+
+
+def test_frames_per_second(cloud, tmp_path):
+    assert cloud.frames_per_second == 30
+    cloud.frames_per_second = 24
+    cloud.save(tmp_path / "scene.brume")
+    assert brume.load(tmp_path / "scene.brume").frames_per_second == 24
+    cloud.frames_per_second = 0
+    with pytest.raises(brume.DomainError, match="timeline.frames_per_second"):
+        brume.render(cloud)
+
+
 @pytest.mark.parametrize(
     "options, message",
     [

@@ -288,7 +288,7 @@ TEST_F(BenchCommand, SavesItsScenes) {
 
 TEST_F(BenchCommand, RefusesBeforeLongWork) {
   expect_refused({"bench", "--quick"}, {"-o"});
-  expect_refused({"bench", "-o", file("missing/report")}, {"missing"});
+  expect_refused({"bench", "-o", file("floor.obj/report")}, {"floor.obj"});
   expect_refused({"bench", "-o", file("report"), "--compare", scene_}, {scene_, "not a report"});
   // Reports that lack what shows only as two of them are compared.
   for (const char* report :

@@ -96,9 +96,10 @@ TEST_F(CommandLine, RefusesOutputsBeforeItRenders) {
   // The scene does not exist: an error about the output shows that it was looked at first.
   const std::string none = file("none.brume");
   expect_refused({"render", none, "-o", file("o.jpg")}, {"o.jpg", ".exr, .png"});
-  expect_refused({"render", none, "-o", file("no/o.exr")}, {"no/o.exr", "cannot be written"});
-  expect_refused({"render", none, "-o", file("o.exr"), "--stats", file("no/s.json")},
-                 {"no/s.json", "cannot be written"});
+  expect_refused({"render", none, "-o", file("floor.obj/o.exr")},
+                 {"floor.obj/o.exr", "cannot be written"});
+  expect_refused({"render", none, "-o", file("o.exr"), "--stats", file("floor.obj/s.json")},
+                 {"floor.obj/s.json", "cannot be written"});
   expect_refused({"render", none, "-o", file("o.exr"), "--stats", file("o.exr")}, {"same file"});
   std::filesystem::create_directory(folder_ / "dir.exr");
   expect_refused({"render", none, "-o", file("dir.exr")}, {"dir.exr", "folder"});
@@ -239,11 +240,11 @@ TEST_F(CommandLine, WritesTheStatisticsOfTheContract) {
   std::vector<std::string> keys;
   for (const auto& [key, value] : stats.items()) keys.push_back(key);
   EXPECT_EQ(keys, (std::vector<std::string>{
-                      "version",      "scene",   "size",           "backend",   "device",
-                      "airlight",     "slices",  "airlight_scale", "samples",   "sampled_pixels",
-                      "exact_pixels", "threads", "repeat",         "frame_ms",  "first_frame_ms",
-                      "transfer_ms",  "stages",  "skipped",        "gaussians", "pairs",
-                      "scattering",   "error",   "noise"}));
+                      "version",   "scene",          "time",         "size",    "backend",
+                      "device",    "airlight",       "slices",       "seed",    "airlight_scale",
+                      "samples",   "sampled_pixels", "exact_pixels", "threads", "repeat",
+                      "frame_ms",  "first_frame_ms", "transfer_ms",  "stages",  "skipped",
+                      "gaussians", "pairs",          "scattering",   "error",   "noise"}));
   EXPECT_EQ(stats["version"], BRUME_VERSION);
   EXPECT_EQ(stats["scene"], scene_);
   EXPECT_EQ(stats["size"], Json::array({8, 6}));

@@ -184,9 +184,9 @@ TEST_F(FrameSequence, RefusesWhatCannotBeMeant) {
   refused({"--frames", "1-2", "-o", file("s.png")}, "%04d for the frame");
   refused({"-o", file("s_%d.png")}, "a sequence needs --frames");
   refused({"--skip-existing", "-o", file("s.png")}, "--skip-existing: is of a sequence");
-  refused({"--frames", "1", "--stats", file("s.json"), "-o", file("s_%d.png")}, "--stats");
+  refused({"--frames", "1", "--repeat", "2", "-o", file("s_%d.png")}, "--repeat");
   refused({"--frames", "1", "--time", "1", "-o", file("s_%d.png")}, "--time");
-  refused({"--frames", "1", "-o", file("nowhere/s_%d.png")}, "nowhere");
+  refused({"--frames", "1", "-o", file("floor.obj/s_%d.png")}, "floor.obj");
 }
 
 // Ended in the middle, what is there is whole, and going on makes the rest.

@@ -218,7 +218,7 @@ TEST_F(JobBundle, RefuseWhatATemplateCannotSay) {
   std::string frames;
   for (int i = 0; i < 400; ++i) frames += (i ? "," : "") + std::to_string(i * i);
   refused({"--frames", frames, "-o", file("f_%d.exr")}, "at most 1024 characters");
-  refused({"--frames", "0", "-o", file("nowhere/f_%d.exr")}, "nowhere");
+  refused({"--frames", "0", "-o", file("floor.obj/f_%d.exr")}, "floor.obj");
   EXPECT_EQ(run_brume({"submit", "cron", scene_, "--frames", "0", "-o", "f_%d.exr"}).exit_code, 2);
 }
 

@@ -97,9 +97,7 @@ class ExportCommand final : public Command {
                    "export a sequence, FIRST-LAST; OUT needs %04d for the frame, but for .usda; "
                    "frame n of a scene is at n / fps seconds")
         ->excludes(time);
-    app.add_option("--fps", fps_, "frames per second")
-        ->check(finite_in(1e-3, 1e6))
-        ->capture_default_str();
+    add_frame_rate(app, fps_);
   }
 
   ExitCode run() override {
@@ -130,11 +128,11 @@ class ExportCommand final : public Command {
       files_.add_output(outputs.file_of(frame));
       if (are_files) files_.add_input(parse_pattern(input_).file_of(frame));
     }
-    if (!are_files) read_scene_at(frames.front() / fps_);  // what is wrong with it is so in all
+    if (!are_files) read_scene_at(time_of(frames.front()));  // what is wrong with it is so in all
     return run_frames(frames, [&](int frame, const std::string&) {
-      if (lit_) return writing_lit(frame / fps_, outputs.file_of(frame));
+      if (lit_) return writing_lit(time_of(frame), outputs.file_of(frame));
       return writing(
-          are_files ? read_file(parse_pattern(input_).file_of(frame)) : read(frame / fps_),
+          are_files ? read_file(parse_pattern(input_).file_of(frame)) : read(time_of(frame)),
           outputs.file_of(frame));
     });
   }
@@ -230,17 +228,26 @@ class ExportCommand final : public Command {
     return read;
   }
 
-  // The scene at a time [s].
-  [[nodiscard]] Scene read_scene_at(double time) {
+  // The scene with its animation, read once.
+  const Scene& animation() {
     if (!scene_) {
       scene_ = read_scene(input_, files_);
+      if (fps_) set_frame_rate(*scene_, *fps_);
       const double homogeneous = scene_->medium.homogeneous_density();
       if (homogeneous > 0.0) {
         print_warnings({"the homogeneous density, " + quoted_text(homogeneous) +
                         ", has no bounds and is not exported"});
       }
     }
-    Scene scene = evaluate_at(*scene_, time);
+    return *scene_;
+  }
+
+  // The time of a frame [s].
+  double time_of(int frame) { return frame / frame_rate(animation()); }
+
+  // The scene at a time [s].
+  [[nodiscard]] Scene read_scene_at(double time) {
+    Scene scene = evaluate_at(animation(), time);
     albedo_ = scene.optics.albedo;
     return scene;
   }
@@ -272,7 +279,7 @@ class ExportCommand final : public Command {
     FileGroup group;
     std::vector<UsdFrame> frames;
     for (const int code : codes) {
-      UsdFrame frame{code, read_scene_at(is_sequence ? code / fps_ : time_), {}};
+      UsdFrame frame{code, read_scene_at(is_sequence ? time_of(code) : time_), {}};
       frame.scene.medium = simplified(frame.scene.medium);
       if (splats_) frame.splats = frame.scene.medium.gaussians();
       if (frame.scene.medium.size() > 0) {
@@ -282,7 +289,7 @@ class ExportCommand final : public Command {
       }
       frames.push_back(std::move(frame));
     }
-    write_usd(stage, frames, fps_, along(),
+    write_usd(stage, frames, frame_rate(animation()), along(),
               [this](const std::filesystem::path& texture) { files_.add_output(texture); });
     group.commit();
   }
@@ -369,7 +376,7 @@ class ExportCommand final : public Command {
   double simplify_ = 0.0;  // 0: not
   double time_ = 0.0;
   std::string frames_;
-  double fps_ = 30.0;  // as the timeline
+  std::optional<double> fps_;  // absent: the scene's
   CommandFiles files_;
   std::optional<Scene> scene_;  // once read
   glm::dvec3 albedo_{1.0};      // the medium's

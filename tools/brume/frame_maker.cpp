@@ -29,9 +29,9 @@ void check_layer_memory(const Scene& scene, const Film& film, const OutputLayers
 
 }  // namespace
 
-FrameMaker::FrameMaker(const RenderOptions& options, Scene animation)
+FrameMaker::FrameMaker(const RenderOptions& options, Scene scene)
     : options_(options),
-      animation_(std::move(animation)),
+      animation_(options.adjusted(std::move(scene))),
       settings_(options.settings()),
       look_(options.display()),
       exposure_(options.exposure(animation_)),
@@ -63,7 +63,12 @@ Shot FrameMaker::shot() const {
 
 RequestedFrame FrameMaker::render(const std::string& label) const {
   const ProgressLine line(label);
-  RequestedFrame found = finished(render_shot(*renderer_, shot(), settings_, line.job()));
+  Settings settings = settings_;
+  if (settings.airlight == AirlightMethod::auto_ && !options_.auto_measures()) {
+    settings = finished(choose_settings(*renderer_, *scene_, scene_->camera, film_, settings,
+                                        interruption(), line.progress()));
+  }
+  RequestedFrame found = finished(render_shot(*renderer_, shot(), settings, line.job()));
   warn_of_cpu(found.frame.statistics);
   return found;
 }
@@ -85,19 +90,8 @@ void FrameMaker::warn_of_cpu(const FrameStatistics& statistics) const {
   print_warnings({"--backend gl: rendered on the CPU: " + problem});
 }
 
-FrameInfo FrameMaker::info_of(const RequestedFrame& found, const std::string& fingerprint) const {
-  return {.scene = options_.scene_file(),
-          .airlight = airlight_name(found.settings),
-          .backend = found.frame.statistics.backend,
-          .look = look_,
-          .bits = options_.bits(),
-          .noise = relative_noise(found.frame),
-          .fingerprint = fingerprint};
-}
-
-FrameMaker::Content FrameMaker::content(RequestedFrame found,
-                                        const std::string& fingerprint) const {
-  Content content{{}, info_of(found, fingerprint), {}};
+ImageLayers FrameMaker::complete(RequestedFrame& found) const {
+  ImageLayers more;
   if (const OutputLayers layers = options_.layers(); has_more_layers(layers)) {
     const Shot seen = shot();
     const LayeredFrame layered{
@@ -108,20 +102,38 @@ FrameMaker::Content FrameMaker::content(RequestedFrame found,
         render_lit_by(*renderer_, {seen.moments(), scene_->time, seen.camera, film_, exposure_}),
         found.frame};
     const ProgressLine line("layers");
-    content.layers = finished(render_layers(layered, layers, line.job()));
+    more = finished(render_layers(layered, layers, line.job()));
   }
-  content.frame = std::move(found.frame);
-  return content;
+  // What paths say of their error is their noise; the reference is what errors are measured by.
+  const AirlightMethod method = found.settings.airlight;
+  if (options_.measures_error() && !found.error && method != AirlightMethod::path &&
+      method != AirlightMethod::reference) {
+    const ProgressLine line("measuring the error");
+    found.error = finished(
+        measure_error(*scene_, scene_->camera, found.frame, interruption(), line.progress()));
+  }
+  return more;
+}
+
+FrameInfo FrameMaker::info(const RequestedFrame& found) const {
+  return {.scene = options_.scene_file(),
+          .airlight = airlight_name(found.settings),
+          .backend = found.frame.statistics.backend,
+          .look = look_,
+          .bits = options_.bits(),
+          .noise = relative_noise(found.frame),
+          .settings = settings_metadata(found.settings),
+          .error = found.error};
 }
 
 DeepFileStatistics FrameMaker::write_deep(const std::filesystem::path& file,
                                           const RequestedFrame& found,
-                                          const std::string& fingerprint) const {
+                                          const FrameInfo& info) const {
   const ProgressLine line("deep frame");
   DeepFileStatistics deep =
       finished(write_deep_frame(file, *scene_, scene_->camera, film_,
                                 deep_settings(found.settings, options_.deep_error(), found.frame),
-                                *transfers_, info_of(found, fingerprint), line.job()));
+                                *transfers_, info, line.job()));
   if (deep.image.coarse_tiles > 0) {
     print_warnings({"--deep-error: " + std::to_string(deep.image.coarse_tiles) +
                     " tiles of 16 x 8 pixels are too steep for this error; more --slices help"});

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "brume/at_time.h"
 #include "brume/scene.h"
 #include "render/deep/deep_file.h"
 #include "render/output/frame_file.h"
@@ -19,13 +20,14 @@ namespace brume {
 class FrameMaker {
  public:
   // The options live as long.
-  FrameMaker(const RenderOptions& options, Scene animation);
+  FrameMaker(const RenderOptions& options, Scene scene);
   FrameMaker(const FrameMaker&) = delete;
   FrameMaker& operator=(const FrameMaker&) = delete;
 
   // From now on the scene at a time [s]; makes the radiance transfer that it needs.
   void go_to(double time);
   [[nodiscard]] const Scene& scene() const { return *scene_; }
+  [[nodiscard]] double frames_per_second() const { return frame_rate(animation_); }
   [[nodiscard]] const Film& film() const { return film_; }
   [[nodiscard]] double transfer_milliseconds() const { return transfer_milliseconds_; }
 
@@ -34,21 +36,16 @@ class FrameMaker {
   [[nodiscard]] RequestedFrame render(const std::string& label, const Settings& settings,
                                       const Camera& camera) const;
 
-  // What a flat file of a frame has; renders the layers that the options ask for.
-  struct Content {
-    Frame frame;
-    FrameInfo info;
-    ImageLayers layers;
-  };
-  [[nodiscard]] Content content(RequestedFrame found, const std::string& fingerprint = {}) const;
+  // Adds to a rendered frame what the options ask for: returns more layers, which may change it,
+  // and measures its error.
+  [[nodiscard]] ImageLayers complete(RequestedFrame& found) const;
+  [[nodiscard]] FrameInfo info(const RequestedFrame& found) const;
   // Renders again, to a deep file.
   DeepFileStatistics write_deep(const std::filesystem::path& file, const RequestedFrame& found,
-                                const std::string& fingerprint = {}) const;
+                                const FrameInfo& info) const;
 
  private:
   [[nodiscard]] Shot shot() const;
-  [[nodiscard]] FrameInfo info_of(const RequestedFrame& found,
-                                  const std::string& fingerprint) const;
   void warn_of_cpu(const FrameStatistics& statistics) const;
 
   const RenderOptions& options_;

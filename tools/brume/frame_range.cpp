@@ -7,6 +7,7 @@
 
 #include "core/io/text_scanner.h"
 #include "tools/brume/command.h"
+#include "tools/brume/finite_in.h"
 
 namespace brume {
 
@@ -14,6 +15,13 @@ FramePattern parse_pattern(const std::string& text) {
   if (const auto pattern = FramePattern::parse(text)) return *pattern;
   throw UsageError("found " + quoted_text(text) +
                    "; allowed for a sequence: a name with one %d or %04d for the frame");
+}
+
+void add_frame_rate(CLI::App& app, std::optional<double>& rate) {
+  app.add_option("--fps", rate,
+                 "frames per second: frame n is at n / fps seconds; default: those of the scene's "
+                 "timeline, else 30")
+      ->check(finite_in(1e-3, 1e6));
 }
 
 namespace {

@@ -8,13 +8,14 @@
 #include <vector>
 
 #include "brume/error.h"
+#include "core/io/atomic_file.h"
 #include "core/io/frame_loop.h"
-#include "core/io/temporary_files.h"
 #include "core/scene/sequence_frames.h"
 #include "tools/brume/frame_fingerprint.h"
 #include "tools/brume/frame_maker.h"
 #include "tools/brume/interruption.h"
 #include "tools/brume/read_scene.h"
+#include "tools/brume/render_statistics.h"
 
 namespace brume {
 namespace {
@@ -31,10 +32,10 @@ class FrameSequence {
       : options_(options),
         reading_(reading),
         outputs_(options.output_pattern()),
-        fingerprint_(document, options.what_matters()),
+        fingerprint_(document, options.what_matters(document.scene)),
         missing_(std::move(missing)),
         sequences_(document.scene.sequences),
-        maker_(options, options.seen_by_camera(std::move(document.scene))) {}
+        maker_(options, std::move(document.scene)) {}
 
   ExitCode run() {
     remove_abandoned_files(std::filesystem::absolute(options_.output()).parent_path());
@@ -61,6 +62,9 @@ class FrameSequence {
       print_warnings(
           {"in " + std::to_string(unsure_) + " frames no setting is certain to meet --max-error"});
     }
+    if (!options_.stats_file().empty()) {
+      write_atomically(options_.stats_file(), sequence_statistics_json(statistics_));
+    }
     // The last, since an engine may end a task that tells of a failure.
     if (!failures_.empty()) tell_engine(options_, "fail", failures_);
     nlohmann::ordered_json json{
@@ -73,20 +77,38 @@ class FrameSequence {
 
  private:
   FrameLoop::Write make(int frame, const std::string& label) {
-    const double time = frame / options_.frames_per_second();
+    const double time = frame / maker_.frames_per_second();
     check_present(time);
+    const auto start = std::chrono::steady_clock::now();
+    const double transfers = maker_.transfer_milliseconds();
     maker_.go_to(time);
     RequestedFrame found = maker_.render(label);
+    const std::chrono::duration<double, std::milli> taken =
+        std::chrono::steady_clock::now() - start;
     if (found.error && found.error->high > options_.max_error()) ++unsure_;
     const std::filesystem::path file = outputs_.file_of(frame);
-    const std::string fingerprint = fingerprint_.of(frame);
-    if (options_.is_deep()) {
-      maker_.write_deep(file, found, fingerprint);
-      return {};
+    ImageLayers layers = maker_.complete(found);
+    FrameInfo info = maker_.info(found);
+    info.fingerprint = fingerprint_.of(frame);
+    info.frame = frame;
+    RenderRun run{.scene = options_.scene_file(),
+                  .frame = frame,
+                  .time = time,
+                  .film = maker_.film(),
+                  .settings = found.settings,
+                  .first_frame_milliseconds = taken.count(),
+                  .transfer_milliseconds = maker_.transfer_milliseconds() - transfers,
+                  .error = found.error,
+                  .noise = info.noise};
+    if (options_.is_deep()) run.deep = maker_.write_deep(file, found, info);
+    const FrameStatistics& statistics = found.frame.statistics;
+    if (!options_.stats_file().empty()) {
+      statistics_.push_back(statistics_json(run, statistics, {&statistics, 1}));
     }
+    if (options_.is_deep()) return {};
     const auto content =
-        std::make_shared<FrameMaker::Content>(maker_.content(std::move(found), fingerprint));
-    return [file, content] { write_frame(file, content->frame, content->info, content->layers); };
+        std::make_shared<std::pair<Frame, ImageLayers>>(std::move(found.frame), std::move(layers));
+    return [file, info, content] { write_frame(file, content->first, info, content->second); };
   }
 
   // Throws InputError where a moment needs a frame of a sequence whose file is missing.
@@ -107,6 +129,7 @@ class FrameSequence {
   std::vector<std::filesystem::path> missing_;
   std::vector<MediumSequence> sequences_;
   FrameMaker maker_;
+  std::vector<std::string> statistics_;  // of the frames made
   std::string failures_;
   int unsure_ = 0;
 };

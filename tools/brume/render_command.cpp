@@ -24,11 +24,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Milliseconds = std::chrono::duration<double, std::milli>;
 
-bool is_truth(const Settings& settings) {
-  return settings.airlight == AirlightMethod::path ||
-         settings.airlight == AirlightMethod::reference;
-}
-
 void warn_of_error(const ErrorEstimate& error, double max_error) {
   if (error.high <= max_error) return;
   std::ostringstream text;
@@ -52,36 +47,31 @@ class RenderCommand final : public Command {
     if (options_.is_sequence()) return render_sequence(options_);
     CommandFiles files = options_.outputs();
     const Clock::time_point start = Clock::now();
-    FrameMaker maker(options_, options_.seen_by_camera(read_scene(options_.scene_file(), files)));
+    FrameMaker maker(options_, read_scene(options_.scene_file(), files));
     maker.go_to(options_.time());
     RequestedFrame found = maker.render("frame 1 of " + std::to_string(1 + moved_count()));
     const Milliseconds first = Clock::now() - start;
     if (found.error) warn_of_error(*found.error, options_.max_error());
     const std::vector<FrameStatistics> moved = moved_frames(maker, found.settings);
+    const ImageLayers layers = maker.complete(found);
+    const FrameInfo info = maker.info(found);
     RenderRun run{.scene = options_.scene_file(),
+                  .time = maker.scene().time,
                   .film = maker.film(),
                   .settings = found.settings,
                   .repeat = options_.repeat(),
                   .first_frame_milliseconds = first.count(),
                   .transfer_milliseconds = maker.transfer_milliseconds(),
                   .error = found.error,
-                  .noise = relative_noise(found.frame)};
+                  .noise = info.noise};
     if (options_.is_deep()) {
-      run.deep = maker.write_deep(options_.output(), found);
+      run.deep = maker.write_deep(options_.output(), found, info);
     } else {
-      FrameMaker::Content content = maker.content(std::move(found));
-      write_frame(options_.output(), content.frame, content.info, content.layers);
-      found.frame = std::move(content.frame);
+      write_frame(options_.output(), found.frame, info, layers);
     }
-    if (options_.stats_file().empty()) return done;
-
-    // What paths say of their error is their noise; the integral is scattered once only.
-    if (!run.error && !is_truth(run.settings)) {
-      const ProgressLine line("measuring the error");
-      run.error = finished(measure_error(maker.scene(), maker.scene().camera, found.frame,
-                                         interruption(), line.progress()));
+    if (!options_.stats_file().empty()) {
+      write_atomically(options_.stats_file(), statistics_json(run, found.frame.statistics, moved));
     }
-    write_atomically(options_.stats_file(), statistics_json(run, found.frame.statistics, moved));
     return done;
   }
 

@@ -8,6 +8,7 @@
 #include <memory>
 #include <string_view>
 
+#include "brume/at_time.h"
 #include "brume/limits.h"
 #include "core/io/file_bytes.h"
 #include "core/io/file_version.h"
@@ -167,6 +168,9 @@ RenderOptions::RenderOptions(CLI::App& app) : app_(app) {
   app.add_option("--slices", slices_, "slices per view ray, for sliced")
       ->check(finite_in(4, 256))
       ->capture_default_str();
+  app.add_option("--seed", seed_,
+                 "of path: another seed is another, independent picture, 0 to 4294967295")
+      ->capture_default_str();
   app.add_option("--airlight-scale", airlight_scale_,
                  "compute the airlight at 1/1, 1/2 or 1/4 of the width and height and upsample "
                  "it; default: 4 for auto, else 1")
@@ -180,14 +184,20 @@ RenderOptions::RenderOptions(CLI::App& app) : app_(app) {
   app.add_option("--max-error", max_error_, "the relative RMSE of the airlight that auto must meet")
       ->check(finite_in(1e-4, 10.0))
       ->capture_default_str();
+  app.add_option("--error", error_,
+                 "whether the error of the airlight is measured: none: no, and auto only chooses; "
+                 "full: until its interval is narrow; default: full for auto and for --stats of "
+                 "one frame")
+      ->type_name("TEXT:{none,full}")
+      ->check(CLI::IsMember({"none", "full"}));
   app.add_option("--tolerance", tolerance_, "relative tolerance of the reference")
       ->check(finite_in(1e-12, 1.0))
       ->capture_default_str();
   app.add_option("--layers", layers_,
                  "more layers of an .exr, one or several with commas between them")
       ->type_name(
-          "TEXT:{lights,environment,emission,direct,multiple,optical_depth,normal,albedo,position,"
-          "motion,objects,materials}");
+          "TEXT:{lights,environment,emission,direct,multiple,optical_depth,depth.planar,normal,"
+          "albedo,position,motion,objects,materials}");
   app.add_option("--deep-error", deep_error_,
                  "of a .deep.exr: how far its alpha and airlight may be off wherever they are "
                  "held out")
@@ -199,9 +209,7 @@ RenderOptions::RenderOptions(CLI::App& app) : app_(app) {
                  "FIRST-LAST, FIRST-LASTxSTEP or FRAME, several with commas between them: renders "
                  "a sequence; the image needs %04d for the frame")
       ->excludes("--time");
-  app.add_option("--fps", frames_per_second_, "frames per second: frame n is at n / fps seconds")
-      ->check(finite_in(1e-3, 1e6))
-      ->capture_default_str();
+  add_frame_rate(app, frames_per_second_);
   app.add_flag("--skip-existing", skips_existing_,
                "leave frames alone that are complete and made from the same scene, files, options "
                "and version");
@@ -282,9 +290,7 @@ void RenderOptions::check_sequence_options() const {
   }
   static_cast<void>(frames());
   static_cast<void>(output_pattern());
-  if (!stats_file_.empty() || repeat_ != 1) {
-    throw UsageError("--stats, --repeat: are of one frame; allowed: without --frames");
-  }
+  if (repeat_ != 1) throw UsageError("--repeat: is of one frame; allowed: without --frames");
 }
 
 std::vector<int> RenderOptions::frames() const {
@@ -295,12 +301,18 @@ FramePattern RenderOptions::output_pattern() const {
   return parse_pattern(output_);
 }
 
-std::string RenderOptions::what_matters(const std::set<std::string>& others) const {
+bool RenderOptions::measures_error() const {
+  return error_ == "full" || (error_.empty() && !stats_file_.empty() && !is_sequence());
+}
+
+std::string RenderOptions::what_matters(const Scene& scene,
+                                        const std::set<std::string>& others) const {
   // Whatever is added counts, unless it is listed here.
   constexpr std::array does_not{"SCENE",    "output",       "frames",  "skip-existing",
                                 "progress", "threads",      "repeat",  "stats",
-                                "time",     "color-config", "display", "view"};
-  std::string text;
+                                "time",     "color-config", "display", "view",
+                                "fps"};
+  std::string text = "frame_rate=" + quoted_text(frame_rate(scene)) + "\n";
   for (const CLI::Option* option : app_.get_options()) {
     const std::string name = option->get_single_name();
     if (option->count() == 0 || std::ranges::find(does_not, name) != does_not.end() ||
@@ -345,9 +357,9 @@ CommandFiles RenderOptions::outputs() const {
   if (is_sequence()) {
     const FramePattern pattern = output_pattern();
     for (const int frame : frames()) files.add_output(pattern.file_of(frame));
-    return files;
+  } else {
+    files.add_output(output_);
   }
-  files.add_output(output_);
   if (!stats_file_.empty()) files.add_output(stats_file_);
   return files;
 }
@@ -357,6 +369,7 @@ Settings RenderOptions::settings() const {
   set_airlight(settings, airlight_);
   settings.scattering = parse_scattering(scattering_);
   settings.max_error = max_error_;
+  settings.path_seed = seed_;
   settings.paper = paper_;
   settings.paper_spread = paper_spread_;
   const bool is_path = settings.airlight == AirlightMethod::path;
@@ -406,11 +419,16 @@ double RenderOptions::deep_error() const {
   return deep_error_.value_or(DeepSettings{}.error);
 }
 
-Scene RenderOptions::seen_by_camera(Scene scene) const {
+Scene RenderOptions::adjusted(Scene scene) const {
+  if (frames_per_second_) set_frame_rate(scene, *frames_per_second_);
   if (camera_.empty() || use_camera(scene, camera_)) return scene;
   std::string names = quoted_text(scene.camera_name);
   for (const NamedCamera& camera : scene.cameras) names += ", " + quoted_text(camera.name);
   throw UsageError("--camera: found " + quoted_text(camera_) + "; allowed: " + names);
+}
+
+double RenderOptions::frame_rate(const Scene& scene) const {
+  return frames_per_second_.value_or(brume::frame_rate(scene));
 }
 
 Film RenderOptions::film(const Scene& scene) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <optional>
 #include <set>
 #include <string>
@@ -32,17 +33,16 @@ class RenderOptions {
   [[nodiscard]] const std::string& output() const { return output_; }
   [[nodiscard]] const std::string& stats_file() const { return stats_file_; }  // empty: none
   [[nodiscard]] double time() const { return time_; }
-  // Of a sequence, frame n is at n / frames_per_second().
   [[nodiscard]] bool is_sequence() const { return !frames_.empty(); }
   [[nodiscard]] std::vector<int> frames() const;
-  [[nodiscard]] double frames_per_second() const { return frames_per_second_; }
   [[nodiscard]] FramePattern output_pattern() const;
   [[nodiscard]] bool skips_existing() const { return skips_existing_; }
   // Whether its progress is for an engine of the Open Job Description.
   [[nodiscard]] bool tells_engine() const { return progress_ == "openjd"; }
-  // All options that make a difference to a frame, and their values, of a look what its files hold;
-  // `others`: of the same command, but not of frames.
-  [[nodiscard]] std::string what_matters(const std::set<std::string>& others = {}) const;
+  // All options that make a difference to a frame of a scene, and their values, of a look what its
+  // files hold; `others`: of the same command, but not of frames.
+  [[nodiscard]] std::string what_matters(const Scene& scene,
+                                         const std::set<std::string>& others = {}) const;
   // Those given, as arguments of brume render in any folder, but what a farm says of its tasks:
   // --frames, --skip-existing and --progress.
   [[nodiscard]] std::vector<std::string> arguments(const std::set<std::string>& others) const;
@@ -50,6 +50,11 @@ class RenderOptions {
   [[nodiscard]] std::string color_config_file() const;
   [[nodiscard]] int repeat() const { return repeat_; }
   [[nodiscard]] double max_error() const { return max_error_; }
+  // Whether `auto` measures its frames, beyond the choice of their settings.
+  [[nodiscard]] bool auto_measures() const { return error_ != "none"; }
+  // Whether frames whose method does not measure itself are measured: by default for the
+  // statistics of one frame.
+  [[nodiscard]] bool measures_error() const;
 
   // `threads` are no more than there are.
   [[nodiscard]] Settings settings() const;
@@ -60,8 +65,10 @@ class RenderOptions {
   [[nodiscard]] bool is_deep() const;
   [[nodiscard]] double deep_error() const;
 
-  // By the camera that is chosen.
-  [[nodiscard]] Scene seen_by_camera(Scene scene) const;
+  // The scene with the camera and the frames per second that are chosen.
+  [[nodiscard]] Scene adjusted(Scene scene) const;
+  // Frame n of a sequence is at n / frame_rate() seconds.
+  [[nodiscard]] double frame_rate(const Scene& scene) const;
   [[nodiscard]] Film film(const Scene& scene) const;
   [[nodiscard]] Exposure exposure(const Scene& animation) const;
 
@@ -80,14 +87,16 @@ class RenderOptions {
   PaperOptions paper_;
   bool paper_spread_ = false;
   double max_error_ = Settings{}.max_error;
+  std::string error_;  // empty: see measures_error()
   std::string scattering_ = to_string(Scattering::multiple);
   int slices_ = Settings{}.slices;
+  std::uint32_t seed_ = 0;
   double tolerance_ = Settings{}.reference_tolerance;
   std::string layers_;  // empty: those by default
   std::optional<double> deep_error_;
   double time_ = 0.0;
-  std::string frames_;  // empty: one frame
-  double frames_per_second_ = 24.0;
+  std::string frames_;                       // empty: one frame
+  std::optional<double> frames_per_second_;  // absent: the scene's
   bool skips_existing_ = false;
   std::string progress_ = "terminal";
   int samples_ = 0;      // 0: not given

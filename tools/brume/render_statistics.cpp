@@ -59,12 +59,16 @@ std::string statistics_json(const RenderRun& run, const FrameStatistics& first,
   Json json;
   json["version"] = version();
   json["scene"] = run.scene;
+  if (run.frame) json["frame"] = *run.frame;
+  json["time"] = run.time;
   json["size"] = Json::array({run.film.width, run.film.height});
   json["backend"] = first.backend;
   json["device"] = first.device.empty() ? device_name() : first.device;
   json["airlight"] = airlight_name(run.settings);
   json["slices"] =
       run.settings.airlight == AirlightMethod::sliced ? Json(run.settings.slices) : Json(nullptr);
+  json["seed"] =
+      run.settings.airlight == AirlightMethod::path ? Json(run.settings.path_seed) : Json(nullptr);
   json["airlight_scale"] = run.settings.airlight_scale;
   json["samples"] = run.settings.samples;
   json["sampled_pixels"] = first.sampled_pixels;  // that took so many
@@ -110,6 +114,12 @@ std::string statistics_json(const RenderRun& run, const FrameStatistics& first,
                         {"ms", run.deep->milliseconds}};
   }
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string sequence_statistics_json(std::span<const std::string> frames) {
+  std::string text = "{\"frames\": [\n";
+  for (const std::string& frame : frames) text += (&frame == frames.data() ? "" : ",\n") + frame;
+  return text + "]}\n";
 }
 
 }  // namespace brume

@@ -8,6 +8,7 @@
 
 #include "brume/error.h"
 #include "brume/limits.h"
+#include "core/io/import/scene_readers.h"
 #include "core/number_domain.h"
 #include "tools/scene_reader/limited_files.h"
 
@@ -52,6 +53,10 @@ class Materials {
  private:
   void add(const aiMaterial& material) {
     RawMaterial result;
+    aiString name;
+    if (material.Get(AI_MATKEY_NAME, name) == aiReturn_SUCCESS) {
+      result.name = imported_name(name.C_Str(), "");
+    }
     MetallicRoughness& values = result.values;
     values.base_color =
         color(material, AI_MATKEY_BASE_COLOR, 1.0)

@@ -25,8 +25,8 @@ double opacity_logit(double depth) {
 // f_dc and f_rest. Viewers add 0.5 to what the coefficients sum to. To turn by half about z changes
 // the same signs as the Condon-Shortley phase does.
 void append_colors(const SplatColor& color, bool is_turned, std::string& bytes) {
-  constexpr float y_00 = 0.28209479177387814f;
-  for (int c = 0; c < 3; ++c) append_little_endian(bytes, color[0][c] - 0.5f / y_00);
+  constexpr float constant_harmonic = 0.28209479177387814f;
+  for (int c = 0; c < 3; ++c) append_little_endian(bytes, color[0][c] - 0.5f / constant_harmonic);
   for (int c = 0; c < 3; ++c) {
     for (int l = 1; l < 4; ++l) {
       for (int m = -l; m <= l; ++m) {

@@ -7,7 +7,6 @@
 #include <ImfDeepScanLineOutputFile.h>
 #include <ImfHeader.h>
 #include <ImfPartType.h>
-#include <ImfStandardAttributes.h>
 #include <ImfStringAttribute.h>
 
 #include <cassert>
@@ -16,6 +15,7 @@
 #include "brume/error.h"
 #include "core/io/atomic_file.h"
 #include "core/io/file_bytes.h"
+#include "core/io/image/exr_attributes.h"
 #include "core/io/image/exr_stream.h"
 #include "core/io/text_scanner.h"
 
@@ -88,14 +88,11 @@ void write_rows(const fs::path& file, std::ostream& out, const DeepExrHeader& im
   Imf::Header header(image.width, image.height);
   header.compression() = Imf::ZIPS_COMPRESSION;
   header.setType(Imf::DEEPSCANLINE);
-  Imf::addChromaticities(header, {});  // Rec. 709, D65
   for (const DeepChannel& channel : deep_channels) {
     if (channel.is_colored_alpha && !image.has_colored_alpha) continue;
     header.channels().insert(channel.name, Imf::Channel(Imf::FLOAT));
   }
-  for (const auto& [name, text] : image.metadata) {
-    header.insert(name, Imf::StringAttribute(text));
-  }
+  add_attributes(image.metadata, image.view, header);
   ExrOutput stream(file, out);
   Imf::DeepScanLineOutputFile output(stream, header);
   produce([&](const DeepRows& rows) {

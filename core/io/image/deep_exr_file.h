@@ -5,8 +5,11 @@
 #include <functional>
 #include <glm/vec3.hpp>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "core/io/image/exr_view.h"
 
 namespace brume {
 
@@ -34,6 +37,7 @@ struct DeepExrHeader {
   // Whether alphas differ between channels: then AR, AG and AB are written beside A.
   bool has_colored_alpha = false;
   std::map<std::string, std::string> metadata;
+  std::optional<ExrView> view{};  // is written, not read
 };
 
 // Takes whole rows, from the top, none twice.

@@ -7,7 +7,6 @@
 #include <ImfMultiPartInputFile.h>
 #include <ImfOutputFile.h>
 #include <ImfPartType.h>
-#include <ImfStandardAttributes.h>
 #include <ImfStringAttribute.h>
 #include <ImfThreading.h>
 
@@ -17,6 +16,7 @@
 #include "brume/error.h"
 #include "core/io/atomic_file.h"
 #include "core/io/file_bytes.h"
+#include "core/io/image/exr_attributes.h"
 #include "core/io/image/exr_limits.h"
 #include "core/io/image/exr_reading.h"
 #include "core/io/image/exr_stream.h"
@@ -42,12 +42,12 @@ void read_last_row(Imf::DeepScanLineInputPart& part, const Imf::Header& header) 
   part.rawPixelData(last, row.data(), bytes);
 }
 
-void write_layers(const fs::path& file, std::ostream& out, const ImageLayers& image) {
+void write_layers(const fs::path& file, std::ostream& out, const ImageLayers& image,
+                  const std::optional<ExrView>& view) {
   Imf::Header header(image.width, image.height);
   header.compression() = Imf::ZIP_COMPRESSION;
   // A fifth faster than 4, OpenEXR's own, for 1.5% more bytes of a frame.
   header.zipCompressionLevel() = 2;
-  Imf::addChromaticities(header, {});  // Rec. 709, D65
   Imf::FrameBuffer frame;
   const auto width = static_cast<std::size_t>(image.width);
   for (const auto& [name, values] : image.channels) {
@@ -57,9 +57,7 @@ void write_layers(const fs::path& file, std::ostream& out, const ImageLayers& im
     frame.insert(name, Imf::Slice::Make(Imf::FLOAT, values.data(), header.dataWindow(),
                                         sizeof(float), sizeof(float) * width));
   }
-  for (const auto& [name, text] : image.metadata) {
-    header.insert(name, Imf::StringAttribute(text));
-  }
+  add_attributes(image.metadata, view, header);
   ExrOutput stream(file, out);
   Imf::OutputFile output(stream, header);
   output.setFrameBuffer(frame);
@@ -158,10 +156,10 @@ void set_image_threads(int threads) {
   Imf::setGlobalThreadCount(threads > 1 ? threads : 0);
 }
 
-void write_exr(const fs::path& file, const ImageLayers& image) {
+void write_exr(const fs::path& file, const ImageLayers& image, const std::optional<ExrView>& view) {
   write_atomically(file, [&](std::ostream& out) {
     try {
-      write_layers(file, out, image);
+      write_layers(file, out, image, view);
     } catch (const Iex::BaseExc& error) {
       throw InputError(file, "", std::string("cannot be written: ") + error.what());
     }

@@ -3,12 +3,14 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "brume/image_layers.h"
 #include "brume/limits.h"
+#include "core/io/image/exr_view.h"
 
 namespace brume {
 
@@ -19,7 +21,8 @@ ImageLayers read_exr(const std::filesystem::path& file);
 
 // Writes 32-bit float scan lines, ZIP; an existing file is replaced only by a complete one. Throws
 // InputError. Every channel must have width * height values (assert).
-void write_exr(const std::filesystem::path& file, const ImageLayers& image);
+void write_exr(const std::filesystem::path& file, const ImageLayers& image,
+               const std::optional<ExrView>& view = {});
 
 // How many threads compress rows of EXR files, in the whole program; at first the caller's alone.
 void set_image_threads(int threads);

@@ -4,6 +4,7 @@
 
 #include "brume/error.h"
 #include "core/io/import/gltf_values.h"
+#include "core/io/import/scene_readers.h"
 #include "core/io/text_scanner.h"
 #include "core/number_domain.h"
 #include "core/printable_text.h"
@@ -132,6 +133,7 @@ GltfMaterial read_gltf_material(GltfFile& file, GltfImages& images, const Json& 
                                 const JsonPath& path) {
   JsonObject object(file.context(), value, path);
   GltfMaterial result;
+  result.material.name = imported_name(object.text("name", ""), "");
   MetallicRoughness& values = result.material.values;
   Textures textures(file, images, result);
   const auto nothing = [](JsonObject&) {};

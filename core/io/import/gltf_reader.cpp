@@ -44,9 +44,16 @@ class GltfReader {
     const JsonPath list = file_.path().member("nodes");
     const JsonPath path = list.element(node.element);
     JsonObject object(file_.context(), file_.list("nodes")[node.element], path);
-    scene_.nodes.push_back(
-        {imported_name(object.text("name", ""), "node " + std::to_string(node.element)),
-         node.parent});
+    const std::string name = imported_name(object.text("name", ""), "");
+    ImportedNode& result = scene_.nodes.emplace_back();
+    result.name = name.empty() ? "node " + std::to_string(node.element) : name;
+    result.parent = node.parent;
+    const auto index = file_.index(object, "mesh", "meshes");
+    if (!name.empty() || !index) return;
+    const JsonPath meshes = file_.path().member("meshes");
+    const JsonPath mesh_path = meshes.element(*index);
+    JsonObject mesh(file_.context(), file_.list("meshes")[*index], mesh_path);
+    result.mesh_name = imported_name(mesh.text("name", ""), "");
   }
 
   void read_materials() {

@@ -61,6 +61,7 @@ class SceneBuilder {
     Material& result = at->second;
     result.type = Material::Type::metallic_roughness;
     result.metallic_roughness = raw.values;
+    result.name = raw.name;
     for (const std::size_t slot : {0, 1, 2, 3}) {
       const std::optional<RawTexture>& use = raw.textures[slot];
       if (!use) continue;

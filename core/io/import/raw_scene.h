@@ -30,6 +30,7 @@ struct RawTexture {
 };
 
 struct RawMaterial {
+  std::string name{};                                   // empty: none
   MetallicRoughness values{};                           // without its textures
   std::array<std::optional<RawTexture>, 4> textures{};  // in the order of textures_of()
 };

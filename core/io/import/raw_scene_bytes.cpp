@@ -128,6 +128,7 @@ void visit_scene(auto& io, auto& scene) {
     io.plain_list(part.mesh.triangles);
   });
   io.list(scene.materials, [&io](auto& material) {
+    io.text(material.name);
     visit_values(io, material.values);
     for (auto& texture : material.textures) {
       io.maybe(texture, [&io](auto& use) {

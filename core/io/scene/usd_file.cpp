@@ -349,6 +349,7 @@ void write_usd(const std::filesystem::path& file, Frames frames, double frames_p
     head += "    startTimeCode = " + std::to_string(codes.front()) + "\n";
     head += "    endTimeCode = " + std::to_string(codes.back()) + "\n";
     head += "    timeCodesPerSecond = " + usd_value(frames_per_second) + "\n";
+    head += "    framesPerSecond = " + usd_value(frames_per_second) + "\n";
   }
   write_atomically(file, head + ")\n" + out.text());
 }

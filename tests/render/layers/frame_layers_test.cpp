@@ -313,8 +313,50 @@ TEST(SurfaceLayers, NamesOfSurfacesAreThoseOfTheOutliner) {
   surfaces[2].primitive = Primitive{};
   surfaces[3].mesh_file = "/meshes/bunny.obj";
   surfaces[4].name = "floor";
-  EXPECT_EQ(surface_names(surfaces),
+  EXPECT_EQ(object_mattes(surfaces).names,
             (std::vector<std::string>{"floor", "Box", "Box (2)", "bunny.obj", "floor (2)"}));
+}
+
+TEST(SurfaceLayers, PartsOfANodeHaveOneMatte) {
+  std::vector<Surface> surfaces(4);
+  for (Surface& surface : surfaces) surface.name = "lamp";
+  surfaces[0].id = surfaces[2].id = 5;
+  surfaces[1].id = 6;
+  surfaces[3].id = 5;
+  surfaces[3].name = "lamp/shade";
+  const Mattes mattes = object_mattes(surfaces);
+  EXPECT_EQ(mattes.names, (std::vector<std::string>{"lamp", "lamp (2)", "lamp/shade"}));
+  EXPECT_EQ(mattes.of_surface, (std::vector<std::uint32_t>{0, 1, 0, 2}));
+}
+
+TEST(SurfaceLayers, MaterialsHaveTheNamesOfTheirFiles) {
+  std::vector<Surface> surfaces(5);
+  surfaces[0].material.name = surfaces[1].material.name = "brass";
+  surfaces[2].material.reflectance = glm::dvec3(0.25);
+  surfaces[3].material.name = "brass";
+  surfaces[3].material.reflectance = glm::dvec3(0.25);
+  surfaces[4].material.name = "glass";
+  const Mattes mattes = material_mattes(surfaces);
+  EXPECT_EQ(mattes.names, (std::vector<std::string>{"brass", "diffuse 2", "brass (2)", "glass"}));
+  EXPECT_EQ(mattes.of_surface, (std::vector<std::uint32_t>{0, 0, 1, 2, 3}));
+}
+
+TEST(FrameLayers, PlanarDepthIsThatAlongTheAxis) {
+  OutputLayers layers;
+  layers.planar_depth = true;
+  ASSERT_TRUE(has_more_layers(layers));
+  Scene scene = two_walls();
+  scene.film = film_region(scene.film, {0.0, 0.25}, {0.75, 1.0});
+  const Layered made = layered(scene, quick(Scattering::single), layers);
+  const std::vector<float>& depth = made.image.channels.at("depth.planar");
+  ASSERT_EQ(depth.size(), made.frame.depth.size());
+  // The walls face the camera.
+  for (std::size_t i = 0; i < depth.size(); ++i) {
+    const bool is_near = std::abs(depth[i] - 4.0f) < 1e-5f;
+    EXPECT_TRUE(is_near || std::abs(depth[i] - 5.0f) < 1e-5f || std::isinf(depth[i])) << depth[i];
+    EXPECT_LE(depth[i], made.frame.depth[i]);
+  }
+  EXPECT_GT(std::ranges::count_if(depth, [](float z) { return z < 4.5f; }), 100);
 }
 
 TEST(FrameLayers, OpticalDepthIsThatOfTheTransmittance) {

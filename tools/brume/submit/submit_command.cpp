@@ -40,12 +40,17 @@ class SubmitCommand final : public Command {
     if (!is_slurm && (slurm_.watches || !slurm_.sbatch.empty())) {
       throw UsageError("--watch and --sbatch are of slurm");
     }
+    if (!options_.stats_file().empty()) {
+      throw UsageError("--stats: all tasks would write it; allowed: for brume render");
+    }
     static_cast<void>(options_.outputs());
     CommandFiles files;
     std::vector<std::filesystem::path> missing;
     const SceneDocument document = read_document(options_.scene_file(), files, missing);
+    sequence_.frames_per_second = options_.frame_rate(document.scene);
     if (is_slurm) {
-      const FrameFingerprint fingerprint(document, options_.what_matters(sequence_.own_options));
+      const FrameFingerprint fingerprint(
+          document, options_.what_matters(document.scene, sequence_.own_options));
       return submit_to_slurm(sequence_, fingerprint, slurm_);
     }
     nlohmann::ordered_json result;

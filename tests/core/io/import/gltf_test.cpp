@@ -61,6 +61,14 @@ TEST_F(Gltf, IsTheSameAsTextWithABuffer) {
   EXPECT_EQ(scene->files, (std::vector{folder_ / "scene.gltf", folder_ / "a b.bin"}));
 }
 
+TEST_F(Gltf, MaterialsHaveTheirNames) {
+  GltfBuilder builder;
+  EXPECT_EQ(read(builder)->parts.at(0).material.name, "");
+  builder.json["materials"] = {{{"name", "Brushed\nbrass"}}};
+  builder.primitive()["material"] = 0;
+  EXPECT_EQ(read(builder)->parts.at(0).material.name, "Brushedbrass");
+}
+
 TEST_F(Gltf, TransformsOfNodesAreInTheMesh) {
   GltfBuilder builder;
   const double s = std::sqrt(0.5);  // a quarter turn about y: x to -z, z to x

@@ -63,6 +63,8 @@ TEST(ReaderProgram, ReadsObjWithItsMaterials) {
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_EQ(mesh.texcoords[i], glm::vec2(mesh.points[i])) << "v is up";
   }
+  EXPECT_EQ(scene->parts[0].material.name, "painted");
+  EXPECT_EQ(scene->parts[1].material.name, "shiny");
   const MetallicRoughness& painted = scene->parts[0].material.metallic_roughness;
   EXPECT_EQ(painted.base_color, glm::dvec3(1.0)) << "the texture instead";
   EXPECT_EQ(painted.base_color_texture.file, folder / "paint.png");

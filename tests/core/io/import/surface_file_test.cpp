@@ -74,6 +74,20 @@ TEST_F(SurfaceFile, IsShownInParts) {
   EXPECT_EQ(evaluate_at(scene, 0.0).surfaces, parts) << "they are as they are";
 }
 
+TEST_F(SurfaceFile, NamesAreNotDoubled) {
+  EXPECT_EQ(names(shown(R"("name": "house", "file": "model/town.gltf", "nodes": ["house"])")),
+            (std::vector<std::string>{"house/wall", "house/roof"}));
+  EXPECT_EQ(names(shown(R"("name": "tree", "file": "model/town.gltf", "nodes": ["tree"])")),
+            (std::vector<std::string>{"tree"}));
+  GltfBuilder builder;
+  builder.json["nodes"][0].erase("name");
+  builder.json["meshes"][0]["name"] = "table";
+  folder_.write("a.glb", builder.binary());
+  EXPECT_EQ(names(shown(R"("file": "a.glb")")), std::vector<std::string>{"table"});
+  EXPECT_EQ(names(shown(R"("file": "a.glb", "nodes": ["node 0"])")),
+            std::vector<std::string>{"table"});
+}
+
 TEST_F(SurfaceFile, NodesAreChosenWithWhatIsBelowThem) {
   EXPECT_EQ(names(shown(R"("file": "model/town.gltf", "nodes": ["house"])")),
             (std::vector<std::string>{"wall", "roof"}));

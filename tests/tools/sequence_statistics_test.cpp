@@ -1,0 +1,97 @@
+// --seed, --error, and --stats of a sequence.
+
+#include <nlohmann/json.hpp>
+
+#include "tests/tools/command_line.h"
+
+namespace brume {
+namespace {
+
+using Json = nlohmann::json;
+
+class RenderStatistics : public CommandLine {
+ protected:
+  // What --stats writes.
+  Json render(std::vector<std::string> more) {
+    std::vector<std::string> arguments{"render", scene_, "--backend", "cpu",
+                                       "--size", "8x6",  "--stats",   file("s.json")};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const ProgramResult result = run_brume(arguments);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return Json::parse(content_of(folder_ / "s.json"));
+  }
+  ImageLayers traced(const char* image, std::vector<std::string> more) {
+    more.insert(more.begin(), {"--airlight", "path:16", "-o", file(image)});
+    seed_ = render(more)["seed"];
+    return read_exr(folder_ / image);
+  }
+
+  Json seed_;
+};
+
+TEST_F(RenderStatistics, SeedsAreIndependentPictures) {
+  const std::vector<float> first = traced("0.exr", {}).channels.at("R");
+  EXPECT_EQ(seed_, 0);
+  EXPECT_EQ(traced("0.exr", {"--seed", "0"}).channels.at("R"), first);
+  const std::vector<float> other = traced("1.exr", {"--seed", "4294967295"}).channels.at("R");
+  EXPECT_EQ(seed_, 4294967295);
+  std::size_t different = 0;
+  double sum = 0.0;
+  double difference = 0.0;
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    different += static_cast<std::size_t>(first[i] != other[i]);
+    sum += static_cast<double>(first[i]);
+    difference += static_cast<double>(other[i] - first[i]);
+  }
+  EXPECT_GT(different, first.size() * 9 / 10);
+  EXPECT_LT(std::abs(difference), 0.3 * sum);  // of 16 paths in 48 pixels
+  for (const char* seed : {"-1", "4294967296", "1.5", "x"}) {
+    expect_refused({"render", scene_, "-o", file("o.exr"), "--seed", seed}, {"--seed"});
+  }
+}
+
+TEST_F(RenderStatistics, NoErrorIsMeasuredWhereNoneIsWanted) {
+  for (const char* method : {"auto", "sliced"}) {
+    SCOPED_TRACE(method);
+    const std::vector<std::string> options{"--airlight",  method,         "-o",
+                                           file("o.exr"), "--scattering", "single"};
+    const auto error = [&](const char* wanted) {
+      std::vector<std::string> all = options;
+      all.insert(all.end(), {"--error", wanted});
+      return render(all)["error"];
+    };
+    EXPECT_TRUE(error("none").is_null());
+    EXPECT_FALSE(read_exr(folder_ / "o.exr").metadata.contains("brume:error"));
+    const Json full = error("full");
+    EXPECT_GT(full["pixels"], 0);
+    EXPECT_TRUE(read_exr(folder_ / "o.exr").metadata.contains("brume:error"));
+    EXPECT_EQ(render(options)["error"], full);
+  }
+  expect_refused({"render", scene_, "-o", file("o.exr"), "--error", "some"}, {"--error"});
+}
+
+TEST_F(RenderStatistics, OfASequenceListItsFrames) {
+  const std::vector<std::string> options{"--airlight", "sliced",        "--scattering", "single",
+                                         "--frames",   "3,0",           "--fps",        "10",
+                                         "-o",         file("f_%d.exr")};
+  const Json frames = render(options)["frames"];
+  ASSERT_EQ(frames.size(), 2u);
+  EXPECT_EQ(frames[0]["frame"], 3);
+  EXPECT_EQ(frames[0]["time"], 0.3);
+  EXPECT_EQ(frames[1]["frame"], 0);
+  EXPECT_EQ(frames[1]["slices"], 24);
+  EXPECT_TRUE(frames[1]["error"].is_null());
+  EXPECT_GT(frames[1]["frame_ms"]["median"], 0.0);
+  std::vector<std::string> measured = options;
+  measured.insert(measured.end(), {"--error", "full"});
+  EXPECT_GT(render(measured)["frames"][0]["error"]["pixels"], 0);
+  // All are there already.
+  measured.emplace_back("--skip-existing");
+  EXPECT_TRUE(render(measured)["frames"].empty());
+  expect_refused({"submit", "openjd", scene_, "--frames", "0", "-o", file("f_%d.exr"), "--stats",
+                  file("s.json")},
+                 {"--stats"});
+}
+
+}  // namespace
+}  // namespace brume
