@@ -156,9 +156,12 @@ void remove_abandoned_files(const fs::path& folder) {
     const std::string name = entry->path().filename().string();
     if (!name.starts_with(TemporaryFile::prefix) || !name.ends_with(TemporaryFile::suffix))
       continue;
-    const int fd = ::open(entry->path().c_str(), O_WRONLY | O_CLOEXEC | O_NOFOLLOW);
+    // A pipe of that name would wait for its reader.
+    const int fd = ::open(entry->path().c_str(), O_WRONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
     if (fd < 0) continue;
-    if (::flock(fd, LOCK_EX | LOCK_NB) == 0) ::unlink(entry->path().c_str());
+    struct stat found {};
+    const bool is_file = ::fstat(fd, &found) == 0 && S_ISREG(found.st_mode);
+    if (is_file && ::flock(fd, LOCK_EX | LOCK_NB) == 0) ::unlink(entry->path().c_str());
     ::close(fd);
   }
 }

@@ -20,11 +20,19 @@ struct NumberPlace {
   std::size_t end = 0;
 };
 
-// The first of %d, %4d or %04d that begins at `first` or later.
+std::size_t begin_of_name(const std::string& file) {
+  return file.size() - fs::path(file).filename().string().size();
+}
+
+// The first of %d, %4d or %04d that begins at `first` or later; %% is a percent.
 std::optional<NumberPlace> find_number_place(const std::string& text, std::size_t first) {
   for (std::size_t begin = text.find('%', first); begin != std::string::npos;
        begin = text.find('%', begin + 1)) {
     std::size_t end = begin + 1;
+    if (text[end] == '%') {
+      begin = end;
+      continue;
+    }
     if (text[end] == '0') ++end;
     if (is_digit(text[end])) ++end;
     if (text[end] == 'd') return NumberPlace{begin, end + 1};
@@ -35,23 +43,30 @@ std::optional<NumberPlace> find_number_place(const std::string& text, std::size_
 }  // namespace
 
 bool FramePattern::is_pattern(const std::string& text) {
-  return find_number_place(text, 0).has_value();
+  return find_number_place(text, begin_of_name(text)).has_value();
 }
 
 std::optional<FramePattern> FramePattern::parse(const std::string& text) {
-  const auto place = find_number_place(text, 0);
+  const std::size_t name = begin_of_name(text);
+  const auto place = find_number_place(text, name);
   if (!place || find_number_place(text, place->end)) return std::nullopt;
   FramePattern pattern;
-  pattern.before_ = text.substr(0, place->begin);
+  pattern.text_ = text;
+  pattern.before_ =
+      text.substr(0, name) + replaced(text.substr(name, place->begin - name), "%%", "%");
   pattern.place_ = text.substr(place->begin, place->end - place->begin);
-  pattern.after_ = text.substr(place->end);
+  pattern.after_ = replaced(text.substr(place->end), "%%", "%");
   const std::string width = pattern.place_.substr(1, pattern.place_.size() - 2);
   if (!width.empty()) pattern.width_ = static_cast<std::size_t>(std::stoi(width));
   return pattern;
 }
 
+std::string FramePattern::printf_text() const {
+  return replaced(before_, "%", "%%") + place_ + replaced(after_, "%", "%%");
+}
+
 std::optional<FramePattern> FramePattern::around(const std::string& file) {
-  const std::size_t name = fs::path(file).parent_path().string().size();
+  const std::size_t name = begin_of_name(file);
   const std::size_t extension = file.size() - fs::path(file).extension().string().size();
   const auto last =
       std::find_if(file.rbegin() + static_cast<std::ptrdiff_t>(file.size() - extension),
@@ -63,7 +78,8 @@ std::optional<FramePattern> FramePattern::around(const std::string& file) {
   const std::string width = std::to_string(end - begin);
   const bool is_padded = file[begin] == '0';
   auto pattern =
-      parse(file.substr(0, begin) + (is_padded ? "%0" + width + "d" : "%d") + file.substr(end));
+      parse(file.substr(0, name) + replaced(file.substr(name, begin - name), "%", "%%") +
+            (is_padded ? "%0" + width + "d" : "%d") + replaced(file.substr(end), "%", "%%"));
   if (!pattern || pattern->frames().size() < 2) return std::nullopt;
   return pattern;
 }

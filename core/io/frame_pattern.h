@@ -6,7 +6,8 @@
 
 namespace brume {
 
-// File names of a sequence: one "%d" or "%04d" (width up to 9) is replaced by the frame number.
+// File names of a sequence: one "%d" or "%04d" (width up to 9) is replaced by the frame number,
+// "%%" is a percent. Both count in the file's name only, not in its folder.
 class FramePattern {
  public:
   // nullopt unless `text` has exactly one placeholder.
@@ -15,7 +16,10 @@ class FramePattern {
   // if there are none or no other such file.
   static std::optional<FramePattern> around(const std::string& file);
 
-  [[nodiscard]] std::string text() const { return before_ + place_ + after_; }
+  [[nodiscard]] const std::string& text() const { return text_; }
+  // The same as printf() reads it, folder and all.
+  [[nodiscard]] std::string printf_text() const;
+  [[nodiscard]] std::string file_without_number() const { return before_ + after_; }
   [[nodiscard]] std::string file_of(int frame) const;  // >= 0
   // Numbers of existing files, ascending.
   [[nodiscard]] std::vector<int> frames() const;
@@ -24,7 +28,8 @@ class FramePattern {
   static bool is_pattern(const std::string& text);
 
  private:
-  std::string before_, place_, after_;
+  std::string text_, place_;
+  std::string before_, after_;  // of files
   std::size_t width_ = 0;
 };
 

@@ -73,6 +73,14 @@ std::optional<std::int64_t> parse_integer(std::string_view token) {
   return parse<std::int64_t>(token);
 }
 
+std::string replaced(std::string text, std::string_view from, std::string_view to) {
+  for (std::size_t place = text.find(from); place != std::string::npos;
+       place = text.find(from, place + to.size())) {
+    text.replace(place, from.size(), to);
+  }
+  return text;
+}
+
 std::string quoted_text(std::string_view text, std::size_t longest) {
   if (text.empty()) return "nothing";
   if (text.size() <= longest) return std::string(text);

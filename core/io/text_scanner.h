@@ -42,4 +42,7 @@ std::optional<std::int64_t> parse_integer(std::string_view token);
 // Input text as quoted in error messages: printable and truncated.
 std::string quoted_text(std::string_view text, std::size_t longest = 60);
 
+// The text with `to` in the place of each `from`.
+std::string replaced(std::string text, std::string_view from, std::string_view to);
+
 }  // namespace brume

@@ -105,6 +105,46 @@ std::vector<std::string> complaints_about(const std::string& config, const OCIO:
   }
 }
 
+// Throws InputError where a transform reads what is no regular file, such as a pipe, which would be
+// waited for.
+void check_files(const OCIO::Config& config, const OCIO::ConstTransformRcPtr& transform) {
+  if (const auto group = OCIO::DynamicPtrCast<const OCIO::GroupTransform>(transform)) {
+    for (int i = 0; i < group->getNumTransforms(); ++i) check_files(config, group->getTransform(i));
+  }
+  const auto file = OCIO::DynamicPtrCast<const OCIO::FileTransform>(transform);
+  if (!file) return;
+  try {
+    regular_file_size(config.getCurrentContext()->resolveFileLocation(file->getSrc()));
+  } catch (const OCIO::Exception&) {  // a missing one counts where it is used
+  }
+}
+
+// The same of all that a configuration has.
+void check_files(const OCIO::Config& config) {
+  for (int i = 0;
+       i < config.getNumColorSpaces(OCIO::SEARCH_REFERENCE_SPACE_ALL, OCIO::COLORSPACE_ALL); ++i) {
+    const auto space = config.getColorSpace(
+        config.getColorSpaceNameByIndex(OCIO::SEARCH_REFERENCE_SPACE_ALL, OCIO::COLORSPACE_ALL, i));
+    check_files(config, space->getTransform(OCIO::COLORSPACE_DIR_TO_REFERENCE));
+    check_files(config, space->getTransform(OCIO::COLORSPACE_DIR_FROM_REFERENCE));
+  }
+  for (int i = 0; i < config.getNumLooks(); ++i) {
+    const auto look = config.getLook(config.getLookNameByIndex(i));
+    check_files(config, look->getTransform());
+    check_files(config, look->getInverseTransform());
+  }
+  for (int i = 0; i < config.getNumViewTransforms(); ++i) {
+    const auto view = config.getViewTransform(config.getViewTransformNameByIndex(i));
+    check_files(config, view->getTransform(OCIO::VIEWTRANSFORM_DIR_TO_REFERENCE));
+    check_files(config, view->getTransform(OCIO::VIEWTRANSFORM_DIR_FROM_REFERENCE));
+  }
+  for (int i = 0; i < config.getNumNamedTransforms(); ++i) {
+    const auto named = config.getNamedTransform(config.getNamedTransformNameByIndex(i));
+    check_files(config, named->getTransform(OCIO::TRANSFORM_DIR_FORWARD));
+    check_files(config, named->getTransform(OCIO::TRANSFORM_DIR_INVERSE));
+  }
+}
+
 OCIO::ConstConfigRcPtr open_config(const std::string& config) {
   static const bool is_quiet = [] {  // it writes to standard error otherwise
     OCIO::SetLoggingLevel(OCIO::LOGGING_LEVEL_NONE);
@@ -125,7 +165,9 @@ OCIO::ConstConfigRcPtr open_config(const std::string& config) {
     } else {
       regular_file_size(config);  // its own error if it is missing, or no file
     }
-    return OCIO::Config::CreateFromFile(config.c_str());
+    OCIO::ConstConfigRcPtr read = OCIO::Config::CreateFromFile(config.c_str());
+    check_files(*read);
+    return read;
   } catch (const OCIO::Exception& error) {
     refuse(config, "no configuration of OpenColorIO: " + one_line(error));
   }

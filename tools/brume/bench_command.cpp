@@ -125,6 +125,8 @@ class BenchCommand final : public Command {
   }
 
   [[nodiscard]] ExitCode save_scenes() const {
+    CommandFiles files;
+    files.make_folder(folder_);
     for (const BenchScene& bench : built_in_scenes(quick_)) {
       // Data that is in no file cannot be referenced.
       if (!bench.scene.surfaces.empty() || bench.scene.environment) continue;

@@ -25,7 +25,30 @@ void CommandFiles::add_input(const fs::path& file) {
   if (known->second.is_output) refuse(known->second.file, "input " + file.string());
 }
 
+CommandFiles::~CommandFiles() {
+  std::error_code ignored;
+  while (!made_.empty()) {
+    fs::remove(made_.back(), ignored);
+    made_.pop_back();
+  }
+}
+
+void CommandFiles::make_folder(const fs::path& folder) {
+  if (folder.empty()) return;
+  std::error_code error;
+  std::vector<fs::path> missing;
+  for (fs::path it = fs::absolute(folder); !fs::exists(it, error); it = it.parent_path()) {
+    missing.push_back(it);
+  }
+  for (; !missing.empty(); missing.pop_back()) {
+    const fs::path& next = missing.back();
+    if (fs::create_directory(next, error)) made_.push_back(next);
+    if (error) throw InputError(next, "", "cannot be created: " + error.message());
+  }
+}
+
 void CommandFiles::add_output(const fs::path& file) {
+  make_folder(link_target(file).parent_path());
   check_writable(file);
   struct stat status {};
   if (::stat(file.c_str(), &status) == 0) {

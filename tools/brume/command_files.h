@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 #include <utility>
+#include <vector>
 
 namespace brume {
 
@@ -13,10 +14,19 @@ namespace brume {
 // the same file, resolving symbolic and hard links and spellings like ./a.
 class CommandFiles {
  public:
+  CommandFiles() = default;
+  CommandFiles(CommandFiles&&) = default;
+  CommandFiles& operator=(CommandFiles&&) = default;
+  // Removes the folders it made that are still empty: nothing was written.
+  ~CommandFiles();
+
   // An input. One that is not there is left to its reader. Throws InputError if it is an output.
   void add_input(const std::filesystem::path& file);
-  // An output. Throws InputError if it cannot be written, is an input, or is another output.
+  // An output, whose folder is made. Throws InputError if it cannot be written, is an input, or is
+  // another output.
   void add_output(const std::filesystem::path& file);
+  // Makes a folder and those it is in. Throws InputError.
+  void make_folder(const std::filesystem::path& folder);
 
  private:
   using Identity = std::pair<dev_t, ino_t>;
@@ -27,6 +37,7 @@ class CommandFiles {
 
   std::map<Identity, Known> existing_;
   std::set<std::filesystem::path> outputs_;  // where their bytes go
+  std::vector<std::filesystem::path> made_;  // folders, the outer first
 };
 
 }  // namespace brume

@@ -24,6 +24,7 @@ class GatherCommand final : public Command {
   ExitCode run() override {
     CommandFiles files;
     const SceneDocument document = read_document(scene_, files);
+    files.make_folder(std::filesystem::absolute(folder_ + "/").parent_path().parent_path());
     const ProgressLine line("gathering " + scene_);
     if (!gather_scene(document, folder_, std::filesystem::path(scene_).stem().string(),
                       interruption())) {

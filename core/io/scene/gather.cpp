@@ -11,6 +11,7 @@
 
 #include "brume/error.h"
 #include "core/io/atomic_file.h"
+#include "core/io/file_bytes.h"
 #include "core/io/frame_pattern.h"
 #include "core/io/scene/scene_file.h"
 #include "core/io/scene/scene_files.h"
@@ -117,6 +118,7 @@ class Copies {
     std::error_code error;
     fs::create_directories(copy.parent_path(), error);
     if (error) throw InputError(copy, "", "cannot be created: " + error.message());
+    regular_file_size(file);
     std::ifstream in(file, std::ios::binary);
     if (!in) throw InputError(file, "", std::string("cannot be opened: ") + std::strerror(errno));
     write_atomically(copy, [&](std::ostream& out) {

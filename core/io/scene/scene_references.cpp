@@ -117,17 +117,11 @@ fs::path SceneReferences::absolute(const JsonContext& context, const JsonPath& p
 
 fs::path SceneReferences::resolve_pattern(const JsonContext& context, const JsonPath& path,
                                           const std::string& text) const {
-  if (!FramePattern::parse(fs::path(text).filename().string()) ||
-      FramePattern::is_pattern(fs::path(text).parent_path().string())) {
+  if (!FramePattern::parse(text)) {
     context.fail(path, "found " + quoted_text(text) +
                            "; allowed: a file name with one %d or %04d for the frame");
   }
-  fs::path file = found(absolute(context, path, text));
-  if (!FramePattern::parse(file.string())) {
-    context.fail(path,
-                 "found " + quoted_text(file.string()) + "; allowed: a path without another %d");
-  }
-  return file;
+  return found(absolute(context, path, text));
 }
 
 fs::path SceneReferences::resolve_output(const JsonContext& context, const JsonPath& path,

@@ -1,6 +1,9 @@
 #include "core/io/atomic_file.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include "tests/core/io/input_error.h"
 #include "tests/core/io/temporary_folder.h"
@@ -124,6 +127,18 @@ TEST(AtomicFile, RefusesWhatCannotBeWritten) {
     EXPECT_TRUE(contains(error, "cannot be written")) << error;
   }
   EXPECT_TRUE(contains(error_of([&] { check_writable("/dev/null"); }), "regular file"));
+}
+
+// To open a pipe would be to wait for its other end.
+TEST(AtomicFile, LeavesPipesWithNamesOfTemporaryFiles) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(::mkfifo((folder / ".brume-1.tmp").c_str(), 0600), 0);
+  ASSERT_EQ(::mkfifo((folder / ".brume-2.tmp").c_str(), 0600), 0);
+  const int reader = ::open((folder / ".brume-2.tmp").c_str(), O_RDONLY | O_NONBLOCK);
+  folder.write(".brume-3.tmp", "abandoned");
+  remove_abandoned_files(folder.path());
+  ::close(reader);
+  EXPECT_EQ(folder.entry_count(), 2u);
 }
 
 TEST(AtomicFile, RefusesAFolderThatCannotBeWritten) {

@@ -16,6 +16,35 @@ TEST(FramePattern, NamesTheFileOfAFrame) {
   }
 }
 
+TEST(FramePattern, CountsInTheNameOnly) {
+  EXPECT_EQ(FramePattern::parse("50%density/a_%d.png")->file_of(3), "50%density/a_3.png");
+  EXPECT_EQ(FramePattern::parse("%d/%%/a_%d.png")->file_of(3), "%d/%%/a_3.png");
+  for (const char* text : {"50%density/a.png", "%d/a.png", "%d/"}) {
+    EXPECT_FALSE(FramePattern::is_pattern(text)) << text;
+    EXPECT_FALSE(FramePattern::parse(text)) << text;
+  }
+}
+
+TEST(FramePattern, TwoPercentsAreOne) {
+  const auto pattern = FramePattern::parse("100%%/100%%_%%d_%02d%%.png");
+  ASSERT_TRUE(pattern);
+  EXPECT_EQ(pattern->file_of(3), "100%%/100%_%d_03%.png");
+  EXPECT_EQ(pattern->text(), "100%%/100%%_%%d_%02d%%.png");
+  EXPECT_EQ(pattern->printf_text(), "100%%%%/100%%_%%d_%02d%%.png");
+  EXPECT_EQ(FramePattern::parse("%x_%d%.png")->file_of(3), "%x_3%.png");
+  EXPECT_FALSE(FramePattern::is_pattern("%%d.png"));
+}
+
+TEST(FramePattern, IsFoundWhereNamesHavePercents) {
+  const TemporaryFolder folder;
+  for (const char* name : {"5%d/100%_%d_1.ply", "5%d/100%_%d_2.ply"}) folder.write(name, "");
+  const auto pattern = FramePattern::around((folder / "5%d/100%_%d_2.ply").string());
+  ASSERT_TRUE(pattern);
+  EXPECT_EQ(pattern->frames(), (std::vector{1, 2}));
+  EXPECT_EQ(pattern->file_of(2), (folder / "5%d/100%_%d_2.ply").string());
+  EXPECT_EQ(FramePattern::parse(pattern->text())->file_of(2), pattern->file_of(2));
+}
+
 TEST(FramePattern, IsFoundFromOneOfItsFiles) {
   const TemporaryFolder folder;
   for (const char* name : {"smoke_0011.vdb", "smoke_0012.vdb", "smoke_0100.vdb", "smoke_013.vdb",

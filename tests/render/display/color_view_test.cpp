@@ -1,6 +1,7 @@
 #include "render/display/color_view.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <array>
 #include <cmath>
@@ -181,6 +182,26 @@ TEST(ColorView, ConfigurationsOfOpenColorIoNeedItsVersion) {
   EXPECT_TRUE(found.empty() || found.find("needs OpenColorIO 2.2 or newer") != std::string::npos)
       << found;
   EXPECT_NE(refusal({"ocio://none", "", ""}), "");
+}
+
+// OpenColorIO would wait for the other end of a pipe, wherever a configuration names it.
+TEST(ColorView, RefusesPipesInPlaceOfItsFiles) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(::mkfifo((folder / "lut.spi1d").c_str(), 0600), 0);
+  const std::string lut = "!<FileTransform> {src: lut.spi1d}";
+  const std::string group = "!<GroupTransform> {children: [" + lut + "]}";
+  for (const std::string& more :
+       {"  - !<ColorSpace> {name: x, to_reference: " + lut + "}\n",
+        "  - !<ColorSpace> {name: x, from_reference: " + group + "}\n",
+        "looks:\n  - !<Look> {name: x, process_space: linear, transform: " + group + "}\n"}) {
+    const std::string config =
+        folder.write("a.ocio", halving_config + more + "search_path: .\n").string();
+    EXPECT_EQ(refusal({config, "screen", "half"}),
+              (folder / "lut.spi1d").string() + ": is not a regular file")
+        << more;
+  }
+  const std::string config = folder.write("a.ocio", halving_config).string();
+  EXPECT_EQ(refusal({config, "screen", "half"}), "");
 }
 
 TEST(ToDisplay, ShowsAFrameInAView) {

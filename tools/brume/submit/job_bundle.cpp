@@ -122,13 +122,20 @@ fs::path write_job_bundle(const SequenceJob& sequence, const SceneDocument& docu
               {"script", action(std::move(command))}};
   Json steps = Json::array({std::move(render)});
   if (!sequence.video.empty()) {
+    // A folder that a farm maps is not escaped.
+    if (output.parent_path().string().find('%') != std::string::npos) {
+      throw UsageError("--video: found " + quoted_text(output.string()) +
+                       "; allowed: frames in a folder without %");
+    }
     const std::string file =
         paths.add("Video", "the film of the frames", "FILE", "OUT", absolute_path(sequence.video));
     steps.push_back(
         {{"name", "Video"},
          {"dependencies", Json::array({{{"dependsOn", "Render"}}})},
          {"script", action(sequence.video_command(
-                        "{{Param.FrameFolder}}/" + output.filename().string(), file))}});
+                        "{{Param.FrameFolder}}/" +
+                            FramePattern::parse(output.filename().string())->printf_text(),
+                        file))}});
   }
   Json definitions = std::move(paths.definitions);
   definitions.push_back(

@@ -1,5 +1,6 @@
 #include "tools/brume/submit/sequence_job.h"
 
+#include <algorithm>
 #include <cctype>
 
 #include "core/io/file_bytes.h"
@@ -22,6 +23,11 @@ void SequenceJob::check_video() const {
   if (lower_case_extension(options.output()) != ".png") {
     throw UsageError("--video: allowed: of .png frames");
   }
+}
+
+void SequenceJob::check_names() const {
+  for (const std::string& argument : options.arguments(own_options)) check_line(argument);
+  if (!video.empty()) check_line(fs::absolute(video).string());
 }
 
 std::vector<std::string> SequenceJob::video_command(const std::string& frames,
@@ -47,10 +53,8 @@ fs::path SequenceJob::output() const {
 
 std::string SequenceJob::stem() const {
   // The name without the frame's number and the extension.
-  std::string name = output().filename().string();
-  const std::size_t place = name.find('%');
-  name.erase(place, name.find('d', place) + 1 - place);
-  std::string stem = fs::path("_" + name).stem().string().substr(1);
+  const fs::path file = options.output_pattern().file_without_number();
+  std::string stem = fs::path("_" + file.filename().string()).stem().string().substr(1);
   std::erase_if(stem, [](unsigned char c) { return std::isalnum(c) == 0 && c != '_' && c != '-'; });
   while (stem.ends_with('_') || stem.ends_with('-')) stem.pop_back();
   return stem.empty() ? "frames" : stem;
@@ -64,6 +68,12 @@ std::vector<int> SequenceJob::not_current(const std::vector<int>& frames,
     if (fingerprint_of(outputs.file_of(frame)) != fingerprint.of(frame)) rest.push_back(frame);
   }
   return rest;
+}
+
+void check_line(const std::string& text) {
+  if (std::ranges::none_of(text, [](unsigned char c) { return std::iscntrl(c) != 0; })) return;
+  throw UsageError("found " + quoted_text(text) +
+                   "; allowed for a scheduler: without control characters");
 }
 
 std::string frames_text(const std::vector<int>& frames, char step_sign) {

@@ -20,7 +20,9 @@ struct SequenceJob {
 
   // Throws UsageError where frames cannot make the video.
   void check_video() const;
-  // What makes it of them.
+  // Throws UsageError where the job's command has control characters.
+  void check_names() const;
+  // What makes the video of frames, a pattern of printf().
   [[nodiscard]] std::vector<std::string> video_command(const std::string& frames,
                                                        const std::string& file) const;
   // The pattern of the frames, absolute, and what is made of its name for other files.
@@ -30,6 +32,9 @@ struct SequenceJob {
   [[nodiscard]] std::vector<int> not_current(const std::vector<int>& frames,
                                              const FrameFingerprint& fingerprint) const;
 };
+
+// Throws UsageError for control characters: a newline would end a line of a script.
+void check_line(const std::string& text);
 
 // Frames as --frames takes them: "1-5", "1-9x2", "3,8". `step` is the sign before a step.
 std::string frames_text(const std::vector<int>& frames, char step = 'x');

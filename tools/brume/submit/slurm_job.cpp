@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/io/atomic_file.h"
+#include "core/io/text_scanner.h"
 #include "tools/brume/command.h"
 #include "tools/brume/other_program.h"
 #include "tools/brume/submit/sequence_job.h"
@@ -15,6 +16,18 @@ std::string shell_words(const std::vector<std::string>& words) {
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : " ") + shell_word(word);
   return text;
+}
+
+// The log of all tasks as a line of a script has it: a backslash quotes, even in quotes, and one
+// in the name itself would keep Slurm from filling in %A and %a. %% is a percent.
+std::string log_pattern(const SlurmJob& job) {
+  const std::string script = job.script.string();
+  if (script.find('\\') != std::string::npos) {
+    throw UsageError("-o: found " + quoted_text(script) + "; allowed for Slurm: names without \\");
+  }
+  SlurmJob escaped = job;
+  escaped.script = replaced(replaced(script, "%", "%%"), "\"", "\\\"");
+  return "\"" + escaped.log("%A", "%a").string() + "\"";
 }
 
 std::string checked(const std::vector<std::string>& arguments) {
@@ -34,16 +47,17 @@ std::string shell_word(const std::string& text) {
   return word + "'";
 }
 
-std::filesystem::path SlurmJob::log() const {
+std::filesystem::path SlurmJob::log(const std::string& id, const std::string& task) const {
   std::filesystem::path file = script;
-  return file.replace_extension().string() + "_%A_%a.log";
+  return file.replace_extension().string() + "_" + id + "_" + task + ".log";
 }
 
 std::string slurm_script(const SlurmJob& job) {
+  for (const std::string& option : job.options) check_line(option);
   std::string text = "#!/bin/sh\n#SBATCH --job-name=" + job.name + "\n#SBATCH --array=0-" +
                      std::to_string(job.chunks.size() - 1) +
-                     "\n#SBATCH --output=" + shell_word(job.log().string()) +
-                     "\n#SBATCH --requeue\n" + "#SBATCH --open-mode=append\n";
+                     "\n#SBATCH --output=" + log_pattern(job) + "\n#SBATCH --requeue\n" +
+                     "#SBATCH --open-mode=append\n";
   for (const std::string& option : job.options) text += "#SBATCH --" + option + "\n";
   text += "case \"$SLURM_ARRAY_TASK_ID\" in\n";
   for (std::size_t i = 0; i < job.chunks.size(); ++i) {

@@ -16,11 +16,11 @@ struct SlurmJob {
   std::vector<std::string> command;      // without --frames
   std::vector<std::vector<int>> chunks;  // frames of each task; none twice
   std::vector<std::string> options;      // more of sbatch's
-  // The log of a task, with what Slurm calls %A and %a.
-  [[nodiscard]] std::filesystem::path log() const;
+  // The log of a task; `id` is the job's.
+  [[nodiscard]] std::filesystem::path log(const std::string& id, const std::string& task) const;
 };
 
-// The script of a job.
+// The script of a job. Throws UsageError for what sbatch cannot read.
 std::string slurm_script(const SlurmJob& job);
 
 // Writes the script and submits it; its id. Throws UsageError where sbatch refuses, and while a job

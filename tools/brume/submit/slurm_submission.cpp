@@ -72,11 +72,10 @@ void watch(const SequenceJob& sequence, const FrameFingerprint& fingerprint,
 // Frames of which the logs of a job tell an error, which is passed on.
 std::set<int> frames_that_failed(const SlurmJob& job, const std::string& id) {
   std::set<int> frames;
-  std::string log = job.log().string();
-  log.replace(log.find("%A"), 2, id);
   for (std::size_t task = 0; task < job.chunks.size(); ++task) {
-    std::string file = log;
-    file.replace(file.find("%a"), 2, std::to_string(task));
+    const fs::path file = job.log(id, std::to_string(task));
+    std::error_code error;
+    if (!fs::is_regular_file(file, error)) continue;
     std::ifstream lines(file);
     for (std::string line; std::getline(lines, line);) {
       constexpr std::string_view begin = "brume: error: frame ";
@@ -99,10 +98,10 @@ ExitCode submit_to_slurm(const SequenceJob& sequence, const FrameFingerprint& fi
   nlohmann::ordered_json result{{"jobs", nlohmann::json::array()}};
   const auto submit_video = [&](const std::string& after) {
     if (sequence.video.empty()) return;
-    result["video"] =
-        submit_after(after, job.name + "-video",
-                     sequence.video_command(sequence.output().string(),
-                                            fs::absolute(sequence.video).lexically_normal()));
+    result["video"] = submit_after(
+        after, job.name + "-video",
+        sequence.video_command(FramePattern::parse(sequence.output().string())->printf_text(),
+                               fs::absolute(sequence.video).lexically_normal()));
   };
   for (int attempt = 0; attempt < max_attempts && !wanted.empty(); ++attempt) {
     job.chunks = chunks_of(wanted, sequence.chunk);

@@ -43,8 +43,8 @@ class SubmitCommand final : public Command {
     if (!options_.stats_file().empty()) {
       throw UsageError("--stats: all tasks would write it; allowed: for brume render");
     }
-    static_cast<void>(options_.outputs());
-    CommandFiles files;
+    sequence_.check_names();
+    CommandFiles files = options_.outputs();
     std::vector<std::filesystem::path> missing;
     const SceneDocument document = read_document(options_.scene_file(), files, missing);
     sequence_.frames_per_second = options_.frame_rate(document.scene);
