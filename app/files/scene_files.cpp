@@ -11,6 +11,7 @@
 #include "app/files/file_dialogs.h"
 #include "app/files/recent_pictures.h"
 #include "app/files/scene_load.h"
+#include "app/widgets/field_filter.h"
 #include "app/widgets/question.h"
 #include "core/io/frame_pattern.h"
 
@@ -76,6 +77,7 @@ void SceneFiles::load(const std::filesystem::path& file, const FoundFiles& found
 }
 
 void SceneFiles::adopt(LoadedScene& loaded) {
+  commit_typing();
   // Changes made meanwhile need a new question.
   if (document_.undo_stack().index() != discard_index_ && !may_discard()) return;
   version_check_.cancel();
@@ -108,6 +110,7 @@ void SceneFiles::adopt(LoadedScene& loaded) {
 }
 
 bool SceneFiles::save() {
+  commit_typing();
   if (document_.file().empty()) return save_as();
   switch (may_replace()) {
     case Replace::yes:
@@ -203,6 +206,7 @@ bool SceneFiles::save_to(const std::filesystem::path& file) {
 }
 
 bool SceneFiles::may_discard() {
+  commit_typing();
   if (!document_.is_modified()) return true;
   const auto answer =
       ask(window_, tr("Unsaved changes"), tr("Save the changes to “%1”?").arg(document_.name()),

@@ -57,15 +57,13 @@ QWidget* CameraPanel::new_list() {
       use_camera(document_, item->data(name_role).toString());
     }
   });
-  // Later: the command rebuilds the list, whose editor is still open.
   connect(list_, &QListWidget::itemChanged, this, [this](QListWidgetItem* item) {
-    if (showing_) return;
-    QMetaObject::invokeMethod(
-        this,
-        [this, name = item->data(name_role).toString(), text = item->text()] {
-          rename_camera(document_, name, text);
-        },
-        Qt::QueuedConnection);
+    if (is_changing_) return;
+    is_changing_ = true;
+    rename_camera(document_, item->data(name_role).toString(), item->text());
+    is_changing_ = false;
+    // Later: the editor of the name is still open.
+    QMetaObject::invokeMethod(this, &CameraPanel::show_cameras, Qt::QueuedConnection);
   });
   return list_;
 }
@@ -174,11 +172,12 @@ QString CameraPanel::current_name() const {
 }
 
 void CameraPanel::show_cameras() {
+  if (is_changing_) return;
   const Scene& scene = document_.scene();
   QStringList names{current_name()};
   for (const NamedCamera& camera : scene.cameras) names << QString::fromStdString(camera.name);
   names.sort(Qt::CaseInsensitive);
-  showing_ = true;
+  is_changing_ = true;
   while (list_->count() > names.size()) delete list_->takeItem(list_->count() - 1);
   while (list_->count() < names.size()) list_->addItem(QString());
   for (int k = 0; k < list_->count(); ++k) {
@@ -192,7 +191,7 @@ void CameraPanel::show_cameras() {
     item->setFont(font);
     if (in_use) list_->setCurrentItem(item);
   }
-  showing_ = false;
+  is_changing_ = false;
 }
 
 }  // namespace brume

@@ -35,7 +35,7 @@ class CameraPanel : public SceneForm {
   std::function<Camera()> view_;
   QListWidget* list_;
   QVBoxLayout* toggles_ = nullptr;
-  bool showing_ = false;
+  bool is_changing_ = false;  // the list, by this panel or by a name that is being taken over
 };
 
 }  // namespace brume

@@ -13,7 +13,8 @@ QWidget* NameDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem&
 }
 
 void NameDelegate::setEditorData(QWidget* editor, const QModelIndex& index) const {
-  static_cast<QLineEdit*>(editor)->setText(index.data(name_role).toString());
+  auto* line = static_cast<QLineEdit*>(editor);
+  if (!line->isModified()) line->setText(index.data(name_role).toString());
 }
 
 void NameDelegate::setModelData(QWidget* editor, QAbstractItemModel* /*model*/,

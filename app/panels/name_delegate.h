@@ -13,7 +13,7 @@ class NameDelegate : public QStyledItemDelegate {
   static constexpr int name_role = Qt::UserRole + 8;
   using Rename = std::function<void(const QModelIndex& row, const QString& name)>;
 
-  // `rename` is called within the tree's own work: it must not make rows anew at once.
+  // `rename` is called while the editor is open: it must not make rows anew at once.
   NameDelegate(Rename rename, QObject* parent)
       : QStyledItemDelegate(parent), rename_(std::move(rename)) {}
 

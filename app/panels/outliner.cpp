@@ -96,6 +96,8 @@ Outliner::Outliner(Document& document, QWidget* parent)
 }
 
 void Outliner::rebuild() {
+  is_stale_ = state() == EditingState;
+  if (is_stale_) return;
   const Scene& scene = document_.scene();
   const std::optional<ObjectRef> current = object_of(currentItem());
   const std::optional<GroupId> current_group = group_of(currentItem());
@@ -224,18 +226,21 @@ void Outliner::click(const QTreeWidgetItem* item, int column) {
                    item->data(0, index_role).toULongLong());
 }
 
-// Later: the tree is made anew then, and the editor of the name is about to go.
 void Outliner::rename(const QTreeWidgetItem* item, const QString& name) {
   if (const auto group = group_of(item)) {
-    QTimer::singleShot(0, this, [this, group, name] { rename_group(document_, *group, name); });
+    rename_group(document_, *group, name);
   } else if (const auto spline = spline_of(item)) {
-    QTimer::singleShot(0, this, [this, spline, name] { rename_spline(document_, *spline, name); });
+    rename_spline(document_, *spline, name);
   } else if (const auto ref = object_of(item)) {
-    QTimer::singleShot(0, this, [this, ref = *ref, name] {
-      if (!brume::object_of(document_.scene(), ref)) return;
-      if (name != object_title(document_.scene(), ref)) rename_object(document_, ref, name);
-    });
+    if (!brume::object_of(document_.scene(), *ref)) return;
+    if (name != object_title(document_.scene(), *ref)) rename_object(document_, *ref, name);
   }
+}
+
+// Later: Qt still needs the rows in which the editor was.
+void Outliner::closeEditor(QWidget* editor, QAbstractItemDelegate::EndEditHint hint) {
+  QTreeWidget::closeEditor(editor, hint);
+  if (is_stale_) QTimer::singleShot(0, this, &Outliner::rebuild);
 }
 
 void Outliner::rename_current() {

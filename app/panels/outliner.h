@@ -33,6 +33,7 @@ class Outliner : public QTreeWidget {
   void keyPressEvent(QKeyEvent* event) override;
   void contextMenuEvent(QContextMenuEvent* event) override;
   void changeEvent(QEvent* event) override;
+  void closeEditor(QWidget* editor, QAbstractItemDelegate::EndEditHint hint) override;
   // Rows of groups are dragged onto others, that of the Gaussians takes the selected ones.
   [[nodiscard]] QStringList mimeTypes() const override;
   [[nodiscard]] QMimeData* mimeData(const QList<QTreeWidgetItem*>& items) const override;
@@ -59,6 +60,7 @@ class Outliner : public QTreeWidget {
   GroupRows* groups_;
   SplineRows* splines_;
   QTreeWidgetItem* gaussians_ = nullptr;
+  bool is_stale_ = false;  // rows are made anew once the editor of a name has closed
 };
 
 }  // namespace brume

@@ -5,11 +5,10 @@
 #include <QComboBox>
 #include <QDialog>
 #include <QKeyEvent>
+#include <QLineEdit>
 #include <QMainWindow>
 #include <QScrollBar>
 #include <QSpinBox>
-
-#include "app/widgets/number_field.h"
 
 namespace brume {
 namespace {
@@ -21,14 +20,16 @@ bool has_wheel_value(const QWidget* widget) {
          qobject_cast<const QAbstractSlider*>(widget);
 }
 
-bool is_typed(const QWidget* widget) {
-  return qobject_cast<const NumberField*>(widget) || qobject_cast<const QAbstractSpinBox*>(widget);
+// What is typed into a field, cells of tables and names in lists among them; nullptr: nothing is.
+QLineEdit* line_of(QWidget* field) {
+  if (qobject_cast<QAbstractSpinBox*>(field)) return field->findChild<QLineEdit*>();
+  return qobject_cast<QLineEdit*>(field);
 }
 
 // Ends typing in the field that has the focus, unless it is `except`.
 void leave_focused_field(const QWidget* except) {
   QWidget* field = QApplication::focusWidget();
-  if (!is_typed(field) || field == except || field->isAncestorOf(except)) return;
+  if (!line_of(field) || field == except || field->isAncestorOf(except)) return;
   leave_field(*field);
 }
 
@@ -46,6 +47,10 @@ bool end_typing(QSpinBox& box, int key) {
 
 }  // namespace
 
+void commit_typing() {
+  leave_focused_field(nullptr);
+}
+
 bool leave_field(QWidget& field) {
   for (QWidget* above = &field; above; above = above->parentWidget()) {
     if (qobject_cast<QDialog*>(above)) return false;
@@ -53,7 +58,11 @@ bool leave_field(QWidget& field) {
     if (!main) continue;
     QWidget* middle = main->centralWidget();
     if (!middle) return false;
-    if (field.window() != main) middle->activateWindow();  // from a panel that floats
+    if (field.window() != main) {
+      // A panel that floats keeps its focus until the desktop has activated the other window.
+      field.clearFocus();
+      middle->activateWindow();
+    }
     middle->setFocus();
     return true;
   }
@@ -85,10 +94,10 @@ bool FieldFilter::eventFilter(QObject* watched, QEvent* event) {
       }
       break;
     case QEvent::Shortcut:
-      leave_focused_field(nullptr);
+      commit_typing();
       break;
     case QEvent::Close:
-      if (qobject_cast<QMainWindow*>(widget)) leave_focused_field(nullptr);
+      if (qobject_cast<QMainWindow*>(widget)) commit_typing();
       break;
     default:
       break;

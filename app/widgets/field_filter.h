@@ -9,7 +9,7 @@ namespace brume {
 // How fields answer, in all panels alike. Of the application:
 // - the wheel changes a spin box, a choice or a slider only where it has the focus; elsewhere it
 //   scrolls what that is in;
-// - what is being typed is taken by a click anywhere else, by a shortcut, and when the window
+// - what is being typed is committed by a click anywhere else, by a shortcut, and when the window
 //   closes;
 // - after Enter, which takes it, and Escape, which does not, the view has the focus.
 class FieldFilter : public QObject {
@@ -20,6 +20,10 @@ class FieldFilter : public QObject {
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
 };
+
+// Ends typing in the line, number or cell of a table that has the focus, whose text counts. Whatever
+// saves, closes or replaces the scene without a click or a key calls this first.
+void commit_typing();
 
 // Ends editing: moves the focus to the main window's central widget. False if there is none, as in
 // dialogs.

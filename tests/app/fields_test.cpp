@@ -9,17 +9,23 @@
 #include <QSlider>
 #include <QSpinBox>
 #include <QStatusBar>
+#include <QTableView>
 #include <QToolBar>
+#include <array>
 #include <functional>
 
 #include "app/commands/edit_medium.h"
 #include "app/document/timeline.h"
+#include "app/files/scene_files.h"
+#include "app/panels/gaussian_panel.h"
+#include "app/panels/outliner.h"
 #include "app/tools/paintbrush_tool.h"
 #include "app/tools/tool_box.h"
 #include "app/viewport/view_grid.h"
 #include "app/widgets/number_field.h"
 #include "app/widgets/value_field.h"
 #include "core/io/scene/scene_file.h"
+#include "tests/app/question.h"
 #include "tests/app/test_window.h"
 
 using namespace brume;
@@ -65,6 +71,20 @@ QWidget& tool_button(TestWindow& window, const char* tool) {
   return *window->findChild<QToolBar*>("tools")->widgetForAction(action);
 }
 
+// The editor of a cell in the first row has the focus.
+void open_cell(QTableView& table, int column) {
+  show(table);
+  table.setFocus();
+  table.selectionModel()->setCurrentIndex(table.model()->index(0, column),
+                                          QItemSelectionModel::NoUpdate);
+  QTest::keyClick(&table, Qt::Key_F2);
+}
+
+void activate(TestWindow& window) {
+  window->activateWindow();
+  QVERIFY(QTest::qWaitForWindowActive(&*window));
+}
+
 QString active_tool(TestWindow& window) {
   return window->tools().entries()[window->tools().active()].name;
 }
@@ -104,6 +124,61 @@ class FieldsTest : public QObject {
     }
     // Saved with it.
     QCOMPARE(load_scene(document.file()).medium.radii()[0], value);
+  }
+
+  // Each way to end typing, with a name, a cell and a file.
+  void typed_text_is_committed_by_shortcuts_saving_and_closing() {
+    TestWindow window;
+    Document& document = window->document();
+    auto& tree = *window->findChild<Outliner*>();
+    auto& table = *window->findChild<GaussianPanel*>()->table();
+    auto& file = *window->findChild<QLineEdit*>("output_file");
+    document.select({1});
+    const auto type_name = [&](const QString& name) {
+      show(tree);
+      document.set_object(ObjectRef{ObjectRef::Kind::light, 0});
+      tree.rename_current();
+      QTest::keyClicks(tree.findChild<QLineEdit*>("row_name"), name);
+    };
+    const auto type_radius = [&](const QString& radius) {
+      open_cell(table, 3);
+      QTest::keyClicks(QApplication::focusWidget(), radius);
+    };
+    const std::function<void()> ways[]{
+        [] { QTest::keyClick(QApplication::focusWidget(), Qt::Key_S, Qt::ControlModifier); },
+        [&] { QVERIFY(window->files().save()); },
+        [&] { QTest::mouseClick(&tool_button(window, "eraser"), Qt::LeftButton); },
+        [&] {
+          answer(QMessageBox::Cancel);
+          QTest::keyClick(QApplication::focusWidget(), Qt::Key_Q, Qt::ControlModifier);
+          QVERIFY(window->isVisible());
+          activate(window);  // after the question
+        },
+        [&] {
+          answer(QMessageBox::Cancel);
+          QVERIFY(!window->close());
+          activate(window);
+        },
+    };
+    int k = 0;
+    for (const auto& leave : ways) {
+      const QString number = QString::number(++k);
+      type_name("Moon " + number);
+      leave();
+      QCOMPARE(document.scene().lights[0].name, ("Moon " + number).toStdString());
+      QTRY_COMPARE(tree.findItems("Moon " + number, Qt::MatchRecursive).size(), 1);
+      type_radius("0.7" + number);
+      leave();
+      QCOMPARE(document.medium().radii()[0], 0.7 + 0.01 * k);
+      show(file);
+      file.clear();
+      type(file, number + ".png");
+      leave();
+      QCOMPARE(document.scene().output.file, window.file(qPrintable(number + ".png")));
+    }
+    const Scene saved = load_scene(document.file());
+    QCOMPARE(saved.lights[0].name, std::string("Moon 2"));
+    QCOMPARE(saved.output.file.filename(), std::filesystem::path("2.png"));
   }
 
   void all_fields_follow_the_same_rules() {
