@@ -33,6 +33,13 @@ void leave_focused_field(const QWidget* except) {
   leave_field(*field);
 }
 
+// QLineEdit takes the keys of undo and redo even where it has nothing to undo.
+bool is_of_document(const QKeyEvent& key, const QLineEdit& line) {
+  if (line.isModified()) return false;
+  return key.matches(QKeySequence::Undo) ||
+         (key.matches(QKeySequence::Redo) && !line.isRedoAvailable());
+}
+
 // Enter commits text typed into a spin box, Escape reverts it.
 bool end_typing(QSpinBox& box, int key) {
   if (key == Qt::Key_Escape) {
@@ -87,6 +94,19 @@ bool FieldFilter::eventFilter(QObject* watched, QEvent* event) {
     case QEvent::MouseButtonPress:
       // Widgets that accept focus by click have it by now.
       if (widget && !QApplication::activePopupWidget()) leave_focused_field(widget);
+      break;
+    case QEvent::FocusIn:
+      // What was typed before has been taken.
+      if (line_of(widget) && static_cast<QFocusEvent*>(event)->reason() != Qt::PopupFocusReason) {
+        line_of(widget)->setModified(false);
+      }
+      break;
+    case QEvent::ShortcutOverride:
+      if (const QLineEdit* line = line_of(widget);
+          line && is_of_document(*static_cast<QKeyEvent*>(event), *line)) {
+        event->ignore();
+        return true;
+      }
       break;
     case QEvent::KeyPress:
       if (auto* box = qobject_cast<QSpinBox*>(widget)) {

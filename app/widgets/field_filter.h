@@ -11,6 +11,7 @@ namespace brume {
 //   scrolls what that is in;
 // - what is being typed is committed by a click anywhere else, by a shortcut, and when the window
 //   closes;
+// - undo and redo are the document's, unless the text was changed since the field got the focus;
 // - after Enter, which takes it, and Escape, which does not, the view has the focus.
 class FieldFilter : public QObject {
   Q_OBJECT

@@ -181,6 +181,51 @@ class FieldsTest : public QObject {
     QCOMPARE(saved.output.file.filename(), std::filesystem::path("2.png"));
   }
 
+  void undo_is_the_documents_unless_something_is_typed() {
+    TestWindow window;
+    QUndoStack& stack = window->document().undo_stack();
+    auto& table = *window->findChild<GaussianPanel*>()->table();
+    const auto open_field = [&](const char* name) {
+      auto& field = *window->findChild<QWidget*>(name);
+      show(field);
+      field.setFocus();
+    };
+    const std::function<void()> ways[]{
+        [&] { open_field("density"); },     [&] { open_field("gaussian_filter"); },
+        [&] { open_field("output_file"); }, [&] { open_field("last_frame_of_range"); },
+        [&] { open_cell(table, 3); },
+    };
+    const auto press_z = [](Qt::KeyboardModifiers modifiers) {
+      QTest::keyClick(QApplication::focusWidget(), Qt::Key_Z, Qt::ControlModifier | modifiers);
+    };
+    window->document().select({1});
+    double radius = 0.9;
+    for (const auto& open : ways) {
+      set_attribute(window->document(), std::array{GaussianId{1}}, GaussianAttribute::radius,
+                    radius += 0.01);
+      const int steps = stack.index();
+      open();
+      press_z({});
+      QCOMPARE(stack.index(), steps - 1);
+      open();
+      press_z(Qt::ShiftModifier);
+      QCOMPARE(stack.index(), steps);
+
+      open();
+      QWidget* field = QApplication::focusWidget();
+      const QString text = field->property("text").toString();
+      QTest::keyClicks(field, "5");
+      QVERIFY(field->property("text") != text);
+      while (field->property("text") != text) {
+        press_z({});
+        QCOMPARE(stack.index(), steps);
+        QVERIFY(field->hasFocus());
+      }
+      press_z({});
+      QCOMPARE(stack.index(), steps - 1);
+    }
+  }
+
   void all_fields_follow_the_same_rules() {
     TestWindow window;
     window.key(Qt::Key_B);
