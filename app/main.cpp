@@ -1,5 +1,6 @@
 #include <QApplication>
 #include <QCommandLineParser>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 
@@ -8,6 +9,7 @@
 #include "app/widgets/application.h"
 #include "app/window/main_window.h"
 #include "app/window/preferences.h"
+#include "app/window/session_end.h"
 #include "app/window/start_page.h"
 #include "core/io/temporary_files.h"
 #include "render/util/frame_memory.h"
@@ -80,6 +82,13 @@ int main(int argc, char* argv[]) {
 
   brume::apply_chosen_threads();
   brume::MainWindow window;
+  const brume::SessionEnd session_end;
+  QObject::connect(&session_end, &brume::SessionEnd::announced, &window,
+                   &brume::MainWindow::keep_unsaved_work);
+  QObject::connect(&session_end, &brume::SessionEnd::ended, &window, [](int signal) {
+    if (signal != 0) std::raise(signal);
+    QApplication::exit();
+  });
   if (parser.isSet("size")) {
     const QSize size = parse_size(parser.value("size"));
     if (!size.isValid()) {

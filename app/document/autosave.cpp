@@ -115,6 +115,13 @@ void Autosave::save_soon() {
       });
 }
 
+void Autosave::save_now() {
+  wait();  // an older state may be being written
+  waits_ = max_waits;
+  save_soon();
+  wait();
+}
+
 void Autosave::wait() {
   QThreadPool::globalInstance()->waitForDone();
   QCoreApplication::sendPostedEvents(this, QEvent::MetaCall);  // written() hears of it

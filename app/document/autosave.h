@@ -37,6 +37,8 @@ class Autosave : public QObject {
 
   // Starts writing the current state in the background, unless saved or written already.
   void save_soon();
+  // Has written the current state when it returns, unless that is saved or cannot be written.
+  void save_now();
   void wait();  // until writing has finished
   void end();   // the work is saved or discarded
 

@@ -130,9 +130,16 @@ void Document::save(const std::filesystem::path& file) {
   write_atomically(absolute, text);
   file_ = absolute;
   file_version_ = FileVersion::of_content(text);
+  is_file_missing_ = false;
   saved_revision_ = revision_;
   undo_stack_.setClean();
   Q_EMIT file_changed();
+  Q_EMIT modified_changed();
+}
+
+void Document::set_file_missing(bool missing) {
+  if (missing == is_file_missing_) return;
+  is_file_missing_ = missing;
   Q_EMIT modified_changed();
 }
 
@@ -160,6 +167,7 @@ void Document::open(SceneDocument document, const std::filesystem::path& file,
   scene_changed();
   file_ = file;
   file_version_ = version;
+  is_file_missing_ = false;
   revision_ = saved_revision_ = new_revision();
   Q_EMIT scene_replaced();
   Q_EMIT selection_changed();

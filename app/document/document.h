@@ -42,8 +42,10 @@ class Document : public QObject {
   [[nodiscard]] std::shared_ptr<const Scene> visible_snapshot() const;
 
   [[nodiscard]] QUndoStack& undo_stack() { return undo_stack_; }
-  // Whether the scene differs from the file; the selection does not count.
-  [[nodiscard]] bool is_modified() const { return revision_ != saved_revision_; }
+  // Whether the scene differs from the file, or that is missing; the selection does not count.
+  [[nodiscard]] bool is_modified() const {
+    return revision_ != saved_revision_ || is_file_missing_;
+  }
 
   // The file this scene was loaded from or saved to; empty for a new scene.
   [[nodiscard]] const std::filesystem::path& file() const { return file_; }
@@ -54,6 +56,10 @@ class Document : public QObject {
   [[nodiscard]] const std::optional<FileVersion>& file_version() const { return file_version_; }
   // Accepts the file's current content as known, so it may be overwritten.
   void set_file_version(const FileVersion& version) { file_version_ = version; }
+  // Whether another program has removed the file, which may be the last copy of the scene. It is
+  // there again once it has its version, or the scene is saved.
+  [[nodiscard]] bool is_file_missing() const { return is_file_missing_; }
+  void set_file_missing(bool missing);
 
   // Both clear history and selection. `file`: where the scene was loaded from.
   void create();
@@ -136,7 +142,7 @@ class Document : public QObject {
   void groups_changed();            // or what they do at another time
   void hidden_or_locked_changed();  // hidden or locked Gaussians
   void file_changed();
-  void modified_changed();
+  void modified_changed();           // or whether the file is missing
   void refused(const QString& why);  // an edit was rejected by a limit
 
  private:
@@ -160,6 +166,7 @@ class Document : public QObject {
   QUndoStack undo_stack_;
   std::filesystem::path file_;
   std::optional<FileVersion> file_version_;
+  bool is_file_missing_ = false;
   std::vector<GaussianId> selection_;
   std::vector<GaussianId> hidden_;
   std::vector<GaussianId> locked_;

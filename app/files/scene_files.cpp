@@ -30,6 +30,10 @@ QString filter() {
 SceneFiles::SceneFiles(Document& document, QWidget* window)
     : QObject(window), document_(document), window_(window) {
   connect(&loading_, &BackgroundJob::failed, this, &SceneFiles::failed);
+  connect(&document_, &Document::file_changed, this, &SceneFiles::watch_folder);
+  connect(&folder_watcher_, &QFileSystemWatcher::directoryChanged, this, [this] {
+    if (lacks_file() != document_.is_file_missing()) check_file_version();
+  });
 }
 
 bool SceneFiles::create() {
@@ -142,11 +146,31 @@ void SceneFiles::check_file_version() {
   if (!document_.file_version() || loading_.is_running()) return;
   version_check_.start([this, file = document_.file()](const Job&) {
     return [this, present = FileVersion::read(file)] {
-      if (!present || present == document_.file_version() || present == other_version_) return;
+      if (!present) return check_file_exists();
+      if (present == document_.file_version()) return document_.set_file_missing(false);
+      if (present == other_version_) return;
       other_version_ = present;
       Q_EMIT changed_on_disk();
     };
   });
+}
+
+bool SceneFiles::lacks_file() const {
+  std::error_code error;
+  return document_.file_version() && !std::filesystem::exists(document_.file(), error);
+}
+
+void SceneFiles::check_file_exists() {
+  if (!lacks_file() || document_.is_file_missing()) return;
+  document_.set_file_missing(true);
+  Q_EMIT removed();
+}
+
+void SceneFiles::watch_folder() {
+  if (const QStringList watched = folder_watcher_.directories(); !watched.isEmpty()) {
+    folder_watcher_.removePaths(watched);
+  }
+  if (!document_.file().empty()) folder_watcher_.addPath(document_.folder());
 }
 
 void SceneFiles::reload() {
@@ -207,10 +231,13 @@ bool SceneFiles::save_to(const std::filesystem::path& file) {
 
 bool SceneFiles::may_discard() {
   commit_typing();
+  check_file_exists();
   if (!document_.is_modified()) return true;
-  const auto answer =
-      ask(window_, tr("Unsaved changes"), tr("Save the changes to “%1”?").arg(document_.name()),
-          {{QMessageBox::Save}, {QMessageBox::Discard}, {QMessageBox::Cancel}});
+  const QString question = document_.is_file_missing()
+                               ? tr("“%1” is missing on disk. Save the scene there again?")
+                               : tr("Save the changes to “%1”?");
+  const auto answer = ask(window_, tr("Unsaved changes"), question.arg(document_.name()),
+                          {{QMessageBox::Save}, {QMessageBox::Discard}, {QMessageBox::Cancel}});
   if (answer == QMessageBox::Save) return save();
   return answer == QMessageBox::Discard;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QFileSystemWatcher>
 #include <QObject>
 #include <QStringList>
 #include <filesystem>
@@ -37,9 +38,12 @@ class SceneFiles : public QObject {
   bool save();
   bool save_to(const std::filesystem::path& file);
 
-  // Checks in the background whether another program has changed the scene's file; emits
-  // changed_on_disk() once per change.
+  // Checks in the background whether another program has changed or removed the scene's file, or
+  // brought it back; emits changed_on_disk() once per change, and removed(). Happens by itself when
+  // the file comes or goes.
   void check_file_version();
+  // Checks at once, but only whether the file is missing.
+  void check_file_exists();
   // Reloads the changed file; or ignores the change, allowing it to be overwritten.
   void reload();
   void ignore_file_change();
@@ -65,12 +69,15 @@ class SceneFiles : public QObject {
   void failed(const QString& message);
   void warned(const QString& message);
   void changed_on_disk();
+  void removed();  // the scene's file; the scene counts as unsaved
   void opened_without(const QStringList& missing, const QString& warnings);
 
  private:
   // In the background. Files are read from their new location in `found`.
   void load(const std::filesystem::path& file, const FoundFiles& found = {});
   void adopt(LoadedScene& loaded);
+  [[nodiscard]] bool lacks_file() const;
+  void watch_folder();
   // Whether the scene's file may be overwritten; asks if another program has changed it.
   enum class Replace { yes, elsewhere, no };
   Replace may_replace();
@@ -78,6 +85,7 @@ class SceneFiles : public QObject {
 
   Document& document_;
   QWidget* window_;
+  QFileSystemWatcher folder_watcher_;
   std::optional<FileVersion> other_version_;    // reported by changed_on_disk()
   std::optional<RecoveryFile> restoring_;       // recovery file being loaded
   std::vector<std::filesystem::path> missing_;  // missing files of the scene

@@ -27,6 +27,7 @@
 #include "app/tools/tool_bars.h"
 #include "app/tools/tool_box.h"
 #include "app/viewport/view_grid.h"
+#include "app/widgets/field_filter.h"
 #include "app/widgets/interface_settings.h"
 #include "app/window/message_bar.h"
 #include "app/window/recovery_bar.h"
@@ -121,9 +122,21 @@ void MainWindow::connect_document() {
         {{tr("Reload"), "reload", [this] { files_->reload(); }},
          {tr("Keep Mine"), "keep_mine", [this] { files_->ignore_file_change(); }}});
   });
+  connect(files_, &SceneFiles::removed, this, [this] {
+    message_bar_->show_offers(
+        tr("“%1” is missing: it was deleted, moved or renamed. The scene is unsaved until the file "
+           "is back.")
+            .arg(document_.name()),
+        {{tr("Save"), "save_missing", [this] { files_->save(); }},
+         {tr("Save As…"), "save_missing_as", [this] { files_->save_as(); }}});
+  });
   // Saved, or another scene.
   connect(&document_, &Document::file_changed, message_bar_, [this] {
     if (message_bar_->findChild<QWidget*>("reload")) message_bar_->hide();
+  });
+  connect(&document_, &Document::modified_changed, message_bar_, [this] {
+    if (document_.is_file_missing()) return;
+    if (message_bar_->findChild<QWidget*>("save_missing")) message_bar_->hide();
   });
   const auto show_missing_files = [this](const QStringList& missing, const QString& warnings) {
     const QString text =
@@ -229,6 +242,12 @@ void MainWindow::change_exposure(double stops) {
   view.frames().set_exposure(
       std::clamp(view.frames().exposure() + stops, -max_exposure, max_exposure));
   show_status(tr("Exposure %1 stops").arg(fixed_text(view.frames().exposure(), 1)));
+}
+
+void MainWindow::keep_unsaved_work() {
+  commit_typing();
+  files_->check_file_exists();
+  autosave_->save_now();
 }
 
 void MainWindow::quit_with_screenshot(const QString& file) {

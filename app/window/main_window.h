@@ -62,6 +62,10 @@ class MainWindow : public QMainWindow {
   // Copies the scene and all files it refers to into a folder that is not there yet, or is empty.
   void gather_to(const std::filesystem::path& folder);
 
+  // Leaves a recovery copy of unsaved work, what is being typed included, before the program is
+  // ended from outside.
+  void keep_unsaved_work();
+
   // Saves a picture of this window once it shows a full frame and its error, then quits.
   void quit_with_screenshot(const QString& file);
 

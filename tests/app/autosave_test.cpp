@@ -1,13 +1,18 @@
 // What is kept of unsaved work, and how it comes back.
 
+#include <QProcess>
 #include <QPushButton>
+#include <csignal>
 #include <fstream>
+#include <functional>
 
 #include "app/commands/edit_medium.h"
 #include "app/document/autosave.h"
 #include "app/document/paths.h"
 #include "app/files/scene_files.h"
+#include "app/panels/outliner.h"
 #include "app/window/recovery_bar.h"
+#include "app/window/session_end.h"
 #include "core/io/scene/scene_file.h"
 #include "tests/app/test_window.h"
 
@@ -112,6 +117,80 @@ class AutosaveTest : public QObject {
     }
     QCOMPARE(failed.count(), 1);
     QVERIFY(!autosave.has_copy());
+  }
+
+  void what_ends_the_session_leaves_a_copy() {
+    const std::function<void()> ends[]{
+        [] { std::raise(SIGHUP); },
+        [] { std::raise(SIGINT); },
+        [] { std::raise(SIGTERM); },
+        [] {
+          QEvent quit(QEvent::Quit);
+          QCoreApplication::sendEvent(qApp, &quit);
+        },
+    };
+    for (const auto& end : ends) {
+      fs::path copy;
+      {
+        TestWindow window;
+        const SessionEnd session_end;
+        QSignalSpy ended(&session_end, &SessionEnd::ended);
+        connect(&session_end, &SessionEnd::announced, &*window, &MainWindow::keep_unsaved_work);
+        window.key(Qt::Key_A, Qt::ShiftModifier);
+        window->document().set_object(ObjectRef{ObjectRef::Kind::light, 0});
+        window->findChild<Outliner*>()->rename_current();
+        QTest::keyClicks(QApplication::focusWidget(), "Moon");
+        end();
+        QTRY_COMPARE(ended.count(), 1);
+        QVERIFY(window->isVisible());
+        QCOMPARE(copies(recovery_folder()).size(), std::size_t{1});
+        copy = copies(recovery_folder()).front();
+      }
+      const Scene kept = load_scene(copy);
+      QCOMPARE(kept.medium.size(), std::size_t{6});
+      QCOMPARE(kept.lights[0].name, std::string("Moon"));
+      Autosave::forget({copy, {}, {}});
+    }
+  }
+
+  // Of a file that was removed the editor has the last copy.
+  void a_signal_ends_the_program_once_its_copy_is_written() {
+    const QTemporaryDir folder;
+    const fs::path file = to_path(folder.path()) / "scene.brume";
+    save_document(tiny_scene(), file);
+    QProcess editor;
+    editor.setProcessChannelMode(QProcess::ForwardedChannels);
+    editor.start(BRUME_EDITOR, {to_qstring(file)});
+    QTRY_VERIFY(SceneFiles::recent().contains(to_qstring(file)));  // loaded
+    fs::remove(file);
+    editor.terminate();
+    QVERIFY(editor.waitForFinished(patience));
+    QCOMPARE(editor.exitStatus(), QProcess::CrashExit);
+    QCOMPARE(editor.exitCode(), SIGTERM);
+    Document document;
+    Autosave autosave(document, recovery_folder(), nullptr);
+    const std::vector<RecoveryFile> offered = autosave.recovery_files();
+    QCOMPARE(offered.size(), std::size_t{1});
+    QCOMPARE(offered[0].file, file);
+    QCOMPARE(load_scene(offered[0].scene).medium.size(), tiny_scene().medium.size());
+    Autosave::forget(offered[0]);
+  }
+
+  void a_waiting_state_is_written_at_once() {
+    const QTemporaryDir temporary;
+    const fs::path folder = to_path(temporary.path());
+    Document document;
+    Autosave autosave(document, folder, nullptr);
+    Medium medium;
+    for (int k = 0; k < 100'000; ++k) medium.append({{0.001 * k, 0.0, 0.0}, 0.1, 0.001});
+    Scene scene;
+    scene.medium = std::move(medium);
+    document.open(SceneDocument(std::move(scene)), {});
+    add_gaussian(document, {{}, 1.0, 0.5});
+    autosave.save_soon();  // once it pauses
+    QVERIFY(copies(folder).empty());
+    autosave.save_now();
+    QCOMPARE(copies(folder).size(), std::size_t{1});
   }
 
   void it_is_offered_and_restored() {

@@ -178,6 +178,53 @@ class FilesTest : public QObject {
     QVERIFY(!window->files().save());
   }
 
+  void a_removed_file_is_told_and_the_scene_is_unsaved() {
+    TestWindow window;
+    Document& document = window->document();
+    fs::rename(window.file("scene.brume"), window.file("moved.brume"));
+    QTRY_VERIFY(has_offer(window, "save_missing"));
+    QVERIFY(bar_of(window).message().contains("scene.brume"));
+    QVERIFY(window->isWindowModified());
+    answer(QMessageBox::Cancel);
+    QVERIFY(!window->close());
+    // Back, and as it was.
+    fs::rename(window.file("moved.brume"), window.file("scene.brume"));
+    QTRY_VERIFY(!document.is_modified());
+    QVERIFY(!bar_of(window).isVisible());
+    QVERIFY(!window->isWindowModified());
+    fs::remove(window.file("scene.brume"));
+    QTRY_VERIFY(has_offer(window, "save_missing"));
+    take_offer(window, "save_missing");
+    QCOMPARE(count_on_disk(window), std::size_t{5});
+    QVERIFY(!document.is_modified() && !bar_of(window).isVisible());
+  }
+
+  void a_removed_file_that_comes_back_changed_leaves_the_scene_unsaved() {
+    TestWindow window;
+    fs::copy(window.file("scene.brume"), window.file("copy.brume"));
+    change_on_disk(window);
+    fs::rename(window.file("scene.brume"), window.file("changed.brume"));
+    QTRY_VERIFY(has_offer(window, "save_missing"));
+    fs::rename(window.file("changed.brume"), window.file("scene.brume"));
+    QTRY_VERIFY(has_offer(window, "reload"));
+    QVERIFY(window->document().is_modified());
+    fs::rename(window.file("copy.brume"), window.file("scene.brume"));
+    come_back(window);
+    QTRY_VERIFY(!window->document().is_modified());
+  }
+
+  // Files of a folder that is gone are noticed no sooner.
+  void closing_asks_for_a_file_that_was_not_noticed_to_be_missing() {
+    TestWindow window;
+    fs::create_directories(window.file("outer/inner"));
+    QVERIFY(window->files().save_to(window.file("outer/inner/deep.brume")));
+    fs::rename(window.file("outer"), window.file("other"));
+    QString question;
+    answer(QMessageBox::Discard, &question);
+    QVERIFY(window->close());
+    QVERIFY2(question.contains("missing"), qPrintable(question));
+  }
+
   void a_touched_file_is_unchanged() {
     TestWindow window;
     fs::last_write_time(window.file("scene.brume"), fs::file_time_type::clock::now());
