@@ -73,6 +73,7 @@ GaussianPanel::GaussianPanel(Document& document, QWidget* parent)
   table_->setItemDelegate(new RowDelegate(document, *model_, this));
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setSelectionMode(QAbstractItemView::ExtendedSelection);
+  table_->setTabKeyNavigation(false);  // Tab goes through the panels, and would select rows
   table_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |
                           QAbstractItemView::AnyKeyPressed);
   table_->setAlternatingRowColors(true);

@@ -36,6 +36,7 @@ class TimelineBar : public QWidget {
 
  Q_SIGNALS:
   void curves_asked_for();  // shown or hidden
+  void refused(const QString& problem);
 
  private:
   void set_playback(const Playback& playback);       // one undo step

@@ -113,6 +113,7 @@ void MainWindow::create_docks() {
   addDockWidget(Qt::BottomDockWidgetArea, curves);
   splitDockWidget(curves, timeline_dock, Qt::Vertical);
   curves->hide();
+  connect(timeline_bar_, &TimelineBar::refused, this, &MainWindow::show_status);
   connect(timeline_bar_, &TimelineBar::curves_asked_for, curves, [this, curves] {
     curves->setVisible(curves->isHidden());
     if (curves->isVisible()) resizeDocks({curves}, {240}, Qt::Vertical);

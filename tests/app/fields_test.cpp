@@ -181,6 +181,21 @@ class FieldsTest : public QObject {
     QCOMPARE(saved.output.file.filename(), std::filesystem::path("2.png"));
   }
 
+  void typed_text_is_committed_in_a_floating_panel() {
+    TestWindow window;
+    auto& file = *window->findChild<QLineEdit*>("output_file");
+    auto& dock = *window->findChild<QDockWidget*>("output_dock");
+    dock.setFloating(true);
+    show(file);
+    dock.activateWindow();
+    file.setFocus();
+    QTRY_VERIFY(file.hasFocus());
+    QTest::keyClicks(&file, "a.png");
+    QTest::keyClick(&file, Qt::Key_S, Qt::ControlModifier);
+    QVERIFY(load_scene(window.file("scene.brume")).output.file == window.file("a.png"));
+    QVERIFY(!window->document().is_modified());
+  }
+
   void undo_is_the_documents_unless_something_is_typed() {
     TestWindow window;
     QUndoStack& stack = window->document().undo_stack();
@@ -292,6 +307,39 @@ class FieldsTest : public QObject {
     QVERIFY(window->statusBar()->currentMessage().contains("Radius"));
     QCOMPARE(radius.text(), before);
     QVERIFY(!window->document().is_modified());
+  }
+
+  void a_frame_before_0_is_refused() {
+    TestWindow window;
+    window->timeline().set_frame(7);
+    for (const char* name : {"frame", "first_frame_of_range", "last_frame_of_range"}) {
+      auto& box = *window->findChild<QSpinBox*>(name);
+      const int before = box.value();
+      window->statusBar()->clearMessage();
+      type(box, "-3");
+      QTest::keyClick(&box, Qt::Key_Return);
+      QVERIFY2(window->statusBar()->currentMessage().contains("from 0 to 1000000"), name);
+      QCOMPARE(box.value(), before);
+      QCOMPARE(box.text(), QString::number(before));
+    }
+    QCOMPARE(window->timeline().frame(), 7);
+    QVERIFY(!window->document().is_modified());
+  }
+
+  void tab_goes_through_the_panels_and_edits_nothing() {
+    TestWindow window;
+    Document& document = window->document();
+    set_attribute(document, std::array{GaussianId{1}}, GaussianAttribute::radius, 0.9);
+    document.undo_stack().undo();
+    auto& table = *window->findChild<GaussianPanel*>()->table();
+    show(table);
+    table.setFocus(Qt::TabFocusReason);
+    QTest::keyClick(&table, Qt::Key_Tab);
+    QVERIFY(!table.hasFocus());
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab, Qt::ShiftModifier);
+    QVERIFY(table.hasFocus());
+    QVERIFY(document.undo_stack().canRedo());
+    QVERIFY(document.selection().empty());
   }
 
   // Another value may change meanwhile, as when something plays.
