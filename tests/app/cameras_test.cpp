@@ -1,12 +1,15 @@
 // Named cameras, their lens, and how views show and follow them.
 
+#include <QDockWidget>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
+#include <QTabWidget>
 
 #include "app/view/camera_outline.h"
 #include "app/viewport/camera_frame.h"
 #include "app/viewport/viewport.h"
+#include "core/io/scene/scene_file.h"
 #include "core/scene/camera_rays.h"
 #include "core/scene/cameras.h"
 #include "tests/app/test_window.h"
@@ -63,6 +66,25 @@ class CamerasTest : public QObject {
     QVERIFY(window->document().scene().camera == seen);
     while (window->document().undo_stack().canUndo()) window->document().undo_stack().undo();
     QVERIFY(window->document().scene() == before);
+  }
+
+  void a_name_that_is_typed_is_saved() {
+    TestWindow window(tiny_scene());
+    click(window, "add_camera");
+    auto* dock = window->findChild<QDockWidget*>("output_dock");
+    dock->show();
+    dock->raise();
+    window->findChild<QTabWidget*>("output_tabs")->setCurrentIndex(1);
+    auto* list = window->findChild<QListWidget*>("cameras");
+    QTRY_VERIFY(list->isVisible());
+    list->setFocus();
+    list->editItem(list->item(1));
+    QTest::keyClicks(QApplication::focusWidget(), "Behind");  // which comes first
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_S, Qt::ControlModifier);
+    QVERIFY(!window->document().is_modified());
+    QCOMPARE(load_scene(window->document().file()).camera_name, std::string("Behind"));
+    QTRY_COMPARE(cameras(window), (QStringList{"Behind", "Camera"}));
+    QCOMPARE(list->currentRow(), 0);
   }
 
   void focal_length_and_field_of_view_are_one() {

@@ -196,6 +196,22 @@ class FieldsTest : public QObject {
     QVERIFY(!window->document().is_modified());
   }
 
+  // Each frame of an animation changes the scene.
+  void a_name_that_is_typed_outlasts_changes_of_the_scene() {
+    TestWindow window;
+    Document& document = window->document();
+    auto& tree = *window->findChild<Outliner*>();
+    show(tree);
+    document.set_object(ObjectRef{ObjectRef::Kind::light, 0});
+    tree.rename_current();
+    QTest::keyClicks(QApplication::focusWidget(), "Mo");
+    Q_EMIT document.part_changed();
+    QTest::keyClicks(QApplication::focusWidget(), "on");
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+    QTRY_COMPARE(document.scene().lights[0].name, std::string("Moon"));
+    QTRY_COMPARE(tree.findItems("Moon", Qt::MatchRecursive).size(), 1);
+  }
+
   void undo_is_the_documents_unless_something_is_typed() {
     TestWindow window;
     QUndoStack& stack = window->document().undo_stack();
