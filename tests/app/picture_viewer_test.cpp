@@ -26,6 +26,12 @@ std::shared_ptr<const Picture> plain(const QString& name, float red, int width =
   return make_picture(frame, {}, name, "made by hand");
 }
 
+// Other pixels of one colour are dithered otherwise.
+bool are_alike(const QColor& a, const QColor& b) {
+  return std::abs(a.red() - b.red()) <= 1 && std::abs(a.green() - b.green()) <= 1 &&
+         std::abs(a.blue() - b.blue()) <= 1;
+}
+
 // A viewer 400 pixels wide, its canvas large enough for a wipe.
 class TestViewer {
  public:
@@ -85,7 +91,7 @@ class PictureViewerTest : public QObject {
     test.viewer.pictures().keep(plain("green", 0.0F));
     const QColor red = test.color({0.3, 0.2});
     QVERIFY(red.red() > 200);
-    QCOMPARE(test.color({0.9, 0.2}), red);
+    QVERIFY(are_alike(test.color({0.9, 0.2}), red));
     test.set_mode(1);
     QCOMPARE(test.color({0.3, 0.2}), red);
     const QColor green = test.color({0.9, 0.2});
@@ -93,7 +99,7 @@ class PictureViewerTest : public QObject {
     const QRectF rect = test.canvas().picture_rect();
     test.drag({rect.center().x(), rect.top() + 20}, {rect.left() + 0.1 * rect.width(), rect.top()});
     QVERIFY(std::abs(test.canvas().divider() - 0.1) < 0.01);
-    QCOMPARE(test.color({0.3, 0.2}), green);
+    QVERIFY(are_alike(test.color({0.3, 0.2}), green));
     QVERIFY(test.text("picture_info").contains("red") &&
             test.text("picture_info").contains("green"));
     test.click("slot_a_2");
