@@ -329,26 +329,61 @@ void Fitting::relocate() {
 
 }  // namespace
 
+namespace {
+
+// The grid at a resolution that suffices for `count` Gaussians: the time of a fit follows the
+// voxels, and where each Gaussian has thousands of them, fewer tell as much. nullopt: the grid
+// itself.
+std::optional<DensityGrid> sufficient_grid(const DensityGrid& grid, std::size_t count) {
+  constexpr std::size_t max_voxels = 4096;  // of each Gaussian
+  std::optional<DensityGrid> result;
+  for (const DensityGrid* last = &grid;
+       last->blocks.size() * DensityGrid::block_size > max_voxels * count; last = &*result) {
+    DensityGrid half = coarser(*last);
+    if (2 * half.blocks.size() > last->blocks.size()) break;  // of scattered blocks it has as many
+    result = std::move(half);
+  }
+  return result;
+}
+
+// Fits `count` Gaussians from a start of its own. False if stopped.
+bool fit_anew(Fitting& fitting, const DensityGrid& grid, std::size_t count,
+              const FitOptions& options, const std::stop_token& stop, double progress_begin,
+              double progress_end) {
+  constexpr int rounds = 4;
+  constexpr int steps = 15;
+  std::vector<FitGaussian> start = split_into_gaussians(grid, count, options.shape, stop);
+  if (stop.stop_requested()) return false;
+  fitting.begin(std::move(start));
+  for (int round = 0; round < rounds; ++round) {
+    const double begin = progress_begin + (progress_end - progress_begin) * round / rounds;
+    const double end = begin + (progress_end - progress_begin) / rounds;
+    const bool completed = round == 0
+                               ? fitting.descend(steps, options.max_error, begin, end)
+                               : fitting.relocate_and_descend(steps, options.max_error, begin, end);
+    if (!completed) return false;
+    if (fitting.error() <= options.max_error) break;
+  }
+  return true;
+}
+
+}  // namespace
+
 std::optional<Fit> fit_gaussians(const DensityGrid& grid, const FitOptions& options,
                                  const std::stop_token& stop,
                                  const std::function<void(double)>& progress) {
   Fitting fitting(grid, options.shape, stop, progress);
   const auto fit = [&](std::size_t count, double progress_begin, double progress_end) {
-    constexpr int rounds = 4;
-    constexpr int steps = 15;
-    std::vector<FitGaussian> start = split_into_gaussians(grid, count, options.shape, stop);
-    if (stop.stop_requested()) return false;
-    fitting.begin(std::move(start));
-    for (int round = 0; round < rounds; ++round) {
-      const double begin = progress_begin + (progress_end - progress_begin) * round / rounds;
-      const double end = begin + (progress_end - progress_begin) / rounds;
-      const bool completed =
-          round == 0 ? fitting.descend(steps, options.max_error, begin, end)
-                     : fitting.relocate_and_descend(steps, options.max_error, begin, end);
-      if (!completed) return false;
-      if (fitting.error() <= options.max_error) break;
+    const std::optional<DensityGrid> coarse = sufficient_grid(grid, count);
+    if (!coarse) {
+      return fit_anew(fitting, grid, count, options, stop, progress_begin, progress_end);
     }
-    return true;
+    constexpr int final_steps = 15;  // most of which are seldom needed
+    const double middle = 0.5 * (progress_begin + progress_end);
+    Fitting first(*coarse, options.shape, stop, progress);
+    if (!fit_anew(first, *coarse, count, options, stop, progress_begin, middle)) return false;
+    fitting.begin(to_fit_gaussians(grid, first.result().gaussians));
+    return fitting.descend(final_steps, options.max_error, middle, progress_end);
   };
   if (!(options.max_error > 0.0)) {
     if (!fit(options.count, 0.0, 1.0)) return std::nullopt;

@@ -28,12 +28,14 @@ struct FitOptions {
 struct Fit {
   std::vector<Gaussian> gaussians;  // in the world
   double density_error = 0.0;       // relative RMS over voxels and adjacent empty blocks
-  std::size_t products = 0;         // number of Jacobian products, a measure of time
+  // Number of Jacobian products at the grid's resolution, a measure of time.
+  std::size_t products = 0;
 };
 
 // Fits Gaussians to the density of a grid by least squares: split_into_gaussians(), then
 // Levenberg-Marquardt (normal equations by conjugate gradients); the least useful Gaussians are
-// moved to where the residual is largest. Finally densities are scaled to the grid's mass. An empty
+// moved to where the residual is largest. Where each Gaussian has thousands of voxels, this is done
+// at a lower resolution, and ends with a few steps at that of the grid. Finally densities are scaled to the grid's mass. An empty
 // grid gives none. `progress` gets values in [0, 1]. nullopt if stopped. Deterministic for any
 // number of threads.
 BRUME_EXPORT std::optional<Fit> fit_gaussians(const DensityGrid& grid, const FitOptions& options,

@@ -209,6 +209,16 @@ TEST(GaussianFit, RecoversTheMedium) {
   EXPECT_NEAR(mass_ratio(grid, fit.gaussians), 1.0, 1e-9);
 }
 
+// The time of a step follows the voxels: where a few Gaussians have very many of them, few steps
+// are at the grid's own resolution, and the fit is as good.
+TEST(GaussianFit, FewGaussiansInManyVoxelsTakeFewSteps) {
+  const Medium medium = some_medium(10, 8);
+  const Fit coarse = *fit_gaussians(sampled(medium, 0.1), {10, 0.0});
+  const Fit fine = *fit_gaussians(sampled(medium, 0.04), {10, 0.0});
+  EXPECT_LT(fine.products, coarse.products / 2);
+  EXPECT_LT(fine.density_error, 1.1 * coarse.density_error + 0.01);
+}
+
 TEST(GaussianFit, FollowsTheTransform) {
   DensityGrid grid = sampled(some_medium(5, 9), 0.1);
   grid.spacing = {-0.2, 0.2, 0.2};

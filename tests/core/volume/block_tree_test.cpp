@@ -39,7 +39,7 @@ TEST(BlockTree, FindsAllDensityAlongALine) {
     }
     for (double t = -200.0; t < 200.0; t += 0.25) {
       const bool is_inside = std::ranges::any_of(
-          intervals, [t](const auto& in) { return t >= in.begin && t <= in.end; });
+          intervals, [t](const auto& interval) { return t >= interval.begin && t <= interval.end; });
       if (grid.at(p + t * w) == 0.0) continue;
       EXPECT_TRUE(is_inside);
       ++hits;
