@@ -181,10 +181,13 @@ void check_light(const std::string& place, const Light& light) {
   const LightKeys& keys = light.keys;
   if (light.spot) {
     check_light_direction(place, light, light.spot->direction);
-    if (!(light.spot->inner_angle < light.spot->outer_angle) && keys.inner_angle.empty() &&
-        keys.outer_angle.empty()) {
+    const bool is_keyed = !keys.inner_angle.empty() || !keys.outer_angle.empty();
+    if (!is_keyed && !(light.spot->outer_angle > 0.0)) {
+      throw DomainError(place + ".outer_angle", "found 0; allowed: above 0 degrees");
+    }
+    if (!is_keyed && !(light.spot->inner_angle <= light.spot->outer_angle)) {
       throw DomainError(place + ".inner_angle", "found " + quoted_text(light.spot->inner_angle) +
-                                                    "; allowed: less than outer_angle, which is " +
+                                                    "; allowed: at most outer_angle, which is " +
                                                     quoted_text(light.spot->outer_angle));
     }
   }

@@ -6,6 +6,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "core/math/basis.h"
 #include "core/math/infinity.h"
 #include "core/math/unit_direction.h"
 #include "core/scene/photometric_profile.h"
@@ -13,11 +14,17 @@
 namespace brume {
 namespace {
 
-// Of glTF, which keeps the edge from being infinitely sharp.
-constexpr double min_cosine_difference = 1e-3;
+// Keeps the edge finite where the angles are equal. (glTF's 1e-3 would take light from the axis of
+// cones narrower than 2.6 degrees.)
+constexpr double min_cosine_difference = 1e-9;
 
-// Beyond all cosines: a cone from here on leaves everything.
-constexpr double below_all_cosines = -3.0;
+// A cone that ends here is full in all directions.
+constexpr double beyond_all_versines = 4.0;
+
+// cos(a) - cos(b), of angles in degrees, without cancellation.
+double cosine_difference(double a, double b) {
+  return 2.0 * std::sin(glm::radians(0.5 * (b + a))) * std::sin(glm::radians(0.5 * (b - a)));
+}
 
 // The shortest turn from straight down to a unit direction; to straight up about x.
 glm::dquat turn_from_down(const glm::dvec3& direction) {
@@ -32,9 +39,12 @@ glm::dquat turn_from_down(const glm::dvec3& direction) {
 
 LightFalloff::LightFalloff(const SpotCone& cone) : shape_(Shape::cone) {
   axis_ = unit_direction(cone.direction, {0.0, -1.0, 0.0});
-  dark_cosine_ = std::cos(glm::radians(cone.outer_angle));
-  const double difference = std::cos(glm::radians(cone.inner_angle)) - dark_cosine_;
-  per_cosine_ = 1.0 / std::max(difference, min_cosine_difference);
+  dark_versine_ = cosine_difference(0.0, cone.outer_angle);
+  per_versine_ =
+      1.0 / std::max(cosine_difference(cone.inner_angle, cone.outer_angle), min_cosine_difference);
+  const auto [u, v] = make_basis(axis_);
+  azimuth_0_ = u;
+  azimuth_90_ = v;
 }
 
 LightFalloff LightFalloff::of_surface(const glm::dvec3& normal, bool two_sided) {
@@ -51,8 +61,8 @@ LightFalloff LightFalloff::of_profile(const LightProfile& profile,
     falloff = LightFalloff(*cone);
   } else {
     falloff.axis_ = {0.0, -1.0, 0.0};
-    falloff.dark_cosine_ = below_all_cosines;
-    falloff.per_cosine_ = 1.0;
+    falloff.dark_versine_ = beyond_all_versines;
+    falloff.per_versine_ = 1.0;
   }
   falloff.shape_ = Shape::profile;
   falloff.profile_ = profile.content;
@@ -63,10 +73,15 @@ LightFalloff LightFalloff::of_profile(const LightProfile& profile,
   return falloff;
 }
 
+double LightFalloff::versine(const glm::dvec3& w) const {
+  const glm::dvec3 chord = w - axis_;
+  return 0.5 * glm::dot(chord, chord);
+}
+
 double LightFalloff::at(const glm::dvec3& w) const {
   const double cosine = glm::dot(w, axis_);
   const auto in_cone = [&] {
-    const double share = std::clamp((cosine - dark_cosine_) * per_cosine_, 0.0, 1.0);
+    const double share = std::clamp((dark_versine_ - versine(w)) * per_versine_, 0.0, 1.0);
     return share * share;
   };
   switch (shape_) {
@@ -104,7 +119,8 @@ std::array<double, 4> LightFalloff::edges(const glm::dvec3& light, const glm::dv
   const double across = glm::dot(p, axis_);
   const double square = glm::dot(p, p);
   std::size_t count = 0;
-  for (const double cosine : {dark_cosine_, dark_cosine_ + 1.0 / per_cosine_}) {
+  for (const double versine : {dark_versine_, full_versine()}) {
+    const double cosine = 1.0 - versine;
     const double a = along * along - cosine * cosine;
     const double b = along * across;
     const double c = across * across - cosine * cosine * square;

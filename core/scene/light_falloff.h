@@ -10,7 +10,7 @@ namespace brume {
 
 // Intensity of a point light by direction, relative to its intensity, at the angle t from its axis:
 // of a spot light that of glTF's KHR_lights_punctual,
-//   clamp((cos t - cos outer) / max(0.001, cos inner - cos outer), 0, 1)^2,
+//   clamp((cos t - cos outer) / max(1e-9, cos inner - cos outer), 0, 1)^2,
 // of a piece of an area light that of a surface of the same radiance everywhere (Lambert),
 //   max(cos t, 0), or two-sided |cos t|,
 // with a photometric profile that in the direction, times what the cone leaves,
@@ -31,7 +31,7 @@ class LightFalloff {
   [[nodiscard]] bool is_isotropic() const { return shape_ == Shape::isotropic; }
   // Unit; 0 if isotropic.
   [[nodiscard]] const glm::dvec3& axis() const { return axis_; }
-  // Of a profile: where azimuths of 0 and of 90 degrees are; unit.
+  // Of a cone and of a profile: where azimuths of 0 and of 90 degrees are; unit.
   [[nodiscard]] const glm::dvec3& azimuth_0() const { return azimuth_0_; }
   [[nodiscard]] const glm::dvec3& azimuth_90() const { return azimuth_90_; }
   [[nodiscard]] const std::shared_ptr<const PhotometricProfile>& profile() const {
@@ -39,10 +39,15 @@ class LightFalloff {
   }
   // Of a profile without a spot, the cone holds all directions.
   [[nodiscard]] bool has_cone() const { return shape_ == Shape::cone || shape_ == Shape::profile; }
-  // Of a cone, and of a profile within one: the falloff is clamp((cos t - dark_cosine) *
-  // per_cosine, 0, 1)^2.
-  [[nodiscard]] double dark_cosine() const { return dark_cosine_; }
-  [[nodiscard]] double per_cosine() const { return per_cosine_; }
+  // Of a cone, and of a profile within one: the falloff is clamp((dark_versine - versine(w)) *
+  // per_versine, 0, 1)^2, dark at dark_versine and full at full_versine, which is below 0 where no
+  // direction gets all. The versine 1 - cos t keeps its digits near the axis, where cosines differ
+  // in none that single precision has.
+  [[nodiscard]] double dark_versine() const { return dark_versine_; }
+  [[nodiscard]] double per_versine() const { return per_versine_; }
+  [[nodiscard]] double full_versine() const { return dark_versine_ - 1.0 / per_versine_; }
+  // Of the angle between the unit direction w and the axis.
+  [[nodiscard]] double versine(const glm::dvec3& w) const;
 
   // In the unit direction w from the light. In [0, 1].
   [[nodiscard]] double at(const glm::dvec3& w) const;
@@ -57,8 +62,8 @@ class LightFalloff {
 
  private:
   glm::dvec3 axis_{0.0};
-  double dark_cosine_ = 0.0;
-  double per_cosine_ = 0.0;
+  double dark_versine_ = 0.0;
+  double per_versine_ = 0.0;
   Shape shape_ = Shape::isotropic;
   glm::dvec3 azimuth_0_{0.0}, azimuth_90_{0.0};
   std::shared_ptr<const PhotometricProfile> profile_;

@@ -85,11 +85,10 @@ double share_of(double temperature) {
 
 // The solid angle of a cone, weighted by its falloff: clamp(x, 0, 1)^2, x linear in the cosine.
 double solid_angle(const SpotCone& cone) {
-  const double dark = std::cos(glm::radians(cone.outer_angle));
-  const double full = std::max(std::cos(glm::radians(cone.inner_angle)), dark + 1e-3);
-  const double at_axis = std::min((1.0 - dark) / (full - dark), 1.0);
-  const double edge = (full - dark) / 3.0 * at_axis * at_axis * at_axis;
-  return 2.0 * std::numbers::pi * (std::max(1.0 - full, 0.0) + edge);
+  const LightFalloff falloff(cone);
+  const double at_axis = std::min(falloff.dark_versine() * falloff.per_versine(), 1.0);
+  const double edge = at_axis * at_axis * at_axis / (3.0 * falloff.per_versine());
+  return 2.0 * std::numbers::pi * (std::max(falloff.full_versine(), 0.0) + edge);
 }
 
 // Of a point light or spot: its falloff over all directions.

@@ -33,12 +33,12 @@ struct LightKeys {
   bool operator==(const LightKeys&) const = default;
 };
 
-// The cone of a spot light: full intensity within the inner angle, none beyond the outer one; see
-// core/scene/light_falloff.h.
+// The cone of a spot light: full intensity within the inner angle, none beyond the outer one; a
+// hard edge where they are equal. See core/scene/light_falloff.h.
 struct SpotCone {
   glm::dvec3 direction{0.0, -1.0, 0.0};  // the way it shines; any length but 0
-  double inner_angle = 0.0;              // from the axis, >= 0, below outer_angle [degrees]
-  double outer_angle = 45.0;             // at most 180 [degrees]
+  double inner_angle = 0.0;              // from the axis, >= 0 [degrees]
+  double outer_angle = 45.0;             // above 0, at least inner_angle, at most 180 [degrees]
 
   bool operator==(const SpotCone&) const = default;
 };

@@ -120,14 +120,14 @@ void OpticalDepthTables::upload(std::span<const SlicedLight> lights, const Shado
     u.intensity = glm::vec3(light.intensity);
     u.falloff_shape = static_cast<std::int32_t>(light.falloff.shape());
     u.falloff_axis = glm::vec3(light.falloff.axis());
-    u.dark_cosine = static_cast<float>(light.falloff.dark_cosine());
-    u.per_cosine = static_cast<float>(light.falloff.per_cosine());
+    u.dark_versine = static_cast<float>(light.falloff.dark_versine());
+    u.per_versine = static_cast<float>(light.falloff.per_versine());
+    u.azimuth_0 = glm::vec3(light.falloff.azimuth_0());
+    u.azimuth_90 = glm::vec3(light.falloff.azimuth_90());
     if (const auto& profile = light.falloff.profile()) {
       const glm::ivec2 place = profiles_.place(*profile);
       u.profile_column = place.x;
       u.profile_row = place.y;
-      u.azimuth_0 = glm::vec3(light.falloff.azimuth_0());
-      u.azimuth_90 = glm::vec3(light.falloff.azimuth_90());
     }
     u.radius2 = static_cast<float>(light.radius * light.radius);
     if (!light.fog.is_endless()) {

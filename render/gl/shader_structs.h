@@ -38,13 +38,13 @@ struct LightData {
   std::int32_t has_shadows = 0;
   std::int32_t falloff_shape = 0;  // LightFalloff::Shape
   glm::vec3 falloff_axis{0.0f};
-  float dark_cosine = 0.0f;
-  float per_cosine = 0.0f;
+  float dark_versine = 0.0f;
+  float per_versine = 0.0f;
   float radius2 = 0.0f;  // see PointSource::distance2()
   // Of a photometric profile: where its map begins.
   std::int32_t profile_column = 0;
   std::int32_t profile_row = 0;
-  glm::vec3 azimuth_0{0.0f};
+  glm::vec3 azimuth_0{0.0f};  // of a cone
   float unused_0 = 0.0f;
   glm::vec3 azimuth_90{0.0f};
   float unused_90 = 0.0f;

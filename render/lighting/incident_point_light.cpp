@@ -94,9 +94,9 @@ class PointsAroundLight {
     // How much it may change over the cells; farther from the edge it is 0 or 1.
     const double reach = spacing > 0.0 ? std::min(std::sqrt(3.0) * spacing / r, 2.0) : 0.0;
     if (falloff.has_cone()) {
-      if (cosine + reach < falloff.dark_cosine()) return 0.0;
-      const double full_cosine = falloff.dark_cosine() + 1.0 / falloff.per_cosine();
-      if (!falloff.profile() && cosine - reach > full_cosine) return 1.0;
+      if (falloff.versine(q / r) - reach > falloff.dark_versine()) return 0.0;
+      const bool is_full = falloff.versine(q / r) + reach < falloff.full_versine();
+      if (!falloff.profile() && is_full) return 1.0;
     } else if (std::abs(cosine) > reach) {
       return falloff.at(q / r);  // it is smooth there
     }

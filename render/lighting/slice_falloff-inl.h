@@ -46,7 +46,7 @@ HWY_INLINE FloatVec MeanInverseSquare(FloatVec a, FloatVec b, FloatVec h2) {
 struct FalloffRays {
   // Cosine from the axis at s from the nearest point: (s along - across) / distance.
   FloatVec along, across;
-  // The same of a profile's azimuths.
+  // The same of a cone's azimuths.
   FloatVec along_0, across_0, along_90, across_90;
   FalloffFloats falloff;
   FloatVec edges[4];  // parameters s, ascending, between which the falloff is smooth
@@ -59,7 +59,7 @@ struct FalloffRays {
     const FloatTag d;
     along = dot(w, falloff.axis);
     across = dot(offset, falloff.axis);
-    if (falloff.profile) {
+    if (falloff.has_cone) {
       along_0 = dot(w, falloff.azimuth_0);
       across_0 = dot(offset, falloff.azimuth_0);
       along_90 = dot(w, falloff.azimuth_90);
@@ -74,14 +74,21 @@ struct FalloffRays {
       edges[1] = edges[2] = edges[3] = far;
       return;
     }
+    // sine^2 (s^2 + h2) = |(s along_0 - across_0, s along_90 - across_90)|^2, by sines, which keep
+    // their digits where the cone is narrow.
+    const FloatVec along2 = hn::MulAdd(along_0, along_0, hn::Mul(along_90, along_90));
+    const FloatVec b = hn::MulAdd(along_0, across_0, hn::Mul(along_90, across_90));
+    const FloatVec across2 = hn::MulAdd(across_0, across_0, hn::Mul(across_90, across_90));
+    const FloatVec cross = hn::MulSub(along_0, across_90, hn::Mul(along_90, across_0));
     std::size_t count = 0;
-    const FloatVec slope = hn::Div(Floats(1.0f), falloff.per_cosine);
-    for (const FloatVec cosine : {falloff.dark_cosine, hn::Add(falloff.dark_cosine, slope)}) {
-      const FloatVec cosine2 = hn::Mul(cosine, cosine);
-      const FloatVec a = hn::MulSub(along, along, cosine2);
-      const FloatVec b = hn::Neg(hn::Mul(along, across));
-      const FloatVec c = hn::MulSub(across, across, hn::Mul(cosine2, h2));
-      const FloatVec square = hn::NegMulAdd(a, c, hn::Mul(b, b));
+    const FloatVec slope = hn::Div(Floats(1.0f), falloff.per_versine);
+    for (const FloatVec versine : {falloff.dark_versine, hn::Sub(falloff.dark_versine, slope)}) {
+      const FloatVec sine2 = hn::Mul(versine, hn::Sub(Floats(2.0f), versine));
+      const FloatVec a = hn::Sub(sine2, along2);
+      const FloatVec c = hn::MulSub(sine2, h2, across2);
+      // b^2 - a c
+      const FloatVec square =
+          hn::NegMulAdd(cross, cross, hn::Mul(sine2, hn::NegMulAdd(a, h2, across2)));
       const auto meets = hn::Ge(square, hn::Zero(d));
       const FloatVec root = hn::Sqrt(hn::Max(square, hn::Zero(d)));
       const FloatVec sum = hn::Neg(hn::Add(b, hn::CopySign(root, b)));
@@ -109,19 +116,20 @@ struct FalloffRays {
   // which is h away, has this sine and cosine.
   [[nodiscard]] HWY_INLINE FloatVec AtAngle(FloatVec sine, FloatVec cosine, FloatVec h) const {
     const FloatVec to_nearest = hn::Div(cosine, h);
-    const FloatVec z = hn::MulSub(sine, along, hn::Mul(to_nearest, across));
-    const FloatVec x = hn::MulSub(sine, along_0, hn::Mul(to_nearest, across_0));
-    const FloatVec y = hn::MulSub(sine, along_90, hn::Mul(to_nearest, across_90));
-    return hn::Mul(falloff.At(z), ProfileAt(falloff.profile, x, y, z));
+    const auto component = [&](FloatVec along_, FloatVec across_) HWY_ATTR {
+      return hn::MulSub(sine, along_, hn::Mul(to_nearest, across_));
+    };
+    return falloff.At(component(along_0, across_0), component(along_90, across_90),
+                      component(along, across));
   }
 
   // At s, the square of whose distance from the light is r2.
   [[nodiscard]] HWY_INLINE FloatVec At(FloatVec s, FloatVec r2) const {
-    const FloatVec z = hn::MulSub(s, along, across);
-    const FloatVec by_cosine = falloff.At(hn::Div(z, hn::Sqrt(r2)));
-    if (!falloff.profile) return by_cosine;
-    return hn::Mul(by_cosine, ProfileAt(falloff.profile, hn::MulSub(s, along_0, across_0),
-                                        hn::MulSub(s, along_90, across_90), z));
+    const FloatVec r = hn::Sqrt(r2);
+    const FloatVec z = hn::Div(hn::MulSub(s, along, across), r);
+    if (!falloff.has_cone) return falloff.At(z, z, z);
+    return falloff.At(hn::Div(hn::MulSub(s, along_0, across_0), r),
+                      hn::Div(hn::MulSub(s, along_90, across_90), r), z);
   }
 };
 

@@ -67,9 +67,9 @@ HWY_INLINE FloatVec ProfileAt(const float* map, FloatVec x, FloatVec y, FloatVec
 
 struct FalloffFloats {
   V3<FloatVec> axis;
-  V3<FloatVec> azimuth_0, azimuth_90;  // of a profile
-  const float* profile = nullptr;      // its map
-  FloatVec dark_cosine, per_cosine;
+  V3<FloatVec> azimuth_0, azimuth_90;  // of a cone
+  const float* profile = nullptr;      // map of a profile
+  FloatVec dark_versine, per_versine;
   LightFalloff::Shape shape = LightFalloff::Shape::isotropic;
   bool has_cone = false;
 
@@ -79,31 +79,35 @@ struct FalloffFloats {
         azimuth_0(Floats(falloff.azimuth_0())),
         azimuth_90(Floats(falloff.azimuth_90())),
         profile(falloff.profile() ? falloff.profile()->map().data() : nullptr),
-        dark_cosine(Floats(static_cast<float>(falloff.dark_cosine()))),
-        per_cosine(Floats(static_cast<float>(falloff.per_cosine()))),
+        dark_versine(Floats(static_cast<float>(falloff.dark_versine()))),
+        per_versine(Floats(static_cast<float>(falloff.per_versine()))),
         shape(falloff.shape()),
         has_cone(falloff.has_cone()) {}
 
   // In the unit direction w.
   [[nodiscard]] HWY_INLINE FloatVec Towards(const V3<FloatVec>& w) const {
-    const FloatVec cosine = dot(w, axis);
-    const FloatVec by_cosine = At(cosine);
-    if (!profile) return by_cosine;
-    return hn::Mul(by_cosine, ProfileAt(profile, dot(w, azimuth_0), dot(w, azimuth_90), cosine));
+    return At(dot(w, azimuth_0), dot(w, azimuth_90), dot(w, axis));
   }
 
-  // At the cosine of the angle from the axis, but for a profile.
-  [[nodiscard]] HWY_INLINE FloatVec At(FloatVec cosine) const {
+  // In the unit direction of these components along the azimuths and the axis. Without a cone, x
+  // and y do not matter.
+  [[nodiscard]] HWY_INLINE FloatVec At(FloatVec x, FloatVec y, FloatVec z) const {
     const FloatTag d;
+    const FloatVec zero = hn::Zero(d);
+    const FloatVec one = Floats(1.0f);
     if (!has_cone) {
-      const FloatVec positive = shape == LightFalloff::Shape::two_cosines
-                                    ? hn::Abs(cosine)
-                                    : hn::Max(cosine, hn::Zero(d));
-      return hn::Min(positive, Floats(1.0f));
+      const FloatVec positive =
+          shape == LightFalloff::Shape::two_cosines ? hn::Abs(z) : hn::Max(z, zero);
+      return hn::Min(positive, one);
     }
-    FloatVec share = hn::Mul(hn::Sub(cosine, dark_cosine), per_cosine);
-    share = hn::Min(hn::Max(share, hn::Zero(d)), Floats(1.0f));
-    return hn::Mul(share, share);
+    // 1 - z, without cancellation near the axis.
+    const FloatVec sine2 = hn::MulAdd(x, x, hn::Mul(y, y));
+    const FloatVec versine =
+        hn::IfThenElse(hn::Gt(z, zero), hn::Div(sine2, hn::Add(one, z)), hn::Sub(one, z));
+    FloatVec share = hn::Mul(hn::Sub(dark_versine, versine), per_versine);
+    share = hn::Min(hn::Max(share, zero), one);
+    const FloatVec in_cone = hn::Mul(share, share);
+    return profile ? hn::Mul(in_cone, ProfileAt(profile, x, y, z)) : in_cone;
   }
 };
 

@@ -17,6 +17,8 @@ std::vector<MalformedCase> malformed_lights() {
                          "[1, null, 3]",
                          "[1e300, 0, 0]"};
   const Values no_number{"\"1\"", "null", "true", "[1]", "{}", "-1", "1e300", "-1e-300"};
+  Values no_angle = no_number;
+  no_angle.push_back("0");
   const Values no_boolean{"0", "\"true\"", "null", "[]", "{}"};
   struct Key {
     const char* name;
@@ -36,7 +38,7 @@ std::vector<MalformedCase> malformed_lights() {
         direction,
         {"intensity", "[1, 1, 1]", no_vector, false},
         {"inner_angle", "10", no_number, false},
-        {"outer_angle", "20", no_number, false}}},
+        {"outer_angle", "20", no_angle, false}}},
       {"directional",
        {direction,
         {"irradiance", "[1, 1, 1]", no_vector},

@@ -192,8 +192,7 @@ class Reader {
       const double inner = 0.5 * static_cast<double>(from.mAngleInnerCone) * degrees_per_radian;
       light.spot = SpotCone{direction};
       if (outer > 0.0 && outer <= 180.0) light.spot->outer_angle = outer;
-      light.spot->inner_angle =
-          inner >= 0.0 ? std::min(inner, 0.999 * light.spot->outer_angle) : 0.0;
+      light.spot->inner_angle = inner >= 0.0 ? std::min(inner, light.spot->outer_angle) : 0.0;
     } else if (from.mType != aiLightSource_POINT) {
       return;
     }

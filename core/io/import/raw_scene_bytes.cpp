@@ -203,9 +203,9 @@ bool is_valid(const Light& light) {
     return false;
   }
   if (light.directional) return !light.spot && is_direction(light.directional->direction);
-  return !light.spot ||
-         (is_direction(light.spot->direction) && light.spot->inner_angle >= 0.0 &&
-          light.spot->inner_angle < light.spot->outer_angle && light.spot->outer_angle <= 180.0);
+  return !light.spot || (is_direction(light.spot->direction) && light.spot->inner_angle >= 0.0 &&
+                         light.spot->inner_angle <= light.spot->outer_angle &&
+                         light.spot->outer_angle > 0.0 && light.spot->outer_angle <= 180.0);
 }
 
 bool is_valid(const Camera& camera) {

@@ -322,9 +322,12 @@ class SceneLoader {
     const SpotCone& cone = *light.spot;
     check_direction(object, light, cone.direction);
     const bool is_keyed = !light.keys.inner_angle.empty() || !light.keys.outer_angle.empty();
-    if (!is_keyed && !(cone.inner_angle < cone.outer_angle)) {
+    if (!is_keyed && !(cone.outer_angle > 0.0)) {
+      object.fail("outer_angle", "found 0; allowed: above 0 degrees");
+    }
+    if (!is_keyed && !(cone.inner_angle <= cone.outer_angle)) {
       object.fail("inner_angle", "found " + quoted_text(cone.inner_angle) +
-                                     "; allowed: less than outer_angle, which is " +
+                                     "; allowed: at most outer_angle, which is " +
                                      quoted_text(cone.outer_angle));
     }
   }

@@ -105,7 +105,8 @@ void write_shape(UsdText& out, Frames frames, std::size_t i, const std::filesyst
     out.each_frame("float inputs:shaping:cone:angle",
                    [&](std::size_t k) { return light(k).spot->outer_angle; });
     out.each_frame("float inputs:shaping:cone:softness", [&](std::size_t k) {
-      return 1.0 - light(k).spot->inner_angle / light(k).spot->outer_angle;
+      const SpotCone& cone = *light(k).spot;
+      return cone.outer_angle > 0.0 ? 1.0 - cone.inner_angle / cone.outer_angle : 0.0;
     });
   }
   if (first.profile.content) {

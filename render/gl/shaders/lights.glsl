@@ -74,27 +74,28 @@ float profile_at(int l, vec3 q) {
   return mix(mix(a, b, f.x), mix(c, d, f.x), f.y);
 }
 
-// Components of a vector along a profile's azimuths 0 and 90 and its axis.
+// Components of a vector along the azimuths 0 and 90 of a cone, and along the axis of a falloff.
 vec3 in_profile(int l, vec3 q) {
   return vec3(dot(q, lights[l].azimuth_0), dot(q, lights[l].azimuth_90),
               dot(q, lights[l].falloff_axis));
 }
 
-// LightFalloff::at(), of a cosine; without its profile.
-float falloff_at(int l, float cosine) {
+// LightFalloff::at() in the unit direction of these components, see in_profile().
+float falloff_at(int l, vec3 w) {
   const int shape = lights[l].falloff_shape;
   if (shape == falloff_isotropic) return 1.0;
-  if (shape == falloff_cosine) return clamp(cosine, 0.0, 1.0);
-  if (shape == falloff_two_cosines) return min(abs(cosine), 1.0);
-  const float share = clamp((cosine - lights[l].dark_cosine) * lights[l].per_cosine, 0.0, 1.0);
-  return share * share;
+  if (shape == falloff_cosine) return clamp(w.z, 0.0, 1.0);
+  if (shape == falloff_two_cosines) return min(abs(w.z), 1.0);
+  // 1 - w.z, without cancellation near the axis.
+  const float versine = w.z > 0.0 ? dot(w.xy, w.xy) / (1.0 + w.z) : 1.0 - w.z;
+  const float share = clamp((lights[l].dark_versine - versine) * lights[l].per_versine, 0.0, 1.0);
+  const float in_cone = share * share;
+  return shape == falloff_profile ? in_cone * profile_at(l, w) : in_cone;
 }
 
 // LightFalloff::at() in the unit direction w.
 float falloff_towards(int l, vec3 w) {
-  float falloff = falloff_at(l, dot(w, lights[l].falloff_axis));
-  if (lights[l].falloff_shape == falloff_profile) falloff *= profile_at(l, in_profile(l, w));
-  return falloff;
+  return falloff_at(l, in_profile(l, w));
 }
 
 // Falloff over r^2 and 1 / r^2 at s, weighted. `along` and `across`: the ray's direction and its
@@ -102,10 +103,7 @@ float falloff_towards(int l, vec3 w) {
 vec2 falloff_sample(int l, vec3 along, vec3 across, float h2, float s, float weight) {
   const float r2 = s * s + h2;
   const float inverse = weight / r2;
-  const vec3 q = s * along - across;
-  float falloff = falloff_at(l, q.z * inversesqrt(r2));
-  if (lights[l].falloff_shape == falloff_profile) falloff *= profile_at(l, q);
-  return vec2(inverse * falloff, inverse);
+  return vec2(inverse * falloff_at(l, (s * along - across) * inversesqrt(r2)), inverse);
 }
 
 #ifdef PROFILES
@@ -122,8 +120,7 @@ vec2 profile_mean(int l, vec3 along, vec3 across, float h2, float begin, float a
     const float at = first + float(i) * step_;
     const float sine = sin(at);
     const float cosine = max(cos(at), tiny);
-    const vec3 q = sine * along - cosine / h * across;
-    const float value = falloff_at(l, q.z) * profile_at(l, q);
+    const float value = falloff_at(l, sine * along - cosine / h * across);
     sum += value;
     moment += value * h * sine / cosine;
   }
@@ -156,12 +153,15 @@ vec2 falloff_part(int l, vec3 along, vec3 across, float h2, float begin, float e
 // The parts of a cone: between its dark and its full edges.
 vec2 cone_parts(int l, vec3 along, vec3 across, float h2, float a, float b) {
   float ends[6] = float[](a, b, b, b, b, b);
+  // As FalloffRays has them.
+  const float q = dot(along.xy, across.xy);
+  const float cross_ = along.x * across.y - along.y * across.x;
   for (int edge = 0; edge < 2; ++edge) {
-    const float cosine = lights[l].dark_cosine + (edge == 0 ? 0.0 : 1.0 / lights[l].per_cosine);
-    const float p = along.z * along.z - cosine * cosine;
-    const float q = -along.z * across.z;
-    const float r = across.z * across.z - cosine * cosine * h2;
-    const float square = q * q - p * r;
+    const float versine = lights[l].dark_versine - (edge == 0 ? 0.0 : 1.0 / lights[l].per_versine);
+    const float sine2 = versine * (2.0 - versine);
+    const float p = sine2 - dot(along.xy, along.xy);
+    const float r = sine2 * h2 - dot(across.xy, across.xy);
+    const float square = sine2 * (dot(across.xy, across.xy) - p * h2) - cross_ * cross_;
     if (!(square >= 0.0)) continue;
     const float sum = -(q + (q < 0.0 ? -sqrt(square) : sqrt(square)));
     if (p != 0.0) ends[1 + 2 * edge] = clamp(sum / p, a, b);

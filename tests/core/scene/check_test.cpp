@@ -104,6 +104,10 @@ TEST(Check, RefusesWhatNoFileCouldHave) {
        [](Scene& s) {
          s.lights[0].spot = SpotCone{{0, -1, 0}, 50.0, 40.0};
        }},
+      {"lights[0].outer_angle",
+       [](Scene& s) {
+         s.lights[0].spot = SpotCone{{0, -1, 0}, 0.0, 0.0};
+       }},
       {"lights[0].direction",
        [](Scene& s) {
          s.lights[0].directional = Directional{{0, 0, 0}};

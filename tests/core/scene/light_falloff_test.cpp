@@ -26,6 +26,32 @@ TEST(LightFalloff, FollowsTheFormulaOfGltf) {
   for (const double angle : {30.1, 90.0, 180.0}) EXPECT_EQ(spot.at(at_angle(angle)), 0.0) << angle;
 }
 
+// cos a - cos b of angles in degrees, by sines, which keep the digits of narrow cones.
+double cosine_difference(double a, double b) {
+  return 2.0 * std::sin(glm::radians(0.5 * (b - a))) * std::sin(glm::radians(0.5 * (b + a)));
+}
+
+TEST(LightFalloff, IsFullOnTheAxisOfNarrowCones) {
+  for (const auto& [inner, outer] :
+       {std::pair{2.9, 3.0}, {1.5, 1.9}, {0.5, 1.0}, {0.4, 0.5}, {0.02, 0.05}, {0.005, 0.006}}) {
+    const LightFalloff spot(SpotCone{{0.0, -1.0, 0.0}, inner, outer});
+    EXPECT_EQ(spot.at(at_angle(0.0)), 1.0) << outer;
+    EXPECT_EQ(spot.at(at_angle(0.99 * inner)), 1.0) << outer;
+    const double middle = 0.5 * (inner + outer);
+    const double share = cosine_difference(middle, outer) / cosine_difference(inner, outer);
+    EXPECT_NEAR(spot.at(at_angle(middle)), share * share, 1e-6) << outer;
+    EXPECT_EQ(spot.at(at_angle(1.01 * outer)), 0.0) << outer;
+  }
+}
+
+TEST(LightFalloff, HasAHardEdgeWhereItsAnglesAreEqual) {
+  for (const double angle : {0.2, 1.0, 45.0, 90.0, 170.0}) {
+    const LightFalloff spot(SpotCone{{0.0, -1.0, 0.0}, angle, angle});
+    EXPECT_EQ(spot.at(at_angle(0.999 * angle)), 1.0) << angle;
+    EXPECT_EQ(spot.at(at_angle(1.001 * angle)), 0.0) << angle;
+  }
+}
+
 TEST(LightFalloff, IsOneWithoutCone) {
   const LightFalloff none;
   EXPECT_TRUE(none.is_isotropic());

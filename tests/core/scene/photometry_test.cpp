@@ -91,5 +91,22 @@ TEST(Photometry, TheFluxOfASpotIsTheIntegralOfItsFalloff) {
   }
 }
 
+// Those of cones too narrow for sums over cosines: the solid angle of the inner one where both are
+// equal, a third of the difference with a soft edge down to the axis.
+TEST(Photometry, TheFluxOfANarrowSpotIsThatOfItsCone) {
+  for (const double outer : {0.05, 0.1, 1.0}) {
+    Light light;
+    light.intensity = glm::dvec3(1.0);
+    const double sine = std::sin(glm::radians(0.5 * outer));
+    const double solid_angle = 4.0 * std::numbers::pi * sine * sine;
+    light.spot = SpotCone{{0.0, 0.0, 1.0}, outer, outer};
+    EXPECT_NEAR(*luminous_flux(light), lumens_per_watt * solid_angle,
+                0.01 * lumens_per_watt * solid_angle);
+    light.spot->inner_angle = 0.0;
+    EXPECT_NEAR(*luminous_flux(light), lumens_per_watt * solid_angle / 3.0,
+                1e-6 * lumens_per_watt * solid_angle);
+  }
+}
+
 }  // namespace
 }  // namespace brume

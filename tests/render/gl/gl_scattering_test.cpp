@@ -46,6 +46,7 @@ TEST_F(GlFrames, SpotLights) {
     scene.lights = {{{0.9, 1.4, 0.6}, glm::dvec3(6.0), SpotCone{{-0.9, -1.4, -0.9}, 5.0, 20.0}},
                     {{-1.0, 0.4, 1.0}, glm::dvec3(2.0), SpotCone{{1.0, -0.3, -1.2}, 9.8, 10.0}},
                     {{0.0, -1.0, 0.5}, glm::dvec3(1.0), SpotCone{{0.0, 1.0, 0.0}, 60.0, 130.0}},
+                    {{1.0, 0.4, 1.0}, glm::dvec3(9.0), SpotCone{{-1.0, -0.3, -1.2}, 0.5, 1.0}},
                     {{0.5, 0.5, 1.5}, glm::dvec3(1.0), {}}};
     expect_backends_agree(scene, scattering);
   }

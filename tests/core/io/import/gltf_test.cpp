@@ -285,6 +285,21 @@ TEST_F(Gltf, HasLights) {
   expect_near(scene->lights[2].directional.value().direction, {0, 0, -1});
 }
 
+TEST_F(Gltf, SpotsMayHaveEqualAngles) {
+  for (const double inner : {0.5, 0.6}) {
+    GltfBuilder builder;
+    builder.json["extensions"]["KHR_lights_punctual"]["lights"] = {
+        {{"type", "spot"}, {"spot", {{"innerConeAngle", inner}, {"outerConeAngle", 0.5}}}}};
+    builder.json["nodes"].push_back({{"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
+    builder.json["scenes"][0]["nodes"].push_back(1);
+    const auto scene = read(builder);
+    ASSERT_EQ(scene->lights.size(), 1u);
+    const SpotCone& cone = scene->lights[0].spot.value();
+    EXPECT_EQ(cone.inner_angle, cone.outer_angle) << inner;
+    EXPECT_EQ(warnings_.empty(), inner == 0.5);
+  }
+}
+
 TEST(ImportedName, IsOneThatAScenesObjectMayHave) {
   EXPECT_EQ(imported_name("a\nb\x7f", "?"), "ab");
   EXPECT_EQ(imported_name("\n", "?"), "?");
