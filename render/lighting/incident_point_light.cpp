@@ -2,35 +2,29 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <numbers>
 #include <vector>
 
-#include "core/math/special_functions.h"
 #include "core/math/spherical_harmonics.h"
-#include "render/lighting/slice_kernels.h"
-#include "render/simd/gaussian_kernels.h"
+#include "render/lighting/light_rays.h"
 
 namespace brume {
 namespace {
 
-// Nodes within so many spacings of the light along each axis get means.
-constexpr double near_spacings = 3.0;
-
-// Points along each axis of a mean, over two spacings: of light, and of a falloff alone.
-constexpr int mean_points = 8;
-constexpr int falloff_points = 6;
+// Points along each axis of a mean, over two spacings.
+constexpr int mean_points = 6;
 
 struct WeightedPoint {
   glm::dvec3 offset;  // from the node, in spacings
   double weight;
 };
 
-std::vector<WeightedPoint> mean_rule(int count) {
+std::vector<WeightedPoint> make_mean_rule() {
+  constexpr int count = mean_points;
   std::vector<WeightedPoint> rule;
-  const auto coordinate = [count](int i) { return 2.0 * (i + 0.5) / count - 1.0; };
+  const auto coordinate = [](int i) { return 2.0 * (i + 0.5) / count - 1.0; };
   double sum = 0.0;
   for (int z = 0; z < count; ++z) {
     for (int y = 0; y < count; ++y) {
@@ -46,128 +40,129 @@ std::vector<WeightedPoint> mean_rule(int count) {
   return rule;
 }
 
-// The mean of 1 / r^2 from points that are normally distributed, r^2 = r2 from their center.
-double mean_inverse_square(double r2, double deviation) {
-  const double variance = deviation * deviation;
-  const double ratio = variance / r2;
-  if (ratio < 1.0 / 36.0) return (1.0 + ratio * (1.0 + 3.0 * ratio)) / r2;
-  const double r = std::sqrt(r2);
-  return std::numbers::sqrt2 / (deviation * r) * dawson(r / (std::numbers::sqrt2 * deviation));
+// The cells around a node, as a trilinear interpolation weights them.
+std::span<const WeightedPoint> mean_rule() {
+  static const std::vector<WeightedPoint> rule = make_mean_rule();
+  return rule;
 }
 
 // Light at points per unit of intensity.
 class PointsAroundLight {
  public:
-  explicit PointsAroundLight(const NodePointLight& light) : light_(light) {}
+  explicit PointsAroundLight(const NodePointLight& light) : light_(light), transmittance_(light) {}
 
   // Calls add(k, direction to the light, exp(-T) / r^2) for the points that see the light, times
   // the mean of the falloff over `spacing` around each.
   template <class Add>
   void each(std::span<const glm::dvec3> points, double spacing, Add add) {
-    self_.assign(points.size(), -1);
-    paths_.assign(light_.source.position, points, self_);
-    depths_.assign(paths_.padded_size(), 0.0f);
-    if (light_.table) lookup_depths(*light_.table, paths_, depths_.data());
+    const std::span<const double> transmittance = transmittance_.at(points);
     for (std::size_t k = 0; k < points.size(); ++k) {
       const glm::dvec3 q = light_.source.position - points[k];
       const double r2 = glm::dot(q, q);
       if (!(r2 > 0.0)) continue;
       const double r = std::sqrt(r2);
-      const double depth = light_.extinction * static_cast<double>(depths_[k]) +
-                           light_.fog * light_.source.fog_length(points[k]);
       const double falloff = mean_falloff(points[k], r, spacing);
       if (!(falloff > 0.0)) continue;
       if (light_.surfaces && light_.surfaces->occluded(points[k], light_.source.position)) continue;
-      add(k, q / r, falloff * std::exp(-depth) * mean_inverse_square(r2, light_.deviation));
+      add(k, q / r, falloff * transmittance[k] * light_.inverse_square(r2));
     }
   }
 
  private:
-  // Over the cells around a point at distance r, weighted as add_point_light() does, of falloff
-  // over r^2, times r^2: so beams that are narrower than cells are not lost.
+  // Over the cells around a point at distance r: the mean of falloff / r^2 relative to that of
+  // 1 / r^2, so that an edge between nodes lights its share of both.
   [[nodiscard]] double mean_falloff(const glm::dvec3& point, double r, double spacing) const {
-    static const std::vector<WeightedPoint> rule = mean_rule(falloff_points);
     const LightFalloff& falloff = light_.source.falloff;
     if (falloff.is_isotropic()) return 1.0;
     const glm::dvec3 q = point - light_.source.position;
-    const double cosine = glm::dot(q, falloff.axis()) / r;
-    // How much it may change over the cells; farther from the edge it is 0 or 1.
-    const double reach = spacing > 0.0 ? std::min(std::sqrt(3.0) * spacing / r, 2.0) : 0.0;
+    const glm::dvec3 w = q / r;
+    // How much its cosine may change over the cells; farther from the edge it is 0 or 1.
+    const double reach = std::min(std::sqrt(3.0) * spacing / r, 2.0);
     if (falloff.has_cone()) {
-      if (falloff.versine(q / r) - reach > falloff.dark_versine()) return 0.0;
-      const bool is_full = falloff.versine(q / r) + reach < falloff.full_versine();
-      if (!falloff.profile() && is_full) return 1.0;
-    } else if (std::abs(cosine) > reach) {
-      return falloff.at(q / r);  // it is smooth there
+      const double versine = falloff.versine(w);
+      if (versine - reach > falloff.dark_versine()) return 0.0;
+      if (!falloff.profile() && versine + reach < falloff.full_versine()) return 1.0;
+    } else if (std::abs(glm::dot(w, falloff.axis())) > reach) {
+      return falloff.at(w);  // it is smooth there
     }
-    if (!(spacing > 0.0)) return falloff.at(q / r);
-    double sum = 0.0;
-    for (const WeightedPoint& p : rule) {
+    double lit = 0.0;
+    double all = 0.0;
+    for (const WeightedPoint& p : mean_rule()) {
       const glm::dvec3 there = q + spacing * p.offset;
       const double there2 = glm::dot(there, there);
       if (!(there2 > 0.0)) continue;
-      sum += p.weight * falloff.at(there / std::sqrt(there2)) * r * r / there2;
+      const double weight = p.weight / there2;
+      lit += weight * falloff.at(there / std::sqrt(there2));
+      all += weight;
     }
-    return sum;
+    return lit / all;
   }
 
   const NodePointLight& light_;
-  std::vector<std::int32_t> self_;
-  PathBatch paths_;
-  std::vector<float> depths_;
+  LightTransmittance transmittance_;
 };
+
+// The share of the cells around a point that it sees.
+double visible_share(const RayCaster& surfaces, const glm::dvec3& point, double spacing) {
+  double share = 0.0;
+  for (const WeightedPoint& p : mean_rule()) {
+    if (!surfaces.occluded(point, point + spacing * p.offset)) share += p.weight;
+  }
+  return share;
+}
 
 }  // namespace
 
 void add_point_light(const NodePointLight& light, const glm::dvec3& first, const GridNodes& nodes,
                      const GridOcclusion* occlusion, NodeLight& incident, const Job& job) {
-  static const std::vector<WeightedPoint> rule = mean_rule(mean_points);
   const double spacing = static_cast<double>(nodes.spacing);
   const auto width = static_cast<std::size_t>(nodes.count.x);
-  const auto height = static_cast<std::size_t>(nodes.count.y);
-  job.parallel_for(height * static_cast<std::size_t>(nodes.count.z), [&](std::size_t row) {
-    PointsAroundLight around(light);
-    const auto add = [&](std::size_t node, double weight, const glm::dvec3& w) {
-      const ShVector<double> basis = sh_basis(incident.bands, w);
+  const LightRays rays(light, first, nodes, incident.bands, job);
+  job.parallel_for(nodes.size() / width, [&](std::size_t row) {
+    const auto add = [&](std::size_t x, double arriving, const ShVector<double>& basis) {
       for (std::size_t c = 0; c < incident.channels; ++c) {
-        const double intensity = weight * static_cast<double>(light.intensity[c]);
+        const double intensity = arriving * static_cast<double>(light.intensity[c]);
         for (std::size_t f = 0; f < basis.size(); ++f) {
-          incident.row(c, f)[node] += static_cast<float>(intensity * basis[f]);
+          incident.row(c, f)[row * width + x] += static_cast<float>(intensity * basis[f]);
         }
       }
     };
-    const glm::dvec3 begin = first + spacing * glm::dvec3(0.0, static_cast<double>(row % height),
-                                                          static_cast<double>(row / height));
+    const glm::ivec3 row_start = node_coordinates(nodes, row * width);
+    const auto position = [&](std::size_t x) {
+      return first + spacing * glm::dvec3(row_start + glm::ivec3(static_cast<int>(x), 0, 0));
+    };
+    std::vector<double> shares(width);  // of the rays
     std::vector<glm::dvec3> points;
-    std::vector<std::size_t> at;
+    std::vector<std::size_t> xs;
     for (std::size_t x = 0; x < width; ++x) {
-      const glm::dvec3 point = begin + glm::dvec3(spacing * static_cast<double>(x), 0.0, 0.0);
-      const glm::dvec3 distance = glm::abs(point - light.source.position) / spacing;
-      if (std::max({distance.x, distance.y, distance.z}) > near_spacings) {
-        points.push_back(point);
-        at.push_back(row * width + x);
-        continue;
-      }
-      const std::size_t node = row * width + x;
-      const bool is_beside_surfaces =
-          occlusion && !occlusion->blocked().empty() && occlusion->blocked()[node] != 0;
-      std::vector<glm::dvec3> around_node;
-      std::vector<double> weights;
-      double sum = 0.0;
-      for (const WeightedPoint& p : rule) {
-        const glm::dvec3 q = point + spacing * p.offset;
-        if (is_beside_surfaces && light.surfaces->occluded(point, q)) continue;
-        around_node.push_back(q);
-        weights.push_back(p.weight);
-        sum += p.weight;
-      }
-      around.each(around_node, 0.0, [&](std::size_t k, const glm::dvec3& w, double arriving) {
-        add(node, weights[k] / sum * arriving, w);
-      });
+      shares[x] = rays.share(glm::length(position(x) - light.source.position));
+      if (shares[x] >= 1.0) continue;
+      points.push_back(position(x));
+      xs.push_back(x);
     }
-    around.each(points, spacing, [&](std::size_t k, const glm::dvec3& w, double arriving) {
-      add(at[k], arriving, w);
-    });
+    PointsAroundLight(light).each(
+        points, spacing, [&](std::size_t k, const glm::dvec3& w, double arriving) {
+          add(xs[k], (1.0 - shares[xs[k]]) * arriving, sh_basis(incident.bands, w));
+        });
+
+    // A node beside surfaces gets the mean of what it sees of its cells.
+    const auto is_beside_surfaces = [&](std::size_t x) {
+      return occlusion && !occlusion->blocked().empty() &&
+             occlusion->blocked()[row * width + x] != 0;
+    };
+    for (std::size_t x = 0; x < width; ++x) {
+      if (!(shares[x] > 0.0) || !is_beside_surfaces(x)) continue;
+      const double visible = visible_share(*light.surfaces, position(x), spacing);
+      shares[x] = visible > 0.0 ? shares[x] / visible : 0.0;
+    }
+    const auto sees = [&](std::size_t x, const glm::dvec3& sample) {
+      return shares[x] > 0.0 &&
+             (!is_beside_surfaces(x) || !light.surfaces->occluded(position(x), sample));
+    };
+    rays.each_in_row(row_start.y, row_start.z, sees,
+                     [&](std::size_t x, const ShVector<double>& basis, double arriving) {
+                       add(x, shares[x] * arriving, basis);
+                     });
   });
 }
 

@@ -1,33 +1,17 @@
 #pragma once
 
-#include <array>
 #include <glm/vec3.hpp>
 
-#include "render/geometry/point_source.h"
-#include "render/lighting/optical_depth_table.h"
+#include "render/lighting/node_point_light.h"
 #include "render/lighting/ordinates.h"
 #include "render/util/job.h"
-#include "render/visibility/ray_caster.h"
 
 namespace brume {
 
-// A point light and what attenuates it on its way to the nodes of a grid.
-struct NodePointLight {
-  const PointSource& source;
-  std::array<float, 3> intensity{};          // per channel of the nodes [W/sr]
-  const OpticalDepthTable* table = nullptr;  // null: no Gaussians
-  double extinction = 1.0;                   // factor of the table's optical depths
-  double fog = 0.0;                          // homogeneous extinction [1/u]
-  const RayCaster* surfaces = nullptr;       // that occlude it; null: none
-  // Of a light that is normally distributed around its position, along each axis [u]; 0: a point.
-  double deviation = 0.0;
-};
-
-// Adds its unscattered light I exp(-T) / r^2, or the mean of 1 / r^2, to `incident`, at nodes of
-// which the first lies at `first`; times its falloff, of which all nodes get the mean. Nodes near
-// the light get the mean over what they see of the cells around them, weighted by its share of a
-// trilinear interpolation: so the integral of 1 / r^2 is kept. `occlusion`: of the nodes; null:
-// there are no surfaces.
+// Adds the unscattered light of `light`, I falloff exp(-T) / r^2, to `incident`, at nodes of which
+// the first lies at `first`; at edges of the falloff its mean over the cells around a node. Nodes
+// near the light, or in a beam that is narrow between nodes, get the mean of all of that over what
+// they see of their cells: see LightRays. `occlusion`: of the nodes; null: there are no surfaces.
 void add_point_light(const NodePointLight& light, const glm::dvec3& first, const GridNodes& nodes,
                      const GridOcclusion* occlusion, NodeLight& incident, const Job& job);
 
