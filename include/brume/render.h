@@ -37,7 +37,7 @@ struct RenderRequest {
   OutputLayers layers{};             // those besides the Frame's own go to Frame::layers
 
   // Measures the error of a frame whose method does not: of all but `auto_`, which always does, and
-  // `reference` and `path`, which have none. Takes about a second.
+  // `reference` and `path`, which have none. Takes seconds, with area lights up to a minute.
   bool measure_error = false;
 
   Backend backend = Backend::auto_;
