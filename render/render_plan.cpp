@@ -55,9 +55,10 @@ struct Content {
         ++lights_beyond_paper;  // its closed form is that of isotropic lights nearby
       }
     }
-    const bool is_truth = method == AirlightMethod::reference || method == AirlightMethod::path;
     // A sphere far away is one isotropic light, which is not `paper`'s either.
-    lights = point_lights(scene, is_truth ? LightPoints::many : LightPoints::few);
+    lights = point_lights(scene, method == AirlightMethod::reference ? LightPoints::many
+                                 : method == AirlightMethod::path    ? LightPoints::drawn
+                                                                     : LightPoints::few);
     if (is_paper) {
       std::erase_if(lights, [](const PointLight& light) {
         return !light.falloff.is_isotropic() || light.is_far || light.radius > 0.0;

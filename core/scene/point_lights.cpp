@@ -40,6 +40,21 @@ PointLight far_light(const Light& light, double share, const glm::dvec3& directi
   return far;
 }
 
+// The disc as one far away, of the same radiance everywhere.
+PointLight far_disk(const Light& light, const LitRegion& region) {
+  const glm::dvec3 axis = to_light(*light.directional);
+  PointLight far = far_light(light, 1.0, axis, region);
+  const double half_angle = glm::radians(0.5 * light.directional->angular_diameter);
+  if (!(half_angle > 0.0)) return far;
+  AreaLight& disk = far.area.emplace();
+  disk.shape = AreaLight::Shape::disk;
+  disk.direction = -axis;
+  disk.radius = far_light_distance * region.diameter * std::tan(half_angle);
+  // Its edge is farther away than its middle.
+  far.intensity /= std::cos(half_angle) * std::cos(half_angle);
+  return far;
+}
+
 // Directions of equal irradiance on what faces the disc: evenly over the disc of their sines.
 std::vector<PointLight> points_on_disc(const Light& light, int count, const LitRegion& region) {
   const glm::dvec3 axis = to_light(*light.directional);
@@ -197,6 +212,11 @@ double facing_area(const AreaLight& area) {
   return surface_area(area) * (area.shape == AreaLight::Shape::sphere ? 0.25 : 1.0);
 }
 
+double bounding_radius(const AreaLight& area) {
+  if (area.shape == AreaLight::Shape::rectangle) return 0.5 * std::hypot(area.width, area.height);
+  return area.radius;
+}
+
 std::pair<glm::dvec3, glm::dvec3> rectangle_axes(const AreaLight& area) {
   const glm::dvec3 normal = unit_direction(area.direction, {0.0, -1.0, 0.0});
   const glm::dvec3 right = glm::cross(normal, unit_direction(area.up, {0.0, 1.0, 0.0}));
@@ -213,6 +233,12 @@ namespace {
 // A light with a surface or a disc becomes at most `max_points`.
 std::vector<PointLight> point_lights(const Light& light, const LitRegion& region, LightPoints count,
                                      int max_points) {
+  if (count == LightPoints::drawn && light.directional) return {far_disk(light, region)};
+  if (count == LightPoints::drawn && light.area) {
+    PointLight drawn{light.position, surface_area(*light.area) * light.intensity};
+    drawn.area = light.area;
+    return {drawn};
+  }
   const auto chosen = [&](int few, int many) {
     const int points = count == LightPoints::one ? 1 : count == LightPoints::few ? few : many;
     return std::min(points, max_points);

@@ -20,6 +20,8 @@ struct PointLight {
   LightFalloff falloff{};
   double radius = 0.0;  // of a disk as large as what it stands for of an area light [u]
   bool is_far = false;  // stands for a directional light
+  // Of LightPoints::drawn, around `position`: what shines in place of the point.
+  std::optional<AreaLight> area{};
 
   bool operator==(const PointLight&) const = default;
 };
@@ -54,14 +56,17 @@ glm::dvec3 to_light(const Directional& light);
 // [u^2]; `facing`: as seen from far away, from where it looks largest.
 double surface_area(const AreaLight& area);
 double facing_area(const AreaLight& area);
+// Of the ball around its center that holds it [u].
+double bounding_radius(const AreaLight& area);
 // Unit vectors along the width and the height of a rectangle.
 std::pair<glm::dvec3, glm::dvec3> rectangle_axes(const AreaLight& area);
 
 // How many point lights stand for a light with a surface.
 enum class LightPoints {
   one,
-  few,   // for pictures; of a scene at most max_few_points
-  many,  // for what pictures are held against
+  few,    // for pictures; of a scene at most max_few_points
+  many,   // for what pictures are held against
+  drawn,  // one with an `area`, of which points are drawn at random; its intensity is in all
 };
 
 // The smallest maps of so many fit max_light_map_bytes, and there are no more lights.

@@ -6,7 +6,34 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "core/math/max_component.h"
+
 namespace brume {
+
+AreaSampler::Point PathLight::point(PathRandom& random) const {
+  return sampler ? sampler->on_surface(random) : AreaSampler::Point{position};
+}
+
+glm::dvec3 PathLight::intensity_towards(const AreaSampler::Point& point,
+                                        const glm::dvec3& x) const {
+  if (sampler) return sampler->cosine(point, x) * intensity;
+  const glm::dvec3 q = x - position;
+  return intensity_along(q / std::max(glm::length(q), 1e-30));
+}
+
+PathLight::Seen PathLight::seen_from(const glm::dvec3& x, PathRandom& random) const {
+  if (!sampler) return {position, intensity_towards({position}, x)};
+  const AreaSampler::SeenPoint seen = sampler->seen_from(x, random);
+  return {seen.position, seen.factor * intensity};
+}
+
+double PathLight::importance(const glm::dvec3& x) const {
+  const glm::dvec3 q = x - position;
+  const double r2 = std::max({glm::dot(q, q), h_min * h_min, 1e-30});
+  if (!area) return max_component(intensity_towards({position}, x)) / r2;
+  if (!sampler->shines_to(x)) return 0.0;
+  return max_component(intensity) / std::max(r2, facing_area(*area));
+}
 
 PathFog PathFog::around(const MediumIndex& medium, const RayCaster& ray_caster,
                         std::span<const PointSource> lights, const glm::dvec3& eye,
@@ -31,7 +58,7 @@ PathFog PathFog::around(const MediumIndex& medium, const RayCaster& ray_caster,
     add(ray_caster.bounds().high, 0.0);
   }
   for (const PointSource& light : lights) {
-    if (!light.is_far) add(light.position, 0.0);
+    if (!light.is_far) add(light.position, light.area ? bounding_radius(*light.area) : 0.0);
   }
   if (!(low.x <= high.x)) low = high = eye;
   fog.ball.center = 0.5 * (low + high);
@@ -52,7 +79,7 @@ double PathFog::importance(const glm::dvec3& x) const {
 
 void PathScene::set_lights(std::span<const PointSource> all) {
   lights.clear();
-  for (const PointSource& light : all) lights.push_back({light, 0.0});
+  for (const PointSource& light : all) lights.emplace_back(light);
   const MajorantGrid& grid = medium.grid();
   double max_density = fog.density;
   for (const GaussianTerm<double>& g : medium.index().gaussians()) {
@@ -61,7 +88,7 @@ void PathScene::set_lights(std::span<const PointSource> all) {
   const double extent =
       grid.empty() ? 0.0 : 0.5 * glm::length(grid.bounds().high - grid.bounds().low);
   for (PathLight& light : lights) {
-    if (light.is_far || light.radius > 0.0) continue;  // those of surfaces stay bounded
+    if (light.is_far || light.area) continue;  // those of surfaces stay bounded
     const double density = fog.density + medium.density(light.position);
     if (!(density > 0.0)) continue;
     // A mean free path; less where the bulk of the medium is denser, since the light's surroundings

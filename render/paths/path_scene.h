@@ -7,6 +7,7 @@
 #include "brume/scene.h"
 #include "render/geometry/fog_ball.h"
 #include "render/geometry/point_source.h"
+#include "render/paths/area_sampler.h"
 #include "render/paths/emission_sampler.h"
 #include "render/paths/environment_sampler.h"
 #include "render/paths/material_sampler.h"
@@ -19,11 +20,31 @@ struct PathLight : PointSource {
   // Closer than this, light scattered by the medium around is found by equi-angular samples,
   // farther away by collisions; 0 without medium there. See PathScene::set_lights() [u].
   double near_radius = 0.0;
+  std::optional<AreaSampler> sampler{};  // of an area
+
+  explicit PathLight(const PointSource& source) : PointSource(source) {
+    if (area) sampler.emplace(*area, position);
+  }
 
   // RGB in the unit direction w from it [W/sr].
   [[nodiscard]] glm::dvec3 intensity_along(const glm::dvec3& w) const {
     return falloff.at(w) * intensity;
   }
+
+  // A point of it, evenly over its area, and what all of it would send from there to x [W/sr].
+  [[nodiscard]] AreaSampler::Point point(PathRandom& random) const;
+  [[nodiscard]] glm::dvec3 intensity_towards(const AreaSampler::Point& point,
+                                             const glm::dvec3& x) const;
+
+  // The same as x sees it: a point drawn for it.
+  struct Seen {
+    glm::dvec3 position{0.0};
+    glm::dvec3 intensity{0.0};  // towards x [W/sr]
+  };
+  [[nodiscard]] Seen seen_from(const glm::dvec3& x, PathRandom& random) const;
+
+  // Roughly how much of it arrives at x [W/u^2].
+  [[nodiscard]] double importance(const glm::dvec3& x) const;
 };
 
 // Where homogeneous fog is.

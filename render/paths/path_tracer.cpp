@@ -17,10 +17,10 @@ namespace {
 
 using std::numbers::pi;
 
-// The light relative to the segment that ends at a point of the medium.
-PointLightRay<double> relative_to(const PathLight& light, const glm::dvec3& start,
-                                  const glm::dvec3& w) {
-  return {light.position, start, w, light.h_min};
+// A point of the light relative to the segment that ends at a point of the medium.
+PointLightRay<double> relative_to(const PathLight& light, const glm::dvec3& point,
+                                  const glm::dvec3& start, const glm::dvec3& w) {
+  return {point, start, w, light.h_min};
 }
 
 }  // namespace
@@ -105,38 +105,35 @@ void PathTracer::choose_lights(Importance importance, PathRandom& random, Visit 
   if (chosen) visit(*chosen, probability);
 }
 
-double PathTracer::visibility(const glm::dvec3& x, const PathLight& light, const glm::dvec3& l,
-                              double r) const {
+double PathTracer::visibility(const glm::dvec3& x, const PathLight& light,
+                              const glm::dvec3& point) const {
+  const glm::dvec3 q = point - x;
+  const double r = glm::length(q);
+  const glm::dvec3 l = q / r;
   const double depth =
       scene_.medium.depth(x, l, r) + scene_.fog.density * std::min(r, light.fog.length(x, l));
   const double transmittance = std::exp(-depth);
-  if (!(transmittance > 0.0)) return 0.0;
-  if (!scene_.ray_caster.empty() && scene_.ray_caster.occluded(x, light.position)) return 0.0;
+  if (!(transmittance > 0.0) || scene_.ray_caster.occluded(x, point)) return 0.0;
   return transmittance;
 }
 
 template <class Weight>
 glm::dvec3 PathTracer::light_at(const Vertex& vertex, Weight weight, PathRandom& random) const {
   glm::dvec3 sum(0.0);
-  const auto importance = [&](const PathLight& light) {
-    const glm::dvec3 q = light.position - vertex.position;
-    const double r = std::max(glm::length(q), 1e-30);
-    return max_component(light.intensity_along(-q / r)) /
-           std::max({r * r, light.h_min * light.h_min, 1e-30});
-  };
+  const auto importance = [&](const PathLight& light) { return light.importance(vertex.position); };
   choose_lights(importance, random, [&](const PathLight& light, double probability) {
-    const glm::dvec3 q = light.position - vertex.position;
+    const auto [point, intensity] = light.seen_from(vertex.position, random);
+    const glm::dvec3 q = point - vertex.position;
     const double r = glm::length(q);
-    if (!(r > 0.0)) return;
-    const glm::dvec3 l = q / r;
-    const glm::dvec3 value = scattering(vertex, l);
+    if (!(r > 0.0) || !(max_component(intensity) > 0.0)) return;
+    const glm::dvec3 value = scattering(vertex, q / r);
     if (!(max_component(value) > 0.0)) return;
     const double r2 = vertex.is_surface
-                          ? std::max(light.distance2(vertex.position), light.h_min * light.h_min)
-                          : relative_to(light, vertex.start, vertex.w).distance2(vertex.t);
-    const double factor = weight(light, r) / (probability * r2);
+                          ? std::max(r * r, light.h_min * light.h_min)
+                          : relative_to(light, point, vertex.start, vertex.w).distance2(vertex.t);
+    const double factor = weight(light, point) / (probability * r2);
     if (!(factor > 0.0)) return;
-    sum += factor * visibility(vertex.position, light, l, r) * value * light.intensity_along(-l);
+    sum += factor * visibility(vertex.position, light, point) * value * intensity;
   });
   return sum;
 }
@@ -183,8 +180,9 @@ PathTracer::Emission PathTracer::emission_of(const RaySegment& way, double direc
 }
 
 glm::dvec3 PathTracer::direct_light(const Vertex& vertex, PathRandom& random) const {
-  const auto weight = [&](const PathLight& light, double r) {
-    return vertex.is_surface ? 1.0 : 1.0 - equi_angular_weight(light, r);
+  const auto weight = [&](const PathLight& light, const glm::dvec3& point) {
+    if (vertex.is_surface) return 1.0;
+    return 1.0 - equi_angular_weight(light, glm::length(point - vertex.position));
   };
   return light_at(vertex, weight, random) + environment_at(vertex, random);
 }
@@ -193,30 +191,33 @@ glm::dvec3 PathTracer::lights_on_camera_ray(const CameraRay& ray, double opacity
                                             PathRandom& random) const {
   glm::dvec3 sum(0.0);
   const auto importance = [&](const PathLight& light) {
-    const PointLightRay<double> path = relative_to(light, ray.eye(), ray.w());
+    const PointLightRay<double> path = relative_to(light, light.position, ray.eye(), ray.w());
     // Of a light nearby, the ray passes most of pi.
     const double span = !light.is_far ? pi : EquiAngular<double>(path, ray.visible_length()).span;
-    return max_component(light.intensity) * span / path.h;
+    const double size = light.area ? std::sqrt(facing_area(*light.area)) : 0.0;
+    return max_component(light.intensity) * span / std::max(path.h, size);
   };
   choose_lights(importance, random, [&](const PathLight& light, double probability) {
-    const PointLightRay<double> path = relative_to(light, ray.eye(), ray.w());
+    const AreaSampler::Point point = light.point(random);
+    const PointLightRay<double> path = relative_to(light, point.position, ray.eye(), ray.w());
     const EquiAngular<double> angular(path, ray.visible_length());
     if (!(angular.span > 0.0)) return;
     const double t = std::min(angular.t(u * angular.span), ray.visible_length());
-    const CameraRay::Point point = ray.at(t);
-    const double scattered = point.density * std::exp(-point.depth);
+    const CameraRay::Point place = ray.at(t);
+    const double scattered = place.density * std::exp(-place.depth);
     if (!(scattered > 0.0)) return;
     const Vertex vertex = Vertex::in_medium(ray.eye(), ray.w(), t);
-    const glm::dvec3 q = light.position - vertex.position;
+    const glm::dvec3 q = point.position - vertex.position;
     const double r = glm::length(q);
-    if (!(r > 0.0)) return;
+    const glm::dvec3 intensity = light.intensity_towards(point, vertex.position);
+    if (!(r > 0.0) || !(max_component(intensity) > 0.0)) return;
     // The balance heuristic: divided by the sum of both densities.
     const double r2 = path.distance2(t);
     const double density = scattered / opacity + path.h / (angular.span * r2);
     const double factor =
         scattered * optics_at(vertex.position).albedo / (density * r2 * probability);
-    sum += factor * visibility(vertex.position, light, q / r, r) * scattering(vertex, q / r) *
-           light.intensity_along(-q / r);
+    sum += factor * visibility(vertex.position, light, point.position) * scattering(vertex, q / r) *
+           intensity;
   });
   return sum;
 }
@@ -238,7 +239,7 @@ glm::dvec3 PathTracer::light_on_segment(const PathLight& light, const Segment& s
   const double probability = near2 / std::max(glm::dot(offset, offset), near2);
   if (random.uniform() >= probability) return none;
 
-  const PointLightRay<double> path = relative_to(light, origin, w);
+  const PointLightRay<double> path = relative_to(light, light.position, origin, w);
   const EquiAngular<double> angular(path, hit.distance);
   if (!(angular.span > 0.0)) return none;
   const double t = std::min(angular.t(random.uniform() * angular.span), hit.distance);
@@ -254,7 +255,7 @@ glm::dvec3 PathTracer::light_on_segment(const PathLight& light, const Segment& s
   const double factor =
       scattered * equi_angular_weight(light, r) * angular.span / (path.h * probability);
   if (!(factor > 0.0)) return none;
-  return factor * visibility(vertex.position, light, q / r, r) * scattering(vertex, q / r) *
+  return factor * visibility(vertex.position, light, light.position) * scattering(vertex, q / r) *
          light.intensity_along(-q / r);
 }
 
@@ -305,8 +306,8 @@ OrderedRadiance PathTracer::airlight(const CameraRay& ray, const StratifiedPair&
   const CameraRay::Point point = ray.at_depth(-std::log1p(-opacity * stratified.first));
   Vertex vertex = Vertex::in_medium(ray.eye(), ray.w(), point.t);
   const double density = point.density * std::exp(-point.depth) / opacity;
-  const auto weight = [&](const PathLight& light, double) {
-    const PointLightRay<double> path = relative_to(light, ray.eye(), ray.w());
+  const auto weight = [&](const PathLight& light, const glm::dvec3& light_point) {
+    const PointLightRay<double> path = relative_to(light, light_point, ray.eye(), ray.w());
     const EquiAngular<double> angular(path, ray.visible_length());
     if (!(angular.span > 0.0) || point.t > ray.visible_length()) return 1.0;
     return density / (density + path.h / (angular.span * path.distance2(point.t)));

@@ -22,8 +22,9 @@ struct OrderedRadiance {
 // Unbiased estimates of the light along view rays: random walks through medium and surfaces with
 // next-event estimation at every vertex, all orders, optical depths in closed form. Environments
 // are sampled by their radiance and by phase function or material, combined by the balance
-// heuristic (Veach), emissive surfaces by phase function or material alone; lights inside the
-// medium by collisions and equi-angularly (Kulla and Fajardo 2012); light that Gaussians emit by
+// heuristic (Veach), emissive surfaces by phase function or material alone; points of area lights
+// by their solid angle, and for collisions near them evenly (AreaSampler); lights inside the medium
+// by collisions and equi-angularly (Kulla and Fajardo 2012); light that Gaussians emit by
 // collisions and by what they emit, combined likewise.
 //
 // What biases them: culling (PathMedium), h_min of lights and max_growth, all far below any noise,
@@ -79,12 +80,12 @@ class PathTracer {
   // Of what collides with light at a point of the medium.
   [[nodiscard]] RelativeOptics optics_at(const glm::dvec3& x) const;
 
-  // Calls visit(index, probability) for each light, or for one chosen by importance(light).
+  // Calls visit(light, probability) for each light, or for one chosen by importance(light).
   template <class Importance, class Visit>
   void choose_lights(Importance importance, PathRandom& random, Visit visit) const;
 
-  // Radiance of a light that reaches the vertex and is scattered once there; weight(index, distance
-  // of the light) is that of the technique.
+  // Radiance of a light that reaches the vertex and is scattered once there; weight(light, a point
+  // of it) is that of the technique.
   template <class Weight>
   [[nodiscard]] glm::dvec3 light_at(const Vertex& vertex, Weight weight, PathRandom& random) const;
   // The same of the environment.
@@ -105,9 +106,9 @@ class PathTracer {
   [[nodiscard]] glm::dvec3 emission_at(const Vertex& vertex, PathRandom& random) const;
   // The same of all lights, on a random walk.
   [[nodiscard]] glm::dvec3 direct_light(const Vertex& vertex, PathRandom& random) const;
-  // Transmittance and visibility of a light from x, in the direction l at a distance r.
-  [[nodiscard]] double visibility(const glm::dvec3& x, const PathLight& light, const glm::dvec3& l,
-                                  double r) const;
+  // Transmittance and visibility of a point of a light from x.
+  [[nodiscard]] double visibility(const glm::dvec3& x, const PathLight& light,
+                                  const glm::dvec3& point) const;
 
   // The weight of equi-angular samples on the segments of walks, by the distance from the light;
   // that of collisions is the rest.

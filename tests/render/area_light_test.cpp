@@ -209,6 +209,55 @@ TEST(AreaLight, LightsAWallAsInClosedForm) {
   }
 }
 
+// A floor 1 cm below a ball and 5 cm below a panel: E = pi L r^2 h / d^3 of a sphere whose center
+// is h above it and d away, and the panel by its closed form over four corners. A pixel's noise is
+// an eighth of what it sees, or less; bright dots of single points would be off by half.
+TEST(AreaLight, PathsLightAFloorNextToItAsInClosedForm) {
+  Scene scene;
+  scene.film = {15, 15};
+  scene.camera = {{0.0, 0.0, 4.0}, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 30.0};
+  scene.surfaces = {wall(0.0, 10.0, 1.0)};
+  const auto expect_radiance = [&scene](auto radiance) {
+    const Frame frame = render_frame(scene, path_traced(256));
+    const CameraRays rays(scene.camera, scene.film);
+    double sum = 0.0;
+    double expected_sum = 0.0;
+    for (int pixel = 0; pixel < 15 * 15; ++pixel) {
+      const glm::dvec3 w = rays.direction(pixel % 15 + 0.5, pixel / 15 + 0.5);
+      const glm::dvec3 x = scene.camera.eye - scene.camera.eye.z / w.z * w;
+      const double expected = radiance(x);
+      const double found = static_cast<double>(frame.beauty[4 * static_cast<std::size_t>(pixel)]);
+      EXPECT_NEAR(found, expected, 0.3 * expected) << x.x << ", " << x.y;
+      sum += found;
+      expected_sum += expected;
+    }
+    EXPECT_NEAR(sum, expected_sum, 0.01 * expected_sum);
+  };
+
+  constexpr double radius = 0.5;
+  constexpr double height = 0.51;
+  scene.lights = {area_light(Shape::sphere, {0.0, 0.0, height}, 2.0 * radius)};
+  expect_radiance([](const glm::dvec3& x) {
+    const double distance = glm::length(glm::dvec3(x.x, x.y, height));
+    return disk_radiance * radius * radius * height / std::pow(distance, 3.0);
+  });
+
+  constexpr double gap = 0.05;
+  scene.lights = {area_light(Shape::rectangle, {0.0, 0.0, gap}, 1.0)};
+  scene.lights[0].area->direction = {0.0, 0.0, -1.0};
+  scene.lights[0].area->height = 1.0;
+  expect_radiance([](const glm::dvec3& x) {
+    // The form factor of a parallel rectangle from below its corner.
+    const auto corner = [](double u, double v) {
+      const double a = std::hypot(u, gap);
+      const double b = std::hypot(v, gap);
+      return (u / a * std::atan(v / a) + v / b * std::atan(u / b)) / (2.0 * std::numbers::pi);
+    };
+    return disk_radiance * (corner(0.5 - x.x, 0.5 - x.y) + corner(0.5 + x.x, 0.5 - x.y) +
+                            corner(0.5 - x.x, 0.5 + x.y) + corner(0.5 + x.x, 0.5 + x.y));
+  });
+}
+
 // Scattered once and more often, seen by paths that know nothing of slices and grids.
 TEST(AreaLight, AllOrdersMatchPaths) {
   Scene scene = lit_by(area_light(Shape::rectangle, {1.6, 1.2, 0.9}, 0.8), 3.0);

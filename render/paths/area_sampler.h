@@ -1,0 +1,49 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include "brume/scene.h"
+#include "render/paths/path_random.h"
+
+namespace brume {
+
+// Draws points of an area light at random. Light that leaves a sphere outwards reaches only what is
+// outside it, and light inwards only what is inside.
+class AreaSampler {
+ public:
+  AreaSampler(const AreaLight& area, const glm::dvec3& center);
+
+  struct Point {
+    glm::dvec3 position{0.0};
+    glm::dvec3 normal{0.0};  // unit, of the front; 0 of a point light
+  };
+  // Evenly over the surface.
+  [[nodiscard]] Point on_surface(PathRandom& random) const;
+  // What a point sends towards x, relative to what it sends along its normal.
+  [[nodiscard]] double cosine(const Point& point, const glm::dvec3& x) const;
+
+  // Whether any of it is sent to x.
+  [[nodiscard]] bool shines_to(const glm::dvec3& x) const;
+
+  // Evenly over the solid angle that the light fills at x, or over the surface where that makes
+  // less noise. The mean of factor / r^2 is that solid angle over the surface's area.
+  struct SeenPoint {
+    glm::dvec3 position{0.0};
+    double factor = 0.0;
+  };
+  [[nodiscard]] SeenPoint seen_from(const glm::dvec3& x, PathRandom& random) const;
+
+ private:
+  [[nodiscard]] SeenPoint seen_on_sphere(const glm::dvec3& x, PathRandom& random) const;
+  [[nodiscard]] SeenPoint seen_on_plane(const glm::dvec3& x, PathRandom& random) const;
+  [[nodiscard]] bool is_disk() const { return area_.shape == AreaLight::Shape::disk; }
+  [[nodiscard]] bool is_sphere() const { return area_.shape == AreaLight::Shape::sphere; }
+
+  AreaLight area_;
+  glm::dvec3 center_;
+  glm::dvec3 normal_, right_, up_;  // unit; not of a sphere
+  double half_width_, half_height_;
+  double surface_area_;
+};
+
+}  // namespace brume
