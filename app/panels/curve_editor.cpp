@@ -9,10 +9,12 @@
 #include <cmath>
 
 #include "app/commands/edit_keys.h"
+#include "app/commands/scene_part_command.h"
 #include "app/document/document.h"
 #include "app/document/timeline.h"
 #include "app/panels/key_menu.h"
 #include "app/widgets/application.h"
+#include "app/widgets/keys.h"
 
 namespace brume {
 namespace {
@@ -48,6 +50,8 @@ CurveEditor::CurveEditor(Timeline& timeline, Document& document, QWidget* parent
   });
   connect(&document_, &Document::part_changed, this, &CurveEditor::refresh);
   connect(&timeline_, &Timeline::changed, this, qOverload<>(&QWidget::update));
+  connect(&mouse_, &MouseDrag::cancelled, this, &CurveEditor::cancel_drag);
+  connect(&mouse_, &MouseDrag::ended, this, [this] { drag_ = {}; });
 }
 
 void CurveEditor::set_track(const std::optional<Track>& row) {
@@ -159,6 +163,7 @@ void CurveEditor::mousePressEvent(QMouseEvent* event) {
   if (event->button() == Qt::MiddleButton) {
     drag_ = Pan{event->position()};
   } else if (event->button() == Qt::LeftButton && !curves_.empty()) {
+    mouse_.press(event->position());
     press_left(event->position(), event->modifiers() & Qt::ShiftModifier);
   }
   update();
@@ -171,7 +176,8 @@ void CurveEditor::press_left(const QPointF& at, bool adds) {
     return;
   }
   if (const auto handle = handle_near(handles(), at)) {
-    drag_ = TangentDrag{handle->mark, value_of(handle->mark), handle->side, new_merge_id()};
+    drag_ = TangentDrag{scene_part(document_.scene(), row_->part), handle->mark,
+                        value_of(handle->mark), handle->side, new_merge_id()};
     return;
   }
   constexpr double playhead_width = 4.0;  // pixels, to either side
@@ -208,6 +214,8 @@ void CurveEditor::mouseMoveEvent(QMouseEvent* event) {
     pan->last = at;
   } else if (std::holds_alternative<Scrub>(drag_)) {
     timeline_.set_frame(frame_near(at.x()));
+  } else if (!mouse_.has_begun(at)) {
+    return;
   } else if (auto* keys = std::get_if<KeysDrag>(&drag_)) {
     drag_keys(*keys, at);
   } else if (const auto* tangent = std::get_if<TangentDrag>(&drag_)) {
@@ -220,8 +228,6 @@ void CurveEditor::mouseMoveEvent(QMouseEvent* event) {
 
 void CurveEditor::drag_keys(KeysDrag& drag, const QPointF& to) {
   const QPointF moved = to - drag.press;
-  if (moved.isNull() && !drag.has_moved) return;
-  drag.has_moved = true;
   const double from = drag.grabbed.time;
   // A key between two frames stays there until it is moved.
   const double frames = std::round(timeline_.frame_of(moved.x() * axes_.time_per_pixel()));
@@ -260,10 +266,25 @@ void CurveEditor::drag_rectangle(RectangleDrag& drag, const QPointF& to) {
   }
 }
 
-void CurveEditor::mouseReleaseEvent(QMouseEvent*) {
+void CurveEditor::mouseReleaseEvent(QMouseEvent* event) {
   // A click on one of several selected keys selects it alone.
-  if (const auto* keys = std::get_if<KeysDrag>(&drag_); keys && !keys->has_moved) {
+  if (const auto* keys = std::get_if<KeysDrag>(&drag_);
+      keys && !mouse_.has_begun(event->position())) {
     selection_.set({keys->grabbed});
+  }
+  mouse_.release();
+  drag_ = {};
+  update();
+}
+
+void CurveEditor::cancel_drag() {
+  if (const auto* keys = std::get_if<KeysDrag>(&drag_)) {
+    selection_.set(keys->marks);
+    set_scene_part(document_, keys->before, {}, keys->gesture);
+  } else if (const auto* tangent = std::get_if<TangentDrag>(&drag_)) {
+    set_scene_part(document_, tangent->before, {}, tangent->gesture);
+  } else if (const auto* rectangle = std::get_if<RectangleDrag>(&drag_)) {
+    selection_.set(rectangle->kept);
   }
   drag_ = {};
   update();
@@ -327,7 +348,7 @@ void CurveEditor::delete_selected() {
 bool CurveEditor::event(QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride) {
     const auto* key = static_cast<QKeyEvent*>(event);
-    if ((key->key() == Qt::Key_Delete && !selection_.empty()) ||
+    if ((is_key_of("edit.delete", *key) && !selection_.empty()) ||
         (key->key() == Qt::Key_Home && key->modifiers() == Qt::NoModifier) ||
         key->matches(QKeySequence::SelectAll)) {
       event->accept();
@@ -338,7 +359,7 @@ bool CurveEditor::event(QEvent* event) {
 }
 
 void CurveEditor::keyPressEvent(QKeyEvent* event) {
-  if (event->key() == Qt::Key_Delete && !selection_.empty()) {
+  if (is_key_of("edit.delete", *event) && !selection_.empty()) {
     delete_selected();
   } else if (event->key() == Qt::Key_Home && event->modifiers() == Qt::NoModifier) {
     fit();

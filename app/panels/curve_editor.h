@@ -9,6 +9,7 @@
 #include "app/document/keyframe_curves.h"
 #include "app/panels/curve_axes.h"
 #include "app/panels/curve_marks.h"
+#include "app/widgets/mouse_drag.h"
 
 namespace brume {
 
@@ -62,9 +63,9 @@ class CurveEditor : public QWidget {
     CurveMark grabbed;
     QPointF press;
     MergeId gesture;
-    bool has_moved = false;
   };
   struct TangentDrag {
+    ScenePart before;
     CurveMark mark;
     double value;  // of the key
     TangentSide side;
@@ -91,6 +92,7 @@ class CurveEditor : public QWidget {
   [[nodiscard]] double value_of(const CurveMark& mark) const;
   void paint_curve(QPainter& painter, std::size_t k) const;
   void paint_handles(QPainter& painter) const;
+  void cancel_drag();
   void delete_selected();
   void level(double value);  // sets that value in all selected keys
 
@@ -101,6 +103,7 @@ class CurveEditor : public QWidget {
   CurveAxes axes_;
   CurveSelection selection_;
   std::variant<std::monostate, KeysDrag, TangentDrag, RectangleDrag, Scrub, Pan> drag_;
+  MouseDrag mouse_{this};
 };
 
 }  // namespace brume

@@ -11,6 +11,7 @@
 #include "app/document/timeline.h"
 #include "app/panels/key_menu.h"
 #include "app/widgets/application.h"
+#include "app/widgets/keys.h"
 
 namespace brume {
 namespace {
@@ -33,6 +34,11 @@ KeyframeTrack::KeyframeTrack(Timeline& timeline, Document& document, QWidget* pa
   });
   connect(&document_, &Document::part_changed, this, &KeyframeTrack::refresh);
   connect(&timeline_, &Timeline::changed, this, qOverload<>(&QWidget::update));
+  connect(&mouse_, &MouseDrag::cancelled, this, [this] {
+    if (drag_) drag_to(drag_->from);
+    drag_.reset();
+  });
+  connect(&mouse_, &MouseDrag::ended, this, [this] { drag_.reset(); });
   refresh();
 }
 
@@ -130,6 +136,7 @@ void KeyframeTrack::mousePressEvent(QMouseEvent* event) {
     if (chosen_) {
       drag_ = Drag{scene_part(document_.scene(), rows_[chosen_->row].part), chosen_->time,
                    chosen_->time, new_merge_id()};
+      mouse_.press(event->position());
     } else if (event->position().x() > first_x_ - margin) {
       scrubs_ = true;
       timeline_.set_frame(frame_at(event->position().x()));
@@ -141,18 +148,22 @@ void KeyframeTrack::mousePressEvent(QMouseEvent* event) {
 void KeyframeTrack::mouseMoveEvent(QMouseEvent* event) {
   const int frame = frame_at(event->position().x());
   if (scrubs_) timeline_.set_frame(frame);
-  if (!drag_ || !chosen_) return;
+  if (!drag_ || !mouse_.has_begun(event->position())) return;
   // A key between two frames stays there until it is moved.
   const bool is_back = frame == frame_at(x_of(timeline_.frame_of(drag_->from)));
-  const double to = is_back ? drag_->from : timeline_.time_of(frame);
-  if (to == drag_->to) return;
-  drag_->to = to;
-  chosen_->time = to;
-  const KeyMove move{drag_->from, to};
+  drag_to(is_back ? drag_->from : timeline_.time_of(frame));
+}
+
+void KeyframeTrack::drag_to(double time) {
+  if (!chosen_ || time == drag_->to) return;
+  drag_->to = time;
+  chosen_->time = time;
+  const KeyMove move{drag_->from, time};
   move_keys(document_, rows_[chosen_->row], drag_->before, {&move, 1}, drag_->gesture);
 }
 
 void KeyframeTrack::mouseReleaseEvent(QMouseEvent*) {
+  mouse_.release();
   drag_.reset();
   scrubs_ = false;
 }
@@ -188,10 +199,10 @@ void KeyframeTrack::delete_chosen() {
   delete_keys(document_, rows_[mark.row], {&mark.time, 1});
 }
 
-// Delete is a shortcut of the window too, for Gaussians.
+// The keys of Delete are shortcuts of the window too, for Gaussians.
 bool KeyframeTrack::event(QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride && chosen_ &&
-      static_cast<QKeyEvent*>(event)->key() == Qt::Key_Delete) {
+      is_key_of("edit.delete", *static_cast<QKeyEvent*>(event))) {
     event->accept();
     return true;
   }
@@ -199,7 +210,7 @@ bool KeyframeTrack::event(QEvent* event) {
 }
 
 void KeyframeTrack::keyPressEvent(QKeyEvent* event) {
-  if (event->key() == Qt::Key_Delete && chosen_) {
+  if (chosen_ && is_key_of("edit.delete", *event)) {
     delete_chosen();
   } else {
     QWidget::keyPressEvent(event);

@@ -6,6 +6,7 @@
 
 #include "app/commands/merge_id.h"
 #include "app/document/keyframe_tracks.h"
+#include "app/widgets/mouse_drag.h"
 
 namespace brume {
 
@@ -50,6 +51,7 @@ class KeyframeTrack : public QWidget {
   [[nodiscard]] int frame_at(double x) const;  // clamped to the range
   [[nodiscard]] std::optional<Mark> mark_at(QPointF position) const;
   [[nodiscard]] bool is_chosen(std::size_t row, double time) const;
+  void drag_to(double time);
   void delete_chosen();
 
   double first_x_ = 0.0;
@@ -67,6 +69,7 @@ class KeyframeTrack : public QWidget {
     MergeId gesture;
   };
   std::optional<Drag> drag_;
+  MouseDrag mouse_{this};
   bool scrubs_ = false;
 };
 

@@ -53,10 +53,6 @@ Outliner::Kind kind_of(ObjectRef::Kind kind) {
   return Outliner::Kind::medium;
 }
 
-bool is_key_of(const char* action, const QKeyEvent& event) {
-  return keys_of(action).contains(QKeySequence(event.keyCombination()));
-}
-
 }  // namespace
 
 Outliner::Outliner(Document& document, QWidget* parent)

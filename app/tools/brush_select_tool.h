@@ -25,6 +25,7 @@ class BrushSelectTool : public SelectionTool {
   void medium_changed() override { running_ = false; }
   void draw_on_film(Overlay& overlay) const override;
   [[nodiscard]] Qt::CursorShape cursor() const override { return Qt::CrossCursor; }
+  [[nodiscard]] bool draws_strokes() const override { return true; }
   void change_size(double factor) override { set_radius(radius_ * factor); }
 
  private:

@@ -30,6 +30,7 @@ class BrushTool : public Tool {
   void draw(Overlay& overlay, const CameraRays& rays) const override;
   [[nodiscard]] bool shows_handles() const override { return false; }
   [[nodiscard]] Qt::CursorShape cursor() const override { return Qt::CrossCursor; }
+  [[nodiscard]] bool draws_strokes() const override { return true; }
 
  protected:
   // Radius of the cursor's sphere at the paint point [u].

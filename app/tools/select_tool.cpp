@@ -1,7 +1,6 @@
 #include "app/tools/select_tool.h"
 #include "core/scene/camera_rays.h"
 
-#include <QLineF>
 #include <QRectF>
 #include <algorithm>
 #include <glm/geometric.hpp>
@@ -17,7 +16,6 @@
 namespace brume {
 namespace {
 
-constexpr double drag_threshold = 4.0;  // pixels; a hand is not perfectly still in a click
 constexpr QRgb emitter_color = qRgba(150, 200, 240, 170);
 constexpr QRgb object_color = qRgba(255, 190, 90, 235);
 constexpr QRgb hovered_color = qRgba(255, 235, 200, 110);
@@ -70,7 +68,7 @@ void SelectTool::move(std::span<const QPointF> path) {
     lights_.move(view().rays(), position);
     return;
   }
-  if (gesture_ == Gesture::undecided && QLineF(start_, position).length() >= drag_threshold) {
+  if (gesture_ == Gesture::undecided) {
     // In dense fog there is a handle under most places: nothing moves that was not selected.
     if (pressed_ && document_.is_selected(*pressed_)) {
       begin_move();

@@ -29,6 +29,7 @@ class SplineTool : public PaintbrushTool {
   void cancel() override;
   void abandon() override;
   void draw(Overlay& overlay, const CameraRays& rays) const override;
+  [[nodiscard]] bool draws_strokes() const override { return false; }
 
  private:
   [[nodiscard]] std::optional<std::size_t> pick(QPointF position) const;

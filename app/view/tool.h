@@ -52,6 +52,9 @@ class Tool : public QObject {
   // Whether Gaussian centers are shown for picking.
   [[nodiscard]] virtual bool shows_handles() const { return true; }
   [[nodiscard]] virtual Qt::CursorShape cursor() const { return Qt::ArrowCursor; }
+  // Whether each position of a gesture counts from the press on, as of a brush. Else a gesture is a
+  // click until it has become a MouseDrag.
+  [[nodiscard]] virtual bool draws_strokes() const { return false; }
   // Whether the tool, not the view, uses Alt + left button.
   [[nodiscard]] virtual bool uses_alt() const { return false; }
 

@@ -14,6 +14,11 @@ ViewInput::ViewInput(View& view) : view_(view) {
   timer_.setSingleShot(true);
   timer_.setInterval(0);
   connect(&timer_, &QTimer::timeout, this, &ViewInput::flush_moves);
+  connect(&tool_drag_, &MouseDrag::cancelled, this, &ViewInput::cancel);
+  connect(&tool_drag_, &MouseDrag::ended, this, [this] {
+    flush_moves();
+    release_tool();
+  });
 }
 
 void ViewInput::set_tool(Tool* tool) {
@@ -62,6 +67,7 @@ void ViewInput::start_drag(const QMouseEvent& event) {
     right_press_ = event.position();
   } else if (left && tool_) {
     drag_ = Drag::tool;
+    tool_drag_.press(event.position(), tool_->draws_strokes());
     tool_->set_pressure(pressure_);
     tool_->press(event.position(), event.modifiers());
   }
@@ -86,6 +92,7 @@ void ViewInput::flush_moves() {
       }
       break;
     case Drag::tool:
+      if (!tool_drag_.has_begun(path.back())) break;
       tool_->set_pressure(pressure_);
       tool_->move(path);
       break;
@@ -98,12 +105,12 @@ void ViewInput::flush_moves() {
 void ViewInput::release(const QMouseEvent& event) {
   flush_moves();
   const Qt::MouseButtons held = event.buttons();
-  if (drag_ == Drag::tool && !held.testFlag(Qt::LeftButton)) {
-    tool_->release(event.position());
-    drag_ = Drag::none;
-  } else if (held == Qt::NoButton) {
-    drag_ = Drag::none;
+  if (!held.testFlag(Qt::LeftButton)) {
+    last_position_ = event.position();
+    release_tool();
+    tool_drag_.release();
   }
+  if (drag_ == Drag::camera && held == Qt::NoButton) drag_ = Drag::none;
   if (event.button() == Qt::RightButton && right_press_) {
     const QPointF pressed = *std::exchange(right_press_, std::nullopt);
     if ((event.position() - pressed).manhattanLength() < 4.0) Q_EMIT menu_asked(pressed);
@@ -116,15 +123,21 @@ void ViewInput::leave() {
   if (tool_ && &tool_->view() == &view_) tool_->leave();
 }
 
-bool ViewInput::cancel() {
-  if (drag_ != Drag::tool) return false;
-  flush_moves();
+void ViewInput::release_tool() {
+  if (std::exchange(drag_, drag_ == Drag::tool ? Drag::none : drag_) == Drag::tool) {
+    tool_->release(last_position_);
+  }
+}
+
+void ViewInput::cancel() {
+  path_.clear();
+  drag_ = Drag::none;
   tool_->cancel();
-  return true;
 }
 
 void ViewInput::end_gesture() {
   path_.clear();
+  tool_drag_.release();
   if (drag_ == Drag::tool) drag_ = Drag::none;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/view/navigation.h"
+#include "app/widgets/mouse_drag.h"
 
 class QMouseEvent;
 
@@ -33,8 +34,6 @@ class ViewInput : public QObject {
   void move(QPointF position);
   void release(const QMouseEvent& event);
   void leave();
-  // Cancels the tool's gesture; false if there is none.
-  bool cancel();
   // Ends the gesture on behalf of the tool.
   void end_gesture();
 
@@ -48,10 +47,13 @@ class ViewInput : public QObject {
  private:
   enum class Drag { none, camera, tool };
   void start_drag(const QMouseEvent& event);
+  void release_tool();
+  void cancel();
 
   View& view_;
   Tool* tool_ = nullptr;
   Drag drag_ = Drag::none;
+  MouseDrag tool_drag_{this};
   NavigationDrag camera_drag_ = NavigationDrag::orbit;
   std::vector<QPointF> path_;  // collected mouse positions
   QPointF last_position_;

@@ -220,10 +220,6 @@ void Viewport::wheelEvent(QWheelEvent* event) {
   event->accept();
 }
 
-void Viewport::keyPressEvent(QKeyEvent* event) {
-  if (event->key() != Qt::Key_Escape || !input_.cancel()) QWidget::keyPressEvent(event);
-}
-
 void Viewport::leaveEvent(QEvent* /*event*/) {
   input_.leave();
 }

@@ -1,5 +1,6 @@
 #include "app/widgets/keys.h"
 
+#include <QKeyEvent>
 #include <QSettings>
 #include <array>
 #include <string_view>
@@ -110,6 +111,29 @@ QList<QKeySequence> keys_of(const char* action) {
   const QString keys = settings.value(setting_of(action)).toString();
   if (keys.isEmpty()) return {};  // Qt would make one empty sequence of it
   return QKeySequence::listFromString(keys, QKeySequence::PortableText);
+}
+
+std::optional<QKeyCombination> latin_key(const QKeyEvent& event) {
+  const int key = event.key();
+  if (key < 0x80 || key > 0xffff || QChar(key).script() == QChar::Script_Latin) return std::nullopt;
+  // Rows of keys by the codes of X11 and Wayland.
+  struct Row {
+    quint32 first;
+    std::string_view keys;
+  };
+  constexpr std::array<Row, 3> rows{
+      {{24, "QWERTYUIOP[]"}, {38, "ASDFGHJKL;'"}, {52, "ZXCVBNM,./"}}};
+  for (const Row& row : rows) {
+    const quint32 place = event.nativeScanCode() - row.first;
+    if (place >= row.keys.size()) continue;
+    return QKeyCombination(event.modifiers(), static_cast<Qt::Key>(row.keys[place]));
+  }
+  return std::nullopt;
+}
+
+bool is_key_of(const char* action, const QKeyEvent& event) {
+  const QKeyCombination pressed = latin_key(event).value_or(event.keyCombination());
+  return keys_of(action).contains(QKeySequence(pressed));
 }
 
 void remember_keys(const char* action, const QList<QKeySequence>& keys) {

@@ -2,7 +2,10 @@
 
 #include <QKeySequence>
 #include <QList>
+#include <optional>
 #include <span>
+
+class QKeyEvent;
 
 namespace brume {
 
@@ -17,6 +20,11 @@ std::span<const KeyEntry> key_table();
 // The shortcuts of an action; empty if none.
 QList<QKeySequence> keys_of(const char* action);
 QList<QKeySequence> default_keys_of(const char* action);
+// The key of a US keyboard at the place of one whose letter is of another script; nullopt for all
+// others.
+std::optional<QKeyCombination> latin_key(const QKeyEvent& event);
+// Whether it is pressed: for widgets that act themselves while they have the focus.
+bool is_key_of(const char* action, const QKeyEvent& event);
 // For this and later sessions; the default ones are no setting.
 void remember_keys(const char* action, const QList<QKeySequence>& keys);
 

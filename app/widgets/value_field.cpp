@@ -44,6 +44,11 @@ ValueField::ValueField(const QString& title, const NumberDomain& domain, Scale s
     }
   });
   connect(field_, &NumberField::adjusted, this, &ValueField::adjusted);
+  connect(&mouse_, &MouseDrag::cancelled, this, [this] {
+    if (!pressed_ || value_ == pressed_) return;
+    value_ = pressed_;
+    Q_EMIT edited(*pressed_, gesture_);
+  });
   field_->setToolTip(tr("A number, arithmetic as 0.5*3, or a change: *2  /3  +0.1  -=0.1"));
 }
 
@@ -80,12 +85,18 @@ void ValueField::change(double steps, Qt::KeyboardModifiers modifiers) {
 bool ValueField::eventFilter(QObject* watched, QEvent* event) {
   if (!isEnabled()) return QWidget::eventFilter(watched, event);
   if (event->type() == QEvent::MouseButtonPress) {
+    const auto* mouse = static_cast<QMouseEvent*>(event);
+    if (mouse->button() != Qt::LeftButton) return true;
     gesture_ = new_merge_id();
-    last_x_ = static_cast<QMouseEvent*>(event)->globalPosition().x();
+    last_x_ = mouse->globalPosition().x();
+    pressed_ = value_;
+    mouse_.press(mouse->globalPosition());
     return true;
   }
+  if (event->type() == QEvent::MouseButtonRelease) mouse_.release();
   if (event->type() == QEvent::MouseMove) {
-    auto* mouse = static_cast<QMouseEvent*>(event);
+    const auto* mouse = static_cast<QMouseEvent*>(event);
+    if (!mouse_.has_begun(mouse->globalPosition())) return true;
     const double x = mouse->globalPosition().x();
     // Small steps may round to nothing: they wait until they add up.
     const double before = value_.value_or(0.0);

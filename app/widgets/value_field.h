@@ -5,6 +5,7 @@
 
 #include "app/commands/medium_command.h"
 #include "app/document/arithmetic.h"
+#include "app/widgets/mouse_drag.h"
 #include "core/number_domain.h"
 
 class QLabel;
@@ -56,6 +57,8 @@ class ValueField : public QWidget {
   NumberField* field_;
   MergeId gesture_ = no_merge;
   double last_x_ = 0.0;
+  MouseDrag mouse_{this};
+  std::optional<double> pressed_;  // the value when the title was pressed
 };
 
 // Shows the user's unit in the fields of these object names, or of these with _x, _y and _z.

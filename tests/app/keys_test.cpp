@@ -155,6 +155,12 @@ class KeysTest : public QObject {
     QCOMPARE(document.undo_stack().undoText(), QString("Delete keyframe of light 1 position"));
     QCOMPARE(document.medium().size(), std::size_t{5});  // Delete meant the key
     document.undo_stack().undo();
+    window->document().select({1});
+    QTest::mouseClick(&keys, Qt::LeftButton, {}, keys.position(0, 30));
+    QTest::keyClick(&keys, Qt::Key_X);  // the other key of Delete
+    QCOMPARE(times(), (std::vector{0, 60}));
+    QCOMPARE(document.medium().size(), std::size_t{5});
+    document.undo_stack().undo();
     QCOMPARE(times(), (std::vector{0, 30, 60}));
 
     // Beside the keys a drag looks through time.
