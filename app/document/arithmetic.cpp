@@ -15,11 +15,18 @@ class Parser {
 
   std::optional<double> all() {
     const auto value = sum();
+    skip_blanks();
     return rest_.empty() ? value : std::nullopt;
   }
 
  private:
+  // Between numbers and signs; within a number, or between two, they are not allowed.
+  void skip_blanks() {
+    while (rest_.starts_with(' ')) rest_.remove_prefix(1);
+  }
+
   bool take(char sign) {
+    skip_blanks();
     if (rest_.empty() || rest_.front() != sign) return false;
     rest_.remove_prefix(1);
     return true;
@@ -68,6 +75,7 @@ class Parser {
   }
 
   std::optional<double> number() {
+    skip_blanks();
     // from_chars would also take "inf" and "nan".
     if (rest_.empty() ||
         !(rest_.front() == '.' || (rest_.front() >= '0' && rest_.front() <= '9'))) {
@@ -87,9 +95,7 @@ class Parser {
 }  // namespace
 
 std::optional<double> evaluate(const QString& text) {
-  std::string plain = text.simplified().toStdString();
-  std::erase(plain, ' ');
-  return Parser(plain).all();
+  return Parser(text.simplified().toStdString()).all();
 }
 
 std::optional<Adjustment> parse_adjustment(const QString& text) {

@@ -29,6 +29,7 @@
 #include "app/viewport/view_grid.h"
 #include "app/widgets/field_filter.h"
 #include "app/widgets/interface_settings.h"
+#include "app/widgets/keys.h"
 #include "app/window/message_bar.h"
 #include "app/window/recovery_bar.h"
 #include "app/window/saved_views.h"
@@ -46,11 +47,21 @@ std::filesystem::path recovery_folder() {
   return to_path(data + "/recovery");
 }
 
-// Of the window at the very first start, with its frame inside the screen.
-QSize first_size(const QScreen& screen, const QStyle& style) {
+// Where a window may be, with its frame inside the screen.
+QRect room_on(const QScreen& screen, const QStyle& style) {
   constexpr int border = 8;
-  const QSize frame(2 * border, 2 * border + style.pixelMetric(QStyle::PM_TitleBarHeight));
-  return QSize(1280, 800).boundedTo(screen.availableSize() - frame);
+  const int title = style.pixelMetric(QStyle::PM_TitleBarHeight);
+  return screen.availableGeometry().adjusted(border, border + title, -border, -border);
+}
+
+// As it was left, perhaps on a larger screen.
+void fit_into(const QRect& room, QWidget& window) {
+  if (window.isMaximized() || window.isFullScreen()) return;
+  QRect place = window.geometry();
+  place.setSize(place.size().boundedTo(room.size()));
+  place.moveLeft(std::clamp(place.left(), room.left(), room.right() + 1 - place.width()));
+  place.moveTop(std::clamp(place.top(), room.top(), room.bottom() + 1 - place.height()));
+  window.setGeometry(place);
 }
 
 }  // namespace
@@ -86,9 +97,11 @@ MainWindow::MainWindow(QWidget* parent)
   create_actions();
   connect_document();
 
-  resize(first_size(*screen(), *style()));
+  resize(QSize(1280, 800).boundedTo(room_on(*screen(), *style()).size()));
   const QSettings settings;
-  restoreGeometry(settings.value("window/geometry").toByteArray());
+  if (restoreGeometry(settings.value("window/geometry").toByteArray())) {
+    fit_into(room_on(*screen(), *style()), *this);
+  }
   restoreState(settings.value("window/state").toByteArray());
   offer_recovery();
   viewport_->setFocus();
@@ -263,6 +276,27 @@ void MainWindow::quit_with_screenshot(const QString& file) {
     });
   };
   connect(&viewport_->frames().quality(), &FrameQuality::error_changed, this, take);
+}
+
+// Panels that float were shown before the window, which would cover them.
+void MainWindow::showEvent(QShowEvent* event) {
+  QMainWindow::showEvent(event);
+  QTimer::singleShot(0, this, [this] {
+    for (QDockWidget* dock : findChildren<QDockWidget*>()) {
+      if (dock->isFloating()) dock->raise();
+    }
+  });
+}
+
+// Shortcuts are Latin letters, which a keyboard of another script alone does not have.
+void MainWindow::keyPressEvent(QKeyEvent* event) {
+  const auto latin = latin_key(*event);
+  for (QAction* action : latin ? findChildren<QAction*>() : QList<QAction*>()) {
+    if (!action->isEnabled() || !action->shortcuts().contains(QKeySequence(*latin))) continue;
+    action->trigger();
+    return;
+  }
+  QMainWindow::keyPressEvent(event);
 }
 
 void MainWindow::changeEvent(QEvent* event) {

@@ -70,6 +70,8 @@ class MainWindow : public QMainWindow {
   void quit_with_screenshot(const QString& file);
 
  protected:
+  void showEvent(QShowEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
   void changeEvent(QEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;

@@ -15,6 +15,7 @@
 #include "app/import/scene_import.h"
 #include "app/viewport/view_grid.h"
 #include "app/window/main_window.h"
+#include "app/window/message_bar.h"
 #include "app/window/simplify_dialog.h"
 #include "app/window/simplify_job.h"
 #include "core/io/file_bytes.h"
@@ -140,8 +141,14 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 void MainWindow::dropEvent(QDropEvent* event) {
   std::vector<std::filesystem::path> files;
   for (const QUrl& url : event->mimeData()->urls()) {
-    files.push_back(to_path(url.isLocalFile() ? url.toLocalFile() : url.toString()));
+    if (url.isLocalFile()) {
+      files.push_back(to_path(url.toLocalFile()));
+    } else {
+      message_bar_->show_error(tr("%1 is no file of this computer. Download it, and drop the file.")
+                                   .arg(url.toDisplayString()));
+    }
   }
+  if (files.empty()) return;
   if (files.size() == 1 && is_scene(files.front())) {
     files_->open_file(files.front());
   } else {

@@ -11,10 +11,10 @@
 
 namespace brume {
 
-// Lets files fall onto the window.
-inline void drop(TestWindow& window, const std::vector<std::filesystem::path>& files) {
+// Lets files, or what else has an address, fall onto the window.
+inline void drop(TestWindow& window, const std::vector<std::filesystem::path>& files,
+                 QList<QUrl> urls = {}) {
   QMimeData data;
-  QList<QUrl> urls;
   for (const std::filesystem::path& file : files) urls << QUrl::fromLocalFile(to_qstring(file));
   data.setUrls(urls);
   QDragEnterEvent enter(QPoint(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);

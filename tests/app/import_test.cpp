@@ -120,6 +120,14 @@ class ImportTest : public QObject {
     QVERIFY(document.scene() == before);
   }
 
+  void an_address_on_the_web_is_not_sought_as_a_file() {
+    TestWindow window;
+    drop(window, {}, {QUrl("https://example.org/cup.obj")});
+    QCOMPARE(window->document().undo_stack().count(), 0);
+    const auto* bar = window->findChild<MessageBar*>();
+    QVERIFY(bar->message().startsWith("https://example.org/cup.obj is no file of this computer"));
+  }
+
   void dropped_meshes_are_imported_in_one_step() {
     TestWindow window;
     Document& document = window->document();

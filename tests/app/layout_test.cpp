@@ -3,6 +3,7 @@
 #include <QDockWidget>
 #include <QMenu>
 #include <QScreen>
+#include <QSettings>
 
 #include "app/panels/frontier_plot.h"
 #include "tests/app/test_window.h"
@@ -42,6 +43,16 @@ class LayoutTest : public QObject {
     const QSize room = window.screen()->availableSize();
     QVERIFY(window.frameSize().width() <= room.width());
     QVERIFY(window.frameSize().height() <= room.height());
+  }
+
+  void a_window_left_on_a_larger_screen_fits_on_this_one() {
+    QWidget left;
+    left.setGeometry(0, 0, 5000, 4000);
+    QSettings().setValue("window/geometry", left.saveGeometry());
+    MainWindow window;
+    window.show();
+    QVERIFY(window.screen()->availableGeometry().contains(window.geometry()));
+    QSettings().clear();
   }
 
   void every_panel_fits_on_a_small_screen() {

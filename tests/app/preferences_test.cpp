@@ -57,6 +57,20 @@ class PreferencesTest : public QObject {
  private Q_SLOTS:
   void cleanup() { QSettings().clear(); }
 
+  void keys_work_on_a_keyboard_of_another_script() {
+    TestWindow window;
+    constexpr int place_of_b = 56;
+    QKeyEvent press(QEvent::KeyPress, 0x0418, Qt::NoModifier, place_of_b, 0, 0,
+                    QString(QChar(0x0438)));
+    QApplication::sendEvent(&window->viewport(), &press);
+    QVERIFY(window->findChild<QAction*>("tool.paintbrush")->isChecked());
+    constexpr int place_of_z = 52;
+    window->document().undo_stack().push(new QUndoCommand("nothing"));
+    QKeyEvent undo(QEvent::KeyPress, 0x042f, Qt::ControlModifier, place_of_z, 0, 0);
+    QApplication::sendEvent(&window->viewport(), &undo);
+    QCOMPARE(window->document().undo_stack().index(), 0);
+  }
+
   void keys_are_set_taken_and_given_back() {
     {
       PreferencesWindow window;
