@@ -254,6 +254,7 @@ RawScene read_with_assimp(const fs::path& file) {
                                          aiProcess_ValidateDataStructure);
   }
   if (scene == nullptr) {
+    static_cast<void>(read_first_bytes(file, 1));  // throws if there is a better reason
     // The importer's own words are about its code.
     const bool is_obj = lower_case_extension(file) == ".obj";
     throw InputError(
