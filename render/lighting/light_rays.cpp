@@ -6,6 +6,7 @@
 
 #include "core/math/basis.h"
 #include "core/math/infinity.h"
+#include "render/geometry/rounding.h"
 
 namespace brume {
 namespace {
@@ -102,7 +103,7 @@ void LightRays::trace(std::span<Ray> rays, int bands) const {
   std::vector<SurfaceHit> hits(rays.size());
   if (light_.surfaces) {
     light_.surfaces->first_hits(light_.source.position, directions, hits,
-                                light_.surfaces->min_gap());
+                                rounding_at(light_.source.position - light_.surfaces->center()));
   }
   // The volume around a sample is step * solid angle * r^2.
   const double solid_angle = 2.0 * std::numbers::pi * versine_ / static_cast<double>(ray_count());
