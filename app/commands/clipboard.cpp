@@ -14,7 +14,9 @@
 #include "app/commands/undo_text.h"
 #include "app/document/document.h"
 #include "app/document/number_text.h"
+#include "brume/error.h"
 #include "core/io/gaussians/gaussian_columns.h"
+#include "core/io/gaussians/gaussian_csv.h"
 #include "core/math/max_component.h"
 #include "core/number_domain.h"
 
@@ -79,9 +81,12 @@ QString gaussians_to_text(const std::vector<Gaussian>& gaussians) {
   return text;
 }
 
-std::vector<Gaussian> gaussians_from_text(const QString& text) {
+namespace {
+
+// What gaussians_to_text() makes; nullopt for other text.
+std::optional<std::vector<Gaussian>> copied_gaussians(const QString& text) {
   QStringList lines = text.split(QRegularExpression("[\r\n]+"), Qt::SkipEmptyParts);
-  if (lines.isEmpty() || lines.takeFirst() != heading) return {};
+  if (lines.isEmpty() || lines.takeFirst() != heading) return std::nullopt;
   std::vector<Gaussian> gaussians;
   for (const QString& line : lines) {
     const QStringList numbers = line.split('\t');
@@ -93,11 +98,11 @@ std::vector<Gaussian> gaussians_from_text(const QString& text) {
     constexpr std::size_t with_shape = with_optics + shape.size();
     if (values.size() != ball_attributes && values.size() != with_optics &&
         values.size() != with_shape) {
-      return {};
+      return std::nullopt;
     }
     Gaussian& gaussian = gaussians.emplace_back();
     for (std::size_t k = 0; k < ball_attributes; ++k) {
-      if (!attribute_problem(gaussian_attributes[k], values[k]).isEmpty()) return {};
+      if (!attribute_problem(gaussian_attributes[k], values[k]).isEmpty()) return std::nullopt;
       set_attribute_value(gaussian, gaussian_attributes[k], values[k]);
     }
     if (values.size() == ball_attributes) continue;
@@ -105,14 +110,37 @@ std::vector<Gaussian> gaussians_from_text(const QString& text) {
     bool is_allowed = true;
     gaussian.optics = gaussian_columns::optics_of(
         optics, [&](std::size_t, const std::string&) { is_allowed = false; });
-    if (!is_allowed) return {};
+    if (!is_allowed) return std::nullopt;
     if (values.size() == with_optics) continue;
     std::copy_n(values.begin() + with_optics, shape.size(), shape.begin());
     const auto allowed = shape_of(shape);
-    if (!allowed) return {};
+    if (!allowed) return std::nullopt;
     gaussian.shape = *allowed;
   }
   return gaussians;
+}
+
+// For text that begins with a row of numbers; else empty.
+QString missing_heading(const QString& text) {
+  const QString first = text.trimmed().section(QRegularExpression("[\r\n]"), 0, 0);
+  QChar separator = ' ';
+  for (const QChar sign : {'\t', ';', ','}) {
+    if (separator == ' ' && first.contains(sign)) separator = sign;
+  }
+  const QStringList cells = first.split(separator, Qt::SkipEmptyParts);
+  const bool are_numbers = std::ranges::none_of(
+      cells, [](const QString& cell) { return std::isnan(parse_number(cell)); });
+  if (cells.isEmpty() || !are_numbers) return {};
+  return QString(heading).replace('\t', separator) + '\n';
+}
+
+}  // namespace
+
+std::vector<Gaussian> gaussians_from_text(const QString& text) {
+  if (const auto copied = copied_gaussians(text)) return *copied;
+  const QString added = missing_heading(text);
+  return parse_gaussians_csv(added.isEmpty() ? "clipboard" : "clipboard below an added heading",
+                             (added + text).toStdString());
 }
 
 void copy_selection(const Document& document) {
@@ -126,7 +154,11 @@ void cut_selection(Document& document) {
 }
 
 double clipboard_radius() {
-  const auto gaussians = gaussians_from_text(QGuiApplication::clipboard()->text());
+  std::vector<Gaussian> gaussians;
+  try {
+    gaussians = gaussians_from_text(QGuiApplication::clipboard()->text());
+  } catch (const InputError&) {  // told when it is pasted
+  }
   if (gaussians.empty()) return 0.0;
   const glm::dvec3 middle = center_of(gaussians);
   double radius = 0.0;
@@ -137,7 +169,13 @@ double clipboard_radius() {
 }
 
 void paste_gaussians(Document& document, std::optional<glm::dvec3> middle) {
-  std::vector<Gaussian> gaussians = gaussians_from_text(QGuiApplication::clipboard()->text());
+  std::vector<Gaussian> gaussians;
+  try {
+    gaussians = gaussians_from_text(QGuiApplication::clipboard()->text());
+  } catch (const InputError& error) {
+    Q_EMIT document.refused(undo_text("Nothing to paste: %1").arg(error.what()));
+    return;
+  }
   if (gaussians.empty()) return;
   if (const QString problem = adding_problem(document); !problem.isEmpty()) {
     Q_EMIT document.refused(problem);

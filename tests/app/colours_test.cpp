@@ -14,6 +14,7 @@
 #include "app/viewport/viewport.h"
 #include "app/widgets/color_button.h"
 #include "app/widgets/value_field.h"
+#include "brume/error.h"
 #include "core/io/scene/scene_file.h"
 #include "core/scene/photometry.h"
 #include "tests/app/test_window.h"
@@ -166,7 +167,8 @@ class ColoursTest : public QObject {
         {{1, 2, 4}, 0.5, 2.0}};
     const QString text = gaussians_to_text(gaussians);
     QVERIFY(gaussians_from_text(text) == gaussians);
-    QVERIFY(gaussians_from_text(QString(text).replace("0.25", "1.25")).empty());
+    QVERIFY_THROWS_EXCEPTION(InputError,
+                             gaussians_from_text(QString(text).replace("0.25", "1.25")));
   }
 };
 

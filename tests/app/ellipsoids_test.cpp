@@ -23,6 +23,7 @@
 #include "app/view/bounds.h"
 #include "app/viewport/viewport.h"
 #include "app/widgets/number_field.h"
+#include "brume/error.h"
 #include "tests/app/groups_window.h"
 #include "tests/app/test_window.h"
 
@@ -533,7 +534,7 @@ class EllipsoidsTest : public QObject {
     const QString text = gaussians_to_text(gaussians);
     QVERIFY(gaussians_from_text(text) == gaussians);
     QString bad = text;
-    QVERIFY(gaussians_from_text(bad.replace("\t1\t", "\t2\t")).empty());
+    QVERIFY_THROWS_EXCEPTION(InputError, gaussians_from_text(bad.replace("\t1\t", "\t2\t")));
 
     document.select({2, 3, 4});
     window.key(Qt::Key_C, Qt::ControlModifier);

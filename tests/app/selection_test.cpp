@@ -11,6 +11,8 @@
 #include "app/tools/tool_box.h"
 #include "app/view/gizmo.h"
 #include "app/viewport/viewport.h"
+#include "app/window/message_bar.h"
+#include "brume/error.h"
 #include "core/io/scene/scene_file.h"
 #include "tests/app/test_window.h"
 
@@ -269,12 +271,31 @@ class SelectionTest : public QObject {
     for (const QString& bad :
          {QString(), QString("fog"), text + "1\t2\t3\t0\t1\n", text + "1\t2\t3\n",
           text + "1\t2\t3\tnan\t1\n", text + "1\t2\t3\t1\t-1\n"}) {
-      QVERIFY2(gaussians_from_text(bad).empty(), qPrintable(bad));
+      QVERIFY_THROWS_EXCEPTION(InputError, gaussians_from_text(bad));
+    }
+  }
+
+  void tables_of_other_programs_are_pasted() {
+    const std::vector<Gaussian> gaussians{{{1, 2, 3}, 0.5, 4}, {{-1, 0, 0.25}, 2, 0}};
+    for (const char* table :
+         {"X\tY\tZ\tRadius\tDensity\n1\t2\t3\t0.5\t4\n-1\t0\t0.25\t2\t0\n",
+          "1\t2\t3\t0.5\t4\n-1\t0\t0.25\t2\t0", "1,2,3,.5,4\r\n-1,0,.25,2,0\r\n",
+          "1 2 3 0.5 4\n-1 0 0.25 2 0\n", "1;2;3;0,5;4\n-1;0;0,25;2;0\n",
+          "density;radius;z;y;x\n4;0,5;3;2;1\n0;2;0,25;0;-1\n"}) {
+      QVERIFY2(gaussians_from_text(table) == gaussians, table);
     }
     TestWindow window;
-    QGuiApplication::clipboard()->setText("fog");
-    window.key(Qt::Key_V, Qt::ControlModifier);
+    const auto* bar = window->findChild<MessageBar*>();
+    const auto message_for = [&](const char* text) {
+      QGuiApplication::clipboard()->setText(text);
+      window.key(Qt::Key_V, Qt::ControlModifier | Qt::ShiftModifier);
+      return bar->message();
+    };
+    QVERIFY(message_for("fog").startsWith("Nothing to paste: clipboard: line 1"));
+    QVERIFY(message_for("1\t2\t3\t1\t1\n1\t2\t3\t-1\t1\n").contains("line 3, radius: found -1"));
     QVERIFY(!window->document().is_modified());
+    message_for("1,2,3,.5,4\n");
+    QCOMPARE(window->document().medium().size(), std::size_t{6});
   }
 
   void an_arrow_moves_along_its_axis() {

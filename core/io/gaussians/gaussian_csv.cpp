@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "brume/error.h"
 #include "core/io/atomic_file.h"
@@ -23,8 +24,8 @@ using gaussian_columns::names;
 // Reads Gaussians from the rows of a table, whose heading it takes.
 class CsvReader {
  public:
-  CsvReader(const std::filesystem::path& file, std::string_view number_name)
-      : file_(file), table_(file, read_bytes(file)), number_name_(number_name) {
+  CsvReader(const std::filesystem::path& file, std::string bytes, std::string_view number_name)
+      : file_(file), table_(file, std::move(bytes)), number_name_(number_name) {
     const auto has_columns = [&] { return !missing_column(); };
     if (!table_.read_heading(has_columns)) {
       throw InputError(file, "", "the file is empty; allowed: Gaussians as PLY or CSV");
@@ -137,7 +138,13 @@ class CsvReader {
 std::vector<Gaussian> read_gaussians_csv(const std::filesystem::path& file,
                                          std::vector<GaussianNumber>* ids, std::size_t max_count,
                                          std::string_view number_name) {
-  CsvReader reader(file, number_name);
+  return parse_gaussians_csv(file, read_bytes(file), ids, max_count, number_name);
+}
+
+std::vector<Gaussian> parse_gaussians_csv(const std::filesystem::path& file, std::string bytes,
+                                          std::vector<GaussianNumber>* ids, std::size_t max_count,
+                                          std::string_view number_name) {
+  CsvReader reader(file, std::move(bytes), number_name);
   std::vector<Gaussian> gaussians;
   while (const auto gaussian = reader.next()) {
     if (gaussians.size() == max_count) {

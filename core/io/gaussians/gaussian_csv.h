@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -17,6 +18,11 @@ std::vector<Gaussian> read_gaussians_csv(const std::filesystem::path& file,
                                          std::vector<GaussianNumber>* ids = nullptr,
                                          std::size_t max_count = limits::gaussians,
                                          std::string_view number_name = "id");
+// The same of its bytes; the name is for errors.
+std::vector<Gaussian> parse_gaussians_csv(const std::filesystem::path& file, std::string bytes,
+                                          std::vector<GaussianNumber>* ids = nullptr,
+                                          std::size_t max_count = limits::gaussians,
+                                          std::string_view number_name = "id");
 
 // Writes x,y,z,radius,density, and optics and shapes where there are any, with the fewest digits
 // that read back the same.
