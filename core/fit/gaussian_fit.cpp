@@ -337,7 +337,7 @@ namespace {
 // voxels, and where each Gaussian has thousands of them, fewer tell as much. nullopt: the grid
 // itself.
 std::optional<DensityGrid> sufficient_grid(const DensityGrid& grid, std::size_t count) {
-  constexpr std::size_t max_voxels = 4096;  // of each Gaussian
+  constexpr std::size_t max_voxels = 1024;  // of each Gaussian
   std::optional<DensityGrid> result;
   for (const DensityGrid* last = &grid;
        last->blocks.size() * DensityGrid::block_size > max_voxels * count; last = &*result) {
