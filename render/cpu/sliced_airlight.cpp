@@ -194,7 +194,9 @@ std::uint64_t sliced_airlight(const MediumIndex& medium, std::span<const std::ui
         pack[l].map_origin = glm::vec3(0.0f);
         if (light.table) pack[l].in_table = glm::vec3(light.table->map().components(from_light));
         if (light.shadows) {
-          pack[l].in_shadows = glm::vec3(light.shadows->map().components(from_light));
+          const glm::dvec3 in_shadows = light.shadows->map().components(from_light);
+          pack[l].in_shadows = glm::vec3(in_shadows);
+          pack[l].shadow_depth = static_cast<float>(in_shadows.z - light.shadows->start());
         }
       }
       if (!light.fog.is_endless()) {

@@ -149,9 +149,12 @@ void OpticalDepthTables::upload(std::span<const SlicedLight> lights, const Shado
     }
     if (shadows && !shadows->empty()) {
       u.has_shadows = 1;
-      if (light.is_far) u.in_shadows = glm::vec4(shadows->map(l).components(from_light), 0.0);
+      if (light.is_far) {
+        const glm::dvec3 in_shadows = shadows->map(l).components(from_light);
+        u.in_shadows = glm::vec4(in_shadows, in_shadows.z - shadows->start(l));
+      }
       u.shadows = map_data(shadows->map(l), shadows->first(l));
-      u.shadow_share = brume::shadow_share(shadows->map(l));
+      u.shadow_bias = brume::shadow_bias(shadows->map(l));
     }
   }
   lights_.upload(std::span<const LightData>(data));

@@ -245,6 +245,7 @@ void add_film(Constants& constants) {
   constants.add_double("near_radii", RayCaster::near_radii);
   constants.add_double("start_radii", RayCaster::start_radii);
   constants.add_double("position_rounding", position_rounding);
+  constants.add_double("edge_on_rounding", edge_on_rounding);
   constants.add_double("edge_on_share", edge_on_share);
   constants.add("light_margin", RayCaster::light_margin);
   constants.add("peak_slices", peak_slices);

@@ -107,7 +107,7 @@ static_assert(is_std430(map_members, sizeof(MapData)));
 
 constexpr std::array light_members{
     BRUME_MEMBER(LightData, position),       BRUME_MEMBER(LightData, h_min),
-    BRUME_MEMBER(LightData, intensity),      BRUME_MEMBER(LightData, shadow_share),
+    BRUME_MEMBER(LightData, intensity),      BRUME_MEMBER(LightData, shadow_bias),
     BRUME_MEMBER(LightData, first_radius),   BRUME_MEMBER(LightData, radii_per_unit),
     BRUME_MEMBER(LightData, curvature),      BRUME_MEMBER(LightData, max_depth),
     BRUME_MEMBER(LightData, radii),          BRUME_MEMBER(LightData, has_table),

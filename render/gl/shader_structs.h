@@ -27,7 +27,7 @@ struct LightData {
   glm::vec3 position{0.0f};  // relative to the eye, or to the center of the surfaces
   float h_min = 0.0f;        // see PointLightRay
   glm::vec3 intensity{0.0f};
-  float shadow_share = 0.0f;  // see shadow_share()
+  float shadow_bias = 0.0f;  // see shadow_bias()
   // Of the table, see TableRadii.
   float first_radius = 0.0f;
   float radii_per_unit = 0.0f;
@@ -54,7 +54,7 @@ struct LightData {
   // See SliceLight.
   glm::vec4 map_origin{0.0f};
   glm::vec4 in_table{0.0f};
-  glm::vec4 in_shadows{0.0f};
+  glm::vec4 in_shadows{0.0f};  // w: shadow_depth
   MapData table;
   MapData shadows;
 };

@@ -4,6 +4,7 @@
 
 #include "render/geometry/rounding.h"
 #include "render/gl/optical_depth_tables.h"
+#include "render/lighting/shadow_map.h"
 
 namespace brume::gl {
 
@@ -20,10 +21,12 @@ void ShadowMaps::make(Programs& programs, MeshBuffers& mesh, std::span<const Sli
   for (std::size_t l = 0; l < lights.size(); ++l) {
     Map& map = maps_[l];
     if (map.made && map.light == lights[l].position && map.directions == directions[l]) continue;
-    map = {lights[l].position, directions[l], true};
+    map = {lights[l].position, directions[l],
+           shadow_start(directions[l], lights[l].position, mesh.center()), true};
     const Program& program = programs["shadow_map"];
     set_map(program, map_data(map.directions, first(l)));
     program.set("light", map.light - mesh.center());
+    program.set("start", map.start);
     program.set("nearest", static_cast<float>(rounding_at(map.light - mesh.center())));
     mesh.bind(program);
     program.bind("Shadows", values_);

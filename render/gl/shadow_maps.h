@@ -23,6 +23,7 @@ class ShadowMaps {
 
   [[nodiscard]] bool empty() const { return maps_.empty(); }
   [[nodiscard]] const DirectionMap& map(std::size_t light) const { return maps_[light].directions; }
+  [[nodiscard]] double start(std::size_t light) const { return maps_[light].start; }
   // Index of a light's first value.
   [[nodiscard]] std::size_t first(std::size_t light) const { return light * slot_; }
   Buffer& values() { return values_; }
@@ -31,6 +32,7 @@ class ShadowMaps {
   struct Map {
     glm::dvec3 light{0.0};
     DirectionMap directions;
+    double start = 0.0;  // shadow_start()
     bool made = false;
   };
   Revision revision_ = 0;  // revision of the surfaces

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <glm/geometric.hpp>
 #include <vector>
 
 #include "render/geometry/direction_map.h"
@@ -7,15 +8,22 @@
 
 namespace brume {
 
-// A point is lit where this share of its distance from the light is no more than a shadow map's. A
-// cell stands for its neighbourhood, where a slanting surface is nearer and farther by about the
-// cells' width: so much behind the surface is still lit, or all surfaces would be darkened.
-inline float shadow_share(const DirectionMap& map) {
-  return 1.0f - 2.0f * static_cast<float>(map.cell_angle());
+// A cell of a shadow map stands for its neighbourhood, where a slanting surface is nearer and
+// farther by about the cells' width: this share of a point's distance from the light behind the
+// surface is still lit, or all surfaces would be darkened.
+inline float shadow_bias(const DirectionMap& map) {
+  return 2.0f * static_cast<float>(map.cell_angle());
 }
 
-// Shadow map of a point light: distance to the first surface per direction, for shadows of surfaces
-// in the medium (light shafts). Traced in parallel by Embree.
+// Shadow maps of full spheres hold distances. Those of far lights hold depths along the map's axis
+// from this depth on, that of the surfaces' center: at the light's distance float has no digits.
+inline double shadow_start(const DirectionMap& map, const glm::dvec3& light,
+                           const glm::dvec3& center) {
+  return map.octahedral ? 0.0 : glm::dot(center - light, glm::dvec3(map.axis));
+}
+
+// Shadow map of a point light: depth of the first surface per direction, for shadows of surfaces in
+// the medium (light shafts). Traced in parallel by Embree.
 class ShadowMap {
  public:
   ShadowMap(const RayCaster& ray_caster, const glm::dvec3& light, const DirectionMap& map);
@@ -23,19 +31,21 @@ class ShadowMap {
   [[nodiscard]] const glm::dvec3& light() const { return light_; }
   [[nodiscard]] const DirectionMap& map() const { return map_; }
   // No surfaces.
-  [[nodiscard]] bool empty() const { return distances_.empty(); }
-  // Rows of map().stride() distances [u], +inf where nothing is hit.
-  [[nodiscard]] const float* distances() const { return distances_.data(); }
+  [[nodiscard]] bool empty() const { return depths_.empty(); }
+  [[nodiscard]] double start() const { return start_; }  // shadow_start()
+  // Rows of map().stride() depths [u], +inf where nothing is hit.
+  [[nodiscard]] const float* depths() const { return depths_.data(); }
   // Minimum and maximum over each 2 x 2 footprint of bilinear interpolation.
   struct Range {
-    float min_distance, max_distance;
+    float min_depth, max_depth;
   };
   [[nodiscard]] const Range* ranges() const { return ranges_.data(); }
 
  private:
   glm::dvec3 light_;
   DirectionMap map_;
-  std::vector<float> distances_;
+  double start_ = 0.0;
+  std::vector<float> depths_;
   std::vector<Range> ranges_;
 };
 

@@ -120,23 +120,29 @@ void LookupDepths(const OpticalDepthTable::View& table, const PathBatch& paths, 
 }
 
 // Visibility, bilinear over four cells (percentage-closer filtering).
-HWY_INLINE V Lit(const ShadowMap& shadows, const Vector& q, const glm::vec3& origin, V distance) {
+HWY_INLINE V Lit(const SliceLight& light, const Vector& q, V distance) {
   const D d;
   const hn::RebindToSigned<D> di;
-  const MapPosition position(shadows.map(), q, origin, distance);
+  const ShadowMap& shadows = *light.shadows;
+  const DirectionMap& map = shadows.map();
+  const MapPosition position(map, q, light.in_shadows, distance);
+  const V depth = map.octahedral
+                      ? distance
+                      : hn::Add(dot(q, Vector{set(map.axis.x), set(map.axis.y), set(map.axis.z)}),
+                                set(light.shadow_depth));
   // Slope bias of the shadow map: avoids self-shadowing.
-  const V near = hn::Mul(distance, set(shadow_share(shadows.map())));
+  const V near = hn::NegMulAdd(distance, set(shadow_bias(map)), depth);
   // Mostly all four cells agree.
-  const float* const ranges = &shadows.ranges()->min_distance;
+  const float* const ranges = &shadows.ranges()->min_depth;
   const auto range = hn::ShiftLeft<1>(position.cell);
   const auto lit = hn::Le(near, hn::GatherIndex(d, ranges, range));
   if (hn::AllTrue(d, lit)) return set(1.0f);
   const auto dark = hn::Gt(near, hn::GatherIndex(d, ranges, hn::Add(range, hn::Set(di, 1))));
   if (hn::AllTrue(d, hn::Or(lit, dark))) return hn::IfThenElseZero(lit, set(1.0f));
   return position.Mix(shadows.map().stride(), [&](int cell) HWY_ATTR {
-    const V occluder_distance =
-        hn::GatherIndex(d, shadows.distances(), hn::Add(position.cell, hn::Set(di, cell)));
-    return hn::IfThenElseZero(hn::Le(near, occluder_distance), set(1.0f));
+    const V occluder_depth =
+        hn::GatherIndex(d, shadows.depths(), hn::Add(position.cell, hn::Set(di, cell)));
+    return hn::IfThenElseZero(hn::Le(near, occluder_depth), set(1.0f));
   });
 }
 
@@ -357,8 +363,7 @@ void SumSlices(const PathBatch& rays, const RaySlices& slices, const float* incr
             light_depth = hn::Add(light_depth, Lookup(tables[l], q, lights[l].in_table, distance));
           }
           V light = hn::Mul(falloff, hn::Exp(d, hn::Mul(light_depth, set(-lights[l].extinction))));
-          if (lights[l].shadows)
-            light = hn::Mul(light, Lit(*lights[l].shadows, q, lights[l].in_shadows, distance));
+          if (lights[l].shadows) light = hn::Mul(light, Lit(lights[l], q, distance));
           V fraction = scattered_fraction;
           if (scattering.anisotropy != 0.0f) {
             const V cosine = CosTheta(d, along, distance);

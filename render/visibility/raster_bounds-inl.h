@@ -103,7 +103,7 @@ HWY_INLINE bool IsEdgeOn(const RasterTriangles& triangles, const glm::uvec3& c,
   const glm::vec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
   const glm::vec3 sizes = glm::max(glm::vec3(coordinate_sizes(corners)), glm::abs(view.eye));
   const float size = std::max({sizes.x, sizes.y, sizes.z});
-  constexpr auto rounding = static_cast<float>(100.0 * position_rounding);
+  constexpr auto rounding = static_cast<float>(100.0 * edge_on_rounding);
   constexpr auto share = static_cast<float>(100.0 * edge_on_share);
   if (std::abs(glm::dot(normal, view.eye - corners[0])) >
       glm::dot(glm::abs(normal), rounding * sizes + share * size)) {

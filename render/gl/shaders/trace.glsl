@@ -35,7 +35,7 @@ bool is_edge_on(vec3 a, vec3 b, vec3 c) {
   const dvec3 normal = cross(dvec3(b) - dvec3(a), dvec3(c) - dvec3(a));
   const dvec3 sizes = max(dvec3(max(abs(a), max(abs(b), abs(c)))), abs(seen_from));
   return abs(dot(normal, seen_from - dvec3(a))) <=
-         position_rounding * dot(abs(normal), sizes) +
+         edge_on_rounding * dot(abs(normal), sizes) +
              edge_on_share * max(sizes.x, max(sizes.y, sizes.z)) * length(normal);
 }
 
@@ -120,16 +120,15 @@ bool is_near(dvec3 origin) { return length(origin) < near_radii * surfaces_radiu
 
 // The nearest surface on a ray from any distance, in double up to where float will do: it starts at
 // the ball around the surfaces. `skip`: how far that is. Hits nearer than `nearest` do not count.
-Hit first_hit(dvec3 origin, dvec3 direction, float nearest, out float skip) {
-  double start = 0.0LF;
+Hit first_hit(dvec3 origin, dvec3 direction, float nearest, out double skip) {
+  skip = 0.0LF;
   if (!is_near(origin)) {
-    start = max(-dot(origin, direction) - start_radii * surfaces_radius, 0.0LF);
+    skip = max(-dot(origin, direction) - start_radii * surfaces_radius, 0.0LF);
   }
-  skip = float(start);
   seen_from = origin;
   skips_edge_on = true;
-  const Hit hit = trace(vec3(origin + start * direction), vec3(direction),
-                        max(nearest - skip, 0.0), beyond_all, false);
+  const Hit hit = trace(vec3(origin + skip * direction), vec3(direction),
+                        max(nearest - float(skip), 0.0), beyond_all, false);
   skips_edge_on = false;
   return hit;
 }
