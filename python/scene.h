@@ -5,13 +5,9 @@
 
 #include "brume/files.h"
 #include "python/medium.h"
+#include "python/parts.h"
 
 namespace brume::python {
-
-// A camera with its keyframes.
-struct KeyedCamera : Camera {
-  CameraKeys keys;
-};
 
 // A scene whose parts Python holds and changes: what list and what medium they are in does not
 // matter to their lives. They are put together to be rendered or saved.

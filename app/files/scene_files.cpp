@@ -233,9 +233,8 @@ bool SceneFiles::may_discard() {
   commit_typing();
   check_file_exists();
   if (!document_.is_modified()) return true;
-  const QString question = document_.is_file_missing()
-                               ? tr("“%1” is missing on disk. Save the scene there again?")
-                               : tr("Save the changes to “%1”?");
+  const QString question = lacks_file() ? tr("“%1” is missing on disk. Save the scene there again?")
+                                        : tr("Save the changes to “%1”?");
   const auto answer = ask(window_, tr("Unsaved changes"), question.arg(document_.name()),
                           {{QMessageBox::Save}, {QMessageBox::Discard}, {QMessageBox::Cancel}});
   if (answer == QMessageBox::Save) return save();
