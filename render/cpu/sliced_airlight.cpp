@@ -193,11 +193,13 @@ std::uint64_t sliced_airlight(const MediumIndex& medium, std::span<const std::ui
         const glm::dvec3 from_light = rays.eye - light.position;
         pack[l].map_origin = glm::vec3(0.0f);
         if (light.table) pack[l].in_table = glm::vec3(light.table->map().components(from_light));
-        if (light.shadows) {
-          const glm::dvec3 in_shadows = light.shadows->map().components(from_light);
-          pack[l].in_shadows = glm::vec3(in_shadows);
-          pack[l].shadow_depth = static_cast<float>(in_shadows.z - light.shadows->start());
-        }
+      }
+      if (light.shadows) {
+        const glm::dvec3 in_shadows =
+            light.is_far ? light.shadows->map().components(rays.eye - light.position)
+                         : glm::dvec3(0.0);
+        pack[l].in_shadows = glm::vec3(in_shadows);
+        pack[l].shadow_depth = static_cast<float>(in_shadows.z - light.shadows->start());
       }
       if (!light.fog.is_endless()) {
         pack[l].fog_center = glm::vec3(light.fog.center - rays.eye);

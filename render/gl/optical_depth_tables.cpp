@@ -149,10 +149,9 @@ void OpticalDepthTables::upload(std::span<const SlicedLight> lights, const Shado
     }
     if (shadows && !shadows->empty()) {
       u.has_shadows = 1;
-      if (light.is_far) {
-        const glm::dvec3 in_shadows = shadows->map(l).components(from_light);
-        u.in_shadows = glm::vec4(in_shadows, in_shadows.z - shadows->start(l));
-      }
+      const glm::dvec3 in_shadows =
+          light.is_far ? shadows->map(l).components(from_light) : glm::dvec3(0.0);
+      u.in_shadows = glm::vec4(in_shadows, in_shadows.z - shadows->start(l));
       u.shadows = map_data(shadows->map(l), shadows->first(l));
       u.shadow_bias = brume::shadow_bias(shadows->map(l));
     }

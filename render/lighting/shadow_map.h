@@ -15,8 +15,8 @@ inline float shadow_bias(const DirectionMap& map) {
   return 2.0f * static_cast<float>(map.cell_angle());
 }
 
-// Shadow maps of full spheres hold distances. Those of far lights hold depths along the map's axis
-// from this depth on, that of the surfaces' center: at the light's distance float has no digits.
+// Shadow maps of full spheres hold distances. Others hold depths along the map's axis from this
+// depth on, that of the surfaces' center: at a far light's distance float has no digits.
 inline double shadow_start(const DirectionMap& map, const glm::dvec3& light,
                            const glm::dvec3& center) {
   return map.octahedral ? 0.0 : glm::dot(center - light, glm::dvec3(map.axis));

@@ -43,7 +43,7 @@ struct SliceLight {
   // place in the maps of table and shadows follows. Far from their origin floats are too coarse.
   glm::vec3 map_origin{0.0f};
   glm::vec3 in_table{0.0f}, in_shadows{0.0f};
-  float shadow_depth = 0.0f;  // of that in the shadow map, of a far light
+  float shadow_depth = 0.0f;  // of map_origin in the shadow map
 };
 
 // Neighbouring slices share a look-up of the source function at their mean position: half the work,
