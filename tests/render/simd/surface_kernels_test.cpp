@@ -116,7 +116,7 @@ TEST(SurfaceKernels, TrianglesWithoutNormalsHaveTheSideOfTheirWinding) {
     const glm::dvec3 w(0.0, 0.0, -side);
     const std::vector hits{ray_caster.first_hit(eye, w)};
     SurfacePoints points;
-    ray_caster.points(hits, std::vector{glm::vec3(w)}, surfaces, points);
+    ray_caster.points(hits, eye, std::vector{glm::vec3(w)}, surfaces, points);
     EXPECT_EQ(points.normal[0], glm::dvec3(0, 0, side));
     EXPECT_EQ(points.side[0], side);
     EXPECT_EQ(ray_caster.point(hits[0], eye, w, surfaces).normal, glm::dvec3(0, 0, side));
