@@ -91,7 +91,7 @@ render/settings.*:
 render/display/*.[hc]*:$values
 render/simd/*.[hc]*:$values render/geometry/
 render/visibility/*.[hc]*:render/util/ render/geometry/ render/simd/
-render/transfer/*.[hc]*:render/util/ render/simd/ render/visibility/
+render/transfer/*.[hc]*:render/util/ render/geometry/ render/simd/ render/visibility/
 render/render_plan.*:$values render/transfer/
 render/lighting/*.[hc]*:$values render/util/ render/geometry/ render/simd/ render/visibility/
 render/shading/*.[hc]*:$values render/render_plan.h render/util/ render/transfer/ $surfaces

@@ -380,12 +380,14 @@ std::optional<Fit> fit_gaussians(const DensityGrid& grid, const FitOptions& opti
     if (!coarse) {
       return fit_anew(fitting, grid, count, options, stop, progress_begin, progress_end);
     }
-    constexpr int final_steps = 15;
-    constexpr double min_gain = 0.02;  // the steps before were cheaper
+    // The steps before were cheaper.
+    constexpr int final_steps = 3;
+    constexpr double min_gain = 0.02;
     const double middle = 0.5 * (progress_begin + progress_end);
     Fitting first(*coarse, options.shape, stop, progress);
     if (!fit_anew(first, *coarse, count, options, stop, progress_begin, middle)) return false;
     fitting.begin(to_fit_gaussians(grid, first.result().gaussians));
+    if (fitting.error() <= 1.1 * first.error()) return true;
     return fitting.descend(final_steps, options.max_error, middle, progress_end, min_gain);
   };
   if (!(options.max_error > 0.0)) {

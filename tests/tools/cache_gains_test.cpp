@@ -60,8 +60,8 @@ TEST(CacheGains, HaveARowPerCache) {
     EXPECT_GT(gain.with_cpu_ms.median, 0.0) << gain.cache;
     EXPECT_TRUE(std::isfinite(gain.gain.median)) << gain.cache;
     EXPECT_GT(gain.code.lines, 0) << gain.cache;
-    const bool is_of_motion = gain.cache == "merged medium, where edits are followed";
-    EXPECT_EQ(gain.change > 0.0, is_of_motion) << gain.cache;
+    if (gain.cache == "merged medium, where edits are followed") continue;
+    EXPECT_EQ(gain.change, 0.0) << gain.cache;
   }
   EXPECT_EQ(names.size(), frame_caches().size());
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -67,6 +68,7 @@ TEST_F(CommandLine, RefusesBadUsageInOneLineWithASuggestion) {
                  {"--airlight-scale: path is never interpolated"});
   expect_refused({"render", scene_, "-o", out, "--backend", "vulkan"}, {"allowed: auto, cpu, gl"});
   expect_refused({"info", file("smoke.vdb")}, {"smoke.vdb", "no such file"});
+  std::ofstream(file("a.txt")) << "no scene\n";
   expect_refused({"info", file("a.txt")}, {"allowed: .brume, .ply"});
   expect_refused({"line one\nline two"}, {"unknown subcommand"});
   EXPECT_FALSE(std::filesystem::exists(out));

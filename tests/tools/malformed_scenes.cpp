@@ -484,7 +484,7 @@ std::vector<MalformedCase> malformed_cases() {
       {"environment without colours",
        environment(R"("file": "depth.exr")"),
        "environment.file",
-       {"depth.exr", "channel R"}},
+       {"depth.exr", "channels R G B"}},
       {"environment rotated by a text",
        environment(R"("file": "sky.hdr", "rotation": "90")"),
        "environment.rotation",

@@ -116,7 +116,10 @@ std::shared_ptr<const TriangleMesh> read_mesh(const std::filesystem::path& file,
     warnings->insert(warnings->end(), raw.warnings.begin(), raw.warnings.end());
   }
   Triangulation faces = triangulate(raw);
-  if (faces.triangles.empty()) throw InputError(file, "", "the mesh has no faces");
+  if (faces.triangles.empty()) {
+    const std::string why = raw.warnings.empty() ? "" : ": " + raw.warnings.front();
+    throw InputError(file, "", "the mesh has no faces" + why);
+  }
   return to_triangle_mesh(file, raw, std::move(faces));
 }
 

@@ -88,11 +88,12 @@ TEST(TextureFile, ReadsJpeg) {
 TEST(TextureFile, ReadsJpegOfInks) {
   std::vector<std::uint8_t> inks;
   for (int i = 0; i < width * height; ++i) inks.insert(inks.end(), {255, 0, 128, 200});
-  const Pixels pixels = decode_jpeg("a.jpg", jpeg(inks, JCS_CMYK, 4));
-  EXPECT_NEAR(pixels.rgba[0], 200, 6);
-  EXPECT_NEAR(pixels.rgba[1], 0, 6);
-  EXPECT_NEAR(pixels.rgba[2], 100, 6);
-  EXPECT_EQ(pixels.rgba[3], 255);
+  Pixels pixels = decode_jpeg("a.jpg", jpeg(inks, JCS_CMYK, 4));
+  const std::uint8_t* pixel = pixels.row(0);
+  EXPECT_NEAR(pixel[0], 200, 6);
+  EXPECT_NEAR(pixel[1], 0, 6);
+  EXPECT_NEAR(pixel[2], 100, 6);
+  EXPECT_EQ(pixel[3], 255);
 }
 
 TEST(TextureFile, NamesWhatItFound) {

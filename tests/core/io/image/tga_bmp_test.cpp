@@ -19,12 +19,13 @@ const std::vector<Rgba> picture_colors{{255, 0, 0, 255}, {0, 255, 0, 255},     {
 constexpr int picture_width = 3;
 constexpr int picture_height = 2;
 
-std::vector<Rgba> rows_of(const Pixels& pixels) {
+std::vector<Rgba> rows_of(Pixels pixels) {
   EXPECT_EQ(pixels.width, picture_width);
   EXPECT_EQ(pixels.height, picture_height);
   std::vector<Rgba> result;
-  for (std::size_t i = 0; i < pixels.rgba.size(); i += 4) {
-    result.push_back({pixels.rgba[i], pixels.rgba[i + 1], pixels.rgba[i + 2], pixels.rgba[i + 3]});
+  for (std::size_t i = 0; i < pixels.rgba.size(); ++i) {
+    const std::uint8_t* pixel = pixels.row(0) + 4 * i;
+    result.push_back({pixel[0], pixel[1], pixel[2], pixel[3]});
   }
   return result;
 }

@@ -114,7 +114,7 @@ TEST_F(GltfValues, ImagesThatHaveNoFileAreMissing) {
     const MetallicRoughness values =
         read_material({{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}});
     EXPECT_EQ(values.base_color_texture.content, nullptr);
-    EXPECT_TRUE(is_warned("images[].uri: found")) << image;
+    EXPECT_TRUE(is_warned("images[0].uri: found")) << image;
     EXPECT_EQ(warnings_.size(), 1u);
   }
 }
