@@ -112,9 +112,9 @@ void MetallicRoughnessForm::add_texture(QFormLayout& form, const QString& title,
 }
 
 void MetallicRoughnessForm::ask_for_texture(Slot slot) {
-  const QString filter = has_colors(slot)
-                             ? tr("Images (*.png *.jpg *.jpeg *.tga *.bmp *.exr *.hdr);;All files (*)")
-                             : tr("Images (*.png *.jpg *.jpeg *.tga *.bmp);;All files (*)");
+  const QString filter =
+      has_colors(slot) ? tr("Images (*.png *.jpg *.jpeg *.tga *.bmp *.exr *.hdr);;All files (*)")
+                       : tr("Images (*.png *.jpg *.jpeg *.tga *.bmp);;All files (*)");
   const std::filesystem::path file =
       ask_for_file(this, FileKind::material, tr("Choose a texture"), filter, document_.folder());
   if (!file.empty()) load_texture(slot, file);

@@ -22,8 +22,8 @@ class FieldFilter : public QObject {
   bool eventFilter(QObject* watched, QEvent* event) override;
 };
 
-// Ends typing in the line, number or cell of a table that has the focus, whose text counts. Whatever
-// saves, closes or replaces the scene without a click or a key calls this first.
+// Ends typing in the line, number or cell of a table that has the focus, whose text counts.
+// Whatever saves, closes or replaces the scene without a click or a key calls this first.
 void commit_typing();
 
 // Ends editing: moves the focus to the main window's central widget. False if there is none, as in

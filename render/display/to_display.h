@@ -12,8 +12,8 @@ namespace brume {
 
 // How linear radiance is shown. A view transform is never baked into an EXR.
 struct DisplayLook {
-  double exposure = 0.0;                  // [stops]
-  std::shared_ptr<const ColorView> view;  // null: Khronos PBR Neutral in sRGB, see neutral_view.h
+  double exposure = 0.0;                    // [stops]
+  std::shared_ptr<const ColorView> view{};  // null: Khronos PBR Neutral in sRGB, see neutral_view.h
 
   bool operator==(const DisplayLook&) const = default;
 };

@@ -36,8 +36,8 @@ class SettingsTest : public QObject {
       QVERIFY2(evaluate(text) == value, text);
       QVERIFY2(parse_number(text) == value, text);
     }
-    for (const char* bad :
-         {"", "2*", "*2", "(1", "1)", "two", "1 2+", "1 2", "1\t2\t3", "inf", "nan*1", "0x10", "2**3", "1+e"}) {
+    for (const char* bad : {"", "2*", "*2", "(1", "1)", "two", "1 2+", "1 2", "1\t2\t3", "inf",
+                            "nan*1", "0x10", "2**3", "1+e"}) {
       QVERIFY2(!evaluate(bad), bad);
     }
     QVERIFY(!evaluate(QString(100000, '(')));

@@ -51,7 +51,8 @@ TEST_F(Messages, DoNotDriveTheTerminal) {
            {"render", scene, "-o", file("o.png"), "--size", key},
            {"render", scene, "-o", file("o.png"), "--backend", key},
            {"render", scene, "-o", file("o.png"), "--threads", key},
-           {"render", scene, "-o", std::filesystem::path(scene) / key / "o.png"},  // a file is no folder
+           {"render", scene, "-o",
+            std::filesystem::path(scene) / key / "o.png"},  // a file is no folder
            {"export", scene, "-o", file("o.vdb"), "--frames", key}}) {
     SCOPED_TRACE(arguments.front());
     const ProgramResult result = run_brume(arguments);

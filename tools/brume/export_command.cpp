@@ -128,7 +128,8 @@ class ExportCommand final : public Command {
       files_.add_output(outputs.file_of(frame));
       if (are_files) files_.add_input(parse_pattern(input_).file_of(frame));
     }
-    if (!are_files) read_scene_at(time_of(frames.front()));  // what is wrong with it is so in all
+    // What is wrong with the scene is wrong in all frames.
+    if (!are_files) static_cast<void>(read_scene_at(time_of(frames.front())));
     return run_frames(frames, [&](int frame, const std::string&) {
       if (lit_) return writing_lit(time_of(frame), outputs.file_of(frame));
       return writing(

@@ -308,10 +308,9 @@ bool RenderOptions::measures_error() const {
 std::string RenderOptions::what_matters(const Scene& scene,
                                         const std::set<std::string>& others) const {
   // Whatever is added counts, unless it is listed here.
-  constexpr std::array does_not{"SCENE",    "output",       "frames",  "skip-existing",
-                                "progress", "threads",      "repeat",  "stats",
-                                "time",     "color-config", "display", "view",
-                                "fps"};
+  constexpr std::array does_not{"SCENE",   "output", "frames", "skip-existing", "progress",
+                                "threads", "repeat", "stats",  "time",          "color-config",
+                                "display", "view",   "fps"};
   std::string text = "frame_rate=" + quoted_text(frame_rate(scene)) + "\n";
   for (const CLI::Option* option : app_.get_options()) {
     const std::string name = option->get_single_name();

@@ -214,7 +214,7 @@ TEST(GaussianFit, RecoversTheMedium) {
 TEST(GaussianFit, FewGaussiansInManyVoxelsTakeFewSteps) {
   const Medium medium = some_medium(10, 8);
   const Fit fit = *fit_gaussians(sampled(medium, 0.04), {10, 0.0});
-  EXPECT_LT(fit.products, 60u);  // three steps
+  EXPECT_LT(fit.products, 60u);        // three steps
   EXPECT_LT(fit.density_error, 0.08);  // at the grid's own resolution alone 0.04
 }
 

@@ -12,7 +12,7 @@
 namespace brume {
 namespace {
 
-constexpr int frames[] = {3, 1, 4, 7};
+constexpr int loop_frames[] = {3, 1, 4, 7};
 
 TEST(FrameLoop, MakesAllAndSkipsWhatIsThere) {
   std::vector<std::string> told;
@@ -29,7 +29,7 @@ TEST(FrameLoop, MakesAllAndSkipsWhatIsThere) {
     EXPECT_EQ(of, 4u);
     done.push_back(count);
   };
-  const FrameLoop::Result result = FrameLoop::run(frames, steps);
+  const FrameLoop::Result result = FrameLoop::run(loop_frames, steps);
   EXPECT_EQ(result.made, (std::vector{3, 4, 7}));
   EXPECT_EQ(result.skipped, std::vector{1});
   EXPECT_TRUE(result.failed.empty());
@@ -52,7 +52,7 @@ TEST(FrameLoop, WritesWhileItMakes) {
       EXPECT_EQ(waited, std::future_status::ready);
     };
   };
-  EXPECT_EQ(FrameLoop::run(frames, steps).made.size(), 4u);
+  EXPECT_EQ(FrameLoop::run(loop_frames, steps).made.size(), 4u);
 }
 
 TEST(FrameLoop, FailuresLeaveOtherFramesAlone) {
@@ -68,7 +68,7 @@ TEST(FrameLoop, FailuresLeaveOtherFramesAlone) {
   steps.failed = [&](int frame, const std::string& why) {
     said.push_back(std::to_string(frame) + " " + why);
   };
-  const FrameLoop::Result result = FrameLoop::run(frames, steps);
+  const FrameLoop::Result result = FrameLoop::run(loop_frames, steps);
   EXPECT_EQ(result.made, std::vector{7});
   EXPECT_EQ(result.failed_frames(), (std::vector{1, 3, 4}));
   EXPECT_EQ(said, (std::vector<std::string>{"1 fog_0001.ply: is missing",
@@ -85,7 +85,7 @@ TEST(FrameLoop, OtherExceptionsEndItWhenFilesAreWritten) {
     if (frame == 1) throw Stopped();
     return [&] { ++written; };
   };
-  EXPECT_THROW(FrameLoop::run(frames, steps), Stopped);
+  EXPECT_THROW(FrameLoop::run(loop_frames, steps), Stopped);
   EXPECT_EQ(written, 1);
 }
 

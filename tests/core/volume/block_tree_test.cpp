@@ -38,8 +38,9 @@ TEST(BlockTree, FindsAllDensityAlongALine) {
       EXPECT_GT(intervals[k].begin, intervals[k - 1].end);
     }
     for (double t = -200.0; t < 200.0; t += 0.25) {
-      const bool is_inside = std::ranges::any_of(
-          intervals, [t](const auto& interval) { return t >= interval.begin && t <= interval.end; });
+      const bool is_inside = std::ranges::any_of(intervals, [t](const auto& interval) {
+        return t >= interval.begin && t <= interval.end;
+      });
       if (grid.at(p + t * w) == 0.0) continue;
       EXPECT_TRUE(is_inside);
       ++hits;

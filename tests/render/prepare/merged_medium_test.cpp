@@ -132,7 +132,8 @@ TEST(MergedMedium, DependsOnTheMediumAlone) {
   }
 }
 
-// Where edits are followed, the next medium of a sequence is taken for one like the last; one that is seen again is not.
+// Where edits are followed, the next medium of a sequence is taken for one like the last; one that
+// is seen again is not.
 TEST(MergedMedium, FindsOutWhetherItPaysForWhatIsSeenAgain) {
   const Medium bank = medium_of(fog_bank(bank_size, 1.0, 1));
   Medium apart;

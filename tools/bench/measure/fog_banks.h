@@ -11,8 +11,8 @@ namespace brume {
 struct FogBankRow {
   int gaussians = 0;
   std::size_t merged = 0;  // into as many; 0: not
-  Measurement measurement;
-  Spread unmerged_ratio;  // frame times without merging over those with
+  Measurement measurement{};
+  Spread unmerged_ratio{};  // frame times without merging over those with
 };
 
 std::vector<FogBankRow> measure_fog_banks(bool quick);

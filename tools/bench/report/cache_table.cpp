@@ -62,7 +62,8 @@ ReportTable cache_table(const std::vector<CacheGain>& gains) {
       "Caches between frames",
       "What a renderer keeps from frame to frame while the camera orbits scenes like those of "
       "Table 1, and a bank of small Gaussians; where edits are followed, a hundredth of them is "
-      "thinned between two frames. A pair of frames, with and without one cache: before the second, a frame with "
+      "thinned between two frames. A pair of frames, with and without one cache: before the "
+      "second, a frame with "
       "another setting, light or placement replaces that cache. Without, the frame takes longer by "
       "what the stage that makes the cache takes longer; what other stages then make again is not "
       "counted. Medians, with quartiles in parentheses. Lines: code that the cache costs. "

@@ -13,9 +13,9 @@ namespace brume {
 // A sequence that is handed to a scheduler, whichever.
 struct SequenceJob {
   const RenderOptions& options;
-  std::set<std::string> own_options;  // those of the command that are not brume render's
-  std::size_t chunk = 10;             // frames of a task
-  std::string video;                  // .mp4; empty: none
+  std::set<std::string> own_options{};  // those of the command that are not brume render's
+  std::size_t chunk = 10;               // frames of a task
+  std::string video{};                  // .mp4; empty: none
   double frames_per_second = default_frame_rate;  // of the video
 
   // Throws UsageError where frames cannot make the video.

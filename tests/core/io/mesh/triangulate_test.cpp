@@ -92,16 +92,16 @@ TEST(Triangulate, CoversRandomStarsAndStreets) {
     expect_covered(star, all_of(star));
     // Houses along both sides of a line; without houses on either side, only the line is left.
     Points street;
-    const int width = 2 + k % 5;
+    const int houses = 2 + k % 5;
     const auto add_side = [&](int begin, int step, double sign) {
-      for (int i = begin; i >= 0 && i < width; i += step) {
-        const double height = sign * std::floor(random.uniform(0.0, 3.0));
-        street.emplace_back(step > 0 ? i : i + 1, height, 0.0);
-        street.emplace_back(step > 0 ? i + 1 : i, height, 0.0);
+      for (int i = begin; i >= 0 && i < houses; i += step) {
+        const double depth = sign * std::floor(random.uniform(0.0, 3.0));
+        street.emplace_back(step > 0 ? i : i + 1, depth, 0.0);
+        street.emplace_back(step > 0 ? i + 1 : i, depth, 0.0);
       }
     };
     add_side(0, 1, 1.0);
-    add_side(width - 1, -1, -1.0);
+    add_side(houses - 1, -1, -1.0);
     expect_covered(street, all_of(street));
   }
 }
