@@ -83,7 +83,7 @@ QString gaussians_to_text(const std::vector<Gaussian>& gaussians) {
 
 namespace {
 
-// What gaussians_to_text() makes; nullopt for other text.
+// Reads what gaussians_to_text() makes; nullopt for other text.
 std::optional<std::vector<Gaussian>> copied_gaussians(const QString& text) {
   QStringList lines = text.split(QRegularExpression("[\r\n]+"), Qt::SkipEmptyParts);
   if (lines.isEmpty() || lines.takeFirst() != heading) return std::nullopt;
@@ -120,7 +120,7 @@ std::optional<std::vector<Gaussian>> copied_gaussians(const QString& text) {
   return gaussians;
 }
 
-// For text that begins with a row of numbers; else empty.
+// The heading that text lacks if it begins with a row of numbers; else empty.
 QString missing_heading(const QString& text) {
   const QString first = text.trimmed().section(QRegularExpression("[\r\n]"), 0, 0);
   QChar separator = ' ';

@@ -54,7 +54,7 @@ QRect room_on(const QScreen& screen, const QStyle& style) {
   return screen.availableGeometry().adjusted(border, border + title, -border, -border);
 }
 
-// As it was left, perhaps on a larger screen.
+// Moves and shrinks a window that was left on a larger screen.
 void fit_into(const QRect& room, QWidget& window) {
   if (window.isMaximized() || window.isFullScreen()) return;
   QRect place = window.geometry();
