@@ -88,7 +88,7 @@ brume_package(documentation brume-doc SECTION doc ARCHITECTURE all
 include(CPack)
 
 # What is installed, without tests and benchmarks.
-add_custom_target(packaged DEPENDS brume brume_library brume-scene-reader html_manual shared_files)
+add_custom_target(packaged DEPENDS brume brume-bench brume_library brume-scene-reader html_manual shared_files)
 if(BRUME_BUILD_PYTHON)
   add_dependencies(packaged brume_python)
 endif()

@@ -27,7 +27,6 @@ std::unique_ptr<Command> make_compare_command(CLI::App& app);
 std::unique_ptr<Command> make_info_command(CLI::App& app);
 std::unique_ptr<Command> make_fit_command(CLI::App& app);
 std::unique_ptr<Command> make_export_command(CLI::App& app);
-std::unique_ptr<Command> make_bench_command(CLI::App& app);
 std::unique_ptr<Command> make_gather_command(CLI::App& app);
 std::unique_ptr<Command> make_submit_command(CLI::App& app);
 

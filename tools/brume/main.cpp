@@ -1,149 +1,59 @@
-#include <algorithm>
-#include <cctype>
+#include <unistd.h>
+
+#include <array>
 #include <cerrno>
 #include <cstring>
-#include <iostream>
-#include <new>
-#include <sstream>
+#include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "brume/error.h"
-#include "brume/version.h"
-#include "core/io/temporary_files.h"
-#include "core/printable_text.h"
-#include "render/util/frame_memory.h"
-#include "tools/brume/command.h"
-#include "tools/brume/interruption.h"
-#include "tools/brume/suggestion.h"
+#include "core/io/installed_files.h"
+#include "tools/brume/program.h"
 
 namespace brume {
 namespace {
 
-// Everything written to standard error except progress.
-void print_line(const std::string& text) {
-  std::cerr << "brume: " << printable(text) << std::endl;
-}
-
-int fail(std::string message) {
-  while (message.ends_with('\n')) message.pop_back();
-  print_line("error: " + message);
-  return bad_input;
-}
-
-bool is_option(const std::string& argument) {
-  return argument.size() > 1 && argument[0] == '-' &&
-         (argument[1] == '-' || std::isalpha(static_cast<unsigned char>(argument[1])) != 0);
-}
-
-// CLI11 first complains of what is missing; a mistyped name is the better news, so it is looked
-// for before parsing.
-void check_names(const CLI::App& app, const std::vector<std::string>& arguments) {
-  if (arguments.empty()) return;
-  std::vector<std::string> commands;
-  for (const CLI::App* command : app.get_subcommands({})) commands.push_back(command->get_name());
-  const std::string& first = arguments.front();
-  const auto it = std::find(commands.begin(), commands.end(), first);
-  if (it == commands.end() && !is_option(first)) {
-    throw UsageError("unknown subcommand " + first + suggestion(first, commands));
+// A program of its own, brume-bench, gets the arguments: who renders need not wait until what
+// measures is built. It is named after this program, which it measures.
+class BenchCommand final : public Command {
+ public:
+  explicit BenchCommand(CLI::App& app) : app_(app) {
+    app.allow_extras();
+    app.set_help_flag();
   }
 
-  const CLI::App* scope = it == commands.end() ? &app : app.get_subcommand(first);
-  std::vector<std::string> names;
-  for (const CLI::Option* option : scope->get_options()) {
-    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-    for (const std::string& name : option->get_snames()) names.push_back("-" + name);
+  ExitCode run() override {
+    std::vector<std::string> arguments{std::filesystem::read_symlink("/proc/self/exe").string(),
+                                       app_.get_name()};
+    for (std::string& argument : app_.remaining()) arguments.push_back(std::move(argument));
+    std::vector<char*> argv;
+    for (std::string& argument : arguments) argv.push_back(argument.data());
+    argv.push_back(nullptr);
+    const std::string program = helper_program("brume-bench").string();
+    ::execv(program.c_str(), argv.data());
+    throw UsageError("the program " + program + " cannot be run: " + std::strerror(errno));
   }
-  for (const std::string& argument : arguments) {
-    if (argument == "--") break;
-    if (!is_option(argument)) continue;
-    const bool is_long = argument[1] == '-';
-    const std::string name =
-        is_long ? argument.substr(0, argument.find('=')) : argument.substr(0, 2);
-    if (std::find(names.begin(), names.end(), name) == names.end()) {
-      throw UsageError("unknown option " + name + suggestion(name, names));
-    }
-  }
-}
 
-std::string version_text() {
-  std::string text = std::string("brume ") + version();
-  for (const auto& [name, value] : build_information()) text += "\n  " + name + ": " + value;
-  return text;
-}
-
-int run(int argc, char** argv) {
-  CLI::App app("Brume renders light in fog.", "brume");
-  app.set_version_flag("--version", version_text, "print the version, and what it is built with");
-  struct Subcommand {
-    CLI::App* app;
-    std::unique_ptr<Command> command;
-  };
-  std::vector<Subcommand> subcommands;
-  const auto add = [&](const char* name, const char* description, auto make) {
-    CLI::App* subcommand = app.add_subcommand(name, description);
-    subcommands.push_back({subcommand, make(*subcommand)});
-  };
-  add("render", "render a frame of a scene", make_render_command);
-  add("compare", "compare two EXR images", make_compare_command);
-  add("info", "print what a scene, a medium or a volume contains", make_info_command);
-  add("fit", "fit Gaussians to a volume", make_fit_command);
-  add("export", "export the medium of a scene for other programs", make_export_command);
-  add("gather", "copy a scene and its files into one folder", make_gather_command);
-  add("submit", "hand a sequence to a scheduler", make_submit_command);
-  add("bench", "measure speed against error", make_bench_command);
-
-  try {
-    check_names(app, {argv + 1, argv + argc});
-    app.parse(argc, argv);
-  } catch (const CLI::Success& wish) {  // --help, --version
-    std::ostringstream text;
-    const int code = app.exit(wish, text, text);
-    print_result(text.str());
-    return code;
-  } catch (const CLI::ParseError& error) {
-    throw UsageError(error.what());
-  }
-  std::string names;
-  for (const Subcommand& subcommand : subcommands) {
-    if (subcommand.app->parsed()) return subcommand.command->run();
-    names += (names.empty() ? "" : ", ") + subcommand.app->get_name();
-  }
-  throw UsageError("a subcommand is missing: " + names + "; brume -h explains them");
-}
+ private:
+  CLI::App& app_;
+};
 
 }  // namespace
-
-void print_result(const std::string& text) {
-  errno = 0;
-  std::cout << printable_lines(text) << std::flush;
-  if (std::cout) return;
-  throw InputError("standard output", "",
-                   std::string("cannot be written") +
-                       (errno == 0 ? std::string() : ": " + std::string(std::strerror(errno))));
-}
-
-void print_note(const std::string& text) {
-  print_line(text);
-}
-
-void print_warnings(const std::vector<std::string>& warnings) {
-  for (const std::string& warning : warnings) print_line("warning: " + warning);
-}
-
 }  // namespace brume
 
 int main(int argc, char** argv) {
-  brume::keep_frame_memory();
-  brume::remove_temporary_files_on_signals();
-  try {
-    const brume::InterruptionWatch watch;
-    return brume::run(argc, argv);
-  } catch (const brume::Interrupted&) {
-    brume::end_interrupted();
-  } catch (const std::bad_alloc&) {
-    return brume::fail("not enough memory");
-  } catch (const std::exception& error) {
-    return brume::fail(error.what());
-  }
+  using namespace brume;
+  const std::array<Subcommand, 8> commands{{
+      {"render", "render a frame of a scene", make_render_command},
+      {"compare", "compare two EXR images", make_compare_command},
+      {"info", "print what a scene, a medium or a volume contains", make_info_command},
+      {"fit", "fit Gaussians to a volume", make_fit_command},
+      {"export", "export the medium of a scene for other programs", make_export_command},
+      {"gather", "copy a scene and its files into one folder", make_gather_command},
+      {"submit", "hand a sequence to a scheduler", make_submit_command},
+      {"bench", bench_description,
+       [](CLI::App& app) { return std::make_unique<BenchCommand>(app); }},
+  }};
+  return run_program(argc, argv, commands);
 }

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "brume/version.h"
-#include "tools/bench/measure/device_name.h"
-#include "tools/bench/measure/measurement.h"
+#include "core/math/spread.h"
+#include "render/util/device_name.h"
 
 namespace brume {
 namespace {

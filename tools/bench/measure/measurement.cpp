@@ -32,14 +32,6 @@ Camera moved(Camera camera, const CameraStep& step, int steps) {
   return camera;
 }
 
-Spread spread_of(std::vector<double> values) {
-  std::ranges::sort(values);
-  const std::size_t center = values.size() / 2;
-  const double median =
-      values.size() % 2 == 1 ? values[center] : 0.5 * (values[center - 1] + values[center]);
-  return {median, values.front(), values.back()};
-}
-
 std::string setting_name(const Settings& settings) {
   std::string name = airlight_name(settings);
   if (settings.airlight == AirlightMethod::sliced) name += ' ' + std::to_string(settings.slices);

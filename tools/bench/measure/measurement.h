@@ -5,20 +5,12 @@
 #include <vector>
 
 #include "brume/scene.h"
+#include "core/math/spread.h"
 #include "render/frame_renderer.h"
 #include "render/quality/error_estimate.h"
 #include "render/renderer.h"
 
 namespace brume {
-
-// Median and spread of something measured several times.
-struct Spread {
-  double median = 0.0;
-  double min = 0.0;
-  double max = 0.0;
-};
-// At least one value.
-Spread spread_of(std::vector<double> values);
 
 // What frames cost when the camera moves a little from each to the next.
 struct MovedFrames {

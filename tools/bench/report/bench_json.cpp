@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "brume/version.h"
-#include "tools/bench/measure/device_name.h"
+#include "render/util/device_name.h"
 
 namespace brume {
 namespace {

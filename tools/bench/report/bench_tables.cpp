@@ -1,7 +1,7 @@
 #include "tools/bench/report/bench_tables.h"
 
 #include "brume/version.h"
-#include "tools/bench/measure/device_name.h"
+#include "render/util/device_name.h"
 #include "tools/bench/measure/report_text.h"
 #include "tools/bench/report/cache_table.h"
 #include "tools/bench/report/error_tables.h"

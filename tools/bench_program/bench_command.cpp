@@ -1,3 +1,5 @@
+#include "tools/bench_program/bench_command.h"
+
 #include <tbb/global_control.h>
 
 #include <algorithm>
@@ -15,7 +17,6 @@
 #include "tools/bench/report/bench_markdown.h"
 #include "tools/bench/report/frontier_plot.h"
 #include "tools/brume/backend_name.h"
-#include "tools/brume/command.h"
 #include "tools/brume/command_files.h"
 #include "tools/brume/finite_in.h"
 #include "tools/brume/other_program.h"
@@ -33,17 +34,9 @@ std::string shown_command(bool quick, bool of_scenes, bool with_peers) {
   return command + " -o speed";
 }
 
-std::string run_this_program(const std::vector<std::string>& arguments) {
-  std::vector<std::string> all{std::filesystem::read_symlink("/proc/self/exe").string()};
-  all.insert(all.end(), arguments.begin(), arguments.end());
-  const ProgramOutput output = run_other_program(all);
-  if (output.exit_code != 0) throw std::runtime_error("brume render has failed");
-  return output.out;
-}
-
 class BenchCommand final : public Command {
  public:
-  explicit BenchCommand(CLI::App& app) {
+  BenchCommand(CLI::App& app, std::filesystem::path program) : program_(std::move(program)) {
     app.add_option("SCENE", scenes_, "scenes (.brume) instead of the built-in ones")
         ->type_name("FILE");
     app.add_option("-o,--output", output_, "writes NAME.md, NAME.json, NAME.html and NAME.svg");
@@ -84,7 +77,7 @@ class BenchCommand final : public Command {
                          .threads = threads_,
                          .backend = parse_backend(backend_),
                          .scenes = {scenes_.begin(), scenes_.end()},
-                         .run_brume = run_this_program,
+                         .run_brume = [this](const auto& arguments) { return brume(arguments); },
                          .peers = {}};
     if (!peers_.empty()) options.peers = read_other_renderers(peers_);
     std::optional<tbb::global_control> bound;
@@ -111,6 +104,14 @@ class BenchCommand final : public Command {
   }
 
  private:
+  [[nodiscard]] std::string brume(const std::vector<std::string>& arguments) const {
+    std::vector<std::string> all{program_.string()};
+    all.insert(all.end(), arguments.begin(), arguments.end());
+    const ProgramOutput output = run_other_program(all);
+    if (output.exit_code != 0) throw std::runtime_error("brume render has failed");
+    return output.out;
+  }
+
   [[nodiscard]] std::vector<std::string> inputs() const {
     std::vector<std::string> files = scenes_;
     for (const std::string& file : {peers_, compare_}) {
@@ -136,6 +137,7 @@ class BenchCommand final : public Command {
     return done;
   }
 
+  std::filesystem::path program_;
   std::vector<std::string> scenes_;
   std::string output_;
   bool quick_ = false;
@@ -149,8 +151,8 @@ class BenchCommand final : public Command {
 
 }  // namespace
 
-std::unique_ptr<Command> make_bench_command(CLI::App& app) {
-  return std::make_unique<BenchCommand>(app);
+std::unique_ptr<Command> make_bench_command(CLI::App& app, const std::filesystem::path& program) {
+  return std::make_unique<BenchCommand>(app, program);
 }
 
 }  // namespace brume

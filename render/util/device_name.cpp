@@ -1,4 +1,4 @@
-#include "tools/bench/measure/device_name.h"
+#include "render/util/device_name.h"
 
 #include <fstream>
 
