@@ -30,7 +30,8 @@ Scene tiny_scene();  // the same in 32 x 24 pixels
 
 // A main window that shows a scene from a file, active and with its first full frame.
 //
-// Tests wait for conditions, never for time: on a busy machine a moment is any length.
+// Tests wait for conditions: on a busy machine a moment is any length. Only what must not happen is
+// given a time.
 class TestWindow {
  public:
   // By default a picture high enough to tell handles apart.
