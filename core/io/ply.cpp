@@ -139,6 +139,8 @@ PlyFile::PlyFile(std::filesystem::path file, std::string_view bytes) : file_(std
   };
   if (!header.next_line() || header.next_token() != "ply") fail("not a PLY file");
   bool have_format = false;
+  std::string first_skipped;  // its line and keyword
+  std::size_t skipped = 0;
   for (;;) {
     if (!header.next_line()) fail("the header ends without end_header");
     const std::string_view keyword = header.next_token();
@@ -182,9 +184,16 @@ PlyFile::PlyFile(std::filesystem::path file, std::string_view bytes) : file_(std
       property.name = header.next_token();
       if (property.name.empty()) fail("a property without a name");
       elements_.back().properties.push_back(std::move(property));
-    } else {
-      fail("unknown keyword " + quoted_text(keyword));
+    } else if (++skipped == 1) {  // as other readers do: some programs write comments so
+      first_skipped =
+          InputError(file_, header.place(), "found the unknown keyword " + quoted_text(keyword))
+              .what();
     }
+  }
+  if (skipped > 0) {
+    const std::string more =
+        skipped > 1 ? ", as are " + std::to_string(skipped - 1) + " more" : std::string();
+    warnings_.push_back(first_skipped + "; the line is skipped" + more);
   }
   if (!have_format) fail("the header has no format line");
   data_ = header.rest_of_text();

@@ -41,6 +41,8 @@ class PlyFile {
 
   [[nodiscard]] const std::vector<Element>& elements() const { return elements_; }
   [[nodiscard]] const Element* element(std::string_view name) const;
+  // One line each, with the file's name: lines of the header that are skipped.
+  [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
 
   // Calls `visit` for each row of each element in file order. Throws InputError naming element and
   // row for truncated or invalid data.
@@ -54,6 +56,7 @@ class PlyFile {
   std::string_view data_;
   Format format_ = Format::ascii;
   std::vector<Element> elements_;
+  std::vector<std::string> warnings_;
 };
 
 }  // namespace brume

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -189,6 +190,7 @@ std::vector<Gaussian> read_gaussians_ply(const std::filesystem::path& file,
         ids->push_back(static_cast<GaussianNumber>(number));
       });
   dropped.report(file, static_cast<std::size_t>(vertices->count), warnings);
+  if (warnings) std::ranges::copy(ply.warnings(), std::back_inserter(*warnings));
   return gaussians;
 }
 

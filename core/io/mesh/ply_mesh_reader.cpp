@@ -68,6 +68,7 @@ RawMesh read_ply_mesh(const std::filesystem::path& file, std::string_view bytes)
   }
 
   RawMesh mesh;
+  mesh.warnings = ply.warnings();
   std::vector<std::uint32_t> face;
   ply.for_each_row(
       [&](const PlyFile::Element& element, std::uint64_t index, const PlyFile::Row& row) {

@@ -53,6 +53,15 @@ TEST_F(DroppedSplatsTest, AreCountedWithTheFirstPlace) {
   EXPECT_TRUE(warnings_.empty());
 }
 
+TEST_F(DroppedSplatsTest, UnknownLinesOfAHeaderAreTold) {
+  const auto file = capture(2, {}, "");
+  std::string text = content_of(file);
+  text.insert(text.find("element"), "Created by hand\n");
+  EXPECT_EQ(read(folder_.write("capture.ply", text)).size(), 2u);
+  ASSERT_EQ(warnings_.size(), 1u);
+  EXPECT_TRUE(contains(warnings_[0], "line 3: found the unknown keyword Created")) << warnings_[0];
+}
+
 TEST_F(DroppedSplatsTest, RefusesFilesInWhichHalfAreBad) {
   EXPECT_EQ(read(capture(5, {0, 1}, "nan")).size(), 3u);
   const std::string error = error_of([&] { read(capture(4, {1, 3}, "nan")); });

@@ -248,6 +248,24 @@ TEST(MeshFile, StripsOfPlyFaceOneSide) {
   }
 }
 
+// Wuson.ply of Debian's assimp-testmodels has such a line.
+TEST(MeshFile, SkipsUnknownLinesOfAPlyHeader) {
+  const TemporaryFolder folder;
+  const std::string created = "Created by Blender3D 247 - www.blender.org, source file: \n";
+  for (const auto& [lines, told] :
+       {std::pair(created, "line 3: found the unknown keyword Created; the line is skipped"),
+        std::pair(
+            created + "Exported at noon\n" + created,
+            "line 3: found the unknown keyword Created; the line is skipped, as are 2 more")}) {
+    std::string text = ply;
+    text.insert(text.find("element"), lines);
+    std::vector<std::string> warnings;
+    const auto file = folder.write("a.ply", text);
+    EXPECT_EQ(read_mesh(file, &warnings)->n_faces(), 4u);
+    EXPECT_EQ(warnings, std::vector{file.string() + ": " + told});
+  }
+}
+
 struct BadFile {
   const char* name;
   const char* file;
