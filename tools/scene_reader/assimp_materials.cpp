@@ -35,6 +35,12 @@ std::optional<glm::dvec3> color(const aiMaterial& material, const char* key, uns
   return glm::dvec3(clamped(value.r), clamped(value.g), clamped(value.b));
 }
 
+// A value of a physical material of 3ds Max, which assimp leaves as it is: what the file has
+// besides for readers of Phong are pi times its emission and an exponent that is not its roughness.
+std::string max_key(const char* name) {
+  return std::string("$raw.3dsMax|main|") + name;
+}
+
 TextureWrap wrap_of(aiTextureMapMode mode) {
   return mode == aiTextureMapMode_Mirror  ? TextureWrap::mirror
          : mode == aiTextureMapMode_Clamp ? TextureWrap::clamp
@@ -62,10 +68,13 @@ class Materials {
         color(material, AI_MATKEY_BASE_COLOR, 1.0)
             .value_or(color(material, AI_MATKEY_COLOR_DIFFUSE, 1.0).value_or(glm::dvec3(0.8)));
     values.metallic =
-        std::clamp(number(material, AI_MATKEY_METALLIC_FACTOR).value_or(0.0), 0.0, 1.0);
+        std::clamp(number(material, max_key("metalness").c_str(), 0, 0)
+                       .value_or(number(material, AI_MATKEY_METALLIC_FACTOR).value_or(0.0)),
+                   0.0, 1.0);
     values.roughness = roughness(material);
-    values.emissive =
-        color(material, AI_MATKEY_COLOR_EMISSIVE, limits::intensity).value_or(glm::dvec3(0.0));
+    values.emissive = color(material, max_key("emit_color").c_str(), 0, 0, limits::intensity)
+                          .value_or(color(material, AI_MATKEY_COLOR_EMISSIVE, limits::intensity)
+                                        .value_or(glm::dvec3(0.0)));
     auto& [base, metallic_roughness, normal, emissive] = result.textures;
     base = texture(material, {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE});
     if (base) values.base_color = glm::dvec3(1.0);
@@ -85,6 +94,12 @@ class Materials {
   }
 
   static double roughness(const aiMaterial& material) {
+    if (const auto given = number(material, max_key("roughness").c_str(), 0, 0)) {
+      return std::clamp(*given, 0.0, 1.0);
+    }
+    if (const auto glossiness = number(material, max_key("glossiness").c_str(), 0, 0)) {
+      return std::clamp(1.0 - *glossiness, 0.0, 1.0);
+    }
     if (const auto given = number(material, AI_MATKEY_ROUGHNESS_FACTOR)) {
       return std::clamp(*given, 0.0, 1.0);
     }

@@ -18,6 +18,8 @@ namespace brume {
 namespace fs = std::filesystem;
 namespace {
 
+const std::string counts_as_white = "; it counts as white, and as black where it is an emission";
+
 bool is_gltf(const fs::path& file) {
   const std::string extension = lower_case_extension(file);
   return extension == ".gltf" || extension == ".glb";
@@ -72,10 +74,13 @@ class SceneBuilder {
       texture.wrap_u = use->wrap_u;
       texture.wrap_v = use->wrap_v;
     }
+    MetallicRoughness& values = result.metallic_roughness;
+    if (raw.textures[3] && !values.emissive_texture.content) values.emissive = glm::dvec3(0.0);
     return result;
   }
 
-  // Null, which is white, with a warning where it is missing or cannot be read.
+  // Null, which is white, with a warning where it is missing or cannot be read. A surface that it
+  // would make emit light here and there emits none then.
   std::shared_ptr<const Texture> texture(const TextureOfImage& use, ImportedScene& scene) {
     const auto [at, is_new] = textures_.try_emplace(use);
     if (!is_new) return at->second;
@@ -91,14 +96,14 @@ class SceneBuilder {
       if (image.is_absolute) scene.absolute_files.push_back(image.file);
     }
     if (!image.error.empty()) {
-      warn_of_texture(use, image.error + "; it counts as white");
+      warn_of_texture(use, image.error + counts_as_white);
       return nullptr;
     }
     try {
       at->second = image.file == file_ ? decode_texture(image.name, image.bytes, has_colors)
                                        : read_texture(image.file, has_colors);
     } catch (const InputError& mistake) {
-      warn_of_texture(use, std::string(mistake.what()) + "; it counts as white");
+      warn_of_texture(use, mistake.what() + counts_as_white);
       return nullptr;
     }
     add_bytes(at->second->bytes());

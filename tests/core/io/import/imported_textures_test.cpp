@@ -93,6 +93,26 @@ TEST_F(ImportedTextures, UnreadableOnesCountAsWhite) {
   expect_warning("is a folder");
 }
 
+// An emission that its texture would show in a few places is not that of the whole surface.
+TEST_F(ImportedTextures, NothingIsEmittedWhereThatOfEmissionIsMissing) {
+  folder_.write("bad.png", "no picture");
+  for (const char* name : {"gone.png", "bad.png", "red.png"}) {
+    SCOPED_TRACE(name);
+    GltfBuilder builder;
+    builder.json["images"] = {{{"uri", name}}};
+    builder.json["textures"] = {{{"source", 0}}};
+    builder.json["materials"] = {
+        {{"emissiveFactor", {1, 1, 0.5}}, {"emissiveTexture", {{"index", 0}}}}};
+    builder.primitive()["material"] = 0;
+    folder_.write("red.png", red_png());
+    read(folder_.write("a.glb", builder.binary()));
+    const bool is_there = name == std::string("red.png");
+    EXPECT_EQ(scene_->parts[0].material.metallic_roughness.emissive,
+              is_there ? glm::dvec3(1.0, 1.0, 0.5) : glm::dvec3(0.0));
+    if (!is_there) expect_warning(name);
+  }
+}
+
 // Its header alone says how large it would be.
 TEST_F(ImportedTextures, TooLargeOnesCountAsWhite) {
   folder_.write("t.png",

@@ -77,6 +77,71 @@ TEST(ReaderProgram, ReadsObjWithItsMaterials) {
   EXPECT_EQ(scene->files, (std::vector{file, folder / "my.mtl", folder / "paint.png"}));
 }
 
+// 3ds Max writes pi times the color that it shows as EmissiveColor, and exponents of Phong that are
+// not those of its roughness.
+TEST(ReaderProgram, ReadsPhysicalMaterialsOf3dsMax) {
+  const TemporaryFolder folder;
+  const auto read = [&](const std::string& properties) {
+    const auto file = folder.write("max.fbx", R"(; FBX 7.7.0 project file
+FBXHeaderExtension:  {
+	FBXVersion: 7700
+}
+Objects:  {
+	Geometry: 1, "Geometry::", "Mesh" {
+		Vertices: *9 {
+			a: 0,0,0,1,0,0,0,1,0
+		}
+		PolygonVertexIndex: *3 {
+			a: 0,1,-3
+		}
+		LayerElementMaterial: 0 {
+			MappingInformationType: "AllSame"
+			ReferenceInformationType: "IndexToDirect"
+			Materials: *1 {
+				a: 0
+			}
+		}
+		Layer: 0 {
+			LayerElement:  {
+				Type: "LayerElementMaterial"
+				TypedIndex: 0
+			}
+		}
+	}
+	Model: 2, "Model::Triangle", "Mesh" {
+		Version: 232
+	}
+	Material: 3, "Material::Max", "" {
+		Properties70:  {
+			P: "EmissiveColor", "ColorRGB", "Color", "",3.14159,1.5708,0
+			P: "SpecularColor", "ColorRGB", "Color", "",1,1,1
+			P: "ShininessExponent", "double", "Number", "",1024
+)" + properties + R"(
+		}
+	}
+}
+Connections:  {
+	C: "OO",2,0
+	C: "OO",1,2
+	C: "OO",3,2
+}
+)");
+    std::vector<std::string> warnings;
+    return read_imported_scene(file, warnings)->parts.at(0).material.metallic_roughness;
+  };
+  const auto number = [](const std::string& name, const char* value) {
+    return "P: \"3dsMax|main|" + name + "\", \"Float\", \"\", \"A\"," + value + "\n";
+  };
+  const MetallicRoughness metal =
+      read(number("metalness", "0.25") + number("roughness", "0.5") +
+           "P: \"3dsMax|main|emit_color\", \"ColorAndAlpha\", \"\", \"A\",1,0.5,0,1\n");
+  EXPECT_EQ(metal.emissive, glm::dvec3(1.0, 0.5, 0.0));
+  EXPECT_EQ(metal.metallic, 0.25);
+  EXPECT_EQ(metal.roughness, 0.5);
+  EXPECT_EQ(read(number("glossiness", "0.375")).roughness, 0.625);
+  EXPECT_NEAR(read("").emissive.x, 3.14159, 1e-5) << "of another program";
+}
+
 TEST(ReaderProgram, MissingTexturesAreAWarning) {
   const TemporaryFolder folder;
   const auto file = folder.write("scene.obj", two_squares);
