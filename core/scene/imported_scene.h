@@ -38,6 +38,7 @@ struct ImportedScene {
   // them beside the file.
   std::vector<std::filesystem::path> absolute_files;
   std::filesystem::file_time_type changed{};  // the latest of them, when it was read
+  std::string left_out;  // where the first mesh without triangles is, and what it has; empty: none
 };
 
 // The textures of a material, in the order that imported ones are listed in; base color and

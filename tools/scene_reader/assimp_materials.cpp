@@ -54,6 +54,7 @@ class Materials {
 
   void add_all() {
     for (unsigned i = 0; i < from_.mNumMaterials; ++i) add(*from_.mMaterials[i]);
+    if (!not_opaque_.empty()) warn(surfaces_are_opaque(not_opaque_));
   }
 
  private:
@@ -89,7 +90,10 @@ class Materials {
     } else if (metal || rough) {
       warn("textures of metalness and roughness that are not one image are left out");
     }
-    if (number(material, AI_MATKEY_OPACITY).value_or(1.0) < 1.0) warn("surfaces are opaque here");
+    if (number(material, AI_MATKEY_OPACITY).value_or(1.0) < 1.0) {
+      not_opaque_.push_back(
+          result.name.empty() ? "number " + std::to_string(to_.materials.size() + 1) : result.name);
+    }
     to_.materials.push_back(result);
   }
 
@@ -160,7 +164,8 @@ class Materials {
   const aiScene& from_;
   const fs::path& file_;
   RawScene& to_;
-  std::vector<std::string> names_;  // of to_.images
+  std::vector<std::string> names_;       // of to_.images
+  std::vector<std::string> not_opaque_;  // names of materials
 };
 
 }  // namespace

@@ -19,6 +19,7 @@
 #include "core/io/import/scene_readers.h"
 #include "core/io/mesh/obj_corner.h"
 #include "core/io/text_scanner.h"
+#include "core/io/unicode_text.h"
 #include "core/number_domain.h"
 #include "tools/scene_reader/assimp_materials.h"
 #include "tools/scene_reader/assimp_polygons.h"
@@ -240,7 +241,7 @@ RawScene read_with_assimp(const fs::path& file) {
   const aiScene* scene = read();
   ObjRepair repair;
   if (scene == nullptr && lower_case_extension(file) == ".obj") {
-    std::string text = read_bytes(file);
+    std::string text = as_utf8(read_bytes(file));
     repair = repair_obj(text);
     if (repair.has_changed) {
       files->replace_scene(std::move(text));
@@ -254,12 +255,12 @@ RawScene read_with_assimp(const fs::path& file) {
                                          aiProcess_ValidateDataStructure);
   }
   if (scene == nullptr) {
-    static_cast<void>(read_first_bytes(file, 1));  // throws if there is a better reason
-    // The importer's own words are about its code.
     const bool is_obj = lower_case_extension(file) == ".obj";
+    const std::string text = read_bytes(file);  // throws if there is a better reason
+    if (is_obj) check_has_faces(file, count_obj(as_utf8(text)));
+    // The importer's own words are about its code.
     throw InputError(
-        file, "",
-        std::string("cannot be read: it is damaged, or no ") + (is_obj ? "OBJ with faces" : "FBX"));
+        file, "", std::string("cannot be read: it is damaged, or no ") + (is_obj ? "OBJ" : "FBX"));
   }
   RawScene result = Reader(*scene, file).read();
   if (repair.bad_faces > 0) {

@@ -8,6 +8,7 @@
 #include "brume/error.h"
 #include "core/io/alike_file.h"
 #include "core/io/file_bytes.h"
+#include "core/io/unicode_text.h"
 
 namespace brume {
 namespace {
@@ -65,9 +66,8 @@ Assimp::IOStream* LimitedFiles::Open(const char* file, const char* mode) {
   const std::filesystem::path path = place_of(file, scene_.parent_path()).lexically_normal();
   try {
     const bool is_replaced = scene_text_ && path == scene_;
-    std::string bytes = is_replaced ? *scene_text_ : read_bytes(path);
-    // Before the first keyword of a text assimp takes it for a part of that.
-    if (bytes.starts_with("\xef\xbb\xbf")) bytes.erase(0, 3);
+    // A byte order mark would become part of the first keyword.
+    std::string bytes = is_replaced ? *scene_text_ : as_utf8(read_bytes(path));
     auto* stream = new Bytes(std::move(bytes));  // Close() gets it
     if (std::ranges::count(opened_, path) == 0) opened_.push_back(path);
     return stream;

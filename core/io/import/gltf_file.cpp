@@ -58,11 +58,15 @@ constexpr std::array<std::string_view, 11> optional_extensions{
     "KHR_materials_specular",   "KHR_materials_transmission", "KHR_materials_unlit",
     "KHR_materials_variants",   "KHR_materials_volume"};
 
+bool is_compression(std::string_view extension) {
+  return extension.ends_with("_compression");
+}
+
 // The one for compression among an object's extensions; empty without.
 std::string compression_in(const Json* extensions) {
   if (extensions == nullptr || !extensions->is_object()) return {};
   for (const auto& [name, value] : extensions->items()) {
-    if (name.ends_with("_compression")) return name;
+    if (is_compression(name)) return name;
   }
   return {};
 }
@@ -82,6 +86,11 @@ struct GltfFile::Accessor {
   std::size_t stride = 0;    // in bytes
   const Json* sparse = nullptr;
 };
+
+std::string compression_kind(std::string_view extension) {
+  const bool is_draco = extension.find("draco") != extension.npos;
+  return is_draco ? "Draco compression" : "compression";
+}
 
 GltfFile::GltfFile(const fs::path& file, std::vector<std::string>& warnings)
     : context_(file, &warnings), files_{file} {
@@ -129,11 +138,17 @@ void GltfFile::check_extensions(JsonObject& root) {
   const Json::array_t& required = root.array("extensionsRequired", limits::keys);
   for (std::size_t i = 0; i < required.size(); ++i) {
     if (is_in(required[i], read_extensions) || is_in(required[i], optional_extensions)) continue;
+    const JsonPath list = root.path_of("extensionsRequired");
+    if (const std::string name = required[i].is_string() ? required[i].get<std::string>() : "";
+        is_compression(name)) {
+      context_.fail(list.element(i), "found meshes compressed by " + quoted_text(name) +
+                                         "; allowed: others; export the scene again without " +
+                                         compression_kind(name));
+    }
     std::string names;
     for (const std::string_view name : read_extensions) (names += name) += ", ";
-    context_.fail(
-        root.path_of("extensionsRequired").element(i),
-        "found " + quoted_json(required[i]) + "; allowed: " + names + "extensions of materials");
+    context_.fail(list.element(i), "found " + quoted_json(required[i]) + "; allowed: " + names +
+                                       "extensions of materials");
   }
   for (const Json& used : root.array("extensionsUsed", limits::keys)) {
     if (is_in(used, read_extensions)) continue;

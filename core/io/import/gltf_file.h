@@ -11,6 +11,9 @@
 
 namespace brume {
 
+// What an extension for compression makes of a file, to be left out when it is exported again.
+std::string compression_kind(std::string_view extension);
+
 // A glTF 2.0 file (.gltf or .glb) with its buffers: what its JSON refers to, each index, offset and
 // count checked. Throws InputError naming the JSON path.
 class GltfFile {

@@ -155,9 +155,7 @@ GltfMaterial read_gltf_material(GltfFile& file, GltfImages& images, const Json& 
   textures.read(object, "emissiveTexture", 3, nothing);
   values.emissive = nearest_vector(file, object, "emissiveFactor", domain::unit, glm::dvec3(0.0)) *
                     emissive_strength(file, object);
-  if (object.text("alphaMode", "OPAQUE") != "OPAQUE") {
-    file.context().warn(object.path_of("alphaMode"), "surfaces are opaque here");
-  }
+  result.is_opaque = object.text("alphaMode", "OPAQUE") == "OPAQUE";
   return result;
 }
 

@@ -60,8 +60,16 @@ class GltfReader {
     const Json::array_t& list = file_.list("materials");
     const JsonPath path = file_.path().member("materials");
     GltfImages images(file_);
+    std::vector<std::string> not_opaque;
     for (std::size_t i = 0; i < list.size(); ++i) {
-      materials_.push_back(read_gltf_material(file_, images, list[i], path.element(i)));
+      const JsonPath material = path.element(i);
+      materials_.push_back(read_gltf_material(file_, images, list[i], material));
+      const std::string& name = materials_[i].material.name;
+      if (!materials_[i].is_opaque) not_opaque.push_back(name.empty() ? material.text() : name);
+    }
+    if (!not_opaque.empty()) {
+      const JsonPath any = path.element(0);
+      file_.context().warn(any.member("alphaMode"), surfaces_are_opaque(not_opaque));
     }
     materials_.emplace_back();  // of what has none
     for (const GltfMaterial& material : materials_) scene_.materials.push_back(material.material);
@@ -105,6 +113,7 @@ class GltfReader {
       file_.context().warn(path, are_splats
                                      ? "Gaussian splats are no surfaces: they are read as Gaussians"
                                      : "points and lines are left out");
+      note_left_out(path, are_splats ? "Gaussian splats" : mode == 0 ? "points" : "lines");
       return;
     }
     if (scene_.parts.size() >= limits::surfaces) {
@@ -115,8 +124,7 @@ class GltfReader {
     RawPart part;
     part.node = node;
     part.material = file_.index(primitive, "material", "materials").value_or(materials_.size() - 1);
-    const bool is_skinned =
-        read_mesh(primitive, mode, materials_[part.material], joints, part.mesh);
+    const bool is_skinned = read_mesh(primitive, mode, joints, part);
     if (part.mesh.triangles.empty()) return;
     bytes_ += part.mesh.points.size() * (sizeof(glm::vec3) * 2 + sizeof(glm::vec2)) +
               part.mesh.triangles.size() * sizeof(glm::uvec3);
@@ -129,15 +137,27 @@ class GltfReader {
     scene_.parts.push_back(std::move(part));
   }
 
-  // Returns whether the mesh is in the world already, by the joints of its skin.
-  bool read_mesh(JsonObject& primitive, std::int64_t mode, const GltfMaterial& material,
-                 const std::vector<glm::dmat4>* joints, MeshArrays& mesh) {
+  void note_left_out(const JsonPath& path, const std::string& what) {
+    if (scene_.left_out.empty()) scene_.left_out = path.text() + ": found " + what;
+  }
+
+  // Reads the mesh of a part whose node and material are set. Returns whether it is in the world
+  // already, by the joints of its skin.
+  bool read_mesh(JsonObject& primitive, std::int64_t mode, const std::vector<glm::dmat4>* joints,
+                 RawPart& part) {
+    const GltfMaterial& material = materials_[part.material];
+    MeshArrays& mesh = part.mesh;
     const JsonPath path = primitive.path_of("attributes");
     JsonObject attributes(file_.context(), primitive.required("attributes"), path);
     static_cast<void>(attributes.required("POSITION"));
     if (const std::string name = compression(primitive, attributes); !name.empty()) {
-      file_.context().warn(path, "the mesh is missing: its data are compressed by " +
-                                     quoted_text(name) + ", and there are no others");
+      const ImportedNode& node = scene_.nodes[part.node];
+      const std::string data = "data compressed by " + quoted_text(name);
+      file_.context().warn(path, "a mesh of the node " +
+                                     (node.mesh_name.empty() ? node.name : node.mesh_name) +
+                                     " is missing: it has only " + data +
+                                     "; export it again without " + compression_kind(name));
+      note_left_out(path, data);
       return false;
     }
     mesh.points = vectors<glm::vec3>(attributes, "POSITION");

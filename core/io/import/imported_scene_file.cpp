@@ -11,6 +11,7 @@
 #include "core/io/import/reader_program.h"
 #include "core/io/import/scene_readers.h"
 #include "core/io/text_scanner.h"
+#include "core/io/unicode_text.h"
 #include "core/printable_text.h"
 #include "core/scene/mesh.h"
 
@@ -43,6 +44,7 @@ class SceneBuilder {
     scene->nodes = std::move(raw_.nodes);
     scene->cameras = std::move(raw_.cameras);
     scene->lights = std::move(raw_.lights);
+    scene->left_out = std::move(raw_.left_out);
     return scene;
   }
 
@@ -152,6 +154,7 @@ std::shared_ptr<const ImportedScene> read_imported_scene(const fs::path& file,
                      "found a scene of format " + quoted_text(lower_case_extension(file)) +
                          "; allowed: .gltf, .glb, .obj, .fbx");
   }
+  if (regular_file_size(file) == 0) throw InputError(file, "", "is empty");
   RawScene raw = is_gltf(file) ? read_gltf(file) : read_by_program(file, stop);
   if (stop.stop_requested()) return nullptr;
   warnings.insert(warnings.end(), raw.warnings.begin(), raw.warnings.end());
@@ -170,7 +173,7 @@ fs::file_time_type latest_change(std::span<const fs::path> files) {
 
 bool obj_has_materials(const fs::path& file) {
   // It stands before the faces that use a material.
-  const std::string begin = read_first_bytes(file, std::size_t{1} << 20);
+  const std::string begin = as_utf8(read_first_bytes(file, std::size_t{1} << 20));
   TextScanner scanner(begin);
   while (scanner.next_line()) {
     if (scanner.next_token() == "mtllib") return true;
@@ -191,6 +194,18 @@ std::string imported_name(std::string_view name, const std::string& otherwise) {
     if (!result.empty() && static_cast<unsigned char>(result.back()) >= 0xC0) result.pop_back();
   }
   return result.empty() ? otherwise : result;
+}
+
+std::string surfaces_are_opaque(std::span<const std::string> materials) {
+  constexpr std::size_t max_names = 5;
+  std::string names = materials.size() == 1 ? "material " : "materials ";
+  for (std::size_t i = 0; i < std::min(materials.size(), max_names); ++i) {
+    names += (i > 0 ? ", " : "") + materials[i];
+  }
+  if (materials.size() > max_names) {
+    names += " and " + std::to_string(materials.size() - max_names) + " more";
+  }
+  return "surfaces are opaque here, also those of the " + names;
 }
 
 }  // namespace brume

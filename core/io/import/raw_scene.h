@@ -52,6 +52,7 @@ struct RawScene {
   std::vector<Light> lights;
   std::vector<std::filesystem::path> files;  // as in ImportedScene, without images
   std::vector<std::string> warnings;         // one line each, with the file's name
+  std::string left_out;                      // as in ImportedScene
 };
 
 }  // namespace brume

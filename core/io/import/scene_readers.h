@@ -1,6 +1,9 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
 
 #include "brume/limits.h"
 #include "core/io/import/raw_scene.h"
@@ -19,5 +22,8 @@ inline constexpr double lumens_per_watt = 683.0;
 // A name from a file as scenes of Brume may have it: without control characters, up to
 // limits::name_length bytes; `otherwise` if nothing is left.
 std::string imported_name(std::string_view name, const std::string& otherwise);
+
+// A warning that the surfaces of these materials, which are not opaque in their file, are.
+std::string surfaces_are_opaque(std::span<const std::string> materials);
 
 }  // namespace brume

@@ -1,6 +1,7 @@
 #include "core/io/mesh/mesh_file.h"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "brume/error.h"
@@ -11,6 +12,7 @@
 #include "core/io/mesh/mesh_readers.h"
 #include "core/io/mesh/triangulate.h"
 #include "core/io/text_scanner.h"
+#include "core/io/unicode_text.h"
 #include "core/number_domain.h"
 
 namespace brume {
@@ -29,7 +31,8 @@ RawMesh read_raw(const std::filesystem::path& file) {
         file, "",
         "found a mesh of format " + quoted_text(extension) + "; allowed: .obj, .ply, .stl, .off");
   }
-  const std::string bytes = read_bytes(file);
+  std::string bytes = read_bytes(file);
+  if (extension == ".obj") bytes = as_utf8(std::move(bytes));
   if (bytes.empty()) throw InputError(file, "", "is empty");
   return reader(file, bytes);
 }

@@ -1,7 +1,9 @@
 #include "core/io/mesh/obj_corner.h"
 
 #include <algorithm>
+#include <utility>
 
+#include "brume/error.h"
 #include "core/io/text_scanner.h"
 
 namespace brume {
@@ -23,6 +25,21 @@ void ObjCounts::add(std::string_view keyword) {
   if (keyword == "v") ++points;
   if (keyword == "vt") ++texcoords;
   if (keyword == "vn") ++normals;
+  if (keyword == "f") ++faces;
+  if (keyword == "l") ++lines;
+  if (keyword == "p") ++point_elements;
+}
+
+void check_has_faces(const std::filesystem::path& file, const ObjCounts& counts) {
+  if (counts.faces > 0) return;
+  std::string found;
+  for (const auto& [name, count] : {std::pair("vertices (", counts.points),
+                                    {"lines (", counts.lines},
+                                    {"points (", counts.point_elements}}) {
+    if (count > 0) found += (found.empty() ? "" : ", ") + (name + std::to_string(count)) + ")";
+  }
+  throw InputError(
+      file, "", "the mesh has no faces" + (found.empty() ? " and no vertices" : ", only " + found));
 }
 
 ObjCounts count_obj(std::string_view text) {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
@@ -10,15 +11,20 @@
 namespace brume {
 
 // How many points (v), texture coordinates (vt) and normals (vn) an OBJ has, as a whole or up to a
-// line.
+// line, and elements: faces (f), lines (l), and points that are drawn (p).
 struct ObjCounts {
   std::size_t points = 0;
   std::size_t texcoords = 0;
   std::size_t normals = 0;
+  std::size_t faces = 0;
+  std::size_t lines = 0;
+  std::size_t point_elements = 0;
 
   void add(std::string_view keyword);
 };
 ObjCounts count_obj(std::string_view text);
+// Throws InputError that says what a file has instead, if it has no faces.
+void check_has_faces(const std::filesystem::path& file, const ObjCounts& counts);
 
 // A corner of a face of an OBJ, written v, v/t, v//n or v/t/n: indices from 0, nullopt where the
 // file has no such point, texture coordinates or normal.

@@ -14,6 +14,7 @@ class ObjReader {
       : file_(file), scanner_(bytes, true), counts_(count_obj(bytes)) {}
 
   RawMesh read() {
+    check_has_faces(file_, counts_);
     while (scanner_.next_line()) {
       const std::string_view keyword = scanner_.next_token();
       if (keyword == "v") {

@@ -469,7 +469,12 @@ class SceneLoader {
     const std::vector<const ImportedPart*> parts =
         chosen_parts(scene, is_missing ? std::vector<std::string>() : surface.nodes);
     if (parts.empty()) {
-      context_.fail(surface.nodes.empty() ? path : nodes_path, "found no triangles");
+      const bool are_all = surface.nodes.empty();
+      const std::string why = !are_all ? "these nodes have no triangles"
+                              : scene.left_out.empty()
+                                  ? "has no triangles"
+                                  : scene.left_out + ", and no triangles anywhere";
+      context_.fail(are_all ? path : nodes_path, InputError(surface.mesh_file, "", why).what());
     }
     surface.mesh = joined_mesh(parts);
     budget_.reserve(path, *surface.mesh);

@@ -119,6 +119,16 @@ TEST_F(GltfValues, ImagesThatHaveNoFileAreMissing) {
   }
 }
 
+TEST_F(GltfValues, MaterialsThatAreNotOpaqueAreNamed) {
+  builder_.json["materials"] = {
+      {{"name", "glass"}, {"alphaMode", "BLEND"}}, {{"name", "wood"}}, {{"alphaMode", "MASK"}}};
+  read();
+  EXPECT_TRUE(
+      is_warned("materials[].alphaMode: surfaces are opaque here, also those of the materials "
+                "glass, materials[2]"));
+  EXPECT_EQ(warnings_.size(), 1u);
+}
+
 TEST_F(GltfValues, CompressedMeshesWithoutOtherDataAreToldToBeMissing) {
   builder_.json["extensionsUsed"] = {"KHR_draco_mesh_compression"};
   builder_.primitive()["extensions"]["KHR_draco_mesh_compression"] = {{"bufferView", 0}};
@@ -127,9 +137,10 @@ TEST_F(GltfValues, CompressedMeshesWithoutOtherDataAreToldToBeMissing) {
   for (Json& accessor : builder_.json["accessors"]) accessor.erase("bufferView");
   builder_.json["accessors"][0]["count"] = 1 << 24;
   EXPECT_TRUE(read()->parts.empty());
-  EXPECT_TRUE(
-      is_warned("meshes[].primitives[].attributes: the mesh is missing: its data are "
-                "compressed by KHR_draco_mesh_compression"));
+  EXPECT_TRUE(is_warned(
+      "meshes[].primitives[].attributes: a mesh of the node square is missing: it has only "
+      "data compressed by KHR_draco_mesh_compression; export it again without Draco "
+      "compression"));
 }
 
 TEST_F(GltfValues, CompressedBuffersWithoutOtherDataAreToldToBeMissing) {
@@ -144,7 +155,9 @@ TEST_F(GltfValues, CompressedBuffersWithoutOtherDataAreToldToBeMissing) {
                       {"extensions", {{"EXT_meshopt_compression", {{"fallback", true}}}}}}};
   const auto scene = read_imported_scene(folder_.write("scene.gltf", root.dump()), warnings_);
   EXPECT_TRUE(scene->parts.empty());
-  EXPECT_TRUE(is_warned("the mesh is missing: its data are compressed by EXT_meshopt_compression"));
+  EXPECT_TRUE(
+      is_warned("a mesh of the node square is missing: it has only data compressed by "
+                "EXT_meshopt_compression; export it again without compression"));
 }
 
 }  // namespace

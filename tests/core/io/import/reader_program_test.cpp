@@ -200,15 +200,63 @@ TEST(ReaderProgram, LeavesOutBadFacesOfObj) {
 TEST(ReaderProgram, DamagedFilesAreAnError) {
   const TemporaryFolder folder;
   std::vector<std::string> warnings;
-  for (const char* name : {"a.obj", "a.fbx"}) {
-    for (const char* content : {"", "f 1 2 3\n", "Kaydara FBX Binary  \x00\x1a\x00garbage"}) {
-      const auto file = folder.write(name, content);
-      const std::string error = error_of([&] { read_imported_scene(file, warnings); });
-      EXPECT_TRUE(error.starts_with(file.string() + ": cannot be read")) << error;
-    }
+  for (const auto& [name, content] :
+       {std::pair("a.obj", "f 1 2 3\n"), std::pair("a.fbx", "f 1 2 3\n"),
+        std::pair("a.fbx", "Kaydara FBX Binary  \x00\x1a\x00garbage")}) {
+    const auto file = folder.write(name, content);
+    const std::string error = error_of([&] { read_imported_scene(file, warnings); });
+    EXPECT_TRUE(error.starts_with(file.string() + ": cannot be read")) << error;
   }
   const std::string error = error_of([&] { read_imported_scene(folder / "b.fbx", warnings); });
   EXPECT_TRUE(contains(error, "no such file")) << error;
+}
+
+TEST(ReaderProgram, SaysWhatAnObjWithoutFacesHas) {
+  const TemporaryFolder folder;
+  const auto error = [&](const char* name, const char* content) {
+    const auto file = folder.write(name, content);
+    std::vector<std::string> warnings;
+    return error_of([&] { read_imported_scene(file, warnings); }).substr(file.string().size());
+  };
+  EXPECT_EQ(error("a.obj", ""), ": is empty");
+  EXPECT_EQ(error("a.fbx", ""), ": is empty");
+  EXPECT_EQ(error("a.obj", "# nothing\n\nmtllib a.mtl\n"),
+            ": the mesh has no faces and no vertices");
+  EXPECT_EQ(error("a.obj", "v 0 0 0\nv 1 0 0\nl 1 2\np 1\np 2\n"),
+            ": the mesh has no faces, only vertices (2), lines (1), points (2)");
+}
+
+// As Windows' editors and PowerShell write it.
+TEST(ReaderProgram, ReadsObjInUtf16) {
+  const TemporaryFolder folder;
+  const auto utf16 = [](const std::string& text, bool is_big_endian) {
+    std::string bytes = is_big_endian ? "\xfe\xff" : "\xff\xfe";
+    for (const char c : text) {
+      bytes += is_big_endian ? '\0' : c;
+      bytes += is_big_endian ? c : '\0';
+    }
+    return bytes;
+  };
+  for (const bool is_big_endian : {false, true}) {
+    const auto file = folder.write("scene.obj", utf16(two_squares, is_big_endian));
+    folder.write("my.mtl", utf16("newmtl shiny\nKd 0.5 0.25 1\nnewmtl painted\n", is_big_endian));
+    std::vector<std::string> warnings;
+    const auto scene = read_imported_scene(file, warnings);
+    ASSERT_EQ(scene->parts.size(), 2u);
+    EXPECT_EQ(scene->parts[1].material.metallic_roughness.base_color, glm::dvec3(0.5, 0.25, 1));
+    EXPECT_TRUE(obj_has_materials(file));
+  }
+}
+
+TEST(ReaderProgram, NamesTheMaterialsThatAreNotOpaque) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("scene.obj", two_squares);
+  folder.write("my.mtl", "newmtl painted\nd 0.5\nnewmtl shiny\nd 0.25\n");
+  std::vector<std::string> warnings;
+  read_imported_scene(file, warnings);
+  EXPECT_EQ(warnings,
+            std::vector{file.string() + ": surfaces are opaque here, also those of the materials "
+                                        "painted, shiny"});
 }
 
 TEST(ReaderProgram, StopsWhenAsked) {

@@ -147,6 +147,24 @@ TEST_F(SurfaceFile, MistakesAreNamed) {
   }
 }
 
+TEST_F(SurfaceFile, OfPointsAndLinesAloneIsRefusedWithItsName) {
+  GltfBuilder builder;
+  builder.primitive()["mode"] = 1;
+  const fs::path lines = folder_.write("lines.glb", builder.binary());
+  const std::string left_out =
+      "surfaces[0].file: " + lines.string() + ": meshes[0].primitives[0]: found ";
+  EXPECT_TRUE(contains(error_of([&] { load_scene(write(R"("file": "lines.glb")")); }),
+                       left_out + "lines, and no triangles anywhere"));
+  builder.primitive()["mode"] = 0;
+  folder_.write("lines.glb", builder.binary());
+  EXPECT_TRUE(contains(error_of([&] { load_scene(write(R"("file": "lines.glb")")); }),
+                       left_out + "points, and no triangles anywhere"));
+  builder.json["nodes"][0].erase("mesh");
+  folder_.write("lines.glb", builder.binary());
+  EXPECT_TRUE(contains(error_of([&] { load_scene(write(R"("file": "lines.glb")")); }),
+                       "surfaces[0].file: " + lines.string() + ": has no triangles"));
+}
+
 TEST_F(SurfaceFile, WarnsOfWhatIsMissingInIt) {
   fs::remove(folder_ / "textures/t.png");
   std::vector<std::string> warnings;

@@ -266,6 +266,13 @@ TEST(MeshFile, SkipsUnknownLinesOfAPlyHeader) {
   }
 }
 
+TEST(MeshFile, ReadsObjInUtf16) {
+  const TemporaryFolder folder;
+  std::string little = "\xff\xfe";
+  for (const char* c = obj; *c != 0; ++c) (little += *c) += '\0';
+  EXPECT_EQ(read_mesh(folder.write("a.obj", little))->n_faces(), 4u);
+}
+
 struct BadFile {
   const char* name;
   const char* file;
@@ -287,7 +294,10 @@ TEST(MeshFile, RefusesBadFilesAndNamesThePlace) {
       {"empty", "a.obj", "", "empty"},
       {"unknown format", "a.fbx", "x", "found a mesh of format .fbx"},
       {"no extension", "a", "x", "allowed: .obj, .ply, .stl, .off"},
-      {"obj: no faces", "a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n", "no faces"},
+      {"obj: no faces", "a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n", "no faces, only vertices (3)"},
+      {"obj: lines", "a.obj", "v 0 0 0\nv 1 0 0\nl 1 2\n",
+       "no faces, only vertices (2), lines (1)"},
+      {"obj: nothing", "a.obj", "# nothing\n", "no faces and no vertices"},
       {"obj: only degenerate faces", "a.obj", "v 0 0 0\nv 1 0 0\nf 1 2 1\n", "no faces"},
       {"obj: only bad faces", "a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", "no faces"},
       {"obj: a word", "a.obj", "v 0 zero 0\n" + o, "line 1"},
