@@ -4,6 +4,7 @@
 #include "brume/files.h"
 #include "python/keyed.h"
 #include "python/parts.h"
+#include "python/warnings.h"
 
 namespace py = pybind11;
 
@@ -177,7 +178,10 @@ void bind_environment(py::module_& module) {
   py::class_<Environment, std::shared_ptr<Environment>> environment(
       module, "Environment", "A latitude-longitude map that lights the scene from far away.");
   environment.def(py::init([](const std::filesystem::path& map) {
-                    return std::make_shared<Environment>(load_environment(map));
+                    std::vector<std::string> warnings;
+                    auto loaded = std::make_shared<Environment>(load_environment(map, &warnings));
+                    warn_of(warnings);
+                    return loaded;
                   }),
                   py::arg("map"), "An .exr or .hdr file.");
   def_keyed(environment, "intensity", &Environment::intensity, &EnvironmentKeys::intensity, ">= 0");

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <string>
+#include <vector>
 
 #include "brume/error.h"
 #include "brume/files.h"
@@ -11,6 +12,7 @@
 #include "python/integers.h"
 #include "python/keyed.h"
 #include "python/parts.h"
+#include "python/warnings.h"
 
 namespace py = pybind11;
 
@@ -103,7 +105,10 @@ void bind_surface(py::module_& module) {
       .def_static(
           "load",
           [](const std::filesystem::path& mesh) {
-            return std::make_shared<Surface>(load_surface(mesh));
+            std::vector<std::string> warnings;
+            auto loaded = std::make_shared<Surface>(load_surface(mesh, &warnings));
+            warn_of(warnings);
+            return loaded;
           },
           py::arg("mesh"), "A mesh file: .obj, .ply, .stl or .off.")
       .def_static("primitive", primitive_surface, py::arg("shape"),

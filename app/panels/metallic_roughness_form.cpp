@@ -124,7 +124,10 @@ void MetallicRoughnessForm::load_texture(Slot slot, const std::filesystem::path&
   const std::optional<std::size_t> index = target_.index();
   if (!index) return;
   reading_.start([this, slot, file, index = *index](const Job&) {
-    return [this, slot, file, index, content = read_texture(file, has_colors(slot))] {
+    std::vector<std::string> warnings;
+    const auto content = read_texture(file, has_colors(slot), &warnings);
+    return [this, slot, file, index, content, warnings] {
+      for (const std::string& warning : warnings) Q_EMIT refused(QString::fromStdString(warning));
       target_.change(index, tr("Set texture of %1"), no_merge, [&](Surface& surface) {
         TextureReference& texture = surface.material.metallic_roughness.*slot;
         texture.file = file;

@@ -65,15 +65,15 @@ void save_gaussians(std::span<const Gaussian> gaussians, const fs::path& file,
   write_gaussians(file, gaussians, ids);
 }
 
-Surface load_surface(const fs::path& mesh) {
+Surface load_surface(const fs::path& mesh, std::vector<std::string>* warnings) {
   Surface surface;
   surface.mesh_file = absolute_name(mesh);
-  surface.mesh = read_mesh(mesh);
+  surface.mesh = read_mesh(mesh, warnings);
   return surface;
 }
 
-Environment load_environment(const fs::path& map) {
-  return {absolute_name(map), read_radiance_map(map)};
+Environment load_environment(const fs::path& map, std::vector<std::string>* warnings) {
+  return {absolute_name(map), read_radiance_map(map, warnings)};
 }
 
 DensityGrid load_volume(const fs::path& file, const std::string& grid,

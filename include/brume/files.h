@@ -51,9 +51,12 @@ BRUME_EXPORT void save_gaussians(std::span<const Gaussian> gaussians,
                                  std::span<const GaussianNumber> ids = {});
 
 // Surfaces and lights that a file makes, to be placed in a scene: a mesh (OBJ, PLY, STL, OFF), and
-// an environment map (EXR, HDR).
-BRUME_EXPORT Surface load_surface(const std::filesystem::path& mesh);
-BRUME_EXPORT Environment load_environment(const std::filesystem::path& map);
+// an environment map (EXR, HDR). What is left out or taken otherwise than the file says is appended
+// to `warnings`, a line each.
+BRUME_EXPORT Surface load_surface(const std::filesystem::path& mesh,
+                                  std::vector<std::string>* warnings = nullptr);
+BRUME_EXPORT Environment load_environment(const std::filesystem::path& map,
+                                          std::vector<std::string>* warnings = nullptr);
 
 // A grid of an OpenVDB file as density, to be fitted; of several grids of the name their sum.
 // `warnings` gets that the file's version of the format is newer than those known.

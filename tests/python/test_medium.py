@@ -268,6 +268,13 @@ def test_fit_finds_what_made_the_grid():
         brume.fit(grid, 0.1, origin=(0, np.nan, 0))
 
 
+def test_warns_of_faces_that_are_left_out(tmp_path):
+    file = tmp_path / "m.obj"
+    file.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 9\n")
+    with pytest.warns(UserWarning, match="m.obj: line 5: found a face"):
+        brume.Surface.load(file)
+
+
 def test_warnings_are_pythons(tmp_path):
     file = tmp_path / "s.brume"
     file.write_text('{"format": "brume-scene", "version": 1, "gobo": 1}')

@@ -8,6 +8,7 @@
 #include "brume/error.h"
 #include "core/io/alike_file.h"
 #include "core/io/file_bytes.h"
+#include "core/io/text_scanner.h"
 #include "core/io/unicode_text.h"
 
 namespace brume {
@@ -63,18 +64,42 @@ bool LimitedFiles::Exists(const char* file) const {
 
 Assimp::IOStream* LimitedFiles::Open(const char* file, const char* mode) {
   if (std::strpbrk(mode, "wa+") != nullptr) return nullptr;
-  const std::filesystem::path path = place_of(file, scene_.parent_path()).lexically_normal();
-  try {
-    const bool is_replaced = scene_text_ && path == scene_;
-    // A byte order mark would become part of the first keyword.
-    std::string bytes = is_replaced ? *scene_text_ : as_utf8(read_bytes(path));
-    auto* stream = new Bytes(std::move(bytes));  // Close() gets it
-    if (std::ranges::count(opened_, path) == 0) opened_.push_back(path);
-    return stream;
-  } catch (const InputError&) {
-    missed_.push_back(path);
-    return nullptr;
+  std::string bytes;
+  bool is_any_there = false;
+  for (const std::filesystem::path& path : places_of(file)) {
+    try {
+      const bool is_replaced = scene_text_ && path == scene_;
+      // A byte order mark would become part of the first keyword.
+      if (is_any_there) bytes += '\n';
+      bytes += is_replaced ? *scene_text_ : as_utf8(read_bytes(path));
+      if (std::ranges::count(opened_, path) == 0) opened_.push_back(path);
+      is_any_there = true;
+    } catch (const InputError&) {
+      missed_.push_back(path);
+    }
   }
+  return is_any_there ? new Bytes(std::move(bytes)) : nullptr;  // Close() gets it
+}
+
+std::vector<std::filesystem::path> LimitedFiles::places_of(const std::string& name) const {
+  const std::filesystem::path folder = scene_.parent_path();
+  const std::filesystem::path whole = place_of(name, folder).lexically_normal();
+  const auto exists = [](const std::filesystem::path& file) {
+    std::error_code error;
+    return std::filesystem::exists(file, error);
+  };
+  if (exists(whole)) return {whole};
+  const std::string names =
+      std::filesystem::path(name).lexically_normal().lexically_relative(folder).string();
+  std::vector<std::filesystem::path> places;
+  TextScanner scanner(names);
+  scanner.next_line();
+  for (std::string_view token = scanner.next_token(); !token.empty();
+       token = scanner.next_token()) {
+    std::filesystem::path place = place_of(folder / token, folder).lexically_normal();
+    if (std::ranges::count(places, place) == 0) places.push_back(std::move(place));
+  }
+  return std::ranges::any_of(places, exists) ? places : std::vector{whole};
 }
 
 void LimitedFiles::Close(Assimp::IOStream* stream) {

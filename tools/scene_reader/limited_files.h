@@ -35,6 +35,10 @@ class LimitedFiles : public Assimp::IOSystem {
   [[nodiscard]] const std::vector<std::filesystem::path>& missed() const { return missed_; }
 
  private:
+  // What assimp asks for, in the folders where it is. It takes what an OBJ's line mtllib says for
+  // one name: where there is no such file, it is several with blanks between them.
+  [[nodiscard]] std::vector<std::filesystem::path> places_of(const std::string& name) const;
+
   std::filesystem::path scene_;
   std::optional<std::string> scene_text_;
   std::vector<std::filesystem::path> opened_;

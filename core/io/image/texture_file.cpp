@@ -12,8 +12,9 @@
 namespace brume {
 namespace {
 
-std::shared_ptr<const Texture> read_radiance(const std::filesystem::path& file) {
-  const auto map = read_radiance_map(file);
+std::shared_ptr<const Texture> read_radiance(const std::filesystem::path& file,
+                                             std::vector<std::string>* warnings) {
+  const auto map = read_radiance_map(file, warnings);
   check_texture_size(file, static_cast<std::uint64_t>(map->width),
                      static_cast<std::uint64_t>(map->height));
   return std::make_shared<const Texture>(map->width, map->height, map->pixels);
@@ -44,9 +45,10 @@ std::shared_ptr<const Texture> decode_texture(const std::filesystem::path& file,
       has_colors ? Texture::Encoding::srgb : Texture::Encoding::linear);
 }
 
-std::shared_ptr<const Texture> read_texture(const std::filesystem::path& file, bool has_colors) {
+std::shared_ptr<const Texture> read_texture(const std::filesystem::path& file, bool has_colors,
+                                            std::vector<std::string>* warnings) {
   if (has_colors && (is_exr(file) || read_first_bytes(file, 2) == "#?")) {
-    return read_radiance(file);
+    return read_radiance(file, warnings);
   }
   return decode_texture(file, read_bytes(file), has_colors);
 }

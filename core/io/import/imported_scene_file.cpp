@@ -103,7 +103,7 @@ class SceneBuilder {
     }
     try {
       at->second = image.file == file_ ? decode_texture(image.name, image.bytes, has_colors)
-                                       : read_texture(image.file, has_colors);
+                                       : read_texture(image.file, has_colors, &warnings_);
     } catch (const InputError& mistake) {
       warn_of_texture(use, mistake.what() + counts_as_white);
       return nullptr;

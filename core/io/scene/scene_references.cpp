@@ -255,7 +255,11 @@ std::pair<fs::path, std::shared_ptr<const Texture>> SceneReferences::texture(
   }
   fs::path file = resolve(context, path, text);
   std::shared_ptr<const Texture>& texture = textures_[{file, has_colors}];
-  if (!texture) texture = at_path(context, path, [&] { return read_texture(file, has_colors); });
+  if (!texture) {
+    texture = at_path_with_warnings(context, path, [&](std::vector<std::string>& warnings) {
+      return read_texture(file, has_colors, &warnings);
+    });
+  }
   return {std::move(file), texture};
 }
 

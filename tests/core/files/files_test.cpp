@@ -78,6 +78,14 @@ TEST_F(Files, VolumeOfAMediumHasItsDensity) {
   EXPECT_THROW(static_cast<void>(load_volume(file, "smoke")), InputError);
 }
 
+TEST_F(Files, WarningsOfMeshesReachTheCaller) {
+  const auto file = folder_.write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 9\n");
+  std::vector<std::string> warnings;
+  EXPECT_EQ(load_surface(file, &warnings).mesh_file, file);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_TRUE(warnings[0].starts_with(file.string() + ": line 5: found a face")) << warnings[0];
+}
+
 TEST_F(Files, ANamelessFileIsAnErrorOfInput) {
   EXPECT_THROW(save_scene({}, ""), InputError);
   EXPECT_THROW(static_cast<void>(load_surface("")), InputError);

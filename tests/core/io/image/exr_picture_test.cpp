@@ -10,12 +10,15 @@
 #include <ImfStandardAttributes.h>
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <limits>
 #include <map>
 #include <string>
 #include <vector>
 
+#include "brume/files.h"
 #include "core/io/image/radiance_map_file.h"
+#include "core/io/image/texture_file.h"
 #include "tests/core/io/input_error.h"
 #include "tests/core/io/temporary_folder.h"
 
@@ -188,6 +191,22 @@ TEST_F(ExrFiles, SkiesBecomeFinite) {
   const glm::vec3 sun =
       read_radiance_map(write({rgb(infinity, infinity, infinity)}, &acescg))->pixel(0, 0);
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(sun[c], 65504.0f, 1.0f);
+}
+
+TEST_F(ExrFiles, WarningsReachWhoReadsAnEnvironmentOrATexture) {
+  write({rgb(1.0f, nan, 1.0f)});
+  folder_.write("s.brume", R"({ "format": "brume-scene", "version": 1, "surfaces": [
+    { "primitive": { "type": "box" }, "material": { "type": "metallic_roughness",
+      "base_color_texture": { "file": "a.exr" } } } ] })");
+  for (const auto& read : std::vector<std::function<void(std::vector<std::string>&)>>{
+           [&](auto& warnings) { load_environment(folder_ / "a.exr", &warnings); },
+           [&](auto& warnings) { read_texture(folder_ / "a.exr", true, &warnings); },
+           [&](auto& warnings) { load_scene(folder_ / "s.brume", &warnings); }}) {
+    std::vector<std::string> warnings;
+    read(warnings);
+    ASSERT_EQ(warnings.size(), 1u);
+    EXPECT_TRUE(contains(warnings[0], "a.exr: pixel (0, 0): found 6 values")) << warnings[0];
+  }
 }
 
 TEST_F(ExrFiles, CubeMapsAreNoSkies) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "core/io/image/image_file.h"
 #include "core/io/import/imported_scene_file.h"
 #include "core/scene/texture.h"
@@ -183,6 +185,28 @@ TEST_F(ImportedTextures, MaterialFilesAreFoundAsWindowsNamesThem) {
     EXPECT_NE(read(write_obj("map_Kd red.png\n", library)), nullptr) << library;
     EXPECT_TRUE(warnings_.empty()) << library << warnings_[0];
   }
+}
+
+TEST_F(ImportedTextures, OneLineMayNameSeveralMaterialFiles) {
+  folder_.write("red.png", red_png());
+  folder_.write("other.mtl", "newmtl other\nKd 0.5 0.5 0.5");
+  const auto has_texture = [&](const char* names) {
+    return read(write_obj("map_Kd red.png\n", names));
+  };
+  for (const char* names : {"other.mtl a.mtl", "a.mtl\tother.mtl ", "other.mtl A.MTL a.mtl"}) {
+    EXPECT_NE(has_texture(names), nullptr) << names;
+    EXPECT_TRUE(warnings_.empty()) << names << warnings_[0];
+    EXPECT_EQ(std::ranges::count(scene_->files, folder_ / "other.mtl"), 1) << names;
+  }
+  EXPECT_NE(has_texture("gone.mtl a.mtl"), nullptr);
+  expect_warning("the material file " + (folder_ / "gone.mtl").string() + " is missing");
+  // A name with blanks is one file where there is such a file.
+  folder_.write("my a.mtl", content_of(folder_ / "a.mtl"));
+  folder_.write("a.mtl", "newmtl m\nKd 1 1 1\n");
+  const fs::path file = folder_.write("a.obj",
+                                      "mtllib my a.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\n"
+                                      "usemtl m\nf 1/1 2/1 3/1\n");
+  EXPECT_NE(read(file), nullptr);
 }
 
 TEST_F(ImportedTextures, TextMayBeginWithAByteOrderMark) {
