@@ -16,13 +16,13 @@
 #include "app/import/volume_dialog.h"
 #include "app/import/vtk_points.h"
 #include "brume/error.h"
+#include "brume/files.h"
 #include "brume/limits.h"
 #include "core/io/file_bytes.h"
 #include "core/io/gaussians/gaussian_file.h"
 #include "core/io/gaussians/sequence_file.h"
 #include "core/io/image/radiance_map_file.h"
 #include "core/io/import/imported_scene_file.h"
-#include "core/io/mesh/mesh_file.h"
 #include "core/io/ply.h"
 #include "core/io/volume/volume_file.h"
 #include "core/medium/splat.h"
@@ -88,13 +88,6 @@ std::optional<FrameRun> run_of(const std::vector<fs::path>& files) {
   return frames_around(files.front());
 }
 
-Surface read_surface(const fs::path& file, std::vector<std::string>& warnings) {
-  Surface surface;
-  surface.mesh_file = file;
-  surface.mesh = read_mesh(file, &warnings);
-  return surface;
-}
-
 }  // namespace
 
 SceneImport::SceneImport(Document& document, BackgroundJob& job, QWidget* window)
@@ -149,21 +142,21 @@ void SceneImport::start(const fs::path& file, const BackgroundJob::Work& work) {
 }
 
 void SceneImport::import_file(const fs::path& given) {
-  const fs::path file = fs::absolute(given);
-  if (is_volume(file)) {
-    auto* dialog = new VolumeDialog(file, std::nullopt, window_);
+  const fs::path path = fs::absolute(given);
+  if (is_volume(path)) {
+    auto* dialog = new VolumeDialog(path, std::nullopt, window_);
     connect(dialog, &VolumeDialog::requested, this,
-            [this, file](const VolumeFit& how) { import_volume(file, how); });
+            [this, path](const VolumeFit& how) { import_volume(path, how); });
     dialog->show();
     return;
   }
-  start(file, [this, path = file](const Job& job) -> BackgroundJob::Apply {
+  start(path, [this, path](const Job& job) -> BackgroundJob::Apply {
     const File file{path, kind_of(path)};
     if (!needs_answer(file)) return read(file, {}, job.stop, true);
     return [this, file] {
       ask_about_splats(to_qstring(file.path.filename()), [this, file](const SplatOptions& options) {
-        start(file.path, [this, file, options](const Job& job) {
-          return read(file, options, job.stop, true);
+        start(file.path, [this, file, options](const Job& answered) {
+          return read(file, options, answered.stop, true);
         });
       });
     };
@@ -205,7 +198,7 @@ BackgroundJob::Apply SceneImport::read(const File& file, const SplatOptions& opt
       return read_scene(file, options, stop, asks);
     case Kind::mesh: {
       std::vector<std::string> warnings;
-      const Surface surface = read_surface(path, warnings);
+      const Surface surface = load_surface(path, &warnings);
       return [this, surface, text = lines_of(warnings)] {
         if (!text.isEmpty()) Q_EMIT warned(text);
         add_surfaces({surface}, tr("Import %1").arg(to_qstring(surface.mesh_file.filename())));
@@ -282,8 +275,13 @@ BackgroundJob::Apply SceneImport::read(const FrameRun& run) {
   sequence.file = run.files.text();
   sequence.first = run.first;
   sequence.last = run.last;
-  sequence.frames = open_sequence(run.files, run.first, run.last);
-  return [this, sequence] { add_sequence(sequence); };
+  std::vector<std::string> warnings;
+  sequence.frames = open_sequence(run.files, run.first, run.last, read_gaussian_frame,
+                                  limits::gaussians, &warnings);
+  return [this, sequence, text = lines_of(warnings)] {
+    if (!text.isEmpty()) Q_EMIT warned(text);
+    add_sequence(sequence);
+  };
 }
 
 void SceneImport::import_files(const std::vector<fs::path>& files) {
@@ -331,21 +329,21 @@ void SceneImport::import_each(const std::vector<fs::path>& files,
   if (read_at_once.empty()) return;
   start(read_at_once.front(),
         [this, paths = read_at_once, run](const Job& job) -> BackgroundJob::Apply {
-          std::vector<File> files;
-          for (const fs::path& path : paths) files.push_back({path, kind_of(path)});
-          if (run && files.front().kind == Kind::splats) {
+          std::vector<File> found;
+          for (const fs::path& path : paths) found.push_back({path, kind_of(path)});
+          if (run && found.front().kind == Kind::splats) {
             return [this, run = *run] { ask_about_splats(run); };
           }
-          if (run && files.front().kind != Kind::mesh) return read(*run);
+          if (run && found.front().kind != Kind::mesh) return read(*run);
           // Once for all of them.
-          if (std::ranges::none_of(files, needs_answer)) return read(files, {}, job);
-          return [this, files] {
-            ask_about_splats(tr("%1 files").arg(files.size()),
-                             [this, files](const SplatOptions& options) {
-                               start(files.front().path, [this, files, options](const Job& job) {
-                                 return read(files, options, job);
-                               });
-                             });
+          if (std::ranges::none_of(found, needs_answer)) return read(found, {}, job);
+          return [this, found] {
+            ask_about_splats(
+                tr("%1 files").arg(found.size()), [this, found](const SplatOptions& options) {
+                  start(found.front().path, [this, found, options](const Job& answered) {
+                    return read(found, options, answered);
+                  });
+                });
           };
         });
 }
@@ -358,7 +356,7 @@ BackgroundJob::Apply SceneImport::read(const std::vector<File>& files, const Spl
   for (const File& file : files) {
     if (job.stop.stop_requested()) return {};
     if (file.kind == Kind::mesh) {
-      surfaces.push_back(read_surface(file.path, warnings));
+      surfaces.push_back(load_surface(file.path, &warnings));
     } else {
       takes.push_back(read(file, options, job.stop, false));
     }
@@ -444,7 +442,8 @@ void SceneImport::start_sequence(const FrameRun& run, const fs::path& folder, Ma
             throw InputError(names.parent_path(), "",
                              "has the files that are imported; allowed: another folder");
           }
-          std::vector<SequenceFrame> frames = make(job);
+          std::vector<std::string> warnings;
+          std::vector<SequenceFrame> frames = make(job, warnings);
           const auto count = static_cast<std::size_t>(run.last - run.first) + 1;
           if (frames.size() != count || job.stop.stop_requested()) return {};
           // Only now, so that nothing is there of what was cancelled.
@@ -460,13 +459,16 @@ void SceneImport::start_sequence(const FrameRun& run, const fs::path& folder, Ma
           sequence.first = run.first;
           sequence.last = run.last;
           sequence.frames = sequence_frames(std::move(frames));
-          return [this, sequence] { add_sequence(sequence); };
+          return [this, sequence, text = lines_of(warnings)] {
+            if (!text.isEmpty()) Q_EMIT warned(text);
+            add_sequence(sequence);
+          };
         });
 }
 
 void SceneImport::import_volumes(const FrameRun& run, const VolumeFit& how,
                                  const fs::path& folder) {
-  start_sequence(run, folder, [run, how](const Job& job) {
+  start_sequence(run, folder, [run, how](const Job& job, std::vector<std::string>&) {
     std::vector<fs::path> files;
     for (int frame = run.first; frame <= run.last; ++frame)
       files.push_back(run.files.file_of(frame));
@@ -475,9 +477,9 @@ void SceneImport::import_volumes(const FrameRun& run, const VolumeFit& how,
 }
 
 void SceneImport::import_vtk_files(const FrameRun& run, const fs::path& folder) {
-  start_sequence(run, folder, [run](const Job& job) {
+  start_sequence(run, folder, [run](const Job& job, std::vector<std::string>&) {
     const auto read = [&](const fs::path& file, std::vector<GaussianNumber>* ids,
-                          std::size_t max_count) {
+                          std::size_t max_count, std::vector<std::string>*) {
       return read_vtk_points(file, ids, max_count, job.stop);
     };
     return read_sequence(run.files, run.first, run.last, read);
@@ -486,12 +488,12 @@ void SceneImport::import_vtk_files(const FrameRun& run, const fs::path& folder) 
 
 void SceneImport::import_splats(const FrameRun& run, const SplatOptions& options,
                                 const fs::path& folder) {
-  start_sequence(run, folder, [run, options](const Job&) {
+  start_sequence(run, folder, [run, options](const Job&, std::vector<std::string>& all) {
     const auto read = [&](const fs::path& file, std::vector<GaussianNumber>* ids,
-                          std::size_t max_count) {
-      return read_splats(file, options, nullptr, ids, max_count);
+                          std::size_t max_count, std::vector<std::string>* warnings) {
+      return read_splats(file, options, warnings, ids, max_count);
     };
-    return read_sequence(run.files, run.first, run.last, read);
+    return read_sequence(run.files, run.first, run.last, read, limits::gaussians, &all);
   });
 }
 

@@ -91,7 +91,8 @@ class SceneImport : public QObject {
   void add_sequence(MediumSequence sequence);
   // In the background: writes the frames of `make`, numbered as in `run`, to a folder. Nothing is
   // written if it returns fewer.
-  using MakeFrames = std::function<std::vector<SequenceFrame>(const Job& job)>;
+  using MakeFrames =
+      std::function<std::vector<SequenceFrame>(const Job& job, std::vector<std::string>& warnings)>;
   void start_sequence(const FrameRun& run, const std::filesystem::path& folder, MakeFrames make);
 
   Document& document_;

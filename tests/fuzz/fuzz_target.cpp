@@ -62,7 +62,7 @@ constexpr Parser parsers[] = {
     {"splat_ply", ".ply",
      [](const Path& file) {
        for (const auto along : {OpacityAlong::shortest, OpacityAlong::longest}) {
-         check_gaussians(read_gaussians_ply(file, nullptr, max_fuzzed, "id", {along, true}));
+         check_gaussians(read_gaussians_ply(file, nullptr, max_fuzzed, nullptr, {along, true}));
        }
      }},
     {"splat_gltf", ".glb",

@@ -24,8 +24,8 @@ using gaussian_columns::names;
 // Reads Gaussians from the rows of a table, whose heading it takes.
 class CsvReader {
  public:
-  CsvReader(const std::filesystem::path& file, std::string bytes, std::string_view number_name)
-      : file_(file), table_(file, std::move(bytes)), number_name_(number_name) {
+  CsvReader(const std::filesystem::path& file, std::string bytes)
+      : file_(file), table_(file, std::move(bytes)) {
     const auto has_columns = [&] { return !missing_column(); };
     if (!table_.read_heading(has_columns)) {
       throw InputError(file, "", "the file is empty; allowed: Gaussians as PLY or CSV");
@@ -34,7 +34,6 @@ class CsvReader {
     for (std::size_t i = 0; i < names.size(); ++i) columns_.push_back(*column(i));
     optics_columns_ = find_all(gaussian_columns::optics_names);
     shape_columns_ = find_all(gaussian_columns::shape_names);
-    number_column_ = table_.column(number_name);
     const std::string missing = gaussian_columns::missing_of_shape(
         [&](std::string_view name) { return table_.column(name).has_value(); });
     if (!missing.empty()) refuse_heading(missing, "all columns of an ellipsoid, or none");
@@ -63,14 +62,13 @@ class CsvReader {
     return gaussian;
   }
 
-  [[nodiscard]] bool has_numbers() const { return number_column_.has_value(); }
-  // Of the Gaussian that next() returned.
-  GaussianNumber gaussian_number() {
-    const double value = number(*number_column_, number_name_);
-    if (!gaussian_columns::is_id(value)) {
-      refuse(number_name_, gaussian_columns::id_domain.refusal(value));
-    }
-    return static_cast<GaussianNumber>(value);
+  // Appends the number in a column, if there is one, of the Gaussian that next() returned.
+  void read_number(std::string_view name, std::vector<GaussianNumber>& numbers) {
+    const auto found = table_.column(name);
+    if (!found) return;
+    const double value = number(*found, name);
+    if (!gaussian_columns::is_id(value)) refuse(name, gaussian_columns::id_domain.refusal(value));
+    numbers.push_back(static_cast<GaussianNumber>(value));
   }
 
   [[nodiscard]] std::string place() const { return table_.place(); }
@@ -126,25 +124,23 @@ class CsvReader {
 
   const std::filesystem::path& file_;
   CsvTable table_;
-  std::string_view number_name_;
   std::vector<std::size_t> columns_;
   std::vector<std::size_t> optics_columns_;  // empty: none
   std::vector<std::size_t> shape_columns_;   // empty: none
-  std::optional<std::size_t> number_column_;
 };
 
 }  // namespace
 
 std::vector<Gaussian> read_gaussians_csv(const std::filesystem::path& file,
                                          std::vector<GaussianNumber>* ids, std::size_t max_count,
-                                         std::string_view number_name) {
-  return parse_gaussians_csv(file, read_bytes(file), ids, max_count, number_name);
+                                         std::vector<GaussianNumber>* groups) {
+  return parse_gaussians_csv(file, read_bytes(file), ids, max_count, groups);
 }
 
 std::vector<Gaussian> parse_gaussians_csv(const std::filesystem::path& file, std::string bytes,
                                           std::vector<GaussianNumber>* ids, std::size_t max_count,
-                                          std::string_view number_name) {
-  CsvReader reader(file, std::move(bytes), number_name);
+                                          std::vector<GaussianNumber>* groups) {
+  CsvReader reader(file, std::move(bytes));
   std::vector<Gaussian> gaussians;
   while (const auto gaussian = reader.next()) {
     if (gaussians.size() == max_count) {
@@ -153,7 +149,8 @@ std::vector<Gaussian> parse_gaussians_csv(const std::filesystem::path& file, std
           "found too many Gaussians; allowed: " + gaussian_columns::allowed_count(max_count));
     }
     gaussians.push_back(*gaussian);
-    if (ids && reader.has_numbers()) ids->push_back(reader.gaussian_number());
+    if (ids) reader.read_number(gaussian_columns::id_name, *ids);
+    if (groups) reader.read_number(gaussian_columns::group_name, *groups);
   }
   return gaussians;
 }

@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "brume/gaussian.h"
@@ -13,16 +12,17 @@ namespace brume {
 
 // Reads Gaussians from a table (CsvTable) whose heading names the columns, among them x, y, z,
 // radius and density (or alternatives, see gaussian_columns.h) in any order; other columns are
-// skipped. Throws InputError naming file and line, also for more than `max_count`.
+// skipped. `ids` and `groups` get the numbers of the columns id and group, where there are such.
+// Throws InputError naming file and line, also for more than `max_count`.
 std::vector<Gaussian> read_gaussians_csv(const std::filesystem::path& file,
                                          std::vector<GaussianNumber>* ids = nullptr,
                                          std::size_t max_count = limits::gaussians,
-                                         std::string_view number_name = "id");
+                                         std::vector<GaussianNumber>* groups = nullptr);
 // The same of its bytes; the name is for errors.
 std::vector<Gaussian> parse_gaussians_csv(const std::filesystem::path& file, std::string bytes,
                                           std::vector<GaussianNumber>* ids = nullptr,
                                           std::size_t max_count = limits::gaussians,
-                                          std::string_view number_name = "id");
+                                          std::vector<GaussianNumber>* groups = nullptr);
 
 // Writes x,y,z,radius,density, and optics and shapes where there are any, with the fewest digits
 // that read back the same.

@@ -32,18 +32,30 @@ Format format_of(const std::filesystem::path& file) {
 }
 
 std::vector<Gaussian> read_numbered(const std::filesystem::path& file,
-                                    std::vector<GaussianNumber>* numbers, std::size_t max_count,
-                                    std::string_view number_name, const SplatInput& splats,
+                                    std::vector<GaussianNumber>* ids, std::size_t max_count,
+                                    std::vector<GaussianNumber>* groups, const SplatInput& splats,
                                     std::vector<std::string>* warnings) {
   switch (format_of(file)) {
     case Format::ply:
-      return read_gaussians_ply(file, numbers, max_count, number_name, splats, warnings);
+      return read_gaussians_ply(file, ids, max_count, groups, splats, warnings);
     case Format::gltf:
       return read_splats_gltf(file, max_count, splats, warnings);
     case Format::csv:
       break;
   }
-  return read_gaussians_csv(file, numbers, max_count, number_name);
+  return read_gaussians_csv(file, ids, max_count, groups);
+}
+
+// What read(&ids) reads; without ids where the file has none, or no ids but another program's
+// words.
+template <class Read>
+std::vector<Gaussian> with_ids_if_any(std::vector<GaussianNumber>& ids, Read read) {
+  try {
+    return read(&ids);
+  } catch (const InputError&) {
+    ids.clear();  // if it is these, the file is read without; if not, there is the same error again
+    return read(nullptr);
+  }
 }
 
 bool is_gltf_name(const std::filesystem::path& file) {
@@ -56,18 +68,15 @@ bool is_gltf_name(const std::filesystem::path& file) {
 std::vector<Gaussian> read_gaussians(const std::filesystem::path& file,
                                      std::vector<GaussianNumber>* ids, std::size_t max_count,
                                      const SplatInput& splats, std::vector<std::string>* warnings) {
-  return read_numbered(file, ids, max_count, gaussian_columns::id_name, splats, warnings);
+  return read_numbered(file, ids, max_count, nullptr, splats, warnings);
 }
 
 std::vector<Gaussian> read_with_ids(const std::filesystem::path& file,
                                     std::vector<GaussianNumber>& ids, const SplatInput& splats,
                                     std::vector<std::string>* warnings) {
-  try {
-    return read_gaussians(file, &ids, limits::gaussians, splats, warnings);
-  } catch (const InputError&) {
-    ids.clear();  // if it is these, the file is read without; if not, there is the same error again
-    return read_gaussians(file, nullptr, limits::gaussians, splats, warnings);
-  }
+  return with_ids_if_any(ids, [&](std::vector<GaussianNumber>* wanted) {
+    return read_gaussians(file, wanted, limits::gaussians, splats, warnings);
+  });
 }
 
 std::vector<GaussianNumber> written_ids(const Medium& medium) {
@@ -102,10 +111,13 @@ bool has_splats(const std::filesystem::path& file) {
 
 std::vector<Gaussian> read_grouped_gaussians(const std::filesystem::path& file,
                                              std::size_t max_count, std::size_t max_group,
+                                             std::vector<GaussianNumber>& ids,
                                              std::vector<std::string>* warnings) {
   std::vector<GaussianNumber> groups;
-  std::vector<Gaussian> gaussians =
-      read_numbered(file, &groups, max_count, gaussian_columns::group_name, {}, warnings);
+  std::vector<Gaussian> gaussians = with_ids_if_any(ids, [&](std::vector<GaussianNumber>* wanted) {
+    groups.clear();
+    return read_numbered(file, wanted, max_count, max_group > 0 ? &groups : nullptr, {}, warnings);
+  });
   for (std::size_t i = 0; i < groups.size(); ++i) {
     if (groups[i] > max_group) {
       throw InputError(file, "Gaussian " + std::to_string(i),

@@ -41,10 +41,11 @@ std::size_t max_gaussian_count(const std::filesystem::path& file);
 // still refuse them. Throws InputError.
 bool has_splats(const std::filesystem::path& file);
 
-// Reads Gaussians of a scene with `max_group` groups: the column `group`, if present, has the
-// numbers that become their groups.
+// Reads Gaussians of a scene with `max_group` groups: the column `group`, if there are groups and
+// it is present, has the numbers that become theirs. `ids`: as of read_with_ids().
 std::vector<Gaussian> read_grouped_gaussians(const std::filesystem::path& file,
                                              std::size_t max_count, std::size_t max_group,
+                                             std::vector<GaussianNumber>& ids,
                                              std::vector<std::string>* warnings = nullptr);
 
 // Writes CSV if the extension is .csv, else PLY, lossless; but splats if it is .glb or .gltf.

@@ -156,7 +156,8 @@ ToGaussian from_points(const std::filesystem::path& file, const PlyFile::Element
 
 std::vector<Gaussian> read_gaussians_ply(const std::filesystem::path& file,
                                          std::vector<GaussianNumber>* ids, std::size_t max_count,
-                                         std::string_view number_name, const SplatInput& input,
+                                         std::vector<GaussianNumber>* groups,
+                                         const SplatInput& input,
                                          std::vector<std::string>* warnings) {
   const std::string bytes = read_bytes(file);
   const PlyFile ply(file, bytes);
@@ -172,7 +173,20 @@ std::vector<Gaussian> read_gaussians_ply(const std::filesystem::path& file,
   DroppedSplats dropped;
   const ToGaussian to_gaussian =
       are_splats ? from_splats(*vertices, input, dropped) : from_points(file, *vertices);
-  const auto id = columns<1>(*vertices, {number_name});
+  const auto number_reader = [&](std::string_view name, std::vector<GaussianNumber>* numbers) {
+    const auto column = numbers ? columns<1>(*vertices, {name}) : std::nullopt;
+    return [&file, name, numbers, column](std::uint64_t index, const PlyFile::Row& row) {
+      if (!column) return;
+      const double number = row.scalars[(*column)[0]];
+      if (!gaussian_columns::is_id(number)) {
+        throw InputError(file, vertex(index),
+                         std::string(name) + ": " + gaussian_columns::id_domain.refusal(number));
+      }
+      numbers->push_back(static_cast<GaussianNumber>(number));
+    };
+  };
+  const auto read_id = number_reader(gaussian_columns::id_name, ids);
+  const auto read_group = number_reader(gaussian_columns::group_name, groups);
   std::vector<Gaussian> gaussians;
   ply.for_each_row(
       [&](const PlyFile::Element& element, std::uint64_t index, const PlyFile::Row& row) {
@@ -180,14 +194,8 @@ std::vector<Gaussian> read_gaussians_ply(const std::filesystem::path& file,
         const std::optional<Gaussian> gaussian = to_gaussian(index, row);
         if (!gaussian) return;
         gaussians.push_back(*gaussian);
-        if (!ids || !id) return;
-        const double number = row.scalars[(*id)[0]];
-        if (!gaussian_columns::is_id(number)) {
-          throw InputError(
-              file, vertex(index),
-              std::string(number_name) + ": " + gaussian_columns::id_domain.refusal(number));
-        }
-        ids->push_back(static_cast<GaussianNumber>(number));
+        read_id(index, row);
+        read_group(index, row);
       });
   dropped.report(file, static_cast<std::size_t>(vertices->count), warnings);
   if (warnings) std::ranges::copy(ply.warnings(), std::back_inserter(*warnings));

@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "brume/gaussian.h"
@@ -20,12 +19,12 @@ namespace brume {
 // balls. f_dc_0 to f_dc_2 become albedos if these are wanted, other colors are skipped. Throws
 // InputError naming file and vertex; splats that are none are left out (DroppedSplats).
 //
-// `ids` gets the numbers of the property id, where points have one. More than `max_count` are
-// refused.
+// `ids` and `groups` get the numbers of the properties id and group, where points have them. More
+// than `max_count` are refused.
 std::vector<Gaussian> read_gaussians_ply(const std::filesystem::path& file,
                                          std::vector<GaussianNumber>* ids = nullptr,
                                          std::size_t max_count = limits::gaussians,
-                                         std::string_view number_name = "id",
+                                         std::vector<GaussianNumber>* groups = nullptr,
                                          const SplatInput& splats = {},
                                          std::vector<std::string>* warnings = nullptr);
 

@@ -209,15 +209,42 @@ class SceneLoader {
     const JsonPath path = object.path_of("file");
     auto source = std::make_shared<MediumFile>();
     source->file = references_.resolve(context_, path, object.text("file", {}));
+    std::vector<GaussianNumber> numbers;
     const std::vector<Gaussian> gaussians = references_.gaussians(
-        context_, path, source->file, budget_.gaussians_left(), scene_.groups.size());
+        context_, path, source->file, budget_.gaussians_left(), scene_.groups.size(), numbers);
     budget_.reserve_gaussians(path, gaussians.size());
     Medium& medium = scene_.medium;
     source->first_id = medium.next_id();
-    medium.reserve(medium.size() + gaussians.size());
-    for (const Gaussian& g : gaussians) medium.append(g);
+    if (are_free_ids(numbers)) {
+      source->first_id = std::ranges::min(numbers);
+      add_with_ids(gaussians, numbers);
+    } else {
+      medium.reserve(medium.size() + gaussians.size());
+      for (const Gaussian& g : gaussians) medium.append(g);
+    }
     source->loaded = medium;
     document_.extras.medium_file = std::move(source);
+  }
+
+  // Whether the ids of a file are above those of the Gaussians so far, and all different.
+  [[nodiscard]] bool are_free_ids(std::vector<GaussianNumber> numbers) const {
+    std::ranges::sort(numbers);
+    return !numbers.empty() && numbers.front() >= scene_.medium.next_id() &&
+           std::ranges::adjacent_find(numbers) == numbers.end();
+  }
+
+  void add_with_ids(const std::vector<Gaussian>& gaussians,
+                    const std::vector<GaussianNumber>& numbers) {
+    std::vector<std::pair<GaussianId, std::size_t>> order;
+    for (std::size_t i = 0; i < numbers.size(); ++i) order.emplace_back(numbers[i], i);
+    std::ranges::sort(order);
+    std::vector<GaussianId> ids;
+    std::vector<Gaussian> sorted;
+    for (const auto& [id, i] : order) {
+      ids.push_back(id);
+      sorted.push_back(gaussians[i]);
+    }
+    MediumEdit::add(scene_.medium, sorted, ids).apply(scene_.medium);
   }
 
   void load_noise(const Json& value, const JsonPath& path) {

@@ -133,7 +133,7 @@ fs::path SceneReferences::resolve_output(const JsonContext& context, const JsonP
   return file;
 }
 
-std::shared_ptr<const SequenceFrames> SceneReferences::sequence(const JsonContext& context,
+std::shared_ptr<const SequenceFrames> SceneReferences::sequence(JsonContext& context,
                                                                 const JsonPath& path,
                                                                 const MediumSequence& sequence,
                                                                 std::size_t max_gaussians) {
@@ -152,14 +152,15 @@ std::shared_ptr<const SequenceFrames> SceneReferences::sequence(const JsonContex
     const auto count = static_cast<std::size_t>(sequence.last - sequence.first) + 1;
     return sequence_frames(std::vector<SequenceFrame>(count));
   }
-  return at_path(context, path, [&] {
+  return at_path_with_warnings(context, path, [&](std::vector<std::string>& warnings) {
     // By value: frames may be read when this is gone.
     const auto read = [missing](const fs::path& file, std::vector<GaussianNumber>* ids,
-                                std::size_t max_count) {
+                                std::size_t max_count,
+                                std::vector<std::string>* warnings_of_frame) {
       return missing.contains(file) ? std::vector<Gaussian>()
-                                    : read_gaussians(file, ids, max_count);
+                                    : read_gaussian_frame(file, ids, max_count, warnings_of_frame);
     };
-    return open_sequence(files, sequence.first, sequence.last, read, max_gaussians);
+    return open_sequence(files, sequence.first, sequence.last, read, max_gaussians, &warnings);
   });
 }
 
@@ -203,15 +204,12 @@ std::shared_ptr<const ImportedScene> SceneReferences::imported(JsonContext& cont
 
 std::vector<Gaussian> SceneReferences::gaussians(JsonContext& context, const JsonPath& path,
                                                  const fs::path& file, std::size_t max_gaussians,
-                                                 std::size_t max_group) {
+                                                 std::size_t max_group,
+                                                 std::vector<GaussianNumber>& ids) {
   if (is_missing(file)) return {};
-  std::vector<std::string> warnings;
-  std::vector<Gaussian> gaussians = at_path(context, path, [&] {
-    return max_group == 0 ? read_gaussians(file, nullptr, max_gaussians, {}, &warnings)
-                          : read_grouped_gaussians(file, max_gaussians, max_group, &warnings);
+  return at_path_with_warnings(context, path, [&](std::vector<std::string>& warnings) {
+    return read_grouped_gaussians(file, max_gaussians, max_group, ids, &warnings);
   });
-  for (const std::string& warning : warnings) context.warn(path, warning);
-  return gaussians;
 }
 
 std::shared_ptr<const RadianceMap> SceneReferences::radiance_map(JsonContext& context,

@@ -34,7 +34,7 @@ class SceneReferences {
   std::filesystem::path resolve_output(const JsonContext& context, const JsonPath& path,
                                        const std::string& text) const;
   // Opens the frames of a sequence whose file, first and last are set; at most `max_gaussians`.
-  std::shared_ptr<const SequenceFrames> sequence(const JsonContext& context, const JsonPath& path,
+  std::shared_ptr<const SequenceFrames> sequence(JsonContext& context, const JsonPath& path,
                                                  const MediumSequence& sequence,
                                                  std::size_t max_gaussians);
 
@@ -56,10 +56,10 @@ class SceneReferences {
                                                                            const std::string& text,
                                                                            bool has_colors);
   // Their groups are the numbers of the column `group`, at most `max_group`; without groups it is
-  // not read.
+  // not read. `ids`: as of read_with_ids().
   std::vector<Gaussian> gaussians(JsonContext& context, const JsonPath& path,
                                   const std::filesystem::path& file, std::size_t max_gaussians,
-                                  std::size_t max_group);
+                                  std::size_t max_group, std::vector<GaussianNumber>& ids);
   std::shared_ptr<const RadianceMap> radiance_map(JsonContext& context, const JsonPath& path,
                                                   const std::filesystem::path& file);
 

@@ -96,6 +96,19 @@ TEST_F(DroppedSplatsTest, AreAWarningOfTheSceneThatHasTheFile) {
   EXPECT_TRUE(contains(warnings_[0], "1 of 10 splats")) << warnings_[0];
 }
 
+TEST_F(DroppedSplatsTest, OfASequenceAreWarningsOfItsScene) {
+  const auto file = capture(10, {3}, "nan");
+  folder_.write("f_1.ply", content_of(file));
+  folder_.write("f_2.ply", content_of(capture(10, {4, 5}, "nan")));
+  const auto scene = folder_.write("a.brume", R"({ "format": "brume-scene", "version": 1,
+    "medium": { "sequences": [ { "file": "f_%d.ply", "first": 1, "last": 2 } ] } })");
+  load_scene(scene, &warnings_);
+  ASSERT_EQ(warnings_.size(), 2u);
+  EXPECT_TRUE(contains(warnings_[0], "medium.sequences[].file")) << warnings_[0];
+  EXPECT_TRUE(contains(warnings_[0], "f_1.ply: 1 of 10 splats")) << warnings_[0];
+  EXPECT_TRUE(contains(warnings_[1], "f_2.ply: 2 of 10 splats")) << warnings_[1];
+}
+
 // In the file's own names, not in those of the Gaussians that splats become.
 TEST_F(DroppedSplatsTest, FaultsHaveTheNamesOfSplats) {
   const SplatNames names{{"x", "y", "z"}, {"scale_0", "scale_1", "scale_2"}, "opacity", {"r"}};

@@ -102,7 +102,8 @@ TEST(OpenSequence, ReadsLargeOnesWhenTheyAreNeeded) {
   const auto files = FramePattern::parse((folder / "f_%d.ply").string());
   const auto whole = open_sequence(*files, 0, 3);
   EXPECT_TRUE(whole->are_in_memory());
-  const auto lazy = open_sequence(*files, 0, 3, read_gaussian_frame, limits::gaussians, 10);
+  const auto lazy =
+      open_sequence(*files, 0, 3, read_gaussian_frame, limits::gaussians, nullptr, 10);
   EXPECT_FALSE(lazy->are_in_memory());
   EXPECT_EQ(lazy->max_gaussians(), whole->max_gaussians());
   MediumSequence a{.file = files->text(), .first = 0, .last = 3, .frames = whole};
@@ -112,9 +113,10 @@ TEST(OpenSequence, ReadsLargeOnesWhenTheyAreNeeded) {
     EXPECT_EQ(sequence_at(a, time, glm::dvec3(1.0)), sequence_at(b, time, glm::dvec3(1.0)));
   }
   // What is missing is known when it is opened, as it is of small ones.
-  EXPECT_NE(
-      error_of([&] { open_sequence(*files, 0, 4, read_gaussian_frame, 1000, 10); }).find("f_4.ply"),
-      std::string::npos);
+  EXPECT_NE(error_of([&] {
+              open_sequence(*files, 0, 4, read_gaussian_frame, 1000, nullptr, 10);
+            }).find("f_4.ply"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -323,6 +323,30 @@ TEST(SceneFile, RefersToTheMediumFileWhileItsGaussiansAreUnchanged) {
   EXPECT_EQ(read_gaussians(folder / "column.ply"), column) << "the file itself is not touched";
 }
 
+TEST(SceneFile, KeepsTheIdsOfTheMediumFileThatAreAboveThoseBefore) {
+  const TemporaryFolder folder;
+  const auto ids_of = [&](const std::string& inline_gaussians, const std::string& file) {
+    folder.write("a.csv", file);
+    const SceneDocument document = load_document(
+        folder.write("a.brume", R"({"format": "brume-scene", "version": 1, "medium": {"groups": [
+                                    {"name": "g"}], "gaussians": [)" +
+                                    inline_gaussians + R"(], "file": "a.csv"}})"));
+    const Medium& medium = document.scene.medium;
+    save_document(document, folder / "b.brume");
+    EXPECT_TRUE(contains(content_of(folder / "b.brume"), "a.csv"));
+    EXPECT_EQ(load_document(folder / "b.brume").scene.medium, medium);
+    return std::vector(medium.ids().begin(), medium.ids().end());
+  };
+  const std::string one = R"({"center": [0, 0, 0], "radius": 1, "density": 1})";
+  const std::string heading = "x,y,z,radius,density,id,group\n";
+  using Ids = std::vector<GaussianId>;
+  EXPECT_EQ(ids_of(one, heading + "1,0,0,1,1,7,1\n2,0,0,1,1,9,0\n"), (Ids{1, 7, 9}));
+  EXPECT_EQ(ids_of("", heading + "1,0,0,1,1,9,0\n2,0,0,1,1,7,0\n"), (Ids{7, 9})) << "in any order";
+  EXPECT_EQ(ids_of(one, heading + "1,0,0,1,1,1,0\n2,0,0,1,1,9,0\n"), (Ids{1, 2, 3})) << "taken";
+  EXPECT_EQ(ids_of(one, heading + "1,0,0,1,1,7,0\n2,0,0,1,1,7,0\n"), (Ids{1, 2, 3})) << "twice";
+  EXPECT_EQ(ids_of(one, heading + "1,0,0,1,1,left,1\n2,0,0,1,1,right,0\n"), (Ids{1, 2, 3}));
+}
+
 TEST(SceneFile, DropsTheMediumFileWhenOneOfItsGaussiansIsRemoved) {
   const TemporaryFolder folder;
   write_example_files(folder);
