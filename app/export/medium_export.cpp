@@ -88,12 +88,11 @@ void write_stage(const MediumExport& request, const Job& job) {
     const int number = range.first + k;
     const double time = request.range ? number / range.frames_per_second : request.time;
     UsdFrame& frame = frames.emplace_back();
-    frame.frame = number;
+    if (request.range) frame.frame = number;
     frame.scene = evaluate_at(*request.scene, time);
     frame.splats = frame.scene.medium.gaussians();
     if (frame.splats.empty()) continue;
-    const std::filesystem::path file =
-        volume_of_stage(request.file, request.range ? std::optional(number) : std::nullopt);
+    const std::filesystem::path file = volume_of_stage(request.file, frame.frame);
     const Grids grids = sampled(request, file, frame.scene,
                                 job.subrange(static_cast<double>(k) / count, (k + 1.0) / count));
     write_volume(file, grids.density, request.half, grids.colors);

@@ -54,6 +54,12 @@ TEST_F(UsdExport, WritesAVolumeForEachFrame) {
   EXPECT_NE(stage.find("xformOp:transform.timeSamples"), std::string::npos);
   EXPECT_NE(stage.find("timeCodesPerSecond = 10"), std::string::npos);
   EXPECT_TRUE(std::filesystem::exists(file("m_fog_0006.vdb")));
+  ASSERT_EQ(run_brume({"export", moving, "-o", file("o.usda"), "--frames", "6", "--fps", "10",
+                       "--voxel", "0.1"})
+                .exit_code,
+            0);
+  EXPECT_NE(text_of("o.usda").find("6: @o_fog_0006.vdb@"), std::string::npos);
+  EXPECT_NE(text_of("o.usda").find("startTimeCode = 6"), std::string::npos);
 }
 
 // 100 kB are all that a file may grow to: the volume fits, the stage does not.

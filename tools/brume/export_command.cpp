@@ -271,16 +271,18 @@ class ExportCommand final : public Command {
     }
     const bool is_sequence = !frames_.empty();
     const std::filesystem::path stage = output_;
-    const std::vector<int> codes = is_sequence ? parse_frames(frames_) : std::vector{0};
-    const auto file_of = [&](int code) {
-      return volume_of_stage(stage, is_sequence ? std::optional(code) : std::nullopt);
-    };
+    std::vector<std::optional<int>> codes{std::nullopt};
+    if (is_sequence) {
+      const std::vector<int> numbers = parse_frames(frames_);
+      codes.assign(numbers.begin(), numbers.end());
+    }
+    const auto file_of = [&](std::optional<int> code) { return volume_of_stage(stage, code); };
     files_.add_output(output_);
-    for (const int code : codes) files_.add_output(file_of(code).string());
+    for (const auto& code : codes) files_.add_output(file_of(code).string());
     FileGroup group;
     std::vector<UsdFrame> frames;
-    for (const int code : codes) {
-      UsdFrame frame{code, read_scene_at(is_sequence ? time_of(code) : time_), {}};
+    for (const auto& code : codes) {
+      UsdFrame frame{code, read_scene_at(code ? time_of(*code) : time_), {}};
       frame.scene.medium = simplified(frame.scene.medium);
       if (splats_) frame.splats = frame.scene.medium.gaussians();
       if (frame.scene.medium.size() > 0) {

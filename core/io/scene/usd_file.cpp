@@ -330,7 +330,7 @@ void replace_medium(UsdFrame& frame, const std::filesystem::path& volume,
 void write_usd(const std::filesystem::path& file, Frames frames, double frames_per_second,
                OpacityAlong along, const AddOutput& add_output) {
   assert(!frames.empty());
-  std::vector<int> codes;
+  std::vector<std::optional<int>> codes;
   for (const UsdFrame& frame : frames) codes.push_back(frame.frame);
   UsdText out(codes);
   const Scene& first = frames.front().scene;
@@ -346,9 +346,9 @@ void write_usd(const std::filesystem::path& file, Frames frames, double frames_p
   out.close();
   std::string head = "#usda 1.0\n(\n    defaultPrim = \"World\"\n    doc = \"Made by Brume\"\n";
   head += "    metersPerUnit = 1\n    upAxis = \"Y\"\n";
-  if (frames.size() > 1) {
-    head += "    startTimeCode = " + std::to_string(codes.front()) + "\n";
-    head += "    endTimeCode = " + std::to_string(codes.back()) + "\n";
+  if (codes.front()) {
+    head += "    startTimeCode = " + std::to_string(*codes.front()) + "\n";
+    head += "    endTimeCode = " + std::to_string(codes.back().value()) + "\n";
     head += "    timeCodesPerSecond = " + usd_value(frames_per_second) + "\n";
     head += "    framesPerSecond = " + usd_value(frames_per_second) + "\n";
   }

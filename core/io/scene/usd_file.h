@@ -16,7 +16,7 @@ namespace brume {
 
 // A moment of a scene.
 struct UsdFrame {
-  int frame = 0;                 // the time code
+  std::optional<int> frame{};    // the time code; absent: of a moment alone, which has none
   Scene scene;                   // as evaluate_at() makes it
   std::filesystem::path volume;  // OpenVDB file of its medium as the stage names it; empty: none
   bool has_albedo = false;       // grids of the volume besides density
@@ -36,10 +36,10 @@ void replace_medium(UsdFrame& frame, const std::filesystem::path& volume,
 // too, if frames have them: a ParticleField3DGaussianSplat (OpenUSD 26.03), for views (purpose
 // proxy), while the Volume is then for renders. Textures within another file become
 // NAME_texture_1.png and so on, beside it. One unit of the scene is a meter; y is up. What differs
-// between frames gets time samples. What USD has no words for is in attributes `brume:...`. Frames
-// ascend, at least one, and are of one scene: they have the same lights and surfaces. `add_output`
-// is told of each texture before it is written, and may throw. Throws InputError if a file cannot
-// be written.
+// between frames, or might where there is a time code alone, gets time samples. What USD has no
+// words for is in attributes `brume:...`. Frames ascend, at least one, and are of one scene: they
+// have the same lights and surfaces. `add_output` is told of each texture before it is written, and
+// may throw. Throws InputError if a file cannot be written.
 using AddOutput = std::function<void(const std::filesystem::path& file)>;
 void write_usd(const std::filesystem::path& file, std::span<const UsdFrame> frames,
                double frames_per_second, OpacityAlong along = OpacityAlong::mean,

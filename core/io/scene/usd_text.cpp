@@ -113,7 +113,8 @@ void UsdText::close_metadata(std::string_view metadata) {
 void UsdText::animated(std::string_view declaration, std::span<const std::string> values,
                        std::string_view metadata) {
   assert(values.size() == frames_.size());
-  if (std::ranges::adjacent_find(values, std::ranges::not_equal_to{}) == values.end()) {
+  const bool may_stay = values.size() > 1 || !frames_.front();
+  if (may_stay && std::ranges::adjacent_find(values, std::ranges::not_equal_to{}) == values.end()) {
     constant(declaration, values.front(), metadata);
     return;
   }
@@ -124,7 +125,7 @@ void UsdText::animated(std::string_view declaration, std::span<const std::string
   }
   line(std::string(declaration) + ".timeSamples = {");
   for (std::size_t k = 0; k < values.size(); ++k) {
-    line("    " + std::to_string(frames_[k]) + ": " + values[k] + ",");
+    line("    " + std::to_string(frames_[k].value()) + ": " + values[k] + ",");
   }
   line("}");
 }

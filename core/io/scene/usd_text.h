@@ -4,6 +4,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -25,8 +26,8 @@ std::string usd_asset(std::string_view path);
 // The text of a stage, prim by prim.
 class UsdText {
  public:
-  // The time codes of all values that follow.
-  explicit UsdText(std::vector<int> frames) : frames_(std::move(frames)) {}
+  // The time codes of all values that follow; of values without one there is nothing else.
+  explicit UsdText(std::vector<std::optional<int>> frames) : frames_(std::move(frames)) {}
 
   // A prim within the one that is open. `name`: any text; the prim's own is made an identifier that
   // no sibling has. Returns its path.
@@ -38,7 +39,8 @@ class UsdText {
   // What stays. `metadata`: of the attribute, lines of "name = value"; empty: none.
   void constant(std::string_view declaration, const std::string& value,
                 std::string_view metadata = {});
-  // Per frame; time samples if they differ.
+  // Per frame; time samples if they differ, and of one frame with a time code: stages of a frame
+  // each, which others put together, must not say that a value stays.
   void animated(std::string_view declaration, std::span<const std::string> values,
                 std::string_view metadata = {});
   // animated() of value_of(k) for each frame k.
@@ -66,7 +68,7 @@ class UsdText {
   void line(std::string_view text);
   void close_metadata(std::string_view metadata);
 
-  std::vector<int> frames_;
+  std::vector<std::optional<int>> frames_;
   std::string text_;
   std::vector<Prim> open_{{}};  // the last is the innermost; the first is the stage
 };

@@ -58,7 +58,7 @@ class UsdFile : public ::testing::Test {
     write_usd(folder_ / "a.usda", frames, 24.0);
     return read_bytes(folder_ / "a.usda");
   }
-  [[nodiscard]] std::string stage() const { return stage({{0, scene_, {}}}); }
+  [[nodiscard]] std::string stage() const { return stage({{{}, scene_, {}}}); }
 
   TemporaryFolder folder_;
   Scene scene_;
@@ -73,7 +73,7 @@ TEST_F(UsdFile, HasSplatsWhereFramesHaveThem) {
   Gaussian black = g;
   black.optics.albedo = glm::dvec3(1e-6);
   scene_.optics.albedo = glm::dvec3(1.0);
-  UsdFrame frame{0, scene_, {}};
+  UsdFrame frame{{}, scene_, {}};
   frame.splats = {g, black};
   const std::string all = stage({frame});
   EXPECT_NE(prim(all, "Fog").find("token purpose = \"render\""), std::string::npos);
@@ -94,6 +94,7 @@ TEST_F(UsdFile, HasSplatsWhereFramesHaveThem) {
   expect("Coefficients", {full, full, full, -full, -full, -full});
 
   // Some at each time, none at the last.
+  frame.frame = 0;
   UsdFrame empty{1, scene_, {}};
   const std::string animated = prim(stage({frame, empty}), "Fog_splats");
   EXPECT_NE(animated.find("positions.timeSamples = {"), std::string::npos) << animated;
@@ -260,7 +261,7 @@ TEST_F(UsdFile, MaterialsKeepTheirValuesAndTextures) {
   EXPECT_TRUE(std::ranges::equal(image->texels(), m.base_color_texture.content->texels()));
   // Who must not be written over is asked first.
   std::filesystem::remove(folder_ / "a_texture_1.png");
-  const UsdFrame frame{0, scene_, {}};
+  const UsdFrame frame{{}, scene_, {}};
   const auto refuse = [](const std::filesystem::path& file) { throw InputError(file, "", "no"); };
   EXPECT_THROW(write_usd(folder_ / "a.usda", {&frame, 1}, 24.0, OpacityAlong::mean, refuse),
                InputError);
@@ -299,6 +300,17 @@ TEST_F(UsdFile, WhatMovesHasTimeSamples) {
   EXPECT_NE(density.find("1: @fog_1.vdb@"), std::string::npos) << density;
   EXPECT_NE(density.find("2: @fog_2.vdb@"), std::string::npos);
   EXPECT_NE(text.find("rel field:density = </World/Fog/density>"), std::string::npos);
+}
+
+// As of a farm's task, to be put together with others.
+TEST_F(UsdFile, OneFrameOfASequenceHasItsTimeCode) {
+  const std::string text = stage({{48, scene_, "fog_48.vdb"}});
+  for (const char* line : {"startTimeCode = 48\n", "endTimeCode = 48\n",
+                           "timeCodesPerSecond = 24\n", "48: @fog_48.vdb@,\n"}) {
+    EXPECT_NE(text.find(line), std::string::npos) << line;
+  }
+  EXPECT_NE(prim(text, "Camera").find("float focalLength.timeSamples = {"), std::string::npos);
+  EXPECT_EQ(stage().find("timeCode"), std::string::npos) << "a moment alone";
 }
 
 TEST(UsdText, QuotesWhatNeedsIt) {
