@@ -2,6 +2,9 @@
 
 #include <pybind11/pybind11.h>
 
+#include <functional>
+#include <type_traits>
+
 #include "brume/error.h"
 #include "brume/keys.h"
 
@@ -17,15 +20,16 @@ void check_unkeyed(const char* name, const Keys<T>& keys) {
 }
 
 // A property that is a member of an object, and may have keyframes among those in its `keys`.
-template <class Bound, class T, class Object, class Key, class AllKeys>
-void def_keyed(Bound& bound, const char* name, T Object::*value, Keys<Key> AllKeys::*keys,
+template <class Bound, class Get, class Key, class AllKeys>
+void def_keyed(Bound& bound, const char* name, Get value, Keys<Key> AllKeys::*keys,
                const char* doc) {
   using Self = typename Bound::type;
+  using Value = std::remove_cvref_t<std::invoke_result_t<Get, Self&>>;
   bound.def_property(
-      name, [value](const Self& self) { return self.*value; },
-      [=](Self& self, const T& replacement) {
+      name, [value](const Self& self) -> Value { return std::invoke(value, self); },
+      [=](Self& self, const Value& replacement) {
         check_unkeyed(name, self.keys.*keys);
-        self.*value = replacement;
+        std::invoke(value, self) = replacement;
       },
       doc);
 }

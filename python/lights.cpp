@@ -2,6 +2,8 @@
 #include <utility>
 
 #include "brume/files.h"
+#include "core/scene/fields/camera_fields.h"
+#include "python/fields.h"
 #include "python/keyed.h"
 #include "python/parts.h"
 #include "python/warnings.h"
@@ -151,26 +153,9 @@ void bind_light(py::module_& module) {
 void bind_camera(py::module_& module) {
   py::class_<KeyedCamera, std::shared_ptr<KeyedCamera>> camera(module, "Camera",
                                                                "A pinhole, or a thin lens.");
-  camera
-      .def(py::init([](const glm::dvec3& eye, const glm::dvec3& target, const glm::dvec3& up,
-                       double vertical_fov, double aperture,
-                       const std::optional<double>& focus_distance) {
-             return KeyedCamera{{eye, target, up, vertical_fov, aperture, focus_distance}, {}};
-           }),
-           py::arg("eye") = Camera{}.eye, py::arg("target") = Camera{}.target,
-           py::arg("up") = Camera{}.up, py::arg("vertical_fov") = Camera{}.vertical_fov,
-           py::arg("aperture") = 0.0, py::arg("focus_distance") = py::none())
-      .def("__copy__", copied<KeyedCamera>)
-      .def("__deepcopy__", [](const KeyedCamera& self, const py::dict&) { return self; })
-      .def_readwrite("up", &KeyedCamera::up);
-  def_keyed(camera, "eye", &Camera::eye, &CameraKeys::eye, "[u]");
-  def_keyed(camera, "target", &Camera::target, &CameraKeys::target, "[u]");
-  def_keyed(camera, "vertical_fov", &Camera::vertical_fov, &CameraKeys::vertical_fov,
-            "In (0, 180) [degrees].");
-  def_keyed(camera, "aperture", &Camera::aperture, &CameraKeys::aperture,
-            "Radius of the lens, >= 0 [u]; 0: a pinhole.");
-  def_keyed(camera, "focus_distance", &Camera::focus_distance, &CameraKeys::focus_distance,
-            "Of the plane in focus, > 0 [u]; None: through the target.");
+  def_fields<Camera>(camera);
+  camera.def("__copy__", copied<KeyedCamera>)
+      .def("__deepcopy__", [](const KeyedCamera& self, const py::dict&) { return self; });
   def_clear_keys(camera);
 }
 

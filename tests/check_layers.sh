@@ -69,7 +69,8 @@ a relative path:\.\./:include core render app tools
 core/*.[hc]*:
 core/math/*.[hc]*:
 core/medium/*.[hc]*:core/[a-z_]+.h
-core/scene/*.[hc]*:core/[a-z_]+.h core/math/ core/medium/
+core/scene/fields/*.[hc]*:core/[a-z_]+.h
+core/scene/*.[hc]*:core/[a-z_]+.h core/math/ core/medium/ core/scene/fields/
 core/transport/*.[hc]*:core/math/ core/medium/ core/scene/
 core/authoring/*.[hc]*:core/[a-z_]+.h core/math/ core/medium/ core/scene/ core/transport/
 core/volume/*.[hc]*:core/[a-z_]+.h core/medium/

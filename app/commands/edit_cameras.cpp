@@ -9,6 +9,7 @@
 #include "app/document/document.h"
 #include "brume/limits.h"
 #include "core/scene/cameras.h"
+#include "core/scene/fields/camera_fields.h"
 
 namespace brume {
 namespace {
@@ -70,23 +71,10 @@ void delete_camera(Document& document, const QString& name) {
   set_scene_part(document, std::move(list), undo_text("Delete camera %1").arg(name));
 }
 
-void set_vertical_fov(Document& document, double degrees, MergeId gesture) {
-  KeyedCamera part{document.scene().camera, document.scene().camera_keys};
-  part.camera.vertical_fov = degrees;
-  set_scene_part(document, part, undo_text("Set field of view"), gesture);
-}
-
-void set_aperture(Document& document, double radius, MergeId gesture) {
-  KeyedCamera part{document.scene().camera, document.scene().camera_keys};
-  part.camera.aperture = radius;
-  set_scene_part(document, part, undo_text("Set aperture"), gesture);
-}
-
-void set_focus_distance(Document& document, std::optional<double> distance, MergeId gesture) {
-  KeyedCamera part{document.scene().camera, document.scene().camera_keys};
-  part.camera.focus_distance = distance;
-  if (!distance) part.keys.focus_distance.clear();
-  set_scene_part(document, part, undo_text("Set focus distance"), gesture);
+void set_camera(Document& document, const Camera& camera, const QString& what, MergeId gesture) {
+  KeyedCamera part{camera, document.scene().camera_keys};
+  clear_keys_of_absent(part.camera, part.keys);
+  set_scene_part(document, part, undo_text("Set %1").arg(what), gesture);
 }
 
 void move_camera(Document& document, const Camera& camera, MergeId gesture) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <QString>
-#include <optional>
 
 #include "app/commands/merge_id.h"
 #include "brume/camera.h"
@@ -20,12 +19,9 @@ void rename_camera(Document& document, const QString& name, const QString& new_n
 // If it is in use, another one is then. No change if it is the only one.
 void delete_camera(Document& document, const QString& name);
 
-// Of the camera in use, [degrees]. Sets a keyframe if it has any.
-void set_vertical_fov(Document& document, double degrees, MergeId gesture);
-// Of the lens of the camera in use [u], 0: a pinhole; and of its plane in focus, absent: through
-// what it looks at. Set keyframes if there are any.
-void set_aperture(Document& document, double radius, MergeId gesture);
-void set_focus_distance(Document& document, std::optional<double> distance, MergeId gesture);
+// Replaces values of the camera in use, and says `what` in the undo text, "Set field of view". Sets
+// keyframes for values that have any.
+void set_camera(Document& document, const Camera& camera, const QString& what, MergeId gesture);
 // Moves the camera in use by a gesture in the view. Sets keyframes if it has any.
 void move_camera(Document& document, const Camera& camera, MergeId gesture);
 

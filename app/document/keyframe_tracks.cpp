@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "app/document/surface_names.h"
 #include "app/document/visit_keyed_part.h"
@@ -35,6 +36,29 @@ void visit_row(auto& part, const Track& row, auto&& visit) {
 template <class T>
 std::size_t index_of() {
   return ScenePart(T{}).index();
+}
+
+// "Camera focus distance"
+QString track_title(const QString& object, const FieldInfo& info) {
+  return object + ' ' + track_text(info.label).toLower();
+}
+
+// Of values of core/scene/fields; those that are keyed jointly are neighbours.
+void add_tracks(std::vector<Track>& rows, const QString& object, std::size_t part,
+                const auto& owner, const auto& all_keys) {
+  std::size_t value = 0;
+  bool is_joint = false;
+  visit_keyed_fields(owner, all_keys, [&](const auto& field, const auto&) {
+    const bool is_next = std::exchange(is_joint, field.info.is_keyed_jointly) && is_joint;
+    if (is_next) {
+      ++rows.back().count;
+    } else if (is_joint) {
+      rows.push_back({object, part, value, 1});
+    } else if (is_set(field, owner, all_keys)) {
+      rows.push_back({track_title(object, field.info), part, value, 1});
+    }
+    ++value;
+  });
 }
 
 // In the order of visit_keyed_emitter().
@@ -110,13 +134,7 @@ void visit_keys(ScenePart& part, const Track& row, std::span<const double> times
 
 std::vector<Track> tracks(const Scene& scene) {
   std::vector<Track> rows;
-  rows.push_back({track_text("Camera"), index_of<KeyedCamera>(), 0, 3});
-  if (scene.camera.aperture > 0.0 || !scene.camera_keys.aperture.empty()) {
-    rows.push_back({track_text("Camera aperture"), index_of<KeyedCamera>(), 3, 1});
-    if (scene.camera.focus_distance) {
-      rows.push_back({track_text("Camera focus distance"), index_of<KeyedCamera>(), 4, 1});
-    }
-  }
+  add_tracks(rows, track_text("Camera"), index_of<KeyedCamera>(), scene.camera, scene.camera_keys);
   std::size_t of_lights = 0;
   for (std::size_t k = 0; k < scene.lights.size(); ++k) {
     const auto add = [&](const QString& title) {
@@ -164,6 +182,19 @@ std::vector<Track> tracks(const Scene& scene) {
   add_group_tracks(rows, scene.groups);
   add_emitter_tracks(rows, scene.emitters);
   return rows;
+}
+
+Track camera_track(const Scene& scene, std::string_view name) {
+  Track track{{}, index_of<KeyedCamera>(), 0, 1};
+  std::size_t value = 0;
+  visit_keyed_fields(scene.camera, scene.camera_keys, [&](const auto& field, const auto&) {
+    if (field.info.name == name) {
+      track.title = track_title(track_text("Camera"), field.info);
+      track.first = value;
+    }
+    ++value;
+  });
+  return track;
 }
 
 // Copies each part once: there may be many surfaces.

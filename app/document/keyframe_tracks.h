@@ -3,6 +3,7 @@
 #include <QString>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "app/document/object_ref.h"
@@ -23,6 +24,8 @@ struct Track {
 // All tracks; and those with keyframes.
 std::vector<Track> tracks(const Scene& scene);
 std::vector<Track> tracks_with_keys(const Scene& scene);
+// Of one value of the camera in use, by its name in files; it is there.
+Track camera_track(const Scene& scene, std::string_view name);
 
 // Who chooses the slopes of a smooth curve at a key: nobody, the user one for both sides, or one
 // for each.

@@ -15,7 +15,7 @@ void visit_keyed_part(auto& part, auto&& visit) {
       [&]<class T>(T& value) {
         using Part = std::remove_const_t<T>;
         if constexpr (std::is_same_v<Part, KeyedCamera>) {
-          visit_keyed_camera(value.camera, value.keys, visit);
+          visit_keyed(value.camera, value.keys, visit);
         } else if constexpr (std::is_same_v<Part, KeyedDensity>) {
           visit_keyed_density(value.density, value.keys, visit);
         } else if constexpr (std::is_same_v<Part, Lights>) {

@@ -7,14 +7,16 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
-#include <algorithm>
+#include <functional>
 #include <glm/geometric.hpp>
+#include <string_view>
 
 #include "app/commands/edit_cameras.h"
 #include "app/commands/scene_part_command.h"
 #include "app/document/document.h"
 #include "core/number_domain.h"
 #include "core/scene/cameras.h"
+#include "core/scene/fields/camera_fields.h"
 
 namespace brume {
 namespace {
@@ -35,9 +37,7 @@ CameraPanel::CameraPanel(Document& document, std::function<Camera()> view, QWidg
   toggles_ = new QVBoxLayout(toggles);
   toggles_->setContentsMargins(0, 0, 0, 0);
   form->addRow(toggles);
-  add_lens(*form);
-  add_focus(*form);
-  add_place(*form);
+  add_values(*form);
   on_refresh([this] { show_cameras(); });
   refresh();
 }
@@ -102,69 +102,60 @@ void CameraPanel::add_toggle(QAction* action) {
   toggles_->addWidget(box);
 }
 
-void CameraPanel::add_lens(QFormLayout& form) {
-  const auto fov = [this] { return document_.scene().camera.vertical_fov; };
+void CameraPanel::add_values(QFormLayout& form) {
+  const Fields<Camera> values{
+      .prefix = "camera_",
+      .get = [this]() -> const Camera& { return document_.scene().camera; },
+      .set = std::bind_front(&CameraPanel::set_camera, this),
+      .track = [](const Scene& scene,
+                  const FieldInfo& info) { return camera_track(scene, info.name); }};
+  visit_fields<Camera>([&](const auto& field) {
+    const std::string_view name = field.info.name;
+    if (name == "vertical_fov") add_focal_length(form);
+    if (name == "focus_distance") add_focus(form);
+    add_field(form, field, values);
+  });
+}
+
+void CameraPanel::set_camera(const Camera& camera, const FieldInfo& info, MergeId gesture) {
+  if (const auto why = refusal(camera)) {
+    Q_EMIT refused(field_label(info) + ": " + why->message);
+    return refresh();
+  }
+  brume::set_camera(document_, camera, field_label(info).toLower(), gesture);
+}
+
+void CameraPanel::add_focal_length(QFormLayout& form) {
+  const auto camera = [this]() -> const Camera& { return document_.scene().camera; };
   add_number(form, tr("Focal length, mm"),
              {"focal_length", focal_lengths, ValueField::Scale::logarithmic, 0.005,
-              [this, fov] { return std::optional(focal_length(fov(), document_.scene().film)); },
-              [this](double value, MergeId gesture) {
-                set_vertical_fov(document_, vertical_fov(value, document_.scene().film), gesture);
+              [this, camera] {
+                return std::optional(focal_length(camera().vertical_fov, document_.scene().film));
+              },
+              [this, camera](double value, MergeId gesture) {
+                Camera changed = camera();
+                changed.vertical_fov = vertical_fov(value, document_.scene().film);
+                brume::set_camera(document_, changed, tr("focal length"), gesture);
               }})
       ->setToolTip(tr("Of a lens before a sensor 36 mm wide: 24 is wide, 50 normal, 85 and more "
                       "make things seem closer. The same as the field of view"));
-  add_number(
-      form, tr("Field of view, degrees"),
-      {"camera_fov", domain::field_of_view, ValueField::Scale::linear, 0.1,
-       [fov] { return std::optional(fov()); },
-       [this](double value, MergeId gesture) { set_vertical_fov(document_, value, gesture); }})
-      ->setToolTip(tr("From the bottom to the top of the picture"));
 }
 
 void CameraPanel::add_focus(QFormLayout& form) {
   const auto camera = [this]() -> const Camera& { return document_.scene().camera; };
-  add_number(form, tr("Aperture, u"),
-             {"aperture", domain::not_negative, ValueField::Scale::linear, 0.005,
-              [camera] { return std::optional(camera().aperture); },
-              [this](double value, MergeId gesture) { set_aperture(document_, value, gesture); }})
-      ->setToolTip(tr("The radius of the lens: the larger, the more is blurred before and behind "
-                      "the plane in focus. 0: all is in focus. Seen in what is exported"));
   auto* on_target = new QCheckBox(tr("Focus on what it looks at"), this);
   on_target->setObjectName("focus_on_target");
   form.addRow({}, on_target);
   connect(on_target, &QCheckBox::clicked, this, [this, camera](bool on) {
-    const double distance = glm::length(camera().target - camera().eye);
-    set_focus_distance(document_, on ? std::nullopt : std::optional(distance), no_merge);
+    Camera changed = camera();
+    changed.focus_distance.reset();
+    if (!on) changed.focus_distance = glm::length(changed.target - changed.eye);
+    brume::set_camera(document_, changed, tr("focus distance"), no_merge);
   });
-  add_number(
-      form, tr("Focus distance, u"),
-      {"focus_distance", domain::length, ValueField::Scale::logarithmic, 0.01,
-       [camera] { return camera().focus_distance; },
-       [this](double value, MergeId gesture) { set_focus_distance(document_, value, gesture); }})
-      ->setToolTip(tr("From the camera to the plane in focus, along its axis"));
   on_refresh([on_target, camera] {
     on_target->setChecked(!camera().focus_distance);
     on_target->setEnabled(camera().aperture > 0.0);
   });
-}
-
-void CameraPanel::add_place(QFormLayout& form) {
-  const auto add = [&](const QString& title, const char* name, glm::dvec3 Camera::*point) {
-    add_vector(form, title,
-               {name, domain::coordinate, 0.01,
-                [this, point] { return std::optional(document_.scene().camera.*point); },
-                [this, point](const glm::dvec3& value, MergeId gesture) {
-                  Camera camera = document_.scene().camera;
-                  camera.*point = value;
-                  if (camera.eye == camera.target) {
-                    Q_EMIT refused(tr("A camera cannot look at the point where it is."));
-                    return refresh();
-                  }
-                  move_camera(document_, camera, gesture);
-                }});
-  };
-  add(tr("Position"), "camera_eye", &Camera::eye);
-  add(tr("Looks at"), "camera_target", &Camera::target);
-  show_length_units(*this, {"camera_eye", "camera_target"});
 }
 
 QString CameraPanel::current_name() const {

@@ -26,9 +26,10 @@ class CameraPanel : public SceneForm {
  private:
   QWidget* new_list();
   QWidget* new_buttons();
-  void add_lens(QFormLayout& form);
+  void add_values(QFormLayout& form);
+  void add_focal_length(QFormLayout& form);
   void add_focus(QFormLayout& form);
-  void add_place(QFormLayout& form);
+  void set_camera(const Camera& camera, const FieldInfo& info, MergeId gesture);
   void show_cameras();
   [[nodiscard]] QString current_name() const;
 

@@ -1,9 +1,12 @@
 #include "app/panels/scene_form.h"
 
+#include <QCoreApplication>
 #include <QFormLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 
 #include "app/document/document.h"
+#include "app/panels/key_button.h"
 #include "app/widgets/color_button.h"
 
 namespace brume {
@@ -30,15 +33,38 @@ ValueField* SceneForm::new_field(const Number& number, const QString& title) {
   return field;
 }
 
-QLabel* SceneForm::add_number(QFormLayout& form, const QString& title, const Number& number) {
+KeyButton* SceneForm::new_key_button(const QString& name,
+                                     std::function<Track(const Scene&)> track) {
+  auto* button = new KeyButton(document_, std::move(track), this);
+  button->setObjectName(name + "_key");
+  return button;
+}
+
+void SceneForm::finish_field(const FieldInfo& info, const QString& name, QLabel& title) {
+  title.setToolTip(QString(info.says).remove('`'));
+  if (QString(info.unit) == "u") show_length_units(*this, {name.toUtf8().constData()});
+}
+
+QLabel* SceneForm::add_number(QFormLayout& form, const QString& title, const Number& number,
+                              KeyButton* keys) {
   ValueField* field = new_field(number, title);
   QLabel* label = field->detach_title();
-  label->setObjectName(QString(number.name) + "_title");
-  form.addRow(label, field);
+  label->setObjectName(number.name + "_title");
+  auto* row = new QHBoxLayout;
+  row->addWidget(field);
+  if (keys != nullptr) {
+    row->addWidget(keys);
+    on_refresh([keys, get = number.get] {
+      keys->setEnabled(get().has_value());
+      if (keys->isEnabled()) keys->refresh();
+    });
+  }
+  form.addRow(label, row);
   return label;
 }
 
-void SceneForm::add_vector(QFormLayout& form, const QString& title, const Vector& vector) {
+QLabel* SceneForm::add_vector(QFormLayout& form, const QString& title, const Vector& vector,
+                              KeyButton* keys) {
   auto* row = new QHBoxLayout;
   for (int k = 0; k < 3; ++k) {
     const auto get = [vector, k]() -> std::optional<double> {
@@ -56,7 +82,13 @@ void SceneForm::add_vector(QFormLayout& form, const QString& title, const Vector
     field->setObjectName(QString("%1_%2").arg(vector.name).arg(QString("xyz").at(k)));
     row->addWidget(field);
   }
-  form.addRow(title, row);
+  if (keys != nullptr) {
+    row->addWidget(keys);
+    on_refresh([keys] { keys->refresh(); });
+  }
+  auto* label = new QLabel(title, this);
+  form.addRow(label, row);
+  return label;
 }
 
 void SceneForm::add_color(QFormLayout& form, const QString& title, const Color& color) {
@@ -69,6 +101,10 @@ void SceneForm::add_color(QFormLayout& form, const QString& title, const Color& 
     button->show_color(value.value_or(glm::dvec3(0.0)));
   });
   form.addRow(title, button);
+}
+
+QString field_label(const FieldInfo& info) {
+  return QCoreApplication::translate("Fields", info.label);
 }
 
 }  // namespace brume

@@ -6,8 +6,10 @@
 #include <optional>
 #include <vector>
 
+#include "app/document/keyframe_tracks.h"
 #include "app/widgets/value_field.h"
 #include "core/number_domain.h"
+#include "core/scene/fields/field.h"
 
 class QFormLayout;
 class QLabel;
@@ -17,6 +19,7 @@ namespace brume {
 
 class ColorButton;
 class Document;
+class KeyButton;
 
 // Base of panels with numbers and colours of the scene. Each field has a getter (nullopt: disabled)
 // and a setter, a command that merges within a gesture.
@@ -30,7 +33,7 @@ class SceneForm : public QWidget {
 
  protected:
   struct Number {
-    const char* name;  // object name of the widget
+    QString name;  // object name of the widget
     NumberDomain domain;
     ValueField::Scale scale;
     double step;
@@ -38,7 +41,7 @@ class SceneForm : public QWidget {
     std::function<void(double, MergeId)> set;
   };
   struct Vector {
-    const char* name;
+    QString name;
     NumberDomain domain;
     double step;
     std::function<std::optional<glm::dvec3>()> get;
@@ -50,10 +53,24 @@ class SceneForm : public QWidget {
     std::function<std::optional<glm::dvec3>()> get;
     std::function<void(const glm::dvec3&, MergeId)> set;
   };
-  // Returns its title.
-  QLabel* add_number(QFormLayout& form, const QString& title, const Number& number);
-  void add_vector(QFormLayout& form, const QString& title, const Vector& vector);  // three fields
+  // Return the title. `keys`: a button at the end of the row.
+  QLabel* add_number(QFormLayout& form, const QString& title, const Number& number,
+                     KeyButton* keys = nullptr);
+  QLabel* add_vector(QFormLayout& form, const QString& title, const Vector& vector,  // three fields
+                     KeyButton* keys = nullptr);
   void add_color(QFormLayout& form, const QString& title, const Color& color);
+
+  // An object with values that core/scene/fields describes.
+  template <class Owner>
+  struct Fields {
+    QString prefix;  // of the object names of their widgets
+    std::function<const Owner&()> get;
+    std::function<void(const Owner&, const FieldInfo&, MergeId)> set;
+    std::function<Track(const Scene&, const FieldInfo&)> track;
+  };
+  // A row for one of them: label, unit, tool tip, and a button for keyframes if it can have any.
+  template <class F>
+  void add_field(QFormLayout& form, const F& field, const Fields<typename F::Owner>& fields);
 
   // Call when other state that affects the values changes, such as the active light.
   void refresh();
@@ -64,8 +81,43 @@ class SceneForm : public QWidget {
 
  private:
   ValueField* new_field(const Number& number, const QString& title);
+  KeyButton* new_key_button(const QString& name, std::function<Track(const Scene&)> track);
+  void finish_field(const FieldInfo& info, const QString& name, QLabel& title);
 
   std::vector<std::function<void()>> updates_;
 };
+
+// What a form and undo texts call a value.
+QString field_label(const FieldInfo& info);
+
+template <class F>
+void SceneForm::add_field(QFormLayout& form, const F& field,
+                          const Fields<typename F::Owner>& fields) {
+  const FieldInfo& info = field.info;
+  const QString name = fields.prefix + info.name;
+  const auto get = [get_owner = fields.get, field] { return std::optional(field.of(get_owner())); };
+  const auto set = [fields, field](const auto& value, MergeId gesture) {
+    typename F::Owner changed = fields.get();
+    field.of(changed) = value;
+    fields.set(changed, field.info, gesture);
+  };
+  KeyButton* keys = nullptr;
+  if constexpr (F::can_have_keys) {
+    keys = new_key_button(
+        name, [track = fields.track, info](const Scene& scene) { return track(scene, info); });
+  }
+  if constexpr (std::is_same_v<typename F::Value, glm::dvec3>) {
+    finish_field(
+        info, name,
+        *add_vector(form, field_label(info), {name, field.domain, info.step, get, set}, keys));
+  } else {
+    const QString unit = *info.unit ? QString(", ") + info.unit : QString();
+    const auto scale =
+        info.is_logarithmic ? ValueField::Scale::logarithmic : ValueField::Scale::linear;
+    finish_field(info, name,
+                 *add_number(form, field_label(info) + unit,
+                             {name, field.domain, scale, info.step, get, set}, keys));
+  }
+}
 
 }  // namespace brume

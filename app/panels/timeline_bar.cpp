@@ -237,7 +237,8 @@ void TimelineBar::refresh_targets() {
 void TimelineBar::set_key() {
   const auto k = static_cast<std::size_t>(target_->currentIndex());
   if (k >= rows_.size()) return;
-  if (rows_[k].part == ScenePart(KeyedCamera{}).index()) {
+  // That of its place is the first: the key is that of the view.
+  if (k == 0) {
     set_camera_keys(document_, view_());
   } else {
     set_keys(document_, rows_[k]);

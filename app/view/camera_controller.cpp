@@ -8,17 +8,14 @@
 
 #include "app/document/document.h"
 #include "app/view/bounds.h"
-#include "core/number_domain.h"
+#include "core/scene/cameras.h"
+#include "core/scene/fields/camera_fields.h"
 
 namespace brume {
 namespace {
 
 bool can_be_stored(const Camera& camera) {
-  for (int k = 0; k < 3; ++k) {
-    if (!domain::coordinate.contains(camera.eye[k])) return false;
-    if (!domain::coordinate.contains(camera.target[k])) return false;
-  }
-  return camera.eye != camera.target;
+  return is_in_domain(camera) && !refusal(camera);
 }
 
 }  // namespace

@@ -2,13 +2,15 @@
 
 #include <QSettings>
 #include <QVariantMap>
-#include <array>
-#include <cmath>
 
 #include "app/document/document.h"
 #include "app/document/paths.h"
 #include "app/files/scene_files.h"
 #include "app/view/view.h"
+#include "brume/error.h"
+#include "core/io/scene/fields_json.h"
+#include "core/scene/cameras.h"
+#include "core/scene/fields/camera_fields.h"
 
 namespace brume {
 namespace {
@@ -16,23 +18,23 @@ namespace {
 constexpr const char* saved_views_key = "saved_views";
 constexpr qsizetype max_saved_views = 50;  // the oldest go
 
-QVariantList camera_numbers(const Camera& camera) {
-  QVariantList numbers;
-  for (const glm::dvec3& v : {camera.eye, camera.target, camera.up}) numbers << v.x << v.y << v.z;
-  return numbers << camera.vertical_fov;
+QString camera_text(const Camera& camera) {
+  Json object = Json::object();
+  write_fields(object, camera, CameraKeys{});
+  return QString::fromStdString(object.dump());
 }
 
-std::optional<Camera> saved_camera(const QVariantList& numbers) {
-  if (numbers.size() != 10) return std::nullopt;
-  std::array<double, 10> v{};
-  for (std::size_t k = 0; k < v.size(); ++k) {
-    v[k] = numbers[static_cast<qsizetype>(k)].toDouble();
-    if (!std::isfinite(v[k])) return std::nullopt;
+std::optional<Camera> saved_camera(const QString& text) {
+  try {
+    const Json value = parse_json({}, text.toStdString());
+    JsonContext context({}, nullptr);
+    JsonObject object(context, value, {});
+    Camera camera;
+    read_fields(object, camera);
+    return refusal(camera) ? std::nullopt : std::optional(camera);
+  } catch (const InputError&) {  // an edited or damaged file of settings
+    return std::nullopt;
   }
-  const Camera camera{{v[0], v[1], v[2]}, {v[3], v[4], v[5]}, {v[6], v[7], v[8]}, v[9]};
-  const bool is_valid =
-      v[9] > 0.0 && v[9] < 180.0 && camera.eye != camera.target && camera.up != glm::dvec3(0.0);
-  return is_valid ? std::optional(camera) : std::nullopt;
 }
 
 QString saved_view_name(const QVariant& entry) {
@@ -67,7 +69,7 @@ void SavedViews::restore_view() {
   const QString name = to_qstring(document_.file());
   for (const QVariant& entry : QSettings().value(saved_views_key).toList()) {
     if (saved_view_name(entry) != name) continue;
-    if (const auto camera = saved_camera(entry.toMap().value("camera").toList())) {
+    if (const auto camera = saved_camera(entry.toMap().value("camera").toString())) {
       view_.camera_controller().set_camera(*camera);
     }
   }
@@ -80,7 +82,7 @@ void SavedViews::store() {
   QVariantList views = settings.value(saved_views_key).toList();
   views.removeIf([&](const QVariant& entry) { return saved_view_name(entry) == name; });
   if (camera_) {
-    views.prepend(QVariantMap{{"file", name}, {"camera", camera_numbers(*camera_)}});
+    views.prepend(QVariantMap{{"file", name}, {"camera", camera_text(*camera_)}});
   }
   settings.setValue(saved_views_key, QVariantList(views.mid(0, max_saved_views)));
 }

@@ -10,7 +10,7 @@ namespace brume {
 namespace {
 
 void visit_all(auto& scene, double& homogeneous_density, auto&& visit) {
-  visit_keyed_camera(scene.camera, scene.camera_keys, visit);
+  visit_keyed(scene.camera, scene.camera_keys, visit);
   visit_keyed_density(homogeneous_density, scene.density_keys, visit);
   visit_keyed_optics(scene.optics, visit);
   visit_keyed_noise(scene.optics.noise, visit);

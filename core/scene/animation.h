@@ -2,11 +2,13 @@
 
 #include "brume/scene.h"
 #include "core/number_domain.h"
+#include "core/scene/fields/camera_fields.h"
 
 namespace brume {
 
-// Keyframed values of a scene (core/scene/keys.h). Each visit_ function calls visit(name, value,
-// keys, domain) for every animatable value of an object; `name` is its key in the scene file.
+// Keyframed values of a scene (brume/keys.h). Each visit_ function, and visit_keyed() of the types
+// in core/scene/fields, calls visit(name, value, keys, domain) for every animatable value of an
+// object; `name` is its key in the scene file.
 
 template <class L>
 void visit_keyed_area(L& light, auto&& visit) {
@@ -70,17 +72,6 @@ void visit_keyed_surface(S& surface, auto&& visit) {
   if (!is_phong) return;
   visit("specular", material.specular, keys.specular, domain::unit);
   visit("exponent", material.exponent, keys.exponent, domain::not_negative);
-}
-
-template <class C, class K>
-void visit_keyed_camera(C& camera, K& keys, auto&& visit) {
-  visit("eye", camera.eye, keys.eye, domain::coordinate);
-  visit("target", camera.target, keys.target, domain::coordinate);
-  visit("vertical_fov", camera.vertical_fov, keys.vertical_fov, domain::field_of_view);
-  visit("aperture", camera.aperture, keys.aperture, domain::not_negative);
-  if (camera.focus_distance) {
-    visit("focus_distance", *camera.focus_distance, keys.focus_distance, domain::length);
-  }
 }
 
 template <class O>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <utility>
 
@@ -13,6 +14,16 @@ double sensor_height(const Film& film) {
 }
 
 }  // namespace
+
+std::optional<RefusedMember> refusal(const Camera& camera) {
+  if (!(glm::length(camera.target - camera.eye) > 0.0)) {
+    return RefusedMember{"target", "found the position of the eye; allowed: any other point"};
+  }
+  if (!(glm::length(camera.up) > 0.0)) {
+    return RefusedMember{"up", "found a vector of length 0; allowed: any other"};
+  }
+  return std::nullopt;
+}
 
 NamedCamera camera_in_use(const Scene& scene) {
   return {scene.camera_name, scene.camera, scene.camera_keys, scene.camera_id};

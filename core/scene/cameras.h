@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -8,6 +9,13 @@
 namespace brume {
 
 // The cameras of a scene by name, and their lenses.
+
+// The member that is not allowed beside the others, each in its domain, and why.
+struct RefusedMember {
+  const char* member;
+  const char* message;
+};
+std::optional<RefusedMember> refusal(const Camera& camera);
 
 NamedCamera camera_in_use(const Scene& scene);
 

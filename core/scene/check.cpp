@@ -12,6 +12,7 @@
 #include "brume/scene.h"
 #include "core/math/max_component.h"
 #include "core/scene/animation.h"
+#include "core/scene/cameras.h"
 #include "core/scene/group_effects.h"
 
 namespace brume {
@@ -142,12 +143,18 @@ void check_gaussian(const std::string& list, std::size_t index, const Gaussian& 
   check_shape(place + ".shape", gaussian.shape);
 }
 
+// Values of core/scene/fields, and their keyframes.
+void check_fields(const std::string& place, const auto& owner, const auto& keys) {
+  visit_present(owner, [&place](const auto& field, const auto& value) {
+    check_value(place + "." + field.info.name, value, field.domain);
+  });
+  visit_keyed(owner, keys, in(place));
+}
+
 void check_camera(const std::string& place, const Camera& camera, const CameraKeys& keys) {
-  visit_keyed_camera(camera, keys, in(place));
-  check_value(place + ".up", camera.up, domain::coordinate);
-  check_direction(place + ".up", camera.up);
-  if (!(glm::length(camera.target - camera.eye) > 0.0)) {
-    throw DomainError(place + ".target", "found the position of the eye; allowed: any other point");
+  check_fields(place, camera, keys);
+  if (const auto refused = refusal(camera)) {
+    throw DomainError(place + "." + refused->member, refused->message);
   }
 }
 

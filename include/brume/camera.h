@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "brume/export.h"
+#include "brume/keys.h"
 
 namespace brume {
 
@@ -20,6 +21,16 @@ struct Camera {
   std::optional<double> focus_distance{};
 
   bool operator==(const Camera&) const = default;
+};
+
+struct CameraKeys {
+  Keys<glm::dvec3> eye;
+  Keys<glm::dvec3> target;
+  Keys<double> vertical_fov;
+  Keys<double> aperture;
+  Keys<double> focus_distance;  // of a camera that has one
+
+  bool operator==(const CameraKeys&) const = default;
 };
 
 // Where a film lies on a larger one, in pixels of both.

@@ -59,16 +59,6 @@ struct MediumOptics {
   bool operator==(const MediumOptics&) const = default;
 };
 
-struct CameraKeys {
-  Keys<glm::dvec3> eye;
-  Keys<glm::dvec3> target;
-  Keys<double> vertical_fov;
-  Keys<double> aperture;
-  Keys<double> focus_distance;  // of a camera that has one
-
-  bool operator==(const CameraKeys&) const = default;
-};
-
 // A camera that is not in use. Each camera of a scene has another name, never an empty one.
 struct NamedCamera {
   std::string name;

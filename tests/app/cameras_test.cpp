@@ -1,11 +1,14 @@
 // Named cameras, their lens, and how views show and follow them.
 
+#include <QComboBox>
 #include <QDockWidget>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
 #include <QTabWidget>
+#include <QToolButton>
 
+#include "app/document/keyframe_tracks.h"
 #include "app/view/camera_outline.h"
 #include "app/viewport/camera_frame.h"
 #include "app/viewport/viewport.h"
@@ -92,13 +95,25 @@ class CamerasTest : public QObject {
     enter(window, "focal_length", "50");
     const double fov = window->document().scene().camera.vertical_fov;
     QVERIFY(std::abs(fov - vertical_fov(50.0, {32, 24})) < 1e-9);
-    enter(window, "camera_fov", "90");
+    enter(window, "camera_vertical_fov", "90");
     QCOMPARE(value(window, "focal_length"), "13.5");  // 0.5 * 36 * 24 / 32
     const int steps = window->document().undo_stack().count();
-    drag_title(window, "camera_fov", 30);
+    drag_title(window, "camera_vertical_fov", 30);
     QCOMPARE(window->document().undo_stack().count(), steps + 1);
     enter(window, "camera_target_z", "6");  // where the eye is: refused
     QVERIFY(window->document().scene().camera.target == glm::dvec3(0.0));
+  }
+
+  void the_timeline_keys_what_is_chosen_of_the_camera() {
+    Scene scene = tiny_scene();
+    scene.camera.aperture = 0.1;
+    TestWindow window(scene);
+    auto* target = window->findChild<QComboBox*>("key_target");
+    target->setCurrentText("Camera aperture");
+    QCOMPARE(target->currentText(), "Camera aperture");
+    window.key(Qt::Key_I);
+    QCOMPARE(window->document().scene().camera_keys.aperture.size(), std::size_t{1});
+    QVERIFY(window->document().scene().camera_keys.eye.empty());
   }
 
   void the_frame_of_the_camera_fits_into_the_view() {

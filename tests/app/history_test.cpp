@@ -280,8 +280,11 @@ class RandomHands {
         return rename_camera(document_, a_camera(), QString::number(below(5)));
       case 2:
         return delete_camera(document_, a_camera());
-      case 3:
-        return set_vertical_fov(document_, 10.0 + number(), no_merge);
+      case 3: {
+        Camera camera = document_.scene().camera;
+        camera.vertical_fov = 10.0 + number();
+        return set_camera(document_, camera, "field of view", no_merge);
+      }
       default:
         return add_camera(document_, {.eye = point() + glm::dvec3(3.0)});
     }

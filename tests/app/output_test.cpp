@@ -112,13 +112,13 @@ class OutputTest : public QObject {
     QVERIFY(output().shutter == (Shutter{-0.25, 0.25}));
 
     QVERIFY(!window->findChild<QAbstractButton*>("focus_on_target")->isEnabled());
-    enter(window, "aperture", "0.2");
+    enter(window, "camera_aperture", "0.2");
     click(window, "focus_on_target");
     QCOMPARE(camera().focus_distance, glm::length(camera().target - camera().eye));
     const int steps = window->document().undo_stack().count();
-    drag_title(window, "focus_distance", 30);
+    drag_title(window, "camera_focus_distance", 30);
     QCOMPARE(window->document().undo_stack().count(), steps + 1);
-    enter(window, "focus_distance", "4.5");
+    enter(window, "camera_focus_distance", "4.5");
     QCOMPARE(camera().focus_distance, std::optional(4.5));
     QCOMPARE(camera().aperture, 0.2);
 
@@ -140,7 +140,7 @@ class OutputTest : public QObject {
     type(window, "output_file", "a.exr");
     window.key(Qt::Key_F12);
     QVERIFY(wait_for(queue(window), RenderQueue::State::done));
-    enter(window, "aperture", "1");
+    enter(window, "camera_aperture", "1");
     enter(window, "camera_target_z", "2");  // before what is there
     type(window, "output_file", "b.exr");
     window.key(Qt::Key_F12);

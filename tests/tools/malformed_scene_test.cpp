@@ -7,6 +7,8 @@
 #include "brume/error.h"
 #include "core/io/image/image_file.h"
 #include "core/io/scene/scene_file.h"
+#include "core/scene/fields/camera_fields.h"
+#include "tests/tools/malformed_fields.h"
 #include "tests/tools/malformed_scenes.h"
 #include "tests/tools/run_program.h"
 
@@ -108,6 +110,12 @@ TEST_F(MalformedScene, BaseSceneIsValid) {
 TEST_F(MalformedScene, EachCaseIsRefusedInOneLine) {
   const std::vector<MalformedCase> all = malformed_cases();
   ASSERT_GE(all.size(), 80u);
+  expect_each_refused(all);
+}
+
+TEST_F(MalformedScene, EachValueOfACameraIsRefusedInOneLine) {
+  const std::vector<MalformedCase> all = malformed_fields<Camera>("camera", scene_with_camera);
+  ASSERT_GE(all.size(), 100u);
   expect_each_refused(all);
 }
 

@@ -29,7 +29,7 @@ std::string with(std::string Parts::*part, std::string value) {
   return parts.text();
 }
 std::string camera(const std::string& members) {
-  return with(&Parts::camera, "{" + members + "}");
+  return scene_with_camera(members);
 }
 std::string film(const std::string& members) {
   return with(&Parts::film, "{" + members + "}");
@@ -76,6 +76,10 @@ std::string elements(const std::string& element, std::size_t count) {
 }
 
 }  // namespace
+
+std::string scene_with_camera(const std::string& members) {
+  return with(&Parts::camera, "{" + members + "}");
+}
 
 std::string scene_with_surface(const std::string& members) {
   return with(&Parts::surfaces, R"([{"mesh": "good.obj"}, {)" + members + "}]");
@@ -166,16 +170,11 @@ std::vector<MalformedCase> malformed_cases() {
       // Camera and film.
       {"camera of another type", with(&Parts::camera, "[]"), "camera", {"an object"}},
       {"camera null", with(&Parts::camera, "null"), "camera", {"found null"}},
-      {"eye of two", camera(R"("eye": [0, 0])"), "camera.eye", {"2 elements", "3 numbers"}},
-      {"eye of texts", camera(R"("eye": [0, "1", 0])"), "camera.eye[1]", {"found \"1\""}},
-      {"eye too far", camera(R"("eye": [0, 0, 1e13])"), "camera.eye[2]", {"1e12"}},
       {"eye at the target",
        camera(R"("eye": [1, 2, 3], "target": [1, 2, 3])"),
        "camera.target",
        {"any other point"}},
       {"up of length 0", camera(R"("up": [0, 0, 0])"), "camera.up", {"length 0"}},
-      {"field of view 0", camera(R"("vertical_fov": 0)"), "camera.vertical_fov", {"(0, 180)"}},
-      {"field of view 180", camera(R"("vertical_fov": 180)"), "camera.vertical_fov", {"found 180"}},
       {"width 0", film(R"("width": 0)"), "film.width", {"found 0", "1 to 16384"}},
       {"negative height", film(R"("height": -3)"), "film.height", {"found -3"}},
       {"width too great", film(R"("width": 16385)"), "film.width", {"16384"}},
@@ -459,10 +458,6 @@ std::vector<MalformedCase> malformed_cases() {
        camera(R"("keys": {"vertical_fov": [{"time": 1e300, "value": 40}]})"),
        "camera.keys.vertical_fov[0].time",
        {"1e9"}},
-      {"a field of view of 180 degrees at a key",
-       camera(R"("keys": {"vertical_fov": [{"time": 0, "value": 180}]})"),
-       "camera.keys.vertical_fov[0].value",
-       {"(0, 180)"}},
       {"an unknown interpolation",
        medium(R"("keys": {"anisotropy": [{"time": 0, "value": 0, "interpolation": "bouncy"}]})"),
        "medium.keys.anisotropy[0].interpolation",

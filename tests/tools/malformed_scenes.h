@@ -28,8 +28,9 @@ std::vector<MalformedCase> malformed_splines();
 // Keyframes of a surface, and their tangents, with such values.
 std::vector<MalformedCase> malformed_keys();
 
-// The text of a scene with one light, with one emitter, with this as its second surface, with an
-// array of groups, of splines.
+// The text of a scene with a camera, with one light, with one emitter, with this as its second
+// surface, with an array of groups, of splines.
+std::string scene_with_camera(const std::string& members);
 std::string scene_with_light(const std::string& members);
 std::string scene_with_emitter(const std::string& members);
 std::string scene_with_surface(const std::string& members);

@@ -9,11 +9,13 @@
 #include "core/io/gaussians/gaussian_file.h"
 #include "core/io/gaussians/other_format.h"
 #include "core/io/import/imported_scene_file.h"
+#include "core/io/scene/fields_json.h"
 #include "core/io/scene/light_json.h"
 #include "core/io/scene/scene_names.h"
 #include "core/io/text_scanner.h"
 #include "core/io/volume/volume_file.h"
 #include "core/number_domain.h"
+#include "core/scene/fields/camera_fields.h"
 #include "core/scene/imported_scene.h"
 #include "core/scene/mesh.h"
 #include "core/transport/medium_summary.h"
@@ -132,11 +134,8 @@ Json imported_json(const ImportedScene& scene) {
   }
   json["cameras"] = Json::array();
   for (const NamedCamera& camera : scene.cameras) {
-    json["cameras"].push_back({{"name", camera.name},
-                               {"eye", to_json(camera.camera.eye)},
-                               {"target", to_json(camera.camera.target)},
-                               {"up", to_json(camera.camera.up)},
-                               {"vertical_fov", camera.camera.vertical_fov}});
+    Json& entry = json["cameras"].emplace_back(Json{{"name", camera.name}});
+    write_fields(entry, camera.camera, camera.keys);
   }
   json["lights"] = Json::array();
   for (const Light& light : scene.lights) {

@@ -7,6 +7,8 @@
 #include "brume/limits.h"
 #include "core/io/byte_reader.h"
 #include "core/number_domain.h"
+#include "core/scene/cameras.h"
+#include "core/scene/fields/camera_fields.h"
 
 namespace brume {
 namespace {
@@ -208,12 +210,6 @@ bool is_valid(const Light& light) {
                          light.spot->outer_angle > 0.0 && light.spot->outer_angle <= 180.0);
 }
 
-bool is_valid(const Camera& camera) {
-  return is_in(camera.eye, domain::coordinate) && is_in(camera.target, domain::coordinate) &&
-         is_direction(camera.up) && camera.eye != camera.target &&
-         domain::field_of_view.contains(camera.vertical_fov);
-}
-
 }  // namespace
 
 void write_raw_scene(std::ostream& out, const RawScene& scene) {
@@ -237,7 +233,9 @@ RawScene read_raw_scene(const std::filesystem::path& file, std::string_view byte
   for (const RawMaterial& material : scene.materials) {
     reader.check(is_valid(material, scene.images.size()));
   }
-  for (const NamedCamera& camera : scene.cameras) reader.check(is_valid(camera.camera));
+  for (const NamedCamera& camera : scene.cameras) {
+    reader.check(is_in_domain(camera.camera) && !refusal(camera.camera));
+  }
   for (const Light& light : scene.lights) reader.check(is_valid(light));
   return scene;
 }

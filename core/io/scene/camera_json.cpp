@@ -1,58 +1,35 @@
 #include "core/io/scene/camera_json.h"
 
 #include <algorithm>
-#include <glm/geometric.hpp>
 
 #include "brume/limits.h"
+#include "core/io/scene/fields_json.h"
 #include "core/io/text_scanner.h"
-#include "core/number_domain.h"
-#include "core/scene/animation.h"
 #include "core/scene/cameras.h"
+#include "core/scene/fields/camera_fields.h"
 
 namespace brume {
 namespace {
-
-void read_values(JsonObject& object, Camera& camera) {
-  camera.eye = object.vector("eye", domain::coordinate, camera.eye);
-  camera.target = object.vector("target", domain::coordinate, camera.target);
-  camera.up = object.vector("up", domain::coordinate, camera.up);
-  camera.vertical_fov = object.number("vertical_fov", domain::field_of_view, camera.vertical_fov);
-  camera.aperture = object.number("aperture", domain::not_negative, camera.aperture);
-  if (object.find("focus_distance") != nullptr) {
-    camera.focus_distance = object.number("focus_distance", domain::length, {});
-  }
-  if (!(glm::length(camera.target - camera.eye) > 0.0)) {
-    object.fail("target", "found the position of the eye; allowed: any other point");
-  }
-  if (!(glm::length(camera.up) > 0.0)) {
-    object.fail("up", "found a vector of length 0; allowed: any other");
-  }
-}
 
 NamedCamera read_camera(JsonContext& context, const Json& value, const JsonPath& path,
                         std::optional<std::string> default_name, UnknownKeys& unknown_keys) {
   JsonObject object(context, value, path);
   NamedCamera camera;
   camera.name = object.name(std::move(default_name));
-  read_values(object, camera.camera);
+  read_fields(object, camera.camera);
+  if (const auto refused = refusal(camera.camera)) object.fail(refused->member, refused->message);
   unknown_keys.add(camera.id, "keys",
                    read_keys_member(context, object, unknown_keys, [&](auto&& visit) {
-                     visit_keyed_camera(camera.camera, camera.keys, visit);
+                     visit_keyed(camera.camera, camera.keys, visit);
                    }));
   unknown_keys.add(camera.id, "", object.unknown_keys());
   return camera;
 }
 
 void add_values(Json& object, const NamedCamera& camera, const UnknownKeys& unknown_keys) {
-  const Camera& values = camera.camera;
-  object["eye"] = to_json(values.eye);
-  object["target"] = to_json(values.target);
-  object["up"] = to_json(values.up);
-  object["vertical_fov"] = values.vertical_fov;
-  if (values.aperture > 0.0 || !camera.keys.aperture.empty()) object["aperture"] = values.aperture;
-  if (values.focus_distance) object["focus_distance"] = *values.focus_distance;
+  write_fields(object, camera.camera, camera.keys);
   add_keys(object, unknown_keys, unknown_keys.of(camera.id, "keys"),
-           [&](auto&& visit) { visit_keyed_camera(values, camera.keys, visit); });
+           [&](auto&& visit) { visit_keyed(camera.camera, camera.keys, visit); });
   add_unknown_keys(object, unknown_keys.of(camera.id, ""));
 }
 

@@ -8,6 +8,10 @@
 
 namespace brume {
 
+Json to_json(double value) {
+  return value;
+}
+
 Json to_json(const glm::dvec2& v) {
   return Json::array({v.x, v.y});
 }
@@ -76,26 +80,18 @@ void read_all(JsonContext& context, JsonObject& object, const char* name,
   }
 }
 
-Json value_to_json(double value) {
-  return value;
-}
-template <class T>
-Json value_to_json(const T& value) {
-  return to_json(value);
-}
-
 template <class T>
 Json all_to_json(const Keys<T>& keys, const UnknownKeys& unknown_keys) {
   Json array = Json::array();
   for (const Key<T>& key : keys) {
-    Json entry{{"time", key.time}, {"value", value_to_json(key.value)}};
+    Json entry{{"time", key.time}, {"value", to_json(key.value)}};
     if (key.interpolation != Interpolation::smooth) {
       entry["interpolation"] =
           scene_names::interpolations[static_cast<std::size_t>(key.interpolation)];
     }
     if constexpr (!std::is_same_v<T, glm::dquat>) {
-      if (key.in) entry["in"] = value_to_json(*key.in);
-      if (key.out) entry["out"] = value_to_json(*key.out);
+      if (key.in) entry["in"] = to_json(*key.in);
+      if (key.out) entry["out"] = to_json(*key.out);
       if (key.aligned) entry["aligned"] = true;
     }
     add_unknown_keys(entry, unknown_keys.of(key.id, ""));

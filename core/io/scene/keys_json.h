@@ -33,6 +33,7 @@ std::string read_keys_member(JsonContext& context, JsonObject& owner, UnknownKey
   return object.unknown_keys();
 }
 
+Json to_json(double value);
 Json to_json(const glm::dvec2& v);
 Json to_json(const glm::dvec3& v);
 Json to_json(const glm::dquat& q);  // w x y z

@@ -113,7 +113,7 @@ TEST(Tangents, NeverLeadOutOfADomain) {
   scene.surfaces.resize(1);
   scene.surfaces[0].material.type = Material::Type::phong;
   const auto visit_all = [&scene](auto&& visit) {
-    visit_keyed_camera(scene.camera, scene.camera_keys, visit);
+    visit_keyed(scene.camera, scene.camera_keys, visit);
     visit_keyed_optics(scene.optics, visit);
     for (auto& light : scene.lights) visit_keyed_light(light, visit);
     visit_keyed_environment(*scene.environment, visit);

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <type_traits>
+
+#include "core/scene/fields/field.h"
+
+namespace brume {
+
+// What the manual and Python say of a value: "Radius of the lens [u]; a number >= 0".
+template <class F>
+std::string description(const F& field) {
+  const std::string unit = field.info.unit;
+  std::string allowed = field.domain.allowed;
+  const bool is_unit_said = unit.size() > 1 && allowed.find(unit) != std::string::npos;
+  if (std::is_same_v<typename F::Value, glm::dvec3>) allowed = "each " + allowed;
+  std::string text = field.info.says;
+  if (!unit.empty() && !is_unit_said) text += " [" + unit + "]";
+  return text + "; " + allowed;
+}
+
+}  // namespace brume

@@ -1,0 +1,153 @@
+#pragma once
+
+#include <functional>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <tuple>
+#include <type_traits>
+
+#include "brume/keys.h"
+#include "core/number_domain.h"
+
+namespace brume {
+
+// Every value of a scene described once: `fields<Owner>` is a tuple with a Field for each value of
+// a type, in the order of the file. Reading, writing and checking, keyframes and their tracks,
+// Python and its stub, rows of forms, the tables of the manual and the tests of malformed values
+// follow from it. Written by hand stay files and references, budgets, and rules across fields.
+
+// What is said of a value, and how a form edits it.
+struct FieldInfo {
+  const char* name;   // in files and in Python
+  const char* label;  // in forms and undo texts: "Field of view"
+  const char* unit;   // "u", "degrees"; "" for a number without one
+  const char* says;   // what it is, in one sentence
+  double step;        // of a pixel of drag: added, or a share of the value if is_logarithmic
+  bool is_logarithmic = false;
+  const char* absent = "";        // what is taken in place of an optional value
+  bool is_always_saved = true;    // else only where it is not the default or has keyframes
+  bool is_keyed_jointly = false;  // in one track with the others of its object that are
+};
+
+struct NoKeys {};
+
+// `get` is a pointer to a member, or a function from an object to the value within it; `keys` a
+// pointer to a member that holds keyframes, or NoKeys.
+template <class O, class G, class K>
+struct Field {
+  using Owner = O;
+  using Value = std::remove_cvref_t<std::invoke_result_t<G, O&>>;
+  static constexpr bool can_have_keys = !std::is_same_v<K, NoKeys>;
+
+  G get;
+  K keys;
+  NumberDomain domain;  // of each component
+  FieldInfo info;
+
+  [[nodiscard]] constexpr auto& of(auto& owner) const { return std::invoke(get, owner); }
+};
+
+template <class O, class T>
+constexpr auto field(T O::*value, const NumberDomain& domain, const FieldInfo& info) {
+  return Field<O, T O::*, NoKeys>{value, {}, domain, info};
+}
+
+template <class O, class T, class K, class AllKeys>
+constexpr auto field(T O::*value, Keys<K> AllKeys::*keys, const NumberDomain& domain,
+                     const FieldInfo& info) {
+  return Field<O, T O::*, Keys<K> AllKeys::*>{value, keys, domain, info};
+}
+
+template <class Owner>
+inline constexpr std::tuple fields{};
+
+template <class T>
+inline constexpr bool may_be_absent = false;
+template <class T>
+inline constexpr bool may_be_absent<std::optional<T>> = true;
+
+// Calls visit(field) for each field of a type.
+template <class Owner>
+constexpr void visit_fields(auto&& visit) {
+  std::apply([&visit](const auto&... field) { (visit(field), ...); },
+             fields<std::remove_const_t<Owner>>);
+}
+
+// Calls visit(field, keys) for each field that can have keyframes and is there.
+template <class Owner>
+void visit_keyed_fields(Owner& owner, auto& all_keys, auto&& visit) {
+  visit_fields<Owner>([&]<class F>(const F& field) {
+    if constexpr (F::can_have_keys) {
+      if constexpr (may_be_absent<typename F::Value>) {
+        if (!field.of(owner)) return;
+      }
+      visit(field, all_keys.*field.keys);
+    }
+  });
+}
+
+// The same as visit(name, value, keys, domain), see core/scene/animation.h.
+template <class Owner>
+void visit_keyed(Owner& owner, auto& all_keys, auto&& visit) {
+  visit_keyed_fields(owner, all_keys, [&]<class F>(const F& field, auto& keys) {
+    auto& value = field.of(owner);
+    if constexpr (may_be_absent<typename F::Value>) {
+      visit(field.info.name, *value, keys, field.domain);
+    } else {
+      visit(field.info.name, value, keys, field.domain);
+    }
+  });
+}
+
+// Calls visit(field, value) for each value that is there.
+template <class Owner>
+void visit_present(Owner& owner, auto&& visit) {
+  visit_fields<Owner>([&]<class F>(const F& field) {
+    auto& value = field.of(owner);
+    if constexpr (!may_be_absent<typename F::Value>) {
+      visit(field, value);
+    } else if (value) {
+      visit(field, *value);
+    }
+  });
+}
+
+inline bool contains(const NumberDomain& domain, double value) {
+  return domain.contains(value);
+}
+inline bool contains(const NumberDomain& domain, const glm::dvec3& v) {
+  return domain.contains(v.x) && domain.contains(v.y) && domain.contains(v.z);
+}
+
+// Whether all values are in their domains.
+template <class Owner>
+bool is_in_domain(const Owner& owner) {
+  bool is_in = true;
+  visit_present(owner, [&is_in](const auto& field, const auto& value) {
+    is_in = is_in && contains(field.domain, value);
+  });
+  return is_in;
+}
+
+// Removes keyframes of optional values that are not there: they would be unknown keys in a file.
+template <class Owner, class AllKeys>
+void clear_keys_of_absent(const Owner& owner, AllKeys& all_keys) {
+  visit_fields<Owner>([&]<class F>(const F& field) {
+    if constexpr (F::can_have_keys && may_be_absent<typename F::Value>) {
+      if (!field.of(owner)) (all_keys.*field.keys).clear();
+    }
+  });
+}
+
+// Whether a value says more than its absence would: files have it, and the timeline shows a track.
+template <class F, class AllKeys>
+bool is_set(const F& field, const typename F::Owner& owner, const AllKeys& all_keys) {
+  if constexpr (F::can_have_keys) {
+    if (!(all_keys.*field.keys).empty()) return true;
+  }
+  const typename F::Owner usual{};
+  return field.info.is_always_saved || field.of(owner) != field.of(usual);
+}
+
+}  // namespace brume

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <string>
+#include <utility>
+
+#include "core/scene/fields/description.h"
+#include "python/keyed.h"
+#include "python/vectors.h"
+
+namespace brume::python {
+
+template <class Owner, std::size_t... k>
+void def_constructor(auto& bound, std::index_sequence<k...>) {
+  using Self = typename std::remove_reference_t<decltype(bound)>::type;
+  constexpr const auto& all = fields<Owner>;
+  const Owner usual{};
+  bound.def(pybind11::init([](const typename std::tuple_element_t<
+                               k, std::remove_cvref_t<decltype(all)>>::Value&... values) {
+              Self self{};
+              ((std::get<k>(fields<Owner>).of(self) = values), ...);
+              return self;
+            }),
+            (pybind11::arg(std::get<k>(all).info.name) = std::get<k>(all).of(usual))...);
+}
+
+// The values of core/scene/fields: a constructor that takes them by name, and a property for each.
+template <class Owner>
+void def_fields(auto& bound) {
+  def_constructor<Owner>(
+      bound,
+      std::make_index_sequence<std::tuple_size_v<std::remove_cvref_t<decltype(fields<Owner>)>>>());
+  visit_fields<Owner>([&bound]<class F>(const F& field) {
+    std::string doc = description(field);
+    if (*field.info.absent) doc.append("; None: ").append(field.info.absent);
+    if constexpr (F::can_have_keys) {
+      def_keyed(bound, field.info.name, field.get, field.keys, doc.c_str());
+    } else {
+      bound.def_readwrite(field.info.name, field.get, doc.c_str());
+    }
+  });
+}
+
+}  // namespace brume::python
