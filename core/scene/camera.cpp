@@ -37,8 +37,11 @@ CameraRays::CameraRays(const Camera& camera, const Film& film)
         std::abs(forward_.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, -1);
     right = glm::cross(forward_, other);
   }
-  right_ = glm::normalize(right);
-  up_ = glm::cross(right_, forward_);
+  right = glm::normalize(right);
+  const glm::dvec3 up = glm::cross(right, forward_);
+  const double roll = glm::radians(camera.roll);
+  right_ = std::cos(roll) * right - std::sin(roll) * up;
+  up_ = std::cos(roll) * up + std::sin(roll) * right;
   half_size_.y = std::tan(0.5 * glm::radians(camera.vertical_fov));
   half_size_.x = half_size_.y * size.x / size.y;
   corner_ = forward_ - half_size_.x * right_ + half_size_.y * up_;

@@ -21,6 +21,7 @@ class CameraRays {
 
   [[nodiscard]] const glm::dvec3& eye() const { return eye_; }
   [[nodiscard]] const glm::dvec3& forward() const { return forward_; }
+  [[nodiscard]] const glm::dvec3& up() const { return up_; }  // of the picture
 
   // The unit direction from the eye through a film position (pixels).
   [[nodiscard]] glm::dvec3 direction(double x, double y) const {

@@ -19,6 +19,8 @@ struct Camera {
   double aperture = 0.0;  // radius of the lens, >= 0 [u]; 0: a pinhole
   // Of the plane in focus, along the axis, > 0 [u]; absent: through the target.
   std::optional<double> focus_distance{};
+  // About the way it looks, after `up` [degrees]: positive leans its top to its own right.
+  double roll = 0.0;
 
   bool operator==(const Camera&) const = default;
 };
@@ -29,6 +31,7 @@ struct CameraKeys {
   Keys<double> vertical_fov;
   Keys<double> aperture;
   Keys<double> focus_distance;  // of a camera that has one
+  Keys<double> roll;
 
   bool operator==(const CameraKeys&) const = default;
 };

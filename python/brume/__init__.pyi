@@ -45,6 +45,7 @@ class Camera:
     vertical_fov: float
     aperture: float
     focus_distance: Optional[float]
+    roll: float
     def __init__(
         self,
         eye: _Vec3 = (0.0, 0.0, 5.0),
@@ -53,6 +54,7 @@ class Camera:
         vertical_fov: float = 45.0,
         aperture: float = 0.0,
         focus_distance: Optional[float] = None,
+        roll: float = 0.0,
     ) -> None: ...
     def clear_keys(self) -> None: ...
 

@@ -104,6 +104,39 @@ class CamerasTest : public QObject {
     QVERIFY(window->document().scene().camera.target == glm::dvec3(0.0));
   }
 
+  void roll_is_set_keyed_and_undone() {
+    TestWindow window(tiny_scene());
+    Document& document = window->document();
+    const Scene before = document.scene();
+    const auto tracks_shown = [&] {
+      QStringList titles;
+      for (const Track& track : tracks_with_keys(document.scene())) titles << track.title;
+      return titles;
+    };
+    auto* key = window->findChild<QToolButton*>("camera_roll_key");
+    QVERIFY(key && !key->isChecked());
+    // At 0, too, which has no track yet.
+    QTest::mouseClick(key, Qt::LeftButton);
+    QVERIFY(key->isChecked());
+    QCOMPARE(document.undo_stack().undoText(), QString("Set keyframe of camera roll"));
+    QCOMPARE(tracks_shown(), QStringList{"Camera roll"});
+    window->timeline().set_frame(30);
+    QVERIFY(!key->isChecked());
+    enter(window, "camera_roll", "20");  // a key, since it has one
+    QVERIFY(key->isChecked());
+    QCOMPARE(document.scene().camera.roll, 20.0);
+    QCOMPARE(document.scene().camera_keys.roll.size(), std::size_t{2});
+    window->timeline().set_frame(15);
+    QCOMPARE(value(window, "camera_roll"), "10");
+    window->timeline().set_frame(30);
+    QTest::mouseClick(key, Qt::LeftButton);
+    QCOMPARE(document.undo_stack().undoText(), QString("Delete keyframe of camera roll"));
+    QCOMPARE(document.scene().camera_keys.roll.size(), std::size_t{1});
+    while (document.undo_stack().canUndo()) document.undo_stack().undo();
+    window->timeline().set_frame(0);
+    QVERIFY(document.scene() == before);
+  }
+
   void the_timeline_keys_what_is_chosen_of_the_camera() {
     Scene scene = tiny_scene();
     scene.camera.aperture = 0.1;

@@ -282,8 +282,8 @@ class RandomHands {
         return delete_camera(document_, a_camera());
       case 3: {
         Camera camera = document_.scene().camera;
-        camera.vertical_fov = 10.0 + number();
-        return set_camera(document_, camera, "field of view", no_merge);
+        camera.roll = number();
+        return set_camera(document_, camera, "roll", no_merge);
       }
       default:
         return add_camera(document_, {.eye = point() + glm::dvec3(3.0)});

@@ -155,6 +155,9 @@ class StartPageTest : public QObject {
     };
     const QByteArray before = bytes();
     CameraController& controller = window->viewport().camera_controller();
+    Camera rolled = controller.camera();
+    rolled.roll = 10.0;
+    controller.set_camera(rolled);
     controller.drag(NavigationDrag::orbit, {80.0, 20.0});
     const Camera left = controller.camera();
     QVERIFY(window->files().create());

@@ -18,6 +18,7 @@
 #include "core/io/scene/usd_text.h"
 #include "core/medium/splat.h"
 #include "core/scene/area_normal.h"
+#include "core/scene/camera_rays.h"
 #include "core/scene/environment.h"
 #include "core/scene/placement.h"
 
@@ -45,7 +46,8 @@ void write_camera(UsdText& out, Frames frames) {
   out.open("Camera", frames.front().scene.camera_name);
   const auto camera = [&](std::size_t k) -> const Camera& { return frames[k].scene.camera; };
   out.transform([&](std::size_t k) {
-    return looking(camera(k).eye, camera(k).target - camera(k).eye, camera(k).up);
+    const CameraRays rays(camera(k), frames[k].scene.film);
+    return looking(rays.eye(), rays.forward(), rays.up());
   });
   // Lengths are tenths of a unit; only their ratios count for a pinhole. A film of 24 mm.
   constexpr double height = 24.0;

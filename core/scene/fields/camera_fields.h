@@ -51,6 +51,14 @@ inline constexpr auto fields<Camera> = std::tuple{
            .step = 0.01,
            .is_logarithmic = true,
            .absent = "that of the target",
+           .is_always_saved = false}),
+    field(&Camera::roll, &CameraKeys::roll, domain::degrees,
+          {.name = "roll",
+           .label = "Roll",
+           .unit = "degrees",
+           .says = "Turns the camera about the way it looks, after `up`: positive leans its top to "
+                   "its own right, so the picture turns to the left",
+           .step = 0.1,
            .is_always_saved = false})};
 
 }  // namespace brume

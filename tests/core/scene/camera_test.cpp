@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 
 namespace brume {
 namespace {
@@ -38,6 +39,26 @@ TEST(CameraRays, UpAlongTheViewStillHasAFrame) {
   const glm::dvec3 d = rays.direction(1, 1);
   EXPECT_NEAR(glm::length(d), 1.0, 1e-12);
   EXPECT_LT(d.y, 0.0);
+}
+
+TEST(CameraRays, RollLeansTheTopToItsOwnRight) {
+  Camera camera{{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, 40.0};
+  camera.roll = 90.0;
+  const Film film{64, 64};
+  const CameraRays rays(camera, film);
+  EXPECT_LT(glm::length(rays.up() - glm::dvec3(1, 0, 0)), 1e-15);
+  // What was on top is on the left.
+  const glm::dvec3 top = rays.project({0, 1, 0});
+  EXPECT_LT(top.x, 32.0);
+  EXPECT_NEAR(top.y, 32.0, 1e-12);
+  // Turned by the angle, `up` alone gives the same rays.
+  camera.roll = 30.0;
+  Camera turned = camera;
+  turned.roll = 0.0;
+  turned.up = {std::sin(glm::radians(30.0)), std::cos(glm::radians(30.0)), 0.0};
+  EXPECT_LT(glm::length(CameraRays(camera, film).direction(3, 5) -
+                        CameraRays(turned, film).direction(3, 5)),
+            1e-15);
 }
 
 TEST(CameraRays, ARegionHasTheRaysOfTheWholeFilm) {

@@ -30,7 +30,7 @@ class CamerasAndOutput : public ::testing::Test {
 TEST_F(CamerasAndOutput, OfAPlainSceneAreNotWritten) {
   const std::string text = saved(load_scene(write(R"("camera": {"eye": [0, 0, 3]})")));
   for (const char* key : {"cameras", "\"name\"", "output", "frames_per_second", "aperture",
-                          "focus_distance"}) {
+                          "focus_distance", "roll"}) {
     EXPECT_FALSE(contains(text, key)) << key;
   }
 }

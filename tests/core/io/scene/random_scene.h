@@ -99,7 +99,9 @@ class RandomScene {
     keys(scene.camera_keys.vertical_fov, 179.0);
     scene.camera.aperture = maybe() ? number(0, 2) : 0.0;
     if (maybe()) scene.camera.focus_distance = number(0.1, 9);
+    if (maybe()) scene.camera.roll = number(-180, 180);
     keys(scene.camera_keys.aperture, 1.0);
+    keys(scene.camera_keys.roll, 180.0);
     if (scene.camera.focus_distance) keys(scene.camera_keys.focus_distance, 9.0);
     keys(scene.density_keys, 9.0);
     keys(scene.optics.keys.albedo, 1.0);

@@ -117,6 +117,14 @@ TEST_F(UsdFile, CameraSeesWhatBrumeSees) {
   for (std::size_t i = 0; i < found.size(); ++i) EXPECT_NEAR(found[i], expected[i], 1e-12) << i;
 }
 
+TEST_F(UsdFile, CameraRolls) {
+  scene_.camera.roll = 90.0;
+  const std::vector<double> found = numbers(prim(stage(), "Camera"), "xformOp:transform");
+  const std::vector<double> expected{0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 1, 2, 5, 1};
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t i = 0; i < found.size(); ++i) EXPECT_NEAR(found[i], expected[i], 1e-12) << i;
+}
+
 // Radiant intensity pi r^2 L of a normalized sphere, whose L is intensity / (4 pi r^2).
 TEST_F(UsdFile, PointLightsKeepTheirIntensity) {
   scene_.lights = {{{1.0, 2.0, 3.0}, {8.0, 4.0, 2.0}}};
