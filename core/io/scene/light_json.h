@@ -3,11 +3,18 @@
 #include <string>
 
 #include "brume/scene.h"
+#include "core/io/scene/json_reader.h"
 #include "core/io/scene/keys_json.h"
+#include "core/io/scene/scene_budget.h"
+#include "core/io/scene/scene_document.h"
+#include "core/io/scene/scene_references.h"
 
 namespace brume {
 
-// A light as scene files have it, but for `on` and its keyframes.
+// A light as scene files have it.
+Light read_light(JsonContext& context, const Json& value, const JsonPath& path,
+                 SceneReferences& references, SceneBudget& budget, UnknownKeys& unknown_keys);
+// The same in return, but for `on` and its keyframes.
 // `profile`: the text for the file of its profile.
 Json light_to_json(const Light& light, const std::string& profile);
 

@@ -12,17 +12,17 @@
 #include "core/io/scene/group_json.h"
 #include "core/io/scene/json_reader.h"
 #include "core/io/scene/keys_json.h"
-#include "core/io/scene/material_json.h"
+#include "core/io/scene/light_json.h"
 #include "core/io/scene/output_json.h"
 #include "core/io/scene/scene_budget.h"
 #include "core/io/scene/scene_file.h"
 #include "core/io/scene/scene_names.h"
 #include "core/io/scene/scene_references.h"
 #include "core/io/scene/spline_json.h"
+#include "core/io/scene/surface_json.h"
 #include "core/io/text_scanner.h"
 #include "core/number_domain.h"
 #include "core/scene/animation.h"
-#include "core/scene/imported_scene.h"
 #include "core/scene/particles.h"
 
 namespace brume {
@@ -306,101 +306,11 @@ class SceneLoader {
   }
 
   void load_light(const Json& value, const JsonPath& path) {
-    JsonObject object(context_, value, path);
-    const std::size_t type =
-        object.choice("type", {"point", "spot", "directional", "rectangle", "disk", "sphere"}, {});
-    Light light;
-    if (type == 2) {
-      light.intensity = object.vector("irradiance", domain::intensity, {});
-      light.directional = load_directional(object);
-    } else {
-      light.position = object.vector("position", domain::coordinate, {});
-      if (type >= 3) {
-        light.intensity = object.vector("radiance", domain::intensity, {});
-        light.area = load_area(object, static_cast<AreaLight::Shape>(type - 3));
-      } else {
-        light.intensity = object.vector("intensity", domain::intensity, light.intensity);
-      }
-    }
-    if (type == 1) light.spot = load_cone(object);
-    if (type <= 1) load_profile(object, light);
-    light.name = object.name("");
-    light.on = object.boolean("on", light.on);
-    light.locked = object.boolean("locked", light.locked);
-    unknown_keys_.add(light.id, "keys",
-                      load_keys(object, [&](auto&& visit) { visit_keyed_light(light, visit); }));
-    if (light.spot) check_cone(object, light);
-    if (light.directional) check_direction(object, light, light.directional->direction);
-    if (light.area) check_direction(object, light, light.area->direction);
-    unknown_keys_.add(light.id, "", object.unknown_keys());
-    scene_.lights.push_back(std::move(light));
+    scene_.lights.push_back(read_light(context_, value, path, references_, budget_, unknown_keys_));
   }
 
-  // Values with keyframes count for nothing: they are those of the moment at which a scene was
-  // saved.
-  static void check_direction(const JsonObject& object, const Light& light,
-                              const glm::dvec3& direction) {
-    if (light.keys.direction.empty() && direction == glm::dvec3(0.0)) {
-      object.fail("direction", "found a vector of length 0; allowed: any other");
-    }
-  }
-
-  static void check_cone(const JsonObject& object, const Light& light) {
-    const SpotCone& cone = *light.spot;
-    check_direction(object, light, cone.direction);
-    const bool is_keyed = !light.keys.inner_angle.empty() || !light.keys.outer_angle.empty();
-    if (!is_keyed && !(cone.outer_angle > 0.0)) {
-      object.fail("outer_angle", "found 0; allowed: above 0 degrees");
-    }
-    if (!is_keyed && !(cone.inner_angle <= cone.outer_angle)) {
-      object.fail("inner_angle", "found " + quoted_text(cone.inner_angle) +
-                                     "; allowed: at most outer_angle, which is " +
-                                     quoted_text(cone.outer_angle));
-    }
-  }
-
-  void load_profile(JsonObject& object, Light& light) {
-    if (object.find("profile") == nullptr) return;
-    const JsonPath path = object.path_of("profile");
-    LightProfile profile;
-    profile.file = references_.resolve(context_, path, object.text("profile", {}));
-    profile.content = references_.profile(context_, path, profile.file);
-    budget_.reserve(path, *profile.content);
-    profile.rotation = object.number("profile_rotation", domain::degrees, profile.rotation);
-    light.profile = std::move(profile);
-  }
-
-  static Directional load_directional(JsonObject& object) {
-    Directional light;
-    light.direction = object.vector("direction", domain::coordinate, {});
-    light.angular_diameter =
-        object.number("angular_diameter", domain::angular_diameter, light.angular_diameter);
-    return light;
-  }
-
-  static AreaLight load_area(JsonObject& object, AreaLight::Shape shape) {
-    AreaLight area;
-    area.shape = shape;
-    if (shape != AreaLight::Shape::sphere) {
-      area.direction = object.vector("direction", domain::coordinate, {});
-    }
-    if (shape == AreaLight::Shape::rectangle) {
-      area.up = object.vector("up", domain::coordinate, area.up);
-      area.width = object.number("width", domain::length, {});
-      area.height = object.number("height", domain::length, {});
-    } else {
-      area.radius = object.number("radius", domain::length, {});
-    }
-    area.two_sided = object.boolean("two_sided", area.two_sided);
-    return area;
-  }
-
-  static SpotCone load_cone(JsonObject& object) {
-    SpotCone cone;
-    cone.direction = object.vector("direction", domain::coordinate, {});
-    cone.inner_angle = object.number("inner_angle", domain::cone_angle, cone.inner_angle);
-    cone.outer_angle = object.number("outer_angle", domain::cone_angle, cone.outer_angle);
-    return cone;
+  void load_surface(const Json& value, const JsonPath& path) {
+    scene_.surfaces.push_back(surfaces_.read(value, path));
   }
 
   void load_environment(const Json& value, const JsonPath& path) {
@@ -419,124 +329,14 @@ class SceneLoader {
     scene_.environment = std::move(environment);
   }
 
-  void load_surface(const Json& value, const JsonPath& path) {
-    JsonObject object(context_, value, path);
-    Surface surface;
-    surface.name = object.name("");
-    load_mesh(object, surface);
-    surface.translate = object.vector("translate", domain::coordinate, surface.translate);
-    if (const Json* rotate = object.find("rotate")) {
-      surface.rotate = read_unit_quaternion(context_, *rotate, object.path_of("rotate"));
-    }
-    surface.scale = object.number("scale", domain::length, surface.scale);
-    // One with a file of its own has its materials from there.
-    if (const Json* material = surface.imported ? nullptr : object.find("material")) {
-      read_material(context_, *material, object.path_of("material"), references_, budget_,
-                    unknown_keys_, surface);
-    }
-    surface.transfer = static_cast<Surface::Transfer>(
-        object.choice("transfer", scene_names::transfers, std::size_t{0}));
-    surface.visible = object.boolean("visible", surface.visible);
-    surface.locked = object.boolean("locked", surface.locked);
-    unknown_keys_.add(surface.id, "keys", load_keys(object, [&](auto&& visit) {
-                        visit_keyed_surface(surface, visit);
-                      }));
-    unknown_keys_.add(surface.id, "", object.unknown_keys());
-    scene_.surfaces.push_back(std::move(surface));
-  }
-
-  // Equal primitives share their mesh.
-  std::shared_ptr<const TriangleMesh> primitive_mesh(const Primitive& primitive) {
-    for (const auto& [known, mesh] : primitive_meshes_) {
-      if (known == primitive) return mesh;
-    }
-    return primitive_meshes_.emplace_back(primitive, mesh_of(primitive)).second;
-  }
-
-  void load_mesh(JsonObject& object, Surface& surface) {
-    const Json* primitive = object.find("primitive");
-    const char* key = primitive ? "primitive" : object.find("file") ? "file" : "mesh";
-    for (const char* other : {"file", "mesh"}) {
-      if (std::string_view(key) == other || !object.find(other)) continue;
-      object.fail(other, std::string("found besides ") + key + "; allowed: one of both");
-    }
-    const JsonPath path = object.path_of(key);
-    if (primitive) {
-      surface.primitive = load_primitive(*primitive, path, surface);
-      surface.mesh = primitive_mesh(*surface.primitive);
-      budget_.reserve(path, *surface.mesh);
-      return;
-    }
-    surface.mesh_file = references_.resolve(context_, path, object.text(key, {}));
-    if (path.key == "file") {
-      load_imported(object, path, surface);
-      return;
-    }
-    surface.mesh = references_.mesh(context_, path, surface.mesh_file);
-    budget_.reserve(path, *surface.mesh);
-  }
-
-  void load_imported(JsonObject& object, const JsonPath& path, Surface& surface) {
-    surface.imported = references_.imported(context_, path, surface.mesh_file);
-    const ImportedScene& scene = *surface.imported;
-    const bool is_missing = references_.is_missing(surface.mesh_file);  // then so are its nodes
-    const Json::array_t& nodes = object.array("nodes", limits::surfaces);
-    const JsonPath nodes_path = object.path_of("nodes");
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-      if (!nodes[i].is_string() || nodes[i].get_ref<const std::string&>().empty()) {
-        context_.fail(nodes_path.element(i),
-                      "found " + quoted_json(nodes[i]) + "; allowed: a name");
-      }
-      surface.nodes.push_back(nodes[i].get<std::string>());
-      if (!is_missing) check_node(scene, nodes_path.element(i), surface.nodes.back());
-    }
-    if (object.find("nodes") && nodes.empty()) {
-      object.fail("nodes", "found no names; allowed: at least one");
-    }
-    const std::vector<const ImportedPart*> parts =
-        chosen_parts(scene, is_missing ? std::vector<std::string>() : surface.nodes);
-    if (parts.empty()) {
-      const bool are_all = surface.nodes.empty();
-      const std::string why = !are_all ? "these nodes have no triangles"
-                              : scene.left_out.empty()
-                                  ? "has no triangles"
-                                  : scene.left_out + ", and no triangles anywhere";
-      context_.fail(are_all ? path : nodes_path, InputError(surface.mesh_file, "", why).what());
-    }
-    surface.mesh = joined_mesh(parts);
-    budget_.reserve(path, *surface.mesh);
-    budget_.reserve(path, parts);
-  }
-
-  void check_node(const ImportedScene& scene, const JsonPath& path, const std::string& name) {
-    if (std::ranges::count(scene.nodes, name, &ImportedNode::name) > 0) return;
-    std::string names;
-    for (std::size_t i = 0; i < std::min<std::size_t>(scene.nodes.size(), 10); ++i) {
-      names += (i > 0 ? ", " : "") + quoted_text(scene.nodes[i].name);
-    }
-    if (scene.nodes.size() > 10) names += " ...";
-    context_.fail(path, "found " + quoted_text(name) + "; allowed: a node of " +
-                            quoted_text(scene.files.front().string()) + ": " + names);
-  }
-
-  Primitive load_primitive(const Json& value, const JsonPath& path, Surface& surface) {
-    JsonObject object(context_, value, path);
-    Primitive primitive;
-    primitive.shape =
-        static_cast<Primitive::Shape>(object.choice("type", scene_names::primitives, {}));
-    primitive.size = object.vector("size", domain::length, primitive.size);
-    unknown_keys_.add(surface.id, "primitive", object.unknown_keys());
-    return primitive;
-  }
-
   JsonContext context_;
   SceneBudget budget_{context_};
   JsonPath root_;
   SceneReferences references_;
-  std::vector<std::pair<Primitive, std::shared_ptr<const TriangleMesh>>> primitive_meshes_;
   SceneDocument document_;
   Scene& scene_ = document_.scene;
   UnknownKeys& unknown_keys_ = document_.extras.unknown_keys;
+  SurfaceReader surfaces_{context_, references_, budget_, unknown_keys_};
 };
 
 SceneDocument load(const fs::path& file, std::vector<std::string>* warnings,
