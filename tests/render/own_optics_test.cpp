@@ -233,12 +233,13 @@ TEST(OwnOptics, UnderAnEnvironmentSlicedMatchesTheReference) {
 }
 
 TEST(OwnOptics, AllOrdersMatchPaths) {
-  struct Case {
+  struct LitFog {
     double b0, anisotropy;
     bool has_wall, is_lit;
   };
   for (const auto& [b0, anisotropy, has_wall, is_lit] :
-       {Case{0.0, 0.0, false, true}, Case{0.0, 0.5, true, true}, Case{0.05, 0.0, true, false}}) {
+       {LitFog{0.0, 0.0, false, true}, LitFog{0.0, 0.5, true, true},
+        LitFog{0.05, 0.0, true, false}}) {
     Scene scene = in_fog(glowing(3.0, 12), b0);
     scene.optics.anisotropy = anisotropy;
     if (has_wall) scene.surfaces = {wall(-1.2, 1.5)};

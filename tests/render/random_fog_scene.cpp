@@ -73,12 +73,12 @@ class RandomFogScene {
 
   void add_wall() {
     MeshArrays mesh;
-    const glm::dvec3 center = random_.point(1.5);
+    const glm::dvec3 quad_center = random_.point(1.5);
     const glm::dvec3 right = random_.power(-1.3, 0.3) * direction();
     const glm::dvec3 down = random_.power(-1.3, 0.3) * direction();
     const glm::dvec3 n = glm::normalize(glm::cross(down, right));
-    for (const glm::dvec3& p : {center - right - down, center + right - down, center + right + down,
-                                center - right + down}) {
+    for (const glm::dvec3& p : {quad_center - right - down, quad_center + right - down,
+                                quad_center + right + down, quad_center - right + down}) {
       mesh.points.emplace_back(p);
       mesh.normals.emplace_back(n);
     }

@@ -114,11 +114,11 @@ class WrongFrame {
 constexpr int small_x = 22;
 constexpr int small_y = 13;
 
-Scene thin_cloud(glm::dvec3& center) {
+Scene thin_cloud(glm::dvec3& cloud_center) {
   Scene scene = cloud_scene(30, 0.01);
   scene.film = {40, 40};
   const CameraRays rays(scene.camera, scene.film);
-  center = rays.eye() + 3.0 * rays.direction(small_x + 0.52, small_y + 0.48);
+  cloud_center = rays.eye() + 3.0 * rays.direction(small_x + 0.52, small_y + 0.48);
   return scene;
 }
 
@@ -130,17 +130,17 @@ Light light_at(const glm::dvec3& position, double intensity) {
 }
 
 Scene light_in_view() {
-  glm::dvec3 center;
-  Scene scene = thin_cloud(center);
+  glm::dvec3 cloud_center;
+  Scene scene = thin_cloud(cloud_center);
   scene.medium.set_homogeneous_density(0.01);
-  scene.lights.push_back(light_at(center, 10.0));
+  scene.lights.push_back(light_at(cloud_center, 10.0));
   return scene;
 }
 
 Scene small_opaque_gaussian() {
-  glm::dvec3 center;
-  Scene scene = thin_cloud(center);
-  scene.medium.append({center, 0.005, 2000.0});
+  glm::dvec3 cloud_center;
+  Scene scene = thin_cloud(cloud_center);
+  scene.medium.append({cloud_center, 0.005, 2000.0});
   return scene;
 }
 
