@@ -6,6 +6,7 @@
 
 #include "brume/frame.h"
 #include "brume/scene.h"
+#include "render/motion.h"
 #include "render/settings.h"
 
 namespace brume {
@@ -19,10 +20,11 @@ class FrameRenderer {
   // rendered as `sliced`; render_requested() chooses and measures. All values of
   // the frame are finite except the depth where nothing is hit. nullopt if `stop` was requested.
   // `progress` gets the completed fraction in [0, 1], from the rendering threads, one call at a
-  // time.
+  // time. `motion`: of the editor's views.
   virtual std::optional<Frame> render(const Scene& scene, const Camera& camera, const Film& film,
                                       const Settings& settings, std::stop_token stop = {},
-                                      const std::function<void(double)>& progress = {}) = 0;
+                                      const std::function<void(double)>& progress = {},
+                                      const Motion& motion = {}) = 0;
 };
 
 }  // namespace brume

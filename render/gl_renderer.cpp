@@ -111,7 +111,8 @@ struct GlRenderer::Impl {
     std::shared_ptr<DevicePicture> picture;   // null: not to a display
   };
   std::optional<Frame> render(const Scene& scene, const Camera& camera, const Film& film,
-                              const Settings& settings, const Job& job, Target& target);
+                              const Settings& settings, const Motion& motion, const Job& job,
+                              Target& target);
   std::optional<Frame> try_render(const RenderPlan& plan, const Scene& scene, const Camera& camera,
                                   const Film& film, const Job& job, Target& target);
   std::optional<Frame> render(FrameContext& work, tbb::task_arena& arena, std::size_t which,
@@ -197,26 +198,29 @@ void GlRenderer::Impl::release(bool all) {
 
 std::optional<Frame> GlRenderer::render(const Scene& scene, const Camera& camera, const Film& film,
                                         const Settings& settings, std::stop_token stop,
-                                        const std::function<void(double)>& progress) {
+                                        const std::function<void(double)>& progress,
+                                        const Motion& motion) {
   Impl::Target memory;
-  return impl_->render(scene, camera, film, settings, {std::move(stop), progress}, memory);
+  return impl_->render(scene, camera, film, settings, motion, {std::move(stop), progress}, memory);
 }
 
 std::optional<GlRenderer::DisplayFrame> GlRenderer::show(const Scene& scene, const Camera& camera,
                                                          const Film& film, const Settings& settings,
                                                          const DisplayOptions& options,
-                                                         std::stop_token stop) {
+                                                         std::stop_token stop,
+                                                         const Motion& motion) {
   Impl::Target target;
   if (impl_->pictures) target.options = &options;
-  auto frame = impl_->render(scene, camera, film, settings, {std::move(stop), {}}, target);
+  auto frame = impl_->render(scene, camera, film, settings, motion, {std::move(stop), {}}, target);
   if (!frame) return std::nullopt;
   return DisplayFrame{std::move(*frame), std::move(target.picture)};
 }
 
 std::optional<Frame> GlRenderer::Impl::render(const Scene& scene, const Camera& camera,
                                               const Film& film, const Settings& settings,
-                                              const Job& job, Target& target) {
-  RenderPlan plan(scene, film, settings, own_transfers ? nullptr : transfers.get());
+                                              const Motion& motion, const Job& job,
+                                              Target& target) {
+  RenderPlan plan(scene, film, settings, own_transfers ? nullptr : transfers.get(), motion);
   std::string why = failure;
   if (const std::optional<Reason> reason = refusal(plan); why.empty() && reason) {
     why = to_string(*reason);
@@ -225,7 +229,7 @@ std::optional<Frame> GlRenderer::Impl::render(const Scene& scene, const Camera& 
     // All pixels as often: whole frames are quick here, and few are read back in between.
     const auto render_film = [&](const Film& shifted, const Settings& single, const Job& part) {
       Target memory;
-      return render(scene, camera, shifted, single, part, memory);
+      return render(scene, camera, shifted, single, motion, part, memory);
     };
     return render_shifted(film, settings, job, render_film);
   }

@@ -38,7 +38,8 @@ class GlRenderer final : public FrameRenderer {
 
   std::optional<Frame> render(const Scene& scene, const Camera& camera, const Film& film,
                               const Settings& settings, std::stop_token stop = {},
-                              const std::function<void(double)>& progress = {}) override;
+                              const std::function<void(double)>& progress = {},
+                              const Motion& motion = {}) override;
 
   // A frame whose picture stays on the device. It has no layers except, on request, the depth.
   // Without a picture (fallback, or no pool) it equals the result of render().
@@ -48,7 +49,7 @@ class GlRenderer final : public FrameRenderer {
   };
   std::optional<DisplayFrame> show(const Scene& scene, const Camera& camera, const Film& film,
                                    const Settings& settings, const gl::DisplayOptions& options,
-                                   std::stop_token stop = {});
+                                   std::stop_token stop = {}, const Motion& motion = {});
 
   [[nodiscard]] const std::string& device_name() const;
   // Whether the device is a software renderer, slower than Renderer.

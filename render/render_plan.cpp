@@ -256,7 +256,8 @@ std::vector<SkippedStage> skipped_stages(const Scene& scene, const Content& cont
 }  // namespace
 
 RenderPlan::RenderPlan(const Scene& scene, const Film& film, const Settings& requested,
-                       const TransferStore* shared) {
+                       const TransferStore* shared, const Motion& in_motion)
+    : motion(in_motion) {
   settings = without_auto(requested);
   const AirlightMethod method = settings.airlight;
   const Content content(scene, method);

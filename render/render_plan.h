@@ -6,6 +6,7 @@
 #include "brume/scene.h"
 #include "brume/stage.h"
 #include "core/scene/point_lights.h"
+#include "render/motion.h"
 #include "render/settings.h"
 #include "render/transfer/transfer_store.h"
 
@@ -21,8 +22,9 @@ inline constexpr double path_depth_error = 1e-6;
 struct RenderPlan {
   // `shared`: transfer that others compute; null: the frame computes what is missing.
   RenderPlan(const Scene& scene, const Film& film, const Settings& requested,
-             const TransferStore* shared = nullptr);
+             const TransferStore* shared = nullptr, const Motion& in_motion = {});
 
+  Motion motion;
   Settings settings;  // as requested, without `auto_`, with light maps limited to memory
   // Those that are on and not black, as point lights: see core/scene/point_lights.h.
   std::vector<PointLight> lights;

@@ -58,9 +58,11 @@ Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
 std::optional<Frame> Renderer::render(const Scene& scene, const Camera& camera, const Film& film,
                                       const Settings& settings, std::stop_token stop,
-                                      const std::function<void(double)>& progress) {
+                                      const std::function<void(double)>& progress,
+                                      const Motion& motion) {
   const auto render_film = [&](const Film& shifted, const Settings& wanted, const Job& job) {
-    const RenderPlan plan(scene, shifted, wanted, own_transfers_ ? nullptr : transfers_.get());
+    const RenderPlan plan(scene, shifted, wanted, own_transfers_ ? nullptr : transfers_.get(),
+                          motion);
     return render(plan, scene, camera, shifted, job);
   };
   const Job job{std::move(stop), progress};

@@ -27,7 +27,8 @@ class Renderer final : public FrameRenderer {
 
   std::optional<Frame> render(const Scene& scene, const Camera& camera, const Film& film,
                               const Settings& settings, std::stop_token stop = {},
-                              const std::function<void(double)>& progress = {}) override;
+                              const std::function<void(double)>& progress = {},
+                              const Motion& motion = {}) override;
   // The same by a plan of that scene and film that is already made.
   std::optional<Frame> render(const RenderPlan& plan, const Scene& scene, const Camera& camera,
                               const Film& film, const Job& job);

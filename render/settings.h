@@ -35,8 +35,6 @@ struct ScatteringLimits {
   int light_degree = 19;
   double tolerance = 1e-3;  // of the residual relative to the solution
   int sweeps = 40;          // maximum
-  // From the last solution on. For frames in motion: a frame then depends on those before it.
-  bool warm_start = false;
 
   bool operator==(const ScatteringLimits&) const = default;
 };
@@ -82,12 +80,6 @@ struct Settings {
   // `sliced` and `march`: environment light in the medium; `sliced`: all that is scattered more
   // than once.
   SourceGridSize source_grid{};
-  // For frames in motion, between those at rest: the medium is kept at both precisions, and merged
-  // Gaussians follow edits. A frame then depends on those before it.
-  bool has_own_medium = false;
-  // What the medium scatters, of a grid that was made with other tables and at another merge_error,
-  // is used again: for frames in motion after one at rest.
-  bool any_source_precision = false;
   // Frame::background is filled: for layers.
   bool background_apart = false;
   // `sliced`: light scattered and reflected more than once; the other methods are single.
@@ -133,7 +125,7 @@ inline constexpr int max_paths = limits::paths;
 inline constexpr int edge_samples = 16;
 int chosen_samples(const Scene& scene);
 
-// The method as on the command line, with its parameter: "march:64".
+// The method as on the command line, with its parameter: "sliced:24", "march:64", "paper+mean".
 std::string airlight_name(const Settings& settings);
 
 // Reduces the resolution of light tables and shadow maps so that all lights together fit

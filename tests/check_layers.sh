@@ -10,7 +10,7 @@ includes=$(grep -rnE '^\s*#\s*include\s*[<"]' include core render app tools \
   exit 1
 }
 
-values='render/settings.h'
+values='render/settings.h render/motion.h'
 surfaces='render/geometry/ render/simd/ render/visibility/ render/lighting/ render/shading/'
 
 # First rows of "what it is: pattern: layers of which no file may include it", be it by way of "../".

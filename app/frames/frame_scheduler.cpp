@@ -121,7 +121,8 @@ bool FrameScheduler::is_settled() const {
 // One in motion may be, where that saves nothing.
 bool FrameScheduler::is_full(const RenderedFrame& frame) const {
   return frame.divisor == 1 && !frame.on_device && !frame.cached &&
-         frame.request.settings == rest_settings(*frame.request.scene);
+         frame.request.settings == rest_settings(*frame.request.scene) &&
+         frame.request.motion == Motion{};
 }
 
 bool FrameScheduler::shows_paths() const {
@@ -156,32 +157,34 @@ Settings FrameScheduler::rest_settings(const Scene& scene) const {
   return settings;
 }
 
-Settings FrameScheduler::motion_settings(const std::shared_ptr<const Scene>& scene) const {
+void FrameScheduler::ask_in_motion(FrameRequest& request) const {
+  const Scene& scene = *request.scene;
   const Settings rest = quality_.settings();
-  Settings settings = sliced_settings(rest, motion_slices);
+  Settings& settings = request.settings = sliced_settings(rest, motion_slices);
+  Motion& motion = request.motion;
   settings.airlight = rest.airlight;
   settings.merge_error = motion_merge_error;
   settings.merge_share = motion_merge_share;
-  settings.has_own_medium = MergedMedium::may_merge(scene->medium);
+  motion.has_own_medium = MergedMedium::may_merge(scene.medium);
   if (settings.scattering == Scattering::multiple) {
     settings.scattering_limits.sweeps = motion_sweeps;
-    settings.scattering_limits.warm_start = true;
+    motion.warm_start = true;
     settings.scattering_limits.degree = motion_degree;
     settings.scattering_limits.light_degree = motion_light_degree;
     settings.source_grid = motion_grid;
   }
-  if (scene == rested_scene_) {
+  if (request.scene == rested_scene_) {
     // Keeps prepared data: alternating between two would rebuild it each time.
     settings.shadow_cells = rest.shadow_cells;
-    if (!settings.has_own_medium) {
+    if (!motion.has_own_medium) {
       settings.optical_depth_table = rest.optical_depth_table;
       settings.depth_error = rest.depth_error;
     }
-    settings.any_source_precision = true;
+    motion.any_source_precision = true;
+    motion.warm_start = false;
     settings.source_grid = rest.source_grid;
     settings.scattering_limits = rest.scattering_limits;
   }
-  return settings;
 }
 
 std::shared_ptr<const Scene> FrameScheduler::lit_scene() const {
@@ -204,7 +207,7 @@ FrameRequest FrameScheduler::frame_request(bool moving) {
   FrameRequest request{.scene = scene,
                        .camera = view_.shown_camera(),
                        .film = look_.film,
-                       .settings = moving ? motion_settings(scene) : rest_settings(*scene),
+                       .settings = rest_settings(*scene),
                        .display = display(),
                        .mode = mode_,
                        .view = index(),
@@ -214,7 +217,11 @@ FrameRequest FrameScheduler::frame_request(bool moving) {
                        .headlight = scene == headlit_,
                        .time = view_.time(),
                        .look = look_count_};
-  if (!moving && mode_ == ViewMode::path_traced) ask_for_paths(request);
+  if (moving) {
+    ask_in_motion(request);
+  } else if (mode_ == ViewMode::path_traced) {
+    ask_for_paths(request);
+  }
   return request;
 }
 

@@ -66,7 +66,7 @@ class FrameScheduler : public QObject {
   void ask_for_paths(FrameRequest& request) const;
   // With samples of edges, which frames in motion do without.
   [[nodiscard]] Settings rest_settings(const Scene& scene) const;
-  [[nodiscard]] Settings motion_settings(const std::shared_ptr<const Scene>& scene) const;
+  void ask_in_motion(FrameRequest& request) const;
   [[nodiscard]] FrameRequest frame_request(bool moving);
   void send(FrameRequest request);
   // The cache is for what keeps its look while it plays, and needs no layers.

@@ -53,12 +53,14 @@ class ChosenRenderer {
     const Scene& scene = *request.scene;
     if (options) {
       options->depth = request.depth;
-      auto shown = sharing_->show(scene, request.camera, film, request.settings, *options, stop);
+      auto shown = sharing_->show(scene, request.camera, film, request.settings, *options, stop,
+                                  request.motion);
       if (!shown) return nullptr;
       rendered->frame = std::move(shown->frame);
       rendered->on_device = std::move(shown->picture);
     } else {
-      auto frame = renderer_->render(scene, request.camera, film, request.settings, stop);
+      auto frame = renderer_->render(scene, request.camera, film, request.settings, stop, {},
+                                     request.motion);
       if (!frame) return nullptr;
       rendered->frame = std::move(*frame);
     }
@@ -117,8 +119,8 @@ void FrameService::request(FrameRequest request) {
     const FrameRequest& now = *running_;
     // The same state at full quality is already on its way.
     if (now.view == view && now.serial == request.serial && !now.moving &&
-        now.settings == request.settings && now.divisor == request.divisor &&
-        !stop_frame_.stop_requested()) {
+        now.settings == request.settings && now.motion == request.motion &&
+        now.divisor == request.divisor && !stop_frame_.stop_requested()) {
       pending_.erase(view);
       return;
     }

@@ -25,6 +25,7 @@ struct FrameRequest {
   Camera camera;
   Film film;  // full resolution
   Settings settings;
+  Motion motion{};
   DisplayLook display;
   ViewMode mode = ViewMode::final;
   int view = 0;              // index of the view

@@ -37,9 +37,9 @@ glm::vec3 albedo_of(const SurfacePoint& point) {
 }
 
 // Where the points of a frame are a frame later.
-class Motion {
+class MotionVectors {
  public:
-  Motion(const Scene& now, const Scene& next, const Camera& camera, const Film& film)
+  MotionVectors(const Scene& now, const Scene& next, const Camera& camera, const Film& film)
       : now_(now), rays_(camera, film) {
     for (std::size_t i = 0; i < now.surfaces.size(); ++i) {
       const ObjectId id = now.surfaces[i].id;
@@ -75,7 +75,7 @@ class Motion {
 class PointLayers {
  public:
   PointLayers(const Scene& scene, const RayCaster& ray_caster, const OutputLayers& layers,
-              const Motion* motion, ImageLayers& image)
+              const MotionVectors* motion, ImageLayers& image)
       : scene_(scene), ray_caster_(ray_caster), motion_(motion) {
     if (layers.normal) normal_.emplace(image, "normal", "XYZ");
     if (layers.albedo) albedo_.emplace(image, "albedo");
@@ -112,7 +112,7 @@ class PointLayers {
 
   const Scene& scene_;
   const RayCaster& ray_caster_;
-  const Motion* motion_;
+  const MotionVectors* motion_;
   std::optional<LayerChannels> normal_, albedo_, position_;
   std::vector<float>*u_ = nullptr, *v_ = nullptr;
 };
@@ -176,7 +176,7 @@ void add_surface_layers(const Scene& scene, const Camera& camera, const Film& fi
   const auto height = static_cast<std::size_t>(film.height);
   const RayCaster ray_caster(scene.surfaces);
   const CameraRays rays(camera, film);
-  std::optional<Motion> motion;
+  std::optional<MotionVectors> motion;
   if (layers.motion && next) motion.emplace(scene, *next, next_camera, film);
   const PointLayers points(scene, ray_caster, layers, motion ? &*motion : nullptr, image);
   const Mattes objects = object_mattes(scene.surfaces);

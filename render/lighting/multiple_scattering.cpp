@@ -259,7 +259,8 @@ bool MultipleScattering::update(const Input& input, const Job& job) {
           input.anisotropy,
           input.fog_density,
           input.surfaces_revision,
-          input.limits};
+          input.limits,
+          input.motion.warm_start};
   for (const Light& light : input.lights) {
     key.lights.push_back({light.position, light.intensity,
                           light.table ? light.table->revision() : 0, light.falloff, light.fog});
@@ -268,7 +269,8 @@ bool MultipleScattering::update(const Input& input, const Job& job) {
     key.lights.push_back(
         {light.source.position, light.source.intensity, light.table->revision(), {}, {}});
   }
-  if (!levels_.empty() && (key == key_ || (input.any_precision && key.is_but_for_tables(key_)))) {
+  if (!levels_.empty() &&
+      (key == key_ || (input.motion.any_source_precision && key.is_but_for_tables(key_)))) {
     return true;
   }
   key_ = std::move(key);
@@ -308,7 +310,7 @@ bool MultipleScattering::update(const Input& input, const Job& job) {
       if (level.surfaces) add(reflected_light(*level.surfaces, *outside), light.reflected);
     }
     NodeLight scattered;
-    if (input.limits.warm_start) {
+    if (input.motion.warm_start) {
       scattered = first_guess(k, level, light.incident.bands, light.incident.channels);
     }
     convergence_ =

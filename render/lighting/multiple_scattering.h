@@ -11,6 +11,7 @@
 #include "render/lighting/incident_point_light.h"
 #include "render/lighting/scattering_solver.h"
 #include "render/lighting/source_grid.h"
+#include "render/motion.h"
 #include "render/util/job.h"
 
 namespace brume {
@@ -37,7 +38,7 @@ class MultipleScattering {
     const RayCaster* surfaces;  // null: none
     Revision surfaces_revision;
     ScatteringLimits limits;
-    bool any_precision;  // of the lights' tables; see SourceFunction::Input
+    Motion motion;
   };
   // False, and empty, if the job was stopped.
   bool update(const Input& input, const Job& job);
@@ -70,6 +71,7 @@ class MultipleScattering {
     double albedo = 0.0, anisotropy = 0.0, fog_density = 0.0;
     Revision surfaces = 0;
     ScatteringLimits limits;
+    bool warm_start = false;
 
     bool operator==(const Key&) const = default;
     [[nodiscard]] bool is_but_for_tables(const Key& other) const;

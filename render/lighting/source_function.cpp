@@ -90,23 +90,16 @@ void SourceFunction::clear() {
   added_ = 0;
 }
 
-bool SourceFunction::update(const Input& input, const Job& job) {
+bool SourceFunction::update(const Input& input, const Job& job,
+                            const std::function<void()>& grid_is_made) {
   attenuation_ = std::exp(-input.fog_depth);
-  if (make_grid(input, job)) return true;
-  clear();
-  return false;
-}
-
-bool SourceFunction::update_multiple(const Input& input, const Job& job) {
-  if (!input.multiple) {
-    multiple_.clear();
-    if (has_multiple()) grid_->remove_scattered();
-    added_ = 0;
-    return true;
+  bool is_complete = make_grid(input, job);
+  if (is_complete) {
+    if (grid_is_made) grid_is_made();
+    is_complete = add_multiple(input, job);
   }
-  if (add_multiple(input, *input.multiple, job)) return true;
-  clear();
-  return false;
+  if (!is_complete) clear();
+  return is_complete;
 }
 
 bool SourceFunction::make_grid(const Input& input, const Job& job) {
@@ -131,7 +124,8 @@ bool SourceFunction::make_grid(const Input& input, const Job& job) {
   const bool same =
       same_light && (!environment || environment_->rotation == environment->rotation) &&
       has_same(input.receivers) && scene_medium_ == input.scene_medium &&
-      (input.any_precision || (medium_ == input.medium.revision() && emission_ == emission)) &&
+      (input.motion.any_source_precision ||
+       (medium_ == input.medium.revision() && emission_ == emission)) &&
       fog_ball_ == input.fog_ball && in_fog_ == input.in_fog && extinction_ == extinction &&
       keeps_transmitted_ == input.multiple.has_value() && surfaces_revision_ == surfaces_revision;
   environment_.reset();
@@ -176,12 +170,19 @@ std::vector<SourceLight> SourceFunction::lights_in_world() const {
   return lights;
 }
 
-bool SourceFunction::add_multiple(const Input& input, const Multiple& multiple, const Job& job) {
+bool SourceFunction::add_multiple(const Input& input, const Job& job) {
+  if (!input.multiple) {
+    multiple_.clear();
+    if (has_multiple()) grid_->remove_scattered();
+    added_ = 0;
+    return true;
+  }
+  const Multiple& multiple = *input.multiple;
   const double scale = weight_parts().scale;
   if (!multiple_.update(
           {*grid_, environment_ ? scale : 0.0, multiple.lights, multiple.emission->lights(),
            multiple.albedo, anisotropy_, input.medium.homogeneous_density(), multiple.ray_caster,
-           occlusion_.revision(), multiple.limits, input.any_precision},
+           occlusion_.revision(), multiple.limits, input.motion},
           job)) {
     return false;
   }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <glm/vec3.hpp>
 #include <memory>
 #include <optional>
@@ -16,6 +17,7 @@
 #include "render/lighting/slice_kernels.h"
 #include "render/lighting/source_grid.h"
 #include "render/lighting/source_lookup.h"
+#include "render/motion.h"
 #include "render/settings.h"
 #include "render/util/job.h"
 
@@ -53,13 +55,11 @@ class SourceFunction {
     SourceGridSize size;
     std::optional<Multiple> multiple;
     Revision scene_medium = 0;  // of what `medium` stands for, see MergedMedium
-    // What was made for another precision of the same scene is used again.
-    bool any_precision = false;
+    Motion motion{};
   };
-  // The environment's part; then the rest, with the same input. False, and empty, if the job was
-  // stopped.
-  bool update(const Input& input, const Job& job);
-  bool update_multiple(const Input& input, const Job& job);
+  // The grid with the environment's part, then what was scattered more often; `grid_is_made` is
+  // called in between. False, and empty, if the job was stopped.
+  bool update(const Input& input, const Job& job, const std::function<void()>& grid_is_made = {});
   void clear();
 
   // The results of the last update().
@@ -108,7 +108,7 @@ class SourceFunction {
                 std::size_t directions, const Job& job);
   // False if stopped.
   bool make_grid(const Input& input, const Job& job);
-  bool add_multiple(const Input& input, const Multiple& multiple, const Job& job);
+  bool add_multiple(const Input& input, const Job& job);
   [[nodiscard]] std::vector<SourceLight> lights_in_world() const;
   // Whether the grid holds light that was scattered more than once, and all in its own scale.
   [[nodiscard]] bool has_multiple() const { return added_ != 0; }

@@ -114,13 +114,14 @@ bool FrameStages::prepare_source(FrameContext& work, StageClock& clock) {
                               work.settings.source_grid,
                               {},
                               work.scene.medium.revision(),
-                              work.settings.any_source_precision};
+                              work.plan.motion};
   if (work.plan.has_receivers)
     input.receivers = {prepared_.ray_caster().bounds(), incident_optics(work)};
   if (has_multiple) input.multiple = multiple_scattering(work, clock);
-  if (!source_.update(input, work.job)) return false;
-  clock.finish(has_environment ? Stage::environment : Stage::scattering);
-  if (!source_.update_multiple(input, work.job)) return false;
+  const auto grid_is_made = [&] {
+    clock.finish(has_environment ? Stage::environment : Stage::scattering);
+  };
+  if (!source_.update(input, work.job, grid_is_made)) return false;
   work.frame.statistics.grid_bytes = source_.bytes();
   if (has_multiple) {
     work.frame.statistics.scattering = source_.convergence();

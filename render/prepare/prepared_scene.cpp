@@ -9,10 +9,10 @@ bool PreparedScene::update(const Scene& scene, const RenderPlan& plan,
   MergedMedium::Limits merging;
   if (MergedMedium::may_merge(scene.medium)) {
     // In motion merged parts may rather be those of an earlier frame than late.
-    merging = {plan.merge_error, settings.merge_share, settings.has_own_medium ? 0.5 : 0.0};
+    merging = {plan.merge_error, settings.merge_share, plan.motion.has_own_medium ? 0.5 : 0.0};
   }
   const PreparedMedium::Precision precision{plan.depth_error, merging, scene.optics.anisotropy};
-  current_ = settings.has_own_medium ? 1 : 0;
+  current_ = plan.motion.has_own_medium ? 1 : 0;
   PreparedMedium& prepared = media_[current_];
   if (prepared.precision != precision) prepared = {};
   prepared.precision = precision;

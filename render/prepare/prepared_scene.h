@@ -76,7 +76,7 @@ class PreparedScene {
     std::vector<std::unique_ptr<Depths>> depths;
     std::vector<std::unique_ptr<Table>> tables;
   };
-  // The second: see Settings::has_own_medium.
+  // The second: see Motion::has_own_medium.
   std::array<PreparedMedium, 2> media_;
   std::size_t current_ = 0;
 

@@ -44,7 +44,7 @@ MovingView view_of_all() {
 MovingView bank_view(bool in_motion) {
   MovingView view{"bank", fog_bank(30'000), nullptr, sliced_settings({}, 8)};
   view.scene.film = {32, 24};
-  view.settings.has_own_medium = in_motion;
+  view.motion.has_own_medium = in_motion;
   return view;
 }
 

@@ -72,7 +72,7 @@ void measure_merged_media(const BenchOptions& options, BenchReport& report) {
   add_cache_gains(bank, options, report);
   MovingView motion = bank;
   motion.name += ", in motion";
-  motion.settings.has_own_medium = true;
+  motion.motion.has_own_medium = true;
   add_cache_gains(motion, options, report);
 }
 

@@ -110,8 +110,8 @@ TEST(MultipleScattering, EndsTheSameFromAnyFirstGuess) {
   Scene scene = ball(1.0, 0.4);
   renderer.render(scene, scene.camera, scene.film, settings);
   scene.lights[0].position = {-2.0, 1.0, 2.0};
-  settings.scattering_limits.warm_start = true;
-  const Frame moved = *renderer.render(scene, scene.camera, scene.film, settings);
+  const Frame moved =
+      *renderer.render(scene, scene.camera, scene.film, settings, {}, {}, {.warm_start = true});
   const Frame anew = render_frame(scene, settings);
   EXPECT_LT(moved.statistics.scattering->sweeps, anew.statistics.scattering->sweeps + 2);
   EXPECT_NEAR(moved.airlight[0], anew.airlight[0], 1e-4f * anew.airlight[0]);

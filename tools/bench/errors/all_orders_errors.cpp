@@ -41,8 +41,7 @@ double stage_milliseconds(const Frame& frame, Stage stage) {
 
 // The median over some frames, before each of which a Gaussian was moved.
 double edit_milliseconds(Scene scene, int frames) {
-  Settings settings = settings_of(Scattering::multiple);
-  settings.scattering_limits.warm_start = true;
+  const Settings settings = settings_of(Scattering::multiple);
   Renderer renderer;
   std::vector<double> milliseconds;
   for (int i = 0; i <= frames; ++i) {
@@ -53,7 +52,8 @@ double edit_milliseconds(Scene scene, int frames) {
       if (k == 0) g.center.x += 0.02 * g.radius;
       scene.medium.append(g);
     }
-    const Frame frame = *renderer.render(scene, scene.camera, scene.film, settings);
+    const Frame frame =
+        *renderer.render(scene, scene.camera, scene.film, settings, {}, {}, {.warm_start = true});
     if (i > 0) milliseconds.push_back(stage_milliseconds(frame, Stage::scattering));
   }
   return spread_of(std::move(milliseconds)).median;

@@ -30,11 +30,11 @@ struct TimedFrame {
 };
 
 TimedFrame timed_frame(Renderer& renderer, const Scene& scene, const Camera& camera,
-                       const Settings& settings) {
+                       const Settings& settings, const Motion& motion) {
   TimedFrame timed;
   const double cpu_begin = cpu_seconds();
   const auto begin = std::chrono::steady_clock::now();
-  timed.frame = *renderer.render(scene, camera, scene.film, settings);
+  timed.frame = *renderer.render(scene, camera, scene.film, settings, {}, {}, motion);
   timed.milliseconds =
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
   timed.cpu_milliseconds = 1e3 * (cpu_seconds() - cpu_begin);
@@ -77,7 +77,10 @@ CacheGain measure_cache(const FrameCache& cache, const MovingView& view, Rendere
                         int pairs) {
   Scene scene = view.scene;
   const Settings settings = view.settings_of(cache.method);
-  static_cast<void>(renderer.render(scene, scene.camera, scene.film, settings));
+  const auto render = [&](const Scene& shown, const Settings& wanted, const Camera& camera) {
+    return timed_frame(renderer, shown, camera, wanted, view.motion);
+  };
+  static_cast<void>(render(scene, settings, scene.camera));
   CachePairs all(cache.stage);
   for (int i = 1; i <= pairs; ++i) {
     if (cache.edit) cache.edit(scene);
@@ -85,9 +88,9 @@ CacheGain measure_cache(const FrameCache& cache, const MovingView& view, Rendere
     Settings other_settings = settings;
     cache.displace(other_scene, other_settings);
     const Camera camera = orbited(scene.camera, i);
-    const TimedFrame with = timed_frame(renderer, scene, camera, settings);
-    static_cast<void>(renderer.render(other_scene, camera, scene.film, other_settings));
-    all.add(with, timed_frame(renderer, scene, camera, settings));
+    const TimedFrame with = render(scene, settings, camera);
+    static_cast<void>(render(other_scene, other_settings, camera));
+    all.add(with, render(scene, settings, camera));
   }
   return all.gain(cache.name, view.name, cache.code);
 }
@@ -111,7 +114,7 @@ FrameCache merged_medium() {
       .code = {10, "prepared_scene"},
       .is_used =
           [](const RenderPlan& plan, const Scene& scene) {
-            return merges(plan, scene) && !plan.settings.has_own_medium;
+            return merges(plan, scene) && !plan.motion.has_own_medium;
           },
       .displace = [](Scene&, Settings& settings) { settings.merge_error *= 0.9; },
   };
@@ -123,7 +126,7 @@ FrameCache followed_edits() {
       .code = {180, "merged_medium"},
       .is_used =
           [](const RenderPlan& plan, const Scene& scene) {
-            return merges(plan, scene) && plan.settings.has_own_medium;
+            return merges(plan, scene) && plan.motion.has_own_medium;
           },
       .displace = [](Scene&, Settings& settings) { settings.merge_error *= 0.9; },
       .edit =
@@ -296,7 +299,8 @@ std::vector<FrameCache> frame_caches() {
 
 std::vector<CacheGain> measure_caches(const MovingView& view, int pairs) {
   const auto plan = [&](AirlightMethod method) {
-    return RenderPlan(view.scene, view.scene.film, view.settings_of(method), view.transfers.get());
+    return RenderPlan(view.scene, view.scene.film, view.settings_of(method), view.transfers.get(),
+                      view.motion);
   };
   Renderer renderer(view.transfers);
   std::vector<CacheGain> gains;

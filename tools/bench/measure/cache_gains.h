@@ -47,6 +47,7 @@ struct MovingView {
   Scene scene;
   std::shared_ptr<const TransferStore> transfers;
   Settings settings;
+  Motion motion{};
 
   [[nodiscard]] Settings settings_of(AirlightMethod method) const;
 };
