@@ -9,8 +9,8 @@ int main(int argc, char** argv) {
   const brume::Scene scene = brume::load_scene(argv[1]);
   brume::SceneRenderer renderer;
   brume::RenderRequest request{.film = brume::Film{160, 120},
-                               .scattering = brume::Scattering::single,
-                               .measure_error = true};
+                               .error = brume::ErrorMeasurement::full,
+                               .scattering = brume::Scattering::single};
   using Method = brume::AirlightMethod;
   for (const Method method : {Method::paper, Method::sliced, Method::march, Method::auto_}) {
     request.airlight = method;

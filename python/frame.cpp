@@ -1,19 +1,16 @@
 #include "python/frame.h"
 
-#include <algorithm>
-#include <array>
-#include <charconv>
 #include <chrono>
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "brume/error.h"
 #include "brume/files.h"
 #include "brume/render.h"
+#include "brume/request_options.h"
 #include "python/interruptible.h"
 #include "python/scene.h"
 #include "python/warnings.h"
@@ -38,68 +35,51 @@ py::array_t<float> layer(const py::object& owner, const std::vector<float>& valu
   return array;
 }
 
-// N of "method:N".
-int parameter(std::string_view text, const std::string& name) {
-  int value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) {
-    throw DomainError("airlight", "found '" + name + "'; allowed after the colon: a number");
+// What Python gives for an option, as its text. Throws TypeError.
+std::string text_of(const RequestOption& option, const py::handle& value) {
+  using Type = RequestOption::Type;
+  const auto is_number = [](const py::handle& it) {
+    return !py::isinstance<py::bool_>(it) && PyNumber_Check(it.ptr()) != 0;
+  };
+  const auto refuse = [&](const char* allowed) {
+    return py::type_error(option.keyword() + ": found a " + Py_TYPE(value.ptr())->tp_name +
+                          "; allowed: " + allowed);
+  };
+  if (option.type == Type::flag) {
+    if (!py::isinstance<py::bool_>(value)) throw refuse("a bool");
+    return value.cast<bool>() ? "true" : "";
   }
-  return value;
+  if (option.type == Type::whole_number || option.type == Type::number) {
+    const bool is_right =
+        option.type == Type::number ? is_number(value) : PyIndex_Check(value.ptr()) != 0;
+    if (!is_right) throw refuse(option.type == Type::number ? "a number" : "an int");
+    return py::str(value);
+  }
+  if (py::isinstance<py::str>(value)) return value.cast<std::string>();
+  if (option.type == Type::text) throw refuse("a str");
+  if (!py::isinstance<py::iterable>(value)) throw refuse("a sequence");
+  std::string text;
+  bool is_first = true;
+  for (const py::handle item : value) {
+    if (!py::isinstance<py::str>(item) && !is_number(item))
+      throw refuse("strings or numbers in it");
+    if (!std::exchange(is_first, false)) text += option.separator;
+    text += py::str(item).cast<std::string>();
+  }
+  return text;
 }
 
-void set_airlight(RenderRequest& request, const std::string& name) {
-  const std::size_t colon = name.find(':');
-  const std::string method = name.substr(0, colon);
-  using enum AirlightMethod;
-  for (const auto known : {auto_, paper, sliced, march, reference, path}) {
-    if (method != to_string(known)) continue;
-    request.airlight = known;
-    if (colon == std::string::npos) return;
-    const int count = parameter(std::string_view(name).substr(colon + 1), name);
-    if (known == sliced) {
-      request.slices = count;
-    } else if (known == march) {
-      request.march_steps = count;
-    } else if (known == path) {
-      request.paths = count;
-    } else {
-      break;
-    }
-    return;
+// Sets options by their keywords, which are taken out of `given`.
+void set_options(RenderRequest& request, py::dict& given, const Film& film) {
+  for (const RequestOption& option : request_options()) {
+    const std::string keyword = option.keyword();
+    if (!given.contains(keyword)) continue;
+    const py::object value = given.attr("pop")(keyword);
+    const std::string text = value.is_none() ? std::string() : text_of(option, value);
+    if (text.empty()) continue;
+    const std::string why = option.set(request, text, film);
+    if (!why.empty()) throw DomainError(keyword, why);
   }
-  throw DomainError("airlight", "found '" + name +
-                                    "'; allowed: auto, paper, sliced, reference, sliced:N, "
-                                    "march:N, path:N");
-}
-
-template <class Choice, std::size_t n>
-Choice chosen(const char* name, const std::string& text,
-              const std::array<std::pair<const char*, Choice>, n>& choices) {
-  std::string allowed;
-  for (const auto& [word, choice] : choices) {
-    if (text == word) return choice;
-    allowed += (allowed.empty() ? "" : ", ") + std::string(word);
-  }
-  throw DomainError(name, "found '" + text + "'; allowed: " + allowed);
-}
-
-OutputLayers layers_of(const py::iterable& names) {
-  OutputLayers layers;
-  for (const py::handle item : names) {
-    const auto name = item.cast<std::string>();
-    const auto known = std::ranges::find_if(
-        layer_names, [&name](const LayerName& layer) { return name == layer.name; });
-    if (known == layer_names.end()) {
-      std::string allowed;
-      for (const LayerName& layer : layer_names) {
-        allowed += (allowed.empty() ? "" : ", ") + std::string(layer.name);
-      }
-      throw DomainError("layers", "found '" + name + "'; allowed: " + allowed);
-    }
-    layers.*known->layer = true;
-  }
-  return layers;
 }
 
 // Renders one frame at a time.
@@ -124,35 +104,27 @@ class Busy {
   Renderer& renderer_;
 };
 
-std::shared_ptr<TimedFrame> render_by(
-    Renderer& renderer, const SharedScene& scene, const std::optional<std::pair<int, int>>& size,
-    double max_error, const std::string& airlight, const std::string& scattering,
-    std::uint32_t seed, double time, const std::shared_ptr<KeyedCamera>& camera,
-    const std::optional<int>& samples, const std::optional<std::pair<double, double>>& shutter,
-    const py::iterable& layers, bool measure_error, const std::string& backend, int threads,
-    const py::object& progress) {
+std::shared_ptr<TimedFrame> render_by(Renderer& renderer, const SharedScene& scene,
+                                      const py::kwargs& keywords) {
   const Busy busy(renderer);
-  RenderRequest request;
-  if (size) request.film = Film{size->first, size->second};
-  request.time = time;
-  set_airlight(request, airlight);
-  request.max_error = max_error;
-  request.scattering =
-      chosen<Scattering, 2>("scattering", scattering,
-                            {{{"single", Scattering::single}, {"multiple", Scattering::multiple}}});
-  request.seed = seed;
-  request.samples = samples;
-  if (shutter) request.shutter = Shutter{shutter->first, shutter->second};
-  request.layers = layers_of(layers);
-  request.measure_error = measure_error;
-  request.backend = chosen<Backend, 3>(
-      "backend", backend, {{{"auto", Backend::auto_}, {"cpu", Backend::cpu}, {"gl", Backend::gl}}});
-  request.threads = threads;
   // A copy: nothing that Python does meanwhile changes it.
   SceneFile file = scene.assembled();
-  if (camera) {
-    file.scene.camera = *camera;
-    file.scene.camera_keys = camera->keys;
+  py::dict given(keywords.attr("copy")());
+  const py::object camera = given.attr("pop")("camera", py::none());
+  const py::object progress = given.attr("pop")("progress", py::none());
+  RenderRequest request;
+  set_options(request, given, file.scene.film);
+  if (!given.empty()) {
+    const auto name = py::str(given.begin()->first).cast<std::string>();
+    throw py::type_error("render() got an unexpected keyword argument '" + name + "'");
+  }
+  if (!camera.is_none()) {
+    if (!py::isinstance<KeyedCamera>(camera)) {
+      throw py::type_error("camera: allowed: a brume.Camera or None");
+    }
+    const auto& keyed = camera.cast<const KeyedCamera&>();
+    file.scene.camera = keyed;
+    file.scene.camera_keys = keyed.keys;
   }
   using Clock = std::chrono::steady_clock;
   std::chrono::duration<double, std::milli> taken{};
@@ -169,43 +141,36 @@ std::shared_ptr<TimedFrame> render_by(
   return std::make_shared<TimedFrame>(TimedFrame{std::move(*frame), taken.count()});
 }
 
-constexpr const char* render_doc =
-    "Renders a frame, by default as `brume render` does.\n\n"
-    "size: (width, height) [pixels]; None: the scene's.\n"
-    "max_error: of 'auto', the relative RMSE of the airlight that it keeps.\n"
-    "airlight: 'auto', 'paper', 'sliced', 'sliced:N', 'march:N', 'reference' or 'path:N'.\n"
-    "scattering: 'multiple', all orders, or 'single'.\n"
-    "seed: of 'path': each is another, independent picture, 0 to 4294967295.\n"
-    "time: of the animation [s]; frame n is at n / scene.frames_per_second.\n"
-    "camera: None: the scene's.\n"
-    "samples: of pixels that need them; None: chosen.\n"
-    "shutter: (open, close) [frames]; None: the scene's.\n"
-    "layers: names of more layers, for Frame.layers.\n"
-    "measure_error: of methods other than auto, too.\n"
-    "backend: 'auto', 'cpu' or 'gl'. threads: at most; 0: all.\n"
-    "progress: is called with the completed fraction, in [0, 1], some times a second, and at the "
-    "end.\n\n"
-    "Other threads of Python run meanwhile; Ctrl-C stops it.";
-
-// Of a renderer that is there, or of one for this frame.
-template <class Bound, class Function>
-void def_render(Bound& bound, Function function) {
-  bound.def("render", function, py::arg("scene"), py::kw_only(), py::arg("size") = py::none(),
-            py::arg("max_error") = RenderRequest{}.max_error, py::arg("airlight") = "auto",
-            py::arg("scattering") = "multiple", py::arg("seed") = 0, py::arg("time") = 0.0,
-            py::arg("camera") = py::none(), py::arg("samples") = py::none(),
-            py::arg("shutter") = py::none(), py::arg("layers") = py::tuple(),
-            py::arg("measure_error") = false, py::arg("backend") = "auto", py::arg("threads") = 0,
-            py::arg("progress") = py::none(), render_doc);
+// A default as Python writes it.
+std::string default_text(const RequestOption& option) {
+  using Type = RequestOption::Type;
+  if (option.type == Type::flag) return "False";
+  const std::string text = option.get ? option.get({}) : "";
+  if (text.empty()) return "None";
+  return option.type == Type::whole_number || option.type == Type::number
+             ? text
+             : py::repr(py::str(text)).cast<std::string>();
 }
 
-// render_by() with a renderer of its own.
-template <class... Arguments>
-auto once(std::shared_ptr<TimedFrame> (*)(Renderer&, Arguments...)) {
-  return [](Arguments... arguments) {
-    Renderer renderer;
-    return render_by(renderer, arguments...);
-  };
+// The signature, which follows from the options as the keywords do, and what they do.
+std::string render_doc() {
+  std::string signature = "render(scene, *, ";
+  std::string sentences;
+  for (const RequestOption& option : request_options()) {
+    const std::string keyword = option.keyword();
+    signature += keyword + '=' + default_text(option) + ", ";
+    sentences += keyword + ": " + (option.values.empty() ? "" : option.values + "; ") +
+                 option.sentence + ".\n";
+  }
+  return signature +
+         "camera=None, progress=None)\n\n"
+         "Renders a frame as `brume render` does, whose options these are. None: as if it were not "
+         "given. Lists of the command line are tuples: size=(640, 480).\n\n" +
+         sentences +
+         "camera: None: the scene's.\n"
+         "progress: is called with the completed fraction, in [0, 1], some times a second, and at "
+         "the end.\n\n"
+         "Other threads of Python run meanwhile; Ctrl-C stops it.";
 }
 
 }  // namespace
@@ -307,8 +272,15 @@ void bind_frame(py::module_& module) {
       module, "Renderer",
       "Renders frame after frame and keeps what is the same in the next. One at a time.");
   renderer.def(py::init<>());
-  def_render(renderer, render_by);
-  def_render(module, once(render_by));
+  py::options signatures;
+  signatures.disable_function_signatures();
+  const std::string doc = render_doc();
+  renderer.def("render", render_by, py::arg("scene"), doc.c_str());
+  const auto render_once = [](const SharedScene& scene, const py::kwargs& keywords) {
+    Renderer once;
+    return render_by(once, scene, keywords);
+  };
+  module.def("render", render_once, py::arg("scene"), doc.c_str());
 }
 
 }  // namespace brume::python

@@ -1,65 +1,25 @@
 #include <algorithm>
 #include <array>
+#include <cassert>
+#include <chrono>
+#include <sstream>
 #include <utility>
 
 #include "brume/at_time.h"
 #include "brume/error.h"
 #include "brume/limits.h"
 #include "brume/render.h"
-#include "core/number_domain.h"
-#include "core/scene/check.h"
+#include "render/deep/deep_file.h"
 #include "render/gl_renderer.h"
 #include "render/layers/frame_layers.h"
-#include "render/output/frame_file.h"
 #include "render/render_plan.h"
+#include "render/request.h"
 #include "render/shot.h"
 #include "render/transfer/transfer_cache.h"
 #include "render/transfer/transfer_store.h"
 
 namespace brume {
 namespace {
-
-void check_count(const char* name, int value, int low, int high) {
-  if (value >= low && value <= high) return;
-  throw DomainError(name, "found " + std::to_string(value) + "; allowed: " + std::to_string(low) +
-                              " to " + std::to_string(high));
-}
-
-void check(const RenderRequest& request) {
-  constexpr NumberDomain error{1e-4, 10.0, "a number from 1e-4 to 10"};
-  const auto check_number = [](const char* name, double value, const NumberDomain& domain) {
-    if (!domain.contains(value)) throw DomainError(name, domain.refusal(value));
-  };
-  if (request.film) check_film("film", *request.film);
-  if (request.camera) brume::check(*request.camera);
-  check_number("time", request.time, domain::seconds);
-  check_number("max_error", request.max_error, error);
-  check_count("slices", request.slices, 4, 256);
-  check_count("march_steps", request.march_steps, 1, 65'536);
-  check_count("paths", request.paths, 1, limits::paths);
-  if (request.samples) check_count("samples", *request.samples, 1, limits::samples);
-  check_count("threads", request.threads, 0, 1024);
-  if (request.shutter) {
-    check_number("shutter.open", request.shutter->open, domain::shutter);
-    check_number("shutter.close", request.shutter->close, domain::shutter);
-    if (!(request.shutter->open < request.shutter->close)) {
-      throw DomainError("shutter", "allowed: one that opens before it closes");
-    }
-  }
-}
-
-Settings settings_of(const RenderRequest& request) {
-  Settings settings = sliced_settings({}, request.slices);
-  settings.airlight = request.airlight;
-  settings.max_error = request.max_error;
-  settings.scattering = request.scattering;
-  settings.march_steps = request.march_steps;
-  settings.paths = request.paths;
-  settings.path_seed = request.seed;
-  settings.threads = request.threads;
-  if (request.airlight == AirlightMethod::auto_) settings.airlight_scale = 4;
-  return settings;
-}
 
 // Whether evaluate_at() would only copy the scene, and with it all Gaussians.
 bool is_evaluated(const Scene& scene, double time) {
@@ -75,18 +35,78 @@ bool is_truth(AirlightMethod method) {
   return method == AirlightMethod::path || method == AirlightMethod::reference;
 }
 
+void check_layer_memory(const Scene& scene, const Film& film, const OutputLayers& layers) {
+  const std::size_t bytes = layer_bytes(scene, film, layers);
+  if (bytes <= limits::scene_bytes) return;
+  throw DomainError("layers", "they take " + std::to_string(bytes) + " bytes; allowed: at most " +
+                                  std::to_string(limits::scene_bytes) +
+                                  "; choose fewer, or a smaller size");
+}
+
+std::string unsure_text(const ErrorEstimate& error, double max_error) {
+  std::ostringstream text;
+  text << "no setting is certain to meet a max_error of " << max_error
+       << "; this one has a relative RMSE of " << error.rel_rmse << ", " << error.low << " to "
+       << error.high;
+  return text.str();
+}
+
 }  // namespace
 
 struct SceneRenderer::Impl {
-  FrameRenderer& of(Backend backend, std::vector<std::string>& warnings) {
-    auto& [renderer, problem] = renderers[static_cast<std::size_t>(backend)];
-    if (!renderer) renderer = make_renderer(backend, transfers, problem);
-    if (!problem.empty()) warnings.push_back("rendered on the CPU: " + problem);
-    return *renderer;
+  struct Chosen {
+    std::unique_ptr<FrameRenderer> renderer;
+    std::string problem;  // why it is not what was asked for
+  };
+  Chosen& by(Backend backend) {
+    Chosen& chosen = renderers[static_cast<std::size_t>(backend)];
+    if (!chosen.renderer) {
+      chosen.renderer = make_renderer(backend, transfers, chosen.problem);
+    }
+    return chosen;
   }
 
+  // The scene without groups, if it has some that do the same at all times: what is prepared of its
+  // medium then lasts from frame to frame.
+  std::optional<Scene> without_constant_groups(const Scene& animation);
+
   std::shared_ptr<TransferStore> transfers = std::make_shared<TransferStore>();
-  std::array<std::pair<std::unique_ptr<FrameRenderer>, std::string>, 3> renderers;  // by Backend
+  std::array<Chosen, 3> renderers;  // by Backend
+  // What the last groups made of the last medium.
+  Revision grouped_medium = 0;
+  std::vector<Group> groups;
+  Medium medium;
+};
+
+std::optional<Scene> SceneRenderer::Impl::without_constant_groups(const Scene& animation) {
+  if (animation.groups.empty() || !has_constant_groups(animation)) return std::nullopt;
+  Scene ungrouped = animation;
+  if (grouped_medium != animation.medium.revision() || groups != animation.groups) {
+    apply_groups(ungrouped);
+    grouped_medium = animation.medium.revision();
+    groups = animation.groups;
+    medium = ungrouped.medium;
+  }
+  ungrouped.groups.clear();
+  ungrouped.medium = medium;
+  return ungrouped;
+}
+
+// An animation without what never changes, and the scene that it shows at a time.
+struct SceneRenderer::Moment {
+  Moment(Impl& impl, const Scene& asked, double time)
+      : ungrouped(impl.without_constant_groups(asked)),
+        animation(ungrouped ? *ungrouped : asked),
+        evaluated(is_evaluated(animation, time) ? std::nullopt
+                                                : std::optional(evaluate_at(animation, time))),
+        scene(evaluated ? *evaluated : animation) {}
+  Moment(const Moment&) = delete;
+  Moment& operator=(const Moment&) = delete;
+
+  std::optional<Scene> ungrouped;
+  const Scene& animation;
+  std::optional<Scene> evaluated;
+  const Scene& scene;
 };
 
 SceneRenderer::SceneRenderer() : impl_(std::make_unique<Impl>()) {}
@@ -94,63 +114,87 @@ SceneRenderer::~SceneRenderer() = default;
 SceneRenderer::SceneRenderer(SceneRenderer&&) noexcept = default;
 SceneRenderer& SceneRenderer::operator=(SceneRenderer&&) noexcept = default;
 
-std::optional<Frame> SceneRenderer::render(const Scene& animation, const RenderRequest& request,
+std::optional<Frame> SceneRenderer::render(const Scene& asked, const RenderRequest& request,
                                            const std::stop_token& stop,
                                            const std::function<void(double)>& progress) {
-  brume::check(animation);
-  check(request);
+  brume::check(asked);
+  brume::check(request);
   const Job job{stop, progress};
-  std::optional<Scene> evaluated;
-  if (!is_evaluated(animation, request.time)) evaluated = evaluate_at(animation, request.time);
-  const Scene& scene = evaluated ? *evaluated : animation;
-  const Film film = request.film.value_or(animation.film);
+  const Moment moment(*impl_, asked, request.time);
+  const Scene& animation = moment.animation;
+  const Scene& scene = moment.scene;
   const Settings settings = settings_of(request);
+  const bool measures = request.error != ErrorMeasurement::none;
+  const Shot shot{animation,
+                  scene,
+                  request.camera,
+                  request.film.value_or(animation.film),
+                  exposure_of(animation, request),
+                  measures};
+  check_layer_memory(scene, shot.film, request.layers);
   std::vector<std::string> warnings;
-  if (request.airlight != AirlightMethod::path) {
-    impl_->transfers->make(needed_transfers(scene, settings), cache_folder(),
-                           job.subrange(0.0, 0.1), &warnings);
-    if (stop.stop_requested()) return std::nullopt;
+  std::chrono::duration<double, std::milli> transferring{};
+  if (const auto needed = needed_transfers(scene, settings); !needed.empty()) {
+    const auto start = std::chrono::steady_clock::now();
+    impl_->transfers->make(needed, cache_folder(), job.subrange(0.0, 0.1), &warnings);
+    transferring = std::chrono::steady_clock::now() - start;
   }
-  FrameRenderer& renderer = impl_->of(request.backend, warnings);
-  Shot shot{animation, scene, request.camera, film, exposure_of(animation)};
-  if (request.samples) shot.exposure.samples = request.samples;
-  if (request.shutter) shot.exposure.shutter = request.shutter;
+  if (stop.stop_requested()) return std::nullopt;
+  const auto& [renderer, problem] = impl_->by(request.backend);
   std::optional<RequestedFrame> found =
-      render_shot(renderer, shot, settings, job.subrange(0.1, 0.8));
+      render_shot(*renderer, shot, settings, job.subrange(0.1, 0.8));
   if (!found) return std::nullopt;
 
   Frame frame = std::move(found->frame);
-  frame.statistics.airlight = airlight_name(found->settings);
-  if (found->settings.airlight == AirlightMethod::sliced) {
-    frame.statistics.airlight += ":" + std::to_string(found->settings.slices);
-  }
   frame.error = found->error;
-  if (!frame.error && request.measure_error && !is_truth(request.airlight)) {
-    frame.error =
-        measure_error(scene, shot.seen_by(), frame, stop, job.subrange(0.8, 0.9).progress);
-    if (!frame.error) return std::nullopt;
-  }
-  if (frame.error && request.airlight == AirlightMethod::auto_ &&
-      frame.error->high > request.max_error) {
-    warnings.push_back("no setting is certain to meet max_error");
+  RenderRequest made = chosen(request, found->settings);
+  made.film = shot.film;
+  frame.request = std::make_shared<const RenderRequest>(std::move(made));
+  FrameStatistics& statistics = frame.statistics;
+  statistics.airlight = airlight_name(found->settings);
+  statistics.transfer_milliseconds = transferring.count();
+  if (request.backend == Backend::gl && statistics.backend != "gl") {
+    const bool is_device = problem.empty() && !statistics.on_cpu.empty();
+    warnings.push_back("backend gl: rendered on the CPU: " +
+                       (is_device ? statistics.on_cpu.front().why : problem));
   }
   if (has_more_layers(request.layers)) {
-    const LayeredFrame layered{
-        animation,
-        scene,
-        request.camera ? &*request.camera : nullptr,
-        found->settings,
-        render_lit_by(renderer, {shot.moments(), scene.time, request.camera, film, shot.exposure}),
-        frame};
+    const LayeredFrame layered{animation,
+                               scene,
+                               request.camera ? &*request.camera : nullptr,
+                               found->settings,
+                               render_lit_by(*renderer, {shot.moments(), scene.time, shot.camera,
+                                                         shot.film, shot.exposure}),
+                               frame};
     std::optional<ImageLayers> layers =
-        render_layers(layered, request.layers, job.subrange(0.9, 1.0));
+        render_layers(layered, request.layers, job.subrange(0.8, 0.9));
     if (!layers) return std::nullopt;
     frame.layers = std::move(*layers);
   }
-  frame.layers.metadata.merge(settings_metadata(found->settings));
+  const bool is_asked_for = request.error == ErrorMeasurement::full && !is_truth(request.airlight);
+  if (!frame.error && is_asked_for) {
+    frame.error =
+        measure_error(scene, shot.seen_by(), frame, stop, job.subrange(0.9, 1.0).progress);
+    if (!frame.error) return std::nullopt;
+  }
+  if (request.airlight == AirlightMethod::auto_ && frame.error &&
+      frame.error->high > request.max_error) {
+    warnings.push_back(unsure_text(*frame.error, request.max_error));
+  }
   frame.warnings = std::move(warnings);
   if (progress) progress(1.0);
   return frame;
+}
+
+std::optional<DeepFileStatistics> SceneRenderer::write_deep(
+    const std::filesystem::path& file, const Scene& scene, const Frame& frame,
+    const FrameInfo& info, const std::stop_token& stop,
+    const std::function<void(double)>& progress) {
+  assert(frame.request && frame.request->deep_error);
+  const DeepSettings deep =
+      deep_settings(settings_of(*frame.request), *frame.request->deep_error, frame);
+  return write_deep_frame(file, Moment(*impl_, scene, frame.time).scene, frame, info, deep,
+                          *impl_->transfers, {stop, progress});
 }
 
 std::optional<Frame> render(const Scene& scene, const RenderRequest& request,

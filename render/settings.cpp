@@ -35,6 +35,7 @@ std::string airlight_name(const Settings& settings) {
     if (settings.paper.at_mean) name += "+mean";
     if (settings.paper.conserve_energy) name += "+energy";
   }
+  if (settings.airlight == AirlightMethod::sliced) name += ':' + std::to_string(settings.slices);
   if (settings.airlight == AirlightMethod::march)
     name += ':' + std::to_string(settings.march_steps);
   if (settings.airlight == AirlightMethod::path) name += ':' + std::to_string(settings.paths);

@@ -17,18 +17,23 @@ std::optional<RequestedFrame> render_shot(FrameRenderer& renderer, const Shot& s
   const Camera& camera = shot.seen_by();
   settings.samples = samples_of(shot.exposure, camera, shot.scene);
   const bool is_auto = settings.airlight == AirlightMethod::auto_;
-  const bool has_blur = is_blurred(shot.exposure, camera);
   RequestedFrame found{{}, settings, std::nullopt};
-  if (is_auto) {
+  if (is_auto && shot.measures_error) {
+    const bool has_blur = is_blurred(shot.exposure, camera);
     Settings wanted = settings;
     if (has_blur) wanted.samples = 1;
-    const Job choice = has_blur ? job.subrange(0.0, 0.5) : job;
-    std::optional<RequestedFrame> chosen = render_requested(renderer, shot.scene, camera, shot.film,
-                                                            wanted, choice.stop, choice.progress);
-    if (!chosen) return std::nullopt;
-    found = std::move(*chosen);
+    const Job measuring = has_blur ? job.subrange(0.0, 0.5) : job;
+    std::optional<RequestedFrame> measured = render_requested(
+        renderer, shot.scene, camera, shot.film, wanted, measuring.stop, measuring.progress);
+    if (!measured || !has_blur) return measured;
+    found = std::move(*measured);
     found.settings.samples = settings.samples;
-    if (!has_blur) return found;
+  } else if (is_auto) {
+    const std::optional<Settings> choice =
+        choose_settings(renderer, shot.scene, camera, shot.film, settings, job.stop,
+                        job.subrange(0.0, 0.5).progress);
+    if (!choice) return std::nullopt;
+    found.settings = *choice;
   }
   std::optional<Frame> frame =
       render_exposure(renderer, shot.moments(), shot.scene.time, shot.camera, shot.film,

@@ -16,14 +16,15 @@ struct Shot {
   std::optional<Camera> camera;  // absent: the scene's, of each moment
   Film film;
   Exposure exposure;
+  bool measures_error = true;  // of `auto`
 
   [[nodiscard]] const Camera& seen_by() const { return camera ? *camera : scene.camera; }
   // The scene at that moment and others.
   [[nodiscard]] SceneAt moments() const;
 };
 
-// Renders it as exposed. With `auto_`, settings are chosen and the error is measured, of a frame
-// without blur. nullopt if stopped.
+// Renders it as exposed. With `auto_`, settings are chosen, and the error is measured, if it is to
+// be, of a frame without blur. nullopt if stopped.
 std::optional<RequestedFrame> render_shot(FrameRenderer& renderer, const Shot& shot,
                                           Settings settings, const Job& job = {});
 

@@ -4,12 +4,12 @@
 
 #include "app/document/paths.h"
 #include "app/export/export_frames.h"
-#include "app/export/frame_source.h"
 #include "app/export/video_file.h"
 #include "app/files/picture_format.h"
 #include "core/io/atomic_file.h"
 #include "core/io/file_bytes.h"
-#include "render/layers/frame_layers.h"
+#include "render/deep/deep_file.h"
+#include "render/request.h"
 
 namespace brume {
 namespace {
@@ -20,16 +20,11 @@ class Exporter {
   // Hands on each frame when it is done with it.
   using Deliver = std::function<void(ExportedFrame)>;
   Exporter(const FrameExportRequest& request, const Job& job, int& written, Deliver deliver)
-      : request_(request),
-        job_(job),
-        written_(written),
-        deliver_(std::move(deliver)),
-        source_(request.scene, request.camera, request.film.value_or(request.scene->film),
-                request.settings, request.exposure, request.backend) {}
+      : request_(request), job_(job), written_(written), deliver_(std::move(deliver)) {}
 
   void run() {
     if (!request_.range) {
-      writing(request_.file, frame(request_.time, request_.title, 0, 1))();
+      writing(request_.file, frame(request_.request.time, request_.title, 0, 1))();
     } else if (lower_case_extension(request_.file) == ".mp4") {
       write_video();
     } else {
@@ -47,22 +42,18 @@ class Exporter {
   Frame frame(double time, const QString& title, int k, int count) {
     QElapsedTimer timer;
     timer.start();
-    auto frame = source_.at(time, job_.subrange(static_cast<double>(k) / count, (k + 1.0) / count));
+    RenderRequest request = request_.request;
+    request.time = time;
+    // Other files have none.
+    if (picture_format(request_.file) != ".exr") request.layers = {};
+    if (is_deep_file(request_.file)) request.deep_error = DeepSettings{}.error;
+    const Job job = job_.subrange(static_cast<double>(k) / count, (k + 1.0) / count);
+    auto frame = renderer_.render(*request_.scene, request, job.stop, job.progress);
     if (!frame || job_.stop.stop_requested()) throw Cancelled();
-    add_layers(*frame);
     const double milliseconds = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
-    const QString details = picture_details(*frame, request_.settings, milliseconds);
+    const QString details = picture_details(*frame, settings_of(*frame->request), milliseconds);
     deliver_({make_picture(*frame, request_.info.look, title, details), milliseconds});
     return std::move(*frame);
-  }
-
-  // Which may change the frame.
-  void add_layers(Frame& frame) {
-    more_ = {};
-    if (picture_format(request_.file) != ".exr" || !has_more_layers(request_.info.layers)) return;
-    std::optional<ImageLayers> more = source_.layers(frame, request_.info.layers, {job_.stop, {}});
-    if (!more) throw Cancelled();
-    more_ = std::move(*more);
   }
 
   Frame numbered_frame(int number, int k, int count) {
@@ -75,27 +66,22 @@ class Exporter {
                            std::optional<int> number = {}) {
     if (file.empty()) return [] {};
     FrameInfo info = request_.info;
-    info.backend = frame.statistics.backend;
-    info.noise = relative_noise(frame);
-    Settings settings = request_.settings;
-    settings.samples = samples_of(request_.exposure, frame.camera, *request_.scene);
-    info.settings = settings_metadata(settings);
     info.frame = number;
     if (is_deep_file(file)) {
-      if (!source_.write_deep(file, frame, info, {job_.stop, {}})) throw Cancelled();
+      if (!renderer_.write_deep(file, *request_.scene, frame, info, job_.stop)) throw Cancelled();
       return [this] { ++written_; };
     }
-    const auto content =
-        std::make_shared<const std::pair<Frame, ImageLayers>>(std::move(frame), std::move(more_));
+    const auto content = std::make_shared<const Frame>(std::move(frame));
     return [this, file, info, content] {
-      write_frame(file, content->first, info, content->second);
+      write_frame(file, *content, info);
       ++written_;
     };
   }
 
   void write_video() {
     write_atomically(request_.file, [this](const std::filesystem::path& temporary) {
-      VideoFile video(request_.file, temporary, request_.film.value_or(request_.scene->film),
+      VideoFile video(request_.file, temporary,
+                      request_.request.film.value_or(request_.scene->film),
                       request_.range->frames_per_second);
       const int count = request_.range->last - request_.range->first + 1;
       for (int k = 0; k < count; ++k) {
@@ -113,8 +99,7 @@ class Exporter {
   const Job& job_;
   int& written_;
   Deliver deliver_;
-  FrameSource source_;
-  ImageLayers more_;  // of the last frame
+  SceneRenderer renderer_;
 };
 
 }  // namespace

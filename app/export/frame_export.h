@@ -7,22 +7,17 @@
 #include "app/files/numbered_file.h"
 #include "app/jobs/background_job.h"
 #include "app/pictures/picture.h"
+#include "brume/render.h"
 #include "brume/scene.h"
-#include "render/gl_renderer.h"
 #include "render/output/frame_file.h"
-#include "render/samples/exposure.h"
-#include "render/settings.h"
 
 namespace brume {
 
 // Parameters of an export.
 struct FrameExportRequest {
   std::shared_ptr<const Scene> scene;  // with its animation
-  std::optional<Camera> camera;        // nullopt: the scene's camera at each time
-  Settings settings;
-  FrameInfo info;  // without backend, noise, settings and number, set per frame
-  Exposure exposure{};
-  Backend backend = Backend::auto_;
+  RenderRequest request{};             // of one frame, or of any of several
+  FrameInfo info{};                    // without its number
   // The extension decides the format: .exr or .png, or .mp4 of several frames. Empty: no file.
   std::filesystem::path file;
   struct Range {
@@ -31,9 +26,7 @@ struct FrameExportRequest {
     double frames_per_second = default_frame_rate;
   };
   std::optional<Range> range;  // nullopt: one frame
-  double time = 0.0;           // of that [s]
   QString title{};             // of its pictures
-  std::optional<Film> film{};  // absent: the scene's; or a region of that
 };
 
 // A frame of an export, to be looked at.

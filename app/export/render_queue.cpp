@@ -46,7 +46,7 @@ int RenderQueue::unfinished() const {
 }
 
 int RenderQueue::add(FrameExportRequest request) {
-  request.settings.threads = render_threads();
+  request.request.threads = render_threads();
   items_.push_back({++last_id_, std::move(request), State::waiting, 0, {}});
   start_next();
   Q_EMIT changed();

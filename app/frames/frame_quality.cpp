@@ -1,6 +1,7 @@
 #include "app/frames/frame_quality.h"
 
 #include "app/frames/frame_service.h"
+#include "render/request.h"
 
 namespace brume {
 namespace {
@@ -11,11 +12,10 @@ constexpr std::size_t many_gaussians = 100'000;
 constexpr int measure_after = 4000;  // milliseconds
 
 // Airlight is interpolated where that is good enough: the picture is there several times sooner.
+constexpr int interpolated_scale = 4;
+
 Settings interpolated(Scattering scattering) {
-  Settings settings;
-  settings.airlight_scale = 4;
-  settings.scattering = scattering;
-  return settings;
+  return settings_of({.scattering = scattering, .airlight_scale = interpolated_scale});
 }
 
 }  // namespace
@@ -62,12 +62,17 @@ void FrameQuality::set_max_error(double max_error) {
   Q_EMIT error_changed();
 }
 
+RenderRequest FrameQuality::request() const {
+  RenderRequest request;
+  request.airlight = is_auto() ? AirlightMethod::sliced : airlight_;
+  request.slices = is_auto() ? control_.settings().slices : slices_;
+  request.scattering = scattering_;
+  if (airlight_ != AirlightMethod::reference) request.airlight_scale = interpolated_scale;
+  return request;
+}
+
 Settings FrameQuality::settings() const {
-  if (is_auto()) return control_.settings();
-  Settings settings = interpolated(scattering_);
-  settings.airlight = airlight_;
-  settings.slices = slices_;
-  return settings;
+  return settings_of(request());
 }
 
 std::vector<FrameQuality::Tried> FrameQuality::tried() const {

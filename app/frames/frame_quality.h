@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/frames/error_meter.h"
+#include "brume/render.h"
 #include "render/quality/quality_control.h"
 
 namespace brume {
@@ -32,7 +33,8 @@ class FrameQuality : public QObject {
   [[nodiscard]] double max_error() const { return control_.max_error(); }
   void set_max_error(double max_error);
 
-  // For frames at rest, as chosen: never `auto_`.
+  // Of frames at rest, as chosen: never `auto_`.
+  [[nodiscard]] RenderRequest request() const;
   [[nodiscard]] Settings settings() const;
   [[nodiscard]] const QualityControl& control() const { return control_; }
 

@@ -21,6 +21,7 @@
 #include "core/io/file_bytes.h"
 #include "core/io/scene/gather.h"
 #include "core/io/scene/scene_files.h"
+#include "render/request.h"
 
 namespace brume {
 namespace {
@@ -42,13 +43,9 @@ void MainWindow::export_frame() {
 void MainWindow::export_frame_to(const std::filesystem::path& file, std::optional<int> paths,
                                  const OutputLayers& layers, int bits) {
   FrameExportRequest request = export_request(file);
-  request.info.layers = layers;
+  request.request.layers = layers;
   request.info.bits = bits;
-  if (paths) {
-    request.settings.airlight = AirlightMethod::path;
-    request.settings.paths = *paths;
-    request.info.airlight = airlight_name(request.settings);
-  }
+  if (paths) trace_paths(request.request, *paths);
   render_queue_->add(request);
 }
 
@@ -62,24 +59,22 @@ void MainWindow::export_animation_to(const std::filesystem::path& file, int firs
   FrameExportRequest request = export_request(file);
   request.range = {first, last, timeline_->frames_per_second()};
   request.title = tr("View");
-  if (document_.scene().camera_keys != CameraKeys{}) request.camera.reset();
+  if (document_.scene().camera_keys != CameraKeys{}) request.request.camera.reset();
   render_queue_->add(request);
 }
 
 FrameExportRequest MainWindow::export_request(const std::filesystem::path& file) const {
-  const Settings settings = viewport_->frames().quality().settings();
+  RenderRequest request = viewport_->frames().quality().request();
+  // Of the methods of views one makes deep frames.
+  if (is_deep_file(file)) request.airlight = AirlightMethod::sliced;
+  request.camera = viewport_->camera();
+  request.time = viewport_->time();
+  request.backend = views_->backend();
   return {.scene = document_.snapshot(),
-          .camera = viewport_->camera(),
-          .settings = settings,
-          .info = {document_.file().string(),
-                   airlight_name(settings),
-                   {},
-                   viewport_->frames().display()},
-          .exposure = exposure_of(document_.scene()),
-          .backend = views_->backend(),
+          .request = request,
+          .info = {.scene = document_.file().string(), .look = viewport_->frames().display()},
           .file = file,
           .range = std::nullopt,
-          .time = viewport_->time(),
           .title = tr("Frame %1").arg(timeline_->frame())};
 }
 

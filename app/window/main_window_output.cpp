@@ -28,6 +28,7 @@
 #include "app/window/camera_lock.h"
 #include "app/window/main_window.h"
 #include "core/io/file_bytes.h"
+#include "render/request.h"
 
 namespace brume {
 namespace {
@@ -163,18 +164,14 @@ FrameExportRequest MainWindow::output_request(bool animation) const {
   const Scene& scene = document_.scene();
   const Output& output = scene.output;
   FrameExportRequest request = export_request(output.file);
-  request.camera.reset();  // the scene's
+  request.request.camera.reset();  // the scene's
   if (const auto& region = viewport_->camera_frame().region()) {
-    request.film = film_region(scene.film, {region->left(), region->top()},
-                               {region->right(), region->bottom()});
+    request.request.film = film_region(scene.film, {region->left(), region->top()},
+                                       {region->right(), region->bottom()});
   }
-  if (output.paths) {
-    request.settings.airlight = AirlightMethod::path;
-    request.settings.paths = *output.paths;
-    request.info.airlight = airlight_name(request.settings);
-  }
+  if (output.paths) trace_paths(request.request, *output.paths);
   if (output.exposure) request.info.look.exposure = *output.exposure;
-  request.info.layers = output.layers;
+  request.request.layers = output.layers;
   const QString camera = QString::fromStdString(scene.camera_name);
   if (animation) {
     request.range = {timeline_->first(), timeline_->last(), timeline_->frames_per_second()};

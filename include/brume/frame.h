@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +16,8 @@
 #include "brume/stage.h"
 
 namespace brume {
+
+struct RenderRequest;
 
 struct StageTime {
   Stage stage = Stage::frame;
@@ -48,8 +51,9 @@ struct FrameStatistics {
   std::string airlight;         // the method with its parameter, "sliced:24"
   std::string device;           // name of the OpenGL device; empty: the CPU
   double frame_milliseconds = 0.0;
-  std::vector<StageTime> stages;      // in the order they first ran
-  std::vector<SkippedStage> skipped;  // not needed by the scene, with the reason
+  double transfer_milliseconds = 0.0;  // before it, for radiance transfer that was missing
+  std::vector<StageTime> stages;       // in the order they first ran
+  std::vector<SkippedStage> skipped;   // not needed by the scene, with the reason
   // With the backend gl: stages that ran on the CPU, with the reason.
   std::vector<SkippedStage> on_cpu;
   std::size_t gaussians_total = 0;
@@ -94,8 +98,10 @@ struct Frame {
   // per pixel; it is in beauty, too. Empty: it was not asked for (layers do).
   std::vector<float> background;
   FrameStatistics statistics;
-  // Of a frame that was asked for by a RenderRequest: its error, if it is known, layers besides
-  // those above, and what there is to say of it, a line each.
+  // Of a frame that was asked for by a RenderRequest: the request, with all that was chosen, so
+  // that it makes the frame again; its error, if it is known, layers besides those above, and what
+  // there is to say of it, a line each.
+  std::shared_ptr<const RenderRequest> request;
   std::optional<ErrorEstimate> error;
   ImageLayers layers;
   std::vector<std::string> warnings;

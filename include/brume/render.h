@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -15,34 +16,45 @@
 
 namespace brume {
 
-// What is asked of a frame; the content is in a Scene. Defaults are those of `brume render`.
+// Whether the error of a frame's airlight is measured, which takes seconds, with area lights up to
+// a minute. `reference` and `path` have none.
+enum class ErrorMeasurement { none, full };
+
+// Opens at a frame's time only: no motion blur.
+inline constexpr Shutter no_shutter{0.0, 0.0};
+
+// What is asked of a frame; the content is in a Scene. request_options() (brume/request_options.h)
+// say what each value does and may be. Defaults are those of `brume render`.
 struct RenderRequest {
   std::optional<Film> film{};      // absent: the scene's
   std::optional<Camera> camera{};  // absent: the scene's
   double time = 0.0;               // of the animation [s]
 
   AirlightMethod airlight = AirlightMethod::auto_;
-  double max_error = 0.02;  // `auto_`: relative RMSE of the airlight, in [1e-4, 10]
-  // `sliced` and `auto_`: which orders of scattering.
+  double max_error = 0.02;                  // of `auto_`: relative RMSE of the airlight
+  std::optional<ErrorMeasurement> error{};  // absent: full of `auto_`, else none
   Scattering scattering = Scattering::multiple;
-  int slices = 24;       // `sliced`: of a view ray, 4 to 256
-  int march_steps = 64;  // `march`: of a view ray, 1 to 65,536
-  int paths = 64;        // `path`: per pixel, 1 to limits::paths
-  // `path`: each seed gives another, independent picture.
+  int slices = 24;
+  int march_steps = 64;  // 1 to 65,536
+  int paths = 64;        // per pixel, 1 to limits::paths
   std::uint32_t seed = 0;
+  std::optional<int> airlight_scale{};  // absent: 4 of `auto_`, else 1
+  bool paper_mean = false;
+  bool paper_energy = false;
+  bool paper_spread = false;
+  double tolerance = 1e-4;
 
-  // Of pixels that need them, 1 to limits::samples; absent: the scene's, else chosen.
-  std::optional<int> samples{};
-  std::optional<Shutter> shutter{};  // absent: the scene's
-  OutputLayers layers{};             // those besides the Frame's own go to Frame::layers
-
-  // Measures the error of a frame whose method does not: of all but `auto_`, which always does, and
-  // `reference` and `path`, which have none. Takes seconds, with area lights up to a minute.
-  bool measure_error = false;
+  std::optional<int> samples{};        // absent: the scene's, else chosen
+  std::optional<Shutter> shutter{};    // absent: the scene's
+  OutputLayers layers{};               // those besides the Frame's own go to Frame::layers
+  std::optional<double> deep_error{};  // of a deep frame, see write_deep(); absent: it is none
 
   Backend backend = Backend::auto_;
-  int threads = 0;  // at most; 0: all
+  std::optional<int> threads{};  // at most; absent: all
 };
+
+struct DeepFileStatistics;
+struct FrameInfo;
 
 // Renders frames of scenes, one at a time, and keeps between them what did not change: of a camera
 // or a light that moves, only what depends on it is computed again. A frame does not depend on what
@@ -61,8 +73,18 @@ class BRUME_EXPORT SceneRenderer {
                               const std::stop_token& stop = {},
                               const std::function<void(double)>& progress = {});
 
+  // Writes the deep file of a frame that render() returned for a request with a deep_error, of the
+  // same scene. nullopt, and the file as it was, if stopped. Throws InputError. Of programs in
+  // Brume's tree, which know the types.
+  std::optional<DeepFileStatistics> write_deep(const std::filesystem::path& file,
+                                               const Scene& scene, const Frame& frame,
+                                               const FrameInfo& info,
+                                               const std::stop_token& stop = {},
+                                               const std::function<void(double)>& progress = {});
+
  private:
   struct Impl;
+  struct Moment;
   std::unique_ptr<Impl> impl_;
 };
 

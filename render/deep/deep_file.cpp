@@ -2,10 +2,9 @@
 
 #include <chrono>
 #include <cmath>
+#include <tuple>
 
-#include "brume/at_time.h"
 #include "core/io/file_bytes.h"
-#include "core/number_domain.h"
 
 namespace brume {
 namespace {
@@ -26,14 +25,14 @@ DeepSettings deep_settings(const Settings& settings, double error, const Frame& 
 }
 
 std::optional<DeepFileStatistics> write_deep_frame(const std::filesystem::path& file,
-                                                   const Scene& scene, const Camera& camera,
-                                                   const Film& film, const DeepSettings& deep,
-                                                   const TransferStore& transfers,
-                                                   const FrameInfo& info, const Job& job) {
+                                                   const Scene& scene, const Frame& frame,
+                                                   const FrameInfo& info, const DeepSettings& deep,
+                                                   const TransferStore& transfers, const Job& job) {
   const auto start = std::chrono::steady_clock::now();
-  DeepExrHeader header{film.width, film.height, has_colored_alpha(scene),
-                       frame_metadata(info, scene.time), exr_view(camera, film, frame_rate(scene))};
-  header.metadata["brume:deep_error"] = quoted_text(deep.error);
+  const auto& [film, camera] = std::tie(frame.film, frame.camera);
+  const DeepExrHeader header{film.width, film.height, has_colored_alpha(scene),
+                             frame_metadata(frame, info),
+                             exr_view(camera, film, frame.frames_per_second)};
   DeepFileStatistics statistics;
   const auto produce = [&](const TakeDeepRows& take) {
     const auto made = render_deep(scene, camera, film, deep, transfers, take, job);

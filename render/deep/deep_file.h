@@ -19,12 +19,12 @@ struct DeepFileStatistics {
 // The settings of a deep frame from those of a flat one and that frame.
 DeepSettings deep_settings(const Settings& settings, double error, const Frame& frame);
 
-// Renders the scene to a deep file, with the same metadata as a flat one and the error it keeps
-// (brume:deep_error). nullopt, and the file as it was, if stopped. Throws InputError.
+// Renders the deep file of a frame of the scene at its time, with the same metadata. nullopt, and
+// the file as it was, if stopped. Throws InputError.
 std::optional<DeepFileStatistics> write_deep_frame(const std::filesystem::path& file,
-                                                   const Scene& scene, const Camera& camera,
-                                                   const Film& film, const DeepSettings& deep,
+                                                   const Scene& scene, const Frame& frame,
+                                                   const FrameInfo& info, const DeepSettings& deep,
                                                    const TransferStore& transfers,
-                                                   const FrameInfo& info, const Job& job = {});
+                                                   const Job& job = {});
 
 }  // namespace brume

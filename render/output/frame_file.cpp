@@ -6,6 +6,7 @@
 
 #include "brume/error.h"
 #include "brume/files.h"
+#include "brume/request_options.h"
 #include "brume/version.h"
 #include "core/io/file_bytes.h"
 #include "core/io/image/image_file.h"
@@ -65,17 +66,6 @@ std::optional<std::string> fingerprint_of(const std::filesystem::path& file) {
   }
 }
 
-std::map<std::string, std::string> settings_metadata(const Settings& settings) {
-  std::map<std::string, std::string> metadata{{"brume:samples", std::to_string(settings.samples)}};
-  if (settings.airlight == AirlightMethod::sliced) {
-    metadata["brume:slices"] = std::to_string(settings.slices);
-  }
-  if (settings.airlight == AirlightMethod::path) {
-    metadata["brume:seed"] = std::to_string(settings.path_seed);
-  }
-  return metadata;
-}
-
 ExrView exr_view(const Camera& camera, const Film& film, double frames_per_second) {
   const CameraRays rays(camera, film);
   const CameraRays::FilmPlane plane = rays.plane();
@@ -96,19 +86,22 @@ ExrView exr_view(const Camera& camera, const Film& film, double frames_per_secon
   return view;
 }
 
-std::map<std::string, std::string> frame_metadata(const FrameInfo& info, double time) {
+std::map<std::string, std::string> frame_metadata(const Frame& frame, const FrameInfo& info) {
   // Only its name: pictures are shared, and folders reveal their author.
   const std::string scene = std::filesystem::path(info.scene).filename().string();
   std::map<std::string, std::string> metadata{{"brume:scene", scene},
                                               {"brume:version", version()},
-                                              {"brume:airlight", info.airlight},
-                                              {"brume:backend", info.backend}};
-  metadata["brume:fingerprint"] = info.fingerprint;
-  metadata["brume:time"] = quoted_text(time);
+                                              {"brume:backend", frame.statistics.backend},
+                                              {"brume:fingerprint", info.fingerprint}};
+  for (const RequestOption& option : request_options()) {
+    if (!frame.request || !option.is_in_header || !option.is_in_header(*frame.request)) continue;
+    metadata["brume:" + option.keyword()] = option.get(*frame.request);
+  }
   if (info.frame) metadata["brume:frame"] = std::to_string(*info.frame);
-  if (info.error) metadata["brume:error"] = quoted_text(info.error->rel_rmse);
-  metadata.insert(info.settings.begin(), info.settings.end());
-  if (info.noise) metadata["brume:noise"] = quoted_text(info.noise->picture);
+  if (frame.error) metadata["brume:error"] = quoted_text(frame.error->rel_rmse);
+  if (const auto noise = relative_noise(frame)) {
+    metadata["brume:noise"] = quoted_text(noise->picture);
+  }
   std::erase_if(metadata, [](const auto& entry) { return entry.second.empty(); });
   return metadata;
 }
@@ -120,16 +113,15 @@ void check_frame_extension(const std::filesystem::path& file) {
                    "found the extension " + quoted_text(extension) + "; allowed: .exr, .png");
 }
 
-void write_frame(const std::filesystem::path& file, const Frame& frame, const FrameInfo& info,
-                 const ImageLayers& more) {
+void write_frame(const std::filesystem::path& file, const Frame& frame, const FrameInfo& info) {
   check_frame_extension(file);
-  std::map<std::string, std::string> metadata = frame_metadata(info, frame.time);
+  std::map<std::string, std::string> metadata = frame_metadata(frame, info);
   if (lower_case_extension(file) == ".exr") {
     ImageLayers layers = to_layers(frame);
     layers.metadata = std::move(metadata);
-    keep(layers, info.layers);
-    layers.channels.insert(more.channels.begin(), more.channels.end());
-    layers.metadata.insert(more.metadata.begin(), more.metadata.end());
+    keep(layers, frame.request ? frame.request->layers : OutputLayers{});
+    layers.channels.insert(frame.layers.channels.begin(), frame.layers.channels.end());
+    layers.metadata.insert(frame.layers.metadata.begin(), frame.layers.metadata.end());
     write_exr(file, layers, exr_view(frame.camera, frame.film, frame.frames_per_second));
   } else {
     metadata["Software"] = std::string("Brume ") + version();  // a keyword of the PNG standard
@@ -145,13 +137,7 @@ void write_frame(const std::filesystem::path& file, const Frame& frame, const Fr
 }
 
 void save_frame(const Frame& frame, const std::filesystem::path& file, double exposure) {
-  write_frame(file, frame,
-              {.airlight = frame.statistics.airlight,
-               .backend = frame.statistics.backend,
-               .look = {exposure, nullptr},
-               .noise = relative_noise(frame),
-               .error = frame.error},
-              frame.layers);
+  write_frame(file, frame, {.look = {exposure, nullptr}});
 }
 
 std::string encode_png(const Frame& frame, double exposure) {

@@ -423,10 +423,7 @@ class FramesTest : public QObject {
     big.film = {3000, 2000};
     QSignalSpy cancelled(exporter, &FrameExport::cancelled);
     exporter->start({.scene = std::make_shared<const Scene>(big),
-                     .camera = big.camera,
-                     .settings = {},
-                     .info = {},
-                     .backend = Backend::cpu,
+                     .request = {.camera = big.camera, .backend = Backend::cpu},
                      .file = window.file("big.png"),
                      .range = std::nullopt});
     exporter->job().cancel();

@@ -18,6 +18,7 @@
 #include "core/io/image/deep_exr_file.h"
 #include "core/io/image/image_file.h"
 #include "core/io/scene/scene_file.h"
+#include "render/request.h"
 #include "tests/app/question.h"
 #include "tests/app/test_window.h"
 
@@ -267,13 +268,12 @@ class OutputTest : public QObject {
     Scene big = small_scene();
     big.film = {2000, 1500};
     request.scene = std::make_shared<const Scene>(big);
-    request.settings.airlight = AirlightMethod::path;
-    request.settings.paths = 100'000;  // never done
+    trace_paths(request.request, 100'000);  // never done
     request.title = "long";
     const int first = renders.add(request);
     request.title = "next";
     request.scene = std::make_shared<const Scene>(tiny_scene());
-    request.settings.paths = 2;
+    request.request.paths = 2;
     request.file = window.file("next.png");
     const int second = renders.add(request);
     request.title = "last";

@@ -32,6 +32,18 @@ def test_stubs():
             assert stubs == public(getattr(brume, node.name)), node.name
 
 
+def test_keywords_of_render_are_the_options():
+    tree = ast.parse((pathlib.Path(brume.__file__).parent / "__init__.pyi").read_text())
+    signature = inspect.getdoc(brume.render).splitlines()[0]
+    options = ast.parse(f"def {signature}: ...").body[0].args
+    functions = [node for node in ast.walk(tree) if getattr(node, "name", "") == "render"]
+    assert len(functions) == 2
+    for function in functions:
+        assert [it.arg for it in function.args.kwonlyargs] == [it.arg for it in options.kwonlyargs]
+        defaults = [ast.literal_eval(it) for it in function.args.kw_defaults]
+        assert defaults == [ast.literal_eval(it) for it in options.kw_defaults]
+
+
 def test_everything_is_documented():
     for name in brume.__all__:
         thing = getattr(brume, name)

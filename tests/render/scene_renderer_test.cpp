@@ -27,7 +27,7 @@ TEST(SceneRenderer, TellsErrorAndMethod) {
 
   EXPECT_FALSE(render(scene, once)->error);
   RenderRequest measured = once;
-  measured.measure_error = true;
+  measured.error = ErrorMeasurement::full;
   const Frame sliced = *render(scene, measured);
   ASSERT_TRUE(sliced.error);
   EXPECT_EQ(sliced.airlight, render(scene, once)->airlight);

@@ -76,7 +76,7 @@ TEST_F(LayersOption, NamesWhatIsAllowed) {
   expect_refused({"render", scene_, "-o", file("a.png"), "--layers", "lights"},
                  {"--layers", "flat EXR"});
   expect_refused({"render", scene_, "-o", image, "--size", "16384x16384", "--layers", "objects"},
-                 {"--layers", "bytes"});
+                 {"layers: ", "bytes"});
   EXPECT_FALSE(std::filesystem::exists(image));
 }
 

@@ -16,11 +16,11 @@
 #include "tools/bench/report/bench_json.h"
 #include "tools/bench/report/bench_markdown.h"
 #include "tools/bench/report/frontier_plot.h"
-#include "tools/brume/backend_name.h"
 #include "tools/brume/command_files.h"
 #include "tools/brume/finite_in.h"
 #include "tools/brume/other_program.h"
 #include "tools/brume/read_scene.h"
+#include "tools/brume/request_arguments.h"
 
 namespace brume {
 namespace {
@@ -73,9 +73,11 @@ class BenchCommand final : public Command {
       old = read_bytes(compare_);
       check_report(compare_, old);  // before long work
     }
+    RenderRequest request;
+    set_option(request, "backend", backend_);
     BenchOptions options{.quick = quick_,
                          .threads = threads_,
-                         .backend = parse_backend(backend_),
+                         .backend = request.backend,
                          .scenes = {scenes_.begin(), scenes_.end()},
                          .run_brume = [this](const auto& arguments) { return brume(arguments); },
                          .peers = {}};

@@ -2,18 +2,20 @@
 
 #include <algorithm>
 #include <chrono>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <utility>
 #include <vector>
 
+#include "brume/at_time.h"
 #include "brume/error.h"
 #include "core/io/atomic_file.h"
 #include "core/io/frame_loop.h"
 #include "core/scene/sequence_frames.h"
 #include "tools/brume/frame_fingerprint.h"
-#include "tools/brume/frame_maker.h"
 #include "tools/brume/interruption.h"
+#include "tools/brume/progress_line.h"
 #include "tools/brume/read_scene.h"
 #include "tools/brume/render_statistics.h"
 
@@ -34,8 +36,11 @@ class FrameSequence {
         outputs_(options.output_pattern()),
         fingerprint_(document, options.what_matters(document.scene)),
         missing_(std::move(missing)),
-        sequences_(document.scene.sequences),
-        maker_(options, std::move(document.scene)) {}
+        scene_(options.adjusted(std::move(document.scene))),
+        request_(options.request(scene_.film)),
+        info_(options.info()) {
+    if (info_.look.view) print_warnings(info_.look.view->warnings());
+  }
 
   ExitCode run() {
     remove_abandoned_files(std::filesystem::absolute(options_.output()).parent_path());
@@ -58,9 +63,8 @@ class FrameSequence {
       tell_engine(options_, "progress", std::to_string(100 * done / of));
     };
     const FrameLoop::Result result = FrameLoop::run(options_.frames(), steps);
-    if (unsure_ > 0) {
-      print_warnings(
-          {"in " + std::to_string(unsure_) + " frames no setting is certain to meet --max-error"});
+    for (const auto& [warning, count] : warned_) {
+      if (count > 1) print_warnings({"in " + std::to_string(count) + " frames: " + warning});
     }
     if (!options_.stats_file().empty()) {
       write_atomically(options_.stats_file(), sequence_statistics_json(statistics_));
@@ -76,44 +80,44 @@ class FrameSequence {
   }
 
  private:
-  FrameLoop::Write make(int frame, const std::string& label) {
-    const double time = frame / maker_.frames_per_second();
-    check_present(time);
+  FrameLoop::Write make(int number, const std::string& label) {
+    RenderRequest request = request_;
+    request.time = number / brume::frame_rate(scene_);
+    check_present(request.time);
+    RenderRun run{.scene = options_.scene_file(), .frame = number};
     const auto start = std::chrono::steady_clock::now();
-    const double transfers = maker_.transfer_milliseconds();
-    maker_.go_to(time);
-    RequestedFrame found = maker_.render(label);
-    const std::chrono::duration<double, std::milli> taken =
-        std::chrono::steady_clock::now() - start;
-    if (found.error && found.error->high > options_.max_error()) ++unsure_;
-    const std::filesystem::path file = outputs_.file_of(frame);
-    ImageLayers layers = maker_.complete(found);
-    FrameInfo info = maker_.info(found);
-    info.fingerprint = fingerprint_.of(frame);
-    info.frame = frame;
-    RenderRun run{.scene = options_.scene_file(),
-                  .frame = frame,
-                  .time = time,
-                  .film = maker_.film(),
-                  .settings = found.settings,
-                  .first_frame_milliseconds = taken.count(),
-                  .transfer_milliseconds = maker_.transfer_milliseconds() - transfers,
-                  .error = found.error,
-                  .noise = info.noise};
-    if (options_.is_deep()) run.deep = maker_.write_deep(file, found, info);
-    const FrameStatistics& statistics = found.frame.statistics;
+    const auto frame = std::make_shared<const Frame>(render(request, label));
+    run.first_frame_milliseconds =
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    warn(number, frame->warnings);
+    FrameInfo info = info_;
+    info.fingerprint = fingerprint_.of(number);
+    info.frame = number;
+    const std::filesystem::path file = outputs_.file_of(number);
+    if (options_.is_deep()) run.deep = write_deep(renderer_, file, scene_, *frame, info);
     if (!options_.stats_file().empty()) {
-      statistics_.push_back(statistics_json(run, statistics, {&statistics, 1}));
+      statistics_.push_back(statistics_json(run, *frame, {&frame->statistics, 1}));
     }
     if (options_.is_deep()) return {};
-    const auto content =
-        std::make_shared<std::pair<Frame, ImageLayers>>(std::move(found.frame), std::move(layers));
-    return [file, info, content] { write_frame(file, content->first, info, content->second); };
+    return [file, info, frame] { write_frame(file, *frame, info); };
+  }
+
+  Frame render(const RenderRequest& request, const std::string& label) {
+    const ProgressLine line(label);
+    return finished(renderer_.render(scene_, request, interruption(), line.progress()));
+  }
+
+  // Each warning at once, but once: what follows a semicolon differs from frame to frame.
+  void warn(int number, const std::vector<std::string>& warnings) {
+    for (const std::string& warning : warnings) {
+      if (++warned_[warning.substr(0, warning.find(';'))] > 1) continue;
+      print_warnings({"frame " + std::to_string(number) + ": " + warning});
+    }
   }
 
   // Throws InputError where a moment needs a frame of a sequence whose file is missing.
   void check_present(double time) const {
-    for (const MediumSequence& sequence : sequences_) {
+    for (const MediumSequence& sequence : scene_.sequences) {
       const FramePattern files = *FramePattern::parse(sequence.file.string());
       for (const int index : frames_at(sequence, time)) {
         const std::filesystem::path file = files.file_of(sequence.first + index);
@@ -127,14 +131,28 @@ class FrameSequence {
   FramePattern outputs_;
   FrameFingerprint fingerprint_;
   std::vector<std::filesystem::path> missing_;
-  std::vector<MediumSequence> sequences_;
-  FrameMaker maker_;
+  Scene scene_;
+  RenderRequest request_;  // but for the time
+  FrameInfo info_;
+  SceneRenderer renderer_;
   std::vector<std::string> statistics_;  // of the frames made
   std::string failures_;
-  int unsure_ = 0;
+  std::map<std::string, int> warned_;  // frames, by warning
 };
 
 }  // namespace
+
+DeepFileStatistics write_deep(SceneRenderer& renderer, const std::filesystem::path& file,
+                              const Scene& scene, const Frame& frame, const FrameInfo& info) {
+  const ProgressLine line("deep frame");
+  DeepFileStatistics deep =
+      finished(renderer.write_deep(file, scene, frame, info, interruption(), line.progress()));
+  if (deep.image.coarse_tiles > 0) {
+    print_warnings({"--deep-error: " + std::to_string(deep.image.coarse_tiles) +
+                    " tiles of 16 x 8 pixels are too steep for this error; more --slices help"});
+  }
+  return deep;
+}
 
 ExitCode render_sequence(const RenderOptions& options) {
   try {

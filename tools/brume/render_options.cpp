@@ -1,135 +1,27 @@
 #include "tools/brume/render_options.h"
 
-#include <tbb/info.h>
-
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <memory>
-#include <string_view>
 
 #include "brume/at_time.h"
-#include "brume/limits.h"
 #include "core/io/file_bytes.h"
 #include "core/io/file_version.h"
 #include "core/io/text_scanner.h"
 #include "core/number_domain.h"
 #include "core/scene/cameras.h"
 #include "render/deep/deep_file.h"
-#include "render/layers/frame_layers.h"
+#include "render/request.h"
 #include "tools/brume/command.h"
 #include "tools/brume/finite_in.h"
 #include "tools/brume/frame_range.h"
-#include "tools/brume/layer_names.h"
+#include "tools/brume/request_arguments.h"
 
 namespace brume {
 namespace {
 
-constexpr int max_march_steps = 65'536;
-
 std::string absolute_text(const std::string& file) {
   return std::filesystem::absolute(file).lexically_normal().string();
-}
-
-// N of `name` = "method:N", in [1, max].
-std::optional<int> method_count(std::string_view name, AirlightMethod method, int max) {
-  const std::string prefix = std::string(to_string(method)) + ':';
-  if (!name.starts_with(prefix)) return std::nullopt;
-  const auto count = parse_integer(name.substr(prefix.size()));
-  if (!count || *count < 1 || *count > max) return std::nullopt;
-  return static_cast<int>(*count);
-}
-
-// Sets the method and what belongs to it.
-void set_airlight(Settings& settings, const std::string& name) {
-  for (const auto method : {AirlightMethod::auto_, AirlightMethod::paper, AirlightMethod::sliced,
-                            AirlightMethod::reference}) {
-    if (name != to_string(method)) continue;
-    settings.airlight = method;
-    return;
-  }
-  if (const auto steps = method_count(name, AirlightMethod::march, max_march_steps)) {
-    settings.airlight = AirlightMethod::march;
-    settings.march_steps = *steps;
-    return;
-  }
-  if (const auto paths = method_count(name, AirlightMethod::path, max_paths)) {
-    settings.airlight = AirlightMethod::path;
-    settings.paths = *paths;
-    return;
-  }
-  throw UsageError("--airlight: found " + quoted_text(name) +
-                   "; allowed: auto, paper, sliced, reference, march:N with N from 1 to " +
-                   std::to_string(max_march_steps) + ", path:N with N from 1 to " +
-                   std::to_string(max_paths));
-}
-
-Scattering parse_scattering(const std::string& name) {
-  for (const auto scattering : {Scattering::single, Scattering::multiple}) {
-    if (name == to_string(scattering)) return scattering;
-  }
-  throw UsageError("--scattering: found " + quoted_text(name) + "; allowed: single, multiple");
-}
-
-// WIDTHxHEIGHT, or the longer side of a film with the proportions of `film`.
-Film parse_size(const std::string& text, const Film& film) {
-  const std::size_t cross = text.find('x');
-  const auto side = [&](std::string_view part) {
-    const auto value = parse_integer(part);
-    if (!value || *value < 1 || *value > limits::film_side) {
-      throw UsageError("--size: found " + quoted_text(text) +
-                       "; allowed: WIDTHxHEIGHT or one number, the longer side, each 1 to " +
-                       std::to_string(limits::film_side));
-    }
-    return static_cast<int>(*value);
-  };
-  const std::string_view view = text;
-  if (cross != std::string::npos) {
-    return {side(view.substr(0, cross)), side(view.substr(cross + 1))};
-  }
-  const double scale = static_cast<double>(side(view)) / std::max(film.width, film.height);
-  const auto scaled = [scale](int length) {
-    return std::max(1, static_cast<int>(std::lround(scale * length)));
-  };
-  return {scaled(film.width), scaled(film.height)};
-}
-
-// "x0,y0,x1,y1": fractions of the film's sides from the upper left corner.
-Film parse_region(const std::string& text, const Film& film) {
-  std::array<double, 4> numbers{};
-  std::string_view rest = text;
-  bool is_good = true;
-  for (std::size_t k = 0; k < numbers.size(); ++k) {
-    const std::size_t comma = rest.find(',');
-    const std::optional<double> number = parse_number(rest.substr(0, comma));
-    is_good = is_good && number && *number >= 0.0 && *number <= 1.0 &&
-              (comma == std::string_view::npos) == (k + 1 == numbers.size());
-    numbers[k] = number.value_or(0.0);
-    rest = comma == std::string_view::npos ? std::string_view{} : rest.substr(comma + 1);
-  }
-  const auto& [x0, y0, x1, y1] = numbers;
-  if (!is_good || !(x0 < x1) || !(y0 < y1)) {
-    throw UsageError("--region: found " + quoted_text(text) +
-                     "; allowed: x0,y0,x1,y1, each from 0 to 1, with x0 < x1 and y0 < y1");
-  }
-  return film_region(film, {x0, y0}, {x1, y1});
-}
-
-// "open,close" in frames, or "none".
-std::optional<Shutter> parse_shutter(const std::string& text) {
-  if (text == "none") return std::nullopt;
-  const std::size_t comma = text.find(',');
-  const std::string_view view = text;
-  const auto open = parse_number(view.substr(0, comma));
-  const auto close =
-      comma == std::string::npos ? std::nullopt : parse_number(view.substr(comma + 1));
-  if (!open || !close || !domain::shutter.contains(*open) || !domain::shutter.contains(*close) ||
-      !(*open < *close)) {
-    throw UsageError("--shutter: found " + quoted_text(text) +
-                     "; allowed: OPEN,CLOSE, two numbers of frames from -2 to 2 with OPEN < CLOSE, "
-                     "or none");
-  }
-  return Shutter{*open, *close};
 }
 
 // What a look shows, wherever its files lie.
@@ -152,59 +44,8 @@ RenderOptions::RenderOptions(CLI::App& app) : app_(app) {
                  "the image: .exr (linear, all layers), .deep.exr (samples in depth) or .png")
       ->type_name("FILE")
       ->required();
-  app.add_option("--size", size_,
-                 "WIDTHxHEIGHT in pixels, instead of the scene's film, or its longer side alone");
-  app.add_option("--region", region_,
-                 "x0,y0,x1,y1: renders this part of the picture only; fractions of its sides, "
-                 "from the upper left corner");
   app.add_option("--camera", camera_, "the name of a camera of the scene; default: the one in use");
-  app.add_option("--airlight", airlight_, "how the airlight is computed")
-      ->type_name("TEXT:{auto,paper,sliced,reference,march:STEPS,path:PATHS}")
-      ->capture_default_str();
-  app.add_option("--scattering", scattering_,
-                 "of sliced; multiple: all orders of scattering and reflection")
-      ->type_name("TEXT:{single,multiple}")
-      ->capture_default_str();
-  app.add_option("--slices", slices_, "slices per view ray, for sliced")
-      ->check(finite_in(4, 256))
-      ->capture_default_str();
-  app.add_option("--seed", seed_,
-                 "of path: another seed is another, independent picture, 0 to 4294967295")
-      ->capture_default_str();
-  app.add_option("--airlight-scale", airlight_scale_,
-                 "compute the airlight at 1/1, 1/2 or 1/4 of the width and height and upsample "
-                 "it; default: 4 for auto, else 1")
-      ->check(CLI::IsMember({1, 2, 4}));
-  app.add_flag("--paper-mean", paper_.at_mean,
-               "paper: evaluate the light of a Gaussian at its mean on the ray");
-  app.add_flag("--paper-energy", paper_.conserve_energy,
-               "paper: scale the airlight of a ray to conserve energy");
-  app.add_flag("--paper-spread", paper_spread_,
-               "light scattered onto surfaces: use the paper's single point spread function");
-  app.add_option("--max-error", max_error_, "the relative RMSE of the airlight that auto must meet")
-      ->check(finite_in(1e-4, 10.0))
-      ->capture_default_str();
-  app.add_option("--error", error_,
-                 "whether the error of the airlight is measured: none: no, and auto only chooses; "
-                 "full: until its interval is narrow; default: full for auto and for --stats of "
-                 "one frame")
-      ->type_name("TEXT:{none,full}")
-      ->check(CLI::IsMember({"none", "full"}));
-  app.add_option("--tolerance", tolerance_, "relative tolerance of the reference")
-      ->check(finite_in(1e-12, 1.0))
-      ->capture_default_str();
-  app.add_option("--layers", layers_,
-                 "more layers of an .exr, one or several with commas between them")
-      ->type_name(
-          "TEXT:{lights,environment,emission,direct,multiple,optical_depth,depth.planar,normal,"
-          "albedo,position,motion,objects,materials}");
-  app.add_option("--deep-error", deep_error_,
-                 "of a .deep.exr: how far its alpha and airlight may be off wherever they are "
-                 "held out")
-      ->check(finite_in(1e-5, 0.5));
-  app.add_option("--time", time_, "time to render [s], for keyframes, emitters and noise")
-      ->check(finite_in(-1e9, 1e9))
-      ->capture_default_str();
+  add_request_options(app);
   app.add_option("--frames", frames_,
                  "FIRST-LAST, FIRST-LASTxSTEP or FRAME, several with commas between them: renders "
                  "a sequence; the image needs %04d for the frame")
@@ -218,18 +59,6 @@ RenderOptions::RenderOptions(CLI::App& app) : app_(app) {
       ->type_name("TEXT:{terminal,openjd}")
       ->check(CLI::IsMember({"terminal", "openjd"}))
       ->capture_default_str();
-  app.add_option("--samples", samples_,
-                 "samples of pixels at edges, filtered; 1: the centers of all pixels; default: "
-                 "the scene's, else 16 with surfaces, 64 where a lens or a shutter blurs")
-      ->check(finite_in(1, limits::samples));
-  app.add_option("--shutter", shutter_,
-                 "OPEN,CLOSE: motion blur, from and to so many frames after the time, or none; "
-                 "default: the scene's");
-  app.add_option("--backend", backend_, "gl: OpenGL 4.5; auto uses it if a GPU answers")
-      ->type_name("TEXT:{auto,cpu,gl}")
-      ->capture_default_str();
-  app.add_option("--threads", threads_, "maximum number of worker threads; default: all")
-      ->check(finite_in(1, 1024));
   app.add_option("--repeat", repeat_,
                  "frames with a moved camera to render after the first, for --stats")
       ->check(finite_in(1, 1e6))
@@ -252,27 +81,21 @@ RenderOptions::RenderOptions(CLI::App& app) : app_(app) {
 }
 
 void RenderOptions::check() const {
-  static_cast<void>(settings());
-  check_deep_options();
+  check_request();
   check_sequence_options();
-  static_cast<void>(layers());
-  static_cast<void>(backend());
-  static_cast<void>(film({}));
   static_cast<void>(bits());
-  if (!shutter_.empty()) static_cast<void>(parse_shutter(shutter_));
 }
 
-void RenderOptions::check_deep_options() const {
-  if (!is_deep()) {
-    if (deep_error_) {
-      throw UsageError("--deep-error: is of a deep frame; allowed: with -o X.deep.exr");
-    }
-    return;
+void RenderOptions::check_request() const {
+  if (!is_deep() && app_.get_option("--deep-error")->count() > 0) {
+    throw UsageError("--deep-error: is of a deep frame; allowed: with -o X.deep.exr");
   }
-  const AirlightMethod method = settings().airlight;
-  if (method != AirlightMethod::auto_ && method != AirlightMethod::sliced) {
-    throw UsageError("--airlight: found " + quoted_text(airlight_) +
-                     "; allowed for a deep frame: auto, sliced");
+  const bool has_layers = app_.get_option("--layers")->count() > 0;
+  if (has_layers && (is_deep() || lower_case_extension(output_) != ".exr")) {
+    throw UsageError("--layers: are of a flat EXR; allowed: with -o X.exr");
+  }
+  if (const std::optional<RequestProblem> problem = problem_of(request({}))) {
+    throw UsageError("--" + problem->option + ": " + problem->why);
   }
 }
 
@@ -299,10 +122,6 @@ std::vector<int> RenderOptions::frames() const {
 
 FramePattern RenderOptions::output_pattern() const {
   return parse_pattern(output_);
-}
-
-bool RenderOptions::measures_error() const {
-  return error_ == "full" || (error_.empty() && !stats_file_.empty() && !is_sequence());
 }
 
 std::string RenderOptions::what_matters(const Scene& scene,
@@ -363,26 +182,17 @@ CommandFiles RenderOptions::outputs() const {
   return files;
 }
 
-Settings RenderOptions::settings() const {
-  Settings settings = sliced_settings({}, slices_);
-  set_airlight(settings, airlight_);
-  settings.scattering = parse_scattering(scattering_);
-  settings.max_error = max_error_;
-  settings.path_seed = seed_;
-  settings.paper = paper_;
-  settings.paper_spread = paper_spread_;
-  const bool is_path = settings.airlight == AirlightMethod::path;
-  if (airlight_scale_ > 1 && (is_path || settings.airlight == AirlightMethod::reference)) {
-    throw UsageError(std::string("--airlight-scale: ") + (is_path ? "path" : "the reference") +
-                     " is never interpolated; allowed: 1");
+RenderRequest RenderOptions::request(const Film& film) const {
+  RenderRequest request = request_of(app_, film);
+  if (!request.error && !stats_file_.empty() && !is_sequence()) {
+    request.error = ErrorMeasurement::full;
   }
-  const int scale = settings.airlight == AirlightMethod::auto_ ? 4 : 1;
-  settings.airlight_scale = airlight_scale_ > 0 ? airlight_scale_ : scale;
-  settings.reference_tolerance = tolerance_;
-  // TBB warns of more, and --stats reports the real number.
-  const int hardware_threads = tbb::info::default_concurrency();
-  settings.threads = threads_ > 0 ? std::min(threads_, hardware_threads) : hardware_threads;
-  return settings;
+  if (is_deep() && !request.deep_error) request.deep_error = DeepSettings{}.error;
+  return request;
+}
+
+FrameInfo RenderOptions::info() const {
+  return {.scene = scene_file_, .look = display(), .bits = bits()};
 }
 
 DisplayLook RenderOptions::display() const {
@@ -402,20 +212,8 @@ int RenderOptions::bits() const {
   return bits_.value_or(8);
 }
 
-OutputLayers RenderOptions::layers() const {
-  if (layers_.empty()) return {};
-  if (is_deep() || lower_case_extension(output_) != ".exr") {
-    throw UsageError("--layers: are of a flat EXR; allowed: with -o X.exr");
-  }
-  return parse_layers(layers_);
-}
-
 bool RenderOptions::is_deep() const {
   return is_deep_file(output_);
-}
-
-double RenderOptions::deep_error() const {
-  return deep_error_.value_or(DeepSettings{}.error);
 }
 
 Scene RenderOptions::adjusted(Scene scene) const {
@@ -428,19 +226,6 @@ Scene RenderOptions::adjusted(Scene scene) const {
 
 double RenderOptions::frame_rate(const Scene& scene) const {
   return frames_per_second_.value_or(brume::frame_rate(scene));
-}
-
-Film RenderOptions::film(const Scene& scene) const {
-  const Film whole = size_.empty() ? scene.film : parse_size(size_, scene.film);
-  return region_.empty() ? whole : parse_region(region_, whole);
-}
-
-Exposure RenderOptions::exposure(const Scene& animation) const {
-  Exposure exposure = exposure_of(animation);
-  if (samples_ > 0) exposure.samples = samples_;
-  if (is_deep()) exposure.samples = 1;  // a deep pixel is one ray
-  if (!shutter_.empty()) exposure.shutter = parse_shutter(shutter_);
-  return exposure;
 }
 
 }  // namespace brume

@@ -1,19 +1,15 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <cstdint>
 #include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
-#include "brume/output.h"
+#include "brume/render.h"
 #include "brume/scene.h"
 #include "core/io/frame_pattern.h"
 #include "render/output/frame_file.h"
-#include "render/samples/exposure.h"
-#include "render/settings.h"
-#include "tools/brume/backend_name.h"
 #include "tools/brume/command_files.h"
 
 namespace brume {
@@ -32,7 +28,6 @@ class RenderOptions {
   [[nodiscard]] const std::string& scene_file() const { return scene_file_; }
   [[nodiscard]] const std::string& output() const { return output_; }
   [[nodiscard]] const std::string& stats_file() const { return stats_file_; }  // empty: none
-  [[nodiscard]] double time() const { return time_; }
   [[nodiscard]] bool is_sequence() const { return !frames_.empty(); }
   [[nodiscard]] std::vector<int> frames() const;
   [[nodiscard]] FramePattern output_pattern() const;
@@ -49,60 +44,32 @@ class RenderOptions {
   // As in arguments(); empty: none.
   [[nodiscard]] std::string color_config_file() const;
   [[nodiscard]] int repeat() const { return repeat_; }
-  [[nodiscard]] double max_error() const { return max_error_; }
-  // Whether `auto` measures its frames, beyond the choice of their settings.
-  [[nodiscard]] bool auto_measures() const { return error_ != "none"; }
-  // Whether frames whose method does not measure itself are measured: by default for the
-  // statistics of one frame.
-  [[nodiscard]] bool measures_error() const;
-
-  // `threads` are no more than there are.
-  [[nodiscard]] Settings settings() const;
-  [[nodiscard]] Backend backend() const { return parse_backend(backend_); }
-  [[nodiscard]] DisplayLook display() const;  // reads a configuration
-  [[nodiscard]] int bits() const;             // of a PNG
-  [[nodiscard]] OutputLayers layers() const;
   [[nodiscard]] bool is_deep() const;
-  [[nodiscard]] double deep_error() const;
+
+  // What is asked of a frame, but for its time in a sequence; `film`: the scene's.
+  [[nodiscard]] RenderRequest request(const Film& film) const;
+  // What its file says besides.
+  [[nodiscard]] FrameInfo info() const;  // reads a configuration
 
   // The scene with the camera and the frames per second that are chosen.
   [[nodiscard]] Scene adjusted(Scene scene) const;
   // Frame n of a sequence is at n / frame_rate() seconds.
   [[nodiscard]] double frame_rate(const Scene& scene) const;
-  [[nodiscard]] Film film(const Scene& scene) const;
-  [[nodiscard]] Exposure exposure(const Scene& animation) const;
 
  private:
-  void check_deep_options() const;
+  void check_request() const;
   void check_sequence_options() const;
+  [[nodiscard]] DisplayLook display() const;
+  [[nodiscard]] int bits() const;  // of a PNG
 
   const CLI::App& app_;
   std::string scene_file_;
   std::string output_;
-  std::string size_;
-  std::string region_;  // empty: all of the film
-  std::string camera_;  // empty: the one in use
-  std::string airlight_ = "auto";
-  int airlight_scale_ = 0;  // 0: not given
-  PaperOptions paper_;
-  bool paper_spread_ = false;
-  double max_error_ = Settings{}.max_error;
-  std::string error_;  // empty: see measures_error()
-  std::string scattering_ = to_string(Scattering::multiple);
-  int slices_ = Settings{}.slices;
-  std::uint32_t seed_ = 0;
-  double tolerance_ = Settings{}.reference_tolerance;
-  std::string layers_;  // empty: those by default
-  std::optional<double> deep_error_;
-  double time_ = 0.0;
+  std::string camera_;                       // empty: the one in use
   std::string frames_;                       // empty: one frame
   std::optional<double> frames_per_second_;  // absent: the scene's
   bool skips_existing_ = false;
   std::string progress_ = "terminal";
-  int samples_ = 0;      // 0: not given
-  std::string shutter_;  // empty: the scene's
-  std::string backend_ = "auto";
-  int threads_ = 0;
   int repeat_ = 1;
   std::optional<int> bits_;
   double exposure_ = 0.0;

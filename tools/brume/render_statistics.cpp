@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "brume/render.h"
 #include "brume/version.h"
 #include "core/math/spread.h"
 #include "render/util/device_name.h"
@@ -51,33 +52,35 @@ Json reasons(std::span<const SkippedStage> stages) {
 
 }  // namespace
 
-std::string statistics_json(const RenderRun& run, const FrameStatistics& first,
+std::string statistics_json(const RenderRun& run, const Frame& frame,
                             std::span<const FrameStatistics> moved) {
+  const FrameStatistics& first = frame.statistics;
+  const RenderRequest& request = *frame.request;
+  const bool is_sliced = request.airlight == AirlightMethod::sliced;
   std::vector<double> times;
-  for (const FrameStatistics& frame : moved) times.push_back(frame.frame_milliseconds);
-  const Spread frame = spread_of(times);
+  for (const FrameStatistics& it : moved) times.push_back(it.frame_milliseconds);
+  const Spread spread = spread_of(times);
   Json json;
   json["version"] = version();
   json["scene"] = run.scene;
   if (run.frame) json["frame"] = *run.frame;
-  json["time"] = run.time;
-  json["size"] = Json::array({run.film.width, run.film.height});
+  json["time"] = frame.time;
+  json["size"] = Json::array({frame.film.width, frame.film.height});
   json["backend"] = first.backend;
   json["device"] = first.device.empty() ? device_name() : first.device;
-  json["airlight"] = airlight_name(run.settings);
-  json["slices"] =
-      run.settings.airlight == AirlightMethod::sliced ? Json(run.settings.slices) : Json(nullptr);
-  json["seed"] =
-      run.settings.airlight == AirlightMethod::path ? Json(run.settings.path_seed) : Json(nullptr);
-  json["airlight_scale"] = run.settings.airlight_scale;
-  json["samples"] = run.settings.samples;
+  // The number of slices has a key of its own.
+  json["airlight"] = is_sliced ? to_string(request.airlight) : first.airlight;
+  json["slices"] = is_sliced ? Json(request.slices) : Json(nullptr);
+  json["seed"] = request.airlight == AirlightMethod::path ? Json(request.seed) : Json(nullptr);
+  json["airlight_scale"] = *request.airlight_scale;
+  json["samples"] = *request.samples;
   json["sampled_pixels"] = first.sampled_pixels;  // that took so many
   json["exact_pixels"] = first.exact_pixels;      // whose airlight is not interpolated
-  json["threads"] = run.settings.threads;
+  json["threads"] = *request.threads;
   json["repeat"] = run.repeat;
-  json["frame_ms"] = Json{{"median", frame.median}, {"min", frame.min}, {"max", frame.max}};
+  json["frame_ms"] = Json{{"median", spread.median}, {"min", spread.min}, {"max", spread.max}};
   json["first_frame_ms"] = run.first_frame_milliseconds;
-  json["transfer_ms"] = run.transfer_milliseconds;
+  json["transfer_ms"] = first.transfer_milliseconds;
   json["stages"] = stage_medians(moved);
   json["skipped"] = reasons(first.skipped);
   if (!first.on_cpu.empty()) json["on_cpu"] = reasons(first.on_cpu);
@@ -90,19 +93,18 @@ std::string statistics_json(const RenderRun& run, const FrameStatistics& first,
         Json{{"sweeps", first.scattering->sweeps}, {"residual", first.scattering->residual}};
   }
   json["error"] = nullptr;
-  if (run.error) {
+  if (frame.error) {
     // `low` and `high`: 95% confidence interval of the frame's error.
-    json["error"] = Json{{"rel_rmse", run.error->rel_rmse},
-                         {"pixels", run.error->pixels},
-                         {"low", run.error->low},
-                         {"high", run.error->high}};
+    json["error"] = Json{{"rel_rmse", frame.error->rel_rmse},
+                         {"pixels", frame.error->pixels},
+                         {"low", frame.error->low},
+                         {"high", frame.error->high}};
   }
   json["noise"] = nullptr;
-  if (run.noise) {
+  if (const auto noise = relative_noise(frame)) {
     // Standard errors, relative to the RMS of the layer.
-    json["noise"] = Json{{"paths", run.noise->paths},
-                         {"airlight", run.noise->airlight},
-                         {"picture", run.noise->picture}};
+    json["noise"] =
+        Json{{"paths", noise->paths}, {"airlight", noise->airlight}, {"picture", noise->picture}};
   }
   if (run.deep) {
     const DeepStatistics& image = run.deep->image;

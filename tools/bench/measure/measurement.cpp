@@ -34,7 +34,6 @@ Camera moved(Camera camera, const CameraStep& step, int steps) {
 
 std::string setting_name(const Settings& settings) {
   std::string name = airlight_name(settings);
-  if (settings.airlight == AirlightMethod::sliced) name += ' ' + std::to_string(settings.slices);
   if (settings.airlight_scale > 1) name += ", scale " + std::to_string(settings.airlight_scale);
   return name;
 }
