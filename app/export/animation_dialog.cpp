@@ -8,7 +8,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QSpinBox>
 #include <QStandardItemModel>
 
 #include "app/document/paths.h"
@@ -17,6 +16,8 @@
 #include "app/export/video_file.h"
 #include "app/files/file_dialogs.h"
 #include "app/widgets/plain_text.h"
+#include "app/widgets/whole_number_box.h"
+#include "brume/limits.h"
 #include "core/io/file_bytes.h"
 
 namespace brume {
@@ -25,8 +26,8 @@ AnimationDialog::AnimationDialog(const Timeline& timeline, const QString& folder
     : QDialog(parent),
       format_(new QComboBox(this)),
       file_(new QLineEdit(last_folder(FileKind::animation, folder) + "/animation.png", this)),
-      first_(new QSpinBox(this)),
-      last_(new QSpinBox(this)),
+      first_(new WholeNumberBox(tr("First frame"), 0, limits::frame, this)),
+      last_(new WholeNumberBox(tr("Last frame"), 0, limits::frame, this)),
       names_(new PlainLabel(this)) {
   setWindowTitle(tr("Export animation"));
   setAttribute(Qt::WA_DeleteOnClose);
@@ -46,7 +47,6 @@ AnimationDialog::AnimationDialog(const Timeline& timeline, const QString& folder
   file_->setMinimumWidth(360);
   first_->setObjectName("animation_first");
   last_->setObjectName("animation_last");
-  for (QSpinBox* box : {first_, last_}) box->setRange(0, 1'000'000);
   first_->setValue(timeline.first());
   last_->setValue(timeline.last());
 
@@ -73,8 +73,8 @@ AnimationDialog::AnimationDialog(const Timeline& timeline, const QString& folder
         to_qstring(file.replace_extension(format_->currentData().toString().toStdString())));
   });
   connect(file_, &QLineEdit::textChanged, this, &AnimationDialog::show_names);
-  for (QSpinBox* box : {first_, last_}) {
-    connect(box, &QSpinBox::valueChanged, this, &AnimationDialog::show_names);
+  for (WholeNumberBox* box : {first_, last_}) {
+    connect(box, &WholeNumberBox::changed, this, &AnimationDialog::show_names);
   }
   connect(buttons, &QDialogButtonBox::accepted, this, &AnimationDialog::confirm);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
@@ -84,8 +84,11 @@ AnimationDialog::AnimationDialog(const Timeline& timeline, const QString& folder
 void AnimationDialog::show_names() {
   const std::filesystem::path file = to_path(file_->text());
   const int count = last_->value() - first_->value() + 1;
-  export_->setEnabled(count > 0 && file.has_stem());
-  if (count <= 0) {
+  const QString problem = first_->problem().isEmpty() ? last_->problem() : first_->problem();
+  export_->setEnabled(problem.isEmpty() && count > 0 && file.has_stem());
+  if (!problem.isEmpty()) {
+    names_->setText(problem);
+  } else if (count <= 0) {
     names_->setText(tr("The last frame is before the first."));
   } else if (lower_case_extension(file) == ".mp4") {
     names_->setText(tr("%1 frames").arg(count));

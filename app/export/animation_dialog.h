@@ -7,11 +7,11 @@ class QComboBox;
 class QLabel;
 class QLineEdit;
 class QPushButton;
-class QSpinBox;
 
 namespace brume {
 
 class Timeline;
+class WholeNumberBox;
 
 // Dialog to export an animation.
 class AnimationDialog : public QDialog {
@@ -30,8 +30,8 @@ class AnimationDialog : public QDialog {
 
   QComboBox* format_;
   QLineEdit* file_;
-  QSpinBox* first_;
-  QSpinBox* last_;
+  WholeNumberBox* first_;
+  WholeNumberBox* last_;
   QLabel* names_;  // that will be written
   QPushButton* export_;
 };

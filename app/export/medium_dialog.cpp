@@ -11,7 +11,6 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSignalBlocker>
-#include <QSpinBox>
 #include <algorithm>
 #include <array>
 
@@ -23,6 +22,8 @@
 #include "app/files/file_dialogs.h"
 #include "app/widgets/opacity_along_box.h"
 #include "app/widgets/plain_text.h"
+#include "app/widgets/whole_number_box.h"
+#include "brume/limits.h"
 #include "core/io/file_bytes.h"
 #include "core/io/scene/usd_file.h"
 #include "core/number_domain.h"
@@ -91,8 +92,8 @@ MediumDialog::MediumDialog(std::shared_ptr<const Scene> scene, const Timeline& t
       up_(new QComboBox(this)),
       exposure_(new QLineEdit(this)),
       is_range_(new QCheckBox(tr("Frames"), this)),
-      first_(new QSpinBox(this)),
-      last_(new QSpinBox(this)),
+      first_(new WholeNumberBox(tr("First frame"), 0, limits::frame, this)),
+      last_(new WholeNumberBox(tr("Last frame"), 0, limits::frame, this)),
       memory_(new PlainLabel(this)) {
   setWindowTitle(tr("Export medium"));
   setAttribute(Qt::WA_DeleteOnClose);
@@ -110,8 +111,7 @@ MediumDialog::MediumDialog(std::shared_ptr<const Scene> scene, const Timeline& t
   form_->addRow(tr("File"), file_row);
   add_options(form_, exposure);
   is_range_->setObjectName("medium_is_range");
-  for (QSpinBox* box : {first_, last_}) {
-    box->setRange(0, 1'000'000);
+  for (WholeNumberBox* box : {first_, last_}) {
     box->setEnabled(false);
     connect(is_range_, &QCheckBox::toggled, box, &QWidget::setEnabled);
   }
@@ -136,6 +136,10 @@ MediumDialog::MediumDialog(std::shared_ptr<const Scene> scene, const Timeline& t
   connect(file_, &QLineEdit::textChanged, this, &MediumDialog::follow_file);
   for (QLineEdit* line : {voxel_, exposure_}) {
     connect(line, &QLineEdit::textChanged, this, &MediumDialog::show_memory);
+  }
+  connect(is_range_, &QCheckBox::toggled, this, &MediumDialog::show_memory);
+  for (WholeNumberBox* box : {first_, last_}) {
+    connect(box, &WholeNumberBox::changed, this, &MediumDialog::show_memory);
   }
   connect(buttons, &QDialogButtonBox::accepted, this, [this] {
     const MediumExport request = chosen();
@@ -227,12 +231,20 @@ MediumExport MediumDialog::chosen() const {
   return request;
 }
 
+QString MediumDialog::range_problem() const {
+  if (!is_range_->isChecked()) return {};
+  return first_->problem().isEmpty() ? last_->problem() : first_->problem();
+}
+
 void MediumDialog::show_memory() {
   const Format& chosen = chosen_of(*format_);
   bool possible = has_extension(chosen, file_->text());
   QString text = tr("little");
   if (!possible) {
     text = tr("The file must end in %1.").arg(chosen.extensions.join(tr(" or ")));
+  } else if (const QString problem = range_problem(); !problem.isEmpty()) {
+    possible = false;
+    text = problem;
   } else if (is_lit(chosen.format) && !exposure_->hasAcceptableInput()) {
     possible = false;
     text = tr("The exposure must be %1.").arg(exposure_domain.allowed);

@@ -11,12 +11,12 @@ class QLabel;
 class QLayout;
 class QLineEdit;
 class QPushButton;
-class QSpinBox;
 
 namespace brume {
 
 class OpacityAlongBox;
 class Timeline;
+class WholeNumberBox;
 
 // Dialog to export the medium; shows the memory of a grid. The format and the extension of the file
 // follow each other.
@@ -36,6 +36,7 @@ class MediumDialog : public QDialog {
   void follow_file();    // with the format
   void show_options();
   void show_memory();
+  [[nodiscard]] QString range_problem() const;  // empty: none
   [[nodiscard]] bool may_replace_all(const MediumExport& request);
   void browse();
   [[nodiscard]] MediumExport chosen() const;
@@ -55,8 +56,8 @@ class MediumDialog : public QDialog {
   QComboBox* up_;
   QLineEdit* exposure_;
   QCheckBox* is_range_;
-  QSpinBox* first_;
-  QSpinBox* last_;
+  WholeNumberBox* first_;
+  WholeNumberBox* last_;
   QLabel* memory_;
   QPushButton* export_;
 };

@@ -23,39 +23,16 @@
 #include "app/widgets/frame_slider.h"
 #include "app/widgets/icons.h"
 #include "app/widgets/plain_text.h"
+#include "app/widgets/whole_number_box.h"
 #include "brume/limits.h"
 
 namespace brume {
 namespace {
 
-// A number of a frame. Qt's box would take -3 for 3.
-class FrameBox : public QSpinBox {
- public:
-  FrameBox(std::function<void()> refuse, QWidget* parent)
-      : QSpinBox(parent), refuse_(std::move(refuse)) {}
-
-  QValidator::State validate(QString& text, int& position) const override {
-    if (text.trimmed().startsWith('-')) return QValidator::Intermediate;
-    return QSpinBox::validate(text, position);
-  }
-  // Qt asks here about a text that is no number allowed; the box then keeps the one it had.
-  void fixup(QString& text) const override {
-    if (text.trimmed().startsWith('-')) refuse_();
-    QSpinBox::fixup(text);
-  }
-
- private:
-  std::function<void()> refuse_;
-};
-
 QSpinBox* new_number(TimelineBar* bar, const char* name, const QString& tip) {
-  const auto refuse = [bar, tip] {
-    Q_EMIT bar->refused(
-        TimelineBar::tr("%1 must be a whole number from 0 to %2.").arg(tip).arg(limits::frame));
-  };
-  auto* box = new FrameBox(refuse, bar);
+  auto* box = new WholeNumberBox(tip, 0, limits::frame, bar);
+  QObject::connect(box, &WholeNumberBox::refused, bar, &TimelineBar::refused);
   box->setObjectName(name);
-  box->setRange(0, limits::frame);
   box->setToolTip(tip);
   box->setButtonSymbols(QAbstractSpinBox::NoButtons);
   box->setKeyboardTracking(false);

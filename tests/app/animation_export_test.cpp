@@ -225,6 +225,37 @@ class AnimationExportTest : public QObject {
     QCOMPARE(requested[0][2].toInt(), 5);
   }
 
+  void a_frame_before_0_is_refused() {
+    TestWindow window(dimming_scene());
+    window->timeline().set_range(2, 7);
+    AnimationDialog dialog(window->timeline(), "/tmp", nullptr);
+    dialog.setAttribute(Qt::WA_DeleteOnClose, false);
+    dialog.show();
+    QSignalSpy requested(&dialog, &AnimationDialog::requested);
+    auto* button = dialog.findChild<QPushButton*>("export_animation");
+    for (const char* name : {"animation_first", "animation_last"}) {
+      auto* box = dialog.findChild<QSpinBox*>(name);
+      const int before = box->value();
+      box->setFocus();
+      box->selectAll();
+      QTest::keyClicks(box, "-3");
+      const auto is_refused = [&] {
+        const auto labels = dialog.findChildren<QLabel*>();
+        return !button->isEnabled() && std::ranges::any_of(labels, [](const QLabel* label) {
+          return label->text().contains("must be a whole number from 0 to 1000000");
+        });
+      };
+      QVERIFY2(is_refused(), name);
+      QTest::keyClick(box, Qt::Key_Return);
+      QVERIFY2(is_refused(), name);
+      QCOMPARE(box->value(), before);
+      QCOMPARE(box->text(), QString::number(before));
+      QTest::keyClicks(box, "\b5");
+      QVERIFY2(button->isEnabled(), name);
+    }
+    QCOMPARE(requested.count(), 0);
+  }
+
   void existing_frames_are_replaced_on_confirmation() {
     TestWindow window(dimming_scene());
     for (const char* name : {"steam_0002.png", "steam_0004.png", "steam_0005.png", "steam_3.png",

@@ -56,7 +56,14 @@ class MediumExportTest : public QObject {
     dialog->findChild<QLineEdit*>("medium_voxel")->setText("0.2");
     dialog->findChild<QCheckBox*>("medium_is_range")->setChecked(true);
     dialog->findChild<QSpinBox*>("medium_first")->setValue(4);
-    dialog->findChild<QSpinBox*>("medium_last")->setValue(5);
+    auto* last = dialog->findChild<QSpinBox*>("medium_last");
+    last->setFocus();
+    last->selectAll();
+    QTest::keyClicks(last, "-5");
+    QVERIFY(!button->isEnabled());
+    QVERIFY(memory->text().startsWith("Last frame must be a whole number"));
+    last->selectAll();
+    QTest::keyClicks(last, "5");
     QTest::mouseClick(button, Qt::LeftButton);
     QCOMPARE(wait(window), QString());
     QCOMPARE(volume_grids(window.file("m_0005.vdb")).at(0).name, std::string("density"));
