@@ -1,21 +1,16 @@
 // What comes in from files.
 
-#include <QCheckBox>
 #include <QComboBox>
-#include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSpinBox>
-#include <QTimer>
 #include <fstream>
 
 #include "app/document/timeline.h"
 #include "app/files/scene_files.h"
 #include "app/import/folder_dialog.h"
-#include "app/import/scene_dialog.h"
 #include "app/import/scene_import.h"
-#include "app/import/splat_dialog.h"
 #include "app/import/volume_dialog.h"
 #include "app/import/vtk_points.h"
 #include "app/viewport/viewport.h"
@@ -28,8 +23,6 @@
 #include "core/scene/photometry.h"
 #include "core/volume/medium_grid.h"
 #include "tests/app/file_jobs.h"
-#include "tests/app/two_splats.h"
-#include "tests/core/io/gaussians/splat_gltf_builder.h"
 
 using namespace brume;
 
@@ -71,13 +64,6 @@ void write_fire(const fs::path& file, double albedo) {
   medium.append({{0, 0, 0}, 0.5, 1.0, {glm::dvec3(1.0, albedo, 0.25), glm::dvec3(3.0, 2.0, 1.0)}});
   const MediumSampling plan = *MediumSampling::plan(medium, 0.125, 100'000);
   write_volume(file, *plan.sample(), false, *plan.sample_colors(glm::dvec3(1.0)));
-}
-
-// Answers "longest radius" and y down.
-void answer_splats(SplatDialog& dialog) {
-  dialog.findChild<QComboBox*>("splat_opacity")->setCurrentText("Longest radius");
-  dialog.findChild<QComboBox*>("splat_up")->setCurrentIndex(1);
-  QTest::mouseClick(dialog.findChild<QPushButton*>("import"), Qt::LeftButton);
 }
 
 std::size_t files_in(const fs::path& folder) {
@@ -210,172 +196,6 @@ class ImportTest : public QObject {
     write_text(window.file("junk.vtp"), "no XML");
     QVERIFY_EXCEPTION_THROWN(read_vtk_points(window.file("junk.vtp")), InputError);
     QVERIFY_EXCEPTION_THROWN(read_vtk_points(window.file("none.vtu")), InputError);
-  }
-
-  void splats_become_ellipsoids_as_the_dialog_says() {
-    for (const char* name : {"splats.ply", "splats.glb"}) {
-      TestWindow window;
-      Document& document = window->document();
-      const Scene before = document.scene();
-      std::vector<Gaussian> written = write_two_splats(window.file(name), {1.0, 2.0, 3.0});
-      for (Gaussian& g : written) g.optics.albedo = glm::dvec3(1.0, 0.5, 0.1);
-      write_splats(window.file(name), written, {.along = OpacityAlong::longest});
-      drop(window, {window.file(name)});
-      QCOMPARE(wait(window), QString());
-      auto* dialog = shown<SplatDialog>(window);
-      QVERIFY(dialog);
-      QCOMPARE(dialog->findChild<QComboBox*>("splat_opacity")->currentText(),
-               QString("Mean radius"));
-      QTest::mouseClick(dialog->findChild<QCheckBox*>("splat_albedos"), Qt::LeftButton,
-                        Qt::NoModifier, {5, 10});
-      answer_splats(*dialog);
-      QCOMPARE(wait(window), QString());
-      QCOMPARE(document.medium().size(), before.medium.size() + 2);
-      for (std::size_t k = 0; k < 2; ++k) {
-        const Gaussian g = document.medium().gaussian(before.medium.size() + k);
-        QVERIFY(is_half_turned(g, written[k]));
-        QVERIFY(glm::length(g.optics.albedo.value() - glm::dvec3(1.0, 0.5, 0.1)) < 1e-6);
-      }
-      document.undo_stack().undo();
-      QVERIFY(document.scene() == before);
-    }
-  }
-
-  void several_files_of_splats_are_asked_about_once() {
-    TestWindow window;
-    Document& document = window->document();
-    const Scene before = document.scene();
-    const auto first = write_two_splats(window.file("a.ply"), {1.0, 2.0, 3.0});
-    const auto last = write_two_splats(window.file("c.glb"), {4.0, 5.0, 6.0});
-    write_gaussians(window.file("b.csv"), two);
-    drop(window, {window.file("a.ply"), window.file("b.csv"), window.file("c.glb")});
-    QCOMPARE(wait(window), QString());
-    QCOMPARE(window->findChildren<SplatDialog*>().size(), 1);
-    auto* dialog = shown<SplatDialog>(window);
-    QCOMPARE(dialog->windowTitle(), QString("Import 3 files"));
-    QVERIFY(document.scene() == before);
-    answer_splats(*dialog);
-    QCOMPARE(wait(window), QString());
-    QCOMPARE(document.undo_stack().count(), 1);
-    QCOMPARE(document.undo_stack().undoText(), QString("Import 3 files"));
-    const auto imported = [&](std::size_t k) {
-      return document.medium().gaussian(before.medium.size() + k);
-    };
-    QCOMPARE(document.medium().size(), before.medium.size() + 6);
-    for (std::size_t k = 0; k < 2; ++k) {
-      QVERIFY(is_half_turned(imported(k), first[k]));
-      QVERIFY(imported(2 + k) == two[k]);
-      QVERIFY(is_half_turned(imported(4 + k), last[k]));
-    }
-    document.undo_stack().undo();
-    QVERIFY(document.scene() == before);
-  }
-
-  void a_sequence_of_splats_is_written_as_gaussians() {
-    TestWindow window;
-    std::vector<std::vector<Gaussian>> written;
-    for (const char* name : {"s_1.ply", "s_2.ply"}) {
-      const double x = static_cast<double>(written.size());
-      written.push_back(write_two_splats(window.file(name), {x, 2.0, 3.0}));
-    }
-    // Both ways to import one.
-    for (const bool by_dropping : {true, false}) {
-      const fs::path folder = window.file(by_dropping ? "dropped" : "chosen");
-      if (by_dropping) {
-        drop(window, {window.file("s_1.ply"), window.file("s_2.ply")});
-      } else {
-        window->import().import_sequence(window.file("s_2.ply"));
-      }
-      QCOMPARE(wait(window), QString());
-      auto* dialog = shown<SplatDialog>(window);
-      QVERIFY(dialog);
-      QCOMPARE(dialog->windowTitle(), QString("Import s_%d.ply"));
-      dialog->findChild<QLineEdit*>("sequence_folder")->setText(to_qstring(folder));
-      answer_splats(*dialog);
-      QCOMPARE(wait(window), QString());
-      const MediumSequence& sequence = window->document().scene().sequences.back();
-      QCOMPARE(sequence.file, folder / "s_%d.ply");
-      QCOMPARE(sequence.frames->size(), std::size_t{2});
-      for (std::size_t frame = 0; frame < 2; ++frame) {
-        for (std::size_t k = 0; k < 2; ++k) {
-          const Gaussian& found = sequence.frames->frame(frame)->gaussians.at(k);
-          QVERIFY(is_half_turned(found, written[frame][k]));
-        }
-      }
-      QCOMPARE(files_in(folder), std::size_t{2});
-    }
-    // Over the files themselves it is not.
-    window->import().import_splats(frames_around(window.file("s_1.ply")), {},
-                                   window.file("dropped") / "..");
-    QVERIFY(wait(window).contains("another folder"));
-    QVERIFY(has_splats(window.file("s_1.ply")));
-    QCOMPARE(window->document().undo_stack().count(), 2);
-  }
-
-  void splats_that_cannot_be_read_are_reported() {
-    TestWindow window;
-    SplatGltfBuilder compressed;
-    compressed.extension()["extensions"]["KHR_gaussian_splatting_compression_spz_2"]["bufferView"] =
-        0;
-    std::ofstream(window.file("spz.glb"), std::ios::binary) << compressed.binary();
-    write_splats(window.file("empty.gltf"), {});
-    for (const auto& [name, problem] :
-         {std::pair("spz.glb", "not compressed"), std::pair("empty.gltf", "medium is empty")}) {
-      drop(window, {window.file(name)});
-      const QString found = wait(window);
-      QVERIFY2(found.contains(problem), qPrintable(found));
-      drop(window, {window.file(name), window.file(name)});
-      QVERIFY(wait(window).contains(problem));
-    }
-    QVERIFY(!window->findChild<SplatDialog*>());
-    QCOMPARE(window->document().undo_stack().count(), 0);
-  }
-
-  void splats_come_with_what_else_their_gltf_has() {
-    SplatGltfBuilder builder;
-    const std::size_t corners = builder.add({0, 0, 0, 1, 0, 0, 1, 1, 0}, "VEC3");
-    builder.json["meshes"].push_back({{"primitives", {{{"attributes", {{"POSITION", corners}}}}}}});
-    builder.json["nodes"].push_back({{"name", "triangle"}, {"mesh", 1}});
-    builder.json["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", 0.7}}}}};
-    builder.json["nodes"].push_back({{"name", "Camera"}, {"camera", 0}});
-    builder.json["scenes"][0]["nodes"] = {0, 1, 2};
-    TestWindow window;
-    Document& document = window->document();
-    const Scene before = document.scene();
-    std::ofstream(window.file("both.glb"), std::ios::binary) << builder.binary();
-    drop(window, {window.file("both.glb")});
-    QCOMPARE(wait(window), QString());
-    auto* dialog = shown<SplatDialog>(window);
-    QVERIFY(dialog);
-    QTest::mouseClick(dialog->findChild<QPushButton*>("import"), Qt::LeftButton);
-    QCOMPARE(wait(window), QString());
-    auto* parts = shown<SceneDialog>(window);
-    QVERIFY(parts);
-    QTest::mouseClick(parts->findChild<QPushButton*>("import"), Qt::LeftButton);
-    QCOMPARE(document.medium().size(), before.medium.size() + 2);
-    QCOMPARE(document.scene().surfaces.size(), before.surfaces.size() + 1);
-    QCOMPARE(document.scene().surfaces.back().imported->parts.size(), std::size_t{1});
-    QCOMPARE(document.scene().cameras.size(), before.cameras.size() + 1);
-    QCOMPARE(document.undo_stack().count(), 1);
-    QCOMPARE(document.undo_stack().undoText(), QString("Import both.glb"));
-    document.undo_stack().undo();
-    QVERIFY(document.scene() == before);
-  }
-
-  void the_file_dialog_offers_splats_of_gltf_as_gaussians() {
-    TestWindow window;
-    QStringList filters;
-    QTimer::singleShot(0, [&filters] {
-      auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
-      if (dialog) filters = dialog->nameFilters();
-      if (dialog) dialog->reject();
-    });
-    window->import().ask();
-    const QStringList gaussians = filters.filter("Gaussians (");
-    QCOMPARE(gaussians.size(), 1);
-    for (const char* pattern : {"*.csv", "*.ply", "*.gltf", "*.glb"}) {
-      QVERIFY(gaussians[0].contains(pattern));
-    }
   }
 
   void a_volume_is_fitted_as_the_dialog_says() {

@@ -1,0 +1,229 @@
+// Splats that come in from files, as their dialog says.
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDir>
+#include <QFileDialog>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTimer>
+#include <fstream>
+
+#include "app/document/paths.h"
+#include "app/import/scene_dialog.h"
+#include "app/import/scene_import.h"
+#include "app/import/splat_dialog.h"
+#include "app/window/message_bar.h"
+#include "core/io/gaussians/gaussian_file.h"
+#include "core/scene/imported_scene.h"
+#include "tests/app/file_jobs.h"
+#include "tests/app/two_splats.h"
+#include "tests/core/io/gaussians/splat_gltf_builder.h"
+
+using namespace brume;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::vector<Gaussian> two_of_a_table{{{0, 1, 0}, 0.5, 0.1}, {{0, 2, 0}, 0.7, 0.2}};
+
+// Answers "longest radius" and y down.
+void answer_splats(SplatDialog& dialog) {
+  dialog.findChild<QComboBox*>("splat_opacity")->setCurrentText("Longest radius");
+  dialog.findChild<QComboBox*>("splat_up")->setCurrentIndex(1);
+  QTest::mouseClick(dialog.findChild<QPushButton*>("import"), Qt::LeftButton);
+}
+
+}  // namespace
+
+class SplatImportTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void splats_become_ellipsoids_as_the_dialog_says() {
+    for (const char* name : {"splats.ply", "splats.glb"}) {
+      TestWindow window;
+      Document& document = window->document();
+      const Scene before = document.scene();
+      std::vector<Gaussian> written = write_two_splats(window.file(name), {1.0, 2.0, 3.0});
+      for (Gaussian& g : written) g.optics.albedo = glm::dvec3(1.0, 0.5, 0.1);
+      write_splats(window.file(name), written, {.along = OpacityAlong::longest});
+      drop(window, {window.file(name)});
+      QCOMPARE(wait(window), QString());
+      auto* dialog = shown<SplatDialog>(window);
+      QVERIFY(dialog);
+      QCOMPARE(dialog->findChild<QComboBox*>("splat_opacity")->currentText(),
+               QString("Mean radius"));
+      QTest::mouseClick(dialog->findChild<QCheckBox*>("splat_albedos"), Qt::LeftButton,
+                        Qt::NoModifier, {5, 10});
+      answer_splats(*dialog);
+      QCOMPARE(wait(window), QString());
+      QCOMPARE(document.medium().size(), before.medium.size() + 2);
+      for (std::size_t k = 0; k < 2; ++k) {
+        const Gaussian g = document.medium().gaussian(before.medium.size() + k);
+        QVERIFY(is_half_turned(g, written[k]));
+        QVERIFY(glm::length(g.optics.albedo.value() - glm::dvec3(1.0, 0.5, 0.1)) < 1e-6);
+      }
+      document.undo_stack().undo();
+      QVERIFY(document.scene() == before);
+    }
+  }
+
+  void several_files_of_splats_are_asked_about_once() {
+    TestWindow window;
+    Document& document = window->document();
+    const Scene before = document.scene();
+    const auto first = write_two_splats(window.file("a.ply"), {1.0, 2.0, 3.0});
+    const auto last = write_two_splats(window.file("c.glb"), {4.0, 5.0, 6.0});
+    write_gaussians(window.file("b.csv"), two_of_a_table);
+    drop(window, {window.file("a.ply"), window.file("b.csv"), window.file("c.glb")});
+    QCOMPARE(wait(window), QString());
+    QCOMPARE(window->findChildren<SplatDialog*>().size(), 1);
+    auto* dialog = shown<SplatDialog>(window);
+    QCOMPARE(dialog->windowTitle(), QString("Import 3 files"));
+    QVERIFY(document.scene() == before);
+    answer_splats(*dialog);
+    QCOMPARE(wait(window), QString());
+    QCOMPARE(document.undo_stack().count(), 1);
+    QCOMPARE(document.undo_stack().undoText(), QString("Import 3 files"));
+    const auto imported = [&](std::size_t k) {
+      return document.medium().gaussian(before.medium.size() + k);
+    };
+    QCOMPARE(document.medium().size(), before.medium.size() + 6);
+    for (std::size_t k = 0; k < 2; ++k) {
+      QVERIFY(is_half_turned(imported(k), first[k]));
+      QVERIFY(imported(2 + k) == two_of_a_table[k]);
+      QVERIFY(is_half_turned(imported(4 + k), last[k]));
+    }
+    document.undo_stack().undo();
+    QVERIFY(document.scene() == before);
+  }
+
+  void a_sequence_of_splats_is_written_as_gaussians() {
+    TestWindow window;
+    std::vector<std::vector<Gaussian>> written;
+    for (const char* name : {"s_1.ply", "s_2.ply"}) {
+      const double x = static_cast<double>(written.size());
+      written.push_back(write_two_splats(window.file(name), {x, 2.0, 3.0}));
+    }
+    // Both ways to import one.
+    for (const bool by_dropping : {true, false}) {
+      const fs::path folder = window.file(by_dropping ? "dropped" : "chosen");
+      if (by_dropping) {
+        drop(window, {window.file("s_1.ply"), window.file("s_2.ply")});
+      } else {
+        window->import().import_sequence(window.file("s_2.ply"));
+      }
+      QCOMPARE(wait(window), QString());
+      auto* dialog = shown<SplatDialog>(window);
+      QVERIFY(dialog);
+      QCOMPARE(dialog->windowTitle(), QString("Import s_%d.ply"));
+      dialog->findChild<QLineEdit*>("sequence_folder")->setText(to_qstring(folder));
+      answer_splats(*dialog);
+      QCOMPARE(wait(window), QString());
+      const MediumSequence& sequence = window->document().scene().sequences.back();
+      QCOMPARE(sequence.file, folder / "s_%d.ply");
+      QCOMPARE(sequence.frames->size(), std::size_t{2});
+      for (std::size_t frame = 0; frame < 2; ++frame) {
+        for (std::size_t k = 0; k < 2; ++k) {
+          const Gaussian& found = sequence.frames->frame(frame)->gaussians.at(k);
+          QVERIFY(is_half_turned(found, written[frame][k]));
+        }
+      }
+      QCOMPARE(QDir(to_qstring(folder)).entryList(QDir::Files).size(), 2);
+    }
+    // Over the files themselves it is not.
+    window->import().import_splats(frames_around(window.file("s_1.ply")), {},
+                                   window.file("dropped") / "..");
+    QVERIFY(wait(window).contains("another folder"));
+    QVERIFY(has_splats(window.file("s_1.ply")));
+    QCOMPARE(window->document().undo_stack().count(), 2);
+  }
+
+  void bad_splats_of_a_sequence_are_told() {
+    TestWindow window;
+    for (const char* name : {"s_1.ply", "s_2.ply"}) {
+      std::ofstream(window.file(name))
+          << "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+             "property float z\nproperty float opacity\nproperty float scale_0\nend_header\n"
+             "0 0 0 0 -1\n0 0 0 nan -1\n1 0 0 0 -1\n";
+    }
+    window->import().import_splats(frames_around(window.file("s_1.ply")), {},
+                                   window.file("imported"));
+    QCOMPARE(wait(window), QString());
+    const QString told = window->findChild<MessageBar*>()->message();
+    for (const char* name : {"s_1.ply: 1 of 3 splats", "s_2.ply: 1 of 3 splats"}) {
+      QVERIFY2(told.contains(name), qPrintable(told));
+    }
+  }
+
+  void splats_that_cannot_be_read_are_reported() {
+    TestWindow window;
+    SplatGltfBuilder compressed;
+    compressed.extension()["extensions"]["KHR_gaussian_splatting_compression_spz_2"]["bufferView"] =
+        0;
+    std::ofstream(window.file("spz.glb"), std::ios::binary) << compressed.binary();
+    write_splats(window.file("empty.gltf"), {});
+    for (const auto& [name, problem] :
+         {std::pair("spz.glb", "not compressed"), std::pair("empty.gltf", "medium is empty")}) {
+      drop(window, {window.file(name)});
+      const QString found = wait(window);
+      QVERIFY2(found.contains(problem), qPrintable(found));
+      drop(window, {window.file(name), window.file(name)});
+      QVERIFY(wait(window).contains(problem));
+    }
+    QVERIFY(!window->findChild<SplatDialog*>());
+    QCOMPARE(window->document().undo_stack().count(), 0);
+  }
+
+  void splats_come_with_what_else_their_gltf_has() {
+    SplatGltfBuilder builder;
+    const std::size_t corners = builder.add({0, 0, 0, 1, 0, 0, 1, 1, 0}, "VEC3");
+    builder.json["meshes"].push_back({{"primitives", {{{"attributes", {{"POSITION", corners}}}}}}});
+    builder.json["nodes"].push_back({{"name", "triangle"}, {"mesh", 1}});
+    builder.json["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", 0.7}}}}};
+    builder.json["nodes"].push_back({{"name", "Camera"}, {"camera", 0}});
+    builder.json["scenes"][0]["nodes"] = {0, 1, 2};
+    TestWindow window;
+    Document& document = window->document();
+    const Scene before = document.scene();
+    std::ofstream(window.file("both.glb"), std::ios::binary) << builder.binary();
+    drop(window, {window.file("both.glb")});
+    QCOMPARE(wait(window), QString());
+    auto* dialog = shown<SplatDialog>(window);
+    QVERIFY(dialog);
+    QTest::mouseClick(dialog->findChild<QPushButton*>("import"), Qt::LeftButton);
+    QCOMPARE(wait(window), QString());
+    auto* parts = shown<SceneDialog>(window);
+    QVERIFY(parts);
+    QTest::mouseClick(parts->findChild<QPushButton*>("import"), Qt::LeftButton);
+    QCOMPARE(document.medium().size(), before.medium.size() + 2);
+    QCOMPARE(document.scene().surfaces.size(), before.surfaces.size() + 1);
+    QCOMPARE(document.scene().surfaces.back().imported->parts.size(), std::size_t{1});
+    QCOMPARE(document.scene().cameras.size(), before.cameras.size() + 1);
+    QCOMPARE(document.undo_stack().count(), 1);
+    QCOMPARE(document.undo_stack().undoText(), QString("Import both.glb"));
+    document.undo_stack().undo();
+    QVERIFY(document.scene() == before);
+  }
+
+  void the_file_dialog_offers_splats_of_gltf_as_gaussians() {
+    TestWindow window;
+    QStringList filters;
+    QTimer::singleShot(0, [&filters] {
+      auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+      if (dialog) filters = dialog->nameFilters();
+      if (dialog) dialog->reject();
+    });
+    window->import().ask();
+    const QStringList gaussians = filters.filter("Gaussians (");
+    QCOMPARE(gaussians.size(), 1);
+    for (const char* pattern : {"*.csv", "*.ply", "*.gltf", "*.glb"}) {
+      QVERIFY(gaussians[0].contains(pattern));
+    }
+  }
+};
+
+BRUME_APP_SUITE("splat_import", SplatImportTest)
+#include "splat_import_test.moc"
