@@ -207,7 +207,7 @@ void write_mesh(UsdText& out, const TriangleMesh& mesh) {
                  list_of(arrays.texcoords.size(),
                          [&](std::size_t i) {
                            const glm::dvec2 uv(arrays.texcoords[i]);
-                           return "(" + usd_value(uv.x) + ", " + usd_value(uv.y) + ")";
+                           return usd_tuple({uv.x, uv.y});
                          }),
                  "interpolation = \"vertex\"");
   }
@@ -253,16 +253,14 @@ void write_splats_usd(UsdText& out, Frames frames, OpacityAlong along) {
     out.animated(declaration, values, metadata);
   };
   const auto number = [](double value) { return usd_value(static_cast<float>(value)); };
-  const auto vector = [&](const glm::dvec3& v) {
-    return "(" + number(v.x) + ", " + number(v.y) + ", " + number(v.z) + ")";
-  };
+  const auto vector = [&](const glm::dvec3& v) { return usd_value(glm::dvec3(glm::vec3(v))); };
   out.open("ParticleField3DGaussianSplat", "Fog splats");
   out.constant("uniform token purpose", "\"proxy\"");
   each_splat("point3f[] positions",
              [&](const Gaussian& g, const SplatOutput&) { return vector(g.center); });
   each_splat("quatf[] orientations", [&](const Gaussian& g, const SplatOutput&) {
-    const glm::dquat& q = g.shape.rotation;
-    return "(" + number(q.w) + ", " + number(q.x) + ", " + number(q.y) + ", " + number(q.z) + ")";
+    const glm::quat q(g.shape.rotation);
+    return usd_tuple({q.w, q.x, q.y, q.z});
   });
   each_splat("float3[] scales",
              [&](const Gaussian& g, const SplatOutput&) { return vector(splat_of(g).deviations); });

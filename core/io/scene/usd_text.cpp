@@ -32,13 +32,22 @@ std::string usd_value(bool value) {
   return value ? "true" : "false";
 }
 
+std::string usd_tuple(std::initializer_list<double> values) {
+  std::string text = "(";
+  for (const double value : values) {
+    if (text.size() > 1) text += ", ";
+    text += usd_value(value);
+  }
+  text += ")";
+  return text;
+}
+
 std::string usd_value(const glm::dvec3& value) {
-  return "(" + usd_value(value.x) + ", " + usd_value(value.y) + ", " + usd_value(value.z) + ")";
+  return usd_tuple({value.x, value.y, value.z});
 }
 
 std::string usd_value(const glm::dvec4& value) {
-  return "(" + usd_value(value.x) + ", " + usd_value(value.y) + ", " + usd_value(value.z) + ", " +
-         usd_value(value.w) + ")";
+  return usd_tuple({value.x, value.y, value.z, value.w});
 }
 
 std::string usd_value(const glm::dmat4& transform) {

@@ -4,6 +4,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <initializer_list>
 #include <optional>
 #include <set>
 #include <span>
@@ -17,6 +18,7 @@ namespace brume {
 // Values as USD's text has them.
 std::string usd_value(double value);
 std::string usd_value(bool value);
+std::string usd_tuple(std::initializer_list<double> values);
 std::string usd_value(const glm::dvec3& value);
 std::string usd_value(const glm::dvec4& value);
 std::string usd_value(const glm::dmat4& transform);  // of column vectors, as GLM's; USD's are rows
