@@ -13,6 +13,7 @@
 
 #include "core/fit/fit_problem.h"
 #include "core/fit/fit_start.h"
+#include "core/fit/sufficient_grid.h"
 
 namespace brume {
 namespace {
@@ -327,25 +328,6 @@ void Fitting::relocate() {
     ++k;
   }
   evaluate();
-}
-
-}  // namespace
-
-namespace {
-
-// The grid at a resolution that suffices for `count` Gaussians: the time of a fit follows the
-// voxels, and where each Gaussian has thousands of them, fewer tell as much. nullopt: the grid
-// itself.
-std::optional<DensityGrid> sufficient_grid(const DensityGrid& grid, std::size_t count) {
-  constexpr std::size_t max_voxels = 1024;  // of each Gaussian
-  std::optional<DensityGrid> result;
-  for (const DensityGrid* last = &grid;
-       last->blocks.size() * DensityGrid::block_size > max_voxels * count; last = &*result) {
-    DensityGrid half = coarser(*last);
-    if (2 * half.blocks.size() > last->blocks.size()) break;  // of scattered blocks it has as many
-    result = std::move(half);
-  }
-  return result;
 }
 
 // Fits `count` Gaussians from a start of its own. False if stopped.

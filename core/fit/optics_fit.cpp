@@ -6,6 +6,7 @@
 
 #include "brume/limits.h"
 #include "core/fit/fit_problem.h"
+#include "core/fit/sufficient_grid.h"
 
 namespace brume {
 namespace {
@@ -16,7 +17,6 @@ using Factors = std::vector<double>;
 class FactorFit {
  public:
   FactorFit(const DensityGrid& density, std::span<const Gaussian> gaussians)
-
       : problem_(density, shape_of(gaussians)), count_(gaussians.size()), sums_(problem_.size()) {
     problem_.set(to_fit_gaussians(density, gaussians));
   }
@@ -24,9 +24,9 @@ class FactorFit {
   // Nonnegative least squares by multiplicative updates (ISRA, Daube-Witherspoon and Muehllehner
   // 1986). The first gives means weighted by density, the others a tenth of their errors; more
   // updates gain little. A target times k gives factors times k.
-  Factors fit(const DensityGrid& target) {
-    constexpr int updates = 20;
-    Factors factors(count_, 1.0);
+  Factors fit(const DensityGrid& target) { return improved(Factors(count_, 1.0), target, 20); }
+  // From a start, by so many updates.
+  Factors improved(Factors factors, const DensityGrid& target, int updates) {
     const Factors wanted = gathered(problem_.sampled(target));
     for (int i = 0; i < updates; ++i) {
       add_up(factors);
@@ -83,13 +83,39 @@ class FactorFit {
   std::vector<float> sums_;
 };
 
+// The same at a resolution that suffices for the Gaussians, and last at the grid's own.
+class RefinedFactorFit {
+ public:
+  RefinedFactorFit(const DensityGrid& density, std::span<const Gaussian> gaussians)
+      : fine_(density, gaussians), coarse_grid_(sufficient_grid(density, gaussians.size())) {
+    if (coarse_grid_) coarse_.emplace(*coarse_grid_, gaussians);
+  }
+
+  Factors fit(const DensityGrid& target) {
+    constexpr int final_updates = 2;
+    if (!coarse_) return fine_.fit(target);
+    DensityGrid less = coarser(target);
+    while (less.spacing != coarse_grid_->spacing) less = coarser(less);
+    return fine_.improved(coarse_->fit(less), target, final_updates);
+  }
+
+  FactorFit::Squares squares(const DensityGrid& target, const Factors& factors) {
+    return fine_.squares(target, factors);
+  }
+
+ private:
+  FactorFit fine_;
+  std::optional<DensityGrid> coarse_grid_;
+  std::optional<FactorFit> coarse_;
+};
+
 }  // namespace
 
 OpticsErrors fit_optics(const DensityGrid& density, const OpticsTargets& targets,
                         std::span<Gaussian> gaussians) {
   OpticsErrors errors;
   if (gaussians.empty() || (!targets.extinction && !targets.emission)) return errors;
-  FactorFit fit(density, gaussians);
+  RefinedFactorFit fit(density, gaussians);
   // Relative to the same fit of the density, so that what is the same everywhere stays so.
   const Factors densities = fit.fit(density);
   FactorFit::Squares extinction_squares;
