@@ -26,7 +26,7 @@ struct GroupKeys {
 // group's; evaluated by core/scene/group_effects.h.
 struct Group {
   GroupId id = 0;                 // of one scene, > 0
-  std::string name;               // not empty, of one scene
+  std::string name{};             // not empty, of one scene
   glm::dvec3 color{0.5};          // of its handles in the editor, linear RGB in [0, 1]
   GroupId parent = 0;             // a group without a parent; 0: none
   bool visible = true;            // else no frame has its Gaussians, nor those of groups in it

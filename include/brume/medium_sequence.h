@@ -44,12 +44,12 @@ BRUME_EXPORT std::shared_ptr<const SequenceFrames> sequence_frames(
 
 // Gaussians from one file per frame, matched by id.
 struct MediumSequence {
-  std::filesystem::path file;  // with %04d for the frame
-  int first = 0;               // 0 <= first <= last
+  std::filesystem::path file{};  // with %04d for the frame
+  int first = 0;                 // 0 <= first <= last
   int last = 0;
-  double frames_per_second = 30.0;               // > 0
-  double start = 0.0;                            // when the first frame is shown [s]
-  std::shared_ptr<const SequenceFrames> frames;  // never null in a loaded scene
+  double frames_per_second = 30.0;                 // > 0
+  double start = 0.0;                              // when the first frame is shown [s]
+  std::shared_ptr<const SequenceFrames> frames{};  // never null in a loaded scene
   ObjectId id = 0;
 
   bool operator==(const MediumSequence&) const = default;
