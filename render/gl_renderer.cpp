@@ -2,6 +2,7 @@
 
 #include <tbb/task_arena.h>
 
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -209,6 +210,7 @@ std::optional<GlRenderer::DisplayFrame> GlRenderer::show(const Scene& scene, con
                                                          const DisplayOptions& options,
                                                          std::stop_token stop,
                                                          const Motion& motion) {
+  assert(!film.region);
   Impl::Target target;
   if (impl_->pictures) target.options = &options;
   auto frame = impl_->render(scene, camera, film, settings, motion, {std::move(stop), {}}, target);
@@ -264,14 +266,17 @@ std::optional<Frame> GlRenderer::Impl::try_render(const RenderPlan& plan, const 
   while (groups.size() < all.size()) groups.push_back(std::make_unique<Group>());
   groups.resize(all.size());
   if (target.options) target.picture = pictures->acquire({film.width, film.height});
+  const FilmWindow window(film, plan.settings);
   return render_groups(scene, all, media, job,
                        [&](const Scene& group_scene, std::size_t which, const AlbedoGroup& group,
-                           const Job& group_job) {
-                         FrameContext work(plan, group_scene, camera, film, *transfers,
+                           const Job& group_job) -> std::optional<Frame> {
+                         FrameContext work(plan, group_scene, camera, window, *transfers,
                                            own_transfers.get(), group_job, group, fog_extent);
                          work.frame.statistics.backend = "gl";
                          work.frame.statistics.device = device.name;
-                         return render(work, arena, which, target);
+                         std::optional<Frame> frame = render(work, arena, which, target);
+                         if (!frame) return std::nullopt;
+                         return window.cut(std::move(*frame));
                        });
 }
 
@@ -377,7 +382,8 @@ std::optional<Frame> GlRenderer::Impl::render(FrameContext& work, tbb::task_aren
                     group.lists,
                     textures,
                     {work.frame.film, work.rays, work.fog_extent.ray_distance(work.rays.eye()),
-                     group.stages.prepared().medium().homogeneous_density(), work.plan},
+                     group.stages.prepared().medium().homogeneous_density(), work.plan,
+                     work.airlight_rms()},
                     arena};
   integrate_medium(work, group, cpu_clock, frame);
   if (!shade_surfaces(work, group, cpu_clock, frame)) return std::nullopt;

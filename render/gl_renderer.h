@@ -41,7 +41,8 @@ class GlRenderer final : public FrameRenderer {
                               const std::function<void(double)>& progress = {},
                               const Motion& motion = {}) override;
 
-  // A frame whose picture stays on the device. It has no layers except, on request, the depth.
+  // A frame of a whole film whose picture stays on the device. It has no layers except, on request,
+  // the depth.
   // Without a picture (fallback, or no pool) it equals the result of render().
   struct DisplayFrame {
     Frame frame;

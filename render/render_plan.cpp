@@ -284,7 +284,9 @@ RenderPlan::RenderPlan(const Scene& scene, const Film& film, const Settings& req
   stages.add(Stage::samples, settings.samples > 1 && !is_path);
   if (why_once) skipped.push_back({Stage::scattering, to_string(*why_once)});
 
-  const auto pixels = static_cast<std::size_t>(film.width) * static_cast<std::size_t>(film.height);
+  const FilmRegion whole = film.region.value_or(FilmRegion{0, 0, film.width, film.height});
+  const auto pixels =
+      static_cast<std::size_t>(whole.full_width) * static_cast<std::size_t>(whole.full_height);
   rasterizes = content.surfaces && triangle_count(scene) <= pixels;
   has_environment = content.environment;
   has_environment_in_medium = content.environment && content.medium();

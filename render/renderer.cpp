@@ -20,6 +20,7 @@
 #include "render/prepare/frame_stages.h"
 #include "render/prepare/light_limits.h"
 #include "render/reference/reference_airlight.h"
+#include "render/samples/brightness.h"
 #include "render/samples/mean_frame.h"
 
 namespace brume {
@@ -76,11 +77,14 @@ std::optional<Frame> Renderer::render(const RenderPlan& plan, const Scene& scene
   tbb::task_arena arena(plan.settings.threads > 0 ? plan.settings.threads
                                                   : tbb::task_arena::automatic);
   const FogExtent fog_extent(scene);
+  const FilmWindow window(film, plan.settings);
   const auto render_one = [&](const Scene& group_scene, std::size_t which, const AlbedoGroup& group,
-                              const Job& group_job) {
-    FrameContext work(plan, group_scene, camera, film, *transfers_, own_transfers_.get(), group_job,
-                      group, fog_extent);
-    return arena.execute([&] { return impls_[which]->render(work); });
+                              const Job& group_job) -> std::optional<Frame> {
+    FrameContext work(plan, group_scene, camera, window, *transfers_, own_transfers_.get(),
+                      group_job, group, fog_extent);
+    std::optional<Frame> frame = arena.execute([&] { return impls_[which]->render(work); });
+    if (!frame) return std::nullopt;
+    return window.cut(std::move(*frame));
   };
 
   const std::vector<AlbedoGroup> groups = albedo_groups(scene, plan.has_own_optics);
@@ -131,8 +135,9 @@ Renderer::Impl::SeenMedium Renderer::Impl::integrate_medium(FrameContext& work, 
   if (!work.plan.has_medium()) return {};
   AirlightIntegrator method = airlight_method(work, clock);
   FilmAirlight film =
-      film_airlight(stages.prepared().medium(), work.plan.lights, work.rays, work.settings, method,
-                    stages.ray_ends(work), work.job, work.frame);
+      film_airlight(stages.prepared().medium(), work.plan.lights, work.rays, work.window,
+                    work.settings, work.airlight_rms(), method, stages.ray_ends(work), work.job,
+                    work.frame);
   FrameStatistics& statistics = work.frame.statistics;
   statistics.gaussians_used = film.gaussians_used;
   if (stages.prepared().is_merged()) {
@@ -150,20 +155,25 @@ void Renderer::Impl::sample_pixels(FrameContext& work, const SeenMedium& medium,
   const Tiles tiles(sample_film(work.frame.film, scale));
   const RayEnds ends = stages.ray_ends(work);
   // Samples see what pixels beside their tile see, perhaps farther away.
-  const FilmTiles film{tiles, medium.lists, work.rays, ends, work.frame, scale, 1};
+  const FilmTiles film{tiles, medium.lists, work.rays, ends, work.frame, work.window, scale, 1};
   if (medium.method.prepare) medium.method.prepare(film);
   const FilmSurfaces surfaces = stages.film_surfaces(work);
+  const Brightness brightness = work.settings.brightness
+                                    ? *work.settings.brightness
+                                    : brightness_of(work.frame, work.window.region());
   SampledView view{.tiles = film,
                    .surfaces = work.plan.runs(Stage::visibility) ? &surfaces : nullptr,
                    .are_lit = work.plan.runs(Stage::surfaces),
                    .environment = stages.shading().environment(),
-                   .fog_tolerance = work.settings.upsampling_tolerance};
+                   .fog_tolerance = work.settings.upsampling_tolerance,
+                   .picture_rms = brightness.rms};
   if (work.plan.has_medium()) {
     view.medium = &stages.prepared().medium();
     view.method = &medium.method;
   }
-  work.frame.statistics.view_pairs += sample_film(view, find_details(work.frame, work.job),
-                                                  work.settings.samples, work.job, work.frame);
+  work.frame.statistics.view_pairs +=
+      sample_film(view, find_details(work.frame, brightness.mean, work.job), work.settings.samples,
+                  work.job, work.frame);
   clock.finish(Stage::samples);
 }
 

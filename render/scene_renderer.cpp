@@ -191,10 +191,14 @@ std::optional<DeepFileStatistics> SceneRenderer::write_deep(
     const FrameInfo& info, const std::stop_token& stop,
     const std::function<void(double)>& progress) {
   assert(frame.request && frame.request->deep_error);
-  const DeepSettings deep =
-      deep_settings(settings_of(*frame.request), *frame.request->deep_error, frame);
-  return write_deep_frame(file, Moment(*impl_, scene, frame.time).scene, frame, info, deep,
-                          *impl_->transfers, {stop, progress});
+  const Job job{stop, progress};
+  const Moment moment(*impl_, scene, frame.time);
+  const std::optional<DeepSettings> deep = deep_settings(
+      *impl_->by(frame.request->backend).renderer, moment.scene, frame.camera, frame.film,
+      settings_of(*frame.request), *frame.request->deep_error, job.subrange(0.0, 0.1));
+  if (!deep) return std::nullopt;
+  return write_deep_frame(file, moment.scene, frame, info, *deep, *impl_->transfers,
+                          job.subrange(0.1, 1.0));
 }
 
 std::optional<Frame> render(const Scene& scene, const RenderRequest& request,

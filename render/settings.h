@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "brume/limits.h"
@@ -51,6 +52,15 @@ struct PaperOptions {
   bool operator==(const PaperOptions&) const = default;
 };
 
+// How bright a picture is all in all, over RGB: what errors of its parts are relative to.
+struct Brightness {
+  double airlight_rms = 0.0;
+  double mean = 0.0;  // of the picture's radiance
+  double rms = 0.0;   // the same
+
+  bool operator==(const Brightness&) const = default;
+};
+
 // Parameters of rendering; the content is in Scene.
 struct Settings {
   // A FrameRenderer measures nothing: it renders `auto_` as `sliced`, with what is given below.
@@ -69,6 +79,10 @@ struct Settings {
   // film_airlight().
   int airlight_scale = 1;
   double upsampling_tolerance = 0.01;
+
+  // Of the whole picture, see with_brightness(): all its regions are rendered alike. Absent: that
+  // of what is rendered.
+  std::optional<Brightness> brightness{};
 
   PaperOptions paper{};
 

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "brume/at_time.h"
+#include "render/samples/brightness.h"
 
 namespace brume {
 
@@ -16,6 +17,7 @@ std::optional<RequestedFrame> render_shot(FrameRenderer& renderer, const Shot& s
                                           Settings settings, const Job& job) {
   const Camera& camera = shot.seen_by();
   settings.samples = samples_of(shot.exposure, camera, shot.scene);
+  settings.brightness.reset();  // perhaps of another moment
   const bool is_auto = settings.airlight == AirlightMethod::auto_;
   RequestedFrame found{{}, settings, std::nullopt};
   if (is_auto && shot.measures_error) {
@@ -35,6 +37,12 @@ std::optional<RequestedFrame> render_shot(FrameRenderer& renderer, const Shot& s
     if (!choice) return std::nullopt;
     found.settings = *choice;
   }
+  Settings pictured = found.settings;
+  if (has_blur) pictured.samples = 1;
+  const std::optional<Settings> bright =
+      with_brightness(renderer, shot.scene, camera, shot.film, pictured, {job.stop, {}});
+  if (!bright) return std::nullopt;
+  found.settings.brightness = bright->brightness;
   std::optional<Frame> frame =
       render_exposure(renderer, shot.moments(), shot.scene.time, shot.camera, shot.film,
                       found.settings, shot.exposure, is_auto ? job.subrange(0.5, 1.0) : job);

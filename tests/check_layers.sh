@@ -104,9 +104,9 @@ render/cpu/*.[hc]*:$values render/render_plan.h render/util/ $surfaces render/pr
 render/layers/*.[hc]*:$values render/frame_renderer.h render/util/ render/samples/ $surfaces
 render/gl/*.[hc]*:$values render/display/ render/render_plan.h render/util/ $surfaces render/prepare/
 render/output/*.[hc]*:$values render/display/
-render/deep/*.[hc]*:$values render/render_plan.h render/util/ render/transfer/ $surfaces render/prepare/ render/cpu/ render/output/
+render/deep/*.[hc]*:$values render/frame_renderer.h render/render_plan.h render/util/ render/transfer/ $surfaces render/prepare/ render/samples/ render/cpu/ render/output/
 render/splats/*.[hc]*:$values render/display/ render/render_plan.h render/util/ render/transfer/ $surfaces render/prepare/ render/cpu/
-render/quality/*.[hc]*:$values render/frame_renderer.h render/util/ render/geometry/ render/prepare/ render/reference/ render/visibility/ render/render_plan.h render/paths/
+render/quality/*.[hc]*:$values render/frame_renderer.h render/util/ render/geometry/ render/samples/ render/prepare/ render/reference/ render/visibility/ render/render_plan.h render/paths/
 app/document/*.[hc]*:
 app/commands/*.[hc]*:app/document/
 app/widgets/*.[hc]*:app/document/ app/commands/

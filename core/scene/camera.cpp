@@ -24,9 +24,8 @@ Film film_region(const Film& film, const glm::dvec2& corner, const glm::dvec2& o
 CameraRays::CameraRays(const Camera& camera, const Film& film)
     : eye_(camera.eye),
       region_(film.region.value_or(FilmRegion{0, 0, film.width, film.height})),
-      shift_(film.shift),
-      pixels_(film.width, film.height) {
-  const glm::dvec2 size(region_.full_width, region_.full_height);
+      shift_(film.shift) {
+  const glm::dvec2 size(whole_size());
   const glm::dvec3 view = camera.target - camera.eye;
   const double distance = glm::length(view);
   forward_ = distance > 0.0 ? view / distance : glm::dvec3(0.0, 0.0, -1.0);
@@ -47,17 +46,23 @@ CameraRays::CameraRays(const Camera& camera, const Film& film)
   corner_ = forward_ - half_size_.x * right_ + half_size_.y * up_;
   per_x_ = 2.0 * half_size_.x / size.x * right_;
   per_y_ = -2.0 * half_size_.y / size.y * up_;
-  corner_ += (region_.x + shift_.x) * per_x_ + (region_.y + shift_.y) * per_y_;
+  corner_ += shift_.x * per_x_ + shift_.y * per_y_;
 }
 
 glm::dvec3 CameraRays::project(const glm::dvec3& point) const {
+  const glm::dvec3 position = project_on_whole(point);
+  if (!(position.z > 0.0)) return position;
+  return position - glm::dvec3(first_pixel(), 0.0);
+}
+
+glm::dvec3 CameraRays::project_on_whole(const glm::dvec3& point) const {
   const glm::dvec3 q = point - eye_;
   const double z = glm::dot(q, forward_);
   if (!(z > 0.0)) return {0.0, 0.0, z};
   const double u = glm::dot(q, right_) / (z * half_size_.x);
   const double v = glm::dot(q, up_) / (z * half_size_.y);
-  return {0.5 * (u + 1.0) * region_.full_width - region_.x - shift_.x,
-          0.5 * (1.0 - v) * region_.full_height - region_.y - shift_.y, z};
+  return {0.5 * (u + 1.0) * region_.full_width - shift_.x,
+          0.5 * (1.0 - v) * region_.full_height - shift_.y, z};
 }
 
 namespace {
@@ -92,12 +97,11 @@ glm::dvec2 covered(double x, double z, double radius, const glm::dmat2& squares,
 
 CameraRays::Surround CameraRays::surround() const {
   const glm::dvec2 margin = glm::ceil(glm::abs(shift_));
-  const glm::dvec2 start = glm::dvec2(region_.x, region_.y) + margin + shift_;
-  return {glm::ivec2(region_.full_width, region_.full_height) + 2 * glm::ivec2(margin), start};
+  return {whole_size() + 2 * glm::ivec2(margin), margin + shift_};
 }
 
-CameraRays::PixelRectangle CameraRays::bounds(const GaussianTerm<double>& gaussian,
-                                              double radius) const {
+CameraRays::PixelRectangle CameraRays::bounds_on_whole(const GaussianTerm<double>& gaussian,
+                                                       double radius) const {
   const glm::dvec3 q = gaussian.b - eye_;
   const double z = glm::dot(q, forward_);
   const Surround film = surround();
@@ -125,8 +129,8 @@ CameraRays::PixelRectangle CameraRays::bounds(const GaussianTerm<double>& gaussi
   };
   return {std::max(first(u[0], film.size.x, film.start.x), 0),
           std::max(first(v[0], film.size.y, film.start.y), 0),
-          std::min(last(u[1], film.size.x, film.start.x), pixels_.x),
-          std::min(last(v[1], film.size.y, film.start.y), pixels_.y)};
+          std::min(last(u[1], film.size.x, film.start.x), region_.full_width),
+          std::min(last(v[1], film.size.y, film.start.y), region_.full_height)};
 }
 
 double CameraRays::pixel_half_angle() const {

@@ -11,7 +11,8 @@
 namespace brume {
 
 // Maps between pixels of a film and rays of a camera, seen as a pinhole. Pixel (x, y) is sampled at
-// (x + 0.5, y + 0.5), its center unless the film is shifted; y points down.
+// (x + 0.5, y + 0.5), its center unless the film is shifted; y points down. All is computed in
+// pixels of the whole film, so that a region's pixels have the same bits.
 class CameraRays {
  public:
   CameraRays(const Camera& camera, const Film& film);
@@ -23,26 +24,33 @@ class CameraRays {
   [[nodiscard]] const glm::dvec3& forward() const { return forward_; }
   [[nodiscard]] const glm::dvec3& up() const { return up_; }  // of the picture
 
-  // The unit direction from the eye through a film position (pixels).
-  [[nodiscard]] glm::dvec3 direction(double x, double y) const {
-    return glm::normalize(corner_ + x * per_x_ + y * per_y_);
+  // The film's first pixel on the whole one.
+  [[nodiscard]] glm::ivec2 first_pixel() const { return {region_.x, region_.y}; }
+  [[nodiscard]] glm::ivec2 whole_size() const {
+    return {region_.full_width, region_.full_height};
   }
 
-  // The parametrisation of direction(), for kernels: the direction through (x, y) is that of corner
-  // + x per_x + y per_y, at distance 1 along forward().
+  // The unit direction from the eye through a film position (pixels).
+  [[nodiscard]] glm::dvec3 direction(double x, double y) const {
+    return whole_direction(glm::dvec2(x, y) + glm::dvec2(first_pixel()));
+  }
+  // The same through a position on the whole film.
+  [[nodiscard]] glm::dvec3 whole_direction(const glm::dvec2& position) const {
+    return glm::normalize(corner_ + position.x * per_x_ + position.y * per_y_);
+  }
+
+  // The parametrisation of whole_direction(), for kernels: the direction through (x, y) on the
+  // whole film is that of corner + x per_x + y per_y, at distance 1 along forward().
   struct FilmPlane {
     glm::dvec3 corner, per_x, per_y;
   };
   [[nodiscard]] FilmPlane plane() const { return {corner_, per_x_, per_y_}; }
 
-  // The film position that forward() goes through: the center of the whole film, unless shifted.
-  [[nodiscard]] glm::dvec2 axis() const {
-    return 0.5 * glm::dvec2(region_.full_width, region_.full_height) -
-           glm::dvec2(region_.x, region_.y) - shift_;
-  }
+  // The position on the whole film that forward() goes through: its center, unless shifted.
+  [[nodiscard]] glm::dvec2 axis() const { return 0.5 * glm::dvec2(whole_size()) - shift_; }
 
-  // A film around the axis that contains this one, shifted or not: its size, and where this one
-  // begins on it [pixels].
+  // A film around the axis that contains the whole one, shifted or not: its size, and where the
+  // whole one begins on it [pixels].
   struct Surround {
     glm::ivec2 size;
     glm::dvec2 start;
@@ -52,14 +60,17 @@ class CameraRays {
   // Film position of a point, and its depth along forward() in z [u]; for z <= 0 it is behind the
   // eye and x and y are 0.
   [[nodiscard]] glm::dvec3 project(const glm::dvec3& point) const;
+  // The same on the whole film.
+  [[nodiscard]] glm::dvec3 project_on_whole(const glm::dvec3& point) const;
 
-  // The pixels [x0, x1) x [y0, y1) whose rays may pass within `radius` of a Gaussian's center, of
-  // an ellipsoid in the space in which it is a ball; may be empty.
+  // The pixels [x0, x1) x [y0, y1) of the whole film whose rays may pass within `radius` of a
+  // Gaussian's center, of an ellipsoid in the space in which it is a ball; may be empty.
   struct PixelRectangle {
     int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
     [[nodiscard]] bool empty() const { return x0 >= x1 || y0 >= y1; }
+    bool operator==(const PixelRectangle&) const = default;
   };
-  [[nodiscard]] PixelRectangle bounds(const GaussianTerm<double>& gaussian, double radius) const;
+  [[nodiscard]] PixelRectangle bounds_on_whole(const GaussianTerm<double>& gaussian, double radius) const;
 
   // Half the angle subtended by the central pixel [radians].
   [[nodiscard]] double pixel_half_angle() const;
@@ -72,8 +83,8 @@ class CameraRays {
   glm::dvec2 half_size_;  // of the whole film at distance 1
   FilmRegion region_;
   glm::dvec2 shift_;
-  glm::ivec2 pixels_;  // of the film
-  // A film position from the eye, at distance 1 along forward_: corner_ + x per_x_ + y per_y_.
+  // A position on the whole film from the eye, at distance 1 along forward_: corner_ + x per_x_ + y
+  // per_y_.
   glm::dvec3 corner_;
   glm::dvec3 per_x_;
   glm::dvec3 per_y_;

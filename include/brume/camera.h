@@ -36,7 +36,8 @@ struct CameraKeys {
   bool operator==(const CameraKeys&) const = default;
 };
 
-// Where a film lies on a larger one, in pixels of both.
+// Where a film lies on a larger one, in pixels of both. Rendered, its pixels have the bits that they
+// have on the larger one.
 struct FilmRegion {
   int x = 0, y = 0;  // of the first pixel
   int full_width = 0, full_height = 0;
@@ -48,7 +49,7 @@ struct FilmRegion {
 struct Film {
   int width = 800;
   int height = 600;
-  std::optional<FilmRegion> region{};  // a part of the picture; absent: all of it
+  std::optional<FilmRegion> region{};  // the part of a picture that this is; absent: all of it
   glm::dvec2 shift{0.0};               // of where pixels are sampled from their centers [pixels]
 
   bool operator==(const Film&) const = default;

@@ -20,9 +20,11 @@ void behind_medium(const CameraRays& rays, const EnvironmentLight* environment,
   }
   if (!environment) return;
   const CameraRays::FilmPlane plane = rays.plane();
-  const glm::dvec3 first =
-      plane.corner + 0.5 * plane.per_x + (static_cast<double>(y) + 0.5) * plane.per_y;
-  environment->show(first, plane.per_x, std::span(frame.depth).subspan(y * width, width), behind);
+  const glm::ivec2 first = rays.first_pixel();
+  const glm::dvec3 start =
+      plane.corner + 0.5 * plane.per_x + (first.y + static_cast<double>(y) + 0.5) * plane.per_y;
+  environment->show(start, plane.per_x, first.x, std::span(frame.depth).subspan(y * width, width),
+                    behind);
 }
 
 void composite(const CameraRays& rays, const EnvironmentLight* environment,

@@ -105,10 +105,6 @@ double max_end(const RayEnds& ends, const Frame& frame, std::size_t first, std::
 
 }  // namespace
 
-Film sample_film(const Film& film, int scale) {
-  return {(film.width + scale - 2) / scale + 1, (film.height + scale - 2) / scale + 1};
-}
-
 float distance_tolerance(const MediumIndex& medium, std::span<const std::uint32_t> gaussians,
                          double tolerance) {
   double tolerance_u = std::numeric_limits<double>::infinity();
@@ -146,11 +142,11 @@ CameraRays::PixelRectangle FilmTiles::own_pixels(std::size_t tile) const {
           end(samples.x1, sampled.width, film.width), end(samples.y1, sampled.height, film.height)};
 }
 
-glm::vec2 FilmTiles::place(std::size_t tile, const glm::vec2& pixel) const {
+glm::vec2 FilmTiles::place(std::size_t tile, const glm::dvec2& position) const {
   const CameraRays::PixelRectangle samples = tiles.rectangle(tile);
-  const glm::vec2 first(samples.x0 * scale, samples.y0 * scale);
-  const glm::vec2 size(Tiles::width * scale, Tiles::height * scale);
-  return glm::clamp((pixel - first) / size, 0.0f, 1.0f);
+  const glm::ivec2 first = rays.first_pixel() + scale * glm::ivec2(samples.x0, samples.y0);
+  const glm::dvec2 size(Tiles::width * scale, Tiles::height * scale);
+  return glm::clamp((position - 0.5 - glm::dvec2(first)) / size, 0.0, 1.0);
 }
 
 TileCone FilmTiles::cone(std::size_t tile) const {
@@ -180,20 +176,22 @@ TileCone FilmTiles::cone(std::size_t tile) const {
 }
 
 FilmAirlight film_airlight(const MediumIndex& medium, std::span<const PointLight> lights,
-                           const CameraRays& rays, const Settings& settings,
+                           const CameraRays& rays, const FilmWindow& window,
+                           const Settings& settings, std::optional<double> airlight_rms,
                            const AirlightIntegrator& method, const RayEnds& ends, const Job& job,
                            Frame& frame) {
   const int scale = settings.airlight_scale;
   AirlightSamples samples(frame, scale);
   const Tiles tiles(samples.film());
   Tiles::Lists lists = tiles.lists(medium, rays, scale);
-  const FilmTiles film{tiles, lists, rays, ends, frame, scale};
+  const FilmTiles film{tiles, lists, rays, ends, frame, window, scale};
   if (method.prepare) method.prepare(film);
   FilmAirlight result;
   result.gaussians_used = lists.used;
   std::atomic<std::uint64_t> pairs = 0;
   std::atomic<std::size_t> exact = 0;
   job.parallel_for_with_progress(tiles.count(), [&](std::size_t tile) {
+    if (!film.is_within(window.evaluated(), tile)) return;
     Batch batch(film, tile, frame);
     std::array<std::size_t, Tiles::pixels> order;
     std::size_t count = 0;
@@ -211,7 +209,7 @@ FilmAirlight film_airlight(const MediumIndex& medium, std::span<const PointLight
   if (scale > 1 && !job.stop.stop_requested()) {
     const TilePixels near_lights =
         sort_into_tiles(light_pixels(lights, rays, frame.film, light_block), samples.film(), scale);
-    samples.measure_curvatures(settings.upsampling_tolerance, job);
+    samples.measure_curvatures(settings.upsampling_tolerance, airlight_rms, job);
     const auto evaluate = [&](std::size_t tile, std::vector<glm::ivec2> pixels) {
       std::ranges::sort(pixels, {}, in_blocks);
       Batch batch(film, tile, frame);
@@ -231,6 +229,7 @@ FilmAirlight film_airlight(const MediumIndex& medium, std::span<const PointLight
     std::vector<Missing> missing(tiles.count());
     HalvedCells halved(samples);
     job.parallel_for(tiles.count(), [&](std::size_t tile) {
+      if (!film.is_within(window.interpolated(), tile)) return;
       tolerances[tile] =
           distance_tolerance(medium, lists.gaussians_of(tile), settings.upsampling_tolerance);
       missing[tile] = upsample(samples, tiles.rectangle(tile), tolerances[tile],
@@ -238,11 +237,13 @@ FilmAirlight film_airlight(const MediumIndex& medium, std::span<const PointLight
       halved.add(missing[tile]);
     });
     job.parallel_for(tiles.count(), [&](std::size_t tile) {
+      if (!film.is_within(window.exact(), tile)) return;
       std::vector<glm::ivec2> pixels = halved.nodes(missing[tile].cells);
       pixels.insert(pixels.end(), missing[tile].pixels.begin(), missing[tile].pixels.end());
       evaluate(tile, std::move(pixels));
     });
     job.parallel_for(tiles.count(), [&](std::size_t tile) {
+      if (!film.is_within(window.complete(), tile)) return;
       evaluate(tile, fill_halved_cells(samples, missing[tile].cells, tolerances[tile], frame));
     });
   }

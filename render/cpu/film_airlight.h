@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <span>
 
 #include "brume/frame.h"
@@ -13,6 +14,7 @@
 #include "render/geometry/medium_index.h"
 #include "render/geometry/tile_rays.h"
 #include "render/geometry/tiles.h"
+#include "render/prepare/film_window.h"
 #include "render/prepare/ray_ends.h"
 #include "render/settings.h"
 #include "render/util/job.h"
@@ -26,15 +28,22 @@ struct FilmTiles {
   const CameraRays& rays;
   const RayEnds& ends;
   const Frame& frame;
+  const FilmWindow& window;
   int scale;
   int margin = 0;  // how far beside a tile's pixels its rays go [pixels]
+
+  // Whether a tile is so far from the region that is asked for at most [tiles].
+  [[nodiscard]] bool is_within(int distance, std::size_t tile) const {
+    const auto columns = static_cast<std::size_t>(tiles.columns());
+    return window.is_within(distance, {tile % columns, tile / columns});
+  }
 
   // The pixels that a tile's samples cover.
   [[nodiscard]] CameraRays::PixelRectangle pixels(std::size_t tile) const;
   // The same without those that other tiles cover too.
   [[nodiscard]] CameraRays::PixelRectangle own_pixels(std::size_t tile) const;
-  // Where a pixel lies in a tile, see TileRays::positions.
-  [[nodiscard]] glm::vec2 place(std::size_t tile, const glm::vec2& pixel) const;
+  // Where a position on the whole film lies in a tile, see TileRays::positions.
+  [[nodiscard]] glm::vec2 place(std::size_t tile, const glm::dvec2& position) const;
   // The cone of their rays.
   [[nodiscard]] TileCone cone(std::size_t tile) const;
 };
@@ -57,9 +66,6 @@ struct FilmAirlight {
   std::size_t exact_pixels = 0;    // pixels evaluated by the method itself
 };
 
-// The film of airlight samples: every scale-th pixel, and the last of each row and column.
-Film sample_film(const Film& film, int scale);
-
 // Depth difference [u] up to which airlight may still be interpolated: small against the Gaussians
 // of the tile and the fog's mean free path.
 float distance_tolerance(const MediumIndex& medium, std::span<const std::uint32_t> gaussians,
@@ -70,10 +76,11 @@ float distance_tolerance(const MediumIndex& medium, std::span<const std::uint32_
 //
 // With settings.airlight_scale 2 or 4 the method runs at every second or fourth pixel of each row
 // and column; the others are upsampled to a tolerance of settings.upsampling_tolerance, relative to
-// the film's rms airlight and to a transmittance of 1. Pixels that upsample() cannot resolve and
-// those nearest to `lights` are evaluated exactly.
+// `airlight_rms`, or if absent that of the samples, and to a transmittance of 1. Pixels that
+// upsample() cannot resolve and those nearest to `lights` are evaluated exactly.
 FilmAirlight film_airlight(const MediumIndex& medium, std::span<const PointLight> lights,
-                           const CameraRays& rays, const Settings& settings,
+                           const CameraRays& rays, const FilmWindow& window,
+                           const Settings& settings, std::optional<double> airlight_rms,
                            const AirlightIntegrator& method, const RayEnds& ends, const Job& job,
                            Frame& frame);
 

@@ -41,6 +41,7 @@ void FilmSlices::choose(const FilmTiles& film, const MediumIndex& medium,
   chosen_.resize(tiles * stride_);
   counts_.assign(tiles, 0);
   job.parallel_for(tiles, [&](std::size_t tile) {
+    if (!film.is_within(film.window.sliced(), tile)) return;
     thread_local std::vector<double> boundaries;
     choose_slices(medium, film.lists.gaussians_of(tile), lights, film.cone(tile), slices,
                   boundaries);

@@ -54,6 +54,7 @@ std::span<const glm::vec3> TracedPaths::trace(const FrameStages& stages, FrameCo
 
   const PathFilm::View view{.scene = scene,
                             .rays = work.rays,
+                            .pixels = work.window.region(),
                             .open_end = stages.ray_ends(work).open,
                             .hit = [&](std::size_t pixel) { return stages.hit(pixel); },
                             .paths = is_lit ? work.settings.paths : 0,
@@ -62,7 +63,9 @@ std::span<const glm::vec3> TracedPaths::trace(const FrameStages& stages, FrameCo
   film_.trace(key, view, work.job, work.frame);
 
   FrameStatistics& statistics = work.frame.statistics;
-  statistics.exact_pixels = work.frame.depth.size();
+  const CameraRays::PixelRectangle& traced = work.window.region();
+  statistics.exact_pixels = static_cast<std::size_t>(traced.x1 - traced.x0) *
+                            static_cast<std::size_t>(traced.y1 - traced.y0);
   statistics.gaussians_used = static_cast<std::size_t>(std::ranges::count_if(
       medium_->index().cutoff_radii(), [](double radius) { return radius > 0.0; }));
   return film_.surfaces();

@@ -29,13 +29,18 @@ AirlightSamples::AirlightSamples(const Frame& frame, int scale)
       values_(static_cast<std::size_t>(film_.width) * static_cast<std::size_t>(film_.height)),
       curvatures_(values_.size()) {}
 
-void AirlightSamples::measure_curvatures(double tolerance, const Job& job) {
+double AirlightSamples::rms() const {
   double square = 0.0;
   for (const glm::vec4& v : values_) {
     square += static_cast<double>(v.x * v.x + v.y * v.y + v.z * v.z);
   }
-  const double rms = std::sqrt(square / (3.0 * static_cast<double>(values_.size())));
-  const float light = 1.0f / static_cast<float>(std::max(tolerance * rms, 1e-30));
+  return std::sqrt(square / (3.0 * static_cast<double>(values_.size())));
+}
+
+void AirlightSamples::measure_curvatures(double tolerance, std::optional<double> rms_of_picture,
+                                         const Job& job) {
+  const double error = tolerance * (rms_of_picture ? *rms_of_picture : rms());
+  const float light = 1.0f / static_cast<float>(std::max(error, 1e-30));
   inverse_tolerance_ = glm::vec4(light, light, light, static_cast<float>(1.0 / tolerance));
   job.parallel_for(static_cast<std::size_t>(film_.height), [&](std::size_t row_index) {
     const int row = static_cast<int>(row_index);

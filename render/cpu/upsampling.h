@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <glm/ext/vector_int2.hpp>
 #include <glm/vec4.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -48,9 +49,9 @@ class AirlightSamples {
                static_cast<std::size_t>(x(column))];
   }
 
-  // Call when all values are set. Tolerances are relative to the airlight's rms and to a
-  // transmittance of 1.
-  void measure_curvatures(double tolerance, const Job& job);
+  // Call when all values are set. Tolerances are relative to the airlight's rms, that of all
+  // samples where it is not given, and to a transmittance of 1.
+  void measure_curvatures(double tolerance, std::optional<double> rms, const Job& job);
   // Error of linear interpolation next to a sample, in units of the tolerance.
   [[nodiscard]] float curvature(int column, int row) const {
     return curvatures_[index(column, row)];
@@ -74,6 +75,7 @@ class AirlightSamples {
 
  private:
   struct Slope;
+  [[nodiscard]] double rms() const;
   [[nodiscard]] Slope slope(int column, int row, int right, int down) const;
   [[nodiscard]] float curvature_along(int column, int row, int right, int down) const;
 

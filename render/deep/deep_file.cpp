@@ -1,10 +1,10 @@
 #include "render/deep/deep_file.h"
 
 #include <chrono>
-#include <cmath>
 #include <tuple>
 
 #include "core/io/file_bytes.h"
+#include "render/samples/brightness.h"
 
 namespace brume {
 namespace {
@@ -13,15 +13,16 @@ struct Stopped {};
 
 }  // namespace
 
-DeepSettings deep_settings(const Settings& settings, double error, const Frame& frame) {
-  double sum = 0.0;
-  for (const float light : frame.airlight) {
-    sum += static_cast<double>(light) * static_cast<double>(light);
-  }
-  const double count = std::max(static_cast<double>(frame.airlight.size()), 1.0);
+std::optional<DeepSettings> deep_settings(FrameRenderer& renderer, const Scene& scene,
+                                          const Camera& camera, const Film& film,
+                                          const Settings& settings, double error, const Job& job) {
+  const std::optional<Brightness> brightness =
+      settings.brightness ? settings.brightness
+                          : find_brightness(renderer, scene, camera, film, settings, job);
+  if (!brightness) return std::nullopt;
   Settings exact = settings;
   exact.merge_error = 0.0;  // its own error is bounded for each pixel
-  return {exact, error, std::sqrt(sum / count)};
+  return DeepSettings{exact, error, brightness->airlight_rms};
 }
 
 std::optional<DeepFileStatistics> write_deep_frame(const std::filesystem::path& file,

@@ -6,6 +6,7 @@
 
 #include "brume/frame.h"
 #include "render/deep/deep_renderer.h"
+#include "render/frame_renderer.h"
 #include "render/output/frame_file.h"
 
 namespace brume {
@@ -16,8 +17,11 @@ struct DeepFileStatistics {
   double milliseconds = 0.0;
 };
 
-// The settings of a deep frame from those of a flat one and that frame.
-DeepSettings deep_settings(const Settings& settings, double error, const Frame& frame);
+// The settings of a deep frame from those of a flat one. nullopt if stopped.
+std::optional<DeepSettings> deep_settings(FrameRenderer& renderer, const Scene& scene,
+                                          const Camera& camera, const Film& film,
+                                          const Settings& settings, double error,
+                                          const Job& job = {});
 
 // Renders the deep file of a frame of the scene at its time, with the same metadata. nullopt, and
 // the file as it was, if stopped. Throws InputError.

@@ -30,11 +30,11 @@ constexpr std::size_t max_boundaries_of_tile = 2048;
 // What a frame of one albedo group is made from.
 class DeepGroup {
  public:
-  DeepGroup(const RenderPlan& plan, Scene scene, const Camera& camera, const Film& film,
+  DeepGroup(const RenderPlan& plan, Scene scene, const Camera& camera, const FilmWindow& window,
             const TransferStore& transfers, const Job& job, const AlbedoGroup& group,
             const FogExtent& extent)
       : scene_(std::move(scene)),
-        work_(plan, scene_, camera, film, transfers, nullptr, job, group, extent) {}
+        work_(plan, scene_, camera, window, transfers, nullptr, job, group, extent) {}
 
   // False if stopped.
   bool prepare() {
@@ -57,7 +57,8 @@ class DeepGroup {
   }
 
   void choose_slices(FilmSlices& slices) const {
-    const FilmTiles film{*tiles_, lists_, work_.rays, stages_.ray_ends(work_), work_.frame, 1};
+    const RayEnds ends = stages_.ray_ends(work_);
+    const FilmTiles film{*tiles_, lists_, work_.rays, ends, work_.frame, work_.window, 1};
     slices.choose(film, medium(), stages_.lit_from(work_, lights_), work_.settings.slices,
                   work_.job);
   }
@@ -109,7 +110,11 @@ struct DeepTile {
 class DeepFilm {
  public:
   DeepFilm(const DeepGroups& groups, const DeepSettings& deep)
-      : groups_(groups), deep_(deep), film_(groups[0]->work().frame.film), tiles_(film_) {
+      : groups_(groups),
+        deep_(deep),
+        film_(groups[0]->work().frame.film),
+        region_(groups[0]->work().window.region()),
+        tiles_(film_) {
     if (groups[0]->work().plan.has_medium()) groups[0]->choose_slices(slices_);
   }
 
@@ -118,30 +123,43 @@ class DeepFilm {
     const auto width = static_cast<std::size_t>(film_.width);
     std::vector<std::vector<DeepSample>> samples(width * Tiles::height);
     DeepRows rows;
-    for (int row = 0; row < tiles_.rows(); ++row) {
-      rows.first = row * Tiles::height;
-      const int last = std::min(rows.first + Tiles::height, film_.height);
-      rows.counts.assign(width * static_cast<std::size_t>(last - rows.first), 0);
+    const int first_row = region_.y0 / Tiles::height;
+    const int end_row = (region_.y1 + Tiles::height - 1) / Tiles::height;
+    for (int row = first_row; row < end_row; ++row) {
+      const int first = std::max(row * Tiles::height, region_.y0);
+      const int end = std::min((row + 1) * Tiles::height, region_.y1);
       for (std::vector<DeepSample>& pixel : samples) pixel.clear();
-      const auto columns = static_cast<std::size_t>(tiles_.columns());
-      job.parallel_for(columns, [&](std::size_t column) {
-        fill(static_cast<std::size_t>(row) * columns + column, rows.first, samples);
+      const int first_column = region_.x0 / Tiles::width;
+      const int end_column = (region_.x1 + Tiles::width - 1) / Tiles::width;
+      job.parallel_for(static_cast<std::size_t>(end_column - first_column), [&](std::size_t k) {
+        const int tile = row * tiles_.columns() + first_column + static_cast<int>(k);
+        fill(static_cast<std::size_t>(tile), row * Tiles::height, samples);
       });
-      job.parallel_for(static_cast<std::size_t>(last - rows.first), [&](std::size_t y) {
-        add_behind(static_cast<std::size_t>(rows.first) + y,
-                   std::span(samples).subspan(y * width, width));
+      const auto row_samples = [&](int y) {
+        return std::span(samples).subspan(static_cast<std::size_t>(y % Tiles::height) * width,
+                                          width);
+      };
+      job.parallel_for(static_cast<std::size_t>(end - first), [&](std::size_t k) {
+        const int y = first + static_cast<int>(k);
+        add_behind(static_cast<std::size_t>(y), row_samples(y));
       });
       if (job.stop.stop_requested()) return false;
+      rows.first = first - region_.y0;
+      rows.counts.clear();
       rows.samples.clear();
-      for (std::size_t i = 0; i < rows.counts.size(); ++i) {
-        rows.counts[i] = static_cast<std::uint32_t>(samples[i].size());
-        rows.samples.insert(rows.samples.end(), samples[i].begin(), samples[i].end());
-        statistics_.max_samples = std::max(statistics_.max_samples, samples[i].size());
+      for (int y = first; y < end; ++y) {
+        const auto columns = static_cast<std::size_t>(region_.x1 - region_.x0);
+        for (const std::vector<DeepSample>& pixel :
+             row_samples(y).subspan(static_cast<std::size_t>(region_.x0), columns)) {
+          rows.counts.push_back(static_cast<std::uint32_t>(pixel.size()));
+          rows.samples.insert(rows.samples.end(), pixel.begin(), pixel.end());
+          statistics_.max_samples = std::max(statistics_.max_samples, pixel.size());
+        }
       }
       statistics_.pixels += rows.counts.size();
       statistics_.samples += rows.samples.size();
       take(rows);
-      if (job.progress) job.progress(static_cast<double>(row + 1) / tiles_.rows());
+      if (job.progress) job.progress((row + 1.0 - first_row) / (end_row - first_row));
     }
     statistics_.coarse_tiles = coarse_tiles_;
     return true;
@@ -300,7 +318,8 @@ class DeepFilm {
 
   const DeepGroups& groups_;
   const DeepSettings& deep_;
-  Film film_;
+  Film film_;                          // of the window
+  CameraRays::PixelRectangle region_;  // that is asked for
   Tiles tiles_;
   FilmSlices slices_;
   DeepStatistics statistics_;
@@ -320,14 +339,16 @@ std::optional<DeepStatistics> render_deep(const Scene& scene, const Camera& came
   Settings settings = deep.settings;
   settings.airlight = AirlightMethod::sliced;
   settings.airlight_scale = 1;
+  settings.samples = 1;
   const RenderPlan plan(scene, film, settings, &transfers);
   const FogExtent extent(scene);
+  const FilmWindow window(film, settings);
   const std::vector<AlbedoGroup> albedos = albedo_groups(scene, plan.has_own_optics);
   DeepGroups groups;
   for (std::size_t g = 0; g < albedos.size(); ++g) {
     Scene absorbing = scene;
     absorbing.medium = extinction_medium(scene, albedos[g]);
-    groups.push_back(std::make_unique<DeepGroup>(plan, std::move(absorbing), camera, film,
+    groups.push_back(std::make_unique<DeepGroup>(plan, std::move(absorbing), camera, window,
                                                  transfers, Job{job.stop, {}}, albedos[g], extent));
     if (!groups.back()->prepare()) return std::nullopt;
   }

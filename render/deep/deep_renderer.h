@@ -17,7 +17,7 @@ struct DeepSettings {
   // Held out at any distance, no pixel's alpha is off by more than this, nor its airlight by more
   // than this share of its own, or of `airlight_rms` if that is more; (0, 1].
   double error = 0.01;
-  double airlight_rms = 0.0;  // of the frame
+  double airlight_rms = 0.0;  // of the whole picture
 };
 
 struct DeepStatistics {

@@ -10,6 +10,9 @@
 
 namespace brume {
 
+// The film of airlight samples: every scale-th pixel, and the last of each row and column.
+Film sample_film(const Film& film, int scale);
+
 // The film divided into tiles, the unit of parallel rendering.
 class Tiles {
  public:
@@ -42,8 +45,9 @@ class Tiles {
 
   // Tile binning: for every tile the indices of the Gaussians whose cutoff sphere its rays may
   // enter, ascending. `rays` sees `scale` pixels for one of the film's, and gaps between tiles
-  // belong to the tile before. Linear in Gaussians and entries; with more than `max_entries`
-  // entries all tiles share one list.
+  // belong to the tile before. A region's film begins at a tile of the whole one. Linear in
+  // Gaussians and entries; with more than `max_entries` entries on the whole film all tiles share
+  // one list.
   struct Lists {
     std::vector<std::size_t> offsets;  // count() + 1; empty: one shared list
     std::vector<std::uint32_t> gaussians;

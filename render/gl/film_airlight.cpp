@@ -33,6 +33,7 @@ void set_rays(const Program& program, const CameraRays& rays) {
   program.set("corner", plane.corner);
   program.set("per_x", plane.per_x);
   program.set("per_y", plane.per_y);
+  program.set("first_pixel", rays.first_pixel());
 }
 
 std::size_t FilmAirlight::run(Programs& programs, DeviceClock& clock, const Program& method,
@@ -80,8 +81,11 @@ std::size_t FilmAirlight::run(Programs& programs, DeviceClock& clock, const Prog
   requests_.reserve(2 * tile_count * capacity * sizeof(std::uint32_t) +
                     batches * sizeof(PixelBatch));
   curved_cells_.reserve(tile_count * Tiles::pixels * sizeof(std::uint32_t));
-  totals_.reserve(sizeof(UpsamplingTotals));
-  totals_.clear();
+  UpsamplingTotals totals;
+  if (view.airlight_rms) {
+    totals.mean_square = static_cast<float>(*view.airlight_rms * *view.airlight_rms);
+  }
+  totals_.upload(std::span<const UpsamplingTotals>(&totals, 1));
   const TilePixels near_lights =
       sort_into_tiles(light_pixels(view.plan.lights, view.rays, view.film, light_block),
                       {sample_film.x, sample_film.y}, scale);
@@ -106,11 +110,13 @@ std::size_t FilmAirlight::run(Programs& programs, DeviceClock& clock, const Prog
     program.dispatch_linear(tile_count);
   };
   clock.time(Stage::upsample, [&] {
-    const Program& rms = programs["rms"];
-    rms.set("size", sample_film);
-    rms.bind("samples", samples_);
-    rms.bind("Totals", totals_);
-    rms.dispatch(1);
+    if (!view.airlight_rms) {
+      const Program& rms = programs["rms"];
+      rms.set("size", sample_film);
+      rms.bind("samples", samples_);
+      rms.bind("Totals", totals_);
+      rms.dispatch(1);
+    }
     const Program& interpolate = programs.get("interpolate", lists.defined());
     interpolate.bind("samples", samples_);
     interpolate.bind("LightOffsets", light_offsets_);
@@ -118,7 +124,6 @@ std::size_t FilmAirlight::run(Programs& programs, DeviceClock& clock, const Prog
     run_upsampling(interpolate, 0);
     run_upsampling(programs.get("curved_nodes", lists.defined()), nodes_at);
   });
-  UpsamplingTotals totals;
   totals_.download(std::span(&totals, 1));
   clock.time(view.plan.medium_stage(), [&] { run_method(true, totals.batches, 0); });
   if (totals.curved_cells == 0) return sample_count + totals.asked_pixels;

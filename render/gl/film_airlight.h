@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 
 #include "brume/scene.h"
 #include "core/scene/camera_rays.h"
@@ -30,6 +31,7 @@ struct FilmView {
   double ray_end;  // length of rays that hit nothing [u]; may be +inf
   double b0;
   const RenderPlan& plan;
+  std::optional<double> airlight_rms;  // absent: that of the samples
 };
 
 // Runs an airlight method over the pixels of a film; device counterpart of film_airlight()

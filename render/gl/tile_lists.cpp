@@ -87,10 +87,12 @@ void TileLists::bind(const Program& program) {
 
 void TileLists::build(Programs& programs, MediumBuffers& medium, const MediumIndex& index,
                       const CameraRays& rays, const Film& film, int scale, std::int64_t max_bytes) {
-  const glm::ivec2 pixels(film.width, film.height);
-  sample_film_ = (pixels + (scale - 2)) / scale + 1;
-  tiles_ = (sample_film_ + glm::ivec2(Tiles::width - 1, Tiles::height - 1)) /
-           glm::ivec2(Tiles::width, Tiles::height);
+  const Film samples = brume::sample_film(film, scale);
+  sample_film_ = {samples.width, samples.height};
+  const Tiles tiles(samples);
+  tiles_ = {tiles.columns(), tiles.rows()};
+  const Tiles whole_tiles(
+      brume::sample_film({rays.whole_size().x, rays.whole_size().y}, scale));
   const auto tile_count = static_cast<std::size_t>(tiles_.x) * static_cast<std::size_t>(tiles_.y);
   const std::size_t count = medium.count();
   seen_.reserve(count * sizeof(SeenGaussian));
@@ -109,12 +111,15 @@ void TileLists::build(Programs& programs, MediumBuffers& medium, const MediumInd
   project.set("forward", rays.forward());
   project.set("right", glm::normalize(plane.per_x));
   project.set("up", -glm::normalize(plane.per_y));
-  const CameraRays::Surround whole = rays.surround();
-  project.set("half_width", 0.5 * whole.size.x * glm::length(plane.per_x));
-  project.set("half_height", 0.5 * whole.size.y * glm::length(plane.per_y));
-  project.set("whole_film", whole.size);
-  project.set("film_start", glm::dvec3(whole.start, 0.0));
-  project.set("film", pixels);
+  const CameraRays::Surround surround = rays.surround();
+  project.set("half_width", 0.5 * surround.size.x * glm::length(plane.per_x));
+  project.set("half_height", 0.5 * surround.size.y * glm::length(plane.per_y));
+  project.set("whole_film", rays.whole_size());
+  project.set("surround", surround.size);
+  project.set("whole_start", glm::dvec3(surround.start, 0.0));
+  project.set("whole_tiles", glm::ivec2(whole_tiles.columns(), whole_tiles.rows()));
+  project.set("first_tile",
+              rays.first_pixel() / (scale * glm::ivec2(Tiles::width, Tiles::height)));
   project.set("tiles", tiles_);
   project.set("scale", scale);
   const RayNoise& noise = index.noise();

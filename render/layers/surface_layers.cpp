@@ -57,9 +57,9 @@ class MotionVectors {
     return Placement(*next_[surface])
         .point_to_world(Placement(now_.surfaces[surface]).point_to_mesh(point));
   }
-  // To the right and up from a film position; 0 for what comes to be behind the camera.
+  // To the right and up from a position on the whole film; 0 for what comes to be behind the camera.
   [[nodiscard]] glm::vec2 on_film(const glm::dvec3& point, const glm::dvec2& start) const {
-    const glm::dvec3 place = rays_.project(point);
+    const glm::dvec3 place = rays_.project_on_whole(point);
     if (!(place.z > 0.0)) return glm::vec2(0.0f);
     return {place.x - start.x, start.y - place.y};
   }
@@ -117,16 +117,44 @@ class PointLayers {
   std::vector<float>*u_ = nullptr, *v_ = nullptr;
 };
 
-// First hits of a row's rays, shifted from the pixels' centers.
-void find_row(const RayCaster& ray_caster, const CameraRays& rays, std::size_t y,
-              const glm::dvec2& shift, std::vector<glm::dvec3>& directions,
-              std::vector<SurfaceHit>& hits) {
-  for (std::size_t x = 0; x < directions.size(); ++x) {
-    directions[x] = rays.direction(static_cast<double>(x) + 0.5 + shift.x,
-                                   static_cast<double>(y) + 0.5 + shift.y);
+// First hits of the rays of a film's rows.
+class RowHits {
+ public:
+  RowHits(const RayCaster& ray_caster, const CameraRays& rays, int width)
+      : ray_caster_(ray_caster),
+        rays_(rays),
+        // Whole packets of rays of the whole film: whether a ray hits an edge may depend on those
+        // beside it.
+        first_(rays.first_pixel().x / together * together),
+        directions_(static_cast<std::size_t>(
+            std::min((rays.first_pixel().x + width + together - 1) / together * together,
+                     rays.whole_size().x) -
+            first_)),
+        hits_(directions_.size()) {}
+
+  // Of a row, shifted from the pixels' centers.
+  void find(int y, const glm::dvec2& shift) {
+    for (std::size_t i = 0; i < directions_.size(); ++i) {
+      const glm::ivec2 pixel(first_ + static_cast<int>(i), rays_.first_pixel().y + y);
+      directions_[i] = rays_.whole_direction(glm::dvec2(pixel) + 0.5 + shift);
+    }
+    ray_caster_.first_hits(rays_.eye(), directions_, hits_);
   }
-  ray_caster.first_hits(rays.eye(), directions, hits);
-}
+  [[nodiscard]] const glm::dvec3& direction(int x) const { return directions_[index(x)]; }
+  [[nodiscard]] const SurfaceHit& hit(int x) const { return hits_[index(x)]; }
+
+ private:
+  static constexpr int together = 64;
+  [[nodiscard]] std::size_t index(int x) const {
+    return static_cast<std::size_t>(rays_.first_pixel().x + x - first_);
+  }
+
+  const RayCaster& ray_caster_;
+  const CameraRays& rays_;
+  int first_;  // pixel on the whole film
+  std::vector<glm::dvec3> directions_;
+  std::vector<SurfaceHit> hits_;
+};
 
 }  // namespace
 
@@ -186,25 +214,23 @@ void add_surface_layers(const Scene& scene, const Camera& camera, const Film& fi
   const bool has_mattes = layers.objects || layers.materials;
   const std::vector<glm::dvec2> samples = pixel_samples(matte_samples);
   const float weight = 1.0f / static_cast<float>(samples.size());
-  job.parallel_for(height, [&](std::size_t y) {
-    std::vector<glm::dvec3> directions(width);
-    std::vector<SurfaceHit> hits(width);
-    find_row(ray_caster, rays, y, glm::dvec2(0.0), directions, hits);
-    for (std::size_t x = 0; x < width; ++x) {
-      const glm::dvec2 place(static_cast<double>(x) + 0.5, static_cast<double>(y) + 0.5);
-      points.set(y * width + x, place, rays.eye(), directions[x], hits[x]);
+  job.parallel_for(height, [&](std::size_t row) {
+    const int y = static_cast<int>(row);
+    RowHits hits(ray_caster, rays, film.width);
+    hits.find(y, glm::dvec2(0.0));
+    for (int x = 0; x < film.width; ++x) {
+      const glm::dvec2 place = glm::dvec2(rays.first_pixel() + glm::ivec2(x, y)) + 0.5;
+      points.set(row * width + static_cast<std::size_t>(x), place, rays.eye(), hits.direction(x),
+                 hits.hit(x));
     }
     for (std::size_t k = 0; k < samples.size() && has_mattes; ++k) {
-      find_row(ray_caster, rays, y, samples[k], directions, hits);
-      for (std::size_t x = 0; x < width; ++x) {
-        if (!hits[x]) continue;
-        const auto surface = static_cast<std::size_t>(hits[x].surface);
-        if (layers.objects) {
-          object_coverage.add(y * width + x, objects.of_surface[surface], weight);
-        }
-        if (layers.materials) {
-          material_coverage.add(y * width + x, materials.of_surface[surface], weight);
-        }
+      hits.find(y, samples[k]);
+      for (int x = 0; x < film.width; ++x) {
+        if (!hits.hit(x)) continue;
+        const std::size_t pixel = row * width + static_cast<std::size_t>(x);
+        const auto surface = static_cast<std::size_t>(hits.hit(x).surface);
+        if (layers.objects) object_coverage.add(pixel, objects.of_surface[surface], weight);
+        if (layers.materials) material_coverage.add(pixel, materials.of_surface[surface], weight);
       }
     }
   });

@@ -53,10 +53,10 @@ EnvironmentLight::EnvironmentLight(const Environment& environment, const Scatter
   for (std::size_t i = 0; i < light_.size(); ++i) light_float_[i] = glm::vec3(light_[i]);
 }
 
-void EnvironmentLight::show(const glm::dvec3& first, const glm::dvec3& per_pixel,
+void EnvironmentLight::show(const glm::dvec3& start, const glm::dvec3& per_pixel, int first,
                             std::span<const float> distances, std::span<glm::vec3> behind) const {
   find_sky(*environment_.map, static_cast<float>(environment_.intensity),
-           {glm::vec3(to_map_ * first), glm::vec3(to_map_ * per_pixel)}, distances, behind);
+           {glm::vec3(to_map_ * start), glm::vec3(to_map_ * per_pixel), first}, distances, behind);
 }
 
 glm::vec3 EnvironmentLight::environment_inscattering(const glm::dvec3& w, float T) const {

@@ -27,10 +27,10 @@ class EnvironmentLight {
   [[nodiscard]] const ShVector<glm::vec3>& coefficients() const { return light_float_; }
   [[nodiscard]] const ScatterTable& scattering() const { return *scattering_; }
 
-  // behind[k] = radiance from direction first + k per_pixel (any length) without medium, where
-  // distances[k] is infinite. Single precision.
-  void show(const glm::dvec3& first, const glm::dvec3& per_pixel, std::span<const float> distances,
-            std::span<glm::vec3> behind) const;
+  // behind[k] = radiance from direction start + (first + k) per_pixel (any length) without medium,
+  // where distances[k] is infinite. Single precision.
+  void show(const glm::dvec3& start, const glm::dvec3& per_pixel, int first,
+            std::span<const float> distances, std::span<glm::vec3> behind) const;
 
   // Environment inscattering of the paper, T e^-T (L * spread)(w) (eq. 28), for a view ray of
   // optical depth T. Also used in front of surfaces.

@@ -73,7 +73,8 @@ ExrView exr_view(const Camera& camera, const Film& film, double frames_per_secon
   const glm::dvec3 up = -glm::normalize(plane.per_y);
   const glm::dmat4 to_axes(glm::transpose(glm::dmat3(right, up, rays.forward())));
   // The center of the view in NDC, and how far a slope of 1 is from there.
-  const glm::dvec2 center = rays.axis() / glm::dvec2(film.width, film.height);
+  const glm::dvec2 center =
+      (rays.axis() - glm::dvec2(rays.first_pixel())) / glm::dvec2(film.width, film.height);
   const double per_x = 1.0 / (glm::length(plane.per_x) * film.width);
   const double per_y = 1.0 / (glm::length(plane.per_y) * film.height);
   ExrView view;

@@ -15,6 +15,11 @@ constexpr double hidden = 50.0;
 // Streams of random numbers of a pixel.
 enum Stream : std::uint64_t { block_stream, airlight_stream, surface_stream };
 
+std::size_t index_of(const glm::ivec2& pixel, int width) {
+  return static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(width) +
+         static_cast<std::size_t>(pixel.x);
+}
+
 void set_pixel(std::vector<float>& layer, std::size_t pixel, const glm::dvec3& value) {
   for (std::size_t c = 0; c < 3; ++c) {
     layer[3 * pixel + c] = finite(static_cast<float>(value[static_cast<int>(c)]));
@@ -35,11 +40,15 @@ void PathFilm::trace(const PathKey& key, const View& view, const Job& job, Frame
   surface_radiance_.assign(view.has_surfaces ? pixels : 0, glm::vec3(0.0f));
 
   const PathTracer tracer(view.scene);
-  const std::size_t runs = (pixels + run - 1) / run;
+  const auto columns = static_cast<std::size_t>(view.pixels.x1 - view.pixels.x0);
+  const std::size_t traced = columns * static_cast<std::size_t>(view.pixels.y1 - view.pixels.y0);
+  const std::size_t runs = (traced + run - 1) / run;
   std::vector<Variances> variances(runs);
   job.parallel_for_with_progress(runs, [&](std::size_t r) {
-    for (std::size_t pixel = r * run; pixel < std::min((r + 1) * run, pixels); ++pixel) {
-      trace_pixel(view, tracer, pixel, job, frame, variances[r]);
+    for (std::size_t i = r * run; i < std::min((r + 1) * run, traced); ++i) {
+      const glm::ivec2 position(i % columns, i / columns);
+      trace_pixel(view, tracer, glm::ivec2(view.pixels.x0, view.pixels.y0) + position, job, frame,
+                  variances[r]);
     }
   });
   if (job.stop.stop_requested()) return;
@@ -57,12 +66,14 @@ void PathFilm::trace(const PathKey& key, const View& view, const Job& job, Frame
   }
 }
 
-void PathFilm::trace_pixel(const View& view, const PathTracer& tracer, std::size_t pixel,
+void PathFilm::trace_pixel(const View& view, const PathTracer& tracer, const glm::ivec2& position,
                            const Job& job, Frame& frame, Variances& variances) {
-  const auto width = static_cast<std::size_t>(frame.film.width);
+  const std::size_t pixel = index_of(position, frame.film.width);
+  // On the whole film, so that regions have the same random numbers.
+  const std::size_t stream =
+      index_of(view.rays.first_pixel() + position, view.rays.whole_size().x);
   const glm::dvec3& eye = view.rays.eye();
-  const glm::dvec3 w = view.rays.direction(static_cast<double>(pixel % width) + 0.5,
-                                           static_cast<double>(pixel / width) + 0.5);
+  const glm::dvec3 w = view.rays.direction(position.x + 0.5, position.y + 0.5);
   const SurfaceHit hit = view.has_surfaces ? view.hit(pixel) : SurfaceHit{};
   const double end = hit ? hit.distance : view.open_end;
   std::optional<CameraRay> ray;
@@ -82,13 +93,13 @@ void PathFilm::trace_pixel(const View& view, const PathTracer& tracer, std::size
     if (job.stop.stop_requested()) return;
     const auto sample = static_cast<std::uint64_t>(count);
     if (has_airlight) {
-      const PathRandom block(key_.seed, pixel, sample / path_block, block_stream);
-      PathRandom random(key_.seed, pixel, sample, airlight_stream);
+      const PathRandom block(key_.seed, stream, sample / path_block, block_stream);
+      PathRandom random(key_.seed, stream, sample, airlight_stream);
       const StratifiedPair stratified(block, static_cast<unsigned>(count % path_block), random);
       airlight_[pixel].add(count, tracer.airlight(*ray, stratified, random).sum(), key_.channels);
     }
     if (sees_surface) {
-      PathRandom random(key_.seed, pixel, sample, surface_stream);
+      PathRandom random(key_.seed, stream, sample, surface_stream);
       surfaces_[pixel].add(count, tracer.surface(point, random).sum(), key_.channels);
     }
   }

@@ -44,6 +44,7 @@ class PathFilm {
   struct View {
     const PathScene& scene;
     const CameraRays& rays;
+    CameraRays::PixelRectangle pixels;  // that are traced
     double open_end;  // of rays that hit nothing [u], may be +inf
     // First hit of a pixel's ray.
     std::function<SurfaceHit(std::size_t pixel)> hit;
@@ -67,8 +68,8 @@ class PathFilm {
     double airlight = 0.0;
     double surfaces = 0.0;
   };
-  void trace_pixel(const View& view, const PathTracer& tracer, std::size_t pixel, const Job& job,
-                   Frame& frame, Variances& variances);
+  void trace_pixel(const View& view, const PathTracer& tracer, const glm::ivec2& position,
+                   const Job& job, Frame& frame, Variances& variances);
 
   PathKey key_;
   int paths_ = 0;            // requested last

@@ -13,6 +13,7 @@
 #include "render/lighting/sliced_light.h"
 #include "render/lighting/source_function.h"
 #include "render/prepare/albedo.h"
+#include "render/prepare/film_window.h"
 #include "render/prepare/fog_extent.h"
 #include "render/prepare/point_sources.h"
 #include "render/prepare/prepared_scene.h"
@@ -53,12 +54,14 @@ struct FrameContext {
   Job job;
   AlbedoGroup group;
   FogExtent fog_extent;
+  FilmWindow window;
   CameraRays rays;
-  Frame frame;
+  Frame frame;  // of the window
 
   FrameContext(const RenderPlan& frame_plan, const Scene& group_scene, const Camera& frame_camera,
-               const Film& film, const TransferStore& known_transfers, TransferStore* new_transfers,
-               Job frame_job, AlbedoGroup albedo_group, const FogExtent& extent)
+               const FilmWindow& film_window, const TransferStore& known_transfers,
+               TransferStore* new_transfers, Job frame_job, AlbedoGroup albedo_group,
+               const FogExtent& extent)
       : plan(frame_plan),
         settings(frame_plan.settings),
         scene(group_scene),
@@ -68,8 +71,9 @@ struct FrameContext {
         job(std::move(frame_job)),
         group(std::move(albedo_group)),
         fog_extent(extent),
-        rays(frame_camera, film) {
-    frame.film = film;
+        window(film_window),
+        rays(frame_camera, film_window.film()) {
+    frame.film = window.film();
     frame.camera = frame_camera;
     frame.time = scene.time;
     frame.frames_per_second = frame_rate(scene);
@@ -79,6 +83,12 @@ struct FrameContext {
   }
   // Allocates all layers of the frame.
   void make_layers();
+  // Brightness::airlight_rms, if it is known: of the group, whose airlight is still to be multiplied
+  // by its albedo.
+  [[nodiscard]] std::optional<double> airlight_rms() const {
+    if (!settings.brightness) return std::nullopt;
+    return settings.brightness->airlight_rms / group.albedo;
+  }
   // The plan's lights.
   [[nodiscard]] std::vector<PointSource> sources() const {
     return point_sources(plan.lights, rays, camera, fog_extent.ball());
@@ -136,7 +146,8 @@ class FrameStages {
   // What shades more points of them, after shade_surfaces(), until the next frame.
   [[nodiscard]] FilmSurfaces film_surfaces(const FrameContext& work) const {
     return {work.scene.surfaces, prepared_.medium(), prepared_.ray_caster(), shading_,
-            lighting_,           work.rays,          work.frame.film,        work.plan.precision};
+            lighting_,           work.rays,          work.frame.film,
+            work.window.shaded(),                    work.plan.precision};
   }
 
  private:

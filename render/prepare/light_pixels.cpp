@@ -29,10 +29,10 @@ std::vector<glm::ivec2> light_pixels(std::span<const PointLight> lights, const C
                                      const Film& film, int width) {
   std::vector<glm::ivec2> pixels;
   for (const PointLight& light : lights) {
-    const glm::dvec3 seen = rays.project(light.position);
+    const glm::dvec3 seen = rays.project_on_whole(light.position);
     if (!(seen.z > 0.0)) continue;
-    const double x = first_pixel(seen.x, width);
-    const double y = first_pixel(seen.y, width);
+    const double x = first_pixel(seen.x, width) - rays.first_pixel().x;
+    const double y = first_pixel(seen.y, width) - rays.first_pixel().y;
     // Checked before conversion to integers: a light next to the eye projects very far out.
     if (!on_film(x, width, film.width) || !on_film(y, width, film.height)) continue;
     const glm::ivec2 first(x, y);

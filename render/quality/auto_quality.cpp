@@ -5,25 +5,14 @@
 #include <span>
 #include <utility>
 
+#include "render/samples/brightness.h"
 #include "render/util/job.h"
 
 namespace brume {
 namespace {
 
-// A film of the same shape with about this many pixels.
-Film small_film(const Film& film) {
-  constexpr double pixels = 10'000.0;
-  const double shrink =
-      std::min(1.0, std::sqrt(pixels / (static_cast<double>(film.width) * film.height)));
-  const auto shrunk = [shrink](int side) { return static_cast<int>(std::lround(shrink * side)); };
-  Film small{std::max(1, shrunk(film.width)), std::max(1, shrunk(film.height))};
-  if (const auto& region = film.region) {
-    small.region =
-        FilmRegion{shrunk(region->x), shrunk(region->y), std::max(1, shrunk(region->full_width)),
-                   std::max(1, shrunk(region->full_height))};
-  }
-  return small;
-}
+// Of the small picture that settings are chosen for.
+constexpr double choice_pixels = 10'000.0;
 
 constexpr std::uint64_t seed_of_choice = 1;
 
@@ -75,7 +64,7 @@ std::optional<Settings> choose_settings(FrameRenderer& renderer, const Scene& sc
   const Job job{stop, progress};
   const Job measuring = job.subrange(0.0, 0.6);
   double begin = 0.6;
-  const Film small = small_film(film);
+  const Film small = small_film(film, choice_pixels);
   const std::vector<Settings> ladder = quality_ladder(settings);
   FrameErrors errors(scene, camera, seed_of_choice);
   std::vector<double> found;
@@ -110,33 +99,28 @@ std::optional<ErrorEstimate> measure_error(const Scene& scene, const Camera& cam
   return FrameErrors(scene, camera, evaluation_seed).measure(frame, std::nullopt, stop, progress);
 }
 
-std::optional<RequestedFrame> render_requested(FrameRenderer& renderer, const Scene& scene,
-                                               const Camera& camera, const Film& film,
-                                               const Settings& settings,
-                                               const std::stop_token& stop,
-                                               const std::function<void(double)>& progress) {
-  if (settings.airlight != AirlightMethod::auto_) {
-    std::optional<Frame> frame = renderer.render(scene, camera, film, settings, stop, progress);
-    if (!frame) return std::nullopt;
-    return RequestedFrame{std::move(*frame), settings, std::nullopt};
-  }
+namespace {
+
+// Frames of one picture, rendered with the settings and measured: while the error exceeds max_error,
+// with finer ones. nullopt if stopped.
+std::optional<RequestedFrame> render_within_error(FrameRenderer& renderer, const Scene& scene,
+                                                  const Camera& camera, const Film& film,
+                                                  const Settings& settings, FrameErrors& errors,
+                                                  const Job& job) {
   const double max_error = settings.max_error;
-  const Job job{stop, progress};
-  double begin = 0.4;
-  std::optional<Settings> tried = choose_settings(renderer, scene, camera, film, settings, stop,
-                                                  job.subrange(0.0, begin).progress);
-  FrameErrors errors(scene, camera, evaluation_seed);
+  double begin = 0.0;
+  std::optional<Settings> tried = settings;
   std::optional<RequestedFrame> result;
   std::vector<double> found;
   while (tried) {
     // Seldom is more than one frame needed.
     const double end = begin + 0.8 * (1.0 - begin);
     const double center = 0.5 * (begin + end);
-    std::optional<Frame> frame =
-        renderer.render(scene, camera, film, *tried, stop, job.subrange(begin, center).progress);
+    std::optional<Frame> frame = renderer.render(scene, camera, film, *tried, job.stop,
+                                                 job.subrange(begin, center).progress);
     if (!frame) return std::nullopt;
     const std::optional<ErrorEstimate> error =
-        errors.measure(*frame, max_error, stop, job.subrange(center, end).progress);
+        errors.measure(*frame, max_error, job.stop, job.subrange(center, end).progress);
     if (!error) return std::nullopt;
     // Finer settings that are no surer of the bound are only slower.
     const bool may_keep = result && result->error->rel_rmse <= max_error;
@@ -149,6 +133,45 @@ std::optional<RequestedFrame> render_requested(FrameRenderer& renderer, const Sc
     tried = better_settings(*tried);
     begin = end;
   }
+  return result;
+}
+
+}  // namespace
+
+std::optional<RequestedFrame> render_requested(FrameRenderer& renderer, const Scene& scene,
+                                               const Camera& camera, const Film& film,
+                                               const Settings& settings,
+                                               const std::stop_token& stop,
+                                               const std::function<void(double)>& progress) {
+  const Job job{stop, progress};
+  if (settings.airlight != AirlightMethod::auto_) {
+    std::optional<Frame> frame = renderer.render(scene, camera, film, settings, stop, progress);
+    if (!frame) return std::nullopt;
+    return RequestedFrame{std::move(*frame), settings, std::nullopt};
+  }
+  std::optional<Settings> chosen = choose_settings(renderer, scene, camera, film, settings, stop,
+                                                   job.subrange(0.0, 0.3).progress);
+  if (chosen) {
+    chosen = with_brightness(renderer, scene, camera, film, std::move(*chosen), {stop, {}});
+  }
+  if (!chosen) return std::nullopt;
+  // What a small picture of the whole needs, all its regions get.
+  const Film small = small_film(film, choice_pixels);
+  chosen->samples = 1;  // errors are those of centers
+  FrameErrors small_errors(scene, camera, evaluation_seed);
+  std::optional<RequestedFrame> result = render_within_error(
+      renderer, scene, camera, small, *chosen, small_errors, job.subrange(0.3, 0.6));
+  if (!result || (small == film && settings.samples == 1)) return result;
+  result->settings.samples = settings.samples;
+  std::optional<Frame> frame = renderer.render(scene, camera, film, result->settings, stop,
+                                               job.subrange(0.6, 0.8).progress);
+  if (!frame) return std::nullopt;
+  result->frame = std::move(*frame);
+  FrameErrors own_errors(scene, camera, evaluation_seed);
+  FrameErrors& errors = small == film ? small_errors : own_errors;
+  result->error =
+      errors.measure(result->frame, settings.max_error, stop, job.subrange(0.8, 1.0).progress);
+  if (!result->error) return std::nullopt;
   return result;
 }
 

@@ -10,17 +10,17 @@ namespace brume {
 // `auto`: chooses the cheapest settings whose airlight meets a relative RMSE, measured on the scene
 // itself.
 
-// Random seed of the pixels that evaluate the final frame. Settings are chosen on other pixels, to
-// keep the estimate unbiased.
+// Random seed of the pixels that evaluate a frame. Settings are chosen on other pixels, to keep the
+// estimate unbiased.
 inline constexpr std::uint64_t evaluation_seed = 2;
 
 // The candidate settings in order of cost. `settings` provides everything that auto does not choose
 // (threads, tolerances).
 std::vector<Settings> quality_ladder(const Settings& settings);
 
-// Tries the candidates on a small frame of the view until one probably meets settings.max_error; if
-// none does, returns the cheapest of those with about the lowest error. nullopt if `stop` was
-// requested. `progress`, here and below: see FrameRenderer.
+// Tries the candidates on a small frame of the whole view until one probably meets
+// settings.max_error; if none does, returns the cheapest of those with about the lowest error.
+// nullopt if `stop` was requested. `progress`, here and below: see FrameRenderer.
 std::optional<Settings> choose_settings(FrameRenderer& renderer, const Scene& scene,
                                         const Camera& camera, const Film& film,
                                         const Settings& settings, const std::stop_token& stop = {},
@@ -38,9 +38,10 @@ std::optional<ErrorEstimate> measure_error(const Scene& scene, const Camera& cam
                                            const Frame& frame, const std::stop_token& stop = {},
                                            const std::function<void(double)>& progress = {});
 
-// Renders with the settings; if they say `auto_`, chooses them, renders and measures. While the
-// measured error exceeds max_error, continues with finer settings. If none meets it, returns the
-// cheapest frame that may meet it within the confidence interval, or else the last.
+// Renders with the settings; if they say `auto_`, chooses them, renders and measures. Whether they
+// meet max_error is judged by small frames of the whole view, so that regions of it are rendered
+// alike: while the measured error exceeds it, continues with finer settings. If none meets it, takes
+// the cheapest that may meet it within the confidence interval, or else the last.
 std::optional<RequestedFrame> render_requested(FrameRenderer& renderer, const Scene& scene,
                                                const Camera& camera, const Film& film,
                                                const Settings& settings,

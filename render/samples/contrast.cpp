@@ -18,17 +18,6 @@ constexpr float min_fog_contrast = 0.5f;
 // Of the inverse distances of surfaces, which are linear over a plane.
 constexpr float min_depth_step = 0.02f;
 
-// Of the beauty; in order, so that it is the same in every run.
-float mean_radiance(const Frame& frame) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < frame.depth.size(); ++i) {
-    sum += static_cast<double>(frame.beauty[4 * i]) + static_cast<double>(frame.beauty[4 * i + 1]) +
-           static_cast<double>(frame.beauty[4 * i + 2]);
-  }
-  return static_cast<float>(
-      sum / (3.0 * static_cast<double>(std::max<std::size_t>(frame.depth.size(), 1))));
-}
-
 // Three pixels in a row.
 class Triple {
  public:
@@ -86,11 +75,11 @@ class Triple {
 
 }  // namespace
 
-std::vector<PixelDetail> find_details(const Frame& frame, const Job& job) {
+std::vector<PixelDetail> find_details(const Frame& frame, double mean_radiance, const Job& job) {
   const int width = frame.film.width;
   const int height = frame.film.height;
   std::vector<PixelDetail> details(frame.depth.size(), PixelDetail::none);
-  const float floor = mean_share * mean_radiance(frame);
+  const float floor = mean_share * static_cast<float>(mean_radiance);
   constexpr std::array<std::array<int, 2>, 4> steps{{{1, 0}, {0, 1}, {1, 1}, {1, -1}}};
   job.parallel_for(static_cast<std::size_t>(height), [&](std::size_t row) {
     const int y = static_cast<int>(row);

@@ -12,10 +12,11 @@ namespace brume {
 // value: nothing, something seen through smooth fog, or the fog itself.
 enum class PixelDetail : std::uint8_t { none, surfaces, fog };
 
-// Finds them in a frame of one sample a pixel: where distances, what is behind the fog, or the fog
-// itself differ by more than a linear change from pixel to pixel, in any of eight directions.
+// Finds them in a frame of one sample a pixel, part of a picture of this mean radiance: where
+// distances, what is behind the fog, or the fog itself differ by more than a linear change from
+// pixel to pixel, in any of eight directions.
 // Gradients do not count: the filter is symmetric. Pixels at the border, some of whose neighbours
 // are unknown, are taken to have details.
-std::vector<PixelDetail> find_details(const Frame& frame, const Job& job);
+std::vector<PixelDetail> find_details(const Frame& frame, double mean_radiance, const Job& job);
 
 }  // namespace brume

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "brume/at_time.h"
+#include "render/samples/brightness.h"
 #include "render/samples/mean_frame.h"
 #include "render/samples/pixel_filter.h"
 
@@ -91,11 +92,14 @@ std::optional<Frame> render_exposure(FrameRenderer& renderer, const SceneAt& sce
   const auto seen_by = [&]() -> const Camera& { return camera ? *camera : scene.camera; };
   Settings sampled = settings;
   sampled.samples = samples_of(exposure, seen_by(), scene);
-  if (!is_blurred(exposure, seen_by())) {
-    return renderer.render(scene, seen_by(), film, sampled, job.stop, job.progress);
-  }
+  const bool has_blur = is_blurred(exposure, seen_by());
   const int count = samples_of_paths(sampled);
-  sampled.samples = 1;
+  if (has_blur) sampled.samples = 1;
+  const std::optional<Settings> of_picture =
+      with_brightness(renderer, scene, seen_by(), film, sampled, {job.stop, {}});
+  if (!of_picture) return std::nullopt;
+  sampled = *of_picture;
+  if (!has_blur) return renderer.render(scene, seen_by(), film, sampled, job.stop, job.progress);
   const double first = 1.0 / (count + 1);
   Settings of_center = sampled;
   of_center.paths = 1;

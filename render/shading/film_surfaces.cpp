@@ -14,9 +14,6 @@
 namespace brume {
 namespace {
 
-// So many neighbours are looked at by one thread, and their points shaded together.
-constexpr std::size_t tiles_together = 25;
-
 // What one thread does.
 class Shader {
  public:
@@ -31,11 +28,11 @@ class Shader {
     });
   }
 
-  // Before the tile is shaded: its rows are far apart in memory.
-  void prefetch(const CameraRays::PixelRectangle& tile) const {
+  // Before tiles are shaded: their rows are far apart in memory.
+  void prefetch(const CameraRays::PixelRectangle& tiles) const {
     constexpr int per_line = 64 / sizeof(RasterPixel);
-    for (int y = tile.y0; y < tile.y1; ++y) {
-      for (int x = tile.x0; x < tile.x1; x += per_line) {
+    for (int y = tiles.y0; y < tiles.y1; ++y) {
+      for (int x = tiles.x0; x < tiles.x1; x += per_line) {
         __builtin_prefetch(&hits_[index_of({x, y})]);
       }
     }
@@ -110,19 +107,27 @@ std::uint64_t FilmSurfaces::shade(std::span<const SurfaceHit> hits,
 
 std::uint64_t FilmSurfaces::shade(std::span<const RasterPixel> hits, const Job& job,
                                   std::span<glm::vec3> radiance) const {
-  const Tiles tiles(film);
+  const int columns = (pixels.x1 - pixels.x0 + block_width - 1) / block_width;
+  const int rows = (pixels.y1 - pixels.y0 + block_height - 1) / block_height;
   std::atomic<std::uint64_t> pairs = 0;
-  job.parallel_for(
-      (tiles.count() + tiles_together - 1) / tiles_together, [&](std::size_t tile_group) {
-        Shader shader(*this, hits, radiance);
-        const std::size_t end = std::min((tile_group + 1) * tiles_together, tiles.count());
-        for (std::size_t tile = tile_group * tiles_together; tile < end; ++tile) {
-          shader.shade(tiles.rectangle(tile));
-          if (tile + 1 < end) shader.prefetch(tiles.rectangle(tile + 1));
-        }
-        shader.finish();
-        pairs += shader.pairs();
-      });
+  job.parallel_for(static_cast<std::size_t>(columns * rows), [&](std::size_t block) {
+    const int left = pixels.x0 + static_cast<int>(block) % columns * block_width;
+    const int top = pixels.y0 + static_cast<int>(block) / columns * block_height;
+    const int right = std::min(left + block_width, pixels.x1);
+    const int bottom = std::min(top + block_height, pixels.y1);
+    Shader shader(*this, hits, radiance);
+    for (int y = top; y < bottom; y += Tiles::height) {
+      for (int x = left; x < right; x += Tiles::width) {
+        shader.shade({x, y, std::min(x + Tiles::width, right), std::min(y + Tiles::height, bottom)});
+      }
+      const int next = y + Tiles::height;
+      if (next < bottom) {
+        shader.prefetch({left, next, right, std::min(next + Tiles::height, bottom)});
+      }
+    }
+    shader.finish();
+    pairs += shader.pairs();
+  });
   return pairs;
 }
 

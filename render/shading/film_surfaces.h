@@ -6,6 +6,7 @@
 
 #include "core/scene/camera_rays.h"
 #include "render/geometry/medium_index.h"
+#include "render/geometry/tiles.h"
 #include "render/settings.h"
 #include "render/shading/prepared_shading.h"
 #include "render/shading/surface_shading.h"
@@ -16,6 +17,11 @@ namespace brume {
 
 // Shades the surfaces of a view.
 struct FilmSurfaces {
+  // Pixels of a block are looked at by one thread, and their points shaded together: whether a
+  // shadow ray grazes a triangle may depend on the rays beside it.
+  static constexpr int block_width = 4 * Tiles::width;
+  static constexpr int block_height = 4 * Tiles::height;
+
   std::span<const Surface> surfaces;
   const MediumIndex& medium;
   const RayCaster& ray_caster;
@@ -23,9 +29,10 @@ struct FilmSurfaces {
   const SurfaceLighting& lighting;
   const CameraRays& rays;
   Film film;
+  CameraRays::PixelRectangle pixels;  // those that are shaded, whole blocks
   Settings::Precision precision;
 
-  // Sets the exitant radiance of each pixel's hit towards the eye, black where there is none.
+  // Sets the exitant radiance of these pixels' hits towards the eye, black where there is none.
   // Returns the Gaussian x path pairs evaluated.
   std::uint64_t shade(std::span<const RasterPixel> hits, const Job& job,
                       std::span<glm::vec3> radiance) const;

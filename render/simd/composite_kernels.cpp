@@ -79,7 +79,7 @@ void FindSky(const RadianceMap& map, float scale, const RowDirections& direction
              std::span<const float> distances, std::span<glm::vec3> behind) {
   const hn::ScalableTag<float> d;
   const std::size_t lanes = hn::Lanes(d);
-  const glm::vec3& start = directions.first;
+  const glm::vec3& start = directions.start;
   const glm::vec3& step = directions.per_pixel;
   constexpr float infinite = std::numeric_limits<float>::infinity();
   MapPositions positions;
@@ -88,7 +88,8 @@ void FindSky(const RadianceMap& map, float scale, const RowDirections& direction
     std::size_t k = first;
     while (k < end && distances[k] < infinite) ++k;
     if (k == end) continue;
-    const auto lane = hn::Iota(d, static_cast<float>(first));
+    const int pixel = directions.first + static_cast<int>(first);
+    const auto lane = hn::Iota(d, static_cast<float>(pixel));
     positions.set(d, map, hn::MulAdd(lane, hn::Set(d, step.x), hn::Set(d, start.x)),
                   hn::MulAdd(lane, hn::Set(d, step.y), hn::Set(d, start.y)),
                   hn::MulAdd(lane, hn::Set(d, step.z), hn::Set(d, start.z)));

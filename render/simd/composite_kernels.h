@@ -9,11 +9,12 @@ namespace brume {
 
 // SIMD kernels of compositing (Highway, single precision), one row of pixels at a time.
 
-// Directions through the pixels of a row, of any length, in the frame of a map: first + k
+// Directions through the pixels of a row, of any length, in the frame of a map: start + (first + k)
 // per_pixel.
 struct RowDirections {
-  glm::vec3 first{0.0f};
+  glm::vec3 start{0.0f};
   glm::vec3 per_pixel{0.0f};
+  int first = 0;
 };
 
 // behind[k] = scale * the map's radiance in direction k, where distances[k] is infinite. Scalar

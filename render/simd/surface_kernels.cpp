@@ -65,12 +65,10 @@ HWY_INLINE Vector choose(hn::Mask<D> mask, const Vector& yes, const Vector& no) 
           hn::IfThenElse(mask, yes.z, no.z)};
 }
 
-// directions: `origin` plus x and y steps, normalised.
-void WalkAndNormalize(const glm::vec3& origin, const glm::vec3& per_x, const glm::vec3& per_y,
-                      std::size_t padded_size, PointVectors& directions) {
+void Normalize(std::size_t padded_size, PointVectors& directions) {
   for (std::size_t i = 0; i < padded_size; i += hn::Lanes(D())) {
-    const Vector along = plus(set(origin), load(directions.x, i), set(per_x));
-    store(normalized(plus(along, load(directions.y, i), set(per_y))), directions, i);
+    const Vector w{load(directions.x, i), load(directions.y, i), load(directions.z, i)};
+    store(normalized(w), directions, i);
   }
 }
 
@@ -249,7 +247,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace brume {
 
-HWY_EXPORT(WalkAndNormalize);
+HWY_EXPORT(Normalize);
 HWY_EXPORT(InterpolatePoints);
 HWY_EXPORT(PointToLight);
 HWY_EXPORT(AddDirectLight);
@@ -258,19 +256,17 @@ HWY_EXPORT(AddScatteredLight);
 
 void find_view_directions(const CameraRays& rays, std::span<const glm::ivec2> pixels,
                           PointVectors& directions) {
-  // From one of them: no digits are lost on large films.
-  const glm::ivec2 origin = pixels[0];
+  // In double each by itself: no digits are lost on large films, whichever pixels are together.
+  const auto [corner, per_x, per_y] = rays.plane();
+  const glm::dvec2 first = glm::dvec2(rays.first_pixel()) + 0.5;
   for (std::size_t k = 0; k < padded(pixels.size()); ++k) {
-    const glm::ivec2 from_origin = pixels[std::min(k, pixels.size() - 1)] - origin;
-    directions.x[k] = static_cast<float>(from_origin.x);
-    directions.y[k] = static_cast<float>(from_origin.y);
+    const glm::dvec2 position = first + glm::dvec2(pixels[std::min(k, pixels.size() - 1)]);
+    const glm::dvec3 w = corner + position.x * per_x + position.y * per_y;
+    directions.x[k] = static_cast<float>(w.x);
+    directions.y[k] = static_cast<float>(w.y);
+    directions.z[k] = static_cast<float>(w.z);
   }
-  const CameraRays::FilmPlane plane = rays.plane();
-  const glm::dvec3 first =
-      plane.corner + (origin.x + 0.5) * plane.per_x + (origin.y + 0.5) * plane.per_y;
-  HWY_DYNAMIC_DISPATCH(WalkAndNormalize)
-  (glm::vec3(first), glm::vec3(plane.per_x), glm::vec3(plane.per_y), padded(pixels.size()),
-   directions);
+  HWY_DYNAMIC_DISPATCH(Normalize)(padded(pixels.size()), directions);
 }
 
 void interpolate_points(const PointTriangles& triangles, SurfacePoints& points) {

@@ -31,7 +31,8 @@ class BakedGroup {
   BakedGroup(const RenderPlan& plan, Scene scene, const TransferStore& transfers, const Job& job,
              const AlbedoGroup& group, const FogExtent& extent)
       : scene_(std::move(scene)),
-        work_(plan, scene_, scene_.camera, no_film, transfers, nullptr, job, group, extent) {}
+        work_(plan, scene_, scene_.camera, {no_film, plan.settings}, transfers, nullptr, job, group,
+              extent) {}
 
   // False if stopped.
   bool prepare() {

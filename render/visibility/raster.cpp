@@ -39,8 +39,9 @@ Raster::WindingDepths FindBounds(const RasterTriangles& triangles, const Raster:
   for (std::size_t i = first; i < last; ++i) {
     const glm::uvec3& c = triangles.corners[i];
     const std::array<Raster::Vertex, 3> corners{vertices[c.x], vertices[c.y], vertices[c.z]};
-    bounds[i] = BoundsOf(corners, view);
-    if (bounds[i].empty()) continue;
+    const Raster::Bounds on_whole = BoundsOf(corners, view);
+    bounds[i] = ClippedTo(view, on_whole);
+    if (on_whole.empty()) continue;
     if (IsEdgeOn(triangles, c, view)) {
       bounds[i] = {};
       continue;
@@ -225,9 +226,11 @@ HWY_INLINE void DrawTriangle(const std::array<Raster::Vertex, 3>& corners, std::
   const EdgeLanes of_c(EdgePlane(a, b));
   const V zero = hn::Zero(d);
   for (int y = covered.y0; y <= covered.y1; ++y) {
-    const V py = hn::Add(lanes.row, set(static_cast<float>(first_row + y * side) - view.center.y));
+    const int row = view.first.y + first_row + y * side;
+    const V py = hn::Add(lanes.row, set(static_cast<float>(row) - view.center.y));
     for (int x = covered.x0; x <= covered.x1; ++x) {
-      const V px = hn::Add(lanes.column, set(static_cast<float>(x * side) - view.center.x));
+      const int column = view.first.x + x * side;
+      const V px = hn::Add(lanes.column, set(static_cast<float>(column) - view.center.x));
       const V ea = of_a.at(px, py);
       const V eb = of_b.at(px, py);
       const V ec = of_c.at(px, py);
@@ -291,8 +294,8 @@ HWY_INLINE void Lengthen(const Raster::View& view, int first_row, Raster::Buffer
       for (std::size_t lane_group = 0; lane_group < block_pixels / hn::Lanes(d);
            ++lane_group, k += hn::Lanes(d)) {
         const LanePositions lanes(lane_group);
-        const V px = hn::Add(lanes.column, set(static_cast<float>(x)));
-        const V py = hn::Add(lanes.row, set(static_cast<float>(first_row + y)));
+        const V px = hn::Add(lanes.column, set(static_cast<float>(view.first.x + x)));
+        const V py = hn::Add(lanes.row, set(static_cast<float>(view.first.y + first_row + y)));
         const auto along = [&](float base, float per_x, float per_y) HWY_ATTR {
           return hn::MulAdd(px, set(per_x), hn::MulAdd(py, set(per_y), set(base)));
         };
@@ -404,6 +407,8 @@ Raster::Raster(const RasterTriangles& triangles, const CameraRays& rays, const g
            glm::vec3(plane.per_x / glm::dot(plane.per_x, plane.per_x)),
            glm::vec3(plane.per_y / glm::dot(plane.per_y, plane.per_y)),
            glm::vec2(rays.axis() - 0.5),
+           rays.whole_size(),
+           rays.first_pixel(),
            film.width,
            film.height};
   const std::size_t vertices = triangles.x.size();

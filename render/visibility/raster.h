@@ -59,26 +59,29 @@ class Raster {
   };
   static constexpr int block = 4;
 
-  // The camera for the kernels: the direction through the center of pixel (x, y) is corner + x
-  // per_x + y per_y, at distance 1 along forward.
+  // The camera for the kernels: the direction through the center of pixel (x, y) of the whole film
+  // is corner + x per_x + y per_y, at distance 1 along forward.
   struct View {
     glm::vec3 eye{0.0f};
     glm::dvec3 exact_eye{0.0};
     glm::vec3 forward{0.0f};
     glm::vec3 corner{0.0f}, per_x{0.0f}, per_y{0.0f};
     glm::vec3 to_x{0.0f}, to_y{0.0f};  // per_x and per_y over the squares of their lengths
-    glm::vec2 center{0.0f};  // of the film, where forward meets it, in pixels from the first one's
+    // Of the whole film, where forward meets it, in pixels from the first one's.
+    glm::vec2 center{0.0f};
+    glm::ivec2 whole{0};  // its size
+    glm::ivec2 first{0};  // where this film begins on it, in whole blocks
     int width = 0;
     int height = 0;
   };
-  // A projected vertex: (x, y) / z is its position in pixels from the film's center (which wide
+  // A projected vertex: (x, y) / z is its position in pixels from the whole film's center (which wide
   // views would lose precision without), z its depth along forward. At or behind the eye plane,
   // inverse is 0.
   struct alignas(16) Vertex {
     float x = 0.0f, y = 0.0f, z = 0.0f;
     float inverse = 0.0f;  // 1 / z
   };
-  // The pixels [x0, x1] x [y0, y1] whose centers a triangle may contain, clipped to the film.
+  // The pixels [x0, x1] x [y0, y1] whose centers a triangle may contain, clipped to a film.
   struct Bounds {
     std::int16_t x0 = 0, x1 = -1, y0 = 0, y1 = -1;
 

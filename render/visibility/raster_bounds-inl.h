@@ -50,6 +50,7 @@ struct Extent {
   }
 };
 
+// On the whole film.
 HWY_INLINE Raster::Bounds BoundsOf(const std::array<Raster::Vertex, 3>& corners,
                                    const Raster::View& view) {
   Extent extent;
@@ -72,8 +73,8 @@ HWY_INLINE Raster::Bounds BoundsOf(const std::array<Raster::Vertex, 3>& corners,
       extent.add_beyond(from.z * b - behind * a, 1e-4f * (size.x + size.y));
     }
   }
-  const auto width = static_cast<float>(view.width);
-  const auto height = static_cast<float>(view.height);
+  const auto width = static_cast<float>(view.whole.x);
+  const auto height = static_cast<float>(view.whole.y);
   const auto first = [](float x, float end) HWY_ATTR {
     return static_cast<std::int16_t>(std::ceil(std::min(std::max(Below(x), 0.0f), end)));
   };
@@ -82,6 +83,18 @@ HWY_INLINE Raster::Bounds BoundsOf(const std::array<Raster::Vertex, 3>& corners,
   };
   return {first(extent.low.x, width), last(extent.high.x, width), first(extent.low.y, height),
           last(extent.high.y, height)};
+}
+
+// The part of bounds on the whole film that is on this one.
+HWY_INLINE Raster::Bounds ClippedTo(const Raster::View& view, const Raster::Bounds& whole) {
+  const auto first = [](int x, int start) {
+    return static_cast<std::int16_t>(std::max(x - start, 0));
+  };
+  const auto last = [](int x, int start, int size) {
+    return static_cast<std::int16_t>(std::min(x - start, size - 1));
+  };
+  return {first(whole.x0, view.first.x), last(whole.x1, view.first.x, view.width),
+          first(whole.y0, view.first.y), last(whole.y1, view.first.y, view.height)};
 }
 
 HWY_INLINE Raster::Winding WindingOf(const std::array<Raster::Vertex, 3>& corners) {

@@ -21,10 +21,12 @@ uniform dvec3 right;
 uniform dvec3 up;
 uniform double half_width;  // of the whole film at distance 1
 uniform double half_height;
-uniform ivec2 film;
 uniform ivec2 whole_film;
-uniform dvec3 film_start;  // on the whole one, x and y
-uniform ivec2 tiles;
+uniform ivec2 surround;        // a film around the axis that holds the whole one
+uniform dvec3 whole_start;     // where that begins on it, x and y
+uniform ivec2 whole_tiles;     // of the whole film
+uniform ivec2 first_tile;      // of this one
+uniform ivec2 tiles;           // as many
 uniform int scale;
 uniform float farther;  // how far noise bends rays, in radii
 
@@ -95,17 +97,19 @@ void main() {
   }
 #endif
   if (!(u.x < u.y) || !(v.x < v.y)) return;
-  const ivec2 first = ivec2(first_pixel(u.x, whole_film.x, film_start.x),
-                            first_pixel(v.x, whole_film.y, film_start.y));
-  const ivec2 last = ivec2(end_pixel(u.y, whole_film.x, film_start.x),
-                           end_pixel(v.y, whole_film.y, film_start.y));
+  const ivec2 first = ivec2(first_pixel(u.x, surround.x, whole_start.x),
+                            first_pixel(v.x, surround.y, whole_start.y));
+  const ivec2 last = ivec2(end_pixel(u.y, surround.x, whole_start.x),
+                           end_pixel(v.y, surround.y, whole_start.y));
   const ivec2 low = max(first, ivec2(0));
-  const ivec2 high = min(last, film);
+  const ivec2 high = min(last, whole_film);
   if (any(greaterThanEqual(low, high))) return;
   // A ray of the last column or row may lie slightly before its grid position.
   const ivec2 tile = ivec2(tile_width, tile_height);
-  const ivec2 begin = low / scale / tile;
-  const ivec2 end = min((high + scale - 2) / scale / tile + 1, tiles);
+  const ivec2 begin = max(low / scale / tile - first_tile, ivec2(0));
+  const ivec2 end =
+      min(min((high + scale - 2) / scale / tile + 1, whole_tiles) - first_tile, tiles);
+  if (any(greaterThanEqual(begin, end))) return;
   rectangles[i] = uvec2(begin.x | begin.y << 16, end.x | end.y << 16);
   const uint area = uint((end.x - begin.x) * (end.y - begin.y));
   atomicAdd(totals.used, 1u);

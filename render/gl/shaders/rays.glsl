@@ -3,9 +3,10 @@
 uniform dvec3 corner;
 uniform dvec3 per_x;
 uniform dvec3 per_y;
+uniform ivec2 first_pixel;  // of the film on the whole one
 
 dvec3 exact_direction(ivec2 pixel) {
-  const dvec2 position = dvec2(pixel) + 0.5LF;
+  const dvec2 position = dvec2(first_pixel + pixel) + 0.5LF;
   return normalize(corner + position.x * per_x + position.y * per_y);
 }
 

@@ -4,12 +4,17 @@
 
 #include <cmath>
 
-#include "render/deep/deep_file.h"
 #include "render/deep/deep_samples.h"
 #include "tests/render/test_scenes.h"
 
 namespace brume {
 namespace {
+
+double rms(const std::vector<float>& values) {
+  double sum = 0.0;
+  for (const float value : values) sum += static_cast<double>(value) * static_cast<double>(value);
+  return std::sqrt(sum / static_cast<double>(values.size()));
+}
 
 // A deep frame in memory.
 class DeepFrame {
@@ -20,9 +25,9 @@ class DeepFrame {
       for (const std::uint32_t samples : rows.counts) first_.push_back(first_.back() + samples);
       samples_.insert(samples_.end(), rows.samples.begin(), rows.samples.end());
     };
-    statistics_ = render_deep(scene, scene.camera, scene.film, deep_settings(settings, error, flat),
-                              TransferStore(), take)
-                      .value();
+    const DeepSettings deep{settings, error, rms(flat.airlight)};
+    statistics_ =
+        render_deep(scene, scene.camera, scene.film, deep, TransferStore(), take).value();
     EXPECT_TRUE(next_row_ok_);
     EXPECT_EQ(statistics_.samples, samples_.size());
     EXPECT_EQ(statistics_.coarse_tiles, 0u);
@@ -43,12 +48,6 @@ class DeepFrame {
   std::vector<DeepSample> samples_;
   DeepStatistics statistics_;
 };
-
-double rms(const std::vector<float>& values) {
-  double sum = 0.0;
-  for (const float value : values) sum += static_cast<double>(value) * static_cast<double>(value);
-  return std::sqrt(sum / static_cast<double>(values.size()));
-}
 
 // The largest differences from a flat frame of what is in front of its surfaces.
 struct HeldOutError {

@@ -120,8 +120,10 @@ Frame frame_of(const Case& c) {
   return frame;
 }
 
-Film sample_film() {
-  return {(film.width + scale - 2) / scale + 1, (film.height + scale - 2) / scale + 1};
+FilmWindow window() {
+  Settings settings;
+  settings.airlight_scale = scale;
+  return {film, settings};
 }
 
 MediumIndex index_of(const Case& c) {
@@ -131,20 +133,21 @@ MediumIndex index_of(const Case& c) {
 TileCone cone_of(const Case& c, std::size_t tile) {
   const Frame frame = frame_of(c);
   const CameraRays rays = rays_of(c);
-  const Tiles tiles(sample_film());
+  const Tiles tiles(sample_film(film, scale));
   const Tiles::Lists lists;
   const RayEnds ends;
-  return FilmTiles{tiles, lists, rays, ends, frame, scale}.cone(tile);
+  return FilmTiles{tiles, lists, rays, ends, frame, window(), scale}.cone(tile);
 }
 
 Slices choose_on_cpu(const Case& c) {
   const MediumIndex medium = index_of(c);
   const Frame frame = frame_of(c);
   const CameraRays rays = rays_of(c);
-  const Tiles tiles(sample_film());
+  const Tiles tiles(sample_film(film, scale));
   const Tiles::Lists lists = tiles.lists(medium, rays, scale);
   const RayEnds ends;
-  const FilmTiles film_tiles{tiles, lists, rays, ends, frame, scale};
+  const FilmWindow whole = window();
+  const FilmTiles film_tiles{tiles, lists, rays, ends, frame, whole, scale};
   FilmSlices chosen;
   chosen.choose(film_tiles, medium, c.lights, c.slices, {});
   Slices slices{tiles.columns(), tiles.rows(), {}, {}};
@@ -194,7 +197,7 @@ Slices choose_on_device(DeviceState& device, const Case& c) {
   settings.airlight_scale = scale;
   const RenderPlan plan(Scene(), film, settings);
   const FilmView view{film, rays, std::numeric_limits<double>::infinity(),
-                      medium.homogeneous_density(), plan};
+                      medium.homogeneous_density(), plan, std::nullopt};
   device.slices.choose(device.programs, device.clock, device.lights, c.lights.size(), c.slices,
                        device.lists, view, device.textures);
   const glm::ivec2 tiles = device.lists.tiles();

@@ -103,8 +103,10 @@ Upsampled upsample_on_cpu(const Given& given) {
   frame.statistics.pixel_pairs.assign(given.pixels(), 0.0f);
   Scene scene;
   scene.lights = given.lights;
-  const brume::FilmAirlight result = film_airlight(medium_of(), point_lights(scene), rays,
-                                                   settings_of(given), method, {}, {}, frame);
+  const Settings settings = settings_of(given);
+  const brume::FilmAirlight result =
+      film_airlight(medium_of(), point_lights(scene), rays, {given.film, settings}, settings,
+                    std::nullopt, method, {}, {}, frame);
   Upsampled upsampled;
   for (std::size_t i = 0; i < given.pixels(); ++i) {
     upsampled.airlight.emplace_back(frame.airlight[3 * i], frame.airlight[3 * i + 1],
@@ -160,7 +162,8 @@ Upsampled upsample_on_device(DeviceState& device, const Given& given) {
   scene.lights = given.lights;
   scene.medium.set_homogeneous_density(b0);
   const RenderPlan plan(scene, given.film, settings);
-  const FilmView view{given.film, rays, std::numeric_limits<double>::infinity(), b0, plan};
+  const FilmView view{given.film, rays, std::numeric_limits<double>::infinity(), b0, plan,
+                      std::nullopt};
   Upsampled upsampled;
   upsampled.exact = device.film.run(
       device.programs, device.clock, device.method,

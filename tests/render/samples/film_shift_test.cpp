@@ -37,7 +37,7 @@ TEST(FilmShift, BoundsBallsOnTheShiftedFilm) {
       const glm::dvec3 center = rays.eye() + 5.0 * rays.direction(along, 0.5 * along);
       const double radius = 0.2;
       const CameraRays::PixelRectangle r =
-          rays.bounds(GaussianTerm<double>(1.0, 1.0, center), radius);
+          rays.bounds_on_whole(GaussianTerm<double>(1.0, 1.0, center), radius);
       for (int y = 0; y < film.height; ++y) {
         for (int x = 0; x < film.width; ++x) {
           const glm::dvec3 w = rays.direction(x + 0.5, y + 0.5);
