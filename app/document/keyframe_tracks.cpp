@@ -40,63 +40,42 @@ std::size_t index_of() {
 
 // "Camera focus distance"
 QString track_title(const QString& object, const FieldInfo& info) {
-  return object + ' ' + track_text(info.label).toLower();
+  const QString label = track_text(info.label);
+  return object.isEmpty() ? label : object + ' ' + label.toLower();
 }
 
-// Of values of core/scene/fields; those that are keyed jointly are neighbours.
+// Of values of core/scene/fields; those that are keyed jointly are neighbours. `value`: index of
+// the object's first among its part's.
 void add_tracks(std::vector<Track>& rows, const QString& object, std::size_t part,
-                const auto& owner, const auto& all_keys) {
-  std::size_t value = 0;
+                std::size_t& value, const auto& owner, const auto& all_keys) {
   bool is_joint = false;
   visit_keyed_fields(owner, all_keys, [&](const auto& field, const auto&) {
-    const bool is_next = std::exchange(is_joint, field.info.is_keyed_jointly) && is_joint;
+    const FieldInfo& info = field.info;
+    const bool is_next = std::exchange(is_joint, info.is_keyed_jointly) && is_joint;
     if (is_next) {
       ++rows.back().count;
     } else if (is_joint) {
       rows.push_back({object, part, value, 1});
-    } else if (is_set(field, owner, all_keys)) {
-      rows.push_back({track_title(object, field.info), part, value, 1});
+    } else if (!info.is_track_optional || is_set(field, owner, all_keys)) {
+      rows.push_back({track_title(object, info), part, value, 1});
     }
     ++value;
   });
 }
 
-// In the order of visit_keyed_emitter().
-void add_emitter_tracks(std::vector<Track>& rows, const Emitters& emitters) {
-  std::size_t count = 0;
-  for (std::size_t k = 0; k < emitters.size(); ++k) {
-    const auto add = [&](const QString& title) {
-      rows.push_back({title.arg(k + 1), index_of<Emitters>(), count++, 1});
-    };
-    add(track_text("Emitter %1 position"));
-    add(track_text("Emitter %1 rate"));
-    add(track_text("Emitter %1 lifetime"));
-    add(track_text("Emitter %1 velocity"));
-    add(track_text("Emitter %1 spread"));
-    add(track_text("Emitter %1 acceleration"));
-    add(track_text("Emitter %1 radius"));
-    add(track_text("Emitter %1 density"));
-    if (emitters[k].optics.albedo) add(track_text("Emitter %1 albedo"));
-    add(track_text("Emitter %1 emission"));
-    add(track_text("Emitter %1 emission at death"));
-  }
-}
-
-// In the order of visit_keyed_group().
-void add_group_tracks(std::vector<Track>& rows, const Groups& groups) {
-  std::size_t count = 0;
-  for (const Group& group : groups) {
-    const auto add = [&](const QString& title) {
-      rows.push_back(
-          {title.arg(QString::fromStdString(group.name)), index_of<Groups>(), count++, 1});
-    };
-    add(track_text("%1 density factor"));
-    add(track_text("%1 density offset"));
-    add(track_text("%1 radius factor"));
-    add(track_text("%1 radius offset"));
-    add(track_text("%1 albedo factor"));
-    add(track_text("%1 albedo offset"));
-  }
+// Moves the track of an object, at its first value, to the value of a name; behind the object if it
+// has none.
+void find_value(Track& track, std::string_view name, const auto& owner, const auto& all_keys) {
+  bool is_found = false;
+  visit_keyed_fields(owner, all_keys, [&](const auto& field, const auto&) {
+    if (is_found) return;
+    is_found = field.info.name == name;
+    if (is_found) {
+      track.title = track_title(track.title, field.info);
+    } else {
+      ++track.first;
+    }
+  });
 }
 
 // In the order of visit_keyed_surface().
@@ -134,7 +113,9 @@ void visit_keys(ScenePart& part, const Track& row, std::span<const double> times
 
 std::vector<Track> tracks(const Scene& scene) {
   std::vector<Track> rows;
-  add_tracks(rows, track_text("Camera"), index_of<KeyedCamera>(), scene.camera, scene.camera_keys);
+  std::size_t value = 0;
+  add_tracks(rows, track_text("Camera"), index_of<KeyedCamera>(), value, scene.camera,
+             scene.camera_keys);
   std::size_t of_lights = 0;
   for (std::size_t k = 0; k < scene.lights.size(); ++k) {
     const auto add = [&](const QString& title) {
@@ -166,34 +147,51 @@ std::vector<Track> tracks(const Scene& scene) {
     add(track_text("Light %1 inner angle"));
     add(track_text("Light %1 outer angle"));
   }
-  if (scene.environment) {
-    const std::size_t part = index_of<std::optional<Environment>>();
-    rows.push_back({track_text("Environment intensity"), part, 0, 1});
-    rows.push_back({track_text("Environment rotation"), part, 1, 1});
+  if (const auto& environment = scene.environment) {
+    value = 0;
+    add_tracks(rows, track_text("Environment"), index_of<std::optional<Environment>>(), value,
+               *environment, environment->keys);
   }
   rows.push_back({track_text("Homogeneous density"), index_of<KeyedDensity>(), 0, 1});
+  value = 0;
   const std::size_t optics = index_of<MediumOptics>();
-  rows.push_back({track_text("Albedo"), optics, 0, 1});
-  rows.push_back({track_text("Anisotropy"), optics, 1, 1});
-  rows.push_back({track_text("Noise amplitude"), optics, 2, 1});
-  rows.push_back({track_text("Noise frequency"), optics, 3, 1});
-  rows.push_back({track_text("Wind"), optics, 4, 1});
+  add_tracks(rows, {}, optics, value, scene.optics, scene.optics.keys);
+  add_tracks(rows, track_text("Noise"), optics, value, scene.optics.noise, scene.optics.noise.keys);
   add_surface_tracks(rows, scene.surfaces);
-  add_group_tracks(rows, scene.groups);
-  add_emitter_tracks(rows, scene.emitters);
+  value = 0;
+  for (const Group& group : scene.groups) {
+    add_tracks(rows, QString::fromStdString(group.name), index_of<Groups>(), value, group,
+               group.keys);
+  }
+  value = 0;
+  for (std::size_t k = 0; k < scene.emitters.size(); ++k) {
+    const Emitter& emitter = scene.emitters[k];
+    add_tracks(rows, track_text("Emitter %1").arg(k + 1), index_of<Emitters>(), value, emitter,
+               emitter.keys);
+  }
   return rows;
 }
 
 Track camera_track(const Scene& scene, std::string_view name) {
-  Track track{{}, index_of<KeyedCamera>(), 0, 1};
-  std::size_t value = 0;
-  visit_keyed_fields(scene.camera, scene.camera_keys, [&](const auto& field, const auto&) {
-    if (field.info.name == name) {
-      track.title = track_title(track_text("Camera"), field.info);
-      track.first = value;
-    }
-    ++value;
-  });
+  Track track{track_text("Camera"), index_of<KeyedCamera>(), 0, 1};
+  find_value(track, name, scene.camera, scene.camera_keys);
+  return track;
+}
+
+Track environment_track(const Scene& scene, std::string_view name) {
+  Track track{track_text("Environment"), index_of<std::optional<Environment>>(), 0, 1};
+  find_value(track, name, *scene.environment, scene.environment->keys);
+  return track;
+}
+
+Track group_track(const Scene& scene, GroupId id, std::string_view name) {
+  Track track{{}, index_of<Groups>(), 0, 1};
+  for (const Group& group : scene.groups) {
+    track.title = QString::fromStdString(group.name);
+    const bool is_last = group.id == id;
+    find_value(track, is_last ? name : std::string_view(), group, group.keys);
+    if (is_last) break;
+  }
   return track;
 }
 

@@ -24,8 +24,10 @@ struct Track {
 // All tracks; and those with keyframes.
 std::vector<Track> tracks(const Scene& scene);
 std::vector<Track> tracks_with_keys(const Scene& scene);
-// Of one value of the camera in use, by its name in files; it is there.
+// Of one value, by its name in files: of the camera in use, the environment, a group. It is there.
 Track camera_track(const Scene& scene, std::string_view name);
+Track environment_track(const Scene& scene, std::string_view name);
+Track group_track(const Scene& scene, GroupId group, std::string_view name);
 
 // Who chooses the slopes of a smooth curve at a key: nobody, the user one for both sides, or one
 // for each.

@@ -21,16 +21,16 @@ void visit_keyed_part(auto& part, auto&& visit) {
         } else if constexpr (std::is_same_v<Part, Lights>) {
           for (auto& light : value) visit_keyed_light(light, visit);
         } else if constexpr (std::is_same_v<Part, Emitters>) {
-          for (auto& emitter : value) visit_keyed_emitter(emitter, visit);
+          for (auto& emitter : value) visit_keyed(emitter, visit);
         } else if constexpr (std::is_same_v<Part, Surfaces>) {
           for (auto& surface : value) visit_keyed_surface(surface, visit);
         } else if constexpr (std::is_same_v<Part, Groups>) {
-          for (auto& group : value) visit_keyed_group(group, visit);
+          for (auto& group : value) visit_keyed(group, visit);
         } else if constexpr (std::is_same_v<Part, std::optional<Environment>>) {
-          if (value) visit_keyed_environment(*value, visit);
+          if (value) visit_keyed(*value, visit);
         } else if constexpr (std::is_same_v<Part, MediumOptics>) {
-          visit_keyed_optics(value, visit);
-          visit_keyed_noise(value.noise, visit);
+          visit_keyed(value, visit);
+          visit_keyed(value.noise, visit);
         }
       },
       part);

@@ -105,7 +105,7 @@ void CameraPanel::add_toggle(QAction* action) {
 void CameraPanel::add_values(QFormLayout& form) {
   const Fields<Camera> values{
       .prefix = "camera_",
-      .get = [this]() -> const Camera& { return document_.scene().camera; },
+      .get = [this] { return &document_.scene().camera; },
       .set = std::bind_front(&CameraPanel::set_camera, this),
       .track = [](const Scene& scene,
                   const FieldInfo& info) { return camera_track(scene, info.name); }};

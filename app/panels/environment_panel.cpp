@@ -12,7 +12,7 @@
 #include "app/panels/environment_picture.h"
 #include "app/widgets/plain_text.h"
 #include "core/io/image/radiance_map_file.h"
-#include "core/number_domain.h"
+#include "core/scene/fields/environment_fields.h"
 
 namespace brume {
 namespace {
@@ -26,26 +26,21 @@ EnvironmentPanel::EnvironmentPanel(Document& document, QWidget* parent)
   auto* form = new QFormLayout(this);
   form->setContentsMargins(0, 0, 0, 0);
   add_file(*form);
-  const auto add = [&](const QString& title, const char* widget, const NumberDomain& domain,
-                       ValueField::Scale scale, double step, double Environment::*number,
-                       const QString& text) {
-    add_number(*form, title,
-               {widget, domain, scale, step,
-                [this, number]() -> std::optional<double> {
-                  const auto& environment = document_.scene().environment;
-                  return environment ? std::optional((*environment).*number) : std::nullopt;
-                },
-                [this, number, text](double value, MergeId gesture) {
-                  std::optional<Environment> environment = document_.scene().environment;
-                  (*environment).*number = value;
-                  set_scene_part(document_, std::move(environment), text, gesture);
-                }});
-  };
-  add(tr("Intensity"), "environment_intensity", domain::not_negative,
-      ValueField::Scale::logarithmic, 0.01, &Environment::intensity,
-      tr("Set intensity of environment"));
-  add(tr("Rotation, degrees"), "environment_rotation", domain::degrees, ValueField::Scale::linear,
-      0.5, &Environment::rotation, tr("Rotate environment"));
+  const Fields<Environment> values{
+      .prefix = "environment_",
+      .get =
+          [this] {
+            const auto& environment = document_.scene().environment;
+            return environment ? &*environment : nullptr;
+          },
+      .set =
+          [this](const Environment& environment, const FieldInfo& info, MergeId gesture) {
+            set_scene_part(document_, std::optional(environment),
+                           tr("Set %1 of environment").arg(field_label(info).toLower()), gesture);
+          },
+      .track = [](const Scene& scene,
+                  const FieldInfo& info) { return environment_track(scene, info.name); }};
+  visit_fields<Environment>([&](const auto& field) { add_field(*form, field, values); });
   connect(&document_, &Document::scene_replaced, &reading_, &BackgroundJob::cancel);
   connect(&reading_, &BackgroundJob::failed, this, [this](const QString& problem) {
     show_picture();

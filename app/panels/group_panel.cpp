@@ -7,7 +7,7 @@
 
 #include "app/commands/edit_groups.h"
 #include "app/document/document.h"
-#include "core/number_domain.h"
+#include "core/scene/fields/group_fields.h"
 
 namespace brume {
 
@@ -35,11 +35,21 @@ GroupPanel::GroupPanel(Document& document, QWidget* parent)
              [this](const glm::dvec3& color, MergeId gesture) {
                change(tr("Set colour of %1"), gesture, [&](Group& g) { g.color = color; });
              }});
-  add_numbers(*form, tr("Density"), tr(", 1/u"), "group_density_factor", "group_density_offset",
-              domain::not_negative, &Group::density_factor, &Group::density_offset);
-  add_numbers(*form, tr("Radius"), tr(", u"), "group_radius_factor", "group_radius_offset",
-              domain::length, &Group::radius_factor, &Group::radius_offset);
-  add_albedo(*form);
+  const Fields<Group> values{
+      .prefix = "group_",
+      .get = [this] { return document_.active_group(); },
+      .set =
+          [this](const Group& changed, const FieldInfo& info, MergeId gesture) {
+            change(tr("Set %1 of %2").arg(field_label(info).toLower(), "%1"), gesture,
+                   [&](Group& group) { group = changed; });
+          },
+      .track =
+          [this](const Scene& scene, const FieldInfo& info) {
+            return group_track(scene, document_.active_group()->id, info.name);
+          }};
+  visit_fields<Group>([&]<class F>(const F& field) {
+    if constexpr (F::can_have_keys) add_field(*form, field, values);
+  });
   connect(groups_, &QComboBox::activated, this, [this](int index) {
     document_.set_active_group(groups_->itemData(index).value<GroupId>());
   });
@@ -62,56 +72,6 @@ void GroupPanel::show_groups() {
   const Group* active = document_.active_group();
   groups_->setCurrentIndex(groups_->findData(active ? active->id : GroupId{0}));
   groups_->setEnabled(!groups.empty());
-}
-
-void GroupPanel::add_numbers(QFormLayout& form, const QString& title, const QString& unit,
-                             const char* factor, const char* offset,
-                             const NumberDomain& factor_domain, double Group::*factor_value,
-                             double Group::*offset_value) {
-  using Scale = ValueField::Scale;
-  const auto add = [&](const QString& row, const char* name, const NumberDomain& allowed,
-                       Scale scale, double Group::*value, const QString& verb) {
-    return add_number(form, row,
-                      {name, allowed, scale, 0.01,
-                       [this, value]() -> std::optional<double> {
-                         const Group* group = document_.active_group();
-                         return group ? std::optional(group->*value) : std::nullopt;
-                       },
-                       [this, value, verb](double number, MergeId gesture) {
-                         change(verb, gesture, [&](Group& g) { g.*value = number; });
-                       }});
-  };
-  const QString name = title.toLower();
-  add(tr("%1 factor").arg(title), factor, factor_domain, Scale::logarithmic, factor_value,
-      tr("Set %1 factor of %2").arg(name))
-      ->setToolTip(tr("Multiplies the %1 of each Gaussian of the group; 1 changes nothing. Drag "
-                      "to change; Ctrl for fine steps, Shift for coarse")
-                       .arg(name));
-  add(tr("%1 offset%2").arg(title, unit), offset, domain::coordinate, Scale::linear, offset_value,
-      tr("Set %1 offset of %2").arg(name))
-      ->setToolTip(tr("Added to the %1 of each Gaussian after the factor; 0 changes nothing. Drag "
-                      "to change; Ctrl for fine steps, Shift for coarse")
-                       .arg(name));
-}
-
-void GroupPanel::add_albedo(QFormLayout& form) {
-  const auto add = [&](const QString& row, const char* name, const NumberDomain& allowed,
-                       glm::dvec3 Group::*value, const QString& verb) {
-    add_vector(form, row,
-               {name, allowed, 0.005,
-                [this, value]() -> std::optional<glm::dvec3> {
-                  const Group* group = document_.active_group();
-                  return group ? std::optional(group->*value) : std::nullopt;
-                },
-                [this, value, verb](const glm::dvec3& color, MergeId gesture) {
-                  change(verb, gesture, [&](Group& g) { g.*value = color; });
-                },
-                "RGB"});
-  };
-  add(tr("Albedo factor"), "group_albedo_factor", domain::not_negative, &Group::albedo_factor,
-      tr("Set albedo factor of %1"));
-  add(tr("Albedo offset"), "group_albedo_offset", domain::albedo_offset, &Group::albedo_offset,
-      tr("Set albedo offset of %1"));
 }
 
 void GroupPanel::change(const QString& verb, MergeId gesture,

@@ -45,6 +45,15 @@ void SceneForm::finish_field(const FieldInfo& info, const QString& name, QLabel&
   if (QString(info.unit) == "u") show_length_units(*this, {name.toUtf8().constData()});
 }
 
+void SceneForm::add_keys(QHBoxLayout& row, KeyButton* keys, std::function<bool()> is_there) {
+  if (keys == nullptr) return;
+  row.addWidget(keys);
+  on_refresh([keys, is_there = std::move(is_there)] {
+    keys->setEnabled(is_there());
+    if (keys->isEnabled()) keys->refresh();
+  });
+}
+
 QLabel* SceneForm::add_number(QFormLayout& form, const QString& title, const Number& number,
                               KeyButton* keys) {
   ValueField* field = new_field(number, title);
@@ -52,13 +61,7 @@ QLabel* SceneForm::add_number(QFormLayout& form, const QString& title, const Num
   label->setObjectName(number.name + "_title");
   auto* row = new QHBoxLayout;
   row->addWidget(field);
-  if (keys != nullptr) {
-    row->addWidget(keys);
-    on_refresh([keys, get = number.get] {
-      keys->setEnabled(get().has_value());
-      if (keys->isEnabled()) keys->refresh();
-    });
-  }
+  add_keys(*row, keys, [get = number.get] { return get().has_value(); });
   form.addRow(label, row);
   return label;
 }
@@ -82,10 +85,7 @@ QLabel* SceneForm::add_vector(QFormLayout& form, const QString& title, const Vec
     field->setObjectName(QString("%1_%2").arg(vector.name).arg(QString("xyz").at(k)));
     row->addWidget(field);
   }
-  if (keys != nullptr) {
-    row->addWidget(keys);
-    on_refresh([keys] { keys->refresh(); });
-  }
+  add_keys(*row, keys, [get = vector.get] { return get().has_value(); });
   auto* label = new QLabel(title, this);
   form.addRow(label, row);
   return label;

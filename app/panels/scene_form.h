@@ -4,6 +4,7 @@
 #include <functional>
 #include <glm/vec3.hpp>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "app/document/keyframe_tracks.h"
@@ -63,8 +64,8 @@ class SceneForm : public QWidget {
   // An object with values that core/scene/fields describes.
   template <class Owner>
   struct Fields {
-    QString prefix;  // of the object names of their widgets
-    std::function<const Owner&()> get;
+    QString prefix;                     // of the object names of their widgets
+    std::function<const Owner*()> get;  // nullptr: there is none
     std::function<void(const Owner&, const FieldInfo&, MergeId)> set;
     std::function<Track(const Scene&, const FieldInfo&)> track;
   };
@@ -82,6 +83,7 @@ class SceneForm : public QWidget {
  private:
   ValueField* new_field(const Number& number, const QString& title);
   KeyButton* new_key_button(const QString& name, std::function<Track(const Scene&)> track);
+  void add_keys(QHBoxLayout& row, KeyButton* keys, std::function<bool()> is_there);
   void finish_field(const FieldInfo& info, const QString& name, QLabel& title);
 
   std::vector<std::function<void()>> updates_;
@@ -95,9 +97,13 @@ void SceneForm::add_field(QFormLayout& form, const F& field,
                           const Fields<typename F::Owner>& fields) {
   const FieldInfo& info = field.info;
   const QString name = fields.prefix + info.name;
-  const auto get = [get_owner = fields.get, field] { return std::optional(field.of(get_owner())); };
+  const auto get = [get_owner = fields.get, field] {
+    const typename F::Owner* owner = get_owner();
+    using Got = decltype(std::optional(field.of(*owner)));
+    return owner ? std::optional(field.of(*owner)) : Got();
+  };
   const auto set = [fields, field](const auto& value, MergeId gesture) {
-    typename F::Owner changed = fields.get();
+    typename F::Owner changed = *fields.get();
     field.of(changed) = value;
     fields.set(changed, field.info, gesture);
   };
@@ -107,9 +113,11 @@ void SceneForm::add_field(QFormLayout& form, const F& field,
         name, [track = fields.track, info](const Scene& scene) { return track(scene, info); });
   }
   if constexpr (std::is_same_v<typename F::Value, glm::dvec3>) {
-    finish_field(
-        info, name,
-        *add_vector(form, field_label(info), {name, field.domain, info.step, get, set}, keys));
+    finish_field(info, name,
+                 *add_vector(form, field_label(info),
+                             {name, field.domain, info.step, get, set,
+                              std::string_view(info.unit) == "RGB" ? "RGB" : "xyz"},
+                             keys));
   } else {
     const QString unit = *info.unit ? QString(", ") + info.unit : QString();
     const auto scale =

@@ -12,12 +12,12 @@ namespace {
 void visit_all(auto& scene, double& homogeneous_density, auto&& visit) {
   visit_keyed(scene.camera, scene.camera_keys, visit);
   visit_keyed_density(homogeneous_density, scene.density_keys, visit);
-  visit_keyed_optics(scene.optics, visit);
-  visit_keyed_noise(scene.optics.noise, visit);
-  for (auto& group : scene.groups) visit_keyed_group(group, visit);
-  for (auto& emitter : scene.emitters) visit_keyed_emitter(emitter, visit);
+  visit_keyed(scene.optics, visit);
+  visit_keyed(scene.optics.noise, visit);
+  for (auto& group : scene.groups) visit_keyed(group, visit);
+  for (auto& emitter : scene.emitters) visit_keyed(emitter, visit);
   for (auto& light : scene.lights) visit_keyed_light(light, visit);
-  if (scene.environment) visit_keyed_environment(*scene.environment, visit);
+  if (scene.environment) visit_keyed(*scene.environment, visit);
   for (auto& surface : scene.surfaces) visit_keyed_surface(surface, visit);
 }
 

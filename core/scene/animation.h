@@ -3,6 +3,10 @@
 #include "brume/scene.h"
 #include "core/number_domain.h"
 #include "core/scene/fields/camera_fields.h"
+#include "core/scene/fields/emitter_fields.h"
+#include "core/scene/fields/environment_fields.h"
+#include "core/scene/fields/group_fields.h"
+#include "core/scene/fields/medium_fields.h"
 
 namespace brume {
 
@@ -53,12 +57,6 @@ void visit_keyed_light(L& light, auto&& visit) {
   visit("outer_angle", spot.outer_angle, light.keys.outer_angle, domain::cone_angle);
 }
 
-template <class E>
-void visit_keyed_environment(E& environment, auto&& visit) {
-  visit("intensity", environment.intensity, environment.keys.intensity, domain::not_negative);
-  visit("rotation", environment.rotation, environment.keys.rotation, domain::degrees);
-}
-
 template <class S>
 void visit_keyed_surface(S& surface, auto&& visit) {
   auto& keys = surface.keys;
@@ -74,50 +72,9 @@ void visit_keyed_surface(S& surface, auto&& visit) {
   visit("exponent", material.exponent, keys.exponent, domain::not_negative);
 }
 
-template <class O>
-void visit_keyed_optics(O& optics, auto&& visit) {
-  visit("albedo", optics.albedo, optics.keys.albedo, domain::albedo);
-  visit("anisotropy", optics.anisotropy, optics.keys.anisotropy, domain::anisotropy);
-}
-
 template <class D, class K>
 void visit_keyed_density(D& homogeneous_density, K& keys, auto&& visit) {
   visit("density", homogeneous_density, keys, domain::density);
-}
-
-template <class N>
-void visit_keyed_noise(N& noise, auto&& visit) {
-  visit("amplitude", noise.amplitude, noise.keys.amplitude, domain::not_negative);
-  visit("frequency", noise.frequency, noise.keys.frequency, domain::not_negative);
-  visit("velocity", noise.velocity, noise.keys.velocity, domain::coordinate);
-}
-
-template <class G>
-void visit_keyed_group(G& group, auto&& visit) {
-  auto& keys = group.keys;
-  visit("density_factor", group.density_factor, keys.density_factor, domain::not_negative);
-  visit("density_offset", group.density_offset, keys.density_offset, domain::coordinate);
-  visit("radius_factor", group.radius_factor, keys.radius_factor, domain::length);
-  visit("radius_offset", group.radius_offset, keys.radius_offset, domain::coordinate);
-  visit("albedo_factor", group.albedo_factor, keys.albedo_factor, domain::not_negative);
-  visit("albedo_offset", group.albedo_offset, keys.albedo_offset, domain::albedo_offset);
-}
-
-template <class E>
-void visit_keyed_emitter(E& emitter, auto&& visit) {
-  auto& keys = emitter.keys;
-  auto& optics = emitter.optics;
-  visit("position", emitter.position, keys.position, domain::coordinate);
-  visit("rate", emitter.rate, keys.rate, domain::not_negative);
-  visit("lifetime", emitter.lifetime, keys.lifetime, domain::not_negative);
-  visit("velocity", emitter.velocity, keys.velocity, domain::coordinate);
-  visit("spread", emitter.spread, keys.spread, domain::not_negative);
-  visit("acceleration", emitter.acceleration, keys.acceleration, domain::coordinate);
-  visit("radius", emitter.radius, keys.radius, domain::length);
-  visit("density", emitter.density, keys.density, domain::density);
-  if (optics.albedo) visit("albedo", *optics.albedo, keys.albedo, domain::albedo);
-  visit("emission", optics.emission, keys.emission, domain::intensity);
-  visit("emission_at_death", emitter.emission_at_death, keys.emission_at_death, domain::intensity);
 }
 
 // Whether any value has keyframes.

@@ -145,8 +145,10 @@ void check_gaussian(const std::string& list, std::size_t index, const Gaussian& 
 
 // Values of core/scene/fields, and their keyframes.
 void check_fields(const std::string& place, const auto& owner, const auto& keys) {
-  visit_present(owner, [&place](const auto& field, const auto& value) {
-    check_value(place + "." + field.info.name, value, field.domain);
+  visit_present(owner, [&place]<class T>(const auto& field, const T& value) {
+    if constexpr (!std::is_integral_v<T>) {
+      check_value(place + "." + field.info.name, value, field.domain);
+    }
   });
   visit_keyed(owner, keys, in(place));
 }
@@ -236,8 +238,7 @@ void check_groups(const Scene& scene) {
       throw DomainError(place + ".id", "allowed: above 0, and of no other group");
     }
     check_own_name(place + ".name", group.name, names);
-    check_value(place + ".color", group.color, domain::unit);
-    visit_keyed_group(group, in(place));
+    check_fields(place, group, group.keys);
   }
   for (std::size_t i = 0; i < scene.groups.size(); ++i) {
     const Group& group = scene.groups[i];
@@ -321,15 +322,15 @@ void check_medium(const Scene& scene) {
   check(scene.medium);
   const double density = scene.medium.homogeneous_density();
   visit_keyed_density(density, scene.density_keys, in("medium"));
-  visit_keyed_optics(scene.optics, in("medium"));
-  visit_keyed_noise(scene.optics.noise, in("medium.noise"));
+  check_fields("medium", scene.optics, scene.optics.keys);
+  check_fields("medium.noise", scene.optics.noise, scene.optics.noise.keys);
   check_groups(scene);
   check_splines(scene);
   check_count("medium.emitters", scene.emitters.size(), limits::emitters);
   for (std::size_t i = 0; i < scene.emitters.size(); ++i) {
     const std::string place = element("medium.emitters", i);
     check_name(place + ".name", scene.emitters[i].name, 0);
-    visit_keyed_emitter(scene.emitters[i], in(place));
+    check_fields(place, scene.emitters[i], scene.emitters[i].keys);
   }
   check_count("medium.sequences", scene.sequences.size(), limits::sequences);
   for (std::size_t i = 0; i < scene.sequences.size(); ++i) {
@@ -399,7 +400,7 @@ void check(const Scene& scene) {
     check_light(element("lights", i), scene.lights[i]);
   }
   if (scene.environment) {
-    visit_keyed_environment(*scene.environment, in("environment"));
+    check_fields("environment", *scene.environment, scene.environment->keys);
     if (!scene.environment->map) throw DomainError("environment.map", "there is none");
   }
   check_count("surfaces", scene.surfaces.size(), limits::surfaces);

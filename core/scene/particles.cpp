@@ -114,10 +114,10 @@ std::vector<Gaussian> particles_at(const Emitter& emitter, double time) {
   Emitter at_birth = emitter;
   for (double number = first; number <= last; number += 1.0) {
     const double birth = births.time(number);
-    visit_keyed_emitter(
-        at_birth, [birth](const char*, auto& value, const auto& keys, const NumberDomain& domain) {
-          if (!keys.empty()) value = value_at(keys, birth, domain);
-        });
+    visit_keyed(at_birth,
+                [birth](const char*, auto& value, const auto& keys, const NumberDomain& domain) {
+                  if (!keys.empty()) value = value_at(keys, birth, domain);
+                });
     const double age = time - birth;
     if (age < 0.0 || age >= at_birth.lifetime) continue;
     particles.push_back(particle(at_birth, static_cast<std::uint64_t>(number), age));

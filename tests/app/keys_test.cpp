@@ -283,10 +283,10 @@ class KeysTest : public QObject {
     }
     const auto emitter = [&]() -> const Emitter& { return document.scene().emitters[0]; };
     QCOMPARE(count, std::size_t{11});
-    visit_keyed_emitter(
-        emitter(), [&](const char* name, const auto& value, const auto& keys, const NumberDomain&) {
-          QVERIFY2(keys.size() == 1 && keys[0].value == value, name);
-        });
+    visit_keyed(emitter(),
+                [&](const char* name, const auto& value, const auto& keys, const NumberDomain&) {
+                  QVERIFY2(keys.size() == 1 && keys[0].value == value, name);
+                });
     QCOMPARE(strip(window).rows().size(), count);
     // Edits set a keyframe of now.
     window->timeline().set_frame(60);

@@ -7,7 +7,7 @@
 #include "brume/error.h"
 #include "core/io/image/image_file.h"
 #include "core/io/scene/scene_file.h"
-#include "core/scene/fields/camera_fields.h"
+#include "core/scene/animation.h"
 #include "tests/tools/malformed_fields.h"
 #include "tests/tools/malformed_scenes.h"
 #include "tests/tools/run_program.h"
@@ -39,7 +39,10 @@ class MalformedScene : public ::testing::Test {
     write("short.binary", std::string(reinterpret_cast<const char*>(dims), 12) + "rest");
     write("not.exr", "I am a text");
     write("magic.exr", std::string("\x76\x2f\x31\x01\x02\0\0\0", 8) + std::string(64, '\x7f'));
-    write("sky.hdr", "#?RADIANCE\n");
+    ImageLayers sky;
+    sky.width = sky.height = 1;
+    sky.channels = {{"R", {1.0f}}, {"G", {1.0f}}, {"B", {1.0f}}};
+    write_exr(folder_ / "scene/sky.exr", sky);
     ImageLayers depth;
     depth.width = depth.height = 1;
     depth.channels["Z"] = {1.0f};
@@ -119,6 +122,14 @@ TEST_F(MalformedScene, EachValueOfACameraIsRefusedInOneLine) {
   expect_each_refused(all);
 }
 
+TEST_F(MalformedScene, EachValueOfTheMediumAndTheEnvironmentIsRefusedInOneLine) {
+  expect_each_refused(malformed_fields<MediumOptics>("medium", scene_with_medium));
+  expect_each_refused(malformed_fields<Noise>("medium.noise", [](const std::string& members) {
+    return scene_with_medium("\"noise\": {" + members + "}");
+  }));
+  expect_each_refused(malformed_fields<Environment>("environment", scene_with_environment));
+}
+
 TEST_F(MalformedScene, EachValueOfALightIsRefusedInOneLine) {
   const std::vector<MalformedCase> all = malformed_lights();
   ASSERT_GE(all.size(), 200u);
@@ -126,7 +137,8 @@ TEST_F(MalformedScene, EachValueOfALightIsRefusedInOneLine) {
 }
 
 TEST_F(MalformedScene, EachValueOfAnEmitterIsRefusedInOneLine) {
-  const std::vector<MalformedCase> all = malformed_emitters();
+  const std::vector<MalformedCase> all =
+      malformed_fields<Emitter>("medium.emitters[0]", scene_with_emitter);
   ASSERT_GE(all.size(), 140u);
   expect_each_refused(all);
 }

@@ -16,8 +16,6 @@ struct MalformedCase {
 std::vector<MalformedCase> malformed_cases();
 // Every key of every type of light with values of the wrong kind, length and size.
 std::vector<MalformedCase> malformed_lights();
-// Every key of an emitter, and keyframes of it, with such values.
-std::vector<MalformedCase> malformed_emitters();
 // Primitives, and the names and switches of surfaces, with such values.
 std::vector<MalformedCase> malformed_primitives();
 // Every key of a group, and keyframes of it, with such values; groups that are not there.
@@ -28,10 +26,12 @@ std::vector<MalformedCase> malformed_splines();
 // Keyframes of a surface, and their tangents, with such values.
 std::vector<MalformedCase> malformed_keys();
 
-// The text of a scene with a camera, with one light, with one emitter, with this as its second
-// surface, with an array of groups, of splines.
+// The text of a scene with a camera, with one light, with a medium, an environment, one emitter,
+// with this as its second surface, with an array of groups, of splines.
 std::string scene_with_camera(const std::string& members);
 std::string scene_with_light(const std::string& members);
+std::string scene_with_medium(const std::string& members);
+std::string scene_with_environment(const std::string& members);  // of its own file
 std::string scene_with_emitter(const std::string& members);
 std::string scene_with_surface(const std::string& members);
 std::string scene_with_groups(const std::string& groups);

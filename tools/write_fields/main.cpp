@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "core/io/atomic_file.h"
-#include "core/scene/fields/camera_fields.h"
+#include "core/scene/animation.h"
 #include "core/scene/fields/description.h"
 
 namespace brume {
@@ -28,6 +28,15 @@ std::string joined(const glm::dvec3& v, auto&& text_of) {
 
 std::string manual_text(double value) {
   return quoted_text(value);
+}
+std::string manual_text(bool value) {
+  return value ? "true" : "false";
+}
+std::string manual_text(std::int64_t value) {
+  return std::to_string(value);
+}
+std::string manual_text(const glm::dvec2& v) {
+  return '[' + quoted_text(v.x) + ", " + quoted_text(v.y) + ']';
 }
 std::string manual_text(const glm::dvec3& v) {
   return '[' + joined(v, quoted_text) + ']';
@@ -57,10 +66,10 @@ std::string python_type(const std::optional<double>&) {
 // | camera.aperture | Radius of the lens [u]; a number >= 0 | 0 |
 template <class F>
 std::string manual_row(const std::string& object, const F& field) {
-  std::string absent = field.info.absent;
+  std::string absent = field.info.is_required ? "required" : field.info.absent;
   if constexpr (!may_be_absent<typename F::Value>) {
     const typename F::Owner usual{};
-    absent = manual_text(field.of(usual));
+    if (absent.empty()) absent = manual_text(field.of(usual));
   }
   return "| " + object + "." + field.info.name + " | " + description(field) + " | " + absent + " |";
 }
@@ -151,6 +160,15 @@ bool rewrite_all(const std::filesystem::path& folder, bool only_checks) {
       rewrite(folder / "resources/manual/scene-file.md", only_checks, [](Lines& lines) {
         write_rows<Camera>(lines, "camera");
         write_keys<Camera>(lines, "camera");
+        write_rows<MediumOptics>(lines, "medium");
+        write_rows<Noise>(lines, "noise");
+        write_keys<Noise>(lines, "medium.noise");
+        write_rows<Group>(lines, "group");
+        write_keys<Group>(lines, "each group");
+        write_rows<Emitter>(lines, "emitter");
+        write_keys<Emitter>(lines, "each emitter");
+        write_rows<Environment>(lines, "environment");
+        write_keys<Environment>(lines, "environment");
       });
   const bool stub = rewrite(folder / "python/brume/__init__.pyi", only_checks,
                             [](Lines& lines) { write_class<Camera>(lines, "Camera"); });

@@ -9,6 +9,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "brume/error.h"
 #include "core/io/gaussians/dropped_splats.h"
@@ -178,7 +179,9 @@ class GltfSplatReader {
     }
     const auto check = [&](std::string_view name, const NumberDomain& domain, double value) {
       if (domain.contains(value)) return;
-      read.faults.emplace(read.splats.size(), std::string(name) + ": " + domain.refusal(value));
+      std::string fault(name);
+      fault.append(": ").append(domain.refusal(value));
+      read.faults.emplace(read.splats.size(), std::move(fault));
     };
     for (std::size_t i = 0; i < count; ++i) {
       const float* p = &positions[3 * i];

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+#include <type_traits>
+
 #include "core/io/scene/json_reader.h"
 #include "core/io/scene/keys_json.h"
 #include "core/scene/fields/field.h"
@@ -13,27 +16,48 @@ inline void read_value(JsonObject& object, const char* name, const NumberDomain&
   value = object.number(name, domain, value);
 }
 inline void read_value(JsonObject& object, const char* name, const NumberDomain& domain,
+                       glm::dvec2& value) {
+  value = object.pair(name, domain, value);
+}
+inline void read_value(JsonObject& object, const char* name, const NumberDomain& domain,
                        glm::dvec3& value) {
   value = object.vector(name, domain, value);
 }
-inline void read_value(JsonObject& object, const char* name, const NumberDomain& domain,
-                       std::optional<double>& value) {
-  if (object.find(name) != nullptr) value = object.number(name, domain, {});
+inline void read_value(JsonObject& object, const char* name, const NumberDomain&, bool& value) {
+  value = object.boolean(name, value);
+}
+inline void read_value(JsonObject& object, const char* name, const NumberDomain&,
+                       std::int64_t& value) {
+  value = object.integer(name, INT64_MIN, INT64_MAX, value);
+}
+template <class T>
+void read_value(JsonObject& object, const char* name, const NumberDomain& domain,
+                std::optional<T>& value) {
+  if (object.find(name) != nullptr) read_value(object, name, domain, value.emplace());
 }
 
 // Values that an object lacks stay as they are.
 template <class Owner>
 void read_fields(JsonObject& object, Owner& owner) {
   visit_fields<Owner>([&](const auto& field) {
+    if (field.info.is_required) static_cast<void>(object.required(field.info.name));
     read_value(object, field.info.name, field.domain, field.of(owner));
   });
+}
+
+inline Json value_to_json(const auto& value) {
+  if constexpr (std::is_arithmetic_v<std::remove_cvref_t<decltype(value)>>) {
+    return value;
+  } else {
+    return to_json(value);
+  }
 }
 
 // All values that is_set() of.
 template <class Owner>
 void write_fields(Json& object, const Owner& owner, const auto& keys) {
   visit_present(owner, [&](const auto& field, const auto& value) {
-    if (is_set(field, owner, keys)) object[field.info.name] = to_json(value);
+    if (is_set(field, owner, keys)) object[field.info.name] = value_to_json(value);
   });
 }
 

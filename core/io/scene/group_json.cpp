@@ -3,8 +3,9 @@
 #include <algorithm>
 
 #include "brume/limits.h"
+#include "core/io/scene/fields_json.h"
 #include "core/io/text_scanner.h"
-#include "core/number_domain.h"
+#include "core/scene/fields/group_fields.h"
 #include "core/scene/group_effects.h"
 
 namespace brume {
@@ -25,17 +26,8 @@ Group read_group(JsonObject& object, const std::vector<Group>& groups) {
   Group group;
   group.id = static_cast<GroupId>(groups.size() + 1);
   group.name = read_name(object, groups);
-  group.color = object.vector("color", domain::unit, group.color);
   static_cast<void>(object.find("parent"));  // known, but read later
-  group.visible = object.boolean("visible", group.visible);
-  group.locked = object.boolean("locked", group.locked);
-  group.density_factor =
-      object.number("density_factor", domain::not_negative, group.density_factor);
-  group.density_offset = object.number("density_offset", domain::coordinate, group.density_offset);
-  group.radius_factor = object.number("radius_factor", domain::length, group.radius_factor);
-  group.radius_offset = object.number("radius_offset", domain::coordinate, group.radius_offset);
-  group.albedo_factor = object.vector("albedo_factor", domain::not_negative, group.albedo_factor);
-  group.albedo_offset = object.vector("albedo_offset", domain::albedo_offset, group.albedo_offset);
+  read_fields(object, group);
   return group;
 }
 
@@ -66,25 +58,9 @@ GroupId read_group_name(JsonObject& object, const char* key, const std::vector<G
 }
 
 Json group_to_json(const Group& group, const std::vector<Group>& groups) {
-  const Group plain;
-  Json json{{"name", group.name}, {"color", to_json(group.color)}};
+  Json json{{"name", group.name}};
   if (const Group* parent = find_group(groups, group.parent)) json["parent"] = parent->name;
-  if (!group.visible) json["visible"] = false;
-  if (group.locked) json["locked"] = true;
-  const auto add = [&json](const char* key, const auto& value, const auto& usual) {
-    if (value == usual) return;
-    if constexpr (requires { value.x; }) {
-      json[key] = to_json(value);
-    } else {
-      json[key] = value;
-    }
-  };
-  add("density_factor", group.density_factor, plain.density_factor);
-  add("density_offset", group.density_offset, plain.density_offset);
-  add("radius_factor", group.radius_factor, plain.radius_factor);
-  add("radius_offset", group.radius_offset, plain.radius_offset);
-  add("albedo_factor", group.albedo_factor, plain.albedo_factor);
-  add("albedo_offset", group.albedo_offset, plain.albedo_offset);
+  write_fields(json, group, group.keys);
   return json;
 }
 

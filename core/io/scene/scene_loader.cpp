@@ -9,6 +9,7 @@
 #include "core/io/file_bytes.h"
 #include "core/io/gaussians/gaussian_columns.h"
 #include "core/io/scene/camera_json.h"
+#include "core/io/scene/fields_json.h"
 #include "core/io/scene/group_json.h"
 #include "core/io/scene/json_reader.h"
 #include "core/io/scene/keys_json.h"
@@ -120,14 +121,13 @@ class SceneLoader {
     if (object.find("file") != nullptr) load_medium_file(object);
 
     MediumOptics& optics = scene_.optics;
-    optics.albedo = object.vector("albedo", domain::albedo, optics.albedo);
-    optics.anisotropy = object.number("anisotropy", domain::anisotropy, optics.anisotropy);
+    read_fields(object, optics);
     if (const Json* noise = object.find("noise")) load_noise(*noise, object.path_of("noise"));
     load_elements(object, "emitters", limits::emitters, &SceneLoader::load_emitter);
     load_elements(object, "sequences", limits::sequences, &SceneLoader::load_sequence);
     unknown_keys_.add("medium.keys", load_keys(object, [&](auto&& visit) {
                         visit_keyed_density(scene_.medium, scene_.density_keys, visit);
-                        visit_keyed_optics(optics, visit);
+                        visit_keyed(optics, visit);
                       }));
     unknown_keys_.add("medium", object.unknown_keys());
   }
@@ -168,7 +168,7 @@ class SceneLoader {
     JsonObject object(context_, value, path);
     Group group = read_group(object, scene_.groups);
     unknown_keys_.add(group.object_id, "keys",
-                      load_keys(object, [&](auto&& visit) { visit_keyed_group(group, visit); }));
+                      load_keys(object, [&](auto&& visit) { visit_keyed(group, visit); }));
     unknown_keys_.add(group.object_id, "", object.unknown_keys());
     scene_.groups.push_back(std::move(group));
   }
@@ -197,7 +197,7 @@ class SceneLoader {
     gaussian.set_radii(radii, rotation);
   }
 
-  // Of a Gaussian, a spline's or an emitter's.
+  // Of a Gaussian or of a spline's.
   static GaussianOptics load_optics(JsonObject& object) {
     GaussianOptics optics;
     if (object.find("albedo")) optics.albedo = object.vector("albedo", domain::albedo, {});
@@ -250,12 +250,9 @@ class SceneLoader {
   void load_noise(const Json& value, const JsonPath& path) {
     JsonObject object(context_, value, path);
     Noise& noise = scene_.optics.noise;
-    noise.amplitude = object.number("amplitude", domain::not_negative, noise.amplitude);
-    noise.frequency = object.number("frequency", domain::not_negative, noise.frequency);
-    noise.velocity = object.vector("velocity", domain::coordinate, noise.velocity);
-    noise.seed = object.integer("seed", INT64_MIN, INT64_MAX, noise.seed);
+    read_fields(object, noise);
     unknown_keys_.add("medium.noise.keys",
-                      load_keys(object, [&](auto&& visit) { visit_keyed_noise(noise, visit); }));
+                      load_keys(object, [&](auto&& visit) { visit_keyed(noise, visit); }));
     unknown_keys_.add("medium.noise", object.unknown_keys());
   }
 
@@ -263,23 +260,12 @@ class SceneLoader {
     JsonObject object(context_, value, path);
     Emitter emitter;
     emitter.name = object.name("");
-    emitter.visible = object.boolean("visible", emitter.visible);
-    emitter.locked = object.boolean("locked", emitter.locked);
-    emitter.position = object.vector("position", domain::coordinate, {});
-    emitter.rate = object.number("rate", domain::not_negative, emitter.rate);
-    emitter.lifetime = object.number("lifetime", domain::not_negative, emitter.lifetime);
-    emitter.velocity = object.vector("velocity", domain::coordinate, emitter.velocity);
-    emitter.spread = object.number("spread", domain::not_negative, emitter.spread);
-    emitter.acceleration = object.vector("acceleration", domain::coordinate, emitter.acceleration);
-    emitter.radius = object.pair("radius", domain::length, emitter.radius);
-    emitter.density = object.pair("density", domain::density, emitter.density);
-    emitter.optics = load_optics(object);
-    emitter.emission_at_death =
-        object.vector("emission_at_death", domain::intensity, emitter.optics.emission);
-    emitter.seed = object.integer("seed", INT64_MIN, INT64_MAX, emitter.seed);
-    unknown_keys_.add(emitter.id, "keys", load_keys(object, [&](auto&& visit) {
-                        visit_keyed_emitter(emitter, visit);
-                      }));
+    read_fields(object, emitter);
+    if (object.find("emission_at_death") == nullptr) {
+      emitter.emission_at_death = emitter.optics.emission;
+    }
+    unknown_keys_.add(emitter.id, "keys",
+                      load_keys(object, [&](auto&& visit) { visit_keyed(emitter, visit); }));
     unknown_keys_.add(emitter.id, "", object.unknown_keys());
     budget_.reserve_gaussians(path, max_particles(emitter));
     scene_.emitters.push_back(emitter);
@@ -318,13 +304,11 @@ class SceneLoader {
     Environment environment;
     const JsonPath file = object.path_of("file");
     environment.file = references_.resolve(context_, file, object.text("file", {}));
-    environment.intensity = object.number("intensity", domain::not_negative, environment.intensity);
-    environment.rotation = object.number("rotation", domain::degrees, environment.rotation);
+    read_fields(object, environment);
     environment.map = references_.radiance_map(context_, file, environment.file);
     budget_.reserve(file, *environment.map);
-    unknown_keys_.add(environment.id, "keys", load_keys(object, [&](auto&& visit) {
-                        visit_keyed_environment(environment, visit);
-                      }));
+    unknown_keys_.add(environment.id, "keys",
+                      load_keys(object, [&](auto&& visit) { visit_keyed(environment, visit); }));
     unknown_keys_.add(environment.id, "", object.unknown_keys());
     scene_.environment = std::move(environment);
   }

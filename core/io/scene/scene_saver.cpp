@@ -6,6 +6,7 @@
 #include "core/io/atomic_file.h"
 #include "core/io/gaussians/gaussian_columns.h"
 #include "core/io/scene/camera_json.h"
+#include "core/io/scene/fields_json.h"
 #include "core/io/scene/group_json.h"
 #include "core/io/scene/json_reader.h"
 #include "core/io/scene/keys_json.h"
@@ -42,7 +43,7 @@ bool is_unchanged(const MediumFile& file, const Scene& scene) {
   return true;
 }
 
-// Of a Gaussian, a spline's or an emitter's.
+// Of a Gaussian or of a spline's.
 void add_optics(Json& entry, const GaussianOptics& optics) {
   if (optics.albedo) entry["albedo"] = to_json(*optics.albedo);
   if (optics.emission != glm::dvec3(0.0)) entry["emission"] = to_json(optics.emission);
@@ -64,24 +65,17 @@ void add_name(Json& object, const std::string& name) {
 }
 
 Json emitter_to_json(const Emitter& emitter, const UnknownKeys& unknown_keys) {
-  Json entry{{"position", to_json(emitter.position)},
-             {"rate", emitter.rate},
-             {"lifetime", emitter.lifetime},
-             {"velocity", to_json(emitter.velocity)},
-             {"spread", emitter.spread},
-             {"acceleration", to_json(emitter.acceleration)},
-             {"radius", to_json(emitter.radius)},
-             {"density", to_json(emitter.density)},
-             {"seed", emitter.seed}};
-  add_name(entry, emitter.name);
-  if (!emitter.visible) entry["visible"] = false;
-  if (emitter.locked) entry["locked"] = true;
-  add_optics(entry, emitter.optics);
-  if (emitter.emission_at_death != emitter.optics.emission) {
+  Json entry = Json::object();
+  write_fields(entry, emitter, emitter.keys);
+  // Absent, it is the emission at birth.
+  if (emitter.emission_at_death == emitter.optics.emission) {
+    entry.erase("emission_at_death");
+  } else {
     entry["emission_at_death"] = to_json(emitter.emission_at_death);
   }
+  add_name(entry, emitter.name);
   add_keys(entry, unknown_keys, unknown_keys.of(emitter.id, "keys"),
-           [&emitter](auto&& visit) { visit_keyed_emitter(emitter, visit); });
+           [&emitter](auto&& visit) { visit_keyed(emitter, visit); });
   add_unknown_keys(entry, unknown_keys.of(emitter.id, ""));
   return entry;
 }
@@ -98,7 +92,7 @@ Json medium_to_json(const SceneDocument& document, const fs::path& directory) {
   for (const Group& group : scene.groups) {
     Json entry = group_to_json(group, scene.groups);
     add_keys(entry, unknown_keys, unknown_keys.of(group.object_id, "keys"),
-             [&group](auto&& visit) { visit_keyed_group(group, visit); });
+             [&group](auto&& visit) { visit_keyed(group, visit); });
     add_unknown_keys(entry, unknown_keys.of(group.object_id, ""));
     object["groups"].push_back(std::move(entry));
   }
@@ -130,18 +124,15 @@ Json medium_to_json(const SceneDocument& document, const fs::path& directory) {
   if (file != nullptr) object["file"] = SceneReferences::text_for(file->file, directory);
 
   const MediumOptics& optics = scene.optics;
-  if (optics.albedo != glm::dvec3(1.0)) object["albedo"] = to_json(optics.albedo);
-  if (optics.anisotropy != 0.0) object["anisotropy"] = optics.anisotropy;
+  write_fields(object, optics, optics.keys);
   const Noise& noise = optics.noise;
   const std::string& noise_unknown = unknown_keys.of("medium.noise");
   const std::string& noise_keys_unknown = unknown_keys.of("medium.noise.keys");
   if (noise != Noise{} || !noise_unknown.empty() || !noise_keys_unknown.empty()) {
-    Json& entry = object["noise"] = Json{{"amplitude", noise.amplitude},
-                                         {"frequency", noise.frequency},
-                                         {"velocity", to_json(noise.velocity)},
-                                         {"seed", noise.seed}};
+    Json& entry = object["noise"] = Json::object();
+    write_fields(entry, noise, noise.keys);
     add_keys(entry, unknown_keys, noise_keys_unknown,
-             [&noise](auto&& visit) { visit_keyed_noise(noise, visit); });
+             [&noise](auto&& visit) { visit_keyed(noise, visit); });
     add_unknown_keys(entry, noise_unknown);
   }
   for (const Emitter& emitter : scene.emitters) {
@@ -158,7 +149,7 @@ Json medium_to_json(const SceneDocument& document, const fs::path& directory) {
   }
   add_keys(object, unknown_keys, unknown_keys.of("medium.keys"), [&](auto&& visit) {
     visit_keyed_density(medium, scene.density_keys, visit);
-    visit_keyed_optics(optics, visit);
+    visit_keyed(optics, visit);
   });
   add_unknown_keys(object, unknown_keys.of("medium"));
   return object;
@@ -222,11 +213,10 @@ Json scene_to_json(const SceneDocument& document, const fs::path& directory) {
   }
   if (const auto& environment = scene.environment) {
     Json& entry = root["environment"] =
-        Json{{"file", SceneReferences::text_for(environment->file, directory)},
-             {"intensity", environment->intensity},
-             {"rotation", environment->rotation}};
+        Json{{"file", SceneReferences::text_for(environment->file, directory)}};
+    write_fields(entry, *environment, environment->keys);
     add_keys(entry, unknown_keys, unknown_keys.of(environment->id, "keys"),
-             [&](auto&& visit) { visit_keyed_environment(*environment, visit); });
+             [&](auto&& visit) { visit_keyed(*environment, visit); });
     add_unknown_keys(entry, unknown_keys.of(environment->id, ""));
   }
   Json& surfaces = root["surfaces"] = Json::array();

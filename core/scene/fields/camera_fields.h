@@ -42,7 +42,8 @@ inline constexpr auto fields<Camera> = std::tuple{
          .says = "Radius of the lens: the larger, the more is blurred before and behind the plane "
                  "in focus; 0 is a pinhole, which has everything in focus",
          .step = 0.005,
-         .is_always_saved = false}),
+         .is_always_saved = false,
+         .is_track_optional = true}),
     field(&Camera::focus_distance, &CameraKeys::focus_distance, domain::length,
           {.name = "focus_distance",
            .label = "Focus distance",
@@ -59,6 +60,7 @@ inline constexpr auto fields<Camera> = std::tuple{
            .says = "Turns the camera about the way it looks, after `up`: positive leans its top to "
                    "its own right, so the picture turns to the left",
            .step = 0.1,
-           .is_always_saved = false})};
+           .is_always_saved = false,
+           .is_track_optional = true})};
 
 }  // namespace brume

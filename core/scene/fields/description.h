@@ -13,7 +13,7 @@ std::string description(const F& field) {
   const std::string unit = field.info.unit;
   std::string allowed = field.domain.allowed;
   const bool is_unit_said = unit.size() > 1 && allowed.find(unit) != std::string::npos;
-  if (std::is_same_v<typename F::Value, glm::dvec3>) allowed = "each " + allowed;
+  if (components < typename F::Value >> 1) allowed = "each " + allowed;
   std::string text = field.info.says;
   if (!unit.empty() && !is_unit_said) text += " [" + unit + "]";
   return text + "; " + allowed;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -25,10 +26,20 @@ struct FieldInfo {
   const char* says;   // what it is, in one sentence
   double step;        // of a pixel of drag: added, or a share of the value if is_logarithmic
   bool is_logarithmic = false;
-  const char* absent = "";        // what is taken in place of an optional value
-  bool is_always_saved = true;    // else only where it is not the default or has keyframes
-  bool is_keyed_jointly = false;  // in one track with the others of its object that are
+  const char* absent = "";         // what is taken in place of an optional value
+  bool is_always_saved = true;     // else only where it is not the default or has keyframes
+  bool is_required = false;        // files must have it
+  bool is_track_optional = false;  // the timeline shows it only where files have it
+  bool is_keyed_jointly = false;   // in one track with the others of its object that are
 };
+
+namespace domain {
+
+// Of what is no real number: any value will do.
+inline constexpr NumberDomain integer{-9223372036854775808.0, 9223372036854775807.0, "an integer"};
+inline constexpr NumberDomain boolean{0.0, 1.0, "true or false"};
+
+}  // namespace domain
 
 struct NoKeys {};
 
@@ -53,6 +64,17 @@ constexpr auto field(T O::*value, const NumberDomain& domain, const FieldInfo& i
   return Field<O, T O::*, NoKeys>{value, {}, domain, info};
 }
 
+// Of a value within a member.
+template <class O, class G>
+constexpr auto field_within(G get, const NumberDomain& domain, const FieldInfo& info) {
+  return Field<O, G, NoKeys>{get, {}, domain, info};
+}
+template <class O, class G, class K, class AllKeys>
+constexpr auto field_within(G get, Keys<K> AllKeys::*keys, const NumberDomain& domain,
+                            const FieldInfo& info) {
+  return Field<O, G, Keys<K> AllKeys::*>{get, keys, domain, info};
+}
+
 template <class O, class T, class K, class AllKeys>
 constexpr auto field(T O::*value, Keys<K> AllKeys::*keys, const NumberDomain& domain,
                      const FieldInfo& info) {
@@ -66,6 +88,14 @@ template <class T>
 inline constexpr bool may_be_absent = false;
 template <class T>
 inline constexpr bool may_be_absent<std::optional<T>> = true;
+
+// Numbers in a value.
+template <class T>
+inline constexpr int components = 1;
+template <int n>
+inline constexpr int components<glm::vec<n, double>> = n;
+template <class T>
+inline constexpr int components<std::optional<T>> = components<T>;
 
 // Calls visit(field) for each field of a type.
 template <class Owner>
@@ -100,6 +130,11 @@ void visit_keyed(Owner& owner, auto& all_keys, auto&& visit) {
   });
 }
 
+// The same for an object that has its keyframes in it.
+void visit_keyed(auto& owner, auto&& visit) {
+  visit_keyed(owner, owner.keys, visit);
+}
+
 // Calls visit(field, value) for each value that is there.
 template <class Owner>
 void visit_present(Owner& owner, auto&& visit) {
@@ -115,6 +150,15 @@ void visit_present(Owner& owner, auto&& visit) {
 
 inline bool contains(const NumberDomain& domain, double value) {
   return domain.contains(value);
+}
+constexpr bool contains(const NumberDomain&, bool) {
+  return true;
+}
+constexpr bool contains(const NumberDomain&, std::int64_t) {
+  return true;
+}
+inline bool contains(const NumberDomain& domain, const glm::dvec2& v) {
+  return domain.contains(v.x) && domain.contains(v.y);
 }
 inline bool contains(const NumberDomain& domain, const glm::dvec3& v) {
   return domain.contains(v.x) && domain.contains(v.y) && domain.contains(v.z);
@@ -140,7 +184,7 @@ void clear_keys_of_absent(const Owner& owner, AllKeys& all_keys) {
   });
 }
 
-// Whether a value says more than its absence would: files have it, and the timeline shows a track.
+// Whether a value says more than its absence in a file would.
 template <class F, class AllKeys>
 bool is_set(const F& field, const typename F::Owner& owner, const AllKeys& all_keys) {
   if constexpr (F::can_have_keys) {

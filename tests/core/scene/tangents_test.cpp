@@ -114,11 +114,11 @@ TEST(Tangents, NeverLeadOutOfADomain) {
   scene.surfaces[0].material.type = Material::Type::phong;
   const auto visit_all = [&scene](auto&& visit) {
     visit_keyed(scene.camera, scene.camera_keys, visit);
-    visit_keyed_optics(scene.optics, visit);
+    visit_keyed(scene.optics, visit);
     for (auto& light : scene.lights) visit_keyed_light(light, visit);
-    visit_keyed_environment(*scene.environment, visit);
-    visit_keyed_group(scene.groups[0], visit);
-    visit_keyed_emitter(scene.emitters[0], visit);
+    visit_keyed(*scene.environment, visit);
+    visit_keyed(scene.groups[0], visit);
+    visit_keyed(scene.emitters[0], visit);
     visit_keyed_surface(scene.surfaces[0], visit);
   };
   visit_all([]<class T>(const char*, T&, Keys<T>& keys, const NumberDomain& domain) {

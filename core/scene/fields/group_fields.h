@@ -1,0 +1,77 @@
+#pragma once
+
+#include "brume/group.h"
+#include "core/scene/fields/field.h"
+
+namespace brume {
+
+template <>
+inline constexpr auto fields<Group> = std::tuple{
+    field(&Group::color, domain::unit,
+          {.name = "color",
+           .label = "Color",
+           .unit = "linear RGB",
+           .says = "Color of its handles and outlines in the editor",
+           .step = 0.005}),
+    field(&Group::visible, domain::boolean,
+          {.name = "visible",
+           .label = "Visible",
+           .unit = "",
+           .says = "`false` hides its Gaussians, and those of the groups in it: no frame has them",
+           .step = 1.0,
+           .is_always_saved = false}),
+    field(&Group::locked, domain::boolean,
+          {.name = "locked",
+           .label = "Locked",
+           .unit = "",
+           .says = "`true`: the editor selects and erases none of them",
+           .step = 1.0,
+           .is_always_saved = false}),
+    field(&Group::density_factor, &GroupKeys::density_factor, domain::not_negative,
+          {.name = "density_factor",
+           .label = "Density factor",
+           .unit = "",
+           .says = "Multiplies the density of each Gaussian of the group; 1 changes nothing",
+           .step = 0.01,
+           .is_logarithmic = true,
+           .is_always_saved = false}),
+    field(&Group::density_offset, &GroupKeys::density_offset, domain::coordinate,
+          {.name = "density_offset",
+           .label = "Density offset",
+           .unit = "1/u",
+           .says = "Added to the density of each Gaussian after the factor; 0 changes nothing, and "
+                   "no density becomes negative",
+           .step = 0.01,
+           .is_always_saved = false}),
+    field(&Group::radius_factor, &GroupKeys::radius_factor, domain::length,
+          {.name = "radius_factor",
+           .label = "Radius factor",
+           .unit = "",
+           .says = "Multiplies the radius of each Gaussian of the group; 1 changes nothing",
+           .step = 0.01,
+           .is_logarithmic = true,
+           .is_always_saved = false}),
+    field(&Group::radius_offset, &GroupKeys::radius_offset, domain::coordinate,
+          {.name = "radius_offset",
+           .label = "Radius offset",
+           .unit = "u",
+           .says = "Added to the radius of each Gaussian after the factor; 0 changes nothing",
+           .step = 0.01,
+           .is_always_saved = false}),
+    field(&Group::albedo_factor, &GroupKeys::albedo_factor, domain::not_negative,
+          {.name = "albedo_factor",
+           .label = "Albedo factor",
+           .unit = "RGB",
+           .says = "Multiplies the albedo of each Gaussian, its own or else the medium's; 1 "
+                   "changes nothing",
+           .step = 0.005,
+           .is_always_saved = false}),
+    field(&Group::albedo_offset, &GroupKeys::albedo_offset, domain::albedo_offset,
+          {.name = "albedo_offset",
+           .label = "Albedo offset",
+           .unit = "RGB",
+           .says = "Added to the albedo of each Gaussian after the factor; 0 changes nothing",
+           .step = 0.005,
+           .is_always_saved = false})};
+
+}  // namespace brume
