@@ -2,6 +2,7 @@
 
 #include <QComboBox>
 #include <QLabel>
+#include <QToolButton>
 
 #include "app/commands/edit_groups.h"
 #include "app/commands/edit_keys.h"
@@ -53,6 +54,25 @@ class GroupFactorsTest : public QObject {
     QVERIFY(window.settle());
     VERIFY_UNDONE(window, before);
     QCOMPARE(window.shown_medium(), document.medium());
+  }
+
+  void a_value_of_the_active_group_is_keyed_alone() {
+    GroupsWindow window;
+    Document& document = window.document();
+    window.group({1});
+    window.group({2});
+    const GroupId second = document.active_group()->id;
+    QCOMPARE(second, window.groups()[1].id);
+    auto* key = window->findChild<QToolButton*>("group_radius_factor_key");
+    QTest::mouseClick(key, Qt::LeftButton);
+    QVERIFY(key->isChecked());
+    GroupKeys keys;
+    keys.radius_factor = window.groups()[1].keys.radius_factor;
+    QCOMPARE(keys.radius_factor.size(), std::size_t{1});
+    QVERIFY(window.groups()[1].keys == keys && window.groups()[0].keys == GroupKeys());
+    QTest::mouseClick(key, Qt::LeftButton);
+    QVERIFY(window.groups()[1].keys == GroupKeys());
+    QVERIFY(!window->findChild<QToolButton*>("environment_rotation_key")->isEnabled());
   }
 
   void factors_have_keyframes() {
