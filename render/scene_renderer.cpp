@@ -12,9 +12,10 @@
 #include "render/deep/deep_file.h"
 #include "render/gl_renderer.h"
 #include "render/layers/frame_layers.h"
+#include "render/quality/auto_quality.h"
 #include "render/render_plan.h"
 #include "render/request.h"
-#include "render/shot.h"
+#include "render/samples/brightness.h"
 #include "render/transfer/transfer_cache.h"
 #include "render/transfer/transfer_store.h"
 
@@ -41,6 +42,45 @@ void check_layer_memory(const Scene& scene, const Film& film, const OutputLayers
   throw DomainError("layers", "they take " + std::to_string(bytes) + " bytes; allowed: at most " +
                                   std::to_string(limits::scene_bytes) +
                                   "; choose fewer, or a smaller size");
+}
+
+// Renders a view of a scene at its time. With `auto_`, settings are chosen, and the error is
+// measured if it is to be, of a frame without blur. nullopt if stopped.
+std::optional<RequestedFrame> render_view(FrameRenderer& renderer, const Scene& scene,
+                                          const ExposedView& view, Settings settings,
+                                          bool measures_error, const Job& job) {
+  const Camera& camera = view.camera ? *view.camera : scene.camera;
+  settings.samples = samples_of(view.exposure, camera, scene);
+  const bool has_blur = is_blurred(view.exposure, camera);
+  const bool is_auto = settings.airlight == AirlightMethod::auto_;
+  RequestedFrame found{{}, settings, std::nullopt};
+  if (is_auto && measures_error) {
+    Settings wanted = settings;
+    if (has_blur) wanted.samples = 1;
+    const Job measuring = has_blur ? job.subrange(0.0, 0.5) : job;
+    std::optional<RequestedFrame> measured = render_requested(
+        renderer, scene, camera, view.film, wanted, measuring.stop, measuring.progress);
+    if (!measured || !has_blur) return measured;
+    found = std::move(*measured);
+    found.settings.samples = settings.samples;
+  } else if (is_auto) {
+    const std::optional<Settings> choice = choose_settings(
+        renderer, scene, camera, view.film, settings, job.stop, job.subrange(0.0, 0.5).progress);
+    if (!choice) return std::nullopt;
+    found.settings = *choice;
+  }
+  // Known here, so that layers have it too.
+  Settings pictured = found.settings;
+  if (has_blur) pictured.samples = 1;
+  const std::optional<Settings> bright =
+      with_brightness(renderer, scene, camera, view.film, pictured, {job.stop, {}});
+  if (!bright) return std::nullopt;
+  found.settings.brightness = bright->brightness;
+  std::optional<Frame> frame =
+      render_exposure(renderer, view, found.settings, is_auto ? job.subrange(0.5, 1.0) : job);
+  if (!frame) return std::nullopt;
+  found.frame = std::move(*frame);
+  return found;
 }
 
 std::string unsure_text(const ErrorEstimate& error, double max_error) {
@@ -124,14 +164,12 @@ std::optional<Frame> SceneRenderer::render(const Scene& asked, const RenderReque
   const Scene& animation = moment.animation;
   const Scene& scene = moment.scene;
   const Settings settings = settings_of(request);
-  const bool measures = request.error != ErrorMeasurement::none;
-  const Shot shot{animation,
-                  scene,
-                  request.camera,
-                  request.film.value_or(animation.film),
-                  exposure_of(animation, request),
-                  measures};
-  check_layer_memory(scene, shot.film, request.layers);
+  const auto scene_at = [&](double time) {
+    return time == scene.time ? scene : evaluate_at(animation, time);
+  };
+  const ExposedView view{scene_at, scene.time, request.camera,
+                         request.film.value_or(animation.film), exposure_of(animation, request)};
+  check_layer_memory(scene, view.film, request.layers);
   std::vector<std::string> warnings;
   std::chrono::duration<double, std::milli> transferring{};
   if (const auto needed = needed_transfers(scene, settings); !needed.empty()) {
@@ -142,13 +180,14 @@ std::optional<Frame> SceneRenderer::render(const Scene& asked, const RenderReque
   if (stop.stop_requested()) return std::nullopt;
   const auto& [renderer, problem] = impl_->by(request.backend);
   std::optional<RequestedFrame> found =
-      render_shot(*renderer, shot, settings, job.subrange(0.1, 0.8));
+      render_view(*renderer, scene, view, settings, request.error != ErrorMeasurement::none,
+                  job.subrange(0.1, 0.8));
   if (!found) return std::nullopt;
 
   Frame frame = std::move(found->frame);
   frame.error = found->error;
   RenderRequest made = chosen(request, found->settings);
-  made.film = shot.film;
+  made.film = view.film;
   frame.request = std::make_shared<const RenderRequest>(std::move(made));
   FrameStatistics& statistics = frame.statistics;
   statistics.airlight = airlight_name(found->settings);
@@ -163,8 +202,7 @@ std::optional<Frame> SceneRenderer::render(const Scene& asked, const RenderReque
                                scene,
                                request.camera ? &*request.camera : nullptr,
                                found->settings,
-                               render_lit_by(*renderer, {shot.moments(), scene.time, shot.camera,
-                                                         shot.film, shot.exposure}),
+                               render_lit_by(*renderer, view),
                                frame};
     std::optional<ImageLayers> layers =
         render_layers(layered, request.layers, job.subrange(0.8, 0.9));
@@ -173,8 +211,8 @@ std::optional<Frame> SceneRenderer::render(const Scene& asked, const RenderReque
   }
   const bool is_asked_for = request.error == ErrorMeasurement::full && !is_truth(request.airlight);
   if (!frame.error && is_asked_for) {
-    frame.error =
-        measure_error(scene, shot.seen_by(), frame, stop, job.subrange(0.9, 1.0).progress);
+    frame.error = measure_error(scene, request.camera.value_or(scene.camera), frame, stop,
+                                job.subrange(0.9, 1.0).progress);
     if (!frame.error) return std::nullopt;
   }
   if (request.airlight == AirlightMethod::auto_ && frame.error &&

@@ -75,13 +75,13 @@ std::size_t layer_bytes(const Scene& scene, const Film& film, const OutputLayers
 
 RenderLit render_lit_by(FrameRenderer& renderer, const ExposedView& view) {
   return [&renderer, view](const ChangeLight& light, const Settings& settings, const Job& job) {
-    const auto lit_at = [&](double time) {
+    ExposedView lit = view;
+    lit.scene_at = [&](double time) {
       Scene scene = view.scene_at(time);
       light(scene);
       return scene;
     };
-    return render_exposure(renderer, lit_at, view.time, view.camera, view.film, settings,
-                           view.exposure, job);
+    return render_exposure(renderer, lit, settings, job);
   };
 }
 

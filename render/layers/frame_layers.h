@@ -22,14 +22,6 @@ struct LayeredFrame {
   Frame& frame;
 };
 
-// What render_exposure() renders a frame from.
-struct ExposedView {
-  SceneAt scene_at;
-  double time = 0.0;             // [s]
-  std::optional<Camera> camera;  // absent: the scene's
-  Film film;
-  Exposure exposure;
-};
 // Renders as a renderer, which lives as long, did the frame: with the same samples.
 RenderLit render_lit_by(FrameRenderer& renderer, const ExposedView& view);
 

@@ -84,10 +84,9 @@ int samples_of(const Exposure& exposure, const Camera& camera, const Scene& scen
   return is_blurred(exposure, camera) ? blur_samples : chosen_samples(scene);
 }
 
-std::optional<Frame> render_exposure(FrameRenderer& renderer, const SceneAt& scene_at, double time,
-                                     const std::optional<Camera>& camera, const Film& film,
-                                     const Settings& settings, const Exposure& exposure,
-                                     const Job& job) {
+std::optional<Frame> render_exposure(FrameRenderer& renderer, const ExposedView& view,
+                                     const Settings& settings, const Job& job) {
+  const auto& [scene_at, time, camera, film, exposure] = view;
   Scene scene = scene_at(time);
   const auto seen_by = [&]() -> const Camera& { return camera ? *camera : scene.camera; };
   Settings sampled = settings;
@@ -115,9 +114,9 @@ std::optional<Frame> render_exposure(FrameRenderer& renderer, const SceneAt& sce
       const double frames = glm::mix(exposure.shutter->open, exposure.shutter->close, sample.time);
       scene = scene_at(time + frames / exposure.frames_per_second);
     }
-    LensView view = seen_through(seen_by(), film, sample.lens);
-    view.film.shift += sample.pixel;
-    return renderer.render(scene, view.camera, view.film, share_of_paths(sampled, k, count),
+    LensView lens = seen_through(seen_by(), film, sample.lens);
+    lens.film.shift += sample.pixel;
+    return renderer.render(scene, lens.camera, lens.film, share_of_paths(sampled, k, count),
                            part.stop, part.progress);
   };
   return mean_frame(std::move(*center), count, job.subrange(first, 1.0), render_sample);

@@ -51,13 +51,21 @@ bool is_blurred(const Exposure& exposure, const Camera& camera);
 // The samples of a frame; see Settings::samples.
 int samples_of(const Exposure& exposure, const Camera& camera, const Scene& scene);
 
-// A frame at a time [s]: the mean of samples_of() it if is_blurred(), else as the renderer does it
-// with so many. `scene_at` evaluates the scene, one moment after another; `camera`: absent, the
-// scene's. nullopt if stopped.
+// Evaluates a scene, one moment after another.
 using SceneAt = std::function<Scene(double time)>;
-std::optional<Frame> render_exposure(FrameRenderer& renderer, const SceneAt& scene_at, double time,
-                                     const std::optional<Camera>& camera, const Film& film,
-                                     const Settings& settings, const Exposure& exposure,
-                                     const Job& job);
+
+// What a frame is rendered from.
+struct ExposedView {
+  SceneAt scene_at;
+  double time = 0.0;             // [s]
+  std::optional<Camera> camera;  // absent: the scene's, of each moment
+  Film film;
+  Exposure exposure;
+};
+
+// The mean of samples_of() it if is_blurred(), else as the renderer does it with so many. nullopt
+// if stopped.
+std::optional<Frame> render_exposure(FrameRenderer& renderer, const ExposedView& view,
+                                     const Settings& settings, const Job& job = {});
 
 }  // namespace brume

@@ -35,6 +35,43 @@ TEST(SceneRenderer, TellsErrorAndMethod) {
   EXPECT_FALSE(render(scene, measured)->error);
 }
 
+TEST(SceneRenderer, TheRequestOfAFrameMakesItAgain) {
+  const Scene scene = cloud_scene(20, 1.0);
+  const Frame frame = *render(scene, {.film = small, .max_error = 0.05, .backend = Backend::cpu});
+  EXPECT_EQ(frame.request->airlight, AirlightMethod::sliced);
+  const Frame again = *render(scene, *frame.request);
+  EXPECT_FALSE(again.error) << "nothing is left to choose";
+  EXPECT_EQ(again.beauty, frame.beauty);
+  EXPECT_EQ(again.statistics.airlight, frame.statistics.airlight);
+}
+
+TEST(SceneRenderer, AutoMeasuresNoErrorWhereNoneIsAskedFor) {
+  const Scene scene = cloud_scene(20, 1.0);
+  RenderRequest request{.film = small, .max_error = 0.05, .error = ErrorMeasurement::none};
+  request.backend = Backend::cpu;
+  const Frame frame = *render(scene, request);
+  EXPECT_FALSE(frame.error);
+  EXPECT_TRUE(frame.statistics.airlight.starts_with("sliced:"));
+}
+
+TEST(SceneRenderer, GroupsAreAppliedOnceForManyFrames) {
+  Scene scene = cloud_scene(20, 1.0);
+  Gaussian grouped{{0.2, 0.1, 0.0}, 0.5, 1.0};
+  grouped.group = 1;
+  scene.medium.append(grouped);
+  scene.groups.push_back({.id = 1, .name = "a", .density_factor = 0.5});
+  scene.camera_keys.eye = {{.time = 0.0, .value = {0, 0, 5}}, {.time = 1.0, .value = {1, 0, 5}}};
+  SceneRenderer renderer;
+  RenderRequest request = once;
+  EXPECT_GT(renderer.render(scene, request)->statistics.light_pairs, 0u);
+  request.time = 0.5;
+  const Frame second = *renderer.render(scene, request);
+  EXPECT_EQ(second.beauty, render(scene, request)->beauty);
+  EXPECT_EQ(second.statistics.light_pairs, 0u) << "the light's table is that of the first frame";
+  scene.groups[0].density_factor = 2.0;
+  EXPECT_EQ(renderer.render(scene, request)->beauty, render(scene, request)->beauty);
+}
+
 TEST(SceneRenderer, FramesDoNotDependOnThoseBefore) {
   SceneRenderer renderer;
   const Scene first = cloud_scene(20, 1.0, 1);

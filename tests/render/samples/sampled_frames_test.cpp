@@ -272,7 +272,7 @@ TEST(Exposures, OfOneSampleAreThoseOfTheCenter) {
   Renderer renderer;
   const auto scene_at = [&](double time) { return evaluate_at(scene, time); };
   const auto frame =
-      render_exposure(renderer, scene_at, 0.5, {}, scene.film, sliced(8), exposure, {});
+      render_exposure(renderer, {scene_at, 0.5, {}, scene.film, exposure}, sliced(8));
   Scene then = evaluate_at(scene, 0.5);
   EXPECT_EQ(frame->beauty, render_frame(then, sliced(8)).beauty);
 }
@@ -290,8 +290,9 @@ TEST(Exposures, BlurWhatIsOutOfFocus) {
     scene.camera.focus_distance = focus;
     Exposure exposure = exposure_of(scene);
     exposure.samples = 32;
-    const Frame frame = *render_exposure(renderer, [&](double) { return scene; }, 0.0, {},
-                                         scene.film, sliced(8), exposure, {});
+    const auto scene_at = [&](double) { return scene; };
+    const Frame frame =
+        *render_exposure(renderer, {scene_at, 0.0, {}, scene.film, exposure}, sliced(8));
     std::pair<double, int> sum_and_pixels{};
     for (std::size_t i = 0; i < frame.depth.size(); ++i) {
       sum_and_pixels.first += static_cast<double>(frame.beauty[4 * i]);
@@ -326,7 +327,7 @@ TEST(Exposures, BlurWhatMoves) {
   Renderer renderer;
   const auto scene_at = [&](double time) { return evaluate_at(scene, time); };
   const Frame frame =
-      *render_exposure(renderer, scene_at, 0.0, {}, scene.film, sliced(8), exposure, {});
+      *render_exposure(renderer, {scene_at, 0.0, {}, scene.film, exposure}, sliced(8));
   // Coverage falls linearly over eight pixels, from where the right edge is to eight to the left.
   const double edge = 32.0 + 0.5 / pixel;
   for (int x = 0; x < 64; ++x) {

@@ -34,6 +34,8 @@ Camera moved(Camera camera, const CameraStep& step, int steps) {
 
 std::string setting_name(const Settings& settings) {
   std::string name = airlight_name(settings);
+  // Older reports, with which new ones are compared, call it so.
+  if (settings.airlight == AirlightMethod::sliced) name[name.find(':')] = ' ';
   if (settings.airlight_scale > 1) name += ", scale " + std::to_string(settings.airlight_scale);
   return name;
 }

@@ -1,0 +1,68 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "brume/request_options.h"
+
+namespace brume {
+namespace {
+
+const RequestOption& option(const std::string& name) {
+  return *std::ranges::find_if(request_options(), [&](const auto& it) { return it.name == name; });
+}
+
+std::string set(RenderRequest& request, const std::string& name, const std::string& text) {
+  return option(name).set(request, text, Film{400, 200});
+}
+
+TEST(RequestOptions, TellWhatTheyWereSetTo) {
+  const std::vector<std::pair<const char*, const char*>> texts{
+      {"time", "-2.5"},         {"slices", "12"},         {"airlight", "sliced:12"},
+      {"airlight", "path:7"},   {"airlight", "march:9"},  {"airlight", "paper+mean+energy"},
+      {"airlight", "auto"},     {"scattering", "single"}, {"seed", "4294967295"},
+      {"error", "none"},        {"airlight-scale", "2"},  {"paper-spread", "true"},
+      {"max-error", "0.001"},   {"tolerance", "1e-06"},   {"samples", "5"},
+      {"shutter", "-0.5,0.25"}, {"shutter", "none"},      {"deep-error", "0.02"},
+      {"backend", "gl"},        {"threads", "3"}};
+  std::set<std::string> known;
+  for (const auto& [name, text] : texts) {
+    RenderRequest request;
+    EXPECT_EQ(set(request, name, text), "") << name;
+    EXPECT_EQ(option(name).get(request), text) << name;
+    known.insert(name);
+  }
+  for (const RequestOption& it : request_options()) {
+    EXPECT_TRUE(known.contains(it.name) || !it.get || it.type == RequestOption::Type::flag)
+        << it.name;
+  }
+}
+
+TEST(RequestOptions, RefuseOtherTexts) {
+  RenderRequest request;
+  for (const char* text : {"", "sliced:", "sliced:3", "sliced+mean", "path", "paper+", "paper:3",
+                           "paper+energy+mean", "auto:3", "march:0", "Sliced"}) {
+    EXPECT_TRUE(set(request, "airlight", text).starts_with(std::string("found ") + text)) << text;
+  }
+  for (const char* text : {"", "x", "1,2,3", "0,0"}) EXPECT_NE(set(request, "shutter", text), "");
+  for (const char* text : {"", "3", "1.0"}) EXPECT_NE(set(request, "airlight-scale", text), "");
+  for (const char* text : {"", "0,0,1", "0,0,1,1,", "0.5,0,0.5,1"}) {
+    EXPECT_NE(set(request, "region", text), "") << text;
+  }
+  EXPECT_EQ(set(request, "samples", "0"), "found 0; allowed: a whole number from 1 to 4096");
+}
+
+TEST(RequestOptions, SizesAndRegionsAreOfTheFilm) {
+  RenderRequest request;
+  EXPECT_EQ(set(request, "size", "100"), "");
+  EXPECT_EQ(*request.film, (Film{100, 50}));
+  EXPECT_EQ(set(request, "region", "0.5,0,1,1"), "");
+  EXPECT_EQ(request.film->width, 50);
+  EXPECT_EQ(set(request, "size", "30x20"), "");
+  EXPECT_EQ(*request.film, (Film{30, 20}));
+}
+
+}  // namespace
+}  // namespace brume
