@@ -375,16 +375,16 @@ std::optional<Frame> GlRenderer::Impl::render(FrameContext& work, tbb::task_aren
   if (!arena.execute([&] { return group.stages.prepare_source(work, cpu_clock); })) {
     return std::nullopt;
   }
-  DeviceFrame frame{programs,
-                    clock,
-                    group.medium,
-                    group.mesh,
-                    group.lists,
-                    textures,
-                    {work.frame.film, work.rays, work.fog_extent.ray_distance(work.rays.eye()),
-                     group.stages.prepared().medium().homogeneous_density(), work.plan,
-                     work.airlight_rms()},
-                    arena};
+  DeviceFrame frame{
+      programs,
+      clock,
+      group.medium,
+      group.mesh,
+      group.lists,
+      textures,
+      {work.frame.film, work.rays, work.fog_extent.ray_distance(work.rays.eye()),
+       group.stages.prepared().medium().homogeneous_density(), work.plan, work.airlight_rms()},
+      arena};
   integrate_medium(work, group, cpu_clock, frame);
   if (!shade_surfaces(work, group, cpu_clock, frame)) return std::nullopt;
   clock.time(Stage::composite, [&] { composite.run(programs, work, textures); });

@@ -134,10 +134,9 @@ std::span<const glm::vec3> Renderer::Impl::trace_paths(FrameContext& work, Stage
 Renderer::Impl::SeenMedium Renderer::Impl::integrate_medium(FrameContext& work, StageClock& clock) {
   if (!work.plan.has_medium()) return {};
   AirlightIntegrator method = airlight_method(work, clock);
-  FilmAirlight film =
-      film_airlight(stages.prepared().medium(), work.plan.lights, work.rays, work.window,
-                    work.settings, work.airlight_rms(), method, stages.ray_ends(work), work.job,
-                    work.frame);
+  FilmAirlight film = film_airlight(stages.prepared().medium(), work.plan.lights, work.rays,
+                                    work.window, work.settings, work.airlight_rms(), method,
+                                    stages.ray_ends(work), work.job, work.frame);
   FrameStatistics& statistics = work.frame.statistics;
   statistics.gaussians_used = film.gaussians_used;
   if (stages.prepared().is_merged()) {

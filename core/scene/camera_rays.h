@@ -26,9 +26,7 @@ class CameraRays {
 
   // The film's first pixel on the whole one.
   [[nodiscard]] glm::ivec2 first_pixel() const { return {region_.x, region_.y}; }
-  [[nodiscard]] glm::ivec2 whole_size() const {
-    return {region_.full_width, region_.full_height};
-  }
+  [[nodiscard]] glm::ivec2 whole_size() const { return {region_.full_width, region_.full_height}; }
 
   // The unit direction from the eye through a film position (pixels).
   [[nodiscard]] glm::dvec3 direction(double x, double y) const {
@@ -70,7 +68,8 @@ class CameraRays {
     [[nodiscard]] bool empty() const { return x0 >= x1 || y0 >= y1; }
     bool operator==(const PixelRectangle&) const = default;
   };
-  [[nodiscard]] PixelRectangle bounds_on_whole(const GaussianTerm<double>& gaussian, double radius) const;
+  [[nodiscard]] PixelRectangle bounds_on_whole(const GaussianTerm<double>& gaussian,
+                                               double radius) const;
 
   // Half the angle subtended by the central pixel [radians].
   [[nodiscard]] double pixel_half_angle() const;

@@ -36,8 +36,8 @@ struct CameraKeys {
   bool operator==(const CameraKeys&) const = default;
 };
 
-// Where a film lies on a larger one, in pixels of both. Rendered, its pixels have the bits that they
-// have on the larger one.
+// Where a film lies on a larger one, in pixels of both. Rendered, its pixels have the bits that
+// they have on the larger one.
 struct FilmRegion {
   int x = 0, y = 0;  // of the first pixel
   int full_width = 0, full_height = 0;

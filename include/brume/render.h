@@ -26,7 +26,8 @@ inline constexpr Shutter no_shutter{0.0, 0.0};
 // What is asked of a frame; the content is in a Scene. request_options() (brume/request_options.h)
 // say what each value does and may be. Defaults are those of `brume render`.
 struct RenderRequest {
-  std::optional<Film> film{};      // absent: the scene's
+  // Absent: the scene's. A region's pixels have the bits that they have in the whole picture.
+  std::optional<Film> film{};
   std::optional<Camera> camera{};  // absent: the scene's
   double time = 0.0;               // of the animation [s]
 

@@ -24,10 +24,10 @@ struct SampledView {
 
 // Filters the pixels of a frame that have details, by `count` samples as pixel_samples() has them,
 // and by up to 16 times as many where those differ by so much that the pixel would be off by more
-// than 10% of the picture's rms. Surfaces and environment are seen by every sample. The fog in front
-// of surfaces is not paid for as often: samples of a pixel that are about as far away share one ray,
-// or take the fog of a pixel beside them that is. Only details of the fog itself take a ray per
-// sample.
+// than 10% of the picture's rms. Surfaces and environment are seen by every sample. The fog in
+// front of surfaces is not paid for as often: samples of a pixel that are about as far away share
+// one ray, or take the fog of a pixel beside them that is. Only details of the fog itself take a
+// ray per sample.
 //
 // `frame` is complete, of one sample a pixel. Returns the Gaussian x ray pairs evaluated from the
 // eye; those from lights are added to the statistics.

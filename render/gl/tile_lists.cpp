@@ -91,8 +91,7 @@ void TileLists::build(Programs& programs, MediumBuffers& medium, const MediumInd
   sample_film_ = {samples.width, samples.height};
   const Tiles tiles(samples);
   tiles_ = {tiles.columns(), tiles.rows()};
-  const Tiles whole_tiles(
-      brume::sample_film({rays.whole_size().x, rays.whole_size().y}, scale));
+  const Tiles whole_tiles(brume::sample_film({rays.whole_size().x, rays.whole_size().y}, scale));
   const auto tile_count = static_cast<std::size_t>(tiles_.x) * static_cast<std::size_t>(tiles_.y);
   const std::size_t count = medium.count();
   seen_.reserve(count * sizeof(SeenGaussian));
@@ -118,8 +117,7 @@ void TileLists::build(Programs& programs, MediumBuffers& medium, const MediumInd
   project.set("surround", surround.size);
   project.set("whole_start", glm::dvec3(surround.start, 0.0));
   project.set("whole_tiles", glm::ivec2(whole_tiles.columns(), whole_tiles.rows()));
-  project.set("first_tile",
-              rays.first_pixel() / (scale * glm::ivec2(Tiles::width, Tiles::height)));
+  project.set("first_tile", rays.first_pixel() / (scale * glm::ivec2(Tiles::width, Tiles::height)));
   project.set("tiles", tiles_);
   project.set("scale", scale);
   const RayNoise& noise = index.noise();

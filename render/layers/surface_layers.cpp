@@ -57,7 +57,8 @@ class MotionVectors {
     return Placement(*next_[surface])
         .point_to_world(Placement(now_.surfaces[surface]).point_to_mesh(point));
   }
-  // To the right and up from a position on the whole film; 0 for what comes to be behind the camera.
+  // To the right and up from a position on the whole film; 0 for what comes to be behind the
+  // camera.
   [[nodiscard]] glm::vec2 on_film(const glm::dvec3& point, const glm::dvec2& start) const {
     const glm::dvec3 place = rays_.project_on_whole(point);
     if (!(place.z > 0.0)) return glm::vec2(0.0f);

@@ -45,7 +45,7 @@ class PathFilm {
     const PathScene& scene;
     const CameraRays& rays;
     CameraRays::PixelRectangle pixels;  // that are traced
-    double open_end;  // of rays that hit nothing [u], may be +inf
+    double open_end;                    // of rays that hit nothing [u], may be +inf
     // First hit of a pixel's ray.
     std::function<SurfaceHit(std::size_t pixel)> hit;
     int paths;          // per pixel; 0: transmittance alone

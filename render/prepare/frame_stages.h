@@ -83,8 +83,8 @@ struct FrameContext {
   }
   // Allocates all layers of the frame.
   void make_layers();
-  // Brightness::airlight_rms, if it is known: of the group, whose airlight is still to be multiplied
-  // by its albedo.
+  // Brightness::airlight_rms, if it is known: of the group, whose airlight is still to be
+  // multiplied by its albedo.
   [[nodiscard]] std::optional<double> airlight_rms() const {
     if (!settings.brightness) return std::nullopt;
     return settings.brightness->airlight_rms / group.albedo;
@@ -146,8 +146,8 @@ class FrameStages {
   // What shades more points of them, after shade_surfaces(), until the next frame.
   [[nodiscard]] FilmSurfaces film_surfaces(const FrameContext& work) const {
     return {work.scene.surfaces, prepared_.medium(), prepared_.ray_caster(), shading_,
-            lighting_,           work.rays,          work.frame.film,
-            work.window.shaded(),                    work.plan.precision};
+            lighting_,           work.rays,          work.frame.film,        work.window.shaded(),
+            work.plan.precision};
   }
 
  private:

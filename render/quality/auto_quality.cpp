@@ -101,8 +101,8 @@ std::optional<ErrorEstimate> measure_error(const Scene& scene, const Camera& cam
 
 namespace {
 
-// Frames of one picture, rendered with the settings and measured: while the error exceeds max_error,
-// with finer ones. nullopt if stopped.
+// Frames of one picture, rendered with the settings and measured: while the error exceeds
+// max_error, with finer ones. nullopt if stopped.
 std::optional<RequestedFrame> render_within_error(FrameRenderer& renderer, const Scene& scene,
                                                   const Camera& camera, const Film& film,
                                                   const Settings& settings, FrameErrors& errors,
@@ -163,8 +163,8 @@ std::optional<RequestedFrame> render_requested(FrameRenderer& renderer, const Sc
       renderer, scene, camera, small, *chosen, small_errors, job.subrange(0.3, 0.6));
   if (!result || (small == film && settings.samples == 1)) return result;
   result->settings.samples = settings.samples;
-  std::optional<Frame> frame = renderer.render(scene, camera, film, result->settings, stop,
-                                               job.subrange(0.6, 0.8).progress);
+  std::optional<Frame> frame =
+      renderer.render(scene, camera, film, result->settings, stop, job.subrange(0.6, 0.8).progress);
   if (!frame) return std::nullopt;
   result->frame = std::move(*frame);
   FrameErrors own_errors(scene, camera, evaluation_seed);

@@ -40,8 +40,8 @@ std::optional<ErrorEstimate> measure_error(const Scene& scene, const Camera& cam
 
 // Renders with the settings; if they say `auto_`, chooses them, renders and measures. Whether they
 // meet max_error is judged by small frames of the whole view, so that regions of it are rendered
-// alike: while the measured error exceeds it, continues with finer settings. If none meets it, takes
-// the cheapest that may meet it within the confidence interval, or else the last.
+// alike: while the measured error exceeds it, continues with finer settings. If none meets it,
+// takes the cheapest that may meet it within the confidence interval, or else the last.
 std::optional<RequestedFrame> render_requested(FrameRenderer& renderer, const Scene& scene,
                                                const Camera& camera, const Film& film,
                                                const Settings& settings,

@@ -33,7 +33,8 @@ Brightness brightness_of(const Frame& frame, const CameraRays::PixelRectangle& p
       }
     }
   }
-  const double count = 3.0 * std::max(pixels.x1 - pixels.x0, 1) * std::max(pixels.y1 - pixels.y0, 1);
+  const double count =
+      3.0 * std::max(pixels.x1 - pixels.x0, 1) * std::max(pixels.y1 - pixels.y0, 1);
   return {std::sqrt(sum.airlight_rms / count), sum.mean / count, std::sqrt(sum.rms / count)};
 }
 

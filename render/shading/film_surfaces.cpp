@@ -118,7 +118,8 @@ std::uint64_t FilmSurfaces::shade(std::span<const RasterPixel> hits, const Job& 
     Shader shader(*this, hits, radiance);
     for (int y = top; y < bottom; y += Tiles::height) {
       for (int x = left; x < right; x += Tiles::width) {
-        shader.shade({x, y, std::min(x + Tiles::width, right), std::min(y + Tiles::height, bottom)});
+        shader.shade(
+            {x, y, std::min(x + Tiles::width, right), std::min(y + Tiles::height, bottom)});
       }
       const int next = y + Tiles::height;
       if (next < bottom) {

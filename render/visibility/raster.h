@@ -74,9 +74,9 @@ class Raster {
     int width = 0;
     int height = 0;
   };
-  // A projected vertex: (x, y) / z is its position in pixels from the whole film's center (which wide
-  // views would lose precision without), z its depth along forward. At or behind the eye plane,
-  // inverse is 0.
+  // A projected vertex: (x, y) / z is its position in pixels from the whole film's center (which
+  // wide views would lose precision without), z its depth along forward. At or behind the eye
+  // plane, inverse is 0.
   struct alignas(16) Vertex {
     float x = 0.0f, y = 0.0f, z = 0.0f;
     float inverse = 0.0f;  // 1 / z

@@ -42,15 +42,15 @@ Scene scene_of(unsigned seed, const Film& film) {
 void expect_same_layer(const char* name, const std::vector<float>& whole, const Film& film,
                        const std::vector<float>& part, const Film& region) {
   if (whole.empty() && part.empty()) return;
-  const std::size_t channels = whole.size() / (static_cast<std::size_t>(film.width) *
-                                               static_cast<std::size_t>(film.height));
+  const std::size_t channels =
+      whole.size() / (static_cast<std::size_t>(film.width) * static_cast<std::size_t>(film.height));
   ASSERT_EQ(part.size(), channels * static_cast<std::size_t>(region.width) *
                              static_cast<std::size_t>(region.height))
       << name;
   for (int y = 0; y < region.height; ++y) {
     for (int x = 0; x < region.width; ++x) {
-      const auto a = static_cast<std::size_t>((region.region->y + y) * film.width +
-                                              region.region->x + x);
+      const auto a =
+          static_cast<std::size_t>((region.region->y + y) * film.width + region.region->x + x);
       const auto b = static_cast<std::size_t>(y * region.width + x);
       const float* const expected = whole.data() + channels * a;
       const float* const found = part.data() + channels * b;

@@ -40,7 +40,7 @@ class RegionAndCamera : public CommandLine {
 
 TEST_F(RegionAndCamera, ARegionShowsItsPartOfThePicture) {
   for (const char* method : {"auto", "sliced", "march:16", "paper", "path:2"}) {
-    expect_region_matches({"--airlight", method, "--backend", "cpu"});
+    expect_region_matches({"--airlight", method, "--backend", "cpu", "--error", "none"});
   }
   expect_region_matches({"--airlight", "sliced", "--backend", "cpu", "--airlight-scale", "4",
                          "--layers", "lights,normal,motion"});

@@ -26,8 +26,7 @@ class DeepFrame {
       samples_.insert(samples_.end(), rows.samples.begin(), rows.samples.end());
     };
     const DeepSettings deep{settings, error, rms(flat.airlight)};
-    statistics_ =
-        render_deep(scene, scene.camera, scene.film, deep, TransferStore(), take).value();
+    statistics_ = render_deep(scene, scene.camera, scene.film, deep, TransferStore(), take).value();
     EXPECT_TRUE(next_row_ok_);
     EXPECT_EQ(statistics_.samples, samples_.size());
     EXPECT_EQ(statistics_.coarse_tiles, 0u);

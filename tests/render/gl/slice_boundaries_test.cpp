@@ -196,8 +196,9 @@ Slices choose_on_device(DeviceState& device, const Case& c) {
   Settings settings;
   settings.airlight_scale = scale;
   const RenderPlan plan(Scene(), film, settings);
-  const FilmView view{film, rays, std::numeric_limits<double>::infinity(),
-                      medium.homogeneous_density(), plan, std::nullopt};
+  const FilmView view{
+      film, rays,        std::numeric_limits<double>::infinity(), medium.homogeneous_density(),
+      plan, std::nullopt};
   device.slices.choose(device.programs, device.clock, device.lights, c.lights.size(), c.slices,
                        device.lists, view, device.textures);
   const glm::ivec2 tiles = device.lists.tiles();
