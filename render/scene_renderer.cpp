@@ -197,6 +197,7 @@ std::optional<Frame> SceneRenderer::render(const Scene& asked, const RenderReque
     warnings.push_back("backend gl: rendered on the CPU: " +
                        (is_device ? statistics.on_cpu.front().why : problem));
   }
+  const auto rendered = std::chrono::steady_clock::now();
   if (has_more_layers(request.layers)) {
     const LayeredFrame layered{animation,
                                scene,
@@ -215,6 +216,9 @@ std::optional<Frame> SceneRenderer::render(const Scene& asked, const RenderReque
                                 job.subrange(0.9, 1.0).progress);
     if (!frame.error) return std::nullopt;
   }
+  const std::chrono::duration<double, std::milli> extra =
+      std::chrono::steady_clock::now() - rendered;
+  frame.statistics.extra_milliseconds = extra.count();
   if (request.airlight == AirlightMethod::auto_ && frame.error &&
       frame.error->high > request.max_error) {
     warnings.push_back(unsure_text(*frame.error, request.max_error));

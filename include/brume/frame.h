@@ -52,6 +52,7 @@ struct FrameStatistics {
   std::string device;           // name of the OpenGL device; empty: the CPU
   double frame_milliseconds = 0.0;
   double transfer_milliseconds = 0.0;  // before it, for radiance transfer that was missing
+  double extra_milliseconds = 0.0;     // after it, for more layers and to measure its error
   std::vector<StageTime> stages;       // in the order they first ran
   std::vector<SkippedStage> skipped;   // not needed by the scene, with the reason
   // With the backend gl: stages that ran on the CPU, with the reason.

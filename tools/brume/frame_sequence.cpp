@@ -87,8 +87,9 @@ class FrameSequence {
     RenderRun run{.scene = options_.scene_file(), .frame = number};
     const auto start = std::chrono::steady_clock::now();
     const auto frame = std::make_shared<const Frame>(render(request, label));
-    run.first_frame_milliseconds =
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    const std::chrono::duration<double, std::milli> taken =
+        std::chrono::steady_clock::now() - start;
+    run.first_frame_milliseconds = taken.count() - frame->statistics.extra_milliseconds;
     warn(number, frame->warnings);
     FrameInfo info = info_;
     info.fingerprint = fingerprint_.of(number);

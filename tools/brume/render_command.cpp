@@ -45,7 +45,8 @@ class RenderCommand final : public Command {
     SceneRenderer renderer;
     const Frame frame = render(renderer, scene, options_.request(scene.film), 1);
     RenderRun run{.scene = options_.scene_file(), .repeat = options_.repeat()};
-    run.first_frame_milliseconds = Milliseconds(Clock::now() - start).count();
+    run.first_frame_milliseconds =
+        Milliseconds(Clock::now() - start).count() - frame.statistics.extra_milliseconds;
     print_warnings(frame.warnings);
     const std::vector<FrameStatistics> moved = moved_frames(renderer, scene, frame);
     if (options_.is_deep()) {
