@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstring>
 
 #include "render/deep/deep_samples.h"
 #include "tests/render/test_scenes.h"
@@ -176,6 +177,29 @@ TEST(DeepRenderer, WithoutFogSurfacesAreLeft) {
     if (deep.pixel(i).empty()) continue;
     EXPECT_NEAR(deep.pixel(i)[0].color.r, flat.beauty[4 * i], 1e-6 + 1e-5 * flat.beauty[4 * i]);
   }
+}
+
+TEST(DeepRenderer, ARegionHasTheSamplesOfTheWholeFrame) {
+  Scene scene = cut_by_a_surface();
+  scene.film = {90, 50};
+  const Frame flat = render_frame(scene, sliced(8));
+  const DeepFrame whole(scene, sliced(8), deep_error, flat);
+  scene.film = film_region(scene.film, {0.3, 0.3}, {0.6, 0.7});
+  Frame flat_region = render_frame(scene, sliced(8));
+  flat_region.airlight = flat.airlight;  // whose rms the tolerance is relative to
+  const DeepFrame region(scene, sliced(8), deep_error, flat_region);
+  std::size_t samples = 0;
+  for (int y = 0; y < scene.film.height; ++y) {
+    for (int x = 0; x < scene.film.width; ++x) {
+      const auto found = region.pixel(static_cast<std::size_t>(y * scene.film.width + x));
+      const int place = (scene.film.region->y + y) * 90 + scene.film.region->x + x;
+      const auto expected = whole.pixel(static_cast<std::size_t>(place));
+      samples += found.size();
+      ASSERT_EQ(found.size(), expected.size()) << x << ", " << y;
+      ASSERT_EQ(std::memcmp(found.data(), expected.data(), found.size_bytes()), 0);
+    }
+  }
+  EXPECT_GT(samples, 1000u);
 }
 
 }  // namespace
