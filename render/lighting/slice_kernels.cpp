@@ -346,10 +346,10 @@ void SumSlices(const PathBatch& rays, const RaySlices& slices, const float* incr
           if (lights[l].falloff.is_isotropic()) {
             falloff = MeanInverseSquare(first, last, h2[l]);
           } else {
-            const FalloffMean mean(falloffs[l], first, last, h2[l]);
-            if (hn::AllFalse(d, hn::Gt(mean.value, zero))) continue;
-            falloff = mean.value;
-            middle = hn::Add(ts[l], mean.center);
+            const FalloffMean segment(falloffs[l], first, last, h2[l]);
+            if (hn::AllFalse(d, hn::Gt(segment.value, zero))) continue;
+            falloff = segment.value;
+            middle = hn::Add(ts[l], segment.center);
           }
           const V along = hn::Sub(middle, ts[l]);
           const V distance = hn::Sqrt(hn::MulAdd(along, along, h2[l]));
