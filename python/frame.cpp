@@ -36,7 +36,7 @@ py::array_t<float> layer(const py::object& owner, const std::vector<float>& valu
 }
 
 // What Python gives for an option, as its text. Throws TypeError.
-std::string text_of(const RequestOption& option, const py::handle& value) {
+std::optional<std::string> text_of(const RequestOption& option, const py::handle& value) {
   using Type = RequestOption::Type;
   const auto is_number = [](const py::handle& it) {
     return !py::isinstance<py::bool_>(it) && PyNumber_Check(it.ptr()) != 0;
@@ -47,16 +47,17 @@ std::string text_of(const RequestOption& option, const py::handle& value) {
   };
   if (option.type == Type::flag) {
     if (!py::isinstance<py::bool_>(value)) throw refuse("a bool");
-    return value.cast<bool>() ? "true" : "";
+    return value.cast<bool>() ? std::optional<std::string>("true") : std::nullopt;
   }
   if (option.type == Type::whole_number || option.type == Type::number) {
     const bool is_right =
         option.type == Type::number ? is_number(value) : PyIndex_Check(value.ptr()) != 0;
     if (!is_right) throw refuse(option.type == Type::number ? "a number" : "an int");
-    return py::str(value);
+    return py::str(value).cast<std::string>();
   }
   if (py::isinstance<py::str>(value)) return value.cast<std::string>();
   if (option.type == Type::text) throw refuse("a str");
+  if (is_number(value)) return py::str(value).cast<std::string>();  // a list of one
   if (!py::isinstance<py::iterable>(value)) throw refuse("a sequence");
   std::string text;
   bool is_first = true;
@@ -66,18 +67,23 @@ std::string text_of(const RequestOption& option, const py::handle& value) {
     if (!std::exchange(is_first, false)) text += option.separator;
     text += py::str(item).cast<std::string>();
   }
-  return text;
+  return is_first ? std::nullopt : std::optional(text);
+}
+
+// Deep frames go into files, which the command line writes.
+bool is_offered(const RequestOption& option) {
+  return option.keyword() != "deep_error";
 }
 
 // Sets options by their keywords, which are taken out of `given`.
 void set_options(RenderRequest& request, py::dict& given, const Film& film) {
   for (const RequestOption& option : request_options()) {
     const std::string keyword = option.keyword();
-    if (!given.contains(keyword)) continue;
+    if (!is_offered(option) || !given.contains(keyword)) continue;
     const py::object value = given.attr("pop")(keyword);
-    const std::string text = value.is_none() ? std::string() : text_of(option, value);
-    if (text.empty()) continue;
-    const std::string why = option.set(request, text, film);
+    const std::optional<std::string> text = value.is_none() ? std::nullopt : text_of(option, value);
+    if (!text) continue;
+    const std::string why = option.set(request, *text, film);
     if (!why.empty()) throw DomainError(keyword, why);
   }
 }
@@ -157,6 +163,7 @@ std::string render_doc() {
   std::string signature = "render(scene, *, ";
   std::string sentences;
   for (const RequestOption& option : request_options()) {
+    if (!is_offered(option)) continue;
     const std::string keyword = option.keyword();
     signature += keyword + '=' + default_text(option) + ", ";
     sentences += keyword + ": " + (option.values.empty() ? "" : option.values + "; ") +

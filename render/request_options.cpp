@@ -102,7 +102,8 @@ RequestOption choice(const char* name, Value RenderRequest::*member, const Names
     const auto value = Held<Value>::in(request.*member);
     const auto known =
         std::ranges::find_if(names, [&](const auto& it) { return value == it.second; });
-    return std::string(known == names.end() ? "" : known->first);
+    if (known != names.end()) return std::string(known->first);
+    return value ? std::to_string(static_cast<int>(*value)) : std::string();
   };
   const bool is_number = std::is_integral_v<typename Held<Value>::Type>;
   return {name,

@@ -85,8 +85,8 @@ std::optional<RequestedFrame> render_view(FrameRenderer& renderer, const Scene& 
 
 std::string unsure_text(const ErrorEstimate& error, double max_error) {
   std::ostringstream text;
-  text << "no setting is certain to meet a max_error of " << max_error
-       << "; this one has a relative RMSE of " << error.rel_rmse << ", " << error.low << " to "
+  text << "the setting that was found is not certain to meet a max_error of " << max_error
+       << ": it has a relative RMSE of " << error.rel_rmse << ", " << error.low << " to "
        << error.high;
   return text.str();
 }

@@ -28,6 +28,7 @@
 #include "app/window/camera_lock.h"
 #include "app/window/main_window.h"
 #include "core/io/file_bytes.h"
+#include "render/output/frame_file.h"
 #include "render/request.h"
 
 namespace brume {
@@ -169,7 +170,7 @@ FrameExportRequest MainWindow::output_request(bool animation) const {
     request.request.film = film_region(scene.film, {region->left(), region->top()},
                                        {region->right(), region->bottom()});
   }
-  if (output.paths) trace_paths(request.request, *output.paths);
+  if (output.paths && !is_deep_file(output.file)) trace_paths(request.request, *output.paths);
   if (output.exposure) request.info.look.exposure = *output.exposure;
   request.request.layers = output.layers;
   const QString camera = QString::fromStdString(scene.camera_name);

@@ -27,7 +27,8 @@ fs::path own_file() {
 fs::path installed(const fs::path& path) {
   static const fs::path folder = own_file().parent_path();
   // A package of Python keeps all its files in its own folder.
-  for (const char* prefix : {BRUME_BIN_TO_PREFIX, BRUME_LIB_TO_PREFIX, "."}) {
+  for (const char* prefix :
+       {BRUME_BIN_TO_PREFIX, BRUME_HELPERS_TO_PREFIX, BRUME_LIB_TO_PREFIX, "."}) {
     fs::path candidate = (folder / prefix / path).lexically_normal();
     std::error_code error;
     if (fs::exists(candidate, error)) return candidate;

@@ -367,6 +367,8 @@ std::uint64_t sample_film(const SampledView& view, std::vector<PixelDetail> deta
       sampled.insert(sampled.end(), tile.begin(), tile.end());
     }
     if (round == 0) frame.statistics.sampled_pixels += sampled.size();
+    // Where the small picture saw nothing, nobody knows what counts.
+    if (!(max_error > 0.0)) break;
     // Sums over channels.
     if (!keep_worst(std::span(sampled).subspan(first), 3.0 * max_error * max_error, details)) break;
   }

@@ -101,22 +101,25 @@ std::optional<ErrorEstimate> measure_error(const Scene& scene, const Camera& cam
 
 namespace {
 
-// Frames of one picture, rendered with the settings and measured: while the error exceeds
-// max_error, with finer ones. nullopt if stopped.
+// Frames of a small picture of the whole film, rendered with the settings and measured: while the
+// error exceeds max_error, with finer ones. nullopt if stopped.
 std::optional<RequestedFrame> render_within_error(FrameRenderer& renderer, const Scene& scene,
                                                   const Camera& camera, const Film& film,
-                                                  const Settings& settings, FrameErrors& errors,
-                                                  const Job& job) {
+                                                  const Film& small, const Settings& settings,
+                                                  FrameErrors& errors, const Job& job) {
   const double max_error = settings.max_error;
   double begin = 0.0;
   std::optional<Settings> tried = settings;
   std::optional<RequestedFrame> result;
   std::vector<double> found;
   while (tried) {
+    tried->brightness.reset();  // perhaps of coarser ones
+    tried = with_brightness(renderer, scene, camera, film, std::move(*tried), {job.stop, {}});
+    if (!tried) return std::nullopt;
     // Seldom is more than one frame needed.
     const double end = begin + 0.8 * (1.0 - begin);
     const double center = 0.5 * (begin + end);
-    std::optional<Frame> frame = renderer.render(scene, camera, film, *tried, job.stop,
+    std::optional<Frame> frame = renderer.render(scene, camera, small, *tried, job.stop,
                                                  job.subrange(begin, center).progress);
     if (!frame) return std::nullopt;
     const std::optional<ErrorEstimate> error =
@@ -151,16 +154,13 @@ std::optional<RequestedFrame> render_requested(FrameRenderer& renderer, const Sc
   }
   std::optional<Settings> chosen = choose_settings(renderer, scene, camera, film, settings, stop,
                                                    job.subrange(0.0, 0.3).progress);
-  if (chosen) {
-    chosen = with_brightness(renderer, scene, camera, film, std::move(*chosen), {stop, {}});
-  }
   if (!chosen) return std::nullopt;
   // What a small picture of the whole needs, all its regions get.
   const Film small = small_film(film, choice_pixels);
   chosen->samples = 1;  // errors are those of centers
   FrameErrors small_errors(scene, camera, evaluation_seed);
   std::optional<RequestedFrame> result = render_within_error(
-      renderer, scene, camera, small, *chosen, small_errors, job.subrange(0.3, 0.6));
+      renderer, scene, camera, film, small, *chosen, small_errors, job.subrange(0.3, 0.6));
   if (!result || (small == film && settings.samples == 1)) return result;
   result->settings.samples = settings.samples;
   std::optional<Frame> frame =

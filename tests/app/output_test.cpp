@@ -205,8 +205,11 @@ class OutputTest : public QObject {
     QVERIFY(!window->findChild<QCheckBox*>("layer_objects")->isChecked());
   }
 
+  // Of a scene whose output is path-traced, too: deep frames are made by slices.
   void a_name_makes_a_deep_frame() {
-    TestWindow window(tiny_scene());
+    Scene scene = tiny_scene();
+    scene.output.paths = 4;
+    TestWindow window(scene);
     type(window, "output_file", "shot.deep.exr");
     QVERIFY(!window->findChild<QCheckBox*>("layer_normal")->isEnabled());
     enter(window, "output_first", "2");

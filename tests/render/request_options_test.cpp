@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "brume/request_options.h"
+#include "render/request.h"
 
 namespace brume {
 namespace {
@@ -52,6 +53,19 @@ TEST(RequestOptions, RefuseOtherTexts) {
     EXPECT_NE(set(request, "region", text), "") << text;
   }
   EXPECT_EQ(set(request, "samples", "0"), "found 0; allowed: a whole number from 1 to 4096");
+}
+
+TEST(RequestOptions, ValuesThatNoTextGivesAreRefused) {
+  for (const int scale : {-1, 0, 3}) {
+    RenderRequest request;
+    request.airlight_scale = scale;
+    const auto problem = problem_of(request);
+    ASSERT_TRUE(problem) << scale;
+    EXPECT_EQ(problem->option, "airlight-scale");
+  }
+  RenderRequest request;
+  request.backend = static_cast<Backend>(7);
+  EXPECT_TRUE(problem_of(request));
 }
 
 TEST(RequestOptions, SizesAndRegionsAreOfTheFilm) {

@@ -280,7 +280,8 @@ TEST_F(BenchCommand, PutsOtherProgramsBeside) {
 TEST_F(BenchCommand, SavesItsScenes) {
   const std::string folder = file("scenes");
   std::filesystem::create_directory(folder);
-  ASSERT_EQ(run_brume({"bench", "--save-scenes", folder}).exit_code, 0);
+  // A name of a subcommand may be a name of a file.
+  ASSERT_EQ(run_brume({"bench", "-o", "fit", "--save-scenes", folder}).exit_code, 0);
   const Scene scene = load_scene(folder + "/cloud_300_depth_3.brume");
   EXPECT_EQ(scene.medium.size(), 300u);
   EXPECT_EQ(scene.film, (Film{200, 150}));

@@ -5,8 +5,7 @@
 #include <cstring>
 #include <filesystem>
 #include <string>
-#include <utility>
-#include <vector>
+#include <string_view>
 
 #include "core/io/installed_files.h"
 #include "tools/brume/program.h"
@@ -14,29 +13,20 @@
 namespace brume {
 namespace {
 
-// A program of its own, brume-bench, gets the arguments: who renders need not wait until what
-// measures is built. It is named after this program, which it measures.
+// `brume bench` is a program of its own, brume-bench: who renders need not wait until what measures
+// is built. It gets the arguments as they are, under the name of this program, which it measures.
+[[noreturn]] void become_bench(char** argv) {
+  const std::string program = helper_program("brume-bench").string();
+  std::string own_file = std::filesystem::read_symlink("/proc/self/exe").string();
+  argv[0] = own_file.data();
+  ::execv(program.c_str(), argv);
+  throw UsageError("the program " + program + " cannot be run: " + std::strerror(errno));
+}
+
+// For --help alone.
 class BenchCommand final : public Command {
  public:
-  explicit BenchCommand(CLI::App& app) : app_(app) {
-    app.allow_extras();
-    app.set_help_flag();
-  }
-
-  ExitCode run() override {
-    std::vector<std::string> arguments{std::filesystem::read_symlink("/proc/self/exe").string(),
-                                       app_.get_name()};
-    for (std::string& argument : app_.remaining()) arguments.push_back(std::move(argument));
-    std::vector<char*> argv;
-    for (std::string& argument : arguments) argv.push_back(argument.data());
-    argv.push_back(nullptr);
-    const std::string program = helper_program("brume-bench").string();
-    ::execv(program.c_str(), argv.data());
-    throw UsageError("the program " + program + " cannot be run: " + std::strerror(errno));
-  }
-
- private:
-  CLI::App& app_;
+  ExitCode run() override { return bad_input; }
 };
 
 }  // namespace
@@ -44,6 +34,12 @@ class BenchCommand final : public Command {
 
 int main(int argc, char** argv) {
   using namespace brume;
+  try {
+    if (argc > 1 && std::string_view(argv[1]) == "bench") become_bench(argv);
+  } catch (const UsageError& error) {
+    print_note(std::string("error: ") + error.what());
+    return bad_input;
+  }
   const std::array<Subcommand, 8> commands{{
       {"render", "render a frame of a scene", make_render_command},
       {"compare", "compare two EXR images", make_compare_command},
@@ -52,8 +48,7 @@ int main(int argc, char** argv) {
       {"export", "export the medium of a scene for other programs", make_export_command},
       {"gather", "copy a scene and its files into one folder", make_gather_command},
       {"submit", "hand a sequence to a scheduler", make_submit_command},
-      {"bench", bench_description,
-       [](CLI::App& app) { return std::make_unique<BenchCommand>(app); }},
+      {"bench", bench_description, [](CLI::App&) { return std::make_unique<BenchCommand>(); }},
   }};
   return run_program(argc, argv, commands);
 }

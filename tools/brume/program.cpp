@@ -52,7 +52,6 @@ void check_names(const CLI::App& app, const std::vector<std::string>& arguments)
   }
 
   const CLI::App* scope = it == commands.end() ? &app : app.get_subcommand(first);
-  if (scope->get_allow_extras()) return;  // another program's
   std::vector<std::string> names;
   for (const CLI::Option* option : scope->get_options()) {
     for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
