@@ -95,9 +95,9 @@ class RefinedFactorFit {
   Factors fit(const DensityGrid& target) {
     constexpr int final_updates = 2;
     if (!coarse_) return fine_.fit(target);
-    assert(target.spacing < coarse_grid_->spacing);  // by a power of 2
+    assert(target.spacing.x < coarse_grid_->spacing.x);  // by a power of 2
     DensityGrid less = coarser(target);
-    while (less.spacing < coarse_grid_->spacing) less = coarser(less);
+    while (less.spacing.x < coarse_grid_->spacing.x) less = coarser(less);
     return fine_.improved(coarse_->fit(less), target, final_updates);
   }
 
