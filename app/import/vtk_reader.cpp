@@ -29,7 +29,9 @@ namespace {
 class Errors : public vtkOutputWindow {
  public:
   static Errors* New();
-  vtkTypeMacro(Errors, vtkOutputWindow);
+  // clang-format off: a semicolon would be one too many.
+  vtkTypeMacro(Errors, vtkOutputWindow)
+  // clang-format on
   Errors(const Errors&) = delete;
   void operator=(const Errors&) = delete;
 

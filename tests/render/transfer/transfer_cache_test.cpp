@@ -140,14 +140,14 @@ TEST(TransferCache, ReplacesDamagedFiles) {
 TEST(TransferCache, ToleratesUnwritableFolders) {
   const TemporaryFolder folder;
   const auto mesh = small_bowl();
-  const Cached none = cached(mesh, "");
-  EXPECT_TRUE(none.warnings.empty() && !none.was_read);
+  const Cached uncached = cached(mesh, "");
+  EXPECT_TRUE(uncached.warnings.empty() && !uncached.was_read);
   const Cached under_a_file = cached(mesh, folder.write("file", "x") / "cache");
   EXPECT_EQ(under_a_file.warnings.size(), 1u);
-  EXPECT_TRUE(same(under_a_file.transfer, none.transfer));
+  EXPECT_TRUE(same(under_a_file.transfer, uncached.transfer));
   // A folder where the file should be.
   fs::create_directory(transfer_file(folder.path(), *mesh, settings));
-  EXPECT_TRUE(same(cached(mesh, folder.path()).transfer, none.transfer));
+  EXPECT_TRUE(same(cached(mesh, folder.path()).transfer, uncached.transfer));
 
   std::stop_source source;
   source.request_stop();
