@@ -57,7 +57,6 @@ std::optional<std::string> text_of(const RequestOption& option, const py::handle
   }
   if (py::isinstance<py::str>(value)) return value.cast<std::string>();
   if (option.type == Type::text) throw refuse("a str");
-  if (is_number(value)) return py::str(value).cast<std::string>();  // a list of one
   if (!py::isinstance<py::iterable>(value)) throw refuse("a sequence");
   std::string text;
   bool is_first = true;

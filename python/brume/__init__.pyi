@@ -194,7 +194,7 @@ class Renderer:
         self,
         scene: Scene,
         *,
-        size: Optional[Union[int, Tuple[int, int]]] = None,
+        size: Optional[Tuple[int, int]] = None,
         region: Optional[Tuple[float, float, float, float]] = None,
         time: float = 0,
         slices: int = 24,
@@ -222,7 +222,7 @@ def load_medium(file: _Path) -> Medium: ...
 def render(
     scene: Scene,
     *,
-    size: Optional[Union[int, Tuple[int, int]]] = None,
+    size: Optional[Tuple[int, int]] = None,
     region: Optional[Tuple[float, float, float, float]] = None,
     time: float = 0,
     slices: int = 24,
