@@ -55,11 +55,13 @@ bool has_ended(pid_t program, int options = WNOHANG) {
 pid_t stopped_reader(pid_t program) {
   pid_t reader = -1;
   while (reader < 0 && !has_ended(program)) reader = reader_of(program);
-  if (reader < 0 || ::kill(reader, SIGSTOP) != 0) return -1;
-  const auto state = [reader] { return process(std::to_string(reader)).state; };
-  while (state() == 'R' || state() == 'S' || state() == 'D') {
+  if (reader < 0) return -1;
+  // Each look sees another moment, and states on the way are many: only these two are last.
+  char state = '?';
+  while (::kill(reader, SIGSTOP) == 0 && state != 'T' && state != 'Z') {
+    state = process(std::to_string(reader)).state;
   }
-  return state() == 'T' ? reader : -1;
+  return state == 'T' ? reader : -1;
 }
 
 class OrphanReader : public CommandLine {
