@@ -29,8 +29,8 @@ namespace {
 class Errors : public vtkOutputWindow {
  public:
   static Errors* New();
-  // clang-format off: a semicolon would be one too many.
-  vtkTypeMacro(Errors, vtkOutputWindow)
+  // clang-format off
+  vtkTypeMacro(Errors, vtkOutputWindow)  // a semicolon would be one too many
   // clang-format on
   Errors(const Errors&) = delete;
   void operator=(const Errors&) = delete;

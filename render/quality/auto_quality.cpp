@@ -11,7 +11,7 @@
 namespace brume {
 namespace {
 
-// Of the small picture that settings are chosen for.
+// Settings are chosen for a small picture of about so many pixels.
 constexpr double choice_pixels = 10'000.0;
 
 constexpr std::uint64_t seed_of_choice = 1;
@@ -163,6 +163,11 @@ std::optional<RequestedFrame> render_requested(FrameRenderer& renderer, const Sc
       renderer, scene, camera, film, small, *chosen, small_errors, job.subrange(0.3, 0.6));
   if (!result || (small == film && settings.samples == 1)) return result;
   result->settings.samples = settings.samples;
+  // With more samples than one a frame may need it although the small one did not.
+  std::optional<Settings> final_settings =
+      with_brightness(renderer, scene, camera, film, result->settings, {stop, {}});
+  if (!final_settings) return std::nullopt;
+  result->settings = std::move(*final_settings);
   std::optional<Frame> frame =
       renderer.render(scene, camera, film, result->settings, stop, job.subrange(0.6, 0.8).progress);
   if (!frame) return std::nullopt;

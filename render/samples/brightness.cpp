@@ -7,7 +7,7 @@
 namespace brume {
 namespace {
 
-// Of the small picture: its rays cost less than a hundredth of what a frame of a megapixel does.
+// The rays of so small a picture cost less than a hundredth of what a frame of a megapixel does.
 constexpr double probe_pixels = 1000.0;
 
 bool needs_brightness(const Settings& settings) {

@@ -205,7 +205,7 @@ class OutputTest : public QObject {
     QVERIFY(!window->findChild<QCheckBox*>("layer_objects")->isChecked());
   }
 
-  // Of a scene whose output is path-traced, too: deep frames are made by slices.
+  // Deep frames are made by slices where the output is path-traced, too.
   void a_name_makes_a_deep_frame() {
     Scene scene = tiny_scene();
     scene.output.paths = 4;

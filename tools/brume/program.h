@@ -15,7 +15,7 @@ struct Subcommand {
   std::function<std::unique_ptr<Command>(CLI::App&)> make;
 };
 
-// What `brume` says of `brume bench`, which is a program of its own.
+// `brume` says this of `brume bench`, which is a program of its own.
 inline constexpr const char* bench_description = "measure speed against error";
 
 // The main function of a program of such subcommands: parses, runs, and tells errors in a line.
