@@ -29,9 +29,7 @@ namespace {
 class Errors : public vtkOutputWindow {
  public:
   static Errors* New();
-  // clang-format off
-  vtkTypeMacro(Errors, vtkOutputWindow)  // a semicolon would be one too many
-  // clang-format on
+  vtkTypeMacro(Errors, vtkOutputWindow)
   Errors(const Errors&) = delete;
   void operator=(const Errors&) = delete;
 
