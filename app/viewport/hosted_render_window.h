@@ -11,7 +11,7 @@ class HostedRenderWindow : public vtkGenericOpenGLRenderWindow {
   static HostedRenderWindow* New();
   vtkTypeMacro(HostedRenderWindow, vtkGenericOpenGLRenderWindow)
 
-      void OpenGLInitContext() override;
+  void OpenGLInitContext() override;
 
  protected:
   HostedRenderWindow() = default;

@@ -35,9 +35,9 @@ struct Fit {
 // Fits Gaussians to the density of a grid by least squares: split_into_gaussians(), then
 // Levenberg-Marquardt (normal equations by conjugate gradients); the least useful Gaussians are
 // moved to where the residual is largest. Where each Gaussian has thousands of voxels, this is done
-// at a lower resolution, and ends with a few steps at that of the grid. Finally densities are scaled to the grid's mass. An empty
-// grid gives none. `progress` gets values in [0, 1]. nullopt if stopped. Deterministic for any
-// number of threads.
+// at a lower resolution, and ends with a few steps at that of the grid. Finally densities are
+// scaled to the grid's mass. An empty grid gives none. `progress` gets values in [0, 1]. nullopt if
+// stopped. Deterministic for any number of threads.
 BRUME_EXPORT std::optional<Fit> fit_gaussians(const DensityGrid& grid, const FitOptions& options,
                                               const std::stop_token& stop = {},
                                               const std::function<void(double)>& progress = {});
