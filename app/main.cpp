@@ -7,11 +7,11 @@
 #include "app/document/paths.h"
 #include "app/files/scene_files.h"
 #include "app/widgets/application.h"
+#include "app/window/dialogs/preferences.h"
 #include "app/window/main_window.h"
-#include "app/window/preferences.h"
+#include "app/window/pages/start_page.h"
 #include "app/window/session_end.h"
-#include "app/window/start_page.h"
-#include "core/io/temporary_files.h"
+#include "core/io/disk/temporary_files.h"
 #include "render/util/frame_memory.h"
 
 namespace {

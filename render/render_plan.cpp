@@ -6,8 +6,8 @@
 #include <numbers>
 #include <optional>
 
+#include "core/scene/lights/point_lights.h"
 #include "core/scene/mesh.h"
-#include "core/scene/point_lights.h"
 
 namespace brume {
 namespace {

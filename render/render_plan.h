@@ -5,7 +5,7 @@
 #include "brume/frame.h"
 #include "brume/scene.h"
 #include "brume/stage.h"
-#include "core/scene/point_lights.h"
+#include "core/scene/lights/point_lights.h"
 #include "render/motion.h"
 #include "render/settings.h"
 #include "render/transfer/transfer_store.h"
@@ -26,7 +26,7 @@ struct RenderPlan {
 
   Motion motion;
   Settings settings;  // as requested, without `auto_`, with light maps limited to memory
-  // Those that are on and not black, as point lights: see core/scene/point_lights.h.
+  // Those that are on and not black, as point lights: see core/scene/lights/point_lights.h.
   std::vector<PointLight> lights;
   std::vector<TransferRequest> transfers;  // without duplicates
 

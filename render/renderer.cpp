@@ -15,13 +15,13 @@
 #include "render/cpu/paper_airlight.h"
 #include "render/cpu/sliced_airlight.h"
 #include "render/cpu/traced_paths.h"
-#include "render/lighting/source_view.h"
 #include "render/prepare/albedo.h"
 #include "render/prepare/frame_stages.h"
 #include "render/prepare/light_limits.h"
 #include "render/reference/reference_airlight.h"
 #include "render/samples/brightness.h"
 #include "render/samples/mean_frame.h"
+#include "render/scattering/source_view.h"
 
 namespace brume {
 

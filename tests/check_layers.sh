@@ -10,8 +10,10 @@ includes=$(grep -rnE '^\s*#\s*include\s*[<"]' include core render app tools \
   exit 1
 }
 
+panels='app/document/ app/commands/ app/widgets/ app/jobs/ app/files/ app/view/ app/frames/'
 values='render/settings.h render/motion.h'
-surfaces='render/geometry/ render/simd/ render/visibility/ render/lighting/ render/shading/'
+light='render/optical_depth/ render/lights/ render/grid/ render/slices/ render/scattering/'
+surfaces="render/geometry/ render/simd/ render/visibility/ $light render/shading/"
 
 # First rows of "what it is: pattern: layers of which no file may include it", be it by way of "../".
 # Then, within a layer: files, and what else of the layer they may include beside their own folder;
@@ -70,17 +72,21 @@ core/*.[hc]*:
 core/math/*.[hc]*:
 core/medium/*.[hc]*:core/[a-z_]+.h
 core/scene/fields/*.[hc]*:core/[a-z_]+.h
-core/scene/*.[hc]*:core/[a-z_]+.h core/math/ core/medium/ core/scene/fields/
+core/scene/materials/*.[hc]*:core/[a-z_]+.h core/math/
+core/scene/lights/*.[hc]*:core/[a-z_]+.h core/math/
+core/scene/animation/*.[hc]*:core/[a-z_]+.h core/math/ core/medium/ core/scene/fields/ core/scene/group_effects.h core/scene/imported_scene.h
+core/scene/*.[hc]*:core/[a-z_]+.h core/math/ core/medium/ core/scene/fields/ core/scene/animation/animation.h
 core/transport/*.[hc]*:core/math/ core/medium/ core/scene/
 core/authoring/*.[hc]*:core/[a-z_]+.h core/math/ core/medium/ core/scene/ core/transport/
 core/volume/*.[hc]*:core/[a-z_]+.h core/medium/
-core/io/*.[hc]*:core/[a-z_]+.h core/scene/
-core/io/mesh/*.[hc]*:core/[a-z_]+.h core/math/ core/scene/ core/io/[a-z_]+.h
-core/io/image/*.[hc]*:core/[a-z_]+.h core/scene/ core/io/[a-z_]+.h
-core/io/volume/*.[hc]*:core/[a-z_]+.h core/volume/ core/io/[a-z_]+.h
-core/io/scene/json_*.[hc]*:core/[a-z_]+.h core/io/[a-z_]+.h
-core/io/import/*.[hc]*:core/[a-z_]+.h core/scene/ core/io/[a-z_]+.h core/io/image/ core/io/scene/json_reader.h
-core/io/gaussians/*.[hc]*:core/[a-z_]+.h core/medium/ core/scene/ core/io/[a-z_]+.h core/io/import/ core/io/scene/json_reader.h
+core/io/disk/*.[hc]*:core/[a-z_]+.h
+core/io/*.[hc]*:core/[a-z_]+.h core/scene/ core/io/disk/
+core/io/mesh/*.[hc]*:core/[a-z_]+.h core/math/ core/scene/ core/io/[a-z_]+.h core/io/disk/
+core/io/image/*.[hc]*:core/[a-z_]+.h core/scene/ core/io/[a-z_]+.h core/io/disk/
+core/io/volume/*.[hc]*:core/[a-z_]+.h core/volume/ core/io/[a-z_]+.h core/io/disk/
+core/io/scene/json_*.[hc]*:core/[a-z_]+.h core/io/[a-z_]+.h core/io/disk/
+core/io/import/*.[hc]*:core/[a-z_]+.h core/scene/ core/io/[a-z_]+.h core/io/disk/ core/io/image/ core/io/scene/json_reader.h
+core/io/gaussians/*.[hc]*:core/[a-z_]+.h core/medium/ core/scene/ core/io/[a-z_]+.h core/io/disk/ core/io/import/ core/io/scene/json_reader.h
 core/io/scene/*.[hc]*:core/[a-z_]+.h core/medium/ core/scene/ core/io/
 core/files/*.[hc]*:core/[a-z_]+.h core/io/ core/volume/
 core/fit/*.[hc]*:core/[a-z_]+.h core/medium/ core/scene/ core/transport/ core/volume/ core/io/volume/
@@ -94,7 +100,11 @@ render/simd/*.[hc]*:$values render/geometry/
 render/visibility/*.[hc]*:render/util/ render/geometry/ render/simd/
 render/transfer/*.[hc]*:render/util/ render/geometry/ render/simd/ render/visibility/
 render/render_plan.*:$values render/transfer/
-render/lighting/*.[hc]*:$values render/util/ render/geometry/ render/simd/ render/visibility/
+render/optical_depth/*.[hc]*:$values render/util/ render/geometry/ render/simd/ render/visibility/
+render/lights/*.[hc]*:$values render/util/ render/geometry/ render/simd/ render/visibility/ render/optical_depth/
+render/grid/*.[hc]*:$values render/util/ render/geometry/ render/simd/ render/visibility/
+render/slices/*.[hc]*:$values render/util/ render/geometry/ render/simd/ render/visibility/ render/optical_depth/ render/grid/ordinates.h
+render/scattering/*.[hc]*:$values render/util/ render/geometry/ render/simd/ render/visibility/ $light
 render/shading/*.[hc]*:$values render/render_plan.h render/util/ render/transfer/ $surfaces
 render/prepare/*.[hc]*:$values render/render_plan.h render/util/ render/transfer/ $surfaces
 render/reference/*.[hc]*:$values render/render_plan.h render/util/ $surfaces render/prepare/
@@ -118,7 +128,11 @@ app/import/*.[hc]*:app/document/ app/commands/ app/widgets/ app/jobs/ app/files/
 app/view/*.[hc]*:app/document/ app/widgets/ app/jobs/
 app/frames/*.[hc]*:app/document/ app/widgets/ app/jobs/ app/view/
 app/tools/*.[hc]*:app/document/ app/commands/ app/widgets/ app/view/
-app/panels/*.[hc]*:app/document/ app/commands/ app/widgets/ app/jobs/ app/files/ app/view/ app/frames/
+app/panels/forms/*.[hc]*:$panels
+app/panels/gaussians/*.[hc]*:$panels
+app/panels/time/*.[hc]*:$panels
+app/panels/lists/*.[hc]*:$panels
+app/panels/plots/*.[hc]*:$panels
 app/viewport/*.[hc]*:app/document/ app/widgets/ app/view/ app/frames/
 tools/bench/scenes/*.[hc]*:tools/make_scenes/
 tools/bench/measure/*.[hc]*:tools/bench/scenes/

@@ -7,7 +7,7 @@
 #include "brume/error.h"
 #include "brume/limits.h"
 #include "core/math/rounded.h"
-#include "core/scene/particles.h"
+#include "core/scene/animation/particles.h"
 
 namespace brume {
 

@@ -14,7 +14,7 @@
 #include "brume/limits.h"
 #include "core/math/unit_direction.h"
 #include "core/number_domain.h"
-#include "core/scene/photometry.h"
+#include "core/scene/lights/photometry.h"
 
 namespace brume {
 

@@ -8,7 +8,7 @@
 
 #include "app/commands/merge_id.h"
 #include "brume/scene.h"
-#include "core/scene/point_lights.h"
+#include "core/scene/lights/point_lights.h"
 
 namespace brume {
 

@@ -6,7 +6,7 @@
 #include "app/document/document.h"
 #include "brume/at_time.h"
 #include "brume/limits.h"
-#include "core/scene/particles.h"
+#include "core/scene/animation/particles.h"
 
 namespace brume {
 

@@ -13,7 +13,7 @@
 #include "app/document/document.h"
 #include "app/document/paths.h"
 #include "app/document/private_files.h"
-#include "core/io/atomic_file.h"
+#include "core/io/disk/atomic_file.h"
 #include "core/io/scene/scene_file.h"
 
 namespace brume {

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/io/file_version.h"
+#include "core/io/disk/file_version.h"
 
 namespace brume {
 

@@ -5,9 +5,9 @@
 #include <iterator>
 
 #include "app/document/paths.h"
-#include "core/io/atomic_file.h"
+#include "core/io/disk/atomic_file.h"
 #include "core/io/scene/scene_file.h"
-#include "core/scene/animation.h"
+#include "core/scene/animation/animation.h"
 #include "core/scene/imported_scene.h"
 
 namespace brume {

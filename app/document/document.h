@@ -12,7 +12,7 @@
 #include "app/document/object_ref.h"
 #include "app/document/scene_part.h"
 #include "brume/edits.h"
-#include "core/io/file_version.h"
+#include "core/io/disk/file_version.h"
 #include "core/io/scene/scene_document.h"
 
 namespace brume {

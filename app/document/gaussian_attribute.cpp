@@ -11,7 +11,7 @@
 #include "app/document/number_text.h"
 #include "core/math/max_component.h"
 #include "core/math/rounded.h"
-#include "core/scene/photometry.h"
+#include "core/scene/lights/photometry.h"
 
 namespace brume {
 namespace {

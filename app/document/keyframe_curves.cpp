@@ -7,7 +7,7 @@
 
 #include "app/document/visit_keyed_part.h"
 #include "core/number_domain.h"
-#include "core/scene/keys_in_domain.h"
+#include "core/scene/animation/keys_in_domain.h"
 
 namespace brume {
 namespace {

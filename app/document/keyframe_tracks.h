@@ -15,7 +15,7 @@ namespace brume {
 struct Track {
   QString title;         // "Light 1 position"
   std::size_t part = 0;  // index of ScenePart
-  // Range of the part's animatable values, in the order of core/scene/animation.h.
+  // Range of the part's animatable values, in the order of core/scene/animation/animation.h.
   std::size_t first = 0;
   std::size_t count = 1;
   std::optional<ObjectRef> surface{};  // whose value it is, if of one

@@ -3,7 +3,7 @@
 #include <fstream>
 
 #include "brume/error.h"
-#include "core/io/atomic_file.h"
+#include "core/io/disk/atomic_file.h"
 
 namespace brume {
 namespace fs = std::filesystem;

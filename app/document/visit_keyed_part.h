@@ -4,12 +4,12 @@
 #include <variant>
 
 #include "app/document/scene_part.h"
-#include "core/scene/animation.h"
+#include "core/scene/animation/animation.h"
 
 namespace brume {
 
-// Calls visit(name, value, keys, domain), as core/scene/animation.h does, for the values of a scene
-// part that can have keys, in order.
+// Calls visit(name, value, keys, domain), as core/scene/animation/animation.h does, for the values
+// of a scene part that can have keys, in order.
 void visit_keyed_part(auto& part, auto&& visit) {
   std::visit(
       [&]<class T>(T& value) {

@@ -18,7 +18,7 @@
 #include "app/widgets/plain_text.h"
 #include "app/widgets/whole_number_box.h"
 #include "brume/limits.h"
-#include "core/io/file_bytes.h"
+#include "core/io/disk/file_bytes.h"
 
 namespace brume {
 

@@ -6,8 +6,8 @@
 #include "app/export/export_frames.h"
 #include "app/export/video_file.h"
 #include "app/files/picture_format.h"
-#include "core/io/atomic_file.h"
-#include "core/io/file_bytes.h"
+#include "core/io/disk/atomic_file.h"
+#include "core/io/disk/file_bytes.h"
 #include "render/deep/deep_file.h"
 #include "render/request.h"
 

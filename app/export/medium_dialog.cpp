@@ -24,7 +24,7 @@
 #include "app/widgets/plain_text.h"
 #include "app/widgets/whole_number_box.h"
 #include "brume/limits.h"
-#include "core/io/file_bytes.h"
+#include "core/io/disk/file_bytes.h"
 #include "core/io/scene/usd_file.h"
 #include "core/number_domain.h"
 #include "core/volume/medium_grid.h"

@@ -4,7 +4,7 @@
 #include "app/files/numbered_file.h"
 #include "brume/at_time.h"
 #include "brume/error.h"
-#include "core/io/atomic_file.h"
+#include "core/io/disk/atomic_file.h"
 #include "core/io/gaussians/gaussian_file.h"
 #include "core/io/scene/usd_file.h"
 #include "core/io/volume/volume_file.h"

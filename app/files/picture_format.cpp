@@ -1,6 +1,6 @@
 #include "app/files/picture_format.h"
 
-#include "core/io/file_bytes.h"
+#include "core/io/disk/file_bytes.h"
 #include "render/output/frame_file.h"
 
 namespace brume {

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "core/io/file_version.h"
+#include "core/io/disk/file_version.h"
 #include "core/io/scene/missing_files.h"
 #include "core/io/scene/scene_document.h"
 

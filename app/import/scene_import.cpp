@@ -18,7 +18,7 @@
 #include "brume/error.h"
 #include "brume/files.h"
 #include "brume/limits.h"
-#include "core/io/file_bytes.h"
+#include "core/io/disk/file_bytes.h"
 #include "core/io/gaussians/gaussian_file.h"
 #include "core/io/gaussians/sequence_file.h"
 #include "core/io/image/radiance_map_file.h"

@@ -7,9 +7,9 @@
 
 #include "app/document/paths.h"
 #include "brume/error.h"
-#include "core/io/file_bytes.h"
+#include "core/io/disk/file_bytes.h"
+#include "core/io/disk/installed_files.h"
 #include "core/io/gaussians/gaussian_ply.h"
-#include "core/io/installed_files.h"
 
 namespace brume {
 namespace {

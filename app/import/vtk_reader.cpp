@@ -18,7 +18,7 @@
 #include <string>
 
 #include "brume/error.h"
-#include "core/io/file_bytes.h"
+#include "core/io/disk/file_bytes.h"
 #include "core/io/gaussians/gaussian_columns.h"
 #include "core/io/text_scanner.h"
 

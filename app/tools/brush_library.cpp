@@ -9,7 +9,7 @@
 #include "app/document/paths.h"
 #include "app/document/private_files.h"
 #include "brume/error.h"
-#include "core/io/file_bytes.h"
+#include "core/io/disk/file_bytes.h"
 #include "core/number_domain.h"
 
 namespace brume {

@@ -24,7 +24,7 @@
 #include "core/math/infinity.h"
 #include "core/math/rounded.h"
 #include "core/math/unit_direction.h"
-#include "core/scene/point_lights.h"
+#include "core/scene/lights/point_lights.h"
 
 namespace brume {
 namespace {

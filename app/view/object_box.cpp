@@ -6,8 +6,8 @@
 #include "app/view/overlay.h"
 #include "app/widgets/interface_settings.h"
 #include "brume/mesh_arrays.h"
+#include "core/scene/lights/point_lights.h"
 #include "core/scene/placement.h"
-#include "core/scene/point_lights.h"
 
 namespace brume {
 namespace {

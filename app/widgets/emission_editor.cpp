@@ -8,7 +8,7 @@
 #include "app/widgets/color_button.h"
 #include "app/widgets/value_field.h"
 #include "core/number_domain.h"
-#include "core/scene/photometry.h"
+#include "core/scene/lights/photometry.h"
 
 namespace brume {
 namespace {

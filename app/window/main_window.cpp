@@ -30,10 +30,10 @@
 #include "app/widgets/field_filter.h"
 #include "app/widgets/interface_settings.h"
 #include "app/widgets/keys.h"
-#include "app/window/message_bar.h"
-#include "app/window/recovery_bar.h"
+#include "app/window/pages/message_bar.h"
+#include "app/window/pages/recovery_bar.h"
+#include "app/window/pages/start_page.h"
 #include "app/window/saved_views.h"
-#include "app/window/start_page.h"
 #include "core/math/rounded.h"
 
 namespace brume {

@@ -16,9 +16,9 @@
 #include "app/viewport/viewport.h"
 #include "app/widgets/frame_text.h"
 #include "app/widgets/plain_text.h"
-#include "app/window/light_new_scene.h"
 #include "app/window/main_window.h"
-#include "app/window/message_bar.h"
+#include "app/window/pages/light_new_scene.h"
+#include "app/window/pages/message_bar.h"
 
 namespace brume {
 

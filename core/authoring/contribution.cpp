@@ -6,8 +6,8 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 
-#include "core/scene/light_falloff.h"
-#include "core/scene/photometry.h"
+#include "core/scene/lights/light_falloff.h"
+#include "core/scene/lights/photometry.h"
 #include "core/transport/optical_depth.h"
 #include "core/transport/phase_function.h"
 

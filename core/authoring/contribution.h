@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "brume/scene.h"
-#include "core/scene/point_lights.h"
+#include "core/scene/lights/point_lights.h"
 
 namespace brume {
 

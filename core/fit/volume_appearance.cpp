@@ -6,7 +6,7 @@
 #include <glm/common.hpp>
 #include <utility>
 
-#include "core/scene/photometry.h"
+#include "core/scene/lights/photometry.h"
 
 namespace brume {
 namespace {

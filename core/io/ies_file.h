@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "brume/limits.h"
-#include "core/scene/photometric_profile.h"
+#include "core/scene/lights/photometric_profile.h"
 
 namespace brume {
 

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "brume/error.h"
-#include "core/io/file_bytes.h"
+#include "core/io/disk/file_bytes.h"
 #include "core/number_domain.h"
 
 namespace brume {

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "core/scene/measured_brdf.h"
+#include "core/scene/materials/measured_brdf.h"
 
 namespace brume {
 

@@ -11,7 +11,7 @@
 #include "brume/limits.h"
 #include "brume/scene.h"
 #include "core/math/max_component.h"
-#include "core/scene/animation.h"
+#include "core/scene/animation/animation.h"
 #include "core/scene/cameras.h"
 #include "core/scene/group_effects.h"
 

@@ -11,7 +11,7 @@
 
 namespace brume {
 
-// Keyframes of an emitter's values; see core/scene/animation.h.
+// Keyframes of an emitter's values; see core/scene/animation/animation.h.
 struct EmitterKeys {
   Keys<glm::dvec3> position;
   Keys<double> rate;
@@ -29,7 +29,8 @@ struct EmitterKeys {
 };
 
 // A particle emitter (section 6 of the paper): emits from time 0; particles follow parabolas, and
-// their radius, density and emission change over their life. Evaluated by core/scene/particles.h.
+// their radius, density and emission change over their life. Evaluated by
+// core/scene/animation/particles.h.
 struct Emitter {
   glm::dvec3 position{0.0};
   double rate = 10.0;                  // particles per second, >= 0

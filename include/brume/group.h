@@ -9,7 +9,7 @@
 
 namespace brume {
 
-// Keyframes of a group's values; see core/scene/animation.h.
+// Keyframes of a group's values; see core/scene/animation/animation.h.
 struct GroupKeys {
   Keys<double> density_factor;
   Keys<double> density_offset;

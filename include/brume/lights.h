@@ -14,7 +14,7 @@ namespace brume {
 class PhotometricProfile;
 struct RadianceMap;
 
-// ...Keys are the keyframes of an object's values; see core/scene/animation.h.
+// ...Keys are the keyframes of an object's values; see core/scene/animation/animation.h.
 struct LightKeys {
   Keys<glm::dvec3> position;
   Keys<glm::dvec3> intensity;
@@ -34,7 +34,7 @@ struct LightKeys {
 };
 
 // The cone of a spot light: full intensity within the inner angle, none beyond the outer one; a
-// hard edge where they are equal. See core/scene/light_falloff.h.
+// hard edge where they are equal. See core/scene/lights/light_falloff.h.
 struct SpotCone {
   glm::dvec3 direction{0.0, -1.0, 0.0};  // the way it shines; any length but 0
   double inner_angle = 0.0;              // from the axis, >= 0 [degrees]
@@ -44,7 +44,7 @@ struct SpotCone {
 };
 
 // How a luminaire spreads the light of a point light, whose axis is straight down, or of a spot,
-// within its cone; see core/scene/light_falloff.h.
+// within its cone; see core/scene/lights/light_falloff.h.
 struct LightProfile {
   std::filesystem::path file;                         // IES LM-63
   std::shared_ptr<const PhotometricProfile> content;  // null: none
@@ -54,7 +54,7 @@ struct LightProfile {
 };
 
 // How a directional light shines: the sun, or anything as far away. Methods evaluate it as
-// core/scene/point_lights.h has it.
+// core/scene/lights/point_lights.h has it.
 struct Directional {
   glm::dvec3 direction{0.0, -1.0, 0.0};  // the way it shines; any length but 0
   double angular_diameter = 0.0;         // of its disc, in [0, 90) [degrees]
@@ -103,7 +103,7 @@ struct EnvironmentKeys {
   bool operator==(const EnvironmentKeys&) const = default;
 };
 
-// An environment map; rotation about +y in degrees. Evaluated by core/scene/environment.h.
+// An environment map; rotation about +y in degrees. Evaluated by core/scene/lights/environment.h.
 struct Environment {
   std::filesystem::path file;
   std::shared_ptr<const RadianceMap> map;  // never null in a loaded scene

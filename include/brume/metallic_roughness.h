@@ -22,8 +22,8 @@ struct TextureReference {
   bool operator==(const TextureReference&) const = default;
 };
 
-// The metallic-roughness material of glTF 2.0: reflection by GGX; evaluated by core/scene/ggx.h.
-// Each value is multiplied by what its texture holds.
+// The metallic-roughness material of glTF 2.0: reflection by GGX; evaluated by
+// core/scene/materials/ggx.h. Each value is multiplied by what its texture holds.
 struct MetallicRoughness {
   glm::dvec3 base_color{1.0};  // RGB in [0, 1]
   double metallic = 1.0;       // in [0, 1]

@@ -19,7 +19,7 @@ class MeasuredBrdf;
 struct ImportedScene;
 struct TriangleMesh;
 
-// Reflection of a surface; evaluated by core/scene/brdf.h.
+// Reflection of a surface; evaluated by core/scene/materials/brdf.h.
 struct Material {
   enum class Type { diffuse, phong, measured, metallic_roughness };
   Type type = Type::diffuse;

@@ -5,7 +5,7 @@
 
 #include "brume/frame.h"
 #include "core/scene/camera_rays.h"
-#include "render/lighting/environment_light.h"
+#include "render/scattering/environment_light.h"
 #include "render/util/job.h"
 
 namespace brume {

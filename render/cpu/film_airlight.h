@@ -10,7 +10,7 @@
 #include "brume/frame.h"
 #include "brume/scene.h"
 #include "core/scene/camera_rays.h"
-#include "core/scene/point_lights.h"
+#include "core/scene/lights/point_lights.h"
 #include "render/geometry/medium_index.h"
 #include "render/geometry/tile_rays.h"
 #include "render/geometry/tiles.h"

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "render/cpu/film_airlight.h"
-#include "render/lighting/environment_light.h"
 #include "render/samples/contrast.h"
+#include "render/scattering/environment_light.h"
 #include "render/shading/film_surfaces.h"
 
 namespace brume {

@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "render/geometry/ray_range.h"
-#include "render/lighting/slice_boundaries.h"
+#include "render/slices/slice_boundaries.h"
 
 namespace brume {
 

@@ -6,7 +6,7 @@
 
 #include "render/cpu/film_airlight.h"
 #include "render/cpu/sliced_airlight.h"
-#include "render/lighting/ray_slices.h"
+#include "render/optical_depth/ray_slices.h"
 
 namespace brume {
 

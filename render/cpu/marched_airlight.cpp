@@ -9,7 +9,7 @@
 
 #include "render/cpu/march_kernels.h"
 #include "render/geometry/ray_range.h"
-#include "render/lighting/path_depths.h"
+#include "render/optical_depth/path_depths.h"
 
 namespace brume {
 namespace {

@@ -3,7 +3,7 @@
 #include "render/geometry/medium_index.h"
 #include "render/geometry/point_source.h"
 #include "render/geometry/tile_rays.h"
-#include "render/lighting/source_function.h"
+#include "render/scattering/source_function.h"
 #include "render/visibility/ray_caster.h"
 
 namespace brume {

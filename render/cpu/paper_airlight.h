@@ -5,7 +5,7 @@
 
 #include "render/geometry/medium_index.h"
 #include "render/geometry/tile_rays.h"
-#include "render/lighting/paper_lights.h"
+#include "render/lights/paper_lights.h"
 #include "render/settings.h"
 
 namespace brume {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <glm/common.hpp>
 
-#include "render/lighting/increment_kernels.h"
-#include "render/lighting/slice_kernels.h"
+#include "render/optical_depth/increment_kernels.h"
 #include "render/simd/gaussian_kernels.h"
+#include "render/slices/slice_kernels.h"
 
 namespace brume {
 namespace {

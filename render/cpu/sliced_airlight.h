@@ -5,12 +5,12 @@
 #include <vector>
 
 #include "render/geometry/tile_rays.h"
-#include "render/lighting/optical_depth_table.h"
-#include "render/lighting/ray_slices.h"
-#include "render/lighting/shadow_map.h"
-#include "render/lighting/sliced_light.h"
-#include "render/lighting/source_function.h"
-#include "render/lighting/source_lookup.h"
+#include "render/optical_depth/optical_depth_table.h"
+#include "render/optical_depth/ray_slices.h"
+#include "render/scattering/source_function.h"
+#include "render/scattering/source_lookup.h"
+#include "render/slices/shadow_map.h"
+#include "render/slices/sliced_light.h"
 
 namespace brume {
 

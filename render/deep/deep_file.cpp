@@ -3,7 +3,7 @@
 #include <chrono>
 #include <tuple>
 
-#include "core/io/file_bytes.h"
+#include "core/io/disk/file_bytes.h"
 #include "render/samples/brightness.h"
 
 namespace brume {

@@ -14,10 +14,10 @@
 #include "render/cpu/film_slices.h"
 #include "render/cpu/sliced_airlight.h"
 #include "render/deep/deep_samples.h"
-#include "render/lighting/source_view.h"
 #include "render/prepare/albedo.h"
 #include "render/prepare/frame_stages.h"
 #include "render/render_plan.h"
+#include "render/scattering/source_view.h"
 
 namespace brume {
 namespace {

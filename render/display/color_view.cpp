@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "brume/error.h"
-#include "core/io/file_bytes.h"
+#include "core/io/disk/file_bytes.h"
 #include "core/io/text_scanner.h"
 
 namespace OCIO = OCIO_NAMESPACE;

@@ -4,7 +4,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
-#include "core/scene/point_lights.h"
+#include "core/scene/lights/point_lights.h"
 #include "render/geometry/fog_ball.h"
 
 namespace brume {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <glm/trigonometric.hpp>
 
-#include "core/scene/radiance_map.h"
+#include "core/scene/lights/radiance_map.h"
 
 namespace brume::gl {
 

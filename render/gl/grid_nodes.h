@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "render/gl/resources.h"
-#include "render/lighting/source_grid.h"
+#include "render/scattering/source_grid.h"
 
 namespace brume::gl {
 

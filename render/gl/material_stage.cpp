@@ -5,7 +5,7 @@
 #include <map>
 
 #include "brume/mesh_arrays.h"
-#include "core/scene/texture.h"
+#include "core/scene/materials/texture.h"
 #include "render/gl/shader_structs.h"
 
 namespace brume::gl {

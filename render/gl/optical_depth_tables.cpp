@@ -8,7 +8,7 @@
 
 #include "render/gl/shader_constants.h"
 #include "render/gl/shadow_maps.h"
-#include "render/lighting/shadow_map.h"
+#include "render/slices/shadow_map.h"
 
 namespace brume::gl {
 namespace {

@@ -8,8 +8,8 @@
 #include "render/gl/profile_maps.h"
 #include "render/gl/shader_structs.h"
 #include "render/gl/tile_lists.h"
-#include "render/lighting/optical_depth_table.h"
-#include "render/lighting/sliced_light.h"
+#include "render/optical_depth/optical_depth_table.h"
+#include "render/slices/sliced_light.h"
 
 namespace brume::gl {
 

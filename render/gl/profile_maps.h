@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "core/scene/photometric_profile.h"
+#include "core/scene/lights/photometric_profile.h"
 #include "render/gl/resources.h"
-#include "render/lighting/sliced_light.h"
+#include "render/slices/sliced_light.h"
 
 namespace brume::gl {
 

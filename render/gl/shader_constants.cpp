@@ -12,12 +12,13 @@
 #include "core/math/spherical_harmonics.h"
 #include "core/math/srgb.h"
 #include "core/scene/camera_rays.h"
-#include "core/scene/ggx.h"
-#include "core/scene/ggx_sh.h"
-#include "core/scene/measured_brdf.h"
-#include "core/scene/photometric_profile.h"
+#include "core/scene/lights/photometric_profile.h"
+#include "core/scene/materials/ggx.h"
+#include "core/scene/materials/ggx_sh.h"
+#include "core/scene/materials/brdf.h"
+#include "core/scene/materials/measured_brdf.h"
+#include "core/scene/materials/texture.h"
 #include "core/scene/ray_noise.h"
-#include "core/scene/texture.h"
 #include "render/display/dither.h"
 #include "render/display/neutral_view.h"
 #include "render/geometry/direction_map.h"
@@ -26,16 +27,16 @@
 #include "render/geometry/tiles.h"
 #include "render/gl/arithmetic_peak.h"
 #include "render/gl/shader_structs.h"
-#include "render/lighting/environment_light.h"
-#include "render/lighting/increment_kernels.h"
-#include "render/lighting/lobe_broadening.h"
-#include "render/lighting/slice_boundaries.h"
-#include "render/lighting/slice_kernels.h"
-#include "render/lighting/source_grid.h"
+#include "render/optical_depth/increment_kernels.h"
 #include "render/prepare/upsampling_limits.h"
+#include "render/scattering/environment_light.h"
+#include "render/scattering/source_grid.h"
 #include "render/simd/coefficients.h"
 #include "render/simd/reflection_kernels.h"
 #include "render/simd/scatter_table.h"
+#include "render/slices/lobe_broadening.h"
+#include "render/slices/slice_boundaries.h"
+#include "render/slices/slice_kernels.h"
 #include "render/visibility/surface_materials.h"
 #include "render/visibility/triangle_bvh.h"
 
@@ -149,7 +150,7 @@ void add_reflection(Constants& constants) {
   constants.add("sh_up", floats(recurrence.up));
   constants.add("sh_down", floats(recurrence.down));
   constants.add("grid_functions", static_cast<int>(sh_size(grid_bands)));
-  constants.add("cosine_factors", EnvironmentLight::cosine_factors());
+  constants.add("cosine_factors", clamped_cosine_factors());
   constants.add("irradiance_bands", coefficient::irradiance_bands);
   constants.add("legendre_2", coefficient::legendre_2);
   constants.add("legendre_4", coefficient::legendre_4);

@@ -4,7 +4,7 @@
 
 #include "render/geometry/rounding.h"
 #include "render/gl/optical_depth_tables.h"
-#include "render/lighting/shadow_map.h"
+#include "render/slices/shadow_map.h"
 
 namespace brume::gl {
 

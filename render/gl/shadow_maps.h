@@ -7,7 +7,7 @@
 #include "brume/revision.h"
 #include "render/geometry/direction_map.h"
 #include "render/gl/mesh_buffers.h"
-#include "render/lighting/sliced_light.h"
+#include "render/slices/sliced_light.h"
 
 namespace brume::gl {
 

@@ -4,7 +4,7 @@
 
 #include "render/geometry/ray_range.h"
 #include "render/gl/shader_constants.h"
-#include "render/lighting/slice_boundaries.h"
+#include "render/slices/slice_boundaries.h"
 
 namespace brume::gl {
 

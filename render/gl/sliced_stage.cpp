@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/trigonometric.hpp>
 
-#include "core/scene/radiance_map.h"
+#include "core/scene/lights/radiance_map.h"
 #include "core/scene/ray_noise.h"
 #include "render/geometry/ray_range.h"
 #include "render/gl/grid_nodes.h"

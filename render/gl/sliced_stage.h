@@ -7,8 +7,8 @@
 #include "render/gl/optical_depth_tables.h"
 #include "render/gl/shadow_maps.h"
 #include "render/gl/slice_texture.h"
-#include "render/lighting/source_function.h"
 #include "render/prepare/frame_stages.h"
+#include "render/scattering/source_function.h"
 
 namespace brume::gl {
 

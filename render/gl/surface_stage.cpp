@@ -4,8 +4,8 @@
 #include <array>
 #include <cstring>
 
-#include "core/scene/ggx_sh.h"
-#include "core/scene/measured_brdf.h"
+#include "core/scene/materials/ggx_sh.h"
+#include "core/scene/materials/measured_brdf.h"
 #include "render/gl/grid_nodes.h"
 #include "render/gl/shader_structs.h"
 #include "render/shading/vertex_lighting.h"

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "core/math/unit_direction.h"
-#include "core/scene/point_lights.h"
+#include "core/scene/lights/point_lights.h"
 #include "render/paths/direction_sampling.h"
 
 namespace brume {

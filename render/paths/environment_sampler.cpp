@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/scene/environment.h"
-#include "core/scene/radiance_map.h"
+#include "core/scene/lights/environment.h"
+#include "core/scene/lights/radiance_map.h"
 
 namespace brume {
 namespace {

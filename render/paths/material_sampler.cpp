@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "core/math/max_component.h"
-#include "core/scene/brdf.h"
-#include "core/scene/measured_brdf.h"
+#include "core/scene/materials/brdf.h"
+#include "core/scene/materials/measured_brdf.h"
 #include "render/paths/direction_sampling.h"
 
 namespace brume {

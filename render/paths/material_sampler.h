@@ -3,7 +3,7 @@
 #include <glm/vec3.hpp>
 
 #include "brume/scene.h"
-#include "core/scene/ggx.h"
+#include "core/scene/materials/ggx.h"
 #include "render/paths/path_random.h"
 
 namespace brume {

@@ -11,7 +11,7 @@
 #include "brume/revision.h"
 #include "brume/scene.h"
 #include "core/scene/camera_rays.h"
-#include "core/scene/point_lights.h"
+#include "core/scene/lights/point_lights.h"
 #include "core/scene/ray_noise.h"
 #include "render/paths/path_sums.h"
 #include "render/paths/path_tracer.h"

@@ -7,7 +7,7 @@
 
 #include "brume/limits.h"
 #include "core/math/infinity.h"
-#include "core/scene/point_lights.h"
+#include "core/scene/lights/point_lights.h"
 
 namespace brume {
 

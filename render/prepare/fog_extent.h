@@ -4,7 +4,7 @@
 #include <span>
 
 #include "brume/scene.h"
-#include "core/scene/point_lights.h"
+#include "core/scene/lights/point_lights.h"
 #include "render/geometry/box.h"
 #include "render/geometry/fog_ball.h"
 

@@ -7,7 +7,7 @@
 
 #include "brume/scene.h"
 #include "core/scene/camera_rays.h"
-#include "core/scene/point_lights.h"
+#include "core/scene/lights/point_lights.h"
 
 namespace brume {
 

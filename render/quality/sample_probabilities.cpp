@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/scene/point_lights.h"
+#include "core/scene/lights/point_lights.h"
 #include "render/prepare/light_pixels.h"
 #include "render/quality/small_gaussians.h"
 

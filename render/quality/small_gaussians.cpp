@@ -8,8 +8,8 @@
 
 #include "core/math/max_component.h"
 #include "core/scene/camera_rays.h"
-#include "core/scene/point_lights.h"
-#include "core/scene/radiance_map.h"
+#include "core/scene/lights/point_lights.h"
+#include "core/scene/lights/radiance_map.h"
 #include "core/transport/optical_depth.h"
 
 namespace brume {

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/scene/light_falloff.h"
+#include "core/scene/lights/light_falloff.h"
 #include "core/scene/ray_noise.h"
 #include "core/transport/light_path.h"
 #include "render/geometry/fog_ball.h"

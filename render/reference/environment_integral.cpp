@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "core/math/quadrature.h"
-#include "core/scene/environment.h"
+#include "core/scene/lights/environment.h"
 #include "core/transport/phase_function.h"
 
 namespace brume {

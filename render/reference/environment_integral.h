@@ -5,7 +5,7 @@
 
 #include "brume/scene.h"
 #include "render/geometry/medium_index.h"
-#include "render/lighting/distant_lights.h"
+#include "render/lights/distant_lights.h"
 #include "render/reference/airlight_integral.h"
 
 namespace brume {

@@ -8,9 +8,9 @@
 #include <random>
 #include <vector>
 
-#include "core/scene/brdf.h"
-#include "core/scene/environment.h"
-#include "core/scene/point_lights.h"
+#include "core/scene/lights/environment.h"
+#include "core/scene/lights/point_lights.h"
+#include "core/scene/materials/brdf.h"
 #include "core/transport/light_path.h"
 #include "core/transport/optical_depth.h"
 #include "core/transport/phase_function.h"

@@ -6,12 +6,12 @@
 #include <glm/vector_relational.hpp>
 #include <numbers>
 
-#include "core/scene/brdf.h"
-#include "render/lighting/path_depths.h"
-#include "render/lighting/slice_kernels.h"
+#include "core/scene/materials/brdf.h"
+#include "render/optical_depth/path_depths.h"
 #include "render/simd/ggx_kernels.h"
 #include "render/simd/reflection_kernels.h"
 #include "render/simd/surface_kernels.h"
+#include "render/slices/slice_kernels.h"
 
 namespace brume {
 namespace {

@@ -5,9 +5,9 @@
 
 #include "render/geometry/medium_index.h"
 #include "render/geometry/point_source.h"
-#include "render/lighting/environment_light.h"
-#include "render/lighting/incident_lookup.h"
-#include "render/lighting/optical_depth_table.h"
+#include "render/optical_depth/optical_depth_table.h"
+#include "render/scattering/environment_light.h"
+#include "render/scattering/incident_lookup.h"
 #include "render/settings.h"
 #include "render/shading/prepared_shading.h"
 #include "render/simd/scatter_table.h"

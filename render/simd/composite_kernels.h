@@ -3,7 +3,7 @@
 #include <glm/vec3.hpp>
 #include <span>
 
-#include "core/scene/radiance_map.h"
+#include "core/scene/lights/radiance_map.h"
 
 namespace brume {
 

@@ -10,8 +10,8 @@
 
 #include <hwy/highway.h>
 
-#include "core/scene/light_falloff.h"
-#include "core/scene/photometric_profile.h"
+#include "core/scene/lights/light_falloff.h"
+#include "core/scene/lights/photometric_profile.h"
 #include "render/simd/gaussian-inl.h"
 
 HWY_BEFORE_NAMESPACE();

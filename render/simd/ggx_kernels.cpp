@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-#include "core/scene/ggx.h"
+#include "core/scene/materials/ggx.h"
 
 // Highway includes this file once per instruction set.
 #undef HWY_TARGET_INCLUDE

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <span>
 
-#include "core/scene/ggx_sh.h"
+#include "core/scene/materials/ggx_sh.h"
 
 // Highway includes this file once per instruction set.
 #undef HWY_TARGET_INCLUDE

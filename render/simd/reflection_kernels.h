@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/math/spherical_harmonics.h"
-#include "core/scene/brdf.h"
+#include "core/scene/materials/brdf.h"
 #include "render/simd/surface_points.h"
 
 namespace brume {

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "core/scene/camera_rays.h"
-#include "core/scene/light_falloff.h"
+#include "core/scene/lights/light_falloff.h"
 #include "render/simd/scatter_table.h"
 #include "render/simd/surface_points.h"
 

@@ -1,6 +1,6 @@
 #include "render/splats/lit_splat_file.h"
 
-#include "core/io/file_bytes.h"
+#include "core/io/disk/file_bytes.h"
 #include "core/io/gaussians/splat_page.h"
 #include "core/io/gaussians/splat_ply.h"
 #include "render/display/to_display.h"

@@ -4,7 +4,7 @@
 
 #include "brume/scene.h"
 #include "core/math/spherical_harmonics.h"
-#include "core/scene/brdf.h"
+#include "core/scene/materials/brdf.h"
 #include "render/simd/reflection_kernels.h"
 #include "render/transfer/radiance_transfer.h"
 

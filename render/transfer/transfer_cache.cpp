@@ -13,9 +13,9 @@
 #include "brume/error.h"
 #include "brume/limits.h"
 #include "brume/mesh_arrays.h"
-#include "core/io/atomic_file.h"
-#include "core/io/content_hash.h"
-#include "core/io/file_bytes.h"
+#include "core/io/disk/atomic_file.h"
+#include "core/io/disk/content_hash.h"
+#include "core/io/disk/file_bytes.h"
 #include "core/scene/mesh.h"
 
 namespace brume {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "core/scene/brdf.h"
+#include "core/scene/materials/brdf.h"
 
 namespace brume {
 

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "brume/scene.h"
-#include "core/scene/ggx.h"
+#include "core/scene/materials/ggx.h"
 
 namespace brume {
 

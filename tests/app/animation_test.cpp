@@ -17,12 +17,12 @@
 #include "app/viewport/viewport.h"
 #include "app/widgets/number_field.h"
 #include "app/widgets/value_field.h"
-#include "app/window/message_bar.h"
+#include "app/window/pages/message_bar.h"
 #include "brume/at_time.h"
 #include "brume/limits.h"
 #include "brume/mesh_arrays.h"
 #include "core/io/scene/scene_file.h"
-#include "core/scene/particles.h"
+#include "core/scene/animation/particles.h"
 #include "tests/app/test_window.h"
 
 using namespace brume;

@@ -15,7 +15,7 @@
 #include "app/commands/select_command.h"
 #include "app/document/paths.h"
 #include "app/files/scene_files.h"
-#include "app/panels/gaussian_panel.h"
+#include "app/panels/gaussians/gaussian_panel.h"
 #include "app/tools/tool_box.h"
 #include "app/viewport/viewport.h"
 #include "app/widgets/application.h"

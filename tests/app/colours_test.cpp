@@ -10,13 +10,13 @@
 #include "app/commands/clipboard.h"
 #include "app/commands/edit_emitters.h"
 #include "app/document/timeline.h"
-#include "app/panels/gaussian_filter.h"
+#include "app/panels/gaussians/gaussian_filter.h"
 #include "app/viewport/viewport.h"
 #include "app/widgets/color_button.h"
 #include "app/widgets/value_field.h"
 #include "brume/error.h"
 #include "core/io/scene/scene_file.h"
-#include "core/scene/photometry.h"
+#include "core/scene/lights/photometry.h"
 #include "tests/app/test_window.h"
 
 using namespace brume;

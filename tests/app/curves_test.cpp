@@ -10,7 +10,7 @@
 
 #include "app/commands/edit_lights.h"
 #include "app/document/timeline.h"
-#include "app/panels/curve_editor.h"
+#include "app/panels/time/curve_editor.h"
 #include "tests/app/test_window.h"
 
 using namespace brume;

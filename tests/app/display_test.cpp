@@ -13,7 +13,7 @@
 #include "app/tools/tool_box.h"
 #include "app/viewport/view_grid.h"
 #include "app/viewport/viewport_surface.h"
-#include "app/window/message_bar.h"
+#include "app/window/pages/message_bar.h"
 #include "render/gl/failures.h"
 #include "render/gl_renderer.h"
 #include "tests/app/test_window.h"

@@ -10,7 +10,7 @@
 #include "app/commands/scene_part_command.h"
 #include "app/document/document.h"
 #include "app/document/number_text.h"
-#include "app/panels/gaussian_table_model.h"
+#include "app/panels/gaussians/gaussian_table_model.h"
 #include "core/io/scene/scene_file.h"
 #include "tests/app/test_window.h"
 

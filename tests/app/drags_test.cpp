@@ -5,7 +5,7 @@
 #include <QSignalSpy>
 
 #include "app/document/timeline.h"
-#include "app/panels/keyframe_track.h"
+#include "app/panels/time/keyframe_track.h"
 #include "app/viewport/viewport.h"
 #include "app/widgets/mouse_drag.h"
 #include "tests/app/test_window.h"

@@ -13,7 +13,7 @@
 #include "app/files/scene_files.h"
 #include "app/import/scene_import.h"
 #include "app/widgets/plain_text.h"
-#include "app/window/message_bar.h"
+#include "app/window/pages/message_bar.h"
 #include "core/io/scene/scene_file.h"
 #include "core/scene/mesh.h"
 #include "tests/app/question.h"

@@ -20,9 +20,9 @@
 #include "app/view/object_box.h"
 #include "app/view/surface_picker.h"
 #include "app/viewport/viewport.h"
-#include "app/window/start_page.h"
+#include "app/window/pages/start_page.h"
 #include "core/io/scene/scene_file.h"
-#include "core/scene/animation.h"
+#include "core/scene/animation/animation.h"
 #include "tests/app/test_window.h"
 
 using namespace brume;

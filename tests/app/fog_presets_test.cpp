@@ -10,7 +10,7 @@
 #include "app/files/scene_files.h"
 #include "app/view/surface_picker.h"
 #include "app/viewport/viewport.h"
-#include "app/window/fog_shape_dialog.h"
+#include "app/window/dialogs/fog_shape_dialog.h"
 #include "core/math/random_source.h"
 #include "tests/app/test_window.h"
 

@@ -13,7 +13,7 @@
 #include "app/frames/frame_service.h"
 #include "app/viewport/view_grid.h"
 #include "app/widgets/frame_text.h"
-#include "app/window/message_bar.h"
+#include "app/window/pages/message_bar.h"
 #include "brume/primitive.h"
 #include "core/io/image/image_file.h"
 #include "core/io/scene/scene_file.h"

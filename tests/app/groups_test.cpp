@@ -14,9 +14,9 @@
 #include "app/commands/edit_medium.h"
 #include "app/commands/select_command.h"
 #include "app/document/document.h"
-#include "app/panels/gaussian_table_model.h"
+#include "app/panels/gaussians/gaussian_table_model.h"
 #include "app/viewport/viewport.h"
-#include "app/window/message_bar.h"
+#include "app/window/pages/message_bar.h"
 #include "brume/at_time.h"
 #include "tests/app/groups_window.h"
 

@@ -4,9 +4,9 @@
 #include <QMenuBar>
 
 #include "app/document/paths.h"
-#include "app/window/help_windows.h"
-#include "app/window/message_bar.h"
-#include "core/io/installed_files.h"
+#include "app/window/dialogs/help_windows.h"
+#include "app/window/pages/message_bar.h"
+#include "core/io/disk/installed_files.h"
 #include "tests/app/test_window.h"
 
 using namespace brume;

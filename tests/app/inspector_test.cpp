@@ -4,11 +4,11 @@
 #include <QLineEdit>
 #include <glm/geometric.hpp>
 
-#include "app/panels/contribution_panel.h"
-#include "app/panels/gaussian_filter.h"
-#include "app/panels/gaussian_histogram.h"
-#include "app/panels/gaussian_panel.h"
-#include "app/panels/gaussian_table_model.h"
+#include "app/panels/gaussians/gaussian_filter.h"
+#include "app/panels/gaussians/gaussian_histogram.h"
+#include "app/panels/gaussians/gaussian_panel.h"
+#include "app/panels/gaussians/gaussian_table_model.h"
+#include "app/panels/plots/contribution_panel.h"
 #include "app/viewport/view_grid.h"
 #include "app/widgets/number_field.h"
 #include "tests/app/test_window.h"

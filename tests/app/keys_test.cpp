@@ -10,7 +10,7 @@
 #include "app/commands/edit_medium.h"
 #include "app/document/timeline.h"
 #include "app/files/scene_files.h"
-#include "app/panels/keyframe_track.h"
+#include "app/panels/time/keyframe_track.h"
 #include "app/viewport/viewport.h"
 #include "app/widgets/frame_slider.h"
 #include "app/widgets/number_field.h"
@@ -18,8 +18,8 @@
 #include "brume/at_time.h"
 #include "core/io/scene/scene_file.h"
 #include "core/number_domain.h"
-#include "core/scene/animation.h"
-#include "core/scene/particles.h"
+#include "core/scene/animation/animation.h"
+#include "core/scene/animation/particles.h"
 #include "tests/app/test_window.h"
 
 using namespace brume;

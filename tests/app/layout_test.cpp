@@ -5,7 +5,7 @@
 #include <QScreen>
 #include <QSettings>
 
-#include "app/panels/frontier_plot.h"
+#include "app/panels/plots/frontier_plot.h"
 #include "tests/app/test_window.h"
 
 using namespace brume;

@@ -12,15 +12,15 @@
 #include <glm/geometric.hpp>
 
 #include "app/commands/edit_lights.h"
-#include "app/panels/light_panel.h"
+#include "app/panels/forms/light_panel.h"
 #include "app/view/object_box.h"
 #include "app/viewport/viewport.h"
 #include "app/widgets/color_button.h"
 #include "app/widgets/number_field.h"
 #include "app/widgets/value_field.h"
 #include "core/io/scene/scene_file.h"
-#include "core/scene/photometric_profile.h"
-#include "core/scene/photometry.h"
+#include "core/scene/lights/photometric_profile.h"
+#include "core/scene/lights/photometry.h"
 #include "tests/app/test_window.h"
 
 using namespace brume;

@@ -8,7 +8,7 @@
 #include <QSpinBox>
 
 #include "app/export/medium_dialog.h"
-#include "core/io/file_bytes.h"
+#include "core/io/disk/file_bytes.h"
 #include "core/io/ply.h"
 #include "core/io/scene/scene_file.h"
 #include "core/io/volume/volume_file.h"

@@ -14,17 +14,17 @@
 #include <glm/geometric.hpp>
 
 #include "app/commands/edit_lights.h"
-#include "app/panels/environment_panel.h"
-#include "app/panels/light_panel.h"
-#include "app/panels/material_panel.h"
-#include "app/panels/metallic_roughness_form.h"
+#include "app/panels/forms/environment_panel.h"
+#include "app/panels/forms/light_panel.h"
+#include "app/panels/forms/material_panel.h"
+#include "app/panels/forms/metallic_roughness_form.h"
 #include "app/viewport/viewport.h"
 #include "app/widgets/color_button.h"
 #include "app/widgets/number_field.h"
 #include "app/widgets/value_field.h"
 #include "core/io/image/image_file.h"
 #include "core/io/scene/scene_file.h"
-#include "core/scene/photometry.h"
+#include "core/scene/lights/photometry.h"
 #include "tests/app/test_window.h"
 
 using namespace brume;

@@ -8,7 +8,7 @@
 #include "app/document/playback_rate.h"
 #include "app/document/timeline.h"
 #include "app/frames/picture_cache.h"
-#include "app/panels/playback_label.h"
+#include "app/panels/time/playback_label.h"
 #include "app/viewport/view_grid.h"
 #include "app/viewport/viewport.h"
 #include "app/widgets/frame_slider.h"

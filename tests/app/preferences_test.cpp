@@ -22,7 +22,7 @@
 #include "app/widgets/keys.h"
 #include "app/widgets/number_field.h"
 #include "app/widgets/value_field.h"
-#include "app/window/preferences.h"
+#include "app/window/dialogs/preferences.h"
 #include "tests/app/test_window.h"
 
 using namespace brume;

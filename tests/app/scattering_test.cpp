@@ -19,7 +19,7 @@
 #include "app/export/frame_export.h"
 #include "app/viewport/legend.h"
 #include "app/viewport/view_grid.h"
-#include "app/window/message_bar.h"
+#include "app/window/pages/message_bar.h"
 #include "tests/app/test_window.h"
 
 using namespace brume;

@@ -11,7 +11,7 @@
 #include "app/import/scene_dialog.h"
 #include "app/import/scene_import.h"
 #include "app/viewport/viewport.h"
-#include "app/window/message_bar.h"
+#include "app/window/pages/message_bar.h"
 #include "brume/mesh_arrays.h"
 #include "core/scene/imported_scene.h"
 #include "tests/app/file_jobs.h"

@@ -11,7 +11,7 @@
 #include "app/tools/tool_box.h"
 #include "app/view/gizmo.h"
 #include "app/viewport/viewport.h"
-#include "app/window/message_bar.h"
+#include "app/window/pages/message_bar.h"
 #include "brume/error.h"
 #include "core/io/scene/scene_file.h"
 #include "tests/app/test_window.h"

@@ -7,7 +7,7 @@
 
 #include "app/commands/edit_medium.h"
 #include "app/commands/select_command.h"
-#include "app/window/simplify_dialog.h"
+#include "app/window/dialogs/simplify_dialog.h"
 #include "core/math/random_source.h"
 #include "tests/app/test_window.h"
 

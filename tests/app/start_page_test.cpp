@@ -13,7 +13,7 @@
 #include "app/frames/headlight.h"
 #include "app/view/ground_grid.h"
 #include "app/viewport/view_grid.h"
-#include "app/window/start_page.h"
+#include "app/window/pages/start_page.h"
 #include "tests/app/question.h"
 #include "tests/app/test_window.h"
 

@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/files/scene_files.h"
-#include "app/panels/gaussian_panel.h"
+#include "app/panels/gaussians/gaussian_panel.h"
 #include "app/viewport/viewport.h"
 #include "core/io/scene/scene_file.h"
 #include "tests/app/test_window.h"

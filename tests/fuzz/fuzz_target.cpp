@@ -16,7 +16,7 @@
 #include "brume/error.h"
 #include "brume/medium.h"
 #include "brume/scene.h"
-#include "core/io/file_bytes.h"
+#include "core/io/disk/file_bytes.h"
 #include "core/io/gaussians/gaussian_csv.h"
 #include "core/io/gaussians/gaussian_ply.h"
 #include "core/io/gaussians/splat_gltf.h"

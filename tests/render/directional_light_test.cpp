@@ -10,7 +10,7 @@
 
 #include "brume/frame.h"
 #include "core/scene/camera_rays.h"
-#include "core/scene/point_lights.h"
+#include "core/scene/lights/point_lights.h"
 #include "core/transport/optical_depth.h"
 #include "render/prepare/fog_extent.h"
 #include "tests/render/test_scenes.h"

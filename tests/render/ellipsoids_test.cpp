@@ -10,7 +10,7 @@
 #include "core/transport/average_depth.h"
 #include "render/geometry/medium_index.h"
 #include "render/geometry/tiles.h"
-#include "render/lighting/density_samples.h"
+#include "render/grid/density_samples.h"
 #include "render/paths/path_medium.h"
 #include "tests/random.h"
 #include "tests/render/test_meshes.h"

@@ -10,7 +10,7 @@
 #include <numbers>
 
 #include "brume/frame.h"
-#include "core/scene/photometric_profile.h"
+#include "core/scene/lights/photometric_profile.h"
 #include "tests/render/test_profiles.h"
 #include "tests/render/test_scenes.h"
 

@@ -2,7 +2,7 @@
 #include <glm/geometric.hpp>
 
 #include "brume/mesh_arrays.h"
-#include "core/scene/radiance_map.h"
+#include "core/scene/lights/radiance_map.h"
 #include "tests/random.h"
 #include "tests/render/random_scene.h"
 

@@ -4,8 +4,8 @@
 #include <glm/geometric.hpp>
 
 #include "brume/mesh_arrays.h"
-#include "core/scene/measured_brdf.h"
-#include "core/scene/radiance_map.h"
+#include "core/scene/lights/radiance_map.h"
+#include "core/scene/materials/measured_brdf.h"
 #include "tests/random.h"
 #include "tests/render/test_profiles.h"
 

@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "brume/edits.h"
-#include "core/scene/brdf.h"
+#include "core/scene/materials/brdf.h"
 #include "core/transport/point_spread.h"
 #include "tests/render/test_scenes.h"
 

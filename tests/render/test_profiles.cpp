@@ -3,7 +3,7 @@
 #include <cmath>
 #include <glm/trigonometric.hpp>
 
-#include "core/scene/photometric_profile.h"
+#include "core/scene/lights/photometric_profile.h"
 
 namespace brume {
 namespace {

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "brume/mesh_arrays.h"
-#include "core/scene/radiance_map.h"
+#include "core/scene/lights/radiance_map.h"
 #include "core/transport/optical_depth.h"
 #include "render/renderer.h"
 #include "tests/random.h"

@@ -13,9 +13,9 @@
 #include <string>
 
 #include "core/io/scene/scene_file.h"
+#include "core/scene/lights/photometric_profile.h"
+#include "core/scene/lights/radiance_map.h"
 #include "core/scene/mesh.h"
-#include "core/scene/photometric_profile.h"
-#include "core/scene/radiance_map.h"
 #include "core/transport/medium_summary.h"
 
 namespace brume {

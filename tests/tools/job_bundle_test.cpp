@@ -6,7 +6,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "core/io/file_bytes.h"
+#include "core/io/disk/file_bytes.h"
 #include "tests/tools/command_line.h"
 
 namespace brume {

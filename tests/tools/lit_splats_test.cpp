@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "core/io/file_bytes.h"
+#include "core/io/disk/file_bytes.h"
 #include "core/io/gaussians/gaussian_file.h"
 #include "core/io/import/uri.h"
 #include "core/io/ply.h"

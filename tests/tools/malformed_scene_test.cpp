@@ -7,7 +7,7 @@
 #include "brume/error.h"
 #include "core/io/image/image_file.h"
 #include "core/io/scene/scene_file.h"
-#include "core/scene/animation.h"
+#include "core/scene/animation/animation.h"
 #include "tests/tools/malformed_fields.h"
 #include "tests/tools/malformed_scenes.h"
 #include "tests/tools/run_program.h"

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/io/gaussians/gaussian_file.h"
-#include "core/scene/photometry.h"
+#include "core/scene/lights/photometry.h"
 #include "tests/core/fit/matter.h"
 #include "tests/core/io/volume/vdb_test_grid.h"
 #include "tests/random.h"

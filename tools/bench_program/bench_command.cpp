@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "brume/error.h"
-#include "core/io/atomic_file.h"
-#include "core/io/file_bytes.h"
+#include "core/io/disk/atomic_file.h"
+#include "core/io/disk/file_bytes.h"
 #include "core/io/scene/scene_file.h"
 #include "tools/bench/bench_run.h"
 #include "tools/bench/report/bench_compare.h"

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "brume/error.h"
-#include "core/io/atomic_file.h"
+#include "core/io/disk/atomic_file.h"
 
 namespace brume {
 namespace fs = std::filesystem;

@@ -8,7 +8,7 @@
 #include "brume/error.h"
 #include "core/fit/fit_error.h"
 #include "core/fit/volume_fitter.h"
-#include "core/io/file_bytes.h"
+#include "core/io/disk/file_bytes.h"
 #include "core/io/gaussians/gaussian_file.h"
 #include "core/io/text_scanner.h"
 #include "core/io/volume/volume_file.h"

@@ -6,8 +6,8 @@
 #include <span>
 
 #include "brume/version.h"
-#include "core/io/content_hash.h"
-#include "core/io/file_version.h"
+#include "core/io/disk/content_hash.h"
+#include "core/io/disk/file_version.h"
 #include "core/io/scene/scene_file.h"
 #include "core/io/scene/scene_files.h"
 

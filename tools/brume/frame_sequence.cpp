@@ -10,9 +10,9 @@
 
 #include "brume/at_time.h"
 #include "brume/error.h"
-#include "core/io/atomic_file.h"
+#include "core/io/disk/atomic_file.h"
 #include "core/io/frame_loop.h"
-#include "core/scene/sequence_frames.h"
+#include "core/scene/animation/sequence_frames.h"
 #include "tools/brume/frame_fingerprint.h"
 #include "tools/brume/interruption.h"
 #include "tools/brume/progress_line.h"

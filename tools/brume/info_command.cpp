@@ -5,7 +5,7 @@
 
 #include "brume/error.h"
 #include "brume/mesh_arrays.h"
-#include "core/io/file_bytes.h"
+#include "core/io/disk/file_bytes.h"
 #include "core/io/gaussians/gaussian_file.h"
 #include "core/io/gaussians/other_format.h"
 #include "core/io/import/imported_scene_file.h"

@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/io/atomic_file.h"
+#include "core/io/disk/atomic_file.h"
 #include "render/splats/lit_splat_file.h"
 #include "tools/brume/command.h"
 #include "tools/brume/interruption.h"

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/io/installed_files.h"
+#include "core/io/disk/installed_files.h"
 #include "tools/brume/program.h"
 
 namespace brume {

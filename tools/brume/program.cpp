@@ -14,7 +14,7 @@
 
 #include "brume/error.h"
 #include "brume/version.h"
-#include "core/io/temporary_files.h"
+#include "core/io/disk/temporary_files.h"
 #include "core/printable_text.h"
 #include "render/util/frame_memory.h"
 #include "tools/brume/interruption.h"

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <vector>
 
-#include "core/io/atomic_file.h"
+#include "core/io/disk/atomic_file.h"
 #include "core/io/image/image_file.h"
 #include "tools/brume/command.h"
 #include "tools/brume/command_files.h"

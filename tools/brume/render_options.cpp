@@ -5,8 +5,8 @@
 #include <memory>
 
 #include "brume/at_time.h"
-#include "core/io/file_bytes.h"
-#include "core/io/file_version.h"
+#include "core/io/disk/file_bytes.h"
+#include "core/io/disk/file_version.h"
 #include "core/io/text_scanner.h"
 #include "core/number_domain.h"
 #include "core/scene/cameras.h"

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "core/io/atomic_file.h"
+#include "core/io/disk/atomic_file.h"
 #include "render/gl/arithmetic_peak.h"
 #include "render/gl/egl_context.h"
 #include "render/gl_renderer.h"

@@ -14,7 +14,7 @@
 
 #include "brume/error.h"
 #include "brume/limits.h"
-#include "core/io/file_bytes.h"
+#include "core/io/disk/file_bytes.h"
 #include "core/io/import/node_transform.h"
 #include "core/io/import/scene_readers.h"
 #include "core/io/mesh/obj_corner.h"

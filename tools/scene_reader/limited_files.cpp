@@ -6,8 +6,8 @@
 #include <string>
 
 #include "brume/error.h"
-#include "core/io/alike_file.h"
-#include "core/io/file_bytes.h"
+#include "core/io/disk/alike_file.h"
+#include "core/io/disk/file_bytes.h"
 #include "core/io/text_scanner.h"
 #include "core/io/unicode_text.h"
 

@@ -13,8 +13,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/io/atomic_file.h"
-#include "core/scene/animation.h"
+#include "core/io/disk/atomic_file.h"
+#include "core/scene/animation/animation.h"
 #include "core/scene/fields/description.h"
 
 namespace brume {

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "brume/error.h"
-#include "core/io/atomic_file.h"
-#include "core/io/file_bytes.h"
+#include "core/io/disk/atomic_file.h"
+#include "core/io/disk/file_bytes.h"
 #include "core/io/gaussians/csv_table.h"
 #include "core/io/gaussians/gaussian_columns.h"
 #include "core/io/text_scanner.h"

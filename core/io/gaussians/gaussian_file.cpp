@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "brume/error.h"
-#include "core/io/file_bytes.h"
+#include "core/io/disk/file_bytes.h"
 #include "core/io/gaussians/gaussian_columns.h"
 #include "core/io/gaussians/gaussian_csv.h"
 #include "core/io/gaussians/gaussian_ply.h"

@@ -10,8 +10,8 @@
 #include <string_view>
 
 #include "brume/error.h"
-#include "core/io/atomic_file.h"
-#include "core/io/file_bytes.h"
+#include "core/io/disk/atomic_file.h"
+#include "core/io/disk/file_bytes.h"
 #include "core/io/gaussians/dropped_splats.h"
 #include "core/io/gaussians/gaussian_columns.h"
 #include "core/io/gaussians/other_format.h"

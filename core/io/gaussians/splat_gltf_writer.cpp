@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "core/io/atomic_file.h"
-#include "core/io/file_bytes.h"
+#include "core/io/disk/atomic_file.h"
+#include "core/io/disk/file_bytes.h"
 #include "core/io/gaussians/splat_gltf.h"
 #include "core/io/import/uri.h"
 #include "core/io/little_endian.h"

@@ -12,8 +12,8 @@
 #include <string_view>
 
 #include "brume/error.h"
+#include "core/io/disk/installed_files.h"
 #include "core/io/import/uri.h"
-#include "core/io/installed_files.h"
 
 namespace brume {
 namespace {

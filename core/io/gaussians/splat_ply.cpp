@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/io/atomic_file.h"
+#include "core/io/disk/atomic_file.h"
 #include "core/io/little_endian.h"
 #include "core/math/spherical_harmonics.h"
 #include "core/medium/splat.h"

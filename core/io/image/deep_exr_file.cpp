@@ -13,8 +13,8 @@
 #include <cstddef>
 
 #include "brume/error.h"
-#include "core/io/atomic_file.h"
-#include "core/io/file_bytes.h"
+#include "core/io/disk/atomic_file.h"
+#include "core/io/disk/file_bytes.h"
 #include "core/io/image/exr_attributes.h"
 #include "core/io/image/exr_stream.h"
 #include "core/io/text_scanner.h"

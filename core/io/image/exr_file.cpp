@@ -14,8 +14,8 @@
 #include <cstdint>
 
 #include "brume/error.h"
-#include "core/io/atomic_file.h"
-#include "core/io/file_bytes.h"
+#include "core/io/disk/atomic_file.h"
+#include "core/io/disk/file_bytes.h"
 #include "core/io/image/exr_attributes.h"
 #include "core/io/image/exr_limits.h"
 #include "core/io/image/exr_reading.h"

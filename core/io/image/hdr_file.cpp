@@ -8,7 +8,7 @@
 
 #include "brume/error.h"
 #include "brume/limits.h"
-#include "core/io/file_bytes.h"
+#include "core/io/disk/file_bytes.h"
 #include "core/io/text_scanner.h"
 
 namespace brume {

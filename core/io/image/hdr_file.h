@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "brume/limits.h"
-#include "core/scene/radiance_map.h"
+#include "core/scene/lights/radiance_map.h"
 
 namespace brume {
 

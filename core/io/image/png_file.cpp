@@ -11,8 +11,8 @@
 #include <string_view>
 
 #include "brume/error.h"
-#include "core/io/atomic_file.h"
-#include "core/io/file_bytes.h"
+#include "core/io/disk/atomic_file.h"
+#include "core/io/disk/file_bytes.h"
 #include "core/io/image/image_file.h"
 
 namespace brume {

@@ -8,7 +8,7 @@
 
 #include "brume/error.h"
 #include "brume/limits.h"
-#include "core/io/file_bytes.h"
+#include "core/io/disk/file_bytes.h"
 #include "core/io/image/exr_picture.h"
 #include "core/io/image/hdr_file.h"
 #include "core/io/image/image_file.h"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "brume/limits.h"
-#include "core/scene/radiance_map.h"
+#include "core/scene/lights/radiance_map.h"
 
 namespace brume {
 

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "brume/error.h"
-#include "core/io/file_bytes.h"
+#include "core/io/disk/file_bytes.h"
 #include "core/io/image/image_file.h"
 #include "core/io/image/image_kind.h"
 #include "core/io/image/pixel_decoders.h"

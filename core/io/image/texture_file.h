@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "brume/limits.h"
-#include "core/scene/texture.h"
+#include "core/scene/materials/texture.h"
 
 namespace brume {
 

@@ -5,9 +5,9 @@
 
 #include "brume/error.h"
 #include "brume/limits.h"
-#include "core/io/alike_file.h"
 #include "core/io/byte_reader.h"
-#include "core/io/file_bytes.h"
+#include "core/io/disk/alike_file.h"
+#include "core/io/disk/file_bytes.h"
 #include "core/io/import/uri.h"
 #include "core/io/text_scanner.h"
 

@@ -6,7 +6,7 @@
 
 #include "brume/error.h"
 #include "brume/limits.h"
-#include "core/io/file_bytes.h"
+#include "core/io/disk/file_bytes.h"
 #include "core/io/image/texture_file.h"
 #include "core/io/import/reader_program.h"
 #include "core/io/import/scene_readers.h"

@@ -6,7 +6,7 @@
 
 #include "brume/error.h"
 #include "core/number_domain.h"
-#include "core/scene/area_normal.h"
+#include "core/scene/lights/area_normal.h"
 
 namespace brume {
 namespace {

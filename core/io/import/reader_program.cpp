@@ -14,9 +14,9 @@
 
 #include "brume/error.h"
 #include "brume/limits.h"
-#include "core/io/file_bytes.h"
+#include "core/io/disk/file_bytes.h"
+#include "core/io/disk/installed_files.h"
 #include "core/io/import/raw_scene_bytes.h"
-#include "core/io/installed_files.h"
 
 extern char** environ;
 

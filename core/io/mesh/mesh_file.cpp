@@ -7,7 +7,7 @@
 #include "brume/error.h"
 #include "brume/limits.h"
 #include "brume/mesh_arrays.h"
-#include "core/io/file_bytes.h"
+#include "core/io/disk/file_bytes.h"
 #include "core/io/mesh/mesh_normals.h"
 #include "core/io/mesh/mesh_readers.h"
 #include "core/io/mesh/triangulate.h"

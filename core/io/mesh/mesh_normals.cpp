@@ -7,7 +7,7 @@
 
 #include "core/io/mesh/polygon_copies.h"
 #include "core/io/mesh/winding.h"
-#include "core/scene/area_normal.h"
+#include "core/scene/lights/area_normal.h"
 
 namespace brume {
 namespace {

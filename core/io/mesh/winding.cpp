@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/io/mesh/mesh_normals.h"
-#include "core/scene/area_normal.h"
+#include "core/scene/lights/area_normal.h"
 
 namespace brume {
 namespace {

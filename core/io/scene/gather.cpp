@@ -10,12 +10,12 @@
 #include <vector>
 
 #include "brume/error.h"
-#include "core/io/atomic_file.h"
-#include "core/io/file_bytes.h"
+#include "core/io/disk/atomic_file.h"
+#include "core/io/disk/file_bytes.h"
+#include "core/io/disk/staging_folder.h"
 #include "core/io/frame_pattern.h"
 #include "core/io/scene/scene_file.h"
 #include "core/io/scene/scene_files.h"
-#include "core/io/staging_folder.h"
 #include "core/scene/imported_scene.h"
 
 namespace brume {

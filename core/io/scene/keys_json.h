@@ -20,7 +20,7 @@ void read_keys(JsonContext& context, JsonObject& object, const char* name,
                const NumberDomain& domain, Keys<glm::dquat>& keys, UnknownKeys& unknown_keys);
 
 // The member `keys` of an object: those of the values that visit_all(visit) goes through; see
-// core/scene/animation.h. Its unknown keys.
+// core/scene/animation/animation.h. Its unknown keys.
 std::string read_keys_member(JsonContext& context, JsonObject& owner, UnknownKeys& unknown_keys,
                              auto&& visit_all) {
   const Json* value = owner.find("keys");

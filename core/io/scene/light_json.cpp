@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "core/number_domain.h"
-#include "core/scene/animation.h"
+#include "core/scene/animation/animation.h"
 
 namespace brume {
 namespace {

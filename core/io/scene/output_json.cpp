@@ -4,7 +4,7 @@
 #include <string>
 
 #include "brume/limits.h"
-#include "core/io/file_bytes.h"
+#include "core/io/disk/file_bytes.h"
 #include "core/io/text_scanner.h"
 #include "core/number_domain.h"
 

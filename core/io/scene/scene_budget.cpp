@@ -7,10 +7,10 @@
 #include "brume/limits.h"
 #include "brume/mesh_arrays.h"
 #include "core/scene/imported_scene.h"
-#include "core/scene/measured_brdf.h"
-#include "core/scene/photometric_profile.h"
-#include "core/scene/radiance_map.h"
-#include "core/scene/texture.h"
+#include "core/scene/lights/photometric_profile.h"
+#include "core/scene/lights/radiance_map.h"
+#include "core/scene/materials/measured_brdf.h"
+#include "core/scene/materials/texture.h"
 
 namespace brume {
 

@@ -6,7 +6,7 @@
 #include "brume/edits.h"
 #include "brume/error.h"
 #include "brume/limits.h"
-#include "core/io/file_bytes.h"
+#include "core/io/disk/file_bytes.h"
 #include "core/io/gaussians/gaussian_columns.h"
 #include "core/io/scene/camera_json.h"
 #include "core/io/scene/fields_json.h"
@@ -23,8 +23,8 @@
 #include "core/io/scene/surface_json.h"
 #include "core/io/text_scanner.h"
 #include "core/number_domain.h"
-#include "core/scene/animation.h"
-#include "core/scene/particles.h"
+#include "core/scene/animation/animation.h"
+#include "core/scene/animation/particles.h"
 
 namespace brume {
 namespace fs = std::filesystem;

@@ -7,8 +7,8 @@
 
 #include "brume/error.h"
 #include "brume/mesh_arrays.h"
-#include "core/io/alike_file.h"
-#include "core/io/file_bytes.h"
+#include "core/io/disk/alike_file.h"
+#include "core/io/disk/file_bytes.h"
 #include "core/io/gaussians/gaussian_file.h"
 #include "core/io/gaussians/sequence_file.h"
 #include "core/io/ies_file.h"
@@ -19,8 +19,8 @@
 #include "core/io/mesh/mesh_file.h"
 #include "core/io/text_scanner.h"
 #include "core/scene/imported_scene.h"
-#include "core/scene/measured_brdf.h"
-#include "core/scene/radiance_map.h"
+#include "core/scene/lights/radiance_map.h"
+#include "core/scene/materials/measured_brdf.h"
 
 namespace brume {
 namespace fs = std::filesystem;

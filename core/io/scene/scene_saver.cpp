@@ -3,7 +3,7 @@
 #include <map>
 
 #include "brume/error.h"
-#include "core/io/atomic_file.h"
+#include "core/io/disk/atomic_file.h"
 #include "core/io/gaussians/gaussian_columns.h"
 #include "core/io/scene/camera_json.h"
 #include "core/io/scene/fields_json.h"
@@ -18,7 +18,7 @@
 #include "core/io/scene/scene_references.h"
 #include "core/io/scene/spline_json.h"
 #include "core/medium/written_radii.h"
-#include "core/scene/animation.h"
+#include "core/scene/animation/animation.h"
 #include "core/scene/group_effects.h"
 
 namespace brume {

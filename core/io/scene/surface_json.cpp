@@ -9,7 +9,7 @@
 #include "core/io/scene/scene_names.h"
 #include "core/io/text_scanner.h"
 #include "core/number_domain.h"
-#include "core/scene/animation.h"
+#include "core/scene/animation/animation.h"
 #include "core/scene/imported_scene.h"
 
 namespace brume {

@@ -12,14 +12,14 @@
 #include <vector>
 
 #include "brume/mesh_arrays.h"
-#include "core/io/atomic_file.h"
+#include "core/io/disk/atomic_file.h"
 #include "core/io/gaussians/splat_output.h"
 #include "core/io/scene/usd_material.h"
 #include "core/io/scene/usd_text.h"
 #include "core/medium/splat.h"
-#include "core/scene/area_normal.h"
 #include "core/scene/camera_rays.h"
-#include "core/scene/environment.h"
+#include "core/scene/lights/area_normal.h"
+#include "core/scene/lights/environment.h"
 #include "core/scene/placement.h"
 
 namespace brume {

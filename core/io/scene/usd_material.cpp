@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "core/io/file_bytes.h"
+#include "core/io/disk/file_bytes.h"
 #include "core/io/image/image_file.h"
-#include "core/scene/texture.h"
+#include "core/scene/materials/texture.h"
 
 namespace brume {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "brume/error.h"
 #include "brume/limits.h"
-#include "core/io/file_bytes.h"
+#include "core/io/disk/file_bytes.h"
 #include "core/io/volume/vdb_blocks.h"
 #include "core/io/volume/vdb_file.h"
 #include "core/io/volume/vdb_tree.h"

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "brume/error.h"
-#include "core/io/file_bytes.h"
+#include "core/io/disk/file_bytes.h"
 #include "core/io/volume/vdb_blocks.h"
 #include "core/number_domain.h"
 

@@ -1,7 +1,7 @@
 #include <glm/matrix.hpp>
 
 #include "brume/error.h"
-#include "core/io/atomic_file.h"
+#include "core/io/disk/atomic_file.h"
 #include "core/io/volume/openvdb_grid.h"
 #include "core/io/volume/volume_file.h"
 

@@ -117,7 +117,7 @@ void visit_keyed_fields(Owner& owner, auto& all_keys, auto&& visit) {
   });
 }
 
-// The same as visit(name, value, keys, domain), see core/scene/animation.h.
+// The same as visit(name, value, keys, domain), see core/scene/animation/animation.h.
 template <class Owner>
 void visit_keyed(Owner& owner, auto& all_keys, auto&& visit) {
   visit_keyed_fields(owner, all_keys, [&]<class F>(const F& field, auto& keys) {

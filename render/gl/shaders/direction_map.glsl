@@ -1,5 +1,5 @@
 // Tables over directions: DirectionMap of render/geometry, and MapPosition of
-// render/lighting/slice_kernels.cpp.
+// render/slices/slice_kernels.cpp.
 #include "constants.glsl"
 #include "structs.glsl"
 

@@ -1,5 +1,5 @@
 // The optical depth of Gaussians on `chunk` slices of a ray at a time, in registers: see
-// accumulate_increments() in render/lighting/increment_kernels.h. The including shader declares the shared
+// accumulate_increments() in render/optical_depth/increment_kernels.h. The including shader declares the shared
 // nearest[] and farthest[], ascending: between them each boundary of all rays of the group is.
 #include "gaussian.glsl"
 

@@ -1,4 +1,4 @@
-// Light from point lights at points on a view ray: see sum_slices() in render/lighting/slice_kernels.h.
+// Light from point lights at points on a view ray: see sum_slices() in render/slices/slice_kernels.h.
 #include "direction_map.glsl"
 #include "gaussian.glsl"
 
@@ -107,7 +107,7 @@ vec2 falloff_sample(int l, vec3 along, vec3 across, float h2, float s, float wei
 }
 
 #ifdef PROFILES
-// SampleProfile() of render/lighting/slice_falloff-inl.h: the mean and the place.
+// SampleProfile() of render/slices/slice_falloff-inl.h: the mean and the place.
 vec2 profile_mean(int l, vec3 along, vec3 across, float h2, float begin, float angle,
                   float middle) {
   const float h = sqrt(h2);
@@ -179,7 +179,7 @@ vec2 cone_parts(int l, vec3 along, vec3 across, float h2, float a, float b) {
   return sum;
 }
 
-// FalloffMean of render/lighting/slice_falloff-inl.h: the mean of the falloff over r^2 over [a, b]
+// FalloffMean of render/slices/slice_falloff-inl.h: the mean of the falloff over r^2 over [a, b]
 // from the point nearest to the light, and the middle of what is lit. `offset`: from there to the
 // light.
 vec2 falloff_mean(int l, vec3 w, vec3 offset, float a, float b, float h2) {

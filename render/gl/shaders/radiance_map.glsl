@@ -1,4 +1,4 @@
-// Where a direction lies in an equirectangular map: radiance_of() in core/scene/radiance_map.cpp.
+// Where a direction lies in an equirectangular map: radiance_of() in core/scene/lights/radiance_map.cpp.
 #include "constants.glsl"
 
 struct MapTexels {

@@ -1,4 +1,4 @@
-// Where the slices of a tile's rays begin and end: choose_slices() of render/lighting/slice_boundaries.h, by
+// Where the slices of a tile's rays begin and end: choose_slices() of render/slices/slice_boundaries.h, by
 // all invocations of the group together. Leaves them in boundaries[0 .. boundary_count), ascending.
 shared float boundaries[max_boundaries];
 shared float unsorted[max_boundaries];
@@ -16,7 +16,7 @@ shared float demand_weights[group_size];
 
 void add_boundary(float t) { unsorted[atomicAdd(unsorted_count, 1u)] = t; }
 
-// See core_radius() of render/lighting/slice_boundaries.cpp.
+// See core_radius() of render/slices/slice_boundaries.cpp.
 float core_radii(float depth) { return depth < slice_opaque ? core_radii_of_thin : sqrt(log(inverse_tail_depth * depth)); }
 
 // What a box of a Gaussian demands of a bin: rate and curvature.
@@ -52,7 +52,7 @@ SliceNeed slice_need(CenterRay ray, uint i, SeenGaussian g) {
                    vec2(center, nearest.x) + vec2(-g.cutoff_radius, g.cutoff_radius));
 }
 
-// DemandingGaussians of render/lighting/slice_boundaries.cpp: every so manieth, and what stands out.
+// DemandingGaussians of render/slices/slice_boundaries.cpp: every so manieth, and what stands out.
 struct Demanding {
   uint step_;
   float outstanding;

@@ -6,7 +6,7 @@
 
 #include "brume/error.h"
 #include "brume/mesh_arrays.h"
-#include "core/io/file_bytes.h"
+#include "core/io/disk/file_bytes.h"
 #include "tests/core/io/temporary_folder.h"
 
 namespace brume {

@@ -9,7 +9,7 @@
 #include <set>
 
 #include "brume/error.h"
-#include "core/scene/photometry.h"
+#include "core/scene/lights/photometry.h"
 #include "tests/core/fit/matter.h"
 #include "tests/core/io/input_error.h"
 #include "tests/core/io/temporary_folder.h"

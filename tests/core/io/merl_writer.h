@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "core/scene/brdf.h"
-#include "core/scene/measured_brdf.h"
+#include "core/scene/materials/brdf.h"
+#include "core/scene/materials/measured_brdf.h"
 
 namespace brume {
 

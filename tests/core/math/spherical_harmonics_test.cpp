@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/math/sphere_rule.h"
-#include "core/scene/brdf.h"
+#include "core/scene/materials/brdf.h"
 #include "tests/random.h"
 
 namespace brume {

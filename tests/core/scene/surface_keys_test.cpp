@@ -7,7 +7,7 @@
 #include <random>
 
 #include "brume/at_time.h"
-#include "core/scene/animation.h"
+#include "core/scene/animation/animation.h"
 
 namespace brume {
 namespace {

@@ -9,9 +9,9 @@
 #include "brume/keys.h"
 #include "brume/limits.h"
 #include "core/number_domain.h"
-#include "core/scene/animation.h"
-#include "core/scene/keys_in_domain.h"
-#include "core/scene/particles.h"
+#include "core/scene/animation/animation.h"
+#include "core/scene/animation/keys_in_domain.h"
+#include "core/scene/animation/particles.h"
 
 namespace brume {
 namespace {

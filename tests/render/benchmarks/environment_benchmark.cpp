@@ -5,9 +5,9 @@
 
 #include <cmath>
 
-#include "render/lighting/source_function.h"
 #include "render/quality/auto_quality.h"
 #include "render/renderer.h"
+#include "render/scattering/source_function.h"
 #include "tools/bench/scenes/benchmark_scenes.h"
 
 namespace brume {

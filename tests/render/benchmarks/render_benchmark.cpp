@@ -10,7 +10,7 @@
 #include <filesystem>
 
 #include "core/io/scene/scene_file.h"
-#include "render/lighting/path_depths.h"
+#include "render/optical_depth/path_depths.h"
 #include "render/output/compare.h"
 #include "render/renderer.h"
 #include "render/util/frame_memory.h"

@@ -8,8 +8,8 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "core/scene/lights/radiance_map.h"
 #include "core/scene/mesh.h"
-#include "core/scene/radiance_map.h"
 #include "render/renderer.h"
 #include "render/transfer/radiance_transfer.h"
 #include "render/transfer/transfer_store.h"

@@ -6,8 +6,8 @@
 
 #include "core/io/scene/scene_file.h"
 #include "render/cpu/film_slices.h"
-#include "render/lighting/slice_boundaries.h"
 #include "render/renderer.h"
+#include "render/slices/slice_boundaries.h"
 #include "tests/render/seams.h"
 #include "tests/render/test_scenes.h"
 

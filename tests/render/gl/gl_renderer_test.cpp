@@ -6,8 +6,8 @@
 #include <glm/geometric.hpp>
 
 #include "core/io/scene/scene_file.h"
-#include "core/scene/measured_brdf.h"
-#include "core/scene/radiance_map.h"
+#include "core/scene/lights/radiance_map.h"
+#include "core/scene/materials/measured_brdf.h"
 #include "render/render_plan.h"
 #include "render/renderer.h"
 #include "tests/random.h"

@@ -4,7 +4,7 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "brume/primitive.h"
-#include "core/scene/texture.h"
+#include "core/scene/materials/texture.h"
 #include "tests/random.h"
 #include "tests/render/gl/gl_frames.h"
 #include "tests/render/test_scenes.h"

@@ -1,6 +1,6 @@
 // Where slices begin and end: what is promised of them, on both backends.
 
-#include "render/lighting/slice_boundaries.h"
+#include "render/slices/slice_boundaries.h"
 #include "core/scene/camera_rays.h"
 
 #include <algorithm>

@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "core/scene/point_lights.h"
+#include "core/scene/lights/point_lights.h"
 
 namespace brume {
 namespace {

@@ -11,10 +11,10 @@
 #include <numbers>
 #include <vector>
 
-#include "core/scene/brdf.h"
-#include "core/scene/environment.h"
-#include "core/scene/measured_brdf.h"
-#include "core/scene/radiance_map.h"
+#include "core/scene/lights/environment.h"
+#include "core/scene/lights/radiance_map.h"
+#include "core/scene/materials/brdf.h"
+#include "core/scene/materials/measured_brdf.h"
 #include "render/paths/direction_sampling.h"
 #include "render/paths/environment_sampler.h"
 #include "render/paths/material_sampler.h"

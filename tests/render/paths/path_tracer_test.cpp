@@ -10,7 +10,7 @@
 #include <numbers>
 #include <vector>
 
-#include "core/scene/radiance_map.h"
+#include "core/scene/lights/radiance_map.h"
 #include "render/paths/direction_sampling.h"
 #include "render/prepare/fog_extent.h"
 #include "render/reference/surface_reference.h"

@@ -7,8 +7,8 @@
 
 #include "brume/mesh_arrays.h"
 #include "brume/primitive.h"
-#include "core/scene/ggx.h"
-#include "core/scene/texture.h"
+#include "core/scene/materials/ggx.h"
+#include "core/scene/materials/texture.h"
 #include "render/visibility/surface_point.h"
 #include "tests/render/test_scenes.h"
 

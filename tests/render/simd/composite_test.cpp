@@ -11,7 +11,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/scene/environment.h"
+#include "core/scene/lights/environment.h"
 #include "render/simd/composite_kernels.h"
 #include "tests/random.h"
 

@@ -14,7 +14,7 @@
 #include "core/transport/homogeneous_airlight.h"
 #include "core/transport/phase_function.h"
 #include "render/cpu/paper_airlight.h"
-#include "render/lighting/path_depths.h"
+#include "render/optical_depth/path_depths.h"
 #include "render/simd/phase_kernels.h"
 #include "tests/random.h"
 #include "tests/render/for_each_target.h"

@@ -7,8 +7,8 @@
 #include <glm/geometric.hpp>
 #include <memory>
 
-#include "core/scene/brdf.h"
-#include "core/scene/ggx_sh.h"
+#include "core/scene/materials/brdf.h"
+#include "core/scene/materials/ggx_sh.h"
 #include "render/simd/reflection_kernels.h"
 #include "tests/random.h"
 

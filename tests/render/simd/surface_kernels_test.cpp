@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "brume/mesh_arrays.h"
-#include "core/scene/brdf.h"
+#include "core/scene/materials/brdf.h"
 #include "core/scene/mesh.h"
 #include "core/transport/incident_light.h"
 #include "render/visibility/ray_caster.h"

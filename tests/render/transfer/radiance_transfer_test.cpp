@@ -13,9 +13,9 @@
 #include <numbers>
 #include <thread>
 
-#include "core/scene/environment.h"
+#include "core/scene/lights/environment.h"
+#include "core/scene/lights/radiance_map.h"
 #include "core/scene/placement.h"
-#include "core/scene/radiance_map.h"
 #include "render/reference/surface_reference.h"
 #include "render/transfer/sh_material.h"
 #include "tests/random.h"

@@ -9,7 +9,7 @@
 #include <set>
 #include <span>
 
-#include "core/io/content_hash.h"
+#include "core/io/disk/content_hash.h"
 #include "core/scene/mesh.h"
 #include "tests/core/io/temporary_folder.h"
 #include "tests/render/test_meshes.h"

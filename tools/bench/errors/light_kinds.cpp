@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/scene/photometric_profile.h"
+#include "core/scene/lights/photometric_profile.h"
 #include "render/output/compare.h"
 #include "tools/bench/scenes/benchmark_scenes.h"
 

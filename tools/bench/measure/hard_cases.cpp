@@ -5,7 +5,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "core/io/file_bytes.h"
+#include "core/io/disk/file_bytes.h"
 #include "core/io/scene/scene_file.h"
 #include "render/quality/auto_quality.h"
 #include "render/renderer.h"

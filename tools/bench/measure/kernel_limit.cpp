@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "render/geometry/tiles.h"
-#include "render/lighting/increment_kernels.h"
-#include "render/lighting/slice_boundaries.h"
-#include "render/lighting/slice_kernels.h"
+#include "render/optical_depth/increment_kernels.h"
 #include "render/prepare/prepared_scene.h"
 #include "render/render_plan.h"
 #include "render/renderer.h"
+#include "render/slices/slice_boundaries.h"
+#include "render/slices/slice_kernels.h"
 #include "render/util/flush_denormals.h"
 #include "tools/bench/measure/view_work.h"
 #include "tools/bench/scenes/benchmark_scenes.h"

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "brume/error.h"
-#include "core/io/file_bytes.h"
+#include "core/io/disk/file_bytes.h"
 
 namespace brume {
 

@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "core/io/file_bytes.h"
+#include "core/io/disk/file_bytes.h"
 #include "tools/bench/scenes/benchmark_scenes.h"
 
 namespace brume {

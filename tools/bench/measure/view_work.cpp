@@ -24,7 +24,7 @@ HWY_INLINE float Opaque(float x) {
 using D = hn::ScalableTag<float>;
 using V = hn::Vec<D>;
 
-// As in render/lighting/increment_kernels.cpp.
+// As in render/optical_depth/increment_kernels.cpp.
 HWY_INLINE V FastErf(V x) {
   constexpr float coefficient[] = {4.48287326e-08f,  -2.10701818e-06f, 4.373204e-05f,
                                    -5.34635078e-04f, 4.35594895e-03f,  -2.54599806e-02f,

@@ -11,7 +11,7 @@
 
 #include "core/io/scene/scene_file.h"
 #include "core/math/random_source.h"
-#include "core/scene/radiance_map.h"
+#include "core/scene/lights/radiance_map.h"
 #include "core/transport/medium_summary.h"
 #include "render/quality/error_estimate.h"
 #include "tools/make_scenes/random.h"

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "core/io/atomic_file.h"
+#include "core/io/disk/atomic_file.h"
 #include "core/io/scene/scene_files.h"
 #include "core/io/text_scanner.h"
 #include "tools/brume/command.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "core/io/file_bytes.h"
+#include "core/io/disk/file_bytes.h"
 #include "core/io/mp4_arguments.h"
 #include "core/io/text_scanner.h"
 #include "core/number_domain.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/io/atomic_file.h"
+#include "core/io/disk/atomic_file.h"
 #include "core/io/text_scanner.h"
 #include "tools/brume/command.h"
 #include "tools/brume/other_program.h"

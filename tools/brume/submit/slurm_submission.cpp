@@ -9,7 +9,7 @@
 #include <thread>
 #include <utility>
 
-#include "core/io/content_hash.h"
+#include "core/io/disk/content_hash.h"
 #include "tools/brume/interruption.h"
 #include "tools/brume/progress_line.h"
 #include "tools/brume/submit/slurm_job.h"

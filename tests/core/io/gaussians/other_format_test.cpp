@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "core/io/file_bytes.h"
+#include "core/io/disk/file_bytes.h"
 #include "core/io/gaussians/gaussian_file.h"
 #include "tests/core/io/input_error.h"
 #include "tests/core/io/temporary_folder.h"

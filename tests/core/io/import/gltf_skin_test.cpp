@@ -7,7 +7,7 @@
 
 #include "brume/mesh_arrays.h"
 #include "core/io/import/imported_scene_file.h"
-#include "core/scene/area_normal.h"
+#include "core/scene/lights/area_normal.h"
 #include "tests/core/io/import/gltf_builder.h"
 #include "tests/core/io/input_error.h"
 #include "tests/core/io/temporary_folder.h"

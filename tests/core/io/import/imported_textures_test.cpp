@@ -6,7 +6,7 @@
 
 #include "core/io/image/image_file.h"
 #include "core/io/import/imported_scene_file.h"
-#include "core/scene/texture.h"
+#include "core/scene/materials/texture.h"
 #include "tests/core/io/import/gltf_builder.h"
 #include "tests/core/io/input_error.h"
 #include "tests/core/io/temporary_folder.h"

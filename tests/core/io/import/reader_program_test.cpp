@@ -8,7 +8,7 @@
 #include "core/io/image/image_file.h"
 #include "core/io/import/imported_scene_file.h"
 #include "core/io/import/raw_scene_bytes.h"
-#include "core/scene/area_normal.h"
+#include "core/scene/lights/area_normal.h"
 #include "core/scene/mesh.h"
 #include "tests/core/io/input_error.h"
 #include "tests/core/io/temporary_folder.h"

@@ -6,7 +6,7 @@
 
 #include "core/io/scene/missing_files.h"
 #include "core/io/scene/scene_file.h"
-#include "core/scene/photometric_profile.h"
+#include "core/scene/lights/photometric_profile.h"
 #include "tests/core/io/input_error.h"
 #include "tests/core/io/temporary_folder.h"
 

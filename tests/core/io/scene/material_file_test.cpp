@@ -4,7 +4,7 @@
 #include "core/io/scene/missing_files.h"
 #include "core/io/scene/scene_file.h"
 #include "core/io/scene/scene_files.h"
-#include "core/scene/texture.h"
+#include "core/scene/materials/texture.h"
 #include "tests/core/io/input_error.h"
 #include "tests/core/io/temporary_folder.h"
 

@@ -6,7 +6,7 @@
 #include "core/io/gaussians/gaussian_file.h"
 #include "core/io/scene/json_reader.h"
 #include "core/io/scene/scene_file.h"
-#include "core/scene/particles.h"
+#include "core/scene/animation/particles.h"
 #include "tests/core/io/input_error.h"
 #include "tests/core/io/temporary_folder.h"
 

@@ -12,12 +12,12 @@
 #include "brume/error.h"
 #include "brume/mesh_arrays.h"
 #include "brume/primitive.h"
-#include "core/io/file_bytes.h"
+#include "core/io/disk/file_bytes.h"
 #include "core/io/image/texture_file.h"
 #include "core/io/scene/usd_text.h"
 #include "core/number_domain.h"
-#include "core/scene/radiance_map.h"
-#include "core/scene/texture.h"
+#include "core/scene/lights/radiance_map.h"
+#include "core/scene/materials/texture.h"
 #include "tests/core/io/temporary_folder.h"
 
 namespace brume {

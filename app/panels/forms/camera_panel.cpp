@@ -1,0 +1,188 @@
+#include "app/panels/forms/camera_panel.h"
+
+#include <QAction>
+#include <QCheckBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <functional>
+#include <glm/geometric.hpp>
+#include <string_view>
+
+#include "app/commands/edit_cameras.h"
+#include "app/commands/scene_part_command.h"
+#include "app/document/document.h"
+#include "core/number_domain.h"
+#include "core/scene/cameras.h"
+#include "core/scene/fields/camera_fields.h"
+
+namespace brume {
+namespace {
+
+constexpr int name_role = Qt::UserRole;
+constexpr int list_rows = 4;
+constexpr NumberDomain focal_lengths{0.1, 10000.0, "a number from 0.1 to 10000 mm"};
+
+}  // namespace
+
+CameraPanel::CameraPanel(Document& document, std::function<Camera()> view, QWidget* parent)
+    : SceneForm(document, parent), view_(std::move(view)), list_(new QListWidget(this)) {
+  auto* form = new QFormLayout(this);
+  form->setContentsMargins(6, 6, 6, 6);
+  form->addRow(new_list());
+  form->addRow(new_buttons());
+  auto* toggles = new QWidget(this);
+  toggles_ = new QVBoxLayout(toggles);
+  toggles_->setContentsMargins(0, 0, 0, 0);
+  form->addRow(toggles);
+  add_values(*form);
+  on_refresh([this] { show_cameras(); });
+  refresh();
+}
+
+QWidget* CameraPanel::new_list() {
+  list_->setObjectName("cameras");
+  list_->setToolTip(
+      tr("The scene's cameras. Click one to use it: it is what is rendered. Double-click or F2 "
+         "renames it"));
+  list_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
+  list_->setFixedHeight(list_rows * list_->fontMetrics().lineSpacing() + 16);
+  connect(list_, &QListWidget::itemClicked, this, [this](QListWidgetItem* item) {
+    use_camera(document_, item->data(name_role).toString());
+  });
+  connect(list_, &QListWidget::itemActivated, this, [this](QListWidgetItem* item) {
+    if (!list_->isPersistentEditorOpen(item)) {
+      use_camera(document_, item->data(name_role).toString());
+    }
+  });
+  connect(list_, &QListWidget::itemChanged, this, [this](QListWidgetItem* item) {
+    if (is_changing_) return;
+    is_changing_ = true;
+    rename_camera(document_, item->data(name_role).toString(), item->text());
+    is_changing_ = false;
+    // Later: the editor of the name is still open.
+    QMetaObject::invokeMethod(this, &CameraPanel::show_cameras, Qt::QueuedConnection);
+  });
+  return list_;
+}
+
+QWidget* CameraPanel::new_buttons() {
+  auto* buttons = new QWidget(this);
+  auto* row = new QHBoxLayout(buttons);
+  row->setContentsMargins(0, 0, 0, 0);
+  const auto add = [&](const QString& text, const char* name, const QString& tip, auto react) {
+    auto* button = new QPushButton(text, this);
+    button->setObjectName(name);
+    button->setToolTip(tip);
+    connect(button, &QPushButton::clicked, this, react);
+    row->addWidget(button);
+    return button;
+  };
+  add(tr("Add from View"), "add_camera", tr("Adds a camera that sees what the view sees"),
+      [this] { add_camera(document_, view_()); });
+  add(tr("Look Through"), "look_through_camera", tr("Shows what the camera in use sees (0)"),
+      [this] { Q_EMIT look_through_asked_for(); });
+  QPushButton* remove = add(tr("Delete"), "delete_camera", tr("Deletes the camera in use"),
+                            [this] { delete_camera(document_, current_name()); });
+  on_refresh([this, remove] { remove->setEnabled(!document_.scene().cameras.empty()); });
+  return buttons;
+}
+
+void CameraPanel::add_toggle(QAction* action) {
+  auto* box = new QCheckBox(action->text().remove('&'), this);
+  box->setObjectName(action->objectName() + "_box");
+  box->setToolTip(action->toolTip());
+  box->setChecked(action->isChecked());
+  connect(box, &QCheckBox::toggled, action, [action](bool on) {
+    if (action->isChecked() != on) action->trigger();
+  });
+  connect(action, &QAction::toggled, box, &QCheckBox::setChecked);
+  toggles_->addWidget(box);
+}
+
+void CameraPanel::add_values(QFormLayout& form) {
+  const Fields<Camera> values{
+      .prefix = "camera_",
+      .get = [this] { return &document_.scene().camera; },
+      .set = std::bind_front(&CameraPanel::set_camera, this),
+      .track = [](const Scene& scene,
+                  const FieldInfo& info) { return camera_track(scene, info.name); }};
+  visit_fields<Camera>([&](const auto& field) {
+    const std::string_view name = field.info.name;
+    if (name == "vertical_fov") add_focal_length(form);
+    if (name == "focus_distance") add_focus(form);
+    add_field(form, field, values);
+  });
+}
+
+void CameraPanel::set_camera(const Camera& camera, const FieldInfo& info, MergeId gesture) {
+  if (const auto why = refusal(camera)) {
+    Q_EMIT refused(field_label(info) + ": " + why->message);
+    return refresh();
+  }
+  brume::set_camera(document_, camera, field_label(info).toLower(), gesture);
+}
+
+void CameraPanel::add_focal_length(QFormLayout& form) {
+  const auto camera = [this]() -> const Camera& { return document_.scene().camera; };
+  add_number(form, tr("Focal length, mm"),
+             {"focal_length", focal_lengths, ValueField::Scale::logarithmic, 0.005,
+              [this, camera] {
+                return std::optional(focal_length(camera().vertical_fov, document_.scene().film));
+              },
+              [this, camera](double value, MergeId gesture) {
+                Camera changed = camera();
+                changed.vertical_fov = vertical_fov(value, document_.scene().film);
+                brume::set_camera(document_, changed, tr("focal length"), gesture);
+              }})
+      ->setToolTip(tr("Of a lens before a sensor 36 mm wide: 24 is wide, 50 normal, 85 and more "
+                      "make things seem closer. The same as the field of view"));
+}
+
+void CameraPanel::add_focus(QFormLayout& form) {
+  const auto camera = [this]() -> const Camera& { return document_.scene().camera; };
+  auto* on_target = new QCheckBox(tr("Focus on what it looks at"), this);
+  on_target->setObjectName("focus_on_target");
+  form.addRow({}, on_target);
+  connect(on_target, &QCheckBox::clicked, this, [this, camera](bool on) {
+    Camera changed = camera();
+    changed.focus_distance.reset();
+    if (!on) changed.focus_distance = glm::length(changed.target - changed.eye);
+    brume::set_camera(document_, changed, tr("focus distance"), no_merge);
+  });
+  on_refresh([on_target, camera] {
+    on_target->setChecked(!camera().focus_distance);
+    on_target->setEnabled(camera().aperture > 0.0);
+  });
+}
+
+QString CameraPanel::current_name() const {
+  return QString::fromStdString(document_.scene().camera_name);
+}
+
+void CameraPanel::show_cameras() {
+  if (is_changing_) return;
+  const Scene& scene = document_.scene();
+  QStringList names{current_name()};
+  for (const NamedCamera& camera : scene.cameras) names << QString::fromStdString(camera.name);
+  names.sort(Qt::CaseInsensitive);
+  is_changing_ = true;
+  while (list_->count() > names.size()) delete list_->takeItem(list_->count() - 1);
+  while (list_->count() < names.size()) list_->addItem(QString());
+  for (int k = 0; k < list_->count(); ++k) {
+    QListWidgetItem* item = list_->item(k);
+    const bool in_use = names[k] == current_name();
+    item->setText(names[k]);
+    item->setData(name_role, names[k]);
+    item->setFlags(item->flags() | Qt::ItemIsEditable);
+    QFont font = list_->font();
+    font.setBold(in_use);
+    item->setFont(font);
+    if (in_use) list_->setCurrentItem(item);
+  }
+  is_changing_ = false;
+}
+
+}  // namespace brume

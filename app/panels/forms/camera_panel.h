@@ -1,0 +1,42 @@
+#pragma once
+
+#include "app/panels/forms/scene_form.h"
+
+class QAction;
+class QListWidget;
+class QVBoxLayout;
+
+namespace brume {
+
+struct Camera;
+
+// The scene's cameras by name, and place and lens of the one in use.
+class CameraPanel : public SceneForm {
+  Q_OBJECT
+ public:
+  // `view`: the camera of the perspective view.
+  CameraPanel(Document& document, std::function<Camera()> view, QWidget* parent);
+
+  // Adds a check box for what the view shows of the camera.
+  void add_toggle(QAction* action);
+
+ Q_SIGNALS:
+  void look_through_asked_for();
+
+ private:
+  QWidget* new_list();
+  QWidget* new_buttons();
+  void add_values(QFormLayout& form);
+  void add_focal_length(QFormLayout& form);
+  void add_focus(QFormLayout& form);
+  void set_camera(const Camera& camera, const FieldInfo& info, MergeId gesture);
+  void show_cameras();
+  [[nodiscard]] QString current_name() const;
+
+  std::function<Camera()> view_;
+  QListWidget* list_;
+  QVBoxLayout* toggles_ = nullptr;
+  bool is_changing_ = false;  // the list, by this panel or by a name that is being taken over
+};
+
+}  // namespace brume

@@ -1,0 +1,119 @@
+#include "app/panels/forms/environment_panel.h"
+
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+
+#include "app/commands/scene_part_command.h"
+#include "app/document/document.h"
+#include "app/document/paths.h"
+#include "app/files/file_dialogs.h"
+#include "app/panels/forms/environment_picture.h"
+#include "app/widgets/plain_text.h"
+#include "core/io/image/radiance_map_file.h"
+#include "core/scene/fields/environment_fields.h"
+
+namespace brume {
+namespace {
+
+constexpr int picture_width = 180;
+
+}  // namespace
+
+EnvironmentPanel::EnvironmentPanel(Document& document, QWidget* parent)
+    : SceneForm(document, parent) {
+  auto* form = new QFormLayout(this);
+  form->setContentsMargins(0, 0, 0, 0);
+  add_file(*form);
+  const Fields<Environment> values{
+      .prefix = "environment_",
+      .get =
+          [this] {
+            const auto& environment = document_.scene().environment;
+            return environment ? &*environment : nullptr;
+          },
+      .set =
+          [this](const Environment& environment, const FieldInfo& info, MergeId gesture) {
+            set_scene_part(document_, std::optional(environment),
+                           tr("Set %1 of environment").arg(field_label(info).toLower()), gesture);
+          },
+      .track = [](const Scene& scene,
+                  const FieldInfo& info) { return environment_track(scene, info.name); }};
+  visit_fields<Environment>([&](const auto& field) { add_field(*form, field, values); });
+  connect(&document_, &Document::scene_replaced, &reading_, &BackgroundJob::cancel);
+  connect(&reading_, &BackgroundJob::failed, this, [this](const QString& problem) {
+    show_picture();
+    Q_EMIT refused(problem);
+  });
+  refresh();
+}
+
+void EnvironmentPanel::add_file(QFormLayout& form) {
+  auto* name = new PlainLabel(this);
+  name->setObjectName("environment_file");
+  auto* choose = new QPushButton(tr("Choose…"), this);
+  auto* remove = new QPushButton(tr("Remove"), this);
+  remove->setObjectName("remove_environment");
+  auto* row = new QHBoxLayout;
+  row->addWidget(name, 1);
+  row->addWidget(choose);
+  row->addWidget(remove);
+  form.addRow(tr("Environment"), row);
+  picture_ = new PlainLabel(this);
+  picture_->setObjectName("environment_picture");
+  picture_->setToolTip(tr("The environment as rotated: −z in the centre, +x to the right"));
+  form.addRow({}, picture_);
+  connect(choose, &QPushButton::clicked, this, &EnvironmentPanel::choose);
+  connect(remove, &QPushButton::clicked, this, [this] {
+    set_scene_part(document_, std::optional<Environment>(), tr("Remove environment"));
+  });
+  on_refresh([this, name, remove] {
+    const auto& environment = document_.scene().environment;
+    name->setText(environment ? to_qstring(environment->file.filename()) : tr("none"));
+    remove->setEnabled(environment.has_value());
+    // Thousands of directions: not for each drag of a light.
+    if (environment != pictured_) {
+      pictured_ = environment;
+      show_picture();
+    }
+  });
+}
+
+void EnvironmentPanel::choose() {
+  const std::filesystem::path file =
+      ask_for_file(this, FileKind::environment, tr("Choose an environment"),
+                   tr("Radiance maps (*.exr *.hdr);;All files (*)"), document_.folder());
+  if (!file.empty()) load(to_qstring(file));
+}
+
+void EnvironmentPanel::load(const QString& file) {
+  const std::filesystem::path path = std::filesystem::absolute(to_path(file));
+  picture_->setText(tr("Reading %1 …").arg(to_qstring(path.filename())));
+  reading_.start([this, path](const Job&) {
+    std::vector<std::string> warnings;
+    const auto map = read_radiance_map(path, &warnings);
+    return [this, path, map, warnings] {
+      for (const std::string& warning : warnings) Q_EMIT refused(QString::fromStdString(warning));
+      Environment environment = document_.scene().environment.value_or(Environment{});
+      environment.file = path;
+      environment.map = map;
+      set_scene_part(document_, std::optional(std::move(environment)), tr("Set environment"));
+    };
+  });
+}
+
+void EnvironmentPanel::show_picture() {
+  const auto& environment = document_.scene().environment;
+  if (environment && environment->map) {
+    const double scale = devicePixelRatioF();
+    QImage image = environment_picture(*environment, static_cast<int>(scale * picture_width),
+                                       static_cast<int>(scale * picture_width / 2));
+    image.setDevicePixelRatio(scale);
+    picture_->setPixmap(QPixmap::fromImage(image));
+  } else {
+    picture_->clear();
+  }
+}
+
+}  // namespace brume

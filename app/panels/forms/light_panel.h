@@ -1,0 +1,53 @@
+#pragma once
+
+#include <filesystem>
+
+#include "app/commands/edit_lights.h"
+#include "app/jobs/background_job.h"
+#include "app/panels/forms/scene_form.h"
+#include "brume/scene.h"
+
+class QLabel;
+class QListWidget;
+
+namespace brume {
+
+class View;
+
+// List of lights, parameters of the active one, and below them the environment.
+class LightPanel : public SceneForm {
+  Q_OBJECT
+ public:
+  // `active_view`: where lights are added.
+  LightPanel(Document& document, std::function<const View&()> active_view, QWidget* parent);
+
+  // Adds a light above what the active view looks at.
+  void add(LightType type);
+
+  // Gives the active light, a point light or a spot, a photometric profile; read in the background.
+  void load_profile(const std::filesystem::path& file);
+
+ private:
+  void add_light_list(QFormLayout& form);
+  void add_light_fields(QFormLayout& form);
+  void add_photometric_fields(QFormLayout& form);
+  void add_type_field(QFormLayout& form);
+  void add_direction_fields(QFormLayout& form);
+  void add_area_fields(QFormLayout& form);
+  void add_profile_fields(QFormLayout& form);
+  void show_lights();
+  [[nodiscard]] LightPlace place() const;
+  void show_last();
+  [[nodiscard]] const Light* light() const;  // the active one; may be null
+
+  [[nodiscard]] const SpotCone* cone() const;         // of the active spot; may be null
+  [[nodiscard]] const AreaLight* area() const;        // of the active area light; may be null
+  [[nodiscard]] const LightProfile* profile() const;  // of the active light; may be null
+
+  std::function<const View&()> active_view_;
+  QListWidget* list_;
+  bool showing_ = false;
+  BackgroundJob reading_{BackgroundJob::Policy::latest_wins};
+};
+
+}  // namespace brume

@@ -1,0 +1,231 @@
+#include "app/panels/forms/material_panel.h"
+
+#include <QComboBox>
+#include <QFormLayout>
+#include <algorithm>
+
+#include "app/commands/edit_surfaces.h"
+#include "app/document/document.h"
+#include "app/document/euler_angles.h"
+#include "app/files/file_dialogs.h"
+#include "app/panels/forms/metallic_roughness_form.h"
+#include "core/io/merl_file.h"
+#include "core/number_domain.h"
+
+namespace brume {
+
+MaterialPanel::MaterialPanel(Document& document, QWidget* parent)
+    : SceneForm(document, parent),
+      surfaces_(new QComboBox(this)),
+      type_(new QComboBox(this)),
+      transfer_(new QComboBox(this)) {
+  surfaces_->setObjectName("surface");
+  type_->setObjectName("material_type");
+  type_->addItems({tr("Diffuse"), tr("Phong"), tr("Measured…"), tr("Metallic-roughness")});
+  transfer_->setObjectName("transfer");
+  transfer_->addItems({tr("None"), tr("Shadows"), tr("Shadows and interreflection")});
+  transfer_->setToolTip(
+      tr("Precomputed self-shadowing and interreflection within the object, of the environment and "
+         "of light scattered by fog"));
+  auto* form = new QFormLayout(this);
+  form->setContentsMargins(6, 6, 6, 6);
+  form->addRow(tr("Surface"), surfaces_);
+  connect(surfaces_, &QComboBox::currentIndexChanged, this, &MaterialPanel::refresh);
+  connect(type_, &QComboBox::activated, this, &MaterialPanel::choose_type);
+  on_refresh([this] {
+    const Surfaces& surfaces = document_.scene().surfaces;
+    const QSignalBlocker blocker(surfaces_);
+    const int index = surfaces_->currentIndex();
+    surfaces_->clear();
+    surfaces_->addItems(surface_names(surfaces));
+    surfaces_->setCurrentIndex(
+        std::clamp(index, std::min(0, surfaces_->count() - 1), surfaces_->count() - 1));
+    surfaces_->setEnabled(!surfaces.empty());
+    type_->setEnabled(material() != nullptr);
+    if (material()) type_->setCurrentIndex(static_cast<int>(material()->type));
+    transfer_->setEnabled(surface() != nullptr);
+    if (surface()) transfer_->setCurrentIndex(static_cast<int>(surface()->transfer));
+  });
+  connect(transfer_, &QComboBox::activated, this, [this](int index) {
+    change_shown(tr("Set radiance transfer of %1"), no_merge,
+                 [index](Surface& s) { s.transfer = static_cast<Surface::Transfer>(index); });
+  });
+  connect(&document_, &Document::object_changed, this, [this] {
+    const auto& object = document_.object();
+    if (object && object->kind == ObjectRef::Kind::surface) show_surface(object->index);
+  });
+  connect(&document_, &Document::scene_replaced, &reading_, &BackgroundJob::cancel);
+  connect(&reading_, &BackgroundJob::failed, this, &MaterialPanel::refused);
+  // After the list, which says what surface the fields are about.
+  add_placement_fields(*form);
+  form->addRow(tr("Material"), type_);
+  add_material_fields(*form);
+  transfer_->setToolTip(tr("Where light is scattered once; all orders shadow and reflect anyway"));
+  form->addRow(tr("Radiance transfer"), transfer_);
+  show_length_units(*this, {"surface_position", "surface_size"});
+  refresh();
+}
+
+void MaterialPanel::show_surface(std::size_t index) {
+  surfaces_->setCurrentIndex(static_cast<int>(index));
+}
+
+const Surface* MaterialPanel::surface() const {
+  const Surfaces& surfaces = document_.scene().surfaces;
+  const auto index = static_cast<std::size_t>(surfaces_->currentIndex());
+  return surfaces_->currentIndex() >= 0 && index < surfaces.size() ? &surfaces[index] : nullptr;
+}
+
+// An imported scene has its own.
+const Material* MaterialPanel::material() const {
+  return surface() && !surface()->imported ? &surface()->material : nullptr;
+}
+
+void MaterialPanel::change_shown(const QString& text, MergeId gesture,
+                                 const std::function<void(Surface&)>& how) {
+  if (!surface()) return;
+  change_surface(document_, static_cast<std::size_t>(surfaces_->currentIndex()), text, gesture,
+                 how);
+}
+
+void MaterialPanel::change(const QString& text, MergeId gesture,
+                           const std::function<void(Material&)>& how) {
+  change_shown(text, gesture, [&](Surface& s) { how(s.material); });
+}
+
+// As entered, while they give the surface's rotation: other angles may give it, too.
+glm::dvec3 MaterialPanel::angles() const {
+  return from_euler_angles(entered_angles_) == surface()->rotate
+             ? entered_angles_
+             : to_euler_angles(surface()->rotate);
+}
+
+void MaterialPanel::add_placement_fields(QFormLayout& form) {
+  add_vector(form, tr("Position"),
+             {"surface_position", domain::coordinate, 0.01,
+              [this]() -> std::optional<glm::dvec3> {
+                return surface() ? std::optional(surface()->translate) : std::nullopt;
+              },
+              [this](const glm::dvec3& position, MergeId gesture) {
+                change_shown(tr("Move %1"), gesture,
+                             [position](Surface& s) { s.translate = position; });
+              }});
+  add_vector(form, tr("Rotation"),
+             {"surface_rotation", domain::degrees, 0.5,
+              [this]() -> std::optional<glm::dvec3> {
+                return surface() ? std::optional(angles()) : std::nullopt;
+              },
+              [this](const glm::dvec3& degrees, MergeId gesture) {
+                entered_angles_ = degrees;
+                change_shown(tr("Rotate %1"), gesture,
+                             [degrees](Surface& s) { s.rotate = from_euler_angles(degrees); });
+              }});
+  add_vector(form, tr("Size"),
+             {"surface_size", domain::length, 0.01,
+              [this]() -> std::optional<glm::dvec3> {
+                return surface() && surface()->primitive ? std::optional(surface()->primitive->size)
+                                                         : std::nullopt;
+              },
+              [this](const glm::dvec3& size, MergeId gesture) {
+                change_shown(tr("Set size of %1"), gesture, [size](Surface& s) {
+                  s.primitive->size = size;
+                  s.mesh = mesh_of(*s.primitive);
+                });
+              }});
+  add_number(form, tr("Scale"),
+             {"surface_scale", domain::length, ValueField::Scale::logarithmic, 0.01,
+              [this]() -> std::optional<double> {
+                return surface() ? std::optional(surface()->scale) : std::nullopt;
+              },
+              [this](double scale, MergeId gesture) {
+                change_shown(tr("Scale %1"), gesture, [scale](Surface& s) { s.scale = scale; });
+              }});
+}
+
+void MaterialPanel::add_material_fields(QFormLayout& form) {
+  add_color(form, tr("Reflectance"),
+            {"reflectance",
+             [this]() -> std::optional<glm::dvec3> {
+               if (!material() || material()->type == Material::Type::measured ||
+                   material()->type == Material::Type::metallic_roughness) {
+                 return std::nullopt;
+               }
+               return material()->reflectance;
+             },
+             [this](const glm::dvec3& color, MergeId gesture) {
+               change(tr("Set reflectance of %1"), gesture,
+                      [color](Material& m) { m.reflectance = color; });
+             }});
+  add_color(form, tr("Specular"),
+            {"specular",
+             [this]() -> std::optional<glm::dvec3> {
+               if (!material() || material()->type != Material::Type::phong) return std::nullopt;
+               return material()->specular;
+             },
+             [this](const glm::dvec3& color, MergeId gesture) {
+               change(tr("Set specular reflectance of %1"), gesture,
+                      [color](Material& m) { m.specular = color; });
+             }});
+  add_number(form, tr("Exponent"),
+             {"exponent", domain::not_negative, ValueField::Scale::logarithmic, 0.01,
+              [this]() -> std::optional<double> {
+                if (!material() || material()->type != Material::Type::phong) return std::nullopt;
+                return material()->exponent;
+              },
+              [this](double value, MergeId gesture) {
+                change(tr("Set exponent of %1"), gesture,
+                       [value](Material& m) { m.exponent = value; });
+              }});
+  const auto shown = [this]() -> std::optional<std::size_t> {
+    if (!material() || material()->type != Material::Type::metallic_roughness) return std::nullopt;
+    return static_cast<std::size_t>(surfaces_->currentIndex());
+  };
+  const auto change_surface_at = [this](std::size_t index, const QString& verb, MergeId gesture,
+                                        const std::function<void(Surface&)>& how) {
+    change_surface(document_, index, verb, gesture, how);
+  };
+  auto* metallic_roughness = new MetallicRoughnessForm(document_, {shown, change_surface_at}, this);
+  connect(metallic_roughness, &MetallicRoughnessForm::refused, this, &MaterialPanel::refused);
+  on_refresh([metallic_roughness] { metallic_roughness->show_current(); });
+  form.addRow(metallic_roughness);
+}
+
+void MaterialPanel::choose_type(int index) {
+  const auto type = static_cast<Material::Type>(index);
+  if (type != Material::Type::measured) {
+    set_type(surfaces_->currentIndex(), type, {}, nullptr);
+    return;
+  }
+  const std::filesystem::path file =
+      ask_for_file(this, FileKind::material, tr("Choose a measured material"),
+                   tr("MERL materials (*.binary);;All files (*)"), document_.folder());
+  refresh();  // until it is read, the type is what it was
+  if (!file.empty()) load_measured(file);
+}
+
+void MaterialPanel::load_measured(const std::filesystem::path& file) {
+  reading_.start([this, file, index = surfaces_->currentIndex()](const Job&) {
+    return [this, file, index, measured = read_merl(file)] {
+      set_type(index, Material::Type::measured, file, measured);
+    };
+  });
+}
+
+void MaterialPanel::set_type(int index, Material::Type type, const std::filesystem::path& file,
+                             const std::shared_ptr<const MeasuredBrdf>& measured) {
+  change_surface(document_, static_cast<std::size_t>(index), tr("Set material of %1"), no_merge,
+                 [&](Surface& s) {
+                   if (type == Material::Type::metallic_roughness &&
+                       s.material.metallic_roughness == MetallicRoughness{}) {
+                     // What it looks like now, nearly, rather than glTF's white metal.
+                     s.material.metallic_roughness.base_color = s.material.reflectance;
+                     s.material.metallic_roughness.metallic = 0.0;
+                     s.material.metallic_roughness.roughness = 0.5;
+                   }
+                   s.material.type = type;
+                   s.material.file = file;
+                   s.material.measured = measured;
+                 });
+}
+
+}  // namespace brume

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "app/jobs/background_job.h"
+#include "app/panels/forms/scene_form.h"
+#include "brume/scene.h"
+
+class QComboBox;
+
+namespace brume {
+
+// Placement, material and radiance transfer of a surface.
+class MaterialPanel : public SceneForm {
+  Q_OBJECT
+ public:
+  MaterialPanel(Document& document, QWidget* parent);
+
+  void show_surface(std::size_t index);
+  // Loads a measured material in the background for the current surface.
+  void load_measured(const std::filesystem::path& file);
+
+ private:
+  void add_placement_fields(QFormLayout& form);
+  void add_material_fields(QFormLayout& form);
+  void choose_type(int type);
+  void set_type(int index, Material::Type type, const std::filesystem::path& file,
+                const std::shared_ptr<const MeasuredBrdf>& measured);
+  void change_shown(const QString& text, MergeId gesture, const std::function<void(Surface&)>& how);
+  void change(const QString& text, MergeId gesture, const std::function<void(Material&)>& how);
+  [[nodiscard]] const Surface* surface() const;    // the current one; may be null
+  [[nodiscard]] const Material* material() const;  // of the current surface
+
+  [[nodiscard]] glm::dvec3 angles() const;  // of its rotation [degrees]
+
+  glm::dvec3 entered_angles_{0.0};
+  QComboBox* surfaces_;
+  QComboBox* type_;
+  QComboBox* transfer_;
+  BackgroundJob reading_{BackgroundJob::Policy::latest_wins};
+};
+
+}  // namespace brume

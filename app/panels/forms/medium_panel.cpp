@@ -1,0 +1,161 @@
+#include "app/panels/forms/medium_panel.h"
+
+#include <QComboBox>
+#include <QFormLayout>
+#include <QMenu>
+#include <QPushButton>
+#include <QSettings>
+#include <array>
+#include <cmath>
+
+#include "app/commands/edit_medium.h"
+#include "app/commands/scene_part_command.h"
+#include "app/document/document.h"
+#include "core/number_domain.h"
+
+namespace brume {
+namespace {
+
+constexpr NumberDomain seed_domain{-9e15, 9e15, "an integer"};
+constexpr const char* scattering_key = "view/scattering";
+
+// What fog may be made of, in visible light. Drops of natural fog scatter more sharply forward,
+// g = 0.85 (Hess, Koepke, Schult: Optical Properties of Aerosols and Clouds, 1998): their fog shows
+// little but a glare around the lights. Those of thin fog are taken instead.
+struct MediumPreset {
+  const char* name;
+  const char* title;
+  glm::dvec3 albedo;
+  double anisotropy;
+};
+constexpr std::array medium_presets{
+    // Water haze L (Deirmendjian 1969; Garcia and Siewert 1985): g = 0.804. Water hardly absorbs.
+    MediumPreset{"water_fog", QT_TRANSLATE_NOOP("brume::MediumPanel", "Water fog"),
+                 glm::dvec3(0.999), 0.8},
+    // Mie theory for fresh drops, log-normal around a radius of 1 micrometre.
+    MediumPreset{"steam", QT_TRANSLATE_NOOP("brume::MediumPanel", "Steam"), glm::dvec3(1.0), 0.75},
+    // Desert dust over Solar Village (Dubovik et al. 2002): albedo 0.92 at 440 nm, 0.96 at 670 nm,
+    // g = 0.69 and 0.66; interpolated to red, green and blue.
+    MediumPreset{"dust", QT_TRANSLATE_NOOP("brume::MediumPanel", "Dust"),
+                 glm::dvec3(0.95, 0.94, 0.92), 0.68},
+    // Soot at 550 nm (Hess, Koepke, Schult 1998).
+    MediumPreset{"black_smoke", QT_TRANSLATE_NOOP("brume::MediumPanel", "Black smoke"),
+                 glm::dvec3(0.21), 0.34},
+};
+
+}  // namespace
+
+MediumPanel::MediumPanel(Document& document, Scattering scattering, QWidget* parent)
+    : SceneForm(document, parent), scattering_(new QComboBox(this)) {
+  using Scale = ValueField::Scale;
+  connect(&document_, &Document::medium_changed, this, &MediumPanel::refresh);
+  auto* form = new QFormLayout(this);
+  form->setContentsMargins(6, 6, 6, 6);
+  const auto change = [this](const QString& text, MergeId gesture, auto how) {
+    change_optics(text, gesture, how);
+  };
+  const auto optics = [this]() -> const MediumOptics& { return document_.scene().optics; };
+
+  add_number(*form, tr("Homogeneous density, 1/u"),
+             {"homogeneous_density", domain::density, Scale::logarithmic, 0.01,
+              [this] { return std::optional(document_.medium().homogeneous_density()); },
+              [this](double value, MergeId gesture) {
+                set_homogeneous_density(document_, value, gesture);
+              }});
+  form->addRow(tr("Preset"), new_presets());
+  add_vector(*form, tr("Albedo"),
+             {"albedo", domain::albedo, 0.005, [optics] { return std::optional(optics().albedo); },
+              [change](const glm::dvec3& value, MergeId gesture) {
+                change(tr("Set albedo"), gesture, [&](MediumOptics& o) { o.albedo = value; });
+              },
+              "RGB"});
+  add_number(*form, tr("Anisotropy g"),
+             {"anisotropy", domain::anisotropy, Scale::linear, 0.005,
+              [optics] { return std::optional(optics().anisotropy); },
+              [change](double value, MergeId gesture) {
+                change(tr("Set anisotropy"), gesture,
+                       [&](MediumOptics& o) { o.anisotropy = value; });
+              }});
+  fill_scattering(scattering);
+  form->addRow(tr("Scattering"), scattering_);
+  add_number(*form, tr("Noise amplitude"),
+             {"noise_amplitude", domain::not_negative, Scale::logarithmic, 0.01,
+              [optics] { return std::optional(optics().noise.amplitude); },
+              [change](double value, MergeId gesture) {
+                change(tr("Set amplitude of noise"), gesture,
+                       [&](MediumOptics& o) { o.noise.amplitude = value; });
+              }});
+  add_number(*form, tr("Noise frequency, 1/u"),
+             {"noise_frequency", domain::not_negative, Scale::logarithmic, 0.01,
+              [optics] { return std::optional(optics().noise.frequency); },
+              [change](double value, MergeId gesture) {
+                change(tr("Set frequency of noise"), gesture,
+                       [&](MediumOptics& o) { o.noise.frequency = value; });
+              }});
+  add_vector(*form, tr("Wind, u/s"),
+             {"noise_velocity", domain::coordinate, 0.01,
+              [optics] { return std::optional(optics().noise.velocity); },
+              [change](const glm::dvec3& value, MergeId gesture) {
+                change(tr("Set wind"), gesture, [&](MediumOptics& o) { o.noise.velocity = value; });
+              }});
+  add_number(*form, tr("Noise seed"),
+             {"noise_seed", seed_domain, Scale::linear, 1.0,
+              [optics] { return std::optional(static_cast<double>(optics().noise.seed)); },
+              [change](double value, MergeId gesture) {
+                change(tr("Set seed of noise"), gesture, [&](MediumOptics& o) {
+                  o.noise.seed = static_cast<std::int64_t>(std::round(value));
+                });
+              }});
+  refresh();
+}
+
+void MediumPanel::change_optics(const QString& text, MergeId gesture,
+                                const std::function<void(MediumOptics&)>& change) {
+  MediumOptics optics = document_.scene().optics;
+  change(optics);
+  set_scene_part(document_, std::move(optics), text, gesture);
+}
+
+QPushButton* MediumPanel::new_presets() {
+  auto* button = new QPushButton(tr("Choose…"), this);
+  button->setToolTip(tr("Sets albedo and anisotropy to those of a substance"));
+  auto* menu = new QMenu(button);
+  for (const MediumPreset& preset : medium_presets) {
+    QAction* action = menu->addAction(tr(preset.title));
+    action->setObjectName(QString("preset_") + preset.name);
+    connect(action, &QAction::triggered, this, [this, &preset] {
+      change_optics(tr("Set medium to %1").arg(tr(preset.title).toLower()), no_merge,
+                    [&](MediumOptics& optics) {
+                      optics.albedo = preset.albedo;
+                      optics.anisotropy = preset.anisotropy;
+                    });
+    });
+  }
+  button->setMenu(menu);
+  return button;
+}
+
+void MediumPanel::fill_scattering(Scattering scattering) {
+  scattering_->setObjectName("scattering");
+  scattering_->addItem(tr("Once"), static_cast<int>(Scattering::single));
+  scattering_->addItem(tr("All orders"), static_cast<int>(Scattering::multiple));
+  scattering_->setToolTip(tr(
+      "How often light is scattered in the fog before it reaches the eye. All orders: any number "
+      "of times, as in nature; dense fog is brighter. Once: faster. For all views and exports; "
+      "not part of the scene. Paper always scatters once, and paths all orders."));
+  const QString remembered = QSettings().value(scattering_key).toString();
+  for (const Scattering known : {Scattering::single, Scattering::multiple}) {
+    if (remembered == to_string(known)) scattering = known;
+  }
+  scattering_->setCurrentIndex(scattering_->findData(static_cast<int>(scattering)));
+  connect(scattering_, &QComboBox::activated, this, [this] {
+    QSettings().setValue(scattering_key, to_string(this->scattering()));
+    Q_EMIT scattering_changed(this->scattering());
+  });
+}
+
+Scattering MediumPanel::scattering() const {
+  return static_cast<Scattering>(scattering_->currentData().toInt());
+}
+
+}  // namespace brume

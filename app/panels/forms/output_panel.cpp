@@ -1,0 +1,359 @@
+#include "app/panels/forms/output_panel.h"
+
+#include <QAction>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QToolButton>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "app/commands/edit_output.h"
+#include "app/commands/scene_part_command.h"
+#include "app/document/document.h"
+#include "app/document/paths.h"
+#include "app/document/timeline.h"
+#include "app/files/file_dialogs.h"
+#include "app/files/numbered_file.h"
+#include "app/files/picture_format.h"
+#include "app/widgets/layer_boxes.h"
+#include "app/widgets/plain_text.h"
+#include "brume/limits.h"
+#include "core/io/disk/file_bytes.h"
+#include "core/number_domain.h"
+
+namespace brume {
+namespace {
+
+constexpr NumberDomain film_side{1, limits::film_side, "a whole number from 1 to 16384"};
+constexpr NumberDomain path_count{1, limits::paths, "a whole number from 1 to 1000000"};
+constexpr NumberDomain frame_number{0, limits::frame, "a whole number from 0 to 1000000"};
+constexpr int first_paths = 256;  // a noise of a few per cent in most scenes
+
+struct SizePreset {
+  const char* title;
+  Film film;
+};
+constexpr std::array size_presets{
+    SizePreset{QT_TRANSLATE_NOOP("brume::OutputPanel", "HD, 1280 × 720"), {1280, 720}},
+    SizePreset{QT_TRANSLATE_NOOP("brume::OutputPanel", "Full HD, 1920 × 1080"), {1920, 1080}},
+    SizePreset{QT_TRANSLATE_NOOP("brume::OutputPanel", "4K UHD, 3840 × 2160"), {3840, 2160}},
+    SizePreset{QT_TRANSLATE_NOOP("brume::OutputPanel", "Cinema 2K, 2048 × 858"), {2048, 858}},
+    SizePreset{QT_TRANSLATE_NOOP("brume::OutputPanel", "Square, 1080 × 1080"), {1080, 1080}},
+    SizePreset{QT_TRANSLATE_NOOP("brume::OutputPanel", "Upright, 1080 × 1920"), {1080, 1920}},
+    SizePreset{QT_TRANSLATE_NOOP("brume::OutputPanel", "4:3, 800 × 600"), {800, 600}},
+};
+
+int rounded_to_int(double value) {
+  return static_cast<int>(std::lround(value));
+}
+
+}  // namespace
+
+OutputPanel::OutputPanel(Document& document, const Timeline& timeline,
+                         std::function<double()> exposure, QAction* render,
+                         QAction* render_animation, QWidget* parent)
+    : SceneForm(document, parent), timeline_(timeline), exposure_(std::move(exposure)) {
+  auto* form = new QFormLayout(this);
+  form->setContentsMargins(6, 6, 6, 6);
+  add_buttons(*form, render, render_animation);
+  add_size(*form);
+  add_region(*form);
+  add_method(*form);
+  add_samples(*form);
+  add_shutter(*form);
+  add_frames(*form);
+  add_file(*form);
+  add_layers(*form);
+  add_exposure(*form);
+  connect(&timeline_, &Timeline::changed, this, &OutputPanel::refresh);
+  connect(&document_, &Document::file_changed, this, &OutputPanel::refresh);
+  refresh();
+}
+
+const Output& OutputPanel::output() const {
+  return document_.scene().output;
+}
+
+void OutputPanel::add_size(QFormLayout& form) {
+  auto* presets = new QComboBox(this);
+  presets->setObjectName("size_preset");
+  presets->setToolTip(tr("Usual sizes of pictures, in pixels"));
+  presets->addItem(tr("Custom"));
+  for (const SizePreset& preset : size_presets) presets->addItem(tr(preset.title));
+  form.addRow(tr("Size"), presets);
+  connect(presets, &QComboBox::activated, this, [this](int index) {
+    if (index > 0) set_film(document_, size_presets.at(static_cast<std::size_t>(index - 1)).film);
+  });
+  const auto film = [this]() -> const Film& { return document_.scene().film; };
+  add_number(form, tr("Width, px"),
+             {"film_width", film_side, ValueField::Scale::linear, 1.0,
+              [film] { return std::optional<double>(film().width); },
+              [this](double value, MergeId gesture) { set_side(true, value, gesture); }})
+      ->setToolTip(tr("Of the rendered picture, in pixels"));
+  add_number(form, tr("Height, px"),
+             {"film_height", film_side, ValueField::Scale::linear, 1.0,
+              [film] { return std::optional<double>(film().height); },
+              [this](double value, MergeId gesture) { set_side(false, value, gesture); }})
+      ->setToolTip(tr("Of the rendered picture, in pixels"));
+  auto* lock = new QCheckBox(tr("Lock aspect ratio"), this);
+  lock->setObjectName("lock_aspect");
+  lock->setToolTip(tr("Width and height change together"));
+  connect(lock, &QCheckBox::toggled, this, [this, film](bool on) {
+    locks_aspect_ = on;
+    aspect_ = static_cast<double>(film().width) / film().height;
+  });
+  form.addRow({}, lock);
+  on_refresh([this, presets, film] {
+    // Steps of whole pixels do not change the ratio that is locked.
+    if (std::abs(film().width - aspect_ * film().height) > std::max(1.0, aspect_)) {
+      aspect_ = static_cast<double>(film().width) / film().height;
+    }
+    const auto* found = std::ranges::find(size_presets, film(), &SizePreset::film);
+    presets->setCurrentIndex(
+        found == size_presets.end() ? 0 : static_cast<int>(found - size_presets.begin()) + 1);
+  });
+}
+
+void OutputPanel::set_side(bool is_width, double pixels, MergeId gesture) {
+  Film film = document_.scene().film;
+  (is_width ? film.width : film.height) = rounded_to_int(pixels);
+  if (locks_aspect_) {
+    int& other = is_width ? film.height : film.width;
+    const double wanted = is_width ? film.width / aspect_ : film.height * aspect_;
+    other = std::clamp(rounded_to_int(wanted), 1, limits::film_side);
+  }
+  set_film(document_, film, gesture);
+}
+
+void OutputPanel::add_region(QFormLayout& form) {
+  region_ = new QWidget(this);
+  auto* row = new QHBoxLayout(region_);
+  row->setContentsMargins(0, 0, 0, 0);
+  auto* text = new PlainLabel(region_);
+  text->setObjectName("region_text");
+  auto* clear = new QPushButton(tr("Whole Picture"), region_);
+  clear->setObjectName("clear_region");
+  clear->setToolTip(tr("Renders the whole picture again, not only the region"));
+  row->addWidget(text, 1);
+  row->addWidget(clear);
+  connect(clear, &QPushButton::clicked, this, &OutputPanel::clear_region_asked_for);
+  form.addRow(region_);
+  region_->hide();
+}
+
+void OutputPanel::show_region(const QString& text) {
+  region_->findChild<QLabel*>("region_text")->setText(text);
+  region_->setVisible(!text.isEmpty());
+}
+
+void OutputPanel::add_method(QFormLayout& form) {
+  auto* method = new QComboBox(this);
+  method->setObjectName("output_method");
+  method->addItem(tr("As in the view"));
+  method->addItem(tr("Path traced"));
+  method->setToolTip(
+      tr("As in the view: by View > Airlight, soon done. Path traced: all light, scattered and "
+         "reflected any number of times, with noise that four times the paths halve"));
+  form.addRow(tr("Method"), method);
+  const auto set_paths = [this](std::optional<int> paths, MergeId gesture = no_merge) {
+    change_output(document_, tr("Set method of rendering"), gesture,
+                  [paths](Output& output) { output.paths = paths; });
+  };
+  connect(method, &QComboBox::activated, this, [this, set_paths](int index) {
+    if (output().paths.has_value() != (index == 1)) {
+      set_paths(index == 1 ? std::optional(first_paths) : std::nullopt);
+    }
+  });
+  add_number(
+      form, tr("Paths per pixel"),
+      {"output_paths", path_count, ValueField::Scale::logarithmic, 0.02,
+       [this]() -> std::optional<double> {
+         return output().paths ? std::optional<double>(*output().paths) : std::nullopt;
+       },
+       [set_paths](double value, MergeId gesture) { set_paths(rounded_to_int(value), gesture); }})
+      ->setToolTip(tr("Samples of each pixel: four times as many halve the noise and take four "
+                      "times as long"));
+  on_refresh([this, method] { method->setCurrentIndex(output().paths ? 1 : 0); });
+}
+
+void OutputPanel::add_frames(QFormLayout& form) {
+  const auto now = [this] {
+    return Playback{timeline_.first(), timeline_.last(), timeline_.loops(),
+                    timeline_.frames_per_second()};
+  };
+  add_number(form, tr("First frame"),
+             {"output_first", frame_number, ValueField::Scale::linear, 0.25,
+              [this] { return std::optional<double>(timeline_.first()); },
+              [this, now](double value, MergeId) {
+                Playback playback = now();
+                playback.first = rounded_to_int(value);
+                playback.last = std::max(playback.first, playback.last);
+                set_playback(playback);
+              }})
+      ->setToolTip(tr("Of the animation; the same as in the timeline"));
+  add_number(form, tr("Last frame"),
+             {"output_last", frame_number, ValueField::Scale::linear, 0.25,
+              [this] { return std::optional<double>(timeline_.last()); },
+              [this, now](double value, MergeId) {
+                Playback playback = now();
+                playback.last = rounded_to_int(value);
+                playback.first = std::min(playback.first, playback.last);
+                set_playback(playback);
+              }})
+      ->setToolTip(tr("Of the animation; the same as in the timeline"));
+  add_number(form, tr("Frames per second"),
+             {"output_rate", domain::frame_rate, ValueField::Scale::linear, 0.25,
+              [this] { return std::optional(timeline_.frames_per_second()); },
+              [this, now](double value, MergeId) {
+                Playback playback = now();
+                playback.frames_per_second = value;
+                set_playback(playback);
+              }})
+      ->setToolTip(tr("Of the timeline and of videos. Keyframes keep their times in seconds"));
+}
+
+void OutputPanel::set_playback(const Playback& playback) {
+  set_scene_part(document_, std::optional(playback), tr("Set playback range"));
+}
+
+void OutputPanel::add_file(QFormLayout& form) {
+  auto* file = new QLineEdit(this);
+  file->setObjectName("output_file");
+  file->setPlaceholderText(tr("none: into the picture viewer only"));
+  auto* choose = new QToolButton(this);
+  choose->setText("…");
+  choose->setToolTip(tr("Choose a file"));
+  auto* row = new QHBoxLayout;
+  row->addWidget(file, 1);
+  row->addWidget(choose);
+  form.addRow(tr("File"), row);
+  auto* format = new QComboBox(this);
+  format->setObjectName("output_format");
+  format->addItem(tr("PNG picture"), ".png");
+  format->addItem(tr("EXR with layers"), ".exr");
+  format->addItem(tr("Deep EXR, for holdouts"), ".deep.exr");
+  format->addItem(tr("MP4 video"), ".mp4");
+  format->setToolTip(
+      tr("PNG: ready to show. EXR: linear light in 32-bit floats, with layers, for compositing. "
+         "MP4: a video of all frames, by the program ffmpeg"));
+  form.addRow(tr("Format"), format);
+  auto* names = new PlainLabel(this);
+  names->setObjectName("output_names");
+  names->setWordWrap(true);
+  form.addRow({}, names);
+  connect(choose, &QToolButton::clicked, this, &OutputPanel::browse);
+  connect(file, &QLineEdit::editingFinished, this, [this, file, format] {
+    if (!file->isModified()) return;
+    file->setModified(false);
+    const QString text = file->text().trimmed();
+    if (text.isEmpty()) return set_file({});
+    std::filesystem::path path = to_path(document_.folder()) / to_path(text);
+    if (path.extension().empty()) path += format->currentData().toString().toStdString();
+    set_file(std::move(path));
+  });
+  connect(format, &QComboBox::activated, this, [this, format] {
+    if (output().file.empty()) return;
+    set_file(with_picture_format(output().file, format->currentData().toString().toStdString()));
+  });
+  on_refresh([this, file, format, names] {
+    const std::filesystem::path& path = output().file;
+    const std::filesystem::path folder = to_path(document_.folder());
+    const std::filesystem::path relative = path.lexically_relative(folder);
+    const bool is_inside = !relative.empty() && *relative.begin() != "..";
+    if (!file->hasFocus() || !file->isModified()) {
+      file->setText(to_qstring(is_inside ? relative : path));
+    }
+    file->setToolTip(plain_tool_tip(
+        path.empty() ? tr("Where pictures are written; frames of an animation get numbers. Without "
+                          "a file, they are only shown")
+                     : to_qstring(path)));
+    const int index = format->findData(QString::fromStdString(picture_format(path)));
+    if (index >= 0) format->setCurrentIndex(index);
+    const auto name = [&](int frame) { return to_qstring(numbered_file(path, frame).filename()); };
+    const bool is_video = lower_case_extension(path) == ".mp4";
+    names->setVisible(!path.empty());
+    names->setText(
+        is_video ? tr("Frames %1 to %2").arg(timeline_.first()).arg(timeline_.last())
+                 : tr("Animation: %1 to %2").arg(name(timeline_.first()), name(timeline_.last())));
+  });
+}
+
+void OutputPanel::set_file(std::filesystem::path file) {
+  const std::string extension = lower_case_extension(file);
+  if (!file.empty() && extension != ".png" && extension != ".exr" && extension != ".mp4") {
+    Q_EMIT refused(tr("Pictures are written as .png or .exr, videos as .mp4."));
+    return refresh();
+  }
+  file = file.lexically_normal();
+  change_output(document_, tr("Set file of output"), no_merge,
+                [&](Output& output) { output.file = file; });
+  refresh();
+}
+
+void OutputPanel::browse() {
+  const QString start = output().file.empty()
+                            ? last_folder(FileKind::picture, document_.folder()) + "/render.png"
+                            : to_qstring(output().file);
+  const QString name = QFileDialog::getSaveFileName(
+      this, tr("Output file"), start, tr("Pictures and videos (*.png *.exr *.mp4);;All files (*)"),
+      nullptr, QFileDialog::DontConfirmOverwrite);
+  if (name.isEmpty()) return;
+  remember_folder(FileKind::picture, to_path(name));
+  set_file(to_path(name));
+}
+
+void OutputPanel::add_layers(QFormLayout& form) {
+  auto* layers = new LayerBoxes(this, [this](bool OutputLayers::*layer, bool on) {
+    change_output(document_, tr("Set layers of output"), no_merge,
+                  [=](Output& output) { output.layers.*layer = on; });
+  });
+  on_refresh([this, layers] { layers->set_layers(output().layers); });
+  form.addRow(tr("Layers"), layers);
+  on_refresh([this, layers] {
+    layers->setEnabled(picture_format(output().file) == ".exr");
+    layers->setToolTip(layers->isEnabled() ? QString() : tr("Only flat EXR files have layers"));
+  });
+}
+
+void OutputPanel::add_exposure(QFormLayout& form) {
+  auto* from_view = new QCheckBox(tr("Exposure as in the view"), this);
+  from_view->setObjectName("exposure_of_view");
+  from_view->setToolTip(
+      tr("Pictures are as bright as the view (+ and -). EXR files are never changed"));
+  form.addRow({}, from_view);
+  const auto set = [this](std::optional<double> stops, MergeId gesture = no_merge) {
+    change_output(document_, tr("Set exposure of output"), gesture,
+                  [stops](Output& output) { output.exposure = stops; });
+  };
+  connect(from_view, &QCheckBox::clicked, this, [this, set](bool on) {
+    set(on ? std::nullopt : std::optional(std::clamp(exposure_(), -60.0, 60.0)));
+  });
+  add_number(form, tr("Exposure, stops"),
+             {"output_exposure", domain::stops, ValueField::Scale::linear, 0.02,
+              [this] { return output().exposure; },
+              [set](double value, MergeId gesture) { set(value, gesture); }})
+      ->setToolTip(tr("One stop more is twice as bright. Of PNG and MP4; shown by Khronos PBR "
+                      "Neutral in sRGB"));
+  on_refresh([this, from_view] { from_view->setChecked(!output().exposure); });
+}
+
+void OutputPanel::add_buttons(QFormLayout& form, QAction* render, QAction* render_animation) {
+  auto* row = new QHBoxLayout;
+  for (QAction* action : {render, render_animation}) {
+    auto* button = new QPushButton(action->text().remove('&'), this);
+    button->setObjectName(action->objectName() + "_button");
+    button->setToolTip(action->toolTip());
+    connect(button, &QPushButton::clicked, action, &QAction::trigger);
+    row->addWidget(button);
+  }
+  form.addRow(row);
+}
+
+}  // namespace brume

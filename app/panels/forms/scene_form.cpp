@@ -1,0 +1,110 @@
+#include "app/panels/forms/scene_form.h"
+
+#include <QCoreApplication>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+
+#include "app/document/document.h"
+#include "app/panels/forms/key_button.h"
+#include "app/widgets/color_button.h"
+
+namespace brume {
+
+SceneForm::SceneForm(Document& document, QWidget* parent) : QWidget(parent), document_(document) {
+  connect(&document_, &Document::scene_replaced, this, &SceneForm::refresh);
+  connect(&document_, &Document::part_changed, this, &SceneForm::refresh);
+}
+
+void SceneForm::refresh() {
+  for (const auto& update : updates_) update();
+}
+
+ValueField* SceneForm::new_field(const Number& number, const QString& title) {
+  auto* field = new ValueField(title, number.domain, number.scale, number.step, this);
+  field->setObjectName(number.name);
+  connect(field, &ValueField::edited, this, number.set);
+  connect(field, &ValueField::refused, this, &SceneForm::refused);
+  on_refresh([field, get = number.get] {
+    const std::optional<double> value = get();
+    field->setEnabled(value.has_value());
+    field->show_value(value);
+  });
+  return field;
+}
+
+KeyButton* SceneForm::new_key_button(const QString& name,
+                                     std::function<Track(const Scene&)> track) {
+  auto* button = new KeyButton(document_, std::move(track), this);
+  button->setObjectName(name + "_key");
+  return button;
+}
+
+void SceneForm::finish_field(const FieldInfo& info, const QString& name, QLabel& title) {
+  title.setToolTip(QString(info.says).remove('`'));
+  if (QString(info.unit) == "u") show_length_units(*this, {name.toUtf8().constData()});
+}
+
+void SceneForm::add_keys(QHBoxLayout& row, KeyButton* keys, std::function<bool()> is_there) {
+  if (keys == nullptr) return;
+  row.addWidget(keys);
+  on_refresh([keys, is_there = std::move(is_there)] {
+    keys->setEnabled(is_there());
+    if (keys->isEnabled()) keys->refresh();
+  });
+}
+
+QLabel* SceneForm::add_number(QFormLayout& form, const QString& title, const Number& number,
+                              KeyButton* keys) {
+  ValueField* field = new_field(number, title);
+  QLabel* label = field->detach_title();
+  label->setObjectName(number.name + "_title");
+  auto* row = new QHBoxLayout;
+  row->addWidget(field);
+  add_keys(*row, keys, [get = number.get] { return get().has_value(); });
+  form.addRow(label, row);
+  return label;
+}
+
+QLabel* SceneForm::add_vector(QFormLayout& form, const QString& title, const Vector& vector,
+                              KeyButton* keys) {
+  auto* row = new QHBoxLayout;
+  for (int k = 0; k < 3; ++k) {
+    const auto get = [vector, k]() -> std::optional<double> {
+      const std::optional<glm::dvec3> value = vector.get();
+      return value ? std::optional((*value)[k]) : std::nullopt;
+    };
+    const auto set = [vector, k](double number, MergeId gesture) {
+      glm::dvec3 value = vector.get().value_or(glm::dvec3(0.0));
+      value[k] = number;
+      vector.set(value, gesture);
+    };
+    auto* field =
+        new_field({vector.name, vector.domain, ValueField::Scale::linear, vector.step, get, set},
+                  QString(vector.parts).at(k));
+    field->setObjectName(QString("%1_%2").arg(vector.name).arg(QString("xyz").at(k)));
+    row->addWidget(field);
+  }
+  add_keys(*row, keys, [get = vector.get] { return get().has_value(); });
+  auto* label = new QLabel(title, this);
+  form.addRow(label, row);
+  return label;
+}
+
+void SceneForm::add_color(QFormLayout& form, const QString& title, const Color& color) {
+  auto* button = new ColorButton(this);
+  button->setObjectName(color.name);
+  connect(button, &ColorButton::edited, this, color.set);
+  on_refresh([button, get = color.get] {
+    const std::optional<glm::dvec3> value = get();
+    button->setEnabled(value.has_value());
+    button->show_color(value.value_or(glm::dvec3(0.0)));
+  });
+  form.addRow(title, button);
+}
+
+QString field_label(const FieldInfo& info) {
+  return QCoreApplication::translate("Fields", info.label);
+}
+
+}  // namespace brume

@@ -1,0 +1,109 @@
+#pragma once
+
+#include <QWidget>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "app/commands/merge_id.h"
+#include "app/document/keyframe_curves.h"
+#include "app/panels/time/curve_axes.h"
+#include "app/panels/time/curve_marks.h"
+#include "app/widgets/mouse_drag.h"
+
+namespace brume {
+
+class Document;
+class Timeline;
+
+// The curves of a track: its numbers over time, with their keys as points. Click selects a key,
+// Shift adds to the selection, a drag elsewhere draws a rectangle around more. Selected keys are
+// dragged together in time and value and show their tangents, whose ends are dragged too (Alt: one
+// side alone). Delete deletes; right click opens a menu; double click adds a key. Dragging along
+// the ruler or the playhead scrubs the timeline. The wheel zooms (Shift: time only, Ctrl: value
+// only), the middle button pans, Home fits, Ctrl+A selects all.
+class CurveEditor : public QWidget {
+  Q_OBJECT
+ public:
+  CurveEditor(Timeline& timeline, Document& document, QWidget* parent);
+
+  // Shows a track; none: says how to make one.
+  void set_track(const std::optional<Track>& row);
+  void fit();
+
+  [[nodiscard]] const std::vector<Curve>& curves() const { return curves_; }
+  [[nodiscard]] const CurveSelection& selection() const { return selection_; }
+  [[nodiscard]] QPointF position(double time, double value) const {
+    return axes_.position(time, value);
+  }
+  [[nodiscard]] std::vector<TangentHandle> handles() const {
+    return tangent_handles(curves_, selection_, axes_);
+  }
+  [[nodiscard]] QSize sizeHint() const override { return {400, 180}; }
+  [[nodiscard]] QSize minimumSizeHint() const override { return {160, 80}; }
+
+ protected:
+  bool event(QEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void contextMenuEvent(QContextMenuEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  // What the mouse does while a button is down.
+  struct KeysDrag {
+    ScenePart before;
+    std::vector<CurveMark> marks;  // where they were
+    std::vector<double> values;
+    CurveMark grabbed;
+    QPointF press;
+    MergeId gesture;
+  };
+  struct TangentDrag {
+    ScenePart before;
+    CurveMark mark;
+    double value;  // of the key
+    TangentSide side;
+    MergeId gesture;
+  };
+  struct RectangleDrag {
+    QPointF press;
+    QPointF now;
+    std::vector<CurveMark> kept;  // selected besides
+  };
+  struct Scrub {};
+  struct Pan {
+    QPointF last;
+  };
+
+  void refresh();
+  void press_left(const QPointF& at, bool adds);
+  void press_key(const CurveMark& mark, const QPointF& at, bool adds);
+  void drag_keys(KeysDrag& drag, const QPointF& to);
+  void drag_tangent(const TangentDrag& drag, const QPointF& to, bool alone);
+  void drag_rectangle(RectangleDrag& drag, const QPointF& to);
+  [[nodiscard]] double on_frame(double time) const;  // but for rounding
+  [[nodiscard]] int frame_near(double x) const;      // >= 0
+  [[nodiscard]] double value_of(const CurveMark& mark) const;
+  void paint_curve(QPainter& painter, std::size_t k) const;
+  void paint_handles(QPainter& painter) const;
+  void cancel_drag();
+  void delete_selected();
+  void level(double value);  // sets that value in all selected keys
+
+  Timeline& timeline_;
+  Document& document_;
+  std::optional<Track> row_;
+  std::vector<Curve> curves_;
+  CurveAxes axes_;
+  CurveSelection selection_;
+  std::variant<std::monostate, KeysDrag, TangentDrag, RectangleDrag, Scrub, Pan> drag_;
+  MouseDrag mouse_{this};
+};
+
+}  // namespace brume

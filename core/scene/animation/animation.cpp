@@ -1,0 +1,66 @@
+#include "core/scene/animation/animation.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+#include "brume/keys.h"
+#include "core/scene/animation/keys_in_domain.h"
+
+namespace brume {
+namespace {
+
+void visit_all(auto& scene, double& homogeneous_density, auto&& visit) {
+  visit_keyed(scene.camera, scene.camera_keys, visit);
+  visit_keyed_density(homogeneous_density, scene.density_keys, visit);
+  visit_keyed(scene.optics, visit);
+  visit_keyed(scene.optics.noise, visit);
+  for (auto& group : scene.groups) visit_keyed(group, visit);
+  for (auto& emitter : scene.emitters) visit_keyed(emitter, visit);
+  for (auto& light : scene.lights) visit_keyed_light(light, visit);
+  if (scene.environment) visit_keyed(*scene.environment, visit);
+  for (auto& surface : scene.surfaces) visit_keyed_surface(surface, visit);
+}
+
+}  // namespace
+
+bool has_keys(const Scene& scene) {
+  bool found = false;
+  double unused = 0.0;
+  visit_all(scene, unused,
+            [&found](const char*, const auto&, const auto& keys, const NumberDomain&) {
+              found = found || !keys.empty();
+            });
+  return found;
+}
+
+double last_key_time(const Scene& scene) {
+  double last = 0.0;
+  double unused = 0.0;
+  visit_all(scene, unused,
+            [&last](const char*, const auto&, const auto& keys, const NumberDomain&) {
+              if (!keys.empty()) last = std::max(last, keys.back().time);
+            });
+  return last;
+}
+
+void apply_keys(Scene& scene, double time) {
+  double homogeneous_density = scene.medium.homogeneous_density();
+  visit_all(scene, homogeneous_density,
+            [time](const char*, auto& value, const auto& keys, const NumberDomain& domain) {
+              if (!keys.empty()) value = value_at(keys, time, domain);
+            });
+  scene.medium.set_homogeneous_density(homogeneous_density);
+  Camera& camera = scene.camera;
+  if (!(glm::length(camera.target - camera.eye) > 0.0)) {
+    // So far that it is another point, however far out both are.
+    camera.target.z -= 1.0 + 1e-6 * glm::length(camera.eye);
+  }
+}
+
+void clear_keys(Scene& scene) {
+  double unused = 0.0;
+  visit_all(scene, unused,
+            [](const char*, auto&, auto& keys, const NumberDomain&) { keys.clear(); });
+}
+
+}  // namespace brume

@@ -1,0 +1,138 @@
+#include "core/scene/lights/light_falloff.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "core/math/basis.h"
+#include "core/math/infinity.h"
+#include "core/math/unit_direction.h"
+#include "core/scene/lights/photometric_profile.h"
+
+namespace brume {
+namespace {
+
+// Keeps the edge finite where the angles are equal. (glTF's 1e-3 would take light from the axis of
+// cones narrower than 2.6 degrees.)
+constexpr double min_cosine_difference = 1e-9;
+
+// A cone that ends here is full in all directions.
+constexpr double beyond_all_versines = 4.0;
+
+// cos(a) - cos(b), of angles in degrees, without cancellation.
+double cosine_difference(double a, double b) {
+  return 2.0 * std::sin(glm::radians(0.5 * (b + a))) * std::sin(glm::radians(0.5 * (b - a)));
+}
+
+// The shortest turn from straight down to a unit direction; to straight up about x.
+glm::dquat turn_from_down(const glm::dvec3& direction) {
+  // Of half the turn; its length is 2 cos(half).
+  const double w = 1.0 - direction.y;
+  if (w < 1e-12) return {0.0, 1.0, 0.0, 0.0};
+  const glm::dvec3 axis = glm::cross(glm::dvec3(0.0, -1.0, 0.0), direction);
+  return glm::normalize(glm::dquat(w, axis.x, axis.y, axis.z));
+}
+
+}  // namespace
+
+LightFalloff::LightFalloff(const SpotCone& cone) : shape_(Shape::cone) {
+  axis_ = unit_direction(cone.direction, {0.0, -1.0, 0.0});
+  dark_versine_ = cosine_difference(0.0, cone.outer_angle);
+  per_versine_ =
+      1.0 / std::max(cosine_difference(cone.inner_angle, cone.outer_angle), min_cosine_difference);
+  const auto [u, v] = make_basis(axis_);
+  azimuth_0_ = u;
+  azimuth_90_ = v;
+}
+
+LightFalloff LightFalloff::of_surface(const glm::dvec3& normal, bool two_sided) {
+  LightFalloff falloff;
+  falloff.axis_ = normal;
+  falloff.shape_ = two_sided ? Shape::two_cosines : Shape::cosine;
+  return falloff;
+}
+
+LightFalloff LightFalloff::of_profile(const LightProfile& profile,
+                                      const std::optional<SpotCone>& cone) {
+  LightFalloff falloff;
+  if (cone) {
+    falloff = LightFalloff(*cone);
+  } else {
+    falloff.axis_ = {0.0, -1.0, 0.0};
+    falloff.dark_versine_ = beyond_all_versines;
+    falloff.per_versine_ = 1.0;
+  }
+  falloff.shape_ = Shape::profile;
+  falloff.profile_ = profile.content;
+  const double turn = glm::radians(profile.rotation);
+  const glm::dquat pose = turn_from_down(falloff.axis_);
+  falloff.azimuth_0_ = pose * glm::dvec3(std::cos(turn), 0.0, -std::sin(turn));
+  falloff.azimuth_90_ = pose * glm::dvec3(-std::sin(turn), 0.0, -std::cos(turn));
+  return falloff;
+}
+
+double LightFalloff::versine(const glm::dvec3& w) const {
+  const glm::dvec3 chord = w - axis_;
+  return 0.5 * glm::dot(chord, chord);
+}
+
+double LightFalloff::at(const glm::dvec3& w) const {
+  const double cosine = glm::dot(w, axis_);
+  const auto in_cone = [&] {
+    const double share = std::clamp((dark_versine_ - versine(w)) * per_versine_, 0.0, 1.0);
+    return share * share;
+  };
+  switch (shape_) {
+    case Shape::isotropic:
+      return 1.0;
+    case Shape::cone:
+      return in_cone();
+    case Shape::cosine:
+      return std::clamp(cosine, 0.0, 1.0);
+    case Shape::two_cosines:
+      return std::min(std::abs(cosine), 1.0);
+    case Shape::profile: {
+      const double share = in_cone();
+      if (!(share > 0.0)) return 0.0;
+      return share * profile_->at({glm::dot(w, azimuth_0_), glm::dot(w, azimuth_90_), cosine});
+    }
+  }
+  return 1.0;
+}
+
+std::array<double, 4> LightFalloff::edges(const glm::dvec3& light, const glm::dvec3& origin,
+                                          const glm::dvec3& w) const {
+  std::array<double, 4> found{infinity, infinity, infinity, infinity};
+  if (is_isotropic()) return found;
+  if (!has_cone()) {
+    const double slope = glm::dot(w, axis_);
+    if (slope != 0.0) found[0] = glm::dot(light - origin, axis_) / slope;
+    return found;
+  }
+  // (q axis)^2 = c^2 q q with q = p + s w, s from the point nearest to the light.
+  const glm::dvec3 from_light = origin - light;
+  const double nearest = -glm::dot(from_light, w);
+  const glm::dvec3 p = from_light + nearest * w;
+  const double along = glm::dot(w, axis_);
+  const double across = glm::dot(p, axis_);
+  const double square = glm::dot(p, p);
+  std::size_t count = 0;
+  for (const double versine : {dark_versine_, full_versine()}) {
+    const double cosine = 1.0 - versine;
+    const double a = along * along - cosine * cosine;
+    const double b = along * across;
+    const double c = across * across - cosine * cosine * square;
+    const double root = b * b - a * c;
+    if (!(root >= 0.0)) continue;
+    // Without cancellation.
+    const double sum = -(b + std::copysign(std::sqrt(root), b));
+    if (a != 0.0) found[count++] = nearest + sum / a;
+    if (sum != 0.0) found[count++] = nearest + c / sum;
+  }
+  std::ranges::sort(found);
+  return found;
+}
+
+}  // namespace brume

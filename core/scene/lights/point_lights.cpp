@@ -1,0 +1,292 @@
+#include "core/scene/lights/point_lights.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <glm/vec2.hpp>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include "brume/mesh_arrays.h"
+#include "core/math/basis.h"
+#include "core/math/infinity.h"
+#include "core/math/unit_direction.h"
+
+namespace brume {
+namespace {
+
+constexpr double golden_angle = std::numbers::pi * (3.0 - 2.2360679774997896964);
+
+// Evenly over the unit disc (Vogel's spiral).
+glm::dvec2 disc_point(int k, int count) {
+  const double radius = std::sqrt((k + 0.5) / count);
+  const double turn = golden_angle * k;
+  return {radius * std::cos(turn), radius * std::sin(turn)};
+}
+
+// For a share of the light's irradiance, in the unit direction.
+PointLight far_light(const Light& light, double share, const glm::dvec3& direction,
+                     const LitRegion& region) {
+  const double distance = far_light_distance * region.diameter;
+  PointLight far;
+  far.position = region.center + distance * direction;
+  // Single precision ends.
+  far.intensity = glm::min(share * distance * distance * light.intensity, glm::dvec3(1e35));
+  far.is_far = true;
+  return far;
+}
+
+// The disc as one far away, of the same radiance everywhere.
+PointLight far_disk(const Light& light, const LitRegion& region) {
+  const glm::dvec3 axis = to_light(*light.directional);
+  PointLight far = far_light(light, 1.0, axis, region);
+  const double half_angle = glm::radians(0.5 * light.directional->angular_diameter);
+  if (!(half_angle > 0.0)) return far;
+  AreaLight& disk = far.area.emplace();
+  disk.shape = AreaLight::Shape::disk;
+  disk.direction = -axis;
+  disk.radius = far_light_distance * region.diameter * std::tan(half_angle);
+  // Its edge is farther away than its middle.
+  far.intensity /= std::cos(half_angle) * std::cos(half_angle);
+  return far;
+}
+
+// Directions of equal irradiance on what faces the disc: evenly over the disc of their sines.
+std::vector<PointLight> points_on_disc(const Light& light, int count, const LitRegion& region) {
+  const glm::dvec3 axis = to_light(*light.directional);
+  const double diameter = light.directional->angular_diameter;
+  if (!(diameter > 0.0) || count == 1) return {far_light(light, 1.0, axis, region)};
+  const auto [u, v] = make_basis(axis);
+  const double edge = std::sin(glm::radians(0.5 * diameter));
+  std::vector<PointLight> lights;
+  for (int k = 0; k < count; ++k) {
+    const glm::dvec2 sines = edge * disc_point(k, count);
+    const double cosine = std::sqrt(1.0 - glm::dot(sines, sines));
+    const glm::dvec3 direction = cosine * axis + sines.x * u + sines.y * v;
+    lights.push_back(far_light(light, 1.0 / (count * cosine), direction, region));
+  }
+  return lights;
+}
+
+// Of a box from a point; 0 within.
+double distance_to(const LitBounds& box, const glm::dvec3& p) {
+  return glm::length(glm::max(glm::max(box.low - p, p - box.high), 0.0));
+}
+
+// Shares of the points that are needed from a distance on, in sizes of the light. Of 21 they are
+// Fibonacci numbers, whose lattices are even. In steps, so that a count mostly stays while
+// something is dragged.
+struct PointShare {
+  double distance;
+  int count;
+};
+constexpr int whole = 21;
+constexpr int whole_sphere = 34;  // half of its points face away
+constexpr int many_points = 256;
+constexpr std::array point_shares{PointShare{1.0, 13}, PointShare{1.5, 8}, PointShare{3.0, 5},
+                                  PointShare{6.0, 1}};
+
+int count_on(const AreaLight& area, const glm::dvec3& center, const LitRegion& region,
+             int max_count) {
+  if (!region.bounds) return max_count;
+  constexpr int min_in_shadows = 13;    // each is seen in the shadows of surfaces
+  constexpr double no_penumbra = 32.0;  // sizes away
+  const double distance = distance_to(*region.bounds, center) / std::sqrt(facing_area(area));
+  int count = max_count;
+  for (const PointShare& share : point_shares) {
+    if (distance > share.distance) count = max_count * share.count / whole;
+  }
+  if (distance > point_shares.back().distance) count = 1;
+  const bool has_penumbra = region.has_surfaces && distance < no_penumbra;
+  return std::max(count, has_penumbra ? std::min(min_in_shadows, max_count) : 1);
+}
+
+// The middles, relative to the light's, and the normals of equal shares of a surface.
+std::pair<glm::dvec3, glm::dvec3> point_on(const AreaLight& area, int k, int count) {
+  if (area.shape == AreaLight::Shape::sphere) {
+    const double z = 1.0 - 2.0 * (k + 0.5) / count;
+    const double sine = std::sqrt(1.0 - z * z);
+    const glm::dvec3 normal(sine * std::cos(golden_angle * k), sine * std::sin(golden_angle * k),
+                            z);
+    return {area.radius * normal, normal};
+  }
+  const glm::dvec3 normal = unit_direction(area.direction, {0.0, -1.0, 0.0});
+  if (area.shape == AreaLight::Shape::disk) {
+    const auto [u, v] = make_basis(normal);
+    const glm::dvec2 at = count > 1 ? area.radius * disc_point(k, count) : glm::dvec2(0.0);
+    return {at.x * u + at.y * v, normal};
+  }
+  // A lattice that no line meets in rows: its shadows have as many steps as it has points.
+  constexpr double inverse_golden_ratio = 0.61803398874989484820;
+  const double x = (k + 0.5) / count - 0.5;
+  const double turns = inverse_golden_ratio * k + 0.5;
+  const double y = turns - std::floor(turns) - 0.5 + (count > 1 ? 0.5 / count : 0.0);
+  const auto [right, up] = rectangle_axes(area);
+  return {area.width * x * right + area.height * y * up, normal};
+}
+
+std::vector<PointLight> points_on_area(const Light& light, int count, const LitRegion& region) {
+  const AreaLight& area = *light.area;
+  const double share = surface_area(area) / count;
+  // Outside it a sphere is, to the fourth order in radius / distance, what isotropic lights on a
+  // smaller one are: within 0.5% from 1.5 radii from its center on.
+  const bool is_outside =
+      region.bounds && distance_to(*region.bounds, light.position) > 1.5 * area.radius;
+  const bool is_isotropic = area.shape == AreaLight::Shape::sphere && (is_outside || count == 1);
+  const double depth = count > 1 ? std::sqrt(0.75) : 0.0;
+  std::vector<PointLight> lights;
+  for (int k = 0; k < count; ++k) {
+    const auto [offset, normal] = point_on(area, k, count);
+    if (is_isotropic) {
+      lights.push_back({light.position + depth * offset,
+                        0.25 * share * light.intensity,
+                        {},
+                        std::sqrt(share / std::numbers::pi)});
+      continue;
+    }
+    lights.push_back({light.position + offset, share * light.intensity,
+                      LightFalloff::of_surface(normal, area.two_sided),
+                      std::sqrt(share / std::numbers::pi)});
+  }
+  return lights;
+}
+
+}  // namespace
+
+std::optional<LitBounds> lit_bounds(const Scene& scene) {
+  LitBounds bounds{glm::dvec3(infinity), glm::dvec3(-infinity)};
+  const auto add = [&](const glm::dvec3& p, double radius) {
+    bounds.low = glm::min(bounds.low, p - radius);
+    bounds.high = glm::max(bounds.high, p + radius);
+  };
+  for (std::size_t i = 0; i < scene.medium.size(); ++i) {
+    const Gaussian g = scene.medium.gaussian(i);
+    add(g.center, 3.0 * g.radius);
+  }
+  for (const Surface& surface : scene.surfaces) {
+    for (const glm::dvec3& p : world_points(surface)) add(p, 0.0);
+  }
+  return bounds.low.x <= bounds.high.x ? std::optional(bounds) : std::nullopt;
+}
+
+LitRegion LitRegion::of(const Scene& scene) {
+  const double b0 = scene.medium.homogeneous_density();
+  LitRegion region;
+  double length = b0 > 0.0 ? 2.0 / b0 : region.diameter;
+  const auto bounds = lit_bounds(scene);
+  if (!(b0 > 0.0)) region.bounds = bounds;
+  if (bounds) {
+    region.center = 0.5 * (bounds->low + bounds->high);
+    const double diagonal = glm::length(bounds->high - bounds->low);
+    if (diagonal > 0.0) length = diagonal;
+  }
+  region.has_surfaces = !scene.surfaces.empty();
+  region.diameter = std::exp2(std::ceil(std::log2(length)));
+  const double step = region.diameter / 16.0;
+  region.center = step * glm::round(region.center / step);
+  return region;
+}
+
+glm::dvec3 to_light(const Directional& light) {
+  return -unit_direction(light.direction, {0.0, -1.0, 0.0});
+}
+
+double surface_area(const AreaLight& area) {
+  const double of_disk = std::numbers::pi * area.radius * area.radius;
+  switch (area.shape) {
+    case AreaLight::Shape::rectangle:
+      return area.width * area.height;
+    case AreaLight::Shape::disk:
+      return of_disk;
+    case AreaLight::Shape::sphere:
+      return 4.0 * of_disk;
+  }
+  return 0.0;
+}
+
+double facing_area(const AreaLight& area) {
+  return surface_area(area) * (area.shape == AreaLight::Shape::sphere ? 0.25 : 1.0);
+}
+
+double bounding_radius(const AreaLight& area) {
+  if (area.shape == AreaLight::Shape::rectangle) return 0.5 * std::hypot(area.width, area.height);
+  return area.radius;
+}
+
+std::pair<glm::dvec3, glm::dvec3> rectangle_axes(const AreaLight& area) {
+  const glm::dvec3 normal = unit_direction(area.direction, {0.0, -1.0, 0.0});
+  const glm::dvec3 right = glm::cross(normal, unit_direction(area.up, {0.0, 1.0, 0.0}));
+  if (!(glm::length(right) > 1e-9)) {
+    const auto [u, v] = make_basis(normal);
+    return {u, v};
+  }
+  const glm::dvec3 unit = glm::normalize(right);
+  return {unit, glm::cross(unit, normal)};
+}
+
+namespace {
+
+// A light with a surface or a disc becomes at most `max_points`.
+std::vector<PointLight> point_lights(const Light& light, const LitRegion& region, LightPoints count,
+                                     int max_points) {
+  if (count == LightPoints::drawn && light.directional) return {far_disk(light, region)};
+  if (count == LightPoints::drawn && light.area) {
+    PointLight drawn{light.position, surface_area(*light.area) * light.intensity};
+    drawn.area = light.area;
+    return {drawn};
+  }
+  const auto chosen = [&](int few, int many) {
+    const int points = count == LightPoints::one ? 1 : count == LightPoints::few ? few : many;
+    return std::min(points, max_points);
+  };
+  if (light.directional) return points_on_disc(light, chosen(8, 64), region);
+  if (light.area) {
+    const bool is_sphere = light.area->shape == AreaLight::Shape::sphere;
+    const int points = chosen(is_sphere ? whole_sphere : whole, many_points);
+    return points_on_area(light, count_on(*light.area, light.position, region, points), region);
+  }
+  PointLight point{light.position, light.intensity};
+  if (light.profile.content) {
+    point.falloff = LightFalloff::of_profile(light.profile, light.spot);
+  } else if (light.spot) {
+    point.falloff = LightFalloff(*light.spot);
+  }
+  return {point};
+}
+
+}  // namespace
+
+std::vector<PointLight> point_lights(const Light& light, const LitRegion& region,
+                                     LightPoints count) {
+  return point_lights(light, region, count, many_points);
+}
+
+std::vector<PointLight> point_lights(const Scene& scene, LightPoints count) {
+  std::vector<const Light*> shining;
+  for (const Light& light : scene.lights) {
+    if (light.on && light.intensity != glm::dvec3(0.0)) shining.push_back(&light);
+  }
+  const bool needs_region = std::ranges::any_of(shining, [count](const Light* light) {
+    return light->directional || (light->area && count != LightPoints::one);
+  });
+  // Reads all vertices.
+  const LitRegion region = needs_region ? LitRegion::of(scene) : LitRegion();
+  // Fewer points for each where all of them would be too many; Fibonacci numbers, as above.
+  std::vector<PointLight> lights;
+  for (const int max_points : {whole_sphere, whole, 13, 8, 5, 3, 2, 1}) {
+    lights.clear();
+    for (const Light* light : shining) {
+      const auto points =
+          point_lights(*light, region, count, count == LightPoints::few ? max_points : many_points);
+      lights.insert(lights.end(), points.begin(), points.end());
+    }
+    if (count != LightPoints::few || lights.size() <= max_few_points) break;
+  }
+  return lights;
+}
+
+}  // namespace brume

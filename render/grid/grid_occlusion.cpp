@@ -1,0 +1,183 @@
+#include "render/grid/grid_occlusion.h"
+
+#include <algorithm>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
+#include <numbers>
+
+#include "core/math/sphere_rule.h"
+#include "core/scene/materials/brdf.h"
+
+namespace brume {
+namespace {
+
+// The part of light that a material reflects, whatever the direction, as a diffuse surface would:
+// the mean of its directional albedo over a cosine.
+glm::vec3 mean_reflectance(const Material& material) {
+  if (material.type == Material::Type::diffuse) return glm::vec3(material.reflectance);
+  const glm::dvec3 n(0.0, 0.0, 1.0);
+  const std::vector<SphereNode> hemisphere = hemisphere_rule(256);
+  glm::dvec3 sum(0.0);
+  for (const SphereNode& in : hemisphere) {
+    for (const SphereNode& out : hemisphere) {
+      sum += in.weight * in.direction.z * out.weight * out.direction.z *
+             brdf(material, in.direction, out.direction, n);
+    }
+  }
+  return glm::vec3(glm::min(sum / std::numbers::pi, glm::dvec3(1.0)));
+}
+
+// The links of one node that surfaces block.
+struct NodeLinks {
+  std::uint32_t blocked = 0;
+  std::vector<float> fractions;
+  std::vector<GridOcclusion::Surfel> surfels;
+};
+
+NodeLinks links_of(const RayCaster& ray_caster, std::span<const Surface> surfaces,
+                   std::span<const glm::vec3> reflectances, const glm::dvec3& node,
+                   double spacing) {
+  NodeLinks links;
+  for (int link = 0; link < 27; ++link) {
+    const glm::ivec3 offset = neighbour_offset(link);
+    if (offset == glm::ivec3(0)) continue;
+    const glm::dvec3 q = spacing * glm::dvec3(offset);
+    if (!ray_caster.occluded(node, node + q)) continue;
+    const double distance = glm::length(q);
+    const glm::dvec3 w = q / distance;
+    const SurfaceHit hit = ray_caster.first_hit(node, w);
+    if (!hit) continue;  // within the ray caster's margins
+    const SurfacePoint point = ray_caster.point(hit, node, w, surfaces);
+    links.blocked |= 1u << link;
+    links.fractions.push_back(static_cast<float>(std::min(hit.distance / distance, 1.0)));
+    links.surfels.push_back({glm::vec3(point.position - node), glm::vec3(point.normal),
+                             reflectances[static_cast<std::size_t>(hit.surface)]});
+  }
+  return links;
+}
+
+// Whether surfaces block links of a neighbour.
+bool is_beside_blocked(const GridNodes& nodes, std::span<const NodeLinks> links, std::size_t node) {
+  const glm::ivec3 at = node_coordinates(nodes, node);
+  for (int neighbour = 0; neighbour < 27; ++neighbour) {
+    const glm::ivec3 p = at + neighbour_offset(neighbour);
+    if (glm::any(glm::lessThan(p, glm::ivec3(0))) ||
+        glm::any(glm::greaterThanEqual(p, nodes.count))) {
+      continue;
+    }
+    if (links[node_index(nodes, p)].blocked != 0) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+GridOcclusion::GridOcclusion(const RayCaster& ray_caster, std::span<const Surface> surfaces,
+                             const glm::dvec3& first, const GridNodes& nodes, const Job& job) {
+  if (ray_caster.empty()) return;
+  std::vector<glm::vec3> reflectances;
+  for (const Surface& surface : surfaces) {
+    reflectances.push_back(mean_reflectance(surface.material));
+    const glm::vec3& r = reflectances.back();
+    if (r.x != r.y || r.y != r.z) is_grey_ = false;
+  }
+  const auto width = static_cast<std::size_t>(nodes.count.x);
+  const auto height = static_cast<std::size_t>(nodes.count.y);
+  const double spacing = static_cast<double>(nodes.spacing);
+  const glm::dvec3 low = ray_caster.bounds().low - spacing;
+  const glm::dvec3 high = ray_caster.bounds().high + spacing;
+  std::vector<NodeLinks> links(nodes.size());
+  job.parallel_for(height * static_cast<std::size_t>(nodes.count.z), [&](std::size_t row) {
+    for (std::size_t x = 0; x < width; ++x) {
+      const glm::dvec3 p =
+          first + spacing * glm::dvec3(static_cast<double>(x), static_cast<double>(row % height),
+                                       static_cast<double>(row / height));
+      if (glm::any(glm::lessThan(p, low)) || glm::any(glm::greaterThan(p, high))) continue;
+      links[row * width + x] = links_of(ray_caster, surfaces, reflectances, p, spacing);
+    }
+  });
+  index_.assign(nodes.size(), -1);
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    if (links[i].blocked == 0 && !is_beside_blocked(nodes, links, i)) continue;
+    index_[i] = static_cast<std::int32_t>(nodes_.size());
+    nodes_.push_back({links[i].blocked, static_cast<std::uint32_t>(fractions_.size())});
+    grid_nodes_.push_back(static_cast<std::uint32_t>(i));
+    fractions_.insert(fractions_.end(), links[i].fractions.begin(), links[i].fractions.end());
+    surfels_.insert(surfels_.end(), links[i].surfels.begin(), links[i].surfels.end());
+  }
+  if (nodes_.empty()) {
+    index_.clear();
+    return;
+  }
+  for (const NodeLinks& node : links) blocked_.push_back(node.blocked);
+  mark_enclosed(nodes);
+}
+
+void GridOcclusion::mark_enclosed(const GridNodes& nodes) {
+  std::vector<std::size_t> reached;
+  std::vector<bool> is_open(nodes.size(), false);
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const glm::ivec3 at = node_coordinates(nodes, i);
+    if (glm::all(glm::greaterThan(at, glm::ivec3(0))) &&
+        glm::all(glm::lessThan(at, nodes.count - 1))) {
+      continue;
+    }
+    is_open[i] = true;
+    reached.push_back(i);
+  }
+  while (!reached.empty()) {
+    const std::size_t node = reached.back();
+    reached.pop_back();
+    const glm::ivec3 at = node_coordinates(nodes, node);
+    for (int link = 0; link < 27; ++link) {
+      const glm::ivec3 offset = neighbour_offset(link);
+      const glm::ivec3 p = at + offset;
+      if (glm::any(glm::lessThan(p, glm::ivec3(0))) ||
+          glm::any(glm::greaterThanEqual(p, nodes.count))) {
+        continue;
+      }
+      const std::size_t other = node_index(nodes, p);
+      const int back = neighbour_index(-offset.x, -offset.y, -offset.z);
+      if (is_open[other] || (blocked_[node] >> link & 1u) != 0 ||
+          (blocked_[other] >> back & 1u) != 0) {
+        continue;
+      }
+      is_open[other] = true;
+      reached.push_back(other);
+    }
+  }
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (!is_open[i]) blocked_[i] |= enclosed_bit;
+  }
+}
+
+void LevelOcclusion::set(const RayCaster& ray_caster, std::span<const Surface> surfaces) {
+  std::vector<Material> materials;
+  for (const Surface& surface : surfaces) materials.push_back(surface.material);
+  if (ray_caster_revision_ != ray_caster.revision() || materials_ != materials) {
+    revision_ = new_revision();
+  }
+  ray_caster_ = &ray_caster;
+  surfaces_ = surfaces;
+  ray_caster_revision_ = ray_caster.revision();
+  materials_ = std::move(materials);
+}
+
+std::shared_ptr<const GridOcclusion> LevelOcclusion::at(std::size_t level, const glm::dvec3& first,
+                                                        const GridNodes& nodes, const Job& job) {
+  if (level >= cached_.size()) cached_.resize(level + 1);
+  auto& [cached, last] = cached_[level];
+  const auto is_wanted = [&](const Cached& of) {
+    return of.surfaces == revision_ && of.first == first && of.nodes == nodes;
+  };
+  if (is_wanted(cached)) return cached.occlusion;
+  std::swap(cached, last);
+  if (is_wanted(cached)) return cached.occlusion;
+  cached = {revision_, first, nodes,
+            std::make_shared<const GridOcclusion>(*ray_caster_, surfaces_, first, nodes, job)};
+  if (job.stop.stop_requested()) cached = {};
+  return cached.occlusion;
+}
+
+}  // namespace brume

@@ -1,0 +1,73 @@
+#include "render/grid/scattering_solver.h"
+#include "render/grid/sweep_kernels.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "render/util/anderson.h"
+
+namespace brume {
+
+TruncatedScattering::TruncatedScattering(double full_albedo, double anisotropy, int bands,
+                                         bool albedo_varies)
+    : albedo(full_albedo), phase(phase_bands(anisotropy, bands)) {
+  if (bands == 1 || albedo_varies) return;  // isotropic, or cut off
+  const double lobe = forward_lobe(anisotropy, bands);
+  for (double& factor : phase) factor = (factor - lobe) / (1.0 - lobe);
+  extinction = 1.0 - full_albedo * lobe;
+  albedo = full_albedo * (1.0 - lobe) / extinction;
+}
+
+namespace {
+
+// What surfaces reflect of the light at the nodes; nothing without surfaces.
+std::vector<float> reflected(const GridMedium& medium, const NodeLight& incident) {
+  return medium.surfaces ? reflected_light(*medium.surfaces, incident) : std::vector<float>{};
+}
+
+}  // namespace
+
+Convergence solve_scattering(const GridMedium& medium, const TruncatedScattering& scattering,
+                             const UnscatteredLight& unscattered, const SweepDegrees& degrees,
+                             const ScatteringLimits& limits, NodeLight& scattered, const Job& job) {
+  std::vector<double> phase = scattering.phase;
+  for (double& factor : phase) factor *= scattering.albedo;
+
+  const NodeLight& incident = unscattered.incident;
+  // What matters is what is scattered to the eye.
+  std::vector<float> weights(incident.stride, 0.0f);
+  std::copy(medium.density.begin(), medium.density.end(), weights.begin());
+  AndersonAcceleration acceleration(weights);
+
+  NodeLight first(incident.bands, incident.channels, medium.nodes.size());
+  if (limits.sweeps == 1 && !scattered.values.empty()) {
+    // One sweep for what was scattered and what was not.
+    NodeLight all = scattered;
+    add(incident.values, all.values);
+    std::vector<float> all_reflected = reflected(medium, scattered);
+    add(unscattered.reflected, all_reflected);
+    scatter_once(medium, all, all_reflected, phase, degrees.first, first, job);
+    scattered = std::move(first);
+    return {.sweeps = 1};
+  }
+  scatter_once(medium, incident, unscattered.reflected, phase, degrees.first, first, job);
+  if (scattered.values.empty()) scattered = first;
+  NodeLight next = first;
+  Convergence convergence{.sweeps = 1};
+  while (convergence.sweeps < limits.sweeps && !job.stop.stop_requested()) {
+    scatter_once(medium, scattered, reflected(medium, scattered), phase, degrees.rest, next, job);
+    add(first.values, next.values);
+    ++convergence.sweeps;
+    const double size = acceleration.norm(next.values);
+    const double residual = acceleration.advance(scattered.values, next.values);
+    convergence.residual = size > 0.0 ? residual / size : 0.0;
+    if (convergence.residual <= limits.tolerance) break;
+  }
+  return convergence;
+}
+
+}  // namespace brume

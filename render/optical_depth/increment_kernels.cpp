@@ -1,0 +1,377 @@
+#include "render/optical_depth/increment_kernels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <vector>
+
+// Highway includes this file once per instruction set.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/optical_depth/increment_kernels.cpp"
+#include <hwy/foreach_target.h>
+// Highway's own order: foreach_target first.
+#include "render/simd/gaussian-inl.h"
+#include "render/simd/noise-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace brume::HWY_NAMESPACE {
+
+using D = hn::ScalableTag<float>;
+using V = hn::Vec<D>;
+using Vector = V3<V>;
+
+HWY_INLINE V set(float x) {
+  return hn::Set(D(), x);
+}
+
+// coefficient::erf_fast.
+HWY_INLINE V FastErf(V x) {
+  const D d;
+  const V end = set(coefficient::erf_fast_end);
+  const V y = hn::Min(hn::Max(x, hn::Neg(end)), end);
+  return hn::Mul(y, Horner(d, hn::Mul(y, y), coefficient::erf_fast));
+}
+
+// coefficient::exp_of_erf, for small Gaussians: where slices are short its slope would show.
+HWY_INLINE V ExpOfErf(V erf) {
+  const V square = hn::Mul(erf, erf);
+  return hn::Mul(hn::Sub(set(1.0f), square), Horner(D(), square, coefficient::exp_of_erf));
+}
+
+// A cone around the rays of a group.
+struct GroupCone {
+  glm::vec3 axis{0.0f};  // unit
+  float spread = 0.0f;   // maximum distance of a ray's direction from it
+
+  GroupCone(const PathBatch& rays, std::size_t first) {
+    const std::size_t end = std::min(first + RaySlices::group, rays.count);
+    const auto direction = [&](std::size_t i) {
+      return glm::vec3(rays.x[i], rays.y[i], rays.z[i]);
+    };
+    for (std::size_t i = first; i < end; ++i) axis += direction(i);
+    const float length = glm::length(axis);
+    axis = length > 0.0f ? axis / length : direction(first);
+    for (std::size_t i = first; i < end; ++i) {
+      spread = std::max(spread, glm::length(direction(i) - axis));
+    }
+  }
+};
+
+// Room for the rounding of floats: relative to the cutoff radius, and to the distance.
+constexpr float cutoff_room = 1e-3f;
+constexpr float distance_room = 1e-6f;
+
+// Gaussians that rays of a group may meet, and the slices on which.
+struct MetGaussians {
+  std::vector<std::int32_t> gaussian, first, end;
+  std::size_t count = 0;
+
+  void reset(std::size_t max_count) {
+    count = 0;
+    // Whole vectors are stored.
+    for (auto* values : {&gaussian, &first, &end}) values->resize(padded(max_count) + padded(1));
+  }
+  template <class I, class M>
+  HWY_INLINE void add(M chosen, I gaussians, I firsts, I ends) {
+    const hn::RebindToSigned<D> d;
+    hn::CompressBlendedStore(gaussians, chosen, d, gaussian.data() + count);
+    hn::CompressBlendedStore(firsts, chosen, d, first.data() + count);
+    count += hn::CompressBlendedStore(ends, chosen, d, end.data() + count);
+  }
+};
+
+// Those of a group by what they cost: boundaries that all rays of the group pass before a Gaussian
+// or behind it need no erf.
+struct GroupGaussians {
+  MetGaussians whole;  // on one slice
+  MetGaussians cut;    // by one boundary
+  MetGaussians other;
+
+  void choose(const GaussianBatch& g, const PathBatch& rays, const RaySlices& slices,
+              std::size_t group);
+  // Half the depth of a line through the center of Gaussian j, at most, along rays of the group.
+  template <BatchKind kKind>
+  [[nodiscard]] float half_depth(const GaussianBatch& g, std::size_t j) const {
+    return kKind == BatchKind::ellipsoids ? half_depths[j] : g.scale[j];
+  }
+
+ private:
+  // Of those near rays, which are in `near_rays`, the ellipsoids that no ray meets: how many are
+  // left.
+  std::size_t drop_ellipsoids(const GaussianBatch& g, const GroupCone& cone, std::size_t count);
+
+  std::vector<std::int32_t> near_rays;
+  std::vector<float> half_depths;  // of those, if there are ellipsoids
+};
+
+std::size_t GroupGaussians::drop_ellipsoids(const GaussianBatch& g, const GroupCone& cone,
+                                            std::size_t count) {
+  const D d;
+  const hn::RebindToSigned<D> di;
+  const Vector axis{set(cone.axis.x), set(cone.axis.y), set(cone.axis.z)};
+  constexpr auto floats = static_cast<std::int32_t>(sizeof(BatchEllipsoid) / sizeof(float));
+  static_assert(floats * sizeof(float) == sizeof(BatchEllipsoid));
+  const float* const members = g.ellipsoids[0].warp.data();
+  const auto end = near_rays.begin() + static_cast<std::ptrdiff_t>(count);
+  std::fill_n(end, hn::Lanes(d), 0);  // whole vectors are loaded
+  half_depths.resize(padded(g.size()));
+  std::size_t left = 0;
+  for (std::size_t m = 0; m < count; m += hn::Lanes(d)) {
+    const auto j = hn::LoadU(di, near_rays.data() + m);
+    const auto first = hn::Mul(j, hn::Set(di, floats));
+    const auto member = [&](std::int32_t k) HWY_ATTR {
+      return hn::GatherIndex(d, members, hn::Add(first, hn::Set(di, k)));
+    };
+    const WarpOf<V> warp{member(0), member(1), member(2), member(3), member(4), member(5)};
+    const V a = hn::GatherIndex(d, g.a.data(), j);
+    const LineProfile<D> line(d, Vector{member(6), member(7), member(8)}, warp(axis), a);
+    // A ray that is off the axis by the spread, or rounded, is nearer by at most this, where it
+    // still matters.
+    const V far = hn::GatherIndex(d, g.far.data(), j);
+    const V nearer = hn::Mul(hn::Mul(a, far), hn::Mul(set(cone.spread + distance_room), member(9)));
+    const auto is_ball = hn::Eq(warp.xx, hn::Zero(d));
+    // Along such a ray it is no longer than this.
+    const V slowest = hn::NegMulAdd(hn::Mul(a, set(cone.spread)), member(9), line.a);
+    const V scale = hn::GatherIndex(d, g.scale.data(), j);
+    const V half_depth = hn::IfThenElse(hn::Or(is_ball, hn::Le(slowest, a)), scale,
+                                        hn::Div(hn::Mul(scale, a), slowest));
+    hn::ScatterIndex(half_depth, d, half_depths.data(), j);
+    const V reach = hn::Mul(a, hn::GatherIndex(d, g.reach.data(), j));  // in radii
+    const auto meets = hn::Le(hn::Sqrt(line.e), hn::MulAdd(reach, set(1.0f + cutoff_room), nearer));
+    const auto kept = hn::And(hn::FirstN(d, count - m), hn::Or(is_ball, meets));
+    left += hn::CompressBlendedStore(j, hn::RebindMask(di, kept), di, near_rays.data() + left);
+  }
+  return left;
+}
+
+void GroupGaussians::choose(const GaussianBatch& g, const PathBatch& rays, const RaySlices& slices,
+                            std::size_t group) {
+  const D d;
+  const hn::RebindToSigned<D> di;
+  using I = hn::Vec<decltype(di)>;
+  const GroupCone cone(rays, group);
+  const Vector axis{set(cone.axis.x), set(cone.axis.y), set(cone.axis.z)};
+  // The nearest ray passes a center at h * nearing - t * spread or farther.
+  const V nearing = set(std::sqrt(std::max(1.0f - cone.spread * cone.spread, 0.0f)));
+  const V spread = set(cone.spread * (1.0f + cutoff_room));
+  const std::span<const float> nearest = slices.nearest(group);
+  const std::span<const float> farthest = slices.farthest(group);
+  const auto last = static_cast<std::int32_t>(slices.count() - 1);
+  const float* const lengths = rays.length.data() + group;
+  const V shortest = set(*std::min_element(lengths, lengths + RaySlices::group));
+  const I one = hn::Set(di, 1);
+  for (auto* list : {&whole, &cut, &other}) list->reset(g.size());
+  near_rays.resize(padded(g.size()) + padded(1));
+  std::size_t near_count = 0;
+  for (std::size_t j = 0; j < g.size(); j += hn::Lanes(d)) {
+    const auto load = [&](const std::vector<float>& values)
+                          HWY_ATTR { return hn::LoadU(d, values.data() + j); };
+    const Vector b{load(g.x), load(g.y), load(g.z)};
+    const V t = dot(b, axis);
+    const Vector p = minus(b, t, axis);
+    const V h = hn::Sqrt(dot(p, p));
+    const V reach = hn::MulAdd(set(distance_room), hn::Add(hn::Abs(t), h),
+                               hn::Mul(load(g.reach), set(1.0f + cutoff_room)));
+    const auto met =
+        hn::And(hn::FirstN(d, g.size() - j),
+                hn::Le(hn::Mul(nearing, h), hn::MulAdd(hn::Max(t, hn::Zero(d)), spread, reach)));
+    near_count +=
+        hn::CompressBlendedStore(hn::Iota(di, static_cast<std::int32_t>(j)),
+                                 hn::RebindMask(di, met), di, near_rays.data() + near_count);
+  }
+  if (!g.ellipsoids.empty()) near_count = drop_ellipsoids(g, cone, near_count);
+  // Where nothing was stored, any Gaussian.
+  std::fill_n(near_rays.begin() + static_cast<std::ptrdiff_t>(near_count), hn::Lanes(d), 0);
+  for (std::size_t m = 0; m < near_count; m += hn::Lanes(d)) {
+    const I j = hn::LoadU(di, near_rays.data() + m);
+    const V near = hn::GatherIndex(d, g.near.data(), j);
+    const V far = hn::GatherIndex(d, g.far.data(), j);
+    // Boundaries are in order: those before a Gaussian and before its end are counted.
+    I before = hn::Zero(di);
+    I until = hn::Zero(di);
+    const auto counted = [&](I count, auto is) HWY_ATTR {
+      return hn::Sub(count, hn::VecFromMask(di, hn::RebindMask(di, is)));
+    };
+    for (std::size_t k = 0; k < slices.count(); ++k) {
+      before = counted(before, hn::Le(set(farthest[k]), near));
+      until = counted(until, hn::Lt(set(nearest[k]), far));
+    }
+    const I first = hn::Sub(hn::Max(before, one), one);
+    const I end = hn::Min(until, hn::Set(di, last));
+    const I slice_count = hn::Sub(end, first);
+    const auto on_slices =
+        hn::And(hn::FirstN(di, near_count - m), hn::Gt(slice_count, hn::Zero(di)));
+    // Neither its beginning nor its end is cut off.
+    const auto& thicknesses = g.ellipsoids.empty() ? g.scale : half_depths;
+    const V half_depth = hn::GatherIndex(d, thicknesses.data(), j);
+    const auto is_inside = hn::And(
+        hn::And(on_slices, hn::Gt(before, hn::Zero(di))),
+        hn::RebindMask(di, hn::And(hn::And(hn::Ge(hn::GatherIndex(d, nearest.data(), end), far),
+                                           hn::Ge(shortest, far)),
+                                   hn::Le(half_depth, set(exact_above)))));
+    const auto is_whole = hn::And(is_inside, hn::Eq(slice_count, one));
+    const auto is_cut = hn::And(is_inside, hn::Eq(slice_count, hn::Add(one, one)));
+    whole.add(is_whole, j, first, end);
+    cut.add(is_cut, j, first, end);
+    other.add(hn::AndNot(hn::Or(is_whole, is_cut), on_slices), j, first, end);
+  }
+}
+
+template <BatchKind kKind, bool kOptics, bool kMoments>
+HWY_INLINE std::uint64_t Increments(const GaussianBatch& g, const PathBatch& rays,
+                                    const RaySlices& slices, float* increments, float* moments,
+                                    GroupGaussians& met) {
+  const D d;
+  const std::size_t stride = rays.padded_size();
+  const std::size_t last = slices.count() - 1;
+  const V one = set(1.0f);
+  std::uint64_t pairs = 0;
+  for (std::size_t i = 0; i < stride; i += hn::Lanes(d)) {
+    if (i % RaySlices::group == 0) met.choose(g, rays, slices, i);
+    const Vector w{hn::LoadU(d, rays.x.data() + i), hn::LoadU(d, rays.y.data() + i),
+                   hn::LoadU(d, rays.z.data() + i)};
+    const std::span<const float> nearest = slices.nearest(i);
+    const std::span<const float> farthest = slices.farthest(i);
+    // Before it no ray ends.
+    const float shortest = hn::GetLane(hn::MinOfLanes(d, hn::LoadU(d, rays.length.data() + i)));
+    const auto add_to = [&](float* sums, std::size_t slice, V value) HWY_ATTR {
+      float* const sum = sums + slice * stride + i;
+      hn::StoreU(hn::Add(value, hn::LoadU(d, sum)), d, sum);
+    };
+    // The depth of Gaussian j on a slice, and its moment.
+    const auto add = [&](std::size_t j, std::size_t slice, V depth, V moment) HWY_ATTR {
+      add_to(increments, slice, depth);
+      if constexpr (kMoments) add_to(moments, slice, moment);
+      if constexpr (kOptics) {
+        for (std::size_t c = 0; c < g.optics.size(); ++c) {
+          const V weight = set(g.optics[c][j]);
+          add_to(increments + (c + 1) * last * stride, slice, hn::Mul(weight, depth));
+        }
+      }
+    };
+    // Calls body(Gaussian, first slice, end of slices, line, half the depth of a line through its
+    // center) for those that a ray meets: nothing beyond the cutoff, so that frames are the same
+    // whatever rays share a vector.
+    const auto each = [&](const MetGaussians& list, auto body) HWY_ATTR {
+      for (std::size_t m = 0; m < list.count; ++m) {
+        const auto j = static_cast<std::size_t>(list.gaussian[m]);
+        const LineProfile<D> line = BatchLineProfile<kKind>(d, g, j, w);
+        const auto reached = hn::Le(line.e, set(g.max_e[j]));
+        if (hn::AllFalse(d, reached)) continue;
+        pairs += hn::CountTrue(d, reached);
+        body(j, static_cast<std::size_t>(list.first[m]), static_cast<std::size_t>(list.end[m]),
+             line, hn::IfThenElseZero(reached, BatchHalfDepth<kKind>(d, g, j, line)));
+      }
+    };
+    const auto u = [&](const LineProfile<D>& line, std::size_t boundary) HWY_ATTR {
+      return hn::Mul(line.a, hn::Sub(hn::LoadU(d, slices.at(i, boundary)), line.t0));
+    };
+    const auto middle = [&](std::size_t slice) HWY_ATTR {
+      const V ends =
+          hn::Add(hn::LoadU(d, slices.at(i, slice)), hn::LoadU(d, slices.at(i, slice + 1)));
+      return hn::Mul(set(0.5f), ends);
+    };
+    // The part of a Gaussian's moment that depends on where it is cut: with exp(-u^2) there, in its
+    // half depth.
+    const auto cut_moment = [&](std::size_t j, const LineProfile<D>& line, V exponential) HWY_ATTR {
+      constexpr auto inv_sqrt_pi = static_cast<float>(1.0 / coefficient::sqrt_pi);
+      if constexpr (kKind == BatchKind::ellipsoids) {
+        return hn::Div(hn::Mul(set(inv_sqrt_pi), exponential), line.a);
+      }
+      return hn::Mul(set(inv_sqrt_pi / g.a[j]), exponential);
+    };
+    each(met.whole, [&](std::size_t j, std::size_t first, std::size_t, const LineProfile<D>& line,
+                        V half_depth) HWY_ATTR {
+      const V scale = hn::Mul(half_depth, hn::Exp(d, hn::Neg(line.e)));
+      const V depth = hn::Add(scale, scale);
+      add(j, first, depth, hn::Mul(depth, line.t0));
+    });
+    each(met.cut, [&](std::size_t j, std::size_t first, std::size_t, const LineProfile<D>& line,
+                      V half_depth) HWY_ATTR {
+      const V scale = hn::Mul(half_depth, hn::Exp(d, hn::Neg(line.e)));
+      const V erf = FastErf(u(line, first + 1));
+      V beyond = hn::Zero(d);
+      if constexpr (kMoments) beyond = hn::Mul(scale, cut_moment(j, line, ExpOfErf(erf)));
+      const V before = hn::MulAdd(scale, erf, scale);
+      const V behind = hn::NegMulAdd(scale, erf, scale);
+      add(j, first, before, hn::MulSub(before, line.t0, beyond));
+      add(j, first + 1, behind, hn::MulAdd(behind, line.t0, beyond));
+    });
+    each(met.other, [&](std::size_t j, std::size_t first, std::size_t end,
+                        const LineProfile<D>& line, V half_depth) HWY_ATTR {
+      if (met.half_depth<kKind>(g, j) > exact_above) {
+        V previous = u(line, first);
+        for (std::size_t k = first; k < end; ++k) {
+          const V current = u(line, k + 1);
+          const V width = hn::Sub(current, previous);
+          const V depth = hn::Mul(half_depth, SegmentIntegral(d, line.e, previous, current, width));
+          add(j, k, depth, hn::Mul(depth, middle(k)));
+          previous = current;
+        }
+        return;
+      }
+      const V scale = hn::Mul(half_depth, hn::Exp(d, hn::Neg(line.e)));
+      // A boundary, as the Gaussian is met there.
+      struct Cut {
+        V u, erf, moment;
+      };
+      const Cut before{set(-coefficient::erf_fast_end), hn::Neg(one), hn::Zero(d)};
+      const Cut behind{set(coefficient::erf_fast_end), one, hn::Zero(d)};
+      const auto cut_at = [&](std::size_t k) HWY_ATTR {
+        const V at = u(line, k);
+        V moment = hn::Zero(d);
+        if constexpr (kMoments) moment = cut_moment(j, line, hn::Exp(d, hn::Neg(hn::Mul(at, at))));
+        return Cut{at, FastErf(at), moment};
+      };
+      Cut previous = farthest[first] <= g.near[j] ? before : cut_at(first);
+      for (std::size_t k = first; k < end; ++k) {
+        const bool is_behind = nearest[k + 1] >= g.far[j] && shortest >= g.far[j];
+        const Cut current = is_behind ? behind : cut_at(k + 1);
+        const V depth = hn::Mul(scale, hn::Sub(current.erf, previous.erf));
+        V moment = hn::Zero(d);
+        if constexpr (kMoments) {
+          const V of_both = hn::Sub(previous.moment, current.moment);
+          const auto is_short =
+              hn::Lt(hn::Sub(current.u, previous.u), set(coefficient::short_slice));
+          moment = hn::IfThenElse(is_short, hn::Mul(depth, middle(k)),
+                                  hn::MulAdd(depth, line.t0, hn::Mul(scale, of_both)));
+        }
+        add(j, k, depth, moment);
+        previous = current;
+      }
+    });
+  }
+  return pairs;
+}
+
+template <BatchKind kKind, bool kOptics>
+std::uint64_t IncrementsOf(const GaussianBatch& g, const PathBatch& rays, const RaySlices& slices,
+                           float* increments, float* moments, GroupGaussians& met) {
+  return moments ? Increments<kKind, kOptics, true>(g, rays, slices, increments, moments, met)
+                 : Increments<kKind, kOptics, false>(g, rays, slices, increments, moments, met);
+}
+
+std::uint64_t AccumulateIncrements(const GaussianBatch& g, const PathBatch& rays,
+                                   const RaySlices& slices, float* increments, float* moments) {
+  thread_local GroupGaussians met;
+  return with_kind(g, [&]<BatchKind kKind>() HWY_ATTR {
+    return g.has_optics() ? IncrementsOf<kKind, true>(g, rays, slices, increments, moments, met)
+                          : IncrementsOf<kKind, false>(g, rays, slices, increments, moments, met);
+  });
+}
+
+}  // namespace brume::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace brume {
+
+HWY_EXPORT(AccumulateIncrements);
+
+std::uint64_t accumulate_increments(const GaussianBatch& gaussians, const PathBatch& rays,
+                                    const RaySlices& slices, float* increments, float* moments) {
+  return HWY_DYNAMIC_DISPATCH(AccumulateIncrements)(gaussians, rays, slices, increments, moments);
+}
+
+}  // namespace brume
+#endif

@@ -1,0 +1,21 @@
+#include "render/scattering/grid_levels.h"
+
+namespace brume {
+
+GridLevels::GridLevels(const SourceGrid& grid, const glm::dvec3& origin,
+                       std::uint32_t occlusion_bits) {
+  for (const SourceGrid::Level& level : grid.levels()) {
+    GridLevel& relative = levels_[count_++];
+    relative.first = glm::vec3(level.first - origin);
+    relative.per_unit = 1.0f / level.nodes.spacing;
+    relative.count = level.nodes.count;
+    relative.values = level.values.data();
+    relative.incident = level.incident.data();
+    relative.occlusion_bits = occlusion_bits;
+    if (level.surfaces && !level.surfaces->blocked().empty()) {
+      relative.blocked = level.surfaces->blocked().data();
+    }
+  }
+}
+
+}  // namespace brume

@@ -1,0 +1,204 @@
+#include "render/scattering/incident_point_light.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <vector>
+
+#include "core/math/spherical_harmonics.h"
+#include "render/scattering/light_rays.h"
+
+namespace brume {
+namespace {
+
+// Points along each axis of a mean, over two spacings.
+constexpr int mean_points = 6;
+
+struct WeightedPoint {
+  glm::dvec3 offset;  // from the node, in spacings
+  double weight;
+};
+
+std::vector<WeightedPoint> make_mean_rule() {
+  constexpr int count = mean_points;
+  std::vector<WeightedPoint> rule;
+  const auto coordinate = [](int i) { return 2.0 * (i + 0.5) / count - 1.0; };
+  double sum = 0.0;
+  for (int z = 0; z < count; ++z) {
+    for (int y = 0; y < count; ++y) {
+      for (int x = 0; x < count; ++x) {
+        const glm::dvec3 offset(coordinate(x), coordinate(y), coordinate(z));
+        const glm::dvec3 hat = 1.0 - glm::abs(offset);
+        rule.push_back({offset, hat.x * hat.y * hat.z});
+        sum += rule.back().weight;
+      }
+    }
+  }
+  for (WeightedPoint& point : rule) point.weight /= sum;
+  return rule;
+}
+
+// The cells around a node, as a trilinear interpolation weights them.
+std::span<const WeightedPoint> mean_rule() {
+  static const std::vector<WeightedPoint> rule = make_mean_rule();
+  return rule;
+}
+
+// Light at points per unit of intensity.
+class PointsAroundLight {
+ public:
+  explicit PointsAroundLight(const NodePointLight& light) : light_(light), transmittance_(light) {}
+
+  // Calls add(k, direction to the light, exp(-T) / r^2) for the points that see the light, times
+  // the mean of the falloff over `spacing` around each.
+  template <class Add>
+  void each(std::span<const glm::dvec3> points, double spacing, Add add) {
+    const std::span<const double> transmittance = transmittance_.at(points);
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const glm::dvec3 q = light_.source.position - points[k];
+      const double r2 = glm::dot(q, q);
+      if (!(r2 > 0.0)) continue;
+      const double r = std::sqrt(r2);
+      const double falloff = mean_falloff(points[k], r, spacing);
+      if (!(falloff > 0.0)) continue;
+      if (light_.surfaces && light_.surfaces->occluded(points[k], light_.source.position)) continue;
+      add(k, q / r, falloff * transmittance[k] * light_.inverse_square(r2));
+    }
+  }
+
+ private:
+  // Over the cells around a point at distance r: the mean of falloff / r^2 relative to that of
+  // 1 / r^2, so that an edge between nodes lights its share of both.
+  [[nodiscard]] double mean_falloff(const glm::dvec3& point, double r, double spacing) const {
+    const LightFalloff& falloff = light_.source.falloff;
+    if (falloff.is_isotropic()) return 1.0;
+    const glm::dvec3 q = point - light_.source.position;
+    const glm::dvec3 w = q / r;
+    // How much its cosine may change over the cells; farther from the edge it is 0 or 1.
+    const double reach = std::min(std::sqrt(3.0) * spacing / r, 2.0);
+    if (falloff.has_cone()) {
+      const double versine = falloff.versine(w);
+      if (versine - reach > falloff.dark_versine()) return 0.0;
+      if (!falloff.profile() && versine + reach < falloff.full_versine()) return 1.0;
+    } else if (std::abs(glm::dot(w, falloff.axis())) > reach) {
+      return falloff.at(w);  // it is smooth there
+    }
+    double lit = 0.0;
+    double all = 0.0;
+    for (const WeightedPoint& p : mean_rule()) {
+      const glm::dvec3 there = q + spacing * p.offset;
+      const double there2 = glm::dot(there, there);
+      if (!(there2 > 0.0)) continue;
+      const double weight = p.weight / there2;
+      lit += weight * falloff.at(there / std::sqrt(there2));
+      all += weight;
+    }
+    return lit / all;
+  }
+
+  const NodePointLight& light_;
+  LightTransmittance transmittance_;
+};
+
+// The share of the cells around a point that it sees.
+double visible_share(const RayCaster& surfaces, const glm::dvec3& point, double spacing) {
+  double share = 0.0;
+  for (const WeightedPoint& p : mean_rule()) {
+    if (!surfaces.occluded(point, point + spacing * p.offset)) share += p.weight;
+  }
+  return share;
+}
+
+}  // namespace
+
+void add_point_light(const NodePointLight& light, const glm::dvec3& first, const GridNodes& nodes,
+                     const GridOcclusion* occlusion, NodeLight& incident, const Job& job) {
+  const double spacing = static_cast<double>(nodes.spacing);
+  const auto width = static_cast<std::size_t>(nodes.count.x);
+  const LightRays rays(light, first, nodes, incident.bands, job);
+  job.parallel_for(nodes.size() / width, [&](std::size_t row) {
+    const auto add = [&](std::size_t x, double arriving, const ShVector<double>& basis) {
+      for (std::size_t c = 0; c < incident.channels; ++c) {
+        const double intensity = arriving * static_cast<double>(light.intensity[c]);
+        for (std::size_t f = 0; f < basis.size(); ++f) {
+          incident.row(c, f)[row * width + x] += static_cast<float>(intensity * basis[f]);
+        }
+      }
+    };
+    const glm::ivec3 row_start = node_coordinates(nodes, row * width);
+    const auto position = [&](std::size_t x) {
+      return first + spacing * glm::dvec3(row_start + glm::ivec3(static_cast<int>(x), 0, 0));
+    };
+    std::vector<double> shares(width);  // of the rays
+    std::vector<glm::dvec3> points;
+    std::vector<std::size_t> xs;
+    for (std::size_t x = 0; x < width; ++x) {
+      shares[x] = rays.share(glm::length(position(x) - light.source.position));
+      if (shares[x] >= 1.0) continue;
+      points.push_back(position(x));
+      xs.push_back(x);
+    }
+    PointsAroundLight(light).each(
+        points, spacing, [&](std::size_t k, const glm::dvec3& w, double arriving) {
+          add(xs[k], (1.0 - shares[xs[k]]) * arriving, sh_basis(incident.bands, w));
+        });
+
+    // A node beside surfaces gets the mean of what it sees of its cells.
+    const auto is_beside_surfaces = [&](std::size_t x) {
+      return occlusion && !occlusion->blocked().empty() &&
+             occlusion->blocked()[row * width + x] != 0;
+    };
+    for (std::size_t x = 0; x < width; ++x) {
+      if (!(shares[x] > 0.0) || !is_beside_surfaces(x)) continue;
+      const double visible = visible_share(*light.surfaces, position(x), spacing);
+      shares[x] = visible > 0.0 ? shares[x] / visible : 0.0;
+    }
+    const auto sees = [&](std::size_t x, const glm::dvec3& sample) {
+      return shares[x] > 0.0 &&
+             (!is_beside_surfaces(x) || !light.surfaces->occluded(position(x), sample));
+    };
+    rays.each_in_row(row_start.y, row_start.z, sees,
+                     [&](std::size_t x, const ShVector<double>& basis, double arriving) {
+                       add(x, shares[x] * arriving, basis);
+                     });
+  });
+}
+
+void add_reflected_point_light(const NodePointLight& light, const GridOcclusion& surfaces,
+                               const glm::dvec3& first, const GridNodes& nodes,
+                               std::span<float> reflected, std::size_t channels, const Job& job) {
+  constexpr std::size_t together = 64;  // nodes
+  const double spacing = static_cast<double>(nodes.spacing);
+  const double max_arriving = 4.0 / (spacing * spacing);
+  const std::size_t links = surfaces.surfels().size();
+  const std::size_t count = surfaces.nodes().size();
+  job.parallel_for((count + together - 1) / together, [&](std::size_t group) {
+    PointsAroundLight around(light);
+    std::vector<glm::dvec3> points;
+    const std::size_t end = std::min((group + 1) * together, count);
+    const std::size_t first_link = surfaces.nodes()[group * together].first;
+    for (std::size_t i = group * together; i < end; ++i) {
+      const glm::dvec3 node =
+          first + spacing * glm::dvec3(node_coordinates(nodes, surfaces.grid_nodes()[i]));
+      for (const GridOcclusion::Surfel& surfel : surfaces.surfels_of(i)) {
+        // Off the surface, which does not shadow itself.
+        points.push_back(node + glm::dvec3(surfel.offset) +
+                         1e-3 * spacing * glm::dvec3(surfel.normal));
+      }
+    }
+    around.each(points, 0.5 * spacing, [&](std::size_t k, const glm::dvec3& w, double arriving) {
+      const GridOcclusion::Surfel& surfel = surfaces.surfels()[first_link + k];
+      const double cosine = glm::dot(glm::dvec3(surfel.normal), w);
+      if (!(cosine > 0.0)) return;
+      const double radiance = cosine * std::min(arriving, max_arriving) * std::numbers::inv_pi;
+      for (std::size_t c = 0; c < channels; ++c) {
+        reflected[c * links + first_link + k] += static_cast<float>(radiance) * light.intensity[c] *
+                                                 surfel.reflectance[static_cast<int>(c)];
+      }
+    });
+  });
+}
+
+}  // namespace brume

@@ -1,0 +1,349 @@
+#include "render/scattering/multiple_scattering.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
+#include <numbers>
+
+#include "render/grid/resampling.h"
+#include "render/grid/sweep_kernels.h"
+
+namespace brume {
+namespace {
+
+// Bands in which scattered light is kept: surfaces reflect more than isotropic media scatter.
+int solution_bands(const MultipleScattering::Input& input) {
+  return input.anisotropy == 0.0 && !input.surfaces ? 1 : grid_bands;
+}
+
+// The colour of all light if it is the same and stays: then one channel is enough.
+std::optional<glm::vec3> common_color(const MultipleScattering::Input& input) {
+  if (input.environment_scale > 0.0) return std::nullopt;
+  for (const SourceGrid::Level& level : input.grid.levels()) {
+    if (!level.emission[0].empty()) return std::nullopt;
+    if (level.surfaces && !level.surfaces->is_grey()) return std::nullopt;
+  }
+  glm::dvec3 color(0.0);
+  const auto is_common = [&](const glm::dvec3& intensity) {
+    const double max = std::max({intensity.x, intensity.y, intensity.z});
+    if (!(max > 0.0)) return true;
+    const glm::dvec3 own = intensity / max;
+    if (color == glm::dvec3(0.0)) color = own;
+    return glm::all(glm::lessThan(glm::abs(own - color), glm::dvec3(1e-9)));
+  };
+  for (const MultipleScattering::Light& light : input.lights) {
+    if (!is_common(light.intensity)) return std::nullopt;
+  }
+  for (const EmissionLights::Light& light : input.emission) {
+    if (!is_common(light.source.intensity)) return std::nullopt;
+  }
+  return glm::vec3(color);
+}
+
+NodeLight resampled(const NodeLight& light, const Resampling& resampling, std::size_t nodes,
+                    const Job& job) {
+  NodeLight result(light.bands, light.channels, nodes);
+  job.parallel_for(light.channels * light.functions(), [&](std::size_t row) {
+    const std::size_t c = row / light.functions();
+    const std::size_t f = row % light.functions();
+    resampling.apply(light.row(c, f), result.row(c, f).first(nodes));
+  });
+  return result;
+}
+
+// The environment's unscattered light at the nodes of a level, times `scale`.
+void add_environment(const SourceGrid::Level& level, double scale, NodeLight& light) {
+  const auto factor = static_cast<float>(scale);
+  for (std::size_t c = 0; c < light.channels; ++c) {
+    for (std::size_t f = 0; f < light.functions(); ++f) {
+      const std::span<float> row = light.row(c, f);
+      const std::span<const float> input = level.transmitted.row(c, f);
+      for (std::size_t i = 0; i < row.size(); ++i) row[i] += factor * input[i];
+    }
+  }
+}
+
+// Adds a light's that is unscattered, or reflected by surfaces then. In one channel the colour of
+// all is common.
+void add_light(NodePointLight point, const SourceGrid::Level& level, UnscatteredLight& light,
+               const Job& job) {
+  const glm::vec3 intensity(point.source.intensity);
+  point.intensity = {intensity.x, intensity.y, intensity.z};
+  const std::size_t channels = light.incident.channels;
+  if (channels == 1) point.intensity[0] = std::max({intensity.x, intensity.y, intensity.z});
+  add_point_light(point, level.first, level.nodes, level.surfaces.get(), light.incident, job);
+  if (!level.surfaces) return;
+  add_reflected_point_light(point, *level.surfaces, level.first, level.nodes, light.reflected,
+                            channels, job);
+}
+
+// Unscattered light in a level, in a medium whose extinction is `extinction` times that of the
+// lights' tables.
+UnscatteredLight unscattered_light(const MultipleScattering::Input& input, std::size_t k,
+                                   double extinction, const std::optional<glm::vec3>& color,
+                                   const Job& job) {
+  const SourceGrid::Level& level = input.grid.levels()[k];
+  UnscatteredLight light{NodeLight(solution_bands(input), color ? 1 : 3, level.nodes.size()), {}};
+  const std::size_t channels = light.incident.channels;
+  if (level.surfaces) light.reflected.assign(channels * level.surfaces->surfels().size(), 0.0f);
+  if (input.environment_scale > 0.0) {
+    add_environment(level, input.environment_scale, light.incident);
+    for (std::size_t i = 0; i < light.reflected.size(); ++i) {
+      light.reflected[i] += static_cast<float>(input.environment_scale) * level.reflected[i];
+    }
+  }
+  for (const MultipleScattering::Light& source : input.lights) {
+    add_light(
+        {source, {}, source.table, extinction, extinction * input.fog_density, input.surfaces},
+        level, light, job);
+  }
+  return light;
+}
+
+// Light that the Gaussians of a level emit and its nodes hold.
+void add_held_emission(const MultipleScattering::Input& input, const SourceGrid::Level& level,
+                       const GridMedium& medium, double extinction, UnscatteredLight& light,
+                       const Job& job) {
+  // As light that arrives from everywhere would be scattered; emission is divided by the albedo.
+  NodeLight sent(1, 3, level.nodes.size());
+  const double mean_of_band = 2.0 * std::sqrt(std::numbers::pi);
+  const auto factor = static_cast<float>(input.albedo / extinction * mean_of_band);
+  for (std::size_t c = 0; c < 3; ++c) {
+    std::ranges::transform(level.emission[c], sent.row(c, 0).begin(),
+                           [factor](float x) { return factor * x; });
+  }
+  GridMedium emitting = medium;
+  emitting.albedo = {};
+  const std::vector<float> dark(light.reflected.size(), 0.0f);
+  scatter_once(emitting, sent, dark, std::vector{1.0}, input.limits.light_degree, light.incident,
+               job);
+  if (level.surfaces) light.reflected = reflected_light(*level.surfaces, light.incident);
+}
+
+// Light that Gaussians emit as it arrives unscattered at the nodes of a level, and as surfaces
+// reflect it.
+std::optional<UnscatteredLight> emitted_light(const MultipleScattering::Input& input,
+                                              const SourceGrid::Level& level,
+                                              const GridMedium& medium, double extinction,
+                                              const UnscatteredLight& others, const Job& job) {
+  const auto is_point = [&](const EmissionLights::Light& emission) {
+    return level.is_point(emission);
+  };
+  const bool is_held = !level.emission[0].empty();
+  if (!is_held && std::ranges::none_of(input.emission, is_point)) return std::nullopt;
+  UnscatteredLight light{
+      NodeLight(others.incident.bands, others.incident.channels, level.nodes.size()),
+      std::vector<float>(others.reflected.size(), 0.0f)};
+  if (is_held) add_held_emission(input, level, medium, extinction, light, job);
+  for (const EmissionLights::Light& emission : input.emission) {
+    if (!is_point(emission)) continue;
+    add_light({emission.source,
+               {},
+               emission.table.get(),
+               extinction,
+               extinction * input.fog_density,
+               input.surfaces,
+               0.5 * emission.width},
+              level, light, job);
+  }
+  return light;
+}
+
+// Whether a point is in the bounds of a level, at least `margin` from its border.
+bool holds(const SourceGrid::Level& level, const glm::dvec3& p, double margin) {
+  const glm::dvec3 high =
+      level.first + glm::dvec3(level.nodes.count - 1) * static_cast<double>(level.nodes.spacing);
+  return !glm::any(glm::lessThan(p, level.first + margin)) &&
+         !glm::any(glm::greaterThan(p, high - margin));
+}
+
+// Removes what a level sends within the finer one. The medium at the outermost nodes there stays,
+// since what goes in at the border is interpolated between them and nodes outside: without it up to
+// half a cell of fog would be lost all around. But not beside surfaces, which may be between.
+void remove_within(const SourceGrid::Level& finer, const SourceGrid::Level& level,
+                   UnscatteredLight& light) {
+  const double spacing = static_cast<double>(level.nodes.spacing);
+  const auto position = [&](std::size_t node) {
+    return level.first + spacing * glm::dvec3(node_coordinates(level.nodes, node));
+  };
+  NodeLight& incident = light.incident;
+  const auto darken = [&](std::size_t node) {
+    for (std::size_t row = 0; row < incident.channels * incident.functions(); ++row) {
+      incident.values[row * incident.stride + node] = 0.0f;
+    }
+  };
+  for (std::size_t i = 0; i < level.nodes.size(); ++i) {
+    if (holds(finer, position(i), spacing)) darken(i);
+  }
+  if (!level.surfaces) return;
+  const GridOcclusion& surfaces = *level.surfaces;
+  const std::size_t links = surfaces.surfels().size();
+  for (std::size_t i = 0; i < surfaces.nodes().size(); ++i) {
+    if (!holds(finer, position(surfaces.grid_nodes()[i]), 0.0)) continue;
+    darken(surfaces.grid_nodes()[i]);
+    for (std::size_t c = 0; c < incident.channels; ++c) {
+      const std::size_t first = c * links + surfaces.nodes()[i].first;
+      std::fill_n(light.reflected.begin() + static_cast<std::ptrdiff_t>(first),
+                  surfaces.surfels_of(i).size(), 0.0f);
+    }
+  }
+}
+
+// Whether a light is among nodes that scatter.
+bool is_in_medium(const SourceGrid::Level& level, double fog, const glm::dvec3& light) {
+  const glm::dvec3 coordinate =
+      (light - level.first) / static_cast<double>(level.nodes.spacing) + 0.5;
+  const glm::ivec3 node(glm::floor(coordinate));
+  if (glm::any(glm::lessThan(node, glm::ivec3(0))) ||
+      glm::any(glm::greaterThanEqual(node, level.nodes.count))) {
+    return false;
+  }
+  const std::size_t at = node_index(level.nodes, node);
+  return static_cast<double>(level.density[at]) + fog > 0.0;
+}
+
+SweepDegrees sweep_degrees(const MultipleScattering::Input& input, const SourceGrid::Level& level) {
+  SweepDegrees degrees{input.limits.degree, input.limits.degree};
+  if (input.surfaces) degrees.first = std::max(degrees.first, input.limits.light_degree);
+  const auto add = [&](const PointSource& light) {
+    if (is_in_medium(level, input.fog_density, light.position)) {
+      degrees.first = std::max(degrees.first, input.limits.light_degree);
+    }
+  };
+  std::ranges::for_each(input.lights, add);
+  for (const EmissionLights::Light& light : input.emission) {
+    if (level.is_point(light)) add(light.source);
+  }
+  return degrees;
+}
+
+// Density at the nodes, with homogeneous fog [1/u].
+std::vector<float> density_with_fog(const SourceGrid::Level& level, double fog) {
+  std::vector<float> density = level.density;
+  for (std::size_t i = 0; i < density.size(); ++i) {
+    density[i] += static_cast<float>(fog) * (level.fog.empty() ? 1.0f : level.fog[i]);
+  }
+  return density;
+}
+
+}  // namespace
+
+std::size_t MultipleScattering::bytes() const {
+  std::size_t floats = 0;
+  for (const NodeLight& level : levels_) floats += level.values.size();
+  for (const std::optional<Solution>& solution : solutions_) {
+    if (solution) floats += solution->scattered.values.size();
+  }
+  return sizeof(float) * floats;
+}
+
+void MultipleScattering::clear() {
+  *this = MultipleScattering();
+}
+
+bool MultipleScattering::Key::is_but_for_tables(const Key& other) const {
+  Key mine = *this;
+  Key its = other;
+  for (Key* key : {&mine, &its}) {
+    for (LightKey& light : key->lights) light.table = 0;
+  }
+  return mine == its;
+}
+
+bool MultipleScattering::update(const Input& input, const Job& job) {
+  Key key{input.grid.distant_revision(),
+          input.environment_scale,
+          {},
+          input.albedo,
+          input.anisotropy,
+          input.fog_density,
+          input.surfaces_revision,
+          input.limits,
+          input.motion.warm_start};
+  for (const Light& light : input.lights) {
+    key.lights.push_back({light.position, light.intensity,
+                          light.table ? light.table->revision() : 0, light.falloff, light.fog});
+  }
+  for (const EmissionLights::Light& light : input.emission) {
+    key.lights.push_back(
+        {light.source.position, light.source.intensity, light.table->revision(), {}, {}});
+  }
+  if (!levels_.empty() &&
+      (key == key_ || (input.motion.any_source_precision && key.is_but_for_tables(key_)))) {
+    return true;
+  }
+  key_ = std::move(key);
+  levels_.clear();
+  const std::optional<glm::vec3> color = common_color(input);
+  color_ = color.value_or(glm::vec3(1.0f));
+
+  const auto levels = input.grid.levels();
+  const TruncatedScattering truncation(input.albedo, input.anisotropy,
+                                       input.anisotropy == 0.0 ? 1 : grid_bands,
+                                       !levels.front().albedo.empty());
+  std::vector<std::vector<float>> extinctions;
+  std::vector<GridMedium> media;
+  for (const SourceGrid::Level& level : levels) {
+    extinctions.push_back(density_with_fog(level, truncation.extinction * input.fog_density));
+    media.push_back({level.nodes, extinctions.back(), 0.0, level.surfaces.get(), level.albedo});
+  }
+  std::vector<double> phase = truncation.phase;
+  for (double& factor : phase) factor *= truncation.albedo;
+  solutions_.resize(levels.size());
+  std::vector<NodeLight> solved(levels.size());
+  std::vector<OuterLevel> outer;  // the finest first
+  for (std::size_t k = levels.size(); k-- > 0;) {
+    const SourceGrid::Level& level = levels[k];
+    const SweepDegrees degrees = sweep_degrees(input, level);
+    UnscatteredLight light = unscattered_light(input, k, truncation.extinction, color, job);
+    const std::optional<UnscatteredLight> emitted =
+        emitted_light(input, level, media[k], truncation.extinction, light, job);
+    if (emitted) {
+      add(emitted->incident.values, light.incident.values);
+      add(emitted->reflected, light.reflected);
+    }
+    std::optional<NodeLight> outside;
+    if (!outer.empty()) {
+      outside = scatter_into(media[k], outer, phase, degrees.rest, job);
+      add(outside->values, light.incident.values);
+      if (level.surfaces) add(reflected_light(*level.surfaces, *outside), light.reflected);
+    }
+    NodeLight scattered;
+    if (input.motion.warm_start) {
+      scattered = first_guess(k, level, light.incident.bands, light.incident.channels);
+    }
+    convergence_ =
+        solve_scattering(media[k], truncation, light, degrees, input.limits, scattered, job);
+    if (job.stop.stop_requested()) {
+      clear();
+      return false;
+    }
+    solutions_[k] = Solution{level.first, level.nodes, scattered};
+    if (k > 0) {
+      // Of all orders.
+      add(scattered.values, light.incident.values);
+      if (level.surfaces) add(reflected_light(*level.surfaces, scattered), light.reflected);
+      const SourceGrid::Level& finer = levels[k - 1];
+      remove_within(finer, level, light);
+      outer.insert(outer.begin(), {media[k], std::move(light.incident), std::move(light.reflected),
+                                   Resampling(level.first, level.nodes, finer.first, finer.nodes)});
+    }
+    if (outside) add(outside->values, scattered.values);
+    if (emitted) add(emitted->incident.values, scattered.values);
+    solved[k] = std::move(scattered);
+  }
+  levels_ = std::move(solved);
+  revision_ = new_revision();
+  return true;
+}
+
+NodeLight MultipleScattering::first_guess(std::size_t k, const SourceGrid::Level& level, int bands,
+                                          std::size_t channels) const {
+  const std::optional<Solution>& last = solutions_[k];
+  if (!last || last->scattered.bands != bands || last->scattered.channels != channels) return {};
+  return resampled(last->scattered, {last->first, last->nodes, level.first, level.nodes},
+                   level.nodes.size(), {});
+}
+
+}  // namespace brume

@@ -1,0 +1,497 @@
+#include "render/scattering/source_grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
+#include <limits>
+#include <numbers>
+#include <ranges>
+
+#include "core/math/special_functions.h"
+#include "core/math/spherical_harmonics.h"
+#include "render/grid/density_samples.h"
+#include "render/grid/resampling.h"
+#include "render/simd/gaussian_kernels.h"
+
+namespace brume {
+namespace {
+
+// Extent of each Gaussian covered by the fine grid [radii]: 1% of its extinction is beyond, where
+// look-ups clamp to the border.
+constexpr double fine_grid_radii = 2.5;
+
+// So many sweeps are held at a time.
+constexpr std::size_t sweep_batch = 32;
+
+struct Bounds {
+  glm::dvec3 low{std::numeric_limits<double>::infinity()};
+  glm::dvec3 high{-std::numeric_limits<double>::infinity()};
+  double min_radius = std::numeric_limits<double>::infinity();
+
+  Bounds(std::span<const GaussianTerm<double>> gaussians, const SourceGrid::Content& content) {
+    for (const GaussianTerm<double>& g : gaussians) {
+      if (!(g.c > 0.0)) continue;
+      const glm::dvec3 reach = g.ellipsoid ? g.ellipsoid->reach() : glm::dvec3(1.0);
+      low = glm::min(low, g.b - fine_grid_radii / g.a * reach);
+      high = glm::max(high, g.b + fine_grid_radii / g.a * reach);
+      min_radius = std::min(min_radius, min_radius_of(g));
+    }
+    if (!empty() || !(content.fog_density > 0.0)) return;
+    // Above a plane as well as in it.
+    const auto& [fog_low, fog_high] = content.in_fog;
+    const glm::dvec3 extent = fog_high - fog_low;
+    const double longest = std::max({extent.x, extent.y, extent.z});
+    const glm::dvec3 margin = 0.5 * glm::max(0.5 * longest - extent, 0.0);
+    low = fog_low - margin;
+    high = fog_high + margin;
+    min_radius = 0.0;
+  }
+  [[nodiscard]] bool empty() const { return !(low.x <= high.x); }
+};
+
+bool contains(const glm::dvec3& low, const glm::dvec3& high, const Box& box) {
+  return glm::all(glm::lessThanEqual(low, box.low)) &&
+         glm::all(glm::greaterThanEqual(high, box.high));
+}
+
+double smallest(const glm::dvec3& v) {
+  return std::min({v.x, v.y, v.z});
+}
+
+// Nodes from `low` to `high` at the smallest spacing, at least `min_spacing`, with at most
+// `max_nodes` nodes. The spacing is a float, to be identical wherever it is used.
+SourceGrid::Level layout(const glm::dvec3& low, const glm::dvec3& high, double min_spacing,
+                         int max_nodes) {
+  SourceGrid::Level level;
+  const glm::dvec3 extent = high - low;
+  double spacing = std::max(min_spacing, std::cbrt(extent.x * extent.y * extent.z / max_nodes));
+  for (;; spacing *= 1.02) {
+    level.nodes.spacing = static_cast<float>(spacing);
+    const glm::dvec3 cells = glm::ceil(extent / static_cast<double>(level.nodes.spacing));
+    if ((cells.x + 1.0) * (cells.y + 1.0) * (cells.z + 1.0) > static_cast<double>(max_nodes))
+      continue;
+    level.nodes.count = glm::max(glm::ivec3(cells) + 1, 2);
+    const glm::dvec3 covered =
+        glm::dvec3(level.nodes.count - 1) * static_cast<double>(level.nodes.spacing);
+    level.first = 0.5 * (low + high) - 0.5 * covered;
+    return level;
+  }
+}
+
+SweepOcclusion occlusion_of(const SourceGrid::Level& level) {
+  return level.surfaces ? level.surfaces->sweep() : SweepOcclusion{};
+}
+
+// Weights of the transmittance towards each light: of the coefficients of its light, channel after
+// channel, and of the clusters.
+struct LightWeights {
+  std::vector<float> light, clusters;
+
+  LightWeights(std::span<const SourceLight> lights, int bands, int cluster_count) {
+    for (const SourceLight& source : lights) {
+      const ShVector<double> basis = sh_basis(bands, source.light.direction);
+      for (int c = 0; c < 3; ++c) {
+        for (const double value : basis.values()) {
+          light.push_back(static_cast<float>(value * source.light.irradiance[c]));
+        }
+      }
+      for (int f = 0; f < cluster_count; ++f) {
+        clusters.push_back(f == source.cluster ? static_cast<float>(source.cluster_fraction)
+                                               : 0.0f);
+      }
+    }
+  }
+};
+
+// Light transmitted to the nodes of a level; what surfaces then reflect of it, see
+// reflected_light(); and the clusters' mean transmittances as rows.
+struct Transmitted {
+  NodeLight light;
+  std::vector<float> reflected;
+  std::vector<float> clusters;
+};
+
+// Adds to `reflected` what surfaces reflect of one light. Not from the bands of its light: three of
+// them light surfaces that the light only grazes.
+void add_reflected(const GridOcclusion& surfaces, const DistantLight& light,
+                   std::span<const float> transmittances, std::span<float> reflected) {
+  const std::size_t links = surfaces.surfels().size();
+  const glm::vec3 w(light.direction);
+  const glm::vec3 radiance(light.irradiance * std::numbers::inv_pi);
+  for (std::size_t i = 0; i < surfaces.nodes().size(); ++i) {
+    const float passes = transmittances[surfaces.grid_nodes()[i]];
+    std::size_t link = surfaces.nodes()[i].first;
+    for (const GridOcclusion::Surfel& surfel : surfaces.surfels_of(i)) {
+      const float cosine = glm::dot(surfel.normal, w);
+      for (std::size_t c = 0; cosine > 0.0f && c < 3; ++c) {
+        const int k = static_cast<int>(c);
+        reflected[c * links + link] += cosine * passes * surfel.reflectance[k] * radiance[k];
+      }
+      ++link;
+    }
+  }
+}
+
+glm::dvec3 node_position(const SourceGrid::Level& level, std::size_t node) {
+  const double spacing = static_cast<double>(level.nodes.spacing);
+  return level.first + spacing * glm::dvec3(node_coordinates(level.nodes, node));
+}
+
+// Share of a cell around each node that is in the fog; empty: all.
+std::vector<float> fog_shares(const SourceGrid::Level& level, const FogBall& ball) {
+  if (ball.is_endless()) return {};
+  std::vector<float> shares(level.nodes.size());
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    const double inside = ball.radius - glm::length(node_position(level, i) - ball.center);
+    const double share = 0.5 + inside / static_cast<double>(level.nodes.spacing);
+    shares[i] = static_cast<float>(std::clamp(share, 0.0, 1.0));
+  }
+  return shares;
+}
+
+// Times what fog transmits from each node on along w, relative to its radius.
+void attenuate_by_fog(const SourceGrid::Level& level, const SourceGrid::Content& content,
+                      const glm::dvec3& w, std::span<float> transmittance) {
+  constexpr double opaque = 80.0;  // the inverse is a float
+  const FogBall& ball = content.fog_ball;
+  if (ball.is_endless()) return;
+  for (std::size_t i = 0; i < transmittance.size(); ++i) {
+    const double less = ball.radius - ball.length(node_position(level, i), w);
+    const double depth = std::min(content.fog_density * less, opaque);
+    transmittance[i] *= std::exp(static_cast<float>(depth));
+  }
+}
+
+// `coarse`: the level around this one; null if there is none.
+Transmitted transmitted_light(const SourceGrid::Level& level, const SourceGrid::Level* coarse,
+                              std::span<const SourceLight> lights, int bands, int clusters,
+                              const SourceGrid::Content& content, const Job& job) {
+  const std::size_t nodes = level.nodes.size();
+  Transmitted result{NodeLight(bands, 3, nodes), {}, {}};
+  const GridOcclusion* const surfaces = level.surfaces.get();
+  if (surfaces) result.reflected.assign(3 * surfaces->surfels().size(), 0.0f);
+  const std::size_t stride = result.light.stride;
+  result.clusters.assign(static_cast<std::size_t>(clusters) * stride, 0.0f);
+  std::vector<float> transmittances(std::min(sweep_batch, lights.size()) * stride, 0.0f);
+  for (std::size_t first = 0; first < lights.size(); first += sweep_batch) {
+    const auto current = lights.subspan(first, std::min(sweep_batch, lights.size() - first));
+    const LightWeights weights(current, bands, clusters);
+    job.parallel_for(current.size(), [&](std::size_t k) {
+      thread_local std::vector<float> around;
+      thread_local std::vector<float> inflow;
+      const glm::vec3 w(current[k].light.direction);
+      inflow.clear();
+      if (surfaces && coarse) {
+        around.resize(coarse->nodes.size());
+        inflow.resize(nodes);
+        sweep_transmittance(coarse->nodes, coarse->density, w, occlusion_of(*coarse), {}, around);
+        Resampling(coarse->first, coarse->nodes, level.first, level.nodes)
+            .apply_to_border(around, inflow);
+      }
+      const std::span<float> passes = std::span(transmittances).subspan(k * stride, nodes);
+      sweep_transmittance(level.nodes, level.density, w, occlusion_of(level), inflow, passes);
+      attenuate_by_fog(level, content, current[k].light.direction, passes);
+    });
+    for (std::size_t k = 0; surfaces && k < current.size(); ++k) {
+      add_reflected(*surfaces, current[k].light,
+                    std::span(transmittances).subspan(k * stride, nodes), result.reflected);
+    }
+    job.parallel_for((stride + node_block - 1) / node_block, [&](std::size_t b) {
+      const std::size_t begin = b * node_block;
+      const std::size_t end = std::min(begin + node_block, stride);
+      add_weighted(transmittances, weights.light, 3 * result.light.functions(), stride, begin, end,
+                   result.light.values);
+      if (clusters > 0) {
+        add_weighted(transmittances, weights.clusters, static_cast<std::size_t>(clusters), stride,
+                     begin, end, result.clusters);
+      }
+    });
+  }
+  return result;
+}
+
+// `coarse`: see transmitted_light().
+void fill(SourceGrid::Level& level, const SourceGrid::Level* coarse,
+          std::span<const SourceLight> lights, const SourceGrid::Content& content, const Job& job) {
+  const std::size_t nodes = level.nodes.size();
+  const int clusters = content.bands > 1 ? source_clusters : 0;
+  const int bands = content.receivers || content.surfaces ? grid_bands : content.bands;
+  Transmitted transmitted = transmitted_light(level, coarse, lights, bands, clusters, content, job);
+  const std::size_t stride = transmitted.light.stride;
+  const std::size_t functions = sh_size(content.bands);
+  const std::size_t size = SourceGrid::node_size(content.bands);
+  level.values.assign(size * nodes, 0.0f);
+  job.parallel_for((nodes + node_block - 1) / node_block, [&](std::size_t b) {
+    for (std::size_t i = b * node_block; i < std::min((b + 1) * node_block, nodes); ++i) {
+      float* node = level.values.data() + size * i;
+      for (std::size_t f = 0; f < functions; ++f) {
+        for (std::size_t c = 0; c < 3; ++c) node[4 * f + c] = transmitted.light.row(c, f)[i];
+      }
+      for (std::size_t f = 0; f < static_cast<std::size_t>(clusters); ++f) {
+        node[4 * functions + f] = transmitted.clusters[f * stride + i];
+      }
+    }
+  });
+  if (content.receivers) {
+    level.incident = incident_light(level.nodes, level.density, transmitted.light,
+                                    content.receivers->optics, job);
+  }
+  if (content.keeps_transmitted) {
+    level.transmitted = std::move(transmitted.light);
+    level.reflected = std::move(transmitted.reflected);
+  }
+}
+
+// Of the light that a Gaussian emits, what is not absorbed in itself, relative to what the grid
+// would let out: there it is widened to the spacing, and thinner. A Gaussian of depth T through its
+// center lets out Ein(T) / T.
+double escaping_share(const GaussianTerm<double>& g, float spacing) {
+  const double radius = mean_radius_of(g);
+  const double share = std::min(radius / static_cast<double>(spacing), 1.0);
+  const double depth = g.c * radius * std::sqrt(std::numbers::pi);
+  if (share == 1.0 || !(depth > 0.0)) return 1.0;
+  const double widened = depth * share * share;
+  if (!(widened > 0.0)) return 1.0;
+  return entire_exponential_integral(depth) * share * share / entire_exponential_integral(widened);
+}
+
+// Means over what is around the nodes of a level, weighted by density: of the Gaussians by
+// weight(i), of fog and of nothing `of_rest`.
+template <class Weight>
+std::vector<float> node_means(std::span<const GaussianTerm<double>> gaussians, Weight weight,
+                              float of_rest, double fog_density, const SourceGrid::Level& level,
+                              const Job& job) {
+  std::vector<GaussianTerm<double>> weighted(gaussians.begin(), gaussians.end());
+  for (std::size_t i = 0; i < weighted.size(); ++i) weighted[i].c *= weight(i);
+  std::vector<float> means = density_on_grid(weighted, level.first, level.nodes, job);
+  for (std::size_t i = 0; i < means.size(); ++i) {
+    const float fog = static_cast<float>(fog_density) * (level.fog.empty() ? 1.0f : level.fog[i]);
+    const float sum = level.density[i] + fog;
+    means[i] = sum > 0.0f ? (means[i] + of_rest * fog) / sum : of_rest;
+  }
+  return means;
+}
+
+// Sets albedo and emission of a level from its density and fog.
+void add_optics(std::span<const GaussianTerm<double>> gaussians, const SourceGrid::Content& content,
+                SourceGrid::Level& level, const Job& job) {
+  const std::vector<RelativeOptics> all = content.emission->held(
+      [&](const EmissionLights::Light& light) { return level.is_point(light); });
+  if (std::ranges::any_of(all, [](const RelativeOptics& own) { return own.albedo != 1.0; })) {
+    const auto albedo = [&](std::size_t i) { return all[i].albedo; };
+    level.albedo = node_means(gaussians, albedo, 1.0f, content.fog_density, level, job);
+  }
+  if (std::ranges::all_of(
+          all, [](const RelativeOptics& own) { return own.emission == glm::dvec3(0.0); })) {
+    return;
+  }
+  for (int c = 0; c < 3; ++c) {
+    const auto emission = [&](std::size_t i) {
+      return all[i].emission[c] * escaping_share(gaussians[i], level.nodes.spacing);
+    };
+    level.emission[static_cast<std::size_t>(c)] =
+        node_means(gaussians, emission, 0.0f, content.fog_density, level, job);
+  }
+}
+
+}  // namespace
+
+PhaseBands::PhaseBands(double anisotropy) : count_(anisotropy == 0.0 ? 1 : max_bands) {
+  double factor = 1.0;
+  double lobe_scattering =
+      anisotropy > 0.0 ? forward_lobe(anisotropy, max_bands) : std::pow(anisotropy, max_bands);
+  for (double& f : factors_) {
+    f = factor - lobe_scattering;
+    factor *= anisotropy;
+    lobe_scattering = std::copysign(lobe_scattering, factor);
+  }
+}
+
+std::array<float, sh_size(PhaseBands::max_bands)> PhaseBands::at(const glm::dvec3& w) const {
+  const ShVector<double> basis = sh_basis(count_, w);
+  std::array<float, sh_size(max_bands)> result{};
+  for (int l = 0; l < count_; ++l) {
+    for (int m = -l; m <= l; ++m) {
+      const std::size_t i = sh_index(l, m);
+      result[i] = static_cast<float>(factors_[static_cast<std::size_t>(l)] * basis[i]);
+    }
+  }
+  return result;
+}
+
+double PhaseBands::phase(double cosine) const {
+  double sum = 0.0;
+  for (const double power : phase_powers() | std::views::reverse) sum = sum * cosine + power;
+  return sum / (4.0 * std::numbers::pi);
+}
+
+std::array<double, PhaseBands::max_bands> PhaseBands::phase_powers() const {
+  // Legendre's polynomials, up to the third.
+  static_assert(max_bands == 4);
+  const double p1 = 3.0 * factors_[1];
+  const double p2 = 5.0 * factors_[2];
+  const double p3 = 7.0 * factors_[3];
+  return {factors_[0] - 0.5 * p2, p1 - 1.5 * p3, 1.5 * p2, 2.5 * p3};
+}
+
+SourceGrid::SourceGrid(std::span<const GaussianTerm<double>> gaussians,
+                       std::span<const SourceLight> lights, const Content& content,
+                       const SourceGridSize& size, const Job& job)
+    : bands_(content.bands) {
+  const Bounds bounds(gaussians, content);
+  core_ = {bounds.low, bounds.high};
+  if (bounds.empty()) {
+    levels_.emplace_back();
+  } else {
+    levels_.push_back(layout(bounds.low, bounds.high, 0.12 * bounds.min_radius, size.nodes));
+    const bool goes_beyond = (content.receivers && !holds(content.receivers->box)) ||
+                             (content.surfaces && !holds(content.surfaces->bounds()));
+    glm::dvec3 low = bounds.low;
+    glm::dvec3 high = bounds.high;
+    const auto add_level = [&](int nodes) {
+      const double beyond = glm::length(high - low);
+      glm::dvec3 max_low = low - beyond;
+      glm::dvec3 max_high = high + beyond;
+      if (content.surfaces && !(content.fog_density > 0.0)) {  // nothing is beyond them
+        max_low = glm::max(max_low, glm::min(low, content.surfaces->bounds().low));
+        max_high = glm::min(max_high, glm::max(high, content.surfaces->bounds().high));
+      }
+      low = max_low;
+      high = max_high;
+      const double spacing = static_cast<double>(levels_.back().nodes.spacing);
+      levels_.push_back(layout(low, high, 2.0 * spacing, nodes));
+    };
+    if (content.fog_density > 0.0 || goes_beyond) add_level(size.nodes / 2);
+    const double reach = content.fog_density > 0.0
+                             ? std::min(1.0 / content.fog_density, content.fog_ball.radius)
+                             : 0.0;
+    // Surfaces beyond all levels are lit as those at the border are, which is too much of what
+    // Gaussians emit.
+    const auto holds_surfaces = [&] {
+      return !content.surfaces || !content.emission || content.emission->lights().empty() ||
+             contains(low, high, content.surfaces->bounds());
+    };
+    while (levels_.size() < max_levels &&
+           (0.5 * smallest(high - low) < reach || !holds_surfaces())) {
+      add_level(size.nodes / 4);
+    }
+  }
+  for (std::size_t k = 0; k < levels_.size(); ++k) {
+    Level& level = levels_[k];
+    level.density = density_on_grid(gaussians, level.first, level.nodes, job);
+    if (content.fog_density > 0.0) level.fog = fog_shares(level, content.fog_ball);
+    if (content.surfaces) level.surfaces = content.surfaces->at(k, level.first, level.nodes, job);
+    if (content.emission) add_optics(gaussians, content, level, job);
+  }
+  for (std::size_t k = 0; k < levels_.size(); ++k) {
+    fill(levels_[k], k + 1 < levels_.size() ? &levels_[k + 1] : nullptr, lights, content, job);
+  }
+}
+
+bool SourceGrid::Level::is_point(const EmissionLights::Light& light) const {
+  const double spacing = static_cast<double>(nodes.spacing);
+  if (light.width > 4.0 * spacing) return false;
+  if (!surfaces || surfaces->blocked().empty()) return true;
+  const glm::ivec3 node(glm::round((light.source.position - first) / spacing));
+  if (glm::any(glm::lessThan(node, glm::ivec3(0))) ||
+      glm::any(glm::greaterThanEqual(node, nodes.count))) {
+    return true;
+  }
+  return surfaces->blocked()[node_index(nodes, node)] == 0;
+}
+
+void SourceGrid::set_scattered(const Scattered& scattered, const Job& job) {
+  const std::size_t size = node_size(bands_);
+  const auto distant_scale = static_cast<float>(scattered.distant_scale);
+  for (std::size_t k = 0; k < levels_.size(); ++k) {
+    Level& level = levels_[k];
+    const NodeLight& light = scattered.levels[k];
+    if (level.distant.empty()) level.distant = level.values;
+    job.parallel_for((level.nodes.size() + node_block - 1) / node_block, [&](std::size_t b) {
+      const std::size_t begin = b * node_block;
+      const std::size_t end = std::min(begin + node_block, level.nodes.size());
+      for (int l = 0; l < bands_; ++l) {
+        const glm::vec3 scale =
+            scattered.color * static_cast<float>(scattered.factors[static_cast<std::size_t>(l)]);
+        for (std::size_t f = sh_size(l); f < sh_size(l + 1); ++f) {
+          for (int c = 0; c < 3; ++c) {
+            const auto channel = static_cast<std::size_t>(c);
+            const float* row = light.row(light.channels == 3 ? channel : 0, f).data();
+            for (std::size_t i = begin; i < end; ++i) {
+              const std::size_t at = size * i + 4 * f + channel;
+              level.values[at] = distant_scale * level.distant[at] + scale[c] * row[i];
+            }
+          }
+        }
+      }
+    });
+  }
+  revision_ = new_revision();
+}
+
+void SourceGrid::set_incident(const Scattered& scattered, const Job& job) {
+  const auto distant_scale = static_cast<float>(scattered.distant_scale);
+  for (std::size_t k = 0; k < levels_.size(); ++k) {
+    Level& level = levels_[k];
+    const NodeLight& light = scattered.levels[k];
+    const std::size_t functions = sh_size(grid_bands);
+    level.incident.assign(4 * functions * level.nodes.size(), 0.0f);
+    job.parallel_for((level.nodes.size() + node_block - 1) / node_block, [&](std::size_t b) {
+      const std::size_t begin = b * node_block;
+      const std::size_t end = std::min(begin + node_block, level.nodes.size());
+      for (std::size_t f = 0; f < functions; ++f) {
+        for (std::size_t c = 0; c < 3; ++c) {
+          const float* transmitted = level.transmitted.row(c, f).data();
+          const float* row = light.row(light.channels == 3 ? c : 0, f).data();
+          const float color = scattered.color[static_cast<int>(c)];
+          for (std::size_t i = begin; i < end; ++i) {
+            level.incident[4 * (functions * i + f) + c] =
+                distant_scale * transmitted[i] + color * row[i];
+          }
+        }
+      }
+    });
+  }
+  revision_ = new_revision();
+}
+
+void SourceGrid::remove_scattered() {
+  for (Level& level : levels_) {
+    level.values = std::move(level.distant);
+    level.distant.clear();
+  }
+  revision_ = new_revision();
+}
+
+std::uint32_t SourceGrid::occlusion_bits(const glm::dvec3& eye) const {
+  for (const Level& level : levels_) {
+    if (!level.surfaces || level.surfaces->blocked().empty()) continue;
+    const glm::dvec3 coordinate = (eye - level.first) / static_cast<double>(level.nodes.spacing);
+    if (glm::any(glm::lessThan(coordinate, glm::dvec3(0.0))) ||
+        glm::any(glm::greaterThan(coordinate, glm::dvec3(level.nodes.count - 1)))) {
+      continue;
+    }
+    const std::size_t nearest = node_index(level.nodes, glm::ivec3(glm::round(coordinate)));
+    const std::uint32_t blocked = level.surfaces->blocked()[nearest];
+    return GridOcclusion::all_bits & ~(blocked & GridOcclusion::enclosed_bit);
+  }
+  return GridOcclusion::all_bits;
+}
+
+std::size_t SourceGrid::bytes() const {
+  std::size_t floats = 0;
+  for (const Level& level : levels_) {
+    floats += level.density.size() + level.fog.size() + level.values.size() + level.distant.size() +
+              level.incident.size() + level.transmitted.values.size() + level.reflected.size() +
+              level.albedo.size() + 3 * level.emission[0].size();
+  }
+  return sizeof(float) * floats;
+}
+
+bool SourceGrid::holds(const Box& box) const {
+  return contains(core_.low, core_.high, box);
+}
+
+}  // namespace brume

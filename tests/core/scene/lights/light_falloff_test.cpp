@@ -1,0 +1,107 @@
+#include "core/scene/lights/light_falloff.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <random>
+
+namespace brume {
+namespace {
+
+glm::dvec3 at_angle(double degrees) {
+  return {std::sin(glm::radians(degrees)), -std::cos(glm::radians(degrees)), 0.0};
+}
+
+TEST(LightFalloff, FollowsTheFormulaOfGltf) {
+  const LightFalloff spot(SpotCone{{0.0, -7.0, 0.0}, 10.0, 30.0});
+  const double dark = std::cos(glm::radians(30.0));
+  const double full = std::cos(glm::radians(10.0));
+  for (const double angle : {0.0, 5.0, 9.9}) EXPECT_EQ(spot.at(at_angle(angle)), 1.0) << angle;
+  for (const double angle : {12.0, 20.0, 29.0}) {
+    const double share = (std::cos(glm::radians(angle)) - dark) / (full - dark);
+    EXPECT_NEAR(spot.at(at_angle(angle)), share * share, 1e-12) << angle;
+  }
+  for (const double angle : {30.1, 90.0, 180.0}) EXPECT_EQ(spot.at(at_angle(angle)), 0.0) << angle;
+}
+
+// cos a - cos b of angles in degrees, by sines, which keep the digits of narrow cones.
+double cosine_difference(double a, double b) {
+  return 2.0 * std::sin(glm::radians(0.5 * (b - a))) * std::sin(glm::radians(0.5 * (b + a)));
+}
+
+TEST(LightFalloff, IsFullOnTheAxisOfNarrowCones) {
+  for (const auto& [inner, outer] :
+       {std::pair{2.9, 3.0}, {1.5, 1.9}, {0.5, 1.0}, {0.4, 0.5}, {0.02, 0.05}, {0.005, 0.006}}) {
+    const LightFalloff spot(SpotCone{{0.0, -1.0, 0.0}, inner, outer});
+    EXPECT_EQ(spot.at(at_angle(0.0)), 1.0) << outer;
+    EXPECT_EQ(spot.at(at_angle(0.99 * inner)), 1.0) << outer;
+    const double middle = 0.5 * (inner + outer);
+    const double share = cosine_difference(middle, outer) / cosine_difference(inner, outer);
+    EXPECT_NEAR(spot.at(at_angle(middle)), share * share, 1e-6) << outer;
+    EXPECT_EQ(spot.at(at_angle(1.01 * outer)), 0.0) << outer;
+  }
+}
+
+TEST(LightFalloff, HasAHardEdgeWhereItsAnglesAreEqual) {
+  for (const double angle : {0.2, 1.0, 45.0, 90.0, 170.0}) {
+    const LightFalloff spot(SpotCone{{0.0, -1.0, 0.0}, angle, angle});
+    EXPECT_EQ(spot.at(at_angle(0.999 * angle)), 1.0) << angle;
+    EXPECT_EQ(spot.at(at_angle(1.001 * angle)), 0.0) << angle;
+  }
+}
+
+TEST(LightFalloff, IsOneWithoutCone) {
+  const LightFalloff none;
+  EXPECT_TRUE(none.is_isotropic());
+  EXPECT_EQ(none.at({0.6, 0.8, 0.0}), 1.0);
+  // Full up to where the cone closes behind the light.
+  const LightFalloff all(SpotCone{{1e-200, 0.0, 0.0}, 179.0, 180.0});
+  EXPECT_FALSE(all.is_isotropic());
+  for (const double angle : {0.0, 60.0, 120.0}) EXPECT_EQ(all.at(at_angle(angle)), 1.0) << angle;
+}
+
+// What keyframes may pass through is a light all the same.
+TEST(LightFalloff, SurvivesNoDirectionAndClosedCones) {
+  EXPECT_EQ(LightFalloff(SpotCone{glm::dvec3(0.0), 10.0, 20.0}).at({0.0, -1.0, 0.0}), 1.0);
+  EXPECT_EQ(LightFalloff(SpotCone{{0.0, -1e308, 1e308}, 0.0, 1e-9}).at({1.0, 0.0, 0.0}), 0.0);
+  EXPECT_EQ(LightFalloff(SpotCone{{0.0, -1.0, 0.0}, 50.0, 20.0}).at(at_angle(10.0)), 1.0);
+}
+
+// Between neighbouring edges the falloff along a line is 0, 1, or on the slope.
+TEST(LightFalloff, EdgesPartALine) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  const auto vector = [&] { return glm::dvec3(uniform(random), uniform(random), uniform(random)); };
+  int crossed = 0;
+  for (int i = 0; i < 500; ++i) {
+    const double outer = 90.0 * (uniform(random) + 1.0);
+    const LightFalloff spot(SpotCone{vector(), 0.6 * outer, outer});
+    const glm::dvec3 light = vector();
+    const glm::dvec3 origin = vector();
+    const glm::dvec3 w = glm::normalize(vector());
+    const auto edges = spot.edges(light, origin, w);
+    const auto kind = [&](double t) {
+      const double falloff = spot.at(glm::normalize(origin + t * w - light));
+      return falloff <= 0.0 ? 0 : falloff >= 1.0 ? 2 : 1;
+    };
+    double begin = -50.0;
+    for (std::size_t k = 0; k <= edges.size(); ++k) {
+      const double end = k < edges.size() ? std::clamp(edges[k], begin, 50.0) : 50.0;
+      const double width = end - begin;
+      if (width > 1e-6) {
+        const int middle = kind(begin + 0.5 * width);
+        for (const double share : {0.001, 0.2, 0.8, 0.999}) {
+          EXPECT_EQ(kind(begin + share * width), middle) << i;
+        }
+        crossed += k > 0 ? 1 : 0;
+      }
+      begin = end;
+    }
+  }
+  EXPECT_GT(crossed, 500);
+}
+
+}  // namespace
+}  // namespace brume
