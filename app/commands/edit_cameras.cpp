@@ -49,7 +49,7 @@ void rename_camera(Document& document, const QString& name, const QString& new_n
   CameraList list = camera_list(document);
   NamedCamera* camera = find(list, name.toStdString());
   if (!camera || wanted.empty() || wanted == camera->name) {
-    Q_EMIT document.part_changed();  // fields show what is, not what was wanted
+    document.announce(Change::part);  // fields show what is, not what was wanted
     return;
   }
   camera->name = free_camera_name(document.scene(), wanted);

@@ -16,7 +16,7 @@
 namespace brume {
 namespace {
 
-// Of new groups in turn, linear RGB: apart in hue, alike in lightness.
+// New groups take these in turn, linear RGB: apart in hue, alike in lightness.
 constexpr std::array colors{glm::dvec3(0.10, 0.52, 0.90), glm::dvec3(0.95, 0.38, 0.08),
                             glm::dvec3(0.20, 0.68, 0.16), glm::dvec3(0.85, 0.16, 0.45),
                             glm::dvec3(0.85, 0.62, 0.06), glm::dvec3(0.42, 0.24, 0.90),

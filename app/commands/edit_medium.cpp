@@ -70,7 +70,7 @@ QString set_attribute(Document& document, std::span<const GaussianId> ids, Gauss
   for (const GaussianId id : ids) {
     Gaussian& gaussian = after.emplace_back(medium.gaussian(*medium.index_of(id)));
     set_attribute_value(gaussian, field, value);
-    // Of a thin ellipsoid a radius may have become too small.
+    // A thin ellipsoid may have got a radius that is too small.
     if (!gaussian.is_ball()) gaussian = within_domains(gaussian);
   }
   push(document, MediumEdit::change(medium, ids, after),

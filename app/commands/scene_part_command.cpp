@@ -35,7 +35,7 @@ void set_scene_part(Document& document, ScenePart part, const QString& text, Mer
   const ScenePart before = scene_part(document.scene(), part.index());
   if (part == before) return;
   if (!has_room(document, gaussian_count(part), gaussian_count(before))) {
-    Q_EMIT document.part_changed();  // fields show what is, not what was wanted
+    document.announce(Change::part);  // fields show what is, not what was wanted
     return;
   }
   key_changes(before, part, document.time());

@@ -68,7 +68,7 @@ Autosave::Autosave(Document& document, const std::filesystem::path& folder, QObj
   timer_.start();
   pause_timer_.setSingleShot(true);
   connect(&pause_timer_, &QTimer::timeout, this, &Autosave::save_soon);
-  connect(&document_, &Document::modified_changed, this, [this] {
+  on_change(document_, Change::modified, this, [this] {
     if (!document_.is_modified()) remove_copy();
   });
 }

@@ -68,7 +68,7 @@ class Autosave : public QObject {
   bool writing_ = false;
   bool complained_ = false;
   std::uint64_t written_revision_ = 0;
-  // Of very many Gaussians:
+  // Very many Gaussians are saved only in a pause:
   QTimer pause_timer_;
   std::uint64_t waited_revision_ = 0;
   int waits_ = 0;

@@ -25,7 +25,7 @@ namespace {
 
 using Ids = std::vector<GaussianId>;
 
-// Of two sorted sets.
+// The union of two sorted sets.
 Ids united(const Ids& a, const Ids& b) {
   Ids both;
   both.reserve(a.size() + b.size());
@@ -133,14 +133,13 @@ void Document::save(const std::filesystem::path& file) {
   is_file_missing_ = false;
   saved_revision_ = revision_;
   undo_stack_.setClean();
-  Q_EMIT file_changed();
-  Q_EMIT modified_changed();
+  announce(Change::file | Change::modified);
 }
 
 void Document::set_file_missing(bool missing) {
   if (missing == is_file_missing_) return;
   is_file_missing_ = missing;
-  Q_EMIT modified_changed();
+  announce(Change::modified);
 }
 
 void Document::open_unsaved(SceneDocument document, const std::filesystem::path& file,
@@ -169,12 +168,10 @@ void Document::open(SceneDocument document, const std::filesystem::path& file,
   file_version_ = version;
   is_file_missing_ = false;
   revision_ = saved_revision_ = new_revision();
-  Q_EMIT scene_replaced();
-  Q_EMIT selection_changed();
-  Q_EMIT object_changed();
-  Q_EMIT hidden_or_locked_changed();
-  Q_EMIT file_changed();
-  Q_EMIT modified_changed();
+  announce(Change::scene);
+  // Views take the new scene before anything renders it.
+  announce(Change::selection | Change::object | Change::hidden_or_locked | Change::file |
+           Change::modified);
 }
 
 void Document::set_time(double time) {
@@ -183,8 +180,7 @@ void Document::set_time(double time) {
   if (!has_keys(scene_)) return;
   apply_keys(scene_, time_);
   scene_changed();
-  Q_EMIT part_changed();
-  if (!scene_.groups.empty()) Q_EMIT groups_changed();
+  announce(scene_.groups.empty() ? Changes(Change::part) : Change::part | Change::groups);
 }
 
 Gaussian Document::effective_gaussian(std::size_t index) const {
@@ -222,7 +218,7 @@ void Document::select(std::vector<GaussianId> ids) {
   if (!ids.empty()) set_object(std::nullopt);
   if (ids == selection_) return;
   selection_ = std::move(ids);
-  Q_EMIT selection_changed();
+  announce(Change::selection);
 }
 
 std::vector<GaussianId> Document::selectable(std::vector<GaussianId> ids) const {
@@ -246,7 +242,7 @@ void Document::hide(std::vector<GaussianId> ids) {
   grouped_is_current_ = false;
   visible_.reset();
   select(selection_);
-  Q_EMIT hidden_or_locked_changed();
+  announce(Change::hidden_or_locked);
 }
 
 void Document::lock(std::vector<GaussianId> ids) {
@@ -254,19 +250,19 @@ void Document::lock(std::vector<GaussianId> ids) {
   locked_ = std::move(ids);
   grouped_is_current_ = false;
   select(selection_);
-  Q_EMIT hidden_or_locked_changed();
+  announce(Change::hidden_or_locked);
 }
 
 void Document::set_active_light(std::size_t index) {
   if (index == active_light_) return;
   active_light_ = index;
-  Q_EMIT active_light_changed();
+  announce(Change::active_light);
 }
 
 void Document::set_active_emitter(std::size_t index) {
   if (index == active_emitter_) return;
   active_emitter_ = index;
-  Q_EMIT active_emitter_changed();
+  announce(Change::active_emitter);
 }
 
 namespace {
@@ -290,7 +286,7 @@ void Document::set_object(const std::optional<ObjectRef>& object) {
   object_ = object;
   if (object && object->kind == ObjectRef::Kind::light) set_active_light(object->index);
   if (object && object->kind == ObjectRef::Kind::emitter) set_active_emitter(object->index);
-  Q_EMIT object_changed();
+  announce(Change::object);
 }
 
 const Group* Document::active_group() const {
@@ -300,7 +296,7 @@ const Group* Document::active_group() const {
 void Document::set_active_group(GroupId id) {
   if (id == active_group_) return;
   active_group_ = id;
-  Q_EMIT active_group_changed();
+  announce(Change::active_group);
 }
 
 const PaintedSpline* Document::active_spline() const {
@@ -310,13 +306,13 @@ const PaintedSpline* Document::active_spline() const {
 void Document::set_active_spline(SplineId id) {
   if (id == active_spline_) return;
   active_spline_ = id;
-  Q_EMIT active_spline_changed();
+  announce(Change::active_spline);
 }
 
 void Document::set_splines(std::vector<PaintedSpline> splines) {
   scene_.splines = std::move(splines);
   scene_changed();
-  Q_EMIT splines_changed();
+  announce(Change::splines);
 }
 
 void Document::apply(const MediumEdit& edit) {
@@ -333,8 +329,9 @@ void Document::apply(const MediumEdit& edit) {
   if (!edit.changed().empty() && !scene_.groups.empty()) {
     std::erase_if(selection_, [this](GaussianId id) { return !is_editable(id); });
   }
-  Q_EMIT medium_changed(edit);
-  if (selected != selection_.size()) Q_EMIT selection_changed();
+  Changes what = Change::medium;
+  what.setFlag(Change::selection, selected != selection_.size());
+  Q_EMIT changed({what, &edit});
 }
 
 void Document::set_part(const ScenePart& part) {
@@ -352,17 +349,16 @@ void Document::set_part(const ScenePart& part) {
       set_object(ObjectRef{object_->kind, count - 1});
     }
   }
-  Q_EMIT part_changed();
-  if (!std::holds_alternative<Groups>(part)) return;
+  if (!std::holds_alternative<Groups>(part)) return announce(Change::part);
   if (!active_group()) set_active_group(0);
   select(selection_);
-  Q_EMIT groups_changed();
+  announce(Change::part | Change::groups);
 }
 
 void Document::set_revision(std::uint64_t revision) {
   const bool was_modified = is_modified();
   revision_ = revision;
-  if (is_modified() != was_modified) Q_EMIT modified_changed();
+  if (is_modified() != was_modified) announce(Change::modified);
 }
 
 }  // namespace brume

@@ -3,10 +3,13 @@
 #include <QObject>
 #include <QUndoStack>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
+#include "app/document/document_change.h"
 #include "app/document/gaussian_attribute.h"
 #include "app/document/grouped_medium.h"
 #include "app/document/object_ref.h"
@@ -123,26 +126,15 @@ class Document : public QObject {
   void set_part(const ScenePart& part);
   void set_splines(std::vector<PaintedSpline> splines);
   void select(std::vector<GaussianId> ids);
+  // Tells views that this changed, or that they should show again what is.
+  void announce(Changes what) { Q_EMIT changed({.what = what}); }
   // Identifies a state of the scene; equal revisions of a document are equal states.
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
   [[nodiscard]] std::uint64_t new_revision() { return ++last_revision_; }
   void set_revision(std::uint64_t revision);
 
  Q_SIGNALS:
-  void scene_replaced();
-  void medium_changed(const brume::MediumEdit& edit);
-  void part_changed();  // a part other than the Gaussians
-  void selection_changed();
-  void active_light_changed();
-  void active_emitter_changed();
-  void object_changed();
-  void active_group_changed();
-  void splines_changed();
-  void active_spline_changed();
-  void groups_changed();            // or what they do at another time
-  void hidden_or_locked_changed();  // hidden or locked Gaussians
-  void file_changed();
-  void modified_changed();           // or whether the file is missing
+  void changed(const brume::DocumentChange& change);
   void refused(const QString& why);  // an edit was rejected by a limit
 
  private:
@@ -180,5 +172,34 @@ class Document : public QObject {
   std::uint64_t last_revision_ = 0;
   std::uint64_t saved_revision_ = 0;
 };
+
+// Calls a slot with each edit of the medium.
+template <class Receiver, class Slot>
+void on_medium_edit(const Document& document, Receiver* receiver, Slot slot) {
+  QObject::connect(&document, &Document::changed, receiver,
+                   [receiver, slot](const DocumentChange& change) {
+                     if (!change.edit) return;
+                     if constexpr (std::is_member_function_pointer_v<Slot>) {
+                       std::invoke(slot, receiver, *change.edit);
+                     } else {
+                       slot(*change.edit);
+                     }
+                   });
+}
+
+// Calls a slot of `receiver`, a member function or a function without arguments, once for each
+// change of any of these.
+template <class Receiver, class Slot>
+void on_change(const Document& document, Changes any_of, Receiver* receiver, Slot slot) {
+  QObject::connect(&document, &Document::changed, receiver,
+                   [any_of, receiver, slot](const DocumentChange& change) {
+                     if (!(change.what & any_of)) return;
+                     if constexpr (std::is_member_function_pointer_v<Slot>) {
+                       std::invoke(slot, receiver);
+                     } else {
+                       slot();
+                     }
+                   });
+}
 
 }  // namespace brume

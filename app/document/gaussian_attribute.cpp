@@ -20,7 +20,7 @@ QString attribute_text(const char* text) {
   return QCoreApplication::translate("GaussianField", text);
 }
 
-// Of grey not even rounded.
+// Grey stays what it is, to the last bit.
 double albedo_luminance(const glm::dvec3& albedo) {
   return albedo == glm::dvec3(albedo.x) ? albedo.x : luminance(albedo);
 }

@@ -38,7 +38,7 @@ inline constexpr std::array gaussian_attributes{
 // The first of them, which are all of a ball without optics of its own.
 inline constexpr std::size_t ball_attributes = 5;
 
-// Of an axis of its own, x, y or z.
+// The radius along an axis of its own, x, y or z.
 GaussianAttribute radius_attribute(int axis);
 GaussianAttribute rotation_attribute(int axis);
 // Whether it is one of the last, of which all balls have the same, or all those of one radius.
@@ -54,7 +54,7 @@ const NumberDomain& attribute_domain(GaussianAttribute field);
 double attribute_value(const Gaussian& gaussian, GaussianAttribute field);
 void set_attribute_value(Gaussian& gaussian, GaussianAttribute field, double value);
 
-// Of its brightest channel; and its colour, whose brightest channel is 1, white if it is black.
+// The brightest channel; and the colour, whose brightest channel is 1, white if it is black.
 double emission_strength(const glm::dvec3& emission);
 glm::dvec3 emission_color(const glm::dvec3& emission);
 

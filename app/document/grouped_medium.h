@@ -15,7 +15,7 @@ class GroupedMedium {
   void update(const Scene& scene);
 
   [[nodiscard]] const GroupEffects& effects() const { return effects_; }
-  // Of the scene it was updated with, whose medium is `plain`.
+  // The medium of the scene it was updated with, whose own one is `plain`.
   [[nodiscard]] const Medium& medium(const Medium& plain) const {
     return effects_.any_change() ? medium_ : plain;
   }

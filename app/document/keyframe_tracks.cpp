@@ -44,7 +44,7 @@ QString track_title(const QString& object, const FieldInfo& info) {
   return object.isEmpty() ? label : object + ' ' + label.toLower();
 }
 
-// Of values of core/scene/fields; those that are keyed jointly are neighbours. `value`: index of
+// The tracks of values of core/scene/fields; keyed jointly are neighbours. `value`: index of
 // the object's first among its part's.
 void add_tracks(std::vector<Track>& rows, const QString& object, std::size_t part,
                 std::size_t& value, const auto& owner, const auto& all_keys) {

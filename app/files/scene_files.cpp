@@ -30,7 +30,7 @@ QString filter() {
 SceneFiles::SceneFiles(Document& document, QWidget* window)
     : QObject(window), document_(document), window_(window) {
   connect(&loading_, &BackgroundJob::failed, this, &SceneFiles::failed);
-  connect(&document_, &Document::file_changed, this, &SceneFiles::watch_folder);
+  on_change(document_, Change::file, this, &SceneFiles::watch_folder);
   connect(&folder_watcher_, &QFileSystemWatcher::directoryChanged, this, [this] {
     if (lacks_file() != document_.is_file_missing()) check_file_version();
   });

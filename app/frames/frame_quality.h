@@ -33,7 +33,7 @@ class FrameQuality : public QObject {
   [[nodiscard]] double max_error() const { return control_.max_error(); }
   void set_max_error(double max_error);
 
-  // Of frames at rest, as chosen: never `auto_`.
+  // The request for frames at rest, as chosen: its method is never `auto_`.
   [[nodiscard]] RenderRequest request() const;
   [[nodiscard]] Settings settings() const;
   [[nodiscard]] const QualityControl& control() const { return control_; }

@@ -14,9 +14,9 @@ namespace {
 
 constexpr int rest_after = 150;  // milliseconds without a change
 constexpr int motion_slices = 8;
-// Of a million Gaussians of a bank it leaves a fiftieth.
+// It leaves a fiftieth of a bank's million Gaussians.
 constexpr double motion_merge_error = 0.05;
-// Of a sequence each picture has other Gaussians: merging that leaves more takes longer than they.
+// Each picture of a sequence has other Gaussians: merging that leaves more takes longer than they.
 constexpr double motion_merge_share = 0.4;
 // All orders of scattering, while the scene changes: from the last solution on, which is nearly
 // right. The frame at rest goes on to convergence.
@@ -42,7 +42,7 @@ FrameScheduler::FrameScheduler(const Document& document, FrameServices& services
                                const QWidget& pane)
     : document_(document), services_(services), view_(view), pane_(pane) {
   rest_timer_.setSingleShot(true);
-  connect(&rest_timer_, &QTimer::timeout, this, &FrameScheduler::request_at_rest);
+  connect(&rest_timer_, &QTimer::timeout, this, [this] { pace(FramePacing::Event::quiet); });
   connect(&services.service, &FrameService::frame_ready, this, &FrameScheduler::use_frame);
   // Even if they are again those of the frame shown: another one may be on its way.
   connect(&quality_, &FrameQuality::settings_changed, this, [this] {
@@ -64,14 +64,13 @@ FrameScheduler::FrameScheduler(const Document& document, FrameServices& services
   connect(&services.color, &ColorManagement::view_changed, this, &FrameScheduler::picture_changed);
   connect(&services.transfer_job, &TransferJob::made, this, &FrameScheduler::change_look);
   connect(&services.service, &FrameService::backend_changed, this, &FrameScheduler::change_look);
-  connect(&document, &Document::scene_replaced, this, [this] {
+  on_change(document, Change::scene, this, [this] {
     quality_.scene_replaced();
     oldest_serial_ = serial_ + 1;
     forget_cached();
   });
-  connect(&document, &Document::medium_changed, this, &FrameScheduler::change_look);
-  connect(&document, &Document::part_changed, this, &FrameScheduler::change_look);
-  connect(&document, &Document::hidden_or_locked_changed, this, &FrameScheduler::change_look);
+  on_change(document, Change::medium | Change::part | Change::hidden_or_locked, this,
+            &FrameScheduler::change_look);
 }
 
 void FrameScheduler::set_active(bool active) {
@@ -231,14 +230,29 @@ void FrameScheduler::send(FrameRequest request) {
 }
 
 void FrameScheduler::request() {
-  if (held_) {
-    held_request_ = true;
+  if (hold_ != Hold::none) {
+    hold_ = Hold::changed;
     return;
   }
   ++serial_;
-  gesture_ended_ = false;
   forget_error_map();
-  if (pane_.isHidden()) return;
+  if (!pane_.isHidden()) pace(FramePacing::Event::change);
+}
+
+void FrameScheduler::pace(FramePacing::Event event) {
+  switch (pacing_.on(event)) {
+    case FramePacing::Action::none:
+      return;
+    case FramePacing::Action::render_in_motion:
+      return render_in_motion();
+    case FramePacing::Action::wait_no_longer:
+      return rest_timer_.start(0);
+    case FramePacing::Action::render_at_rest:
+      return request_at_rest();
+  }
+}
+
+void FrameScheduler::render_in_motion() {
   quality_.picture_changes(*lit_scene(), view_.shown_camera());
   services_.transfer_job.follow(document_.scene(), quality_.settings());
   if (!show_cached()) send(frame_request(true));
@@ -246,23 +260,16 @@ void FrameScheduler::request() {
 }
 
 void FrameScheduler::end_gesture() {
-  gesture_ended_ = true;
-  rest_soon();
-}
-
-void FrameScheduler::rest_soon() {
-  if (!gesture_ended_ || !rest_timer_.isActive()) return;
-  if (shown_ && shown_->request.serial == serial_) rest_timer_.start(0);
+  pace(FramePacing::Event::gesture_end);
 }
 
 void FrameScheduler::change_look() {
-  if (!held_) forget_cached();
+  if (hold_ == Hold::none) forget_cached();
   request();
 }
 
 void FrameScheduler::release() {
-  held_ = false;
-  if (std::exchange(held_request_, false)) request();
+  if (std::exchange(hold_, Hold::none) == Hold::changed) request();
 }
 
 bool FrameScheduler::uses_cache() const {
@@ -301,6 +308,7 @@ bool FrameScheduler::show_cached() {
   frame->request.moving = true;  // the one at rest has layers, and follows
   frame->cached = true;
   shown_ = std::move(frame);
+  pace(FramePacing::Event::picture);
   if (is_draft) refine_cached();
   Q_EMIT frame_shown();
   return true;
@@ -349,7 +357,7 @@ void FrameScheduler::use_frame(const std::shared_ptr<const RenderedFrame>& frame
   if (at_rest && !is_path_traced(*frame)) rested_scene_ = shown_->request.scene;
   if (is_settled()) measure();
   refine();
-  rest_soon();
+  if (shown_->request.serial == serial_) pace(FramePacing::Event::picture);
   Q_EMIT frame_shown();
 }
 

@@ -3,6 +3,7 @@
 #include <QTimer>
 
 #include "app/frames/error_map.h"
+#include "app/frames/frame_pacing.h"
 #include "app/frames/frame_quality.h"
 #include "app/frames/frame_service.h"
 #include "app/view/view.h"
@@ -29,7 +30,7 @@ class FrameScheduler : public QObject {
   void resume();       // after forget(): requests what is missing
   // Changes of time: until release(), all that changes is due to the time, and requested at once
   // then.
-  void hold() { held_ = true; }
+  void hold() { hold_ = Hold::held; }
   void release();
   // Whether it is the view that keys, panels and the error meter are about.
   void set_active(bool active);
@@ -77,8 +78,9 @@ class FrameScheduler : public QObject {
   void refine_cached();  // renders it at rest, one at a time
   [[nodiscard]] std::shared_ptr<const Scene> lit_scene() const;  // by a headlight if unlit
   [[nodiscard]] int index() const { return static_cast<int>(view_.projection()); }
+  void pace(FramePacing::Event event);
+  void render_in_motion();
   void request_at_rest();
-  void rest_soon();  // if it is due, and the last picture in motion is shown
   void use_frame(const std::shared_ptr<const RenderedFrame>& frame);
   void refine();  // more paths, where they are shown
   void measure();
@@ -107,10 +109,9 @@ class FrameScheduler : public QObject {
     bool operator==(const Look&) const = default;
   };
   Look look_;
-  std::uint64_t look_count_ = 0;  // see FrameRequest
-  bool held_ = false;
-  bool held_request_ = false;
-  bool gesture_ended_ = false;
+  std::uint64_t look_count_ = 0;                               // see FrameRequest
+  enum class Hold { none, held, changed } hold_ = Hold::none;  // see hold()
+  FramePacing pacing_;
   bool refines_cache_ = false;                 // one for the cache is on its way
   std::shared_ptr<const ErrorMap> error_map_;  // of the displayed frame
   std::shared_ptr<const Scene> rested_scene_;  // of the last frame at rest

@@ -35,7 +35,7 @@ struct FrameRequest {
   bool depth = true;         // request the depth layer nevertheless
   bool headlight = false;    // the scene has a light that the document lacks
   double time = 0.0;         // [s] of the scene
-  // Of what the view shows besides the time: frames of another do not go to the cache.
+  // Counts what the view shows besides the time: frames of another do not go to the cache.
   std::uint64_t look = 0;
   bool refines_cache = false;  // at rest, during playback: to be shown when its time comes again
 };
@@ -92,7 +92,7 @@ class FrameService : public QObject {
   std::map<int, FrameRequest> pending_;  // by view
   std::optional<FrameRequest> running_;
   std::stop_source stop_frame_;
-  // Of the last frame in motion: of all that does not depend on the resolution, and the rest; 0
+  // The last frame in motion took: for all that does not depend on the resolution, and the rest; 0
   // initially.
   double fixed_milliseconds_ = 0.0;
   double milliseconds_per_pixel_ = 0.0;

@@ -46,7 +46,7 @@ QImage depths(const Frame& frame) {
   const float* transmittance = frame.transmittance.data();
   for (int y = 0; y < frame.film.height; ++y) {
     for (int x = 0; x < frame.film.width; ++x, transmittance += 3) {
-      // Of green, where the three differ.
+      // Green stands for all where the three differ.
       const double t = std::clamp(static_cast<double>(transmittance[1]), 1e-30, 1.0);
       image.setPixel(x, y, depth_color(-std::log(t)));
     }

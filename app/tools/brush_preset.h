@@ -15,12 +15,12 @@ struct BrushPreset {
   double jitter = 0.0;     // as in core/authoring
   double smoothing = 0.0;  // [pixels]
   double stretch = 1.0;
-  // Of a paintbrush.
+  // A paintbrush has:
   double spacing = 1.0;
   double scatter = 0.5;
   double falloff = 0.0;
   double flow = 1.0;
-  // Of an airbrush.
+  // An airbrush has:
   double rate = 60.0;  // [1/s]
   double speed = 0.2;  // [1/s]
   double spread = 0.7;

@@ -52,8 +52,8 @@ Picked picked(const Gaussian& gaussian) {
 }  // namespace
 
 FogBrushTool::FogBrushTool(Document& document, View& view) : BrushTool(document, view) {
-  connect(&document, &Document::scene_replaced, this,
-          [this] { fit_to(target_distance(document_.scene().camera)); });
+  on_change(document, Change::scene, this,
+            [this] { fit_to(target_distance(document_.scene().camera)); });
 }
 
 void FogBrushTool::set_target(const PaintTarget& target) {
@@ -198,7 +198,7 @@ void FogBrushTool::add_optics_button(QHBoxLayout& row, const QString& prefix) {
   };
   button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   connect(this, &Tool::options_changed, editor, show);
-  connect(&document_, &Document::part_changed, editor, show);
+  on_change(document_, Change::part, editor, show);
   connect(editor, &OpticsEditor::edited, this, [this](const OpticsEditor::Change& change) {
     change(optics_);
     Q_EMIT options_changed();

@@ -9,7 +9,7 @@
 
 namespace brume {
 
-// Of a circle around the mouse, in pixels.
+// The radius of a circle around the mouse, in pixels.
 inline constexpr NumberDomain screen_radius_domain{1.0, 2000.0,
                                                    "a number of pixels from 1 to 2000"};
 

@@ -31,12 +31,12 @@ SplineTool::SplineTool(Document& document, View& view) : PaintbrushTool(document
     if (options_id_ == no_merge) options_id_ = new_merge_id();
     repaint(spline().points, tr("Repaint spline"), options_id_);
   });
-  connect(&document, &Document::active_spline_changed, this, [this] {
+  on_change(document, Change::active_spline, this, [this] {
     forget_gesture();
     adopt_brush();
   });
   // Also by undo, which may have taken the dragged point away.
-  connect(&document, &Document::splines_changed, this, [this] {
+  on_change(document, Change::splines, this, [this] {
     if (dragged_ && *dragged_ >= spline().points.size()) dragged_.reset();
     hovered_.reset();
     adopt_brush();

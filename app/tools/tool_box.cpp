@@ -32,8 +32,8 @@ ToolBox::ToolBox(Document& document, View& view, std::function<void(Tool*)> use,
   add("emitter", tr("Emitter"), std::type_identity<EmitterTool>());
   add("spline", tr("Spline Brush"), std::type_identity<SplineTool>());
   use_(entries_[active_].tool.get());
-  connect(&document, &Document::scene_replaced, this, [this] { tool().abandon(); });
-  connect(&document, &Document::medium_changed, this, [this] { tool().medium_changed(); });
+  on_change(document, Change::scene, this, [this] { tool().abandon(); });
+  on_change(document, Change::medium, this, [this] { tool().medium_changed(); });
 }
 
 ToolBox::~ToolBox() {

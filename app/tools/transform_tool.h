@@ -37,7 +37,7 @@ class TransformTool : public SelectTool {
   [[nodiscard]] virtual Movement dragged(QPointF position) const = 0;
   [[nodiscard]] virtual QString verb() const = 0;
 
-  // Of the drag.
+  // The drag:
   Gizmo::Part part_ = Gizmo::Part::all;
   glm::dvec3 pivot_{0.0};
   QPointF start_;

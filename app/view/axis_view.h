@@ -18,7 +18,7 @@ QString projection_title(Projection projection);  // "Top"
 Camera axis_camera(Projection projection, const glm::dvec3& target, double half_height,
                    const Sphere& scene);
 
-// Of such a camera [u].
+// Half the height of what such a camera shows [u].
 double half_height(const Camera& camera);
 
 }  // namespace brume

@@ -23,7 +23,7 @@ bool can_be_stored(const Camera& camera) {
 CameraController::CameraController(const Document& document, Projection projection,
                                    const QWidget& pane)
     : document_(document), projection_(projection), pane_(pane), camera_(document.scene().camera) {
-  connect(&document, &Document::part_changed, this, &CameraController::follow_scene);
+  on_change(document, Change::part, this, &CameraController::follow_scene);
 }
 
 void CameraController::set_camera(const Camera& camera) {

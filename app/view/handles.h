@@ -48,7 +48,7 @@ class Handles {
   void draw_outlines(Overlay& overlay, const Medium& medium, const CameraRays& rays) const;
 
  private:
-  // Of its group, or else `other`.
+  // The color of its group, or else `other`.
   [[nodiscard]] QRgb color_of(std::size_t index, QRgb other) const {
     return index < colors_.size() && colors_[index] != 0 ? colors_[index] : other;
   }

@@ -12,17 +12,13 @@ namespace brume {
 ShownHandles::ShownHandles(const Document& document, const CameraController& camera)
     : document_(document), camera_(camera) {
   connect(&camera, &CameraController::moved, this, &ShownHandles::project);
-  connect(&document, &Document::medium_changed, this, [this] {
+  on_change(document, Change::medium | Change::groups, this, [this] {
     color_by_group();
     project();
   });
-  connect(&document, &Document::groups_changed, this, [this] {
-    color_by_group();
-    project();
-  });
-  connect(&document, &Document::hidden_or_locked_changed, this, &ShownHandles::project);
-  connect(&document, &Document::selection_changed, this, &ShownHandles::changed);
-  connect(&document, &Document::scene_replaced, this, [this] {
+  on_change(document, Change::hidden_or_locked, this, &ShownHandles::project);
+  on_change(document, Change::selection, this, &ShownHandles::changed);
+  on_change(document, Change::scene, this, [this] {
     hovered_.reset();
     color_by_group();
   });

@@ -5,8 +5,7 @@
 namespace brume {
 
 SurfacePicker::SurfacePicker(const Document& document) : document_(document) {
-  connect(&document, &Document::scene_replaced, this, &SurfacePicker::prepare);
-  connect(&document, &Document::part_changed, this, &SurfacePicker::prepare);
+  on_change(document, Change::scene | Change::part, this, &SurfacePicker::prepare);
   prepare();
 }
 

@@ -12,6 +12,8 @@ ViewGrid::ViewGrid(Document& document, QWidget* parent)
     : QWidget(parent), document_(document), services_(document), layout_(new QGridLayout(this)) {
   layout_->setContentsMargins(0, 0, 0, 0);
   layout_->setSpacing(2);
+  connect(&services_.frames.service, &FrameService::backend_changed, this,
+          &ViewGrid::backend_changed);
   make_pane(Projection::perspective);
   activate(perspective());
   arrange();

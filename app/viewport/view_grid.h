@@ -61,6 +61,7 @@ class ViewGrid : public QWidget {
   void frame_shown();
   void error_changed();
   void mode_changed();
+  void backend_changed();  // of all views
   void failed(const QString& message);
 
  private:

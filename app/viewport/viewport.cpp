@@ -49,15 +49,13 @@ Viewport::Viewport(Document& document, ViewServices& services, Projection projec
   });
   connect(&frames_, &FrameScheduler::picture_changed, this, &Viewport::show_picture);
   connect(&frames_, &FrameScheduler::mode_changed, this, &Viewport::update_overlay);
-  connect(&document, &Document::scene_replaced, this, [this] {
+  on_change(document, Change::scene, this, [this] {
     input_.end_gesture();
     camera_controller().reset();
   });
-  connect(&document, &Document::part_changed, this, &Viewport::update_overlay);
-  connect(&document, &Document::part_changed, this, &Viewport::show_camera_frame);
-  connect(&document, &Document::active_emitter_changed, this, &Viewport::update_overlay);
-  connect(&document, &Document::active_light_changed, this, &Viewport::update_overlay);
-  connect(&document, &Document::object_changed, this, &Viewport::update_overlay);
+  on_change(document, Change::part | Change::active_emitter | Change::active_light | Change::object,
+            this, &Viewport::update_overlay);
+  on_change(document, Change::part, this, &Viewport::show_camera_frame);
   connect(&InterfaceSettings::instance(), &InterfaceSettings::changed, this,
           &Viewport::update_overlay);
   if (projection != Projection::perspective) camera_controller().reset();

@@ -41,7 +41,7 @@ class VtkHost {
   [[nodiscard]] QSize size() const;
 
   void show_picture(const QImage& picture);
-  // Of a context that shares its objects with this one.
+  // Shows a picture of a context that shares its objects with this one.
   void show_picture(std::shared_ptr<gl::DevicePicture> picture);
   void show_overlay(const Overlay& overlay);
 

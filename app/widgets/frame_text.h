@@ -22,7 +22,7 @@ QString backend_text(const FrameStatistics& statistics);
 // Why OpenGL did not render a frame as requested; empty: it did, or was not requested.
 QString fallback_text(const FrameStatistics& statistics);
 
-// Of a path-traced frame: "64 paths, noise 1.2 %", without the noise of a single path. Empty for
+// "64 paths, noise 1.2 %" for a path-traced frame, without the noise of a single path. Empty for
 // other frames.
 QString paths_text(const Frame& frame);
 

@@ -18,7 +18,7 @@ class NumberField : public QLineEdit {
   void show_value(std::optional<double> value);  // nullopt: empty
   void show_mixed();                             // several different values
   void commit();                                 // typed text, if any
-  // Of a length: shows the user's unit behind it, unless it is being edited.
+  // Shows the user's unit behind a length, unless it is being edited.
   void show_length_unit();
 
  Q_SIGNALS:

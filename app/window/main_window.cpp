@@ -3,7 +3,7 @@
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
-#include <QLabel>
+#include <QMimeData>
 #include <QScreen>
 #include <QSettings>
 #include <QStandardPaths>
@@ -12,35 +12,35 @@
 #include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
-#include <numbers>
 
-#include "app/commands/edit_medium.h"
-#include "app/document/number_text.h"
 #include "app/document/paths.h"
 #include "app/document/timeline.h"
-#include "app/files/recent_pictures.h"
+#include "app/export/render_queue.h"
 #include "app/files/scene_files.h"
-#include "app/import/imported_reload.h"
-#include "app/jobs/background_job.h"
 #include "app/tools/tool_bars.h"
 #include "app/tools/tool_box.h"
 #include "app/viewport/view_grid.h"
 #include "app/widgets/field_filter.h"
 #include "app/widgets/interface_settings.h"
 #include "app/widgets/keys.h"
+#include "app/window/docks.h"
+#include "app/window/file_jobs.h"
+#include "app/window/file_messages.h"
+#include "app/window/frame_output.h"
+#include "app/window/menus/main_menu.h"
+#include "app/window/menus/object_menu.h"
 #include "app/window/pages/message_bar.h"
 #include "app/window/pages/recovery_bar.h"
 #include "app/window/pages/start_page.h"
 #include "app/window/saved_views.h"
-#include "core/math/rounded.h"
+#include "app/window/scene_picture.h"
+#include "app/window/status_line.h"
 
 namespace brume {
 namespace {
 
-constexpr int message_time = 6000;     // milliseconds
-constexpr double max_exposure = 20.0;  // stops, either way
+constexpr int message_time = 6000;  // milliseconds
 
 std::filesystem::path recovery_folder() {
   const QString data = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
@@ -77,6 +77,49 @@ MainWindow::MainWindow(QWidget* parent)
           document_, *viewport_, [this](Tool* tool) { views_->set_tool(tool); }, this)),
       timeline_(new Timeline(this)) {
   InterfaceSettings::instance().load();
+  lay_out_center();
+  const Workspace work = workspace();
+  show_file_messages(work);
+  follow_time();
+  addToolBar(Qt::LeftToolBarArea, new ToolBar(*tools_, this));
+  file_jobs_ = new FileJobs(work, this);
+  output_ = new FrameOutput(work, *file_jobs_, *this);
+  auto* docks = new Docks(work, *output_, *this);
+  new StatusLine(work, *this,
+                 {&files_->loading(), &views_->transfer_job().job(),
+                  &output_->queue().exporter().job(), &file_jobs_->job()});
+  new MainMenu(work,
+               {.jobs = *file_jobs_,
+                .output = *output_,
+                .objects = *new ObjectMenu(work, *file_jobs_, *this),
+                .start_page = *start_page_,
+                .autosave = *autosave_,
+                .timeline_bar = docks->timeline_bar()},
+               *this);
+  new ScenePicture(document_, *viewport_, this);
+  on_change(document_, Change::file | Change::modified, this, &MainWindow::update_title);
+  for (const ToolBox::Entry& entry : tools_->entries()) {
+    connect(entry.tool.get(), &Tool::refused, this, work.show_status);
+  }
+  restore_layout();
+  offer_recovery();
+  viewport_->setFocus();
+  update_title();
+}
+
+Workspace MainWindow::workspace() {
+  return {.document = document_,
+          .files = *files_,
+          .timeline = *timeline_,
+          .views = *views_,
+          .tools = *tools_,
+          .messages = *message_bar_,
+          .show_status = [this](const QString& message) {
+            statusBar()->showMessage(message, message_time);
+          }};
+}
+
+void MainWindow::lay_out_center() {
   auto* center = new QWidget(this);
   auto* layout = new QVBoxLayout(center);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -90,23 +133,26 @@ MainWindow::MainWindow(QWidget* parent)
   new SavedViews(document_, *files_, *viewport_, this);
   setAcceptDrops(true);
   setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
+}
 
-  addToolBar(Qt::LeftToolBarArea, new ToolBar(*tools_, this));
-  create_docks();
-  create_status_bar();
-  create_actions();
-  connect_document();
-
-  resize(QSize(1280, 800).boundedTo(room_on(*screen(), *style()).size()));
+void MainWindow::restore_layout() {
+  const QRect room = room_on(*screen(), *style());
+  resize(QSize(1280, 800).boundedTo(room.size()));
   const QSettings settings;
   if (restoreGeometry(settings.value("window/geometry").toByteArray())) {
     fit_into(room_on(*screen(), *style()), *this);
   }
   restoreState(settings.value("window/state").toByteArray());
-  offer_recovery();
-  viewport_->setFocus();
-  update_title();
-  update_status();
+}
+
+void MainWindow::follow_time() {
+  connect(timeline_, &Timeline::frame_changed, this, &MainWindow::show_time);
+  on_change(document_, Change::scene, timeline_, [this] {
+    timeline_->stop();
+    timeline_->set_frame(0);
+    timeline_->follow(document_.scene());
+  });
+  on_change(document_, Change::part, timeline_, [this] { timeline_->follow(document_.scene()); });
 }
 
 // The views go before the document they show. Hidden first: a window that is still visible moves
@@ -118,83 +164,6 @@ MainWindow::~MainWindow() {
   delete tools_;
   delete takeCentralWidget();
   qDeleteAll(findChildren<QDockWidget*>());
-}
-
-void MainWindow::connect_document() {
-  const auto fail = [this](const QString& message) {
-    std::fprintf(stderr, "%s\n", qUtf8Printable(message));
-    message_bar_->show_error(message);
-  };
-  connect(files_, &SceneFiles::failed, this, fail);
-  connect(&files_->loading(), &BackgroundJob::cancelled, this,
-          [this] { show_status(tr("Not opened")); });
-  connect(files_, &SceneFiles::warned, message_bar_, &MessageBar::show_note);
-  connect(files_, &SceneFiles::changed_on_disk, this, [this] {
-    message_bar_->show_offers(
-        tr("“%1” has been changed by another program.").arg(document_.name()),
-        {{tr("Reload"), "reload", [this] { files_->reload(); }},
-         {tr("Keep Mine"), "keep_mine", [this] { files_->ignore_file_change(); }}});
-  });
-  connect(files_, &SceneFiles::removed, this, [this] {
-    message_bar_->show_offers(
-        tr("“%1” is missing: it was deleted, moved or renamed. The scene is unsaved until the file "
-           "is back.")
-            .arg(document_.name()),
-        {{tr("Save"), "save_missing", [this] { files_->save(); }},
-         {tr("Save As…"), "save_missing_as", [this] { files_->save_as(); }}});
-  });
-  // Saved, or another scene.
-  connect(&document_, &Document::file_changed, message_bar_, [this] {
-    if (message_bar_->findChild<QWidget*>("reload")) message_bar_->hide();
-  });
-  connect(&document_, &Document::modified_changed, message_bar_, [this] {
-    if (document_.is_file_missing()) return;
-    if (message_bar_->findChild<QWidget*>("save_missing")) message_bar_->hide();
-  });
-  const auto show_missing_files = [this](const QStringList& missing, const QString& warnings) {
-    const QString text =
-        tr("Missing files: %1. The scene is shown without them; saving keeps the references.")
-            .arg(missing.join(", "));
-    message_bar_->show_offers(warnings.isEmpty() ? text : text + '\n' + warnings,
-                              {{tr("Find…"), "find_missing", [this] { files_->find_missing(); }}});
-  };
-  connect(files_, &SceneFiles::opened_without, this, show_missing_files);
-  connect(views_, &ViewGrid::failed, this, fail);
-  connect(views_, &ViewGrid::menu_asked, this, &MainWindow::show_view_menu);
-  connect(&views_->transfer_job(), &TransferJob::warned, message_bar_, &MessageBar::show_note);
-  connect(&views_->transfer_job().job(), &BackgroundJob::failed, message_bar_,
-          &MessageBar::show_error);
-  for (const auto signal : {&ViewGrid::frame_shown, &ViewGrid::active_changed}) {
-    connect(views_, signal, this, &MainWindow::update_status);
-    connect(views_, signal, this, &MainWindow::update_error);
-    connect(views_, signal, this, &MainWindow::show_fallback);
-    connect(views_, signal, this, &MainWindow::show_unreadable_frame);
-  }
-  connect(views_, &ViewGrid::error_changed, this, &MainWindow::update_error);
-  connect(views_, &ViewGrid::mode_changed, this, &MainWindow::update_error);
-  connect(&viewport_->frames(), &FrameScheduler::frame_shown, this,
-          &MainWindow::save_current_picture);
-  connect(&document_, &Document::scene_replaced, message_bar_, [this] {
-    message_bar_->hide();
-    fallback_.clear();
-    unreadable_.clear();
-  });
-  connect(&document_, &Document::file_changed, this, &MainWindow::update_title);
-  connect(&document_, &Document::medium_changed, this, &MainWindow::update_status);
-  connect(&document_, &Document::selection_changed, this, &MainWindow::update_status);
-  connect(&document_, &Document::modified_changed, this, &MainWindow::update_title);
-  connect(timeline_, &Timeline::frame_changed, this, &MainWindow::show_time);
-  connect(&document_, &Document::scene_replaced, timeline_, [this] {
-    timeline_->stop();
-    timeline_->set_frame(0);
-    timeline_->follow(document_.scene());
-  });
-  connect(&document_, &Document::part_changed, timeline_,
-          [this] { timeline_->follow(document_.scene()); });
-  connect(tools_, &ToolBox::activated, this, &MainWindow::update_status);
-  for (const ToolBox::Entry& entry : tools_->entries()) {
-    connect(entry.tool.get(), &Tool::refused, this, &MainWindow::show_status);
-  }
 }
 
 void MainWindow::offer_recovery() {
@@ -225,36 +194,6 @@ void MainWindow::show_time() {
     viewport_->camera_controller().set_camera(document_.scene().camera);
   }
   views_->release_frames();
-}
-
-void MainWindow::save_current_picture() {
-  const RenderedFrame* frame = viewport_->frames().shown();
-  const std::filesystem::path& file = document_.file();
-  if (!viewport_->frames().is_settled() || file.empty() || document_.is_modified()) return;
-  if (viewport_->frames().mode() == ViewMode::path_traced) return;  // noisy yet
-  if (pictured_ == std::pair(file, document_.revision())) return;
-  pictured_ = {file, document_.revision()};
-  save_recent_picture(
-      file, to_picture(frame->frame, {viewport_->frames().exposure(), nullptr}, ViewMode::final));
-}
-
-void MainWindow::show_status(const QString& message) {
-  statusBar()->showMessage(message, message_time);
-}
-
-void MainWindow::add_gaussian_in_view() {
-  const Viewport& view = views_->active();
-  const double radius = rounded(0.12 * std::max(view.distance(), 1e-6), 3);
-  // Optical depth 1 through the center: sqrt(pi) * radius * density.
-  const double density = rounded(1.0 / (std::sqrt(std::numbers::pi) * radius), 3);
-  add_gaussian(document_, {.center = view.camera().target, .radius = radius, .density = density});
-}
-
-void MainWindow::change_exposure(double stops) {
-  Viewport& view = views_->active();
-  view.frames().set_exposure(
-      std::clamp(view.frames().exposure() + stops, -max_exposure, max_exposure));
-  show_status(tr("Exposure %1 stops").arg(fixed_text(view.frames().exposure(), 1)));
 }
 
 void MainWindow::keep_unsaved_work() {
@@ -303,12 +242,20 @@ void MainWindow::changeEvent(QEvent* event) {
   QMainWindow::changeEvent(event);
   if (event->type() == QEvent::ActivationChange && isActiveWindow()) {
     files_->check_file_version();
-    imported_reload_->check();
+    file_jobs_->check_imported();
   }
 }
 
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (event->mimeData()->hasUrls()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  file_jobs_->drop(*event);
+}
+
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (!may_end_renders() || !files_->may_discard()) {
+  if (!output_->may_end_renders() || !files_->may_discard()) {
     event->ignore();
     return;
   }

@@ -46,7 +46,7 @@ QString saved_view_name(const QVariant& entry) {
 SavedViews::SavedViews(Document& document, SceneFiles& files, View& view, QObject* parent)
     : QObject(parent), document_(document), view_(view) {
   connect(&view.camera_controller(), &CameraController::moved, this, &SavedViews::note_view);
-  connect(&document, &Document::file_changed, this, &SavedViews::note_view);
+  on_change(document, Change::file, this, &SavedViews::note_view);
   // Reloading the same file comes back to the present view.
   connect(&files.loading(), &BackgroundJob::started, this, &SavedViews::store);
   connect(&files, &SceneFiles::opened, this, &SavedViews::restore_view);

@@ -17,6 +17,7 @@
 #include "app/export/video_file.h"
 #include "app/files/scene_files.h"
 #include "app/viewport/viewport.h"
+#include "app/window/frame_output.h"
 #include "core/io/image/image_file.h"
 #include "tests/app/question.h"
 #include "tests/app/test_window.h"
@@ -78,14 +79,14 @@ class AnimationExportTest : public QObject {
     TestWindow window(dimming_scene());
     auto* exporter = window->findChild<FrameExport*>();
     QSignalSpy finished(exporter, &FrameExport::finished);
-    window->export_animation_to(window.file("a.exr"), 28, 30);
+    window->output().export_animation_to(window.file("a.exr"), 28, 30);
     QVERIFY(finished.wait(patience));
     QVERIFY(!fs::exists(window.file("a_0027.exr")) && !fs::exists(window.file("a_0031.exr")));
     const double before = brightness(window.file("a_0028.exr"));
     const double later = brightness(window.file("a_0029.exr"));
     QVERIFY(before > later && later > 0.0);
     QCOMPARE(brightness(window.file("a_0030.exr")), 0.0);
-    window->export_animation_to(window.file("a.png"), 0, 0);
+    window->output().export_animation_to(window.file("a.png"), 0, 0);
     QVERIFY(finished.wait(patience));
     QCOMPARE(QImage(to_qstring(window.file("a_0000.png"))).size(), QSize(31, 21));
   }
@@ -96,7 +97,7 @@ class AnimationExportTest : public QObject {
                              {.time = 0.1, .value = {0, 0, 600}}};
     TestWindow window(scene);
     QSignalSpy finished(window->findChild<FrameExport*>(), &FrameExport::finished);
-    window->export_animation_to(window.file("k.exr"), 0, 3);
+    window->output().export_animation_to(window.file("k.exr"), 0, 3);
     QVERIFY(finished.wait(patience));
     QVERIFY(brightness(window.file("k_0003.exr")) < 0.5 * brightness(window.file("k_0000.exr")));
   }
@@ -107,7 +108,7 @@ class AnimationExportTest : public QObject {
     const fs::path folder = window.file("out");
     fs::create_directory(folder);
     QSignalSpy cancelled(exporter, &FrameExport::cancelled);
-    window->export_animation_to(folder / "c.png", 0, 100'000);
+    window->output().export_animation_to(folder / "c.png", 0, 100'000);
     QVERIFY(QTest::qWaitFor([&] { return files_in(folder) > 2; }, patience));
     exporter->job().cancel();
     QVERIFY(cancelled.wait(patience));
@@ -122,7 +123,7 @@ class AnimationExportTest : public QObject {
     const FakeFfmpeg ffmpeg(write_input);
     TestWindow window(dimming_scene());
     QSignalSpy finished(window->findChild<FrameExport*>(), &FrameExport::finished);
-    window->export_animation_to(window.file("v.mp4"), 0, 4);
+    window->output().export_animation_to(window.file("v.mp4"), 0, 4);
     QVERIFY(finished.wait(patience));
     QCOMPARE(fs::file_size(window.file("v.mp4")), std::uintmax_t{31 * 21 * 3 * 5});
   }
@@ -133,7 +134,7 @@ class AnimationExportTest : public QObject {
     const fs::path folder = window.file("out");
     fs::create_directory(folder);
     QSignalSpy failed(window->findChild<FrameExport*>(), &FrameExport::failed);
-    window->export_animation_to(folder / "v.mp4", 0, 2);
+    window->output().export_animation_to(folder / "v.mp4", 0, 2);
     QVERIFY(failed.wait(patience));
     QVERIFY2(failed[0][0].toString().contains("v.mp4: cannot be written by ffmpeg: no such codec"),
              qPrintable(failed[0][0].toString()));
@@ -147,7 +148,7 @@ class AnimationExportTest : public QObject {
     const fs::path folder = window.file("out");
     fs::create_directory(folder);
     QSignalSpy cancelled(exporter, &FrameExport::cancelled);
-    window->export_animation_to(folder / "v.mp4", 0, 100'000);
+    window->output().export_animation_to(folder / "v.mp4", 0, 100'000);
     QVERIFY(QTest::qWaitFor([&] { return files_in(folder) > 0; }, patience));
     exporter->job().cancel();
     QVERIFY(cancelled.wait(patience));
@@ -163,7 +164,7 @@ class AnimationExportTest : public QObject {
     QSignalSpy failed(window->findChild<FrameExport*>(), &FrameExport::failed);
     for (const char* name : {"-y.mp4", "http:/x.mp4"}) {
       failed.clear();
-      window->export_animation_to(name, 0, 0);
+      window->output().export_animation_to(name, 0, 0);
       QVERIFY(failed.wait(60000));
       const QString argument = failed[0][0].toString().section("by ffmpeg: ", 1);
       QVERIFY2(argument.startsWith("file:/"), qPrintable(argument));
@@ -178,7 +179,7 @@ class AnimationExportTest : public QObject {
     const fs::path folder = window.file("out");
     fs::create_directory(folder);
     QSignalSpy cancelled(exporter, &FrameExport::cancelled);
-    window->export_animation_to(folder / "v.mp4", 0, 1);
+    window->output().export_animation_to(folder / "v.mp4", 0, 1);
     const QString closed = find_ffmpeg() + ".closed";
     QVERIFY(QTest::qWaitFor([&] { return QFile::exists(closed); }, 60000));
     exporter->job().cancel();
@@ -195,7 +196,7 @@ class AnimationExportTest : public QObject {
     QVERIFY(opened.wait(60000));
     const fs::path folder = scene_of.file("out");
     fs::create_directory(folder);
-    window->export_animation_to(folder / "v.mp4", 0, 1);
+    window->output().export_animation_to(folder / "v.mp4", 0, 1);
     const QString closed = find_ffmpeg() + ".closed";
     QVERIFY(QTest::qWaitFor([&] { return QFile::exists(closed); }, 60000));
     window.reset();  // the test's time limit is what fails if this waits for ffmpeg

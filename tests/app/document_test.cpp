@@ -81,7 +81,7 @@ class DocumentTest : public QObject {
       Document document;
       load(document, folder, small_scene());
       GaussianTableModel model(document);
-      connect(&document, &Document::medium_changed, &model, [&model](const MediumEdit& edit) {
+      on_medium_edit(document, &model, [&model](const MediumEdit& edit) {
         if (!model.follow(edit)) model.reload();
       });
       const QAbstractItemModelTester tester(&model,
@@ -256,8 +256,8 @@ class DocumentTest : public QObject {
     document.apply(MediumEdit::add(document.medium(), many));
     GaussianTableModel model(document);
     bool has_followed = true;
-    connect(&document, &Document::medium_changed, &model,
-            [&](const MediumEdit& edit) { has_followed = model.follow(edit); });
+    on_medium_edit(document, &model,
+                   [&](const MediumEdit& edit) { has_followed = model.follow(edit); });
     std::vector<GaussianId> odd;
     for (const GaussianId id : document.medium().ids()) {
       if (id % 2 == 1) odd.push_back(id);

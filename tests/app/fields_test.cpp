@@ -205,7 +205,7 @@ class FieldsTest : public QObject {
     document.set_object(ObjectRef{ObjectRef::Kind::light, 0});
     tree.rename_current();
     QTest::keyClicks(QApplication::focusWidget(), "Mo");
-    Q_EMIT document.part_changed();
+    document.announce(Change::part);
     QTest::keyClicks(QApplication::focusWidget(), "on");
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
     QTRY_COMPARE(document.scene().lights[0].name, std::string("Moon"));

@@ -13,6 +13,7 @@
 #include "app/files/scene_files.h"
 #include "app/import/scene_import.h"
 #include "app/widgets/plain_text.h"
+#include "app/window/file_jobs.h"
 #include "app/window/pages/message_bar.h"
 #include "core/io/scene/scene_file.h"
 #include "core/scene/mesh.h"
@@ -309,7 +310,7 @@ class FilesTest : public QObject {
     fs::copy_file(window.file("scene.brume"), window.file(name));
     QVERIFY(window.open(name));
     write_text(window.file("<i>bold<i>.csv"), "no table");
-    window->import().import_file(window.file("<i>bold<i>.csv"));
+    window->file_jobs().import().import_file(window.file("<i>bold<i>.csv"));
     QTRY_VERIFY(bar_of(window).isVisible());
     QVERIFY(bar_of(window).message().contains("<i>"));
     for (const QLabel* label : window->findChildren<QLabel*>()) {

@@ -13,6 +13,8 @@
 #include "app/view/bounds.h"
 #include "app/viewport/legend.h"
 #include "app/viewport/viewport.h"
+#include "app/window/file_jobs.h"
+#include "app/window/frame_output.h"
 #include "tests/app/test_window.h"
 
 using namespace brume;
@@ -44,7 +46,7 @@ class NewScene : public TestWindow {
   const Light& light() { return document().scene().lights.at(0); }
 
   void import(const std::vector<fs::path>& files) {
-    (*this)->import().import_files(files);
+    (*this)->file_jobs().import().import_files(files);
     auto* job = (*this)->findChild<BackgroundJob*>();
     QTRY_VERIFY(!job->is_running());
   }
@@ -208,7 +210,7 @@ class FirstSceneTest : public QObject {
     QVERIFY(says_so());
 
     QSignalSpy exported(window->findChild<FrameExport*>(), &FrameExport::finished);
-    window->export_frame_to(window.file("dark.png"));
+    window->output().export_frame_to(window.file("dark.png"));
     QTRY_COMPARE(exported.count(), 1);
     QCOMPARE(bright_share_of(QImage(to_qstring(window.file("dark.png")))), 0.0);
 

@@ -13,6 +13,7 @@
 #include "app/frames/frame_service.h"
 #include "app/viewport/view_grid.h"
 #include "app/widgets/frame_text.h"
+#include "app/window/frame_output.h"
 #include "app/window/pages/message_bar.h"
 #include "brume/primitive.h"
 #include "core/io/image/image_file.h"
@@ -386,7 +387,7 @@ class FramesTest : public QObject {
     QVERIFY(window->findChild<QAction*>("backend_gl")->isChecked());
     QCOMPARE(window->viewport().frames().shown()->frame.statistics.backend, "gl");
     QSignalSpy exported(window->findChild<FrameExport*>(), &FrameExport::finished);
-    window->export_frame_to(window.file("frame.exr"));
+    window->output().export_frame_to(window.file("frame.exr"));
     QVERIFY(exported.wait(patience));
     QFile file(to_qstring(window.file("frame.exr")));
     QVERIFY(file.open(QIODevice::ReadOnly));
@@ -399,7 +400,7 @@ class FramesTest : public QObject {
     auto* exporter = window->findChild<FrameExport*>();
     for (const char* name : {"frame.exr", "frame.png"}) {
       QSignalSpy finished(exporter, &FrameExport::finished);
-      window->export_frame_to(window.file(name));
+      window->output().export_frame_to(window.file(name));
       QVERIFY(exporter->job().is_running());
       QVERIFY(finished.wait(patience));
       QVERIFY(!exporter->job().is_running());
@@ -412,7 +413,7 @@ class FramesTest : public QObject {
              QSize(120, 90));
 
     QSignalSpy failed(exporter, &FrameExport::failed);
-    window->export_frame_to(window.file("frame.tiff"));
+    window->output().export_frame_to(window.file("frame.tiff"));
     QVERIFY(failed.wait(patience));
   }
 

@@ -14,6 +14,7 @@
 #include "app/import/volume_dialog.h"
 #include "app/import/vtk_points.h"
 #include "app/viewport/viewport.h"
+#include "app/window/file_jobs.h"
 #include "app/window/pages/message_bar.h"
 #include "brume/at_time.h"
 #include "brume/error.h"
@@ -272,7 +273,7 @@ class ImportTest : public QObject {
     const fs::path folder = window.file("made");
     VolumeFit how;
     how.options.count = 5;
-    window->import().import_volumes(frames_around(window.file("f_1.vdb")), how, folder);
+    window->file_jobs().import().import_volumes(frames_around(window.file("f_1.vdb")), how, folder);
     QCOMPARE(wait(window), QString());
     const auto& frames = *window->document().scene().sequences.at(0).frames;
     QCOMPARE(frames.size(), std::size_t{2});
@@ -289,7 +290,7 @@ class ImportTest : public QObject {
     TestWindow window;
     VolumeFit how;
     how.options.count = 100'000;
-    window->import().import_volume(smoke, how);
+    window->file_jobs().import().import_volume(smoke, how);
     auto* job = window->findChild<BackgroundJob*>();
     QSignalSpy cancelled(job, &BackgroundJob::cancelled);
     QVERIFY(job->is_running());
@@ -365,7 +366,8 @@ class ImportTest : public QObject {
 
     // What is wrong with a frame is said, and nothing is written.
     write_vtp(window.file("p_03.vtp"), "8 2 0  0 2 0", both + array("id", "9 9"));
-    window->import().import_vtk_files(frames_around(window.file("p_01.vtp")), window.file("bad"));
+    window->file_jobs().import().import_vtk_files(frames_around(window.file("p_01.vtp")),
+                                                  window.file("bad"));
     const QString problem = wait(window);
     QVERIFY2(problem.contains("p_03.vtp") && problem.contains("twice"), qPrintable(problem));
     QVERIFY(!fs::exists(window.file("bad")));
@@ -374,7 +376,7 @@ class ImportTest : public QObject {
 
   void volumes_become_a_sequence_of_files() {
     TestWindow window;
-    window->import().import_sequence(smoke);
+    window->file_jobs().import().import_sequence(smoke);
     auto* dialog = shown<VolumeDialog>(window);
     QVERIFY(dialog);
     dialog->findChild<QSpinBox*>("volume_count")->setValue(25);

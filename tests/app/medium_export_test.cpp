@@ -8,6 +8,7 @@
 #include <QSpinBox>
 
 #include "app/export/medium_dialog.h"
+#include "app/window/file_jobs.h"
 #include "core/io/disk/file_bytes.h"
 #include "core/io/ply.h"
 #include "core/io/scene/scene_file.h"
@@ -246,13 +247,13 @@ class MediumExportTest : public QObject {
     TestWindow window;
     drop(window, {BRUME_RESOURCES "/meshes/bunny.obj"});
     QCOMPARE(wait(window), QString());
-    window->gather_to(window.file("gathered"));
+    window->file_jobs().gather_to(window.file("gathered"));
     QCOMPARE(wait(window), QString());
     const Scene scene = load_scene(window.file("gathered") / "scene.brume");
     QCOMPARE(scene.surfaces.size(), std::size_t{1});
     QVERIFY(fs::exists(window.file("gathered") / "files/bunny.obj"));
     QVERIFY(window->document().is_modified());  // what is being edited is not what was written
-    window->gather_to(window.file("gathered"));
+    window->file_jobs().gather_to(window.file("gathered"));
     QVERIFY(wait(window).contains("already exists"));
   }
 };

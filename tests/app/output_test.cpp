@@ -15,6 +15,7 @@
 #include "app/pictures/picture_viewer.h"
 #include "app/viewport/camera_frame.h"
 #include "app/viewport/viewport.h"
+#include "app/window/frame_output.h"
 #include "core/io/image/deep_exr_file.h"
 #include "core/io/image/image_file.h"
 #include "core/io/scene/scene_file.h"

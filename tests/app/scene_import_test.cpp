@@ -11,6 +11,7 @@
 #include "app/import/scene_dialog.h"
 #include "app/import/scene_import.h"
 #include "app/viewport/viewport.h"
+#include "app/window/file_jobs.h"
 #include "app/window/pages/message_bar.h"
 #include "brume/mesh_arrays.h"
 #include "core/scene/imported_scene.h"
@@ -98,7 +99,7 @@ class SceneImportTest : public QObject {
     TestWindow window;
     const Scene before = window->document().scene();
     write(window.file("room.glb"), room().binary());
-    window->import().import_file(window.file("room.glb"));
+    window->file_jobs().import().import_file(window.file("room.glb"));
     QCOMPARE(wait(window), QString());
     answer(window, false, false);
     QCOMPARE(window->document().scene().surfaces.size(), std::size_t{1});
@@ -136,12 +137,12 @@ class SceneImportTest : public QObject {
   void damaged_and_empty_scenes_are_reported() {
     TestWindow window;
     write(window.file("bad.glb"), "glTF");
-    window->import().import_file(window.file("bad.glb"));
+    window->file_jobs().import().import_file(window.file("bad.glb"));
     QVERIFY(wait(window).contains("bad.glb"));
     GltfBuilder empty;
     empty.json["nodes"][0].erase("mesh");
     write(window.file("empty.glb"), empty.binary());
-    window->import().import_file(window.file("empty.glb"));
+    window->file_jobs().import().import_file(window.file("empty.glb"));
     QVERIFY(wait(window).contains("neither meshes nor cameras nor lights"));
     QVERIFY(window->document().scene().surfaces.empty());
   }
@@ -154,7 +155,7 @@ class SceneImportTest : public QObject {
     builder.json["materials"] = {{{"normalTexture", {{"index", 0}}}}};
     builder.primitive()["material"] = 0;
     write(window.file("a.glb"), builder.binary());
-    window->import().import_file(window.file("a.glb"));
+    window->file_jobs().import().import_file(window.file("a.glb"));
     QCOMPARE(wait(window), QString());
     QCOMPARE(window->document().scene().surfaces.size(), std::size_t{1});
     auto* bar = window->findChild<MessageBar*>();
@@ -166,7 +167,7 @@ class SceneImportTest : public QObject {
     Document& document = window->document();
     const fs::path file = window.file("square.glb");
     write(file, GltfBuilder().binary());
-    window->import().import_file(file);
+    window->file_jobs().import().import_file(file);
     QCOMPARE(wait(window), QString());
     change_object_place(window);
     const Scene imported = document.scene();
@@ -196,7 +197,7 @@ class SceneImportTest : public QObject {
     TestWindow window;
     const fs::path file = window.file("square.glb");
     write(file, GltfBuilder().binary());
-    window->import().import_file(file);
+    window->file_jobs().import().import_file(file);
     QCOMPARE(wait(window), QString());
     const Scene imported = window->document().scene();
     write(file, "glTF");

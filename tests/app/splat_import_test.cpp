@@ -13,6 +13,7 @@
 #include "app/import/scene_dialog.h"
 #include "app/import/scene_import.h"
 #include "app/import/splat_dialog.h"
+#include "app/window/file_jobs.h"
 #include "app/window/pages/message_bar.h"
 #include "core/io/gaussians/gaussian_file.h"
 #include "core/scene/imported_scene.h"
@@ -113,7 +114,7 @@ class SplatImportTest : public QObject {
       if (by_dropping) {
         drop(window, {window.file("s_1.ply"), window.file("s_2.ply")});
       } else {
-        window->import().import_sequence(window.file("s_2.ply"));
+        window->file_jobs().import().import_sequence(window.file("s_2.ply"));
       }
       QCOMPARE(wait(window), QString());
       auto* dialog = shown<SplatDialog>(window);
@@ -134,8 +135,8 @@ class SplatImportTest : public QObject {
       QCOMPARE(QDir(to_qstring(folder)).entryList(QDir::Files).size(), 2);
     }
     // Over the files themselves it is not.
-    window->import().import_splats(frames_around(window.file("s_1.ply")), {},
-                                   window.file("dropped") / "..");
+    window->file_jobs().import().import_splats(frames_around(window.file("s_1.ply")), {},
+                                               window.file("dropped") / "..");
     QVERIFY(wait(window).contains("another folder"));
     QVERIFY(has_splats(window.file("s_1.ply")));
     QCOMPARE(window->document().undo_stack().count(), 2);
@@ -149,8 +150,8 @@ class SplatImportTest : public QObject {
              "property float z\nproperty float opacity\nproperty float scale_0\nend_header\n"
              "0 0 0 0 -1\n0 0 0 nan -1\n1 0 0 0 -1\n";
     }
-    window->import().import_splats(frames_around(window.file("s_1.ply")), {},
-                                   window.file("imported"));
+    window->file_jobs().import().import_splats(frames_around(window.file("s_1.ply")), {},
+                                               window.file("imported"));
     QCOMPARE(wait(window), QString());
     const QString told = window->findChild<MessageBar*>()->message();
     for (const char* name : {"s_1.ply: 1 of 3 splats", "s_2.ply: 1 of 3 splats"}) {
@@ -216,7 +217,7 @@ class SplatImportTest : public QObject {
       if (dialog) filters = dialog->nameFilters();
       if (dialog) dialog->reject();
     });
-    window->import().ask();
+    window->file_jobs().import().ask();
     const QStringList gaussians = filters.filter("Gaussians (");
     QCOMPARE(gaussians.size(), 1);
     for (const char* pattern : {"*.csv", "*.ply", "*.gltf", "*.glb"}) {

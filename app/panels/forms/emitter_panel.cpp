@@ -24,7 +24,7 @@ EmitterPanel::EmitterPanel(Document& document, QWidget* parent)
   form->setContentsMargins(6, 6, 6, 6);
   add_list(*form);
   add_fields(*form);
-  connect(&document_, &Document::active_emitter_changed, this, &EmitterPanel::refresh);
+  on_change(document_, Change::active_emitter, this, &EmitterPanel::refresh);
   refresh();
 }
 

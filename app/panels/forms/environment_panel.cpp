@@ -41,7 +41,7 @@ EnvironmentPanel::EnvironmentPanel(Document& document, QWidget* parent)
       .track = [](const Scene& scene,
                   const FieldInfo& info) { return environment_track(scene, info.name); }};
   visit_fields<Environment>([&](const auto& field) { add_field(*form, field, values); });
-  connect(&document_, &Document::scene_replaced, &reading_, &BackgroundJob::cancel);
+  on_change(document_, Change::scene, &reading_, &BackgroundJob::cancel);
   connect(&reading_, &BackgroundJob::failed, this, [this](const QString& problem) {
     show_picture();
     Q_EMIT refused(problem);

@@ -53,7 +53,7 @@ GroupPanel::GroupPanel(Document& document, QWidget* parent)
   connect(groups_, &QComboBox::activated, this, [this](int index) {
     document_.set_active_group(groups_->itemData(index).value<GroupId>());
   });
-  connect(&document_, &Document::active_group_changed, this, &GroupPanel::refresh);
+  on_change(document_, Change::active_group, this, &GroupPanel::refresh);
   on_refresh([this, hint] {
     hint->setVisible(document_.scene().groups.empty());
     show_groups();

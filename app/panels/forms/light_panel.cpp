@@ -43,8 +43,8 @@ LightPanel::LightPanel(Document& document, std::function<const View&()> active_v
   auto* environment = new EnvironmentPanel(document, this);
   form->addRow(environment);
   connect(environment, &EnvironmentPanel::refused, this, &LightPanel::refused);
-  connect(&document_, &Document::active_light_changed, this, &LightPanel::refresh);
-  connect(&document_, &Document::scene_replaced, &reading_, &BackgroundJob::cancel);
+  on_change(document_, Change::active_light, this, &LightPanel::refresh);
+  on_change(document_, Change::scene, &reading_, &BackgroundJob::cancel);
   connect(&reading_, &BackgroundJob::failed, this, &LightPanel::refused);
   refresh();
 }

@@ -50,11 +50,11 @@ MaterialPanel::MaterialPanel(Document& document, QWidget* parent)
     change_shown(tr("Set radiance transfer of %1"), no_merge,
                  [index](Surface& s) { s.transfer = static_cast<Surface::Transfer>(index); });
   });
-  connect(&document_, &Document::object_changed, this, [this] {
+  on_change(document_, Change::object, this, [this] {
     const auto& object = document_.object();
     if (object && object->kind == ObjectRef::Kind::surface) show_surface(object->index);
   });
-  connect(&document_, &Document::scene_replaced, &reading_, &BackgroundJob::cancel);
+  on_change(document_, Change::scene, &reading_, &BackgroundJob::cancel);
   connect(&reading_, &BackgroundJob::failed, this, &MaterialPanel::refused);
   // After the list, which says what surface the fields are about.
   add_placement_fields(*form);

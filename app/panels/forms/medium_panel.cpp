@@ -48,7 +48,7 @@ constexpr std::array medium_presets{
 MediumPanel::MediumPanel(Document& document, Scattering scattering, QWidget* parent)
     : SceneForm(document, parent), scattering_(new QComboBox(this)) {
   using Scale = ValueField::Scale;
-  connect(&document_, &Document::medium_changed, this, &MediumPanel::refresh);
+  on_change(document_, Change::medium, this, &MediumPanel::refresh);
   auto* form = new QFormLayout(this);
   form->setContentsMargins(6, 6, 6, 6);
   const auto change = [this](const QString& text, MergeId gesture, auto how) {

@@ -34,7 +34,7 @@ MetallicRoughnessForm::MetallicRoughnessForm(Document& document, Target target, 
   add_texture(*form, tr("Emissive texture"), "emissive_texture",
               &MetallicRoughness::emissive_texture);
   on_refresh([this] { setVisible(material() != nullptr); });
-  connect(&document_, &Document::scene_replaced, &reading_, &BackgroundJob::cancel);
+  on_change(document_, brume::Change::scene, &reading_, &BackgroundJob::cancel);
   connect(&reading_, &BackgroundJob::failed, this, &MetallicRoughnessForm::refused);
   refresh();
 }

@@ -73,7 +73,7 @@ OutputPanel::OutputPanel(Document& document, const Timeline& timeline,
   add_layers(*form);
   add_exposure(*form);
   connect(&timeline_, &Timeline::changed, this, &OutputPanel::refresh);
-  connect(&document_, &Document::file_changed, this, &OutputPanel::refresh);
+  on_change(document_, Change::file, this, &OutputPanel::refresh);
   refresh();
 }
 

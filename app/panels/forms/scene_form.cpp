@@ -12,8 +12,7 @@
 namespace brume {
 
 SceneForm::SceneForm(Document& document, QWidget* parent) : QWidget(parent), document_(document) {
-  connect(&document_, &Document::scene_replaced, this, &SceneForm::refresh);
-  connect(&document_, &Document::part_changed, this, &SceneForm::refresh);
+  on_change(document_, Change::scene | Change::part, this, &SceneForm::refresh);
 }
 
 void SceneForm::refresh() {

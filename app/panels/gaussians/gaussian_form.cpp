@@ -127,19 +127,18 @@ GaussianForm::GaussianForm(Document& document, QWidget* parent)
   connect(optics_, &OpticsEditor::edited, this, &GaussianForm::change_optics);
 
   // What Gaussians without their own albedo show.
-  connect(&document_, &Document::part_changed, this, [this] {
+  on_change(document_, Change::part, this, [this] {
     if (document_.scene().optics.albedo != shown_albedo_) refresh();
   });
-  connect(&document_, &Document::scene_replaced, this, [this] {
+  on_change(document_, Change::scene, this, [this] {
     start_ = {};
     entered_angles_.forget();
     refresh();
   });
-  connect(&document_, &Document::medium_changed, this, [this] {
+  on_change(document_, Change::medium, this, [this] {
     if (!applying_) start_ = {};  // stale
-    refresh();
   });
-  connect(&document_, &Document::selection_changed, this, &GaussianForm::refresh);
+  on_change(document_, Change::medium | Change::selection, this, &GaussianForm::refresh);
   refresh();
 }
 

@@ -25,7 +25,7 @@ bool is_of_colour(GaussianAttribute field) {
   return field == GaussianAttribute::albedo || field == GaussianAttribute::emission;
 }
 
-// Of what Gaussians need not have.
+// Whether Gaussians need not have it.
 bool is_optional(GaussianAttribute field) {
   return is_of_colour(field) || field == GaussianAttribute::elongation;
 }
@@ -55,11 +55,11 @@ GaussianHistogram::GaussianHistogram(Document& document, GaussianAttribute field
   setToolTip(tr("Drag to select the Gaussians in a range; Shift adds, Ctrl removes"));
   setCursor(Qt::CrossCursor);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-  connect(&document_, &Document::scene_replaced, this, &GaussianHistogram::refresh);
-  connect(&document_, &Document::medium_changed, this, &GaussianHistogram::follow);
-  connect(&document_, &Document::selection_changed, this, [this] { update(); });
+  on_change(document_, Change::scene, this, &GaussianHistogram::refresh);
+  on_medium_edit(document_, this, &GaussianHistogram::follow);
+  on_change(document_, Change::selection, this, [this] { update(); });
   if (field_ == GaussianAttribute::albedo) {
-    connect(&document_, &Document::part_changed, this, [this] {
+    on_change(document_, Change::part, this, [this] {
       if (document_.scene().optics.albedo != shown_albedo_) refresh();
     });
   }

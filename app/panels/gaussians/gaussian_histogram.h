@@ -62,7 +62,7 @@ class GaussianHistogram : public QWidget {
   Document& document_;
   GaussianAttribute field_;
   glm::dvec3 shown_albedo_{0.0};  // of the medium
-  // Of all Gaussians, on their axis; made when needed.
+  // All Gaussians are counted on their axis, when that is needed.
   mutable bool is_counted_ = false;
   QTimer recount_timer_;  // of very many, once a gesture pauses
   mutable Axis axis_;

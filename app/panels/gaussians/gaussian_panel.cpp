@@ -113,22 +113,23 @@ GaussianPanel::GaussianPanel(Document& document, QWidget* parent)
   connect(model_, &GaussianTableModel::refused, this, &GaussianPanel::refused);
   connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
           &GaussianPanel::adopt_selection);
-  connect(&document_, &Document::selection_changed, this, &GaussianPanel::select_rows);
   reload_timer_.setSingleShot(true);
   connect(&reload_timer_, &QTimer::timeout, this, &GaussianPanel::reload);
-  connect(&document_, &Document::scene_replaced, this, &GaussianPanel::reload);
-  connect(&document_, &Document::medium_changed, this, &GaussianPanel::follow);
+  on_change(document_, Change::scene, this, &GaussianPanel::reload);
+  on_medium_edit(document_, this, &GaussianPanel::follow);
+  // After the rows have followed.
+  on_change(document_, Change::selection, this, &GaussianPanel::select_rows);
   const auto show_groups = [this] {
     table_->setColumnHidden(GaussianTableModel::group_column, document_.scene().groups.empty());
   };
-  connect(&document_, &Document::scene_replaced, this, show_groups);
-  connect(&document_, &Document::groups_changed, this, [this, show_groups] {
+  on_change(document_, Change::scene, this, show_groups);
+  on_change(document_, Change::groups, this, [this, show_groups] {
     show_groups();
     model_->follow_groups();
   });
   show_groups();
   add_column_menu();
-  connect(&document_, &Document::part_changed, this, [this] {
+  on_change(document_, Change::part, this, [this] {
     const glm::dvec3& albedo = document_.scene().optics.albedo;
     if (std::exchange(shown_albedo_, albedo) != albedo) model_->follow_albedo();
   });

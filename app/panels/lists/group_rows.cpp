@@ -29,7 +29,7 @@ QString name_of(const Group& group) {
 
 GroupRows::GroupRows(Document& document, QTreeWidget& tree)
     : QObject(&tree), document_(document), tree_(tree) {
-  connect(&document, &Document::active_group_changed, this, &GroupRows::update);
+  on_change(document, Change::active_group, this, &GroupRows::update);
   const auto group_of = [](const QTreeWidgetItem* item) {
     return item->data(name_column, id_role).value<GroupId>();
   };

@@ -76,14 +76,13 @@ Outliner::Outliner(Document& document, QWidget* parent)
   for (const int column : {eye_column, lock_column}) {
     header()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
   }
-  connect(&document_, &Document::scene_replaced, this, &Outliner::rebuild);
-  connect(&document_, &Document::part_changed, this, &Outliner::rebuild);
-  connect(&document_, &Document::splines_changed, this, [this] {
+  on_change(document_, Change::scene | Change::part, this, &Outliner::rebuild);
+  on_change(document_, Change::splines, this, [this] {
     if (!splines_->is_current()) rebuild();
   });
   connect(splines_, &SplineRows::edit_asked, this, [this] { Q_EMIT asked_for(Kind::spline, 0); });
-  connect(&document_, &Document::medium_changed, this, &Outliner::count_gaussians);
-  connect(&document_, &Document::object_changed, this, &Outliner::follow_object);
+  on_change(document_, Change::medium, this, &Outliner::count_gaussians);
+  on_change(document_, Change::object, this, &Outliner::follow_object);
   connect(this, &QTreeWidget::itemClicked, this, &Outliner::click);
   connect(this, &QTreeWidget::itemDoubleClicked, this, [this](QTreeWidgetItem* item, int column) {
     if (column == name_column) editItem(item, name_column);

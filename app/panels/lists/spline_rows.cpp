@@ -13,7 +13,7 @@ namespace brume {
 
 SplineRows::SplineRows(Document& document, QTreeWidget& tree)
     : QObject(&tree), document_(document), tree_(tree) {
-  connect(&document, &Document::active_spline_changed, this, &SplineRows::update);
+  on_change(document, Change::active_spline, this, &SplineRows::update);
 }
 
 std::vector<std::pair<SplineId, std::string>> SplineRows::names() const {

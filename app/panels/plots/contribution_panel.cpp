@@ -44,10 +44,8 @@ ContributionPanel::ContributionPanel(Document& document, QWidget* parent)
   timer_.setInterval(look_after);
   connect(&timer_, &QTimer::timeout, this, &ContributionPanel::compute);
   const auto again = [this] { timer_.start(); };
-  connect(&document_, &Document::medium_changed, this, again);
-  connect(&document_, &Document::part_changed, this, again);
-  connect(&document_, &Document::selection_changed, this, again);
-  connect(&document_, &Document::scene_replaced, this, again);
+  on_change(document_, Change::scene | Change::medium | Change::part | Change::selection, this,
+            again);
 }
 
 void ContributionPanel::inspect(View& view, QPointF position) {

@@ -43,12 +43,12 @@ CurveEditor::CurveEditor(Timeline& timeline, Document& document, QWidget* parent
          "or a rectangle selects several. Del to delete, right-click for options, double-click to "
          "add a key. Drag along the frame numbers to scrub. Wheel to zoom (Shift: time only, Ctrl: "
          "value only), middle button to pan, Home to fit."));
-  connect(&document_, &Document::scene_replaced, this, [this] {
+  on_change(document_, Change::scene, this, [this] {
     drag_ = {};
     selection_.set({});
     refresh();
   });
-  connect(&document_, &Document::part_changed, this, &CurveEditor::refresh);
+  on_change(document_, Change::part, this, &CurveEditor::refresh);
   connect(&timeline_, &Timeline::changed, this, qOverload<>(&QWidget::update));
   connect(&mouse_, &MouseDrag::cancelled, this, &CurveEditor::cancel_drag);
   connect(&mouse_, &MouseDrag::ended, this, [this] { drag_ = {}; });

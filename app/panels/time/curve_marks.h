@@ -44,7 +44,7 @@ struct TangentHandle {
   bool is_automatic;
 };
 
-// Of the selected keys, on sides where their curve is smooth.
+// The handles of the selected keys, on sides where their curve is smooth.
 std::vector<TangentHandle> tangent_handles(const std::vector<Curve>& curves,
                                            const CurveSelection& selection, const CurveAxes& axes);
 

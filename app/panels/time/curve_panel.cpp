@@ -38,8 +38,7 @@ CurvePanel::CurvePanel(Timeline& timeline, Document& document, QWidget* parent)
   column->addWidget(editor_, 1);
   connect(track_, &QComboBox::currentIndexChanged, this, &CurvePanel::show_chosen);
   connect(fit, &QToolButton::clicked, editor_, &CurveEditor::fit);
-  connect(&document, &Document::scene_replaced, this, &CurvePanel::refresh);
-  connect(&document, &Document::part_changed, this, &CurvePanel::refresh);
+  on_change(document, Change::scene | Change::part, this, &CurvePanel::refresh);
   refresh();
 }
 

@@ -27,12 +27,12 @@ KeyframeTrack::KeyframeTrack(Timeline& timeline, Document& document, QWidget* pa
   setFocusPolicy(Qt::ClickFocus);
   setToolTip(tr(
       "Keyframes: drag to move, Del to delete, right-click for options, double-click to add one"));
-  connect(&document_, &Document::scene_replaced, this, [this] {
+  on_change(document_, Change::scene, this, [this] {
     drag_.reset();
     chosen_.reset();
     refresh();
   });
-  connect(&document_, &Document::part_changed, this, &KeyframeTrack::refresh);
+  on_change(document_, Change::part, this, &KeyframeTrack::refresh);
   connect(&timeline_, &Timeline::changed, this, qOverload<>(&QWidget::update));
   connect(&mouse_, &MouseDrag::cancelled, this, [this] {
     if (drag_) drag_to(drag_->from);

@@ -139,11 +139,9 @@ TimelineBar::TimelineBar(Timeline& timeline, Document& document, std::function<C
   });
   connect(curves, &QToolButton::clicked, this, &TimelineBar::curves_asked_for);
   connect(key, &QToolButton::clicked, this, &TimelineBar::set_key);
-  for (const auto signal : {&Document::scene_replaced, &Document::part_changed}) {
-    connect(&document_, signal, this, &TimelineBar::refresh_targets);
-    connect(&document_, signal, this, &TimelineBar::fit_keys);
-  }
-  connect(&document_, &Document::object_changed, this, &TimelineBar::refresh_targets);
+  on_change(document_, Change::scene | Change::part | Change::object, this,
+            &TimelineBar::refresh_targets);
+  on_change(document_, Change::scene | Change::part, this, &TimelineBar::fit_keys);
   refresh_targets();
   fit_keys();
 
@@ -186,7 +184,7 @@ void TimelineBar::fit_keys() {
   key_area_->setFixedHeight(std::min(max_value, keys_->sizeHint().height()));
 }
 
-// Of many surfaces only the selected one: a list of the values of hundreds would be of no use.
+// Many surfaces give only the selected one: a list of the values of hundreds would be of no use.
 std::vector<Track> TimelineBar::targets() const {
   constexpr std::size_t max_surfaces = 16;
   std::vector<Track> rows = tracks(document_.scene());

@@ -59,7 +59,7 @@ SimplifyDialog::SimplifyDialog(const Document& document, QWidget* window)
     Q_EMIT requested({.max_error = 0.01 * percent_, .ellipsoids = ellipsoids_->isChecked()});
     accept();
   });
-  connect(&document, &Document::selection_changed, this, &SimplifyDialog::show_count);
+  on_change(document, Change::selection, this, &SimplifyDialog::show_count);
   show_count();
 }
 

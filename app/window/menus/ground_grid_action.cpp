@@ -17,7 +17,7 @@ QAction* add_ground_grid_action(QMenu& menu, Document& document, ViewGrid& views
   const auto follow = [action, &document] {
     action->setChecked(document.scene().surfaces.empty() && document.medium().empty());
   };
-  QObject::connect(&document, &Document::scene_replaced, action, follow);
+  on_change(document, Change::scene, action, follow);
   follow();
   return action;
 }

@@ -154,7 +154,7 @@ StartPage::StartPage(Document& document, SceneFiles& files, QWidget& views)
 
   hide();
   views.installEventFilter(this);
-  connect(&document, &Document::scene_replaced, this, &StartPage::close_page);
+  on_change(document, Change::scene, this, &StartPage::close_page);
   connect(&document.undo_stack(), &QUndoStack::indexChanged, this, &StartPage::close_page);
 }
 

@@ -1,9 +1,13 @@
-// The menu Add, and the menu of what is under the mouse in a view.
+#include "app/window/menus/object_menu.h"
 
 #include <QDockWidget>
+#include <QMainWindow>
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "app/commands/edit_emitters.h"
+#include "app/commands/edit_medium.h"
 #include "app/commands/edit_objects.h"
 #include "app/commands/edit_surfaces.h"
 #include "app/commands/select_command.h"
@@ -13,14 +17,19 @@
 #include "app/tools/click_target.h"
 #include "app/view/surface_picker.h"
 #include "app/viewport/view_grid.h"
-#include "app/window/main_window.h"
+#include "app/window/file_jobs.h"
 #include "app/window/menus/menu_action.h"
 #include "brume/limits.h"
 #include "core/math/rounded.h"
 
 namespace brume {
 
-void MainWindow::fill_add_menu(QMenu* menu) {
+ObjectMenu::ObjectMenu(const Workspace& work, FileJobs& jobs, QMainWindow& window)
+    : QObject(&window), work_(work), jobs_(jobs), window_(window) {
+  connect(&work_.views, &ViewGrid::menu_asked, this, &ObjectMenu::show_view_menu);
+}
+
+void ObjectMenu::fill_add_menu(QMenu& menu) {
   struct Shape {
     const char* name;
     Primitive::Shape shape;
@@ -29,13 +38,14 @@ void MainWindow::fill_add_menu(QMenu* menu) {
        {Shape{"add.plane", Primitive::Shape::plane}, Shape{"add.box", Primitive::Shape::box},
         Shape{"add.sphere", Primitive::Shape::sphere},
         Shape{"add.cylinder", Primitive::Shape::cylinder}}) {
-    add_action(menu, primitive_title(entry.shape), entry.name, this,
+    add_action(&menu, primitive_title(entry.shape), entry.name, this,
                [this, shape = entry.shape] { add_primitive(shape); });
   }
-  add_action(menu, tr("&Mesh from File…"), "", this, [this] { import_->ask(); });
-  menu->addSeparator();
+  add_action(&menu, tr("&Mesh from File…"), "", this, [this] { jobs_.import().ask(); });
+  menu.addSeparator();
   const auto add_light_action = [&](const QString& text, const char* name, LightType type) {
-    add_action(menu, text, name, this, [this, type] { findChild<LightPanel*>()->add(type); });
+    add_action(&menu, text, name, this,
+               [this, type] { window_.findChild<LightPanel*>()->add(type); });
   };
   add_light_action(tr("&Point Light"), "light.point", LightType::point);
   add_light_action(tr("&Spot"), "light.spot", LightType::spot);
@@ -43,17 +53,17 @@ void MainWindow::fill_add_menu(QMenu* menu) {
   add_light_action(tr("&Rectangle Light"), "light.rectangle", LightType::rectangle);
   add_light_action(tr("&Disk Light"), "light.disk", LightType::disk);
   add_light_action(tr("Sp&here Light"), "light.sphere", LightType::sphere);
-  menu->addSeparator();
-  add_action(menu, tr("&Gaussian"), "edit.add_gaussian", this, [this] { add_gaussian_in_view(); });
-  add_action(menu, tr("&Emitter"), "add.emitter", this, [this] {
-    add_emitter(document_, views_->active().pivot(), views_->active().distance());
-    document_.set_object(ObjectRef{ObjectRef::Kind::emitter, document_.active_emitter()});
+  menu.addSeparator();
+  add_action(&menu, tr("&Gaussian"), "edit.add_gaussian", this, [this] { add_gaussian_in_view(); });
+  add_action(&menu, tr("&Emitter"), "add.emitter", this, [this] {
+    add_emitter(work_.document, work_.views.active().pivot(), work_.views.active().distance());
+    work_.document.set_object(ObjectRef{ObjectRef::Kind::emitter, work_.document.active_emitter()});
   });
 }
 
 // A seventh as large as what is looked at is far, on what is below that, or else on the ground.
-void MainWindow::add_primitive(Primitive::Shape shape) {
-  View& view = views_->active();
+void ObjectMenu::add_primitive(Primitive::Shape shape) {
+  View& view = work_.views.active();
   const double size = std::max(rounded(0.15 * view.distance(), 1), limits::min_length);
   const bool is_plane = shape == Primitive::Shape::plane;
   Surface surface;
@@ -65,49 +75,60 @@ void MainWindow::add_primitive(Primitive::Shape shape) {
                        below ? below->position.y : std::min(0.0, rounded(target.y, 3)),
                        rounded(target.z, 3)};
   if (!is_plane) surface.translate.y += 0.5 * size;
-  import_->add_surfaces({surface}, tr("Add %1").arg(primitive_title(shape)));
-  document_.set_object(ObjectRef{ObjectRef::Kind::surface, document_.scene().surfaces.size() - 1});
+  jobs_.import().add_surfaces({surface}, tr("Add %1").arg(primitive_title(shape)));
+  work_.document.set_object(
+      ObjectRef{ObjectRef::Kind::surface, work_.document.scene().surfaces.size() - 1});
 }
 
-void MainWindow::rename_object() {
-  if (!document_.object())
-    return show_status(tr("Select a light, emitter or surface to rename it"));
-  auto* dock = findChild<QDockWidget*>("outliner");
+void ObjectMenu::add_gaussian_in_view() {
+  const Viewport& view = work_.views.active();
+  const double radius = rounded(0.12 * std::max(view.distance(), 1e-6), 3);
+  // Optical depth 1 through the center: sqrt(pi) * radius * density.
+  const double density = rounded(1.0 / (std::sqrt(std::numbers::pi) * radius), 3);
+  add_gaussian(work_.document,
+               {.center = view.camera().target, .radius = radius, .density = density});
+}
+
+void ObjectMenu::rename_object() {
+  if (!work_.document.object())
+    return work_.show_status(tr("Select a light, emitter or surface to rename it"));
+  auto* dock = window_.findChild<QDockWidget*>("outliner");
   dock->show();
   dock->raise();
-  findChild<Outliner*>()->rename_current();
+  window_.findChild<Outliner*>()->rename_current();
 }
 
-void MainWindow::show_view_menu(Viewport& view, QPointF position) {
-  const ClickTarget target = click_target(document_, view, position);
+void ObjectMenu::show_view_menu(Viewport& view, QPointF position) {
+  const ClickTarget target = click_target(work_.document, view, position);
   // Selected Gaussians stay: the menu is about all of them.
   if (target.object) {
-    document_.set_object(target.object);
-  } else if (target.gaussian && !document_.is_selected(*target.gaussian)) {
-    select_gaussians(document_, {*target.gaussian});
+    work_.document.set_object(target.object);
+  } else if (target.gaussian && !work_.document.is_selected(*target.gaussian)) {
+    select_gaussians(work_.document, {*target.gaussian});
   }
   auto* menu = new QMenu(&view);
   menu->setObjectName("view_menu");
   menu->setAttribute(Qt::WA_DeleteOnClose);
   const auto add = [this, menu](std::initializer_list<const char*> names) {
     for (const char* name : names) {
-      if (auto* action = findChild<QAction*>(name)) menu->addAction(action);
+      if (auto* action = window_.findChild<QAction*>(name)) menu->addAction(action);
     }
     menu->addSeparator();
   };
-  if (const auto& object = document_.object()) {
-    menu->addSection(object_title(document_.scene(), *object));
+  if (const auto& object = work_.document.object()) {
+    menu->addSection(object_title(work_.document.scene(), *object));
     add({"tool.move", "tool.rotate", "tool.scale"});
     add({"edit.rename", "edit.duplicate", "select.hide", "select.lock", "edit.delete"});
-  } else if (!document_.selection().empty()) {
-    menu->addSection(tr("%n Gaussian(s)", nullptr, static_cast<int>(document_.selection().size())));
+  } else if (!work_.document.selection().empty()) {
+    menu->addSection(
+        tr("%n Gaussian(s)", nullptr, static_cast<int>(work_.document.selection().size())));
     add({"tool.move", "tool.rotate", "tool.scale"});
     add({"edit.cut", "edit.copy", "edit.paste", "edit.duplicate", "select.hide", "select.lock",
          "edit.delete"});
   } else {
     add({"edit.paste", "select.all"});
   }
-  menu->addMenu(findChild<QMenu*>("add_menu"));
+  menu->addMenu(window_.findChild<QMenu*>("add_menu"));
   menu->addSeparator();
   add({"view.frame_selection", "view.frame_all"});
   menu->popup(view.mapToGlobal(position).toPoint());

@@ -1,0 +1,162 @@
+#include "app/window/docks.h"
+
+#include <QDockWidget>
+#include <QMainWindow>
+#include <QScrollArea>
+#include <array>
+
+#include "app/document/document.h"
+#include "app/panels/forms/emitter_panel.h"
+#include "app/panels/forms/group_panel.h"
+#include "app/panels/forms/light_panel.h"
+#include "app/panels/forms/material_panel.h"
+#include "app/panels/forms/medium_panel.h"
+#include "app/panels/gaussians/gaussian_panel.h"
+#include "app/panels/lists/history_panel.h"
+#include "app/panels/plots/contribution_panel.h"
+#include "app/panels/plots/performance_panel.h"
+#include "app/panels/time/curve_panel.h"
+#include "app/panels/time/timeline_bar.h"
+#include "app/tools/tool_box.h"
+#include "app/viewport/view_grid.h"
+#include "app/window/frame_output.h"
+
+namespace brume {
+namespace {
+
+// Panels that a small screen may be too low for.
+QWidget* scrolled(QWidget* panel) {
+  auto* area = new QScrollArea;
+  area->setWidget(panel);
+  area->setWidgetResizable(true);
+  area->setFrameShape(QFrame::NoFrame);
+  return area;
+}
+
+}  // namespace
+
+Docks::Docks(const Workspace& work, FrameOutput& output, QMainWindow& window)
+    : QObject(&window), work_(work), window_(window) {
+  add_scene_panels();
+  add_frame_panels(output);
+  for (SceneForm* form : window_.findChildren<SceneForm*>()) {
+    connect(form, &SceneForm::refused, this, work_.show_status);
+  }
+  add_time_panels();
+  on_change(work_.document, Change::object, this, [this] {
+    const auto& object = work_.document.object();
+    if (!object) return;
+    const std::array panels{lights_, emitters_, surfaces_};  // by kind
+    panels.at(static_cast<std::size_t>(object->kind))->raise();
+  });
+}
+
+QDockWidget* Docks::add(const QString& title, const char* name, QWidget* panel) {
+  auto* made = new QDockWidget(title, &window_);
+  made->setObjectName(name);  // restoreState() knows it by this
+  made->setWidget(panel);
+  window_.addDockWidget(Qt::RightDockWidgetArea, made);
+  return made;
+}
+
+void Docks::add_scene_panels() {
+  Document& document = work_.document;
+  ViewGrid& views = work_.views;
+  auto* outliner = new Outliner(document, &window_);
+  auto* gaussians = new GaussianPanel(document, &window_);
+  auto* lights = new LightPanel(
+      document, [&views]() -> const View& { return views.active(); }, &window_);
+  auto* medium =
+      new MediumPanel(document, views.perspective().frames().quality().scattering(), &window_);
+  views.set_scattering(medium->scattering());
+  connect(medium, &MediumPanel::scattering_changed, &views, &ViewGrid::set_scattering);
+  connect(gaussians, &GaussianPanel::refused, this, work_.show_status);
+  connect(outliner, &Outliner::asked_for, this, &Docks::show_panel_of);
+  outliner_ = add(tr("Outliner"), "outliner", outliner);
+  gaussians_ = add(tr("Gaussians"), "gaussians", scrolled(gaussians));
+  lights_ = add(tr("Lighting"), "lighting", scrolled(lights));
+  medium_ = add(tr("Medium"), "medium", scrolled(medium));
+  surfaces_ = add(tr("Surface"), "material", scrolled(new MaterialPanel(document, &window_)));
+  emitters_ = add(tr("Emitters"), "emitters_dock", scrolled(new EmitterPanel(document, &window_)));
+  groups_ = add(tr("Group"), "group_dock", scrolled(new GroupPanel(document, &window_)));
+  window_.tabifyDockWidget(gaussians_, lights_);
+  window_.tabifyDockWidget(lights_, medium_);
+  window_.tabifyDockWidget(medium_, surfaces_);
+  window_.tabifyDockWidget(surfaces_, emitters_);
+  gaussians_->raise();
+}
+
+void Docks::add_frame_panels(FrameOutput& output) {
+  ViewGrid& views = work_.views;
+  QDockWidget* history =
+      add(tr("History"), "history", new HistoryPanel(work_.document.undo_stack()));
+  auto* performance_panel =
+      new PerformancePanel([&views]() -> const FrameScheduler& { return views.active().frames(); });
+  views.set_max_error(performance_panel->max_error());
+  connect(performance_panel, &PerformancePanel::max_error_changed, &views,
+          &ViewGrid::set_max_error);
+  for (const auto signal :
+       {&ViewGrid::frame_shown, &ViewGrid::active_changed, &ViewGrid::mode_changed}) {
+    connect(&views, signal, performance_panel, &PerformancePanel::update_frame);
+  }
+  connect(&views, &ViewGrid::error_changed, performance_panel, &PerformancePanel::update_quality);
+  QDockWidget* performance = add(tr("Performance"), "performance", scrolled(performance_panel));
+  auto* contribution_panel = new ContributionPanel(work_.document, &window_);
+  connect(&views, &ViewGrid::pointed_at, contribution_panel, &ContributionPanel::inspect);
+  QDockWidget* at_cursor = add(tr("At the Cursor"), "at_cursor", scrolled(contribution_panel));
+  window_.tabifyDockWidget(performance, history);
+  window_.tabifyDockWidget(performance, at_cursor);
+  window_.tabifyDockWidget(performance, groups_);
+  output.add_docks(at_cursor);
+  performance->raise();
+  window_.resizeDocks({gaussians_}, {400}, Qt::Horizontal);
+  window_.resizeDocks({outliner_, gaussians_, performance}, {150, 420, 170}, Qt::Vertical);
+}
+
+void Docks::add_time_panels() {
+  ViewGrid& views = work_.views;
+  auto* timeline = new QDockWidget(tr("Timeline"), &window_);
+  timeline->setObjectName("timeline");
+  timeline_bar_ = new TimelineBar(
+      work_.timeline, work_.document, [&views] { return views.perspective().camera(); }, &window_);
+  timeline->setWidget(timeline_bar_);
+  connect(&views, &ViewGrid::frame_shown, timeline_bar_, [this] {
+    if (const RenderedFrame* frame = work_.views.active().frames().shown()) {
+      timeline_bar_->picture_shown(frame->request.time);
+    }
+  });
+  const auto show_cached = [this] {
+    timeline_bar_->show_cached(work_.views.picture_cache(),
+                               static_cast<int>(work_.views.active().projection()));
+  };
+  connect(&views.picture_cache(), &PictureCache::changed, timeline_bar_, show_cached);
+  connect(&views, &ViewGrid::active_changed, timeline_bar_, show_cached);
+  window_.addDockWidget(Qt::BottomDockWidgetArea, timeline);
+  auto* curves = new QDockWidget(tr("Curves"), &window_);
+  curves->setObjectName("curves_dock");
+  curves->setWidget(new CurvePanel(work_.timeline, work_.document, &window_));
+  window_.addDockWidget(Qt::BottomDockWidgetArea, curves);
+  window_.splitDockWidget(curves, timeline, Qt::Vertical);
+  curves->hide();
+  connect(timeline_bar_, &TimelineBar::refused, this, work_.show_status);
+  connect(timeline_bar_, &TimelineBar::curves_asked_for, curves, [this, curves] {
+    curves->setVisible(curves->isHidden());
+    if (curves->isVisible()) window_.resizeDocks({curves}, {240}, Qt::Vertical);
+  });
+}
+
+void Docks::show_panel_of(Outliner::Kind kind, std::size_t index) {
+  using Kind = Outliner::Kind;
+  if (kind == Kind::spline) return work_.tools.activate("spline");
+  if (kind == Kind::light) work_.document.set_active_light(index);
+  QDockWidget* panel = kind == Kind::gaussians ? gaussians_
+                       : kind == Kind::group   ? groups_
+                       : kind == Kind::medium  ? medium_
+                       : kind == Kind::surface ? surfaces_
+                       : kind == Kind::emitter ? emitters_
+                                               : lights_;
+  panel->show();
+  panel->raise();
+}
+
+}  // namespace brume

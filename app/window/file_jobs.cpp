@@ -1,0 +1,125 @@
+#include "app/window/file_jobs.h"
+
+#include <QDropEvent>
+#include <QFileDialog>
+#include <QMimeData>
+
+#include "app/document/paths.h"
+#include "app/document/timeline.h"
+#include "app/export/medium_dialog.h"
+#include "app/files/file_dialogs.h"
+#include "app/files/scene_files.h"
+#include "app/import/imported_reload.h"
+#include "app/import/scene_import.h"
+#include "app/viewport/view_grid.h"
+#include "app/window/dialogs/simplify_dialog.h"
+#include "app/window/dialogs/simplify_job.h"
+#include "app/window/pages/light_new_scene.h"
+#include "app/window/pages/message_bar.h"
+#include "core/io/disk/file_bytes.h"
+#include "core/io/scene/gather.h"
+#include "core/io/scene/scene_files.h"
+
+namespace brume {
+namespace {
+
+bool is_scene(const std::filesystem::path& file) {
+  return lower_case_extension(file) == ".brume";
+}
+
+}  // namespace
+
+FileJobs::FileJobs(const Workspace& work, QWidget* window)
+    : QObject(window),
+      work_(work),
+      window_(window),
+      import_(new SceneImport(work.document, job_, window)),
+      reload_(new ImportedReload(work.document, window)) {
+  MessageBar* messages = &work_.messages;
+  connect(&job_, &BackgroundJob::cancelled, this, [this] { work_.show_status(tr("Cancelled")); });
+  connect(&job_, &BackgroundJob::failed, messages, &MessageBar::show_error);
+  connect(import_, &SceneImport::failed, messages, &MessageBar::show_error);
+  connect(import_, &SceneImport::warned, messages, &MessageBar::show_note);
+  connect(reload_, &ImportedReload::failed, messages, &MessageBar::show_error);
+  connect(reload_, &ImportedReload::warned, messages, &MessageBar::show_note);
+  connect(import_, &SceneImport::surfaces_added, this, [this, framed = Camera{}]() mutable {
+    light_new_scene(work_.document, work_.views.perspective(), framed);
+  });
+}
+
+void FileJobs::start(const QString& title, const BackgroundJob::Work& job) {
+  if (!job_.start(job, title)) {
+    work_.show_status(tr("Another import or export is still running."));
+  }
+}
+
+void FileJobs::export_medium() {
+  auto* dialog = new MediumDialog(work_.document.snapshot(), work_.timeline,
+                                  work_.views.perspective().frames().exposure(),
+                                  work_.document.folder(), window_);
+  connect(dialog, &MediumDialog::requested, this, [this](const MediumExport& what) {
+    const QString name = to_qstring(what.file.filename());
+    start(tr("Exporting %1").arg(name), brume::export_medium(what));
+  });
+  dialog->show();
+}
+
+void FileJobs::gather() {
+  QFileDialog dialog(window_, tr("Gather into a new folder"),
+                     last_folder(FileKind::gather, work_.document.folder()));
+  dialog.setAcceptMode(QFileDialog::AcceptSave);
+  dialog.setLabelText(QFileDialog::FileName, tr("Folder"));
+  if (dialog.exec() != QDialog::Accepted) return;
+  const std::filesystem::path folder = to_path(dialog.selectedFiles().value(0));
+  remember_folder(FileKind::gather, folder);
+  gather_to(folder);
+}
+
+void FileJobs::gather_to(const std::filesystem::path& folder) {
+  const Document& document = work_.document;
+  const std::string name =
+      document.file().empty() ? std::string("scene") : document.file().stem().string();
+  start(tr("Gathering"), [this, folder, name, scene_folder = to_path(document.folder()),
+                          scene = document.document_to_save()](const Job& job) {
+    gather_scene(scene, folder, name, job.stop);
+    QString text = tr("Gathered in %1").arg(to_qstring(folder));
+    if (const auto others = static_cast<int>(files_outside(scene, scene_folder).size())) {
+      text += tr(", with %n file(s) from outside the scene's folder", nullptr, others);
+    }
+    return [this, text] { work_.show_status(text); };
+  });
+}
+
+void FileJobs::simplify() {
+  auto* dialog = new SimplifyDialog(work_.document, window_);
+  connect(dialog, &SimplifyDialog::requested, this, [this](const SimplifyLimits& limits) {
+    start(tr("Simplifying"), simplifying(work_.document, limits, work_.show_status));
+  });
+  dialog->show();
+}
+
+void FileJobs::drop(QDropEvent& event) {
+  std::vector<std::filesystem::path> files;
+  for (const QUrl& url : event.mimeData()->urls()) {
+    if (url.isLocalFile()) {
+      files.push_back(to_path(url.toLocalFile()));
+    } else {
+      work_.messages.show_error(
+          tr("%1 is no file of this computer. Download it, and drop the file.")
+              .arg(url.toDisplayString()));
+    }
+  }
+  if (files.empty()) return;
+  if (files.size() == 1 && is_scene(files.front())) {
+    work_.files.open_file(files.front());
+  } else {
+    import_->import_files(files);
+  }
+  event.acceptProposedAction();
+}
+
+void FileJobs::check_imported() {
+  reload_->check();
+}
+
+}  // namespace brume

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <QObject>
+#include <filesystem>
+
+#include "app/jobs/background_job.h"
+#include "app/window/workspace.h"
+
+class QDropEvent;
+class QWidget;
+
+namespace brume {
+
+class ImportedReload;
+class SceneImport;
+
+// What comes from other files and goes to them in the background, besides frames: one at a time.
+class FileJobs : public QObject {
+  Q_OBJECT
+ public:
+  // `window`: what dialogs belong to.
+  FileJobs(const Workspace& work, QWidget* window);
+
+  [[nodiscard]] SceneImport& import() { return *import_; }
+  [[nodiscard]] BackgroundJob& job() { return job_; }
+  // Unless another is running.
+  void start(const QString& title, const BackgroundJob::Work& job);
+
+  void export_medium();
+  // Copies the scene and all files it refers to into a folder that is not there yet, or is empty.
+  void gather();  // into one that is asked for
+  void gather_to(const std::filesystem::path& folder);
+  void simplify();
+  void drop(QDropEvent& event);
+  // Whether imported files have been changed by other programs.
+  void check_imported();
+
+ private:
+  Workspace work_;
+  QWidget* window_;
+  BackgroundJob job_{BackgroundJob::Policy::one_at_a_time};
+  SceneImport* import_;
+  ImportedReload* reload_;
+};
+
+}  // namespace brume

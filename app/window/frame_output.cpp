@@ -1,0 +1,376 @@
+#include "app/window/frame_output.h"
+
+#include <QAction>
+#include <QDockWidget>
+#include <QFileDialog>
+#include <QLineEdit>
+#include <QMainWindow>
+#include <QMenu>
+#include <QScrollArea>
+#include <QSettings>
+#include <QTabWidget>
+#include <QVBoxLayout>
+
+#include "app/commands/edit_output.h"
+#include "app/document/number_text.h"
+#include "app/document/paths.h"
+#include "app/document/timeline.h"
+#include "app/export/animation_dialog.h"
+#include "app/export/frame_dialog.h"
+#include "app/export/queue_list.h"
+#include "app/export/render_queue.h"
+#include "app/files/file_dialogs.h"
+#include "app/panels/forms/camera_panel.h"
+#include "app/panels/forms/output_panel.h"
+#include "app/pictures/picture_viewer.h"
+#include "app/viewport/camera_frame.h"
+#include "app/viewport/view_grid.h"
+#include "app/widgets/frame_text.h"
+#include "app/widgets/keys.h"
+#include "app/widgets/question.h"
+#include "app/window/camera_lock.h"
+#include "app/window/file_jobs.h"
+#include "app/window/pages/message_bar.h"
+#include "core/io/disk/file_bytes.h"
+#include "render/output/frame_file.h"
+#include "render/request.h"
+
+namespace brume {
+namespace {
+
+constexpr const char* frame_key = "view/camera_frame";
+
+// At the top, with room below.
+QScrollArea* scrolled_panel(QWidget* panel) {
+  auto* column = new QWidget;
+  auto* layout = new QVBoxLayout(column);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(panel);
+  layout->addStretch();
+  auto* area = new QScrollArea;
+  area->setWidget(column);
+  area->setWidgetResizable(true);
+  area->setFrameShape(QFrame::NoFrame);
+  return area;
+}
+
+QString region_text(const std::optional<QRectF>& region) {
+  if (!region) return {};
+  return FrameOutput::tr("Region: %1 × %2 % of the picture")
+      .arg(fixed_text(100.0 * region->width(), 0), fixed_text(100.0 * region->height(), 0));
+}
+
+}  // namespace
+
+FrameOutput::FrameOutput(const Workspace& work, FileJobs& jobs, QMainWindow& window)
+    : QObject(&window),
+      work_(work),
+      jobs_(jobs),
+      window_(window),
+      queue_(new RenderQueue(&window)),
+      viewer_(new PictureViewer(&window)) {
+  create_actions();
+  create_camera_actions();
+  const FrameExport& exporter = queue_->exporter();
+  connect(&exporter, &FrameExport::finished, this, [this](const QString& file) {
+    work_.show_status(file.isEmpty() ? tr("Rendered") : tr("Exported %1").arg(file));
+  });
+  connect(&exporter, &FrameExport::cancelled, this, [this](int written) {
+    work_.show_status(written == 0 ? tr("Export cancelled")
+                                   : tr("Export cancelled after %1 files").arg(written));
+  });
+  connect(&exporter, &FrameExport::failed, &work_.messages, &MessageBar::show_error);
+}
+
+QAction* FrameOutput::make_action(const QString& text, const char* name, const QString& tip) {
+  auto* action = new QAction(text, &window_);
+  action->setObjectName(name);
+  action->setShortcuts(keys_of(name));
+  action->setToolTip(tip);
+  return action;
+}
+
+void FrameOutput::create_actions() {
+  const auto add = [this](const QString& text, const char* name, const QString& tip, auto react) {
+    QAction* action = make_action(text, name, tip);
+    connect(action, &QAction::triggered, this, react);
+    return action;
+  };
+  actions_ = {
+      add(tr("Render &Picture"), "render.picture",
+          tr("Renders what the scene's camera sees now, into the picture viewer and the file "
+             "(F12)"),
+          [this] { render(false); }),
+      add(tr("Render &Animation"), "render.animation",
+          tr("Renders all frames of the timeline to the file (Ctrl+F12)"),
+          [this] { render(true); }),
+      add(tr("Render &Region…"), "render.region",
+          tr("Drag over the part of the camera's picture that is to be rendered"),
+          [this] { mark_region(); }),
+      add(tr("&Whole Picture"), "render.whole", tr("Renders all of the picture again"),
+          [this] { work_.views.perspective().camera_frame().set_region(std::nullopt); }),
+      add(tr("&Keep View"), "render.keep_view",
+          tr("Keeps what the view shows in a slot of the picture viewer"), [this] { keep_view(); }),
+  };
+}
+
+void FrameOutput::create_camera_actions() {
+  QAction* frame =
+      make_action(tr("Camera &Frame"), "view.camera_frame",
+                  tr("Shows what the scene's camera will render when you look through it"));
+  QAction* lock = make_action(tr("&Lock Camera to View"), "view.lock_camera",
+                              tr("While you look through the scene's camera, navigation moves it"));
+  for (QAction* toggle : {frame, lock}) toggle->setCheckable(true);
+  CameraController& camera = work_.views.perspective().camera_controller();
+  connect(frame, &QAction::toggled, &camera, &CameraController::set_frame_shown);
+  connect(frame, &QAction::triggered, this, [](bool on) { QSettings().setValue(frame_key, on); });
+  connect(lock, &QAction::toggled, &camera, &CameraController::set_locked);
+  frame->setChecked(QSettings().value(frame_key, true).toBool());
+  camera.set_frame_shown(frame->isChecked());
+  camera_actions_ = {frame, lock};
+  new CameraLock(work_.document, work_.views.perspective());
+}
+
+QTabWidget* FrameOutput::make_tabs() {
+  Viewport& view = work_.views.perspective();
+  auto* cameras = new CameraPanel(
+      work_.document, [&view] { return view.camera(); }, &window_);
+  for (QAction* action : camera_actions_) cameras->add_toggle(action);
+  connect(cameras, &CameraPanel::look_through_asked_for, &view,
+          [&view] { view.camera_controller().look_through_scene_camera(); });
+
+  auto* output = new OutputPanel(
+      work_.document, work_.timeline, [&view] { return view.frames().exposure(); }, actions_[0],
+      actions_[1], &window_);
+  CameraFrame& frame = view.camera_frame();
+  connect(output, &OutputPanel::clear_region_asked_for, actions_[3], &QAction::trigger);
+  connect(&frame, &CameraFrame::region_changed, output,
+          [&frame, output] { output->show_region(region_text(frame.region())); });
+  on_change(work_.document, Change::scene, &frame, [&frame] { frame.set_region(std::nullopt); });
+
+  auto* queue = new QueueList(*queue_, &window_);
+  connect(queue, &QueueList::show_asked_for, this, &FrameOutput::show_render);
+  auto* tabs = new QTabWidget;
+  tabs->setObjectName("output_tabs");
+  tabs->setDocumentMode(true);
+  tabs->addTab(scrolled_panel(output), tr("Picture"));
+  tabs->addTab(scrolled_panel(cameras), tr("Camera"));
+  tabs->addTab(queue, tr("Queue"));
+  connect(queue_, &RenderQueue::changed, tabs, [this, tabs] {
+    const int unfinished = queue_->unfinished();
+    tabs->setTabText(2, unfinished == 0 ? tr("Queue") : tr("Queue (%1)").arg(unfinished));
+  });
+  return tabs;
+}
+
+void FrameOutput::add_docks(QDockWidget* beside) {
+  output_dock_ = new QDockWidget(tr("Output"), &window_);
+  output_dock_->setObjectName("output_dock");
+  tabs_ = make_tabs();
+  output_dock_->setWidget(tabs_);
+  window_.addDockWidget(Qt::RightDockWidgetArea, output_dock_);
+  window_.tabifyDockWidget(beside, output_dock_);
+
+  viewer_dock_ = new QDockWidget(tr("Picture Viewer"), &window_);
+  viewer_dock_->setObjectName("picture_viewer");
+  viewer_dock_->setWidget(viewer_);
+  window_.addDockWidget(Qt::RightDockWidgetArea, viewer_dock_);
+  viewer_dock_->setFloating(true);
+  viewer_dock_->resize(860, 680);
+  viewer_dock_->hide();
+  viewer_dock_->toggleViewAction()->setShortcuts(keys_of("render.viewer"));
+  viewer_dock_->toggleViewAction()->setObjectName("render.viewer");
+  connect(viewer_, &PictureViewer::keep_view_asked_for, this, &FrameOutput::keep_view);
+  connect(viewer_, &PictureViewer::save_asked_for, this, &FrameOutput::save_picture);
+  connect(queue_, &RenderQueue::rendered, this, [this](int id, const ExportedFrame& made) {
+    const std::size_t slot = viewer_->pictures().keep_of_job(id, made.picture);
+    if (id == shown_render_) viewer_->show_new(slot);
+  });
+}
+
+void FrameOutput::fill_menu(QMenu& menu) {
+  menu.addActions({actions_[0], actions_[1]});
+  menu.addSeparator();
+  menu.addActions({actions_[2], actions_[3]});
+  menu.addSeparator();
+  menu.addAction(viewer_dock_->toggleViewAction());
+  menu.addAction(actions_[4]);
+}
+
+FrameExportRequest FrameOutput::output_request(bool animation) const {
+  const Scene& scene = work_.document.scene();
+  const Output& output = scene.output;
+  FrameExportRequest request = view_request(output.file);
+  request.request.camera.reset();  // the scene's
+  if (const auto& region = work_.views.perspective().camera_frame().region()) {
+    request.request.film = film_region(scene.film, {region->left(), region->top()},
+                                       {region->right(), region->bottom()});
+  }
+  if (output.paths && !is_deep_file(output.file)) trace_paths(request.request, *output.paths);
+  if (output.exposure) request.info.look.exposure = *output.exposure;
+  request.request.layers = output.layers;
+  const QString camera = QString::fromStdString(scene.camera_name);
+  if (animation) {
+    request.range = {work_.timeline.first(), work_.timeline.last(),
+                     work_.timeline.frames_per_second()};
+    request.title = camera;
+    return request;
+  }
+  request.title = tr("%1, frame %2").arg(camera).arg(work_.timeline.frame());
+  if (lower_case_extension(request.file) == ".mp4") {
+    request.file.clear();  // a video of one picture is of no use
+  }
+  return request;
+}
+
+void FrameOutput::render(bool animation) {
+  const FrameExportRequest request = output_request(animation);
+  if (animation && request.file.empty()) return ask_for_file();
+  if (!request.file.empty() && !may_write(request.file, animation)) return;
+  const int id = queue_->add(request);
+  shown_render_ = id;
+  if (!animation) show_viewer();
+  work_.show_status(tr("Rendering in the background; see the queue in the panel Output"));
+}
+
+void FrameOutput::ask_for_file() {
+  output_dock_->show();
+  output_dock_->raise();
+  tabs_->setCurrentIndex(0);
+  tabs_->findChild<QLineEdit*>("output_file")->setFocus();
+  work_.show_status(tr("An animation needs a file: name it in the panel Output."));
+}
+
+// Asks once in a session for each file; its folder is made.
+bool FrameOutput::may_write(const std::filesystem::path& file, bool animation) {
+  const bool is_numbered = animation && lower_case_extension(file) != ".mp4";
+  const auto frames = is_numbered
+                          ? std::optional(std::pair(work_.timeline.first(), work_.timeline.last()))
+                          : std::nullopt;
+  if (!rendered_files_.contains({file, animation}) && !may_replace(&window_, file, frames)) {
+    return false;
+  }
+  rendered_files_.insert({file, animation});
+  std::error_code error;  // what cannot be created cannot be written either, and is told then
+  std::filesystem::create_directories(file.parent_path(), error);
+  return true;
+}
+
+void FrameOutput::show_viewer() {
+  constexpr QPoint inside(60, 90);
+  if (viewer_dock_->isFloating() && viewer_dock_->pos().isNull()) {
+    viewer_dock_->move(window_.frameGeometry().topLeft() + inside);
+  }
+  viewer_dock_->show();
+  viewer_dock_->raise();
+}
+
+bool FrameOutput::may_end_renders() {
+  const int unfinished = queue_->unfinished();
+  if (unfinished == 0) return true;
+  const QString text = unfinished == 1
+                           ? tr("A render is not finished. End it?")
+                           : tr("%1 renders are not finished. End them?").arg(unfinished);
+  return ask(&window_, tr("Unfinished renders"), text,
+             {{QMessageBox::Cancel, tr("Keep Rendering")}, {QMessageBox::Yes, tr("End")}}) ==
+         QMessageBox::Yes;
+}
+
+void FrameOutput::show_render(int id) {
+  const auto slot = viewer_->pictures().slot_of_job(id);
+  if (!slot) return work_.show_status(tr("Its slot has another picture by now."));
+  viewer_->show_new(*slot);
+  show_viewer();
+}
+
+void FrameOutput::keep_view() {
+  const FrameScheduler& frames = work_.views.active().frames();
+  const RenderedFrame* shown = frames.shown();
+  if (!shown || !frames.is_settled()) {
+    return work_.show_status(tr("Wait until the picture is at rest, then keep it."));
+  }
+  QString details = picture_details(shown->frame, shown->request.settings, shown->milliseconds);
+  const std::optional<ErrorEstimate>& error = frames.quality().error();
+  if (frames.quality().is_measured() && error && frames.mode() != ViewMode::path_traced) {
+    details += tr(" · error %1").arg(error_text(*error));
+  }
+  const QString name = tr("View, frame %1").arg(work_.timeline.frame());
+  const std::size_t slot =
+      viewer_->pictures().keep(make_picture(shown->frame, frames.display(), name, details));
+  viewer_->show_new(slot);
+  show_viewer();
+  work_.show_status(tr("Kept in slot %1").arg(slot + 1));
+}
+
+void FrameOutput::save_picture(const std::shared_ptr<const Picture>& picture) {
+  const QString start = last_folder(FileKind::picture, work_.document.folder()) + "/picture.png";
+  const QString name =
+      QFileDialog::getSaveFileName(&window_, tr("Save picture"), start, tr("PNG pictures (*.png)"));
+  if (name.isEmpty()) return;
+  std::filesystem::path file = to_path(name);
+  if (file.extension().empty()) file += ".png";
+  remember_folder(FileKind::picture, file);
+  jobs_.start(tr("Saving %1").arg(to_qstring(file.filename())),
+              [this, file, picture](const Job&) -> BackgroundJob::Apply {
+                brume::save_picture(*picture, file);
+                return [this, file] { work_.show_status(tr("Saved %1").arg(to_qstring(file))); };
+              });
+}
+
+void FrameOutput::mark_region() {
+  CameraController& camera = work_.views.perspective().camera_controller();
+  for (QAction* action : camera_actions_) {
+    if (action->objectName() == "view.camera_frame") action->setChecked(true);
+  }
+  if (!camera.looks_through_scene_camera()) camera.look_through_scene_camera();
+  work_.views.perspective().camera_frame().start_marking();
+}
+
+void FrameOutput::export_frame() {
+  const bool path_traced = work_.views.perspective().frames().mode() == ViewMode::path_traced;
+  auto* dialog = new FrameDialog(work_.document.folder(), path_traced,
+                                 work_.document.scene().output.layers, &window_);
+  connect(dialog, &FrameDialog::requested, this, &FrameOutput::export_frame_to);
+  dialog->show();
+}
+
+void FrameOutput::export_frame_to(const std::filesystem::path& file, std::optional<int> paths,
+                                  const OutputLayers& layers, int bits) {
+  FrameExportRequest request = view_request(file);
+  request.request.layers = layers;
+  request.info.bits = bits;
+  if (paths) trace_paths(request.request, *paths);
+  queue_->add(request);
+}
+
+void FrameOutput::export_animation() {
+  auto* dialog = new AnimationDialog(work_.timeline, work_.document.folder(), &window_);
+  connect(dialog, &AnimationDialog::requested, this, &FrameOutput::export_animation_to);
+  dialog->show();
+}
+
+void FrameOutput::export_animation_to(const std::filesystem::path& file, int first, int last) {
+  FrameExportRequest request = view_request(file);
+  request.range = {first, last, work_.timeline.frames_per_second()};
+  request.title = tr("View");
+  if (work_.document.scene().camera_keys != CameraKeys{}) request.request.camera.reset();
+  queue_->add(request);
+}
+
+FrameExportRequest FrameOutput::view_request(const std::filesystem::path& file) const {
+  RenderRequest request = work_.views.perspective().frames().quality().request();
+  // Only one of the views' methods makes deep frames.
+  if (is_deep_file(file)) request.airlight = AirlightMethod::sliced;
+  request.camera = work_.views.perspective().camera();
+  request.time = work_.views.perspective().time();
+  request.backend = work_.views.backend();
+  return {.scene = work_.document.snapshot(),
+          .request = request,
+          .info = {.scene = work_.document.file().string(),
+                   .look = work_.views.perspective().frames().display()},
+          .file = file,
+          .range = std::nullopt,
+          .title = tr("Frame %1").arg(work_.timeline.frame())};
+}
+
+}  // namespace brume

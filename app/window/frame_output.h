@@ -1,0 +1,86 @@
+#pragma once
+
+#include <QList>
+#include <QObject>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "app/export/frame_export.h"
+#include "app/window/workspace.h"
+#include "brume/output.h"
+
+class QAction;
+class QDockWidget;
+class QMainWindow;
+class QMenu;
+class QTabWidget;
+
+namespace brume {
+
+class FileJobs;
+struct Picture;
+class PictureViewer;
+class RenderQueue;
+
+// Pictures and animations on their way to files and to the picture viewer: File > Export, the menu
+// Render, and the docks Output and Picture Viewer.
+class FrameOutput : public QObject {
+  Q_OBJECT
+ public:
+  FrameOutput(const Workspace& work, FileJobs& jobs, QMainWindow& window);
+
+  // The dock Output as a tab beside another, and the picture viewer.
+  void add_docks(QDockWidget* beside);
+  void fill_menu(QMenu& menu);
+  // Check boxes of what the view shows of the camera.
+  [[nodiscard]] const QList<QAction*>& camera_actions() const { return camera_actions_; }
+  [[nodiscard]] RenderQueue& queue() { return *queue_; }
+
+  // Asks for a file, and exports to it.
+  void export_frame();
+  void export_animation();
+  // Exports what the view sees, on the scene's film; path-traced with `paths` per pixel, or by the
+  // method of the view.
+  void export_frame_to(const std::filesystem::path& file, std::optional<int> paths = {},
+                       const OutputLayers& layers = {}, int bits = 8);
+  // The frames of the timeline that are named, numbered or as a video, by the file's extension: as
+  // the scene's camera sees them if it has keys, else as the view does.
+  void export_animation_to(const std::filesystem::path& file, int first, int last);
+
+  [[nodiscard]] bool may_end_renders();  // asks if any is not done
+
+ private:
+  [[nodiscard]] QAction* make_action(const QString& text, const char* name, const QString& tip);
+  void create_actions();
+  void create_camera_actions();
+  [[nodiscard]] QTabWidget* make_tabs();
+  [[nodiscard]] FrameExportRequest view_request(const std::filesystem::path& file) const;
+  [[nodiscard]] FrameExportRequest output_request(bool animation) const;
+  void render(bool animation);
+  [[nodiscard]] bool may_write(const std::filesystem::path& file, bool animation);
+  void ask_for_file();
+  void show_render(int id);
+  void show_viewer();
+  void keep_view();
+  void save_picture(const std::shared_ptr<const Picture>& picture);
+  void mark_region();
+
+  Workspace work_;
+  FileJobs& jobs_;
+  QMainWindow& window_;
+  RenderQueue* queue_;
+  PictureViewer* viewer_;
+  QDockWidget* output_dock_ = nullptr;
+  QTabWidget* tabs_ = nullptr;
+  QDockWidget* viewer_dock_ = nullptr;
+  QList<QAction*> actions_;  // in the order of the menu Render
+  QList<QAction*> camera_actions_;
+  int shown_render_ = 0;  // id in the queue, whose pictures the viewer shows
+  // Files of output that may be replaced: of one picture, or of an animation.
+  std::set<std::pair<std::filesystem::path, bool>> rendered_files_;
+};
+
+}  // namespace brume
