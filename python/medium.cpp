@@ -75,7 +75,7 @@ std::vector<double> as_many(const char* name, const Doubles& array, std::size_t 
   return {array.data(), array.data() + count};
 }
 
-// Of rows of three.
+// An array as rows of three.
 std::vector<glm::dvec3> rows_of(const char* name, const Doubles& array) {
   if (array.ndim() != 2 || array.shape(1) != 3) {
     throw DomainError(name, "found the shape " + shape_of(array) + "; allowed: (n, 3)");
@@ -98,7 +98,7 @@ std::vector<glm::dvec3> rows_of(const char* name, const Doubles& array, std::siz
   return rows;
 }
 
-// Of each of `count` Gaussians, from rows of w, x, y, z.
+// A unit quaternion for each of `count` Gaussians, from rows of w, x, y, z.
 std::vector<glm::dquat> unit_quaternions(const Doubles& array, std::size_t count) {
   if (array.ndim() != 2 || array.shape(1) != 4 ||
       static_cast<std::size_t>(array.shape(0)) != count) {
@@ -210,7 +210,7 @@ Doubles rows_for(const Shared& medium, int width, Row row) {
   return rows;
 }
 
-// Of each Gaussian; `set` gets it and its index.
+// Sets a column for each Gaussian; `set` gets it and its index.
 template <class Set>
 void change_all(const Shared& medium, Set set) {
   Medium& all = medium->changeable();

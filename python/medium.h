@@ -33,7 +33,7 @@ class ArrayMedium {
   // To change all else.
   [[nodiscard]] Medium& changeable() { return medium_; }
 
-  // Of the homogeneous density.
+  // Keyframes of the homogeneous density.
   [[nodiscard]] Keys<double>& density_keys() { return density_keys_; }
 
   // What keeps the medium alive for an array.

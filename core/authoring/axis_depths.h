@@ -18,7 +18,8 @@ class AxisDepths {
   void add(const Gaussian& gaussian) { add(gaussian, 1.0); }
   void remove(const Gaussian& gaussian) { add(gaussian, -1.0); }
 
-  // Of the shallowest of the three lines through a point; outside of the bounds, of the nearest.
+  // The depth of the shallowest of the three lines through a point; outside of the bounds, of the
+  // nearest.
   [[nodiscard]] double least(const glm::dvec3& x) const;
 
  private:

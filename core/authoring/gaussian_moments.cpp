@@ -19,7 +19,7 @@ double trace(const glm::dmat3& m) {
   return m[0][0] + m[1][1] + m[2][2];
 }
 
-// Of a symmetric matrix, the trace of its inverse times its determinant.
+// The trace of the inverse of a symmetric matrix, times its determinant.
 double adjugate_trace(const glm::dmat3& m) {
   return glm::cross(m[1], m[2]).x + glm::cross(m[2], m[0]).y + glm::cross(m[0], m[1]).z;
 }

@@ -72,7 +72,7 @@ GaussianMoments stand_in(const GaussianMoments& a, const GaussianMoments& b,
   return one;
 }
 
-// Of Balls or GaussianMoments.
+// `Moments`: Balls or GaussianMoments.
 template <class Moments>
 class Simplification {
  public:
@@ -92,7 +92,7 @@ class Simplification {
     if (medium_.empty()) return 1.0;
     std::size_t sampled = 0;
     std::size_t left = 0;
-    // Of four boxes in different places of the tree; a bit for each way.
+    // Four boxes in different places of the tree; a bit for each way.
     for (const unsigned ways : {0x0u, 0x55555555u, 0xaaaaaaaau, 0xffffffffu}) {
       std::span<std::uint32_t> box = order_;
       for (unsigned level = 0; box.size() > sample_size; ++level) {
@@ -156,7 +156,7 @@ class Simplification {
     return medium_.optics(first) == medium_.optics(second);
   }
 
-  // Of a box of Gaussians, halved along its longest side.
+  // The parts of a box of Gaussians, halved along its longest side.
   std::vector<Part> merged(std::span<std::uint32_t> order) {
     if (order.size() == 1) return {{Moments(medium_.gaussian(order[0])), 0.0, order}};
     if (stop_.stop_requested()) return {};

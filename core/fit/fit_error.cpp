@@ -59,7 +59,7 @@ class LinePoints {
   bool is_sparse_;
 };
 
-// Of p + t w, |w| = 1 [voxels].
+// The optical depth of the line p + t w, |w| = 1 [voxels].
 double depth_along_line(const DensityGrid& grid, const BlockTree& tree, const glm::dvec3& p,
                         const glm::dvec3& w) {
   double depth = 0.0;

@@ -46,7 +46,7 @@ inline constexpr double max_fitted_elongation = 8.0;
 struct FitLimits {
   double min_radius = 0.0;  // along each axis [u]
   double max_radius = std::numeric_limits<double>::infinity();
-  // Of centers.
+  // Bounds of centers.
   glm::dvec3 low{-std::numeric_limits<double>::infinity()};
   glm::dvec3 high{std::numeric_limits<double>::infinity()};
 };

@@ -50,7 +50,7 @@ struct Axis {
 struct Axes {
   Axis x, y, z;
 
-  // Of a block whose minimum corner is `first`.
+  // The block's minimum corner is `first`.
   Axes(const FitGaussian& g, const glm::dvec3& first, const glm::dvec3& spacing)
       : x(first.x, spacing.x, g.b.x, g.a),
         y(first.y, spacing.y, g.b.y, g.a),
@@ -156,7 +156,7 @@ FitLimits FitProblem::limits(const DensityGrid& grid, FitShape shape) {
   // with 1.6, 4.3% and 3.5% with 1.8; of balls there is no such gain.
   FitLimits limits{.min_radius = voxel / 1.7};
   if (grid.blocks.empty()) return limits;
-  // Of one that is far outside, of any mass, the grid would see only the tail.
+  // The grid would see only the tail of one that is far outside, of any mass.
   std::swap(limits.low, limits.high);
   for (const DensityGrid::Block& block : grid.blocks) {
     const glm::dvec3 first = grid.spacing * glm::dvec3(block.corner);

@@ -19,7 +19,7 @@ namespace brume {
 // separable. Parallel and deterministic for any number of threads.
 class FitProblem {
  public:
-  // Of balls, steps have no shape.
+  // Steps of balls have no shape.
   FitProblem(const DensityGrid& grid, FitShape shape);
 
   // Number of residuals; the first half belongs to voxels.
@@ -32,7 +32,7 @@ class FitProblem {
   [[nodiscard]] std::vector<float> sampled(const DensityGrid& grid) const;
 
   void set(std::span<const FitGaussian> gaussians);
-  // Of Gaussians that the grid can hold.
+  // The limits of Gaussians that the grid can hold.
   [[nodiscard]] static FitLimits limits(const DensityGrid& grid, FitShape shape);
 
   // Sets size() residuals; returns the sum of their squares.

@@ -14,12 +14,13 @@ struct AppearanceOptions {
   double flame_temperature = 1850.0;  // where there is no temperature at which matter glows [K]
 };
 
-// Of smoke, whose densities were multiplied by `density_scale`: the colour is its albedo, 1 where
-// it has none; it shines as its emission says, and as a black body of its temperature.
+// The optics of smoke, whose densities were multiplied by `density_scale`: the colour is its
+// albedo, 1 where it has none; it shines as its emission says, and as a black body of its
+// temperature.
 OpticsTargets smoke_targets(const DensityGrid& density, double density_scale,
                             const VolumeOptics& optics, const AppearanceOptions& options);
 
-// Of flames, whose extinctions are given: they shine as black bodies.
+// The optics of flames, whose extinctions are given: they shine as black bodies.
 OpticsTargets flame_targets(const DensityGrid& extinction, const VolumeOptics& optics,
                             const AppearanceOptions& options);
 

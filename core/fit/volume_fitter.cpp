@@ -47,7 +47,7 @@ VolumeOptics read_optics(const std::filesystem::path& file, const VolumeFit& how
   return optics;
 }
 
-// Of the blocks of both.
+// The share of the blocks of both that has flames.
 double flame_share(const DensityGrid& smoke, const DensityGrid& flame) {
   const auto blocks = static_cast<double>(smoke.blocks.size());
   const auto flame_blocks = static_cast<double>(flame.blocks.size());

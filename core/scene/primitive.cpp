@@ -58,7 +58,7 @@ class ShapeBuilder {
         [&](double s, double t) { return flat_texcoord(offset(s, t), right, up); });
   }
 
-  // Of an offset from the middle of a texture of side 1.
+  // `offset`: from the middle of a texture of side 1.
   static glm::dvec2 flat_texcoord(const glm::dvec3& offset, const glm::dvec3& right,
                                   const glm::dvec3& up) {
     return 0.5 + glm::dvec2(glm::dot(offset, right), glm::dot(offset, up));

@@ -119,7 +119,7 @@ class TouchedByEllipsoid {
     return {static_cast<int>(std::ceil(middle - half)),
             static_cast<int>(std::floor(middle + half))};
   }
-  // Of all y at x, and of all z at x and y.
+  // The range over all y at x, and over all z at x and y.
   [[nodiscard]] Range row(int x) const {
     const double dx = x - ball_.center.x;
     const double left = 1.0 - dx * dx / (reach_.x * reach_.x);

@@ -48,7 +48,7 @@ class MediumSampling {
 
  private:
   using Factor = std::function<double(const Gaussian&)>;
-  // Of the density, three of an albedo and three of an emission.
+  // One for the density, three for an albedo and three for an emission.
   static std::size_t channels(const Medium& medium) {
     return 1 + (medium.has_albedos() ? 3 : 0) + (medium.has_emission() ? 3 : 0);
   }

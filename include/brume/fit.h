@@ -13,8 +13,8 @@
 
 namespace brume {
 
-// Of fitted Gaussians. Of volumes that have strands and sheets, half as many ellipsoids make the
-// error of balls.
+// The shape of fitted Gaussians. Where volumes have strands and sheets, half as many ellipsoids
+// make the error of balls.
 enum class FitShape { ball, ellipsoid };
 
 struct FitOptions {

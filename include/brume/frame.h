@@ -95,11 +95,11 @@ struct Frame {
   // The airlight of rays through centers, RGB per pixel, where that of pixels is filtered; else
   // empty. What errors are measured by.
   std::vector<float> airlight_at_centers;
-  // Of the environment behind all, as much as a pixel shows of it and the medium lets through, RGB
+  // The environment behind all, as much as a pixel shows of it and the medium lets through, RGB
   // per pixel; it is in beauty, too. Empty: it was not asked for (layers do).
   std::vector<float> background;
   FrameStatistics statistics;
-  // Of a frame that was asked for by a RenderRequest: the request, with all that was chosen, so
+  // A frame that a RenderRequest asked for has the request, with all that was chosen, so
   // that it makes the frame again; its error, if it is known, layers besides those above, and what
   // there is to say of it, a line each.
   std::shared_ptr<const RenderRequest> request;

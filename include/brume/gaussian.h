@@ -50,7 +50,7 @@ struct BRUME_EXPORT Gaussian {
   [[nodiscard]] bool is_ball() const { return shape == GaussianShape(); }
   // Along its own axes [u].
   [[nodiscard]] glm::dvec3 radii() const { return radius * shape.stretch; }
-  // Of the ball of its volume, and so of its mass [u].
+  // The radius of the ball of its volume, and so of its mass [u].
   [[nodiscard]] double mean_radius() const;
   // Makes it an ellipsoid, or of equal radii a ball. Those below limits::min_stretch of the
   // greatest become as much; the rotation, of any length > 0, a unit quaternion.

@@ -67,7 +67,7 @@ BRUME_EXPORT Slopes<glm::dvec3> slopes_at(const Keys<glm::dvec3>& keys, std::siz
 // Integral of the value from one time to another, in either order [s]; at least one key.
 BRUME_EXPORT double integral(const Keys<double>& keys, double begin, double end);
 BRUME_EXPORT glm::dvec3 integral(const Keys<glm::dvec3>& keys, double begin, double end);
-// Of the value, or of `floor` where tangents lead below it; no key is.
+// The integral of the value, or of `floor` where tangents lead below it; no key is.
 BRUME_EXPORT double integral_above(double floor, const Keys<double>& keys, double begin,
                                    double end);
 

@@ -49,7 +49,7 @@ class BRUME_EXPORT Medium {
   [[nodiscard]] GaussianShape shape(std::size_t index) const {
     return shapes_.empty() ? GaussianShape() : shapes_[index];
   }
-  // Of each Gaussian; empty if all are balls.
+  // The shape of each Gaussian; empty if all are balls.
   [[nodiscard]] std::span<const GaussianShape> shapes() const { return shapes_.all(); }
   // Whether a Gaussian has an albedo of its own, or shines.
   [[nodiscard]] bool has_albedos() const;

@@ -20,7 +20,7 @@ struct OutputLayers {
   bool direct = false;
   bool multiple = false;
   bool optical_depth = false;
-  // Of the surface that is seen first.
+  // These are about the surface that is seen first:
   bool planar_depth = false;  // along the camera's axis
   bool normal = false;
   bool albedo = false;

@@ -99,7 +99,7 @@ class SharedColumn {
     if (size > capacity()) {
       reallocate(std::max(size, size_ + size_ / 2));
     } else {
-      // Of columns that share their elements the first to add has the place behind them.
+      // The first to add to columns that share their elements has the place behind them.
       std::size_t end = size_;
       const bool is_free = buffer_->used.compare_exchange_strong(end, size);
       if (!is_free && !is_own()) reallocate(std::max(size, size_ + size_ / 2));

@@ -33,14 +33,14 @@ enum class Stage {
   average_depth,       // `paper`: grids of average optical depths around surfaces
   surface_scattering,  // light that the medium scatters onto surfaces
   vertex_light,        // vertex lighting of surfaces with radiance transfer
-  // Of OpenGL.
+  // Stages that only OpenGL has:
   lists,  // tile binning
   display,
   submit,
   wait,
   read_depth,
   read_back,
-  // Of reports.
+  // Stages that only reports have:
   lights,  // each alone
   frame,   // all stages
 };

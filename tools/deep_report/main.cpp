@@ -71,7 +71,7 @@ Surface wall_at(double z) {
   return wall;
 }
 
-// Of airlight relative to the pixel's own or the frame's rms, and of alpha.
+// The worst errors: of airlight relative to the pixel's own or the frame's rms, and of alpha.
 struct Worst {
   double airlight = 0.0;
   double alpha = 0.0;

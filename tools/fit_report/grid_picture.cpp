@@ -36,7 +36,7 @@ class DenseGrid {
     }
   }
 
-  // Of the box that has smoke, in voxels from its corner.
+  // The box that has smoke, in voxels from its corner.
   [[nodiscard]] glm::dvec3 extent() const { return glm::dvec3(size_ - 1); }
   [[nodiscard]] glm::dvec3 local(const glm::dvec3& world) const {
     return grid_.to_voxel(world) - glm::dvec3(low_);

@@ -22,7 +22,7 @@
 namespace brume {
 namespace {
 
-// Of all threads together: what other programs do meanwhile does not count.
+// The seconds of all threads together: what other programs do meanwhile does not count.
 double cpu_seconds() {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }

@@ -11,7 +11,7 @@
 namespace brume {
 namespace {
 
-// Of an aisle along the view, without trees [u].
+// An aisle along the view has no trees [u].
 constexpr double path_half_width = 0.75;
 
 double ground(double x, double z) {

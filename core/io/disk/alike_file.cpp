@@ -101,7 +101,7 @@ std::u32string folded(std::string_view name) {
   return text;
 }
 
-// Of several entries that are alike the first in the order of their bytes.
+// The first, in the order of their bytes, of several entries that are alike.
 fs::path entry_alike(const fs::path& folder, const fs::path& name) {
   const std::u32string wanted = folded(name.native());
   fs::path result;

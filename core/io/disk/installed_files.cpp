@@ -16,7 +16,7 @@ fs::path own_file() {
     object = static_cast<link_map*>(entry);
   }
   std::error_code error;
-  // Of the program itself the loader knows only what it was called.
+  // The loader knows of the program itself only what it was called.
   if (object == nullptr || object->l_name[0] == '\0') {
     return fs::read_symlink("/proc/self/exe", error);
   }

@@ -31,8 +31,8 @@ inline constexpr std::array<std::array<std::string_view, 2>, 5> other_names{
      {"pscale", "scalar_radius"},
      {"scalar_density", ""}}};
 
-// Of its optics, in files where a Gaussian has some; all six or none. An albedo of 0 0 0 is the
-// medium's.
+// The columns of its optics, in files where a Gaussian has some; all six or none. An albedo of 0 0
+// 0 is the medium's.
 inline constexpr std::array<std::string_view, 6> optics_names{
     "albedo_r", "albedo_g", "albedo_b", "emission_r", "emission_g", "emission_b"};
 inline constexpr NumberDomain albedo_domain{0.0, 1.0, "a number in (0, 1] (from 1e-6), or three 0"};
@@ -65,8 +65,8 @@ inline bool have_optics(std::span<const Gaussian> gaussians) {
                              [](const Gaussian& g) { return g.optics != GaussianOptics(); });
 }
 
-// Of its shape, in files where a Gaussian is an ellipsoid, whose greatest radius is its radius too;
-// all seven or none. Radii along its own axes, and the quaternion that turns them.
+// The columns of its shape, in files where a Gaussian is an ellipsoid, whose greatest radius is its
+// radius too; all seven or none. Radii along its own axes, and the quaternion that turns them.
 inline constexpr std::array<std::string_view, 7> shape_names{
     "radius_x", "radius_y", "radius_z", "rotate_w", "rotate_x", "rotate_y", "rotate_z"};
 

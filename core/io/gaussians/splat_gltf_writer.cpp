@@ -107,7 +107,7 @@ class GltfSplatWriter {
     return view;
   }
 
-  // Of the positions, as glTF asks for.
+  // The bounds of the positions, as glTF asks for.
   void add_bounds() {
     glm::vec3 low(gaussians_.front().center);
     glm::vec3 high = low;

@@ -14,20 +14,20 @@ namespace brume {
 struct SplatOutput {
   OpacityAlong along = OpacityAlong::mean;
   glm::dvec3 albedo{1.0};  // of Gaussians without one of their own
-  // Of each Gaussian what is shown of it in place of its albedo; empty: that.
+  // The color that each Gaussian shows in place of its albedo; empty: that.
   std::span<const SplatColor> colors{};
-  // Of a PLY: turned by half about z, so that y points down, as captures have it and most viewers
+  // A PLY is turned by half about z, so that y points down, as captures have it and most viewers
   // of PLY expect.
   bool y_down = false;
-  // Of each Gaussian in a PLY; empty: none. Programs of splatting skip a property that they do not
-  // know; an attribute of glTF has too few bits for ids.
+  // The ids of Gaussians in a PLY; empty: none. Programs of splatting skip a property that they do
+  // not know; an attribute of glTF has too few bits for ids.
   std::span<const GaussianNumber> ids{};
 };
 
 // The albedo as the color of a splat: sh_of_albedo().
 glm::dvec3 sh_color(const Gaussian& gaussian, const SplatOutput& output);
 
-// Of an optical depth >= 0, in [0, 1].
+// The opacity of an optical depth >= 0, in [0, 1].
 double opacity_of_depth(double depth);
 
 }  // namespace brume

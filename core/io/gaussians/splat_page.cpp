@@ -61,7 +61,7 @@ OrderedJson three_of(const glm::dvec3& v) {
   return {v.x, v.y, v.z};
 }
 
-// Of the viewer: no effects beyond what was baked.
+// The viewer adds no effects to what was baked.
 OrderedJson viewer_settings(const Camera& camera, const Film& film) {
   // Its angle of view is that of the longer side.
   const double aspect = std::max(1.0, static_cast<double>(film.width) / film.height);

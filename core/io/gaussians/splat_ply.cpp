@@ -14,8 +14,8 @@
 namespace brume {
 namespace {
 
-// Of the opacity 1 - exp(-depth). What is in no way opaque has a finite one, from which its depth
-// is read back as 0.
+// The logit of the opacity 1 - exp(-depth). What is in no way opaque has a finite one, from which
+// its depth is read back as 0.
 double opacity_logit(double depth) {
   constexpr double transparent = -1000.0;
   return depth > 0.0 ? std::max(depth + std::log(opacity_of_depth(depth)), transparent)

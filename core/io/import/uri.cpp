@@ -8,7 +8,7 @@
 namespace brume {
 namespace {
 
-// Of a digit of base64; -1 for any other character.
+// The value of a digit of base64; -1 for any other character.
 int base64_digit(char c) {
   if (c >= 'A' && c <= 'Z') return c - 'A';
   if (c >= 'a' && c <= 'z') return c - 'a' + 26;

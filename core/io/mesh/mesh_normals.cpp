@@ -70,7 +70,7 @@ void add_areas(const RawMesh& raw, const Triangulation& faces, const std::vector
   }
 }
 
-// Of a mesh without any normals.
+// Normals for a mesh without any.
 std::vector<glm::dvec3> smooth_normals(const RawMesh& raw, Triangulation& faces) {
   const std::vector<Index> places = find_places(raw.points);
   const PolygonCopies copies = find_copies(raw, places);

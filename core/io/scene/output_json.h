@@ -10,7 +10,7 @@ namespace brume {
 Output read_output(JsonContext& context, const Json& value, const JsonPath& path,
                    const SceneReferences& references, UnknownKeys& unknown_keys);
 
-// Of a scene file in `directory`; an empty object if there is nothing to say.
+// The output of a scene file in `directory`; an empty object if there is nothing to say.
 Json output_to_json(const Output& output, const UnknownKeys& unknown_keys,
                     const std::filesystem::path& directory);
 

@@ -197,7 +197,7 @@ class SceneLoader {
     gaussian.set_radii(radii, rotation);
   }
 
-  // Of a Gaussian or of a spline's.
+  // The optics of a Gaussian or of a spline's.
   static GaussianOptics load_optics(JsonObject& object) {
     GaussianOptics optics;
     if (object.find("albedo")) optics.albedo = object.vector("albedo", domain::albedo, {});

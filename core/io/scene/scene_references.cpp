@@ -52,7 +52,7 @@ auto at_path_with_warnings(JsonContext& context, const JsonPath& path, Read&& re
 
 // What stands for files that are missing.
 
-// Of no area, so that nothing is seen of it; without any triangle a scene would have no bounds.
+// It has no area, so that nothing is seen of it; without any triangle a scene would have no bounds.
 std::shared_ptr<TriangleMesh> invisible_mesh() {
   return to_mesh({std::vector(3, glm::vec3(0.0f)),
                   std::vector(3, glm::vec3(0.0f, 1.0f, 0.0f)),

@@ -43,7 +43,7 @@ bool is_unchanged(const MediumFile& file, const Scene& scene) {
   return true;
 }
 
-// Of a Gaussian or of a spline's.
+// The optics of a Gaussian or of a spline's.
 void add_optics(Json& entry, const GaussianOptics& optics) {
   if (optics.albedo) entry["albedo"] = to_json(*optics.albedo);
   if (optics.emission != glm::dvec3(0.0)) entry["emission"] = to_json(optics.emission);

@@ -172,7 +172,8 @@ std::string vectors(const std::vector<glm::vec3>& values) {
   return list_of(values.size(), [&](std::size_t i) { return usd_value(glm::dvec3(values[i])); });
 }
 
-// Of the vertices; of the corners of triangles where a vertex has none, which USD does not know.
+// Normals of the vertices; of the corners of triangles where a vertex has none, which USD does not
+// know.
 void write_normals(UsdText& out, const MeshArrays& mesh) {
   const glm::vec3 none(0.0f);
   if (std::ranges::count(mesh.normals, none) == 0) {

@@ -198,7 +198,7 @@ class BlockSum {
   std::map<Key, std::size_t> places_;
 };
 
-// Of a volume, to 0 or more.
+// The density of a volume, 0 or more.
 float to_density(const Path& path, const std::string& name, double value) {
   if (!std::isfinite(value) || value > limits::density) {
     throw InputError(path, name,

@@ -27,7 +27,7 @@ struct VdbValues {
   bool half = false;           // floating-point numbers in nodes are stored in half precision
   std::uint32_t compression = 0;
 
-  // Of the type that a tree's values have in OpenVDB ("float", "vec3s"); nothing for those that are
+  // The type that a tree's values have in OpenVDB ("float", "vec3s"); nothing for those that are
   // no numbers.
   static std::optional<VdbValues> of_type(const std::string& type);
 };

@@ -81,7 +81,7 @@ glm::dvec3 sample_ggx(double alpha, const glm::dvec3& wo, const glm::dvec3& n,
                       const glm::dvec2& u) {
   const glm::dquat frame = surface_frame(n, n);
   const glm::dvec3 eye = to_local(frame, wo);
-  // Of a hemisphere that is stretched by alpha, as seen from the eye.
+  // The hemisphere is stretched by alpha, as seen from the eye.
   const glm::dvec3 stretched = glm::normalize(glm::dvec3(alpha * eye.x, alpha * eye.y, eye.z));
   const double lateral = std::hypot(stretched.x, stretched.y);
   const glm::dvec3 t1 = lateral > 0.0 ? glm::dvec3(-stretched.y, stretched.x, 0.0) / lateral

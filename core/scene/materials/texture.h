@@ -35,7 +35,7 @@ class Texture {
   [[nodiscard]] int height() const { return levels_[0].height; }
   [[nodiscard]] Encoding encoding() const { return encoding_; }
 
-  // Of all levels.
+  // The texels of all levels.
   [[nodiscard]] static std::size_t texel_count(int width, int height);
 
   struct Level {
@@ -56,7 +56,7 @@ class Texture {
   [[nodiscard]] glm::vec4 lookup(const glm::dvec2& uv, double footprint, TextureWrap wrap_u,
                                  TextureWrap wrap_v) const;
 
-  // Of the whole image.
+  // The average of the whole image.
   [[nodiscard]] glm::vec4 average() const { return texel(levels_.back(), 0, 0); }
 
  private:

@@ -85,7 +85,7 @@ AllOrdersRow measure(std::string name, Scene scene, int frames) {
   return row;
 }
 
-// Of 300 Gaussians, or of more that overlap as much.
+// A cloud of 300 Gaussians, or of more that overlap as much.
 Scene thick_cloud(double depth, double albedo, double anisotropy, int gaussians = 300) {
   Scene scene = cloud(gaussians, depth, 1, 0.3 * std::cbrt(300.0 / gaussians));
   scene.optics.albedo = glm::dvec3(albedo);

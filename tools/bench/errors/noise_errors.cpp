@@ -17,7 +17,7 @@ double mean_depth(const Scene& scene) {
   return sum / static_cast<double>(frame.transmittance.size());
 }
 
-// Of the mean depth, over seeds.
+// How the mean depth changes, over seeds.
 Spread changes(Scene scene, double amplitude, double cells) {
   const double still = mean_depth(scene);
   scene.optics.noise.amplitude = amplitude;
