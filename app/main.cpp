@@ -27,7 +27,7 @@ QSize parse_size(const QString& text) {
 
 void declare_options(QCommandLineParser& parser) {
   parser.setApplicationDescription("The Brume editor for fog, smoke and steam.");
-  // As Qt reads its own options, such as -platform.
+  // Options are read as Qt reads its own, such as -platform.
   parser.setSingleDashWordOptionMode(QCommandLineParser::ParseAsLongOptions);
   parser.addHelpOption();
   parser.addVersionOption();
@@ -46,7 +46,7 @@ void answer_without_display(int argc, char* argv[]) {
   if (parser.isSet("version")) parser.showVersion();
 }
 
-// What Qt says while it looks for a display. If it finds none it would abort.
+// Qt's messages while it looks for a display. If it finds none it would abort.
 QStringList startup_messages;
 
 void keep_message(QtMsgType type, const QMessageLogContext& /*context*/, const QString& message) {

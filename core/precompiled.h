@@ -1,7 +1,7 @@
 #pragma once
 
-// What most files include, compiled once (CMake's precompiled headers): the standard library and
-// GLM, nothing of Brume's own. Each file still includes what it uses.
+// Headers that most files include, compiled once (CMake's precompiled headers): the standard
+// library and GLM, nothing of Brume's own. Each file still includes what it uses.
 
 #include <algorithm>
 #include <array>

@@ -35,7 +35,7 @@ py::array_t<float> layer(const py::object& owner, const std::vector<float>& valu
   return array;
 }
 
-// What Python gives for an option, as its text. Throws TypeError.
+// A Python value of an option, as its text. Throws TypeError.
 std::optional<std::string> text_of(const RequestOption& option, const py::handle& value) {
   using Type = RequestOption::Type;
   const auto is_number = [](const py::handle& it) {

@@ -10,7 +10,7 @@ namespace brume {
 using Integers =
     pybind11::array_t<std::int64_t, pybind11::array::c_style | pybind11::array::forcecast>;
 
-// What numpy makes an array of.
+// An array of whatever numpy can convert.
 inline pybind11::array to_array(const pybind11::object& value) {
   pybind11::array array = pybind11::array::ensure(value);
   if (!array) throw pybind11::error_already_set();

@@ -16,7 +16,7 @@ class ArrayMedium {
   ArrayMedium(const ArrayMedium&) = delete;
   ArrayMedium& operator=(const ArrayMedium&) = delete;
 
-  // What has been written to arrays, there still or not, counts as a change.
+  // Writing to arrays, there still or not, counts as a change.
   [[nodiscard]] const Medium& medium() {
     if (views_ > 0 || was_written_) static_cast<void>(medium_.columns());
     was_written_ = false;
@@ -36,7 +36,7 @@ class ArrayMedium {
   // Keyframes of the homogeneous density.
   [[nodiscard]] Keys<double>& density_keys() { return density_keys_; }
 
-  // What keeps the medium alive for an array.
+  // A capsule that keeps the medium alive for an array.
   static pybind11::capsule view_of(const std::shared_ptr<ArrayMedium>& medium);
 
  private:

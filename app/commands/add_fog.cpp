@@ -50,7 +50,7 @@ void add_ground_mist(Document& document, const FogPlace& place) {
   FogShape layer;
   layer.size = {1.8 * place.size, 0.06 * place.size, 1.8 * place.size};
   layer.center = place.target;
-  // As thick as it is to be; wider, which takes fewer.
+  // Gaussians are as thick as the layer; wider ones, which takes fewer.
   layer.spacing = 0.06 * place.size;
   layer.flatness = 2.5;
   layer.density = density_over(3.0, place.size);

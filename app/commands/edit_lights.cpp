@@ -47,12 +47,12 @@ std::optional<AreaLight::Shape> shape_of(LightType type) {
   return shape >= 0 ? std::optional(static_cast<AreaLight::Shape>(shape)) : std::nullopt;
 }
 
-// What a light's intensity is times to be radiant intensity, `square` u^2 away [u^2].
+// The factor from a light's intensity to radiant intensity, `square` u^2 away [u^2].
 double to_radiant_intensity(const Light& light, double square) {
   return light.directional ? square : light.area ? facing_area(*light.area) : 1.0;
 }
 
-// As large as a tenth of the distance.
+// Its size is a tenth of the distance.
 AreaLight new_area(AreaLight::Shape shape, const glm::dvec3& direction) {
   AreaLight area{shape, direction};
   area.width = area.height = std::clamp(0.1 * glm::length(direction), 1e-6, 1e6);
@@ -137,7 +137,7 @@ void add(Document& document, Light light) {
   set_scene_part(document, std::move(lights), undo_text("Add %1").arg(name));
 }
 
-// As bright as those that are there, so that it is seen.
+// It is as bright as those that are there, so that it is seen.
 glm::dvec3 new_intensity(const Scene& scene) {
   const auto last =
       std::find_if(scene.lights.rbegin(), scene.lights.rend(),
@@ -240,7 +240,7 @@ Camera camera_at(const Light& light, const LitRegion& region, const glm::dvec3& 
   if (light.spot) camera.vertical_fov = std::min(2.0 * light.spot->outer_angle, widest);
   const glm::dvec3 towards = light_direction(light).value_or(target - camera.eye);
   const glm::dvec3 axis = unit_direction(towards, {0.0, 0.0, -1.0});
-  // As far as the target, so that orbits go around what is lit there.
+  // The distance is that of the target, so that orbits go around what is lit there.
   const double distance = std::max(glm::dot(target - camera.eye, axis), 0.1 * region.diameter);
   camera.target = camera.eye + distance * axis;
   if (light.area && light.area->shape == AreaLight::Shape::rectangle) {

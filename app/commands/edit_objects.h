@@ -20,7 +20,7 @@ class Document;
 using Object = std::variant<Light, Emitter, Surface>;
 std::optional<Object> object_of(const Scene& scene, const ObjectRef& ref);
 
-// What it is called in lists: its name, or else "Spot 2", "Emitter 1", "bunny.obj".
+// Its title in lists: its name, or else "Spot 2", "Emitter 1", "bunny.obj".
 QString object_title(const Scene& scene, const ObjectRef& ref);
 bool is_shown(const Object& object);  // visible, or a light that is on
 bool is_locked(const Object& object);

@@ -13,7 +13,7 @@ struct Simplified;
 // The selected Gaussians, or all that are neither hidden nor locked.
 std::vector<GaussianId> to_simplify(const Document& document);
 
-// What simplify() has made of these Gaussians, as one undo step.
+// Replaces these Gaussians by simplify()'s, as one undo step.
 void apply_simplified(Document& document, std::span<const GaussianId> ids,
                       const Simplified& simplified);
 

@@ -31,7 +31,7 @@ std::filesystem::path beside(std::filesystem::path scene, const char* extension)
   return scene.replace_extension(extension);
 }
 
-// What is said of a copy, in a file beside it.
+// The description of a copy, in a file beside it.
 class About {
  public:
   explicit About(const std::filesystem::path& scene)
@@ -176,7 +176,8 @@ std::vector<RecoveryFile> Autosave::recovery_files() {
   return all;
 }
 
-// What belongs to no copy: of sessions that were killed before they made one, or while they did.
+// Removes what belongs to no copy: left by sessions that were killed before they made one, or while
+// they did.
 void Autosave::sweep() {
   std::error_code ignored;
   for (const QFileInfo& info : QDir(to_qstring(folder_)).entryInfoList({"*.lock"}, QDir::Files)) {

@@ -20,7 +20,7 @@
 
 namespace brume {
 
-// What File > New makes: a view down on the ground, and a light, so that the first Gaussian added
+// The scene of File > New: a view down on the ground, and a light, so that the first Gaussian added
 // can be seen.
 Scene new_scene();
 
@@ -71,9 +71,9 @@ class Document : public QObject {
   // Opens a scene as modified.
   void open_unsaved(SceneDocument document, const std::filesystem::path& file,
                     const std::optional<FileVersion>& version = {});
-  // What is written to files: keyframed values as of time 0.
+  // The document as files have it: keyframed values as of time 0.
   [[nodiscard]] SceneDocument document_to_save() const;
-  // What the file had besides the scene.
+  // The content of the file besides the scene.
   [[nodiscard]] const SceneExtras& extras() const { return extras_; }
   // Saves, keeping the history. Throws InputError.
   void save(const std::filesystem::path& file);

@@ -29,7 +29,7 @@ int axis_of(GaussianAttribute field, GaussianAttribute first) {
   return static_cast<int>(field) - static_cast<int>(first);
 }
 
-// As it was set, whatever the greatest radius has become since.
+// The radius as it was set, whatever the greatest radius has become since.
 double radius_along(const Gaussian& gaussian, int axis) {
   const double stretch = gaussian.shape.stretch[axis];
   return stretch == 1.0 ? gaussian.radius : rounded(gaussian.radius * stretch, 15);
@@ -220,7 +220,7 @@ QString attribute_problem(GaussianAttribute field, double value) {
   const NumberDomain& domain = attribute_domain(field);
   if (domain.contains(value)) return {};
   const QString rule = attribute_text("%1 must be %2").arg(attribute_title(field), domain.allowed);
-  // What is no number at all was text that only the user knows.
+  // NaN was text that only the user knows.
   if (std::isnan(value)) return rule + '.';
   return attribute_text("%1, not %2.").arg(rule, number_text(value));
 }

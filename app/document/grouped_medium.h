@@ -7,7 +7,7 @@
 
 namespace brume {
 
-// What the groups of a scene make of its medium; of the same revision while neither of them, nor
+// The medium as the groups of a scene make it; of the same revision while neither of them, nor
 // the albedo they start from, has changed.
 class GroupedMedium {
  public:

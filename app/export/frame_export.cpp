@@ -61,7 +61,7 @@ class Exporter {
     return frame(number / request_.range->frames_per_second, title, k, count);
   }
 
-  // What writes a frame. A deep file is rendered at once.
+  // Returns a function that writes a frame. A deep file is rendered at once.
   FrameLoop::Write writing(const std::filesystem::path& file, Frame frame,
                            std::optional<int> number = {}) {
     if (file.empty()) return [] {};

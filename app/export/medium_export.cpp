@@ -48,7 +48,7 @@ Grids sampled(const MediumExport& request, const std::filesystem::path& file, co
   return {std::move(*density), std::move(*colors)};
 }
 
-// What writes the medium of a time to a file. Throws Cancelled.
+// Returns a function that writes the medium of a time to a file. Throws Cancelled.
 FrameLoop::Write writing(const MediumExport& request, const std::filesystem::path& file,
                          double time, const Job& job) {
   const Scene scene = evaluate_at(*request.scene, time);

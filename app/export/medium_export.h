@@ -11,7 +11,7 @@
 
 namespace brume {
 
-// What Gaussians are exported as.
+// The formats that Gaussians are exported in.
 enum class MediumFormat : std::uint8_t {
   volume,      // .vdb, grids as write_volume() names them
   gaussians,   // .ply, .csv

@@ -32,7 +32,7 @@ class RenderQueue : public QObject {
   void remove(int id);                  // cancels it first
   void repeat(int id);                  // what failed or was cancelled, of the same scene
 
-  // What renders, and tells of single frames.
+  // The exporter renders, and tells of single frames.
   [[nodiscard]] FrameExport& exporter() { return export_; }
 
  Q_SIGNALS:

@@ -6,7 +6,7 @@
 namespace brume {
 namespace {
 
-// What the reference prepares of so many takes seconds of all cores and cannot be stopped: it waits
+// The reference prepares so many for seconds on all cores, and cannot be stopped: it waits
 // until nobody seems to go on.
 constexpr std::size_t many_gaussians = 100'000;
 constexpr int measure_after = 4000;  // milliseconds
@@ -41,7 +41,7 @@ void FrameQuality::set_airlight(AirlightMethod method, int slices) {
 void FrameQuality::set_scattering(Scattering scattering) {
   if (scattering == scattering_) return;
   scattering_ = scattering;
-  // What was measured is about other light.
+  // The measurement is about other light.
   const double max_error = control_.max_error();
   control_ = QualityControl(interpolated(scattering));
   control_.set_max_error(max_error);

@@ -97,7 +97,7 @@ class FrameScheduler : public QObject {
   std::uint64_t serial_ = 0;         // of the current state
   std::uint64_t oldest_serial_ = 0;  // older frames belong to another scene
   std::shared_ptr<const RenderedFrame> shown_;
-  // What cached pictures were made for.
+  // Cached pictures were made for this.
   struct Look {
     Film film;
     DisplayLook display;

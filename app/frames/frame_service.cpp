@@ -31,7 +31,7 @@ double milliseconds_of_any_resolution(const FrameStatistics& statistics) {
   return sum;
 }
 
-// What renders, and what of it leaves pictures on the device.
+// The chosen renderer, and the pictures that it leaves on the device.
 class ChosenRenderer {
  public:
   ChosenRenderer() = default;

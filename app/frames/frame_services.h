@@ -8,7 +8,7 @@
 
 namespace brume {
 
-// What makes frames, shared by all views.
+// The makers of frames, shared by all views.
 struct FrameServices {
   // `make_context`: see FrameService.
   explicit FrameServices(FrameService::MakeContext make_context)

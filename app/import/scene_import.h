@@ -60,7 +60,7 @@ class SceneImport : public QObject {
 
  private:
   void start(const std::filesystem::path& file, const BackgroundJob::Work& work);
-  // What a file that is no volume is.
+  // The kinds of files that are no volumes.
   enum class Kind : std::uint8_t { gaussians, splats, scene, mesh, environment };
   struct File {
     std::filesystem::path path;

@@ -15,7 +15,7 @@ namespace brume {
 
 class OpacityAlongBox;
 
-// What splats become: an opacity is no density, and captures mostly have y down, or z up.
+// The up axis of splats: captures mostly have y down, or z up.
 enum class SplatUp : std::uint8_t { y, minus_y, z };
 struct SplatOptions {
   SplatInput input;

@@ -19,7 +19,7 @@ namespace brume {
 class BackgroundJob : public QObject {
   Q_OBJECT
  public:
-  // What start() does while work is running.
+  // Says how start() behaves while work is running.
   enum class Policy { one_at_a_time, latest_wins };
   explicit BackgroundJob(Policy policy, QObject* parent = nullptr);
   ~BackgroundJob() override;

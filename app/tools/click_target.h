@@ -11,7 +11,7 @@ namespace brume {
 class Document;
 class View;
 
-// What a click means: at most one of these.
+// The meaning of a click: at most one of these.
 struct ClickTarget {
   std::optional<GaussianId> gaussian;
   std::optional<ObjectRef> object;

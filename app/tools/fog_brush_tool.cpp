@@ -179,7 +179,7 @@ void FogBrushTool::add_optics_button(QHBoxLayout& row, const QString& prefix) {
   button->setPopupMode(QToolButton::InstantPopup);
   button->setMenu(new QMenu(button));
   auto* panel = new QWidget(button);
-  // As panels are: on a menu's ground an empty box would not be seen.
+  // It is coloured as panels are: on a menu's ground an empty box would not be seen.
   panel->setBackgroundRole(QPalette::Window);
   panel->setAutoFillBackground(true);
   auto* form = new QFormLayout(panel);

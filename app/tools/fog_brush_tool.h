@@ -10,7 +10,7 @@
 
 namespace brume {
 
-// What a pen's pressure multiplies.
+// A pen's pressure multiplies this.
 enum class PenUse { nothing, size, density, both };
 
 // How strokes follow the mouse or pen, and where else they appear.
@@ -62,7 +62,7 @@ class FogBrushTool : public BrushTool {
   [[nodiscard]] PaintTarget target() const override { return target_; }
 
   [[nodiscard]] double smoothing() const override { return stroke_options_.smoothing; }
-  // What the pen multiplies radius and density by; never 0.
+  // The pen's factors of radius and density; never 0.
   struct PenScale {
     double size = 1.0;
     double strength = 1.0;

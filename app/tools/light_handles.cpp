@@ -61,7 +61,7 @@ bool has_target(const Light& light) {
 
 }  // namespace
 
-// What is drawn of a light besides its icon: the axis, as long as a share of the distance from the
+// The outline of a light besides its icon: the axis, as long as a share of the distance from the
 // eye, and the rim of its cone or the edge of its surface.
 struct LightHandles::DrawnShape {
   glm::dvec3 axis{0.0};    // unit

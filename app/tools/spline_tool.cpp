@@ -240,7 +240,7 @@ void SplineTool::draw(Overlay& overlay, const CameraRays& rays) const {
   if (points.empty()) return;
   const QColor accent = accent_color();
   const QRgb line = qRgba(accent.red(), accent.green(), accent.blue(), 170);
-  // As fine as can be seen.
+  // The step is as fine as can be seen.
   const double step = std::max(0.5 * brush().radius, 0.002 * view_distance());
   const auto samples = sample_spline(points, step);
   for (std::size_t k = 1; k < samples.size(); ++k) {

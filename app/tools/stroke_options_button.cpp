@@ -78,7 +78,7 @@ void add_stroke_options_button(QHBoxLayout& row, FogBrushTool& tool, const QStri
   button->setPopupMode(QToolButton::InstantPopup);
   button->setMenu(new QMenu(button));
   auto* panel = new QWidget(button);
-  // As panels are: on a menu's ground an empty box would not be seen.
+  // It is coloured as panels are: on a menu's ground an empty box would not be seen.
   panel->setBackgroundRole(QPalette::Window);
   panel->setAutoFillBackground(true);
   auto* column = new QVBoxLayout(panel);

@@ -33,7 +33,7 @@ class TransformTool : public SelectTool {
   void draw(Overlay& overlay, const CameraRays& rays) const override;
 
  protected:
-  // What a drag from start_ to `position` does.
+  // The movement of a drag from start_ to `position`.
   [[nodiscard]] virtual Movement dragged(QPointF position) const = 0;
   [[nodiscard]] virtual QString verb() const = 0;
 

@@ -28,7 +28,7 @@ class CameraController : public QObject {
 
   [[nodiscard]] Projection projection() const { return projection_; }
   [[nodiscard]] const Camera& camera() const { return camera_; }
-  // What the pane shows: more than camera() if the scene's film is shown within it.
+  // The camera of the pane's picture: wider than camera() if the scene's film is shown within it.
   [[nodiscard]] Camera shown_camera() const;
   // Ignores cameras outside the limits. Leaves the scene's camera.
   void set_camera(const Camera& camera);

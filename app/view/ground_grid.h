@@ -7,7 +7,8 @@
 
 namespace brume {
 
-// What is known of surfaces before the grid: a frame's depth, and the camera it was rendered with.
+// The surfaces before the grid, as far as known: a frame's depth, and the camera it was rendered
+// with.
 struct GridDepth {
   const Frame& frame;
   const Camera& camera;

@@ -12,7 +12,7 @@ namespace brume {
 class CameraRays;
 struct Overlay;
 
-// What of an object is seen in a view besides its picture. `ref` must be one of the scene's.
+// The box of an object in a view, besides its picture. `ref` must be one of the scene's.
 
 // Where a light is drawn: a directional light, which is nowhere, beside what the scene's camera
 // looks at, as near as an eye that looks there sees it.

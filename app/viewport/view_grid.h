@@ -33,7 +33,7 @@ class ViewGrid : public QWidget {
   // Settings of all views.
   void set_tool(Tool* tool);
   void set_time(double time);
-  // What changes between is due to the time; see FrameScheduler.
+  // Changes between the two are due to the time; see FrameScheduler.
   void hold_frames();
   void release_frames();
   void set_airlight(AirlightMethod method, int slices = Settings().slices);

@@ -13,14 +13,14 @@
 namespace brume {
 namespace {
 
-// What the wheel would change.
+// Whether the wheel would change the widget's value.
 bool has_wheel_value(const QWidget* widget) {
   if (qobject_cast<const QScrollBar*>(widget)) return false;
   return qobject_cast<const QAbstractSpinBox*>(widget) || qobject_cast<const QComboBox*>(widget) ||
          qobject_cast<const QAbstractSlider*>(widget);
 }
 
-// What is typed into a field, cells of tables and names in lists among them; nullptr: nothing is.
+// The line that is typed into, cells of tables and names in lists among them; nullptr: none.
 QLineEdit* line_of(QWidget* field) {
   if (qobject_cast<QAbstractSpinBox*>(field)) return field->findChild<QLineEdit*>();
   return qobject_cast<QLineEdit*>(field);
@@ -96,7 +96,7 @@ bool FieldFilter::eventFilter(QObject* watched, QEvent* event) {
       if (widget && !QApplication::activePopupWidget()) leave_focused_field(widget);
       break;
     case QEvent::FocusIn:
-      // What was typed before has been taken.
+      // Earlier typing has been taken.
       if (line_of(widget) && static_cast<QFocusEvent*>(event)->reason() != Qt::PopupFocusReason) {
         line_of(widget)->setModified(false);
       }

@@ -47,8 +47,8 @@ class InterfaceSettings : public QObject {
 // For a screen whose density the window system does not scale for itself: 1 to 3, in quarters.
 double handle_scale_of(double dots_per_inch);
 
-// What handles, the lines of overlays, and the distances at which they are picked are multiplied
-// by.
+// The factor by which handles, the lines of overlays, and the distances at which they are picked
+// are multiplied by.
 inline double handle_scale() {
   return InterfaceSettings::instance().handle_scale();
 }

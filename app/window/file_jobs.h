@@ -14,7 +14,7 @@ namespace brume {
 class ImportedReload;
 class SceneImport;
 
-// What comes from other files and goes to them in the background, besides frames: one at a time.
+// Imports, and exports other than frames, in the background: one at a time.
 class FileJobs : public QObject {
   Q_OBJECT
  public:

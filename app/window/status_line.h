@@ -12,7 +12,7 @@ namespace brume {
 
 class BackgroundJob;
 
-// What the window says of the scene, the frame of the active view, its error and background work:
+// The window's words on the scene, the frame of the active view, its error and background work:
 // in its status bar and in the upper right corner; once, too, why OpenGL does not render and which
 // frame of a sequence cannot be read.
 class StatusLine : public QObject {

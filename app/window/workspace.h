@@ -12,7 +12,7 @@ class Timeline;
 class ToolBox;
 class ViewGrid;
 
-// What the parts of the window work on. All of it outlives them.
+// The parts of the window work on these, which outlive them.
 struct Workspace {
   Document& document;
   SceneFiles& files;

@@ -52,7 +52,7 @@ std::vector<Contribution> contributions(const Medium& medium, const glm::dvec3& 
     const StandaloneTerm term(gaussian);
     const GaussianTerm<double>& g = *term;
     const LineProfile<double> line = line_profile(g, eye, direction);
-    // What a scattering optical depth of 1 may change.
+    // A scattering optical depth of 1 may change this much.
     const double scale =
         max_channel(1.0 / albedo) * std::max(1.0, max_channel(gaussian.optics.emission));
     // At most this: most Gaussians are far from the ray.

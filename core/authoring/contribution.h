@@ -17,7 +17,7 @@ struct Contribution {
   double fraction = 0.0;           // of white light from behind that it attenuates, by luminance
   double distance = 0.0;           // from the eye to its mean on the ray
 
-  // What it changes of a pixel whose background has the luminance 1.
+  // Its change of a pixel whose background has the luminance 1.
   [[nodiscard]] double effect() const;
 };
 

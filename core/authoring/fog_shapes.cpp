@@ -37,7 +37,7 @@ void set_density(Gaussian& gaussian, double mean, double cell_volume) {
       mean * cell_volume / std::pow(std::sqrt(std::numbers::pi) * gaussian.mean_radius(), 3);
 }
 
-// What turns y to a unit vector that points up.
+// The rotation from y to a unit vector that points up.
 glm::dquat rotation_of(const glm::dvec3& up) {
   const glm::dvec3 axis = glm::cross(glm::dvec3(0.0, 1.0, 0.0), up);
   return glm::normalize(glm::dquat(1.0 + up.y, axis.x, axis.y, axis.z));

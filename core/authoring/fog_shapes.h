@@ -30,7 +30,7 @@ struct FogShape {
 // How many cells the lattice has: at least as many as fill() returns Gaussians.
 double cell_count(const FogShape& shape);
 
-// As many Gaussians as cell_count() at most.
+// The Gaussians of a shape, at most cell_count().
 std::vector<Gaussian> fill(const FogShape& shape);
 
 // The height of the ground below a point; nullopt: none there.

@@ -123,7 +123,7 @@ double squared_error(const GaussianMoments& a, const GaussianMoments& b,
   for (int i = 0; i < nodes; ++i, t *= factor) {
     double at = 0.0;
     for (std::size_t k = 0; k < 6; ++k) at += times[k] * products[k].at(t);
-    // What is beyond the ends is a geometric series.
+    // Beyond the ends it is a geometric series.
     if (i == 0) at /= 1.0 - 1.0 / factor;
     if (i + 1 == nodes) at /= 1.0 - std::sqrt(1.0 / factor);
     sum += std::max(at, 0.0) * t;

@@ -18,7 +18,7 @@
 namespace brume {
 namespace {
 
-// What GaussianMoments are of balls that stay balls, for which all is faster.
+// The moments of balls that stay balls: a faster GaussianMoments.
 struct Ball {
   glm::dvec3 center{0.0};
   double radius = 1.0;
@@ -61,7 +61,7 @@ double squared_error(const Ball& a, const Ball& b, const Ball& one) {
   return std::max(sum, 0.0);
 }
 
-// What stands for two.
+// One ball that stands for two.
 Ball stand_in(const Ball& a, const Ball& b, const SimplifyLimits&) {
   return {a, b};
 }

@@ -39,10 +39,10 @@ glm::dmat3 matrix_change(const FitStep& step);
 // The Gaussian after a step, each of whose numbers is cut off at 0.7.
 FitGaussian moved(const FitGaussian& gaussian, const FitStep& step, FitShape shape);
 
-// What is longer in proportion is a needle or a sheet that hides how it was found.
+// A longer one is a needle or a sheet that hides how it was found.
 inline constexpr double max_fitted_elongation = 8.0;
 
-// What keeps Gaussians where the grid knows of them.
+// Limits that keep Gaussians where the grid knows of them.
 struct FitLimits {
   double min_radius = 0.0;  // along each axis [u]
   double max_radius = std::numeric_limits<double>::infinity();

@@ -283,7 +283,7 @@ void Fitting::relocate() {
   constexpr double lost = 0.3;
   const std::size_t n = gaussians_.size();
   const auto max_relocated = static_cast<std::size_t>(relocated_fraction_ * static_cast<double>(n));
-  // What a Gaussian is worth: about what the squares would grow by without it, by its own gradient.
+  // The worth of a Gaussian: about what the squares would grow by without it, by its own gradient.
   Steps gradient(n);
   problem_.apply_transposed(residuals_, gradient);
   ++products_;
@@ -316,7 +316,7 @@ void Fitting::relocate() {
   }
   std::stable_sort(places.begin(), places.end(),
                    [](const Place& a, const Place& b) { return a.gain > b.gain; });
-  // What is missing in a cube of 4 is made up for by one Gaussian at first.
+  // One Gaussian at first makes up for what a cube of 4 lacks.
   std::set<std::tuple<int, int, int>> cubes;
   std::size_t k = 0;
   for (const Place& place : places) {

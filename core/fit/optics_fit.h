@@ -8,7 +8,7 @@
 
 namespace brume {
 
-// What the optics of Gaussians fitted to a density grid are fitted to, on its voxels.
+// The targets, on the voxels of a density grid, of the optics of Gaussians that are fitted to it.
 struct OpticsTargets {
   std::optional<ColorGrid> extinction;  // density / albedo [1/u]; absent: the density
   std::optional<ColorGrid> emission;    // extinction * emission [W/(sr u^3)]

@@ -14,7 +14,7 @@ namespace {
 // The fit needs about 6 kB of memory per block.
 constexpr std::size_t max_blocks = 200'000;
 
-// What turns the volume's axes into ours.
+// The rotation from the volume's axes to ours.
 glm::dquat turn(const VolumeFit& how) {
   return how.z_up ? glm::angleAxis(glm::radians(-90.0), glm::dvec3(1.0, 0.0, 0.0))
                   : glm::dquat(1.0, 0.0, 0.0, 0.0);

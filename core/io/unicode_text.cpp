@@ -24,7 +24,7 @@ void append_utf8(std::uint32_t character, std::string& text) {
   add(0x80 | (character & 0x3f));
 }
 
-// What is half of a pair becomes a replacement character.
+// Half of a pair becomes a replacement character.
 std::string from_utf16(std::string_view bytes, bool is_big_endian) {
   const auto unit = [&](std::size_t i) {
     const auto first = static_cast<unsigned char>(bytes[2 * i]);

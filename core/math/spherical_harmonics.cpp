@@ -71,7 +71,7 @@ Value sh_evaluate(const ShVector<Value>& f, const glm::dvec3& direction) {
 
 namespace {
 
-// What integrals of products of harmonics that vanish come to; the others are above 5e-3.
+// Integrals of products of harmonics that vanish come to less; the others are above 5e-3.
 constexpr double rounding = 1e-13;
 
 // By a quadrature that is exact for it.

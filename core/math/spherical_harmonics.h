@@ -55,7 +55,7 @@ using ZonalSh = std::array<Real, sh_max_bands>;
 template <class Real>
 ShVector<Real> sh_basis(int order, const glm::vec<3, Real, glm::defaultp>& direction);
 
-// What sh_basis() is made of: the fully normalised associated Legendre functions over sin^m,
+// The parts of sh_basis(): the fully normalised associated Legendre functions over sin^m,
 // q_lm(z), obey
 //   q_00 = 1 / sqrt(4 pi),  q_mm = start[m] q_m-1,m-1,
 //   q_lm = up[l][m] (z q_l-1,m - down[l][m] q_l-2,m).

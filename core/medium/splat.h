@@ -10,13 +10,13 @@
 
 namespace brume {
 
-// What a splat shows into each direction: RGB coefficients of the real spherical harmonics of bands
+// The radiance of a splat by direction: RGB coefficients of the real spherical harmonics of bands
 // 0 to 3, as sh_basis() has them, at the direction from the eye to the splat. Their sum is the
 // color.
 using SplatColor = std::array<glm::vec3, 16>;
 
-// What Gaussian splatting stores: an ellipsoid that is as opaque from every side. Files have
-// opacity = 1 - exp(-depth).
+// A splat as Gaussian splatting stores it: an ellipsoid that is as opaque from every side. Files
+// have opacity = 1 - exp(-depth).
 struct Splat {
   glm::dvec3 center{0.0};
   glm::dvec3 deviations{1.0};  // standard deviations along its own axes [u], >= 0, one > 0, finite

@@ -8,7 +8,7 @@
 
 namespace brume {
 
-// What a group and its parent together make of a Gaussian.
+// The effect of a group and its parent together on a Gaussian.
 struct GroupEffect {
   bool visible = true;
   bool locked = false;

@@ -32,7 +32,7 @@ struct ImportedScene {
   std::vector<ImportedPart> parts;
   std::vector<NamedCamera> cameras;
   std::vector<Light> lights;
-  // What it was read from: itself, then its buffers, material files and textures.
+  // The files it was read from: itself, then its buffers, material files and textures.
   std::vector<std::filesystem::path> files;
   // Those of them that its file names by absolute paths. On another machine the reader looks for
   // them beside the file.

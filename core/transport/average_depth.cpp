@@ -13,7 +13,7 @@ namespace {
 template <class Real>
 Real average_depth_of_ellipsoid(const GaussianTerm<Real>& g, const Vec3<Real>& p) {
   constexpr Real step = sizeof(Real) == 4 ? Real(0.6) : Real(0.3);
-  // What is beyond ln s from both ends of what matters: the integrand decays as s, and as
+  // The tails, beyond ln s from both ends of what matters: the integrand decays as s, and as
   // s^(-1/2).
   constexpr Real tail = sizeof(Real) == 4 ? Real(14) : Real(34);
   // In greatest radii.

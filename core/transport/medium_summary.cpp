@@ -19,7 +19,7 @@
 namespace brume {
 namespace {
 
-// What the whole search may cost, in evaluations of one Gaussian at a point or along a line: some
+// The limit of the whole search, in evaluations of one Gaussian at a point or along a line: some
 // seven seconds of one thread, however many Gaussians there are.
 constexpr std::size_t max_evaluations = 200'000'000;
 

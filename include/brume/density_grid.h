@@ -47,7 +47,7 @@ struct BRUME_EXPORT DensityGrid {
 // Three channels, RGB, with the same blocks.
 using ColorGrid = std::array<DensityGrid, 3>;
 
-// What colours the matter of a density grid, on the same voxels.
+// The colours of a density grid's matter, on the same voxels.
 struct VolumeColors {
   std::optional<ColorGrid> albedo;    // in (0, 1], 0 where there is no matter
   std::optional<ColorGrid> emission;  // [W/(sr u^2)] per unit of extinction optical depth

@@ -1,4 +1,4 @@
 #pragma once
 
-// What the shared library shows of itself. All else is hidden.
+// Marks the symbols that the shared library exports. All else is hidden.
 #define BRUME_EXPORT __attribute__((visibility("default")))

@@ -41,7 +41,7 @@ struct Shutter {
   bool operator==(const Shutter&) const = default;
 };
 
-// What files and the command line call them.
+// The names of layers in files and on the command line.
 struct LayerName {
   const char* name;
   bool OutputLayers::*layer;

@@ -23,7 +23,7 @@ enum class ErrorMeasurement { none, full };
 // Opens at a frame's time only: no motion blur.
 inline constexpr Shutter no_shutter{0.0, 0.0};
 
-// What is asked of a frame; the content is in a Scene. request_options() (brume/request_options.h)
+// A request for a frame; the content is in a Scene. request_options() (brume/request_options.h)
 // say what each value does and may be. Defaults are those of `brume render`.
 struct RenderRequest {
   // Absent: the scene's. A region's pixels have the bits that they have in the whole picture.

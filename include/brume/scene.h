@@ -72,7 +72,7 @@ inline constexpr const char* default_camera_name = "Camera";
 
 inline constexpr double default_frame_rate = 30.0;
 
-// What is played of a scene: frames from time 0 on.
+// The frames of a scene that are played, from time 0 on.
 struct Playback {
   int first = 0;  // 0 <= first <= last <= limits::frame
   int last = 0;

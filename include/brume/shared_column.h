@@ -84,7 +84,7 @@ class SharedColumn {
   [[nodiscard]] std::size_t capacity() const { return buffer_ ? buffer_->capacity : 0; }
   [[nodiscard]] bool is_own() const {
     if (buffer_.use_count() != 1) return false;
-    // What others read before they let go of it has happened before what we write.
+    // Reads by others, before they let go of it, have happened before our writes.
     std::atomic_thread_fence(std::memory_order_acquire);
     return true;
   }

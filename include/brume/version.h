@@ -11,7 +11,7 @@ namespace brume {
 // "1.2.3", a semantic version: while it begins with 0, a new minor version may change interfaces.
 BRUME_EXPORT const char* version();
 
-// What it was built with and runs on: names and versions of libraries, the compiler, and the vector
+// The build and the machine: names and versions of libraries, the compiler, and the vector
 // instructions in use.
 BRUME_EXPORT std::vector<std::pair<std::string, std::string>> build_information();
 

@@ -49,7 +49,7 @@ void measure_table_one(const TableOneScene& kind, const BenchOptions& options,
   TableOneRow row{kind.name, kind.frames_per_second, {}, {}, {}};
   Renderer renderer(transfers);
   static_cast<void>(renderer.render(scene, scene.camera, scene.film, settings));
-  // As one turns a scene in the editor: each frame shows triangles that the last one did not.
+  // The camera turns as in the editor: each frame shows triangles that the last one did not.
   constexpr double turn = 0.5;
   row.measurement = measure(renderer, scene, settings, reference.sample, 2.0, {turn, 1});
   row.share = measure_kernel_share(scene, settings, options.quick ? 3 : 9);
@@ -63,7 +63,7 @@ void measure_table_one(const TableOneScene& kind, const BenchOptions& options,
   add_cache_gains({kind.name, scene, transfers, settings}, options, report);
 }
 
-// What merging keeps, at rest and in motion.
+// Measures what merging keeps, at rest and in motion.
 void measure_merged_media(const BenchOptions& options, BenchReport& report) {
   Settings settings = sliced_settings({}, 8);
   settings.airlight_scale = 4;

@@ -24,7 +24,7 @@ struct BenchScene {
   Scene scene;
 };
 
-// What is measured unless scenes are given. Quick: without those of resources/scenes.
+// The scenes that are measured unless others are given. Quick: without those of resources/scenes.
 std::vector<BenchScene> built_in_scenes(bool quick);
 
 // `log` gets the name of each measurement before it starts.

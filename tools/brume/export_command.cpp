@@ -128,7 +128,7 @@ class ExportCommand final : public Command {
       files_.add_output(outputs.file_of(frame));
       if (are_files) files_.add_input(parse_pattern(input_).file_of(frame));
     }
-    // What is wrong with the scene is wrong in all frames.
+    // A fault of the scene is in all frames.
     if (!are_files) static_cast<void>(read_scene_at(time_of(frames.front())));
     return run_frames(frames, [&](int frame, const std::string&) {
       if (lit_) return writing_lit(time_of(frame), outputs.file_of(frame));
@@ -200,7 +200,7 @@ class ExportCommand final : public Command {
     std::vector<GaussianNumber> ids{};
   };
 
-  // As few Gaussians as --simplify asks for.
+  // The medium with as few Gaussians as --simplify asks for.
   [[nodiscard]] Medium simplified(const Medium& medium) const {
     if (!(simplify_ > 0.0)) return medium;
     const ProgressLine line("simplifying");
@@ -297,7 +297,7 @@ class ExportCommand final : public Command {
     group.commit();
   }
 
-  // What writes the light of a scene's medium at a time [s].
+  // Returns a function that writes the light of a scene's medium at a time [s].
   FrameLoop::Write writing_lit(double time, const std::string& output) {
     check_interrupted();
     Scene scene = read_scene_at(time);
@@ -305,7 +305,7 @@ class ExportCommand final : public Command {
     return lit_splats(scene, exposure_, along(), y_down_, output);
   }
 
-  // What writes a medium, or what is left of it.
+  // Returns a function that writes a medium, or what is left of it.
   FrameLoop::Write writing(const NumberedMedium& whole, const std::string& output) {
     check_interrupted();
     const Medium medium = simplified(whole.medium);

@@ -6,7 +6,7 @@
 
 namespace brume {
 
-// What frames of a scene are made from, as short texts: version, scene, the bytes of all files that
+// The sources of a scene's frames, as short texts: version, scene, the bytes of all files that
 // it refers to, options. Frames of equal fingerprints are equal; other times, options or contents
 // give others. A file's name and age do not matter.
 class FrameFingerprint {

@@ -15,7 +15,7 @@ std::stop_token interruption();
 // Throws Interrupted after a SIGINT.
 void check_interrupted();
 
-// What long work returned, which is nothing when it was stopped.
+// The result of long work, nothing if it was stopped.
 template <class T>
 T finished(std::optional<T> result) {
   if (!result) throw Interrupted();

@@ -24,7 +24,7 @@ std::string absolute_text(const std::string& file) {
   return std::filesystem::absolute(file).lexically_normal().string();
 }
 
-// What a look shows, wherever its files lie.
+// The content of a look, wherever its files lie.
 std::string content_of(const DisplayLook& look) {
   std::string text = view_name(look);
   if (!look.view) return text;

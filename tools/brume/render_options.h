@@ -46,9 +46,9 @@ class RenderOptions {
   [[nodiscard]] int repeat() const { return repeat_; }
   [[nodiscard]] bool is_deep() const;
 
-  // What is asked of a frame, but for its time in a sequence; `film`: the scene's.
+  // The request for a frame, but for its time in a sequence; `film`: the scene's.
   [[nodiscard]] RenderRequest request(const Film& film) const;
-  // What its file says besides.
+  // The information besides in its file.
   [[nodiscard]] FrameInfo info() const;  // reads a configuration
 
   // The scene with the camera and the frames per second that are chosen.

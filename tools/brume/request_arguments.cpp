@@ -11,7 +11,7 @@ std::string argument(const RequestOption& option) {
   return std::string("--") + option.name;
 }
 
-// As CLI11 calls them; what values there are follows a colon.
+// Types are named as CLI11 does; what values there are follows a colon.
 std::string type_name(const RequestOption& option) {
   using Type = RequestOption::Type;
   const std::string type = option.type == Type::whole_number ? "INT"

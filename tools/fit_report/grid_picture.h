@@ -8,7 +8,7 @@
 
 namespace brume {
 
-// What a volume itself looks like, to hold pictures of fitted Gaussians against: the radiance that
+// Pictures of a volume itself, to hold pictures of fitted Gaussians against: the radiance that
 // it scatters once, isotropically, from a point light to the eye, through itself both ways, by the
 // midpoint rule along rays with steps of half a voxel; red only, rows from the top. The density is
 // linear between voxels.

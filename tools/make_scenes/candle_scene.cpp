@@ -121,7 +121,7 @@ void write_candle_scene(const std::filesystem::path& folder) {
   scene.surfaces = {{"candle_wax.ply", {0.0, 0.0, 0.0}, 1.0, {0.82, 0.72, 0.55}, 0.06, 30.0},
                     {"candle_brass.ply", {0.0, 0.0, 0.0}, 1.0, {0.22, 0.15, 0.06}, 0.4, 40.0},
                     {"candle_room.ply", {0.0, 0.0, 0.0}, 1.0, {0.3, 0.2, 0.14}}};
-  // What the flame sends beyond what its Gaussians do: a grid knows them only coarsely.
+  // Light of the flame beyond that of its Gaussians, which a grid knows only coarsely.
   scene.lights = {{burning + glm::dvec3(0.0, burning_height + 0.25, 0.0), {17.0, 8.6, 2.9}},
                   // A third one, behind who looks.
                   {{2.6, 2.3, 4.2}, {9.0, 5.2, 2.3}}};

@@ -87,7 +87,7 @@ PatchMesh harbour() {
   return mesh;
 }
 
-// What a street light sends along its quay, little of it to the sides, and nothing up.
+// The profile of a street light: most along its quay, little to the sides, and nothing up.
 std::string street_light_ies() {
   std::string text =
       "IESNA:LM-63-2002\n[TEST] invented by brume-make-scenes\n[LUMINAIRE] street light\n"

@@ -47,7 +47,7 @@ struct SampleSurface {
   std::string transfer = {};  // "" for none
 };
 
-// What a sample scene holds: a small part of what a scene file can.
+// The content of a sample scene: a small part of what a scene file can hold.
 struct SampleScene {
   Camera camera;
   double homogeneous_density = 0.0;

@@ -47,7 +47,7 @@ glm::dmat4 to_dmat4(const aiMatrix4x4& m) {  // which has rows
   return result;
 }
 
-// What an FBX says of its axes and unit (centimeters) as a transform to y up and meters; assimp
+// The transform to y up and meters from an FBX's axes and unit (centimeters); assimp
 // leaves that to us, if it left the transform of the root alone.
 glm::dmat4 scene_transform(const aiScene& scene) {
   glm::dmat4 result(1.0);
@@ -233,7 +233,7 @@ RawScene read_with_assimp(const fs::path& file) {
   importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_READ_ANIMATIONS, false);
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
                               aiPrimitiveType_POINT | aiPrimitiveType_LINE);
-  // As of meshes: vertices at one place are smooth up to 60 degrees.
+  // Vertices at one place are smooth up to 60 degrees, as those of meshes.
   importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, 60.0f);
   const auto read = [&] {
     return importer.ReadFile(file.string(), aiProcess_ValidateDataStructure);

@@ -26,7 +26,7 @@ class LimitedFiles : public Assimp::IOSystem {
   Assimp::IOStream* Open(const char* file, const char* mode) override;
   void Close(Assimp::IOStream* stream) override;
 
-  // What is read in place of the scene's own file from here on.
+  // From here on this text is read in place of the scene's own file.
   void replace_scene(std::string text) { scene_text_ = std::move(text); }
 
   // Those that were opened.
@@ -35,8 +35,8 @@ class LimitedFiles : public Assimp::IOSystem {
   [[nodiscard]] const std::vector<std::filesystem::path>& missed() const { return missed_; }
 
  private:
-  // What assimp asks for, in the folders where it is. It takes what an OBJ's line mtllib says for
-  // one name: where there is no such file, it is several with blanks between them.
+  // The file that assimp asks for, in the folders where it is. It takes what an OBJ's line mtllib
+  // says for one name: where there is no such file, it is several with blanks between them.
   [[nodiscard]] std::vector<std::filesystem::path> places_of(const std::string& name) const;
 
   std::filesystem::path scene_;

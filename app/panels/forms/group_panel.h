@@ -8,7 +8,7 @@ class QFormLayout;
 
 namespace brume {
 
-// What the active group makes of its Gaussians, and its colour.
+// The active group's effect on its Gaussians, and its colour.
 class GroupPanel : public SceneForm {
   Q_OBJECT
  public:

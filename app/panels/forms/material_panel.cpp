@@ -217,7 +217,7 @@ void MaterialPanel::set_type(int index, Material::Type type, const std::filesyst
                  [&](Surface& s) {
                    if (type == Material::Type::metallic_roughness &&
                        s.material.metallic_roughness == MetallicRoughness{}) {
-                     // What it looks like now, nearly, rather than glTF's white metal.
+                     // It nearly keeps its looks, instead of glTF's white metal.
                      s.material.metallic_roughness.base_color = s.material.reflectance;
                      s.material.metallic_roughness.metallic = 0.0;
                      s.material.metallic_roughness.roughness = 0.5;

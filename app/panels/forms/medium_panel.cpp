@@ -19,7 +19,7 @@ namespace {
 constexpr NumberDomain seed_domain{-9e15, 9e15, "an integer"};
 constexpr const char* scattering_key = "view/scattering";
 
-// What fog may be made of, in visible light. Drops of natural fog scatter more sharply forward,
+// Materials of fog, in visible light. Drops of natural fog scatter more sharply forward,
 // g = 0.85 (Hess, Koepke, Schult: Optical Properties of Aerosols and Clouds, 1998): their fog shows
 // little but a glare around the lights. Those of thin fog are taken instead.
 struct MediumPreset {

@@ -18,7 +18,7 @@ class MediumPanel : public SceneForm {
   // `scattering`: unless another one was chosen in an earlier session.
   MediumPanel(Document& document, Scattering scattering, QWidget* parent);
 
-  // What is chosen here, and kept for the next session.
+  // The scattering chosen here, kept for the next session.
   [[nodiscard]] Scattering scattering() const;
 
  Q_SIGNALS:

@@ -14,7 +14,7 @@ class Timeline;
 struct Output;
 struct Playback;
 
-// What is rendered to files: size, method, frames, format, layers and colour. All of it belongs to
+// Output to files: size, method, frames, format, layers and colour. All of it belongs to
 // the scene.
 class OutputPanel : public SceneForm {
   Q_OBJECT

@@ -89,7 +89,7 @@ class SceneForm : public QWidget {
   std::vector<std::function<void()>> updates_;
 };
 
-// What a form and undo texts call a value.
+// The name of a value in a form and in undo texts.
 QString field_label(const FieldInfo& info);
 
 template <class F>

@@ -126,7 +126,7 @@ GaussianForm::GaussianForm(Document& document, QWidget* parent)
   connect(optics_, &OpticsEditor::refused, this, &GaussianForm::refused);
   connect(optics_, &OpticsEditor::edited, this, &GaussianForm::change_optics);
 
-  // What Gaussians without their own albedo show.
+  // Gaussians without an albedo of their own show the medium's.
   on_change(document_, Change::part, this, [this] {
     if (document_.scene().optics.albedo != shown_albedo_) refresh();
   });

@@ -96,7 +96,7 @@ void GaussianHistogram::follow(const MediumEdit& edit) {
   if (is_of_colour(field_)) return refresh();
   if (is_optional(field_)) setVisible(has_any());
   if (!is_counted_) return;
-  // What lies outside the axis counts at its end, until the axis follows.
+  // Values outside the axis count at its end, until the axis follows.
   bool fits = true;
   const auto add = [&](const Gaussian& gaussian) {
     const double added = value(gaussian);

@@ -49,7 +49,7 @@ class GaussianHistogram : public QWidget {
 
   void refresh();
   void follow(const MediumEdit& edit);
-  // What the shown medium's Gaussians have.
+  // The value that a Gaussian of the shown medium has.
   [[nodiscard]] double value(std::size_t index) const;
   [[nodiscard]] double value(Gaussian gaussian) const;
   [[nodiscard]] bool has_any() const;  // Gaussians, and of them ones to show

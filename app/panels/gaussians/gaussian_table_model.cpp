@@ -52,7 +52,7 @@ bool is_shown_alike(const Gaussian& a, const Gaussian& b, GaussianAttribute fiel
 
 constexpr QSize swatch_size(8, 12);  // columns are narrow
 
-// What its albedo or emission looks like; nothing where the Gaussian has none of its own.
+// The colour of its albedo or emission; nothing where the Gaussian has none of its own.
 QVariant swatch(const GaussianOptics& optics, GaussianAttribute field) {
   if (field == GaussianAttribute::albedo && optics.albedo)
     return color_swatch(*optics.albedo, swatch_size);
@@ -187,7 +187,7 @@ QVariant GaussianTableModel::data(const QModelIndex& index, int role) const {
     case Qt::DisplayRole:
       return cell_text(attribute_value(gaussian, field), field);
     case Qt::EditRole:
-      // As text: the editor that Qt offers for numbers rounds them.
+      // It is text: the editor that Qt offers for numbers rounds them.
       return exact_number_text(attribute_value(gaussian, field));
     case Qt::DecorationRole:
       return swatch(own, field);
@@ -233,7 +233,7 @@ QVariant GaussianTableModel::headerData(int section, Qt::Orientation orientation
   if (orientation != Qt::Horizontal || role != Qt::DisplayRole) {
     return QAbstractTableModel::headerData(section, orientation, role);
   }
-  // As many titles beside each other.
+  // So many titles stand beside each other.
   if (section == group_column) return tr("Group");
   if (section < 3) return QString("XYZ"[section]);
   return attribute_title(gaussian_attributes[static_cast<std::size_t>(section)]);

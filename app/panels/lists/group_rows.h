@@ -35,7 +35,7 @@ class GroupRows : public QObject {
   void rename(GroupId group);  // in place
   void fill_menu(QMenu& menu, GroupId group);
 
-  // What is dragged: a group, or else the selected Gaussians; null: nothing.
+  // The dragged group, or else the selected Gaussians; null: nothing.
   [[nodiscard]] QMimeData* mime_data(std::optional<GroupId> group) const;
   static QStringList mime_types();
   // Moves what was dragged into a group, 0 out of all; false if that cannot be.

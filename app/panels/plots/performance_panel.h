@@ -14,7 +14,7 @@ class FrontierPlot;
 class FrameScheduler;
 struct RenderedFrame;
 
-// What the current frame costs, how wrong it is and how it was made, each in a line; the rest, and
+// Shows the current frame's cost, error and method, each in a line; the rest, and
 // the state of auto, below Details, which stays open or closed.
 class PerformancePanel : public QWidget {
   Q_OBJECT

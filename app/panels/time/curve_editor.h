@@ -55,7 +55,7 @@ class CurveEditor : public QWidget {
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
-  // What the mouse does while a button is down.
+  // The drag of keys while a button is down.
   struct KeysDrag {
     ScenePart before;
     std::vector<CurveMark> marks;  // where they were

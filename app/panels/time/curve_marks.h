@@ -48,7 +48,7 @@ struct TangentHandle {
 std::vector<TangentHandle> tangent_handles(const std::vector<Curve>& curves,
                                            const CurveSelection& selection, const CurveAxes& axes);
 
-// What is nearest to a position, if near.
+// The mark nearest to a position, if near.
 std::optional<CurveMark> mark_near(const std::vector<Curve>& curves, const CurveAxes& axes,
                                    const QPointF& at);
 std::optional<TangentHandle> handle_near(const std::vector<TangentHandle>& handles,

@@ -117,7 +117,7 @@ FogShapeDialog::FogShapeDialog(Document& document, const FogPlace& place, QWidge
   set_kind(FogShape::Kind::box);
 }
 
-// As large as suits the place.
+// The size suits the place.
 void FogShapeDialog::set_kind(FogShape::Kind kind) {
   const auto round2 = [](double value) { return rounded(value, 2); };
   const bool is_height = kind == FogShape::Kind::height;

@@ -9,7 +9,7 @@ namespace brume {
 
 class Autosave;
 
-// What a user chooses for all scenes: applied at once, kept for later sessions. It is not modal.
+// A user's choices for all scenes: applied at once, kept for later sessions. It is not modal.
 class Preferences : public QDialog {
   Q_OBJECT
  public:

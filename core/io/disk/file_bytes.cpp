@@ -27,7 +27,7 @@ std::uintmax_t regular_file_size(const fs::path& file) {
 }
 
 std::string read_first_bytes(const fs::path& file, std::size_t count) {
-  // What stands in a repository for a file that was not fetched.
+  // A repository has this in place of a file that was not fetched.
   constexpr std::string_view lfs_pointer = "version https://git-lfs.github.com/spec/";
   const std::size_t read_count = static_cast<std::size_t>(
       std::min<std::uintmax_t>(std::max(count, lfs_pointer.size()), regular_file_size(file)));

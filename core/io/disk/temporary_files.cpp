@@ -31,7 +31,7 @@ static_assert(std::atomic<State>::is_always_lock_free);
 
 constexpr int max_depth = 8;  // of folders
 
-// What the system call getdents64 writes.
+// The entries that the system call getdents64 writes.
 struct Entry {
   ino64_t inode;
   off64_t offset;

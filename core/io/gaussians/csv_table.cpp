@@ -21,7 +21,7 @@ std::string in_lower_case(std::string_view text) {
   return result;
 }
 
-// What stands between cells of a heading most often outside of quotes; a blank if nothing does.
+// The separator that is most frequent in a heading outside of quotes; a blank if there is none.
 char separator_of(std::string_view heading) {
   char best = ' ';
   std::ptrdiff_t max_count = 0;
@@ -177,7 +177,7 @@ std::string_view CsvTable::read_cell() {
   return {begin, static_cast<std::size_t>(plain.data() - begin) + size};
 }
 
-// What stands in quotes, if they begin here and are closed. A doubled quote within stays doubled:
+// The text in quotes, if they begin here and are closed. A doubled quote within stays doubled:
 // no number has one, and no name of a column that is sought.
 std::optional<std::string_view> CsvTable::read_quoted() {
   if (!rest_.starts_with('"')) return std::nullopt;

@@ -11,7 +11,7 @@
 
 namespace brume {
 
-// What a file calls the numbers of a splat.
+// The names of a splat's numbers in a file.
 struct SplatNames {
   std::array<std::string_view, 3> position;
   std::array<std::string_view, 3> scale;

@@ -46,8 +46,8 @@ std::vector<Gaussian> read_numbered(const std::filesystem::path& file,
   return read_gaussians_csv(file, ids, max_count, groups);
 }
 
-// What read(&ids) reads; without ids where the file has none, or no ids but another program's
-// words.
+// The Gaussians that read(&ids) reads; without ids where the file has none, or no ids but another
+// program's words.
 template <class Read>
 std::vector<Gaussian> with_ids_if_any(std::vector<GaussianNumber>& ids, Read read) {
   try {

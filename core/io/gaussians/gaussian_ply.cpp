@@ -29,7 +29,7 @@ using gaussian_columns::names;
 constexpr std::array<std::string_view, 5> splat_names{"x", "y", "z", "opacity", "scale_0"};
 constexpr std::array<std::string_view, 3> color_names{"f_dc_0", "f_dc_1", "f_dc_2"};
 
-// What a vertex becomes; nullopt: a splat that is left out.
+// Makes a Gaussian of a vertex; nullopt: a splat that is left out.
 using ToGaussian =
     std::function<std::optional<Gaussian>(std::uint64_t index, const PlyFile::Row& row)>;
 
@@ -91,7 +91,7 @@ ToGaussian from_splats(const PlyFile::Element& vertices, const SplatInput& input
   };
 }
 
-// What is missing of a file that has no Gaussians, in words of splats if these are what it has.
+// Says what a file without Gaussians lacks, in words of splats if these are what it has.
 [[noreturn]] void refuse_vertices(const std::filesystem::path& file,
                                   const PlyFile::Element& vertices, std::string_view missing) {
   const auto has = [&](std::string_view name) { return vertices.property(name).has_value(); };

@@ -43,7 +43,8 @@ constexpr DeepChannel deep_channels[] = {
     {"ZBack", offsetof(DeepSample, z_back), false},
 };
 
-// What OpenEXR reads rows from, or writes them to: it wants a pointer per pixel and channel.
+// The buffer that OpenEXR reads rows from, or writes them to: it wants a pointer per pixel and
+// channel.
 class DeepBuffer {
  public:
   DeepBuffer(int width, int first, bool has_colored_alpha, DeepRows& rows) : rows_(rows) {

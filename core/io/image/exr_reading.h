@@ -13,7 +13,7 @@
 
 namespace brume {
 
-// What readers of OpenEXR files share.
+// Shared by the readers of OpenEXR files.
 
 // OpenEXR throws many kinds of exceptions on hostile files; all of them mean a bad file.
 template <typename Work>

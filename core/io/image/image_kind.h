@@ -5,7 +5,7 @@
 
 namespace brume {
 
-// What the bytes of a file are, in words, where an image that is read was expected: "a WebP image",
+// The kind of a file's bytes, in words, where an image that is read was expected: "a WebP image",
 // "a Git LFS pointer ...".
 std::string image_kind(std::string_view bytes);
 

@@ -13,7 +13,7 @@
 namespace brume {
 namespace {
 
-// As when writing (png_file.cpp), nothing with a destructor lives between setjmp and the jump: what
+// Nothing with a destructor lives between setjmp and the jump, as when writing (png_file.cpp): what
 // does is a member here.
 class PngDecoder {
  public:

@@ -11,7 +11,7 @@
 
 namespace brume {
 
-// What an extension for compression makes of a file, to be left out when it is exported again.
+// The kind of compression that an extension means, to be left out when the file is exported again.
 std::string compression_kind(std::string_view extension);
 
 // A glTF 2.0 file (.gltf or .glb) with its buffers: what its JSON refers to, each index, offset and

@@ -23,7 +23,7 @@ class GltfImages {
 
   // Reads one; what cannot be has an `error`.
   void use(std::size_t index);
-  // As many as the list `images` has; empty ones where none is used.
+  // There are as many as the list `images` has; empty ones where none is used.
   [[nodiscard]] const std::vector<RawImage>& all() const { return images_; }
 
  private:

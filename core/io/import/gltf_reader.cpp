@@ -1,4 +1,4 @@
-// What hangs on the nodes of a glTF file.
+// Reads what hangs on the nodes of a glTF file.
 
 #include <algorithm>
 #include <cmath>

@@ -15,8 +15,9 @@ class GltfSkins {
   // Both outlive this.
   GltfSkins(GltfFile& file, const std::vector<GltfNode>& nodes) : file_(file), nodes_(nodes) {}
 
-  // What a node's skin does to points at each joint: from the mesh to the world. Null if the node
-  // has no skin, or one with joints outside the scene, with a warning. Valid as long as this is.
+  // The transforms of points at each joint of a node's skin: from the mesh to the world. Null if
+  // the node has no skin, or one with joints outside the scene, with a warning. Valid as long as
+  // this is.
   const std::vector<glm::dmat4>* joints(JsonObject& node);
 
  private:

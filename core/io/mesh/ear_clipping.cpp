@@ -105,8 +105,8 @@ class Ring {
   std::size_t size_;
 };
 
-// What may be cut: the later ones where there are no earlier ones, as in polygons that touch or
-// cross themselves.
+// The ears that may be cut: the later ones where there are no earlier ones, as in polygons that
+// touch or cross themselves.
 enum class Cut { ears, touching_ears, lines, convex_corners, all };
 
 class EarClipper {

@@ -199,7 +199,8 @@ glm::dquat read_unit_quaternion(const JsonContext& context, const Json& value,
     context.fail(path, "found a quaternion of length " + quoted_text(length) +
                            "; allowed: length 1, within 1e-3");
   }
-  // What is unit up to rounding stays as it is, so that a saved scene is the same scene.
+  // A quaternion that is unit up to rounding stays as it is, so that a saved scene is the same
+  // scene.
   return std::abs(length - 1.0) <= 1e-12 ? rotate : rotate / length;
 }
 

@@ -45,8 +45,8 @@ class UnknownKeys {
   std::map<GaussianId, std::string> of_gaussians_;
 };
 
-// What a scene file has besides its scene. No edit of the scene changes it: objects are found by
-// their ids, wherever they move, and again after undo.
+// The content of a scene file besides its scene. No edit of the scene changes it: objects are found
+// by their ids, wherever they move, and again after undo.
 struct SceneExtras {
   UnknownKeys unknown_keys;
   std::shared_ptr<const MediumFile> medium_file;  // nullptr: none

@@ -50,7 +50,7 @@ auto at_path_with_warnings(JsonContext& context, const JsonPath& path, Read&& re
   return content;
 }
 
-// What stands for files that are missing.
+// Stand-ins for files that are missing.
 
 // It has no area, so that nothing is seen of it; without any triangle a scene would have no bounds.
 std::shared_ptr<TriangleMesh> invisible_mesh() {

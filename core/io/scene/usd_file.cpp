@@ -86,7 +86,7 @@ glm::dmat4 place_of(const Light& light) {
   return glm::translate(glm::dmat4(1.0), light.position);
 }
 
-// What lights of each type have besides colour, intensity and place.
+// Writes what lights of each type have besides colour, intensity and place.
 void write_shape(UsdText& out, Frames frames, std::size_t i, const std::filesystem::path& folder) {
   const auto light = [&](std::size_t k) -> const Light& { return frames[k].scene.lights[i]; };
   const Light& first = light(0);

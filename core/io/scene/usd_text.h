@@ -38,7 +38,7 @@ class UsdText {
 
   // Without a value. `declaration`: type and name.
   void declare(std::string_view declaration) { line(declaration); }
-  // What stays. `metadata`: of the attribute, lines of "name = value"; empty: none.
+  // Writes a constant. `metadata`: of the attribute, lines of "name = value"; empty: none.
   void constant(std::string_view declaration, const std::string& value,
                 std::string_view metadata = {});
   // Per frame; time samples if they differ, and of one frame with a time code: stages of a frame

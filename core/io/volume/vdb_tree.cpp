@@ -81,7 +81,7 @@ void append(std::string_view bytes, Number number, std::vector<double>& numbers)
   }
 }
 
-// As a value of three components, of which a number has only the first.
+// The value as three components, of which a number has only the first.
 glm::dvec3 value_at(std::span<const double> numbers, std::size_t index, std::size_t components) {
   const double* value = numbers.data() + index * components;
   return components == 3 ? glm::dvec3(value[0], value[1], value[2]) : glm::dvec3(*value, 0.0, 0.0);

@@ -50,7 +50,7 @@ struct VdbLeaf {
   [[nodiscard]] std::size_t active() const;
 };
 
-// What is found active, in the order of the file.
+// Visits active values, in the order of the file.
 struct VdbVisitor {
   std::function<void(const VdbTile&)> tile;
   std::function<void(const VdbLeaf&)> leaf;

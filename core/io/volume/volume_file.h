@@ -20,7 +20,7 @@ namespace brume {
 // name.
 DensityGrid read_volume(const std::filesystem::path& file, const std::string& grid);
 
-// What is to be said of a file that is read: that its version of the format is newer than those
+// A warning on a file that is read: that its version of the format is newer than those
 // known. Throws InputError.
 std::vector<std::string> volume_warnings(const std::filesystem::path& file);
 

@@ -11,7 +11,7 @@
 
 namespace brume {
 
-// What the grids of an OpenVDB file say of its matter besides the density: its colour, and how it
+// The optics in the grids of an OpenVDB file, besides the density: its colour, and how it
 // shines.
 enum class OpticsRole { color, emission, temperature, flame };
 

@@ -7,7 +7,7 @@
 
 namespace brume {
 
-// What all orders of scattering change, against paths, and what they take: clouds of 300 Gaussians
+// Errors and costs of all orders of scattering, against paths: clouds of 300 Gaussians
 // over depth, albedo and anisotropy, of more Gaussians that are smaller, and sample scenes with
 // what their surfaces do.
 struct AllOrdersRow {

@@ -40,7 +40,7 @@ struct InscatteringRow {
 };
 std::vector<InscatteringRow> measure_inscattering();
 
-// What is computed at 800 x 600 where the airlight is interpolated, and what that changes: `sliced`
+// The work at 800 x 600 where the airlight is interpolated, and what that changes: `sliced`
 // with 24 slices, at every second and fourth pixel, against every pixel.
 struct ScaleRow {
   std::string scene;

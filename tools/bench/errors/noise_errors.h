@@ -7,7 +7,7 @@
 
 namespace brume {
 
-// What noise (section 5.5 of the paper) changes that it should not.
+// Changes by noise (section 5.5 of the paper) that should not be.
 
 // How much the optical depth, averaged over a picture of a cloud of 30 Gaussians, changes by noise
 // of the amplitude 0.5: over eight seeds, from afar and from near.

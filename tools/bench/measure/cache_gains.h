@@ -41,7 +41,7 @@ struct FrameCache {
 };
 std::vector<FrameCache> frame_caches();
 
-// What moves: a scene, its radiance transfer, and the settings of `sliced`.
+// A view that moves: a scene, its radiance transfer, and the settings of `sliced`.
 struct MovingView {
   std::string name;
   Scene scene;

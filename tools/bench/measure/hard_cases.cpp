@@ -96,7 +96,7 @@ HardCaseErrors measure_hard_case(const HardCase& hard_case, FrameRenderer* gl) {
   errors.reference = error_of(frame_of(hard_case, reference), hard_case);
   Renderer cpu;
   errors.sliced = sliced_error(cpu, hard_case);
-  // What is a millionth of the right picture cannot be seen.
+  // A millionth of the right picture cannot be seen.
   const double brightest = *std::ranges::max_element(hard_case.airlight);
   errors.paper = relative_rmse(frame_of(hard_case, paper).airlight,
                                frame_of(hard_case, plain).airlight, 1e-6 * brightest);

@@ -20,7 +20,7 @@ struct HardCase {
   Scene scene;
   double bound = 0.0;  // most that `sliced` with 24 slices is off, see HardCaseError
   std::string why;     // it is more than 1%; empty: it is not
-  // As the layers of a frame.
+  // The layers of a frame.
   std::vector<float> airlight, transmittance;
 };
 

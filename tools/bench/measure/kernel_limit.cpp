@@ -20,7 +20,7 @@
 namespace brume {
 namespace {
 
-// What the loops are handed for one tile.
+// The input of the loops for one tile.
 struct ViewTile {
   GaussianBatch batch;
   PathBatch rays;

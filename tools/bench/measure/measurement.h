@@ -12,7 +12,7 @@
 
 namespace brume {
 
-// What frames cost when the camera moves a little from each to the next.
+// The cost of frames when the camera moves a little from each to the next.
 struct MovedFrames {
   Spread milliseconds;
   Spread cpu_milliseconds;        // summed over threads: less sensitive to other programs

@@ -11,7 +11,7 @@
 
 namespace brume {
 
-// What a render plan leaves out, as scenes that show whether it may: one in which the stage is left
+// Scenes that show whether a render plan may leave a stage out: one in which the stage is left
 // out, the same with as good as nothing for it to do (a density, light or amplitude of about 1e-9),
 // so that it runs, and one that needs it.
 struct PlanDecision {
@@ -33,7 +33,7 @@ bool leaves_out(const Frame& frame, const PlanDecision& decision);
 // Maximum difference of two frames' radiance or transmittance, relative to the maximum of `scale`.
 double max_change(const Frame& a, const Frame& b, const Frame& scale);
 
-// What leaving the stage out saves: CPU milliseconds of a frame with a moved camera.
+// CPU milliseconds that leaving the stage out saves, of a frame with a moved camera.
 struct PlanSaving {
   Stage stage;
   std::string why;

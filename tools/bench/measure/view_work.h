@@ -20,7 +20,7 @@ std::uint64_t pairs_in_registers(std::uint64_t count);
 // Floats in a vector of that instruction set.
 std::size_t vector_lanes();
 
-// What these rays need. Pairs: a Gaussian is above its cutoff somewhere on a ray before it ends.
+// The work of these rays. Pairs: a Gaussian is above its cutoff somewhere on a ray before it ends.
 // Increments: on the slices between the ends of that chord. `lanes` rays are taken together, as in
 // a vector: what one of them needs all have.
 struct ViewWork {

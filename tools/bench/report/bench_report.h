@@ -22,7 +22,7 @@
 
 namespace brume {
 
-// What `brume bench` finds.
+// The results of `brume bench`.
 
 // Error bounds for which the fastest settings are reported.
 inline constexpr std::array bench_error_levels{0.003, 0.01, 0.02, 0.05, 0.1};

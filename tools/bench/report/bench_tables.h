@@ -10,7 +10,7 @@ namespace brume {
 
 inline constexpr char bench_title[] = "Speed against error";
 
-// What the page is, what it was measured on, and how.
+// The lead of the page: what was measured, on what, and how.
 std::string bench_lead(const BenchReport& report);
 
 // All that was measured, in the order of the page; what was not has no table.

@@ -17,7 +17,7 @@ class LogPlot {
   void dot(double x, double y, const char* color, const std::string& title);
   void line(const std::vector<std::pair<double, double>>& points, const char* color);
 
-  // What the colours mean, to the right of the plot.
+  // The meanings of the colours, to the right of the plot.
   void legend(const std::vector<std::pair<std::string, std::string>>& names_and_colors);
 
   [[nodiscard]] std::string svg() const;

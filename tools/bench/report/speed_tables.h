@@ -7,7 +7,7 @@
 
 namespace brume {
 
-// What pictures cost, as tables; without rows where nothing was measured.
+// Tables of the cost of pictures; without rows where nothing was measured.
 
 ReportTable fastest_table(const std::vector<SceneReport>& scenes);
 

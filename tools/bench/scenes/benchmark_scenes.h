@@ -10,7 +10,7 @@
 
 namespace brume {
 
-// What the speed claims are measured on.
+// The scenes that speed claims are measured on.
 
 // A scene of resources/scenes.
 std::filesystem::path sample_scene_file(const char* name);

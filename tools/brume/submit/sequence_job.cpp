@@ -79,7 +79,7 @@ void check_line(const std::string& text) {
 std::string frames_text(const std::vector<int>& frames, char step_sign) {
   std::string text;
   for (std::size_t i = 0; i < frames.size();) {
-    // As many as follow in equal steps.
+    // Takes as many as follow in equal steps.
     const int step = i + 1 < frames.size() ? frames[i + 1] - frames[i] : 1;
     std::size_t end = i + 1;
     while (end < frames.size() && step > 0 && frames[end] - frames[end - 1] == step) ++end;

@@ -22,7 +22,7 @@ struct SequenceJob {
   void check_video() const;
   // Throws UsageError where the job's command has control characters.
   void check_names() const;
-  // What makes the video of frames, a pattern of printf().
+  // The command that makes the video of frames, a pattern of printf().
   [[nodiscard]] std::vector<std::string> video_command(const std::string& frames,
                                                        const std::string& file) const;
   // The pattern of the frames, absolute, and what is made of its name for other files.
