@@ -7,6 +7,7 @@
 
 #include "app/document/paths.h"
 #include "app/jobs/background_job.h"
+#include "app/window/file_jobs.h"
 #include "tests/app/test_window.h"
 
 namespace brume {
@@ -26,7 +27,7 @@ inline void drop(TestWindow& window, const std::vector<std::filesystem::path>& f
 
 // Waits for what is done in the background; what went wrong, or nothing.
 inline QString wait(TestWindow& window) {
-  auto* job = window->findChild<BackgroundJob*>();
+  BackgroundJob* job = &window->file_jobs().job();
   QString problem;
   const auto connection = QObject::connect(job, &BackgroundJob::failed,
                                            [&problem](const QString& text) { problem = text; });

@@ -47,7 +47,7 @@ class NewScene : public TestWindow {
 
   void import(const std::vector<fs::path>& files) {
     (*this)->file_jobs().import().import_files(files);
-    auto* job = (*this)->findChild<BackgroundJob*>();
+    BackgroundJob* job = &(*this)->file_jobs().job();
     QTRY_VERIFY(!job->is_running());
   }
 

@@ -14,7 +14,6 @@
 #include "app/import/volume_dialog.h"
 #include "app/import/vtk_points.h"
 #include "app/viewport/viewport.h"
-#include "app/window/file_jobs.h"
 #include "app/window/pages/message_bar.h"
 #include "brume/at_time.h"
 #include "brume/error.h"
@@ -291,7 +290,7 @@ class ImportTest : public QObject {
     VolumeFit how;
     how.options.count = 100'000;
     window->file_jobs().import().import_volume(smoke, how);
-    auto* job = window->findChild<BackgroundJob*>();
+    BackgroundJob* job = &window->file_jobs().job();
     QSignalSpy cancelled(job, &BackgroundJob::cancelled);
     QVERIFY(job->is_running());
     job->cancel();

@@ -8,7 +8,6 @@
 #include <QSpinBox>
 
 #include "app/export/medium_dialog.h"
-#include "app/window/file_jobs.h"
 #include "core/io/disk/file_bytes.h"
 #include "core/io/ply.h"
 #include "core/io/scene/scene_file.h"
@@ -207,7 +206,7 @@ class MediumExportTest : public QObject {
 
     // What is cancelled is not written.
     const fs::path cancelled = export_to("Lit splats", "3");
-    window->findChild<BackgroundJob*>()->cancel();
+    window->file_jobs().job().cancel();
     QCOMPARE(wait(window), QString());
     QVERIFY(!fs::exists(cancelled));
   }

@@ -11,7 +11,6 @@
 #include "app/import/scene_dialog.h"
 #include "app/import/scene_import.h"
 #include "app/viewport/viewport.h"
-#include "app/window/file_jobs.h"
 #include "app/window/pages/message_bar.h"
 #include "brume/mesh_arrays.h"
 #include "core/scene/imported_scene.h"

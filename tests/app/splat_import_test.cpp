@@ -13,7 +13,6 @@
 #include "app/import/scene_dialog.h"
 #include "app/import/scene_import.h"
 #include "app/import/splat_dialog.h"
-#include "app/window/file_jobs.h"
 #include "app/window/pages/message_bar.h"
 #include "core/io/gaussians/gaussian_file.h"
 #include "core/scene/imported_scene.h"
