@@ -5,7 +5,7 @@ cd "$(dirname "$0")/.."
 
 # Folders that are missing or cannot be read fail: else nothing would be checked.
 includes=$(grep -rnE '^\s*#\s*include\s*[<"]' include core render app tools \
-  --include='*.h' --include='*.hpp' --include='*.cpp') || {
+  --include='*.h' --include='*.hpp' --include='*.cpp' --include='*.inl') || {
   echo "include, core, render, app, tools: cannot be checked"
   exit 1
 }
@@ -90,14 +90,15 @@ core/io/gaussians/*.[hc]*:core/[a-z_]+.h core/medium/ core/scene/ core/io/[a-z_]
 core/io/scene/*.[hc]*:core/[a-z_]+.h core/medium/ core/scene/ core/io/
 core/files/*.[hc]*:core/[a-z_]+.h core/io/ core/volume/
 core/fit/*.[hc]*:core/[a-z_]+.h core/medium/ core/scene/ core/transport/ core/volume/ core/io/volume/
+render/formulas/*.[hci]*:
 render/util/*.[hc]*:
 render/geometry/*.[hc]*:
 render/stage.*:
 render/frame.*:
 render/settings.*:
 render/display/*.[hc]*:$values
-render/simd/*.[hc]*:$values render/geometry/
-render/visibility/*.[hc]*:render/util/ render/geometry/ render/simd/
+render/simd/*.[hc]*:$values render/geometry/ render/formulas/
+render/visibility/*.[hc]*:render/util/ render/geometry/ render/simd/ render/formulas/
 render/transfer/*.[hc]*:render/util/ render/geometry/ render/simd/ render/visibility/
 render/render_plan.*:$values render/transfer/
 render/optical_depth/*.[hc]*:$values render/util/ render/geometry/ render/simd/ render/visibility/
@@ -112,7 +113,7 @@ render/paths/*.[hc]*:$values render/util/ render/geometry/ render/simd/ render/v
 render/samples/*.[hc]*:$values render/frame_renderer.h render/util/ render/prepare/albedo.h render/paths/path_random.h
 render/cpu/*.[hc]*:$values render/render_plan.h render/util/ $surfaces render/prepare/ render/samples/ render/paths/
 render/layers/*.[hc]*:$values render/frame_renderer.h render/util/ render/samples/ $surfaces
-render/gl/*.[hc]*:$values render/display/ render/render_plan.h render/util/ $surfaces render/prepare/
+render/gl/*.[hc]*:$values render/display/ render/formulas/ render/render_plan.h render/util/ $surfaces render/prepare/
 render/output/*.[hc]*:$values render/display/
 render/deep/*.[hc]*:$values render/frame_renderer.h render/render_plan.h render/util/ render/transfer/ $surfaces render/prepare/ render/samples/ render/cpu/ render/output/
 render/splats/*.[hc]*:$values render/display/ render/render_plan.h render/util/ render/transfer/ $surfaces render/prepare/ render/cpu/

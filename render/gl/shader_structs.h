@@ -6,24 +6,24 @@
 #include <glm/vec4.hpp>
 #include <string>
 
+#include "render/formulas/shared_struct.h"
 #include "render/visibility/triangle_bvh.h"
 
 namespace brume::gl {
 
-// What C++ and shaders share in storage buffers, laid out as std430 has it. The shaders' structs
-// are generated from these by shader_structs().
+// What C++ and shaders share in storage buffers, laid out as std430 has it.
 
 // A DirectionMap.
-struct MapData {
+BRUME_SHARED_STRUCT(MapData, {
   glm::vec4 right{0.0f};   // w: scale.x
   glm::vec4 up{0.0f};      // w: scale.y
   glm::vec4 axis{0.0f};    // w: 1 if octahedral
   glm::vec4 offset{0.0f};  // x, y
   glm::ivec4 cells{0};     // columns and rows without the border; index of the first value
-};
+});
 
 // A light of the sliced airlight or of surfaces.
-struct LightData {
+BRUME_SHARED_STRUCT(LightData, {
   glm::vec3 position{0.0f};  // relative to the eye, or to the center of the surfaces
   float h_min = 0.0f;        // see PointLightRay
   glm::vec3 intensity{0.0f};
@@ -57,74 +57,75 @@ struct LightData {
   glm::vec4 in_shadows{0.0f};  // w: shadow_depth
   MapData table;
   MapData shadows;
-};
+});
 
 // A light of the paper's airlight.
-struct PaperLightData {
+BRUME_SHARED_STRUCT(PaperLightData, {
   glm::vec3 position{0.0f};  // relative to the eye
   float h_min = 0.0f;
   glm::vec3 intensity{0.0f};
   float transmittance = 0.0f;  // of the Gaussians from the light to the eye
   std::int32_t conserves_energy = 0;
   std::int32_t unused[3] = {};
-};
+});
 
 // A Gaussian; see GaussianBatch.
-struct GaussianShape {
+BRUME_SHARED_STRUCT(GaussianShape, {
   float a = 0.0f;
   float scale = 0.0f;
   float max_e = 0.0f;
   float cutoff_radius = 0.0f;
-};
+});
 
 // A Gaussian as the eye sees it.
-struct SeenGaussian {
+BRUME_SHARED_STRUCT(SeenGaussian, {
   glm::vec3 center{0.0f};  // relative to the eye
   float a = 0.0f;
   float scale = 0.0f;
   float max_e = 0.0f;
   float max_undisplaced_e = 0.0f;  // before noise displaces the ray
   float cutoff_radius = 0.0f;
-};
+});
 
 // Sums of tile binning.
-struct TileTotals {
+BRUME_SHARED_STRUCT(TileTotals, {
   std::uint32_t used = 0;     // Gaussians in any list
   std::uint32_t entries = 0;  // of all lists
   std::uint32_t coarse = 0;   // entries / coarse_entries of each Gaussian, rounded up
-};
+});
 
 // Sums of the upsampling.
-struct UpsamplingTotals {
+BRUME_SHARED_STRUCT(UpsamplingTotals, {
   std::uint32_t batches = 0;
   std::uint32_t asked_pixels = 0;
   float mean_square = 0.0f;  // of the airlight's samples
   std::uint32_t curved_cells = 0;
-};
+});
 
 // A work group's pixels, among those that the upsampling asks for.
-struct PixelBatch {
+BRUME_SHARED_STRUCT(PixelBatch, {
   std::uint32_t tile = 0;
   std::uint32_t first = 0;
   std::uint32_t count = 0;
-};
+});
 
 // A corner of a triangle: its position and surface, or its normal and vertex.
-struct TriangleCorner {
+BRUME_SHARED_STRUCT(TriangleCorner, {
   glm::vec3 vector{0.0f};
   std::int32_t index = 0;
-};
+});
 
 // What a view ray hits.
-struct PixelHit {
+BRUME_SHARED_STRUCT(PixelHit, {
   float distance = 0.0f;  // < 0: nothing
-  float u = 0.0f, v = 0.0f;
+  float u = 0.0f;
+  float v = 0.0f;
   std::int32_t triangle = -1;
-};
+});
 
 // What is known of a surface, as floats among other values; places are indices of those or of the
 // light at surfaces, < 0: none.
-struct SurfaceRecord {
+BRUME_SHARED_STRUCT(SurfaceRecord, {
   glm::vec3 diffuse{0.0f};  // reflectance / pi
   float exponent = 0.0f;    // Phong's
   glm::vec3 highlight{0.0f};
@@ -138,10 +139,10 @@ struct SurfaceRecord {
   glm::vec3 cells_per_unit{0.0f};
   float measured_at = -1.0f;  // the table of a measured material
   glm::vec3 grid_nodes{0.0f};
-};
+});
 
 // A metallic-roughness material, as words among others; textures are places of those, 0: none.
-struct MaterialRecord {
+BRUME_SHARED_STRUCT(MaterialRecord, {
   glm::vec3 base_color{0.0f};
   float metallic = 0.0f;
   glm::vec3 emissive{0.0f};
@@ -152,18 +153,18 @@ struct MaterialRecord {
   std::uint32_t metallic_roughness_texture = 0;
   std::uint32_t normal_texture = 0;
   std::uint32_t emissive_texture = 0;
-};
+});
 // What shaders/materials.glsl finds of a pixel, as vectors.
 inline constexpr int ggx_vectors = 4;
 
 // An element of the quarter turn of spherical harmonics, as floats among other values.
-struct TurnElement {
+BRUME_SHARED_STRUCT(TurnElement, {
   float to = 0.0f;
   float from = 0.0f;
   float value = 0.0f;
-};
+});
 
-// GLSL source of the structs, and of the places of members of those that are read as floats
+// GLSL source of these structs, and of the places of members of those that are read as floats
 // (`NAME_member`) and their sizes (`NAME_size`).
 std::string shader_structs();
 
