@@ -36,17 +36,17 @@ HWY_INLINE std::uint64_t Samples(const GaussianBatch& g, const PathBatch& rays, 
     V density = hn::Zero(d);
     V depth = hn::Zero(d);
     for (std::size_t j = 0; j < g.size(); ++j) {
-      const LineProfile<D> line = BatchLineProfile<kKind>(d, g, j, w);
-      const auto reached = hn::Le(line.e, set(g.max_e[j]));
+      const LineProfile<V> line = BatchLineProfile<kKind>(d, g, j, w);
+      const auto reached = line.e <= g.max_e[j];
       if (hn::AllFalse(d, reached)) continue;
       pairs += hn::CountTrue(d, reached);
       // Nothing beyond the cutoff, whatever rays share a vector.
-      const V half_depth = hn::IfThenElseZero(reached, BatchHalfDepth<kKind>(d, g, j, line));
-      depth = hn::MulAdd(half_depth, line.UnitDepth(d, distance), depth);
-      const V u = hn::Mul(line.a, hn::Sub(distance, line.t0));
+      const V half_depth = where(reached, BatchHalfDepth<kKind>(d, g, j, line));
+      depth = mul_add(half_depth, unit_depth(line, distance), depth);
+      const V u = line.a * (distance - line.t0);
       constexpr float two_over_sqrt_pi = 1.12837916709551257f;
-      const V peak = hn::Mul(half_depth, hn::Mul(line.a, set(two_over_sqrt_pi)));
-      density = hn::MulAdd(peak, hn::Exp(d, hn::Neg(hn::MulAdd(u, u, line.e))), density);
+      const V peak = half_depth * (line.a * two_over_sqrt_pi);
+      density = mul_add(peak, exp(-mul_add(u, u, line.e)), density);
     }
     hn::StoreU(density, d, densities + k);
     hn::StoreU(depth, d, depths + k);
@@ -67,26 +67,22 @@ void AddScattered(const PathBatch& rays, const LitSamples& samples, const glm::v
   const V least2 = set(h_min * h_min);
   for (std::size_t k = 0; k < rays.padded_size(); k += hn::Lanes(d)) {
     const V weight = hn::LoadU(d, samples.weights + k);
-    const auto is_lit = hn::Gt(weight, hn::Zero(d));
+    const auto is_lit = weight > 0.0f;
     if (hn::AllFalse(d, is_lit)) continue;
     const Vector w = LoadDirection(rays, k);
     const V ts = dot(s, w);
-    const Vector offset = minus(s, ts, w);
+    const Vector offset = neg_mul_add(ts, w, s);
     const V offset2 = dot(offset, offset);
-    const V along = hn::Sub(hn::LoadU(d, samples.t + k), ts);
+    const V along = hn::LoadU(d, samples.t + k) - ts;
     // The path is as long as it is; only the falloff has a least distance (PointLightRay).
-    const V tiny = set(1e-30f);
-    const V distance2 = hn::Max(hn::MulAdd(along, along, hn::Max(offset2, least2)), tiny);
-    const V true_distance = hn::Sqrt(hn::Max(hn::MulAdd(along, along, offset2), tiny));
-    const V depth =
-        hn::Add(hn::LoadU(d, samples.depths + k), hn::LoadU(d, samples.light_depths + k));
-    V value = hn::Div(hn::Mul(weight, hn::Exp(d, hn::Neg(depth))), distance2);
+    const V distance2 = max(mul_add(along, along, max(offset2, least2)), tiny);
+    const V true_distance = sqrt(max(mul_add(along, along, offset2), tiny));
+    const V depth = hn::LoadU(d, samples.depths + k) + hn::LoadU(d, samples.light_depths + k);
+    V value = weight * exp(-depth) / distance2;
     if (anisotropy != 0.0f) {
-      value = hn::Mul(value, HenyeyGreenstein(d, CosTheta(d, along, true_distance), anisotropy));
+      value *= henyey_greenstein(cos_theta(along, true_distance), anisotropy);
     }
-    constexpr float phase = 0.0795774715459476679f;  // 1 / (4 pi)
-    const V sum =
-        hn::MulAdd(set(phase), hn::IfThenElseZero(is_lit, value), hn::LoadU(d, radiance + k));
+    const V sum = mul_add(isotropic_phase, where(is_lit, value), hn::LoadU(d, radiance + k));
     hn::StoreU(sum, d, radiance + k);
   }
 }

@@ -1,6 +1,7 @@
 #include "render/gl/shader_constants.h"
 
 #include <algorithm>
+#include <bit>
 #include <iomanip>
 #include <limits>
 #include <numbers>
@@ -13,9 +14,9 @@
 #include "core/math/srgb.h"
 #include "core/scene/camera_rays.h"
 #include "core/scene/lights/photometric_profile.h"
+#include "core/scene/materials/brdf.h"
 #include "core/scene/materials/ggx.h"
 #include "core/scene/materials/ggx_sh.h"
-#include "core/scene/materials/brdf.h"
 #include "core/scene/materials/measured_brdf.h"
 #include "core/scene/materials/texture.h"
 #include "core/scene/ray_noise.h"
@@ -45,7 +46,9 @@ namespace {
 
 class Constants {
  public:
-  Constants() { out_ << std::scientific; }
+  Constants() {
+    out_ << "#define CONSTANT const float\n#include \"constants.inl\"\n" << std::scientific;
+  }
   void add(const char* name, float value) { add(name, "float", value, ""); }
   void add(const char* name, int value) { add(name, "int", value, ""); }
   void add(const char* name, unsigned value) { add(name, "uint", value, "u"); }
@@ -92,50 +95,19 @@ std::vector<float> floats(std::span<const ShRecurrence::Row> rows) {
 
 // Of the kernels of render/simd and render/lighting.
 void add_kernels(Constants& constants) {
-  constants.add("pi", std::numbers::pi);
-  constants.add("inv_sqrt_pi", std::numbers::inv_sqrtpi);
-  constants.add("sqrt_pi", coefficient::sqrt_pi);
-  constants.add("phase", 0.25 * std::numbers::inv_pi);
   constants.add("float_epsilon", std::numeric_limits<float>::epsilon());
-  constants.add("tiny", coefficient::tiny);
-  constants.add("tiny_square", coefficient::tiny_square);
-  constants.add("tiny_sine_square", coefficient::tiny_sine_square);
-  constants.add("erfcx_coefficients", coefficient::erfcx);
-  constants.add("erf_small_coefficients", coefficient::erf_small);
-  constants.add("erf_fast_coefficients", coefficient::erf_fast);
-  constants.add("erf_fast_end", coefficient::erf_fast_end);
-  constants.add("atan_small_coefficients", coefficient::atan_small);
-  constants.add("atan_small_end", coefficient::atan_small_end);
   constants.add("exact_above", exact_above);
-  constants.add("min_lit_share", coefficient::min_lit_share);
-  constants.add("falling_reach", coefficient::falling_reach);
-  constants.add("front_depth", coefficient::front_depth);
-  constants.add("max_slice_front_depth", coefficient::max_front_depth);
-  constants.add("short_slice", coefficient::short_slice);
-  constants.add("gauss_nodes", coefficient::gauss_nodes);
-  constants.add("gauss_weights", coefficient::gauss_weights);
   constants.add("fog_nodes", coefficient::fog_rule.nodes);
   constants.add("fog_weights", coefficient::fog_rule.weights);
-  constants.add("fog_panel", coefficient::fog_panel);
-  constants.add("fog_detour_depth", coefficient::fog_detour_depth);
-  constants.add("light_rounding", coefficient::light_rounding);
-  constants.add("min_light_gap", coefficient::min_light_gap);
-  constants.add("mean_shift", coefficient::mean_shift);
-  constants.add("small_increment", coefficient::small_increment);
-  constants.add("small_exponent", coefficient::small_exponent);
-  constants.add("visible_depth", coefficient::visible_depth);
-  constants.add("table_end", coefficient::table_end);
   constants.add("broadening_angles", LobeBroadening::angles);
   constants.add("broadening_depths", LobeBroadening::depths);
   constants.add("broadening_depth_scale", LobeBroadening::depth_scale);
   constants.add("min_map_cosine", DirectionMap::min_cosine);
   constants.add("map_border_share", DirectionMap::border_share);
-  constants.add("noise_period", RayNoise::period);
-  constants.add("noise_fade", noise_lattice::fade);
-  constants.add("noise_fade_slope", noise_lattice::fade_slope);
+  constants.add("noise_last_node", static_cast<unsigned>(RayNoise::period - 1));
+  constants.add("noise_axis_bits", std::countr_zero(unsigned{RayNoise::period}));
   constants.add("hash_factors", noise_lattice::hash_factors);
   constants.add("hash_shifts", noise_lattice::hash_shifts);
-  constants.add("max_lattice_distance", coefficient::max_lattice_distance);
 }
 
 // Of light given as spherical harmonics, and of materials.
@@ -151,9 +123,6 @@ void add_reflection(Constants& constants) {
   constants.add("sh_down", floats(recurrence.down));
   constants.add("grid_functions", static_cast<int>(sh_size(grid_bands)));
   constants.add("cosine_factors", clamped_cosine_factors());
-  constants.add("irradiance_bands", coefficient::irradiance_bands);
-  constants.add("legendre_2", coefficient::legendre_2);
-  constants.add("legendre_4", coefficient::legendre_4);
   constants.add("theta_h_cells", MeasuredBrdf::theta_h_cells);
   constants.add("theta_d_cells", MeasuredBrdf::theta_d_cells);
   constants.add("phi_d_cells", MeasuredBrdf::phi_d_cells);
@@ -161,7 +130,6 @@ void add_reflection(Constants& constants) {
   constants.add("reflection_row", static_cast<int>(ReflectionTable::row_size));
   constants.add("scatter_terms", ScatterTable::degree + 1);
   constants.add("scatter_opaque", ScatterTable::opaque);
-  constants.add("scatter_scale", ScatterTable::scale);
 }
 
 // Of metallic-roughness materials and textures.

@@ -15,7 +15,7 @@ void append_text(const std::string& text, std::set<std::string>& seen, std::ostr
 void append(const std::string& name, std::set<std::string>& seen, std::ostream& out) {
   if (!seen.insert(name).second) return;
   if (name == "constants.glsl") {
-    out << shader_constants();
+    append_text(shader_constants(), seen, out);
     return;
   }
   if (name == "structs.glsl") {

@@ -24,20 +24,6 @@ HWY_INLINE V set(float x) {
   return hn::Set(D(), x);
 }
 
-// coefficient::erf_fast.
-HWY_INLINE V FastErf(V x) {
-  const D d;
-  const V end = set(coefficient::erf_fast_end);
-  const V y = hn::Min(hn::Max(x, hn::Neg(end)), end);
-  return hn::Mul(y, Horner(d, hn::Mul(y, y), coefficient::erf_fast));
-}
-
-// coefficient::exp_of_erf, for small Gaussians: where slices are short its slope would show.
-HWY_INLINE V ExpOfErf(V erf) {
-  const V square = hn::Mul(erf, erf);
-  return hn::Mul(hn::Sub(set(1.0f), square), Horner(D(), square, coefficient::exp_of_erf));
-}
-
 // A cone around the rays of a group.
 struct GroupCone {
   glm::vec3 axis{0.0f};  // unit
@@ -118,26 +104,25 @@ std::size_t GroupGaussians::drop_ellipsoids(const GaussianBatch& g, const GroupC
   std::size_t left = 0;
   for (std::size_t m = 0; m < count; m += hn::Lanes(d)) {
     const auto j = hn::LoadU(di, near_rays.data() + m);
-    const auto first = hn::Mul(j, hn::Set(di, floats));
-    const auto member = [&](std::int32_t k) HWY_ATTR {
-      return hn::GatherIndex(d, members, hn::Add(first, hn::Set(di, k)));
-    };
+    const auto first = j * floats;
+    const auto member = [&](std::int32_t k)
+                            HWY_ATTR { return hn::GatherIndex(d, members, first + k); };
     const WarpOf<V> warp{member(0), member(1), member(2), member(3), member(4), member(5)};
     const V a = hn::GatherIndex(d, g.a.data(), j);
-    const LineProfile<D> line(d, Vector{member(6), member(7), member(8)}, warp(axis), a);
+    const LineProfile<V> line =
+        warped_line_profile(Vector{member(6), member(7), member(8)}, warp(axis), a);
     // A ray that is off the axis by the spread, or rounded, is nearer by at most this, where it
     // still matters.
     const V far = hn::GatherIndex(d, g.far.data(), j);
-    const V nearer = hn::Mul(hn::Mul(a, far), hn::Mul(set(cone.spread + distance_room), member(9)));
+    const V nearer = a * far * ((cone.spread + distance_room) * member(9));
     const auto is_ball = hn::Eq(warp.xx, hn::Zero(d));
     // Along such a ray it is no longer than this.
-    const V slowest = hn::NegMulAdd(hn::Mul(a, set(cone.spread)), member(9), line.a);
+    const V slowest = neg_mul_add(a * cone.spread, member(9), line.a);
     const V scale = hn::GatherIndex(d, g.scale.data(), j);
-    const V half_depth = hn::IfThenElse(hn::Or(is_ball, hn::Le(slowest, a)), scale,
-                                        hn::Div(hn::Mul(scale, a), slowest));
+    const V half_depth = select(hn::Or(is_ball, slowest <= a), scale, scale * a / slowest);
     hn::ScatterIndex(half_depth, d, half_depths.data(), j);
-    const V reach = hn::Mul(a, hn::GatherIndex(d, g.reach.data(), j));  // in radii
-    const auto meets = hn::Le(hn::Sqrt(line.e), hn::MulAdd(reach, set(1.0f + cutoff_room), nearer));
+    const V reach = a * hn::GatherIndex(d, g.reach.data(), j);  // in radii
+    const auto meets = sqrt(line.e) <= mul_add(reach, 1.0f + cutoff_room, nearer);
     const auto kept = hn::And(hn::FirstN(d, count - m), hn::Or(is_ball, meets));
     left += hn::CompressBlendedStore(j, hn::RebindMask(di, kept), di, near_rays.data() + left);
   }
@@ -168,13 +153,11 @@ void GroupGaussians::choose(const GaussianBatch& g, const PathBatch& rays, const
                           HWY_ATTR { return hn::LoadU(d, values.data() + j); };
     const Vector b{load(g.x), load(g.y), load(g.z)};
     const V t = dot(b, axis);
-    const Vector p = minus(b, t, axis);
-    const V h = hn::Sqrt(dot(p, p));
-    const V reach = hn::MulAdd(set(distance_room), hn::Add(hn::Abs(t), h),
-                               hn::Mul(load(g.reach), set(1.0f + cutoff_room)));
+    const Vector p = neg_mul_add(t, axis, b);
+    const V h = sqrt(dot(p, p));
+    const V reach = mul_add(distance_room, abs(t) + h, load(g.reach) * (1.0f + cutoff_room));
     const auto met =
-        hn::And(hn::FirstN(d, g.size() - j),
-                hn::Le(hn::Mul(nearing, h), hn::MulAdd(hn::Max(t, hn::Zero(d)), spread, reach)));
+        hn::And(hn::FirstN(d, g.size() - j), nearing * h <= mul_add(max(t, 0.0f), spread, reach));
     near_count +=
         hn::CompressBlendedStore(hn::Iota(di, static_cast<std::int32_t>(j)),
                                  hn::RebindMask(di, met), di, near_rays.data() + near_count);
@@ -190,27 +173,26 @@ void GroupGaussians::choose(const GaussianBatch& g, const PathBatch& rays, const
     I before = hn::Zero(di);
     I until = hn::Zero(di);
     const auto counted = [&](I count, auto is) HWY_ATTR {
-      return hn::Sub(count, hn::VecFromMask(di, hn::RebindMask(di, is)));
+      return count - hn::VecFromMask(di, hn::RebindMask(di, is));
     };
     for (std::size_t k = 0; k < slices.count(); ++k) {
-      before = counted(before, hn::Le(set(farthest[k]), near));
-      until = counted(until, hn::Lt(set(nearest[k]), far));
+      before = counted(before, farthest[k] <= near);
+      until = counted(until, nearest[k] < far);
     }
-    const I first = hn::Sub(hn::Max(before, one), one);
-    const I end = hn::Min(until, hn::Set(di, last));
-    const I slice_count = hn::Sub(end, first);
-    const auto on_slices =
-        hn::And(hn::FirstN(di, near_count - m), hn::Gt(slice_count, hn::Zero(di)));
+    const I first = max(before, one) - one;
+    const I end = min(until, last);
+    const I slice_count = end - first;
+    const auto on_slices = hn::And(hn::FirstN(di, near_count - m), slice_count > 0);
     // Neither its beginning nor its end is cut off.
     const auto& thicknesses = g.ellipsoids.empty() ? g.scale : half_depths;
     const V half_depth = hn::GatherIndex(d, thicknesses.data(), j);
     const auto is_inside = hn::And(
-        hn::And(on_slices, hn::Gt(before, hn::Zero(di))),
-        hn::RebindMask(di, hn::And(hn::And(hn::Ge(hn::GatherIndex(d, nearest.data(), end), far),
-                                           hn::Ge(shortest, far)),
-                                   hn::Le(half_depth, set(exact_above)))));
+        hn::And(on_slices, before > 0),
+        hn::RebindMask(
+            di, hn::And(hn::And(hn::GatherIndex(d, nearest.data(), end) >= far, shortest >= far),
+                        half_depth <= exact_above)));
     const auto is_whole = hn::And(is_inside, hn::Eq(slice_count, one));
-    const auto is_cut = hn::And(is_inside, hn::Eq(slice_count, hn::Add(one, one)));
+    const auto is_cut = hn::And(is_inside, hn::Eq(slice_count, one + one));
     whole.add(is_whole, j, first, end);
     cut.add(is_cut, j, first, end);
     other.add(hn::AndNot(hn::Or(is_whole, is_cut), on_slices), j, first, end);
@@ -236,7 +218,7 @@ HWY_INLINE std::uint64_t Increments(const GaussianBatch& g, const PathBatch& ray
     const float shortest = hn::GetLane(hn::MinOfLanes(d, hn::LoadU(d, rays.length.data() + i)));
     const auto add_to = [&](float* sums, std::size_t slice, V value) HWY_ATTR {
       float* const sum = sums + slice * stride + i;
-      hn::StoreU(hn::Add(value, hn::LoadU(d, sum)), d, sum);
+      hn::StoreU(value + hn::LoadU(d, sum), d, sum);
     };
     // The depth of Gaussian j on a slice, and its moment.
     const auto add = [&](std::size_t j, std::size_t slice, V depth, V moment) HWY_ATTR {
@@ -245,7 +227,7 @@ HWY_INLINE std::uint64_t Increments(const GaussianBatch& g, const PathBatch& ray
       if constexpr (kOptics) {
         for (std::size_t c = 0; c < g.optics.size(); ++c) {
           const V weight = set(g.optics[c][j]);
-          add_to(increments + (c + 1) * last * stride, slice, hn::Mul(weight, depth));
+          add_to(increments + (c + 1) * last * stride, slice, weight * depth);
         }
       }
     };
@@ -255,86 +237,82 @@ HWY_INLINE std::uint64_t Increments(const GaussianBatch& g, const PathBatch& ray
     const auto each = [&](const MetGaussians& list, auto body) HWY_ATTR {
       for (std::size_t m = 0; m < list.count; ++m) {
         const auto j = static_cast<std::size_t>(list.gaussian[m]);
-        const LineProfile<D> line = BatchLineProfile<kKind>(d, g, j, w);
-        const auto reached = hn::Le(line.e, set(g.max_e[j]));
+        const LineProfile<V> line = BatchLineProfile<kKind>(d, g, j, w);
+        const auto reached = line.e <= g.max_e[j];
         if (hn::AllFalse(d, reached)) continue;
         pairs += hn::CountTrue(d, reached);
         body(j, static_cast<std::size_t>(list.first[m]), static_cast<std::size_t>(list.end[m]),
-             line, hn::IfThenElseZero(reached, BatchHalfDepth<kKind>(d, g, j, line)));
+             line, where(reached, BatchHalfDepth<kKind>(d, g, j, line)));
       }
     };
-    const auto u = [&](const LineProfile<D>& line, std::size_t boundary) HWY_ATTR {
-      return hn::Mul(line.a, hn::Sub(hn::LoadU(d, slices.at(i, boundary)), line.t0));
+    const auto u = [&](const LineProfile<V>& line, std::size_t boundary) HWY_ATTR {
+      return line.a * (hn::LoadU(d, slices.at(i, boundary)) - line.t0);
     };
     const auto middle = [&](std::size_t slice) HWY_ATTR {
-      const V ends =
-          hn::Add(hn::LoadU(d, slices.at(i, slice)), hn::LoadU(d, slices.at(i, slice + 1)));
-      return hn::Mul(set(0.5f), ends);
+      const V ends = hn::LoadU(d, slices.at(i, slice)) + hn::LoadU(d, slices.at(i, slice + 1));
+      return 0.5f * ends;
     };
     // The part of a Gaussian's moment that depends on where it is cut: with exp(-u^2) there, in its
     // half depth.
-    const auto cut_moment = [&](std::size_t j, const LineProfile<D>& line, V exponential) HWY_ATTR {
-      constexpr auto inv_sqrt_pi = static_cast<float>(1.0 / coefficient::sqrt_pi);
+    const auto cut_moment = [&](std::size_t j, const LineProfile<V>& line, V exponential) HWY_ATTR {
       if constexpr (kKind == BatchKind::ellipsoids) {
-        return hn::Div(hn::Mul(set(inv_sqrt_pi), exponential), line.a);
+        return inv_sqrt_pi * exponential / line.a;
       }
-      return hn::Mul(set(inv_sqrt_pi / g.a[j]), exponential);
+      return static_cast<float>(inv_sqrt_pi) / g.a[j] * exponential;
     };
-    each(met.whole, [&](std::size_t j, std::size_t first, std::size_t, const LineProfile<D>& line,
+    each(met.whole, [&](std::size_t j, std::size_t first, std::size_t, const LineProfile<V>& line,
                         V half_depth) HWY_ATTR {
-      const V scale = hn::Mul(half_depth, hn::Exp(d, hn::Neg(line.e)));
-      const V depth = hn::Add(scale, scale);
-      add(j, first, depth, hn::Mul(depth, line.t0));
+      const V scale = half_depth * exp(-line.e);
+      const V depth = scale + scale;
+      add(j, first, depth, depth * line.t0);
     });
-    each(met.cut, [&](std::size_t j, std::size_t first, std::size_t, const LineProfile<D>& line,
+    each(met.cut, [&](std::size_t j, std::size_t first, std::size_t, const LineProfile<V>& line,
                       V half_depth) HWY_ATTR {
-      const V scale = hn::Mul(half_depth, hn::Exp(d, hn::Neg(line.e)));
-      const V erf = FastErf(u(line, first + 1));
+      const V scale = half_depth * exp(-line.e);
+      const V erf = erf_fast(u(line, first + 1));
       V beyond = hn::Zero(d);
-      if constexpr (kMoments) beyond = hn::Mul(scale, cut_moment(j, line, ExpOfErf(erf)));
-      const V before = hn::MulAdd(scale, erf, scale);
-      const V behind = hn::NegMulAdd(scale, erf, scale);
-      add(j, first, before, hn::MulSub(before, line.t0, beyond));
-      add(j, first + 1, behind, hn::MulAdd(behind, line.t0, beyond));
+      if constexpr (kMoments) beyond = scale * cut_moment(j, line, exp_of_erf(erf));
+      const V before = mul_add(scale, erf, scale);
+      const V behind = neg_mul_add(scale, erf, scale);
+      add(j, first, before, mul_sub(before, line.t0, beyond));
+      add(j, first + 1, behind, mul_add(behind, line.t0, beyond));
     });
     each(met.other, [&](std::size_t j, std::size_t first, std::size_t end,
-                        const LineProfile<D>& line, V half_depth) HWY_ATTR {
+                        const LineProfile<V>& line, V half_depth) HWY_ATTR {
       if (met.half_depth<kKind>(g, j) > exact_above) {
         V previous = u(line, first);
         for (std::size_t k = first; k < end; ++k) {
           const V current = u(line, k + 1);
-          const V width = hn::Sub(current, previous);
-          const V depth = hn::Mul(half_depth, SegmentIntegral(d, line.e, previous, current, width));
-          add(j, k, depth, hn::Mul(depth, middle(k)));
+          const V width = current - previous;
+          const V depth = half_depth * segment_integral(line.e, previous, current, width);
+          add(j, k, depth, depth * middle(k));
           previous = current;
         }
         return;
       }
-      const V scale = hn::Mul(half_depth, hn::Exp(d, hn::Neg(line.e)));
+      const V scale = half_depth * exp(-line.e);
       // A boundary, as the Gaussian is met there.
       struct Cut {
         V u, erf, moment;
       };
-      const Cut before{set(-coefficient::erf_fast_end), hn::Neg(one), hn::Zero(d)};
-      const Cut behind{set(coefficient::erf_fast_end), one, hn::Zero(d)};
+      const Cut before{set(-erf_fast_end), -one, hn::Zero(d)};
+      const Cut behind{set(erf_fast_end), one, hn::Zero(d)};
       const auto cut_at = [&](std::size_t k) HWY_ATTR {
         const V at = u(line, k);
         V moment = hn::Zero(d);
-        if constexpr (kMoments) moment = cut_moment(j, line, hn::Exp(d, hn::Neg(hn::Mul(at, at))));
-        return Cut{at, FastErf(at), moment};
+        if constexpr (kMoments) moment = cut_moment(j, line, exp(-(at * at)));
+        return Cut{at, erf_fast(at), moment};
       };
       Cut previous = farthest[first] <= g.near[j] ? before : cut_at(first);
       for (std::size_t k = first; k < end; ++k) {
         const bool is_behind = nearest[k + 1] >= g.far[j] && shortest >= g.far[j];
         const Cut current = is_behind ? behind : cut_at(k + 1);
-        const V depth = hn::Mul(scale, hn::Sub(current.erf, previous.erf));
+        const V depth = scale * (current.erf - previous.erf);
         V moment = hn::Zero(d);
         if constexpr (kMoments) {
-          const V of_both = hn::Sub(previous.moment, current.moment);
-          const auto is_short =
-              hn::Lt(hn::Sub(current.u, previous.u), set(coefficient::short_slice));
-          moment = hn::IfThenElse(is_short, hn::Mul(depth, middle(k)),
-                                  hn::MulAdd(depth, line.t0, hn::Mul(scale, of_both)));
+          const V of_both = previous.moment - current.moment;
+          const auto is_short = current.u - previous.u < short_slice;
+          moment = select(is_short, depth * middle(k), mul_add(depth, line.t0, scale * of_both));
         }
         add(j, k, depth, moment);
         previous = current;

@@ -34,14 +34,13 @@ struct Segment {
 
   // Points relative to the origin.
   HWY_INLINE V3<V> Relative(D d, const double* x, const double* y, const double* z) const {
-    return {hn::Sub(hn::LoadU(d, x), origin.x), hn::Sub(hn::LoadU(d, y), origin.y),
-            hn::Sub(hn::LoadU(d, z), origin.z)};
+    return {hn::LoadU(d, x) - origin.x, hn::LoadU(d, y) - origin.y, hn::LoadU(d, z) - origin.z};
   }
   // Whether the segment comes nearer to them than the root of radius2.
   HWY_INLINE auto Touches(D d, const V3<V>& q, const double* radius2) const {
-    const V t = hn::Min(hn::Max(dot(q, direction), hn::Zero(d)), length);
-    const V3<V> offset = minus(q, t, direction);
-    return hn::Lt(dot(offset, offset), hn::LoadU(d, radius2));
+    const V t = clamp(dot(q, direction), 0.0f, length);
+    const V3<V> offset = neg_mul_add(t, direction, q);
+    return dot(offset, offset) < hn::LoadU(d, radius2);
   }
 };
 
@@ -63,14 +62,13 @@ double SegmentDepth(const GaussianColumns& g, std::size_t cluster_count, const g
       if (g.has_ellipsoids[group] != 0) {
         const auto load = [&](std::size_t k) HWY_ATTR { return hn::LoadU(d, g.warp[k] + i); };
         const WarpOf<V> warp{load(0), load(1), load(2), load(3), load(4), load(5)};
-        const LineProfile<D> line(d, warp(q), warp(segment.direction), a);
-        scale = hn::Mul(scale, hn::Div(a, line.a));
-        depth = hn::Mul(scale, line.UnitDepth(d, segment.length));
+        const LineProfile<V> line = warped_line_profile(warp(q), warp(segment.direction), a);
+        scale *= a / line.a;
+        depth = scale * unit_depth(line, segment.length);
       } else {
-        depth =
-            hn::Mul(scale, LineProfile<D>(q, segment.direction, a).UnitDepth(d, segment.length));
+        depth = scale * unit_depth(line_profile(q, segment.direction, a), segment.length);
       }
-      sum = hn::Add(sum, hn::IfThenElseZero(near, depth));
+      sum += where(near, depth);
     }
   };
   // The balls of a row of eight that the segment touches, as bits.
@@ -109,16 +107,16 @@ double PointDensity(const GaussianColumns& g, const std::uint32_t* indices, std:
     const auto at =
         hn::PromoteTo(di, hn::LoadU(d32, reinterpret_cast<const std::int32_t*>(indices + i)));
     const V ai = hn::GatherIndex(d, g.a, at);
-    V3<V> q{hn::Mul(ai, hn::Sub(hn::GatherIndex(d, g.x, at), hn::Set(d, point.x))),
-            hn::Mul(ai, hn::Sub(hn::GatherIndex(d, g.y, at), hn::Set(d, point.y))),
-            hn::Mul(ai, hn::Sub(hn::GatherIndex(d, g.z, at), hn::Set(d, point.z)))};
+    V3<V> q{ai * (hn::GatherIndex(d, g.x, at) - point.x),
+            ai * (hn::GatherIndex(d, g.y, at) - point.y),
+            ai * (hn::GatherIndex(d, g.z, at) - point.z)};
     if (g.warp[0]) {
       const auto gather = [&](std::size_t k) HWY_ATTR { return hn::GatherIndex(d, g.warp[k], at); };
       q = WarpOf<V>{gather(0), gather(1), gather(2), gather(3), gather(4), gather(5)}(q);
     }
     const V e = dot(q, q);
-    const V density = hn::Mul(hn::GatherIndex(d, g.peak, at), hn::Exp(d, hn::Neg(e)));
-    sum = hn::Add(sum, hn::IfThenElseZero(hn::FirstN(d, count - i), density));
+    const V density = hn::GatherIndex(d, g.peak, at) * exp(-e);
+    sum += where(hn::FirstN(d, count - i), density);
   }
   return hn::GetLane(hn::SumOfLanes(d, sum));
 }

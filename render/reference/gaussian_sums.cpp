@@ -27,15 +27,15 @@ void CrossingSums(const double* a, const double* t0, const double* peak, const d
   for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
     const V ai = hn::LoadU(d, a + i);
     const V ti = hn::LoadU(d, t0 + i);
-    const V u = hn::Mul(ai, hn::Sub(hn::Set(d, t), ti));
-    const V decay = hn::Exp(d, hn::Neg(hn::Mul(u, u)));
-    density = hn::MulAdd(hn::LoadU(d, peak + i), decay, density);
+    const V u = ai * (t - ti);
+    const V decay = exp(-(u * u));
+    density = mul_add(hn::LoadU(d, peak + i), decay, density);
     const V begin = hn::LoadU(d, start + i);
-    const V end = hn::Mul(decay, Erfcx(d, hn::Abs(u)));
-    const auto straddles = hn::And(hn::Ge(ti, hn::Zero(d)), hn::Ge(u, hn::Zero(d)));
-    const V across = hn::Sub(hn::Sub(hn::Set(d, 2.0), begin), end);
-    const V s = hn::IfThenElse(straddles, across, hn::Abs(hn::Sub(begin, end)));
-    depth = hn::MulAdd(hn::LoadU(d, scale + i), s, depth);
+    const V end = decay * erfcx(abs(u));
+    const auto straddles = hn::And(ti >= 0.0f, u >= 0.0f);
+    const V across = 2.0 - begin - end;
+    const V s = select(straddles, across, abs(begin - end));
+    depth = mul_add(hn::LoadU(d, scale + i), s, depth);
   }
   sums[0] = hn::GetLane(hn::SumOfLanes(d, density));
   sums[1] = hn::GetLane(hn::SumOfLanes(d, depth));
@@ -50,13 +50,13 @@ double DepthFromLight(const double* x, const double* y, const double* z, const d
   V sum = hn::Zero(d);
   for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
     const V3<V> q{hn::LoadU(d, x + i), hn::LoadU(d, y + i), hn::LoadU(d, z + i)};
-    const V t = hn::Min(hn::Max(dot(q, u), hn::Zero(d)), length);
-    const V3<V> offset = minus(q, t, u);
-    const auto near = hn::Lt(dot(offset, offset), hn::LoadU(d, cutoff2 + i));
+    const V t = clamp(dot(q, u), 0.0f, length);
+    const V3<V> offset = neg_mul_add(t, u, q);
+    const auto near = dot(offset, offset) < hn::LoadU(d, cutoff2 + i);
     if (hn::AllFalse(d, near)) continue;
     const V ai = hn::LoadU(d, a + i);
-    const V depth = hn::Mul(hn::LoadU(d, scale + i), LineProfile<D>(q, u, ai).UnitDepth(d, length));
-    sum = hn::Add(sum, hn::IfThenElseZero(near, depth));
+    const V depth = hn::LoadU(d, scale + i) * unit_depth(line_profile(q, u, ai), length);
+    sum += where(near, depth);
   }
   return hn::GetLane(hn::SumOfLanes(d, sum));
 }

@@ -39,8 +39,9 @@ void SumRow(const float* values, std::size_t count, const glm::vec3& first, floa
     const V y = hn::Set(d, first.y);
     const V z = hn::Set(d, first.z);
     const V square = hn::MulAdd(x, x, hn::MulAdd(y, y, hn::Mul(z, z)));
-    const V scale =
-        hn::Div(hn::Set(d, 1.0f), hn::Sqrt(hn::Max(square, hn::Set(d, coefficient::tiny_square))));
+    const V scale = hn::Div(
+        hn::Set(d, 1.0f),
+        hn::Sqrt(hn::Max(square, hn::Set(d, static_cast<float>(coefficient::tiny_square)))));
     FindBasis<view_bands>(d, hn::Mul(x, scale), hn::Mul(y, scale), hn::Mul(z, scale), factors,
                           basis);
     for (std::size_t k = 0; k < std::min(hn::Lanes(d), count - i); ++k) {

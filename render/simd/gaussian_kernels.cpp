@@ -30,11 +30,6 @@ HWY_INLINE V set(float x) {
   return hn::Set(D(), x);
 }
 
-// coefficient::erf_small.
-HWY_INLINE V ErfSmall(V x) {
-  return hn::Mul(x, Horner(D(), hn::Mul(x, x), coefficient::erf_small));
-}
-
 HWY_INLINE Vector LoadDirection(const PathBatch& paths, std::size_t k) {
   const D d;
   return {hn::LoadU(d, paths.x.data() + k), hn::LoadU(d, paths.y.data() + k),
@@ -52,14 +47,14 @@ HWY_INLINE void PathDepths(const GaussianBatch& g, const PathBatch& paths, float
     const auto self = hn::LoadU(di, paths.self.data() + k);
     V sum = hn::LoadU(d, depths + k);
     for (std::size_t j = 0; j < g.size(); ++j) {
-      const LineProfile<D> line = BatchLineProfile<kKind>(d, g, j, w);
+      const LineProfile<V> line = BatchLineProfile<kKind>(d, g, j, w);
       // Whatever paths share a vector.
-      const M reached = hn::Le(line.e, set(g.max_e[j]));
+      const M reached = line.e <= g.max_e[j];
       if (hn::AllFalse(d, reached)) continue;
-      const V half_depth = hn::IfThenElseZero(reached, BatchHalfDepth<kKind>(d, g, j, line));
-      const V depth = hn::Mul(half_depth, line.UnitDepth(d, length));
+      const V half_depth = where(reached, BatchHalfDepth<kKind>(d, g, j, line));
+      const V depth = half_depth * unit_depth(line, length);
       const auto is_self = hn::RebindMask(d, hn::Eq(self, hn::Set(di, g.index[j])));
-      sum = hn::Add(sum, hn::IfThenZeroElse(is_self, depth));
+      sum += hn::IfThenZeroElse(is_self, depth);
     }
     hn::StoreU(sum, d, depths + k);
   }
@@ -67,21 +62,6 @@ HWY_INLINE void PathDepths(const GaussianBatch& g, const PathBatch& paths, float
 
 void AccumulatePathDepths(const GaussianBatch& g, const PathBatch& paths, float* depths) {
   with_kind(g, [&]<BatchKind kKind>() HWY_ATTR { PathDepths<kKind>(g, paths, depths); });
-}
-
-// Optical depth of a Gaussian up to the projection of its center on the ray, clamped to the ray:
-// zero if the center is behind the eye, all of `depth` if behind the surface, else half a line
-// minus the part behind the eye.
-HWY_INLINE V DepthToProjection(const LineProfile<D>& line, V scale, V length, V depth) {
-  const D d;
-  const V zero = hn::Zero(d);
-  const V u = hn::Mul(line.a, line.t0);
-  const V unscaled_depth = hn::IfThenElse(
-      hn::Lt(u, set(1.0f)), hn::Mul(hn::Exp(d, hn::Neg(line.e)), ErfSmall(hn::Min(u, set(1.0f)))),
-      hn::Sub(hn::Exp(d, hn::Neg(line.e)), ScaledErfc(d, line.e, u)));
-  return hn::IfThenElse(hn::Le(line.t0, zero), zero,
-                        hn::IfThenElse(hn::Ge(line.t0, length), depth,
-                                       hn::Mul(scale, hn::Max(unscaled_depth, zero))));
 }
 
 // The depth of Gaussian j from points at t on rays of direction w to a light.
@@ -102,10 +82,10 @@ class LightDepth {
   HWY_INLINE V operator()(const glm::vec3& light, V distance, V inverse) const {
     const D d;
     const auto line_to = [&](const glm::vec3& s) HWY_ATTR {
-      const Vector q = minus(Vector{set(s.x), set(s.y), set(s.z)}, t_, direction_);
-      return Vector{hn::Mul(q.x, inverse), hn::Mul(q.y, inverse), hn::Mul(q.z, inverse)};
+      const Vector q = neg_mul_add(t_, direction_, Vector{set(s.x), set(s.y), set(s.z)});
+      return Vector{q.x * inverse, q.y * inverse, q.z * inverse};
     };
-    const Vector from_point = minus(center_, t_, direction_);
+    const Vector from_point = neg_mul_add(t_, direction_, center_);
     const V a = set(g_.a[j_]);
     if constexpr (kKind == BatchKind::ellipsoids) {
       if (g_.is_ellipsoid(j_)) {
@@ -113,12 +93,12 @@ class LightDepth {
         const glm::vec3 warped(xx * light.x + xy * light.y + xz * light.z,
                                xy * light.x + yy * light.y + yz * light.z,
                                xz * light.x + yz * light.y + zz * light.z);
-        const LineProfile<D> line(d, from_point, line_to(warped), a);
-        return hn::Mul(BatchHalfDepth<kKind>(d, g_, j_, line), line.UnitDepth(d, distance));
+        const LineProfile<V> line = warped_line_profile(from_point, line_to(warped), a);
+        return BatchHalfDepth<kKind>(d, g_, j_, line) * unit_depth(line, distance);
       }
     }
-    const LineProfile<D> line(from_point, line_to(light), a);
-    return hn::Mul(set(g_.scale[j_]), line.UnitDepth(d, distance));
+    const LineProfile<V> line = line_profile(from_point, line_to(light), a);
+    return g_.scale[j_] * unit_depth(line, distance);
   }
 
  private:
@@ -146,64 +126,61 @@ HWY_INLINE std::uint64_t PaperAirlight(const GaussianBatch& g, const PathBatch& 
     for (std::size_t l = 0; l < kLights; ++l) {
       const Vector s{set(lights.x[l]), set(lights.y[l]), set(lights.z[l])};
       ts[l] = dot(s, w);
-      const Vector offset = minus(s, ts[l], w);
+      const Vector offset = neg_mul_add(ts[l], w, s);
       offset2[l] = dot(offset, offset);
       sum[l] = zero;
     }
     V depth_sum = zero;
     V scattered_sum = zero;
     for (std::size_t j = 0; j < g.size(); ++j) {
-      const LineProfile<D> line = BatchLineProfile<kKind>(d, g, j, w);
-      const M reached = hn::Le(line.e, set(g.max_e[j]));
+      const LineProfile<V> line = BatchLineProfile<kKind>(d, g, j, w);
+      const M reached = line.e <= g.max_e[j];
       if (hn::AllFalse(d, reached)) continue;
       pairs += hn::CountTrue(d, reached);
-      const V scale = hn::IfThenElseZero(reached, BatchHalfDepth<kKind>(d, g, j, line));
-      const V unit_depth = line.UnitDepth(d, length);
-      const V depth = hn::Mul(scale, unit_depth);
-      depth_sum = hn::Add(depth_sum, depth);
+      const V scale = where(reached, BatchHalfDepth<kKind>(d, g, j, line));
+      const V per_scale = unit_depth(line, length);
+      const V depth = scale * per_scale;
+      depth_sum += depth;
 
       V t;
       V depth_to_point;
       if (lights.at_mean) {
-        t = line.Mean(d, length, unit_depth);
-        depth_to_point = hn::Mul(scale, line.UnitDepth(d, t));
+        t = mean_parameter(line, length, per_scale);
+        depth_to_point = scale * unit_depth(line, t);
       } else {
-        t = hn::Min(hn::Max(line.t0, zero), length);
-        depth_to_point = DepthToProjection(line, scale, length, depth);
+        t = clamp(line.t0, zero, length);
+        depth_to_point = scale * depth_to_projection(line, length, per_scale);
       }
       if (scattered) {
-        const V exponent = hn::Add(set(lights.from_eye[j]), depth_to_point);
-        scattered_sum = hn::MulAdd(depth, hn::Exp(d, hn::Neg(exponent)), scattered_sum);
+        const V exponent = lights.from_eye[j] + depth_to_point;
+        scattered_sum = mul_add(depth, exp(-exponent), scattered_sum);
       }
       const LightDepth<kKind> light_depth_of(g, j, w, t);
       for (std::size_t l = 0; l < kLights; ++l) {
-        const V along = hn::Sub(t, ts[l]);
+        const V along = t - ts[l];
         // Attenuation uses the true length; only 1/r^2 is clamped (PointLightRay).
-        const V h2 = hn::Max(offset2[l], set(lights.h_min[l] * lights.h_min[l]));
-        const V distance2 = hn::MulAdd(along, along, h2);
-        const V distance =
-            hn::Sqrt(hn::Max(hn::MulAdd(along, along, offset2[l]), set(coefficient::tiny)));
-        const V inverse = hn::Div(set(1.0f), distance);
+        const V h2 = max(offset2[l], lights.h_min[l] * lights.h_min[l]);
+        const V distance2 = mul_add(along, along, h2);
+        const V distance = sqrt(max(mul_add(along, along, offset2[l]), tiny));
+        const V inverse = 1.0f / distance;
         const V light_depth =
             light_depth_of({lights.x[l], lights.y[l], lights.z[l]}, distance, inverse);
-        const V exponent = hn::Add(set(lights.frozen[l][j]), hn::Add(depth_to_point, light_depth));
-        const V falloff = hn::Div(hn::Exp(d, hn::Neg(exponent)), distance2);
+        const V exponent = lights.frozen[l][j] + (depth_to_point + light_depth);
+        const V falloff = exp(-exponent) / distance2;
         V towards_eye = depth;
         if (lights.anisotropy != 0.0f) {
-          towards_eye =
-              hn::Mul(depth, HenyeyGreenstein(d, CosTheta(d, along, distance), lights.anisotropy));
+          towards_eye = depth * henyey_greenstein(cos_theta(along, distance), lights.anisotropy);
         }
-        sum[l] = hn::MulAdd(towards_eye, falloff, sum[l]);
+        sum[l] = mul_add(towards_eye, falloff, sum[l]);
       }
     }
     if (scattered) {
-      hn::StoreU(hn::Add(scattered_sum, hn::LoadU(d, scattered + k)), d, scattered + k);
+      hn::StoreU(scattered_sum + hn::LoadU(d, scattered + k), d, scattered + k);
     }
-    if (depths) hn::StoreU(hn::Add(depth_sum, hn::LoadU(d, depths + k)), d, depths + k);
+    if (depths) hn::StoreU(depth_sum + hn::LoadU(d, depths + k), d, depths + k);
     for (std::size_t l = 0; l < kLights; ++l) {
-      constexpr float phase = 0.0795774715459476679f;  // 1 / (4 pi)
       const V old = hn::LoadU(d, radiance[l] + k);
-      hn::StoreU(hn::MulAdd(set(phase), sum[l], old), d, radiance[l] + k);
+      hn::StoreU(mul_add(isotropic_phase, sum[l], old), d, radiance[l] + k);
     }
   }
   return pairs;
@@ -236,78 +213,42 @@ std::uint64_t AccumulatePaperAirlight(const GaussianBatch& g, const PathBatch& r
   });
 }
 
-constexpr float pi = std::numbers::pi_v<float>;
-
 void AccumulateHomogeneousAirlight(float b0, float attenuation, const glm::vec3& light, float h_min,
                                    float anisotropy, const PathBatch& rays, float* radiance) {
   const D d;
   const V zero = hn::Zero(d);
   const Vector s{set(light.x), set(light.y), set(light.z)};
-  const V minus_b0 = set(-b0);
   // Width [radians] of the first panel, at the peak.
-  const float first_panel = coefficient::fog_panel * (1.0f - std::abs(anisotropy));
+  const float first_panel = fog_panel * (1.0f - std::abs(anisotropy));
   const int panels = 1 + std::max(0, static_cast<int>(std::ceil(std::log2(pi / first_panel))));
   for (std::size_t k = 0; k < rays.padded_size(); k += hn::Lanes(d)) {
     const Vector w = LoadDirection(rays, k);
     const V ts = dot(s, w);
-    const Vector offset = minus(s, ts, w);
-    // A light on the ray needs some distance from it; see PointLightRay.
-    const V min_h = hn::Max(hn::Mul(hn::Abs(ts), set(coefficient::light_rounding)),
-                            set(coefficient::min_light_gap));
-    const V h = hn::Max(hn::Max(hn::Sqrt(dot(offset, offset)), set(h_min)), min_h);
-    const V start2 = hn::MulAdd(ts, ts, hn::Mul(h, h));
-    // Attenuation uses the true length; only 1/r^2 is clamped.
-    const V offset2 = dot(offset, offset);
-    const V start = hn::Sqrt(hn::MulAdd(ts, ts, offset2));
-    // Beyond t_max the path exceeds the shortest one by an opaque depth.
-    const V max_extra_path = set(coefficient::fog_detour_depth / b0);
-    const V max_path = hn::Add(start, max_extra_path);
-    // start - ts, which cancels for a light straight ahead.
-    const V start_plus_ts = hn::Max(hn::Add(start, ts), set(coefficient::tiny));
-    const V min_extra_path =
-        hn::IfThenElse(hn::Gt(ts, zero), hn::Div(offset2, start_plus_ts), hn::Sub(start, ts));
-    const V t_max = hn::Div(hn::Mul(max_extra_path, hn::Add(max_path, start)),
-                            hn::Mul(set(2.0f), hn::Add(max_extra_path, min_extra_path)));
-    const V end = hn::Min(hn::LoadU(d, rays.length.data() + k), t_max);
-    // The angle at the light between start and end.
-    const V opposite = hn::Mul(h, end);
-    const V adjacent = hn::NegMulAdd(ts, end, start2);
-    const V acute =
-        hn::Atan(d, hn::Div(opposite, hn::Max(hn::Abs(adjacent), set(coefficient::tiny))));
-    const V span = hn::IfThenElse(hn::Ge(adjacent, zero), acute, hn::Sub(set(pi), acute));
+    const Vector offset = neg_mul_add(ts, w, s);
+    const FogRay<V> ray =
+        fog_ray(ts, dot(offset, offset), hn::LoadU(d, rays.length.data() + k), h_min, b0);
     // A forward peak of the phase function lies at angle 0 between light and view, a backward one
     // at pi: panels double from there.
-    const V at_start = hn::Sub(set(0.5f * pi), hn::Atan(d, hn::Div(ts, h)));
-    const V phi_offset = anisotropy < 0.0f ? hn::Sub(set(pi), hn::Add(at_start, span)) : at_start;
+    const V phi_offset = anisotropy < 0.0f ? pi - (ray.at_start + ray.span) : ray.at_start;
     V mean = zero;
     for (int panel = 0; panel < panels; ++panel) {
       const auto panel_end = [&](int count) HWY_ATTR {
-        const V angle =
-            count == panels ? set(coefficient::fog_panel) : set(std::ldexp(first_panel, count - 1));
-        return hn::Min(hn::Max(hn::Sub(angle, phi_offset), zero), span);
+        const V angle = count == panels ? set(fog_panel) : set(std::ldexp(first_panel, count - 1));
+        return clamp(angle - phi_offset, 0.0, ray.span);
       };
       const V panel_begin = panel == 0 ? zero : panel_end(panel);
-      const V panel_width = hn::Sub(panel_end(panel + 1), panel_begin);
-      if (hn::AllTrue(d, hn::Le(panel_width, zero))) continue;
+      const V panel_width = panel_end(panel + 1) - panel_begin;
+      if (hn::AllTrue(d, panel_width <= zero)) continue;
       V sum = zero;
       for (int i = 0; i < 8; ++i) {
-        const V angle = hn::MulAdd(panel_width, set(coefficient::fog_rule.nodes[i]), panel_begin);
-        const V phi = anisotropy < 0.0f ? hn::Sub(span, angle) : angle;
-        const V sine = hn::Sin(d, phi);
-        const V denominator = hn::MulAdd(h, hn::Cos(d, phi), hn::Mul(ts, sine));
-        const V t = hn::Div(hn::Mul(start2, sine), hn::Max(denominator, set(coefficient::tiny)));
-        const V along = hn::Sub(t, ts);
-        const V distance = hn::Sqrt(hn::MulAdd(along, along, offset2));
-        V value = hn::Exp(d, hn::Mul(minus_b0, hn::Add(t, distance)));
-        if (anisotropy != 0.0f) {
-          value = hn::Mul(value, HenyeyGreenstein(d, CosTheta(d, along, distance), anisotropy));
-        }
-        sum = hn::MulAdd(set(coefficient::fog_rule.weights[i]), value, sum);
+        const V angle = mul_add(panel_width, fog_rule.nodes[i], panel_begin);
+        const V phi = anisotropy < 0.0f ? ray.span - angle : angle;
+        sum = mul_add(fog_rule.weights[i], fog_light(ray, phi, b0, anisotropy), sum);
       }
-      mean = hn::MulAdd(sum, hn::Div(panel_width, h), mean);
+      mean = mul_add(sum, panel_width / ray.h, mean);
     }
-    const V gain = set(b0 * attenuation * 0.0795774715459476679f);
-    hn::StoreU(hn::MulAdd(gain, mean, hn::LoadU(d, radiance + k)), d, radiance + k);
+    const V gain = set(b0 * attenuation * static_cast<float>(isotropic_phase));
+    hn::StoreU(mul_add(gain, mean, hn::LoadU(d, radiance + k)), d, radiance + k);
   }
 }
 

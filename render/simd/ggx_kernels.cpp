@@ -31,28 +31,6 @@ HWY_INLINE V Load(const PointArray& a, std::size_t i) {
 HWY_INLINE Vector Load(const PointVectors& v, std::size_t i) {
   return {Load(v.x, i), Load(v.y, i), Load(v.z, i)};
 }
-HWY_INLINE V Square(V x) {
-  return hn::Mul(x, x);
-}
-
-// D V: what microfacets reflect, without Fresnel's term.
-HWY_INLINE V Microfacets(const Vector& n, const Vector& h, V cos_light, V cos_eye, V alpha) {
-  const V one = Set(1.0f);
-  const V alpha2 = Square(alpha);
-  // 1 - (N.H)^2 has no digits where highlights are: the sine of the angle has.
-  const Vector cross{hn::MulSub(n.y, h.z, hn::Mul(n.z, h.y)),
-                     hn::MulSub(n.z, h.x, hn::Mul(n.x, h.z)),
-                     hn::MulSub(n.x, h.y, hn::Mul(n.y, h.x))};
-  const V sine2 = hn::Min(dot(cross, cross), one);
-  const V spread = hn::MulAdd(alpha2, hn::Sub(one, sine2), sine2);
-  const V distribution = hn::Div(alpha2, hn::Mul(Set(std::numbers::pi_v<float>), Square(spread)));
-  const auto root = [&](V cosine) HWY_ATTR {
-    return hn::Sqrt(hn::MulAdd(hn::Sub(one, alpha2), Square(cosine), alpha2));
-  };
-  const V visibility =
-      hn::Div(Set(0.5f), hn::MulAdd(cos_light, root(cos_eye), hn::Mul(cos_eye, root(cos_light))));
-  return hn::Mul(distribution, visibility);
-}
 
 }  // namespace ggx
 
@@ -63,35 +41,31 @@ void AddGgxLight(const SurfacePoints& points, const LightAtPoints& light,
   const V one = hn::Set(d, 1.0f);
   for (std::size_t i = 0; i < points.padded_size(); i += hn::Lanes(d)) {
     const V cos_light = ggx::Load(light.cosine, i);
-    const auto lit = hn::And(hn::Gt(cos_light, zero), hn::Gt(ggx::Load(light.lit, i), zero));
+    const auto lit = hn::And(cos_light > zero, ggx::Load(light.lit, i) > zero);
     if (hn::AllFalse(d, lit)) continue;
-    const V incoming =
-        hn::IfThenElseZero(lit, hn::Mul(hn::Mul(cos_light, ggx::Load(light.inverse_square, i)),
-                                        hn::Exp(d, hn::Neg(ggx::Load(light.depths, i)))));
+    const V incoming = where(
+        lit, cos_light * ggx::Load(light.inverse_square, i) * exp(-ggx::Load(light.depths, i)));
     const Vector n = ggx::Load(points.normal, i);
     const Vector wo = ggx::Load(points.to_eye, i);
-    const Vector sum{hn::Sub(wo.x, hn::LoadU(d, light.paths.x.data() + i)),
-                     hn::Sub(wo.y, hn::LoadU(d, light.paths.y.data() + i)),
-                     hn::Sub(wo.z, hn::LoadU(d, light.paths.z.data() + i))};
-    const V length = hn::Sqrt(dot(sum, sum));
-    const auto has_half = hn::Gt(length, hn::Set(d, coefficient::tiny));
-    const V inverse = hn::IfThenElseZero(has_half, hn::Div(one, length));
-    const Vector h{hn::Mul(sum.x, inverse), hn::Mul(sum.y, inverse), hn::Mul(sum.z, inverse)};
-    const V cos_eye = hn::Max(dot(n, wo), hn::Set(d, static_cast<float>(min_ggx_cosine)));
-    const V specular = hn::IfThenElseZero(
-        hn::And(lit, has_half),
-        ggx::Microfacets(n, h, hn::Max(cos_light, zero), cos_eye, ggx::Load(points.ggx.alpha, i)));
-    // V.H is |L + V| / 2.
-    const V x = hn::Sub(one, hn::Min(hn::Mul(hn::Set(d, 0.5f), length), one));
-    const V s = hn::Mul(ggx::Square(ggx::Square(x)), x);
-    const V rest = hn::Sub(one, s);
-    const V diffuse = hn::Mul(rest, hn::Set(d, std::numbers::inv_pi_v<float>));
+    const Vector sum{wo.x - hn::LoadU(d, light.paths.x.data() + i),
+                     wo.y - hn::LoadU(d, light.paths.y.data() + i),
+                     wo.z - hn::LoadU(d, light.paths.z.data() + i)};
+    const V length = sqrt(dot(sum, sum));
+    const auto has_half = length > tiny;
+    const V inverse = where(has_half, one / length);
+    const Vector h{sum.x * inverse, sum.y * inverse, sum.z * inverse};
+    const V cos_eye = max(dot(n, wo), static_cast<float>(min_ggx_cosine));
+    const V specular =
+        where(hn::And(lit, has_half),
+              microfacets(n, h, max(cos_light, zero), cos_eye, ggx::Load(points.ggx.alpha, i)));
+    const V s = schlick(length);
+    const V rest = one - s;
+    const V diffuse = rest * std::numbers::inv_pi_v<float>;
     const auto add = [&](const PointArray& own_diffuse, const PointArray& own_f0, float channel,
                          PointArray& result) HWY_ATTR {
-      const V fresnel = hn::MulAdd(ggx::Load(own_f0, i), rest, s);
-      const V f = hn::MulAdd(specular, fresnel, hn::Mul(diffuse, ggx::Load(own_diffuse, i)));
-      hn::Store(hn::MulAdd(hn::Mul(incoming, f), hn::Set(d, channel), ggx::Load(result, i)), d,
-                result.data() + i);
+      const V fresnel = mul_add(ggx::Load(own_f0, i), rest, s);
+      const V f = mul_add(specular, fresnel, diffuse * ggx::Load(own_diffuse, i));
+      hn::Store(mul_add(incoming * f, channel, ggx::Load(result, i)), d, result.data() + i);
     };
     add(points.ggx.diffuse.x, points.ggx.f0.x, intensity.r, radiance.r);
     add(points.ggx.diffuse.y, points.ggx.f0.y, intensity.g, radiance.g);

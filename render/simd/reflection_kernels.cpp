@@ -53,7 +53,8 @@ struct Angle {
 HWY_INLINE Angle Direction(V x, V y) {
   const D d;
   const V square = hn::MulAdd(x, x, hn::Mul(y, y));
-  const auto is_long = hn::Gt(square, hn::Set(d, coefficient::tiny_sine_square));
+  const auto is_long =
+      hn::Gt(square, hn::Set(d, static_cast<float>(coefficient::tiny_sine_square)));
   const V inverse =
       hn::Div(hn::Set(d, 1.0f), hn::Sqrt(hn::IfThenElse(is_long, square, hn::Set(d, 1.0f))));
   return {hn::IfThenElse(is_long, hn::Mul(x, inverse), hn::Set(d, 1.0f)),

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "render/simd/coefficients.h"
+
 namespace brume {
 namespace {
 
@@ -43,7 +45,7 @@ ScatterTable::ScatterTable(const Spread& spread) {
   std::array<std::array<double, terms>, sh_max_bands> values;
   for (std::size_t k = 0; k < terms; ++k) {
     const double x = std::cos(std::numbers::pi * (static_cast<double>(k) + 0.5) / terms);
-    const double y = (x + 1.0) / static_cast<double>(scale);
+    const double y = (x + 1.0) / coefficient::scatter_scale;
     const double root = y / (1.0 - y);
     const ZonalSh<double> zonal = spread(root * root);
     for (std::size_t l = 0; l < values.size(); ++l) {
@@ -73,7 +75,7 @@ ScatterTable::Bands ScatterTable::operator()(float T) const {
   Bands result{};
   if (!(T > 0.0f && T < opaque)) return result;
   const float root = std::sqrt(T);
-  const float x = scale * root / (root + 1.0f) - 1.0f;
+  const float x = static_cast<float>(coefficient::scatter_scale) * root / (root + 1.0f) - 1.0f;
   const float once = T * std::exp(-T);
   for (std::size_t l = 0; l < result.size(); ++l) {
     float p = polynomials_[l][0];

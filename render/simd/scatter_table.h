@@ -14,11 +14,10 @@ class ScatterTable {
  public:
   using Bands = std::array<float, sh_max_bands>;
 
-  // factor_l(T) = T e^-T P_l(x), highest power first, x = scale s / (s + 1) - 1 in [-1, 1],
+  // factor_l(T) = T e^-T P_l(x), highest power first, x = scatter_scale s / (s + 1) - 1 in [-1, 1],
   // s = sqrt(min(T, opaque)); 0 from `opaque` on.
   static constexpr int degree = 12;
   static constexpr float opaque = 25.0f;
-  static constexpr float scale = 2.4f;
   using Polynomials = std::array<std::array<float, degree + 1>, sh_max_bands>;
 
   // For point lights, for environments, and the paper's single function for both. Built on the

@@ -40,91 +40,28 @@ HWY_INLINE void store(const Vector& v, PointVectors& to, std::size_t i) {
   store(v.y, to.y, i);
   store(v.z, to.z, i);
 }
-HWY_INLINE Vector times(V s, const Vector& v) {
-  return {hn::Mul(s, v.x), hn::Mul(s, v.y), hn::Mul(s, v.z)};
-}
-HWY_INLINE Vector minus(const Vector& a, const Vector& b) {
-  return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
-}
-// a + s b
-HWY_INLINE Vector plus(const Vector& a, V s, const Vector& b) {
-  return {hn::MulAdd(s, b.x, a.x), hn::MulAdd(s, b.y, a.y), hn::MulAdd(s, b.z, a.z)};
-}
-HWY_INLINE Vector cross(const Vector& a, const Vector& b) {
-  return {hn::MulSub(a.y, b.z, hn::Mul(a.z, b.y)), hn::MulSub(a.z, b.x, hn::Mul(a.x, b.z)),
-          hn::MulSub(a.x, b.y, hn::Mul(a.y, b.x))};
-}
-// Unit, or 0 where `v` is too short.
-HWY_INLINE Vector normalized(const Vector& v) {
-  const V square = dot(v, v);
-  const V inverse = hn::Div(set(1.0f), hn::Sqrt(hn::Max(square, set(coefficient::tiny_square))));
-  return times(hn::IfThenElseZero(hn::Gt(square, set(coefficient::tiny_square)), inverse), v);
-}
-HWY_INLINE Vector choose(hn::Mask<D> mask, const Vector& yes, const Vector& no) {
-  return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y),
-          hn::IfThenElse(mask, yes.z, no.z)};
-}
-
 void Normalize(std::size_t padded_size, PointVectors& directions) {
   for (std::size_t i = 0; i < padded_size; i += hn::Lanes(D())) {
-    const Vector w{load(directions.x, i), load(directions.y, i), load(directions.z, i)};
-    store(normalized(w), directions, i);
+    store(unit_or_none(load(directions, i)), directions, i);
   }
 }
 
-HWY_INLINE V max_component(const Vector& v) {
-  return hn::Max(v.x, hn::Max(v.y, v.z));
-}
-HWY_INLINE Vector abs(const Vector& v) {
-  return {hn::Abs(v.x), hn::Abs(v.y), hn::Abs(v.z)};
-}
-HWY_INLINE Vector max(const Vector& a, const Vector& b) {
-  return {hn::Max(a.x, b.x), hn::Max(a.y, b.y), hn::Max(a.z, b.z)};
-}
-
-// off_plane_rounding()
-HWY_INLINE V OffPlaneRounding(const Vector& normal, const Vector& sizes) {
-  const V rounding = set(static_cast<float>(position_rounding));
-  return hn::Mul(rounding, hn::MulAdd(rounding, max_component(sizes), dot(abs(normal), sizes)));
-}
-
 void InterpolatePoints(const PointTriangles& triangles, SurfacePoints& points) {
-  const D d;
-  const V zero = hn::Zero(d);
-  for (std::size_t i = 0; i < points.padded_size(); i += hn::Lanes(d)) {
-    const V u = load(points.u, i);
-    const V v = load(points.v, i);
-    const V weights[] = {hn::Sub(set(1.0f), hn::Add(u, v)), u, v};
-    const Vector corners[] = {load(triangles.position[0], i), load(triangles.position[1], i),
-                              load(triangles.position[2], i)};
-    const Vector normals[] = {load(triangles.normal[0], i), load(triangles.normal[1], i),
-                              load(triangles.normal[2], i)};
-    const Vector along = minus(corners[1], corners[0]);
-    const Vector across = minus(corners[2], corners[0]);
-    const Vector smooth = normalized(
-        plus(plus(times(weights[0], normals[0]), weights[1], normals[1]), weights[2], normals[2]));
-    // Lengthened first: the product of two short edges would vanish.
-    Vector geometric = normalized(cross(normalized(along), normalized(across)));
-    Vector normal = choose(hn::Gt(dot(smooth, smooth), zero), smooth, geometric);
-    const Vector w = load(points.to_eye, i);
-    const V faces = hn::CopySign(set(1.0f), dot(geometric, w));
-    geometric = times(faces, geometric);
-    const V side = hn::IfThenElse(hn::Lt(dot(normal, geometric), zero), set(-1.0f), set(1.0f));
-    normal = times(side, normal);
-    Vector p = load(points.position, i);
-    p = plus(p, hn::Neg(dot(minus(p, corners[0]), geometric)), geometric);
-    const Vector sizes = max(abs(corners[0]), max(abs(corners[1]), abs(corners[2])));
-    Vector shadow = plus(p, OffPlaneRounding(geometric, sizes), geometric);
+  for (std::size_t i = 0; i < points.padded_size(); i += hn::Lanes(D())) {
+    CornersAtPoint<V> corners;
     for (std::size_t k = 0; k < 3; ++k) {
-      // How far the point lies below the tangent plane of a corner.
-      const Vector n = times(side, normals[k]);
-      const V below = hn::Min(dot(minus(p, corners[k]), n), zero);
-      shadow = plus(shadow, hn::Neg(hn::Mul(weights[k], below)), n);
+      corners.positions[k] = load(triangles.position[k], i);
+      corners.normals[k] = load(triangles.normal[k], i);
     }
-    store(p, points.position, i);
-    store(normal, points.normal, i);
-    store(shadow, points.shadow_origin, i);
-    store(side, points.side, i);
+    corners.weights[1] = load(points.u, i);
+    corners.weights[2] = load(points.v, i);
+    corners.weights[0] = 1.0 - (corners.weights[1] + corners.weights[2]);
+    const TrianglePoint<V> point =
+        triangle_point(corners, load(points.position, i), load(points.to_eye, i));
+    store(point.position, points.position, i);
+    store(point.normal, points.normal, i);
+    store(point.shadow_origin, points.shadow_origin, i);
+    store(point.side, points.side, i);
   }
 }
 
@@ -133,30 +70,29 @@ void PointToLight(const SurfacePoints& points, const glm::vec3& position,
   const D d;
   light.paths.resize(points.count);
   for (std::size_t i = 0; i < points.padded_size(); i += hn::Lanes(d)) {
-    const Vector q = minus(load(points.position, i), set(position));
+    const Vector q = load(points.position, i) - set(position);
     const V square = dot(q, q);
-    const auto is_distinct = hn::Gt(square, set(coefficient::tiny));
-    const V inverse = hn::IfThenElseZero(is_distinct, hn::Div(set(1.0f), hn::Sqrt(square)));
-    const Vector from_light = times(inverse, q);
+    const auto is_distinct = square > tiny;
+    const V inverse = where(is_distinct, 1.0f / sqrt(square));
+    const Vector from_light = inverse * q;
     hn::StoreU(from_light.x, d, light.paths.x.data() + i);
     hn::StoreU(from_light.y, d, light.paths.y.data() + i);
     hn::StoreU(from_light.z, d, light.paths.z.data() + i);
-    hn::StoreU(hn::Mul(square, inverse), d, light.paths.length.data() + i);
-    store(hn::Neg(dot(from_light, load(points.normal, i))), light.cosine, i);
-    V arriving =
-        hn::IfThenElseZero(is_distinct, hn::Div(set(1.0f), hn::Max(square, set(radius * radius))));
+    hn::StoreU(square * inverse, d, light.paths.length.data() + i);
+    store(-dot(from_light, load(points.normal, i)), light.cosine, i);
+    V arriving = where(is_distinct, 1.0f / max(square, radius * radius));
     if (!falloff.is_isotropic()) {
       const FalloffFloats floats(falloff);
-      arriving = hn::Mul(arriving, floats.Towards(from_light));
+      arriving *= floats.At(floats.Components(from_light));
     }
     store(arriving, light.inverse_square, i);
   }
 }
 
 HWY_INLINE void add(V x, const glm::vec3& color, PointRadiance& radiance, std::size_t i) {
-  store(hn::MulAdd(x, set(color.r), load(radiance.r, i)), radiance.r, i);
-  store(hn::MulAdd(x, set(color.g), load(radiance.g, i)), radiance.g, i);
-  store(hn::MulAdd(x, set(color.b), load(radiance.b, i)), radiance.b, i);
+  store(mul_add(x, color.r, load(radiance.r, i)), radiance.r, i);
+  store(mul_add(x, color.g, load(radiance.g, i)), radiance.g, i);
+  store(mul_add(x, color.b, load(radiance.b, i)), radiance.b, i);
 }
 
 void AddDirectLight(const SurfacePoints& points, const LightAtPoints& light,
@@ -166,30 +102,25 @@ void AddDirectLight(const SurfacePoints& points, const LightAtPoints& light,
   const bool shines = shading.highlight != glm::vec3(0.0f);
   for (std::size_t i = 0; i < points.padded_size(); i += hn::Lanes(d)) {
     const V cosine = load(light.cosine, i);
-    const auto lit = hn::And(hn::Gt(cosine, zero), hn::Gt(load(light.lit, i), zero));
+    const auto lit = hn::And(cosine > zero, load(light.lit, i) > zero);
     if (hn::AllFalse(d, lit)) continue;
     const V incoming =
-        hn::IfThenElseZero(lit, hn::Mul(hn::Mul(cosine, load(light.inverse_square, i)),
-                                        hn::Exp(d, hn::Neg(load(light.depths, i)))));
+        where(lit, cosine * load(light.inverse_square, i) * exp(-load(light.depths, i)));
     add(incoming, shading.diffuse * shading.intensity, radiance, i);
     if (!shines) continue;
     const Vector w{hn::LoadU(d, light.paths.x.data() + i), hn::LoadU(d, light.paths.y.data() + i),
                    hn::LoadU(d, light.paths.z.data() + i)};
     const Vector to_eye = load(points.to_eye, i);
     // w mirrored at the normal, times the direction to the eye.
-    const V r =
-        hn::MulAdd(hn::Add(cosine, cosine), dot(load(points.normal, i), to_eye), dot(w, to_eye));
-    const V lobe =
-        hn::Exp(d, hn::Mul(set(shading.exponent),
-                           hn::Log(d, hn::Min(hn::Max(r, set(coefficient::tiny)), set(1.0f)))));
-    add(hn::IfThenElseZero(hn::Gt(r, zero), hn::Mul(incoming, lobe)),
-        shading.highlight * shading.intensity, radiance, i);
+    const V r = mul_add(cosine + cosine, dot(load(points.normal, i), to_eye), dot(w, to_eye));
+    const V lobe = phong_lobe(r, set(shading.exponent));
+    add(where(r > zero, incoming * lobe), shading.highlight * shading.intensity, radiance, i);
   }
 }
 
 HWY_INLINE V Polynomial(V x, const std::array<float, ScatterTable::degree + 1>& coefficient) {
   V p = set(coefficient[0]);
-  for (std::size_t i = 1; i < coefficient.size(); ++i) p = hn::MulAdd(p, x, set(coefficient[i]));
+  for (std::size_t i = 1; i < coefficient.size(); ++i) p = mul_add(p, x, coefficient[i]);
   return p;
 }
 
@@ -202,21 +133,18 @@ void FindSpread(const LightAtPoints& light, std::size_t padded_size, const Light
   const ScatterTable::Polynomials& far = spread.distant->polynomials();
   for (std::size_t i = 0; i < padded_size; i += hn::Lanes(d)) {
     const V depth = load(light.depths, i);
-    const V homogeneous = hn::Mul(set(spread.density), hn::LoadU(d, light.paths.length.data() + i));
-    const V homogeneous_fraction =
-        hn::IfThenElse(hn::Lt(homogeneous, depth), hn::Div(homogeneous, depth), one);
-    const auto has_scattering =
-        hn::And(hn::Gt(depth, zero), hn::Lt(depth, set(ScatterTable::opaque)));
-    const V T = hn::IfThenElseZero(has_scattering, depth);
-    const V root = hn::Sqrt(T);
-    const V x = hn::Sub(hn::Mul(set(ScatterTable::scale), hn::Div(root, hn::Add(root, one))), one);
-    const V once = hn::Mul(T, hn::Exp(d, hn::Neg(T)));
+    const V homogeneous = spread.density * hn::LoadU(d, light.paths.length.data() + i);
+    const V homogeneous_fraction = select(homogeneous < depth, homogeneous / depth, one);
+    const auto has_scattering = hn::And(depth > zero, depth < ScatterTable::opaque);
+    const V T = where(has_scattering, depth);
+    const V x = scatter_position(T);
+    const V once = T * exp(-T);
     for (std::size_t l = 0; l < sh_max_bands; ++l) {
       if (diffuse_only && (l == 3 || l == 5)) continue;
       const V of_distant = Polynomial(x, far[l]);
       const V of_point = Polynomial(x, near[l]);
-      const V both = hn::MulAdd(homogeneous_fraction, hn::Sub(of_point, of_distant), of_distant);
-      store(hn::Mul(once, both), factors[l], i);
+      const V both = mul_add(homogeneous_fraction, of_point - of_distant, of_distant);
+      store(once * both, factors[l], i);
     }
   }
 }
@@ -226,18 +154,11 @@ void AddScatteredLight(const SurfacePoints& points, const LightAtPoints& light,
                        const PointLightShading& shading, PointRadiance& radiance) {
   const D d;
   for (std::size_t i = 0; i < points.padded_size(); i += hn::Lanes(d)) {
-    // sh_convolve() of the light's bands with clamped_cosine_sh(), written out.
     const V x = load(light.cosine, i);
-    const V x2 = hn::Mul(x, x);
-    const V p2 = Horner(d, x2, coefficient::legendre_2);
-    const V p4 = Horner(d, x2, coefficient::legendre_4);
-    using coefficient::irradiance_bands;
-    V irradiance = hn::Mul(set(irradiance_bands[0]), load(factors[0], i));
-    irradiance = hn::MulAdd(hn::Mul(set(irradiance_bands[1]), x), load(factors[1], i), irradiance);
-    irradiance = hn::MulAdd(hn::Mul(set(irradiance_bands[2]), p2), load(factors[2], i), irradiance);
-    irradiance = hn::MulAdd(hn::Mul(set(irradiance_bands[3]), p4), load(factors[4], i), irradiance);
-    add(hn::Mul(hn::Max(irradiance, hn::Zero(d)), load(light.inverse_square, i)),
-        shading.diffuse * shading.intensity, radiance, i);
+    const V irradiance = band_irradiance(x, load(factors[0], i), load(factors[1], i),
+                                         load(factors[2], i), load(factors[4], i));
+    add(max(irradiance, 0.0f) * load(light.inverse_square, i), shading.diffuse * shading.intensity,
+        radiance, i);
   }
 }
 

@@ -1,6 +1,6 @@
 // Arithmetic throughput of the device: the airlight's inner loops on registers only, as an upper
 // bound for the passes.
-#include "gaussian.glsl"
+#include "formulas.glsl"
 
 layout(local_size_x = 128) in;
 

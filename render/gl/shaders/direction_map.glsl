@@ -1,6 +1,6 @@
 // Tables over directions: DirectionMap of render/geometry, and MapPosition of
 // render/slices/slice_kernels.cpp.
-#include "constants.glsl"
+#include "formulas.glsl"
 #include "structs.glsl"
 
 int map_stride(DirectionMap map) { return map.cells.x + 2; }
@@ -16,8 +16,7 @@ vec2 sign_of(vec2 p) { return vec2(p.x < 0.0 ? -1.0 : 1.0, p.y < 0.0 ? -1.0 : 1.
 MapPosition map_position(DirectionMap map, vec3 q, vec3 origin, float distance_) {
   vec2 uv;
   if (map.axis.w > 0.5) {
-    const vec3 p = q / max(abs(q.x) + abs(q.y) + abs(q.z), tiny);
-    uv = q.z < 0.0 ? (1.0 - abs(p.yx)) * sign_of(p.xy) : p.xy;
+    uv = octahedral_position(q);
   } else {
     // Behind the light there is nothing of interest; clamped to the map's border texel.
     const float depth = max(max(dot(q, map.axis.xyz) + origin.z, min_map_cosine * distance_), tiny);

@@ -1,5 +1,15 @@
 // The ellipsoids among Gaussians, where ELLIPSOIDS is defined: Ellipsoid of core/transport.
-#include "gaussian.glsl"
+#include "formulas.glsl"
+
+// Half the depth of a line through the center of a Gaussian, or of an ellipsoid, whose a and
+// scale are those of its greatest radius.
+float half_depth_of(LineProfile line, float scale, float a) {
+#ifdef ELLIPSOIDS
+  return scale * (a / line.a);
+#else
+  return scale;
+#endif
+}
 
 #ifdef ELLIPSOIDS
 // Two texels of each: xx yy zz yz, and xz xy of its warp, its least stretch, and whether it is one.

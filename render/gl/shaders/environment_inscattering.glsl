@@ -8,8 +8,7 @@ uniform int has_inscattering;
 
 vec3 environment_inscattering(vec3 w, float T) {
   if (has_inscattering == 0 || !(T > 0.0 && T < scatter_opaque)) return vec3(0.0);
-  const float root = sqrt(T);
-  const float x = scatter_scale * root / (root + 1.0) - 1.0;
+  const float x = scatter_position(T);
   float y[sh_count];
   sh_basis(w, y);
   vec3 sum = vec3(0.0);

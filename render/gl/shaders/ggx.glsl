@@ -20,27 +20,14 @@ Ggx ggx_of(int place, inout vec3 normal) {
              vectors[0].w);
 }
 
-float smith_root(float alpha2, float cosine) {
-  return sqrt(alpha2 + (1.0 - alpha2) * cosine * cosine);
-}
-
 vec3 ggx_brdf(Ggx ggx, vec3 wi, vec3 wo, vec3 n) {
   const float cos_light = dot(wi, n);
   const float cos_eye = max(dot(wo, n), min_ggx_cosine);
   const vec3 sum = wi + wo;
   const float length_ = length(sum);
   const vec3 h = length_ > tiny ? sum / length_ : vec3(0.0);
-  const float alpha2 = ggx.alpha * ggx.alpha;
-  // 1 - (N.H)^2 has no digits where highlights are: the sine of the angle has.
-  const vec3 across = cross(n, h);
-  const float sine2 = min(dot(across, across), 1.0);
-  const float spread = alpha2 * (1.0 - sine2) + sine2;
-  const float distribution = alpha2 / (pi * spread * spread);
-  const float visibility = 0.5 / (cos_light * smith_root(alpha2, cos_eye) +
-                                  cos_eye * smith_root(alpha2, cos_light));
-  const float x = 1.0 - min(0.5 * length_, 1.0);
-  const float s = x * x * x * x * x;
-  const float specular = length_ > tiny ? distribution * visibility : 0.0;
+  const float s = schlick(length_);
+  const float specular = length_ > tiny ? microfacets(n, h, cos_light, cos_eye, ggx.alpha) : 0.0;
   return (1.0 - s) / pi * ggx.diffuse + specular * (ggx.f0 * (1.0 - s) + s);
 }
 

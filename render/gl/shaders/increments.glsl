@@ -1,7 +1,7 @@
 // The optical depth of Gaussians on `chunk` slices of a ray at a time, in registers: see
 // accumulate_increments() in render/optical_depth/increment_kernels.h. The including shader declares the shared
 // nearest[] and farthest[], ascending: between them each boundary of all rays of the group is.
-#include "gaussian.glsl"
+#include "formulas.glsl"
 
 #ifdef OPTICS
 const int chunk = slice_chunk / 2;  // more is kept of each
@@ -22,7 +22,7 @@ ivec2 touched_slices(float begin, float end, int first, int last) {
 }
 
 // The part of a Gaussian's moment that depends on where it is cut, see Increments() on the host.
-float cut_moment(float u, float a) { return exp(-u * u) / (sqrt_pi * a); }
+float cut_moment(float u, float a) { return inv_sqrt_pi * exp(-u * u) / a; }
 
 // `ends`: where the slices of the chunk begin and end on this ray. `moments`: increments times the
 // mean distance at which they lie.

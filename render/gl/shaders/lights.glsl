@@ -1,6 +1,6 @@
 // Light from point lights at points on a view ray: see sum_slices() in render/slices/slice_kernels.h.
 #include "direction_map.glsl"
-#include "gaussian.glsl"
+#include "formulas.glsl"
 
 layout(std430, binding = 0) readonly buffer Lights { Light lights[]; };
 layout(std430, binding = 1) readonly buffer Tables { uint tables[]; };
@@ -34,36 +34,17 @@ float table_depth(int l, vec3 q, float distance_) {
 // No loops below where one per slice and light can be avoided: a software device (llvmpipe) ends
 // all loops of a shader after 65535 rounds.
 
-// The mean of 1 / r^2 over t in [ts + a, ts + b] for a light at distance sqrt(h2) from the ray.
-float mean_inverse_square(float a, float b, float h2) {
-  const float dots = a * b + h2;
-  const float crosses = sqrt(h2) * (b - a);
-  const float ratio = crosses / dots;
-  if (dots > 0.0 && ratio < atan_small_end) {
-    const float y = ratio * ratio;
-    const float[6] c = atan_small_coefficients;
-    const float p = ((((c[0] * y + c[1]) * y + c[2]) * y + c[3]) * y + c[4]) * y + c[5];
-    return p / max(dots, tiny);
-  }
-  return atan(crosses, dots) / max(crosses, tiny);
-}
-
 // PointSource::fog_length() from a point `distance_` from the light; `from_light`: unit.
-float fog_length(int l, vec3 point, vec3 from_light, float distance_) {
+float length_in_fog(int l, vec3 point, vec3 from_light, float distance_) {
   if (lights[l].fog_radius == 0.0) return distance_;
   const vec3 p = point - lights[l].fog_center;
-  const float along = -dot(p, from_light);
-  const float square = along * along + lights[l].fog_radius * lights[l].fog_radius - dot(p, p);
-  const float half_chord = sqrt(max(square, 0.0));
-  return clamp(half_chord - along, 0.0, 2.0 * half_chord);
+  return fog_length(p, -dot(p, from_light), lights[l].fog_radius);
 }
 
 // PhotometricProfile::at() in the direction of q.
 float profile_at(int l, vec3 q) {
-  const vec3 p = q / max(abs(q.x) + abs(q.y) + abs(q.z), tiny);
-  const vec2 uv = q.z < 0.0 ? (1.0 - abs(p.yx)) * sign_of(p.xy) : p.xy;
   const float last = float(profile_side - 1);
-  const vec2 at = clamp(0.5 * last * (uv + 1.0), 0.0, last);
+  const vec2 at = clamp(0.5 * last * (octahedral_position(q) + 1.0), 0.0, last);
   const ivec2 low = min(ivec2(at), profile_side - 2);
   const vec2 f = at - vec2(low);
   const ivec2 first = ivec2(lights[l].profile_column, lights[l].profile_row) + low;
@@ -86,10 +67,7 @@ float falloff_at(int l, vec3 w) {
   if (shape == falloff_isotropic) return 1.0;
   if (shape == falloff_cosine) return clamp(w.z, 0.0, 1.0);
   if (shape == falloff_two_cosines) return min(abs(w.z), 1.0);
-  // 1 - w.z, without cancellation near the axis.
-  const float versine = w.z > 0.0 ? dot(w.xy, w.xy) / (1.0 + w.z) : 1.0 - w.z;
-  const float share = clamp((lights[l].dark_versine - versine) * lights[l].per_versine, 0.0, 1.0);
-  const float in_cone = share * share;
+  const float in_cone = cone_falloff(w, lights[l].dark_versine, lights[l].per_versine);
   return shape == falloff_profile ? in_cone * profile_at(l, w) : in_cone;
 }
 
@@ -153,19 +131,11 @@ vec2 falloff_part(int l, vec3 along, vec3 across, float h2, float begin, float e
 // The parts of a cone: between its dark and its full edges.
 vec2 cone_parts(int l, vec3 along, vec3 across, float h2, float a, float b) {
   float ends[6] = float[](a, b, b, b, b, b);
-  // As FalloffRays has them.
-  const float q = dot(along.xy, across.xy);
-  const float cross_ = along.x * across.y - along.y * across.x;
   for (int edge = 0; edge < 2; ++edge) {
     const float versine = lights[l].dark_versine - (edge == 0 ? 0.0 : 1.0 / lights[l].per_versine);
-    const float sine2 = versine * (2.0 - versine);
-    const float p = sine2 - dot(along.xy, along.xy);
-    const float r = sine2 * h2 - dot(across.xy, across.xy);
-    const float square = sine2 * (dot(across.xy, across.xy) - p * h2) - cross_ * cross_;
-    if (!(square >= 0.0)) continue;
-    const float sum = -(q + (q < 0.0 ? -sqrt(square) : sqrt(square)));
-    if (p != 0.0) ends[1 + 2 * edge] = clamp(sum / p, a, b);
-    if (sum != 0.0) ends[2 + 2 * edge] = clamp(r / sum, a, b);
+    const vec2 crossings = clamp(cone_edges(along, across, h2, versine, endless), a, b);
+    ends[1 + 2 * edge] = crossings.x;
+    ends[2 + 2 * edge] = crossings.y;
   }
   for (int i = 1; i < 4; ++i) {
     for (int k = 1; k < 5 - i; ++k) {

@@ -97,7 +97,7 @@ void main() {
 #endif
         if (line.e > shapes_of[j].max_e) continue;
         evaluated += counted[j];
-        add_increments(increments, moments, line, shapes_of[j].scale * line.share, ends, ranges[j]);
+        add_increments(increments, moments, line, half_depth_of(line, shapes_of[j].scale, g.w), ends, ranges[j]);
       }
     }
     // A word holds a radius and the next; so the first of a chunk ends the last one of the former.

@@ -25,79 +25,30 @@ shared uint batch_index[group_size];
 shared EllipsoidWarp batch_ellipsoids[group_size];
 #endif
 
-// Optical depth of a Gaussian up to the projection of its center on the ray, clamped to the ray.
-float depth_to_projection(LineProfile line, float scale_, float length_, float depth) {
-  if (line.t0 <= 0.0) return 0.0;
-  if (line.t0 >= length_) return depth;
-  const float u = line.a * line.t0;
-  const float unscaled_depth = u < 1.0 ? exp(-line.e) * erf_small(u)
-                                       : exp(-line.e) - scaled_erfc(line.e, u);
-  return scale_ * max(unscaled_depth, 0.0);
-}
-
-// The mean parameter of a Gaussian on [0, length_], in that interval: LineProfile::Mean().
-float mean_parameter(LineProfile line, float length_, float view_unit_depth) {
-  const float a = line.a;
-  const float u0 = clamp(-a * line.t0, -erfc_end, erfc_end);
-  const float u1 = clamp(a * (length_ - line.t0), -erfc_end, erfc_end);
-  const float k = a * length_;
-  const float max_t = max(line.t0, 0.0) + 1.0 / a;
-  float t;
-  if (k * (1.0 + abs(u0) + abs(u1)) < 1.0) {
-    // The quotient cancels on a short segment: from its middle, by the density's slope there.
-    const float m = 0.5 * (u0 + u1);
-    const float second_order = k * k * (1.0 + m * m);
-    t = 0.5 * length_ - m * k * length_ * (mean_shift[0] - second_order * mean_shift[1]);
-  } else {
-    const float first = exp(-(u0 * u0 + line.e));
-    const float second = exp(-(u1 * u1 + line.e));
-    t = line.t0 + (first - second) / max(sqrt_pi * view_unit_depth, tiny_square) / a;
-  }
-  return max(min(t, min(max_t, length_)), 0.0);
-}
-
 // Airlight of the homogeneous part (eqs. 17 to 19), per unit of radiant intensity.
 float fog_airlight(PaperLight light, vec3 w, float length_) {
   const float ts = dot(light.position, w);
   const vec3 offset = light.position - ts * w;
-  const float offset2 = dot(offset, offset);
-  const float h = max(max(sqrt(offset2), light.h_min), max(abs(ts) * light_rounding, min_light_gap));
-  const float start2 = ts * ts + h * h;
-  const float start = sqrt(ts * ts + offset2);
-  // Beyond t_max the path exceeds the shortest one by an opaque depth.
-  const float max_extra_path = fog_detour_depth / b0;
-  const float min_extra_path = ts > 0.0 ? offset2 / max(start + ts, tiny) : start - ts;
-  const float t_max = max_extra_path * (start + max_extra_path + start) /
-                      (2.0 * (max_extra_path + min_extra_path));
-  const float end = min(length_, t_max);
-  // The angle at the light between start and end.
-  const float span = atan(h * end, start2 - ts * end);
+  const FogRay ray = fog_ray(ts, dot(offset, offset), length_, light.h_min, b0);
   // Panels double from the phase function's peak, at angle 0 between light and view or at pi.
-  const float at_start = 0.5 * pi - atan(ts / h);
-  const float phi_offset = anisotropy < 0.0 ? pi - (at_start + span) : at_start;
+  const float phi_offset = anisotropy < 0.0 ? pi - (ray.at_start + ray.span) : ray.at_start;
   float panel_begin = 0.0;
   float sum = 0.0;
-  for (float last = fog_panel * (1.0 - abs(anisotropy)); panel_begin < span; last *= 2.0) {
-    const float panel_end = clamp(last - phi_offset, 0.0, span);
+  for (float last = fog_panel * (1.0 - abs(anisotropy)); panel_begin < ray.span; last *= 2.0) {
+    const float panel_end = clamp(last - phi_offset, 0.0, ray.span);
     const float panel_width = panel_end - panel_begin;
     if (panel_width > 0.0) {
       float mean = 0.0;
       for (int i = 0; i < fog_nodes.length(); ++i) {
         const float angle = panel_begin + panel_width * fog_nodes[i];
-        const float phi = anisotropy < 0.0 ? span - angle : angle;
-        const float sine = sin(phi);
-        const float t = start2 * sine / max(h * cos(phi) + ts * sine, tiny);
-        const float along = t - ts;
-        const float distance_ = sqrt(along * along + offset2);
-        float value = exp(-b0 * (t + distance_));
-        if (anisotropy != 0.0) value *= henyey_greenstein(cos_theta(along, distance_), anisotropy);
-        mean += fog_weights[i] * value;
+        const float phi = anisotropy < 0.0 ? ray.span - angle : angle;
+        mean += fog_weights[i] * fog_light(ray, phi, b0, anisotropy);
       }
       sum += panel_width * mean;
     }
     panel_begin = panel_end;
   }
-  return b0 * phase * sum / h;
+  return b0 * isotropic_phase * sum / ray.h;
 }
 
 void main() {
@@ -134,7 +85,7 @@ void main() {
 #endif
       if (line.e > g.max_e) continue;
       ++pairs;
-      const float half_depth = g.scale * line.share;
+      const float half_depth = half_depth_of(line, g.scale, g.a);
       const float view_unit_depth = unit_depth(line, length_);
       const float through = half_depth * view_unit_depth;
       depth += through;
@@ -145,7 +96,7 @@ void main() {
         depth_to_point = half_depth * unit_depth(line, t);
       } else {
         t = clamp(line.t0, 0.0, length_);
-        depth_to_point = depth_to_projection(line, half_depth, length_, through);
+        depth_to_point = half_depth * depth_to_projection(line, length_, view_unit_depth);
       }
       const int i = int(batch_index[j]);
       if (conserves != 0) {
@@ -168,11 +119,11 @@ void main() {
         const LineProfile from_light = line_profile(q, to_light, g.a);
 #endif
         const float light_depth =
-            g.scale * from_light.share * unit_depth(from_light, distance_);
+            half_depth_of(from_light, g.scale, g.a) * unit_depth(from_light, distance_);
         float light =
             through * exp(-(frozen[l * gaussian_count + i] + depth_to_point + light_depth)) / distance2;
         if (anisotropy != 0.0) light *= henyey_greenstein(cos_theta(along, distance_), anisotropy);
-        const vec3 outgoing = lights[l].intensity * (phase * light);
+        const vec3 outgoing = lights[l].intensity * (isotropic_phase * light);
         if (lights[l].conserves_energy != 0) {
           conserved += outgoing;
         } else {
@@ -183,7 +134,7 @@ void main() {
   }
   // Gaussians of total depth T scatter 1 - exp(-T) along a ray; `scattered` is their estimate of it.
   if (scattered > tiny) {
-    conserved *= (depth < small_increment ? depth - 0.5 * depth * depth : 1.0 - exp(-depth)) / scattered;
+    conserved *= scattered_fraction(0.0, depth) / scattered;
   }
   vec3 airlight = plain + conserved;
   if (b0 > 0.0) {

@@ -78,7 +78,7 @@ LightAtPoint point_to_light(int l, SurfacePoint point, int pixel, int pixels) {
       falloff_towards(l, light_at_point.w) /
       max(max(square, lights[l].radius2), tiny);
   light_at_point.depth =
-      b0 * fog_length(l, point.position, light_at_point.w, light_at_point.length_);
+      b0 * length_in_fog(l, point.position, light_at_point.w, light_at_point.length_);
   if (has_depths != 0) {
     light_at_point.depth += uintBitsToFloat(tables[l * pixels + pixel]);
   } else if (lights[l].has_table != 0) {
@@ -116,7 +116,7 @@ vec3 direct_light(int l, SurfacePoint point, LightAtPoint light_at_point, vec3 t
   const float r =
       2.0 * light_at_point.cosine * dot(point.normal, to_eye) + dot(light_at_point.w, to_eye);
   if (highlight == vec3(0.0) || !(r > 0.0)) return radiance;
-  const float lobe = exp(values[material + surface_exponent] * log(clamp(r, tiny, 1.0)));
+  const float lobe = phong_lobe(r, values[material + surface_exponent]);
   return radiance + incoming * lobe * (highlight * intensity);
 }
 
@@ -133,8 +133,7 @@ void find_spread(int l, LightAtPoint light_at_point, out float factors[sh_bands]
   const float homogeneous = values[densities_at + l] * light_at_point.length_;
   const float homogeneous_fraction =
       homogeneous < light_at_point.depth ? homogeneous / light_at_point.depth : 1.0;
-  const float root = sqrt(light_at_point.depth);
-  const float x = scatter_scale * root / (root + 1.0) - 1.0;
+  const float x = scatter_position(light_at_point.depth);
   const float once = light_at_point.depth * exp(-light_at_point.depth);
   for (int k = 0; k < sh_bands; ++k) {
     if (!glossy && (k == 3 || k == 5)) continue;  // nothing to a diffuse surface
@@ -146,13 +145,8 @@ void find_spread(int l, LightAtPoint light_at_point, out float factors[sh_bands]
 
 // add_scattered_light(): its diffuse reflection.
 vec3 scattered_light(int l, SurfacePoint point, LightAtPoint light_at_point, float factors[sh_bands]) {
-  const float c = light_at_point.cosine;
-  const float c2 = c * c;
-  const float p2 = legendre_2[0] * c2 + legendre_2[1];
-  const float p4 = (legendre_4[0] * c2 + legendre_4[1]) * c2 + legendre_4[2];
-  const float irradiance = irradiance_bands[0] * factors[0] + irradiance_bands[1] * c * factors[1] +
-                           irradiance_bands[2] * p2 * factors[2] +
-                           irradiance_bands[3] * p4 * factors[4];
+  const float irradiance =
+      band_irradiance(light_at_point.cosine, factors[0], factors[1], factors[2], factors[4]);
   return max(irradiance, 0.0) * light_at_point.inverse_square *
          (values_rgb(surface_size * point.surface + surface_diffuse) * lights[l].intensity * albedo);
 }
@@ -236,8 +230,7 @@ float average_depth(SurfacePoint point) {
 void find_fractions(SurfacePoint point) {
   const float depth = fog_depth + average_depth(point);
   const float unscattered = exp(-depth);
-  const float root = sqrt(depth);
-  const float x = scatter_scale * root / (root + 1.0) - 1.0;
+  const float x = scatter_position(depth);
   const bool passes = depth > 0.0 && depth < scatter_opaque;
   const int first = environment_at + 4 * sh_count;
   for (int l = 0; l < sh_bands; ++l) {

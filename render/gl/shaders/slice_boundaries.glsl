@@ -11,7 +11,7 @@ shared vec4 demand_of[group_size];  // a Gaussian: place on the ray, radius, pea
 shared float demand_weights[group_size];
 
 #include "center_ray.glsl"
-#include "gaussian.glsl"
+#include "formulas.glsl"
 #include "ellipsoids.glsl"
 
 void add_boundary(float t) { unsorted[atomicAdd(unsorted_count, 1u)] = t; }

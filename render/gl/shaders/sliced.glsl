@@ -55,12 +55,6 @@ ivec3 slices_of(uint i, CenterRay ray, int first, int last) {
   return ivec3(range, first == 0 || t - slack >= farthest[first] ? 1 : 0);
 }
 
-// exp(-T) (1 - exp(-dT)), without cancellation for small dT.
-float scattered_fraction(float depth, float increment) {
-  return exp(-depth) * (increment < small_increment ? increment - 0.5 * increment * increment
-                                                    : 1.0 - exp(-increment));
-}
-
 void main() {
   const uint id = gl_LocalInvocationID.x;
   const PixelOfGroup pixel = pixel_of_group();
@@ -135,7 +129,7 @@ void main() {
         const LineProfile line = view_line_profile(g.center, w, g.a, g.max_undisplaced_e);
 #endif
         if (line.e > g.max_e) continue;
-        const float half_depth = g.scale * line.share;
+        const float half_depth = half_depth_of(line, g.scale, g.a);
         const ivec2 touched = ivec2(batch_slices[j] & 255, batch_slices[j] >> 8 & 255);
         pairs += uint(batch_slices[j] >> 16);
         if (needs_line && first == 0) {
@@ -178,9 +172,7 @@ void main() {
         const float from_eye = anisotropy < 0.0 ? light_extinction : -light_extinction;
         const float exponent = (1.0 + from_eye) * gaussians + fog;
         const float transmittance_out = transmittance_in * exp(-exponent);
-        along_ray += scattering * (exponent < small_exponent
-                                      ? transmittance_in - 0.5 * exponent * transmittance_in
-                                      : (transmittance_in - transmittance_out) / exponent);
+        along_ray += scattering * mean_transmittance(exponent, transmittance_in, transmittance_out);
         transmittance_in = transmittance_out;
       }
       if (increment > negligible && view_extinction * depth < visible_depth) {
@@ -199,29 +191,22 @@ void main() {
         // Of what the slice holds, fog evenly.
         const float moment =
             fog * 0.5 * (t_begin + t_end) + spilled_moments[k * group_size + id];
-        const float held = clamp(moment / max(increment, tiny), t_begin, t_end);
-        const float half_ = 0.5 * (t_end - t_begin);
-        const float off = abs(held - 0.5 * (t_begin + t_end));
-        const float reach = 3.0 * off < half_ ? sqrt(max(half_ * half_ - 3.0 * off * off, 0.0))
-                                              : falling_reach * (half_ - off);
-        // What is in front counts for more.
-        const float front = min(increment, max_slice_front_depth);
-        const float center = max(held - reach * front / (front + front_depth), t_begin);
-        const float lit_part = max(min(reach, min(center - t_begin, t_end - center)),
-                                   min_lit_share * (t_end - t_begin));
+        const LitPart part = lit_part(t_begin, t_end, increment, moment);
         lookup_weight += truncated_fraction;
-        lookup_position += truncated_fraction * center;
+        lookup_position += truncated_fraction * part.center;
         for (int l = 0; l < light_count; ++l) {
           const vec3 s = lights[l].position;
           const float ts = dot(s, w);
           const vec3 offset = s - ts * w;
           const float h2 = max(dot(offset, offset), max(lights[l].h_min * lights[l].h_min, tiny));
           float falloff;
-          float middle = center;
+          float middle = part.center;
+          const float begin_ = part.center - part.half_length - ts;
+          const float end_ = part.center + part.half_length - ts;
           if (lights[l].falloff_shape == falloff_isotropic) {
-            falloff = mean_inverse_square(center - lit_part - ts, center + lit_part - ts, h2);
+            falloff = mean_inverse_square(begin_, end_, h2);
           } else {
-            const vec2 mean = falloff_mean(l, w, offset, center - lit_part - ts, center + lit_part - ts, h2);
+            const vec2 mean = falloff_mean(l, w, offset, begin_, end_, h2);
             if (!(mean.x > 0.0)) continue;
             falloff = mean.x;
             middle = ts + mean.y;
@@ -229,7 +214,7 @@ void main() {
           const float along = middle - ts;
           const float distance_ = sqrt(along * along + h2);
           const vec3 q = middle * w - lights[l].map_origin.xyz;
-          float light_depth = b0 * fog_length(l, middle * w, (middle * w - s) / distance_, distance_);
+          float light_depth = b0 * length_in_fog(l, middle * w, (middle * w - s) / distance_, distance_);
           if (lights[l].has_table != 0) light_depth += table_depth(l, q, distance_);
           float light = falloff * exp(-light_extinction * light_depth);
           float fraction = whole_fraction;
@@ -248,7 +233,7 @@ void main() {
             }
           }
           if (lights[l].has_shadows != 0) light *= lit(l, q, distance_);
-          airlight += lights[l].intensity * (phase * fraction * light);
+          airlight += lights[l].intensity * (isotropic_phase * fraction * light);
         }
       }
       depth += increment;

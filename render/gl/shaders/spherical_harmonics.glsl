@@ -1,5 +1,5 @@
 // Real spherical harmonics at a unit direction: sh_basis() of core/math/spherical_harmonics.h.
-#include "constants.glsl"
+#include "formulas.glsl"
 
 void sh_basis(vec3 d, out float y[sh_count]) {
   float c = 1.0;  // sin^m(theta) cos(m phi) and sin^m(theta) sin(m phi)

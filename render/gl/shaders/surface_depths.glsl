@@ -1,7 +1,7 @@
 // Optical depths from lights to surface points: bundle_depths() of render/lighting. One work group per
 // `bundle_side`^2 pixels; it culls Gaussians against the cone of its paths.
 #include "cone.glsl"
-#include "gaussian.glsl"
+#include "formulas.glsl"
 #include "ellipsoids.glsl"
 #include "surface_point.glsl"
 
@@ -77,7 +77,7 @@ void main() {
 #endif
       if (line.e > shapes_of[j].max_e) continue;
       ++evaluated;
-      depth += shapes_of[j].scale * line.share * unit_depth(line, length_);
+      depth += half_depth_of(line, shapes_of[j].scale, g.w) * unit_depth(line, length_);
     }
   }
   if (live) {

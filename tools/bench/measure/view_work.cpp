@@ -24,23 +24,13 @@ HWY_INLINE float Opaque(float x) {
 using D = hn::ScalableTag<float>;
 using V = hn::Vec<D>;
 
-// As in render/optical_depth/increment_kernels.cpp.
-HWY_INLINE V FastErf(V x) {
-  constexpr float coefficient[] = {4.48287326e-08f,  -2.10701818e-06f, 4.373204e-05f,
-                                   -5.34635078e-04f, 4.35594895e-03f,  -2.54599806e-02f,
-                                   1.11661121e-01f,  -3.75768876e-01f, 1.12838748f};
-  const D d;
-  const V y = hn::Min(hn::Max(x, hn::Set(d, -3.0f)), hn::Set(d, 3.0f));
-  return hn::Mul(y, Horner(d, hn::Mul(y, y), coefficient));
-}
-
 // A Gaussian on the rays of one vector; `before` is erf at the last boundary.
 struct Chain {
   V t0, a, scale, length, previous_erf, depth;
 
   HWY_INLINE void Step(V boundary) {
-    const V current_erf = FastErf(hn::Mul(a, hn::Sub(hn::Min(boundary, length), t0)));
-    depth = hn::MulAdd(scale, hn::Sub(current_erf, previous_erf), depth);
+    const V current_erf = erf_fast(a * (min(boundary, length) - t0));
+    depth = mul_add(scale, current_erf - previous_erf, depth);
     previous_erf = current_erf;
   }
 };
@@ -64,9 +54,9 @@ std::uint64_t IncrementsInRegisters(std::uint64_t count) {
     p.Step(boundary);
     q.Step(boundary);
     r.Step(boundary);
-    boundary = hn::Add(boundary, width);
+    boundary += width;
   }
-  Opaque(hn::GetLane(hn::SumOfLanes(d, hn::Add(p.depth, hn::Add(q.depth, r.depth)))));
+  Opaque(hn::GetLane(hn::SumOfLanes(d, p.depth + (q.depth + r.depth))));
   return steps * per_step;
 }
 
@@ -81,10 +71,10 @@ std::uint64_t PairsInRegisters(std::uint64_t count) {
   const std::uint64_t steps = count / hn::Lanes(d) + 1;
   for (std::uint64_t k = 0; k < steps; ++k) {
     // One does not need the other: the processor overlaps them.
-    const LineProfile<D> line({x, a, boundary}, w, a);
-    const V scale = hn::Mul(a, hn::Exp(d, hn::Neg(line.e)));
-    sum = hn::MulAdd(scale, FastErf(hn::Mul(a, hn::Sub(boundary, line.t0))), sum);
-    x = hn::Add(x, hn::Set(d, 1e-6f));
+    const LineProfile<V> line = line_profile(V3<V>{x, a, boundary}, w, a);
+    const V scale = a * exp(-line.e);
+    sum = mul_add(scale, erf_fast(a * (boundary - line.t0)), sum);
+    x = x + 1e-6f;
   }
   Opaque(hn::GetLane(hn::SumOfLanes(d, sum)));
   return steps * hn::Lanes(d);

@@ -1,0 +1,51 @@
+// What a slice of a ray scatters, and where.
+
+// exp(-T) (1 - exp(-dT)), without cancellation for small dT.
+FORMULA Real scattered_fraction(Real depth, Real increment) {
+  return exp(-depth) * select(increment < small_increment,
+                              neg_mul_add(0.5 * increment, increment, increment),
+                              1.0 - exp(-increment));
+}
+
+// The mean of what passes over a length on which the exponent grows evenly, from what passes at its
+// begin and end.
+FORMULA Real mean_transmittance(Real exponent, Real at_begin, Real at_end) {
+  return select(exponent < small_exponent, neg_mul_add(0.5 * exponent, at_begin, at_begin),
+                (at_begin - at_end) / max(exponent, tiny));
+}
+
+// Where a slice is lit: its optical depth is `increment`, `moment` that times the mean distance at
+// which it lies. Over the part around it that lies within the slice, up to the variance of a linear
+// density of this mean, or of one that falls to zero; over a thousandth of it at least.
+FORMULA_STRUCT LitPart {
+  Real center;
+  Real half_length;
+};
+
+FORMULA OF(LitPart) lit_part(Real begin, Real end, Real increment, Real moment) {
+  const Real held = clamp(moment / max(increment, tiny), begin, end);
+  const Real width = end - begin;
+  const Real half_width = 0.5 * width;
+  const Real off = abs(held - 0.5 * (begin + end));
+  const Real square = neg_mul_add(3.0 * off, off, half_width * half_width);
+  // Half of the length that has the variance of a density that falls linearly to zero, per third of
+  // the length over which it falls: sqrt(3 / 2).
+  const Real reach =
+      select(3.0 * off < half_width, sqrt(max(square, 0.0)), 1.22474487 * (half_width - off));
+  // What is in front counts for more: exp(-T) moves the mean over a length with an optical depth of
+  // T by T / (T + 6) of half of it to the front, for small T; what is deeper mostly grows steeply
+  // towards its far end.
+  const Real front = min(increment, 1.0);
+  OF(LitPart) part;
+  part.center = max(held - reach * front / (front + 6.0), begin);
+  part.half_length = max(min(reach, min(part.center - begin, end - part.center)), 1e-3 * width);
+  return part;
+}
+
+// How far the light of a light has gone through a ball of homogeneous fog, FogBall::length(), to p,
+// relative to its center; `along`: the component of -p from there.
+FORMULA Real fog_length(Vec3 p, Real along, Uniform radius) {
+  const Real square = mul_sub(along, along, dot(p, p)) + radius * radius;
+  const Real half_chord = sqrt(max(square, 0.0));
+  return min(max(half_chord - along, 0.0), half_chord + half_chord);
+}
