@@ -382,7 +382,7 @@ std::optional<Frame> GlRenderer::Impl::render(FrameContext& work, tbb::task_aren
       group.mesh,
       group.lists,
       textures,
-      {work.frame.film, work.rays, work.fog_extent.ray_distance(work.rays.eye()),
+      {work.frame.film, work.rays, work.fog_extent.ray_distance(work.rays),
        group.stages.prepared().medium().homogeneous_density(), work.plan, work.airlight_rms()},
       arena};
   integrate_medium(work, group, cpu_clock, frame);

@@ -214,7 +214,7 @@ AirlightIntegrator Renderer::Impl::sliced(FrameContext& work, StageClock& clock)
       std::make_shared<const std::vector<SlicedLight>>(stages.sliced_lights(work, clock));
   std::optional<SlicedSource> source;
   if (const SourceFunction* function = stages.source_function(work)) {
-    source_view.update(*function, work.rays.eye(), work.job);
+    source_view.update(*function, work.rays, work.job);
     source = {function, source_view.lookup(*function)};
   }
   const auto evaluate = [this, lights, source](auto gaussians, const TileRays& rays,
@@ -258,7 +258,7 @@ AirlightIntegrator Renderer::Impl::reference(FrameContext& work) const {
               if (work.job.stop.stop_requested()) break;
               const ReferenceRay ray = reference_airlight(
                   stages.prepared().medium(), stages.prepared().exact_occlusion(), lights,
-                  environment ? &*environment : nullptr, rays.eye, rays.directions[k],
+                  environment ? &*environment : nullptr, rays.origin(k), rays.directions[k],
                   rays.lengths[k], work.settings.reference_tolerance);
               out.airlight[k] = glm::vec3(ray.airlight);
               out.depths[k] = ray.depth;

@@ -71,15 +71,18 @@ void delete_camera(Document& document, const QString& name) {
   set_scene_part(document, std::move(list), undo_text("Delete camera %1").arg(name));
 }
 
-void set_camera(Document& document, const Camera& camera, const QString& what, MergeId gesture) {
+KeyedCamera keyed_camera(const Document& document, const Camera& camera) {
   KeyedCamera part{camera, document.scene().camera_keys};
   clear_keys_of_absent(part.camera, part.keys);
-  set_scene_part(document, part, undo_text("Set %1").arg(what), gesture);
+  return part;
+}
+
+void set_camera(Document& document, const Camera& camera, const QString& what, MergeId gesture) {
+  set_scene_part(document, keyed_camera(document, camera), undo_text("Set %1").arg(what), gesture);
 }
 
 void move_camera(Document& document, const Camera& camera, MergeId gesture) {
-  set_scene_part(document, KeyedCamera{camera, document.scene().camera_keys},
-                 undo_text("Move camera"), gesture);
+  set_scene_part(document, keyed_camera(document, camera), undo_text("Move camera"), gesture);
 }
 
 }  // namespace brume

@@ -3,6 +3,7 @@
 #include <QString>
 
 #include "app/commands/merge_id.h"
+#include "app/document/scene_part.h"
 #include "brume/camera.h"
 
 namespace brume {
@@ -18,6 +19,9 @@ void use_camera(Document& document, const QString& name);
 void rename_camera(Document& document, const QString& name, const QString& new_name);
 // If it is in use, another one is then. No change if it is the only one.
 void delete_camera(Document& document, const QString& name);
+
+// The camera in use with other values, and its keyframes of those that are there.
+KeyedCamera keyed_camera(const Document& document, const Camera& camera);
 
 // Replaces values of the camera in use, and says `what` in the undo text, "Set field of view". Sets
 // keyframes for values that have any.

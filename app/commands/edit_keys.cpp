@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "app/commands/edit_cameras.h"
 #include "app/commands/scene_part_command.h"
 #include "app/commands/undo_text.h"
 #include "app/document/document.h"
@@ -36,7 +37,7 @@ void set_keys(Document& document, const Track& row) {
 
 void set_camera_keys(Document& document, const Camera& camera) {
   const Track row = tracks(document.scene()).front();
-  ScenePart part = KeyedCamera{camera, document.scene().camera_keys};
+  ScenePart part = keyed_camera(document, camera);
   set_keys(part, row, document.time());
   push(document, std::move(part), undo_text("Set keyframe of %1").arg(in_sentence(row)));
 }
@@ -110,7 +111,7 @@ void set_tangents(Document& document, const Track& row, std::span<const double> 
 }
 
 void set_scene_camera(Document& document, const Camera& camera, const QString& text) {
-  set_scene_part(document, KeyedCamera{camera, document.scene().camera_keys}, text);
+  set_scene_part(document, keyed_camera(document, camera), text);
 }
 
 }  // namespace brume

@@ -57,9 +57,4 @@ Camera axis_camera(Projection projection, const glm::dvec3& target, double half_
           .vertical_fov = 2.0 * glm::degrees(std::atan(half_height / distance))};
 }
 
-double half_height(const Camera& camera) {
-  return glm::distance(camera.eye, camera.target) *
-         std::tan(0.5 * glm::radians(camera.vertical_fov));
-}
-
 }  // namespace brume

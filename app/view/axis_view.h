@@ -14,11 +14,8 @@ QString projection_title(Projection projection);  // "Top"
 
 // A camera along an axis that shows `half_height` [u] above and below `target`, from outside
 // `scene`. Approximates an orthographic view by a distant camera with a narrow field of view, its
-// rays parallel within one degree, since the renderer's rays share an origin.
+// rays parallel within one degree: what a pinhole sees of surfaces is rasterized.
 Camera axis_camera(Projection projection, const glm::dvec3& target, double half_height,
                    const Sphere& scene);
-
-// Half the height of what such a camera shows [u].
-double half_height(const Camera& camera);
 
 }  // namespace brume

@@ -22,7 +22,8 @@ Film film_region(const Film& film, const glm::dvec2& corner, const glm::dvec2& o
 }
 
 CameraRays::CameraRays(const Camera& camera, const Film& film)
-    : eye_(camera.eye),
+    : is_parallel_(camera.height.has_value()),
+      eye_(camera.eye),
       region_(film.region.value_or(FilmRegion{0, 0, film.width, film.height})),
       shift_(film.shift) {
   const glm::dvec2 size(whole_size());
@@ -41,12 +42,23 @@ CameraRays::CameraRays(const Camera& camera, const Film& film)
   const double roll = glm::radians(camera.roll);
   right_ = std::cos(roll) * right - std::sin(roll) * up;
   up_ = std::cos(roll) * up + std::sin(roll) * right;
-  half_size_.y = std::tan(0.5 * glm::radians(camera.vertical_fov));
+  half_size_.y =
+      is_parallel_ ? 0.5 * *camera.height : std::tan(0.5 * glm::radians(camera.vertical_fov));
   half_size_.x = half_size_.y * size.x / size.y;
   corner_ = forward_ - half_size_.x * right_ + half_size_.y * up_;
   per_x_ = 2.0 * half_size_.x / size.x * right_;
   per_y_ = -2.0 * half_size_.y / size.y * up_;
   corner_ += shift_.x * per_x_ + shift_.y * per_y_;
+  offset_corner_ = (shift_.x - 0.5 * size.x) * per_x_ + (shift_.y - 0.5 * size.y) * per_y_;
+}
+
+double CameraRays::max_offset() const {
+  const glm::dvec2 size(whole_size());
+  double distance = 0.0;
+  for (const glm::dvec2 corner : {glm::dvec2(0.0), {size.x, 0.0}, {0.0, size.y}, size}) {
+    distance = std::max(distance, glm::length(whole_offset(corner)));
+  }
+  return distance;
 }
 
 glm::dvec3 CameraRays::project(const glm::dvec3& point) const {
@@ -59,8 +71,9 @@ glm::dvec3 CameraRays::project_on_whole(const glm::dvec3& point) const {
   const glm::dvec3 q = point - eye_;
   const double z = glm::dot(q, forward_);
   if (!(z > 0.0)) return {0.0, 0.0, z};
-  const double u = glm::dot(q, right_) / (z * half_size_.x);
-  const double v = glm::dot(q, up_) / (z * half_size_.y);
+  const double scale = is_parallel_ ? 1.0 : z;
+  const double u = glm::dot(q, right_) / (scale * half_size_.x);
+  const double v = glm::dot(q, up_) / (scale * half_size_.y);
   return {0.5 * (u + 1.0) * region_.full_width - shift_.x,
           0.5 * (1.0 - v) * region_.full_height - shift_.y, z};
 }
@@ -93,6 +106,12 @@ glm::dvec2 covered(double x, double z, double radius, const glm::dmat2& squares,
           std::min(1.0, (middle + root) / (front * half_size))};
 }
 
+// The same as seen along z from everywhere, of what reaches as far along both axes.
+glm::dvec2 covered_in_parallel(double x, double z, const glm::dvec2& reach, double half_size) {
+  if (z <= -reach.y) return {1.0, -1.0};  // all of it behind the eye
+  return {std::max(-1.0, (x - reach.x) / half_size), std::min(1.0, (x + reach.x) / half_size)};
+}
+
 }  // namespace
 
 CameraRays::Surround CameraRays::surround() const {
@@ -109,10 +128,16 @@ CameraRays::PixelRectangle CameraRays::bounds_on_whole(const GaussianTerm<double
   const double half_height = half_size_.y * film.size.y / region_.full_height;
   const auto along = [&](const glm::dvec3& axis, double half_size) {
     const double x = glm::dot(q, axis);
-    if (!gaussian.ellipsoid) return covered(x, z, radius, half_size);
+    if (!gaussian.ellipsoid) {
+      return is_parallel_ ? covered_in_parallel(x, z, glm::dvec2(radius), half_size)
+                          : covered(x, z, radius, half_size);
+    }
     const auto& [warp, axes, stretch] = *gaussian.ellipsoid;
     const glm::dvec3 x_reach = radius * stretch * (axis * axes);
     const glm::dvec3 z_reach = radius * stretch * (forward_ * axes);
+    if (is_parallel_) {
+      return covered_in_parallel(x, z, {glm::length(x_reach), glm::length(z_reach)}, half_size);
+    }
     const double xz = glm::dot(x_reach, z_reach);
     const glm::dmat2 squares(glm::dot(x_reach, x_reach), xz, xz, glm::dot(z_reach, z_reach));
     return covered(x, z, radius, squares, half_size);
@@ -134,7 +159,11 @@ CameraRays::PixelRectangle CameraRays::bounds_on_whole(const GaussianTerm<double
 }
 
 double CameraRays::pixel_half_angle() const {
-  return std::atan(half_size_.y / region_.full_height);
+  return is_parallel_ ? 0.0 : std::atan(half_size_.y / region_.full_height);
+}
+
+double CameraRays::pixel_width() const {
+  return is_parallel_ ? 2.0 * half_size_.y / region_.full_height : 0.0;
 }
 
 }  // namespace brume

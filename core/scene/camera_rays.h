@@ -10,9 +10,12 @@
 
 namespace brume {
 
-// Maps between pixels of a film and rays of a camera, seen as a pinhole. Pixel (x, y) is sampled at
-// (x + 0.5, y + 0.5), its center unless the film is shifted; y points down. All is computed in
-// pixels of the whole film, so that a region's pixels have the same bits.
+// Maps between pixels of a film and rays of a camera, seen as a pinhole or orthographic. Pixel (x,
+// y) is sampled at (x + 0.5, y + 0.5), its center unless the film is shifted; y points down. All is
+// computed in pixels of the whole film, so that a region's pixels have the same bits.
+//
+// The rays of a pinhole start at the eye; those of an orthographic camera are parallel and start in
+// the plane through the eye across forward().
 class CameraRays {
  public:
   CameraRays(const Camera& camera, const Film& film);
@@ -23,22 +26,47 @@ class CameraRays {
   [[nodiscard]] const glm::dvec3& eye() const { return eye_; }
   [[nodiscard]] const glm::dvec3& forward() const { return forward_; }
   [[nodiscard]] const glm::dvec3& up() const { return up_; }  // of the picture
+  [[nodiscard]] bool is_parallel() const { return is_parallel_; }
 
   // The film's first pixel on the whole one.
   [[nodiscard]] glm::ivec2 first_pixel() const { return {region_.x, region_.y}; }
   [[nodiscard]] glm::ivec2 whole_size() const { return {region_.full_width, region_.full_height}; }
 
-  // The unit direction from the eye through a film position (pixels).
+  // The unit direction of the ray through a film position (pixels).
   [[nodiscard]] glm::dvec3 direction(double x, double y) const {
     return whole_direction(glm::dvec2(x, y) + glm::dvec2(first_pixel()));
   }
   // The same through a position on the whole film.
   [[nodiscard]] glm::dvec3 whole_direction(const glm::dvec2& position) const {
+    if (is_parallel_) return forward_;
     return glm::normalize(corner_ + position.x * per_x_ + position.y * per_y_);
   }
 
-  // The parametrisation of whole_direction(), for kernels: the direction through (x, y) on the
-  // whole film is that of corner + x per_x + y per_y, at distance 1 along forward().
+  // Where the ray through a film position starts, relative to the eye; 0 unless rays are parallel.
+  [[nodiscard]] glm::dvec3 offset(double x, double y) const {
+    return whole_offset(glm::dvec2(x, y) + glm::dvec2(first_pixel()));
+  }
+  [[nodiscard]] glm::dvec3 whole_offset(const glm::dvec2& position) const {
+    if (!is_parallel_) return glm::dvec3(0.0);
+    return offset_corner_ + position.x * per_x_ + position.y * per_y_;
+  }
+  // The same in the world.
+  [[nodiscard]] glm::dvec3 origin(double x, double y) const { return eye_ + offset(x, y); }
+  // The greatest distance from the eye to where a ray of the whole film starts.
+  [[nodiscard]] double max_offset() const;
+  // Distance to a point along the ray through it; signed where rays are parallel.
+  [[nodiscard]] double distance_to(const glm::dvec3& point) const {
+    const glm::dvec3 q = point - eye_;
+    return is_parallel_ ? glm::dot(q, forward_) : glm::length(q);
+  }
+
+  // The unit direction of the ray through a point.
+  [[nodiscard]] glm::dvec3 towards(const glm::dvec3& point) const {
+    return is_parallel_ ? forward_ : glm::normalize(point - eye_);
+  }
+
+  // The parametrisation of rays, for kernels: the ray through (x, y) on the whole film passes
+  // corner + x per_x + y per_y from the eye, at distance 1 along forward().
   struct FilmPlane {
     glm::dvec3 corner, per_x, per_y;
   };
@@ -71,15 +99,19 @@ class CameraRays {
   [[nodiscard]] PixelRectangle bounds_on_whole(const GaussianTerm<double>& gaussian,
                                                double radius) const;
 
-  // Half the angle subtended by the central pixel [radians].
+  // A pixel at distance d along forward() is as wide as pixel_width() + 2 d pixel_half_angle(): of
+  // a pinhole's, half the angle that the central one subtends [radians], else 0.
   [[nodiscard]] double pixel_half_angle() const;
+  // Of an orthographic camera's [u], else 0.
+  [[nodiscard]] double pixel_width() const;
 
  private:
+  bool is_parallel_;
   glm::dvec3 eye_;
   glm::dvec3 forward_;
   glm::dvec3 right_;
   glm::dvec3 up_;
-  glm::dvec2 half_size_;  // of the whole film at distance 1
+  glm::dvec2 half_size_;  // of the whole film, at distance 1 of a pinhole's
   FilmRegion region_;
   glm::dvec2 shift_;
   // A position on the whole film from the eye, at distance 1 along forward_: corner_ + x per_x_ + y
@@ -87,6 +119,7 @@ class CameraRays {
   glm::dvec3 corner_;
   glm::dvec3 per_x_;
   glm::dvec3 per_y_;
+  glm::dvec3 offset_corner_;  // the same from the plane through the eye
 };
 
 }  // namespace brume

@@ -6,6 +6,8 @@
 #include <glm/trigonometric.hpp>
 #include <utility>
 
+#include "core/number_domain.h"
+
 namespace brume {
 namespace {
 
@@ -49,6 +51,29 @@ std::string free_camera_name(const Scene& scene, const std::string& wanted) {
   std::string name = wanted;
   for (int k = 2; is_taken(name); ++k) name = wanted + ' ' + std::to_string(k);
   return name;
+}
+
+double half_height(const Camera& camera) {
+  if (camera.height) return 0.5 * *camera.height;
+  return glm::distance(camera.eye, camera.target) *
+         std::tan(0.5 * glm::radians(camera.vertical_fov));
+}
+
+Camera orthographic(const Camera& camera) {
+  Camera result = camera;
+  result.height = domain::length.nearest(2.0 * half_height(camera));
+  // What does not count is as in a file, which has neither.
+  result.vertical_fov = Camera().vertical_fov;
+  result.aperture = Camera().aperture;
+  return result;
+}
+
+Camera perspective(const Camera& camera) {
+  Camera result = camera;
+  const double slope = half_height(camera) / glm::distance(camera.eye, camera.target);
+  result.vertical_fov = domain::field_of_view.nearest(2.0 * glm::degrees(std::atan(slope)));
+  result.height.reset();
+  return result;
 }
 
 double focal_length(double vertical_fov, const Film& film) {

@@ -26,6 +26,14 @@ bool use_camera(Scene& scene, std::string_view name);
 // `wanted`, or with a number after it if a camera has that name.
 std::string free_camera_name(const Scene& scene, const std::string& wanted);
 
+// Half the height of what a camera sees at its target [u].
+double half_height(const Camera& camera);
+
+// The same camera with parallel rays, and without: it sees as much at its target. Without a lens
+// that blurs where rays are parallel.
+Camera orthographic(const Camera& camera);
+Camera perspective(const Camera& camera);
+
 // Focal length [mm] of a lens before a sensor as wide as the film, 36 mm, and the vertical field of
 // view [degrees] of such a lens.
 inline constexpr double sensor_width = 36.0;

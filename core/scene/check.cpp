@@ -13,6 +13,7 @@
 #include "core/math/max_component.h"
 #include "core/scene/animation/animation.h"
 #include "core/scene/cameras.h"
+#include "core/scene/fields/description.h"
 #include "core/scene/group_effects.h"
 
 namespace brume {
@@ -148,6 +149,12 @@ void check_fields(const std::string& place, const auto& owner, const auto& keys)
   visit_present(owner, [&place]<class T>(const auto& field, const T& value) {
     if constexpr (!std::is_integral_v<T>) {
       check_value(place + "." + field.info.name, value, field.domain);
+    }
+  });
+  visit_fields<std::remove_cvref_t<decltype(owner)>>([&](const auto& field) {
+    const FieldInfo* const other = replacement(field, owner);
+    if (other && !field.info.is_always_saved && !is_usual(field, owner)) {
+      throw DomainError(place + "." + other->name, found_beside(field.info));
     }
   });
   visit_keyed(owner, keys, in(place));

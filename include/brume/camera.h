@@ -9,14 +9,17 @@
 
 namespace brume {
 
-// A camera with a thin lens, or a pinhole, as views and single samples have it. vertical_fov is the
-// full vertical angle of view in degrees, in (0, 180).
+// A camera with a thin lens, or a pinhole, as views and single samples have it; or an orthographic
+// one. vertical_fov is the full vertical angle of view in degrees, in (0, 180).
 struct Camera {
   glm::dvec3 eye{0.0, 0.0, 5.0};
   glm::dvec3 target{0.0};
   glm::dvec3 up{0.0, 1.0, 0.0};
   double vertical_fov = 45.0;
-  double aperture = 0.0;  // radius of the lens, >= 0 [u]; 0: a pinhole
+  // In place of vertical_fov: an orthographic camera, this high from edge to edge, that sees from
+  // the plane of the eye on, > 0 [u].
+  std::optional<double> height{};
+  double aperture = 0.0;  // radius of the lens, >= 0 [u]; 0: a pinhole, or orthographic
   // Of the plane in focus, along the axis, > 0 [u]; absent: through the target.
   std::optional<double> focus_distance{};
   // About the way it looks, after `up` [degrees]: positive leans its top to its own right.
@@ -28,7 +31,8 @@ struct Camera {
 struct CameraKeys {
   Keys<glm::dvec3> eye;
   Keys<glm::dvec3> target;
-  Keys<double> vertical_fov;
+  Keys<double> vertical_fov;  // of a camera without a height
+  Keys<double> height;        // of a camera that has one
   Keys<double> aperture;
   Keys<double> focus_distance;  // of a camera that has one
   Keys<double> roll;

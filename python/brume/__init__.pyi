@@ -43,6 +43,7 @@ class Camera:
     target: _Vec3
     up: _Vec3
     vertical_fov: float
+    height: Optional[float]
     aperture: float
     focus_distance: Optional[float]
     roll: float
@@ -52,6 +53,7 @@ class Camera:
         target: _Vec3 = (0.0, 0.0, 0.0),
         up: _Vec3 = (0.0, 1.0, 0.0),
         vertical_fov: float = 45.0,
+        height: Optional[float] = None,
         aperture: float = 0.0,
         focus_distance: Optional[float] = None,
         roll: float = 0.0,

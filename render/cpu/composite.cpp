@@ -19,7 +19,8 @@ void behind_medium(const CameraRays& rays, const EnvironmentLight* environment,
     std::ranges::copy(surfaces.subspan(y * width, width), behind.begin());
   }
   if (!environment) return;
-  const CameraRays::FilmPlane plane = rays.plane();
+  CameraRays::FilmPlane plane = rays.plane();
+  if (rays.is_parallel()) plane = {rays.forward(), glm::dvec3(0.0), glm::dvec3(0.0)};
   const glm::ivec2 first = rays.first_pixel();
   const glm::dvec3 start =
       plane.corner + 0.5 * plane.per_x + (first.y + static_cast<double>(y) + 0.5) * plane.per_y;

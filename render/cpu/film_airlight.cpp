@@ -41,6 +41,7 @@ class Batch {
     lengths_[count_] = film_.ends.distance(frame_, pixels_[count_]);
     // The last pixels of a film may lie slightly outside the tile.
     places_[count_] = glm::min((glm::vec2(x, y) - first_) * per_pixel_, 1.0f);
+    if (film_.rays.is_parallel()) offsets_[count_] = film_.rays.offset(x + 0.5, y + 0.5);
     directions_[count_++] = film_.rays.direction(x + 0.5, y + 0.5);
   }
 
@@ -49,8 +50,12 @@ class Batch {
   template <class Store>
   std::uint64_t evaluate(const AirlightIntegrator& method, Store store) {
     if (count_ == 0) return 0;
-    const TileRays rays{film_.rays.eye(), std::span(directions_).first(count_),
-                        std::span(lengths_).first(count_), tile_, std::span(places_).first(count_)};
+    const TileRays rays{film_.rays.eye(),
+                        std::span(directions_).first(count_),
+                        std::span(lengths_).first(count_),
+                        tile_,
+                        std::span(places_).first(count_),
+                        std::span(offsets_).first(film_.rays.is_parallel() ? count_ : 0)};
     const std::uint64_t pairs =
         method.evaluate(film_.lists.gaussians_of(tile_), rays,
                         {std::span(airlight_).first(count_), std::span(depths_).first(count_)});
@@ -73,7 +78,7 @@ class Batch {
   glm::vec2 first_, per_pixel_;  // of the tile
   std::size_t count_ = 0;
   std::array<std::size_t, max_pixels> pixels_;
-  std::array<glm::dvec3, max_pixels> directions_;
+  std::array<glm::dvec3, max_pixels> directions_, offsets_;
   std::array<double, max_pixels> lengths_;
   std::array<glm::vec2, max_pixels> places_;
   std::array<glm::vec3, max_pixels> airlight_;
@@ -153,13 +158,20 @@ TileCone FilmTiles::cone(std::size_t tile) const {
   CameraRays::PixelRectangle r = pixels(tile);
   r = {std::max(r.x0 - margin, 0), std::max(r.y0 - margin, 0),
        std::min(r.x1 + margin, frame.film.width), std::min(r.y1 + margin, frame.film.height)};
-  std::array<glm::dvec3, 4> corners;
+  std::array<glm::dvec3, 4> corners, offsets;
   for (std::size_t k = 0; k < 4; ++k) {
-    corners[k] =
-        rays.direction((k % 2 == 0 ? r.x0 : r.x1 - 1) + 0.5, (k / 2 == 0 ? r.y0 : r.y1 - 1) + 0.5);
+    const glm::dvec2 corner((k % 2 == 0 ? r.x0 : r.x1 - 1) + 0.5,
+                            (k / 2 == 0 ? r.y0 : r.y1 - 1) + 0.5);
+    corners[k] = rays.direction(corner.x, corner.y);
+    offsets[k] = rays.offset(corner.x, corner.y);
   }
   TileCone cone;
   cone.eye = rays.eye();
+  if (rays.is_parallel()) {
+    const glm::dvec3 middle = 0.5 * (offsets[0] + offsets[3]);
+    cone.eye += middle;
+    cone.width = glm::length(offsets[0] - middle);
+  }
   cone.center = glm::normalize(corners[0] + corners[1] + corners[2] + corners[3]);
   for (const glm::dvec3& w : corners) {
     cone.spread = std::max(cone.spread, glm::length(w - cone.center));

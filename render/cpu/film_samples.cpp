@@ -130,17 +130,21 @@ class TileSampler {
   void find_hits() {
     const std::size_t count = pixels_.size() * offsets_.size();
     directions_.resize(count);
+    ray_offsets_.resize(view_.tiles.rays.is_parallel() ? count : 0);
     hits_.assign(count, {});
     behind_.assign(count, glm::vec3(0.0f));
     for (std::size_t i = 0; i < count; ++i) {
       directions_[i] = view_.tiles.rays.whole_direction(position(i));
+      if (!ray_offsets_.empty()) ray_offsets_[i] = view_.tiles.rays.whole_offset(position(i));
     }
     if (!view_.surfaces) return;
     for (std::size_t i = 0; i < count; i += Tiles::pixels) {
       const std::size_t some = std::min<std::size_t>(Tiles::pixels, count - i);
-      view_.surfaces->ray_caster.first_hits(view_.tiles.rays.eye(),
-                                            std::span(directions_).subspan(i, some),
-                                            std::span(hits_).subspan(i, some));
+      view_.surfaces->ray_caster.first_hits(
+          view_.tiles.rays.eye(), std::span(directions_).subspan(i, some),
+          ray_offsets_.empty() ? std::span<const glm::dvec3>()
+                               : std::span<const glm::dvec3>(ray_offsets_).subspan(i, some),
+          std::span(hits_).subspan(i, some));
     }
   }
 
@@ -170,13 +174,16 @@ class TileSampler {
     if (samples.empty()) return;
     std::array<SurfaceHit, Tiles::pixels> hits;
     std::array<glm::vec3, Tiles::pixels> directions, radiance;
+    std::array<glm::dvec3, Tiles::pixels> offsets;
     for (std::size_t k = 0; k < samples.size(); ++k) {
       hits[k] = hits_[samples[k]];
       directions[k] = glm::vec3(directions_[samples[k]]);
+      if (!ray_offsets_.empty()) offsets[k] = ray_offsets_[samples[k]];
     }
-    light_pairs_ += view_.surfaces->shade(std::span(hits).first(samples.size()),
-                                          std::span(directions).first(samples.size()),
-                                          std::span(radiance).first(samples.size()));
+    light_pairs_ += view_.surfaces->shade(
+        std::span(hits).first(samples.size()), std::span(directions).first(samples.size()),
+        std::span(offsets).first(ray_offsets_.empty() ? 0 : samples.size()),
+        std::span(radiance).first(samples.size()));
     for (std::size_t k = 0; k < samples.size(); ++k) behind_[samples[k]] = radiance[k];
     samples.clear();
   }
@@ -273,7 +280,7 @@ class TileSampler {
 
   void evaluate_fog() {
     if (exact_.empty()) return;
-    std::array<glm::dvec3, Tiles::pixels> directions;
+    std::array<glm::dvec3, Tiles::pixels> directions, offsets;
     std::array<double, Tiles::pixels> lengths, depths;
     std::array<glm::vec2, Tiles::pixels> places;
     std::array<glm::vec3, Tiles::pixels> airlight;
@@ -281,13 +288,15 @@ class TileSampler {
     for (std::size_t k = 0; k < count; ++k) {
       const SampleCluster& c = clusters_[exact_[k]];
       directions[k] = view_.tiles.rays.whole_direction(c.position);
+      offsets[k] = view_.tiles.rays.whole_offset(c.position);
       lengths[k] = c.length;
       places[k] = view_.tiles.place(tile_, c.position);
     }
     const std::uint64_t pairs = view_.method->evaluate(
         view_.tiles.lists.gaussians_of(tile_),
         {view_.tiles.rays.eye(), std::span(directions).first(count),
-         std::span(lengths).first(count), tile_, std::span(places).first(count)},
+         std::span(lengths).first(count), tile_, std::span(places).first(count),
+         std::span(offsets).first(view_.tiles.rays.is_parallel() ? count : 0)},
         {std::span(airlight).first(count), std::span(depths).first(count)});
     const float each = static_cast<float>(pairs) / static_cast<float>(count);
     for (std::size_t k = 0; k < count; ++k) {
@@ -311,6 +320,7 @@ class TileSampler {
   // The batch: pixels, and so many samples of each.
   std::vector<glm::ivec2> pixels_;
   std::vector<glm::dvec3> directions_;
+  std::vector<glm::dvec3> ray_offsets_;  // of parallel rays
   std::vector<SurfaceHit> hits_;
   std::vector<glm::vec3> behind_;
   std::vector<std::vector<std::size_t>> waiting_;  // samples to shade, per surface

@@ -19,24 +19,18 @@ HWY_INLINE V set(float x) {
   return hn::Set(D(), x);
 }
 
-HWY_INLINE Vector LoadDirection(const PathBatch& rays, std::size_t k) {
-  const D d;
-  return {hn::LoadU(d, rays.x.data() + k), hn::LoadU(d, rays.y.data() + k),
-          hn::LoadU(d, rays.z.data() + k)};
-}
-
-template <BatchKind kKind>
-HWY_INLINE std::uint64_t Samples(const GaussianBatch& g, const PathBatch& rays, const float* t,
+template <BatchKind kKind, class Rays>
+HWY_INLINE std::uint64_t Samples(const GaussianBatch& g, const PathBatch& paths, const float* t,
                                  float* densities, float* depths) {
   const D d;
   std::uint64_t pairs = 0;
-  for (std::size_t k = 0; k < rays.padded_size(); k += hn::Lanes(d)) {
-    const Vector w = LoadDirection(rays, k);
+  for (std::size_t k = 0; k < paths.padded_size(); k += hn::Lanes(d)) {
+    const Rays rays(d, paths, k);
     const V distance = hn::LoadU(d, t + k);
     V density = hn::Zero(d);
     V depth = hn::Zero(d);
     for (std::size_t j = 0; j < g.size(); ++j) {
-      const LineProfile<V> line = BatchLineProfile<kKind>(d, g, j, w);
+      const LineProfile<V> line = BatchLineProfile<kKind>(d, g, j, rays);
       const auto reached = line.e <= g.max_e[j];
       if (hn::AllFalse(d, reached)) continue;
       pairs += hn::CountTrue(d, reached);
@@ -56,20 +50,25 @@ HWY_INLINE std::uint64_t Samples(const GaussianBatch& g, const PathBatch& rays, 
 
 std::uint64_t SampleMedium(const GaussianBatch& g, const PathBatch& rays, const float* t,
                            float* densities, float* depths) {
-  return with_kind(
-      g, [&]<BatchKind kKind>() HWY_ATTR { return Samples<kKind>(g, rays, t, densities, depths); });
+  return WithRays(D(), rays, [&]<class Rays>() HWY_ATTR {
+    return with_kind(g, [&]<BatchKind kKind>() HWY_ATTR {
+      return Samples<kKind, Rays>(g, rays, t, densities, depths);
+    });
+  });
 }
 
-void AddScattered(const PathBatch& rays, const LitSamples& samples, const glm::vec3& light,
-                  float h_min, float anisotropy, float* radiance) {
+template <class Rays>
+HWY_INLINE void Scattered(const PathBatch& paths, const LitSamples& samples, const glm::vec3& light,
+                          float h_min, float anisotropy, float* radiance) {
   const D d;
-  const Vector s{set(light.x), set(light.y), set(light.z)};
   const V least2 = set(h_min * h_min);
-  for (std::size_t k = 0; k < rays.padded_size(); k += hn::Lanes(d)) {
+  for (std::size_t k = 0; k < paths.padded_size(); k += hn::Lanes(d)) {
     const V weight = hn::LoadU(d, samples.weights + k);
     const auto is_lit = weight > 0.0f;
     if (hn::AllFalse(d, is_lit)) continue;
-    const Vector w = LoadDirection(rays, k);
+    const Rays rays(d, paths, k);
+    const Vector& w = rays.w;
+    const Vector s = rays.From({set(light.x), set(light.y), set(light.z)});
     const V ts = dot(s, w);
     const Vector offset = neg_mul_add(ts, w, s);
     const V offset2 = dot(offset, offset);
@@ -85,6 +84,13 @@ void AddScattered(const PathBatch& rays, const LitSamples& samples, const glm::v
     const V sum = mul_add(isotropic_phase, where(is_lit, value), hn::LoadU(d, radiance + k));
     hn::StoreU(sum, d, radiance + k);
   }
+}
+
+void AddScattered(const PathBatch& rays, const LitSamples& samples, const glm::vec3& light,
+                  float h_min, float anisotropy, float* radiance) {
+  WithRays(D(), rays, [&]<class Rays>() HWY_ATTR {
+    Scattered<Rays>(rays, samples, light, h_min, anisotropy, radiance);
+  });
 }
 
 }  // namespace brume::HWY_NAMESPACE

@@ -58,15 +58,15 @@ struct MarchScratch {
 // Sets up the steps of every ray and clears what is summed over them.
 void prepare(const MediumIndex& medium, std::span<const std::uint32_t> gaussians,
              std::size_t lights, const TileRays& rays, int steps, MarchScratch& s) {
-  s.batch.assign(medium, rays.eye, gaussians, medium.noise());
+  s.batch.assign(medium, rays, gaussians);
   s.batch.add_optics(medium);
-  s.rays.assign(rays.directions, rays.lengths);
+  s.rays.assign(rays);
   const std::size_t count = rays.directions.size();
   s.begin.resize(count);
   s.step.resize(count);
   for (std::size_t k = 0; k < count; ++k) {
     const RayRange range =
-        medium_range(medium, gaussians, rays.eye, rays.directions[k], rays.lengths[k]);
+        medium_range(medium, gaussians, rays.origin(k), rays.directions[k], rays.lengths[k]);
     s.begin[k] = range.begin;
     s.step[k] = (range.end - range.begin) / steps;
   }
@@ -111,7 +111,7 @@ std::uint64_t add_samples(const MediumIndex& medium, const TileRays& rays, int i
     s.depths[k] += b0 * s.t[k];
     if (!(s.weights[k] > negligible) || s.depths[k] > opaque) continue;
     s.relevant.push_back(k);
-    s.points.push_back(rays.eye + static_cast<double>(s.t[k]) * rays.directions[k]);
+    s.points.push_back(rays.origin(k) + static_cast<double>(s.t[k]) * rays.directions[k]);
     if (!s.batch.has_optics()) continue;
     s.weights[k] = (s.sums[0][k] + b0) * step;  // what is scattered of it
     s.emitted[k] +=
@@ -168,8 +168,8 @@ void add_forward_lobe(const SourceFunction& environment, const SourceLookup& sou
   std::fill(s.depths.begin(), s.depths.end(), 0.0f);
   accumulate_path_depths(s.batch, lines, s.depths.data());
   for (std::size_t k = 0; k < rays.directions.size(); ++k) {
-    s.environment[k] +=
-        s.along_rays[k] * environment.lobe(source, s.source_weights[k], s.depths[k]);
+    s.environment[k] += s.along_rays[k] *
+                        environment.lobe_on_ray(source, s.source_weights[k], s.depths[k], rays, k);
   }
 }
 

@@ -38,13 +38,14 @@ std::uint64_t plain(const MediumIndex& medium, std::span<const std::uint32_t> ga
   std::uint64_t pairs = 0;
   for (std::size_t k = 0; k < rays.directions.size(); ++k) {
     const glm::dvec3& w = rays.directions[k];
+    const glm::dvec3 origin = rays.origin(k);
     const double length = rays.lengths[k];
     double depth = 0.0;
     double scattered = 0.0;
     std::vector<double> radiance(paper.lights.size());
     for (const std::uint32_t i : gaussians) {
       const GaussianTerm<double>& g = medium.gaussians()[i];
-      const LineProfile<double> line = view_line_profile(g, rays.eye, w, medium.noise());
+      const LineProfile<double> line = view_line_profile(g, origin, w, medium.noise());
       const double cutoff_in_radii = g.a * medium.cutoff_radii()[i];
       if (line.e > cutoff_in_radii * cutoff_in_radii) continue;
       ++pairs;
@@ -54,8 +55,8 @@ std::uint64_t plain(const MediumIndex& medium, std::span<const std::uint32_t> ga
         scattered += scattering.depth * std::exp(-(paper.from_eye[i] + scattering.depth_to_point));
       for (std::size_t l = 0; l < paper.lights.size(); ++l) {
         const PaperLight& light = paper.lights[l];
-        const PointLightRay<double> path(light.position, rays.eye, w, light.h_min);
-        radiance[l] += gaussian_airlight(g, scattering, rays.eye, w, light.position, path,
+        const PointLightRay<double> path(light.position, origin, w, light.h_min);
+        radiance[l] += gaussian_airlight(g, scattering, origin, w, light.position, path,
                                          light.frozen[i], medium.anisotropy());
       }
     }
@@ -63,7 +64,7 @@ std::uint64_t plain(const MediumIndex& medium, std::span<const std::uint32_t> ga
     glm::dvec3 airlight(0.0);
     for (std::size_t l = 0; l < paper.lights.size(); ++l) {
       const PaperLight& light = paper.lights[l];
-      const PointLightRay<double> path(light.position, rays.eye, w, light.h_min);
+      const PointLightRay<double> path(light.position, origin, w, light.h_min);
       const double fog = homogeneous_airlight(b0, path, length, medium.anisotropy());
       airlight += light.intensity * ((light.conserve_energy ? gain : 1.0) * radiance[l] +
                                      std::exp(-light.depth_to_eye) * fog);
@@ -96,8 +97,8 @@ std::uint64_t simd(const MediumIndex& medium, std::span<const std::uint32_t> gau
   thread_local PaperScratch s;
   const std::vector<PaperLight>& lights = paper.lights;
   const std::size_t count = rays.directions.size();
-  s.batch.assign(medium, rays.eye, gaussians, medium.noise());
-  s.rays.assign(rays.directions, rays.lengths);
+  s.batch.assign(medium, rays, gaussians);
+  s.rays.assign(rays);
   s.depths.assign(s.rays.padded_size(), 0.0f);
   std::fill(out.airlight.begin(), out.airlight.end(), glm::vec3(0.0f));
 

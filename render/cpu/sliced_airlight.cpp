@@ -84,8 +84,8 @@ void add_source_function(const SlicedSource& from, const TileRays& rays, SliceSc
       glm::vec3 scattered = source.source(
           std::span(s.lookup_sums).subspan(i * source.sums_size(), source.sums_size()), weights);
       if (function.has_forward_lobe()) {
-        scattered +=
-            s.along_rays[out.sums(row) + i] * function.lobe(source, weights, s.line_depths[i]);
+        scattered += s.along_rays[out.sums(row) + i] *
+                     function.lobe_on_ray(source, weights, s.line_depths[i], rays, i);
       }
       out.airlight[row * out.rays + i] += glm::max(scattered, 0.0f);
     }
@@ -125,9 +125,9 @@ std::uint64_t sliced_airlight(const MediumIndex& medium, std::span<const std::ui
   if (profiles) profiles->count = 0;
   if (slices.count == 0) return 0;
 
-  s.batch.assign(medium, rays.eye, gaussians, medium.noise());
+  s.batch.assign(medium, rays, gaussians);
   s.batch.add_optics(medium);
-  s.rays.assign(rays.directions, rays.lengths);
+  s.rays.assign(rays);
   s.slices.interpolate(slices, rays.positions, s.rays);
   if (profiles) s.slices.subdivide(slices_per_lookup * profiles->parts);
   const std::size_t stride = s.rays.padded_size();

@@ -37,7 +37,7 @@ std::span<const glm::vec3> TracedPaths::trace(const FrameStages& stages, FrameCo
   const PathScene scene =
       PathScene::of_view(*medium_, work.group.albedo, ray_caster, work.scene.surfaces,
                          environment_ ? &*environment_ : nullptr, work.sources(), work.rays.eye(),
-                         work.fog_extent.ball());
+                         work.fog_extent.ball(), work.rays.max_offset());
 
   PathKey key;
   key.medium = medium_revision_;

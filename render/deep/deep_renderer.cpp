@@ -46,7 +46,7 @@ class DeepGroup {
     if (work_.plan.has_medium()) {
       lights_ = stages_.sliced_lights(work_, clock);
       if (const SourceFunction* function = stages_.source_function(work_)) {
-        source_view_.update(*function, work_.rays.eye(), work_.job);
+        source_view_.update(*function, work_.rays, work_.job);
         source_ = {function, source_view_.lookup(*function)};
       }
       tiles_.emplace(work_.frame.film);
@@ -99,7 +99,7 @@ using DeepGroups = std::vector<std::unique_ptr<DeepGroup>>;
 struct DeepTile {
   std::size_t count = 0;
   std::array<std::size_t, Tiles::pixels> pixels;
-  std::array<glm::dvec3, Tiles::pixels> directions;
+  std::array<glm::dvec3, Tiles::pixels> directions, offsets;
   std::array<double, Tiles::pixels> lengths;
   std::array<glm::vec2, Tiles::pixels> positions;
   std::vector<TileProfiles> profiles;  // of the groups
@@ -212,15 +212,20 @@ class DeepFilm {
       work.pixels[work.count] = pixel;
       work.lengths[work.count] = groups_[0]->distance(pixel);
       work.positions[work.count] = glm::vec2(x - rectangle.x0, y - rectangle.y0) / size;
+      work.offsets[work.count] = rays.offset(x + 0.5, y + 0.5);
       work.directions[work.count++] = rays.direction(x + 0.5, y + 0.5);
     });
   }
 
   void evaluate(std::size_t tile, const SliceNodes& nodes, std::size_t parts,
                 DeepTile& work) const {
-    const TileRays rays{groups_[0]->work().rays.eye(), std::span(work.directions).first(work.count),
-                        std::span(work.lengths).first(work.count), tile,
-                        std::span(work.positions).first(work.count)};
+    const CameraRays& view = groups_[0]->work().rays;
+    const TileRays rays{view.eye(),
+                        std::span(work.directions).first(work.count),
+                        std::span(work.lengths).first(work.count),
+                        tile,
+                        std::span(work.positions).first(work.count),
+                        std::span(work.offsets).first(view.is_parallel() ? work.count : 0)};
     for (std::size_t g = 0; g < groups_.size(); ++g) {
       work.profiles[g].parts = parts;
       groups_[g]->evaluate(

@@ -30,4 +30,15 @@ inline bool is_edge_on(const std::array<glm::vec3, 3>& corners, const glm::dvec3
              edge_on_share * max_component(sizes) * glm::length(normal);
 }
 
+// The same as seen along parallel rays.
+inline bool is_along(const std::array<glm::vec3, 3>& corners, const glm::dvec3& direction) {
+  const glm::dvec3 first(corners[0]);
+  const glm::dvec3 normal =
+      glm::cross(glm::dvec3(corners[1]) - first, glm::dvec3(corners[2]) - first);
+  const glm::dvec3 sizes = glm::abs(direction);
+  return std::abs(glm::dot(normal, direction)) <=
+         edge_on_rounding * glm::dot(glm::abs(normal), sizes) +
+             edge_on_share * max_component(sizes) * glm::length(normal);
+}
+
 }  // namespace brume

@@ -8,7 +8,7 @@
 namespace brume::gl {
 
 void CompositeStage::run(Programs& programs, const FrameContext& work, FilmTextures& textures) {
-  const Program& program = programs["composite"];
+  const Program& program = programs.get("composite", ray_definitions(work.rays));
   set_rays(program, work.rays);
   program.set("film", textures.beauty.size());
   program.set("sky_size", glm::ivec2(0));

@@ -28,9 +28,14 @@ void FilmTextures::reserve(const Film& film) {
   beauty.reserve(Texture::Format::rgba32f, size);
 }
 
+std::string ray_definitions(const CameraRays& rays) {
+  return rays.is_parallel() ? " PARALLEL" : "";
+}
+
 void set_rays(const Program& program, const CameraRays& rays) {
   const CameraRays::FilmPlane plane = rays.plane();
-  program.set("corner", plane.corner);
+  program.set("corner", rays.is_parallel() ? rays.whole_offset(glm::dvec2(0.0)) : plane.corner);
+  program.set("parallel_direction", rays.forward());
   program.set("per_x", plane.per_x);
   program.set("per_y", plane.per_y);
   program.set("first_pixel", rays.first_pixel());

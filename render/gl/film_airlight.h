@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <string>
 
 #include "brume/scene.h"
 #include "core/scene/camera_rays.h"
@@ -52,6 +53,8 @@ class FilmAirlight {
   Buffer light_offsets_, light_pixels_;
 };
 
+// What is defined of programs that include shaders/rays.glsl: of an orthographic camera, PARALLEL.
+std::string ray_definitions(const CameraRays& rays);
 // Sets the uniforms of shaders/rays.glsl.
 void set_rays(const Program& program, const CameraRays& rays);
 

@@ -64,11 +64,12 @@ void MaterialStage::run(const FrameContext& work, DeviceFrame& device) {
   const std::size_t pixels =
       static_cast<std::size_t>(film.width) * static_cast<std::size_t>(film.height);
   device.textures.behind.reserve((1 + ggx_vectors) * pixels * sizeof(glm::vec4));
-  const Program& program = device.programs["materials"];
+  const Program& program = device.programs.get("materials", ray_definitions(work.rays));
   set_rays(program, work.rays);
   program.set("eye", work.rays.eye() - device.mesh.center());
   program.set("film", glm::ivec2(film.width, film.height));
   program.set("pixel_angle", static_cast<float>(2.0 * work.rays.pixel_half_angle()));
+  program.set("pixel_width", static_cast<float>(work.rays.pixel_width()));
   device.mesh.bind(program);
   program.bind("Hits", device.mesh.hits());
   program.bind("Behind", device.textures.behind);

@@ -46,7 +46,7 @@ void MeshBuffers::find_hits(Programs& programs, const CameraRays& rays, const Fi
                             Texture& depth) {
   pixels_ = static_cast<std::size_t>(film.width) * static_cast<std::size_t>(film.height);
   hits_.reserve(pixels_ * sizeof(PixelHit));
-  const Program& program = programs["visibility"];
+  const Program& program = programs.get("visibility", ray_definitions(rays));
   set_rays(program, rays);
   program.set("eye", rays.eye() - center_);
   bind(program);

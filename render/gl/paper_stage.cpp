@@ -15,7 +15,8 @@ std::size_t PaperStage::run(FrameStages& stages, FrameContext& work, StageClock&
   upload_lights(paper, medium.size(), work.rays.eye());
   if (environment) upload_inscattering(*environment);
 
-  const Program& program = device.programs.get("paper", device.medium.defined());
+  const Program& program =
+      device.programs.get("paper", device.medium.defined() + ray_definitions(work.rays));
   set_noise(program, medium.noise(), work.rays.eye());
   program.set("light_count", static_cast<int>(paper.lights.size()));
   program.set("gaussian_count", static_cast<int>(medium.size()));

@@ -24,7 +24,8 @@ void SliceTexture::choose(Programs& programs, DeviceClock& clock, OpticalDepthTa
   nodes_.reserve(Texture::Format::r32f, glm::ivec2(node_texture_width, static_cast<int>(rows)));
 
   clock.time(view.plan.medium_stage(), [&] {
-    const Program& choose = programs.get("choose_slices", lists.defined());
+    const Program& choose =
+        programs.get("choose_slices", lists.defined() + ray_definitions(view.rays));
     set_rays(choose, view.rays);
     choose.set("film", glm::ivec2(view.film.width, view.film.height));
     choose.set("tiles", tiles);

@@ -36,7 +36,7 @@ std::size_t SlicedStage::run(FrameStages& stages, FrameContext& work, DeviceFram
                  device.lists, device.view, device.textures);
   std::string defined = device.medium.has_optics() ? "OPTICS" : "";
   if (lights_.has_profiles()) defined += " PROFILES";
-  defined.append(" ").append(device.medium.defined());
+  defined.append(" ").append(device.medium.defined()).append(ray_definitions(work.rays));
   const Program& program = device.programs.get("sliced", defined);
   set_noise(program, medium.noise(), eye);
   program.set("light_count", static_cast<int>(lights.size()));

@@ -86,9 +86,11 @@ std::uint64_t SurfaceStage::run(const FrameStages& stages, const FrameContext& w
       stages.shading().surfaces(),
       [](const SurfaceShading& s) { return s.material && !s.material->is_diffuse(); });
   if (work.plan.has_metallic_roughness) materials_.run(work, device);
-  const Program& program = device.programs[work.plan.has_metallic_roughness ? "metallic_surfaces"
-                                           : is_glossy                      ? "glossy_surfaces"
-                                                                            : "surfaces"];
+  const Program& program =
+      device.programs.get(work.plan.has_metallic_roughness ? "metallic_surfaces"
+                          : is_glossy                      ? "glossy_surfaces"
+                                                           : "surfaces",
+                          ray_definitions(work.rays));
   set_rays(program, work.rays);
   program.set("light_count", static_cast<int>(lighting.lights.size()));
   program.set("b0", static_cast<float>(medium.homogeneous_density()));
@@ -116,7 +118,8 @@ std::uint64_t SurfaceStage::sum_depths(const SurfaceLighting& lighting, DeviceFr
   depths_.reserve(lighting.lights.size() * pixels * sizeof(float));
   totals_.reserve(sizeof(std::uint32_t));
   totals_.clear();
-  const Program& program = device.programs.get("surface_depths", device.medium.defined());
+  const Program& program = device.programs.get(
+      "surface_depths", device.medium.defined() + ray_definitions(device.view.rays));
   program.set("count", static_cast<unsigned>(device.medium.count()));
   program.set("film", glm::ivec2(film.width, film.height));
   for (std::size_t l = 0; l < lighting.lights.size(); ++l) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "render/geometry/tiles.h"
+#include "render/gl/film_airlight.h"
 #include "render/gl/shader_constants.h"
 #include "render/gl/shader_structs.h"
 #include "render/simd/gaussian_kernels.h"
@@ -104,7 +105,7 @@ void TileLists::build(Programs& programs, MediumBuffers& medium, const MediumInd
 
   const CameraRays::FilmPlane plane = rays.plane();
   medium_ = &medium;
-  const Program& project = programs.get("project", medium.defined());
+  const Program& project = programs.get("project", medium.defined() + ray_definitions(rays));
   project.set("count", static_cast<unsigned>(count));
   project.set("eye", rays.eye());
   project.set("forward", rays.forward());

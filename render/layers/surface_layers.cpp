@@ -64,7 +64,10 @@ class MotionVectors {
     if (!(place.z > 0.0)) return glm::vec2(0.0f);
     return {place.x - start.x, start.y - place.y};
   }
-  [[nodiscard]] const glm::dvec3& eye() const { return rays_.eye(); }
+  // A point that the ray through a position on the whole film passes, unless it moves.
+  [[nodiscard]] glm::dvec3 start(const glm::dvec2& position) const {
+    return rays_.eye() + rays_.whole_offset(position);
+  }
 
  private:
   const Scene& now_;
@@ -93,7 +96,7 @@ class PointLayers {
   void set(std::size_t pixel, const glm::dvec2& place, const glm::dvec3& eye,
            const glm::dvec3& direction, const SurfaceHit& hit) const {
     if (!hit) {
-      if (motion_) set_motion(pixel, motion_->on_film(motion_->eye() + direction, place));
+      if (motion_) set_motion(pixel, motion_->on_film(motion_->start(place) + direction, place));
       return;
     }
     const SurfacePoint point = ray_caster_.point(hit, eye, direction, scene_.surfaces);
@@ -131,6 +134,7 @@ class RowHits {
             std::min((rays.first_pixel().x + width + together - 1) / together * together,
                      rays.whole_size().x) -
             first_)),
+        offsets_(rays.is_parallel() ? directions_.size() : 0),
         hits_(directions_.size()) {}
 
   // Of a row, shifted from the pixels' centers.
@@ -138,8 +142,9 @@ class RowHits {
     for (std::size_t i = 0; i < directions_.size(); ++i) {
       const glm::ivec2 pixel(first_ + static_cast<int>(i), rays_.first_pixel().y + y);
       directions_[i] = rays_.whole_direction(glm::dvec2(pixel) + 0.5 + shift);
+      if (!offsets_.empty()) offsets_[i] = rays_.whole_offset(glm::dvec2(pixel) + 0.5 + shift);
     }
-    ray_caster_.first_hits(rays_.eye(), directions_, hits_);
+    ray_caster_.first_hits(rays_.eye(), directions_, offsets_, hits_);
   }
   [[nodiscard]] const glm::dvec3& direction(int x) const { return directions_[index(x)]; }
   [[nodiscard]] const SurfaceHit& hit(int x) const { return hits_[index(x)]; }
@@ -154,6 +159,7 @@ class RowHits {
   const CameraRays& rays_;
   int first_;  // pixel on the whole film
   std::vector<glm::dvec3> directions_;
+  std::vector<glm::dvec3> offsets_;  // of parallel rays
   std::vector<SurfaceHit> hits_;
 };
 
@@ -221,8 +227,8 @@ void add_surface_layers(const Scene& scene, const Camera& camera, const Film& fi
     hits.find(y, glm::dvec2(0.0));
     for (int x = 0; x < film.width; ++x) {
       const glm::dvec2 place = glm::dvec2(rays.first_pixel() + glm::ivec2(x, y)) + 0.5;
-      points.set(row * width + static_cast<std::size_t>(x), place, rays.eye(), hits.direction(x),
-                 hits.hit(x));
+      points.set(row * width + static_cast<std::size_t>(x), place,
+                 rays.eye() + rays.whole_offset(place), hits.direction(x), hits.hit(x));
     }
     for (std::size_t k = 0; k < samples.size() && has_mattes; ++k) {
       hits.find(y, samples[k]);

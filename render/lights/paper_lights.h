@@ -3,6 +3,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
+#include "core/scene/camera_rays.h"
 #include "render/geometry/medium_index.h"
 
 namespace brume {
@@ -26,5 +27,7 @@ struct PaperLights {
 // Whether a point lies near a Gaussian so dense that in-scattering varies strongly within it: one
 // sample per Gaussian is then inaccurate, and energy scaling makes it worse.
 bool is_in_dense_gaussian(const MediumIndex& medium, const glm::dvec3& point);
+// The same of where any view ray starts; of parallel ones, of the plane in which they do.
+bool starts_in_dense_gaussian(const MediumIndex& medium, const CameraRays& rays);
 
 }  // namespace brume

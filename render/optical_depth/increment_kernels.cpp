@@ -24,10 +24,12 @@ HWY_INLINE V set(float x) {
   return hn::Set(D(), x);
 }
 
-// A cone around the rays of a group.
+// A cone around the rays of a group; of parallel ones a cylinder.
 struct GroupCone {
-  glm::vec3 axis{0.0f};  // unit
-  float spread = 0.0f;   // maximum distance of a ray's direction from it
+  glm::vec3 axis{0.0f};    // unit
+  float spread = 0.0f;     // maximum distance of a ray's direction from it
+  glm::vec3 origin{0.0f};  // where the axis starts
+  float width = 0.0f;      // maximum distance of a parallel ray from it [u]
 
   GroupCone(const PathBatch& rays, std::size_t first) {
     const std::size_t end = std::min(first + RaySlices::group, rays.count);
@@ -39,6 +41,19 @@ struct GroupCone {
     axis = length > 0.0f ? axis / length : direction(first);
     for (std::size_t i = first; i < end; ++i) {
       spread = std::max(spread, glm::length(direction(i) - axis));
+    }
+    if (rays.has_offsets()) add_offsets(rays, first, end);
+  }
+
+ private:
+  void add_offsets(const PathBatch& rays, std::size_t first, std::size_t end) {
+    const auto offset = [&](std::size_t i) {
+      return glm::vec3(rays.offset_x[i], rays.offset_y[i], rays.offset_z[i]);
+    };
+    for (std::size_t i = first; i < end; ++i) origin += offset(i);
+    origin /= static_cast<float>(std::max<std::size_t>(end - first, 1));
+    for (std::size_t i = first; i < end; ++i) {
+      width = std::max(width, glm::length(offset(i) - origin));
     }
   }
 };
@@ -95,6 +110,7 @@ std::size_t GroupGaussians::drop_ellipsoids(const GaussianBatch& g, const GroupC
   const D d;
   const hn::RebindToSigned<D> di;
   const Vector axis{set(cone.axis.x), set(cone.axis.y), set(cone.axis.z)};
+  const Vector origin{set(cone.origin.x), set(cone.origin.y), set(cone.origin.z)};
   constexpr auto floats = static_cast<std::int32_t>(sizeof(BatchEllipsoid) / sizeof(float));
   static_assert(floats * sizeof(float) == sizeof(BatchEllipsoid));
   const float* const members = g.ellipsoids[0].warp.data();
@@ -109,12 +125,14 @@ std::size_t GroupGaussians::drop_ellipsoids(const GaussianBatch& g, const GroupC
                             HWY_ATTR { return hn::GatherIndex(d, members, first + k); };
     const WarpOf<V> warp{member(0), member(1), member(2), member(3), member(4), member(5)};
     const V a = hn::GatherIndex(d, g.a.data(), j);
-    const LineProfile<V> line =
-        warped_line_profile(Vector{member(6), member(7), member(8)}, warp(axis), a);
+    const Vector center =
+        neg_mul_add(set(1.0f), warp(origin), Vector{member(6), member(7), member(8)});
+    const LineProfile<V> line = warped_line_profile(center, warp(axis), a);
     // A ray that is off the axis by the spread, or rounded, is nearer by at most this, where it
     // still matters.
     const V far = hn::GatherIndex(d, g.far.data(), j);
-    const V nearer = a * far * ((cone.spread + distance_room) * member(9));
+    const V of_spread = a * far * ((cone.spread + distance_room) * member(9));
+    const V nearer = mul_add(a * cone.width, member(9), of_spread);
     const auto is_ball = hn::Eq(warp.xx, hn::Zero(d));
     // Along such a ray it is no longer than this.
     const V slowest = neg_mul_add(a * cone.spread, member(9), line.a);
@@ -136,6 +154,10 @@ void GroupGaussians::choose(const GaussianBatch& g, const PathBatch& rays, const
   using I = hn::Vec<decltype(di)>;
   const GroupCone cone(rays, group);
   const Vector axis{set(cone.axis.x), set(cone.axis.y), set(cone.axis.z)};
+  const bool is_parallel = rays.has_offsets();
+  const Vector origin{set(cone.origin.x), set(cone.origin.y), set(cone.origin.z)};
+  const V width = set(cone.width * (1.0f + cutoff_room) +
+                      distance_room * (glm::length(cone.origin) + cone.width));
   // The nearest ray passes a center at h * nearing - t * spread or farther.
   const V nearing = set(std::sqrt(std::max(1.0f - cone.spread * cone.spread, 0.0f)));
   const V spread = set(cone.spread * (1.0f + cutoff_room));
@@ -151,11 +173,13 @@ void GroupGaussians::choose(const GaussianBatch& g, const PathBatch& rays, const
   for (std::size_t j = 0; j < g.size(); j += hn::Lanes(d)) {
     const auto load = [&](const std::vector<float>& values)
                           HWY_ATTR { return hn::LoadU(d, values.data() + j); };
-    const Vector b{load(g.x), load(g.y), load(g.z)};
+    Vector b{load(g.x), load(g.y), load(g.z)};
+    if (is_parallel) b = minus(b, set(1.0f), origin);
     const V t = dot(b, axis);
     const Vector p = neg_mul_add(t, axis, b);
     const V h = sqrt(dot(p, p));
-    const V reach = mul_add(distance_room, abs(t) + h, load(g.reach) * (1.0f + cutoff_room));
+    V reach = mul_add(distance_room, abs(t) + h, load(g.reach) * (1.0f + cutoff_room));
+    if (is_parallel) reach = reach + width;
     const auto met =
         hn::And(hn::FirstN(d, g.size() - j), nearing * h <= mul_add(max(t, 0.0f), spread, reach));
     near_count +=
@@ -199,23 +223,22 @@ void GroupGaussians::choose(const GaussianBatch& g, const PathBatch& rays, const
   }
 }
 
-template <BatchKind kKind, bool kOptics, bool kMoments>
-HWY_INLINE std::uint64_t Increments(const GaussianBatch& g, const PathBatch& rays,
+template <BatchKind kKind, class Rays, bool kOptics, bool kMoments>
+HWY_INLINE std::uint64_t Increments(const GaussianBatch& g, const PathBatch& paths,
                                     const RaySlices& slices, float* increments, float* moments,
                                     GroupGaussians& met) {
   const D d;
-  const std::size_t stride = rays.padded_size();
+  const std::size_t stride = paths.padded_size();
   const std::size_t last = slices.count() - 1;
   const V one = set(1.0f);
   std::uint64_t pairs = 0;
   for (std::size_t i = 0; i < stride; i += hn::Lanes(d)) {
-    if (i % RaySlices::group == 0) met.choose(g, rays, slices, i);
-    const Vector w{hn::LoadU(d, rays.x.data() + i), hn::LoadU(d, rays.y.data() + i),
-                   hn::LoadU(d, rays.z.data() + i)};
+    if (i % RaySlices::group == 0) met.choose(g, paths, slices, i);
+    const Rays rays(d, paths, i);
     const std::span<const float> nearest = slices.nearest(i);
     const std::span<const float> farthest = slices.farthest(i);
     // Before it no ray ends.
-    const float shortest = hn::GetLane(hn::MinOfLanes(d, hn::LoadU(d, rays.length.data() + i)));
+    const float shortest = hn::GetLane(hn::MinOfLanes(d, hn::LoadU(d, paths.length.data() + i)));
     const auto add_to = [&](float* sums, std::size_t slice, V value) HWY_ATTR {
       float* const sum = sums + slice * stride + i;
       hn::StoreU(value + hn::LoadU(d, sum), d, sum);
@@ -237,7 +260,7 @@ HWY_INLINE std::uint64_t Increments(const GaussianBatch& g, const PathBatch& ray
     const auto each = [&](const MetGaussians& list, auto body) HWY_ATTR {
       for (std::size_t m = 0; m < list.count; ++m) {
         const auto j = static_cast<std::size_t>(list.gaussian[m]);
-        const LineProfile<V> line = BatchLineProfile<kKind>(d, g, j, w);
+        const LineProfile<V> line = BatchLineProfile<kKind>(d, g, j, rays);
         const auto reached = line.e <= g.max_e[j];
         if (hn::AllFalse(d, reached)) continue;
         pairs += hn::CountTrue(d, reached);
@@ -322,19 +345,23 @@ HWY_INLINE std::uint64_t Increments(const GaussianBatch& g, const PathBatch& ray
   return pairs;
 }
 
-template <BatchKind kKind, bool kOptics>
+template <BatchKind kKind, class Rays, bool kOptics>
 std::uint64_t IncrementsOf(const GaussianBatch& g, const PathBatch& rays, const RaySlices& slices,
                            float* increments, float* moments, GroupGaussians& met) {
-  return moments ? Increments<kKind, kOptics, true>(g, rays, slices, increments, moments, met)
-                 : Increments<kKind, kOptics, false>(g, rays, slices, increments, moments, met);
+  return moments
+             ? Increments<kKind, Rays, kOptics, true>(g, rays, slices, increments, moments, met)
+             : Increments<kKind, Rays, kOptics, false>(g, rays, slices, increments, moments, met);
 }
 
 std::uint64_t AccumulateIncrements(const GaussianBatch& g, const PathBatch& rays,
                                    const RaySlices& slices, float* increments, float* moments) {
   thread_local GroupGaussians met;
-  return with_kind(g, [&]<BatchKind kKind>() HWY_ATTR {
-    return g.has_optics() ? IncrementsOf<kKind, true>(g, rays, slices, increments, moments, met)
-                          : IncrementsOf<kKind, false>(g, rays, slices, increments, moments, met);
+  return WithRays(D(), rays, [&]<class Rays>() HWY_ATTR {
+    return with_kind(g, [&]<BatchKind kKind>() HWY_ATTR {
+      return g.has_optics()
+                 ? IncrementsOf<kKind, Rays, true>(g, rays, slices, increments, moments, met)
+                 : IncrementsOf<kKind, Rays, false>(g, rays, slices, increments, moments, met);
+    });
   });
 }
 

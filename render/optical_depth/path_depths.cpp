@@ -124,4 +124,27 @@ CenterDepths center_depths(const MediumIndex& medium, const glm::dvec3& origin,
   return result;
 }
 
+CenterDepths parallel_center_depths(const MediumIndex& medium, const glm::dvec3& eye,
+                                    const glm::dvec3& direction) {
+  CenterDepths result;
+  result.depths.resize(medium.size());
+  std::atomic<std::uint64_t> pairs = 0;
+  tbb::parallel_for(std::size_t{0}, medium.size(), [&](std::size_t i) {
+    const glm::dvec3& b = medium.gaussians()[i].b;
+    const double length = glm::dot(b - eye, direction);
+    if (!(length > 0.0)) return;
+    const RaySegment segment{b - length * direction, direction, length};
+    std::uint64_t found = 0;
+    medium.bvh().query(segment, [&](std::uint32_t j) {
+      if (j == i) return;
+      const GaussianTerm<double>& g = medium.gaussians()[j];
+      result.depths[i] += optical_depth(g, line_profile(g, segment.origin, direction), length);
+      ++found;
+    });
+    pairs += found;
+  });
+  result.pairs = pairs;
+  return result;
+}
+
 }  // namespace brume

@@ -31,4 +31,8 @@ struct CenterDepths {
 CenterDepths center_depths(const MediumIndex& medium, const glm::dvec3& origin,
                            Settings::Precision precision);
 
+// The same from the plane through the eye across a unit direction, along that.
+CenterDepths parallel_center_depths(const MediumIndex& medium, const glm::dvec3& eye,
+                                    const glm::dvec3& direction);
+
 }  // namespace brume

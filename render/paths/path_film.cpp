@@ -71,7 +71,7 @@ void PathFilm::trace_pixel(const View& view, const PathTracer& tracer, const glm
   const std::size_t pixel = index_of(position, frame.film.width);
   // On the whole film, so that regions have the same random numbers.
   const std::size_t stream = index_of(view.rays.first_pixel() + position, view.rays.whole_size().x);
-  const glm::dvec3& eye = view.rays.eye();
+  const glm::dvec3 eye = view.rays.origin(position.x + 0.5, position.y + 0.5);
   const glm::dvec3 w = view.rays.direction(position.x + 0.5, position.y + 0.5);
   const SurfaceHit hit = view.has_surfaces ? view.hit(pixel) : SurfaceHit{};
   const double end = hit ? hit.distance : view.open_end;

@@ -37,7 +37,7 @@ double PathLight::importance(const glm::dvec3& x) const {
 
 PathFog PathFog::around(const MediumIndex& medium, const RayCaster& ray_caster,
                         std::span<const PointSource> lights, const glm::dvec3& eye,
-                        const FogBall& extent) {
+                        const FogBall& extent, double max_offset) {
   PathFog fog;
   const double density = medium.homogeneous_density();
   if (!(density > 0.0)) return fog;
@@ -62,7 +62,7 @@ PathFog PathFog::around(const MediumIndex& medium, const RayCaster& ray_caster,
   }
   if (!(low.x <= high.x)) low = high = eye;
   fog.ball.center = 0.5 * (low + high);
-  const double eye_distance = glm::length(eye - fog.ball.center);
+  const double eye_distance = glm::length(eye - fog.ball.center) + max_offset;
   fog.scene_radius = std::max(0.5 * glm::length(high - low), eye_distance) + 1.0 / density;
   fog.ball.radius = fog.scene_radius + max_free_paths / density;
   return fog;
@@ -102,10 +102,10 @@ PathScene PathScene::of_view(const PathMedium& medium, double albedo, const RayC
                              std::span<const Surface> surfaces,
                              const EnvironmentSampler* environment,
                              std::span<const PointSource> lights, const glm::dvec3& eye,
-                             const FogBall& fog) {
+                             const FogBall& fog, double max_offset) {
   PathScene scene{.medium = medium,
                   .albedo = albedo,
-                  .fog = PathFog::around(medium.index(), ray_caster, lights, eye, fog),
+                  .fog = PathFog::around(medium.index(), ray_caster, lights, eye, fog, max_offset),
                   .ray_caster = ray_caster,
                   .surfaces = surfaces};
   if (environment && !environment->empty()) scene.environment = environment;

@@ -60,10 +60,10 @@ struct PathFog {
   static constexpr double max_free_paths = 100.0;
 
   // `extent`: see FogExtent::ball(); what is endless there ends far around all that sends or
-  // scatters light.
+  // scatters light. View rays start within `max_offset` of the eye.
   static PathFog around(const MediumIndex& medium, const RayCaster& ray_caster,
                         std::span<const PointSource> lights, const glm::dvec3& eye,
-                        const FogBall& extent);
+                        const FogBall& extent, double max_offset = 0.0);
 
   // Whether no environment limits it.
   [[nodiscard]] bool is_endless() const { return scene_radius > 0.0; }
@@ -91,11 +91,12 @@ struct PathScene {
   // Sets the lights and their near_radius.
   void set_lights(std::span<const PointSource> all);
 
-  // The scene of a view. `environment` may be null; `fog` as of FogExtent::ball().
+  // The scene of a view. `environment` may be null; `fog` as of FogExtent::ball(), `max_offset` as
+  // of CameraRays.
   static PathScene of_view(const PathMedium& medium, double albedo, const RayCaster& ray_caster,
                            std::span<const Surface> surfaces, const EnvironmentSampler* environment,
                            std::span<const PointSource> lights, const glm::dvec3& eye,
-                           const FogBall& fog);
+                           const FogBall& fog, double max_offset = 0.0);
 
   [[nodiscard]] double anisotropy() const { return medium.index().anisotropy(); }
 };

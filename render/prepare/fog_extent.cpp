@@ -46,4 +46,8 @@ double FogExtent::ray_distance(const glm::dvec3& eye) const {
   return ball_.radius + glm::length(eye - ball_.center);
 }
 
+double FogExtent::ray_distance(const CameraRays& rays) const {
+  return ball_.radius + std::abs(rays.distance_to(ball_.center));
+}
+
 }  // namespace brume

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "brume/scene.h"
+#include "core/scene/camera_rays.h"
 #include "core/scene/lights/point_lights.h"
 #include "render/geometry/box.h"
 #include "render/geometry/fog_ball.h"
@@ -27,6 +28,7 @@ class FogExtent {
   [[nodiscard]] const FogBall& ball() const { return ball_; }
   // Length of a view ray that hits nothing: D beyond the center of the scene.
   [[nodiscard]] double ray_distance(const glm::dvec3& eye) const;
+  [[nodiscard]] double ray_distance(const CameraRays& rays) const;
 
  private:
   FogBall ball_;

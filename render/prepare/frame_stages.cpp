@@ -1,6 +1,7 @@
 #include "render/prepare/frame_stages.h"
 #include "core/scene/camera_rays.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -52,14 +53,17 @@ void trace_hits(const RayCaster& ray_caster, const FrameContext& work, Keep keep
   const Tiles tiles(work.frame.film);
   work.job.parallel_for(tiles.count(), [&](std::size_t tile) {
     const CameraRays::PixelRectangle rectangle = tiles.rectangle(tile);
-    std::array<glm::dvec3, Tiles::pixels> directions;
+    std::array<glm::dvec3, Tiles::pixels> directions, offsets;
     std::array<SurfaceHit, Tiles::pixels> hits;
     std::size_t count = 0;
     Tiles::each_pixel(rectangle, [&](int x, int y) {
+      offsets[count] = work.rays.offset(x + 0.5, y + 0.5);
       directions[count++] = work.rays.direction(x + 0.5, y + 0.5);
     });
-    ray_caster.first_hits(work.rays.eye(), std::span(directions).first(count),
-                          std::span(hits).first(count));
+    ray_caster.first_hits(
+        work.rays.eye(), std::span<const glm::dvec3>(directions).first(count),
+        std::span<const glm::dvec3>(offsets).first(work.rays.is_parallel() ? count : 0),
+        std::span(hits).first(count));
     count = 0;
     Tiles::each_pixel(rectangle, [&](int x, int y) { keep(x, y, hits[count++]); });
   });
@@ -173,6 +177,16 @@ IncidentOptics FrameStages::incident_optics(const FrameContext& work) const {
   return optics;
 }
 
+namespace {
+
+// From a point to where the ray through it starts; 0 where none reaches it.
+glm::dvec3 to_eye(const CameraRays& rays, const glm::dvec3& point) {
+  if (!rays.is_parallel()) return rays.eye() - point;
+  return -std::max(rays.distance_to(point), 0.0) * rays.forward();
+}
+
+}  // namespace
+
 PaperLights FrameStages::paper_lights(FrameContext& work, StageClock& clock) {
   const MediumIndex& medium = prepared_.medium();
   const Settings::Precision precision = work.plan.precision;
@@ -187,13 +201,13 @@ PaperLights FrameStages::paper_lights(FrameContext& work, StageClock& clock) {
   }
   if (work.plan.runs(Stage::light_depth)) {
     const bool conserve_energy =
-        work.settings.paper.conserve_energy && !is_in_dense_gaussian(medium, eye);
+        work.settings.paper.conserve_energy && !starts_in_dense_gaussian(medium, work.rays);
     for (PaperLight& light : paper.lights) {
       light.conserve_energy = conserve_energy && !is_in_dense_gaussian(medium, light.position);
       const CenterDepths& from_light =
           prepared_.light_depths(light.position, precision, work.frame.statistics.light_pairs);
       light.frozen = from_light.depths;
-      const glm::dvec3 q = eye - light.position;
+      const glm::dvec3 q = to_eye(work.rays, light.position);
       const double distance = glm::length(q);
       if (work.plan.runs(Stage::homogeneous) && distance > 0.0) {
         light.depth_to_eye = medium.depth({light.position, q / distance, distance}) -
@@ -202,15 +216,17 @@ PaperLights FrameStages::paper_lights(FrameContext& work, StageClock& clock) {
     }
     clock.finish(Stage::light_depth);
 
-    CenterDepths from_eye = center_depths(medium, eye, precision);
+    CenterDepths from_eye = work.rays.is_parallel()
+                                ? parallel_center_depths(medium, eye, work.rays.forward())
+                                : center_depths(medium, eye, precision);
     work.frame.statistics.view_pairs += from_eye.pairs;
     paper.from_eye = std::move(from_eye.depths);
     const double b0 = medium.homogeneous_density();
     for (std::size_t i = 0; i < medium.size(); ++i) {
       const glm::dvec3& b = medium.gaussians()[i].b;
       for (PaperLight& light : paper.lights) {
-        light.frozen[i] +=
-            paper.from_eye[i] + b0 * (glm::length(b - light.position) + glm::length(b - eye));
+        light.frozen[i] += paper.from_eye[i] + b0 * (glm::length(b - light.position) +
+                                                     std::max(work.rays.distance_to(b), 0.0));
       }
     }
     clock.finish(Stage::eye_depth);

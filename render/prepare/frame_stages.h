@@ -112,7 +112,7 @@ class FrameStages {
   [[nodiscard]] const PreparedShading& shading() const { return shading_; }
   // After find_hits().
   [[nodiscard]] RayEnds ray_ends(const FrameContext& work) const {
-    return {work.fog_extent.ray_distance(work.rays.eye()), distances_};
+    return {work.fog_extent.ray_distance(work.rays), distances_};
   }
   // First hit of a pixel's ray, after find_hits().
   [[nodiscard]] SurfaceHit hit(std::size_t pixel) const;

@@ -16,7 +16,7 @@ inline double min_light_distance(const CameraRays& rays, const Camera& camera,
   // A light at the eye has no footprint; a hundredth of the distance to the target is used instead.
   const double distance =
       std::max(glm::length(light - camera.eye), 0.01 * glm::length(camera.target - camera.eye));
-  return 0.05 * 2.0 * rays.pixel_half_angle() * distance;
+  return 0.05 * 2.0 * rays.pixel_half_angle() * distance + 0.05 * rays.pixel_width();
 }
 
 }  // namespace brume

@@ -30,7 +30,7 @@ PathPixels::PathPixels(const Scene& scene, const Camera& camera, const Film& fil
   settings.airlight = AirlightMethod::path;
   const RenderPlan plan(scene, film, settings);
   const FogExtent fog_extent(scene);
-  ray_end_ = fog_extent.ray_distance(rays_.eye());
+  ray_end_ = fog_extent.ray_distance(rays_);
   if (plan.has_environment) environment_ = std::make_unique<EnvironmentSampler>(*scene.environment);
   const std::vector<PointSource> lights =
       point_sources(plan.lights, rays_, camera, fog_extent.ball());
@@ -45,18 +45,18 @@ PathPixels::PathPixels(const Scene& scene, const Camera& camera, const Film& fil
     group.medium = std::make_unique<PathMedium>(*group.index);
     group.scene = std::make_unique<PathScene>(
         PathScene::of_view(*group.medium, each.albedo, ray_caster_, surfaces_, environment_.get(),
-                           lights, rays_.eye(), fog_extent.ball()));
+                           lights, rays_.eye(), fog_extent.ball(), rays_.max_offset()));
   }
 }
 
 void PathPixels::trace(std::size_t pixel, int count, PixelPaths& paths,
                        const std::stop_token& stop) const {
-  const glm::dvec3 w = rays_.direction(static_cast<double>(pixel % width_) + 0.5,
-                                       static_cast<double>(pixel / width_) + 0.5);
-  const double length = std::min(ray_caster_.first_hit(rays_.eye(), w).distance, ray_end_);
+  const double x = static_cast<double>(pixel % width_) + 0.5;
+  const double y = static_cast<double>(pixel / width_) + 0.5;
+  const double length = std::min(ray_caster_.first_hit(rays_, x, y).distance, ray_end_);
   for (std::size_t i = 0; i < groups_.size(); ++i) {
     const Group& group = groups_[i];
-    const CameraRay ray(*group.index, rays_.eye(), w, length);
+    const CameraRay ray(*group.index, rays_.origin(x, y), rays_.direction(x, y), length);
     if (!(ray.depth() > min_depth)) continue;
     const PathTracer tracer(*group.scene);
     for (int k = paths.count; k < count && !stop.stop_requested(); ++k) {

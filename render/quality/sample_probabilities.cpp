@@ -62,7 +62,7 @@ std::vector<glm::ivec2> pixels_of_lights(const Scene& scene, const CameraRays& r
   std::vector<PointLight> lights = point_lights(scene);
   std::ranges::stable_sort(lights, std::greater(), [&](const PointLight& light) {
     return std::max({light.intensity.x, light.intensity.y, light.intensity.z}) /
-           glm::length(light.position - rays.eye());
+           (rays.is_parallel() ? 1.0 : glm::length(light.position - rays.eye()));
   });
   std::vector<glm::ivec2> pixels;
   for (const PointLight& light : lights) {

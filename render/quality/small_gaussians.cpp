@@ -63,15 +63,18 @@ std::vector<SmallGaussian> small_gaussians(const Scene& scene, const CameraRays&
                                            std::size_t max_count) {
   const std::vector<PointLight> lights = strongest(point_lights(scene));
   const double environment_radiance = scene.environment ? mean_radiance(*scene.environment) : 0.0;
-  const double per_radius = 0.5 / std::tan(rays.pixel_half_angle());  // pixels, at distance 1
+  // Pixels; of a pinhole at distance 1.
+  const double per_radius =
+      rays.is_parallel() ? 1.0 / rays.pixel_width() : 0.5 / std::tan(rays.pixel_half_angle());
   const int width = guide.film.width;
   const int height = guide.film.height;
   std::vector<SmallGaussian> found;
   for (std::size_t i = 0; i < scene.medium.size(); ++i) {
     const Gaussian gaussian = scene.medium.gaussian(i);
     const glm::dvec3 film_position = rays.project(gaussian.center);
+    const double distance_of_unit = rays.is_parallel() ? 1.0 : film_position.z;
     if (!(film_position.z > 0.0 &&
-          min_component(gaussian.radii()) * per_radius < small_radius * film_position.z))
+          min_component(gaussian.radii()) * per_radius < small_radius * distance_of_unit))
       continue;
     // One whose center is next to the film may still overlap it.
     if (!(film_position.x > -small_radius && film_position.y > -small_radius &&
@@ -82,13 +85,13 @@ std::vector<SmallGaussian> small_gaussians(const Scene& scene, const CameraRays&
     const int y = std::clamp(static_cast<int>(std::floor(film_position.y)), 0, height - 1);
     const std::size_t pixel =
         static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
-    const double distance = glm::length(gaussian.center - rays.eye());
+    const double distance = rays.distance_to(gaussian.center);
     if (distance - hidden_radii * gaussian.radius > static_cast<double>(guide.depth[pixel])) {
       continue;  // behind a surface
     }
     const StandaloneTerm term(gaussian);
     const LineProfile<double> line =
-        line_profile(*term, rays.eye(), rays.direction(x + 0.5, y + 0.5));
+        line_profile(*term, rays.origin(x + 0.5, y + 0.5), rays.direction(x + 0.5, y + 0.5));
     const double depth = optical_depth(*term, line, std::numeric_limits<double>::infinity());
     // It adds the light that it scatters and attenuates what is behind it.
     const float* rgb = &guide.center_airlight()[3 * pixel];

@@ -20,7 +20,7 @@ ReferencePixels::ReferencePixels(const Scene& scene, const Camera& camera, const
   settings.airlight = AirlightMethod::reference;
   const RenderPlan plan(scene, film, settings);
   const FogExtent fog_extent(scene);
-  ray_end_ = fog_extent.ray_distance(rays_.eye());
+  ray_end_ = fog_extent.ray_distance(rays_);
   lights_ = point_sources(plan.lights, rays_, camera, fog_extent.ball());
   for (const AlbedoGroup& group : albedo_groups(scene)) {
     const Medium extinction = extinction_medium(scene, group);
@@ -48,13 +48,13 @@ std::vector<glm::dvec3> ReferencePixels::airlight(
     const auto before = static_cast<double>(g);
     job.subrange(before / group_count, (before + 1.0) / group_count)
         .parallel_for_with_progress(pixels.size(), [&](std::size_t k) {
-          const glm::dvec3 w = rays_.direction(static_cast<double>(pixels[k] % width_) + 0.5,
-                                               static_cast<double>(pixels[k] / width_) + 0.5);
-          const double length = std::min(ray_caster_.first_hit(rays_.eye(), w).distance, ray_end_);
+          const double x = static_cast<double>(pixels[k] % width_) + 0.5;
+          const double y = static_cast<double>(pixels[k] / width_) + 0.5;
+          const double length = std::min(ray_caster_.first_hit(rays_, x, y).distance, ray_end_);
           const glm::dvec3 airlight =
               reference_airlight(group.medium, exact_occlusion_, lights_,
-                                 group.environment ? &*group.environment : nullptr, rays_.eye(), w,
-                                 length, tolerance_)
+                                 group.environment ? &*group.environment : nullptr,
+                                 rays_.origin(x, y), rays_.direction(x, y), length, tolerance_)
                   .airlight;
           for (const std::size_t c : group.channels) {
             result[k][static_cast<int>(c)] = group.albedo * airlight[static_cast<int>(c)];

@@ -277,6 +277,12 @@ glm::vec3 SourceFunction::lobe(const SourceLookup& source, const SourceWeights& 
   return sum;
 }
 
+glm::vec3 SourceFunction::lobe_on_ray(const SourceLookup& source, const SourceWeights& weights,
+                                      float line_depth, const TileRays& rays, std::size_t k) const {
+  if (rays.offsets.empty() || anisotropy_ > 0.0) return lobe(source, weights, line_depth);
+  return lobe(from_eye(rays.origin(k)), weights, line_depth);
+}
+
 SourceWeights SourceFunction::weights(const glm::dvec3& w) const {
   const WeightParts parts = weight_parts();
   const auto bands = phase_.at(w);

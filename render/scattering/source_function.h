@@ -85,6 +85,9 @@ class SourceFunction {
   // `line_depth`: optical depth of the Gaussians from the eye to infinity.
   [[nodiscard]] glm::vec3 lobe(const SourceLookup& source, const SourceWeights& weights,
                                float line_depth) const;
+  // The same for ray k of a tile, with the look-ups of its eye.
+  [[nodiscard]] glm::vec3 lobe_on_ray(const SourceLookup& source, const SourceWeights& weights,
+                                      float line_depth, const TileRays& rays, std::size_t k) const;
   // Whether weights() depend on the view ray.
   [[nodiscard]] bool is_anisotropic() const { return phase_.count() > 1; }
   // Weights for a view ray along the unit vector w.

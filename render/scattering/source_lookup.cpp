@@ -2,6 +2,7 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <limits>
 
 // Highway includes this file once per instruction set.
 #undef HWY_TARGET_INCLUDE
@@ -9,6 +10,7 @@
 #include <hwy/foreach_target.h>
 // Highway's own order: foreach_target first.
 #include "render/scattering/grid_cells-inl.h"
+#include "render/simd/view_rays-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace brume::HWY_NAMESPACE {
@@ -39,22 +41,27 @@ HWY_INLINE void AddEdges(const float* values, const GridLevel& level, const Cell
 }
 
 // `stride`: floats per ray in `sums`.
-template <int bands, bool adds_clusters>
-HWY_INLINE bool Add(std::span<const GridLevel> levels, const PathBatch& rays, const float* t,
-                    const float* weights, std::size_t stride, float* sums) {
+template <class Rays, int bands, bool adds_clusters>
+HWY_INLINE bool AddOf(std::span<const GridLevel> levels, const PathBatch& rays, const float* t,
+                      const float* weights, std::size_t stride, float* sums) {
   constexpr std::size_t size = SourceGrid::node_size(bands);
   constexpr std::size_t used = adds_clusters ? size : 4 * sh_size(bands);
   bool sums_nodes = false;
   const Points d_rays;
-  const float* directions[] = {rays.x.data(), rays.y.data(), rays.z.data()};
   const std::size_t lanes = hn::Lanes(d_rays);
   for (std::size_t first = 0; first < rays.padded_size(); first += lanes) {
     const auto weight = hn::LoadU(d_rays, weights + first);
     if (hn::AllFalse(d_rays, hn::Gt(weight, hn::Zero(d_rays)))) continue;
     const auto distance = hn::LoadU(d_rays, t + first);
+    const Rays some(d_rays, rays, first);
     const auto coordinate = [&](const GridLevel& level, int k) HWY_ATTR {
-      const auto p = hn::Mul(distance, hn::LoadU(d_rays, directions[k] + first));
-      return hn::Mul(hn::Set(d_rays, level.per_unit), hn::Sub(p, hn::Set(d_rays, level.first[k])));
+      const auto node = hn::Set(d_rays, level.first[k]);
+      const auto along_axis = [k](const auto& v) HWY_ATTR {
+        return k == 0 ? v.x : k == 1 ? v.y : v.z;
+      };
+      const auto first_node = along_axis(some.From({node, node, node}));
+      const auto p = hn::Mul(distance, along_axis(some.w));
+      return hn::Mul(hn::Set(d_rays, level.per_unit), hn::Sub(p, first_node));
     };
     const Cells cells(
         levels, coordinate, [](auto x, int) HWY_ATTR { return x; }, weight);
@@ -108,6 +115,14 @@ void ClusterTransmittanceAtOrigin(std::span<const GridLevel> levels,
                                   corner_weights, passes.data());
 }
 
+template <int bands, bool adds_clusters>
+bool Add(std::span<const GridLevel> levels, const PathBatch& rays, const float* t,
+         const float* weights, std::size_t stride, float* sums) {
+  return WithRays(Points(), rays, [&]<class Rays>() HWY_ATTR {
+    return AddOf<Rays, bands, adds_clusters>(levels, rays, t, weights, stride, sums);
+  });
+}
+
 bool AddSource(int bands, bool adds_clusters, std::span<const GridLevel> levels,
                const PathBatch& rays, const float* t, const float* weights, std::size_t stride,
                float* sums) {
@@ -138,11 +153,16 @@ bool SourceLookup::add(const PathBatch& rays, const float* t, const float* weigh
                                          sums_size(), sums);
 }
 
-void SourceLookup::set_view(std::span<const std::vector<float>> levels) {
+void SourceLookup::set_view(std::span<const std::vector<float>> levels, bool is_parallel) {
   sums_nodes_ = false;
   for (std::size_t k = 0; k < levels_.size(); ++k) {
     GridLevel& level = levels_.all()[k];
     level.view = levels[k].data();
+    if (is_parallel) {  // seen in one direction from everywhere
+      level.view_begin = -std::numeric_limits<float>::infinity();
+      sums_nodes_ |= levels_.size() > 1 || adds_clusters_;
+      continue;
+    }
     const float near = min_view_spacings / level.per_unit;
     const glm::vec3 last = level.first + glm::vec3(level.count - 1) / level.per_unit;
     const glm::vec3 nearest = glm::clamp(glm::vec3(0.0f), level.first, last);

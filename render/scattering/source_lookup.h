@@ -35,7 +35,7 @@ class SourceLookup {
 
   // What the harmonics of each level's nodes sum to, R G B 0; see SourceView.
   // Keeps a reference.
-  void set_view(std::span<const std::vector<float>> levels);
+  void set_view(std::span<const std::vector<float>> levels, bool is_parallel);
 
   // Floats per ray of what add() sums: of J, and of what nodes hold.
   [[nodiscard]] std::size_t sums_size() const {

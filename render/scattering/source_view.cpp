@@ -24,8 +24,9 @@ using Nodes = hn::CappedTag<float, max_nodes>;
 constexpr int view_bands = PhaseBands::max_bands;
 constexpr std::size_t view_functions = sh_size(view_bands);
 
-// R G B 0 of `count` nodes in a row along x, the first at `first` from the eye: their values times
-// the basis at their directions and `factors` per band.
+// R G B 0 of `count` nodes in a row along x, the first at `first` from the eye, or all in that
+// direction if `spacing` is 0: their values times the basis at their directions and `factors` per
+// band.
 void SumRow(const float* values, std::size_t count, const glm::vec3& first, float spacing,
             std::span<const float> factors, float* sums) {
   constexpr std::size_t size = SourceGrid::node_size(view_bands);
@@ -68,12 +69,16 @@ namespace brume {
 
 HWY_EXPORT(SumRow);
 
-void SourceView::update(const SourceFunction& function, const glm::dvec3& eye, const Job& job) {
+void SourceView::update(const SourceFunction& function, const CameraRays& rays, const Job& job) {
   const SourceFunction::WeightParts parts = function.weight_parts();
   const SourceGrid& grid = function.grid();
-  const bool same = grid_ == grid.revision() && eye_ == eye && scale_ == parts.harmonics_scale;
+  const glm::dvec3& eye = rays.eye();
+  const auto direction = rays.is_parallel() ? std::optional(rays.forward()) : std::nullopt;
+  const bool same = grid_ == grid.revision() && (direction || eye_ == eye) &&
+                    direction_ == direction && scale_ == parts.harmonics_scale;
   grid_ = grid.revision();
   eye_ = eye;
+  direction_ = direction;
   scale_ = parts.harmonics_scale;
   if (same || !function.is_anisotropic()) return;
   std::vector<float> factors;
@@ -90,8 +95,10 @@ void SourceView::update(const SourceFunction& function, const glm::dvec3& eye, c
       const std::size_t node = row * width;
       const float* values = level.values.data() + SourceGrid::node_size(grid.bands()) * node;
       float* sums = levels_[k].data() + 4 * node;
-      const float spacing = level.nodes.spacing;
-      const glm::vec3 begin = first + spacing * glm::vec3(node_coordinates(level.nodes, node));
+      const float spacing = direction ? 0.0f : level.nodes.spacing;
+      const glm::vec3 begin =
+          direction ? glm::vec3(*direction)
+                    : first + spacing * glm::vec3(node_coordinates(level.nodes, node));
       HWY_DYNAMIC_DISPATCH(SumRow)(values, width, begin, spacing, factors, sums);
     });
   }
@@ -100,7 +107,7 @@ void SourceView::update(const SourceFunction& function, const glm::dvec3& eye, c
 
 SourceLookup SourceView::lookup(const SourceFunction& function) const {
   SourceLookup lookup = function.from_eye(eye_);
-  if (function.is_anisotropic()) lookup.set_view(levels_);
+  if (function.is_anisotropic()) lookup.set_view(levels_, direction_.has_value());
   return lookup;
 }
 

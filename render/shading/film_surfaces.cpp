@@ -63,14 +63,17 @@ class Shader {
     if (pixels.empty()) return;
     std::array<SurfaceHit, Tiles::pixels> hits;
     std::array<glm::vec3, Tiles::pixels> seen_along, outgoing;
+    std::array<glm::dvec3, Tiles::pixels> offsets;
     PointVectors directions;
     find_view_directions(film_.rays, pixels, directions);
     for (std::size_t k = 0; k < pixels.size(); ++k) {
       hits[k] = film_.ray_caster.hit_of(hits_[index_of(pixels[k])]);
       seen_along[k] = {directions.x[k], directions.y[k], directions.z[k]};
+      offsets[k] = film_.rays.offset(pixels[k].x + 0.5, pixels[k].y + 0.5);
     }
     pairs_ += film_.shade(std::span(hits).first(pixels.size()),
                           std::span(seen_along).first(pixels.size()),
+                          std::span(offsets).first(film_.rays.is_parallel() ? pixels.size() : 0),
                           std::span(outgoing).first(pixels.size()));
     for (std::size_t k = 0; k < pixels.size(); ++k) radiance_[index_of(pixels[k])] = outgoing[k];
     pixels.clear();
@@ -87,10 +90,12 @@ class Shader {
 
 std::uint64_t FilmSurfaces::shade(std::span<const SurfaceHit> hits,
                                   std::span<const glm::vec3> directions,
+                                  std::span<const glm::dvec3> offsets,
                                   std::span<glm::vec3> radiance) const {
   SurfacePoints points;
   points.pixel_angle = static_cast<float>(2.0 * rays.pixel_half_angle());
-  ray_caster.points(hits, rays.eye(), directions, surfaces, points);
+  points.pixel_width = static_cast<float>(rays.pixel_width());
+  ray_caster.points(hits, rays.eye(), directions, offsets, surfaces, points);
   const SurfaceShading& shaded = shading.surfaces()[static_cast<std::size_t>(hits[0].surface)];
   // What transfer does not hold.
   const SurfaceLighting straight{.lights = lighting.lights};

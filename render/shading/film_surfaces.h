@@ -36,9 +36,10 @@ struct FilmSurfaces {
   // Returns the Gaussian x path pairs evaluated.
   std::uint64_t shade(std::span<const RasterPixel> hits, const Job& job,
                       std::span<glm::vec3> radiance) const;
-  // The same of up to Tiles::pixels hits on one surface, seen in these unit directions.
+  // The same of up to Tiles::pixels hits on one surface, seen in these unit directions; from
+  // `offsets`, unless empty, see RayCaster::first_hits().
   std::uint64_t shade(std::span<const SurfaceHit> hits, std::span<const glm::vec3> directions,
-                      std::span<glm::vec3> radiance) const;
+                      std::span<const glm::dvec3> offsets, std::span<glm::vec3> radiance) const;
 };
 
 }  // namespace brume

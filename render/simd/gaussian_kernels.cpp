@@ -30,24 +30,18 @@ HWY_INLINE V set(float x) {
   return hn::Set(D(), x);
 }
 
-HWY_INLINE Vector LoadDirection(const PathBatch& paths, std::size_t k) {
-  const D d;
-  return {hn::LoadU(d, paths.x.data() + k), hn::LoadU(d, paths.y.data() + k),
-          hn::LoadU(d, paths.z.data() + k)};
-}
-
-template <BatchKind kKind>
+template <BatchKind kKind, class Rays>
 HWY_INLINE void PathDepths(const GaussianBatch& g, const PathBatch& paths, float* depths) {
   const D d;
   const hn::RebindToSigned<D> di;
   const std::size_t lanes = hn::Lanes(d);
   for (std::size_t k = 0; k < paths.padded_size(); k += lanes) {
-    const Vector w = LoadDirection(paths, k);
+    const Rays rays(d, paths, k);
     const V length = hn::LoadU(d, paths.length.data() + k);
     const auto self = hn::LoadU(di, paths.self.data() + k);
     V sum = hn::LoadU(d, depths + k);
     for (std::size_t j = 0; j < g.size(); ++j) {
-      const LineProfile<V> line = BatchLineProfile<kKind>(d, g, j, w);
+      const LineProfile<V> line = BatchLineProfile<kKind>(d, g, j, rays);
       // Whatever paths share a vector.
       const M reached = line.e <= g.max_e[j];
       if (hn::AllFalse(d, reached)) continue;
@@ -61,28 +55,36 @@ HWY_INLINE void PathDepths(const GaussianBatch& g, const PathBatch& paths, float
 }
 
 void AccumulatePathDepths(const GaussianBatch& g, const PathBatch& paths, float* depths) {
-  with_kind(g, [&]<BatchKind kKind>() HWY_ATTR { PathDepths<kKind>(g, paths, depths); });
+  WithRays(D(), paths, [&]<class Rays>() HWY_ATTR {
+    with_kind(g, [&]<BatchKind kKind>() HWY_ATTR { PathDepths<kKind, Rays>(g, paths, depths); });
+  });
 }
 
-// The depth of Gaussian j from points at t on rays of direction w to a light.
-template <BatchKind kKind>
+// The depth of Gaussian j from points at t on rays to a light.
+template <BatchKind kKind, class Rays>
 class LightDepth {
  public:
-  HWY_INLINE LightDepth(const GaussianBatch& g, std::size_t j, const Vector& w, V t)
-      : g_(g), j_(j), t_(t), center_{set(g.x[j]), set(g.y[j]), set(g.z[j])}, direction_(w) {
+  HWY_INLINE LightDepth(const GaussianBatch& g, std::size_t j, const Rays& rays, V t)
+      : g_(g),
+        j_(j),
+        rays_(rays),
+        t_(t),
+        center_(rays.From({set(g.x[j]), set(g.y[j]), set(g.z[j])})),
+        direction_(rays.w) {
     if constexpr (kKind == BatchKind::ellipsoids) {
       if (!g.is_ellipsoid(j)) return;
       const glm::vec3& center = g.ellipsoids[j].center;
-      center_ = {set(center.x), set(center.y), set(center.z)};
-      direction_ = BatchWarp(D(), g.ellipsoids[j])(w);
+      const WarpOf<V> warp = BatchWarp(D(), g.ellipsoids[j]);
+      center_ = rays.From(warp, {set(center.x), set(center.y), set(center.z)});
+      direction_ = warp(rays.w);
     }
   }
 
   // `light`: its place; the inverse of its distance from the points.
   HWY_INLINE V operator()(const glm::vec3& light, V distance, V inverse) const {
     const D d;
-    const auto line_to = [&](const glm::vec3& s) HWY_ATTR {
-      const Vector q = neg_mul_add(t_, direction_, Vector{set(s.x), set(s.y), set(s.z)});
+    const auto line_to = [&](const Vector& s) HWY_ATTR {
+      const Vector q = neg_mul_add(t_, direction_, s);
       return Vector{q.x * inverse, q.y * inverse, q.z * inverse};
     };
     const Vector from_point = neg_mul_add(t_, direction_, center_);
@@ -93,38 +95,43 @@ class LightDepth {
         const glm::vec3 warped(xx * light.x + xy * light.y + xz * light.z,
                                xy * light.x + yy * light.y + yz * light.z,
                                xz * light.x + yz * light.y + zz * light.z);
-        const LineProfile<V> line = warped_line_profile(from_point, line_to(warped), a);
+        const Vector s = rays_.From(BatchWarp(d, g_.ellipsoids[j_]),
+                                    {set(warped.x), set(warped.y), set(warped.z)});
+        const LineProfile<V> line = warped_line_profile(from_point, line_to(s), a);
         return BatchHalfDepth<kKind>(d, g_, j_, line) * unit_depth(line, distance);
       }
     }
-    const LineProfile<V> line = line_profile(from_point, line_to(light), a);
+    const Vector s = rays_.From({set(light.x), set(light.y), set(light.z)});
+    const LineProfile<V> line = line_profile(from_point, line_to(s), a);
     return g_.scale[j_] * unit_depth(line, distance);
   }
 
  private:
   const GaussianBatch& g_;
   std::size_t j_;
+  const Rays& rays_;
   V t_;
   Vector center_, direction_;  // of an ellipsoid as warped
 };
 
 // One pack of `kLights` lights; the number is a constant so that sums stay in registers.
-template <BatchKind kKind, std::size_t kLights>
-HWY_INLINE std::uint64_t PaperAirlight(const GaussianBatch& g, const PathBatch& rays,
+template <BatchKind kKind, class Rays, std::size_t kLights>
+HWY_INLINE std::uint64_t PaperAirlight(const GaussianBatch& g, const PathBatch& paths,
                                        const LightBatch& lights, float* depths, float* scattered,
                                        const std::array<float*, light_pack>& radiance) {
   const D d;
   const std::size_t lanes = hn::Lanes(d);
   const V zero = hn::Zero(d);
   std::uint64_t pairs = 0;
-  for (std::size_t k = 0; k < rays.padded_size(); k += lanes) {
-    const Vector w = LoadDirection(rays, k);
-    const V length = hn::LoadU(d, rays.length.data() + k);
+  for (std::size_t k = 0; k < paths.padded_size(); k += lanes) {
+    const Rays rays(d, paths, k);
+    const Vector& w = rays.w;
+    const V length = hn::LoadU(d, paths.length.data() + k);
     V ts[kLights > 0 ? kLights : 1];
     V offset2[kLights > 0 ? kLights : 1];
     V sum[kLights > 0 ? kLights : 1];
     for (std::size_t l = 0; l < kLights; ++l) {
-      const Vector s{set(lights.x[l]), set(lights.y[l]), set(lights.z[l])};
+      const Vector s = rays.From({set(lights.x[l]), set(lights.y[l]), set(lights.z[l])});
       ts[l] = dot(s, w);
       const Vector offset = neg_mul_add(ts[l], w, s);
       offset2[l] = dot(offset, offset);
@@ -133,7 +140,7 @@ HWY_INLINE std::uint64_t PaperAirlight(const GaussianBatch& g, const PathBatch& 
     V depth_sum = zero;
     V scattered_sum = zero;
     for (std::size_t j = 0; j < g.size(); ++j) {
-      const LineProfile<V> line = BatchLineProfile<kKind>(d, g, j, w);
+      const LineProfile<V> line = BatchLineProfile<kKind>(d, g, j, rays);
       const M reached = line.e <= g.max_e[j];
       if (hn::AllFalse(d, reached)) continue;
       pairs += hn::CountTrue(d, reached);
@@ -155,7 +162,7 @@ HWY_INLINE std::uint64_t PaperAirlight(const GaussianBatch& g, const PathBatch& 
         const V exponent = lights.from_eye[j] + depth_to_point;
         scattered_sum = mul_add(depth, exp(-exponent), scattered_sum);
       }
-      const LightDepth<kKind> light_depth_of(g, j, w, t);
+      const LightDepth<kKind, Rays> light_depth_of(g, j, rays, t);
       for (std::size_t l = 0; l < kLights; ++l) {
         const V along = t - ts[l];
         // Attenuation uses the true length; only 1/r^2 is clamped (PointLightRay).
@@ -186,47 +193,52 @@ HWY_INLINE std::uint64_t PaperAirlight(const GaussianBatch& g, const PathBatch& 
   return pairs;
 }
 
-template <BatchKind kKind>
+template <BatchKind kKind, class Rays>
 HWY_INLINE std::uint64_t PaperAirlightOfPack(const GaussianBatch& g, const PathBatch& rays,
                                              const LightBatch& lights, float* depths,
                                              float* scattered,
                                              const std::array<float*, light_pack>& radiance) {
   switch (lights.count) {
     case 0:
-      return PaperAirlight<kKind, 0>(g, rays, lights, depths, scattered, radiance);
+      return PaperAirlight<kKind, Rays, 0>(g, rays, lights, depths, scattered, radiance);
     case 1:
-      return PaperAirlight<kKind, 1>(g, rays, lights, depths, scattered, radiance);
+      return PaperAirlight<kKind, Rays, 1>(g, rays, lights, depths, scattered, radiance);
     case 2:
-      return PaperAirlight<kKind, 2>(g, rays, lights, depths, scattered, radiance);
+      return PaperAirlight<kKind, Rays, 2>(g, rays, lights, depths, scattered, radiance);
     case 3:
-      return PaperAirlight<kKind, 3>(g, rays, lights, depths, scattered, radiance);
+      return PaperAirlight<kKind, Rays, 3>(g, rays, lights, depths, scattered, radiance);
     default:
-      return PaperAirlight<kKind, 4>(g, rays, lights, depths, scattered, radiance);
+      return PaperAirlight<kKind, Rays, 4>(g, rays, lights, depths, scattered, radiance);
   }
 }
 
 std::uint64_t AccumulatePaperAirlight(const GaussianBatch& g, const PathBatch& rays,
                                       const LightBatch& lights, float* depths, float* scattered,
                                       const std::array<float*, light_pack>& radiance) {
-  return with_kind(g, [&]<BatchKind kKind>() HWY_ATTR {
-    return PaperAirlightOfPack<kKind>(g, rays, lights, depths, scattered, radiance);
+  return WithRays(D(), rays, [&]<class Rays>() HWY_ATTR {
+    return with_kind(g, [&]<BatchKind kKind>() HWY_ATTR {
+      return PaperAirlightOfPack<kKind, Rays>(g, rays, lights, depths, scattered, radiance);
+    });
   });
 }
 
-void AccumulateHomogeneousAirlight(float b0, float attenuation, const glm::vec3& light, float h_min,
-                                   float anisotropy, const PathBatch& rays, float* radiance) {
+template <class Rays>
+HWY_INLINE void HomogeneousAirlight(float b0, float attenuation, const glm::vec3& light,
+                                    float h_min, float anisotropy, const PathBatch& paths,
+                                    float* radiance) {
   const D d;
   const V zero = hn::Zero(d);
-  const Vector s{set(light.x), set(light.y), set(light.z)};
   // Width [radians] of the first panel, at the peak.
   const float first_panel = fog_panel * (1.0f - std::abs(anisotropy));
   const int panels = 1 + std::max(0, static_cast<int>(std::ceil(std::log2(pi / first_panel))));
-  for (std::size_t k = 0; k < rays.padded_size(); k += hn::Lanes(d)) {
-    const Vector w = LoadDirection(rays, k);
+  for (std::size_t k = 0; k < paths.padded_size(); k += hn::Lanes(d)) {
+    const Rays rays(d, paths, k);
+    const Vector& w = rays.w;
+    const Vector s = rays.From({set(light.x), set(light.y), set(light.z)});
     const V ts = dot(s, w);
     const Vector offset = neg_mul_add(ts, w, s);
     const FogRay<V> ray =
-        fog_ray(ts, dot(offset, offset), hn::LoadU(d, rays.length.data() + k), h_min, b0);
+        fog_ray(ts, dot(offset, offset), hn::LoadU(d, paths.length.data() + k), h_min, b0);
     // A forward peak of the phase function lies at angle 0 between light and view, a backward one
     // at pi: panels double from there.
     const V phi_offset = anisotropy < 0.0f ? pi - (ray.at_start + ray.span) : ray.at_start;
@@ -250,6 +262,13 @@ void AccumulateHomogeneousAirlight(float b0, float attenuation, const glm::vec3&
     const V gain = set(b0 * attenuation * static_cast<float>(isotropic_phase));
     hn::StoreU(mul_add(gain, mean, hn::LoadU(d, radiance + k)), d, radiance + k);
   }
+}
+
+void AccumulateHomogeneousAirlight(float b0, float attenuation, const glm::vec3& light, float h_min,
+                                   float anisotropy, const PathBatch& rays, float* radiance) {
+  WithRays(D(), rays, [&]<class Rays>() HWY_ATTR {
+    HomogeneousAirlight<Rays>(b0, attenuation, light, h_min, anisotropy, rays, radiance);
+  });
 }
 
 }  // namespace brume::HWY_NAMESPACE
@@ -284,7 +303,8 @@ void accumulate_homogeneous_airlight(float b0, float attenuation, const glm::vec
 constexpr std::size_t ahead = 16;
 
 void GaussianBatch::assign(const MediumIndex& medium, const glm::dvec3& origin,
-                           std::span<const std::uint32_t> indices, const RayNoise& ray_noise) {
+                           std::span<const std::uint32_t> indices, const RayNoise& ray_noise,
+                           const std::optional<glm::dvec3>& direction) {
   for (auto* array : {&x, &y, &z, &a, &scale, &max_e, &near, &far, &reach}) {
     array->resize(padded(indices.size()));
   }
@@ -307,13 +327,19 @@ void GaussianBatch::assign(const MediumIndex& medium, const glm::dvec3& origin,
     scale[k] = static_cast<float>(std::min(g.c / g.a * (0.5 * coefficient::sqrt_pi), 1e20));
     max_e[k] = static_cast<float>(cutoff_in_radii * cutoff_in_radii);
     index[k] = static_cast<std::int32_t>(indices[k]);
-    // A ray that passes the center at h is nearest to it at sqrt(distance^2 - h^2).
-    const float distance2 = glm::dot(b, b);
     const auto radius = static_cast<float>(medium.view_cutoff_radius(indices[k]));
     reach[k] = radius;
-    near[k] = std::sqrt(std::max(distance2 - radius * radius, 0.0f)) - radius;
-    far[k] = std::sqrt(distance2) + radius;
-    if (g.ellipsoid) add_ellipsoid(k, g, origin);
+    if (direction) {
+      const auto nearest = static_cast<float>(glm::dot(g.b - origin, *direction));
+      near[k] = nearest - radius;
+      far[k] = nearest + radius;
+    } else {
+      // A ray that passes the center at h is nearest to it at sqrt(distance^2 - h^2).
+      const float distance2 = glm::dot(b, b);
+      near[k] = std::sqrt(std::max(distance2 - radius * radius, 0.0f)) - radius;
+      far[k] = std::sqrt(distance2) + radius;
+    }
+    if (g.ellipsoid) add_ellipsoid(k, g, origin, direction);
   }
   for (auto& values : optics) values.clear();
   max_undisplaced_e.clear();
@@ -333,14 +359,29 @@ void GaussianBatch::assign(const MediumIndex& medium, const glm::dvec3& origin,
            ray_noise.key()};
 }
 
+void GaussianBatch::assign(const MediumIndex& medium, const TileRays& rays,
+                           std::span<const std::uint32_t> indices) {
+  const bool is_parallel = !rays.offsets.empty();
+  assign(medium, rays.eye, indices, medium.noise(),
+         is_parallel ? std::optional(rays.directions.front()) : std::nullopt);
+}
+
 void GaussianBatch::add_ellipsoid(std::size_t k, const GaussianTerm<double>& g,
-                                  const glm::dvec3& origin) {
+                                  const glm::dvec3& origin,
+                                  const std::optional<glm::dvec3>& direction) {
   if (ellipsoids.empty()) ellipsoids.resize(size());
   const glm::mat3 warp(g.ellipsoid->warp);
   const glm::dvec3 q = g.b - origin;
   ellipsoids[k].warp = {warp[0][0], warp[1][1], warp[2][2], warp[1][2], warp[0][2], warp[0][1]};
   ellipsoids[k].center = glm::vec3(g.ellipsoid->warp * q);
   ellipsoids[k].max_speed = static_cast<float>(1.0 / min_component(g.ellipsoid->stretch));
+  if (direction) {
+    const auto nearest = glm::dot(q, *direction);
+    const double along = static_cast<double>(reach[k]) * g.ellipsoid->reach(*direction);
+    near[k] = std::max(near[k], static_cast<float>(nearest - along));
+    far[k] = std::min(far[k], static_cast<float>(nearest + along));
+    return;
+  }
   // It lies between two planes across the line to its center.
   const double distance = glm::length(q);
   if (!(distance > 0.0)) return;
@@ -368,6 +409,7 @@ void PathBatch::resize(std::size_t size) {
   x.assign(padded(size), 0.0f);
   y.assign(padded(size), 0.0f);
   z.assign(padded(size), 1.0f);
+  for (auto* offset : {&offset_x, &offset_y, &offset_z}) offset->clear();
   length.assign(padded(size), 0.0f);
   self.assign(padded(size), -1);
 }
@@ -380,6 +422,18 @@ void PathBatch::assign(std::span<const glm::dvec3> directions, std::span<const d
     y[k] = w.y;
     z[k] = w.z;
     length[k] = static_cast<float>(lengths[k]);
+  }
+}
+
+void PathBatch::assign(const TileRays& rays) {
+  assign(rays.directions, rays.lengths);
+  if (rays.offsets.empty()) return;
+  for (auto* offset : {&offset_x, &offset_y, &offset_z}) offset->assign(padded_size(), 0.0f);
+  for (std::size_t k = 0; k < rays.offsets.size(); ++k) {
+    const glm::vec3 offset(rays.offsets[k]);
+    offset_x[k] = offset.x;
+    offset_y[k] = offset.y;
+    offset_z[k] = offset.z;
   }
 }
 

@@ -4,10 +4,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "render/geometry/medium_index.h"
+#include "render/geometry/tile_rays.h"
 
 namespace brume {
 
@@ -50,7 +52,7 @@ struct GaussianBatch {
   std::vector<float> max_e;    // a^2 h^2 beyond which the Gaussian is culled
   std::vector<float>
       max_undisplaced_e;  // the same before displacement by noise; empty without noise
-  // Where rays of the origin can meet the Gaussian up to its cutoff [u]: from near to far.
+  // Where rays can meet the Gaussian up to its cutoff [u]: from near to far.
   std::vector<float> near, far;
   std::vector<float> reach;  // cutoff radius, displacement by noise included [u]
   std::vector<std::int32_t> index;
@@ -60,9 +62,14 @@ struct GaussianBatch {
   std::array<std::vector<float>, 4> optics;
   BatchNoise noise;
 
-  // `ray_noise`: the medium's noise for view rays, none for shadow rays.
+  // For rays from the origin, or for all rays in one direction that start in the plane through the
+  // origin across it. `ray_noise`: the medium's noise for view rays, none for shadow rays.
   void assign(const MediumIndex& medium, const glm::dvec3& origin,
-              std::span<const std::uint32_t> indices, const RayNoise& ray_noise = {});
+              std::span<const std::uint32_t> indices, const RayNoise& ray_noise = {},
+              const std::optional<glm::dvec3>& direction = std::nullopt);
+  // The same for the view rays of a tile.
+  void assign(const MediumIndex& medium, const TileRays& rays,
+              std::span<const std::uint32_t> indices);
   void add_optics(const MediumIndex& medium);
   [[nodiscard]] std::size_t size() const { return index.size(); }
   [[nodiscard]] bool has_optics() const { return !optics[0].empty(); }
@@ -73,12 +80,15 @@ struct GaussianBatch {
   }
 
  private:
-  void add_ellipsoid(std::size_t k, const GaussianTerm<double>& g, const glm::dvec3& origin);
+  void add_ellipsoid(std::size_t k, const GaussianTerm<double>& g, const glm::dvec3& origin,
+                     const std::optional<glm::dvec3>& direction);
 };
 
 // Rays or segments from the origin, as arrays: unit direction and length (may be +inf).
 struct PathBatch {
   std::vector<float> x, y, z;
+  // Where parallel rays start, from the origin [u]; empty: all start there.
+  std::vector<float> offset_x, offset_y, offset_z;
   std::vector<float> length;
   std::vector<std::int32_t> self;  // index of a Gaussian to exclude, or -1
   std::size_t count = 0;
@@ -87,9 +97,11 @@ struct PathBatch {
               std::span<const std::int32_t> self_of);
   // Rays of unit directions; lengths may be +inf.
   void assign(std::span<const glm::dvec3> directions, std::span<const double> lengths);
+  void assign(const TileRays& rays);
   void make_endless();  // sets all lengths to +inf
   void resize(std::size_t size);
   [[nodiscard]] std::size_t padded_size() const { return x.size(); }
+  [[nodiscard]] bool has_offsets() const { return !offset_x.empty(); }
 };
 
 // Calls body.template operator()<kind>() with the kind of a batch.

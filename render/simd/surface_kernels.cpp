@@ -182,7 +182,8 @@ void find_view_directions(const CameraRays& rays, std::span<const glm::ivec2> pi
   const glm::dvec2 first = glm::dvec2(rays.first_pixel()) + 0.5;
   for (std::size_t k = 0; k < padded(pixels.size()); ++k) {
     const glm::dvec2 position = first + glm::dvec2(pixels[std::min(k, pixels.size() - 1)]);
-    const glm::dvec3 w = corner + position.x * per_x + position.y * per_y;
+    const glm::dvec3 w =
+        rays.is_parallel() ? rays.forward() : corner + position.x * per_x + position.y * per_y;
     directions.x[k] = static_cast<float>(w.x);
     directions.y[k] = static_cast<float>(w.y);
     directions.z[k] = static_cast<float>(w.z);

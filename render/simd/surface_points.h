@@ -45,8 +45,10 @@ struct SurfacePoints {
   PointVectors to_eye;         // unit
   PointVectors shadow_origin;  // [u]
   PointArray side;             // 1 if the front (of the mesh's normals) is visible, else -1
-  float pixel_angle = 0.0f;    // between neighbouring view rays; 0: textures are not averaged
-  GgxPoints ggx;               // set for such materials only
+  // Between neighbouring view rays, and between parallel ones [u]; both 0: textures are not
+  // averaged.
+  float pixel_angle = 0.0f, pixel_width = 0.0f;
+  GgxPoints ggx;  // set for such materials only
 
   [[nodiscard]] std::size_t padded_size() const { return padded(count); }
 };

@@ -62,7 +62,7 @@ SliceNeed slice_need(const GaussianTerm<double>& g, double center, const TileCon
 // Of an ellipsoid, by the axis of the cone. It is as wide along the rays as they pass it.
 SliceNeed slice_need_of_ellipsoid(const GaussianTerm<double>& g, const TileCone& rays) {
   const LineProfile<double> line = line_profile(g, rays.eye, rays.center);
-  const double nearer = rays.spread * std::max(line.t0, 0.0) / min_radius_of(g);
+  const double nearer = (rays.spread * std::max(line.t0, 0.0) + rays.width) / min_radius_of(g);
   const double h = std::max(std::sqrt(line.e) - nearer, 0.0);
   const double radius = 1.0 / line.a;
   return {line.t0, core_radius(radius, g.c), radius, g.c * std::exp(-h * h)};

@@ -9,6 +9,7 @@
 #include <hwy/foreach_target.h>
 // Highway's own order: foreach_target first.
 #include "render/simd/gaussian-inl.h"
+#include "render/simd/view_rays-inl.h"
 #include "render/slices/slice_falloff-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -165,12 +166,18 @@ void SumAlongRays(const RaySlices& slices, std::size_t stride, const float* incr
   }
 }
 
+// The points at t on rays, relative to a position.
+template <class Rays>
+HWY_INLINE Vector FromPosition(const Rays& rays, V t, const glm::vec3& position) {
+  const Vector s = rays.From({set(position.x), set(position.y), set(position.z)});
+  return {mul_sub(t, rays.w.x, s.x), mul_sub(t, rays.w.y, s.y), mul_sub(t, rays.w.z, s.z)};
+}
+
 // FogBall::length() from a point on a ray.
-HWY_INLINE V FogLength(const SliceLight& light, V t, const Vector& w, V distance) {
-  const Vector q{mul_sub(t, w.x, light.position.x), mul_sub(t, w.y, light.position.y),
-                 mul_sub(t, w.z, light.position.z)};
-  const Vector p{mul_sub(t, w.x, light.fog_center.x), mul_sub(t, w.y, light.fog_center.y),
-                 mul_sub(t, w.z, light.fog_center.z)};
+template <class Rays>
+HWY_INLINE V FogLength(const SliceLight& light, V t, const Rays& rays, V distance) {
+  const Vector q = FromPosition(rays, t, light.position);
+  const Vector p = FromPosition(rays, t, light.fog_center);
   return fog_length(p, -(dot(p, q) / distance), light.fog_radius);
 }
 
@@ -207,15 +214,17 @@ HWY_INLINE V LobeLoss(const float* table, V cosine, V depth) {
   return mul_add(fx, at_angle(LobeBroadening::depths) - narrow, narrow);
 }
 
-void SumSlices(const PathBatch& rays, const RaySlices& slices, const float* increments,
-               const float* moments, float b0, const SliceScattering& scattering, float negligible,
-               std::span<const SliceLight> lights, float* depths, const SliceWeights& weights,
-               const SliceOptics& optics, const std::array<float*, light_pack>& radiance,
-               SliceSums sums) {
+template <class Rays>
+HWY_INLINE void SumSlicesOf(const PathBatch& paths, const RaySlices& slices,
+                            const float* increments, const float* moments, float b0,
+                            const SliceScattering& scattering, float negligible,
+                            std::span<const SliceLight> lights, float* depths,
+                            const SliceWeights& weights, const SliceOptics& optics,
+                            const std::array<float*, light_pack>& radiance, SliceSums sums) {
   const D d;
   const bool running = sums == SliceSums::running;
   const V zero = hn::Zero(d);
-  const std::size_t stride = rays.padded_size();
+  const std::size_t stride = paths.padded_size();
   const std::size_t plane = (slices.count() - 1) * stride;
   if (weights.along_rays) {
     const float from_eye = scattering.anisotropy < 0.0f ? 1.0f : -1.0f;
@@ -229,15 +238,15 @@ void SumSlices(const PathBatch& rays, const RaySlices& slices, const float* incr
     if (lights[l].table && !lights[l].table->empty()) tables[l] = lights[l].table->view();
   }
   for (std::size_t i = 0; i < stride; i += hn::Lanes(d)) {
-    const Vector w{hn::LoadU(d, rays.x.data() + i), hn::LoadU(d, rays.y.data() + i),
-                   hn::LoadU(d, rays.z.data() + i)};
+    const Rays rays(d, paths, i);
+    const Vector& w = rays.w;
     V ts[light_pack];
     V h2[light_pack];
     V sum[light_pack];
     FalloffRays falloffs[light_pack];
     for (std::size_t l = 0; l < lights.size(); ++l) {
-      const Vector s{set(lights[l].position.x), set(lights[l].position.y),
-                     set(lights[l].position.z)};
+      const glm::vec3& position = lights[l].position;
+      const Vector s = rays.From({set(position.x), set(position.y), set(position.z)});
       ts[l] = dot(s, w);
       const Vector offset = neg_mul_add(ts[l], w, s);
       h2[l] = max(dot(offset, offset),
@@ -301,12 +310,10 @@ void SumSlices(const PathBatch& rays, const RaySlices& slices, const float* incr
           }
           const V along = middle - ts[l];
           const V distance = sqrt(mul_add(along, along, h2[l]));
-          const Vector q{mul_sub(middle, w.x, lights[l].map_origin.x),
-                         mul_sub(middle, w.y, lights[l].map_origin.y),
-                         mul_sub(middle, w.z, lights[l].map_origin.z)};
+          const Vector q = FromPosition(rays, middle, lights[l].map_origin);
           V light_depth =
-              b0 *
-              (lights[l].fog_radius > 0.0f ? FogLength(lights[l], middle, w, distance) : distance);
+              b0 * (lights[l].fog_radius > 0.0f ? FogLength(lights[l], middle, rays, distance)
+                                                : distance);
           if (tables[l].depths) {
             light_depth += Lookup(tables[l], q, lights[l].in_table, distance);
           }
@@ -358,6 +365,17 @@ void SumSlices(const PathBatch& rays, const RaySlices& slices, const float* incr
                  radiance[l] + i);
     }
   }
+}
+
+void SumSlices(const PathBatch& rays, const RaySlices& slices, const float* increments,
+               const float* moments, float b0, const SliceScattering& scattering, float negligible,
+               std::span<const SliceLight> lights, float* depths, const SliceWeights& weights,
+               const SliceOptics& optics, const std::array<float*, light_pack>& radiance,
+               SliceSums sums) {
+  WithRays(D(), rays, [&]<class Rays>() HWY_ATTR {
+    SumSlicesOf<Rays>(rays, slices, increments, moments, b0, scattering, negligible, lights, depths,
+                      weights, optics, radiance, sums);
+  });
 }
 
 }  // namespace brume::HWY_NAMESPACE

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "core/scene/camera_rays.h"
@@ -15,11 +16,12 @@ namespace {
 
 constexpr std::size_t packet = 16;
 
-// Rays that start at one point, and see no triangle edge-on.
+// Rays that start at one point or are parallel, and see no triangle edge-on.
 struct ViewQuery : RayQuery {
   const std::vector<std::vector<Vertex>>& vertices;
   const std::vector<std::vector<glm::uvec3>>& triangles;
   glm::dvec3 eye;
+  std::optional<glm::dvec3> direction;  // of parallel rays
 
   ViewQuery(const auto& impl, const glm::dvec3& origin, RayOrder order)
       : RayQuery(order, refuse_edge_on),
@@ -38,7 +40,9 @@ struct ViewQuery : RayQuery {
       const glm::uvec3& corners = view.triangles[surface][triangle];
       const std::array<glm::vec3, 3> positions{all[corners.x].position, all[corners.y].position,
                                                all[corners.z].position};
-      if (is_edge_on(positions, view.eye)) found->valid[i] = 0;
+      const bool is_refused =
+          view.direction ? is_along(positions, *view.direction) : is_edge_on(positions, view.eye);
+      if (is_refused) found->valid[i] = 0;
     }
   }
 };
@@ -108,28 +112,52 @@ bool RayCaster::shows(std::span<const Surface> surfaces) const {
 }
 
 SurfaceHit RayCaster::first_hit(const glm::dvec3& origin, const glm::dvec3& direction) const {
+  return cast(origin, direction, {});
+}
+
+SurfaceHit RayCaster::first_hit(const CameraRays& rays, double x, double y) const {
+  const glm::dvec3 w = rays.direction(x, y);
+  return cast(rays.origin(x, y), w, rays.is_parallel() ? std::optional(w) : std::nullopt);
+}
+
+SurfaceHit RayCaster::cast(const glm::dvec3& origin, const glm::dvec3& direction,
+                           const std::optional<glm::dvec3>& parallel) const {
   if (empty()) return {};
   const FloatSegment segment = impl_->to_first_hit(origin, direction);
   RTCRayHit query{};
   impl_->set(query.ray, 0, origin, direction, segment);
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   ViewQuery view(*impl_, origin, RayOrder::incoherent);
+  view.direction = parallel;
   view.intersect(impl_->scene, query);
   return hit(segment, query.ray.tfar, query.hit.geomID, query.hit.primID, query.hit.u, query.hit.v);
 }
 
 void RayCaster::first_hits(const glm::dvec3& origin, std::span<const glm::dvec3> directions,
                            std::span<SurfaceHit> hits, double nearest) const {
+  cast(origin, directions, {}, hits, nearest);
+}
+
+void RayCaster::first_hits(const glm::dvec3& eye, std::span<const glm::dvec3> directions,
+                           std::span<const glm::dvec3> offsets, std::span<SurfaceHit> hits) const {
+  cast(eye, directions, offsets, hits, 0.0);
+}
+
+void RayCaster::cast(const glm::dvec3& eye, std::span<const glm::dvec3> directions,
+                     std::span<const glm::dvec3> offsets, std::span<SurfaceHit> hits,
+                     double nearest) const {
   std::fill(hits.begin(), hits.end(), SurfaceHit{});
   if (empty()) return;
-  const bool near = is_near(origin);
-  ViewQuery view(*impl_, origin, RayOrder::coherent);
+  const bool near = offsets.empty() && is_near(eye);
+  ViewQuery view(*impl_, eye, RayOrder::coherent);
+  if (!offsets.empty()) view.direction = directions.front();
   for (std::size_t first = 0; first < directions.size(); first += packet) {
     alignas(64) std::array<int, packet> valid{};
     std::array<FloatSegment, packet> segments;
     RTCRayHit16 query;
     const std::size_t count = std::min(packet, directions.size() - first);
     for (std::size_t k = 0; k < count; ++k) {
+      const glm::dvec3 origin = offsets.empty() ? eye : eye + offsets[first + k];
       if (!near) segments[k] = impl_->to_first_hit(origin, directions[first + k]);
       segments[k].tnear = std::max(nearest - segments[k].skip, 0.0);
       impl_->set(query.ray, k, origin, directions[first + k], segments[k]);
@@ -147,7 +175,7 @@ void RayCaster::first_hits(const glm::dvec3& origin, std::span<const glm::dvec3>
 
 bool RayCaster::can_rasterize(const CameraRays& rays) const {
   // Products of three lengths must stay in the range of float, small triangles' too.
-  return is_near(rays.eye()) && impl_->radius > 1e-6 && impl_->radius < 1e6;
+  return !rays.is_parallel() && is_near(rays.eye()) && impl_->radius > 1e-6 && impl_->radius < 1e6;
 }
 
 Raster RayCaster::raster(const CameraRays& rays, const Film& film, const Job& job) const {

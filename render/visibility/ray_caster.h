@@ -6,6 +6,7 @@
 #include <glm/vec3.hpp>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -81,7 +82,14 @@ class RayCaster {
   void first_hits(const glm::dvec3& origin, std::span<const glm::dvec3> directions,
                   std::span<SurfaceHit> hits, double nearest = 0.0) const;
 
-  // Rasterization of a film's first hits: precise enough unless the eye is far away. Keeps a
+  // The same for view rays. Parallel ones start at `offsets` from the eye, and see no triangle that
+  // lies along them; without offsets all start at the eye.
+  void first_hits(const glm::dvec3& eye, std::span<const glm::dvec3> directions,
+                  std::span<const glm::dvec3> offsets, std::span<SurfaceHit> hits) const;
+  // That of a view ray through a position on the film.
+  [[nodiscard]] SurfaceHit first_hit(const CameraRays& rays, double x, double y) const;
+
+  // Rasterization of a pinhole's first hits: precise enough unless the eye is far away. Keeps a
   // reference to this.
   [[nodiscard]] bool can_rasterize(const CameraRays& rays) const;
   [[nodiscard]] Raster raster(const CameraRays& rays, const Film& film, const Job& job) const;
@@ -94,11 +102,11 @@ class RayCaster {
                                    std::span<const Surface> surfaces) const;
 
   // The same for hits on one surface, in single precision relative to the center. Textures are
-  // averaged over a view ray's cone of points.pixel_angle, as if it met the surface in a circle.
-  // Thread-safe.
+  // averaged over what is a pixel wide there, as if it met the surface in a circle. `offsets`: see
+  // first_hits(). Thread-safe.
   void points(std::span<const SurfaceHit> hits, const glm::dvec3& origin,
-              std::span<const glm::vec3> directions, std::span<const Surface> surfaces,
-              SurfacePoints& points) const;
+              std::span<const glm::vec3> directions, std::span<const glm::dvec3> offsets,
+              std::span<const Surface> surfaces, SurfacePoints& points) const;
 
   // Sets `lit` of a light at `position` relative to points.origin that point_to_light() has seen.
   void trace_shadow_rays(const SurfacePoints& points, const glm::vec3& position,
@@ -109,6 +117,11 @@ class RayCaster {
 
  private:
   Revision revision_ = new_revision();
+  // `parallel`: the direction of the rays beside it.
+  [[nodiscard]] SurfaceHit cast(const glm::dvec3& origin, const glm::dvec3& direction,
+                                const std::optional<glm::dvec3>& parallel) const;
+  void cast(const glm::dvec3& eye, std::span<const glm::dvec3> directions,
+            std::span<const glm::dvec3> offsets, std::span<SurfaceHit> hits, double nearest) const;
   void cast_shadow_rays(const SurfacePoints& points, const glm::vec3& position,
                         std::span<const std::uint8_t> pending, LightAtPoints& light) const;
 

@@ -65,8 +65,8 @@ SurfacePoint RayCaster::point(const SurfaceHit& hit, const glm::dvec3& origin,
 }
 
 void RayCaster::points(std::span<const SurfaceHit> hits, const glm::dvec3& origin,
-                       std::span<const glm::vec3> directions, std::span<const Surface> surfaces,
-                       SurfacePoints& points) const {
+                       std::span<const glm::vec3> directions, std::span<const glm::dvec3> offsets,
+                       std::span<const Surface> surfaces, SurfacePoints& points) const {
   const auto surface = static_cast<std::size_t>(hits[0].surface);
   const std::vector<glm::uvec3>& all_corners = impl_->triangles[surface];
   const std::vector<Vertex>& vertices = impl_->vertices[surface];
@@ -88,9 +88,11 @@ void RayCaster::points(std::span<const SurfaceHit> hits, const glm::dvec3& origi
     // Weights of corners lose digits on triangles that are larger than the distance, distances
     // where the eye is far away.
     const glm::vec3& first = vertices[corners.x].position;
-    points.position.set(i, near ? glm::vec3(eye + hit.distance * glm::dvec3(directions[start]))
-                                : first + hit.u * (vertices[corners.y].position - first) +
-                                      hit.v * (vertices[corners.z].position - first));
+    const glm::dvec3 start_of_ray = offsets.empty() ? eye : eye + offsets[start];
+    points.position.set(
+        i, near ? glm::vec3(start_of_ray + hit.distance * glm::dvec3(directions[start]))
+                : first + hit.u * (vertices[corners.y].position - first) +
+                      hit.v * (vertices[corners.z].position - first));
     points.u[i] = hit.u;
     points.v[i] = hit.v;
     points.to_eye.set(i, -directions[start]);

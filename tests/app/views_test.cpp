@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/viewport/view_grid.h"
+#include "core/scene/cameras.h"
 #include "tests/app/test_window.h"
 
 using namespace brume;

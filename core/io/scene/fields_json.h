@@ -5,6 +5,7 @@
 
 #include "core/io/scene/json_reader.h"
 #include "core/io/scene/keys_json.h"
+#include "core/scene/fields/description.h"
 #include "core/scene/fields/field.h"
 
 namespace brume {
@@ -42,6 +43,13 @@ void read_fields(JsonObject& object, Owner& owner) {
   visit_fields<Owner>([&](const auto& field) {
     if (field.info.is_required) static_cast<void>(object.required(field.info.name));
     read_value(object, field.info.name, field.domain, field.of(owner));
+  });
+  visit_fields<Owner>([&](const auto& field) {
+    const FieldInfo* const other = replacement(field, owner);
+    if (!other || object.find(field.info.name) == nullptr) return;
+    if (field.info.is_always_saved || !is_usual(field, owner)) {
+      object.fail(other->name, found_beside(field.info));
+    }
   });
 }
 

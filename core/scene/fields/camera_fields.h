@@ -34,6 +34,19 @@ inline constexpr auto fields<Camera> = std::tuple{
            .says = "Full angle of view from the bottom to the top of the picture",
            .step = 0.1,
            .is_keyed_jointly = true}),
+    field(&Camera::height, &CameraKeys::height, domain::length,
+          {.name = "height",
+           .label = "Height",
+           .unit = "u",
+           .says = "Of an orthographic camera, in place of vertical_fov: height of what it sees, "
+                   "from edge to edge; it sees from the plane of `eye` on, and has no lens that "
+                   "blurs",
+           .step = 0.01,
+           .is_logarithmic = true,
+           .absent = "a perspective camera",
+           .is_always_saved = false,
+           .is_keyed_jointly = true,
+           .replaces = {"vertical_fov", "aperture"}}),
     field(
         &Camera::aperture, &CameraKeys::aperture, domain::not_negative,
         {.name = "aperture",

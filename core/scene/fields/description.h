@@ -19,4 +19,9 @@ std::string description(const F& field) {
   return text + "; " + allowed;
 }
 
+// The message for a value that is given beside one that it replaces.
+inline std::string found_beside(const FieldInfo& replaced) {
+  return std::string("found beside ") + replaced.name + "; allowed: one of the two";
+}
+
 }  // namespace brume

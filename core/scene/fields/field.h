@@ -1,10 +1,12 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
+#include <string_view>
 #include <tuple>
 #include <type_traits>
 
@@ -31,6 +33,12 @@ struct FieldInfo {
   bool is_required = false;        // files must have it
   bool is_track_optional = false;  // the timeline shows it only where files have it
   bool is_keyed_jointly = false;   // in one track with the others of its object that are
+  // Values that count for nothing where this optional one is there.
+  std::array<std::string_view, 2> replaces{};
+
+  [[nodiscard]] constexpr bool does_replace(std::string_view value) const {
+    return replaces[0] == value || replaces[1] == value;
+  }
 };
 
 namespace domain {
@@ -104,6 +112,18 @@ constexpr void visit_fields(auto&& visit) {
              fields<std::remove_const_t<Owner>>);
 }
 
+// The value that is there in place of this one; nullptr: none is.
+template <class F>
+const FieldInfo* replacement(const F& field, const typename F::Owner& owner) {
+  const FieldInfo* found = nullptr;
+  visit_fields<typename F::Owner>([&]<class Other>(const Other& other) {
+    if constexpr (may_be_absent<typename Other::Value>) {
+      if (other.info.does_replace(field.info.name) && other.of(owner)) found = &other.info;
+    }
+  });
+  return found;
+}
+
 // Calls visit(field, keys) for each field that can have keyframes and is there.
 template <class Owner>
 void visit_keyed_fields(Owner& owner, auto& all_keys, auto&& visit) {
@@ -112,7 +132,7 @@ void visit_keyed_fields(Owner& owner, auto& all_keys, auto&& visit) {
       if constexpr (may_be_absent<typename F::Value>) {
         if (!field.of(owner)) return;
       }
-      visit(field, all_keys.*field.keys);
+      if (!replacement(field, owner)) visit(field, all_keys.*field.keys);
     }
   });
 }
@@ -140,6 +160,7 @@ template <class Owner>
 void visit_present(Owner& owner, auto&& visit) {
   visit_fields<Owner>([&]<class F>(const F& field) {
     auto& value = field.of(owner);
+    if (replacement(field, owner)) return;
     if constexpr (!may_be_absent<typename F::Value>) {
       visit(field, value);
     } else if (value) {
@@ -174,14 +195,23 @@ bool is_in_domain(const Owner& owner) {
   return is_in;
 }
 
-// Removes keyframes of optional values that are not there: they would be unknown keys in a file.
+// Removes keyframes of values that are not there or replaced: they would be unknown keys in a file.
 template <class Owner, class AllKeys>
 void clear_keys_of_absent(const Owner& owner, AllKeys& all_keys) {
   visit_fields<Owner>([&]<class F>(const F& field) {
-    if constexpr (F::can_have_keys && may_be_absent<typename F::Value>) {
-      if (!field.of(owner)) (all_keys.*field.keys).clear();
+    if constexpr (F::can_have_keys) {
+      bool is_there = !replacement(field, owner);
+      if constexpr (may_be_absent<typename F::Value>) is_there = is_there && field.of(owner);
+      if (!is_there) (all_keys.*field.keys).clear();
     }
   });
+}
+
+// Whether a value is the default.
+template <class F>
+bool is_usual(const F& field, const typename F::Owner& owner) {
+  const typename F::Owner usual{};
+  return field.of(owner) == field.of(usual);
 }
 
 // Whether a value says more than its absence in a file would.
@@ -190,8 +220,7 @@ bool is_set(const F& field, const typename F::Owner& owner, const AllKeys& all_k
   if constexpr (F::can_have_keys) {
     if (!(all_keys.*field.keys).empty()) return true;
   }
-  const typename F::Owner usual{};
-  return field.info.is_always_saved || field.of(owner) != field.of(usual);
+  return field.info.is_always_saved || !is_usual(field, owner);
 }
 
 }  // namespace brume

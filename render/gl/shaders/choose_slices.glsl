@@ -39,6 +39,7 @@ void main() {
     max_length = max(max_length, depth >= 0.0 ? depth : ray_end);
   }
   const bool is_corner = id < 4;
+  set_ray_offset(pixels.xy + corner_);
   CenterRay ray = center_ray(is_corner, ray_direction(pixels.xy + corner_));
   ray.max_length = reduce_max(max_length);
   choose_slices(ray, offsets[tile], offsets[tile + 1], slices, per_light, b0);

@@ -15,7 +15,8 @@ layout(std430, binding = 3) writeonly buffer Behind { vec4 behind[]; };
 layout(std430, binding = 7) readonly buffer Records { uint records[]; };
 
 uniform ivec2 film;
-uniform float pixel_angle;
+uniform float pixel_angle;  // between neighbouring rays
+uniform float pixel_width;  // between parallel ones [u]
 
 float number(int place) { return uintBitsToFloat(records[place]); }
 vec3 color(int place) { return vec3(number(place), number(place + 1), number(place + 2)); }
@@ -132,7 +133,7 @@ void main() {
 
   const TextureFrame frame = texture_frame(hit);
   const float cosine = max(dot(point.normal, -ray_direction(pixel)), min_grazing_cosine);
-  const float footprint = pixel_angle * hit.distance / cosine * frame.density;
+  const float footprint = (pixel_angle * hit.distance + pixel_width) / cosine * frame.density;
   const vec3 base_color =
       color(record + material_base_color) *
       lookup(int(records[record + material_base_color_texture]), frame.uv, footprint).rgb;

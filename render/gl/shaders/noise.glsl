@@ -1,4 +1,4 @@
-// View rays, which noise may displace.
+// View rays, which noise may displace. With PARALLEL defined it is included after rays.glsl.
 #include "formulas.glsl"
 #include "ellipsoids.glsl"
 
@@ -12,7 +12,12 @@ uniform uint noise_key;
 void displace(inout LineProfile line, vec3 p, vec3 w, float a, float max_undisplaced_e) {
   if (noise_amplitude > 0.0 && line.e <= max_undisplaced_e) {
     const float along = clamp(noise_frequency * line.t0, -max_lattice_distance, max_lattice_distance);
-    const vec3 gradient = potential_gradient(along * w + noise_cell, w, noise_key);
+#ifdef PARALLEL
+    const vec3 cell = along * w + (noise_frequency * ray_offset + noise_cell);
+#else
+    const vec3 cell = along * w + noise_cell;
+#endif
+    const vec3 gradient = potential_gradient(cell, w, noise_key);
     line.e = displaced_e(p, w, gradient, a, noise_amplitude);
   }
 }

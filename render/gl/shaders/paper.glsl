@@ -27,8 +27,9 @@ shared EllipsoidWarp batch_ellipsoids[group_size];
 
 // Airlight of the homogeneous part (eqs. 17 to 19), per unit of radiant intensity.
 float fog_airlight(PaperLight light, vec3 w, float length_) {
-  const float ts = dot(light.position, w);
-  const vec3 offset = light.position - ts * w;
+  const vec3 s = from_ray(light.position);
+  const float ts = dot(s, w);
+  const vec3 offset = s - ts * w;
   const FogRay ray = fog_ray(ts, dot(offset, offset), length_, light.h_min, b0);
   // Panels double from the phase function's peak, at angle 0 between light and view or at pi.
   const float phi_offset = anisotropy < 0.0 ? pi - (ray.at_start + ray.span) : ray.at_start;
@@ -55,6 +56,7 @@ void main() {
   const uint id = gl_LocalInvocationID.x;
   const PixelOfGroup pixel = pixel_of_group();
   const vec3 w = ray_direction(pixel.position);
+  set_ray_offset(pixel.position);
   const float length_ = pixel.live ? ray_length(pixel.position) : 0.0;
   const uint begin = offsets[pixel.tile];
   const uint end = offsets[pixel.tile + 1];
@@ -79,9 +81,9 @@ void main() {
       const SeenGaussian g = batch[j];
 #ifdef ELLIPSOIDS
       const EllipsoidWarp e = batch_ellipsoids[j];
-      const LineProfile line = view_line_profile(e, g.center, w, g.a, g.max_undisplaced_e);
+      const LineProfile line = view_line_profile(e, from_ray(g.center), w, g.a, g.max_undisplaced_e);
 #else
-      const LineProfile line = view_line_profile(g.center, w, g.a, g.max_undisplaced_e);
+      const LineProfile line = view_line_profile(from_ray(g.center), w, g.a, g.max_undisplaced_e);
 #endif
       if (line.e > g.max_e) continue;
       ++pairs;
@@ -102,9 +104,9 @@ void main() {
       if (conserves != 0) {
         scattered += through * exp(-(frozen[light_count * gaussian_count + i] + depth_to_point));
       }
-      const vec3 q = g.center - t * w;  // the centre relative to that point
+      const vec3 q = from_ray(g.center) - t * w;  // the centre relative to that point
       for (int l = 0; l < light_count; ++l) {
-        const vec3 s = lights[l].position;
+        const vec3 s = from_ray(lights[l].position);
         const float ts = dot(s, w);
         const vec3 offset = s - ts * w;
         const float along = t - ts;

@@ -30,6 +30,23 @@ uniform ivec2 tiles;           // as many
 uniform int scale;
 uniform float farther;  // how far noise bends rays, in radii
 
+#ifdef PARALLEL
+// The stretch of one film axis, from -1 to 1, that a disc around (x, z) covers as seen along z;
+// (1, -1): none.
+dvec2 covered(double x, double z, double radius, double half_size) {
+  if (z <= -radius) return dvec2(1.0LF, -1.0LF);
+  return dvec2(max(-1.0LF, (x - radius) / half_size), min(1.0LF, (x + radius) / half_size));
+}
+
+#ifdef ELLIPSOIDS
+// The same of an ellipse; `squares` holds the products xx, xz and zz of its reaches along x and z.
+dvec2 covered(double x, double z, double radius, dvec3 squares, double half_size) {
+  if (z <= -sqrt(squares.z)) return dvec2(1.0LF, -1.0LF);
+  const double reach = sqrt(squares.x);
+  return dvec2(max(-1.0LF, (x - reach) / half_size), min(1.0LF, (x + reach) / half_size));
+}
+#endif
+#else
 // The stretch of one film axis, from -1 to 1, that a disc around (x, z) covers as seen from the
 // origin along z; (1, -1): none. By the tangents, whose angles are those of (x, z) plus and minus
 // asin(radius / distance).
@@ -57,6 +74,7 @@ dvec2 covered(double x, double z, double radius, dvec3 squares, double half_size
   return dvec2(max(-1.0LF, (middle - root) / (front * half_size)),
                min(1.0LF, (middle + root) / (front * half_size)));
 }
+#endif
 #endif
 
 int first_pixel(double s, int size, double start) {

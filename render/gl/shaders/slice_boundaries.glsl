@@ -34,19 +34,24 @@ struct SliceNeed {
 };
 
 SliceNeed slice_need(CenterRay ray, uint i, SeenGaussian g) {
-  const float center = dot(g.center, ray.w);
+  const vec3 q = from_center(ray, g.center);
+  const float center = dot(q, ray.w);
 #ifdef ELLIPSOIDS
   const EllipsoidWarp e = ellipsoid_of(i);
   if (is_ellipsoid(e)) {
     const mat3 warp = warp_of(e);
-    const LineProfile line = warped_line_profile(warp * g.center, warp * ray.w, g.a);
+    const LineProfile line = warped_line_profile(warp * q, warp * ray.w, g.a);
+#ifdef PARALLEL
+    const float nearer = ray.width * g.a / e.second.z;
+#else
     const float nearer = ray.spread * max(line.t0, 0.0) * g.a / e.second.z;
+#endif
     const float along = g.cutoff_radius * reach_along(e, ray.w);
     return SliceNeed(line.t0, max(sqrt(line.e) - nearer, 0.0), line.a,
                      vec2(center - along, (center + along) * length(vec2(1.0, ray.spread))));
   }
 #endif
-  const vec2 nearest = nearest_pass(ray, g.center);
+  const vec2 nearest = nearest_pass(ray, q);
   const float h = g.a * nearest.y;
   return SliceNeed(center + exp(-h * h) * (nearest.x - center), h, g.a,
                    vec2(center, nearest.x) + vec2(-g.cutoff_radius, g.cutoff_radius));
@@ -164,7 +169,7 @@ void place_boundaries(vec2 core, int bins, int count) {
 // Where light falls off within a medium, slices of equal angle as seen from the light.
 void add_equi_angular(int l, CenterRay ray, vec2 range, int count) {
   const int k = int(gl_LocalInvocationID.x) + 1;
-  const vec3 q = lights[l].position;
+  const vec3 q = from_center(ray, lights[l].position);
   const vec3 w = ray.w;
   const float ts = nearest_pass(ray, q).x;
   // A light almost on the ray would put all slices at one point: half a slice is fine enough, of
@@ -223,11 +228,12 @@ void choose_slices(CenterRay ray, uint begin, uint end, int slices, int per_ligh
     const SeenGaussian g = seen[i];
     const float r = g.cutoff_radius;
     if (demand_weight(demanding, k - begin, g.scale) == 0.0) {
-      extent = vec2(min(extent.x, dot(g.center, ray.w) - r), max(extent.y, length(g.center) + r));
+      const vec3 q = from_center(ray, g.center);
+      extent = vec2(min(extent.x, dot(q, ray.w) - r), max(extent.y, length(q) + r));
       continue;
     }
     const SliceNeed need = slice_need(ray, i, g);
-    const float along = dot(g.center, ray.w) - need.extent.x;
+    const float along = dot(from_center(ray, g.center), ray.w) - need.extent.x;
     const float half_ = min(core_radii(2.0 * g.scale * g.a / need.a) / need.a, along);
     extent = vec2(min(extent.x, need.extent.x), max(extent.y, need.extent.y));
     core = vec2(min(core.x, need.t - half_), max(core.y, need.t + half_));
@@ -260,7 +266,7 @@ void choose_slices(CenterRay ray, uint begin, uint end, int slices, int per_ligh
   const vec2 lit = b0 > 0.0 ? full_range : core;
   for (int l = 0; l < light_count; ++l) {
     // A light in or near the medium; far ones are smooth along the ray.
-    const vec3 q = lights[l].position;
+    const vec3 q = from_center(ray, lights[l].position);
     const float ts = dot(q, ray.w);
     const float h = length(q - ts * ray.w);
     const float distance_to_range = max(max(lit.x - ts, ts - lit.y), 0.0);

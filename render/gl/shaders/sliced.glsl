@@ -47,8 +47,9 @@ shared float spilled_moments[chunk * group_size];
 ivec3 slices_of(uint i, CenterRay ray, int first, int last) {
   const SeenGaussian g = seen[i];
   // A ray that is off the middle one by d meets it at most |d| h + |d|^2 t / 2 before or after.
-  const float t = dot(g.center, ray.w);
-  const float h = length(g.center - t * ray.w);
+  const vec3 q = from_center(ray, g.center);
+  const float t = dot(q, ray.w);
+  const float h = length(q - t * ray.w);
   const float slack =
       sqrt(g.max_e) / g.a + ray.spread * (h + 0.5 * ray.spread * abs(t));
   const ivec2 range = touched_slices(t - slack, t + slack, first, last);
@@ -62,6 +63,7 @@ void main() {
   const float length_ = pixel.live ? ray_length(pixel.position) : 0.0;
   const uint begin = offsets[pixel.tile];
   const uint end = offsets[pixel.tile + 1];
+  set_ray_offset(pixel.position);
   const CenterRay ray = center_ray(pixel.live, w);
   set_source_weights(w);
   find_slice_bounds(pixel.tile);
@@ -124,9 +126,9 @@ void main() {
         const SeenGaussian g = batch[j];
 #ifdef ELLIPSOIDS
         const LineProfile line =
-            view_line_profile(batch_ellipsoids[j], g.center, w, g.a, g.max_undisplaced_e);
+            view_line_profile(batch_ellipsoids[j], from_ray(g.center), w, g.a, g.max_undisplaced_e);
 #else
-        const LineProfile line = view_line_profile(g.center, w, g.a, g.max_undisplaced_e);
+        const LineProfile line = view_line_profile(from_ray(g.center), w, g.a, g.max_undisplaced_e);
 #endif
         if (line.e > g.max_e) continue;
         const float half_depth = half_depth_of(line, g.scale, g.a);
@@ -195,7 +197,7 @@ void main() {
         lookup_weight += truncated_fraction;
         lookup_position += truncated_fraction * part.center;
         for (int l = 0; l < light_count; ++l) {
-          const vec3 s = lights[l].position;
+          const vec3 s = from_ray(lights[l].position);
           const float ts = dot(s, w);
           const vec3 offset = s - ts * w;
           const float h2 = max(dot(offset, offset), max(lights[l].h_min * lights[l].h_min, tiny));
@@ -213,8 +215,9 @@ void main() {
           }
           const float along = middle - ts;
           const float distance_ = sqrt(along * along + h2);
-          const vec3 q = middle * w - lights[l].map_origin.xyz;
-          float light_depth = b0 * length_in_fog(l, middle * w, (middle * w - s) / distance_, distance_);
+          const vec3 point = on_ray(middle, w);
+          const vec3 q = point - lights[l].map_origin.xyz;
+          float light_depth = b0 * length_in_fog(l, point, (middle * w - s) / distance_, distance_);
           if (lights[l].has_table != 0) light_depth += table_depth(l, q, distance_);
           float light = falloff * exp(-light_extinction * light_depth);
           float fraction = whole_fraction;
@@ -242,7 +245,7 @@ void main() {
       const int next = first + k + 1;
       if (source_levels > 0 && lookup_weight > 0.0 &&
           (next % 2 == 0 || next == last)) {
-        scattered += lookup_weight * source_at(lookup_position / lookup_weight * w);
+        scattered += lookup_weight * source_at(on_ray(lookup_position / lookup_weight, w));
         lookup_weight = 0.0;
         lookup_position = 0.0;
       }

@@ -110,7 +110,12 @@ SourceCell source_cell(vec3 p) {
     cell.weights[c] = weight.x * weight.y * weight.z;
   }
   if (source_surfaces != 0) {
-    hide_corners(eye_corner(-p), cell.first, cell.weights);
+#ifdef PARALLEL
+    const vec3 to_eye = -vec3(parallel_direction);
+#else
+    const vec3 to_eye = -p;
+#endif
+    hide_corners(eye_corner(to_eye), cell.first, cell.weights);
   }
   return cell;
 }
@@ -142,7 +147,7 @@ vec3 source_at(vec3 p) {
 
 // SourceFunction::lobe().
 vec3 source_forward_lobe(bool from_eye, float line_depth) {
-  const vec3 eye = vec3(0.0);
+  const vec3 eye = on_ray(0.0, vec3(0.0));
   vec3 sum = vec3(0.0);
   if (from_eye && is_on_source(source_levels - 1, source_position(source_levels - 1, eye))) {
     const SourceCell cell = source_cell(eye);

@@ -22,7 +22,8 @@ int vertex_of(int triangle, int k) { return corners[3 * (triangle_count + triang
 // Weights of corners lose digits on triangles that are larger than the distance, distances where
 // the eye is far away.
 vec3 hit_position(PixelHit hit, ivec2 pixel) {
-  if (is_near(eye)) return vec3(eye + double(hit.distance) * exact_direction(pixel));
+  const dvec3 start = eye + exact_offset(pixel);
+  if (is_near(start)) return vec3(start + double(hit.distance) * exact_direction(pixel));
   const vec3 first = corner_of(hit.triangle, 0);
   return first + hit.u * (corner_of(hit.triangle, 1) - first) +
          hit.v * (corner_of(hit.triangle, 2) - first);

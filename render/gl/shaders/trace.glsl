@@ -25,7 +25,8 @@ struct Hit {
   int triangle;  // < 0: none
 };
 
-// View rays, from `seen_from`, see no triangle edge-on: see render/geometry/edge_on.h.
+// View rays, from `seen_from` or with PARALLEL defined all in that direction, see no triangle edge-on:
+// see render/geometry/edge_on.h.
 dvec3 seen_from = dvec3(0.0LF);
 bool skips_edge_on = false;
 
@@ -33,8 +34,14 @@ float max_component(vec3 v) { return max(v.x, max(v.y, v.z)); }
 
 bool is_edge_on(vec3 a, vec3 b, vec3 c) {
   const dvec3 normal = cross(dvec3(b) - dvec3(a), dvec3(c) - dvec3(a));
+#ifdef PARALLEL
+  const dvec3 sizes = abs(seen_from);
+  const double off = abs(dot(normal, seen_from));
+#else
   const dvec3 sizes = max(dvec3(max(abs(a), max(abs(b), abs(c)))), abs(seen_from));
-  return abs(dot(normal, seen_from - dvec3(a))) <=
+  const double off = abs(dot(normal, seen_from - dvec3(a)));
+#endif
+  return off <=
          edge_on_rounding * dot(abs(normal), sizes) +
              edge_on_share * max(sizes.x, max(sizes.y, sizes.z)) * length(normal);
 }
@@ -125,7 +132,11 @@ Hit first_hit(dvec3 origin, dvec3 direction, float nearest, out double skip) {
   if (!is_near(origin)) {
     skip = max(-dot(origin, direction) - start_radii * surfaces_radius, 0.0LF);
   }
+#ifdef PARALLEL
+  seen_from = direction;
+#else
   seen_from = origin;
+#endif
   skips_edge_on = true;
   const Hit hit = trace(vec3(origin + skip * direction), vec3(direction),
                         max(nearest - float(skip), 0.0), beyond_all, false);

@@ -15,7 +15,7 @@ void main() {
   const ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
   if (any(greaterThanEqual(pixel, film))) return;
   double skip;
-  const Hit hit = first_hit(eye, exact_direction(pixel), 0.0, skip);
+  const Hit hit = first_hit(eye + exact_offset(pixel), exact_direction(pixel), 0.0, skip);
   const float t = hit.triangle < 0 ? -1.0 : float(skip + hit.t);
   imageStore(depths, pixel, vec4(t));
   hits[pixel.y * film.x + pixel.x] = PixelHit(t, hit.u, hit.v, hit.triangle);

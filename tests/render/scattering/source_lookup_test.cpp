@@ -169,7 +169,7 @@ TEST(SourceView, HoldsWhatNodesSumTo) {
       return result;
     };
     SourceView view;
-    view.update(function, eye, Job{});
+    view.update(function, CameraRays(Camera{.eye = eye}, Film{}), Job{});
     const std::vector<glm::vec3> got = looked_up(view.lookup(function));
     const std::vector<glm::vec3> expected = looked_up(function.from_eye(eye));
     float sum = 0.0f;

@@ -86,7 +86,7 @@ TEST(SurfaceKernels, PointsAreThoseOfThePlainVersion) {
       for (const std::size_t count : {1u, 15u, 16u, 100u, 128u}) {
         const Seen seen = look(which, count, 100.0 * size * random.point(1.0), size, random);
         SurfacePoints points;
-        seen.ray_caster->points(seen.hits, seen.eye, seen.directions, seen.surfaces, points);
+        seen.ray_caster->points(seen.hits, seen.eye, seen.directions, {}, seen.surfaces, points);
         ASSERT_EQ(points.count, count);
         EXPECT_EQ(points.surface, &seen.surfaces[static_cast<std::size_t>(which)]);
         for (std::size_t k = 0; k < count; ++k) {
@@ -116,7 +116,7 @@ TEST(SurfaceKernels, TrianglesWithoutNormalsHaveTheSideOfTheirWinding) {
     const glm::dvec3 w(0.0, 0.0, -side);
     const std::vector hits{ray_caster.first_hit(eye, w)};
     SurfacePoints points;
-    ray_caster.points(hits, eye, std::vector{glm::vec3(w)}, surfaces, points);
+    ray_caster.points(hits, eye, std::vector{glm::vec3(w)}, {}, surfaces, points);
     EXPECT_EQ(points.normal[0], glm::dvec3(0, 0, side));
     EXPECT_EQ(points.side[0], side);
     EXPECT_EQ(ray_caster.point(hits[0], eye, w, surfaces).normal, glm::dvec3(0, 0, side));
@@ -130,7 +130,7 @@ TEST(SurfaceKernels, LightIsThatOfThePlainVersion) {
   for (int scene = 0; scene < 20; ++scene) {
     const Seen seen = look(scene % 2, 128, glm::dvec3(0.0), 1.0, random);
     SurfacePoints points;
-    seen.ray_caster->points(seen.hits, seen.eye, seen.directions, seen.surfaces, points);
+    seen.ray_caster->points(seen.hits, seen.eye, seen.directions, {}, seen.surfaces, points);
     Material material;
     material.type = scene % 3 == 0 ? Material::Type::phong : Material::Type::diffuse;
     material.reflectance = {0.2, 0.5, 0.9};
@@ -200,7 +200,7 @@ TEST(SurfaceKernels, ALightOnTheSurfaceContributesNothing) {
   Random random(3);
   const Seen seen = look(0, 5, glm::dvec3(0.0), 1.0, random);
   SurfacePoints points;
-  seen.ray_caster->points(seen.hits, seen.eye, seen.directions, seen.surfaces, points);
+  seen.ray_caster->points(seen.hits, seen.eye, seen.directions, {}, seen.surfaces, points);
   LightAtPoints light_at_point;
   point_to_light(points, glm::vec3(points.position[2]), LightFalloff(), 0.0f, light_at_point);
   light_at_point.depths.fill(0.0f);

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "brume/at_time.h"
 #include "core/io/scene/gather.h"
 #include "core/io/scene/scene_file.h"
 #include "core/scene/cameras.h"
@@ -80,7 +81,47 @@ TEST_F(CamerasAndOutput, ComeBackWithTheirUnknownKeys) {
   EXPECT_EQ(other.scene, scene);
 }
 
+TEST_F(CamerasAndOutput, OrthographicOnesComeBackWithoutAnAngle) {
+  std::vector<std::string> warnings;
+  const SceneDocument document = load_document(write(R"(
+    "camera": {"eye": [0, 0, 3], "height": 2.5, "aperture": 0,
+               "keys": {"height": [{"time": 1, "value": 4}]}},
+    "cameras": [{"name": "Map", "eye": [0, 9, 0], "up": [0, 0, -1], "height": 100}])"),
+                                               &warnings);
+  const Scene& scene = document.scene;
+  EXPECT_EQ(scene.camera.height, 2.5);
+  EXPECT_EQ(scene.camera_keys.height.size(), 1U);
+  EXPECT_EQ(scene.cameras[0].camera.height, 100.0);
+  EXPECT_EQ(evaluate_at(scene, 1.0).camera.height, 4.0);
+  EXPECT_TRUE(warnings.empty());
+  const std::string text = document_to_json(document, folder_.path());
+  EXPECT_FALSE(contains(text, "vertical_fov"));
+  EXPECT_FALSE(contains(text, "aperture"));
+  const Scene again = load_scene(folder_.write("b.brume", text));
+  EXPECT_EQ(again.camera, scene.camera);
+  EXPECT_EQ(again.camera_keys, scene.camera_keys);
+  EXPECT_EQ(again.cameras[0].camera, scene.cameras[0].camera);
+}
+
+// As keyframes of any value that is not there.
+TEST_F(CamerasAndOutput, KeyframesOfTheValueThatIsNotInUseAreUnknown) {
+  std::vector<std::string> warnings;
+  const SceneDocument fov = load_document(
+      write(R"("camera": {"height": 2, "keys": {"vertical_fov": [{"time": 1, "value": 30}]}})"),
+      &warnings);
+  EXPECT_TRUE(fov.scene.camera_keys.vertical_fov.empty());
+  EXPECT_EQ(warnings.size(), 1U);
+  const SceneDocument height = load_document(
+      write(R"("camera": {"keys": {"height": [{"time": 1, "value": 30}]}})"), &warnings);
+  EXPECT_TRUE(height.scene.camera_keys.height.empty());
+  EXPECT_EQ(warnings.size(), 2U);
+}
+
 TEST_F(CamerasAndOutput, RefuseMistakes) {
+  expect_refused(R"("camera": {"vertical_fov": 40, "height": 2})", "camera.height: ");
+  expect_refused(R"("camera": {"aperture": 0.1, "height": 2})", "camera.height: ");
+  expect_refused(R"("cameras": [{"name": "A", "vertical_fov": 40, "height": 2}])",
+                 "cameras[0].height: found beside vertical_fov");
   for (const char* name : {"1", "null", "[]", R"("")", R"("a\nb")"}) {
     expect_refused(std::string(R"("camera": {"name": )") + name + "}", "camera.name");
     expect_refused(std::string(R"("cameras": [{"name": )") + name + "}]", "cameras[0].name");

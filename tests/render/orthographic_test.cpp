@@ -1,0 +1,231 @@
+// Orthographic cameras, as every method sees through them.
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "core/scene/camera_rays.h"
+#include "core/scene/cameras.h"
+#include "render/reference/reference_pixels.h"
+#include "render/renderer.h"
+#include "render/samples/brightness.h"
+#include "render/samples/exposure.h"
+#include "tests/render/regions.h"
+#include "tests/render/test_scenes.h"
+
+namespace brume {
+namespace {
+
+// Seen slanted, with the plane of the eye before all that is in the scene.
+Scene seen_in_parallel(Scene scene) {
+  scene.film = {40, 32};
+  scene.camera.eye = {1.5, 2.0, 4.0};
+  scene.camera.target = {0.1, 0.0, 0.0};
+  scene.camera.height = 2.6;
+  return scene;
+}
+
+// The same from `distance` away by a pinhole.
+Scene seen_from_afar(Scene scene, double distance) {
+  Camera& camera = scene.camera;
+  camera.eye = camera.target + distance * glm::normalize(camera.eye - camera.target);
+  camera = perspective(camera);
+  return scene;
+}
+
+Scene with_ray_noise(Scene scene) {
+  scene.optics.noise = {.amplitude = 0.4, .frequency = 2.0};
+  return scene;
+}
+
+// Which has no edges in the picture.
+Scene before_a_wide_wall(Scene scene) {
+  scene.surfaces.push_back(wall(-0.4, 9.0));
+  return scene;
+}
+
+Scene under_an_even_sky(Scene scene, double anisotropy) {
+  scene.environment.emplace().map = constant_sky(0.3f);
+  scene.optics.anisotropy = anisotropy;
+  return scene;
+}
+
+struct ParallelCase {
+  const char* name;
+  Scene scene;
+};
+
+std::vector<ParallelCase> parallel_cases() {
+  return {{"cloud", cloud_scene(30, 2.0)},
+          {"ellipsoids", ellipsoid_scene(24, 2.0, 8.0)},
+          {"noise", with_ray_noise(cloud_scene(30, 2.0))},
+          {"noise in ellipsoids", with_ray_noise(ellipsoid_scene(24, 2.0, 8.0))},
+          {"wall", before_a_wide_wall(cloud_scene(30, 2.0))},
+          {"forward under a sky", under_an_even_sky(before_a_wide_wall(cloud_scene(30, 2.0)), 0.7)},
+          {"backward under a sky", under_an_even_sky(cloud_scene(30, 2.0), -0.4)}};
+}
+
+// From 300 u the directions to the picture's edges differ by 0.4%, and so much do sizes, by which
+// pixels see what is 0.01 u beside.
+constexpr double distance_of_afar = 300.0;
+constexpr double difference_of_afar = 0.012;
+
+void expect_limit_of_pinholes(const Settings& settings, const char* method,
+                              double bound = difference_of_afar) {
+  for (const auto& [name, scene] : parallel_cases()) {
+    SCOPED_TRACE(testing::Message() << method << ", " << name);
+    const Scene parallel = seen_in_parallel(scene);
+    const Frame frame = render_frame(parallel, settings);
+    const Frame limit = render_frame(seen_from_afar(parallel, distance_of_afar), settings);
+    expect_finite(frame);
+    EXPECT_LT(difference(frame.airlight, limit.airlight).relative_rmse, bound);
+    EXPECT_LT(difference(frame.transmittance, limit.transmittance).relative_rmse, bound);
+    EXPECT_LT(difference(frame.beauty, limit.beauty).relative_rmse, bound);
+  }
+}
+
+TEST(Orthographic, IsTheLimitOfPinholesSliced) {
+  expect_limit_of_pinholes(sliced(24), "sliced");
+}
+
+TEST(Orthographic, IsTheLimitOfPinholesForAllOrders) {
+  Settings settings = sliced(24, Scattering::multiple);
+  settings.source_grid = {.nodes = 2000, .directions = 32};
+  expect_limit_of_pinholes(settings, "all orders");
+}
+
+TEST(Orthographic, IsTheLimitOfPinholesByThePaper) {
+  expect_limit_of_pinholes(paper_settings, "paper");
+  Settings improved = paper_settings;
+  improved.paper = {true, true};
+  expect_limit_of_pinholes(improved, "improved paper");
+}
+
+TEST(Orthographic, IsTheLimitOfPinholesMarched) {
+  expect_limit_of_pinholes(marched(32), "march");
+}
+
+TEST(Orthographic, PaperInSimdIsThePlainFrame) {
+  for (const auto& [name, scene] : parallel_cases()) {
+    SCOPED_TRACE(name);
+    Settings settings = paper_settings;
+    settings.paper = {true, true};
+    settings.depth_error = 1e-7;  // culling is not the same in both
+    const Scene parallel = seen_in_parallel(in_fog(scene, 0.02));
+    const Frame fast = render_frame(parallel, settings);
+    settings.precision = Settings::Precision::plain_double;
+    const Frame plain = render_frame(parallel, settings);
+    EXPECT_LT(difference(fast.airlight, plain.airlight).relative_rmse, 1e-3);
+  }
+}
+
+// In fog, where the plane of the eye matters; bounds as of pinholes.
+TEST(Orthographic, SlicedAndMarchedAreTheReferenceInFog) {
+  for (const auto& [name, scene] :
+       {ParallelCase{"cloud", cloud_scene(30, 2.0)},
+        ParallelCase{"wall", before_a_wide_wall(cloud_scene(30, 2.0))},
+        ParallelCase{"noise", with_ray_noise(before_a_wide_wall(cloud_scene(30, 2.0)))},
+        ParallelCase{"ellipsoids", before_a_wide_wall(ellipsoid_scene(24, 2.0, 8.0))}}) {
+    SCOPED_TRACE(name);
+    const Scene parallel = seen_in_parallel(in_fog(scene, 0.05));
+    const Frame reference = render_frame(parallel, reference_settings(1e-5));
+    EXPECT_LT(
+        difference(render_frame(parallel, sliced(48)).airlight, reference.airlight).relative_rmse,
+        0.006);
+    if (scene.surfaces.empty()) continue;  // endless fog takes more steps
+    EXPECT_LT(
+        difference(render_frame(parallel, marched(200)).airlight, reference.airlight).relative_rmse,
+        0.01);
+  }
+}
+
+// The plane of the eye in the middle of all: nothing behind it is seen.
+TEST(Orthographic, SeesFromThePlaneOfTheEyeOn) {
+  Scene scene = seen_in_parallel(in_fog(before_a_wide_wall(cloud_scene(30, 2.0)), 0.05));
+  scene.camera.eye = scene.camera.target + 0.05 * (scene.camera.eye - scene.camera.target);
+  const Frame reference = render_frame(scene, reference_settings(1e-5));
+  const Frame frame = render_frame(scene, sliced(48));
+  EXPECT_LT(difference(frame.airlight, reference.airlight).relative_rmse, 0.006);
+  for (std::size_t i = 0; i < frame.transmittance.size(); ++i) {
+    ASSERT_NEAR(frame.transmittance[i], reference.transmittance[i], 2e-3);
+  }
+}
+
+TEST(Orthographic, AllOrdersMatchPaths) {
+  Scene scene = seen_in_parallel(in_fog(before_a_wide_wall(cloud_scene(24, 2.5)), 0.05));
+  expect_all_orders_match_paths(scene, "in parallel");
+}
+
+TEST(Orthographic, ReferencePixelsAreThoseOfTheFrame) {
+  const Scene scene = seen_in_parallel(in_fog(before_a_wide_wall(cloud_scene(10, 2.0)), 0.05));
+  const Frame frame = render_frame(scene, reference_settings(1e-5));
+  const ReferencePixels reference(scene, scene.camera, scene.film, 1e-5);
+  const std::array<std::size_t, 3> pixels{85, 640, 1101};
+  const std::vector<glm::dvec3> airlight = reference.airlight(pixels, {}, {});
+  for (std::size_t k = 0; k < pixels.size(); ++k) {
+    EXPECT_NEAR(airlight[k].y, frame.airlight[3 * pixels[k] + 1], 1e-4 * airlight[k].y);
+  }
+}
+
+// Distances are along the axis, all rays see one direction of the sky, and sizes do not fall with
+// distance.
+TEST(Orthographic, HasNoPerspective) {
+  Scene scene = seen_in_parallel(Scene());
+  scene.camera.eye = {0, 0, 5};
+  scene.camera.target = {};
+  scene.camera.height = 4.0;
+  scene.film = {40, 40};
+  scene.surfaces = {wall(1.0, 1.0), wall(-3.0, 1.0)};
+  scene.surfaces[1].translate.x = 2.0;
+  const Frame frame = render_frame(scene, sliced(24));
+  std::array<int, 2> count{};
+  for (const float depth : frame.depth) {
+    if (!std::isfinite(depth)) continue;
+    const bool is_far = depth > 6.0f;
+    ++count[is_far ? 1 : 0];
+    EXPECT_NEAR(depth, is_far ? 8.0 : 4.0, 1e-5);
+  }
+  EXPECT_EQ(count[0], 400);
+  EXPECT_EQ(count[1], 200);  // half of it is in the picture
+}
+
+TEST(Orthographic, RegionsHaveTheBitsOfTheWhole) {
+  Scene scene = seen_in_parallel(in_fog(before_a_wide_wall(cloud_scene(30, 2.0)), 0.02));
+  scene.film = {150, 110};
+  for (const int samples : {1, 4}) {
+    Settings settings = sliced(12);
+    settings.airlight_scale = 4;
+    settings.samples = samples;
+    Renderer renderer;
+    settings = *with_brightness(renderer, scene, scene.camera, scene.film, settings, {});
+    const Frame whole = render_frame(scene, settings);
+    Scene part = scene;
+    part.film = film_region(scene.film, {0.3, 0.2}, {0.7, 0.8});
+    expect_same_pixels(whole, render_frame(part, settings));
+  }
+}
+
+// Interpolated airlight and several samples a pixel.
+TEST(Orthographic, SampledAndUpsampledFramesAreNear) {
+  Scene scene = seen_in_parallel(in_fog(before_a_wide_wall(cloud_scene(30, 2.0)), 0.02));
+  scene.film = {96, 80};
+  const Frame exact = render_frame(scene, sliced(24));
+  Settings settings = sliced(24);
+  settings.airlight_scale = 4;
+  EXPECT_LT(difference(render_frame(scene, settings).airlight, exact.airlight).relative_rmse, 0.01);
+  settings.samples = 16;
+  const Frame sampled = render_frame(scene, settings);
+  EXPECT_LT(difference(sampled.airlight, exact.airlight).relative_rmse, 0.02);
+}
+
+TEST(Orthographic, ShuttersBlurWithoutALens) {
+  const Scene scene = seen_in_parallel(cloud_scene(3, 2.0));
+  const LensView view = seen_through(scene.camera, scene.film, {0.5, -0.3});
+  EXPECT_EQ(view.camera, scene.camera);
+  EXPECT_EQ(view.film, scene.film);
+}
+
+}  // namespace
+}  // namespace brume
