@@ -56,7 +56,7 @@ double EraserTool::cursor_radius() const {
   // The radius on the film at the depth of the plane that the cursor is drawn on.
   const CameraRays rays = view().rays();
   const double depth = glm::dot(view().pivot() - rays.eye(), rays.forward());
-  return depth * cone_slope(rays);
+  return depth * cone_slope(rays) + radius_ * rays.pixel_width();
 }
 
 void EraserTool::begin_stroke(QPointF position) {
@@ -84,7 +84,8 @@ void EraserTool::touch(const std::vector<QPointF>& places) {
   std::vector<EraserCone> cones;
   cones.reserve(places.size());
   for (const QPointF place : places) {
-    cones.push_back({rays.eye(), rays.direction(place.x(), place.y()), cone_slope(rays)});
+    cones.push_back({rays.origin(place.x(), place.y()), rays.direction(place.x(), place.y()),
+                     cone_slope(rays), radius_ * rays.pixel_width()});
   }
   MediumEdit edit = stroke_->touch(document_.medium(), cones,
                                    [this](GaussianId id) { return document_.is_editable(id); });

@@ -14,23 +14,28 @@
 namespace brume {
 namespace {
 
+// A ray through the film.
+struct FilmRay {
+  glm::dvec3 origin, direction;
+};
+
 std::optional<PaintPoint> on_plane(const glm::dvec3& through, const glm::dvec3& normal,
-                                   const CameraRays& rays, const glm::dvec3& direction) {
-  const double across = glm::dot(direction, normal);
-  const double t = glm::dot(through - rays.eye(), normal) / across;
+                                   const FilmRay& ray) {
+  const double across = glm::dot(ray.direction, normal);
+  const double t = glm::dot(through - ray.origin, normal) / across;
   if (!(t > 0.0) || !std::isfinite(t)) return std::nullopt;
-  return PaintPoint{rays.eye() + t * direction, normal};
+  return PaintPoint{ray.origin + t * ray.direction, normal};
 }
 
 std::optional<PaintPoint> free_point(const PaintTarget& target, const glm::dvec3& pivot,
-                                     const CameraRays& rays, const glm::dvec3& direction,
+                                     const glm::dvec3& forward, const FilmRay& ray,
                                      SurfacePicker& surfaces) {
   const auto across_axis = [&](const glm::dvec3& axis) {
-    return on_plane(target.position * axis, axis, rays, direction);
+    return on_plane(target.position * axis, axis, ray);
   };
   switch (target.plane) {
     case PaintPlane::view:
-      return on_plane(pivot, -rays.forward(), rays, direction);
+      return on_plane(pivot, -forward, ray);
     case PaintPlane::ground:
       return across_axis({0.0, 1.0, 0.0});
     case PaintPlane::wall_x:
@@ -38,7 +43,7 @@ std::optional<PaintPoint> free_point(const PaintTarget& target, const glm::dvec3
     case PaintPlane::wall_z:
       return across_axis({0.0, 0.0, 1.0});
     case PaintPlane::surface:
-      if (const auto hit = surfaces.hit(rays.eye(), direction)) {
+      if (const auto hit = surfaces.hit(ray.origin, ray.direction)) {
         return PaintPoint{hit->position, hit->normal};
       }
   }
@@ -50,13 +55,14 @@ std::optional<PaintPoint> free_point(const PaintTarget& target, const glm::dvec3
 std::optional<PaintPoint> paint_point(const PaintTarget& target, const glm::dvec3& pivot,
                                       const CameraRays& rays, QPointF position,
                                       SurfacePicker& surfaces) {
-  const glm::dvec3 direction = rays.direction(position.x(), position.y());
+  const FilmRay ray{rays.origin(position.x(), position.y()),
+                    rays.direction(position.x(), position.y())};
   if (target.snap == Snap::surface) {
-    if (const auto hit = surfaces.hit(rays.eye(), direction)) {
+    if (const auto hit = surfaces.hit(ray.origin, ray.direction)) {
       return PaintPoint{hit->position, hit->normal};
     }
   }
-  auto point = free_point(target, pivot, rays, direction, surfaces);
+  auto point = free_point(target, pivot, rays.forward(), ray, surfaces);
   if (point && target.snap == Snap::grid) {
     point->position = glm::round(point->position / target.grid) * target.grid;
   }

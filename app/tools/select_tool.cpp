@@ -160,7 +160,8 @@ bool SelectTool::has_moved_gaussians() const {
 glm::dvec3 SelectTool::on_drag_plane(QPointF position) const {
   const CameraRays rays = view().rays();
   const glm::dvec3 direction = rays.direction(position.x(), position.y());
-  return rays.eye() + direction * (depth_ / glm::dot(direction, rays.forward()));
+  return rays.origin(position.x(), position.y()) +
+         direction * (depth_ / glm::dot(direction, rays.forward()));
 }
 
 }  // namespace brume

@@ -201,7 +201,7 @@ glm::dvec3 MoveTool::way(QPointF position) const {
   const bool in_view_plane = part_ == Gizmo::Part::all;
   if (snap_ == Snap::surface && in_view_plane) {
     const glm::dvec3 direction = rays.direction(position.x(), position.y());
-    const auto hit = view().surfaces().hit(rays.eye(), direction);
+    const auto hit = view().surfaces().hit(rays.origin(position.x(), position.y()), direction);
     // A surface would climb up itself.
     const ObjectRef itself{ObjectRef::Kind::surface, hit ? view().surfaces().index_of(*hit) : 0};
     if (hit && document_.object() != itself) {
@@ -228,8 +228,7 @@ QString RotateTool::hint() const {
 
 Movement RotateTool::dragged(QPointF position) const {
   const CameraRays rays = view().rays();
-  const glm::dvec3 axis =
-      part_ == Gizmo::Part::all ? glm::normalize(pivot_ - rays.eye()) : axis_of(part_);
+  const glm::dvec3 axis = part_ == Gizmo::Part::all ? rays.towards(pivot_) : axis_of(part_);
   const double angle = dragged_around(pivot_, axis, rays, start_, position);
   return {.pivot = pivot_, .turn = glm::angleAxis(angle, axis)};
 }

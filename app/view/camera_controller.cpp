@@ -71,6 +71,10 @@ double CameraController::margin() const {
 Camera CameraController::shown_camera() const {
   if (!through_ || !shows_frame_) return camera_;
   Camera camera = camera_;
+  if (camera.height) {
+    camera.height = margin() * *camera.height;
+    return camera;
+  }
   const double half = std::tan(0.5 * glm::radians(camera_.vertical_fov));
   camera.vertical_fov = 2.0 * glm::degrees(std::atan(margin() * half));
   return camera;
@@ -89,7 +93,7 @@ Film CameraController::film() const {
 }
 
 double CameraController::distance() const {
-  if (projection_ == Projection::perspective) return target_distance(camera_);
+  if (projection_ == Projection::perspective && !camera_.height) return target_distance(camera_);
   return half_height(camera_) / std::tan(0.5 * glm::radians(Camera{}.vertical_fov));
 }
 

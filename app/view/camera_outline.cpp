@@ -13,12 +13,16 @@ void add_camera_outline(Overlay& overlay, const CameraRays& rays, const Camera& 
   const double distance = glm::distance(camera.eye, camera.target);
   const auto at = [&](double x, double y) {
     const glm::dvec3 direction = seen.direction(x * film.width, y * film.height);
-    return camera.eye + distance / glm::dot(direction, seen.forward()) * direction;
+    return seen.origin(x * film.width, y * film.height) +
+           distance / glm::dot(direction, seen.forward()) * direction;
   };
-  const std::array corners{at(0, 0), at(1, 0), at(1, 1), at(0, 1)};
-  for (std::size_t k = 0; k < corners.size(); ++k) {
-    overlay.add_line(rays, camera.eye, corners[k], color);
-    overlay.add_line(rays, corners[k], corners[(k + 1) % corners.size()], color);
+  const std::array<glm::dvec2, 4> places{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const glm::dvec2& next = places[(k + 1) % places.size()];
+    const glm::dvec3 corner = at(places[k].x, places[k].y);
+    const glm::dvec3 start = seen.origin(places[k].x * film.width, places[k].y * film.height);
+    overlay.add_line(rays, start, corner, color);
+    overlay.add_line(rays, corner, at(next.x, next.y), color);
   }
   // A mark above the picture says which way is up.
   overlay.add_line(rays, at(0.4, 0.0), at(0.5, -0.1), color);

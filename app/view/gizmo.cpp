@@ -47,7 +47,7 @@ double distance_to_segment(QPointF point, QPointF start, QPointF end) {
 // The length at the pivot that is one pixel on the film [u].
 double pixel_at(const glm::dvec3& pivot, const CameraRays& rays) {
   const double depth = glm::dot(pivot - rays.eye(), rays.forward());
-  return depth * std::tan(2.0 * rays.pixel_half_angle());
+  return depth * std::tan(2.0 * rays.pixel_half_angle()) + rays.pixel_width();
 }
 
 }  // namespace
@@ -133,7 +133,7 @@ double dragged_along(const glm::dvec3& pivot, const glm::dvec3& axis, const Came
   // Where the axis comes nearest to the ray through a position.
   const auto nearest = [&](QPointF position) {
     const glm::dvec3 d = rays.direction(position.x(), position.y());
-    const glm::dvec3 gap = pivot - rays.eye();
+    const glm::dvec3 gap = pivot - rays.origin(position.x(), position.y());
     const double b = glm::dot(axis, d);
     return (b * glm::dot(gap, d) - glm::dot(gap, axis)) / (1.0 - b * b);
   };
@@ -146,7 +146,7 @@ glm::dvec3 dragged_across(const glm::dvec3& pivot, const CameraRays& rays, QPoin
   const double depth = glm::dot(pivot - rays.eye(), rays.forward());
   const auto on_plane = [&](QPointF position) {
     const glm::dvec3 d = rays.direction(position.x(), position.y());
-    return d * (depth / glm::dot(d, rays.forward()));
+    return rays.offset(position.x(), position.y()) + d * (depth / glm::dot(d, rays.forward()));
   };
   return on_plane(end) - on_plane(start);
 }
@@ -158,7 +158,7 @@ double dragged_around(const glm::dvec3& pivot, const glm::dvec3& axis, const Cam
   const QPointF b = end - center;
   // y points down on the film, so this is positive clockwise, as an axis is that points away.
   const double angle = std::atan2(a.x() * b.y() - a.y() * b.x(), QPointF::dotProduct(a, b));
-  return glm::dot(axis, pivot - rays.eye()) > 0.0 ? angle : -angle;
+  return glm::dot(axis, rays.towards(pivot)) > 0.0 ? angle : -angle;
 }
 
 double dragged_away(const glm::dvec3& pivot, const CameraRays& rays, QPointF start, QPointF end) {

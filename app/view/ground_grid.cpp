@@ -27,7 +27,7 @@ bool is_behind(const glm::dvec3& point, const glm::dvec3& film_position, const C
   const auto pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(frame_film.width) +
                      static_cast<std::size_t>(x);
   // A floor at the ground's height does not hide it.
-  return glm::distance(point, rays.eye()) > 1.01 * static_cast<double>(depth->frame.depth[pixel]);
+  return rays.distance_to(point) > 1.01 * static_cast<double>(depth->frame.depth[pixel]);
 }
 
 }  // namespace
@@ -46,7 +46,7 @@ void add_ground_grid(Overlay& overlay, const Camera& camera, const Film& film, d
   const CameraRays rays(camera, film);
   const glm::dvec3 view = camera.target - camera.eye;
   const double sine = std::abs(view.y) / glm::length(view);
-  if (sine < edge_on && std::abs(camera.eye.y) < edge_on * distance) return;
+  if (sine < edge_on && (camera.height || std::abs(camera.eye.y) < edge_on * distance)) return;
   const double step = ground_grid_step(distance);
   const auto middle_x = static_cast<long long>(std::round(camera.target.x / step));
   const auto middle_z = static_cast<long long>(std::round(camera.target.z / step));

@@ -68,7 +68,7 @@ bool Handles::is_behind_surface(const glm::dvec3& center) const {
   if (at.z <= 0.0 || x < 0.0 || y < 0.0 || x >= film.width || y >= film.height) return false;
   const auto pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(film.width) +
                      static_cast<std::size_t>(x);
-  return glm::distance(center, rays.eye()) > static_cast<double>(depth[pixel]);
+  return rays.distance_to(center) > static_cast<double>(depth[pixel]);
 }
 
 std::optional<std::size_t> Handles::pick(QPointF position) const {

@@ -7,6 +7,8 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "core/number_domain.h"
+
 namespace brume {
 
 double target_distance(const Camera& camera) {
@@ -40,7 +42,7 @@ Camera pan(const Camera& camera, const Film& film, glm::dvec2 pixels) {
   const double cy = 0.5 * film.height;
   const auto at = [&](double x, double y) {
     const glm::dvec3 direction = rays.direction(x, y);
-    return direction * (distance / glm::dot(direction, rays.forward()));
+    return rays.offset(x, y) + direction * (distance / glm::dot(direction, rays.forward()));
   };
   const glm::dvec3 shift = at(cx, cy) - at(cx + pixels.x, cy + pixels.y);
   Camera result = camera;
@@ -51,6 +53,10 @@ Camera pan(const Camera& camera, const Film& film, glm::dvec2 pixels) {
 
 Camera zoom(const Camera& camera, double factor) {
   Camera result = camera;
+  if (camera.height) {
+    result.height = domain::length.nearest(factor * *camera.height);
+    return result;
+  }
   const glm::dvec3 offset = (camera.eye - camera.target) * factor;
   // Further in, the eye could no longer be told from the target.
   const double scale = std::max(
@@ -62,6 +68,15 @@ Camera zoom(const Camera& camera, double factor) {
 Camera frame_sphere(const Camera& camera, const Film& film, const glm::dvec3& center,
                     double radius) {
   const CameraRays rays(camera, film);
+  if (camera.height) {
+    Camera result = camera;
+    result.target = center;
+    // The whole sphere is before the plane of the eye.
+    result.eye = center - rays.forward() * std::max(target_distance(camera), 2.0 * radius);
+    const double aspect = static_cast<double>(film.height) / film.width;
+    result.height = domain::length.nearest(2.0 * radius * std::max(1.0, aspect));
+    return result;
+  }
   const double vertical = 0.5 * glm::radians(camera.vertical_fov);
   const double horizontal = std::atan(std::tan(vertical) * film.width / film.height);
   const double distance = radius / std::sin(std::min(vertical, horizontal));

@@ -77,13 +77,14 @@ void Overlay::add_outline(const CameraRays& rays, const Gaussian& gaussian, QRgb
   const bool is_ball = gaussian.is_ball();
   const double radius = gaussian.radius;
   // An ellipsoid in the space in which it is a ball, as what is seen of it touches the same rays.
-  const glm::dvec3 towards = gaussian.center - rays.eye();
+  const glm::dvec3 towards = rays.is_parallel() ? rays.forward() : gaussian.center - rays.eye();
   const glm::dvec3 view = is_ball ? towards : warp(gaussian.shape) * towards;
   const double distance = glm::length(view);
-  if (!(distance > radius)) return;
-  // The circle in which the cone from the eye touches the ball, around the center.
+  if (!rays.is_parallel() && !(distance > radius)) return;
+  // The circle in which the cone from the eye, or the cylinder of parallel rays, touches the ball,
+  // around the center.
   const glm::dvec3 axis = view / distance;
-  const double sine = radius / distance;
+  const double sine = rays.is_parallel() ? 0.0 : radius / distance;
   const double circle = radius * std::sqrt(std::max(0.0, 1.0 - sine * sine));
   const Basis plane = make_basis(axis);
   glm::dmat3 frame(circle * plane.u, circle * plane.v, axis * (-radius * sine));
@@ -112,7 +113,7 @@ void add_axes(Overlay& overlay, const CameraRays& rays, const Film& film) {
   // Right and up of the film, from rays through it: CameraRays keeps its own to itself.
   const auto at = [&](double x, double y) {
     const glm::dvec3 d = rays.direction(x, y);
-    return d / glm::dot(d, forward);
+    return rays.offset(x, y) + d / glm::dot(d, forward);
   };
   const double cx = 0.5 * film.width;
   const double cy = 0.5 * film.height;

@@ -76,16 +76,17 @@ glm::dvec3 View::place_under_mouse(double radius) {
   const CameraRays view = rays();
   const QPointF position = pane_.underMouse() ? pane_.mapFromGlobal(QPointF(QCursor::pos()))
                                               : 0.5 * QPointF(pane_.width(), pane_.height());
+  const glm::dvec3 origin = view.origin(position.x(), position.y());
   const glm::dvec3 direction = view.direction(position.x(), position.y());
   const double depth = glm::dot(camera().target - view.eye(), view.forward());
   double distance = depth / glm::dot(direction, view.forward());
-  if (const auto surface = surfaces_.hit(view.eye(), direction)) {
-    const double hit_distance = glm::distance(surface->position, view.eye());
+  if (const auto surface = surfaces_.hit(origin, direction)) {
+    const double hit_distance = glm::distance(surface->position, origin);
     // The sphere touches the surface, but moves at most half way to the eye.
     const double back = radius / std::abs(glm::dot(direction, surface->normal));
     distance = std::min(distance, std::max(hit_distance - back, 0.5 * hit_distance));
   }
-  return view.eye() + distance * direction;
+  return origin + distance * direction;
 }
 
 glm::dvec3 View::shift_on_film(QPointF pixels) const {
@@ -95,19 +96,20 @@ glm::dvec3 View::shift_on_film(QPointF pixels) const {
 
 std::optional<std::size_t> View::visible_surface(QPointF position) {
   const CameraRays view = rays();
-  const auto surface = surfaces_.hit(view.eye(), view.direction(position.x(), position.y()));
+  const glm::dvec3 origin = view.origin(position.x(), position.y());
+  const auto surface = surfaces_.hit(origin, view.direction(position.x(), position.y()));
   if (!surface) return std::nullopt;
   const std::size_t index = surfaces_.index_of(*surface);
   if (document_.scene().surfaces[index].locked) return std::nullopt;
   const auto scene = document_.visible_snapshot();
   double depth =
       projection() == Projection::perspective
-          ? scene->medium.homogeneous_density() * glm::distance(view.eye(), surface->position)
+          ? scene->medium.homogeneous_density() * glm::distance(origin, surface->position)
           : 0.0;
   depth /= mean(scene->optics.albedo);
   for (std::size_t i = 0; i < scene->medium.size() && depth < std::numbers::ln2; ++i) {
     const Gaussian gaussian = scene->medium.gaussian(i);
-    depth += optical_depth(gaussian, view.eye(), surface->position) /
+    depth += optical_depth(gaussian, origin, surface->position) /
              mean(gaussian.optics.albedo.value_or(scene->optics.albedo));
   }
   return depth < std::numbers::ln2 ? std::optional(index) : std::nullopt;
@@ -115,12 +117,13 @@ std::optional<std::size_t> View::visible_surface(QPointF position) {
 
 std::optional<GaussianId> View::max_visible(QPointF position) {
   const CameraRays view = rays();
+  const glm::dvec3 origin = view.origin(position.x(), position.y());
   const glm::dvec3 direction = view.direction(position.x(), position.y());
-  const auto surface = surfaces_.hit(view.eye(), direction);
-  const double distance = surface ? glm::distance(surface->position, view.eye())
-                                  : std::numeric_limits<double>::infinity();
+  const auto surface = surfaces_.hit(origin, direction);
+  const double distance =
+      surface ? glm::distance(surface->position, origin) : std::numeric_limits<double>::infinity();
   const auto scene = document_.visible_snapshot();
-  for (const Contribution& met : contributions(scene->medium, scene->optics.albedo, view.eye(),
+  for (const Contribution& met : contributions(scene->medium, scene->optics.albedo, origin,
                                                direction, distance, min_effect)) {
     const GaussianId id = scene->medium.ids()[met.index];
     if (document_.is_editable(id)) return id;

@@ -13,7 +13,7 @@ namespace {
 bool may_touch(const EraserCone& cone, const glm::dvec3& center) {
   const glm::dvec3 view = center - cone.eye;
   const double along = glm::dot(view, cone.direction);
-  const double reach = along * cone.slope;
+  const double reach = cone.reach(along);
   const glm::dvec3 across = view - along * cone.direction;
   return along > 0.0 && glm::dot(across, across) <= 1.000001 * reach * reach;
 }
@@ -23,7 +23,7 @@ std::optional<EraserCone> hull(std::span<const EraserCone> cones) {
   if (cones.empty()) return std::nullopt;
   glm::dvec3 sum(0.0);
   for (const EraserCone& cone : cones) {
-    if (cone.eye != cones[0].eye) return std::nullopt;
+    if (cone.eye != cones[0].eye || cone.radius > 0.0) return std::nullopt;
     sum += cone.direction;
   }
   if (!(glm::length(sum) > 0.0)) return std::nullopt;
@@ -44,7 +44,7 @@ double eraser_cover(const EraserCone& cone, const glm::dvec3& center) {
   const glm::dvec3 view = center - cone.eye;
   const double along = glm::dot(view, cone.direction);
   if (!(along > 0.0)) return 0.0;
-  const double x = glm::length(view - along * cone.direction) / (along * cone.slope);
+  const double x = glm::length(view - along * cone.direction) / cone.reach(along);
   return x < 1.0 ? (1.0 - x * x) * (1.0 - x * x) : 0.0;
 }
 

@@ -8,11 +8,15 @@
 
 namespace brume {
 
-// The cone covered by an eraser: `slope` u wide per u of distance along the unit direction.
+// The cone covered by an eraser: `slope` u wide per u of distance along the unit direction, or for
+// parallel rays a cylinder.
 struct EraserCone {
   glm::dvec3 eye{0.0};
   glm::dvec3 direction{0.0, 0.0, -1.0};
-  double slope = 0.1;  // tangent of the half angle, > 0
+  double slope = 0.1;   // tangent of the half angle; 0 of a cylinder
+  double radius = 0.0;  // of a cylinder [u]
+
+  [[nodiscard]] double reach(double along) const { return along * slope + radius; }
 };
 
 // Weight of the eraser at a Gaussian's center: 1 on the axis, falling smoothly to 0 at the rim.

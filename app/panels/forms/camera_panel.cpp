@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QCheckBox>
+#include <QComboBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -111,7 +112,10 @@ void CameraPanel::add_values(QFormLayout& form) {
                   const FieldInfo& info) { return camera_track(scene, info.name); }};
   visit_fields<Camera>([&](const auto& field) {
     const std::string_view name = field.info.name;
-    if (name == "vertical_fov") add_focal_length(form);
+    if (name == "vertical_fov") {
+      add_projection(form);
+      add_focal_length(form);
+    }
     if (name == "focus_distance") add_focus(form);
     add_field(form, field, values);
   });
@@ -125,11 +129,30 @@ void CameraPanel::set_camera(const Camera& camera, const FieldInfo& info, MergeI
   brume::set_camera(document_, camera, field_label(info).toLower(), gesture);
 }
 
+void CameraPanel::add_projection(QFormLayout& form) {
+  auto* projection = new QComboBox(this);
+  projection->setObjectName("camera_projection");
+  projection->addItems({tr("Perspective"), tr("Orthographic")});
+  projection->setToolTip(
+      tr("Perspective: nearer things look larger, as through a lens. Orthographic: rays are "
+         "parallel, as on a map or a plan. Both show as much at what the camera looks at"));
+  form.addRow(tr("Projection"), projection);
+  connect(projection, &QComboBox::activated, this, [this](int index) {
+    const Camera& camera = document_.scene().camera;
+    if (camera.height.has_value() == (index == 1)) return;
+    brume::set_camera(document_, index == 1 ? orthographic(camera) : perspective(camera),
+                      tr("projection"), no_merge);
+  });
+  on_refresh(
+      [this, projection] { projection->setCurrentIndex(document_.scene().camera.height ? 1 : 0); });
+}
+
 void CameraPanel::add_focal_length(QFormLayout& form) {
   const auto camera = [this]() -> const Camera& { return document_.scene().camera; };
   add_number(form, tr("Focal length, mm"),
              {"focal_length", focal_lengths, ValueField::Scale::logarithmic, 0.005,
               [this, camera] {
+                if (camera().height) return std::optional<double>();
                 return std::optional(focal_length(camera().vertical_fov, document_.scene().film));
               },
               [this, camera](double value, MergeId gesture) {

@@ -100,7 +100,8 @@ void SceneForm::add_field(QFormLayout& form, const F& field,
   const auto get = [get_owner = fields.get, field] {
     const typename F::Owner* owner = get_owner();
     using Got = decltype(std::optional(field.of(*owner)));
-    return owner ? std::optional(field.of(*owner)) : Got();
+    const bool is_there = owner && !replacement(field, *owner);
+    return is_there ? std::optional(field.of(*owner)) : Got();
   };
   const auto set = [fields, field](const auto& value, MergeId gesture) {
     typename F::Owner changed = *fields.get();

@@ -59,13 +59,13 @@ void ContributionPanel::compute() {
   facts_.reset();
   update();
   const CameraRays rays = view_->rays();
+  const glm::dvec3 origin = rays.origin(position_.x(), position_.y());
   const glm::dvec3 direction = rays.direction(position_.x(), position_.y());
-  const auto surface = view_->surfaces().hit(rays.eye(), direction);
+  const auto surface = view_->surfaces().hit(origin, direction);
   const auto scene = view_->shown_scene();
-  const std::vector<Contribution> met =
-      contributions(scene->medium, scene->optics.albedo, rays.eye(), direction,
-                    surface ? glm::distance(surface->position, rays.eye())
-                            : std::numeric_limits<double>::infinity());
+  const std::vector<Contribution> met = contributions(
+      scene->medium, scene->optics.albedo, origin, direction,
+      surface ? glm::distance(surface->position, origin) : std::numeric_limits<double>::infinity());
   if (met.empty()) return;
 
   const auto id = [&](const Contribution& c) { return scene->medium.ids()[c.index]; };
@@ -77,7 +77,7 @@ void ContributionPanel::compute() {
   for (std::size_t k = 0; k < std::min(met.size(), max_met); ++k) {
     facts.met.emplace_back(id(met[k]), met[k]);
   }
-  const glm::dvec3 place = rays.eye() + facts.contribution.distance * direction;
+  const glm::dvec3 place = origin + facts.contribution.distance * direction;
   // Both read all vertices.
   const bool has_far_light = std::ranges::any_of(
       scene->lights, [](const Light& light) { return light.directional.has_value(); });
@@ -94,7 +94,7 @@ void ContributionPanel::compute() {
       if (between && glm::distance(between->position, place) < distance) continue;
       const double fog_length = light.is_far ? fog.length(place, to_light) : infinity;
       radiance +=
-          scattered_radiance(*scene, facts.contribution, rays.eye(), direction, light, fog_length);
+          scattered_radiance(*scene, facts.contribution, origin, direction, light, fog_length);
     }
     facts.lights.push_back(
         {light_title(scene->lights[k], k), to_color(light_color(scene->lights[k])), radiance});
