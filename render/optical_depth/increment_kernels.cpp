@@ -174,7 +174,7 @@ void GroupGaussians::choose(const GaussianBatch& g, const PathBatch& rays, const
     const auto load = [&](const std::vector<float>& values)
                           HWY_ATTR { return hn::LoadU(d, values.data() + j); };
     Vector b{load(g.x), load(g.y), load(g.z)};
-    if (is_parallel) b = minus(b, set(1.0f), origin);
+    if (is_parallel) b = neg_mul_add(set(1.0f), origin, b);
     const V t = dot(b, axis);
     const Vector p = neg_mul_add(t, axis, b);
     const V h = sqrt(dot(p, p));

@@ -79,9 +79,12 @@ ExrView exr_view(const Camera& camera, const Film& film, double frames_per_secon
   const double per_y = 1.0 / (glm::length(plane.per_y) * film.height);
   ExrView view;
   view.world_to_camera = glm::translate(to_axes, -rays.eye());
-  // Divided by the depth; z is its inverse.
-  const glm::dmat4 to_ndc({per_x, 0.0, 0.0, 0.0}, {0.0, -per_y, 0.0, 0.0},
-                          {center.x, center.y, 0.0, 1.0}, {0.0, 0.0, 1.0, 0.0});
+  const glm::dvec4 x(per_x, 0.0, 0.0, 0.0);
+  const glm::dvec4 y(0.0, -per_y, 0.0, 0.0);
+  // Of a pinhole all is divided by the depth, and z is its inverse; else z is the depth.
+  const glm::dmat4 to_ndc =
+      rays.is_parallel() ? glm::dmat4(x, y, {0.0, 0.0, 1.0, 0.0}, {center.x, center.y, 0.0, 1.0})
+                         : glm::dmat4(x, y, {center.x, center.y, 0.0, 1.0}, {0.0, 0.0, 1.0, 0.0});
   view.world_to_ndc = to_ndc * view.world_to_camera;
   view.frames_per_second = frames_per_second;
   return view;

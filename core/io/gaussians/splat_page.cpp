@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -61,11 +62,17 @@ OrderedJson three_of(const glm::dvec3& v) {
   return {v.x, v.y, v.z};
 }
 
+// Half the height at distance 1. The viewer has no parallel rays: it shows as much at the target.
+double slope_of(const Camera& camera) {
+  return camera.height ? 0.5 * *camera.height / glm::distance(camera.eye, camera.target)
+                       : std::tan(0.5 * glm::radians(camera.vertical_fov));
+}
+
 // The viewer adds no effects to what was baked.
 OrderedJson viewer_settings(const Camera& camera, const Film& film) {
   // Its angle of view is that of the longer side.
   const double aspect = std::max(1.0, static_cast<double>(film.width) / film.height);
-  const double half = std::tan(0.5 * glm::radians(camera.vertical_fov)) * aspect;
+  const double half = slope_of(camera) * aspect;
   const double angle = glm::degrees(2.0 * std::atan(half));
   const auto off = [](OrderedJson effect) {
     effect["enabled"] = false;

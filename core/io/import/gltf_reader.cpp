@@ -276,7 +276,17 @@ class GltfReader {
     const JsonPath path = list.element(index);
     JsonObject object(file_.context(), file_.list("cameras")[index], path);
     if (object.choice("type", {"perspective", "orthographic"}, {}) == 1) {
-      file_.context().warn(path, "orthographic cameras are left out");
+      const JsonPath place = object.path_of("orthographic");
+      JsonObject orthographic(file_.context(), object.required("orthographic"), place);
+      // Turned over if negative, which should not be.
+      const double height = 2.0 * std::abs(orthographic.number("ymag", domain::coordinate, {}));
+      if (!domain::length.contains(height)) {
+        file_.context().warn(place, "the camera sees nothing, and is left out");
+        return;
+      }
+      Camera camera = camera_of_node(nodes_[node].to_world, center_, Camera().vertical_fov);
+      camera.height = height;
+      scene_.cameras.push_back({scene_.nodes[node].name, camera, {}});
       return;
     }
     const JsonPath perspective_path = object.path_of("perspective");

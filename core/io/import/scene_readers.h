@@ -11,7 +11,7 @@
 namespace brume {
 
 // Reads a glTF 2.0 scene (.gltf, .glb) of its default scene: triangles, skinned ones at rest,
-// metallic-roughness materials, perspective cameras, KHR_lights_punctual. What it has besides is
+// metallic-roughness materials, cameras, KHR_lights_punctual. What it has besides is
 // left out, with a warning where it would be seen. Throws InputError naming the JSON path.
 RawScene read_gltf(const std::filesystem::path& file);
 

@@ -52,6 +52,16 @@ void write_camera(UsdText& out, Frames frames) {
   // Lengths are tenths of a unit; only their ratios count for a pinhole. A film of 24 mm.
   constexpr double height = 24.0;
   const Film& film = frames.front().scene.film;
+  const double aspect = static_cast<double>(film.width) / film.height;
+  if (camera(0).height) {
+    constexpr double tenths = 10.0;
+    const auto seen = [&](std::size_t k) { return tenths * *camera(k).height; };
+    out.constant("token projection", "\"orthographic\"");
+    out.each_frame("float verticalAperture", seen);
+    out.each_frame("float horizontalAperture", [&](std::size_t k) { return aspect * seen(k); });
+    out.close();
+    return;
+  }
   const double width = height * film.width / film.height;
   out.constant("float verticalAperture", usd_value(height));
   out.constant("float horizontalAperture", usd_value(width));

@@ -230,26 +230,34 @@ TEST_F(Gltf, TexturesAreTransformedAsTheExtensionSays) {
   EXPECT_TRUE(contains(warnings_.at(0), "missing.png is missing"));
 }
 
-TEST_F(Gltf, HasPerspectiveCameras) {
+TEST_F(Gltf, HasCameras) {
   GltfBuilder builder;
   builder.json["cameras"] = {
       {{"type", "perspective"},
        {"perspective", {{"yfov", 0.8}, {"znear", 0.1}, {"aspectRatio", 2}}}},
-      {{"type", "orthographic"}, {"orthographic", {{"xmag", 1}, {"ymag", 1}}}}};
+      {{"type", "orthographic"}, {"orthographic", {{"xmag", 1}, {"ymag", 1.5}}}},
+      {{"type", "orthographic"}, {"orthographic", {{"xmag", 1}, {"ymag", 0}}}}};
   const double s = std::sqrt(0.5);
   builder.json["nodes"].push_back(
       {{"name", "eye"}, {"camera", 0}, {"translation", {5, 0.5, 0}}, {"rotation", {0, s, 0, s}}});
   builder.json["nodes"].push_back({{"name", "flat"}, {"camera", 1}});
-  builder.json["scenes"][0]["nodes"] = {0, 1, 2};
+  builder.json["nodes"].push_back({{"name", "nothing"}, {"camera", 2}});
+  builder.json["scenes"][0]["nodes"] = {0, 1, 2, 3};
   const auto scene = read(builder);
-  ASSERT_EQ(scene->cameras.size(), 1u);
+  ASSERT_EQ(scene->cameras.size(), 2u);
   const Camera& camera = scene->cameras[0].camera;
   EXPECT_EQ(scene->cameras[0].name, "eye");
   EXPECT_NEAR(camera.vertical_fov, 0.8 * 180.0 / std::numbers::pi, 1e-12);
   expect_near(camera.eye, {5, 0.5, 0});
   expect_near(camera.target, {0.5, 0.5, 0});  // as far as the middle of the square
   expect_near(camera.up, {0, 1, 0});
-  EXPECT_TRUE(contains(warnings_.at(0), "orthographic cameras are left out"));
+  // Twice ymag high, and from its node on.
+  const Camera& flat = scene->cameras[1].camera;
+  EXPECT_EQ(flat.height, 3.0);
+  expect_near(flat.eye, {0, 0, 0});
+  expect_near(glm::normalize(flat.target - flat.eye), {0, 0, -1});
+  ASSERT_EQ(warnings_.size(), 1u);
+  EXPECT_TRUE(contains(warnings_[0], "the camera sees nothing")) << warnings_[0];
 }
 
 TEST_F(Gltf, HasLights) {

@@ -117,6 +117,16 @@ TEST_F(UsdFile, CameraSeesWhatBrumeSees) {
   for (std::size_t i = 0; i < found.size(); ++i) EXPECT_NEAR(found[i], expected[i], 1e-12) << i;
 }
 
+// Apertures are tenths of a unit.
+TEST_F(UsdFile, OrthographicCamerasSeeWhatBrumeSees) {
+  scene_.camera.height = 3.0;
+  const std::string camera = prim(stage(), "Camera");
+  EXPECT_NE(camera.find("token projection = \"orthographic\""), std::string::npos);
+  EXPECT_NEAR(numbers(camera, "verticalAperture")[0], 30.0, 1e-9);
+  EXPECT_NEAR(numbers(camera, "horizontalAperture")[0], 60.0, 1e-9);
+  EXPECT_EQ(camera.find("focalLength"), std::string::npos);
+}
+
 TEST_F(UsdFile, CameraRolls) {
   scene_.camera.roll = 90.0;
   const std::vector<double> found = numbers(prim(stage(), "Camera"), "xformOp:transform");
