@@ -101,6 +101,21 @@ def test_a_camera_comes_with_its_keyframes(keyed, cloud):
         assert not np.array_equal(beauty(scene), expected)
 
 
+
+def test_orthographic_cameras_have_a_height(tmp_path):
+    scene = brume.Scene()
+    scene.camera = brume.Camera(eye=(0, 1, 4), height=2.5)
+    assert scene.camera.height == 2.5
+    scene.save(tmp_path / "map.brume")
+    assert "vertical_fov" not in (tmp_path / "map.brume").read_text()
+    assert brume.load(tmp_path / "map.brume").camera.height == 2.5
+    scene.camera.aperture = 0.1
+    with pytest.raises(brume.DomainError, match="camera.height: found beside aperture"):
+        scene.save(tmp_path / "lens.brume")
+    scene.camera.height = None
+    scene.save(tmp_path / "lens.brume")
+
+
 def test_seeds(cloud):
     frames = [
         brume.render(cloud, airlight="path:4", backend="cpu", seed=seed) for seed in (0, 0, 1)

@@ -117,8 +117,7 @@ TEST(DeepRenderer, HeldOutIsTheFrameWithAWallInColour) {
 
 // Under an environment and many orders of scattering a wall changes the light, but not what is at
 // the end.
-TEST(DeepRenderer, FlattenedIsTheFlatFrame) {
-  Scene scene = lit_from_the_front(3.0);
+void expect_flattened_is_flat(Scene scene) {
   scene.environment = Environment{.file = {}, .map = constant_sky(0.3f), .intensity = 1.0};
   scene.optics.anisotropy = 0.3;
   scene.lights[0].intensity = glm::dvec3(100.0);
@@ -145,6 +144,17 @@ TEST(DeepRenderer, FlattenedIsTheFlatFrame) {
       EXPECT_EQ(samples.back().mean_alpha, 1.0f);
     }
   }
+}
+
+TEST(DeepRenderer, FlattenedIsTheFlatFrame) {
+  expect_flattened_is_flat(lit_from_the_front(3.0));
+}
+
+// Depths are along the axis, from the plane of the eye on.
+TEST(DeepRenderer, FlattenedIsTheFlatFrameOfAnOrthographicCamera) {
+  Scene scene = lit_from_the_front(3.0);
+  scene.camera.height = 2.6;
+  expect_flattened_is_flat(scene);
 }
 
 TEST(DeepRenderer, TakesFewerSamplesForALargerError) {
