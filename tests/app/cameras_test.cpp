@@ -10,8 +10,10 @@
 
 #include "app/document/keyframe_tracks.h"
 #include "app/view/camera_outline.h"
+#include "app/view/gizmo.h"
 #include "app/viewport/camera_frame.h"
 #include "app/viewport/viewport.h"
+#include "app/widgets/value_field.h"
 #include "core/io/scene/scene_file.h"
 #include "core/scene/camera_rays.h"
 #include "core/scene/cameras.h"
@@ -135,6 +137,63 @@ class CamerasTest : public QObject {
     while (document.undo_stack().canUndo()) document.undo_stack().undo();
     window->timeline().set_frame(0);
     QVERIFY(document.scene() == before);
+  }
+
+  void orthographic_cameras_are_chosen_set_and_undone() {
+    Scene scene = tiny_scene();
+    scene.camera.aperture = 0.1;
+    TestWindow window(scene);
+    Document& document = window->document();
+    const Scene before = document.scene();
+    const double seen = 2.0 * half_height(before.camera);
+    choose(window, "camera_projection", 1);
+    QVERIFY(document.scene().camera.height.has_value());
+    QVERIFY(std::abs(*document.scene().camera.height - seen) < 1e-12);
+    QCOMPARE(document.scene().camera.aperture, 0.0);
+    QCOMPARE(document.undo_stack().undoText(), QString("Set projection"));
+    for (const char* field : {"focal_length", "camera_vertical_fov", "camera_aperture"}) {
+      QVERIFY2(!window->findChild<ValueField*>(field)->isEnabled(), field);
+    }
+    enter(window, "camera_height", "3");
+    QCOMPARE(document.scene().camera.height, std::optional(3.0));
+    choose(window, "camera_projection", 0);
+    QVERIFY(!document.scene().camera.height);
+    QVERIFY(std::abs(2.0 * half_height(document.scene().camera) - 3.0) < 1e-12);
+    while (document.undo_stack().canUndo()) document.undo_stack().undo();
+    QVERIFY(document.scene() == before);
+    QCOMPARE(window->findChild<QComboBox*>("camera_projection")->currentIndex(), 0);
+  }
+
+  void views_through_orthographic_cameras_pick_move_and_zoom() {
+    Scene scene = tiny_scene();
+    scene.camera.height = 3.0;
+    TestWindow window(scene);
+    Document& document = window->document();
+    Viewport& view = window->viewport();
+    window.key(Qt::Key_0);
+    QVERIFY(window.settle());
+    QVERIFY(view.camera().height.has_value());
+    // The picture is rendered in parallel: handles stand where their Gaussians are.
+    const QPoint handle = window.handle(0);
+    QTest::mouseClick(&view, Qt::LeftButton, {}, handle);
+    QVERIFY(document.is_selected(document.medium().ids()[0]));
+    const CameraRays rays = view.rays();
+    QVERIFY(rays.is_parallel());
+    // A drag in the plane of the view moves by pixels of one size, wherever that is.
+    const glm::dvec3 way = dragged_across({0, 0, -5}, rays, {100, 100}, {110, 100});
+    QVERIFY(std::abs(glm::length(way) - 10.0 * rays.pixel_width()) < 1e-9);
+    QVERIFY(std::abs(dragged_along({0, 0, -5}, {1, 0, 0}, rays, {100, 100}, {110, 100}) -
+                     10.0 * rays.pixel_width()) < 1e-9);
+    const Camera camera = view.camera();
+    view.camera_controller().zoom_by(0.5);
+    QVERIFY(std::abs(*view.camera().height - 1.5) < 1e-12);
+    QVERIFY(view.camera().eye == camera.eye);
+    view.camera_controller().drag(NavigationDrag::pan, {10.0, 0.0});
+    QVERIFY(std::abs(glm::distance(view.camera().eye, camera.eye) -
+                     10.0 * view.rays().pixel_width()) < 1e-9);
+    view.camera_controller().frame_all();
+    QVERIFY(view.camera().height.has_value());
+    QVERIFY(window.settle());
   }
 
   void the_timeline_keys_what_is_chosen_of_the_camera() {
