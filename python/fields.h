@@ -23,12 +23,9 @@ void def_constructor(auto& bound, std::index_sequence<k...>) {
             (pybind11::arg(std::get<k>(all).info.name) = std::get<k>(all).of(usual))...);
 }
 
-// The values of core/scene/fields: a constructor that takes them by name, and a property for each.
+// A property for each value of core/scene/fields.
 template <class Owner>
-void def_fields(auto& bound) {
-  def_constructor<Owner>(
-      bound,
-      std::make_index_sequence<std::tuple_size_v<std::remove_cvref_t<decltype(fields<Owner>)>>>());
+void def_values(auto& bound) {
   visit_fields<Owner>([&bound]<class F>(const F& field) {
     std::string doc = description(field);
     if (*field.info.absent) doc.append("; None: ").append(field.info.absent);
@@ -38,6 +35,15 @@ void def_fields(auto& bound) {
       bound.def_readwrite(field.info.name, field.get, doc.c_str());
     }
   });
+}
+
+// The same, and a constructor that takes them by name.
+template <class Owner>
+void def_fields(auto& bound) {
+  def_constructor<Owner>(
+      bound,
+      std::make_index_sequence<std::tuple_size_v<std::remove_cvref_t<decltype(fields<Owner>)>>>());
+  def_values<Owner>(bound);
 }
 
 }  // namespace brume::python

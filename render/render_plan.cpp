@@ -6,6 +6,7 @@
 #include <numbers>
 #include <optional>
 
+#include "core/scene/fields/light_fields.h"
 #include "core/scene/lights/point_lights.h"
 #include "core/scene/mesh.h"
 
@@ -50,8 +51,7 @@ struct Content {
         ++lights_off;
       } else if (light.intensity == glm::dvec3(0.0)) {
         ++black_lights;
-      } else if (is_paper &&
-                 (light.spot || light.directional || light.area || light.profile.content)) {
+      } else if (is_paper && (!light.as<light::Point>() || profile_of(light))) {
         ++lights_beyond_paper;  // its closed form is that of isotropic lights nearby
       }
     }

@@ -117,7 +117,7 @@ void add_dust(Document& document, const FogPlace& place) {
 void add_god_rays(Document& document, const FogPlace& place) {
   const Scene& scene = document.scene();
   const bool has_sun = std::ranges::any_of(
-      scene.lights, [](const Light& light) { return light.on && light.directional; });
+      scene.lights, [](const Light& light) { return light.on && light.as<light::Directional>(); });
   if (!has_sun) {
     glm::dvec3 to_eye = place.eye - place.target;
     to_eye.y = 0.0;
@@ -128,7 +128,7 @@ void add_god_rays(Document& document, const FogPlace& place) {
     Lights lights = scene.lights;
     Light sun;
     sun.intensity = glm::dvec3(8.0, 7.0, 5.5);
-    sun.directional = Directional{{rounded(way.x, 3), rounded(way.y, 3), rounded(way.z, 3)}, 0.5};
+    sun.kind = light::Directional{{rounded(way.x, 3), rounded(way.y, 3), rounded(way.z, 3)}, 0.5};
     lights.push_back(sun);
     set_scene_part(document, lights, undo_text("Add sun"));
   }

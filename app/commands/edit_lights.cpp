@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <string_view>
 #include <utility>
 
 #include "app/commands/scene_part_command.h"
@@ -14,6 +15,8 @@
 #include "brume/limits.h"
 #include "core/math/unit_direction.h"
 #include "core/number_domain.h"
+#include "core/overloaded.h"
+#include "core/scene/fields/light_fields.h"
 #include "core/scene/lights/photometry.h"
 
 namespace brume {
@@ -25,103 +28,85 @@ QString light_name(const Light& light, std::size_t index) {
 
 QString light_title(const Light& light, std::size_t index) {
   if (!light.name.empty()) return QString::fromStdString(light.name);
-  static constexpr std::array titles{
-      QT_TRANSLATE_NOOP("undo", "Light %1"),      QT_TRANSLATE_NOOP("undo", "Spot %1"),
-      QT_TRANSLATE_NOOP("undo", "Sun %1"),        QT_TRANSLATE_NOOP("undo", "Rectangle %1"),
-      QT_TRANSLATE_NOOP("undo", "Disk light %1"), QT_TRANSLATE_NOOP("undo", "Sphere %1")};
-  return undo_text(titles[static_cast<std::size_t>(type_of(light))]).arg(index + 1);
+  return undo_text(kind_info(light).title) + ' ' + QString::number(index + 1);
 }
 
 QString light_unit(const Light& light) {
-  return light.directional ? QStringLiteral("W/u²")
-         : light.area      ? QStringLiteral("W/(sr u²)")
-                           : QStringLiteral("W/sr");
+  return QString(strength_info(light).unit).replace("^2", "²");
 }
 
 namespace {
 
-constexpr auto first_area = static_cast<int>(LightType::rectangle);
-
-std::optional<AreaLight::Shape> shape_of(LightType type) {
-  const int shape = static_cast<int>(type) - first_area;
-  return shape >= 0 ? std::optional(static_cast<AreaLight::Shape>(shape)) : std::nullopt;
-}
-
 // The factor from a light's intensity to radiant intensity, `square` u^2 away [u^2].
 double to_radiant_intensity(const Light& light, double square) {
-  return light.directional ? square : light.area ? facing_area(*light.area) : 1.0;
+  return std::visit(
+      Overloaded{[](const light::Point&) { return 1.0; }, [](const light::Spot&) { return 1.0; },
+                 [square](const light::Directional&) { return square; },
+                 [](const AreaLight& area) { return facing_area(area); }},
+      light.kind);
 }
 
-// Its size is a tenth of the distance.
-AreaLight new_area(AreaLight::Shape shape, const glm::dvec3& direction) {
-  AreaLight area{shape, direction};
-  area.width = area.height = std::clamp(0.1 * glm::length(direction), 1e-6, 1e6);
-  area.radius = 0.5 * area.width;
-  return area;
+// Sets the size of a surface in all directions.
+void set_size(Light& light, double size) {
+  if (auto* rectangle = light.as<light::Rectangle>()) rectangle->width = rectangle->height = size;
+  if (auto* radius = find_value<double>(light, "radius")) *radius = 0.5 * size;
+}
+
+// The size of a new surface is a tenth of the distance.
+double new_size(double distance) {
+  return std::clamp(0.1 * distance, 1e-6, 1e6);
+}
+
+// The values that both lights have, with their keyframes; of another strength none.
+void copy_common_values(const Light& from, Light& to) {
+  if (LightProfile* profile = profile_member(to); profile && profile_of(from)) {
+    *profile = *profile_of(from);
+  }
+  visit_fields_of(to, [&]<class F>(const F& field) {
+    const auto* value = find_value<typename F::Value>(from, field.info.name);
+    if (value == nullptr) return;
+    field.of(to) = *value;
+    if constexpr (F::can_have_keys) to.keys.*field.keys = from.keys.*field.keys;
+  });
 }
 
 }  // namespace
 
-LightType type_of(const Light& light) {
-  if (light.area) return static_cast<LightType>(first_area + static_cast<int>(light.area->shape));
-  return light.directional ? LightType::directional
-         : light.spot      ? LightType::spot
-                           : LightType::point;
-}
-
-void set_type(Light& light, LightType type, const LitRegion& region) {
+void set_kind(Light& light, const Light::Kind& kind, const LitRegion& region) {
+  const auto* sun = light.as<light::Directional>();
   const glm::dvec3 place =
-      light.directional ? region.center + 0.5 * region.diameter * to_light(*light.directional)
-                        : light.position;
+      sun ? region.center + 0.5 * region.diameter * to_light(*sun) : light.position;
   const glm::dvec3 inward = region.center - place;
   const double square = std::max(glm::dot(inward, inward), 1e-12);
-  const glm::dvec3 direction =
-      light_direction(light).value_or(glm::length(inward) > 0.0 ? inward : glm::dvec3(0, -1, 0));
-  const LightType before = type_of(light);
-  const double radiant = to_radiant_intensity(light, square);
-  const std::optional<AreaLight> old_area = light.area;
-  light.spot.reset();
-  light.directional.reset();
-  light.area.reset();
-  if (type != LightType::point && type != LightType::spot) light.profile = {};
-  light.position = place;
-  if (type == LightType::directional) {
-    light.position = {};
-    light.directional = Directional{direction};
-  } else if (type == LightType::spot) {
-    light.spot = SpotCone{direction};
-  } else if (const auto shape = shape_of(type)) {
-    light.area = old_area ? *old_area : new_area(*shape, inward);
-    light.area->shape = *shape;
-    light.area->direction = direction;
-  }
-  // Keyframes stay of what the types have in common.
-  const LightKeys keys = std::exchange(light.keys, {});
-  const auto is_alike = [](LightType a, LightType b) {
-    const auto kind = [](LightType t) { return std::min(static_cast<int>(t), first_area); };
-    return kind(a) == kind(b) || std::max(kind(a), kind(b)) == static_cast<int>(LightType::spot);
-  };
-  if (type != LightType::directional && before != LightType::directional) {
-    light.keys.position = keys.position;
-  }
-  if (is_alike(before, type)) light.keys.intensity = keys.intensity;
-  if (light_direction(light)) light.keys.direction = keys.direction;
-  if (light.profile.content) light.keys.profile_rotation = keys.profile_rotation;
-  if (type == before) light.keys = keys;
-  light.intensity *= radiant / to_radiant_intensity(light, square);
-  light.intensity = glm::min(light.intensity, limits::intensity);
+  Light changed{.kind = kind, .name = light.name, .id = light.id};
+  const auto area = area_of(light);
+  set_size(changed, area ? 2.0 * bounding_radius(*area) : new_size(glm::length(inward)));
+  turn(changed, glm::length(inward) > 0.0 ? inward : glm::dvec3(0, -1, 0));
+  copy_common_values(light, changed);
+  changed.position = changed.as<light::Directional>() ? glm::dvec3(0.0) : place;
+  changed.intensity = light.intensity *
+                      (to_radiant_intensity(light, square) / to_radiant_intensity(changed, square));
+  changed.intensity = glm::min(changed.intensity, limits::intensity);
+  light = std::move(changed);
+}
+
+void scale(Light& light, double factor) {
+  visit_fields_of(light, [&]<class F>(const F& field) {
+    if constexpr (std::is_same_v<typename F::Value, double>) {
+      if (std::string_view(field.info.unit) != "u") return;
+      double& length = field.of(light);
+      length = field.domain.nearest(factor * length);
+    }
+  });
 }
 
 std::optional<glm::dvec3> light_direction(const Light& light) {
-  if (light.directional) return light.directional->direction;
-  if (light.area && light.area->shape != AreaLight::Shape::sphere) return light.area->direction;
-  return light.spot ? std::optional(light.spot->direction) : std::nullopt;
+  const auto* direction = find_value<glm::dvec3>(light, "direction");
+  return direction ? std::optional(*direction) : std::nullopt;
 }
 
 void turn(Light& light, const glm::dvec3& direction) {
-  if (light.directional) light.directional->direction = direction;
-  if (light.spot) light.spot->direction = direction;
-  if (light.area) light.area->direction = direction;
+  if (auto* value = find_value<glm::dvec3>(light, "direction")) *value = direction;
 }
 
 namespace {
@@ -140,8 +125,9 @@ void add(Document& document, Light light) {
 // It is as bright as those that are there, so that it is seen.
 glm::dvec3 new_intensity(const Scene& scene) {
   const auto last =
-      std::find_if(scene.lights.rbegin(), scene.lights.rend(),
-                   [](const Light& light) { return !light.directional && !light.area; });
+      std::find_if(scene.lights.rbegin(), scene.lights.rend(), [](const Light& light) {
+        return std::string_view(strength_info(light).name) == "intensity";
+      });
   return glm::dvec3(last == scene.lights.rend() ? 20.0 : light_strength(*last));
 }
 
@@ -153,69 +139,62 @@ glm::dvec3 sun_direction(const glm::dvec3& view) {
 }
 
 glm::dvec3 direction_to(const glm::dvec3& target, const glm::dvec3& position) {
-  if (target == position) return SpotCone{}.direction;
+  if (target == position) return light::Spot{}.direction;
   return glm::clamp(target - position, -limits::coordinate, limits::coordinate);
+}
+
+bool is_sun(const Light& light) {
+  return light.as<light::Directional>() != nullptr;
+}
+
+void aim_sun(Light& sun, const LightPlace& place) {
+  sun.position = {};
+  turn(sun, sun_direction(place.target - place.eye));
 }
 
 }  // namespace
 
-void add_light(Document& document, LightType type, const LightPlace& place) {
-  Light light;
-  light.position = place.position;
-  light.intensity = new_intensity(document.scene());
+void add_light(Document& document, const Light::Kind& kind, const LightPlace& place) {
+  Light light{.position = place.position, .kind = kind};
   const glm::dvec3 direction = direction_to(place.target, place.position);
-  if (type == LightType::spot) {
-    light.spot = SpotCone{direction, 15.0, 20.0};
-  } else if (type == LightType::directional) {
-    light.position = {};
+  turn(light, direction);
+  set_size(light, new_size(glm::length(direction)));
+  if (light.as<light::Spot>()) light.kind = light::Spot{direction, 15.0, 20.0};
+  if (is_sun(light)) {
+    aim_sun(light, place);
     light.intensity = glm::dvec3(3.0);
-    light.directional = Directional{sun_direction(place.target - place.eye)};
-  } else if (const auto shape = shape_of(type)) {
-    light.area = new_area(*shape, direction);
-    light.intensity =
-        glm::min(light.intensity / facing_area(*light.area), glm::dvec3(limits::intensity));
+  } else {
+    light.intensity = glm::min(new_intensity(document.scene()) / to_radiant_intensity(light, 1.0),
+                               glm::dvec3(limits::intensity));
   }
   add(document, std::move(light));
 }
 
-namespace {
-
-constexpr std::array<LightPreset, 7> presets{{
-    {"preset_sun", QT_TRANSLATE_NOOP("undo", "Sun"), LightType::directional, 5500.0, 3.0, 0, 0,
-     0.53},
-    {"preset_moon", QT_TRANSLATE_NOOP("undo", "Moon"), LightType::directional, 7500.0, 0.15, 0, 0,
-     0.52},
-    {"preset_headlight", QT_TRANSLATE_NOOP("undo", "Headlight"), LightType::spot, 4300.0, 60.0, 8.0,
-     24.0},
-    {"preset_stage", QT_TRANSLATE_NOOP("undo", "Stage spot"), LightType::spot, 3200.0, 80.0, 9.0,
-     10.0},
-    {"preset_street", QT_TRANSLATE_NOOP("undo", "Street lamp"), LightType::spot, 2000.0, 20.0, 40.0,
-     75.0},
-    {"preset_window", QT_TRANSLATE_NOOP("undo", "Window"), LightType::rectangle, 6500.0, 15.0, 0, 0,
-     0, 1.0, 1.4},
-    {"preset_candle", QT_TRANSLATE_NOOP("undo", "Candle"), LightType::point, 1850.0, 2.0},
-}};
-
-}  // namespace
-
 std::span<const LightPreset> light_presets() {
+  static const std::array presets{
+      LightPreset{"preset_sun", QT_TRANSLATE_NOOP("undo", "Sun"),
+                  light::Directional{.angular_diameter = 0.53}, 5500.0, 3.0},
+      LightPreset{"preset_moon", QT_TRANSLATE_NOOP("undo", "Moon"),
+                  light::Directional{.angular_diameter = 0.52}, 7500.0, 0.15},
+      LightPreset{"preset_headlight", QT_TRANSLATE_NOOP("undo", "Headlight"),
+                  light::Spot{.inner_angle = 8.0, .outer_angle = 24.0}, 4300.0, 60.0},
+      LightPreset{"preset_stage", QT_TRANSLATE_NOOP("undo", "Stage spot"),
+                  light::Spot{.inner_angle = 9.0, .outer_angle = 10.0}, 3200.0, 80.0},
+      LightPreset{"preset_street", QT_TRANSLATE_NOOP("undo", "Street lamp"),
+                  light::Spot{.inner_angle = 40.0, .outer_angle = 75.0}, 2000.0, 20.0},
+      LightPreset{"preset_window", QT_TRANSLATE_NOOP("undo", "Window"),
+                  light::Rectangle{.width = 1.0, .height = 1.4}, 6500.0, 15.0},
+      LightPreset{"preset_candle", QT_TRANSLATE_NOOP("undo", "Candle"), light::Point{}, 1850.0,
+                  2.0}};
   return presets;
 }
 
 void add_preset(Document& document, const LightPreset& preset, const LightPlace& place) {
-  Light light;
-  light.intensity = preset.strength * black_body_color(preset.temperature);
-  light.position = place.position;
-  const glm::dvec3 direction = direction_to(place.target, place.position);
-  if (preset.type == LightType::directional) {
-    light.position = {};
-    light.directional =
-        Directional{sun_direction(place.target - place.eye), preset.angular_diameter};
-  } else if (preset.type == LightType::spot) {
-    light.spot = SpotCone{direction, preset.inner_angle, preset.outer_angle};
-  } else if (preset.type == LightType::rectangle) {
-    light.area = AreaLight{.direction = direction, .width = preset.width, .height = preset.height};
-  }
+  Light light{.position = place.position,
+              .intensity = preset.strength * black_body_color(preset.temperature),
+              .kind = preset.kind};
+  turn(light, direction_to(place.target, place.position));
+  if (is_sun(light)) aim_sun(light, place);
   add(document, std::move(light));
 }
 
@@ -233,39 +212,41 @@ Camera camera_at(const Light& light, const LitRegion& region, const glm::dvec3& 
   Camera camera;
   camera.vertical_fov = 90.0;
   camera.eye = light.position;
-  if (light.directional) {
-    camera.eye = region.center + region.diameter * to_light(*light.directional);
+  if (const auto* sun = light.as<light::Directional>()) {
+    camera.eye = region.center + region.diameter * to_light(*sun);
     camera.vertical_fov = 60.0;
   }
-  if (light.spot) camera.vertical_fov = std::min(2.0 * light.spot->outer_angle, widest);
+  if (const auto* spot = light.as<light::Spot>()) {
+    camera.vertical_fov = std::min(2.0 * spot->outer_angle, widest);
+  }
   const glm::dvec3 towards = light_direction(light).value_or(target - camera.eye);
   const glm::dvec3 axis = unit_direction(towards, {0.0, 0.0, -1.0});
   // The distance is that of the target, so that orbits go around what is lit there.
   const double distance = std::max(glm::dot(target - camera.eye, axis), 0.1 * region.diameter);
   camera.target = camera.eye + distance * axis;
-  if (light.area && light.area->shape == AreaLight::Shape::rectangle) {
-    camera.up = rectangle_axes(*light.area).second;
+  if (const auto* rectangle = light.as<light::Rectangle>()) {
+    camera.up = rectangle_axes(*rectangle).second;
   } else if (std::abs(axis.y) > 0.999) {
     camera.up = {0.0, 0.0, -1.0};
   }
   return camera;
 }
 
-SpotCone with_inner_angle(SpotCone cone, double angle) {
-  cone.inner_angle = std::clamp(angle, 0.0, domain::cone_angle.max_value - min_angle_difference);
-  cone.outer_angle = std::max(cone.outer_angle, cone.inner_angle + min_angle_difference);
-  return cone;
+light::Spot with_inner_angle(light::Spot spot, double angle) {
+  spot.inner_angle = std::clamp(angle, 0.0, domain::cone_angle.max_value - min_angle_difference);
+  spot.outer_angle = std::max(spot.outer_angle, spot.inner_angle + min_angle_difference);
+  return spot;
+}
+
+light::Spot with_outer_angle(light::Spot spot, double angle) {
+  spot.outer_angle = std::clamp(angle, min_angle_difference, domain::cone_angle.max_value);
+  spot.inner_angle = std::clamp(spot.inner_angle, 0.0, spot.outer_angle - min_angle_difference);
+  return spot;
 }
 
 void set_profile(Light& light, LightProfile profile) {
-  light.profile = std::move(profile);
-  if (!light.profile.content) light.keys.profile_rotation.clear();
-}
-
-SpotCone with_outer_angle(SpotCone cone, double angle) {
-  cone.outer_angle = std::clamp(angle, min_angle_difference, domain::cone_angle.max_value);
-  cone.inner_angle = std::clamp(cone.inner_angle, 0.0, cone.outer_angle - min_angle_difference);
-  return cone;
+  if (auto* member = profile_member(light)) *member = std::move(profile);
+  if (!profile_of(light)) light.keys.profile_rotation.clear();
 }
 
 void delete_light(Document& document, std::size_t index) {

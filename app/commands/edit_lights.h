@@ -14,8 +14,6 @@ namespace brume {
 
 class Document;
 
-enum class LightType { point, spot, directional, rectangle, disk, sphere };
-
 // Where a light is added: at `position`, shining towards `target`, seen from `eye`.
 struct LightPlace {
   glm::dvec3 position{0.0};
@@ -25,19 +23,16 @@ struct LightPlace {
 
 // Edits of lights, each one undo step. `index`: of the scene's lights.
 // Directional: a sun from above, behind the left shoulder of who looks at the target. An area light
-// is a tenth as large as the target is far.
-void add_light(Document& document, LightType type, const LightPlace& place);
+// is a tenth as large as the target is far. A light of the kind, its other values are chosen.
+void add_light(Document& document, const Light::Kind& kind, const LightPlace& place);
 
 // Lights of everyday, as bright as suits a scene lit by 20 W/sr.
 struct LightPreset {
   const char* name;  // of its action
   const char* title;
-  LightType type;
-  double temperature;                           // of its colour [K]
-  double strength;                              // [W/sr or W/u^2], of an area light [W/(sr u^2)]
-  double inner_angle = 0.0, outer_angle = 0.0;  // of a spot [degrees]
-  double angular_diameter = 0.0;                // of a directional light [degrees]
-  double width = 0.0, height = 0.0;             // of a rectangle [u]
+  Light::Kind kind;    // but for its direction
+  double temperature;  // of its colour [K]
+  double strength;     // [W/sr or W/u^2], of an area light [W/(sr u^2)]
 };
 std::span<const LightPreset> light_presets();
 void add_preset(Document& document, const LightPreset& preset, const LightPlace& place);
@@ -54,9 +49,10 @@ QString light_name(const Light& light, std::size_t index);
 QString light_title(const Light& light, std::size_t index);
 QString light_unit(const Light& light);  // of its strength
 
-LightType type_of(const Light& light);
-// Keeps its strength at the middle of the region, and where it shines as far as the type has that.
-void set_type(Light& light, LightType type, const LitRegion& region);
+// Keeps its strength at the middle of the region, and the values that both kinds have.
+void set_kind(Light& light, const Light::Kind& kind, const LitRegion& region);
+// Multiplies the lengths of its surface.
+void scale(Light& light, double factor);
 
 // The way a light shines; a point light has none.
 std::optional<glm::dvec3> light_direction(const Light& light);
@@ -69,8 +65,8 @@ Camera camera_at(const Light& light, const LitRegion& region, const glm::dvec3& 
 void set_profile(Light& light, LightProfile profile);
 
 // Cones with an angle from the axis changed [degrees]; the other one makes room.
-SpotCone with_inner_angle(SpotCone cone, double angle);
-SpotCone with_outer_angle(SpotCone cone, double angle);
+light::Spot with_inner_angle(light::Spot spot, double angle);
+light::Spot with_outer_angle(light::Spot spot, double angle);
 
 // Intensity = strength (see light_unit) * colour, whose maximum channel is 1; white if zero.
 double light_strength(const Light& light);

@@ -16,6 +16,7 @@
 #include "brume/limits.h"
 #include "brume/mesh_arrays.h"
 #include "core/math/rounded.h"
+#include "core/scene/fields/light_fields.h"
 
 namespace brume {
 namespace {
@@ -49,13 +50,15 @@ double allowed_length(double length) {
 }
 
 void move(Light& light, const Movement& movement) {
-  if (!light.directional) light.position = allowed_place(movement.point(light.position));
-  if (const auto direction = light_direction(light)) turn(light, movement.turn * *direction);
-  if (!light.area) return;
-  light.area->up = movement.turn * light.area->up;
-  light.area->width = allowed_length(movement.size * light.area->width);
-  light.area->height = allowed_length(movement.size * light.area->height);
-  light.area->radius = allowed_length(movement.size * light.area->radius);
+  if (auto* position = find_value<glm::dvec3>(light, "position")) {
+    *position = allowed_place(movement.point(*position));
+  }
+  for (const char* name : {"direction", "up"}) {
+    if (auto* direction = find_value<glm::dvec3>(light, name)) {
+      *direction = movement.turn * *direction;
+    }
+  }
+  scale(light, movement.size);
 }
 
 void move(Emitter& emitter, const Movement& movement) {

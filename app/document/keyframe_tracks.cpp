@@ -44,6 +44,10 @@ QString track_title(const QString& object, const FieldInfo& info) {
   return object.isEmpty() ? label : object + ' ' + label.toLower();
 }
 
+QString light_text(std::size_t index) {
+  return track_text("Light %1").arg(index + 1);
+}
+
 // The tracks of values of core/scene/fields; keyed jointly are neighbours. `value`: index of
 // the object's first among its part's.
 void add_tracks(std::vector<Track>& rows, const QString& object, std::size_t part,
@@ -116,36 +120,10 @@ std::vector<Track> tracks(const Scene& scene) {
   std::size_t value = 0;
   add_tracks(rows, track_text("Camera"), index_of<KeyedCamera>(), value, scene.camera,
              scene.camera_keys);
-  std::size_t of_lights = 0;
+  value = 0;
   for (std::size_t k = 0; k < scene.lights.size(); ++k) {
-    const auto add = [&](const QString& title) {
-      rows.push_back({title.arg(k + 1), index_of<Lights>(), of_lights++, 1});
-    };
-    if (scene.lights[k].directional) {
-      add(track_text("Light %1 irradiance"));
-      add(track_text("Light %1 direction"));
-      add(track_text("Light %1 angular diameter"));
-      continue;
-    }
-    add(track_text("Light %1 position"));
-    if (const auto& area = scene.lights[k].area) {
-      add(track_text("Light %1 radiance"));
-      if (area->shape != AreaLight::Shape::sphere) add(track_text("Light %1 direction"));
-      if (area->shape != AreaLight::Shape::rectangle) {
-        add(track_text("Light %1 radius"));
-        continue;
-      }
-      add(track_text("Light %1 up"));
-      add(track_text("Light %1 width"));
-      add(track_text("Light %1 height"));
-      continue;
-    }
-    add(track_text("Light %1 intensity"));
-    if (scene.lights[k].profile.content) add(track_text("Light %1 profile rotation"));
-    if (!scene.lights[k].spot) continue;
-    add(track_text("Light %1 direction"));
-    add(track_text("Light %1 inner angle"));
-    add(track_text("Light %1 outer angle"));
+    const Light& light = scene.lights[k];
+    add_tracks(rows, light_text(k), index_of<Lights>(), value, light, light.keys);
   }
   if (const auto& environment = scene.environment) {
     value = 0;
@@ -181,6 +159,15 @@ Track camera_track(const Scene& scene, std::string_view name) {
 Track environment_track(const Scene& scene, std::string_view name) {
   Track track{track_text("Environment"), index_of<std::optional<Environment>>(), 0, 1};
   find_value(track, name, *scene.environment, scene.environment->keys);
+  return track;
+}
+
+Track light_track(const Scene& scene, std::size_t index, std::string_view name) {
+  Track track{light_text(index), index_of<Lights>(), 0, 1};
+  for (std::size_t k = 0; k <= index; ++k) {
+    const Light& light = scene.lights[k];
+    find_value(track, k == index ? name : std::string_view(), light, light.keys);
+  }
   return track;
 }
 

@@ -19,7 +19,7 @@ void visit_keyed_part(auto& part, auto&& visit) {
         } else if constexpr (std::is_same_v<Part, KeyedDensity>) {
           visit_keyed_density(value.density, value.keys, visit);
         } else if constexpr (std::is_same_v<Part, Lights>) {
-          for (auto& light : value) visit_keyed_light(light, visit);
+          for (auto& light : value) visit_keyed(light, visit);
         } else if constexpr (std::is_same_v<Part, Emitters>) {
           for (auto& emitter : value) visit_keyed(emitter, visit);
         } else if constexpr (std::is_same_v<Part, Surfaces>) {

@@ -14,7 +14,7 @@ bool is_unlit(const Scene& scene) {
 
 Light headlight(const Camera& camera) {
   return {.intensity = glm::dvec3(std::numbers::pi),
-          .directional = Directional{camera.target - camera.eye}};
+          .kind = light::Directional{camera.target - camera.eye}};
 }
 
 }  // namespace brume

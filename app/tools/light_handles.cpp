@@ -24,6 +24,7 @@
 #include "core/math/infinity.h"
 #include "core/math/rounded.h"
 #include "core/math/unit_direction.h"
+#include "core/overloaded.h"
 #include "core/scene/lights/point_lights.h"
 
 namespace brume {
@@ -56,7 +57,7 @@ using Part = LightHandles::Handle::Part;
 
 // Whether it has an end of its axis to drag: a directional light is turned by its icon.
 bool has_target(const Light& light) {
-  return !light.directional && light_direction(light).has_value();
+  return !light.as<light::Directional>() && light_direction(light).has_value();
 }
 
 }  // namespace
@@ -76,14 +77,16 @@ struct LightHandles::DrawnShape {
     axis = unit_direction(light_direction(light).value_or(rays.eye() - light.position),
                           {0.0, -1.0, 0.0});
     target = light.position + length * axis;
-    if (light.spot && light.spot->outer_angle < max_drawn_angle) {
-      radius = length * std::tan(glm::radians(light.spot->outer_angle));
-      add_circle(target, radius);
-    } else if (light.area && light.area->shape == AreaLight::Shape::rectangle) {
-      add_rectangle(light.position, *light.area);
-    } else if (light.area) {
-      add_circle(light.position, light.area->radius);
-    }
+    std::visit(Overloaded{[](const light::Point&) {}, [](const light::Directional&) {},
+                          [&](const light::Spot& spot) {
+                            if (!(spot.outer_angle < max_drawn_angle)) return;
+                            radius = length * std::tan(glm::radians(spot.outer_angle));
+                            add_circle(target, radius);
+                          },
+                          [&](const light::Rectangle& r) { add_rectangle(light.position, r); },
+                          [&](const light::Disk& disk) { add_circle(light.position, disk.radius); },
+                          [&](const light::Sphere& s) { add_circle(light.position, s.radius); }},
+               light.kind);
   }
 
   static constexpr double max_drawn_angle = 80.0;  // degrees
@@ -97,7 +100,7 @@ struct LightHandles::DrawnShape {
       outline.push_back(center + circle_radius * (std::cos(angle) * u + std::sin(angle) * v));
     }
   }
-  void add_rectangle(const glm::dvec3& center, const AreaLight& area) {
+  void add_rectangle(const glm::dvec3& center, const light::Rectangle& area) {
     const auto [right, up] = rectangle_axes(area);
     const glm::dvec3 x = 0.5 * area.width * right;
     const glm::dvec3 y = 0.5 * area.height * up;
@@ -169,7 +172,7 @@ void LightHandles::move(const CameraRays& rays, QPointF position) {
       change_light(document_, handle.light, undo_text("Turn %1"), merge_id,
                    [&](Light& l) { turn(l, direction); });
     } else {
-      const glm::dvec3 at = rays.project(before.spot ? shape.target : before.position);
+      const glm::dvec3 at = rays.project(before.as<light::Spot>() ? shape.target : before.position);
       const double begin = QLineF(QPointF(at.x, at.y), start).length();
       const double now = QLineF(QPointF(at.x, at.y), position).length();
       open_or_scale(shape, now / std::max(begin, 1.0));
@@ -179,7 +182,7 @@ void LightHandles::move(const CameraRays& rays, QPointF position) {
     const double strength = strength_of(QLineF(QPointF(at.x, at.y), position).length());
     change_light(document_, handle.light, undo_text("Set intensity of %1"), merge_id,
                  [&](Light& l) { l.intensity = strength * light_color(before); });
-  } else if (before.directional) {
+  } else if (before.as<light::Directional>()) {
     const glm::dvec3 sun = handle_position(before, document_.scene(), rays.eye());
     const glm::dvec3& target = document_.scene().camera.target;
     const glm::dvec3 direction = target - sun - dragged_across(sun, rays, start, position);
@@ -196,27 +199,22 @@ void LightHandles::move(const CameraRays& rays, QPointF position) {
 
 void LightHandles::open_or_scale(const DrawnShape& shape, double factor) {
   const Light& before = gesture_->before;
-  if (before.area) {
-    const auto scaled = [factor](double size) {
-      return std::clamp(factor * size, limits::min_length, limits::max_length);
-    };
+  const auto* spot = before.as<light::Spot>();
+  if (spot == nullptr) {
     change_light(document_, gesture_->handle.light, undo_text("Set size of %1"), gesture_->merge_id,
                  [&](Light& l) {
-                   l.area->width = scaled(before.area->width);
-                   l.area->height = scaled(before.area->height);
-                   l.area->radius = scaled(before.area->radius);
+                   l = before;
+                   scale(l, factor);
                  });
     return;
   }
   const double angle = std::clamp(glm::degrees(std::atan(factor * shape.radius / shape.length)),
                                   0.1, DrawnShape::max_drawn_angle - 0.1);
   // The soft edge keeps its share.
-  const double inner = before.spot->inner_angle * angle / before.spot->outer_angle;
+  light::Spot opened = *spot;
+  opened.inner_angle *= angle / spot->outer_angle;
   change_light(document_, gesture_->handle.light, undo_text("Set outer angle of %1"),
-               gesture_->merge_id, [&](Light& l) {
-                 l.spot->inner_angle = inner;
-                 l.spot = with_outer_angle(*l.spot, angle);
-               });
+               gesture_->merge_id, [&](Light& l) { l.kind = with_outer_angle(opened, angle); });
 }
 
 void LightHandles::cancel() {
@@ -245,7 +243,7 @@ void LightHandles::draw(Overlay& overlay, const CameraRays& rays) const {
       overlay.lines.push_back(point(sun_radius() + 2.0));
       overlay.lines.push_back(point(sun_radius() + (hovered ? 7.0 : 5.0)));
     }
-    if (lights[k].directional) {
+    if (lights[k].as<light::Directional>()) {
       const glm::dvec3 sun = handle_position(lights[k], document_.scene(), rays.eye());
       overlay.add_line(rays, sun, 0.5 * (sun + document_.scene().camera.target), rgba);
     }
@@ -266,7 +264,7 @@ void LightHandles::draw(Overlay& overlay, const CameraRays& rays) const {
     const bool bright_rim = hovered && hovered_->part == Part::rim;
     for (std::size_t i = 0; i < shape.outline.size(); ++i) {
       line(shape.outline[i], shape.outline[(i + 1) % shape.outline.size()], bright_rim);
-      if (lights[k].spot && i % (DrawnShape::segments / 4) == 0) {
+      if (lights[k].as<light::Spot>() && i % (DrawnShape::segments / 4) == 0) {
         line(lights[k].position, shape.outline[i], bright_rim);
       }
     }

@@ -17,9 +17,10 @@ constexpr double ring_radius = 13.0;  // pixels
 }  // namespace
 
 glm::dvec3 handle_position(const Light& light, const Scene& scene, const glm::dvec3& eye) {
-  if (!light.directional) return light.position;
+  const auto* sun = light.as<light::Directional>();
+  if (sun == nullptr) return light.position;
   const glm::dvec3& target = scene.camera.target;
-  return target + 0.2 * glm::distance(eye, target) * to_light(*light.directional);
+  return target + 0.2 * glm::distance(eye, target) * to_light(*sun);
 }
 
 std::array<glm::dvec3, 8> box_corners(const Surface& surface) {

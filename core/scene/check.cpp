@@ -15,6 +15,7 @@
 #include "core/scene/cameras.h"
 #include "core/scene/fields/description.h"
 #include "core/scene/group_effects.h"
+#include "core/scene/light_rules.h"
 
 namespace brume {
 
@@ -106,12 +107,6 @@ void check_own_name(const std::string& place, const std::string& name,
   }
 }
 
-void check_direction(const std::string& place, const glm::dvec3& direction) {
-  if (!(glm::length(direction) > 0.0)) {
-    throw DomainError(place, "found a vector of length 0; allowed: any other");
-  }
-}
-
 void check_optics(const std::string& place, const GaussianOptics& optics) {
   if (optics.albedo) check_value(place + ".albedo", *optics.albedo, domain::albedo);
   check_value(place + ".emission", optics.emission, domain::intensity);
@@ -180,36 +175,11 @@ void check_cameras(const Scene& scene) {
   }
 }
 
-// A direction with keys is theirs.
-void check_light_direction(const std::string& place, const Light& light,
-                           const glm::dvec3& direction) {
-  if (light.keys.direction.empty()) check_direction(place + ".direction", direction);
-}
-
 void check_light(const std::string& place, const Light& light) {
-  if (static_cast<int>(light.spot.has_value()) + static_cast<int>(light.directional.has_value()) +
-          static_cast<int>(light.area.has_value()) >
-      1) {
-    throw DomainError(place, "allowed: at most one of spot, directional and area");
-  }
   check_name(place + ".name", light.name, 0);
-  visit_keyed_light(light, in(place));
-  const LightKeys& keys = light.keys;
-  if (light.spot) {
-    check_light_direction(place, light, light.spot->direction);
-    const bool is_keyed = !keys.inner_angle.empty() || !keys.outer_angle.empty();
-    if (!is_keyed && !(light.spot->outer_angle > 0.0)) {
-      throw DomainError(place + ".outer_angle", "found 0; allowed: above 0 degrees");
-    }
-    if (!is_keyed && !(light.spot->inner_angle <= light.spot->outer_angle)) {
-      throw DomainError(place + ".inner_angle", "found " + quoted_text(light.spot->inner_angle) +
-                                                    "; allowed: at most outer_angle, which is " +
-                                                    quoted_text(light.spot->outer_angle));
-    }
-  }
-  if (light.directional) check_light_direction(place, light, light.directional->direction);
-  if (light.area && light.area->shape != AreaLight::Shape::sphere) {
-    check_light_direction(place, light, light.area->direction);
+  check_fields(place, light, light.keys);
+  if (const auto refused = refusal(light)) {
+    throw DomainError(place + "." + refused->member, refused->message);
   }
 }
 

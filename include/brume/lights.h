@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <variant>
 
 #include "brume/keys.h"
 #include "brume/object_id.h"
@@ -14,33 +15,21 @@ namespace brume {
 class PhotometricProfile;
 struct RadianceMap;
 
-// ...Keys are the keyframes of an object's values; see core/scene/animation/animation.h.
+// Keyframes of a light's values, of those that its kind has; see core/scene/animation/animation.h.
 struct LightKeys {
   Keys<glm::dvec3> position;
   Keys<glm::dvec3> intensity;
-  Keys<glm::dvec3> direction;  // of all but a point light and a sphere
-  // Of a spot.
+  Keys<glm::dvec3> direction;
   Keys<double> inner_angle;
   Keys<double> outer_angle;
   Keys<double> profile_rotation;
-  Keys<double> angular_diameter;  // of a directional light
-  // Of an area light.
+  Keys<double> angular_diameter;
   Keys<glm::dvec3> up;
   Keys<double> width;
   Keys<double> height;
   Keys<double> radius;
 
   bool operator==(const LightKeys&) const = default;
-};
-
-// The cone of a spot light: full intensity within the inner angle, none beyond the outer one; a
-// hard edge where they are equal. See core/scene/lights/light_falloff.h.
-struct SpotCone {
-  glm::dvec3 direction{0.0, -1.0, 0.0};  // the way it shines; any length but 0
-  double inner_angle = 0.0;              // from the axis, >= 0 [degrees]
-  double outer_angle = 45.0;             // above 0, at least inner_angle, at most 180 [degrees]
-
-  bool operator==(const SpotCone&) const = default;
 };
 
 // How a luminaire spreads the light of a point light, whose axis is straight down, or of a spot,
@@ -53,8 +42,28 @@ struct LightProfile {
   bool operator==(const LightProfile&) const = default;
 };
 
-// How a directional light shines: the sun, or anything as far away. Methods evaluate it as
-// core/scene/lights/point_lights.h has it.
+// The kinds of lights: each has values of its own, in the order of Light::Kind.
+namespace light {
+
+// A point that shines alike in all directions, or as its profile says.
+struct Point {
+  LightProfile profile{};
+
+  bool operator==(const Point&) const = default;
+};
+
+// A point that shines in a cone: full intensity within the inner angle, none beyond the outer one;
+// a hard edge where they are equal. See core/scene/lights/light_falloff.h.
+struct Spot {
+  glm::dvec3 direction{0.0, -1.0, 0.0};  // the way it shines; any length but 0
+  double inner_angle = 0.0;              // from the axis, >= 0 [degrees]
+  double outer_angle = 45.0;             // above 0, at least inner_angle, at most 180 [degrees]
+  LightProfile profile{};
+
+  bool operator==(const Spot&) const = default;
+};
+
+// The sun, or anything as far away. Methods evaluate it as core/scene/lights/point_lights.h has it.
 struct Directional {
   glm::dvec3 direction{0.0, -1.0, 0.0};  // the way it shines; any length but 0
   double angular_diameter = 0.0;         // of its disc, in [0, 90) [degrees]
@@ -62,36 +71,59 @@ struct Directional {
   bool operator==(const Directional&) const = default;
 };
 
-// A surface that shines with the same radiance everywhere and in all directions of its front, or of
-// both sides. It is not seen itself and keeps no light out, as point lights.
-struct AreaLight {
-  enum class Shape { rectangle, disk, sphere };
-  Shape shape = Shape::rectangle;
-  glm::dvec3 direction{0.0, -1.0, 0.0};  // normal of its front; any length but 0; not of a sphere
-  glm::dvec3 up{0.0, 1.0, 0.0};          // along the height of a rectangle, but for the normal
-  double width = 1.0, height = 1.0;      // of a rectangle, > 0 [u]
-  double radius = 0.5;                   // of a disk or sphere, > 0 [u]
-  bool two_sided = false;                // a sphere then shines inwards, too
+// Surfaces that shine with the same radiance everywhere and in all directions of their front, or of
+// both sides. They are not seen themselves and keep no light out, as point lights.
+struct Rectangle {
+  glm::dvec3 direction{0.0, -1.0, 0.0};  // normal of its front; any length but 0
+  glm::dvec3 up{0.0, 1.0, 0.0};          // along its height, but for the normal
+  double width = 1.0, height = 1.0;      // > 0 [u]
+  bool two_sided = false;
 
-  bool operator==(const AreaLight&) const = default;
+  bool operator==(const Rectangle&) const = default;
 };
 
-// A point light, a spot (a point light with a cone), a directional or an area light. Intensity,
-// RGB, >= 0: of a point light radiant intensity [W/sr], of a spot that on its axis, with a profile
-// that in its brightest direction, of a directional light irradiance on what faces it, without any
-// medium [W/u^2], of an area light radiance [W/(sr u^2)].
+struct Disk {
+  glm::dvec3 direction{0.0, -1.0, 0.0};  // normal of its front; any length but 0
+  double radius = 0.5;                   // > 0 [u]
+  bool two_sided = false;
+
+  bool operator==(const Disk&) const = default;
+};
+
+struct Sphere {
+  double radius = 0.5;     // > 0 [u]
+  bool two_sided = false;  // it then shines inwards, too
+
+  bool operator==(const Sphere&) const = default;
+};
+
+}  // namespace light
+
+// Intensity, RGB, >= 0: of a point light radiant intensity [W/sr], of a spot that on its axis, with
+// a profile that in its brightest direction, of a directional light irradiance on what faces it,
+// without any medium [W/u^2], of a surface radiance [W/(sr u^2)].
 struct Light {
-  glm::dvec3 position{0.0};  // an area light's center; of no meaning for a directional light
+  using Kind = std::variant<light::Point, light::Spot, light::Directional, light::Rectangle,
+                            light::Disk, light::Sphere>;
+
+  glm::dvec3 position{0.0};  // a surface's center; of no meaning for a directional light
   glm::dvec3 intensity{1.0};
-  std::optional<SpotCone> spot{};  // at most one of these
-  std::optional<Directional> directional{};
-  std::optional<AreaLight> area{};
-  LightProfile profile{};  // of a point light or a spot
+  Kind kind{};
   LightKeys keys{};
   std::string name{};  // empty: none of its own
   bool on = true;
   bool locked = false;  // for editors: not to be changed in the view
   ObjectId id = 0;
+
+  // The values of a kind; null if it is of another.
+  template <class K>
+  [[nodiscard]] K* as() {
+    return std::get_if<K>(&kind);
+  }
+  template <class K>
+  [[nodiscard]] const K* as() const {
+    return std::get_if<K>(&kind);
+  }
 
   bool operator==(const Light&) const = default;
 };

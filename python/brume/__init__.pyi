@@ -68,7 +68,6 @@ class Environment:
 
 class Light:
     name: str
-    on: bool
     position: _Vec3
     intensity: _Vec3
     direction: _Vec3
@@ -77,22 +76,32 @@ class Light:
     angular_diameter: float
     width: float
     height: float
+    up: _Vec3
+    two_sided: bool
     radius: float
+    profile_rotation: float
+    on: bool
+    locked: bool
     @property
     def kind(self) -> str: ...
     @staticmethod
-    def point(position: _Vec3, intensity: _Vec3) -> Light: ...
+    def point(
+        position: _Vec3,
+        intensity: _Vec3 = (1.0, 1.0, 1.0),
+    ) -> Light: ...
     @staticmethod
     def spot(
         position: _Vec3,
         direction: _Vec3,
-        intensity: _Vec3,
+        intensity: _Vec3 = (1.0, 1.0, 1.0),
         inner_angle: float = 0.0,
         outer_angle: float = 45.0,
     ) -> Light: ...
     @staticmethod
     def directional(
-        direction: _Vec3, irradiance: _Vec3, angular_diameter: float = 0.0
+        direction: _Vec3,
+        irradiance: _Vec3,
+        angular_diameter: float = 0.0,
     ) -> Light: ...
     @staticmethod
     def rectangle(
@@ -102,11 +111,23 @@ class Light:
         width: float,
         height: float,
         up: _Vec3 = (0.0, 1.0, 0.0),
+        two_sided: bool = False,
     ) -> Light: ...
     @staticmethod
-    def disk(position: _Vec3, direction: _Vec3, radiance: _Vec3, radius: float) -> Light: ...
+    def disk(
+        position: _Vec3,
+        direction: _Vec3,
+        radiance: _Vec3,
+        radius: float,
+        two_sided: bool = False,
+    ) -> Light: ...
     @staticmethod
-    def sphere(position: _Vec3, radiance: _Vec3, radius: float) -> Light: ...
+    def sphere(
+        position: _Vec3,
+        radiance: _Vec3,
+        radius: float,
+        two_sided: bool = False,
+    ) -> Light: ...
     def clear_keys(self) -> None: ...
 
 class Surface:

@@ -4,9 +4,11 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <tuple>
+#include <variant>
 
 #include "core/math/unit_direction.h"
-#include "core/scene/lights/point_lights.h"
+#include "core/overloaded.h"
 #include "render/paths/direction_sampling.h"
 
 namespace brume {
@@ -64,27 +66,38 @@ class SphericalRectangle {
 }  // namespace
 
 AreaSampler::AreaSampler(const AreaLight& area, const glm::dvec3& center)
-    : area_(area),
+    : is_disk_(std::holds_alternative<light::Disk>(area)),
+      is_sphere_(std::holds_alternative<light::Sphere>(area)),
+      is_two_sided_(is_two_sided(area)),
       center_(center),
-      normal_(unit_direction(area.direction, {0.0, -1.0, 0.0})),
-      half_width_(0.5 * area.width),
-      half_height_(0.5 * area.height),
       surface_area_(surface_area(area)) {
-  const auto [right, up] = rectangle_axes(area);
-  right_ = right;
-  up_ = up;
-  if (is_disk()) half_width_ = half_height_ = area.radius;
+  std::visit(Overloaded{[this](const light::Rectangle& rectangle) { set_plane(rectangle); },
+                        [this](const light::Disk& disk) {
+                          radius_ = disk.radius;
+                          set_plane({.direction = disk.direction,
+                                     .width = 2.0 * radius_,
+                                     .height = 2.0 * radius_});
+                        },
+                        [this](const light::Sphere& sphere) { radius_ = sphere.radius; }},
+             area);
+}
+
+void AreaSampler::set_plane(const light::Rectangle& rectangle) {
+  normal_ = unit_direction(rectangle.direction, {0.0, -1.0, 0.0});
+  std::tie(right_, up_) = rectangle_axes(rectangle);
+  half_width_ = 0.5 * rectangle.width;
+  half_height_ = 0.5 * rectangle.height;
 }
 
 AreaSampler::Point AreaSampler::on_surface(PathRandom& random) const {
-  if (is_sphere()) {
+  if (is_sphere_) {
     const glm::dvec3 normal =
         direction_around({0.0, 0.0, 1.0}, 2.0 * random.uniform() - 1.0, random);
-    return {center_ + area_.radius * normal, normal};
+    return {center_ + radius_ * normal, normal};
   }
   double x = 2.0 * random.uniform() - 1.0;
   double y = 2.0 * random.uniform() - 1.0;
-  if (is_disk()) {
+  if (is_disk_) {
     const double radius = std::sqrt(0.5 * (x + 1.0));
     const double turn = pi * y;
     x = radius * std::cos(turn);
@@ -99,27 +112,26 @@ double AreaSampler::cosine(const Point& point, const glm::dvec3& x) const {
   if (!(r > 0.0)) return 0.0;
   const double cosine = glm::dot(q, point.normal) / r;
   if (cosine > 0.0) return cosine;
-  const bool reaches_back =
-      area_.two_sided && (!is_sphere() || glm::length(x - center_) < area_.radius);
+  const bool reaches_back = is_two_sided_ && (!is_sphere_ || glm::length(x - center_) < radius_);
   return reaches_back ? -cosine : 0.0;
 }
 
 bool AreaSampler::shines_to(const glm::dvec3& x) const {
   const glm::dvec3 q = x - center_;
-  if (is_sphere()) return area_.two_sided || glm::length(q) > area_.radius;
+  if (is_sphere_) return is_two_sided_ || glm::length(q) > radius_;
   const double in_front = glm::dot(q, normal_);
-  return in_front > 0.0 || (area_.two_sided && in_front < 0.0);
+  return in_front > 0.0 || (is_two_sided_ && in_front < 0.0);
 }
 
 AreaSampler::SeenPoint AreaSampler::seen_from(const glm::dvec3& x, PathRandom& random) const {
   if (!shines_to(x)) return {};
-  return is_sphere() ? seen_on_sphere(x, random) : seen_on_plane(x, random);
+  return is_sphere_ ? seen_on_sphere(x, random) : seen_on_plane(x, random);
 }
 
 AreaSampler::SeenPoint AreaSampler::seen_on_sphere(const glm::dvec3& x, PathRandom& random) const {
   const glm::dvec3 q = center_ - x;
   const double distance = glm::length(q);
-  const double sine = area_.radius / distance;
+  const double sine = radius_ / distance;
   const bool is_inside = !(sine < 1.0);
   // 1 - cos of the cone that holds it.
   const double versine = is_inside ? 2.0 : sine * sine / (1.0 + std::sqrt(1.0 - sine * sine));
@@ -128,8 +140,7 @@ AreaSampler::SeenPoint AreaSampler::seen_on_sphere(const glm::dvec3& x, PathRand
   // Where the ray enters it, or leaves it from within.
   const double middle = glm::dot(q, w);
   const glm::dvec3 nearest = q - middle * w;
-  const double half =
-      std::sqrt(std::max(area_.radius * area_.radius - glm::dot(nearest, nearest), 0.0));
+  const double half = std::sqrt(std::max(radius_ * radius_ - glm::dot(nearest, nearest), 0.0));
   const double r = is_inside ? middle + half : middle - half;
   return {x + r * w, 2.0 * pi * versine * r * r / surface_area_};
 }
@@ -138,7 +149,7 @@ AreaSampler::SeenPoint AreaSampler::seen_on_plane(const glm::dvec3& x, PathRando
   const glm::dvec3 q = center_ - x;
   // A disk is drawn from the square around it, a fifth of which is none of it: only nearby that
   // makes less noise than drawing it evenly.
-  const bool is_far_disk = is_disk() && glm::length(q) > area_.radius;
+  const bool is_far_disk = is_disk_ && glm::length(q) > radius_;
   const double along = glm::dot(q, right_);
   const double up = glm::dot(q, up_);
   const SphericalRectangle rectangle(along - half_width_, along + half_width_, up - half_height_,
@@ -150,7 +161,7 @@ AreaSampler::SeenPoint AreaSampler::seen_on_plane(const glm::dvec3& x, PathRando
   const double u = random.uniform();
   const glm::dvec2 place = rectangle.sample(u, random.uniform());
   const glm::dvec2 offset = place - glm::dvec2(along, up);
-  if (is_disk() && glm::dot(offset, offset) > area_.radius * area_.radius) return {};
+  if (is_disk_ && glm::dot(offset, offset) > radius_ * radius_) return {};
   const glm::dvec3 position = center_ + offset.x * right_ + offset.y * up_;
   const glm::dvec3 way = position - x;
   return {position, rectangle.solid_angle() * glm::dot(way, way) / surface_area_};

@@ -2,7 +2,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "brume/scene.h"
+#include "core/scene/lights/point_lights.h"
 #include "render/paths/path_random.h"
 
 namespace brume {
@@ -36,13 +36,14 @@ class AreaSampler {
  private:
   [[nodiscard]] SeenPoint seen_on_sphere(const glm::dvec3& x, PathRandom& random) const;
   [[nodiscard]] SeenPoint seen_on_plane(const glm::dvec3& x, PathRandom& random) const;
-  [[nodiscard]] bool is_disk() const { return area_.shape == AreaLight::Shape::disk; }
-  [[nodiscard]] bool is_sphere() const { return area_.shape == AreaLight::Shape::sphere; }
+  // Of a plane that faces the way `direction`, in a rectangle around it.
+  void set_plane(const light::Rectangle& rectangle);
 
-  AreaLight area_;
+  bool is_disk_, is_sphere_, is_two_sided_;
   glm::dvec3 center_;
-  glm::dvec3 normal_, right_, up_;  // unit; not of a sphere
-  double half_width_, half_height_;
+  glm::dvec3 normal_{0.0}, right_{0.0}, up_{0.0};  // unit; not of a sphere
+  double half_width_ = 0.0, half_height_ = 0.0;
+  double radius_ = 0.0;  // of a disk or sphere
   double surface_area_;
 };
 

@@ -15,7 +15,7 @@ FogExtent::FogExtent(const Scene& scene) {
   const double b0 = scene.medium.homogeneous_density();
   const bool is_lit_from_afar =
       scene.environment || std::ranges::any_of(scene.lights, [](const Light& light) {
-        return light.on && light.directional.has_value();
+        return light.on && light.as<light::Directional>();
       });
   if (!is_lit_from_afar || !(b0 > 0.0)) return;
   const auto bounds = lit_bounds(scene);

@@ -189,7 +189,7 @@ class DocumentTest : public QObject {
     const auto saved = [&] { return document_to_json(document.document_to_save(), "/"); };
     const std::string all = saved();
     delete_light(document, 0);
-    add_light(document, LightType::point, {{1, 2, 3}});
+    add_light(document, light::Point(), {{1, 2, 3}});
     const std::string fewer = saved();
     QVERIFY(fewer.find("light 0") == std::string::npos);
     QVERIFY(fewer.find("light 2") < fewer.find("[1.0, 2.0, 3.0]"));

@@ -131,7 +131,7 @@ class FogPresetsTest : public QObject {
     const std::size_t lights = window.document().scene().lights.size();
     window.choose("fog.god_rays");
     QCOMPARE(window.document().scene().lights.size(), lights + 1);
-    QVERIFY(window.document().scene().lights.back().directional.has_value());
+    QVERIFY(window.document().scene().lights.back().as<light::Directional>());
     window.choose("fog.god_rays");
     QCOMPARE(window.document().scene().lights.size(), lights + 1);
   }

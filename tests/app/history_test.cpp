@@ -25,6 +25,7 @@
 #include "core/authoring/eraser.h"
 #include "core/authoring/paintbrush.h"
 #include "core/io/scene/scene_file.h"
+#include "core/scene/fields/light_fields.h"
 #include "tests/app/test_window.h"
 
 using namespace brume;
@@ -134,7 +135,8 @@ class RandomHands {
     const std::size_t index = below(3);
     switch (below(4)) {
       case 0:
-        return add_light(document_, static_cast<LightType>(below(6)), {point(), point()});
+        return add_light(document_, light_kind(static_cast<std::size_t>(below(6))),
+                         {point(), point()});
       case 1:
         return delete_light(document_, index);
       default:

@@ -48,7 +48,7 @@ void move_light(TestWindow& window, const glm::dvec3& to) {
                [&to](Light& light) { light.position = to; });
 }
 
-const Light& light(TestWindow& window) {
+const Light& keyed_light(TestWindow& window) {
   return window->document().scene().lights.at(0);
 }
 
@@ -80,13 +80,13 @@ class KeysTest : public QObject {
     QVERIFY(strip(window).isVisible());
     window->timeline().set_frame(30);
     move_light(window, {5, 2, 2});  // sets a key of now
-    QCOMPARE(light(window).keys.position.size(), std::size_t{2});
-    QCOMPARE(light(window).keys.position[1].time, 1.0);
+    QCOMPARE(keyed_light(window).keys.position.size(), std::size_t{2});
+    QCOMPARE(keyed_light(window).keys.position[1].time, 1.0);
     QVERIFY(document.is_modified());
 
     // The document, its panels and the picture show the moment.
     window->timeline().set_frame(15);
-    QCOMPARE(light(window).position, glm::dvec3(3, 2, 2));
+    QCOMPARE(keyed_light(window).position, glm::dvec3(3, 2, 2));
     auto* field = window->findChild<ValueField*>("light_position_x")->findChild<NumberField*>();
     QCOMPARE(field->text(), QString("3"));
     QVERIFY(window.settle());
@@ -98,18 +98,18 @@ class KeysTest : public QObject {
     // The file is the same whatever moment is looked at, and means the same.
     QVERIFY(window->files().save_to(window.file("keys.brume")));
     const Scene saved = load_scene(window.file("keys.brume"));
-    QVERIFY(saved.lights[0].keys == light(window).keys);
+    QVERIFY(saved.lights[0].keys == keyed_light(window).keys);
     QCOMPARE(saved.lights[0].position, glm::dvec3(1, 2, 2));
     QCOMPARE(evaluate_at(saved, 0.5).lights, shown->lights);
 
     document.undo_stack().undo();
-    QCOMPARE(light(window).position, glm::dvec3(1, 2, 2));
+    QCOMPARE(keyed_light(window).position, glm::dvec3(1, 2, 2));
     document.undo_stack().undo();
     QVERIFY(document.scene() == before);
     QVERIFY(!strip(window).isVisible());
     document.undo_stack().redo();
     document.undo_stack().redo();
-    QCOMPARE(light(window).position, glm::dvec3(3, 2, 2));
+    QCOMPARE(keyed_light(window).position, glm::dvec3(3, 2, 2));
   }
 
   void keys_are_moved_made_and_deleted_with_the_mouse() {
@@ -123,7 +123,7 @@ class KeysTest : public QObject {
     KeyframeTrack& keys = strip(window);
     const auto times = [&] {
       std::vector<int> frames;
-      for (const auto& key : light(window).keys.position)
+      for (const auto& key : keyed_light(window).keys.position)
         frames.push_back(qRound(key.time / frame_seconds));
       return frames;
     };
@@ -148,7 +148,7 @@ class KeysTest : public QObject {
 
     QTest::mouseDClick(&keys, Qt::LeftButton, {}, keys.position(0, 30));
     QCOMPARE(times(), (std::vector{0, 30, 60}));
-    QCOMPARE(light(window).position, glm::dvec3(3, 2, 2));  // where it was at that moment
+    QCOMPARE(keyed_light(window).position, glm::dvec3(3, 2, 2));  // where it was at that moment
     QTest::mouseClick(&keys, Qt::LeftButton, {}, keys.position(0, 30));
     QTest::keyClick(&keys, Qt::Key_Delete);
     QCOMPARE(times(), (std::vector{0, 60}));
@@ -184,12 +184,12 @@ class KeysTest : public QObject {
       if (action->text() == "&Linear") action->trigger();
     }
     menu->close();
-    QCOMPARE(light(window).keys.intensity[0].interpolation, Interpolation::linear);
+    QCOMPARE(keyed_light(window).keys.intensity[0].interpolation, Interpolation::linear);
     QCOMPARE(window->document().undo_stack().undoText(),
              QString("Make keyframe of light 1 intensity linear"));
     // What is keyed after it goes on like this.
     set_key_at(window, 30);
-    QCOMPARE(light(window).keys.intensity[1].interpolation, Interpolation::linear);
+    QCOMPARE(keyed_light(window).keys.intensity[1].interpolation, Interpolation::linear);
   }
 
   void the_view_follows_the_camera_until_moved() {
@@ -369,7 +369,7 @@ class KeysTest : public QObject {
   void deleting_a_light_leaves_the_keys_of_the_others() {
     TestWindow window;
     Document& document = window->document();
-    add_light(document, LightType::point, {{0, 5, 0}});
+    add_light(document, light::Point(), {{0, 5, 0}});
     choose(window, "Light 2 position");
     set_key_at(window, 0);
     window->timeline().set_frame(60);
@@ -380,7 +380,7 @@ class KeysTest : public QObject {
     delete_light(document, 0);
     QCOMPARE(strip(window).rows().size(), std::size_t{1});
     QCOMPARE(strip(window).rows()[0].title, QString("Light 1 position"));
-    QCOMPARE(light(window).keys.position.size(), std::size_t{2});
+    QCOMPARE(keyed_light(window).keys.position.size(), std::size_t{2});
     document.undo_stack().undo();
     QVERIFY(document.scene() == both);
   }

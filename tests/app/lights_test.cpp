@@ -19,6 +19,7 @@
 #include "app/widgets/number_field.h"
 #include "app/widgets/value_field.h"
 #include "core/io/scene/scene_file.h"
+#include "core/scene/fields/light_fields.h"
 #include "core/scene/lights/photometric_profile.h"
 #include "core/scene/lights/photometry.h"
 #include "tests/app/test_window.h"
@@ -111,7 +112,9 @@ class LightsTest : public QObject {
     QTest::mouseClick(window->findChild<QPushButton*>("add_spot"), Qt::LeftButton);
     QCOMPARE(document.scene().lights.size(), last + 1);
     QCOMPARE(document.undo_stack().undoText(), QString("Add light 2"));
-    const auto spot = [&]() -> const SpotCone& { return *document.scene().lights[last].spot; };
+    const auto spot = [&]() -> const light::Spot& {
+      return std::get<light::Spot>(document.scene().lights[last].kind);
+    };
     // Down, at what the view looks at.
     QVERIFY(spot().direction.y < 0.0);
     enter(window, "light_outer_angle", "30");
@@ -126,7 +129,7 @@ class LightsTest : public QObject {
     QVERIFY(spot().inner_angle < 5.0);
     enter(window, "light_direction_x", "-2");
     QCOMPARE(spot().direction.x, -2.0);
-    QCOMPARE(document.undo_stack().undoText(), QString("Turn light 2"));
+    QCOMPARE(document.undo_stack().undoText(), QString("Set direction of light 2"));
     enter(window, "light_direction_x", "0");
     const glm::dvec3 direction = spot().direction;
     for (const char* name : {"light_direction_y", "light_direction_z"}) enter(window, name, "0");
@@ -135,31 +138,30 @@ class LightsTest : public QObject {
 
     auto* type = window->findChild<QComboBox*>("light_type");
     QCOMPARE(type->currentText(), QString("Spot"));
-    const SpotCone cone = spot();
+    const light::Spot cone = spot();
     type->setFocus();
     QTest::keyClick(type, Qt::Key_Up);
-    QVERIFY(!document.scene().lights[last].spot);
+    QVERIFY(!document.scene().lights[last].as<light::Spot>());
     QCOMPARE(document.undo_stack().undoText(), QString("Change type of light 2"));
     QTest::keyClick(type, Qt::Key_Down);
-    QVERIFY(document.scene().lights[last].spot);
+    QVERIFY(document.scene().lights[last].as<light::Spot>());
     QVERIFY(cone != spot());
     while (document.undo_stack().canUndo()) window.key(Qt::Key_Z, Qt::ControlModifier);
     QCOMPARE(document.scene(), before);
   }
 
   void a_light_of_another_type_keeps_the_keyframes_that_it_can() {
-    Light light;
-    light.spot.emplace();
+    Light light{.kind = light::Spot()};
     light.keys.position = {{0.0, {1, 2, 3}}};
     light.keys.intensity = {{0.0, {4, 5, 6}}};
     light.keys.direction = {{0.0, {0, 0, 1}}};
     light.keys.inner_angle = {{0.0, 5.0}};
     const LightKeys before = light.keys;
-    set_type(light, LightType::point, {});
+    set_kind(light, light::Point(), {});
     QCOMPARE(light.keys.position, before.position);
     QCOMPARE(light.keys.intensity, before.intensity);
     QVERIFY(light.keys.direction.empty() && light.keys.inner_angle.empty());
-    set_type(light, LightType::directional, {});
+    set_kind(light, light::Directional(), {});
     QVERIFY2(light.keys.intensity.empty(), "in other units");
     QVERIFY(light.keys.position.empty());
   }
@@ -171,23 +173,23 @@ class LightsTest : public QObject {
     QTest::mouseClick(window->findChild<QPushButton*>("add_directional"), Qt::LeftButton);
     QCOMPARE(document.scene().lights.size(), before.lights.size() + 1);
     const auto sun = [&]() -> const Light& { return document.scene().lights.back(); };
-    QVERIFY(sun().directional);
-    QVERIFY(sun().directional->direction.y < 0.0);
+    QVERIFY(sun().as<light::Directional>());
+    QVERIFY(sun().as<light::Directional>()->direction.y < 0.0);
     QCOMPARE(window->findChild<QComboBox*>("light_type")->currentText(), QString("Directional"));
     QVERIFY(!window->findChild<ValueField*>("light_position_x")->isEnabled());
     enter(window, "light_intensity", "4.5");
     QCOMPARE(sun().intensity, glm::dvec3(4.5));
     enter(window, "light_angular_diameter", "0.53");
-    QCOMPARE(sun().directional->angular_diameter, 0.53);
+    QCOMPARE(sun().as<light::Directional>()->angular_diameter, 0.53);
     enter(window, "light_angular_diameter", "90");
-    QVERIFY(sun().directional->angular_diameter < 90.0);
+    QVERIFY(sun().as<light::Directional>()->angular_diameter < 90.0);
     enter(window, "light_direction_y", "-2");
-    QCOMPARE(sun().directional->direction.y, -2.0);
-    QCOMPARE(document.undo_stack().undoText(), QString("Turn light 2"));
+    QCOMPARE(sun().as<light::Directional>()->direction.y, -2.0);
+    QCOMPARE(document.undo_stack().undoText(), QString("Set direction of light 2"));
 
     // Its icon beside the scene turns it.
     enter(window, "light_intensity", "0.001");  // a ring that is in nobody's way
-    const glm::dvec3 direction = glm::normalize(sun().directional->direction);
+    const glm::dvec3 direction = glm::normalize(sun().as<light::Directional>()->direction);
     const auto film = [&] {
       const glm::dvec3 at = window->viewport().rays().project(
           handle_position(sun(), document.scene(), window->viewport().rays().eye()));
@@ -196,7 +198,7 @@ class LightsTest : public QObject {
     const QPoint at = film();
     window.drag(at, at + QPoint(50, 0));
     QCOMPARE(document.undo_stack().undoText(), QString("Turn light 2"));
-    QVERIFY(glm::dot(glm::normalize(sun().directional->direction), direction) < 0.999);
+    QVERIFY(glm::dot(glm::normalize(sun().as<light::Directional>()->direction), direction) < 0.999);
     QVERIFY2((film() - at).x() > 10, "it follows the pointer");
     while (document.undo_stack().canUndo()) window.key(Qt::Key_Z, Qt::ControlModifier);
     QCOMPARE(document.scene(), before);
@@ -212,13 +214,13 @@ class LightsTest : public QObject {
     for (QAction* shape : menu->actions()) {
       menu->popup(QPoint(40, 40));
       QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(shape).center());
-      QVERIFY(light().area);
+      QVERIFY(area_of(light()));
     }
-    QCOMPARE(light().area->shape, AreaLight::Shape::sphere);
+    QVERIFY(light().as<light::Sphere>());
     QVERIFY(!window->findChild<ValueField*>("light_direction_x")->isEnabled());
     QVERIFY(!window->findChild<ValueField*>("light_width")->isEnabled());
     enter(window, "light_radius", "0.3");
-    QCOMPARE(light().area->radius, 0.3);
+    QCOMPARE(std::get<light::Sphere>(light().kind).radius, 0.3);
     QCOMPARE(document.undo_stack().undoText(), QString("Set radius of light 4"));
     enter(window, "light_intensity", "2");
     QCOMPARE(light().intensity, glm::dvec3(2.0));
@@ -228,35 +230,35 @@ class LightsTest : public QObject {
     type->setFocus();
     QTest::keyClick(type, Qt::Key_Up);
     QTest::keyClick(type, Qt::Key_Up);
-    QCOMPARE(light().area->shape, AreaLight::Shape::rectangle);
+    const auto rectangle = [&] { return std::get<light::Rectangle>(light().kind); };
     enter(window, "light_width", "0.4");
     enter(window, "light_height", "0.25");
     enter(window, "light_up_x", "0.5");
-    QCOMPARE(light().area->up.x, 0.5);
+    QCOMPARE(rectangle().up.x, 0.5);
     enter(window, "light_direction_x", "-2");
-    QCOMPARE(light().area->direction.x, -2.0);
+    QCOMPARE(rectangle().direction.x, -2.0);
     auto* two_sided = window->findChild<QCheckBox*>("light_two_sided");
     QTest::mouseClick(two_sided, Qt::LeftButton, {}, QPoint(8, two_sided->height() / 2));
-    QVERIFY(light().area->two_sided);
+    QVERIFY(rectangle().two_sided);
 
     // A corner of it scales it, the end of its normal turns it.
     const auto film = [&](const glm::dvec3& point) {
       const glm::dvec3 at = window->viewport().rays().project(point);
       return QPoint(qRound(at.x), qRound(at.y));
     };
-    const auto [right, up] = rectangle_axes(*light().area);
+    const auto [right, up] = rectangle_axes(rectangle());
     const QPoint corner = film(light().position + 0.2 * right + 0.125 * up);
     const QPoint center = film(light().position);
     window.drag(corner, center + 2 * (corner - center));
     QCOMPARE(document.undo_stack().undoText(), QString("Set size of light 4"));
-    QVERIFY(std::abs(light().area->width - 0.8) < 0.1);
-    QVERIFY(std::abs(light().area->height / light().area->width - 0.625) < 1e-9);
+    QVERIFY(std::abs(rectangle().width - 0.8) < 0.1);
+    QVERIFY(std::abs(rectangle().height / rectangle().width - 0.625) < 1e-9);
 
-    const double radiant = light_strength(light()) * facing_area(*light().area);
+    const double radiant = light_strength(light()) * facing_area(rectangle());
     type->showPopup();
     QTest::keyClick(type->view(), Qt::Key_Home);
     QTest::keyClick(type->view(), Qt::Key_Return);
-    QVERIFY(!light().area);
+    QVERIFY(!area_of(light()));
     QVERIFY2(std::abs(light_strength(light()) - radiant) < 1e-9, "as bright from afar");
     while (document.undo_stack().canUndo()) window.key(Qt::Key_Z, Qt::ControlModifier);
     QCOMPARE(document.scene(), before);
@@ -269,7 +271,7 @@ class LightsTest : public QObject {
     for (int type = 0; type < 6; ++type) {
       window.key(static_cast<Qt::Key>(Qt::Key_1 + type), Qt::ControlModifier);
       QCOMPARE(document.scene().lights.size(), before.lights.size() + 1 + type);
-      QCOMPARE(static_cast<int>(type_of(document.scene().lights.back())), type);
+      QCOMPARE(static_cast<int>(document.scene().lights.back().kind.index()), type);
     }
     // From the spot, along its axis, as wide as its cone.
     document.set_active_light(before.lights.size() + 1);
@@ -277,8 +279,8 @@ class LightsTest : public QObject {
     window.key(Qt::Key_L, Qt::ShiftModifier);
     const Camera& camera = window->viewport().camera();
     QCOMPARE(camera.eye, spot.position);
-    QCOMPARE(camera.vertical_fov, 2.0 * spot.spot->outer_angle);
-    const glm::dvec3 axis = glm::normalize(spot.spot->direction);
+    QCOMPARE(camera.vertical_fov, 2.0 * spot.as<light::Spot>()->outer_angle);
+    const glm::dvec3 axis = glm::normalize(spot.as<light::Spot>()->direction);
     QVERIFY(glm::distance(window->viewport().rays().forward(), axis) < 1e-9);
     while (document.undo_stack().canUndo()) window.key(Qt::Key_Z, Qt::ControlModifier);
     QCOMPARE(document.scene(), before);
@@ -295,15 +297,15 @@ class LightsTest : public QObject {
       QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(preset).center());
     }
     QCOMPARE(document.scene().lights.size(), before.lights.size() + 7);
-    QVERIFY(document.scene().lights[before.lights.size()].directional);
-    QVERIFY(document.scene().lights[before.lights.size() + 3].spot);
-    QVERIFY(document.scene().lights[before.lights.size() + 5].area);  // a window
+    QVERIFY(document.scene().lights[before.lights.size()].as<light::Directional>());
+    QVERIFY(document.scene().lights[before.lights.size() + 3].as<light::Spot>());
+    QVERIFY(area_of(document.scene().lights[before.lights.size() + 5]));  // a window
     // The candle.
     const auto candle = [&]() -> const Light& { return document.scene().lights.back(); };
     const auto shown = [&](const char* name) {
       return window->findChild<ValueField*>(name)->findChild<NumberField*>()->text().toDouble();
     };
-    QVERIFY(!candle().spot && !candle().directional);
+    QVERIFY(candle().as<light::Point>());
     QVERIFY(std::abs(shown("light_temperature") - 1850.0) <= 2.0);
     enter(window, "light_candela", "1");
     QVERIFY(std::abs(photometric_strength(candle()) - 1.0) < 1e-9);
@@ -342,23 +344,24 @@ class LightsTest : public QObject {
       return QPoint(qRound(at.x), qRound(at.y));
     };
     const double length = 0.2 * glm::distance(before.position, window->viewport().rays().eye());
-    const glm::dvec3 axis = glm::normalize(before.spot->direction);
+    const glm::dvec3 axis = glm::normalize(before.as<light::Spot>()->direction);
     const QPoint target = film(before.position + length * axis);
     window.drag(target, target + QPoint(40, 0));
     QCOMPARE(document.undo_stack().undoText(), QString("Turn light 2"));
-    const glm::dvec3 turned = glm::normalize(document.scene().lights[1].spot->direction);
+    const glm::dvec3 turned =
+        glm::normalize(document.scene().lights[1].as<light::Spot>()->direction);
     QVERIFY(glm::dot(turned, axis) < 0.99);
     QCOMPARE(document.scene().lights[1].position, before.position);
     window.key(Qt::Key_Z, Qt::ControlModifier);
     QCOMPARE(document.scene().lights[1], before);
     // The rim, to the right of the target.
     const glm::dvec3 right = glm::normalize(glm::cross(axis, glm::dvec3(1, 0, 0)));
-    const double radius = length * std::tan(glm::radians(before.spot->outer_angle));
+    const double radius = length * std::tan(glm::radians(before.as<light::Spot>()->outer_angle));
     const glm::dvec3 across = glm::cross(right, axis);
     const QPoint rim = film(before.position + length * axis + radius * across);
     window.drag(rim, rim + (rim - target));
     QCOMPARE(document.undo_stack().undoText(), QString("Set outer angle of light 2"));
-    const SpotCone& cone = *document.scene().lights[1].spot;
+    const light::Spot& cone = *document.scene().lights[1].as<light::Spot>();
     QVERIFY2(cone.outer_angle > 30.0 && cone.outer_angle < 42.0,
              qPrintable(QString::number(cone.outer_angle)));
     QVERIFY(std::abs(cone.inner_angle / cone.outer_angle - 0.75) < 1e-9);
@@ -407,38 +410,38 @@ class LightsTest : public QObject {
     std::ofstream(file) << "IESNA:LM-63-2002\nTILT=NONE\n1 -1 1 3 1 1 2 0 0 0\n1 1 60\n"
                            "0 30 60\n0\n100 50 0\n";
     window->findChild<LightPanel*>()->load_profile(file);
-    QTRY_VERIFY(light().profile.content);
-    QCOMPARE(light().profile.content->at({0.0, 0.0, 1.0}), 1.0);
+    QTRY_VERIFY(profile_of(light()));
+    QCOMPARE(profile_of(light())->content->at({0.0, 0.0, 1.0}), 1.0);
     QCOMPARE(document.undo_stack().undoText(), QString("Set profile of light 1"));
     QCOMPARE(window->findChild<QLabel*>("light_profile")->text(), QString("narrow.ies"));
     // Less of its light, and so is its flux.
     const double flux = *luminous_flux(light());
     QVERIFY(flux < 0.1 * *luminous_flux(before.lights[0]));
     enter(window, "light_profile_rotation", "45");
-    QCOMPARE(light().profile.rotation, 45.0);
+    QCOMPARE(profile_of(light())->rotation, 45.0);
     QVERIFY(window.settle());
     // What is no such file changes nothing.
     QSignalSpy refused(window->findChild<LightPanel*>(), &LightPanel::refused);
     window->findChild<LightPanel*>()->load_profile(window.file("none.ies"));
     QTRY_COMPARE(refused.count(), 1);
-    QCOMPARE(light().profile.file, file);
+    QCOMPARE(profile_of(light())->file, file);
     // A spot keeps it, the sun cannot have one.
     auto* type = window->findChild<QComboBox*>("light_type");
     type->setFocus();
     QTest::keyClick(type, Qt::Key_Down);
-    QVERIFY(light().spot && light().profile.content);
+    QVERIFY(light().as<light::Spot>() && profile_of(light()));
     QTest::keyClick(type, Qt::Key_Down);
-    QVERIFY(light().directional && !light().profile.content);
+    QVERIFY(light().as<light::Directional>());
     QVERIFY(!window->findChild<QPushButton*>("choose_profile")->isEnabled());
     window.key(Qt::Key_Z, Qt::ControlModifier);
     // Saved and opened it is the same.
     const std::filesystem::path scene = window.file("profile.brume");
     save_document({document.scene(), {}}, scene);
     const Scene loaded = load_scene(scene);
-    QCOMPARE(loaded.lights[0].profile.file, file);
-    QCOMPARE(loaded.lights[0].profile.rotation, 45.0);
+    QCOMPARE(profile_of(loaded.lights[0])->file, file);
+    QCOMPARE(profile_of(loaded.lights[0])->rotation, 45.0);
     QTest::mouseClick(remove, Qt::LeftButton);
-    QVERIFY(!light().profile.content);
+    QVERIFY(!profile_of(light()));
     QCOMPARE(window->findChild<QLabel*>("light_profile")->text(), QString("none"));
     while (document.undo_stack().canUndo()) window.key(Qt::Key_Z, Qt::ControlModifier);
     QCOMPARE(document.scene(), before);

@@ -82,7 +82,7 @@ class SceneImportTest : public QObject {
     QCOMPARE(scene.lights.size(), std::size_t{2});
     QCOMPARE(scene.lights[0].name, std::string("lamp"));
     QCOMPARE(scene.lights[0].intensity, glm::dvec3(1.0));
-    QVERIFY(scene.lights[1].directional);
+    QVERIFY(scene.lights[1].as<light::Directional>());
     // The name is taken.
     QCOMPARE(scene.cameras.size(), std::size_t{1});
     QCOMPARE(scene.cameras[0].camera.eye, glm::dvec3(0, 0, 4));

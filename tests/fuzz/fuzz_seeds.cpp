@@ -139,7 +139,7 @@ std::string raw_scene() {
   part.mesh.triangles = {{0, 1, 2}};
   scene.parts = {part};
   scene.cameras = {{"c", Camera{}, {}}};
-  scene.lights = {{.position = {1, 2, 3}, .spot = SpotCone{}, .name = "s"}};
+  scene.lights = {{.position = {1, 2, 3}, .kind = light::Spot{}, .name = "s"}};
   scene.warnings = {"w"};
   std::ostringstream out;
   write_raw_scene(out, scene);

@@ -10,6 +10,7 @@
 
 #include "brume/frame.h"
 #include "core/scene/camera_rays.h"
+#include "core/scene/fields/light_fields.h"
 #include "core/scene/lights/point_lights.h"
 #include "render/reference/reference_pixels.h"
 #include "tests/render/test_scenes.h"
@@ -17,23 +18,34 @@
 namespace brume {
 namespace {
 
-using Shape = AreaLight::Shape;
+enum class Shape { rectangle, disk, sphere };
 
 constexpr double disk_radiance = 12.0;
 
 Light area_light(Shape shape, const glm::dvec3& position, double size, bool two_sided = false) {
-  Light light;
-  light.position = position;
-  light.intensity = glm::dvec3(disk_radiance);
-  AreaLight area;
-  area.shape = shape;
-  area.direction = -position + glm::dvec3(0.2, 0.0, 0.1);
-  area.width = size;
-  area.height = 0.7 * size;
-  area.radius = 0.5 * size;
-  area.two_sided = two_sided;
-  light.area = area;
+  const glm::dvec3 direction = -position + glm::dvec3(0.2, 0.0, 0.1);
+  Light light{.position = position, .intensity = glm::dvec3(disk_radiance)};
+  switch (shape) {
+    case Shape::rectangle:
+      light.kind = light::Rectangle{
+          .direction = direction, .width = size, .height = 0.7 * size, .two_sided = two_sided};
+      break;
+    case Shape::disk:
+      light.kind = light::Disk{direction, 0.5 * size, two_sided};
+      break;
+    case Shape::sphere:
+      light.kind = light::Sphere{0.5 * size, two_sided};
+      break;
+  }
   return light;
+}
+
+void set_direction(Light& light, const glm::dvec3& direction) {
+  if (auto* value = find_value<glm::dvec3>(light, "direction")) *value = direction;
+}
+
+void set_two_sided(Light& light, bool two_sided) {
+  *find_value<bool>(light, "two_sided") = two_sided;
 }
 
 Scene lit_by(const Light& light, double depth = 1.0) {
@@ -41,10 +53,6 @@ Scene lit_by(const Light& light, double depth = 1.0) {
   scene.film = {32, 24};
   scene.lights = {light};
   return scene;
-}
-
-const char* name_of(Shape shape) {
-  return shape == Shape::rectangle ? "rectangle" : shape == Shape::disk ? "disk" : "sphere";
 }
 
 float brightest(const Frame& frame) {
@@ -57,30 +65,31 @@ struct Patch {
   double area;
 };
 std::vector<Patch> patches(const Light& light, int count) {
-  const AreaLight& area = *light.area;
-  const glm::dvec3 n = glm::normalize(area.direction);
-  const glm::dvec3 right = glm::normalize(glm::cross(n, glm::normalize(area.up)));
+  using std::numbers::pi;
+  const auto* direction = find_value<glm::dvec3>(light, "direction");
+  const glm::dvec3 n = direction ? glm::normalize(*direction) : glm::dvec3(0.0);
+  const glm::dvec3 right = glm::normalize(glm::cross(n, glm::dvec3(0.0, 1.0, 0.0)));
   const glm::dvec3 up = glm::cross(right, n);
+  const double share = surface_area(*area_of(light)) / (count * count);
   std::vector<Patch> all;
   for (int i = 0; i < count; ++i) {
     for (int k = 0; k < count; ++k) {
       const double x = (i + 0.5) / count;
       const double y = (k + 0.5) / count;
-      const double turn = 2.0 * std::numbers::pi * y;
-      if (area.shape == Shape::rectangle) {
+      const double turn = 2.0 * pi * y;
+      if (const auto* r = light.as<light::Rectangle>()) {
         all.push_back(
-            {light.position + (x - 0.5) * area.width * right + (y - 0.5) * area.height * up, n,
-             area.width * area.height / (count * count)});
-      } else if (area.shape == Shape::disk) {
-        const double r = area.radius * std::sqrt(x);
-        all.push_back({light.position + r * (std::cos(turn) * right + std::sin(turn) * up), n,
-                       std::numbers::pi * area.radius * area.radius / (count * count)});
+            {light.position + (x - 0.5) * r->width * right + (y - 0.5) * r->height * up, n, share});
+      } else if (const auto* disk = light.as<light::Disk>()) {
+        const double r_disk = disk->radius * std::sqrt(x);
+        all.push_back(
+            {light.position + r_disk * (std::cos(turn) * right + std::sin(turn) * up), n, share});
       } else {
         const double z = 2.0 * x - 1.0;
         const double sine = std::sqrt(1.0 - z * z);
         const glm::dvec3 normal(sine * std::cos(turn), sine * std::sin(turn), z);
-        all.push_back({light.position + area.radius * normal, normal,
-                       4.0 * std::numbers::pi * area.radius * area.radius / (count * count)});
+        const double radius = std::get<light::Sphere>(light.kind).radius;
+        all.push_back({light.position + radius * normal, normal, share});
       }
     }
   }
@@ -92,7 +101,7 @@ std::vector<Patch> patches(const Light& light, int count) {
 template <class Facing>
 double arriving(const Scene& scene, const std::vector<Patch>& surface, const glm::dvec3& x,
                 Facing facing) {
-  const bool two_sided = scene.lights[0].area->two_sided;
+  const bool two_sided = is_two_sided(*area_of(scene.lights[0]));
   double sum = 0.0;
   for (const Patch& patch : surface) {
     const glm::dvec3 q = patch.position - x;
@@ -137,7 +146,7 @@ void expect_integral(const Scene& scene, int surface_points, double reference_to
     const double expected = scattered(scene, surface, w, 10.0);
     const std::array at{static_cast<std::size_t>(pixel.y * scene.film.width + pixel.x)};
     EXPECT_NEAR(reference.airlight(at, {})[0].x, expected, bound * expected + 1e-7)
-        << name_of(scene.lights[0].area->shape) << " at " << pixel.x << ", " << pixel.y;
+        << kind_info(scene.lights[0]).name << " at " << pixel.x << ", " << pixel.y;
   }
 }
 
@@ -159,7 +168,7 @@ TEST(AreaLight, SlicedAndMarchMatchTheReference) {
       for (const Settings& settings : {sliced(24), marched(200)}) {
         const Frame frame = render_frame(scene, settings);
         EXPECT_LT(difference(frame.airlight, truth.airlight).relative_rmse, 0.01)
-            << name_of(shape) << " sides " << 1 + two_sided;
+            << kind_info(scene.lights[0]).name << " sides " << 1 + two_sided;
       }
     }
   }
@@ -175,7 +184,8 @@ TEST(AreaLight, SlicedMatchesTheReferenceInFog) {
     const Frame truth = render_frame(scene, reference_settings(1e-4));
     const Frame frame = render_frame(scene, sliced(24));
     const double bound = shape == Shape::sphere ? 0.1 : 0.02;
-    EXPECT_LT(difference(frame.airlight, truth.airlight).relative_rmse, bound) << name_of(shape);
+    EXPECT_LT(difference(frame.airlight, truth.airlight).relative_rmse, bound)
+        << kind_info(scene.lights[0]).name;
   }
 }
 
@@ -197,14 +207,14 @@ TEST(AreaLight, LightsAWallAsInClosedForm) {
     scene.camera = {{0.0, 0.0, 3.0}, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 0.5};
     scene.surfaces = {wall(0.0, 1.0)};
     scene.lights = {area_light(shape, {0.0, 0.0, d}, 2.0 * r)};
-    scene.lights[0].area->direction = {0.0, 0.0, -1.0};
+    set_direction(scene.lights[0], {0.0, 0.0, -1.0});
     const double square = shape == Shape::disk ? r * r + d * d : d * d;
     const double expected = 0.5 * disk_radiance * r * r / square;  // albedo 0.5
     for (const auto& [settings, bound] :
          {std::pair(sliced(24), 0.01), {reference_settings(), 2e-3}, {path_traced(64), 0.02}}) {
       const Frame frame = render_frame(scene, settings);
       EXPECT_NEAR(static_cast<double>(frame.beauty[3 * 40]), expected, bound * expected)
-          << name_of(shape);
+          << kind_info(scene.lights[0]).name;
     }
   }
 }
@@ -244,8 +254,8 @@ TEST(AreaLight, PathsLightAFloorNextToItAsInClosedForm) {
 
   constexpr double gap = 0.05;
   scene.lights = {area_light(Shape::rectangle, {0.0, 0.0, gap}, 1.0)};
-  scene.lights[0].area->direction = {0.0, 0.0, -1.0};
-  scene.lights[0].area->height = 1.0;
+  set_direction(scene.lights[0], {0.0, 0.0, -1.0});
+  scene.lights[0].as<light::Rectangle>()->height = 1.0;
   expect_radiance([](const glm::dvec3& x) {
     // The form factor of a parallel rectangle from below its corner.
     const auto corner = [](double u, double v) {
@@ -277,8 +287,8 @@ TEST(AreaLight, FarAwayASphereIsAPoint) {
   Scene scene = lit_by(area_light(Shape::sphere, {16.0, 12.0, 9.0}, 1.0));
   const Frame sphere = render_frame(scene, sliced(24));
   EXPECT_EQ(point_lights(scene, LightPoints::few).size(), 1u);
-  scene.lights[0].intensity *= facing_area(*scene.lights[0].area);
-  scene.lights[0].area.reset();
+  scene.lights[0].intensity *= facing_area(*area_of(scene.lights[0]));
+  scene.lights[0].kind = light::Point();
   const Frame point = render_frame(scene, sliced(24));
   EXPECT_LT(difference(sphere.airlight, point.airlight).relative_rmse, 1e-6);
   // And the point is what many points of its surface add up to.
@@ -298,7 +308,7 @@ TEST(AreaLight, AroundTheSceneASphereIsAnEnvironment) {
   const double expected =
       disk_radiance * -std::expm1(-plain_depth(scene.medium, scene.camera.eye, w, 20.0));
   EXPECT_NEAR(static_cast<double>(frame.airlight[3 * (12 * 32 + 16)]), expected, 0.02 * expected);
-  scene.lights[0].area->two_sided = false;
+  set_two_sided(scene.lights[0], false);
   const Frame dark = render_frame(scene, sliced(24));
   EXPECT_EQ(brightest(dark), 0.0f);
 }
@@ -306,13 +316,13 @@ TEST(AreaLight, AroundTheSceneASphereIsAnEnvironment) {
 TEST(AreaLight, OneSideShinesAndTwoDo) {
   Scene scene = lit_by(area_light(Shape::disk, {1.6, 1.2, 0.9}, 0.8));
   const Frame front = render_frame(scene, sliced(24));
-  scene.lights[0].area->two_sided = true;
+  set_two_sided(scene.lights[0], true);
   EXPECT_LT(difference(render_frame(scene, sliced(24)).airlight, front.airlight).relative_rmse,
             1e-6);
-  scene.lights[0].area->direction *= -1.0;
+  set_direction(scene.lights[0], -std::get<light::Disk>(scene.lights[0].kind).direction);
   EXPECT_LT(difference(render_frame(scene, sliced(24)).airlight, front.airlight).relative_rmse,
             0.01);
-  scene.lights[0].area->two_sided = false;
+  set_two_sided(scene.lights[0], false);
   EXPECT_EQ(brightest(render_frame(scene, sliced(24))), 0.0f);
 }
 
@@ -329,17 +339,17 @@ TEST(AreaLight, HardCasesStayFinite) {
     Scene scene = lit_by(area_light(shape, {0.1, 0.0, 0.0}, 1e-6));
     scene.film = {8, 6};
     expect_finite(scene, "tiny, in a Gaussian");
-    scene.lights[0].area->width = scene.lights[0].area->height = scene.lights[0].area->radius = 1e5;
+    scene.lights = {area_light(shape, {0.1, 0.0, 0.0}, 2e5)};
     expect_finite(scene, "larger than the scene");
     scene.lights = {area_light(shape, scene.camera.eye, 1.0)};
     expect_finite(scene, "around the eye");
     scene.lights = {area_light(shape, {0.0, 1.0, 0.0}, 1.0)};
-    scene.lights[0].area->direction = {1.0, 0.0, 0.0};
-    scene.lights[0].area->up = {-3.0, 0.0, 0.0};
+    set_direction(scene.lights[0], {1.0, 0.0, 0.0});
+    if (auto* r = scene.lights[0].as<light::Rectangle>()) r->up = {-3.0, 0.0, 0.0};
     expect_finite(scene, "edge-on, up along its normal");
     scene.surfaces = {wall(0.0, 1.0)};
     scene.lights[0].position = {0.0, 0.0, 0.0};
-    scene.lights[0].area->direction = {0.0, 0.0, 1.0};
+    set_direction(scene.lights[0], {0.0, 0.0, 1.0});
     expect_finite(scene, "in a surface");
   }
 }

@@ -23,7 +23,7 @@ const glm::dvec3 irradiance(6.0, 5.0, 4.0);
 Light sun(const glm::dvec3& direction, double angular_diameter = 0.0) {
   Light light;
   light.intensity = irradiance;
-  light.directional = Directional{direction, angular_diameter};
+  light.kind = light::Directional{direction, angular_diameter};
   return light;
 }
 
@@ -36,7 +36,7 @@ Scene lit_by_sun(double depth = 1.0, double angular_diameter = 0.0) {
 
 // The integral of the radiance that a ray of the camera scatters of parallel light, by small steps.
 double integral(const Scene& scene, const glm::dvec3& w, double end) {
-  const glm::dvec3 to_light = -glm::normalize(scene.lights[0].directional->direction);
+  const glm::dvec3 to_light = -glm::normalize(scene.lights[0].as<light::Directional>()->direction);
   const FogBall fog = FogExtent(scene).ball();
   const double b0 = scene.medium.homogeneous_density();
   constexpr int steps = 32000;
@@ -106,7 +106,7 @@ TEST(DirectionalLight, AFarPointIsASun) {
   const Scene scene = lit_by_sun();
   Scene point = scene;
   const double distance = 1e4;
-  point.lights = {{-distance * glm::normalize(scene.lights[0].directional->direction),
+  point.lights = {{-distance * glm::normalize(scene.lights[0].as<light::Directional>()->direction),
                    distance * distance * irradiance}};
   for (const Settings& settings :
        {reference_settings(), sliced(24), sliced(24, Scattering::multiple)}) {
@@ -221,7 +221,7 @@ TEST(DirectionalLight, AlwaysShinesSomewhere) {
   EXPECT_EQ(to_light({{0.0, 0.0, 0.0}}), glm::dvec3(0.0, 1.0, 0.0));
   EXPECT_EQ(to_light({{0.0, 0.0, 1e-300}}), glm::dvec3(0.0, 0.0, -1.0));
   Scene scene = lit_by_sun();
-  scene.lights[0].directional->direction = {};
+  scene.lights[0].as<light::Directional>()->direction = {};
   expect_finite(render_frame(scene, sliced(8)));
 }
 

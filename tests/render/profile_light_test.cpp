@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "brume/frame.h"
+#include "core/scene/fields/light_fields.h"
 #include "core/scene/lights/photometric_profile.h"
 #include "tests/render/test_profiles.h"
 #include "tests/render/test_scenes.h"
@@ -17,12 +18,12 @@
 namespace brume {
 namespace {
 
-Scene lit(const LightProfile& profile, const std::optional<SpotCone>& cone = std::nullopt,
+Scene lit(const LightProfile& profile, const Light::Kind& kind = light::Point(),
           double depth = 1.0) {
   Scene scene = cloud_scene(30, depth);
   scene.film = {32, 24};
-  scene.lights = {{{0.4, 1.2, 0.3}, {6.0, 5.0, 4.0}, cone}};
-  scene.lights[0].profile = profile;
+  scene.lights = {{{0.4, 1.2, 0.3}, {6.0, 5.0, 4.0}, kind}};
+  *profile_member(scene.lights[0]) = profile;
   return scene;
 }
 
@@ -33,7 +34,7 @@ TEST(ProfileLight, IsotropicIsAPointLight) {
       lit({"a.ies", std::make_shared<const PhotometricProfile>(PhotometricProfile::isotropic())});
   scene.surfaces = {wall(-1.0, 2.0)};
   Scene point = scene;
-  point.lights[0].profile = {};
+  point.lights[0].kind = light::Point();
   for (const Settings& settings : {reference_settings(), sliced(24), all_orders}) {
     const Frame frame = render_frame(scene, settings);
     const Frame expected = render_frame(point, settings);
@@ -51,9 +52,7 @@ TEST(ProfileLight, CosineIsASmallDisk) {
   Scene scene = lit(cosine_profile());
   scene.surfaces = {wall(-1.0, 2.0)};
   Scene disk = scene;
-  disk.lights[0].profile = {};
-  disk.lights[0].area = AreaLight{.shape = AreaLight::Shape::disk, .direction = down};
-  disk.lights[0].area->radius = radius;
+  disk.lights[0].kind = light::Disk{down, radius};
   disk.lights[0].intensity /= std::numbers::pi * radius * radius;
   const Frame expected = render_frame(disk, reference_settings());
   const Frame reference = render_frame(scene, reference_settings());
@@ -64,10 +63,10 @@ TEST(ProfileLight, CosineIsASmallDisk) {
 }
 
 TEST(ProfileLight, SlicedMatchesTheReference) {
-  const SpotCone cone{{-0.4, -1.2, -0.5}, 20.0, 35.0};
+  const light::Spot cone{{-0.4, -1.2, -0.5}, 20.0, 35.0};
   for (const bool in_cone : {false, true}) {
     for (const double depth : {0.3, 3.0}) {
-      Scene scene = lit(lobed_profile(40.0), in_cone ? std::optional(cone) : std::nullopt, depth);
+      Scene scene = lit(lobed_profile(40.0), in_cone ? Light::Kind(cone) : light::Point(), depth);
       scene.medium.set_homogeneous_density(0.05);
       scene.surfaces = {wall(-1.0, 2.0)};
       const Frame truth = render_frame(scene, reference_settings(1e-4));
@@ -87,7 +86,7 @@ TEST(ProfileLight, MarchMatchesTheReference) {
 }
 
 TEST(ProfileLight, AllOrdersMatchPaths) {
-  Scene scene = lit(lobed_profile(0.0), std::nullopt, 3.0);
+  Scene scene = lit(lobed_profile(0.0), light::Point(), 3.0);
   scene.film = {16, 12};
   scene.surfaces = {wall(-1.2, 1.5)};
   expect_all_orders_match_paths(scene, "profile");
@@ -100,7 +99,7 @@ TEST(ProfileLight, RotatesAboutItsAxis) {
   const Frame frame = render_frame(scene, sliced(24));
   EXPECT_GT(difference(render_frame(opposite, sliced(24)).airlight, frame.airlight).relative_rmse,
             0.1);
-  opposite.lights[0].profile.rotation = 360.0;
+  profile_member(opposite.lights[0])->rotation = 360.0;
   EXPECT_LT(difference(render_frame(opposite, sliced(24)).airlight, frame.airlight).relative_rmse,
             1e-5);
 }
@@ -127,7 +126,7 @@ TEST(ProfileLight, HardCasesAreFinite) {
   Settings small_grid = sliced(8, Scattering::multiple);
   small_grid.source_grid.nodes = 1000;
   for (const LightProfile& p : profiles) {
-    Scene scene = lit(p, std::nullopt, 5.0);
+    Scene scene = lit(p, light::Point(), 5.0);
     scene.film = {8, 6};
     scene.surfaces = {wall(-1.0, 2.0)};
     for (const glm::dvec3& position : {glm::dvec3(0.0), scene.camera.eye, glm::dvec3(0.0, 0.0, 2.0),

@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "brume/mesh_arrays.h"
+#include "core/scene/fields/light_fields.h"
 #include "core/scene/lights/radiance_map.h"
 #include "core/scene/materials/measured_brdf.h"
 #include "tests/random.h"
@@ -34,15 +35,17 @@ class RandomScene {
     // Rarely: its airlight takes longer than all else.
     if (one_in(60)) add_environment();
     for (Light& light : scene_.lights) {
-      if (one_in(3)) light.spot = cone_from(light.position);
+      if (!one_in(3)) continue;
+      const light::Spot spot = cone_from(light.position);
+      if (light.as<light::Point>()) light.kind = spot;
     }
     for (Light& light : scene_.lights) {
-      if (!light.directional && one_in(8))
-        light.profile = lobed_profile(random_.uniform(-360.0, 360.0));
+      LightProfile* profile = profile_member(light);
+      if (profile && one_in(8)) *profile = lobed_profile(random_.uniform(-360.0, 360.0));
     }
     for (Light& light : scene_.lights) {
-      if (!light.spot && !light.profile.content && !light.directional && one_in(4))
-        light.area = area_at(light.position);
+      const bool is_bare = light.as<light::Point>() && !profile_of(light);
+      if (is_bare && one_in(4)) light.kind = area_at(light.position);
     }
     return std::move(scene_);
   }
@@ -103,8 +106,8 @@ class RandomScene {
   }
 
   // Towards a place, or none in particular; of any width.
-  SpotCone cone_from(const glm::dvec3& position) {
-    SpotCone cone;
+  light::Spot cone_from(const glm::dvec3& position) {
+    light::Spot cone;
     if (const glm::dvec3 towards = place() - position; towards != glm::dvec3(0.0)) {
       cone.direction = glm::clamp(towards, -1e12, 1e12);
     }
@@ -113,21 +116,23 @@ class RandomScene {
     return cone;
   }
 
-  AreaLight area_at(const glm::dvec3& position) {
-    AreaLight area;
-    area.shape = static_cast<AreaLight::Shape>(integer(0, 2));
+  Light::Kind area_at(const glm::dvec3& position) {
+    const int shape = integer(0, 2);
+    glm::dvec3 direction = light::Disk().direction;
     if (const glm::dvec3 towards = place() - position; towards != glm::dvec3(0.0)) {
-      area.direction = glm::clamp(towards, -1e12, 1e12);
+      direction = glm::clamp(towards, -1e12, 1e12);
     }
-    if (one_in(3)) area.up = area.direction;
+    const glm::dvec3 up = one_in(3) ? direction : light::Rectangle().up;
     const auto size = [&] {
       return std::clamp(spread_ * spread(0.3 * random_.power(-1, 1), -9, 9), 1e-12, 1e12);
     };
-    area.width = size();
-    area.height = size();
-    area.radius = size();
-    area.two_sided = one_in(2);
-    return area;
+    const double width = size();
+    const double height = size();
+    const double radius = size();
+    const bool two_sided = one_in(2);
+    if (shape == 0) return light::Rectangle{direction, up, width, height, two_sided};
+    if (shape == 1) return light::Disk{direction, radius, two_sided};
+    return light::Sphere{radius, two_sided};
   }
 
   void add_light() {
@@ -139,7 +144,7 @@ class RandomScene {
     light.intensity.z = channel();
     light.on = !one_in(10);
     if (one_in(6)) {
-      Directional& sun = light.directional.emplace();
+      auto& sun = light.kind.emplace<light::Directional>();
       if (const glm::dvec3 towards = place(); towards != glm::dvec3(0.0)) {
         sun.direction = glm::clamp(towards, -1e12, 1e12);
       }

@@ -16,7 +16,7 @@
 namespace brume {
 namespace {
 
-Scene lit_by_spot(const SpotCone& cone, double depth = 1.0) {
+Scene lit_by_spot(const light::Spot& cone, double depth = 1.0) {
   Scene scene = cloud_scene(30, depth);
   scene.film = {32, 24};
   scene.lights = {{{0.9, 1.4, 0.6}, {6.0, 5.0, 4.0}, cone}};
@@ -25,14 +25,14 @@ Scene lit_by_spot(const SpotCone& cone, double depth = 1.0) {
 
 // Towards the middle of the cloud, across the view.
 const glm::dvec3 towards_cloud(-0.9, -1.4, -0.6);
-const SpotCone smooth{towards_cloud, 5.0, 20.0};
-const SpotCone sharp{{-0.9, -1.2, -0.7}, 11.8, 12.0};
-const SpotCone wide{{-0.2, 1.0, 0.1}, 60.0, 130.0};
+const light::Spot smooth{towards_cloud, 5.0, 20.0};
+const light::Spot sharp{{-0.9, -1.2, -0.7}, 11.8, 12.0};
+const light::Spot wide{{-0.2, 1.0, 0.1}, 60.0, 130.0};
 
 // The integral of the radiance that a ray of the camera scatters, by small steps.
 double integral(const Scene& scene, const glm::dvec3& w, double begin, double end) {
   const Light& light = scene.lights[0];
-  const SpotCone& cone = *light.spot;
+  const light::Spot& cone = *light.as<light::Spot>();
   const double dark = std::cos(glm::radians(cone.outer_angle));
   const double slope = std::max(std::cos(glm::radians(cone.inner_angle)) - dark, 1e-9);
   const auto depth = [&](const glm::dvec3& from, const glm::dvec3& to) {
@@ -73,7 +73,7 @@ double integral(const Scene& scene, const glm::dvec3& w, double begin, double en
 }
 
 TEST(SpotLight, ReferenceIsTheIntegral) {
-  for (const SpotCone& cone : {smooth, sharp, wide}) {
+  for (const light::Spot& cone : {smooth, sharp, wide}) {
     Scene scene = lit_by_spot(cone);
     scene.medium.set_homogeneous_density(0.05);
     const Frame frame = render_frame(scene, reference_settings());
@@ -89,7 +89,7 @@ TEST(SpotLight, ReferenceIsTheIntegral) {
 }
 
 TEST(SpotLight, SlicedMatchesTheReference) {
-  for (const SpotCone& cone : {smooth, sharp, wide}) {
+  for (const light::Spot& cone : {smooth, sharp, wide}) {
     for (const double depth : {0.3, 3.0}) {
       for (const double b0 : {0.0, 0.05}) {
         Scene scene = lit_by_spot(cone, depth);
@@ -138,7 +138,7 @@ TEST(SpotLight, NarrowSpotsAreFullOnTheirAxis) {
     scene.camera = {{0.0, 0.0, 9.0}, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 0.001};
     scene.surfaces = {wall(0.0, 10.0, 1.0)};
     scene.lights = {
-        {{0.0, 0.0, 10.0}, glm::dvec3(1000.0), SpotCone{{0.0, 0.0, -1.0}, inner, outer}}};
+        {{0.0, 0.0, 10.0}, glm::dvec3(1000.0), light::Spot{{0.0, 0.0, -1.0}, inner, outer}}};
     for (const Settings& settings :
          {sliced(24), marched(64), reference_settings(), path_traced(4)}) {
       EXPECT_NEAR(static_cast<double>(render_frame(scene, settings).beauty[0]),
@@ -159,7 +159,7 @@ TEST(SpotLight, MarchMatchesTheReference) {
 TEST(SpotLight, OfAllDirectionsIsAPointLight) {
   const Scene spot = lit_by_spot({smooth.direction, 179.999, 180.0});
   Scene point = spot;
-  point.lights[0].spot.reset();
+  point.lights[0].kind = light::Point();
   for (const Settings& settings :
        {reference_settings(), sliced(24), sliced(24, Scattering::multiple)}) {
     EXPECT_LT(
@@ -170,7 +170,7 @@ TEST(SpotLight, OfAllDirectionsIsAPointLight) {
 }
 
 TEST(SpotLight, AllOrdersMatchPaths) {
-  for (const SpotCone& cone : {smooth, wide}) {
+  for (const light::Spot& cone : {smooth, wide}) {
     Scene scene = lit_by_spot(cone, 3.0);
     scene.film = {16, 12};
     scene.surfaces = {wall(-1.2, 1.5)};
@@ -182,7 +182,7 @@ TEST(SpotLight, AllOrdersMatchPaths) {
 TEST(SpotLight, NarrowBeamsAreNotLostBetweenNodes) {
   Scene scene = cloud_scene(5, 2.0);
   scene.film = {12, 9};
-  scene.lights = {{{0.0, 40.0, 0.0}, glm::dvec3(4000.0), SpotCone{{0.0, -1.0, 0.0}, 0.05, 0.1}}};
+  scene.lights = {{{0.0, 40.0, 0.0}, glm::dvec3(4000.0), light::Spot{{0.0, -1.0, 0.0}, 0.05, 0.1}}};
   const auto mean = [](const Frame& frame) {
     double sum = 0.0;
     for (const float value : frame.airlight) sum += static_cast<double>(value);
@@ -221,7 +221,7 @@ TEST(SpotLight, HardCasesAreFinite) {
     for (const glm::dvec3& direction :
          {glm::dvec3(0.0, 0.0, -1.0), glm::dvec3(0.0, 0.0, 1.0), glm::dvec3(1e12, 1e-12, 0.0)}) {
       for (const double outer : {1e-6, 0.5, 90.0, 180.0}) {
-        scene.lights = {{position, glm::dvec3(3.0), SpotCone{direction, 0.0, outer}}};
+        scene.lights = {{position, glm::dvec3(3.0), light::Spot{direction, 0.0, outer}}};
         expect_finite(render_frame(scene, sliced(8)));
         expect_finite(render_frame(scene, small_grid));
         expect_finite(render_frame(scene, {.airlight = AirlightMethod::reference}));

@@ -13,6 +13,7 @@
 #include <string>
 
 #include "core/io/scene/scene_file.h"
+#include "core/scene/fields/light_fields.h"
 #include "core/scene/lights/photometric_profile.h"
 #include "core/scene/lights/radiance_map.h"
 #include "core/scene/mesh.h"
@@ -130,7 +131,7 @@ TEST(SampleScenes, CourtShadowsAndLightsItself) {
 TEST(SampleScenes, SunbeamsBetweenTrees) {
   const Scene scene = load("forest.brume");
   ASSERT_EQ(scene.lights.size(), 1u);
-  EXPECT_TRUE(scene.lights[0].directional);
+  EXPECT_TRUE(scene.lights[0].as<light::Directional>());
   ASSERT_EQ(scene.surfaces.size(), 3u);
   EXPECT_LT(fs::file_size(scenes / "forest_leaves.ply"), 1'000'000u);
 }
@@ -138,9 +139,8 @@ TEST(SampleScenes, SunbeamsBetweenTrees) {
 TEST(SampleScenes, HeadlightsOnAWetRoad) {
   const Scene scene = load("headlights.brume");
   ASSERT_EQ(scene.lights.size(), 5u);
-  for (std::size_t k = 0; k < 4; ++k) EXPECT_TRUE(scene.lights[k].spot);
-  ASSERT_TRUE(scene.lights[4].area);
-  EXPECT_EQ(scene.lights[4].area->shape, AreaLight::Shape::rectangle);
+  for (std::size_t k = 0; k < 4; ++k) EXPECT_TRUE(scene.lights[k].as<light::Spot>());
+  EXPECT_TRUE(scene.lights[4].as<light::Rectangle>());
   EXPECT_EQ(scene.surfaces[0].material.type, Material::Type::phong);
 }
 
@@ -155,8 +155,9 @@ TEST(SampleScenes, AHarbourOfColouredLights) {
   const Scene scene = load("harbour.brume");
   ASSERT_EQ(scene.lights.size(), 11u);
   for (std::size_t k = 0; k < 3; ++k) {
-    ASSERT_TRUE(scene.lights[k].profile.content);
-    EXPECT_LT(scene.lights[k].profile.content->solid_angle(), 5.0);
+    const LightProfile* profile = profile_of(scene.lights[k]);
+    ASSERT_TRUE(profile);
+    EXPECT_LT(profile->content->solid_angle(), 5.0);
   }
   EXPECT_TRUE(scene.medium.has_emission());
   EXPECT_EQ(scene.surfaces[0].material.type, Material::Type::phong);

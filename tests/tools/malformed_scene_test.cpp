@@ -25,6 +25,7 @@ class MalformedScene : public ::testing::Test {
     write("nan.off", "OFF\n3 1 0\n0 0 0\n1 nan 0\n0 1 0\n3 0 1 2\n");
     write("huge.stl", std::string(80, 'x') + "\xff\xff\xff\x7f" + std::string(50, 'x'));
     write("empty", "");
+    write("good.ies", "TILT=NONE\n1 -1 1 2 1 1 2 0 0 0\n1 1 60\n0 30\n0\n100 0\n");
     const std::string header =
         "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\n"
         "property float z\nproperty float radius\nproperty float density\nend_header\n";

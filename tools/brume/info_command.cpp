@@ -72,9 +72,8 @@ Json scene_json(const SceneDocument& document) {
   }
   json["lights"] = Json::array();
   for (const Light& light : scene.lights) {
-    Json entry = light_to_json(light, light.profile.content ? light.profile.file.string() : "");
-    if (!light.on) entry["on"] = false;
-    json["lights"].push_back(std::move(entry));
+    const LightProfile* profile = profile_of(light);
+    json["lights"].push_back(light_to_json(light, profile ? profile->file.string() : ""));
   }
   if (scene.environment) json["environment"] = scene.environment->file.string();
   json["surfaces"] = Json::array();

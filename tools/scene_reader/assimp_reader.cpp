@@ -187,13 +187,14 @@ class Reader {
     const double length = glm::length(direction);
     direction = length > 0.0 ? direction / length : glm::dvec3(0.0, -1.0, 0.0);
     if (from.mType == aiLightSource_DIRECTIONAL) {
-      light.directional = Directional{direction};
+      light.kind = light::Directional{direction};
     } else if (from.mType == aiLightSource_SPOT) {  // whose angles are those of the whole cone
       const double outer = 0.5 * static_cast<double>(from.mAngleOuterCone) * degrees_per_radian;
       const double inner = 0.5 * static_cast<double>(from.mAngleInnerCone) * degrees_per_radian;
-      light.spot = SpotCone{direction};
-      if (outer > 0.0 && outer <= 180.0) light.spot->outer_angle = outer;
-      light.spot->inner_angle = inner >= 0.0 ? std::min(inner, light.spot->outer_angle) : 0.0;
+      light::Spot spot{direction};
+      if (outer > 0.0 && outer <= 180.0) spot.outer_angle = outer;
+      spot.inner_angle = inner >= 0.0 ? std::min(inner, spot.outer_angle) : 0.0;
+      light.kind = spot;
     } else if (from.mType != aiLightSource_POINT) {
       return;
     }

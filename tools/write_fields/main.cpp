@@ -46,6 +46,9 @@ std::string python_text(double value) {
   const std::string text = quoted_text(value);
   return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
 }
+std::string python_text(bool value) {
+  return value ? "True" : "False";
+}
 std::string python_text(const glm::dvec3& v) {
   return '(' + joined(v, [](double value) { return python_text(value); }) + ')';
 }
@@ -56,6 +59,9 @@ std::string python_text(const std::optional<double>&) {
 std::string python_type(double) {
   return "float";
 }
+std::string python_type(bool) {
+  return "bool";
+}
 std::string python_type(const glm::dvec3&) {
   return "_Vec3";
 }
@@ -65,22 +71,23 @@ std::string python_type(const std::optional<double>&) {
 
 // | camera.aperture | Radius of the lens [u]; a number >= 0 | 0 |
 template <class F>
-std::string manual_row(const std::string& object, const F& field) {
+std::string manual_row(const std::string& object, const F& field, const typename F::Owner& usual,
+                       const std::string& kinds) {
   std::string absent = field.info.is_required ? "required" : field.info.absent;
   if constexpr (!may_be_absent<typename F::Value>) {
-    const typename F::Owner usual{};
     if (absent.empty()) absent = manual_text(field.of(usual));
   }
-  return "| " + object + "." + field.info.name + " | " + description(field) + " | " + absent + " |";
+  return "| " + object + "." + field.info.name + " | " + kinds + description(field) + " | " +
+         absent + " |";
 }
 
-// Puts the rows of all values of an object where the first of them is.
-template <class Owner>
-void write_rows(Lines& manual, const std::string& object) {
+// Puts the rows of all values of an object where the first of them is. `visit_all(visit)` calls
+// visit(field, object with usual values, what kinds of objects have it).
+void write_rows(Lines& manual, const std::string& object, auto&& visit_all) {
   Lines rows;
   auto place = manual.end();
-  visit_fields<Owner>([&](const auto& field) {
-    rows.push_back(manual_row(object, field));
+  visit_all([&](const auto& field, const auto& usual, const std::string& kinds) {
+    rows.push_back(manual_row(object, field, usual, kinds));
     const std::string start = "| " + object + "." + field.info.name + " |";
     const auto found = std::ranges::find_if(
         manual, [&start](const std::string& line) { return line.starts_with(start); });
@@ -96,10 +103,9 @@ void write_rows(Lines& manual, const std::string& object) {
 }
 
 // | camera | eye, target, focus_distance if it has one |
-template <class Owner>
-void write_keys(Lines& manual, const std::string& object) {
+void write_keys(Lines& manual, const std::string& object, auto&& visit_all) {
   std::string values;
-  visit_fields<Owner>([&]<class F>(const F& field) {
+  visit_all([&]<class F>(const F& field, const auto&, const std::string&) {
     if (!F::can_have_keys) return;
     if (!values.empty()) values += ", ";
     values += field.info.name;
@@ -111,6 +117,47 @@ void write_keys(Lines& manual, const std::string& object) {
   });
   if (row == manual.end()) throw std::runtime_error("the manual has no keyframes of " + object);
   *row = "| " + object + " | " + values + " |";
+}
+
+template <class Owner>
+void visit_values(auto&& visit) {
+  visit_fields<Owner>([&](const auto& field) { visit(field, Owner(), std::string()); });
+}
+template <class Owner>
+void write_rows(Lines& manual, const std::string& object) {
+  write_rows(manual, object, [](auto&& visit) { visit_values<Owner>(visit); });
+}
+template <class Owner>
+void write_keys(Lines& manual, const std::string& object) {
+  write_keys(manual, object, [](auto&& visit) { visit_values<Owner>(visit); });
+}
+
+// "spot, directional: " for what only these kinds of lights have.
+std::string kinds_with(std::string_view value) {
+  Lines names;
+  visit_light_kinds([&]<class Kind>(const LightKindInfo& info, const Kind&) {
+    visit_fields<Kind>([&](const auto& field) {
+      if (field.info.name == value) names.emplace_back(info.name);
+    });
+  });
+  if (names.size() == light_kinds.size()) return {};
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text.empty() ? text : text + ": ";
+}
+
+void visit_light_values(auto&& visit) {
+  visit_light_fields([&](const auto& field, const Light& light) {
+    visit(field, light, kinds_with(field.info.name));
+  });
+}
+
+// Puts lines in place of those from their first to their last.
+void replace(Lines& stub, const Lines& lines) {
+  const auto first = std::ranges::find(stub, lines.front());
+  const auto last = std::find(first, stub.end(), lines.back());
+  if (last == stub.end()) throw std::runtime_error("the stub has no " + lines.front());
+  stub.insert(stub.erase(first, last + 1), lines.begin(), lines.end());
 }
 
 // The members of a class, and its constructor.
@@ -127,10 +174,29 @@ void write_class(Lines& stub, const std::string& name) {
   });
   constructor.emplace_back("    ) -> None: ...");
   members.insert(members.end(), constructor.begin(), constructor.end());
-  const auto first = std::ranges::find(stub, members.front());
-  const auto last = std::find(first, stub.end(), members.back());
-  if (last == stub.end()) throw std::runtime_error("the stub has no class " + name);
-  stub.insert(stub.erase(first, last + 1), members.begin(), members.end());
+  replace(stub, members);
+}
+
+// The members of lights, and the function that makes each kind.
+void write_light_class(Lines& stub) {
+  Lines members{"class Light:", "    name: str", "    position: _Vec3", "    intensity: _Vec3"};
+  visit_light_fields([&](const auto& field, const Light& light) {
+    if (is_strength(field) || std::string_view(field.info.name) == "position") return;
+    members.push_back("    " + std::string(field.info.name) + ": " + python_type(field.of(light)));
+  });
+  members.insert(members.end(), {"    @property", "    def kind(self) -> str: ..."});
+  visit_light_kinds([&]<class Kind>(const LightKindInfo& info, const Kind& kind) {
+    members.insert(members.end(), {"    @staticmethod", std::string("    def ") + info.name + "("});
+    const Light usual{.kind = kind};
+    visit_fields<Kind>([&](const auto& field) {
+      const auto value = field.of(usual);
+      members.push_back("        " + std::string(field.info.name) + ": " + python_type(value) +
+                        (field.info.is_required ? "," : " = " + python_text(value) + ","));
+    });
+    members.emplace_back("    ) -> Light: ...");
+  });
+  members.emplace_back("    def clear_keys(self) -> None: ...");
+  replace(stub, members);
 }
 
 // Returns whether it was another text.
@@ -169,9 +235,14 @@ bool rewrite_all(const std::filesystem::path& folder, bool only_checks) {
         write_keys<Emitter>(lines, "each emitter");
         write_rows<Environment>(lines, "environment");
         write_keys<Environment>(lines, "environment");
+        const auto visit_lights = [](auto&& visit) { visit_light_values(visit); };
+        write_rows(lines, "light", visit_lights);
+        write_keys(lines, "each light", visit_lights);
       });
-  const bool stub = rewrite(folder / "python/brume/__init__.pyi", only_checks,
-                            [](Lines& lines) { write_class<Camera>(lines, "Camera"); });
+  const bool stub = rewrite(folder / "python/brume/__init__.pyi", only_checks, [](Lines& lines) {
+    write_class<Camera>(lines, "Camera");
+    write_light_class(lines);
+  });
   return manual || stub;
 }
 

@@ -1,6 +1,5 @@
 #include "app/panels/forms/light_panel.h"
 
-#include <QCheckBox>
 #include <QComboBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -11,7 +10,9 @@
 #include <QToolButton>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <glm/common.hpp>
+#include <string_view>
 
 #include "app/commands/edit_lights.h"
 #include "app/commands/undo_text.h"
@@ -21,12 +22,15 @@
 #include "app/document/paths.h"
 #include "app/files/file_dialogs.h"
 #include "app/panels/forms/environment_panel.h"
+#include "app/panels/forms/key_button.h"
 #include "app/view/view.h"
 #include "app/widgets/color_button.h"
 #include "app/widgets/plain_text.h"
 #include "brume/limits.h"
 #include "core/io/ies_file.h"
 #include "core/number_domain.h"
+#include "core/scene/fields/light_fields.h"
+#include "core/scene/light_rules.h"
 #include "core/scene/lights/photometry.h"
 
 namespace brume {
@@ -60,8 +64,8 @@ void LightPanel::show_last() {
   document_.set_object(ObjectRef{ObjectRef::Kind::light, document_.scene().lights.size() - 1});
 }
 
-void LightPanel::add(LightType type) {
-  add_light(document_, type, place());
+void LightPanel::add(const Light::Kind& kind) {
+  add_light(document_, kind, place());
   show_last();
 }
 
@@ -107,20 +111,18 @@ void LightPanel::add_light_list(QFormLayout& form) {
   };
   add_row({add, add_cone, add_sun, add_surface});
   add_row({more, remove});
-  const auto add_on_click = [this](QAbstractButton* button, LightType type) {
-    connect(button, &QAbstractButton::clicked, this, [this, type] { LightPanel::add(type); });
+  const auto add_on_click = [this](QAbstractButton* button, const Light::Kind& kind) {
+    connect(button, &QAbstractButton::clicked, this, [this, kind] { LightPanel::add(kind); });
   };
-  add_on_click(add, LightType::point);
-  add_on_click(add_cone, LightType::spot);
-  add_on_click(add_sun, LightType::directional);
-  const auto add_shape = [&](const QString& title, const char* name, LightType type) {
-    QAction* action = add_surface->menu()->addAction(title);
-    action->setObjectName(name);
-    connect(action, &QAction::triggered, this, [this, type] { LightPanel::add(type); });
-  };
-  add_shape(tr("Rectangle"), "add_rectangle", LightType::rectangle);
-  add_shape(tr("Disk"), "add_disk", LightType::disk);
-  add_shape(tr("Sphere"), "add_sphere", LightType::sphere);
+  add_on_click(add, light::Point());
+  add_on_click(add_cone, light::Spot());
+  add_on_click(add_sun, light::Directional());
+  visit_light_kinds([&](const LightKindInfo& info, const Light::Kind& kind) {
+    if (!area_of({.kind = kind})) return;
+    QAction* action = add_surface->menu()->addAction(fields_text(info.label));
+    action->setObjectName(QString("add_") + info.name);
+    connect(action, &QAction::triggered, this, [this, kind] { LightPanel::add(kind); });
+  });
   for (const LightPreset& preset : light_presets()) {
     QAction* action = more->menu()->addAction(undo_text(preset.title));
     action->setObjectName(preset.name);
@@ -167,54 +169,84 @@ void LightPanel::show_lights() {
 }
 
 void LightPanel::add_light_fields(QFormLayout& form) {
-  const auto change = [this](const QString& verb, MergeId gesture,
-                             const std::function<void(Light&)>& how) {
-    change_light(document_, document_.active_light(), verb, gesture, how);
-  };
   add_type_field(form);
-  QLabel* title =
-      add_number(form, tr("Intensity"),
-                 {"light_intensity", domain::intensity, ValueField::Scale::logarithmic, 0.01,
-                  [this]() -> std::optional<double> {
-                    return light() ? std::optional(light_strength(*light())) : std::nullopt;
-                  },
-                  [change](double value, MergeId gesture) {
-                    change(tr("Set intensity of %1"), gesture,
-                           [value](Light& l) { l.intensity = value * light_color(l); });
-                  }});
-  // The unit is the type's.
-  on_refresh([this, title] {
-    const Light shown = light() ? *light() : Light();
-    title->setText((shown.directional ? tr("Irradiance, %1")
-                    : shown.area      ? tr("Radiance, %1")
-                                      : tr("Intensity, %1"))
-                       .arg(light_unit(shown)));
-  });
+  add_strength_field(form);
   add_photometric_fields(form);
   add_color(form, tr("Colour"),
             {"light_color",
              [this]() -> std::optional<glm::dvec3> {
                return light() ? std::optional(light_color(*light())) : std::nullopt;
              },
-             [change](const glm::dvec3& color, MergeId gesture) {
-               change(tr("Set colour of %1"), gesture,
-                      [color](Light& l) { l.intensity = light_strength(l) * color; });
+             [this](const glm::dvec3& color, MergeId gesture) {
+               change_light(document_, document_.active_light(), tr("Set colour of %1"), gesture,
+                            [color](Light& l) { l.intensity = light_strength(l) * color; });
              }});
-  add_vector(form, tr("Position"),
-             {"light_position", domain::coordinate, 0.01,
-              [this]() -> std::optional<glm::dvec3> {
-                return light() && !light()->directional ? std::optional(light()->position)
-                                                        : std::nullopt;
-              },
-              [change](const glm::dvec3& position, MergeId gesture) {
-                change(tr("Move %1"), gesture, [position](Light& l) { l.position = position; });
-              }});
-  add_direction_fields(form);
-  add_profile_fields(form);
-  add_area_fields(form);
+  visit_light_fields([&](const auto& field, const Light&) {
+    const std::string_view name = field.info.name;
+    if (name == "profile_rotation") add_profile_field(form);
+    // What is in the list has no row; the strength has one with its color.
+    const bool is_listed = name == "on" || name == "locked";
+    if (!is_listed && !is_strength(field)) add_value(form, field);
+  });
 }
 
-void LightPanel::add_profile_fields(QFormLayout& form) {
+void LightPanel::add_strength_field(QFormLayout& form) {
+  QLabel* title = add_number(
+      form, tr("Intensity"),
+      {"light_intensity", domain::intensity, ValueField::Scale::logarithmic, 0.01,
+       [this]() -> std::optional<double> {
+         return light() ? std::optional(light_strength(*light())) : std::nullopt;
+       },
+       [this](double value, MergeId gesture) {
+         change_light(document_, document_.active_light(), tr("Set intensity of %1"), gesture,
+                      [value](Light& l) { l.intensity = value * light_color(l); });
+       }},
+      new_key_button("light_intensity", [this](const Scene& scene) {
+        return light_track(scene, document_.active_light(), strength_info(*light()).name);
+      }));
+  on_refresh([this, title] {
+    const Light shown = light() ? *light() : Light();
+    const FieldInfo& info = strength_info(shown);
+    title->setText(field_label(info) + ", " + light_unit(shown));
+    title->setToolTip(info.says);
+  });
+}
+
+template <class F>
+void LightPanel::add_value(QFormLayout& form, const F& field) {
+  using Value = typename F::Value;
+  const char* name = field.info.name;
+  // Where the light's kind has it.
+  const auto get = [name](auto& light) -> auto& {
+    return *find_value<Value>(light, name);
+  };
+  const Field<Light, decltype(get), decltype(field.keys)> found{get, field.keys, field.domain,
+                                                                field.info};
+  add_field(
+      form, found,
+      {.prefix = "light_",
+       .get = [this,
+               name] { return light() && find_value<Value>(*light(), name) ? light() : nullptr; },
+       .set = std::bind_front(&LightPanel::set_value, this),
+       .track =
+           [this](const Scene& scene, const FieldInfo& info) {
+             return light_track(scene, document_.active_light(), info.name);
+           }});
+}
+
+void LightPanel::set_value(Light changed, const FieldInfo& info, MergeId gesture) {
+  if (auto* spot = changed.as<light::Spot>()) {
+    const std::string_view name = info.name;
+    if (name == "inner_angle") *spot = with_inner_angle(*spot, spot->inner_angle);
+    if (name == "outer_angle") *spot = with_outer_angle(*spot, spot->outer_angle);
+  }
+  if (refusal(changed)) return refresh();
+  change_light(document_, document_.active_light(),
+               tr("Set %1 of %2").arg(field_label(info).toLower(), "%1"), gesture,
+               [&changed](Light& l) { l = std::move(changed); });
+}
+
+void LightPanel::add_profile_field(QFormLayout& form) {
   auto* name = new PlainLabel(this);
   name->setObjectName("light_profile");
   auto* choose = new QPushButton(tr("Choose…"), this);
@@ -238,20 +270,11 @@ void LightPanel::add_profile_fields(QFormLayout& form) {
                  [](Light& l) { set_profile(l, {}); });
   });
   on_refresh([this, name, choose, remove] {
-    const bool can_have = light() && !light()->directional && !light()->area;
-    choose->setEnabled(can_have);
-    remove->setEnabled(profile() != nullptr);
-    name->setText(profile() ? to_qstring(profile()->file.filename()) : tr("none"));
+    const LightProfile* profile = light() ? profile_of(*light()) : nullptr;
+    choose->setEnabled(light() && profile_member(*light()));
+    remove->setEnabled(profile != nullptr);
+    name->setText(profile ? to_qstring(profile->file.filename()) : tr("none"));
   });
-  add_number(form, tr("Rotation, degrees"),
-             {"light_profile_rotation", domain::degrees, ValueField::Scale::linear, 0.5,
-              [this]() -> std::optional<double> {
-                return profile() ? std::optional(profile()->rotation) : std::nullopt;
-              },
-              [this](double value, MergeId gesture) {
-                change_light(document_, document_.active_light(), tr("Rotate profile of %1"),
-                             gesture, [value](Light& l) { l.profile.rotation = value; });
-              }});
 }
 
 void LightPanel::load_profile(const std::filesystem::path& file) {
@@ -261,67 +284,13 @@ void LightPanel::load_profile(const std::filesystem::path& file) {
     return [this, path, id, content = read_ies(path)] {
       const Lights& lights = document_.scene().lights;
       const auto found = std::ranges::find(lights, id, &Light::id);
-      if (found == lights.end() || found->directional || found->area) return;
+      if (found == lights.end() || !profile_member(*found)) return;
       const auto index = static_cast<std::size_t>(found - lights.begin());
       change_light(document_, index, tr("Set profile of %1"), no_merge, [&](Light& l) {
-        set_profile(l, {path, content, l.profile.rotation});
+        set_profile(l, {path, content, profile_member(l)->rotation});
       });
     };
   });
-}
-
-const LightProfile* LightPanel::profile() const {
-  return light() && light()->profile.content ? &light()->profile : nullptr;
-}
-
-void LightPanel::add_area_fields(QFormLayout& form) {
-  const auto change = [this](const QString& verb, MergeId gesture,
-                             const std::function<void(AreaLight&)>& how) {
-    change_light(document_, document_.active_light(), verb, gesture,
-                 [&how](Light& l) { how(*l.area); });
-  };
-  const auto is_rectangle = [this] {
-    return area() && area()->shape == AreaLight::Shape::rectangle;
-  };
-  const auto add = [&](const QString& title, const char* name, double AreaLight::*number,
-                       bool of_rectangle, const QString& verb) {
-    add_number(form, title,
-               {name, domain::length, ValueField::Scale::logarithmic, 0.01,
-                [this, number, of_rectangle, is_rectangle]() -> std::optional<double> {
-                  const bool has = area() && is_rectangle() == of_rectangle;
-                  return has ? std::optional(area()->*number) : std::nullopt;
-                },
-                [change, number, verb](double value, MergeId gesture) {
-                  change(verb, gesture, [=](AreaLight& a) { a.*number = value; });
-                }});
-  };
-  add(tr("Width"), "light_width", &AreaLight::width, true, tr("Set width of %1"));
-  add(tr("Height"), "light_height", &AreaLight::height, true, tr("Set height of %1"));
-  add(tr("Radius"), "light_radius", &AreaLight::radius, false, tr("Set radius of %1"));
-  show_length_units(*this, {"light_position", "light_width", "light_height", "light_radius"});
-  add_vector(form, tr("Up"),
-             {"light_up", domain::coordinate, 0.01,
-              [this, is_rectangle]() -> std::optional<glm::dvec3> {
-                return is_rectangle() ? std::optional(area()->up) : std::nullopt;
-              },
-              [change](const glm::dvec3& up, MergeId gesture) {
-                change(tr("Turn %1"), gesture, [up](AreaLight& a) { a.up = up; });
-              }});
-  auto* two_sided = new QCheckBox(tr("Two-sided"), this);
-  two_sided->setObjectName("light_two_sided");
-  two_sided->setToolTip(tr("Shines to both sides; a sphere then lights what is inside it, too"));
-  form.addRow({}, two_sided);
-  connect(two_sided, &QCheckBox::clicked, this, [change](bool both) {
-    change(tr("Set sides of %1"), no_merge, [both](AreaLight& a) { a.two_sided = both; });
-  });
-  on_refresh([this, two_sided] {
-    two_sided->setEnabled(area() != nullptr);
-    two_sided->setChecked(area() && area()->two_sided);
-  });
-}
-
-const AreaLight* LightPanel::area() const {
-  return light() && light()->area ? &*light()->area : nullptr;
 }
 
 void LightPanel::add_photometric_fields(QFormLayout& form) {
@@ -345,9 +314,10 @@ void LightPanel::add_photometric_fields(QFormLayout& form) {
   };
   QLabel* title = add(tr("Intensity, cd"), "light_candela", photometric_strength);
   on_refresh([this, title] {
-    title->setText(light() && light()->directional ? tr("Illuminance, lx")
-                   : area()                        ? tr("Luminance, cd/u²")
-                                                   : tr("Intensity, cd"));
+    const std::string_view name = strength_info(light() ? *light() : Light()).name;
+    title->setText(name == "irradiance" ? tr("Illuminance, lx")
+                   : name == "radiance" ? tr("Luminance, cd/u²")
+                                        : tr("Intensity, cd"));
   });
   title->setToolTip(tr("The same in photometric units: 1 W of white light is 683 lm"));
   add(tr("Luminous flux, lm"), "light_lumen", luminous_flux);
@@ -371,76 +341,22 @@ void LightPanel::add_photometric_fields(QFormLayout& form) {
 void LightPanel::add_type_field(QFormLayout& form) {
   auto* type = new QComboBox(this);
   type->setObjectName("light_type");
-  type->addItems(
-      {tr("Point"), tr("Spot"), tr("Directional"), tr("Rectangle"), tr("Disk"), tr("Sphere")});
-  type->setItemData(0, tr("Shines in all directions"), Qt::ToolTipRole);
-  type->setItemData(1, tr("Shines in a cone"), Qt::ToolTipRole);
-  for (const int shape : {3, 4, 5}) {
-    type->setItemData(shape, tr("A surface that shines"), Qt::ToolTipRole);
+  for (const LightKindInfo& info : light_kinds) {
+    type->addItem(fields_text(info.label));
+    type->setItemData(type->count() - 1, fields_text(info.says), Qt::ToolTipRole);
   }
-  type->setItemData(2, tr("The sun: far away, its rays are parallel"), Qt::ToolTipRole);
   form.addRow(tr("Type"), type);
   connect(type, &QComboBox::activated, this, [this](int index) {
-    if (!light() || index == static_cast<int>(type_of(*light()))) return;
+    const auto kind = static_cast<std::size_t>(index);
+    if (!light() || kind == light()->kind.index()) return;
     const LitRegion region = LitRegion::of(document_.scene());
     change_light(document_, document_.active_light(), tr("Change type of %1"), no_merge,
-                 [&](Light& l) { set_type(l, static_cast<LightType>(index), region); });
+                 [&](Light& l) { set_kind(l, light_kind(kind), region); });
   });
   on_refresh([this, type] {
     type->setEnabled(light() != nullptr);
-    type->setCurrentIndex(light() ? static_cast<int>(type_of(*light())) : -1);
+    type->setCurrentIndex(light() ? static_cast<int>(light()->kind.index()) : -1);
   });
-}
-
-void LightPanel::add_direction_fields(QFormLayout& form) {
-  add_vector(form, tr("Direction"),
-             {"light_direction", domain::coordinate, 0.01,
-              [this]() -> std::optional<glm::dvec3> {
-                return light() ? light_direction(*light()) : std::nullopt;
-              },
-              [this](const glm::dvec3& direction, MergeId gesture) {
-                if (direction == glm::dvec3(0.0)) return;
-                change_light(document_, document_.active_light(), tr("Turn %1"), gesture,
-                             [&](Light& l) { turn(l, direction); });
-              }});
-  add_number(form, tr("Disc, degrees"),
-             {"light_angular_diameter", domain::angular_diameter, ValueField::Scale::linear, 0.01,
-              [this]() -> std::optional<double> {
-                return light() && light()->directional
-                           ? std::optional(light()->directional->angular_diameter)
-                           : std::nullopt;
-              },
-              [this](double value, MergeId gesture) {
-                change_light(document_, document_.active_light(), tr("Set angular diameter of %1"),
-                             gesture,
-                             [value](Light& l) { l.directional->angular_diameter = value; });
-              }})
-      ->setToolTip(tr("Angular diameter: the wider, the softer the shadows, at the cost of eight "
-                      "lights; the sun's is 0.53"));
-  const auto change = [this](const QString& verb, MergeId gesture,
-                             const std::function<SpotCone(const SpotCone&)>& how) {
-    change_light(document_, document_.active_light(), verb, gesture,
-                 [&how](Light& l) { l.spot = how(*l.spot); });
-  };
-  const auto add_angle = [&](const QString& title, const char* name, double SpotCone::*angle,
-                             SpotCone (*with)(SpotCone, double), const QString& verb) {
-    add_number(form, title,
-               {name, domain::cone_angle, ValueField::Scale::linear, 0.25,
-                [this, angle]() -> std::optional<double> {
-                  return cone() ? std::optional(cone()->*angle) : std::nullopt;
-                },
-                [change, with, verb](double value, MergeId gesture) {
-                  change(verb, gesture, [=](const SpotCone& c) { return with(c, value); });
-                }});
-  };
-  add_angle(tr("Inner angle, degrees"), "light_inner_angle", &SpotCone::inner_angle,
-            with_inner_angle, tr("Set inner angle of %1"));
-  add_angle(tr("Outer angle, degrees"), "light_outer_angle", &SpotCone::outer_angle,
-            with_outer_angle, tr("Set outer angle of %1"));
-}
-
-const SpotCone* LightPanel::cone() const {
-  return light() && light()->spot ? &*light()->spot : nullptr;
 }
 
 }  // namespace brume

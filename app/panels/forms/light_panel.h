@@ -22,7 +22,7 @@ class LightPanel : public SceneForm {
   LightPanel(Document& document, std::function<const View&()> active_view, QWidget* parent);
 
   // Adds a light above what the active view looks at.
-  void add(LightType type);
+  void add(const Light::Kind& kind);
 
   // Gives the active light, a point light or a spot, a photometric profile; read in the background.
   void load_profile(const std::filesystem::path& file);
@@ -32,17 +32,16 @@ class LightPanel : public SceneForm {
   void add_light_fields(QFormLayout& form);
   void add_photometric_fields(QFormLayout& form);
   void add_type_field(QFormLayout& form);
-  void add_direction_fields(QFormLayout& form);
-  void add_area_fields(QFormLayout& form);
-  void add_profile_fields(QFormLayout& form);
+  void add_strength_field(QFormLayout& form);
+  void add_profile_field(QFormLayout& form);
+  // A row for a value that several kinds may have.
+  template <class F>
+  void add_value(QFormLayout& form, const F& field);
+  void set_value(Light light, const FieldInfo& info, MergeId gesture);
   void show_lights();
   [[nodiscard]] LightPlace place() const;
   void show_last();
   [[nodiscard]] const Light* light() const;  // the active one; may be null
-
-  [[nodiscard]] const SpotCone* cone() const;         // of the active spot; may be null
-  [[nodiscard]] const AreaLight* area() const;        // of the active area light; may be null
-  [[nodiscard]] const LightProfile* profile() const;  // of the active light; may be null
 
   std::function<const View&()> active_view_;
   QListWidget* list_;

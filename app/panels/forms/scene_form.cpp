@@ -1,5 +1,6 @@
 #include "app/panels/forms/scene_form.h"
 
+#include <QCheckBox>
 #include <QCoreApplication>
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -39,7 +40,7 @@ KeyButton* SceneForm::new_key_button(const QString& name,
   return button;
 }
 
-void SceneForm::finish_field(const FieldInfo& info, const QString& name, QLabel& title) {
+void SceneForm::finish_field(const FieldInfo& info, const QString& name, QWidget& title) {
   title.setToolTip(QString(info.says).remove('`'));
   if (QString(info.unit) == "u") show_length_units(*this, {name.toUtf8().constData()});
 }
@@ -102,8 +103,25 @@ void SceneForm::add_color(QFormLayout& form, const QString& title, const Color& 
   form.addRow(title, button);
 }
 
+QWidget* SceneForm::add_toggle(QFormLayout& form, const QString& title, const Toggle& toggle) {
+  auto* box = new QCheckBox(title, this);
+  box->setObjectName(toggle.name);
+  connect(box, &QCheckBox::clicked, this, [set = toggle.set](bool is_on) { set(is_on, no_merge); });
+  on_refresh([box, get = toggle.get] {
+    const std::optional<bool> value = get();
+    box->setEnabled(value.has_value());
+    box->setChecked(value.value_or(false));
+  });
+  form.addRow({}, box);
+  return box;
+}
+
+QString fields_text(const char* text) {
+  return QCoreApplication::translate("Fields", text);
+}
+
 QString field_label(const FieldInfo& info) {
-  return QCoreApplication::translate("Fields", info.label);
+  return fields_text(info.label);
 }
 
 }  // namespace brume

@@ -49,6 +49,11 @@ class SceneForm : public QWidget {
     std::function<void(const glm::dvec3&, MergeId)> set;
     const char* parts = "xyz";  // component letters
   };
+  struct Toggle {
+    QString name;
+    std::function<std::optional<bool>()> get;
+    std::function<void(bool, MergeId)> set;
+  };
   struct Color {
     const char* name;
     std::function<std::optional<glm::dvec3>()> get;
@@ -60,6 +65,7 @@ class SceneForm : public QWidget {
   QLabel* add_vector(QFormLayout& form, const QString& title, const Vector& vector,  // three fields
                      KeyButton* keys = nullptr);
   void add_color(QFormLayout& form, const QString& title, const Color& color);
+  QWidget* add_toggle(QFormLayout& form, const QString& title, const Toggle& toggle);
 
   // An object with values that core/scene/fields describes.
   template <class Owner>
@@ -77,19 +83,20 @@ class SceneForm : public QWidget {
   void refresh();
   // Calls `update` at every refresh().
   void on_refresh(std::function<void()> update) { updates_.push_back(std::move(update)); }
+  KeyButton* new_key_button(const QString& name, std::function<Track(const Scene&)> track);
 
   Document& document_;
 
  private:
   ValueField* new_field(const Number& number, const QString& title);
-  KeyButton* new_key_button(const QString& name, std::function<Track(const Scene&)> track);
   void add_keys(QHBoxLayout& row, KeyButton* keys, std::function<bool()> is_there);
-  void finish_field(const FieldInfo& info, const QString& name, QLabel& title);
+  void finish_field(const FieldInfo& info, const QString& name, QWidget& title);
 
   std::vector<std::function<void()>> updates_;
 };
 
-// The name of a value in a form and in undo texts.
+// A text of core/scene/fields, translated; and the name of a value in a form and in undo texts.
+QString fields_text(const char* text);
 QString field_label(const FieldInfo& info);
 
 template <class F>
@@ -119,6 +126,8 @@ void SceneForm::add_field(QFormLayout& form, const F& field,
                              {name, field.domain, info.step, get, set,
                               std::string_view(info.unit) == "RGB" ? "RGB" : "xyz"},
                              keys));
+  } else if constexpr (std::is_same_v<typename F::Value, bool>) {
+    finish_field(info, name, *add_toggle(form, field_label(info), {name, get, set}));
   } else {
     const QString unit = *info.unit ? QString(", ") + info.unit : QString();
     const auto scale =

@@ -80,7 +80,7 @@ void ContributionPanel::compute() {
   const glm::dvec3 place = origin + facts.contribution.distance * direction;
   // Both read all vertices.
   const bool has_far_light = std::ranges::any_of(
-      scene->lights, [](const Light& light) { return light.directional.has_value(); });
+      scene->lights, [](const Light& light) { return light.as<light::Directional>() != nullptr; });
   const LitRegion region = has_far_light ? LitRegion::of(*scene) : LitRegion();
   const FogBall fog = has_far_light ? FogExtent(*scene).ball() : FogBall();
   for (std::size_t k = 0; k < scene->lights.size(); ++k) {

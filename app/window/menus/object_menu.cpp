@@ -43,16 +43,17 @@ void ObjectMenu::fill_add_menu(QMenu& menu) {
   }
   add_action(&menu, tr("&Mesh from File…"), "", this, [this] { jobs_.import().ask(); });
   menu.addSeparator();
-  const auto add_light_action = [&](const QString& text, const char* name, LightType type) {
+  const auto add_light_action = [&](const QString& text, const char* name,
+                                    const Light::Kind& kind) {
     add_action(&menu, text, name, this,
-               [this, type] { window_.findChild<LightPanel*>()->add(type); });
+               [this, kind] { window_.findChild<LightPanel*>()->add(kind); });
   };
-  add_light_action(tr("&Point Light"), "light.point", LightType::point);
-  add_light_action(tr("&Spot"), "light.spot", LightType::spot);
-  add_light_action(tr("S&un"), "light.directional", LightType::directional);
-  add_light_action(tr("&Rectangle Light"), "light.rectangle", LightType::rectangle);
-  add_light_action(tr("&Disk Light"), "light.disk", LightType::disk);
-  add_light_action(tr("Sp&here Light"), "light.sphere", LightType::sphere);
+  add_light_action(tr("&Point Light"), "light.point", light::Point());
+  add_light_action(tr("&Spot"), "light.spot", light::Spot());
+  add_light_action(tr("S&un"), "light.directional", light::Directional());
+  add_light_action(tr("&Rectangle Light"), "light.rectangle", light::Rectangle());
+  add_light_action(tr("&Disk Light"), "light.disk", light::Disk());
+  add_light_action(tr("Sp&here Light"), "light.sphere", light::Sphere());
   menu.addSeparator();
   add_action(&menu, tr("&Gaussian"), "edit.add_gaussian", this, [this] { add_gaussian_in_view(); });
   add_action(&menu, tr("&Emitter"), "add.emitter", this, [this] {

@@ -327,13 +327,13 @@ class GltfReader {
     if (type != 0 && direction == glm::dvec3(0.0)) {
       file_.context().fail(path, "has no direction: the scale of its node is 0");
     }
-    if (type == 1) light.spot = read_cone(object, direction);
-    if (type == 2) light.directional = Directional{direction};
+    if (type == 1) light.kind = read_cone(object, direction);
+    if (type == 2) light.kind = light::Directional{direction};
     scene_.lights.push_back(std::move(light));
   }
 
-  SpotCone read_cone(JsonObject& light, const glm::dvec3& direction) {
-    SpotCone cone{direction};
+  light::Spot read_cone(JsonObject& light, const glm::dvec3& direction) {
+    light::Spot cone{direction};
     const Json* value = light.find("spot");
     if (value == nullptr) return cone;
     static constexpr double quarter_turn = std::numbers::pi / 2 + 1e-6;

@@ -9,6 +9,8 @@
 #include "core/number_domain.h"
 #include "core/scene/cameras.h"
 #include "core/scene/fields/camera_fields.h"
+#include "core/scene/fields/light_fields.h"
+#include "core/scene/light_rules.h"
 
 namespace brume {
 namespace {
@@ -43,6 +45,7 @@ class Writer {
     plain(std::uint8_t{value.has_value()});
     if (value) visit_value(*value);
   }
+  void kind(const Light::Kind& kind) { plain(static_cast<std::uint8_t>(kind.index())); }
 
  private:
   std::ostream& out_;
@@ -70,6 +73,11 @@ class Reader {
   template <class Value>
   void maybe(std::optional<Value>& value, auto&& visit_value) {
     if (bytes_.number<std::uint8_t>() != 0) visit_value(value.emplace());
+  }
+  void kind(Light::Kind& kind) {
+    const auto index = bytes_.number<std::uint8_t>();
+    check(index < light_kinds.size());
+    kind = light_kind(index);
   }
 
   void check(bool is_valid) {
@@ -108,12 +116,14 @@ void visit_light(auto& io, auto& light) {
   io.text(light.name);
   io.plain(light.position);
   io.plain(light.intensity);
-  io.maybe(light.spot, [&io](auto& cone) {
-    io.plain(cone.direction);
-    io.plain(cone.inner_angle);
-    io.plain(cone.outer_angle);
-  });
-  io.maybe(light.directional, [&io](auto& directional) { io.plain(directional.direction); });
+  // The values of those kinds that other programs' scenes have.
+  io.kind(light.kind);
+  if (auto* spot = std::get_if<light::Spot>(&light.kind)) {
+    io.plain(spot->direction);
+    io.plain(spot->inner_angle);
+    io.plain(spot->outer_angle);
+  }
+  if (auto* sun = std::get_if<light::Directional>(&light.kind)) io.plain(sun->direction);
 }
 
 void visit_scene(auto& io, auto& scene) {
@@ -196,18 +206,8 @@ bool is_valid(const RawMaterial& material, std::size_t images) {
          domain::normal_scale.contains(v.normal_scale);
 }
 
-bool is_direction(const glm::dvec3& v) {
-  return is_in(v, domain::coordinate) && v != glm::dvec3(0.0);
-}
-
 bool is_valid(const Light& light) {
-  if (!is_in(light.position, domain::coordinate) || !is_in(light.intensity, domain::intensity)) {
-    return false;
-  }
-  if (light.directional) return !light.spot && is_direction(light.directional->direction);
-  return !light.spot || (is_direction(light.spot->direction) && light.spot->inner_angle >= 0.0 &&
-                         light.spot->inner_angle <= light.spot->outer_angle &&
-                         light.spot->outer_angle > 0.0 && light.spot->outer_angle <= 180.0);
+  return is_in(light.position, domain::coordinate) && is_in_domain(light) && !refusal(light);
 }
 
 }  // namespace

@@ -40,7 +40,7 @@ void read_value(JsonObject& object, const char* name, const NumberDomain& domain
 // Values that an object lacks stay as they are.
 template <class Owner>
 void read_fields(JsonObject& object, Owner& owner) {
-  visit_fields<Owner>([&](const auto& field) {
+  visit_fields_of(owner, [&](const auto& field) {
     if (field.info.is_required) static_cast<void>(object.required(field.info.name));
     read_value(object, field.info.name, field.domain, field.of(owner));
   });

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/io/scene/scene_document.h"
+#include "core/scene/fields/light_fields.h"
 
 namespace brume {
 
@@ -12,7 +13,7 @@ namespace brume {
 template <class SceneOrConst, class Visit>
 void visit_files(SceneOrConst& scene, Visit visit) {
   for (auto& light : scene.lights) {
-    if (light.profile.content) visit(light.profile.file);
+    if (auto* profile = profile_of(light)) visit(profile->file);
   }
   for (auto& surface : scene.surfaces) {
     if (surface.imported) {

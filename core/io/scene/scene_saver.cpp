@@ -200,14 +200,12 @@ Json scene_to_json(const SceneDocument& document, const fs::path& directory) {
   root["medium"] = medium_to_json(document, directory);
   Json& lights = root["lights"] = Json::array();
   for (const Light& light : scene.lights) {
-    Json entry = light_to_json(light, light.profile.content
-                                          ? SceneReferences::text_for(light.profile.file, directory)
-                                          : "");
+    const LightProfile* profile = profile_of(light);
+    Json entry =
+        light_to_json(light, profile ? SceneReferences::text_for(profile->file, directory) : "");
     add_name(entry, light.name);
-    if (!light.on) entry["on"] = false;
-    if (light.locked) entry["locked"] = true;
     add_keys(entry, unknown_keys, unknown_keys.of(light.id, "keys"),
-             [&light](auto&& visit) { visit_keyed_light(light, visit); });
+             [&light](auto&& visit) { visit_keyed(light, visit); });
     add_unknown_keys(entry, unknown_keys.of(light.id, ""));
     lights.push_back(std::move(entry));
   }

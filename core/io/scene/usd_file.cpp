@@ -18,8 +18,10 @@
 #include "core/io/scene/usd_text.h"
 #include "core/medium/splat.h"
 #include "core/scene/camera_rays.h"
+#include "core/scene/fields/light_fields.h"
 #include "core/scene/lights/area_normal.h"
 #include "core/scene/lights/environment.h"
+#include "core/scene/lights/point_lights.h"
 #include "core/scene/placement.h"
 
 namespace brume {
@@ -75,57 +77,58 @@ double strength(const Light& light) {
   return std::max({light.intensity.x, light.intensity.y, light.intensity.z});
 }
 
-const char* type_of(const Light& light) {
-  if (light.directional) return "DistantLight";
-  if (!light.area || light.area->shape == AreaLight::Shape::sphere) return "SphereLight";
-  return light.area->shape == AreaLight::Shape::rectangle ? "RectLight" : "DiskLight";
-}
-
-const char* name_of(const Light& light) {
-  if (light.directional) return "Sun";
-  if (light.area) return "Area light";
-  return light.spot ? "Spot light" : "Point light";
-}
+// A schema of USD, and what a light without a name is called, for each kind.
+struct LightNames {
+  const char* type;
+  const char* name;
+};
+constexpr std::array light_names{
+    LightNames{"SphereLight", "Point light"}, LightNames{"SphereLight", "Spot light"},
+    LightNames{"DistantLight", "Sun"},        LightNames{"RectLight", "Area light"},
+    LightNames{"DiskLight", "Area light"},    LightNames{"SphereLight", "Area light"}};
+static_assert(light_names.size() == light_kinds.size());
 
 glm::dmat4 place_of(const Light& light) {
   const glm::dvec3 y(0.0, 1.0, 0.0);
-  if (light.directional) return looking(glm::dvec3(0.0), light.directional->direction, y);
-  if (light.area) return looking(light.position, light.area->direction, light.area->up);
-  if (light.spot) return looking(light.position, light.spot->direction, y);
-  if (light.profile.content) return looking(light.position, -y, y);
-  return glm::translate(glm::dmat4(1.0), light.position);
+  const bool is_far = light.as<light::Directional>() != nullptr;
+  const glm::dvec3 position = is_far ? glm::dvec3(0.0) : light.position;
+  const auto* rectangle = light.as<light::Rectangle>();
+  if (const auto* direction = find_value<glm::dvec3>(light, "direction")) {
+    return looking(position, *direction, rectangle ? rectangle->up : y);
+  }
+  if (profile_of(light) || light.as<light::Sphere>()) return looking(position, -y, y);
+  return glm::translate(glm::dmat4(1.0), position);
 }
 
 // Writes what lights of each type have besides colour, intensity and place.
 void write_shape(UsdText& out, Frames frames, std::size_t i, const std::filesystem::path& folder) {
   const auto light = [&](std::size_t k) -> const Light& { return frames[k].scene.lights[i]; };
   const Light& first = light(0);
-  if (first.directional) {
-    out.each_frame("float inputs:angle",
-                   [&](std::size_t k) { return light(k).directional->angular_diameter; });
-  } else if (!first.area) {
+  const auto write = [&](const char* declaration, const char* name) {
+    if (find_value<double>(first, name) == nullptr) return;
+    out.each_frame(declaration, [&](std::size_t k) { return *find_value<double>(light(k), name); });
+  };
+  write("float inputs:angle", "angular_diameter");
+  write("float inputs:width", "width");
+  write("float inputs:height", "height");
+  write("float inputs:radius", "radius");
+  write("float inputs:shaping:cone:angle", "outer_angle");
+  if (first.as<light::Point>() || first.as<light::Spot>()) {
     constexpr double radius = 0.001;  // with normalize, what it shines does not depend on it
     out.constant("float inputs:radius", usd_value(radius));
     out.constant("bool treatAsPoint", usd_value(true));
-  } else if (first.area->shape == AreaLight::Shape::rectangle) {
-    out.each_frame("float inputs:width", [&](std::size_t k) { return light(k).area->width; });
-    out.each_frame("float inputs:height", [&](std::size_t k) { return light(k).area->height; });
-  } else {
-    out.each_frame("float inputs:radius", [&](std::size_t k) { return light(k).area->radius; });
   }
-  if (first.spot) {
-    out.each_frame("float inputs:shaping:cone:angle",
-                   [&](std::size_t k) { return light(k).spot->outer_angle; });
+  if (first.as<light::Spot>()) {
     out.each_frame("float inputs:shaping:cone:softness", [&](std::size_t k) {
-      const SpotCone& cone = *light(k).spot;
-      return cone.outer_angle > 0.0 ? 1.0 - cone.inner_angle / cone.outer_angle : 0.0;
+      const auto& spot = std::get<light::Spot>(light(k).kind);
+      return spot.outer_angle > 0.0 ? 1.0 - spot.inner_angle / spot.outer_angle : 0.0;
     });
   }
-  if (first.profile.content) {
-    out.constant("asset inputs:shaping:ies:file", named_from(folder, first.profile.file));
+  if (const LightProfile* profile = profile_of(first)) {
+    out.constant("asset inputs:shaping:ies:file", named_from(folder, profile->file));
     out.constant("bool inputs:shaping:ies:normalize", usd_value(true));
   }
-  if (first.area && first.area->two_sided) {
+  if (const auto area = area_of(first); area && is_two_sided(*area)) {
     out.constant("custom bool brume:twoSided", usd_value(true));
   }
 }
@@ -136,18 +139,20 @@ void write_shape(UsdText& out, Frames frames, std::size_t i, const std::filesyst
 void write_light(UsdText& out, Frames frames, std::size_t i, const std::filesystem::path& folder) {
   const auto light = [&](std::size_t k) -> const Light& { return frames[k].scene.lights[i]; };
   const Light& first = light(0);
-  const bool has_shaping = first.spot || first.profile.content;
-  out.open(type_of(first), first.name.empty() ? name_of(first) : first.name,
+  const bool has_shaping = first.as<light::Spot>() || profile_of(first);
+  const bool is_area = area_of(first).has_value();
+  const LightNames& names = light_names[first.kind.index()];
+  out.open(names.type, first.name.empty() ? names.name : first.name,
            has_shaping ? "\"ShapingAPI\"" : "");
   out.transform([&](std::size_t k) { return place_of(light(k)); });
-  const double factor = first.directional || first.area ? 1.0 : 4.0;
+  const double factor = first.as<light::Directional>() || is_area ? 1.0 : 4.0;
   out.each_frame("float inputs:intensity",
                  [&](std::size_t k) { return light(k).on ? factor * strength(light(k)) : 0.0; });
   out.each_frame("color3f inputs:color", [&](std::size_t k) {
     const double max = strength(light(k));
     return max > 0.0 ? light(k).intensity / max : glm::dvec3(1.0);
   });
-  out.constant("bool inputs:normalize", usd_value(!first.area.has_value()));
+  out.constant("bool inputs:normalize", usd_value(!is_area));
   write_shape(out, frames, i, folder);
   out.close();
 }

@@ -6,6 +6,7 @@
 #include "core/scene/fields/emitter_fields.h"
 #include "core/scene/fields/environment_fields.h"
 #include "core/scene/fields/group_fields.h"
+#include "core/scene/fields/light_fields.h"
 #include "core/scene/fields/medium_fields.h"
 
 namespace brume {
@@ -13,49 +14,6 @@ namespace brume {
 // Keyframed values of a scene (brume/keys.h). Each visit_ function, and visit_keyed() of the types
 // in core/scene/fields, calls visit(name, value, keys, domain) for every animatable value of an
 // object; `name` is its key in the scene file.
-
-template <class L>
-void visit_keyed_area(L& light, auto&& visit) {
-  auto& area = *light.area;
-  auto& keys = light.keys;
-  visit("radiance", light.intensity, keys.intensity, domain::intensity);
-  if (area.shape != AreaLight::Shape::sphere) {
-    visit("direction", area.direction, keys.direction, domain::coordinate);
-  }
-  if (area.shape != AreaLight::Shape::rectangle) {
-    visit("radius", area.radius, keys.radius, domain::length);
-    return;
-  }
-  visit("up", area.up, keys.up, domain::coordinate);
-  visit("width", area.width, keys.width, domain::length);
-  visit("height", area.height, keys.height, domain::length);
-}
-
-template <class L>
-void visit_keyed_light(L& light, auto&& visit) {
-  if (light.directional) {
-    auto& sun = *light.directional;
-    visit("irradiance", light.intensity, light.keys.intensity, domain::intensity);
-    visit("direction", sun.direction, light.keys.direction, domain::coordinate);
-    visit("angular_diameter", sun.angular_diameter, light.keys.angular_diameter,
-          domain::angular_diameter);
-    return;
-  }
-  visit("position", light.position, light.keys.position, domain::coordinate);
-  if (light.area) {
-    visit_keyed_area(light, visit);
-    return;
-  }
-  visit("intensity", light.intensity, light.keys.intensity, domain::intensity);
-  if (light.profile.content) {
-    visit("profile_rotation", light.profile.rotation, light.keys.profile_rotation, domain::degrees);
-  }
-  if (!light.spot) return;
-  auto& spot = *light.spot;
-  visit("direction", spot.direction, light.keys.direction, domain::coordinate);
-  visit("inner_angle", spot.inner_angle, light.keys.inner_angle, domain::cone_angle);
-  visit("outer_angle", spot.outer_angle, light.keys.outer_angle, domain::cone_angle);
-}
 
 template <class S>
 void visit_keyed_surface(S& surface, auto&& visit) {

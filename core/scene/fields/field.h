@@ -108,15 +108,30 @@ inline constexpr int components<std::optional<T>> = components<T>;
 // Calls visit(field) for each field of a type.
 template <class Owner>
 constexpr void visit_fields(auto&& visit) {
-  std::apply([&visit](const auto&... field) { (visit(field), ...); },
-             fields<std::remove_const_t<Owner>>);
+  constexpr const auto& all = fields<std::remove_const_t<Owner>>;
+  static_assert(std::tuple_size_v<std::remove_cvref_t<decltype(all)>> > 0,
+                "the table of this type is missing, or not included");
+  std::apply([&visit](const auto&... field) { (visit(field), ...); }, all);
+}
+
+// The same for those of an object; light_fields.h has another for lights, whose fields depend on
+// their kind.
+template <class Owner>
+constexpr void visit_fields_of(const Owner&, auto&& visit) {
+  visit_fields<Owner>(visit);
+}
+
+// An object like another one, with its usual values.
+template <class Owner>
+Owner usual(const Owner&) {
+  return {};
 }
 
 // The value that is there in place of this one; nullptr: none is.
 template <class F>
 const FieldInfo* replacement(const F& field, const typename F::Owner& owner) {
   const FieldInfo* found = nullptr;
-  visit_fields<typename F::Owner>([&]<class Other>(const Other& other) {
+  visit_fields_of(owner, [&]<class Other>(const Other& other) {
     if constexpr (may_be_absent<typename Other::Value>) {
       if (other.info.does_replace(field.info.name) && other.of(owner)) found = &other.info;
     }
@@ -127,7 +142,7 @@ const FieldInfo* replacement(const F& field, const typename F::Owner& owner) {
 // Calls visit(field, keys) for each field that can have keyframes and is there.
 template <class Owner>
 void visit_keyed_fields(Owner& owner, auto& all_keys, auto&& visit) {
-  visit_fields<Owner>([&]<class F>(const F& field) {
+  visit_fields_of(owner, [&]<class F>(const F& field) {
     if constexpr (F::can_have_keys) {
       if constexpr (may_be_absent<typename F::Value>) {
         if (!field.of(owner)) return;
@@ -158,7 +173,7 @@ void visit_keyed(auto& owner, auto&& visit) {
 // Calls visit(field, value) for each value that is there.
 template <class Owner>
 void visit_present(Owner& owner, auto&& visit) {
-  visit_fields<Owner>([&]<class F>(const F& field) {
+  visit_fields_of(owner, [&]<class F>(const F& field) {
     auto& value = field.of(owner);
     if (replacement(field, owner)) return;
     if constexpr (!may_be_absent<typename F::Value>) {
@@ -210,8 +225,8 @@ void clear_keys_of_absent(const Owner& owner, AllKeys& all_keys) {
 // Whether a value is the default.
 template <class F>
 bool is_usual(const F& field, const typename F::Owner& owner) {
-  const typename F::Owner usual{};
-  return field.of(owner) == field.of(usual);
+  const typename F::Owner other = usual(owner);
+  return field.of(owner) == field.of(other);
 }
 
 // Whether a value says more than its absence in a file would.

@@ -37,39 +37,38 @@ glm::dquat turn_from_down(const glm::dvec3& direction) {
 
 }  // namespace
 
-LightFalloff::LightFalloff(const SpotCone& cone) : shape_(Shape::cone) {
-  axis_ = unit_direction(cone.direction, {0.0, -1.0, 0.0});
-  dark_versine_ = cosine_difference(0.0, cone.outer_angle);
+LightFalloff::LightFalloff(const light::Point& point) {
+  if (!point.profile.content) return;
+  axis_ = {0.0, -1.0, 0.0};
+  dark_versine_ = beyond_all_versines;
+  per_versine_ = 1.0;
+  set_profile(point.profile);
+}
+
+LightFalloff::LightFalloff(const light::Spot& spot) : shape_(Shape::cone) {
+  axis_ = unit_direction(spot.direction, {0.0, -1.0, 0.0});
+  dark_versine_ = cosine_difference(0.0, spot.outer_angle);
   per_versine_ =
-      1.0 / std::max(cosine_difference(cone.inner_angle, cone.outer_angle), min_cosine_difference);
+      1.0 / std::max(cosine_difference(spot.inner_angle, spot.outer_angle), min_cosine_difference);
   const auto [u, v] = make_basis(axis_);
   azimuth_0_ = u;
   azimuth_90_ = v;
+  if (spot.profile.content) set_profile(spot.profile);
+}
+
+void LightFalloff::set_profile(const LightProfile& profile) {
+  shape_ = Shape::profile;
+  profile_ = profile.content;
+  const double turn = glm::radians(profile.rotation);
+  const glm::dquat pose = turn_from_down(axis_);
+  azimuth_0_ = pose * glm::dvec3(std::cos(turn), 0.0, -std::sin(turn));
+  azimuth_90_ = pose * glm::dvec3(-std::sin(turn), 0.0, -std::cos(turn));
 }
 
 LightFalloff LightFalloff::of_surface(const glm::dvec3& normal, bool two_sided) {
   LightFalloff falloff;
   falloff.axis_ = normal;
   falloff.shape_ = two_sided ? Shape::two_cosines : Shape::cosine;
-  return falloff;
-}
-
-LightFalloff LightFalloff::of_profile(const LightProfile& profile,
-                                      const std::optional<SpotCone>& cone) {
-  LightFalloff falloff;
-  if (cone) {
-    falloff = LightFalloff(*cone);
-  } else {
-    falloff.axis_ = {0.0, -1.0, 0.0};
-    falloff.dark_versine_ = beyond_all_versines;
-    falloff.per_versine_ = 1.0;
-  }
-  falloff.shape_ = Shape::profile;
-  falloff.profile_ = profile.content;
-  const double turn = glm::radians(profile.rotation);
-  const glm::dquat pose = turn_from_down(falloff.axis_);
-  falloff.azimuth_0_ = pose * glm::dvec3(std::cos(turn), 0.0, -std::sin(turn));
-  falloff.azimuth_90_ = pose * glm::dvec3(-std::sin(turn), 0.0, -std::cos(turn));
   return falloff;
 }
 

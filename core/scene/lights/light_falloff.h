@@ -20,12 +20,12 @@ class LightFalloff {
   enum class Shape { isotropic, cone, cosine, two_cosines, profile };
 
   LightFalloff() = default;  // isotropic
-  explicit LightFalloff(const SpotCone& cone);
+  // Of a luminaire that hangs at azimuth 0 along +x, turned about its axis, then, of a spot, the
+  // shortest way from straight down to its direction; without a profile isotropic, or a cone.
+  explicit LightFalloff(const light::Point& point);
+  explicit LightFalloff(const light::Spot& spot);
   // `normal`: unit.
   static LightFalloff of_surface(const glm::dvec3& normal, bool two_sided);
-  // Of a luminaire that hangs at azimuth 0 along +x, turned about its axis, then the shortest way
-  // from straight down to the direction of the cone, if there is one.
-  static LightFalloff of_profile(const LightProfile& profile, const std::optional<SpotCone>& cone);
 
   [[nodiscard]] Shape shape() const { return shape_; }
   [[nodiscard]] bool is_isotropic() const { return shape_ == Shape::isotropic; }
@@ -61,6 +61,8 @@ class LightFalloff {
   bool operator==(const LightFalloff&) const = default;
 
  private:
+  void set_profile(const LightProfile& profile);  // within the cone
+
   glm::dvec3 axis_{0.0};
   double dark_versine_ = 0.0;
   double per_versine_ = 0.0;

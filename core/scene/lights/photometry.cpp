@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "core/number_domain.h"
+#include "core/overloaded.h"
 #include "core/scene/lights/light_falloff.h"
 #include "core/scene/lights/photometric_profile.h"
 #include "core/scene/lights/point_lights.h"
@@ -83,23 +84,25 @@ double share_of(double temperature) {
          (1.0 / min_temperature - 1.0 / max_temperature);
 }
 
-// The solid angle of a cone, weighted by its falloff: clamp(x, 0, 1)^2, x linear in the cosine.
-double solid_angle(const SpotCone& cone) {
-  const LightFalloff falloff(cone);
+// The solid angle of a light, weighted by its falloff.
+double solid_angle(const light::Point& point) {
+  return point.profile.content ? point.profile.content->solid_angle() : 4.0 * std::numbers::pi;
+}
+
+// That of a cone is clamp(x, 0, 1)^2, x linear in the cosine.
+double solid_angle_of_cone(const LightFalloff& falloff) {
   const double at_axis = std::min(falloff.dark_versine() * falloff.per_versine(), 1.0);
   const double edge = at_axis * at_axis * at_axis / (3.0 * falloff.per_versine());
   return 2.0 * std::numbers::pi * (std::max(falloff.full_versine(), 0.0) + edge);
 }
 
-// Of a point light or spot: its falloff over all directions.
-double solid_angle(const Light& light) {
-  if (!light.profile.content) return light.spot ? solid_angle(*light.spot) : 4.0 * std::numbers::pi;
-  if (!light.spot) return light.profile.content->solid_angle();
+double solid_angle(const light::Spot& spot) {
+  const LightFalloff falloff(spot);
+  if (!spot.profile.content) return solid_angle_of_cone(falloff);
   // Rings about the axis of equal angle, and of equal parts.
   constexpr int rings = 360;
   constexpr int parts = 72;
-  const LightFalloff falloff = LightFalloff::of_profile(light.profile, light.spot);
-  const double ring = glm::radians(std::min(light.spot->outer_angle, 180.0)) / rings;
+  const double ring = glm::radians(std::min(spot.outer_angle, 180.0)) / rings;
   double sum = 0.0;
   for (int i = 0; i < rings; ++i) {
     const double polar = (i + 0.5) * ring;
@@ -125,12 +128,17 @@ double photometric_strength(const Light& light) {
 }
 
 std::optional<double> luminous_flux(const Light& light) {
-  if (light.directional) return std::nullopt;
-  if (const auto& area = light.area) {
-    const double sides = area->two_sided ? 2.0 : 1.0;
-    return photometric_strength(light) * sides * std::numbers::pi * surface_area(*area);
-  }
-  return photometric_strength(light) * solid_angle(light);
+  using Factor = std::optional<double>;
+  const Factor factor =
+      std::visit(Overloaded{[](const light::Point& point) { return Factor(solid_angle(point)); },
+                            [](const light::Spot& spot) { return Factor(solid_angle(spot)); },
+                            [](const light::Directional&) { return Factor(); },
+                            [](const AreaLight& area) {
+                              const double sides = is_two_sided(area) ? 2.0 : 1.0;
+                              return Factor(sides * std::numbers::pi * surface_area(area));
+                            }},
+                 light.kind);
+  return factor ? Factor(photometric_strength(light) * *factor) : Factor();
 }
 
 glm::dvec3 black_body_color(double temperature) {

@@ -15,6 +15,7 @@
 #include "core/math/basis.h"
 #include "core/math/infinity.h"
 #include "core/math/unit_direction.h"
+#include "core/overloaded.h"
 
 namespace brume {
 namespace {
@@ -41,24 +42,23 @@ PointLight far_light(const Light& light, double share, const glm::dvec3& directi
 }
 
 // The disc as one far away, of the same radiance everywhere.
-PointLight far_disk(const Light& light, const LitRegion& region) {
-  const glm::dvec3 axis = to_light(*light.directional);
+PointLight far_disk(const Light& light, const light::Directional& sun, const LitRegion& region) {
+  const glm::dvec3 axis = to_light(sun);
   PointLight far = far_light(light, 1.0, axis, region);
-  const double half_angle = glm::radians(0.5 * light.directional->angular_diameter);
+  const double half_angle = glm::radians(0.5 * sun.angular_diameter);
   if (!(half_angle > 0.0)) return far;
-  AreaLight& disk = far.area.emplace();
-  disk.shape = AreaLight::Shape::disk;
-  disk.direction = -axis;
-  disk.radius = far_light_distance * region.diameter * std::tan(half_angle);
+  far.area = light::Disk{.direction = -axis,
+                         .radius = far_light_distance * region.diameter * std::tan(half_angle)};
   // Its edge is farther away than its middle.
   far.intensity /= std::cos(half_angle) * std::cos(half_angle);
   return far;
 }
 
 // Directions of equal irradiance on what faces the disc: evenly over the disc of their sines.
-std::vector<PointLight> points_on_disc(const Light& light, int count, const LitRegion& region) {
-  const glm::dvec3 axis = to_light(*light.directional);
-  const double diameter = light.directional->angular_diameter;
+std::vector<PointLight> points_on_disc(const Light& light, const light::Directional& sun, int count,
+                                       const LitRegion& region) {
+  const glm::dvec3 axis = to_light(sun);
+  const double diameter = sun.angular_diameter;
   if (!(diameter > 0.0) || count == 1) return {far_light(light, 1.0, axis, region)};
   const auto [u, v] = make_basis(axis);
   const double edge = std::sin(glm::radians(0.5 * diameter));
@@ -106,51 +106,59 @@ int count_on(const AreaLight& area, const glm::dvec3& center, const LitRegion& r
 }
 
 // The middles, relative to the light's, and the normals of equal shares of a surface.
-std::pair<glm::dvec3, glm::dvec3> point_on(const AreaLight& area, int k, int count) {
-  if (area.shape == AreaLight::Shape::sphere) {
-    const double z = 1.0 - 2.0 * (k + 0.5) / count;
-    const double sine = std::sqrt(1.0 - z * z);
-    const glm::dvec3 normal(sine * std::cos(golden_angle * k), sine * std::sin(golden_angle * k),
-                            z);
-    return {area.radius * normal, normal};
-  }
-  const glm::dvec3 normal = unit_direction(area.direction, {0.0, -1.0, 0.0});
-  if (area.shape == AreaLight::Shape::disk) {
-    const auto [u, v] = make_basis(normal);
-    const glm::dvec2 at = count > 1 ? area.radius * disc_point(k, count) : glm::dvec2(0.0);
-    return {at.x * u + at.y * v, normal};
-  }
+struct SurfacePoint {
+  glm::dvec3 offset;
+  glm::dvec3 normal;
+};
+SurfacePoint point_on(const light::Sphere& sphere, int k, int count) {
+  const double z = 1.0 - 2.0 * (k + 0.5) / count;
+  const double sine = std::sqrt(1.0 - z * z);
+  const glm::dvec3 normal(sine * std::cos(golden_angle * k), sine * std::sin(golden_angle * k), z);
+  return {sphere.radius * normal, normal};
+}
+SurfacePoint point_on(const light::Disk& disk, int k, int count) {
+  const glm::dvec3 normal = unit_direction(disk.direction, {0.0, -1.0, 0.0});
+  const auto [u, v] = make_basis(normal);
+  const glm::dvec2 at = count > 1 ? disk.radius * disc_point(k, count) : glm::dvec2(0.0);
+  return {at.x * u + at.y * v, normal};
+}
+SurfacePoint point_on(const light::Rectangle& rectangle, int k, int count) {
   // A lattice that no line meets in rows: its shadows have as many steps as it has points.
   constexpr double inverse_golden_ratio = 0.61803398874989484820;
   const double x = (k + 0.5) / count - 0.5;
   const double turns = inverse_golden_ratio * k + 0.5;
   const double y = turns - std::floor(turns) - 0.5 + (count > 1 ? 0.5 / count : 0.0);
-  const auto [right, up] = rectangle_axes(area);
-  return {area.width * x * right + area.height * y * up, normal};
+  const auto [right, up] = rectangle_axes(rectangle);
+  return {rectangle.width * x * right + rectangle.height * y * up,
+          unit_direction(rectangle.direction, {0.0, -1.0, 0.0})};
 }
 
-std::vector<PointLight> points_on_area(const Light& light, int count, const LitRegion& region) {
-  const AreaLight& area = *light.area;
+// Outside it a sphere is, to the fourth order in radius / distance, what isotropic lights on a
+// smaller one are: within 0.5% from 1.5 radii from its center on.
+bool is_seen_from_afar(const light::Sphere& sphere, const glm::dvec3& center,
+                       const LitRegion& region) {
+  return region.bounds && distance_to(*region.bounds, center) > 1.5 * sphere.radius;
+}
+
+std::vector<PointLight> points_on_area(const Light& light, const AreaLight& area, int count,
+                                       const LitRegion& region) {
   const double share = surface_area(area) / count;
-  // Outside it a sphere is, to the fourth order in radius / distance, what isotropic lights on a
-  // smaller one are: within 0.5% from 1.5 radii from its center on.
-  const bool is_outside =
-      region.bounds && distance_to(*region.bounds, light.position) > 1.5 * area.radius;
-  const bool is_isotropic = area.shape == AreaLight::Shape::sphere && (is_outside || count == 1);
+  const double radius = std::sqrt(share / std::numbers::pi);
+  const auto* sphere = std::get_if<light::Sphere>(&area);
+  const bool is_isotropic =
+      sphere && (count == 1 || is_seen_from_afar(*sphere, light.position, region));
   const double depth = count > 1 ? std::sqrt(0.75) : 0.0;
   std::vector<PointLight> lights;
   for (int k = 0; k < count; ++k) {
-    const auto [offset, normal] = point_on(area, k, count);
+    const auto [offset, normal] =
+        std::visit([&](const auto& shape) { return point_on(shape, k, count); }, area);
     if (is_isotropic) {
-      lights.push_back({light.position + depth * offset,
-                        0.25 * share * light.intensity,
-                        {},
-                        std::sqrt(share / std::numbers::pi)});
+      lights.push_back(
+          {light.position + depth * offset, 0.25 * share * light.intensity, {}, radius});
       continue;
     }
     lights.push_back({light.position + offset, share * light.intensity,
-                      LightFalloff::of_surface(normal, area.two_sided),
-                      std::sqrt(share / std::numbers::pi)});
+                      LightFalloff::of_surface(normal, is_two_sided(area)), radius});
   }
   return lights;
 }
@@ -191,33 +199,45 @@ LitRegion LitRegion::of(const Scene& scene) {
   return region;
 }
 
-glm::dvec3 to_light(const Directional& light) {
+std::optional<AreaLight> area_of(const Light& light) {
+  using Area = std::optional<AreaLight>;
+  return std::visit(Overloaded{[](const light::Point&) { return Area(); },
+                               [](const light::Spot&) { return Area(); },
+                               [](const light::Directional&) { return Area(); },
+                               [](const AreaLight& area) { return Area(area); }},
+                    light.kind);
+}
+
+glm::dvec3 to_light(const light::Directional& light) {
   return -unit_direction(light.direction, {0.0, -1.0, 0.0});
 }
 
+bool is_two_sided(const AreaLight& area) {
+  return std::visit([](const auto& shape) { return shape.two_sided; }, area);
+}
+
 double surface_area(const AreaLight& area) {
-  const double of_disk = std::numbers::pi * area.radius * area.radius;
-  switch (area.shape) {
-    case AreaLight::Shape::rectangle:
-      return area.width * area.height;
-    case AreaLight::Shape::disk:
-      return of_disk;
-    case AreaLight::Shape::sphere:
-      return 4.0 * of_disk;
-  }
-  return 0.0;
+  using std::numbers::pi;
+  return std::visit(
+      Overloaded{[](const light::Rectangle& r) { return r.width * r.height; },
+                 [](const light::Disk& disk) { return pi * disk.radius * disk.radius; },
+                 [](const light::Sphere& s) { return 4.0 * (pi * s.radius * s.radius); }},
+      area);
 }
 
 double facing_area(const AreaLight& area) {
-  return surface_area(area) * (area.shape == AreaLight::Shape::sphere ? 0.25 : 1.0);
+  return surface_area(area) * (std::holds_alternative<light::Sphere>(area) ? 0.25 : 1.0);
 }
 
 double bounding_radius(const AreaLight& area) {
-  if (area.shape == AreaLight::Shape::rectangle) return 0.5 * std::hypot(area.width, area.height);
-  return area.radius;
+  return std::visit(
+      Overloaded{[](const light::Rectangle& r) { return 0.5 * std::hypot(r.width, r.height); },
+                 [](const light::Disk& disk) { return disk.radius; },
+                 [](const light::Sphere& sphere) { return sphere.radius; }},
+      area);
 }
 
-std::pair<glm::dvec3, glm::dvec3> rectangle_axes(const AreaLight& area) {
+std::pair<glm::dvec3, glm::dvec3> rectangle_axes(const light::Rectangle& area) {
   const glm::dvec3 normal = unit_direction(area.direction, {0.0, -1.0, 0.0});
   const glm::dvec3 right = glm::cross(normal, unit_direction(area.up, {0.0, 1.0, 0.0}));
   if (!(glm::length(right) > 1e-9)) {
@@ -233,29 +253,33 @@ namespace {
 // A light with a surface or a disc becomes at most `max_points`.
 std::vector<PointLight> point_lights(const Light& light, const LitRegion& region, LightPoints count,
                                      int max_points) {
-  if (count == LightPoints::drawn && light.directional) return {far_disk(light, region)};
-  if (count == LightPoints::drawn && light.area) {
-    PointLight drawn{light.position, surface_area(*light.area) * light.intensity};
-    drawn.area = light.area;
-    return {drawn};
-  }
+  using Points = std::vector<PointLight>;
   const auto chosen = [&](int few, int many) {
     const int points = count == LightPoints::one ? 1 : count == LightPoints::few ? few : many;
     return std::min(points, max_points);
   };
-  if (light.directional) return points_on_disc(light, chosen(8, 64), region);
-  if (light.area) {
-    const bool is_sphere = light.area->shape == AreaLight::Shape::sphere;
-    const int points = chosen(is_sphere ? whole_sphere : whole, many_points);
-    return points_on_area(light, count_on(*light.area, light.position, region, points), region);
-  }
-  PointLight point{light.position, light.intensity};
-  if (light.profile.content) {
-    point.falloff = LightFalloff::of_profile(light.profile, light.spot);
-  } else if (light.spot) {
-    point.falloff = LightFalloff(*light.spot);
-  }
-  return {point};
+  const auto point = [&light](const auto& kind) {
+    return Points{{light.position, light.intensity, LightFalloff(kind)}};
+  };
+  return std::visit(
+      Overloaded{[&](const light::Point& kind) { return point(kind); },
+                 [&](const light::Spot& kind) { return point(kind); },
+                 [&](const light::Directional& sun) {
+                   if (count == LightPoints::drawn) return Points{far_disk(light, sun, region)};
+                   return points_on_disc(light, sun, chosen(8, 64), region);
+                 },
+                 [&](const AreaLight& area) {
+                   if (count == LightPoints::drawn) {
+                     return Points{{.position = light.position,
+                                    .intensity = surface_area(area) * light.intensity,
+                                    .area = area}};
+                   }
+                   const bool is_sphere = std::holds_alternative<light::Sphere>(area);
+                   const int points = chosen(is_sphere ? whole_sphere : whole, many_points);
+                   return points_on_area(light, area,
+                                         count_on(area, light.position, region, points), region);
+                 }},
+      light.kind);
 }
 
 }  // namespace
@@ -271,7 +295,7 @@ std::vector<PointLight> point_lights(const Scene& scene, LightPoints count) {
     if (light.on && light.intensity != glm::dvec3(0.0)) shining.push_back(&light);
   }
   const bool needs_region = std::ranges::any_of(shining, [count](const Light* light) {
-    return light->directional || (light->area && count != LightPoints::one);
+    return light->as<light::Directional>() || (area_of(*light) && count != LightPoints::one);
   });
   // Reads all vertices.
   const LitRegion region = needs_region ? LitRegion::of(scene) : LitRegion();

@@ -14,6 +14,10 @@ namespace brume {
 // Every light as point lights: what evaluates these evaluates them all. A directional light is one
 // that is far away, an area light many that are spread over it.
 
+// Lights that are surfaces.
+using AreaLight = std::variant<light::Rectangle, light::Disk, light::Sphere>;
+std::optional<AreaLight> area_of(const Light& light);
+
 struct PointLight {
   glm::dvec3 position{0.0};
   glm::dvec3 intensity{0.0};  // RGB [W/sr]
@@ -51,15 +55,16 @@ struct LitRegion {
 inline constexpr double far_light_distance = 2048.0;
 
 // The unit direction towards it; straight up where keyframes pass length 0.
-glm::dvec3 to_light(const Directional& light);
+glm::dvec3 to_light(const light::Directional& light);
 
+bool is_two_sided(const AreaLight& area);
 // [u^2]; `facing`: as seen from far away, from where it looks largest.
 double surface_area(const AreaLight& area);
 double facing_area(const AreaLight& area);
 // Of the ball around its center that holds it [u].
 double bounding_radius(const AreaLight& area);
 // Unit vectors along the width and the height of a rectangle.
-std::pair<glm::dvec3, glm::dvec3> rectangle_axes(const AreaLight& area);
+std::pair<glm::dvec3, glm::dvec3> rectangle_axes(const light::Rectangle& rectangle);
 
 // How many point lights stand for a light with a surface.
 enum class LightPoints {

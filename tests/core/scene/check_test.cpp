@@ -94,23 +94,18 @@ TEST(Check, RefusesWhatNoFileCouldHave) {
        [](Scene& s) {
          s.cameras.push_back({"b", {{}, {}}, {}});
        }},
-      {"lights[0]",
-       [](Scene& s) {
-         s.lights[0].spot.emplace();
-         s.lights[0].area.emplace();
-       }},
       {"lights[0].intensity[0]", [](Scene& s) { s.lights[0].intensity.x = -1.0; }},
       {"lights[0].inner_angle",
        [](Scene& s) {
-         s.lights[0].spot = SpotCone{{0, -1, 0}, 50.0, 40.0};
+         s.lights[0].kind = light::Spot{{0, -1, 0}, 50.0, 40.0};
        }},
       {"lights[0].outer_angle",
        [](Scene& s) {
-         s.lights[0].spot = SpotCone{{0, -1, 0}, 0.0, 0.0};
+         s.lights[0].kind = light::Spot{{0, -1, 0}, 0.0, 0.0};
        }},
       {"lights[0].direction",
        [](Scene& s) {
-         s.lights[0].directional = Directional{{0, 0, 0}};
+         s.lights[0].kind = light::Directional{{0, 0, 0}};
        }},
       {"lights[0].keys.position[1].time",
        [](Scene& s) {
@@ -198,12 +193,8 @@ TEST(Check, RefusesWhatNoFileCouldHave) {
 // As a file may have it.
 TEST(Check, AcceptsADirectionThatItsKeysGive) {
   EXPECT_EQ(refusal([](Scene& s) {
-              s.lights[0].spot = SpotCone{{0, 0, 0}};
+              s.lights[0].kind = light::Spot{{0, 0, 0}};
               s.lights[0].keys.direction = {{.time = 0.0, .value = {0, -1, 0}}};
-            }),
-            "");
-  EXPECT_EQ(refusal([](Scene& s) {
-              s.lights[0].area = AreaLight{.shape = AreaLight::Shape::sphere, .direction = {}};
             }),
             "");
 }

@@ -105,8 +105,8 @@ TEST(Tangents, AreFiniteHoweverSteep) {
 TEST(Tangents, NeverLeadOutOfADomain) {
   Scene scene;
   scene.lights.resize(3);
-  scene.lights[1].spot.emplace();
-  scene.lights[2].area.emplace();
+  scene.lights[1].kind = light::Spot();
+  scene.lights[2].kind = light::Rectangle();
   scene.environment.emplace();
   scene.emitters.resize(1);
   scene.groups.resize(1);
@@ -115,7 +115,7 @@ TEST(Tangents, NeverLeadOutOfADomain) {
   const auto visit_all = [&scene](auto&& visit) {
     visit_keyed(scene.camera, scene.camera_keys, visit);
     visit_keyed(scene.optics, visit);
-    for (auto& light : scene.lights) visit_keyed_light(light, visit);
+    for (auto& light : scene.lights) visit_keyed(light, visit);
     visit_keyed(*scene.environment, visit);
     visit_keyed(scene.groups[0], visit);
     visit_keyed(scene.emitters[0], visit);

@@ -76,8 +76,9 @@ TEST_F(GlFrames, SampleScenes) {
       const Frame cpu = *Renderer(transfers).render(scene, scene.camera, scene.film, settings);
       // Distances from a far light are floats, off by up to a 4000th of the scene: between leaves
       // that decides which of a few rays of sunbeams are lit (measured: 0.7%).
-      const bool is_far = std::ranges::any_of(
-          scene.lights, [](const Light& light) { return light.directional.has_value(); });
+      const bool is_far = std::ranges::any_of(scene.lights, [](const Light& light) {
+        return light.as<light::Directional>() != nullptr;
+      });
       const LayerErrors error(gl, cpu);
       EXPECT_LE(std::max(error.transmittance, error.depth), bound) << name;
       EXPECT_LE(std::max(error.airlight, error.beauty), is_far ? 0.01 : bound) << name;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/scene/fields/light_fields.h"
 #include "tests/render/gl/gl_frames.h"
 #include "tests/render/test_profiles.h"
 #include "tests/render/test_scenes.h"
@@ -43,10 +44,10 @@ TEST_F(GlFrames, SpotLights) {
     Scene scene = in_fog(cloud_scene(10, 2.0), 0.02);
     scene.film = {24, 18};
     scene.surfaces.push_back(wall(-0.8, 1.5));
-    scene.lights = {{{0.9, 1.4, 0.6}, glm::dvec3(6.0), SpotCone{{-0.9, -1.4, -0.9}, 5.0, 20.0}},
-                    {{-1.0, 0.4, 1.0}, glm::dvec3(2.0), SpotCone{{1.0, -0.3, -1.2}, 9.8, 10.0}},
-                    {{0.0, -1.0, 0.5}, glm::dvec3(1.0), SpotCone{{0.0, 1.0, 0.0}, 60.0, 130.0}},
-                    {{1.0, 0.4, 1.0}, glm::dvec3(9.0), SpotCone{{-1.0, -0.3, -1.2}, 0.5, 1.0}},
+    scene.lights = {{{0.9, 1.4, 0.6}, glm::dvec3(6.0), light::Spot{{-0.9, -1.4, -0.9}, 5.0, 20.0}},
+                    {{-1.0, 0.4, 1.0}, glm::dvec3(2.0), light::Spot{{1.0, -0.3, -1.2}, 9.8, 10.0}},
+                    {{0.0, -1.0, 0.5}, glm::dvec3(1.0), light::Spot{{0.0, 1.0, 0.0}, 60.0, 130.0}},
+                    {{1.0, 0.4, 1.0}, glm::dvec3(9.0), light::Spot{{-1.0, -0.3, -1.2}, 0.5, 1.0}},
                     {{0.5, 0.5, 1.5}, glm::dvec3(1.0), {}}};
     expect_backends_agree(scene, scattering);
   }
@@ -57,13 +58,13 @@ TEST_F(GlFrames, ProfileLights) {
     Scene scene = in_fog(cloud_scene(10, 2.0), 0.02);
     scene.film = {24, 18};
     scene.surfaces.push_back(wall(-0.8, 1.5));
-    scene.lights = {{{0.9, 1.4, 0.6}, glm::dvec3(6.0), SpotCone{{-0.9, -1.4, -0.9}, 25.0, 40.0}},
+    scene.lights = {{{0.9, 1.4, 0.6}, glm::dvec3(6.0), light::Spot{{-0.9, -1.4, -0.9}, 25.0, 40.0}},
                     {{-0.3, 1.0, 0.7}, {2.0, 3.0, 4.0}},
                     {{0.5, 0.5, 1.5}, glm::dvec3(1.0)},
                     {{0.6, 1.0, 0.0}, glm::dvec3(1.0)}};
-    scene.lights[0].profile = lobed_profile(70.0);
-    scene.lights[1].profile = cosine_profile();
-    scene.lights[3].profile = scene.lights[1].profile;
+    *profile_member(scene.lights[0]) = lobed_profile(70.0);
+    *profile_member(scene.lights[1]) = cosine_profile();
+    *profile_member(scene.lights[3]) = *profile_member(scene.lights[1]);
     expect_backends_agree(scene, scattering);
   }
 }
@@ -94,13 +95,9 @@ TEST_F(GlFrames, AreaLights) {
       scene.surfaces = {wall(-0.8, 1.5), wall(0.0, 0.4)};
       scene.surfaces[1].translate = {0.5, 1.0, 0.3};
       scene.lights = {
-          {{1.5, 1.5, 1.0}, {3.0, 2.0, 1.0}, {}, {}, AreaLight{.direction = {-1.0, -1.0, -0.7}}},
-          {{-1.5, 0.5, 0.5},
-           glm::dvec3(2.0),
-           {},
-           {},
-           AreaLight{AreaLight::Shape::disk, {1.0, 0.1, -0.3}, {}, 1, 1, 0.3, true}},
-          {{0.0, -1.0, 0.5}, glm::dvec3(1.0), {}, {}, AreaLight{AreaLight::Shape::sphere}}};
+          {{1.5, 1.5, 1.0}, {3.0, 2.0, 1.0}, light::Rectangle{.direction = {-1.0, -1.0, -0.7}}},
+          {{-1.5, 0.5, 0.5}, glm::dvec3(2.0), light::Disk{{1.0, 0.1, -0.3}, 0.3, true}},
+          {{0.0, -1.0, 0.5}, glm::dvec3(1.0), light::Sphere()}};
       // Two of them: a software device ends shaders that go through some 900 lights and slices.
       scene.lights.erase(scene.lights.begin() + (scattering == Scattering::single ? 0 : 1));
       expect_backends_agree(scene, scattering);
@@ -117,8 +114,8 @@ TEST_F(GlFrames, DirectionalLights) {
       scene.surfaces = {wall(-0.8, 1.5), wall(0.0, 0.4)};
       scene.surfaces[1].translate = {0.5, 1.0, 0.3};
       scene.lights = {
-          {.intensity = {3.0, 2.0, 1.0}, .directional = Directional{{-0.9, -1.4, -0.9}}},
-          {.intensity = glm::dvec3(0.5), .directional = Directional{{1.0, 0.2, -0.4}, 3.0}},
+          {.intensity = {3.0, 2.0, 1.0}, .kind = light::Directional{{-0.9, -1.4, -0.9}}},
+          {.intensity = glm::dvec3(0.5), .kind = light::Directional{{1.0, 0.2, -0.4}, 3.0}},
           {{0.5, 0.5, 1.5}, glm::dvec3(1.0)}};
       expect_backends_agree(scene, scattering);
     }

@@ -103,7 +103,7 @@ TEST(Settings, ManyAreaLightsBecomeFewPointsEach) {
   scene.lights.clear();
   for (const std::size_t count : {30, 31, 100, 1000}) {
     Light sphere;
-    sphere.area = AreaLight{.shape = AreaLight::Shape::sphere};
+    sphere.kind = light::Sphere();
     scene.lights.assign(count, sphere);
     const std::size_t points = point_lights(scene, LightPoints::few).size();
     EXPECT_LE(points, max_few_points);

@@ -12,20 +12,16 @@ namespace brume {
 namespace {
 
 using std::numbers::pi;
-using Shape = AreaLight::Shape;
 
 const glm::dvec3 center(1.0, 2.0, 3.0);
 
+enum class Shape { rectangle, disk, sphere };
+
 AreaLight facing_down(Shape shape, bool two_sided = false) {
-  AreaLight area;
-  area.shape = shape;
-  area.direction = {0.0, -2.0, 0.0};
-  area.up = {1.0, 0.0, 1.0};
-  area.width = 1.2;
-  area.height = 0.7;
-  area.radius = 0.5;
-  area.two_sided = two_sided;
-  return area;
+  const glm::dvec3 down(0.0, -2.0, 0.0);
+  if (shape == Shape::disk) return light::Disk{down, 0.5, two_sided};
+  if (shape == Shape::sphere) return light::Sphere{0.5, two_sided};
+  return light::Rectangle{down, {1.0, 0.0, 1.0}, 1.2, 0.7, two_sided};
 }
 
 constexpr int drawn_points = 40'000;

@@ -50,8 +50,8 @@ struct NamedFalloff {
 };
 const std::vector<NamedFalloff> falloffs{
     {"point", {}},
-    {"spot", LightFalloff(SpotCone{{0.3, -1.0, 0.2}, 20.0, 50.0})},
-    {"narrow spot", LightFalloff(SpotCone{{0.3, -1.0, 0.2}, 2.0, 5.0})},
+    {"spot", LightFalloff(light::Spot{{0.3, -1.0, 0.2}, 20.0, 50.0})},
+    {"narrow spot", LightFalloff(light::Spot{{0.3, -1.0, 0.2}, 2.0, 5.0})},
     {"surface", LightFalloff::of_surface(glm::normalize(glm::dvec3(0.2, 0.1, -1.0)), false)}};
 
 // Nodes 3 to 5 of a grid of 9 along each axis, and round positions among them: every tenth is on
@@ -139,7 +139,7 @@ TEST(IncidentPointLight, IsTheMeanOverTheCellsAroundNodes) {
 // which the last node's cells hold half a spacing beyond the grid.
 TEST(IncidentPointLight, BeamsBetweenNodesKeepTheirPower) {
   for (const double outer : {0.02, 0.5, 2.0, 8.0}) {
-    const LightFalloff beam(SpotCone{{0.0, 0.0, 1.0}, outer, outer});
+    const LightFalloff beam(light::Spot{{0.0, 0.0, 1.0}, outer, outer});
     for (const glm::dvec2 place : {glm::dvec2(4.0, 4.0), {4.5, 4.5}, {4.25, 4.1}}) {
       const PointSource source = source_at(spacing * glm::dvec3(place, 0.0), beam);
       const NodeLight incident = incident_light(source, {9, 9, 13});

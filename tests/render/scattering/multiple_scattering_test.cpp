@@ -260,7 +260,7 @@ TEST(MultipleScattering, FogAloneUnderASkyMatchesPaths) {
     } else {
       scene.environment.reset();
       Light& sun = scene.lights.emplace_back();
-      sun.directional = Directional{{1.0, -1.0, -0.5}};
+      sun.kind = light::Directional{{1.0, -1.0, -0.5}};
       sun.intensity = glm::dvec3(1.0);
     }
     expect_mean_of_paths(scene, 1024, 0.02);

@@ -32,7 +32,7 @@ inline Surface two_triangles(double size) {
 inline Light oblique_sun() {
   Light light;
   light.intensity = glm::dvec3(3.0);
-  light.directional = Directional{{1, -1, 0}};
+  light.kind = light::Directional{{1, -1, 0}};
   return light;
 }
 
@@ -60,7 +60,7 @@ inline Scene closed_room(double floor) {
   scene.film = {80, 60};
   scene.camera = {{-1.7, 1.9, -1.7}, {1.5, 2, 1.5}, {0, 1, 0}, 80.0};
   scene.lights = {oblique_sun()};
-  scene.lights[0].directional->direction = {-1, -1, -0.3};
+  scene.lights[0].as<light::Directional>()->direction = {-1, -1, -0.3};
   scene.surfaces = {primitive_surface(Primitive::Shape::plane, {floor, 1, floor}, {}),
                     primitive_surface(Primitive::Shape::box, {4, 3, 4}, {0, 1.5, 0})};
   return scene;

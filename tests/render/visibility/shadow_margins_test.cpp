@@ -103,7 +103,7 @@ TEST(ShadowMargins, LeavePlanesUnshadowedByThemselves) {
     scene.surfaces.resize(1);
     scene.surfaces[0].rotate = turn;
     for (glm::dvec3* v : {&scene.camera.eye, &scene.camera.target, &scene.camera.up,
-                          &scene.lights[0].directional->direction}) {
+                          &scene.lights[0].as<light::Directional>()->direction}) {
       *v = turn * *v;
     }
     const Frame frame = render_frame(scene, sliced(8));
@@ -122,7 +122,7 @@ TEST(ShadowMargins, LeaveRoundMeshesUnshadowedByThemselves) {
       scene.film = {80, 60};
       scene.camera = {size * glm::dvec3(0, 0, 4), {0, 0, 0}, {0, 1, 0}, 40.0};
       scene.lights = {oblique_sun()};
-      scene.lights[0].directional->direction = {0, 0, -1};
+      scene.lights[0].as<light::Directional>()->direction = {0, 0, -1};
       scene.surfaces.emplace_back().mesh = ball_mesh(rings);
       scene.surfaces[0].scale = size;
       const Frame frame = render_frame(scene, sliced(8));

@@ -91,7 +91,8 @@ void move_camera(Scene& scene) {
 
 void move_light(Scene& scene) {
   Light& light = scene.lights[0];
-  (light.directional ? light.directional->direction : light.position) *= glm::dvec3(1.01, 1, 1);
+  auto* sun = light.as<light::Directional>();
+  (sun ? sun->direction : light.position) *= glm::dvec3(1.01, 1, 1);
 }
 
 }  // namespace
@@ -111,13 +112,13 @@ std::vector<LightKindRow> measure_light_kinds(bool quick) {
   const auto add = [&](const char* kind, const Light& light) { add_scene(kind, lit_by(light)); };
   add("point", point);
   Light spot = point;
-  spot.spot = SpotCone{-from, 5.0, 20.0};
+  spot.kind = light::Spot{-from, 5.0, 20.0};
   add("spot, 5 to 20 degrees", spot);
-  spot.spot = SpotCone{-from, 9.9, 10.0};
+  spot.kind = light::Spot{-from, 9.9, 10.0};
   add("spot, 10 degrees, sharp", spot);
   if (quick) return rows;
   Light street = point;
-  street.profile = street_profile();
+  street.kind = light::Point{street_profile()};
   add("point with the profile of a street light", street);
   add_scene("point; every third Gaussian shines", with_thirds(lit_by(point), [](auto& optics) {
               optics.emission = {3.0, 1.0, 0.2};
@@ -125,15 +126,14 @@ std::vector<LightKindRow> measure_light_kinds(bool quick) {
   add_scene("point; every third Gaussian is red", with_thirds(lit_by(point), [](auto& optics) {
               optics.albedo = {0.9, 0.3, 0.2};
             }));
-  Light sun{.intensity = glm::dvec3(2.0), .directional = Directional{-from}};
+  Light sun{.intensity = glm::dvec3(2.0), .kind = light::Directional{-from}};
   add("directional", sun);
-  sun.directional->angular_diameter = 0.53;
+  sun.as<light::Directional>()->angular_diameter = 0.53;
   add("directional, disc of 0.53 degrees", sun);
   Light area{.position = from, .intensity = glm::dvec3(30.0)};
-  area.area = AreaLight{.direction = -from, .width = 1.0, .height = 0.7};
+  area.kind = light::Rectangle{.direction = -from, .width = 1.0, .height = 0.7};
   add("rectangle, 1 by 0.7 u, 3.9 u away", area);
-  area.area->shape = AreaLight::Shape::sphere;
-  area.area->radius = 0.4;
+  area.kind = light::Sphere{0.4};
   add("sphere of radius 0.4 u", area);
   area.position *= 0.5;
   add("sphere of radius 0.4 u, 2 u away", area);

@@ -285,12 +285,12 @@ TEST_F(Gltf, HasLights) {
   expect_near(scene->lights[0].intensity, {1, 0.5, 0});
   expect_near(scene->lights[0].position, {1, 2, 3});
   EXPECT_EQ(scene->lights[0].name, "light 0");
-  const SpotCone& cone = scene->lights[1].spot.value();
+  const light::Spot& cone = std::get<light::Spot>(scene->lights[1].kind);
   expect_near(scene->lights[1].intensity, glm::dvec3(2.0));
   expect_near(cone.direction, {0, -1, 0});
   EXPECT_NEAR(cone.inner_angle, 0.25 * 180.0 / std::numbers::pi, 1e-12);
   EXPECT_NEAR(cone.outer_angle, 0.5 * 180.0 / std::numbers::pi, 1e-12);
-  expect_near(scene->lights[2].directional.value().direction, {0, 0, -1});
+  expect_near(std::get<light::Directional>(scene->lights[2].kind).direction, {0, 0, -1});
 }
 
 TEST_F(Gltf, SpotsMayHaveEqualAngles) {
@@ -302,7 +302,7 @@ TEST_F(Gltf, SpotsMayHaveEqualAngles) {
     builder.json["scenes"][0]["nodes"].push_back(1);
     const auto scene = read(builder);
     ASSERT_EQ(scene->lights.size(), 1u);
-    const SpotCone& cone = scene->lights[0].spot.value();
+    const light::Spot& cone = std::get<light::Spot>(scene->lights[0].kind);
     EXPECT_EQ(cone.inner_angle, cone.outer_angle) << inner;
     EXPECT_EQ(warnings_.empty(), inner == 0.5);
   }

@@ -82,16 +82,16 @@ TEST_F(GltfValues, LightsBeyondTheirRangeAreTheNearestAllowed) {
 TEST_F(GltfValues, SpotsMayHaveOneAngleAsBlenderWritesThem) {
   constexpr double degrees = 180.0 / std::numbers::pi;
   const auto cone = [this](const Json& spot) {
-    return read_light({{"type", "spot"}, {"spot", spot}}).spot.value();
+    return std::get<light::Spot>(read_light({{"type", "spot"}, {"spot", spot}}).kind);
   };
-  const SpotCone sharp = cone({{"innerConeAngle", 0.5}, {"outerConeAngle", 0.5}});
+  const light::Spot sharp = cone({{"innerConeAngle", 0.5}, {"outerConeAngle", 0.5}});
   EXPECT_EQ(sharp.inner_angle, sharp.outer_angle);
   EXPECT_NEAR(sharp.outer_angle, 0.5 * degrees, 1e-12);
   EXPECT_TRUE(warnings_.empty());
-  const SpotCone swapped = cone({{"innerConeAngle", 1.0}, {"outerConeAngle", 0.5}});
+  const light::Spot swapped = cone({{"innerConeAngle", 1.0}, {"outerConeAngle", 0.5}});
   EXPECT_EQ(swapped, sharp);
   EXPECT_EQ(warnings_.size(), 1u);
-  const SpotCone wide = cone({{"outerConeAngle", 2.0}});
+  const light::Spot wide = cone({{"outerConeAngle", 2.0}});
   EXPECT_NEAR(wide.outer_angle, 90.0, 1e-3);
   EXPECT_GT(cone({{"outerConeAngle", 0.0}}).outer_angle, 0.0);
 }

@@ -281,8 +281,8 @@ RawScene small_scene() {
   part.mesh.triangles = {{0, 1, 2}};
   scene.parts = {part};
   scene.cameras = {{"c", Camera{}, {}}};
-  Light spot{.position = {1, 2, 3}, .spot = SpotCone{{0, -1, 0}, 10.0, 20.0}, .name = "s"};
-  Light sun{.directional = Directional{{0, -1, 0}}};
+  Light spot{.position = {1, 2, 3}, .kind = light::Spot{{0, -1, 0}, 10.0, 20.0}, .name = "s"};
+  Light sun{.kind = light::Directional{{0, -1, 0}}};
   scene.lights = {spot, sun};
   scene.files = {"/a/a.obj", "/a/a.mtl"};
   scene.warnings = {"w"};

@@ -6,6 +6,7 @@
 
 #include "core/io/scene/missing_files.h"
 #include "core/io/scene/scene_file.h"
+#include "core/scene/fields/light_fields.h"
 #include "core/scene/lights/photometric_profile.h"
 #include "tests/core/io/input_error.h"
 #include "tests/core/io/temporary_folder.h"
@@ -30,14 +31,15 @@ TEST(LightsInFiles, SayWhetherTheyAreOff) {
 TEST(LightsInFiles, KeepSpotCones) {
   const TemporaryFolder folder;
   Scene scene;
-  scene.lights = {{{1, 2, 3}, {4, 5, 6}, SpotCone{{0, -2, 1}, 12.5, 30}}, {{3, 2, 1}, {1, 1, 1}}};
+  scene.lights = {{{1, 2, 3}, {4, 5, 6}, light::Spot{{0, -2, 1}, 12.5, 30}},
+                  {{3, 2, 1}, {1, 1, 1}}};
   scene.lights[0].keys.outer_angle = {{0.0, 20.0}, {2.0, 40.0}};
   save_document(scene, folder / "a.brume");
   const Scene loaded = load_scene(folder / "a.brume");
   ASSERT_EQ(loaded.lights.size(), 2u);
-  EXPECT_EQ(loaded.lights[0].spot, scene.lights[0].spot);
+  EXPECT_EQ(loaded.lights[0].kind, scene.lights[0].kind);
   EXPECT_EQ(loaded.lights[0].keys, scene.lights[0].keys);
-  EXPECT_FALSE(loaded.lights[1].spot);
+  EXPECT_TRUE(loaded.lights[1].as<light::Point>());
   const std::string text = content_of(folder / "a.brume");
   EXPECT_TRUE(contains(text, R"("type": "spot")"));
   EXPECT_TRUE(contains(text, R"("type": "point")"));
@@ -47,27 +49,28 @@ TEST(LightsInFiles, KeepProfiles) {
   const TemporaryFolder folder;
   folder.write("narrow.ies", "TILT=NONE\n1 -1 1 2 1 1 2 0 0 0\n1 1 60\n0 30\n0\n100 0\n");
   Scene scene;
-  scene.lights = {{{1, 2, 3}, {4, 5, 6}, SpotCone{{0, -2, 1}, 12.5, 30}}, {{3, 2, 1}, {1, 1, 1}}};
+  scene.lights = {{{1, 2, 3}, {4, 5, 6}, light::Spot{{0, -2, 1}, 12.5, 30}},
+                  {{3, 2, 1}, {1, 1, 1}}};
   const auto content = std::make_shared<const PhotometricProfile>(PhotometricProfile::isotropic());
-  scene.lights[0].profile = {folder / "narrow.ies", content, 30.0};
-  scene.lights[1].profile = {folder / "narrow.ies", content, 0.0};
+  *profile_member(scene.lights[0]) = {folder / "narrow.ies", content, 30.0};
+  *profile_member(scene.lights[1]) = {folder / "narrow.ies", content, 0.0};
   scene.lights[1].keys.profile_rotation = {{0.0, 20.0}, {2.0, 400.0}};
   save_document(scene, folder / "a.brume");
   EXPECT_TRUE(contains(content_of(folder / "a.brume"), R"("profile": "narrow.ies")"));
   const Scene loaded = load_scene(folder / "a.brume");
   ASSERT_EQ(loaded.lights.size(), 2u);
-  EXPECT_TRUE(loaded.lights[0].spot);
-  EXPECT_EQ(loaded.lights[0].profile.rotation, 30.0);
-  EXPECT_EQ(loaded.lights[0].profile.file, folder / "narrow.ies");
-  EXPECT_LT(loaded.lights[0].profile.content->solid_angle(), 1.0);
-  EXPECT_EQ(loaded.lights[1].profile.content, loaded.lights[0].profile.content);
+  EXPECT_TRUE(loaded.lights[0].as<light::Spot>());
+  EXPECT_EQ(profile_member(loaded.lights[0])->rotation, 30.0);
+  EXPECT_EQ(profile_member(loaded.lights[0])->file, folder / "narrow.ies");
+  EXPECT_LT(profile_member(loaded.lights[0])->content->solid_angle(), 1.0);
+  EXPECT_EQ(profile_member(loaded.lights[1])->content, profile_member(loaded.lights[0])->content);
   EXPECT_EQ(loaded.lights[1].keys, scene.lights[1].keys);
   // Where it is missing, the light shines in all directions, and keeps its name.
   std::filesystem::remove(folder / "narrow.ies");
   MissingFiles missing;
   const Scene without = load_document(folder / "a.brume", nullptr, missing).scene;
   EXPECT_EQ(missing.missing.size(), 1u);
-  EXPECT_EQ(without.lights[0].profile.content->at({1, 0, 0}), 1.0);
+  EXPECT_EQ(profile_member(without.lights[0])->content->at({1, 0, 0}), 1.0);
   save_document(without, folder / "b.brume");
   EXPECT_TRUE(contains(content_of(folder / "b.brume"), R"("profile": "narrow.ies")"));
   EXPECT_TRUE(contains(error_of([&] { load_scene(folder / "a.brume"); }), "lights[0].profile"));
@@ -77,12 +80,12 @@ TEST(LightsInFiles, KeepProfiles) {
 TEST(LightsInFiles, LoadWithKeyedConesAtAnyMoment) {
   const TemporaryFolder folder;
   Scene scene;
-  scene.lights = {{{1, 2, 3}, {4, 5, 6}, SpotCone{{0, 0, 0}, 30, 20}}};
+  scene.lights = {{{1, 2, 3}, {4, 5, 6}, light::Spot{{0, 0, 0}, 30, 20}}};
   LightKeys& keys = scene.lights[0].keys;
   keys.outer_angle = {{0.0, 20.0}, {2.0, 40.0}};
   keys.direction = {{0.0, {0, 1, 0}}, {1.0, {0, -1, 0}}};
   save_document(scene, folder / "a.brume");
-  EXPECT_EQ(load_scene(folder / "a.brume").lights[0].spot, scene.lights[0].spot);
+  EXPECT_EQ(load_scene(folder / "a.brume").lights[0].kind, scene.lights[0].kind);
   keys.direction = {};
   save_document(scene, folder / "a.brume");
   EXPECT_THROW(load_scene(folder / "a.brume"), InputError);
@@ -91,7 +94,7 @@ TEST(LightsInFiles, LoadWithKeyedConesAtAnyMoment) {
 TEST(LightsInFiles, KeepDirections) {
   const TemporaryFolder folder;
   Scene scene;
-  scene.lights = {{.intensity = {4, 5, 6}, .directional = Directional{{1, -2, 0}, 0.53}}};
+  scene.lights = {{.intensity = {4, 5, 6}, .kind = light::Directional{{1, -2, 0}, 0.53}}};
   LightKeys& keys = scene.lights[0].keys;
   keys.intensity = {{0.0, {1, 2, 3}}};
   keys.direction = {{0.0, {0, 1, 0}}};
@@ -99,7 +102,7 @@ TEST(LightsInFiles, KeepDirections) {
   save_document(scene, folder / "a.brume");
   const Scene loaded = load_scene(folder / "a.brume");
   ASSERT_EQ(loaded.lights.size(), 1u);
-  EXPECT_EQ(loaded.lights[0].directional, scene.lights[0].directional);
+  EXPECT_EQ(loaded.lights[0].kind, scene.lights[0].kind);
   EXPECT_EQ(loaded.lights[0].intensity, scene.lights[0].intensity);
   EXPECT_EQ(loaded.lights[0].keys, keys);
   const std::string text = content_of(folder / "a.brume");
@@ -109,37 +112,32 @@ TEST(LightsInFiles, KeepDirections) {
 }
 
 TEST(LightsInFiles, KeepAreas) {
-  using Shape = AreaLight::Shape;
   const TemporaryFolder folder;
   Scene scene;
-  for (const Shape shape : {Shape::rectangle, Shape::disk, Shape::sphere}) {
-    Light light{.position = {1, 2, 3}, .intensity = {4, 5, 6}};
-    light.area.emplace().shape = shape;
-    light.area->two_sided = shape != Shape::disk;
+  scene.lights.resize(3);
+  for (Light& light : scene.lights) {
+    light.position = {1, 2, 3};
+    light.intensity = {4, 5, 6};
     light.keys.position = {{0.0, {1, 1, 1}}};
     light.keys.intensity = {{0.0, {1, 2, 3}}};
-    if (shape != Shape::sphere) {
-      light.area->direction = {1, -2, 0};
-      light.keys.direction = {{0.0, {0, 1, 0}}};
-    }
-    if (shape == Shape::rectangle) {
-      light.area->up = {0, 1, 1};
-      light.area->width = 0.5;
-      light.area->height = 2.0;
-      light.keys.up = {{0.0, {0, 0, 1}}};
-      light.keys.width = {{0.0, 1.0}, {1.0, 2.0}};
-      light.keys.height = {{0.0, 3.0}};
-    } else {
-      light.area->radius = 0.25;
-      light.keys.radius = {{0.0, 1.0}, {2.0, 1e-3}};
-    }
-    scene.lights.push_back(light);
   }
+  Light& rectangle = scene.lights[0];
+  rectangle.kind = light::Rectangle{{1, -2, 0}, {0, 1, 1}, 0.5, 2.0, true};
+  rectangle.keys.direction = {{0.0, {0, 1, 0}}};
+  rectangle.keys.up = {{0.0, {0, 0, 1}}};
+  rectangle.keys.width = {{0.0, 1.0}, {1.0, 2.0}};
+  rectangle.keys.height = {{0.0, 3.0}};
+  Light& disk = scene.lights[1];
+  disk.kind = light::Disk{{1, -2, 0}, 0.25};
+  disk.keys.direction = {{0.0, {0, 1, 0}}};
+  Light& sphere = scene.lights[2];
+  sphere.kind = light::Sphere{0.25, true};
+  disk.keys.radius = sphere.keys.radius = {{0.0, 1.0}, {2.0, 1e-3}};
   save_document(scene, folder / "a.brume");
   const Scene loaded = load_scene(folder / "a.brume");
   ASSERT_EQ(loaded.lights.size(), 3u);
   for (std::size_t k = 0; k < 3; ++k) {
-    EXPECT_EQ(loaded.lights[k].area, scene.lights[k].area);
+    EXPECT_EQ(loaded.lights[k].kind, scene.lights[k].kind);
     EXPECT_EQ(loaded.lights[k].position, scene.lights[k].position);
     EXPECT_EQ(loaded.lights[k].intensity, scene.lights[k].intensity);
     EXPECT_EQ(loaded.lights[k].keys, scene.lights[k].keys);
@@ -156,9 +154,9 @@ TEST(LightsInFiles, HaveTheDocumentedCones) {
   folder.write("a.brume", R"({"format": "brume-scene", "version": 1,
       "lights": [{"type": "spot", "position": [0, 1, 0], "direction": [0, -1, 0]}]})");
   const Scene scene = load_scene(folder / "a.brume");
-  ASSERT_TRUE(scene.lights.at(0).spot);
-  EXPECT_EQ(scene.lights[0].spot->inner_angle, 0.0);
-  EXPECT_EQ(scene.lights[0].spot->outer_angle, 45.0);
+  ASSERT_TRUE(scene.lights.at(0).as<light::Spot>());
+  EXPECT_EQ(scene.lights[0].as<light::Spot>()->inner_angle, 0.0);
+  EXPECT_EQ(scene.lights[0].as<light::Spot>()->outer_angle, 45.0);
 }
 
 }  // namespace

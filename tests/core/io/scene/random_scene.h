@@ -56,12 +56,12 @@ class RandomScene {
       scene.lights.back().locked = maybe();
       if (maybe()) scene.lights.back().name = "key";
       if (maybe()) {
-        scene.lights.back().spot = SpotCone{point() + 1.0, number(0, 40), number(41, 180)};
+        scene.lights.back().kind = light::Spot{point() + 1.0, number(0, 40), number(41, 180)};
       } else if (maybe()) {
         scene.lights.back().position = {};
-        scene.lights.back().directional = Directional{point() + 1.0, number(0, 89)};
+        scene.lights.back().kind = light::Directional{point() + 1.0, number(0, 89)};
       } else if (maybe()) {
-        scene.lights.back().area = area_light();
+        scene.lights.back().kind = area_light();
       }
     }
     if (maybe())
@@ -119,12 +119,13 @@ class RandomScene {
     }
     for (Light& light : scene.lights) {
       keys(light.keys.intensity, 1e9);
-      if (!light.directional) keys(light.keys.position, 1e6);
-      if (light.directional) keys(light.keys.angular_diameter, 80.0);
-      if (light.spot || light.directional) keys(light.keys.direction, 1e6);
-      if (light.area && light.area->shape == AreaLight::Shape::sphere) keys(light.keys.radius, 9.0);
-      if (!light.spot) continue;
-      keys(light.keys.outer_angle, 180.0);
+      const bool is_sun = light.as<light::Directional>();
+      const bool is_spot = light.as<light::Spot>();
+      keys(is_sun ? light.keys.direction : light.keys.position, 1e6);
+      if (is_sun) keys(light.keys.angular_diameter, 80.0);
+      if (is_spot) keys(light.keys.direction, 1e6);
+      if (light.as<light::Sphere>()) keys(light.keys.radius, 9.0);
+      if (is_spot) keys(light.keys.outer_angle, 180.0);
     }
     if (scene.environment) keys(scene.environment->keys.rotation, 720.0);
     if (maybe()) scene.playback = Playback{integer(0, 9), integer(9, 99), maybe()};
@@ -152,19 +153,16 @@ class RandomScene {
   int integer(int min_value, int max_value) {
     return std::uniform_int_distribution<int>(min_value, max_value)(random_);
   }
-  AreaLight area_light() {
-    AreaLight area;
-    area.shape = static_cast<AreaLight::Shape>(integer(0, 2));
-    if (area.shape != AreaLight::Shape::sphere) area.direction = point() + 1.0;
-    if (area.shape == AreaLight::Shape::rectangle) {
-      area.up = point();
-      area.width = number(1e-6, 9);
-      area.height = number(1e-6, 1e6);
-    } else {
-      area.radius = number(1e-6, 1e6);
+  Light::Kind area_light() {
+    switch (integer(0, 2)) {
+      case 0:
+        return light::Rectangle{point() + 1.0, point(), number(1e-6, 9), number(1e-6, 1e6),
+                                maybe()};
+      case 1:
+        return light::Disk{point() + 1.0, number(1e-6, 1e6), maybe()};
+      default:
+        return light::Sphere{number(1e-6, 1e6), maybe()};
     }
-    area.two_sided = maybe();
-    return area;
   }
   bool maybe() { return integer(0, 1) == 0; }
   glm::dvec3 point() { return {number(-1e6, 1e6), number(-1, 1), number(-1e-6, 1e-6)}; }

@@ -147,15 +147,13 @@ TEST_F(UsdFile, PointLightsKeepTheirIntensity) {
 }
 
 TEST_F(UsdFile, OtherLightsKeepShapeAndDirection) {
-  Light spot{{0.0, 3.0, 0.0}, {2.0, 2.0, 2.0}, SpotCone{{0.0, -1.0, 0.0}, 10.0, 40.0}};
+  Light spot{{0.0, 3.0, 0.0}, {2.0, 2.0, 2.0}, light::Spot{{0.0, -1.0, 0.0}, 10.0, 40.0}};
   spot.name = "Lamp";
   Light sun;
-  sun.directional = Directional{{1.0, 0.0, 0.0}, 0.5};
+  sun.kind = light::Directional{{1.0, 0.0, 0.0}, 0.5};
   sun.intensity = {3.0, 3.0, 3.0};
   Light panel;
-  panel.area = AreaLight{};
-  panel.area->width = 2.0;
-  panel.area->two_sided = true;
+  panel.kind = light::Rectangle{.width = 2.0, .two_sided = true};
   panel.on = false;
   scene_.lights = {spot, sun, panel};
   const std::string text = stage();

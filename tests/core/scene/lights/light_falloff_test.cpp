@@ -15,7 +15,7 @@ glm::dvec3 at_angle(double degrees) {
 }
 
 TEST(LightFalloff, FollowsTheFormulaOfGltf) {
-  const LightFalloff spot(SpotCone{{0.0, -7.0, 0.0}, 10.0, 30.0});
+  const LightFalloff spot(light::Spot{{0.0, -7.0, 0.0}, 10.0, 30.0});
   const double dark = std::cos(glm::radians(30.0));
   const double full = std::cos(glm::radians(10.0));
   for (const double angle : {0.0, 5.0, 9.9}) EXPECT_EQ(spot.at(at_angle(angle)), 1.0) << angle;
@@ -34,7 +34,7 @@ double cosine_difference(double a, double b) {
 TEST(LightFalloff, IsFullOnTheAxisOfNarrowCones) {
   for (const auto& [inner, outer] :
        {std::pair{2.9, 3.0}, {1.5, 1.9}, {0.5, 1.0}, {0.4, 0.5}, {0.02, 0.05}, {0.005, 0.006}}) {
-    const LightFalloff spot(SpotCone{{0.0, -1.0, 0.0}, inner, outer});
+    const LightFalloff spot(light::Spot{{0.0, -1.0, 0.0}, inner, outer});
     EXPECT_EQ(spot.at(at_angle(0.0)), 1.0) << outer;
     EXPECT_EQ(spot.at(at_angle(0.99 * inner)), 1.0) << outer;
     const double middle = 0.5 * (inner + outer);
@@ -46,7 +46,7 @@ TEST(LightFalloff, IsFullOnTheAxisOfNarrowCones) {
 
 TEST(LightFalloff, HasAHardEdgeWhereItsAnglesAreEqual) {
   for (const double angle : {0.2, 1.0, 45.0, 90.0, 170.0}) {
-    const LightFalloff spot(SpotCone{{0.0, -1.0, 0.0}, angle, angle});
+    const LightFalloff spot(light::Spot{{0.0, -1.0, 0.0}, angle, angle});
     EXPECT_EQ(spot.at(at_angle(0.999 * angle)), 1.0) << angle;
     EXPECT_EQ(spot.at(at_angle(1.001 * angle)), 0.0) << angle;
   }
@@ -57,16 +57,16 @@ TEST(LightFalloff, IsOneWithoutCone) {
   EXPECT_TRUE(none.is_isotropic());
   EXPECT_EQ(none.at({0.6, 0.8, 0.0}), 1.0);
   // Full up to where the cone closes behind the light.
-  const LightFalloff all(SpotCone{{1e-200, 0.0, 0.0}, 179.0, 180.0});
+  const LightFalloff all(light::Spot{{1e-200, 0.0, 0.0}, 179.0, 180.0});
   EXPECT_FALSE(all.is_isotropic());
   for (const double angle : {0.0, 60.0, 120.0}) EXPECT_EQ(all.at(at_angle(angle)), 1.0) << angle;
 }
 
 // What keyframes may pass through is a light all the same.
 TEST(LightFalloff, SurvivesNoDirectionAndClosedCones) {
-  EXPECT_EQ(LightFalloff(SpotCone{glm::dvec3(0.0), 10.0, 20.0}).at({0.0, -1.0, 0.0}), 1.0);
-  EXPECT_EQ(LightFalloff(SpotCone{{0.0, -1e308, 1e308}, 0.0, 1e-9}).at({1.0, 0.0, 0.0}), 0.0);
-  EXPECT_EQ(LightFalloff(SpotCone{{0.0, -1.0, 0.0}, 50.0, 20.0}).at(at_angle(10.0)), 1.0);
+  EXPECT_EQ(LightFalloff(light::Spot{glm::dvec3(0.0), 10.0, 20.0}).at({0.0, -1.0, 0.0}), 1.0);
+  EXPECT_EQ(LightFalloff(light::Spot{{0.0, -1e308, 1e308}, 0.0, 1e-9}).at({1.0, 0.0, 0.0}), 0.0);
+  EXPECT_EQ(LightFalloff(light::Spot{{0.0, -1.0, 0.0}, 50.0, 20.0}).at(at_angle(10.0)), 1.0);
 }
 
 // Between neighbouring edges the falloff along a line is 0, 1, or on the slope.
@@ -77,7 +77,7 @@ TEST(LightFalloff, EdgesPartALine) {
   int crossed = 0;
   for (int i = 0; i < 500; ++i) {
     const double outer = 90.0 * (uniform(random) + 1.0);
-    const LightFalloff spot(SpotCone{vector(), 0.6 * outer, outer});
+    const LightFalloff spot(light::Spot{vector(), 0.6 * outer, outer});
     const glm::dvec3 light = vector();
     const glm::dvec3 origin = vector();
     const glm::dvec3 w = glm::normalize(vector());

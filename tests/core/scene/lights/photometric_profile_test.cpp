@@ -97,23 +97,19 @@ TEST(PhotometricProfile, OneAngleIsARing) {
   EXPECT_EQ(ring.solid_angle(), 0.0);
 }
 
-Light with_profile(double rotation, const std::optional<SpotCone>& cone = std::nullopt) {
-  Light light;
-  light.spot = cone;
-  light.profile = {"a.ies", std::make_shared<const PhotometricProfile>(sampled(lobes)), rotation};
-  return light;
+LightProfile lobed(double rotation) {
+  return {"a.ies", std::make_shared<const PhotometricProfile>(sampled(lobes)), rotation};
 }
 
 // Hanging, azimuths count counterclockwise as seen from above, from +x on.
 TEST(PhotometricProfile, HangsDown) {
-  const Light light = with_profile(0.0);
-  const LightFalloff falloff = LightFalloff::of_profile(light.profile, light.spot);
-  const Light turned = with_profile(30.0);
-  const LightFalloff turned_falloff = LightFalloff::of_profile(turned.profile, turned.spot);
+  const light::Point hanging{lobed(0.0)};
+  const LightFalloff falloff(hanging);
+  const LightFalloff turned_falloff(light::Point{lobed(30.0)});
   const double turn = glm::radians(30.0);
   for (const double polar : {0.2, 0.9, 2.0}) {
     for (const double azimuth : {0.0, 0.7, 2.5, 5.0}) {
-      const double value = light.profile.content->at(direction(polar, azimuth));
+      const double value = hanging.profile.content->at(direction(polar, azimuth));
       const auto in_world = [&](double a) {
         return glm::dvec3(std::sin(polar) * std::cos(a), -std::cos(polar),
                           -std::sin(polar) * std::sin(a));
@@ -126,33 +122,31 @@ TEST(PhotometricProfile, HangsDown) {
 
 // A spot turns it the shortest way, and cuts off what is outside its cone.
 TEST(PhotometricProfile, TurnsWithASpot) {
-  const SpotCone sideways{{0.0, 0.0, 2.0}, 179.0, 180.0};
-  const Light light = with_profile(0.0, sideways);
-  const LightFalloff falloff = LightFalloff::of_profile(light.profile, light.spot);
-  const double value = light.profile.content->at(direction(0.6, 0.4));
+  const light::Spot sideways{{0.0, 0.0, 2.0}, 179.0, 180.0, lobed(0.0)};
+  const LightFalloff falloff(sideways);
+  const PhotometricProfile& profile = *sideways.profile.content;
+  const double value = profile.at(direction(0.6, 0.4));
   // About x: down to +z, so what pointed to -z points down.
   const glm::dvec3 w(std::sin(0.6) * std::cos(0.4), -std::sin(0.6) * std::sin(0.4), std::cos(0.6));
   EXPECT_NEAR(falloff.at(w), value, 1e-9);
   for (const glm::dvec3& up : {glm::dvec3(0.0, 1.0, 0.0), glm::dvec3(1e-9, 1.0, 0.0)}) {
-    const Light raised = with_profile(0.0, SpotCone{up, 10.0, 20.0});
-    const LightFalloff inverted = LightFalloff::of_profile(raised.profile, raised.spot);
-    EXPECT_NEAR(inverted.at(glm::normalize(up)), light.profile.content->at({0.0, 0.0, 1.0}), 1e-9);
+    const LightFalloff inverted(light::Spot{up, 10.0, 20.0, lobed(0.0)});
+    EXPECT_NEAR(inverted.at(glm::normalize(up)), profile.at({0.0, 0.0, 1.0}), 1e-9);
     EXPECT_EQ(inverted.at({1.0, 0.0, 0.0}), 0.0);
   }
 }
 
 TEST(PhotometricProfile, FluxIsThatOfTheClosedForm) {
-  Light light;
-  light.profile.content = std::make_shared<const PhotometricProfile>(sampled(cosine));
+  LightProfile profile;
+  profile.content = std::make_shared<const PhotometricProfile>(sampled(cosine));
+  Light light{.kind = light::Point{profile}};
   const double flux = lumens_per_watt * std::numbers::pi;
   EXPECT_NEAR(*luminous_flux(light), flux, 2e-4 * flux);
-  light.spot = SpotCone{{1.0, 0.0, 0.0}, 59.9999, 60.0};
+  light.kind = light::Spot{{1.0, 0.0, 0.0}, 59.9999, 60.0, profile};
   EXPECT_NEAR(*luminous_flux(light), 0.75 * flux, 2e-3 * flux);  // sin^2 of 60 degrees
-  light.profile.content =
-      std::make_shared<const PhotometricProfile>(PhotometricProfile::isotropic());
-  light.spot = SpotCone{{1.0, 0.0, 0.0}, 20.0, 50.0};
-  Light plain = light;
-  plain.profile = {};
+  profile.content = std::make_shared<const PhotometricProfile>(PhotometricProfile::isotropic());
+  light.kind = light::Spot{{1.0, 0.0, 0.0}, 20.0, 50.0, profile};
+  const Light plain{.kind = light::Spot{{1.0, 0.0, 0.0}, 20.0, 50.0}};
   EXPECT_NEAR(*luminous_flux(light), *luminous_flux(plain), 1e-4 * *luminous_flux(plain));
 }
 

@@ -69,7 +69,7 @@ TEST(Photometry, ALightOfAllDirectionsIsFourPiCandela) {
   EXPECT_NEAR(*luminous_flux(light), 4.0 * std::numbers::pi, 1e-9);
   light.intensity = glm::dvec3(0.0, 1.0, 0.0);
   EXPECT_NEAR(photometric_strength(light), 0.7152 * lumens_per_watt, 1e-9);
-  light.directional.emplace();
+  light.kind = light::Directional();
   EXPECT_FALSE(luminous_flux(light));
 }
 
@@ -78,8 +78,8 @@ TEST(Photometry, TheFluxOfASpotIsTheIntegralOfItsFalloff) {
        {std::pair{0.0, 45.0}, {10.0, 12.0}, {60.0, 130.0}, {179.0, 180.0}, {0.0, 0.5}}) {
     Light light;
     light.intensity = glm::dvec3(1.0);
-    light.spot = SpotCone{{0.0, 0.0, 1.0}, inner, outer};
-    const LightFalloff falloff(*light.spot);
+    light.kind = light::Spot{{0.0, 0.0, 1.0}, inner, outer};
+    const LightFalloff falloff(*light.as<light::Spot>());
     constexpr int steps = 2'000'000;
     double sum = 0.0;
     for (int i = 0; i < steps; ++i) {
@@ -99,10 +99,10 @@ TEST(Photometry, TheFluxOfANarrowSpotIsThatOfItsCone) {
     light.intensity = glm::dvec3(1.0);
     const double sine = std::sin(glm::radians(0.5 * outer));
     const double solid_angle = 4.0 * std::numbers::pi * sine * sine;
-    light.spot = SpotCone{{0.0, 0.0, 1.0}, outer, outer};
+    light.kind = light::Spot{{0.0, 0.0, 1.0}, outer, outer};
     EXPECT_NEAR(*luminous_flux(light), lumens_per_watt * solid_angle,
                 0.01 * lumens_per_watt * solid_angle);
-    light.spot->inner_angle = 0.0;
+    light.as<light::Spot>()->inner_angle = 0.0;
     EXPECT_NEAR(*luminous_flux(light), lumens_per_watt * solid_angle / 3.0,
                 1e-6 * lumens_per_watt * solid_angle);
   }
