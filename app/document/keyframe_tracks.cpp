@@ -44,6 +44,10 @@ QString track_title(const QString& object, const FieldInfo& info) {
   return object.isEmpty() ? label : object + ' ' + label.toLower();
 }
 
+QString emitter_text(std::size_t index) {
+  return track_text("Emitter %1").arg(index + 1);
+}
+
 QString light_text(std::size_t index) {
   return track_text("Light %1").arg(index + 1);
 }
@@ -144,8 +148,7 @@ std::vector<Track> tracks(const Scene& scene) {
   value = 0;
   for (std::size_t k = 0; k < scene.emitters.size(); ++k) {
     const Emitter& emitter = scene.emitters[k];
-    add_tracks(rows, track_text("Emitter %1").arg(k + 1), index_of<Emitters>(), value, emitter,
-               emitter.keys);
+    add_tracks(rows, emitter_text(k), index_of<Emitters>(), value, emitter, emitter.keys);
   }
   return rows;
 }
@@ -167,6 +170,29 @@ Track light_track(const Scene& scene, std::size_t index, std::string_view name) 
   for (std::size_t k = 0; k <= index; ++k) {
     const Light& light = scene.lights[k];
     find_value(track, k == index ? name : std::string_view(), light, light.keys);
+  }
+  return track;
+}
+
+Track optics_track(const Scene& scene, std::string_view name) {
+  Track track{{}, index_of<MediumOptics>(), 0, 1};
+  find_value(track, name, scene.optics, scene.optics.keys);
+  return track;
+}
+
+// The values of noise follow those of the optics.
+Track noise_track(const Scene& scene, std::string_view name) {
+  Track track{track_text("Noise"), index_of<MediumOptics>(), 0, 1};
+  find_value(track, {}, scene.optics, scene.optics.keys);
+  find_value(track, name, scene.optics.noise, scene.optics.noise.keys);
+  return track;
+}
+
+Track emitter_track(const Scene& scene, std::size_t index, std::string_view name) {
+  Track track{emitter_text(index), index_of<Emitters>(), 0, 1};
+  for (std::size_t k = 0; k <= index; ++k) {
+    const Emitter& emitter = scene.emitters[k];
+    find_value(track, k == index ? name : std::string_view(), emitter, emitter.keys);
   }
   return track;
 }

@@ -24,11 +24,14 @@ struct Track {
 // All tracks; and those with keyframes.
 std::vector<Track> tracks(const Scene& scene);
 std::vector<Track> tracks_with_keys(const Scene& scene);
-// The track of one value, by its name in files, of the camera in use, a light, the environment, a
-// group.
+// The track of one value, by its name in files: of the camera in use, a light, the environment, the
+// medium, an emitter, a group.
 Track camera_track(const Scene& scene, std::string_view name);
 Track light_track(const Scene& scene, std::size_t index, std::string_view name);
 Track environment_track(const Scene& scene, std::string_view name);
+Track optics_track(const Scene& scene, std::string_view name);
+Track noise_track(const Scene& scene, std::string_view name);
+Track emitter_track(const Scene& scene, std::size_t index, std::string_view name);
 Track group_track(const Scene& scene, GroupId group, std::string_view name);
 
 // Who chooses the slopes of a smooth curve at a key: nobody, the user one for both sides, or one

@@ -1,23 +1,18 @@
 #include "app/panels/forms/emitter_panel.h"
 
 #include <QFormLayout>
+#include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
-#include <cmath>
+#include <string_view>
 
 #include "app/commands/edit_emitters.h"
 #include "app/document/document.h"
 #include "app/widgets/emission_editor.h"
 #include "app/widgets/optics_editor.h"
-#include "core/number_domain.h"
+#include "core/scene/fields/emitter_fields.h"
 
 namespace brume {
-namespace {
-
-constexpr NumberDomain seed_domain{-9e15, 9e15, "an integer"};
-
-}  // namespace
-
 EmitterPanel::EmitterPanel(Document& document, QWidget* parent)
     : SceneForm(document, parent), list_(new QListWidget(this)) {
   auto* form = new QFormLayout(this);
@@ -58,71 +53,32 @@ void EmitterPanel::add_list(QFormLayout& form) {
 }
 
 void EmitterPanel::add_fields(QFormLayout& form) {
-  using Scale = ValueField::Scale;
-  // `read` answers a reference to the number in an emitter.
-  const auto number = [&](const QString& title, const char* name, const NumberDomain& domain,
-                          Scale scale, double step, auto read, const QString& verb) {
-    add_number(form, title,
-               {name, domain, scale, step,
-                [this, read]() -> std::optional<double> {
-                  if (!emitter()) return std::nullopt;
-                  Emitter copy = *emitter();
-                  return static_cast<double>(read(copy));
-                },
-                [this, read, verb](double value, MergeId gesture) {
-                  change_emitter(
-                      document_, document_.active_emitter(), verb, gesture, [&](Emitter& e) {
-                        auto& target = read(e);
-                        target = static_cast<std::remove_reference_t<decltype(target)>>(value);
-                      });
-                }});
-  };
-  const auto vector = [&](const QString& title, const char* name, glm::dvec3 Emitter::*member,
-                          const QString& verb) {
-    add_vector(form, title,
-               {name, domain::coordinate, 0.01,
-                [this, member]() -> std::optional<glm::dvec3> {
-                  return emitter() ? std::optional(emitter()->*member) : std::nullopt;
-                },
-                [this, member, verb](const glm::dvec3& value, MergeId gesture) {
-                  change_emitter(document_, document_.active_emitter(), verb, gesture,
-                                 [&](Emitter& e) { e.*member = value; });
-                }});
-  };
-  vector(tr("Position"), "emitter_position", &Emitter::position, tr("Move %1"));
-  number(
-      tr("Rate, 1/s"), "emitter_rate", domain::not_negative, Scale::logarithmic, 0.01,
-      [](Emitter& e) -> double& { return e.rate; }, tr("Set rate of %1"));
-  number(
-      tr("Lifetime, s"), "emitter_lifetime", domain::not_negative, Scale::logarithmic, 0.01,
-      [](Emitter& e) -> double& { return e.lifetime; }, tr("Set lifetime of %1"));
-  vector(tr("Velocity, u/s"), "emitter_velocity", &Emitter::velocity, tr("Set velocity of %1"));
-  number(
-      tr("Spread, u/s"), "emitter_spread", domain::not_negative, Scale::logarithmic, 0.01,
-      [](Emitter& e) -> double& { return e.spread; }, tr("Set spread of %1"));
-  vector(tr("Acceleration"), "emitter_acceleration", &Emitter::acceleration,
-         tr("Set acceleration of %1"));
-  number(
-      tr("Radius at birth"), "emitter_radius_birth", domain::length, Scale::logarithmic, 0.01,
-      [](Emitter& e) -> double& { return e.radius.x; }, tr("Set radius of %1"));
-  number(
-      tr("at death"), "emitter_radius_death", domain::length, Scale::logarithmic, 0.01,
-      [](Emitter& e) -> double& { return e.radius.y; }, tr("Set radius of %1"));
-  number(
-      tr("Density at birth"), "emitter_density_birth", domain::density, Scale::logarithmic, 0.01,
-      [](Emitter& e) -> double& { return e.density.x; }, tr("Set density of %1"));
-  number(
-      tr("at death"), "emitter_density_death", domain::density, Scale::logarithmic, 0.01,
-      [](Emitter& e) -> double& { return e.density.y; }, tr("Set density of %1"));
-  add_optics(form);
-  number(
-      tr("Seed"), "emitter_seed", seed_domain, Scale::linear, 1.0,
-      [](Emitter& e) -> std::int64_t& { return e.seed; }, tr("Set seed of %1"));
+  const Fields<Emitter> values{
+      .prefix = "emitter_",
+      .get = [this] { return emitter(); },
+      .set =
+          [this](const Emitter& changed, const FieldInfo& info, MergeId gesture) {
+            change_emitter(document_, document_.active_emitter(),
+                           tr("Set %1 of %2").arg(field_label(info).toLower(), "%1"), gesture,
+                           [&changed](Emitter& e) { e = changed; });
+          },
+      .track =
+          [this](const Scene& scene, const FieldInfo& info) {
+            return emitter_track(scene, document_.active_emitter(), info.name);
+          }};
+  visit_fields<Emitter>([&]<class F>(const F& field) {
+    const std::string_view name = field.info.name;
+    if (name == "albedo") add_optics(form);
+    // Colors have editors of their own; what hides and locks it is in the outliner.
+    const bool is_color = name == "albedo" || name.starts_with("emission");
+    if constexpr (!may_be_absent<typename F::Value>) {
+      if (!is_color && !std::is_same_v<typename F::Value, bool>) add_field(form, field, values);
+    }
+  });
 }
 
 void EmitterPanel::add_optics(QFormLayout& form) {
   auto* optics = new OpticsEditor(form, tr("Emission at birth"), "emitter", this);
-  show_length_units(*this, {"emitter_position", "emitter_radius_birth", "emitter_radius_death"});
   auto* at_death = new EmissionEditor(tr("at death"), "emitter_death", this);
   form.addRow(at_death->title(), at_death);
   connect(optics, &OpticsEditor::edited, this,

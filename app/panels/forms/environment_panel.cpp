@@ -26,21 +26,21 @@ EnvironmentPanel::EnvironmentPanel(Document& document, QWidget* parent)
   auto* form = new QFormLayout(this);
   form->setContentsMargins(0, 0, 0, 0);
   add_file(*form);
-  const Fields<Environment> values{
-      .prefix = "environment_",
-      .get =
-          [this] {
-            const auto& environment = document_.scene().environment;
-            return environment ? &*environment : nullptr;
-          },
-      .set =
-          [this](const Environment& environment, const FieldInfo& info, MergeId gesture) {
-            set_scene_part(document_, std::optional(environment),
-                           tr("Set %1 of environment").arg(field_label(info).toLower()), gesture);
-          },
-      .track = [](const Scene& scene,
-                  const FieldInfo& info) { return environment_track(scene, info.name); }};
-  visit_fields<Environment>([&](const auto& field) { add_field(*form, field, values); });
+  add_fields<Environment>(
+      *form, {.prefix = "environment_",
+              .get =
+                  [this] {
+                    const auto& environment = document_.scene().environment;
+                    return environment ? &*environment : nullptr;
+                  },
+              .set =
+                  [this](const Environment& environment, const FieldInfo& info, MergeId gesture) {
+                    set_scene_part(document_, std::optional(environment),
+                                   tr("Set %1 of environment").arg(field_label(info).toLower()),
+                                   gesture);
+                  },
+              .track = [](const Scene& scene,
+                          const FieldInfo& info) { return environment_track(scene, info.name); }});
   on_change(document_, Change::scene, &reading_, &BackgroundJob::cancel);
   connect(&reading_, &BackgroundJob::failed, this, [this](const QString& problem) {
     show_picture();

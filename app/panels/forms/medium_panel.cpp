@@ -2,21 +2,21 @@
 
 #include <QComboBox>
 #include <QFormLayout>
+#include <QLabel>
 #include <QMenu>
 #include <QPushButton>
 #include <QSettings>
 #include <array>
-#include <cmath>
 
 #include "app/commands/edit_medium.h"
 #include "app/commands/scene_part_command.h"
 #include "app/document/document.h"
 #include "core/number_domain.h"
+#include "core/scene/fields/medium_fields.h"
 
 namespace brume {
 namespace {
 
-constexpr NumberDomain seed_domain{-9e15, 9e15, "an integer"};
 constexpr const char* scattering_key = "view/scattering";
 
 // Materials of fog, in visible light. Drops of natural fog scatter more sharply forward,
@@ -47,65 +47,40 @@ constexpr std::array medium_presets{
 
 MediumPanel::MediumPanel(Document& document, Scattering scattering, QWidget* parent)
     : SceneForm(document, parent), scattering_(new QComboBox(this)) {
-  using Scale = ValueField::Scale;
   on_change(document_, Change::medium, this, &MediumPanel::refresh);
   auto* form = new QFormLayout(this);
   form->setContentsMargins(6, 6, 6, 6);
-  const auto change = [this](const QString& text, MergeId gesture, auto how) {
-    change_optics(text, gesture, how);
-  };
-  const auto optics = [this]() -> const MediumOptics& { return document_.scene().optics; };
-
   add_number(*form, tr("Homogeneous density, 1/u"),
-             {"homogeneous_density", domain::density, Scale::logarithmic, 0.01,
+             {"homogeneous_density", domain::density, ValueField::Scale::logarithmic, 0.01,
               [this] { return std::optional(document_.medium().homogeneous_density()); },
               [this](double value, MergeId gesture) {
                 set_homogeneous_density(document_, value, gesture);
               }});
   form->addRow(tr("Preset"), new_presets());
-  add_vector(*form, tr("Albedo"),
-             {"albedo", domain::albedo, 0.005, [optics] { return std::optional(optics().albedo); },
-              [change](const glm::dvec3& value, MergeId gesture) {
-                change(tr("Set albedo"), gesture, [&](MediumOptics& o) { o.albedo = value; });
-              },
-              "RGB"});
-  add_number(*form, tr("Anisotropy g"),
-             {"anisotropy", domain::anisotropy, Scale::linear, 0.005,
-              [optics] { return std::optional(optics().anisotropy); },
-              [change](double value, MergeId gesture) {
-                change(tr("Set anisotropy"), gesture,
-                       [&](MediumOptics& o) { o.anisotropy = value; });
-              }});
+  const auto optics = [this]() -> const MediumOptics& { return document_.scene().optics; };
+  add_fields<MediumOptics>(
+      *form, {.prefix = "",
+              .get = [optics] { return &optics(); },
+              .set =
+                  [this](const MediumOptics& changed, const FieldInfo& info, MergeId gesture) {
+                    set_scene_part(document_, changed,
+                                   tr("Set %1").arg(field_label(info).toLower()), gesture);
+                  },
+              .track = [](const Scene& scene,
+                          const FieldInfo& info) { return optics_track(scene, info.name); }});
   fill_scattering(scattering);
   form->addRow(tr("Scattering"), scattering_);
-  add_number(*form, tr("Noise amplitude"),
-             {"noise_amplitude", domain::not_negative, Scale::logarithmic, 0.01,
-              [optics] { return std::optional(optics().noise.amplitude); },
-              [change](double value, MergeId gesture) {
-                change(tr("Set amplitude of noise"), gesture,
-                       [&](MediumOptics& o) { o.noise.amplitude = value; });
-              }});
-  add_number(*form, tr("Noise frequency, 1/u"),
-             {"noise_frequency", domain::not_negative, Scale::logarithmic, 0.01,
-              [optics] { return std::optional(optics().noise.frequency); },
-              [change](double value, MergeId gesture) {
-                change(tr("Set frequency of noise"), gesture,
-                       [&](MediumOptics& o) { o.noise.frequency = value; });
-              }});
-  add_vector(*form, tr("Wind, u/s"),
-             {"noise_velocity", domain::coordinate, 0.01,
-              [optics] { return std::optional(optics().noise.velocity); },
-              [change](const glm::dvec3& value, MergeId gesture) {
-                change(tr("Set wind"), gesture, [&](MediumOptics& o) { o.noise.velocity = value; });
-              }});
-  add_number(*form, tr("Noise seed"),
-             {"noise_seed", seed_domain, Scale::linear, 1.0,
-              [optics] { return std::optional(static_cast<double>(optics().noise.seed)); },
-              [change](double value, MergeId gesture) {
-                change(tr("Set seed of noise"), gesture, [&](MediumOptics& o) {
-                  o.noise.seed = static_cast<std::int64_t>(std::round(value));
-                });
-              }});
+  add_fields<Noise>(
+      *form, {.prefix = "noise_",
+              .get = [optics] { return &optics().noise; },
+              .set =
+                  [this](const Noise& changed, const FieldInfo& info, MergeId gesture) {
+                    change_optics(tr("Set %1 of noise").arg(field_label(info).toLower()), gesture,
+                                  [&changed](MediumOptics& o) { o.noise = changed; });
+                  },
+              .track = [](const Scene& scene,
+                          const FieldInfo& info) { return noise_track(scene, info.name); },
+              .object = tr("Noise")});
   refresh();
 }
 

@@ -124,4 +124,16 @@ QString field_label(const FieldInfo& info) {
   return fields_text(info.label);
 }
 
+QString object_label(const QString& object, const QString& label) {
+  return object.isEmpty() ? label : object + ' ' + label.toLower();
+}
+
+QString at_birth(const QString& label) {
+  return SceneForm::tr("%1 at birth").arg(label);
+}
+
+QString at_death() {
+  return SceneForm::tr("at death");
+}
+
 }  // namespace brume

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QWidget>
+#include <cmath>
 #include <functional>
 #include <glm/vec3.hpp>
 #include <optional>
@@ -74,10 +75,16 @@ class SceneForm : public QWidget {
     std::function<const Owner*()> get;  // nullptr: there is none
     std::function<void(const Owner&, const FieldInfo&, MergeId)> set;
     std::function<Track(const Scene&, const FieldInfo&)> track;
+    QString object = {};  // before the labels, which then say whose value it is: "Noise frequency"
   };
   // A row for one of them: label, unit, tool tip, and a button for keyframes if it can have any.
   template <class F>
   void add_field(QFormLayout& form, const F& field, const Fields<typename F::Owner>& fields);
+  // Rows for all of them.
+  template <class Owner>
+  void add_fields(QFormLayout& form, const Fields<Owner>& fields) {
+    visit_fields<Owner>([&](const auto& field) { add_field(form, field, fields); });
+  }
 
   // Call when other state that affects the values changes, such as the active light.
   void refresh();
@@ -98,10 +105,14 @@ class SceneForm : public QWidget {
 // A text of core/scene/fields, translated; and the name of a value in a form and in undo texts.
 QString fields_text(const char* text);
 QString field_label(const FieldInfo& info);
+QString object_label(const QString& object, const QString& label);  // "Noise frequency"
+QString at_birth(const QString& label);                             // "Radius at birth"
+QString at_death();
 
 template <class F>
 void SceneForm::add_field(QFormLayout& form, const F& field,
                           const Fields<typename F::Owner>& fields) {
+  using Value = typename F::Value;
   const FieldInfo& info = field.info;
   const QString name = fields.prefix + info.name;
   const auto get = [get_owner = fields.get, field] {
@@ -112,7 +123,7 @@ void SceneForm::add_field(QFormLayout& form, const F& field,
   };
   const auto set = [fields, field](const auto& value, MergeId gesture) {
     typename F::Owner changed = *fields.get();
-    field.of(changed) = value;
+    field.of(changed) = static_cast<Value>(value);
     fields.set(changed, field.info, gesture);
   };
   KeyButton* keys = nullptr;
@@ -120,21 +131,48 @@ void SceneForm::add_field(QFormLayout& form, const F& field,
     keys = new_key_button(
         name, [track = fields.track, info](const Scene& scene) { return track(scene, info); });
   }
-  if constexpr (std::is_same_v<typename F::Value, glm::dvec3>) {
+  const QString label = object_label(fields.object, field_label(info));
+  const QString title = *info.unit ? label + ", " + info.unit : label;
+  const auto scale =
+      info.is_logarithmic ? ValueField::Scale::logarithmic : ValueField::Scale::linear;
+  if constexpr (std::is_same_v<Value, glm::dvec3>) {
     finish_field(info, name,
-                 *add_vector(form, field_label(info),
+                 *add_vector(form, label,
                              {name, field.domain, info.step, get, set,
                               std::string_view(info.unit) == "RGB" ? "RGB" : "xyz"},
                              keys));
-  } else if constexpr (std::is_same_v<typename F::Value, bool>) {
-    finish_field(info, name, *add_toggle(form, field_label(info), {name, get, set}));
+  } else if constexpr (std::is_same_v<Value, glm::dvec2>) {
+    // Values at birth and at death.
+    const auto add_end = [&](int k, const QString& end, const QString& text, KeyButton* button) {
+      const auto get_end = [get, k]() -> std::optional<double> {
+        const auto both = get();
+        return both ? std::optional((*both)[k]) : std::nullopt;
+      };
+      const auto set_end = [get, set, k](double value, MergeId gesture) {
+        glm::dvec2 both = *get();
+        both[k] = value;
+        set(both, gesture);
+      };
+      finish_field(
+          info, name + end,
+          *add_number(form, text, {name + end, field.domain, scale, info.step, get_end, set_end},
+                      button));
+    };
+    add_end(0, "_birth", at_birth(label), keys);
+    add_end(1, "_death", at_death(), nullptr);
+  } else if constexpr (std::is_same_v<Value, bool>) {
+    finish_field(info, name, *add_toggle(form, label, {name, get, set}));
   } else {
-    const QString unit = *info.unit ? QString(", ") + info.unit : QString();
-    const auto scale =
-        info.is_logarithmic ? ValueField::Scale::logarithmic : ValueField::Scale::linear;
+    // Integers beyond 2^53 are no doubles.
+    constexpr NumberDomain integers{-9e15, 9e15, domain::integer.allowed};
+    const bool is_integer = std::is_same_v<Value, std::int64_t>;
     finish_field(info, name,
-                 *add_number(form, field_label(info) + unit,
-                             {name, field.domain, scale, info.step, get, set}, keys));
+                 *add_number(form, title,
+                             {name, is_integer ? integers : field.domain, scale, info.step, get,
+                              [set, is_integer](double value, MergeId gesture) {
+                                set(is_integer ? std::round(value) : value, gesture);
+                              }},
+                             keys));
   }
 }
 
