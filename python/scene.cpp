@@ -7,6 +7,8 @@
 #include "brume/at_time.h"
 #include "brume/edits.h"
 #include "brume/error.h"
+#include "core/scene/fields/description.h"
+#include "core/scene/fields/medium_fields.h"
 #include "python/keyed.h"
 #include "python/warnings.h"
 
@@ -99,12 +101,24 @@ void bind_scene(py::module_& module) {
   bind_light(module);
   bind_surface(module);
 
-  py::class_<SharedScene, std::shared_ptr<SharedScene>>(
+  py::class_<SharedScene, std::shared_ptr<SharedScene>> scene(
       module, "Scene",
       "What is rendered. Parts are changed in place; `lights` and `surfaces` are lists. Groups, "
       "emitters, sequences and keyframes are kept as the file has them; a value with keyframes is "
-      "set after clear_keys() of the object that has it.")
-      .def(py::init([] { return std::make_shared<SharedScene>(); }))
+      "set after clear_keys() of the object that has it.");
+  visit_fields<MediumOptics>([&scene](const auto& field) {
+    const char* name = field.info.name;
+    scene.def_property(
+        name, [field](const SharedScene& self) { return field.of(self.rest.scene.optics); },
+        [name, field](SharedScene& self,
+                      const typename std::remove_cvref_t<decltype(field)>::Value& value) {
+          MediumOptics& optics = self.rest.scene.optics;
+          check_unkeyed(name, optics.keys.*field.keys);
+          field.of(optics) = value;
+        },
+        description(field).c_str());
+  });
+  scene.def(py::init([] { return std::make_shared<SharedScene>(); }))
       .def_property(
           "medium", [](const SharedScene& self) { return self.medium; },
           [](SharedScene& self, ArrayMedium& other) { self.set_medium(other); },
@@ -138,22 +152,6 @@ void bind_scene(py::module_& module) {
             self.rest.scene.film = {size.first, size.second};
           },
           "(width, height) of its pictures [pixels].")
-      .def_property(
-          "albedo", [](const SharedScene& self) { return self.rest.scene.optics.albedo; },
-          [](SharedScene& self, const glm::dvec3& value) {
-            MediumOptics& optics = self.rest.scene.optics;
-            check_unkeyed("albedo", optics.keys.albedo);
-            optics.albedo = value;
-          },
-          "Single-scattering albedo of the medium, RGB in (0, 1].")
-      .def_property(
-          "anisotropy", [](const SharedScene& self) { return self.rest.scene.optics.anisotropy; },
-          [](SharedScene& self, double value) {
-            MediumOptics& optics = self.rest.scene.optics;
-            check_unkeyed("anisotropy", optics.keys.anisotropy);
-            optics.anisotropy = value;
-          },
-          "g of Henyey-Greenstein, in [-0.95, 0.95].")
       .def(
           "clear_keys", [](SharedScene& self) { self.rest.scene.optics.keys = {}; },
           "Removes the keyframes of albedo and anisotropy, which are then constant.")

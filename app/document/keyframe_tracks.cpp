@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <span>
 #include <utility>
 
 #include "app/document/surface_names.h"
@@ -98,12 +99,10 @@ void add_surface_tracks(std::vector<Track>& rows, const Surfaces& surfaces) {
     add(track_text("%1 position"));
     add(track_text("%1 rotation"));
     add(track_text("%1 scale"));
-    const bool is_phong = surfaces[k].material.type == Material::Type::phong;
-    if (!is_phong && surfaces[k].material.type != Material::Type::diffuse) continue;
-    add(track_text("%1 reflectance"));
-    if (!is_phong) continue;
-    add(track_text("%1 specular"));
-    add(track_text("%1 exponent"));
+    const std::size_t first = rows.size();
+    add_tracks(rows, names[static_cast<int>(k)], index_of<Surfaces>(), count, surfaces[k].material,
+               surfaces[k].keys);
+    for (Track& row : std::span(rows).subspan(first)) row.surface = {ObjectRef::Kind::surface, k};
   }
 }
 

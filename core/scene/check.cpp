@@ -139,19 +139,24 @@ void check_gaussian(const std::string& list, std::size_t index, const Gaussian& 
   check_shape(place + ".shape", gaussian.shape);
 }
 
-// Values of core/scene/fields, and their keyframes.
-void check_fields(const std::string& place, const auto& owner, const auto& keys) {
+// Values of core/scene/fields.
+void check_values(const std::string& place, const auto& owner) {
   visit_present(owner, [&place]<class T>(const auto& field, const T& value) {
     if constexpr (!std::is_integral_v<T>) {
       check_value(place + "." + field.info.name, value, field.domain);
     }
   });
-  visit_fields<std::remove_cvref_t<decltype(owner)>>([&](const auto& field) {
+  visit_fields_of(owner, [&](const auto& field) {
     const FieldInfo* const other = replacement(field, owner);
     if (other && !field.info.is_always_saved && !is_usual(field, owner)) {
       throw DomainError(place + "." + other->name, found_beside(field.info));
     }
   });
+}
+
+// The same, and their keyframes.
+void check_fields(const std::string& place, const auto& owner, const auto& keys) {
+  check_values(place, owner);
   visit_keyed(owner, keys, in(place));
 }
 
@@ -187,13 +192,9 @@ void check_material(const std::string& place, const Material& material) {
   if (material.type == Material::Type::measured && !material.measured) {
     throw DomainError(place + ".measured", "there is none");
   }
-  if (material.type != Material::Type::metallic_roughness) return;
-  const MetallicRoughness& values = material.metallic_roughness;
-  check_value(place + ".base_color", values.base_color, domain::unit);
-  brume::check_value(place + ".metallic", values.metallic, domain::unit);
-  brume::check_value(place + ".roughness", values.roughness, domain::unit);
-  check_value(place + ".emissive", values.emissive, domain::intensity);
-  brume::check_value(place + ".normal_scale", values.normal_scale, domain::normal_scale);
+  if (material.type == Material::Type::metallic_roughness) {
+    check_values(place, material.metallic_roughness);
+  }
 }
 
 void check_surface(const std::string& place, const Surface& surface) {

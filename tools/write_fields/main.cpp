@@ -69,6 +69,11 @@ std::string python_type(const std::optional<double>&) {
   return "Optional[float]";
 }
 
+// "camera.aperture"
+std::string place_of(const std::string& object, const FieldInfo& info) {
+  return object.empty() ? info.name : object + "." + info.name;
+}
+
 // | camera.aperture | Radius of the lens [u]; a number >= 0 | 0 |
 template <class F>
 std::string manual_row(const std::string& object, const F& field, const typename F::Owner& usual,
@@ -77,8 +82,8 @@ std::string manual_row(const std::string& object, const F& field, const typename
   if constexpr (!may_be_absent<typename F::Value>) {
     if (absent.empty()) absent = manual_text(field.of(usual));
   }
-  return "| " + object + "." + field.info.name + " | " + kinds + description(field) + " | " +
-         absent + " |";
+  return "| " + place_of(object, field.info) + " | " + kinds + description(field) + " | " + absent +
+         " |";
 }
 
 // Puts the rows of all values of an object where the first of them is. `visit_all(visit)` calls
@@ -88,7 +93,7 @@ void write_rows(Lines& manual, const std::string& object, auto&& visit_all) {
   auto place = manual.end();
   visit_all([&](const auto& field, const auto& usual, const std::string& kinds) {
     rows.push_back(manual_row(object, field, usual, kinds));
-    const std::string start = "| " + object + "." + field.info.name + " |";
+    const std::string start = "| " + place_of(object, field.info) + " |";
     const auto found = std::ranges::find_if(
         manual, [&start](const std::string& line) { return line.starts_with(start); });
     if (found == manual.end()) return;
@@ -234,6 +239,8 @@ bool rewrite_all(const std::filesystem::path& folder, bool only_checks) {
         write_rows<Emitter>(lines, "emitter");
         write_keys<Emitter>(lines, "each emitter");
         write_rows<Environment>(lines, "environment");
+        write_rows<Material>(lines, "material");
+        write_rows<MetallicRoughness>(lines, "");
         write_keys<Environment>(lines, "environment");
         const auto visit_lights = [](auto&& visit) { visit_light_values(visit); };
         write_rows(lines, "light", visit_lights);

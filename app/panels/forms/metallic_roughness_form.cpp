@@ -4,12 +4,13 @@
 #include <QHBoxLayout>
 #include <QPushButton>
 #include <QToolButton>
+#include <string_view>
 
 #include "app/document/document.h"
 #include "app/files/file_dialogs.h"
 #include "app/widgets/plain_text.h"
 #include "core/io/image/texture_file.h"
-#include "core/number_domain.h"
+#include "core/scene/fields/material_fields.h"
 
 namespace brume {
 namespace {
@@ -25,7 +26,7 @@ MetallicRoughnessForm::MetallicRoughnessForm(Document& document, Target target, 
     : SceneForm(document, parent), target_(std::move(target)) {
   auto* form = new QFormLayout(this);
   form->setContentsMargins(0, 0, 0, 0);
-  add_fields(*form);
+  add_values(*form);
   add_texture(*form, tr("Base color texture"), "base_color_texture",
               &MetallicRoughness::base_color_texture);
   add_texture(*form, tr("Roughness texture"), "metallic_roughness_texture",
@@ -52,35 +53,26 @@ void MetallicRoughnessForm::change(const QString& verb, MergeId gesture,
                  [&](Surface& surface) { how(surface.material.metallic_roughness); });
 }
 
-void MetallicRoughnessForm::add_fields(QFormLayout& form) {
-  const auto get = [this](auto value) {
-    return [this, value]() {
-      const MetallicRoughness* shown = material();
-      return shown ? std::optional(shown->*value) : std::nullopt;
-    };
-  };
-  const auto set = [this](auto value, const QString& verb) {
-    return [this, value, verb](const auto& number, MergeId gesture) {
-      change(verb, gesture, [&](MetallicRoughness& m) { m.*value = number; });
-    };
-  };
-  const auto add_unit = [&](const QString& title, const char* name, const NumberDomain& domain,
-                            double MetallicRoughness::*value, const QString& verb) {
-    add_number(form, title,
-               {name, domain, ValueField::Scale::linear, 0.01, get(value), set(value, verb)});
-  };
+void MetallicRoughnessForm::add_values(QFormLayout& form) {
+  const Fields<MetallicRoughness> values{
+      .prefix = "",
+      .get = [this] { return material(); },
+      .set =
+          [this](const MetallicRoughness& changed, const FieldInfo& info, MergeId gesture) {
+            change(tr("Set %1 of %2").arg(field_label(info).toLower(), "%1"), gesture,
+                   [&changed](MetallicRoughness& m) { m = changed; });
+          },
+      .track = {}};
   add_color(form, tr("Base color"),
-            {"base_color", get(&MetallicRoughness::base_color),
-             set(&MetallicRoughness::base_color, tr("Set base color of %1"))});
-  add_unit(tr("Metallic"), "metallic", domain::unit, &MetallicRoughness::metallic,
-           tr("Set metallic of %1"));
-  add_unit(tr("Roughness"), "roughness", domain::unit, &MetallicRoughness::roughness,
-           tr("Set roughness of %1"));
-  add_vector(form, tr("Emissive"),
-             {"emissive", domain::intensity, 0.01, get(&MetallicRoughness::emissive),
-              set(&MetallicRoughness::emissive, tr("Set emissive of %1")), "rgb"});
-  add_unit(tr("Normal scale"), "normal_scale", domain::normal_scale,
-           &MetallicRoughness::normal_scale, tr("Set normal scale of %1"));
+            {"base_color",
+             [this] { return material() ? std::optional(material()->base_color) : std::nullopt; },
+             [this](const glm::dvec3& color, MergeId gesture) {
+               change(tr("Set base color of %1"), gesture,
+                      [&color](MetallicRoughness& m) { m.base_color = color; });
+             }});
+  visit_fields<MetallicRoughness>([&](const auto& field) {
+    if (std::string_view(field.info.name) != "base_color") add_field(form, field, values);
+  });
 }
 
 void MetallicRoughnessForm::add_texture(QFormLayout& form, const QString& title, const char* name,

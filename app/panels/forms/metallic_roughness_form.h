@@ -27,7 +27,7 @@ class MetallicRoughnessForm : public SceneForm {
   void load_texture(Slot slot, const std::filesystem::path& file);
 
  private:
-  void add_fields(QFormLayout& form);
+  void add_values(QFormLayout& form);
   void add_texture(QFormLayout& form, const QString& title, const char* name, Slot slot);
   void ask_for_texture(Slot slot);
   [[nodiscard]] const MetallicRoughness* material() const;  // null: none

@@ -1,8 +1,8 @@
 #include "core/io/scene/material_json.h"
 
-#include "core/io/scene/keys_json.h"
+#include "core/io/scene/fields_json.h"
 #include "core/io/scene/scene_names.h"
-#include "core/number_domain.h"
+#include "core/scene/fields/material_fields.h"
 
 namespace brume {
 namespace fs = std::filesystem;
@@ -37,11 +37,8 @@ class MaterialReader {
         read_measured(object, material);
         break;
       case Material::Type::phong:
-        material.specular = object.vector("specular", domain::unit, material.specular);
-        material.exponent = object.number("exponent", domain::not_negative, material.exponent);
-        [[fallthrough]];
       case Material::Type::diffuse:
-        material.reflectance = object.vector("reflectance", domain::unit, material.reflectance);
+        read_fields(object, material);
         break;
       case Material::Type::metallic_roughness:
         read_metallic_roughness(object, material.metallic_roughness);
@@ -59,12 +56,7 @@ class MaterialReader {
   }
 
   void read_metallic_roughness(JsonObject& object, MetallicRoughness& material) {
-    material.base_color = object.vector("base_color", domain::unit, material.base_color);
-    material.metallic = object.number("metallic", domain::unit, material.metallic);
-    material.roughness = object.number("roughness", domain::unit, material.roughness);
-    material.emissive = object.vector("emissive", domain::intensity, material.emissive);
-    material.normal_scale =
-        object.number("normal_scale", domain::normal_scale, material.normal_scale);
+    read_fields(object, material);
     visit_texture_keys(material, [&](const char* key, TextureReference& texture, bool has_colors) {
       if (const Json* value = object.find(key)) {
         read_texture_reference(*value, object.path_of(key), key, texture, has_colors);
@@ -98,13 +90,7 @@ class MaterialReader {
 void add_metallic_roughness(Json& object, const Surface& surface, const UnknownKeys& unknown_keys,
                             const fs::path& directory) {
   const MetallicRoughness& material = surface.material.metallic_roughness;
-  object["base_color"] = to_json(material.base_color);
-  object["metallic"] = material.metallic;
-  object["roughness"] = material.roughness;
-  object["emissive"] = to_json(material.emissive);
-  if (material.normal_scale != MetallicRoughness{}.normal_scale) {
-    object["normal_scale"] = material.normal_scale;
-  }
+  write_fields(object, material, NoKeys());
   visit_texture_keys(material, [&](const char* key, const TextureReference& texture, bool) {
     if (texture.file.empty()) return;
     Json& entry = object[key] = Json{{"file", SceneReferences::text_for(texture.file, directory)}};
@@ -136,12 +122,8 @@ Json material_to_json(const Surface& surface, const UnknownKeys& unknown_keys,
       object["file"] = SceneReferences::text_for(material.file, directory);
       break;
     case Material::Type::diffuse:
-      object["reflectance"] = to_json(material.reflectance);
-      break;
     case Material::Type::phong:
-      object["reflectance"] = to_json(material.reflectance);
-      object["specular"] = to_json(material.specular);
-      object["exponent"] = material.exponent;
+      write_fields(object, material, surface.keys);
       break;
     case Material::Type::metallic_roughness:
       add_metallic_roughness(object, surface, unknown_keys, directory);

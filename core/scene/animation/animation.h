@@ -7,6 +7,7 @@
 #include "core/scene/fields/environment_fields.h"
 #include "core/scene/fields/group_fields.h"
 #include "core/scene/fields/light_fields.h"
+#include "core/scene/fields/material_fields.h"
 #include "core/scene/fields/medium_fields.h"
 
 namespace brume {
@@ -18,16 +19,10 @@ namespace brume {
 template <class S>
 void visit_keyed_surface(S& surface, auto&& visit) {
   auto& keys = surface.keys;
-  auto& material = surface.material;
   visit("translate", surface.translate, keys.translate, domain::coordinate);
   visit("rotate", surface.rotate, keys.rotate, domain::coordinate);
   visit("scale", surface.scale, keys.scale, domain::length);
-  const bool is_phong = material.type == Material::Type::phong;
-  if (!is_phong && material.type != Material::Type::diffuse) return;
-  visit("reflectance", material.reflectance, keys.reflectance, domain::unit);
-  if (!is_phong) return;
-  visit("specular", material.specular, keys.specular, domain::unit);
-  visit("exponent", material.exponent, keys.exponent, domain::not_negative);
+  visit_keyed(surface.material, keys, visit);
 }
 
 template <class D, class K>
