@@ -131,6 +131,15 @@ TEST_F(MalformedScene, EachValueOfTheMediumAndTheEnvironmentIsRefusedInOneLine) 
   expect_each_refused(malformed_fields<Environment>("environment", scene_with_environment));
 }
 
+TEST_F(MalformedScene, EachValueOfAMaterialIsRefusedInOneLine) {
+  expect_each_refused(
+      malformed_fields<MetallicRoughness>("surfaces[1].material", [](const std::string& members) {
+        return scene_with_surface(R"("mesh": "good.obj", "material": {
+            "type": "metallic_roughness", )" +
+                                  members + "}");
+      }));
+}
+
 TEST_F(MalformedScene, EachValueOfALightIsRefusedInOneLine) {
   const std::vector<MalformedCase> all = malformed_lights();
   ASSERT_GE(all.size(), 200u);
