@@ -15,9 +15,9 @@ namespace brume {
 namespace {
 
 // A film, seen along x or with x and y swapped.
-class Field {
+class FilmValues {
  public:
-  Field(const Frame& frame, const Frame& reference, bool swapped)
+  FilmValues(const Frame& frame, const Frame& reference, bool swapped)
       : film_(frame.film), depth_(frame.depth), swapped_(swapped) {
     error_.resize(depth_.size());
     double square = 0.0;
@@ -67,7 +67,7 @@ class Field {
 };
 
 // The mean over the pixels [y0, y1) of column x.
-std::optional<double> step_at(const Field& field, int x, int y0, int y1, int scale) {
+std::optional<double> step_at(const FilmValues& field, int x, int y0, int y1, int scale) {
   double sum = 0.0;
   int count = 0;
   for (int y = y0; y < y1; ++y) {
@@ -128,7 +128,7 @@ double Seams::ratio(double quantile) const {
 Seams find_seams(const Frame& frame, const Frame& reference, int scale) {
   Seams seams;
   for (const bool swapped : {false, true}) {
-    const Field field(frame, reference, swapped);
+    const FilmValues field(frame, reference, swapped);
     const int tile = scale * (swapped ? Tiles::height : Tiles::width);
     const int along = scale * (swapped ? Tiles::width : Tiles::height);
     for (int x = tile; x + tile <= field.width(); x += tile) {
