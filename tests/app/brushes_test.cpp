@@ -2,7 +2,6 @@
 // and the user's own.
 
 #include <QCheckBox>
-#include <QComboBox>
 #include <QFile>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -208,9 +207,7 @@ class BrushesTest : public QObject {
 
     // Through what the view looks at.
     window->findChild<QCheckBox*>("brush_mirror_y")->click();
-    auto* where = window->findChild<QComboBox*>("brush_mirror_at");
-    where->setCurrentIndex(1);
-    Q_EMIT where->activated(1);
+    choose(window, "brush_mirror_at", 1);
     window.view().camera_controller().drag(NavigationDrag::pan, {-90.0, 0.0});
     const double middle = window.view().camera().target.x;
     QVERIFY(middle > 0.1);
@@ -233,9 +230,7 @@ class BrushesTest : public QObject {
   void strokes_snap_to_a_grid() {
     BrushWindow window;
     enter(window, "brush_scatter", "0");
-    auto* snap = window->findChild<QComboBox*>("brush_snap");
-    snap->setCurrentIndex(2);
-    Q_EMIT snap->activated(2);
+    choose(window, "brush_snap", 2);
     enter(window, "brush_grid", "0.25");
     const std::vector<Gaussian> gaussians = window.stroke();
     const glm::dvec3 first = gaussians.front().center;
@@ -254,9 +249,7 @@ class BrushesTest : public QObject {
       QVERIFY(both[k].radius >= both[k - 1].radius);
       QVERIFY(std::abs(both[k].radius / brush.radius - both[k].density / brush.density) < 1e-6);
     }
-    auto* use = window->findChild<QComboBox*>("brush_pen");
-    use->setCurrentIndex(2);
-    Q_EMIT use->activated(2);
+    choose(window, "brush_pen", 2);
     const std::vector<Gaussian> density = window.pen_stroke(0.5, 0.5);
     QCOMPARE(density.back().radius, brush.radius);
     QVERIFY(std::abs(density.back().density - 0.5 * brush.density) < 1e-9);

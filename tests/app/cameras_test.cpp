@@ -69,8 +69,7 @@ class CamerasTest : public QObject {
     QCOMPARE(used(window), "Close up");
     QVERIFY(!window->findChild<QPushButton*>("delete_camera")->isEnabled());
     QVERIFY(window->document().scene().camera == seen);
-    while (window->document().undo_stack().canUndo()) window->document().undo_stack().undo();
-    QVERIFY(window->document().scene() == before);
+    QVERIFY(is_undone(window->document(), before));
   }
 
   void a_name_that_is_typed_is_saved() {

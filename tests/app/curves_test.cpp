@@ -41,14 +41,7 @@ class Curves {
   QPoint on_ruler(double time) { return {at(time, 0.0).x(), editor().height() - 5}; }
   void drag(QPoint from, QPoint to, Qt::MouseButton button = Qt::LeftButton,
             Qt::KeyboardModifiers modifiers = {}) {
-    QTest::mousePress(&editor(), button, modifiers, from);
-    for (int k = 1; k <= 4; ++k) {
-      const QPointF now = QPointF(from) + QPointF(to - from) * k / 4.0;
-      QMouseEvent event(QEvent::MouseMove, now, editor().mapToGlobal(now), Qt::NoButton, button,
-                        modifiers);
-      QApplication::sendEvent(&editor(), &event);
-    }
-    QTest::mouseRelease(&editor(), button, modifiers, to);
+    drag_mouse(editor(), from, to, button, modifiers);
   }
   // Calls visit(action) for the menu that a right click opens.
   void with_menu(QPoint at, const auto& visit) {
@@ -246,8 +239,7 @@ class CurvesTest : public QObject {
     curves.drag(curves.at(last.time, last.value.x), curves.at(0.2, last.value.x));
     QCOMPARE(curves.keys()[0].time, 0.0);
     QVERIFY(std::abs(curves.keys()[1].time - 2.0) < 1e-9);
-    document.undo_stack().setIndex(0);
-    QVERIFY(document.scene() == before);
+    QVERIFY(is_undone(document, before));
     // A click on one of several selects it alone.
     curves.editor().fit();
     QTest::keyClick(&curves.editor(), Qt::Key_A, Qt::ControlModifier);
@@ -372,8 +364,7 @@ class CurvesTest : public QObject {
     curves.choose(at, "Ali&gned Tangents");
     QVERIFY(curves.keys()[0].aligned && curves.keys()[1].aligned);
     curves.editor().grab();
-    document.undo_stack().setIndex(0);
-    QVERIFY(document.scene() == before);
+    QVERIFY(is_undone(document, before));
   }
 
   void a_rotation_is_one_curve_of_its_angle() {

@@ -1,8 +1,6 @@
 // The document, its commands and the table's model, without a window.
 
-#include <QAbstractItemModelTester>
 #include <limits>
-#include <random>
 
 #include "app/commands/edit_keys.h"
 #include "app/commands/edit_lights.h"
@@ -24,14 +22,6 @@ void load(Document& document, const QTemporaryDir& folder, const Scene& scene) {
   document.open(load_scene(file), file);
 }
 
-std::vector<GaussianId> random_ids(const Medium& medium, std::mt19937& random) {
-  std::vector<GaussianId> ids;
-  for (const GaussianId id : medium.ids()) {
-    if (random() % 3 == 0) ids.push_back(id);
-  }
-  return ids;
-}
-
 // Puts the centres of Gaussians elsewhere, as one move of a drag.
 void move_gaussians(Document& document, const std::vector<GaussianId>& ids,
                     std::span<const glm::dvec3> centers, MergeId drag) {
@@ -43,76 +33,12 @@ void move_gaussians(Document& document, const std::vector<GaussianId>& ids,
   change_gaussians(document, ids, after, "Move " + gaussians_text(ids.size()), drag);
 }
 
-void random_edit(Document& document, std::mt19937& random) {
-  std::uniform_real_distribution<double> number(0.1, 2.0);
-  document.select(random_ids(document.medium(), random));
-  const std::vector<GaussianId> ids = document.selection();
-  switch (random() % 5) {
-    case 0:
-    case 1:
-      add_gaussian(document, {{number(random), number(random), 0.0}, number(random), 0.5});
-      break;
-    case 2:
-      if (random() % 2 == 0) delete_selection(document, "Delete");
-      break;
-    case 3:
-      set_attribute(document, ids, gaussian_attributes[random() % gaussian_attributes.size()],
-                    number(random));
-      break;
-    default: {
-      const MergeId drag = new_merge_id();
-      for (int step = 0; step < 3; ++step) {
-        std::vector<glm::dvec3> centers(ids.size(), glm::dvec3(number(random)));
-        move_gaussians(document, ids, centers, drag);
-      }
-    }
-  }
-}
-
 }  // namespace
 
 class DocumentTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
-  void random_edits_undo_and_redo_exactly() {
-    const QTemporaryDir folder;
-    for (unsigned seed = 1; seed <= 20; ++seed) {
-      Document document;
-      load(document, folder, small_scene());
-      GaussianTableModel model(document);
-      on_medium_edit(document, &model, [&model](const MediumEdit& edit) {
-        if (!model.follow(edit)) model.reload();
-      });
-      const QAbstractItemModelTester tester(&model,
-                                            QAbstractItemModelTester::FailureReportingMode::Fatal);
-      const auto model_agrees = [&] {
-        const Medium& medium = document.medium();
-        if (static_cast<std::size_t>(model.rowCount()) != medium.size()) return false;
-        for (int row = 0; row < model.rowCount(); ++row) {
-          if (model.id(row) != medium.ids()[static_cast<std::size_t>(row)]) return false;
-        }
-        return true;
-      };
-      const Scene before = document.scene();
-      std::mt19937 random(seed);
-      for (int k = 0; k < 40; ++k) {
-        random_edit(document, random);
-        QVERIFY(model_agrees());
-      }
-      const Scene after = document.scene();
-      while (document.undo_stack().canUndo()) {
-        document.undo_stack().undo();
-        QVERIFY(model_agrees());
-      }
-      QVERIFY(document.scene() == before);
-      QVERIFY(!document.is_modified());
-      while (document.undo_stack().canRedo()) document.undo_stack().redo();
-      QVERIFY(document.scene() == after);
-      QVERIFY(model_agrees());
-    }
-  }
-
   void removal_takes_gaussians_from_the_selection() {
     const QTemporaryDir folder;
     Document document;

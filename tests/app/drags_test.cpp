@@ -36,9 +36,7 @@ QPoint place_of(TestWindow& window, std::size_t light) {
 }
 
 void move_to(QWidget& widget, QPoint to) {
-  QMouseEvent event(QEvent::MouseMove, to, widget.mapToGlobal(to), Qt::NoButton, Qt::LeftButton,
-                    {});
-  QApplication::sendEvent(&widget, &event);
+  move_mouse(widget, to);
   QCoreApplication::processEvents();
 }
 

@@ -8,7 +8,6 @@
 #include <QToolButton>
 #include <QUndoView>
 #include <fstream>
-#include <random>
 
 #include "app/commands/edit_medium.h"
 #include "app/commands/select_command.h"
@@ -134,29 +133,6 @@ class EditorTest : public QObject {
     QVERIFY(!window->document().is_modified());
   }
 
-  void the_form_shows_and_writes_the_common_value() {
-    TestWindow window;
-    Document& document = window->document();
-    auto* radius = window->findChild<NumberField*>("radius");
-    auto* density = window->findChild<NumberField*>("density");
-    QVERIFY(!radius->isEnabled());
-    document.select({1, 2, 5});
-    QVERIFY(radius->text().isEmpty());  // mixed
-    QCOMPARE(density->text(), QString("0.8"));
-    radius->setFocus();
-    QTest::keyClicks(radius, "0.3");
-    QTest::keyClick(radius, Qt::Key_Return);
-    QCOMPARE(document.undo_stack().count(), 1);
-    QCOMPARE(document.medium().radii()[4], 0.3);
-    QCOMPARE(radius->text(), QString("0.3"));
-    radius->setFocus();
-    QTest::keyClicks(radius, "-4");  // over what is selected
-    QTest::keyClick(radius, Qt::Key_Return);
-    QVERIFY(window->statusBar()->currentMessage().contains("Radius"));
-    QCOMPARE(radius->text(), QString("0.3"));
-    QCOMPARE(document.undo_stack().count(), 1);
-  }
-
   void add_delete_undo_all_redo_all() {
     TestWindow window;
     Document& document = window->document();
@@ -185,46 +161,6 @@ class EditorTest : public QObject {
     }
     QVERIFY(document.scene() == after);
     QVERIFY(window.settle());
-  }
-
-  void random_gestures_undo_and_redo_exactly() {
-    TestWindow window;
-    Document& document = window->document();
-    const Scene before = document.scene();
-    std::mt19937 random(7);
-    QAbstractItemModel* model = table_of(*window)->model();
-    for (int k = 0; k < 60; ++k) {
-      const std::size_t count = document.medium().size();
-      const std::size_t some = count > 0 ? random() % count : 0;
-      switch (count == 0 ? 0 : random() % 6) {
-        case 0:
-          window.key(Qt::Key_A, Qt::ShiftModifier);
-          break;
-        case 1:
-          window.drag(window.handle(some), window.handle(some) + QPoint(random() % 60, 9));
-          break;
-        case 2:
-          model->setData(model->index(static_cast<int>(some), static_cast<int>(random() % 5)),
-                         QString::number(0.1 + 0.01 * (random() % 90)), Qt::EditRole);
-          break;
-        case 3:
-          QTest::mouseClick(&window->viewport(), Qt::LeftButton, Qt::ShiftModifier,
-                            window.handle(some));
-          break;
-        case 4:
-          if (random() % 3 == 0) window.key(Qt::Key_Delete);
-          break;
-        default:
-          window.key(Qt::Key_Z, Qt::ControlModifier);
-      }
-    }
-    const Scene after = document.scene();
-    const int index = document.undo_stack().index();
-    document.undo_stack().setIndex(0);
-    QVERIFY(document.scene() == before);
-    document.undo_stack().setIndex(index);
-    QVERIFY(document.scene() == after);
-    QCOMPARE(static_cast<std::size_t>(model->rowCount()), document.medium().size());
   }
 
   void save_and_open_again_is_the_same_scene() {

@@ -59,10 +59,4 @@ inline bool is_turned(const Gaussian& gaussian, const glm::dvec3& degrees) {
   return std::abs(std::abs(same) - 1.0) < 1e-9;
 }
 
-// Undoes everything; whether all is as it was, to the last bit.
-inline bool is_undone(Document& document, const Scene& before) {
-  document.undo_stack().setIndex(0);
-  return document.scene() == before;
-}
-
 }  // namespace brume::ellipsoids

@@ -226,12 +226,7 @@ class EllipsoidsTest : public QObject {
     const auto at = [&](double position) {
       return QPointF(2.0 + position * (histogram->width() - 4), 10.0).toPoint();
     };
-    QTest::mousePress(histogram, Qt::LeftButton, {}, at(0.5));
-    const QPointF end = at(1.0);
-    QMouseEvent move(QEvent::MouseMove, end, histogram->mapToGlobal(end), Qt::NoButton,
-                     Qt::LeftButton, Qt::NoModifier);
-    QApplication::sendEvent(histogram, &move);
-    QTest::mouseRelease(histogram, Qt::LeftButton, {}, end.toPoint());
+    drag_mouse(*histogram, at(0.5), at(1.0));
     QCOMPARE(document.selection(), (Ids{2, 3}));
     type_into(window, "radius_x", "0.5");
     type_into(window, "radius_y", "0.5");

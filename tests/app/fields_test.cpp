@@ -3,7 +3,6 @@
 
 #include <QComboBox>
 #include <QDockWidget>
-#include <QLabel>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSlider>
@@ -440,26 +439,14 @@ class FieldsTest : public QObject {
     TestWindow window;
     Document& document = window->document();
     document.select({1, 2});
-    const auto drag = [&](const char* name, int pixels) {
-      auto* title = window->findChild<QLabel*>(name);
-      QVERIFY(title);
-      QTest::mousePress(title, Qt::LeftButton, {}, QPoint(3, 3));
-      for (int k = 1; k <= 4; ++k) {
-        const QPointF to(3.0 + pixels * k / 4.0, 3);
-        QMouseEvent move(QEvent::MouseMove, to, title->mapToGlobal(to), Qt::NoButton,
-                         Qt::LeftButton, Qt::NoModifier);
-        QApplication::sendEvent(title, &move);
-      }
-      QTest::mouseRelease(title, Qt::LeftButton);
-    };
-    drag("density_title", 40);
+    drag_title(window, "density", 40);
     const double expected = 0.8 * std::pow(1.01, 40.0);
     for (const std::size_t k : {0U, 1U}) {
       const double density = document.medium().densities()[k];
       QVERIFY2(std::abs(density / expected - 1.0) < 1e-3, qPrintable(QString::number(density)));
     }
     QCOMPARE(document.undo_stack().index(), 1);
-    drag("radius_title", 40);  // which is mixed: no one value to begin from
+    drag_title(window, "radius", 40);  // which is mixed: no one value to begin from
     QCOMPARE(document.undo_stack().index(), 1);
   }
 };

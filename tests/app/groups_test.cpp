@@ -6,7 +6,6 @@
 #include <QMimeData>
 #include <QTableView>
 #include <QTreeWidget>
-#include <random>
 
 #include "app/commands/clipboard.h"
 #include "app/commands/edit_groups.h"
@@ -338,87 +337,6 @@ class GroupsTest : public QObject {
     QVERIFY(window.choose("Group", "Move into/Group 3"));
     QCOMPARE(window.document().undo_stack().undoText(), QString("Move Group into Group 3"));
     VERIFY_UNDONE(window, before);
-  }
-
-  void any_edit_can_be_undone_and_redone() {
-    for (unsigned seed = 1; seed <= 300; ++seed) {
-      std::mt19937 random(seed);
-      const auto below = [&](std::size_t count) { return random() % count; };
-      Document document;
-      Scene scene = small_scene();
-      scene.groups = {{.id = 3, .name = "a"}, {.id = 7, .name = "b", .parent = 3}};
-      document.open(SceneDocument(scene), {});
-      const std::string before = bytes_of(document);
-      const auto some_group = [&]() -> GroupId {
-        const Groups& groups = document.scene().groups;
-        return groups.empty() || below(8) == 0 ? static_cast<GroupId>(below(9))
-                                               : groups[below(groups.size())].id;
-      };
-      const auto act = [&] {
-        switch (below(16)) {
-          case 0:
-          case 1: {
-            Ids ids;
-            for (const GaussianId id : document.medium().ids()) {
-              if (below(2) == 0) ids.push_back(id);
-            }
-            return select_gaussians(document, ids);
-          }
-          case 2:
-            return group_selection(document);
-          case 3:
-            return ungroup_selection(document);
-          case 4:
-            return move_selection_to_group(document, some_group());
-          case 5:
-            return dissolve_group(document, some_group());
-          case 6:
-            return below(3) == 0 ? delete_group(document, some_group()) : void();
-          case 7:
-            return rename_group(document, some_group(), below(2) == 0 ? "a" : "b");
-          case 8:
-            return nest_group(document, some_group(), below(2) == 0 ? some_group() : 0);
-          case 9:
-            return change_group(document, some_group(), "Hide %1", no_merge,
-                                [](Group& g) { g.visible = !g.visible; });
-          case 10:
-            return change_group(document, some_group(), "Lock %1", no_merge,
-                                [](Group& g) { g.locked = !g.locked; });
-          case 11:
-            return change_group(document, some_group(), "Set %1", 12, [&](Group& g) {
-              g.density_factor = static_cast<double>(below(4));
-            });
-          case 12:
-            return select_group(document, some_group());
-          case 13:
-            return add_gaussian(document, {{1, 2, 3}, 1.0, 1.0});
-          case 14:
-            return below(4) == 0 ? delete_selection(document, "Delete")
-                                 : duplicate_selection(document, {1, 0, 0});
-          default: {
-            const std::vector<Track> rows = tracks(document.scene());
-            return set_keys(document, rows[below(rows.size())]);
-          }
-        }
-      };
-      for (int k = 0; k < 60; ++k) {
-        act();
-        if (below(6) == 0) document.undo_stack().undo();
-        if (below(9) == 0) document.undo_stack().redo();
-        // What views show is what the scene is, but for what is hidden by itself.
-        const Scene shown = evaluate_at(document.scene(), document.time());
-        QVERIFY2(document.visible_snapshot()->medium == shown.medium,
-                 qPrintable(QString::number(seed)));
-        for (const GaussianId id : document.selection()) QVERIFY(document.is_editable(id));
-      }
-      const std::string after = bytes_of(document);
-      const int index = document.undo_stack().index();
-      document.undo_stack().setIndex(0);
-      QVERIFY2(bytes_of(document) == before, qPrintable(QString::number(seed)));
-      QVERIFY(!document.is_modified());
-      document.undo_stack().setIndex(index);
-      QVERIFY2(bytes_of(document) == after, qPrintable(QString::number(seed)));
-    }
   }
 };
 

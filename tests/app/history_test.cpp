@@ -1,6 +1,7 @@
 // Random sequences of everything that makes a step: undo all gives the document as it was, byte for
 // byte, redo all the end, and what is saved in between comes back.
 
+#include <QAbstractItemModelTester>
 #include <QClipboard>
 #include <random>
 
@@ -19,6 +20,7 @@
 #include "app/commands/select_command.h"
 #include "app/document/document.h"
 #include "app/document/euler_angles.h"
+#include "app/panels/gaussians/gaussian_table_model.h"
 #include "brume/at_time.h"
 #include "brume/edits.h"
 #include "brume/mesh_arrays.h"
@@ -240,8 +242,11 @@ class RandomHands {
   }
   void group() {
     const Groups& groups = document_.scene().groups;
-    const GroupId some = groups.empty() ? 0 : groups[below(groups.size())].id;
-    switch (below(8)) {
+    // Now and then one that is not there.
+    const GroupId some = groups.empty() || below(8) == 0 ? static_cast<GroupId>(below(9))
+                                                         : groups[below(groups.size())].id;
+    const QString name = below(2) == 0 ? "a" : "b";
+    switch (below(10)) {
       case 0:
       case 1:
         return group_selection(document_);
@@ -253,6 +258,10 @@ class RandomHands {
         return move_selection_to_group(document_, some);
       case 5:
         return select_group(document_, some);
+      case 6:
+        return rename_group(document_, some, name);
+      case 7:
+        return nest_group(document_, some, groups.empty() ? 0 : groups[below(groups.size())].id);
       default:
         return change_group(document_, some, "Change %1", no_merge, [this](Group& g) {
           g.visible = below(3) > 0;
@@ -394,11 +403,18 @@ class HistoryTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
+  // So do the table of all Gaussians and the selection.
   void visible_medium_follows_any_edit() {
     for (unsigned seed = 1; seed <= 100; ++seed) {
       QGuiApplication::clipboard()->clear();
       Document document;
       document.open(starting_document(), {});
+      GaussianTableModel table(document);
+      connect(&document, &Document::medium_changed, &table, [&table](const MediumEdit& edit) {
+        if (!table.follow(edit)) table.reload();
+      });
+      const QAbstractItemModelTester tester(&table,
+                                            QAbstractItemModelTester::FailureReportingMode::Fatal);
       RandomHands hands(document, seed);
       for (int k = 0; k < 50; ++k) {
         const Revision before = document.visible_snapshot()->medium.revision();
@@ -415,6 +431,12 @@ class HistoryTest : public QObject {
         expected = scene.medium;
         const Medium& visible = document.visible_snapshot()->medium;
         QVERIFY2(visible == expected, qPrintable(QString::number(seed)));
+        for (const GaussianId id : document.selection()) QVERIFY(document.is_editable(id));
+        const std::span<const GaussianId> ids = document.medium().ids();
+        QCOMPARE(static_cast<std::size_t>(table.rowCount()), ids.size());
+        for (int row = 0; row < table.rowCount(); ++row) {
+          QCOMPARE(table.id(row), ids[static_cast<std::size_t>(row)]);
+        }
         if (medium == document.medium().revision() && hidden == document.hidden() &&
             groups == document.scene().groups && albedo == document.scene().optics.albedo) {
           QCOMPARE(visible.revision(), before);

@@ -52,17 +52,6 @@ const Light& keyed_light(TestWindow& window) {
   return window->document().scene().lights.at(0);
 }
 
-void drag(KeyframeTrack& keys, QPoint from, QPoint to) {
-  QTest::mousePress(&keys, Qt::LeftButton, {}, from);
-  for (int k = 1; k <= 4; ++k) {
-    const QPointF at = QPointF(from) + QPointF(to - from) * k / 4.0;
-    QMouseEvent event(QEvent::MouseMove, at, keys.mapToGlobal(at), Qt::NoButton, Qt::LeftButton,
-                      {});
-    QApplication::sendEvent(&keys, &event);
-  }
-  QTest::mouseRelease(&keys, Qt::LeftButton, {}, to);
-}
-
 }  // namespace
 
 class KeysTest : public QObject {
@@ -127,7 +116,7 @@ class KeysTest : public QObject {
         frames.push_back(qRound(key.time / frame_seconds));
       return frames;
     };
-    drag(keys, keys.position(0, 60), keys.position(0, 90));
+    drag_mouse(keys, keys.position(0, 60), keys.position(0, 90));
     QCOMPARE(times(), (std::vector{0, 90}));
     QCOMPARE(document.undo_stack().undoText(), QString("Move keyframe of light 1 position"));
     QCOMPARE(document.undo_stack().count(), 3);
@@ -136,12 +125,7 @@ class KeysTest : public QObject {
     QVERIFY(document.scene() == two_keys);
     // There and back is no edit.
     QTest::mousePress(&keys, Qt::LeftButton, {}, keys.position(0, 60));
-    for (const int to : {80, 60}) {
-      const QPointF at = keys.position(0, to);
-      QMouseEvent event(QEvent::MouseMove, at, keys.mapToGlobal(at), Qt::NoButton, Qt::LeftButton,
-                        {});
-      QApplication::sendEvent(&keys, &event);
-    }
+    for (const int to : {80, 60}) move_mouse(keys, keys.position(0, to));
     QTest::mouseRelease(&keys, Qt::LeftButton, {}, keys.position(0, 60));
     QVERIFY(document.scene() == two_keys);
     QCOMPARE(document.undo_stack().index(), 2);
@@ -164,7 +148,7 @@ class KeysTest : public QObject {
     QCOMPARE(times(), (std::vector{0, 30, 60}));
 
     // Beside the keys a drag looks through time.
-    drag(keys, keys.position(0, 40), keys.position(0, 45));
+    drag_mouse(keys, keys.position(0, 40), keys.position(0, 45));
     QCOMPARE(window->timeline().frame(), 45);
     QCOMPARE(times(), (std::vector{0, 30, 60}));
   }
@@ -357,9 +341,7 @@ class KeysTest : public QObject {
     QCOMPARE(shown.translate.x, 2.0);
     QVERIFY(shown.keys == SurfaceKeys{});
     // Without a highlight there are no keyframes of it.
-    auto* type = window->findChild<QComboBox*>("material_type");
-    type->setCurrentIndex(0);
-    Q_EMIT type->activated(0);
+    brume::choose(window, "material_type", 0);
     QCOMPARE(strip(window).rows().size(), std::size_t{4});
     document.undo_stack().setIndex(0);
     window->timeline().set_frame(0);

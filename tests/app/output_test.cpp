@@ -60,7 +60,7 @@ class OutputTest : public QObject {
     drag_title(window, "film_height", 40);
     QVERIFY(film() == (Film{711, 400}));
     QCOMPARE(window->document().undo_stack().count(), steps + 1);
-    while (window->document().undo_stack().canUndo()) window->document().undo_stack().undo();
+    window->document().undo_stack().setIndex(0);
     QVERIFY(film() == (Film{32, 24}));
     QCOMPARE(window->findChild<QComboBox*>("size_preset")->currentIndex(), 0);
   }
@@ -91,7 +91,7 @@ class OutputTest : public QObject {
 
     type(window, "output_file", "shot.jpg");  // refused
     QVERIFY(window->document().scene().output == saved.output);
-    while (window->document().undo_stack().canUndo()) window->document().undo_stack().undo();
+    window->document().undo_stack().setIndex(0);
     QVERIFY(window->document().scene().output == Output{});
     QCOMPARE(window->timeline().frames_per_second(), 30.0);
   }
@@ -130,8 +130,7 @@ class OutputTest : public QObject {
     QVERIFY(saved.camera == camera());
     click(window, "focus_on_target");
     QVERIFY(!camera().focus_distance);
-    while (window->document().undo_stack().canUndo()) window->document().undo_stack().undo();
-    QVERIFY(window->document().scene() == before);
+    QVERIFY(is_undone(window->document(), before));
   }
 
   // The lens of the scene's camera blurs what is rendered, not the view.
@@ -319,11 +318,7 @@ class OutputTest : public QObject {
     const auto at = [&](double x, double y) {
       return QPoint(qRound(rect.left() + x * rect.width()), qRound(rect.top() + y * rect.height()));
     };
-    QTest::mousePress(&frame, Qt::LeftButton, {}, at(1.2, 1.0));
-    QMouseEvent move(QEvent::MouseMove, at(0.5, 0.5), frame.mapToGlobal(at(0.5, 0.5)), Qt::NoButton,
-                     Qt::LeftButton, Qt::NoModifier);
-    QApplication::sendEvent(&frame, &move);
-    QTest::mouseRelease(&frame, Qt::LeftButton, {}, at(0.5, 0.5));
+    drag_mouse(frame, at(1.2, 1.0), at(0.5, 0.5));
     QVERIFY(frame.region() && !frame.is_marking());
     QVERIFY(window->findChild<QLabel*>("region_text")->text().contains("50 × 50 %"));
     window.key(Qt::Key_F12);

@@ -50,11 +50,7 @@ class TestViewer {
         rect.topLeft() + QPointF(fraction.x() * rect.width(), fraction.y() * rect.height());
     return canvas().grab().toImage().pixelColor(at.toPoint());
   }
-  void move(QPointF to, Qt::MouseButton button) {
-    QMouseEvent event(QEvent::MouseMove, to, canvas().mapToGlobal(to), Qt::NoButton, button,
-                      Qt::NoModifier);
-    QApplication::sendEvent(&canvas(), &event);
-  }
+  void move(QPointF to, Qt::MouseButton button) { move_mouse(canvas(), to, button); }
   void drag(QPointF from, QPointF to) {
     QTest::mousePress(&canvas(), Qt::LeftButton, {}, from.toPoint());
     move(to, Qt::LeftButton);

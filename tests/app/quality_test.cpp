@@ -117,18 +117,6 @@ class QualityTest : public QObject {
     QVERIFY(error->isEnabled());
   }
 
-  void paper_is_far_off_in_a_dense_cloud() {
-    TestWindow window(dense_cloud());
-    window->findChild<QAction*>("airlight_paper")->trigger();
-    QVERIFY(window.settle());
-    QVERIFY(label(*window, "quality").startsWith("paper"));
-    QVERIFY2(error_of(*window).low > 0.1, qPrintable(error_text(error_of(*window))));
-    window->findChild<QAction*>("airlight_sliced")->trigger();
-    QVERIFY(window.settle());
-    QVERIFY2(error_of(*window).high < 0.05, qPrintable(error_text(error_of(*window))));
-    window->findChild<QAction*>("airlight_auto")->trigger();
-  }
-
   void another_bound_is_another_choice() {
     TestWindow window(dense_cloud());
     const Viewport& view = window->viewport();

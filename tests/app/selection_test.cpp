@@ -219,8 +219,7 @@ class SelectionTest : public QObject {
     QCOMPARE(document.medium().size(), std::size_t{11});
     window.key(Qt::Key_X, Qt::ControlModifier);
     QCOMPARE(document.undo_stack().undoText(), QString("Cut 2 Gaussians"));
-    document.undo_stack().setIndex(0);
-    QVERIFY(document.scene() == before);
+    QVERIFY(is_undone(document, before));
     QCOMPARE(document.selection(), (Ids{2, 3}));
   }
 
@@ -372,13 +371,6 @@ class SelectionTest : public QObject {
       QVERIFY(glm::distance(center(window, k) - pivot,
                             factor * (before.medium.centers()[k] - pivot)) < 1e-12);
     }
-    window.key(Qt::Key_Z, Qt::ControlModifier);
-    window.drag(middle + QPoint(60, 0), middle + QPoint(90, 0));
-    for (std::size_t k = 0; k < 3; ++k) {
-      QCOMPARE(document.medium().gaussian(k).radii().y, before.medium.radii()[k]);
-      QCOMPARE(center(window, k).y, before.medium.centers()[k].y);
-    }
-    QVERIFY(center(window, 1).x > before.medium.centers()[1].x);
   }
 
  private:

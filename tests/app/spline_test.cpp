@@ -1,6 +1,5 @@
 // The spline brush, and moves with a soft selection and with snapping.
 
-#include <QComboBox>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QTreeWidget>
@@ -79,9 +78,7 @@ class SplineTest : public QObject {
     add_gaussian(document, {.center = {0.1, 0.2, 0.3}, .radius = 0.2, .density = 1.0});
     document.select({document.medium().ids()[0]});
     window.key(Qt::Key_G);
-    auto* snap = window->findChild<QComboBox*>("move_snap");
-    snap->setCurrentIndex(2);
-    Q_EMIT snap->activated(2);
+    choose(window, "move_snap", 2);
     enter(window, "move_grid", "0.5");
     const glm::dvec3 at = window.view().rays().project(window.view().pivot());
     const QPoint pivot = QPointF(at.x, at.y).toPoint();
@@ -159,8 +156,7 @@ class SplineTest : public QObject {
     click(center + QPoint(0, 120));
     QCOMPARE(tool.spline().points.size(), std::size_t{1});
     QCOMPARE(document.medium().size(), count + 1);
-    while (document.undo_stack().canUndo()) document.undo_stack().undo();
-    QVERIFY(document.scene() == before);
+    QVERIFY(is_undone(document, before));
     while (document.undo_stack().canRedo()) document.undo_stack().redo();
     QCOMPARE(document.medium().size(), count + 1);
   }

@@ -77,21 +77,12 @@ QPoint TestWindow::handle(std::size_t index) {
 }
 
 void TestWindow::move(QPointF to, Qt::MouseButton button, Qt::KeyboardModifiers modifiers) {
-  Viewport& view = window_->viewport();
-  QMouseEvent event(QEvent::MouseMove, to, view.mapToGlobal(to), Qt::NoButton, button, modifiers);
-  QApplication::sendEvent(&view, &event);
-  view.finish_input();
+  move_mouse(window_->viewport(), to, button, modifiers);
 }
 
 void TestWindow::drag(QPoint from, QPoint to, Qt::MouseButton button,
                       Qt::KeyboardModifiers modifiers) {
-  Viewport& view = window_->viewport();
-  QTest::mousePress(&view, button, modifiers, from);
-  constexpr int steps = 5;
-  for (int k = 1; k <= steps; ++k) {
-    move(QPointF(from) + QPointF(to - from) * k / steps, button, modifiers);
-  }
-  QTest::mouseRelease(&view, button, modifiers, to);
+  drag_mouse(window_->viewport(), from, to, button, modifiers);
 }
 
 void TestWindow::key(Qt::Key key, Qt::KeyboardModifiers modifiers) {
@@ -100,6 +91,28 @@ void TestWindow::key(Qt::Key key, Qt::KeyboardModifiers modifiers) {
   QVERIFY(QTest::qWaitForWindowActive(window_.get(), patience));
   window_->viewport().setFocus();
   QTest::keyClick(&window_->viewport(), key, modifiers);
+}
+
+bool is_undone(Document& document, const Scene& before) {
+  document.undo_stack().setIndex(0);
+  return document.scene() == before;
+}
+
+void move_mouse(QWidget& widget, QPointF to, Qt::MouseButton button,
+                Qt::KeyboardModifiers modifiers) {
+  QMouseEvent event(QEvent::MouseMove, to, widget.mapToGlobal(to), Qt::NoButton, button, modifiers);
+  QApplication::sendEvent(&widget, &event);
+  if (auto* view = qobject_cast<Viewport*>(&widget)) view->finish_input();
+}
+
+void drag_mouse(QWidget& widget, QPointF from, QPointF to, Qt::MouseButton button,
+                Qt::KeyboardModifiers modifiers) {
+  QTest::mousePress(&widget, button, modifiers, from.toPoint());
+  constexpr int steps = 5;
+  for (int k = 1; k <= steps; ++k) {
+    move_mouse(widget, from + (to - from) * k / steps, button, modifiers);
+  }
+  QTest::mouseRelease(&widget, button, modifiers, to.toPoint());
 }
 
 std::string bytes_of(const Document& document) {
@@ -140,14 +153,7 @@ QString value(TestWindow& window, const char* field) {
 void drag_title(TestWindow& window, const char* field, int pixels) {
   auto* title = window->findChild<QLabel*>(QString(field) + "_title");
   if (!title) title = window->findChild<ValueField*>(field)->findChild<QLabel*>();
-  QTest::mousePress(title, Qt::LeftButton, {}, QPoint(3, 3));
-  for (int k = 1; k <= 4; ++k) {
-    const QPointF to(3.0 + pixels * k / 4.0, 3);
-    QMouseEvent move(QEvent::MouseMove, to, title->mapToGlobal(to), Qt::NoButton, Qt::LeftButton,
-                     Qt::NoModifier);
-    QApplication::sendEvent(title, &move);
-  }
-  QTest::mouseRelease(title, Qt::LeftButton);
+  drag_mouse(*title, {3, 3}, {3.0 + pixels, 3});
 }
 
 }  // namespace brume

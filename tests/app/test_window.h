@@ -49,7 +49,6 @@ class TestWindow {
   [[nodiscard]] const JobBar& bar(const BackgroundJob& job) const;
   // Where a Gaussian's handle is in the viewport.
   QPoint handle(std::size_t index);
-  // A mouse move with a button down, worked off at once: QTest::mouseMove knows of none.
   void move(QPointF to, Qt::MouseButton button = Qt::LeftButton,
             Qt::KeyboardModifiers modifiers = Qt::NoModifier);
   void drag(QPoint from, QPoint to, Qt::MouseButton button = Qt::LeftButton,
@@ -60,6 +59,16 @@ class TestWindow {
   QTemporaryDir folder_;
   std::unique_ptr<MainWindow> window_;
 };
+
+// Undoes everything; whether all is as it was, to the last bit.
+bool is_undone(Document& document, const Scene& before);
+
+// Moves of the mouse with a button down, worked off at once: QTest::mouseMove knows of none.
+void move_mouse(QWidget& widget, QPointF to, Qt::MouseButton button = Qt::LeftButton,
+                Qt::KeyboardModifiers modifiers = Qt::NoModifier);
+// In steps.
+void drag_mouse(QWidget& widget, QPointF from, QPointF to, Qt::MouseButton button = Qt::LeftButton,
+                Qt::KeyboardModifiers modifiers = Qt::NoModifier);
 
 // What a document's scene file would be, all of its values in it.
 std::string bytes_of(const Document& document);

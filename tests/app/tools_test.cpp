@@ -1,7 +1,6 @@
 // The tools that paint and erase, with a mouse and a keyboard.
 
 #include <QComboBox>
-#include <QLabel>
 #include <QLineEdit>
 #include <QToolBar>
 #include <glm/geometric.hpp>
@@ -260,21 +259,6 @@ class ToolsTest : public QObject {
     QCOMPARE(tool.brush().radius, window->document().medium().radii()[1]);
     QCOMPARE(tool.brush().density, 0.8);
     QVERIFY(!window->document().is_modified());
-  }
-
-  void a_title_can_be_dragged() {
-    TestWindow window;
-    window.key(Qt::Key_B);
-    PaintbrushTool& tool = ::tool<PaintbrushTool>(window);
-    const double before = tool.brush().radius;
-    auto* title = window->findChild<ValueField*>("brush_radius")->findChild<QLabel*>();
-    QTest::mousePress(title, Qt::LeftButton, {}, QPoint(3, 3));
-    const QPointF to(43, 3);
-    QMouseEvent move(QEvent::MouseMove, to, title->mapToGlobal(to), Qt::NoButton, Qt::LeftButton,
-                     Qt::NoModifier);
-    QApplication::sendEvent(title, &move);
-    QTest::mouseRelease(title, Qt::LeftButton, {}, to.toPoint());
-    QVERIFY(std::abs(tool.brush().radius / before - std::pow(1.01, 40.0)) < 1e-3);
   }
 
   void the_eraser_thins_and_deletes_as_one_step() {

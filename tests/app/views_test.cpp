@@ -31,17 +31,6 @@ QPoint place(const Viewport& view, const glm::dvec3& point) {
   return QPointF(at.x, at.y).toPoint();
 }
 
-void drag(Viewport& view, QPoint from, QPoint to) {
-  QTest::mousePress(&view, Qt::LeftButton, {}, from);
-  for (int k = 1; k <= 5; ++k) {
-    const QPointF at = QPointF(from) + QPointF(to - from) * k / 5;
-    QMouseEvent event(QEvent::MouseMove, at, view.mapToGlobal(at), Qt::NoButton, Qt::LeftButton,
-                      {});
-    QApplication::sendEvent(&view, &event);
-  }
-  QTest::mouseRelease(&view, Qt::LeftButton, {}, to);
-}
-
 }  // namespace
 
 class ViewsTest : public QObject {
@@ -114,11 +103,7 @@ class ViewsTest : public QObject {
     views.show_four(true);
     Viewport& front = pane(views, Projection::front);
     const Camera before = front.camera();
-    QTest::mousePress(&front, Qt::MiddleButton, {}, QPoint(50, 50));
-    QMouseEvent move(QEvent::MouseMove, QPointF(80, 70), front.mapToGlobal(QPointF(80, 70)),
-                     Qt::NoButton, Qt::MiddleButton, {});
-    QApplication::sendEvent(&front, &move);
-    QTest::mouseRelease(&front, Qt::MiddleButton, {}, QPoint(80, 70));
+    drag_mouse(front, {50, 50}, {80, 70}, Qt::MiddleButton);
     const glm::dvec3 way = front.camera().target - before.target;
     QVERIFY(glm::length(way) > 0.0);
     QVERIFY(std::abs(way.z) < 1e-9);
@@ -149,7 +134,7 @@ class ViewsTest : public QObject {
       const QPoint from = place(view, start);
       QTest::mouseClick(&view, Qt::LeftButton, {}, from);
       QCOMPARE(document.selection(), std::vector<GaussianId>{3});
-      drag(view, from, from + QPoint(20, -15));
+      drag_mouse(view, from, from + QPoint(20, -15));
       QCOMPARE(document.undo_stack().undoText(), QString("Move Gaussian"));
       const glm::dvec3 way = document.medium().centers()[2] - start;
       QVERIFY(glm::length(way) > 0.05);
@@ -162,7 +147,7 @@ class ViewsTest : public QObject {
     window->findChild<QAction*>("tool.paintbrush")->trigger();
     Viewport& top = pane(views, Projection::top);
     const std::size_t count = document.medium().size();
-    drag(top, top.rect().center() - QPoint(40, 0), top.rect().center() + QPoint(40, 0));
+    drag_mouse(top, top.rect().center() - QPoint(40, 0), top.rect().center() + QPoint(40, 0));
     QVERIFY(document.medium().size() > count);
     QVERIFY(document.undo_stack().undoText().startsWith("Paint"));
     for (std::size_t k = count; k < document.medium().size(); ++k) {
@@ -172,7 +157,7 @@ class ViewsTest : public QObject {
     }
     window->findChild<QAction*>("tool.lasso")->trigger();
     Viewport& side = pane(views, Projection::side);
-    drag(side, side.rect().center(), side.rect().center() + QPoint(30, 0));
+    drag_mouse(side, side.rect().center(), side.rect().center() + QPoint(30, 0));
     QVERIFY(settle_all(views));
   }
 
