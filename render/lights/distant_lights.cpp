@@ -201,13 +201,4 @@ std::vector<LightGroup> distant_light_groups(const RadianceMap& map,
   return groups;
 }
 
-std::vector<DistantLight> uniform_distant_lights(const RadianceMap& map, int rows) {
-  const MapRaster raster(map, rows);
-  std::vector<DistantLight> lights;
-  for (int y = 0; y < raster.rows(); ++y) {
-    for (int x = 0; x < raster.columns(); ++x) append(raster.at(x, y), lights);
-  }
-  return lights;
-}
-
 }  // namespace brume

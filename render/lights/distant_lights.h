@@ -38,7 +38,4 @@ struct LightGrouping {
 // Like distant_lights(), with the lights that each cluster combines.
 std::vector<LightGroup> distant_light_groups(const RadianceMap& map, const LightGrouping& grouping);
 
-// Stratified by equal angles: `rows` >= 1 rows from pole to pole, twice as many columns.
-std::vector<DistantLight> uniform_distant_lights(const RadianceMap& map, int rows);
-
 }  // namespace brume

@@ -410,7 +410,7 @@ class HistoryTest : public QObject {
       Document document;
       document.open(starting_document(), {});
       GaussianTableModel table(document);
-      connect(&document, &Document::medium_changed, &table, [&table](const MediumEdit& edit) {
+      on_medium_edit(document, &table, [&table](const MediumEdit& edit) {
         if (!table.follow(edit)) table.reload();
       });
       const QAbstractItemModelTester tester(&table,

@@ -176,18 +176,5 @@ TEST(Noise, MovesWithTimeAndRenewsNoTables) {
   EXPECT_EQ(later.beauty, render_frame(scene, settings).beauty) << "a renderer with a past";
 }
 
-TEST(Noise, ZeroAmplitudeIsSkipped) {
-  const Scene scene = cloud_scene(30, 1.0);
-  const Frame without = render_frame(scene, sliced_settings({}, 16));
-  const Frame with = render_frame(noisy(scene, 0.0, 5.0), sliced_settings({}, 16));
-  EXPECT_EQ(with.beauty, without.beauty);
-  const auto skips_noise = [](const Frame& frame) {
-    return std::any_of(frame.statistics.skipped.begin(), frame.statistics.skipped.end(),
-                       [](const SkippedStage& s) { return s.stage == Stage::noise; });
-  };
-  EXPECT_TRUE(skips_noise(with));
-  EXPECT_FALSE(skips_noise(render_frame(noisy(scene, 0.1), sliced_settings({}, 16))));
-}
-
 }  // namespace
 }  // namespace brume

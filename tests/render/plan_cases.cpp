@@ -100,22 +100,6 @@ std::string PlanCase::name() const {
          (transfer != Surface::Transfer::none ? " transfer" : "");
 }
 
-std::vector<PlanCase> all_plan_cases() {
-  const std::vector<Part> parts{Part::none, Part::idle, Part::active};
-  std::vector<PlanCase> cases = with_surfaces();
-  for (Part PlanCase::*part : {&PlanCase::lights, &PlanCase::sky, &PlanCase::gaussians}) {
-    cases = varied(cases, part, parts);
-  }
-  for (bool PlanCase::*part : {&PlanCase::fog, &PlanCase::noise}) {
-    cases = varied(cases, part, {false, true});
-  }
-  cases = varied(cases, &PlanCase::scale, {1, 4});
-  cases = varied(cases, &PlanCase::scattering, {Scattering::single, Scattering::multiple});
-  return varied(cases, &PlanCase::method,
-                {AirlightMethod::paper, AirlightMethod::sliced, AirlightMethod::march,
-                 AirlightMethod::reference, AirlightMethod::path});
-}
-
 std::vector<PlanCase> few_plan_cases(const std::vector<AirlightMethod>& methods) {
   const std::vector<Part> parts{Part::none, Part::active};
   std::vector<PlanCase> cases = with_surfaces();

@@ -41,10 +41,8 @@ struct PlanCase {
   [[nodiscard]] std::string name() const;
 };
 
-// All combinations.
-std::vector<PlanCase> all_plan_cases();
-
-// Enough of them to be rendered: no idle parts, no noise, one scale.
+// All combinations of parts that are there or not, without noise, at one scale: few enough to be
+// rendered.
 std::vector<PlanCase> few_plan_cases(const std::vector<AirlightMethod>& methods);
 
 // One stage and its reason a line.

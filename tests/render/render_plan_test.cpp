@@ -1,5 +1,4 @@
-// What a frame computes, decided by scene and settings alone: each stage runs if and only if its
-// rule says so, in every combination of what a scene may have.
+// What a frame computes, decided by scene and settings alone.
 
 #include "render/render_plan.h"
 
@@ -8,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <span>
 
 #include "render/renderer.h"
 #include "tests/render/plan_cases.h"
@@ -19,205 +17,161 @@ namespace {
 
 using Method = AirlightMethod;
 using Transfer = Surface::Transfer;
-using SurfaceDepths = RenderPlan::SurfaceDepths;
 
 RenderPlan plan_of(const PlanCase& c) {
   const Scene scene = c.scene();
   return {scene, scene.film, c.settings()};
 }
 
-// What surfaces take from all directions by other means than paths.
-bool has_indirect_light(const PlanCase& c) {
-  return !c.is(Method::path) && (c.has_sky() || (c.has_lights() && c.has_medium()));
-}
+using Part = PlanCase::Part;
 
-bool has_all_orders(const PlanCase& c) {
-  return c.is_multiple() && c.has_any_light() && c.has_medium();
-}
-
-bool uses_transfer(const PlanCase& c) {
-  if (has_all_orders(c)) return false;
-  return (c.transfer == Transfer::shadow && has_indirect_light(c)) ||
-         (c.transfer == Transfer::interreflection && c.has_any_light() && !c.is(Method::path));
-}
-
-struct StageRule {
-  Stage stage;
-  bool (*runs)(const PlanCase& c);
+struct PlanExample {
+  const char* what;
+  PlanCase scene;
+  const char* stages;
+  const char* parts;
+  const char* skipped;
 };
 
-const StageRule stage_rules[] = {
-    {Stage::transfer, uses_transfer},
-    {Stage::prepare, [](const PlanCase&) { return true; }},
-    {Stage::visibility, [](const PlanCase& c) { return c.surfaces; }},
-    {Stage::environment,
-     [](const PlanCase& c) {
-       return c.has_sky() && c.has_medium() && !c.is(Method::paper) && !c.is(Method::path) &&
-              (!c.is(Method::reference) || c.surfaces);
-     }},
-    {Stage::light_depth,
-     [](const PlanCase& c) { return c.is(Method::paper) && c.has_lights() && c.has_gaussians(); }},
-    {Stage::eye_depth,
-     [](const PlanCase& c) { return c.is(Method::paper) && c.has_lights() && c.has_gaussians(); }},
-    {Stage::light_table,
-     [](const PlanCase& c) { return c.is(Method::sliced) && c.has_lights() && c.has_gaussians(); }},
-    {Stage::scattering, has_all_orders},
-    {Stage::shadow_map,
-     [](const PlanCase& c) {
-       return c.is(Method::sliced) && c.has_lights() && c.has_medium() && c.surfaces;
-     }},
-    {Stage::airlight,
-     [](const PlanCase& c) { return c.has_medium() && c.has_any_light() && !c.is(Method::path); }},
-    {Stage::paths,
-     [](const PlanCase& c) {
-       return c.is(Method::path) && c.has_any_light() && (c.has_medium() || c.surfaces);
-     }},
-    {Stage::transmittance, [](const PlanCase& c) { return c.has_medium() && !c.has_any_light(); }},
-    {Stage::surfaces,
-     [](const PlanCase& c) { return c.surfaces && c.has_any_light() && !c.is(Method::path); }},
-    {Stage::composite, [](const PlanCase&) { return true; }},
+const PlanExample plan_examples[] = {
+    {"nothing",
+     {},
+     "prepare composite",
+     "",
+     "visibility: the scene has no surfaces\n"
+     "transfer: no surface requests it\n"
+     "environment: the scene has none\n"
+     "light_depth: nothing emits light\n"
+     "eye_depth: nothing emits light\n"
+     "homogeneous: the medium's homogeneous density is 0\n"
+     "noise: the medium has no Gaussians\n"
+     "airlight: the medium is empty\n"},
+    {"lit Gaussians, by the paper",
+     {.lights = Part::active, .gaussians = Part::active},
+     "prepare light_depth eye_depth airlight composite",
+     "",
+     "visibility: the scene has no surfaces\n"
+     "transfer: no surface requests it\n"
+     "environment: the scene has none\n"
+     "homogeneous: the medium's homogeneous density is 0\n"
+     "noise: its amplitude is 0\n"},
+    {"surfaces and Gaussians under a sky, by the paper",
+     {.sky = Part::active, .gaussians = Part::active, .surfaces = true, .scale = 4},
+     "prepare visibility airlight surfaces composite",
+     "upsample average_depth surface_scattering",
+     "transfer: no surface requests it\n"
+     "light_depth: nothing emits light\n"
+     "eye_depth: nothing emits light\n"
+     "homogeneous: the medium's homogeneous density is 0\n"
+     "noise: its amplitude is 0\n"},
+    {"lit fog on surfaces",
+     {.lights = Part::active, .fog = true, .surfaces = true, .method = Method::sliced},
+     "prepare visibility shadow_map airlight surfaces composite",
+     "homogeneous surface_scattering",
+     "transfer: no surface requests it\n"
+     "environment: the scene has none\n"
+     "light_table: the medium has no Gaussians\n"
+     "noise: the medium has no Gaussians\n"},
+    {"lit Gaussians of all orders, with surfaces that request transfer",
+     {.lights = Part::active,
+      .gaussians = Part::active,
+      .noise = true,
+      .surfaces = true,
+      .transfer = Transfer::interreflection,
+      .method = Method::sliced,
+      .scattering = Scattering::multiple},
+     "prepare visibility light_table scattering shadow_map airlight surfaces composite",
+     "noise surface_scattering",
+     "transfer: it is part of all orders of scattering\n"
+     "environment: the scene has none\n"
+     "homogeneous: the medium's homogeneous density is 0\n"},
+    {"surfaces that request shadows, under a sky in fog",
+     {.sky = Part::active,
+      .fog = true,
+      .surfaces = true,
+      .transfer = Transfer::shadow,
+      .method = Method::sliced},
+     "transfer prepare visibility environment airlight surfaces composite",
+     "homogeneous surface_scattering vertex_light",
+     "light_table: nothing emits light\n"
+     "shadow_map: nothing emits light\n"
+     "noise: the medium has no Gaussians\n"},
+    {"surfaces that request shadows of lights in clear air",
+     {.lights = Part::active,
+      .surfaces = true,
+      .transfer = Transfer::shadow,
+      .method = Method::sliced},
+     "prepare visibility surfaces composite",
+     "",
+     "transfer: all light is direct\n"
+     "surface_scattering: the medium is empty\n"
+     "environment: the scene has none\n"
+     "light_table: the medium has no Gaussians\n"
+     "shadow_map: the medium is empty\n"
+     "homogeneous: the medium's homogeneous density is 0\n"
+     "noise: the medium has no Gaussians\n"
+     "airlight: the medium is empty\n"},
+    {"dark Gaussians",
+     {.gaussians = Part::active, .noise = true, .surfaces = true, .method = Method::march},
+     "prepare visibility transmittance composite",
+     "noise",
+     "surfaces: nothing emits light\n"
+     "transfer: no surface requests it\n"
+     "environment: the scene has none\n"
+     "homogeneous: the medium's homogeneous density is 0\n"
+     "airlight: nothing emits light\n"},
+    {"the reference under a sky",
+     {.lights = Part::active,
+      .sky = Part::active,
+      .gaussians = Part::active,
+      .method = Method::reference},
+     "prepare airlight composite",
+     "",
+     "visibility: the scene has no surfaces\n"
+     "transfer: no surface requests it\n"
+     "homogeneous: the medium's homogeneous density is 0\n"
+     "noise: its amplitude is 0\n"},
+    {"paths",
+     {.lights = Part::active,
+      .fog = true,
+      .surfaces = true,
+      .transfer = Transfer::shadow,
+      .method = Method::path,
+      .scale = 4},
+     "prepare visibility paths composite",
+     "homogeneous",
+     "transfer: paths carry its light\n"
+     "environment: the scene has none\n"
+     "noise: the medium has no Gaussians\n"},
 };
 
-const StageRule part_rules[] = {
-    {Stage::homogeneous, [](const PlanCase& c) { return c.fog; }},
-    {Stage::noise, [](const PlanCase& c) { return c.noise && c.has_gaussians(); }},
-    {Stage::upsample,
-     [](const PlanCase& c) { return c.has_medium() && c.scale > 1 && !c.is(Method::path); }},
-    {Stage::average_depth,
-     [](const PlanCase& c) {
-       return c.is(Method::paper) && c.surfaces && c.has_sky() && c.has_gaussians();
-     }},
-    {Stage::surface_scattering,
-     [](const PlanCase& c) {
-       return c.surfaces && c.has_any_light() && c.has_medium() && !c.is(Method::path);
-     }},
-    {Stage::vertex_light, uses_transfer},
-};
-
-StageSet expected(std::span<const StageRule> rules, const PlanCase& c) {
-  StageSet stages;
-  for (const StageRule& rule : rules) stages.add(rule.stage, rule.runs(c));
-  return stages;
-}
-
-TEST(RenderPlan, RunsStagesByTheirRules) {
-  ASSERT_EQ(all_plan_cases().size(), 4u * 27u * 4u * 20u);
-  for (const PlanCase& c : all_plan_cases()) {
-    const RenderPlan plan = plan_of(c);
-    ASSERT_EQ(to_string(plan.stages), to_string(expected(stage_rules, c))) << c.name();
-    ASSERT_EQ(to_string(plan.parts), to_string(expected(part_rules, c))) << c.name();
-    ASSERT_TRUE(plan.on_cpu.empty());
+TEST(RenderPlan, RunsWhatScenesNeedAndSaysWhatTheyDoNot) {
+  for (const PlanExample& example : plan_examples) {
+    SCOPED_TRACE(example.what);
+    const RenderPlan plan = plan_of(example.scene);
+    EXPECT_EQ(to_string(plan.stages), example.stages);
+    EXPECT_EQ(to_string(plan.parts), example.parts);
+    EXPECT_EQ(in_words(plan.skipped), example.skipped);
+    EXPECT_TRUE(plan.on_cpu.empty());
   }
 }
 
-struct SkipRule {
-  Stage stage;
-  Reason why;
-  bool (*is_skipped)(const PlanCase& c);
-  std::size_t count = 0;
-};
-
-const SkipRule skip_rules[] = {
-    {Stage::visibility, Reason::no_surfaces, [](const PlanCase& c) { return !c.surfaces; }},
-    {Stage::surfaces, Reason::no_light,
-     [](const PlanCase& c) { return c.surfaces && !c.has_any_light(); }},
-    {Stage::transfer, Reason::no_transfer_requested,
-     [](const PlanCase& c) { return c.transfer == Transfer::none; }},
-    {Stage::transfer, Reason::no_light,
-     [](const PlanCase& c) { return c.transfer != Transfer::none && !c.has_any_light(); }},
-    {Stage::transfer, Reason::only_direct_light,
-     [](const PlanCase& c) {
-       return c.transfer == Transfer::shadow && c.has_lights() && !c.has_sky() && !c.has_medium() &&
-              !c.is(Method::path);
-     }},
-    {Stage::transfer, Reason::part_of_paths,
-     [](const PlanCase& c) {
-       return c.transfer != Transfer::none && c.has_any_light() && c.is(Method::path);
-     }},
-    {Stage::transfer, Reason::part_of_all_orders,
-     [](const PlanCase& c) { return c.transfer != Transfer::none && has_all_orders(c); }},
-    {Stage::surface_scattering, Reason::no_medium,
-     [](const PlanCase& c) { return c.surfaces && c.has_any_light() && !c.has_medium(); }},
-    {Stage::environment, Reason::no_environment,
-     [](const PlanCase& c) { return c.sky == PlanCase::Part::none; }},
-    {Stage::environment, Reason::black_environment,
-     [](const PlanCase& c) { return c.sky == PlanCase::Part::idle; }},
-    {Stage::light_depth, Reason::no_light,
-     [](const PlanCase& c) { return c.is(Method::paper) && !c.has_lights(); }},
-    {Stage::light_depth, Reason::no_gaussians,
-     [](const PlanCase& c) { return c.is(Method::paper) && c.has_lights() && !c.has_gaussians(); }},
-    {Stage::eye_depth, Reason::no_light,
-     [](const PlanCase& c) { return c.is(Method::paper) && !c.has_lights(); }},
-    {Stage::eye_depth, Reason::no_gaussians,
-     [](const PlanCase& c) { return c.is(Method::paper) && c.has_lights() && !c.has_gaussians(); }},
-    {Stage::light_table, Reason::no_light,
-     [](const PlanCase& c) { return c.is(Method::sliced) && !c.has_lights(); }},
-    {Stage::light_table, Reason::no_gaussians,
-     [](const PlanCase& c) {
-       return c.is(Method::sliced) && c.has_lights() && !c.has_gaussians();
-     }},
-    {Stage::shadow_map, Reason::no_surfaces,
-     [](const PlanCase& c) { return c.is(Method::sliced) && !c.surfaces; }},
-    {Stage::shadow_map, Reason::no_light,
-     [](const PlanCase& c) { return c.is(Method::sliced) && c.surfaces && !c.has_lights(); }},
-    {Stage::shadow_map, Reason::no_medium,
-     [](const PlanCase& c) {
-       return c.is(Method::sliced) && c.surfaces && c.has_lights() && !c.has_medium();
-     }},
-    {Stage::homogeneous, Reason::no_homogeneous_density, [](const PlanCase& c) { return !c.fog; }},
-    {Stage::noise, Reason::no_gaussians, [](const PlanCase& c) { return !c.has_gaussians(); }},
-    {Stage::noise, Reason::no_noise,
-     [](const PlanCase& c) { return c.has_gaussians() && !c.noise; }},
-    {Stage::airlight, Reason::no_medium, [](const PlanCase& c) { return !c.has_medium(); }},
-    {Stage::airlight, Reason::no_light,
-     [](const PlanCase& c) { return c.has_medium() && !c.has_any_light(); }},
-    {Stage::lights, Reason::lights_off,
-     [](const PlanCase& c) { return c.lights == PlanCase::Part::idle; }, 1},
-    {Stage::lights, Reason::black_lights,
-     [](const PlanCase& c) { return c.lights == PlanCase::Part::idle; }, 1},
-    {Stage::scattering, Reason::no_light,
-     [](const PlanCase& c) { return c.is_multiple() && !c.has_any_light(); }},
-    {Stage::scattering, Reason::no_medium,
-     [](const PlanCase& c) { return c.is_multiple() && c.has_any_light() && !c.has_medium(); }},
-};
-
-TEST(RenderPlan, SkipsStagesForTheirReasons) {
-  for (const PlanCase& c : all_plan_cases()) {
-    std::vector<SkippedStage> skipped;
-    for (const SkipRule& rule : skip_rules) {
-      if (rule.is_skipped(c)) skipped.push_back({rule.stage, to_string(rule.why, rule.count)});
+// Lights that are off, black skies and Gaussians of no density.
+TEST(RenderPlan, TakesPartsWithoutEffectAsMissing) {
+  for (const PlanCase& c : few_plan_cases(
+           {Method::paper, Method::sliced, Method::march, Method::reference, Method::path})) {
+    const RenderPlan whole = plan_of(c);
+    for (const SkippedStage& skipped : whole.skipped) ASSERT_FALSE(whole.runs(skipped.stage));
+    for (Part PlanCase::*part : {&PlanCase::lights, &PlanCase::sky, &PlanCase::gaussians}) {
+      PlanCase missing = c;
+      missing.*part = Part::none;
+      PlanCase idle = c;
+      idle.*part = Part::idle;
+      const RenderPlan expected = plan_of(missing);
+      const RenderPlan plan = plan_of(idle);
+      ASSERT_EQ(to_string(plan.stages), to_string(expected.stages)) << idle.name();
+      ASSERT_EQ(to_string(plan.parts), to_string(expected.parts)) << idle.name();
     }
-    ASSERT_EQ(in_words(plan_of(c).skipped), in_words(skipped)) << c.name();
-  }
-}
-
-TEST(RenderPlan, ChoosesByItsRules) {
-  for (const PlanCase& c : all_plan_cases()) {
-    const RenderPlan plan = plan_of(c);
-    const bool is_reference = c.is(Method::reference);
-    ASSERT_EQ(plan.has_environment, c.has_sky()) << c.name();
-    ASSERT_EQ(plan.has_environment_in_medium, c.has_sky() && c.has_medium()) << c.name();
-    ASSERT_EQ(plan.has_receivers, c.has_sky() && c.has_medium() && c.surfaces &&
-                                      !c.is(Method::paper) && !c.is(Method::path) &&
-                                      !has_all_orders(c))
-        << c.name();
-    ASSERT_EQ(plan.has_all_light_at_surfaces, c.surfaces && has_all_orders(c)) << c.name();
-    ASSERT_EQ(plan.has_indirect_light, has_indirect_light(c)) << c.name();
-    const bool sums_depths = c.surfaces && c.has_lights() && c.has_gaussians();
-    ASSERT_EQ(plan.surface_depths, !sums_depths || c.is(Method::path) ? SurfaceDepths::none
-                                   : c.is(Method::sliced)             ? SurfaceDepths::tables
-                                                                      : SurfaceDepths::exact)
-        << c.name();
-    ASSERT_EQ(plan.has_exact_occlusion, is_reference);
-    ASSERT_EQ(plan.precision,
-              is_reference ? Settings::Precision::plain_double : Settings::Precision::simd_float);
-    ASSERT_EQ(plan.depth_error, is_reference         ? reference_depth_error
-                                : c.is(Method::path) ? path_depth_error
-                                                     : Settings{}.depth_error);
-    ASSERT_EQ(plan.lights.size(), c.has_lights() ? 2u : 0u);
-    ASSERT_EQ(plan.transfers.size(), uses_transfer(c) ? 1u : 0u);
-    ASSERT_EQ(plan.transfers, needed_transfers(c.scene(), c.settings()));
-    ASSERT_EQ(plan.has_medium(), c.has_medium());
   }
 }
 
@@ -255,6 +209,9 @@ TEST(RenderPlan, KeepsTheRequestedPrecision) {
   const RenderPlan plan(cloud_scene(3, 1.0), {4, 4}, settings);
   EXPECT_EQ(plan.precision, settings.precision);
   EXPECT_EQ(plan.depth_error, settings.depth_error);
+  const RenderPlan reference(cloud_scene(3, 1.0), {4, 4}, reference_settings());
+  EXPECT_EQ(reference.precision, Settings::Precision::plain_double);
+  EXPECT_EQ(reference.depth_error, reference_depth_error);
 }
 
 TEST(RenderPlan, LimitsTheMemoryOfLightMaps) {

@@ -153,20 +153,6 @@ TEST(Renderer, StopsOnRequest) {
   EXPECT_LT(last, 1.0);
 }
 
-TEST(Renderer, ReportsSkippedStages) {
-  Scene scene = cloud_scene(5, 1.0);
-  scene.lights.clear();
-  const Frame frame = render_frame(scene, paper_settings);
-  bool found = false;
-  for (const SkippedStage& s : frame.statistics.skipped) {
-    found = found || (s.stage == Stage::airlight && s.why == "nothing emits light");
-  }
-  EXPECT_TRUE(found);
-  for (const float x : frame.airlight) EXPECT_EQ(x, 0.0f);
-  // The medium still takes light away.
-  EXPECT_LT(frame.transmittance[3 * center_pixel(frame)], 0.5f);
-}
-
 TEST(Renderer, LightsSwitchedOffAreAsIfNotThere) {
   Scene scene = busy_scene();
   scene.film = {16, 16};
@@ -183,35 +169,6 @@ TEST(Renderer, LightsSwitchedOffAreAsIfNotThere) {
   EXPECT_TRUE(found);
   scene.lights[1].on = true;
   EXPECT_NE(frame.beauty, render_frame(scene, paper_settings).beauty);
-}
-
-// A stage ran or was skipped, whatever the scene and the method.
-TEST(Renderer, NoStageIsBothRunAndSkipped) {
-  std::vector<Scene> scenes{Scene{}, cloud_scene(5, 1.0), busy_scene()};
-  scenes.push_back(busy_scene());
-  scenes.back().lights.clear();
-  scenes.push_back(busy_scene());
-  scenes.back().medium = Medium();
-  scenes.push_back(scenes.back());
-  scenes.back().medium.set_homogeneous_density(0.1);
-  scenes.push_back(cloud_scene(5, 1.0));
-  scenes.back().lights.clear();
-  for (Scene& scene : scenes) {
-    scene.film = {8, 8};
-    for (const AirlightMethod method :
-         {AirlightMethod::paper, AirlightMethod::sliced, AirlightMethod::march,
-          AirlightMethod::reference, AirlightMethod::path}) {
-      Settings settings;
-      settings.airlight = method;
-      settings.paths = 2;
-      const FrameStatistics statistics = render_frame(scene, settings).statistics;
-      for (const StageTime& ran : statistics.stages) {
-        for (const SkippedStage& skipped : statistics.skipped) {
-          EXPECT_NE(ran.stage, skipped.stage) << to_string(method);
-        }
-      }
-    }
-  }
 }
 
 TEST(Renderer, CountsPairs) {

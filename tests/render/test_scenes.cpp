@@ -144,6 +144,17 @@ Difference difference(const std::vector<float>& a, const std::vector<float>& b) 
   return {std::sqrt(square / square_b), sum / sum_b};
 }
 
+double airlight_error(const Scene& scene, const Settings& settings, const Settings& truth) {
+  return difference(render_frame(scene, settings).airlight, render_frame(scene, truth).airlight)
+      .relative_rmse;
+}
+
+bool is_left_out(const Frame& frame, const std::string& why) {
+  return std::ranges::any_of(frame.statistics.skipped, [&why](const SkippedStage& skipped) {
+    return skipped.why.find(why) != std::string::npos;
+  });
+}
+
 void expect_finite(const Frame& frame) {
   for (const float x : frame.beauty) ASSERT_TRUE(std::isfinite(x) && x >= 0.0f) << x;
   for (const float x : frame.airlight) ASSERT_TRUE(std::isfinite(x) && x >= 0.0f) << x;

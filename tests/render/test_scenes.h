@@ -48,6 +48,12 @@ struct Difference {
 };
 Difference difference(const std::vector<float>& a, const std::vector<float>& b);
 
+// The relative RMSE of the airlight that a scene has by some settings, of that by others.
+double airlight_error(const Scene& scene, const Settings& settings, const Settings& truth);
+
+// Whether the statistics say of something left out why, in words that include these.
+bool is_left_out(const Frame& frame, const std::string& why);
+
 // Whether sliced 24 of all orders is what 1024 paths a pixel see: airlight within 3% and their
 // noise, no 2% brighter or darker, the picture no 3%.
 void expect_all_orders_match_paths(const Scene& scene, const std::string& name);

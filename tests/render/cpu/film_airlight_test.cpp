@@ -135,31 +135,5 @@ TEST(AirlightScale, AnyFilmIsCovered) {
   }
 }
 
-// A light between samples, alone in thin fog or in a Gaussian smaller than they are apart: what is
-// bright is nearer to it than any sample.
-TEST(AirlightScale, PixelsNearestToALightAreComputed) {
-  for (const glm::dvec2 offset :
-       {glm::dvec2(1.0, 2.0), glm::dvec2(2.4, 2.3), glm::dvec2(3.1, 0.4)}) {
-    Scene scene;
-    scene.film = {161, 120};
-    scene.camera = {{0.0, 0.0, 4.0}, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 40.0};
-    const CameraRays rays(scene.camera, scene.film);
-    const glm::dvec3 w = rays.direction(80.5 + offset.x, 60.5 + offset.y);
-    scene.lights.push_back({scene.camera.eye + 4.0 * w, glm::dvec3(10.0), {}});
-    for (const double b0 : {0.01, 0.0}) {
-      scene.medium = {};
-      scene.medium.set_homogeneous_density(b0);
-      if (b0 == 0.0) scene.medium.append({scene.lights[0].position, 0.01, 1.0});
-      const Frame full = render_frame(scene, at_scale(1));
-      for (const int scale : {2, 4}) {
-        SCOPED_TRACE(testing::Message()
-                     << offset.x << ' ' << offset.y << ", b0 " << b0 << ", scale " << scale);
-        const Frame frame = render_frame(scene, at_scale(scale));
-        EXPECT_LT(errors(frame.airlight, full.airlight).relative_rmse, 0.01);
-      }
-    }
-  }
-}
-
 }  // namespace
 }  // namespace brume

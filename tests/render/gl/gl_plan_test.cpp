@@ -97,45 +97,6 @@ TEST(GlPlan, ReadsBackWhatIsNotDisplayed) {
   EXPECT_FALSE(stages(&picture).has(Stage::read_depth));
 }
 
-// Whatever a scene has: the stages of the CPU's plan run, some of its parts as stages.
-TEST(GlPlan, MovesStagesByTheirRules) {
-  for (const PlanCase& c : all_plan_cases()) {
-    const Scene scene = c.scene();
-    const RenderPlan cpu(scene, scene.film, c.settings());
-    const bool is_paper = c.is(AirlightMethod::paper);
-    if (!is_paper && !c.is(AirlightMethod::sliced)) {
-      ASSERT_TRUE(refusal(cpu)) << c.name();
-      continue;
-    }
-    ASSERT_FALSE(refusal(cpu)) << c.name();
-    const RenderPlan plan = device_plan(cpu, nullptr);
-
-    StageSet stages = cpu.stages;
-    StageSet parts = cpu.parts;
-    for (const Stage added : {Stage::submit, Stage::read_back}) stages.add(added);
-    stages.add(Stage::lists, c.has_medium());
-    stages.add(Stage::upsample, c.has_medium() && c.scale > 1);
-    stages.add(Stage::vertex_light, !cpu.transfers.empty());
-    for (const Stage timed : {Stage::upsample, Stage::vertex_light}) parts.remove(timed);
-    ASSERT_EQ(to_string(plan.stages), to_string(stages)) << c.name();
-    ASSERT_EQ(to_string(plan.parts), to_string(parts)) << c.name();
-
-    std::vector<SkippedStage> left;
-    const auto leave = [&](Stage stage, Reason why, bool is_left) {
-      if (is_left) left.push_back({stage, to_string(why)});
-    };
-    const bool lit_gaussians = c.has_lights() && c.has_gaussians();
-    leave(Stage::light_depth, Reason::center_depths_on_cpu, is_paper && lit_gaussians);
-    leave(Stage::eye_depth, Reason::center_depths_on_cpu, is_paper && lit_gaussians);
-    leave(Stage::vertex_light, Reason::vertex_light_on_cpu, !cpu.transfers.empty());
-    leave(Stage::environment, Reason::environment_on_cpu,
-          !is_paper && c.has_sky() && c.has_medium());
-    leave(Stage::average_depth, Reason::average_depth_on_cpu,
-          is_paper && c.has_sky() && c.has_gaussians() && c.surfaces);
-    ASSERT_EQ(in_words(plan.on_cpu), in_words(left)) << c.name();
-  }
-}
-
 using GlPlanOfFrames = GlFrames;
 
 TEST_F(GlPlanOfFrames, MatchesTheirStatistics) {
