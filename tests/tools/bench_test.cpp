@@ -9,6 +9,7 @@
 
 #include "brume/error.h"
 #include "core/io/scene/scene_file.h"
+#include "core/scene/mesh.h"
 #include "tests/tools/command_line.h"
 #include "tools/bench/measure/frontier.h"
 #include "tools/bench/report/bench_compare.h"
@@ -17,6 +18,7 @@
 #include "tools/bench/report/bench_markdown.h"
 #include "tools/bench/report/bench_tables.h"
 #include "tools/bench/report/cache_table.h"
+#include "tools/bench/scenes/table_one_scenes.h"
 
 namespace brume {
 namespace {
@@ -225,12 +227,21 @@ TEST(BenchTables, AppearInMarkdownAndHtml) {
   EXPECT_EQ(count(html, "`"), 0u) << "code";
 }
 
+TEST(TableOne, ScenesHaveTheSizesThatThePaperStates) {
+  for (const TableOneScene& kind : table_one_scenes) {
+    const Scene scene = kind.make();
+    std::size_t vertices = 0;
+    for (const Surface& surface : scene.surfaces) vertices += surface.mesh->n_vertices();
+    EXPECT_EQ(vertices, kind.vertices) << kind.name;
+    EXPECT_EQ(scene.medium.size(), kind.gaussians) << kind.name;
+  }
+}
+
 using BenchCommand = CommandLine;
 
 TEST_F(BenchCommand, WritesAReport) {
   const ProgramResult result =
-      run_brume({"bench", "--quick", scene_, "-o", file("report"), "--threads", "2"});
-  ASSERT_EQ(result.exit_code, 0) << result.err;
+      expect_done({"bench", "--quick", scene_, "-o", file("report"), "--threads", "2"});
   EXPECT_NE(result.out.find("| a: 2 Gaussians |"), std::string::npos) << result.out;
   EXPECT_EQ(content_of(file("report.md")), result.out);
   EXPECT_TRUE(content_of(file("report.svg")).starts_with("<svg "));
@@ -263,9 +274,8 @@ TEST_F(BenchCommand, PutsOtherProgramsBeside) {
   const Json row = {{"scene", "a"},          {"size", {24, 18}},       {"program", "Other"},
                     {"setting", "7 grains"}, {"cpu_seconds", 123.456}, {"rel_rmse", 0.019}};
   folder_.write("peers.json", Json{{"peers", {row}}}.dump());
-  const ProgramResult result =
-      run_brume({"bench", "--quick", scene_, "-o", file("report"), "--peers", file("peers.json")});
-  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const ProgramResult result = expect_done(
+      {"bench", "--quick", scene_, "-o", file("report"), "--peers", file("peers.json")});
   EXPECT_NE(result.out.find("| Other | 7 grains | 123.46 s | 1.9% |"), std::string::npos)
       << result.out;
   EXPECT_NE(content_of(file("report.svg")).find("Other"), std::string::npos);
@@ -281,7 +291,7 @@ TEST_F(BenchCommand, SavesItsScenes) {
   const std::string folder = file("scenes");
   std::filesystem::create_directory(folder);
   // A name of a subcommand may be a name of a file.
-  ASSERT_EQ(run_brume({"bench", "-o", "fit", "--save-scenes", folder}).exit_code, 0);
+  expect_done({"bench", "-o", "fit", "--save-scenes", folder});
   const Scene scene = load_scene(folder + "/cloud_300_depth_3.brume");
   EXPECT_EQ(scene.medium.size(), 300u);
   EXPECT_EQ(scene.film, (Film{200, 150}));
