@@ -28,16 +28,12 @@ TEST_F(AnimationCommands, RendersTheMomentOfItsKeys) {
   const std::string moving_scene = folder_.write("moving.brume", moving.dump()).string();
   const std::string still_scene = folder_.write("still.brume", still.dump()).string();
   const auto render = [&](const std::string& scene, const char* time, const char* image) {
-    const ProgramResult result =
-        run_brume({"render", scene, "--airlight", "sliced", "--time", time, "-o", file(image)});
-    EXPECT_EQ(result.exit_code, 0) << result.err;
+    expect_done({"render", scene, "--airlight", "sliced", "--time", time, "-o", file(image)});
   };
   render(moving_scene, "2", "moving.exr");
   render(still_scene, "0", "still.exr");
   render(moving_scene, "1", "earlier.exr");
-  EXPECT_EQ(run_brume({"compare", file("moving.exr"), file("still.exr"), "--max-rel-rmse", "0"})
-                .exit_code,
-            0);
+  expect_done({"compare", file("moving.exr"), file("still.exr"), "--max-rel-rmse", "0"});
   EXPECT_EQ(run_brume({"compare", file("earlier.exr"), file("still.exr"), "--max-rel-rmse", "0.1"})
                 .exit_code,
             1);
@@ -46,17 +42,15 @@ TEST_F(AnimationCommands, RendersTheMomentOfItsKeys) {
 // What fit writes of a sequence, a scene plays, and gather takes along.
 TEST_F(AnimationCommands, PlaysASequenceThatWasFitted) {
   const std::string volumes = BRUME_VOLUMES "/smoke_%04d.vdb";
-  ASSERT_EQ(run_brume({"fit", volumes, "--frames", "25-26", "--up", "z", "--count", "40", "-o",
-                       file("s_%02d.csv")})
-                .exit_code,
-            0);
+  expect_done({"fit", volumes, "--frames", "25-26", "--up", "z", "--count", "40", "-o",
+               file("s_%02d.csv")});
   const std::string scene = folder_
                                 .write("s.brume", R"({ "format": "brume-scene", "version": 1,
     "medium": { "sequences": [ { "file": "s_%02d.csv", "first": 25, "last": 26,
                                  "frames_per_second": 10 } ] } })")
                                 .string();
   const auto medium_at = [&](const char* time) {
-    EXPECT_EQ(run_brume({"export", scene, "--time", time, "-o", file("m.ply")}).exit_code, 0);
+    expect_done({"export", scene, "--time", time, "-o", file("m.ply")});
     return read_gaussians(file("m.ply"));
   };
   std::vector<GaussianNumber> ids;
@@ -65,9 +59,9 @@ TEST_F(AnimationCommands, PlaysASequenceThatWasFitted) {
   EXPECT_EQ(medium_at("0.1").size(), 40u);
   EXPECT_GE(medium_at("0.05").size(), 40u);
 
-  ASSERT_EQ(run_brume({"gather", scene, file("out")}).exit_code, 0);
+  expect_done({"gather", scene, file("out")});
   std::filesystem::remove(file("s_25.csv"));
-  EXPECT_EQ(run_brume({"export", file("out/s.brume"), "-o", file("n.ply")}).exit_code, 0);
+  expect_done({"export", file("out/s.brume"), "-o", file("n.ply")});
   EXPECT_EQ(read_gaussians(file("n.ply")).size(), 40u);
   expect_refused({"gather", file("out/s.brume"), file("out")}, {"out", "already exists"});
   expect_refused({"export", scene, "-o", file("n.ply")}, {"medium.sequences[0].file", "s_25.csv"});
@@ -79,8 +73,7 @@ TEST_F(AnimationCommands, ExportSimplifies) {
   for (int i = 0; i < 8; ++i) rows += "0,0,0,0.5,0.1\n";
   folder_.write("crowd.csv", rows);
   const ProgramResult result =
-      run_brume({"export", file("crowd.csv"), "-o", file("few.csv"), "--simplify", "0.01"});
-  EXPECT_EQ(result.exit_code, 0) << result.err;
+      expect_done({"export", file("crowd.csv"), "-o", file("few.csv"), "--simplify", "0.01"});
   EXPECT_NE(result.err.find("8 Gaussians became 1, with an error of "), std::string::npos)
       << result.err;
   const std::vector<Gaussian> few = read_gaussians(folder_ / "few.csv");

@@ -22,6 +22,20 @@ inline constexpr const char* scene_text = R"({
   "surfaces": [ { "mesh": "floor.obj" } ]
 })";
 
+// Arguments and some more.
+inline std::vector<std::string> joined(std::vector<std::string> arguments,
+                                       const std::vector<std::string>& more) {
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
+// What `brume` prints, which ends well.
+inline ProgramResult expect_done(const std::vector<std::string>& arguments) {
+  ProgramResult result = run_brume(arguments);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  return result;
+}
+
 class CommandLine : public ::testing::Test {
  protected:
   CommandLine() {

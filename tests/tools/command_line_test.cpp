@@ -27,8 +27,7 @@ TEST_F(CommandLine, HelpAndVersion) {
   }
   for (const std::vector<std::string>& arguments :
        std::vector<std::vector<std::string>>{{"-h"}, {"render", "-h"}, {"compare", "--help"}}) {
-    const ProgramResult result = run_brume(arguments);
-    EXPECT_EQ(result.exit_code, 0);
+    const ProgramResult result = expect_done(arguments);
     EXPECT_NE(result.out.find("Usage"), std::string::npos);
     EXPECT_EQ(result.err, "");
   }
@@ -112,9 +111,8 @@ TEST_F(CommandLine, RendersAllLayersToExr) {
   for (const char* airlight :
        {"paper", "sliced:24", "reference", "march:24", "march:1", "path:4"}) {
     SCOPED_TRACE(airlight);
-    const ProgramResult result = run_brume(
+    const ProgramResult result = expect_done(
         {"render", scene_, "-o", file("o.exr"), "--airlight", airlight, "--backend", "cpu"});
-    ASSERT_EQ(result.exit_code, 0) << result.err;
     EXPECT_EQ(result.out + result.err, "");
     const ImageLayers image = read_exr(folder_ / "o.exr");
     EXPECT_EQ(image.width, 24);
@@ -143,11 +141,7 @@ TEST_F(CommandLine, AcceptsTheOptionsOfPaper) {
       {"paper+mean+energy", {"--paper-energy", "--paper-mean"}}};
   std::set<std::vector<float>> pictures;
   for (const auto& [name, options] : cases) {
-    std::vector<std::string> arguments{"render",      scene_,       "-o",
-                                       file("o.exr"), "--airlight", "paper"};
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    const ProgramResult result = run_brume(arguments);
-    ASSERT_EQ(result.exit_code, 0) << result.err;
+    expect_done(joined({"render", scene_, "-o", file("o.exr"), "--airlight", "paper"}, options));
     const ImageLayers image = read_exr(folder_ / "o.exr");
     EXPECT_EQ(image.metadata.at("brume:airlight"), name);
     EXPECT_TRUE(pictures.insert(image.channels.at("airlight.R")).second) << name;
@@ -156,10 +150,9 @@ TEST_F(CommandLine, AcceptsTheOptionsOfPaper) {
 
 TEST_F(CommandLine, RendersAirlightAtLowerResolution) {
   for (const char* scale : {"1", "2", "4"}) {
-    const ProgramResult result = run_brume(
-        {"render", scene_, "-o", file("o.exr"), "--stats", file("s.json"), "--size", "40x30",
-         "--airlight", "sliced", "--scattering", "single", "--airlight-scale", scale});
-    ASSERT_EQ(result.exit_code, 0) << result.err;
+    expect_done({"render", scene_, "-o", file("o.exr"), "--stats", file("s.json"), "--size",
+                 "40x30", "--airlight", "sliced", "--scattering", "single", "--airlight-scale",
+                 scale});
     const auto stats = nlohmann::json::parse(content_of(folder_ / "s.json"));
     EXPECT_EQ(stats["airlight_scale"], std::stoi(scale));
     EXPECT_GT(stats["exact_pixels"], 0);
@@ -174,9 +167,8 @@ TEST_F(CommandLine, RendersAirlightAtLowerResolution) {
 }
 
 TEST_F(CommandLine, RendersToPng) {
-  const ProgramResult result = run_brume({"render", scene_, "-o", file("o.PNG"), "--size", "7x5",
-                                          "--exposure", "-1.5", "--airlight", "paper"});
-  ASSERT_EQ(result.exit_code, 0) << result.err;
+  expect_done({"render", scene_, "-o", file("o.PNG"), "--size", "7x5", "--exposure", "-1.5",
+               "--airlight", "paper"});
   const std::string png = content_of(folder_ / "o.PNG");
   EXPECT_TRUE(png.starts_with("\x89PNG"));
   for (const char* text :
@@ -189,10 +181,8 @@ TEST_F(CommandLine, RendersToPng) {
 
 TEST_F(CommandLine, PngsHaveEightOrSixteenBits) {
   const auto bits = [&](std::vector<std::string> options) {
-    options.insert(options.begin(),
-                   {"render", scene_, "-o", file("o.png"), "--size", "7x5", "--airlight", "paper"});
-    const ProgramResult result = run_brume(options);
-    EXPECT_EQ(result.exit_code, 0) << result.err;
+    expect_done(joined(
+        {"render", scene_, "-o", file("o.png"), "--size", "7x5", "--airlight", "paper"}, options));
     return int{content_of(folder_ / "o.png")[24]};  // in the header
   };
   EXPECT_EQ(bits({}), 8);
@@ -204,9 +194,7 @@ TEST_F(CommandLine, PngsHaveEightOrSixteenBits) {
 }
 
 TEST_F(CommandLine, OneNumberIsTheLongerSide) {
-  const ProgramResult result =
-      run_brume({"render", scene_, "-o", file("o.png"), "--size", "12", "--airlight", "paper"});
-  ASSERT_EQ(result.exit_code, 0) << result.err;
+  expect_done({"render", scene_, "-o", file("o.png"), "--size", "12", "--airlight", "paper"});
   // The film has 24 x 18 pixels. A PNG's sides follow the name of its first chunk.
   const std::string png = content_of(folder_ / "o.png");
   EXPECT_EQ(png.substr(16, 8), std::string("\0\0\0\x0c\0\0\0\x09", 8));
@@ -215,8 +203,7 @@ TEST_F(CommandLine, OneNumberIsTheLongerSide) {
 TEST_F(CommandLine, RendersPngsInViewsOfOpenColorIO) {
   const auto render = [&](const char* name, std::vector<std::string> options) {
     options.insert(options.begin(), {"render", scene_, "-o", file(name), "--airlight", "paper"});
-    const ProgramResult result = run_brume(options);
-    EXPECT_EQ(result.exit_code, 0) << result.err;
+    expect_done(options);
     return content_of(folder_ / name);
   };
   const std::string neutral = render("a.png", {});
@@ -235,10 +222,8 @@ TEST_F(CommandLine, RendersPngsInViewsOfOpenColorIO) {
 }
 
 TEST_F(CommandLine, WritesTheStatisticsOfTheContract) {
-  const ProgramResult result =
-      run_brume({"render", scene_, "-o", file("o.exr"), "--stats", file("s.json"), "--repeat", "3",
-                 "--threads", "1", "--size", "8x6", "--airlight", "paper", "--backend", "cpu"});
-  ASSERT_EQ(result.exit_code, 0) << result.err;
+  expect_done({"render", scene_, "-o", file("o.exr"), "--stats", file("s.json"), "--repeat", "3",
+               "--threads", "1", "--size", "8x6", "--airlight", "paper", "--backend", "cpu"});
   const auto stats = nlohmann::ordered_json::parse(content_of(folder_ / "s.json"));
   std::vector<std::string> keys;
   for (const auto& [key, value] : stats.items()) keys.push_back(key);
@@ -276,10 +261,8 @@ TEST_F(CommandLine, WritesTheStatisticsOfTheContract) {
 }
 
 TEST_F(CommandLine, TellsTheNoiseOfPaths) {
-  const ProgramResult result =
-      run_brume({"render", scene_, "-o", file("o.exr"), "--stats", file("s.json"), "--size", "8x6",
-                 "--airlight", "path:16", "--backend", "cpu"});
-  ASSERT_EQ(result.exit_code, 0) << result.err;
+  expect_done({"render", scene_, "-o", file("o.exr"), "--stats", file("s.json"), "--size", "8x6",
+               "--airlight", "path:16", "--backend", "cpu"});
   const auto stats = nlohmann::json::parse(content_of(folder_ / "s.json"));
   EXPECT_EQ(stats["airlight"], "path:16");
   EXPECT_TRUE(stats["error"].is_null());
@@ -295,8 +278,7 @@ TEST_F(CommandLine, RendersWithOpenGl) {
   const auto run = [&](std::vector<std::string> options) {
     std::vector<std::string> all{"render", scene_, "-o", file("o.exr"), "--stats", file("s.json")};
     all.insert(all.end(), options.begin(), options.end());
-    const ProgramResult result = run_brume(all);
-    EXPECT_EQ(result.exit_code, 0) << result.err;
+    const ProgramResult result = expect_done(all);
     const auto stats = Json::parse(content_of(folder_ / "s.json"));
     EXPECT_EQ(read_exr(folder_ / "o.exr").metadata.at("brume:backend"),
               stats["backend"].get<std::string>());
@@ -324,9 +306,8 @@ TEST_F(CommandLine, RendersWithOpenGl) {
 TEST_F(CommandLine, ChoosesByMeasuredError) {
   const auto stats_of = [&](const char* max_error) {
     const ProgramResult result =
-        run_brume({"render", scene_, "-o", file("o.exr"), "--stats", file("s.json"), "--size",
-                   "32x24", "--scattering", "single", "--max-error", max_error});
-    EXPECT_EQ(result.exit_code, 0) << result.err;
+        expect_done({"render", scene_, "-o", file("o.exr"), "--stats", file("s.json"), "--size",
+                     "32x24", "--scattering", "single", "--max-error", max_error});
     EXPECT_EQ(result.err, "");
     return Json::parse(content_of(folder_ / "s.json"));
   };
@@ -342,10 +323,8 @@ TEST_F(CommandLine, ChoosesByMeasuredError) {
 
 // The frame that is timed is a moved one, also where just one frame is asked for.
 TEST_F(CommandLine, TimesAMovedFrame) {
-  const ProgramResult result =
-      run_brume({"render", scene_, "-o", file("o.exr"), "--stats", file("s.json"), "--size", "2x2",
-                 "--airlight", "sliced", "--slices", "32"});
-  ASSERT_EQ(result.exit_code, 0) << result.err;
+  expect_done({"render", scene_, "-o", file("o.exr"), "--stats", file("s.json"), "--size", "2x2",
+               "--airlight", "sliced", "--slices", "32"});
   const Json stats = Json::parse(content_of(folder_ / "s.json"));
   EXPECT_EQ(stats["repeat"], 1);
   EXPECT_EQ(stats["frame_ms"]["min"], stats["frame_ms"]["max"]);
@@ -356,8 +335,7 @@ TEST_F(CommandLine, ReportsTheNumberOfThreads) {
     std::vector<std::string> arguments{"render",       scene_,   "-o",  file("o.exr"),  "--stats",
                                        file("s.json"), "--size", "2x2", "--scattering", "single"};
     arguments.insert(arguments.end(), more.begin(), more.end());
-    const ProgramResult result = run_brume(arguments);
-    EXPECT_EQ(result.exit_code, 0);
+    const ProgramResult result = expect_done(arguments);
     EXPECT_EQ(result.err, "");
     return Json::parse(content_of(folder_ / "s.json"))["threads"].get<int>();
   };
@@ -384,8 +362,7 @@ TEST_F(CommandLine, WarnsOnStandardError) {
                                 .write("w.brume", R"({"format": "brume-scene", "version": 1,
     "mystery": 1, "film": {"width": 2, "height": 2}})")
                                 .string();
-  const ProgramResult result = run_brume({"render", scene, "-o", file("o.exr")});
-  EXPECT_EQ(result.exit_code, 0);
+  const ProgramResult result = expect_done({"render", scene, "-o", file("o.exr")});
   EXPECT_TRUE(result.err.starts_with("brume: warning: ")) << result.err;
   EXPECT_NE(result.err.find("mystery: unknown key"), std::string::npos) << result.err;
 }

@@ -15,8 +15,7 @@ using Json = nlohmann::json;
 TEST_F(CommandLine, ComparesAgainstTheSecondImage) {
   write_image("a.exr", {{"R", 1}, {"G", 2}, {"B", 6}, {"Z", 2}});
   write_image("b.exr", {{"R", 1}, {"G", 4}, {"B", 3}, {"Z", 4}});
-  const ProgramResult result = run_brume({"compare", file("a.exr"), file("b.exr")});
-  EXPECT_EQ(result.exit_code, 0);
+  const ProgramResult result = expect_done({"compare", file("a.exr"), file("b.exr")});
   EXPECT_EQ(std::count(result.out.begin(), result.out.end(), '\n'), 1);
   const Json json = Json::parse(result.out);
   EXPECT_DOUBLE_EQ(json["rel_rmse"], std::sqrt(0.5));
@@ -40,8 +39,8 @@ TEST_F(CommandLine, CompareStatesWhatCannotBeCompared) {
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_TRUE(Json::parse(result.out)["rel_rmse"].is_null());
   EXPECT_NE(result.err.find("NaN"), std::string::npos);
-  const ProgramResult depth = run_brume({"compare", file("a.exr"), file("b.exr"), "--layer", "Z"});
-  EXPECT_EQ(depth.exit_code, 0);
+  const ProgramResult depth =
+      expect_done({"compare", file("a.exr"), file("b.exr"), "--layer", "Z"});
   EXPECT_EQ(Json::parse(depth.out)["rel_rmse"], 0.0);
 }
 
@@ -56,8 +55,7 @@ TEST_F(CommandLine, ComparesColoursOfOtherPrimaries) {
   write("a.exr", "0.7947038,0.5317338,0.2928541",
         "0.713,0.293,0.165,0.83,0.128,0.044,0.32168,0.33767");
   write("b.exr", "1,0.5,0.25", "0.64,0.33,0.3,0.6,0.15,0.06,0.3127,0.329");
-  const ProgramResult result = run_brume({"compare", file("a.exr"), file("b.exr")});
-  EXPECT_EQ(result.exit_code, 0) << result.err;
+  const ProgramResult result = expect_done({"compare", file("a.exr"), file("b.exr")});
   EXPECT_LT(Json::parse(result.out)["max_error"], 1e-5);
 }
 

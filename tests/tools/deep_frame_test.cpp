@@ -32,8 +32,7 @@ class DeepFrames : public CommandLine {
     arguments.insert(arguments.end(), {"--airlight", "sliced", "--slices", "64"});
     arguments.insert(arguments.end(), {"--scattering", "single"});
     arguments.insert(arguments.end(), options.begin(), options.end());
-    const ProgramResult result = run_brume(arguments);
-    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const ProgramResult result = expect_done(arguments);
     ASSERT_EQ(result.err, "");
   }
   void oiiotool(const std::string& arguments) const {

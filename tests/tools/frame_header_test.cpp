@@ -37,10 +37,7 @@ class FrameHeader : public CommandLine {
     return {result[0] / result[3], result[1] / result[3], result[2] / result[3]};
   }
   void render(std::vector<std::string> more) const {
-    std::vector<std::string> arguments{"render", scene_, "--backend", "cpu", "--size", "40x20"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    const ProgramResult result = run_brume(arguments);
-    ASSERT_EQ(result.exit_code, 0) << result.err;
+    expect_done(joined({"render", scene_, "--backend", "cpu", "--size", "40x20"}, more));
   }
 };
 

@@ -27,11 +27,6 @@ class FrameRate : public CommandLine {
     return folder_.write("moving.brume", scene.dump()).string();
   }
 
-  void run(std::vector<std::string> arguments) {
-    const ProgramResult result = run_brume(arguments);
-    EXPECT_EQ(result.exit_code, 0) << result.err;
-  }
-
   std::map<std::string, std::vector<float>> rendered(const std::string& scene, const char* image,
                                                      std::vector<std::string> more) {
     std::vector<std::string> arguments{"render", scene,    "--airlight",   "sliced", "--backend",
@@ -39,22 +34,20 @@ class FrameRate : public CommandLine {
     arguments.insert(arguments.begin() + 7, "8x6");
     arguments.push_back(file(image));
     arguments.insert(arguments.end(), more.begin(), more.end());
-    run(arguments);
+    expect_done(arguments);
     return read_exr(folder_ / (image == std::string("f_%d.exr") ? "f_6.exr" : image)).channels;
   }
 
   std::vector<Gaussian> exported(const std::string& scene, const char* output,
                                  std::vector<std::string> more) {
-    std::vector<std::string> arguments{"export", scene, "-o", file(output)};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    run(arguments);
+    expect_done(joined({"export", scene, "-o", file(output)}, more));
     return read_gaussians(file(output == std::string("f_%d.ply") ? "f_6.ply" : output));
   }
 
   std::string stage(const std::string& scene, const std::vector<std::string>& more) {
     std::vector<std::string> arguments{"export", scene, "-o", file("f.usda"), "--voxel", "0.2"};
     arguments.insert(arguments.end(), more.begin(), more.end());
-    run(arguments);
+    expect_done(arguments);
     return content_of(folder_ / "f.usda");
   }
   // The camera's transform in a stage of one moment.
@@ -70,7 +63,7 @@ class FrameRate : public CommandLine {
                                        "--frames",       "0-3",     "-o",
                                        file("v_%d.png"), "--video", file("film.mp4")};
     arguments.insert(arguments.end(), more.begin(), more.end());
-    run(arguments);
+    expect_done(arguments);
     const Json job = Json::parse(content_of(folder_ / "v.openjd/template.json"));
     const Json words = job["steps"][1]["script"]["actions"]["onRun"]["args"];
     const auto rate = std::ranges::find(words, Json("-framerate"));
@@ -128,8 +121,7 @@ TEST_F(FrameRate, CountsForWhatIsCurrent) {
         "render", moving(timeline), "--airlight",     "sliced", "--size", "4x3", "--frames", "1-2",
         "-o",     file("s_%d.exr"), "--skip-existing"};
     arguments.insert(arguments.end(), more.begin(), more.end());
-    const ProgramResult result = run_brume(arguments);
-    EXPECT_EQ(result.exit_code, 0) << result.err;
+    const ProgramResult result = expect_done(arguments);
     return Json::parse(result.out)["made"].size();
   };
   EXPECT_EQ(made({}, {}), 2u);

@@ -28,11 +28,10 @@ class FrameSequence : public CommandLine {
 
   // What it says it did.
   Json render(std::vector<std::string> more, int exit_code = 0) {
-    std::vector<std::string> arguments{"render",       moving_,  "--airlight", "sliced",
-                                       "--scattering", "single", "--backend",  "cpu",
-                                       "--fps",        "10"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    const ProgramResult result = run_brume(arguments);
+    const ProgramResult result =
+        run_brume(joined({"render", moving_, "--airlight", "sliced", "--scattering", "single",
+                          "--backend", "cpu", "--fps", "10"},
+                         more));
     EXPECT_EQ(result.exit_code, exit_code) << result.err;
     errors_ = result.err;
     return result.out.empty() ? Json() : Json::parse(result.out);
@@ -175,8 +174,7 @@ TEST_F(FrameSequence, AFrameThatFailsLeavesTheOthersAlone) {
 
 TEST_F(FrameSequence, RefusesWhatCannotBeMeant) {
   const auto refused = [this](std::vector<std::string> more, const std::string& part) {
-    more.insert(more.begin(), {"render", moving_});
-    expect_refused(more, {part});
+    expect_refused(joined({"render", moving_}, more), {part});
   };
   for (const char* range : {"", "4-2", "1-", "-3", "1-9x0", "1-9x", "1,,2", "a", "1-2000000000"}) {
     if (*range != '\0') refused({"--frames", range, "-o", file("s_%d.png")}, "--frames: found");
@@ -210,8 +208,7 @@ TEST_F(FrameSequence, CanBeEndedAndGoOn) {
     }
     EXPECT_GE(whole, 1u);
     EXPECT_LT(whole, 10u);
-    const ProgramResult rest = run_brume(arguments);
-    EXPECT_EQ(rest.exit_code, 0) << rest.err;
+    const ProgramResult rest = expect_done(arguments);
     EXPECT_GE(Json::parse(rest.out)["skipped"].size(), whole);
     for (int frame = 0; frame <= 9; ++frame) {
       fs::remove(folder_ / ("k_" + std::to_string(frame) + ".exr"));

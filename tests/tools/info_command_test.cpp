@@ -12,8 +12,7 @@ namespace {
 using Json = nlohmann::json;
 
 TEST_F(CommandLine, SummarizesAScene) {
-  const ProgramResult result = run_brume({"info", scene_, "--json"});
-  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const ProgramResult result = expect_done({"info", scene_, "--json"});
   const Json info = Json::parse(result.out);
   EXPECT_EQ(info["medium"]["gaussians"], 2);
   EXPECT_EQ(info["medium"]["homogeneous_density"], 0.02);
@@ -30,8 +29,7 @@ TEST_F(CommandLine, SummarizesAScene) {
   EXPECT_LE(info["medium"]["greatest_optical_depth"], both);
   EXPECT_GT(info["medium"]["greatest_optical_depth"], 0.95 * both);
 
-  const ProgramResult words = run_brume({"info", scene_});
-  EXPECT_EQ(words.exit_code, 0);
+  const ProgramResult words = expect_done({"info", scene_});
   EXPECT_NE(words.out.find("gaussians: 2"), std::string::npos) << words.out;
   EXPECT_NE(words.out.find("center bounds: (0, 0, 0) to (1, 0, 0)"), std::string::npos)
       << words.out;
@@ -39,8 +37,7 @@ TEST_F(CommandLine, SummarizesAScene) {
 
 TEST_F(CommandLine, SummarizesAMedium) {
   write_gaussians(folder_ / "m.ply", std::vector<Gaussian>{{{1, 2, 3}, 2, 0.25}});
-  const ProgramResult result = run_brume({"info", file("m.ply"), "--json"});
-  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const ProgramResult result = expect_done({"info", file("m.ply"), "--json"});
   const Json medium = Json::parse(result.out)["medium"];
   EXPECT_EQ(medium["gaussians"], 1);
   EXPECT_DOUBLE_EQ(medium["greatest_optical_depth"], std::sqrt(std::acos(-1.0)) * 0.5);
@@ -48,8 +45,8 @@ TEST_F(CommandLine, SummarizesAMedium) {
 
 TEST_F(CommandLine, AcceptsExtensionsInAnyCase) {
   write_gaussians(folder_ / "M.PLY", std::vector<Gaussian>{{{1, 2, 3}, 2, 0.25}});
-  EXPECT_EQ(run_brume({"info", file("M.PLY")}).exit_code, 0);
-  EXPECT_EQ(run_brume({"info", folder_.write("A.Brume", scene_text).string()}).exit_code, 0);
+  expect_done({"info", file("M.PLY")});
+  expect_done({"info", folder_.write("A.Brume", scene_text).string()});
   expect_refused({"info", file("smoke.VDB")}, {"smoke.VDB", "no such file"});
 }
 

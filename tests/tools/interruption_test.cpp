@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 class Interruption : public CommandLine {
  protected:
   Interruption() {
-    write_cloud(20'000);
+    write_cloud(5000);
     slow_ = folder_
                 .write("slow.brume", R"({ "format": "brume-scene", "version": 1,
   "camera": { "eye": [0, 0, 5], "target": [0, 0, 0] }, "film": { "width": 2000, "height": 2000 },

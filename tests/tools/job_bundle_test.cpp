@@ -127,11 +127,10 @@ class Engine {
 class JobBundle : public CommandLine {
  protected:
   fs::path bundle(std::vector<std::string> more) {
-    std::vector<std::string> arguments{"submit", "openjd", scene_,  "--airlight", "sliced", "--fps",
-                                       "10",     "--size", "16x12", "--backend",  "cpu"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    const ProgramResult result = run_brume(arguments);
-    EXPECT_EQ(result.exit_code, 0) << result.err;
+    const ProgramResult result =
+        expect_done(joined({"submit", "openjd", scene_, "--airlight", "sliced", "--fps", "10",
+                            "--size", "16x12", "--backend", "cpu"},
+                           more));
     errors_ = result.err;
     return Json::parse(result.out)["bundle"].get<std::string>();
   }
@@ -210,8 +209,7 @@ TEST_F(JobBundle, WarnOfFilesThatAFarmWouldNotCopy) {
 
 TEST_F(JobBundle, RefuseWhatATemplateCannotSay) {
   const auto refused = [this](std::vector<std::string> more, const std::string& part) {
-    more.insert(more.begin(), {"submit", "openjd", scene_});
-    expect_refused(more, {part});
+    expect_refused(joined({"submit", "openjd", scene_}, more), {part});
   };
   refused({"--frames", "0", "-o", file("{{Param.Frames}}_%d.exr")}, "without {{");
   refused({"--frames", "0", "-o", file("f_%d.exr"), "--watch"}, "of slurm");

@@ -15,8 +15,7 @@ class LayersOption : public CommandLine {
     std::vector<std::string> arguments{"render", scene_, "-o", file("a.exr")};
     arguments.insert(arguments.end(), {"--airlight", "sliced", "--scattering", "single"});
     arguments.insert(arguments.end(), options.begin(), options.end());
-    const ProgramResult result = run_brume(arguments);
-    EXPECT_EQ(result.exit_code, 0) << result.err;
+    expect_done(arguments);
     return read_exr(folder_ / "a.exr");
   }
 };

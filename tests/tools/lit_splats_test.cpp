@@ -32,11 +32,6 @@ class LitSplats : public CommandLine {
     folder_.write("lit.brume", scene.dump());
   }
 
-  void expect_done(const std::vector<std::string>& arguments) {
-    const ProgramResult result = run_brume(arguments);
-    EXPECT_EQ(result.exit_code, 0) << result.err;
-  }
-
   // Of the first splat: what a viewer that looks along w shows of red, of bands 0 and 1.
   static double red(const std::string& bytes, const glm::dvec3& w) {
     const PlyFile ply("splats", bytes);

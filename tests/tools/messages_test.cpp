@@ -32,8 +32,7 @@ TEST_F(Messages, DoNotDriveTheTerminal) {
                                                 {"film", {{"width", 2}, {"height", 2}}}}
                                      .dump())
           .string();
-  const ProgramResult info = run_brume({"info", scene});
-  EXPECT_EQ(info.exit_code, 0);
+  const ProgramResult info = expect_done({"info", scene});
   expect_printable(info);
   EXPECT_NE(info.out.find(harmless), std::string::npos) << info.out;
   EXPECT_NE(info.err.find(std::string(harmless) + ": unknown key"), std::string::npos) << info.err;
@@ -66,8 +65,8 @@ TEST_F(Messages, ManyWarningsAreCounted) {
   nlohmann::json scene{{"format", "brume-scene"}, {"version", 1}};
   for (int i = 0; i < 500; ++i) scene["medium"]["unknown_" + std::to_string(i)] = i;
   for (int i = 0; i < 500; ++i) scene["unknown_" + std::to_string(i)] = i;
-  const ProgramResult result = run_brume({"info", folder_.write("w.brume", scene.dump()).string()});
-  EXPECT_EQ(result.exit_code, 0);
+  const ProgramResult result =
+      expect_done({"info", folder_.write("w.brume", scene.dump()).string()});
   EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 21) << result.err;
   EXPECT_NE(result.err.find("unknown_0: unknown key"), std::string::npos) << result.err;
   EXPECT_NE(result.err.find("w.brume: and 980 more warnings like these"), std::string::npos)
@@ -88,11 +87,10 @@ TEST_F(Messages, NameWhatIsGatheredFromElsewhere) {
     return folder_.write(name, text + list + " ] }").string();
   };
   const ProgramResult own =
-      run_brume({"gather", scene("here/a.brume", R"({ "mesh": "own.obj" })"), file("own")});
-  EXPECT_EQ(own.exit_code, 0);
+      expect_done({"gather", scene("here/a.brume", R"({ "mesh": "own.obj" })"), file("own")});
   EXPECT_EQ(own.err.find("outside"), std::string::npos) << own.err;
-  const ProgramResult others = run_brume({"gather", scene("here/b.brume", surfaces), file("all")});
-  EXPECT_EQ(others.exit_code, 0);
+  const ProgramResult others =
+      expect_done({"gather", scene("here/b.brume", surfaces), file("all")});
   const std::string note = "copied from outside the scene's folder: " + file("floor.obj") + ", " +
                            file("elsewhere/10.obj");
   EXPECT_NE(others.err.find(note), std::string::npos) << others.err;
@@ -122,7 +120,7 @@ TEST_F(Messages, SuggestASufficientVoxelSize) {
   const double voxel = std::stod(size);
   EXPECT_GT(voxel, 0.002);
   EXPECT_LT(voxel, 0.02);
-  EXPECT_EQ(run_brume({"export", scene, "-o", file("o.vdb"), "--voxel", "0.1"}).exit_code, 0);
+  expect_done({"export", scene, "-o", file("o.vdb"), "--voxel", "0.1"});
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ struct FullDiskCase {
 
 // 1024 bytes are all that a file may grow to.
 TEST_F(OutputFiles, AFullDiskPreservesTheOldFile) {
-  ASSERT_EQ(run_brume({"export", many_, "-o", file("in.vdb"), "--voxel", "1"}).exit_code, 0);
+  expect_done({"export", many_, "-o", file("in.vdb"), "--voxel", "1"});
   const std::vector<FullDiskCase> cases{
       {"o.exr", {"render", many_, "-o", file("o.exr"), "--airlight", "paper"}},
       {"o.png", {"render", many_, "-o", file("o.png"), "--airlight", "paper", "--size", "99x99"}},

@@ -9,10 +9,7 @@ class RegionAndCamera : public CommandLine {
  protected:
   // Layers of a frame of the scene, rendered with these arguments.
   ImageLayers render(const std::string& scene, const std::vector<std::string>& arguments) const {
-    std::vector<std::string> all{"render", scene, "-o", file("o.exr")};
-    all.insert(all.end(), arguments.begin(), arguments.end());
-    const ProgramResult result = run_brume(all);
-    EXPECT_EQ(result.exit_code, 0) << result.err;
+    expect_done(joined({"render", scene, "-o", file("o.exr")}, arguments));
     return read_exr(file("o.exr"));
   }
 

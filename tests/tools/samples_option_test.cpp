@@ -26,11 +26,9 @@ class SamplesOption : public CommandLine {
     Json stats;
   };
   Rendered render(const std::string& scene, std::vector<std::string> arguments) const {
-    arguments.insert(arguments.begin(),
-                     {"render", scene, "-o", file("o.exr"), "--stats", file("s.json"),
-                      "--scattering", "single", "--airlight", "sliced"});
-    const ProgramResult result = run_brume(arguments);
-    EXPECT_EQ(result.exit_code, 0) << result.err;
+    expect_done(joined({"render", scene, "-o", file("o.exr"), "--stats", file("s.json"),
+                        "--scattering", "single", "--airlight", "sliced"},
+                       arguments));
     return {read_exr(file("o.exr")), Json::parse(content_of(folder_ / "s.json"))};
   }
   // The scene with more members of its objects.
@@ -117,10 +115,8 @@ TEST_F(SamplesOption, AShutterBlursWhatMoves) {
 }
 
 TEST_F(SamplesOption, PathsAreShared) {
-  const ProgramResult result =
-      run_brume({"render", scene_, "-o", file("p.exr"), "--stats", file("p.json"), "--airlight",
-                 "path:32", "--samples", "4"});
-  ASSERT_EQ(result.exit_code, 0) << result.err;
+  expect_done({"render", scene_, "-o", file("p.exr"), "--stats", file("p.json"), "--airlight",
+               "path:32", "--samples", "4"});
   EXPECT_EQ(Json::parse(content_of(folder_ / "p.json"))["noise"]["paths"], 32);
 }
 

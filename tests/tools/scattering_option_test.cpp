@@ -14,10 +14,8 @@ using Json = nlohmann::json;
 // What is measured is all of the light, against paths.
 TEST_F(CommandLine, MeasuresAllOrdersOfScattering) {
   const auto stats_of = [&](const char* scattering) {
-    const ProgramResult result =
-        run_brume({"render", scene_, "-o", file("o.exr"), "--stats", file("s.json"), "--size",
-                   "16x12", "--airlight", "sliced", "--scattering", scattering});
-    EXPECT_EQ(result.exit_code, 0) << result.err;
+    expect_done({"render", scene_, "-o", file("o.exr"), "--stats", file("s.json"), "--size",
+                 "16x12", "--airlight", "sliced", "--scattering", scattering});
     return Json::parse(content_of(folder_ / "s.json"));
   };
   const Json single = stats_of("single");

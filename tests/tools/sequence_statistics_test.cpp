@@ -13,16 +13,12 @@ class RenderStatistics : public CommandLine {
  protected:
   // What --stats writes.
   Json render(std::vector<std::string> more) {
-    std::vector<std::string> arguments{"render", scene_, "--backend", "cpu",
-                                       "--size", "8x6",  "--stats",   file("s.json")};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    const ProgramResult result = run_brume(arguments);
-    EXPECT_EQ(result.exit_code, 0) << result.err;
+    expect_done(joined(
+        {"render", scene_, "--backend", "cpu", "--size", "8x6", "--stats", file("s.json")}, more));
     return Json::parse(content_of(folder_ / "s.json"));
   }
   ImageLayers traced(const char* image, std::vector<std::string> more) {
-    more.insert(more.begin(), {"--airlight", "path:16", "-o", file(image)});
-    seed_ = render(more)["seed"];
+    seed_ = render(joined({"--airlight", "path:16", "-o", file(image)}, more))["seed"];
     return read_exr(folder_ / image);
   }
 

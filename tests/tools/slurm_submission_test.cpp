@@ -27,8 +27,8 @@ class SlurmSubmission : public CommandLine {
     fs::permissions(program, fs::perms::owner_all);
   }
   ProgramResult submit(std::vector<std::string> more) const {
-    more.insert(more.begin(), {"submit", "slurm", scene_, "--airlight", "paper"});
-    return run_brume(more, {.before = "PATH=" + quoted(folder_.path().string()) + ":$PATH "});
+    return run_brume(joined({"submit", "slurm", scene_, "--airlight", "paper"}, more),
+                     {.before = "PATH=" + quoted(folder_.path().string()) + ":$PATH "});
   }
   // The file that an #SBATCH line asks for, as sbatch reads such lines and Slurm its patterns.
   static std::string log_of(const std::string& script, const std::string& task) {

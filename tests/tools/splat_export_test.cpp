@@ -19,11 +19,6 @@ class SplatExport : public CommandLine {
     write_gaussians(file("a.ply"), std::vector{g, Gaussian{{0.0, 0.0, 0.0}, 2.0, 0.25}});
   }
 
-  void expect_done(const std::vector<std::string>& arguments) {
-    const ProgramResult result = run_brume(arguments);
-    EXPECT_EQ(result.exit_code, 0) << result.err;
-  }
-
   void expect_same(const char* name, double tolerance) {
     const std::vector<Gaussian> expected = read_gaussians(file("a.ply"));
     const std::vector<Gaussian> found = read_gaussians(file(name));
@@ -56,8 +51,7 @@ TEST_F(SplatExport, GltfThereAndBack) {
     expect_same(name, 2e-6);
     expect_done({"export", file(name), "-o", file("c.ply")});
     expect_same("c.ply", 2e-6);
-    const ProgramResult info = run_brume({"info", file(name)});
-    EXPECT_EQ(info.exit_code, 0) << info.err;
+    const ProgramResult info = expect_done({"info", file(name)});
     EXPECT_NE(info.out.find("  gaussians: 2\n"), std::string::npos) << info.out;
   }
   folder_.write("s.brume", R"({ "format": "brume-scene", "version": 1,

@@ -22,8 +22,7 @@ class UsdExport : public CommandLine {
 };
 
 TEST_F(UsdExport, WritesAStageAndItsVolume) {
-  const ProgramResult result = run_brume({"export", scene_, "-o", file("a.usda")});
-  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const ProgramResult result = expect_done({"export", scene_, "-o", file("a.usda")});
   EXPECT_NE(result.err.find("homogeneous"), std::string::npos) << result.err;
   const std::string stage = text_of("a.usda");
   EXPECT_TRUE(stage.starts_with("#usda 1.0\n"));
@@ -45,19 +44,16 @@ TEST_F(UsdExport, WritesAVolumeForEachFrame) {
     "medium": { "emitters": [ { "position": [0, 0, 0], "rate": 20 } ] },
     "lights": [] })")
                                  .string();
-  const ProgramResult result = run_brume(
+  expect_done(
       {"export", moving, "-o", file("m.usda"), "--frames", "5-6", "--fps", "10", "--voxel", "0.1"});
-  ASSERT_EQ(result.exit_code, 0) << result.err;
   const std::string stage = text_of("m.usda");
   EXPECT_NE(stage.find("5: @m_fog_0005.vdb@"), std::string::npos) << stage;
   EXPECT_NE(stage.find("6: @m_fog_0006.vdb@"), std::string::npos);
   EXPECT_NE(stage.find("xformOp:transform.timeSamples"), std::string::npos);
   EXPECT_NE(stage.find("timeCodesPerSecond = 10"), std::string::npos);
   EXPECT_TRUE(std::filesystem::exists(file("m_fog_0006.vdb")));
-  ASSERT_EQ(run_brume({"export", moving, "-o", file("o.usda"), "--frames", "6", "--fps", "10",
-                       "--voxel", "0.1"})
-                .exit_code,
-            0);
+  expect_done(
+      {"export", moving, "-o", file("o.usda"), "--frames", "6", "--fps", "10", "--voxel", "0.1"});
   EXPECT_NE(text_of("o.usda").find("6: @o_fog_0006.vdb@"), std::string::npos);
   EXPECT_NE(text_of("o.usda").find("startTimeCode = 6"), std::string::npos);
 }

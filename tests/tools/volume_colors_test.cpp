@@ -35,9 +35,9 @@ std::vector<Gaussian> colored_gaussians() {
 TEST_F(VolumeColorCommands, ExportAndFitGiveBackTheColours) {
   const std::vector<Gaussian> gaussians = colored_gaussians();
   write_gaussians(file("a.ply"), gaussians);
-  ASSERT_EQ(run_brume({"export", file("a.ply"), "-o", file("a.vdb")}).exit_code, 0);
-  const ProgramResult fit = run_brume({"fit", file("a.vdb"), "--count", "40", "-o", file("b.csv")});
-  ASSERT_EQ(fit.exit_code, 0) << fit.err;
+  expect_done({"export", file("a.ply"), "-o", file("a.vdb")});
+  const ProgramResult fit =
+      expect_done({"fit", file("a.vdb"), "--count", "40", "-o", file("b.csv")});
   const Json line = Json::parse(fit.out);
   // A density error of 1% is part of both.
   EXPECT_LT(line["extinction_error"], 0.03);
@@ -65,9 +65,8 @@ TEST_F(VolumeColorCommands, ExportAndFitGiveBackTheColours) {
   EXPECT_LT(std::sqrt(emission_squares / scale), 0.05);
 
   // Declined, they are not there.
-  const ProgramResult plain = run_brume({"fit", file("a.vdb"), "--count", "40", "--color", "none",
-                                         "--emission", "none", "-o", file("c.csv")});
-  ASSERT_EQ(plain.exit_code, 0) << plain.err;
+  const ProgramResult plain = expect_done({"fit", file("a.vdb"), "--count", "40", "--color", "none",
+                                           "--emission", "none", "-o", file("c.csv")});
   EXPECT_FALSE(Json::parse(plain.out).contains("extinction_error"));
   for (const Gaussian& g : read_gaussians(file("c.csv"))) EXPECT_EQ(g.optics, GaussianOptics());
   EXPECT_EQ(content_of(file("c.csv")).find("albedo"), std::string::npos);
@@ -83,7 +82,7 @@ TEST_F(VolumeColorCommands, ExportedColoursAreReadByOpenVdbInPython) {
   for (const char* precision : {"float", "half"}) {
     std::vector<std::string> arguments{"export", scene, "-o", file("m.vdb"), "--voxel", "0.2"};
     if (precision == std::string("half")) arguments.push_back("--half");
-    ASSERT_EQ(run_brume(arguments).exit_code, 0);
+    expect_done(arguments);
     const std::string command = quoted(BRUME_PYTHON) + " " + quoted(BRUME_READ_VOLUME) + " " +
                                 quoted(file("m.vdb")) + " 0.2 " + precision +
                                 " 0,0,0,1,0.5,0.9,0.8,0.7,3,2,100000" +
@@ -115,10 +114,9 @@ TEST_F(VolumeColorCommands, FireShinesFrameByFrame) {
               {ball("density", 0.5, 1.0), ball("flame", -0.5, 1.0), ball("temperature", 0.5, 1.5)});
   }
   const ProgramResult result =
-      run_brume({"fit", file("fire_%d.vdb"), "--frames", "1-2", "--count", "12", "--flame-scale",
-                 "0.5", "--emission-scale", "2", "--flame-temperature", "2000",
-                 "--temperature-scale", "1000", "-o", file("fire_%d.ply")});
-  ASSERT_EQ(result.exit_code, 0) << result.err;
+      expect_done({"fit", file("fire_%d.vdb"), "--frames", "1-2", "--count", "12", "--flame-scale",
+                   "0.5", "--emission-scale", "2", "--flame-temperature", "2000",
+                   "--temperature-scale", "1000", "-o", file("fire_%d.ply")});
   const Json line = Json::parse(result.out.substr(0, result.out.find('\n')));
   EXPECT_EQ(line["gaussians"], 12);
   EXPECT_GT(line["flames"], 3);
@@ -145,9 +143,7 @@ TEST_F(VolumeColorCommands, RefusesOtherGridsAndNumbers) {
   write_vdb(file("a.vdb"), {ball("density", 0.0, 1.0), ball("heat_of_day", 0.0, 9e4)});
   const auto refused = [&](const std::vector<std::string>& options,
                            const std::vector<std::string>& parts) {
-    std::vector<std::string> arguments{"fit", file("a.vdb"), "-o", file("b.ply")};
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    expect_refused(arguments, parts);
+    expect_refused(joined({"fit", file("a.vdb"), "-o", file("b.ply")}, options), parts);
     EXPECT_FALSE(std::filesystem::exists(file("b.ply")));
   };
   refused({"--color", "Cd"}, {"a.vdb", "has no grid Cd", "density, heat_of_day"});

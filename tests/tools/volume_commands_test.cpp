@@ -21,8 +21,7 @@ using VolumeCommands = CommandLine;
 TEST_F(VolumeCommands, FitsAVolumeAndASequence) {
   const std::string volume = std::string(BRUME_VOLUMES) + "/smoke_0025.vdb";
   const ProgramResult result =
-      run_brume({"fit", volume, "--count", "50", "--up", "z", "-o", file("a.ply")});
-  ASSERT_EQ(result.exit_code, 0) << result.err;
+      expect_done({"fit", volume, "--count", "50", "--up", "z", "-o", file("a.ply")});
   const Json line = Json::parse(result.out);
   EXPECT_EQ(line["gaussians"], 50);
   EXPECT_LT(line["density_error"], 0.6);
@@ -35,9 +34,8 @@ TEST_F(VolumeCommands, FitsAVolumeAndASequence) {
   }
 
   const ProgramResult both =
-      run_brume({"fit", std::string(BRUME_VOLUMES) + "/smoke_%04d.vdb", "--frames", "25-26",
-                 "--count", "20", "-o", file("s%d.csv")});
-  EXPECT_EQ(both.exit_code, 0) << both.err;
+      expect_done({"fit", std::string(BRUME_VOLUMES) + "/smoke_%04d.vdb", "--frames", "25-26",
+                   "--count", "20", "-o", file("s%d.csv")});
   EXPECT_EQ(std::count(both.out.begin(), both.out.end(), '\n'), 2);
   EXPECT_TRUE(std::filesystem::exists(file("s26.csv")));
   EXPECT_EQ(Json::parse(run_brume({"info", "--json", file("s26.csv")}).out)["medium"]["gaussians"],
@@ -60,7 +58,7 @@ TEST_F(VolumeCommands, ExportsWhatEmittersHaveMade) {
     "medium": { "emitters": [ { "position": [0, 0, 0], "rate": 10 } ] } })")
                                 .string();
   const auto count = [&](const char* time) {
-    EXPECT_EQ(run_brume({"export", scene, "--time", time, "-o", file("e.ply")}).exit_code, 0);
+    expect_done({"export", scene, "--time", time, "-o", file("e.ply")});
     return read_gaussians(file("e.ply")).size();
   };
   EXPECT_GT(count("1"), 5u);
@@ -82,8 +80,8 @@ TEST_F(VolumeCommands, ExportAndFitGiveBackTheOpticalDepth) {
     gaussians.push_back({random.point(1.0), random.uniform(0.25, 0.5), random.uniform(0.2, 2.0)});
   }
   write_gaussians(file("a.ply"), gaussians);
-  ASSERT_EQ(run_brume({"export", file("a.ply"), "-o", file("a.vdb")}).exit_code, 0);
-  ASSERT_EQ(run_brume({"fit", file("a.vdb"), "--count", "60", "-o", file("b.ply")}).exit_code, 0);
+  expect_done({"export", file("a.ply"), "-o", file("a.vdb")});
+  expect_done({"fit", file("a.vdb"), "--count", "60", "-o", file("b.ply")});
   const std::vector<Gaussian> back = read_gaussians(file("b.ply"));
   double wrong = 0.0;
   double right = 0.0;
@@ -102,7 +100,7 @@ TEST_F(VolumeCommands, ExportedVolumesAreReadByOpenVdbInPython) {
   for (const char* precision : {"float", "half"}) {
     std::vector<std::string> arguments{"export", scene_, "-o", file("m.vdb"), "--voxel", "0.2"};
     if (precision == std::string("half")) arguments.push_back("--half");
-    ASSERT_EQ(run_brume(arguments).exit_code, 0);
+    expect_done(arguments);
     const std::string command = quoted(BRUME_PYTHON) + " " + quoted(BRUME_READ_VOLUME) + " " +
                                 quoted(file("m.vdb")) + " 0.2 " + precision +
                                 " 0,0,0,1,0.5 1,0,0,0.5,2 > " + quoted(file("voxels"));
@@ -116,14 +114,11 @@ TEST_F(VolumeCommands, ExportsATimeRange) {
                                 .write("e.brume", R"({ "format": "brume-scene", "version": 1,
     "medium": { "emitters": [ { "position": [0, 0, 0], "rate": 10 } ] } })")
                                 .string();
-  const ProgramResult result = run_brume({"export", scene, "--frames", "9-11", "--fps", "10", "-o",
-                                          file("s_%04d.vdb"), "--voxel", "0.1"});
-  ASSERT_EQ(result.exit_code, 0) << result.err;
+  expect_done({"export", scene, "--frames", "9-11", "--fps", "10", "-o", file("s_%04d.vdb"),
+               "--voxel", "0.1"});
   for (const auto& [frame, time] :
        {std::pair("s_0009.vdb", "0.9"), std::pair("s_0011.vdb", "1.1")}) {
-    ASSERT_EQ(run_brume({"export", scene, "--time", time, "-o", file("one.vdb"), "--voxel", "0.1"})
-                  .exit_code,
-              0);
+    expect_done({"export", scene, "--time", time, "-o", file("one.vdb"), "--voxel", "0.1"});
     const DensityGrid of_sequence = read_volume(file(frame), "density");
     const DensityGrid alone = read_volume(file("one.vdb"), "density");
     EXPECT_GT(alone.integral(), 0.0);
@@ -136,12 +131,10 @@ TEST_F(VolumeCommands, ExportsATimeRange) {
   const std::vector<Gaussian> gaussians{{{0, 0, 0}, 1, 1}, {{1, 0, 0}, 0.5, 2}};
   write_gaussians(file("g_1.ply"), gaussians);
   write_gaussians(file("g_2.ply"), std::span(gaussians).first(1));
-  EXPECT_EQ(
-      run_brume({"export", file("g_%d.ply"), "--frames", "1-2", "-o", file("g_%d.csv")}).exit_code,
-      0);
+  expect_done({"export", file("g_%d.ply"), "--frames", "1-2", "-o", file("g_%d.csv")});
   EXPECT_EQ(read_gaussians(file("g_1.csv")), gaussians);
   EXPECT_EQ(read_gaussians(file("g_2.csv")).size(), 1u);
-  EXPECT_EQ(run_brume({"export", file("g_1.csv"), "-o", file("g.vdb")}).exit_code, 0);
+  expect_done({"export", file("g_1.csv"), "-o", file("g.vdb")});
   EXPECT_GT(read_volume(file("g.vdb"), "density").integral(), 0.0);
 
   expect_refused({"export", scene, "--frames", "1-2", "-o", file("b.vdb")}, {"%04d"});
@@ -152,13 +145,12 @@ TEST_F(VolumeCommands, ExportsATimeRange) {
 
 TEST_F(VolumeCommands, ExportsTheMedium) {
   for (const char* name : {"m.ply", "m.csv"}) {
-    ASSERT_EQ(run_brume({"export", scene_, "-o", file(name)}).exit_code, 0);
+    expect_done({"export", scene_, "-o", file(name)});
     const Json info = Json::parse(run_brume({"info", "--json", file(name)}).out);
     EXPECT_EQ(info["medium"]["gaussians"], 2);
   }
   const ProgramResult result =
-      run_brume({"export", scene_, "-o", file("m.vdb"), "--voxel", "0.1", "--half"});
-  EXPECT_EQ(result.exit_code, 0);
+      expect_done({"export", scene_, "-o", file("m.vdb"), "--voxel", "0.1", "--half"});
   EXPECT_NE(result.err.find("the homogeneous density, 0.02"), std::string::npos) << result.err;
   EXPECT_NE(result.err.find("voxels of 0.1"), std::string::npos) << result.err;
   const Json grids = Json::parse(run_brume({"info", "--json", file("m.vdb")}).out)["grids"];
