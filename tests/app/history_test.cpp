@@ -42,14 +42,15 @@ class RandomHands {
   void act() {
     using Act = void (RandomHands::*)();
     static constexpr Act acts[]{
-        &RandomHands::add,     &RandomHands::remove,       &RandomHands::set_a_field,
-        &RandomHands::drag,    &RandomHands::paint,        &RandomHands::erase,
-        &RandomHands::copy,    &RandomHands::choose,       &RandomHands::choose_by_rule,
-        &RandomHands::light,   &RandomHands::emitter,      &RandomHands::whole_medium,
-        &RandomHands::surface, &RandomHands::object,       &RandomHands::add_primitive,
-        &RandomHands::camera,  &RandomHands::hide_or_lock, &RandomHands::environment,
-        &RandomHands::key,     &RandomHands::playback,     &RandomHands::cameras,
-        &RandomHands::output,  &RandomHands::group,        &RandomHands::go_back};
+        &RandomHands::add, &RandomHands::remove, &RandomHands::set_a_field, &RandomHands::drag,
+        &RandomHands::paint, &RandomHands::erase, &RandomHands::copy, &RandomHands::choose,
+        &RandomHands::choose_by_rule, &RandomHands::light, &RandomHands::emitter,
+        &RandomHands::whole_medium, &RandomHands::surface, &RandomHands::object,
+        &RandomHands::add_primitive, &RandomHands::camera, &RandomHands::hide_or_lock,
+        &RandomHands::environment, &RandomHands::key, &RandomHands::playback, &RandomHands::cameras,
+        &RandomHands::output, &RandomHands::group, &RandomHands::go_back,
+        // With much to be had of it.
+        &RandomHands::group, &RandomHands::group, &RandomHands::group, &RandomHands::group};
     (this->*acts[below(std::size(acts))])();
   }
 
