@@ -183,15 +183,18 @@ TEST(PaperLights, AreIsotropicPointsOnly) {
   const Light spot = scene.lights[0];
   const Light sun{.intensity = glm::dvec3(1.0), .directional = Directional{{0.0, -1.0, 0.0}}};
   const Light area{{0.0, 2.0, 0.0}, glm::dvec3(3.0), {}, {}, AreaLight{}};
+  // Far away it is one point.
+  const Light ball{
+      {16.0, 12.0, 9.0}, glm::dvec3(90.0), {}, {}, AreaLight{AreaLight::Shape::sphere}};
   scene.lights = {point};
   const Frame expected = render_frame(scene, paper_settings);
   const std::string left_out = "isotropic point lights only; left out: ";
   EXPECT_FALSE(is_left_out(expected, left_out));
-  scene.lights = {spot, profile, sun, area, point};
+  scene.lights = {spot, profile, sun, area, ball, point};
   const Frame all = render_frame(scene, paper_settings);
-  EXPECT_TRUE(is_left_out(all, left_out + "4"));
+  EXPECT_TRUE(is_left_out(all, left_out + "5"));
   EXPECT_EQ(all.airlight, expected.airlight);
-  scene.lights = {spot, profile, sun, area};
+  scene.lights = {spot, profile, sun, area, ball};
   EXPECT_EQ(std::ranges::max(render_frame(scene, paper_settings).airlight), 0.0f);
 }
 
