@@ -158,6 +158,7 @@ void LevelOcclusion::set(const RayCaster& ray_caster, std::span<const Surface> s
   if (ray_caster_revision_ != ray_caster.revision() || materials_ != materials) {
     revision_ = new_revision();
   }
+  if (ray_caster_revision_ != ray_caster.revision()) planes_ = AxisPlanes(ray_caster);
   ray_caster_ = &ray_caster;
   surfaces_ = surfaces;
   ray_caster_revision_ = ray_caster.revision();

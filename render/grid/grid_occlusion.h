@@ -11,6 +11,7 @@
 
 #include "brume/revision.h"
 #include "brume/scene.h"
+#include "render/grid/axis_planes.h"
 #include "render/grid/sweep_kernels.h"
 #include "render/util/job.h"
 #include "render/visibility/ray_caster.h"
@@ -73,6 +74,7 @@ class LevelOcclusion {
   // Both must outlive this, until the next call.
   void set(const RayCaster& ray_caster, std::span<const Surface> surfaces);
   [[nodiscard]] const Box& bounds() const { return ray_caster_->bounds(); }
+  [[nodiscard]] const AxisPlanes& planes() const { return planes_; }
   [[nodiscard]] Revision revision() const { return revision_; }
   std::shared_ptr<const GridOcclusion> at(std::size_t level, const glm::dvec3& first,
                                           const GridNodes& nodes, const Job& job);
@@ -87,6 +89,7 @@ class LevelOcclusion {
   const RayCaster* ray_caster_ = nullptr;
   std::span<const Surface> surfaces_;
   Revision ray_caster_revision_ = 0;
+  AxisPlanes planes_;
   std::vector<Material> materials_;
   Revision revision_ = 0;  // of geometry and materials
   // Per level: in use, and the one before, for frames in motion and at rest take turns.

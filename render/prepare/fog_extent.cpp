@@ -7,6 +7,7 @@
 
 #include "brume/limits.h"
 #include "core/math/infinity.h"
+#include "core/math/sphere_rule.h"
 #include "core/scene/lights/point_lights.h"
 
 namespace brume {
@@ -27,6 +28,27 @@ FogExtent::FogExtent(const Scene& scene) {
   }
 }
 
+namespace {
+
+// The box, its sides moved outwards to steps of an eighth of its length.
+Box in_steps(const Box& box) {
+  const glm::dvec3 extent = box.high - box.low;
+  const double longest = std::max({extent.x, extent.y, extent.z});
+  const double step = std::exp2(std::floor(std::log2(longest)) - 3.0);
+  return {step * glm::floor(box.low / step), step * glm::ceil(box.high / step)};
+}
+
+// Distance to the nearest surface, along the directions of the nodes of a sphere rule.
+double clearance(const RayCaster& surfaces, const glm::dvec3& position) {
+  double nearest = infinity;
+  for (const SphereNode& node : sphere_rule(5)) {
+    nearest = std::min(nearest, surfaces.first_hit(position, node.direction).distance);
+  }
+  return nearest;
+}
+
+}  // namespace
+
 Box fog_bounds(double b0, std::span<const PointLight> lights) {
   const glm::dvec3 reach(std::min(2.0 / b0, limits::max_length));
   Box box{glm::dvec3(infinity), glm::dvec3(-infinity)};
@@ -36,10 +58,26 @@ Box fog_bounds(double b0, std::span<const PointLight> lights) {
     box.high = glm::max(box.high, light.position + reach);
   }
   if (!(box.low.x <= box.high.x)) return {-reach, reach};
-  const glm::dvec3 extent = box.high - box.low;
-  const double longest = std::max({extent.x, extent.y, extent.z});
-  const double step = std::exp2(std::floor(std::log2(longest)) - 3.0);
-  return {step * glm::floor(box.low / step), step * glm::ceil(box.high / step)};
+  return in_steps(box);
+}
+
+Box near_light_bounds(const RayCaster& surfaces, std::span<const PointLight> lights) {
+  constexpr double reach = 8.0;  // clearances
+  constexpr double worth = 0.5;  // of the sides of all
+  Box box{glm::dvec3(infinity), glm::dvec3(-infinity)};
+  for (const PointLight& light : lights) {
+    if (light.is_far) continue;
+    const glm::dvec3 around(reach * clearance(surfaces, light.position));
+    box.low = glm::min(box.low, light.position - around);
+    box.high = glm::max(box.high, light.position + around);
+  }
+  const Box& all = surfaces.bounds();
+  const auto longest = [](const Box& of) {
+    const glm::dvec3 extent = of.high - of.low;
+    return std::max({extent.x, extent.y, extent.z});
+  };
+  if (!(box.low.x <= box.high.x) || longest(box) > worth * longest(all)) return all;
+  return in_steps(box);
 }
 
 double FogExtent::ray_distance(const glm::dvec3& eye) const {

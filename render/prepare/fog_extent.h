@@ -8,6 +8,7 @@
 #include "core/scene/lights/point_lights.h"
 #include "render/geometry/box.h"
 #include "render/geometry/fog_ball.h"
+#include "render/visibility/ray_caster.h"
 
 namespace brume {
 
@@ -38,5 +39,9 @@ class FogExtent {
 // paths around these lights but directional ones, or around the origin. In steps of at least a
 // sixteenth of its size, so that it mostly stays while a light is dragged.
 Box fog_bounds(double b0, std::span<const PointLight> lights);
+// The part of the surfaces' bounds where fog needs the finest nodes: around lights that are near
+// surfaces, some times as far as these are. All of the bounds if that would save little. It stays
+// while lights move a little.
+Box near_light_bounds(const RayCaster& surfaces, std::span<const PointLight> lights);
 
 }  // namespace brume

@@ -61,21 +61,29 @@ double smallest(const glm::dvec3& v) {
 }
 
 // Nodes from `low` to `high` at the smallest spacing, at least `min_spacing`, with at most
-// `max_nodes` nodes. The spacing is a float, to be identical wherever it is used.
+// `max_nodes` nodes. The spacing is a float, to be identical wherever it is used. Along axes with
+// planes they have one layer more, so that they can keep off these.
 SourceGrid::Level layout(const glm::dvec3& low, const glm::dvec3& high, double min_spacing,
-                         int max_nodes) {
+                         int max_nodes, const AxisPlanes& planes) {
   SourceGrid::Level level;
   const glm::dvec3 extent = high - low;
   double spacing = std::max(min_spacing, std::cbrt(extent.x * extent.y * extent.z / max_nodes));
   for (;; spacing *= 1.02) {
     level.nodes.spacing = static_cast<float>(spacing);
-    const glm::dvec3 cells = glm::ceil(extent / static_cast<double>(level.nodes.spacing));
+    glm::dvec3 cells = glm::ceil(extent / static_cast<double>(level.nodes.spacing));
+    for (int k = 0; k < 3; ++k) {
+      if (planes.any_between(k, low[k] - spacing, high[k] + spacing)) cells[k] += 1.0;
+    }
     if ((cells.x + 1.0) * (cells.y + 1.0) * (cells.z + 1.0) > static_cast<double>(max_nodes))
       continue;
     level.nodes.count = glm::max(glm::ivec3(cells) + 1, 2);
     const glm::dvec3 covered =
         glm::dvec3(level.nodes.count - 1) * static_cast<double>(level.nodes.spacing);
     level.first = 0.5 * (low + high) - 0.5 * covered;
+    for (int k = 0; k < 3; ++k) {
+      if (!planes.any_between(k, low[k] - spacing, high[k] + spacing)) continue;
+      level.first[k] += planes.shift(k, level.first[k], static_cast<double>(level.nodes.spacing));
+    }
     return level;
   }
 }
@@ -345,7 +353,9 @@ SourceGrid::SourceGrid(std::span<const GaussianTerm<double>> gaussians,
   if (bounds.empty()) {
     levels_.emplace_back();
   } else {
-    levels_.push_back(layout(bounds.low, bounds.high, 0.12 * bounds.min_radius, size.nodes));
+    const AxisPlanes planes = content.surfaces ? content.surfaces->planes() : AxisPlanes();
+    levels_.push_back(
+        layout(bounds.low, bounds.high, 0.12 * bounds.min_radius, size.nodes, planes));
     const bool goes_beyond = (content.receivers && !holds(content.receivers->box)) ||
                              (content.surfaces && !holds(content.surfaces->bounds()));
     glm::dvec3 low = bounds.low;
@@ -361,16 +371,17 @@ SourceGrid::SourceGrid(std::span<const GaussianTerm<double>> gaussians,
       low = max_low;
       high = max_high;
       const double spacing = static_cast<double>(levels_.back().nodes.spacing);
-      levels_.push_back(layout(low, high, 2.0 * spacing, nodes));
+      levels_.push_back(layout(low, high, 2.0 * spacing, nodes, planes));
     };
     if (content.fog_density > 0.0 || goes_beyond) add_level(size.nodes / 2);
     const double reach = content.fog_density > 0.0
-                             ? std::min(1.0 / content.fog_density, content.fog_ball.radius)
+                             ? std::min(4.0 / content.fog_density, content.fog_ball.radius)
                              : 0.0;
     // Surfaces beyond all levels are lit as those at the border are, which is too much of what
     // Gaussians emit.
     const auto holds_surfaces = [&] {
-      return !content.surfaces || !content.emission || content.emission->lights().empty() ||
+      const bool has_emission = content.emission && !content.emission->lights().empty();
+      return !content.surfaces || (!gaussians.empty() && !has_emission) ||
              contains(low, high, content.surfaces->bounds());
     };
     while (levels_.size() < max_levels &&

@@ -1,0 +1,69 @@
+#include "render/grid/axis_planes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace brume {
+namespace {
+
+// Of the direction of a normal and an axis: a tilt of less does not leave the margins over the
+// links of one node.
+constexpr double min_cosine = 0.99999;
+
+}  // namespace
+
+AxisPlanes::AxisPlanes(const RayCaster& ray_caster) {
+  for (const WorldTriangle& triangle : ray_caster.triangles()) {
+    const auto& [a, b, c] = triangle.positions;
+    const glm::dvec3 normal =
+        glm::cross(glm::dvec3(b) - glm::dvec3(a), glm::dvec3(c) - glm::dvec3(a));
+    const double length = glm::length(normal);
+    for (int k = 0; k < 3; ++k) {
+      if (!(std::abs(normal[k]) > min_cosine * length)) continue;
+      planes_[static_cast<std::size_t>(k)].push_back(
+          {ray_caster.center()[k] + static_cast<double>(a[k]), 0.5 * length});
+    }
+  }
+  for (std::vector<Plane>& planes : planes_) {
+    std::ranges::sort(planes, {}, &Plane::coordinate);
+    // Triangles of one plane are one.
+    std::vector<Plane> merged;
+    for (const Plane& plane : planes) {
+      if (!merged.empty() && plane.coordinate == merged.back().coordinate) {
+        merged.back().area += plane.area;
+      } else {
+        merged.push_back(plane);
+      }
+    }
+    planes = std::move(merged);
+  }
+}
+
+bool AxisPlanes::any_between(int axis, double low, double high) const {
+  const std::vector<Plane>& planes = planes_[static_cast<std::size_t>(axis)];
+  const auto first = std::ranges::lower_bound(planes, low, {}, &Plane::coordinate);
+  return first != planes.end() && first->coordinate <= high;
+}
+
+double AxisPlanes::shift(int axis, double first, double spacing) const {
+  constexpr int candidates = 16;
+  constexpr double clear = 0.1;  // [spacing], at which a plane is half as well placed as halfway
+  double best = 0.0;
+  double most = -1.0;
+  for (int i = 0; i < candidates; ++i) {
+    const double shift = static_cast<double>(i) / candidates - 0.5;
+    double sum = 0.0;
+    for (const Plane& plane : planes_[static_cast<std::size_t>(axis)]) {
+      const double layer = (plane.coordinate - first) / spacing - shift;
+      const double distance = std::abs(layer - std::round(layer));
+      sum += plane.area * distance / (distance + clear);
+    }
+    if (sum <= most * (1.0 + 1e-9)) continue;
+    most = sum;
+    best = shift;
+  }
+  return best * spacing;
+}
+
+}  // namespace brume

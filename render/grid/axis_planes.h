@@ -1,0 +1,33 @@
+#pragma once
+
+#include <array>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "render/visibility/ray_caster.h"
+
+namespace brume {
+
+// The planes of axis-parallel surfaces: floors, walls, tables. A layer of nodes in one of them sees
+// through it, since its links begin and end within the ray caster's margins; one that is halfway
+// between two layers blocks their links where it should.
+class AxisPlanes {
+ public:
+  AxisPlanes() = default;  // none
+  explicit AxisPlanes(const RayCaster& ray_caster);
+
+  // Whether any is within a spacing of nodes from `low` to `high` along an axis.
+  [[nodiscard]] bool any_between(int axis, double low, double high) const;
+  // How far to move nodes at first + i spacing along an axis so that they stay off these planes,
+  // the large ones before the small: in [-0.5, 0.5) spacing.
+  [[nodiscard]] double shift(int axis, double first, double spacing) const;
+
+ private:
+  struct Plane {
+    double coordinate = 0.0;
+    double area = 0.0;  // [u^2]
+  };
+  std::array<std::vector<Plane>, 3> planes_;  // ascending
+};
+
+}  // namespace brume
