@@ -3,6 +3,7 @@
 #include <QtGlobal>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <numbers>
@@ -52,6 +53,12 @@ void set_size(Light& light, double size) {
   if (auto* radius = find_value<double>(light, "radius")) *radius = 0.5 * size;
 }
 
+// The side of the square that is as large, of a rectangle; else the diameter.
+double size_of(const AreaLight& area) {
+  const auto* rectangle = std::get_if<light::Rectangle>(&area);
+  return rectangle ? std::sqrt(rectangle->width * rectangle->height) : 2.0 * bounding_radius(area);
+}
+
 // The size of a new surface is a tenth of the distance.
 double new_size(double distance) {
   return std::clamp(0.1 * distance, 1e-6, 1e6);
@@ -80,7 +87,7 @@ void set_kind(Light& light, const Light::Kind& kind, const LitRegion& region) {
   const double square = std::max(glm::dot(inward, inward), 1e-12);
   Light changed{.kind = kind, .name = light.name, .id = light.id};
   const auto area = area_of(light);
-  set_size(changed, area ? 2.0 * bounding_radius(*area) : new_size(glm::length(inward)));
+  set_size(changed, area ? size_of(*area) : new_size(glm::length(inward)));
   turn(changed, glm::length(inward) > 0.0 ? inward : glm::dvec3(0, -1, 0));
   copy_common_values(light, changed);
   changed.position = changed.as<light::Directional>() ? glm::dvec3(0.0) : place;

@@ -350,9 +350,13 @@ void Document::set_part(const ScenePart& part) {
     }
   }
   if (!std::holds_alternative<Groups>(part)) return announce(Change::part);
-  if (!active_group()) set_active_group(0);
+  Changes what = Change::part | Change::groups;
+  if (active_group_ != 0 && !active_group()) {
+    active_group_ = 0;
+    what |= Change::active_group;
+  }
+  announce(what);
   select(selection_);
-  announce(Change::part | Change::groups);
 }
 
 void Document::set_revision(std::uint64_t revision) {

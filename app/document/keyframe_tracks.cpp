@@ -53,8 +53,8 @@ QString light_text(std::size_t index) {
   return track_text("Light %1").arg(index + 1);
 }
 
-// The tracks of values of core/scene/fields; keyed jointly are neighbours. `value`: index of
-// the object's first among its part's.
+// The tracks of values of core/scene/fields; those of values that are keyed jointly are neighbours.
+// `value`: index of the object's first among its part's.
 void add_tracks(std::vector<Track>& rows, const QString& object, std::size_t part,
                 std::size_t& value, const auto& owner, const auto& all_keys) {
   bool is_joint = false;

@@ -10,7 +10,7 @@ namespace brume {
 namespace {
 
 constexpr double min_shown_share = 1e-4;
-// Smaller numbers are written with an exponent.
+// Smaller and larger numbers are written with an exponent.
 constexpr int min_exponent = -4;
 constexpr int max_exponent = 9;
 

@@ -30,7 +30,9 @@ class FrameScheduler : public QObject {
   void resume();       // after forget(): requests what is missing
   // Changes of time: until release(), all that changes is due to the time, and requested at once
   // then.
-  void hold() { hold_ = Hold::held; }
+  void hold() {
+    if (hold_ == Hold::none) hold_ = Hold::held;
+  }
   void release();
   // Whether it is the view that keys, panels and the error meter are about.
   void set_active(bool active);

@@ -80,11 +80,11 @@ MainWindow::MainWindow(QWidget* parent)
   lay_out_center();
   const Workspace work = workspace();
   show_file_messages(work);
-  follow_time();
   addToolBar(Qt::LeftToolBarArea, new ToolBar(*tools_, this));
   file_jobs_ = new FileJobs(work, this);
   output_ = new FrameOutput(work, *file_jobs_, *this);
   auto* docks = new Docks(work, *output_, *this);
+  follow_time();  // after the panels, which then have the scene whose time it is
   new StatusLine(work, *this,
                  {&files_->loading(), &views_->transfer_job().job(),
                   &output_->queue().exporter().job(), &file_jobs_->job()});

@@ -30,4 +30,11 @@ struct FogBall {
   bool operator==(const FogBall&) const = default;
 };
 
+// How far around a place fog of density b0 > 0 [1/u] scatters light so that it comes back there:
+// four mean free paths (with one, 15% of the light of all orders is missing in dense fog), or to
+// its end [u].
+inline double scattering_reach(double b0, const FogBall& ball) {
+  return std::min(4.0 / b0, ball.radius);
+}
+
 }  // namespace brume

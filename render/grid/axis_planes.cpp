@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <ranges>
 
 namespace brume {
 namespace {
 
-// Of the direction of a normal and an axis: a tilt of less does not leave the margins over the
+// The least cosine between a normal and an axis: a tilt of less does not leave the margins over the
 // links of one node.
 constexpr double min_cosine = 0.99999;
 
@@ -27,10 +28,11 @@ AxisPlanes::AxisPlanes(const RayCaster& ray_caster) {
   }
   for (std::vector<Plane>& planes : planes_) {
     std::ranges::sort(planes, {}, &Plane::coordinate);
-    // Triangles of one plane are one.
+    // Triangles of one plane are one, and those of a slightly uneven one.
+    const double tolerance = 1e-5 * ray_caster.radius();
     std::vector<Plane> merged;
     for (const Plane& plane : planes) {
-      if (!merged.empty() && plane.coordinate == merged.back().coordinate) {
+      if (!merged.empty() && plane.coordinate - merged.back().coordinate <= tolerance) {
         merged.back().area += plane.area;
       } else {
         merged.push_back(plane);
@@ -46,7 +48,10 @@ bool AxisPlanes::any_between(int axis, double low, double high) const {
   return first != planes.end() && first->coordinate <= high;
 }
 
-double AxisPlanes::shift(int axis, double first, double spacing) const {
+double AxisPlanes::shift(int axis, double low, double high, double first, double spacing) const {
+  const std::vector<Plane>& all = planes_[static_cast<std::size_t>(axis)];
+  const std::ranges::subrange planes(std::ranges::lower_bound(all, low, {}, &Plane::coordinate),
+                                     std::ranges::upper_bound(all, high, {}, &Plane::coordinate));
   constexpr int candidates = 16;
   constexpr double clear = 0.1;  // [spacing], at which a plane is half as well placed as halfway
   double best = 0.0;
@@ -54,7 +59,7 @@ double AxisPlanes::shift(int axis, double first, double spacing) const {
   for (int i = 0; i < candidates; ++i) {
     const double shift = static_cast<double>(i) / candidates - 0.5;
     double sum = 0.0;
-    for (const Plane& plane : planes_[static_cast<std::size_t>(axis)]) {
+    for (const Plane& plane : planes) {
       const double layer = (plane.coordinate - first) / spacing - shift;
       const double distance = std::abs(layer - std::round(layer));
       sum += plane.area * distance / (distance + clear);

@@ -18,9 +18,9 @@ class AxisPlanes {
 
   // Whether any is within a spacing of nodes from `low` to `high` along an axis.
   [[nodiscard]] bool any_between(int axis, double low, double high) const;
-  // How far to move nodes at first + i spacing along an axis so that they stay off these planes,
-  // the large ones before the small: in [-0.5, 0.5) spacing.
-  [[nodiscard]] double shift(int axis, double first, double spacing) const;
+  // How far to move nodes at first + i spacing along an axis so that they stay off the planes from
+  // `low` to `high`, the large ones before the small: in [-0.5, 0.5) spacing.
+  [[nodiscard]] double shift(int axis, double low, double high, double first, double spacing) const;
 
  private:
   struct Plane {

@@ -61,22 +61,25 @@ Box fog_bounds(double b0, std::span<const PointLight> lights) {
   return in_steps(box);
 }
 
-Box near_light_bounds(const RayCaster& surfaces, std::span<const PointLight> lights) {
-  constexpr double reach = 8.0;  // clearances
+Box near_light_bounds(const RayCaster& surfaces, std::span<const PointLight> lights, double reach) {
+  constexpr double clearances = 8.0;
   constexpr double worth = 0.5;  // of the sides of all
+  // All levels of a grid reach some 400 times as far as the finest.
+  constexpr double min_share = 1.0 / 128.0;
+  const auto longest = [](const Box& box) {
+    const glm::dvec3 extent = box.high - box.low;
+    return std::max({extent.x, extent.y, extent.z});
+  };
+  const Box& all = surfaces.bounds();
+  const double least = 0.5 * min_share * std::max(longest(all), 2.0 * reach);
   Box box{glm::dvec3(infinity), glm::dvec3(-infinity)};
   for (const PointLight& light : lights) {
     if (light.is_far) continue;
-    const glm::dvec3 around(reach * clearance(surfaces, light.position));
+    const glm::dvec3 around(std::max(clearances * clearance(surfaces, light.position), least));
     box.low = glm::min(box.low, light.position - around);
     box.high = glm::max(box.high, light.position + around);
   }
-  const Box& all = surfaces.bounds();
-  const auto longest = [](const Box& of) {
-    const glm::dvec3 extent = of.high - of.low;
-    return std::max({extent.x, extent.y, extent.z});
-  };
-  if (!(box.low.x <= box.high.x) || longest(box) > worth * longest(all)) return all;
+  if (!(box.low.x <= box.high.x) || !(longest(box) <= worth * longest(all))) return all;
   return in_steps(box);
 }
 

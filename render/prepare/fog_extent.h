@@ -40,8 +40,9 @@ class FogExtent {
 // sixteenth of its size, so that it mostly stays while a light is dragged.
 Box fog_bounds(double b0, std::span<const PointLight> lights);
 // The part of the surfaces' bounds where fog needs the finest nodes: around lights that are near
-// surfaces, some times as far as these are. All of the bounds if that would save little. It stays
-// while lights move a little.
-Box near_light_bounds(const RayCaster& surfaces, std::span<const PointLight> lights);
+// surfaces, some times as far as these are, but no less than coarser levels can go on from: to all
+// surfaces, and as far as fog scatters (`reach`). All of the bounds if that would save little. It
+// stays while lights move a little.
+Box near_light_bounds(const RayCaster& surfaces, std::span<const PointLight> lights, double reach);
 
 }  // namespace brume

@@ -159,7 +159,9 @@ SourceFunction::Multiple FrameStages::multiple_scattering(FrameContext& work, St
 Box FrameStages::lit_fog(const FrameContext& work) const {
   if (!work.plan.runs(Stage::homogeneous)) return {};
   if (work.plan.runs(Stage::visibility)) {
-    return near_light_bounds(prepared_.ray_caster(), work.plan.lights);
+    const double b0 = prepared_.medium().homogeneous_density();
+    return near_light_bounds(prepared_.ray_caster(), work.plan.lights,
+                             scattering_reach(b0, work.fog_extent.ball()));
   }
   if (const FogBall& ball = work.fog_extent.ball(); !ball.is_endless()) {
     return {ball.center - ball.radius, ball.center + ball.radius};

@@ -82,7 +82,8 @@ SourceGrid::Level layout(const glm::dvec3& low, const glm::dvec3& high, double m
     level.first = 0.5 * (low + high) - 0.5 * covered;
     for (int k = 0; k < 3; ++k) {
       if (!planes.any_between(k, low[k] - spacing, high[k] + spacing)) continue;
-      level.first[k] += planes.shift(k, level.first[k], static_cast<double>(level.nodes.spacing));
+      level.first[k] += planes.shift(k, low[k] - spacing, high[k] + spacing, level.first[k],
+                                     static_cast<double>(level.nodes.spacing));
     }
     return level;
   }
@@ -353,7 +354,8 @@ SourceGrid::SourceGrid(std::span<const GaussianTerm<double>> gaussians,
   if (bounds.empty()) {
     levels_.emplace_back();
   } else {
-    const AxisPlanes planes = content.surfaces ? content.surfaces->planes() : AxisPlanes();
+    static const AxisPlanes none;
+    const AxisPlanes& planes = content.surfaces ? content.surfaces->planes() : none;
     levels_.push_back(
         layout(bounds.low, bounds.high, 0.12 * bounds.min_radius, size.nodes, planes));
     const bool goes_beyond = (content.receivers && !holds(content.receivers->box)) ||
@@ -374,9 +376,8 @@ SourceGrid::SourceGrid(std::span<const GaussianTerm<double>> gaussians,
       levels_.push_back(layout(low, high, 2.0 * spacing, nodes, planes));
     };
     if (content.fog_density > 0.0 || goes_beyond) add_level(size.nodes / 2);
-    const double reach = content.fog_density > 0.0
-                             ? std::min(4.0 / content.fog_density, content.fog_ball.radius)
-                             : 0.0;
+    const double reach =
+        content.fog_density > 0.0 ? scattering_reach(content.fog_density, content.fog_ball) : 0.0;
     // Surfaces beyond all levels are lit as those at the border are, which is too much of what
     // Gaussians emit.
     const auto holds_surfaces = [&] {

@@ -10,6 +10,7 @@
 
 #include "brume/frame.h"
 #include "core/scene/camera_rays.h"
+#include "core/scene/fields/light_fields.h"
 #include "core/transport/optical_depth.h"
 #include "tests/render/test_profiles.h"
 #include "tests/render/test_scenes.h"
@@ -176,16 +177,15 @@ TEST(SpotLight, NarrowBeamsAreNotLostBetweenNodes) {
 
 // By the paper, nothing shines but isotropic point lights; what is left out is counted.
 TEST(PaperLights, AreIsotropicPointsOnly) {
-  const Light point{{0.0, 2.0, 0.0}, glm::dvec3(3.0), {}};
+  const Light point{{0.0, 2.0, 0.0}, glm::dvec3(3.0), light::Point()};
   Light profile = point;
-  profile.profile = cosine_profile();
+  *profile_member(profile) = cosine_profile();
   Scene scene = lit_by_spot(smooth);
   const Light spot = scene.lights[0];
-  const Light sun{.intensity = glm::dvec3(1.0), .directional = Directional{{0.0, -1.0, 0.0}}};
-  const Light area{{0.0, 2.0, 0.0}, glm::dvec3(3.0), {}, {}, AreaLight{}};
+  const Light sun{{}, glm::dvec3(1.0), light::Directional{{0.0, -1.0, 0.0}}};
+  const Light area{{0.0, 2.0, 0.0}, glm::dvec3(3.0), light::Rectangle()};
   // Far away it is one point.
-  const Light ball{
-      {16.0, 12.0, 9.0}, glm::dvec3(90.0), {}, {}, AreaLight{AreaLight::Shape::sphere}};
+  const Light ball{{16.0, 12.0, 9.0}, glm::dvec3(90.0), light::Sphere()};
   scene.lights = {point};
   const Frame expected = render_frame(scene, paper_settings);
   const std::string left_out = "isotropic point lights only; left out: ";

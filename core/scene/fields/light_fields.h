@@ -152,7 +152,7 @@ inline constexpr auto two_sided = field_within<Light>(
 
 }  // namespace light_field
 
-// Of every light.
+// The values that every light has.
 template <>
 inline constexpr auto fields<Light> =
     std::tuple{field(&Light::on, domain::boolean,
@@ -243,7 +243,7 @@ inline constexpr auto fields<light::Sphere> =
     std::tuple{light_field::position, light_field::radiance, light_field::radius<light::Sphere>,
                light_field::two_sided<light::Sphere>};
 
-// Of a light with a profile.
+// The values of a light with a profile.
 template <>
 inline constexpr auto fields<LightProfile> = std::tuple{field_within<Light>(
     [](auto& light) -> auto& { return profile_member(light)->rotation; },

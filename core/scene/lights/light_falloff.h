@@ -20,8 +20,9 @@ class LightFalloff {
   enum class Shape { isotropic, cone, cosine, two_cosines, profile };
 
   LightFalloff() = default;  // isotropic
-  // Of a luminaire that hangs at azimuth 0 along +x, turned about its axis, then, of a spot, the
-  // shortest way from straight down to its direction; without a profile isotropic, or a cone.
+  // The falloff of a luminaire that hangs at azimuth 0 along +x, turned about its axis, then, of a
+  // spot, the shortest way from straight down to its direction. Without a profile it is isotropic,
+  // or a cone.
   explicit LightFalloff(const light::Point& point);
   explicit LightFalloff(const light::Spot& spot);
   // `normal`: unit.

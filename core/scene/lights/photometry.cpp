@@ -89,7 +89,7 @@ double solid_angle(const light::Point& point) {
   return point.profile.content ? point.profile.content->solid_angle() : 4.0 * std::numbers::pi;
 }
 
-// That of a cone is clamp(x, 0, 1)^2, x linear in the cosine.
+// The falloff of a cone is clamp(x, 0, 1)^2, x linear in the cosine.
 double solid_angle_of_cone(const LightFalloff& falloff) {
   const double at_axis = std::min(falloff.dark_versine() * falloff.per_versine(), 1.0);
   const double edge = at_axis * at_axis * at_axis / (3.0 * falloff.per_versine());

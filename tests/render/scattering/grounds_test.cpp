@@ -45,6 +45,15 @@ TEST(Grounds, OfAnyWidthAreLitAlikeByALightNearby) {
   }
 }
 
+TEST(Grounds, AreLitByALightThatAlmostTouchesThem) {
+  // Its finest nodes must leave the coarser ones enough to reach all of the ground.
+  Scene scene = fog_over(1000.0, 0.02);
+  scene.lights = {{{1.0, 0.002, 1.0}, glm::dvec3(10.0), light::Point()}};
+  const double close = mean_airlight(scene);
+  scene.surfaces = {ground(20.0)};
+  EXPECT_NEAR(mean_airlight(scene), close, 0.05 * close);
+}
+
 // The grid's layers were centred on a ground alone, and saw through it.
 TEST(Grounds, AreNotSeenThroughWhereNothingStandsOnThem) {
   for (const double side : {20.0, 200.0}) {
