@@ -31,10 +31,10 @@ struct FogBall {
 };
 
 // How far around a place fog of density b0 > 0 [1/u] scatters light so that it comes back there:
-// four mean free paths (with one, 15% of the light of all orders is missing in dense fog), or to
-// its end [u].
-inline double scattering_reach(double b0, const FogBall& ball) {
-  return std::min(4.0 / b0, ball.radius);
+// some mean free paths (in dense fog alone, with one 15% of the light of all orders is missing), or
+// to its end [u].
+inline double scattering_reach(double b0, const FogBall& ball, double mean_free_paths = 4.0) {
+  return std::min(mean_free_paths / b0, ball.radius);
 }
 
 }  // namespace brume

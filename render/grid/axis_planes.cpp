@@ -52,8 +52,18 @@ double AxisPlanes::shift(int axis, double low, double high, double first, double
   const std::vector<Plane>& all = planes_[static_cast<std::size_t>(axis)];
   const std::ranges::subrange planes(std::ranges::lower_bound(all, low, {}, &Plane::coordinate),
                                      std::ranges::upper_bound(all, high, {}, &Plane::coordinate));
+  constexpr double too_near = 0.02;    // [spacing]
+  constexpr double negligible = 0.01;  // share of the area
   constexpr int candidates = 16;
   constexpr double clear = 0.1;  // [spacing], at which a plane is half as well placed as halfway
+  double area = 0.0;
+  double area_on_layers = 0.0;
+  for (const Plane& plane : planes) {
+    const double layer = (plane.coordinate - first) / spacing;
+    area += plane.area;
+    if (std::abs(layer - std::round(layer)) < too_near) area_on_layers += plane.area;
+  }
+  if (!(area_on_layers > negligible * area)) return 0.0;
   double best = 0.0;
   double most = -1.0;
   for (int i = 0; i < candidates; ++i) {

@@ -61,32 +61,45 @@ double smallest(const glm::dvec3& v) {
 }
 
 // Nodes from `low` to `high` at the smallest spacing, at least `min_spacing`, with at most
-// `max_nodes` nodes. The spacing is a float, to be identical wherever it is used. Along axes with
-// planes they have one layer more, so that they can keep off these.
-SourceGrid::Level layout(const glm::dvec3& low, const glm::dvec3& high, double min_spacing,
-                         int max_nodes, const AxisPlanes& planes) {
+// `max_nodes` nodes; with `more` layers than that takes. The spacing is a float, to be identical
+// wherever it is used.
+SourceGrid::Level even_layout(const glm::dvec3& low, const glm::dvec3& high, double min_spacing,
+                              int max_nodes, const glm::dvec3& more) {
   SourceGrid::Level level;
   const glm::dvec3 extent = high - low;
   double spacing = std::max(min_spacing, std::cbrt(extent.x * extent.y * extent.z / max_nodes));
   for (;; spacing *= 1.02) {
     level.nodes.spacing = static_cast<float>(spacing);
-    glm::dvec3 cells = glm::ceil(extent / static_cast<double>(level.nodes.spacing));
-    for (int k = 0; k < 3; ++k) {
-      if (planes.any_between(k, low[k] - spacing, high[k] + spacing)) cells[k] += 1.0;
-    }
+    const glm::dvec3 cells = glm::ceil(extent / static_cast<double>(level.nodes.spacing)) + more;
     if ((cells.x + 1.0) * (cells.y + 1.0) * (cells.z + 1.0) > static_cast<double>(max_nodes))
       continue;
     level.nodes.count = glm::max(glm::ivec3(cells) + 1, 2);
     const glm::dvec3 covered =
         glm::dvec3(level.nodes.count - 1) * static_cast<double>(level.nodes.spacing);
     level.first = 0.5 * (low + high) - 0.5 * covered;
-    for (int k = 0; k < 3; ++k) {
-      if (!planes.any_between(k, low[k] - spacing, high[k] + spacing)) continue;
-      level.first[k] += planes.shift(k, low[k] - spacing, high[k] + spacing, level.first[k],
-                                     static_cast<double>(level.nodes.spacing));
-    }
     return level;
   }
+}
+
+// The same, but where planes lie on layers of nodes: there are one more of these, moved off them.
+SourceGrid::Level layout(const glm::dvec3& low, const glm::dvec3& high, double min_spacing,
+                         int max_nodes, const AxisPlanes& planes) {
+  const auto shift_of = [&](const SourceGrid::Level& level) {
+    const double spacing = static_cast<double>(level.nodes.spacing);
+    glm::dvec3 shift(0.0);
+    for (int k = 0; k < 3; ++k) {
+      if (!planes.any_between(k, low[k] - spacing, high[k] + spacing)) continue;
+      shift[k] = planes.shift(k, low[k] - spacing, high[k] + spacing, level.first[k], spacing);
+    }
+    return shift;
+  };
+  SourceGrid::Level level = even_layout(low, high, min_spacing, max_nodes, glm::dvec3(0.0));
+  const glm::dvec3 shift = shift_of(level);
+  if (shift == glm::dvec3(0.0)) return level;
+  const glm::dvec3 more(glm::notEqual(shift, glm::dvec3(0.0)));
+  level = even_layout(low, high, min_spacing, max_nodes, more);
+  level.first += more * shift_of(level);
+  return level;
 }
 
 SweepOcclusion occlusion_of(const SourceGrid::Level& level) {
@@ -355,7 +368,9 @@ SourceGrid::SourceGrid(std::span<const GaussianTerm<double>> gaussians,
     levels_.emplace_back();
   } else {
     static const AxisPlanes none;
-    const AxisPlanes& planes = content.surfaces ? content.surfaces->planes() : none;
+    // With Gaussians the grid is where these are, and as large as they want it: measured so far.
+    const bool is_fog_alone = !(bounds.min_radius > 0.0);
+    const AxisPlanes& planes = content.surfaces && is_fog_alone ? content.surfaces->planes() : none;
     levels_.push_back(
         layout(bounds.low, bounds.high, 0.12 * bounds.min_radius, size.nodes, planes));
     const bool goes_beyond = (content.receivers && !holds(content.receivers->box)) ||
@@ -377,7 +392,9 @@ SourceGrid::SourceGrid(std::span<const GaussianTerm<double>> gaussians,
     };
     if (content.fog_density > 0.0 || goes_beyond) add_level(size.nodes / 2);
     const double reach =
-        content.fog_density > 0.0 ? scattering_reach(content.fog_density, content.fog_ball) : 0.0;
+        content.fog_density > 0.0
+            ? scattering_reach(content.fog_density, content.fog_ball, is_fog_alone ? 4.0 : 1.0)
+            : 0.0;
     // Surfaces beyond all levels are lit as those at the border are, which is too much of what
     // Gaussians emit.
     const auto holds_surfaces = [&] {
