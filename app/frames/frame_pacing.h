@@ -44,7 +44,7 @@ class FramePacing {
   static constexpr std::size_t index(auto value) { return static_cast<std::size_t>(value); }
   using enum State;
   using enum Action;
-  // By state and event, in the order above.
+  // The steps stand by state and event, in the order above.
   static constexpr std::array<std::array<Step, 4>, 4> steps{{
       {{{moving, render_in_motion}, {rest, none}, {rest, none}, {rest, none}}},
       {{{moving, render_in_motion}, {ending, none}, {shown, none}, {rest, render_at_rest}}},

@@ -102,7 +102,7 @@ class CameraRays {
   // A pixel at distance d along forward() is as wide as pixel_width() + 2 d pixel_half_angle(): of
   // a pinhole's, half the angle that the central one subtends [radians], else 0.
   [[nodiscard]] double pixel_half_angle() const;
-  // Of an orthographic camera's [u], else 0.
+  // An orthographic camera's height [u], else 0.
   [[nodiscard]] double pixel_width() const;
 
  private:

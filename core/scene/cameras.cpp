@@ -62,7 +62,7 @@ double half_height(const Camera& camera) {
 Camera orthographic(const Camera& camera) {
   Camera result = camera;
   result.height = domain::length.nearest(2.0 * half_height(camera));
-  // What does not count is as in a file, which has neither.
+  // Values that do not count are as in a file, which has neither.
   result.vertical_fov = Camera().vertical_fov;
   result.aperture = Camera().aperture;
   return result;

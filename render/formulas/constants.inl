@@ -12,7 +12,7 @@ CONSTANT tiny_square = 1e-37;
 // The same of the sine of an angle, where directions are unit.
 CONSTANT tiny_sine_square = 1e-14;
 
-// What a slice holds of a Gaussian lies in its middle where it is shorter than this [radii]: to a
+// A slice's part of a Gaussian lies in its middle where it is shorter than this [radii]: to a
 // twentieth of the slice.
 CONSTANT short_slice = 0.25;
 // Slices behind this optical depth are invisible.

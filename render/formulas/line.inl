@@ -16,7 +16,7 @@ FORMULA OF(LineProfile) line_profile(Vec3 b, Vec3 w, Real a) {
   return line;
 }
 
-// Of an ellipsoid: b and w warped, a that of its greatest radius.
+// An ellipsoid has b and w warped, and the a of its greatest radius.
 FORMULA OF(LineProfile) warped_line_profile(Vec3 b, Vec3 w, Real a) {
   const Real speed2 = dot(w, w);
   OF(LineProfile) line;

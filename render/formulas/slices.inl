@@ -1,4 +1,4 @@
-// What a slice of a ray scatters, and where.
+// The part of a ray's slice that scatters, and where it is.
 
 // exp(-T) (1 - exp(-dT)), without cancellation for small dT.
 FORMULA Real scattered_fraction(Real depth, Real increment) {
@@ -32,7 +32,7 @@ FORMULA OF(LitPart) lit_part(Real begin, Real end, Real increment, Real moment) 
   // the length over which it falls: sqrt(3 / 2).
   const Real reach =
       select(3.0 * off < half_width, sqrt(max(square, 0.0)), 1.22474487 * (half_width - off));
-  // What is in front counts for more: exp(-T) moves the mean over a length with an optical depth of
+  // The front counts for more: exp(-T) moves the mean over a length with an optical depth of
   // T by T / (T + 6) of half of it to the front, for small T; what is deeper mostly grows steeply
   // towards its far end.
   const Real front = min(increment, 1.0);

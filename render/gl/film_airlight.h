@@ -53,7 +53,7 @@ class FilmAirlight {
   Buffer light_offsets_, light_pixels_;
 };
 
-// What is defined of programs that include shaders/rays.glsl: of an orthographic camera, PARALLEL.
+// Programs that include shaders/rays.glsl are defined PARALLEL for an orthographic camera.
 std::string ray_definitions(const CameraRays& rays);
 // Sets the uniforms of shaders/rays.glsl.
 void set_rays(const Program& program, const CameraRays& rays);

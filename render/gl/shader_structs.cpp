@@ -9,7 +9,7 @@
 namespace brume::gl {
 namespace {
 
-// What GLSL calls a type of C++, and how std430 aligns it. In C++ all are aligned to a word.
+// The GLSL name of a type of C++, and how std430 aligns it. In C++ all are aligned to a word.
 struct Type {
   std::string_view name;
   std::string_view glsl_name;
@@ -48,7 +48,7 @@ struct Members {
       declared = declared.substr(0, declared.find_last_not_of(' ') + 1);
       const std::size_t name = declared.rfind(' ');
       Member& m = members.at(count++);
-      // What is no type of these cannot be compiled.
+      // Other types cannot be compiled.
       m.type = *std::ranges::find(types, declared.substr(0, name), &Type::name);
       m.name = declared.substr(name + 1);
       if (const std::size_t bracket = m.name.find('['); bracket != m.name.npos) {

@@ -11,7 +11,7 @@
 
 namespace brume::gl {
 
-// What C++ and shaders share in storage buffers, laid out as std430 has it.
+// Structs that C++ and shaders share in storage buffers, laid out as std430 has it.
 
 // A DirectionMap.
 BRUME_SHARED_STRUCT(MapData, {

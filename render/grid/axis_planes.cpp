@@ -42,12 +42,6 @@ AxisPlanes::AxisPlanes(const RayCaster& ray_caster) {
   }
 }
 
-bool AxisPlanes::any_between(int axis, double low, double high) const {
-  const std::vector<Plane>& planes = planes_[static_cast<std::size_t>(axis)];
-  const auto first = std::ranges::lower_bound(planes, low, {}, &Plane::coordinate);
-  return first != planes.end() && first->coordinate <= high;
-}
-
 double AxisPlanes::shift(int axis, double low, double high, double first, double spacing) const {
   const std::vector<Plane>& all = planes_[static_cast<std::size_t>(axis)];
   const std::ranges::subrange planes(std::ranges::lower_bound(all, low, {}, &Plane::coordinate),

@@ -16,10 +16,9 @@ class AxisPlanes {
   AxisPlanes() = default;  // none
   explicit AxisPlanes(const RayCaster& ray_caster);
 
-  // Whether any is within a spacing of nodes from `low` to `high` along an axis.
-  [[nodiscard]] bool any_between(int axis, double low, double high) const;
   // How far to move nodes at first + i spacing along an axis so that they stay off the planes from
-  // `low` to `high`, the large ones before the small: in [-0.5, 0.5) spacing.
+  // `low` to `high`, the large ones before the small: in [-0.5, 0.5) spacing, 0 if they are off
+  // them.
   [[nodiscard]] double shift(int axis, double low, double high, double first, double spacing) const;
 
  private:

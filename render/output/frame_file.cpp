@@ -81,7 +81,7 @@ ExrView exr_view(const Camera& camera, const Film& film, double frames_per_secon
   view.world_to_camera = glm::translate(to_axes, -rays.eye());
   const glm::dvec4 x(per_x, 0.0, 0.0, 0.0);
   const glm::dvec4 y(0.0, -per_y, 0.0, 0.0);
-  // Of a pinhole all is divided by the depth, and z is its inverse; else z is the depth.
+  // A pinhole divides all by the depth, and z is its inverse; else z is the depth.
   const glm::dmat4 to_ndc =
       rays.is_parallel() ? glm::dmat4(x, y, {0.0, 0.0, 1.0, 0.0}, {center.x, center.y, 0.0, 1.0})
                          : glm::dmat4(x, y, {center.x, center.y, 0.0, 1.0}, {0.0, 0.0, 1.0, 0.0});

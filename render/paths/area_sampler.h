@@ -36,7 +36,7 @@ class AreaSampler {
  private:
   [[nodiscard]] SeenPoint seen_on_sphere(const glm::dvec3& x, PathRandom& random) const;
   [[nodiscard]] SeenPoint seen_on_plane(const glm::dvec3& x, PathRandom& random) const;
-  // Of a plane that faces the way `direction`, in a rectangle around it.
+  // The points of a plane that faces the way `direction`, in a rectangle around it.
   void set_plane(const light::Rectangle& rectangle);
 
   bool is_disk_, is_sphere_, is_two_sided_;

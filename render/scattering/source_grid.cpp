@@ -12,6 +12,7 @@
 #include "core/math/special_functions.h"
 #include "core/math/spherical_harmonics.h"
 #include "render/grid/density_samples.h"
+#include "render/grid/node_layout.h"
 #include "render/grid/resampling.h"
 #include "render/simd/gaussian_kernels.h"
 
@@ -58,48 +59,6 @@ bool contains(const glm::dvec3& low, const glm::dvec3& high, const Box& box) {
 
 double smallest(const glm::dvec3& v) {
   return std::min({v.x, v.y, v.z});
-}
-
-// Nodes from `low` to `high` at the smallest spacing, at least `min_spacing`, with at most
-// `max_nodes` nodes; with `more` layers than that takes. The spacing is a float, to be identical
-// wherever it is used.
-SourceGrid::Level even_layout(const glm::dvec3& low, const glm::dvec3& high, double min_spacing,
-                              int max_nodes, const glm::dvec3& more) {
-  SourceGrid::Level level;
-  const glm::dvec3 extent = high - low;
-  double spacing = std::max(min_spacing, std::cbrt(extent.x * extent.y * extent.z / max_nodes));
-  for (;; spacing *= 1.02) {
-    level.nodes.spacing = static_cast<float>(spacing);
-    const glm::dvec3 cells = glm::ceil(extent / static_cast<double>(level.nodes.spacing)) + more;
-    if ((cells.x + 1.0) * (cells.y + 1.0) * (cells.z + 1.0) > static_cast<double>(max_nodes))
-      continue;
-    level.nodes.count = glm::max(glm::ivec3(cells) + 1, 2);
-    const glm::dvec3 covered =
-        glm::dvec3(level.nodes.count - 1) * static_cast<double>(level.nodes.spacing);
-    level.first = 0.5 * (low + high) - 0.5 * covered;
-    return level;
-  }
-}
-
-// The same, but where planes lie on layers of nodes: there are one more of these, moved off them.
-SourceGrid::Level layout(const glm::dvec3& low, const glm::dvec3& high, double min_spacing,
-                         int max_nodes, const AxisPlanes& planes) {
-  const auto shift_of = [&](const SourceGrid::Level& level) {
-    const double spacing = static_cast<double>(level.nodes.spacing);
-    glm::dvec3 shift(0.0);
-    for (int k = 0; k < 3; ++k) {
-      if (!planes.any_between(k, low[k] - spacing, high[k] + spacing)) continue;
-      shift[k] = planes.shift(k, low[k] - spacing, high[k] + spacing, level.first[k], spacing);
-    }
-    return shift;
-  };
-  SourceGrid::Level level = even_layout(low, high, min_spacing, max_nodes, glm::dvec3(0.0));
-  const glm::dvec3 shift = shift_of(level);
-  if (shift == glm::dvec3(0.0)) return level;
-  const glm::dvec3 more(glm::notEqual(shift, glm::dvec3(0.0)));
-  level = even_layout(low, high, min_spacing, max_nodes, more);
-  level.first += more * shift_of(level);
-  return level;
 }
 
 SweepOcclusion occlusion_of(const SourceGrid::Level& level) {
@@ -371,8 +330,12 @@ SourceGrid::SourceGrid(std::span<const GaussianTerm<double>> gaussians,
     // With Gaussians the grid is where these are, and as large as they want it: measured so far.
     const bool is_fog_alone = !(bounds.min_radius > 0.0);
     const AxisPlanes& planes = content.surfaces && is_fog_alone ? content.surfaces->planes() : none;
-    levels_.push_back(
-        layout(bounds.low, bounds.high, 0.12 * bounds.min_radius, size.nodes, planes));
+    const auto add_nodes = [&](const NodeLayout& layout) {
+      Level& level = levels_.emplace_back();
+      level.first = layout.first;
+      level.nodes = layout.nodes;
+    };
+    add_nodes(lay_out(bounds.low, bounds.high, 0.12 * bounds.min_radius, size.nodes, planes));
     const bool goes_beyond = (content.receivers && !holds(content.receivers->box)) ||
                              (content.surfaces && !holds(content.surfaces->bounds()));
     glm::dvec3 low = bounds.low;
@@ -388,7 +351,7 @@ SourceGrid::SourceGrid(std::span<const GaussianTerm<double>> gaussians,
       low = max_low;
       high = max_high;
       const double spacing = static_cast<double>(levels_.back().nodes.spacing);
-      levels_.push_back(layout(low, high, 2.0 * spacing, nodes, planes));
+      add_nodes(lay_out(low, high, 2.0 * spacing, nodes, planes));
     };
     if (content.fog_density > 0.0 || goes_beyond) add_level(size.nodes / 2);
     const double reach =

@@ -77,7 +77,7 @@ struct FalloffFloats {
         shape(falloff.shape()),
         has_cone(falloff.has_cone()) {}
 
-  // Of a vector, along the azimuths and the axis.
+  // The components of a vector, along the azimuths and the axis.
   [[nodiscard]] HWY_INLINE V3<FloatVec> Components(const V3<FloatVec>& v) const {
     return {dot(v, azimuth_0), dot(v, azimuth_90), dot(v, axis)};
   }

@@ -52,7 +52,7 @@ using UnsignedOf = hn::VFromD<hn::RebindToUnsigned<hn::DFromV<V>>>;
 #define ANY(condition) (!hn::AllFalse(hn::DFromV<Real>(), condition))
 #define BY_PRECISION(single, twice) (sizeof(Uniform) == 4 ? (single) : (twice))
 
-// What double precision has instead, to 1e-15.
+// Double precision has these instead, to 1e-15.
 
 // (1 + 2 x) erfcx(x) as a polynomial in (x - 3.75) / (x + 3.75) (Shepherd and Laframboise 1981
 // chose the variable; the coefficients are a Chebyshev fit in 40 digits).

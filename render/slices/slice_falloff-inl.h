@@ -30,7 +30,7 @@ struct FalloffRays {
   HWY_INLINE FalloffRays(const LightFalloff& of_light, const V3<FloatVec>& w,
                          const V3<FloatVec>& offset, FloatVec h2)
       : falloff(of_light) {
-    // As LightFalloff::edges() has them; those that are missing are far away.
+    // Edges are those of LightFalloff::edges(); missing ones are far away.
     constexpr float far = 1e30f;
     along = falloff.Components(w);
     across = falloff.Components(offset);

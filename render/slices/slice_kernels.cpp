@@ -142,7 +142,7 @@ HWY_INLINE V Lit(const SliceLight& light, const Vector& q, V distance) {
 void SumAlongRays(const RaySlices& slices, std::size_t stride, const float* increments,
                   bool has_optics, float b0, float exponent_per_depth, bool running, float* sums) {
   const D d;
-  // Of the first optics: the albedo.
+  // The first optics have the albedo.
   const std::size_t to_scattered = has_optics ? (slices.count() - 1) * stride : 0;
   const V per_depth = set(exponent_per_depth);
   for (std::size_t i = 0; i < stride; i += hn::Lanes(d)) {
@@ -188,7 +188,7 @@ HWY_INLINE V TruncatedPhase(const SliceScattering& scattering, V cosine) {
   return sum;
 }
 
-// What a LobeBroadening's table holds, bilinear.
+// The value of a LobeBroadening's table, bilinear.
 HWY_INLINE V LobeLoss(const float* table, V cosine, V depth) {
   const D d;
   const hn::RebindToSigned<D> di;
@@ -287,7 +287,7 @@ HWY_INLINE void SumSlicesOf(const PathBatch& paths, const RaySlices& slices,
           whole_fraction *= albedo;
           truncated_fraction *= albedo;
         }
-        // Of what the slice holds, fog evenly.
+        // The slice holds fog evenly.
         const V middle_of_slice = 0.5f * (begin + end);
         const V fog_moment = b0 * width * middle_of_slice;
         const V moment = fog_moment + hn::LoadU(d, moments + k * stride + i);

@@ -1,4 +1,4 @@
-// What a frame computes, decided by scene and settings alone.
+// The stages of a frame are decided by scene and settings alone.
 
 #include "render/render_plan.h"
 

@@ -184,7 +184,7 @@ void LightPanel::add_light_fields(QFormLayout& form) {
   visit_light_fields([&](const auto& field, const Light&) {
     const std::string_view name = field.info.name;
     if (name == "profile_rotation") add_profile_field(form);
-    // What is in the list has no row; the strength has one with its color.
+    // Values in the list have no row; the strength has one with its color.
     const bool is_listed = name == "on" || name == "locked";
     if (!is_listed && !is_strength(field)) add_value(form, field);
   });

@@ -10,7 +10,7 @@
 
 namespace brume {
 
-// What a kind of light is called, in the order of Light::Kind.
+// The names of kinds of light, in the order of Light::Kind.
 struct LightKindInfo {
   const char* name;   // in files and in Python
   const char* label;  // in forms: "Directional"
@@ -85,7 +85,7 @@ inline constexpr auto position = field(&Light::position, &LightKeys::position, d
                                         .step = 0.01,
                                         .is_required = true});
 
-// What its strength is, depends on the kind.
+// The meaning of its strength depends on the kind.
 constexpr auto strength(const FieldInfo& info) {
   return field(&Light::intensity, &LightKeys::intensity, domain::intensity, info);
 }
@@ -275,7 +275,7 @@ bool is_strength(const F& field) {
   return false;
 }
 
-// What the intensity of a light is called.
+// The name of a light's intensity.
 inline const FieldInfo& strength_info(const Light& light) {
   const FieldInfo* info = nullptr;
   visit_fields_of(light, [&info](const auto& field) {

@@ -28,7 +28,7 @@ inline constexpr auto fields<Material> =
                       .step = 0.01,
                       .is_logarithmic = true})};
 
-// Those of its type.
+// The fields of its type.
 inline void visit_fields_of(const Material& material, auto&& visit) {
   const bool is_phong = material.type == Material::Type::phong;
   const bool is_diffuse = material.type == Material::Type::diffuse;

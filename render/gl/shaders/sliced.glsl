@@ -190,7 +190,7 @@ void main() {
         whole_fraction *= scattering / max(increment, tiny);
         truncated_fraction *= scattering / max(increment, tiny);
 #endif
-        // Of what the slice holds, fog evenly.
+        // The slice holds fog evenly.
         const float moment =
             fog * 0.5 * (t_begin + t_end) + spilled_moments[k * group_size + id];
         const LitPart part = lit_part(t_begin, t_end, increment, moment);

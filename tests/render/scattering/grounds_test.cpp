@@ -36,7 +36,7 @@ Scene fog_over(double side, double density) {
 }
 
 TEST(Grounds, OfAnyWidthAreLitAlikeByALightNearby) {
-  // By `brume render --airlight path:8192`, for a side of 40.
+  // The mean of `brume render --airlight path:8192`, for a side of 40.
   constexpr double truth = 0.04179;
   for (const double side : {20.0, 40.0, 300.0, 1000.0}) {
     Scene scene = fog_over(side, 0.02);

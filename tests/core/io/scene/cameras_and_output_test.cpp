@@ -103,7 +103,7 @@ TEST_F(CamerasAndOutput, OrthographicOnesComeBackWithoutAnAngle) {
   EXPECT_EQ(again.cameras[0].camera, scene.cameras[0].camera);
 }
 
-// As keyframes of any value that is not there.
+// They are refused as keyframes of any value that is not there.
 TEST_F(CamerasAndOutput, KeyframesOfTheValueThatIsNotInUseAreUnknown) {
   std::vector<std::string> warnings;
   const SceneDocument fov = load_document(
