@@ -32,8 +32,7 @@ double airlight_milliseconds(const Frame& frame) {
 // `paper` on the box of 3,008 Gaussians, SIMD float against plain double on one thread: time is
 // that of SIMD, plain_over_simd the ratio per thread, rel_rmse the difference of the two airlights.
 void paper_simd_against_plain(benchmark::State& state) {
-  const std::filesystem::path file = std::filesystem::path(BRUME_SCENES) / "box_3008.brume";
-  const Scene scene = load_scene(file);
+  const Scene scene = load_scene(sample_scene_file("box_3008"));
   Settings simd{.airlight = AirlightMethod::paper};
   simd.threads = 1;
   Settings plain = simd;

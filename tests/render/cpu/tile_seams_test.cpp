@@ -10,6 +10,7 @@
 #include "render/slices/slice_boundaries.h"
 #include "tests/render/seams.h"
 #include "tests/render/test_scenes.h"
+#include "tools/bench/scenes/benchmark_scenes.h"
 
 namespace brume {
 namespace {
@@ -48,7 +49,7 @@ TEST(TileSeams, RandomScenesStepNoMoreAtBordersThanWithinTiles) {
 
 // The view in which an edge was seen.
 TEST(TileSeams, BunnyFogHasNoEdges) {
-  const Scene scene = load_scene(std::filesystem::path(BRUME_SCENES) / "bunny_fog.brume");
+  const Scene scene = load_scene(sample_scene_file("bunny_fog"));
   Renderer renderer;
   const auto render = [&](int slices, int scale) {
     Settings settings = sliced_settings({}, slices);

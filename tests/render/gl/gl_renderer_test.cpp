@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <glm/geometric.hpp>
 
+#include "core/io/disk/installed_files.h"
 #include "core/io/scene/scene_file.h"
 #include "core/scene/lights/radiance_map.h"
 #include "core/scene/materials/measured_brdf.h"
@@ -61,7 +62,7 @@ TEST_F(GlFrames, SampleScenes) {
   paper.paper = {true, true};
   Settings scaled = quick_slices();
   scaled.airlight_scale = 4;
-  for (const auto& entry : std::filesystem::directory_iterator(BRUME_SCENES)) {
+  for (const auto& entry : std::filesystem::directory_iterator(resources_folder() / "scenes")) {
     if (entry.path().extension() != ".brume") continue;
     std::vector<std::string> warnings;
     Scene scene = load_scene(entry.path(), &warnings);

@@ -170,7 +170,7 @@ void expect_mean_of_paths(const Scene& scene, int paths_per_pixel, double share)
 // Around a light behind a cloud, with a wall far away and without. With a lobe as narrow as that of
 // light that was scattered once the error is 22%.
 TEST(MultipleScattering, LobesWidenAroundLightsBehindClouds) {
-  Scene scene = load_scene(BRUME_SCENES "/dense_cloud.brume");
+  Scene scene = load_scene(sample_scene_file("dense_cloud"));
   scene.film = {16, 12};
   scene.optics.anisotropy = 0.85;
   scene.lights = {{{0.5, 0.8, -7.0}, glm::dvec3(600.0), {}}};
@@ -305,7 +305,7 @@ TEST(MultipleScattering, WhiteWallsMatchPaths) {
 // Slanting light ends at walls: where it goes on along them, this is four times too bright. The
 // mean is 6% too dark, and the paths' noise another 5%.
 TEST(MultipleScattering, TunnelsAreDark) {
-  Scene scene = load_scene(BRUME_SCENES "/tunnel.brume");
+  Scene scene = load_scene(sample_scene_file("tunnel"));
   scene.film = {16, 12};
   Settings paths;
   paths.airlight = AirlightMethod::path;

@@ -119,9 +119,7 @@ std::vector<AllOrdersRow> measure_all_orders(bool quick) {
   rows.push_back(measure("the same, anisotropy 0.85", backlit, frames));
   for (const char* name :
        {"bunny_fog", "ground_fog", "evening_mist", "courtyard", "room", "tunnel"}) {
-    rows.push_back(measure(
-        name, load_scene(std::filesystem::path(BRUME_SCENES) / (std::string(name) + ".brume")),
-        frames));
+    rows.push_back(measure(name, load_scene(sample_scene_file(name)), frames));
   }
   return rows;
 }

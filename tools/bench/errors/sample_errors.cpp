@@ -9,6 +9,7 @@
 #include "render/renderer.h"
 #include "render/samples/mean_frame.h"
 #include "tools/bench/measure/measurement.h"
+#include "tools/bench/scenes/benchmark_scenes.h"
 
 namespace brume {
 namespace {
@@ -23,8 +24,7 @@ double picture_error(const Frame& frame, const Frame& truth) {
 }
 
 SampleRow measure_scene_samples(const std::string& name, int frames) {
-  Scene scene =
-      evaluate_at(load_scene(std::filesystem::path(BRUME_SCENES) / (name + ".brume")), 0.0);
+  Scene scene = evaluate_at(load_scene(sample_scene_file(name)), 0.0);
   scene.film = sampled_film;
   Settings one = sliced_settings({}, 24);
   one.airlight_scale = 4;

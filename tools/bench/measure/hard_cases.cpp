@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/io/disk/file_bytes.h"
+#include "core/io/disk/installed_files.h"
 #include "core/io/scene/scene_file.h"
 #include "render/quality/auto_quality.h"
 #include "render/renderer.h"
@@ -51,7 +52,7 @@ HardCaseAuto auto_error(FrameRenderer& renderer, const HardCase& hard_case) {
 }  // namespace
 
 std::vector<HardCase> load_hard_cases() {
-  const std::filesystem::path folder = BRUME_HARD_CASES;
+  const std::filesystem::path folder = resources_folder() / "hard_cases";
   const auto golden = nlohmann::json::parse(read_bytes(folder / "golden.json"));
   std::vector<HardCase> cases;
   for (const auto& entry : golden.at("cases")) {

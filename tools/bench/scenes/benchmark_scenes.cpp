@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/io/disk/installed_files.h"
 #include "core/io/scene/scene_file.h"
 #include "core/math/random_source.h"
 #include "core/scene/lights/radiance_map.h"
@@ -18,8 +19,8 @@
 
 namespace brume {
 
-std::filesystem::path sample_scene_file(const char* name) {
-  return std::filesystem::path(BRUME_SCENES) / (std::string(name) + ".brume");
+std::filesystem::path sample_scene_file(const std::string& name) {
+  return resources_folder() / "scenes" / (name + ".brume");
 }
 
 Scene sample_airlight(const char* name) {

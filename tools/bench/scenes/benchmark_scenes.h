@@ -13,7 +13,7 @@ namespace brume {
 // The scenes that speed claims are measured on.
 
 // A scene of resources/scenes.
-std::filesystem::path sample_scene_file(const char* name);
+std::filesystem::path sample_scene_file(const std::string& name);
 
 // A sample scene of resources/scenes, without its surfaces: the airlight alone.
 Scene sample_airlight(const char* name);

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "core/io/disk/installed_files.h"
 #include "core/io/image/radiance_map_file.h"
 #include "tools/bench/scenes/benchmark_meshes.h"
 #include "tools/bench/scenes/benchmark_scenes.h"
@@ -27,7 +28,7 @@ Surface surface(MeshBuilder& mesh, const glm::dvec3& reflectance) {
 // An environment of resources/environments, and radiance transfer for it.
 void light_by(const char* environment, double intensity, double rotation, Scene& scene) {
   Environment& sky = scene.environment.emplace();
-  sky.map = read_radiance_map(std::filesystem::path(BRUME_ENVIRONMENTS) / environment);
+  sky.map = read_radiance_map(resources_folder() / "environments" / environment);
   sky.intensity = intensity;
   sky.rotation = rotation;
   for (Surface& s : scene.surfaces) s.transfer = Surface::Transfer::interreflection;
