@@ -18,6 +18,7 @@
 #include "render/prepare/albedo.h"
 #include "render/prepare/frame_stages.h"
 #include "render/prepare/light_limits.h"
+#include "render/prepare/sample_spacing.h"
 #include "render/reference/reference_airlight.h"
 #include "render/samples/brightness.h"
 #include "render/samples/mean_frame.h"
@@ -62,8 +63,8 @@ std::optional<Frame> Renderer::render(const Scene& scene, const Camera& camera, 
                                       const std::function<void(double)>& progress,
                                       const Motion& motion) {
   const auto render_film = [&](const Film& shifted, const Settings& wanted, const Job& job) {
-    const RenderPlan plan(scene, shifted, wanted, own_transfers_ ? nullptr : transfers_.get(),
-                          motion);
+    const RenderPlan plan(scene, shifted, with_useful_spacing(scene, camera, shifted, wanted),
+                          own_transfers_ ? nullptr : transfers_.get(), motion);
     return render(plan, scene, camera, shifted, job);
   };
   const Job job{std::move(stop), progress};

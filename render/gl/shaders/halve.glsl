@@ -62,5 +62,6 @@ void main() {
                      scale;
   const uint curved = curved_cells[tile * group_size + id];
   const bool is_cell = (curved & curved_is_cell) != 0u;
-  list_requests(tile, is_cell ? fill(cell, curved, distance_tolerance(tile)) : 0u, cell, 4);
+  const float tolerance_u = distance_tolerance(tile);
+  list_requests(tile, is_cell ? fill(cell, curved, tolerance_u) : 0u, cell, 4);
 }

@@ -3,7 +3,7 @@
 // any count does.
 #include "linear.glsl"
 
-layout(local_size_x = 64) in;
+layout(local_size_x = 256) in;
 
 layout(std430, binding = 6) coherent buffer Entries { uint list[]; };
 layout(std430, binding = 7) readonly buffer Offsets { uint offsets[]; };  // one more than tiles

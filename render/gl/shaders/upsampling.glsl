@@ -53,10 +53,14 @@ float curvature_of(vec4 a, vec4 b, vec4 c) {
 }
 
 // Depth difference [u] for which the airlight may still be interpolated: small against the Gaussians
-// of the tile and the fog's mean free path.
+// of the tile and the fog's mean free path. Called by all invocations of a tile's group, which share
+// the work.
+shared float distance_tolerances[group_size];
+
 float distance_tolerance(int tile) {
+  const uint id = gl_LocalInvocationID.x;
   float result = b0 > 0.0 ? free_paths_per_tolerance * tolerance / b0 : endless;
-  for (uint k = offsets[tile]; k < offsets[tile + 1]; ++k) {
+  for (uint k = offsets[tile] + id; k < offsets[tile + 1]; k += uint(group_size)) {
     float radius = 1.0 / seen[list[k]].a;
 #ifdef ELLIPSOIDS
     const EllipsoidWarp e = ellipsoid_of(list[k]);
@@ -64,7 +68,15 @@ float distance_tolerance(int tile) {
 #endif
     result = min(result, radii_per_tolerance * tolerance * radius);
   }
-  return result;
+  distance_tolerances[id] = result;
+  for (uint half_ = uint(group_size) / 2u; half_ > 0u; half_ /= 2u) {
+    barrier();
+    if (id < half_) {
+      distance_tolerances[id] = min(distance_tolerances[id], distance_tolerances[id + half_]);
+    }
+  }
+  barrier();
+  return distance_tolerances[0];
 }
 
 // Lists pixels of the invocations of a tile's group, called by all of them: `bits` are those of a
