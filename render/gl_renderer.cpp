@@ -13,10 +13,12 @@
 #include "render/gl/egl_context.h"
 #include "render/gl/gl_plan.h"
 #include "render/gl/paper_stage.h"
+#include "render/gl/read_back.h"
 #include "render/gl/sliced_stage.h"
 #include "render/gl/surface_stage.h"
 #include "render/prepare/albedo.h"
 #include "render/prepare/frame_stages.h"
+#include "render/prepare/sample_spacing.h"
 #include "render/renderer.h"
 #include "render/samples/mean_frame.h"
 
@@ -25,36 +27,6 @@ namespace brume {
 using namespace gl;
 
 namespace {
-
-void read_depth(const FilmTextures& textures, Frame& frame) {
-  const glm::ivec2& size = textures.depth.size();
-  frame.depth.resize(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
-  textures.depth.download(frame.depth);
-  for (float& depth : frame.depth) {
-    if (depth < 0.0f) depth = std::numeric_limits<float>::infinity();
-  }
-}
-
-void read_layers(const FilmTextures& textures, Frame& frame) {
-  const std::size_t pixels = frame.depth.size();
-  std::vector<float> values(4 * pixels);
-  textures.airlight.download(values);
-  for (std::size_t i = 0; i < pixels; ++i) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      frame.airlight[3 * i + k] = finite(values[4 * i + k]);
-      frame.transmittance[3 * i + k] = finite(values[4 * i + 3]);
-    }
-  }
-  textures.beauty.download(frame.beauty);
-  for (float& x : frame.beauty) x = finite(x);
-  read_depth(textures, frame);
-  std::vector<float>& pairs = frame.statistics.pixel_pairs;
-  pairs.resize(pixels);
-  textures.pairs.download(pairs);
-  double sum = 0.0;
-  for (const float x : pairs) sum += static_cast<double>(x);
-  frame.statistics.view_pairs += static_cast<std::uint64_t>(sum);
-}
 
 // The context is current in this thread while one lives.
 class Current {
@@ -95,6 +67,7 @@ struct GlRenderer::Impl {
   Programs programs;
   DeviceClock clock;
   FilmTextures textures;
+  ReadBack fetched;
   CompositeStage composite;
   DisplayStage display;
   std::vector<std::unique_ptr<Group>> groups;
@@ -222,7 +195,8 @@ std::optional<Frame> GlRenderer::Impl::render(const Scene& scene, const Camera& 
                                               const Film& film, const Settings& settings,
                                               const Motion& motion, const Job& job,
                                               Target& target) {
-  RenderPlan plan(scene, film, settings, own_transfers ? nullptr : transfers.get(), motion);
+  RenderPlan plan(scene, film, with_useful_spacing(scene, camera, film, settings),
+                  own_transfers ? nullptr : transfers.get(), motion);
   std::string why = failure;
   if (const std::optional<Reason> reason = refusal(plan); why.empty() && reason) {
     why = to_string(*reason);
@@ -356,9 +330,10 @@ void GlRenderer::Impl::show(FrameContext& work, std::size_t which, const Target&
 }
 
 void GlRenderer::Impl::read_back(FrameContext& work, StageClock& cpu_clock) {
+  fetched.start(textures);
   cpu_clock.finish(Stage::submit);
   work.make_layers();
-  read_layers(textures, work.frame);
+  fetched.finish(work);
   if (work.settings.background_apart) set_background_apart(work.frame);
   cpu_clock.finish(Stage::read_back);
 }

@@ -102,6 +102,28 @@ void Buffer::reserve(std::size_t bytes) {
   bytes_ = room;
 }
 
+void HostBuffer::reserve(std::size_t bytes) {
+  if (bytes <= bytes_ && object_) return;
+  object_.reset();
+  bytes_ = 0;
+  GLuint name = 0;
+  glCreateBuffers(1, &name);
+  Object made(Kind::buffer, name);
+  const auto size = static_cast<GLsizeiptr>(bytes);
+  constexpr GLbitfield access = GL_MAP_READ_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT;
+  glNamedBufferStorage(name, size, nullptr, access | GL_CLIENT_STORAGE_BIT);
+  check_memory(megabytes(bytes));
+  values_ = static_cast<const float*>(glMapNamedBufferRange(name, 0, size, access));
+  if (!values_) throw OutOfMemory("out of memory for " + megabytes(bytes));
+  object_ = std::move(made);
+  bytes_ = bytes;
+}
+
+std::span<const float> HostBuffer::wait() {
+  finish();
+  return {values_, bytes_ / sizeof(float)};
+}
+
 void Buffer::upload_bytes(const void* data, std::size_t bytes) {
   reserve(bytes);
   if (bytes > 0) glNamedBufferSubData(name(), 0, static_cast<GLsizeiptr>(bytes), data);
@@ -165,6 +187,18 @@ void Texture::download(std::span<float> values) const {
   glPixelStorei(GL_PACK_ALIGNMENT, 4);
   glGetTextureSubImage(name(), 0, 0, 0, 0, size_.x, size_.y, 1, names_of(format_).channels,
                        GL_FLOAT, static_cast<GLsizei>(values.size_bytes()), values.data());
+}
+
+void Texture::copy(HostBuffer& to, std::size_t offset) const {
+  glPixelStorei(GL_PACK_ALIGNMENT, 4);
+  glBindBuffer(GL_PIXEL_PACK_BUFFER, to.name());
+  const auto room =
+      static_cast<GLsizei>(std::size_t{4} * sizeof(float) * static_cast<std::size_t>(size_.x) *
+                           static_cast<std::size_t>(size_.y));
+  glGetTextureSubImage(name(), 0, 0, 0, 0, size_.x, size_.y, 1, names_of(format_).channels,
+                       GL_FLOAT, room, reinterpret_cast<void*>(offset));
+  glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+  glFlush();
 }
 
 void Texture::fill(float value) {

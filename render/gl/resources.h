@@ -93,6 +93,21 @@ class Buffer {
   std::size_t bytes_ = 0;
 };
 
+// A buffer in the memory of the host, into which the device copies.
+class HostBuffer {
+ public:
+  [[nodiscard]] unsigned name() const { return object_.name(); }
+  // Ensures a capacity; the content may be lost. Throws OutOfMemory.
+  void reserve(std::size_t bytes);
+  // Waits for all that has been submitted.
+  [[nodiscard]] std::span<const float> wait();
+
+ private:
+  Object object_;
+  std::size_t bytes_ = 0;
+  const float* values_ = nullptr;
+};
+
 // A 2-D texture without mipmaps, nearest sampling. Throws OutOfMemory.
 class Texture {
  public:
@@ -106,6 +121,8 @@ class Texture {
   // All texels, channels interleaved.
   void upload(std::span<const float> values);
   void download(std::span<float> values) const;
+  // Copies all texels as floats to so many bytes from the start, without waiting.
+  void copy(HostBuffer& to, std::size_t offset) const;
   void release() {
     object_.reset();
     size_ = glm::ivec2(0);

@@ -28,6 +28,7 @@
 #include "render/geometry/tiles.h"
 #include "render/gl/arithmetic_peak.h"
 #include "render/gl/shader_structs.h"
+#include "render/gl/surface_stage.h"
 #include "render/optical_depth/increment_kernels.h"
 #include "render/prepare/upsampling_limits.h"
 #include "render/scattering/environment_light.h"
@@ -121,6 +122,8 @@ void add_reflection(Constants& constants) {
   constants.add("sh_start", floats(std::span(&recurrence.start, 1)));
   constants.add("sh_up", floats(recurrence.up));
   constants.add("sh_down", floats(recurrence.down));
+  constants.add("grid_bands", grid_bands);
+  constants.add("light_bits", light_bits);
   constants.add("grid_functions", static_cast<int>(sh_size(grid_bands)));
   constants.add("cosine_factors", clamped_cosine_factors());
   constants.add("theta_h_cells", MeasuredBrdf::theta_h_cells);

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "render/gl/resources.h"
+#include "render/gl/sh_turns.h"
 #include "render/gl/shader_constants.h"
 #include "render/gl/shader_structs.h"
 
@@ -20,6 +21,10 @@ void append(const std::string& name, std::set<std::string>& seen, std::ostream& 
   }
   if (name == "structs.glsl") {
     out << shader_structs();
+    return;
+  }
+  if (name == "sh_turns.glsl") {
+    out << sh_turns();
     return;
   }
   const char* text = embedded_shader(name);

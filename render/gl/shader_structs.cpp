@@ -101,7 +101,6 @@ constexpr Shared records[] = {
     {"batch", Members(PixelBatch_text), sizeof(PixelBatch)},
     {"surface", Members(SurfaceRecord_text), sizeof(SurfaceRecord)},
     {"material", Members(MaterialRecord_text), sizeof(MaterialRecord)},
-    {"turn", Members(TurnElement_text), sizeof(TurnElement)},
 };
 static_assert(std::ranges::all_of(records,
                                   [](const Shared& s) { return s.members.size == s.size; }));

@@ -157,13 +157,6 @@ BRUME_SHARED_STRUCT(MaterialRecord, {
 // What shaders/materials.glsl finds of a pixel, as vectors.
 inline constexpr int ggx_vectors = 4;
 
-// An element of the quarter turn of spherical harmonics, as floats among other values.
-BRUME_SHARED_STRUCT(TurnElement, {
-  float to = 0.0f;
-  float from = 0.0f;
-  float value = 0.0f;
-});
-
 // GLSL source of these structs, and of the places of members of those that are read as floats
 // (`NAME_member`) and their sizes (`NAME_size`).
 std::string shader_structs();

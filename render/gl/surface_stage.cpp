@@ -86,6 +86,7 @@ std::uint64_t SurfaceStage::run(const FrameStages& stages, const FrameContext& w
       stages.shading().surfaces(),
       [](const SurfaceShading& s) { return s.material && !s.material->is_diffuse(); });
   if (work.plan.has_metallic_roughness) materials_.run(work, device);
+  if (!lighting.lights.empty()) find_shadows(work, lights, lighting.lights.size(), device);
   const Program& program =
       device.programs.get(work.plan.has_metallic_roughness ? "metallic_surfaces"
                           : is_glossy                      ? "glossy_surfaces"
@@ -106,9 +107,32 @@ std::uint64_t SurfaceStage::run(const FrameStages& stages, const FrameContext& w
   program.bind("Hits", device.mesh.hits());
   program.bind("Behind", device.textures.behind);
   program.bind("Arriving", light_);
+  program.bind("Lit", lit_);
   program.bind("Values", values_);
   program.dispatch_over({work.frame.film.width, work.frame.film.height});
   return pairs;
+}
+
+void SurfaceStage::find_shadows(const FrameContext& work, OpticalDepthTables& lights,
+                                std::size_t light_count, DeviceFrame& device) {
+  const Film& film = work.frame.film;
+  const std::size_t pixels =
+      static_cast<std::size_t>(film.width) * static_cast<std::size_t>(film.height);
+  const std::size_t words = (light_count + light_bits - 1) / light_bits;
+  lit_.reserve(words * pixels * sizeof(std::uint32_t));
+  const char* materials = work.plan.has_metallic_roughness ? " METALLIC" : "";
+  const Program& program =
+      device.programs.get("surface_shadows", materials + ray_definitions(work.rays));
+  set_rays(program, work.rays);
+  program.set("light_count", static_cast<int>(light_count));
+  program.set("eye", work.rays.eye() - device.mesh.center());
+  program.set("film", glm::ivec2(film.width, film.height));
+  device.mesh.bind(program);
+  lights.bind(program);
+  program.bind("Hits", device.mesh.hits());
+  program.bind("Behind", device.textures.behind);
+  program.bind("Lit", lit_);
+  program.dispatch_over({film.width, film.height});
 }
 
 std::uint64_t SurfaceStage::sum_depths(const SurfaceLighting& lighting, DeviceFrame& device) {
@@ -189,13 +213,6 @@ void SurfaceStage::upload_values(const FrameStages& stages, const FrameContext& 
       values.insert(values.end(), rows.begin(), rows.end());
     }
   }
-  begin("turn_at");
-  for (const ShElement& e : sh_quarter_turn()) {
-    const TurnElement element{static_cast<float>(e.to), static_cast<float>(e.from),
-                              static_cast<float>(e.value)};
-    values.insert(values.end(), {element.to, element.from, element.value});
-  }
-  program.set("turn_count", static_cast<int>(sh_quarter_turn().size()));
   program.set("scatters", lighting.point ? 1 : 0);
   begin("scatter_at");
   if (lighting.point) {

@@ -11,6 +11,9 @@
 
 namespace brume::gl {
 
+// Lights whose shadows lie in one word of a pixel.
+inline constexpr int light_bits = 32;
+
 // Shading of surfaces on the device.
 class SurfaceStage {
  public:
@@ -20,6 +23,8 @@ class SurfaceStage {
                     DeviceFrame& device);
 
  private:
+  void find_shadows(const FrameContext& work, OpticalDepthTables& lights, std::size_t light_count,
+                    DeviceFrame& device);
   std::uint64_t sum_depths(const SurfaceLighting& lighting, DeviceFrame& device);
   void upload_values(const FrameStages& stages, const FrameContext& work,
                      const SurfaceLighting& lighting, const glm::dvec3& center,
@@ -30,7 +35,7 @@ class SurfaceStage {
 
   MaterialStage materials_;
   OpticalDepthTables lights_;  // without tables
-  Buffer depths_, totals_, values_, light_;
+  Buffer depths_, totals_, values_, light_, lit_;
   // Content of light_: revisions of the environment's grid (0: none) and of vertex lighting, and
   // the offset of the latter.
   Revision source_revision_ = 0;

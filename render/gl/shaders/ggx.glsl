@@ -35,28 +35,30 @@ float ggx_between(int place, float fraction) {
   return mix(values[place], values[place + ggx_row], fraction);
 }
 
-// Outgoing radiance of `light`, which turn_to_eye() has turned.
-vec3 ggx_reflected(Ggx ggx, float cosine) {
-  const int layer = (ggx_angles + 1) * ggx_row;
-  const float angle = acos(clamp(cosine, 0.0, 1.0)) * (float(ggx_angles) * 2.0 / pi);
-  const float row = min(floor(angle), float(ggx_angles - 1));
+// Where the tables lie for a material and the eye's angle: of its diffuse part, and of the parts of
+// its specular one that are multiplied by f0 and added, for the roughness below.
+TableRow ggx_diffuse = TableRow(0, 0.0);
+int ggx_scaled_at = 0;
+int ggx_added_at = 0;
+float ggx_rougher = 0.0;
+
+const int ggx_layer = (ggx_angles + 1) * ggx_row;
+
+void find_ggx_rows(Ggx ggx, float cosine) {
+  ggx_diffuse = row_at(ggx_at, ggx_row, ggx_angles, cosine);
   const float roughness = sqrt(ggx.alpha) * float(ggx_roughnesses);
   const float below = min(floor(roughness), float(ggx_roughnesses - 1));
-  const int diffuse_at = ggx_at + int(row) * ggx_row;
-  const int scaled_at = ggx_at + layer + int(below) * layer + int(row) * ggx_row;
-  const int added_at = scaled_at + (ggx_roughnesses + 1) * layer;
-  vec3 sum = vec3(0.0);
-  int i = 0;
-  for (int l = 0; l < sh_bands; ++l) {
-    for (int m = 0; m <= l; ++m) {
-      const float scaled = mix(ggx_between(scaled_at + i, angle - row),
-                               ggx_between(scaled_at + layer + i, angle - row), roughness - below);
-      const float added = mix(ggx_between(added_at + i, angle - row),
-                              ggx_between(added_at + layer + i, angle - row), roughness - below);
-      sum += (ggx.diffuse * ggx_between(diffuse_at + i, angle - row) + ggx.f0 * scaled + added) *
-             light[l * (l + 1) + m];
-      ++i;
-    }
-  }
-  return sum;
+  ggx_rougher = roughness - below;
+  ggx_scaled_at = ggx_diffuse.first + (1 + int(below)) * ggx_layer;
+  ggx_added_at = ggx_scaled_at + (ggx_roughnesses + 1) * ggx_layer;
+}
+
+// As table_reflectance().
+vec3 ggx_reflectance(Ggx ggx, int i) {
+  const float angle = ggx_diffuse.fraction;
+  const float scaled = mix(ggx_between(ggx_scaled_at + i, angle),
+                           ggx_between(ggx_scaled_at + ggx_layer + i, angle), ggx_rougher);
+  const float added = mix(ggx_between(ggx_added_at + i, angle),
+                          ggx_between(ggx_added_at + ggx_layer + i, angle), ggx_rougher);
+  return ggx.diffuse * ggx_between(ggx_diffuse.first + i, angle) + ggx.f0 * scaled + added;
 }

@@ -15,10 +15,11 @@ layout(std430, binding = 3) buffer Behind { vec4 behind[]; };
 // outgoing radiance, and per basis function the light still to be reflected. Then average depths
 // around surfaces, four per vector, and the tables of measured materials.
 layout(std430, binding = 6) readonly buffer Arriving { vec4 incident_values[]; };
-// A SurfaceRecord per surface. From the places named below on the elements of a quarter turn
-// (TurnElement), the polynomials of point and distant ScatterTable, the environment's coefficients
-// R G B 0 and the polynomials of its ScatterTable, and for each light the density of the medium
-// there.
+// Of surface_shadows.glsl.
+layout(std430, binding = 4) readonly buffer Lit { uint lit[]; };
+// A SurfaceRecord per surface. From the places named below on the polynomials of point and distant
+// ScatterTable, the environment's coefficients R G B 0 and the polynomials of its ScatterTable, and
+// for each light the density of the medium there.
 layout(std430, binding = 7) readonly buffer Values { float values[]; };
 
 uniform float b0;
@@ -46,16 +47,26 @@ uint corner_bits(int first) {
 
 vec3 values_rgb(int index) { return vec3(values[index], values[index + 1], values[index + 2]); }
 
-// Incident light of a surface that is not diffuse, still to be reflected.
-vec3 light[sh_count];
+float scatter_polynomial(int first, float x) {
+  float p = values[first];
+  for (int i = 1; i < scatter_terms; ++i) p = p * x + values[first + i];
+  return p;
+}
 
 #include "radiance_map.glsl"
+#include "light_around.glsl"
 #include "measured_brdf.glsl"
 #include "reflection.glsl"
 #include "ggx.glsl"
 
 // Of a metallic-roughness material.
 Ggx ggx = Ggx(false, vec3(0.0), vec3(0.0), vec3(0.0), 1.0);
+
+vec3 reflectance(int i) {
+  return metallic && ggx.is_set ? ggx_reflectance(ggx, i) : table_reflectance(i);
+}
+
+#include "sh_turns.glsl"
 
 // A light as seen from a point.
 struct LightAtPoint {
@@ -89,16 +100,10 @@ LightAtPoint point_to_light(int l, SurfacePoint point, int pixel, int pixels) {
   return light_at_point;
 }
 
-bool is_lit(int l, SurfacePoint point, float length_) {
-  const float end = 1.0 - light_margin -
-      float(position_rounding) * max_component(abs(lights[l].position)) / length_;
-  // Parametrised so that the light is at t = 1.
-  const vec3 to_light = lights[l].position - point.shadow_origin;
-  return trace(point.shadow_origin, to_light, 0.0, end, true).triangle < 0;
-}
-
-vec3 direct_light(int l, SurfacePoint point, LightAtPoint light_at_point, vec3 to_eye) {
-  if (!(light_at_point.cosine > 0.0) || !is_lit(l, point, light_at_point.length_)) return vec3(0.0);
+vec3 direct_light(int l, SurfacePoint point, LightAtPoint light_at_point, vec3 to_eye, int pixel,
+                  int pixels) {
+  const uint bits = lit[l / light_bits * pixels + pixel];
+  if ((bits >> (l % light_bits) & 1u) == 0u || !(light_at_point.cosine > 0.0)) return vec3(0.0);
   const int material = surface_size * point.surface;
   const vec3 intensity = lights[l].intensity;
   const float incoming =
@@ -118,12 +123,6 @@ vec3 direct_light(int l, SurfacePoint point, LightAtPoint light_at_point, vec3 t
   if (highlight == vec3(0.0) || !(r > 0.0)) return radiance;
   const float lobe = phong_lobe(r, values[material + surface_exponent]);
   return radiance + incoming * lobe * (highlight * intensity);
-}
-
-float scatter_polynomial(int first, float x) {
-  float p = values[first];
-  for (int i = 1; i < scatter_terms; ++i) p = p * x + values[first + i];
-  return p;
 }
 
 // find_spread(): per band, the fraction of a point light scattered onto a point.
@@ -151,171 +150,52 @@ vec3 scattered_light(int l, SurfacePoint point, LightAtPoint light_at_point, flo
          (values_rgb(surface_size * point.surface + surface_diffuse) * lights[l].intensity * albedo);
 }
 
-// light += that, for surfaces that are not diffuse.
-void add_scattered(int l, LightAtPoint light_at_point, float factors[sh_bands]) {
-  float y[sh_count];
-  sh_basis(-light_at_point.w, y);
-  for (int k = 0; k < sh_bands; ++k) {
-    const vec3 band = light_at_point.inverse_square * factors[k] * (lights[l].intensity * albedo);
-    for (int i = k * k; i < (k + 1) * (k + 1); ++i) light[i] += y[i] * band;
-  }
-}
-
-// Light from around a point: with a grid what that holds, else per band the fraction of the
-// environment's.
-vec3 incoming[grid_functions];
-float fractions[sh_bands];
-
-void find_incoming(SurfacePoint point, vec3 to_eye) {
-  const vec3 p = point.position;
-  int level = 0;
-  vec3 coordinate = incident_first[0].w * (p - incident_first[0].xyz);
-  while (level + 1 < incident_levels &&
-         (any(lessThan(coordinate, vec3(0.0))) ||
-          any(greaterThan(coordinate, vec3(incident_count[level].xyz - 1))))) {
-    ++level;
-    coordinate = incident_first[level].w * (p - incident_first[level].xyz);
-  }
-  if (incident_is_all != 0) {
-    coordinate += 0.5 * dot(abs(point.normal), vec3(1.0)) * point.normal;
-  }
-  const ivec4 count = incident_count[level];
-  const vec3 last = vec3(count.xyz - 2);
-  const vec3 inside = clamp(coordinate, vec3(0.0), last + 1.0);
-  const vec3 low = min(floor(inside), last);
-  const vec3 f = inside - low;
-  int firsts[8];
-  float weights[8];
-  for (int c = 0; c < 8; ++c) {
-    const ivec3 corner_ = ivec3(c & 1, (c >> 1) & 1, c >> 2);
-    const vec3 weight = mix(1.0 - f, f, vec3(corner_));
-    const ivec3 node = ivec3(low) + corner_;
-    weights[c] = weight.x * weight.y * weight.z;
-    firsts[c] = count.w + ((node.z * count.y + node.y) * count.x + node.x) * grid_functions;
-  }
-  if (incident_is_all != 0) {
-    hide_corners(eye_corner(to_eye), firsts, weights);
-  }
-  for (int i = 0; i < grid_functions; ++i) incoming[i] = vec3(0.0);
-  for (int c = 0; c < 8; ++c) {
-    for (int i = 0; i < grid_functions; ++i) {
-      incoming[i] += weights[c] * incident_values[firsts[c] + i].rgb;
-    }
-  }
-}
-
-// AverageDepthGrid of render/lighting.
-float average_depth(SurfacePoint point) {
-  const int surface = surface_size * point.surface;
-  const int first = int(values[surface + surface_average_depths_at]);
-  if (first < 0) return 0.0;
-  const ivec3 nodes_ = ivec3(values_rgb(surface + surface_grid_nodes));
-  const vec3 coordinate = clamp((point.position - values_rgb(surface + surface_grid_corner)) *
-                                    values_rgb(surface + surface_cells_per_unit),
-                                vec3(0.0), vec3(nodes_ - 1));
-  const ivec3 cell = min(ivec3(coordinate), max(nodes_ - 2, 0));
-  const vec3 f = coordinate - vec3(cell);
-  float sum = 0.0;
-  for (int c = 0; c < 8; ++c) {
-    const ivec3 corner_ = ivec3(c & 1, (c >> 1) & 1, c >> 2);
-    const vec3 weights = mix(1.0 - f, f, vec3(corner_));
-    const ivec3 node = min(cell + corner_, nodes_ - 1);
-    const int i = (node.z * nodes_.y + node.y) * nodes_.x + node.x;
-    sum += weights.x * weights.y * weights.z * incident_values[first + i / 4][i % 4];
-  }
-  return sum;
-}
-
-// EnvironmentLight::incident(): per-band fractions, without a grid.
-void find_fractions(SurfacePoint point) {
-  const float depth = fog_depth + average_depth(point);
-  const float unscattered = exp(-depth);
-  const float x = scatter_position(depth);
-  const bool passes = depth > 0.0 && depth < scatter_opaque;
-  const int first = environment_at + 4 * sh_count;
-  for (int l = 0; l < sh_bands; ++l) {
-    const float spread = scatter_polynomial(first + l * scatter_terms, x);
-    fractions[l] = unscattered + (passes ? albedo * depth * unscattered * spread : 0.0);
-  }
-}
-
-// Mean incident light relative to that of the environment without medium, at most 1.
-vec3 dimming(vec3 mean) {
-  if (has_environment == 0) return vec3(0.0);
-  const vec3 all = values_rgb(environment_at);
-  const vec3 fraction = min(incident_scale * mean / max(all, vec3(tiny_square)), vec3(1.0));
-  return mix(vec3(0.0), fraction, greaterThan(all, vec3(0.0)));
-}
-
-void find_light_from_around(SurfacePoint point, vec3 to_eye) {
-  if (incident_levels > 0) {
-    find_incoming(point, to_eye);
-  } else {
-    find_fractions(point);
-  }
-}
-
-// diffuse_light() of that, of a surface of reflectance 1.
-vec3 light_from_around(SurfacePoint point) {
-  float y[sh_count];
-  sh_basis(point.normal, y);
+// Its reflection by surfaces that are not diffuse: the light is symmetric about its direction, so
+// that it need not be turned.
+vec3 reflected_scattered_light(int l, LightAtPoint light_at_point, float factors[sh_bands],
+                               SurfaceFrame frame) {
+  const vec3 near_normal = turned_to_normal(frame, -light_at_point.w);
+  const vec3 w = vec3(frame.eye.x * near_normal.x + frame.eye.y * near_normal.y,
+                      frame.eye.x * near_normal.y - frame.eye.y * near_normal.x, near_normal.z);
   vec3 sum = vec3(0.0);
-  if (incident_levels > 0) {
-    for (int l = 0; l < 3; ++l) {
-      vec3 band = vec3(0.0);
-      for (int i = l * l; i < (l + 1) * (l + 1); ++i) band += y[i] * incoming[i];
-      sum += incident_scale * cosine_factors[l] * band;
+  vec2 turned = vec2(1.0, 0.0);  // sin^m(theta) times cos(m phi) and sin(m phi)
+  float first = 0.5 * inv_sqrt_pi;
+  for (int m = 0; m < sh_bands; ++m) {
+    if (m > 0) {
+      first *= sh_start[m];
+      turned = turned_further(turned, w.xy);
     }
-    if (has_environment == 0) return max(sum, vec3(0.0));
-    vec3 fifth = vec3(0.0);
-    for (int i = 16; i < 25; ++i) fifth += y[i] * values_rgb(environment_at + 4 * i);
-    return max(sum + cosine_factors[4] * dimming(incoming[0]) * fifth, vec3(0.0));
-  }
-  for (int l = 0; l < sh_bands; ++l) {
-    vec3 band = vec3(0.0);
-    for (int i = l * l; i < (l + 1) * (l + 1); ++i) {
-      band += y[i] * values_rgb(environment_at + 4 * i);
-    }
-    sum += cosine_factors[l] * fractions[l] * band;
-  }
-  return max(sum, vec3(0.0));
-}
-
-// light += incident_light().
-void add_light_from_around() {
-  for (int l = 0; l < sh_bands; ++l) {
-    for (int i = l * l; i < (l + 1) * (l + 1); ++i) {
-      const vec3 outside =
-          has_environment != 0 ? values_rgb(environment_at + 4 * i) : vec3(0.0);
-      if (incident_levels == 0) {
-        light[i] += fractions[l] * outside;
-      } else if (i < grid_functions) {
-        light[i] += incident_scale * incoming[i];
-      } else {
-        light[i] += dimming(incoming[0]) * outside;
+    float q = first;
+    float below = 0.0;
+    for (int k = m; k < sh_bands; ++k) {
+      if (k > m) {
+        const float next = sh_up[k * sh_bands + m] * (w.z * q - sh_down[k * sh_bands + m] * below);
+        below = q;
+        q = next;
       }
+      sum += factors[k] * q * turned.x * reflectance(k * (k + 1) / 2 + m);
     }
   }
+  return light_at_point.inverse_square * sum * (lights[l].intensity * albedo);
 }
 
-// VertexLighting::add(): what radiance transfer has made of light at the vertices. Adds to `light`
-// what is still to be reflected; whether there is any.
+// VertexLighting::add(): what radiance transfer has made of light at the vertices. Finds the light
+// that is still to be reflected; whether there is any.
 vec3 transferred_light(SurfacePoint point, PixelHit hit, out bool is_unreflected) {
   is_unreflected = false;
   const int surface = surface_size * point.surface;
   const int first = int(values[surface + (point.on_back ? surface_back_at : surface_front_at)]);
   if (first < 0) return vec3(0.0);
-  const float weights[3] = float[](1.0 - hit.u - hit.v, hit.u, hit.v);
+  const vec3 weights = vec3(1.0 - hit.u - hit.v, hit.u, hit.v);
   const int functions = int(values[surface + surface_transferred_functions]);
   is_unreflected = glossy && functions > 0;
-  vec3 sent = vec3(0.0);
+  ivec3 places;
   for (int k = 0; k < 3; ++k) {
-    const int index = first + (1 + functions) * vertex_of(hit.triangle, k);
-    sent += weights[k] * incident_values[index].rgb;
-    if (!is_unreflected) continue;
-    for (int i = 0; i < functions; ++i) light[i] += weights[k] * incident_values[index + 1 + i].rgb;
+    places[k] = first + (1 + functions) * vertex_of(hit.triangle, k);
   }
-  return sent;
+  find_light_of_vertices(places + 1, weights, functions);
+  return weights.x * incident_values[places.x].rgb + weights.y * incident_values[places.y].rgb +
+         weights.z * incident_values[places.z].rgb;
 }
 
 vec3 surface_light(SurfacePoint point, PixelHit hit, vec3 to_eye, int index, int pixels) {
@@ -325,44 +205,43 @@ vec3 surface_light(SurfacePoint point, PixelHit hit, vec3 to_eye, int index, int
   const bool is_diffuse =
       !is_ggx && (!glossy || values[surface + surface_reflection_at] == 0.0);
   const bool is_scattered = scatters != 0 && !transferred;
-  if (glossy) {
-    for (int i = 0; i < sh_count; ++i) light[i] = vec3(0.0);
+  SurfaceFrame frame;
+  if (!is_diffuse) {
+    frame = frame_of(point.normal, to_eye);
+    if (is_ggx) {
+      find_ggx_rows(ggx, frame.eye_cosine);
+    } else {
+      reflection_table = row_at(int(values[surface + surface_reflection_at]), reflection_row,
+                                reflection_intervals, frame.eye_cosine);
+    }
   }
   vec3 radiance = vec3(0.0);
+  vec3 rest = vec3(0.0);
   for (int l = 0; l < light_count; ++l) {
     const LightAtPoint light_at_point = point_to_light(l, point, index, pixels);
-    radiance += direct_light(l, point, light_at_point, to_eye);
+    radiance += direct_light(l, point, light_at_point, to_eye, index, pixels);
     if (!is_scattered) continue;
     float factors[sh_bands];
     find_spread(l, light_at_point, factors);
     if (is_diffuse) {
       radiance += scattered_light(l, point, light_at_point, factors);
     } else {
-      add_scattered(l, light_at_point, factors);
+      rest += reflected_scattered_light(l, light_at_point, factors, frame);
     }
   }
-  vec3 rest = vec3(0.0);
   bool is_unreflected = !is_diffuse;
   if (transferred) {
     rest = transferred_light(point, hit, is_unreflected);
   } else if (has_environment != 0 || incident_levels > 0) {
-    find_light_from_around(point, to_eye);
+    find_light_around(point, to_eye);
     if (is_diffuse) {
       // values has reflectance / pi
-      rest = pi * values_rgb(surface + surface_diffuse) * light_from_around(point);
-    } else {
-      add_light_from_around();
+      rest = pi * values_rgb(surface + surface_diffuse) * diffuse_light(point.normal);
     }
+  } else {
+    is_unreflected = false;
   }
-  // In one place: this is most of the shader.
-  if (glossy && is_unreflected) {
-    const float cosine = turn_to_eye(point.normal, to_eye);
-    if (is_ggx) {
-      rest += ggx_reflected(ggx, cosine);
-    } else {
-      rest += reflected(int(values[surface + surface_reflection_at]), cosine);
-    }
-  }
+  if (glossy && is_unreflected) rest += reflected_light(frame);
   radiance += max(rest, vec3(0.0));
   return is_ggx ? radiance + ggx.emitted : radiance;
 }

@@ -1,8 +1,8 @@
 // Where view rays meet surfaces: RayCaster::points() of render/visibility. Positions are relative to
 // the middle of the surfaces.
+#include "corners.glsl"
 #include "formulas.glsl"
 #include "rays.glsl"
-#include "trace.glsl"
 
 layout(std430, binding = 2) readonly buffer Hits { PixelHit hits[]; };
 

@@ -1,8 +1,7 @@
 // Rays against the triangles of a scene: TriangleBvh, and the intersection of Embree's robust
 // mode, which leaves no gaps between triangles (Plücker coordinates). All is relative to the middle
 // of the surfaces.
-#include "constants.glsl"
-#include "structs.glsl"
+#include "corners.glsl"
 
 // Components of directions are at least this, so that their inverse is finite.
 const float min_component = 1e-20;
@@ -12,12 +11,8 @@ const float far_share = 1.000001;
 const float beyond_all = 1e38;
 
 layout(std430, binding = 4) readonly buffer Nodes { BvhNode nodes[]; };
-// Per triangle three corners with the surface index; then per triangle three vertex normals with
-// the vertex indices of the mesh.
-layout(std430, binding = 5) readonly buffer Corners { TriangleCorner corners[]; };
 
 uniform int node_count;
-uniform double surfaces_radius;  // of the ball around the middle that holds them
 
 struct Hit {
   float t;
@@ -45,8 +40,6 @@ bool is_edge_on(vec3 a, vec3 b, vec3 c) {
          edge_on_rounding * dot(abs(normal), sizes) +
              edge_on_share * max(sizes.x, max(sizes.y, sizes.z)) * length(normal);
 }
-
-vec3 corner_of(int triangle, int k) { return corners[3 * triangle + k].vector; }
 
 // a x b or b x c, which are equal for edges that close: by component that which cancels less.
 vec3 stable_normal(vec3 a, vec3 b, vec3 c) {
@@ -121,9 +114,6 @@ Hit trace(vec3 o, vec3 d, float tnear, float tfar, bool any_hit) {
   }
   return hit;
 }
-
-// RayCaster::is_near()
-bool is_near(dvec3 origin) { return length(origin) < near_radii * surfaces_radius; }
 
 // The nearest surface on a ray from any distance, in double up to where float will do: it starts at
 // the ball around the surfaces. `skip`: how far that is. Hits nearer than `nearest` do not count.
