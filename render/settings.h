@@ -34,7 +34,7 @@ struct ScatteringLimits {
   // inside the medium, or surfaces are, which radiate along them.
   int degree = 9;
   int light_degree = 19;
-  double tolerance = 1e-3;  // of the residual relative to the solution
+  double tolerance = 1e-3;  // of Convergence::residual
   int sweeps = 40;          // maximum
 
   bool operator==(const ScatteringLimits&) const = default;

@@ -35,7 +35,9 @@ struct SkippedStage {
 // How far the iteration for light scattered more than once came.
 struct Convergence {
   int sweeps = 0;
-  double residual = 0.0;  // relative to the light, rms over what scatters it
+  // Change in the last sweep relative to the light at each node, or to a hundredth of the most: rms
+  // over what scatters it.
+  double residual = 0.0;
 };
 
 // How noisy a path-traced frame is: sums over pixels and channels of squared standard errors.

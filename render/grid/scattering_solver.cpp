@@ -29,6 +29,33 @@ std::vector<float> reflected(const GridMedium& medium, const NodeLight& incident
   return medium.surfaces ? reflected_light(*medium.surfaces, incident) : std::vector<float>{};
 }
 
+// How much the light at nodes changes relative to what is there, or to a hundredth of the brightest,
+// as a root mean square over the medium. In deep fog the eye may be where little light is.
+double relative_change(const GridMedium& medium, const NodeLight& before, const NodeLight& after) {
+  constexpr double dimmest_share = 0.01;
+  const std::size_t nodes = medium.density.size();
+  std::vector<double> squares(nodes, 0.0);
+  std::vector<double> changes(nodes, 0.0);
+  const auto square = [](float x) { return static_cast<double>(x) * static_cast<double>(x); };
+  for (std::size_t c = 0; c < after.channels; ++c) {
+    const std::span<const float> mean = after.row(c, 0);
+    const std::span<const float> last = before.row(c, 0);
+    for (std::size_t i = 0; i < nodes; ++i) {
+      squares[i] += square(mean[i]);
+      changes[i] += square(mean[i] - last[i]);
+    }
+  }
+  const double least = dimmest_share * dimmest_share * *std::ranges::max_element(squares);
+  double sum = 0.0;
+  double weights = 0.0;
+  for (std::size_t i = 0; least > 0.0 && i < nodes; ++i) {
+    const auto weight = static_cast<double>(medium.density[i]);
+    sum += weight * changes[i] / (squares[i] + least);
+    weights += weight;
+  }
+  return weights > 0.0 ? std::sqrt(sum / weights) : 0.0;
+}
+
 }  // namespace
 
 Convergence solve_scattering(const GridMedium& medium, const TruncatedScattering& scattering,
@@ -62,9 +89,8 @@ Convergence solve_scattering(const GridMedium& medium, const TruncatedScattering
     scatter_once(medium, scattered, reflected(medium, scattered), phase, degrees.rest, next, job);
     add(first.values, next.values);
     ++convergence.sweeps;
-    const double size = acceleration.norm(next.values);
-    const double residual = acceleration.advance(scattered.values, next.values);
-    convergence.residual = size > 0.0 ? residual / size : 0.0;
+    convergence.residual = relative_change(medium, scattered, next);
+    acceleration.advance(scattered.values, next.values);
     if (convergence.residual <= limits.tolerance) break;
   }
   return convergence;

@@ -42,7 +42,7 @@ std::vector<float> difference(std::span<const float> a, std::span<const float> b
 
 }  // namespace
 
-double AndersonAcceleration::advance(std::span<float> x, std::span<const float> fx) {
+void AndersonAcceleration::advance(std::span<float> x, std::span<const float> fx) {
   assert(x.size() == fx.size());
   std::vector<float> residual = difference(fx, x);
   if (!last_residual_.empty()) {
@@ -72,14 +72,8 @@ double AndersonAcceleration::advance(std::span<float> x, std::span<const float> 
     const float* change = fx_changes_[i].data();
     for (std::size_t k = 0; k < x.size(); ++k) x[k] -= factor * change[k];
   }
-  const double result = norm(residual);
   last_residual_ = std::move(residual);
   last_fx_.assign(fx.begin(), fx.end());
-  return result;
-}
-
-double AndersonAcceleration::norm(std::span<const float> x) const {
-  return std::sqrt(dot(x, x));
 }
 
 double AndersonAcceleration::dot(std::span<const float> a, std::span<const float> b) const {

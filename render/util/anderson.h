@@ -15,15 +15,11 @@ class AndersonAcceleration {
   // How many earlier iterations are combined.
   static constexpr std::size_t depth = 4;
 
-  // Norms weight elements k * weights.size() + i by weights[i]. Keeps a reference to them.
+  // Squares of residuals weight elements k * weights.size() + i by weights[i]. Keeps a reference to them.
   explicit AndersonAcceleration(std::span<const float> weights) : weights_(weights) {}
 
-  // From x and fx = F(x), of the same size in all calls: replaces x by the next one. Returns the
-  // norm of the residual.
-  double advance(std::span<float> x, std::span<const float> fx);
-
-  // The norm that it minimizes.
-  [[nodiscard]] double norm(std::span<const float> x) const;
+  // From x and fx = F(x), of the same size in all calls: replaces x by the next one.
+  void advance(std::span<float> x, std::span<const float> fx);
 
  private:
   [[nodiscard]] double dot(std::span<const float> a, std::span<const float> b) const;
