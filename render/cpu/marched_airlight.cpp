@@ -152,7 +152,7 @@ void add_environment(const SourceFunction& environment, const SourceLookup& sour
   std::ranges::fill(s.lit_weights, 0.0f);
   for (const std::size_t k : s.relevant) {
     s.lit_weights[k] = s.weights[k] * std::exp(-s.depths[k]);
-    if (!environment.has_forward_lobe()) continue;
+    if (!environment.has_lobe_on_rays()) continue;
     const float fog = b0 * s.t[k];
     s.along_rays[k] +=
         s.weights[k] * std::exp(medium.anisotropy() > 0.0 ? -fog : fog - 2.0f * s.depths[k]);
@@ -208,7 +208,7 @@ std::uint64_t marched_airlight(const MediumIndex& medium, std::span<const std::u
         std::span(s.source_sums).subspan(k * source->sums_size(), source->sums_size()),
         s.source_weights[k]);
   }
-  if (environment && environment->has_forward_lobe()) {
+  if (environment && environment->has_lobe_on_rays()) {
     add_forward_lobe(*environment, *source, rays, s);
   }
   std::fill(s.depths.begin(), s.depths.end(), 0.0f);

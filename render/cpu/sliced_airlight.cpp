@@ -56,7 +56,7 @@ void add_source_function(const SlicedSource& from, const TileRays& rays, SliceSc
   const std::size_t stride = s.rays.padded_size();
   s.lookup_sums.assign(stride * source.sums_size(), 0.0f);
   s.weights.clear();
-  bool needs_weights = function.has_forward_lobe();
+  bool needs_weights = function.has_lobe_on_rays();
   SourceWeights own;
   // Once for each ray, or for all; kept for the rows to come.
   const auto weights_of = [&](std::size_t i) -> const SourceWeights& {
@@ -83,7 +83,7 @@ void add_source_function(const SlicedSource& from, const TileRays& rays, SliceSc
       const SourceWeights& weights = weights_of(i);
       glm::vec3 scattered = source.source(
           std::span(s.lookup_sums).subspan(i * source.sums_size(), source.sums_size()), weights);
-      if (function.has_forward_lobe()) {
+      if (function.has_lobe_on_rays()) {
         scattered += s.along_rays[out.sums(row) + i] *
                      function.lobe_on_ray(source, weights, s.line_depths[i], rays, i);
       }
@@ -159,7 +159,8 @@ std::uint64_t sliced_airlight(const MediumIndex& medium, std::span<const std::ui
     slice_weights.lookups = s.lookup_weights.data();
     slice_weights.lookup_distances = s.lookup_distances.data();
     slice_weights.extinction = light_extinction;
-    if (source->function->has_forward_lobe()) {
+    slice_weights.fog_extinction = static_cast<float>(source->function->lobe_fog_extinction());
+    if (source->function->has_lobe_on_rays()) {
       s.along_rays.resize(stride * sums);
       slice_weights.along_rays = s.along_rays.data();
       s.line_depths.assign(stride, 0.0f);

@@ -49,6 +49,8 @@ std::size_t SlicedStage::run(FrameStages& stages, FrameContext& work, DeviceFram
   program.set("truncated_phase", scattering.truncated_phase);
   program.set("albedo", scattering.albedo);
   program.set("light_extinction", source ? static_cast<float>(source->light_extinction()) : 1.0f);
+  program.set("lobe_fog_extinction",
+              source ? static_cast<float>(source->lobe_fog_extinction()) : 0.0f);
   upload_source(source, eye, program);
   return film_.run(
       device.programs, device.clock, program,
@@ -82,6 +84,7 @@ void SlicedStage::upload_source(const SourceFunction* source, const glm::dvec3& 
   program.set("source_levels", source ? static_cast<int>(source->grid().levels().size()) : 0);
   program.set("source_broadening_at", 0);
   program.set("source_map_size", glm::ivec2(0));
+  program.set("source_lobe_on_rays", 0);
   if (!source) return;
   const SourceFunction::WeightParts parts = source->weight_parts();
   const bool is_new = source_revision_ != source->grid().revision();
@@ -106,11 +109,13 @@ void SlicedStage::upload_source(const SourceFunction* source, const glm::dvec3& 
   program.set("source_factors", factors);
   program.set("source_bands", static_cast<int>(parts.factors.size()));
   program.set("source_scale", static_cast<float>(parts.scale));
+  program.set("source_lobe_scale", static_cast<float>(parts.lobe_scale));
   program.set("source_harmonics_scale", static_cast<float>(parts.harmonics_scale));
   program.set("source_map_at", static_cast<int>(at));
-  int beams = 0;
-  for (std::size_t f = 0; f < parts.lobes.size(); ++f) beams |= parts.is_narrow[f] ? 1 << f : 0;
-  program.set("source_beams", beams);
+  int at_nodes = 0;
+  for (std::size_t f = 0; f < parts.lobes.size(); ++f) at_nodes |= parts.at_nodes[f] ? 1 << f : 0;
+  program.set("source_at_nodes", at_nodes);
+  program.set("source_lobe_on_rays", source->has_lobe_on_rays() ? 1 : 0);
   if (!parts.lobes.empty()) {
     const RadianceMap& map = *parts.lobes[0];  // all have the same size
     const double angle = glm::radians(parts.rotation);

@@ -72,7 +72,7 @@ class Emission {
     }
     const std::size_t channels = incident_.channels;
     sweep_emission(medium_.nodes, medium_.density, static_cast<float>(medium_.fog),
-                   std::span(source).first(channels), glm::vec3(w), occlusion_,
+                   medium_.continues, std::span(source).first(channels), glm::vec3(w), occlusion_,
                    std::span(sent_).first(channels), std::span(arriving).first(channels));
   }
 

@@ -35,11 +35,12 @@ struct NodeLight {
   }
 };
 
-// A medium on a grid; empty beyond it.
+// A medium on a grid.
 struct GridMedium {
   GridNodes nodes;
   std::span<const float> density;           // that scatters and attenuates, per node [1/u]
   double fog = 0.0;                         // that only attenuates [1/u]
+  bool continues = false;                   // beyond the grid, which other levels hold; else empty
   const GridOcclusion* surfaces = nullptr;  // between the nodes; null: none
   std::span<const float> albedo{};          // factor of what each node scatters; empty: 1
 };

@@ -245,14 +245,9 @@ void each_occluded(const SweepOcclusion& occlusion, const Sweep& sweep, std::ptr
   }
 }
 
-// Replaces the light of nodes of a row where it enters the grid, and what lies beyond its ends.
-void let_in(const Sweep& sweep, std::size_t slab, std::size_t v, std::ptrdiff_t row,
-            std::span<const float> inflow, Slab& light) {
-  if (inflow.empty()) return;
-  const auto at = [&](std::size_t u) {
-    return inflow[static_cast<std::size_t>(row +
-                                           static_cast<std::ptrdiff_t>(u) * sweep.axes.step_u)];
-  };
+// Replaces the light of nodes of a row where it enters the grid by at(u).
+template <class At>
+void let_in(const Sweep& sweep, std::size_t slab, std::size_t v, Slab& light, At at) {
   float* values = light.row(v);
   const bool whole_row = slab == 0 || (sweep.shift_v < 0.0f && v == 0) ||
                          (sweep.shift_v > 0.0f && v + 1 == sweep.rows);
@@ -262,8 +257,7 @@ void let_in(const Sweep& sweep, std::size_t slab, std::size_t v, std::ptrdiff_t 
 }
 
 // Continues a slab beyond its ends.
-void extend(const Sweep& sweep, std::span<const float> inflow, Slab& slab) {
-  if (inflow.empty()) return;
+void extend(const Sweep& sweep, Slab& slab) {
   const auto rows = static_cast<std::ptrdiff_t>(sweep.rows);
   const auto columns = static_cast<std::ptrdiff_t>(sweep.columns);
   const auto stride = static_cast<std::ptrdiff_t>(slab.stride);
@@ -305,7 +299,12 @@ void SweepTransmittance(const GridNodes& nodes, std::span<const float> density, 
         hn::StoreU(light_here, d, light.now.row(v) + u);
       }
       light.now.end_row(v);
-      let_in(sweep, k, v, row, inflow, light.now);
+      if (!inflow.empty()) {
+        let_in(sweep, k, v, light.now, [&](std::size_t u) {
+          return inflow[static_cast<std::size_t>(row + static_cast<std::ptrdiff_t>(u) *
+                                                           sweep.axes.step_u)];
+        });
+      }
       each_occluded(occlusion, sweep, row, [&](std::size_t u, const OccludedNode& node) {
         const UpwindWeights weights(upwind, node, occlusion);
         const float far = weights.mean(upwind, node, b.before, u, v);
@@ -314,7 +313,10 @@ void SweepTransmittance(const GridNodes& nodes, std::span<const float> density, 
       });
       sweep.write(light.now.row(v), transmittance.data() + row);
     }
-    extend(sweep, inflow, light.now);
+    if (!inflow.empty()) {
+      extend(sweep, b.now);
+      extend(sweep, light.now);
+    }
     b.advance();
     light.advance();
   }
@@ -322,8 +324,8 @@ void SweepTransmittance(const GridNodes& nodes, std::span<const float> density, 
 
 template <std::size_t channels>
 void SweepChannels(const GridNodes& nodes, std::span<const float> density, float fog,
-                   std::span<const std::span<const float>> source, const glm::vec3& w,
-                   const SweepOcclusion& occlusion,
+                   bool continues, std::span<const std::span<const float>> source,
+                   const glm::vec3& w, const SweepOcclusion& occlusion,
                    std::span<const std::span<const float>> outgoing,
                    std::span<const std::span<float>> emitted) {
   const D d;
@@ -361,8 +363,11 @@ void SweepChannels(const GridNodes& nodes, std::span<const float> density, float
         const V weight_far = hn::IfThenElse(
             is_thin, hn::Mul(half_depth, hn::NegMulAdd(hn::Add(third, third), depth, one)),
             hn::Sub(mean, transmitted));
+        // Of a node without extinction the limit: cells between it and others emit all along.
+        const V extinction = hn::Add(near, hn::Set(d, fog));
         const V scattering =
-            hn::Div(near, hn::Max(hn::Add(near, hn::Set(d, fog)), hn::Set(d, 1e-30f)));
+            hn::IfThenElse(hn::Gt(extinction, hn::Zero(d)),
+                           hn::Div(near, hn::Max(extinction, hn::Set(d, 1e-30f))), one);
         for (std::size_t c = 0; c < channels; ++c) {
           float* source_row = emission[c].now.row(v) + u;
           const V emitted_here = hn::Mul(scattering, hn::LoadU(d, source_row));
@@ -402,7 +407,15 @@ void SweepChannels(const GridNodes& nodes, std::span<const float> density, float
         for (std::size_t c = 0; c < channels; ++c) light[c].now.row(v)[u] = sums[c];
       });
       for (std::size_t c = 0; c < channels; ++c) {
+        if (continues) let_in(sweep, k, v, light[c].now, [](std::size_t) { return 0.0f; });
         sweep.write(light[c].now.row(v), emitted[c].data() + row);
+      }
+    }
+    if (continues) {
+      extend(sweep, b.now);
+      for (std::size_t c = 0; c < channels; ++c) {
+        extend(sweep, emission[c].now);
+        extend(sweep, light[c].now);
       }
     }
     b.advance();
@@ -414,13 +427,13 @@ void SweepChannels(const GridNodes& nodes, std::span<const float> density, float
 }
 
 void SweepEmission(const GridNodes& nodes, std::span<const float> density, float fog,
-                   std::span<const std::span<const float>> source, const glm::vec3& w,
-                   const SweepOcclusion& occlusion,
+                   bool continues, std::span<const std::span<const float>> source,
+                   const glm::vec3& w, const SweepOcclusion& occlusion,
                    std::span<const std::span<const float>> outgoing,
                    std::span<const std::span<float>> emitted) {
   assert(source.size() == emitted.size() && (source.size() == 1 || source.size() == 3));
   const auto sweep = source.size() == 1 ? SweepChannels<1> : SweepChannels<3>;
-  sweep(nodes, density, fog, source, w, occlusion, outgoing, emitted);
+  sweep(nodes, density, fog, continues, source, w, occlusion, outgoing, emitted);
 }
 
 void AddWeighted(std::span<const float> transmittances, std::span<const float> weights,
@@ -456,12 +469,12 @@ void sweep_transmittance(const GridNodes& nodes, std::span<const float> density,
 }
 
 void sweep_emission(const GridNodes& nodes, std::span<const float> density, float fog,
-                    std::span<const std::span<const float>> source, const glm::vec3& w,
-                    const SweepOcclusion& occlusion,
+                    bool continues, std::span<const std::span<const float>> source,
+                    const glm::vec3& w, const SweepOcclusion& occlusion,
                     std::span<const std::span<const float>> outgoing,
                     std::span<const std::span<float>> emitted) {
   HWY_DYNAMIC_DISPATCH(SweepEmission)
-  (nodes, density, fog, source, w, occlusion, outgoing, emitted);
+  (nodes, density, fog, continues, source, w, occlusion, outgoing, emitted);
 }
 
 void add_weighted(std::span<const float> transmittances, std::span<const float> weights,

@@ -67,11 +67,11 @@ void sweep_transmittance(const GridNodes& nodes, std::span<const float> density,
 
 // emitted[c][i] = radiance arriving at node i from direction w, for one or three channels c: the
 // integral of density times source[c], attenuated by density + fog, from the first surface on,
-// whose radiance is outgoing[c] per hidden neighbour; empty: black. Empty beyond the grid.
-// Thread-safe.
+// whose radiance is outgoing[c] per hidden neighbour; empty: black. Empty beyond the grid; if the
+// medium continues there, nothing of what it emits. Thread-safe.
 void sweep_emission(const GridNodes& nodes, std::span<const float> density, float fog,
-                    std::span<const std::span<const float>> source, const glm::vec3& w,
-                    const SweepOcclusion& occlusion,
+                    bool continues, std::span<const std::span<const float>> source,
+                    const glm::vec3& w, const SweepOcclusion& occlusion,
                     std::span<const std::span<const float>> outgoing,
                     std::span<const std::span<float>> emitted);
 

@@ -121,7 +121,10 @@ bool FrameStages::prepare_source(FrameContext& work, StageClock& clock) {
                               work.plan.motion};
   if (work.plan.has_receivers)
     input.receivers = {prepared_.ray_caster().bounds(), incident_optics(work)};
-  if (has_multiple) input.multiple = multiple_scattering(work, clock);
+  if (has_multiple) {
+    input.multiple = multiple_scattering(work, clock);
+    input.view_fog_depth = view_fog_depth(work);
+  }
   const auto grid_is_made = [&] {
     clock.finish(has_environment ? Stage::environment : Stage::scattering);
   };

@@ -124,6 +124,13 @@ class FrameStages {
   [[nodiscard]] double fog_depth(const FrameContext& work) const {
     return work.fog_extent.surface_optical_depth(prepared_.medium().homogeneous_density());
   }
+  // The same of view rays that hit nothing, from the eye; 0 if they have no end.
+  [[nodiscard]] double view_fog_depth(const FrameContext& work) const {
+    const double b0 = prepared_.medium().homogeneous_density();
+    return work.fog_extent.ball().is_endless() || !(b0 > 0.0)
+               ? 0.0
+               : b0 * work.fog_extent.ray_distance(work.rays);
+  }
   // The lights as `paper` and `sliced` need them; pairs are added to the frame's statistics.
   PaperLights paper_lights(FrameContext& work, StageClock& clock);
   std::vector<SlicedLight> sliced_lights(FrameContext& work, StageClock& clock);

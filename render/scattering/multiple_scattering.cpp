@@ -286,7 +286,9 @@ bool MultipleScattering::update(const Input& input, const Job& job) {
   std::vector<GridMedium> media;
   for (const SourceGrid::Level& level : levels) {
     extinctions.push_back(density_with_fog(level, truncation.extinction * input.fog_density));
-    media.push_back({level.nodes, extinctions.back(), 0.0, level.surfaces.get(), level.albedo});
+    const bool continues = media.size() + 1 < levels.size();
+    media.push_back(
+        {level.nodes, extinctions.back(), 0.0, continues, level.surfaces.get(), level.albedo});
   }
   std::vector<double> phase = truncation.phase;
   for (double& factor : phase) factor *= truncation.albedo;

@@ -92,8 +92,17 @@ void SourceFunction::clear() {
 
 bool SourceFunction::update(const Input& input, const Job& job,
                             const std::function<void()>& grid_is_made) {
-  attenuation_ = std::exp(-input.fog_depth);
   bool is_complete = make_grid(input, job);
+  // Nodes hold how much passes the fog if light is scattered in it more than once.
+  attenuation_ = input.multiple ? 1.0 : std::exp(-input.fog_depth);
+  lobe_attenuation_ = attenuation_;
+  if (input.multiple && input.anisotropy > 0.0) {
+    lobe_attenuation_ = std::exp(-extinction_ * input.view_fog_depth);
+  }
+  for (std::size_t f = 0; f < at_nodes_.size(); ++f) {
+    at_nodes_[f] = light_.is_narrow[f] || surfaces_revision_ != 0;
+  }
+  has_lobe_on_rays_ = has_forward_lobe() && std::ranges::find(at_nodes_, false) != at_nodes_.end();
   if (is_complete) {
     if (grid_is_made) grid_is_made();
     is_complete = add_multiple(input, job);
@@ -152,12 +161,12 @@ bool SourceFunction::make_grid(const Input& input, const Job& job) {
   size_ = input.size;
 
   const GaussianTerms<double> terms(input.medium, extinction);
-  grid_.emplace(
-      terms.all(), lights_in_world(),
-      SourceGrid::Content{phase_.count(), input.medium.homogeneous_density(), input.fog_ball,
-                          input.in_fog, receivers_, surfaces, input.multiple.has_value(),
-                          input.multiple ? input.multiple->emission : nullptr},
-      input.size, job);
+  grid_.emplace(terms.all(), lights_in_world(),
+                SourceGrid::Content{phase_.count(), extinction * input.medium.homogeneous_density(),
+                                    input.fog_ball, input.in_fog, receivers_, surfaces,
+                                    input.multiple.has_value(),
+                                    input.multiple ? input.multiple->emission : nullptr},
+                input.size, job);
   added_ = 0;
   return !job.stop.stop_requested();
 }
@@ -247,20 +256,21 @@ void SourceFunction::find_forward_lobes(std::span<const LightGroup> groups, cons
 
 SourceLookup SourceFunction::from_eye(const glm::dvec3& eye) const {
   const bool adds_clusters =
-      !light_.lobes.empty() && std::ranges::find(light_.is_narrow, true) != light_.is_narrow.end();
+      has_forward_lobe() && std::ranges::find(at_nodes_, true) != at_nodes_.end();
   return {*grid_, eye, adds_clusters, grid_->occlusion_bits(eye)};
 }
 
 SourceFunction::WeightParts SourceFunction::weight_parts() const {
-  if (!environment_) return {1.0, 1.0, phase_.factors(), {}, light_.is_narrow, 0.0};
+  if (!environment_) return {1.0, 1.0, 1.0, phase_.factors(), {}, at_nodes_, 0.0};
   // Sums of what is beyond float would not be numbers.
-  const double scale =
-      std::min(attenuation_ * environment_->intensity, 1e30 / std::max(light_.power, 1e-30));
+  const double max_scale = 1e30 / std::max(light_.power, 1e-30);
+  const double scale = std::min(attenuation_ * environment_->intensity, max_scale);
   return {scale,
+          std::min(lobe_attenuation_ * environment_->intensity, max_scale),
           has_multiple() ? 1.0 : scale,
           phase_.factors(),
           light_.lobes,
-          light_.is_narrow,
+          at_nodes_,
           environment_->rotation};
 }
 
@@ -273,7 +283,7 @@ glm::vec3 SourceFunction::lobe(const SourceLookup& source, const SourceWeights& 
     passes = source.cluster_transmittance();
   }
   glm::vec3 sum(0.0f);
-  for (std::size_t f = 0; f < passes.size(); ++f) sum += passes[f] * weights.spread[f];
+  for (std::size_t f = 0; f < passes.size(); ++f) sum += passes[f] * weights.on_rays[f];
   return sum;
 }
 
@@ -296,9 +306,12 @@ SourceWeights SourceFunction::weights(const glm::dvec3& w) const {
   if (light_.lobes.empty()) return weights;
   const glm::vec3 in_map(glm::conjugate(environment_rotation(*environment_)) * w);
   for (std::size_t f = 0; f < light_.lobes.size(); ++f) {
-    const glm::vec3 scattered =
-        static_cast<float>(parts.scale) * map_radiance(*light_.lobes[f], in_map);
-    (light_.is_narrow[f] ? weights.narrow : weights.spread)[f] = scattered;
+    const glm::vec3 scattered = map_radiance(*light_.lobes[f], in_map);
+    if (at_nodes_[f]) {
+      weights.at_nodes[f] = static_cast<float>(parts.scale) * scattered;
+    } else {
+      weights.on_rays[f] = static_cast<float>(parts.lobe_scale) * scattered;
+    }
   }
   return weights;
 }

@@ -29,7 +29,8 @@ namespace brume {
 //
 // The grid stores few bands. The forward lobe of the phase function (see PhaseBands) is convolved
 // with the map without medium, once per cluster of directions. The medium attenuates it
-//   - for a narrow cluster, such as a sun's, by the mean transmittance towards it;
+//   - for a narrow cluster, such as a sun's, and beside surfaces that occlude light by the mean
+//   transmittance towards it, which nodes hold;
 //   - for the others by the transmittance along the view ray: from behind where g > 0, from the eye
 //   where g < 0.
 // This is exact for thin media, and converges for narrow lobes.
@@ -56,6 +57,7 @@ class SourceFunction {
     std::optional<Multiple> multiple;
     Revision scene_medium = 0;  // of what `medium` stands for, see MergedMedium
     Motion motion{};
+    double view_fog_depth = 0.0;  // of view rays that hit nothing, with `multiple`
   };
   // The grid with the environment's part, then what was scattered more often; `grid_is_made` is
   // called in between. False, and empty, if the job was stopped.
@@ -79,6 +81,13 @@ class SourceFunction {
   // Memory of the light on the grid.
   [[nodiscard]] std::size_t bytes() const { return grid_->bytes() + multiple_.bytes(); }
   [[nodiscard]] bool has_forward_lobe() const { return !light_.lobes.empty(); }
+  // Whether some of its light is attenuated along view rays; see lobe().
+  [[nodiscard]] bool has_lobe_on_rays() const { return has_lobe_on_rays_; }
+  // Extinction of homogeneous fog for that light, relative to the fog's; 0: the fog attenuates it
+  // evenly, by the scale of its weights.
+  [[nodiscard]] double lobe_fog_extinction() const {
+    return keeps_transmitted_ ? extinction_ : 0.0;
+  }
   // Look-ups relative to the eye.
   [[nodiscard]] SourceLookup from_eye(const glm::dvec3& eye) const;
   // Forward-lobe scattering of the light along a view ray, per unit of SliceWeights::along_rays.
@@ -94,13 +103,14 @@ class SourceFunction {
   [[nodiscard]] SourceWeights weights(const glm::dvec3& w) const;
   // The inputs of weights(), for computing many at once on a device.
   struct WeightParts {
-    double scale;                     // of the environment's light
+    double scale;                     // of the environment's light at nodes
+    double lobe_scale;                // of its light along view rays
     double harmonics_scale;           // of what the grid holds
     std::span<const double> factors;  // of the phase function's bands
     // The map convolved with the forward lobe, per cluster; empty without lobe.
     std::span<const std::shared_ptr<const RadianceMap>> lobes;
-    std::span<const bool> is_narrow;  // of the families
-    double rotation;                  // of the maps about +y; see Environment
+    std::span<const bool> at_nodes;  // of the clusters: attenuated as nodes hold it
+    double rotation;                 // of the maps about +y; see Environment
   };
   [[nodiscard]] WeightParts weight_parts() const;
 
@@ -148,7 +158,10 @@ class SourceFunction {
   };
   // In use, and the one before: frames in motion and at rest take turns.
   MapLight light_, last_light_;
-  double attenuation_ = 1.0;  // by the fog
+  double attenuation_ = 1.0;       // by the fog
+  double lobe_attenuation_ = 1.0;  // by the fog on view rays, up to their ends
+  std::array<bool, source_clusters> at_nodes_{};
+  bool has_lobe_on_rays_ = false;
   PhaseBands phase_{0.0};
   std::optional<SourceGrid> grid_;
   LevelOcclusion occlusion_;

@@ -132,16 +132,14 @@ std::vector<float> fog_shares(const SourceGrid::Level& level, const FogBall& bal
   return shares;
 }
 
-// Times what fog transmits from each node on along w, relative to its radius.
+// Times what a ball of fog transmits from each node on along w.
 void attenuate_by_fog(const SourceGrid::Level& level, const SourceGrid::Content& content,
                       const glm::dvec3& w, std::span<float> transmittance) {
-  constexpr double opaque = 80.0;  // the inverse is a float
   const FogBall& ball = content.fog_ball;
   if (ball.is_endless()) return;
   for (std::size_t i = 0; i < transmittance.size(); ++i) {
-    const double less = ball.radius - ball.length(node_position(level, i), w);
-    const double depth = std::min(content.fog_density * less, opaque);
-    transmittance[i] *= std::exp(static_cast<float>(depth));
+    const double depth = content.fog_density * ball.length(node_position(level, i), w);
+    transmittance[i] *= std::exp(-static_cast<float>(depth));
   }
 }
 
@@ -353,11 +351,18 @@ SourceGrid::SourceGrid(std::span<const GaussianTerm<double>> gaussians,
       const double spacing = static_cast<double>(levels_.back().nodes.spacing);
       add_nodes(lay_out(low, high, 2.0 * spacing, nodes, planes));
     };
-    if (content.fog_density > 0.0 || goes_beyond) add_level(size.nodes / 2);
-    const double reach =
-        content.fog_density > 0.0
-            ? scattering_reach(content.fog_density, content.fog_ball, is_fog_alone ? 4.0 : 1.0)
-            : 0.0;
+    // A sky lights all of a ball of fog from beyond it; endless fog scatters what is near.
+    const FogBall& ball = content.fog_ball;
+    const auto holds_fog = [&] {
+      if (!(content.fog_density > 0.0)) return true;
+      if (!ball.is_endless()) {
+        return contains(low, high, {ball.center - ball.radius, ball.center + ball.radius});
+      }
+      const double mean_free_paths = is_fog_alone ? 4.0 : 1.0;
+      return levels_.size() > 1 && 0.5 * smallest(high - low) >=
+                                       scattering_reach(content.fog_density, ball, mean_free_paths);
+    };
+    if (!holds_fog() || goes_beyond) add_level(size.nodes / 2);
     // Surfaces beyond all levels are lit as those at the border are, which is too much of what
     // Gaussians emit.
     const auto holds_surfaces = [&] {
@@ -365,8 +370,7 @@ SourceGrid::SourceGrid(std::span<const GaussianTerm<double>> gaussians,
       return !content.surfaces || (!gaussians.empty() && !has_emission) ||
              contains(low, high, content.surfaces->bounds());
     };
-    while (levels_.size() < max_levels &&
-           (0.5 * smallest(high - low) < reach || !holds_surfaces())) {
+    while (levels_.size() < max_levels && (!holds_fog() || !holds_surfaces())) {
       add_level(size.nodes / 4);
     }
   }

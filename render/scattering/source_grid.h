@@ -80,8 +80,7 @@ class SourceGrid {
   struct Content {
     int bands = 1;             // bands of J, <= grid_bands
     double fog_density = 0.0;  // homogeneous extinction [1/u]
-    // Where it is, if its share of each light's way to each node counts, relative to its radius;
-    // endless: distant lights are as bright everywhere.
+    // Where it is. Endless: it attenuates distant lights evenly, and J leaves that out.
     FogBall fog_ball;
     Box in_fog;  // bounds of what stands in it
     std::optional<Receivers> receivers;
@@ -93,8 +92,8 @@ class SourceGrid {
   static constexpr std::size_t max_levels = 5;
 
   // Around the Gaussians, or without any around what stands in the fog. With fog or surfaces, each
-  // of further, coarser levels covers several times the extent of the one before: one at least, as
-  // many as reach a mean free path or the end of the fog. In parallel; invalid after the job was
+  // of further, coarser levels covers several times the extent of the one before: as many as reach
+  // the end of the fog, or mean free paths if it has none. In parallel; invalid after the job was
   // stopped.
   SourceGrid(std::span<const GaussianTerm<double>> gaussians, std::span<const SourceLight> lights,
              const Content& content, const SourceGridSize& size, const Job& job);

@@ -186,7 +186,7 @@ glm::vec3 SourceLookup::source(std::span<const float> sums, const SourceWeights&
   }
   if (!adds_clusters_) return result;
   for (std::size_t f = harmonics; f < sums.size(); ++f) {
-    result += sums[f] * weights.narrow[f - harmonics];
+    result += sums[f] * weights.at_nodes[f - harmonics];
   }
   return result;
 }

@@ -15,9 +15,10 @@ namespace brume {
 // Weights of a view ray for a node's values: J is their weighted sum.
 struct SourceWeights {
   std::array<float, 4 * sh_size(PhaseBands::max_bands)> harmonics{};  // per basis function R G B 0
-  std::array<glm::vec3, source_clusters> narrow{};
-  // Not part of J: forward-lobe scattering of the wide clusters.
-  std::array<glm::vec3, source_clusters> spread{};
+  // Forward-lobe scattering of the clusters that are attenuated as nodes hold it.
+  std::array<glm::vec3, source_clusters> at_nodes{};
+  // Not part of J: that of the others.
+  std::array<glm::vec3, source_clusters> on_rays{};
 };
 
 // From this distance on [spacings], the directions to a cell's nodes hardly differ: airlight is
@@ -28,8 +29,8 @@ inline constexpr float min_view_spacings = 16.0f;
 // the grid.
 class SourceLookup {
  public:
-  // `adds_clusters`: whether any SourceWeights::narrow are not 0. `occlusion_bits`: of the eye, see
-  // SourceGrid.
+  // `adds_clusters`: whether any SourceWeights::at_nodes are not 0. `occlusion_bits`: of the eye,
+  // see SourceGrid.
   SourceLookup(const SourceGrid& grid, const glm::dvec3& origin, bool adds_clusters = false,
                std::uint32_t occlusion_bits = GridOcclusion::all_bits);
 

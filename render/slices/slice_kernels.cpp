@@ -137,23 +137,27 @@ HWY_INLINE V Lit(const SliceLight& light, const Vector& q, V distance) {
 }
 
 // SliceWeights::along_rays: where the Gaussians have the depth G(t) on the ray, the integral of
-// (G' + b0) exp(-(1 -+ e) G - b0 t) dt, + for light from the eye, e its extinction. The exponent
-// grows evenly within a slice.
+// (G' + b0) exp(-(1 -+ e) G - (1 -+ f) b0 t) dt, + for light from the eye, e and f its extinction.
+// The exponent grows evenly within a slice.
 void SumAlongRays(const RaySlices& slices, std::size_t stride, const float* increments,
-                  bool has_optics, float b0, float exponent_per_depth, bool running, float* sums) {
+                  const SliceScattering& scattering, const SliceWeights& weights, bool has_optics,
+                  float b0, bool running) {
   const D d;
   // The first optics have the albedo.
   const std::size_t to_scattered = has_optics ? (slices.count() - 1) * stride : 0;
-  const V per_depth = set(exponent_per_depth);
+  const float from_eye = scattering.anisotropy < 0.0f ? 1.0f : -1.0f;
+  const V per_depth = set(1.0f + from_eye * weights.extinction);
+  const float per_length = b0 * (1.0f + from_eye * weights.fog_extinction);
+  float* const sums = weights.along_rays;
   for (std::size_t i = 0; i < stride; i += hn::Lanes(d)) {
     V begin = hn::LoadU(d, slices.at(i, 0));
-    V transmittance_in = exp(-b0 * begin);
+    V transmittance_in = exp(-per_length * begin);
     V sum = hn::Zero(d);
     for (std::size_t k = 0; k + 1 < slices.count(); ++k) {
       const V end = hn::LoadU(d, slices.at(i, k + 1));
       const V fog = b0 * (end - begin);
       const V gaussians = max(hn::LoadU(d, increments + k * stride + i), 0.0f);
-      const V exponent = mul_add(per_depth, gaussians, fog);
+      const V exponent = mul_add(per_depth, gaussians, per_length * (end - begin));
       const V transmittance_out = transmittance_in * exp(-exponent);
       const V mean = mean_transmittance(exponent, transmittance_in, transmittance_out);
       const V scattered = max(hn::LoadU(d, increments + to_scattered + k * stride + i), 0.0f);
@@ -227,9 +231,7 @@ HWY_INLINE void SumSlicesOf(const PathBatch& paths, const RaySlices& slices,
   const std::size_t stride = paths.padded_size();
   const std::size_t plane = (slices.count() - 1) * stride;
   if (weights.along_rays) {
-    const float from_eye = scattering.anisotropy < 0.0f ? 1.0f : -1.0f;
-    SumAlongRays(slices, stride, increments, optics.has, b0, 1.0f + from_eye * weights.extinction,
-                 running, weights.along_rays);
+    SumAlongRays(slices, stride, increments, scattering, weights, optics.has, b0, running);
   }
   const bool has_view_extinction = scattering.view_extinction != 1.0f;
   const V view_extinction = set(scattering.view_extinction);

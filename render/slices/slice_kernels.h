@@ -80,6 +80,7 @@ struct SliceWeights {
   // anisotropy is negative, else from behind, where it is exp(that optical depth of the ray).
   float* along_rays = nullptr;
   float extinction = 1.0f;
+  float fog_extinction = 0.0f;  // the same for homogeneous fog; 0: it attenuates light evenly
 };
 
 // Whether sums are of all slices of a ray, [i], or have a row for each slice, of those up to its

@@ -19,6 +19,7 @@ uniform float anisotropy;
 uniform float negligible;
 uniform float light_extinction;  // factor of optical depths towards lights
 uniform float view_extinction;   // see SliceScattering
+uniform float lobe_fog_extinction;  // see SourceFunction
 uniform float truncated_phase[4];
 uniform float albedo;
 
@@ -79,11 +80,14 @@ void main() {
   float boundary = last > 0 ? slice_boundary(position, 0) : 0.0;
   float t_begin = min(boundary, length_);
   // SliceWeights::along_rays.
-  const bool has_forward_lobe = source_levels > 0 && source_map_size.x > 0;
-  const bool needs_line = has_forward_lobe && anisotropy > 0.0;
+  const bool has_lobe_on_rays = source_levels > 0 && source_lobe_on_rays != 0;
+  const bool needs_line = has_lobe_on_rays && anisotropy > 0.0;
+  const float to_light = anisotropy < 0.0 ? 1.0 : -1.0;
+  const float per_gaussians = 1.0 + to_light * light_extinction;
+  const float per_fog = 1.0 + to_light * lobe_fog_extinction;
   float along_ray = 0.0;
   float line_depth = 0.0;  // of all Gaussians, also behind surfaces
-  float transmittance_in = exp(-b0 * t_begin);
+  float transmittance_in = exp(-per_fog * b0 * t_begin);
   for (int first = 0; first < last; first += chunk) {
     float increments[chunk];
     float moments[chunk];
@@ -170,9 +174,8 @@ void main() {
 #else
       const float scattering = increment;
 #endif
-      if (has_forward_lobe) {
-        const float from_eye = anisotropy < 0.0 ? light_extinction : -light_extinction;
-        const float exponent = (1.0 + from_eye) * gaussians + fog;
+      if (has_lobe_on_rays) {
+        const float exponent = per_gaussians * gaussians + per_fog * fog;
         const float transmittance_out = transmittance_in * exp(-exponent);
         along_ray += scattering * mean_transmittance(exponent, transmittance_in, transmittance_out);
         transmittance_in = transmittance_out;
@@ -251,7 +254,7 @@ void main() {
       }
     }
   }
-  if (has_forward_lobe) {
+  if (has_lobe_on_rays) {
     scattered += along_ray * source_forward_lobe(anisotropy < 0.0, light_extinction * line_depth);
   }
   // Homogeneous fog continues behind the last slice; the Gaussians do not.

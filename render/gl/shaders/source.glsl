@@ -20,11 +20,13 @@ uniform int source_surfaces;  // whether they hide nodes from each other
 uniform int source_bands;     // of a node: 1, or 4 where scattering is anisotropic
 uniform float source_harmonics_scale;  // of what the grid holds
 uniform vec4 source_factors;  // what the phase function makes of each band
-uniform float source_scale;            // of the environment
+uniform float source_scale;            // of the environment at nodes
+uniform float source_lobe_scale;       // of its light along view rays
 // With more than one band, nodes also hold the transmittance per cluster, and maps of the forward
 // lobe per cluster begin at source_map_at.
 uniform int source_map_at;
-uniform int source_beams;  // bit f: family f is a beam
+uniform int source_at_nodes;  // bit f: cluster f is attenuated as nodes hold it
+uniform int source_lobe_on_rays;  // SourceFunction::has_lobe_on_rays()
 uniform ivec2 source_map_size;  // 0: there are none
 uniform vec2 source_rotation;  // of the maps: cosine and sine
 
@@ -53,6 +55,8 @@ float lobe_loss(float cosine, float depth) {
 float source_weights[grid_functions];
 vec3 source_cluster_weights[source_clusters];
 
+bool is_at_nodes(int cluster) { return ((source_at_nodes >> cluster) & 1) != 0; }
+
 void set_source_weights(vec3 w) {
   if (source_levels == 0) return;
   float y[sh_count];
@@ -68,7 +72,8 @@ void set_source_weights(vec3 w) {
     const ivec4 index = source_map_at + f * source_map_size.x * source_map_size.y + texels.index;
     const vec3 above = mix(source_values[index.x].rgb, source_values[index.y].rgb, texels.f.x);
     const vec3 below = mix(source_values[index.z].rgb, source_values[index.w].rgb, texels.f.x);
-    source_cluster_weights[f] = source_scale * mix(above, below, texels.f.y);
+    const float scale = is_at_nodes(f) ? source_scale : source_lobe_scale;
+    source_cluster_weights[f] = scale * mix(above, below, texels.f.y);
   }
 }
 
@@ -120,11 +125,11 @@ SourceCell source_cell(vec3 p) {
   return cell;
 }
 
-// Contribution of the narrow clusters at a node.
-vec3 source_clusters_at(int node, bool is_narrow) {
+// Contribution of the clusters at a node that are attenuated as nodes hold it, or of the others.
+vec3 source_clusters_at(int node, bool at_nodes) {
   vec3 sum = vec3(0.0);
   for (int f = 0; f < source_clusters; ++f) {
-    if ((((source_beams >> f) & 1) != 0) != is_narrow) continue;
+    if (is_at_nodes(f) != at_nodes) continue;
     sum += source_values[node + source_functions() + f / 4][f % 4] * source_cluster_weights[f];
   }
   return sum;
@@ -139,7 +144,7 @@ vec3 source_at(vec3 p) {
     for (int i = 0; i < source_functions(); ++i) {
       value += source_weights[i] * source_values[cell.first[c] + i].rgb;
     }
-    if (source_beams != 0) value += source_clusters_at(cell.first[c], true);
+    if (source_at_nodes != 0) value += source_clusters_at(cell.first[c], true);
     sum += cell.weights[c] * value;
   }
   return sum;
@@ -157,7 +162,7 @@ vec3 source_forward_lobe(bool from_eye, float line_depth) {
     return sum;
   }
   for (int f = 0; f < source_clusters; ++f) {
-    if (((source_beams >> f) & 1) == 0) sum += source_cluster_weights[f];
+    if (!is_at_nodes(f)) sum += source_cluster_weights[f];
   }
   return from_eye ? sum : exp(-line_depth) * sum;
 }

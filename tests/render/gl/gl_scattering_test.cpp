@@ -38,6 +38,23 @@ TEST_F(GlFrames, MultipleScattering) {
   }
 }
 
+// A sky's light that the forward lobe scatters: in fog along view rays, beside surfaces as nodes
+// hold it.
+TEST_F(GlFrames, ForwardLobes) {
+  for (const double anisotropy : {-0.6, 0.6, 0.9}) {
+    for (const bool has_wall : {false, true}) {
+      Scene scene = in_fog(cloud_scene(10, 2.0), 0.05);
+      scene.film = {16, 12};
+      scene.optics.anisotropy = anisotropy;
+      scene.environment.emplace().map = smooth_sky();
+      if (has_wall) scene.surfaces = {wall(-0.8, 1.5)};
+      for (const Scattering scattering : {Scattering::single, Scattering::multiple}) {
+        expect_backends_agree(scene, scattering);
+      }
+    }
+  }
+}
+
 // Beams in the medium and on surfaces.
 TEST_F(GlFrames, SpotLights) {
   for (const Scattering scattering : {Scattering::single, Scattering::multiple}) {

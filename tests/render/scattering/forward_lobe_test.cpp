@@ -1,0 +1,110 @@
+// The forward lobe of the phase function: fog, Gaussians, skies and surfaces treat it alike.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "brume/primitive.h"
+#include "render/renderer.h"
+#include "tests/render/test_scenes.h"
+
+namespace brume {
+namespace {
+
+// The relative RMS difference of the picture from 1 in a furnace: what only scatters and reflects
+// under a sky of 1 is 1 everywhere.
+double furnace_error(Scene scene, double anisotropy) {
+  scene.film = {8, 6};
+  scene.lights.clear();
+  scene.environment.emplace().map = constant_sky(1.0f);
+  scene.optics.anisotropy = anisotropy;
+  const Frame frame = render_frame(scene, sliced(24, Scattering::multiple));
+  double squares = 0.0;
+  for (std::size_t i = 0; i < 48; ++i) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      squares += std::pow(static_cast<double>(frame.beauty[4 * i + c]) - 1.0, 2.0);
+    }
+  }
+  return std::sqrt(squares / 144.0);
+}
+
+Surface solid(Primitive::Shape shape, const glm::dvec3& size, const glm::dvec3& position,
+              double reflectance) {
+  Surface surface;
+  surface.primitive = Primitive{shape, size};
+  surface.mesh = mesh_of(*surface.primitive);
+  surface.translate = position;
+  surface.material.reflectance = glm::dvec3(reflectance);
+  return surface;
+}
+
+constexpr double anisotropies[] = {-0.5, 0.0, 0.3, 0.6, 0.8, 0.9};
+
+TEST(ForwardLobe, KeepsAUniformFieldInFog) {
+  for (const double g : anisotropies) {
+    Scene scene;
+    scene.camera = {{0, 0.5, 8}, {0, 0, 0}, {0, 1, 0}, 50.0};
+    scene.medium.set_homogeneous_density(0.1);
+    EXPECT_LT(furnace_error(scene, g), 0.005) << g;
+  }
+}
+
+TEST(ForwardLobe, KeepsAUniformFieldInFogAndGaussians) {
+  for (const double b0 : {0.02, 0.3}) {
+    for (const double g : anisotropies) {
+      EXPECT_LT(furnace_error(in_fog(cloud_scene(5, 3.0), b0), g), 0.005) << b0 << ' ' << g;
+    }
+  }
+}
+
+// Two small balls decide how far the fog reaches: 2.8 mean free paths. Beside surfaces the lobe
+// scatters only the four bands that nodes hold of light that was scattered before; the rest is what
+// is left here.
+TEST(ForwardLobe, KeepsAUniformFieldBesideSurfaces) {
+  Scene scene;
+  scene.camera = {{0, 1.7, 14}, {0, 4, 0}, {0, 1, 0}, 55.0};
+  scene.medium.set_homogeneous_density(0.05);
+  for (const double x : {20.0, -20.0}) {
+    scene.surfaces.push_back(solid(Primitive::Shape::sphere, glm::dvec3(0.1), {x, 0.0, x}, 1.0));
+  }
+  for (const double g : anisotropies) EXPECT_LT(furnace_error(scene, g), 0.015) << g;
+}
+
+// Walls of a closed room of fog.
+Scene room() {
+  Scene scene;
+  scene.film = {8, 6};
+  scene.camera = {{-1.5, 1.6, 3.1}, {0.8, 1.2, -1.5}, {0, 1, 0}, 60.0};
+  scene.medium.set_homogeneous_density(0.1);
+  scene.environment.emplace().map = constant_sky(1.0f);
+  for (const double side : {-1.0, 1.0}) {
+    const auto box = Primitive::Shape::box;
+    scene.surfaces.push_back(solid(box, {6.4, 0.2, 7.4}, {0.0, 1.5 + 1.6 * side, 0.0}, 0.5));
+    scene.surfaces.push_back(solid(box, {0.2, 3.0, 7.0}, {3.1 * side, 1.5, 0.0}, 0.5));
+    scene.surfaces.push_back(solid(box, {6.4, 3.0, 0.2}, {0.0, 1.5, 3.6 * side}, 0.5));
+  }
+  return scene;
+}
+
+double airlight_within(const Scene& scene) {
+  const Frame frame = render_frame(scene, sliced(24, Scattering::multiple));
+  double sum = 0.0;
+  for (const float value : frame.airlight) sum += static_cast<double>(value);
+  return sum / static_cast<double>(frame.airlight.size());
+}
+
+// The lobe of a sky asked no surface: 3% of its radiance were in there for g = 0.6.
+TEST(ForwardLobe, StaysOutOfClosedRooms) {
+  for (const bool has_gaussian : {false, true}) {
+    for (const double g : anisotropies) {
+      Scene scene = room();
+      scene.optics.anisotropy = g;
+      if (has_gaussian) scene.medium.append({{0.0, 1.5, 0.0}, 0.5, 0.5});
+      EXPECT_LT(airlight_within(scene), 1e-4) << g << (has_gaussian ? " with a Gaussian" : "");
+    }
+  }
+}
+
+}  // namespace
+}  // namespace brume
