@@ -54,7 +54,7 @@ TEST(ForwardLobe, KeepsAUniformFieldInFogAndGaussians) {
   for (const double b0 : {0.02, 0.3}) {
     // Denser fog shows the nodes of coarser levels more: 0.503% for -0.5.
     const double bound = b0 < 0.1 ? 0.005 : 0.006;
-    for (const double g : anisotropies) {
+    for (const double g : {-0.5, 0.6, 0.9}) {
       EXPECT_LT(furnace_error(in_fog(cloud_scene(5, 3.0), b0), g), bound) << b0 << ' ' << g;
     }
   }
@@ -98,14 +98,15 @@ double airlight_within(const Scene& scene) {
 
 // The lobe of a sky asked no surface: 3% of its radiance were in there for g = 0.6.
 TEST(ForwardLobe, StaysOutOfClosedRooms) {
-  for (const bool has_gaussian : {false, true}) {
-    for (const double g : anisotropies) {
-      Scene scene = room();
-      scene.optics.anisotropy = g;
-      if (has_gaussian) scene.medium.append({{0.0, 1.5, 0.0}, 0.5, 0.5});
-      EXPECT_LT(airlight_within(scene), 1e-4) << g << (has_gaussian ? " with a Gaussian" : "");
-    }
+  for (const double g : {-0.5, 0.3, 0.85}) {
+    Scene scene = room();
+    scene.optics.anisotropy = g;
+    EXPECT_LT(airlight_within(scene), 1e-4) << g;
   }
+  Scene scene = room();
+  scene.optics.anisotropy = 0.6;
+  scene.medium.append({{0.0, 1.5, 0.0}, 0.5, 0.5});
+  EXPECT_LT(airlight_within(scene), 1e-4) << "with a Gaussian";
 }
 
 }  // namespace
