@@ -135,8 +135,8 @@ app/panels/time/*.[hc]*:$panels
 app/panels/lists/*.[hc]*:$panels
 app/panels/plots/*.[hc]*:$panels
 app/viewport/*.[hc]*:app/document/ app/widgets/ app/view/ app/frames/
-tools/bench/scenes/*.[hc]*:tools/make_scenes/
+tools/bench/scenes/*.[hc]*:
 tools/bench/measure/*.[hc]*:tools/bench/scenes/
-tools/bench/errors/*.[hc]*:tools/make_scenes/ tools/bench/scenes/ tools/bench/measure/
+tools/bench/errors/*.[hc]*:tools/bench/scenes/ tools/bench/measure/
 tools/bench/report/*.[hc]*:tools/bench/measure/ tools/bench/errors/
 ROWS

@@ -1,15 +1,11 @@
-// The sample scenes are what their generator writes, and they hold what the manual says.
+// The sample scenes and templates load, and they hold what the manual says.
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <glm/geometric.hpp>
-#include <iterator>
-#include <set>
 #include <string>
 
 #include "core/io/scene/scene_file.h"
@@ -26,18 +22,7 @@ namespace fs = std::filesystem;
 
 const fs::path scenes = BRUME_SCENES;
 
-std::string bytes_of(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-std::set<std::string> names_in(const fs::path& folder) {
-  std::set<std::string> names;
-  for (const auto& entry : fs::directory_iterator(folder)) names.insert(entry.path().filename());
-  return names;
-}
-
-Scene load(const std::string& name) {
+Scene load(const fs::path& name) {
   std::vector<std::string> warnings;
   Scene scene = load_scene(scenes / name, &warnings);
   EXPECT_TRUE(warnings.empty()) << name << ": " << warnings.front();
@@ -57,31 +42,13 @@ double density_at(const Medium& medium, const glm::dvec3& point) {
   return sum;
 }
 
-// That the generator, with an option, writes what is in a folder of the repository.
-void expect_generated(const fs::path& committed, const std::string& option) {
-  const fs::path folder = fs::path(testing::TempDir()) / "brume_sample_scenes";
-  fs::remove_all(folder);
-  const std::string command =
-      std::string("\"") + BRUME_MAKE_SCENES + "\" " + option + " \"" + folder.string() + '"';
-  ASSERT_EQ(std::system(command.c_str()), 0) << command;
-  EXPECT_EQ(names_in(folder), names_in(committed));
-  for (const std::string& name : names_in(folder)) {
-    EXPECT_TRUE(bytes_of(folder / name) == bytes_of(committed / name))
-        << name << " differs: run brume-make-scenes and commit what it writes";
-  }
-  fs::remove_all(folder);
-}
-
-TEST(SampleScenes, MatchTheGenerator) {
-  expect_generated(scenes, "");
-  expect_generated(BRUME_TEMPLATES, "--templates");
-}
-
-TEST(SampleScenes, EachLoads) {
-  for (const std::string& name : names_in(scenes)) {
-    if (fs::path(name).extension() != ".brume") continue;
-    const Scene scene = load(name);
-    EXPECT_FALSE(scene.medium.empty()) << name;
+TEST(SampleScenes, EachLoadsWithoutWarnings) {
+  for (const fs::path& folder : {scenes, fs::path(BRUME_TEMPLATES)}) {
+    for (const auto& entry : fs::directory_iterator(folder)) {
+      if (entry.path().extension() != ".brume") continue;
+      const Scene scene = load(entry.path());
+      EXPECT_TRUE(!scene.medium.empty() || folder != scenes) << entry.path();
+    }
   }
 }
 
@@ -163,7 +130,7 @@ TEST(SampleScenes, AHarbourOfColouredLights) {
   EXPECT_EQ(scene.surfaces[0].material.type, Material::Type::phong);
 }
 
-// Lines through every centre in 500 directions of a spiral: other lines than the generator's.
+// Lines through every centre in 500 directions of a spiral.
 TEST(SampleScenes, DenseCloudHasOpticalDepthTen) {
   const Medium medium = load("dense_cloud.brume").medium;
   ASSERT_EQ(medium.size(), 300u);

@@ -13,7 +13,7 @@
 #include "tools/bench/errors/unbiased_error.h"
 #include "tools/bench/measure/report_text.h"
 #include "tools/bench/scenes/benchmark_scenes.h"
-#include "tools/make_scenes/random.h"
+#include "tools/bench/scenes/hash_random.h"
 
 namespace brume {
 namespace {

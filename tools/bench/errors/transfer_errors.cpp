@@ -9,8 +9,8 @@
 #include "tools/bench/errors/surface_truth.h"
 #include "tools/bench/measure/report_text.h"
 #include "tools/bench/scenes/benchmark_scenes.h"
+#include "tools/bench/scenes/hash_random.h"
 #include "tools/bench/scenes/transfer_scenes.h"
-#include "tools/make_scenes/random.h"
 
 namespace brume {
 namespace {

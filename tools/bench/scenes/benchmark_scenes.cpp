@@ -15,7 +15,7 @@
 #include "core/scene/lights/radiance_map.h"
 #include "core/transport/medium_summary.h"
 #include "render/quality/error_estimate.h"
-#include "tools/make_scenes/random.h"
+#include "tools/bench/scenes/hash_random.h"
 
 namespace brume {
 

@@ -11,7 +11,7 @@
 #include "core/io/image/radiance_map_file.h"
 #include "tools/bench/scenes/benchmark_meshes.h"
 #include "tools/bench/scenes/benchmark_scenes.h"
-#include "tools/make_scenes/random.h"
+#include "tools/bench/scenes/hash_random.h"
 
 namespace brume {
 namespace {
