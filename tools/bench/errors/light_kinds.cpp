@@ -2,7 +2,9 @@
 
 #include <array>
 #include <cmath>
+#include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
 #include <glm/trigonometric.hpp>
 #include <memory>
 #include <vector>
@@ -10,13 +12,14 @@
 #include "core/scene/lights/photometric_profile.h"
 #include "render/output/compare.h"
 #include "tools/bench/scenes/benchmark_scenes.h"
+#include "tools/bench/scenes/hash_random.h"
 
 namespace brume {
 namespace {
 
 constexpr Film kinds_error_film{48, 36};
 constexpr Film kinds_speed_film{400, 300};
-const glm::dvec3 from{2.0, 3.0, 1.5};
+const glm::dvec3 light_position{2.0, 3.0, 1.5};
 
 Scene lit_by(const Light& light) {
   Scene scene = cloud(300, 3.0);
@@ -46,7 +49,7 @@ template <class Change>
 Scene with_thirds(Scene scene, Change&& change) {
   std::size_t index = 0;
   scene.medium = scene.medium.changed(scene.medium.homogeneous_density(), [&](Gaussian g) {
-    if (index++ % 3 == 0) change(g.optics);
+    if (index++ % 3 == 0) change(g);
     return g;
   });
   return scene;
@@ -101,7 +104,7 @@ std::vector<LightKindRow> measure_light_kinds(bool quick) {
   Settings settings = sliced_settings({}, 24);
   settings.scattering = Scattering::single;
   const int frames = quick ? 3 : 15;
-  const Light point{.position = from, .intensity = glm::dvec3(30.0)};
+  const Light point{.position = light_position, .intensity = glm::dvec3(30.0)};
   std::vector<LightKindRow> rows;
   const auto add_scene = [&](const char* kind, const Scene& scene) {
     const std::array<Scene, 2> scenes{lit_by(point), scene};
@@ -112,26 +115,36 @@ std::vector<LightKindRow> measure_light_kinds(bool quick) {
   const auto add = [&](const char* kind, const Light& light) { add_scene(kind, lit_by(light)); };
   add("point", point);
   Light spot = point;
-  spot.kind = light::Spot{-from, 5.0, 20.0};
+  spot.kind = light::Spot{-light_position, 5.0, 20.0};
   add("spot, 5 to 20 degrees", spot);
-  spot.kind = light::Spot{-from, 9.9, 10.0};
+  spot.kind = light::Spot{-light_position, 9.9, 10.0};
   add("spot, 10 degrees, sharp", spot);
   if (quick) return rows;
   Light street = point;
   street.kind = light::Point{street_profile()};
   add("point with the profile of a street light", street);
-  add_scene("point; every third Gaussian shines", with_thirds(lit_by(point), [](auto& optics) {
-              optics.emission = {3.0, 1.0, 0.2};
+  add_scene("point; every third Gaussian shines", with_thirds(lit_by(point), [](Gaussian& g) {
+              g.optics.emission = {3.0, 1.0, 0.2};
             }));
-  add_scene("point; every third Gaussian is red", with_thirds(lit_by(point), [](auto& optics) {
-              optics.albedo = {0.9, 0.3, 0.2};
+  add_scene("point; every third Gaussian is red", with_thirds(lit_by(point), [](Gaussian& g) {
+              g.optics.albedo = {0.9, 0.3, 0.2};
             }));
-  Light sun{.intensity = glm::dvec3(2.0), .kind = light::Directional{-from}};
+  // Of the same volume, turned at random.
+  HashRandom random(1);
+  add_scene("point; every third Gaussian an ellipsoid of up to 10 : 1",
+            with_thirds(lit_by(point), [&random](Gaussian& g) {
+              glm::dvec3 logarithms = 0.5 * std::log(10.0) * random.point(1.0);
+              logarithms -= (logarithms.x + logarithms.y + logarithms.z) / 3.0;
+              const glm::dvec3 axis = random.point(1.0);
+              g.set_radii(g.radius * glm::exp(logarithms),
+                          glm::normalize(glm::dquat(random.uniform(-1.0, 1.0), axis)));
+            }));
+  Light sun{.intensity = glm::dvec3(2.0), .kind = light::Directional{-light_position}};
   add("directional", sun);
   sun.as<light::Directional>()->angular_diameter = 0.53;
   add("directional, disc of 0.53 degrees", sun);
-  Light area{.position = from, .intensity = glm::dvec3(30.0)};
-  area.kind = light::Rectangle{.direction = -from, .width = 1.0, .height = 0.7};
+  Light area{.position = light_position, .intensity = glm::dvec3(30.0)};
+  area.kind = light::Rectangle{.direction = -light_position, .width = 1.0, .height = 0.7};
   add("rectangle, 1 by 0.7 u, 3.9 u away", area);
   area.kind = light::Sphere{0.4};
   add("sphere of radius 0.4 u", area);
