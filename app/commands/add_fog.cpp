@@ -93,7 +93,7 @@ void add_haze(Document& document, const FogPlace& place) {
                           no_merge);
 }
 
-// As wide and high, and with Gaussians so far apart, relative to the place's size; it takes half of
+// The cloud's extent and spacing are relative to the place's size; it takes half of
 // the light that crosses it.
 FogShape cloud_on_ground(const Document& document, const FogPlace& place, double width,
                          double height, double spacing, double jitter) {

@@ -5,7 +5,6 @@
 #include <set>
 
 #include "app/commands/allowed_name.h"
-#include "app/commands/group_command.h"
 #include "app/commands/scene_part_command.h"
 #include "app/commands/select_command.h"
 #include "app/commands/undo_text.h"
@@ -27,10 +26,11 @@ QString name_of(const Group& group) {
 }
 
 // With a number if another group has it.
-QString free_group_name(const Groups& groups, const QString& name, GroupId own = 0) {
+QString free_group_name(const Groups& groups, const QString& name, GroupId own_group = 0) {
   return free_name(name, [&](const QString& text) {
-    return std::ranges::any_of(
-        groups, [&](const Group& group) { return group.id != own && name_of(group) == text; });
+    return std::ranges::any_of(groups, [&](const Group& group) {
+      return group.id != own_group && name_of(group) == text;
+    });
   });
 }
 
@@ -41,7 +41,8 @@ Group* find(Groups& groups, GroupId id) {
 
 void push(Document& document, Groups groups, MediumEdit edit, const QString& text) {
   if (groups == document.scene().groups && edit.empty()) return;
-  document.undo_stack().push(new GroupCommand(document, std::move(groups), std::move(edit), text));
+  document.undo_stack().push(
+      new ScenePartCommand(document, std::move(groups), std::move(edit), text));
 }
 
 // Puts Gaussians into the groups that `group_of` gives.
@@ -95,8 +96,8 @@ std::vector<GaussianId> members_of(const Document& document, GroupId group) {
   }
   std::vector<GaussianId> ids;
   for (std::size_t i = 0; i < medium.size(); ++i) {
-    const GroupId own = medium.group(i);
-    if (own <= last && is_chosen[own]) ids.push_back(medium.ids()[i]);
+    const GroupId own_group = medium.group(i);
+    if (own_group <= last && is_chosen[own_group]) ids.push_back(medium.ids()[i]);
   }
   return ids;
 }

@@ -1,8 +1,8 @@
 #include "app/commands/edit_splines.h"
 
 #include "app/commands/allowed_name.h"
+#include "app/commands/scene_part_command.h"
 #include "app/commands/select_command.h"
-#include "app/commands/spline_command.h"
 #include "app/commands/undo_text.h"
 #include "app/document/document.h"
 
@@ -35,7 +35,7 @@ void remove_spline(Document& document, SplineId id, bool with_fog, const QString
   }
   std::erase_if(splines, [id](const PaintedSpline& other) { return other.id == id; });
   document.undo_stack().push(
-      new SplineCommand(document, std::move(splines), std::move(edit), step, no_merge));
+      new ScenePartCommand(document, std::move(splines), std::move(edit), step));
 }
 
 }  // namespace
@@ -69,7 +69,7 @@ void rename_spline(Document& document, SplineId id, const QString& name) {
   const QString old_name = title_of(*spline);
   spline->name = free_spline_name(splines, trimmed, id);
   const QString text = undo_text("Rename %1 to %2").arg(old_name, title_of(*spline));
-  document.undo_stack().push(new SplineCommand(document, std::move(splines), {}, text, no_merge));
+  set_scene_part(document, std::move(splines), text);
 }
 
 void delete_spline(Document& document, SplineId spline) {

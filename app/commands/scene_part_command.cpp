@@ -6,28 +6,36 @@
 
 namespace brume {
 
-ScenePartCommand::ScenePartCommand(Document& document, ScenePart part, const QString& text,
-                                   MergeId merge_id)
+ScenePartCommand::ScenePartCommand(Document& document, ScenePart part, MediumEdit edit,
+                                   const QString& text, MergeId merge_id)
     : SceneCommand(document, text),
       before_(scene_part(document.scene(), part.index())),
       after_(std::move(part)),
+      edit_(std::move(edit)),
       merge_id_(merge_id) {
-  setObsolete(before_ == after_);
+  setObsolete(before_ == after_ && edit_.empty());
 }
 
+// The part first: listeners to the medium look at it.
 void ScenePartCommand::apply() {
-  document_.set_part(after_);
+  selection_before_ = document_.selection();
+  if (before_ != after_) document_.set_part(after_);
+  if (!edit_.empty()) document_.apply(edit_);
 }
 
 void ScenePartCommand::revert() {
-  document_.set_part(before_);
+  if (before_ != after_) document_.set_part(before_);
+  if (edit_.empty()) return;
+  document_.apply(edit_.inverted());
+  document_.select(selection_before_);
 }
 
 bool ScenePartCommand::merge(const SceneCommand& later) {
   const auto* command = dynamic_cast<const ScenePartCommand*>(&later);
   if (!command || command->after_.index() != after_.index()) return false;
   after_ = command->after_;
-  setObsolete(before_ == after_);
+  edit_.merge(command->edit_);
+  setObsolete(before_ == after_ && edit_.empty());
   return true;
 }
 
@@ -39,7 +47,7 @@ void set_scene_part(Document& document, ScenePart part, const QString& text, Mer
     return;
   }
   key_changes(before, part, document.time());
-  document.undo_stack().push(new ScenePartCommand(document, std::move(part), text, merge_id));
+  document.undo_stack().push(new ScenePartCommand(document, std::move(part), {}, text, merge_id));
 }
 
 }  // namespace brume

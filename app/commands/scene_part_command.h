@@ -3,13 +3,16 @@
 #include "app/commands/merge_id.h"
 #include "app/commands/scene_command.h"
 #include "app/document/scene_part.h"
+#include "brume/edits.h"
 
 namespace brume {
 
-// Replaces a part of the scene. No step if equal.
+// Replaces a part of the scene, and edits Gaussians that belong to it, as one step. No step if
+// nothing changes.
 class ScenePartCommand : public SceneCommand {
  public:
-  ScenePartCommand(Document& document, ScenePart part, const QString& text, MergeId merge_id);
+  ScenePartCommand(Document& document, ScenePart part, MediumEdit edit, const QString& text,
+                   MergeId merge_id = no_merge);
 
   [[nodiscard]] int id() const override { return merge_id_; }
 
@@ -21,7 +24,9 @@ class ScenePartCommand : public SceneCommand {
  private:
   ScenePart before_;
   ScenePart after_;
+  MediumEdit edit_;
   MergeId merge_id_;
+  std::vector<GaussianId> selection_before_;
 };
 
 // Replaces a part as one undo step, if the Gaussian budget allows. Sets keyframes for changed

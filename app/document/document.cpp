@@ -309,12 +309,6 @@ void Document::set_active_spline(SplineId id) {
   announce(Change::active_spline);
 }
 
-void Document::set_splines(std::vector<PaintedSpline> splines) {
-  scene_.splines = std::move(splines);
-  scene_changed();
-  announce(Change::splines);
-}
-
 void Document::apply(const MediumEdit& edit) {
   edit.apply(scene_.medium);
   scene_changed();
@@ -336,6 +330,10 @@ void Document::apply(const MediumEdit& edit) {
 
 void Document::set_part(const ScenePart& part) {
   set_scene_part(scene_, part);
+  if (std::holds_alternative<Splines>(part)) {
+    scene_changed();
+    return announce(Change::splines);
+  }
   apply_keys(scene_, time_);
   scene_changed();
   const auto last = [](const auto& list) { return std::max<std::size_t>(list.size(), 1) - 1; };

@@ -124,7 +124,6 @@ class Document : public QObject {
   // For commands only: changes without undo.
   void apply(const MediumEdit& edit);
   void set_part(const ScenePart& part);
-  void set_splines(std::vector<PaintedSpline> splines);
   void select(std::vector<GaussianId> ids);
   // Tells views that this changed, or that they should show again what is.
   void announce(Changes what) { Q_EMIT changed({.what = what}); }

@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <limits>
@@ -18,6 +19,33 @@ namespace {
 
 QString attribute_text(const char* text) {
   return QCoreApplication::translate("GaussianField", text);
+}
+
+struct AttributeInfo {
+  const char* title;
+  const NumberDomain& domain;
+};
+
+const AttributeInfo& info(GaussianAttribute field) {
+  // In the order of the enumeration.
+  static constexpr auto all = std::to_array<AttributeInfo>({
+      {QT_TRANSLATE_NOOP("GaussianField", "Center X"), domain::coordinate},
+      {QT_TRANSLATE_NOOP("GaussianField", "Center Y"), domain::coordinate},
+      {QT_TRANSLATE_NOOP("GaussianField", "Center Z"), domain::coordinate},
+      {QT_TRANSLATE_NOOP("GaussianField", "Radius"), domain::length},
+      {QT_TRANSLATE_NOOP("GaussianField", "Density"), domain::density},
+      {QT_TRANSLATE_NOOP("GaussianField", "Albedo"), domain::albedo},
+      {QT_TRANSLATE_NOOP("GaussianField", "Emission"), domain::intensity},
+      {QT_TRANSLATE_NOOP("GaussianField", "Radius X"), domain::length},
+      {QT_TRANSLATE_NOOP("GaussianField", "Radius Y"), domain::length},
+      {QT_TRANSLATE_NOOP("GaussianField", "Radius Z"), domain::length},
+      {QT_TRANSLATE_NOOP("GaussianField", "Rotation X"), domain::degrees},
+      {QT_TRANSLATE_NOOP("GaussianField", "Rotation Y"), domain::degrees},
+      {QT_TRANSLATE_NOOP("GaussianField", "Rotation Z"), domain::degrees},
+      {QT_TRANSLATE_NOOP("GaussianField", "Elongation"), domain::elongation},
+  });
+  static_assert(all.size() == gaussian_attributes.size());
+  return all[static_cast<std::size_t>(field)];
 }
 
 // Grey stays what it is, to the last bit.
@@ -37,74 +65,16 @@ double radius_along(const Gaussian& gaussian, int axis) {
 
 }  // namespace
 
-GaussianAttribute radius_attribute(int axis) {
-  return static_cast<GaussianAttribute>(static_cast<int>(GaussianAttribute::radius_x) + axis);
-}
-
-GaussianAttribute rotation_attribute(int axis) {
-  return static_cast<GaussianAttribute>(static_cast<int>(GaussianAttribute::rotation_x) + axis);
-}
-
 bool is_of_shape(GaussianAttribute field) {
   return field >= GaussianAttribute::radius_x;
 }
 
 const NumberDomain& attribute_domain(GaussianAttribute field) {
-  switch (field) {
-    case GaussianAttribute::radius:
-    case GaussianAttribute::radius_x:
-    case GaussianAttribute::radius_y:
-    case GaussianAttribute::radius_z:
-      return domain::length;
-    case GaussianAttribute::density:
-      return domain::density;
-    case GaussianAttribute::albedo:
-      return domain::albedo;
-    case GaussianAttribute::emission:
-      return domain::intensity;
-    case GaussianAttribute::rotation_x:
-    case GaussianAttribute::rotation_y:
-    case GaussianAttribute::rotation_z:
-      return domain::degrees;
-    case GaussianAttribute::elongation:
-      return domain::elongation;
-    default:
-      return domain::coordinate;
-  }
+  return info(field).domain;
 }
 
 QString attribute_title(GaussianAttribute field) {
-  switch (field) {
-    case GaussianAttribute::center_x:
-      return attribute_text("Center X");
-    case GaussianAttribute::center_y:
-      return attribute_text("Center Y");
-    case GaussianAttribute::center_z:
-      return attribute_text("Center Z");
-    case GaussianAttribute::radius:
-      return attribute_text("Radius");
-    case GaussianAttribute::density:
-      return attribute_text("Density");
-    case GaussianAttribute::albedo:
-      return attribute_text("Albedo");
-    case GaussianAttribute::emission:
-      return attribute_text("Emission");
-    case GaussianAttribute::radius_x:
-      return attribute_text("Radius X");
-    case GaussianAttribute::radius_y:
-      return attribute_text("Radius Y");
-    case GaussianAttribute::radius_z:
-      return attribute_text("Radius Z");
-    case GaussianAttribute::rotation_x:
-      return attribute_text("Rotation X");
-    case GaussianAttribute::rotation_y:
-      return attribute_text("Rotation Y");
-    case GaussianAttribute::rotation_z:
-      return attribute_text("Rotation Z");
-    case GaussianAttribute::elongation:
-      return attribute_text("Elongation");
-  }
-  return {};
+  return attribute_text(info(field).title);
 }
 
 QString attribute_name(GaussianAttribute field) {

@@ -38,9 +38,6 @@ inline constexpr std::array gaussian_attributes{
 // The first of them, which are all of a ball without optics of its own.
 inline constexpr std::size_t ball_attributes = 5;
 
-// The radius along an axis of its own, x, y or z.
-GaussianAttribute radius_attribute(int axis);
-GaussianAttribute rotation_attribute(int axis);
 // Whether it is one of the last, of which all balls have the same, or all those of one radius.
 bool is_of_shape(GaussianAttribute field);
 

@@ -96,9 +96,9 @@ void visit_key(ScenePart& part, const CurveId& curve, double time, auto&& visit)
       part, [&]<class T>(const char* name, const auto&, Keys<T>& keys, const NumberDomain& domain) {
         if (i++ != curve.value) return;
         if constexpr (!std::is_same_v<T, glm::dquat>) {
-          const auto at = find_key(keys, time);
-          if (at == keys.end() || curve.component >= components_of<T>) return;
-          visit(keys, static_cast<std::size_t>(at - keys.begin()), name, domain);
+          const auto found = find_key(keys, time);
+          if (found == keys.end() || curve.component >= components_of<T>) return;
+          visit(keys, static_cast<std::size_t>(found - keys.begin()), name, domain);
         }
       });
 }

@@ -110,8 +110,8 @@ void add_surface_tracks(std::vector<Track>& rows, const Surfaces& surfaces) {
 void visit_keys(ScenePart& part, const Track& row, std::span<const double> times, auto&& visit) {
   visit_row(part, row, [&](const auto&, auto& keys) {
     for (const double time : times) {
-      const auto at = find_key(keys, time);
-      if (at != keys.end()) visit(keys, static_cast<std::size_t>(at - keys.begin()));
+      const auto found = find_key(keys, time);
+      if (found != keys.end()) visit(keys, static_cast<std::size_t>(found - keys.begin()));
     }
   });
 }
@@ -255,8 +255,8 @@ bool may_have_tangents(const Scene& scene, const Track& row) {
 
 void set_keys(ScenePart& part, const Track& row, double time) {
   visit_row(part, row, [time]<class T>(const T& value, Keys<T>& keys) {
-    const auto at = find_key(keys, time);
-    Key<T> key = at != keys.end() ? *at : Key<T>{.time = time};
+    const auto found = find_key(keys, time);
+    Key<T> key = found != keys.end() ? *found : Key<T>{.time = time};
     key.value = value;
     // It goes on as the values did.
     for (const Key<T>& other : keys) {
@@ -276,11 +276,11 @@ void move_keys(ScenePart& part, const Track& row, std::span<const KeyMove> moves
   visit_row(part, row, [moves]<class T>(const T&, Keys<T>& keys) {
     Keys<T> moved;
     for (const KeyMove& move : moves) {
-      const auto at = find_key(keys, move.from);
-      if (at == keys.end()) continue;
-      moved.push_back(*at);
+      const auto found = find_key(keys, move.from);
+      if (found == keys.end()) continue;
+      moved.push_back(*found);
       moved.back().time = move.to;
-      keys.erase(at);
+      keys.erase(found);
     }
     for (const Key<T>& key : moved) set_key(keys, key);
   });

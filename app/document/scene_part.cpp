@@ -12,7 +12,8 @@ constexpr std::size_t first_whole = 3;
 template <class S>
 auto whole_parts(S& scene) {
   return std::tie(scene.lights, scene.environment, scene.optics, scene.surfaces, scene.emitters,
-                  scene.sequences, scene.playback, scene.film, scene.output, scene.groups);
+                  scene.sequences, scene.playback, scene.film, scene.output, scene.groups,
+                  scene.splines);
 }
 
 }  // namespace

@@ -12,6 +12,7 @@ using Surfaces = std::vector<Surface>;
 using Emitters = std::vector<Emitter>;
 using Sequences = std::vector<MediumSequence>;
 using Groups = std::vector<Group>;
+using Splines = std::vector<PaintedSpline>;
 struct KeyedCamera {
   Camera camera;
   CameraKeys keys;
@@ -34,7 +35,7 @@ struct CameraList {
 };
 using ScenePart = std::variant<KeyedCamera, KeyedDensity, CameraList, Lights,
                                std::optional<Environment>, MediumOptics, Surfaces, Emitters,
-                               Sequences, std::optional<Playback>, Film, Output, Groups>;
+                               Sequences, std::optional<Playback>, Film, Output, Groups, Splines>;
 
 // Reads the scene part of a variant index; and replaces a part.
 ScenePart scene_part(const Scene& scene, std::size_t index);

@@ -12,7 +12,7 @@ namespace brume {
 class ColorManagement : public QObject {
   Q_OBJECT
  public:
-  // As the settings have it; Brume's own if that cannot be used any more.
+  // Takes the choice of the settings; Brume's own view if that cannot be used any more.
   explicit ColorManagement(QObject* parent = nullptr);
 
   [[nodiscard]] const std::shared_ptr<const ColorView>& view() const { return view_; }

@@ -148,7 +148,7 @@ void FrameScheduler::ask_for_paths(FrameRequest& request) const {
   }
 }
 
-// As many as are chosen, or fewer if the output has fewer.
+// The samples are those that are chosen, or fewer if the output has fewer.
 Settings FrameScheduler::rest_settings(const Scene& scene) const {
   Settings settings = quality_.settings();
   const int most = chosen_samples(scene);

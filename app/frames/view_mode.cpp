@@ -216,9 +216,9 @@ QRgb false_color(double t) {
   };
   static constexpr std::array stops{Stop{12, 7, 50},    Stop{60, 40, 120},  Stop{38, 110, 140},
                                     Stop{50, 165, 110}, Stop{150, 205, 70}, Stop{253, 240, 160}};
-  const double at = std::clamp(t, 0.0, 1.0) * (stops.size() - 1);
-  const auto k = std::min(static_cast<std::size_t>(at), stops.size() - 2);
-  const double part = at - static_cast<double>(k);
+  const double place = std::clamp(t, 0.0, 1.0) * (stops.size() - 1);
+  const auto k = std::min(static_cast<std::size_t>(place), stops.size() - 2);
+  const double part = place - static_cast<double>(k);
   const auto mix = [part](double a, double b) {
     return static_cast<int>(std::lround(a + part * (b - a)));
   };

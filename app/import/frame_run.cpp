@@ -15,12 +15,13 @@ FrameRun frames_around(const std::filesystem::path& file) {
                      "differ in a number");
   }
   const std::vector<int> numbers = files->frames();
-  const auto at = std::find_if(numbers.begin(), numbers.end(),
-                               [&](int number) { return files->file_of(number) == file.string(); });
-  if (at == numbers.end()) throw InputError(file, "", "does not exist");
-  auto first = at;
+  const auto found = std::find_if(numbers.begin(), numbers.end(), [&](int number) {
+    return files->file_of(number) == file.string();
+  });
+  if (found == numbers.end()) throw InputError(file, "", "does not exist");
+  auto first = found;
   while (first != numbers.begin() && *(first - 1) == *first - 1) --first;
-  auto last = at;
+  auto last = found;
   while (last + 1 != numbers.end() && *(last + 1) == *last + 1) ++last;
   return {*files, *first, *last};
 }

@@ -1,5 +1,12 @@
-#include "app/import/vtk_reader.h"
+// brume-vtk-points FILE OUT.ply MAX_GAUSSIANS MAX_BYTES MAX_SECONDS [ids]: converts the points of a
+// VTK file to Gaussians, with ids on request, within limits of memory and CPU time. VTK trusts its
+// input and may crash or exhaust memory on damaged files. Exit code 0; 2 with the file's error on
+// standard output; anything else is a failure of VTK, described on standard error.
+// read_vtk_points() (app/import/vtk_points.h) starts it.
 
+#include <malloc.h>
+#include <sys/resource.h>
+#include <unistd.h>
 #include <vtkDataArray.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
@@ -15,11 +22,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <fstream>
 #include <string>
+#include <vector>
 
 #include "brume/error.h"
+#include "brume/gaussian.h"
 #include "core/io/disk/file_bytes.h"
 #include "core/io/gaussians/gaussian_columns.h"
+#include "core/io/gaussians/gaussian_ply.h"
+#include "core/io/import/parent_program.h"
 #include "core/io/text_scanner.h"
 
 namespace brume {
@@ -43,8 +59,8 @@ class Errors : public vtkOutputWindow {
   // Without the place in VTK's source that it begins with: "ERROR: In FILE, line N", then
   // "CLASS (ADDRESS): ".
   [[nodiscard]] std::string text() const {
-    const std::size_t at = first_.find("): ");
-    std::string text = at == std::string::npos ? first_ : first_.substr(at + 3);
+    const std::size_t place_end = first_.find("): ");
+    std::string text = place_end == std::string::npos ? first_ : first_.substr(place_end + 3);
     while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.pop_back();
     return quoted_text(text, 200);
   }
@@ -101,11 +117,9 @@ double default_radius(vtkPointSet& points) {
   return std::cbrt(volume / static_cast<double>(points.GetNumberOfPoints()));
 }
 
-}  // namespace
-
-std::vector<Gaussian> read_points_with_vtk(const std::filesystem::path& file,
-                                           std::vector<GaussianNumber>* ids,
-                                           std::size_t max_count) {
+// Throws InputError naming file and point.
+std::vector<Gaussian> gaussians_of(const std::filesystem::path& file,
+                                   std::vector<GaussianNumber>* ids, std::size_t max_count) {
   const vtkSmartPointer<vtkPointSet> points = read_points(file);
   const vtkIdType count = points->GetNumberOfPoints();
   if (count == 0) throw InputError(file, "", "has no points");
@@ -143,4 +157,43 @@ std::vector<Gaussian> read_points_with_vtk(const std::filesystem::path& file,
   return gaussians;
 }
 
+void limit(int resource, rlim_t value) {
+  const rlimit both{value, value};
+  setrlimit(static_cast<__rlimit_resource>(resource), &both);
+}
+
+// The libraries take this much of the address space.
+rlim_t address_space() {
+  rlim_t pages = 0;
+  std::ifstream("/proc/self/statm") >> pages;
+  return pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
+}
+
+}  // namespace
 }  // namespace brume
+
+int main(int argc, char* argv[]) {
+  if (argc < 6) return EXIT_FAILURE;
+  brume::end_with_parent();
+  setenv("VTK_SMP_BACKEND_IN_USE", "Sequential", 1);  // threads take much address space each
+  brume::limit(RLIMIT_AS, brume::address_space() + std::strtoull(argv[4], nullptr, 10));
+  brume::limit(RLIMIT_CPU, std::strtoull(argv[5], nullptr, 10));
+  brume::limit(RLIMIT_CORE, 0);
+#ifdef M_PERTURB
+  // Where an array ends too early VTK leaves memory as it was. Of 0x7f bytes are numbers that are
+  // in no domain of a Gaussian.
+  mallopt(M_PERTURB, 0x80);
+#endif
+  try {
+    std::vector<brume::GaussianNumber> ids;
+    const auto gaussians = brume::gaussians_of(argv[1], argc > 6 ? &ids : nullptr,
+                                               std::strtoull(argv[3], nullptr, 10));
+    brume::write_gaussians_ply(argv[2], gaussians, ids);
+    return EXIT_SUCCESS;
+  } catch (const brume::InputError& error) {
+    std::puts(error.what());
+    return 2;
+  } catch (const std::exception&) {
+    return EXIT_FAILURE;
+  }
+}

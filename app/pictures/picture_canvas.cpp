@@ -66,9 +66,9 @@ QRectF PictureCanvas::picture_rect() const {
 std::optional<QPoint> PictureCanvas::pixel_at(QPointF position) const {
   const QRectF rect = picture_rect();
   if (!a_ || !rect.contains(position)) return std::nullopt;
-  const QPointF at = (position - rect.topLeft()) / zoom_;
-  return QPoint(std::min(static_cast<int>(at.x()), a_->width - 1),
-                std::min(static_cast<int>(at.y()), a_->height - 1));
+  const QPointF pixel = (position - rect.topLeft()) / zoom_;
+  return QPoint(std::min(static_cast<int>(pixel.x()), a_->width - 1),
+                std::min(static_cast<int>(pixel.y()), a_->height - 1));
 }
 
 double PictureCanvas::divider_x() const {
@@ -159,10 +159,10 @@ void PictureCanvas::leaveEvent(QEvent* /*event*/) {
 void PictureCanvas::wheelEvent(QWheelEvent* event) {
   if (!a_) return;
   const QPointF from_center = event->position() - QPointF(0.5 * width(), 0.5 * height());
-  const QPointF at = center_ + from_center / zoom_;
+  const QPointF fixed_point = center_ + from_center / zoom_;
   fits_ = false;
   zoom_ = std::clamp(zoom_ * std::pow(1.0015, event->angleDelta().y()), min_zoom, max_zoom);
-  center_ = at - from_center / zoom_;  // what is under the mouse stays there
+  center_ = fixed_point - from_center / zoom_;  // what is under the mouse stays there
   update();
   event->accept();
 }

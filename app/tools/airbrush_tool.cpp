@@ -142,10 +142,10 @@ void AirbrushTool::spray() {
 }
 
 std::optional<Nozzle> AirbrushTool::nozzle_at(double fraction) const {
-  const double at = fraction * static_cast<double>(way_.size() - 1);
-  const auto before = std::min(static_cast<std::size_t>(at), way_.size() - 1);
+  const double place = fraction * static_cast<double>(way_.size() - 1);
+  const auto before = std::min(static_cast<std::size_t>(place), way_.size() - 1);
   const auto after = std::min(before + 1, way_.size() - 1);
-  const double share = at - static_cast<double>(before);
+  const double share = place - static_cast<double>(before);
   const auto point = paint_at(way_[before] + share * (way_[after] - way_[before]));
   if (!point) return std::nullopt;
   const glm::dvec3 direction = inside_ ? -point->normal : point->normal;

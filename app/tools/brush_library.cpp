@@ -93,10 +93,10 @@ struct LibraryFile {
     for (const LibraryKey& key : library_keys) {
       const QJsonValue number = object[QLatin1String(key.name)];
       if (number.isUndefined()) continue;
-      const QString at = QString("%1.%2").arg(place, key.name);
-      if (!number.isDouble()) refuse(at, QString("allowed: %1").arg(key.domain.allowed));
+      const QString member_place = QString("%1.%2").arg(place, key.name);
+      if (!number.isDouble()) refuse(member_place, QString("allowed: %1").arg(key.domain.allowed));
       if (!key.domain.contains(number.toDouble())) {
-        refuse(at, QString::fromStdString(key.domain.refusal(number.toDouble())));
+        refuse(member_place, QString::fromStdString(key.domain.refusal(number.toDouble())));
       }
       preset.*key.member = number.toDouble();
     }

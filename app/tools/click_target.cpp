@@ -14,9 +14,10 @@ std::optional<ObjectRef> object_at(const Document& document, View& view, QPointF
   const CameraRays rays = view.rays();
   const Emitters& emitters = document.scene().emitters;
   for (std::size_t k = 0; k < emitters.size(); ++k) {
-    const glm::dvec3 at = rays.project(emitters[k].position);
-    if (!emitters[k].locked && at.z > 0.0 &&
-        QLineF(QPointF(at.x, at.y), position).length() <= emitter_radius * handle_scale()) {
+    const glm::dvec3 projected = rays.project(emitters[k].position);
+    if (!emitters[k].locked && projected.z > 0.0 &&
+        QLineF(QPointF(projected.x, projected.y), position).length() <=
+            emitter_radius * handle_scale()) {
       return ObjectRef{ObjectRef::Kind::emitter, k};
     }
   }

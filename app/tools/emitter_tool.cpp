@@ -43,9 +43,9 @@ std::optional<std::size_t> EmitterTool::pick(QPointF position) const {
   const Emitters& emitters = document_.scene().emitters;
   for (std::size_t k = 0; k < emitters.size(); ++k) {
     if (emitters[k].locked) continue;
-    const glm::dvec3 at = rays.project(emitters[k].position);
-    if (at.z > 0.0 &&
-        QLineF(QPointF(at.x, at.y), position).length() <= pick_radius * handle_scale())
+    const glm::dvec3 projected = rays.project(emitters[k].position);
+    if (projected.z > 0.0 && QLineF(QPointF(projected.x, projected.y), position).length() <=
+                                 pick_radius * handle_scale())
       return k;
   }
   return std::nullopt;
@@ -100,10 +100,11 @@ void EmitterTool::draw(Overlay& overlay, const CameraRays& rays) const {
     const bool active = k == document_.active_emitter() || hovered_ == k;
     QColor color = active ? accent_color() : QColor(235, 238, 242);
     color.setAlpha(active ? 255 : 170);
-    const glm::dvec3 at = rays.project(emitter.position);
-    if (at.z > 0.0) {
-      overlay.add_circle(at.x, at.y, hovered_ == k ? 9.0 : 7.0, color.rgba());
-      overlay.marks.push_back({static_cast<float>(at.x), static_cast<float>(at.y), color.rgba()});
+    const glm::dvec3 projected = rays.project(emitter.position);
+    if (projected.z > 0.0) {
+      overlay.add_circle(projected.x, projected.y, hovered_ == k ? 9.0 : 7.0, color.rgba());
+      overlay.marks.push_back(
+          {static_cast<float>(projected.x), static_cast<float>(projected.y), color.rgba()});
     }
     for (int dot = 1; dot <= path_dots; ++dot) {
       const double age = emitter.lifetime * dot / path_dots;

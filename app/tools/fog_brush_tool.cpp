@@ -101,15 +101,16 @@ void FogBrushTool::append_images(std::vector<Gaussian>& images, const Gaussian& 
                                  const MirrorPlanes& planes, bool all) const {
   constexpr double same = 0.05;  // of the radius: one on the plane is painted once
   const Gaussian first = coloured(gaussian);
-  std::size_t own = 0;
+  std::size_t own_index = 0;
   for (const Gaussian& image : mirror_images(first, planes)) {
-    const bool coincides = std::any_of(
-        images.end() - static_cast<std::ptrdiff_t>(own), images.end(), [&](const Gaussian& other) {
-          return glm::distance(image.center, other.center) < same * first.radius;
-        });
+    const bool coincides =
+        std::any_of(images.end() - static_cast<std::ptrdiff_t>(own_index), images.end(),
+                    [&](const Gaussian& other) {
+                      return glm::distance(image.center, other.center) < same * first.radius;
+                    });
     if (!all && coincides) continue;
     images.push_back(image);
-    ++own;
+    ++own_index;
   }
 }
 

@@ -117,8 +117,9 @@ struct LightHandles::DrawnShape {
 namespace {
 
 double film_distance(const CameraRays& rays, const glm::dvec3& point, QPointF position) {
-  const glm::dvec3 at = rays.project(point);
-  return at.z > 0.0 ? QLineF(QPointF(at.x, at.y), position).length() : infinity;
+  const glm::dvec3 projected = rays.project(point);
+  return projected.z > 0.0 ? QLineF(QPointF(projected.x, projected.y), position).length()
+                           : infinity;
 }
 
 }  // namespace
@@ -127,9 +128,10 @@ std::optional<LightHandles::Handle> LightHandles::pick(const CameraRays& rays,
                                                        QPointF position) const {
   const auto& lights = document_.scene().lights;
   for (std::size_t k = 0; k < lights.size(); ++k) {
-    const glm::dvec3 at = rays.project(handle_position(lights[k], document_.scene(), rays.eye()));
-    if (at.z <= 0.0 || lights[k].locked) continue;
-    const double distance = QLineF(QPointF(at.x, at.y), position).length();
+    const glm::dvec3 projected =
+        rays.project(handle_position(lights[k], document_.scene(), rays.eye()));
+    if (projected.z <= 0.0 || lights[k].locked) continue;
+    const double distance = QLineF(QPointF(projected.x, projected.y), position).length();
     if (distance <= sun_radius() + 3.0) return Handle{k, Part::light};
     if (k != document_.active_light()) continue;
     const DrawnShape shape(lights[k], rays);
@@ -172,14 +174,17 @@ void LightHandles::move(const CameraRays& rays, QPointF position) {
       change_light(document_, handle.light, undo_text("Turn %1"), merge_id,
                    [&](Light& l) { turn(l, direction); });
     } else {
-      const glm::dvec3 at = rays.project(before.as<light::Spot>() ? shape.target : before.position);
-      const double begin = QLineF(QPointF(at.x, at.y), start).length();
-      const double now = QLineF(QPointF(at.x, at.y), position).length();
+      const glm::dvec3 projected =
+          rays.project(before.as<light::Spot>() ? shape.target : before.position);
+      const double begin = QLineF(QPointF(projected.x, projected.y), start).length();
+      const double now = QLineF(QPointF(projected.x, projected.y), position).length();
       open_or_scale(shape, now / std::max(begin, 1.0));
     }
   } else if (handle.part == Part::ring) {
-    const glm::dvec3 at = rays.project(handle_position(before, document_.scene(), rays.eye()));
-    const double strength = strength_of(QLineF(QPointF(at.x, at.y), position).length());
+    const glm::dvec3 projected =
+        rays.project(handle_position(before, document_.scene(), rays.eye()));
+    const double strength =
+        strength_of(QLineF(QPointF(projected.x, projected.y), position).length());
     change_light(document_, handle.light, undo_text("Set intensity of %1"), merge_id,
                  [&](Light& l) { l.intensity = strength * light_color(before); });
   } else if (before.as<light::Directional>()) {
@@ -227,18 +232,19 @@ void LightHandles::cancel() {
 void LightHandles::draw(Overlay& overlay, const CameraRays& rays) const {
   const auto& lights = document_.scene().lights;
   for (std::size_t k = 0; k < lights.size(); ++k) {
-    const glm::dvec3 at = rays.project(handle_position(lights[k], document_.scene(), rays.eye()));
-    if (at.z <= 0.0) continue;
+    const glm::dvec3 projected =
+        rays.project(handle_position(lights[k], document_.scene(), rays.eye()));
+    if (projected.z <= 0.0) continue;
     const QColor color = to_color(light_color(lights[k]));
     const int alpha = lights[k].on ? 230 : 90;
     const QRgb rgba = qRgba(color.red(), color.green(), color.blue(), alpha);
     const bool hovered = hovered_ && hovered_->light == k;
-    overlay.add_circle(at.x, at.y, sun_radius(), rgba);
+    overlay.add_circle(projected.x, projected.y, sun_radius(), rgba);
     for (int ray = 0; ray < 8; ++ray) {
       const double angle = glm::two_pi<double>() * ray / 8;
       const auto point = [&](double radius) {
-        return Overlay::Vertex{static_cast<float>(at.x + radius * std::cos(angle)),
-                               static_cast<float>(at.y + radius * std::sin(angle)), rgba};
+        return Overlay::Vertex{static_cast<float>(projected.x + radius * std::cos(angle)),
+                               static_cast<float>(projected.y + radius * std::sin(angle)), rgba};
       };
       overlay.lines.push_back(point(sun_radius() + 2.0));
       overlay.lines.push_back(point(sun_radius() + (hovered ? 7.0 : 5.0)));
@@ -270,7 +276,7 @@ void LightHandles::draw(Overlay& overlay, const CameraRays& rays) const {
     }
     if (k == document_.active_light()) {
       const bool bright = hovered && hovered_->part == Part::ring;
-      overlay.add_circle(at.x, at.y, ring_radius(light_strength(lights[k])),
+      overlay.add_circle(projected.x, projected.y, ring_radius(light_strength(lights[k])),
                          qRgba(color.red(), color.green(), color.blue(), bright ? 255 : 120));
     }
   }

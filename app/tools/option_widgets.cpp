@@ -49,7 +49,7 @@ void add_target(QHBoxLayout& row, Tool& tool, const QString& prefix,
         target.plane = static_cast<PaintPlane>(index);
         set(target);
       });
-  ValueField* at = add_number(
+  ValueField* field = add_number(
       row, tool,
       {Tool::tr("at"), prefix + "_position", domain::coordinate, ValueField::Scale::linear, 0.01},
       [get] { return get().position; },
@@ -58,9 +58,9 @@ void add_target(QHBoxLayout& row, Tool& tool, const QString& prefix,
         target.position = value;
         set(target);
       });
-  at->number().show_length_unit();
-  const auto show = [at, get] { at->setVisible(get().has_position()); };
-  QObject::connect(&tool, &Tool::options_changed, at, show);
+  field->number().show_length_unit();
+  const auto show = [field, get] { field->setVisible(get().has_position()); };
+  QObject::connect(&tool, &Tool::options_changed, field, show);
   show();
 }
 

@@ -82,12 +82,12 @@ void add_brush_cursor(Overlay& overlay, const CameraRays& rays, const PaintPoint
       const double center = std::hypot(k, j + 0.5) / cells;
       if (center >= 1.0) continue;
       const QRgb color = qRgba(255, 255, 255, static_cast<int>(70.0 * (1.0 - center)));
-      const glm::dvec3 at = point.position;
+      const glm::dvec3 pivot = point.position;
       const double a = radius * k;
       const double b = radius * j;
       const double c = radius * (j + 1);
-      overlay.add_line(rays, at + a * u + b * v, at + a * u + c * v, color);
-      overlay.add_line(rays, at + b * u + a * v, at + c * u + a * v, color);
+      overlay.add_line(rays, pivot + a * u + b * v, pivot + a * u + c * v, color);
+      overlay.add_line(rays, pivot + b * u + a * v, pivot + c * u + a * v, color);
     }
   }
 }

@@ -118,8 +118,9 @@ void SelectTool::draw(Overlay& overlay, const CameraRays& rays) const {
   lights_.draw(overlay, rays);
   const Scene& scene = document_.scene();
   for (std::size_t k = 0; k < scene.emitters.size(); ++k) {
-    const glm::dvec3 at = rays.project(scene.emitters[k].position);
-    if (at.z > 0.0) overlay.add_circle(at.x, at.y, emitter_radius * handle_scale(), emitter_color);
+    const glm::dvec3 projected = rays.project(scene.emitters[k].position);
+    if (projected.z > 0.0)
+      overlay.add_circle(projected.x, projected.y, emitter_radius * handle_scale(), emitter_color);
   }
   const auto& object = document_.object();
   if (object) add_object_outline(overlay, rays, scene, *object, object_color);

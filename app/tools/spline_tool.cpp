@@ -9,7 +9,7 @@
 
 #include "app/commands/edit_splines.h"
 #include "app/commands/gaussian_budget.h"
-#include "app/commands/spline_command.h"
+#include "app/commands/scene_part_command.h"
 #include "app/document/document.h"
 #include "app/view/overlay.h"
 #include "app/view/view.h"
@@ -94,9 +94,9 @@ std::optional<std::size_t> SplineTool::pick(QPointF position) const {
   std::optional<std::size_t> nearest;
   double reach = point_reach * handle_scale();
   for (std::size_t k = 0; k < spline().points.size(); ++k) {
-    const glm::dvec3 at = rays.project(spline().points[k]);
-    const double distance = QLineF(position, QPointF(at.x, at.y)).length();
-    if (at.z <= 0.0 || distance > reach) continue;
+    const glm::dvec3 projected = rays.project(spline().points[k]);
+    const double distance = QLineF(position, QPointF(projected.x, projected.y)).length();
+    if (projected.z <= 0.0 || distance > reach) continue;
     nearest = k;
     reach = distance;
   }
@@ -225,7 +225,7 @@ void SplineTool::repaint(std::vector<glm::dvec3> points, const QString& text, Me
   }
   mirrored_ = stroke_options();
   document_.undo_stack().push(
-      new SplineCommand(document_, std::move(splines), std::move(edit), text, merge_id));
+      new ScenePartCommand(document_, std::move(splines), std::move(edit), text, merge_id));
   if (before.id == 0) {
     const std::optional<std::size_t> dragged = dragged_;
     document_.set_active_spline(id);
@@ -247,12 +247,13 @@ void SplineTool::draw(Overlay& overlay, const CameraRays& rays) const {
     overlay.add_line(rays, samples[k - 1], samples[k], line);
   }
   for (std::size_t k = 0; k < points.size(); ++k) {
-    const glm::dvec3 at = rays.project(points[k]);
-    if (at.z <= 0.0) continue;
+    const glm::dvec3 projected = rays.project(points[k]);
+    if (projected.z <= 0.0) continue;
     const bool is_active = k == dragged_ || (!dragged_ && k == hovered_);
     const QRgb color = is_active ? qRgb(255, 255, 255) : accent.rgb();
-    overlay.marks.push_back({static_cast<float>(at.x), static_cast<float>(at.y), color});
-    overlay.add_circle(at.x, at.y, (is_active ? 7.0 : 5.0) * handle_scale(), color);
+    overlay.marks.push_back(
+        {static_cast<float>(projected.x), static_cast<float>(projected.y), color});
+    overlay.add_circle(projected.x, projected.y, (is_active ? 7.0 : 5.0) * handle_scale(), color);
   }
 }
 

@@ -18,7 +18,6 @@ class TransformTool : public SelectTool {
       : SelectTool(document, view), kind_(kind) {}
 
   // How far from the selection Gaussians are taken along [u]; 0: none.
-  [[nodiscard]] double soft_radius() const { return soft_radius_; }
   void set_soft_radius(double radius);
 
   void add_options(QHBoxLayout& row) override;

@@ -60,13 +60,13 @@ void add_ground_grid(Overlay& overlay, const Camera& camera, const Film& film, d
                                    : QColor(96, 146, 236);
     const long long start = (along_x ? middle_x : middle_z) - grid_cells;
     const double across = static_cast<double>(k) * step;
-    const auto at = [&](long long i) {
+    const auto line_at = [&](long long i) {
       const double along = static_cast<double>(i) * step;
       return along_x ? glm::dvec3(along, 0.0, across) : glm::dvec3(across, 0.0, along);
     };
     for (long long i = start; i < start + 2 * grid_cells; ++i) {
-      const glm::dvec3 a = at(i);
-      const glm::dvec3 b = at(i + 1);
+      const glm::dvec3 a = line_at(i);
+      const glm::dvec3 b = line_at(i + 1);
       const glm::dvec3 center = 0.5 * (a + b);
       const double from_middle =
           std::hypot(center.x - camera.target.x, center.z - camera.target.z) / (grid_cells * step);

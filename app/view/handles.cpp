@@ -62,10 +62,10 @@ void Handles::set_depth(const CameraRays& rays, const Frame& frame) {
 bool Handles::is_behind_surface(const glm::dvec3& center) const {
   if (!depth_) return false;
   const auto& [rays, film, depth] = *depth_;
-  const glm::dvec3 at = rays.project(center);
-  const double x = std::floor(at.x);
-  const double y = std::floor(at.y);
-  if (at.z <= 0.0 || x < 0.0 || y < 0.0 || x >= film.width || y >= film.height) return false;
+  const glm::dvec3 projected = rays.project(center);
+  const double x = std::floor(projected.x);
+  const double y = std::floor(projected.y);
+  if (projected.z <= 0.0 || x < 0.0 || y < 0.0 || x >= film.width || y >= film.height) return false;
   const auto pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(film.width) +
                      static_cast<std::size_t>(x);
   return rays.distance_to(center) > static_cast<double>(depth[pixel]);
@@ -137,12 +137,12 @@ void Handles::draw(Overlay& overlay, const Medium& medium, const CameraRays& ray
       add_dot(shapes, i, with_alpha(accent, dim ? mark_alpha / 2 : mark_alpha));
     }
   }
-  const auto at = hovered && with_centers ? medium.index_of(*hovered) : std::nullopt;
-  if (!at || is_hidden(*at)) return;
-  const glm::dvec3 p = rays.project(medium.centers()[*at]);
+  const auto hovered_index = hovered && with_centers ? medium.index_of(*hovered) : std::nullopt;
+  if (!hovered_index || is_hidden(*hovered_index)) return;
+  const glm::dvec3 p = rays.project(medium.centers()[*hovered_index]);
   if (p.z <= 0.0) return;
   if (!std::ranges::binary_search(selected, *hovered)) {
-    overlay.add_outline(rays, medium.gaussian(*at), with_alpha(plain, 90));
+    overlay.add_outline(rays, medium.gaussian(*hovered_index), with_alpha(plain, 90));
   }
   overlay.add_circle(p.x, p.y, 7.0, with_alpha(plain, 255));
 }

@@ -40,11 +40,11 @@ Camera pan(const Camera& camera, const Film& film, glm::dvec2 pixels) {
   const double distance = std::max(target_distance(camera), 1e-12);
   const double cx = 0.5 * film.width;
   const double cy = 0.5 * film.height;
-  const auto at = [&](double x, double y) {
+  const auto point_at = [&](double x, double y) {
     const glm::dvec3 direction = rays.direction(x, y);
     return rays.offset(x, y) + direction * (distance / glm::dot(direction, rays.forward()));
   };
-  const glm::dvec3 shift = at(cx, cy) - at(cx + pixels.x, cy + pixels.y);
+  const glm::dvec3 shift = point_at(cx, cy) - point_at(cx + pixels.x, cy + pixels.y);
   Camera result = camera;
   result.eye += shift;
   result.target += shift;

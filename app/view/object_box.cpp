@@ -54,8 +54,9 @@ glm::dvec3 object_center(const Scene& scene, const ObjectRef& ref, const glm::dv
 void add_object_outline(Overlay& overlay, const CameraRays& rays, const Scene& scene,
                         const ObjectRef& ref, QRgb color) {
   if (ref.kind != ObjectRef::Kind::surface) {
-    const glm::dvec3 at = rays.project(object_center(scene, ref, rays.eye()));
-    if (at.z > 0.0) overlay.add_circle(at.x, at.y, ring_radius * handle_scale(), color);
+    const glm::dvec3 projected = rays.project(object_center(scene, ref, rays.eye()));
+    if (projected.z > 0.0)
+      overlay.add_circle(projected.x, projected.y, ring_radius * handle_scale(), color);
     return;
   }
   const auto corners = box_corners(scene.surfaces.at(ref.index));

@@ -53,14 +53,14 @@ float Overlay::line_width() {
 
 void Overlay::add_circle(double x, double y, double radius, QRgb color) {
   const int segments = std::clamp(static_cast<int>(radius * 2.0), 12, 64);
-  const auto at = [&](int k) {
+  const auto point_at = [&](int k) {
     const double angle = glm::two_pi<double>() * k / segments;
     return Vertex{static_cast<float>(x + radius * std::cos(angle)),
                   static_cast<float>(y + radius * std::sin(angle)), color};
   };
   for (int k = 0; k < segments; ++k) {
-    lines.push_back(at(k));
-    lines.push_back(at(k + 1));
+    lines.push_back(point_at(k));
+    lines.push_back(point_at(k + 1));
   }
 }
 
@@ -90,15 +90,15 @@ void Overlay::add_outline(const CameraRays& rays, const Gaussian& gaussian, QRgb
   glm::dmat3 frame(circle * plane.u, circle * plane.v, axis * (-radius * sine));
   if (!is_ball) frame = inverse_warp(gaussian.shape) * frame;
   const glm::dvec3 middle = gaussian.center + frame[2];
-  const auto at = [&](double turn) {
+  const auto point_at = [&](double turn) {
     const double angle = glm::two_pi<double>() * turn;
     return rays.project(middle + std::cos(angle) * frame[0] + std::sin(angle) * frame[1]);
   };
-  glm::dvec3 last = at(0.0);
-  const int segments =
-      outline_segments(std::max(film_distance(last, at(0.5)), film_distance(at(0.25), at(0.75))));
+  glm::dvec3 last = point_at(0.0);
+  const int segments = outline_segments(
+      std::max(film_distance(last, point_at(0.5)), film_distance(point_at(0.25), point_at(0.75))));
   for (int k = 1; k <= segments; ++k) {
-    const glm::dvec3 next = at(static_cast<double>(k) / segments);
+    const glm::dvec3 next = point_at(static_cast<double>(k) / segments);
     if (last.z > 0.0 && next.z > 0.0) {
       lines.push_back({static_cast<float>(last.x), static_cast<float>(last.y), color});
       lines.push_back({static_cast<float>(next.x), static_cast<float>(next.y), color});
@@ -111,14 +111,14 @@ void add_axes(Overlay& overlay, const CameraRays& rays, const Film& film) {
   constexpr double length = 26.0;
   const glm::dvec3 forward = rays.forward();
   // Right and up of the film, from rays through it: CameraRays keeps its own to itself.
-  const auto at = [&](double x, double y) {
+  const auto point_at = [&](double x, double y) {
     const glm::dvec3 d = rays.direction(x, y);
     return rays.offset(x, y) + d / glm::dot(d, forward);
   };
   const double cx = 0.5 * film.width;
   const double cy = 0.5 * film.height;
-  const glm::dvec3 right = glm::normalize(at(cx + 1.0, cy) - at(cx, cy));
-  const glm::dvec3 up = glm::normalize(at(cx, cy - 1.0) - at(cx, cy));
+  const glm::dvec3 right = glm::normalize(point_at(cx + 1.0, cy) - point_at(cx, cy));
+  const glm::dvec3 up = glm::normalize(point_at(cx, cy - 1.0) - point_at(cx, cy));
   const float x = 38.0F;
   const float y = static_cast<float>(film.height) - 38.0F;
   struct Axis {

@@ -46,8 +46,8 @@ void Legend::paintEvent(QPaintEvent* /*event*/) {
   const QRect below(inside.left(), bar.bottom() + 2, inside.width(), line);
   for (qsizetype k = 0; k < scale_.ticks.size(); ++k) {
     const int width = fontMetrics().horizontalAdvance(scale_.ticks[k]) + 2;
-    const int at = static_cast<int>(k * (below.width() - 1) / (scale_.ticks.size() - 1));
-    const int left = std::clamp(at - width / 2, 0, below.width() - width);
+    const int column = static_cast<int>(k * (below.width() - 1) / (scale_.ticks.size() - 1));
+    const int left = std::clamp(column - width / 2, 0, below.width() - width);
     painter.drawText(QRect(below.left() + left, below.top(), width, line), Qt::AlignCenter,
                      scale_.ticks[k]);
   }

@@ -72,10 +72,10 @@ void ValueField::change(double steps, Qt::KeyboardModifiers modifiers) {
   if (modifiers.testFlag(Qt::ControlModifier)) steps *= 0.1;
   if (modifiers.testFlag(Qt::ShiftModifier)) steps *= 10.0;
   // From 0, which no factor moves, to something small that one does.
-  const double from =
+  const double start =
       scale_ == Scale::logarithmic && *value_ == 0.0 && steps > 0.0 ? 1e-3 : *value_;
   double value =
-      scale_ == Scale::linear ? from + steps * step_ : from * std::pow(1.0 + step_, steps);
+      scale_ == Scale::linear ? start + steps * step_ : start * std::pow(1.0 + step_, steps);
   value = std::clamp(rounded(value, 4), domain_.min_value, domain_.max_value);
   if (!domain_.contains(value) || value == *value_) return;
   value_ = value;

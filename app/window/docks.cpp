@@ -1,8 +1,11 @@
 #include "app/window/docks.h"
 
+#include <QCoreApplication>
 #include <QDockWidget>
 #include <QMainWindow>
 #include <QScrollArea>
+#include <QStyle>
+#include <QUndoView>
 #include <array>
 
 #include "app/document/document.h"
@@ -12,7 +15,6 @@
 #include "app/panels/forms/material_panel.h"
 #include "app/panels/forms/medium_panel.h"
 #include "app/panels/gaussians/gaussian_panel.h"
-#include "app/panels/lists/history_panel.h"
 #include "app/panels/plots/contribution_panel.h"
 #include "app/panels/plots/performance_panel.h"
 #include "app/panels/time/curve_panel.h"
@@ -23,6 +25,17 @@
 
 namespace brume {
 namespace {
+
+// The undo history; a disk icon marks the saved state.
+QUndoView* history_view(QUndoStack& stack) {
+  auto* view = new QUndoView(&stack);
+  const int size = view->fontMetrics().height();
+  view->setIconSize({size, size});
+  view->setUniformItemSizes(true);
+  view->setEmptyLabel(QCoreApplication::translate("Docks", "As opened"));
+  view->setCleanIcon(view->style()->standardIcon(QStyle::SP_DialogSaveButton));
+  return view;
+}
 
 // Panels that a small screen may be too low for.
 QWidget* scrolled(QWidget* panel) {
@@ -88,8 +101,7 @@ void Docks::add_scene_panels() {
 
 void Docks::add_frame_panels(FrameOutput& output) {
   ViewGrid& views = work_.views;
-  QDockWidget* history =
-      add(tr("History"), "history", new HistoryPanel(work_.document.undo_stack()));
+  QDockWidget* history = add(tr("History"), "history", history_view(work_.document.undo_stack()));
   auto* performance_panel =
       new PerformancePanel([&views]() -> const FrameScheduler& { return views.active().frames(); });
   views.set_max_error(performance_panel->max_error());

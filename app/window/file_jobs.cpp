@@ -1,9 +1,15 @@
 #include "app/window/file_jobs.h"
 
+#include <QCoreApplication>
 #include <QDropEvent>
 #include <QFileDialog>
 #include <QMimeData>
 
+#include "app/commands/edit_lights.h"
+#include "app/commands/scene_part_command.h"
+#include "app/commands/simplify_gaussians.h"
+#include "app/document/gaussian_attribute.h"
+#include "app/document/number_text.h"
 #include "app/document/paths.h"
 #include "app/document/timeline.h"
 #include "app/export/medium_dialog.h"
@@ -11,11 +17,11 @@
 #include "app/files/scene_files.h"
 #include "app/import/imported_reload.h"
 #include "app/import/scene_import.h"
+#include "app/view/bounds.h"
 #include "app/viewport/view_grid.h"
 #include "app/window/dialogs/simplify_dialog.h"
-#include "app/window/dialogs/simplify_job.h"
-#include "app/window/pages/light_new_scene.h"
 #include "app/window/pages/message_bar.h"
+#include "core/authoring/simplify.h"
 #include "core/io/disk/file_bytes.h"
 #include "core/io/scene/gather.h"
 #include "core/io/scene/scene_files.h"
@@ -25,6 +31,62 @@ namespace {
 
 bool is_scene(const std::filesystem::path& file) {
   return lower_case_extension(file) == ".brume";
+}
+
+// Does nothing once anything else than the light of File > New may light the scene. Otherwise that
+// light moves outside the scene's contents, brighter by the square of the distance, and the camera
+// frames them unless it is no longer the one of File > New or the view has moved. Without this,
+// most meshes hold that light and that camera inside. Steps of the caller's macro.
+// `framed`: the view where this last left it; undo does not move views.
+void light_new_scene(Document& document, View& view, Camera& framed) {
+  const Scene& scene = document.scene();
+  if (scene.environment || scene.lights != new_scene().lights) return;
+  const auto sphere = bounding_sphere(scene);
+  if (!sphere) return;
+  const bool is_new_camera =
+      KeyedCamera{scene.camera, scene.camera_keys} == KeyedCamera{new_scene().camera, {}};
+  if (is_new_camera && (view.camera() == scene.camera || view.camera() == framed)) {
+    view.camera_controller().frame_all();
+    framed = view.camera();
+    set_scene_part(document, KeyedCamera{framed, {}}, {});
+  }
+  const Light light = light_outside(sphere->center, sphere->radius, view.camera().eye);
+  set_scene_part(document, Lights{light}, {});
+}
+
+QString simplify_text(const char* source) {
+  return QCoreApplication::translate("Simplify", source);
+}
+
+// Background work that simplifies what to_simplify() chooses, within limits. `tell` is called
+// with how many Gaussians became how many, and the error. Nothing is merged if the fog is edited
+// meanwhile.
+BackgroundJob::Work simplifying(Document& document, const SimplifyLimits& limits,
+                                const std::function<void(const QString&)>& tell) {
+  const std::vector<GaussianId> ids = to_simplify(document);
+  Medium chosen;
+  chosen.reserve(ids.size());
+  for (const GaussianId id : ids) {
+    chosen.append(document.medium().gaussian(*document.medium().index_of(id)));
+  }
+  const Revision revision = document.medium().revision();
+  return [=, &document](const Job& job) -> BackgroundJob::Apply {
+    const auto found = simplify(chosen, limits, job.stop, job.progress);
+    if (!found) return {};
+    return [=, &document, found = *found] {
+      if (document.medium().revision() != revision) {
+        tell(simplify_text("The fog has changed meanwhile; nothing is simplified"));
+      } else if (found.merged.empty()) {
+        tell(simplify_text("No Gaussians can be merged within this error"));
+      } else {
+        apply_simplified(document, ids, found);
+        tell(simplify_text("%1 became %2, with an error of %3%")
+                 .arg(gaussians_text(ids.size()))
+                 .arg(found.kept.size() + found.merged.size())
+                 .arg(number_text(100.0 * found.error)));
+      }
+    };
+  };
 }
 
 }  // namespace

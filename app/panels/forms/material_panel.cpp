@@ -93,7 +93,7 @@ void MaterialPanel::change(const QString& text, MergeId gesture,
   change_shown(text, gesture, [&](Surface& s) { how(s.material); });
 }
 
-// As entered, while they give the surface's rotation: other angles may give it, too.
+// The entered angles stay while they give the surface's rotation: other angles may give it, too.
 glm::dvec3 MaterialPanel::angles() const {
   return from_euler_angles(entered_angles_) == surface()->rotate
              ? entered_angles_

@@ -166,7 +166,7 @@ void GaussianForm::add_field(std::size_t k) {
 }
 
 void GaussianForm::set(GaussianAttribute field, double value, MergeId gesture) {
-  if (field >= rotation_attribute(0)) {
+  if (field >= GaussianAttribute::rotation_x) {
     const std::vector<GaussianId> turned = selected_ellipsoids();
     return rotate(
         turned, field, [value](double) { return value; },
@@ -192,7 +192,7 @@ void GaussianForm::set(GaussianAttribute field, double value, MergeId gesture) {
 }
 
 void GaussianForm::adjust(GaussianAttribute field, const Adjustment& adjustment) {
-  if (field < rotation_attribute(0)) {
+  if (field < GaussianAttribute::rotation_x) {
     const std::vector<GaussianId> ids = document_.selection();
     return adjust_attribute(document_, ids, field, adjustment);
   }
@@ -214,7 +214,7 @@ std::vector<GaussianId> GaussianForm::selected_ellipsoids() const {
 void GaussianForm::rotate(std::span<const GaussianId> ids, GaussianAttribute field,
                           const std::function<double(double)>& becomes, const QString& text,
                           MergeId gesture) {
-  const int axis = static_cast<int>(field) - static_cast<int>(rotation_attribute(0));
+  const int axis = static_cast<int>(field) - static_cast<int>(GaussianAttribute::rotation_x);
   const NumberDomain& domain = attribute_domain(field);
   std::vector<Gaussian> after;
   after.reserve(ids.size());

@@ -249,8 +249,9 @@ void GaussianHistogram::select_range(QPointF to) {
   const double high = drag_axis_.at(right);
   std::vector<GaussianId> inside;
   for (std::size_t i = 0; i < document_.medium().size(); ++i) {
-    const double own = value(i);
-    if (own >= low && own <= high) inside.push_back(document_.medium().ids()[i]);
+    const double gaussian_value = value(i);
+    if (gaussian_value >= low && gaussian_value <= high)
+      inside.push_back(document_.medium().ids()[i]);
   }
   const SelectMode mode = modifiers_.testFlag(Qt::ShiftModifier)     ? SelectMode::add
                           : modifiers_.testFlag(Qt::ControlModifier) ? SelectMode::remove

@@ -58,8 +58,8 @@ void GaussianRows::insert(std::size_t first, std::size_t count) {
 }
 
 void GaussianRows::erase(std::size_t first, std::size_t count) {
-  const auto from = ids_.begin() + static_cast<std::ptrdiff_t>(first);
-  ids_.erase(from, from + static_cast<std::ptrdiff_t>(count));
+  const auto range_begin = ids_.begin() + static_cast<std::ptrdiff_t>(first);
+  ids_.erase(range_begin, range_begin + static_cast<std::ptrdiff_t>(count));
 }
 
 bool GaussianRows::depends_on(int column) const {
@@ -69,17 +69,17 @@ bool GaussianRows::depends_on(int column) const {
 
 std::optional<int> GaussianRows::row(GaussianId id) const {
   if (column_ < 0) {
-    const auto at = std::ranges::lower_bound(ids_, id);
-    if (at == ids_.end() || *at != id) return std::nullopt;
-    return static_cast<int>(at - ids_.begin());
+    const auto found = std::ranges::lower_bound(ids_, id);
+    if (found == ids_.end() || *found != id) return std::nullopt;
+    return static_cast<int>(found - ids_.begin());
   }
   if (places_.empty()) {
     places_.reserve(ids_.size());
     for (const GaussianId each : ids_) places_.push_back({each, static_cast<int>(places_.size())});
     std::ranges::sort(places_, {}, &Place::id);
   }
-  const auto at = std::ranges::lower_bound(places_, id, {}, &Place::id);
-  return at == places_.end() || at->id != id ? std::nullopt : std::optional(at->row);
+  const auto found = std::ranges::lower_bound(places_, id, {}, &Place::id);
+  return found == places_.end() || found->id != id ? std::nullopt : std::optional(found->row);
 }
 
 void GaussianRows::rank_groups() {

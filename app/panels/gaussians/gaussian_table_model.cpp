@@ -149,8 +149,8 @@ bool GaussianTableModel::follow_changes(const MediumEdit& edit) {
 }
 
 void GaussianTableModel::follow_albedo() {
-  const auto at = std::ranges::find(gaussian_attributes, GaussianAttribute::albedo);
-  follow_column(static_cast<int>(at - gaussian_attributes.begin()));
+  const auto found = std::ranges::find(gaussian_attributes, GaussianAttribute::albedo);
+  follow_column(static_cast<int>(found - gaussian_attributes.begin()));
 }
 
 void GaussianTableModel::follow_groups() {
@@ -176,13 +176,13 @@ QVariant GaussianTableModel::data(const QModelIndex& index, int role) const {
     const bool is_text = index.column() == group_column;
     return static_cast<int>((is_text ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
   }
-  const auto at = document_.medium().index_of(id(index.row()));
-  if (!at) return {};
-  if (index.column() == group_column) return group_data(document_.medium().group(*at), role);
+  const auto row_index = document_.medium().index_of(id(index.row()));
+  if (!row_index) return {};
+  if (index.column() == group_column) return group_data(document_.medium().group(*row_index), role);
   const GaussianAttribute field = gaussian_attributes[static_cast<std::size_t>(index.column())];
-  const GaussianOptics own = document_.medium().optics(*at);
-  const Gaussian gaussian = document_.effective_gaussian(*at);
-  const bool is_of_medium = field == GaussianAttribute::albedo && !own.albedo;
+  const GaussianOptics own_optics = document_.medium().optics(*row_index);
+  const Gaussian gaussian = document_.effective_gaussian(*row_index);
+  const bool is_of_medium = field == GaussianAttribute::albedo && !own_optics.albedo;
   switch (role) {
     case Qt::DisplayRole:
       return cell_text(attribute_value(gaussian, field), field);
@@ -190,15 +190,15 @@ QVariant GaussianTableModel::data(const QModelIndex& index, int role) const {
       // It is text: the editor that Qt offers for numbers rounds them.
       return exact_number_text(attribute_value(gaussian, field));
     case Qt::DecorationRole:
-      return swatch(own, field);
+      return swatch(own_optics, field);
     case Qt::ForegroundRole:
       return is_of_medium ? QGuiApplication::palette().brush(QPalette::PlaceholderText)
                           : QVariant();
     case Qt::ToolTipRole:
       if (is_of_medium)
         return tr("The medium's albedo: %1").arg(channels_text(*gaussian.optics.albedo));
-      if (field == GaussianAttribute::albedo) return channels_text(*own.albedo);
-      return field == GaussianAttribute::emission ? channels_text(own.emission) : QVariant();
+      if (field == GaussianAttribute::albedo) return channels_text(*own_optics.albedo);
+      return field == GaussianAttribute::emission ? channels_text(own_optics.emission) : QVariant();
     default:
       return {};
   }

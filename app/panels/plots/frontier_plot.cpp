@@ -172,16 +172,16 @@ void FrontierPlot::paintEvent(QPaintEvent* /*event*/) {
                    QPointF(area.right(), height_of(max_error_)));
 
   for (const Point& point : points_) {
-    const QPointF at = position(point);
+    const QPointF dot_position = position(point);
     painter.setPen(text);
-    painter.drawLine(QPointF(at.x(), height_of(point.error.low)),
-                     QPointF(at.x(), height_of(point.error.high)));
+    painter.drawLine(QPointF(dot_position.x(), height_of(point.error.low)),
+                     QPointF(dot_position.x(), height_of(point.error.high)));
     painter.setBrush(point.is_shown ? accent : palette().base());
-    painter.drawEllipse(at, radius, radius);
+    painter.drawEllipse(dot_position, radius, radius);
     if (!point.is_auto_choice) continue;
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(accent, 1.5));
-    painter.drawEllipse(at, radius + 3.0, radius + 3.0);
+    painter.drawEllipse(dot_position, radius + 3.0, radius + 3.0);
   }
 }
 

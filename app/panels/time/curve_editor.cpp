@@ -100,8 +100,8 @@ void CurveEditor::paint_curve(QPainter& painter, std::size_t k) const {
   QPainterPath path;
   constexpr int step = 2;  // pixels
   for (int x = 0; x <= width() + step; x += step) {
-    const QPointF at = position(axes_.time_at(x), curve.at(axes_.time_at(x)));
-    x == 0 ? path.moveTo(at) : path.lineTo(at);
+    const QPointF curve_point = position(axes_.time_at(x), curve.at(axes_.time_at(x)));
+    x == 0 ? path.moveTo(curve_point) : path.lineTo(curve_point);
   }
   const QPen pen = curve_pen(curves_, k);
   painter.setBrush(Qt::NoBrush);
@@ -208,31 +208,31 @@ void CurveEditor::press_key(const CurveMark& mark, const QPointF& at, bool adds)
 }
 
 void CurveEditor::mouseMoveEvent(QMouseEvent* event) {
-  const QPointF at = event->position();
+  const QPointF mouse_position = event->position();
   if (auto* pan = std::get_if<Pan>(&drag_)) {
-    axes_.pan(at - pan->last);
-    pan->last = at;
+    axes_.pan(mouse_position - pan->last);
+    pan->last = mouse_position;
   } else if (std::holds_alternative<Scrub>(drag_)) {
-    timeline_.set_frame(frame_near(at.x()));
-  } else if (!mouse_.has_begun(at)) {
+    timeline_.set_frame(frame_near(mouse_position.x()));
+  } else if (!mouse_.has_begun(mouse_position)) {
     return;
   } else if (auto* keys = std::get_if<KeysDrag>(&drag_)) {
-    drag_keys(*keys, at);
+    drag_keys(*keys, mouse_position);
   } else if (const auto* tangent = std::get_if<TangentDrag>(&drag_)) {
-    drag_tangent(*tangent, at, event->modifiers() & Qt::AltModifier);
+    drag_tangent(*tangent, mouse_position, event->modifiers() & Qt::AltModifier);
   } else if (auto* rectangle = std::get_if<RectangleDrag>(&drag_)) {
-    drag_rectangle(*rectangle, at);
+    drag_rectangle(*rectangle, mouse_position);
   }
   update();
 }
 
 void CurveEditor::drag_keys(KeysDrag& drag, const QPointF& to) {
   const QPointF moved = to - drag.press;
-  const double from = drag.grabbed.time;
+  const double grabbed_time = drag.grabbed.time;
   // A key between two frames stays there until it is moved.
   const double frames = std::round(timeline_.frame_of(moved.x() * axes_.time_per_pixel()));
-  const double frame = std::round(timeline_.frame_of(from) + frames);
-  double shift = frames == 0.0 ? 0.0 : timeline_.time_of(frame) - from;
+  const double frame = std::round(timeline_.frame_of(grabbed_time) + frames);
+  double shift = frames == 0.0 ? 0.0 : timeline_.time_of(frame) - grabbed_time;
   for (const CurveMark& mark : drag.marks) shift = std::max(shift, std::min(0.0, -mark.time));
   std::vector<CurveKeyMove> moves;
   std::vector<CurveMark> now;

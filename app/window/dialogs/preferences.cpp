@@ -4,7 +4,9 @@
 
 #include <QActionGroup>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QFormLayout>
+#include <QLineEdit>
 #include <QSettings>
 #include <QSpinBox>
 #include <QTabWidget>
@@ -13,13 +15,80 @@
 #include <thread>
 
 #include "app/document/autosave.h"
-#include "app/window/dialogs/display_preferences.h"
+#include "app/document/number_text.h"
+#include "app/widgets/interface_settings.h"
 #include "app/window/dialogs/key_preferences.h"
 
 namespace brume {
 namespace {
 
 constexpr const char* threads_key = "render/threads";
+
+QString text(const char* source) {
+  return QCoreApplication::translate("DisplayPreferences", source);
+}
+
+void add_unit(QFormLayout& form) {
+  auto* unit = new QComboBox;
+  unit->setObjectName("length_unit");
+  unit->setEditable(true);
+  unit->addItems({"", "u", "mm", "cm", "m", "km", "in", "ft"});
+  unit->lineEdit()->setMaxLength(InterfaceSettings::max_unit_length);
+  unit->lineEdit()->setPlaceholderText(text("none"));
+  unit->setCurrentText(InterfaceSettings::instance().length_unit());
+  unit->setToolTip(
+      text("The name shown behind lengths and positions. Numbers stay as they are: nothing is "
+           "converted"));
+  QObject::connect(unit, &QComboBox::currentTextChanged, [](const QString& name) {
+    InterfaceSettings::instance().set_length_unit(name);
+  });
+  form.addRow(text("Unit of lengths"), unit);
+}
+
+void add_colors(QFormLayout& form) {
+  using Numbers = InterfaceSettings::ColorNumbers;
+  auto* colors = new QComboBox;
+  colors->setObjectName("color_numbers");
+  colors->addItem(text("sRGB, 0 to 255"), static_cast<int>(Numbers::srgb));
+  colors->addItem(text("Linear, 0 to 1"), static_cast<int>(Numbers::linear));
+  colors->setCurrentIndex(
+      colors->findData(static_cast<int>(InterfaceSettings::instance().color_numbers())));
+  colors->setToolTip(text(
+      "How the numbers of a colour are shown and entered: as in most programs, or as light adds "
+      "up and scene files have them"));
+  QObject::connect(colors, &QComboBox::activated, [colors] {
+    InterfaceSettings::instance().set_color_numbers(
+        static_cast<Numbers>(colors->currentData().toInt()));
+  });
+  form.addRow(text("Numbers of colours"), colors);
+}
+
+void add_handles(QFormLayout& form) {
+  auto* handles = new QComboBox;
+  handles->setObjectName("handle_scale");
+  handles->addItem(text("By the screen"), 0.0);
+  for (const double scale : {1.0, 1.25, 1.5, 2.0, 2.5, 3.0}) {
+    handles->addItem(QString("%1 ×").arg(number_text(scale)), scale);
+  }
+  handles->setCurrentIndex(
+      std::max(0, handles->findData(InterfaceSettings::instance().chosen_handle_scale())));
+  handles->setToolTip(
+      text("Size of handles and outlines in the views, and how near the mouse has to be to them"));
+  QObject::connect(handles, &QComboBox::activated, [handles] {
+    InterfaceSettings::instance().set_handle_scale(handles->currentData().toDouble());
+  });
+  form.addRow(text("Size of handles"), handles);
+}
+
+// The page about how scenes are shown: unit, colours, handles.
+QWidget* display_page() {
+  auto* page = new QWidget;
+  auto* form = new QFormLayout(page);
+  add_unit(*form);
+  add_colors(*form);
+  add_handles(*form);
+  return page;
+}
 
 }  // namespace
 
@@ -42,7 +111,7 @@ Preferences::Preferences(Autosave& autosave, QWidget* window) : QDialog(window) 
   add_threads();
   auto* tabs = new QTabWidget(this);
   tabs->addTab(general, tr("General"));
-  tabs->addTab(new DisplayPreferences, tr("Display"));
+  tabs->addTab(display_page(), tr("Display"));
   tabs->addTab(new KeyPreferences(*window), tr("Keys"));
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(tabs);
