@@ -52,7 +52,7 @@ inline double mass_of(std::span<const Gaussian> gaussians) {
   return mass;
 }
 
-// Of optical depth, relative rms over lines through the middle of the cube.
+// The relative rms error of optical depth over lines through the middle of the cube.
 inline double depth_error(std::span<const Gaussian> from, std::span<const Gaussian> to, int lines) {
   Random random(9);
   double squares = 0.0;

@@ -29,7 +29,7 @@ std::vector<fs::path> copies(const fs::path& folder) {
   return found;
 }
 
-// As a session leaves it that was killed: its copy, and the lock of a process that is no more.
+// Leaves the files of a killed session: its copy, and the lock of a process that is no more.
 void leave_behind(const fs::path& folder, const Scene& scene, const fs::path& file) {
   fs::create_directories(folder);
   save_document(scene, folder / "killed.brume");
@@ -153,7 +153,7 @@ class AutosaveTest : public QObject {
     }
   }
 
-  // Of a file that was removed the editor has the last copy.
+  // The editor has the last copy of a file that was removed.
   void a_signal_ends_the_program_once_its_copy_is_written() {
     const QTemporaryDir folder;
     const fs::path file = to_path(folder.path()) / "scene.brume";

@@ -260,7 +260,7 @@ class Gestures {
     std::fflush(stdout);
   }
 
-  // Of the picture shown: its pixels, and the stages that took longest.
+  // The pixels of the picture shown, and the stages that took longest.
   [[nodiscard]] QString stages_text() const {
     const RenderedFrame& frame = *view_.frames().shown();
     std::vector<StageTime> times = frame.frame.statistics.stages;

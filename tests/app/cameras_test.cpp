@@ -158,8 +158,7 @@ class CamerasTest : public QObject {
     choose(window, "camera_projection", 0);
     QVERIFY(!document.scene().camera.height);
     QVERIFY(std::abs(2.0 * half_height(document.scene().camera) - 3.0) < 1e-12);
-    while (document.undo_stack().canUndo()) document.undo_stack().undo();
-    QVERIFY(document.scene() == before);
+    QVERIFY(is_undone(document, before));
     QCOMPARE(window->findChild<QComboBox*>("camera_projection")->currentIndex(), 0);
   }
 

@@ -359,7 +359,7 @@ class CurvesTest : public QObject {
     QVERIFY(document.scene() == before);
     QCOMPARE(document.undo_stack().undoText(),
              QString("Make tangents of light 1 intensity automatic"));
-    // Of all that are selected.
+    // Acts on all that are selected.
     QTest::keyClick(&curves.editor(), Qt::Key_A, Qt::ControlModifier);
     curves.choose(at, "Ali&gned Tangents");
     QVERIFY(curves.keys()[0].aligned && curves.keys()[1].aligned);

@@ -131,11 +131,11 @@ class DisplayTest : public QObject {
     const auto pool = gl::PicturePool::create();
     const Scene scene = small_scene();
     const Settings settings = sliced_settings({}, 6);
-    // Of the surface's size, and stretched over it.
+    // Pictures of the surface's size, and stretched over it.
     for (const Film film : {Film{230, 170}, Film{57, 42}}) {
       std::shared_ptr<gl::DevicePicture> picture;
       std::optional<Frame> frame;
-      // As in the editor, in a thread of its own.
+      // The picture is made in a thread of its own, as in the editor.
       std::thread([&] {
         std::string problem;
         const auto gl = GlRenderer::create(surfaces.create_context(), nullptr, problem, pool);

@@ -73,7 +73,7 @@ class EllipsoidInspectorTest : public QObject {
     // The one radius scales all.
     type_into(window, "radius", "1.6");
     QVERIFY(is_near(gaussian(window, 0).radii(), {1.0, 1.0, 1.6}));
-    // Of one of them another value: mixed for both.
+    // Another value of one of them is shown as mixed for both.
     document.select({1});
     type_into(window, "rotation_z", "40");
     type_into(window, "radius_y", "0.3");

@@ -195,8 +195,10 @@ class EllipsoidsTest : public QObject {
     };
     QVERIFY(!is_editable(elongation));
     QVERIFY(is_editable(column(GaussianAttribute::radius_z)));
-    for (int axis = 0; axis < 3; ++axis) {  // the fields above edit them
-      const int k = column(rotation_attribute(axis));
+    for (const GaussianAttribute angle :
+         {GaussianAttribute::rotation_x, GaussianAttribute::rotation_y,
+          GaussianAttribute::rotation_z}) {  // edited by the fields above
+      const int k = column(angle);
       QVERIFY(!is_editable(k));
       QVERIFY(!table->model()->setData(table->model()->index(1, k), "130", Qt::EditRole));
     }
@@ -269,7 +271,7 @@ class EllipsoidsTest : public QObject {
     const Gaussian first = document.medium().gaussian(5);
     QVERIFY(first.is_ball());
     QVERIFY(is_near(pick(tool, document.medium().gaussian(7).center), {0.1, 300.0, 4.0}));
-    // Of what no stroke lays, the ball of its volume.
+    // An ellipsoid that no stroke lays becomes the ball of its volume.
     document.undo_stack().undo();
     document.select({2});
     type_into(window, "radius_x", "0.4");

@@ -44,7 +44,7 @@ void take_offer(TestWindow& window, const char* name) {
   QTest::mouseClick(bar_of(window).findChild<QPushButton*>(name), Qt::LeftButton);
 }
 
-// As a window manager does when the user comes back to the window.
+// Does what a window manager does when the user comes back to the window.
 void come_back(TestWindow& window) {
   QWidget other;
   other.show();

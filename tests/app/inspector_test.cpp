@@ -259,7 +259,7 @@ class InspectorTest : public QObject {
     type("-=100");  // no radius is negative
     for (const double r : document.medium().radii()) QVERIFY(r > 0.0);
     document.undo_stack().setIndex(0);
-    // Of one value the field makes another.
+    // The field changes a single value.
     document.select({1});
     type("*3");
     QCOMPARE(document.medium().radii()[0], 3.0 * before[0]);

@@ -66,8 +66,7 @@ class LightsTest : public QObject {
     QCOMPARE(document.scene().lights.size(), std::size_t{1});
     QCOMPARE(document.undo_stack().count(), 5);
     const Scene after = document.scene();
-    document.undo_stack().setIndex(0);
-    QVERIFY(document.scene() == before);
+    QVERIFY(is_undone(document, before));
     document.undo_stack().setIndex(5);
     QVERIFY(document.scene() == after);
   }
@@ -146,8 +145,7 @@ class LightsTest : public QObject {
     QTest::keyClick(type, Qt::Key_Down);
     QVERIFY(document.scene().lights[last].as<light::Spot>());
     QVERIFY(cone != spot());
-    while (document.undo_stack().canUndo()) window.key(Qt::Key_Z, Qt::ControlModifier);
-    QCOMPARE(document.scene(), before);
+    QVERIFY(is_undone(document, before));
   }
 
   void a_light_of_another_type_keeps_the_keyframes_that_it_can() {
@@ -200,8 +198,7 @@ class LightsTest : public QObject {
     QCOMPARE(document.undo_stack().undoText(), QString("Turn light 2"));
     QVERIFY(glm::dot(glm::normalize(sun().as<light::Directional>()->direction), direction) < 0.999);
     QVERIFY2((film() - at).x() > 10, "it follows the pointer");
-    while (document.undo_stack().canUndo()) window.key(Qt::Key_Z, Qt::ControlModifier);
-    QCOMPARE(document.scene(), before);
+    QVERIFY(is_undone(document, before));
   }
 
   void an_area_light_is_added_changed_and_scaled() {
@@ -260,8 +257,7 @@ class LightsTest : public QObject {
     QTest::keyClick(type->view(), Qt::Key_Return);
     QVERIFY(!area_of(light()));
     QVERIFY2(std::abs(light_strength(light()) - radiant) < 1e-9, "as bright from afar");
-    while (document.undo_stack().canUndo()) window.key(Qt::Key_Z, Qt::ControlModifier);
-    QCOMPARE(document.scene(), before);
+    QVERIFY(is_undone(document, before));
   }
 
   void lights_are_added_by_key_and_looked_through() {
@@ -282,8 +278,7 @@ class LightsTest : public QObject {
     QCOMPARE(camera.vertical_fov, 2.0 * spot.as<light::Spot>()->outer_angle);
     const glm::dvec3 axis = glm::normalize(spot.as<light::Spot>()->direction);
     QVERIFY(glm::distance(window->viewport().rays().forward(), axis) < 1e-9);
-    while (document.undo_stack().canUndo()) window.key(Qt::Key_Z, Qt::ControlModifier);
-    QCOMPARE(document.scene(), before);
+    QVERIFY(is_undone(document, before));
   }
 
   void lights_have_presets_temperatures_and_photometric_units() {
@@ -329,8 +324,7 @@ class LightsTest : public QObject {
     // The sun has no flux.
     document.set_active_light(before.lights.size());
     QVERIFY(!window->findChild<ValueField*>("light_lumen")->isEnabled());
-    while (document.undo_stack().canUndo()) window.key(Qt::Key_Z, Qt::ControlModifier);
-    QCOMPARE(document.scene(), before);
+    QVERIFY(is_undone(document, before));
   }
 
   void a_spot_is_turned_and_opened_in_the_view() {
@@ -443,8 +437,7 @@ class LightsTest : public QObject {
     QTest::mouseClick(remove, Qt::LeftButton);
     QVERIFY(!profile_of(light()));
     QCOMPARE(window->findChild<QLabel*>("light_profile")->text(), QString("none"));
-    while (document.undo_stack().canUndo()) window.key(Qt::Key_Z, Qt::ControlModifier);
-    QCOMPARE(document.scene(), before);
+    QVERIFY(is_undone(document, before));
   }
 };
 

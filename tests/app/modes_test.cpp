@@ -79,7 +79,7 @@ class ModesTest : public QObject {
         square += std::pow(static_cast<double>(a[3 * i + c] - b[3 * i + c]), 2) / 3.0;
       }
       const double error = std::sqrt(square) / unit;
-      // As far as the map's own reference is converged.
+      // The map's own reference is converged that far.
       worst = std::max(worst, std::abs(error - static_cast<double>(map->error[i])));
     }
     QVERIFY2(worst < 5e-3, qPrintable(QString::number(worst)));

@@ -26,7 +26,7 @@ using namespace brume;
 
 namespace {
 
-// Of a window whose picture has few pixels to trace paths for.
+// A window whose picture has few pixels to trace paths for.
 constexpr QSize small(600, 400);
 
 // A cloud of optical depth 7, whose light is scattered more than once for the most part.

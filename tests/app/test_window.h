@@ -75,7 +75,7 @@ std::string bytes_of(const Document& document);
 
 // Types into a ValueField, by name; its text.
 void enter(TestWindow& window, const char* field, const QString& text);
-// Of widgets with a name: presses a button, chooses from a box, types into a line.
+// Act on widgets with a name: press a button, choose from a box, type into a line.
 void click(TestWindow& window, const char* button);
 void choose(TestWindow& window, const char* box, int index);
 void type(TestWindow& window, const char* line, const QString& text);

@@ -138,7 +138,7 @@ TEST(Ellipsoids, AverageDepthIsThatOverAllDirections) {
   }
 }
 
-// Of a ball, the closed form.
+// It is the closed form of a ball.
 TEST(Ellipsoids, AverageDepthOfOneThatIsABall) {
   for (const double u : {0.0, 0.1, 1.0, 3.0, 10.0, 100.0}) {
     Gaussian g{{0, 0, 0}, 0.7, 2.0};

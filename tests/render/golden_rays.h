@@ -19,7 +19,7 @@ struct GoldenRay {
   double radiance = 0.0;                 // of all orders
   double standard_error = 0.0;
 
-  // As scene files have it: densities are scattering coefficients.
+  // The scene as files have it: densities are scattering coefficients.
   [[nodiscard]] Scene scattering_scene() const;
 };
 

@@ -122,7 +122,7 @@ TEST(OwnOptics, EmissionAloneIsItsClosedForm) {
   }
 }
 
-// Of what scatters next to nothing: paths are of all orders.
+// The Gaussian scatters next to nothing, since paths are of all orders.
 TEST(OwnOptics, PathsOfEmissionAloneAreItsClosedForm) {
   const GaussianOptics optics{glm::dvec3(1e-6), glm::dvec3(5.0, 2.0, 0.5)};
   const Scene scene = one_gaussian(1e-6, optics);
@@ -324,7 +324,7 @@ TEST(OwnOptics, SmallOpaqueEmissionLightsNoMoreThanItsSurface) {
     scene.surfaces = {wall(-1.0, 2.0)};
     const Frame truth = render_frame(scene, path_traced(1024));
     const Difference beauty = difference(render_frame(scene, all_orders).beauty, truth.beauty);
-    // Of few directions, in patches.
+    // The light of few directions is in patches.
     EXPECT_LT(std::abs(beauty.bias), 0.05) << depth;
   }
 }

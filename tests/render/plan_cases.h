@@ -30,7 +30,7 @@ struct PlanCase {
   [[nodiscard]] bool has_medium() const { return has_gaussians() || fog; }
   [[nodiscard]] bool has_any_light() const { return has_lights() || has_sky(); }
   [[nodiscard]] bool is(AirlightMethod wanted) const { return method == wanted; }
-  // Of a method that renders more than one scattering, asked to.
+  // Whether the method renders more than one scattering, and is asked to.
   [[nodiscard]] bool is_multiple() const {
     return is(AirlightMethod::sliced) && scattering == Scattering::multiple;
   }

@@ -16,7 +16,7 @@ struct MeasuredScene {
   const char* name;
   Scene scene;
   int slices, scale;
-  // As measured: in millions, and the error.
+  // Measured pairs in millions, and the error.
   double view_pairs, light_pairs, error;
 };
 

@@ -103,7 +103,7 @@ TEST(BenchCompare, RoundTripsReports) {
   EXPECT_TRUE(compare_reports("old.json", json(0.02), json(0.01)).empty());
 }
 
-// Of 30 lines; pictures differ.
+// A cache of 30 lines that changes pictures.
 CacheGain cached(const char* cache, const char* scene, double gain) {
   return {cache,
           scene,

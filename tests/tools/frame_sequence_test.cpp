@@ -85,7 +85,7 @@ TEST_F(FrameSequence, SkipsFramesThatAreWholeAndCurrent) {
     folder_.write("s_0002" + extension, "no image");
     fs::remove(folder_ / ("s_0003" + extension));
     EXPECT_EQ(made(), Json({1, 2, 3})) << extension;
-    // Of another frame.
+    // The file is that of another frame.
     fs::copy_file(folder_ / ("s_0000" + extension), second, fs::copy_options::overwrite_existing);
     EXPECT_EQ(made(), Json({1}));
     // Made from something else.

@@ -86,7 +86,7 @@ TEST_F(Interruption, AutoTellsItsProgress) {
   EXPECT_GE(percents(program.shown()).size(), 4u) << program.shown();
 }
 
-// As scripts start what they put in the background.
+// Scripts start so what they put in the background.
 TEST_F(Interruption, WorksWhereTheSignalWasIgnored) {
   const auto old = std::signal(SIGINT, SIG_IGN);
   RunningProgram program({"render", slow_, "-o", file("o.png"), "--backend", "cpu"});

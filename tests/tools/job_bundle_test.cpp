@@ -162,7 +162,7 @@ TEST_F(JobBundle, TasksMakeTheFramesOfTheSequence) {
   }
 }
 
-// As a farm has it that copies the folder of the scene, and maps both.
+// A farm may copy the folder of the scene, and map both.
 TEST_F(JobBundle, PathsAreParameters) {
   fs::create_directory(folder_ / "worker");
   fs::create_directory(folder_ / "frames");

@@ -32,7 +32,7 @@ class LitSplats : public CommandLine {
     folder_.write("lit.brume", scene.dump());
   }
 
-  // Of the first splat: what a viewer that looks along w shows of red, of bands 0 and 1.
+  // The red of the first splat for a viewer that looks along w, of bands 0 and 1.
   static double red(const std::string& bytes, const glm::dvec3& w) {
     const PlyFile ply("splats", bytes);
     double value = 0.0;
@@ -78,7 +78,7 @@ TEST_F(LitSplats, APageHoldsAllThatItShows) {
   EXPECT_NE(splats->find("element vertex 2\n"), std::string::npos);
   const Json camera = content.at("settings").at("cameras").at(0).at("initial");
   EXPECT_EQ(camera.at("position"), Json({0.0, 0.0, 5.0}));
-  // Of the longer side, twice the other.
+  // The angle of the longer side, which is twice the other.
   EXPECT_NEAR(camera.at("fov").get<double>(), 72.1, 0.1);
 }
 

@@ -49,6 +49,14 @@ std::vector<std::string> malformed_values(const F& field) {
           list(count, count - 1, above)};
 }
 
+// What the message about a malformed value has to name as allowed: the domain if the value is a
+// number outside of it, which the last two are.
+template <class F>
+std::string allowed_of(const F& field, std::size_t index, std::size_t count) {
+  const bool is_real = !std::is_integral_v<typename F::Value>;
+  return is_real && index + 2 >= count ? field.domain.allowed : "";
+}
+
 // Every value of an object, and keyframes of it. `place` is that of the object,
 // `scene_with(members)` a scene with such an object.
 template <class Owner>
@@ -61,13 +69,15 @@ std::vector<MalformedCase> malformed_fields(const std::string& place, auto&& sce
       if (!other.info.is_required || other.info.name == name) return;
       others += "\"" + std::string(other.info.name) + "\": " + good_value(other) + ", ";
     });
-    const auto add = [&](const std::string& members, const std::string& member) {
-      all.push_back({place + " with " + members,
-                     scene_with(others + members),
-                     place + "." + member,
-                     {"; allowed: "}});
-    };
-    for (const std::string& bad : malformed_values(field)) {
+    const std::vector<std::string> bad_values = malformed_values(field);
+    for (std::size_t i = 0; i < bad_values.size(); ++i) {
+      const std::string& bad = bad_values[i];
+      const auto add = [&](const std::string& members, const std::string& member) {
+        all.push_back({place + " with " + members,
+                       scene_with(others + members),
+                       place + "." + member,
+                       {"; allowed: " + allowed_of(field, i, bad_values.size())}});
+      };
       add("\"" + name + "\": " + bad, name);
       if (!F::can_have_keys) continue;
       // A value that has to be there; only one with an optional value has keyframes of it.

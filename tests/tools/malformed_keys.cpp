@@ -1,4 +1,5 @@
-#include "tests/tools/malformed_scenes.h"
+#include "core/scene/fields/material_fields.h"
+#include "tests/tools/malformed_fields.h"
 
 namespace brume {
 
@@ -14,18 +15,25 @@ std::vector<MalformedCase> malformed_keys() {
                    "surfaces[1].keys." + value + "[0]." + place});
   };
   const Values no_numbers{"null", "1", "\"1\"", "[1, 2]", "[1, 2, \"3\"]", "[1, 2, 1e300]"};
-  const Values no_color{"null", "1", "[1, 1]", "[0, 0, 1.5]", "[-0.1, 0, 0]"};
   const Values no_rotation{
       "null", "1", "[1, 0, 0]", "[0, 0, 0, 0]", "[2, 0, 0, 0]", "[1, 0, 0, 1e300]"};
   const Values no_length{"null", "[1]", "0", "-1", "1e300"};
-  const Values no_exponent{"null", "\"1\"", "-1", "1e300"};
   const std::vector<std::pair<std::string, const Values&>> values{
-      {"translate", no_numbers}, {"rotate", no_rotation}, {"scale", no_length},
-      {"reflectance", no_color}, {"specular", no_color},  {"exponent", no_exponent}};
+      {"translate", no_numbers}, {"rotate", no_rotation}, {"scale", no_length}};
   for (const auto& [name, bad_values] : values) {
     add(name, R"("interpolation": "linear")", "value");
     for (const std::string bad : bad_values) add(name, R"("value": )" + bad, "value");
   }
+  visit_fields<Material>([&](const auto& field) {
+    for (const std::string& bad : malformed_values(field)) {
+      add(field.info.name, R"("value": )" + bad, "value");
+      all.push_back({"a material with " + std::string(field.info.name) + " " + bad,
+                     scene_with_surface(R"("mesh": "good.obj", "material": {"type": "phong", ")" +
+                                        std::string(field.info.name) + "\": " + bad + "}"),
+                     "surfaces[1].material." + std::string(field.info.name),
+                     {"; allowed: "}});
+    }
+  });
   for (const std::string tangent : {"in", "out"}) {
     for (const std::string bad : {"null", "[1]", "\"0\"", "true", "1e31", "-1e300"}) {
       add("scale", R"("value": 1, ")" + tangent + "\": " + bad, tangent);

@@ -60,7 +60,7 @@ class RunningProgram {
     return true;
   }
 
-  // As somebody presses Ctrl-C.
+  // Does what pressing Ctrl-C does.
   void press_interrupt() const {
     const char key = 3;
     if (::write(terminal_, &key, 1) != 1) throw std::runtime_error("the terminal is gone");

@@ -40,7 +40,7 @@ TEST_F(SplatExport, PlyThereAndBack) {
     expect_done({"export", file("c.ply"), "-o", file("d.ply"), "--opacity-along", along});
     expect_same("d.ply", 1e-6);
   }
-  // As opaque along its longest radius, and so denser by longest over mean along the others.
+  // It is as opaque along its longest radius, and so denser by longest over mean along the others.
   expect_done({"export", file("c.ply"), "-o", file("e.ply"), "--opacity-along", "mean"});
   EXPECT_NEAR(read_gaussians(file("e.ply")).at(0).density, 1.0, 1e-6);
 }
@@ -76,7 +76,7 @@ TEST_F(SplatExport, SequencesOfSplats) {
   EXPECT_TRUE(read_gaussians(file("s_2.glb")).empty());
 }
 
-// As captures have it: what is read or written of the PLY is turned by half about z.
+// Captures have y down: splats of the PLY are turned by half about z.
 TEST_F(SplatExport, SplatsOfPlyMayHaveYDown) {
   expect_done({"export", file("a.ply"), "-o", file("down.ply"), "--splats", "--y-down"});
   const Gaussian down = read_gaussians(file("down.ply")).at(0);

@@ -366,7 +366,7 @@ TEST(GaussianFit, NextFrameFollowsTheVelocity) {
   const DensityGrid second = sampled(turned(medium, seconds), 0.1);
   std::vector<Gaussian> before;
   for (std::size_t i = 0; i < medium.size(); ++i) before.push_back(medium.gaussian(i));
-  // As if the solver's unit were another: 16 times the time.
+  // The solver's unit may be another: 16 times the time.
   const std::vector<Gaussian> start = next_start(second, before, helix(), 16.0 * seconds);
   const Refit with = *refit_gaussians(second, start);
   const Refit without = *refit_gaussians(second, before);

@@ -109,7 +109,8 @@ TEST_F(VolumeFitterTest, ColoursAreAlbedosWhicheverWayTheyAreStored) {
        {split, openvdb::GridCPtrVec{ball("density", 0.0), colors}}) {
     for (const Gaussian& g : fitted(grids, how_).gaussians()) {
       ASSERT_TRUE(g.optics.albedo);
-      // Of 0 is left what may be fitted. The cut of a ball at 1e-4 is another for its colours.
+      // An albedo of 0 becomes the least that may be fitted. The cut of a ball at 1e-4 is another
+      // for its colours.
       EXPECT_LT(glm::length(*g.optics.albedo - glm::dvec3(0.8, 0.4, min_fitted_albedo)), 0.01);
     }
   }

@@ -76,7 +76,7 @@ TEST(FrameLoop, FailuresLeaveOtherFramesAlone) {
                                             "4 not enough memory"}));
 }
 
-// As Ctrl-C does; but a file that is being written is written.
+// They end it as Ctrl-C does; but a file that is being written is written.
 TEST(FrameLoop, OtherExceptionsEndItWhenFilesAreWritten) {
   struct Stopped {};
   std::atomic<int> written = 0;

@@ -20,6 +20,32 @@ std::string error_of(Work&& work) {
   return {};
 }
 
+// Whether `read` refuses each beginning of a file that lacks more than `spare` bytes.
+template <typename Read>
+void expect_truncations_refused(const std::string& whole, Read&& read, std::size_t step = 1,
+                                std::size_t spare = 0) {
+  for (std::size_t size = 0; size + spare < whole.size(); size += step) {
+    EXPECT_THROW(read(whole.substr(0, size)), InputError) << size << " bytes";
+  }
+}
+
+// Reads a file with one byte after the other changed. A change may go unseen, but nothing other
+// than an InputError may come of it. Returns how many are refused.
+template <typename Read>
+std::size_t refused_damages(const std::string& whole, Read&& read, int change = 0xff) {
+  std::size_t refused = 0;
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    std::string damaged = whole;
+    damaged[i] = static_cast<char>(damaged[i] ^ change);
+    try {
+      read(damaged);
+    } catch (const InputError&) {
+      ++refused;
+    }
+  }
+  return refused;
+}
+
 inline bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }

@@ -7,7 +7,7 @@
 namespace brume {
 namespace {
 
-// Of tables, and integrated.
+// The values are those of tables, and of the integral.
 TEST(EntireExponentialIntegral, IsItsIntegral) {
   EXPECT_EQ(entire_exponential_integral(0.0), 0.0);
   EXPECT_NEAR(entire_exponential_integral(1e-6), 1e-6, 1e-12);

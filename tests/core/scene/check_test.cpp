@@ -190,7 +190,7 @@ TEST(Check, RefusesWhatNoFileCouldHave) {
   }
 }
 
-// As a file may have it.
+// A file may have it.
 TEST(Check, AcceptsADirectionThatItsKeysGive) {
   EXPECT_EQ(refusal([](Scene& s) {
               s.lights[0].kind = light::Spot{{0, 0, 0}};

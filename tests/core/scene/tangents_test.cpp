@@ -84,7 +84,7 @@ TEST(Tangents, CountForNothingWhereItIsNotSmooth) {
   EXPECT_EQ(upper_bound(keys), 7.0);
 }
 
-// As steep as a file may have them, between keys as near and as far as may be.
+// They are as steep as a file may have them, between keys as near and as far as may be.
 TEST(Tangents, AreFiniteHoweverSteep) {
   for (const double length : {min_key_distance, 1.0, 2e9}) {
     const double begin = -0.5 * length;

@@ -59,7 +59,7 @@ TEST(TileSeams, BunnyFogHasNoEdges) {
   expect_no_edges(find_seams(render(12, 4), render(64, 1), 4));
 }
 
-// Of equal tiles a node has the slices of each.
+// A node between equal tiles has the slices of each.
 TEST(MergedSlices, PreserveEqualTiles) {
   const std::vector<float> slices{1.0f, 2.0f, 2.5f, 7.0f};
   const std::array<std::span<const float>, 4> tiles{slices, slices, slices, slices};

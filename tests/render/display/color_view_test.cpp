@@ -95,7 +95,7 @@ TEST(ColorView, BadConfigurationsAreRefusedInOneLine) {
   EXPECT_NE(refusal({(folder / "none.ocio").string(), "", ""}), "");
 }
 
-// Of the way by ACES2065-1, which Rec. 709 takes where a configuration has no name for it.
+// Rec. 709 goes by ACES2065-1 where a configuration has no name for it; views of data do not.
 TEST(ColorView, ViewsOfDataConvertNothing) {
   const TemporaryFolder folder;
   const std::string config = folder

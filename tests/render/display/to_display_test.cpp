@@ -61,7 +61,7 @@ TEST(ToDisplay, EightBitsHaveTheMeanOfTheLight) {
         difference += error / (height * height);
       }
     }
-    // Of 256 thresholds, spread evenly; rounding alone is off by up to half a level.
+    // 256 thresholds are spread evenly; rounding alone is off by up to half a level.
     EXPECT_LT(std::abs(difference), 0.04) << first;
     bias += difference / (width / height);
   }

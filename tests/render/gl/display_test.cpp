@@ -45,7 +45,7 @@ class Display : public GlTest {
     return std::move(*shown);
   }
 
-  // As to_display() has it: RGB, rows from the top.
+  // The bytes in the layout of to_display(): RGB, rows from the top.
   static std::vector<std::uint8_t> bytes_of(const DevicePicture& picture) {
     const auto width = static_cast<std::size_t>(picture.texture().size().x);
     const auto height = static_cast<std::size_t>(picture.texture().size().y);
@@ -254,14 +254,14 @@ TEST_F(Display, PicturesAreUsedAgain) {
     EXPECT_NE(another->texture().name(), first);
     again->drawn();
   }
-  // Of many sizes only some are kept.
+  // Only some of many sizes are kept.
   for (int k = 1; k < 40; ++k) pool_->acquire({8 + k, 6})->drawn();
   EXPECT_LE(live_objects(), objects + 10);
   pool_->trim();
   EXPECT_EQ(live_objects(), objects);
 }
 
-// As when the program ends while a frame is under way.
+// The program may end while a frame is under way.
 TEST_F(Display, PicturesMayOutliveTheirContexts) {
   const std::size_t objects = live_objects();
   std::shared_ptr<DevicePicture> picture;

@@ -59,8 +59,8 @@ TEST_F(GlFrames, EllipsoidsAllAround) {
   EXPECT_LE(rel_rmse(gl.airlight, cpu.airlight), 1e-2);
 }
 
-// As thin as may be: nothing is cut off where the lists of tiles end, and what is deep along the
-// disc only is light in the middle of no slice but where it lies.
+// Ellipsoids as thin as may be: nothing is cut off where the lists of tiles end, and what is deep
+// along the disc only is light in the middle of no slice but where it lies.
 TEST_F(GlFrames, ThinDiscs) {
   Scene scene = cloud_scene(1, 1.0);
   Medium discs;

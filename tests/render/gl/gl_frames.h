@@ -14,7 +14,7 @@
 
 namespace brume::gl {
 
-// Of a layer; infinite where one of the two is not a number.
+// The relative RMSE of a layer; infinite where one of the two is not a number.
 double rel_rmse(std::span<const float> a, std::span<const float> b);
 
 Frame on_cpu(const Scene& scene, const Settings& settings);

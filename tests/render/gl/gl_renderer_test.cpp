@@ -237,7 +237,7 @@ TEST_F(GlSurfaces, MatchTheCpuUnderLights) {
   }
 }
 
-// Of two tables, one with cells that were not measured.
+// There are two tables, one with cells that were not measured.
 TEST_F(GlSurfaces, MatchTheCpuWithMeasuredMaterials) {
   for (std::size_t i = 0; i < scene_.surfaces.size(); ++i) {
     std::vector<glm::vec3> values(MeasuredBrdf::samples);

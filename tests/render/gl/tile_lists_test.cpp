@@ -77,7 +77,8 @@ TEST_F(GlLongLists, MatchTheCpuAndRepeat) {
     settings.optical_depth_table = {12, 8};
     const Frame first = render_on_device(scene, settings, "crowded");
     const Frame cpu = on_cpu(scene, settings);
-    // As other frames: tables of the lights of 16 bits, and sums of thousands in single precision.
+    // The bound is that of other frames: light tables of 16 bits, and sums of thousands in single
+    // precision.
     EXPECT_LT(rel_rmse(first.beauty, cpu.beauty), 1e-3);
     EXPECT_LT(rel_rmse(first.transmittance, cpu.transmittance), 1e-4);
     for (int i = 0; i < 2; ++i) {

@@ -378,7 +378,7 @@ TEST_P(Upsampling, EvaluatesEachRequestedPixelOnce) {
       if (is_smooth) {
         EXPECT_LT(exact, given.pixels());
       } else {
-        // Of noise a cell here and there looks smooth.
+        // A cell of noise here and there looks smooth.
         EXPECT_GT(static_cast<double>(exact), 0.99 * static_cast<double>(given.pixels()));
       }
     }

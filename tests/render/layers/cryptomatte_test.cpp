@@ -9,7 +9,8 @@
 namespace brume {
 namespace {
 
-// Of the reference implementation, as published with it and in tests of other programs.
+// The values are those of the reference implementation, published with it and in tests of other
+// programs.
 TEST(Cryptomatte, HashIsMurmurHash3) {
   EXPECT_EQ(murmur_hash3(""), 0u);
   EXPECT_EQ(murmur_hash3("hello"), 0x248bfa47u);

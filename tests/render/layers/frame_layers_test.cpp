@@ -60,7 +60,7 @@ Layered layered(const Scene& scene, const Settings& settings, const OutputLayers
 
 constexpr std::array channel_names{".R", ".G", ".B"};
 
-// Of each pixel and channel, what layers add up to.
+// The sum of layers in a pixel and channel.
 double sum_of(const ImageLayers& image, const std::vector<std::string>& layers, std::size_t pixel,
               std::size_t c) {
   double sum = 0.0;

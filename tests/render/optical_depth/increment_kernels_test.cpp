@@ -101,7 +101,7 @@ TEST(Increments, AgreeWithDouble) {
               if (0.5 * std::sqrt(M_PI) * g.c / g.a > double{exact_above}) opaque += part;
             }
             const auto at = k * stride + i;
-            // Of each Gaussian erf_fast may err by 3e-4 of its depth, and the cutoff by as much as
+            // For each Gaussian erf_fast may err by 3e-4 of its depth, and the cutoff by as much as
             // it tolerates.
             const double allowed = 6e-4 * depth + 60 * 3e-4 * 0.05 + 60 * culled;
             ASSERT_NEAR(increments[at], depth, allowed) << "ray " << i << " slice " << k;

@@ -52,7 +52,7 @@ double surface_solid_angle(const AreaLight& area, const glm::dvec3& x) {
   return sum / drawn_points * surface_area(area);
 }
 
-// Of a disk from its axis, of a sphere from outside.
+// The solid angle of a disk from its axis, or of a sphere from outside.
 double disk_solid_angle(double radius, double distance) {
   return 2.0 * pi * (1.0 - distance / std::hypot(distance, radius));
 }
@@ -60,7 +60,7 @@ double sphere_solid_angle(double radius, double distance) {
   const double sine = radius / distance;
   return 2.0 * pi * (1.0 - std::sqrt(1.0 - sine * sine));
 }
-// Of a rectangle from its axis.
+// The solid angle of a rectangle from its axis.
 double rectangle_solid_angle(double width, double height, double distance) {
   const double a = 0.5 * width / distance;
   const double b = 0.5 * height / distance;

@@ -78,7 +78,7 @@ TEST_P(PathMediumOf, MajorantsBoundDensities) {
 
 INSTANTIATE_TEST_SUITE_P(Gaussians, PathMediumOf, testing::Values(1, 30, 400, 5000));
 
-// Of many collisions: how many get through, and how the others lie along the ray in depth.
+// Checks of many collisions how many get through, and how the others lie along the ray in depth.
 void expect_exponential(const PathMedium& medium, const glm::dvec3& origin, const glm::dvec3& w,
                         double length) {
   const double opacity = -std::expm1(-medium.depth(origin, w, length));

@@ -197,7 +197,8 @@ TEST(ErrorEstimate, ChancesAddUpToTheSample) {
   }
 }
 
-// As many lights as pixels: they do not take all of the sample, whatever light is the brightest.
+// There are as many lights as pixels: they do not take all of the sample, whatever light is the
+// brightest.
 TEST(ErrorEstimate, ManyLightsLeavePixelsForTheRest) {
   Scene scene = light_in_view();
   const CameraRays rays(scene.camera, scene.film);

@@ -108,7 +108,7 @@ TEST(ExposureSamples, AreIndependent) {
     time_by_pixel += (s.time - 0.5) * s.pixel / 64.0;
     time_by_lens += (s.time - 0.5) * s.lens / 64.0;
   }
-  // Of products of standard deviations 0.5, 0.21 and 0.29: a tenth at most.
+  // The covariance is a tenth of the products of standard deviations 0.5, 0.21 and 0.29 at most.
   for (int k = 0; k < 2; ++k) {
     EXPECT_LT(glm::length(lens_by_pixel[k]), 0.0105);
     EXPECT_LT(std::abs(time_by_pixel[k]), 0.006);

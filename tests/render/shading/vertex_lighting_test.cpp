@@ -64,8 +64,8 @@ TEST(VertexLighting, ABowlInAFurnaceIsAGeometricSeries) {
         if (!(frame.depth[i] > 5.0f && std::isfinite(frame.depth[i]))) continue;
         for (std::size_t c = 0; c < 3; ++c) {
           const double rho = scene.surfaces[0].material.reflectance[static_cast<int>(c)];
-          // As that of a vertex, see RadianceTransfer.OfAnIntegratingSphereIsAGeometricSeries,
-          // with 256 rays.
+          // The bound is that of a vertex, see
+          // RadianceTransfer.OfAnIntegratingSphereIsAGeometricSeries, with 256 rays.
           EXPECT_NEAR(frame.beauty[4 * i + c], wanted(rho), 0.03 * rho) << f << ' ' << rho;
         }
       }

@@ -64,7 +64,7 @@ TEST(ReflectionKernel, MatchesTheScalarVersion) {
       for (std::size_t k = 0; k < surface_points->count; ++k) {
         const glm::dvec3 exact = material.unshadowed(
             lights[k], glm::normalize(surface_points->normal[k]), surface_points->to_eye[k]);
-        // Of light whose coefficients are about 1. The frame of an eye along the normal is any.
+        // The light's coefficients are about 1. The frame of an eye along the normal is any.
         if (k % 8 == 2) continue;
         EXPECT_NEAR(outgoing.r[k], exact.r, 2e-5) << k;
         EXPECT_NEAR(outgoing.g[k], exact.g, 2e-5) << k;
@@ -74,7 +74,7 @@ TEST(ReflectionKernel, MatchesTheScalarVersion) {
   }
 }
 
-// Of the light at the corners of triangles: what they mix to, or nothing; of so many points that
+// Mixes the light at the corners of triangles, or nothing; of so many points that
 // the last vector is not whole.
 TEST(ReflectionKernel, MixesTheLightOfCorners) {
   const ShMaterial material = shiny(30.0);

@@ -24,7 +24,7 @@
 namespace brume {
 namespace {
 
-// Of three corners for each triangle.
+// A surface of three corners for each triangle.
 Surface surface_of(const std::vector<glm::dvec3>& corners) {
   MeshArrays mesh;
   mesh.points.assign(corners.begin(), corners.end());
@@ -52,7 +52,7 @@ std::vector<Surface> mixed_surfaces(Random& random) {
   return surfaces;
 }
 
-// Of all pixels, row by row; what no band sets has a negative distance.
+// All pixels, row by row; those that no band sets have a negative distance.
 std::vector<RasterPixel> drawn(const RayCaster& ray_caster, const CameraRays& rays,
                                const Film& film) {
   const Raster raster = ray_caster.raster(rays, film, {});

@@ -29,7 +29,8 @@ int status_of(const std::function<void()>& work) {
   return status;
 }
 
-// Of a program that gets a signal in the middle of a file and began with that signal's disposition.
+// The status of a program that began with a signal's disposition and gets it in the middle of a
+// file.
 int status_of_writing(const fs::path& file, int signal, void (*disposition)(int)) {
   return status_of([&] {
     ::signal(signal, disposition);

@@ -111,7 +111,7 @@ TEST(GaussianFile, AcceptsColumnNamesOfOtherPrograms) {
             expected);
 }
 
-// As Gaussian splatting stores them: ellipsoids that are as opaque along their mean radius.
+// Gaussian splatting stores ellipsoids; they become as opaque along their mean radius.
 TEST(GaussianFile, SplatsBecomeEllipsoidsAsOpaque) {
   const TemporaryFolder folder;
   const std::string splats =
@@ -291,11 +291,9 @@ TEST(GaussianFile, CarriesOptics) {
 TEST(GaussianFile, EveryTruncationOfABinaryFileIsRefused) {
   const TemporaryFolder folder;
   write_gaussians(folder / "a.ply", std::vector<Gaussian>(3, {{1, 2, 3}, 4, 5}));
-  const std::string complete = content_of(folder / "a.ply");
-  for (std::size_t size = 0; size < complete.size(); ++size) {
-    const auto file = folder.write("cut.ply", complete.substr(0, size));
-    EXPECT_THROW(read_gaussians(file), InputError) << size << " bytes";
-  }
+  expect_truncations_refused(content_of(folder / "a.ply"), [&](const std::string& bytes) {
+    read_gaussians(folder.write("cut.ply", bytes));
+  });
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ class SplatGltfBuilder : public GltfBuilder {
   void set(const char* attribute, std::size_t accessor) {
     attributes()[std::string("KHR_gaussian_splatting:") + attribute] = accessor;
   }
-  // Of an attribute, the accessor.
+  // The accessor of an attribute.
   Json& accessor_of(const char* attribute) {
     return json["accessors"][attributes()[attribute].get<std::size_t>()];
   }

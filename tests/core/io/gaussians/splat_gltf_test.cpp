@@ -123,7 +123,7 @@ TEST(SplatGltf, NodesPlaceSplats) {
   }
 }
 
-// As files have them that are made small.
+// Files that are made small have them.
 TEST(SplatGltf, ReadsIntegersAndOpacityOne) {
   const TemporaryFolder folder;
   SplatGltfBuilder builder;

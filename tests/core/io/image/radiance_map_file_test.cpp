@@ -150,20 +150,12 @@ TEST(HdrFile, RefusesWhatItIsNot) {
 
 TEST(HdrFile, NoDamageDoesAnythingButAnError) {
   const TemporaryFolder folder;
-  std::string complete =
+  const std::string complete =
       hdr_header(8, 1) + bytes({2, 2, 0, 8, 136, 1, 136, 2, 3, 1, 2, 3, 133, 4, 136, 9});
-  EXPECT_NO_THROW(read_hdr(folder.write("whole.hdr", complete)));
-  for (std::size_t size = 0; size < complete.size(); ++size) {
-    EXPECT_THROW(read_hdr(folder.write("cut.hdr", complete.substr(0, size))), InputError) << size;
-  }
-  for (std::size_t offset = 0; offset < complete.size(); ++offset) {
-    std::string damaged = complete;
-    damaged[offset] = static_cast<char>(damaged[offset] ^ 0xff);
-    try {
-      read_hdr(folder.write("damaged.hdr", damaged));
-    } catch (const InputError&) {
-    }
-  }
+  const auto read = [&](const std::string& bytes) { read_hdr(folder.write("a.hdr", bytes)); };
+  EXPECT_NO_THROW(read(complete));
+  expect_truncations_refused(complete, read);
+  refused_damages(complete, read);
 }
 
 ImageLayers sky() {

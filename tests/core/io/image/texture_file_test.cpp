@@ -33,7 +33,7 @@ std::string png() {
   return encode_png(width, height, ramp());
 }
 
-// Of pixels of 3 or 4 components.
+// A JPEG of pixels of 3 or 4 components.
 std::string jpeg(std::vector<std::uint8_t> pixels, J_COLOR_SPACE space, int components) {
   jpeg_compress_struct encoder{};
   jpeg_error_mgr errors{};

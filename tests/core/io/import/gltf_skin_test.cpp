@@ -94,7 +94,7 @@ TEST_F(GltfSkin, WeighsJoints) {
   builder_.json["nodes"][2]["translation"] = {0, 0, 4};
   set_attribute("JOINTS_0", builder_.add_integers<std::uint16_t>(
                                 {0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0}, "VEC4"));
-  // Of bytes, normalized; the last vertex has none: its first joint has it.
+  // The weights are normalized bytes; the last vertex has none: its first joint has it.
   const std::size_t weights = builder_.add_integers<std::uint8_t>(
       {255, 0, 0, 0, 0, 255, 0, 0, 51, 204, 0, 0, 0, 0, 0, 0}, "VEC4");
   builder_.json["accessors"][weights]["normalized"] = true;

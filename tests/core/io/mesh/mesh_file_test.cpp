@@ -359,16 +359,14 @@ TEST(MeshFile, SurvivesTruncationAndDamage) {
                                                        {"b.stl", ascii_stl()},
                                                        {"c.stl", binary_stl()}};
   std::size_t refused = 0;
-  for (const auto& [name, content] : files) {
-    for (std::size_t offset = 0; offset < content.size(); ++offset) {
-      std::string damaged = content;
-      damaged[offset] = static_cast<char>(damaged[offset] ^ 0x55);
-      for (const std::string& bytes : {content.substr(0, offset), damaged}) {
-        try {
-          read_mesh(folder.write(name, bytes));
-        } catch (const InputError&) {
-          ++refused;
-        }
+  for (const auto& file : files) {
+    const auto read = [&](const std::string& bytes) { read_mesh(folder.write(file.first, bytes)); };
+    refused += refused_damages(file.second, read, 0x55);
+    for (std::size_t size = 0; size < file.second.size(); ++size) {
+      try {
+        read(file.second.substr(0, size));
+      } catch (const InputError&) {
+        ++refused;
       }
     }
   }

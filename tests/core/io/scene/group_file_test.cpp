@@ -110,7 +110,7 @@ TEST(GroupFile, RefusesAGroupThatTheSceneDoesNotHave) {
   EXPECT_TRUE(contains(message, "medium.file")) << message;
   EXPECT_TRUE(contains(message, "Gaussian 1")) << message;
   EXPECT_TRUE(contains(message, "from 0 to 1")) << message;
-  // Of a scene without groups it is a column like others.
+  // In a scene without groups it is a column like others.
   EXPECT_EQ(load_scene(folder.write("b.brume", csv_scene(""))).medium.size(), 2u);
 }
 

@@ -67,7 +67,7 @@ TEST_F(MissingFilesTest, PreserveTheirReferences) {
   EXPECT_EQ(document_to_json(loaded, folder_.path()), saved);
 }
 
-// As archives of macOS and programs of Windows leave them.
+// Archives of macOS and programs of Windows leave such names.
 TEST(SceneReferences, FilesNamedAlikeAreFound) {
   const TemporaryFolder folder;
   const fs::path mesh = folder.write("Gera\u0308te/Stuhl.obj", triangle_obj);

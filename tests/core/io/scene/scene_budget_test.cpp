@@ -135,7 +135,7 @@ TEST(SceneBudget, BoundsTheMemoryOfUnknownKeys) {
   EXPECT_LT(max_memory() - before, 15 * static_cast<long>(text.size() / 1024));
 }
 
-// As dense as they can be written.
+// These are as dense as they can be written.
 TEST(SceneBudget, ReadsManyGaussiansWithoutDecimals) {
   std::string values = R"({"center":[0,0,0],"radius":1,"density":1})";
   const std::string one = "," + values;

@@ -318,7 +318,7 @@ TEST_F(UsdFile, WhatMovesHasTimeSamples) {
   EXPECT_NE(text.find("rel field:density = </World/Fog/density>"), std::string::npos);
 }
 
-// As of a farm's task, to be put together with others.
+// A farm's task writes one, to be put together with others.
 TEST_F(UsdFile, OneFrameOfASequenceHasItsTimeCode) {
   const std::string text = stage({{48, scene_, "fog_48.vdb"}});
   for (const char* line : {"startTimeCode = 48\n", "endTimeCode = 48\n",

@@ -11,7 +11,7 @@
 namespace brume {
 namespace {
 
-// Of linear Rec. 709.
+// The chromaticity of linear Rec. 709.
 glm::dvec2 chromaticity(const glm::dvec3& c) {
   const double x = 0.4124564 * c.r + 0.3575761 * c.g + 0.1804375 * c.b;
   const double y = 0.2126729 * c.r + 0.7151522 * c.g + 0.0721750 * c.b;

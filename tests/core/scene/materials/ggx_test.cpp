@@ -64,7 +64,7 @@ GgxReflection specular_part(GgxReflection reflection) {
   return reflection;
 }
 
-// Of both parts, in red: what weigh(f cos(theta_i), wi) makes of them.
+// The integrals of both parts, in red, of weigh(f cos(theta_i), wi).
 template <class Value>
 Value integral(const GgxReflection& reflection, const glm::dvec3& wo, const Value& zero,
                const auto& weigh) {
@@ -243,7 +243,7 @@ TEST(GgxSh, MatchesTheIntegral) {
         [](double f, const glm::dvec3& wi) { return Harmonics{sh_basis(sh_max_bands, wi)} * f; });
     const ShVector<glm::dvec3> found = GgxSh::table()(reflection, std::cos(theta));
     for (std::size_t k = 0; k < found.size(); ++k) {
-      // Of coefficients up to about 1: linear between rows of the table.
+      // Coefficients are up to about 1, and linear between rows of the table.
       EXPECT_NEAR(found[k].x, expected.values[k], 5e-3)
           << i << ' ' << k << ' ' << roughness << ' ' << theta;
     }
