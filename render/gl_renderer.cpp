@@ -45,7 +45,7 @@ class Current {
 }  // namespace
 
 struct GlRenderer::Impl {
-  // What one albedo among the colour channels has of its own; see albedo.h.
+  // The state of one albedo among the colour channels; see albedo.h.
   struct Group {
     FrameStages stages;
     MediumBuffers medium;

@@ -24,14 +24,14 @@ bool has_transfer(const Surface& surface) {
          surface.material.type != Material::Type::metallic_roughness;
 }
 
-// What there is to render in a scene.
+// The content of a scene that there is to render.
 struct Content {
   std::vector<PointLight> lights;  // that are on and not black
   std::size_t lights_off = 0;
   std::size_t black_lights = 0;
   std::size_t lights_beyond_paper = 0;
   bool surfaces, environment, gaussians, homogeneous, noise;
-  // Of Gaussians; emission counts as light of methods that know it.
+  // Properties of Gaussians; emission counts as light of methods that know it.
   bool has_own_optics;
   bool has_emission = false;
   bool emissive_surfaces;  // seen, and lighting what paths meet; no light of other methods
@@ -126,7 +126,7 @@ double max_multiple_share(const Scene& scene) {
 // Nullopt: it matters.
 std::optional<Reason> why_scattered_once(const Scene& scene, const Content& content,
                                          const Settings& settings) {
-  // Of the error that is allowed.
+  // The share of the allowed error that is negligible.
   constexpr double negligible = 0.1;
   if (!content.light()) return Reason::no_light;
   if (!content.medium()) return Reason::no_medium;
@@ -142,8 +142,8 @@ StageSet planned_stages(const Content& content, AirlightMethod method, bool has_
   const bool sliced = method == AirlightMethod::sliced;
   const bool path = method == AirlightMethod::path;
   const bool lit_gaussians = content.gaussians && content.point_light();
-  // Of airlight and of light at surfaces. `paper` has average optical depths, and the integral of
-  // the reference is its own.
+  // The grid serves airlight and light at surfaces. `paper` has average optical depths, and the
+  // integral of the reference is its own.
   const bool needs_grid =
       sliced || method == AirlightMethod::march || (content.surfaces && !paper && !path);
   StageSet stages{Stage::prepare, Stage::composite};
@@ -175,7 +175,7 @@ StageSet planned_parts(const Content& content, const Settings& settings, bool ha
             paper && content.surfaces && content.environment && content.gaussians);
   parts.add(Stage::surface_scattering,
             content.surfaces && content.medium() && content.light() && !path);
-  // Of what is known already if the rest is still to come.
+  // Parts that are known already are in the plan even if the rest is still to come.
   parts.add(Stage::vertex_light, has_transfers);
   return parts;
 }
@@ -217,7 +217,7 @@ std::vector<SkippedStage> skipped_stages(const Scene& scene, const Content& cont
     skip(Stage::environment,
          scene.environment ? Reason::black_environment : Reason::no_environment);
   }
-  // What goes before the airlight is the method's own.
+  // The stages before the airlight depend on the method.
   if (!content.gaussians || !content.point_light()) {
     const Reason why = content.point_light() ? Reason::no_gaussians : Reason::no_light;
     if (method == AirlightMethod::paper) {

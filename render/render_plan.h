@@ -12,12 +12,12 @@
 
 namespace brume {
 
-// What the reference leaves out of a ray's optical depth.
+// The optical depth that the reference leaves out of a ray.
 inline constexpr double reference_depth_error = 1e-8;
-// What paths leave out.
+// The optical depth that paths leave out.
 inline constexpr double path_depth_error = 1e-6;
 
-// What a frame computes and how: the single place that decides. Made once a frame, before the scene
+// Decides, as the single place, what a frame computes and how. Made once a frame, before the scene
 // is split into albedo groups, which share it. The backend gl moves it to the device (gl/gl_plan).
 struct RenderPlan {
   // `shared`: transfer that others compute; null: the frame computes what is missing.
@@ -66,14 +66,15 @@ struct RenderPlan {
   bool has_all_light_at_surfaces = false;
   // Surfaces that are not diffuse reflect light from all directions.
   bool has_indirect_light = false;
-  // Of some surfaces, that are shaded.
+  // Some shaded surface has such a material.
   bool has_metallic_roughness = false;
-  // Of point lights at surfaces: from the optical depth tables, or summed exactly. Neither: zero.
+  // The optical depths of point lights at surfaces: from the tables, or summed exactly. Neither:
+  // zero.
   enum class SurfaceDepths { none, tables, exact };
   SurfaceDepths surface_depths = SurfaceDepths::none;
   // Occlusion of view rays from lights is found analytically, for the reference.
   bool has_exact_occlusion = false;
-  // Of `paper`, and of exact sums at surfaces.
+  // The precision of `paper`, and of exact sums at surfaces.
   Settings::Precision precision = Settings::Precision::simd_float;
   double depth_error = 0.0;  // see Settings
   double merge_error = 0.0;

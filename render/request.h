@@ -13,7 +13,8 @@ inline constexpr int min_slices = 4;
 inline constexpr int max_slices = 256;
 inline constexpr int max_march_steps = 65'536;
 
-// What a FrameRenderer is told of a request, except samples. Threads are no more than there are.
+// The settings of a FrameRenderer for a request, except samples. Threads are no more than there
+// are.
 Settings settings_of(const RenderRequest& request);
 
 // The request with what settings, made of it, chose.

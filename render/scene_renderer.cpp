@@ -112,7 +112,7 @@ struct SceneRenderer::Impl {
 
   std::shared_ptr<TransferStore> transfers = std::make_shared<TransferStore>();
   std::array<Chosen, 3> renderers;  // by Backend
-  // What the last groups made of the last medium.
+  // The result of the last groups for the last medium.
   Revision grouped_medium = 0;
   std::vector<Group> groups;
   Medium medium;

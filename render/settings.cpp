@@ -47,7 +47,7 @@ namespace {
 constexpr OpticalDepthTableSize min_light_table{64, 32};
 constexpr int min_shadow_cells = 256;
 
-// Of one light: OpticalDepthTable's depths, ShadowMap's distances and ranges.
+// The memory of one light: OpticalDepthTable's depths, ShadowMap's distances and ranges.
 std::size_t light_map_bytes(const Settings& settings, bool shadows) {
   const auto directions = static_cast<std::size_t>(settings.optical_depth_table.directions);
   const auto radii = static_cast<std::size_t>(settings.optical_depth_table.radii);

@@ -30,8 +30,8 @@ struct SourceGridSize {
 
 // Where the iteration for light scattered more than once ends; see solve_scattering().
 struct ScatteringLimits {
-  // Of the quadrature rules of the sweeps' directions: of all; of the first if a point light is
-  // inside the medium, or surfaces are, which radiate along them.
+  // The degree of the quadrature rules of the sweeps' directions: of all; of the first if a point
+  // light is inside the medium, or surfaces are, which radiate along them.
   int degree = 9;
   int light_degree = 19;
   double tolerance = 1e-3;  // of Convergence::residual
@@ -80,8 +80,8 @@ struct Settings {
   int airlight_scale = 1;
   double upsampling_tolerance = 0.01;
 
-  // Of the whole picture, see with_brightness(): all its regions are rendered alike. Absent: that
-  // of what is rendered.
+  // The brightness of the whole picture, see with_brightness(): all its regions are rendered alike.
+  // Absent: that of what is rendered.
   std::optional<Brightness> brightness{};
 
   PaperOptions paper{};
@@ -147,7 +147,7 @@ std::string airlight_name(const Settings& settings);
 inline constexpr std::size_t max_light_map_bytes = std::size_t{1} << 30;
 Settings limit_light_map_memory(Settings settings, std::size_t lights, bool shadows);
 
-// What a FrameRenderer renders: `auto_` becomes `sliced`.
+// The settings that a FrameRenderer renders: `auto_` becomes `sliced`.
 Settings without_auto(Settings settings);
 
 // `sliced` with a number of slices and balanced table sizes and tolerances.

@@ -1,69 +1,20 @@
 #include "brume/stage.h"
 
+#include <array>
+
 namespace brume {
 
 const char* to_string(Stage stage) {
-  switch (stage) {
-    case Stage::transfer:
-      return "transfer";
-    case Stage::prepare:
-      return "prepare";
-    case Stage::visibility:
-      return "visibility";
-    case Stage::environment:
-      return "environment";
-    case Stage::light_depth:
-      return "light_depth";
-    case Stage::eye_depth:
-      return "eye_depth";
-    case Stage::light_table:
-      return "light_table";
-    case Stage::scattering:
-      return "scattering";
-    case Stage::shadow_map:
-      return "shadow_map";
-    case Stage::airlight:
-      return "airlight";
-    case Stage::transmittance:
-      return "transmittance";
-    case Stage::paths:
-      return "paths";
-    case Stage::surfaces:
-      return "surfaces";
-    case Stage::composite:
-      return "composite";
-    case Stage::samples:
-      return "samples";
-    case Stage::homogeneous:
-      return "homogeneous";
-    case Stage::noise:
-      return "noise";
-    case Stage::upsample:
-      return "upsample";
-    case Stage::average_depth:
-      return "average_depth";
-    case Stage::surface_scattering:
-      return "surface_scattering";
-    case Stage::vertex_light:
-      return "vertex_light";
-    case Stage::lists:
-      return "lists";
-    case Stage::display:
-      return "display";
-    case Stage::submit:
-      return "submit";
-    case Stage::wait:
-      return "wait";
-    case Stage::read_depth:
-      return "read_depth";
-    case Stage::read_back:
-      return "read_back";
-    case Stage::lights:
-      return "lights";
-    case Stage::frame:
-      return "frame";
-  }
-  return "";
+  // In the order of the enumeration.
+  static constexpr std::array names{
+      "transfer",      "prepare",     "visibility", "environment",   "light_depth",
+      "eye_depth",     "light_table", "scattering", "shadow_map",    "airlight",
+      "transmittance", "paths",       "surfaces",   "composite",     "samples",
+      "homogeneous",   "noise",       "upsample",   "average_depth", "surface_scattering",
+      "vertex_light",  "lists",       "display",    "submit",        "wait",
+      "read_depth",    "read_back",   "lights",     "frame"};
+  static_assert(names.size() == stage_count);
+  return names[static_cast<std::size_t>(stage)];
 }
 
 std::string to_string(const StageSet& stages) {

@@ -98,12 +98,12 @@ glm::dvec3 scattered_radiance(const Scene& scene, const Contribution& contributi
     const Gaussian g = medium.gaussian(i);
     depth += optical_depth(g, light.position, point) / g.optics.albedo.value_or(shared);
   }
-  const glm::dvec3 own = medium.optics(contribution.index).albedo.value_or(shared);
+  const glm::dvec3 own_albedo = medium.optics(contribution.index).albedo.value_or(shared);
   const double cosine = -glm::dot(from_light, direction) / distance;
   const double falloff = light.falloff.at(from_light / distance);
   const double phase =
       henyey_greenstein(cosine, scene.optics.anisotropy) / (4.0 * glm::pi<double>());
-  return falloff * phase / (distance * distance) * light.intensity * own * glm::exp(-depth) *
+  return falloff * phase / (distance * distance) * light.intensity * own_albedo * glm::exp(-depth) *
          opacity(contribution.optical_depth);
 }
 

@@ -106,7 +106,7 @@ std::vector<Gaussian> lay_on_ground(const FogShape& shape, const FindGround& fin
     if (!ground) continue;
     const double lift = gaussian.center.y - shape.center.y;
     gaussian.center.y = *ground + std::max(0.35 * radius + 0.5 * lift, 0.0);
-    // As much of it as of a layer that thick.
+    // The optical depth is that of a layer that thick.
     gaussian.density *= shape.size.y / shape.spacing;
     if (!gaussian.is_ball()) {
       const double step = 0.5 * gaussian.radius;

@@ -121,12 +121,12 @@ double squared_error(const GaussianMoments& a, const GaussianMoments& b,
   double sum = 0.0;
   double t = begin;
   for (int i = 0; i < nodes; ++i, t *= factor) {
-    double at = 0.0;
-    for (std::size_t k = 0; k < 6; ++k) at += times[k] * products[k].at(t);
+    double value = 0.0;
+    for (std::size_t k = 0; k < 6; ++k) value += times[k] * products[k].at(t);
     // Beyond the ends it is a geometric series.
-    if (i == 0) at /= 1.0 - 1.0 / factor;
-    if (i + 1 == nodes) at /= 1.0 - std::sqrt(1.0 / factor);
-    sum += std::max(at, 0.0) * t;
+    if (i == 0) value /= 1.0 - 1.0 / factor;
+    if (i + 1 == nodes) value /= 1.0 - std::sqrt(1.0 / factor);
+    sum += std::max(value, 0.0) * t;
   }
   return step * sum / (4.0 * std::numbers::pi);
 }

@@ -91,8 +91,8 @@ double depth_error(const DensityGrid& grid, std::span<const Gaussian> gaussians,
   std::vector<double> right(lines);
   tbb::parallel_for(std::size_t{0}, lines, [&](std::size_t i) {
     const auto [p, w] = all[i];
-    const glm::dvec3 from = grid.to_world(p);
-    const glm::dvec3 along = grid.to_world(p + w) - from;
+    const glm::dvec3 origin = grid.to_world(p);
+    const glm::dvec3 along = grid.to_world(p + w) - origin;
     const double voxel = glm::length(along);
     const double depth = depth_along_line(grid, tree, p, w) * voxel;
 
@@ -100,7 +100,7 @@ double depth_error(const DensityGrid& grid, std::span<const Gaussian> gaussians,
     const double far = 2.0 * points.diagonal() * voxel;
     double fitted = 0.0;
     for (const Gaussian& g : gaussians) {
-      fitted += optical_depth(g, from - far / voxel * along, from + far / voxel * along);
+      fitted += optical_depth(g, origin - far / voxel * along, origin + far / voxel * along);
     }
     wrong[i] = (fitted - depth) * (fitted - depth);
     right[i] = depth * depth;

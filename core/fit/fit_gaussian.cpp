@@ -20,11 +20,11 @@ std::vector<FitGaussian> to_fit_gaussians(const DensityGrid& grid,
   const glm::dmat3 rotation = glm::mat3_cast(grid.rotation);
   std::vector<FitGaussian> result;
   for (const Gaussian& g : gaussians) {
-    FitGaussian& own = result.emplace_back();
-    own.b = grid.spacing * grid.to_voxel(g.center);
-    own.a = 1.0 / g.mean_radius();
-    own.c = g.density;
-    if (!g.is_ball()) own.shape = g.mean_radius() / g.radius * (warp(g.shape) * rotation);
+    FitGaussian& fitted = result.emplace_back();
+    fitted.b = grid.spacing * grid.to_voxel(g.center);
+    fitted.a = 1.0 / g.mean_radius();
+    fitted.c = g.density;
+    if (!g.is_ball()) fitted.shape = g.mean_radius() / g.radius * (warp(g.shape) * rotation);
   }
   return result;
 }

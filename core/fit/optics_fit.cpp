@@ -130,10 +130,10 @@ OpticsErrors fit_optics(const DensityGrid& density, const OpticsTargets& targets
       const Factors found = fit.fit(target);
       for (std::size_t k = 0; k < gaussians.size(); ++k) {
         const double albedo = found[k] > 0.0 ? densities[k] / found[k] : 1.0;
-        auto& own = gaussians[k].optics.albedo;
-        if (!own) own.emplace(1.0);
-        (*own)[c] = std::clamp(albedo, min_fitted_albedo, 1.0);
-        extinctions[k] = 1.0 / (*own)[c];
+        auto& own_albedo = gaussians[k].optics.albedo;
+        if (!own_albedo) own_albedo.emplace(1.0);
+        (*own_albedo)[c] = std::clamp(albedo, min_fitted_albedo, 1.0);
+        extinctions[k] = 1.0 / (*own_albedo)[c];
       }
       extinction_squares += fit.squares(target, extinctions);
     }

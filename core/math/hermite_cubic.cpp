@@ -23,7 +23,7 @@ double crossing(const HermiteCubic& cubic, double level, double above, double be
   return above;
 }
 
-// As integral_above(), where the value rises or falls from `low` to `high`.
+// The same as integral_above(), where the value rises or falls from `low` to `high`.
 double monotone_integral_above(const HermiteCubic& cubic, double floor, double low, double high) {
   const bool low_is_above = cubic.value(low) >= floor;
   const bool high_is_above = cubic.value(high) >= floor;

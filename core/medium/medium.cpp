@@ -50,9 +50,9 @@ std::optional<std::size_t> Medium::index_of(GaussianId id) const {
   const std::size_t low = last - std::min<std::size_t>(last, all.back() - id);
   const std::size_t high = std::min<std::size_t>(last, id - all.front());
   const auto range = all.subspan(low, high + 1 - low);
-  const auto at = std::ranges::lower_bound(range, id);
-  if (at == range.end() || *at != id) return std::nullopt;
-  return low + static_cast<std::size_t>(at - range.begin());
+  const auto found = std::ranges::lower_bound(range, id);
+  if (found == range.end() || *found != id) return std::nullopt;
+  return low + static_cast<std::size_t>(found - range.begin());
 }
 
 Medium::Columns Medium::columns() {

@@ -74,8 +74,8 @@ class Splice {
   explicit Splice(std::vector<T>& entries) : entries_(entries) {}
 
   [[nodiscard]] T* find(GaussianId id) {
-    const auto at = std::ranges::lower_bound(entries_, id, {}, &T::id);
-    return at == entries_.end() || at->id != id ? nullptr : &*at;
+    const auto entry = std::ranges::lower_bound(entries_, id, {}, &T::id);
+    return entry == entries_.end() || entry->id != id ? nullptr : &*entry;
   }
   void erase(const T& entry) {
     dropped_.push_back(static_cast<std::size_t>(&entry - entries_.data()));

@@ -63,14 +63,14 @@ auto in(const std::string& object) {
                         "allowed: at most " + std::to_string(limits::keys_of_value) + " keyframes");
     }
     for (std::size_t i = 0; i < keys.size(); ++i) {
-      const std::string at = element(list, i);
-      brume::check_value(at + ".time", keys[i].time, domain::seconds);
+      const std::string key_place = element(list, i);
+      brume::check_value(key_place + ".time", keys[i].time, domain::seconds);
       if (i > 0 && !(keys[i].time - keys[i - 1].time >= min_key_distance)) {
-        throw DomainError(at + ".time", "allowed: later than the key before it");
+        throw DomainError(key_place + ".time", "allowed: later than the key before it");
       }
-      check_value(at + ".value", keys[i].value, domain);
-      if (keys[i].in) check_value(at + ".in", *keys[i].in, domain::slope);
-      if (keys[i].out) check_value(at + ".out", *keys[i].out, domain::slope);
+      check_value(key_place + ".value", keys[i].value, domain);
+      if (keys[i].in) check_value(key_place + ".in", *keys[i].in, domain::slope);
+      if (keys[i].out) check_value(key_place + ".out", *keys[i].out, domain::slope);
     }
   };
 }
@@ -284,14 +284,14 @@ void check_sequence(const std::string& place, const MediumSequence& sequence) {
   }
   // Others are checked when they are read.
   for (std::size_t i = 0; frames.are_in_memory() && i < frames.size(); ++i) {
-    const std::string at = element(place + ".frames", i);
+    const std::string frame_place = element(place + ".frames", i);
     const SequenceFrame& frame = *frames.frame(i);
     if (frame.ids.size() != frame.gaussians.size() ||
         std::ranges::adjacent_find(frame.ids, std::greater_equal<>()) != frame.ids.end()) {
-      throw DomainError(at + ".ids", "allowed: ascending, one for each Gaussian");
+      throw DomainError(frame_place + ".ids", "allowed: ascending, one for each Gaussian");
     }
     for (std::size_t k = 0; k < frame.gaussians.size(); ++k) {
-      check_gaussian(at + ".gaussians", k, frame.gaussians[k]);
+      check_gaussian(frame_place + ".gaussians", k, frame.gaussians[k]);
     }
   }
 }

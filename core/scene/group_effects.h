@@ -32,7 +32,7 @@ class GroupEffects {
   GroupEffects() = default;
   explicit GroupEffects(std::span<const Group> groups);
 
-  // Of no group, or an id that no group has: none.
+  // The effect of a group; none for id 0, or an id that no group has.
   [[nodiscard]] const GroupEffect& of(GroupId id) const;
   [[nodiscard]] bool any_hidden() const { return any_hidden_; }
   [[nodiscard]] bool any_locked() const { return any_locked_; }

@@ -136,7 +136,7 @@ DensityGrid grid_of(std::span<const float> values, const glm::ivec3& size, doubl
   DensityGrid grid;
   grid.spacing = glm::dvec3(spacing);
   grid.origin = origin;
-  const auto at = [&](int i, int j, int k) {
+  const auto index_at = [&](int i, int j, int k) {
     return (static_cast<std::size_t>(i) * static_cast<std::size_t>(size.y) +
             static_cast<std::size_t>(j)) *
                static_cast<std::size_t>(size.z) +
@@ -152,7 +152,7 @@ DensityGrid grid_of(std::span<const float> values, const glm::ivec3& size, doubl
         for (int i = corner.x; i < end.x; ++i) {
           for (int j = corner.y; j < end.y; ++j) {
             for (int k = corner.z; k < end.z; ++k) {
-              const float value = values[at(i, j, k)];
+              const float value = values[index_at(i, j, k)];
               if (!domain::density.contains(static_cast<double>(value))) {
                 throw DomainError("values[" + std::to_string(i) + "][" + std::to_string(j) + "][" +
                                       std::to_string(k) + "]",

@@ -168,8 +168,9 @@ void add(const Gaussian& g, const glm::ivec3& corner, double voxel_size,
   if (!g.is_ball()) {
     const StandaloneTerm term(g);
     for (std::size_t i = 0; i < DensityGrid::block_size; ++i) {
-      const auto at = static_cast<int>(i);
-      const glm::ivec3 voxel = corner + glm::ivec3(at / (side * side), at / side % side, at % side);
+      const auto voxel_index = static_cast<int>(i);
+      const glm::ivec3 voxel = corner + glm::ivec3(voxel_index / (side * side),
+                                                   voxel_index / side % side, voxel_index % side);
       const glm::dvec3 q = (*term).scaled(voxel_size * glm::dvec3(voxel));
       const double density = g.density * std::exp(-glm::dot(q, q));
       for (std::size_t k = 0; k < count; ++k) sums[k][i] += factors[k] * density;

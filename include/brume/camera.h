@@ -20,7 +20,7 @@ struct Camera {
   // the plane of the eye on, > 0 [u].
   std::optional<double> height{};
   double aperture = 0.0;  // radius of the lens, >= 0 [u]; 0: a pinhole, or orthographic
-  // Of the plane in focus, along the axis, > 0 [u]; absent: through the target.
+  // The distance of the plane in focus along the axis, > 0 [u]; absent: through the target.
   std::optional<double> focus_distance{};
   // About the way it looks, after `up` [degrees]: positive leans its top to its own right.
   double roll = 0.0;

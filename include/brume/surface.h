@@ -34,13 +34,13 @@ struct Material {
   bool operator==(const Material&) const = default;
 };
 
-// Of its placement, and of a material that is not measured.
+// Keyframes of its placement, and of a material that is not measured.
 struct SurfaceKeys {
   Keys<glm::dvec3> translate;
   Keys<glm::dquat> rotate;
   Keys<double> scale;
   Keys<glm::dvec3> reflectance;
-  // Of phong.
+  // Phong only:
   Keys<glm::dvec3> specular;
   Keys<double> exponent;
 

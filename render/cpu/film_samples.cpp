@@ -19,7 +19,7 @@
 namespace brume {
 namespace {
 
-// Of all pixels that are traced together.
+// The samples of all pixels that are traced together.
 constexpr std::size_t batch_samples = 2048;
 
 // Pixels whose samples let expect more than this error, relative to the picture's RMS, are sampled
@@ -117,10 +117,10 @@ class TileSampler {
       to.square += c.share * (glm::dot(c.airlight, c.airlight + 2.0f * c.transmittance * c.behind) +
                               c.transmittance * c.transmittance * c.square);
     }
-    // Of an edge in a stratified set of n samples it falls with n^1.5.
+    // The variance of an edge in a stratified set of n samples falls with n^1.5.
     const auto n = static_cast<float>(offsets_.size());
     for (SampledPixel& pixel : std::span(results).subspan(first)) {
-      // Of radiances whose squares no float holds it is not known, and taken for none.
+      // It is unknown for radiances whose squares no float holds, and taken for none.
       const float spread = pixel.square - glm::dot(pixel.beauty, pixel.beauty);
       pixel.variance = std::isfinite(spread) ? std::max(spread, 0.0f) / (n * std::sqrt(n)) : 0.0f;
     }

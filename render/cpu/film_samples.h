@@ -9,7 +9,7 @@
 
 namespace brume {
 
-// What the samples of a pixel see.
+// The view of a pixel's samples.
 struct SampledView {
   const FilmTiles& tiles;
   const FilmSurfaces* surfaces = nullptr;         // null: none

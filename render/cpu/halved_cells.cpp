@@ -58,13 +58,13 @@ struct Quarter {
   template <class Value>
   [[nodiscard]] Value mix(const std::array<Value, nodes_across * nodes_across>& of, int px,
                           int py) const {
-    const auto at = [&](int column, int row) {
+    const auto node_at = [&](int column, int row) {
       return of[static_cast<std::size_t>(nodes_across * row + column)];
     };
     const float fx = 0.5f * static_cast<float>(px);
     const float fy = 0.5f * static_cast<float>(py);
-    const Value above = at(x, y) + fx * (at(x + 1, y) - at(x, y));
-    const Value below = at(x, y + 1) + fx * (at(x + 1, y + 1) - at(x, y + 1));
+    const Value above = node_at(x, y) + fx * (node_at(x + 1, y) - node_at(x, y));
+    const Value below = node_at(x, y + 1) + fx * (node_at(x + 1, y + 1) - node_at(x, y + 1));
     return above + fy * (below - above);
   }
 };

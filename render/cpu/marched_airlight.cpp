@@ -48,7 +48,7 @@ struct MarchScratch {
   std::vector<float> source_sums;      // of all rays, see SourceLookup::add()
   std::vector<glm::vec3> environment;  // per ray
   std::vector<float> along_rays;       // see SliceWeights
-  // Of Gaussians with optics: the batch with its scale times each of them, and what that sums to.
+  // Gaussians with optics: the batch with its scale times each of them, and its sums.
   std::array<GaussianBatch, 4> weighted;
   std::array<std::vector<float>, 4> sums;
   std::vector<float> ignored;

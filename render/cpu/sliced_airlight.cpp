@@ -34,7 +34,7 @@ struct AirlightRows {
   std::size_t slices;  // of running sums; 0: sums are total
   std::size_t stride;  // of sums
 
-  // Of the sums that a row holds.
+  // The number of sums that a row holds.
   [[nodiscard]] std::size_t sums(std::size_t row) const {
     if (slices == 0) return 0;
     return (std::min((row + 1) * slices_per_lookup, slices) - 1) * stride;
@@ -57,13 +57,13 @@ void add_source_function(const SlicedSource& from, const TileRays& rays, SliceSc
   s.lookup_sums.assign(stride * source.sums_size(), 0.0f);
   s.weights.clear();
   bool needs_weights = function.has_lobe_on_rays();
-  SourceWeights own;
+  SourceWeights own_weights;
   // Once for each ray, or for all; kept for the rows to come.
   const auto weights_of = [&](std::size_t i) -> const SourceWeights& {
-    if (!needs_weights) return own;
+    if (!needs_weights) return own_weights;
     if (out.slices == 0) {
-      if (i == 0 || function.is_anisotropic()) own = function.weights(rays.directions[i]);
-      return own;
+      if (i == 0 || function.is_anisotropic()) own_weights = function.weights(rays.directions[i]);
+      return own_weights;
     }
     if (s.weights.empty()) {
       const std::size_t count = function.is_anisotropic() ? out.rays : 1;

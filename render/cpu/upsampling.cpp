@@ -330,7 +330,7 @@ class CellStrip {
   // Lists the missing pixels of a cell as a cell, if it may be worth to halve it.
   void take_curved(const Cell& cell, std::size_t first_missing, Missing& missing) const {
     const auto pixels = std::span(missing.pixels).subspan(first_missing);
-    // Of the film's last cells samples may be closer together, and pixels more.
+    // In the film's last cells, samples may be closer together, and pixels more.
     const glm::ivec2 first(cell.x0, cell.y0);
     const glm::ivec2 opposite(samples_.x(cell.column + 1), samples_.y(cell.row + 1));
     if (pixels.size() <= static_cast<std::size_t>(halving_samples) ||
@@ -346,7 +346,7 @@ class CellStrip {
     missing.pixels.resize(first_missing);
   }
 
-  // Of samples four pixels apart; the film's last cells have the border's row too.
+  // Samples are at most four pixels apart; the film's last cells have the border's row too.
   static constexpr std::size_t max_cell_rows = 5;
 
   const AirlightSamples& samples_;

@@ -103,7 +103,7 @@ struct CurvedCell {
   std::uint16_t missing = 0;  // bit 4 y + x: a pixel without airlight
 };
 
-// What upsample() leaves to be done.
+// The pixels that upsample() leaves to be evaluated.
 struct Missing {
   std::vector<glm::ivec2> pixels;
   std::vector<CurvedCell> cells;

@@ -22,12 +22,12 @@
 namespace brume {
 namespace {
 
-// Of the error, what may be between points; samples are fit to the rest.
+// The share of the error that may be between points; samples are fit to the rest.
 constexpr double share_between_points = 0.25;
 constexpr std::size_t max_parts = 16;
 constexpr std::size_t max_boundaries_of_tile = 2048;
 
-// What a frame of one albedo group is made from.
+// The stages of a frame of one albedo group.
 class DeepGroup {
  public:
   DeepGroup(const RenderPlan& plan, Scene scene, const Camera& camera, const FilmWindow& window,
@@ -235,8 +235,8 @@ class DeepFilm {
     }
   }
 
-  // Of ray i; the points half-way between those of the airlight get as much of it as they lose of
-  // the transmittance, as if all between were lit alike.
+  // Sets the profile of ray i. Points half-way between those of the airlight get as much of it as
+  // they lose of the transmittance, as if all between were lit alike.
   void set_profile(const DeepTile& work, std::size_t i, RayProfile& ray) const {
     ray.clear();
     const std::size_t points = 2 * (work.profiles[0].count - 1) + 1;

@@ -11,7 +11,7 @@ namespace {
 // Beyond this optical depth a channel's light is less than the rounding of what is before.
 constexpr double invisible_depth = 16.0;
 
-// What the first x of a volume's length shows. See DeepSample.
+// The first x of a volume's length. See DeepSample.
 struct PartOfVolume {
   double transmittance;
   double light;  // relative to all of its light
@@ -120,7 +120,7 @@ void RayProfile::add(float distance, const glm::dvec3& depth, const glm::dvec3& 
 }
 
 double error_between_points(const RayProfile& ray, const DeepTolerance& tolerance) {
-  // Of a parabola, halves of an interval are off a quarter as much as the whole.
+  // A parabola is off a quarter as much over halves of an interval as over the whole.
   constexpr double halves = 0.25;
   double error = 0.0;
   for (std::size_t i = 1; i + 1 < ray.size(); i += 2) {

@@ -7,7 +7,7 @@
 
 namespace brume {
 
-// What the fog does up to points on a ray, per channel.
+// Transmittance and airlight up to points on a ray, per channel.
 struct RayProfile {
   std::vector<float> distances;           // ascending [u]
   std::vector<glm::dvec3> depths;         // optical depth from the eye, ascending
@@ -36,7 +36,7 @@ double error_between_points(const RayProfile& ray, const DeepTolerance& toleranc
 void fit_deep_samples(const RayProfile& ray, const DeepTolerance& tolerance,
                       std::vector<DeepSample>& samples);
 
-// What samples show up to a distance: of a surface there, and what is behind it, nothing.
+// The view of samples up to a distance: nothing of a surface there, or behind it.
 struct HeldOut {
   glm::dvec3 airlight{0.0};
   glm::dvec3 transmittance{1.0};

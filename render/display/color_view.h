@@ -17,7 +17,7 @@ inline constexpr const char* aces_config = "aces";
 // from its version 2.2 on.
 bool is_config_file(const std::string& config);
 
-// What is chosen of a configuration.
+// The choice of a view in a configuration.
 struct ColorChoice {
   std::string config;   // see is_config_file
   std::string display;  // empty: the configuration's first

@@ -17,7 +17,7 @@ constexpr std::uint32_t threshold_bits = 8;
 constexpr float threshold_unit = 1.0f / (1u << threshold_bits);
 }  // namespace dither
 
-// Of the pixel in a column and row of the whole picture.
+// The threshold of the pixel in a column and row of the whole picture.
 inline float dither_threshold(std::uint32_t column, std::uint32_t row) {
   const std::uint32_t place = column * dither::column_step + row * dither::row_step;
   return (static_cast<float>(place >> (32u - dither::threshold_bits)) + 0.5f) *

@@ -64,9 +64,9 @@ class MediumIndex {
   [[nodiscard]] std::size_t size() const { return gaussians_.size(); }
   [[nodiscard]] std::span<const GaussianTerm<double>> gaussians() const { return gaussians_.all(); }
   [[nodiscard]] std::span<const double> cutoff_radii() const { return cutoff_radii_; }
-  // Of each Gaussian; empty if all are as by default.
+  // The optics of each Gaussian; empty if all are as by default.
   [[nodiscard]] std::span<const RelativeOptics> optics() const { return optics_; }
-  // Of what is at x, of fog of a density too; means weighted by density [1/u].
+  // The optics at x, with fog of that density [1/u]; means weighted by density.
   [[nodiscard]] RelativeOptics optics_at(const glm::dvec3& x, double fog) const;
   [[nodiscard]] const SphereBvh& bvh() const { return bvh_; }
   // Noise that displaces view rays; off by default; changing it needs no new index.
@@ -110,7 +110,7 @@ class MediumIndex {
   double anisotropy_;
 };
 
-// Of the Gaussians of an extinction_medium(); empty if all are as by default.
+// The optics of the Gaussians of an extinction_medium(); empty if all are as by default.
 std::vector<RelativeOptics> relative_optics(const Medium& extinction);
 
 // For which the optical depth of a ray is within `error`, as measured on clouds (culled Gaussians

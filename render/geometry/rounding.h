@@ -9,7 +9,7 @@
 
 namespace brume {
 
-// What single precision leaves unknown of positions near surfaces. Coordinates round one by one, so
+// The uncertainty of positions near surfaces in single precision. Coordinates round one by one, so
 // that a floor of any extent has as exact a height as a small one (Waechter and Binder, "A Fast and
 // Robust Method for Avoiding Self-Intersection", Ray Tracing Gems, 2019).
 

@@ -19,7 +19,7 @@ struct Device {
   int texture_side = 0;            // [texels]
 };
 
-// Of the current context.
+// The device of the current context.
 Device current_device();
 
 // Whether a GL_RENDERER names a known software renderer.

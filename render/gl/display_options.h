@@ -2,7 +2,7 @@
 
 namespace brume::gl {
 
-// What to display of a frame.
+// Which parts of a frame are displayed.
 struct DisplayOptions {
   enum class Layer { beauty, airlight };
   Layer layer = Layer::beauty;

@@ -117,10 +117,11 @@ void MaterialStage::upload_texcoords(const Scene& scene, const MeshBuffers& mesh
   std::vector<glm::vec2> texcoords;
   texcoords.reserve(3 * mesh.places().size());
   for (const MeshBuffers::Place& place : mesh.places()) {
-    const MeshArrays& own = arrays[place.surface];
+    const MeshArrays& own_arrays = arrays[place.surface];
     for (int k = 0; k < 3; ++k) {
-      texcoords.push_back(own.texcoords.empty() ? glm::vec2(0.0f)
-                                                : own.texcoords[own.triangles[place.index][k]]);
+      texcoords.push_back(own_arrays.texcoords.empty()
+                              ? glm::vec2(0.0f)
+                              : own_arrays.texcoords[own_arrays.triangles[place.index][k]]);
     }
   }
   texcoords_.upload(std::span<const glm::vec2>(texcoords));

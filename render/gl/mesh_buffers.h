@@ -26,7 +26,7 @@ class MeshBuffers {
   void find_hits(Programs& programs, const CameraRays& rays, const Film& film, Texture& depth);
   // Downloads the hits of the last find_hits(), one per pixel.
   [[nodiscard]] std::vector<SurfaceHit> download_hits() const;
-  // Of triangles, in the order of the device.
+  // The places of triangles, in the order of the device.
   struct Place {
     std::uint32_t surface, index;
   };

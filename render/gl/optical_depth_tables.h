@@ -40,7 +40,7 @@ class OpticalDepthTables {
   void upload(std::span<const SlicedLight> lights, const ShadowMaps* shadows,
               const glm::dvec3& origin);
   [[nodiscard]] bool has_profiles() const { return profiles_.has_any(); }
-  // As `Lights`, `Tables` and `profiles`.
+  // Binds them as `Lights`, `Tables` and `profiles`.
   void bind(const Program& program);
 
  private:

@@ -6,7 +6,7 @@
 namespace brume::gl {
 namespace {
 
-// Of other sizes than the one wanted: those of four views, or of a view whose resolution changes.
+// Idle pictures of other sizes: those of four views, or of a view whose resolution changes.
 constexpr std::size_t max_idle = 4;
 
 }  // namespace

@@ -38,9 +38,9 @@ void ProfileMaps::upload(std::span<const SlicedLight> lights) {
   for (std::size_t i = 0; i < profiles_.size(); ++i) {
     const glm::ivec2 at = place_of(i);
     for (int row = 0; row < map_side; ++row) {
-      const auto from =
+      const auto first_value =
           profiles_[i]->map().subspan(static_cast<std::size_t>(row) * map_side, map_side);
-      std::ranges::copy(from, texels.begin() + (at.y + row) * std::ptrdiff_t{size.x} + at.x);
+      std::ranges::copy(first_value, texels.begin() + (at.y + row) * std::ptrdiff_t{size.x} + at.x);
     }
   }
   texture_.reserve(Texture::Format::r32f, size);

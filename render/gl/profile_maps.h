@@ -19,7 +19,7 @@ class ProfileMaps {
   [[nodiscard]] bool has_any() const { return !profiles_.empty(); }
   // The first texel of a profile that a light of the last upload has.
   [[nodiscard]] glm::ivec2 place(const PhotometricProfile& profile) const;
-  // As `profiles`.
+  // Binds them as `profiles`.
   void bind(const Program& program);
 
  private:

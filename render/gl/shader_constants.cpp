@@ -94,7 +94,7 @@ std::vector<float> floats(std::span<const ShRecurrence::Row> rows) {
   return values;
 }
 
-// Of the kernels of render/simd and render/lighting.
+// Constants of the kernels of render/simd and render/slices.
 void add_kernels(Constants& constants) {
   constants.add("float_epsilon", std::numeric_limits<float>::epsilon());
   constants.add("exact_above", exact_above);
@@ -111,7 +111,7 @@ void add_kernels(Constants& constants) {
   constants.add("hash_shifts", noise_lattice::hash_shifts);
 }
 
-// Of light given as spherical harmonics, and of materials.
+// Constants of light given as spherical harmonics, and of materials.
 void add_reflection(Constants& constants) {
   constants.add("max_grid_levels", static_cast<int>(SourceGrid::max_levels));
   constants.add("source_clusters", source_clusters);
@@ -135,7 +135,7 @@ void add_reflection(Constants& constants) {
   constants.add("scatter_opaque", ScatterTable::opaque);
 }
 
-// Of metallic-roughness materials and textures.
+// Constants of metallic-roughness materials and textures.
 void add_materials(Constants& constants) {
   const auto encoding = [](brume::Texture::Encoding value) { return static_cast<unsigned>(value); };
   constants.add("texture_linear", encoding(brume::Texture::Encoding::linear));
@@ -193,7 +193,7 @@ void add_slices(Constants& constants) {
   constants.add("max_table_radii", max_table_radii);
 }
 
-// Of rays, tiles and upsampling.
+// Constants of rays, tiles and upsampling.
 void add_film(Constants& constants) {
   constants.add("endless", endless);
   constants.add("max_radiance", max_radiance);

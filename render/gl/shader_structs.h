@@ -28,7 +28,7 @@ BRUME_SHARED_STRUCT(LightData, {
   float h_min = 0.0f;        // see PointLightRay
   glm::vec3 intensity{0.0f};
   float shadow_bias = 0.0f;  // see shadow_bias()
-  // Of the table, see TableRadii.
+  // The radii of the table, see TableRadii.
   float first_radius = 0.0f;
   float radii_per_unit = 0.0f;
   float curvature = 0.0f;
@@ -41,7 +41,7 @@ BRUME_SHARED_STRUCT(LightData, {
   float dark_versine = 0.0f;
   float per_versine = 0.0f;
   float radius2 = 0.0f;  // see PointSource::distance2()
-  // Of a photometric profile: where its map begins.
+  // The place where the map of a photometric profile begins.
   std::int32_t profile_column = 0;
   std::int32_t profile_row = 0;
   glm::vec3 azimuth_0{0.0f};  // of a cone
@@ -115,7 +115,7 @@ BRUME_SHARED_STRUCT(TriangleCorner, {
   std::int32_t index = 0;
 });
 
-// What a view ray hits.
+// The hit of a view ray.
 BRUME_SHARED_STRUCT(PixelHit, {
   float distance = 0.0f;  // < 0: nothing
   float u = 0.0f;
@@ -123,7 +123,7 @@ BRUME_SHARED_STRUCT(PixelHit, {
   std::int32_t triangle = -1;
 });
 
-// What is known of a surface, as floats among other values; places are indices of those or of the
+// The values of a surface, as floats among other values; places are indices of those or of the
 // light at surfaces, < 0: none.
 BRUME_SHARED_STRUCT(SurfaceRecord, {
   glm::vec3 diffuse{0.0f};  // reflectance / pi
@@ -154,7 +154,7 @@ BRUME_SHARED_STRUCT(MaterialRecord, {
   std::uint32_t normal_texture = 0;
   std::uint32_t emissive_texture = 0;
 });
-// What shaders/materials.glsl finds of a pixel, as vectors.
+// The number of vectors that shaders/materials.glsl finds of a pixel.
 inline constexpr int ggx_vectors = 4;
 
 // GLSL source of these structs, and of the places of members of those that are read as floats

@@ -88,7 +88,7 @@ void SlicedStage::upload_source(const SourceFunction* source, const glm::dvec3& 
   if (!source) return;
   const SourceFunction::WeightParts parts = source->weight_parts();
   const bool is_new = source_revision_ != source->grid().revision();
-  // As shaders/source.glsl has it; where things begin is known without the values.
+  // The layout is that of shaders/source.glsl; places are known without the values.
   std::vector<glm::vec4> values;
   std::size_t at = 0;
   bool has_surfaces = false;

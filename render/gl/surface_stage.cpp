@@ -165,7 +165,7 @@ std::uint64_t SurfaceStage::sum_depths(const SurfaceLighting& lighting, DeviceFr
   return pairs[0];
 }
 
-// As shaders/shade_surfaces.glsl has them.
+// The layout is that of shaders/shade_surfaces.glsl.
 void SurfaceStage::upload_values(const FrameStages& stages, const FrameContext& work,
                                  const SurfaceLighting& lighting, const glm::dvec3& center,
                                  const Program& program) {

@@ -17,12 +17,12 @@ class MediumBuffers {
   void update(const MediumIndex& medium);
 
   [[nodiscard]] std::size_t count() const { return count_; }
-  // As `Centers` and `Shapes`.
+  // Binds them as `Centers` and `Shapes`.
   void bind(const Program& program);
-  // Of Gaussians with optics of their own, as `optics`.
+  // Binds the optics of Gaussians that have their own, as `optics`.
   void bind_optics(const Program& program) { program.bind("optics", optics_); }
   [[nodiscard]] bool has_optics() const { return has_optics_; }
-  // As `ellipsoids`, for programs with the word that defines them.
+  // Binds them as `ellipsoids`, for programs with the word that defines them.
   void bind_ellipsoids(const Program& program) const { program.bind("ellipsoids", ellipsoids_); }
   [[nodiscard]] const char* defined() const { return has_ellipsoids_ ? "ELLIPSOIDS" : ""; }
 
@@ -52,7 +52,7 @@ class TileLists {
   [[nodiscard]] std::size_t used() const { return used_; }  // Gaussians in any list
   [[nodiscard]] const glm::ivec2& tiles() const { return tiles_; }
   [[nodiscard]] const glm::ivec2& sample_film() const { return sample_film_; }
-  // As `Seen`, `Offsets` and `Entries`.
+  // Binds them as `Seen`, `Offsets` and `Entries`.
   void bind(const Program& program);
   // MediumBuffers::defined() of the medium that they were built for, which bind() binds too.
   [[nodiscard]] const char* defined() const { return medium_->defined(); }

@@ -38,7 +38,7 @@ std::uint32_t murmur_hash3(std::string_view text) {
 std::uint32_t cryptomatte_hash(std::string_view name) {
   const std::uint32_t hash = murmur_hash3(name);
   const std::uint32_t exponent = hash >> 23 & 255;
-  // As the specification has it: the lowest bit of an exponent of only ones or zeros is flipped.
+  // The specification flips the lowest bit of an exponent of only ones or zeros.
   return exponent == 0 || exponent == 255 ? hash ^ 1u << 23 : hash;
 }
 

@@ -18,7 +18,7 @@ namespace brume {
 
 // MurmurHash3_x86_32 (Appleby) with seed 0, little-endian.
 std::uint32_t murmur_hash3(std::string_view text);
-// As the bits of a float that is neither 0, denormal, infinite nor NaN.
+// The bits of a float that is neither 0, denormal, infinite nor NaN.
 std::uint32_t cryptomatte_hash(std::string_view name);
 
 // Which names cover pixels, and how much of each.

@@ -14,7 +14,7 @@
 namespace brume {
 namespace {
 
-// Of the points that Z is the distance of.
+// Adds the planar depth of the points that Z is the distance of.
 void add_planar_depth(const CameraRays& rays, const Frame& frame, ImageLayers& image) {
   std::vector<float>& planar = image.channels["depth.planar"];
   planar = frame.depth;

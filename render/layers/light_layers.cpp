@@ -11,7 +11,7 @@
 namespace brume {
 namespace {
 
-// As good as off, but still where a frame looks for light: slices and tables stay as they are.
+// Practically off, but still a light of the frame: slices and tables stay as they are.
 constexpr double dimmed = 1e-30;
 
 constexpr std::size_t max_layer_name = 64;
@@ -127,7 +127,7 @@ void write_source(const std::string& name, const Frame& frame, ImageLayers& imag
   }
 }
 
-// What is behind all is in no layer of orders.
+// The background is in no layer of orders.
 void write_orders(const Frame& all, const Frame& single, const OutputLayers& layers,
                   ImageLayers& image) {
   const FrameParts once{single};
@@ -147,7 +147,7 @@ void write_orders(const Frame& all, const Frame& single, const OutputLayers& lay
   }
 }
 
-// What frames add up to, in double.
+// The sum of frames, in double.
 class FrameSum {
  public:
   explicit FrameSum(const Frame& frame)

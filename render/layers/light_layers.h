@@ -16,7 +16,7 @@ namespace brume {
 // Frames under one source of light at a time: each light that is on, the environment, and what
 // emits. Light transport is linear, so these add up to the picture.
 
-// What layers are called after: a light's name, or "light_3" of one without, letters, digits and
+// The names of layers: a light's name, or "light_3" of one without, letters, digits and
 // _ only; names that several have, or that mean another layer, are numbered. In the order of
 // Scene::lights; empty for lights that are off or black.
 std::vector<std::string> light_layer_names(const std::vector<Light>& lights);

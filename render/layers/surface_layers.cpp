@@ -52,7 +52,7 @@ class MotionVectors {
     }
   }
 
-  // Of a point of a surface.
+  // The place of a point of a surface in the next frame.
   [[nodiscard]] glm::dvec3 moved(std::size_t surface, const glm::dvec3& point) const {
     return Placement(*next_[surface])
         .point_to_world(Placement(now_.surfaces[surface]).point_to_mesh(point));
@@ -75,7 +75,7 @@ class MotionVectors {
   std::vector<const Surface*> next_;
 };
 
-// What one ray per pixel sees of the layers.
+// The layers as one ray per pixel sees them.
 class PointLayers {
  public:
   PointLayers(const Scene& scene, const RayCaster& ray_caster, const OutputLayers& layers,
@@ -137,7 +137,7 @@ class RowHits {
         offsets_(rays.is_parallel() ? directions_.size() : 0),
         hits_(directions_.size()) {}
 
-  // Of a row, shifted from the pixels' centers.
+  // Finds the hits of a row, shifted from the pixels' centers.
   void find(int y, const glm::dvec2& shift) {
     for (std::size_t i = 0; i < directions_.size(); ++i) {
       const glm::ivec2 pixel(first_ + static_cast<int>(i), rays_.first_pixel().y + y);

@@ -20,8 +20,8 @@ Mattes object_mattes(const std::vector<Surface>& surfaces);
 // Surfaces by material: the name that the imported file gives it, else its type and a number.
 Mattes material_mattes(const std::vector<Surface>& surfaces);
 
-// What camera rays hit first, computed on the CPU whatever renders the frame. Sets width and height
-// of `image`, and adds of `layers`, as far as they are on:
+// Layers of the first hits of camera rays, computed on the CPU whatever renders the frame. Sets
+// width and height of `image`, and adds of `layers`, as far as they are on:
 //   normal     normal.X/Y/Z, unit, in the world, on the side that is seen
 //   albedo     albedo.R/G/B, the diffuse reflectance; with that straight on of what shines of a
 //              metallic-roughness material; of a measured one 0

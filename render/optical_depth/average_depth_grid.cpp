@@ -113,9 +113,9 @@ AverageDepthGrid::AverageDepthGrid(std::span<const GaussianTerm<double>> gaussia
     if (!(g.c > 0.0)) continue;
     min_radius = std::min(min_radius, min_radius_of(g));
     if (g.ellipsoid) {
-      Gaussian own = gaussian_of(g);
-      own.center -= box.low;
-      ellipsoids.add(own);
+      Gaussian own_gaussian = gaussian_of(g);
+      own_gaussian.center -= box.low;
+      ellipsoids.add(own_gaussian);
       continue;
     }
     terms.push_back(

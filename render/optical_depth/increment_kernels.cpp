@@ -97,7 +97,7 @@ struct GroupGaussians {
   }
 
  private:
-  // Of those near rays, which are in `near_rays`, the ellipsoids that no ray meets: how many are
+  // Drops ellipsoids that no ray meets from those in `near_rays`; returns how many are
   // left.
   std::size_t drop_ellipsoids(const GaussianBatch& g, const GroupCone& cone, std::size_t count);
 

@@ -108,16 +108,16 @@ void RaySlices::subdivide(std::size_t parts) {
     all.reserve(values.size() * parts);
     const std::size_t groups = values.size() / (count_ * lanes);
     for (std::size_t g = 0; g < groups; ++g) {
-      const float* from = values.data() + g * count_ * lanes;
-      for (std::size_t k = 0; k + 1 < count_; ++k, from += lanes) {
+      const float* source = values.data() + g * count_ * lanes;
+      for (std::size_t k = 0; k + 1 < count_; ++k, source += lanes) {
         for (std::size_t part = 0; part < parts; ++part) {
           const float x = static_cast<float>(part) / static_cast<float>(parts);
           for (std::size_t i = 0; i < lanes; ++i) {
-            all.push_back(from[i] + x * (from[lanes + i] - from[i]));
+            all.push_back(source[i] + x * (source[lanes + i] - source[i]));
           }
         }
       }
-      all.insert(all.end(), from, from + lanes);
+      all.insert(all.end(), source, source + lanes);
     }
     values.swap(all);
   };

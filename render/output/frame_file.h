@@ -11,7 +11,7 @@
 
 namespace brume {
 
-// What a frame's file says besides what its frame does. Empty texts are left out.
+// The contents of a frame's header that its frame does not know. Empty texts are left out.
 struct FrameInfo {
   std::string scene{};         // file name
   DisplayLook look{};          // of a PNG; an EXR is linear

@@ -19,7 +19,7 @@ class AreaSampler {
   };
   // Evenly over the surface.
   [[nodiscard]] Point on_surface(PathRandom& random) const;
-  // What a point sends towards x, relative to what it sends along its normal.
+  // The radiant intensity of a point towards x, relative to that along its normal.
   [[nodiscard]] double cosine(const Point& point, const glm::dvec3& x) const;
 
   // Whether any of it is sent to x.

@@ -17,7 +17,7 @@ class CameraRay {
 
   [[nodiscard]] const glm::dvec3& eye() const { return medium_.eye; }
   [[nodiscard]] const glm::dvec3& w() const { return medium_.w; }
-  // Of the whole ray; +inf possible.
+  // The optical depth of the whole ray; +inf possible.
   [[nodiscard]] double depth() const { return depth_; }
   [[nodiscard]] std::size_t gaussians() const { return gaussians_; }
 

@@ -102,7 +102,7 @@ void EnvironmentSampler::make_aliases(std::vector<double> weights) {
       small.push_back(high);
     }
   }
-  // What rounding leaves keeps itself.
+  // Entries that rounding leaves over keep themselves.
 }
 
 glm::dvec3 EnvironmentSampler::radiance(const glm::dvec3& direction) const {
@@ -130,9 +130,9 @@ glm::dvec3 EnvironmentSampler::sample(PathRandom& random) const {
 double EnvironmentSampler::pdf(const glm::dvec3& direction) const {
   if (empty()) return 0.0;
   const RadianceMap& map = *environment_.map;
-  const glm::dvec2 at = map_position(map, glm::conjugate(to_world_) * direction);
-  const int x = std::clamp(static_cast<int>(at.x), 0, map.width - 1) / pixels_;
-  const int y = std::clamp(static_cast<int>(at.y), 0, map.height - 1) / pixels_;
+  const glm::dvec2 place = map_position(map, glm::conjugate(to_world_) * direction);
+  const int x = std::clamp(static_cast<int>(place.x), 0, map.width - 1) / pixels_;
+  const int y = std::clamp(static_cast<int>(place.y), 0, map.height - 1) / pixels_;
   return cells_[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) +
                 static_cast<std::size_t>(x)]
       .pdf;

@@ -71,8 +71,9 @@ void MajorantGrid::choose_size(std::span<const double> cutoff_radii) {
 }
 
 glm::ivec3 MajorantGrid::cell_of(const glm::dvec3& x) const {
-  const glm::dvec3 at = glm::clamp((x - bounds_.low) / cell_, glm::dvec3(0.0), glm::dvec3(size_));
-  return glm::min(glm::ivec3(at), size_ - 1);
+  const glm::dvec3 place =
+      glm::clamp((x - bounds_.low) / cell_, glm::dvec3(0.0), glm::dvec3(size_));
+  return glm::min(glm::ivec3(place), size_ - 1);
 }
 
 double MajorantGrid::exponent_in(const GaussianTerm<double>& g, const glm::ivec3& cell) const {

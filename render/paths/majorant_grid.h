@@ -31,7 +31,7 @@ class MajorantGrid {
   [[nodiscard]] const glm::ivec3& size() const { return size_; }
   [[nodiscard]] const Box& bounds() const { return bounds_; }
 
-  // Of the cell that contains x; empty outside.
+  // The Gaussians of the cell that contains x; empty outside.
   [[nodiscard]] std::span<const std::uint32_t> gaussians_at(const glm::dvec3& x) const;
 
   // A walk along a ray through the cells, from `t` on.

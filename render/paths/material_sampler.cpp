@@ -18,15 +18,15 @@ using std::numbers::pi;
 // The exponent whose (n.h)^e falls to half where the highlight at normal incidence does.
 double half_vector_exponent(const MeasuredBrdf& measured) {
   const glm::dvec3 n(0.0, 0.0, 1.0);
-  const auto at = [&](double theta_h) {
+  const auto value_at = [&](double theta_h) {
     // Both directions on the half vector: theta_d is 0.
     const glm::dvec3 h(std::sin(theta_h), 0.0, std::cos(theta_h));
     const glm::dvec3 value = measured(h, h, n);
     return value.x + value.y + value.z;
   };
-  const double peak = at(0.0);
+  const double peak = value_at(0.0);
   double theta = 0.005;
-  while (theta < 1.2 && at(theta) > 0.5 * peak) theta *= 1.2;
+  while (theta < 1.2 && value_at(theta) > 0.5 * peak) theta *= 1.2;
   return std::clamp(std::log(0.5) / std::log(std::cos(theta)), 1.0, 1e5);
 }
 

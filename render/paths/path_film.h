@@ -19,7 +19,7 @@
 
 namespace brume {
 
-// What samples are samples of: while it stays, more of them can be added.
+// Identifies the frame that samples are of: while it stays, more of them can be added.
 struct PathKey {
   Revision medium = 0;  // of the MediumIndex
   RayNoise noise;

@@ -75,10 +75,10 @@ double SegmentDepth(const GaussianColumns& g, std::size_t cluster_count, const g
   const auto touched = [&](const BallColumns& balls, std::size_t first) HWY_ATTR {
     unsigned result = 0;
     for (std::size_t i = 0; i < GaussianArrays::max_lanes; i += hn::Lanes(d)) {
-      const std::size_t at = first + i;
-      const V3<V> q = segment.Relative(d, balls.x + at, balls.y + at, balls.z + at);
+      const std::size_t index = first + i;
+      const V3<V> q = segment.Relative(d, balls.x + index, balls.y + index, balls.z + index);
       std::uint8_t bits[8] = {};
-      hn::StoreMaskBits(d, segment.Touches(d, q, balls.radius2 + at), bits);
+      hn::StoreMaskBits(d, segment.Touches(d, q, balls.radius2 + index), bits);
       result |= static_cast<unsigned>(bits[0]) << i;
     }
     return result;
@@ -104,18 +104,19 @@ double PointDensity(const GaussianColumns& g, const std::uint32_t* indices, std:
   const hn::Rebind<std::int32_t, D> d32;
   V sum = hn::Zero(d);
   for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
-    const auto at =
+    const auto index =
         hn::PromoteTo(di, hn::LoadU(d32, reinterpret_cast<const std::int32_t*>(indices + i)));
-    const V ai = hn::GatherIndex(d, g.a, at);
-    V3<V> q{ai * (hn::GatherIndex(d, g.x, at) - point.x),
-            ai * (hn::GatherIndex(d, g.y, at) - point.y),
-            ai * (hn::GatherIndex(d, g.z, at) - point.z)};
+    const V ai = hn::GatherIndex(d, g.a, index);
+    V3<V> q{ai * (hn::GatherIndex(d, g.x, index) - point.x),
+            ai * (hn::GatherIndex(d, g.y, index) - point.y),
+            ai * (hn::GatherIndex(d, g.z, index) - point.z)};
     if (g.warp[0]) {
-      const auto gather = [&](std::size_t k) HWY_ATTR { return hn::GatherIndex(d, g.warp[k], at); };
+      const auto gather = [&](std::size_t k)
+                              HWY_ATTR { return hn::GatherIndex(d, g.warp[k], index); };
       q = WarpOf<V>{gather(0), gather(1), gather(2), gather(3), gather(4), gather(5)}(q);
     }
     const V e = dot(q, q);
-    const V density = hn::GatherIndex(d, g.peak, at) * exp(-e);
+    const V density = hn::GatherIndex(d, g.peak, index) * exp(-e);
     sum += where(hn::FirstN(d, count - i), density);
   }
   return hn::GetLane(hn::SumOfLanes(d, sum));

@@ -35,10 +35,11 @@ std::vector<std::uint32_t> PathMedium::spatial_order(const MediumIndex& medium) 
   std::vector<std::pair<std::uint64_t, std::uint32_t>> keys;
   for (std::uint32_t i = 0; i < medium.size(); ++i) {
     constexpr double cells = 1 << 16;
-    const glm::dvec3 at = (medium.gaussians()[i].b - low) / glm::max(high - low, 1e-300);
+    const glm::dvec3 place = (medium.gaussians()[i].b - low) / glm::max(high - low, 1e-300);
     std::uint64_t key = 0;
     for (int axis = 0; axis < 3; ++axis) {
-      const auto cell = static_cast<std::uint64_t>(std::clamp(at[axis], 0.0, 1.0) * (cells - 1.0));
+      const auto cell =
+          static_cast<std::uint64_t>(std::clamp(place[axis], 0.0, 1.0) * (cells - 1.0));
       for (unsigned bit = 0; bit < 16; ++bit) {
         key |= (cell >> bit & 1u) << (3 * bit + static_cast<unsigned>(axis));
       }

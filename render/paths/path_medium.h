@@ -41,7 +41,7 @@ class PathMedium {
   [[nodiscard]] double collision_by_depth(const glm::dvec3& origin, const glm::dvec3& w,
                                           double length, PathRandom& random) const;
 
-  // Of the Gaussians, in an order in which neighbours in space are near each other.
+  // The indices of the Gaussians in an order in which neighbours in space are near each other.
   static std::vector<std::uint32_t> spatial_order(const MediumIndex& medium);
 
   const MediumIndex& medium_;

@@ -51,7 +51,8 @@ struct PathLight : PointSource {
 struct PathFog {
   double density = 0.0;  // b0 [1/u]
   FogBall ball;
-  // Of the ball around everything that sends or scatters light, in endless fog; else 0 [u].
+  // The radius of the ball around everything that sends or scatters light, in endless fog; else 0
+  // [u].
   double scene_radius = 0.0;
 
   // Without an environment fog is endless. Walks in it are followed to this many mean free paths
@@ -70,13 +71,13 @@ struct PathFog {
   // Length of a ray from x in the unit direction w in it [u].
   [[nodiscard]] double length(const glm::dvec3& x, const glm::dvec3& w) const;
 
-  // What a collision at x is worth to the scene, relative to one in it: in endless fog light
+  // The importance of a collision at x, relative to one in the scene: in endless fog light
   // diffuses like 1 / distance. (A steeper fall is as cheap for its noise, but leaves outliers.)
   [[nodiscard]] double importance(const glm::dvec3& x) const;
 };
 
-// What paths are traced in: one albedo group of a scene, whose medium's densities are extinction.
-// What it refers to outlives it.
+// One albedo group of a scene, in which paths are traced; its medium's densities are extinction.
+// The objects that it refers to outlive it.
 struct PathScene {
   const PathMedium& medium;
   double albedo = 1.0;

@@ -38,7 +38,7 @@ class PathSums {
   }
 
  private:
-  // Of a sum of n independent terms, by their squares.
+  // The variance of a sum of n independent terms, by their squares.
   static double variance_of_sum(int n, const glm::dvec3& sum, double squares,
                                 const glm::dvec3& channels) {
     const double mean_square = glm::dot(channels * sum, sum) / n;

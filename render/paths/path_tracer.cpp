@@ -192,7 +192,7 @@ glm::dvec3 PathTracer::lights_on_camera_ray(const CameraRay& ray, double opacity
   glm::dvec3 sum(0.0);
   const auto importance = [&](const PathLight& light) {
     const PointLightRay<double> path = relative_to(light, light.position, ray.eye(), ray.w());
-    // Of a light nearby, the ray passes most of pi.
+    // The ray passes most of pi around a light nearby.
     const double span = !light.is_far ? pi : EquiAngular<double>(path, ray.visible_length()).span;
     const double size = light.area ? std::sqrt(facing_area(*light.area)) : 0.0;
     return max_component(light.intensity) * span / std::max(path.h, size);

@@ -27,7 +27,7 @@ struct OrderedRadiance {
 // by collisions and equi-angularly (Kulla and Fajardo 2012); light that Gaussians emit by
 // collisions and by what they emit, combined likewise.
 //
-// What biases them: culling (PathMedium), h_min of lights and max_growth, all far below any noise,
+// Their biases are: culling (PathMedium), h_min of lights and max_growth, all far below any noise,
 // and the end of endless fog (PathFog). Thread-safe.
 class PathTracer {
  public:
@@ -77,7 +77,7 @@ class PathTracer {
   [[nodiscard]] Direction sample_direction(const Vertex& vertex, PathRandom& random) const;
   [[nodiscard]] double direction_pdf(const Vertex& vertex, const glm::dvec3& l) const;
 
-  // Of what collides with light at a point of the medium.
+  // The optics of the matter that light collides with at a point of the medium.
   [[nodiscard]] RelativeOptics optics_at(const glm::dvec3& x) const;
 
   // Calls visit(light, probability) for each light, or for one chosen by importance(light).
@@ -90,13 +90,14 @@ class PathTracer {
   [[nodiscard]] glm::dvec3 light_at(const Vertex& vertex, Weight weight, PathRandom& random) const;
   // The same of the environment.
   [[nodiscard]] glm::dvec3 environment_at(const Vertex& vertex, PathRandom& random) const;
-  // What Gaussians emit at the end of a segment, as it arrives at its origin per solid angle there
-  // and length; the densities of finding that point [1/u^3] by a collision, and by EmissionSampler.
+  // The emission of Gaussians at the end of a segment, as it arrives at its origin per solid angle
+  // there and length; the densities of finding that point [1/u^3] by a collision, and by
+  // EmissionSampler.
   struct Emission {
     glm::dvec3 arriving;
     double collision_pdf, pdf;
 
-    // Of collisions, by the balance heuristic.
+    // The weight of collisions, by the balance heuristic.
     [[nodiscard]] double weight() const {
       return pdf > 0.0 ? collision_pdf / (collision_pdf + pdf) : 1.0;
     }
@@ -126,7 +127,7 @@ class PathTracer {
     double fog = 0.0;
   };
   [[nodiscard]] Segment segment(const Vertex& vertex, const glm::dvec3& w) const;
-  // What a segment scatters of a light in the medium, the share of equi-angular samples.
+  // The light of a light in the medium that a segment scatters, the share of equi-angular samples.
   [[nodiscard]] glm::dvec3 light_on_segment(const PathLight& light, const Segment& segment,
                                             PathRandom& random) const;
 
@@ -146,7 +147,7 @@ class PathTracer {
   [[nodiscard]] glm::dvec3 lights_along(const Vertex& vertex, const Segment& segment, double pdf,
                                         PathRandom& random) const;
 
-  // What is scattered and reflected after the first vertex, whose own light is not included.
+  // Adds the light scattered and reflected after the first vertex, whose own light is not included.
   void walk(Vertex vertex, glm::dvec3 throughput, PathRandom& random, OrderedRadiance& sum) const;
 
   const PathScene& scene_;

@@ -8,10 +8,10 @@
 
 namespace brume {
 
-// What is rendered for a region of a film, so that its pixels have the bits that they have on the
-// whole film: the region, and what its pixels look at. It begins where a tile of the whole film
-// does, so lattices of samples, cells and blocks are the same, and ends with the whole film or so
-// far from the region that it does not matter how.
+// The window that is rendered for a region of a film, so that its pixels have the bits that they
+// have on the whole film: the region, and what its pixels look at. It begins where a tile of the
+// whole film does, so lattices of samples, cells and blocks are the same, and ends with the whole
+// film or so far from the region that it does not matter how.
 //
 // Distances are in tiles of airlight samples, since rays that are evaluated together share what is
 // prepared for them. Samples of pixels look at pixels beside their tile. Where airlight is

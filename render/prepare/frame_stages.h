@@ -134,8 +134,8 @@ class FrameStages {
   // The lights as `paper` and `sliced` need them; pairs are added to the frame's statistics.
   PaperLights paper_lights(FrameContext& work, StageClock& clock);
   std::vector<SlicedLight> sliced_lights(FrameContext& work, StageClock& clock);
-  // What slices are chosen for, after prepare_source(): the lights, then in fog what Gaussians
-  // emit.
+  // The lights that slices are chosen for, after prepare_source(): the scene's, then in fog what
+  // Gaussians emit.
   [[nodiscard]] std::vector<SlicedLight> lit_from(const FrameContext& work,
                                                   std::vector<SlicedLight> lights) const;
   // Parts of sliced_lights(): the lights without tables, and the directions of a light's shadow
@@ -150,7 +150,7 @@ class FrameStages {
   void update_vertex_lighting(FrameContext& work);
   // Outgoing radiance of surfaces, RGB per pixel; empty if none is lit.
   std::span<const glm::vec3> shade_surfaces(FrameContext& work, StageClock& clock);
-  // What shades more points of them, after shade_surfaces(), until the next frame.
+  // Shades more points of surfaces, after shade_surfaces(), until the next frame.
   [[nodiscard]] FilmSurfaces film_surfaces(const FrameContext& work) const {
     return {work.scene.surfaces, prepared_.medium(), prepared_.ray_caster(), shading_,
             lighting_,           work.rays,          work.frame.film,        work.window.shaded(),

@@ -59,9 +59,9 @@ class Comparison {
 
   [[nodiscard]] bool are_same(std::size_t i, std::size_t j, std::size_t count) const {
     const auto same = [&](const auto& a, const auto& b) {
-      const auto own = a.subspan(i, count);
+      const auto own_part = a.subspan(i, count);
       const auto other = b.subspan(j, count);
-      return own.data() == other.data() || std::ranges::equal(own, other);
+      return own_part.data() == other.data() || std::ranges::equal(own_part, other);
     };
     if (!same(before_.centers(), after_.centers()) || !same(before_.radii(), after_.radii()) ||
         !same(before_.densities(), after_.densities())) {
@@ -128,7 +128,7 @@ bool MergedMedium::decide(const Medium& medium, const Limits& limits) {
 }
 
 bool MergedMedium::merge(const Medium& medium, const Limits& limits, const std::stop_token& stop) {
-  // Of the same one it has just been decided.
+  // The decision about the same medium has just been made.
   const Decision decision = decision_;
   const bool is_assumed = limits.followed > 0.0 && is_like_last(medium, limits);
   *this = {};
@@ -171,7 +171,7 @@ bool MergedMedium::follow(const Medium& medium, const Limits& limits, const std:
     for (const std::uint32_t i : change.gone()) touched.push_back(part_of(source_.ids()[i]));
     std::ranges::sort(touched);
     touched.erase(std::ranges::unique(touched).begin(), touched.end());
-    // What is new or other, and what it or its like of before was merged with.
+    // Gaussians that are new or changed, and those that they were merged with before.
     std::vector<GaussianId> ids;
     for (const std::uint32_t i : change.more()) ids.push_back(medium.ids()[i]);
     for (const std::uint32_t k : touched) {

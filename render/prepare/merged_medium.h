@@ -17,7 +17,7 @@ namespace brume {
 // anew, with what they were merged with, and the result depends on the media before.
 class MergedMedium {
  public:
-  // Of fewer Gaussians frames are fast, and merging them would be felt.
+  // Frames of fewer Gaussians are fast, and merging them would be felt.
   static constexpr std::size_t min_gaussians = 20'000;
   static bool may_merge(const Medium& medium) { return medium.size() >= min_gaussians; }
 
@@ -47,7 +47,8 @@ class MergedMedium {
 
   // All of a medium; false if stopped.
   bool merge(const Medium& medium, const Limits& limits, const std::stop_token& stop);
-  // What differs from source_; false, and nothing merged, if there is too much, or if stopped.
+  // Merges the changes since source_; false, and nothing merged, if there are too many, or if
+  // stopped.
   bool follow(const Medium& medium, const Limits& limits, const std::stop_token& stop);
   void append(const Simplified& simplified, const Medium& medium, std::span<const GaussianId> ids);
   void remove_parts(std::span<const std::uint32_t> places);

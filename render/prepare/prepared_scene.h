@@ -32,7 +32,7 @@ class PreparedScene {
 
   // State after the last update().
   [[nodiscard]] const MediumIndex& medium() const { return *media_[current_].index; }
-  // What it is of: the scene's, or where is_merged() fewer Gaussians, see Settings::merge_error.
+  // The Gaussians it is of: the scene's, or where is_merged() fewer, see Settings::merge_error.
   [[nodiscard]] const Medium& gaussians() const { return media_[current_].merged.medium(); }
   [[nodiscard]] bool is_merged() const { return media_[current_].merged.is_merged(); }
   [[nodiscard]] const RayCaster& ray_caster() const { return *ray_caster_; }

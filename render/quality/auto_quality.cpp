@@ -69,7 +69,7 @@ std::optional<Settings> choose_settings(FrameRenderer& renderer, const Scene& sc
   FrameErrors errors(scene, camera, seed_of_choice);
   std::vector<double> found;
   for (const Settings& tried : ladder) {
-    // What the settings differ in shows in light that is scattered once, whose reference is exact.
+    // Differences of settings show in light that is scattered once, whose reference is exact.
     Settings single = tried;
     single.scattering = Scattering::single;
     single.samples = 1;  // errors are those of centers
@@ -155,7 +155,7 @@ std::optional<RequestedFrame> render_requested(FrameRenderer& renderer, const Sc
   std::optional<Settings> chosen = choose_settings(renderer, scene, camera, film, settings, stop,
                                                    job.subrange(0.0, 0.3).progress);
   if (!chosen) return std::nullopt;
-  // What a small picture of the whole needs, all its regions get.
+  // All regions get the settings that a small picture of the whole needs.
   const Film small = small_film(film, choice_pixels);
   chosen->samples = 1;  // errors are those of centers
   FrameErrors small_errors(scene, camera, evaluation_seed);

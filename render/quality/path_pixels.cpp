@@ -15,7 +15,7 @@ namespace {
 // Depths of less have no airlight.
 constexpr double min_depth = 1e-200;
 
-// Of the random numbers, other than those of frames.
+// The seed of the random numbers, other than those of frames.
 constexpr std::uint64_t pixel_seed = 0x6d65;
 
 }  // namespace

@@ -90,7 +90,7 @@ std::size_t QualityControl::finer_step() const {
 }
 
 // Where none is certain to meet the bound: the cheapest that may meet it, or the finest.
-// What is finer would only be slower.
+// Finer settings would only be slower.
 std::size_t QualityControl::step_to_settle() const {
   const auto cheapest =
       std::ranges::find_if(trials_, [this](const Trial& trial) { return may_keep_bound(trial); });
@@ -98,8 +98,8 @@ std::size_t QualityControl::step_to_settle() const {
   return static_cast<std::size_t>(cheapest - trials_.begin());
 }
 
-// As far as what is known leads. It ends: up only to settings that have not broken the bound, down
-// only to others, or to those that broke it in another view, which are then tried here.
+// Moves as far as known steps lead. It ends: up only to settings that have not broken the bound,
+// down only to others, or to those that broke it in another view, which are then tried here.
 void QualityControl::move() {
   while (const std::optional<ErrorEstimate>& error = trials_[step_].error) {
     if (broke_bound(trials_[step_])) {

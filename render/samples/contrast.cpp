@@ -12,10 +12,10 @@ namespace {
 // mean of the picture: an edge of such a contrast is hardly seen.
 constexpr float min_contrast = 0.04f;
 constexpr float mean_share = 0.05f;
-// Of airlight, the same, and of transmittance: fog is smooth, and where it is the filter changes a
-// fiftieth of them.
+// The contrast of airlight, and of transmittance: fog is smooth, and where it is the filter changes
+// a fiftieth of them.
 constexpr float min_fog_contrast = 0.5f;
-// Of the inverse distances of surfaces, which are linear over a plane.
+// The step of the inverse distances of surfaces, which are linear over a plane.
 constexpr float min_depth_step = 0.02f;
 
 // Three pixels in a row.
@@ -33,7 +33,7 @@ class Triple {
     return std::abs(a + c - 2.0f * b) > min_depth_step * std::max({a, b, c});
   }
 
-  // Of surfaces or the background, seen through the fog.
+  // The contrast of surfaces or the background, seen through the fog.
   [[nodiscard]] bool has_contrast(float floor) const {
     return exceeds(min_contrast, floor, [&](std::size_t pixel, std::size_t c) {
       return frame_.beauty[4 * pixel + c] - frame_.airlight[3 * pixel + c];

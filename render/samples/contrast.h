@@ -8,7 +8,7 @@
 
 namespace brume {
 
-// What of a pixel is not the same all over it, so that its center alone does not tell its filtered
+// The content of a pixel that varies within it, so that its center alone does not tell its filtered
 // value: nothing, something seen through smooth fog, or the fog itself.
 enum class PixelDetail : std::uint8_t { none, surfaces, fog };
 

@@ -14,8 +14,8 @@ namespace brume {
 // moments while the shutter is open, each with another sample of its pixels. Every one of them
 // costs a whole frame, fog included; only light that is the same at all moments is computed once.
 
-// Of those frames, where nothing else is asked for: enough for blurs of 15 pixels. Wider ones show
-// copies of bright points.
+// The samples of those frames, where nothing else is asked for: enough for blurs of 15 pixels.
+// Wider ones show copies of bright points.
 inline constexpr int blur_samples = 64;
 
 // One of them.
@@ -24,7 +24,8 @@ struct ExposureSample {
   glm::dvec2 lens{0.0};   // in the unit disk
   double time = 0.5;      // 0: the shutter opens, 1: it closes
 };
-// Of all frames, each of the three evenly spread by itself and independent of the others.
+// The samples of all frames, each of the three evenly spread by itself and independent of the
+// others.
 std::vector<ExposureSample> exposure_samples(int count);
 
 // The pinhole camera at a point of the lens, in the unit disk, and the film shifted so that it sees
@@ -42,7 +43,7 @@ struct Exposure {
   double frames_per_second = default_frame_rate;
   bool animated = false;  // whether the scene depends on time
 };
-// As a scene with its animation has it.
+// The exposure that a scene with its animation asks for.
 Exposure exposure_of(const Scene& animation);
 
 // Whether a frame is the mean of several. One sample is what the center of the lens sees at the
@@ -54,7 +55,7 @@ int samples_of(const Exposure& exposure, const Camera& camera, const Scene& scen
 // Evaluates a scene, one moment after another.
 using SceneAt = std::function<Scene(double time)>;
 
-// What a frame is rendered from.
+// The view that a frame is rendered from.
 struct ExposedView {
   SceneAt scene_at;
   double time = 0.0;             // [s]

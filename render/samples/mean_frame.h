@@ -23,7 +23,7 @@ using RenderFilm =
 std::optional<Frame> render_shifted(const Film& film, const Settings& settings, const Job& job,
                                     const RenderFilm& render);
 
-// As many samples as settings ask for, or for `path` as its paths allow.
+// The samples that settings ask for, or for `path` as many as its paths allow.
 int samples_of_paths(const Settings& settings);
 
 // `path`: the settings of one of `count` frames that share the paths of a pixel.

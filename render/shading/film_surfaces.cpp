@@ -14,7 +14,7 @@
 namespace brume {
 namespace {
 
-// What one thread does.
+// The work of one thread.
 class Shader {
  public:
   Shader(const FilmSurfaces& film, std::span<const RasterPixel> hits, std::span<glm::vec3> radiance)
@@ -97,7 +97,7 @@ std::uint64_t FilmSurfaces::shade(std::span<const SurfaceHit> hits,
   points.pixel_width = static_cast<float>(rays.pixel_width());
   ray_caster.points(hits, rays.eye(), directions, offsets, surfaces, points);
   const SurfaceShading& shaded = shading.surfaces()[static_cast<std::size_t>(hits[0].surface)];
-  // What transfer does not hold.
+  // The light that transfer does not hold.
   const SurfaceLighting straight{.lights = lighting.lights};
   PointRadiance outgoing;
   const std::uint64_t pairs =

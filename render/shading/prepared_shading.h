@@ -41,7 +41,7 @@ class PreparedShading {
 
   // State after the last update(), one entry per surface of the scene.
   [[nodiscard]] const std::vector<SurfaceShading>& surfaces() const { return shading_; }
-  // Of vertex lighting and average depths.
+  // The revision of vertex lighting and average depths.
   [[nodiscard]] Revision light_revision() const { return light_revision_; }
   // Null: no environment.
   [[nodiscard]] const EnvironmentLight* environment() const {

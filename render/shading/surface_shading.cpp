@@ -24,7 +24,7 @@ void add(const glm::vec3& value, std::size_t k, PointRadiance& radiance) {
   radiance.b[k] += value.b;
 }
 
-// What brdf() has no kernel for, point by point.
+// Materials for which brdf() has no kernel, point by point.
 void add_measured_light(const SurfacePoints& points, const LightAtPoints& light_at_point,
                         const glm::vec3& intensity, PointRadiance& radiance) {
   for (std::size_t k = 0; k < points.count; ++k) {
@@ -127,12 +127,12 @@ std::uint64_t find_depths(const MediumIndex& medium, const SurfaceLight& light,
   }
   const auto b0 = static_cast<float>(medium.homogeneous_density());
   for (std::size_t k = 0; b0 > 0.0f && k < points.padded_size(); ++k) {
-    const std::size_t at = std::min(k, points.count - 1);
+    const std::size_t point = std::min(k, points.count - 1);
     light_at_point.depths[k] +=
         b0 *
         (!light.source.is_far
              ? light_at_point.paths.length[k]
-             : static_cast<float>(light.source.fog_length(points.origin + points.position[at])));
+             : static_cast<float>(light.source.fog_length(points.origin + points.position[point])));
   }
   const auto factor = static_cast<float>(extinction);
   for (std::size_t k = 0; factor != 1.0f && k < points.padded_size(); ++k) {

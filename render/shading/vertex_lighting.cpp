@@ -59,23 +59,25 @@ std::uint64_t add_light_sphere(const MediumIndex& medium, const SurfaceLighting&
                                const SurfaceLight& surface_light, const SurfacePoints& points,
                                Settings::Precision precision, IncidentBlock& light,
                                IncidentBlock& traced) {
-  thread_local LightAtPoints at;
+  thread_local LightAtPoints light_at_points;
   thread_local std::array<PointArray, sh_max_bands> factors;
   point_to_light(points, glm::vec3(surface_light.source.position - points.origin),
-                 surface_light.source.falloff, static_cast<float>(surface_light.source.radius), at);
+                 surface_light.source.falloff, static_cast<float>(surface_light.source.radius),
+                 light_at_points);
   const std::uint64_t pairs =
-      find_depths(medium, surface_light, points, precision, lighting.extinction, at);
+      find_depths(medium, surface_light, points, precision, lighting.extinction, light_at_points);
   if (lighting.point) {
-    find_spread(at, points.padded_size(),
+    find_spread(light_at_points, points.padded_size(),
                 {lighting.point, lighting.distant, static_cast<float>(surface_light.density)},
                 false, factors);
   }
   for (std::size_t k = 0; k < points.count; ++k) {
-    const glm::dvec3 wi(-at.paths.x[k], -at.paths.y[k], -at.paths.z[k]);
+    const glm::dvec3 wi(-light_at_points.paths.x[k], -light_at_points.paths.y[k],
+                        -light_at_points.paths.z[k]);
     const ShVector<double> direction = sh_basis(light[k].order(), wi);
     const glm::dvec3 irradiance =
-        static_cast<double>(at.inverse_square[k]) * surface_light.source.intensity;
-    const float unscattered = std::exp(-at.depths[k]);
+        static_cast<double>(light_at_points.inverse_square[k]) * surface_light.source.intensity;
+    const float unscattered = std::exp(-light_at_points.depths[k]);
     add_direction(
         direction, irradiance, [&](int) { return unscattered; }, traced[k]);
     if (!lighting.point) continue;
@@ -107,9 +109,9 @@ VertexLightingInputs::VertexLightingInputs(const MediumIndex& index,
       fog_depth(lighting.fog_depth),
       albedo(lighting.albedo),
       precision(arithmetic) {
-  for (const SurfaceLight& at : lighting.lights) {
-    lights.push_back({at.source.position, at.source.intensity, at.source.falloff, at.source.fog,
-                      at.density, at.table ? at.table->revision() : 0});
+  for (const SurfaceLight& light : lighting.lights) {
+    lights.push_back({light.source.position, light.source.intensity, light.source.falloff,
+                      light.source.fog, light.density, light.table ? light.table->revision() : 0});
   }
 }
 

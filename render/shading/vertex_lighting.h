@@ -24,7 +24,7 @@ struct SurfaceLighting;
 struct SurfaceShading;
 class ScatterTable;
 
-// What vertex lighting is computed from besides its surface: with equal inputs it is equal.
+// The inputs of vertex lighting besides its surface: with equal inputs it is equal.
 struct VertexLightingInputs {
   struct Light {
     glm::dvec3 position{0.0};

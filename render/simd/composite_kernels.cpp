@@ -19,7 +19,8 @@ HWY_BEFORE_NAMESPACE();
 namespace brume::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Of the point (x, y), in [-pi, pi]; 0 where both are 0. Highway 1.1 has an Atan2, 1.0 does not.
+// The angle of the point (x, y), in [-pi, pi]; 0 where both are 0. Highway 1.1 has an Atan2, 1.0
+// does not.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V Angle(D d, V y, V x) {
   const V across = hn::Max(hn::Abs(x), hn::Set(d, std::numeric_limits<float>::min()));

@@ -26,8 +26,8 @@ inline constexpr int noise_axis_bits = std::countr_zero(std::uint32_t{RayNoise::
 template <class V>
 using UnsignedOf = hn::VFromD<hn::RebindToUnsigned<hn::DFromV<V>>>;
 
-// What formulas are written in: Real is a vector of lanes, Uniform a number that is the same in
-// all.
+// The types that formulas are written in: Real is a vector of lanes, Uniform a number that is the
+// same in all.
 #define CONSTANT inline constexpr double
 #define FORMULA_OF(Type) \
   template <class Type>  \
@@ -92,7 +92,7 @@ requires(sizeof(Uniform) == 8) HWY_INLINE Real short_mean(Real e, Real m, Real k
 #include "render/formulas/slices.inl"
 #include "render/formulas/surfaces.inl"
 
-// Of those above.
+// Formulas that use those above.
 #include "render/formulas/fog.inl"
 #include "render/formulas/line.inl"
 

@@ -395,10 +395,10 @@ void GaussianBatch::add_optics(const MediumIndex& medium) {
   const std::span<const RelativeOptics> all = medium.optics();
   if (all.empty()) return;
   for (const std::int32_t i : index) {
-    const RelativeOptics& own = all[static_cast<std::size_t>(i)];
-    optics[0].push_back(static_cast<float>(own.albedo));
+    const RelativeOptics& own_optics = all[static_cast<std::size_t>(i)];
+    optics[0].push_back(static_cast<float>(own_optics.albedo));
     for (std::size_t c = 0; c < 3; ++c) {
-      optics[c + 1].push_back(static_cast<float>(own.emission[static_cast<int>(c)]));
+      optics[c + 1].push_back(static_cast<float>(own_optics.emission[static_cast<int>(c)]));
     }
   }
 }

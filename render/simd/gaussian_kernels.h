@@ -39,7 +39,8 @@ struct BatchEllipsoid {
   float max_speed = 0.0f;       // of warped unit vectors: 1 over the least stretch
 };
 
-// What kernels are made for; the last for all that has ellipsoids, displaced by noise or not.
+// The batches that kernels are made for; the last for all that has ellipsoids, displaced by noise
+// or not.
 enum class BatchKind { balls, displaced_balls, ellipsoids };
 
 // Gaussians relative to an origin, as a structure of arrays; those of floats are padded to

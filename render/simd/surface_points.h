@@ -26,7 +26,7 @@ struct PointVectors {
   }
 };
 
-// What a metallic-roughness material is at points: see GgxReflection.
+// The reflection of a metallic-roughness material at points: see GgxReflection.
 struct GgxPoints {
   PointVectors diffuse, f0;
   PointVectors emitted;  // radiance

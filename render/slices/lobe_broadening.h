@@ -19,12 +19,12 @@ class LobeBroadening {
   static constexpr int depths = 24;
   static constexpr float depth_scale = 4.0f;
 
-  // Of smaller lobes, g below 0.66, it would change less than 1% of a picture.
+  // Smaller lobes, of g below 0.66, would change less than 1% of a picture.
   static constexpr double min_lobe = 0.2;
 
   LobeBroadening() = default;  // empty
-  // Of the bands from `first_band` on of Henyey-Greenstein's phase function; empty if its lobe is
-  // below min_lobe.
+  // Takes the bands from `first_band` on of Henyey-Greenstein's phase function; empty if its lobe
+  // is below min_lobe.
   LobeBroadening(double anisotropy, int first_band);
 
   [[nodiscard]] bool empty() const { return values_.empty(); }

@@ -59,7 +59,7 @@ SliceNeed slice_need(const GaussianTerm<double>& g, double center, const TileCon
   return {center + share * (nearest.t - center), core_radius(radius, g.c), radius, g.c * share};
 }
 
-// Of an ellipsoid, by the axis of the cone. It is as wide along the rays as they pass it.
+// The need of an ellipsoid, by the axis of the cone. It is as wide along the rays as they pass it.
 SliceNeed slice_need_of_ellipsoid(const GaussianTerm<double>& g, const TileCone& rays) {
   const LineProfile<double> line = line_profile(g, rays.eye, rays.center);
   const double nearer = (rays.spread * std::max(line.t0, 0.0) + rays.width) / min_radius_of(g);
@@ -219,7 +219,7 @@ void choose_slices(const MediumIndex& medium, std::span<const std::uint32_t> gau
     const double center = glm::dot(q, w);
     const double weight = demanding.weight(k, g);
     if (g.ellipsoid) {
-      // What it has on a ray lies as far along the axis, to the cosine between them.
+      // Its part on a ray lies as far along the axis, to the cosine between them.
       const double along = r * g.ellipsoid->reach(w);
       extent.add(center - along, (center + along) * std::hypot(1.0, rays.spread));
       if (weight == 0.0) continue;

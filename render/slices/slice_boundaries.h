@@ -31,7 +31,7 @@ constexpr double tail_depth = 0.02;
 constexpr double core_radii = 2.0;
 // Optical depth in front attenuates the demand, up to this.
 constexpr double max_front_depth = 4.0;
-// Of more Gaussians than this among a tile's rays, a sample demands slices, and those whose
+// Where a tile's rays meet more Gaussians than this, a sample demands slices, and those whose
 // depth is this many times the mean.
 constexpr std::size_t max_gaussians = 256;
 constexpr double outstanding = 4.0;

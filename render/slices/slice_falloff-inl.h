@@ -57,8 +57,8 @@ struct FalloffRays {
     sort(1, 2);
   }
 
-  // Of a profile, in the direction from the light whose angle from the nearest point of the ray,
-  // which is h away, has this sine and cosine.
+  // The falloff of a profile in the direction from the light whose angle from the nearest point of
+  // the ray, which is h away, has this sine and cosine.
   [[nodiscard]] HWY_INLINE FloatVec AtAngle(FloatVec sine, FloatVec cosine, FloatVec h) const {
     return falloff.At(mul_sub(sine, along, (cosine / h) * across));
   }
@@ -91,9 +91,9 @@ HWY_INLINE void SampleProfile(const FalloffRays& light, FloatVec begin, FloatVec
   const auto most = static_cast<int>(hn::GetLane(hn::MaxOfLanes(d, count)));
   for (int i = 0; i < most; ++i) {
     const FloatVec index = Floats(static_cast<float>(i));
-    const FloatVec at = mul_add(index, step, first);
-    const FloatVec sine = sin(at);
-    const FloatVec cosine = max(cos(at), tiny);
+    const FloatVec theta = mul_add(index, step, first);
+    const FloatVec sine = sin(theta);
+    const FloatVec cosine = max(cos(theta), tiny);
     const FloatVec value = where(index < count, light.AtAngle(sine, cosine, h));
     sum += value;
     moment = mul_add(value, h * sine / cosine, moment);

@@ -29,8 +29,8 @@ struct MapPosition {
   hn::Vec<hn::RebindToSigned<D>> cell;  // row by row, border included
   V fx, fy;
 
-  // Of q from a point whose components in a perspective map are `origin`; `distance`: from the
-  // light.
+  // The position of q from a point whose components in a perspective map are `origin`; `distance`:
+  // from the light.
   HWY_INLINE MapPosition(const DirectionMap& map, const Vector& q, const glm::vec3& origin,
                          V distance) {
     const D d;
@@ -339,19 +339,19 @@ HWY_INLINE void SumSlicesOf(const PathBatch& paths, const RaySlices& slices,
         }
       }
       if (weights.lookups && ((k + 1) % slices_per_lookup == 0 || k + 2 == slices.count())) {
-        const std::size_t at = k / slices_per_lookup * stride + i;
-        hn::StoreU(weight, d, weights.lookups + at);
-        hn::StoreU(weighted_distance / max(weight, tiny), d, weights.lookup_distances + at);
+        const std::size_t place = k / slices_per_lookup * stride + i;
+        hn::StoreU(weight, d, weights.lookups + place);
+        hn::StoreU(weighted_distance / max(weight, tiny), d, weights.lookup_distances + place);
         weight = zero;
         weighted_distance = zero;
       }
       if (running) {
-        const std::size_t at = k * stride + i;
+        const std::size_t place = k * stride + i;
         for (std::size_t c = 0; c < 3 && optics.emission[c]; ++c) {
-          hn::StoreU(emitted[c], d, optics.emission[c] + at);
+          hn::StoreU(emitted[c], d, optics.emission[c] + place);
         }
         for (std::size_t l = 0; l < lights.size(); ++l) {
-          hn::StoreU(isotropic_phase * sum[l], d, radiance[l] + at);
+          hn::StoreU(isotropic_phase * sum[l], d, radiance[l] + place);
         }
       }
       depth = next_depth;

@@ -62,7 +62,7 @@ struct SliceScattering {
   float albedo = 1.0f;                     // of the medium, for it
 };
 
-// What slices of Gaussians with optics do, beside light from point lights.
+// The light of slices of Gaussians with optics, beside that from point lights.
 struct SliceOptics {
   bool has = false;                  // the increments are followed by those of optics
   std::array<float*, 3> emission{};  // radiance of ray i that the Gaussians emit, or null

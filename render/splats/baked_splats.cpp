@@ -22,10 +22,10 @@ constexpr int rule_degree = 2 * (bands - 1);
 // A line through a Gaussian's center: so far to both sides [radii], in so many slices.
 constexpr double half_line = 3.0;
 constexpr std::size_t line_slices = 12;
-// Of the film, which no ray is of.
+// The stages want a film, though no ray is of it.
 constexpr Film no_film{16, 16};
 
-// What a medium of one albedo is lit by.
+// The light in a medium of one albedo.
 class BakedGroup {
  public:
   BakedGroup(const RenderPlan& plan, Scene scene, const TransferStore& transfers, const Job& job,
@@ -45,7 +45,7 @@ class BakedGroup {
     return !work_.job.stop.stop_requested();
   }
 
-  // What a Gaussian sends along a direction.
+  // The radiance of a Gaussian along a direction.
   [[nodiscard]] glm::vec3 radiance(std::uint32_t index, const glm::dvec3& w) const {
     const GaussianTerm<double>& g = stages_.prepared().medium().gaussians()[index];
     const double half = half_line / g.a * (g.ellipsoid ? g.ellipsoid->reach(w) : 1.0);
@@ -125,9 +125,9 @@ std::optional<std::vector<SplatColor>> bake_splats(const Scene& scene, const Set
     for (const Direction& direction : directions) {
       glm::vec3 radiance(0.0f);
       for (const auto& group : groups) {
-        const glm::vec3 own = group->radiance(static_cast<std::uint32_t>(i), direction.w);
+        const glm::vec3 own_radiance = group->radiance(static_cast<std::uint32_t>(i), direction.w);
         for (const std::size_t channel : group->channels()) {
-          radiance[static_cast<int>(channel)] = own[static_cast<int>(channel)];
+          radiance[static_cast<int>(channel)] = own_radiance[static_cast<int>(channel)];
         }
       }
       const glm::vec3 shown = show(radiance);

@@ -20,7 +20,7 @@ using Index = std::uint32_t;
 // balls differ by roundings.
 constexpr double same_place = 1e-6;
 
-// Of a sum of volumes, relative.
+// The relative rounding of a sum of volumes.
 constexpr double rounding = 1e-12;
 
 // For each vertex the first one at the same place.

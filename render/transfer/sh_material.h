@@ -36,7 +36,7 @@ class ShMaterial {
   // Interreflections before the last are diffuse, with albedo(). Diffuse materials need dot
   // products only, avoiding the truncation error of the triple product (eq. 23).
   //
-  // Of `traced` only interreflections count: light whose first reflection is shaded elsewhere, with
+  // `traced` contributes interreflections only: its first reflection is shaded elsewhere, with
   // sharper shadows than few bands allow.
   [[nodiscard]] ReceivedLight received(const ShVector<glm::dvec3>& light,
                                        const ShVector<glm::dvec3>& traced,

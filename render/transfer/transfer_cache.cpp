@@ -29,7 +29,7 @@ constexpr std::uint32_t version = 1;
 // No coefficient is larger: sqrt(4 pi) for a function from 0 to 1.
 constexpr float max_transfer = 4.0f;
 
-// Of the mesh and of all that decides how transfer is made from it.
+// Hashes the mesh and all that decides how transfer is made from it.
 std::uint64_t hash_of(const TriangleMesh& mesh, const TransferSettings& settings) {
   ContentHash hash;
   hash.add(version);

@@ -9,7 +9,7 @@
 namespace brume {
 namespace {
 
-// Of a bowl that sees itself half around and has an albedo of 0.8, 0.4^4 of its light is left out.
+// A bowl that sees itself half around and has an albedo of 0.8 loses 0.4^4 of its light.
 constexpr int bounces = 3;
 
 }  // namespace

@@ -11,7 +11,7 @@
 
 namespace brume {
 
-// What float coordinates of surfaces are relative to: the middle of all, unless some surfaces are
+// The origin of float coordinates of surfaces: the middle of all, unless some surfaces are
 // so small beside their distance from it that rounding would deform them, as a box where one more
 // object is far away. Then it is the middle of that surface around which fewest are deformed.
 inline glm::dvec3 coordinate_center(const Box& all, std::span<const Box> surfaces) {

@@ -11,8 +11,8 @@ namespace brume {
 
 enum class RayOrder { coherent, incoherent };
 
-// What rays are traced with. A filter is called for every hit found, with this query as its
-// context: a static_cast gives back the class derived from it.
+// The query that rays are traced with. A filter is called for every hit found, with this query as
+// its context: a static_cast gives back the class derived from it.
 #if BRUME_EMBREE_MAJOR == 3
 
 constexpr RTCSceneFlags scene_flag_filter = RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION;

@@ -67,7 +67,7 @@ class Raster {
     glm::vec3 forward{0.0f};
     glm::vec3 corner{0.0f}, per_x{0.0f}, per_y{0.0f};
     glm::vec3 to_x{0.0f}, to_y{0.0f};  // per_x and per_y over the squares of their lengths
-    // Of the whole film, where forward meets it, in pixels from the first one's.
+    // The point of the whole film where forward meets it, in pixels from the first one's.
     glm::vec2 center{0.0f};
     glm::ivec2 whole{0};  // its size
     glm::ivec2 first{0};  // where this film begins on it, in whole blocks

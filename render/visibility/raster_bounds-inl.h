@@ -63,14 +63,14 @@ HWY_INLINE Raster::Bounds BoundsOf(const std::array<Raster::Vertex, 3>& corners,
   if (seen == 0) return {};
   for (std::size_t k = 0; seen < 3 && k < 3; ++k) {
     for (const std::size_t l : {(k + 1) % 3, (k + 2) % 3}) {
-      const Raster::Vertex& from = corners[k];
+      const Raster::Vertex& corner = corners[k];
       const Raster::Vertex& to = corners[l];
-      if (!(from.inverse > 0.0f) || to.inverse > 0.0f) continue;
-      const glm::vec2 a(from.x, from.y);
+      if (!(corner.inverse > 0.0f) || to.inverse > 0.0f) continue;
+      const glm::vec2 a(corner.x, corner.y);
       const glm::vec2 b(to.x, to.y);
       const float behind = std::min(to.z, 0.0f);
-      const glm::vec2 size = glm::abs(behind * a) + glm::abs(from.z * b);
-      extent.add_beyond(from.z * b - behind * a, 1e-4f * (size.x + size.y));
+      const glm::vec2 size = glm::abs(behind * a) + glm::abs(corner.z * b);
+      extent.add_beyond(corner.z * b - behind * a, 1e-4f * (size.x + size.y));
     }
   }
   const auto width = static_cast<float>(view.whole.x);

@@ -20,7 +20,7 @@
 
 namespace brume {
 
-// What the caster was built from.
+// A surface that the caster was built from.
 struct Placed {
   std::shared_ptr<const TriangleMesh> mesh;
   Placement placement;
@@ -136,7 +136,7 @@ struct RayCaster::Impl {
     return {std::max(0.0, glm::dot(center - origin, direction) - RayCaster::start_radii * radius)};
   }
 
-  // Of the way between two points, ends excluded.
+  // The segment between two points, ends excluded.
   [[nodiscard]] FloatSegment between(const glm::dvec3& start, const glm::dvec3& direction,
                                      double distance) const {
     const double along = glm::dot(center - start, direction);

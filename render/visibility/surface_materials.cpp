@@ -24,13 +24,13 @@ void find_materials(std::span<const TextureFrame> frames, std::span<const double
     return;
   }
   for (std::size_t k = 0; k < points.padded_size(); ++k) {
-    const std::size_t at = std::min(k, points.count - 1);
+    const std::size_t point = std::min(k, points.count - 1);
     glm::dvec3 normal = points.normal[k];
     const double cosine = std::max(glm::dot(normal, points.to_eye[k]), min_grazing_cosine);
-    const double width = (static_cast<double>(points.pixel_angle) * distances[at] +
+    const double width = (static_cast<double>(points.pixel_angle) * distances[point] +
                           static_cast<double>(points.pixel_width)) /
                          cosine;
-    set(material_at(material, frames[at], width, static_cast<double>(points.side[k]), normal), k,
+    set(material_at(material, frames[point], width, static_cast<double>(points.side[k]), normal), k,
         points.ggx);
     points.normal.set(k, glm::vec3(normal));
   }

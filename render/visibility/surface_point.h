@@ -20,7 +20,7 @@ struct SurfacePoint {
   // Shadow Terminator", Ray Tracing Gems II, 2021).
   glm::dvec3 shadow_origin{0.0};
   const Surface* surface = nullptr;
-  // Of a metallic-roughness material, there.
+  // The reflection of a metallic-roughness material there.
   std::optional<GgxReflection> ggx{};
   glm::dvec3 emitted{0.0};  // radiance
 };

@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t max_in_leaf = 4;
 constexpr float farthest = 1.8e18f;  // that Embree takes
 
-// As the builder's threads make them.
+// The nodes as the builder's threads make them.
 struct BuiltNode {
   std::array<std::uint32_t, max_in_leaf> triangles;
   std::uint32_t count;  // of them; 0: two children

@@ -80,11 +80,11 @@ struct Worst {
 void compare(const DeepImage& deep, const Frame& wall, double rms, Worst& worst) {
   for (std::size_t i = 0; i < deep.pixels(); ++i) {
     const HeldOut seen = deep.at(i, static_cast<double>(wall.depth[i]));
-    const double own = deep.at(i, 1e9).airlight.x;
+    const double own_airlight = deep.at(i, 1e9).airlight.x;
     const double light = std::abs(seen.airlight.x - static_cast<double>(wall.airlight[3 * i]));
     const double alpha =
         std::abs(seen.transmittance.x - static_cast<double>(wall.transmittance[3 * i]));
-    worst.airlight = std::max(worst.airlight, light / std::max(own, rms));
+    worst.airlight = std::max(worst.airlight, light / std::max(own_airlight, rms));
     worst.alpha = std::max(worst.alpha, alpha);
   }
 }

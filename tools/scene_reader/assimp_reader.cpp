@@ -153,8 +153,8 @@ class Reader {
 
   // Cameras and lights are at the node of their name.
   [[nodiscard]] glm::dmat4 node_of(const aiString& name) const {
-    const auto at = to_world_.find(name.C_Str());
-    return at == to_world_.end() ? glm::dmat4(1.0) : at->second;
+    const auto found = to_world_.find(name.C_Str());
+    return found == to_world_.end() ? glm::dmat4(1.0) : found->second;
   }
 
   void add_camera(const aiCamera& camera) {

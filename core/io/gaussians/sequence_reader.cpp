@@ -91,8 +91,8 @@ std::optional<std::size_t> SequenceReader::next_ahead() const {
 void SequenceReader::keep(std::size_t index, Frame frame) const {
   frames_[index] = std::move(frame);
   const auto ahead = [&](std::size_t i) {
-    const std::size_t from = last_.value_or(0);
-    return i >= from ? i - from : counts_.size() - from + i;
+    const std::size_t first = last_.value_or(0);
+    return i >= first ? i - first : counts_.size() - first + i;
   };
   std::size_t kept = 0;
   for (const auto& [i, known] : frames_) kept += counts_[i];

@@ -245,14 +245,14 @@ void GltfFile::apply_sparse(const JsonPath& path, const Json& sparse, const Acce
   const Accessor indices = part("indices", 0, 1);
   const Accessor replaced = part("values", accessor.type, accessor.components);
   for (std::size_t i = 0; i < count; ++i) {
-    const double at = value_of(indices.type, indices.bytes.data() + i * indices.stride, false);
-    if (!(at >= 0.0 && at < static_cast<double>(accessor.count))) {
-      object.fail("indices", "found " + quoted_text(at) + "; allowed: less than " +
+    const double vertex = value_of(indices.type, indices.bytes.data() + i * indices.stride, false);
+    if (!(vertex >= 0.0 && vertex < static_cast<double>(accessor.count))) {
+      object.fail("indices", "found " + quoted_text(vertex) + "; allowed: less than " +
                                  std::to_string(accessor.count));
     }
     for (std::size_t k = 0; k < accessor.components; ++k) {
       const char* bytes = replaced.bytes.data() + i * replaced.stride + k * size_of(replaced.type);
-      values[static_cast<std::size_t>(at) * accessor.components + k] =
+      values[static_cast<std::size_t>(vertex) * accessor.components + k] =
           static_cast<float>(value_of(replaced.type, bytes, accessor.is_normalized));
     }
   }

@@ -72,8 +72,8 @@ class Builder final : public nlohmann::json_sax<Json> {
     const std::size_t line_begin = before.rfind('\n') + 1;  // npos + 1 is 0
     std::string_view message = error.what();
     for (const std::string_view begin : {"syntax error", "number overflow"}) {
-      const std::size_t at = message.find(begin);
-      if (at != std::string_view::npos) message.remove_prefix(at);
+      const std::size_t found = message.find(begin);
+      if (found != std::string_view::npos) message.remove_prefix(found);
     }
     throw InputError(file_,
                      "line " + std::to_string(line) + ", column " +

@@ -54,8 +54,8 @@ JsonObject::JsonObject(JsonContext& context, const Json& value, const JsonPath& 
 
 const Json* JsonObject::find(std::string_view key) {
   asked_.push_back(key);
-  const auto at = value_.find(key);
-  return at == value_.end() ? nullptr : &*at;
+  const auto found = value_.find(key);
+  return found == value_.end() ? nullptr : &*found;
 }
 
 const Json& JsonObject::required(std::string_view key) {
@@ -140,8 +140,9 @@ std::size_t JsonObject::choice(std::string_view key, const std::vector<std::stri
   const Json* value = fallback ? find(key) : &required(key);
   if (value == nullptr) return *fallback;
   if (value->is_string()) {
-    const auto at = std::find(allowed.begin(), allowed.end(), value->get_ref<const std::string&>());
-    if (at != allowed.end()) return static_cast<std::size_t>(at - allowed.begin());
+    const auto found =
+        std::find(allowed.begin(), allowed.end(), value->get_ref<const std::string&>());
+    if (found != allowed.end()) return static_cast<std::size_t>(found - allowed.begin());
   }
   std::string names;
   for (const std::string& name : allowed) names += (names.empty() ? "\"" : ", \"") + name + "\"";

@@ -63,9 +63,11 @@ Key<T> read_key(JsonContext& context, const Json& json, const JsonPath& path,
   return key;
 }
 
+}  // namespace
+
 template <class T>
-void read_all(JsonContext& context, JsonObject& object, const char* name,
-              const NumberDomain& domain, Keys<T>& keys, UnknownKeys& unknown_keys) {
+void read_keys(JsonContext& context, JsonObject& object, const char* name,
+               const NumberDomain& domain, Keys<T>& keys, UnknownKeys& unknown_keys) {
   const Json::array_t& elements = object.array(name, limits::keys_of_value);
   const JsonPath path = object.path_of(name);
   keys.reserve(elements.size());
@@ -81,7 +83,7 @@ void read_all(JsonContext& context, JsonObject& object, const char* name,
 }
 
 template <class T>
-Json all_to_json(const Keys<T>& keys, const UnknownKeys& unknown_keys) {
+Json keys_to_json(const Keys<T>& keys, const UnknownKeys& unknown_keys) {
   Json array = Json::array();
   for (const Key<T>& key : keys) {
     Json entry{{"time", key.time}, {"value", to_json(key.value)}};
@@ -100,42 +102,14 @@ Json all_to_json(const Keys<T>& keys, const UnknownKeys& unknown_keys) {
   return array;
 }
 
-}  // namespace
-
-void read_keys(JsonContext& context, JsonObject& object, const char* name,
-               const NumberDomain& domain, Keys<double>& keys, UnknownKeys& unknown_keys) {
-  read_all(context, object, name, domain, keys, unknown_keys);
-}
-
-void read_keys(JsonContext& context, JsonObject& object, const char* name,
-               const NumberDomain& domain, Keys<glm::dvec2>& keys, UnknownKeys& unknown_keys) {
-  read_all(context, object, name, domain, keys, unknown_keys);
-}
-
-void read_keys(JsonContext& context, JsonObject& object, const char* name,
-               const NumberDomain& domain, Keys<glm::dvec3>& keys, UnknownKeys& unknown_keys) {
-  read_all(context, object, name, domain, keys, unknown_keys);
-}
-
-void read_keys(JsonContext& context, JsonObject& object, const char* name,
-               const NumberDomain& domain, Keys<glm::dquat>& keys, UnknownKeys& unknown_keys) {
-  read_all(context, object, name, domain, keys, unknown_keys);
-}
-
-Json keys_to_json(const Keys<double>& keys, const UnknownKeys& unknown_keys) {
-  return all_to_json(keys, unknown_keys);
-}
-
-Json keys_to_json(const Keys<glm::dvec2>& keys, const UnknownKeys& unknown_keys) {
-  return all_to_json(keys, unknown_keys);
-}
-
-Json keys_to_json(const Keys<glm::dvec3>& keys, const UnknownKeys& unknown_keys) {
-  return all_to_json(keys, unknown_keys);
-}
-
-Json keys_to_json(const Keys<glm::dquat>& keys, const UnknownKeys& unknown_keys) {
-  return all_to_json(keys, unknown_keys);
-}
+#define INSTANTIATE(T)                                                                           \
+  template void read_keys(JsonContext&, JsonObject&, const char*, const NumberDomain&, Keys<T>&, \
+                          UnknownKeys&);                                                         \
+  template Json keys_to_json(const Keys<T>&, const UnknownKeys&);
+INSTANTIATE(double)
+INSTANTIATE(glm::dvec2)
+INSTANTIATE(glm::dvec3)
+INSTANTIATE(glm::dquat)
+#undef INSTANTIATE
 
 }  // namespace brume

@@ -10,14 +10,9 @@ namespace brume {
 // Keyframes of one value: the array `name` of a `keys` object; empty if missing. Times increase by
 // at least min_key_distance, values lie in the domain; rotations are unit quaternions, without
 // tangents.
+template <class T>
 void read_keys(JsonContext& context, JsonObject& object, const char* name,
-               const NumberDomain& domain, Keys<double>& keys, UnknownKeys& unknown_keys);
-void read_keys(JsonContext& context, JsonObject& object, const char* name,
-               const NumberDomain& domain, Keys<glm::dvec2>& keys, UnknownKeys& unknown_keys);
-void read_keys(JsonContext& context, JsonObject& object, const char* name,
-               const NumberDomain& domain, Keys<glm::dvec3>& keys, UnknownKeys& unknown_keys);
-void read_keys(JsonContext& context, JsonObject& object, const char* name,
-               const NumberDomain& domain, Keys<glm::dquat>& keys, UnknownKeys& unknown_keys);
+               const NumberDomain& domain, Keys<T>& keys, UnknownKeys& unknown_keys);
 
 // The member `keys` of an object: those of the values that visit_all(visit) goes through; see
 // core/scene/animation/animation.h. Its unknown keys.
@@ -37,10 +32,8 @@ Json to_json(double value);
 Json to_json(const glm::dvec2& v);
 Json to_json(const glm::dvec3& v);
 Json to_json(const glm::dquat& q);  // w x y z
-Json keys_to_json(const Keys<double>& keys, const UnknownKeys& unknown_keys);
-Json keys_to_json(const Keys<glm::dvec2>& keys, const UnknownKeys& unknown_keys);
-Json keys_to_json(const Keys<glm::dvec3>& keys, const UnknownKeys& unknown_keys);
-Json keys_to_json(const Keys<glm::dquat>& keys, const UnknownKeys& unknown_keys);
+template <class T>
+Json keys_to_json(const Keys<T>& keys, const UnknownKeys& unknown_keys);
 
 // Adds the member `keys` with the keys of the values that visit_all(visit) goes through, and with
 // `unknown` ones, if any.

@@ -86,8 +86,8 @@ SceneReferences::SceneReferences(const fs::path& scene_file, MissingFiles* missi
 
 fs::path SceneReferences::found(const fs::path& file) const {
   if (missing_ != nullptr) {
-    const auto at = missing_->found.find(file);
-    if (at != missing_->found.end()) return at->second;
+    const auto replaced = missing_->found.find(file);
+    if (replaced != missing_->found.end()) return replaced->second;
   }
   return find_file_named_alike(file);
 }

@@ -36,8 +36,8 @@ bool is_unchanged(const MediumFile& file, const Scene& scene) {
     return group == 0 || (group <= scene.groups.size() && scene.groups[group - 1].id == group);
   };
   for (std::size_t i = *first; i < before.size(); ++i) {
-    const auto at = now.index_of(before.ids()[i]);
-    if (!at || now.gaussian(*at) != before.gaussian(i)) return false;
+    const auto found = now.index_of(before.ids()[i]);
+    if (!found || now.gaussian(*found) != before.gaussian(i)) return false;
     if (!is_in_place(before.group(i))) return false;
   }
   return true;

@@ -81,19 +81,19 @@ std::string usd_asset(std::string_view path) {
 std::string UsdText::open(std::string_view type, std::string_view name, std::string_view apis) {
   std::set<std::string>& siblings = open_.back().children;
   const std::string wanted = identifier(name);
-  std::string own = wanted;
-  for (int k = 2; siblings.contains(own); ++k) own = wanted + "_" + std::to_string(k);
-  siblings.insert(own);
+  std::string free_name = wanted;
+  for (int k = 2; siblings.contains(free_name); ++k) free_name = wanted + "_" + std::to_string(k);
+  siblings.insert(free_name);
   text_ += '\n';
-  line("def " + std::string(type) + " \"" + own + "\"");
-  if (own != name || !apis.empty()) {
+  line("def " + std::string(type) + " \"" + free_name + "\"");
+  if (free_name != name || !apis.empty()) {
     line("(");
-    if (own != name) line("    displayName = " + usd_string(name));
+    if (free_name != name) line("    displayName = " + usd_string(name));
     if (!apis.empty()) line("    prepend apiSchemas = [" + std::string(apis) + "]");
     line(")");
   }
   line("{");
-  open_.push_back({open_.back().path + "/" + own, {}});
+  open_.push_back({open_.back().path + "/" + free_name, {}});
   return open_.back().path;
 }
 

@@ -155,9 +155,9 @@ T sum_of_pieces(const Keys<T>& keys, double low, double high, const auto& piece)
           std::max(0.0, high - std::max(low, last)) * keys.back().value;
   std::size_t i = low > first ? last_until(keys, low) : 0;
   for (; i + 1 < keys.size() && keys[i].time < high; ++i) {
-    const double from = std::max(low, keys[i].time);
+    const double start = std::max(low, keys[i].time);
     const double to = std::min(high, keys[i + 1].time);
-    if (from < to) sum += piece(i, from, to);
+    if (start < to) sum += piece(i, start, to);
   }
   return sum;
 }
@@ -204,11 +204,13 @@ glm::dquat value_at(const Keys<glm::dquat>& keys, double time) {
   // Slopes need only the neighbours.
   const std::size_t begin = std::max<std::size_t>(i, 1) - 1;
   const std::size_t end = std::min(i + 3, keys.size());
-  const auto at = [&keys](std::size_t k) { return keys.begin() + static_cast<std::ptrdiff_t>(k); };
-  const Keys<double> angles = turned_angles({at(begin), at(end)});
-  const double from = angles[i - begin].value;
-  const double whole = angles[i - begin + 1].value - from;
-  const double turned = value_at(angles, time) - from;
+  const auto iterator_at = [&keys](std::size_t k) {
+    return keys.begin() + static_cast<std::ptrdiff_t>(k);
+  };
+  const Keys<double> angles = turned_angles({iterator_at(begin), iterator_at(end)});
+  const double first_angle = angles[i - begin].value;
+  const double whole = angles[i - begin + 1].value - first_angle;
+  const double turned = value_at(angles, time) - first_angle;
   if (!(turned > 0.0)) return keys[i].value;
   const double u = std::min(turned / whole, 1.0);
   return glm::normalize(glm::slerp(keys[i].value, keys[i + 1].value, u));

@@ -41,12 +41,13 @@ struct Place {
 
 Place place_at(const MediumSequence& sequence, double time) {
   const double last = static_cast<double>(sequence.frames->size()) - 1.0;
-  const double at = std::clamp((time - sequence.start) * sequence.frames_per_second, 0.0, last);
+  const double position =
+      std::clamp((time - sequence.start) * sequence.frames_per_second, 0.0, last);
   // Frames are met at moments that have no exact number.
-  const double nearest = std::round(at);
-  if (std::abs(at - nearest) < 1e-6) return {static_cast<std::size_t>(nearest), 0.0};
-  const double before = std::floor(at);
-  return {static_cast<std::size_t>(before), at - before};
+  const double nearest = std::round(position);
+  if (std::abs(position - nearest) < 1e-6) return {static_cast<std::size_t>(nearest), 0.0};
+  const double before = std::floor(position);
+  return {static_cast<std::size_t>(before), position - before};
 }
 
 Gaussian faded(Gaussian gaussian, double share) {

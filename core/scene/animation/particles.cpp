@@ -35,7 +35,7 @@ Gaussian particle(const Emitter& emitter, std::uint64_t number, double age) {
           glm::mix(emitter.density.x, emitter.density.y, relative_age), optics};
 }
 
-// Of a value that is not negative.
+// The greatest value that a value or its keyframes reach, which is not negative.
 double max_of(double value, const Keys<double>& keys) {
   return keys.empty() ? value : domain::not_negative.nearest(upper_bound(keys));
 }

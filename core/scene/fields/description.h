@@ -7,7 +7,7 @@
 
 namespace brume {
 
-// What the manual and Python say of a value: "Radius of the lens [u]; a number >= 0".
+// The text of the manual and Python about a value: "Radius of the lens [u]; a number >= 0".
 template <class F>
 std::string description(const F& field) {
   const std::string unit = field.info.unit;

@@ -20,7 +20,7 @@ namespace brume {
 // Python and its stub, rows of forms, the tables of the manual and the tests of malformed values
 // follow from it. Written by hand stay files and references, budgets, and rules across fields.
 
-// What is said of a value, and how a form edits it.
+// Describes a value, and how a form edits it.
 struct FieldInfo {
   const char* name;   // in files and in Python
   const char* label;  // in forms and undo texts: "Field of view"
@@ -43,7 +43,7 @@ struct FieldInfo {
 
 namespace domain {
 
-// Of what is no real number: any value will do.
+// Domains of values that are no real numbers: any value is in them.
 inline constexpr NumberDomain integer{-9223372036854775808.0, 9223372036854775807.0, "an integer"};
 inline constexpr NumberDomain boolean{0.0, 1.0, "true or false"};
 
@@ -72,7 +72,7 @@ constexpr auto field(T O::*value, const NumberDomain& domain, const FieldInfo& i
   return Field<O, T O::*, NoKeys>{value, {}, domain, info};
 }
 
-// Of a value within a member.
+// The same for a value within a member.
 template <class O, class G>
 constexpr auto field_within(G get, const NumberDomain& domain, const FieldInfo& info) {
   return Field<O, G, NoKeys>{get, {}, domain, info};

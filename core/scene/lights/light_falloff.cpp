@@ -28,7 +28,7 @@ double cosine_difference(double a, double b) {
 
 // The shortest turn from straight down to a unit direction; to straight up about x.
 glm::dquat turn_from_down(const glm::dvec3& direction) {
-  // Of half the turn; its length is 2 cos(half).
+  // The quaternion of half the turn; its length is 2 cos(half).
   const double w = 1.0 - direction.y;
   if (w < 1e-12) return {0.0, 1.0, 0.0, 0.0};
   const glm::dvec3 axis = glm::cross(glm::dvec3(0.0, -1.0, 0.0), direction);

@@ -32,22 +32,22 @@ class LightFalloff {
   [[nodiscard]] bool is_isotropic() const { return shape_ == Shape::isotropic; }
   // Unit; 0 if isotropic.
   [[nodiscard]] const glm::dvec3& axis() const { return axis_; }
-  // Of a cone and of a profile: where azimuths of 0 and of 90 degrees are; unit.
+  // The directions of azimuths 0 and 90 degrees, of a cone and of a profile; unit.
   [[nodiscard]] const glm::dvec3& azimuth_0() const { return azimuth_0_; }
   [[nodiscard]] const glm::dvec3& azimuth_90() const { return azimuth_90_; }
   [[nodiscard]] const std::shared_ptr<const PhotometricProfile>& profile() const {
     return profile_;
   }
-  // Of a profile without a spot, the cone holds all directions.
+  // The cone of a profile without a spot holds all directions.
   [[nodiscard]] bool has_cone() const { return shape_ == Shape::cone || shape_ == Shape::profile; }
-  // Of a cone, and of a profile within one: the falloff is clamp((dark_versine - versine(w)) *
+  // The falloff of a cone, and of a profile within one, is clamp((dark_versine - versine(w)) *
   // per_versine, 0, 1)^2, dark at dark_versine and full at full_versine, which is below 0 where no
   // direction gets all. The versine 1 - cos t keeps its digits near the axis, where cosines differ
   // in none that single precision has.
   [[nodiscard]] double dark_versine() const { return dark_versine_; }
   [[nodiscard]] double per_versine() const { return per_versine_; }
   [[nodiscard]] double full_versine() const { return dark_versine_ - 1.0 / per_versine_; }
-  // Of the angle between the unit direction w and the axis.
+  // The versine of the angle between the unit direction w and the axis.
   [[nodiscard]] double versine(const glm::dvec3& w) const;
 
   // In the unit direction w from the light. In [0, 1].

@@ -81,7 +81,7 @@ PhotometricProfile PhotometricProfile::isotropic() {
 double PhotometricProfile::at(const glm::dvec3& w) const {
   const double across = std::hypot(w.x, w.y);
   const double polar = glm::degrees(std::atan2(across, w.z));
-  // Of rounding.
+  // Rounding may leave so much.
   constexpr double room = 1e-9;
   if (polar < polar_angles_.front() - room || polar > polar_angles_.back() + room) return 0.0;
   double azimuth = across > 0.0 ? glm::degrees(std::atan2(w.y, w.x)) : 0.0;

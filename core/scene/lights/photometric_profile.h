@@ -34,7 +34,7 @@ class PhotometricProfile {
   static constexpr int side = 257;
   [[nodiscard]] std::span<const float> map() const { return map_; }
 
-  // What it takes of memory.
+  // The memory it takes.
   [[nodiscard]] std::size_t bytes() const {
     return map_.size() * sizeof(float) + values_.size() * sizeof(double);
   }

@@ -17,11 +17,11 @@ inline constexpr double lumens_per_watt = 683.0;
 // Relative luminance of linear Rec. 709 RGB.
 double luminance(const glm::dvec3& rgb);
 
-// Of a point light or spot, on its axis [cd]; of a directional light, illuminance [lx];
-// of an area light, luminance [cd/u^2].
+// Luminous intensity of a point light or spot on its axis [cd]; illuminance of a directional light
+// [lx]; luminance of an area light [cd/u^2].
 double photometric_strength(const Light& light);
 
-// Of a point light or spot, in all directions [lm]; a directional light has none.
+// The flux in all directions [lm]; a directional light has none.
 std::optional<double> luminous_flux(const Light& light);
 
 // Colour of a black body, linear Rec. 709, its greatest channel 1; channels outside that gamut are

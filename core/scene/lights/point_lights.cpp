@@ -72,7 +72,7 @@ std::vector<PointLight> points_on_disc(const Light& light, const light::Directio
   return lights;
 }
 
-// Of a box from a point; 0 within.
+// The distance of a box from a point; 0 within.
 double distance_to(const LitBounds& box, const glm::dvec3& p) {
   return glm::length(glm::max(glm::max(box.low - p, p - box.high), 0.0));
 }
@@ -119,8 +119,8 @@ SurfacePoint point_on(const light::Sphere& sphere, int k, int count) {
 SurfacePoint point_on(const light::Disk& disk, int k, int count) {
   const glm::dvec3 normal = unit_direction(disk.direction, {0.0, -1.0, 0.0});
   const auto [u, v] = make_basis(normal);
-  const glm::dvec2 at = count > 1 ? disk.radius * disc_point(k, count) : glm::dvec2(0.0);
-  return {at.x * u + at.y * v, normal};
+  const glm::dvec2 offset = count > 1 ? disk.radius * disc_point(k, count) : glm::dvec2(0.0);
+  return {offset.x * u + offset.y * v, normal};
 }
 SurfacePoint point_on(const light::Rectangle& rectangle, int k, int count) {
   // A lattice that no line meets in rows: its shadows have as many steps as it has points.

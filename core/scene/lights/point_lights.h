@@ -24,7 +24,7 @@ struct PointLight {
   LightFalloff falloff{};
   double radius = 0.0;  // of a disk as large as what it stands for of an area light [u]
   bool is_far = false;  // stands for a directional light
-  // Of LightPoints::drawn, around `position`: what shines in place of the point.
+  // LightPoints::drawn: the surface around `position` that shines in place of the point.
   std::optional<AreaLight> area{};
 
   bool operator==(const PointLight&) const = default;
@@ -37,8 +37,8 @@ struct LitBounds {
 };
 std::optional<LitBounds> lit_bounds(const Scene& scene);
 
-// What lights shine on: surfaces and Gaussians (3 radii each), or else the fog within a mean
-// free path of the origin. In coarse steps, so that it mostly stays while a medium is painted.
+// The region that lights shine on: surfaces and Gaussians (3 radii each), or else the fog within a
+// mean free path of the origin. In coarse steps, so that it mostly stays while a medium is painted.
 struct LitRegion {
   glm::dvec3 center{0.0};
   double diameter = 2.0;  // [u]
@@ -61,7 +61,7 @@ bool is_two_sided(const AreaLight& area);
 // [u^2]; `facing`: as seen from far away, from where it looks largest.
 double surface_area(const AreaLight& area);
 double facing_area(const AreaLight& area);
-// Of the ball around its center that holds it [u].
+// The radius of the ball around its center that holds it [u].
 double bounding_radius(const AreaLight& area);
 // Unit vectors along the width and the height of a rectangle.
 std::pair<glm::dvec3, glm::dvec3> rectangle_axes(const light::Rectangle& rectangle);

@@ -149,9 +149,9 @@ BrdfSh::BrdfSh(const Material& material, int order) {
 
 ShVector<glm::dvec3> BrdfSh::operator()(double cos_theta_o) const {
   if (rows_.size() == 1) return rows_[0];
-  const double at = std::acos(std::clamp(cos_theta_o, 0.0, 1.0)) / (0.5 * pi) * intervals;
-  const double below = std::min(std::floor(at), intervals - 1.0);
-  const double t = at - below;
+  const double place = std::acos(std::clamp(cos_theta_o, 0.0, 1.0)) / (0.5 * pi) * intervals;
+  const double below = std::min(std::floor(place), intervals - 1.0);
+  const double t = place - below;
   const ShVector<glm::dvec3>& a = rows_[static_cast<std::size_t>(below)];
   const ShVector<glm::dvec3>& b = rows_[static_cast<std::size_t>(below) + 1];
   ShVector<glm::dvec3> result(a.order());

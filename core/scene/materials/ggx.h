@@ -25,7 +25,7 @@ struct GgxReflection {
 
   // Smoother surfaces are taken for this one: a point light's highlight on a mirror is of no size.
   static constexpr double min_alpha = 1e-3;
-  // Of what is no metal: an index of refraction of 1.5.
+  // Materials that are no metal have an index of refraction of 1.5.
   static constexpr double dielectric_f0 = 0.04;
 
   GgxReflection() = default;

@@ -86,9 +86,9 @@ struct Position {
   double fraction;
 
   Position(double x, int count) {
-    const double at = std::clamp(x, 0.0, 1.0) * count;
-    below = static_cast<std::size_t>(std::min(std::floor(at), count - 1.0));
-    fraction = at - static_cast<double>(below);
+    const double place = std::clamp(x, 0.0, 1.0) * count;
+    below = static_cast<std::size_t>(std::min(std::floor(place), count - 1.0));
+    fraction = place - static_cast<double>(below);
   }
 };
 
@@ -129,7 +129,7 @@ ShVector<glm::dvec3> GgxSh::operator()(const GgxReflection& reflection, double c
     return a + angle.fraction * (table[(row + 1) * row_size + i] - a);
   };
   const std::size_t row = roughness.below * (angle_intervals + 1) + angle.below;
-  const auto at = [&](const std::vector<float>& table, std::size_t i) {
+  const auto row_at = [&](const std::vector<float>& table, std::size_t i) {
     const double a = along_angle(table, row, i);
     return a + roughness.fraction * (along_angle(table, row + angle_intervals + 1, i) - a);
   };
@@ -138,7 +138,8 @@ ShVector<glm::dvec3> GgxSh::operator()(const GgxReflection& reflection, double c
   for (int l = 0; l < sh_max_bands; ++l) {
     for (int m = 0; m <= l; ++m, ++index) {
       result[sh_index(l, m)] = reflection.diffuse * along_angle(diffuse_, angle.below, index) +
-                               reflection.f0 * at(scaled_, index) + glm::dvec3(at(added_, index));
+                               reflection.f0 * row_at(scaled_, index) +
+                               glm::dvec3(row_at(added_, index));
     }
   }
   return result;

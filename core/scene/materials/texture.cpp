@@ -178,12 +178,12 @@ glm::vec4 Texture::bilinear(const Level& level, const glm::dvec2& position, Text
   const auto y0 = static_cast<int>(std::floor(y));
   const auto s = static_cast<float>(x - x0);
   const auto t = static_cast<float>(y - y0);
-  const auto at = [&](int i, int j) {
+  const auto texel_at = [&](int i, int j) {
     return texel(level, wrapped_index(i, level.width, wrap_u),
                  wrapped_index(j, level.height, wrap_v));
   };
-  return glm::mix(glm::mix(at(x0, y0), at(x0 + 1, y0), s),
-                  glm::mix(at(x0, y0 + 1), at(x0 + 1, y0 + 1), s), t);
+  return glm::mix(glm::mix(texel_at(x0, y0), texel_at(x0 + 1, y0), s),
+                  glm::mix(texel_at(x0, y0 + 1), texel_at(x0 + 1, y0 + 1), s), t);
 }
 
 glm::vec4 Texture::lookup(const glm::dvec2& uv, double footprint, TextureWrap wrap_u,

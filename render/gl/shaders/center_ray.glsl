@@ -1,4 +1,4 @@
-// What a work group's rays have in common.
+// The central ray of a work group.
 shared float reduced[group_size];
 
 float reduce_min(float value) {

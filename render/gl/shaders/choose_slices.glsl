@@ -7,7 +7,7 @@
 #include "slice_boundaries.glsl"
 
 layout(r32f, binding = 0) readonly uniform image2D depths;  // to the surface; < 0: none
-// Of each tile the number of its boundaries, and room for `stride` of them.
+// For each tile: the number of its boundaries, and room for `stride` of them.
 layout(std430, binding = 5) writeonly buffer Chosen { float chosen[]; };
 
 uniform ivec2 film;

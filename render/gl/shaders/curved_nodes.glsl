@@ -2,7 +2,7 @@
 // after interpolate.glsl.
 #include "upsampling.glsl"
 
-// Of the cell right of and below a sample.
+// The flags of the cell right of and below a sample.
 uint cell_flags(ivec2 sample_) {
   const ivec2 size = ivec2(tile_width, tile_height);
   const ivec2 tile = sample_ / size;

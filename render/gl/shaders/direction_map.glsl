@@ -12,7 +12,8 @@ struct MapPosition {
 
 vec2 sign_of(vec2 p) { return vec2(p.x < 0.0 ? -1.0 : 1.0, p.y < 0.0 ? -1.0 : 1.0); }
 
-// Of q from a point whose components in a perspective map are `origin`; `distance_`: from the light.
+// The position of q from a point whose components in a perspective map are `origin`; `distance_`:
+// from the light.
 MapPosition map_position(DirectionMap map, vec3 q, vec3 origin, float distance_) {
   vec2 uv;
   if (map.axis.w > 0.5) {
@@ -36,7 +37,7 @@ dvec3 map_direction(DirectionMap map, ivec2 cell) {
   vec2 uv = (2.0 * vec2(cell) + 1.0) / vec2(map.cells.xy) - 1.0;
   if (map.axis.w < 0.5) {
     uv = (uv - map.offset.xy) / vec2(map.right.w, map.up.w);
-    // Of far lights, floats are too coarse.
+    // Floats are too coarse for far lights.
     return normalize(dvec3(map.axis.xyz) + double(uv.x) * dvec3(map.right.xyz) +
                      double(uv.y) * dvec3(map.up.xyz));
   }

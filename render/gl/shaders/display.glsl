@@ -1,6 +1,6 @@
-// What a screen shows of a frame, as to_display() of render/display has it. Of a medium that absorbs,
-// which colour channels may take part in different frames, each adds its own; the last one shows
-// them: see render/prepare/albedo.
+// Converts a frame for the screen, as to_display() of render/display does. In a medium that
+// absorbs, which colour channels may take part in different frames, each adds its own; the last one
+// shows them: see render/prepare/albedo.
 #include "constants.glsl"
 
 layout(local_size_x = 16, local_size_y = 8) in;

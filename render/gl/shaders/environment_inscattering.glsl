@@ -1,4 +1,4 @@
-// What a medium scatters of an environment as the paper has it: EnvironmentLight::environment_inscattering().
+// The environment inscattering of the paper: EnvironmentLight::environment_inscattering().
 #include "spherical_harmonics.glsl"
 
 // The environment's coefficients R G B 0; then the polynomials of ScatterTable, one after another.

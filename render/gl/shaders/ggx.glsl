@@ -10,7 +10,7 @@ struct Ggx {
   float alpha;
 };
 
-// As materials.glsl leaves it behind the pixels; sets the normal.
+// Reads the reflection that materials.glsl leaves behind the pixels; sets the normal.
 Ggx ggx_of(int place, inout vec3 normal) {
   const vec4 vectors[ggx_vectors] =
       vec4[](behind[place], behind[place + 1], behind[place + 2], behind[place + 3]);

@@ -95,9 +95,9 @@ vec2 profile_mean(int l, vec3 along, vec3 across, float h2, float begin, float a
   float sum = 0.0;
   float moment = 0.0;
   for (int i = 0; i < count; ++i) {
-    const float at = first + float(i) * step_;
-    const float sine = sin(at);
-    const float cosine = max(cos(at), tiny);
+    const float theta = first + float(i) * step_;
+    const float sine = sin(theta);
+    const float cosine = max(cos(theta), tiny);
     const float value = falloff_at(l, sine * along - cosine / h * across);
     sum += value;
     moment += value * h * sine / cosine;
@@ -106,7 +106,8 @@ vec2 profile_mean(int l, vec3 along, vec3 across, float h2, float begin, float a
 }
 #endif
 
-// What arrives between begin and end, where the falloff is smooth, and that times their middle.
+// The light that arrives between begin and end, where the falloff is smooth, and that times their
+// middle.
 vec2 falloff_part(int l, vec3 along, vec3 across, float h2, float begin, float end) {
   const float width = end - begin;
   if (!(width > 0.0)) return vec2(0.0);

@@ -6,7 +6,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 // Texels of all textures and levels; see Texture.
 layout(std430, binding = 0) readonly buffer Texels { uint texels[]; };
-// Of the corners of each triangle.
+// Texture coordinates of the corners of each triangle.
 layout(std430, binding = 1) readonly buffer Texcoords { vec2 texcoords[]; };
 // After a vector per pixel, for each pixel those that shade_surfaces.glsl reads.
 layout(std430, binding = 3) writeonly buffer Behind { vec4 behind[]; };

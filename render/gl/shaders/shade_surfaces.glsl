@@ -59,7 +59,7 @@ float scatter_polynomial(int first, float x) {
 #include "reflection.glsl"
 #include "ggx.glsl"
 
-// Of a metallic-roughness material.
+// The reflection of a metallic-roughness material.
 Ggx ggx = Ggx(false, vec3(0.0), vec3(0.0), vec3(0.0), 1.0);
 
 vec3 reflectance(int i) {

@@ -19,7 +19,7 @@ void add_boundary(float t) { unsorted[atomicAdd(unsorted_count, 1u)] = t; }
 // See core_radius() of render/slices/slice_boundaries.cpp.
 float core_radii(float depth) { return depth < slice_opaque ? core_radii_of_thin : sqrt(log(inverse_tail_depth * depth)); }
 
-// What a box of a Gaussian demands of a bin: rate and curvature.
+// The demand of a box of a Gaussian in a bin: rate and curvature.
 vec2 box_demand(float bin, float t, float half_, vec2 demand, float begin, float width, int bins) {
   const vec2 ends = floor(clamp((t + vec2(-half_, half_) - begin) / width + bin_room, 0.0, float(bins)));
   return bin >= ends.x && bin <= ends.y ? demand : vec2(0.0);
@@ -100,7 +100,7 @@ void find_demand(CenterRay ray, Demanding demanding, vec2 core, int bins, uint b
       const SeenGaussian g = seen[i];
       const SliceNeed need = slice_need(ray, i, g);
       const float t = need.t;
-      // Of a line through the center, twice.
+      // Twice the depth of a line through the center.
       const float half_depth = g.scale * g.a / need.a;
       const float half_ = core_radii(2.0 * half_depth) / need.a;
       const float weight = demand_weight(demanding, base + id - begin, g.scale);

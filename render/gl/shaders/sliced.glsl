@@ -27,7 +27,7 @@ uniform float albedo;
 const float endless_line = 1e18;
 
 #ifdef OPTICS
-// Of Gaussians: emission, and albedo; see RelativeOptics.
+// Emission and albedo of Gaussians; see RelativeOptics.
 layout(rgba32f, binding = 6) readonly uniform image2D optics;
 shared vec4 batch_optics[group_size];
 shared vec4 spilled_optics[chunk * group_size];

@@ -51,7 +51,7 @@ float lobe_loss(float cosine, float depth) {
   return mix(at_angle.x, at_angle.y, f.x);
 }
 
-// What a view ray makes of a node.
+// The weights of a node for a view ray.
 float source_weights[grid_functions];
 vec3 source_cluster_weights[source_clusters];
 

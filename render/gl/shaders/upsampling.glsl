@@ -1,4 +1,5 @@
-// What interpolate.glsl and halve.glsl share: distances, tolerances, and the list of pixels to evaluate exactly.
+// Shared by interpolate.glsl and halve.glsl: distances, tolerances, and the list of pixels to
+// evaluate exactly.
 #include "constants.glsl"
 #include "linear.glsl"
 #include "structs.glsl"
@@ -14,12 +15,12 @@ layout(std430, binding = 3) readonly buffer Offsets { uint offsets[]; };
 layout(std430, binding = 4) buffer Totals { UpsamplingTotals totals; };
 layout(std430, binding = 5) writeonly buffer Requests { uint requests[]; };
 layout(std430, binding = 6) readonly buffer Entries { uint list[]; };
-// Of each invocation of interpolate.glsl, whose cell may be curved: CurvedCell::missing and these.
+// For each invocation of interpolate.glsl, whose cell may be curved: CurvedCell::missing and these.
 layout(std430, binding = 7) buffer CurvedCells { uint curved_cells[]; };
 
 const uint curved_is_open = 1u << 16;
 const uint curved_is_cell = 1u << 17;
-// Of other cells: whether those of their pixels are evaluated that are nodes of cells beside them.
+// For other cells: whether those of their pixels are evaluated that are nodes of cells beside them.
 const uint evaluates_top = 1u << 18;
 const uint evaluates_left = 1u << 19;
 

@@ -33,9 +33,9 @@ SurfaceTruth::SurfaceTruth(const Scene& scene, const SurfaceSampling& sampling, 
   tbb::parallel_for(std::size_t{0}, independent_runs * points.size(), [&](std::size_t n) {
     const std::size_t k = n / points.size();
     const std::size_t i = n % points.size();
-    SurfaceSampling own = sampling;
-    own.seed += n;
-    const ReflectedLight light = run(ray_caster, points[i], own);
+    SurfaceSampling own_sampling = sampling;
+    own_sampling.seed += n;
+    const ReflectedLight light = run(ray_caster, points[i], own_sampling);
     all_[k][i] = light.attenuated + light.scattered;
     scattered_[k][i] = light.scattered;
   });

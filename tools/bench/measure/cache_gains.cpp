@@ -88,9 +88,9 @@ CacheGain measure_cache(const FrameCache& cache, const MovingView& view, Rendere
     Settings other_settings = settings;
     cache.displace(other_scene, other_settings);
     const Camera camera = orbited(scene.camera, i);
-    const TimedFrame with = render(scene, settings, camera);
+    const TimedFrame cached = render(scene, settings, camera);
     static_cast<void>(render(other_scene, other_settings, camera));
-    all.add(with, render(scene, settings, camera));
+    all.add(cached, render(scene, settings, camera));
   }
   return all.gain(cache.name, view.name, cache.code);
 }
@@ -267,13 +267,13 @@ FrameCache average_depths() {
 
 Quartiles quartiles_of(std::vector<double> values) {
   std::ranges::sort(values);
-  const auto at = [&](double share) {
+  const auto quantile = [&](double share) {
     const double place = share * static_cast<double>(values.size() - 1);
     const auto below = static_cast<std::size_t>(place);
     const std::size_t above = std::min(below + 1, values.size() - 1);
     return std::lerp(values[below], values[above], place - std::floor(place));
   };
-  return {at(0.5), at(0.25), at(0.75)};
+  return {quantile(0.5), quantile(0.25), quantile(0.75)};
 }
 
 Settings MovingView::settings_of(AirlightMethod method) const {

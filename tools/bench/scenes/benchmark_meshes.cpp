@@ -39,11 +39,11 @@ void MeshBuilder::grid(int columns, int rows, bool closed, const Place& place) {
   };
   for (int j = 0; j + 1 < rows; ++j) {
     for (int i = 0; i < (closed ? columns : columns - 1); ++i) {
-      const auto at = [&](int column, int row) {
+      const auto vertex_at = [&](int column, int row) {
         return vertices[static_cast<std::size_t>(row * columns + column % columns)];
       };
-      add(at(i, j), at(i + 1, j), at(i + 1, j + 1));
-      add(at(i, j), at(i + 1, j + 1), at(i, j + 1));
+      add(vertex_at(i, j), vertex_at(i + 1, j), vertex_at(i + 1, j + 1));
+      add(vertex_at(i, j), vertex_at(i + 1, j + 1), vertex_at(i, j + 1));
     }
   }
 }

@@ -89,14 +89,14 @@ Scene fog_bank(int count) {
   double mass = 0.0;
   for (int i = 0; i < count; ++i) {
     Gaussian& g = gaussians.emplace_back();
-    const auto from = [&](double low, double high) {
+    const auto uniform_in = [&](double low, double high) {
       return low + (high - low) * random.uniform();
     };
-    g.center.x = from(-2.0, 2.0);
-    g.center.y = from(-1.0, 1.0);
-    g.center.z = from(-2.0, 2.0);
-    g.radius = from(0.01, 0.05);
-    g.density = from(0.5, 1.5);
+    g.center.x = uniform_in(-2.0, 2.0);
+    g.center.y = uniform_in(-1.0, 1.0);
+    g.center.z = uniform_in(-2.0, 2.0);
+    g.radius = uniform_in(0.01, 0.05);
+    g.density = uniform_in(0.5, 1.5);
     mass += std::pow(std::numbers::pi, 1.5) * g.density * g.radius * g.radius * g.radius;
   }
   // An optical depth of 2 over the 4 u along a view ray, in 32 u^3.

@@ -15,11 +15,13 @@ std::size_t add_patch(MeshArrays& mesh, int n,
       mesh.normals.emplace_back(v.normal);
     }
   }
-  const auto at = [&](int i, int j) { return first + static_cast<std::size_t>(i * (n + 1) + j); };
+  const auto index_at = [&](int i, int j) {
+    return first + static_cast<std::size_t>(i * (n + 1) + j);
+  };
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j < n; ++j) {
-      mesh.triangles.emplace_back(at(i, j), at(i + 1, j), at(i + 1, j + 1));
-      mesh.triangles.emplace_back(at(i, j), at(i + 1, j + 1), at(i, j + 1));
+      mesh.triangles.emplace_back(index_at(i, j), index_at(i + 1, j), index_at(i + 1, j + 1));
+      mesh.triangles.emplace_back(index_at(i, j), index_at(i + 1, j + 1), index_at(i, j + 1));
     }
   }
   return first;

@@ -261,13 +261,13 @@ Scene machine_scene() {
     // Three outlets: the two pipes, whose steam is blown backwards, and the engine's.
     const int outlet = i % 3;
     const double age = std::pow(random.uniform(0.0, 1.0), 0.8);
-    const glm::dvec3 from =
+    const glm::dvec3 source =
         outlet == 2 ? glm::dvec3(0.0, 0.6, 0.12) : glm::dvec3(-0.95, 0.3, outlet == 0 ? -0.2 : 0.2);
     const glm::dvec3 drift =
         outlet == 2 ? glm::dvec3(-0.5, 0.7, 0.15) : glm::dvec3(-0.45, 0.5, 0.0);
     const glm::dvec3 swirl(0.08 * std::sin(9.0 * age + outlet), 0.0, 0.08 * std::cos(8.0 * age));
     const double radius = 0.025 + 0.075 * age;
-    const glm::dvec3 center = from + age * (drift + swirl) + random.point(0.02 + 0.16 * age);
+    const glm::dvec3 center = source + age * (drift + swirl) + random.point(0.02 + 0.16 * age);
     steam.push_back({center, radius, std::pow(0.025 / radius, 2.0)});
   }
   scene.medium = with_depth(steam, 3.0);
