@@ -5,8 +5,6 @@
 // read_vtk_points() (app/import/vtk_points.h) starts it.
 
 #include <malloc.h>
-#include <sys/resource.h>
-#include <unistd.h>
 #include <vtkDataArray.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
@@ -26,7 +24,6 @@
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 
@@ -157,28 +154,13 @@ std::vector<Gaussian> gaussians_of(const std::filesystem::path& file,
   return gaussians;
 }
 
-void limit(int resource, rlim_t value) {
-  const rlimit both{value, value};
-  setrlimit(static_cast<__rlimit_resource>(resource), &both);
-}
-
-// The libraries take this much of the address space.
-rlim_t address_space() {
-  rlim_t pages = 0;
-  std::ifstream("/proc/self/statm") >> pages;
-  return pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
-}
-
 }  // namespace
 }  // namespace brume
 
 int main(int argc, char* argv[]) {
   if (argc < 6) return EXIT_FAILURE;
-  brume::end_with_parent();
   setenv("VTK_SMP_BACKEND_IN_USE", "Sequential", 1);  // threads take much address space each
-  brume::limit(RLIMIT_AS, brume::address_space() + std::strtoull(argv[4], nullptr, 10));
-  brume::limit(RLIMIT_CPU, std::strtoull(argv[5], nullptr, 10));
-  brume::limit(RLIMIT_CORE, 0);
+  brume::limit_to_parent(std::strtoull(argv[4], nullptr, 10), std::strtoull(argv[5], nullptr, 10));
 #ifdef M_PERTURB
   // Where an array ends too early VTK leaves memory as it was. Of 0x7f bytes are numbers that are
   // in no domain of a Gaussian.

@@ -4,18 +4,17 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <sstream>
 #include <string>
 #include <string_view>
 
 #include "brume/medium.h"
 #include "core/io/gaussians/gaussian_file.h"
 #include "core/io/image/image_file.h"
-#include "core/io/import/raw_scene_bytes.h"
 #include "core/io/volume/volume_file.h"
 #include "core/volume/medium_grid.h"
 #include "tests/core/io/gaussians/splat_gltf_builder.h"
 #include "tests/core/io/import/gltf_builder.h"
+#include "tests/core/io/import/small_raw_scene.h"
 
 namespace brume {
 namespace {
@@ -126,26 +125,6 @@ std::string gltf_splats() {
   return builder.binary();
 }
 
-std::string raw_scene() {
-  RawScene scene;
-  scene.nodes = {{"a"}, {"b", 0}};
-  scene.materials.resize(1);
-  scene.materials[0].textures[2] = RawTexture{0, TextureWrap::clamp, TextureWrap::mirror};
-  scene.images = {{"a.png", "bytes"}};
-  RawPart part{1, 0, {}};
-  part.mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-  part.mesh.normals.assign(3, {0, 0, 1});
-  part.mesh.texcoords.resize(3);
-  part.mesh.triangles = {{0, 1, 2}};
-  scene.parts = {part};
-  scene.cameras = {{"c", Camera{}, {}}};
-  scene.lights = {{.position = {1, 2, 3}, .kind = light::Spot{}, .name = "s"}};
-  scene.warnings = {"w"};
-  std::ostringstream out;
-  write_raw_scene(out, scene);
-  return out.str();
-}
-
 void write_seeds(const std::filesystem::path& folder) {
   for (const char* parser :
        {"gaussian_ply", "gaussian_csv", "splat_ply", "splat_gltf", "exr", "vdb"}) {
@@ -174,7 +153,7 @@ void write_seeds(const std::filesystem::path& folder) {
   write(folder / "ies/quadrant.ies", ies);
   write(folder / "gltf/scene.glb", gltf_scene());
   write(folder / "gltf/text.gltf", GltfBuilder().text("none.bin"));
-  write(folder / "raw_scene/scene.bytes", raw_scene());
+  write(folder / "raw_scene/scene.bytes", bytes_of(small_scene()));
   write(folder / "merl/header.binary", std::string("\132\0\0\0\132\0\0\0\264\0\0\0", 12));
 
   Medium medium;

@@ -8,7 +8,6 @@
 
 #include <cstdlib>
 #include <exception>
-#include <fstream>
 #include <iostream>
 
 #include "brume/error.h"
@@ -16,30 +15,12 @@
 #include "core/io/import/raw_scene_bytes.h"
 #include "tools/scene_reader/assimp_reader.h"
 
-namespace {
-
-void limit(int resource, rlim_t value) {
-  const rlimit both{value, value};
-  setrlimit(static_cast<__rlimit_resource>(resource), &both);
-}
-
-// The libraries take this much of the address space.
-rlim_t address_space() {
-  rlim_t pages = 0;
-  std::ifstream("/proc/self/statm") >> pages;
-  return pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
-}
-
-}  // namespace
-
 int main(int argc, char* argv[]) {
   if (argc != 4) return EXIT_FAILURE;
-  brume::end_with_parent();
   const auto seconds = std::strtoull(argv[3], nullptr, 10);
-  limit(RLIMIT_AS, address_space() + std::strtoull(argv[2], nullptr, 10));
-  limit(RLIMIT_CPU, seconds);
-  limit(RLIMIT_CORE, 0);
-  limit(RLIMIT_FSIZE, 0);                      // it writes no file
+  brume::limit_to_parent(std::strtoull(argv[2], nullptr, 10), seconds);
+  const rlimit none{0, 0};
+  setrlimit(RLIMIT_FSIZE, &none);              // it writes no file
   alarm(static_cast<unsigned>(20 * seconds));  // should it wait for something; others may be busy
   try {
     const brume::RawScene scene = brume::read_with_assimp(argv[1]);

@@ -92,16 +92,15 @@ void OutputPanel::add_size(QFormLayout& form) {
     if (index > 0) set_film(document_, size_presets.at(static_cast<std::size_t>(index - 1)).film);
   });
   const auto film = [this]() -> const Film& { return document_.scene().film; };
-  add_number(form, tr("Width, px"),
-             {"film_width", film_side, ValueField::Scale::linear, 1.0,
-              [film] { return std::optional<double>(film().width); },
-              [this](double value, MergeId gesture) { set_side(true, value, gesture); }})
-      ->setToolTip(tr("Of the rendered picture, in pixels"));
-  add_number(form, tr("Height, px"),
-             {"film_height", film_side, ValueField::Scale::linear, 1.0,
-              [film] { return std::optional<double>(film().height); },
-              [this](double value, MergeId gesture) { set_side(false, value, gesture); }})
-      ->setToolTip(tr("Of the rendered picture, in pixels"));
+  for (const bool is_width : {true, false}) {
+    add_number(form, is_width ? tr("Width, px") : tr("Height, px"),
+               {is_width ? "film_width" : "film_height", film_side, ValueField::Scale::linear, 1.0,
+                [film, is_width] {
+                  return std::optional<double>(is_width ? film().width : film().height);
+                },
+                [=, this](double value, MergeId gesture) { set_side(is_width, value, gesture); }})
+        ->setToolTip(tr("Of the rendered picture, in pixels"));
+  }
   auto* lock = new QCheckBox(tr("Lock aspect ratio"), this);
   lock->setObjectName("lock_aspect");
   lock->setToolTip(tr("Width and height change together"));
@@ -184,39 +183,38 @@ void OutputPanel::add_method(QFormLayout& form) {
 }
 
 void OutputPanel::add_frames(QFormLayout& form) {
-  const auto now = [this] {
-    return Playback{timeline_.first(), timeline_.last(), timeline_.loops(),
-                    timeline_.frames_per_second()};
+  const auto add = [&](const QString& title, const char* name, const NumberDomain& domain,
+                       const auto& get, const auto& change, const QString& tip) {
+    add_number(form, title,
+               {name, domain, ValueField::Scale::linear, 0.25,
+                [get] { return std::optional<double>(get()); },
+                [this, change](double value, MergeId) {
+                  Playback playback{timeline_.first(), timeline_.last(), timeline_.loops(),
+                                    timeline_.frames_per_second()};
+                  change(playback, value);
+                  set_playback(playback);
+                }})
+        ->setToolTip(tip);
   };
-  add_number(form, tr("First frame"),
-             {"output_first", frame_number, ValueField::Scale::linear, 0.25,
-              [this] { return std::optional<double>(timeline_.first()); },
-              [this, now](double value, MergeId) {
-                Playback playback = now();
-                playback.first = rounded_to_int(value);
-                playback.last = std::max(playback.first, playback.last);
-                set_playback(playback);
-              }})
-      ->setToolTip(tr("Of the animation; the same as in the timeline"));
-  add_number(form, tr("Last frame"),
-             {"output_last", frame_number, ValueField::Scale::linear, 0.25,
-              [this] { return std::optional<double>(timeline_.last()); },
-              [this, now](double value, MergeId) {
-                Playback playback = now();
-                playback.last = rounded_to_int(value);
-                playback.first = std::min(playback.first, playback.last);
-                set_playback(playback);
-              }})
-      ->setToolTip(tr("Of the animation; the same as in the timeline"));
-  add_number(form, tr("Frames per second"),
-             {"output_rate", domain::frame_rate, ValueField::Scale::linear, 0.25,
-              [this] { return std::optional(timeline_.frames_per_second()); },
-              [this, now](double value, MergeId) {
-                Playback playback = now();
-                playback.frames_per_second = value;
-                set_playback(playback);
-              }})
-      ->setToolTip(tr("Of the timeline and of videos. Keyframes keep their times in seconds"));
+  add(
+      tr("First frame"), "output_first", frame_number, [this] { return timeline_.first(); },
+      [](Playback& playback, double value) {
+        playback.first = rounded_to_int(value);
+        playback.last = std::max(playback.first, playback.last);
+      },
+      tr("Of the animation; the same as in the timeline"));
+  add(
+      tr("Last frame"), "output_last", frame_number, [this] { return timeline_.last(); },
+      [](Playback& playback, double value) {
+        playback.last = rounded_to_int(value);
+        playback.first = std::min(playback.first, playback.last);
+      },
+      tr("Of the animation; the same as in the timeline"));
+  add(
+      tr("Frames per second"), "output_rate", domain::frame_rate,
+      [this] { return timeline_.frames_per_second(); },
+      [](Playback& playback, double value) { playback.frames_per_second = value; },
+      tr("Of the timeline and of videos. Keyframes keep their times in seconds"));
 }
 
 void OutputPanel::set_playback(const Playback& playback) {

@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
-#include <sstream>
 
 #include "brume/mesh_arrays.h"
 #include "core/io/image/image_file.h"
 #include "core/io/import/imported_scene_file.h"
-#include "core/io/import/raw_scene_bytes.h"
 #include "core/scene/lights/area_normal.h"
 #include "core/scene/mesh.h"
+#include "tests/core/io/import/small_raw_scene.h"
 #include "tests/core/io/input_error.h"
 #include "tests/core/io/temporary_folder.h"
 
@@ -266,33 +265,6 @@ TEST(ReaderProgram, StopsWhenAsked) {
   source.request_stop();
   std::vector<std::string> warnings;
   EXPECT_EQ(read_imported_scene(file, warnings, source.get_token()), nullptr);
-}
-
-RawScene small_scene() {
-  RawScene scene;
-  scene.nodes = {{"a"}, {"b", 0}};
-  scene.materials.resize(1);
-  scene.materials[0].textures[2] = RawTexture{0, TextureWrap::clamp, TextureWrap::mirror};
-  scene.images = {{"/a/b.png", "bytes"}};
-  RawPart part{1, 0, {}};
-  part.mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-  part.mesh.normals = {{0, 0, 1}, {0, 0, 1}, {0, 0, 0}};
-  part.mesh.texcoords = {{0, 0}, {1, 0}, {0, 1}};
-  part.mesh.triangles = {{0, 1, 2}};
-  scene.parts = {part};
-  scene.cameras = {{"c", Camera{}, {}}};
-  Light spot{.position = {1, 2, 3}, .kind = light::Spot{{0, -1, 0}, 10.0, 20.0}, .name = "s"};
-  Light sun{.kind = light::Directional{{0, -1, 0}}};
-  scene.lights = {spot, sun};
-  scene.files = {"/a/a.obj", "/a/a.mtl"};
-  scene.warnings = {"w"};
-  return scene;
-}
-
-std::string bytes_of(const RawScene& scene) {
-  std::ostringstream out;
-  write_raw_scene(out, scene);
-  return out.str();
 }
 
 TEST(RawSceneBytes, RoundTrip) {
