@@ -6,6 +6,7 @@
 #include <iostream>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "brume/medium.h"
 #include "core/io/gaussians/gaussian_file.h"
