@@ -22,11 +22,11 @@
 #include "core/transport/average_depth.h"
 #include "core/transport/gaussian_airlight.h"
 #include "core/transport/homogeneous_airlight.h"
-#include "core/transport/incident_light.h"
 #include "core/transport/point_spread.h"
 #include "render/cpu/paper_airlight.h"
 #include "render/reference/airlight_integral.h"
 #include "render/simd/gaussian_kernels.h"
+#include "tests/core/transport/incident_light.h"
 
 namespace brume {
 namespace {

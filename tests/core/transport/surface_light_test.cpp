@@ -12,8 +12,8 @@
 #include "core/math/sphere_rule.h"
 #include "core/transport/average_depth.h"
 #include "core/transport/homogeneous_airlight.h"
-#include "core/transport/incident_light.h"
 #include "core/transport/point_spread.h"
+#include "tests/core/transport/incident_light.h"
 #include "tests/random.h"
 
 namespace brume {

@@ -15,8 +15,8 @@
 #include "brume/mesh_arrays.h"
 #include "core/scene/materials/brdf.h"
 #include "core/scene/mesh.h"
-#include "core/transport/incident_light.h"
 #include "render/visibility/ray_caster.h"
+#include "tests/core/transport/incident_light.h"
 #include "tests/random.h"
 #include "tests/render/test_scenes.h"
 
