@@ -188,6 +188,10 @@ void bind_frame(py::module_& module) {
       .def_readonly("low", &ErrorEstimate::low, "Of the 95 % confidence interval.")
       .def_readonly("high", &ErrorEstimate::high, "Of the 95 % confidence interval.")
       .def_readonly("pixels", &ErrorEstimate::pixels)
+      .def_readonly("block_median", &ErrorEstimate::block_median,
+                    "Median of blocks of 8 x 8 pixels, each relative to its own airlight.")
+      .def_readonly("block_low", &ErrorEstimate::block_low, "Of its 95 % confidence interval.")
+      .def_readonly("block_high", &ErrorEstimate::block_high, "Of its 95 % confidence interval.")
       .def("__float__", [](const ErrorEstimate& self) { return self.rel_rmse; })
       .def("__repr__", [](const ErrorEstimate& self) {
         return "<brume.ErrorEstimate " + std::to_string(self.rel_rmse) + ", " +

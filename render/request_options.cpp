@@ -21,6 +21,7 @@ using Type = RequestOption::Type;
 constexpr std::array scatterings{std::pair("single", Scattering::single),
                                  std::pair("multiple", Scattering::multiple)};
 constexpr std::array measurements{std::pair("none", ErrorMeasurement::none),
+                                  std::pair("quick", ErrorMeasurement::quick),
                                   std::pair("full", ErrorMeasurement::full)};
 constexpr std::array scales{std::pair("1", 1), std::pair("2", 2), std::pair("4", 4)};
 constexpr std::array backends{std::pair("auto", Backend::auto_), std::pair("cpu", Backend::cpu),
@@ -343,7 +344,8 @@ std::vector<RequestOption> make_options() {
              "the relative RMSE of the airlight that auto must meet"),
       choice("error", &Request::error, measurements,
              "whether the error of the airlight is measured: none: no, and auto only chooses; "
-             "full: until its interval is narrow; default: full for auto, else none"),
+             "quick: for at most what the picture cost; full: until its interval is narrow, and "
+             "auto takes finer settings where it needs them; default: quick for auto, else none"),
       told(with<reference>, number("tolerance", &Request::tolerance, 1e-12, 1.0,
                                    "relative tolerance of the reference")),
       told(always, number("samples", &Request::samples, 1, limits::samples,

@@ -31,9 +31,13 @@ bool is_evaluated(const Scene& scene, double time) {
          });
 }
 
-// Whether a method is itself what errors are measured against.
-bool is_truth(AirlightMethod method) {
-  return method == AirlightMethod::path || method == AirlightMethod::reference;
+// What is measured: nothing of methods that errors are measured against.
+ErrorMeasurement effort_of(const RenderRequest& request) {
+  using enum ErrorMeasurement;
+  const bool is_truth =
+      request.airlight == AirlightMethod::path || request.airlight == AirlightMethod::reference;
+  if (is_truth) return none;
+  return request.error.value_or(request.airlight == AirlightMethod::auto_ ? quick : none);
 }
 
 void check_layer_memory(const Scene& scene, const Film& film, const OutputLayers& layers) {
@@ -44,17 +48,17 @@ void check_layer_memory(const Scene& scene, const Film& film, const OutputLayers
                                   "; choose fewer, or a smaller size");
 }
 
-// Renders a view of a scene at its time. With `auto_`, settings are chosen, and the error is
-// measured if it is to be, of a frame without blur. nullopt if stopped.
+// Renders a view of a scene at its time. With `auto_`, settings are chosen, and with `full` the
+// error is measured, of a frame without blur. nullopt if stopped.
 std::optional<RequestedFrame> render_view(FrameRenderer& renderer, const Scene& scene,
                                           const ExposedView& view, Settings settings,
-                                          bool measures_error, const Job& job) {
+                                          ErrorMeasurement effort, const Job& job) {
   const Camera& camera = view.camera ? *view.camera : scene.camera;
   settings.samples = samples_of(view.exposure, camera, scene);
   const bool has_blur = is_blurred(view.exposure, camera);
   const bool is_auto = settings.airlight == AirlightMethod::auto_;
   RequestedFrame found{{}, settings, std::nullopt};
-  if (is_auto && measures_error) {
+  if (is_auto && effort == ErrorMeasurement::full) {
     Settings wanted = settings;
     if (has_blur) wanted.samples = 1;
     const Job measuring = has_blur ? job.subrange(0.0, 0.5) : job;
@@ -64,8 +68,9 @@ std::optional<RequestedFrame> render_view(FrameRenderer& renderer, const Scene& 
     found = std::move(*measured);
     found.settings.samples = settings.samples;
   } else if (is_auto) {
-    const std::optional<Settings> choice = choose_settings(
-        renderer, scene, camera, view.film, settings, job.stop, job.subrange(0.0, 0.5).progress);
+    const std::optional<Settings> choice =
+        choose_settings(renderer, scene, camera, view.film, settings, job.stop,
+                        job.subrange(0.0, 0.5).progress, effort);
     if (!choice) return std::nullopt;
     found.settings = *choice;
   }
@@ -179,9 +184,9 @@ std::optional<Frame> SceneRenderer::render(const Scene& asked, const RenderReque
   }
   if (stop.stop_requested()) return std::nullopt;
   const auto& [renderer, problem] = impl_->by(request.backend);
+  const ErrorMeasurement effort = effort_of(request);
   std::optional<RequestedFrame> found =
-      render_view(*renderer, scene, view, settings, request.error != ErrorMeasurement::none,
-                  job.subrange(0.1, 0.8));
+      render_view(*renderer, scene, view, settings, effort, job.subrange(0.1, 0.8));
   if (!found) return std::nullopt;
 
   Frame frame = std::move(found->frame);
@@ -210,10 +215,14 @@ std::optional<Frame> SceneRenderer::render(const Scene& asked, const RenderReque
     if (!layers) return std::nullopt;
     frame.layers = std::move(*layers);
   }
-  const bool is_asked_for = request.error == ErrorMeasurement::full && !is_truth(request.airlight);
-  if (!frame.error && is_asked_for) {
-    frame.error = measure_error(scene, request.camera.value_or(scene.camera), frame, stop,
-                                job.subrange(0.9, 1.0).progress);
+  if (!frame.error && effort != ErrorMeasurement::none) {
+    const Camera& camera = request.camera ? *request.camera : scene.camera;
+    const Job measuring = job.subrange(0.9, 1.0);
+    frame.error = effort == ErrorMeasurement::full
+                      ? measure_error(scene, camera, frame, stop, measuring.progress)
+                      : measure_error_quickly(scene, camera, frame, found->settings,
+                                              request.airlight == AirlightMethod::auto_, stop,
+                                              measuring.progress);
     if (!frame.error) return std::nullopt;
   }
   const std::chrono::duration<double, std::milli> extra =
@@ -226,6 +235,26 @@ std::optional<Frame> SceneRenderer::render(const Scene& asked, const RenderReque
   frame.warnings = std::move(warnings);
   if (progress) progress(1.0);
   return frame;
+}
+
+std::optional<RenderRequest> SceneRenderer::choose(const Scene& scene, const RenderRequest& request,
+                                                   const std::stop_token& stop,
+                                                   const std::function<void(double)>& progress) {
+  brume::check(scene);
+  brume::check(request);
+  RenderRequest result = request;
+  if (request.airlight != AirlightMethod::auto_) return result;
+  const Moment moment(*impl_, scene, request.time);
+  const Settings settings = settings_of(request);
+  const std::optional<Settings> choice = choose_settings(
+      *impl_->by(request.backend).renderer, moment.scene,
+      request.camera ? *request.camera : moment.scene.camera,
+      request.film.value_or(moment.animation.film), settings, stop, progress, effort_of(request));
+  if (!choice) return std::nullopt;
+  result.airlight = choice->airlight;
+  result.slices = choice->slices;
+  result.airlight_scale = choice->airlight_scale;
+  return result;
 }
 
 std::optional<DeepFileStatistics> SceneRenderer::write_deep(

@@ -92,6 +92,13 @@ QString error_text(const ErrorEstimate& error) {
       .arg(number(error.rel_rmse, digits), number(error.high - error.rel_rmse, digits));
 }
 
+QString block_error_text(const ErrorEstimate& error) {
+  const int digits = decimals(error.block_median);
+  return QString("%1 %, %2 to %3 %")
+      .arg(number(error.block_median, digits), number(error.block_low, digits),
+           number(error.block_high, digits));
+}
+
 QString interval_text(const ErrorEstimate& error) {
   const int digits = decimals(error.low);
   return QString("%1 to %2 %").arg(number(error.low, digits), number(error.high, digits));

@@ -36,6 +36,9 @@ QString bound_text(double share);
 // The relative error and how far off it may be: "1.4 ± 0.2 %".
 QString error_text(const ErrorEstimate& error);
 
+// The median of blocks: "2.1 %, 1.8 to 2.6 %"
+QString block_error_text(const ErrorEstimate& error);
+
 // "1.2 to 1.6 %"
 QString interval_text(const ErrorEstimate& error);
 

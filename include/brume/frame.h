@@ -73,6 +73,9 @@ struct FrameStatistics {
   std::optional<PathNoise> path_noise;  // of `path` with two paths or more
 };
 
+// The side of the blocks of a picture that are judged each by itself [pixels].
+inline constexpr int error_block = 8;
+
 // Error of a frame's airlight, estimated from a sample of its pixels.
 struct ErrorEstimate {
   double rel_rmse = 0.0;  // rms(L - Lref) / rms(Lref) over RGB of the airlight
@@ -80,6 +83,11 @@ struct ErrorEstimate {
   double high = 0.0;
   std::size_t pixels = 0;  // of the sample
   double noise = 0.0;  // share of the interval's variance that is noise of the reference's paths
+  // The same of blocks of the picture, each relative to its own airlight: the median over those
+  // that have any. A pixel of the sample stands for its block. 0 of a black picture.
+  double block_median = 0.0;
+  double block_low = 0.0;  // 95% confidence interval
+  double block_high = 0.0;
 };
 
 // A rendered frame: linear radiance, rows from the top, width * height pixels. Its `depth` is a

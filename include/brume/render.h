@@ -16,9 +16,10 @@
 
 namespace brume {
 
-// Whether the error of a frame's airlight is measured, which takes seconds, with area lights up to
-// a minute. `reference` and `path` have none.
-enum class ErrorMeasurement { none, full };
+// Whether the error of a frame's airlight is measured: for at most what the picture cost, or until
+// its interval is narrow, which may take many times as long. Such work is counted, not timed: what
+// is chosen and measured is the same everywhere. `reference` and `path` have no error.
+enum class ErrorMeasurement { none, quick, full };
 
 // Opens at a frame's time only: no motion blur.
 inline constexpr Shutter no_shutter{0.0, 0.0};
@@ -33,7 +34,7 @@ struct RenderRequest {
 
   AirlightMethod airlight = AirlightMethod::auto_;
   double max_error = 0.02;                  // of `auto_`: relative RMSE of the airlight
-  std::optional<ErrorMeasurement> error{};  // absent: full of `auto_`, else none
+  std::optional<ErrorMeasurement> error{};  // absent: quick of `auto_`, else none
   Scattering scattering = Scattering::multiple;
   int slices = 24;
   int march_steps = 64;  // 1 to 65,536
@@ -73,6 +74,12 @@ class BRUME_EXPORT SceneRenderer {
   std::optional<Frame> render(const Scene& scene, const RenderRequest& request = {},
                               const std::stop_token& stop = {},
                               const std::function<void(double)>& progress = {});
+
+  // For all frames of a shot: the request with what `auto_` chooses at the request's time, and no
+  // error measured if it says nothing of it; other methods stay. `progress`, throws: see render().
+  std::optional<RenderRequest> choose(const Scene& scene, const RenderRequest& request,
+                                      const std::stop_token& stop = {},
+                                      const std::function<void(double)>& progress = {});
 
   // Writes the deep file of a frame that render() returned for a request with a deep_error, of the
   // same scene. nullopt, and the file as it was, if stopped. Throws InputError. Of programs in

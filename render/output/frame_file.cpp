@@ -102,7 +102,10 @@ std::map<std::string, std::string> frame_metadata(const Frame& frame, const Fram
     metadata["brume:" + option.keyword()] = option.get(*frame.request);
   }
   if (info.frame) metadata["brume:frame"] = std::to_string(*info.frame);
-  if (frame.error) metadata["brume:error"] = quoted_text(frame.error->rel_rmse);
+  if (frame.error) {
+    metadata["brume:error"] = quoted_text(frame.error->rel_rmse);
+    metadata["brume:block_error"] = quoted_text(frame.error->block_median);
+  }
   if (const auto noise = relative_noise(frame)) {
     metadata["brume:noise"] = quoted_text(noise->picture);
   }

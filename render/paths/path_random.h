@@ -20,8 +20,15 @@ class PathRandom {
   // In the open interval (0, 1).
   double uniform() { return (static_cast<double>(bits() >> 12) + 0.5) * 0x1p-52; }
 
+  // How many numbers were drawn since `earlier`, which is a copy from then.
+  [[nodiscard]] std::uint64_t drawn_since(const PathRandom& earlier) const {
+    return (state_ - earlier.state_) * inverse_increment;
+  }
+
  private:
   static constexpr std::uint64_t increment = 0x9e3779b97f4a7c15;
+  static constexpr std::uint64_t inverse_increment = 0xf1de83e19937733d;
+  static_assert(increment * inverse_increment == 1);
 
   static std::uint64_t mix(std::uint64_t z) {
     z += increment;

@@ -299,26 +299,43 @@ glm::dvec3 PathTracer::lights_along(const Vertex& vertex, const Segment& segment
   return sum;
 }
 
+PathTracer::FirstCollision::FirstCollision(const CameraRay& camera_ray, double u)
+    : ray(camera_ray),
+      opacity(-std::expm1(-ray.depth())),
+      point(ray.at_depth(-std::log1p(-opacity * u))),
+      vertex(Vertex::in_medium(ray.eye(), ray.w(), point.t)),
+      density(point.density * std::exp(-point.depth) / opacity) {}
+
+double PathTracer::FirstCollision::weight(const PathLight& light,
+                                          const glm::dvec3& light_point) const {
+  const PointLightRay<double> path = relative_to(light, light_point, ray.eye(), ray.w());
+  const EquiAngular<double> angular(path, ray.visible_length());
+  if (!(angular.span > 0.0) || point.t > ray.visible_length()) return 1.0;
+  return density / (density + path.h / (angular.span * path.distance2(point.t)));
+}
+
 OrderedRadiance PathTracer::airlight(const CameraRay& ray, const StratifiedPair& stratified,
                                      PathRandom& random) const {
   OrderedRadiance sum;
-  const double opacity = -std::expm1(-ray.depth());
-  const CameraRay::Point point = ray.at_depth(-std::log1p(-opacity * stratified.first));
-  Vertex vertex = Vertex::in_medium(ray.eye(), ray.w(), point.t);
-  const double density = point.density * std::exp(-point.depth) / opacity;
-  const auto weight = [&](const PathLight& light, const glm::dvec3& light_point) {
-    const PointLightRay<double> path = relative_to(light, light_point, ray.eye(), ray.w());
-    const EquiAngular<double> angular(path, ray.visible_length());
-    if (!(angular.span > 0.0) || point.t > ray.visible_length()) return 1.0;
-    return density / (density + path.h / (angular.span * path.distance2(point.t)));
-  };
-  const RelativeOptics optics = optics_at(vertex.position);
-  const double scattered = opacity * optics.albedo;
-  sum.add(1, opacity * optics.emission +
-                 scattered * (light_at(vertex, weight, random) + environment_at(vertex, random)) +
-                 lights_on_camera_ray(ray, opacity, stratified.second, random));
-  walk(vertex, glm::dvec3(scattered), random, sum);
+  const FirstCollision first(ray, stratified.first);
+  const auto weight = [&first](const auto&... point) { return first.weight(point...); };
+  const RelativeOptics optics = optics_at(first.vertex.position);
+  const double scattered = first.opacity * optics.albedo;
+  sum.add(1, first.opacity * optics.emission +
+                 scattered * (light_at(first.vertex, weight, random) +
+                              environment_at(first.vertex, random)) +
+                 lights_on_camera_ray(ray, first.opacity, stratified.second, random));
+  walk(first.vertex, glm::dvec3(scattered), random, sum);
   return sum;
+}
+
+glm::dvec3 PathTracer::lights_once(const CameraRay& ray, const StratifiedPair& stratified,
+                                   PathRandom& random) const {
+  const FirstCollision first(ray, stratified.first);
+  const auto weight = [&first](const auto&... point) { return first.weight(point...); };
+  return first.opacity * optics_at(first.vertex.position).albedo *
+             light_at(first.vertex, weight, random) +
+         lights_on_camera_ray(ray, first.opacity, stratified.second, random);
 }
 
 OrderedRadiance PathTracer::surface(const SurfacePoint& point, PathRandom& random) const {

@@ -39,6 +39,10 @@ class PathTracer {
   [[nodiscard]] OrderedRadiance airlight(const CameraRay& ray, const StratifiedPair& stratified,
                                          PathRandom& random) const;
 
+  // The part of it that is light of the scene's lights, scattered once.
+  [[nodiscard]] glm::dvec3 lights_once(const CameraRay& ray, const StratifiedPair& stratified,
+                                       PathRandom& random) const;
+
   // Outgoing radiance of a surface point towards the eye.
   [[nodiscard]] OrderedRadiance surface(const SurfacePoint& point, PathRandom& random) const;
 
@@ -64,6 +68,20 @@ class PathTracer {
 
     static Vertex in_medium(const glm::dvec3& start, const glm::dvec3& w, double t);
     static Vertex on_surface(const SurfacePoint& point);
+  };
+
+  // The first collision on a ray from the eye.
+  struct FirstCollision {
+    FirstCollision(const CameraRay& ray, double u);
+
+    // Of a point of a light, by the balance heuristic with lights_on_camera_ray().
+    [[nodiscard]] double weight(const PathLight& light, const glm::dvec3& light_point) const;
+
+    const CameraRay& ray;
+    double opacity;  // of the ray
+    CameraRay::Point point;
+    Vertex vertex;
+    double density;  // of finding it [1/u]
   };
 
   [[nodiscard]] const MaterialSampler& material(const Vertex& vertex) const;

@@ -5,6 +5,7 @@
 #include <span>
 #include <utility>
 
+#include "render/quality/work.h"
 #include "render/samples/brightness.h"
 #include "render/util/job.h"
 
@@ -37,6 +38,15 @@ bool is_vain(std::span<const double> found) {
          *std::min_element(found.begin(), last);
 }
 
+// Work of a choice that is not `full`: a fifth of a second. See work.h.
+constexpr double quick_choice_work = 2e8;
+
+// Settings with an error above the bound by so much are far too coarse: the next ones are, too.
+constexpr double far_above = 2.5;
+
+// The share of a picture's work that a quick measurement may take: what both cost is known roughly.
+constexpr double quick_share = 0.75;
+
 // The next finer settings, if any.
 std::optional<Settings> better_settings(const Settings& settings) {
   const std::vector<Settings> ladder = quality_ladder(settings);
@@ -59,7 +69,8 @@ std::vector<Settings> quality_ladder(const Settings& settings) {
 std::optional<Settings> choose_settings(FrameRenderer& renderer, const Scene& scene,
                                         const Camera& camera, const Film& film,
                                         const Settings& settings, const std::stop_token& stop,
-                                        const std::function<void(double)>& progress) {
+                                        const std::function<void(double)>& progress,
+                                        ErrorMeasurement effort) {
   // The sample takes most of the time, then each trial about as much as all before it.
   const Job job{stop, progress};
   const Job measuring = job.subrange(0.0, 0.6);
@@ -67,16 +78,21 @@ std::optional<Settings> choose_settings(FrameRenderer& renderer, const Scene& sc
   const Film small = small_film(film, choice_pixels);
   const std::vector<Settings> ladder = quality_ladder(settings);
   FrameErrors errors(scene, camera, seed_of_choice);
+  const bool is_full = effort == ErrorMeasurement::full;
   std::vector<double> found;
-  for (const Settings& tried : ladder) {
+  std::vector<Settings> all_tried;
+  for (std::size_t step = 0;;) {
+    const Settings& tried = ladder[step];
     // Differences of settings show in light that is scattered once, whose reference is exact.
     Settings single = tried;
     single.scattering = Scattering::single;
     single.samples = 1;  // errors are those of centers
     const std::optional<Frame> frame = renderer.render(scene, camera, small, single, stop);
     if (!frame) return std::nullopt;
+    const auto reported = begin > 0.6 ? nullptr : measuring.progress;
     const std::optional<ErrorEstimate> error =
-        errors.measure(*frame, std::nullopt, stop, begin > 0.6 ? nullptr : measuring.progress);
+        is_full ? errors.measure(*frame, std::nullopt, stop, reported)
+                : errors.measure_within(quick_choice_work, *frame, std::nullopt, stop, reported);
     if (!error) return std::nullopt;
     begin += 0.5 * (1.0 - begin);
     if (progress) progress(begin);
@@ -84,12 +100,16 @@ std::optional<Settings> choose_settings(FrameRenderer& renderer, const Scene& sc
     // settings look needed; the frame is judged by the interval.
     if (error->rel_rmse <= likely_fraction * settings.max_error) return tried;
     found.push_back(error->rel_rmse);
+    all_tried.push_back(tried);
     if (is_vain(found) && *std::ranges::min_element(found) > hopeless_error) break;
+    if (step + 1 == ladder.size()) break;
+    const bool skips = !is_full && error->rel_rmse > far_above * settings.max_error;
+    step = std::min(step + (skips ? 2 : 1), ladder.size() - 1);
   }
   // A large frame is interpolated between nearer rays and may still meet the bound: where
   // finer settings gain nothing they are not begun with.
   const double good = negligible_gain * *std::ranges::min_element(found);
-  return ladder[static_cast<std::size_t>(
+  return all_tried[static_cast<std::size_t>(
       std::ranges::find_if(found, [=](double error) { return error <= good; }) - found.begin())];
 }
 
@@ -97,6 +117,15 @@ std::optional<ErrorEstimate> measure_error(const Scene& scene, const Camera& cam
                                            const Frame& frame, const std::stop_token& stop,
                                            const std::function<void(double)>& progress) {
   return FrameErrors(scene, camera, evaluation_seed).measure(frame, std::nullopt, stop, progress);
+}
+
+std::optional<ErrorEstimate> measure_error_quickly(const Scene& scene, const Camera& camera,
+                                                   const Frame& frame, const Settings& settings,
+                                                   bool has_bound, const std::stop_token& stop,
+                                                   const std::function<void(double)>& progress) {
+  return FrameErrors(scene, camera, evaluation_seed)
+      .measure_within(quick_share * picture_work(frame, settings), frame,
+                      has_bound ? std::optional(settings.max_error) : std::nullopt, stop, progress);
 }
 
 namespace {

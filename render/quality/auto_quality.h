@@ -2,6 +2,7 @@
 
 #include <functional>
 
+#include "brume/render.h"
 #include "render/frame_renderer.h"
 #include "render/quality/frame_errors.h"
 
@@ -20,11 +21,13 @@ std::vector<Settings> quality_ladder(const Settings& settings);
 
 // Tries the candidates on a small frame of the whole view until one probably meets
 // settings.max_error; if none does, returns the cheapest of those with about the lowest error.
-// nullopt if `stop` was requested. `progress`, here and below: see FrameRenderer.
+// `full`: tries all of them; else on few pixels, and not those that are clearly too coarse. nullopt
+// if `stop` was requested. `progress`, here and below: see FrameRenderer.
 std::optional<Settings> choose_settings(FrameRenderer& renderer, const Scene& scene,
                                         const Camera& camera, const Film& film,
                                         const Settings& settings, const std::stop_token& stop = {},
-                                        const std::function<void(double)>& progress = {});
+                                        const std::function<void(double)>& progress = {},
+                                        ErrorMeasurement effort = ErrorMeasurement::full);
 
 // A frame with the settings that made it, and its error if `auto` measured it.
 struct RequestedFrame {
@@ -33,10 +36,17 @@ struct RequestedFrame {
   std::optional<ErrorEstimate> error;
 };
 
-// Estimates the error of a frame on an independent sample of its pixels.
+// Estimates the error of a frame on an independent sample of its pixels, as sure as is useful.
 std::optional<ErrorEstimate> measure_error(const Scene& scene, const Camera& camera,
                                            const Frame& frame, const std::stop_token& stop = {},
                                            const std::function<void(double)>& progress = {});
+
+// The same for at most what a frame of the settings cost. Their max_error is the bound to decide
+// about where `has_bound`.
+std::optional<ErrorEstimate> measure_error_quickly(
+    const Scene& scene, const Camera& camera, const Frame& frame, const Settings& settings,
+    bool has_bound, const std::stop_token& stop = {},
+    const std::function<void(double)>& progress = {});
 
 // Renders with the settings; if they say `auto_`, chooses them, renders and measures. Whether they
 // meet max_error is judged by small frames of the whole view, so that regions of it are rendered

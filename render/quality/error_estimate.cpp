@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <utility>
 
+#include "render/paths/path_random.h"
 #include "render/quality/sample_probabilities.h"
 #include "render/quality/view_reference.h"
 
@@ -47,23 +49,140 @@ Squares squares_of(const Frame& frame, std::size_t pixel, const PixelAirlight& r
 constexpr double interval_sigmas = 2.5;
 
 // Unsampled pixels may hold errors: add this fraction of the largest sampled term to the upper
-// bound. With it the intervals of 300 random scenes covered the error in 98% of cases, without in
-// 96%.
+// bound, and more for samples of fewer pixels than so many. With it the intervals of 300 random
+// scenes covered the error in 98% of cases, without in 96%.
 constexpr double unsampled_share = 0.2;
+constexpr double enough_pixels = 128.0;
 
-// Paths of a pixel. With the most, the noise of a pixel is a few percent; that of an error measured
-// on a hundred pixels is a few tenths of a percent.
-constexpr int min_pixel_paths = 64;
-constexpr int max_pixel_paths = 1024;
+// Paths of a pixel. With the most, the noise of a pixel is about a percent; that of an error
+// measured on a hundred pixels is a few tenths of that.
+constexpr int max_pixel_paths = 8192;
+
+// Over RGB.
+double square_of(const Frame& frame, std::size_t pixel) {
+  const float* rgb = &frame.center_airlight()[3 * pixel];
+  const glm::dvec3 airlight(rgb[0], rgb[1], rgb[2]);
+  return glm::dot(airlight, airlight);
+}
+
+// As many as tell their own noise.
+constexpr int min_pixel_paths = 2 * path_block;
+
+// How the paths of a sample are shared out among pixels, with a mean of about 1. Noise grows with
+// brightness; what it adds to an estimated sum of squares, with its square over the probability: to
+// the power 2/3 the variance of that sum is least. By the guide, not by the noise that paths show:
+// pixels that missed rare bright ones would look like the surest.
+std::vector<float> path_shares(const Frame& guide, const std::vector<double>& probabilities) {
+  std::vector<double> shares(probabilities.size(), 0.0);
+  double sum = 0.0;
+  double count = 0.0;
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    if (!(probabilities[i] > 0.0)) continue;
+    shares[i] = std::cbrt(std::pow(square_of(guide, i) / probabilities[i], 2.0));
+    sum += probabilities[i] * shares[i];
+    count += probabilities[i];
+  }
+  constexpr double min_share = 0.125;
+  constexpr double max_share = 4.0;
+  std::vector<float> relative(shares.size(), 1.0f);
+  for (std::size_t i = 0; sum > 0.0 && i < shares.size(); ++i) {
+    relative[i] = static_cast<float>(std::clamp(shares[i] * count / sum, min_share, max_share));
+  }
+  return relative;
+}
+
+// The sum of squares of a block's airlight, and its pixels.
+struct BlockLight {
+  double squares = 0.0;
+  double pixels = 0.0;
+};
+
+BlockLight block_light(const Frame& frame, std::size_t pixel) {
+  const auto width = static_cast<std::size_t>(frame.film.width);
+  const auto height = static_cast<std::size_t>(frame.film.height);
+  const std::size_t x0 = pixel % width / error_block * error_block;
+  const std::size_t y0 = pixel / width / error_block * error_block;
+  BlockLight light;
+  for (std::size_t y = y0; y < std::min(y0 + error_block, height); ++y) {
+    for (std::size_t x = x0; x < std::min(x0 + error_block, width); ++x) {
+      light.squares += square_of(frame, y * width + x);
+      ++light.pixels;
+    }
+  }
+  return light;
+}
+
+// The error of a pixel, squared, relative to its own reference, as that of its block: pixels stand
+// for their block by their share of its light.
+struct BlockError {
+  double weight;            // blocks that it stands for
+  double low, value, high;  // with the noise taken out twice over, once, and not at all
+};
+
+// Nullopt where there is no light.
+std::optional<BlockError> block_error(const Frame& frame, std::size_t pixel,
+                                      const PixelAirlight& reference, double probability) {
+  const BlockLight light = block_light(frame, pixel);
+  const double of_frame = square_of(frame, pixel);
+  const double of_reference = glm::dot(reference.radiance, reference.radiance);
+  const bool is_black = !(light.squares > 0.0);  // in the frame
+  if (is_black ? !(of_reference > 0.0) : !(of_frame > 0.0)) return std::nullopt;
+  const double share = is_black ? 1.0 / light.pixels : of_frame / light.squares;
+  const double weight = share / probability;
+  if (!(of_reference > 0.0)) return BlockError{weight, 1.0, 1.0, 1.0};  // light where there is none
+  const float* rgb = &frame.center_airlight()[3 * pixel];
+  const glm::dvec3 error = glm::dvec3(rgb[0], rgb[1], rgb[2]) - reference.radiance;
+  const double square = glm::dot(error, error);
+  const double least = std::max(std::sqrt(square) - 2.0 * std::sqrt(reference.variance), 0.0);
+  return BlockError{weight, least * least / of_reference,
+                    std::max(square - reference.variance, 0.0) / of_reference,
+                    square / of_reference};
+}
+
+// The smallest value that so large a share of the weights reaches up to.
+double weighted_quantile(std::vector<BlockError>& blocks, double BlockError::*value, double share) {
+  std::ranges::sort(blocks, {}, value);
+  double sum = 0.0;
+  for (const BlockError& block : blocks) sum += block.weight;
+  double below = 0.0;
+  for (const BlockError& block : blocks) {
+    below += block.weight;
+    if (below >= share * sum) return block.*value;
+  }
+  return blocks.back().*value;
+}
+
+// The median of blocks' errors. Noise only makes errors larger, so that the upper end counts all of
+// it; the lower end takes out so much of each as it seldom has.
+void set_block_errors(std::vector<BlockError> blocks, ErrorEstimate& estimate) {
+  if (blocks.empty()) return;
+  double sum = 0.0;
+  double squares = 0.0;
+  for (const BlockError& block : blocks) {
+    sum += block.weight;
+    squares += block.weight * block.weight;
+  }
+  const double range = std::sqrt(squares) / sum;  // two standard deviations of a share of a half
+  constexpr double noisier = 0.025;               // share whose noise is larger than twice its own
+  const auto error_at = [&](double BlockError::*value, double share) {
+    return std::sqrt(weighted_quantile(blocks, value, share));
+  };
+  estimate.block_low = error_at(&BlockError::low, 0.5 - range - noisier);
+  estimate.block_high = error_at(&BlockError::high, 0.5 + range);
+  estimate.block_median =
+      std::clamp(error_at(&BlockError::value, 0.5), estimate.block_low, estimate.block_high);
+}
 
 }  // namespace
 
 ErrorSample::ErrorSample(std::shared_ptr<ViewReference> reference,
-                         std::vector<double> probabilities, std::uint64_t seed)
+                         std::vector<double> probabilities, const Frame& guide, std::uint64_t seed,
+                         int paths)
     : reference_(std::move(reference)),
       probabilities_(std::move(probabilities)),
       seed_(seed),
-      paths_(min_pixel_paths) {}
+      paths_(paths),
+      path_shares_(path_shares(guide, probabilities_)) {}
 
 std::optional<ErrorSample> ErrorSample::create(const Scene& scene, const Camera& camera,
                                                const Frame& guide, std::size_t count,
@@ -81,8 +200,10 @@ std::optional<ErrorSample> ErrorSample::create(std::shared_ptr<ViewReference> re
                                                const Scene& scene, const Camera& camera,
                                                const Frame& guide, std::size_t count,
                                                std::uint64_t seed, const std::stop_token& stop,
-                                               const std::function<void(double)>& progress) {
-  ErrorSample sample(std::move(reference), sample_probabilities(scene, camera, guide, count), seed);
+                                               const std::function<void(double)>& progress,
+                                               int paths) {
+  ErrorSample sample(std::move(reference), sample_probabilities(scene, camera, guide, count), guide,
+                     seed, paths);
   if (!sample.sample_around_errors(guide, count / 4, stop)) return std::nullopt;
   if (!sample.sample_pixels(stop, progress)) return std::nullopt;
   return sample;
@@ -100,7 +221,7 @@ bool ErrorSample::sample_around_errors(const Frame& guide, std::size_t max_pixel
     for (std::size_t i = 0; i < probabilities_.size(); ++i) {
       if (probabilities_[i] >= 1.0) certain_pixels.push_back(i);
     }
-    if (!reference_->evaluate(certain_pixels, paths_, stop)) return false;
+    if (!evaluate(certain_pixels, paths_, stop)) return false;
     std::vector<std::pair<double, std::size_t>> errors;
     double sum = 0.0;
     for (const std::size_t i : certain_pixels) {
@@ -128,18 +249,21 @@ bool ErrorSample::sample_around_errors(const Frame& guide, std::size_t max_pixel
   return true;
 }
 
-bool ErrorSample::grow(const std::stop_token& stop, const std::function<void(double)>& progress) {
+bool ErrorSample::grow(const std::stop_token& stop, const std::function<void(double)>& progress,
+                       double factor) {
   const std::vector<double> before = probabilities_;
-  for (double& probability : probabilities_) probability = std::min(2.0 * probability, 1.0);
+  for (double& probability : probabilities_) probability = std::min(factor * probability, 1.0);
   if (sample_pixels(stop, progress)) return true;
   probabilities_ = before;
   return false;
 }
 
-bool ErrorSample::refine(const std::stop_token& stop, const std::function<void(double)>& progress) {
+bool ErrorSample::refine(const std::stop_token& stop, const std::function<void(double)>& progress,
+                         double factor) {
   if (!reference_->is_noisy() || paths_ >= max_pixel_paths) return false;
-  if (!reference_->evaluate(pixels_, 2 * paths_, stop, progress)) return false;
-  paths_ *= 2;
+  const int paths = std::min(static_cast<int>(factor * paths_), max_pixel_paths);
+  if (!evaluate(pixels_, paths, stop, progress)) return false;
+  paths_ = paths;
   return true;
 }
 
@@ -151,17 +275,32 @@ bool ErrorSample::sample_pixels(const std::stop_token& stop,
   for (std::size_t i = 0; i < probabilities_.size(); ++i) {
     if (random_number(seed_, i) < probabilities_[i]) pixels.push_back(i);
   }
-  if (!reference_->evaluate(pixels, paths_, stop, progress)) return false;
+  if (!evaluate(pixels, paths_, stop, progress)) return false;
   pixels_ = std::move(pixels);
   return true;
+}
+
+bool ErrorSample::evaluate(std::span<const std::size_t> pixels, int paths,
+                           const std::stop_token& stop,
+                           const std::function<void(double)>& progress) const {
+  const auto paths_of = [&](std::size_t pixel) {
+    const auto blocks = static_cast<int>(path_shares_[pixel] * static_cast<float>(paths)) /
+                        path_block;  // whole ones tell the noise
+    return std::max(blocks * path_block, min_pixel_paths);
+  };
+  return reference_->evaluate(pixels, paths_of, stop, progress);
 }
 
 ErrorEstimate ErrorSample::measure(const Frame& frame) const {
   // Sums over all pixels, estimated from those sampled (Horvitz and Thompson).
   std::vector<Squares> weighted;
   Squares sums;
+  std::vector<BlockError> blocks;
   for (const std::size_t i : pixels_) {
-    Squares squares = squares_of(frame, i, reference_->airlight(i));
+    const PixelAirlight& airlight = reference_->airlight(i);
+    const auto block = block_error(frame, i, airlight, probabilities_[i]);
+    if (block) blocks.push_back(*block);
+    Squares squares = squares_of(frame, i, airlight);
     squares.error /= probabilities_[i];
     squares.reference /= probabilities_[i];
     squares.noise /= probabilities_[i] * probabilities_[i];
@@ -172,6 +311,7 @@ ErrorEstimate ErrorSample::measure(const Frame& frame) const {
   }
   ErrorEstimate estimate;
   estimate.pixels = pixels_.size();
+  set_block_errors(std::move(blocks), estimate);
   if (!(sums.reference > 0.0)) {
     // The reference is black: any airlight is an error.
     if (sums.error > 0.0) estimate.rel_rmse = estimate.low = estimate.high = 1.0;
@@ -205,7 +345,8 @@ ErrorEstimate ErrorSample::measure(const Frame& frame) const {
     estimate.low = estimate.rel_rmse / factor;
     high = ratio * factor * factor;
   }
-  estimate.high = std::sqrt(high + unsampled_share * worst / sums.reference);
+  const double missing = std::max(enough_pixels / static_cast<double>(pixels_.size()), 1.0);
+  estimate.high = std::sqrt(high + unsampled_share * missing * worst / sums.reference);
   return estimate;
 }
 

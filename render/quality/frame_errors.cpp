@@ -3,13 +3,17 @@
 #include <algorithm>
 #include <utility>
 
-#include "render/util/job.h"
-
 namespace brume {
 namespace {
 
 constexpr double sample_tolerance = 1e-3;
-constexpr int max_doublings = 3;
+
+// A sample becomes at most so much larger, and it and its paths at most so much together: 8 times
+// the pixels, or 128 times the paths, or anything between.
+constexpr int max_growths = 3;
+constexpr int max_doublings = 7;
+// Where no bound is asked for.
+constexpr int max_free_refinements = 4;
 
 // The reference's time per pixel grows with the number of Gaussians, and more with an environment;
 // the sample shrinks accordingly, by count and not by clock, to stay deterministic.
@@ -18,17 +22,47 @@ std::size_t sample_pixels(const Scene& scene) {
   return std::clamp<std::size_t>(800'000 / (scene.medium.size() + 1), 40, max_pixels);
 }
 
+// The first sample of a measurement that may not cost more than so much, and its paths.
+// Intervals of fewer pixels seldom hold errors of single pixels.
+constexpr std::size_t min_quick_pixels = 40;
+constexpr std::size_t max_noisy_pixels = 64;
+constexpr int quick_paths = 16;
+
 bool is_undecided(const ErrorEstimate& error, double max_error) {
   return error.low <= max_error && max_error < error.high;
 }
 
+bool is_wide(const ErrorEstimate& error) {
+  constexpr double wide = 1.5;
+  return error.high > wide * error.low;
+}
+
 // Whether the interval is wide, most of all because of the noise of paths.
 bool is_noisy(const ErrorEstimate& error) {
-  constexpr double wide = 1.5;
-  return error.noise > 0.5 && error.high > wide * error.low;
+  return error.noise > 0.5 && is_wide(error);
 }
 
 }  // namespace
+
+void FrameErrors::make_reference(const Frame& frame) {
+  const bool has_all_orders = frame.statistics.scattering.has_value();
+  if (reference_ && has_all_orders_ == has_all_orders) return;
+  has_all_orders_ = has_all_orders;
+  times_grown_ = 0;
+  times_refined_ = 0;
+  sample_.reset();
+  // A frame without more than one scattering, whatever the reason, claims to need none.
+  reference_ =
+      std::make_shared<ViewReference>(scene_, camera_, frame.film, sample_tolerance,
+                                      has_all_orders ? Scattering::multiple : Scattering::single);
+}
+
+bool FrameErrors::make_sample(const Frame& frame, std::size_t pixels, int paths, const Job& job) {
+  if (sample_) return true;
+  sample_ = ErrorSample::create(reference_, scene_, camera_, frame, pixels, seed_, job.stop,
+                                job.progress, paths);
+  return sample_.has_value();
+}
 
 std::optional<ErrorEstimate> FrameErrors::measure(const Frame& frame,
                                                   std::optional<double> max_error,
@@ -37,28 +71,63 @@ std::optional<ErrorEstimate> FrameErrors::measure(const Frame& frame,
   // Usually one sample suffices; each doubling costs as much as all before, so it gets half of the
   // remaining progress.
   const Job job{stop, progress};
-  double begin = 0.0;
+  double begin_of_part = 0.0;
   const auto next_part = [&] {
-    const double end = begin + 0.5 * (1.0 - begin);
-    return job.subrange(std::exchange(begin, end), end).progress;
+    const double end = begin_of_part + 0.5 * (1.0 - begin_of_part);
+    return job.subrange(std::exchange(begin_of_part, end), end);
   };
-  const bool has_all_orders = frame.statistics.scattering.has_value();
-  if (!sample_ || has_all_orders_ != has_all_orders) {
-    has_all_orders_ = has_all_orders;
-    times_grown_ = 0;
-    sample_ = ErrorSample::create(scene_, camera_, frame, sample_pixels(scene_), seed_,
-                                  sample_tolerance, stop, next_part());
-    if (!sample_) return std::nullopt;
+  make_reference(frame);
+  if (!make_sample(frame, sample_pixels(scene_), ErrorSample::default_paths, next_part())) {
+    return std::nullopt;
   }
   ErrorEstimate error = sample_->measure(frame);
   while (max_error ? is_undecided(error, *max_error) : is_noisy(error)) {
+    if (times_grown_ + times_refined_ == max_doublings) break;
     // More paths or more pixels, whichever the interval is wide for.
-    if (!is_noisy(error) || !sample_->refine(stop, next_part())) {
+    const bool may_refine = max_error || times_refined_ < max_free_refinements;
+    if (is_noisy(error) && may_refine && sample_->refine(stop, next_part().progress)) {
+      ++times_refined_;
+    } else {
       if (stop.stop_requested()) return std::nullopt;
-      if (!max_error || times_grown_ == max_doublings) break;
-      if (!sample_->grow(stop, next_part())) return std::nullopt;
+      if (!max_error || times_grown_ == max_growths) break;
+      if (!sample_->grow(stop, next_part().progress)) return std::nullopt;
       ++times_grown_;
     }
+    error = sample_->measure(frame);
+  }
+  return error;
+}
+
+std::optional<ErrorEstimate> FrameErrors::measure_within(
+    double max_work, const Frame& frame, std::optional<double> max_error,
+    const std::stop_token& stop, const std::function<void(double)>& progress) {
+  const Job job{stop, progress};
+  make_reference(frame);
+  // Integrals cost the same wherever they are; half of the work is for the first.
+  const std::size_t most =
+      std::min(sample_pixels(scene_), reference_->is_noisy() ? max_noisy_pixels : ~std::size_t{0});
+  const double affordable = 0.5 * max_work / std::max(reference_->integral_work(), 1.0);
+  const std::size_t pixels =
+      affordable < static_cast<double>(most)
+          ? std::max({static_cast<std::size_t>(affordable), most / 2, min_quick_pixels})
+          : most;
+  if (!make_sample(frame, pixels, quick_paths, job.subrange(0.0, 0.1))) return std::nullopt;
+  ErrorEstimate error = sample_->measure(frame);
+  while (max_error ? is_undecided(error, *max_error) : is_wide(error)) {
+    // In steps, since the first paths tell little of what is needed.
+    constexpr double max_factor = 4.0;
+    constexpr double min_factor = 1.25;
+    const ViewReference::Work before = reference_->work();
+    const double left = max_work - before.sum();
+    const double refined = std::min(1.0 + left / before.paths, max_factor);
+    const double grown = std::min(1.0 + left / before.sum(), max_factor);
+    const Job part = job.subrange(std::min(0.1 + 0.9 * before.sum() / max_work, 1.0), 1.0);
+    const bool refines = error.noise > 0.5 && refined >= min_factor;
+    if (!(refines && sample_->refine(stop, part.progress, refined)) && grown >= min_factor) {
+      static_cast<void>(sample_->grow(stop, part.progress, grown));
+    }
+    if (stop.stop_requested()) return std::nullopt;
+    if (reference_->work().sum() == before.sum()) break;
     error = sample_->measure(frame);
   }
   return error;

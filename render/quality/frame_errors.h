@@ -1,6 +1,8 @@
 #pragma once
 
 #include "render/quality/error_estimate.h"
+#include "render/quality/view_reference.h"
+#include "render/util/job.h"
 
 namespace brume {
 
@@ -13,21 +15,38 @@ class FrameErrors {
   FrameErrors(const Scene& scene, const Camera& camera, std::uint64_t seed)
       : scene_(scene), camera_(camera), seed_(seed) {}
 
-  // The error of a frame. All frames share film and time; the first one guides the sampling. With
-  // `max_error` the sample grows, up to eightfold, while the confidence interval contains the
-  // bound: pixels are cheaper than finer settings. nullopt if `stop` was requested. `progress`: see
-  // FrameRenderer.
+  // The error of a frame, as sure as it needs to be. All frames share film and time; the first one
+  // guides the sampling. With `max_error` the sample grows, up to eightfold, while the confidence
+  // interval contains the bound: pixels are cheaper than finer settings. nullopt if `stop` was
+  // requested. `progress`: see FrameRenderer.
   std::optional<ErrorEstimate> measure(const Frame& frame, std::optional<double> max_error,
                                        const std::stop_token& stop = {},
                                        const std::function<void(double)>& progress = {});
 
+  // The same for at most so much work (see work.h), but for a first sample: then the interval may
+  // be wider.
+  std::optional<ErrorEstimate> measure_within(double max_work, const Frame& frame,
+                                              std::optional<double> max_error,
+                                              const std::stop_token& stop = {},
+                                              const std::function<void(double)>& progress = {});
+
+  // What measuring has cost.
+  [[nodiscard]] double work() const { return reference_ ? reference_->work().sum() : 0.0; }
+
  private:
+  // Makes the reference, unless there is one of such frames.
+  void make_reference(const Frame& frame);
+  // Makes the sample, unless there is one. False if stopped.
+  bool make_sample(const Frame& frame, std::size_t pixels, int paths, const Job& job);
+
   const Scene& scene_;
   Camera camera_;
   std::uint64_t seed_;
   std::optional<ErrorSample> sample_;
+  std::shared_ptr<ViewReference> reference_;
   bool has_all_orders_ = false;  // of scattering, in the frames that it is for
   int times_grown_ = 0;
+  int times_refined_ = 0;
 };
 
 }  // namespace brume

@@ -7,6 +7,7 @@
 #include "render/prepare/albedo.h"
 #include "render/prepare/fog_extent.h"
 #include "render/prepare/point_sources.h"
+#include "render/quality/work.h"
 #include "render/render_plan.h"
 
 namespace brume {
@@ -34,6 +35,10 @@ PathPixels::PathPixels(const Scene& scene, const Camera& camera, const Film& fil
   if (plan.has_environment) environment_ = std::make_unique<EnvironmentSampler>(*scene.environment);
   const std::vector<PointSource> lights =
       point_sources(plan.lights, rays_, camera, fog_extent.ball());
+  std::vector<PointSource> area_lights = lights;
+  std::erase_if(area_lights, [](const PointSource& light) {
+    return !light.area || light.is_far;  // the integral has the disc of a sun
+  });
   for (const AlbedoGroup& each : albedo_groups(scene)) {
     Group& group = groups_.emplace_back();
     group.albedo = each.albedo;
@@ -46,6 +51,10 @@ PathPixels::PathPixels(const Scene& scene, const Camera& camera, const Film& fil
     group.scene = std::make_unique<PathScene>(
         PathScene::of_view(*group.medium, each.albedo, ray_caster_, surfaces_, environment_.get(),
                            lights, rays_.eye(), fog_extent.ball(), rays_.max_offset()));
+    if (orders_ == Orders::all || area_lights.empty()) continue;
+    group.area_lights = std::make_unique<PathScene>(
+        PathScene::of_view(*group.medium, each.albedo, ray_caster_, surfaces_, nullptr, area_lights,
+                           rays_.eye(), fog_extent.ball(), rays_.max_offset()));
   }
 }
 
@@ -58,26 +67,40 @@ void PathPixels::trace(std::size_t pixel, int count, PixelPaths& paths,
     const Group& group = groups_[i];
     const CameraRay ray(*group.index, rays_.origin(x, y), rays_.direction(x, y), length);
     if (!(ray.depth() > min_depth)) continue;
-    const PathTracer tracer(*group.scene);
     for (int k = paths.count; k < count && !stop.stop_requested(); ++k) {
       const auto sample = static_cast<std::uint64_t>(k);
       const PathRandom block(pixel_seed, pixel, sample / path_block, 0);
       PathRandom random(pixel_seed, pixel, sample, 1);
+      const PathRandom start = random;
       const StratifiedPair stratified(block, static_cast<unsigned>(k % path_block), random);
-      OrderedRadiance radiance = tracer.airlight(ray, stratified, random);
-      if (orders_ == Orders::after_first) radiance.orders[0] = glm::dvec3(0.0);
-      paths.sums[i].add(k, radiance.sum(), group.channels);
+      paths.sums[i].add(k, trace(group, ray, stratified, random), group.channels);
+      paths.work += path_work(group.index->size(), random.drawn_since(start));
     }
   }
   paths.count = std::max(paths.count, count);
 }
 
+glm::dvec3 PathPixels::trace(const Group& group, const CameraRay& ray,
+                             const StratifiedPair& stratified, PathRandom& random) const {
+  OrderedRadiance radiance;
+  if (orders_ != Orders::area_lights_once) {
+    radiance = PathTracer(*group.scene).airlight(ray, stratified, random);
+  }
+  if (orders_ == Orders::all) return radiance.sum();
+  radiance.orders[0] = glm::dvec3(0.0);
+  if (group.area_lights) {
+    radiance.orders[0] = PathTracer(*group.area_lights).lights_once(ray, stratified, random);
+  }
+  return radiance.sum();
+}
+
 PixelAirlight PathPixels::airlight(const PixelPaths& paths) const {
   PixelAirlight result;
   for (std::size_t i = 0; i < groups_.size(); ++i) {
-    const auto& [channels, albedo, index, medium, scene] = groups_[i];
-    result.radiance += albedo * channels * paths.sums[i].mean(paths.count);
-    result.variance += albedo * albedo * paths.sums[i].variance(paths.count, channels);
+    const Group& group = groups_[i];
+    result.radiance += group.albedo * group.channels * paths.sums[i].mean(paths.count);
+    result.variance +=
+        group.albedo * group.albedo * paths.sums[i].variance(paths.count, group.channels);
   }
   return result;
 }

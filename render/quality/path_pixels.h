@@ -10,6 +10,7 @@
 #include "brume/scene.h"
 #include "core/scene/camera_rays.h"
 #include "render/geometry/medium_index.h"
+#include "render/paths/camera_ray.h"
 #include "render/paths/environment_sampler.h"
 #include "render/paths/path_medium.h"
 #include "render/paths/path_scene.h"
@@ -27,14 +28,16 @@ struct PixelAirlight {
 // The paths of a pixel so far.
 struct PixelPaths {
   int count = 0;
+  double work = 0.0;             // that they cost, see work.h
   std::array<PathSums, 3> sums;  // of the channels of one albedo each
 };
 
-// Airlight at arbitrary pixels of one view, by path tracing: of all orders of scattering, or of all
-// but the first.
+// Airlight at arbitrary pixels of one view, by path tracing.
 class PathPixels {
  public:
-  enum class Orders { all, after_first };
+  // What they are traced for: all light, what is scattered once of area lights, or the latter and
+  // what is scattered more often.
+  enum class Orders { all, area_lights_once, all_but_integrals };
   PathPixels(const Scene& scene, const Camera& camera, const Film& film, Orders orders);
 
   // Adds paths to a pixel, a row-major index, until they are `count`. The same whatever other
@@ -52,7 +55,10 @@ class PathPixels {
     std::unique_ptr<MediumIndex> index;
     std::unique_ptr<PathMedium> medium;
     std::unique_ptr<PathScene> scene;
+    std::unique_ptr<PathScene> area_lights;  // that are alone in the scene; null: there are none
   };
+  [[nodiscard]] glm::dvec3 trace(const Group& group, const CameraRay& ray,
+                                 const StratifiedPair& stratified, PathRandom& random) const;
 
   CameraRays rays_;
   std::size_t width_;

@@ -2,9 +2,20 @@
 
 #include <algorithm>
 
+#include "core/scene/lights/point_lights.h"
+#include "render/quality/work.h"
 #include "render/util/job.h"
 
 namespace brume {
+namespace {
+
+bool has_area_lights(const Scene& scene) {
+  return std::ranges::any_of(scene.lights, [](const Light& light) {
+    return light.on && area_of(light) && light.intensity != glm::dvec3(0.0);
+  });
+}
+
+}  // namespace
 
 ViewReference::ViewReference(const Scene& scene, const Camera& camera, const Film& film,
                              double tolerance, Scattering scattering) {
@@ -12,14 +23,26 @@ ViewReference::ViewReference(const Scene& scene, const Camera& camera, const Fil
   // Neither surfaces nor the end of the fog are on the way of the integral's environment.
   const bool has_other_environment =
       scene.environment && (!scene.surfaces.empty() || scene.medium.homogeneous_density() > 0.0);
-  if (is_single || !has_other_environment) reference_.emplace(scene, camera, film, tolerance);
+  constexpr double max_integral_work = 3e7;  // that of thousands of paths
+  if (is_single || !has_other_environment) {
+    reference_.emplace(scene, camera, film, tolerance, ReferencePixels::Lights::without_area);
+    integral_work_ = brume::integral_work(scene.medium.size(), reference_->light_count(),
+                                          reference_->has_environment());
+    if (!is_single && integral_work_ > max_integral_work) {
+      reference_.reset();
+      integral_work_ = 0.0;
+    }
+  }
+  using enum PathPixels::Orders;
   if (!is_single) {
-    path_pixels_.emplace(scene, camera, film,
-                         reference_ ? PathPixels::Orders::after_first : PathPixels::Orders::all);
+    path_pixels_.emplace(scene, camera, film, reference_ ? all_but_integrals : all);
+  } else if (has_area_lights(scene)) {
+    path_pixels_.emplace(scene, camera, film, area_lights_once);
   }
 }
 
-bool ViewReference::evaluate(std::span<const std::size_t> pixels, int paths,
+bool ViewReference::evaluate(std::span<const std::size_t> pixels,
+                             const std::function<int(std::size_t)>& paths,
                              const std::stop_token& stop,
                              const std::function<void(double)>& progress) {
   const Job job{stop, progress};
@@ -29,7 +52,7 @@ bool ViewReference::evaluate(std::span<const std::size_t> pixels, int paths,
   for (const std::size_t pixel : pixels) {
     const auto known = known_.find(pixel);
     if (known == known_.end()) unknown.push_back(pixel);
-    if (known == known_.end() || known->second.paths.count < paths) noisy.push_back(pixel);
+    if (known == known_.end() || known->second.paths.count < paths(pixel)) noisy.push_back(pixel);
   }
   std::vector<glm::dvec3> exact(unknown.size());
   if (reference_) exact = reference_->airlight(unknown, stop, job.subrange(0.0, half).progress);
@@ -41,10 +64,11 @@ bool ViewReference::evaluate(std::span<const std::size_t> pixels, int paths,
     if (const auto known = known_.find(noisy[i]); known != known_.end()) {
       traced[i] = known->second.paths;
     }
-    path_pixels_->trace(noisy[i], paths, traced[i], stop);
+    path_pixels_->trace(noisy[i], paths(noisy[i]), traced[i], stop);
   });
   if (stop.stop_requested()) return false;
 
+  work_.integrals += integral_work_ * static_cast<double>(unknown.size());
   for (std::size_t i = 0; i < unknown.size(); ++i) {
     Pixel& pixel = known_[unknown[i]];
     pixel.exact = exact[i];
@@ -52,6 +76,7 @@ bool ViewReference::evaluate(std::span<const std::size_t> pixels, int paths,
   }
   for (std::size_t i = 0; i < traced.size(); ++i) {
     Pixel& pixel = known_.at(noisy[i]);
+    work_.paths += traced[i].work - pixel.paths.work;
     pixel.paths = traced[i];
     pixel.airlight = path_pixels_->airlight(traced[i]);
     pixel.airlight.radiance += pixel.exact;

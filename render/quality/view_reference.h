@@ -13,15 +13,17 @@ namespace brume {
 // Caches what the airlight of one view's pixels ought to be. Not thread-safe.
 class ViewReference {
  public:
-  // Scattered once: converged, see ReferencePixels. More often: by PathPixels, which are noisy; all
-  // orders where surfaces keep an environment out or fog ends, which the former do not know.
+  // Scattered once: converged, see ReferencePixels, but for area lights. These, and what is
+  // scattered more often, by PathPixels, which are noisy; all orders where surfaces keep an
+  // environment out or fog ends, which the former do not know, or where they would take too long.
   ViewReference(const Scene& scene, const Camera& camera, const Film& film, double tolerance,
                 Scattering scattering = Scattering::single);
 
   // Evaluates pixels that are not cached, in parallel, milliseconds each; those by paths with at
-  // least so many of them. False if `stop` was requested. `progress`: see FrameRenderer.
-  bool evaluate(std::span<const std::size_t> pixels, int paths, const std::stop_token& stop,
-                const std::function<void(double)>& progress = {});
+  // least so many of them, of each pixel. False if `stop` was requested. `progress`: see
+  // FrameRenderer.
+  bool evaluate(std::span<const std::size_t> pixels, const std::function<int(std::size_t)>& paths,
+                const std::stop_token& stop, const std::function<void(double)>& progress = {});
 
   // Airlight of an evaluated pixel.
   [[nodiscard]] const PixelAirlight& airlight(std::size_t pixel) const {
@@ -37,6 +39,17 @@ class ViewReference {
   // Number of evaluated pixels.
   [[nodiscard]] std::size_t size() const { return known_.size(); }
 
+  // What all evaluations have cost, those of paths apart; see work.h.
+  struct Work {
+    double integrals = 0.0;
+    double paths = 0.0;
+
+    [[nodiscard]] double sum() const { return integrals + paths; }
+  };
+  [[nodiscard]] const Work& work() const { return work_; }
+  // What the integral of one more pixel costs.
+  [[nodiscard]] double integral_work() const { return integral_work_; }
+
  private:
   struct Pixel {
     glm::dvec3 exact{0.0};  // converged
@@ -44,6 +57,8 @@ class ViewReference {
     PixelAirlight airlight;  // of both
   };
 
+  double integral_work_ = 0.0;
+  Work work_;
   std::optional<ReferencePixels> reference_;
   std::optional<PathPixels> path_pixels_;
   std::unordered_map<std::size_t, Pixel> known_;

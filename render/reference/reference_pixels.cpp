@@ -9,8 +9,17 @@
 
 namespace brume {
 
+namespace {
+
+Scene without_area_lights(Scene scene) {
+  std::erase_if(scene.lights, [](const Light& light) { return area_of(light).has_value(); });
+  return scene;
+}
+
+}  // namespace
+
 ReferencePixels::ReferencePixels(const Scene& scene, const Camera& camera, const Film& film,
-                                 double tolerance)
+                                 double tolerance, Lights lights)
     : rays_(camera, film),
       width_(static_cast<std::size_t>(film.width)),
       tolerance_(tolerance),
@@ -18,7 +27,7 @@ ReferencePixels::ReferencePixels(const Scene& scene, const Camera& camera, const
       exact_occlusion_(scene.surfaces) {
   Settings settings;
   settings.airlight = AirlightMethod::reference;
-  const RenderPlan plan(scene, film, settings);
+  const RenderPlan plan(lights == Lights::all ? scene : without_area_lights(scene), film, settings);
   const FogExtent fog_extent(scene);
   ray_end_ = fog_extent.ray_distance(rays_);
   lights_ = point_sources(plan.lights, rays_, camera, fog_extent.ball());

@@ -18,8 +18,15 @@ namespace brume {
 // Converged airlight of arbitrary pixels of one view.
 class ReferencePixels {
  public:
+  // Which lights count: area lights are hundreds of points each.
+  enum class Lights { all, without_area };
   // `tolerance`: relative, of each ray's quadrature.
-  ReferencePixels(const Scene& scene, const Camera& camera, const Film& film, double tolerance);
+  ReferencePixels(const Scene& scene, const Camera& camera, const Film& film, double tolerance,
+                  Lights lights = Lights::all);
+
+  // What each pixel costs: point lights, and whether there is an environment.
+  [[nodiscard]] std::size_t light_count() const { return lights_.size(); }
+  [[nodiscard]] bool has_environment() const { return groups_.front().environment.has_value(); }
 
   // Airlight of pixels (row-major indices), in parallel, milliseconds each. Empty if `stop` was
   // requested. `progress`: see FrameRenderer.

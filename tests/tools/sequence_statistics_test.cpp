@@ -58,12 +58,38 @@ TEST_F(RenderStatistics, NoErrorIsMeasuredWhereNoneIsWanted) {
     };
     EXPECT_TRUE(error("none").is_null());
     EXPECT_FALSE(read_exr(folder_ / "o.exr").metadata.contains("brume:error"));
-    const Json full = error("full");
-    EXPECT_GT(full["pixels"], 0);
+    const Json quick = error("quick");
+    EXPECT_GT(quick["pixels"], 0);
+    EXPECT_LE(quick["blocks"]["low"], quick["blocks"]["median"]);
+    EXPECT_LE(quick["blocks"]["median"], quick["blocks"]["high"]);
     EXPECT_TRUE(read_exr(folder_ / "o.exr").metadata.contains("brume:error"));
-    EXPECT_EQ(render(options)["error"], full);
+    EXPECT_TRUE(read_exr(folder_ / "o.exr").metadata.contains("brume:block_error"));
+    EXPECT_EQ(render(options)["error"], quick) << "it is the default";
+    EXPECT_GE(error("full")["pixels"], quick["pixels"]);
   }
-  expect_refused({"render", scene_, "-o", file("o.exr"), "--error", "some"}, {"--error"});
+  for (const char* wanted : {"some", "", "Full", "0"}) {
+    expect_refused({"render", scene_, "-o", file("o.exr"), "--error", wanted},
+                   {"--error", "allowed: none, quick, full"});
+  }
+}
+
+// Whatever part of it a process renders, a shot has one setting, and its frames no error.
+TEST_F(RenderStatistics, AutoChoosesOnceForAShot) {
+  const auto frames = [&](const char* which, const std::vector<std::string>& more) {
+    return render(joined({"--frames", which, "--fps", "10", "-o", file("f_%d.exr"), "--scattering",
+                          "single", "--max-error", "0.01"},
+                         more))["frames"];
+  };
+  const Json all = frames("0-3", {});
+  ASSERT_EQ(all.size(), 4u);
+  for (const Json& frame : all) {
+    EXPECT_EQ(frame["airlight"], "sliced");
+    EXPECT_EQ(frame["slices"], all[0]["slices"]);
+    EXPECT_EQ(frame["airlight_scale"], 4);
+    EXPECT_TRUE(frame["error"].is_null());
+  }
+  EXPECT_EQ(frames("3", {})[0]["slices"], all[3]["slices"]);
+  EXPECT_GT(frames("3", {"--error", "quick"})[0]["error"]["pixels"], 0);
 }
 
 TEST_F(RenderStatistics, OfASequenceListItsFrames) {

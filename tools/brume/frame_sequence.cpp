@@ -5,6 +5,8 @@
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -80,7 +82,32 @@ class FrameSequence {
   }
 
  private:
+  // `auto` chooses once for the whole shot, whichever of its frames this process renders: the
+  // finest setting that its first, middle and last frame need. They are those of the scene's
+  // timeline, or last as long as something moves.
+  void choose_for_shot() {
+    if (request_.airlight != AirlightMethod::auto_) return;
+    const double rate = brume::frame_rate(scene_);
+    const double first = scene_.playback ? scene_.playback->first / rate : 0.0;
+    const double last = scene_.playback ? scene_.playback->last / rate : last_moment(scene_);
+    std::optional<RenderRequest> finest;
+    for (const double time : std::set<double>{first, 0.5 * (first + last), last}) {
+      RenderRequest request = request_;
+      request.time = time;
+      try {
+        check_present(time);
+        const ProgressLine line("setting");
+        request = finished(renderer_.choose(scene_, request, interruption(), line.progress()));
+      } catch (const std::exception&) {  // which the frame says, too
+        continue;
+      }
+      if (!finest || request.slices > finest->slices) finest = request;
+    }
+    if (finest) request_ = *finest;
+  }
+
   FrameLoop::Write make(int number, const std::string& label) {
+    if (!std::exchange(has_chosen_, true)) choose_for_shot();
     RenderRequest request = request_;
     request.time = number / brume::frame_rate(scene_);
     check_present(request.time);
@@ -134,6 +161,7 @@ class FrameSequence {
   std::vector<std::filesystem::path> missing_;
   Scene scene_;
   RenderRequest request_;  // but for the time
+  bool has_chosen_ = false;
   FrameInfo info_;
   SceneRenderer renderer_;
   std::vector<std::string> statistics_;  // of the frames made

@@ -185,7 +185,7 @@ CommandFiles RenderOptions::outputs() const {
 RenderRequest RenderOptions::request(const Film& film) const {
   RenderRequest request = request_of(app_, film);
   if (!request.error && !stats_file_.empty() && !is_sequence()) {
-    request.error = ErrorMeasurement::full;
+    request.error = ErrorMeasurement::quick;
   }
   if (is_deep() && !request.deep_error) request.deep_error = DeepSettings{}.error;
   return request;

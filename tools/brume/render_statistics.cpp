@@ -98,7 +98,10 @@ std::string statistics_json(const RenderRun& run, const Frame& frame,
     json["error"] = Json{{"rel_rmse", frame.error->rel_rmse},
                          {"pixels", frame.error->pixels},
                          {"low", frame.error->low},
-                         {"high", frame.error->high}};
+                         {"high", frame.error->high},
+                         {"blocks", Json{{"median", frame.error->block_median},
+                                         {"low", frame.error->block_low},
+                                         {"high", frame.error->block_high}}}};
   }
   json["noise"] = nullptr;
   if (const auto noise = relative_noise(frame)) {

@@ -124,6 +124,9 @@ QWidget* PerformancePanel::make_details() {
   auto* numbers = new QFormLayout;
   interval_ = add_row(*numbers, tr("Interval"), "interval",
                       tr("Contains the error of the whole picture in 95% of cases"));
+  blocks_ = add_row(*numbers, tr("Blocks"), "block_error",
+                    tr("Median error of blocks of 8 × 8 pixels, each relative to its own airlight, "
+                       "and its interval: what the eye sees in dark parts beside bright ones"));
   gaussians_ = add_row(*numbers, tr("Gaussians"), "gaussians_used",
                        tr("Those that this view needs, of all"));
   pairs_ = add_row(*numbers, tr("Pairs"), "pairs",
@@ -215,17 +218,21 @@ void PerformancePanel::update_quality() {
   const FrameQuality& quality = active_frames_().quality();
   why_->setText(reason(active_frames_()));
   frontier_->show_quality(quality);
-  for (QLabel* label : {error_, interval_}) label->setEnabled(active_frames_().is_measured());
+  for (QLabel* label : {error_, interval_, blocks_})
+    label->setEnabled(active_frames_().is_measured());
   const RenderedFrame* frame = active_frames_().shown();
   if (const QString paths = frame ? paths_text(frame->frame) : QString(); !paths.isEmpty()) {
     error_->setText(paths);
     interval_->clear();
+    blocks_->clear();
   } else if (const std::optional<ErrorEstimate>& error = quality.error()) {
     error_->setText(error_text(*error));
     interval_->setText(tr("%1 (%2 pixels)").arg(interval_text(*error), count_text(error->pixels)));
+    blocks_->setText(block_error_text(*error));
   } else {
     error_->setText(tr("measuring"));
     interval_->clear();
+    blocks_->clear();
   }
 }
 

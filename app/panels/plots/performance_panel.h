@@ -49,6 +49,7 @@ class PerformancePanel : public QWidget {
   QLabel* why_;
   QLabel* error_;
   QLabel* interval_;
+  QLabel* blocks_;
   QLabel* gaussians_;
   QLabel* scattering_;
   QLabel* pairs_;

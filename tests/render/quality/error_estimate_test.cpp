@@ -249,7 +249,7 @@ TEST(ErrorEstimate, PathsNarrowTheInterval) {
   EXPECT_GT(few.noise, 0.0);
   int doublings = 0;
   while (sample->refine({})) ++doublings;
-  EXPECT_EQ(doublings, 4);  // from 64 paths to 1024
+  EXPECT_EQ(doublings, 7);  // from 64 paths to 8192
   const ErrorEstimate many = sample->measure(frame);
   EXPECT_EQ(many.pixels, few.pixels);
   EXPECT_LT(many.high - many.low, 0.7 * (few.high - few.low));
