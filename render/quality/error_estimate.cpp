@@ -82,7 +82,7 @@ std::vector<float> path_shares(const Frame& guide, const std::vector<double>& pr
     sum += probabilities[i] * shares[i];
     count += probabilities[i];
   }
-  constexpr double min_share = 0.125;
+  constexpr double min_share = 0.25;
   constexpr double max_share = 4.0;
   std::vector<float> relative(shares.size(), 1.0f);
   for (std::size_t i = 0; sum > 0.0 && i < shares.size(); ++i) {
@@ -115,28 +115,39 @@ BlockLight block_light(const Frame& frame, std::size_t pixel) {
 // The error of a pixel, squared, relative to its own reference, as that of its block: pixels stand
 // for their block by their share of its light.
 struct BlockError {
-  double weight;            // blocks that it stands for
-  double low, value, high;  // with the noise taken out twice over, once, and not at all
+  double weight;  // blocks that it stands for
+  double value;   // with the noise of its reference
+  double low;     // with so much of that taken out as it seldom has
+  double noise;   // its mean
 };
 
+// Blocks below this share of the picture's rms are black: ten stops.
+constexpr double visible_share = 1e-3;
+
+// The square of the airlight from which on a pixel's or a block's counts, in the mean.
+double visible_square(const Frame& frame) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < frame.depth.size(); ++i) sum += square_of(frame, i);
+  return visible_share * visible_share * sum / static_cast<double>(frame.depth.size());
+}
+
 // Nullopt where there is no light.
-std::optional<BlockError> block_error(const Frame& frame, std::size_t pixel,
+std::optional<BlockError> block_error(const Frame& frame, double visible, std::size_t pixel,
                                       const PixelAirlight& reference, double probability) {
   const BlockLight light = block_light(frame, pixel);
   const double of_frame = square_of(frame, pixel);
   const double of_reference = glm::dot(reference.radiance, reference.radiance);
-  const bool is_black = !(light.squares > 0.0);  // in the frame
-  if (is_black ? !(of_reference > 0.0) : !(of_frame > 0.0)) return std::nullopt;
+  const bool is_black = !(light.squares > visible * light.pixels);  // in the frame
+  if (is_black ? !(of_reference > visible) : !(of_frame > 0.0)) return std::nullopt;
   const double share = is_black ? 1.0 / light.pixels : of_frame / light.squares;
   const double weight = share / probability;
-  if (!(of_reference > 0.0)) return BlockError{weight, 1.0, 1.0, 1.0};  // light where there is none
+  if (!(of_reference > 0.0)) return BlockError{weight, 1.0, 1.0, 0.0};  // light where there is none
   const float* rgb = &frame.center_airlight()[3 * pixel];
   const glm::dvec3 error = glm::dvec3(rgb[0], rgb[1], rgb[2]) - reference.radiance;
   const double square = glm::dot(error, error);
   const double least = std::max(std::sqrt(square) - 2.0 * std::sqrt(reference.variance), 0.0);
-  return BlockError{weight, least * least / of_reference,
-                    std::max(square - reference.variance, 0.0) / of_reference,
-                    square / of_reference};
+  return BlockError{weight, square / of_reference, least * least / of_reference,
+                    reference.variance / of_reference};
 }
 
 // The smallest value that so large a share of the weights reaches up to.
@@ -152,8 +163,13 @@ double weighted_quantile(std::vector<BlockError>& blocks, double BlockError::*va
   return blocks.back().*value;
 }
 
+// The rms of a block over the error of a typical pixel of it: 1 if all pixels are off by as much,
+// 1.5 if errors differ like random numbers.
+constexpr double max_of_block = 1.5;
+constexpr double typical_of_block = 1.2;
+
 // The median of blocks' errors. Noise only makes errors larger, so that the upper end counts all of
-// it; the lower end takes out so much of each as it seldom has.
+// it.
 void set_block_errors(std::vector<BlockError> blocks, ErrorEstimate& estimate) {
   if (blocks.empty()) return;
   double sum = 0.0;
@@ -163,14 +179,15 @@ void set_block_errors(std::vector<BlockError> blocks, ErrorEstimate& estimate) {
     squares += block.weight * block.weight;
   }
   const double range = std::sqrt(squares) / sum;  // two standard deviations of a share of a half
-  constexpr double noisier = 0.025;               // share whose noise is larger than twice its own
-  const auto error_at = [&](double BlockError::*value, double share) {
-    return std::sqrt(weighted_quantile(blocks, value, share));
+  constexpr double noisier = 0.025;               // share whose noise is larger than `low` allows
+  const auto at = [&](double BlockError::*value, double share) {
+    return weighted_quantile(blocks, value, share);
   };
-  estimate.block_low = error_at(&BlockError::low, 0.5 - range - noisier);
-  estimate.block_high = error_at(&BlockError::high, 0.5 + range);
-  estimate.block_median =
-      std::clamp(error_at(&BlockError::value, 0.5), estimate.block_low, estimate.block_high);
+  estimate.block_low = std::sqrt(at(&BlockError::low, 0.5 - range - noisier));
+  estimate.block_high = max_of_block * std::sqrt(at(&BlockError::value, 0.5 + range));
+  const double square = at(&BlockError::value, 0.5) - at(&BlockError::noise, 0.5);
+  estimate.block_median = std::clamp(typical_of_block * std::sqrt(std::max(square, 0.0)),
+                                     estimate.block_low, estimate.block_high);
 }
 
 }  // namespace
@@ -296,9 +313,10 @@ ErrorEstimate ErrorSample::measure(const Frame& frame) const {
   std::vector<Squares> weighted;
   Squares sums;
   std::vector<BlockError> blocks;
+  const double visible = visible_square(frame);
   for (const std::size_t i : pixels_) {
     const PixelAirlight& airlight = reference_->airlight(i);
-    const auto block = block_error(frame, i, airlight, probabilities_[i]);
+    const auto block = block_error(frame, visible, i, airlight, probabilities_[i]);
     if (block) blocks.push_back(*block);
     Squares squares = squares_of(frame, i, airlight);
     squares.error /= probabilities_[i];

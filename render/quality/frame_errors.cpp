@@ -32,6 +32,13 @@ bool is_undecided(const ErrorEstimate& error, double max_error) {
   return error.low <= max_error && max_error < error.high;
 }
 
+// Looked at again and again as a sample grows, an interval is beside the error now and then: there
+// must be some room between it and the bound.
+bool is_surely_decided(const ErrorEstimate& error, double max_error) {
+  constexpr double room = 1.15;
+  return room * error.high <= max_error || error.low > room * max_error;
+}
+
 bool is_wide(const ErrorEstimate& error) {
   constexpr double wide = 1.5;
   return error.high > wide * error.low;
@@ -113,7 +120,7 @@ std::optional<ErrorEstimate> FrameErrors::measure_within(
           : most;
   if (!make_sample(frame, pixels, quick_paths, job.subrange(0.0, 0.1))) return std::nullopt;
   ErrorEstimate error = sample_->measure(frame);
-  while (max_error ? is_undecided(error, *max_error) : is_wide(error)) {
+  while (max_error ? !is_surely_decided(error, *max_error) : is_wide(error)) {
     // In steps, since the first paths tell little of what is needed.
     constexpr double max_factor = 4.0;
     constexpr double min_factor = 1.25;

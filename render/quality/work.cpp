@@ -5,13 +5,14 @@
 namespace brume {
 
 double picture_work(const Frame& frame, const Settings& settings) {
+  constexpr double per_frame = 3e7;  // what is prepared, light tables
   constexpr double per_pixel = 150.0;
   constexpr double per_slice = 60.0;     // of a ray
   constexpr double per_sample = 600.0;   // of a pixel at an edge
   constexpr double per_grid_byte = 3.0;  // of a sweep
   const FrameStatistics& statistics = frame.statistics;
   const int sweeps = statistics.scattering ? statistics.scattering->sweeps : 1;
-  return per_pixel * static_cast<double>(frame.depth.size()) +
+  return per_frame + per_pixel * static_cast<double>(frame.depth.size()) +
          per_slice * static_cast<double>(statistics.exact_pixels) * settings.slices +
          per_sample * static_cast<double>(statistics.sampled_pixels) * settings.samples +
          per_grid_byte * static_cast<double>(statistics.grid_bytes) * sweeps;

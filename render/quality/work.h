@@ -13,7 +13,8 @@ namespace brume {
 // nanosecond of one core of 2023; costs of sample scenes are within a factor of two of it.
 
 // Of a frame that was rendered with the settings, without what a renderer may have kept from
-// others. Light tables and the surfaces' share of a grid are left out: it is rather too small.
+// others. The surfaces' share of a grid and all lights but one are left out: it is rather too
+// small.
 double picture_work(const Frame& frame, const Settings& settings);
 
 // Of a path that drew so many random numbers. With the first come depths of Gaussians towards
