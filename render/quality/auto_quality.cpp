@@ -20,6 +20,9 @@ constexpr std::uint64_t seed_of_choice = 1;
 // An error of this share of the bound on a small frame is likely to be below the bound.
 constexpr double likely_fraction = 0.8;
 
+// The same where nothing is tried after the frame was measured.
+constexpr double safe_fraction = 0.65;
+
 // Errors within this factor of the minimum count as equal.
 constexpr double negligible_gain = 1.1;
 
@@ -98,7 +101,8 @@ std::optional<Settings> choose_settings(FrameRenderer& renderer, const Scene& sc
     if (progress) progress(begin);
     // By the estimate and not by its interval, which is wide on a few pixels and would make finer
     // settings look needed; the frame is judged by the interval.
-    if (error->rel_rmse <= likely_fraction * settings.max_error) return tried;
+    const double fraction = is_full ? likely_fraction : safe_fraction;
+    if (error->rel_rmse <= fraction * settings.max_error) return tried;
     found.push_back(error->rel_rmse);
     all_tried.push_back(tried);
     if (is_vain(found) && *std::ranges::min_element(found) > hopeless_error) break;
