@@ -86,6 +86,7 @@ void ErrorMapper::work(const std::shared_ptr<const RenderedFrame>& rendered, con
   };
   ViewReference reference(*request.scene, request.camera, frame.film, tolerance,
                           all_orders ? Scattering::multiple : Scattering::single);
+  const auto paths_of = [](std::size_t) { return paths; };
   QElapsedTimer clock;
   clock.start();
   std::size_t done = 0;
@@ -93,9 +94,7 @@ void ErrorMapper::work(const std::shared_ptr<const RenderedFrame>& rendered, con
     const std::vector<std::size_t> pixels = pixels_of_level(frame.film, step);
     for (std::size_t k = 0; k < pixels.size(); k += at_once) {
       const auto some = std::span(pixels).subspan(k, std::min(at_once, pixels.size() - k));
-      if (!reference.evaluate(
-              some, [](std::size_t) { return paths; }, job.stop))
-        return;
+      if (!reference.evaluate(some, paths_of, job.stop)) return;
       for (const std::size_t pixel : some) {
         const double error =
             unit > 0.0 ? difference(frame, pixel, reference.airlight(pixel)) / unit : 0.0;
