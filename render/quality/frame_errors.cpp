@@ -33,10 +33,14 @@ bool is_undecided(const ErrorEstimate& error, double max_error) {
 }
 
 // Looked at again and again as a sample grows, an interval is beside the error now and then: there
-// must be some room between it and the bound.
+// must be some room between it and the bound. Small samples may miss the few pixels that an error
+// is made of.
 bool is_surely_decided(const ErrorEstimate& error, double max_error) {
+  constexpr std::size_t many_pixels = 256;
   constexpr double room = 1.15;
-  return room * error.high <= max_error || error.low > room * max_error;
+  constexpr double room_of_few = 3.0;
+  const double below = error.pixels < many_pixels ? room_of_few : room;
+  return below * error.high <= max_error || error.low > room * max_error;
 }
 
 bool is_wide(const ErrorEstimate& error) {
@@ -129,7 +133,8 @@ std::optional<ErrorEstimate> FrameErrors::measure_within(
     const double refined = std::min(1.0 + left / before.paths, max_factor);
     const double grown = std::min(1.0 + left / before.sum(), max_factor);
     const Job part = job.subrange(std::min(0.1 + 0.9 * before.sum() / max_work, 1.0), 1.0);
-    const bool refines = error.noise > 0.5 && refined >= min_factor;
+    const bool is_above_bound = !max_error || error.high > *max_error;
+    const bool refines = is_above_bound && error.noise > 0.5 && refined >= min_factor;
     if (!(refines && sample_->refine(stop, part.progress, refined)) && grown >= min_factor) {
       static_cast<void>(sample_->grow(stop, part.progress, grown));
     }
