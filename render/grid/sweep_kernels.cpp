@@ -180,58 +180,31 @@ std::array<Upwind, 4> UpwindNodes(const Sweep& sweep, const glm::vec3& w) {
   return upwind;
 }
 
+// What a node sees of the slab before. The rest of the weights is the surfaces': so on average they
+// end where they do, wherever between the nodes that is. Weighing only what is seen, slanting light
+// would go on along walls.
+struct Seen {
+  float sum = 0.0f;
+  float weight = 0.0f;
+
+  Seen(std::span<const Upwind> upwind, const OccludedNode& node, Slab& slab, std::size_t u,
+       std::size_t v) {
+    for (const Upwind& other : upwind) {
+      if (other.is_hidden_from(node)) continue;
+      const auto row = static_cast<std::ptrdiff_t>(v) + other.v;
+      const float* values = slab.row(0) + row * static_cast<std::ptrdiff_t>(slab.stride);
+      sum += other.weight * values[static_cast<std::ptrdiff_t>(u) + other.u];
+      weight += other.weight;
+    }
+  }
+  [[nodiscard]] float mean() const { return weight > 0.0f ? sum / weight : 0.0f; }
+};
+
 // Index of a hidden neighbour's link.
 std::size_t LinkOf(const OccludedNode& node, int neighbour) {
   const std::uint32_t before = node.blocked & ((1u << neighbour) - 1u);
   return node.first + static_cast<std::size_t>(std::popcount(before));
 }
-
-// The weights of a node's upwind nodes where surfaces hide some, which then are those of the
-// surfaces. Light that slants by s spacings per node from a wall `fraction` of one away comes from
-// the wall after fraction / s nodes. Interpolation would have it go on along the wall for 1 / s:
-// hence the wall's weight is divided by the fraction.
-struct UpwindWeights {
-  std::array<float, 4> each{};
-  float seen = 0.0f;  // sum of those that are not hidden
-
-  UpwindWeights(std::span<const Upwind> upwind, const OccludedNode& node,
-                const SweepOcclusion& occlusion) {
-    float all_seen = 0.0f;
-    float hidden = 0.0f;
-    for (std::size_t k = 0; k < each.size(); ++k) {
-      each[k] = upwind[k].weight;
-      if (upwind[k].is_hidden_from(node)) {
-        each[k] /= std::max(occlusion.fractions[LinkOf(node, upwind[k].neighbour)], 1e-3f);
-        hidden += each[k];
-      } else {
-        all_seen += each[k];
-      }
-    }
-    seen = all_seen > 0.0f ? std::max(1.0f - hidden, 0.0f) : 0.0f;
-    const float of_hidden = hidden > 0.0f ? (1.0f - seen) / hidden : 0.0f;
-    const float of_seen = all_seen > 0.0f ? seen / all_seen : 0.0f;
-    for (std::size_t k = 0; k < each.size(); ++k) {
-      each[k] *= upwind[k].is_hidden_from(node) ? of_hidden : of_seen;
-    }
-  }
-
-  // Of what is seen of the slab before.
-  [[nodiscard]] float sum(std::span<const Upwind> upwind, const OccludedNode& node, Slab& slab,
-                          std::size_t u, std::size_t v) const {
-    float result = 0.0f;
-    for (std::size_t k = 0; k < each.size(); ++k) {
-      if (upwind[k].is_hidden_from(node)) continue;
-      const auto row = static_cast<std::ptrdiff_t>(v) + upwind[k].v;
-      const float* values = slab.row(0) + row * static_cast<std::ptrdiff_t>(slab.stride);
-      result += each[k] * values[static_cast<std::ptrdiff_t>(u) + upwind[k].u];
-    }
-    return result;
-  }
-  [[nodiscard]] float mean(std::span<const Upwind> upwind, const OccludedNode& node, Slab& slab,
-                           std::size_t u, std::size_t v) const {
-    return seen > 0.0f ? sum(upwind, node, slab, u, v) / seen : 0.0f;
-  }
-};
 
 // Calls fix(u, node) for the nodes of a row that surfaces hide neighbours from.
 template <class Fix>
@@ -306,10 +279,9 @@ void SweepTransmittance(const GridNodes& nodes, std::span<const float> density, 
         });
       }
       each_occluded(occlusion, sweep, row, [&](std::size_t u, const OccludedNode& node) {
-        const UpwindWeights weights(upwind, node, occlusion);
-        const float far = weights.mean(upwind, node, b.before, u, v);
+        const float far = Seen(upwind, node, b.before, u, v).mean();
         const float depth = 0.5f * sweep.length * (b.now.row(v)[u] + far);
-        light.now.row(v)[u] = weights.sum(upwind, node, light.before, u, v) * std::exp(-depth);
+        light.now.row(v)[u] = Seen(upwind, node, light.before, u, v).sum * std::exp(-depth);
       });
       sweep.write(light.now.row(v), transmittance.data() + row);
     }
@@ -385,22 +357,21 @@ void SweepChannels(const GridNodes& nodes, std::span<const float> density, float
       }
       each_occluded(occlusion, sweep, row, [&](std::size_t u, const OccludedNode& node) {
         const float near = b.now.row(v)[u];
-        const UpwindWeights weights(upwind, node, occlusion);
-        const float far = weights.mean(upwind, node, b.before, u, v);
-        const float passes = std::exp(-sweep.length * (0.5f * (near + far) + fog));
+        const Seen far(upwind, node, b.before, u, v);
+        const float passes = std::exp(-sweep.length * (0.5f * (near + far.mean()) + fog));
         float sums[channels];
         for (std::size_t c = 0; c < channels; ++c) {
-          sums[c] = passes * weights.sum(upwind, node, light[c].before, u, v) +
-                    (1.0f - passes) * weights.seen * emission[c].now.row(v)[u];
+          sums[c] = passes * Seen(upwind, node, light[c].before, u, v).sum +
+                    (1.0f - passes) * far.weight * emission[c].now.row(v)[u];
         }
-        for (std::size_t i = 0; i < upwind.size(); ++i) {
-          if (!upwind[i].is_hidden_from(node)) continue;
-          const std::size_t link = LinkOf(node, upwind[i].neighbour);
+        for (const Upwind& other : upwind) {
+          if (!other.is_hidden_from(node)) continue;
+          const std::size_t link = LinkOf(node, other.neighbour);
           const float way = occlusion.fractions[link] * sweep.length;
           const float transmitted = std::exp(-way * (near + fog));
           for (std::size_t c = 0; c < channels; ++c) {
             const float sent = outgoing.empty() ? 0.0f : outgoing[c][link];
-            sums[c] += weights.each[i] *
+            sums[c] += other.weight *
                        (transmitted * sent + (1.0f - transmitted) * emission[c].now.row(v)[u]);
           }
         }

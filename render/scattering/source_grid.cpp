@@ -346,6 +346,11 @@ SourceGrid::SourceGrid(std::span<const GaussianTerm<double>> gaussians,
         max_low = glm::max(max_low, glm::min(low, content.surfaces->bounds().low));
         max_high = glm::min(max_high, glm::max(high, content.surfaces->bounds().high));
       }
+      if (is_fog_alone && !content.fog_ball.is_endless()) {  // nor beyond the fog
+        const FogBall& ball = content.fog_ball;
+        max_low = glm::max(max_low, glm::min(low, ball.center - ball.radius));
+        max_high = glm::min(max_high, glm::max(high, ball.center + ball.radius));
+      }
       low = max_low;
       high = max_high;
       const double spacing = static_cast<double>(levels_.back().nodes.spacing);

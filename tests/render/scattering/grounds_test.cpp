@@ -54,6 +54,30 @@ TEST(Grounds, AreLitByALightThatAlmostTouchesThem) {
   EXPECT_NEAR(mean_airlight(scene), close, 0.05 * close);
 }
 
+// In fog four mean free paths deep. Ordinates along a black ground saw light from over it as if it
+// came from below: 12% too much.
+TEST(Grounds, AreLitByTheSunAsTheyReflect) {
+  struct Truth {
+    double reflectance, airlight;  // the mean of `brume render --airlight path:8192`
+  };
+  for (const Truth& truth : {Truth{0.5, 0.2467}, Truth{0.0, 0.1392}}) {
+    Scene scene = fog_over(60.0, 0.05);
+    scene.surfaces[0].material.reflectance = glm::dvec3(truth.reflectance);
+    scene.lights = {{{}, glm::dvec3(10.0), light::Directional{.direction = {-1.0, -1.0, -0.3}}}};
+    EXPECT_NEAR(mean_airlight(scene), truth.airlight, 0.02 * truth.airlight) << truth.reflectance;
+  }
+}
+
+// Where it is fourteen deep, the eye is in the dark: changes there were too small to go on for.
+TEST(Grounds, InDeepFogAreNearlyAsLight) {
+  Scene scene = fog_over(200.0, 0.05);
+  scene.lights = {{{}, glm::dvec3(10.0), light::Directional{.direction = {-1.0, -1.0, -0.3}}}};
+  // The mean of `brume render --airlight path:4096`. Cells are as wide as a fifth of a mean free
+  // path near the ground and as one farther out, which lets 8% too much through.
+  constexpr double truth = 0.1310;
+  EXPECT_NEAR(mean_airlight(scene), truth, 0.1 * truth);
+}
+
 // The grid's layers were centred on a ground alone, and saw through it.
 TEST(Grounds, AreNotSeenThroughWhereNothingStandsOnThem) {
   for (const double side : {20.0, 200.0}) {
