@@ -12,6 +12,7 @@
 #include "render/deep/deep_file.h"
 #include "render/gl_renderer.h"
 #include "render/layers/frame_layers.h"
+#include "render/prepare/deep_fog.h"
 #include "render/quality/auto_quality.h"
 #include "render/render_plan.h"
 #include "render/request.h"
@@ -232,6 +233,7 @@ std::optional<Frame> SceneRenderer::render(const Scene& asked, const RenderReque
       frame.error->high > request.max_error) {
     warnings.push_back(unsure_text(*frame.error, request.max_error));
   }
+  if (const std::optional<std::string> deep = deep_fog_text(scene)) warnings.push_back(*deep);
   frame.warnings = std::move(warnings);
   if (progress) progress(1.0);
   return frame;

@@ -35,6 +35,23 @@ TEST_F(CommandLine, SummarizesAScene) {
       << words.out;
 }
 
+// Fog over a wide ground, as far as that reaches.
+TEST_F(CommandLine, SaysHowMuchOfTheSunDeepFogLetsThrough) {
+  const std::string scene = folder_
+                                .write("deep.brume", R"({"format": "brume-scene", "version": 1,
+    "camera": {"eye": [0, 2, 4], "target": [0, 0, 0], "vertical_fov": 40},
+    "film": {"width": 4, "height": 3}, "medium": {"density": 0.05},
+    "lights": [{"type": "directional", "direction": [0, -1, 0], "irradiance": [1, 1, 1]}],
+    "surfaces": [{"primitive": {"type": "plane", "size": [60, 1, 80]}}]})")
+                                .string();
+  const Json info = Json::parse(expect_done({"info", scene, "--json"}).out);
+  EXPECT_DOUBLE_EQ(info["medium"]["far_light_transmittance"], std::exp(-5.0));
+  const ProgramResult render =
+      expect_done({"render", scene, "-o", file("deep.exr"), "--error", "none"});
+  EXPECT_NE(render.err.find("lets 0.67% of the light from far away through"), std::string::npos)
+      << render.err;
+}
+
 TEST_F(CommandLine, SummarizesAMedium) {
   write_gaussians(folder_ / "m.ply", std::vector<Gaussian>{{{1, 2, 3}, 2, 0.25}});
   const ProgramResult result = expect_done({"info", file("m.ply"), "--json"});

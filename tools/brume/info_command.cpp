@@ -19,6 +19,7 @@
 #include "core/scene/imported_scene.h"
 #include "core/scene/mesh.h"
 #include "core/transport/medium_summary.h"
+#include "render/prepare/deep_fog.h"
 #include "tools/brume/command.h"
 #include "tools/brume/progress_line.h"
 #include "tools/brume/read_scene.h"
@@ -64,6 +65,9 @@ Json scene_json(const SceneDocument& document) {
   json["medium"] = medium_json(scene.medium);
   if (const auto& loaded = document.extras.medium_file) {
     json["medium"]["file"] = loaded->file.string();
+  }
+  if (const double transmittance = transmittance_of_fog(scene); transmittance < 1.0) {
+    json["medium"]["far_light_transmittance"] = transmittance;
   }
   json["film"] = Json::array({scene.film.width, scene.film.height});
   if (!scene.cameras.empty()) {

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr TransferSettings settings{.order = 2, .directions = 64, .bounces = 1};
+constexpr TransferSettings cached_settings{.order = 2, .directions = 64, .bounces = 1};
 
 std::shared_ptr<TriangleMesh> small_bowl() {
   MeshArrays mesh;
@@ -44,7 +44,7 @@ struct Cached {
 };
 
 Cached cached(const std::shared_ptr<const TriangleMesh>& mesh, const fs::path& folder,
-              const TransferSettings& wanted = settings) {
+              const TransferSettings& wanted = cached_settings) {
   Cached result;
   const auto progress = [&](double fraction) { result.was_read &= fraction == 1.0; };
   result.transfer =
@@ -55,7 +55,7 @@ Cached cached(const std::shared_ptr<const TriangleMesh>& mesh, const fs::path& f
 TEST(TransferCache, RoundTrips) {
   const TemporaryFolder folder;
   const fs::path cache = folder / "to/be/made";
-  const RadianceTransfer reference = *radiance_transfer(small_bowl(), settings);
+  const RadianceTransfer reference = *radiance_transfer(small_bowl(), cached_settings);
   const Cached first = cached(small_bowl(), cache);
   EXPECT_FALSE(first.was_read);
   const Cached second = cached(small_bowl(), cache);  // another mesh object with the same content
@@ -75,23 +75,23 @@ TEST(TransferCache, RoundTrips) {
 
 TEST(TransferCache, DistinguishesMeshesAndSettings) {
   const auto mesh = small_bowl();
-  std::set<fs::path> names = {transfer_file("", *mesh, settings)};
+  std::set<fs::path> names = {transfer_file("", *mesh, cached_settings)};
   names.insert(transfer_file("", *mesh, {.order = 3, .directions = 64, .bounces = 1}));
   names.insert(transfer_file("", *mesh, {.order = 2, .directions = 72, .bounces = 1}));
   names.insert(transfer_file("", *mesh, {.order = 2, .directions = 64, .bounces = 2}));
   MeshArrays moved = to_arrays(*mesh);
   moved.points[7].y += 1e-6f;
-  names.insert(transfer_file("", *to_mesh(moved), settings));
+  names.insert(transfer_file("", *to_mesh(moved), cached_settings));
   MeshArrays bent = to_arrays(*mesh);
   bent.normals[7] = {1, 0, 0};
-  names.insert(transfer_file("", *to_mesh(bent), settings));
+  names.insert(transfer_file("", *to_mesh(bent), cached_settings));
   auto more = std::make_shared<TriangleMesh>(*mesh);
   for (const auto edge : more->edges()) {
     if (!more->is_flip_ok(edge)) continue;
     more->flip(edge);
     break;
   }
-  names.insert(transfer_file("", *more, settings));
+  names.insert(transfer_file("", *more, cached_settings));
   EXPECT_EQ(names.size(), 7u);
 }
 
@@ -99,7 +99,7 @@ TEST(TransferCache, ReplacesDamagedFiles) {
   const TemporaryFolder folder;
   const auto mesh = small_bowl();
   const RadianceTransfer reference = cached(mesh, folder.path()).transfer;
-  const fs::path file = transfer_file(folder.path(), *mesh, settings);
+  const fs::path file = transfer_file(folder.path(), *mesh, cached_settings);
   const std::string good = content_of(file);
 
   std::vector<std::string> bad = {"",
@@ -146,12 +146,13 @@ TEST(TransferCache, ToleratesUnwritableFolders) {
   EXPECT_EQ(under_a_file.warnings.size(), 1u);
   EXPECT_TRUE(same(under_a_file.transfer, uncached.transfer));
   // A folder where the file should be.
-  fs::create_directory(transfer_file(folder.path(), *mesh, settings));
+  fs::create_directory(transfer_file(folder.path(), *mesh, cached_settings));
   EXPECT_TRUE(same(cached(mesh, folder.path()).transfer, uncached.transfer));
 
   std::stop_source source;
   source.request_stop();
-  EXPECT_FALSE(cached_radiance_transfer(mesh, settings, folder / "new", {source.get_token(), {}}));
+  EXPECT_FALSE(
+      cached_radiance_transfer(mesh, cached_settings, folder / "new", {source.get_token(), {}}));
   EXPECT_FALSE(fs::exists(folder / "new"));
 }
 
