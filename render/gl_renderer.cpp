@@ -162,6 +162,7 @@ void GlRenderer::Impl::release(bool all) {
   if (!context || !context->make_current()) return;
   groups.clear();
   textures = {};
+  fetched = {};
   composite = {};
   display = {};
   clock = {};

@@ -43,6 +43,7 @@ struct GridMedium {
   bool continues = false;                   // beyond the grid, which other levels hold; else empty
   const GridOcclusion* surfaces = nullptr;  // between the nodes; null: none
   std::span<const float> albedo{};          // factor of what each node scatters; empty: 1
+  bool is_fog_alone = false;                // without Gaussians
 };
 
 // A level around finer ones, and the light in it.

@@ -29,11 +29,13 @@ std::vector<float> reflected(const GridMedium& medium, const NodeLight& incident
   return medium.surfaces ? reflected_light(*medium.surfaces, incident) : std::vector<float>{};
 }
 
-// How much the light at nodes changes relative to what is there, or to a hundredth of the brightest,
-// as a root mean square over the medium. In deep fog the eye may be where little light is.
+// How much the light at nodes changes relative to what is there, or to a hundredth of the
+// brightest, as a root mean square over the medium. In deep fog the eye may be where little light
+// is.
 double relative_change(const GridMedium& medium, const NodeLight& before, const NodeLight& after) {
   constexpr double dimmest_share = 0.01;
   const std::size_t nodes = medium.density.size();
+  if (nodes == 0) return 0.0;
   std::vector<double> squares(nodes, 0.0);
   std::vector<double> changes(nodes, 0.0);
   const auto square = [](float x) { return static_cast<double>(x) * static_cast<double>(x); };

@@ -282,13 +282,18 @@ bool MultipleScattering::update(const Input& input, const Job& job) {
   const TruncatedScattering truncation(input.albedo, input.anisotropy,
                                        input.anisotropy == 0.0 ? 1 : grid_bands,
                                        !levels.front().albedo.empty());
+  const auto is_zero = [](float density) { return density == 0.0f; };
   std::vector<std::vector<float>> extinctions;
   std::vector<GridMedium> media;
   for (const SourceGrid::Level& level : levels) {
     extinctions.push_back(density_with_fog(level, truncation.extinction * input.fog_density));
     const bool continues = media.size() + 1 < levels.size();
-    media.push_back(
-        {level.nodes, extinctions.back(), 0.0, continues, level.surfaces.get(), level.albedo});
+    media.push_back({.nodes = level.nodes,
+                     .density = extinctions.back(),
+                     .continues = continues,
+                     .surfaces = level.surfaces.get(),
+                     .albedo = level.albedo,
+                     .is_fog_alone = std::ranges::all_of(level.density, is_zero)});
   }
   std::vector<double> phase = truncation.phase;
   for (double& factor : phase) factor *= truncation.albedo;

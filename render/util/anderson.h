@@ -15,7 +15,8 @@ class AndersonAcceleration {
   // How many earlier iterations are combined.
   static constexpr std::size_t depth = 4;
 
-  // Squares of residuals weight elements k * weights.size() + i by weights[i]. Keeps a reference to them.
+  // Squares of residuals weight elements k * weights.size() + i by weights[i]. Keeps a reference to
+  // them.
   explicit AndersonAcceleration(std::span<const float> weights) : weights_(weights) {}
 
   // From x and fx = F(x), of the same size in all calls: replaces x by the next one.

@@ -85,7 +85,7 @@ class FrameSequence {
   // `auto` chooses once for the whole shot, whichever of its frames this process renders: the
   // finest setting that its first, middle and last frame need. They are those of the scene's
   // timeline, or last as long as something moves.
-  void choose_for_shot() {
+  void choose_for_shot(double now) {
     if (request_.airlight != AirlightMethod::auto_) return;
     const double rate = brume::frame_rate(scene_);
     const double first = scene_.playback ? scene_.playback->first / rate : 0.0;
@@ -103,11 +103,19 @@ class FrameSequence {
       }
       if (!finest || request.slices > finest->slices) finest = request;
     }
-    if (finest) request_ = *finest;
+    if (finest) {
+      request_ = *finest;
+    } else {  // none of them can be rendered, but this frame perhaps
+      RenderRequest request = request_;
+      request.time = now;
+      check_present(now);
+      request_ = finished(renderer_.choose(scene_, request, interruption()));
+    }
   }
 
   FrameLoop::Write make(int number, const std::string& label) {
-    if (!std::exchange(has_chosen_, true)) choose_for_shot();
+    if (!has_chosen_) choose_for_shot(number / brume::frame_rate(scene_));
+    has_chosen_ = true;
     RenderRequest request = request_;
     request.time = number / brume::frame_rate(scene_);
     check_present(request.time);

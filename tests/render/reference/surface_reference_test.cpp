@@ -16,9 +16,9 @@
 #include "core/scene/lights/radiance_map.h"
 #include "core/scene/materials/brdf.h"
 #include "core/transport/homogeneous_airlight.h"
-#include "tests/core/transport/incident_light.h"
 #include "core/transport/point_spread.h"
 #include "render/reference/airlight_integral.h"
+#include "tests/core/transport/incident_light.h"
 #include "tests/render/test_scenes.h"
 
 namespace brume {
