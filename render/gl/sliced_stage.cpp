@@ -49,8 +49,12 @@ std::size_t SlicedStage::run(FrameStages& stages, FrameContext& work, DeviceFram
   program.set("truncated_phase", scattering.truncated_phase);
   program.set("albedo", scattering.albedo);
   program.set("light_extinction", source ? static_cast<float>(source->light_extinction()) : 1.0f);
-  program.set("lobe_fog_extinction",
-              source ? static_cast<float>(source->lobe_fog_extinction()) : 0.0f);
+  const double from_eye = scattering.anisotropy < 0.0f ? 1.0 : -1.0;
+  const auto along_ray = [&](double extinction) {
+    return static_cast<float>(1.0 + from_eye * extinction);
+  };
+  program.set("ray_per_gaussians", along_ray(source ? source->light_extinction() : 1.0));
+  program.set("ray_per_fog", along_ray(source ? source->lobe_fog_extinction() : 0.0));
   upload_source(source, eye, program);
   return film_.run(
       device.programs, device.clock, program,

@@ -19,7 +19,9 @@ uniform float anisotropy;
 uniform float negligible;
 uniform float light_extinction;  // factor of optical depths towards lights
 uniform float view_extinction;   // see SliceScattering
-uniform float lobe_fog_extinction;  // see SourceFunction
+// What attenuates the forward lobe along a ray, per optical depth of Gaussians and of fog: see
+// SumAlongRays(). Not computed here, where they would take registers from all frames.
+uniform float ray_per_gaussians, ray_per_fog;
 uniform float truncated_phase[4];
 uniform float albedo;
 
@@ -82,12 +84,9 @@ void main() {
   // SliceWeights::along_rays.
   const bool has_lobe_on_rays = source_levels > 0 && source_lobe_on_rays != 0;
   const bool needs_line = has_lobe_on_rays && anisotropy > 0.0;
-  const float to_light = anisotropy < 0.0 ? 1.0 : -1.0;
-  const float per_gaussians = 1.0 + to_light * light_extinction;
-  const float per_fog = 1.0 + to_light * lobe_fog_extinction;
   float along_ray = 0.0;
   float line_depth = 0.0;  // of all Gaussians, also behind surfaces
-  float transmittance_in = exp(-per_fog * b0 * t_begin);
+  float transmittance_in = exp(-ray_per_fog * b0 * t_begin);
   for (int first = 0; first < last; first += chunk) {
     float increments[chunk];
     float moments[chunk];
@@ -175,7 +174,7 @@ void main() {
       const float scattering = increment;
 #endif
       if (has_lobe_on_rays) {
-        const float exponent = per_gaussians * gaussians + per_fog * fog;
+        const float exponent = ray_per_gaussians * gaussians + ray_per_fog * fog;
         const float transmittance_out = transmittance_in * exp(-exponent);
         along_ray += scattering * mean_transmittance(exponent, transmittance_in, transmittance_out);
         transmittance_in = transmittance_out;
