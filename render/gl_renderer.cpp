@@ -97,7 +97,7 @@ struct GlRenderer::Impl {
   void integrate_medium(FrameContext& work, Group& group, StageClock& clock, DeviceFrame& frame);
   bool shade_surfaces(FrameContext& work, Group& group, StageClock& clock, DeviceFrame& frame);
   void show(FrameContext& work, std::size_t which, const Target& target, StageClock& clock);
-  void read_back(FrameContext& work, StageClock& clock);
+  void read_back(FrameContext& work, tbb::task_arena& arena, StageClock& clock);
 };
 
 std::unique_ptr<FrameRenderer> make_renderer(Backend backend,
@@ -330,11 +330,12 @@ void GlRenderer::Impl::show(FrameContext& work, std::size_t which, const Target&
   }
 }
 
-void GlRenderer::Impl::read_back(FrameContext& work, StageClock& cpu_clock) {
+void GlRenderer::Impl::read_back(FrameContext& work, tbb::task_arena& arena,
+                                 StageClock& cpu_clock) {
   fetched.start(textures);
   cpu_clock.finish(Stage::submit);
-  work.make_layers();
-  fetched.finish(work);
+  arena.execute([&] { work.make_layers(); });
+  fetched.finish(work, arena);
   if (work.settings.background_apart) set_background_apart(work.frame);
   cpu_clock.finish(Stage::read_back);
 }
@@ -367,7 +368,7 @@ std::optional<Frame> GlRenderer::Impl::render(FrameContext& work, tbb::task_aren
   if (target.picture) {
     show(work, which, target, cpu_clock);
   } else {
-    read_back(work, cpu_clock);
+    read_back(work, arena, cpu_clock);
   }
   check("finishing a frame");
   clock.collect(work.frame.statistics.stages);

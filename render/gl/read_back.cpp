@@ -37,7 +37,7 @@ void ReadBack::start(const FilmTextures& textures) {
   textures.pairs.copy(copies_, places.pairs * sizeof(float));
 }
 
-void ReadBack::finish(FrameContext& work) {
+void ReadBack::finish(FrameContext& work, tbb::task_arena& arena) {
   Frame& frame = work.frame;
   const auto width = static_cast<std::size_t>(frame.film.width);
   const auto rows = static_cast<std::size_t>(frame.film.height);
@@ -46,7 +46,7 @@ void ReadBack::finish(FrameContext& work) {
   std::vector<float>& pairs = frame.statistics.pixel_pairs;
   pairs.resize(rows * width);
   std::vector<double> sums(rows);
-  Job().parallel_for(rows, [&](std::size_t y) {
+  const auto unpack_row = [&](std::size_t y) {
     for (std::size_t i = y * width; i < (y + 1) * width; ++i) {
       const std::span<const float> airlight = values.subspan(places.airlight + 4 * i, 4);
       for (std::size_t k = 0; k < 3; ++k) {
@@ -60,7 +60,8 @@ void ReadBack::finish(FrameContext& work) {
       pairs[i] = values[places.pairs + i];
       sums[y] += static_cast<double>(pairs[i]);
     }
-  });
+  };
+  arena.execute([&] { Job().parallel_for(rows, unpack_row); });
   double sum = 0.0;
   for (const double row : sums) sum += row;
   frame.statistics.view_pairs += static_cast<std::uint64_t>(sum);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <tbb/task_arena.h>
+
 #include "render/gl/film_airlight.h"
 #include "render/gl/resources.h"
 #include "render/prepare/frame_stages.h"
@@ -14,8 +16,8 @@ class ReadBack {
  public:
   // Has the device copy them once it has made them, and does not wait.
   void start(const FilmTextures& textures);
-  // Waits, and fills the layers of the frame, which has room for them.
-  void finish(FrameContext& work);
+  // Waits, and fills the layers of the frame, which has room for them, in the arena's threads.
+  void finish(FrameContext& work, tbb::task_arena& arena);
 
  private:
   HostBuffer copies_;
