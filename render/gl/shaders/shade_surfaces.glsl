@@ -169,7 +169,7 @@ vec3 reflected_scattered_light(int l, LightAtPoint light_at_point, float factors
     float below = 0.0;
     for (int k = m; k < sh_bands; ++k) {
       if (k > m) {
-        const float next = sh_up[k * sh_bands + m] * (w.z * q - sh_down[k * sh_bands + m] * below);
+        const float next = sh_next(k, m, w.z, q, below);
         below = q;
         q = next;
       }

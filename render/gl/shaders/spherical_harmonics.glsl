@@ -1,6 +1,11 @@
 // Real spherical harmonics at a unit direction: sh_basis() of core/math/spherical_harmonics.h.
 #include "formulas.glsl"
 
+// q_lm from the two before it: ShRecurrence.
+float sh_next(int l, int m, float z, float q, float below) {
+  return sh_up[l * sh_bands + m] * (z * q - sh_down[l * sh_bands + m] * below);
+}
+
 void sh_basis(vec3 d, out float y[sh_count]) {
   float c = 1.0;  // sin^m(theta) cos(m phi) and sin^m(theta) sin(m phi)
   float s = 0.0;
@@ -16,7 +21,7 @@ void sh_basis(vec3 d, out float y[sh_count]) {
     float below = 0.0;
     for (int l = m; l < sh_bands; ++l) {
       if (l > m) {
-        const float next = sh_up[l * sh_bands + m] * (d.z * q - sh_down[l * sh_bands + m] * below);
+        const float next = sh_next(l, m, d.z, q, below);
         below = q;
         q = next;
       }
