@@ -53,7 +53,7 @@ void find_ggx_rows(Ggx ggx, float cosine) {
   ggx_added_at = ggx_scaled_at + (ggx_roughnesses + 1) * ggx_layer;
 }
 
-// As table_reflectance().
+// The same as table_reflectance(), from these rows.
 vec3 ggx_reflectance(Ggx ggx, int i) {
   const float angle = ggx_diffuse.fraction;
   const float scaled = mix(ggx_between(ggx_scaled_at + i, angle),

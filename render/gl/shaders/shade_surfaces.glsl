@@ -15,7 +15,7 @@ layout(std430, binding = 3) buffer Behind { vec4 behind[]; };
 // outgoing radiance, and per basis function the light still to be reflected. Then average depths
 // around surfaces, four per vector, and the tables of measured materials.
 layout(std430, binding = 6) readonly buffer Arriving { vec4 incident_values[]; };
-// Of surface_shadows.glsl.
+// The lights that reach each pixel, as surface_shadows.glsl writes them.
 layout(std430, binding = 4) readonly buffer Lit { uint lit[]; };
 // A SurfaceRecord per surface. From the places named below on the polynomials of point and distant
 // ScatterTable, the environment's coefficients R G B 0 and the polynomials of its ScatterTable, and

@@ -19,7 +19,7 @@ uniform float anisotropy;
 uniform float negligible;
 uniform float light_extinction;  // factor of optical depths towards lights
 uniform float view_extinction;   // see SliceScattering
-// What attenuates the forward lobe along a ray, per optical depth of Gaussians and of fog: see
+// The forward lobe is attenuated along a ray by so much per optical depth of Gaussians and fog: see
 // SumAlongRays(). Not computed here, where they would take registers from all frames.
 uniform float ray_per_gaussians, ray_per_fog;
 uniform float truncated_phase[4];
