@@ -39,7 +39,6 @@ class OpticalDepthTables {
   // may be null.
   void upload(std::span<const SlicedLight> lights, const ShadowMaps* shadows,
               const glm::dvec3& origin);
-  [[nodiscard]] bool has_profiles() const { return profiles_.has_any(); }
   // Binds them as `Lights`, `Tables` and `profiles`.
   void bind(const Program& program);
 

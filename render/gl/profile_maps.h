@@ -16,7 +16,6 @@ namespace brume::gl {
 class ProfileMaps {
  public:
   void upload(std::span<const SlicedLight> lights);
-  [[nodiscard]] bool has_any() const { return !profiles_.empty(); }
   // The first texel of a profile that a light of the last upload has.
   [[nodiscard]] glm::ivec2 place(const PhotometricProfile& profile) const;
   // Binds them as `profiles`.

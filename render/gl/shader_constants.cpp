@@ -163,7 +163,11 @@ void add_slices(Constants& constants) {
   add_shape("falloff_cosine", LightFalloff::Shape::cosine);
   add_shape("falloff_two_cosines", LightFalloff::Shape::two_cosines);
   add_shape("falloff_profile", LightFalloff::Shape::profile);
-  constants.add("profile_step", profile_step);
+  constants.add("falloff_panel", falloff_panel);
+  constants.add("profile_panel", profile_panel);
+  constants.add("phase_panel", phase_panel);
+  constants.add("wide_falloff", wide_falloff);
+  constants.add("wide_phase", wide_phase);
   constants.add("profile_side", PhotometricProfile::side);
   constants.add("gauss_3_end", gauss_3_end);
   constants.add("gauss_3_middle", gauss_3_middle);

@@ -34,16 +34,18 @@ std::size_t SlicedStage::run(FrameStages& stages, FrameContext& work, DeviceFram
 
   slices_.choose(device.programs, device.clock, lights_, lit_from.size(), work.settings.slices,
                  device.lists, device.view, device.textures);
+  const SourceFunction* const source = stages.source_function(work);
+  const SliceScattering scattering = slice_scattering(medium.anisotropy(), source);
   std::string defined = device.medium.has_optics() ? "OPTICS" : "";
-  if (lights_.has_profiles()) defined += " PROFILES";
+  const auto has_cone = [](const SlicedLight& light) { return light.falloff.has_cone(); };
+  if (std::ranges::any_of(lights, has_cone)) defined += " CONES";
+  if (scattering.anisotropy != 0.0f) defined += " ANISOTROPIC";
   defined.append(" ").append(device.medium.defined()).append(ray_definitions(work.rays));
   const Program& program = device.programs.get("sliced", defined);
   set_noise(program, medium.noise(), eye);
   program.set("light_count", static_cast<int>(lights.size()));
   program.set("b0", static_cast<float>(medium.homogeneous_density()));
   program.set("negligible", static_cast<float>(medium.negligible_depth()));
-  const SourceFunction* const source = stages.source_function(work);
-  const SliceScattering scattering = slice_scattering(medium.anisotropy(), source);
   program.set("anisotropy", scattering.anisotropy);
   program.set("view_extinction", scattering.view_extinction);
   program.set("truncated_phase", scattering.truncated_phase);

@@ -57,8 +57,31 @@ struct FalloffRays {
     sort(1, 2);
   }
 
-  // The falloff of a profile in the direction from the light whose angle from the nearest point of
-  // the ray, which is h away, has this sine and cosine.
+  // Calls add(begin, end) for the parts of [a, b] between the edges.
+  template <class Add>
+  HWY_INLINE void EachSmoothPart(FloatVec a, FloatVec b, Add add) const {
+    auto has_edge = b < a;
+    for (const FloatVec edge : edges) {
+      has_edge = hn::Or(has_edge, hn::And(edge > a, edge < b));
+    }
+    FloatVec begin = a;
+    if (!hn::AllFalse(FloatTag(), has_edge)) {
+      for (const FloatVec edge : edges) {
+        const FloatVec end = clamp(edge, begin, b);
+        add(begin, end);
+        begin = end;
+      }
+    }
+    add(begin, b);
+  }
+
+  // Panels of AnglesOfPart over which the falloff is smooth between the edges [radians].
+  [[nodiscard]] HWY_INLINE float Panel() const {
+    return falloff.profile ? profile_panel : falloff_panel;
+  }
+
+  // The falloff in the direction from the light whose angle from the nearest point of the ray,
+  // which is h away, has this sine and cosine.
   [[nodiscard]] HWY_INLINE FloatVec AtAngle(FloatVec sine, FloatVec cosine, FloatVec h) const {
     return falloff.At(mul_sub(sine, along, (cosine / h) * across));
   }
@@ -73,46 +96,47 @@ struct FalloffRays {
   }
 };
 
-// The mean of a profile over the angle that a part of a ray spans at its light, which is how light
-// arrives on it, and the place s at which it arrives on the mean. Where the angle is small they are
-// left as they are.
-HWY_INLINE void SampleProfile(const FalloffRays& light, FloatVec begin, FloatVec angle, FloatVec h2,
-                              FloatVec& mean, FloatVec& place) {
-  const FloatTag d;
-  const auto is_wide = angle > 2.0f * profile_step;
-  if (hn::AllFalse(d, is_wide)) return;
-  const FloatVec h = sqrt(h2);
-  // Each ray in its own steps, whatever its neighbours'.
-  const FloatVec count = floor(angle * (1.0f / profile_step)) + 1.0f;
-  const FloatVec step = angle / count;
-  const FloatVec first = mul_add(0.5f, step, atan(begin / h));
-  FloatVec sum = hn::Zero(d);
-  FloatVec moment = hn::Zero(d);
-  const auto most = static_cast<int>(hn::GetLane(hn::MaxOfLanes(d, count)));
-  for (int i = 0; i < most; ++i) {
-    const FloatVec index = Floats(static_cast<float>(i));
-    const FloatVec theta = mul_add(index, step, first);
-    const FloatVec sine = sin(theta);
-    const FloatVec cosine = max(cos(theta), tiny);
-    const FloatVec value = where(index < count, light.AtAngle(sine, cosine, h));
-    sum += value;
-    moment = mul_add(value, h * sine / cosine, moment);
-  }
-  const auto counts = hn::And(is_wide, sum > 0.0f);
-  mean = select(is_wide, sum / count, mean);
-  place = select(counts, moment / sum, place);
-}
+// A part of a ray as the light that it is h away from sees it: light arrives evenly over the angle.
+struct AnglesOfPart {
+  FloatVec first, angle, h;
 
-// The mean of the falloff over r^2 over s in [a, b], and the middle of what is lit of it.
+  HWY_INLINE AnglesOfPart(FloatVec begin, FloatVec end, FloatVec of_nearest)
+      : first(atan(begin / of_nearest)), angle(atan(end / of_nearest) - first), h(of_nearest) {}
+
+  // Integrates over the angle by Gauss' rule on panels no wider than `panel`: add(weight, sine,
+  // cosine) for each node, as of the nearest point. For lanes where the angle is positive.
+  template <class Add>
+  HWY_INLINE void Integrate(float panel, Add add) const {
+    const FloatTag d;
+    constexpr float weights[] = {gauss_3_end, gauss_3_middle, gauss_3_end};
+    // Each ray has its own panels, whatever its neighbours have.
+    const FloatVec count = floor(max(angle, 0.0f) * (1.0f / panel)) + 1.0f;
+    const FloatVec step = max(angle, 0.0f) / count;
+    const auto most = static_cast<int>(hn::GetLane(hn::MaxOfLanes(d, count)));
+    for (int i = 0; i < most; ++i) {
+      const FloatVec index = Floats(static_cast<float>(i));
+      const FloatVec width = where(index < count, step);
+      const FloatVec middle = mul_add(index + 0.5f, step, first);
+      for (int k = 0; k < 3; ++k) {
+        const FloatVec theta =
+            mul_add(0.5f * gauss_3_place * static_cast<float>(k - 1), step, middle);
+        add(weights[k] * width, sin(theta), max(cos(theta), tiny));
+      }
+    }
+  }
+};
+
+// The mean of the falloff over r^2 over s in [a, b], and the middle of what is lit of it. `angle`:
+// how much [a, b] spans at the light.
 struct FalloffMean {
-  FloatVec value, center;
+  FloatVec value, center, angle;
 
   HWY_INLINE FalloffMean(const FalloffRays& light, FloatVec a, FloatVec b, FloatVec h2) {
     const FloatTag d;
     const FloatVec zero = hn::Zero(d);
     FloatVec sum = zero;
     FloatVec moment = zero;
-    const auto add = [&](FloatVec begin, FloatVec end) HWY_ATTR {
+    light.EachSmoothPart(a, b, [&](FloatVec begin, FloatVec end) HWY_ATTR {
       const FloatVec width = end - begin;
       const auto is_long = width > zero;
       if (hn::AllFalse(d, is_long)) return;
@@ -129,37 +153,55 @@ struct FalloffMean {
         whole += weight;
       }
       const FloatVec unattenuated = mean_inverse_square(begin, end, h2) * width;
-      FloatVec mean = falloff / whole;
-      FloatVec place = middle;
-      if (light.falloff.profile) {
-        const FloatVec angle = where(is_long, unattenuated * sqrt(h2));
-        SampleProfile(light, begin, angle, h2, mean, place);
-        place = clamp(place, begin, end);
-      }
-      const FloatVec counted = where(is_long, unattenuated * mean);
+      const FloatVec counted = where(is_long, unattenuated * falloff / whole);
       sum += counted;
-      moment = mul_add(counted, place, moment);
-    };
-    auto has_edge = b < a;
-    for (const FloatVec edge : light.edges) {
-      has_edge = hn::Or(has_edge, hn::And(edge > a, edge < b));
-    }
-    if (hn::AllFalse(d, has_edge)) {
-      add(a, b);
-    } else {
-      FloatVec begin = a;
-      for (const FloatVec edge : light.edges) {
-        const FloatVec end = clamp(edge, begin, b);
-        add(begin, end);
-        begin = end;
-      }
-      add(begin, b);
+      moment = mul_add(counted, middle, moment);
+    });
+    const FloatVec h = sqrt(h2);
+    const float panel = light.Panel();
+    angle = mean_inverse_square(a, b, h2) * (b - a) * h;
+    const auto is_wide = angle > wide_falloff * panel;
+    if (light.falloff.has_cone && !hn::AllFalse(d, is_wide)) {
+      FloatVec seen = zero;
+      FloatVec seen_moment = zero;
+      light.EachSmoothPart(a, b, [&](FloatVec begin, FloatVec end) HWY_ATTR {
+        AnglesOfPart(begin, end, h)
+            .Integrate(panel, [&](FloatVec weight, FloatVec sine, FloatVec cosine) HWY_ATTR {
+              const FloatVec here = weight * light.AtAngle(sine, cosine, h);
+              seen += here;
+              seen_moment = mul_add(here, h * sine / cosine, seen_moment);
+            });
+      });
+      sum = select(is_wide, seen / h, sum);
+      moment = select(is_wide, seen_moment / h, moment);
     }
     const auto is_lit = sum > zero;
     value = where(is_lit, sum / (b - a));
-    center = select(is_lit, moment / sum, 0.5f * (a + b));
+    center = select(is_lit, clamp(moment / max(sum, tiny), a, b), 0.5f * (a + b));
   }
 };
+
+// The mean over s in [a, b], which spans a wide angle at the light, of the falloff, 1 where `light`
+// is null, over r^2 times scattered(cosine of the angle by which light turns to the eye).
+template <class Scattered>
+HWY_INLINE FloatVec MeanOfWidePart(const FalloffRays* light, FloatVec a, FloatVec b, FloatVec h2,
+                                   float panel, Scattered scattered) {
+  const FloatVec h = sqrt(h2);
+  FloatVec sum = hn::Zero(FloatTag());
+  const auto add = [&](FloatVec begin, FloatVec end) HWY_ATTR {
+    AnglesOfPart(begin, end, h)
+        .Integrate(panel, [&](FloatVec weight, FloatVec sine, FloatVec cosine) HWY_ATTR {
+          if (light) weight *= light->AtAngle(sine, cosine, h);
+          sum = mul_add(weight, scattered(-sine), sum);
+        });
+  };
+  if (light) {
+    light->EachSmoothPart(a, b, add);
+  } else {
+    add(a, b);
+  }
+  return sum / max(h * (b - a), tiny);
+}
 
 }  // namespace brume::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

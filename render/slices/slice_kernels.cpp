@@ -235,6 +235,8 @@ HWY_INLINE void SumSlicesOf(const PathBatch& paths, const RaySlices& slices,
   }
   const bool has_view_extinction = scattering.view_extinction != 1.0f;
   const V view_extinction = set(scattering.view_extinction);
+  const float panel = phase_panel * (1.0f - std::abs(scattering.anisotropy));
+  const V min_wide_angle = set(wide_phase * panel);
   std::array<OpticalDepthTable::View, light_pack> tables{};
   for (std::size_t l = 0; l < lights.size(); ++l) {
     if (lights[l].table && !lights[l].table->empty()) tables[l] = lights[l].table->view();
@@ -302,13 +304,16 @@ HWY_INLINE void SumSlicesOf(const PathBatch& paths, const RaySlices& slices,
           const V last = part.center + part.half_length - ts[l];
           V falloff;
           V middle = part.center;
+          V angle = zero;  // that the slice spans at the light
           if (lights[l].falloff.is_isotropic()) {
             falloff = mean_inverse_square(first, last, h2[l]);
+            if (scattering.anisotropy != 0.0f) angle = falloff * (last - first) * sqrt(h2[l]);
           } else {
             const FalloffMean segment(falloffs[l], first, last, h2[l]);
             if (hn::AllFalse(d, segment.value > zero)) continue;
             falloff = segment.value;
             middle = ts[l] + segment.center;
+            angle = segment.angle;
           }
           const V along = middle - ts[l];
           const V distance = sqrt(mul_add(along, along, h2[l]));
@@ -319,23 +324,31 @@ HWY_INLINE void SumSlicesOf(const PathBatch& paths, const RaySlices& slices,
           if (tables[l].depths) {
             light_depth += Lookup(tables[l], q, lights[l].in_table, distance);
           }
-          V light = falloff * exp(light_depth * -lights[l].extinction);
+          V light = exp(light_depth * -lights[l].extinction);
           if (lights[l].shadows) light *= Lit(lights[l], q, distance);
-          V fraction = whole_fraction;
+          V scattered = falloff * whole_fraction;
           if (scattering.anisotropy != 0.0f) {
-            const V cosine = cos_theta(along, distance);
-            V phase = henyey_greenstein(cosine, scattering.anisotropy);
-            if (scattering.lobe_broadening) {
-              const V path = mul_add(0.5f, increment, depth + light_depth);
-              phase -= LobeLoss(scattering.lobe_broadening, cosine, scattering.albedo * path);
-            }
-            fraction *= phase;
-            if (has_view_extinction) {
+            const auto scattered_by = [&](V cosine) HWY_ATTR {
+              V phase = henyey_greenstein(cosine, scattering.anisotropy);
+              if (scattering.lobe_broadening) {
+                const V path = mul_add(0.5f, increment, depth + light_depth);
+                phase -= LobeLoss(scattering.lobe_broadening, cosine, scattering.albedo * path);
+              }
+              if (!has_view_extinction) return whole_fraction * phase;
               const V more = truncated_fraction - whole_fraction;
-              fraction = mul_add(more, TruncatedPhase(scattering, cosine), fraction);
+              return mul_add(more, TruncatedPhase(scattering, cosine), whole_fraction * phase);
+            };
+            scattered = falloff * scattered_by(cos_theta(along, distance));
+            const auto is_wide = angle > min_wide_angle;
+            if (!hn::AllFalse(d, hn::And(is_wide, falloff > zero))) {
+              const bool is_isotropic = lights[l].falloff.is_isotropic();
+              const V mean = MeanOfWidePart(
+                  is_isotropic ? nullptr : &falloffs[l], first, last, h2[l],
+                  is_isotropic ? panel : std::min(panel, falloffs[l].Panel()), scattered_by);
+              scattered = select(is_wide, mean, scattered);
             }
           }
-          sum[l] += where(matters, fraction * light);
+          sum[l] += where(matters, scattered * light);
         }
       }
       if (weights.lookups && ((k + 1) % slices_per_lookup == 0 || k + 2 == slices.count())) {

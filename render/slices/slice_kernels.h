@@ -25,9 +25,15 @@ constexpr float gauss_3_place = 0.774596669f;
 constexpr float gauss_3_end = 5.0f / 18.0f;
 constexpr float gauss_3_middle = 8.0f / 18.0f;
 
-// A photometric profile is sampled in steps of this angle at its light, where a slice spans more
-// than two [radians]: all slices of a ray together take 72.
-constexpr float profile_step = 0.0436332313f;
+// Where a slice spans a wide angle at its light, falloff and phase function are integrated over the
+// angle, over which light arrives evenly, by that rule on panels [radians]: of what is smooth
+// between the edges of a cone, of a photometric profile, and, times 1 - |g|, of the phase function,
+// whose peak is about so wide. What is narrower than a share of a panel is taken at its middle.
+constexpr float falloff_panel = 1.0f;
+constexpr float profile_panel = 0.13f;
+constexpr float phase_panel = 2.0f;
+constexpr float wide_falloff = 0.5f;
+constexpr float wide_phase = 0.25f;
 
 struct SliceLight {
   glm::vec3 position{0.0f};                  // relative to the rays' origin [u]
@@ -89,7 +95,7 @@ enum class SliceSums { total, running };
 
 // Single scattering summed front to back over the slices (K = slices.count() - 1):
 //   sum_k exp(-T_k) (1 - exp(-dT_k)) * mean of 1/r^2 over the slice * exp(-T(s, x_k)) / (4 pi)
-//   (times henyey_greenstein() at x_k)
+//   (times henyey_greenstein() at x_k, or its mean over the angle that the slice spans)
 // where x_k is the mean of what the slice holds, by `moments`, see accumulate_increments(), moved
 // to the front by what attenuates it in the slice, and the mean of 1/r^2 is taken around it as far
 // as what has that mean reaches, where the mean is of the falloff over r^2 for a spot, x_k then the

@@ -88,6 +88,27 @@ TEST(SpotLight, SlicedMatchesTheReference) {
   }
 }
 
+// A street's lamps, some a few centimetres off a ray: slices span wide angles at them, over which
+// cones and peaks of the phase function pass.
+TEST(SpotLight, LampsBesideRaysMatchTheReference) {
+  Scene scene;
+  scene.camera = {{1.0, 1.7, 22.0}, {0.0, 3.0, -10.0}, {0.0, 1.0, 0.0}, 55.0};
+  scene.film = {32, 24};
+  scene.medium.set_homogeneous_density(0.03);
+  const light::Spot downwards{{0.1, -1.0, 0.0}, 30.0, 70.0};
+  for (const Light::Kind& kind : {Light::Kind(light::Point()), Light::Kind(downwards)}) {
+    scene.lights.clear();
+    for (const double z : {12.0, -2.0, -16.0}) {
+      scene.lights.push_back({{z == -2.0 ? -5.0 : 5.0, 5.5, z}, glm::dvec3(80.0), kind});
+    }
+    for (const double g : {-0.7, 0.0, 0.5, 0.9}) {
+      scene.optics.anisotropy = g;
+      EXPECT_LT(airlight_error(scene, sliced(24), reference_settings()), 0.015) << g;
+      EXPECT_LT(airlight_error(scene, sliced(8), reference_settings()), 0.05) << g;
+    }
+  }
+}
+
 // Soft and hard edges; the film is the ray through the beam's axis. Within a slice the density is
 // the mean, so it takes many of them.
 TEST(SpotLight, NarrowBeamsAreTheIntegral) {

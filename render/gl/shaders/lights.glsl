@@ -30,9 +30,9 @@ float table_depth(int l, vec3 q, float distance_) {
   return lights[l].max_depth * mix(both.x, both.y, f);
 }
 
-// PROFILES is defined where lights of the medium have photometric profiles.
-// No loops below where one per slice and light can be avoided: a software device (llvmpipe) ends
-// all loops of a shader after 65535 rounds.
+// CONES is defined where lights of the medium have cones or photometric profiles, ANISOTROPIC where
+// the medium is: a software device (llvmpipe) ends all loops of a shader after 65535 rounds, and
+// goes through those of a branch not taken once.
 
 // PointSource::fog_length() from a point `distance_` from the light; `from_light`: unit.
 float length_in_fog(int l, vec3 point, vec3 from_light, float distance_) {
@@ -84,27 +84,42 @@ vec2 falloff_sample(int l, vec3 along, vec3 across, float h2, float s, float wei
   return vec2(inverse * falloff_at(l, (s * along - across) * inversesqrt(r2)), inverse);
 }
 
-#ifdef PROFILES
-// SampleProfile() of render/slices/slice_falloff-inl.h: the mean and the place.
-vec2 profile_mean(int l, vec3 along, vec3 across, float h2, float begin, float angle,
-                  float middle) {
-  const float h = sqrt(h2);
-  const int count = 1 + int(angle / profile_step);
-  const float step_ = angle / float(count);
-  const float first = atan(begin / h) + 0.5 * step_;
-  float sum = 0.0;
-  float moment = 0.0;
-  for (int i = 0; i < count; ++i) {
-    const float theta = first + float(i) * step_;
-    const float sine = sin(theta);
-    const float cosine = max(cos(theta), tiny);
-    const float value = falloff_at(l, sine * along - cosine / h * across);
-    sum += value;
-    moment += value * h * sine / cosine;
-  }
-  return vec2(sum / float(count), sum > 0.0 ? moment / sum : middle);
+// AnglesOfPart of render/slices/slice_falloff-inl.h: Gauss' rule over the angle that [begin, end] spans
+// at a light, h away from its nearest point.
+struct AnglesOfPart {
+  float first;
+  float step_;  // of a panel
+  int panels;
+};
+
+AnglesOfPart angles_of_part(float begin, float end, float h, float panel) {
+  const float first = atan(begin / h);
+  const float angle = max(atan(end / h) - first, 0.0);
+  const int panels = 1 + int(angle / panel);
+  return AnglesOfPart(first, angle / float(panels), panels);
 }
-#endif
+
+// The angle of node k, 0 to 2, of panel i.
+float angle_of_node(AnglesOfPart part, int i, int k) {
+  return part.first + part.step_ * (float(i) + 0.5 + 0.5 * gauss_3_place * float(k - 1));
+}
+
+float weight_of_node(AnglesOfPart part, int k) {
+  return part.step_ * (k == 1 ? gauss_3_middle : gauss_3_end);
+}
+
+// FalloffRays::AtAngle(): at an angle of this sine and cosine.
+float falloff_at_angle(int l, vec3 along, vec3 across, float sine, float cosine, float h) {
+  return falloff_at(l, sine * along - cosine / h * across);
+}
+
+bool has_cone(int l) {
+  return lights[l].falloff_shape == falloff_cone || lights[l].falloff_shape == falloff_profile;
+}
+
+float smooth_panel(int l) {
+  return lights[l].falloff_shape == falloff_profile ? profile_panel : falloff_panel;
+}
 
 // The light that arrives between begin and end, where the falloff is smooth, and that times their
 // middle.
@@ -116,22 +131,38 @@ vec2 falloff_part(int l, vec3 along, vec3 across, float h2, float begin, float e
   const vec2 sum = falloff_sample(l, along, across, h2, middle - place, gauss_3_end) +
                    falloff_sample(l, along, across, h2, middle, gauss_3_middle) +
                    falloff_sample(l, along, across, h2, middle + place, gauss_3_end);
-  const float unattenuated = mean_inverse_square(begin, end, h2) * width;
-  vec2 mean = vec2(sum.x / sum.y, middle);
-#ifdef PROFILES
-  if (lights[l].falloff_shape == falloff_profile) {
-    const float angle = unattenuated * sqrt(h2);
-    if (angle > 2.0 * profile_step) mean = profile_mean(l, along, across, h2, begin, angle, middle);
-    mean.y = clamp(mean.y, begin, end);
-  }
-#endif
-  const float arriving = unattenuated * mean.x;
-  return vec2(arriving, arriving * mean.y);
+  const float arriving = mean_inverse_square(begin, end, h2) * width * sum.x / sum.y;
+  return vec2(arriving, arriving * middle);
 }
 
-// The parts of a cone: between its dark and its full edges.
-vec2 cone_parts(int l, vec3 along, vec3 across, float h2, float a, float b) {
+// The same of a part that spans a wide angle.
+vec2 falloff_over_angle(int l, vec3 along, vec3 across, float h2, float begin, float end) {
+  const float h = sqrt(h2);
+  const AnglesOfPart part = angles_of_part(begin, end, h, smooth_panel(l));
+  vec2 sum = vec2(0.0);
+  for (int i = 0; i < part.panels; ++i) {
+    for (int k = 0; k < 3; ++k) {
+      const float theta = angle_of_node(part, i, k);
+      const float sine = sin(theta);
+      const float cosine = max(cos(theta), tiny);
+      const float here =
+          weight_of_node(part, k) * falloff_at_angle(l, along, across, sine, cosine, h);
+      sum += here * vec2(1.0 / h, sine / cosine);
+    }
+  }
+  return sum;
+}
+
+// The ends of the parts of [a, b] on which a falloff is smooth, ascending: between the dark and the
+// full edges of a cone, and beside the plane of a cosine.
+float[6] smooth_parts(int l, vec3 along, vec3 across, float h2, float a, float b) {
   float ends[6] = float[](a, b, b, b, b, b);
+  if (lights[l].falloff_shape == falloff_isotropic) return ends;
+  if (!has_cone(l)) {
+    if (along.z != 0.0) ends[1] = clamp(across.z / along.z, a, b);
+    return ends;
+  }
+#ifdef CONES
   for (int edge = 0; edge < 2; ++edge) {
     const float versine = lights[l].dark_versine - (edge == 0 ? 0.0 : 1.0 / lights[l].per_versine);
     const vec2 crossings = clamp(cone_edges(along, across, h2, versine, endless), a, b);
@@ -145,25 +176,32 @@ vec2 cone_parts(int l, vec3 along, vec3 across, float h2, float a, float b) {
       ends[k] = low;
     }
   }
-  vec2 sum = vec2(0.0);
-  for (int i = 0; i < 5; ++i) sum += falloff_part(l, along, across, h2, ends[i], ends[i + 1]);
-  return sum;
+#endif
+  return ends;
 }
 
 // FalloffMean of render/slices/slice_falloff-inl.h: the mean of the falloff over r^2 over [a, b]
-// from the point nearest to the light, and the middle of what is lit. `offset`: from there to the
-// light.
-vec2 falloff_mean(int l, vec3 w, vec3 offset, float a, float b, float h2) {
-  const vec3 along = in_profile(l, w);
-  const vec3 across = in_profile(l, offset);
-  const int shape = lights[l].falloff_shape;
-  vec2 sum;
-  if (shape == falloff_cone || shape == falloff_profile) {
-    sum = cone_parts(l, along, across, h2, a, b);
-  } else {
-    const float plane = along.z != 0.0 ? clamp(across.z / along.z, a, b) : b;
-    sum = falloff_part(l, along, across, h2, a, plane) +
-          falloff_part(l, along, across, h2, plane, b);
+// from the point nearest to the light, and the middle of what is lit. `along` and `across`: the
+// ray's direction and the offset from there to the light, as in_profile() has them; `angle`: that
+// [a, b] spans at the light.
+vec2 falloff_mean(int l, vec3 along, vec3 across, float a, float b, float h2, float angle) {
+  const float[6] ends = smooth_parts(l, along, across, h2, a, b);
+  vec2 sum = falloff_part(l, along, across, h2, ends[0], ends[1]) +
+             falloff_part(l, along, across, h2, ends[1], ends[2]);
+#ifdef CONES
+  if (has_cone(l)) {
+    if (angle > wide_falloff * smooth_panel(l)) {
+      sum = vec2(0.0);
+      for (int i = 0; i < 5; ++i) {
+        sum += falloff_over_angle(l, along, across, h2, ends[i], ends[i + 1]);
+      }
+    } else {
+      sum += falloff_part(l, along, across, h2, ends[2], ends[3]) +
+             falloff_part(l, along, across, h2, ends[3], ends[4]) +
+             falloff_part(l, along, across, h2, ends[4], ends[5]);
+    }
   }
-  return sum.x > 0.0 ? vec2(sum.x / (b - a), sum.y / sum.x) : vec2(0.0, 0.5 * (a + b));
+#endif
+  return sum.x > 0.0 ? vec2(sum.x / (b - a), clamp(sum.y / sum.x, a, b))
+                     : vec2(0.0, 0.5 * (a + b));
 }

@@ -59,6 +59,45 @@ ivec3 slices_of(uint i, CenterRay ray, int first, int last) {
   return ivec3(range, first == 0 || t - slack >= farthest[first] ? 1 : 0);
 }
 
+#ifdef ANISOTROPIC
+// What a slice scatters: the fractions of the whole and of the truncated phase function, and the
+// optical depth of the path by its middle.
+struct SliceScattering {
+  float whole, truncated;
+  float path;
+};
+
+float scattered_by(float cosine, SliceScattering slice) {
+  float phase_function = henyey_greenstein(cosine, anisotropy);
+  if (source_broadening_at > 0) phase_function -= lobe_loss(cosine, albedo * slice.path);
+  if (view_extinction == 1.0) return slice.whole * phase_function;
+  float truncated = truncated_phase[3];
+  for (int i = 2; i >= 0; --i) truncated = truncated * cosine + truncated_phase[i];
+  return slice.whole * phase_function + (slice.truncated - slice.whole) * truncated;
+}
+
+// MeanOfWidePart() of render/slices/slice_falloff-inl.h, of a part, times its length and the distance.
+float scattered_over_angle(int l, vec3 along, vec3 across, float h2, float begin, float end,
+                           float panel, SliceScattering slice) {
+  if (!(end > begin)) return 0.0;
+  const float h = sqrt(h2);
+  const AnglesOfPart part = angles_of_part(begin, end, h, panel);
+  const bool is_isotropic = lights[l].falloff_shape == falloff_isotropic;
+  float sum = 0.0;
+  for (int i = 0; i < part.panels; ++i) {
+    for (int k = 0; k < 3; ++k) {
+      const float theta = angle_of_node(part, i, k);
+      const float sine = sin(theta);
+      const float falloff =
+          is_isotropic ? 1.0
+                       : falloff_at_angle(l, along, across, sine, max(cos(theta), tiny), h);
+      sum += weight_of_node(part, k) * falloff * scattered_by(-sine, slice);
+    }
+  }
+  return sum;
+}
+#endif
+
 void main() {
   const uint id = gl_LocalInvocationID.x;
   const PixelOfGroup pixel = pixel_of_group();
@@ -207,10 +246,17 @@ void main() {
           float middle = part.center;
           const float begin_ = part.center - part.half_length - ts;
           const float end_ = part.center + part.half_length - ts;
-          if (lights[l].falloff_shape == falloff_isotropic) {
-            falloff = mean_inverse_square(begin_, end_, h2);
+          const bool is_isotropic = lights[l].falloff_shape == falloff_isotropic;
+          const float unattenuated = mean_inverse_square(begin_, end_, h2);
+          const float angle = unattenuated * (end_ - begin_) * sqrt(h2);
+          vec3 along_light = vec3(0.0);
+          vec3 across_light = vec3(0.0);
+          if (is_isotropic) {
+            falloff = unattenuated;
           } else {
-            const vec2 mean = falloff_mean(l, w, offset, begin_, end_, h2);
+            along_light = in_profile(l, w);
+            across_light = in_profile(l, offset);
+            const vec2 mean = falloff_mean(l, along_light, across_light, begin_, end_, h2, angle);
             if (!(mean.x > 0.0)) continue;
             falloff = mean.x;
             middle = ts + mean.y;
@@ -221,24 +267,30 @@ void main() {
           const vec3 q = point - lights[l].map_origin.xyz;
           float light_depth = b0 * length_in_fog(l, point, (middle * w - s) / distance_, distance_);
           if (lights[l].has_table != 0) light_depth += table_depth(l, q, distance_);
-          float light = falloff * exp(-light_extinction * light_depth);
-          float fraction = whole_fraction;
-          if (anisotropy != 0.0) {
-            const float c = cos_theta(along, distance_);
-            float phase_function = henyey_greenstein(c, anisotropy);
-            if (source_broadening_at > 0) {
-              const float path_depth = depth + 0.5 * increment + light_depth;
-              phase_function -= lobe_loss(c, albedo * path_depth);
-            }
-            fraction *= phase_function;
-            if (view_extinction != 1.0) {
-              float truncated = truncated_phase[3];
-              for (int i = 2; i >= 0; --i) truncated = truncated * c + truncated_phase[i];
-              fraction += (truncated_fraction - whole_fraction) * truncated;
+          float light = exp(-light_extinction * light_depth);
+          float reaching = falloff * whole_fraction;
+#ifdef ANISOTROPIC
+          {
+            const SliceScattering slice = SliceScattering(
+                whole_fraction, truncated_fraction, depth + 0.5 * increment + light_depth);
+            const float panel = phase_panel * (1.0 - abs(anisotropy));
+            if (angle > wide_phase * panel) {
+              const float[6] ends =
+                  smooth_parts(l, along_light, across_light, h2, begin_, end_);
+              float sum = 0.0;
+              for (int i = 0; i < (is_isotropic ? 1 : 5); ++i) {
+                sum += scattered_over_angle(l, along_light, across_light, h2, ends[i], ends[i + 1],
+                                            is_isotropic ? panel : min(panel, smooth_panel(l)),
+                                            slice);
+              }
+              reaching = sum / max(sqrt(h2) * (end_ - begin_), tiny);
+            } else {
+              reaching = falloff * scattered_by(cos_theta(along, distance_), slice);
             }
           }
+#endif
           if (lights[l].has_shadows != 0) light *= lit(l, q, distance_);
-          airlight += lights[l].intensity * (isotropic_phase * fraction * light);
+          airlight += lights[l].intensity * (isotropic_phase * reaching * light);
         }
       }
       depth += increment;
