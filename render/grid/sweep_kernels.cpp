@@ -218,15 +218,20 @@ void each_occluded(const SweepOcclusion& occlusion, const Sweep& sweep, std::ptr
   }
 }
 
+// Whether light enters the grid at a node.
+bool is_entry(const Sweep& sweep, std::size_t slab, std::size_t v, std::size_t u) {
+  return slab == 0 || (sweep.shift_v < 0.0f && v == 0) ||
+         (sweep.shift_v > 0.0f && v + 1 == sweep.rows) || (sweep.shift_u < 0.0f && u == 0) ||
+         (sweep.shift_u > 0.0f && u + 1 == sweep.columns);
+}
+
 // Replaces the light of nodes of a row where it enters the grid by at(u).
 template <class At>
 void let_in(const Sweep& sweep, std::size_t slab, std::size_t v, Slab& light, At at) {
   float* values = light.row(v);
-  const bool whole_row = slab == 0 || (sweep.shift_v < 0.0f && v == 0) ||
-                         (sweep.shift_v > 0.0f && v + 1 == sweep.rows);
-  for (std::size_t u = 0; whole_row && u < sweep.columns; ++u) values[u] = at(u);
-  if (sweep.shift_u < 0.0f) values[0] = at(0);
-  if (sweep.shift_u > 0.0f) values[sweep.columns - 1] = at(sweep.columns - 1);
+  for (std::size_t u = 0; u < sweep.columns; ++u) {
+    if (is_entry(sweep, slab, v, u)) values[u] = at(u);
+  }
 }
 
 // Continues a slab beyond its ends.
@@ -279,9 +284,15 @@ void SweepTransmittance(const GridNodes& nodes, std::span<const float> density, 
         });
       }
       each_occluded(occlusion, sweep, row, [&](std::size_t u, const OccludedNode& node) {
+        float& here = light.now.row(v)[u];
+        const Seen seen(upwind, node, light.before, u, v);
+        if (!inflow.empty() && is_entry(sweep, k, v, u)) {
+          here *= seen.weight;
+          return;
+        }
         const float far = Seen(upwind, node, b.before, u, v).mean();
         const float depth = 0.5f * sweep.length * (b.now.row(v)[u] + far);
-        light.now.row(v)[u] = Seen(upwind, node, light.before, u, v).sum * std::exp(-depth);
+        here = seen.sum * std::exp(-depth);
       });
       sweep.write(light.now.row(v), transmittance.data() + row);
     }

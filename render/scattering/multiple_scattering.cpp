@@ -333,7 +333,13 @@ bool MultipleScattering::update(const Input& input, const Job& job) {
       if (level.surfaces) add(reflected_light(*level.surfaces, scattered), light.reflected);
       const SourceGrid::Level& finer = levels[k - 1];
       remove_within(finer, level, light);
-      outer.insert(outer.begin(), {media[k], std::move(light.incident), std::move(light.reflected),
+      GridMedium around = media[k];
+      if (finer.holds_surfaces) {
+        // Coarse nodes behind its walls would darken its border.
+        around.surfaces = nullptr;
+        light.reflected.clear();
+      }
+      outer.insert(outer.begin(), {around, std::move(light.incident), std::move(light.reflected),
                                    Resampling(level.first, level.nodes, finer.first, finer.nodes)});
     }
     if (outside) add(outside->values, scattered.values);

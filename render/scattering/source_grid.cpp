@@ -120,6 +120,10 @@ glm::dvec3 node_position(const SourceGrid::Level& level, std::size_t node) {
   return level.first + spacing * glm::dvec3(node_coordinates(level.nodes, node));
 }
 
+glm::dvec3 last_position(const SourceGrid::Level& level) {
+  return node_position(level, level.nodes.size() - 1);
+}
+
 // Share of a cell around each node that is in the fog; empty: all.
 std::vector<float> fog_shares(const SourceGrid::Level& level, const FogBall& ball) {
   if (ball.is_endless()) return {};
@@ -162,7 +166,7 @@ Transmitted transmitted_light(const SourceGrid::Level& level, const SourceGrid::
       thread_local std::vector<float> inflow;
       const glm::vec3 w(current[k].light.direction);
       inflow.clear();
-      if (surfaces && coarse) {
+      if (surfaces && coarse && !level.holds_surfaces) {
         around.resize(coarse->nodes.size());
         inflow.resize(nodes);
         sweep_transmittance(coarse->nodes, coarse->density, w, occlusion_of(*coarse), {}, around);
@@ -383,7 +387,10 @@ SourceGrid::SourceGrid(std::span<const GaussianTerm<double>> gaussians,
     Level& level = levels_[k];
     level.density = density_on_grid(gaussians, level.first, level.nodes, job);
     if (content.fog_density > 0.0) level.fog = fog_shares(level, content.fog_ball);
-    if (content.surfaces) level.surfaces = content.surfaces->at(k, level.first, level.nodes, job);
+    if (content.surfaces) {
+      level.surfaces = content.surfaces->at(k, level.first, level.nodes, job);
+      level.holds_surfaces = contains(level.first, last_position(level), content.surfaces->bounds());
+    }
     if (content.emission) add_optics(gaussians, content, level, job);
   }
   for (std::size_t k = 0; k < levels_.size(); ++k) {

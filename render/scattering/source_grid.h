@@ -135,6 +135,8 @@ class SourceGrid {
     NodeLight transmitted;
     std::vector<float> reflected;
     std::shared_ptr<const GridOcclusion> surfaces;  // null: none
+    // It has all surfaces within it: on the way to its border there are none.
+    bool holds_surfaces = false;
 
     // Whether it is a point light to the grid, which else holds what it stands for: it is not
     // large, nor beside surfaces, to which nodes would be too far from it.

@@ -1,0 +1,56 @@
+// Light of all orders in a room with a window, as its walls let it in.
+
+#include <gtest/gtest.h>
+
+#include "render/renderer.h"
+#include "tests/render/test_scenes.h"
+
+namespace brume {
+namespace {
+
+Surface block(const glm::dvec3& low, const glm::dvec3& high) {
+  Surface surface;
+  surface.primitive = Primitive{Primitive::Shape::box, high - low};
+  surface.mesh = mesh_of(*surface.primitive);
+  surface.translate = 0.5 * (low + high);
+  surface.material.reflectance = glm::dvec3(0.5);
+  return surface;
+}
+
+// Six by seven by three, walls of 0.2; the window is in the wall towards +x, which the camera does
+// not see.
+Scene room_with_window() {
+  Scene scene;
+  scene.film = {16, 12};
+  scene.camera = {{2.5, 1.6, 2.9}, {-2.0, 1.2, -1.5}, {0, 1, 0}, 60.0};
+  scene.medium.set_homogeneous_density(0.05);
+  scene.surfaces = {
+      block({-3.2, -0.2, -3.7}, {3.2, 0.0, 3.7}), block({-3.2, 3.0, -3.7}, {3.2, 3.2, 3.7}),
+      block({-3.2, 0.0, -3.7}, {-3.0, 3.0, 3.7}), block({-3.0, 0.0, -3.7}, {3.2, 3.0, -3.5}),
+      block({-3.0, 0.0, 3.5}, {3.2, 3.0, 3.7}),   block({3.0, 0.0, -3.5}, {3.2, 0.9, 3.5}),
+      block({3.0, 2.3, -3.5}, {3.2, 3.0, 3.5}),   block({3.0, 0.9, -3.5}, {3.2, 2.3, -1.5}),
+      block({3.0, 0.9, 1.0}, {3.2, 2.3, 3.5})};
+  return scene;
+}
+
+const Settings of_all_orders = sliced(Settings{}.slices, Scattering::multiple);
+
+// The grid ends at the outer walls: what lights these from outside did light the room.
+TEST(Rooms, AreDarkUnderASunThatShinesOnTheirBack) {
+  Scene scene = room_with_window();
+  scene.medium.set_homogeneous_density(1e-5);
+  scene.lights = {{{}, glm::dvec3(3.0), light::Directional{.direction = {0.85, -0.07, -0.5}}}};
+  const Frame frame = render_frame(scene, of_all_orders);
+  for (std::size_t i = 0; i < frame.depth.size(); ++i) EXPECT_LT(frame.beauty[4 * i], 1e-3f) << i;
+}
+
+TEST(Rooms, AreLitThroughAWindowAsByPaths) {
+  Scene scene = room_with_window();
+  scene.environment.emplace().map = constant_sky(1.0f);
+  const Difference picture = difference(render_frame(scene, of_all_orders).beauty,
+                                        render_frame(scene, path_traced(512)).beauty);
+  EXPECT_NEAR(picture.bias, 0.0, 0.04);
+}
+
+}  // namespace
+}  // namespace brume
