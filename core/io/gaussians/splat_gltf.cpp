@@ -7,7 +7,6 @@
 #include <cmath>
 #include <glm/mat3x3.hpp>
 #include <map>
-#include <string>
 #include <string_view>
 #include <utility>
 
@@ -29,8 +28,7 @@ constexpr std::string_view color_name = "KHR_gaussian_splatting:SH_DEGREE_0_COEF
 
 // An empty medium has no primitive.
 bool uses_splats(GltfFile& file) {
-  JsonObject root(file.context(), file.root(), file.path());
-  const Json::array_t& used = root.array("extensionsUsed", limits::keys);
+  const Json::array_t& used = file.root().array("extensionsUsed", limits::keys);
   return std::ranges::count(used, Json(splat_extension)) > 0;
 }
 
@@ -99,27 +97,19 @@ class GltfSplatReader {
   };
 
   void add_node(std::size_t index) {
-    const JsonPath list = file_.path().member("nodes");
-    const std::size_t element = nodes_[index].element;
-    const JsonPath path = list.element(element);
-    JsonObject object(file_.context(), file_.list("nodes")[element], path);
+    JsonObject object = file_.object("nodes", nodes_[index].element);
     const auto mesh = file_.index(object, "mesh", "meshes");
     if (mesh) meshes_[*mesh].nodes.push_back(index);
   }
 
   void count_mesh(std::size_t index) {
     if (meshes_[index].nodes.empty()) return;
-    const JsonPath list = file_.path().member("meshes");
-    const JsonPath path = list.element(index);
-    JsonObject mesh(file_.context(), file_.list("meshes")[index], path);
+    JsonObject mesh = file_.object("meshes", index);
     const Json::array_t& primitives = mesh.array("primitives", limits::surfaces);
-    const JsonPath primitives_path = path.member("primitives");
     for (std::size_t i = 0; i < primitives.size(); ++i) {
-      const JsonPath primitive_path = primitives_path.element(i);
-      JsonObject primitive(file_.context(), primitives[i], primitive_path);
+      JsonObject primitive(file_.context(), primitives[i], mesh.path_of("primitives").element(i));
       if (!are_splats(primitive)) continue;
-      const JsonPath attributes_path = primitive.path_of("attributes");
-      JsonObject attributes(file_.context(), primitive.required("attributes"), attributes_path);
+      JsonObject attributes = primitive.object("attributes");
       meshes_[index].primitives.push_back(i);
       meshes_[index].count += file_.count(accessor(attributes, "POSITION"));
     }
@@ -127,18 +117,14 @@ class GltfSplatReader {
 
   // Whether a primitive has splats; throws if they cannot be read.
   bool are_splats(JsonObject& primitive) {
-    const Json* extensions = primitive.find("extensions");
-    if (extensions == nullptr) return false;
-    const JsonPath path = primitive.path_of("extensions");
-    JsonObject all(file_.context(), *extensions, path);
-    const Json* splats = all.find(splat_extension);
-    if (splats == nullptr) return false;
-    const JsonPath splats_path = all.path_of(splat_extension);
-    JsonObject object(file_.context(), *splats, splats_path);
-    object.choice("kernel", {"ellipse"}, 0);
-    if (const Json* inner = object.find("extensions"); inner != nullptr && !inner->empty()) {
-      object.fail("extensions", "found " + quoted_json(*inner) +
-                                    "; allowed: splats that are not compressed or extended");
+    auto extensions = primitive.find_object("extensions");
+    if (!extensions) return false;
+    auto splats = extensions->find_object(splat_extension);
+    if (!splats) return false;
+    splats->choice("kernel", {"ellipse"}, 0);
+    if (const Json* inner = splats->find("extensions"); inner != nullptr && !inner->empty()) {
+      splats->fail("extensions", "found " + quoted_json(*inner) +
+                                     "; allowed: splats that are not compressed or extended");
     }
     if (primitive.integer("mode", 0, 6, 4) != 0) {
       primitive.fail("mode", "allowed for splats: 0, points");
@@ -152,13 +138,10 @@ class GltfSplatReader {
   }
 
   void read_primitive(std::size_t mesh, std::size_t index, bool has_albedos, MeshSplats& read) {
-    const JsonPath list = file_.path().member("meshes");
-    const JsonPath mesh_path = list.element(mesh);
-    const JsonPath primitives = mesh_path.member("primitives");
-    const JsonPath path = primitives.element(index);
-    JsonObject primitive(file_.context(), file_.list("meshes")[mesh]["primitives"][index], path);
-    const JsonPath attributes_path = primitive.path_of("attributes");
-    JsonObject attributes(file_.context(), primitive.required("attributes"), attributes_path);
+    JsonObject owner = file_.object("meshes", mesh);
+    JsonObject primitive(file_.context(), owner.required("primitives")[index],
+                         owner.path_of("primitives").element(index));
+    JsonObject attributes = primitive.object("attributes");
     const auto values = [&](std::string_view name, std::size_t components) {
       return file_.numbers(attributes.path_of(name), accessor(attributes, name), components);
     };
@@ -174,8 +157,8 @@ class GltfSplatReader {
     for (const std::size_t found :
          {rotations.size() / 4, scales.size() / 3, opacities.size(), colors.size() / 3}) {
       if (found == count) continue;
-      file_.context().fail(attributes_path, "found " + std::to_string(found) + " values for " +
-                                                std::to_string(count) + " splats");
+      file_.context().fail(attributes.path(), "found " + std::to_string(found) + " values for " +
+                                                  std::to_string(count) + " splats");
     }
     const auto check = [&](std::string_view name, const NumberDomain& domain, double value) {
       if (domain.contains(value)) return;
@@ -202,10 +185,8 @@ class GltfSplatReader {
   }
 
   bool has_linear_colors(JsonObject& primitive) {
-    const JsonPath path = primitive.path_of("extensions");
-    JsonObject all(file_.context(), primitive.required("extensions"), path);
-    const JsonPath splats_path = all.path_of(splat_extension);
-    JsonObject splats(file_.context(), all.required(splat_extension), splats_path);
+    JsonObject extensions = primitive.object("extensions");
+    JsonObject splats = extensions.object(splat_extension);
     return splats.choice("colorSpace", {"srgb_rec709_display", "lin_rec709_display"}, 0) == 1;
   }
 
@@ -221,8 +202,7 @@ class GltfSplatReader {
                                          {scale_name, scale_name, scale_name},
                                          opacity_name,
                                          {color_name, color_name, color_name}};
-    const JsonPath list = file_.path().member("nodes");
-    const JsonPath path = list.element(node.element);
+    const JsonPath path = file_.path().member("nodes").element(node.element);
     for (std::size_t i = 0; i < read.splats.size(); ++i) {
       const Splat& splat = read.splats[i];
       Gaussian g = gaussian_of(splat, along);

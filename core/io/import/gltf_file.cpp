@@ -121,14 +121,13 @@ void GltfFile::read_binary(std::string_view bytes) {
 }
 
 void GltfFile::check_version() {
-  JsonObject root(context_, root_, root_path_);
-  const JsonPath path = root.path_of("asset");
-  JsonObject asset(context_, root.required("asset"), path);
+  JsonObject top = root();
+  JsonObject asset = top.object("asset");
   const std::string version = asset.text("version", {});
   if (!version.starts_with("2.")) {
     asset.fail("version", "found " + quoted_text(version) + "; allowed: 2.0");
   }
-  check_extensions(root);
+  check_extensions(top);
 }
 
 void GltfFile::check_extensions(JsonObject& root) {
@@ -158,7 +157,11 @@ void GltfFile::check_extensions(JsonObject& root) {
 
 const Json::array_t& GltfFile::list(std::string_view key) {
   constexpr std::size_t longest = 1 << 20;
-  return JsonObject(context_, root_, root_path_).array(key, longest);
+  return root().array(key, longest);
+}
+
+JsonObject GltfFile::object(std::string_view list, std::size_t index) {
+  return {context_, this->list(list)[index], root_path_.member(list).element(index)};
 }
 
 std::optional<std::size_t> GltfFile::index(JsonObject& object, std::string_view key,
@@ -169,9 +172,8 @@ std::optional<std::size_t> GltfFile::index(JsonObject& object, std::string_view 
   return static_cast<std::size_t>(object.integer(key, 0, static_cast<std::int64_t>(count) - 1, 0));
 }
 
-GltfFile::Accessor GltfFile::accessor(const JsonPath& path, std::size_t index,
-                                      std::size_t components) {
-  JsonObject object(context_, list("accessors")[index], path);
+GltfFile::Accessor GltfFile::accessor(std::size_t index, std::size_t components) {
+  JsonObject object = this->object("accessors", index);
   Accessor result;
   result.type = object.integer("componentType", i8, f32, 0);
   if (object.find("componentType") == nullptr || result.type == 5124) {
@@ -189,9 +191,7 @@ GltfFile::Accessor GltfFile::accessor(const JsonPath& path, std::size_t index,
       static_cast<std::size_t>(object.integer("count", 1, view ? max_bytes : max_zeros, 1));
   if (!view) return result;
   result.bytes = buffer_view(*view);
-  const JsonPath views = root_path_.member("bufferViews");
-  const JsonPath view_path = views.element(*view);
-  JsonObject of_view(context_, list("bufferViews")[*view], view_path);
+  JsonObject of_view = this->object("bufferViews", *view);
   result.stride = of_view.find("byteStride")
                       ? static_cast<std::size_t>(of_view.integer("byteStride", 1, 252, 4))
                       : size;
@@ -221,13 +221,11 @@ std::vector<float> GltfFile::read(const JsonPath& path, const Accessor& accessor
 
 void GltfFile::apply_sparse(const JsonPath& path, const Json& sparse, const Accessor& accessor,
                             std::vector<float>& values) {
-  const JsonPath sparse_path = path.member("sparse");
-  JsonObject object(context_, sparse, sparse_path);
+  JsonObject object(context_, sparse, path.member("sparse"));
   const auto count = static_cast<std::size_t>(
       object.integer("count", 0, static_cast<std::int64_t>(accessor.count), 0));
   const auto part = [&](const char* key, std::int64_t type, std::size_t components) {
-    const JsonPath part_path = sparse_path.member(key);
-    JsonObject part_object(context_, object.required(key), part_path);
+    JsonObject part_object = object.object(key);
     static_cast<void>(part_object.required("bufferView"));
     Accessor result = accessor;
     result.type = type != 0 ? type : part_object.integer("componentType", u8, u32, u16);
@@ -260,9 +258,8 @@ void GltfFile::apply_sparse(const JsonPath& path, const Json& sparse, const Acce
 
 std::vector<float> GltfFile::numbers(const JsonPath& user, std::size_t index,
                                      std::size_t components) {
-  const JsonPath accessors = root_path_.member("accessors");
-  const JsonPath path = accessors.element(index);
-  const Accessor found = accessor(path, index, components);
+  const JsonPath path = root_path_.member("accessors").element(index);
+  const Accessor found = accessor(index, components);
   if (found.components != components) {
     context_.fail(user, "refers to " + path.text() + ", which has " +
                             std::to_string(found.components) +
@@ -272,14 +269,12 @@ std::vector<float> GltfFile::numbers(const JsonPath& user, std::size_t index,
 }
 
 std::size_t GltfFile::count(std::size_t index) {
-  const JsonPath accessors = root_path_.member("accessors");
-  return accessor(accessors.element(index), index).count;
+  return accessor(index).count;
 }
 
 std::vector<std::uint32_t> GltfFile::indices(const JsonPath& user, std::size_t index) {
-  const JsonPath accessors = root_path_.member("accessors");
-  const JsonPath path = accessors.element(index);
-  const Accessor found = accessor(path, index);
+  const JsonPath path = root_path_.member("accessors").element(index);
+  const Accessor found = accessor(index);
   const bool is_index = found.type == u8 || found.type == u16 || found.type == u32;
   if (!is_index || found.components != 1 || found.is_normalized || found.sparse != nullptr) {
     context_.fail(user, "refers to " + path.text() + "; allowed: one with unsigned integers");
@@ -311,9 +306,7 @@ std::string GltfFile::compression(const Json* extensions, std::size_t index) {
 }
 
 std::string_view GltfFile::buffer_view(std::size_t view) {
-  const JsonPath views = root_path_.member("bufferViews");
-  const JsonPath path = views.element(view);
-  JsonObject object(context_, list("bufferViews")[view], path);
+  JsonObject object = this->object("bufferViews", view);
   static_cast<void>(object.required("buffer"));
   const std::string_view bytes = buffer(*index(object, "buffer", "buffers"));
   const auto offset = static_cast<std::size_t>(object.integer("byteOffset", 0, max_bytes, 0));
@@ -330,9 +323,7 @@ std::string_view GltfFile::buffer(std::size_t index) {
   buffers_.resize(list("buffers").size());
   std::optional<std::string>& bytes = buffers_[index];
   if (bytes) return *bytes;
-  const JsonPath buffers = root_path_.member("buffers");
-  const JsonPath path = buffers.element(index);
-  JsonObject object(context_, list("buffers")[index], path);
+  JsonObject object = this->object("buffers", index);
   if (object.find("uri") == nullptr) {
     if (index > 0) object.fail("uri", "missing");
     bytes = std::move(chunk_).value_or("");

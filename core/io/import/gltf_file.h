@@ -25,10 +25,12 @@ class GltfFile {
 
   [[nodiscard]] JsonContext& context() { return context_; }
   [[nodiscard]] const JsonPath& path() const { return root_path_; }
-  [[nodiscard]] const Json& root() const { return root_; }
+  [[nodiscard]] JsonObject root() { return {context_, root_, root_path_}; }
 
   // The elements of a list at the top, such as `nodes`; empty if missing.
   [[nodiscard]] const Json::array_t& list(std::string_view key);
+  // One of them.
+  [[nodiscard]] JsonObject object(std::string_view list, std::size_t index);
   // The member `key` of an object, an index into the list `of`; nullopt if missing.
   std::optional<std::size_t> index(JsonObject& object, std::string_view key, std::string_view of);
 
@@ -64,7 +66,7 @@ class GltfFile {
   void read_binary(std::string_view bytes);
   void check_version();
   void check_extensions(JsonObject& root);
-  Accessor accessor(const JsonPath& path, std::size_t index, std::size_t components = 1);
+  Accessor accessor(std::size_t index, std::size_t components = 1);
   std::vector<float> read(const JsonPath& path, const Accessor& accessor);
   void apply_sparse(const JsonPath& path, const Json& sparse, const Accessor& accessor,
                     std::vector<float>& values);

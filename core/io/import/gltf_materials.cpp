@@ -32,8 +32,7 @@ TextureWrap wrap_of(JsonObject& sampler, const char* key) {
 }
 
 // KHR_texture_transform: scaled, rotated counterclockwise (with v down), moved.
-void read_transform(GltfFile& file, const Json& value, const JsonPath& path, TextureUse& use) {
-  JsonObject object(file.context(), value, path);
+void read_transform(JsonObject& object, TextureUse& use) {
   const glm::dvec2 offset = object.pair("offset", domain::coordinate, glm::dvec2(0.0));
   const glm::dvec2 scale = object.pair("scale", domain::coordinate, glm::dvec2(1.0));
   const double angle = object.number("rotation", domain::coordinate, 0.0);
@@ -51,20 +50,13 @@ std::optional<TextureUse> read_texture_use(GltfFile& file, GltfImages& images, J
   const std::size_t index = *file.index(object, "index", "textures");
   TextureUse use;
   use.texcoord_set = static_cast<std::size_t>(object.integer("texCoord", 0, max_set, 0));
-  if (const Json* extensions = object.find("extensions")) {
-    const JsonPath path = object.path_of("extensions");
-    JsonObject all(file.context(), *extensions, path);
-    if (const Json* transform = all.find("KHR_texture_transform")) {
-      read_transform(file, *transform, all.path_of("KHR_texture_transform"), use);
-    }
+  if (auto extensions = object.find_object("extensions")) {
+    auto transform = extensions->find_object("KHR_texture_transform");
+    if (transform) read_transform(*transform, use);
   }
-  const JsonPath textures = file.path().member("textures");
-  const JsonPath path = textures.element(index);
-  JsonObject texture(file.context(), file.list("textures")[index], path);
+  JsonObject texture = file.object("textures", index);
   if (const auto sampler_index = file.index(texture, "sampler", "samplers")) {
-    const JsonPath samplers = file.path().member("samplers");
-    const JsonPath sampler_path = samplers.element(*sampler_index);
-    JsonObject sampler(file.context(), file.list("samplers")[*sampler_index], sampler_path);
+    JsonObject sampler = file.object("samplers", *sampler_index);
     use.texture.wrap_u = wrap_of(sampler, "wrapS");
     use.texture.wrap_v = wrap_of(sampler, "wrapT");
   }
@@ -88,12 +80,10 @@ class Textures {
   // The texture `key` of an object, the `slot`th of textures_of(); the object of its reference
   // is handed to `read` for what else it has.
   void read(JsonObject& owner, const char* key, std::size_t slot, auto&& read_more) {
-    const Json* value = owner.find(key);
-    if (value == nullptr) return;
-    const JsonPath path = owner.path_of(key);
-    JsonObject object(file_.context(), *value, path);
-    read_more(object);
-    const std::optional<TextureUse> use = read_texture_use(file_, images_, object);
+    auto object = owner.find_object(key);
+    if (!object) return;
+    read_more(*object);
+    const std::optional<TextureUse> use = read_texture_use(file_, images_, *object);
     if (!use) return;
     material_.material.textures[slot] = use->texture;
     if (!has_any_) {
@@ -102,7 +92,7 @@ class Textures {
       has_any_ = true;
     } else if (material_.texcoord_set != use->texcoord_set ||
                material_.texcoord_transform != use->transform) {
-      file_.context().warn(path,
+      file_.context().warn(object->path(),
                            "has texture coordinates of its own: those of the material's first "
                            "texture are used");
     }
@@ -116,37 +106,30 @@ class Textures {
 };
 
 double emissive_strength(GltfFile& file, JsonObject& material) {
-  const Json* extensions = material.find("extensions");
-  if (extensions == nullptr) return 1.0;
-  const JsonPath path = material.path_of("extensions");
-  JsonObject all(file.context(), *extensions, path);
-  const Json* strength = all.find("KHR_materials_emissive_strength");
-  if (strength == nullptr) return 1.0;
-  const JsonPath strength_path = all.path_of("KHR_materials_emissive_strength");
-  JsonObject object(file.context(), *strength, strength_path);
-  return nearest_number(file, object, "emissiveStrength", domain::not_negative, 1.0);
+  auto extensions = material.find_object("extensions");
+  if (!extensions) return 1.0;
+  auto strength = extensions->find_object("KHR_materials_emissive_strength");
+  if (!strength) return 1.0;
+  return nearest_number(file, *strength, "emissiveStrength", domain::not_negative, 1.0);
 }
 
 }  // namespace
 
-GltfMaterial read_gltf_material(GltfFile& file, GltfImages& images, const Json& value,
-                                const JsonPath& path) {
-  JsonObject object(file.context(), value, path);
+GltfMaterial read_gltf_material(GltfFile& file, GltfImages& images, std::size_t index) {
+  JsonObject object = file.object("materials", index);
   GltfMaterial result;
   result.material.name = imported_name(object.text("name", ""), "");
   MetallicRoughness& values = result.material.values;
   Textures textures(file, images, result);
   const auto nothing = [](JsonObject&) {};
-  if (const Json* metallic = object.find("pbrMetallicRoughness")) {
-    const JsonPath metallic_path = object.path_of("pbrMetallicRoughness");
-    JsonObject pbr(file.context(), *metallic, metallic_path);
+  if (auto pbr = object.find_object("pbrMetallicRoughness")) {
     const auto rgba =
-        nearest_numbers(file, pbr, "baseColorFactor", domain::unit, {1.0, 1.0, 1.0, 1.0});
+        nearest_numbers(file, *pbr, "baseColorFactor", domain::unit, {1.0, 1.0, 1.0, 1.0});
     values.base_color = {rgba[0], rgba[1], rgba[2]};
-    values.metallic = nearest_number(file, pbr, "metallicFactor", domain::unit, 1.0);
-    values.roughness = nearest_number(file, pbr, "roughnessFactor", domain::unit, 1.0);
-    textures.read(pbr, "baseColorTexture", 0, nothing);
-    textures.read(pbr, "metallicRoughnessTexture", 1, nothing);
+    values.metallic = nearest_number(file, *pbr, "metallicFactor", domain::unit, 1.0);
+    values.roughness = nearest_number(file, *pbr, "roughnessFactor", domain::unit, 1.0);
+    textures.read(*pbr, "baseColorTexture", 0, nothing);
+    textures.read(*pbr, "metallicRoughnessTexture", 1, nothing);
   }
   textures.read(object, "normalTexture", 2, [&](JsonObject& normal) {
     static constexpr NumberDomain scales{-1000.0, 1000.0, "a number from -1000 to 1000"};
@@ -162,10 +145,8 @@ GltfMaterial read_gltf_material(GltfFile& file, GltfImages& images, const Json& 
 void GltfImages::use(std::size_t index) {
   RawImage& image = images_[index];
   if (!image.file.empty()) return;
-  const JsonPath list = file_.path().member("images");
-  const JsonPath path = list.element(index);
-  JsonObject object(file_.context(), file_.list("images")[index], path);
-  image = {file_.context().file(), {}, path.text()};
+  JsonObject object = file_.object("images", index);
+  image = {file_.context().file(), {}, object.path().text()};
   if (const std::string name = object.text("name", ""); !name.empty()) {
     image.name += " (" + quoted_text(name) + ")";
   }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <glm/mat3x3.hpp>
-#include <optional>
 
 #include "core/io/import/gltf_file.h"
 #include "core/io/import/raw_scene.h"
@@ -31,7 +30,6 @@ class GltfImages {
   std::vector<RawImage> images_;
 };
 
-GltfMaterial read_gltf_material(GltfFile& file, GltfImages& images, const Json& value,
-                                const JsonPath& path);
+GltfMaterial read_gltf_material(GltfFile& file, GltfImages& images, std::size_t index);
 
 }  // namespace brume

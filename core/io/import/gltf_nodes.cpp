@@ -14,20 +14,14 @@ namespace {
 // Roots of the default scene; of all nodes, if the file has no scene.
 std::vector<std::size_t> roots(GltfFile& file) {
   const std::size_t count = file.list("nodes").size();
-  JsonObject root(file.context(), file.root(), file.path());
-  const Json::array_t& scenes = file.list("scenes");
-  if (!scenes.empty()) {
-    const std::size_t index = file.index(root, "scene", "scenes").value_or(0);
-    const JsonPath list = file.path().member("scenes");
-    const JsonPath path = list.element(index);
-    JsonObject scene(file.context(), scenes[index], path);
+  if (!file.list("scenes").empty()) {
+    JsonObject root = file.root();
+    JsonObject scene = file.object("scenes", file.index(root, "scene", "scenes").value_or(0));
     return gltf_node_indices(file, scene, "nodes");
   }
   std::vector<bool> is_child(count, false);
-  const JsonPath list = file.path().member("nodes");
   for (std::size_t i = 0; i < count; ++i) {
-    const JsonPath path = list.element(i);
-    JsonObject node(file.context(), file.list("nodes")[i], path);
+    JsonObject node = file.object("nodes", i);
     for (const std::size_t child : gltf_node_indices(file, node, "children"))
       is_child[child] = true;
   }
@@ -94,24 +88,23 @@ std::vector<GltfNode> read_gltf_nodes(GltfFile& file) {
   for (const std::size_t root : roots(file)) open.push_back({root, std::nullopt});
   std::ranges::reverse(open);
   std::vector<bool> is_known(file.list("nodes").size(), false);
-  const JsonPath list = file.path().member("nodes");
   while (!open.empty()) {
     const Visit visit = open.back();
     open.pop_back();
-    const JsonPath path = list.element(visit.element);
-    JsonObject object(file.context(), file.list("nodes")[visit.element], path);
+    JsonObject object = file.object("nodes", visit.element);
     if (is_known[visit.element]) {
-      file.context().fail(path, "is the child of more than one node; allowed: a tree");
+      file.context().fail(object.path(), "is the child of more than one node; allowed: a tree");
     }
     is_known[visit.element] = true;
     if (nodes.size() >= max_imported_nodes) {
-      file.context().fail(list, "found more than " + std::to_string(max_imported_nodes) +
-                                    " nodes; allowed: " + std::to_string(max_imported_nodes));
+      file.context().fail(file.path().member("nodes"),
+                          "found more than " + std::to_string(max_imported_nodes) +
+                              " nodes; allowed: " + std::to_string(max_imported_nodes));
     }
     const std::size_t index = nodes.size();
     const glm::dmat4 parent = visit.parent ? nodes[*visit.parent].to_world : glm::dmat4(1.0);
     nodes.push_back({visit.element, visit.parent, parent * node_transform(file, object)});
-    check_node_transform(file, path, nodes.back().to_world);
+    check_node_transform(file, object.path(), nodes.back().to_world);
     std::vector<std::size_t> children = gltf_node_indices(file, object, "children");
     for (auto child = children.rbegin(); child != children.rend(); ++child) {
       open.push_back({*child, index});

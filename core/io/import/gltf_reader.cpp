@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "brume/error.h"
 #include "brume/limits.h"
 #include "core/io/import/gltf_file.h"
 #include "core/io/import/gltf_materials.h"
@@ -41,29 +40,23 @@ class GltfReader {
 
  private:
   void add_node(const GltfNode& node) {
-    const JsonPath list = file_.path().member("nodes");
-    const JsonPath path = list.element(node.element);
-    JsonObject object(file_.context(), file_.list("nodes")[node.element], path);
+    JsonObject object = file_.object("nodes", node.element);
     const std::string name = imported_name(object.text("name", ""), "");
     ImportedNode& result = scene_.nodes.emplace_back();
     result.name = name.empty() ? "node " + std::to_string(node.element) : name;
     result.parent = node.parent;
     const auto index = file_.index(object, "mesh", "meshes");
     if (!name.empty() || !index) return;
-    const JsonPath meshes = file_.path().member("meshes");
-    const JsonPath mesh_path = meshes.element(*index);
-    JsonObject mesh(file_.context(), file_.list("meshes")[*index], mesh_path);
-    result.mesh_name = imported_name(mesh.text("name", ""), "");
+    result.mesh_name = imported_name(file_.object("meshes", *index).text("name", ""), "");
   }
 
   void read_materials() {
-    const Json::array_t& list = file_.list("materials");
     const JsonPath path = file_.path().member("materials");
     GltfImages images(file_);
     std::vector<std::string> not_opaque;
-    for (std::size_t i = 0; i < list.size(); ++i) {
+    for (std::size_t i = 0; i < file_.list("materials").size(); ++i) {
       const JsonPath material = path.element(i);
-      materials_.push_back(read_gltf_material(file_, images, list[i], material));
+      materials_.push_back(read_gltf_material(file_, images, i));
       const std::string& name = materials_[i].material.name;
       if (!materials_[i].is_opaque) not_opaque.push_back(name.empty() ? material.text() : name);
     }
@@ -78,25 +71,20 @@ class GltfReader {
 
   void add_parts(std::size_t index_of_node) {
     const GltfNode& node = nodes_[index_of_node];
-    const JsonPath nodes = file_.path().member("nodes");
-    const JsonPath node_path = nodes.element(node.element);
-    JsonObject object(file_.context(), file_.list("nodes")[node.element], node_path);
+    JsonObject object = file_.object("nodes", node.element);
     const auto index = file_.index(object, "mesh", "meshes");
     if (!index) return;
     const std::vector<glm::dmat4>* const joints = skins_.joints(object);
-    const JsonPath meshes = file_.path().member("meshes");
-    const JsonPath path = meshes.element(*index);
-    JsonObject mesh(file_.context(), file_.list("meshes")[*index], path);
+    JsonObject mesh = file_.object("meshes", *index);
     const Json::array_t& primitives = mesh.array("primitives", limits::surfaces);
-    const JsonPath primitives_path = path.member("primitives");
     primitives_ += primitives.size();
     if (primitives_ > max_primitives) {
-      file_.context().fail(node_path,
+      file_.context().fail(object.path(),
                            "found more than " + std::to_string(max_primitives) +
                                " primitives of nodes; allowed: " + std::to_string(max_primitives));
     }
     for (std::size_t i = 0; i < primitives.size(); ++i) {
-      add_part(index_of_node, joints, primitives[i], primitives_path.element(i));
+      add_part(index_of_node, joints, primitives[i], mesh.path_of("primitives").element(i));
     }
   }
 
@@ -147,8 +135,8 @@ class GltfReader {
                  RawPart& part) {
     const GltfMaterial& material = materials_[part.material];
     MeshArrays& mesh = part.mesh;
-    const JsonPath path = primitive.path_of("attributes");
-    JsonObject attributes(file_.context(), primitive.required("attributes"), path);
+    JsonObject attributes = primitive.object("attributes");
+    const JsonPath& path = attributes.path();
     static_cast<void>(attributes.required("POSITION"));
     if (const std::string name = compression(primitive, attributes); !name.empty()) {
       const ImportedNode& node = scene_.nodes[part.node];
@@ -241,19 +229,13 @@ class GltfReader {
 
   void add_camera_and_light(std::size_t index_of_node) {
     const GltfNode& node = nodes_[index_of_node];
-    const JsonPath nodes = file_.path().member("nodes");
-    const JsonPath path = nodes.element(node.element);
-    JsonObject object(file_.context(), file_.list("nodes")[node.element], path);
+    JsonObject object = file_.object("nodes", node.element);
     if (const auto camera = file_.index(object, "camera", "cameras"))
       add_camera(index_of_node, *camera);
-    const Json* extensions = object.find("extensions");
-    if (extensions == nullptr) return;
-    const JsonPath extensions_path = object.path_of("extensions");
-    JsonObject all(file_.context(), *extensions, extensions_path);
-    if (const Json* use = all.find("KHR_lights_punctual")) {
-      const JsonPath use_path = all.path_of("KHR_lights_punctual");
-      JsonObject light(file_.context(), *use, use_path);
-      add_light(index_of_node, light);
+    auto extensions = object.find_object("extensions");
+    if (!extensions) return;
+    if (auto light = extensions->find_object("KHR_lights_punctual")) {
+      add_light(index_of_node, *light);
     }
   }
 
@@ -272,16 +254,13 @@ class GltfReader {
 
   void add_camera(std::size_t node, std::size_t index) {
     if (scene_.cameras.size() >= limits::cameras) return;
-    const JsonPath list = file_.path().member("cameras");
-    const JsonPath path = list.element(index);
-    JsonObject object(file_.context(), file_.list("cameras")[index], path);
+    JsonObject object = file_.object("cameras", index);
     if (object.choice("type", {"perspective", "orthographic"}, {}) == 1) {
-      const JsonPath place = object.path_of("orthographic");
-      JsonObject orthographic(file_.context(), object.required("orthographic"), place);
+      JsonObject orthographic = object.object("orthographic");
       // Turned over if negative, which should not be.
       const double height = 2.0 * std::abs(orthographic.number("ymag", domain::coordinate, {}));
       if (!domain::length.contains(height)) {
-        file_.context().warn(place, "the camera sees nothing, and is left out");
+        file_.context().warn(orthographic.path(), "the camera sees nothing, and is left out");
         return;
       }
       Camera camera = camera_of_node(nodes_[node].to_world, center_, Camera().vertical_fov);
@@ -289,8 +268,7 @@ class GltfReader {
       scene_.cameras.push_back({scene_.nodes[node].name, camera, {}});
       return;
     }
-    const JsonPath perspective_path = object.path_of("perspective");
-    JsonObject perspective(file_.context(), object.required("perspective"), perspective_path);
+    JsonObject perspective = object.object("perspective");
     static constexpr NumberDomain half_turn{0.0, std::numbers::pi, "a number in (0, pi) radians",
                                             true};
     const double fov = perspective.number("yfov", half_turn, {}) * degrees_per_radian;
@@ -302,19 +280,15 @@ class GltfReader {
 
   void add_light(std::size_t node, JsonObject& use) {
     if (scene_.lights.size() >= limits::lights) return;
-    JsonObject root(file_.context(), file_.root(), file_.path());
-    const JsonPath extensions_path = root.path_of("extensions");
-    JsonObject extensions(file_.context(), root.required("extensions"), extensions_path);
-    const JsonPath punctual_path = extensions.path_of("KHR_lights_punctual");
-    JsonObject punctual(file_.context(), extensions.required("KHR_lights_punctual"), punctual_path);
+    JsonObject root = file_.root();
+    JsonObject extensions = root.object("extensions");
+    JsonObject punctual = extensions.object("KHR_lights_punctual");
     const Json::array_t& lights = punctual.array("lights", limits::gaussians);
     if (lights.empty()) use.fail("light", "refers to lights; the file has none");
     static_cast<void>(use.required("light"));
     const auto index = static_cast<std::size_t>(
         use.integer("light", 0, static_cast<std::int64_t>(lights.size()) - 1, 0));
-    const JsonPath lights_path = punctual.path_of("lights");
-    const JsonPath path = lights_path.element(index);
-    JsonObject object(file_.context(), lights[index], path);
+    JsonObject object(file_.context(), lights[index], punctual.path_of("lights").element(index));
     Light light;
     light.name = scene_.nodes[node].name;
     light.position = nodes_[node].to_world[3];
@@ -325,7 +299,7 @@ class GltfReader {
     if (const double length = glm::length(direction); length > 0.0) direction /= length;
     const std::size_t type = object.choice("type", {"point", "spot", "directional"}, {});
     if (type != 0 && direction == glm::dvec3(0.0)) {
-      file_.context().fail(path, "has no direction: the scale of its node is 0");
+      file_.context().fail(object.path(), "has no direction: the scale of its node is 0");
     }
     if (type == 1) light.kind = read_cone(object, direction);
     if (type == 2) light.kind = light::Directional{direction};
@@ -334,17 +308,15 @@ class GltfReader {
 
   light::Spot read_cone(JsonObject& light, const glm::dvec3& direction) {
     light::Spot cone{direction};
-    const Json* value = light.find("spot");
-    if (value == nullptr) return cone;
+    auto spot = light.find_object("spot");
+    if (!spot) return cone;
     static constexpr double quarter_turn = std::numbers::pi / 2 + 1e-6;
     static constexpr NumberDomain outer_angles{1e-6, quarter_turn, "a number in (0, pi/2] radians"};
-    const JsonPath path = light.path_of("spot");
-    JsonObject spot(file_.context(), *value, path);
     const double outer =
-        nearest_number(file_, spot, "outerConeAngle", outer_angles, std::numbers::pi / 4);
+        nearest_number(file_, *spot, "outerConeAngle", outer_angles, std::numbers::pi / 4);
     const NumberDomain inner_angles{0.0, outer, "a number from 0 to outerConeAngle"};
     cone.inner_angle =
-        nearest_number(file_, spot, "innerConeAngle", inner_angles, 0.0) * degrees_per_radian;
+        nearest_number(file_, *spot, "innerConeAngle", inner_angles, 0.0) * degrees_per_radian;
     cone.outer_angle = outer * degrees_per_radian;
     return cone;
   }

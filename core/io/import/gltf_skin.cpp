@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/matrix.hpp>
-#include <optional>
 #include <string>
 
 #include "core/io/import/node_transform.h"
@@ -80,9 +79,7 @@ const std::vector<glm::dmat4>* GltfSkins::joints(JsonObject& node) {
 
 // Empty if there is a joint that is not in the scene.
 std::vector<glm::dmat4> GltfSkins::read(std::size_t skin, const JsonPath& user) {
-  const JsonPath list = file_.path().member("skins");
-  const JsonPath path = list.element(skin);
-  JsonObject object(file_.context(), file_.list("skins")[skin], path);
+  JsonObject object = file_.object("skins", skin);
   const std::vector<std::size_t> joints = gltf_node_indices(file_, object, "joints");
   if (joints.empty()) object.fail("joints", "missing");
   std::vector<float> inverse_binds;

@@ -11,9 +11,8 @@
 namespace brume {
 namespace {
 
-NamedCamera read_camera(JsonContext& context, const Json& value, const JsonPath& path,
+NamedCamera read_camera(JsonContext& context, JsonObject& object,
                         std::optional<std::string> default_name, UnknownKeys& unknown_keys) {
-  JsonObject object(context, value, path);
   NamedCamera camera;
   camera.name = object.name(std::move(default_name));
   read_fields(object, camera.camera);
@@ -36,9 +35,8 @@ void add_values(Json& object, const NamedCamera& camera, const UnknownKeys& unkn
 }  // namespace
 
 void read_cameras(JsonContext& context, JsonObject& root, Scene& scene, UnknownKeys& unknown_keys) {
-  if (const Json* value = root.find("camera")) {
-    NamedCamera camera =
-        read_camera(context, *value, root.path_of("camera"), default_camera_name, unknown_keys);
+  if (auto in_use = root.find_object("camera")) {
+    NamedCamera camera = read_camera(context, *in_use, default_camera_name, unknown_keys);
     scene.camera_name = std::move(camera.name);
     scene.camera = camera.camera;
     scene.camera_keys = std::move(camera.keys);
@@ -47,13 +45,12 @@ void read_cameras(JsonContext& context, JsonObject& root, Scene& scene, UnknownK
   const Json::array_t& others = root.array("cameras", limits::cameras);
   const JsonPath path = root.path_of("cameras");
   for (std::size_t i = 0; i < others.size(); ++i) {
-    const JsonPath element = path.element(i);
-    NamedCamera camera = read_camera(context, others[i], element, {}, unknown_keys);
+    JsonObject object(context, others[i], path.element(i));
+    NamedCamera camera = read_camera(context, object, {}, unknown_keys);
     if (camera.name == scene.camera_name ||
         std::ranges::find(scene.cameras, camera.name, &NamedCamera::name) != scene.cameras.end()) {
-      context.fail(element.member("name"), "found " + quoted_text(camera.name) +
-                                               " again; allowed: a name that no camera before "
-                                               "it has");
+      object.fail("name", "found " + quoted_text(camera.name) +
+                              " again; allowed: a name that no camera before it has");
     }
     scene.cameras.push_back(std::move(camera));
   }

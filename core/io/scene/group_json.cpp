@@ -34,8 +34,7 @@ Group read_group(JsonObject& object, const std::vector<Group>& groups) {
 void read_parents(JsonContext& context, const Json::array_t& elements, const JsonPath& path,
                   std::vector<Group>& groups) {
   for (std::size_t i = 0; i < groups.size(); ++i) {
-    const JsonPath element = path.element(i);
-    JsonObject object(context, elements[i], element);
+    JsonObject object(context, elements[i], path.element(i));
     groups[i].parent = read_group_name(object, "parent", groups);
   }
   for (std::size_t i = 0; i < groups.size(); ++i) {

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "brume/error.h"
-#include "brume/limits.h"
 #include "core/io/text_scanner.h"
 
 namespace brume {
@@ -19,14 +18,11 @@ std::string found(const Json& value, const std::string& allowed) {
 std::string JsonPath::joined(bool with_indices) const {
   if (parent == nullptr) return {};
   std::string text = parent->joined(with_indices);
-  if (is_element) {
-    text += '[';
-    if (with_indices) text += std::to_string(index);
-    text += ']';
-  } else {
+  if (!key.empty() || !is_element) {
     if (!text.empty()) text += '.';
     text += quoted_text(key);
   }
+  if (is_element) text += '[' + (with_indices ? std::to_string(index) : "") + ']';
   return text;
 }
 
@@ -54,6 +50,10 @@ JsonObject::JsonObject(JsonContext& context, const Json& value, const JsonPath& 
 
 const Json* JsonObject::find(std::string_view key) {
   asked_.push_back(key);
+  return peek(key);
+}
+
+const Json* JsonObject::peek(std::string_view key) const {
   const auto found = value_.find(key);
   return found == value_.end() ? nullptr : &*found;
 }
@@ -62,6 +62,16 @@ const Json& JsonObject::required(std::string_view key) {
   const Json* value = find(key);
   if (value == nullptr) fail(key, "missing");
   return *value;
+}
+
+std::optional<JsonObject> JsonObject::find_object(std::string_view key) {
+  const Json* value = find(key);
+  if (value == nullptr) return std::nullopt;
+  return std::optional<JsonObject>(std::in_place, context_, *value, path_of(key));
+}
+
+JsonObject JsonObject::object(std::string_view key) {
+  return {context_, required(key), path_of(key)};
 }
 
 double JsonObject::number(std::string_view key, const NumberDomain& domain,

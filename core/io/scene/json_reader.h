@@ -28,12 +28,14 @@ Json parse_json(const std::filesystem::path& file, std::string_view text);
 // demand.
 struct JsonPath {
   const JsonPath* parent = nullptr;
-  std::string_view key;   // of an object, unless
-  std::size_t index = 0;  // of an array
+  std::string_view key;   // of an object; empty: an element of an element
+  std::size_t index = 0;  // of an array that is there
   bool is_element = false;
 
   [[nodiscard]] JsonPath member(std::string_view name) const { return {this, name, 0, false}; }
-  [[nodiscard]] JsonPath element(std::size_t i) const { return {this, {}, i, true}; }
+  [[nodiscard]] JsonPath element(std::size_t i) const {
+    return is_element || !parent ? JsonPath{this, {}, i, true} : JsonPath{parent, key, i, true};
+  }
   [[nodiscard]] std::string text() const { return joined(true); }
   [[nodiscard]] std::string kind() const { return joined(false); }  // medium.gaussians[].radius
 
@@ -66,9 +68,12 @@ class JsonContext {
 class JsonObject {
  public:
   JsonObject(JsonContext& context, const Json& value, const JsonPath& path);
+  JsonObject(const JsonObject&) = delete;  // paths of members lead to its own
+  JsonObject& operator=(const JsonObject&) = delete;
 
-  [[nodiscard]] const Json* find(std::string_view key);      // nullptr if missing
-  [[nodiscard]] const Json& required(std::string_view key);  // throws if missing
+  [[nodiscard]] const Json* find(std::string_view key);        // nullptr if missing
+  [[nodiscard]] const Json* peek(std::string_view key) const;  // the same, and it stays unknown
+  [[nodiscard]] const Json& required(std::string_view key);    // throws if missing
 
   double number(std::string_view key, const NumberDomain& domain, std::optional<double> fallback);
   std::int64_t integer(std::string_view key, std::int64_t min_value, std::int64_t max_value,
@@ -88,9 +93,14 @@ class JsonObject {
   // The elements of an array; empty if missing.
   const Json::array_t& array(std::string_view key, std::size_t longest);
 
+  // A member that is an object itself; nullopt if missing, or else it throws.
+  std::optional<JsonObject> find_object(std::string_view key);
+  JsonObject object(std::string_view key);
+
   // Call after reading all members: the unknown ones as text of a JSON object ("" for none). Warns.
   std::string unknown_keys();
 
+  [[nodiscard]] const JsonPath& path() const { return path_; }
   [[nodiscard]] JsonPath path_of(std::string_view key) const { return path_.member(key); }
   [[noreturn]] void fail(std::string_view key, const std::string& message) const {
     context_.fail(path_of(key), message);
@@ -99,7 +109,7 @@ class JsonObject {
  private:
   JsonContext& context_;
   const Json& value_;
-  const JsonPath& path_;
+  JsonPath path_;
   std::vector<std::string_view> asked_;
 };
 

@@ -4,7 +4,6 @@
 
 #include "brume/limits.h"
 #include "core/io/scene/scene_names.h"
-#include "core/number_domain.h"
 
 namespace brume {
 

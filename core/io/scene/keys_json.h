@@ -18,14 +18,12 @@ void read_keys(JsonContext& context, JsonObject& object, const char* name,
 // core/scene/animation/animation.h. Its unknown keys.
 std::string read_keys_member(JsonContext& context, JsonObject& owner, UnknownKeys& unknown_keys,
                              auto&& visit_all) {
-  const Json* value = owner.find("keys");
-  if (value == nullptr) return {};
-  const JsonPath path = owner.path_of("keys");
-  JsonObject object(context, *value, path);
+  auto object = owner.find_object("keys");
+  if (!object) return {};
   visit_all([&](const char* name, const auto&, auto& keys, const NumberDomain& domain) {
-    read_keys(context, object, name, domain, keys, unknown_keys);
+    read_keys(context, *object, name, domain, keys, unknown_keys);
   });
-  return object.unknown_keys();
+  return object->unknown_keys();
 }
 
 Json to_json(double value);

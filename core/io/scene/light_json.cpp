@@ -1,7 +1,5 @@
 #include "core/io/scene/light_json.h"
 
-#include <utility>
-
 #include "core/io/scene/fields_json.h"
 #include "core/scene/fields/light_fields.h"
 #include "core/scene/light_rules.h"
@@ -33,9 +31,8 @@ Json light_to_json(const Light& light, const std::string& profile) {
   return json;
 }
 
-Light read_light(JsonContext& context, const Json& value, const JsonPath& path,
-                 SceneReferences& references, SceneBudget& budget, UnknownKeys& unknown_keys) {
-  JsonObject object(context, value, path);
+Light read_light(JsonContext& context, JsonObject& object, SceneReferences& references,
+                 SceneBudget& budget, UnknownKeys& unknown_keys) {
   Light light{.kind = light_kind(object.choice("type", kind_names(), {}))};
   if (LightProfile* profile = profile_member(light)) {
     read_profile(context, object, references, budget, *profile);

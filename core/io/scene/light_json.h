@@ -12,8 +12,8 @@
 namespace brume {
 
 // A light as scene files have it.
-Light read_light(JsonContext& context, const Json& value, const JsonPath& path,
-                 SceneReferences& references, SceneBudget& budget, UnknownKeys& unknown_keys);
+Light read_light(JsonContext& context, JsonObject& object, SceneReferences& references,
+                 SceneBudget& budget, UnknownKeys& unknown_keys);
 // The same in return, but for `on` and its keyframes.
 // `profile`: the text for the file of its profile.
 Json light_to_json(const Light& light, const std::string& profile);

@@ -27,8 +27,7 @@ class MaterialReader {
         unknown_keys_(unknown_keys),
         surface_(surface) {}
 
-  void read(const Json& value, const JsonPath& path) {
-    JsonObject object(context_, value, path);
+  void read(JsonObject& object) {
     Material& material = surface_.material;
     material.type =
         static_cast<Material::Type>(object.choice("type", scene_names::materials, std::size_t{0}));
@@ -58,15 +57,13 @@ class MaterialReader {
   void read_metallic_roughness(JsonObject& object, MetallicRoughness& material) {
     read_fields(object, material);
     visit_texture_keys(material, [&](const char* key, TextureReference& texture, bool has_colors) {
-      if (const Json* value = object.find(key)) {
-        read_texture_reference(*value, object.path_of(key), key, texture, has_colors);
-      }
+      auto reference = object.find_object(key);
+      if (reference) read_texture_reference(*reference, key, texture, has_colors);
     });
   }
 
-  void read_texture_reference(const Json& value, const JsonPath& path, const char* key,
-                              TextureReference& texture, bool has_colors) {
-    JsonObject object(context_, value, path);
+  void read_texture_reference(JsonObject& object, const char* key, TextureReference& texture,
+                              bool has_colors) {
     const JsonPath file = object.path_of("file");
     std::tie(texture.file, texture.content) =
         references_.texture(context_, file, object.text("file", {}), has_colors);
@@ -106,10 +103,9 @@ void add_metallic_roughness(Json& object, const Surface& surface, const UnknownK
 
 }  // namespace
 
-void read_material(JsonContext& context, const Json& value, const JsonPath& path,
-                   SceneReferences& references, SceneBudget& budget, UnknownKeys& unknown_keys,
-                   Surface& surface) {
-  MaterialReader(context, references, budget, unknown_keys, surface).read(value, path);
+void read_material(JsonContext& context, JsonObject& object, SceneReferences& references,
+                   SceneBudget& budget, UnknownKeys& unknown_keys, Surface& surface) {
+  MaterialReader(context, references, budget, unknown_keys, surface).read(object);
 }
 
 Json material_to_json(const Surface& surface, const UnknownKeys& unknown_keys,

@@ -10,9 +10,8 @@
 namespace brume {
 
 // The material of a surface as scene files have it.
-void read_material(JsonContext& context, const Json& value, const JsonPath& path,
-                   SceneReferences& references, SceneBudget& budget, UnknownKeys& unknown_keys,
-                   Surface& surface);
+void read_material(JsonContext& context, JsonObject& object, SceneReferences& references,
+                   SceneBudget& budget, UnknownKeys& unknown_keys, Surface& surface);
 // `directory`: of the scene file.
 Json material_to_json(const Surface& surface, const UnknownKeys& unknown_keys,
                       const std::filesystem::path& directory);

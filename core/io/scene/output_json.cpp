@@ -36,9 +36,8 @@ OutputLayers read_layers(JsonContext& context, JsonObject& object) {
 
 }  // namespace
 
-Output read_output(JsonContext& context, const Json& value, const JsonPath& path,
-                   const SceneReferences& references, UnknownKeys& unknown_keys) {
-  JsonObject object(context, value, path);
+Output read_output(JsonContext& context, JsonObject& object, const SceneReferences& references,
+                   UnknownKeys& unknown_keys) {
   Output output;
   if (object.find("file") != nullptr) {
     const JsonPath place = object.path_of("file");

@@ -21,7 +21,6 @@
 #include "core/io/scene/scene_references.h"
 #include "core/io/scene/spline_json.h"
 #include "core/io/scene/surface_json.h"
-#include "core/io/text_scanner.h"
 #include "core/number_domain.h"
 #include "core/scene/animation/animation.h"
 #include "core/scene/animation/particles.h"
@@ -39,33 +38,31 @@ class SceneLoader {
     JsonObject object(context_, root, root_);
     check_version(object);
     read_cameras(context_, object, scene_, unknown_keys_);
-    if (const Json* value = object.find("film")) load_film(*value, object.path_of("film"));
-    if (const Json* value = object.find("output")) {
-      scene_.output =
-          read_output(context_, *value, object.path_of("output"), references_, unknown_keys_);
+    if (auto film = object.find_object("film")) load_film(*film);
+    if (auto output = object.find_object("output")) {
+      scene_.output = read_output(context_, *output, references_, unknown_keys_);
     }
-    if (const Json* value = object.find("medium")) load_medium(*value, object.path_of("medium"));
+    if (auto medium = object.find_object("medium")) load_medium(*medium);
     load_elements(object, "lights", limits::lights, &SceneLoader::load_light);
-    if (const Json* value = object.find("environment")) {
-      load_environment(*value, object.path_of("environment"));
-    }
+    if (auto environment = object.find_object("environment")) load_environment(*environment);
     load_elements(object, "surfaces", limits::surfaces, &SceneLoader::load_surface);
-    if (const Json* value = object.find("timeline"))
-      load_timeline(*value, object.path_of("timeline"));
+    if (auto timeline = object.find_object("timeline")) load_timeline(*timeline);
     unknown_keys_.add("", object.unknown_keys());
     context_.finish_warnings();
     return std::move(document_);
   }
 
  private:
-  using LoadElement = void (SceneLoader::*)(const Json&, const JsonPath&);
+  using LoadElement = void (SceneLoader::*)(JsonObject&);
 
   void load_elements(JsonObject& object, const char* key, std::size_t longest,
                      LoadElement load_element) {
     const Json::array_t& elements = object.array(key, longest);
     const JsonPath path = object.path_of(key);
-    for (std::size_t i = 0; i < elements.size(); ++i)
-      (this->*load_element)(elements[i], path.element(i));
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+      JsonObject element(context_, elements[i], path.element(i));
+      (this->*load_element)(element);
+    }
   }
 
   static void check_version(JsonObject& object) {
@@ -86,16 +83,14 @@ class SceneLoader {
     return read_keys_member(context_, owner, unknown_keys_, visit_all);
   }
 
-  void load_film(const Json& value, const JsonPath& path) {
-    JsonObject object(context_, value, path);
+  void load_film(JsonObject& object) {
     Film& film = scene_.film;
     film.width = static_cast<int>(object.integer("width", 1, limits::film_side, film.width));
     film.height = static_cast<int>(object.integer("height", 1, limits::film_side, film.height));
     unknown_keys_.add("film", object.unknown_keys());
   }
 
-  void load_timeline(const Json& value, const JsonPath& path) {
-    JsonObject object(context_, value, path);
+  void load_timeline(JsonObject& object) {
     Playback playback;
     const std::int64_t first = object.integer("first", 0, limits::frame, 0);
     playback.first = static_cast<int>(first);
@@ -108,8 +103,7 @@ class SceneLoader {
     scene_.playback = playback;
   }
 
-  void load_medium(const Json& value, const JsonPath& path) {
-    JsonObject object(context_, value, path);
+  void load_medium(JsonObject& object) {
     scene_.medium.set_homogeneous_density(object.number("density", domain::density, 0.0));
     load_elements(object, "groups", limits::groups, &SceneLoader::load_group);
     read_parents(context_, object.array("groups", limits::groups), object.path_of("groups"),
@@ -122,7 +116,7 @@ class SceneLoader {
 
     MediumOptics& optics = scene_.optics;
     read_fields(object, optics);
-    if (const Json* noise = object.find("noise")) load_noise(*noise, object.path_of("noise"));
+    if (auto noise = object.find_object("noise")) load_noise(*noise);
     load_elements(object, "emitters", limits::emitters, &SceneLoader::load_emitter);
     load_elements(object, "sequences", limits::sequences, &SceneLoader::load_sequence);
     unknown_keys_.add("medium.keys", load_keys(object, [&](auto&& visit) {
@@ -132,8 +126,7 @@ class SceneLoader {
     unknown_keys_.add("medium", object.unknown_keys());
   }
 
-  void load_gaussian(const Json& value, const JsonPath& path) {
-    JsonObject object(context_, value, path);
+  void load_gaussian(JsonObject& object) {
     Gaussian gaussian;
     gaussian.center = object.vector("center", domain::coordinate, {});
     load_radii(object, gaussian);
@@ -141,7 +134,7 @@ class SceneLoader {
     gaussian.optics = load_optics(object);
     gaussian.group = read_group_name(object, "group", scene_.groups);
     PaintedSpline* spline = read_spline_name(object, scene_.splines);
-    const std::array ids{read_id(object, value)};
+    const std::array ids{read_id(object)};
     const GaussianId id = ids[0];
     if (id == scene_.medium.next_id()) {
       scene_.medium.append(gaussian);
@@ -154,18 +147,17 @@ class SceneLoader {
 
   // The id of the next Gaussian: one more than that of the last, or a larger one that it has. What
   // else the key holds is another program's, and unknown.
-  GaussianId read_id(JsonObject& object, const Json& value) const {
+  GaussianId read_id(JsonObject& object) const {
     const GaussianId next = scene_.medium.next_id();
-    const auto found = value.find("id");
-    if (found == value.end() || !found->is_number_unsigned()) return next;
+    const Json* found = object.peek("id");
+    if (found == nullptr || !found->is_number_unsigned()) return next;
     const auto id = found->get<GaussianId>();
     if (id < next || !gaussian_columns::is_id(static_cast<double>(id))) return next;
     static_cast<void>(object.find("id"));
     return id;
   }
 
-  void load_group(const Json& value, const JsonPath& path) {
-    JsonObject object(context_, value, path);
+  void load_group(JsonObject& object) {
     Group group = read_group(object, scene_.groups);
     unknown_keys_.add(group.object_id, "keys",
                       load_keys(object, [&](auto&& visit) { visit_keyed(group, visit); }));
@@ -173,8 +165,7 @@ class SceneLoader {
     scene_.groups.push_back(std::move(group));
   }
 
-  void load_spline(const Json& value, const JsonPath& path) {
-    JsonObject object(context_, value, path);
+  void load_spline(JsonObject& object) {
     PaintedSpline spline = read_spline(context_, object, scene_.splines);
     spline.optics = load_optics(object);
     unknown_keys_.add(spline.object_id, "", object.unknown_keys());
@@ -247,8 +238,7 @@ class SceneLoader {
     MediumEdit::add(scene_.medium, sorted, ids).apply(scene_.medium);
   }
 
-  void load_noise(const Json& value, const JsonPath& path) {
-    JsonObject object(context_, value, path);
+  void load_noise(JsonObject& object) {
     Noise& noise = scene_.optics.noise;
     read_fields(object, noise);
     unknown_keys_.add("medium.noise.keys",
@@ -256,8 +246,7 @@ class SceneLoader {
     unknown_keys_.add("medium.noise", object.unknown_keys());
   }
 
-  void load_emitter(const Json& value, const JsonPath& path) {
-    JsonObject object(context_, value, path);
+  void load_emitter(JsonObject& object) {
     Emitter emitter;
     emitter.name = object.name("");
     read_fields(object, emitter);
@@ -267,12 +256,11 @@ class SceneLoader {
     unknown_keys_.add(emitter.id, "keys",
                       load_keys(object, [&](auto&& visit) { visit_keyed(emitter, visit); }));
     unknown_keys_.add(emitter.id, "", object.unknown_keys());
-    budget_.reserve_gaussians(path, max_particles(emitter));
+    budget_.reserve_gaussians(object.path(), max_particles(emitter));
     scene_.emitters.push_back(emitter);
   }
 
-  void load_sequence(const Json& value, const JsonPath& path) {
-    JsonObject object(context_, value, path);
+  void load_sequence(JsonObject& object) {
     MediumSequence sequence;
     const JsonPath file = object.path_of("file");
     sequence.file = references_.resolve_pattern(context_, file, object.text("file", {}));
@@ -291,16 +279,13 @@ class SceneLoader {
     scene_.sequences.push_back(std::move(sequence));
   }
 
-  void load_light(const Json& value, const JsonPath& path) {
-    scene_.lights.push_back(read_light(context_, value, path, references_, budget_, unknown_keys_));
+  void load_light(JsonObject& object) {
+    scene_.lights.push_back(read_light(context_, object, references_, budget_, unknown_keys_));
   }
 
-  void load_surface(const Json& value, const JsonPath& path) {
-    scene_.surfaces.push_back(surfaces_.read(value, path));
-  }
+  void load_surface(JsonObject& object) { scene_.surfaces.push_back(surfaces_.read(object)); }
 
-  void load_environment(const Json& value, const JsonPath& path) {
-    JsonObject object(context_, value, path);
+  void load_environment(JsonObject& object) {
     Environment environment;
     const JsonPath file = object.path_of("file");
     environment.file = references_.resolve(context_, file, object.text("file", {}));

@@ -14,8 +14,7 @@
 
 namespace brume {
 
-Surface SurfaceReader::read(const Json& value, const JsonPath& path) {
-  JsonObject object(context_, value, path);
+Surface SurfaceReader::read(JsonObject& object) {
   Surface surface;
   surface.name = object.name("");
   read_mesh(object, surface);
@@ -25,9 +24,9 @@ Surface SurfaceReader::read(const Json& value, const JsonPath& path) {
   }
   surface.scale = object.number("scale", domain::length, surface.scale);
   // One with a file of its own has its materials from there.
-  if (const Json* material = surface.imported ? nullptr : object.find("material")) {
-    read_material(context_, *material, object.path_of("material"), references_, budget_,
-                  unknown_keys_, surface);
+  if (!surface.imported) {
+    auto material = object.find_object("material");
+    if (material) read_material(context_, *material, references_, budget_, unknown_keys_, surface);
   }
   surface.transfer = static_cast<Surface::Transfer>(
       object.choice("transfer", scene_names::transfers, std::size_t{0}));
@@ -48,15 +47,16 @@ std::shared_ptr<const TriangleMesh> SurfaceReader::primitive_mesh(const Primitiv
 }
 
 void SurfaceReader::read_mesh(JsonObject& object, Surface& surface) {
-  const Json* primitive = object.find("primitive");
-  const char* key = primitive ? "primitive" : object.find("file") ? "file" : "mesh";
+  const bool has_primitive = object.find("primitive") != nullptr;
+  const char* key = has_primitive ? "primitive" : object.find("file") ? "file" : "mesh";
   for (const char* other : {"file", "mesh"}) {
     if (std::string_view(key) == other || !object.find(other)) continue;
     object.fail(other, std::string("found besides ") + key + "; allowed: one of both");
   }
   const JsonPath path = object.path_of(key);
-  if (primitive) {
-    surface.primitive = read_primitive(*primitive, path, surface);
+  if (has_primitive) {
+    JsonObject primitive = object.object("primitive");
+    surface.primitive = read_primitive(primitive, surface);
     surface.mesh = primitive_mesh(*surface.primitive);
     budget_.reserve(path, *surface.mesh);
     return;
@@ -113,8 +113,7 @@ void SurfaceReader::check_node(const ImportedScene& scene, const JsonPath& path,
                           quoted_text(scene.files.front().string()) + ": " + names);
 }
 
-Primitive SurfaceReader::read_primitive(const Json& value, const JsonPath& path, Surface& surface) {
-  JsonObject object(context_, value, path);
+Primitive SurfaceReader::read_primitive(JsonObject& object, Surface& surface) {
   Primitive primitive;
   primitive.shape =
       static_cast<Primitive::Shape>(object.choice("type", scene_names::primitives, {}));

@@ -21,11 +21,11 @@ class SurfaceReader {
                 UnknownKeys& unknown_keys)
       : context_(context), references_(references), budget_(budget), unknown_keys_(unknown_keys) {}
 
-  Surface read(const Json& value, const JsonPath& path);
+  Surface read(JsonObject& object);
 
  private:
   void read_mesh(JsonObject& object, Surface& surface);
-  Primitive read_primitive(const Json& value, const JsonPath& path, Surface& surface);
+  Primitive read_primitive(JsonObject& object, Surface& surface);
   std::shared_ptr<const TriangleMesh> primitive_mesh(const Primitive& primitive);
   void read_imported(JsonObject& object, const JsonPath& path, Surface& surface);
   void check_node(const ImportedScene& scene, const JsonPath& path, const std::string& name);
