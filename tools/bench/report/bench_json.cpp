@@ -4,6 +4,7 @@
 
 #include "brume/version.h"
 #include "render/util/device_name.h"
+#include "tools/bench/report/error_sections.h"
 
 namespace brume {
 namespace {
@@ -63,12 +64,6 @@ OrderedJson to_json(const ErrorEstimate& error) {
           {"pixels", error.pixels}};
 }
 
-OrderedJson to_json(const ComparedError& row) {
-  OrderedJson json{{"what", row.label}, {"error", to_json(row.error)}};
-  if (row.other) json["other"] = to_json(*row.other);
-  return json;
-}
-
 OrderedJson to_json(const StageTime& stage) {
   return {{"name", to_string(stage.stage)}, {"ms", stage.milliseconds}};
 }
@@ -118,61 +113,6 @@ OrderedJson to_json(const SceneReport& scene) {
   }
   json["fastest"] = std::move(fastest);
   return json;
-}
-
-OrderedJson to_json(const ThicknessRow& row) {
-  return {{"factor", row.factor},
-          {"max_depth", row.max_depth},
-          {"paper", to_json(row.paper)},
-          {"energy", to_json(row.energy)},
-          {"sliced", to_json(row.sliced)}};
-}
-
-OrderedJson to_json(const SkyRow& row) {
-  return {{"gaussians", row.gaussians},
-          {"depth", row.depth},
-          {"anisotropy", row.anisotropy},
-          {"even", to_json(row.even)},
-          {"sunny", to_json(row.sunny)}};
-}
-
-OrderedJson to_json(const InscatteringRow& row) {
-  return {{"depth", row.depth}, {"share", row.share}};
-}
-
-OrderedJson to_json(const ScaleRow& row) {
-  return {{"name", row.scene},
-          {"scale", row.scale},
-          {"computed", row.computed},
-          {"change", row.change}};
-}
-
-OrderedJson to_json(const AllOrdersRow& row) {
-  return {{"name", row.scene},
-          {"single", row.single},
-          {"multiple", row.multiple},
-          {"noise", row.noise},
-          {"sweeps", row.sweeps},
-          {"solve_ms", row.solve_milliseconds},
-          {"edit_ms", row.edit_milliseconds},
-          {"camera_ratio", to_json(row.camera_ratio)},
-          {"megabytes", row.megabytes}};
-}
-
-OrderedJson to_json(const LightKindRow& row) {
-  return {{"name", row.kind},
-          {"error", row.error},
-          {"camera_ratio", to_json(row.camera_ratio)},
-          {"edit_ratio", to_json(row.edit_ratio)}};
-}
-
-OrderedJson to_json(const SampleRow& row) {
-  return {{"name", row.scene},      {"one", row.one},           {"chosen", row.chosen},
-          {"sampled", row.sampled}, {"pairs_ratio", row.pairs}, {"camera_ratio", row.time}};
-}
-
-OrderedJson to_json(const NoiseDepthRow& row) {
-  return {{"cells", row.cells}, {"afar", to_json(row.afar)}, {"near", to_json(row.near)}};
 }
 
 OrderedJson to_json(const ThreadRow& row) {
@@ -227,6 +167,18 @@ OrderedJson to_json(const std::vector<Row>& rows) {
   return json;
 }
 
+void add(OrderedJson& entry, const char* key, const auto& value) {
+  if constexpr (requires { to_json(value); }) {
+    entry[key] = to_json(value);
+  } else {
+    entry[key] = value;
+  }
+}
+
+void add(OrderedJson& entry, const char* key, const std::optional<ErrorEstimate>& error) {
+  if (error) entry[key] = to_json(*error);
+}
+
 }  // namespace
 
 std::string to_json(const BenchReport& report) {
@@ -242,19 +194,14 @@ std::string to_json(const BenchReport& report) {
   json["threads"] = report.threads;
   json["quick"] = report.quick;
   json["scenes"] = to_json(report.scenes);
-  json["thickness"] = to_json(report.thickness);
-  json["skies"] = to_json(report.skies);
-  json["patches"] = to_json(report.patches);
-  json["glow"] = to_json(report.glow);
-  json["airlight_scale"] = to_json(report.scales);
-  json["all_orders"] = to_json(report.all_orders);
-  json["light_kinds"] = to_json(report.light_kinds);
-  json["samples"] = to_json(report.samples);
-  json["noise_depths"] = to_json(report.noise_depths);
-  json["noise"] = to_json(report.noise);
-  json["lamp_light"] = to_json(report.point_light);
-  json["arriving_light"] = to_json(report.incident_light);
-  json["transfer"] = to_json(report.transfer);
+  visit_error_sections(report, [&](const char* key, const auto& rows, const char*, const char*,
+                                   const auto&... columns) {
+    OrderedJson& list = json[key] = OrderedJson::array();
+    for (const auto& row : rows) {
+      OrderedJson& entry = list.emplace_back();
+      (add(entry, columns.key, row.*columns.value), ...);
+    }
+  });
   json["curves"] = to_json(report.curves);
   json["thread_rows"] = to_json(report.thread_rows);
   json["fog_banks"] = to_json(report.fog_banks);

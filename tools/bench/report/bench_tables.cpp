@@ -1,5 +1,8 @@
 #include "tools/bench/report/bench_tables.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include "brume/version.h"
 #include "render/util/device_name.h"
 #include "tools/bench/measure/report_text.h"
@@ -20,31 +23,15 @@ std::string bench_lead(const BenchReport& report) {
 }
 
 std::vector<ReportTable> bench_tables(const BenchReport& report) {
-  std::vector<ReportTable> tables = {fastest_table(report.scenes),
-                                     setting_table(report.scenes),
-                                     thickness_table(report.thickness),
-                                     sky_table(report.skies),
-                                     patch_table(report.patches),
-                                     inscattering_table(report.glow),
-                                     scale_table(report.scales),
-                                     all_orders_table(report.all_orders),
-                                     light_kind_table(report.light_kinds),
-                                     sample_table(report.samples),
-                                     noise_depth_table(report.noise_depths),
-                                     noise_table(report.noise),
-                                     surface_light_table(report.point_light),
-                                     incident_light_table(report.incident_light),
-                                     transfer_table(report.transfer),
-                                     peer_table(report.scenes),
-                                     gl_table(report),
-                                     table_one_table(report.table_one),
-                                     cache_table(report.caches),
-                                     curve_table(report.curves),
-                                     thread_table(report.thread_rows),
-                                     fog_bank_table(report.fog_banks),
-                                     shot_table(report.shot),
-                                     saving_table(report.savings),
-                                     hard_case_table(report.hard_cases)};
+  std::vector<ReportTable> tables = {fastest_table(report.scenes), setting_table(report.scenes)};
+  std::ranges::move(error_tables(report), std::back_inserter(tables));
+  for (const ReportTable& table :
+       {peer_table(report.scenes), gl_table(report), table_one_table(report.table_one),
+        cache_table(report.caches), curve_table(report.curves), thread_table(report.thread_rows),
+        fog_bank_table(report.fog_banks), shot_table(report.shot), saving_table(report.savings),
+        hard_case_table(report.hard_cases)}) {
+    tables.push_back(table);
+  }
   std::erase_if(tables, [](const ReportTable& table) { return table.rows.empty(); });
   return tables;
 }

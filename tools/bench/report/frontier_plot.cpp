@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "tools/bench/measure/report_text.h"
 #include "tools/bench/report/log_plot.h"
 
 namespace brume {
