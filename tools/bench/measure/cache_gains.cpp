@@ -1,6 +1,7 @@
 #include "tools/bench/measure/cache_gains.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <utility>
@@ -95,173 +96,142 @@ CacheGain measure_cache(const FrameCache& cache, const MovingView& view, Rendere
   return all.gain(cache.name, view.name, cache.code);
 }
 
-FrameCache medium_index() {
-  return {
-      .name = "index of the medium",
-      .code = {12, "prepared_scene"},
-      .is_used = [](const RenderPlan& plan, const Scene&) { return plan.has_medium(); },
-      .displace = [](Scene&, Settings& settings) { settings.depth_error *= 2.0; },
-  };
-}
-
 bool merges(const RenderPlan& plan, const Scene& scene) {
   return plan.merge_error > 0.0 && MergedMedium::may_merge(scene.medium);
 }
 
-FrameCache merged_medium() {
-  return {
-      .name = "merged medium",
-      .code = {10, "prepared_scene"},
-      .is_used =
-          [](const RenderPlan& plan, const Scene& scene) {
-            return merges(plan, scene) && !plan.motion.has_own_medium;
-          },
-      .displace = [](Scene&, Settings& settings) { settings.merge_error *= 0.9; },
-  };
+template <Stage stage>
+bool runs(const RenderPlan& plan, const Scene&) {
+  return plan.runs(stage);
 }
 
-FrameCache followed_edits() {
-  return {
-      .name = "merged medium, where edits are followed",
-      .code = {180, "merged_medium"},
-      .is_used =
-          [](const RenderPlan& plan, const Scene& scene) {
-            return merges(plan, scene) && plan.motion.has_own_medium;
-          },
-      .displace = [](Scene&, Settings& settings) { settings.merge_error *= 0.9; },
-      .edit =
-          [](Scene& scene) {
-            const auto ids = scene.medium.ids().first(scene.medium.size() / 100);
-            std::vector<Gaussian> thinned;
-            for (std::size_t i = 0; i < ids.size(); ++i) {
-              thinned.push_back(scene.medium.gaussian(i));
-              thinned.back().density *= 0.9;
-            }
-            MediumEdit::change(scene.medium, ids, thinned).apply(scene.medium);
-          },
-  };
-}
-
-FrameCache ray_caster() {
-  return {
-      .name = "ray caster",
-      .code = {20, "prepared_scene, ray_caster"},
-      .is_used = [](const RenderPlan& plan, const Scene&) { return plan.runs(Stage::visibility); },
-      .displace =
-          [](Scene& scene, Settings&) {
-            for (Surface& surface : scene.surfaces) surface.translate.x += 1e-3;
-          },
-  };
-}
-
-FrameCache depth_tables() {
-  return {
-      .name = "optical depth tables",
-      .code = {12, "prepared_scene"},
-      .stage = Stage::light_table,
-      .is_used = [](const RenderPlan& plan, const Scene&) { return plan.runs(Stage::light_table); },
-      .displace =
-          [](Scene&, Settings& settings) {
-            settings.optical_depth_table = {32, 16};
-          },
-  };
-}
-
-FrameCache shadow_maps() {
-  return {
-      .name = "shadow maps",
-      .code = {8, "prepared_scene, shadow_map"},
-      .stage = Stage::shadow_map,
-      .is_used = [](const RenderPlan& plan, const Scene&) { return plan.runs(Stage::shadow_map); },
-      .displace = [](Scene&, Settings& settings) { settings.shadow_cells = 32; },
-  };
-}
-
-FrameCache environment_grid() {
-  return {
-      .name = "grid of environment light",
-      .code = {25, "source_function"},
-      .stage = Stage::environment,
-      .is_used = [](const RenderPlan& plan, const Scene&) { return plan.runs(Stage::environment); },
-      .displace =
-          [](Scene&, Settings& settings) {
-            settings.source_grid = {1000, 24};
-          },
-  };
-}
-
-FrameCache environment_light() {
-  return {
-      .name = "spherical harmonics of the environment",
-      .code = {5, "prepared_shading, environment_light"},
-      .is_used = [](const RenderPlan& plan, const Scene&) { return plan.has_environment; },
-      .displace = [](Scene&,
-                     Settings& settings) { settings.paper_spread = !settings.paper_spread; },
-  };
-}
-
-FrameCache reflections() {
-  return {
-      .name = "spherical harmonics of glossy materials",
-      .code = {11, "prepared_shading"},
-      .is_used =
-          [](const RenderPlan& plan, const Scene& scene) {
-            return plan.has_indirect_light &&
-                   std::ranges::any_of(scene.surfaces, [](const Surface& surface) {
-                     return surface.material.type != Material::Type::diffuse;
-                   });
-          },
-      .displace =
-          [](Scene& scene, Settings&) {
-            for (Surface& surface : scene.surfaces) surface.material.reflectance *= 0.5;
-          },
-  };
-}
-
-FrameCache vertex_lighting() {
-  return {
-      .name = "vertex lighting",
-      .code = {67, "prepared_shading, vertex_lighting"},
-      .stage = Stage::surfaces,
-      .is_used = [](const RenderPlan& plan,
-                    const Scene&) { return plan.runs(Stage::vertex_light); },
-      .displace =
-          [](Scene&, Settings& settings) {
-            settings.precision = Settings::Precision::plain_double;
-          },
-  };
-}
-
-FrameCache center_depths_from_lights() {
-  return {
-      .name = "`paper`: optical depths from the lights to Gaussian centers",
-      .code = {11, "prepared_scene"},
-      .method = AirlightMethod::paper,
-      .stage = Stage::light_depth,
-      .is_used = [](const RenderPlan& plan, const Scene&) { return plan.runs(Stage::light_depth); },
-      .displace =
-          [](Scene& scene, Settings&) {
-            for (Light& light : scene.lights) light.position.x += 1e-3;
-          },
-  };
-}
-
-FrameCache average_depths() {
-  return {
-      .name = "`paper`: grids of average optical depths",
-      .code = {22, "prepared_shading"},
-      .method = AirlightMethod::paper,
-      .is_used = [](const RenderPlan& plan,
-                    const Scene&) { return plan.runs(Stage::average_depth); },
-      // Which has none.
-      .displace =
-          [](Scene&, Settings& settings) {
-            settings.airlight = AirlightMethod::sliced;
-            settings.optical_depth_table = {32, 16};
-            settings.source_grid = {1000, 24};
-          },
-  };
-}
+constexpr std::array caches{
+    FrameCache{
+        .name = "index of the medium",
+        .code = {12, "prepared_scene"},
+        .is_used = [](const RenderPlan& plan, const Scene&) { return plan.has_medium(); },
+        .displace = [](Scene&, Settings& settings) { settings.depth_error *= 2.0; },
+    },
+    FrameCache{
+        .name = "merged medium",
+        .code = {10, "prepared_scene"},
+        .is_used =
+            [](const RenderPlan& plan, const Scene& scene) {
+              return merges(plan, scene) && !plan.motion.has_own_medium;
+            },
+        .displace = [](Scene&, Settings& settings) { settings.merge_error *= 0.9; },
+    },
+    FrameCache{
+        .name = "merged medium, where edits are followed",
+        .code = {180, "merged_medium"},
+        .is_used =
+            [](const RenderPlan& plan, const Scene& scene) {
+              return merges(plan, scene) && plan.motion.has_own_medium;
+            },
+        .displace = [](Scene&, Settings& settings) { settings.merge_error *= 0.9; },
+        .edit =
+            [](Scene& scene) {
+              const auto ids = scene.medium.ids().first(scene.medium.size() / 100);
+              std::vector<Gaussian> thinned;
+              for (std::size_t i = 0; i < ids.size(); ++i) {
+                thinned.push_back(scene.medium.gaussian(i));
+                thinned.back().density *= 0.9;
+              }
+              MediumEdit::change(scene.medium, ids, thinned).apply(scene.medium);
+            },
+    },
+    FrameCache{
+        .name = "ray caster",
+        .code = {20, "prepared_scene, ray_caster"},
+        .is_used = runs<Stage::visibility>,
+        .displace =
+            [](Scene& scene, Settings&) {
+              for (Surface& surface : scene.surfaces) surface.translate.x += 1e-3;
+            },
+    },
+    FrameCache{
+        .name = "optical depth tables",
+        .code = {12, "prepared_scene"},
+        .stage = Stage::light_table,
+        .is_used = runs<Stage::light_table>,
+        .displace =
+            [](Scene&, Settings& settings) {
+              settings.optical_depth_table = {32, 16};
+            },
+    },
+    FrameCache{
+        .name = "shadow maps",
+        .code = {8, "prepared_scene, shadow_map"},
+        .stage = Stage::shadow_map,
+        .is_used = runs<Stage::shadow_map>,
+        .displace = [](Scene&, Settings& settings) { settings.shadow_cells = 32; },
+    },
+    FrameCache{
+        .name = "grid of environment light",
+        .code = {25, "source_function"},
+        .stage = Stage::environment,
+        .is_used = runs<Stage::environment>,
+        .displace =
+            [](Scene&, Settings& settings) {
+              settings.source_grid = {1000, 24};
+            },
+    },
+    FrameCache{
+        .name = "spherical harmonics of the environment",
+        .code = {5, "prepared_shading, environment_light"},
+        .is_used = [](const RenderPlan& plan, const Scene&) { return plan.has_environment; },
+        .displace = [](Scene&,
+                       Settings& settings) { settings.paper_spread = !settings.paper_spread; },
+    },
+    FrameCache{
+        .name = "spherical harmonics of glossy materials",
+        .code = {11, "prepared_shading"},
+        .is_used =
+            [](const RenderPlan& plan, const Scene& scene) {
+              return plan.has_indirect_light &&
+                     std::ranges::any_of(scene.surfaces, [](const Surface& surface) {
+                       return surface.material.type != Material::Type::diffuse;
+                     });
+            },
+        .displace =
+            [](Scene& scene, Settings&) {
+              for (Surface& surface : scene.surfaces) surface.material.reflectance *= 0.5;
+            },
+    },
+    FrameCache{
+        .name = "vertex lighting",
+        .code = {67, "prepared_shading, vertex_lighting"},
+        .stage = Stage::surfaces,
+        .is_used = runs<Stage::vertex_light>,
+        .displace =
+            [](Scene&, Settings& settings) {
+              settings.precision = Settings::Precision::plain_double;
+            },
+    },
+    FrameCache{
+        .name = "`paper`: optical depths from the lights to Gaussian centers",
+        .code = {11, "prepared_scene"},
+        .method = AirlightMethod::paper,
+        .stage = Stage::light_depth,
+        .is_used = runs<Stage::light_depth>,
+        .displace =
+            [](Scene& scene, Settings&) {
+              for (Light& light : scene.lights) light.position.x += 1e-3;
+            },
+    },
+    FrameCache{
+        .name = "`paper`: grids of average optical depths",
+        .code = {22, "prepared_shading"},
+        .method = AirlightMethod::paper,
+        .is_used = runs<Stage::average_depth>,
+        // Which has none.
+        .displace =
+            [](Scene&, Settings& settings) {
+              settings.airlight = AirlightMethod::sliced;
+              settings.optical_depth_table = {32, 16};
+              settings.source_grid = {1000, 24};
+            },
+    }};
 
 }  // namespace
 
@@ -282,19 +252,8 @@ Settings MovingView::settings_of(AirlightMethod method) const {
   return result;
 }
 
-std::vector<FrameCache> frame_caches() {
-  return {medium_index(),
-          merged_medium(),
-          followed_edits(),
-          ray_caster(),
-          depth_tables(),
-          shadow_maps(),
-          environment_grid(),
-          environment_light(),
-          reflections(),
-          vertex_lighting(),
-          center_depths_from_lights(),
-          average_depths()};
+std::span<const FrameCache> frame_caches() {
+  return caches;
 }
 
 std::vector<CacheGain> measure_caches(const MovingView& view, int pairs) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -24,12 +25,12 @@ Quartiles quartiles_of(std::vector<double> values);
 // The code that a cache costs: lines that would go with it, counted by hand.
 struct CacheCode {
   int lines = 0;
-  std::string files;
+  const char* files = "";
 };
 
 // Something that a renderer keeps from one frame of a moving camera to the next.
 struct FrameCache {
-  std::string name;
+  const char* name;
   CacheCode code;
   AirlightMethod method = AirlightMethod::sliced;
   Stage stage = Stage::prepare;  // in which it is made
@@ -39,7 +40,7 @@ struct FrameCache {
   // The edit between two frames; null: only the camera moves.
   void (*edit)(Scene& scene) = nullptr;
 };
-std::vector<FrameCache> frame_caches();
+std::span<const FrameCache> frame_caches();
 
 // A view that moves: a scene, its radiance transfer, and the settings of `sliced`.
 struct MovingView {
