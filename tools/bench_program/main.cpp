@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <optional>
 
-#include "brume/error.h"
 #include "core/io/disk/atomic_file.h"
 #include "core/io/disk/file_bytes.h"
 #include "core/io/scene/scene_file.h"

@@ -2,8 +2,6 @@
 
 #include <sys/stat.h>
 
-#include <optional>
-
 #include "brume/error.h"
 #include "core/io/disk/atomic_file.h"
 

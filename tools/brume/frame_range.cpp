@@ -1,7 +1,6 @@
 #include "tools/brume/frame_range.h"
 
 #include <cstdint>
-#include <optional>
 #include <set>
 #include <string_view>
 

@@ -5,7 +5,6 @@
 #include <atomic>
 #include <iostream>
 #include <memory>
-#include <utility>
 
 #include "core/io/text_scanner.h"
 #include "core/printable_text.h"

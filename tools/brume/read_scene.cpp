@@ -1,7 +1,6 @@
 #include "tools/brume/read_scene.h"
 
 #include <utility>
-#include <vector>
 
 #include "core/io/scene/missing_files.h"
 #include "core/io/scene/scene_file.h"

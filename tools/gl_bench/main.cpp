@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
-#include <functional>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <span>

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <assimp/IOStream.hpp>
 #include <cstring>
-#include <string>
 
 #include "brume/error.h"
 #include "core/io/disk/alike_file.h"

@@ -1,7 +1,6 @@
 #include "tools/bench/errors/fog_errors.h"
 
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <memory>
 #include <numbers>
 

@@ -7,7 +7,6 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/trigonometric.hpp>
 #include <memory>
-#include <vector>
 
 #include "core/scene/lights/photometric_profile.h"
 #include "render/output/compare.h"

@@ -1,7 +1,6 @@
 #include "tools/bench/errors/sample_errors.h"
 
 #include <algorithm>
-#include <filesystem>
 
 #include "brume/at_time.h"
 #include "core/io/scene/scene_file.h"

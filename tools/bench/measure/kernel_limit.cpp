@@ -1,16 +1,15 @@
 #include "tools/bench/measure/kernel_limit.h"
-#include "core/scene/camera_rays.h"
 
 #include <algorithm>
 #include <array>
 #include <glm/geometric.hpp>
 #include <vector>
 
+#include "core/scene/camera_rays.h"
 #include "render/geometry/tiles.h"
 #include "render/optical_depth/increment_kernels.h"
 #include "render/prepare/prepared_scene.h"
 #include "render/render_plan.h"
-#include "render/renderer.h"
 #include "render/slices/slice_boundaries.h"
 #include "render/slices/slice_kernels.h"
 #include "render/util/flush_denormals.h"

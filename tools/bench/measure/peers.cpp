@@ -1,6 +1,5 @@
 #include "tools/bench/measure/peers.h"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "brume/error.h"

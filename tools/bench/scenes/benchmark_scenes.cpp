@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
-#include <filesystem>
 #include <glm/geometric.hpp>
 #include <numbers>
 #include <optional>

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <glm/vec2.hpp>
 #include <numbers>
 #include <vector>
