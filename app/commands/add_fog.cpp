@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <glm/geometric.hpp>
-#include <numbers>
 
 #include "app/commands/edit_medium.h"
 #include "app/commands/gaussian_budget.h"

@@ -37,23 +37,6 @@ void add_emitter(Document& document, const glm::dvec3& position, double size) {
   set_scene_part(document, std::move(emitters), undo_text("Add %1").arg(name));
 }
 
-void delete_emitter(Document& document, std::size_t index) {
-  Emitters emitters = document.scene().emitters;
-  if (index >= emitters.size()) return;
-  const QString name = emitter_name(emitters[index], index);
-  emitters.erase(emitters.begin() + static_cast<std::ptrdiff_t>(index));
-  set_scene_part(document, std::move(emitters), undo_text("Delete %1").arg(name));
-}
-
-void change_emitter(Document& document, std::size_t index, const QString& verb, MergeId merge_id,
-                    const std::function<void(Emitter&)>& change) {
-  Emitters emitters = document.scene().emitters;
-  if (index >= emitters.size()) return;
-  const QString name = emitter_name(emitters[index], index);
-  change(emitters[index]);
-  set_scene_part(document, std::move(emitters), verb.arg(name), merge_id);
-}
-
 void freeze_particles(Document& document, double time) {
   std::vector<Gaussian> frozen;
   for (const Emitter& emitter : document.scene().emitters) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <QString>
-#include <functional>
 #include <glm/vec3.hpp>
 
 #include "app/commands/merge_id.h"
@@ -15,10 +14,6 @@ class Document;
 
 // Adds an emitter sized for a view `size` u wide.
 void add_emitter(Document& document, const glm::dvec3& position, double size);
-void delete_emitter(Document& document, std::size_t index);
-// `verb` is the text of the step, with %1 for the emitter's name.
-void change_emitter(Document& document, std::size_t index, const QString& verb, MergeId merge_id,
-                    const std::function<void(Emitter&)>& change);
 // Its name, or else "emitter 2", "Emitter 2".
 QString emitter_name(const Emitter& emitter, std::size_t index);
 QString emitter_title(const Emitter& emitter, std::size_t index);

@@ -256,23 +256,6 @@ void set_profile(Light& light, LightProfile profile) {
   if (!profile_of(light)) light.keys.profile_rotation.clear();
 }
 
-void delete_light(Document& document, std::size_t index) {
-  Lights lights = document.scene().lights;
-  if (index >= lights.size()) return;
-  const QString name = light_name(lights[index], index);
-  lights.erase(lights.begin() + static_cast<std::ptrdiff_t>(index));
-  set_scene_part(document, std::move(lights), undo_text("Delete %1").arg(name));
-}
-
-void change_light(Document& document, std::size_t index, const QString& verb, MergeId merge_id,
-                  const std::function<void(Light&)>& change) {
-  Lights lights = document.scene().lights;
-  if (index >= lights.size()) return;
-  const QString name = light_name(lights[index], index);
-  change(lights[index]);
-  set_scene_part(document, std::move(lights), verb.arg(name), merge_id);
-}
-
 double light_strength(const Light& light) {
   return std::max({light.intensity.r, light.intensity.g, light.intensity.b});
 }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <QString>
-#include <functional>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <span>
@@ -40,10 +39,6 @@ void add_preset(Document& document, const LightPreset& preset, const LightPlace&
 // shoulder of an eye. White diffuse surfaces at the center that face it have a radiance of 1, which
 // is as bright as pictures get without a change of exposure: the intensity is pi distance^2.
 Light light_outside(const glm::dvec3& center, double radius, const glm::dvec3& eye);
-void delete_light(Document& document, std::size_t index);
-// `verb` is the text of the step, with %1 for the light's name.
-void change_light(Document& document, std::size_t index, const QString& verb, MergeId merge_id,
-                  const std::function<void(Light&)>& change);
 // Its name, or else "light 2", "Spot 2".
 QString light_name(const Light& light, std::size_t index);
 QString light_title(const Light& light, std::size_t index);

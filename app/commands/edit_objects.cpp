@@ -9,10 +9,10 @@
 #include "app/commands/allowed_name.h"
 #include "app/commands/edit_emitters.h"
 #include "app/commands/edit_lights.h"
-#include "app/commands/edit_surfaces.h"
 #include "app/commands/scene_part_command.h"
 #include "app/commands/undo_text.h"
 #include "app/document/document.h"
+#include "app/document/surface_names.h"
 #include "brume/limits.h"
 #include "brume/mesh_arrays.h"
 #include "core/math/rounded.h"
@@ -23,22 +23,43 @@ namespace {
 
 using Kind = ObjectRef::Kind;
 
-template <class T>
-std::optional<Object> element(const std::vector<T>& list, std::size_t index) {
-  return index < list.size() ? std::optional<Object>(list[index]) : std::nullopt;
+// Calls visit(list, most) with the list that objects of a kind are in, and how many it may have.
+auto visit_list(const Scene& scene, Kind kind, auto&& visit) {
+  switch (kind) {
+    case Kind::light:
+      return visit(scene.lights, limits::lights);
+    case Kind::emitter:
+      return visit(scene.emitters, limits::emitters);
+    case Kind::surface:
+      break;
+  }
+  return visit(scene.surfaces, limits::surfaces);
+}
+
+// In undo texts: its name, or else "spot 2".
+QString object_name(const Scene& scene, const ObjectRef& ref) {
+  if (ref.kind == Kind::light) return light_name(scene.lights[ref.index], ref.index);
+  if (ref.kind == Kind::emitter) return emitter_name(scene.emitters[ref.index], ref.index);
+  return object_title(scene, ref);
+}
+
+// Calls change(list, ref.index) with a copy of the list that an object is in, as one undo step.
+void change_list(Document& document, const ObjectRef& ref, const QString& verb, MergeId merge_id,
+                 const auto& change) {
+  visit_list(document.scene(), ref.kind, [&](auto list, std::size_t) {
+    if (ref.index >= list.size()) return;
+    const QString text = verb.arg(object_name(document.scene(), ref));
+    change(list);
+    set_scene_part(document, std::move(list), text, merge_id);
+  });
 }
 
 // `change` gets a Light&, an Emitter& or a Surface&.
 void change_object(Document& document, const ObjectRef& ref, const QString& verb, MergeId merge_id,
                    const auto& change) {
-  switch (ref.kind) {
-    case Kind::light:
-      return change_light(document, ref.index, verb, merge_id, change);
-    case Kind::emitter:
-      return change_emitter(document, ref.index, verb, merge_id, change);
-    case Kind::surface:
-      return change_surface(document, ref.index, verb, merge_id, change);
-  }
+  change_list(document, ref, verb, merge_id, [&]<class T>(std::vector<T>& list) {
+    if constexpr (std::is_invocable_v<decltype(change), T&>) change(list[ref.index]);
+  });
 }
 
 glm::dvec3 allowed_place(const glm::dvec3& p) {
@@ -108,18 +129,20 @@ double width_of(const Object& object, const Scene& scene) {
   return rounded(0.1 * distance, 3);
 }
 
+bool& shown_member(Light& light) {
+  return light.on;
+}
+
+bool& shown_member(auto& object) {
+  return object.visible;
+}
+
 }  // namespace
 
 std::optional<Object> object_of(const Scene& scene, const ObjectRef& ref) {
-  switch (ref.kind) {
-    case Kind::light:
-      return element(scene.lights, ref.index);
-    case Kind::emitter:
-      return element(scene.emitters, ref.index);
-    case Kind::surface:
-      return element(scene.surfaces, ref.index);
-  }
-  return std::nullopt;
+  return visit_list(scene, ref.kind, [&](const auto& list, std::size_t) {
+    return ref.index < list.size() ? std::optional<Object>(list[ref.index]) : std::nullopt;
+  });
 }
 
 QString object_title(const Scene& scene, const ObjectRef& ref) {
@@ -134,49 +157,49 @@ QString object_title(const Scene& scene, const ObjectRef& ref) {
   return {};
 }
 
-bool is_shown(const Object& object) {
-  if (const auto* light = std::get_if<Light>(&object)) return light->on;
-  if (const auto* emitter = std::get_if<Emitter>(&object)) return emitter->visible;
-  return std::get<Surface>(object).visible;
+bool is_shown(Object object) {
+  return std::visit([](auto& o) { return shown_member(o); }, object);
 }
 
 bool is_locked(const Object& object) {
   return std::visit([](const auto& o) { return o.locked; }, object);
 }
 
+void change_light(Document& document, std::size_t index, const QString& verb, MergeId merge_id,
+                  const std::function<void(Light&)>& change) {
+  change_object(document, {Kind::light, index}, verb, merge_id, change);
+}
+
+void change_emitter(Document& document, std::size_t index, const QString& verb, MergeId merge_id,
+                    const std::function<void(Emitter&)>& change) {
+  change_object(document, {Kind::emitter, index}, verb, merge_id, change);
+}
+
+void change_surface(Document& document, std::size_t index, const QString& verb, MergeId merge_id,
+                    const std::function<void(Surface&)>& change) {
+  change_object(document, {Kind::surface, index}, verb, merge_id, change);
+}
+
 void delete_object(Document& document, const ObjectRef& ref) {
-  switch (ref.kind) {
-    case Kind::light:
-      return delete_light(document, ref.index);
-    case Kind::emitter:
-      return delete_emitter(document, ref.index);
-    case Kind::surface:
-      return delete_surface(document, ref.index);
-  }
+  change_list(document, ref, undo_text("Delete %1"), no_merge, [&](auto& list) {
+    list.erase(list.begin() + static_cast<std::ptrdiff_t>(ref.index));
+  });
 }
 
 void duplicate_object(Document& document, const ObjectRef& ref) {
   const std::optional<Object> object = object_of(document.scene(), ref);
   if (!object) return;
+  const glm::dvec3 shift(width_of(*object, document.scene()), 0.0, 0.0);
+  Object copy = moved(*object, {.shift = shift});
+  if (auto* emitter = std::get_if<Emitter>(&copy)) ++emitter->seed;  // for particles of its own
   const QString text = undo_text("Duplicate %1").arg(object_title(document.scene(), ref));
-  const auto add = [&]<class T>(std::vector<T> list, std::size_t most, const Object& copy) {
+  visit_list(document.scene(), ref.kind, [&]<class T>(std::vector<T> list, std::size_t most) {
     if (list.size() >= most) return;
     list.push_back(std::get<T>(copy));
     const ObjectRef added{ref.kind, list.size() - 1};
     set_scene_part(document, std::move(list), text);
     document.set_object(added);
-  };
-  const glm::dvec3 shift(width_of(*object, document.scene()), 0.0, 0.0);
-  Object copy = moved(*object, {.shift = shift});
-  const Scene& scene = document.scene();
-  if (auto* emitter = std::get_if<Emitter>(&copy)) {
-    ++emitter->seed;  // or its particles would be the same
-    add(scene.emitters, limits::emitters, copy);
-  } else if (ref.kind == Kind::light) {
-    add(scene.lights, limits::lights, copy);
-  } else {
-    add(scene.surfaces, limits::surfaces, copy);
-  }
+  });
 }
 
 void rename_object(Document& document, const ObjectRef& ref, const QString& name) {
@@ -185,19 +208,12 @@ void rename_object(Document& document, const ObjectRef& ref, const QString& name
 }
 
 void show_object(Document& document, const ObjectRef& ref, bool shown) {
-  if (ref.kind == Kind::light) {
-    return change_light(document, ref.index,
-                        shown ? undo_text("Turn on %1") : undo_text("Turn off %1"), no_merge,
-                        [shown](Light& light) { light.on = shown; });
-  }
-  const QString verb = shown ? undo_text("Show %1") : undo_text("Hide %1");
-  if (ref.kind == Kind::emitter) {
-    change_emitter(document, ref.index, verb, no_merge,
-                   [shown](Emitter& emitter) { emitter.visible = shown; });
-  } else {
-    change_surface(document, ref.index, verb, no_merge,
-                   [shown](Surface& surface) { surface.visible = shown; });
-  }
+  const QString verb = ref.kind == Kind::light
+                           ? shown ? undo_text("Turn on %1") : undo_text("Turn off %1")
+                       : shown ? undo_text("Show %1")
+                               : undo_text("Hide %1");
+  change_object(document, ref, verb, no_merge,
+                [shown](auto& object) { shown_member(object) = shown; });
 }
 
 void lock_object(Document& document, const ObjectRef& ref, bool locked) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QString>
+#include <functional>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
@@ -22,9 +23,16 @@ std::optional<Object> object_of(const Scene& scene, const ObjectRef& ref);
 
 // Its title in lists: its name, or else "Spot 2", "Emitter 1", "bunny.obj".
 QString object_title(const Scene& scene, const ObjectRef& ref);
-bool is_shown(const Object& object);  // visible, or a light that is on
+bool is_shown(Object object);  // visible, or a light that is on
 bool is_locked(const Object& object);
 
+// `verb` is the text of the step, with %1 for the object's name.
+void change_light(Document& document, std::size_t index, const QString& verb, MergeId merge_id,
+                  const std::function<void(Light&)>& change);
+void change_emitter(Document& document, std::size_t index, const QString& verb, MergeId merge_id,
+                    const std::function<void(Emitter&)>& change);
+void change_surface(Document& document, std::size_t index, const QString& verb, MergeId merge_id,
+                    const std::function<void(Surface&)>& change);
 void delete_object(Document& document, const ObjectRef& ref);
 // Adds a copy beside it along x, which becomes the document's object.
 void duplicate_object(Document& document, const ObjectRef& ref);

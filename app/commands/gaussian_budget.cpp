@@ -5,7 +5,6 @@
 
 #include "app/document/document.h"
 #include "brume/at_time.h"
-#include "brume/limits.h"
 #include "core/scene/animation/particles.h"
 
 namespace brume {

@@ -1,7 +1,6 @@
 #include "app/document/arithmetic.h"
 
 #include <charconv>
-#include <string>
 
 namespace brume {
 namespace {

@@ -1,12 +1,10 @@
 #include "app/document/keyframe_curves.h"
 
 #include <QCoreApplication>
-#include <algorithm>
 #include <cstring>
 #include <glm/geometric.hpp>
 
 #include "app/document/visit_keyed_part.h"
-#include "core/number_domain.h"
 #include "core/scene/animation/keys_in_domain.h"
 
 namespace brume {

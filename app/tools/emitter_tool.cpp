@@ -1,4 +1,5 @@
 #include "app/tools/emitter_tool.h"
+#include "app/commands/edit_objects.h"
 #include "core/scene/camera_rays.h"
 
 #include <QLineF>

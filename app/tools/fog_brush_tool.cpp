@@ -8,7 +8,6 @@
 #include <QToolButton>
 #include <QWidgetAction>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <optional>

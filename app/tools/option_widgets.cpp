@@ -5,7 +5,6 @@
 #include <QLabel>
 
 #include "app/widgets/number_field.h"
-#include "core/number_domain.h"
 
 namespace brume {
 

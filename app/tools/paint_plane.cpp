@@ -4,7 +4,6 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <glm/gtc/constants.hpp>
 
 #include "app/view/overlay.h"
 #include "app/view/surface_picker.h"

@@ -4,7 +4,6 @@
 #include <QPushButton>
 #include <QToolButton>
 #include <QWidgetAction>
-#include <algorithm>
 
 #include "app/tools/brush_library.h"
 #include "app/tools/fog_brush_tool.h"

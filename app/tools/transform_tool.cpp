@@ -2,7 +2,6 @@
 #include "core/number_domain.h"
 #include "core/scene/camera_rays.h"
 
-#include <algorithm>
 #include <glm/common.hpp>
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>

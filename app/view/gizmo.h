@@ -1,7 +1,6 @@
 #pragma once
 
 #include <QPointF>
-#include <array>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <vector>

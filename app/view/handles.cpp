@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
-#include <glm/gtc/constants.hpp>
 
 #include "app/widgets/application.h"
 #include "app/widgets/interface_settings.h"

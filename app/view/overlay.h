@@ -2,7 +2,6 @@
 
 #include <QColor>
 #include <QPainter>
-#include <cstdint>
 #include <vector>
 
 #include "brume/gaussian.h"

@@ -5,7 +5,6 @@
 #include <QLabel>
 #include <QPainter>
 #include <algorithm>
-#include <cmath>
 
 #include "app/widgets/interface_settings.h"
 #include "app/widgets/value_field.h"

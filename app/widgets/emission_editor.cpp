@@ -1,7 +1,6 @@
 #include "app/widgets/emission_editor.h"
 
 #include <QHBoxLayout>
-#include <QLabel>
 #include <cmath>
 
 #include "app/document/gaussian_attribute.h"

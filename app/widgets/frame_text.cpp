@@ -6,7 +6,6 @@
 
 #include "app/document/number_text.h"
 #include "brume/frame.h"
-#include "render/quality/error_estimate.h"
 #include "render/settings.h"
 
 namespace brume {

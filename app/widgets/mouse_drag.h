@@ -2,7 +2,6 @@
 
 #include <QObject>
 #include <QPointF>
-#include <functional>
 
 namespace brume {
 

@@ -2,7 +2,6 @@
 
 #include <QCheckBox>
 #include <QFormLayout>
-#include <QLabel>
 #include <glm/common.hpp>
 
 #include "app/widgets/color_button.h"

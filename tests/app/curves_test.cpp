@@ -9,6 +9,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "app/commands/edit_lights.h"
+#include "app/commands/edit_objects.h"
 #include "app/document/timeline.h"
 #include "app/panels/time/curve_editor.h"
 #include "tests/app/test_window.h"

@@ -5,6 +5,7 @@
 #include "app/commands/edit_keys.h"
 #include "app/commands/edit_lights.h"
 #include "app/commands/edit_medium.h"
+#include "app/commands/edit_objects.h"
 #include "app/commands/scene_part_command.h"
 #include "app/document/document.h"
 #include "app/document/number_text.h"
@@ -114,7 +115,7 @@ class DocumentTest : public QObject {
     document.open(load_document(file), file);
     const auto saved = [&] { return document_to_json(document.document_to_save(), "/"); };
     const std::string all = saved();
-    delete_light(document, 0);
+    delete_object(document, {ObjectRef::Kind::light, 0});
     add_light(document, light::Point(), {{1, 2, 3}});
     const std::string fewer = saved();
     QVERIFY(fewer.find("light 0") == std::string::npos);

@@ -13,6 +13,7 @@
 
 #include "app/commands/edit_emitters.h"
 #include "app/commands/edit_medium.h"
+#include "app/commands/edit_objects.h"
 #include "app/document/document.h"
 #include "app/document/paths.h"
 #include "app/files/scene_files.h"

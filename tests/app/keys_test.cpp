@@ -8,6 +8,7 @@
 
 #include "app/commands/edit_lights.h"
 #include "app/commands/edit_medium.h"
+#include "app/commands/edit_objects.h"
 #include "app/document/timeline.h"
 #include "app/files/scene_files.h"
 #include "app/panels/time/keyframe_track.h"
@@ -359,7 +360,7 @@ class KeysTest : public QObject {
       light.position = {0, 9, 0};
     });
     const Scene both = document.scene();
-    delete_light(document, 0);
+    delete_object(document, {ObjectRef::Kind::light, 0});
     QCOMPARE(strip(window).rows().size(), std::size_t{1});
     QCOMPARE(strip(window).rows()[0].title, QString("Light 1 position"));
     QCOMPARE(keyed_light(window).keys.position.size(), std::size_t{2});

@@ -12,7 +12,6 @@
 #include "app/commands/edit_medium.h"
 #include "app/commands/edit_objects.h"
 #include "app/commands/edit_output.h"
-#include "app/commands/edit_surfaces.h"
 #include "app/commands/scene_part_command.h"
 #include "app/commands/select_command.h"
 #include "app/document/document.h"
@@ -134,7 +133,7 @@ class RandomHands {
         return add_light(document_, light_kind(static_cast<std::size_t>(below(6))),
                          {point(), point()});
       case 1:
-        return delete_light(document_, index);
+        return delete_object(document_, {ObjectRef::Kind::light, index});
       default:
         const MergeId merge_id = new_merge_id();
         for (int step = 0; step < 2; ++step) {
@@ -150,7 +149,7 @@ class RandomHands {
       case 0:
         return add_emitter(document_, point(), number());
       case 1:
-        return delete_emitter(document_, below(2));
+        return delete_object(document_, {ObjectRef::Kind::emitter, below(2)});
       case 2:
         return below(4) == 0 ? freeze_particles(document_, number()) : void();
       default:
@@ -208,7 +207,7 @@ class RandomHands {
     };
     switch (below(5)) {
       case 0:
-        return count > 1 ? delete_surface(document_, index) : void();
+        return count > 1 ? delete_object(document_, {ObjectRef::Kind::surface, index}) : void();
       case 1:
         return count < 4 ? duplicate_object(document_, {ObjectRef::Kind::surface, index}) : void();
       case 2:

@@ -1,12 +1,12 @@
 #include "app/panels/forms/emitter_panel.h"
 
 #include <QFormLayout>
-#include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
 #include <string_view>
 
 #include "app/commands/edit_emitters.h"
+#include "app/commands/edit_objects.h"
 #include "app/document/document.h"
 #include "app/widgets/emission_editor.h"
 #include "app/widgets/optics_editor.h"
@@ -36,8 +36,9 @@ void EmitterPanel::add_list(QFormLayout& form) {
   remove->setObjectName("delete_emitter");
   form.addRow(list_);
   form.addRow(remove);
-  connect(remove, &QPushButton::clicked, this,
-          [this] { delete_emitter(document_, document_.active_emitter()); });
+  connect(remove, &QPushButton::clicked, this, [this] {
+    delete_object(document_, {ObjectRef::Kind::emitter, document_.active_emitter()});
+  });
   connect(list_, &QListWidget::currentRowChanged, this, [this](int row) {
     if (!showing_ && row >= 0) document_.set_active_emitter(static_cast<std::size_t>(row));
   });

@@ -14,7 +14,7 @@
 #include <glm/common.hpp>
 #include <string_view>
 
-#include "app/commands/edit_lights.h"
+#include "app/commands/edit_objects.h"
 #include "app/commands/undo_text.h"
 #include "app/document/document.h"
 #include "app/document/gaussian_attribute.h"
@@ -131,8 +131,9 @@ void LightPanel::add_light_list(QFormLayout& form) {
       show_last();
     });
   }
-  connect(remove, &QPushButton::clicked, this,
-          [this] { delete_light(document_, document_.active_light()); });
+  connect(remove, &QPushButton::clicked, this, [this] {
+    delete_object(document_, {ObjectRef::Kind::light, document_.active_light()});
+  });
   connect(list_, &QListWidget::currentRowChanged, this, [this](int row) {
     if (!showing_ && row >= 0) document_.set_active_light(static_cast<std::size_t>(row));
   });

@@ -4,9 +4,10 @@
 #include <QFormLayout>
 #include <algorithm>
 
-#include "app/commands/edit_surfaces.h"
+#include "app/commands/edit_objects.h"
 #include "app/document/document.h"
 #include "app/document/euler_angles.h"
+#include "app/document/surface_names.h"
 #include "app/files/file_dialogs.h"
 #include "app/panels/forms/metallic_roughness_form.h"
 #include "core/io/merl_file.h"

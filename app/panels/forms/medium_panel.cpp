@@ -2,7 +2,6 @@
 
 #include <QComboBox>
 #include <QFormLayout>
-#include <QLabel>
 #include <QMenu>
 #include <QPushButton>
 #include <QSettings>

@@ -2,8 +2,6 @@
 
 #include <QCheckBox>
 #include <QFormLayout>
-#include <QLabel>
-#include <algorithm>
 #include <cmath>
 
 #include "app/commands/edit_output.h"

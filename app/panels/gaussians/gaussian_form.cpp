@@ -7,14 +7,10 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <optional>
-#include <span>
-#include <vector>
 
 #include "app/commands/edit_medium.h"
 #include "app/document/document.h"
-#include "app/document/euler_angles.h"
 #include "app/widgets/number_field.h"
-#include "app/widgets/optics_editor.h"
 #include "app/widgets/value_field.h"
 
 namespace brume {

@@ -3,7 +3,6 @@
 #include <QtCore/qnamespace.h>
 #include <map>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "app/document/gaussian_attribute.h"
