@@ -1,10 +1,8 @@
 #include "app/export/animation_dialog.h"
 
 #include <QComboBox>
-#include <QDialogButtonBox>
 #include <QFileDialog>
 #include <QFormLayout>
-#include <QHBoxLayout>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QStandardItemModel>
@@ -15,6 +13,7 @@
 #include "app/export/video_file.h"
 #include "app/files/file_dialogs.h"
 #include "app/widgets/plain_text.h"
+#include "app/widgets/rows.h"
 #include "app/widgets/whole_number_box.h"
 #include "brume/limits.h"
 #include "core/io/disk/file_bytes.h"
@@ -23,29 +22,28 @@ namespace brume {
 
 AnimationDialog::AnimationDialog(const Timeline& timeline, const QString& folder, QWidget* parent)
     : QDialog(parent),
-      format_(new QComboBox(this)),
-      file_(new QLineEdit(last_folder(FileKind::animation, folder) + "/animation.png", this)),
-      first_(new WholeNumberBox(tr("First frame"), 0, limits::frame, this)),
-      last_(new WholeNumberBox(tr("Last frame"), 0, limits::frame, this)),
-      names_(new PlainLabel(this)) {
+      format_(named(new QComboBox(this), "animation_format")),
+      file_(named(new QLineEdit(last_folder(FileKind::animation, folder) + "/animation.png", this),
+                  "animation_file")),
+      first_(
+          named(new WholeNumberBox(tr("First frame"), 0, limits::frame, this), "animation_first")),
+      last_(named(new WholeNumberBox(tr("Last frame"), 0, limits::frame, this), "animation_last")),
+      names_(new PlainLabel(this)),
+      export_(named(new QPushButton(tr("Export"), this), "export_animation")) {
   setWindowTitle(tr("Export animation"));
   setAttribute(Qt::WA_DeleteOnClose);
-  format_->setObjectName("animation_format");
   format_->addItem(tr("PNG, one file per frame"), ".png");
   format_->addItem(tr("EXR with layers, one file per frame"), ".exr");
   format_->addItem(tr("MP4 video"), ".mp4");
-  auto* why = new PlainLabel(tr("Video export needs the program ffmpeg on the PATH."), this);
-  why->setObjectName("no_video");
+  auto* why = named(new PlainLabel(tr("Video export needs the program ffmpeg on the PATH."), this),
+                    "no_video");
   why->setVisible(find_ffmpeg().isEmpty());
   if (find_ffmpeg().isEmpty()) {
     QStandardItem* video = qobject_cast<QStandardItemModel*>(format_->model())->item(2);
     video->setEnabled(false);
     video->setToolTip(why->text());
   }
-  file_->setObjectName("animation_file");
   file_->setMinimumWidth(360);
-  first_->setObjectName("animation_first");
-  last_->setObjectName("animation_last");
   first_->setValue(timeline.first());
   last_->setValue(timeline.last());
 
@@ -53,17 +51,11 @@ AnimationDialog::AnimationDialog(const Timeline& timeline, const QString& folder
   form->addRow(tr("As"), format_);
   form->addRow(QString(), why);
   auto* browse = new QPushButton(tr("Choose…"), this);
-  auto* row = new QHBoxLayout;
-  row->addWidget(file_, 1);
-  row->addWidget(browse);
-  form->addRow(tr("File"), row);
+  form->addRow(tr("File"), row_of({file_, browse}));
   form->addRow(tr("First frame"), first_);
   form->addRow(tr("Last frame"), last_);
   form->addRow(QString(), names_);
-  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
-  export_ = buttons->addButton(tr("Export"), QDialogButtonBox::AcceptRole);
-  export_->setObjectName("export_animation");
-  form->addRow(buttons);
+  form->addRow(dialog_buttons(this, export_, [this] { confirm(); }));
 
   connect(browse, &QPushButton::clicked, this, &AnimationDialog::browse);
   connect(format_, &QComboBox::currentIndexChanged, this, [this] {
@@ -75,8 +67,6 @@ AnimationDialog::AnimationDialog(const Timeline& timeline, const QString& folder
   for (WholeNumberBox* box : {first_, last_}) {
     connect(box, &WholeNumberBox::changed, this, &AnimationDialog::show_names);
   }
-  connect(buttons, &QDialogButtonBox::accepted, this, &AnimationDialog::confirm);
-  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   show_names();
 }
 

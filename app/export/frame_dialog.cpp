@@ -1,10 +1,8 @@
 #include "app/export/frame_dialog.h"
 
 #include <QComboBox>
-#include <QDialogButtonBox>
 #include <QFileDialog>
 #include <QFormLayout>
-#include <QHBoxLayout>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSpinBox>
@@ -13,6 +11,7 @@
 #include "app/files/file_dialogs.h"
 #include "app/files/picture_format.h"
 #include "app/widgets/layer_boxes.h"
+#include "app/widgets/rows.h"
 #include "render/settings.h"
 
 namespace brume {
@@ -25,32 +24,29 @@ constexpr int first_paths = 256;  // a noise of a few per cent in most scenes
 FrameDialog::FrameDialog(const QString& folder, bool path_traced, const OutputLayers& layers,
                          QWidget* parent)
     : QDialog(parent),
-      format_(new QComboBox(this)),
-      bits_(new QComboBox(this)),
-      file_(new QLineEdit(last_folder(FileKind::picture, folder) + "/frame.png", this)),
-      method_(new QComboBox(this)),
-      paths_(new QSpinBox(this)),
-      layers_(new LayerBoxes(this)) {
+      format_(named(new QComboBox(this), "frame_format")),
+      bits_(named(new QComboBox(this), "frame_bits")),
+      file_(named(new QLineEdit(last_folder(FileKind::picture, folder) + "/frame.png", this),
+                  "frame_file")),
+      method_(named(new QComboBox(this), "frame_method")),
+      paths_(named(new QSpinBox(this), "frame_paths")),
+      layers_(new LayerBoxes(this)),
+      export_(named(new QPushButton(tr("Export"), this), "export_frame")) {
   setWindowTitle(tr("Export frame"));
   setAttribute(Qt::WA_DeleteOnClose);
-  format_->setObjectName("frame_format");
   format_->addItem(tr("PNG picture"), ".png");
   format_->addItem(tr("EXR with layers"), ".exr");
   format_->addItem(tr("Deep EXR, for holdouts"), ".deep.exr");
-  bits_->setObjectName("frame_bits");
   bits_->addItem(tr("8, dithered"), 8);
   bits_->addItem(tr("16"), 16);
   bits_->setToolTip(tr("Of each value of a PNG: 16 are for further editing"));
-  file_->setObjectName("frame_file");
   file_->setMinimumWidth(360);
-  method_->setObjectName("frame_method");
   method_->addItem(tr("As in View > Quality"), false);
   method_->addItem(tr("Path traced"), true);
   method_->setCurrentIndex(path_traced ? 1 : 0);
   method_->setToolTip(
       tr("Path traced: all light, scattered and reflected any number of times, with noise that "
          "four times the paths halve"));
-  paths_->setObjectName("frame_paths");
   paths_->setRange(1, max_paths);
   paths_->setValue(first_paths);
 
@@ -58,18 +54,12 @@ FrameDialog::FrameDialog(const QString& folder, bool path_traced, const OutputLa
   form->addRow(tr("As"), format_);
   form->addRow(tr("Bits"), bits_);
   auto* browse = new QPushButton(tr("Choose…"), this);
-  auto* row = new QHBoxLayout;
-  row->addWidget(file_, 1);
-  row->addWidget(browse);
-  form->addRow(tr("File"), row);
+  form->addRow(tr("File"), row_of({file_, browse}));
   form->addRow(tr("Rendered"), method_);
   form->addRow(tr("Paths per pixel"), paths_);
   layers_->set_layers(layers);
   form->addRow(tr("Layers"), layers_);
-  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
-  export_ = buttons->addButton(tr("Export"), QDialogButtonBox::AcceptRole);
-  export_->setObjectName("export_frame");
-  form->addRow(buttons);
+  form->addRow(dialog_buttons(this, export_, [this] { confirm(); }));
 
   connect(browse, &QPushButton::clicked, this, &FrameDialog::browse);
   connect(format_, &QComboBox::currentIndexChanged, this, [this] {
@@ -78,8 +68,6 @@ FrameDialog::FrameDialog(const QString& folder, bool path_traced, const OutputLa
   });
   connect(file_, &QLineEdit::textChanged, this, &FrameDialog::update_enabled);
   connect(method_, &QComboBox::currentIndexChanged, this, &FrameDialog::update_enabled);
-  connect(buttons, &QDialogButtonBox::accepted, this, &FrameDialog::confirm);
-  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   update_enabled();
 }
 

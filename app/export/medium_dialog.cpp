@@ -2,7 +2,6 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDialogButtonBox>
 #include <QDoubleValidator>
 #include <QFileDialog>
 #include <QFormLayout>
@@ -21,6 +20,7 @@
 #include "app/files/file_dialogs.h"
 #include "app/widgets/opacity_along_box.h"
 #include "app/widgets/plain_text.h"
+#include "app/widgets/rows.h"
 #include "app/widgets/whole_number_box.h"
 #include "brume/limits.h"
 #include "core/io/disk/file_bytes.h"
@@ -83,39 +83,33 @@ MediumDialog::MediumDialog(std::shared_ptr<const Scene> scene, const Timeline& t
       time_(timeline.time()),
       frames_per_second_(timeline.frames_per_second()),
       form_(new QFormLayout(this)),
-      format_(new QComboBox(this)),
-      file_(new QLineEdit(last_folder(FileKind::medium, folder) + "/medium.vdb", this)),
-      voxel_(new QLineEdit(this)),
+      format_(named(new QComboBox(this), "medium_format")),
+      file_(named(new QLineEdit(last_folder(FileKind::medium, folder) + "/medium.vdb", this),
+                  "medium_file")),
+      voxel_(named(new QLineEdit(this), "medium_voxel")),
       half_(new QCheckBox(tr("half precision"), this)),
-      along_(new OpacityAlongBox(this)),
-      up_(new QComboBox(this)),
-      exposure_(new QLineEdit(this)),
-      is_range_(new QCheckBox(tr("Frames"), this)),
-      first_(new WholeNumberBox(tr("First frame"), 0, limits::frame, this)),
-      last_(new WholeNumberBox(tr("Last frame"), 0, limits::frame, this)),
-      memory_(new PlainLabel(this)) {
+      along_(named(new OpacityAlongBox(this), "medium_opacity")),
+      up_(named(new QComboBox(this), "medium_up")),
+      exposure_(named(new QLineEdit(this), "medium_exposure")),
+      is_range_(named(new QCheckBox(tr("Frames"), this), "medium_is_range")),
+      first_(named(new WholeNumberBox(tr("First frame"), 0, limits::frame, this), "medium_first")),
+      last_(named(new WholeNumberBox(tr("Last frame"), 0, limits::frame, this), "medium_last")),
+      memory_(named(new PlainLabel(this), "medium_memory")),
+      export_(named(new QPushButton(tr("Export"), this), "export_medium")) {
   setWindowTitle(tr("Export medium"));
   setAttribute(Qt::WA_DeleteOnClose);
-  format_->setObjectName("medium_format");
   for (const Format& format : formats()) {
     format_->addItem(tr("%1 (%2)").arg(tr(format.title), format.extensions.join(", ")));
   }
   form_->addRow(tr("Format"), format_);
-  file_->setObjectName("medium_file");
   file_->setMinimumWidth(360);
   auto* browse = new QPushButton(tr("Choose…"), this);
-  auto* file_row = new QHBoxLayout;
-  file_row->addWidget(file_, 1);
-  file_row->addWidget(browse);
-  form_->addRow(tr("File"), file_row);
+  form_->addRow(tr("File"), row_of({file_, browse}));
   add_options(form_, exposure);
-  is_range_->setObjectName("medium_is_range");
   for (WholeNumberBox* box : {first_, last_}) {
     box->setEnabled(false);
     connect(is_range_, &QCheckBox::toggled, box, &QWidget::setEnabled);
   }
-  first_->setObjectName("medium_first");
-  last_->setObjectName("medium_last");
   first_->setValue(timeline.first());
   last_->setValue(timeline.last());
   auto* range_row = new QHBoxLayout;
@@ -123,12 +117,14 @@ MediumDialog::MediumDialog(std::shared_ptr<const Scene> scene, const Timeline& t
   range_row->addWidget(new PlainLabel(tr("to"), this));
   range_row->addWidget(last_);
   form_->addRow(is_range_, range_row);
-  memory_->setObjectName("medium_memory");
   form_->addRow(tr("Memory"), memory_);
-  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
-  export_ = buttons->addButton(tr("Export"), QDialogButtonBox::AcceptRole);
-  export_->setObjectName("export_medium");
-  form_->addRow(buttons);
+  form_->addRow(dialog_buttons(this, export_, [this] {
+    const MediumExport request = chosen();
+    if (!may_replace_all(request)) return;
+    remember_folder(FileKind::medium, request.file);
+    Q_EMIT requested(request);
+    accept();
+  }));
 
   connect(browse, &QPushButton::clicked, this, &MediumDialog::browse);
   connect(format_, &QComboBox::currentIndexChanged, this, &MediumDialog::follow_format);
@@ -140,34 +136,19 @@ MediumDialog::MediumDialog(std::shared_ptr<const Scene> scene, const Timeline& t
   for (WholeNumberBox* box : {first_, last_}) {
     connect(box, &WholeNumberBox::changed, this, &MediumDialog::show_memory);
   }
-  connect(buttons, &QDialogButtonBox::accepted, this, [this] {
-    const MediumExport request = chosen();
-    if (!may_replace_all(request)) return;
-    remember_folder(FileKind::medium, request.file);
-    Q_EMIT requested(request);
-    accept();
-  });
-  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   show_options();
 }
 
 void MediumDialog::add_options(QFormLayout* form, double exposure) {
-  voxel_->setObjectName("medium_voxel");
   set_domain(1e-12, 1e12, voxel_);
   const double fitting = fitting_voxel_size(scene_now().medium);
   voxel_->setText(number_text(fitting > 0.0 ? fitting : 1.0));
-  auto* voxel_row = new QHBoxLayout;
-  voxel_row->addWidget(voxel_, 1);
-  voxel_row->addWidget(half_);
-  voxel_row_ = voxel_row;
-  form->addRow(tr("Voxel size, u"), voxel_row);
-  along_->setObjectName("medium_opacity");
+  voxel_row_ = row_of({voxel_, half_});
+  form->addRow(tr("Voxel size, u"), voxel_row_);
   form->addRow(tr("As opaque as fog along"), along_);
-  up_->setObjectName("medium_up");
   up_->addItems({tr("y"), tr("-y (turned by half about z)")});
   up_->setToolTip(tr("Most viewers of .ply splats expect -y, as captures have it"));
   form->addRow(tr("Up axis"), up_);
-  exposure_->setObjectName("medium_exposure");
   set_domain(exposure_domain.min_value, exposure_domain.max_value, exposure_);
   exposure_->setText(number_text(exposure));
   exposure_->setToolTip(tr("The light is written as it is displayed: in stops, as the view's"));

@@ -11,6 +11,7 @@
 #include "app/document/paths.h"
 #include "app/export/render_queue.h"
 #include "app/widgets/plain_text.h"
+#include "app/widgets/rows.h"
 
 namespace brume {
 namespace {
@@ -56,8 +57,7 @@ QString tool_tip(const RenderQueue::Item& item) {
 }  // namespace
 
 QueueList::QueueList(RenderQueue& queue, QWidget* parent)
-    : QWidget(parent), queue_(queue), list_(new QTreeWidget(this)) {
-  list_->setObjectName("render_queue");
+    : QWidget(parent), queue_(queue), list_(named(new QTreeWidget(this), "render_queue")) {
   list_->setColumnCount(2);
   list_->setHeaderLabels({tr("Render queue"), QString()});
   list_->setRootIsDecorated(false);
@@ -81,9 +81,7 @@ QueueList::QueueList(RenderQueue& queue, QWidget* parent)
   above->addWidget(empty_);
   int column = 0;
   const auto add = [&](const QString& text, const char* name, const QString& tip, auto react) {
-    auto* button = new QPushButton(text, this);
-    button->setObjectName(name);
-    button->setToolTip(tip);
+    auto* button = named(new QPushButton(text, this), name, tip);
     button->setMinimumWidth(20);
     connect(button, &QPushButton::clicked, this, react);
     layout->addWidget(button, 1, column++);

@@ -8,14 +8,14 @@
 #include <array>
 
 #include "app/document/number_text.h"
+#include "app/widgets/rows.h"
 #include "core/number_domain.h"
 
 namespace brume {
 
 QLineEdit* number_edit(const char* name, double value, double min_value, double max_value,
                        QWidget* parent) {
-  auto* edit = new QLineEdit(exact_number_text(value), parent);
-  edit->setObjectName(name);
+  auto* edit = named(new QLineEdit(exact_number_text(value), parent), name);
   auto* domain = new QDoubleValidator(min_value, max_value, 12, edit);
   domain->setLocale(QLocale::c());
   edit->setValidator(domain);
@@ -46,8 +46,7 @@ AppearanceFields::AppearanceFields(QFormLayout* form, const std::vector<VolumeGr
 
 QComboBox* AppearanceFields::add_grid(QFormLayout* form, const QString& title, const char* name,
                                       OpticsRole role, const std::vector<VolumeGridInfo>& grids) {
-  auto* combo = new QComboBox(form->parentWidget());
-  combo->setObjectName(name);
+  auto* combo = named(new QComboBox(form->parentWidget()), name);
   const std::vector<std::string> possible = possible_grids(role, grids);
   const std::string found = default_grid(role, possible);
   combo->addItem(

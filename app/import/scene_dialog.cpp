@@ -1,12 +1,12 @@
 #include "app/import/scene_dialog.h"
 
 #include <QCheckBox>
-#include <QDialogButtonBox>
 #include <QPushButton>
 #include <QVBoxLayout>
 
 #include "app/document/paths.h"
 #include "app/widgets/plain_text.h"
+#include "app/widgets/rows.h"
 
 namespace brume {
 
@@ -21,19 +21,15 @@ SceneDialog::SceneDialog(const ImportedScene& scene, QWidget* parent) : QDialog(
   QCheckBox* cameras = add_box("import_cameras", tr("Cameras (%1)"), scene.cameras.size());
   QCheckBox* lights = add_box("import_lights", tr("Lights (%1)"), scene.lights.size());
   lights->setToolTip(tr("Candela and lux become W/sr and W/u² at 683 lm/W"));
-  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
-  buttons->addButton(tr("Import"), QDialogButtonBox::AcceptRole)->setObjectName("import");
-  layout->addWidget(buttons);
-  connect(buttons, &QDialogButtonBox::accepted, this, [this, cameras, lights] {
+  auto* import = named(new QPushButton(tr("Import")), "import");
+  layout->addWidget(dialog_buttons(this, import, [this, cameras, lights] {
     Q_EMIT requested(cameras->isChecked(), lights->isChecked());
     accept();
-  });
-  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  }));
 }
 
 QCheckBox* SceneDialog::add_box(const QString& name, const QString& text, std::size_t count) {
-  auto* box = new QCheckBox(text.arg(count), this);
-  box->setObjectName(name);
+  auto* box = named(new QCheckBox(text.arg(count), this), name);
   box->setEnabled(count > 0);
   box->setChecked(count > 0);
   layout()->addWidget(box);

@@ -1,7 +1,6 @@
 #include "app/import/volume_dialog.h"
 
 #include <QComboBox>
-#include <QDialogButtonBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QLineEdit>
@@ -15,6 +14,7 @@
 #include "app/import/appearance_fields.h"
 #include "app/import/folder_dialog.h"
 #include "app/widgets/plain_text.h"
+#include "app/widgets/rows.h"
 #include "core/io/volume/volume_file.h"
 
 namespace brume {
@@ -22,15 +22,14 @@ namespace brume {
 VolumeDialog::VolumeDialog(const std::filesystem::path& file, const std::optional<FrameRun>& run,
                            QWidget* parent)
     : QDialog(parent),
-      grid_(new QComboBox(this)),
-      count_(new QSpinBox(this)),
-      error_(new QDoubleSpinBox(this)),
+      grid_(named(new QComboBox(this), "volume_grid")),
+      count_(named(new QSpinBox(this), "volume_count")),
+      error_(named(new QDoubleSpinBox(this), "volume_error")),
       scale_(number_edit("volume_scale", 1.0, 1e-12, 1e12, this)),
-      up_(new QComboBox(this)) {
+      up_(named(new QComboBox(this), "volume_up")) {
   setWindowTitle(tr("Import %1").arg(to_qstring(file.filename())));
   setAttribute(Qt::WA_DeleteOnClose);
   auto* form = new QFormLayout(this);
-  grid_->setObjectName("volume_grid");
   QString problem;
   std::vector<VolumeGridInfo> grids;
   try {
@@ -44,39 +43,32 @@ VolumeDialog::VolumeDialog(const std::filesystem::path& file, const std::optiona
     problem = QString::fromUtf8(error.what());
   }
   form->addRow(tr("Grid"), grid_);
-  count_->setObjectName("volume_count");
   count_->setRange(1, 1'000'000);
   count_->setValue(500);
   form->addRow(tr("Max Gaussians"), count_);
-  error_->setObjectName("volume_error");
   error_->setRange(0.0, 100.0);
   error_->setSuffix(" %");
   error_->setSpecialValueText(tr("minimum"));
   if (!run) form->addRow(tr("Max density error"), error_);
   form->addRow(tr("Density scale, 1/u"), scale_);
-  up_->setObjectName("volume_up");
   up_->addItems({tr("y"), tr("z (rotated to y)")});
   form->addRow(tr("Up axis"), up_);
   appearance_ = new AppearanceFields(form, grids);
   if (run) folder_ = add_folder_row(form, file, *run);
-  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
-  QPushButton* import = buttons->addButton(tr("Import"), QDialogButtonBox::AcceptRole);
-  import->setObjectName("import_volume");
+  auto* import = named(new QPushButton(tr("Import")), "import_volume");
   import->setEnabled(grid_->count() > 0);
   if (grid_->count() == 0) {
     auto* why = new PlainLabel(problem.isEmpty() ? tr("The file has no grids.") : problem, this);
     why->setWordWrap(true);
     form->addRow(why);
   }
-  form->addRow(buttons);
+  form->addRow(dialog_buttons(this, import, [this] { confirm(); }));
   const auto update = [this, import] {
     import->setEnabled(scale_->hasAcceptableInput() && appearance_->is_acceptable() &&
                        grid_->count() > 0);
   };
   connect(scale_, &QLineEdit::textChanged, this, update);
   connect(appearance_, &AppearanceFields::changed, this, update);
-  connect(buttons, &QDialogButtonBox::accepted, this, &VolumeDialog::confirm);
-  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
 }
 
 std::filesystem::path VolumeDialog::folder() const {

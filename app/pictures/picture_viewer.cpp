@@ -11,6 +11,7 @@
 #include "app/widgets/application.h"
 #include "app/widgets/frame_text.h"
 #include "app/widgets/plain_text.h"
+#include "app/widgets/rows.h"
 
 namespace brume {
 namespace {
@@ -27,10 +28,10 @@ PictureViewer::PictureViewer(QWidget* parent)
       canvas_(new PictureCanvas(this)),
       a_(new QButtonGroup(this)),
       b_(new QButtonGroup(this)),
-      mode_(new QComboBox(this)),
-      gain_(new QComboBox(this)),
-      info_(new PlainLabel(this)),
-      pixel_(new PlainLabel(this)) {
+      mode_(named(new QComboBox(this), "picture_mode")),
+      gain_(named(new QComboBox(this), "difference_gain")),
+      info_(named(new PlainLabel(this), "picture_info")),
+      pixel_(named(new PlainLabel(this), "picture_pixel")) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(6, 6, 6, 6);
   auto* choice = new QHBoxLayout;
@@ -44,8 +45,6 @@ PictureViewer::PictureViewer(QWidget* parent)
   add_tools(*tools);
   layout->addLayout(tools);
   layout->addWidget(canvas_, 1);
-  info_->setObjectName("picture_info");
-  pixel_->setObjectName("picture_pixel");
   pixel_->setToolTip(tr("Linear radiance of the pixel under the mouse, red, green and blue"));
   layout->addWidget(info_);
   layout->addWidget(pixel_);
@@ -82,10 +81,8 @@ void PictureViewer::add_slots(QBoxLayout& row, QButtonGroup& group, const QStrin
 }
 
 void PictureViewer::add_tools(QBoxLayout& row) {
-  mode_->setObjectName("picture_mode");
   mode_->addItems({tr("A alone"), tr("Wipe A | B"), tr("Difference A − B")});
   mode_->setToolTip(tr("Wipe: A left and B right of a line; drag the line"));
-  gain_->setObjectName("difference_gain");
   for (const int stops : {0, 2, 4, 6, 8}) gain_->addItem(tr("× %1").arg(1 << stops), stops);
   gain_->setToolTip(tr("How many times the difference is shown"));
   gain_->hide();
@@ -99,9 +96,7 @@ void PictureViewer::add_tools(QBoxLayout& row) {
   row.addWidget(gain_);
   row.addStretch();
   const auto add = [&](const QString& text, const char* name, const QString& tip, auto react) {
-    auto* button = new QPushButton(text, this);
-    button->setObjectName(name);
-    button->setToolTip(tip);
+    auto* button = named(new QPushButton(text, this), name, tip);
     connect(button, &QPushButton::clicked, this, react);
     row.addWidget(button);
   };

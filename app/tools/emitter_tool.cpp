@@ -1,11 +1,10 @@
 #include "app/tools/emitter_tool.h"
-#include "app/commands/edit_objects.h"
-#include "core/scene/camera_rays.h"
 
 #include <QLineF>
 #include <glm/common.hpp>
 
 #include "app/commands/edit_emitters.h"
+#include "app/commands/edit_objects.h"
 #include "app/document/document.h"
 #include "app/tools/option_widgets.h"
 #include "app/view/gizmo.h"
@@ -13,6 +12,7 @@
 #include "app/widgets/application.h"
 #include "app/widgets/interface_settings.h"
 #include "brume/limits.h"
+#include "core/scene/camera_rays.h"
 
 namespace brume {
 namespace {

@@ -1,6 +1,4 @@
 #include "app/tools/fog_brush_tool.h"
-#include "core/number_domain.h"
-#include "core/scene/camera_rays.h"
 
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -21,7 +19,10 @@
 #include "app/widgets/color_button.h"
 #include "app/widgets/number_field.h"
 #include "app/widgets/optics_editor.h"
+#include "app/widgets/rows.h"
 #include "core/math/rounded.h"
+#include "core/number_domain.h"
+#include "core/scene/camera_rays.h"
 
 namespace brume {
 namespace {
@@ -172,8 +173,7 @@ void FogBrushTool::add_gaussian_options(QHBoxLayout& row, const QString& prefix)
 }
 
 void FogBrushTool::add_optics_button(QHBoxLayout& row, const QString& prefix) {
-  auto* button = new QToolButton;
-  button->setObjectName(prefix + "_colours");
+  auto* button = named(new QToolButton, prefix + "_colours");
   button->setText(tr("Colours"));
   button->setToolTip(tr("Albedo and emission of what is added: coloured smoke, fire"));
   button->setPopupMode(QToolButton::InstantPopup);

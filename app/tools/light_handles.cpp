@@ -1,6 +1,4 @@
 #include "app/tools/light_handles.h"
-#include "app/commands/edit_objects.h"
-#include "core/scene/camera_rays.h"
 
 #include <QLineF>
 #include <algorithm>
@@ -13,6 +11,7 @@
 #include <vector>
 
 #include "app/commands/edit_lights.h"
+#include "app/commands/edit_objects.h"
 #include "app/commands/undo_text.h"
 #include "app/document/document.h"
 #include "app/view/gizmo.h"
@@ -26,6 +25,7 @@
 #include "core/math/rounded.h"
 #include "core/math/unit_direction.h"
 #include "core/overloaded.h"
+#include "core/scene/camera_rays.h"
 #include "core/scene/lights/point_lights.h"
 
 namespace brume {

@@ -5,6 +5,7 @@
 #include <QLabel>
 
 #include "app/widgets/number_field.h"
+#include "app/widgets/rows.h"
 
 namespace brume {
 
@@ -25,8 +26,7 @@ ValueField* add_number(QHBoxLayout& row, Tool& tool, const NumberOption& option,
 void add_choice(QHBoxLayout& row, Tool& tool, const ChoiceOption& option,
                 const QStringList& choices, const std::function<int()>& get,
                 const std::function<void(int)>& set) {
-  auto* box = new QComboBox;
-  box->setObjectName(option.name);
+  auto* box = named(new QComboBox, option.name);
   box->addItems(choices);
   box->setCurrentIndex(get());
   row.addWidget(new QLabel(option.title));

@@ -1,5 +1,4 @@
 #include "app/tools/paint_plane.h"
-#include "core/scene/camera_rays.h"
 
 #include <cmath>
 #include <glm/common.hpp>
@@ -9,6 +8,7 @@
 #include "app/view/surface_picker.h"
 #include "app/widgets/application.h"
 #include "core/math/basis.h"
+#include "core/scene/camera_rays.h"
 
 namespace brume {
 namespace {

@@ -8,6 +8,7 @@
 #include "app/tools/brush_library.h"
 #include "app/tools/fog_brush_tool.h"
 #include "app/tools/stroke_options_button.h"
+#include "app/widgets/rows.h"
 #include "brume/error.h"
 
 namespace brume {
@@ -66,13 +67,11 @@ class PresetMenu : public QMenu {
 
   void add_saving() {
     auto* panel = new QWidget(this);
-    auto* name = new QLineEdit(panel);
-    name->setObjectName(prefix_ + "_preset_name");
+    auto* name = named(new QLineEdit(panel), prefix_ + "_preset_name");
     name->setPlaceholderText(Tool::tr("Name of this brush"));
     name->setMaxLength(100);
-    auto* save = new QPushButton(Tool::tr("Save"), panel);
-    save->setObjectName(prefix_ + "_preset_save");
-    save->setToolTip(Tool::tr("Keeps this brush among your own; its size follows the view"));
+    auto* save = named(new QPushButton(Tool::tr("Save"), panel), prefix_ + "_preset_save",
+                       Tool::tr("Keeps this brush among your own; its size follows the view"));
     save->setEnabled(false);
     auto* row = new QHBoxLayout(panel);
     row->setContentsMargins(8, 4, 8, 4);
@@ -120,8 +119,7 @@ class PresetMenu : public QMenu {
 }  // namespace
 
 void add_preset_button(QHBoxLayout& row, FogBrushTool& tool, const QString& prefix) {
-  auto* button = new QToolButton;
-  button->setObjectName(prefix + "_preset");
+  auto* button = named(new QToolButton, prefix + "_preset");
   button->setText(Tool::tr("Preset"));
   button->setToolTip(Tool::tr("Ready-made brushes and your own; sizes follow the view"));
   button->setPopupMode(QToolButton::InstantPopup);

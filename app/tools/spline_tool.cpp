@@ -1,6 +1,4 @@
 #include "app/tools/spline_tool.h"
-#include "brume/limits.h"
-#include "core/scene/camera_rays.h"
 
 #include <QHBoxLayout>
 #include <QLineF>
@@ -15,7 +13,10 @@
 #include "app/view/view.h"
 #include "app/widgets/application.h"
 #include "app/widgets/interface_settings.h"
+#include "app/widgets/rows.h"
+#include "brume/limits.h"
 #include "core/authoring/spline.h"
+#include "core/scene/camera_rays.h"
 
 namespace brume {
 namespace {
@@ -81,9 +82,8 @@ QString SplineTool::hint() const {
 }
 
 void SplineTool::add_options(QHBoxLayout& row) {
-  auto* fresh = new QPushButton(tr("New"));
-  fresh->setObjectName("spline_new");
-  fresh->setToolTip(tr("Leaves this line as it is; the next click begins another"));
+  auto* fresh = named(new QPushButton(tr("New")), "spline_new",
+                      tr("Leaves this line as it is; the next click begins another"));
   connect(fresh, &QPushButton::clicked, this, &SplineTool::finish);
   row.addWidget(fresh);
   add_brush_options(row, "spline");

@@ -10,6 +10,7 @@
 
 #include "app/tools/fog_brush_tool.h"
 #include "app/widgets/number_field.h"
+#include "app/widgets/rows.h"
 #include "core/number_domain.h"
 
 namespace brume {
@@ -20,10 +21,9 @@ void add_mirrors(QHBoxLayout& row, FogBrushTool& tool, const QString& prefix) {
   title->setToolTip(Tool::tr("Repeats the stroke on the other side of planes across these axes"));
   row.addWidget(title);
   for (std::size_t k = 0; k < 3; ++k) {
-    auto* box = new QCheckBox(QString("XYZ").mid(static_cast<qsizetype>(k), 1));
-    box->setObjectName(
-        QString("%1_mirror_%2").arg(prefix).arg(QString("xyz")[static_cast<int>(k)]));
-    box->setToolTip(title->toolTip());
+    auto* box = named(new QCheckBox(QString("XYZ").mid(static_cast<qsizetype>(k), 1)),
+                      QString("%1_mirror_%2").arg(prefix).arg(QString("xyz")[static_cast<int>(k)]),
+                      title->toolTip());
     row.addWidget(box);
     QObject::connect(box, &QCheckBox::clicked, &tool, [&tool, k](bool on) {
       StrokeOptions options = tool.stroke_options();
@@ -71,8 +71,7 @@ void add_snap(QHBoxLayout& row, FogBrushTool& tool, const QString& prefix) {
 
 void add_stroke_options_button(QHBoxLayout& row, FogBrushTool& tool, const QString& prefix,
                                const std::vector<StrokeNumber>& numbers) {
-  auto* button = new QToolButton;
-  button->setObjectName(prefix + "_stroke");
+  auto* button = named(new QToolButton, prefix + "_stroke");
   button->setText(Tool::tr("Stroke"));
   button->setToolTip(Tool::tr("Soft edge, smoothing, mirrors, snapping and the pen"));
   button->setPopupMode(QToolButton::InstantPopup);

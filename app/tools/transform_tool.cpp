@@ -1,6 +1,4 @@
 #include "app/tools/transform_tool.h"
-#include "core/number_domain.h"
-#include "core/scene/camera_rays.h"
 
 #include <glm/common.hpp>
 #include <glm/ext/matrix_transform.hpp>
@@ -14,6 +12,8 @@
 #include "app/view/view.h"
 #include "app/widgets/number_field.h"
 #include "core/authoring/soft_selection.h"
+#include "core/number_domain.h"
+#include "core/scene/camera_rays.h"
 
 namespace brume {
 namespace {

@@ -1,11 +1,11 @@
 #include "app/view/handles.h"
-#include "core/scene/camera_rays.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "app/widgets/application.h"
 #include "app/widgets/interface_settings.h"
+#include "core/scene/camera_rays.h"
 
 namespace brume {
 namespace {

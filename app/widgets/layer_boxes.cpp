@@ -4,6 +4,8 @@
 #include <QCoreApplication>
 #include <QGridLayout>
 
+#include "app/widgets/rows.h"
+
 namespace brume {
 namespace {
 
@@ -71,9 +73,8 @@ LayerBoxes::LayerBoxes(QWidget* parent, Clicked clicked) : QWidget(parent) {
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(0, 0, 0, 0);
   for (std::size_t i = 0; i < texts.size(); ++i) {
-    auto* box = new QCheckBox(translated(texts[i].title), this);
-    box->setObjectName(texts[i].name);
-    box->setToolTip(translated(texts[i].tip));
+    auto* box = named(new QCheckBox(translated(texts[i].title), this), texts[i].name,
+                      translated(texts[i].tip));
     const int place = static_cast<int>(i);
     grid->addWidget(box, place / columns, place % columns);
     boxes_.push_back(box);

@@ -21,6 +21,7 @@
 #include "app/panels/time/timeline_bar.h"
 #include "app/tools/tool_box.h"
 #include "app/viewport/view_grid.h"
+#include "app/widgets/rows.h"
 #include "app/window/frame_output.h"
 
 namespace brume {
@@ -65,8 +66,7 @@ Docks::Docks(const Workspace& work, FrameOutput& output, QMainWindow& window)
 }
 
 QDockWidget* Docks::add(const QString& title, const char* name, QWidget* panel) {
-  auto* made = new QDockWidget(title, &window_);
-  made->setObjectName(name);  // restoreState() knows it by this
+  auto* made = named(new QDockWidget(title, &window_), name);  // restoreState() knows it by this
   made->setWidget(panel);
   window_.addDockWidget(Qt::RightDockWidgetArea, made);
   return made;
@@ -127,8 +127,7 @@ void Docks::add_frame_panels(FrameOutput& output) {
 
 void Docks::add_time_panels() {
   ViewGrid& views = work_.views;
-  auto* timeline = new QDockWidget(tr("Timeline"), &window_);
-  timeline->setObjectName("timeline");
+  auto* timeline = named(new QDockWidget(tr("Timeline"), &window_), "timeline");
   timeline_bar_ = new TimelineBar(
       work_.timeline, work_.document, [&views] { return views.perspective().camera(); }, &window_);
   timeline->setWidget(timeline_bar_);
@@ -144,8 +143,7 @@ void Docks::add_time_panels() {
   connect(&views.picture_cache(), &PictureCache::changed, timeline_bar_, show_cached);
   connect(&views, &ViewGrid::active_changed, timeline_bar_, show_cached);
   window_.addDockWidget(Qt::BottomDockWidgetArea, timeline);
-  auto* curves = new QDockWidget(tr("Curves"), &window_);
-  curves->setObjectName("curves_dock");
+  auto* curves = named(new QDockWidget(tr("Curves"), &window_), "curves_dock");
   curves->setWidget(new CurvePanel(work_.timeline, work_.document, &window_));
   window_.addDockWidget(Qt::BottomDockWidgetArea, curves);
   window_.splitDockWidget(curves, timeline, Qt::Vertical);

@@ -28,6 +28,7 @@
 #include "app/widgets/frame_text.h"
 #include "app/widgets/keys.h"
 #include "app/widgets/question.h"
+#include "app/widgets/rows.h"
 #include "app/window/camera_lock.h"
 #include "app/window/file_jobs.h"
 #include "app/window/pages/message_bar.h"
@@ -83,8 +84,7 @@ FrameOutput::FrameOutput(const Workspace& work, FileJobs& jobs, QMainWindow& win
 }
 
 QAction* FrameOutput::make_action(const QString& text, const char* name, const QString& tip) {
-  auto* action = new QAction(text, &window_);
-  action->setObjectName(name);
+  auto* action = named(new QAction(text, &window_), name);
   action->setShortcuts(keys_of(name));
   action->setToolTip(tip);
   return action;
@@ -150,8 +150,7 @@ QTabWidget* FrameOutput::make_tabs() {
 
   auto* queue = new QueueList(*queue_, &window_);
   connect(queue, &QueueList::show_asked_for, this, &FrameOutput::show_render);
-  auto* tabs = new QTabWidget;
-  tabs->setObjectName("output_tabs");
+  auto* tabs = named(new QTabWidget, "output_tabs");
   tabs->setDocumentMode(true);
   tabs->addTab(scrolled_panel(output), tr("Picture"));
   tabs->addTab(scrolled_panel(cameras), tr("Camera"));

@@ -13,6 +13,7 @@
 #include "app/viewport/viewport.h"
 #include "app/widgets/frame_text.h"
 #include "app/widgets/plain_text.h"
+#include "app/widgets/rows.h"
 #include "app/window/pages/message_bar.h"
 
 namespace brume {
@@ -23,13 +24,11 @@ StatusLine::StatusLine(const Workspace& work, QMainWindow& window,
       work_(work),
       hint_(new PlainLabel(&window)),
       numbers_(new PlainLabel(&window)),
-      error_(new PlainLabel(&window)),
-      quality_(new PlainLabel(&window)) {
-  error_->setObjectName("error");
+      error_(named(new PlainLabel(&window), "error")),
+      quality_(named(new PlainLabel(&window), "quality")) {
   error_->setToolTip(
       tr("Relative RMSE of the airlight against the reference, measured on this frame; grey while "
          "measuring. Of a path-traced picture: its noise, the standard error relative to the RMS"));
-  quality_->setObjectName("quality");
   // Menu bars do not follow when what is in their corner grows.
   quality_->setMinimumWidth(quality_->fontMetrics().horizontalAdvance("paper's method · < 0.01 %"));
   quality_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);

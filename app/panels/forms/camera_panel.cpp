@@ -14,6 +14,7 @@
 #include "app/commands/edit_cameras.h"
 #include "app/commands/scene_part_command.h"
 #include "app/document/document.h"
+#include "app/widgets/rows.h"
 #include "core/number_domain.h"
 #include "core/scene/cameras.h"
 #include "core/scene/fields/camera_fields.h"
@@ -28,7 +29,9 @@ constexpr NumberDomain focal_lengths{0.1, 10000.0, "a number from 0.1 to 10000 m
 }  // namespace
 
 CameraPanel::CameraPanel(Document& document, std::function<Camera()> view, QWidget* parent)
-    : SceneForm(document, parent), view_(std::move(view)), list_(new QListWidget(this)) {
+    : SceneForm(document, parent),
+      view_(std::move(view)),
+      list_(named(new QListWidget(this), "cameras")) {
   auto* form = new QFormLayout(this);
   form->setContentsMargins(6, 6, 6, 6);
   form->addRow(new_list());
@@ -43,7 +46,6 @@ CameraPanel::CameraPanel(Document& document, std::function<Camera()> view, QWidg
 }
 
 QWidget* CameraPanel::new_list() {
-  list_->setObjectName("cameras");
   list_->setToolTip(
       tr("The scene's cameras. Click one to use it: it is what is rendered. Double-click or F2 "
          "renames it"));
@@ -73,9 +75,7 @@ QWidget* CameraPanel::new_buttons() {
   auto* row = new QHBoxLayout(buttons);
   row->setContentsMargins(0, 0, 0, 0);
   const auto add = [&](const QString& text, const char* name, const QString& tip, auto react) {
-    auto* button = new QPushButton(text, this);
-    button->setObjectName(name);
-    button->setToolTip(tip);
+    auto* button = named(new QPushButton(text, this), name, tip);
     connect(button, &QPushButton::clicked, this, react);
     row->addWidget(button);
     return button;
@@ -91,9 +91,8 @@ QWidget* CameraPanel::new_buttons() {
 }
 
 void CameraPanel::add_toggle(QAction* action) {
-  auto* box = new QCheckBox(action->text().remove('&'), this);
-  box->setObjectName(action->objectName() + "_box");
-  box->setToolTip(action->toolTip());
+  auto* box = named(new QCheckBox(action->text().remove('&'), this), action->objectName() + "_box",
+                    action->toolTip());
   box->setChecked(action->isChecked());
   connect(box, &QCheckBox::toggled, action, [action](bool on) {
     if (action->isChecked() != on) action->trigger();
@@ -129,8 +128,7 @@ void CameraPanel::set_camera(const Camera& camera, const FieldInfo& info, MergeI
 }
 
 void CameraPanel::add_projection(QFormLayout& form) {
-  auto* projection = new QComboBox(this);
-  projection->setObjectName("camera_projection");
+  auto* projection = named(new QComboBox(this), "camera_projection");
   projection->addItems({tr("Perspective"), tr("Orthographic")});
   projection->setToolTip(
       tr("Perspective: nearer things look larger, as through a lens. Orthographic: rays are "
@@ -165,8 +163,7 @@ void CameraPanel::add_focal_length(QFormLayout& form) {
 
 void CameraPanel::add_focus(QFormLayout& form) {
   const auto camera = [this]() -> const Camera& { return document_.scene().camera; };
-  auto* on_target = new QCheckBox(tr("Focus on what it looks at"), this);
-  on_target->setObjectName("focus_on_target");
+  auto* on_target = named(new QCheckBox(tr("Focus on what it looks at"), this), "focus_on_target");
   form.addRow({}, on_target);
   connect(on_target, &QCheckBox::clicked, this, [this, camera](bool on) {
     Camera changed = camera();

@@ -10,11 +10,12 @@
 #include "app/document/document.h"
 #include "app/widgets/emission_editor.h"
 #include "app/widgets/optics_editor.h"
+#include "app/widgets/rows.h"
 #include "core/scene/fields/emitter_fields.h"
 
 namespace brume {
 EmitterPanel::EmitterPanel(Document& document, QWidget* parent)
-    : SceneForm(document, parent), list_(new QListWidget(this)) {
+    : SceneForm(document, parent), list_(named(new QListWidget(this), "emitters")) {
   auto* form = new QFormLayout(this);
   form->setContentsMargins(6, 6, 6, 6);
   add_list(*form);
@@ -30,10 +31,8 @@ const Emitter* EmitterPanel::emitter() const {
 }
 
 void EmitterPanel::add_list(QFormLayout& form) {
-  list_->setObjectName("emitters");
   list_->setMaximumHeight(80);
-  auto* remove = new QPushButton(tr("Delete"), this);
-  remove->setObjectName("delete_emitter");
+  auto* remove = named(new QPushButton(tr("Delete"), this), "delete_emitter");
   form.addRow(list_);
   form.addRow(remove);
   connect(remove, &QPushButton::clicked, this, [this] {

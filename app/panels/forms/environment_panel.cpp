@@ -1,7 +1,6 @@
 #include "app/panels/forms/environment_panel.h"
 
 #include <QFormLayout>
-#include <QHBoxLayout>
 #include <QPushButton>
 
 #include "app/commands/scene_part_command.h"
@@ -10,6 +9,7 @@
 #include "app/files/file_dialogs.h"
 #include "app/panels/forms/environment_picture.h"
 #include "app/widgets/plain_text.h"
+#include "app/widgets/rows.h"
 #include "core/io/image/radiance_map_file.h"
 #include "core/scene/fields/environment_fields.h"
 
@@ -49,16 +49,10 @@ EnvironmentPanel::EnvironmentPanel(Document& document, QWidget* parent)
 }
 
 void EnvironmentPanel::add_file(QFormLayout& form) {
-  auto* name = new PlainLabel(this);
-  name->setObjectName("environment_file");
+  auto* name = named(new PlainLabel(this), "environment_file");
   auto* choose = new QPushButton(tr("Choose…"), this);
-  auto* remove = new QPushButton(tr("Remove"), this);
-  remove->setObjectName("remove_environment");
-  auto* row = new QHBoxLayout;
-  row->addWidget(name, 1);
-  row->addWidget(choose);
-  row->addWidget(remove);
-  form.addRow(tr("Environment"), row);
+  auto* remove = named(new QPushButton(tr("Remove"), this), "remove_environment");
+  form.addRow(tr("Environment"), row_of({name, choose, remove}));
   picture_ = new PlainLabel(this);
   picture_->setObjectName("environment_picture");
   picture_->setToolTip(tr("The environment as rotated: −z in the centre, +x to the right"));

@@ -7,20 +7,20 @@
 
 #include "app/commands/edit_groups.h"
 #include "app/document/document.h"
+#include "app/widgets/rows.h"
 #include "core/scene/fields/group_fields.h"
 
 namespace brume {
 
 GroupPanel::GroupPanel(Document& document, QWidget* parent)
-    : SceneForm(document, parent), groups_(new QComboBox(this)) {
-  groups_->setObjectName("group");
+    : SceneForm(document, parent), groups_(named(new QComboBox(this), "group")) {
   groups_->setToolTip(tr("The active group: brushes, Add Gaussian and Paste add to it"));
   groups_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  auto* hint = new QLabel(
-      tr("Groups keep Gaussians together: select some and press Ctrl+G. What you set here acts on "
-         "all of a group and leaves their own values as they are."),
-      this);
-  hint->setObjectName("group_hint");
+  auto* hint = named(new QLabel(tr("Groups keep Gaussians together: select some and press Ctrl+G. "
+                                   "What you set here acts on "
+                                   "all of a group and leaves their own values as they are."),
+                                this),
+                     "group_hint");
   hint->setWordWrap(true);
   auto* form = new QFormLayout(this);
   form->setContentsMargins(6, 6, 6, 6);

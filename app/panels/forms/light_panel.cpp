@@ -26,6 +26,7 @@
 #include "app/view/view.h"
 #include "app/widgets/color_button.h"
 #include "app/widgets/plain_text.h"
+#include "app/widgets/rows.h"
 #include "brume/limits.h"
 #include "core/io/ies_file.h"
 #include "core/number_domain.h"
@@ -39,7 +40,7 @@ LightPanel::LightPanel(Document& document, std::function<const View&()> active_v
                        QWidget* parent)
     : SceneForm(document, parent),
       active_view_(std::move(active_view)),
-      list_(new QListWidget(this)) {
+      list_(named(new QListWidget(this), "lights")) {
   auto* form = new QFormLayout(this);
   form->setContentsMargins(6, 6, 6, 6);
   add_light_list(*form);
@@ -75,22 +76,16 @@ const Light* LightPanel::light() const {
 }
 
 void LightPanel::add_light_list(QFormLayout& form) {
-  list_->setObjectName("lights");
   list_->setMaximumHeight(110);
   form.addRow(list_);
-  auto* add = new QPushButton(tr("Add light"), this);
-  add->setObjectName("add_light");
-  auto* add_cone = new QPushButton(tr("Add spot"), this);
-  add_cone->setObjectName("add_spot");
-  add_cone->setToolTip(tr("Adds a light that shines in a cone, at what the view looks at"));
-  auto* add_sun = new QPushButton(tr("Add sun"), this);
-  add_sun->setObjectName("add_directional");
-  add_sun->setToolTip(tr("Adds a directional light: its rays are parallel"));
-  auto* remove = new QPushButton(tr("Delete"), this);
-  remove->setObjectName("delete_light");
+  auto* add = named(new QPushButton(tr("Add light"), this), "add_light");
+  auto* add_cone = named(new QPushButton(tr("Add spot"), this), "add_spot",
+                         tr("Adds a light that shines in a cone, at what the view looks at"));
+  auto* add_sun = named(new QPushButton(tr("Add sun"), this), "add_directional",
+                        tr("Adds a directional light: its rays are parallel"));
+  auto* remove = named(new QPushButton(tr("Delete"), this), "delete_light");
   const auto menu_button = [this](const char* name, const QString& text, const QString& tip) {
-    auto* button = new QToolButton(this);
-    button->setObjectName(name);
+    auto* button = named(new QToolButton(this), name);
     button->setText(text);
     button->setToolTip(tip);
     button->setPopupMode(QToolButton::InstantPopup);
@@ -248,18 +243,11 @@ void LightPanel::set_value(Light changed, const FieldInfo& info, MergeId gesture
 }
 
 void LightPanel::add_profile_field(QFormLayout& form) {
-  auto* name = new PlainLabel(this);
-  name->setObjectName("light_profile");
-  auto* choose = new QPushButton(tr("Choose…"), this);
-  choose->setObjectName("choose_profile");
-  choose->setToolTip(tr("Spreads the light as a luminaire does, measured in an IES file"));
-  auto* remove = new QPushButton(tr("Remove"), this);
-  remove->setObjectName("remove_profile");
-  auto* row = new QHBoxLayout;
-  row->addWidget(name, 1);
-  row->addWidget(choose);
-  row->addWidget(remove);
-  form.addRow(tr("Profile"), row);
+  auto* name = named(new PlainLabel(this), "light_profile");
+  auto* choose = named(new QPushButton(tr("Choose…"), this), "choose_profile",
+                       tr("Spreads the light as a luminaire does, measured in an IES file"));
+  auto* remove = named(new QPushButton(tr("Remove"), this), "remove_profile");
+  form.addRow(tr("Profile"), row_of({name, choose, remove}));
   connect(choose, &QPushButton::clicked, this, [this] {
     const std::filesystem::path file =
         ask_for_file(this, FileKind::profile, tr("Choose a photometric profile"),
@@ -340,8 +328,7 @@ void LightPanel::add_photometric_fields(QFormLayout& form) {
 }
 
 void LightPanel::add_type_field(QFormLayout& form) {
-  auto* type = new QComboBox(this);
-  type->setObjectName("light_type");
+  auto* type = named(new QComboBox(this), "light_type");
   for (const LightKindInfo& info : light_kinds) {
     type->addItem(fields_text(info.label));
     type->setItemData(type->count() - 1, fields_text(info.says), Qt::ToolTipRole);

@@ -10,6 +10,7 @@
 #include "app/document/surface_names.h"
 #include "app/files/file_dialogs.h"
 #include "app/panels/forms/metallic_roughness_form.h"
+#include "app/widgets/rows.h"
 #include "core/io/merl_file.h"
 #include "core/number_domain.h"
 
@@ -17,13 +18,10 @@ namespace brume {
 
 MaterialPanel::MaterialPanel(Document& document, QWidget* parent)
     : SceneForm(document, parent),
-      surfaces_(new QComboBox(this)),
-      type_(new QComboBox(this)),
-      transfer_(new QComboBox(this)) {
-  surfaces_->setObjectName("surface");
-  type_->setObjectName("material_type");
+      surfaces_(named(new QComboBox(this), "surface")),
+      type_(named(new QComboBox(this), "material_type")),
+      transfer_(named(new QComboBox(this), "transfer")) {
   type_->addItems({tr("Diffuse"), tr("Phong"), tr("Measured…"), tr("Metallic-roughness")});
-  transfer_->setObjectName("transfer");
   transfer_->addItems({tr("None"), tr("Shadows"), tr("Shadows and interreflection")});
   transfer_->setToolTip(
       tr("Precomputed self-shadowing and interreflection within the object, of the environment and "

@@ -10,6 +10,7 @@
 #include "app/commands/edit_medium.h"
 #include "app/commands/scene_part_command.h"
 #include "app/document/document.h"
+#include "app/widgets/rows.h"
 #include "core/number_domain.h"
 #include "core/scene/fields/medium_fields.h"
 
@@ -45,7 +46,7 @@ constexpr std::array medium_presets{
 }  // namespace
 
 MediumPanel::MediumPanel(Document& document, Scattering scattering, QWidget* parent)
-    : SceneForm(document, parent), scattering_(new QComboBox(this)) {
+    : SceneForm(document, parent), scattering_(named(new QComboBox(this), "scattering")) {
   on_change(document_, Change::medium, this, &MediumPanel::refresh);
   auto* form = new QFormLayout(this);
   form->setContentsMargins(6, 6, 6, 6);
@@ -110,7 +111,6 @@ QPushButton* MediumPanel::new_presets() {
 }
 
 void MediumPanel::fill_scattering(Scattering scattering) {
-  scattering_->setObjectName("scattering");
   scattering_->addItem(tr("Once"), static_cast<int>(Scattering::single));
   scattering_->addItem(tr("All orders"), static_cast<int>(Scattering::multiple));
   scattering_->setToolTip(tr(

@@ -1,7 +1,6 @@
 #include "app/panels/forms/metallic_roughness_form.h"
 
 #include <QFormLayout>
-#include <QHBoxLayout>
 #include <QPushButton>
 #include <QToolButton>
 #include <string_view>
@@ -9,6 +8,7 @@
 #include "app/document/document.h"
 #include "app/files/file_dialogs.h"
 #include "app/widgets/plain_text.h"
+#include "app/widgets/rows.h"
 #include "core/io/image/texture_file.h"
 #include "core/scene/fields/material_fields.h"
 
@@ -77,10 +77,8 @@ void MetallicRoughnessForm::add_values(QFormLayout& form) {
 
 void MetallicRoughnessForm::add_texture(QFormLayout& form, const QString& title, const char* name,
                                         Slot slot) {
-  auto* choose = new QPushButton(this);
-  choose->setObjectName(name);
-  auto* remove = new QToolButton(this);
-  remove->setObjectName(QString(name) + "_remove");
+  auto* choose = named(new QPushButton(this), name);
+  auto* remove = named(new QToolButton(this), QString(name) + "_remove");
   remove->setText(QStringLiteral("×"));
   remove->setToolTip(tr("Remove the texture"));
   connect(choose, &QPushButton::clicked, this, [this, slot] { ask_for_texture(slot); });
@@ -97,10 +95,7 @@ void MetallicRoughnessForm::add_texture(QFormLayout& form, const QString& title,
                                            : plain_tool_tip(QString::fromStdString(texture->file)));
     remove->setEnabled(has_file);
   });
-  auto* row = new QHBoxLayout;
-  row->addWidget(choose, 1);
-  row->addWidget(remove);
-  form.addRow(title, row);
+  form.addRow(title, row_of({choose, remove}));
 }
 
 void MetallicRoughnessForm::ask_for_texture(Slot slot) {

@@ -24,6 +24,7 @@
 #include "app/files/picture_format.h"
 #include "app/widgets/layer_boxes.h"
 #include "app/widgets/plain_text.h"
+#include "app/widgets/rows.h"
 #include "brume/limits.h"
 #include "core/io/disk/file_bytes.h"
 #include "core/number_domain.h"
@@ -82,9 +83,8 @@ const Output& OutputPanel::output() const {
 }
 
 void OutputPanel::add_size(QFormLayout& form) {
-  auto* presets = new QComboBox(this);
-  presets->setObjectName("size_preset");
-  presets->setToolTip(tr("Usual sizes of pictures, in pixels"));
+  auto* presets =
+      named(new QComboBox(this), "size_preset", tr("Usual sizes of pictures, in pixels"));
   presets->addItem(tr("Custom"));
   for (const SizePreset& preset : size_presets) presets->addItem(tr(preset.title));
   form.addRow(tr("Size"), presets);
@@ -101,9 +101,8 @@ void OutputPanel::add_size(QFormLayout& form) {
                 [=, this](double value, MergeId gesture) { set_side(is_width, value, gesture); }})
         ->setToolTip(tr("Of the rendered picture, in pixels"));
   }
-  auto* lock = new QCheckBox(tr("Lock aspect ratio"), this);
-  lock->setObjectName("lock_aspect");
-  lock->setToolTip(tr("Width and height change together"));
+  auto* lock = named(new QCheckBox(tr("Lock aspect ratio"), this), "lock_aspect",
+                     tr("Width and height change together"));
   connect(lock, &QCheckBox::toggled, this, [this, film](bool on) {
     locks_aspect_ = on;
     aspect_ = static_cast<double>(film().width) / film().height;
@@ -135,11 +134,9 @@ void OutputPanel::add_region(QFormLayout& form) {
   region_ = new QWidget(this);
   auto* row = new QHBoxLayout(region_);
   row->setContentsMargins(0, 0, 0, 0);
-  auto* text = new PlainLabel(region_);
-  text->setObjectName("region_text");
-  auto* clear = new QPushButton(tr("Whole Picture"), region_);
-  clear->setObjectName("clear_region");
-  clear->setToolTip(tr("Renders the whole picture again, not only the region"));
+  auto* text = named(new PlainLabel(region_), "region_text");
+  auto* clear = named(new QPushButton(tr("Whole Picture"), region_), "clear_region",
+                      tr("Renders the whole picture again, not only the region"));
   row->addWidget(text, 1);
   row->addWidget(clear);
   connect(clear, &QPushButton::clicked, this, &OutputPanel::clear_region_asked_for);
@@ -153,8 +150,7 @@ void OutputPanel::show_region(const QString& text) {
 }
 
 void OutputPanel::add_method(QFormLayout& form) {
-  auto* method = new QComboBox(this);
-  method->setObjectName("output_method");
+  auto* method = named(new QComboBox(this), "output_method");
   method->addItem(tr("As in the view"));
   method->addItem(tr("Path traced"));
   method->setToolTip(
@@ -222,18 +218,13 @@ void OutputPanel::set_playback(const Playback& playback) {
 }
 
 void OutputPanel::add_file(QFormLayout& form) {
-  auto* file = new QLineEdit(this);
-  file->setObjectName("output_file");
+  auto* file = named(new QLineEdit(this), "output_file");
   file->setPlaceholderText(tr("none: into the picture viewer only"));
   auto* choose = new QToolButton(this);
   choose->setText("…");
   choose->setToolTip(tr("Choose a file"));
-  auto* row = new QHBoxLayout;
-  row->addWidget(file, 1);
-  row->addWidget(choose);
-  form.addRow(tr("File"), row);
-  auto* format = new QComboBox(this);
-  format->setObjectName("output_format");
+  form.addRow(tr("File"), row_of({file, choose}));
+  auto* format = named(new QComboBox(this), "output_format");
   format->addItem(tr("PNG picture"), ".png");
   format->addItem(tr("EXR with layers"), ".exr");
   format->addItem(tr("Deep EXR, for holdouts"), ".deep.exr");
@@ -242,8 +233,7 @@ void OutputPanel::add_file(QFormLayout& form) {
       tr("PNG: ready to show. EXR: linear light in 32-bit floats, with layers, for compositing. "
          "MP4: a video of all frames, by the program ffmpeg"));
   form.addRow(tr("Format"), format);
-  auto* names = new PlainLabel(this);
-  names->setObjectName("output_names");
+  auto* names = named(new PlainLabel(this), "output_names");
   names->setWordWrap(true);
   form.addRow({}, names);
   connect(choose, &QToolButton::clicked, this, &OutputPanel::browse);
@@ -321,10 +311,9 @@ void OutputPanel::add_layers(QFormLayout& form) {
 }
 
 void OutputPanel::add_exposure(QFormLayout& form) {
-  auto* from_view = new QCheckBox(tr("Exposure as in the view"), this);
-  from_view->setObjectName("exposure_of_view");
-  from_view->setToolTip(
-      tr("Pictures are as bright as the view (+ and -). EXR files are never changed"));
+  auto* from_view =
+      named(new QCheckBox(tr("Exposure as in the view"), this), "exposure_of_view",
+            tr("Pictures are as bright as the view (+ and -). EXR files are never changed"));
   form.addRow({}, from_view);
   const auto set = [this](std::optional<double> stops, MergeId gesture = no_merge) {
     change_output(document_, tr("Set exposure of output"), gesture,
@@ -345,9 +334,8 @@ void OutputPanel::add_exposure(QFormLayout& form) {
 void OutputPanel::add_buttons(QFormLayout& form, QAction* render, QAction* render_animation) {
   auto* row = new QHBoxLayout;
   for (QAction* action : {render, render_animation}) {
-    auto* button = new QPushButton(action->text().remove('&'), this);
-    button->setObjectName(action->objectName() + "_button");
-    button->setToolTip(action->toolTip());
+    auto* button = named(new QPushButton(action->text().remove('&'), this),
+                         action->objectName() + "_button", action->toolTip());
     connect(button, &QPushButton::clicked, action, &QAction::trigger);
     row->addWidget(button);
   }

@@ -7,6 +7,7 @@
 #include "app/commands/edit_output.h"
 #include "app/document/document.h"
 #include "app/panels/forms/output_panel.h"
+#include "app/widgets/rows.h"
 #include "brume/limits.h"
 #include "core/number_domain.h"
 #include "render/samples/exposure.h"
@@ -19,9 +20,8 @@ constexpr NumberDomain sample_count{1, limits::samples, "a whole number from 1 t
 }  // namespace
 
 void OutputPanel::add_samples(QFormLayout& form) {
-  auto* chosen = new QCheckBox(tr("Choose samples"), this);
-  chosen->setObjectName("samples_chosen");
-  chosen->setToolTip(
+  auto* chosen = named(
+      new QCheckBox(tr("Choose samples"), this), "samples_chosen",
       tr("As many samples of a pixel as it needs: %1 at the edges of surfaces, %2 of all pixels "
          "where the lens or the shutter blurs")
           .arg(edge_samples)
@@ -49,9 +49,8 @@ void OutputPanel::add_samples(QFormLayout& form) {
 }
 
 void OutputPanel::add_shutter(QFormLayout& form) {
-  auto* blur = new QCheckBox(tr("Motion blur"), this);
-  blur->setObjectName("motion_blur");
-  blur->setToolTip(
+  auto* blur = named(
+      new QCheckBox(tr("Motion blur"), this), "motion_blur",
       tr("What moves while the shutter is open is blurred: camera, lights and fog. Every sample "
          "takes a whole frame"));
   form.addRow({}, blur);

@@ -9,6 +9,7 @@
 #include "app/document/document.h"
 #include "app/panels/forms/key_button.h"
 #include "app/widgets/color_button.h"
+#include "app/widgets/rows.h"
 
 namespace brume {
 
@@ -35,8 +36,7 @@ ValueField* SceneForm::new_field(const Number& number, const QString& title) {
 
 KeyButton* SceneForm::new_key_button(const QString& name,
                                      std::function<Track(const Scene&)> track) {
-  auto* button = new KeyButton(document_, std::move(track), this);
-  button->setObjectName(name + "_key");
+  auto* button = named(new KeyButton(document_, std::move(track), this), name + "_key");
   return button;
 }
 
@@ -92,8 +92,7 @@ QLabel* SceneForm::add_vector(QFormLayout& form, const QString& title, const Vec
 }
 
 void SceneForm::add_color(QFormLayout& form, const QString& title, const Color& color) {
-  auto* button = new ColorButton(this);
-  button->setObjectName(color.name);
+  auto* button = named(new ColorButton(this), color.name);
   connect(button, &ColorButton::edited, this, color.set);
   on_refresh([button, get = color.get] {
     const std::optional<glm::dvec3> value = get();
@@ -104,8 +103,7 @@ void SceneForm::add_color(QFormLayout& form, const QString& title, const Color& 
 }
 
 QWidget* SceneForm::add_toggle(QFormLayout& form, const QString& title, const Toggle& toggle) {
-  auto* box = new QCheckBox(title, this);
-  box->setObjectName(toggle.name);
+  auto* box = named(new QCheckBox(title, this), toggle.name);
   connect(box, &QCheckBox::clicked, this, [set = toggle.set](bool is_on) { set(is_on, no_merge); });
   on_refresh([box, get = toggle.get] {
     const std::optional<bool> value = get();

@@ -18,6 +18,7 @@
 #include "app/panels/gaussians/gaussian_histogram.h"
 #include "app/panels/gaussians/gaussian_table_model.h"
 #include "app/widgets/plain_text.h"
+#include "app/widgets/rows.h"
 
 namespace brume {
 namespace {
@@ -141,8 +142,7 @@ void GaussianPanel::add_column_menu() {
   for (std::size_t k = 3; k < gaussian_attributes.size(); ++k) {  // always the center
     const auto column = static_cast<int>(k);
     const QString name = "column_" + attribute_name(gaussian_attributes[k]).replace(' ', '_');
-    auto* action = new QAction(attribute_title(gaussian_attributes[k]), header);
-    action->setObjectName(name);
+    auto* action = named(new QAction(attribute_title(gaussian_attributes[k]), header), name);
     action->setCheckable(true);
     // There is room for few, unless more were asked for.
     const QString key = "gaussians/" + name;
@@ -201,8 +201,7 @@ void GaussianPanel::follow(const MediumEdit& edit) {
 }
 
 void GaussianPanel::add_filter(QLayout& layout) {
-  auto* filter = new QLineEdit(this);
-  filter->setObjectName("gaussian_filter");
+  auto* filter = named(new QLineEdit(this), "gaussian_filter");
   filter->setPlaceholderText(tr("Filter: radius < 0.5, density > 0.2"));
   filter->setClearButtonEnabled(true);
   layout.addWidget(filter);

@@ -11,6 +11,7 @@
 #include "app/document/number_text.h"
 #include "app/widgets/color_button.h"
 #include "app/widgets/plain_text.h"
+#include "app/widgets/rows.h"
 
 namespace brume {
 namespace {

@@ -9,6 +9,7 @@
 #include "app/panels/plots/frontier_plot.h"
 #include "app/widgets/frame_text.h"
 #include "app/widgets/plain_text.h"
+#include "app/widgets/rows.h"
 
 namespace brume {
 namespace {
@@ -86,9 +87,9 @@ PerformancePanel::PerformancePanel(std::function<const FrameScheduler&()> active
                                    QWidget* parent)
     : QWidget(parent),
       active_frames_(std::move(active_frames)),
-      max_error_(new QComboBox(this)),
+      max_error_(named(new QComboBox(this), "max_error")),
       frontier_(new FrontierPlot(this)),
-      stages_(new QTreeWidget(this)) {
+      stages_(named(new QTreeWidget(this), "stages")) {
   auto* form = new QFormLayout;
   form->addRow(tr("Max error"), max_error_);
   time_ = add_row(*form, tr("Frame"), "frame_time",
@@ -133,7 +134,6 @@ QWidget* PerformancePanel::make_details() {
                    tr("Evaluated pairs of Gaussian and ray, from the eye and from the lights"));
   picture_ = add_row(*numbers, tr("Picture"), "picture", tr("Width and height in pixels"));
 
-  stages_->setObjectName("stages");
   stages_->setHeaderLabels({tr("Stage"), tr("Milliseconds")});
   stages_->setRootIsDecorated(false);
   stages_->setSelectionMode(QAbstractItemView::NoSelection);
@@ -154,8 +154,7 @@ QWidget* PerformancePanel::make_details() {
 }
 
 QToolButton* PerformancePanel::make_details_button(QWidget& details) {
-  auto* button = new QToolButton(this);
-  button->setObjectName("performance_details");
+  auto* button = named(new QToolButton(this), "performance_details");
   button->setText(tr("Details"));
   button->setToolTip(tr("The state of auto, the settings tried, and the time of each stage"));
   button->setCheckable(true);
@@ -177,9 +176,7 @@ QToolButton* PerformancePanel::make_details_button(QWidget& details) {
 
 QLabel* PerformancePanel::add_row(QFormLayout& form, const QString& title, const char* name,
                                   const QString& tip) {
-  auto* value = new PlainLabel(this);
-  value->setObjectName(name);
-  value->setToolTip(tip);
+  auto* value = named(new PlainLabel(this), name, tip);
   if (title.isEmpty()) {
     form.addRow(value);
     return value;
@@ -190,7 +187,6 @@ QLabel* PerformancePanel::add_row(QFormLayout& form, const QString& title, const
 }
 
 void PerformancePanel::fill_max_error() {
-  max_error_->setObjectName("max_error");
   const double remembered = QSettings().value(max_error_key).toDouble();
   for (const double bound : {0.01, 0.02, 0.05, 0.1}) {
     max_error_->addItem(tr("%1").arg(bound_text(bound)), bound);

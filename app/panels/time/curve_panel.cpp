@@ -8,22 +8,20 @@
 
 #include "app/document/document.h"
 #include "app/panels/time/curve_editor.h"
+#include "app/widgets/rows.h"
 
 namespace brume {
 
 CurvePanel::CurvePanel(Timeline& timeline, Document& document, QWidget* parent)
     : QWidget(parent),
       document_(document),
-      track_(new QComboBox(this)),
-      editor_(new CurveEditor(timeline, document, this)) {
-  track_->setObjectName("curve_track");
+      track_(named(new QComboBox(this), "curve_track")),
+      editor_(named(new CurveEditor(timeline, document, this), "curves")) {
   track_->setToolTip(tr("The animated value whose curves are shown"));
   track_->setFocusPolicy(Qt::ClickFocus);
   track_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   track_->setEnabled(false);
-  editor_->setObjectName("curves");
-  auto* fit = new QToolButton(this);
-  fit->setObjectName("fit_curves");
+  auto* fit = named(new QToolButton(this), "fit_curves");
   fit->setText(tr("Fit"));
   fit->setToolTip(tr("Show the whole curves (Home)"));
   auto* column = new QVBoxLayout(this);

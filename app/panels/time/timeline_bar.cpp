@@ -22,6 +22,7 @@
 #include "app/widgets/frame_slider.h"
 #include "app/widgets/icons.h"
 #include "app/widgets/plain_text.h"
+#include "app/widgets/rows.h"
 #include "app/widgets/whole_number_box.h"
 #include "brume/limits.h"
 
@@ -48,13 +49,12 @@ TimelineBar::TimelineBar(Timeline& timeline, Document& document, std::function<C
       document_(document),
       view_(std::move(view)),
       slider_(new FrameSlider(this)),
-      playback_(new PlaybackLabel(timeline, this)),
-      target_(new QComboBox(this)),
-      keys_(new KeyframeTrack(timeline, document, this)),
+      playback_(named(new PlaybackLabel(timeline, this), "playback_rate")),
+      target_(named(new QComboBox(this), "key_target")),
+      keys_(named(new KeyframeTrack(timeline, document, this), "keys")),
       key_area_(new QScrollArea(this)) {
   const auto button = [this](const char* icon, const QString& tip) {
-    auto* made = new QToolButton(this);
-    made->setObjectName(icon);
+    auto* made = named(new QToolButton(this), icon);
     made->setIcon(load_icon(icon));
     made->setAutoRaise(true);
     made->setToolTip(tip);
@@ -69,15 +69,12 @@ TimelineBar::TimelineBar(Timeline& timeline, Document& document, std::function<C
   slider->setToolTip(
       tr("Drag to another frame. The bar below shows which frames are cached: bright "
          "at full quality, dim as they were shown during playback."));
-  playback_->setObjectName("playback_rate");
   auto* frame = new_number(this, "frame", tr("Frame"));
   auto* seconds = new PlainLabel(this);
   auto* first = new_number(this, "first_frame_of_range", tr("First frame"));
   auto* last = new_number(this, "last_frame_of_range", tr("Last frame"));
-  auto* loop = new QCheckBox(tr("Loop"), this);
-  loop->setObjectName("loop");
+  auto* loop = named(new QCheckBox(tr("Loop"), this), "loop");
 
-  target_->setObjectName("key_target");
   target_->setToolTip(tr("The value to set a keyframe for"));
   target_->setFocusPolicy(Qt::ClickFocus);
   target_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
@@ -90,7 +87,6 @@ TimelineBar::TimelineBar(Timeline& timeline, Document& document, std::function<C
   column->setSpacing(0);
   auto* row = new QHBoxLayout;
   column->addLayout(row);
-  keys_->setObjectName("keys");
   key_area_->setWidget(keys_);
   key_area_->setWidgetResizable(true);
   key_area_->setFrameShape(QFrame::NoFrame);

@@ -8,6 +8,7 @@
 
 #include "app/document/document.h"
 #include "app/widgets/frame_text.h"
+#include "app/widgets/rows.h"
 #include "app/widgets/value_field.h"
 #include "core/math/rounded.h"
 #include "core/number_domain.h"
@@ -25,13 +26,12 @@ FogShapeDialog::FogShapeDialog(Document& document, const FogPlace& place, QWidge
     : QDialog(window),
       document_(document),
       place_(place),
-      kind_(new QComboBox(this)),
-      count_(new QLabel(this)),
-      add_(new QPushButton(tr("Add"), this)) {
+      kind_(named(new QComboBox(this), "fog_shape_kind")),
+      count_(named(new QLabel(this), "fog_shape_count")),
+      add_(named(new QPushButton(tr("Add"), this), "fog_shape_add")) {
   setAttribute(Qt::WA_DeleteOnClose);
   setObjectName("fog_shape_dialog");
   setWindowTitle(tr("Add fog shape"));
-  kind_->setObjectName("fog_shape_kind");
   kind_->addItems({tr("Box"), tr("Sphere"), tr("Height fog")});
   connect(kind_, &QComboBox::activated, this,
           [this](int index) { set_kind(static_cast<FogShape::Kind>(index)); });
@@ -99,20 +99,14 @@ FogShapeDialog::FogShapeDialog(Document& document, const FogPlace& place, QWidge
   form->addRow(seed->detach_title(), seed);
 
   show_length_units(*this, {"fog_shape_center", "fog_shape_size", "fog_shape_spacing"});
-  count_->setObjectName("fog_shape_count");
   count_->setWordWrap(true);
-  add_->setObjectName("fog_shape_add");
   add_->setDefault(true);
   connect(add_, &QPushButton::clicked, this, &FogShapeDialog::add_shape);
   auto* close_button = new QPushButton(tr("Close"), this);
   connect(close_button, &QPushButton::clicked, this, &QWidget::close);
-  auto* buttons = new QHBoxLayout;
-  buttons->addWidget(count_, 1);
-  buttons->addWidget(close_button);
-  buttons->addWidget(add_);
   auto* layout = new QVBoxLayout(this);
   layout->addLayout(form);
-  layout->addLayout(buttons);
+  layout->addLayout(row_of({count_, close_button, add_}));
   setMinimumWidth(400);
   set_kind(FogShape::Kind::box);
 }

@@ -1,7 +1,6 @@
 #include "app/window/dialogs/key_preferences.h"
 
 #include <QAction>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QKeySequenceEdit>
 #include <QLabel>
@@ -11,6 +10,7 @@
 #include <QVBoxLayout>
 
 #include "app/widgets/keys.h"
+#include "app/widgets/rows.h"
 
 namespace brume {
 namespace {
@@ -32,36 +32,26 @@ QString keys_text(const QAction& action) {
 
 KeyPreferences::KeyPreferences(QWidget& window, QWidget* parent)
     : QWidget(parent),
-      filter_(new QLineEdit(this)),
-      list_(new QTreeWidget(this)),
-      edit_(new QKeySequenceEdit(this)),
-      note_(new QLabel(this)) {
+      filter_(named(new QLineEdit(this), "key_filter")),
+      list_(named(new QTreeWidget(this), "key_list")),
+      edit_(named(new QKeySequenceEdit(this), "key_edit")),
+      note_(named(new QLabel(this), "key_note")) {
   for (const KeyEntry& entry : key_table()) {
     if (auto* action = window.findChild<QAction*>(entry.action)) actions_ << action;
   }
-  filter_->setObjectName("key_filter");
   filter_->setPlaceholderText(tr("Find a command"));
-  list_->setObjectName("key_list");
   list_->setHeaderLabels({tr("Command"), tr("Keys")});
   list_->setRootIsDecorated(false);
   list_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
-  edit_->setObjectName("key_edit");
-  note_->setObjectName("key_note");
   note_->setWordWrap(true);
-  auto* set = new QPushButton(tr("Set"), this);
-  set->setObjectName("key_set");
+  auto* set = named(new QPushButton(tr("Set"), this), "key_set");
   auto* clear = new QPushButton(tr("None"), this);
-  auto* reset_one = new QPushButton(tr("Default"), this);
-  reset_one->setObjectName("key_default");
-  auto* all = new QPushButton(tr("All Defaults"), this);
-  all->setObjectName("keys_default");
-  auto* row = new QHBoxLayout;
-  row->addWidget(edit_, 1);
-  for (QPushButton* button : {set, clear, reset_one, all}) row->addWidget(button);
+  auto* reset_one = named(new QPushButton(tr("Default"), this), "key_default");
+  auto* all = named(new QPushButton(tr("All Defaults"), this), "keys_default");
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(filter_);
   layout->addWidget(list_, 1);
-  layout->addLayout(row);
+  layout->addLayout(row_of({edit_, set, clear, reset_one, all}));
   layout->addWidget(note_);
   connect(filter_, &QLineEdit::textChanged, this, &KeyPreferences::list_matches);
   connect(list_, &QTreeWidget::currentItemChanged, this, &KeyPreferences::show_current);

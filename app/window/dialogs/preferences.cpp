@@ -17,6 +17,7 @@
 #include "app/document/autosave.h"
 #include "app/document/number_text.h"
 #include "app/widgets/interface_settings.h"
+#include "app/widgets/rows.h"
 #include "app/window/dialogs/key_preferences.h"
 
 namespace brume {
@@ -29,8 +30,7 @@ QString text(const char* source) {
 }
 
 void add_unit(QFormLayout& form) {
-  auto* unit = new QComboBox;
-  unit->setObjectName("length_unit");
+  auto* unit = named(new QComboBox, "length_unit");
   unit->setEditable(true);
   unit->addItems({"", "u", "mm", "cm", "m", "km", "in", "ft"});
   unit->lineEdit()->setMaxLength(InterfaceSettings::max_unit_length);
@@ -47,8 +47,7 @@ void add_unit(QFormLayout& form) {
 
 void add_colors(QFormLayout& form) {
   using Numbers = InterfaceSettings::ColorNumbers;
-  auto* colors = new QComboBox;
-  colors->setObjectName("color_numbers");
+  auto* colors = named(new QComboBox, "color_numbers");
   colors->addItem(text("sRGB, 0 to 255"), static_cast<int>(Numbers::srgb));
   colors->addItem(text("Linear, 0 to 1"), static_cast<int>(Numbers::linear));
   colors->setCurrentIndex(
@@ -64,8 +63,7 @@ void add_colors(QFormLayout& form) {
 }
 
 void add_handles(QFormLayout& form) {
-  auto* handles = new QComboBox;
-  handles->setObjectName("handle_scale");
+  auto* handles = named(new QComboBox, "handle_scale");
   handles->addItem(text("By the screen"), 0.0);
   for (const double scale : {1.0, 1.25, 1.5, 2.0, 2.5, 3.0}) {
     handles->addItem(QString("%1 ×").arg(number_text(scale)), scale);
@@ -119,8 +117,7 @@ Preferences::Preferences(Autosave& autosave, QWidget* window) : QDialog(window) 
 }
 
 void Preferences::add_choice(const QString& title, const QString& name, QActionGroup& group) {
-  auto* box = new QComboBox(this);
-  box->setObjectName(name);
+  auto* box = named(new QComboBox(this), name);
   const QList<QAction*> actions = group.actions();
   for (int k = 0; k < actions.size(); ++k) {
     const QAction* action = actions.at(k);
@@ -138,8 +135,7 @@ void Preferences::add_choice(const QString& title, const QString& name, QActionG
 }
 
 void Preferences::add_autosave(Autosave& autosave) {
-  auto* seconds = new QSpinBox(this);
-  seconds->setObjectName("autosave_seconds");
+  auto* seconds = named(new QSpinBox(this), "autosave_seconds");
   seconds->setRange(5, 3600);
   seconds->setSuffix(tr(" s"));
   seconds->setValue(autosave.interval());
@@ -149,8 +145,7 @@ void Preferences::add_autosave(Autosave& autosave) {
 }
 
 void Preferences::add_threads() {
-  auto* threads = new QSpinBox(this);
-  threads->setObjectName("threads");
+  auto* threads = named(new QSpinBox(this), "threads");
   threads->setRange(0, static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
   threads->setSpecialValueText(tr("all cores"));
   threads->setValue(QSettings().value(threads_key).toInt());

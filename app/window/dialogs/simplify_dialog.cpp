@@ -1,7 +1,6 @@
 #include "app/window/dialogs/simplify_dialog.h"
 
 #include <QCheckBox>
-#include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -9,6 +8,7 @@
 #include "app/commands/simplify_gaussians.h"
 #include "app/document/document.h"
 #include "app/document/gaussian_attribute.h"
+#include "app/widgets/rows.h"
 #include "app/widgets/value_field.h"
 #include "core/number_domain.h"
 
@@ -22,12 +22,11 @@ constexpr NumberDomain percent_domain{0.01, 100.0, "a number from 0.01 to 100"};
 SimplifyDialog::SimplifyDialog(const Document& document, QWidget* window)
     : QDialog(window),
       document_(document),
-      count_(new QLabel(this)),
-      ellipsoids_(new QCheckBox(tr("Ellipsoids"), this)) {
+      count_(named(new QLabel(this), "simplify_count")),
+      ellipsoids_(named(new QCheckBox(tr("Ellipsoids"), this), "simplify_ellipsoids")) {
   setAttribute(Qt::WA_DeleteOnClose);
   setObjectName("simplify_dialog");
   setWindowTitle(tr("Simplify"));
-  count_->setObjectName("simplify_count");
   auto* error = new ValueField(tr("Max error [%]"), percent_domain, ValueField::Scale::logarithmic,
                                0.02, this);
   error->setObjectName("simplify_error");
@@ -41,24 +40,19 @@ SimplifyDialog::SimplifyDialog(const Document& document, QWidget* window)
     show_count();
   });
   connect(error, &ValueField::refused, count_, &QLabel::setText);
-  ellipsoids_->setObjectName("simplify_ellipsoids");
   ellipsoids_->setToolTip(
       tr("What is merged may be ellipsoids: fewer are left along strands and layers of fog. Else "
          "it is balls"));
   ellipsoids_->setChecked(true);
-  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
-  auto* simplify = buttons->addButton(tr("Simplify"), QDialogButtonBox::AcceptRole);
-  simplify->setObjectName("simplify_now");
+  auto* simplify = named(new QPushButton(tr("Simplify")), "simplify_now");
   auto* form = new QFormLayout(this);
   form->addRow(count_);
   form->addRow(error->detach_title(), error);
   form->addRow(ellipsoids_);
-  form->addRow(buttons);
-  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-  connect(buttons, &QDialogButtonBox::accepted, this, [this] {
+  form->addRow(dialog_buttons(this, simplify, [this] {
     Q_EMIT requested({.max_error = 0.01 * percent_, .ellipsoids = ellipsoids_->isChecked()});
     accept();
-  });
+  }));
   on_change(document, Change::selection, this, &SimplifyDialog::show_count);
   show_count();
 }

@@ -6,6 +6,7 @@
 #include <QToolButton>
 
 #include "app/widgets/plain_text.h"
+#include "app/widgets/rows.h"
 
 namespace brume {
 
@@ -54,8 +55,7 @@ void MessageBar::show_message(const QString& message, const QString& color,
     delete item;
   }
   for (const Offer& offer : offers) {
-    auto* button = new QPushButton(offer.text, this);
-    button->setObjectName(offer.name);
+    auto* button = named(new QPushButton(offer.text, this), offer.name);
     offers_->addWidget(button);
     connect(button, &QPushButton::clicked, this, [this, react = offer.react] {
       hide();

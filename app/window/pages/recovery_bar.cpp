@@ -7,6 +7,7 @@
 
 #include "app/document/paths.h"
 #include "app/widgets/plain_text.h"
+#include "app/widgets/rows.h"
 
 namespace brume {
 
@@ -18,8 +19,7 @@ RecoveryBar::RecoveryBar(QWidget* parent) : QFrame(parent), label_(new PlainLabe
   layout->setContentsMargins(10, 4, 4, 4);
   layout->addWidget(label_, 1);
   const auto button = [&](const QString& text, const char* name, auto react) {
-    auto* made = new QPushButton(text, this);
-    made->setObjectName(name);
+    auto* made = named(new QPushButton(text, this), name);
     layout->addWidget(made);
     connect(made, &QPushButton::clicked, this, react);
   };

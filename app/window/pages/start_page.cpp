@@ -17,6 +17,7 @@
 #include "app/document/paths.h"
 #include "app/files/recent_pictures.h"
 #include "app/files/scene_files.h"
+#include "app/widgets/rows.h"
 #include "app/window/pages/tile_grid.h"
 #include "core/io/disk/installed_files.h"
 
@@ -124,21 +125,18 @@ StartPage::StartPage(Document& document, SceneFiles& files, QWidget& views)
   scroll->setFrameShape(NoFrame);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
 
-  auto* open_button = new QPushButton(tr("Open…"), this);
-  open_button->setObjectName("start_open");
-  open_button->setToolTip(tr("Open a scene file"));
+  auto* open_button =
+      named(new QPushButton(tr("Open…"), this), "start_open", tr("Open a scene file"));
   connect(open_button, &QPushButton::clicked, &files_, &SceneFiles::open);
-  auto* at_start = new QCheckBox(tr("Show at start"), this);
-  at_start->setObjectName("start_page_at_start");
-  at_start->setToolTip(
-      tr("Whether this page comes up when no scene is opened; it is always under "
-         "File > Start Page"));
+  auto* at_start =
+      named(new QCheckBox(tr("Show at start"), this), "start_page_at_start",
+            tr("Whether this page comes up when no scene is opened; it is always under "
+               "File > Start Page"));
   at_start->setChecked(is_wanted());
   connect(at_start, &QCheckBox::toggled, this,
           [](bool on) { QSettings().setValue(at_start_key, on); });
-  auto* close_button = new QPushButton(tr("Close"), this);
-  close_button->setObjectName("start_close");
-  close_button->setToolTip(tr("Go on with the scene behind this page (Esc)"));
+  auto* close_button = named(new QPushButton(tr("Close"), this), "start_close",
+                             tr("Go on with the scene behind this page (Esc)"));
   connect(close_button, &QPushButton::clicked, this, &StartPage::close_page);
   auto* row = new QHBoxLayout;
   row->setContentsMargins(18, 6, 18, 10);
