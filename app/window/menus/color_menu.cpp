@@ -1,10 +1,10 @@
-#include "app/window/menus/color_menu.h"
-
 #include <QActionGroup>
+#include <QMenu>
 #include <optional>
 
 #include "app/files/file_dialogs.h"
 #include "app/frames/color_management.h"
+#include "app/window/menus/menus.h"
 #include "brume/error.h"
 
 namespace brume {

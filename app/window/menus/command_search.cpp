@@ -10,6 +10,8 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/widgets/rows.h"
+
 namespace brume {
 namespace {
 
@@ -23,14 +25,14 @@ QString plain_title(QString text) {
 }  // namespace
 
 CommandSearch::CommandSearch(const QMenuBar& menus, QWidget* parent)
-    : QFrame(parent, Qt::Popup), words_(new QLineEdit(this)), list_(new QListWidget(this)) {
+    : QFrame(parent, Qt::Popup),
+      words_(named(new QLineEdit(this), "command_words")),
+      list_(named(new QListWidget(this), "command_list")) {
   setObjectName("command_search");
   setAttribute(Qt::WA_DeleteOnClose);
   setFrameShape(QFrame::StyledPanel);
-  words_->setObjectName("command_words");
   words_->setPlaceholderText(tr("What do you want to do?"));
   words_->installEventFilter(this);
-  list_->setObjectName("command_list");
   list_->setFocusPolicy(Qt::NoFocus);
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(words_);

@@ -1,15 +1,94 @@
-#include "app/window/menus/fog_menu.h"
-
 #include <QCoreApplication>
 #include <QMenu>
 #include <QMenuBar>
+#include <algorithm>
+#include <glm/geometric.hpp>
 
+#include "app/commands/add_fog.h"
 #include "app/document/document.h"
+#include "app/view/bounds.h"
+#include "app/view/surface_picker.h"
 #include "app/viewport/view_grid.h"
 #include "app/window/dialogs/fog_shape_dialog.h"
-#include "app/window/menus/fog_place.h"
+#include "app/window/menus/menus.h"
+#include "brume/mesh_arrays.h"
 
 namespace brume {
+namespace {
+
+constexpr double facing_up = 0.5;      // cosine
+constexpr double enough_ground = 0.2;  // share of what is in view
+
+double lowest_surface(const Scene& scene) {
+  double low = std::numeric_limits<double>::infinity();
+  for (const Surface& surface : scene.surfaces) {
+    for (const glm::dvec3& p : world_points(surface)) low = std::min(low, p.y);
+  }
+  return std::isfinite(low) ? low : 0.0;
+}
+
+double ground_share(const FindGround& find_ground, const glm::dvec3& around, double size) {
+  constexpr int side = 9;
+  int found = 0;
+  for (int i = 0; i < side; ++i) {
+    for (int k = 0; k < side; ++k) {
+      const double x = around.x + size * (2.0 * i / (side - 1) - 1.0);
+      const double z = around.z + size * (2.0 * k / (side - 1) - 1.0);
+      if (find_ground(x, z)) ++found;
+    }
+  }
+  return static_cast<double>(found) / (side * side);
+}
+
+// The place for fog that a view looks at: the surface in its middle if that faces up, else the
+// ground below its target. The ground is what lies below the height of the eye, so that the ceiling
+// of a room is none; where hardly any of it is met, it is the plane of the lowest surface, or y =
+// 0.
+FogPlace fog_place(const Document& document, View& view) {
+  const Camera& camera = view.camera();
+  FogPlace place;
+  place.eye = camera.eye;
+  place.size = view.distance();
+  if (const auto sphere = bounding_sphere(document.scene());
+      sphere && !document.scene().surfaces.empty()) {
+    place.size = std::min(place.size, 1.5 * sphere->radius);
+  }
+  SurfacePicker& surfaces = view.surfaces();
+  const glm::dvec3 down(0.0, -1.0, 0.0);
+  const double top = std::max(camera.eye.y, camera.target.y + 0.05 * place.size);
+  place.find_ground = [&surfaces, down, top](double x, double z) -> std::optional<double> {
+    const auto hit = surfaces.hit({x, top, z}, down);
+    return hit ? std::optional(hit->position.y) : std::nullopt;
+  };
+  if (ground_share(place.find_ground, camera.target, place.size) < enough_ground) {
+    place.find_ground = [flat = lowest_surface(document.scene())](double, double) {
+      return std::optional(flat);
+    };
+  }
+
+  const auto find_headroom = [&surfaces, &place] {
+    const glm::dvec3 above = place.target + glm::dvec3(0.0, 0.01 * place.size, 0.0);
+    if (const auto hit = surfaces.hit(above, {0.0, 1.0, 0.0})) {
+      place.headroom = hit->position.y - place.target.y;
+    }
+  };
+  const glm::dvec3 forward = glm::normalize(camera.target - camera.eye);
+  const auto hit = surfaces.hit(camera.eye, forward);
+  const double hit_distance = hit ? glm::distance(hit->position, camera.eye) : 0.0;
+  if (hit && hit->normal.y > facing_up && hit_distance < 2.0 * view.distance()) {
+    place.target = hit->position;
+    find_headroom();
+    return place;
+  }
+  // In front of a wall in the way.
+  place.target = hit && hit_distance < view.distance() ? camera.eye + 0.85 * hit_distance * forward
+                                                       : camera.target;
+  place.target.y = place.find_ground(place.target.x, place.target.z).value_or(place.target.y);
+  find_headroom();
+  return place;
+}
+
+}  // namespace
 
 void add_fog_menu(QMenuBar& bar, Document& document, ViewGrid& views) {
   const auto fog_text = [](const char* text) { return QCoreApplication::translate("Fog", text); };

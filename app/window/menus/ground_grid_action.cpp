@@ -1,9 +1,8 @@
-#include "app/window/menus/ground_grid_action.h"
-
 #include <QMenu>
 
 #include "app/document/document.h"
 #include "app/viewport/view_grid.h"
+#include "app/window/menus/menus.h"
 
 namespace brume {
 

@@ -1,11 +1,10 @@
-#include "app/window/menus/group_menu.h"
-
 #include <QCoreApplication>
 #include <QMenu>
 
 #include "app/commands/edit_groups.h"
 #include "app/document/document.h"
 #include "app/widgets/color_button.h"
+#include "app/window/menus/menus.h"
 
 namespace brume {
 

@@ -1,10 +1,11 @@
-#include "app/window/menus/layout_menu.h"
-
 #include <QInputDialog>
 #include <QMainWindow>
 #include <QMenu>
 #include <QSettings>
 #include <QVariantMap>
+
+#include "app/widgets/rows.h"
+#include "app/window/menus/menus.h"
 
 namespace brume {
 namespace {
@@ -25,8 +26,7 @@ QString menu_text(QString name) {
 }
 
 void ask_for_name(QMainWindow& window) {
-  auto* dialog = new QInputDialog(&window);
-  dialog->setObjectName("layout_name");
+  auto* dialog = named(new QInputDialog(&window), "layout_name");
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setWindowTitle(QMenu::tr("Save Layout"));
   dialog->setLabelText(QMenu::tr("Name of the layout; one of the same name is replaced"));

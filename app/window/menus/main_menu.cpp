@@ -30,19 +30,15 @@
 #include "app/tools/tool_box.h"
 #include "app/viewport/view_grid.h"
 #include "app/widgets/application.h"
+#include "app/widgets/rows.h"
 #include "app/window/dialogs/help_windows.h"
 #include "app/window/dialogs/preferences.h"
 #include "app/window/file_jobs.h"
 #include "app/window/frame_output.h"
-#include "app/window/menus/color_menu.h"
 #include "app/window/menus/command_search.h"
-#include "app/window/menus/fog_menu.h"
-#include "app/window/menus/ground_grid_action.h"
-#include "app/window/menus/group_menu.h"
-#include "app/window/menus/layout_menu.h"
 #include "app/window/menus/menu_action.h"
+#include "app/window/menus/menus.h"
 #include "app/window/menus/object_menu.h"
-#include "app/window/menus/quality_menu.h"
 #include "app/window/pages/message_bar.h"
 #include "app/window/pages/start_page.h"
 #include "core/io/disk/installed_files.h"
@@ -290,8 +286,7 @@ void MainMenu::fill_mode_menu(QMenu* menu) {
 
 void MainMenu::fill_backend_menu(QMenu* menu) {
   const QString remembered = QSettings().value(backend_key).toString();
-  auto* group = new QActionGroup(&window_);
-  group->setObjectName("backend");
+  auto* group = named(new QActionGroup(&window_), "backend");
   const auto add = [&](const char* name, const QString& text, Backend backend) {
     if (remembered == name) work_.views.set_backend(backend);
     QAction* action = group->addAction(text);
@@ -310,8 +305,7 @@ void MainMenu::fill_backend_menu(QMenu* menu) {
 }
 
 void MainMenu::fill_navigation_menu(QMenu* menu) {
-  auto* group = new QActionGroup(&window_);
-  group->setObjectName("navigation");
+  auto* group = named(new QActionGroup(&window_), "navigation");
   const int remembered = QSettings().value(navigation_key).toInt();
   const auto add = [&](const char* name, const QString& text, NavigationPreset preset) {
     QAction* action = group->addAction(text);
@@ -331,8 +325,7 @@ void MainMenu::fill_navigation_menu(QMenu* menu) {
 }
 
 void MainMenu::fill_theme_menu(QMenu* menu) {
-  auto* group = new QActionGroup(&window_);
-  group->setObjectName("theme");
+  auto* group = named(new QActionGroup(&window_), "theme");
   const auto add = [&](const char* name, const QString& text, Theme theme) {
     QAction* action = group->addAction(text);
     action->setCheckable(true);

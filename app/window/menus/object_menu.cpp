@@ -17,6 +17,7 @@
 #include "app/tools/click_target.h"
 #include "app/view/surface_picker.h"
 #include "app/viewport/view_grid.h"
+#include "app/widgets/rows.h"
 #include "app/window/file_jobs.h"
 #include "app/window/menus/menu_action.h"
 #include "brume/limits.h"
@@ -107,8 +108,7 @@ void ObjectMenu::show_view_menu(Viewport& view, QPointF position) {
   } else if (target.gaussian && !work_.document.is_selected(*target.gaussian)) {
     select_gaussians(work_.document, {*target.gaussian});
   }
-  auto* menu = new QMenu(&view);
-  menu->setObjectName("view_menu");
+  auto* menu = named(new QMenu(&view), "view_menu");
   menu->setAttribute(Qt::WA_DeleteOnClose);
   const auto add = [this, menu](std::initializer_list<const char*> names) {
     for (const char* name : names) {

@@ -1,5 +1,3 @@
-#include "app/window/menus/quality_menu.h"
-
 #include <QActionGroup>
 #include <QMenu>
 #include <QSettings>
@@ -7,6 +5,8 @@
 #include "app/panels/plots/performance_panel.h"
 #include "app/viewport/view_grid.h"
 #include "app/widgets/frame_text.h"
+#include "app/widgets/rows.h"
+#include "app/window/menus/menus.h"
 
 namespace brume {
 namespace {
@@ -49,8 +49,7 @@ std::vector<Choice> choices(double max_error) {
 }  // namespace
 
 void fill_quality_menu(QMenu& menu, ViewGrid& views, PerformancePanel& performance) {
-  auto* group = new QActionGroup(&menu);
-  group->setObjectName("airlight");
+  auto* group = named(new QActionGroup(&menu), "airlight");
   menu.setToolTipsVisible(true);
   const auto add = [&](const QString& title, const QString& name, const QString& tool_tip) {
     QAction* action = group->addAction(title);
