@@ -33,23 +33,10 @@ void visit_row(auto& part, const Track& row, auto&& visit) {
   });
 }
 
-template <class T>
-std::size_t index_of() {
-  return ScenePart(T{}).index();
-}
-
 // "Camera focus distance"
 QString track_title(const QString& object, const FieldInfo& info) {
   const QString label = track_text(info.label);
   return object.isEmpty() ? label : object + ' ' + label.toLower();
-}
-
-QString emitter_text(std::size_t index) {
-  return track_text("Emitter %1").arg(index + 1);
-}
-
-QString light_text(std::size_t index) {
-  return track_text("Light %1").arg(index + 1);
 }
 
 // The tracks of values of core/scene/fields; those of values that are keyed jointly are neighbours.
@@ -105,6 +92,32 @@ void add_surface_tracks(std::vector<Track>& rows, const Surfaces& surfaces) {
   }
 }
 
+// Calls visit(title, part, object, its keys) for what can have keyframes, in the order of tracks
+// and of the values of each part; with the medium for its density, and with all surfaces at once.
+void visit_objects(const Scene& scene, auto&& visit) {
+  visit(track_text("Camera"), index_of<KeyedCamera>(), scene.camera, scene.camera_keys);
+  for (std::size_t k = 0; k < scene.lights.size(); ++k) {
+    const Light& light = scene.lights[k];
+    visit(track_text("Light %1").arg(k + 1), index_of<Lights>(), light, light.keys);
+  }
+  if (const auto& environment = scene.environment) {
+    visit(track_text("Environment"), index_of<std::optional<Environment>>(), *environment,
+          environment->keys);
+  }
+  visit(track_text("Homogeneous density"), index_of<KeyedDensity>(), scene.medium, NoKeys());
+  const MediumOptics& optics = scene.optics;
+  visit(QString(), index_of<MediumOptics>(), optics, optics.keys);
+  visit(track_text("Noise"), index_of<MediumOptics>(), optics.noise, optics.noise.keys);
+  visit(QString(), index_of<Surfaces>(), scene.surfaces, NoKeys());
+  for (const Group& group : scene.groups) {
+    visit(QString::fromStdString(group.name), index_of<Groups>(), group, group.keys);
+  }
+  for (std::size_t k = 0; k < scene.emitters.size(); ++k) {
+    const Emitter& emitter = scene.emitters[k];
+    visit(track_text("Emitter %1").arg(k + 1), index_of<Emitters>(), emitter, emitter.keys);
+  }
+}
+
 // Keys of a row at some times.
 void visit_keys(ScenePart& part, const Track& row, std::span<const double> times, auto&& visit) {
   visit_row(part, row, [&](const auto&, auto& keys) {
@@ -119,90 +132,34 @@ void visit_keys(ScenePart& part, const Track& row, std::span<const double> times
 
 std::vector<Track> tracks(const Scene& scene) {
   std::vector<Track> rows;
-  std::size_t value = 0;
-  add_tracks(rows, track_text("Camera"), index_of<KeyedCamera>(), value, scene.camera,
-             scene.camera_keys);
-  value = 0;
-  for (std::size_t k = 0; k < scene.lights.size(); ++k) {
-    const Light& light = scene.lights[k];
-    add_tracks(rows, light_text(k), index_of<Lights>(), value, light, light.keys);
-  }
-  if (const auto& environment = scene.environment) {
-    value = 0;
-    add_tracks(rows, track_text("Environment"), index_of<std::optional<Environment>>(), value,
-               *environment, environment->keys);
-  }
-  rows.push_back({track_text("Homogeneous density"), index_of<KeyedDensity>(), 0, 1});
-  value = 0;
-  const std::size_t optics = index_of<MediumOptics>();
-  add_tracks(rows, {}, optics, value, scene.optics, scene.optics.keys);
-  add_tracks(rows, track_text("Noise"), optics, value, scene.optics.noise, scene.optics.noise.keys);
-  add_surface_tracks(rows, scene.surfaces);
-  value = 0;
-  for (const Group& group : scene.groups) {
-    add_tracks(rows, QString::fromStdString(group.name), index_of<Groups>(), value, group,
-               group.keys);
-  }
-  value = 0;
-  for (std::size_t k = 0; k < scene.emitters.size(); ++k) {
-    const Emitter& emitter = scene.emitters[k];
-    add_tracks(rows, emitter_text(k), index_of<Emitters>(), value, emitter, emitter.keys);
-  }
+  std::size_t last_part = 0;
+  std::size_t value = 0;  // of its part
+  visit_objects(
+      scene, [&](const QString& title, std::size_t part, const auto& owner, const auto& all_keys) {
+        if (std::exchange(last_part, part) != part) value = 0;
+        if constexpr (std::is_same_v<decltype(owner), const Medium&>) {
+          rows.push_back({title, part, 0, 1});
+        } else if constexpr (std::is_same_v<decltype(owner), const Surfaces&>) {
+          add_surface_tracks(rows, owner);
+        } else {
+          add_tracks(rows, title, part, value, owner, all_keys);
+        }
+      });
   return rows;
 }
 
-Track camera_track(const Scene& scene, std::string_view name) {
-  Track track{track_text("Camera"), index_of<KeyedCamera>(), 0, 1};
-  find_value(track, name, scene.camera, scene.camera_keys);
-  return track;
-}
-
-Track environment_track(const Scene& scene, std::string_view name) {
-  Track track{track_text("Environment"), index_of<std::optional<Environment>>(), 0, 1};
-  find_value(track, name, *scene.environment, scene.environment->keys);
-  return track;
-}
-
-Track light_track(const Scene& scene, std::size_t index, std::string_view name) {
-  Track track{light_text(index), index_of<Lights>(), 0, 1};
-  for (std::size_t k = 0; k <= index; ++k) {
-    const Light& light = scene.lights[k];
-    find_value(track, k == index ? name : std::string_view(), light, light.keys);
-  }
-  return track;
-}
-
-Track optics_track(const Scene& scene, std::string_view name) {
-  Track track{{}, index_of<MediumOptics>(), 0, 1};
-  find_value(track, name, scene.optics, scene.optics.keys);
-  return track;
-}
-
-// The values of noise follow those of the optics.
-Track noise_track(const Scene& scene, std::string_view name) {
-  Track track{track_text("Noise"), index_of<MediumOptics>(), 0, 1};
-  find_value(track, {}, scene.optics, scene.optics.keys);
-  find_value(track, name, scene.optics.noise, scene.optics.noise.keys);
-  return track;
-}
-
-Track emitter_track(const Scene& scene, std::size_t index, std::string_view name) {
-  Track track{emitter_text(index), index_of<Emitters>(), 0, 1};
-  for (std::size_t k = 0; k <= index; ++k) {
-    const Emitter& emitter = scene.emitters[k];
-    find_value(track, k == index ? name : std::string_view(), emitter, emitter.keys);
-  }
-  return track;
-}
-
-Track group_track(const Scene& scene, GroupId id, std::string_view name) {
-  Track track{{}, index_of<Groups>(), 0, 1};
-  for (const Group& group : scene.groups) {
-    track.title = QString::fromStdString(group.name);
-    const bool is_last = group.id == id;
-    find_value(track, is_last ? name : std::string_view(), group, group.keys);
-    if (is_last) break;
-  }
+Track value_track(const Scene& scene, std::size_t part, std::size_t object, std::string_view name) {
+  Track track{{}, part, 0, 1};
+  std::size_t i = 0;
+  visit_objects(scene, [&]<class T>(const QString& title, std::size_t objects_part, const T& owner,
+                                    const auto& all_keys) {
+    if constexpr (!std::is_same_v<T, Medium> && !std::is_same_v<T, Surfaces>) {
+      if (objects_part != part || i > object) return;
+      track.title = title;
+      find_value(track, i == object ? name : std::string_view(), owner, all_keys);
+      ++i;
+    }
+  });
   return track;
 }
 

@@ -24,15 +24,13 @@ struct Track {
 // All tracks; and those with keyframes.
 std::vector<Track> tracks(const Scene& scene);
 std::vector<Track> tracks_with_keys(const Scene& scene);
-// The track of one value, by its name in files: of the camera in use, a light, the environment, the
-// medium, an emitter, a group.
-Track camera_track(const Scene& scene, std::string_view name);
-Track light_track(const Scene& scene, std::size_t index, std::string_view name);
-Track environment_track(const Scene& scene, std::string_view name);
-Track optics_track(const Scene& scene, std::string_view name);
-Track noise_track(const Scene& scene, std::string_view name);
-Track emitter_track(const Scene& scene, std::size_t index, std::string_view name);
-Track group_track(const Scene& scene, GroupId group, std::string_view name);
+// The track of one value, by its name in files, of an object of a part: a light, a group, an
+// emitter by its index; of the medium noise is the second. Surfaces and the density have none here.
+Track value_track(const Scene& scene, std::size_t part, std::size_t object, std::string_view name);
+template <class Part>
+Track value_track(const Scene& scene, std::string_view name, std::size_t object = 0) {
+  return value_track(scene, index_of<Part>(), object, name);
+}
 
 // Who chooses the slopes of a smooth curve at a key: nobody, the user one for both sides, or one
 // for each.

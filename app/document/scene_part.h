@@ -37,6 +37,11 @@ using ScenePart = std::variant<KeyedCamera, KeyedDensity, CameraList, Lights,
                                std::optional<Environment>, MediumOptics, Surfaces, Emitters,
                                Sequences, std::optional<Playback>, Film, Output, Groups, Splines>;
 
+template <class T>
+std::size_t index_of() {
+  return ScenePart(T{}).index();
+}
+
 // Reads the scene part of a variant index; and replaces a part.
 ScenePart scene_part(const Scene& scene, std::size_t index);
 void set_scene_part(Scene& scene, const ScenePart& part);

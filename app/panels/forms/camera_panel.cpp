@@ -107,7 +107,7 @@ void CameraPanel::add_values(QFormLayout& form) {
       .get = [this] { return &document_.scene().camera; },
       .set = std::bind_front(&CameraPanel::set_camera, this),
       .track = [](const Scene& scene,
-                  const FieldInfo& info) { return camera_track(scene, info.name); }};
+                  const FieldInfo& info) { return value_track<KeyedCamera>(scene, info.name); }};
   visit_fields<Camera>([&](const auto& field) {
     const std::string_view name = field.info.name;
     if (name == "vertical_fov") {

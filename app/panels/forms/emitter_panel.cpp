@@ -64,7 +64,7 @@ void EmitterPanel::add_fields(QFormLayout& form) {
           },
       .track =
           [this](const Scene& scene, const FieldInfo& info) {
-            return emitter_track(scene, document_.active_emitter(), info.name);
+            return value_track<Emitters>(scene, info.name, document_.active_emitter());
           }};
   visit_fields<Emitter>([&]<class F>(const F& field) {
     const std::string_view name = field.info.name;

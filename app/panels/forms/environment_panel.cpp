@@ -38,8 +38,10 @@ EnvironmentPanel::EnvironmentPanel(Document& document, QWidget* parent)
                                    tr("Set %1 of environment").arg(field_label(info).toLower()),
                                    gesture);
                   },
-              .track = [](const Scene& scene,
-                          const FieldInfo& info) { return environment_track(scene, info.name); }});
+              .track =
+                  [](const Scene& scene, const FieldInfo& info) {
+                    return value_track<std::optional<Environment>>(scene, info.name);
+                  }});
   on_change(document_, Change::scene, &reading_, &BackgroundJob::cancel);
   connect(&reading_, &BackgroundJob::failed, this, [this](const QString& problem) {
     show_picture();

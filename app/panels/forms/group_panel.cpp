@@ -4,6 +4,7 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QSignalBlocker>
+#include <algorithm>
 
 #include "app/commands/edit_groups.h"
 #include "app/document/document.h"
@@ -45,7 +46,10 @@ GroupPanel::GroupPanel(Document& document, QWidget* parent)
           },
       .track =
           [this](const Scene& scene, const FieldInfo& info) {
-            return group_track(scene, document_.active_group()->id, info.name);
+            const auto group =
+                std::ranges::find(scene.groups, document_.active_group()->id, &Group::id);
+            return value_track<Groups>(scene, info.name,
+                                       static_cast<std::size_t>(group - scene.groups.begin()));
           }};
   visit_fields<Group>([&]<class F>(const F& field) {
     if constexpr (F::can_have_keys) add_field(*form, field, values);

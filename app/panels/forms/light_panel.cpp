@@ -198,7 +198,7 @@ void LightPanel::add_strength_field(QFormLayout& form) {
                       [value](Light& l) { l.intensity = value * light_color(l); });
        }},
       new_key_button("light_intensity", [this](const Scene& scene) {
-        return light_track(scene, document_.active_light(), strength_info(*light()).name);
+        return value_track<Lights>(scene, strength_info(*light()).name, document_.active_light());
       }));
   on_refresh([this, title] {
     const Light shown = light() ? *light() : Light();
@@ -226,7 +226,7 @@ void LightPanel::add_value(QFormLayout& form, const F& field) {
        .set = std::bind_front(&LightPanel::set_value, this),
        .track =
            [this](const Scene& scene, const FieldInfo& info) {
-             return light_track(scene, document_.active_light(), info.name);
+             return value_track<Lights>(scene, info.name, document_.active_light());
            }});
 }
 

@@ -59,15 +59,16 @@ MediumPanel::MediumPanel(Document& document, Scattering scattering, QWidget* par
   form->addRow(tr("Preset"), new_presets());
   const auto optics = [this]() -> const MediumOptics& { return document_.scene().optics; };
   add_fields<MediumOptics>(
-      *form, {.prefix = "",
-              .get = [optics] { return &optics(); },
-              .set =
-                  [this](const MediumOptics& changed, const FieldInfo& info, MergeId gesture) {
-                    set_scene_part(document_, changed,
-                                   tr("Set %1").arg(field_label(info).toLower()), gesture);
-                  },
-              .track = [](const Scene& scene,
-                          const FieldInfo& info) { return optics_track(scene, info.name); }});
+      *form,
+      {.prefix = "",
+       .get = [optics] { return &optics(); },
+       .set =
+           [this](const MediumOptics& changed, const FieldInfo& info, MergeId gesture) {
+             set_scene_part(document_, changed, tr("Set %1").arg(field_label(info).toLower()),
+                            gesture);
+           },
+       .track = [](const Scene& scene,
+                   const FieldInfo& info) { return value_track<MediumOptics>(scene, info.name); }});
   fill_scattering(scattering);
   form->addRow(tr("Scattering"), scattering_);
   add_fields<Noise>(
@@ -78,8 +79,10 @@ MediumPanel::MediumPanel(Document& document, Scattering scattering, QWidget* par
                     change_optics(tr("Set %1 of noise").arg(field_label(info).toLower()), gesture,
                                   [&changed](MediumOptics& o) { o.noise = changed; });
                   },
-              .track = [](const Scene& scene,
-                          const FieldInfo& info) { return noise_track(scene, info.name); },
+              .track =
+                  [](const Scene& scene, const FieldInfo& info) {
+                    return value_track<MediumOptics>(scene, info.name, 1);
+                  },
               .object = tr("Noise")});
   refresh();
 }
