@@ -14,6 +14,7 @@
 #include "app/commands/undo_text.h"
 #include "app/document/document.h"
 #include "brume/limits.h"
+#include "core/math/max_component.h"
 #include "core/math/unit_direction.h"
 #include "core/number_domain.h"
 #include "core/overloaded.h"
@@ -257,7 +258,7 @@ void set_profile(Light& light, LightProfile profile) {
 }
 
 double light_strength(const Light& light) {
-  return std::max({light.intensity.r, light.intensity.g, light.intensity.b});
+  return max_component(light.intensity);
 }
 
 glm::dvec3 light_color(const Light& light) {

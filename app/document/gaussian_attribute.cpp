@@ -83,11 +83,9 @@ QString attribute_name(GaussianAttribute field) {
 double attribute_value(const Gaussian& gaussian, GaussianAttribute field) {
   switch (field) {
     case GaussianAttribute::center_x:
-      return gaussian.center.x;
     case GaussianAttribute::center_y:
-      return gaussian.center.y;
     case GaussianAttribute::center_z:
-      return gaussian.center.z;
+      return gaussian.center[axis_of(field, GaussianAttribute::center_x)];
     case GaussianAttribute::radius:
       return gaussian.radius;
     case GaussianAttribute::density:
@@ -115,13 +113,9 @@ double attribute_value(const Gaussian& gaussian, GaussianAttribute field) {
 void set_attribute_value(Gaussian& gaussian, GaussianAttribute field, double value) {
   switch (field) {
     case GaussianAttribute::center_x:
-      gaussian.center.x = value;
-      break;
     case GaussianAttribute::center_y:
-      gaussian.center.y = value;
-      break;
     case GaussianAttribute::center_z:
-      gaussian.center.z = value;
+      gaussian.center[axis_of(field, GaussianAttribute::center_x)] = value;
       break;
     case GaussianAttribute::radius:
       gaussian.radius = value;
@@ -177,7 +171,7 @@ Gaussian within_domains(const Gaussian& gaussian) {
 }
 
 double emission_strength(const glm::dvec3& emission) {
-  return std::max({emission.x, emission.y, emission.z});
+  return max_component(emission);
 }
 
 glm::dvec3 emission_color(const glm::dvec3& emission) {

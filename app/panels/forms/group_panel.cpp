@@ -28,11 +28,7 @@ GroupPanel::GroupPanel(Document& document, QWidget* parent)
   form->addRow(hint);
   form->addRow(tr("Group"), groups_);
   add_color(*form, tr("Colour"),
-            {"group_color",
-             [this]() -> std::optional<glm::dvec3> {
-               const Group* group = document_.active_group();
-               return group ? std::optional(group->color) : std::nullopt;
-             },
+            {"group_color", [this] { return value_if(document_.active_group(), &Group::color); },
              [this](const glm::dvec3& color, MergeId gesture) {
                change(tr("Set colour of %1"), gesture, [&](Group& g) { g.color = color; });
              }});

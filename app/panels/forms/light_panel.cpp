@@ -169,10 +169,7 @@ void LightPanel::add_light_fields(QFormLayout& form) {
   add_strength_field(form);
   add_photometric_fields(form);
   add_color(form, tr("Colour"),
-            {"light_color",
-             [this]() -> std::optional<glm::dvec3> {
-               return light() ? std::optional(light_color(*light())) : std::nullopt;
-             },
+            {"light_color", [this] { return value_if(light(), light_color); },
              [this](const glm::dvec3& color, MergeId gesture) {
                change_light(document_, document_.active_light(), tr("Set colour of %1"), gesture,
                             [color](Light& l) { l.intensity = light_strength(l) * color; });
@@ -190,9 +187,7 @@ void LightPanel::add_strength_field(QFormLayout& form) {
   QLabel* title = add_number(
       form, tr("Intensity"),
       {"light_intensity", domain::intensity, ValueField::Scale::logarithmic, 0.01,
-       [this]() -> std::optional<double> {
-         return light() ? std::optional(light_strength(*light())) : std::nullopt;
-       },
+       [this] { return value_if(light(), light_strength); },
        [this](double value, MergeId gesture) {
          change_light(document_, document_.active_light(), tr("Set intensity of %1"), gesture,
                       [value](Light& l) { l.intensity = value * light_color(l); });

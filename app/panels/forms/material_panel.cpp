@@ -102,18 +102,14 @@ glm::dvec3 MaterialPanel::angles() const {
 void MaterialPanel::add_placement_fields(QFormLayout& form) {
   add_vector(form, tr("Position"),
              {"surface_position", domain::coordinate, 0.01,
-              [this]() -> std::optional<glm::dvec3> {
-                return surface() ? std::optional(surface()->translate) : std::nullopt;
-              },
+              [this] { return value_if(surface(), &Surface::translate); },
               [this](const glm::dvec3& position, MergeId gesture) {
                 change_shown(tr("Move %1"), gesture,
                              [position](Surface& s) { s.translate = position; });
               }});
   add_vector(form, tr("Rotation"),
              {"surface_rotation", domain::degrees, 0.5,
-              [this]() -> std::optional<glm::dvec3> {
-                return surface() ? std::optional(angles()) : std::nullopt;
-              },
+              [this] { return value_if(surface(), [this](const Surface&) { return angles(); }); },
               [this](const glm::dvec3& degrees, MergeId gesture) {
                 entered_angles_ = degrees;
                 change_shown(tr("Rotate %1"), gesture,
@@ -133,9 +129,7 @@ void MaterialPanel::add_placement_fields(QFormLayout& form) {
               }});
   add_number(form, tr("Scale"),
              {"surface_scale", domain::length, ValueField::Scale::logarithmic, 0.01,
-              [this]() -> std::optional<double> {
-                return surface() ? std::optional(surface()->scale) : std::nullopt;
-              },
+              [this] { return value_if(surface(), &Surface::scale); },
               [this](double scale, MergeId gesture) {
                 change_shown(tr("Scale %1"), gesture, [scale](Surface& s) { s.scale = scale; });
               }});

@@ -64,8 +64,7 @@ void MetallicRoughnessForm::add_values(QFormLayout& form) {
           },
       .track = {}};
   add_color(form, tr("Base color"),
-            {"base_color",
-             [this] { return material() ? std::optional(material()->base_color) : std::nullopt; },
+            {"base_color", [this] { return value_if(material(), &MetallicRoughness::base_color); },
              [this](const glm::dvec3& color, MergeId gesture) {
                change(tr("Set base color of %1"), gesture,
                       [&color](MetallicRoughness& m) { m.base_color = color; });

@@ -102,6 +102,13 @@ class SceneForm : public QWidget {
   std::vector<std::function<void()>> updates_;
 };
 
+// A value of an object; nullopt if there is none. `value_of`: a member or a function.
+template <class Owner, class Get>
+auto value_if(const Owner* owner, Get value_of) {
+  using Value = std::remove_cvref_t<std::invoke_result_t<Get, const Owner&>>;
+  return owner ? std::optional<Value>(std::invoke(value_of, *owner)) : std::nullopt;
+}
+
 // A text of core/scene/fields, translated; and the name of a value in a form and in undo texts.
 QString fields_text(const char* text);
 QString field_label(const FieldInfo& info);
