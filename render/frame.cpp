@@ -1,8 +1,5 @@
 #include "brume/frame.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace brume {
 void add_time(std::vector<StageTime>& stages, Stage stage, double milliseconds) {
   const auto known = std::ranges::find(stages, stage, &StageTime::stage);

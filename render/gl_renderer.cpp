@@ -3,8 +3,6 @@
 #include <tbb/task_arena.h>
 
 #include <cassert>
-#include <cmath>
-#include <limits>
 
 #include "render/cpu/composite.h"
 #include "render/gl/composite_stage.h"

@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "core/scene/fields/light_fields.h"
-#include "core/scene/lights/point_lights.h"
 #include "core/scene/mesh.h"
 
 namespace brume {

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <memory>
 
 #include "render/cpu/composite.h"
 #include "render/cpu/film_airlight.h"
@@ -15,9 +14,7 @@
 #include "render/cpu/paper_airlight.h"
 #include "render/cpu/sliced_airlight.h"
 #include "render/cpu/traced_paths.h"
-#include "render/prepare/albedo.h"
 #include "render/prepare/frame_stages.h"
-#include "render/prepare/light_limits.h"
 #include "render/prepare/sample_spacing.h"
 #include "render/reference/reference_airlight.h"
 #include "render/samples/brightness.h"

@@ -1,7 +1,6 @@
 #include "render/settings.h"
 
 #include <algorithm>
-#include <cstdint>
 
 #include "brume/scene.h"
 

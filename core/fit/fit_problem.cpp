@@ -6,7 +6,6 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/matrix.hpp>
-#include <numbers>
 #include <set>
 #include <tuple>
 #include <utility>

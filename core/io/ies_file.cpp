@@ -1,9 +1,7 @@
 #include "core/io/ies_file.h"
-#include "core/number_domain.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,9 +9,9 @@
 #include <vector>
 
 #include "brume/error.h"
-#include "brume/limits.h"
 #include "core/io/disk/file_bytes.h"
 #include "core/io/text_scanner.h"
+#include "core/number_domain.h"
 
 namespace brume {
 namespace {

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <set>
-#include <string>
 
 #include "brume/at_time.h"
 #include "brume/error.h"

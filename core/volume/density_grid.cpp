@@ -1,7 +1,6 @@
 #include "brume/density_grid.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <map>

@@ -1,18 +1,16 @@
 #include "render/cpu/film_airlight.h"
-#include "core/scene/camera_rays.h"
 
 #include <algorithm>
 #include <array>
 #include <atomic>
 #include <bit>
-#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
-#include <limits>
 #include <utility>
 #include <vector>
 
+#include "core/scene/camera_rays.h"
 #include "render/cpu/halved_cells.h"
 #include "render/cpu/upsampling.h"
 #include "render/prepare/light_pixels.h"

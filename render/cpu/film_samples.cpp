@@ -1,18 +1,15 @@
 #include "render/cpu/film_samples.h"
-#include "core/scene/camera_rays.h"
 
 #include <algorithm>
 #include <array>
 #include <atomic>
 #include <cmath>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <numeric>
 #include <optional>
-#include <utility>
-#include <vector>
 
+#include "core/scene/camera_rays.h"
 #include "render/prepare/upsampling_limits.h"
 #include "render/samples/pixel_filter.h"
 

@@ -1,9 +1,7 @@
 #include "render/cpu/halved_cells.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <vector>
 
 namespace brume {
 namespace {

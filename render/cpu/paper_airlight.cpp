@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "core/transport/gaussian_airlight.h"
 #include "core/transport/homogeneous_airlight.h"

@@ -1,7 +1,6 @@
 #include "render/cpu/sliced_airlight.h"
 
 #include <algorithm>
-#include <cmath>
 #include <glm/common.hpp>
 
 #include "render/optical_depth/increment_kernels.h"

@@ -1,7 +1,6 @@
 #include "render/cpu/traced_paths.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace brume {
 namespace {

@@ -1,13 +1,9 @@
 #include "render/cpu/upsampling.h"
-#include "core/scene/camera_rays.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/common.hpp>
-#include <optional>
-#include <span>
 
+#include "core/scene/camera_rays.h"
 #include "render/cpu/film_airlight.h"
 #include "render/cpu/interpolation_kernels.h"
 #include "render/geometry/tiles.h"

@@ -1,11 +1,11 @@
 #include "render/geometry/tiles.h"
-#include "core/scene/camera_rays.h"
 
 #include <tbb/parallel_for.h>
 
-#include <algorithm>
 #include <numeric>
 #include <utility>
+
+#include "core/scene/camera_rays.h"
 
 namespace brume {
 namespace {

@@ -1,7 +1,5 @@
 #include "render/gl/display_stage.h"
 
-#include <cmath>
-
 #include "brume/frame.h"
 
 namespace brume::gl {

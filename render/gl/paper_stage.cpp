@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "render/geometry/ray_range.h"
-#include "render/gl/shader_structs.h"
 
 namespace brume::gl {
 std::size_t PaperStage::run(FrameStages& stages, FrameContext& work, StageClock& clock,

@@ -1,6 +1,5 @@
 #include "render/gl/sh_turns.h"
 
-#include <algorithm>
 #include <iomanip>
 #include <limits>
 #include <sstream>

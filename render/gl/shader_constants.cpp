@@ -4,7 +4,6 @@
 #include <bit>
 #include <iomanip>
 #include <limits>
-#include <numbers>
 #include <span>
 #include <sstream>
 #include <vector>
@@ -31,7 +30,6 @@
 #include "render/gl/surface_stage.h"
 #include "render/optical_depth/increment_kernels.h"
 #include "render/prepare/upsampling_limits.h"
-#include "render/scattering/environment_light.h"
 #include "render/scattering/source_grid.h"
 #include "render/simd/coefficients.h"
 #include "render/simd/reflection_kernels.h"

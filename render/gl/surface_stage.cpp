@@ -1,13 +1,11 @@
 #include "render/gl/surface_stage.h"
 
 #include <algorithm>
-#include <array>
 #include <cstring>
 
 #include "core/scene/materials/ggx_sh.h"
 #include "core/scene/materials/measured_brdf.h"
 #include "render/gl/grid_nodes.h"
-#include "render/gl/shader_structs.h"
 #include "render/shading/vertex_lighting.h"
 #include "render/simd/reflection_kernels.h"
 

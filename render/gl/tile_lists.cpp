@@ -1,17 +1,16 @@
 #include "render/gl/tile_lists.h"
-#include "core/math/max_component.h"
-#include "core/scene/camera_rays.h"
 
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <numeric>
 #include <vector>
 
+#include "core/math/max_component.h"
+#include "core/scene/camera_rays.h"
 #include "render/geometry/tiles.h"
 #include "render/gl/film_airlight.h"
 #include "render/gl/shader_constants.h"
 #include "render/gl/shader_structs.h"
-#include "render/simd/gaussian_kernels.h"
 
 namespace brume::gl {
 void MediumBuffers::update(const MediumIndex& medium) {

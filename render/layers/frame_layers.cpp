@@ -8,7 +8,6 @@
 #include "core/scene/camera_rays.h"
 #include "render/layers/cryptomatte.h"
 #include "render/layers/layer_channels.h"
-#include "render/layers/light_layers.h"
 #include "render/layers/surface_layers.h"
 
 namespace brume {

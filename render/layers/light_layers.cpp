@@ -1,7 +1,6 @@
 #include "render/layers/light_layers.h"
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <set>
 

@@ -1,12 +1,11 @@
 #include "render/layers/surface_layers.h"
-#include "core/scene/camera_rays.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <optional>
 #include <string>
 
+#include "core/scene/camera_rays.h"
 #include "core/scene/placement.h"
 #include "render/layers/cryptomatte.h"
 #include "render/layers/layer_channels.h"

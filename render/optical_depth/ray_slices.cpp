@@ -1,7 +1,6 @@
 #include "render/optical_depth/ray_slices.h"
 
 #include <algorithm>
-#include <glm/common.hpp>
 
 namespace brume {
 namespace {

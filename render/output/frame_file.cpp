@@ -9,7 +9,6 @@
 #include "brume/request_options.h"
 #include "brume/version.h"
 #include "core/io/disk/file_bytes.h"
-#include "core/io/image/image_file.h"
 #include "core/io/text_scanner.h"
 #include "core/number_domain.h"
 #include "core/scene/camera_rays.h"

@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "core/math/max_component.h"
-#include "core/scene/materials/brdf.h"
 #include "core/scene/materials/measured_brdf.h"
 #include "render/paths/direction_sampling.h"
 

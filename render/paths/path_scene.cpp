@@ -1,7 +1,6 @@
 #include "render/paths/path_scene.h"
 
 #include <algorithm>
-#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>

@@ -1,7 +1,6 @@
 #include "render/quality/auto_quality.h"
 
 #include <algorithm>
-#include <cmath>
 #include <span>
 #include <utility>
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "render/paths/camera_ray.h"
 #include "render/paths/path_tracer.h"
 #include "render/prepare/albedo.h"
 #include "render/prepare/fog_extent.h"

@@ -1,8 +1,6 @@
 #include "render/reference/reference_airlight.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include "render/reference/airlight_integral.h"
 

@@ -1,5 +1,4 @@
 #include "render/shading/film_surfaces.h"
-#include "core/scene/camera_rays.h"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +7,7 @@
 #include <glm/ext/vector_int2.hpp>
 #include <vector>
 
-#include "render/geometry/tiles.h"
+#include "core/scene/camera_rays.h"
 #include "render/simd/surface_kernels.h"
 
 namespace brume {

@@ -1,16 +1,13 @@
 #include "render/shading/surface_shading.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <glm/vector_relational.hpp>
 #include <numbers>
 
 #include "core/scene/materials/brdf.h"
 #include "render/optical_depth/path_depths.h"
 #include "render/simd/ggx_kernels.h"
 #include "render/simd/reflection_kernels.h"
-#include "render/simd/surface_kernels.h"
 #include "render/slices/slice_kernels.h"
 
 namespace brume {

@@ -1,12 +1,9 @@
 #include "render/shading/vertex_lighting.h"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cmath>
 #include <glm/common.hpp>
-#include <glm/geometric.hpp>
-#include <glm/gtc/quaternion.hpp>
 
 #include "brume/mesh_arrays.h"
 #include "core/scene/placement.h"

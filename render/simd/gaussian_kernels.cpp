@@ -5,7 +5,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <numbers>
 
 #include "core/math/max_component.h"
 #include "render/geometry/ray_range.h"

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <iterator>
 #include <numbers>
-#include <span>
 
 #include "core/scene/materials/ggx_sh.h"
 

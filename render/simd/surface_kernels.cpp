@@ -1,9 +1,8 @@
 #include "render/simd/surface_kernels.h"
-#include "core/scene/camera_rays.h"
 
 #include <algorithm>
 
-#include "render/geometry/rounding.h"
+#include "core/scene/camera_rays.h"
 
 // Highway includes this file once per instruction set.
 #undef HWY_TARGET_INCLUDE

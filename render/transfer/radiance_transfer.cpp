@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "brume/mesh_arrays.h"
-#include "brume/scene.h"
 #include "core/math/sphere_rule.h"
 #include "core/scene/lights/area_normal.h"
 #include "core/scene/materials/brdf.h"

@@ -11,7 +11,6 @@
 #include <string_view>
 
 #include "brume/error.h"
-#include "brume/limits.h"
 #include "brume/mesh_arrays.h"
 #include "core/io/disk/atomic_file.h"
 #include "core/io/disk/content_hash.h"

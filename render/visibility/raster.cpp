@@ -1,14 +1,11 @@
 #include "render/visibility/raster.h"
-#include "core/scene/camera_rays.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <utility>
 
+#include "core/scene/camera_rays.h"
 #include "render/simd/gaussian_kernels.h"
 
 // Highway includes this file once per instruction set.

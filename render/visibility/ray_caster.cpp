@@ -1,11 +1,7 @@
 #include "render/visibility/ray_caster.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
-#include <optional>
-#include <vector>
 
 #include "core/scene/camera_rays.h"
 #include "render/geometry/edge_on.h"

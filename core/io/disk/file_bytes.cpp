@@ -8,7 +8,6 @@
 #include <string_view>
 
 #include "brume/error.h"
-#include "brume/limits.h"
 
 namespace brume {
 namespace fs = std::filesystem;

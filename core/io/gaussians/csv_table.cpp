@@ -1,7 +1,6 @@
 #include "core/io/gaussians/csv_table.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <utility>
 
 #include "brume/error.h"

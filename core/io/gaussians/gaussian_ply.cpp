@@ -6,7 +6,6 @@
 #include <functional>
 #include <iterator>
 #include <optional>
-#include <string>
 #include <string_view>
 
 #include "brume/error.h"

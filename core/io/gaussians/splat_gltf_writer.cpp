@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <glm/common.hpp>
 #include <glm/ext/vector_double1.hpp>
 #include <nlohmann/json.hpp>

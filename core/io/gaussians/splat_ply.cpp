@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
-#include <string>
 #include <vector>
 
 #include "core/io/disk/atomic_file.h"

@@ -7,7 +7,6 @@
 #include <string>
 
 #include "brume/error.h"
-#include "brume/limits.h"
 #include "core/io/disk/file_bytes.h"
 #include "core/io/text_scanner.h"
 

@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/vec2.hpp>
-#include <string>
 #include <utility>
 
 #include "brume/error.h"
-#include "brume/limits.h"
 #include "core/io/disk/file_bytes.h"
 #include "core/io/image/exr_picture.h"
 #include "core/io/image/hdr_file.h"

@@ -1,8 +1,6 @@
 #include "core/io/image/texture_file.h"
 
 #include <array>
-#include <string>
-#include <string_view>
 #include <utility>
 
 #include "brume/error.h"

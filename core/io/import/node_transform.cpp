@@ -1,6 +1,5 @@
 #include "core/io/import/node_transform.h"
 
-#include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 

@@ -1,11 +1,8 @@
 #include "core/io/mesh/mesh_file.h"
 
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "brume/error.h"
-#include "brume/limits.h"
 #include "brume/mesh_arrays.h"
 #include "core/io/disk/file_bytes.h"
 #include "core/io/mesh/mesh_normals.h"

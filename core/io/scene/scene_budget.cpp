@@ -4,7 +4,6 @@
 #include <string>
 
 #include "brume/gaussian.h"
-#include "brume/limits.h"
 #include "brume/mesh_arrays.h"
 #include "core/scene/imported_scene.h"
 #include "core/scene/lights/photometric_profile.h"

@@ -7,11 +7,9 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/matrix.hpp>
 #include <map>
-#include <span>
 #include <tuple>
 
 #include "brume/error.h"
-#include "brume/limits.h"
 #include "core/io/text_scanner.h"
 #include "core/number_domain.h"
 

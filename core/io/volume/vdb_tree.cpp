@@ -4,12 +4,10 @@
 #include <blosc.h>
 #include <zlib.h>
 
-#include <algorithm>
 #include <bit>
 #include <set>
 #include <string_view>
 #include <tuple>
-#include <utility>
 
 namespace brume {
 namespace {

@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "brume/error.h"
-#include "brume/limits.h"
 #include "core/io/disk/file_bytes.h"
 #include "core/io/volume/vdb_blocks.h"
 #include "core/io/volume/vdb_file.h"

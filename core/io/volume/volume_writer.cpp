@@ -1,4 +1,3 @@
-#include <glm/matrix.hpp>
 
 #include "brume/error.h"
 #include "core/io/disk/atomic_file.h"

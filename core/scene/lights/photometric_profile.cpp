@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/trigonometric.hpp>
-#include <numbers>
 #include <utility>
 
 namespace brume {

@@ -5,11 +5,9 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <glm/mat3x3.hpp>
 #include <glm/trigonometric.hpp>
 #include <numbers>
 
-#include "core/number_domain.h"
 #include "core/overloaded.h"
 #include "core/scene/lights/light_falloff.h"
 #include "core/scene/lights/photometric_profile.h"

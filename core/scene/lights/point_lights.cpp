@@ -8,8 +8,6 @@
 #include <glm/trigonometric.hpp>
 #include <glm/vec2.hpp>
 #include <numbers>
-#include <optional>
-#include <utility>
 
 #include "brume/mesh_arrays.h"
 #include "core/math/basis.h"
