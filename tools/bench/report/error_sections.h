@@ -62,8 +62,9 @@ inline std::string with_signs(const Spread& change) {
 
 }  // namespace report_cell
 
-// Calls visit(key in the JSON, rows, title, lead, columns ...) for the sections about errors.
-void visit_error_sections(const BenchReport& report, auto&& visit) {
+// Each calls visit(key in the JSON, rows, title, lead, columns ...) for some sections about errors.
+
+void visit_airlight_sections(const BenchReport& report, auto&& visit) {
   using namespace report_cell;
   visit("thickness", report.thickness, "Error over optical depth",
         "The sample scene dense_cloud with all densities scaled by a factor.",
@@ -98,6 +99,10 @@ void visit_error_sections(const BenchReport& report, auto&& visit) {
         column("scale", "scale", &ScaleRow::scale, whole),
         column("computed", "computed", &ScaleRow::computed, percent<1>),
         column("change", "change", &ScaleRow::change, error_percent));
+}
+
+void visit_scattering_sections(const BenchReport& report, auto&& visit) {
+  using namespace report_cell;
   visit("all_orders", report.all_orders, "All orders of scattering",
         "`sliced` 24 at 48 x 36: the relative RMSE of the airlight against 512 paths per "
         "pixel, their noise taken out, of light scattered once and any number of times; "
@@ -135,6 +140,10 @@ void visit_error_sections(const BenchReport& report, auto&& visit) {
         column("sampled", "pixels", &SampleRow::sampled, percent<1>),
         column("pairs_ratio", "pairs", &SampleRow::pairs, two_decimals),
         column("camera_ratio", "time", &SampleRow::time, two_decimals));
+}
+
+void visit_noise_and_surface_sections(const BenchReport& report, auto&& visit) {
+  using namespace report_cell;
   visit("noise_depths", report.noise_depths, "Noise",
         "The change that noise of amplitude 0.5 makes to the mean optical depth of a "
         "picture of a cloud of 30 Gaussians: medians over eight seeds, with minimum "
@@ -173,6 +182,13 @@ void visit_error_sections(const BenchReport& report, auto&& visit) {
         column("what", "object", &ComparedError::label, as_is),
         column("error", "with transfer", &ComparedError::error, with_interval),
         column("other", "without", &ComparedError::other, if_any));
+}
+
+// All of them, in the order of the report.
+void visit_error_sections(const BenchReport& report, auto&& visit) {
+  visit_airlight_sections(report, visit);
+  visit_scattering_sections(report, visit);
+  visit_noise_and_surface_sections(report, visit);
 }
 
 }  // namespace brume
