@@ -93,7 +93,7 @@ CacheGain measure_cache(const FrameCache& cache, const MovingView& view, Rendere
     static_cast<void>(render(other_scene, other_settings, camera));
     all.add(cached, render(scene, settings, camera));
   }
-  return all.gain(cache.name, view.name, cache.code);
+  return all.gain(std::string(cache.name), view.name, cache.code);
 }
 
 bool merges(const RenderPlan& plan, const Scene& scene) {

@@ -3,6 +3,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "brume/scene.h"
@@ -30,7 +31,7 @@ struct CacheCode {
 
 // Something that a renderer keeps from one frame of a moving camera to the next.
 struct FrameCache {
-  const char* name;
+  std::string_view name;
   CacheCode code;
   AirlightMethod method = AirlightMethod::sliced;
   Stage stage = Stage::prepare;  // in which it is made
