@@ -9,13 +9,13 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <string>
-#include <vector>
 
 #include "brume/mesh_arrays.h"
 #include "core/io/disk/atomic_file.h"
 #include "core/io/gaussians/splat_output.h"
 #include "core/io/scene/usd_material.h"
 #include "core/io/scene/usd_text.h"
+#include "core/math/max_component.h"
 #include "core/medium/splat.h"
 #include "core/scene/camera_rays.h"
 #include "core/scene/fields/light_fields.h"
@@ -71,10 +71,6 @@ void write_camera(UsdText& out, Frames frames) {
     return 0.5 * height / std::tan(0.5 * glm::radians(camera(k).vertical_fov));
   });
   out.close();
-}
-
-double strength(const Light& light) {
-  return std::max({light.intensity.x, light.intensity.y, light.intensity.z});
 }
 
 // A schema of USD, and what a light without a name is called, for each kind.
@@ -146,10 +142,11 @@ void write_light(UsdText& out, Frames frames, std::size_t i, const std::filesyst
            has_shaping ? "\"ShapingAPI\"" : "");
   out.transform([&](std::size_t k) { return place_of(light(k)); });
   const double factor = first.as<light::Directional>() || is_area ? 1.0 : 4.0;
-  out.each_frame("float inputs:intensity",
-                 [&](std::size_t k) { return light(k).on ? factor * strength(light(k)) : 0.0; });
+  out.each_frame("float inputs:intensity", [&](std::size_t k) {
+    return light(k).on ? factor * max_component(light(k).intensity) : 0.0;
+  });
   out.each_frame("color3f inputs:color", [&](std::size_t k) {
-    const double max = strength(light(k));
+    const double max = max_component(light(k).intensity);
     return max > 0.0 ? light(k).intensity / max : glm::dvec3(1.0);
   });
   out.constant("bool inputs:normalize", usd_value(!is_area));
