@@ -136,12 +136,15 @@ void TileLists::build(Programs& programs, MediumBuffers& medium, const MediumInd
   list.set("count", static_cast<unsigned>(count));
   list.set("columns", tiles_.x);
   list.set("max_coarse", static_cast<unsigned>(std::min<std::uint64_t>(max_coarse, ~0u)));
-  list.set("fill", 0);
-  list.bind("Rectangles", rectangles_);
-  list.bind("Totals", totals_);
-  list.bind("Cursors", cursors_);
-  list.bind("Entries", entries_);
-  list.dispatch_linear_over(invocations_per_gaussian * count);
+  const auto run_list = [&](bool fills) {
+    list.set("fill", fills ? 1 : 0);
+    list.bind("Rectangles", rectangles_);
+    list.bind("Totals", totals_);
+    list.bind("Cursors", cursors_);
+    list.bind("Entries", entries_);
+    list.dispatch_linear_over(invocations_per_gaussian * count);
+  };
+  run_list(false);
   const Program& scan = programs["scan"];
   scan.set("tiles", static_cast<int>(tile_count));
   scan.bind("Totals", totals_);
@@ -157,12 +160,7 @@ void TileLists::build(Programs& programs, MediumBuffers& medium, const MediumInd
     throw OutOfMemory("the Gaussians of all tiles do not fit into device memory");
   }
   entries_.reserve(bytes);
-  list.set("fill", 1);
-  list.bind("Rectangles", rectangles_);
-  list.bind("Totals", totals_);
-  list.bind("Cursors", cursors_);
-  list.bind("Entries", entries_);
-  list.dispatch_linear_over(invocations_per_gaussian * count);
+  run_list(true);
   const Program& sort = programs["sort_list"];
   sort.set("tiles", static_cast<unsigned>(tile_count));
   sort.bind("Entries", entries_);
