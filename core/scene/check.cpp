@@ -148,7 +148,7 @@ void check_values(const std::string& place, const auto& owner) {
   visit_fields_of(owner, [&](const auto& field) {
     const FieldInfo* const other = replacement(field, owner);
     if (other && !field.info.is_always_saved && !is_usual(field, owner)) {
-      throw DomainError(place + "." + other->name, found_beside(field.info));
+      throw DomainError(place + "." + other->name, found_beside(field.info.name));
     }
   });
 }

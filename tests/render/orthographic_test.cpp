@@ -5,9 +5,11 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <numbers>
 
 #include "core/scene/camera_rays.h"
 #include "core/scene/cameras.h"
+#include "render/layers/surface_layers.h"
 #include "render/reference/reference_pixels.h"
 #include "render/renderer.h"
 #include "render/samples/brightness.h"
@@ -138,6 +140,88 @@ TEST(Orthographic, SlicedAndMarchedAreTheReferenceInFog) {
     EXPECT_LT(
         difference(render_frame(parallel, marched(200)).airlight, reference.airlight).relative_rmse,
         0.01);
+  }
+}
+
+// A wall 5 u before the plane of the eye, which looks along -z; 2.6 u high and 3.25 u wide are
+// seen.
+Scene before_a_wall_along_z() {
+  Scene scene;
+  scene.film = {40, 32};
+  scene.camera = {.eye = {0.3, -0.2, 4.0}, .target = {0.3, -0.2, 0.0}, .height = 2.6};
+  scene.surfaces.push_back(wall(-1.0, 9.0));
+  return scene;
+}
+
+// Where its rays start, by what a scene file's `height` means and without CameraRays.
+glm::dvec3 start_of(std::size_t pixel) {
+  const double x = static_cast<double>(pixel % 40) + 0.5;
+  const double y = static_cast<double>(pixel / 40) + 0.5;
+  return {0.3 + 3.25 * (x / 40.0 - 0.5), -0.2 + 2.6 * (0.5 - y / 32.0), 4.0};
+}
+
+// Fog and a Gaussian through which the plane of the eye cuts.
+TEST(Orthographic, TransmittanceIsTheClosedForm) {
+  Scene scene = in_fog(before_a_wall_along_z(), 0.05);
+  const Gaussian g{{0.1, 0.2, 3.8}, 0.5, 1.3};
+  scene.medium.append(g);
+  for (Settings settings : {reference_settings(1e-5), sliced(24), paper_settings, marched(400)}) {
+    SCOPED_TRACE(static_cast<int>(settings.airlight));
+    settings.depth_error = 1e-6;
+    const Frame frame = render_frame(scene, settings);
+    for (std::size_t i = 0; i < frame.depth.size(); ++i) {
+      ASSERT_NEAR(frame.depth[i], 5.0, 1e-5);
+      const glm::dvec3 q = (g.center - start_of(i)) / g.radius;
+      const double through = 0.5 * std::sqrt(std::numbers::pi) * g.density * g.radius *
+                             std::exp(-q.x * q.x - q.y * q.y) *
+                             (std::erf(5.0 / g.radius + q.z) - std::erf(q.z));
+      ASSERT_NEAR(frame.transmittance[3 * i], std::exp(-through - 5.0 * 0.05), 1e-5);
+    }
+  }
+}
+
+// Midpoints of 2000 steps are exact to 1e-6: the light is 1.5 u above the picture.
+TEST(Orthographic, AirlightOfFogIsTheIntegral) {
+  constexpr double b0 = 0.2;
+  Scene scene = in_fog(before_a_wall_along_z(), b0);
+  const glm::dvec3 light(0.8, 2.6, 1.0);
+  scene.lights.push_back({light, {9.0, 9.0, 9.0}, {}});
+  const Frame reference = render_frame(scene, reference_settings(1e-6));
+  const Frame frame = render_frame(scene, sliced(48));
+  constexpr int steps = 2000;
+  for (std::size_t i = 0; i < frame.depth.size(); ++i) {
+    double sum = 0.0;
+    for (int k = 0; k < steps; ++k) {
+      const double t = 5.0 * (k + 0.5) / steps;
+      const double d = glm::distance(light, start_of(i) - glm::dvec3(0.0, 0.0, t));
+      sum += b0 * std::exp(-b0 * (t + d)) / (d * d);
+    }
+    const double airlight = 9.0 * sum * 5.0 / steps / (4.0 * std::numbers::pi);
+    ASSERT_NEAR(reference.airlight[3 * i], airlight, 1e-5 * airlight);
+    ASSERT_NEAR(frame.airlight[3 * i], airlight, 2e-3 * airlight);
+  }
+}
+
+// Of a wall that moves while the camera does, and sees more.
+TEST(Orthographic, LayersHavePlacesAndMotion) {
+  const Scene scene = before_a_wall_along_z();
+  Scene next = scene;
+  next.surfaces[0].translate = {0.1, 0.0, 0.3};
+  next.camera.eye.y += 0.2;
+  next.camera.target.y += 0.2;
+  next.camera.height = 3.0;
+  ImageLayers image;
+  add_surface_layers(scene, scene.camera, scene.film, {.position = true, .motion = true}, &next,
+                     next.camera, {}, image);
+  for (std::size_t i = 0; i < 40 * 32; ++i) {
+    const glm::dvec3 start = start_of(i);
+    ASSERT_NEAR(image.channels.at("position.X")[i], start.x, 1e-6);
+    ASSERT_NEAR(image.channels.at("position.Y")[i], start.y, 1e-6);
+    ASSERT_NEAR(image.channels.at("position.Z")[i], -1.0, 1e-6);
+    const double x = 32.0 / 3.0 * (start.x + 0.1 - 0.3);
+    const double y = 32.0 / 3.0 * start.y;
+    ASSERT_NEAR(image.channels.at("forward.u")[i], x - 32.0 / 2.6 * (start.x - 0.3), 1e-5);
+    ASSERT_NEAR(image.channels.at("forward.v")[i], y - 32.0 / 2.6 * (start.y + 0.2), 1e-5);
   }
 }
 

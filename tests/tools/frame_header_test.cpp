@@ -78,6 +78,27 @@ TEST_F(FrameHeader, HasTheMatricesOfTheCamera) {
   }
 }
 
+// An orthographic one, 4 u high: points are not divided by their depth.
+TEST_F(FrameHeader, HasTheMatricesOfAnOrthographicCamera) {
+  folder_.write("map.brume", R"({"format": "brume-scene", "version": 1,
+      "camera": {"eye": [0, 0, 5], "target": [0, 0, 0], "height": 4}})");
+  for (const char* image : {"a.exr", "a.deep.exr"}) {
+    SCOPED_TRACE(image);
+    expect_done({"render", file("map.brume"), "--backend", "cpu", "--size", "40x20", "--airlight",
+                 "sliced", "-o", file(image)});
+    const std::string text = header(image);
+    const auto seen = mapped(matrix(text, "worldToCamera"), {1, 2, 3});
+    EXPECT_NEAR(seen[0], 1.0, 1e-6);
+    EXPECT_NEAR(seen[1], 2.0, 1e-6);
+    EXPECT_NEAR(seen[2], 2.0, 1e-6);
+    for (const double z : {3.0, -40.0}) {
+      const auto place = mapped(matrix(text, "worldToNDC"), {0.5, 0.25, z});
+      EXPECT_NEAR(place[0], 0.5 + 0.5 / 8.0, 1e-6);
+      EXPECT_NEAR(place[1], 0.5 - 0.25 / 4.0, 1e-6);
+    }
+  }
+}
+
 // The position of a pixel of a part of the picture comes back to the pixel.
 TEST_F(FrameHeader, HasTheMatricesOfARegion) {
   render({"--airlight", "sliced", "--scattering", "single", "--layers", "position", "--region",

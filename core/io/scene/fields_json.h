@@ -44,11 +44,18 @@ void read_fields(JsonObject& object, Owner& owner) {
     if (field.info.is_required) static_cast<void>(object.required(field.info.name));
     read_value(object, field.info.name, field.domain, field.of(owner));
   });
-  visit_fields<Owner>([&](const auto& field) {
+  visit_fields<Owner>([&]<class F>(const F& field) {
+    const std::string name = field.info.name;
     const FieldInfo* const other = replacement(field, owner);
-    if (!other || object.find(field.info.name) == nullptr) return;
-    if (field.info.is_always_saved || !is_usual(field, owner)) {
-      object.fail(other->name, found_beside(field.info));
+    if (!other) return;
+    if (object.find(name) != nullptr && (field.info.is_always_saved || !is_usual(field, owner))) {
+      object.fail(other->name, found_beside(name));
+    }
+    if constexpr (F::can_have_keys) {
+      const Json* const keys = object.find("keys");
+      if (keys != nullptr && keys->contains(name)) {
+        object.fail(other->name, found_beside("keys." + name));
+      }
     }
   });
 }

@@ -20,8 +20,8 @@ std::string description(const F& field) {
 }
 
 // The message for a value that is given beside one that it replaces.
-inline std::string found_beside(const FieldInfo& replaced) {
-  return std::string("found beside ") + replaced.name + "; allowed: one of the two";
+inline std::string found_beside(const std::string& replaced) {
+  return "found beside " + replaced + "; allowed: one of the two";
 }
 
 }  // namespace brume

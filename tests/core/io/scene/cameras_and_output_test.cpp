@@ -103,23 +103,22 @@ TEST_F(CamerasAndOutput, OrthographicOnesComeBackWithoutAnAngle) {
   EXPECT_EQ(again.cameras[0].camera, scene.cameras[0].camera);
 }
 
-// They are refused as keyframes of any value that is not there.
-TEST_F(CamerasAndOutput, KeyframesOfTheValueThatIsNotInUseAreUnknown) {
+// They are unknown as those of any value that is not there.
+TEST_F(CamerasAndOutput, KeyframesOfAHeightThatIsNotThereAreUnknown) {
   std::vector<std::string> warnings;
-  const SceneDocument fov = load_document(
-      write(R"("camera": {"height": 2, "keys": {"vertical_fov": [{"time": 1, "value": 30}]}})"),
-      &warnings);
-  EXPECT_TRUE(fov.scene.camera_keys.vertical_fov.empty());
-  EXPECT_EQ(warnings.size(), 1U);
   const SceneDocument height = load_document(
       write(R"("camera": {"keys": {"height": [{"time": 1, "value": 30}]}})"), &warnings);
   EXPECT_TRUE(height.scene.camera_keys.height.empty());
-  EXPECT_EQ(warnings.size(), 2U);
+  EXPECT_EQ(warnings.size(), 1U);
 }
 
 TEST_F(CamerasAndOutput, RefuseMistakes) {
   expect_refused(R"("camera": {"vertical_fov": 40, "height": 2})", "camera.height: ");
   expect_refused(R"("camera": {"aperture": 0.1, "height": 2})", "camera.height: ");
+  expect_refused(R"("camera": {"height": 2, "keys": {"vertical_fov": [{"time": 1, "value": 30}]}})",
+                 "camera.height: found beside keys.vertical_fov; allowed: one of the two");
+  expect_refused(R"("camera": {"height": 2, "keys": {"aperture": [{"time": 1, "value": 1}]}})",
+                 "camera.height: found beside keys.aperture; allowed: one of the two");
   expect_refused(R"("cameras": [{"name": "A", "vertical_fov": 40, "height": 2}])",
                  "cameras[0].height: found beside vertical_fov");
   for (const char* name : {"1", "null", "[]", R"("")", R"("a\nb")"}) {
