@@ -15,6 +15,7 @@
 #include "app/commands/undo_text.h"
 #include "app/document/document.h"
 #include "app/view/gizmo.h"
+#include "app/view/navigation.h"
 #include "app/view/object_box.h"
 #include "app/view/overlay.h"
 #include "app/widgets/color_button.h"
@@ -63,8 +64,8 @@ bool has_target(const Light& light) {
 
 }  // namespace
 
-// The outline of a light besides its icon: the axis, as long as a share of the distance from the
-// eye, and the rim of its cone or the edge of its surface.
+// The outline of a light besides its icon: the axis, as long as a share of the distance that
+// it is seen from, and the rim of its cone or the edge of its surface.
 struct LightHandles::DrawnShape {
   glm::dvec3 axis{0.0};    // unit
   double length = 0.0;     // of the axis [u]
@@ -74,9 +75,9 @@ struct LightHandles::DrawnShape {
 
   DrawnShape(const Light& light, const CameraRays& rays) {
     constexpr double share = 0.2;
-    length = share * glm::length(light.position - rays.eye());
-    axis = unit_direction(light_direction(light).value_or(rays.eye() - light.position),
-                          {0.0, -1.0, 0.0});
+    length = share * viewing_distance(rays, light.position);
+    const glm::dvec3 to_eye = rays.is_parallel() ? -rays.forward() : rays.eye() - light.position;
+    axis = unit_direction(light_direction(light).value_or(to_eye), {0.0, -1.0, 0.0});
     target = light.position + length * axis;
     std::visit(Overloaded{[](const light::Point&) {}, [](const light::Directional&) {},
                           [&](const light::Spot& spot) {
@@ -129,8 +130,7 @@ std::optional<LightHandles::Handle> LightHandles::pick(const CameraRays& rays,
                                                        QPointF position) const {
   const auto& lights = document_.scene().lights;
   for (std::size_t k = 0; k < lights.size(); ++k) {
-    const glm::dvec3 projected =
-        rays.project(handle_position(lights[k], document_.scene(), rays.eye()));
+    const glm::dvec3 projected = rays.project(handle_position(lights[k], document_.scene(), rays));
     if (projected.z <= 0.0 || lights[k].locked) continue;
     const double distance = QLineF(QPointF(projected.x, projected.y), position).length();
     if (distance <= sun_radius() + 3.0) return Handle{k, Part::light};
@@ -182,14 +182,13 @@ void LightHandles::move(const CameraRays& rays, QPointF position) {
       open_or_scale(shape, now / std::max(begin, 1.0));
     }
   } else if (handle.part == Part::ring) {
-    const glm::dvec3 projected =
-        rays.project(handle_position(before, document_.scene(), rays.eye()));
+    const glm::dvec3 projected = rays.project(handle_position(before, document_.scene(), rays));
     const double strength =
         strength_of(QLineF(QPointF(projected.x, projected.y), position).length());
     change_light(document_, handle.light, undo_text("Set intensity of %1"), merge_id,
                  [&](Light& l) { l.intensity = strength * light_color(before); });
   } else if (before.as<light::Directional>()) {
-    const glm::dvec3 sun = handle_position(before, document_.scene(), rays.eye());
+    const glm::dvec3 sun = handle_position(before, document_.scene(), rays);
     const glm::dvec3& target = document_.scene().camera.target;
     const glm::dvec3 direction = target - sun - dragged_across(sun, rays, start, position);
     if (!(glm::length(direction) > 1e-6 * glm::distance(sun, target))) return;
@@ -233,8 +232,7 @@ void LightHandles::cancel() {
 void LightHandles::draw(Overlay& overlay, const CameraRays& rays) const {
   const auto& lights = document_.scene().lights;
   for (std::size_t k = 0; k < lights.size(); ++k) {
-    const glm::dvec3 projected =
-        rays.project(handle_position(lights[k], document_.scene(), rays.eye()));
+    const glm::dvec3 projected = rays.project(handle_position(lights[k], document_.scene(), rays));
     if (projected.z <= 0.0) continue;
     const QColor color = to_color(light_color(lights[k]));
     const int alpha = lights[k].on ? 230 : 90;
@@ -251,7 +249,7 @@ void LightHandles::draw(Overlay& overlay, const CameraRays& rays) const {
       overlay.lines.push_back(point(sun_radius() + (hovered ? 7.0 : 5.0)));
     }
     if (lights[k].as<light::Directional>()) {
-      const glm::dvec3 sun = handle_position(lights[k], document_.scene(), rays.eye());
+      const glm::dvec3 sun = handle_position(lights[k], document_.scene(), rays);
       overlay.add_line(rays, sun, 0.5 * (sun + document_.scene().camera.target), rgba);
     }
     const DrawnShape shape(lights[k], rays);

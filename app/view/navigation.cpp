@@ -15,6 +15,12 @@ double target_distance(const Camera& camera) {
   return glm::distance(camera.eye, camera.target);
 }
 
+double viewing_distance(const CameraRays& rays, const glm::dvec3& point) {
+  if (!rays.is_parallel()) return glm::distance(rays.eye(), point);
+  return 0.5 * rays.pixel_width() * rays.whole_size().y /
+         std::tan(0.5 * glm::radians(Camera{}.vertical_fov));
+}
+
 Camera orbit(const Camera& camera, glm::dvec2 angles) {
   const glm::dvec3 offset = camera.eye - camera.target;
   const double distance = glm::length(offset);

@@ -10,6 +10,8 @@
 
 namespace brume {
 
+class CameraRays;
+
 // Camera navigation; each function returns the moved camera. The scene's up axis stays upright.
 
 // Orbits the target; angles in radians, positive moves the picture right and down.
@@ -26,6 +28,9 @@ Camera frame_sphere(const Camera& camera, const Film& film, const glm::dvec3& ce
                     double radius);
 
 double target_distance(const Camera& camera);
+// How far away a point seems: its distance from the eye; of an orthographic camera that from which
+// the usual angle of view sees as much.
+double viewing_distance(const CameraRays& rays, const glm::dvec3& point);
 
 // Mouse bindings of navigation: Brume's own, or those of other programs.
 enum class NavigationPreset { brume, blender, maya };

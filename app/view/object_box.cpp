@@ -3,6 +3,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "app/view/navigation.h"
 #include "app/view/overlay.h"
 #include "app/widgets/interface_settings.h"
 #include "brume/mesh_arrays.h"
@@ -16,11 +17,11 @@ constexpr double ring_radius = 13.0;  // pixels
 
 }  // namespace
 
-glm::dvec3 handle_position(const Light& light, const Scene& scene, const glm::dvec3& eye) {
+glm::dvec3 handle_position(const Light& light, const Scene& scene, const CameraRays& rays) {
   const auto* sun = light.as<light::Directional>();
   if (sun == nullptr) return light.position;
   const glm::dvec3& target = scene.camera.target;
-  return target + 0.2 * glm::distance(eye, target) * to_light(*sun);
+  return target + 0.2 * viewing_distance(rays, target) * to_light(*sun);
 }
 
 std::array<glm::dvec3, 8> box_corners(const Surface& surface) {
@@ -37,10 +38,10 @@ std::array<glm::dvec3, 8> box_corners(const Surface& surface) {
   return corners;
 }
 
-glm::dvec3 object_center(const Scene& scene, const ObjectRef& ref, const glm::dvec3& eye) {
+glm::dvec3 object_center(const Scene& scene, const ObjectRef& ref, const CameraRays& rays) {
   switch (ref.kind) {
     case ObjectRef::Kind::light:
-      return handle_position(scene.lights.at(ref.index), scene, eye);
+      return handle_position(scene.lights.at(ref.index), scene, rays);
     case ObjectRef::Kind::emitter:
       return scene.emitters.at(ref.index).position;
     case ObjectRef::Kind::surface: {
@@ -54,7 +55,7 @@ glm::dvec3 object_center(const Scene& scene, const ObjectRef& ref, const glm::dv
 void add_object_outline(Overlay& overlay, const CameraRays& rays, const Scene& scene,
                         const ObjectRef& ref, QRgb color) {
   if (ref.kind != ObjectRef::Kind::surface) {
-    const glm::dvec3 projected = rays.project(object_center(scene, ref, rays.eye()));
+    const glm::dvec3 projected = rays.project(object_center(scene, ref, rays));
     if (projected.z > 0.0)
       overlay.add_circle(projected.x, projected.y, ring_radius * handle_scale(), color);
     return;

@@ -66,7 +66,7 @@ std::shared_ptr<const Scene> View::shown_scene() const {
 
 glm::dvec3 View::pivot() const {
   if (const auto& object = document_.object()) {
-    return object_center(document_.scene(), *object, rays().eye());
+    return object_center(document_.scene(), *object, rays());
   }
   const auto sphere = bounding_sphere(document_.medium(), document_.selection());
   return sphere ? sphere->center : camera().target;

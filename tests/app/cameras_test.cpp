@@ -11,6 +11,7 @@
 #include "app/document/keyframe_tracks.h"
 #include "app/view/camera_outline.h"
 #include "app/view/gizmo.h"
+#include "app/view/object_box.h"
 #include "app/viewport/camera_frame.h"
 #include "app/viewport/viewport.h"
 #include "app/widgets/value_field.h"
@@ -192,6 +193,25 @@ class CamerasTest : public QObject {
     view.camera_controller().frame_all();
     QVERIFY(view.camera().height.has_value());
     QVERIFY(window.settle());
+  }
+
+  // However far away the plane of the eye is, and how little is seen.
+  void suns_stand_in_the_picture_of_orthographic_cameras() {
+    Scene scene = tiny_scene();
+    scene.camera.eye *= 100.0;
+    scene.camera.height = 3.0;
+    scene.lights.push_back({.kind = light::Directional{{-1.0, -1.0, -0.5}}});
+    TestWindow window(scene);
+    Viewport& view = window->viewport();
+    window.key(Qt::Key_0);
+    QVERIFY(window.settle());
+    for (int k = 0; k < 3; ++k) {
+      const CameraRays rays = view.rays();
+      const glm::dvec3 sun = rays.project(handle_position(scene.lights.back(), scene, rays));
+      QVERIFY(sun.z > 0.0 && view.rect().contains(QPointF(sun.x, sun.y).toPoint()));
+      QVERIFY(glm::distance(glm::dvec2(sun), 0.5 * glm::dvec2(view.width(), view.height())) > 30.0);
+      view.camera_controller().zoom_by(0.1);
+    }
   }
 
   void the_timeline_keys_what_is_chosen_of_the_camera() {

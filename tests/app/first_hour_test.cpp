@@ -69,8 +69,7 @@ class Hour : public TestWindow {
   }
   // Drags an arrow of the handles of the selected object by some pixels.
   void drag_arrow(const glm::dvec3& axis, QPoint by) {
-    const glm::dvec3 eye = view().rays().eye();
-    const glm::dvec3 center = object_center(scene(), *document().object(), eye);
+    const glm::dvec3 center = object_center(scene(), *document().object(), view().rays());
     // Beyond the ring in the middle, wherever the handles are.
     const QPointF middle = on_film(center);
     const QPointF along = QPointF(on_film(center + 0.2 * axis)) - middle;
@@ -171,7 +170,7 @@ class FirstHourTest : public QObject {
     // Steam from the pot: an emitter, put in its place by numbers.
     hour.command("add emitter");
     QCOMPARE(hour.document().object()->kind, ObjectRef::Kind::emitter);
-    const glm::dvec3 top = object_center(hour.scene(), pot, hour.view().rays().eye());
+    const glm::dvec3 top = object_center(hour.scene(), pot, hour.view().rays());
     enter(hour, "emitter_position_y", QString::number(top.y));
     QVERIFY(std::abs(hour.scene().emitters.back().position.y - top.y) < 1e-3);
 

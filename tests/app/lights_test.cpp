@@ -190,7 +190,7 @@ class LightsTest : public QObject {
     const glm::dvec3 direction = glm::normalize(sun().as<light::Directional>()->direction);
     const auto film = [&] {
       const glm::dvec3 at = window->viewport().rays().project(
-          handle_position(sun(), document.scene(), window->viewport().rays().eye()));
+          handle_position(sun(), document.scene(), window->viewport().rays()));
       return QPoint(qRound(at.x), qRound(at.y));
     };
     const QPoint at = film();

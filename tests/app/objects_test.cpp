@@ -123,7 +123,7 @@ class ObjectsTest : public QObject {
     QVERIFY(window.document().object() == box_object);
     const auto drag_from_center = [&](const glm::dvec3& from, const QPoint& by) {
       const glm::dvec3 center =
-          object_center(window.document().scene(), box_object, window.view().rays().eye());
+          object_center(window.document().scene(), box_object, window.view().rays());
       const QPoint start = window.on_film(center + from);
       QTest::mouseMove(&window.view(), start);
       window.drag(start, start + by);

@@ -7,6 +7,7 @@
 #include "app/commands/add_fog.h"
 #include "app/document/document.h"
 #include "app/view/bounds.h"
+#include "app/view/navigation.h"
 #include "app/view/surface_picker.h"
 #include "app/viewport/view_grid.h"
 #include "app/window/dialogs/fog_shape_dialog.h"
@@ -75,14 +76,15 @@ FogPlace fog_place(const Document& document, View& view) {
   const glm::dvec3 forward = glm::normalize(camera.target - camera.eye);
   const auto hit = surfaces.hit(camera.eye, forward);
   const double hit_distance = hit ? glm::distance(hit->position, camera.eye) : 0.0;
-  if (hit && hit->normal.y > facing_up && hit_distance < 2.0 * view.distance()) {
+  if (hit && hit->normal.y > facing_up && hit_distance < 2.0 * target_distance(camera)) {
     place.target = hit->position;
     find_headroom();
     return place;
   }
   // In front of a wall in the way.
-  place.target = hit && hit_distance < view.distance() ? camera.eye + 0.85 * hit_distance * forward
-                                                       : camera.target;
+  place.target = hit && hit_distance < target_distance(camera)
+                     ? camera.eye + 0.85 * hit_distance * forward
+                     : camera.target;
   place.target.y = place.find_ground(place.target.x, place.target.z).value_or(place.target.y);
   find_headroom();
   return place;
