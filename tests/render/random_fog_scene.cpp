@@ -2,6 +2,7 @@
 #include <glm/geometric.hpp>
 
 #include "brume/mesh_arrays.h"
+#include "core/scene/cameras.h"
 #include "core/scene/lights/radiance_map.h"
 #include "tests/random.h"
 #include "tests/render/random_scene.h"
@@ -32,6 +33,7 @@ class RandomFogScene {
       scene_.optics.noise.frequency = random_.uniform(0.5, 5.0);
     }
     if (one_in(50)) add_environment();
+    if (one_in(4)) camera = orthographic(camera);
     return std::move(scene_);
   }
 

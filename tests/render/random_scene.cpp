@@ -47,6 +47,7 @@ class RandomScene {
       const bool is_bare = light.as<light::Point>() && !profile_of(light);
       if (is_bare && one_in(4)) light.kind = area_at(light.position);
     }
+    if (one_in(4)) scene_.camera.height = spread(spread_ * random_.power(-1, 1), -9, 9);
     return std::move(scene_);
   }
 

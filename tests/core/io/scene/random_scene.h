@@ -96,11 +96,17 @@ class RandomScene {
       scene.surfaces.push_back(surface);
     }
     keys(scene.camera_keys.eye, 1e6);
-    keys(scene.camera_keys.vertical_fov, 179.0);
-    scene.camera.aperture = maybe() ? number(0, 2) : 0.0;
+    if (maybe()) {
+      scene.camera.vertical_fov = Camera().vertical_fov;
+      scene.camera.height = number(1e-3, 1e3);
+      keys(scene.camera_keys.height, 9.0);
+    } else {
+      keys(scene.camera_keys.vertical_fov, 179.0);
+      scene.camera.aperture = maybe() ? number(0, 2) : 0.0;
+      keys(scene.camera_keys.aperture, 1.0);
+    }
     if (maybe()) scene.camera.focus_distance = number(0.1, 9);
     if (maybe()) scene.camera.roll = number(-180, 180);
-    keys(scene.camera_keys.aperture, 1.0);
     keys(scene.camera_keys.roll, 180.0);
     if (scene.camera.focus_distance) keys(scene.camera_keys.focus_distance, 9.0);
     keys(scene.density_keys, 9.0);
