@@ -20,6 +20,7 @@
 #include "brume/mesh_arrays.h"
 #include "core/authoring/eraser.h"
 #include "core/authoring/paintbrush.h"
+#include "core/scene/cameras.h"
 #include "core/scene/fields/light_fields.h"
 #include "tests/app/test_window.h"
 
@@ -286,6 +287,7 @@ class RandomHands {
         return delete_camera(document_, a_camera());
       case 3: {
         Camera camera = document_.scene().camera;
+        camera = below(2) == 0 ? orthographic(camera) : perspective(camera);
         camera.roll = number();
         return set_camera(document_, camera, "roll", no_merge);
       }
