@@ -96,7 +96,7 @@ Settings sliced_settings(Settings settings, int slices) {
                                                 : 0.002;
   settings.depth_error = slices < 24 ? 3e-3 : slices < 48 ? 1e-3 : 1e-4;
   settings.merge_error = slices < 12 ? 0.02 : slices < 24 ? 0.012 : slices < 32 ? 0.005 : 0.0;
-  settings.shadow_cells = std::clamp(16 * slices, min_shadow_cells, 1024);
+  settings.shadow_cells = std::clamp(16 * slices, min_shadow_cells, max_shadow_cells);
   settings.source_grid = slices < 8    ? SourceGridSize{20'000, 64}
                          : slices < 24 ? SourceGridSize{60'000, 64}
                          : slices < 48 ? SourceGridSize{80'000, 96}

@@ -21,6 +21,8 @@ struct OpticalDepthTableSize {
 };
 
 // Resolution of the grid of environment light in the medium; see SourceGrid.
+inline constexpr int max_shadow_cells = 1024;
+
 struct SourceGridSize {
   int nodes = 80'000;   // maximum, > 8
   int directions = 96;  // maximum

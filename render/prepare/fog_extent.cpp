@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <vector>
 
 #include "brume/limits.h"
 #include "core/math/infinity.h"
@@ -30,11 +31,14 @@ FogExtent::FogExtent(const Scene& scene) {
 
 namespace {
 
+double longest_side(const Box& box) {
+  const glm::dvec3 extent = box.high - box.low;
+  return std::max({extent.x, extent.y, extent.z});
+}
+
 // The box, its sides moved outwards to steps of an eighth of its length.
 Box in_steps(const Box& box) {
-  const glm::dvec3 extent = box.high - box.low;
-  const double longest = std::max({extent.x, extent.y, extent.z});
-  const double step = std::exp2(std::floor(std::log2(longest)) - 3.0);
+  const double step = std::exp2(std::floor(std::log2(longest_side(box))) - 3.0);
   return {step * glm::floor(box.low / step), step * glm::ceil(box.high / step)};
 }
 
@@ -61,26 +65,57 @@ Box fog_bounds(double b0, std::span<const PointLight> lights) {
   return in_steps(box);
 }
 
-Box near_light_bounds(const RayCaster& surfaces, std::span<const PointLight> lights, double reach) {
+Box finest_fog_bounds(const RayCaster& surfaces, std::span<const PointLight> lights,
+                      const std::optional<Box>& enclosure, double reach) {
   constexpr double clearances = 8.0;
   constexpr double worth = 0.5;  // of the sides of all
   // All levels of a grid reach some 400 times as far as the finest.
   constexpr double min_share = 1.0 / 128.0;
-  const auto longest = [](const Box& box) {
-    const glm::dvec3 extent = box.high - box.low;
-    return std::max({extent.x, extent.y, extent.z});
-  };
   const Box& all = surfaces.bounds();
-  const double least = 0.5 * min_share * std::max(longest(all), 2.0 * reach);
+  const double least = 0.5 * min_share * std::max(longest_side(all), 2.0 * reach);
   Box box{glm::dvec3(infinity), glm::dvec3(-infinity)};
+  const auto add = [&box](const glm::dvec3& low, const glm::dvec3& high) {
+    box.low = glm::min(box.low, low);
+    box.high = glm::max(box.high, high);
+  };
   for (const PointLight& light : lights) {
     if (light.is_far) continue;
     const glm::dvec3 around(std::max(clearances * clearance(surfaces, light.position), least));
-    box.low = glm::min(box.low, light.position - around);
-    box.high = glm::max(box.high, light.position + around);
+    add(light.position - around, light.position + around);
   }
-  if (!(box.low.x <= box.high.x) || !(longest(box) <= worth * longest(all))) return all;
+  if (enclosure) {
+    const glm::dvec3 middle = 0.5 * (enclosure->low + enclosure->high);
+    add(glm::min(enclosure->low, middle - least), glm::max(enclosure->high, middle + least));
+  }
+  if (!(box.low.x <= box.high.x) || !(longest_side(box) <= worth * longest_side(all))) return all;
   return in_steps(box);
+}
+
+std::optional<Box> enclosure(const RayCaster& surfaces, const glm::dvec3& place) {
+  constexpr double closed_share = 0.9;
+  constexpr double corners = 1.5;  // no farther than so many times what is closed
+  constexpr double max_share = 1.0 / 8.0;
+  std::vector<glm::dvec3> directions;
+  for (const SphereNode& node : sphere_rule(11)) directions.push_back(node.direction);
+  std::vector<SurfaceHit> hits(directions.size());
+  surfaces.first_hits(place, directions, hits);
+  std::vector<double> distances;
+  for (const SurfaceHit& hit : hits) distances.push_back(hit.distance);
+  const auto closed = distances.begin() +
+                      static_cast<std::ptrdiff_t>(closed_share * static_cast<double>(hits.size()));
+  std::ranges::nth_element(distances, closed);
+  Box box{place, place};
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    if (!(hits[i].distance <= corners * *closed)) continue;
+    const glm::dvec3 wall = place + std::min(hits[i].distance, limits::max_length) * directions[i];
+    box.low = glm::min(box.low, wall);
+    box.high = glm::max(box.high, wall);
+  }
+  const double widest = max_share * longest_side(surfaces.bounds());
+  if (!std::isfinite(*closed) || longest_side(box) > widest) return std::nullopt;
+  // Rays miss corners, and walls are thick.
+  const glm::dvec3 margin(0.1 * longest_side(box));
+  return Box{box.low - margin, box.high + margin};
 }
 
 double FogExtent::ray_distance(const glm::dvec3& eye) const {

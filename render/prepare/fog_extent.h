@@ -1,6 +1,7 @@
 #pragma once
 
 #include <glm/vec3.hpp>
+#include <optional>
 #include <span>
 
 #include "brume/scene.h"
@@ -41,8 +42,12 @@ class FogExtent {
 Box fog_bounds(double b0, std::span<const PointLight> lights);
 // The part of the surfaces' bounds where fog needs the finest nodes: around lights that are near
 // surfaces, some times as far as these are, but no less than coarser levels can go on from: to all
-// surfaces, and as far as fog scatters (`reach`). All of the bounds if that would save little. It
-// stays while lights move a little.
-Box near_light_bounds(const RayCaster& surfaces, std::span<const PointLight> lights, double reach);
+// surfaces, and as far as fog scatters (`reach`); and what encloses the eye. All of the bounds if
+// that would save little. It stays while lights move a little.
+Box finest_fog_bounds(const RayCaster& surfaces, std::span<const PointLight> lights,
+                      const std::optional<Box>& enclosure, double reach);
+// Bounds of the walls around a place, from almost everywhere in it; nullopt if it is in the open,
+// or if they are not far smaller than all surfaces' bounds: then nodes for all of these do.
+std::optional<Box> enclosure(const RayCaster& surfaces, const glm::dvec3& place);
 
 }  // namespace brume

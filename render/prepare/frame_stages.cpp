@@ -163,7 +163,8 @@ Box FrameStages::lit_fog(const FrameContext& work) const {
   if (!work.plan.runs(Stage::homogeneous)) return {};
   if (work.plan.runs(Stage::visibility)) {
     const double b0 = prepared_.medium().homogeneous_density();
-    return near_light_bounds(prepared_.ray_caster(), work.plan.lights,
+    return finest_fog_bounds(prepared_.ray_caster(), work.plan.lights,
+                             enclosure(prepared_.ray_caster(), work.rays.eye()),
                              scattering_reach(b0, work.fog_extent.ball()));
   }
   if (const FogBall& ball = work.fog_extent.ball(); !ball.is_endless()) {
@@ -279,17 +280,24 @@ std::vector<SlicedLight> FrameStages::sliced_lights(FrameContext& work, StageClo
   return lights;
 }
 
+// With more of them the largest shadow maps take too much memory.
+constexpr std::size_t max_lights_in_room = 4;
+
 // Fog scatters in every direction, Gaussians only where they are.
 DirectionMap FrameStages::shadow_directions(const FrameContext& work, const PointSource& light,
                                             const DirectionMap& table) const {
   const int cells = work.settings.shadow_cells;
   if (!work.plan.runs(Stage::homogeneous)) return table.resized(cells);
   if (!light.is_far) return DirectionMap::full_sphere(cells);
-  // Only surfaces keep light of far lights from fog; beside them nothing does.
+  // Only surfaces keep light of far lights from fog; beside them nothing does. From a small room
+  // in a large scene cells as wide as its walls would let light through these.
+  const bool is_in_room = work.plan.lights.size() <= max_lights_in_room &&
+                          enclosure(prepared_.ray_caster(), work.rays.eye()).has_value();
   const Box& bounds = prepared_.ray_caster().bounds();
   const Ball surfaces{0.5 * (bounds.low + bounds.high),
                       0.5 * glm::length(bounds.high - bounds.low)};
-  return DirectionMap::towards(light.position, std::span(&surfaces, 1), cells);
+  return DirectionMap::towards(light.position, std::span(&surfaces, 1),
+                               is_in_room ? max_shadow_cells : cells);
 }
 
 SurfaceLighting FrameStages::surface_lighting(const FrameContext& work) const {

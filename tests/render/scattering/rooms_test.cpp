@@ -35,6 +35,13 @@ Scene room_with_window() {
 
 const Settings of_all_orders = sliced(Settings{}.slices, Scattering::multiple);
 
+double mean_airlight_in(const Scene& scene) {
+  const Frame frame = render_frame(scene, of_all_orders);
+  double sum = 0.0;
+  for (const float value : frame.airlight) sum += static_cast<double>(value);
+  return sum / static_cast<double>(frame.airlight.size());
+}
+
 // The grid ends at the outer walls: what lights these from outside did light the room.
 TEST(Rooms, AreDarkUnderASunThatShinesOnTheirBack) {
   Scene scene = room_with_window();
@@ -42,6 +49,20 @@ TEST(Rooms, AreDarkUnderASunThatShinesOnTheirBack) {
   scene.lights = {{{}, glm::dvec3(3.0), light::Directional{.direction = {0.85, -0.07, -0.5}}}};
   const Frame frame = render_frame(scene, of_all_orders);
   for (std::size_t i = 0; i < frame.depth.size(); ++i) EXPECT_LT(frame.beauty[4 * i], 1e-3f) << i;
+}
+
+// A plain of 25 times its side made cells of the grid and of the shadow map as wide as the room.
+TEST(Rooms, AreDarkWhereverTheyStand) {
+  Scene scene;
+  scene.film = {16, 12};
+  scene.camera = {{1.7, 1.9, 1.7}, {-1.5, 1.0, -1.5}, {0, 1, 0}, 60.0};
+  scene.medium.set_homogeneous_density(0.05);
+  scene.lights = {{{}, glm::dvec3(10.0), light::Directional{.direction = {-1.0, -1.0, -0.3}}}};
+  scene.surfaces = {block({-50.0, -0.1, -50.0}, {50.0, 0.0, 50.0})};
+  const double open = mean_airlight_in(scene);
+  scene.surfaces.push_back(block({-2.0, 0.0, -2.0}, {2.0, 3.0, 2.0}));
+  scene.surfaces.push_back(block({-2.2, -0.2, -2.2}, {2.2, 3.2, 2.2}));
+  EXPECT_LT(mean_airlight_in(scene), 1e-3 * open);
 }
 
 TEST(Rooms, AreLitThroughAWindowAsByPaths) {
