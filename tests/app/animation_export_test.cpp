@@ -4,7 +4,6 @@
 #include <QImage>
 #include <QLabel>
 #include <QLineEdit>
-#include <QProcess>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QStandardItemModel>
@@ -16,7 +15,6 @@
 #include "app/export/frame_export.h"
 #include "app/export/video_file.h"
 #include "app/files/scene_files.h"
-#include "app/viewport/viewport.h"
 #include "app/window/frame_output.h"
 #include "core/io/image/image_file.h"
 #include "tests/app/question.h"
@@ -49,9 +47,11 @@ std::size_t files_in(const fs::path& folder) {
       std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
 }
 
-// What a fake ffmpeg does to write what it gets to the file that it is given last.
+// A fake ffmpeg writes its input to its last argument.
 constexpr const char* write_input =
     "for last; do :; done\necho \"$@\" >&2\nexec cat > \"${last#file:}\"\n";
+
+constexpr const char* hang_when_closed = "cat > /dev/null\n: > \"$0.closed\"\nexec sleep 600\n";
 
 // A folder with a program `ffmpeg`, and nothing else on the PATH.
 class FakeFfmpeg {
@@ -67,6 +67,49 @@ class FakeFfmpeg {
  private:
   QByteArray path_;
   QTemporaryDir folder_;
+};
+
+// An export of frames of the dimming scene into an empty folder of its own.
+class Exported {
+ public:
+  void start(const fs::path& file, int last) {
+    FrameExportRequest request;
+    request.scene = std::make_shared<const Scene>(dimming_scene());
+    request.request.airlight = AirlightMethod::paper;
+    request.file = file;
+    request.range = {.first = 0, .last = last};
+    exporter.start(request);
+  }
+  fs::path file(const char* name) const { return to_path(folder_.filePath(name)); }
+  std::size_t files() const { return files_in(to_path(folder_.path())); }
+  // Cancels once `has_begun`; the number of files that were written.
+  int cancel_once(const std::function<bool()>& has_begun) {
+    if (!QTest::qWaitFor(has_begun, patience)) return -1;
+    exporter.job().cancel();
+    return cancelled.wait(patience) ? cancelled[0][0].toInt() : -1;
+  }
+
+  FrameExport exporter;
+  QSignalSpy finished{&exporter, &FrameExport::finished};
+  QSignalSpy cancelled{&exporter, &FrameExport::cancelled};
+  QSignalSpy failed{&exporter, &FrameExport::failed};
+
+ private:
+  QTemporaryDir folder_;
+};
+
+// The dialog of a range of frames, and what it asks for.
+class Dialog : public AnimationDialog {
+ public:
+  explicit Dialog(Timeline& timeline) : AnimationDialog(timeline, "/tmp", nullptr) {
+    setAttribute(Qt::WA_DeleteOnClose, false);
+    show();
+  }
+  QPushButton& button() { return *findChild<QPushButton*>("export_animation"); }
+  QLineEdit& file() { return *findChild<QLineEdit*>("animation_file"); }
+  void set_last(int frame) { findChild<QSpinBox*>("animation_last")->setValue(frame); }
+
+  QSignalSpy requests{this, &AnimationDialog::requested};
 };
 
 }  // namespace
@@ -103,92 +146,69 @@ class AnimationExportTest : public QObject {
   }
 
   void a_cancelled_export_leaves_whole_files_only() {
-    TestWindow window(dimming_scene());
-    auto* exporter = window->findChild<FrameExport*>();
-    const fs::path folder = window.file("out");
-    fs::create_directory(folder);
-    QSignalSpy cancelled(exporter, &FrameExport::cancelled);
-    window->output().export_animation_to(folder / "c.png", 0, 100'000);
-    QVERIFY(QTest::qWaitFor([&] { return files_in(folder) > 2; }, patience));
-    exporter->job().cancel();
-    QVERIFY(cancelled.wait(patience));
-    const int written = cancelled[0][0].toInt();
-    QCOMPARE(files_in(folder), static_cast<std::size_t>(written));
+    Exported frames;
+    frames.start(frames.file("c.png"), 100'000);
+    const int written = frames.cancel_once([&] { return frames.files() > 2; });
+    QCOMPARE(frames.files(), static_cast<std::size_t>(written));
     for (int k = 0; k < written; ++k) {
-      QCOMPARE(QImage(to_qstring(numbered_file(folder / "c.png", k))).size(), QSize(31, 21));
+      QCOMPARE(QImage(to_qstring(numbered_file(frames.file("c.png"), k))).size(), QSize(31, 21));
     }
   }
 
   void ffmpeg_gets_every_frame() {
     const FakeFfmpeg ffmpeg(write_input);
-    TestWindow window(dimming_scene());
-    QSignalSpy finished(window->findChild<FrameExport*>(), &FrameExport::finished);
-    window->output().export_animation_to(window.file("v.mp4"), 0, 4);
-    QVERIFY(finished.wait(patience));
-    QCOMPARE(fs::file_size(window.file("v.mp4")), std::uintmax_t{31 * 21 * 3 * 5});
+    Exported video;
+    video.start(video.file("v.mp4"), 4);
+    QVERIFY(video.finished.wait(patience));
+    QCOMPARE(fs::file_size(video.file("v.mp4")), std::uintmax_t{31 * 21 * 3 * 5});
   }
 
   void ffmpeg_errors_are_reported_and_leave_no_file() {
     const FakeFfmpeg ffmpeg("echo no such codec >&2\nexit 1\n");
-    TestWindow window(dimming_scene());
-    const fs::path folder = window.file("out");
-    fs::create_directory(folder);
-    QSignalSpy failed(window->findChild<FrameExport*>(), &FrameExport::failed);
-    window->output().export_animation_to(folder / "v.mp4", 0, 2);
-    QVERIFY(failed.wait(patience));
-    QVERIFY2(failed[0][0].toString().contains("v.mp4: cannot be written by ffmpeg: no such codec"),
-             qPrintable(failed[0][0].toString()));
-    QCOMPARE(files_in(folder), std::size_t{0});
+    Exported video;
+    video.start(video.file("v.mp4"), 2);
+    QVERIFY(video.failed.wait(patience));
+    const QString problem = video.failed[0][0].toString();
+    QVERIFY2(problem.contains("v.mp4: cannot be written by ffmpeg: no such codec"),
+             qPrintable(problem));
+    QCOMPARE(video.files(), std::size_t{0});
   }
 
   void a_cancelled_video_leaves_nothing() {
     const FakeFfmpeg ffmpeg(write_input);
-    TestWindow window(dimming_scene());
-    auto* exporter = window->findChild<FrameExport*>();
-    const fs::path folder = window.file("out");
-    fs::create_directory(folder);
-    QSignalSpy cancelled(exporter, &FrameExport::cancelled);
-    window->output().export_animation_to(folder / "v.mp4", 0, 100'000);
-    QVERIFY(QTest::qWaitFor([&] { return files_in(folder) > 0; }, patience));
-    exporter->job().cancel();
-    QVERIFY(cancelled.wait(patience));
-    QCOMPARE(files_in(folder), std::size_t{0});
+    Exported video;
+    video.start(video.file("v.mp4"), 100'000);
+    QVERIFY(video.cancel_once([&] { return video.files() > 0; }) >= 0);
+    QCOMPARE(video.files(), std::size_t{0});
   }
 
   void ffmpeg_gets_a_name_that_is_no_option_and_no_protocol() {
     const FakeFfmpeg ffmpeg("for last; do :; done\necho \"$last\" >&2\nexit 1\n");
-    TestWindow window(dimming_scene());
-    fs::create_directory(window.file("http:"));
+    Exported video;
+    fs::create_directory(video.file("http:"));
     const fs::path before = fs::current_path();
-    fs::current_path(window.file("http:").parent_path());
-    QSignalSpy failed(window->findChild<FrameExport*>(), &FrameExport::failed);
+    fs::current_path(video.file("http:").parent_path());
     for (const char* name : {"-y.mp4", "http:/x.mp4"}) {
-      failed.clear();
-      window->output().export_animation_to(name, 0, 0);
-      QVERIFY(failed.wait(60000));
-      const QString argument = failed[0][0].toString().section("by ffmpeg: ", 1);
+      video.failed.clear();
+      video.start(name, 0);
+      QVERIFY(video.failed.wait(patience));
+      const QString argument = video.failed[0][0].toString().section("by ffmpeg: ", 1);
       QVERIFY2(argument.startsWith("file:/"), qPrintable(argument));
     }
     fs::current_path(before);
   }
 
   void an_ffmpeg_that_hangs_when_closed_can_be_cancelled() {
-    const FakeFfmpeg ffmpeg("cat > /dev/null\n: > \"$0.closed\"\nexec sleep 600\n");
-    TestWindow window(dimming_scene());
-    auto* exporter = window->findChild<FrameExport*>();
-    const fs::path folder = window.file("out");
-    fs::create_directory(folder);
-    QSignalSpy cancelled(exporter, &FrameExport::cancelled);
-    window->output().export_animation_to(folder / "v.mp4", 0, 1);
+    const FakeFfmpeg ffmpeg(hang_when_closed);
+    Exported video;
+    video.start(video.file("v.mp4"), 1);
     const QString closed = find_ffmpeg() + ".closed";
-    QVERIFY(QTest::qWaitFor([&] { return QFile::exists(closed); }, 60000));
-    exporter->job().cancel();
-    QVERIFY(cancelled.wait(60000));
-    QCOMPARE(files_in(folder), std::size_t{0});
+    QVERIFY(video.cancel_once([&] { return QFile::exists(closed); }) >= 0);
+    QCOMPARE(video.files(), std::size_t{0});
   }
 
   void an_ffmpeg_that_hangs_when_closed_lets_the_editor_quit() {
-    const FakeFfmpeg ffmpeg("cat > /dev/null\n: > \"$0.closed\"\nexec sleep 600\n");
+    const FakeFfmpeg ffmpeg(hang_when_closed);
     TestWindow scene_of(dimming_scene());
     auto window = std::make_unique<MainWindow>();
     QSignalSpy opened(&window->files(), &SceneFiles::opened);
@@ -205,35 +225,27 @@ class AnimationExportTest : public QObject {
 
   void the_dialog_previews_the_files() {
     const FakeFfmpeg ffmpeg("exit 0\n");
-    TestWindow window(dimming_scene());
-    window->timeline().set_range(3, 7);
-    AnimationDialog dialog(window->timeline(), "/tmp", nullptr);
-    dialog.setAttribute(Qt::WA_DeleteOnClose, false);
-    dialog.show();
+    Timeline timeline(nullptr);
+    timeline.set_range(3, 7);
+    Dialog dialog(timeline);
     QVERIFY(!dialog.findChild<QLabel*>("no_video")->isVisible());
-    QSignalSpy requested(&dialog, &AnimationDialog::requested);
-    dialog.findChild<QLineEdit*>("animation_file")->setText("/tmp/steam.png");
+    dialog.file().setText("/tmp/steam.png");
     dialog.findChild<QComboBox*>("animation_format")->setCurrentIndex(1);
-    QCOMPARE(dialog.findChild<QLineEdit*>("animation_file")->text(), QString("/tmp/steam.exr"));
-    dialog.findChild<QSpinBox*>("animation_last")->setValue(2);
-    auto* button = dialog.findChild<QPushButton*>("export_animation");
-    QVERIFY(!button->isEnabled());
-    dialog.findChild<QSpinBox*>("animation_last")->setValue(5);
-    QTest::mouseClick(button, Qt::LeftButton);
-    QCOMPARE(requested.count(), 1);
-    QCOMPARE(requested[0][0].value<fs::path>(), fs::path("/tmp/steam.exr"));
-    QCOMPARE(requested[0][1].toInt(), 3);
-    QCOMPARE(requested[0][2].toInt(), 5);
+    QCOMPARE(dialog.file().text(), QString("/tmp/steam.exr"));
+    dialog.set_last(2);
+    QVERIFY(!dialog.button().isEnabled());
+    dialog.set_last(5);
+    QTest::mouseClick(&dialog.button(), Qt::LeftButton);
+    QCOMPARE(dialog.requests.count(), 1);
+    QCOMPARE(dialog.requests[0][0].value<fs::path>(), fs::path("/tmp/steam.exr"));
+    QCOMPARE(dialog.requests[0][1].toInt(), 3);
+    QCOMPARE(dialog.requests[0][2].toInt(), 5);
   }
 
   void a_frame_before_0_is_refused() {
-    TestWindow window(dimming_scene());
-    window->timeline().set_range(2, 7);
-    AnimationDialog dialog(window->timeline(), "/tmp", nullptr);
-    dialog.setAttribute(Qt::WA_DeleteOnClose, false);
-    dialog.show();
-    QSignalSpy requested(&dialog, &AnimationDialog::requested);
-    auto* button = dialog.findChild<QPushButton*>("export_animation");
+    Timeline timeline(nullptr);
+    timeline.set_range(2, 7);
+    Dialog dialog(timeline);
     for (const char* name : {"animation_first", "animation_last"}) {
       auto* box = dialog.findChild<QSpinBox*>(name);
       const int before = box->value();
@@ -242,7 +254,7 @@ class AnimationExportTest : public QObject {
       QTest::keyClicks(box, "-3");
       const auto is_refused = [&] {
         const auto labels = dialog.findChildren<QLabel*>();
-        return !button->isEnabled() && std::ranges::any_of(labels, [](const QLabel* label) {
+        return !dialog.button().isEnabled() && std::ranges::any_of(labels, [](const QLabel* label) {
           return label->text().contains("must be a whole number from 0 to 1000000");
         });
       };
@@ -252,58 +264,53 @@ class AnimationExportTest : public QObject {
       QCOMPARE(box->value(), before);
       QCOMPARE(box->text(), QString::number(before));
       QTest::keyClicks(box, "\b5");
-      QVERIFY2(button->isEnabled(), name);
+      QVERIFY2(dialog.button().isEnabled(), name);
     }
-    QCOMPARE(requested.count(), 0);
+    QCOMPARE(dialog.requests.count(), 0);
   }
 
   void existing_frames_are_replaced_on_confirmation() {
-    TestWindow window(dimming_scene());
+    const QTemporaryDir folder;
     for (const char* name : {"steam_0002.png", "steam_0004.png", "steam_0005.png", "steam_3.png",
-                             "steam_0004.exr", "other_0004.png"}) {
-      std::ofstream(window.file(name)) << "old";
+                             "steam_0004.exr", "other_0004.png", "steam.mp4"}) {
+      std::ofstream(to_path(folder.filePath(name))) << "old";
     }
-    AnimationDialog dialog(window->timeline(), "/tmp", nullptr);
-    dialog.setAttribute(Qt::WA_DeleteOnClose, false);
-    dialog.show();
-    QSignalSpy requested(&dialog, &AnimationDialog::requested);
-    auto* file = dialog.findChild<QLineEdit*>("animation_file");
-    file->setText(to_qstring(window.file("steam.png")));
+    Timeline timeline(nullptr);
+    Dialog dialog(timeline);
     dialog.findChild<QSpinBox*>("animation_first")->setValue(3);
-    dialog.findChild<QSpinBox*>("animation_last")->setValue(900'000);
-    auto* button = dialog.findChild<QPushButton*>("export_animation");
+    dialog.set_last(900'000);
+    const auto ask_for = [&](const char* name) {
+      dialog.show();
+      dialog.file().setText(folder.filePath(name));
+    };
     const auto press = [&](QMessageBox::StandardButton chosen) {
       QString question;
       answer(chosen, &question);
-      QTest::mouseClick(button, Qt::LeftButton);
+      QTest::mouseClick(&dialog.button(), Qt::LeftButton);
       return question;
     };
+    ask_for("steam.png");
     const QString asked = press(QMessageBox::Cancel);
     QVERIFY2(asked.contains("2 files") && asked.contains("steam_0004.png") &&
                  asked.contains("steam_0005.png"),
              qPrintable(asked));
     QVERIFY(dialog.isVisible());
-    QCOMPARE(requested.count(), 0);
+    QCOMPARE(dialog.requests.count(), 0);
     press(QMessageBox::Yes);
-    QCOMPARE(requested.count(), 1);
-    dialog.show();
-    file->setText(to_qstring(window.file("new.png")));
-    QTest::mouseClick(button, Qt::LeftButton);  // nothing to ask
-    QCOMPARE(requested.count(), 2);
-    dialog.show();
-    std::ofstream(window.file("steam.mp4")) << "old";
-    file->setText(to_qstring(window.file("steam.mp4")));
+    QCOMPARE(dialog.requests.count(), 1);
+    ask_for("new.png");
+    QTest::mouseClick(&dialog.button(), Qt::LeftButton);  // nothing to ask
+    QCOMPARE(dialog.requests.count(), 2);
+    ask_for("steam.mp4");
     QVERIFY(press(QMessageBox::Cancel).contains("steam.mp4"));
-    QCOMPARE(requested.count(), 2);
+    QCOMPARE(dialog.requests.count(), 2);
   }
 
   void without_ffmpeg_video_is_disabled() {
     const QByteArray path = qgetenv("PATH");
     qputenv("PATH", "/nowhere");
-    TestWindow window(dimming_scene());
-    AnimationDialog dialog(window->timeline(), "/tmp", nullptr);
-    dialog.setAttribute(Qt::WA_DeleteOnClose, false);
-    dialog.show();
+    Timeline timeline(nullptr);
+    Dialog dialog(timeline);
     qputenv("PATH", path);
     auto* format = dialog.findChild<QComboBox*>("animation_format");
     const QStandardItem* video = qobject_cast<QStandardItemModel*>(format->model())->item(2);

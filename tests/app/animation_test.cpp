@@ -1,7 +1,6 @@
-// What moves: emitters, the timeline, and the airbrush.
+// Moving things: emitters, the timeline, and the airbrush.
 
 #include <QCheckBox>
-#include <QListWidget>
 #include <QPushButton>
 #include <QSlider>
 #include <QSpinBox>
@@ -23,6 +22,7 @@
 #include "brume/mesh_arrays.h"
 #include "core/io/scene/scene_file.h"
 #include "core/scene/animation/particles.h"
+#include "tests/app/desk.h"
 #include "tests/app/test_window.h"
 
 using namespace brume;
@@ -34,10 +34,10 @@ std::size_t shown_gaussians(TestWindow& window) {
 }
 
 // Holds the left button down at a place until the medium has more than some Gaussians.
-void hold(TestWindow& window, QPoint at, std::size_t count) {
-  QTest::mousePress(&window->viewport(), Qt::LeftButton, {}, at);
-  QTRY_VERIFY(window->document().medium().size() > count);
-  QTest::mouseRelease(&window->viewport(), Qt::LeftButton, {}, at);
+void hold(Desk& desk, QPoint at, std::size_t count) {
+  QTest::mousePress(&desk.view(), Qt::LeftButton, {}, at);
+  QTRY_VERIFY(desk.document().medium().size() > count);
+  QTest::mouseRelease(&desk.view(), Qt::LeftButton, {}, at);
 }
 
 }  // namespace
@@ -47,40 +47,38 @@ class AnimationTest : public QObject {
 
  private Q_SLOTS:
   void an_emitter_is_placed_moved_and_deleted() {
-    TestWindow window;
-    Document& document = window->document();
+    Desk desk;
+    Document& document = desk.document();
     const Scene before = document.scene();
-    window.key(Qt::Key_P);
+    desk.key(Qt::Key_P);
     const QPoint at(200, 300);
-    QTest::mouseClick(&window->viewport(), Qt::LeftButton, {}, at);
+    QTest::mouseClick(&desk.view(), Qt::LeftButton, {}, at);
     QCOMPARE(document.undo_stack().undoText(), QString("Add emitter 1"));
-    const glm::dvec3 on_film =
-        window->viewport().rays().project(document.scene().emitters.at(0).position);
+    const glm::dvec3 on_film = desk.view().rays().project(document.scene().emitters.at(0).position);
     QVERIFY(std::hypot(on_film.x - at.x(), on_film.y - at.y()) < 1.0);
-    QVERIFY(window.settle());
-    QCOMPARE(shown_gaussians(window), std::size_t{6});  // one is born at time 0
-    window.drag(at, at + QPoint(40, -10));
+    QCOMPARE(desk.view().shown_scene()->medium.size(), std::size_t{6});  // one is born at time 0
+    desk.drag(at, at + QPoint(40, -10));
     QCOMPARE(document.undo_stack().undoText(), QString("Move emitter 1"));
     QCOMPARE(document.undo_stack().count(), 2);
     const Emitter moved = document.scene().emitters[0];
-    const glm::dvec3 moved_to = window->viewport().rays().project(moved.position);
+    const glm::dvec3 moved_to = desk.view().rays().project(moved.position);
     QVERIFY(std::hypot(moved_to.x - on_film.x - 40.0, moved_to.y - on_film.y + 10.0) < 1.0);
-    QTest::mousePress(&window->viewport(), Qt::LeftButton, {}, at + QPoint(40, -10));
-    window.move(at);
-    QTest::keyClick(&window->viewport(), Qt::Key_Escape);
-    QTest::mouseRelease(&window->viewport(), Qt::LeftButton, {}, at);
+    QTest::mousePress(&desk.view(), Qt::LeftButton, {}, at + QPoint(40, -10));
+    desk.move(at);
+    QTest::keyClick(&desk.view(), Qt::Key_Escape);
+    QTest::mouseRelease(&desk.view(), Qt::LeftButton, {}, at);
     QVERIFY(document.scene().emitters[0] == moved);
-    enter(window, "emitter_rate", "50");
-    enter(window, "emitter_lifetime", "1.5");
-    enter(window, "emitter_seed", "42");
-    enter(window, "emitter_density_birth", "-1");  // refused
+    enter(desk, "emitter_rate", "50");
+    enter(desk, "emitter_lifetime", "1.5");
+    enter(desk, "emitter_seed", "42");
+    enter(desk, "emitter_density_birth", "-1");  // refused
     QCOMPARE(document.scene().emitters[0].rate, 50.0);
     QCOMPARE(document.scene().emitters[0].seed, std::int64_t{42});
     QCOMPARE(document.undo_stack().count(), 5);
     // The file keeps it.
-    QVERIFY(window->files().save_to(window.file("steam.brume")));
-    QVERIFY(load_scene(window.file("steam.brume")).emitters == document.scene().emitters);
-    QTest::mouseClick(window->findChild<QPushButton*>("delete_emitter"), Qt::LeftButton);
+    document.save(desk.file("steam.brume"));
+    QVERIFY(load_scene(desk.file("steam.brume")).emitters == document.scene().emitters);
+    QTest::mouseClick(desk.findChild<QPushButton*>("delete_emitter"), Qt::LeftButton);
     QVERIFY(document.scene().emitters.empty());
     QVERIFY(is_undone(document, before));
   }
@@ -146,7 +144,7 @@ class AnimationTest : public QObject {
     window.key(Qt::Key_Comma);
     window.key(Qt::Key_Comma);
     QCOMPARE(window->timeline().frame(), 14);
-    // What is shown can be kept.
+    // The particles shown can be baked.
     auto* freeze = [&] {
       for (QAction* action : window->findChildren<QAction*>()) {
         if (action->text().contains("Bake")) return action;
@@ -183,16 +181,16 @@ class AnimationTest : public QObject {
   }
 
   void range_and_loop_are_of_the_scene() {
-    TestWindow window;
-    Document& document = window->document();
-    Timeline& timeline = window->timeline();
-    window->findChild<QSpinBox*>("last_frame_of_range")->setValue(48);
-    window->findChild<QSpinBox*>("first_frame_of_range")->setValue(12);
-    window->findChild<QCheckBox*>("loop")->setChecked(false);
+    Desk desk;
+    Document& document = desk.document();
+    Timeline& timeline = desk.timeline();
+    desk.findChild<QSpinBox*>("last_frame_of_range")->setValue(48);
+    desk.findChild<QSpinBox*>("first_frame_of_range")->setValue(12);
+    desk.findChild<QCheckBox*>("loop")->setChecked(false);
     QCOMPARE(document.undo_stack().count(), 3);
     QVERIFY(document.scene().playback == (Playback{12, 48, false}));
     QVERIFY(document.is_modified());
-    QVERIFY(window->files().save_to(window.file("range.brume")));
+    document.save(desk.file("range.brume"));
     document.undo_stack().undo();
     QVERIFY(timeline.loops());
     document.undo_stack().setIndex(0);
@@ -200,22 +198,22 @@ class AnimationTest : public QObject {
     QCOMPARE(timeline.last(), 120);
     document.undo_stack().setIndex(3);
     QVERIFY(!document.is_modified());
-    QVERIFY(window.open("range.brume"));
+    desk.open("range.brume");
     QCOMPARE(timeline.first(), 12);
     QCOMPARE(timeline.last(), 48);
     QVERIFY(!timeline.loops());
-    QCOMPARE(window->findChild<QSpinBox*>("first_frame_of_range")->value(), 12);
-    window->findChild<QSpinBox*>("last_frame_of_range")
+    QCOMPARE(desk.findChild<QSpinBox*>("first_frame_of_range")->value(), 12);
+    desk.findChild<QSpinBox*>("last_frame_of_range")
         ->setValue(5);  // no range ends before it begins
     QCOMPARE(timeline.first(), 5);
   }
 
   void the_airbrush_sprays_in_one_step() {
-    TestWindow window;
-    Document& document = window->document();
+    Desk desk;
+    Document& document = desk.document();
     const Scene before = document.scene();
-    window.key(Qt::Key_A);
-    hold(window, QPoint(200, 250), 8);
+    desk.key(Qt::Key_A);
+    hold(desk, QPoint(200, 250), 8);
     QCOMPARE(document.undo_stack().count(), 1);
     const std::size_t sprayed = document.medium().size() - 5;
     QVERIFY2(sprayed > 3, qPrintable(QString::number(sprayed)));
@@ -224,28 +222,28 @@ class AnimationTest : public QObject {
     const Scene after = document.scene();
     QTest::qWait(200);  // it has stopped
     QVERIFY(document.scene() == after);
-    window.key(Qt::Key_Z, Qt::ControlModifier);
+    desk.key(Qt::Key_Z, Qt::ControlModifier);
     QVERIFY(document.scene() == before);
-    window.key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    desk.key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
     QVERIFY(document.scene() == after);
-    QTest::mousePress(&window->viewport(), Qt::LeftButton, {}, QPoint(200, 250));
+    QTest::mousePress(&desk.view(), Qt::LeftButton, {}, QPoint(200, 250));
     QTRY_VERIFY(document.medium().size() > after.medium.size());
-    QTest::keyClick(&window->viewport(), Qt::Key_Escape);
+    QTest::keyClick(&desk.view(), Qt::Key_Escape);
     QTest::qWait(150);
-    QTest::mouseRelease(&window->viewport(), Qt::LeftButton, {}, QPoint(200, 250));
+    QTest::mouseRelease(&desk.view(), Qt::LeftButton, {}, QPoint(200, 250));
     QVERIFY(document.scene() == after);
     // Undo while it sprays ends it.
-    QTest::mousePress(&window->viewport(), Qt::LeftButton, {}, QPoint(200, 250));
+    QTest::mousePress(&desk.view(), Qt::LeftButton, {}, QPoint(200, 250));
     QTRY_VERIFY(document.medium().size() > after.medium.size());
     document.undo_stack().setIndex(0);
     QTest::qWait(150);
-    QTest::mouseRelease(&window->viewport(), Qt::LeftButton, {}, QPoint(200, 250));
+    QTest::mouseRelease(&desk.view(), Qt::LeftButton, {}, QPoint(200, 250));
     QVERIFY(document.scene() == before);
   }
 
   void the_airbrush_fills_a_closed_mesh() {
-    TestWindow window;
-    Document& document = window->document();
+    Desk desk;
+    Document& document = desk.document();
     Scene scene = load_scene(BRUME_RESOURCES "/scenes/bunny_fog.brume");
     scene.medium = {};
     // A box of 2 u around the origin, closed, in place of what is there.
@@ -256,16 +254,16 @@ class AnimationTest : public QObject {
     scene.surfaces[0].rotate = {1, 0, 0, 0};
     scene.camera = {{0, 0, 6}, {0, 0, 0}, {0, 1, 0}, 45.0};
     document.open(std::move(scene), {});
-    window.key(Qt::Key_A);
-    auto& tool = dynamic_cast<AirbrushTool&>(window->tools().tool());
+    desk.key(Qt::Key_A);
+    auto& tool = dynamic_cast<AirbrushTool&>(desk.tools().tool());
     tool.set_plane(PaintPlane::surface);
     tool.set_inside(true);
     Airbrush airbrush = tool.airbrush();
     airbrush.rate = 600.0;
     airbrush.speed = 4.0;
     tool.set_airbrush(airbrush);
-    QVERIFY(window.settle());
-    hold(window, window->viewport().rect().center(), 400);
+    QVERIFY(desk.picks());
+    hold(desk, desk.view().rect().center(), 400);
     const Medium& medium = document.medium();
     double deepest = 1.0;
     for (const glm::dvec3& center : medium.centers()) {

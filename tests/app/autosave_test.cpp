@@ -1,4 +1,4 @@
-// What is kept of unsaved work, and how it comes back.
+// Unsaved work is kept and comes back.
 
 #include <QProcess>
 #include <QPushButton>

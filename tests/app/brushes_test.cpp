@@ -3,8 +3,6 @@
 
 #include <QCheckBox>
 #include <QFile>
-#include <QJsonDocument>
-#include <QJsonObject>
 #include <QLineEdit>
 #include <QMenu>
 #include <QPointingDevice>
@@ -19,17 +17,16 @@
 #include "app/tools/brush_library.h"
 #include "app/tools/paintbrush_tool.h"
 #include "app/tools/tool_box.h"
-#include "app/viewport/viewport.h"
 #include "brume/error.h"
-#include "tests/app/test_window.h"
+#include "tests/app/desk.h"
 
 using namespace brume;
 
 namespace {
 
-class BrushWindow : public TestWindow {
+class BrushDesk : public Desk {
  public:
-  BrushWindow() : TestWindow(scene_of_a_light()) { key(Qt::Key_B); }
+  BrushDesk() : Desk(scene_of_a_light()) { key(Qt::Key_B); }
 
   static Scene scene_of_a_light() {
     Scene scene = small_scene();
@@ -37,10 +34,8 @@ class BrushWindow : public TestWindow {
     return scene;
   }
 
-  Document& document() { return (*this)->document(); }
-  Viewport& view() { return (*this)->viewport(); }
-  PaintbrushTool& brush() { return dynamic_cast<PaintbrushTool&>((*this)->tools().tool()); }
-  AirbrushTool& airbrush() { return dynamic_cast<AirbrushTool&>((*this)->tools().tool()); }
+  PaintbrushTool& brush() { return dynamic_cast<PaintbrushTool&>(tools().tool()); }
+  AirbrushTool& airbrush() { return dynamic_cast<AirbrushTool&>(tools().tool()); }
 
   // A straight stroke of 200 pixels about the middle.
   std::vector<Gaussian> stroke() {
@@ -84,8 +79,8 @@ class BrushWindow : public TestWindow {
   }
 };
 
-QMenu& open_presets(BrushWindow& window, const char* name) {
-  auto* menu = window->findChild<QMenu*>(name);
+QMenu& open_presets(BrushDesk& desk, const char* name) {
+  auto* menu = desk.findChild<QMenu*>(name);
   Q_EMIT menu->aboutToShow();
   return *menu;
 }
@@ -119,16 +114,16 @@ class BrushesTest : public QObject {
   void cleanup() { std::filesystem::remove(BrushLibrary::default_file()); }
 
   void a_soft_edge_thins_towards_the_rim() {
-    BrushWindow window;
-    enter(window, "brush_scatter", "2");
-    enter(window, "brush_spacing", "0.1");
-    enter(window, "brush_falloff", "1");
-    const double full = window.brush().brush().density;
-    const std::vector<Gaussian> gaussians = window.stroke();
+    BrushDesk desk;
+    enter(desk, "brush_scatter", "2");
+    enter(desk, "brush_spacing", "0.1");
+    enter(desk, "brush_falloff", "1");
+    const double full = desk.brush().brush().density;
+    const std::vector<Gaussian> gaussians = desk.stroke();
     QVERIFY(gaussians.size() > 30);
     // All in the view plane of a straight, level stroke: the offset is that in y and z.
     const double level = gaussians.front().center.y;
-    const double reach = 2.0 * window.brush().brush().radius;
+    const double reach = 2.0 * desk.brush().brush().radius;
     for (std::size_t k = 1; k < gaussians.size(); ++k) {
       const Gaussian& g = gaussians[k];
       const double offset = std::hypot(g.center.y - level, g.center.z) / reach;
@@ -138,17 +133,17 @@ class BrushesTest : public QObject {
   }
 
   void flow_builds_up() {
-    BrushWindow window;
-    const double full = window.stroke().front().density;
-    enter(window, "brush_flow", "0.25");
-    QVERIFY(std::abs(window.stroke().front().density - 0.25 * full) < 1e-9);
+    BrushDesk desk;
+    const double full = desk.stroke().front().density;
+    enter(desk, "brush_flow", "0.25");
+    QVERIFY(std::abs(desk.stroke().front().density - 0.25 * full) < 1e-9);
   }
 
   void jitter_varies_radius_and_density() {
-    BrushWindow window;
-    enter(window, "brush_jitter", "1");
-    const std::vector<Gaussian> gaussians = window.stroke();
-    const Paintbrush& brush = window.brush().brush();
+    BrushDesk desk;
+    enter(desk, "brush_jitter", "1");
+    const std::vector<Gaussian> gaussians = desk.stroke();
+    const Paintbrush& brush = desk.brush().brush();
     const auto [low, high] = std::ranges::minmax(gaussians, {}, &Gaussian::radius);
     QVERIFY(high.radius > 1.3 * low.radius);
     for (const Gaussian& g : gaussians) {
@@ -160,19 +155,19 @@ class BrushesTest : public QObject {
   void smoothing_steadies_the_line() {
     // The rms distance from the mean height of a shaky stroke.
     const auto shake = [](double smoothing) {
-      BrushWindow window;
-      enter(window, "brush_scatter", "0");
-      enter(window, "brush_spacing", "0.2");
-      enter(window, "brush_smoothing", QString::number(smoothing));
-      const QPointF start = window.view().rect().center() - QPoint(150, 0);
-      QTest::mousePress(&window.view(), Qt::LeftButton, {}, start.toPoint());
+      BrushDesk desk;
+      enter(desk, "brush_scatter", "0");
+      enter(desk, "brush_spacing", "0.2");
+      enter(desk, "brush_smoothing", QString::number(smoothing));
+      const QPointF start = desk.view().rect().center() - QPoint(150, 0);
+      QTest::mousePress(&desk.view(), Qt::LeftButton, {}, start.toPoint());
       for (int k = 1; k <= 60; ++k) {
-        window.move(start + QPointF(5.0 * k, k % 2 == 0 ? 10.0 : -10.0));
+        desk.move(start + QPointF(5.0 * k, k % 2 == 0 ? 10.0 : -10.0));
       }
-      QTest::mouseRelease(&window.view(), Qt::LeftButton);
+      QTest::mouseRelease(&desk.view(), Qt::LeftButton);
       double sum = 0.0;
       double squares = 0.0;
-      const std::vector<Gaussian> all = window.added_after(0);
+      const std::vector<Gaussian> all = desk.added_after(0);
       for (const Gaussian& g : all) {
         sum += g.center.y;
         squares += g.center.y * g.center.y;
@@ -186,13 +181,13 @@ class BrushesTest : public QObject {
   }
 
   void mirrors_repeat_the_stroke() {
-    BrushWindow window;
-    window->findChild<QCheckBox*>("brush_mirror_x")->click();
-    window->findChild<QCheckBox*>("brush_mirror_y")->click();
-    const std::size_t steps = window.document().undo_stack().count();
-    QPoint at = window.view().rect().center() + QPoint(120, 80);
-    window.drag(at, at + QPoint(60, 30));
-    const std::vector<Gaussian> all = window.added_after(0);
+    BrushDesk desk;
+    desk.findChild<QCheckBox*>("brush_mirror_x")->click();
+    desk.findChild<QCheckBox*>("brush_mirror_y")->click();
+    const std::size_t steps = desk.document().undo_stack().count();
+    QPoint at = desk.view().rect().center() + QPoint(120, 80);
+    desk.drag(at, at + QPoint(60, 30));
+    const std::vector<Gaussian> all = desk.added_after(0);
     QVERIFY(!all.empty() && all.size() % 4 == 0);
     for (std::size_t k = 0; k < all.size(); k += 4) {
       const glm::dvec3 p = all[k].center;
@@ -201,47 +196,47 @@ class BrushesTest : public QObject {
       QCOMPARE(all[k + 2].center.y, -p.y);
       QVERIFY(glm::distance(all[k + 3].center, {-p.x, -p.y, p.z}) < 1e-12);
     }
-    QCOMPARE(static_cast<std::size_t>(window.document().undo_stack().count()), steps + 1);
-    window.document().undo_stack().undo();
-    QVERIFY(window.document().medium().empty());
+    QCOMPARE(static_cast<std::size_t>(desk.document().undo_stack().count()), steps + 1);
+    desk.document().undo_stack().undo();
+    QVERIFY(desk.document().medium().empty());
 
     // Through what the view looks at.
-    window->findChild<QCheckBox*>("brush_mirror_y")->click();
-    choose(window, "brush_mirror_at", 1);
-    window.view().camera_controller().drag(NavigationDrag::pan, {-90.0, 0.0});
-    const double middle = window.view().camera().target.x;
+    desk.findChild<QCheckBox*>("brush_mirror_y")->click();
+    choose(desk, "brush_mirror_at", 1);
+    desk.view().camera_controller().drag(NavigationDrag::pan, {-90.0, 0.0});
+    const double middle = desk.view().camera().target.x;
     QVERIFY(middle > 0.1);
-    at = window.view().rect().center() + QPoint(120, 80);
-    window.drag(at, at + QPoint(60, 30));
-    const std::vector<Gaussian> pair = window.added_after(0);
+    at = desk.view().rect().center() + QPoint(120, 80);
+    desk.drag(at, at + QPoint(60, 30));
+    const std::vector<Gaussian> pair = desk.added_after(0);
     QVERIFY(std::abs(pair[0].center.x + pair[1].center.x - 2.0 * middle) < 1e-9);
   }
 
   void what_lies_on_the_mirror_is_painted_once() {
-    BrushWindow window;
-    enter(window, "brush_scatter", "0");
-    window->findChild<QCheckBox*>("brush_mirror_z")->click();
-    const std::vector<Gaussian> gaussians = window.stroke();  // in the plane z = 0
+    BrushDesk desk;
+    enter(desk, "brush_scatter", "0");
+    desk.findChild<QCheckBox*>("brush_mirror_z")->click();
+    const std::vector<Gaussian> gaussians = desk.stroke();  // in the plane z = 0
     for (std::size_t k = 1; k < gaussians.size(); ++k) {
       QVERIFY(glm::distance(gaussians[k].center, gaussians[k - 1].center) > 0.01);
     }
   }
 
   void strokes_snap_to_a_grid() {
-    BrushWindow window;
-    enter(window, "brush_scatter", "0");
-    choose(window, "brush_snap", 2);
-    enter(window, "brush_grid", "0.25");
-    const std::vector<Gaussian> gaussians = window.stroke();
+    BrushDesk desk;
+    enter(desk, "brush_scatter", "0");
+    choose(desk, "brush_snap", 2);
+    enter(desk, "brush_grid", "0.25");
+    const std::vector<Gaussian> gaussians = desk.stroke();
     const glm::dvec3 first = gaussians.front().center;
     for (int k = 0; k < 3; ++k) QVERIFY(std::abs(std::remainder(first[k], 0.25)) < 1e-9);
   }
 
   void a_pen_changes_radius_and_density() {
-    BrushWindow window;
-    enter(window, "brush_scatter", "0");
-    const Paintbrush brush = window.brush().brush();
-    const std::vector<Gaussian> both = window.pen_stroke(0.2, 1.0);
+    BrushDesk desk;
+    enter(desk, "brush_scatter", "0");
+    const Paintbrush brush = desk.brush().brush();
+    const std::vector<Gaussian> both = desk.pen_stroke(0.2, 1.0);
     QVERIFY(both.size() > 5);
     QVERIFY(std::abs(both.front().radius / brush.radius - 0.2) < 1e-9);
     QVERIFY(both.back().radius > 0.9 * brush.radius);
@@ -249,42 +244,42 @@ class BrushesTest : public QObject {
       QVERIFY(both[k].radius >= both[k - 1].radius);
       QVERIFY(std::abs(both[k].radius / brush.radius - both[k].density / brush.density) < 1e-6);
     }
-    choose(window, "brush_pen", 2);
-    const std::vector<Gaussian> density = window.pen_stroke(0.5, 0.5);
+    choose(desk, "brush_pen", 2);
+    const std::vector<Gaussian> density = desk.pen_stroke(0.5, 0.5);
     QCOMPARE(density.back().radius, brush.radius);
     QVERIFY(std::abs(density.back().density - 0.5 * brush.density) < 1e-9);
     // The mouse has full pressure again.
-    QVERIFY(std::abs(window.stroke().front().density - brush.density) < 1e-9);
+    QVERIFY(std::abs(desk.stroke().front().density - brush.density) < 1e-9);
   }
 
   void presets_follow_the_view() {
-    BrushWindow window;
-    QVERIFY(!entry(open_presets(window, "brush_presets"), "Steam jet"));
-    QAction* mist = entry(open_presets(window, "brush_presets"), "Soft mist");
+    BrushDesk desk;
+    QVERIFY(!entry(open_presets(desk, "brush_presets"), "Steam jet"));
+    QAction* mist = entry(open_presets(desk, "brush_presets"), "Soft mist");
     QVERIFY(mist);
     mist->trigger();
-    const Paintbrush near_brush = window.brush().brush();
+    const Paintbrush near_brush = desk.brush().brush();
     QVERIFY(near_brush.falloff > 0.5);
-    QCOMPARE(value(window, "brush_falloff"), QString("0.9"));
-    QVERIFY(!window.stroke().empty());
-    window.view().camera_controller().zoom_by(10.0);
-    entry(open_presets(window, "brush_presets"), "Soft mist")->trigger();
-    const Paintbrush far_brush = window.brush().brush();
+    QCOMPARE(value(desk, "brush_falloff"), QString("0.9"));
+    QVERIFY(!desk.stroke().empty());
+    desk.view().camera_controller().zoom_by(10.0);
+    entry(open_presets(desk, "brush_presets"), "Soft mist")->trigger();
+    const Paintbrush far_brush = desk.brush().brush();
     QVERIFY(std::abs(far_brush.radius / near_brush.radius - 10.0) < 0.6);
     QVERIFY(
         std::abs(far_brush.radius * far_brush.density / (near_brush.radius * near_brush.density) -
                  1.0) < 0.1);
 
-    window.key(Qt::Key_A);
-    entry(open_presets(window, "air_presets"), "Steam jet")->trigger();
-    QCOMPARE(window.airbrush().airbrush().rate, 120.0);
+    desk.key(Qt::Key_A);
+    entry(open_presets(desk, "air_presets"), "Steam jet")->trigger();
+    QCOMPARE(desk.airbrush().airbrush().rate, 120.0);
   }
 
   void every_preset_comes_back_from_its_numbers() {
-    BrushWindow window;
+    BrushDesk desk;
     for (const BrushPreset& preset : brush_presets()) {
-      window.key(preset.sprays ? Qt::Key_A : Qt::Key_B);
-      auto& tool = dynamic_cast<FogBrushTool&>(window->tools().tool());
+      desk.key(preset.sprays ? Qt::Key_A : Qt::Key_B);
+      auto& tool = dynamic_cast<FogBrushTool&>(desk.tools().tool());
       tool.apply_preset(preset);
       BrushPreset back = tool.preset();
       QVERIFY2(std::abs(back.size / preset.size - 1.0) < 0.06, qPrintable(preset.name));
@@ -302,11 +297,11 @@ class BrushesTest : public QObject {
 
   void ones_own_brushes_are_kept() {
     {
-      BrushWindow window;
-      enter(window, "brush_scatter", "1.5");
-      enter(window, "brush_flow", "0.4");
-      enter(window, "brush_stretch", "2.5");
-      QMenu& menu = open_presets(window, "brush_presets");
+      BrushDesk desk;
+      enter(desk, "brush_scatter", "1.5");
+      enter(desk, "brush_flow", "0.4");
+      enter(desk, "brush_stretch", "2.5");
+      QMenu& menu = open_presets(desk, "brush_presets");
       auto* name = menu.findChild<QLineEdit*>("brush_preset_name");
       auto* save = menu.findChild<QPushButton*>("brush_preset_save");
       QVERIFY(!save->isEnabled());
@@ -314,19 +309,19 @@ class BrushesTest : public QObject {
       QVERIFY(save->isEnabled());
       QTest::mouseClick(save, Qt::LeftButton);
     }
-    BrushWindow window;
-    QAction* own = entry(open_presets(window, "brush_presets"), "Thin && wide");
+    BrushDesk desk;
+    QAction* own = entry(open_presets(desk, "brush_presets"), "Thin && wide");
     QVERIFY(own);
     own->trigger();
-    QCOMPARE(window.brush().brush().scatter, 1.5);
-    QCOMPARE(window.brush().brush().flow, 0.4);
-    QCOMPARE(window.brush().brush().stretch, 2.5);
-    QVERIFY(!entry(open_presets(window, "air_presets"), "Thin && wide"));
+    QCOMPARE(desk.brush().brush().scatter, 1.5);
+    QCOMPARE(desk.brush().brush().flow, 0.4);
+    QCOMPARE(desk.brush().brush().stretch, 2.5);
+    QVERIFY(!entry(open_presets(desk, "air_presets"), "Thin && wide"));
 
-    auto* remove = open_presets(window, "brush_presets").findChild<QAction*>("delete_Thin & wide");
+    auto* remove = open_presets(desk, "brush_presets").findChild<QAction*>("delete_Thin & wide");
     QVERIFY(remove);
     remove->trigger();
-    QVERIFY(!entry(open_presets(window, "brush_presets"), "Thin && wide"));
+    QVERIFY(!entry(open_presets(desk, "brush_presets"), "Thin && wide"));
   }
 
   void unknown_keys_of_the_library_are_kept() {
@@ -357,10 +352,10 @@ class BrushesTest : public QObject {
              {head + R"([{"name": "a", "tool": "airbrush", "size": "x"}]})", "brushes[0].size"},
              {head + R"([{"name": "a", "tool": "airbrush", "flow": 1e99}]})", "brushes[0].flow"}}) {
       write_library(text);
-      BrushWindow window;
-      QSignalSpy refused(&window.brush(), &Tool::refused);
-      QMenu& menu = open_presets(window, "brush_presets");
-      open_presets(window, "brush_presets");
+      BrushDesk desk;
+      QSignalSpy refused(&desk.brush(), &Tool::refused);
+      QMenu& menu = open_presets(desk, "brush_presets");
+      open_presets(desk, "brush_presets");
       QCOMPARE(refused.count(), 1);
       const QString problem = refused[0][0].toString();
       QVERIFY2(problem.contains("brushes.json") && problem.contains(place), qPrintable(problem));
@@ -377,20 +372,20 @@ class BrushesTest : public QObject {
   }
 
   void an_airbrush_is_mirrored_and_jittered() {
-    BrushWindow window;
-    window.key(Qt::Key_A);
+    BrushDesk desk;
+    desk.key(Qt::Key_A);
     qint64 now = 0;
-    window.airbrush().set_clock([&] { return now; });
-    window->findChild<QCheckBox*>("air_mirror_x")->click();
-    enter(window, "air_jitter", "1");
-    const QPoint at = window.view().rect().center() + QPoint(100, 0);
-    QTest::mousePress(&window.view(), Qt::LeftButton, {}, at);
+    desk.airbrush().set_clock([&] { return now; });
+    desk.findChild<QCheckBox*>("air_mirror_x")->click();
+    enter(desk, "air_jitter", "1");
+    const QPoint at = desk.view().rect().center() + QPoint(100, 0);
+    QTest::mousePress(&desk.view(), Qt::LeftButton, {}, at);
     for (int k = 1; k <= 10; ++k) {
       now += 100;
-      window.move(at + QPoint(k, 0));
+      desk.move(at + QPoint(k, 0));
     }
-    QTest::mouseRelease(&window.view(), Qt::LeftButton, {}, at);
-    const std::vector<Gaussian> all = window.added_after(0);
+    QTest::mouseRelease(&desk.view(), Qt::LeftButton, {}, at);
+    const std::vector<Gaussian> all = desk.added_after(0);
     QVERIFY(all.size() > 40 && all.size() % 2 == 0);
     std::set<double> radii;
     for (std::size_t k = 0; k < all.size(); k += 2) {
@@ -399,8 +394,8 @@ class BrushesTest : public QObject {
       radii.insert(all[k].radius);
     }
     QVERIFY(radii.size() > 10);
-    window.document().undo_stack().undo();
-    QVERIFY(window.document().medium().empty());
+    desk.document().undo_stack().undo();
+    QVERIFY(desk.document().medium().empty());
   }
 };
 

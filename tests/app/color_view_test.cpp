@@ -2,7 +2,6 @@
 
 #include <QAction>
 #include <QMenu>
-#include <QScopeGuard>
 #include <QSettings>
 
 #include "app/document/paths.h"
@@ -65,7 +64,7 @@ class ColorViewTest : public QObject {
       QVERIFY(again.view());
       QCOMPARE(again.view()->choice().view, std::string("ACES 1.0 SDR"));
     }
-    // What is on screen is what is shown, with OpenGL in motion too.
+    // The screen shows the picture, with OpenGL in motion too.
     QVERIFY(window.settle());
     const QImage grabbed = window->viewport().grab().toImage();
     entry(window, "Neutral")->trigger();

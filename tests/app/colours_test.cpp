@@ -2,7 +2,6 @@
 
 #include <QCheckBox>
 #include <QColorDialog>
-#include <QDockWidget>
 #include <QLineEdit>
 #include <QTableView>
 #include <QToolButton>
@@ -11,13 +10,11 @@
 #include "app/commands/edit_emitters.h"
 #include "app/document/timeline.h"
 #include "app/panels/gaussians/gaussian_filter.h"
-#include "app/viewport/viewport.h"
 #include "app/widgets/color_button.h"
-#include "app/widgets/value_field.h"
 #include "brume/error.h"
 #include "core/io/scene/scene_file.h"
 #include "core/scene/lights/photometry.h"
-#include "tests/app/test_window.h"
+#include "tests/app/desk.h"
 
 using namespace brume;
 
@@ -26,11 +23,11 @@ class ColoursTest : public QObject {
 
  private Q_SLOTS:
   void the_inspector_sets_them_for_the_selection() {
-    TestWindow window;
-    Document& document = window->document();
+    Desk desk;
+    Document& document = desk.document();
     const Scene before = document.scene();
-    auto* own = window->findChild<QCheckBox*>("gaussian_has_albedo");
-    auto* albedo = window->findChild<ColorButton*>("gaussian_albedo");
+    auto* own = desk.findChild<QCheckBox*>("gaussian_has_albedo");
+    auto* albedo = desk.findChild<ColorButton*>("gaussian_albedo");
     QVERIFY(!own->isEnabled());
     const std::vector<GaussianId> two{before.medium.ids()[0], before.medium.ids()[2]};
     document.select(two);
@@ -48,16 +45,15 @@ class ColoursTest : public QObject {
     dialog->close();
     QCOMPARE(*optics(2).albedo, glm::dvec3(1.0, 1e-6, 1e-6));
     QCOMPARE(document.undo_stack().count(), 2);
-    enter(window, "gaussian_emission", "5");
+    enter(desk, "gaussian_emission", "5");
     QCOMPARE(optics(0).emission, glm::dvec3(5.0));
-    enter(window, "gaussian_temperature", "1850");
+    enter(desk, "gaussian_temperature", "1850");
     QCOMPARE(optics(2).emission, 5.0 * black_body_color(1850.0));
     QCOMPARE(optics(1).emission, glm::dvec3(0.0));
-    QVERIFY(window.settle());
-    enter(window, "gaussian_emission", "-1");  // refused
+    enter(desk, "gaussian_emission", "-1");  // refused
     QCOMPARE(optics(0).emission, 5.0 * black_body_color(1850.0));
     // Saved and opened they are the same.
-    const std::filesystem::path file = window.file("coloured.brume");
+    const std::filesystem::path file = desk.file("coloured.brume");
     save_document(document.scene(), file);
     QVERIFY(load_scene(file).medium.optics(0) == optics(0));
     QTest::mouseClick(own, Qt::LeftButton, {}, QPoint(8, own->height() / 2));
@@ -72,86 +68,83 @@ class ColoursTest : public QObject {
       if (index++ % 2 == 0) g.optics.emission = {0.5, 3.0, 1.0};
       return g;
     });
-    TestWindow window(scene);
-    auto* table = window->findChild<QTableView*>();
+    Desk desk(scene);
+    auto* table = desk.findChild<QTableView*>();
     QVERIFY(table);
     QCOMPARE(table->model()->columnCount(), 15);
     QCOMPARE(table->model()->rowCount(), 5);
-    auto* filter = window->findChild<QLineEdit*>("gaussian_filter");
+    auto* filter = desk.findChild<QLineEdit*>("gaussian_filter");
     QTest::keyClicks(filter, "emission > 1");
     QCOMPARE(table->model()->rowCount(), 3);
-    // What is typed into a cell keeps the colour.
+    // A number typed into a cell keeps the colour.
     table->model()->setData(table->model()->index(0, 6), "6");
-    QCOMPARE(window->document().medium().optics(0).emission, glm::dvec3(1.0, 6.0, 2.0));
+    QCOMPARE(desk.document().medium().optics(0).emission, glm::dvec3(1.0, 6.0, 2.0));
   }
 
   void brushes_paint_with_them() {
-    TestWindow window;
-    Document& document = window->document();
+    Desk desk;
+    Document& document = desk.document();
     const Scene before = document.scene();
-    window.key(Qt::Key_B);
-    auto* button = window->findChild<QToolButton*>("brush_colours");
+    desk.key(Qt::Key_B);
+    auto* button = desk.findChild<QToolButton*>("brush_colours");
     QVERIFY(button && button->isVisible());
-    auto* own = window->findChild<QCheckBox*>("brush_has_albedo");
+    auto* own = desk.findChild<QCheckBox*>("brush_has_albedo");
     own->click();
-    Q_EMIT window->findChild<ColorButton*>("brush_albedo")->edited({0.9, 0.2, 0.1}, no_merge);
-    enter(window, "brush_emission", "2");
-    const QPoint middle = window->viewport().rect().center();
-    window.drag(middle, middle + QPoint(60, 0));
+    Q_EMIT desk.findChild<ColorButton*>("brush_albedo")->edited({0.9, 0.2, 0.1}, no_merge);
+    enter(desk, "brush_emission", "2");
+    const QPoint middle = desk.view().rect().center();
+    desk.drag(middle, middle + QPoint(60, 0));
     const Medium& medium = document.medium();
     QVERIFY(medium.size() > before.medium.size());
     for (std::size_t i = before.medium.size(); i < medium.size(); ++i) {
       QVERIFY(medium.optics(i) == (GaussianOptics{glm::dvec3(0.9, 0.2, 0.1), glm::dvec3(2.0)}));
     }
     QCOMPARE(document.undo_stack().count(), 1);
-    window.key(Qt::Key_Z, Qt::ControlModifier);
+    desk.key(Qt::Key_Z, Qt::ControlModifier);
     QCOMPARE(document.scene(), before);
     // Alt picks them, here those of a plain one.
-    window.drag(window.handle(4), window.handle(4), Qt::LeftButton, Qt::AltModifier);
+    desk.drag(desk.handle(4), desk.handle(4), Qt::LeftButton, Qt::AltModifier);
     QVERIFY(!own->isChecked());
   }
 
   void emitters_have_them() {
     Scene scene = small_scene();
     scene.emitters.push_back({.rate = 30.0, .lifetime = 1.0});
-    TestWindow window(scene);
-    Document& document = window->document();
+    Desk desk(scene);
+    Document& document = desk.document();
     const Scene before = document.scene();
     const auto emitter = [&]() -> const Emitter& { return document.scene().emitters[0]; };
-    auto* own = window->findChild<QCheckBox*>("emitter_has_albedo");
-    window->findChild<QDockWidget*>("emitters_dock")->raise();
-    QTRY_VERIFY(own->isVisible());
+    auto* own = desk.findChild<QCheckBox*>("emitter_has_albedo");
     QTest::mouseClick(own, Qt::LeftButton, {}, QPoint(8, own->height() / 2));
     QCOMPARE(document.undo_stack().undoText(), QString("Set colours of emitter 1"));
     QCOMPARE(*emitter().optics.albedo, before.optics.albedo);
-    auto* albedo = window->findChild<ColorButton*>("emitter_albedo");
+    auto* albedo = desk.findChild<ColorButton*>("emitter_albedo");
     QTest::mouseClick(albedo, Qt::LeftButton);
     albedo->findChild<QColorDialog*>()->setCurrentColor(QColor(255, 0, 0));
     albedo->findChild<QColorDialog*>()->close();
-    enter(window, "emitter_emission", "8");
-    enter(window, "emitter_temperature", "1850");
-    enter(window, "emitter_death_emission", "2");
+    enter(desk, "emitter_emission", "8");
+    enter(desk, "emitter_temperature", "1850");
+    enter(desk, "emitter_death_emission", "2");
     QCOMPARE(document.undo_stack().undoText(), QString("Set emission of emitter 1"));
-    enter(window, "emitter_death_temperature", "1000");
+    enter(desk, "emitter_death_temperature", "1000");
     QCOMPARE(*emitter().optics.albedo, glm::dvec3(1.0, 1e-6, 1e-6));
     QCOMPARE(emitter().optics.emission, 8.0 * black_body_color(1850.0));
     QCOMPARE(emitter().emission_at_death, 2.0 * black_body_color(1000.0));
     const int steps = document.undo_stack().count();
     QCOMPARE(steps, 6);
-    enter(window, "emitter_emission", "-1");  // refused
-    enter(window, "emitter_death_emission", "much");
+    enter(desk, "emitter_emission", "-1");  // refused
+    enter(desk, "emitter_death_emission", "much");
     QCOMPARE(document.undo_stack().count(), steps);
 
     // The picture's particles have them, and what is baked.
-    window->timeline().set_frame(15);
-    QVERIFY(window.settle());
-    const Medium& shown = window->viewport().frames().shown()->request.scene->medium;
+    desk.timeline().set_frame(15);
+    const Medium& shown = desk.view().shown_scene()->medium;
     QCOMPARE(shown.optics(5).albedo, emitter().optics.albedo);
     QVERIFY(shown.optics(5).emission.r > 2.0 && shown.optics(5).emission.r < 8.0);
     freeze_particles(document, document.time());
     QVERIFY(document.medium().optics(5) == shown.optics(5));
     // The file keeps them.
-    const std::filesystem::path file = window.file("fire.brume");
+    const std::filesystem::path file = desk.file("fire.brume");
     document.save(file);
     QVERIFY(load_scene(file).emitters == document.scene().emitters);
     QVERIFY(!document.is_modified());

@@ -12,6 +12,7 @@
 #include "app/commands/edit_objects.h"
 #include "app/document/timeline.h"
 #include "app/panels/time/curve_editor.h"
+#include "tests/app/desk.h"
 #include "tests/app/test_window.h"
 
 using namespace brume;
@@ -27,17 +28,16 @@ Scene animated_scene() {
   return scene;
 }
 
-// The window with the curves of a track, the light's intensity if none is named.
+// The curves of a track, the light's intensity if none is named.
 class Curves {
  public:
   explicit Curves(const Scene& scene = animated_scene(), const char* track = "Light 1 intensity")
-      : window(scene) {
-    QTest::mouseClick(window->findChild<QToolButton*>("curve"), Qt::LeftButton);
-    window->findChild<QComboBox*>("curve_track")->setCurrentText(track);
+      : desk(scene) {
+    desk.findChild<QComboBox*>("curve_track")->setCurrentText(track);
     QCoreApplication::processEvents();
   }
-  CurveEditor& editor() { return *window->findChild<CurveEditor*>("curves"); }
-  const Keys<glm::dvec3>& keys() { return window->document().scene().lights.at(0).keys.intensity; }
+  CurveEditor& editor() { return *desk.findChild<CurveEditor*>("curves"); }
+  const Keys<glm::dvec3>& keys() { return desk.document().scene().lights.at(0).keys.intensity; }
   QPoint at(double time, double value) { return editor().position(time, value).toPoint(); }
   QPoint on_ruler(double time) { return {at(time, 0.0).x(), editor().height() - 5}; }
   void drag(QPoint from, QPoint to, Qt::MouseButton button = Qt::LeftButton,
@@ -76,7 +76,7 @@ class Curves {
     return texts;
   }
 
-  TestWindow window;
+  Desk desk;
 };
 
 }  // namespace
@@ -110,13 +110,13 @@ class CurvesTest : public QObject {
     QCOMPARE(shown[0].at(0.0), 10.0);
     QCOMPARE(shown[0].at(2.0), 20.0);
     QCOMPARE(shown[2].points().back().value, 60.0);
-    curves.window->findChild<QComboBox*>("curve_track")->setCurrentText("Light 1 position");
+    curves.desk.findChild<QComboBox*>("curve_track")->setCurrentText("Light 1 position");
     QVERIFY(curves.editor().curves()[0].title.endsWith(" x"));
   }
 
   void a_drag_moves_a_key_in_time_and_value_in_one_step() {
     Curves curves;
-    Document& document = curves.window->document();
+    Document& document = curves.desk.document();
     const Scene before = document.scene();
     const QPoint to = curves.at(2.0, 25.0);
     curves.drag(curves.at(1.0, 10.0), to);
@@ -127,7 +127,7 @@ class CurvesTest : public QObject {
     QVERIFY(std::abs(curves.keys()[0].value.x - 25.0) < 1.0);
     QCOMPARE(curves.keys()[0].value.y, 20.0);
     // On frames.
-    const double frame = curves.window->timeline().frame_of(curves.keys()[0].time);
+    const double frame = curves.desk.timeline().frame_of(curves.keys()[0].time);
     QVERIFY(std::abs(frame - std::round(frame)) < 1e-9);
     document.undo_stack().undo();
     QVERIFY(document.scene() == before);
@@ -141,7 +141,7 @@ class CurvesTest : public QObject {
 
   void keys_are_added_and_deleted() {
     Curves curves;
-    Document& document = curves.window->document();
+    Document& document = curves.desk.document();
     const Scene before = document.scene();
     QTest::mouseDClick(&curves.editor(), Qt::LeftButton, {}, curves.at(2.0, 55.0));
     QCOMPARE(curves.keys().size(), std::size_t{3});
@@ -179,11 +179,11 @@ class CurvesTest : public QObject {
     QTest::keyClick(&editor, Qt::Key_Home);
     QVERIFY(QLineF(editor.position(1.0, 10.0), first).length() < 1e-6);
     QTest::mouseClick(&editor, Qt::LeftButton, {}, curves.on_ruler(2.0));
-    QVERIFY(std::abs(curves.window->timeline().frame() - 60) <= 1);
+    QVERIFY(std::abs(curves.desk.timeline().frame() - 60) <= 1);
     // The playhead is dragged, too.
-    curves.drag(curves.at(curves.window->timeline().time(), 50.0), curves.at(1.0, 52.0));
-    QVERIFY(std::abs(curves.window->timeline().frame() - 30) <= 1);
-    QCOMPARE(curves.window->document().undo_stack().count(), 0);
+    curves.drag(curves.at(curves.desk.timeline().time(), 50.0), curves.at(1.0, 52.0));
+    QVERIFY(std::abs(curves.desk.timeline().frame() - 30) <= 1);
+    QCOMPARE(curves.desk.document().undo_stack().count(), 0);
   }
 
   void shift_and_rectangles_select_keys() {
@@ -198,7 +198,7 @@ class CurvesTest : public QObject {
     QCOMPARE(count(), std::size_t{1});
     QVERIFY(editor.selection().contains({2, 3.0}));
     // Around the two keys of 1 s below 30, then the others with Shift.
-    const int frame = curves.window->timeline().frame();
+    const int frame = curves.desk.timeline().frame();
     curves.drag(curves.at(0.6, 30.0), curves.at(1.4, 5.0));
     QCOMPARE(count(), std::size_t{2});
     QVERIFY(editor.selection().contains({0, 1.0}) && editor.selection().contains({1, 1.0}));
@@ -208,16 +208,16 @@ class CurvesTest : public QObject {
     // Beside the keys a click selects nothing, and looks at no other moment.
     QTest::mouseClick(&editor, Qt::LeftButton, {}, curves.at(2.0, 15.0));
     QCOMPARE(count(), std::size_t{0});
-    QCOMPARE(curves.window->timeline().frame(), frame);
+    QCOMPARE(curves.desk.timeline().frame(), frame);
     QTest::keyClick(&editor, Qt::Key_A, Qt::ControlModifier);
     QCOMPARE(count(), std::size_t{6});
-    QVERIFY(curves.window->document().selection().empty());
-    QCOMPARE(curves.window->document().undo_stack().count(), 0);
+    QVERIFY(curves.desk.document().selection().empty());
+    QCOMPARE(curves.desk.document().undo_stack().count(), 0);
   }
 
   void selected_keys_move_together_in_one_step() {
     Curves curves;
-    Document& document = curves.window->document();
+    Document& document = curves.desk.document();
     const Scene before = document.scene();
     // Both ends of red, and the end of blue.
     QTest::mouseClick(&curves.editor(), Qt::LeftButton, {}, curves.at(1.0, 10.0));
@@ -251,7 +251,7 @@ class CurvesTest : public QObject {
 
   void several_keys_are_aligned_and_deleted() {
     Curves curves;
-    Document& document = curves.window->document();
+    Document& document = curves.desk.document();
     const Scene before = document.scene();
     QTest::mouseClick(&curves.editor(), Qt::LeftButton, {}, curves.at(1.0, 10.0));
     QTest::mouseClick(&curves.editor(), Qt::LeftButton, Qt::ShiftModifier, curves.at(3.0, 30.0));
@@ -261,13 +261,13 @@ class CurvesTest : public QObject {
     QCOMPARE(document.undo_stack().count(), 1);
     document.undo_stack().undo();
     QVERIFY(document.scene() == before);
-    curves.window->timeline().set_frame(60);
+    curves.desk.timeline().set_frame(60);
     curves.choose(curves.at(1.0, 40.0), "Align to &Playhead");  // that key alone
     QCOMPARE(curves.keys()[0].time, 2.0);
     QCOMPARE(curves.keys()[0].value, glm::dvec3(10.0, 20.0, 40.0));
     QCOMPARE(curves.keys().size(), std::size_t{2});
     document.undo_stack().undo();
-    curves.window->timeline().set_frame(0);
+    curves.desk.timeline().set_frame(0);
     QVERIFY(document.scene() == before);
     QTest::keyClick(&curves.editor(), Qt::Key_A, Qt::ControlModifier);
     QTest::keyClick(&curves.editor(), Qt::Key_Delete);
@@ -279,7 +279,7 @@ class CurvesTest : public QObject {
 
   void tangents_are_dragged_with_the_mouse() {
     Curves curves;
-    Document& document = curves.window->document();
+    Document& document = curves.desk.document();
     QTest::mouseDClick(&curves.editor(), Qt::LeftButton, {}, curves.at(2.0, 55.0));
     const Scene before = document.scene();
     const auto key = [&]() -> const Key<glm::dvec3>& { return curves.keys()[1]; };
@@ -334,7 +334,7 @@ class CurvesTest : public QObject {
 
   void the_menu_chooses_interpolation_and_tangents() {
     Curves curves;
-    Document& document = curves.window->document();
+    Document& document = curves.desk.document();
     const Scene before = document.scene();
     const auto first = [&]() -> const Key<glm::dvec3>& { return curves.keys()[0]; };
     const QPoint at = curves.at(1.0, 10.0);
@@ -378,7 +378,7 @@ class CurvesTest : public QObject {
                                          {.time = 2.0, .value = about_y(90)},
                                          {.time = 3.0, .value = about_y(30)}};
     Curves curves(scene, "Plane rotation");
-    Document& document = curves.window->document();
+    Document& document = curves.desk.document();
     const Scene before = document.scene();
     const auto keys = [&]() -> const Keys<glm::dquat>& {
       return document.scene().surfaces.back().keys.rotate;

@@ -8,6 +8,7 @@
 #include "app/panels/time/keyframe_track.h"
 #include "app/viewport/viewport.h"
 #include "app/widgets/mouse_drag.h"
+#include "tests/app/desk.h"
 #include "tests/app/test_window.h"
 
 using namespace brume;
@@ -29,10 +30,8 @@ Scene lit_scene() {
   return scene;
 }
 
-QPoint place_of(TestWindow& window, std::size_t light) {
-  const glm::dvec3 place =
-      window->viewport().rays().project(window->document().scene().lights.at(light).position);
-  return QPointF(place.x, place.y).toPoint();
+QPoint place_of(const View& view, const Document& document, std::size_t light) {
+  return film_position(view, document.scene().lights.at(light).position);
 }
 
 void move_to(QWidget& widget, QPoint to) {
@@ -46,19 +45,19 @@ void press_and_move(QWidget& widget, QPoint start, QPoint by) {
   move_to(widget, start + by);
 }
 
-// What can be dragged: a widget, and where.
+// A thing to drag: its widget, and where.
 struct Grip {
   const char* name;
   QWidget& widget;
   QPoint start;
 };
-std::vector<Grip> grips(TestWindow& window) {
-  window.key(Qt::Key_V);
-  auto& keys = *window->findChild<KeyframeTrack*>("keys");
-  const int frame = static_cast<int>(window->timeline().frame_of(1.0));
-  return {{"light", window->viewport(), place_of(window, 1)},
+std::vector<Grip> grips(Desk& desk) {
+  desk.key(Qt::Key_V);
+  auto& keys = *desk.findChild<KeyframeTrack*>("keys");
+  const int frame = static_cast<int>(desk.timeline().frame_of(1.0));
+  return {{"light", desk.view(), place_of(desk.view(), desk.document(), 1)},
           {"keyframe", keys, keys.position(0, frame)},
-          {"title", *window->findChild<QLabel*>("light_intensity_title"), QPoint(3, 3)}};
+          {"title", *desk.findChild<QLabel*>("light_intensity_title"), QPoint(3, 3)}};
 }
 
 }  // namespace
@@ -106,13 +105,13 @@ class DragsTest : public QObject {
   }
 
   void of_all_kinds_change_nothing_by_a_slip_or_when_cancelled() {
-    TestWindow window(lit_scene());
-    Document& document = window->document();
+    Desk desk(lit_scene());
+    Document& document = desk.document();
     const auto expect_unchanged = [&](const char* name, const Scene& before) {
       QVERIFY2(document.scene() == before, name);
       QCOMPARE(document.undo_stack().count(), 0);
     };
-    for (const Grip& grip : grips(window)) {
+    for (const Grip& grip : grips(desk)) {
       const Scene before = document.scene();
       press_and_move(grip.widget, grip.start, slip);
       QTest::mouseRelease(&grip.widget, Qt::LeftButton, {}, grip.start + slip);
@@ -138,7 +137,7 @@ class DragsTest : public QObject {
     Document& document = window->document();
     window.key(Qt::Key_V);
     const Light other = document.scene().lights.at(0);
-    press_and_move(window->viewport(), place_of(window, 1), way);
+    press_and_move(window->viewport(), place_of(window->viewport(), document, 1), way);
     window.key(Qt::Key_Delete);
     QCOMPARE(document.scene().lights.size(), std::size_t{1});
     move_to(window->viewport(), {400, 300});
@@ -149,13 +148,13 @@ class DragsTest : public QObject {
 
   void end_when_they_are_undone() {
     for (const std::size_t k : {0, 1, 2}) {
-      TestWindow window(lit_scene());
-      Document& document = window->document();
-      const Grip grip = grips(window).at(k);
+      Desk desk(lit_scene());
+      Document& document = desk.document();
+      const Grip grip = grips(desk).at(k);
       const Scene before = document.scene();
       press_and_move(grip.widget, grip.start, way);
       QVERIFY(!(document.scene() == before));
-      window.key(Qt::Key_Z, Qt::ControlModifier);
+      desk.key(Qt::Key_Z, Qt::ControlModifier);
       move_to(grip.widget, grip.start + 2 * way);
       QTest::mouseRelease(&grip.widget, Qt::LeftButton, {}, grip.start + 2 * way);
       QVERIFY2(document.scene() == before, grip.name);

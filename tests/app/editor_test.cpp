@@ -14,9 +14,9 @@
 #include "app/files/scene_files.h"
 #include "app/panels/gaussians/gaussian_panel.h"
 #include "app/viewport/viewport.h"
-#include "app/widgets/number_field.h"
 #include "app/window/pages/message_bar.h"
 #include "core/io/scene/scene_file.h"
+#include "tests/app/desk.h"
 #include "tests/app/question.h"
 #include "tests/app/test_window.h"
 
@@ -24,7 +24,7 @@ using namespace brume;
 
 namespace {
 
-QTableView* table_of(MainWindow& window) {
+QTableView* table_of(const QWidget& window) {
   return window.findChild<GaussianPanel*>()->table();
 }
 
@@ -79,10 +79,10 @@ class EditorTest : public QObject {
 
  private Q_SLOTS:
   void a_cell_writes_to_all_selected_rows_as_one_step() {
-    TestWindow window;
-    Document& document = window->document();
+    Desk desk;
+    Document& document = desk.document();
     const Scene before = document.scene();
-    QTableView* table = table_of(*window);
+    QTableView* table = table_of(desk);
     document.select({1, 3, 4});
     table->selectionModel()->setCurrentIndex(table->model()->index(2, 3),
                                              QItemSelectionModel::NoUpdate);
@@ -93,30 +93,30 @@ class EditorTest : public QObject {
     QCOMPARE(document.medium().radii()[1], before.medium.radii()[1]);
     QCOMPARE(table->model()->index(0, 3).data().toString(), QString("0.75"));
     QCOMPARE(document.selection().size(), std::size_t{3});
-    window.key(Qt::Key_Z, Qt::ControlModifier);
+    desk.key(Qt::Key_Z, Qt::ControlModifier);
     QVERIFY(document.scene() == before);
   }
 
   void a_cell_outside_the_selection_writes_to_its_row() {
-    TestWindow window;
-    QAbstractItemModel* model = table_of(*window)->model();
-    window->document().select({1, 2});
+    Desk desk;
+    QAbstractItemModel* model = table_of(desk)->model();
+    desk.document().select({1, 2});
     QVERIFY(model->setData(model->index(4, 4), "0.125", Qt::EditRole));
-    QCOMPARE(window->document().medium().densities()[4], 0.125);
-    QCOMPARE(window->document().medium().densities()[0], 0.8);
+    QCOMPARE(desk.document().medium().densities()[4], 0.125);
+    QCOMPARE(desk.document().medium().densities()[0], 0.8);
   }
 
   void opening_a_cell_changes_nothing() {
-    TestWindow window;
-    select_all(window->document());
-    QTableView* table = table_of(*window);
+    Desk desk;
+    select_all(desk.document());
+    QTableView* table = table_of(desk);
     table->setFocus();
     QTest::keyClick(table, Qt::Key_F2);
     auto* editor = table->viewport()->findChild<QLineEdit*>();
     QVERIFY(editor);
     QTest::keyClick(editor, Qt::Key_Return);
     QTRY_VERIFY(!table->viewport()->findChild<QLineEdit*>());
-    QVERIFY(!window->document().is_modified());
+    QVERIFY(!desk.document().is_modified());
   }
 
   void a_bad_value_is_refused_with_a_message() {

@@ -3,6 +3,7 @@
 #include <QLabel>
 #include <functional>
 
+#include "tests/app/desk.h"
 #include "tests/app/ellipsoids.h"
 
 using namespace brume;
@@ -13,7 +14,8 @@ namespace {
 // Drags the title of one of the inspector's numbers by so many steps of 40 pixels, to the left if
 // negative; after each `check` is called.
 void drag_in_steps(
-    TestWindow& window, const char* name, int steps, const std::function<void()>& check = [] {}) {
+    const QWidget& window, const char* name, int steps,
+    const std::function<void()>& check = [] {}) {
   auto* title = number(window, name).parentWidget()->findChild<QLabel*>();
   QTest::mousePress(title, Qt::LeftButton, {}, QPoint(3, 3));
   QPointF to(3, 3);
@@ -48,116 +50,116 @@ class EllipsoidInspectorTest : public QObject {
 
  private Q_SLOTS:
   void radii_and_rotation_in_the_inspector() {
-    TestWindow window;
-    Document& document = window->document();
+    Desk desk;
+    Document& document = desk.document();
     const Scene before = document.scene();
     document.select({1, 2});
-    QCOMPARE(number(window, "radius_x").text(), number(window, "radius").text());  // both mixed
-    QVERIFY(!number(window, "rotation_x").isVisible());
-    type_into(window, "radius", "0.5");
-    QCOMPARE(number(window, "radius_y").text(), QString("0.5"));
-    type_into(window, "radius_z", "0.8");
+    QCOMPARE(number(desk, "radius_x").text(), number(desk, "radius").text());  // both mixed
+    QVERIFY(!number(desk, "rotation_x").isVisible());
+    type_into(desk, "radius", "0.5");
+    QCOMPARE(number(desk, "radius_y").text(), QString("0.5"));
+    type_into(desk, "radius_z", "0.8");
     QCOMPARE(document.undo_stack().undoText(), QString("Set radius z of 2 Gaussians to 0.8"));
-    QCOMPARE(number(window, "radius").text(), QString("0.8"));
-    QCOMPARE(number(window, "radius_x").text(), QString("0.5"));
+    QCOMPARE(number(desk, "radius").text(), QString("0.8"));
+    QCOMPARE(number(desk, "radius_x").text(), QString("0.5"));
     for (const std::size_t k : {0U, 1U}) {
-      QVERIFY(is_near(gaussian(window, k).radii(), {0.5, 0.5, 0.8}));
+      QVERIFY(is_near(gaussian(document, k).radii(), {0.5, 0.5, 0.8}));
     }
-    QVERIFY(number(window, "rotation_x").isVisible());
-    type_into(window, "rotation_y", "130");
-    type_into(window, "rotation_x", "15");
+    QVERIFY(number(desk, "rotation_x").isVisible());
+    type_into(desk, "rotation_y", "130");
+    type_into(desk, "rotation_x", "15");
     QCOMPARE(document.undo_stack().undoText(), QString("Set rotation x of 2 Gaussians to 15"));
-    QCOMPARE(number(window, "rotation_y").text(), QString("130"));  // as entered
-    QCOMPARE(gaussian(window, 1).shape.rotation, from_euler_angles({15.0, 130.0, 0.0}));
-    QCOMPARE(gaussian(window, 2).shape, GaussianShape());
+    QCOMPARE(number(desk, "rotation_y").text(), QString("130"));  // as entered
+    QCOMPARE(gaussian(document, 1).shape.rotation, from_euler_angles({15.0, 130.0, 0.0}));
+    QCOMPARE(gaussian(document, 2).shape, GaussianShape());
     // The one radius scales all.
-    type_into(window, "radius", "1.6");
-    QVERIFY(is_near(gaussian(window, 0).radii(), {1.0, 1.0, 1.6}));
+    type_into(desk, "radius", "1.6");
+    QVERIFY(is_near(gaussian(document, 0).radii(), {1.0, 1.0, 1.6}));
     // Another value of one of them is shown as mixed for both.
     document.select({1});
-    type_into(window, "rotation_z", "40");
-    type_into(window, "radius_y", "0.3");
+    type_into(desk, "rotation_z", "40");
+    type_into(desk, "radius_y", "0.3");
     document.select({1, 2});
-    QCOMPARE(number(window, "radius_x").text(), QString("1"));
-    QVERIFY(number(window, "radius_y").text() != QString("0.3"));
-    QVERIFY(number(window, "rotation_z").text() != QString("40"));
-    type_into(window, "radius_y", "*2");
-    QVERIFY(is_near(gaussian(window, 0).radii(), {1.0, 0.6, 1.6}));
-    QVERIFY(is_near(gaussian(window, 1).radii(), {1.0, 2.0, 1.6}));
+    QCOMPARE(number(desk, "radius_x").text(), QString("1"));
+    QVERIFY(number(desk, "radius_y").text() != QString("0.3"));
+    QVERIFY(number(desk, "rotation_z").text() != QString("40"));
+    type_into(desk, "radius_y", "*2");
+    QVERIFY(is_near(gaussian(document, 0).radii(), {1.0, 0.6, 1.6}));
+    QVERIFY(is_near(gaussian(document, 1).radii(), {1.0, 2.0, 1.6}));
     // Equal radii make balls.
-    for (const char* field : {"radius_x", "radius_y", "radius_z"}) type_into(window, field, "0.5");
+    for (const char* field : {"radius_x", "radius_y", "radius_z"}) type_into(desk, field, "0.5");
     for (const std::size_t k : {0U, 1U}) {
-      QVERIFY(gaussian(window, k).is_ball());
-      QCOMPARE(gaussian(window, k).radius, 0.5);
+      QVERIFY(gaussian(document, k).is_ball());
+      QCOMPARE(gaussian(document, k).radius, 0.5);
     }
     QVERIFY(is_undone(document, before));
   }
 
   void dragging_an_angle_is_one_step_and_goes_round() {
     const Scene before = scene_of_ellipsoids();
-    TestWindow window(before);
-    Document& document = window->document();
+    Desk desk(before);
+    Document& document = desk.document();
     document.select({2});
     const int count = document.undo_stack().count();
-    drag_in_steps(window, "rotation_y", 10);
+    drag_in_steps(desk, "rotation_y", 10);
     QCOMPARE(document.undo_stack().count(), count + 1);
     // Half a degree a pixel, past 90.
-    QVERIFY(is_turned(gaussian(window, 1), {10.0, 220.0, 30.0}));
-    QCOMPARE(gaussian(window, 1).radii(), before.medium.gaussian(1).radii());
+    QVERIFY(is_turned(gaussian(document, 1), {10.0, 220.0, 30.0}));
+    QCOMPARE(gaussian(document, 1).radii(), before.medium.gaussian(1).radii());
     QVERIFY(is_undone(document, before));
   }
 
   void angles_of_several_go_past_90_together() {
     const Scene before = scene_of_two_rotations();
-    TestWindow window(before);
-    Document& document = window->document();
+    Desk desk(before);
+    Document& document = desk.document();
     document.select({2, 3});
-    QCOMPARE(number(window, "rotation_y").text(), QString("88"));
+    QCOMPARE(number(desk, "rotation_y").text(), QString("88"));
     double shown = 88.0;
-    drag_in_steps(window, "rotation_y", 4, [&] {
+    drag_in_steps(desk, "rotation_y", 4, [&] {
       shown += 20.0;
-      QCOMPARE(number(window, "rotation_y").text(), QString::number(shown));
-      QVERIFY(is_turned(gaussian(window, 1), {0.0, shown, 30.0}));
-      QVERIFY(is_turned(gaussian(window, 2), {0.0, shown, 40.0}));
+      QCOMPARE(number(desk, "rotation_y").text(), QString::number(shown));
+      QVERIFY(is_turned(gaussian(document, 1), {0.0, shown, 30.0}));
+      QVERIFY(is_turned(gaussian(document, 2), {0.0, shown, 40.0}));
     });
     QCOMPARE(document.undo_stack().count(), 1);
-    QCOMPARE(number(window, "rotation_x").text(), QString("0"));
+    QCOMPARE(number(desk, "rotation_x").text(), QString("0"));
     document.undo_stack().undo();
-    QCOMPARE(number(window, "rotation_y").text(), QString("88"));
+    QCOMPARE(number(desk, "rotation_y").text(), QString("88"));
     for (int k = 0; k < 2; ++k) {
-      type_into(window, "rotation_y", "130");
-      QVERIFY(is_turned(gaussian(window, 1), {0.0, 130.0, 30.0}));
-      QVERIFY(is_turned(gaussian(window, 2), {0.0, 130.0, 40.0}));
+      type_into(desk, "rotation_y", "130");
+      QVERIFY(is_turned(gaussian(document, 1), {0.0, 130.0, 30.0}));
+      QVERIFY(is_turned(gaussian(document, 2), {0.0, 130.0, 40.0}));
     }
     // Each has the angles that were entered, whatever is edited in between.
     document.select({2});
-    type_into(window, "rotation_x", "5");
+    type_into(desk, "rotation_x", "5");
     document.select({3});
-    QCOMPARE(number(window, "rotation_y").text(), QString("130"));
-    QCOMPARE(number(window, "rotation_z").text(), QString("40"));
+    QCOMPARE(number(desk, "rotation_y").text(), QString("130"));
+    QCOMPARE(number(desk, "rotation_z").text(), QString("40"));
     QVERIFY(is_undone(document, before));
   }
 
   void changes_of_angles_are_of_those_shown() {
     const Scene before = scene_of_two_rotations();
-    TestWindow window(before);
-    Document& document = window->document();
+    Desk desk(before);
+    Document& document = desk.document();
     document.select({1, 2, 3});
-    type_into(window, "rotation_y", "130");
+    type_into(desk, "rotation_y", "130");
     // The ball does not turn.
     QCOMPARE(document.undo_stack().undoText(), QString("Set rotation y of 2 Gaussians to 130"));
-    type_into(window, "rotation_y", "+10");
+    type_into(desk, "rotation_y", "+10");
     QCOMPARE(document.undo_stack().undoText(), QString("Change rotation y of 2 Gaussians"));
-    QVERIFY(is_turned(gaussian(window, 1), {0.0, 140.0, 30.0}));
-    QVERIFY(is_turned(gaussian(window, 2), {0.0, 140.0, 40.0}));
+    QVERIFY(is_turned(gaussian(document, 1), {0.0, 140.0, 30.0}));
+    QVERIFY(is_turned(gaussian(document, 2), {0.0, 140.0, 40.0}));
     document.select({2, 3});
-    QCOMPARE(number(window, "rotation_y").text(), QString("140"));
-    type_into(window, "rotation_y", "*2");
-    type_into(window, "rotation_y", "-=30");
-    QCOMPARE(number(window, "rotation_y").text(), QString("250"));
-    type_into(window, "rotation_z", "*2");  // of what differs
-    QVERIFY(is_turned(gaussian(window, 1), {0.0, 250.0, 60.0}));
-    QVERIFY(is_turned(gaussian(window, 2), {0.0, 250.0, 80.0}));
+    QCOMPARE(number(desk, "rotation_y").text(), QString("140"));
+    type_into(desk, "rotation_y", "*2");
+    type_into(desk, "rotation_y", "-=30");
+    QCOMPARE(number(desk, "rotation_y").text(), QString("250"));
+    type_into(desk, "rotation_z", "*2");  // of what differs
+    QVERIFY(is_turned(gaussian(document, 1), {0.0, 250.0, 60.0}));
+    QVERIFY(is_turned(gaussian(document, 2), {0.0, 250.0, 80.0}));
     QVERIFY(is_undone(document, before));
   }
 
@@ -165,24 +167,24 @@ class EllipsoidInspectorTest : public QObject {
     Scene before = small_scene();
     before.medium = Medium();
     before.medium.append(ellipsoid({}, {1.0, 1.0, 0.5}, {10.0, 20.0, 30.0}));
-    TestWindow window(before);
-    Document& document = window->document();
+    Desk desk(before);
+    Document& document = desk.document();
     document.select({1});
     const double factor = std::pow(1.01, 40);
-    type_into(window, "radius_z", QString::number(1.0 / factor, 'f', 12));
+    type_into(desk, "radius_z", QString::number(1.0 / factor, 'f', 12));
     bool was_ball = false;
     // The title is a pixel's hundredth of the value; it rounds to four digits.
-    drag_in_steps(window, "radius_z", 2,
-                  [&] { was_ball = was_ball || gaussian(window, 0).is_ball(); });
+    drag_in_steps(desk, "radius_z", 2,
+                  [&] { was_ball = was_ball || gaussian(document, 0).is_ball(); });
     QVERIFY(was_ball);
-    QCOMPARE(gaussian(window, 0).radii().z, 1.489);
-    QVERIFY(is_turned(gaussian(window, 0), {10.0, 20.0, 30.0}));
+    QCOMPARE(gaussian(document, 0).radii().z, 1.489);
+    QVERIFY(is_turned(gaussian(document, 0), {10.0, 20.0, 30.0}));
     QCOMPARE(document.undo_stack().count(), 2);
     // One of its own is made from a ball as it is.
-    for (int k = 0; k < 3; ++k) type_into(window, "radius_z", "1");
-    QVERIFY(gaussian(window, 0).is_ball());
-    drag_in_steps(window, "radius_z", 1);
-    QVERIFY(is_turned(gaussian(window, 0), {0.0, 0.0, 0.0}));
+    for (int k = 0; k < 3; ++k) type_into(desk, "radius_z", "1");
+    QVERIFY(gaussian(document, 0).is_ball());
+    drag_in_steps(desk, "radius_z", 1);
+    QVERIFY(is_turned(gaussian(document, 0), {0.0, 0.0, 0.0}));
     QVERIFY(is_undone(document, before));
   }
 };

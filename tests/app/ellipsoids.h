@@ -32,8 +32,8 @@ inline Scene scene_of_ellipsoids() {
   return scene;
 }
 
-inline Gaussian gaussian(TestWindow& window, std::size_t index) {
-  return window->document().medium().gaussian(index);
+inline Gaussian gaussian(const Document& document, std::size_t index) {
+  return document.medium().gaussian(index);
 }
 
 inline bool is_near(const glm::dvec3& a, const glm::dvec3& b, double distance = 1e-12) {
@@ -41,11 +41,11 @@ inline bool is_near(const glm::dvec3& a, const glm::dvec3& b, double distance = 
 }
 
 // The inspector's number of a name.
-inline NumberField& number(TestWindow& window, const char* name) {
-  return *window->findChild<NumberField*>(name);
+inline NumberField& number(const QWidget& window, const char* name) {
+  return *window.findChild<NumberField*>(name);
 }
 
-inline void type_into(TestWindow& window, const char* name, const QString& text) {
+inline void type_into(const QWidget& window, const char* name, const QString& text) {
   NumberField& field = number(window, name);
   field.setFocus();
   field.selectAll();

@@ -1,7 +1,5 @@
 // Gaussians that are ellipsoids: outlined, stretched and turned, in tables, painted, copied.
 
-#include <QClipboard>
-#include <QHeaderView>
 #include <QLineEdit>
 #include <QScopeGuard>
 #include <glm/geometric.hpp>
@@ -18,8 +16,8 @@
 #include "app/tools/tool_box.h"
 #include "app/tools/transform_tool.h"
 #include "app/view/bounds.h"
-#include "app/viewport/viewport.h"
 #include "brume/error.h"
+#include "tests/app/desk.h"
 #include "tests/app/ellipsoids.h"
 #include "tests/app/groups_window.h"
 #include "tests/app/test_window.h"
@@ -29,14 +27,13 @@ using namespace brume::ellipsoids;
 
 namespace {
 
-QPoint pivot_on_film(TestWindow& window) {
-  const glm::dvec3 at = window->viewport().rays().project(window->viewport().pivot());
-  return QPointF(at.x, at.y).toPoint();
+QPoint pivot_on_film(Desk& desk) {
+  return film_position(desk.view(), desk.view().pivot());
 }
 
 template <class Tool>
-Tool& tool_of(TestWindow& window) {
-  for (const auto& entry : window->tools().entries()) {
+Tool& tool_of(Desk& desk) {
+  for (const auto& entry : desk.tools().entries()) {
     if (auto* found = dynamic_cast<Tool*>(entry.tool.get())) return *found;
   }
   throw std::logic_error("no such tool");
@@ -86,37 +83,37 @@ class EllipsoidsTest : public QObject {
   }
 
   void an_axis_of_the_scale_handle_makes_ellipsoids() {
-    TestWindow window;
-    Document& document = window->document();
+    Desk desk;
+    Document& document = desk.document();
     const Scene before = document.scene();
     document.select({1, 2, 3});
-    window.key(Qt::Key_S);
-    const glm::dvec3 pivot = window->viewport().pivot();
-    const QPoint middle = pivot_on_film(window);
-    window.drag(middle + QPoint(60, 0), middle + QPoint(90, 0));
+    desk.key(Qt::Key_S);
+    const glm::dvec3 pivot = desk.view().pivot();
+    const QPoint middle = pivot_on_film(desk);
+    desk.drag(middle + QPoint(60, 0), middle + QPoint(90, 0));
     QCOMPARE(document.undo_stack().count(), 1);
     QCOMPARE(document.undo_stack().undoText(), QString("Scale 3 Gaussians"));
     for (std::size_t k = 0; k < 3; ++k) {
       const Gaussian was = before.medium.gaussian(k);
-      const Gaussian is = gaussian(window, k);
+      const Gaussian is = gaussian(document, k);
       const double factor = is.radii().x / was.radius;
       QVERIFY(std::abs(factor - 1.5) < 0.05);
       QVERIFY(is_near(is.radii(), was.radius * glm::dvec3(factor, 1.0, 1.0)));
       QVERIFY(is_near(is.center, pivot + glm::dvec3(factor, 1.0, 1.0) * (was.center - pivot)));
     }
-    QVERIFY(gaussian(window, 3).is_ball());
+    QVERIFY(gaussian(document, 3).is_ball());
     // Uniformly they keep their shape.
-    const GaussianShape shape = gaussian(window, 1).shape;
-    window.drag(middle + QPoint(0, 10), middle + QPoint(0, 20));
-    QCOMPARE(gaussian(window, 1).shape, shape);
-    QVERIFY(gaussian(window, 1).radius > 1.8 * 1.5 * before.medium.radii()[1]);
+    const GaussianShape shape = gaussian(document, 1).shape;
+    desk.drag(middle + QPoint(0, 10), middle + QPoint(0, 20));
+    QCOMPARE(gaussian(document, 1).shape, shape);
+    QVERIFY(gaussian(document, 1).radius > 1.8 * 1.5 * before.medium.radii()[1]);
     QVERIFY(is_undone(document, before));
     // Escape puts them back.
-    QTest::mousePress(&window->viewport(), Qt::LeftButton, {}, middle + QPoint(60, 0));
-    window.move(middle + QPoint(90, 0));
-    QVERIFY(!gaussian(window, 0).is_ball());
-    QTest::keyClick(&window->viewport(), Qt::Key_Escape);
-    QTest::mouseRelease(&window->viewport(), Qt::LeftButton, {}, middle);
+    QTest::mousePress(&desk.view(), Qt::LeftButton, {}, middle + QPoint(60, 0));
+    desk.move(middle + QPoint(90, 0));
+    QVERIFY(!gaussian(document, 0).is_ball());
+    QTest::keyClick(&desk.view(), Qt::Key_Escape);
+    QTest::mouseRelease(&desk.view(), Qt::LeftButton, {}, middle);
     QVERIFY(document.scene() == before);
   }
 
@@ -126,45 +123,46 @@ class EllipsoidsTest : public QObject {
     scene.medium = Medium();
     scene.medium.append({{0.0, 0.0, 0.0}, 0.4, 0.8});
     scene.medium.append({{0.0, 0.4, 0.0}, 0.4, 0.8});
-    TestWindow window(scene);
-    window->document().select({1});
-    window.key(Qt::Key_S);
-    enter(window, "scale_soft", "1");
-    const QPoint middle = pivot_on_film(window);
-    window.drag(middle + QPoint(40, 0), middle + QPoint(80, 0));
-    const double all = gaussian(window, 0).radii().x;
-    const double part = gaussian(window, 1).radii().x;
+    Desk desk(scene);
+    Document& document = desk.document();
+    document.select({1});
+    desk.key(Qt::Key_S);
+    enter(desk, "scale_soft", "1");
+    const QPoint middle = pivot_on_film(desk);
+    desk.drag(middle + QPoint(40, 0), middle + QPoint(80, 0));
+    const double all = gaussian(document, 0).radii().x;
+    const double part = gaussian(document, 1).radii().x;
     QVERIFY(all > 0.75 && part > 0.41 && part < all - 0.01);
-    QVERIFY(std::abs(gaussian(window, 1).radii().y - 0.4) < 1e-12);
-    QVERIFY(is_undone(window->document(), scene));
+    QVERIFY(std::abs(gaussian(document, 1).radii().y - 0.4) < 1e-12);
+    QVERIFY(is_undone(document, scene));
   }
 
   void a_ring_turns_ellipsoids() {
     const Scene before = scene_of_ellipsoids();
-    TestWindow window(before);
-    Document& document = window->document();
+    Desk desk(before);
+    Document& document = desk.document();
     document.select({2, 4});
-    window.key(Qt::Key_R);
-    const glm::dvec3 pivot = window->viewport().pivot();
-    const QPoint middle = pivot_on_film(window);
-    window.drag(middle + QPoint(96, 0), middle + QPoint(0, -96));
+    desk.key(Qt::Key_R);
+    const glm::dvec3 pivot = desk.view().pivot();
+    const QPoint middle = pivot_on_film(desk);
+    desk.drag(middle + QPoint(96, 0), middle + QPoint(0, -96));
     const Gaussian was = before.medium.gaussian(1);
-    const Gaussian is = gaussian(window, 1);
+    const Gaussian is = gaussian(document, 1);
     // Its center and its axes alike.
     const glm::dmat3 turn =
         glm::mat3_cast(is.shape.rotation) * glm::transpose(glm::mat3_cast(was.shape.rotation));
     QVERIFY(is_near(is.center - pivot, turn * (was.center - pivot)));
     QCOMPARE(is.radii(), was.radii());
     QVERIFY(!is_near(is.center, was.center, 0.1));
-    QCOMPARE(gaussian(window, 3).shape, GaussianShape());
+    QCOMPARE(gaussian(document, 3).shape, GaussianShape());
     QVERIFY(is_undone(document, before));
   }
 
   void columns_filter_and_histogram() {
     const Scene before = scene_of_ellipsoids();
-    TestWindow window(before);
-    Document& document = window->document();
-    QTableView* table = window->findChild<GaussianPanel*>()->table();
+    Desk desk(before);
+    Document& document = desk.document();
+    QTableView* table = desk.findChild<GaussianPanel*>()->table();
     const auto column = [](GaussianAttribute field) {
       return static_cast<int>(std::ranges::find(gaussian_attributes, field) -
                               gaussian_attributes.begin());
@@ -172,12 +170,12 @@ class EllipsoidsTest : public QObject {
     const int elongation = column(GaussianAttribute::elongation);
     QVERIFY(table->isColumnHidden(elongation));
     QVERIFY(table->isColumnHidden(column(GaussianAttribute::rotation_y)));
-    auto* chosen = window->findChild<QAction*>("column_elongation");
+    auto* chosen = desk.findChild<QAction*>("column_elongation");
     chosen->trigger();
     QVERIFY(!table->isColumnHidden(elongation));
     {
-      TestWindow next(before);  // remembers it
-      const QTableView* other = next->findChild<GaussianPanel*>()->table();
+      Desk next(before);  // remembers it
+      const QTableView* other = next.findChild<GaussianPanel*>()->table();
       QVERIFY(!other->isColumnHidden(elongation));
       QVERIFY(other->isColumnHidden(column(GaussianAttribute::rotation_y)));
     }
@@ -205,13 +203,13 @@ class EllipsoidsTest : public QObject {
     QVERIFY(document.scene() == before);
     const QModelIndex cell = table->model()->index(1, column(GaussianAttribute::radius_x));
     QVERIFY(table->model()->setData(cell, "0.9", Qt::EditRole));
-    QVERIFY(is_near(gaussian(window, 1).radii(), {0.9, 0.6, 0.2}));
-    QVERIFY(is_turned(gaussian(window, 1), {10.0, 20.0, 30.0}));
+    QVERIFY(is_near(gaussian(document, 1).radii(), {0.9, 0.6, 0.2}));
+    QVERIFY(is_turned(gaussian(document, 1), {10.0, 20.0, 30.0}));
     document.undo_stack().undo();
     table->sortByColumn(elongation, Qt::DescendingOrder);
     QCOMPARE(text(0, elongation), QString("3"));
     table->sortByColumn(-1, Qt::AscendingOrder);
-    auto* filter = window->findChild<QLineEdit*>("gaussian_filter");
+    auto* filter = desk.findChild<QLineEdit*>("gaussian_filter");
     const auto rows = [&](const char* condition) {
       filter->clear();
       QTest::keyClicks(filter, condition);
@@ -223,35 +221,35 @@ class EllipsoidsTest : public QObject {
     QCOMPARE(rows("radius x = 0.3, radius y < 0.5"), 1);
     filter->clear();
 
-    auto* histogram = window->findChild<GaussianHistogram*>("histogram_elongation");
+    auto* histogram = desk.findChild<GaussianHistogram*>("histogram_elongation");
     QVERIFY(!histogram->isHidden());
     const auto at = [&](double position) {
       return QPointF(2.0 + position * (histogram->width() - 4), 10.0).toPoint();
     };
     drag_mouse(*histogram, at(0.5), at(1.0));
     QCOMPARE(document.selection(), (Ids{2, 3}));
-    type_into(window, "radius_x", "0.5");
-    type_into(window, "radius_y", "0.5");
-    type_into(window, "radius_z", "0.5");
+    type_into(desk, "radius_x", "0.5");
+    type_into(desk, "radius_y", "0.5");
+    type_into(desk, "radius_z", "0.5");
     QVERIFY(histogram->isHidden());
     QVERIFY(is_undone(document, before));
     QVERIFY(!histogram->isHidden());
   }
 
   void a_brush_stretches_along_its_stroke() {
-    TestWindow window(small_scene(), {900, 775});  // for a stroke of that length
-    Document& document = window->document();
+    Desk desk;
+    Document& document = desk.document();
     const Scene before = document.scene();
-    window.key(Qt::Key_B);
-    auto& tool = tool_of<PaintbrushTool>(window);
+    desk.key(Qt::Key_B);
+    auto& tool = tool_of<PaintbrushTool>(desk);
     tool.set_brush({.radius = 0.1, .density = 300.0, .spacing = 1.0, .scatter = 0.0});
     const QPoint from(300, 200);
-    window.drag(from, from + QPoint(200, 0));
+    desk.drag(from, from + QPoint(200, 0));
     const std::size_t balls = document.medium().size() - 5;
     document.undo_stack().undo();
-    enter(window, "brush_stretch", "4");
+    enter(desk, "brush_stretch", "4");
     QCOMPARE(tool.brush().stretch, 4.0);
-    window.drag(from, from + QPoint(200, 0));
+    desk.drag(from, from + QPoint(200, 0));
     const std::size_t painted = document.medium().size() - 5;
     QVERIFY(painted > 2 && painted <= balls / 4 + 1);
     for (std::size_t k = 6; k < document.medium().size(); ++k) {
@@ -263,8 +261,8 @@ class EllipsoidsTest : public QObject {
     // Alt and a click pick the brush from what it painted.
     const auto pick = [&](PaintbrushTool& brush, const glm::dvec3& center) {
       brush.set_brush({.radius = 7.0, .density = 1.0, .stretch = 2.0});
-      const glm::dvec3 at = window->viewport().rays().project(center);
-      QTest::mouseClick(&window->viewport(), Qt::LeftButton, Qt::AltModifier,
+      const glm::dvec3 at = desk.view().rays().project(center);
+      QTest::mouseClick(&desk.view(), Qt::LeftButton, Qt::AltModifier,
                         QPointF(at.x, at.y).toPoint());
       return glm::dvec3(brush.brush().radius, brush.brush().density, brush.brush().stretch);
     };
@@ -274,16 +272,16 @@ class EllipsoidsTest : public QObject {
     // An ellipsoid that no stroke lays becomes the ball of its volume.
     document.undo_stack().undo();
     document.select({2});
-    type_into(window, "radius_x", "0.4");
-    type_into(window, "radius_z", "0.2");
-    type_into(window, "density", "5");
-    window.key(Qt::Key_B);
-    QVERIFY(is_near(pick(tool, gaussian(window, 1).center),
-                    {gaussian(window, 1).mean_radius(), 5.0, 2.0}));
+    type_into(desk, "radius_x", "0.4");
+    type_into(desk, "radius_z", "0.2");
+    type_into(desk, "density", "5");
+    desk.key(Qt::Key_B);
+    QVERIFY(is_near(pick(tool, gaussian(document, 1).center),
+                    {gaussian(document, 1).mean_radius(), 5.0, 2.0}));
     // One that is longer than the brush can lay.
-    for (const char* field : {"radius_y", "radius_z"}) type_into(window, field, "0.01");
-    window.key(Qt::Key_B);
-    QVERIFY(is_near(pick(tool, gaussian(window, 1).center), {0.01, 5.0, 5.0}));
+    for (const char* field : {"radius_y", "radius_z"}) type_into(desk, field, "0.01");
+    desk.key(Qt::Key_B);
+    QVERIFY(is_near(pick(tool, gaussian(document, 1).center), {0.01, 5.0, 5.0}));
     document.undo_stack().setIndex(0);
     tool.set_brush({.stretch = 4.0});
     // Saved with the brush, and back.
@@ -313,25 +311,25 @@ class EllipsoidsTest : public QObject {
     window.key(Qt::Key_V, Qt::ControlModifier | Qt::ShiftModifier);
     QCOMPARE(document.undo_stack().undoText(), QString("Paste 3 Gaussians"));
     for (const std::size_t k : {0U, 1U, 2U}) {
-      QCOMPARE(gaussian(window, 5 + k), before.medium.gaussian(1 + k));
+      QCOMPARE(gaussian(document, 5 + k), before.medium.gaussian(1 + k));
     }
     window.key(Qt::Key_D, Qt::ControlModifier);
     QCOMPARE(document.medium().size(), std::size_t{11});
     for (const std::size_t k : {0U, 1U, 2U}) {
-      QCOMPARE(gaussian(window, 8 + k).shape, before.medium.gaussian(1 + k).shape);
+      QCOMPARE(gaussian(document, 8 + k).shape, before.medium.gaussian(1 + k).shape);
     }
     QVERIFY(is_undone(document, before));
   }
 
   void factors_of_groups_keep_shapes() {
-    GroupsWindow window;
-    select_gaussians(window.document(), {1, 2});
-    type_into(window, "radius_z", "0.9");
-    window.group({1, 2});
-    window.click("Group");
-    const Medium plain = window.document().medium();
-    enter(window, "group_radius_factor", "2");
-    const Medium shown = window.shown_medium();
+    GroupsWindow desk;
+    select_gaussians(desk.document(), {1, 2});
+    type_into(desk, "radius_z", "0.9");
+    desk.group({1, 2});
+    desk.click("Group");
+    const Medium plain = desk.document().medium();
+    enter(desk, "group_radius_factor", "2");
+    const Medium shown = desk.shown_medium();
     for (const std::size_t k : {0U, 1U}) {
       QVERIFY(is_near(shown.gaussian(k).radii(), 2.0 * plain.gaussian(k).radii()));
       QCOMPARE(shown.shape(k), plain.shape(k));

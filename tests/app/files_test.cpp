@@ -54,7 +54,7 @@ void come_back(TestWindow& window) {
   QVERIFY(QTest::qWaitForWindowActive(&*window));
 }
 
-// What another window does with the file of this one.
+// Another window changes the file of this one.
 void change_on_disk(TestWindow& window) {
   Document other;
   other.open(load_scene(window.file("scene.brume")), window.file("scene.brume"));

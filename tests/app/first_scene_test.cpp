@@ -1,4 +1,4 @@
-// What is seen first in a new scene: painted fog and imported meshes are lit, without a step that
+// First sights of a new scene: painted fog and imported meshes are lit, without a step that
 // the user has not asked for.
 
 #include <fstream>

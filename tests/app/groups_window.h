@@ -5,21 +5,27 @@
 #include <QTreeWidget>
 #include <vector>
 
+#include "app/commands/edit_groups.h"
 #include "app/commands/select_command.h"
 #include "app/document/document.h"
 #include "app/viewport/viewport.h"
-#include "tests/app/test_window.h"
+#include "tests/app/desk.h"
 
 namespace brume {
 
 using Ids = std::vector<GaussianId>;
 
-// The outliner's rows of groups.
-class GroupsWindow : public TestWindow {
+// The outliner's rows of groups, of a window or a desk.
+template <class Window>
+class WithGroups : public Window {
  public:
-  Document& document() { return (*this)->document(); }
+  using Window::document;
+  using Window::view;
   const Groups& groups() { return document().scene().groups; }
-  QTreeWidget& tree() { return *(*this)->findChild<QTreeWidget*>("outliner_tree"); }
+  QTreeWidget& tree() {
+    const QWidget& widget = *this;
+    return *widget.findChild<QTreeWidget*>("outliner_tree");
+  }
   // The row of a name, which is followed by a number.
   QTreeWidgetItem* row(const QString& name) {
     const auto found = tree().findItems(name + " (", Qt::MatchStartsWith | Qt::MatchRecursive);
@@ -60,7 +66,8 @@ class GroupsWindow : public TestWindow {
   }
   // Types a name into the editor that is open.
   void type_name(const QString& name) {
-    auto* editor = tree().findChild<QLineEdit*>("row_name");
+    const QWidget& rows = tree();
+    auto* editor = rows.findChild<QLineEdit*>("row_name");
     QVERIFY(editor);
     editor->selectAll();
     QTest::keyClicks(editor, name);
@@ -68,10 +75,13 @@ class GroupsWindow : public TestWindow {
   }
   void group(const Ids& ids) {
     select_gaussians(document(), ids);
-    key(Qt::Key_G, Qt::ControlModifier);
+    group_selection(document());
   }
-  Medium shown_medium() { return (*this)->viewport().shown_scene()->medium; }
+  Medium shown_medium() { return view().shown_scene()->medium; }
 };
+
+using GroupsWindow = WithGroups<TestWindow>;
+using GroupsDesk = WithGroups<Desk>;
 
 // Makes the window of a test be left as it was opened once all is undone.
 #define VERIFY_UNDONE(window, before)            \

@@ -1,7 +1,6 @@
-// What comes in from files.
+// Imports from files.
 
 #include <QComboBox>
-#include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSpinBox>
@@ -78,28 +77,28 @@ class ImportTest : public QObject {
 
  private Q_SLOTS:
   void tables_meshes_and_environments_are_dropped_each_as_one_step() {
-    TestWindow window;
-    Document& document = window->document();
+    FileDesk desk;
+    Document& document = desk.document();
     const Scene before = document.scene();
-    write_gaussians(window.file("two.csv"), two);
-    write_gaussians(window.file("two.ply"), two);
+    write_gaussians(desk.file("two.csv"), two);
+    write_gaussians(desk.file("two.ply"), two);
     for (const char* name : {"two.csv", "two.ply"}) {
-      drop(window, {window.file(name)});
-      QCOMPARE(wait(window), QString());
+      drop(desk, {desk.file(name)});
+      QCOMPARE(wait(desk), QString());
       QCOMPARE(document.undo_stack().undoText(), QString("Import 2 Gaussians"));
       QCOMPARE(document.selection().size(), std::size_t{2});
     }
     QCOMPARE(document.medium().size(), std::size_t{9});
-    drop(window, {BRUME_RESOURCES "/meshes/bunny.obj"});
-    QCOMPARE(wait(window), QString());
+    drop(desk, {BRUME_RESOURCES "/meshes/bunny.obj"});
+    QCOMPARE(wait(desk), QString());
     QCOMPARE(document.undo_stack().undoText(), QString("Import bunny.obj"));
     QCOMPARE(document.scene().surfaces.size(), std::size_t{1});
-    write_text(window.file("face.ply"), ply_triangle);
-    drop(window, {window.file("face.ply")});
-    QCOMPARE(wait(window), QString());
+    write_text(desk.file("face.ply"), ply_triangle);
+    drop(desk, {desk.file("face.ply")});
+    QCOMPARE(wait(desk), QString());
     QCOMPARE(document.scene().surfaces.size(), std::size_t{2});
-    drop(window, {BRUME_RESOURCES "/environments/sunset.exr"});
-    QCOMPARE(wait(window), QString());
+    drop(desk, {BRUME_RESOURCES "/environments/sunset.exr"});
+    QCOMPARE(wait(desk), QString());
     QVERIFY(document.scene().environment);
     QCOMPARE(document.undo_stack().count(), 5);
     QVERIFY(is_undone(document, before));
@@ -114,38 +113,38 @@ class ImportTest : public QObject {
   }
 
   void dropped_meshes_are_imported_in_one_step() {
-    TestWindow window;
-    Document& document = window->document();
+    FileDesk desk;
+    Document& document = desk.document();
     const char* text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
     for (const char* name : {"cup.obj", "pot.obj", "m_1.obj", "m_2.obj"}) {
-      write_text(window.file(name), text);
+      write_text(desk.file(name), text);
     }
-    write_gaussians(window.file("two.csv"), two);
-    drop(window, {window.file("cup.obj"), window.file("pot.obj"), window.file("two.csv")});
-    QCOMPARE(wait(window), QString());
+    write_gaussians(desk.file("two.csv"), two);
+    drop(desk, {desk.file("cup.obj"), desk.file("pot.obj"), desk.file("two.csv")});
+    QCOMPARE(wait(desk), QString());
     QCOMPARE(document.scene().surfaces.size(), std::size_t{2});
     QCOMPARE(document.medium().size(), std::size_t{7});
     QCOMPARE(document.undo_stack().undoText(), QString("Import 3 files"));
     QCOMPARE(document.undo_stack().count(), 1);
-    window.key(Qt::Key_Z, Qt::ControlModifier);
+    document.undo_stack().undo();
     QVERIFY(document.scene().surfaces.empty() && document.medium().size() == 5);
     QVERIFY(!document.is_modified());
     // Numbered meshes are no frames of a sequence.
-    drop(window, {window.file("m_1.obj"), window.file("m_2.obj")});
-    QCOMPARE(wait(window), QString());
+    drop(desk, {desk.file("m_1.obj"), desk.file("m_2.obj")});
+    QCOMPARE(wait(desk), QString());
     QCOMPARE(document.scene().surfaces.size(), std::size_t{2});
   }
 
   void numbered_ply_files_are_a_sequence_or_meshes_by_what_is_in_them() {
-    TestWindow window;
-    for (const char* name : {"g_1.ply", "g_2.ply"}) write_gaussians(window.file(name), two);
-    drop(window, {window.file("g_1.ply"), window.file("g_2.ply")});
-    QCOMPARE(wait(window), QString());
-    QCOMPARE(window->document().scene().sequences.size(), std::size_t{1});
-    for (const char* name : {"f_1.ply", "f_2.ply"}) write_text(window.file(name), ply_triangle);
-    drop(window, {window.file("f_1.ply"), window.file("f_2.ply")});
-    QCOMPARE(wait(window), QString());
-    QCOMPARE(window->document().scene().surfaces.size(), std::size_t{2});
+    FileDesk desk;
+    for (const char* name : {"g_1.ply", "g_2.ply"}) write_gaussians(desk.file(name), two);
+    drop(desk, {desk.file("g_1.ply"), desk.file("g_2.ply")});
+    QCOMPARE(wait(desk), QString());
+    QCOMPARE(desk.document().scene().sequences.size(), std::size_t{1});
+    for (const char* name : {"f_1.ply", "f_2.ply"}) write_text(desk.file(name), ply_triangle);
+    drop(desk, {desk.file("f_1.ply"), desk.file("f_2.ply")});
+    QCOMPARE(wait(desk), QString());
+    QCOMPARE(desk.document().scene().surfaces.size(), std::size_t{2});
   }
 
   void unsupported_drops_are_reported() {
@@ -166,50 +165,50 @@ class ImportTest : public QObject {
   }
 
   void file_errors_are_reported_and_change_nothing() {
-    TestWindow window;
-    write_text(window.file("bad.csv"), "x,y,z,radius,density\n0,0,0,-1,1\n");
-    drop(window, {window.file("bad.csv")});
-    QVERIFY(wait(window).contains("line 2, radius"));
-    QVERIFY(!window->document().is_modified());
-    drop(window, {window.file("bad.csv"), window.file("other.csv")});  // no sequence
-    QVERIFY(!window->document().is_modified());
+    FileDesk desk;
+    write_text(desk.file("bad.csv"), "x,y,z,radius,density\n0,0,0,-1,1\n");
+    drop(desk, {desk.file("bad.csv")});
+    QVERIFY(wait(desk).contains("line 2, radius"));
+    QVERIFY(!desk.document().is_modified());
+    drop(desk, {desk.file("bad.csv"), desk.file("other.csv")});  // no sequence
+    QVERIFY(!desk.document().is_modified());
     QVERIFY(!SceneImport::can_import("readme.txt"));
   }
 
   void points_of_vtk_files_bring_radius_and_density() {
-    TestWindow window;
+    FileDesk desk;
     const auto points = [&](const char* name, const std::string& arrays) {
-      write_vtp(window.file(name), "0 0 0 1 2 4", arrays);
-      return window.file(name);
+      write_vtp(desk.file(name), "0 0 0 1 2 4", arrays);
+      return desk.file(name);
     };
     const auto full = points("full.vtp", array("radius", "0.5 0.25") + array("density", "2 3"));
-    drop(window, {full});
-    QCOMPARE(wait(window), QString());
-    QVERIFY(window->document().medium().gaussian(6) == (Gaussian{{1, 2, 4}, 0.25, 3.0}));
-    QCOMPARE(window->document().undo_stack().undoText(), QString("Import 2 Gaussians"));
+    drop(desk, {full});
+    QCOMPARE(wait(desk), QString());
+    QVERIFY(desk.document().medium().gaussian(6) == (Gaussian{{1, 2, 4}, 0.25, 3.0}));
+    QCOMPARE(desk.document().undo_stack().undoText(), QString("Import 2 Gaussians"));
     const auto bare = read_vtk_points(points("bare.vtp", ""));
     QCOMPARE(bare[0].density, 1.0);
     QCOMPARE(bare[0].radius, std::cbrt(8.0 / 2.0));
     QVERIFY_EXCEPTION_THROWN(read_vtk_points(points("bad.vtp", array("radius", "1 0"))),
                              InputError);
-    write_text(window.file("junk.vtp"), "no XML");
-    QVERIFY_EXCEPTION_THROWN(read_vtk_points(window.file("junk.vtp")), InputError);
-    QVERIFY_EXCEPTION_THROWN(read_vtk_points(window.file("none.vtu")), InputError);
+    write_text(desk.file("junk.vtp"), "no XML");
+    QVERIFY_EXCEPTION_THROWN(read_vtk_points(desk.file("junk.vtp")), InputError);
+    QVERIFY_EXCEPTION_THROWN(read_vtk_points(desk.file("none.vtu")), InputError);
   }
 
   void a_volume_is_fitted_as_the_dialog_says() {
-    TestWindow window;
-    Document& document = window->document();
+    FileDesk desk;
+    Document& document = desk.document();
     const Scene before = document.scene();
-    drop(window, {smoke});
-    auto* dialog = shown<VolumeDialog>(window);
+    drop(desk, {smoke});
+    auto* dialog = shown<VolumeDialog>(desk);
     QVERIFY(dialog);
     QCOMPARE(dialog->findChild<QComboBox*>("volume_grid")->currentText(), QString("density"));
     dialog->findChild<QSpinBox*>("volume_count")->setValue(30);
     dialog->findChild<QComboBox*>("volume_up")->setCurrentIndex(1);
     dialog->findChild<QLineEdit*>("volume_scale")->setText("2.5");
     QTest::mouseClick(dialog->findChild<QPushButton*>("import_volume"), Qt::LeftButton);
-    QCOMPARE(wait(window), QString());
+    QCOMPARE(wait(desk), QString());
     QCOMPARE(document.undo_stack().undoText(), QString("Import 30 Gaussians"));
     VolumeFit how;
     how.options.count = 30;
@@ -222,12 +221,12 @@ class ImportTest : public QObject {
   }
 
   void colours_and_flames_of_a_volume_come_in_as_the_dialog_says() {
-    TestWindow window;
-    Document& document = window->document();
-    const fs::path file = window.file("fire.vdb");
+    FileDesk desk;
+    Document& document = desk.document();
+    const fs::path file = desk.file("fire.vdb");
     write_fire(file, 0.5);
-    drop(window, {file});
-    auto* dialog = shown<VolumeDialog>(window);
+    drop(desk, {file});
+    auto* dialog = shown<VolumeDialog>(desk);
     QVERIFY(dialog);
     const auto combo = [&](const char* name) { return dialog->findChild<QComboBox*>(name); };
     const auto edit = [&](const char* name) { return dialog->findChild<QLineEdit*>(name); };
@@ -247,7 +246,7 @@ class ImportTest : public QObject {
     QVERIFY(import->isEnabled());
     const std::size_t before = document.medium().size();
     QTest::mouseClick(import, Qt::LeftButton);
-    QCOMPARE(wait(window), QString());
+    QCOMPARE(wait(desk), QString());
     const Medium& medium = document.medium();
     QCOMPARE(medium.size(), before + 10);
     // Half of them are the smoke's, which is red, and half the flames'.
@@ -264,16 +263,16 @@ class ImportTest : public QObject {
   }
 
   void colours_of_a_sequence_of_volumes_are_kept() {
-    TestWindow window;
+    FileDesk desk;
     for (const auto& [name, albedo] : {std::pair("f_1.vdb", 0.5), std::pair("f_2.vdb", 0.75)}) {
-      write_fire(window.file(name), albedo);
+      write_fire(desk.file(name), albedo);
     }
-    const fs::path folder = window.file("made");
+    const fs::path folder = desk.file("made");
     VolumeFit how;
     how.options.count = 5;
-    window->file_jobs().import().import_volumes(frames_around(window.file("f_1.vdb")), how, folder);
-    QCOMPARE(wait(window), QString());
-    const auto& frames = *window->document().scene().sequences.at(0).frames;
+    desk.import().import_volumes(frames_around(desk.file("f_1.vdb")), how, folder);
+    QCOMPARE(wait(desk), QString());
+    const auto& frames = *desk.document().scene().sequences.at(0).frames;
     QCOMPARE(frames.size(), std::size_t{2});
     for (const Gaussian& g : read_gaussians(folder / "f_2.ply")) {
       QVERIFY(std::abs(g.optics.albedo->g - 0.75) < 1e-4);
@@ -285,16 +284,16 @@ class ImportTest : public QObject {
   }
 
   void fitting_can_be_cancelled() {
-    TestWindow window;
+    FileDesk desk;
     VolumeFit how;
     how.options.count = 100'000;
-    window->file_jobs().import().import_volume(smoke, how);
-    BackgroundJob* job = &window->file_jobs().job();
+    desk.import().import_volume(smoke, how);
+    BackgroundJob* job = &desk.job();
     QSignalSpy cancelled(job, &BackgroundJob::cancelled);
     QVERIFY(job->is_running());
     job->cancel();
     QVERIFY(cancelled.wait(patience));
-    QVERIFY(!window->document().is_modified());
+    QVERIFY(!desk.document().is_modified());
   }
 
   void a_sequence_plays_and_can_be_frozen() {
@@ -338,19 +337,19 @@ class ImportTest : public QObject {
 
   // Points are named by their ids, wherever they stand in a file, and between frames they move.
   void points_of_vtk_files_become_a_sequence_of_files() {
-    TestWindow window;
+    FileDesk desk;
     const std::string both = array("radius", "0.5 0.5");
-    write_vtp(window.file("p_01.vtp"), "0 0 0  8 0 0", both + array("id", "4 9"));
-    write_vtp(window.file("p_02.vtp"), "8 2 0  0 2 0", both + array("id", "9 4"));
-    drop(window, {window.file("p_01.vtp"), window.file("p_02.vtp")});
-    auto* dialog = shown<FolderDialog>(window);
+    write_vtp(desk.file("p_01.vtp"), "0 0 0  8 0 0", both + array("id", "4 9"));
+    write_vtp(desk.file("p_02.vtp"), "8 2 0  0 2 0", both + array("id", "9 4"));
+    drop(desk, {desk.file("p_01.vtp"), desk.file("p_02.vtp")});
+    auto* dialog = shown<FolderDialog>(desk);
     QVERIFY(dialog);
-    const fs::path folder = window.file("made");
+    const fs::path folder = desk.file("made");
     dialog->findChild<QLineEdit*>("sequence_folder")->setText(to_qstring(folder));
     QTest::mouseClick(dialog->findChild<QPushButton*>("import_sequence"), Qt::LeftButton);
-    QCOMPARE(wait(window), QString());
-    const Scene& scene = window->document().scene();
-    QCOMPARE(window->document().undo_stack().undoText(), QString("Import sequence p_%02d.ply"));
+    QCOMPARE(wait(desk), QString());
+    const Scene& scene = desk.document().scene();
+    QCOMPARE(desk.document().undo_stack().undoText(), QString("Import sequence p_%02d.ply"));
     QCOMPARE(scene.sequences.size(), std::size_t{1});
     const std::vector<Gaussian> halfway =
         sequence_at(scene.sequences[0], 0.5 / 30.0, glm::dvec3(1.0));
@@ -358,32 +357,31 @@ class ImportTest : public QObject {
     QVERIFY(halfway[0].center == glm::dvec3(0, 1, 0));
     QVERIFY(halfway[1].center == glm::dvec3(8, 1, 0));
     QCOMPARE(files_in(folder), std::size_t{2});
-    QVERIFY(window->files().save_to(window.file("p.brume")));
-    const Scene loaded = load_scene(window.file("p.brume"));
+    desk.document().save(desk.file("p.brume"));
+    const Scene loaded = load_scene(desk.file("p.brume"));
     QVERIFY(*loaded.sequences.at(0).frames->frame(0) == *scene.sequences[0].frames->frame(0));
 
-    // What is wrong with a frame is said, and nothing is written.
-    write_vtp(window.file("p_03.vtp"), "8 2 0  0 2 0", both + array("id", "9 9"));
-    window->file_jobs().import().import_vtk_files(frames_around(window.file("p_01.vtp")),
-                                                  window.file("bad"));
-    const QString problem = wait(window);
+    // A bad frame is reported, and nothing is written.
+    write_vtp(desk.file("p_03.vtp"), "8 2 0  0 2 0", both + array("id", "9 9"));
+    desk.import().import_vtk_files(frames_around(desk.file("p_01.vtp")), desk.file("bad"));
+    const QString problem = wait(desk);
     QVERIFY2(problem.contains("p_03.vtp") && problem.contains("twice"), qPrintable(problem));
-    QVERIFY(!fs::exists(window.file("bad")));
-    QCOMPARE(window->document().undo_stack().count(), 1);
+    QVERIFY(!fs::exists(desk.file("bad")));
+    QCOMPARE(desk.document().undo_stack().count(), 1);
   }
 
   void volumes_become_a_sequence_of_files() {
-    TestWindow window;
-    window->file_jobs().import().import_sequence(smoke);
-    auto* dialog = shown<VolumeDialog>(window);
+    FileDesk desk;
+    desk.import().import_sequence(smoke);
+    auto* dialog = shown<VolumeDialog>(desk);
     QVERIFY(dialog);
     dialog->findChild<QSpinBox*>("volume_count")->setValue(25);
-    const fs::path folder = window.file("made");
+    const fs::path folder = desk.file("made");
     dialog->findChild<QLineEdit*>("sequence_folder")->setText(to_qstring(folder));
     QTest::mouseClick(dialog->findChild<QPushButton*>("import_volume"), Qt::LeftButton);
-    QCOMPARE(wait(window), QString());
-    QCOMPARE(window->document().scene().sequences.size(), std::size_t{1});
-    QCOMPARE(window->document().scene().sequences[0].frames->size(), std::size_t{2});
+    QCOMPARE(wait(desk), QString());
+    QCOMPARE(desk.document().scene().sequences.size(), std::size_t{1});
+    QCOMPARE(desk.document().scene().sequences[0].frames->size(), std::size_t{2});
     QCOMPARE(read_gaussians(folder / "smoke_0026.ply").size(), std::size_t{25});
     QCOMPARE(files_in(folder), std::size_t{2});
   }

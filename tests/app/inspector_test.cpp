@@ -9,15 +9,15 @@
 #include "app/panels/gaussians/gaussian_panel.h"
 #include "app/panels/gaussians/gaussian_table_model.h"
 #include "app/panels/plots/contribution_panel.h"
-#include "app/viewport/view_grid.h"
 #include "app/widgets/number_field.h"
+#include "tests/app/desk.h"
 #include "tests/app/test_window.h"
 
 using namespace brume;
 
 namespace {
 
-QTableView* table_of(MainWindow& window) {
+QTableView* table_of(const QWidget& window) {
   return window.findChild<GaussianPanel*>()->table();
 }
 
@@ -36,7 +36,7 @@ void click_header(QTableView* table, int k) {
   QTest::mouseClick(header->viewport(), Qt::LeftButton, {}, at);
 }
 
-void set_filter(MainWindow& window, const QString& text) {
+void set_filter(const QWidget& window, const QString& text) {
   auto* filter = window.findChild<QLineEdit*>("gaussian_filter");
   filter->setFocus();
   filter->clear();
@@ -104,9 +104,9 @@ class InspectorTest : public QObject {
   }
 
   void a_click_on_a_header_sorts() {
-    TestWindow window;
-    Document& document = window->document();
-    QTableView* table = table_of(*window);
+    Desk desk;
+    Document& document = desk.document();
+    QTableView* table = table_of(desk);
     const auto sorted = [](std::vector<double> values) {
       std::sort(values.begin(), values.end());
       return values;
@@ -133,9 +133,9 @@ class InspectorTest : public QObject {
   }
 
   void a_typed_value_moves_its_row_and_the_current_cell_with_it() {
-    TestWindow window;
-    Document& document = window->document();
-    QTableView* table = table_of(*window);
+    Desk desk;
+    Document& document = desk.document();
+    QTableView* table = table_of(desk);
     click_header(table, 3);
     const auto id_of_row = [&](int row) {
       auto* model = qobject_cast<GaussianTableModel*>(table->model());
@@ -175,7 +175,7 @@ class InspectorTest : public QObject {
     document.undo_stack().undo();
     document.undo_stack().undo();
     QCOMPARE(table->currentIndex(), table->model()->index(0, 4));
-    // What is deleted goes from the middle of a sorted table.
+    // Deleted rows go from the middle of a sorted table.
     delete_selection(document, "Delete");
     QCOMPARE(table->model()->rowCount(), last);
     document.undo_stack().undo();
@@ -183,38 +183,38 @@ class InspectorTest : public QObject {
   }
 
   void a_filter_shows_some() {
-    TestWindow window;
-    Document& document = window->document();
-    QTableView* table = table_of(*window);
+    Desk desk;
+    Document& document = desk.document();
+    QTableView* table = table_of(desk);
     document.select({1, 2});
-    set_filter(*window, "radius < 0.4");
+    set_filter(desk, "radius < 0.4");
     for (const double radius : column(table, 3)) QVERIFY(radius < 0.4);
     const auto all = radii_of(document);
     const auto expected = std::count_if(all.begin(), all.end(), [](double r) { return r < 0.4; });
     QVERIFY(expected > 0 && expected < 5);
     QCOMPARE(table->model()->rowCount(), static_cast<int>(expected));
     QCOMPARE(document.selection(), (std::vector<GaussianId>{1, 2}));
-    // What is edited out of the range goes, and comes back.
+    // A Gaussian edited out of the range goes, and comes back.
     QVERIFY(table->model()->setData(table->model()->index(0, 3), "2"));
     QVERIFY(table->model()->rowCount() < static_cast<int>(expected));
     document.undo_stack().undo();
     QCOMPARE(table->model()->rowCount(), static_cast<int>(expected));
     // A text that is none changes nothing.
-    auto* filter = window->findChild<QLineEdit*>("gaussian_filter");
+    auto* filter = desk.findChild<QLineEdit*>("gaussian_filter");
     QTest::keyClicks(filter, " quatsch");
     QVERIFY(filter->toolTip().contains("quatsch"));
     QCOMPARE(table->model()->rowCount(), static_cast<int>(expected));
     table->selectAll();
     QCOMPARE(document.selection().size(), static_cast<std::size_t>(expected));
-    set_filter(*window, "");
+    set_filter(desk, "");
     QCOMPARE(table->model()->rowCount(), 5);
   }
 
   void mixed_values_are_written_in_one_step() {
-    TestWindow window;
-    Document& document = window->document();
-    auto* radius = window->findChild<NumberField*>("radius");
-    auto* density = window->findChild<NumberField*>("density");
+    Desk desk;
+    Document& document = desk.document();
+    auto* radius = desk.findChild<NumberField*>("radius");
+    auto* density = desk.findChild<NumberField*>("density");
     QVERIFY(!radius->isEnabled());
     document.select({1, 2, 5});
     QCOMPARE(radius->text(), QString());
@@ -232,13 +232,13 @@ class InspectorTest : public QObject {
   }
 
   void changes_act_on_each_of_mixed_values() {
-    TestWindow window;
-    Document& document = window->document();
+    Desk desk;
+    Document& document = desk.document();
     const std::vector<double> before(document.medium().radii().begin(),
                                      document.medium().radii().end());
-    auto* radius = window->findChild<NumberField*>("radius");
+    auto* radius = desk.findChild<NumberField*>("radius");
     const auto type = [&](const QString& text) {
-      radius->setFocus();
+      radius->selectAll();
       QTest::keyClicks(radius, text);
       QTest::keyClick(radius, Qt::Key_Return);
     };
@@ -268,9 +268,9 @@ class InspectorTest : public QObject {
   }
 
   void a_drag_in_a_histogram_selects_a_range() {
-    TestWindow window;
-    Document& document = window->document();
-    auto* histogram = window->findChild<GaussianHistogram*>("histogram_radius");
+    Desk desk;
+    Document& document = desk.document();
+    auto* histogram = desk.findChild<GaussianHistogram*>("histogram_radius");
     const auto axis = histogram->axis();
     const auto radii = radii_of(document);
     QCOMPARE(axis.low, *std::min_element(radii.begin(), radii.end()));
@@ -300,12 +300,12 @@ class InspectorTest : public QObject {
   }
 
   void albedo_and_emission_have_columns_filters_and_histograms() {
-    TestWindow window;
-    Document& document = window->document();
+    Desk desk;
+    Document& document = desk.document();
     const Scene before = document.scene();
-    QTableView* table = table_of(*window);
-    auto* albedo = window->findChild<GaussianHistogram*>("histogram_albedo");
-    auto* emission = window->findChild<GaussianHistogram*>("histogram_emission");
+    QTableView* table = table_of(desk);
+    auto* albedo = desk.findChild<GaussianHistogram*>("histogram_albedo");
+    auto* emission = desk.findChild<GaussianHistogram*>("histogram_emission");
     QVERIFY(!albedo->isVisible() && !emission->isVisible());
     const auto cell = [&](int row, int k, int role) {
       return table->model()->index(row, k).data(role);
@@ -320,7 +320,7 @@ class InspectorTest : public QObject {
     QVERIFY(!table->model()->setData(table->model()->index(1, 5), "1.5"));
     QVERIFY(!table->model()->setData(table->model()->index(1, 5), "0"));
     QCOMPARE(document.medium().optics(1).albedo, std::optional(glm::dvec3(0.25)));
-    enter(window, "gaussian_emission", "4");
+    enter(desk, "gaussian_emission", "4");
     QVERIFY(albedo->isVisible() && emission->isVisible());
     QCOMPARE(column(table, 5), (std::vector<double>{1.0, 0.25, 1.0, 1.0, 1.0}));
     QCOMPARE(column(table, 6), (std::vector<double>{0.0, 4.0, 0.0, 0.0, 0.0}));
@@ -336,9 +336,9 @@ class InspectorTest : public QObject {
     QCOMPARE(document.selection(), std::vector<GaussianId>{2});
 
     // The others follow the medium's albedo.
-    set_filter(*window, "albedo < 0.5");
+    set_filter(desk, "albedo < 0.5");
     QCOMPARE(table->model()->rowCount(), 1);
-    for (const char* field : {"albedo_x", "albedo_y", "albedo_z"}) enter(window, field, "0.2");
+    for (const char* field : {"albedo_x", "albedo_y", "albedo_z"}) enter(desk, field, "0.2");
     QCOMPARE(table->model()->rowCount(), 5);
     QCOMPARE(column(table, 5), (std::vector<double>{0.25, 0.2, 0.2, 0.2, 0.2}));
     QCOMPARE(albedo->axis().low, 0.2);

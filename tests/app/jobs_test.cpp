@@ -16,7 +16,7 @@ using Policy = BackgroundJob::Policy;
 
 namespace {
 
-// What a job told, in order.
+// The signals of a job, in order.
 class Told : public QStringList {
  public:
   explicit Told(BackgroundJob& job) {

@@ -10,9 +10,8 @@
 #include "app/commands/edit_medium.h"
 #include "app/commands/edit_objects.h"
 #include "app/document/timeline.h"
-#include "app/files/scene_files.h"
 #include "app/panels/time/keyframe_track.h"
-#include "app/viewport/viewport.h"
+#include "app/panels/time/timeline_bar.h"
 #include "app/widgets/frame_slider.h"
 #include "app/widgets/number_field.h"
 #include "app/widgets/value_field.h"
@@ -21,6 +20,7 @@
 #include "core/number_domain.h"
 #include "core/scene/animation/animation.h"
 #include "core/scene/animation/particles.h"
+#include "tests/app/desk.h"
 #include "tests/app/test_window.h"
 
 using namespace brume;
@@ -29,28 +29,28 @@ namespace {
 
 constexpr double frame_seconds = 1.0 / default_frame_rate;
 
-KeyframeTrack& strip(TestWindow& window) {
-  return *window->findChild<KeyframeTrack*>("keys");
+KeyframeTrack& strip(const QWidget& window) {
+  return *window.findChild<KeyframeTrack*>("keys");
 }
 
-void choose(TestWindow& window, const char* target) {
-  auto* box = window->findChild<QComboBox*>("key_target");
+void choose(const QWidget& window, const char* target) {
+  auto* box = window.findChild<QComboBox*>("key_target");
   QVERIFY(box->findText(target) >= 0);
   box->setCurrentText(target);
 }
 
-void set_key_at(TestWindow& window, int number) {
-  window->timeline().set_frame(number);
-  window.key(Qt::Key_I);
+void set_key_at(Desk& desk, int number) {
+  desk.timeline().set_frame(number);
+  desk.findChild<TimelineBar*>()->set_key();
 }
 
-void move_light(TestWindow& window, const glm::dvec3& to) {
-  change_light(window->document(), 0, "Move %1", no_merge,
+void move_light(Desk& desk, const glm::dvec3& to) {
+  change_light(desk.document(), 0, "Move %1", no_merge,
                [&to](Light& light) { light.position = to; });
 }
 
-const Light& keyed_light(TestWindow& window) {
-  return window->document().scene().lights.at(0);
+const Light& keyed_light(Desk& desk) {
+  return desk.document().scene().lights.at(0);
 }
 
 }  // namespace
@@ -60,60 +60,59 @@ class KeysTest : public QObject {
 
  private Q_SLOTS:
   void a_keyed_light_moves_and_edits_set_its_keys() {
-    TestWindow window;
-    Document& document = window->document();
+    Desk desk;
+    Document& document = desk.document();
     const Scene before = document.scene();
-    QVERIFY(!strip(window).isVisible());
-    choose(window, "Light 1 position");
-    set_key_at(window, 0);
+    QVERIFY(!strip(desk).isVisible());
+    choose(desk, "Light 1 position");
+    set_key_at(desk, 0);
     QCOMPARE(document.undo_stack().undoText(), QString("Set keyframe of light 1 position"));
-    QVERIFY(strip(window).isVisible());
-    window->timeline().set_frame(30);
-    move_light(window, {5, 2, 2});  // sets a key of now
-    QCOMPARE(keyed_light(window).keys.position.size(), std::size_t{2});
-    QCOMPARE(keyed_light(window).keys.position[1].time, 1.0);
+    QVERIFY(strip(desk).isVisible());
+    desk.timeline().set_frame(30);
+    move_light(desk, {5, 2, 2});  // sets a key of now
+    QCOMPARE(keyed_light(desk).keys.position.size(), std::size_t{2});
+    QCOMPARE(keyed_light(desk).keys.position[1].time, 1.0);
     QVERIFY(document.is_modified());
 
     // The document, its panels and the picture show the moment.
-    window->timeline().set_frame(15);
-    QCOMPARE(keyed_light(window).position, glm::dvec3(3, 2, 2));
-    auto* field = window->findChild<ValueField*>("light_position_x")->findChild<NumberField*>();
+    desk.timeline().set_frame(15);
+    QCOMPARE(keyed_light(desk).position, glm::dvec3(3, 2, 2));
+    auto* field = desk.findChild<ValueField*>("light_position_x")->findChild<NumberField*>();
     QCOMPARE(field->text(), QString("3"));
-    QVERIFY(window.settle());
-    const auto shown = window->viewport().frames().shown()->request.scene;
+    const auto shown = desk.view().shown_scene();
     QCOMPARE(shown->lights[0].position, glm::dvec3(3, 2, 2));
     QVERIFY(shown->lights[0].keys == LightKeys{});
     QCOMPARE(document.undo_stack().count(), 2);  // looking at another moment is no edit
 
     // The file is the same whatever moment is looked at, and means the same.
-    QVERIFY(window->files().save_to(window.file("keys.brume")));
-    const Scene saved = load_scene(window.file("keys.brume"));
-    QVERIFY(saved.lights[0].keys == keyed_light(window).keys);
+    document.save(desk.file("keys.brume"));
+    const Scene saved = load_scene(desk.file("keys.brume"));
+    QVERIFY(saved.lights[0].keys == keyed_light(desk).keys);
     QCOMPARE(saved.lights[0].position, glm::dvec3(1, 2, 2));
     QCOMPARE(evaluate_at(saved, 0.5).lights, shown->lights);
 
     document.undo_stack().undo();
-    QCOMPARE(keyed_light(window).position, glm::dvec3(1, 2, 2));
+    QCOMPARE(keyed_light(desk).position, glm::dvec3(1, 2, 2));
     document.undo_stack().undo();
     QVERIFY(document.scene() == before);
-    QVERIFY(!strip(window).isVisible());
+    QVERIFY(!strip(desk).isVisible());
     document.undo_stack().redo();
     document.undo_stack().redo();
-    QCOMPARE(keyed_light(window).position, glm::dvec3(3, 2, 2));
+    QCOMPARE(keyed_light(desk).position, glm::dvec3(3, 2, 2));
   }
 
   void keys_are_moved_made_and_deleted_with_the_mouse() {
-    TestWindow window;
-    Document& document = window->document();
-    choose(window, "Light 1 position");
-    set_key_at(window, 0);
-    window->timeline().set_frame(60);
-    move_light(window, {5, 2, 2});
+    Desk desk;
+    Document& document = desk.document();
+    choose(desk, "Light 1 position");
+    set_key_at(desk, 0);
+    desk.timeline().set_frame(60);
+    move_light(desk, {5, 2, 2});
     const Scene two_keys = document.scene();
-    KeyframeTrack& keys = strip(window);
+    KeyframeTrack& keys = strip(desk);
     const auto times = [&] {
       std::vector<int> frames;
-      for (const auto& key : keyed_light(window).keys.position)
+      for (const auto& key : keyed_light(desk).keys.position)
         frames.push_back(qRound(key.time / frame_seconds));
       return frames;
     };
@@ -121,7 +120,7 @@ class KeysTest : public QObject {
     QCOMPARE(times(), (std::vector{0, 90}));
     QCOMPARE(document.undo_stack().undoText(), QString("Move keyframe of light 1 position"));
     QCOMPARE(document.undo_stack().count(), 3);
-    QCOMPARE(window->timeline().frame(), 60);
+    QCOMPARE(desk.timeline().frame(), 60);
     document.undo_stack().undo();
     QVERIFY(document.scene() == two_keys);
     // There and back is no edit.
@@ -133,14 +132,14 @@ class KeysTest : public QObject {
 
     QTest::mouseDClick(&keys, Qt::LeftButton, {}, keys.position(0, 30));
     QCOMPARE(times(), (std::vector{0, 30, 60}));
-    QCOMPARE(keyed_light(window).position, glm::dvec3(3, 2, 2));  // where it was at that moment
+    QCOMPARE(keyed_light(desk).position, glm::dvec3(3, 2, 2));  // where it was at that moment
     QTest::mouseClick(&keys, Qt::LeftButton, {}, keys.position(0, 30));
     QTest::keyClick(&keys, Qt::Key_Delete);
     QCOMPARE(times(), (std::vector{0, 60}));
     QCOMPARE(document.undo_stack().undoText(), QString("Delete keyframe of light 1 position"));
     QCOMPARE(document.medium().size(), std::size_t{5});  // Delete meant the key
     document.undo_stack().undo();
-    window->document().select({1});
+    desk.document().select({1});
     QTest::mouseClick(&keys, Qt::LeftButton, {}, keys.position(0, 30));
     QTest::keyClick(&keys, Qt::Key_X);  // the other key of Delete
     QCOMPARE(times(), (std::vector{0, 60}));
@@ -150,16 +149,16 @@ class KeysTest : public QObject {
 
     // Beside the keys a drag looks through time.
     drag_mouse(keys, keys.position(0, 40), keys.position(0, 45));
-    QCOMPARE(window->timeline().frame(), 45);
+    QCOMPARE(desk.timeline().frame(), 45);
     QCOMPARE(times(), (std::vector{0, 30, 60}));
   }
 
   void a_key_becomes_linear_by_its_menu() {
-    TestWindow window;
-    choose(window, "Light 1 intensity");
-    set_key_at(window, 0);
-    set_key_at(window, 60);
-    KeyframeTrack& keys = strip(window);
+    Desk desk;
+    choose(desk, "Light 1 intensity");
+    set_key_at(desk, 0);
+    set_key_at(desk, 60);
+    KeyframeTrack& keys = strip(desk);
     QContextMenuEvent event(QContextMenuEvent::Mouse, keys.position(0, 0),
                             keys.mapToGlobal(keys.position(0, 0)));
     QApplication::sendEvent(&keys, &event);
@@ -169,36 +168,36 @@ class KeysTest : public QObject {
       if (action->text() == "&Linear") action->trigger();
     }
     menu->close();
-    QCOMPARE(keyed_light(window).keys.intensity[0].interpolation, Interpolation::linear);
-    QCOMPARE(window->document().undo_stack().undoText(),
+    QCOMPARE(keyed_light(desk).keys.intensity[0].interpolation, Interpolation::linear);
+    QCOMPARE(desk.document().undo_stack().undoText(),
              QString("Make keyframe of light 1 intensity linear"));
-    // What is keyed after it goes on like this.
-    set_key_at(window, 30);
-    QCOMPARE(keyed_light(window).keys.intensity[1].interpolation, Interpolation::linear);
+    // Later keyframes go on like this.
+    set_key_at(desk, 30);
+    QCOMPARE(keyed_light(desk).keys.intensity[1].interpolation, Interpolation::linear);
   }
 
   void the_view_follows_the_camera_until_moved() {
-    TestWindow window;
-    Document& document = window->document();
-    Viewport& view = window->viewport();
-    choose(window, "Camera");
-    QTest::mouseClick(window->findChild<QToolButton*>("key"), Qt::LeftButton);
+    Desk desk;
+    Document& document = desk.document();
+    DeskView& view = desk.view();
+    choose(desk, "Camera");
+    QTest::mouseClick(desk.findChild<QToolButton*>("key"), Qt::LeftButton);
     Camera aside = view.camera();
     aside.eye.x = 4.0;
-    window->timeline().set_frame(60);
+    desk.timeline().set_frame(60);
     view.camera_controller().set_camera(aside);
-    window.key(Qt::Key_I);
+    desk.findChild<TimelineBar*>()->set_key();
     QVERIFY(document.scene().camera == aside);
-    window->timeline().set_frame(30);
+    desk.timeline().set_frame(30);
     QCOMPARE(view.camera().eye.x, 2.0);
     QVERIFY(evaluate_at(document.scene(), 1.0).camera == view.camera());
     view.camera_controller().set_camera(aside);
-    window->timeline().set_frame(0);
+    desk.timeline().set_frame(0);
     QVERIFY(view.camera() == aside);  // whoever looks from elsewhere stays there
-    window.key(Qt::Key_0);
-    window->timeline().set_frame(60);
+    view.camera_controller().look_through_scene_camera();
+    desk.timeline().set_frame(60);
     QCOMPARE(view.camera().eye.x, 4.0);
-    window->timeline().set_frame(0);
+    desk.timeline().set_frame(0);
     QCOMPARE(view.camera().eye.x, 0.0);
   }
 
@@ -206,7 +205,8 @@ class KeysTest : public QObject {
   void keys_stand_below_the_slider() {
     TestWindow window;
     choose(window, "Light 1 position");
-    set_key_at(window, 60);
+    window->timeline().set_frame(60);
+    window.key(Qt::Key_I);
     const auto* slider = window->findChild<FrameSlider*>("frame_slider");
     const KeyframeTrack& keys = strip(window);
     const auto check = [&](int frame) {
@@ -233,16 +233,16 @@ class KeysTest : public QObject {
   }
 
   void density_has_keys_too() {
-    TestWindow window;
-    Document& document = window->document();
+    Desk desk;
+    Document& document = desk.document();
     const Scene before = document.scene();
     set_homogeneous_density(document, 0.1, no_merge);
-    choose(window, "Homogeneous density");
-    set_key_at(window, 0);
-    window->timeline().set_frame(60);
+    choose(desk, "Homogeneous density");
+    set_key_at(desk, 0);
+    desk.timeline().set_frame(60);
     set_homogeneous_density(document, 0.3, no_merge);
     QCOMPARE(document.scene().density_keys.size(), std::size_t{2});
-    window->timeline().set_frame(30);
+    desk.timeline().set_frame(30);
     QVERIFY(std::abs(document.medium().homogeneous_density() - 0.2) < 1e-12);
     document.undo_stack().undo();
     document.undo_stack().undo();
@@ -255,15 +255,15 @@ class KeysTest : public QObject {
     Scene scene = small_scene();
     scene.emitters.push_back({.rate = 30.0, .lifetime = 1.0});
     scene.emitters[0].optics = {glm::dvec3(0.5), glm::dvec3(4.0)};
-    TestWindow window(scene);
-    Document& document = window->document();
+    Desk desk(scene);
+    Document& document = desk.document();
     const Scene before = document.scene();
-    auto* box = window->findChild<QComboBox*>("key_target");
+    auto* box = desk.findChild<QComboBox*>("key_target");
     std::size_t count = 0;
     for (int k = 0; k < box->count(); ++k) {
       if (!box->itemText(k).startsWith("Emitter 1")) continue;
       box->setCurrentIndex(k);
-      set_key_at(window, 0);
+      set_key_at(desk, 0);
       ++count;
     }
     const auto emitter = [&]() -> const Emitter& { return document.scene().emitters[0]; };
@@ -272,30 +272,29 @@ class KeysTest : public QObject {
                 [&](const char* name, const auto& value, const auto& keys, const NumberDomain&) {
                   QVERIFY2(keys.size() == 1 && keys[0].value == value, name);
                 });
-    QCOMPARE(strip(window).rows().size(), count);
+    QCOMPARE(strip(desk).rows().size(), count);
     // Edits set a keyframe of now.
-    window->timeline().set_frame(60);
-    enter(window, "emitter_rate", "60");
-    enter(window, "emitter_radius_death", "2");
-    enter(window, "emitter_emission", "8");
+    desk.timeline().set_frame(60);
+    enter(desk, "emitter_rate", "60");
+    enter(desk, "emitter_radius_death", "2");
+    enter(desk, "emitter_emission", "8");
     QCOMPARE(emitter().keys.rate.size(), std::size_t{2});
     QCOMPARE(emitter().keys.radius[1].value, glm::dvec2(0.1, 2.0));
     QCOMPARE(emitter().keys.emission[1].value, glm::dvec3(8.0));
     QCOMPARE(emitter().keys.density.size(), std::size_t{1});
-    window->timeline().set_frame(30);
-    QCOMPARE(value(window, "emitter_rate"), QString("45"));
-    QCOMPARE(value(window, "emitter_emission"), QString("6"));
-    QVERIFY(window.settle());
-    const Medium& shown = window->viewport().frames().shown()->request.scene->medium;
+    desk.timeline().set_frame(30);
+    QCOMPARE(value(desk, "emitter_rate"), QString("45"));
+    QCOMPARE(value(desk, "emitter_emission"), QString("6"));
+    const Medium& shown = desk.view().shown_scene()->medium;
     QCOMPARE(shown.size(), 5 + particles_at(emitter(), 1.0).size());
-    QVERIFY(window->files().save_to(window.file("keys.brume")));
-    QVERIFY(load_scene(window.file("keys.brume")).emitters[0].keys == emitter().keys);
+    document.save(desk.file("keys.brume"));
+    QVERIFY(load_scene(desk.file("keys.brume")).emitters[0].keys == emitter().keys);
     // Without an albedo of its own there are no keyframes of it.
-    window->findChild<QCheckBox*>("emitter_has_albedo")->click();
+    desk.findChild<QCheckBox*>("emitter_has_albedo")->click();
     QVERIFY(emitter().keys.albedo.empty());
-    QCOMPARE(strip(window).rows().size(), count - 1);
+    QCOMPARE(strip(desk).rows().size(), count - 1);
     document.undo_stack().setIndex(0);
-    window->timeline().set_frame(0);
+    desk.timeline().set_frame(0);
     QVERIFY(document.scene() == before);
   }
 
@@ -306,64 +305,63 @@ class KeysTest : public QObject {
                               .mesh = mesh_of(Primitive{.shape = Primitive::Shape::box})});
     scene.surfaces.back().material.type = Material::Type::phong;
     const std::size_t index = scene.surfaces.size() - 1;
-    TestWindow window(scene);
-    Document& document = window->document();
+    Desk desk(scene);
+    Document& document = desk.document();
     document.set_object(ObjectRef{ObjectRef::Kind::surface, index});
     const Scene before = document.scene();
     const auto surface = [&]() -> const Surface& { return document.scene().surfaces[index]; };
     for (const char* value :
          {"position", "rotation", "scale", "reflectance", "specular", "exponent"}) {
-      choose(window, (std::string("Floor ") + value).c_str());
-      set_key_at(window, 0);
+      choose(desk, (std::string("Floor ") + value).c_str());
+      set_key_at(desk, 0);
     }
     visit_keyed_surface(
         surface(), [&](const char* name, const auto& value, const auto& keys, const NumberDomain&) {
           QVERIFY2(keys.size() == 1 && keys[0].value == value, name);
         });
-    QCOMPARE(strip(window).rows().size(), std::size_t{6});
+    QCOMPARE(strip(desk).rows().size(), std::size_t{6});
     // Edits of the panel set a keyframe of now.
-    window->timeline().set_frame(60);
-    enter(window, "surface_position_x", "4");
-    enter(window, "surface_rotation_y", "90");
-    enter(window, "surface_scale", "3");
-    enter(window, "exponent", "21");
+    desk.timeline().set_frame(60);
+    enter(desk, "surface_position_x", "4");
+    enter(desk, "surface_rotation_y", "90");
+    enter(desk, "surface_scale", "3");
+    enter(desk, "exponent", "21");
     QCOMPARE(surface().keys.translate.size(), std::size_t{2});
     QCOMPARE(surface().keys.rotate.size(), std::size_t{2});
     QCOMPARE(surface().keys.exponent[1].value, 21.0);
     QCOMPARE(surface().keys.reflectance.size(), std::size_t{1});
-    window->timeline().set_frame(30);
+    desk.timeline().set_frame(30);
     QCOMPARE(surface().translate.x, 2.0);
-    QCOMPARE(value(window, "surface_position_x"), QString("2"));
-    QCOMPARE(value(window, "surface_rotation_y"), QString("45"));
-    QCOMPARE(value(window, "surface_scale"), QString("2"));
-    QCOMPARE(value(window, "exponent"), QString("11"));
-    QVERIFY(window.settle());
-    const Surface& shown = window->viewport().frames().shown()->request.scene->surfaces[index];
+    QCOMPARE(value(desk, "surface_position_x"), QString("2"));
+    QCOMPARE(value(desk, "surface_rotation_y"), QString("45"));
+    QCOMPARE(value(desk, "surface_scale"), QString("2"));
+    QCOMPARE(value(desk, "exponent"), QString("11"));
+    const Surface& shown = desk.view().shown_scene()->surfaces[index];
     QCOMPARE(shown.translate.x, 2.0);
     QVERIFY(shown.keys == SurfaceKeys{});
     // Without a highlight there are no keyframes of it.
-    brume::choose(window, "material_type", 0);
-    QCOMPARE(strip(window).rows().size(), std::size_t{4});
+    brume::choose(desk, "material_type", 0);
+    QCOMPARE(strip(desk).rows().size(), std::size_t{4});
     document.undo_stack().setIndex(0);
-    window->timeline().set_frame(0);
+    desk.timeline().set_frame(0);
     QVERIFY(document.scene() == before);
   }
 
   void deleting_a_light_leaves_the_keys_of_the_others() {
-    TestWindow window;
-    Document& document = window->document();
+    Desk desk;
+    Document& document = desk.document();
     add_light(document, light::Point(), {{0, 5, 0}});
-    choose(window, "Light 2 position");
-    set_key_at(window, 0);
-    window->timeline().set_frame(60);
+    choose(desk, "Light 2 position");
+    set_key_at(desk, 0);
+    desk.timeline().set_frame(60);
     change_light(document, 1, "Move %1", no_merge, [](Light& light) {
       light.position = {0, 9, 0};
     });
     const Scene both = document.scene();
     delete_object(document, {ObjectRef::Kind::light, 0});
-    QCOMPARE(strip(window).rows().size(), std::size_t{1});
-    QCOMPARE(strip(window).rows()[0].title, QString("Light 1 position"));
-    QCOMPARE(keyed_light(window).keys.position.size(), std::size_t{2});
+    QCOMPARE(strip(desk).rows().size(), std::size_t{1});
+    QCOMPARE(strip(desk).rows()[0].title, QString("Light 1 position"));
+    QCOMPARE(keyed_light(desk).keys.position.size(), std::size_t{2});
     document.undo_stack().undo();
     QVERIFY(document.scene() == both);
   }
@@ -371,10 +369,10 @@ class KeysTest : public QObject {
   void the_range_holds_all_keys_of_a_scene() {
     Scene scene = small_scene();
     scene.density_keys = {{.time = 0.0, .value = 0.0}, {.time = 7.0, .value = 1.0}};
-    TestWindow window(scene);
-    QCOMPARE(window->timeline().last(), 210);
-    window->files().create();
-    QCOMPARE(window->timeline().last(), 120);
+    Desk desk(scene);
+    QCOMPARE(desk.timeline().last(), 210);
+    desk.document().create();
+    QCOMPARE(desk.timeline().last(), 120);
   }
 };
 

@@ -22,16 +22,15 @@
 #include "core/scene/fields/light_fields.h"
 #include "core/scene/lights/photometric_profile.h"
 #include "core/scene/lights/photometry.h"
+#include "tests/app/desk.h"
 #include "tests/app/test_window.h"
 
 using namespace brume;
 
 namespace {
 
-QPoint light_position(TestWindow& window, std::size_t index) {
-  const glm::dvec3 at =
-      window->viewport().rays().project(window->document().scene().lights[index].position);
-  return QPointF(at.x, at.y).toPoint();
+QPoint light_position(Desk& desk, std::size_t index) {
+  return film_position(desk.view(), desk.document().scene().lights[index].position);
 }
 
 }  // namespace
@@ -41,28 +40,28 @@ class LightsTest : public QObject {
 
  private Q_SLOTS:
   void lights_are_added_changed_and_deleted() {
-    TestWindow window;
-    Document& document = window->document();
+    Desk desk;
+    Document& document = desk.document();
     const Scene before = document.scene();
-    QTest::mouseClick(window->findChild<QPushButton*>("add_light"), Qt::LeftButton);
+    QTest::mouseClick(desk.findChild<QPushButton*>("add_light"), Qt::LeftButton);
     QCOMPARE(document.scene().lights.size(), std::size_t{2});
     QCOMPARE(document.undo_stack().undoText(), QString("Add light 2"));
     QCOMPARE(document.active_light(), std::size_t{1});
-    enter(window, "light_intensity", "48");
+    enter(desk, "light_intensity", "48");
     QCOMPARE(document.scene().lights[1].intensity, glm::dvec3(48.0));
     QCOMPARE(document.undo_stack().undoText(), QString("Set intensity of light 2"));
-    enter(window, "light_position_y", "3.5");
+    enter(desk, "light_position_y", "3.5");
     QCOMPARE(document.scene().lights[1].position.y, 3.5);
-    enter(window, "light_intensity", "-1");
+    enter(desk, "light_intensity", "-1");
     QCOMPARE(document.scene().lights[1].intensity, glm::dvec3(48.0));
-    auto* list = window->findChild<QListWidget*>("lights");
+    auto* list = desk.findChild<QListWidget*>("lights");
     QCOMPARE(list->count(), 2);
     list->item(0)->setCheckState(Qt::Unchecked);
     QVERIFY(!document.scene().lights[0].on);
     QCOMPARE(document.undo_stack().undoText(), QString("Turn light 1 off"));
     list->setCurrentRow(0);
-    QCOMPARE(value(window, "light_intensity"), QString("12"));
-    QTest::mouseClick(window->findChild<QPushButton*>("delete_light"), Qt::LeftButton);
+    QCOMPARE(value(desk, "light_intensity"), QString("12"));
+    QTest::mouseClick(desk.findChild<QPushButton*>("delete_light"), Qt::LeftButton);
     QCOMPARE(document.scene().lights.size(), std::size_t{1});
     QCOMPARE(document.undo_stack().count(), 5);
     const Scene after = document.scene();
@@ -72,30 +71,28 @@ class LightsTest : public QObject {
   }
 
   void dragging_a_title_is_one_step() {
-    TestWindow window;
-    Document& document = window->document();
-    drag_title(window, "light_intensity", 80);
+    Desk desk;
+    Document& document = desk.document();
+    drag_title(desk, "light_intensity", 80);
     QCOMPARE(document.undo_stack().count(), 1);
     const Light& light = document.scene().lights[0];
     QVERIFY(light_strength(light) > 20.0);
     // The colour stays.
     QVERIFY(glm::distance(light_color(light), glm::dvec3(12, 10, 8) / 12.0) < 1e-12);
-    QTRY_COMPARE(window->viewport().frames().shown()->request.scene->lights[0].intensity,
-                 light.intensity);
-    drag_title(window, "light_intensity", 10);
+    drag_title(desk, "light_intensity", 10);
     QCOMPARE(document.undo_stack().count(), 2);
   }
 
   void the_colour_of_a_light_is_chosen_beside_the_work() {
-    TestWindow window;
-    auto* button = window->findChild<ColorButton*>("light_color");
+    Desk desk;
+    auto* button = desk.findChild<ColorButton*>("light_color");
     QTest::mouseClick(button, Qt::LeftButton);
     auto* dialog = button->findChild<QColorDialog*>();
     QVERIFY(dialog && !dialog->isModal());
     dialog->setCurrentColor(QColor(255, 0, 0));
     dialog->setCurrentColor(QColor(0, 0, 255));
-    QCOMPARE(window->document().scene().lights[0].intensity, glm::dvec3(0.0, 0.0, 12.0));
-    QCOMPARE(window->document().undo_stack().count(), 1);
+    QCOMPARE(desk.document().scene().lights[0].intensity, glm::dvec3(0.0, 0.0, 12.0));
+    QCOMPARE(desk.document().undo_stack().count(), 1);
     dialog->close();
     // Between what is shown and what is meant nothing is lost but rounding to 8 bits.
     for (const double x : {0.0, 0.001, 0.2, 0.5, 1.0}) {
@@ -104,11 +101,11 @@ class LightsTest : public QObject {
   }
 
   void spots_are_added_opened_and_turned() {
-    TestWindow window;
-    Document& document = window->document();
+    Desk desk;
+    Document& document = desk.document();
     const Scene before = document.scene();
     const std::size_t last = before.lights.size();
-    QTest::mouseClick(window->findChild<QPushButton*>("add_spot"), Qt::LeftButton);
+    QTest::mouseClick(desk.findChild<QPushButton*>("add_spot"), Qt::LeftButton);
     QCOMPARE(document.scene().lights.size(), last + 1);
     QCOMPARE(document.undo_stack().undoText(), QString("Add light 2"));
     const auto spot = [&]() -> const light::Spot& {
@@ -116,26 +113,26 @@ class LightsTest : public QObject {
     };
     // Down, at what the view looks at.
     QVERIFY(spot().direction.y < 0.0);
-    enter(window, "light_outer_angle", "30");
+    enter(desk, "light_outer_angle", "30");
     QCOMPARE(spot().outer_angle, 30.0);
     QCOMPARE(document.undo_stack().undoText(), QString("Set outer angle of light 2"));
-    enter(window, "light_inner_angle", "40");
+    enter(desk, "light_inner_angle", "40");
     QCOMPARE(spot().inner_angle, 40.0);
     QVERIFY2(spot().outer_angle > 40.0, "the outer angle makes room");
-    enter(window, "light_outer_angle", "181");
+    enter(desk, "light_outer_angle", "181");
     QVERIFY(spot().outer_angle < 180.0);
-    enter(window, "light_outer_angle", "5");
+    enter(desk, "light_outer_angle", "5");
     QVERIFY(spot().inner_angle < 5.0);
-    enter(window, "light_direction_x", "-2");
+    enter(desk, "light_direction_x", "-2");
     QCOMPARE(spot().direction.x, -2.0);
     QCOMPARE(document.undo_stack().undoText(), QString("Set direction of light 2"));
-    enter(window, "light_direction_x", "0");
+    enter(desk, "light_direction_x", "0");
     const glm::dvec3 direction = spot().direction;
-    for (const char* name : {"light_direction_y", "light_direction_z"}) enter(window, name, "0");
+    for (const char* name : {"light_direction_y", "light_direction_z"}) enter(desk, name, "0");
     QVERIFY2(spot().direction != glm::dvec3(0.0), "it shines somewhere");
     QVERIFY(direction.x == 0.0);
 
-    auto* type = window->findChild<QComboBox*>("light_type");
+    auto* type = desk.findChild<QComboBox*>("light_type");
     QCOMPARE(type->currentText(), QString("Spot"));
     const light::Spot cone = spot();
     type->setFocus();
@@ -165,36 +162,36 @@ class LightsTest : public QObject {
   }
 
   void a_sun_is_added_changed_and_turned() {
-    TestWindow window;
-    Document& document = window->document();
+    Desk desk;
+    Document& document = desk.document();
     const Scene before = document.scene();
-    QTest::mouseClick(window->findChild<QPushButton*>("add_directional"), Qt::LeftButton);
+    QTest::mouseClick(desk.findChild<QPushButton*>("add_directional"), Qt::LeftButton);
     QCOMPARE(document.scene().lights.size(), before.lights.size() + 1);
     const auto sun = [&]() -> const Light& { return document.scene().lights.back(); };
     QVERIFY(sun().as<light::Directional>());
     QVERIFY(sun().as<light::Directional>()->direction.y < 0.0);
-    QCOMPARE(window->findChild<QComboBox*>("light_type")->currentText(), QString("Directional"));
-    QVERIFY(!window->findChild<ValueField*>("light_position_x")->isEnabled());
-    enter(window, "light_intensity", "4.5");
+    QCOMPARE(desk.findChild<QComboBox*>("light_type")->currentText(), QString("Directional"));
+    QVERIFY(!desk.findChild<ValueField*>("light_position_x")->isEnabled());
+    enter(desk, "light_intensity", "4.5");
     QCOMPARE(sun().intensity, glm::dvec3(4.5));
-    enter(window, "light_angular_diameter", "0.53");
+    enter(desk, "light_angular_diameter", "0.53");
     QCOMPARE(sun().as<light::Directional>()->angular_diameter, 0.53);
-    enter(window, "light_angular_diameter", "90");
+    enter(desk, "light_angular_diameter", "90");
     QVERIFY(sun().as<light::Directional>()->angular_diameter < 90.0);
-    enter(window, "light_direction_y", "-2");
+    enter(desk, "light_direction_y", "-2");
     QCOMPARE(sun().as<light::Directional>()->direction.y, -2.0);
     QCOMPARE(document.undo_stack().undoText(), QString("Set direction of light 2"));
 
     // Its icon beside the scene turns it.
-    enter(window, "light_intensity", "0.001");  // a ring that is in nobody's way
+    enter(desk, "light_intensity", "0.001");  // a ring that is in nobody's way
     const glm::dvec3 direction = glm::normalize(sun().as<light::Directional>()->direction);
     const auto film = [&] {
-      const glm::dvec3 at = window->viewport().rays().project(
-          handle_position(sun(), document.scene(), window->viewport().rays()));
+      const glm::dvec3 at = desk.view().rays().project(
+          handle_position(sun(), document.scene(), desk.view().rays()));
       return QPoint(qRound(at.x), qRound(at.y));
     };
     const QPoint at = film();
-    window.drag(at, at + QPoint(50, 0));
+    desk.drag(at, at + QPoint(50, 0));
     QCOMPARE(document.undo_stack().undoText(), QString("Turn light 2"));
     QVERIFY(glm::dot(glm::normalize(sun().as<light::Directional>()->direction), direction) < 0.999);
     QVERIFY2((film() - at).x() > 10, "it follows the pointer");
@@ -202,11 +199,11 @@ class LightsTest : public QObject {
   }
 
   void an_area_light_is_added_changed_and_scaled() {
-    TestWindow window;
-    Document& document = window->document();
+    Desk desk;
+    Document& document = desk.document();
     const Scene before = document.scene();
     const auto light = [&]() -> const Light& { return document.scene().lights.back(); };
-    auto* menu = window->findChild<QToolButton*>("add_area")->menu();
+    auto* menu = desk.findChild<QToolButton*>("add_area")->menu();
     QCOMPARE(menu->actions().size(), 3);
     for (QAction* shape : menu->actions()) {
       menu->popup(QPoint(40, 40));
@@ -214,39 +211,39 @@ class LightsTest : public QObject {
       QVERIFY(area_of(light()));
     }
     QVERIFY(light().as<light::Sphere>());
-    QVERIFY(!window->findChild<ValueField*>("light_direction_x")->isEnabled());
-    QVERIFY(!window->findChild<ValueField*>("light_width")->isEnabled());
-    enter(window, "light_radius", "0.3");
+    QVERIFY(!desk.findChild<ValueField*>("light_direction_x")->isEnabled());
+    QVERIFY(!desk.findChild<ValueField*>("light_width")->isEnabled());
+    enter(desk, "light_radius", "0.3");
     QCOMPARE(std::get<light::Sphere>(light().kind).radius, 0.3);
     QCOMPARE(document.undo_stack().undoText(), QString("Set radius of light 4"));
-    enter(window, "light_intensity", "2");
+    enter(desk, "light_intensity", "2");
     QCOMPARE(light().intensity, glm::dvec3(2.0));
-    enter(window, "light_intensity", "0.001");  // a ring that is in nobody's way
+    enter(desk, "light_intensity", "0.001");  // a ring that is in nobody's way
 
-    auto* type = window->findChild<QComboBox*>("light_type");
+    auto* type = desk.findChild<QComboBox*>("light_type");
     type->setFocus();
     QTest::keyClick(type, Qt::Key_Up);
     QTest::keyClick(type, Qt::Key_Up);
     const auto rectangle = [&] { return std::get<light::Rectangle>(light().kind); };
-    enter(window, "light_width", "0.4");
-    enter(window, "light_height", "0.25");
-    enter(window, "light_up_x", "0.5");
+    enter(desk, "light_width", "0.4");
+    enter(desk, "light_height", "0.25");
+    enter(desk, "light_up_x", "0.5");
     QCOMPARE(rectangle().up.x, 0.5);
-    enter(window, "light_direction_x", "-2");
+    enter(desk, "light_direction_x", "-2");
     QCOMPARE(rectangle().direction.x, -2.0);
-    auto* two_sided = window->findChild<QCheckBox*>("light_two_sided");
+    auto* two_sided = desk.findChild<QCheckBox*>("light_two_sided");
     QTest::mouseClick(two_sided, Qt::LeftButton, {}, QPoint(8, two_sided->height() / 2));
     QVERIFY(rectangle().two_sided);
 
     // A corner of it scales it, the end of its normal turns it.
     const auto film = [&](const glm::dvec3& point) {
-      const glm::dvec3 at = window->viewport().rays().project(point);
+      const glm::dvec3 at = desk.view().rays().project(point);
       return QPoint(qRound(at.x), qRound(at.y));
     };
     const auto [right, up] = rectangle_axes(rectangle());
     const QPoint corner = film(light().position + 0.2 * right + 0.125 * up);
     const QPoint center = film(light().position);
-    window.drag(corner, center + 2 * (corner - center));
+    desk.drag(corner, center + 2 * (corner - center));
     QCOMPARE(document.undo_stack().undoText(), QString("Set size of light 4"));
     QVERIFY(std::abs(rectangle().width - 0.8) < 0.1);
     QVERIFY(std::abs(rectangle().height / rectangle().width - 0.625) < 1e-9);
@@ -282,10 +279,10 @@ class LightsTest : public QObject {
   }
 
   void lights_have_presets_temperatures_and_photometric_units() {
-    TestWindow window;
-    Document& document = window->document();
+    Desk desk;
+    Document& document = desk.document();
     const Scene before = document.scene();
-    auto* menu = window->findChild<QToolButton*>("light_presets")->menu();
+    auto* menu = desk.findChild<QToolButton*>("light_presets")->menu();
     QCOMPARE(menu->actions().size(), 7);
     for (QAction* preset : menu->actions()) {
       menu->popup(QPoint(40, 40));
@@ -294,36 +291,36 @@ class LightsTest : public QObject {
     QCOMPARE(document.scene().lights.size(), before.lights.size() + 7);
     QVERIFY(document.scene().lights[before.lights.size()].as<light::Directional>());
     QVERIFY(document.scene().lights[before.lights.size() + 3].as<light::Spot>());
-    QVERIFY(area_of(document.scene().lights[before.lights.size() + 5]));  // a window
+    QVERIFY(area_of(document.scene().lights[before.lights.size() + 5]));  // a desk
     // The candle.
     const auto candle = [&]() -> const Light& { return document.scene().lights.back(); };
     const auto shown = [&](const char* name) {
-      return window->findChild<ValueField*>(name)->findChild<NumberField*>()->text().toDouble();
+      return desk.findChild<ValueField*>(name)->findChild<NumberField*>()->text().toDouble();
     };
     QVERIFY(candle().as<light::Point>());
     QVERIFY(std::abs(shown("light_temperature") - 1850.0) <= 2.0);
-    enter(window, "light_candela", "1");
+    enter(desk, "light_candela", "1");
     QVERIFY(std::abs(photometric_strength(candle()) - 1.0) < 1e-9);
     QVERIFY(std::abs(shown("light_lumen") - 12.566) < 0.01);
-    enter(window, "light_lumen", "800");
+    enter(desk, "light_lumen", "800");
     QVERIFY(std::abs(*luminous_flux(candle()) - 800.0) < 1e-6);
     QVERIFY(std::abs(shown("light_temperature") - 1850.0) <= 2.0);
     const double strength = light_strength(candle());
-    enter(window, "light_temperature", "5500");
+    enter(desk, "light_temperature", "5500");
     QCOMPARE(document.undo_stack().undoText(),
              QString("Set temperature of light %1").arg(document.scene().lights.size()));
     QVERIFY(std::abs(light_strength(candle()) - strength) < 1e-9);
     QVERIFY(candle().intensity.b > 0.7 * candle().intensity.r);
-    enter(window, "light_temperature", "50000");
+    enter(desk, "light_temperature", "50000");
     QVERIFY(nearest_temperature(light_color(candle())) < 40001.0);
     // A light that is black is made white.
-    enter(window, "light_candela", "0");
+    enter(desk, "light_candela", "0");
     QCOMPARE(candle().intensity, glm::dvec3(0.0));
-    enter(window, "light_candela", "683");
+    enter(desk, "light_candela", "683");
     QVERIFY(std::abs(candle().intensity.g - 1.0) < 1e-9);
     // The sun has no flux.
     document.set_active_light(before.lights.size());
-    QVERIFY(!window->findChild<ValueField*>("light_lumen")->isEnabled());
+    QVERIFY(!desk.findChild<ValueField*>("light_lumen")->isEnabled());
     QVERIFY(is_undone(document, before));
   }
 
@@ -364,79 +361,78 @@ class LightsTest : public QObject {
   }
 
   void a_light_is_dragged_in_the_view() {
-    TestWindow window;
-    Document& document = window->document();
+    Desk desk;
+    Document& document = desk.document();
     const Scene before = document.scene();
-    const QPoint at = light_position(window, 0);
-    window.drag(at, at + QPoint(-30, 20));
+    const QPoint at = light_position(desk, 0);
+    desk.drag(at, at + QPoint(-30, 20));
     QCOMPARE(document.undo_stack().undoText(), QString("Move light 1"));
     QCOMPARE(document.undo_stack().count(), 1);
-    QVERIFY((light_position(window, 0) - at - QPoint(-30, 20)).manhattanLength() <= 2);
+    QVERIFY((light_position(desk, 0) - at - QPoint(-30, 20)).manhattanLength() <= 2);
     QVERIFY(std::abs(document.scene().lights[0].position.z - 2.0) < 1e-9);
     QVERIFY(document.selection().empty());
-    window.key(Qt::Key_Z, Qt::ControlModifier);
+    desk.key(Qt::Key_Z, Qt::ControlModifier);
     // The ring: 18 pixels and 14 for each factor of ten of 1 + 12 W/sr.
     const QPoint ring(qRound(18.0 + 14.0 * std::log10(13.0)), 0);
-    window.drag(at + ring, at + ring + QPoint(14, 0));
+    desk.drag(at + ring, at + ring + QPoint(14, 0));
     QCOMPARE(document.undo_stack().undoText(), QString("Set intensity of light 1"));
     const double strength = light_strength(document.scene().lights[0]);
     QVERIFY2(strength > 100.0 && strength < 160.0, qPrintable(QString::number(strength)));
-    window.key(Qt::Key_Z, Qt::ControlModifier);
-    QTest::mousePress(&window->viewport(), Qt::LeftButton, {}, at);
-    window.move(at + QPoint(20, 0));
+    desk.key(Qt::Key_Z, Qt::ControlModifier);
+    QTest::mousePress(&desk.view(), Qt::LeftButton, {}, at);
+    desk.move(at + QPoint(20, 0));
     QVERIFY(document.is_modified());
-    QTest::keyClick(&window->viewport(), Qt::Key_Escape);
-    QTest::mouseRelease(&window->viewport(), Qt::LeftButton, {}, at);
+    QTest::keyClick(&desk.view(), Qt::Key_Escape);
+    QTest::mouseRelease(&desk.view(), Qt::LeftButton, {}, at);
     QVERIFY(document.scene() == before);
     QVERIFY(!document.is_modified());
   }
 
   void a_profile_is_read_turned_and_removed() {
-    TestWindow window;
-    Document& document = window->document();
+    Desk desk;
+    Document& document = desk.document();
     const Scene before = document.scene();
     const auto light = [&]() -> const Light& { return document.scene().lights[0]; };
-    auto* rotation = window->findChild<ValueField*>("light_profile_rotation");
-    auto* remove = window->findChild<QPushButton*>("remove_profile");
+    auto* rotation = desk.findChild<ValueField*>("light_profile_rotation");
+    auto* remove = desk.findChild<QPushButton*>("remove_profile");
     QVERIFY(!rotation->isEnabled());
     QVERIFY(!remove->isEnabled());
-    const std::filesystem::path file = window.file("narrow.ies");
+    const std::filesystem::path file = desk.file("narrow.ies");
     std::ofstream(file) << "IESNA:LM-63-2002\nTILT=NONE\n1 -1 1 3 1 1 2 0 0 0\n1 1 60\n"
                            "0 30 60\n0\n100 50 0\n";
-    window->findChild<LightPanel*>()->load_profile(file);
+    desk.findChild<LightPanel*>()->load_profile(file);
     QTRY_VERIFY(profile_of(light()));
     QCOMPARE(profile_of(light())->content->at({0.0, 0.0, 1.0}), 1.0);
     QCOMPARE(document.undo_stack().undoText(), QString("Set profile of light 1"));
-    QCOMPARE(window->findChild<QLabel*>("light_profile")->text(), QString("narrow.ies"));
+    QCOMPARE(desk.findChild<QLabel*>("light_profile")->text(), QString("narrow.ies"));
     // Less of its light, and so is its flux.
     const double flux = *luminous_flux(light());
     QVERIFY(flux < 0.1 * *luminous_flux(before.lights[0]));
-    enter(window, "light_profile_rotation", "45");
+    enter(desk, "light_profile_rotation", "45");
     QCOMPARE(profile_of(light())->rotation, 45.0);
-    QVERIFY(window.settle());
-    // What is no such file changes nothing.
-    QSignalSpy refused(window->findChild<LightPanel*>(), &LightPanel::refused);
-    window->findChild<LightPanel*>()->load_profile(window.file("none.ies"));
+    // A missing file changes nothing.
+    QSignalSpy refused(desk.findChild<LightPanel*>(), &LightPanel::refused);
+    desk.findChild<LightPanel*>()->load_profile(desk.file("none.ies"));
     QTRY_COMPARE(refused.count(), 1);
     QCOMPARE(profile_of(light())->file, file);
     // A spot keeps it, the sun cannot have one.
-    auto* type = window->findChild<QComboBox*>("light_type");
+    auto* type = desk.findChild<QComboBox*>("light_type");
     type->setFocus();
     QTest::keyClick(type, Qt::Key_Down);
     QVERIFY(light().as<light::Spot>() && profile_of(light()));
     QTest::keyClick(type, Qt::Key_Down);
     QVERIFY(light().as<light::Directional>());
-    QVERIFY(!window->findChild<QPushButton*>("choose_profile")->isEnabled());
-    window.key(Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(!desk.findChild<QPushButton*>("choose_profile")->isEnabled());
+    desk.key(Qt::Key_Z, Qt::ControlModifier);
     // Saved and opened it is the same.
-    const std::filesystem::path scene = window.file("profile.brume");
+    const std::filesystem::path scene = desk.file("profile.brume");
     save_document({document.scene(), {}}, scene);
     const Scene loaded = load_scene(scene);
     QCOMPARE(profile_of(loaded.lights[0])->file, file);
     QCOMPARE(profile_of(loaded.lights[0])->rotation, 45.0);
     QTest::mouseClick(remove, Qt::LeftButton);
     QVERIFY(!profile_of(light()));
-    QCOMPARE(window->findChild<QLabel*>("light_profile")->text(), QString("none"));
+    QCOMPARE(desk.findChild<QLabel*>("light_profile")->text(), QString("none"));
     QVERIFY(is_undone(document, before));
   }
 };

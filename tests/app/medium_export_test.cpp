@@ -1,4 +1,4 @@
-// What goes out of the window but for frames.
+// Exports other than frames.
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -22,15 +22,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-MediumDialog* open_export(TestWindow& window) {
+// Does what File > Export Medium does.
+MediumDialog* open_export(FileDesk& desk) {
   // One that was accepted is still to be deleted.
-  for (MediumDialog* old : window->findChildren<MediumDialog*>()) {
+  for (MediumDialog* old : desk.findChildren<MediumDialog*>()) {
     if (!old->isVisible()) delete old;
   }
-  for (QAction* action : window->findChildren<QAction*>()) {
-    if (action->text().contains("Export Me")) action->trigger();
-  }
-  return shown<MediumDialog>(window);
+  Document& document = desk.document();
+  auto* dialog =
+      new MediumDialog(document.snapshot(), desk.timeline(), 0.0, document.folder(), &desk);
+  QObject::connect(dialog, &MediumDialog::requested, &desk, [&desk](const MediumExport& what) {
+    desk.job().start(export_medium(what), "Exporting");
+  });
+  dialog->show();
+  return dialog;
 }
 
 }  // namespace
@@ -40,15 +45,11 @@ class MediumExportTest : public QObject {
 
  private Q_SLOTS:
   void the_medium_exports_as_a_volume() {
-    TestWindow window;
-    for (QAction* action : window->findChildren<QAction*>()) {
-      if (action->text().contains("Export Me")) action->trigger();
-    }
-    auto* dialog = shown<MediumDialog>(window);
-    QVERIFY(dialog);
+    FileDesk desk;
+    auto* dialog = open_export(desk);
     auto* button = dialog->findChild<QPushButton*>("export_medium");
     auto* memory = dialog->findChild<QLabel*>("medium_memory");
-    dialog->findChild<QLineEdit*>("medium_file")->setText(to_qstring(window.file("m.vdb")));
+    dialog->findChild<QLineEdit*>("medium_file")->setText(to_qstring(desk.file("m.vdb")));
     QVERIFY2(memory->text().endsWith("MB"), qPrintable(memory->text()));
     dialog->findChild<QLineEdit*>("medium_voxel")->setText("0.0001");
     QVERIFY(memory->text().contains("More than 2 GB"));
@@ -65,39 +66,35 @@ class MediumExportTest : public QObject {
     last->selectAll();
     QTest::keyClicks(last, "5");
     QTest::mouseClick(button, Qt::LeftButton);
-    QCOMPARE(wait(window), QString());
-    QCOMPARE(volume_grids(window.file("m_0005.vdb")).at(0).name, std::string("density"));
-    QVERIFY(fs::exists(window.file("m_0004.vdb")));
+    QCOMPARE(wait(desk), QString());
+    QCOMPARE(volume_grids(desk.file("m_0005.vdb")).at(0).name, std::string("density"));
+    QVERIFY(fs::exists(desk.file("m_0004.vdb")));
   }
 
   void exported_volumes_have_the_colours_of_gaussians() {
-    TestWindow window;
+    FileDesk desk;
     const Gaussian g{{0, 0, 0}, 0.5, 1.0, {glm::dvec3(0.5, 0.25, 1.0), glm::dvec3(1.0, 2.0, 3.0)}};
-    write_gaussians(window.file("g.csv"), std::vector{g});
-    drop(window, {window.file("g.csv")});
-    QCOMPARE(wait(window), QString());
-    for (QAction* action : window->findChildren<QAction*>()) {
-      if (action->text().contains("Export Me")) action->trigger();
-    }
-    auto* dialog = shown<MediumDialog>(window);
-    QVERIFY(dialog);
-    const fs::path file = window.file("m.vdb");
+    write_gaussians(desk.file("g.csv"), std::vector{g});
+    drop(desk, {desk.file("g.csv")});
+    QCOMPARE(wait(desk), QString());
+    auto* dialog = open_export(desk);
+    const fs::path file = desk.file("m.vdb");
     dialog->findChild<QLineEdit*>("medium_file")->setText(to_qstring(file));
     dialog->findChild<QLineEdit*>("medium_voxel")->setText("0.2");
     QTest::mouseClick(dialog->findChild<QPushButton*>("export_medium"), Qt::LeftButton);
-    QCOMPARE(wait(window), QString());
+    QCOMPARE(wait(desk), QString());
     std::vector<std::string> names;
     for (const VolumeGridInfo& grid : volume_grids(file)) names.push_back(grid.name);
     QCOMPARE(names, (std::vector<std::string>{"density", "albedo", "emission"}));
   }
 
   void the_medium_exports_as_splats() {
-    TestWindow window;
-    const std::vector<Gaussian> written = write_two_splats(window.file("a.ply"), {1.0, 2.0, 3.0});
-    write_gaussians(window.file("g.ply"), written);
-    window->document().create();
-    drop(window, {window.file("g.ply")});
-    QCOMPARE(wait(window), QString());
+    FileDesk desk;
+    const std::vector<Gaussian> written = write_two_splats(desk.file("a.ply"), {1.0, 2.0, 3.0});
+    write_gaussians(desk.file("g.ply"), written);
+    desk.document().create();
+    drop(desk, {desk.file("g.ply")});
+    QCOMPARE(wait(desk), QString());
     const auto expect_longest = [&](const fs::path& file, bool is_half_turned_about_z) {
       const auto found = read_gaussians(file, nullptr, limits::gaussians, {OpacityAlong::longest});
       QCOMPARE(found.size(), std::size_t{2});
@@ -107,15 +104,15 @@ class MediumExportTest : public QObject {
         QVERIFY(is_half_turned(found[k], expected));
       }
     };
-    auto* format = open_export(window)->findChild<QComboBox*>("medium_format");
+    auto* format = open_export(desk)->findChild<QComboBox*>("medium_format");
     const auto export_as = [&](const QString& title, const QString& extension) {
-      auto* dialog = shown<MediumDialog>(window);
-      if (!dialog) dialog = open_export(window);
+      auto* dialog = shown<MediumDialog>(desk);
+      if (!dialog) dialog = open_export(desk);
       format = dialog->findChild<QComboBox*>("medium_format");
       auto* file = dialog->findChild<QLineEdit*>("medium_file");
-      file->setText(to_qstring(window.file("fog.vdb")));
+      file->setText(to_qstring(desk.file("fog.vdb")));
       format->setCurrentIndex(format->findText(title + " (", Qt::MatchStartsWith));
-      if (!extension.isEmpty()) file->setText(to_qstring(window.file("fog")) + extension);
+      if (!extension.isEmpty()) file->setText(to_qstring(desk.file("fog")) + extension);
       dialog->findChild<QComboBox*>("medium_opacity")->setCurrentText("Longest radius");
       dialog->findChild<QComboBox*>("medium_up")->setCurrentIndex(1);
       const fs::path chosen = to_path(file->text());
@@ -123,23 +120,23 @@ class MediumExportTest : public QObject {
       return chosen;
     };
     const fs::path ply = export_as("Gaussian splats", "");
-    QCOMPARE(wait(window), QString());
-    QCOMPARE(ply, window.file("fog.ply"));
+    QCOMPARE(wait(desk), QString());
+    QCOMPARE(ply, desk.file("fog.ply"));
     QVERIFY(has_splats(ply));
     expect_longest(ply, true);
     const fs::path glb = export_as("Gaussian splats", ".glb");
-    QCOMPARE(wait(window), QString());
+    QCOMPARE(wait(desk), QString());
     QVERIFY(has_splats(glb));
     expect_longest(glb, false);  // its y is up
     // The extension that is typed chooses the format, too.
-    auto* dialog = open_export(window);
+    auto* dialog = open_export(desk);
     format = dialog->findChild<QComboBox*>("medium_format");
     auto* file = dialog->findChild<QLineEdit*>("medium_file");
     for (const auto& [extension, title] :
          {std::pair(".gltf", "Gaussian splats"), std::pair(".html", "Web page"),
           std::pair(".csv", "Gaussians"), std::pair(".ply", "Gaussians"),
           std::pair(".usda", "USD stage"), std::pair(".vdb", "Volume")}) {
-      file->setText(to_qstring(window.file("fog")) + extension);
+      file->setText(to_qstring(desk.file("fog")) + extension);
       QVERIFY2(format->currentText().startsWith(QString(title) + " ("), extension);
     }
     for (const auto& [title, row] :
@@ -151,20 +148,20 @@ class MediumExportTest : public QObject {
       QVERIFY2(dialog->findChild<QWidget*>(row)->isVisible(), row);
     }
     for (const char* row : {"medium_voxel", "medium_up", "medium_exposure"}) {
-      file->setText(to_qstring(window.file("fog.glb")));
+      file->setText(to_qstring(desk.file("fog.glb")));
       QVERIFY2(!dialog->findChild<QWidget*>(row)->isVisible(), row);
     }
-    file->setText(to_qstring(window.file("fog.txt")));
+    file->setText(to_qstring(desk.file("fog.txt")));
     QVERIFY(!dialog->findChild<QPushButton*>("export_medium")->isEnabled());
   }
 
   void lit_splats_and_pages_are_exported_as_displayed() {
-    TestWindow window;
+    FileDesk desk;
     const auto export_to = [&](const QString& title, const char* exposure) {
-      auto* dialog = open_export(window);
+      auto* dialog = open_export(desk);
       auto* format = dialog->findChild<QComboBox*>("medium_format");
       auto* file = dialog->findChild<QLineEdit*>("medium_file");
-      file->setText(to_qstring(window.file(exposure)) + ".vdb");
+      file->setText(to_qstring(desk.file(exposure)) + ".vdb");
       format->setCurrentIndex(format->findText(title + " (", Qt::MatchStartsWith));
       dialog->findChild<QLineEdit*>("medium_exposure")->setText(exposure);
       const fs::path chosen = to_path(file->text());
@@ -172,9 +169,9 @@ class MediumExportTest : public QObject {
       return chosen;
     };
     const fs::path dark = export_to("Lit splats", "-2");
-    QCOMPARE(wait(window), QString());
+    QCOMPARE(wait(desk), QString());
     const fs::path bright = export_to("Lit splats", "1");
-    QCOMPARE(wait(window), QString());
+    QCOMPARE(wait(desk), QString());
     const auto sum_of = [](const fs::path& file, const char* name) {
       const std::string bytes = read_bytes(file);
       const PlyFile ply(file, bytes);
@@ -189,49 +186,43 @@ class MediumExportTest : public QObject {
     QVERIFY(sum_of(dark, "f_rest_44") != 0.0);
     QVERIFY(sum_of(dark, "f_dc_0") < sum_of(bright, "f_dc_0"));
     const fs::path page = export_to("Web page", "0");
-    QCOMPARE(wait(window), QString());
+    QCOMPARE(wait(desk), QString());
     QVERIFY(read_bytes(page).find("data:application/octet-stream") != std::string::npos);
-    // The exposure that is offered is the view's.
-    for (QAction* action : window->findChildren<QAction*>()) {
-      if (action->text() == "Exposure &Up") action->trigger();
-    }
-    auto* exposure = open_export(window)->findChild<QLineEdit*>("medium_exposure");
-    QCOMPARE(exposure->text(), QString("0.5"));
-    exposure->clear();
-    auto* format = shown<MediumDialog>(window)->findChild<QComboBox*>("medium_format");
+    open_export(desk)->findChild<QLineEdit*>("medium_exposure")->clear();
+    auto* format = shown<MediumDialog>(desk)->findChild<QComboBox*>("medium_format");
     format->setCurrentIndex(format->findText("Web page (", Qt::MatchStartsWith));
-    QVERIFY(!shown<MediumDialog>(window)->findChild<QPushButton*>("export_medium")->isEnabled());
-    shown<MediumDialog>(window)->reject();
+    QVERIFY(!shown<MediumDialog>(desk)->findChild<QPushButton*>("export_medium")->isEnabled());
+    shown<MediumDialog>(desk)->reject();
     QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
 
-    // What is cancelled is not written.
+    // A cancelled export writes nothing.
     const fs::path cancelled = export_to("Lit splats", "3");
-    window->file_jobs().job().cancel();
-    QCOMPARE(wait(window), QString());
+    desk.job().cancel();
+    QCOMPARE(wait(desk), QString());
     QVERIFY(!fs::exists(cancelled));
   }
 
   void a_stage_has_its_fog_as_splats_and_volumes() {
-    TestWindow window;
-    auto* dialog = open_export(window);
-    dialog->findChild<QLineEdit*>("medium_file")->setText(to_qstring(window.file("s.usda")));
+    FileDesk desk;
+    auto* dialog = open_export(desk);
+    dialog->findChild<QLineEdit*>("medium_file")->setText(to_qstring(desk.file("s.usda")));
     dialog->findChild<QLineEdit*>("medium_voxel")->setText("0.2");
     dialog->findChild<QCheckBox*>("medium_is_range")->setChecked(true);
     dialog->findChild<QSpinBox*>("medium_first")->setValue(4);
     dialog->findChild<QSpinBox*>("medium_last")->setValue(5);
     QTest::mouseClick(dialog->findChild<QPushButton*>("export_medium"), Qt::LeftButton);
-    QCOMPARE(wait(window), QString());
-    const std::string stage = read_bytes(window.file("s.usda"));
+    QCOMPARE(wait(desk), QString());
+    const std::string stage = read_bytes(desk.file("s.usda"));
     QVERIFY(stage.find("ParticleField3DGaussianSplat") != std::string::npos);
     QVERIFY(stage.find("startTimeCode = 4") != std::string::npos);
     for (const char* name : {"s_fog_0004.vdb", "s_fog_0005.vdb"}) {
       QVERIFY(stage.find(name) != std::string::npos);
-      QCOMPARE(volume_grids(window.file(name)).at(0).name, std::string("density"));
+      QCOMPARE(volume_grids(desk.file(name)).at(0).name, std::string("density"));
     }
     // Neither the stage nor its volumes are replaced unasked.
-    fs::remove(window.file("s.usda"));
-    dialog = open_export(window);
-    dialog->findChild<QLineEdit*>("medium_file")->setText(to_qstring(window.file("s.usda")));
+    fs::remove(desk.file("s.usda"));
+    dialog = open_export(desk);
+    dialog->findChild<QLineEdit*>("medium_file")->setText(to_qstring(desk.file("s.usda")));
     dialog->findChild<QCheckBox*>("medium_is_range")->setChecked(true);
     dialog->findChild<QSpinBox*>("medium_first")->setValue(5);
     dialog->findChild<QSpinBox*>("medium_last")->setValue(5);
@@ -239,7 +230,19 @@ class MediumExportTest : public QObject {
     answer(QMessageBox::Cancel, &question);
     QTest::mouseClick(dialog->findChild<QPushButton*>("export_medium"), Qt::LeftButton);
     QVERIFY2(question.contains("s_fog_0005.vdb"), qPrintable(question));
-    QVERIFY(!fs::exists(window.file("s.usda")));
+    QVERIFY(!fs::exists(desk.file("s.usda")));
+  }
+
+  void the_menu_offers_the_exposure_of_the_view() {
+    TestWindow window;
+    for (const char* name : {"Exposure &Up", "Export Me&dium…"}) {
+      for (QAction* action : window->findChildren<QAction*>()) {
+        if (action->text() == name) action->trigger();
+      }
+    }
+    auto* dialog = shown<MediumDialog>(window);
+    QVERIFY(dialog);
+    QCOMPARE(dialog->findChild<QLineEdit*>("medium_exposure")->text(), QString("0.5"));
   }
 
   void gathered_scenes_open_elsewhere() {

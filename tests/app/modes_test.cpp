@@ -1,11 +1,10 @@
-// What views show of a frame in false colours.
+// Views show a frame in false colours.
 
 #include <cmath>
 #include <numeric>
 
 #include "app/frames/error_map.h"
 #include "app/viewport/legend.h"
-#include "app/viewport/view_grid.h"
 #include "render/renderer.h"
 #include "tests/app/test_window.h"
 

@@ -9,23 +9,27 @@
 
 #include "app/commands/select_command.h"
 #include "app/document/document.h"
-#include "app/tools/tool_box.h"
+#include "app/panels/lists/outliner.h"
 #include "app/view/object_box.h"
 #include "app/view/surface_picker.h"
 #include "app/viewport/viewport.h"
 #include "brume/at_time.h"
 #include "brume/medium.h"
 #include "core/io/scene/scene_file.h"
-#include "tests/app/test_window.h"
+#include "tests/app/desk.h"
 
 using namespace brume;
 
 namespace {
 
 // A box and a ball on a floor, an emitter, thin fog over the box and dense fog before the ball.
-class ObjectsWindow : public TestWindow {
+template <class Window>
+class WithObjects : public Window {
  public:
-  ObjectsWindow() {
+  using Window::document;
+  using Window::file;
+  using Window::view;
+  WithObjects() {
     std::ofstream(file("objects.brume")) << R"({"format": "brume-scene", "version": 1,
       "film": {"width": 40, "height": 30}, "camera": {"eye": [0, 2, 9], "target": [0, 0.5, 0]},
       "medium": {"gaussians": [{"center": [-1.5, 0.5, 0], "radius": 1, "density": 0.05},
@@ -40,18 +44,13 @@ class ObjectsWindow : public TestWindow {
     before = saved();
   }
 
-  Document& document() { return (*this)->document(); }
   const Surfaces& surfaces() { return document().scene().surfaces; }
   std::string saved() { return document_to_json(document().document_to_save(), "/"); }
   bool is_before() {
     document().undo_stack().setIndex(0);
     return saved() == before;
   }
-  Viewport& view() { return (*this)->viewport(); }
-  QPoint on_film(const glm::dvec3& point) {
-    const glm::dvec3 p = view().rays().project(point);
-    return QPointF(p.x, p.y).toPoint();
-  }
+  QPoint on_film(const glm::dvec3& point) { return film_position(view(), point); }
   bool picks() {
     return QTest::qWaitFor([this] { return view().surfaces().is_ready(); }, patience);
   }
@@ -59,7 +58,10 @@ class ObjectsWindow : public TestWindow {
     QTest::mouseMove(&view(), at);
     QTest::mouseClick(&view(), button, {}, at);
   }
-  QTreeWidget& tree() { return *(*this)->findChild<QTreeWidget*>("outliner_tree"); }
+  QTreeWidget& tree() {
+    const QWidget& widget = *this;
+    return *widget.findChild<QTreeWidget*>("outliner_tree");
+  }
   QTreeWidgetItem* row(const QString& name) {
     for (QTreeWidgetItemIterator it(&tree()); *it; ++it) {
       if ((*it)->text(0) == name) return *it;
@@ -76,6 +78,8 @@ class ObjectsWindow : public TestWindow {
 
   std::string before;
 };
+using ObjectsWindow = WithObjects<TestWindow>;
+using ObjectsDesk = WithObjects<Desk>;
 
 constexpr int eye_column = 1;
 constexpr int lock_column = 2;
@@ -91,87 +95,86 @@ class ObjectsTest : public QObject {
 
  private Q_SLOTS:
   void a_click_takes_what_is_seen() {
-    ObjectsWindow window;
-    QVERIFY(window.picks());
-    const QPoint corner = window.on_film({-1.85, 0.85, 0.5});  // beside the Gaussian's handle
-    window.click(corner);
-    QVERIFY(window.document().object() == box_object);
-    QVERIFY(window.document().selection().empty());
-    QCOMPARE(window.tree().currentItem(), window.row("Box"));
+    ObjectsDesk desk;
+    QVERIFY(desk.picks());
+    const QPoint corner = desk.on_film({-1.85, 0.85, 0.5});  // beside the Gaussian's handle
+    desk.click(corner);
+    QVERIFY(desk.document().object() == box_object);
+    QVERIFY(desk.document().selection().empty());
+    QCOMPARE(desk.tree().currentItem(), desk.row("Box"));
     // The ball is hidden by dense fog, which is what a click means there.
-    window.click(window.on_film({1.5, 0.7, 2.0}));
-    QVERIFY(!window.document().object());
-    QCOMPARE(window.document().selection().size(), std::size_t{1});
-    window.click(window.on_film(window.document().scene().emitters[0].position));
-    QVERIFY(window.document().object() == emitter);
-    window.click(window.on_film(window.document().scene().lights[0].position));
-    QVERIFY(window.document().object() == first_light);
-    window.click({5, 5});
-    QVERIFY(!window.document().object());
-    // What is locked is left alone.
-    window.click_row("Box", lock_column);
-    QVERIFY(window.surfaces()[1].locked);
-    QVERIFY(window.picks());
-    window.click(corner);
-    QVERIFY(window.document().object() != box_object);
-    QVERIFY(window.is_before());
+    desk.click(desk.on_film({1.5, 0.7, 2.0}));
+    QVERIFY(!desk.document().object());
+    QCOMPARE(desk.document().selection().size(), std::size_t{1});
+    desk.click(desk.on_film(desk.document().scene().emitters[0].position));
+    QVERIFY(desk.document().object() == emitter);
+    desk.click(desk.on_film(desk.document().scene().lights[0].position));
+    QVERIFY(desk.document().object() == first_light);
+    desk.click({5, 5});
+    QVERIFY(!desk.document().object());
+    // A locked object is left alone.
+    desk.click_row("Box", lock_column);
+    QVERIFY(desk.surfaces()[1].locked);
+    QVERIFY(desk.picks());
+    desk.click(corner);
+    QVERIFY(desk.document().object() != box_object);
+    QVERIFY(desk.is_before());
   }
 
   void handles_move_turn_and_scale() {
-    ObjectsWindow window;
-    window.click_row("Box", 0);
-    QVERIFY(window.document().object() == box_object);
+    ObjectsDesk desk;
+    desk.click_row("Box", 0);
+    QVERIFY(desk.document().object() == box_object);
     const auto drag_from_center = [&](const glm::dvec3& from, const QPoint& by) {
       const glm::dvec3 center =
-          object_center(window.document().scene(), box_object, window.view().rays());
-      const QPoint start = window.on_film(center + from);
-      QTest::mouseMove(&window.view(), start);
-      window.drag(start, start + by);
+          object_center(desk.document().scene(), box_object, desk.view().rays());
+      const QPoint start = desk.on_film(center + from);
+      QTest::mouseMove(&desk.view(), start);
+      desk.drag(start, start + by);
     };
-    window.key(Qt::Key_G);
+    desk.key(Qt::Key_G);
     drag_from_center({0.0, 0.5, 0.0}, {0, -60});  // the arrow of y
-    QCOMPARE(window.document().undo_stack().count(), 1);
-    QCOMPARE(window.document().undo_stack().undoText(), QString("Move Box"));
-    const Surface raised = window.surfaces()[1];
+    QCOMPARE(desk.document().undo_stack().count(), 1);
+    QCOMPARE(desk.document().undo_stack().undoText(), QString("Move Box"));
+    const Surface raised = desk.surfaces()[1];
     QVERIFY(raised.translate.y > 0.8);
     QCOMPARE(raised.translate.x, -1.5);
     QCOMPARE(raised.translate.z, 0.0);
-    QCOMPARE(window.document().medium().gaussian(0).center.y, 0.5);
-    window.key(Qt::Key_S);
+    QCOMPARE(desk.document().medium().gaussian(0).center.y, 0.5);
+    desk.key(Qt::Key_S);
     drag_from_center({0.0, 0.5, 0.0}, {0, -60});
-    QCOMPARE(window.document().undo_stack().count(), 2);
-    const Surface stretched = window.surfaces()[1];
+    QCOMPARE(desk.document().undo_stack().count(), 2);
+    const Surface stretched = desk.surfaces()[1];
     QVERIFY(stretched.primitive->size.y > 1.3);
     QCOMPARE(stretched.primitive->size.x, 1.0);
     QCOMPARE(stretched.scale, 1.0);
     const auto corners = box_corners(stretched);
     QVERIFY(std::abs(corners[7].y - corners[0].y - stretched.primitive->size.y) < 1e-5);
-    window.key(Qt::Key_R);
+    desk.key(Qt::Key_R);
     const glm::dvec3 center = stretched.translate;
-    const QPoint middle = window.on_film(center);
+    const QPoint middle = desk.on_film(center);
     // The outer ring, 96 pixels around.
-    QTest::mouseMove(&window.view(), middle + QPoint(96, 0));
-    window.drag(middle + QPoint(96, 0), middle + QPoint(0, 96));
-    QCOMPARE(window.document().undo_stack().undoText(), QString("Rotate Box"));
-    QVERIFY(std::abs(window.surfaces()[1].rotate.w) < 0.8);
-    QVERIFY(window.settle());
-    QVERIFY(window.is_before());
+    QTest::mouseMove(&desk.view(), middle + QPoint(96, 0));
+    desk.drag(middle + QPoint(96, 0), middle + QPoint(0, 96));
+    QCOMPARE(desk.document().undo_stack().undoText(), QString("Rotate Box"));
+    QVERIFY(std::abs(desk.surfaces()[1].rotate.w) < 0.8);
+    QVERIFY(desk.is_before());
   }
 
   void escape_ends_a_drag_as_if_it_had_not_been() {
-    ObjectsWindow window;
-    window.click_row("Box", 0);
-    window.key(Qt::Key_G);
-    const QPoint middle = window.on_film({-1.5, 0.5, 0.0});
-    const QPoint arrow = window.on_film({-1.5, 1.0, 0.0});
-    QTest::mouseMove(&window.view(), arrow);
-    QTest::mousePress(&window.view(), Qt::LeftButton, {}, arrow);
-    window.move(arrow + QPoint(0, -50));
-    QVERIFY(window.surfaces()[1].translate.y > 0.6);
-    QTest::keyClick(&window.view(), Qt::Key_Escape);
-    QCOMPARE(window.saved(), window.before);
-    QTest::mouseRelease(&window.view(), Qt::LeftButton, {}, middle);
-    QCOMPARE(window.saved(), window.before);
+    ObjectsDesk desk;
+    desk.click_row("Box", 0);
+    desk.key(Qt::Key_G);
+    const QPoint middle = desk.on_film({-1.5, 0.5, 0.0});
+    const QPoint arrow = desk.on_film({-1.5, 1.0, 0.0});
+    QTest::mouseMove(&desk.view(), arrow);
+    QTest::mousePress(&desk.view(), Qt::LeftButton, {}, arrow);
+    desk.move(arrow + QPoint(0, -50));
+    QVERIFY(desk.surfaces()[1].translate.y > 0.6);
+    QTest::keyClick(&desk.view(), Qt::Key_Escape);
+    QCOMPARE(desk.saved(), desk.before);
+    QTest::mouseRelease(&desk.view(), Qt::LeftButton, {}, middle);
+    QCOMPARE(desk.saved(), desk.before);
   }
 
   void keys_act_on_the_object() {
@@ -186,62 +189,68 @@ class ObjectsTest : public QObject {
     QVERIFY(!window.surfaces()[3].visible);
     window.key(Qt::Key_K);
     QVERIFY(window.surfaces()[3].locked);
+    window.key(Qt::Key_F2);
+    QVERIFY(window.tree().findChild<QLineEdit*>());
     window.key(Qt::Key_Delete);
     QCOMPARE(window.surfaces().size(), std::size_t{3});
     QVERIFY(!window.document().object());
     window.key(Qt::Key_Delete);  // now the Gaussians, which are selected
     QCOMPARE(window.surfaces().size(), std::size_t{3});
     QCOMPARE(window.document().medium().size(), std::size_t{0});
+    window.document().undo_stack().undo();
+    window.click_row("2 Gaussians", 0);
+    QTest::keyClick(&window.tree(), Qt::Key_Delete);
+    QCOMPARE(window.document().medium().size(), std::size_t{0});
     QVERIFY(window.is_before());
   }
 
   void names_are_edited_in_the_outliner() {
-    ObjectsWindow window;
+    ObjectsDesk desk;
     const auto rename = [&](const QString& row, const QString& name) {
-      window.click_row(row, 0);
-      window.key(Qt::Key_F2);
-      auto* line = window.tree().findChild<QLineEdit*>();
+      desk.click_row(row, 0);
+      desk.findChild<Outliner*>()->rename_current();
+      auto* line = desk.tree().findChild<QLineEdit*>();
       QVERIFY(line);
       line->setText(name);
       QTest::keyClick(line, Qt::Key_Return);
       // The name is taken when the editor has gone.
-      QTRY_VERIFY(!window.tree().findChild<QLineEdit*>());
+      QTRY_VERIFY(!desk.tree().findChild<QLineEdit*>());
       QCoreApplication::processEvents();
     };
     rename("Box", "  crate \n ");
-    QCOMPARE(window.surfaces()[1].name, std::string("crate"));
-    QCOMPARE(window.document().undo_stack().undoText(), QString("Rename Box"));
+    QCOMPARE(desk.surfaces()[1].name, std::string("crate"));
+    QCOMPARE(desk.document().undo_stack().undoText(), QString("Rename Box"));
     rename("crate", "crate");  // no step
-    QCOMPARE(window.document().undo_stack().count(), 1);
+    QCOMPARE(desk.document().undo_stack().count(), 1);
     rename("Light 1", "key light");
     rename("Emitter 1", "pot");
-    QVERIFY(window.row("key light") && window.row("pot"));
+    QVERIFY(desk.row("key light") && desk.row("pot"));
     rename("crate", QString(300, QChar(0xe9)));
-    QCOMPARE(window.surfaces()[1].name.size(), std::size_t{256});
-    window.document().save(window.file("named.brume"));
-    const Scene loaded = load_scene(window.file("named.brume"));
+    QCOMPARE(desk.surfaces()[1].name.size(), std::size_t{256});
+    desk.document().save(desk.file("named.brume"));
+    const Scene loaded = load_scene(desk.file("named.brume"));
     QCOMPARE(loaded.lights[0].name, std::string("key light"));
     QCOMPARE(loaded.emitters[0].name, std::string("pot"));
     rename("pot", "");
-    QVERIFY(window.row("Emitter 1"));
-    QVERIFY(window.is_before());
+    QVERIFY(desk.row("Emitter 1"));
+    QVERIFY(desk.is_before());
   }
 
   void eyes_of_lights_and_emitters() {
-    ObjectsWindow window;
-    window.click_row("Light 1", eye_column);
-    QVERIFY(!window.document().scene().lights[0].on);
-    QCOMPARE(window.document().undo_stack().undoText(), QString("Turn off light 1"));
-    window.document().undo_stack().undo();
-    Emitters emitters = window.document().scene().emitters;
+    ObjectsDesk desk;
+    desk.click_row("Light 1", eye_column);
+    QVERIFY(!desk.document().scene().lights[0].on);
+    QCOMPARE(desk.document().undo_stack().undoText(), QString("Turn off light 1"));
+    desk.document().undo_stack().undo();
+    Emitters emitters = desk.document().scene().emitters;
     emitters[0].rate = 20.0;
-    Scene scene = window.document().scene();
+    Scene scene = desk.document().scene();
     scene.emitters = emitters;
     QVERIFY(evaluate_at(scene, 2.0).medium.size() > 20);
-    window.click_row("Emitter 1", eye_column);
-    scene.emitters[0].visible = window.document().scene().emitters[0].visible;
+    desk.click_row("Emitter 1", eye_column);
+    scene.emitters[0].visible = desk.document().scene().emitters[0].visible;
     QCOMPARE(evaluate_at(scene, 2.0).medium.size(), std::size_t{2});
-    QVERIFY(window.is_before());
+    QVERIFY(desk.is_before());
   }
 
   void the_menu_of_the_view() {

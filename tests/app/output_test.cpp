@@ -20,6 +20,7 @@
 #include "core/io/image/image_file.h"
 #include "core/io/scene/scene_file.h"
 #include "render/request.h"
+#include "tests/app/desk.h"
 #include "tests/app/question.h"
 #include "tests/app/test_window.h"
 
@@ -45,92 +46,92 @@ class OutputTest : public QObject {
 
  private Q_SLOTS:
   void the_size_of_the_picture_is_undoable() {
-    TestWindow window(tiny_scene());
-    const auto film = [&] { return window->document().scene().film; };
-    choose(window, "size_preset", 1);
+    Desk desk(tiny_scene());
+    const auto film = [&] { return desk.document().scene().film; };
+    choose(desk, "size_preset", 1);
     QVERIFY(film() == (Film{1280, 720}));
-    QCOMPARE(value(window, "film_width"), "1280");
-    click(window, "lock_aspect");
-    enter(window, "film_width", "640");
+    QCOMPARE(value(desk, "film_width"), "1280");
+    click(desk, "lock_aspect");
+    enter(desk, "film_width", "640");
     QVERIFY(film() == (Film{640, 360}));
-    enter(window, "film_height", "0");  // refused
-    enter(window, "film_height", "20000");
+    enter(desk, "film_height", "0");  // refused
+    enter(desk, "film_height", "20000");
     QVERIFY(film() == (Film{640, 360}));
-    const int steps = window->document().undo_stack().count();
-    drag_title(window, "film_height", 40);
+    const int steps = desk.document().undo_stack().count();
+    drag_title(desk, "film_height", 40);
     QVERIFY(film() == (Film{711, 400}));
-    QCOMPARE(window->document().undo_stack().count(), steps + 1);
-    window->document().undo_stack().setIndex(0);
+    QCOMPARE(desk.document().undo_stack().count(), steps + 1);
+    desk.document().undo_stack().setIndex(0);
     QVERIFY(film() == (Film{32, 24}));
-    QCOMPARE(window->findChild<QComboBox*>("size_preset")->currentIndex(), 0);
+    QCOMPARE(desk.findChild<QComboBox*>("size_preset")->currentIndex(), 0);
   }
 
   void output_is_saved_with_the_scene() {
-    TestWindow window(tiny_scene());
-    choose(window, "output_method", 1);
-    enter(window, "output_paths", "8");
-    click(window, "exposure_of_view");
-    enter(window, "output_exposure", "1.5");
-    type(window, "output_file", "renders/shot");
-    QCOMPARE(window->findChild<QLineEdit*>("output_file")->text(), "renders/shot.png");
-    QVERIFY(!window->findChild<QCheckBox*>("layer_depth")->isEnabled());
-    choose(window, "output_format", 1);
-    click(window, "layer_depth");
-    enter(window, "output_rate", "24");
-    enter(window, "output_last", "48");
-    window->document().save(window.file("scene.brume"));
-    const Scene saved = load_scene(window.file("scene.brume"));
+    Desk desk(tiny_scene());
+    choose(desk, "output_method", 1);
+    enter(desk, "output_paths", "8");
+    click(desk, "exposure_of_view");
+    enter(desk, "output_exposure", "1.5");
+    type(desk, "output_file", "renders/shot");
+    QCOMPARE(desk.findChild<QLineEdit*>("output_file")->text(), "renders/shot.png");
+    QVERIFY(!desk.findChild<QCheckBox*>("layer_depth")->isEnabled());
+    choose(desk, "output_format", 1);
+    click(desk, "layer_depth");
+    enter(desk, "output_rate", "24");
+    enter(desk, "output_last", "48");
+    desk.document().save(desk.file("scene.brume"));
+    const Scene saved = load_scene(desk.file("scene.brume"));
     QCOMPARE(saved.output.paths, std::optional(8));
     QCOMPARE(saved.output.exposure, std::optional(1.5));
-    QVERIFY(saved.output.file == fs::canonical(window.file(".")) / "renders/shot.exr");
+    QVERIFY(saved.output.file == fs::canonical(desk.file(".")) / "renders/shot.exr");
     QVERIFY(!saved.output.layers.depth && saved.output.layers.airlight);
     QVERIFY(saved.playback == (Playback{0, 48, true, 24.0}));
-    QCOMPARE(window->timeline().frames_per_second(), 24.0);
-    window->timeline().set_frame(12);
-    QCOMPARE(window->document().time(), 0.5);
+    QCOMPARE(desk.timeline().frames_per_second(), 24.0);
+    desk.timeline().set_frame(12);
+    QCOMPARE(desk.document().time(), 0.5);
 
-    type(window, "output_file", "shot.jpg");  // refused
-    QVERIFY(window->document().scene().output == saved.output);
-    window->document().undo_stack().setIndex(0);
-    QVERIFY(window->document().scene().output == Output{});
-    QCOMPARE(window->timeline().frames_per_second(), 30.0);
+    type(desk, "output_file", "shot.jpg");  // refused
+    QVERIFY(desk.document().scene().output == saved.output);
+    desk.document().undo_stack().setIndex(0);
+    QVERIFY(desk.document().scene().output == Output{});
+    QCOMPARE(desk.timeline().frames_per_second(), 30.0);
   }
 
   void samples_lens_and_shutter_are_undoable_and_saved() {
-    TestWindow window(tiny_scene());
-    const Scene before = window->document().scene();
-    const auto output = [&] { return window->document().scene().output; };
-    const auto camera = [&] { return window->document().scene().camera; };
-    click(window, "samples_chosen");
-    QCOMPARE(value(window, "output_samples"), "16");
-    enter(window, "output_samples", "32");
-    enter(window, "output_samples", "0");  // refused
+    Desk desk(tiny_scene());
+    const Scene before = desk.document().scene();
+    const auto output = [&] { return desk.document().scene().output; };
+    const auto camera = [&] { return desk.document().scene().camera; };
+    click(desk, "samples_chosen");
+    QCOMPARE(value(desk, "output_samples"), "16");
+    enter(desk, "output_samples", "32");
+    enter(desk, "output_samples", "0");  // refused
     QCOMPARE(output().samples, std::optional(32));
-    click(window, "motion_blur");
+    click(desk, "motion_blur");
     QVERIFY(output().shutter == Shutter{});
-    enter(window, "shutter_open", "-0.25");
-    enter(window, "shutter_close", "0.25");
-    enter(window, "shutter_close", "-0.5");  // before it opens: refused
+    enter(desk, "shutter_open", "-0.25");
+    enter(desk, "shutter_close", "0.25");
+    enter(desk, "shutter_close", "-0.5");  // before it opens: refused
     QVERIFY(output().shutter == (Shutter{-0.25, 0.25}));
 
-    QVERIFY(!window->findChild<QAbstractButton*>("focus_on_target")->isEnabled());
-    enter(window, "camera_aperture", "0.2");
-    click(window, "focus_on_target");
+    QVERIFY(!desk.findChild<QAbstractButton*>("focus_on_target")->isEnabled());
+    enter(desk, "camera_aperture", "0.2");
+    click(desk, "focus_on_target");
     QCOMPARE(camera().focus_distance, glm::length(camera().target - camera().eye));
-    const int steps = window->document().undo_stack().count();
-    drag_title(window, "camera_focus_distance", 30);
-    QCOMPARE(window->document().undo_stack().count(), steps + 1);
-    enter(window, "camera_focus_distance", "4.5");
+    const int steps = desk.document().undo_stack().count();
+    drag_title(desk, "camera_focus_distance", 30);
+    QCOMPARE(desk.document().undo_stack().count(), steps + 1);
+    enter(desk, "camera_focus_distance", "4.5");
     QCOMPARE(camera().focus_distance, std::optional(4.5));
     QCOMPARE(camera().aperture, 0.2);
 
-    window->document().save(window.file("scene.brume"));
-    const Scene saved = load_scene(window.file("scene.brume"));
+    desk.document().save(desk.file("scene.brume"));
+    const Scene saved = load_scene(desk.file("scene.brume"));
     QVERIFY(saved.output == output());
     QVERIFY(saved.camera == camera());
-    click(window, "focus_on_target");
+    click(desk, "focus_on_target");
     QVERIFY(!camera().focus_distance);
-    QVERIFY(is_undone(window->document(), before));
+    QVERIFY(is_undone(desk.document(), before));
   }
 
   // The lens of the scene's camera blurs what is rendered, not the view.

@@ -1,12 +1,7 @@
 // The panels that edit environment, medium and materials, and the outliner.
 
-#include <QCheckBox>
-#include <QColorDialog>
 #include <QComboBox>
-#include <QDockWidget>
 #include <QLabel>
-#include <QListWidget>
-#include <QMenu>
 #include <QPushButton>
 #include <QToolButton>
 #include <QTreeWidget>
@@ -20,11 +15,11 @@
 #include "app/panels/forms/metallic_roughness_form.h"
 #include "app/viewport/viewport.h"
 #include "app/widgets/color_button.h"
-#include "app/widgets/number_field.h"
 #include "app/widgets/value_field.h"
 #include "core/io/image/image_file.h"
 #include "core/io/scene/scene_file.h"
 #include "core/scene/lights/photometry.h"
+#include "tests/app/desk.h"
 #include "tests/app/test_window.h"
 
 using namespace brume;
@@ -34,54 +29,52 @@ class PanelsTest : public QObject {
 
  private Q_SLOTS:
   void the_medium_as_a_whole() {
-    TestWindow window;
-    Document& document = window->document();
+    Desk desk;
+    Document& document = desk.document();
     const Scene before = document.scene();
-    enter(window, "homogeneous_density", "0.05");
+    enter(desk, "homogeneous_density", "0.05");
     QCOMPARE(document.medium().homogeneous_density(), 0.05);
-    enter(window, "albedo_y", "0.7");
+    enter(desk, "albedo_y", "0.7");
     QCOMPARE(document.scene().optics.albedo, glm::dvec3(1.0, 0.7, 1.0));
-    enter(window, "anisotropy", "0.5");
-    enter(window, "noise_amplitude", "0.4");
-    enter(window, "noise_seed", "9");
+    enter(desk, "anisotropy", "0.5");
+    enter(desk, "noise_amplitude", "0.4");
+    enter(desk, "noise_seed", "9");
     QCOMPARE(document.scene().optics.noise.seed, std::int64_t{9});
-    enter(window, "anisotropy", "0.5");  // as it is
-    enter(window, "anisotropy", "2");    // refused
+    enter(desk, "anisotropy", "0.5");  // as it is
+    enter(desk, "anisotropy", "2");    // refused
     QCOMPARE(document.undo_stack().count(), 5);
-    QVERIFY(window.settle());
     const Scene after = document.scene();
     QVERIFY(is_undone(document, before));
-    QCOMPARE(value(window, "albedo_y"), QString("1"));
+    QCOMPARE(value(desk, "albedo_y"), QString("1"));
     document.undo_stack().setIndex(5);
     QVERIFY(document.scene() == after);
   }
 
   void an_environment_is_loaded_rotated_and_removed() {
-    TestWindow window;
-    Document& document = window->document();
+    Desk desk;
+    Document& document = desk.document();
     const Scene before = document.scene();
-    auto* intensity = window->findChild<ValueField*>("environment_intensity");
+    auto* intensity = desk.findChild<ValueField*>("environment_intensity");
     QVERIFY(!intensity->isEnabled());
-    auto* picture = window->findChild<QLabel*>("environment_picture");
+    auto* picture = desk.findChild<QLabel*>("environment_picture");
     QVERIFY(picture->pixmap().isNull());
-    window->findChild<EnvironmentPanel*>()->load(BRUME_RESOURCES "/environments/sunset.exr");
+    desk.findChild<EnvironmentPanel*>()->load(BRUME_RESOURCES "/environments/sunset.exr");
     QVERIFY(picture->text().contains("sunset.exr"));  // it is read in the background
     QTRY_VERIFY(document.scene().environment);
     QVERIFY(intensity->isEnabled());
     const QImage straight = picture->pixmap().toImage();
     QVERIFY(!straight.isNull());
-    enter(window, "environment_rotation", "90");
-    enter(window, "environment_intensity", "0.5");
+    enter(desk, "environment_rotation", "90");
+    enter(desk, "environment_intensity", "0.5");
     QCOMPARE(document.scene().environment->rotation, 90.0);
     QVERIFY(picture->pixmap().toImage() != straight);
-    QVERIFY(window.settle());
     const QString file = QString(BRUME_RESOURCES "/environments/missing.exr");
-    QSignalSpy refused(window->findChild<EnvironmentPanel*>(), &EnvironmentPanel::refused);
-    window->findChild<EnvironmentPanel*>()->load(file);
+    QSignalSpy refused(desk.findChild<EnvironmentPanel*>(), &EnvironmentPanel::refused);
+    desk.findChild<EnvironmentPanel*>()->load(file);
     QTRY_COMPARE(refused.count(), 1);
     QCOMPARE(document.undo_stack().count(), 3);
     QVERIFY(!picture->pixmap().isNull());
-    QTest::mouseClick(window->findChild<QPushButton*>("remove_environment"), Qt::LeftButton);
+    QTest::mouseClick(desk.findChild<QPushButton*>("remove_environment"), Qt::LeftButton);
     QVERIFY(!document.scene().environment);
     document.undo_stack().undo();
     QCOMPARE(document.scene().environment->intensity, 0.5);
@@ -89,16 +82,16 @@ class PanelsTest : public QObject {
   }
 
   void materials() {
-    TestWindow window;
-    Document& document = window->document();
+    Desk desk;
+    Document& document = desk.document();
     document.open(load_scene(BRUME_RESOURCES "/scenes/bunny_fog.brume"), {});
     const Scene before = document.scene();
-    auto* type = window->findChild<QComboBox*>("material_type");
-    auto* surfaces = window->findChild<QComboBox*>("surface");
+    auto* type = desk.findChild<QComboBox*>("material_type");
+    auto* surfaces = desk.findChild<QComboBox*>("surface");
     QCOMPARE(static_cast<std::size_t>(surfaces->count()), before.surfaces.size());
     const int index = surfaces->count() - 1;
     surfaces->setCurrentIndex(index);
-    auto* reflectance = window->findChild<ColorButton*>("reflectance");
+    auto* reflectance = desk.findChild<ColorButton*>("reflectance");
     QVERIFY(reflectance->isEnabled());
     QCOMPARE(reflectance->icon().pixmap(34, 16).toImage().pixel(5, 5),
              to_color(before.surfaces.back().material.reflectance).rgb());
@@ -109,11 +102,11 @@ class PanelsTest : public QObject {
     Q_EMIT type->activated(1);
     QVERIFY(material().type == Material::Type::phong);
     QCOMPARE(surfaces->currentIndex(), index);
-    enter(window, "exponent", "40");
+    enter(desk, "exponent", "40");
     QCOMPARE(material().exponent, 40.0);
-    Q_EMIT window->findChild<ColorButton*>("specular")->edited({0.5, 0.25, 0.125}, no_merge);
+    Q_EMIT desk.findChild<ColorButton*>("specular")->edited({0.5, 0.25, 0.125}, no_merge);
     QCOMPARE(material().specular, glm::dvec3(0.5, 0.25, 0.125));
-    auto* transfer = window->findChild<QComboBox*>("transfer");
+    auto* transfer = desk.findChild<QComboBox*>("transfer");
     QCOMPARE(transfer->currentIndex(), 0);
     transfer->setCurrentIndex(2);
     Q_EMIT transfer->activated(2);
@@ -126,39 +119,39 @@ class PanelsTest : public QObject {
   }
 
   void metallic_roughness() {
-    TestWindow window;
-    Document& document = window->document();
+    Desk desk;
+    Document& document = desk.document();
     document.open(load_scene(BRUME_RESOURCES "/scenes/bunny_fog.brume"), {});
     const Scene before = document.scene();
     const auto material = [&]() -> const MetallicRoughness& {
       return document.scene().surfaces[0].material.metallic_roughness;
     };
-    window->findChild<MaterialPanel*>()->show_surface(0);
-    auto* form = window->findChild<MetallicRoughnessForm*>();
+    desk.findChild<MaterialPanel*>()->show_surface(0);
+    auto* form = desk.findChild<MetallicRoughnessForm*>();
     QVERIFY(form->isHidden());
-    auto* type = window->findChild<QComboBox*>("material_type");
+    auto* type = desk.findChild<QComboBox*>("material_type");
     type->setCurrentIndex(3);
     Q_EMIT type->activated(3);
     QVERIFY(document.scene().surfaces[0].material.type == Material::Type::metallic_roughness);
     QVERIFY(!form->isHidden());
     QCOMPARE(material().base_color, before.surfaces[0].material.reflectance);
-    enter(window, "roughness", "0.25");
-    enter(window, "metallic", "0.75");
-    enter(window, "emissive_y", "3");
+    enter(desk, "roughness", "0.25");
+    enter(desk, "metallic", "0.75");
+    enter(desk, "emissive_y", "3");
     QCOMPARE(material().roughness, 0.25);
     QCOMPARE(material().metallic, 0.75);
     QCOMPARE(material().emissive, glm::dvec3(0.0, 3.0, 0.0));
-    Q_EMIT window->findChild<ColorButton*>("base_color")->edited({0.5, 0.25, 0.125}, no_merge);
+    Q_EMIT desk.findChild<ColorButton*>("base_color")->edited({0.5, 0.25, 0.125}, no_merge);
     QCOMPARE(material().base_color, glm::dvec3(0.5, 0.25, 0.125));
 
-    const std::filesystem::path file = window.file("wood.png");
+    const std::filesystem::path file = desk.file("wood.png");
     std::ofstream(file, std::ios::binary) << encode_png(1, 1, std::vector<std::uint8_t>(3, 200));
     form->load_texture(&MetallicRoughness::base_color_texture, file);
     QTRY_VERIFY(material().base_color_texture.content);
-    auto* choose = window->findChild<QPushButton*>("base_color_texture");
+    auto* choose = desk.findChild<QPushButton*>("base_color_texture");
     QCOMPARE(choose->text(), QString("wood.png"));
     QCOMPARE(document.undo_stack().count(), 6);
-    window->findChild<QToolButton*>("base_color_texture_remove")->click();
+    desk.findChild<QToolButton*>("base_color_texture_remove")->click();
     QVERIFY(material().base_color_texture == TextureReference{});
     document.undo_stack().undo();
     QVERIFY(material().base_color_texture.content);
@@ -167,11 +160,11 @@ class PanelsTest : public QObject {
   }
 
   void a_measured_material_is_read_in_the_background() {
-    TestWindow window;
-    Document& document = window->document();
+    Desk desk;
+    Document& document = desk.document();
     document.open(load_scene(BRUME_RESOURCES "/scenes/bunny_fog.brume"), {});
-    auto* panel = window->findChild<MaterialPanel*>();
-    const std::filesystem::path file = window.file("grey.binary");
+    auto* panel = desk.findChild<MaterialPanel*>();
+    const std::filesystem::path file = desk.file("grey.binary");
     {
       // 90 x 90 x 180 of three colours, 0.5 / pi each (see MERL's scale factors).
       std::ofstream merl(file, std::ios::binary);

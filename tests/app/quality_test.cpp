@@ -6,14 +6,11 @@
 #include <QLabel>
 #include <QScopeGuard>
 #include <QSettings>
-#include <QStatusBar>
 #include <QToolButton>
 #include <QTreeWidget>
 #include <algorithm>
 
 #include "app/document/number_text.h"
-#include "app/document/paths.h"
-#include "app/files/scene_files.h"
 #include "app/frames/error_meter.h"
 #include "app/panels/plots/frontier_plot.h"
 #include "app/panels/plots/performance_panel.h"
@@ -333,7 +330,7 @@ class QualityTest : public QObject {
     QCOMPARE(label(*window, "shown"), QString("Reference: path tracing"));
     const int paths = view.frames().shown()->request.settings.paths;
     QTRY_VERIFY(view.frames().shown()->request.settings.paths > paths);
-    // What View > Show says wins, and the method is as it was before.
+    // View > Show wins, and the method is as it was before.
     window->viewport().frames().set_mode(ViewMode::final);
     QVERIFY(is_checked("airlight_paper") && !is_checked("airlight_reference"));
     window->viewport().frames().set_mode(ViewMode::path_traced);

@@ -334,7 +334,7 @@ class RandomHands {
         return set_keys(document_, row);
     }
   }
-  // Of one of the numbers of a row, in steps of one gesture.
+  // Edits one of the numbers of a row, in steps of one gesture.
   void curve_key(const Track& row, const std::vector<double>& times) {
     const std::vector<Curve> curves = curves_of(document_.scene(), row);
     if (curves.empty()) return;

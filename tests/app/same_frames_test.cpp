@@ -1,7 +1,5 @@
 // One scene and one request make one frame, bit by bit, whichever program is asked.
 
-#include <QComboBox>
-#include <QLineEdit>
 #include <QProcess>
 #include <bit>
 #include <map>
@@ -41,7 +39,7 @@ Scene blurred_scene() {
   return scene;
 }
 
-// What the programs may say differently of one frame.
+// The programs may say these differently of one frame.
 std::map<std::string, std::string> metadata_of(ImageLayers image) {
   std::erase_if(image.metadata, [](const auto& entry) {
     return !entry.first.starts_with("brume:") || entry.first == "brume:frame" ||

@@ -6,11 +6,9 @@
 
 #include "app/commands/scene_part_command.h"
 #include "app/document/document.h"
-#include "app/document/paths.h"
 #include "app/import/imported_reload.h"
 #include "app/import/scene_dialog.h"
 #include "app/import/scene_import.h"
-#include "app/viewport/viewport.h"
 #include "app/window/pages/message_bar.h"
 #include "brume/mesh_arrays.h"
 #include "core/scene/imported_scene.h"
@@ -45,9 +43,9 @@ void write(const fs::path& file, const std::string& content) {
   std::ofstream(file, std::ios::binary) << content;
 }
 
-// What the dialog asks is answered with a click on its button.
-void answer(TestWindow& window, bool cameras, bool lights) {
-  auto* dialog = window->findChild<SceneDialog*>();
+// Answers the dialog with a click on its button.
+void answer(const QWidget& window, bool cameras, bool lights) {
+  auto* dialog = window.findChild<SceneDialog*>();
   QVERIFY(dialog && dialog->isVisible());
   for (const auto& [name, wanted] :
        {std::pair("import_cameras", cameras), std::pair("import_lights", lights)}) {
@@ -66,18 +64,18 @@ class SceneImportTest : public QObject {
 
  private Q_SLOTS:
   void a_dropped_scene_brings_its_cameras_and_lights_as_one_step() {
-    TestWindow window(new_scene());
-    Document& document = window->document();
+    FileDesk desk(new_scene());
+    Document& document = desk.document();
     const Scene before = document.scene();
-    write(window.file("room.glb"), room().binary());
-    drop(window, {window.file("room.glb")});
-    QCOMPARE(wait(window), QString());
+    write(desk.file("room.glb"), room().binary());
+    drop(desk, {desk.file("room.glb")});
+    QCOMPARE(wait(desk), QString());
     QVERIFY(document.scene() == before);  // until the question is answered
-    answer(window, true, true);
+    answer(desk, true, true);
     const Scene& scene = document.scene();
     QCOMPARE(scene.surfaces.size(), std::size_t{1});
     QCOMPARE(scene.surfaces[0].imported->parts.size(), std::size_t{2});
-    QCOMPARE(scene.surfaces[0].mesh_file, window.file("room.glb"));
+    QCOMPARE(scene.surfaces[0].mesh_file, desk.file("room.glb"));
     // They take the place of the light of a new scene.
     QCOMPARE(scene.lights.size(), std::size_t{2});
     QCOMPARE(scene.lights[0].name, std::string("lamp"));
@@ -89,43 +87,43 @@ class SceneImportTest : public QObject {
     QVERIFY(scene.cameras[0].name != scene.camera_name);
     QCOMPARE(document.undo_stack().count(), 1);
     QCOMPARE(document.undo_stack().undoText(), QString("Import room.glb"));
-    window.key(Qt::Key_Z, Qt::ControlModifier);
+    document.undo_stack().undo();
     QVERIFY(document.scene() == before);
     QVERIFY(!document.is_modified());
   }
 
   void what_is_not_wanted_stays_out() {
-    TestWindow window;
-    const Scene before = window->document().scene();
-    write(window.file("room.glb"), room().binary());
-    window->file_jobs().import().import_file(window.file("room.glb"));
-    QCOMPARE(wait(window), QString());
-    answer(window, false, false);
-    QCOMPARE(window->document().scene().surfaces.size(), std::size_t{1});
-    QVERIFY(window->document().scene().lights == before.lights);
-    QVERIFY(window->document().scene().cameras == before.cameras);
+    FileDesk desk;
+    const Scene before = desk.document().scene();
+    write(desk.file("room.glb"), room().binary());
+    desk.import().import_file(desk.file("room.glb"));
+    QCOMPARE(wait(desk), QString());
+    answer(desk, false, false);
+    QCOMPARE(desk.document().scene().surfaces.size(), std::size_t{1});
+    QVERIFY(desk.document().scene().lights == before.lights);
+    QVERIFY(desk.document().scene().cameras == before.cameras);
   }
 
   void surfaces_alone_need_no_question() {
-    TestWindow window;
-    write(window.file("square.glb"), GltfBuilder().binary());
-    drop(window, {window.file("square.glb")});
-    QCOMPARE(wait(window), QString());
-    QVERIFY(!window->findChild<SceneDialog*>());
-    QCOMPARE(window->document().scene().surfaces.size(), std::size_t{1});
+    FileDesk desk;
+    write(desk.file("square.glb"), GltfBuilder().binary());
+    drop(desk, {desk.file("square.glb")});
+    QCOMPARE(wait(desk), QString());
+    QVERIFY(!desk.findChild<SceneDialog*>());
+    QCOMPARE(desk.document().scene().surfaces.size(), std::size_t{1});
   }
 
   void an_obj_is_a_scene_if_it_has_materials() {
-    TestWindow window;
+    FileDesk desk;
     const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
-    write(window.file("plain.obj"), triangle);
-    write(window.file("red.mtl"), "newmtl red\nKd 1 0 0\n");
-    write(window.file("red.obj"), "mtllib red.mtl\nusemtl red\n" + triangle);
+    write(desk.file("plain.obj"), triangle);
+    write(desk.file("red.mtl"), "newmtl red\nKd 1 0 0\n");
+    write(desk.file("red.obj"), "mtllib red.mtl\nusemtl red\n" + triangle);
     for (const char* name : {"plain.obj", "red.obj"}) {
-      drop(window, {window.file(name)});
-      QCOMPARE(wait(window), QString());
+      drop(desk, {desk.file(name)});
+      QCOMPARE(wait(desk), QString());
     }
-    const Scene& scene = window->document().scene();
+    const Scene& scene = desk.document().scene();
     QCOMPARE(scene.surfaces.size(), std::size_t{2});
     QVERIFY(!scene.surfaces[0].imported);
     QVERIFY(scene.surfaces[1].imported);
@@ -134,16 +132,16 @@ class SceneImportTest : public QObject {
   }
 
   void damaged_and_empty_scenes_are_reported() {
-    TestWindow window;
-    write(window.file("bad.glb"), "glTF");
-    window->file_jobs().import().import_file(window.file("bad.glb"));
-    QVERIFY(wait(window).contains("bad.glb"));
+    FileDesk desk;
+    write(desk.file("bad.glb"), "glTF");
+    desk.import().import_file(desk.file("bad.glb"));
+    QVERIFY(wait(desk).contains("bad.glb"));
     GltfBuilder empty;
     empty.json["nodes"][0].erase("mesh");
-    write(window.file("empty.glb"), empty.binary());
-    window->file_jobs().import().import_file(window.file("empty.glb"));
-    QVERIFY(wait(window).contains("neither meshes nor cameras nor lights"));
-    QVERIFY(window->document().scene().surfaces.empty());
+    write(desk.file("empty.glb"), empty.binary());
+    desk.import().import_file(desk.file("empty.glb"));
+    QVERIFY(wait(desk).contains("neither meshes nor cameras nor lights"));
+    QVERIFY(desk.document().scene().surfaces.empty());
   }
 
   void missing_textures_are_a_note() {
@@ -193,20 +191,20 @@ class SceneImportTest : public QObject {
   }
 
   void a_change_that_cannot_be_read_is_reported_once_and_changes_nothing() {
-    TestWindow window;
-    const fs::path file = window.file("square.glb");
+    FileDesk desk;
+    const fs::path file = desk.file("square.glb");
     write(file, GltfBuilder().binary());
-    window->file_jobs().import().import_file(file);
-    QCOMPARE(wait(window), QString());
-    const Scene imported = window->document().scene();
+    desk.import().import_file(file);
+    QCOMPARE(wait(desk), QString());
+    const Scene imported = desk.document().scene();
     write(file, "glTF");
     fs::last_write_time(file, imported.surfaces[0].imported->changed + std::chrono::seconds(2));
-    auto* reload = window->findChild<ImportedReload*>();
-    QSignalSpy failures(reload, &ImportedReload::failed);
-    QTRY_VERIFY((reload->check(), failures.count() > 0));
-    QVERIFY(window->document().scene() == imported);
+    ImportedReload reload(desk.document(), &desk);
+    QSignalSpy failures(&reload, &ImportedReload::failed);
+    QTRY_VERIFY((reload.check(), failures.count() > 0));
+    QVERIFY(desk.document().scene() == imported);
     for (int k = 0; k < 3; ++k) {
-      reload->check();
+      reload.check();
       QTest::qWait(20);
     }
     QCOMPARE(failures.count(), 1);

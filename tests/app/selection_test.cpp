@@ -14,6 +14,7 @@
 #include "app/window/pages/message_bar.h"
 #include "brume/error.h"
 #include "core/io/scene/scene_file.h"
+#include "tests/app/desk.h"
 #include "tests/app/test_window.h"
 
 using namespace brume;
@@ -23,10 +24,10 @@ using Ids = std::vector<GaussianId>;
 namespace {
 
 // Draws a closed line around some places.
-void lasso(TestWindow& window, const std::vector<QPoint>& line, Qt::KeyboardModifiers modifiers) {
-  Viewport& view = window->viewport();
+void lasso(Desk& desk, const std::vector<QPoint>& line, Qt::KeyboardModifiers modifiers) {
+  DeskView& view = desk.view();
   QTest::mousePress(&view, Qt::LeftButton, modifiers, line.front());
-  for (const QPoint& point : line) window.move(point, Qt::LeftButton, modifiers);
+  for (const QPoint& point : line) desk.move(point, Qt::LeftButton, modifiers);
   QTest::mouseRelease(&view, Qt::LeftButton, modifiers, line.back());
 }
 
@@ -34,8 +35,8 @@ std::vector<QPoint> triangle(QPoint around) {
   return {around + QPoint(-30, 25), around + QPoint(30, 25), around + QPoint(0, -35)};
 }
 
-glm::dvec3 center(TestWindow& window, std::size_t index) {
-  return window->document().medium().centers()[index];
+glm::dvec3 center(const Document& document, std::size_t index) {
+  return document.medium().centers()[index];
 }
 
 }  // namespace
@@ -80,49 +81,48 @@ class SelectionTest : public QObject {
   }
 
   void a_click_selects_the_visible_gaussian() {
-    TestWindow window;
+    Desk desk;
     // Well inside the outline, far from the handle.
-    const QPoint beside = window.handle(1) + QPoint(22, 0);
-    QVERIFY(!window->viewport().handles().pick(beside));
-    QTest::mouseClick(&window->viewport(), Qt::LeftButton, {}, beside);
-    QCOMPARE(window->document().selection(), Ids{2});
+    const QPoint beside = desk.handle(1) + QPoint(22, 0);
+    QVERIFY(!desk.view().handles().pick(beside));
+    QTest::mouseClick(&desk.view(), Qt::LeftButton, {}, beside);
+    QCOMPARE(desk.document().selection(), Ids{2});
   }
 
   void a_lasso_selects_enclosed_centers() {
-    TestWindow window;
-    Document& document = window->document();
-    window.key(Qt::Key_L);
-    lasso(window, triangle(window.handle(1)), {});
+    Desk desk;
+    Document& document = desk.document();
+    desk.key(Qt::Key_L);
+    lasso(desk, triangle(desk.handle(1)), {});
     QCOMPARE(document.selection(), Ids{2});
-    lasso(window, triangle(window.handle(3)), Qt::ShiftModifier);
+    lasso(desk, triangle(desk.handle(3)), Qt::ShiftModifier);
     QCOMPARE(document.selection(), (Ids{2, 4}));
-    lasso(window, triangle(window.handle(3)), Qt::ShiftModifier | Qt::ControlModifier);
+    lasso(desk, triangle(desk.handle(3)), Qt::ShiftModifier | Qt::ControlModifier);
     QCOMPARE(document.selection(), Ids{4});
-    lasso(window, triangle(window.handle(3)), Qt::ControlModifier);
+    lasso(desk, triangle(desk.handle(3)), Qt::ControlModifier);
     QVERIFY(document.selection().empty());
     QCOMPARE(document.undo_stack().count(), 4);
-    dynamic_cast<SelectionTool&>(window->tools().tool()).set_mode(SelectMode::add);
-    lasso(window, triangle(window.handle(0)), {});
-    lasso(window, triangle(window.handle(1)), {});
+    dynamic_cast<SelectionTool&>(desk.tools().tool()).set_mode(SelectMode::add);
+    lasso(desk, triangle(desk.handle(0)), {});
+    lasso(desk, triangle(desk.handle(1)), {});
     QCOMPARE(document.selection(), (Ids{1, 2}));
   }
 
   void a_brush_selects_in_one_step() {
-    TestWindow window;
-    Document& document = window->document();
-    window.key(Qt::Key_C);
-    window.drag(window.handle(0), window.handle(1));
+    Desk desk;
+    Document& document = desk.document();
+    desk.key(Qt::Key_C);
+    desk.drag(desk.handle(0), desk.handle(1));
     QVERIFY(document.is_selected(1) && document.is_selected(2));
     QVERIFY(!document.is_selected(3));
     QCOMPARE(document.undo_stack().count(), 1);
-    window.drag(window.handle(1), window.handle(1) + QPoint(5, 0), Qt::LeftButton,
-                Qt::ControlModifier);
+    desk.drag(desk.handle(1), desk.handle(1) + QPoint(5, 0), Qt::LeftButton, Qt::ControlModifier);
     QVERIFY(!document.is_selected(2));
     const Ids before = document.selection();
-    QTest::mousePress(&window->viewport(), Qt::LeftButton, {}, window.handle(2));
+    QTest::mousePress(&desk.view(), Qt::LeftButton, {}, desk.handle(2));
     QCOMPARE(document.selection(), Ids{3});
-    QTest::keyClick(&window->viewport(), Qt::Key_Escape);
-    QTest::mouseRelease(&window->viewport(), Qt::LeftButton, {}, window.handle(2));
+    QTest::keyClick(&desk.view(), Qt::Key_Escape);
+    QTest::mouseRelease(&desk.view(), Qt::LeftButton, {}, desk.handle(2));
     QCOMPARE(document.selection(), before);
     QCOMPARE(document.undo_stack().count(), 2);
   }
@@ -212,8 +212,8 @@ class SelectionTest : public QObject {
     QVERIFY(document.medium().gaussian(5) == before.medium.gaussian(1));
     QVERIFY(document.medium().gaussian(6) == before.medium.gaussian(2));
     window.key(Qt::Key_V, Qt::ControlModifier);  // somewhere in view, the two as they lie
-    const glm::dvec3 shift = center(window, 7) - center(window, 5);
-    QVERIFY(glm::distance(center(window, 8) - center(window, 6), shift) < 1e-12);
+    const glm::dvec3 shift = center(document, 7) - center(document, 5);
+    QVERIFY(glm::distance(center(document, 8) - center(document, 6), shift) < 1e-12);
     window.key(Qt::Key_D, Qt::ControlModifier);
     QCOMPARE(document.undo_stack().undoText(), QString("Duplicate 2 Gaussians"));
     QCOMPARE(document.medium().size(), std::size_t{11});
@@ -251,7 +251,7 @@ class SelectionTest : public QObject {
                  qPrintable(QString::number(pasted.center.y)));
         center += 0.5 * pasted.center;
       }
-      QVERIFY((film_position(window, center) - requested).manhattanLength() <= 3);
+      QVERIFY((film_position(view, center) - requested).manhattanLength() <= 3);
     };
     QTest::mouseMove(&*window, QPoint(5, 5));
     QTRY_VERIFY(!view.underMouse());
@@ -298,47 +298,47 @@ class SelectionTest : public QObject {
   }
 
   void an_arrow_moves_along_its_axis() {
-    TestWindow window;
-    Document& document = window->document();
+    Desk desk;
+    Document& document = desk.document();
     const Scene before = document.scene();
     document.select({2, 3});
-    window.key(Qt::Key_G);
-    const QPoint pivot = film_position(window, window->viewport().pivot());
-    window.drag(pivot + QPoint(60, 0), pivot + QPoint(110, 30));
+    desk.key(Qt::Key_G);
+    const QPoint pivot = film_position(desk.view(), desk.view().pivot());
+    desk.drag(pivot + QPoint(60, 0), pivot + QPoint(110, 30));
     QCOMPARE(document.undo_stack().undoText(), QString("Move 2 Gaussians"));
     QCOMPARE(document.undo_stack().count(), 1);
     for (const std::size_t k : {1U, 2U}) {
-      const glm::dvec3 moved = center(window, k) - before.medium.centers()[k];
+      const glm::dvec3 moved = center(document, k) - before.medium.centers()[k];
       QVERIFY(moved.x > 0.1 && moved.y == 0.0 && moved.z == 0.0);
     }
     // The pivot went along with the mouse.
-    QVERIFY(std::abs(film_position(window, window->viewport().pivot()).x() - pivot.x() - 50) <= 1);
-    window.key(Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(std::abs(film_position(desk.view(), desk.view().pivot()).x() - pivot.x() - 50) <= 1);
+    desk.key(Qt::Key_Z, Qt::ControlModifier);
     QVERIFY(document.scene() == before);
     // The ring in the middle, and all within it: across the view.
     for (const QPoint& start : {QPoint(0, 9), QPoint(0, 0)}) {
-      window.drag(pivot + start, pivot + QPoint(-40, 40));
-      const glm::dvec3 moved = center(window, 1) - before.medium.centers()[1];
+      desk.drag(pivot + start, pivot + QPoint(-40, 40));
+      const glm::dvec3 moved = center(document, 1) - before.medium.centers()[1];
       QVERIFY(moved.x < -0.1 && moved.y < -0.1 && std::abs(moved.z) < 1e-12);
-      window.key(Qt::Key_Z, Qt::ControlModifier);
+      desk.key(Qt::Key_Z, Qt::ControlModifier);
       QVERIFY(document.scene() == before);
     }
   }
 
   void a_ring_turns() {
-    TestWindow window;
-    Document& document = window->document();
+    Desk desk;
+    Document& document = desk.document();
     const Scene before = document.scene();
     document.select({1, 2, 3});
-    window.key(Qt::Key_R);
-    const glm::dvec3 pivot = window->viewport().pivot();
-    const QPoint middle = film_position(window, pivot);
+    desk.key(Qt::Key_R);
+    const glm::dvec3 pivot = desk.view().pivot();
+    const QPoint middle = film_position(desk.view(), pivot);
     // Around the view, a quarter of a turn counterclockwise.
-    window.drag(middle + QPoint(96, 0), middle + QPoint(0, -96));
+    desk.drag(middle + QPoint(96, 0), middle + QPoint(0, -96));
     QCOMPARE(document.undo_stack().undoText(), QString("Rotate 3 Gaussians"));
     for (std::size_t k = 0; k < 3; ++k) {
       const glm::dvec3 was = before.medium.centers()[k] - pivot;
-      const glm::dvec3 is = center(window, k) - pivot;
+      const glm::dvec3 is = center(document, k) - pivot;
       QVERIFY(std::abs(glm::length(is) - glm::length(was)) < 1e-12);
       const glm::dvec3 axis = glm::normalize(document.scene().camera.eye - pivot);
       QVERIFY(std::abs(glm::dot(is, axis) - glm::dot(was, axis)) < 1e-12);
@@ -346,37 +346,31 @@ class SelectionTest : public QObject {
       QVERIFY(glm::distance(is, quarter) < 0.02);
       QCOMPARE(document.medium().radii()[k], before.medium.radii()[k]);
     }
-    window.key(Qt::Key_Z, Qt::ControlModifier);
-    QTest::mousePress(&window->viewport(), Qt::LeftButton, {}, middle + QPoint(96, 0));
-    window.move(middle + QPoint(70, 70));
+    desk.key(Qt::Key_Z, Qt::ControlModifier);
+    QTest::mousePress(&desk.view(), Qt::LeftButton, {}, middle + QPoint(96, 0));
+    desk.move(middle + QPoint(70, 70));
     QVERIFY(document.is_modified());
-    QTest::keyClick(&window->viewport(), Qt::Key_Escape);
-    QTest::mouseRelease(&window->viewport(), Qt::LeftButton, {}, middle);
+    QTest::keyClick(&desk.view(), Qt::Key_Escape);
+    QTest::mouseRelease(&desk.view(), Qt::LeftButton, {}, middle);
     QVERIFY(document.scene() == before);
   }
 
   void scaling_scales_radii_too() {
-    TestWindow window;
-    Document& document = window->document();
+    Desk desk;
+    Document& document = desk.document();
     const Scene before = document.scene();
     document.select({1, 2, 3});
-    window.key(Qt::Key_S);
-    const glm::dvec3 pivot = window->viewport().pivot();
-    const QPoint middle = film_position(window, pivot);
-    window.drag(middle + QPoint(0, 10), middle + QPoint(0, 20));
+    desk.key(Qt::Key_S);
+    const glm::dvec3 pivot = desk.view().pivot();
+    const QPoint middle = film_position(desk.view(), pivot);
+    desk.drag(middle + QPoint(0, 10), middle + QPoint(0, 20));
     QCOMPARE(document.undo_stack().undoText(), QString("Scale 3 Gaussians"));
     for (std::size_t k = 0; k < 3; ++k) {
       const double factor = document.medium().radii()[k] / before.medium.radii()[k];
       QVERIFY(std::abs(factor - 2.0) < 0.1);
-      QVERIFY(glm::distance(center(window, k) - pivot,
+      QVERIFY(glm::distance(center(document, k) - pivot,
                             factor * (before.medium.centers()[k] - pivot)) < 1e-12);
     }
-  }
-
- private:
-  static QPoint film_position(TestWindow& window, const glm::dvec3& point) {
-    const glm::dvec3 at = window->viewport().rays().project(point);
-    return QPointF(at.x, at.y).toPoint();
   }
 };
 

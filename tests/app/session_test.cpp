@@ -22,7 +22,7 @@ namespace {
 constexpr int actions = 1000;
 constexpr int min_edits = 200;
 
-// What the user did, as it would be read from a tape.
+// The user's acts, as read from a tape.
 struct Action {
   enum class Kind { key, gesture, number };
   Kind kind = Kind::key;

@@ -1,4 +1,4 @@
-// What users set to their taste, and what is remembered: theme, navigation, recent scenes; and how
+// Settings of taste and what is remembered: theme, navigation, recent scenes; and how
 // numbers may be typed.
 
 #include <QAction>
@@ -11,6 +11,7 @@
 #include "app/viewport/view_grid.h"
 #include "app/widgets/application.h"
 #include "app/widgets/number_field.h"
+#include "tests/app/desk.h"
 #include "tests/app/test_window.h"
 
 using namespace brume;
@@ -43,17 +44,15 @@ class SettingsTest : public QObject {
     QVERIFY(!evaluate(QString(100000, '(')));
     QVERIFY(!evaluate(QString(100000, '-') + "1"));
     QCOMPARE(parse_number("0,5"), 0.5);  // as before
-    TestWindow window;
-    window->document().select({1});
-    auto* radius = window->findChild<NumberField*>("radius");
-    radius->setFocus();
-    QTest::keyClicks(radius, "0.5*3");
-    QTest::keyClick(radius, Qt::Key_Return);
-    QCOMPARE(window->document().medium().radii()[0], 1.5);
-    radius->setFocus();
-    QTest::keyClicks(radius, "1/0");
-    QTest::keyClick(radius, Qt::Key_Return);
-    QCOMPARE(window->document().medium().radii()[0], 1.5);
+    Desk desk;
+    desk.document().select({1});
+    auto* radius = desk.findChild<NumberField*>("radius");
+    for (const char* typed : {"0.5*3", "1/0"}) {
+      radius->selectAll();
+      QTest::keyClicks(radius, typed);
+      QTest::keyClick(radius, Qt::Key_Return);
+      QCOMPARE(desk.document().medium().radii()[0], 1.5);
+    }
   }
 
   void the_theme_is_light_or_dark_and_remembered() {
@@ -135,7 +134,7 @@ class SettingsTest : public QObject {
       }
     }
     QVERIFY2(brightest > 20, qPrintable(QString::number(brightest)));
-    // What is not saved is in no picture.
+    // Unsaved edits are in no picture.
     window->document().select({1, 2, 3, 4, 5});
     window.key(Qt::Key_Delete);
     QVERIFY(window.settle());

@@ -43,22 +43,22 @@ class SplatImportTest : public QObject {
  private Q_SLOTS:
   void splats_become_ellipsoids_as_the_dialog_says() {
     for (const char* name : {"splats.ply", "splats.glb"}) {
-      TestWindow window;
-      Document& document = window->document();
+      FileDesk desk;
+      Document& document = desk.document();
       const Scene before = document.scene();
-      std::vector<Gaussian> written = write_two_splats(window.file(name), {1.0, 2.0, 3.0});
+      std::vector<Gaussian> written = write_two_splats(desk.file(name), {1.0, 2.0, 3.0});
       for (Gaussian& g : written) g.optics.albedo = glm::dvec3(1.0, 0.5, 0.1);
-      write_splats(window.file(name), written, {.along = OpacityAlong::longest});
-      drop(window, {window.file(name)});
-      QCOMPARE(wait(window), QString());
-      auto* dialog = shown<SplatDialog>(window);
+      write_splats(desk.file(name), written, {.along = OpacityAlong::longest});
+      drop(desk, {desk.file(name)});
+      QCOMPARE(wait(desk), QString());
+      auto* dialog = shown<SplatDialog>(desk);
       QVERIFY(dialog);
       QCOMPARE(dialog->findChild<QComboBox*>("splat_opacity")->currentText(),
                QString("Mean radius"));
       QTest::mouseClick(dialog->findChild<QCheckBox*>("splat_albedos"), Qt::LeftButton,
                         Qt::NoModifier, {5, 10});
       answer_splats(*dialog);
-      QCOMPARE(wait(window), QString());
+      QCOMPARE(wait(desk), QString());
       QCOMPARE(document.medium().size(), before.medium.size() + 2);
       for (std::size_t k = 0; k < 2; ++k) {
         const Gaussian g = document.medium().gaussian(before.medium.size() + k);
@@ -71,20 +71,20 @@ class SplatImportTest : public QObject {
   }
 
   void several_files_of_splats_are_asked_about_once() {
-    TestWindow window;
-    Document& document = window->document();
+    FileDesk desk;
+    Document& document = desk.document();
     const Scene before = document.scene();
-    const auto first = write_two_splats(window.file("a.ply"), {1.0, 2.0, 3.0});
-    const auto last = write_two_splats(window.file("c.glb"), {4.0, 5.0, 6.0});
-    write_gaussians(window.file("b.csv"), two_of_a_table);
-    drop(window, {window.file("a.ply"), window.file("b.csv"), window.file("c.glb")});
-    QCOMPARE(wait(window), QString());
-    QCOMPARE(window->findChildren<SplatDialog*>().size(), 1);
-    auto* dialog = shown<SplatDialog>(window);
+    const auto first = write_two_splats(desk.file("a.ply"), {1.0, 2.0, 3.0});
+    const auto last = write_two_splats(desk.file("c.glb"), {4.0, 5.0, 6.0});
+    write_gaussians(desk.file("b.csv"), two_of_a_table);
+    drop(desk, {desk.file("a.ply"), desk.file("b.csv"), desk.file("c.glb")});
+    QCOMPARE(wait(desk), QString());
+    QCOMPARE(desk.findChildren<SplatDialog*>().size(), 1);
+    auto* dialog = shown<SplatDialog>(desk);
     QCOMPARE(dialog->windowTitle(), QString("Import 3 files"));
     QVERIFY(document.scene() == before);
     answer_splats(*dialog);
-    QCOMPARE(wait(window), QString());
+    QCOMPARE(wait(desk), QString());
     QCOMPARE(document.undo_stack().count(), 1);
     QCOMPARE(document.undo_stack().undoText(), QString("Import 3 files"));
     const auto imported = [&](std::size_t k) {
@@ -101,28 +101,28 @@ class SplatImportTest : public QObject {
   }
 
   void a_sequence_of_splats_is_written_as_gaussians() {
-    TestWindow window;
+    FileDesk desk;
     std::vector<std::vector<Gaussian>> written;
     for (const char* name : {"s_1.ply", "s_2.ply"}) {
       const double x = static_cast<double>(written.size());
-      written.push_back(write_two_splats(window.file(name), {x, 2.0, 3.0}));
+      written.push_back(write_two_splats(desk.file(name), {x, 2.0, 3.0}));
     }
     // Both ways to import one.
     for (const bool by_dropping : {true, false}) {
-      const fs::path folder = window.file(by_dropping ? "dropped" : "chosen");
+      const fs::path folder = desk.file(by_dropping ? "dropped" : "chosen");
       if (by_dropping) {
-        drop(window, {window.file("s_1.ply"), window.file("s_2.ply")});
+        drop(desk, {desk.file("s_1.ply"), desk.file("s_2.ply")});
       } else {
-        window->file_jobs().import().import_sequence(window.file("s_2.ply"));
+        desk.import().import_sequence(desk.file("s_2.ply"));
       }
-      QCOMPARE(wait(window), QString());
-      auto* dialog = shown<SplatDialog>(window);
+      QCOMPARE(wait(desk), QString());
+      auto* dialog = shown<SplatDialog>(desk);
       QVERIFY(dialog);
       QCOMPARE(dialog->windowTitle(), QString("Import s_%d.ply"));
       dialog->findChild<QLineEdit*>("sequence_folder")->setText(to_qstring(folder));
       answer_splats(*dialog);
-      QCOMPARE(wait(window), QString());
-      const MediumSequence& sequence = window->document().scene().sequences.back();
+      QCOMPARE(wait(desk), QString());
+      const MediumSequence& sequence = desk.document().scene().sequences.back();
       QCOMPARE(sequence.file, folder / "s_%d.ply");
       QCOMPARE(sequence.frames->size(), std::size_t{2});
       for (std::size_t frame = 0; frame < 2; ++frame) {
@@ -134,11 +134,11 @@ class SplatImportTest : public QObject {
       QCOMPARE(QDir(to_qstring(folder)).entryList(QDir::Files).size(), 2);
     }
     // Over the files themselves it is not.
-    window->file_jobs().import().import_splats(frames_around(window.file("s_1.ply")), {},
-                                               window.file("dropped") / "..");
-    QVERIFY(wait(window).contains("another folder"));
-    QVERIFY(has_splats(window.file("s_1.ply")));
-    QCOMPARE(window->document().undo_stack().count(), 2);
+    desk.import().import_splats(frames_around(desk.file("s_1.ply")), {},
+                                desk.file("dropped") / "..");
+    QVERIFY(wait(desk).contains("another folder"));
+    QVERIFY(has_splats(desk.file("s_1.ply")));
+    QCOMPARE(desk.document().undo_stack().count(), 2);
   }
 
   void bad_splats_of_a_sequence_are_told() {
@@ -159,22 +159,22 @@ class SplatImportTest : public QObject {
   }
 
   void splats_that_cannot_be_read_are_reported() {
-    TestWindow window;
+    FileDesk desk;
     SplatGltfBuilder compressed;
     compressed.extension()["extensions"]["KHR_gaussian_splatting_compression_spz_2"]["bufferView"] =
         0;
-    std::ofstream(window.file("spz.glb"), std::ios::binary) << compressed.binary();
-    write_splats(window.file("empty.gltf"), {});
+    std::ofstream(desk.file("spz.glb"), std::ios::binary) << compressed.binary();
+    write_splats(desk.file("empty.gltf"), {});
     for (const auto& [name, problem] :
          {std::pair("spz.glb", "not compressed"), std::pair("empty.gltf", "medium is empty")}) {
-      drop(window, {window.file(name)});
-      const QString found = wait(window);
+      drop(desk, {desk.file(name)});
+      const QString found = wait(desk);
       QVERIFY2(found.contains(problem), qPrintable(found));
-      drop(window, {window.file(name), window.file(name)});
-      QVERIFY(wait(window).contains(problem));
+      drop(desk, {desk.file(name), desk.file(name)});
+      QVERIFY(wait(desk).contains(problem));
     }
-    QVERIFY(!window->findChild<SplatDialog*>());
-    QCOMPARE(window->document().undo_stack().count(), 0);
+    QVERIFY(!desk.findChild<SplatDialog*>());
+    QCOMPARE(desk.document().undo_stack().count(), 0);
   }
 
   void splats_come_with_what_else_their_gltf_has() {
@@ -185,17 +185,17 @@ class SplatImportTest : public QObject {
     builder.json["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", 0.7}}}}};
     builder.json["nodes"].push_back({{"name", "Camera"}, {"camera", 0}});
     builder.json["scenes"][0]["nodes"] = {0, 1, 2};
-    TestWindow window;
-    Document& document = window->document();
+    FileDesk desk;
+    Document& document = desk.document();
     const Scene before = document.scene();
-    std::ofstream(window.file("both.glb"), std::ios::binary) << builder.binary();
-    drop(window, {window.file("both.glb")});
-    QCOMPARE(wait(window), QString());
-    auto* dialog = shown<SplatDialog>(window);
+    std::ofstream(desk.file("both.glb"), std::ios::binary) << builder.binary();
+    drop(desk, {desk.file("both.glb")});
+    QCOMPARE(wait(desk), QString());
+    auto* dialog = shown<SplatDialog>(desk);
     QVERIFY(dialog);
     QTest::mouseClick(dialog->findChild<QPushButton*>("import"), Qt::LeftButton);
-    QCOMPARE(wait(window), QString());
-    auto* parts = shown<SceneDialog>(window);
+    QCOMPARE(wait(desk), QString());
+    auto* parts = shown<SceneDialog>(desk);
     QVERIFY(parts);
     QTest::mouseClick(parts->findChild<QPushButton*>("import"), Qt::LeftButton);
     QCOMPARE(document.medium().size(), before.medium.size() + 2);
@@ -209,14 +209,14 @@ class SplatImportTest : public QObject {
   }
 
   void the_file_dialog_offers_splats_of_gltf_as_gaussians() {
-    TestWindow window;
+    FileDesk desk;
     QStringList filters;
     QTimer::singleShot(0, [&filters] {
       auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
       if (dialog) filters = dialog->nameFilters();
       if (dialog) dialog->reject();
     });
-    window->file_jobs().import().ask();
+    desk.import().ask();
     const QStringList gaussians = filters.filter("Gaussians (");
     QCOMPARE(gaussians.size(), 1);
     for (const char* pattern : {"*.csv", "*.ply", "*.gltf", "*.glb"}) {

@@ -12,25 +12,22 @@
 #include "app/tools/tool_box.h"
 #include "app/viewport/viewport.h"
 #include "core/io/scene/scene_file.h"
+#include "tests/app/desk.h"
 #include "tests/app/test_window.h"
 
 using namespace brume;
 
 namespace {
 
-// A window of a light and no fog.
-class SplineWindow : public TestWindow {
+Scene scene_without_fog() {
+  Scene scene = small_scene();
+  scene.medium = {};
+  return scene;
+}
+
+class SplineDesk : public Desk {
  public:
-  SplineWindow() : TestWindow(scene_without_fog()) {}
-
-  static Scene scene_without_fog() {
-    Scene scene = small_scene();
-    scene.medium = {};
-    return scene;
-  }
-
-  Document& document() { return (*this)->document(); }
-  Viewport& view() { return (*this)->viewport(); }
+  SplineDesk() : Desk(scene_without_fog()) {}
 };
 
 }  // namespace
@@ -40,20 +37,20 @@ class SplineTest : public QObject {
 
  private Q_SLOTS:
   void a_soft_move_takes_near_fog_along() {
-    SplineWindow window;
-    Document& document = window.document();
+    SplineDesk desk;
+    Document& document = desk.document();
     for (int k = 0; k < 6; ++k) {
       add_gaussian(document, {.center = {0.3 * k, 0.0, 0.0}, .radius = 0.2, .density = 1.0});
     }
     const Scene before = document.scene();
     document.select({before.medium.ids()[0]});
     document.lock({before.medium.ids()[2]});
-    window.key(Qt::Key_G);
-    enter(window, "move_soft", "1");
-    const glm::dvec3 at = window.view().rays().project(window.view().pivot());
+    desk.key(Qt::Key_G);
+    enter(desk, "move_soft", "1");
+    const glm::dvec3 at = desk.view().rays().project(desk.view().pivot());
     const QPoint pivot = QPointF(at.x, at.y).toPoint();
     const auto steps = document.undo_stack().count();
-    window.drag(pivot + QPoint(0, 9), pivot + QPoint(0, 69));
+    desk.drag(pivot + QPoint(0, 9), pivot + QPoint(0, 69));
     QCOMPARE(document.undo_stack().count(), steps + 1);
     const auto moved = [&](std::size_t k) {
       return document.medium().centers()[k].y - before.medium.centers()[k].y;
@@ -66,23 +63,23 @@ class SplineTest : public QObject {
     QCOMPARE(moved(4), 0.0);
     document.undo_stack().undo();
     QVERIFY(document.scene() == before);
-    enter(window, "move_soft", "0");
-    window.drag(pivot + QPoint(0, 9), pivot + QPoint(0, 69));
+    enter(desk, "move_soft", "0");
+    desk.drag(pivot + QPoint(0, 9), pivot + QPoint(0, 69));
     QCOMPARE(moved(1), 0.0);
     QCOMPARE(document.undo_stack().undoText(), QString("Move Gaussian"));
   }
 
   void moves_snap_to_a_grid() {
-    SplineWindow window;
-    Document& document = window.document();
+    SplineDesk desk;
+    Document& document = desk.document();
     add_gaussian(document, {.center = {0.1, 0.2, 0.3}, .radius = 0.2, .density = 1.0});
     document.select({document.medium().ids()[0]});
-    window.key(Qt::Key_G);
-    choose(window, "move_snap", 2);
-    enter(window, "move_grid", "0.5");
-    const glm::dvec3 at = window.view().rays().project(window.view().pivot());
+    desk.key(Qt::Key_G);
+    choose(desk, "move_snap", 2);
+    enter(desk, "move_grid", "0.5");
+    const glm::dvec3 at = desk.view().rays().project(desk.view().pivot());
     const QPoint pivot = QPointF(at.x, at.y).toPoint();
-    window.drag(pivot + QPoint(60, 0), pivot + QPoint(150, 0));  // along x only
+    desk.drag(pivot + QPoint(60, 0), pivot + QPoint(150, 0));  // along x only
     const glm::dvec3 center = document.medium().centers()[0];
     QVERIFY(center.x > 0.4 && std::abs(std::remainder(center.x, 0.5)) < 1e-9);
     QCOMPARE(center.y, 0.2);
@@ -90,14 +87,14 @@ class SplineTest : public QObject {
   }
 
   void a_spline_stays_editable() {
-    SplineWindow window;
-    Document& document = window.document();
+    SplineDesk desk;
+    Document& document = desk.document();
     const Scene before = document.scene();
-    window.key(Qt::Key_B, Qt::ShiftModifier);
-    auto& tool = dynamic_cast<SplineTool&>(window->tools().tool());
-    const QPoint center = window.view().rect().center();
+    desk.key(Qt::Key_B, Qt::ShiftModifier);
+    auto& tool = dynamic_cast<SplineTool&>(desk.tools().tool());
+    const QPoint center = desk.view().rect().center();
     const auto click = [&](QPoint at, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
-      QTest::mouseClick(&window.view(), Qt::LeftButton, modifiers, at);
+      QTest::mouseClick(&desk.view(), Qt::LeftButton, modifiers, at);
     };
     click(center - QPoint(150, 0));
     click(center);
@@ -109,7 +106,7 @@ class SplineTest : public QObject {
     QVERIFY(straight.size() > 5);
 
     // The point in the middle, down: one step, and undo takes the point back as well.
-    window.drag(center, center + QPoint(0, 90));
+    desk.drag(center, center + QPoint(0, 90));
     QCOMPARE(document.undo_stack().count(), 4);
     QCOMPARE(document.undo_stack().undoText(), QString("Move point of spline"));
     QVERIFY(tool.spline().points[1].y < -0.5);
@@ -123,35 +120,35 @@ class SplineTest : public QObject {
     QVERIFY(tool.spline().points[1].y < -0.5);
 
     // A change of the brush repaints it, as one step of all in a row.
-    enter(window, "spline_radius", "0.1");
-    enter(window, "spline_density", "2");
+    enter(desk, "spline_radius", "0.1");
+    enter(desk, "spline_density", "2");
     QCOMPARE(document.undo_stack().count(), 5);
     for (std::size_t k = 0; k < document.medium().size(); ++k) {
       QCOMPARE(document.medium().gaussian(k).radius, 0.1);
       QCOMPARE(document.medium().gaussian(k).density, 2.0);
     }
-    enter(window, "spline_smoothing", "10");  // which changes nothing of it
+    enter(desk, "spline_smoothing", "10");  // which changes nothing of it
     QCOMPARE(document.undo_stack().count(), 5);
 
     click(center + QPoint(0, 90), Qt::ControlModifier);
     QCOMPARE(tool.spline().points.size(), std::size_t{2});
     QCOMPARE(document.undo_stack().undoText(), QString("Remove point of spline"));
 
-    // What was deleted meanwhile is painted again; Escape takes a drag back.
+    // Gaussians deleted meanwhile are painted again; Escape takes a drag back.
     document.select({document.medium().ids()[1]});
     delete_selection(document, "Delete");
     const Medium deleted = document.medium();
     const QPoint end = center + QPoint(150, 0);
-    QTest::mousePress(&window.view(), Qt::LeftButton, {}, end);
-    window.move(end + QPoint(0, 40));
+    QTest::mousePress(&desk.view(), Qt::LeftButton, {}, end);
+    desk.move(end + QPoint(0, 40));
     QVERIFY(document.medium().size() >= deleted.size());
-    QTest::keyClick(&window.view(), Qt::Key_Escape);
-    QTest::mouseRelease(&window.view(), Qt::LeftButton, {}, end);
+    QTest::keyClick(&desk.view(), Qt::Key_Escape);
+    QTest::mouseRelease(&desk.view(), Qt::LeftButton, {}, end);
     QVERIFY(tool.spline().points[1] == points[2]);
 
     // New leaves it; the next click begins another.
     const std::size_t count = document.medium().size();
-    window->findChild<QPushButton*>("spline_new")->click();
+    desk.findChild<QPushButton*>("spline_new")->click();
     QVERIFY(tool.spline().points.empty());
     click(center + QPoint(0, 120));
     QCOMPARE(tool.spline().points.size(), std::size_t{1});
@@ -163,20 +160,20 @@ class SplineTest : public QObject {
 
   // Its points are in the scene, not in the tool: by the file, and in the outliner.
   void a_saved_spline_is_edited_again() {
-    SplineWindow window;
-    window.key(Qt::Key_B, Qt::ShiftModifier);
-    const QPoint center = window.view().rect().center();
-    enter(window, "spline_radius", "0.2");
-    enter(window, "spline_density", "3");
-    QTest::mouseClick(&window.view(), Qt::LeftButton, {}, center - QPoint(120, 0));
-    QTest::mouseClick(&window.view(), Qt::LeftButton, {}, center + QPoint(120, 0));
-    const PaintedSpline painted = window.document().scene().splines.at(0);
+    SplineDesk desk;
+    desk.key(Qt::Key_B, Qt::ShiftModifier);
+    const QPoint center = desk.view().rect().center();
+    enter(desk, "spline_radius", "0.2");
+    enter(desk, "spline_density", "3");
+    QTest::mouseClick(&desk.view(), Qt::LeftButton, {}, center - QPoint(120, 0));
+    QTest::mouseClick(&desk.view(), Qt::LeftButton, {}, center + QPoint(120, 0));
+    const PaintedSpline painted = desk.document().scene().splines.at(0);
     QVERIFY(painted.gaussians.size() > 5);
-    window.document().save(window.file("spline.brume"));
+    desk.document().save(desk.file("spline.brume"));
 
-    SplineWindow later;
-    Document& document = later.document();
-    document.open(load_document(window.file("spline.brume")), {});
+    TestWindow later(scene_without_fog());
+    Document& document = later->document();
+    document.open(load_document(desk.file("spline.brume")), {});
     const Scene opened = document.scene();
     QVERIFY(later->tools().active() == 0);
     auto* tree = later->findChild<QTreeWidget*>("outliner_tree");
@@ -192,7 +189,7 @@ class SplineTest : public QObject {
     QVERIFY(!document.is_modified());  // looking at it is no edit
 
     // Exactly its own Gaussians are painted again.
-    const glm::dvec3 end = later.view().rays().project(painted.points[1]);
+    const glm::dvec3 end = later->viewport().rays().project(painted.points[1]);
     const QPoint at = QPointF(end.x, end.y).toPoint();
     later.drag(at, at + QPoint(0, 80));
     QCOMPARE(document.undo_stack().undoText(), QString("Move point of spline"));
@@ -211,13 +208,13 @@ class SplineTest : public QObject {
   }
 
   void splines_are_renamed_and_deleted_in_the_outliner() {
-    SplineWindow window;
-    Document& document = window.document();
-    window.key(Qt::Key_B, Qt::ShiftModifier);
-    const QPoint center = window.view().rect().center();
-    QTest::mouseClick(&window.view(), Qt::LeftButton, {}, center);
+    SplineDesk desk;
+    Document& document = desk.document();
+    desk.key(Qt::Key_B, Qt::ShiftModifier);
+    const QPoint center = desk.view().rect().center();
+    QTest::mouseClick(&desk.view(), Qt::LeftButton, {}, center);
     const Scene painted = document.scene();
-    auto* tree = window->findChild<QTreeWidget*>("outliner_tree");
+    auto* tree = desk.findChild<QTreeWidget*>("outliner_tree");
     const auto row = [&](const QString& name) {
       return tree->findItems(name, Qt::MatchExactly | Qt::MatchRecursive).value(0);
     };
@@ -242,21 +239,21 @@ class SplineTest : public QObject {
     release_spline(document, document.scene().splines[0].id);
     QVERIFY(document.scene().splines.empty() && document.medium() == painted.medium);
     while (document.undo_stack().canUndo()) document.undo_stack().undo();
-    QVERIFY(document.scene() == SplineWindow::scene_without_fog() || document.medium().empty());
+    QVERIFY(document.scene() == scene_without_fog() || document.medium().empty());
   }
 
   // Fog that was put into a group stays there when its spline is painted again.
   void a_repainted_spline_stays_in_its_group() {
-    SplineWindow window;
-    Document& document = window.document();
-    window.key(Qt::Key_B, Qt::ShiftModifier);
-    const QPoint center = window.view().rect().center();
-    QTest::mouseClick(&window.view(), Qt::LeftButton, {}, center);
+    SplineDesk desk;
+    Document& document = desk.document();
+    desk.key(Qt::Key_B, Qt::ShiftModifier);
+    const QPoint center = desk.view().rect().center();
+    QTest::mouseClick(&desk.view(), Qt::LeftButton, {}, center);
     document.select({document.medium().ids()[0]});
     group_selection(document);
     const GroupId group = document.scene().groups[0].id;
     document.set_active_group(0);
-    QTest::mouseClick(&window.view(), Qt::LeftButton, {}, center + QPoint(150, 0));
+    QTest::mouseClick(&desk.view(), Qt::LeftButton, {}, center + QPoint(150, 0));
     QVERIFY(document.medium().size() > 3);
     for (std::size_t k = 0; k < document.medium().size(); ++k) {
       QCOMPARE(document.medium().group(k), group);
@@ -264,15 +261,15 @@ class SplineTest : public QObject {
   }
 
   void another_scene_ends_a_spline() {
-    SplineWindow window;
-    window.key(Qt::Key_B, Qt::ShiftModifier);
-    auto& tool = dynamic_cast<SplineTool&>(window->tools().tool());
-    QTest::mouseClick(&window.view(), Qt::LeftButton, {}, window.view().rect().center());
+    SplineDesk desk;
+    desk.key(Qt::Key_B, Qt::ShiftModifier);
+    auto& tool = dynamic_cast<SplineTool&>(desk.tools().tool());
+    QTest::mouseClick(&desk.view(), Qt::LeftButton, {}, desk.view().rect().center());
     QVERIFY(!tool.spline().points.empty());
-    window.document().create();
+    desk.document().create();
     QVERIFY(tool.spline().points.empty());
-    QVERIFY(window.document().medium().empty());
-    QVERIFY(!window.document().is_modified());
+    QVERIFY(desk.document().medium().empty());
+    QVERIFY(!desk.document().is_modified());
   }
 };
 

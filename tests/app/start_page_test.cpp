@@ -1,4 +1,4 @@
-// What a window begins with: the start page, the view one had left, the grid of an empty scene.
+// A window begins with the start page, the view one had left, the grid of an empty scene.
 
 #include <QCheckBox>
 #include <QFile>

@@ -241,7 +241,7 @@ class StrokesTest : public QObject {
     QCOMPARE(window->document().selection(), inner);
   }
 
-  // What needs only the newest position is not called for each.
+  // Handlers that need only the newest position are not called for each.
   void elsewhere_moves_are_merged() {
     TestWindow window;
     Viewport& view = window->viewport();

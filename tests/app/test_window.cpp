@@ -13,6 +13,7 @@
 #include "app/widgets/number_field.h"
 #include "app/widgets/value_field.h"
 #include "core/io/scene/scene_file.h"
+#include "tests/app/desk.h"
 
 namespace brume {
 
@@ -72,8 +73,7 @@ const JobBar& TestWindow::bar(const BackgroundJob& job) const {
 }
 
 QPoint TestWindow::handle(std::size_t index) {
-  const glm::dvec3& at = window_->viewport().handles().position(index);
-  return QPointF(at.x, at.y).toPoint();
+  return handle_position(window_->viewport(), index);
 }
 
 void TestWindow::move(QPointF to, Qt::MouseButton button, Qt::KeyboardModifiers modifiers) {
@@ -93,6 +93,16 @@ void TestWindow::key(Qt::Key key, Qt::KeyboardModifiers modifiers) {
   QTest::keyClick(&window_->viewport(), key, modifiers);
 }
 
+QPoint handle_position(const View& view, std::size_t index) {
+  const glm::dvec3& position = view.handles().position(index);
+  return QPointF(position.x, position.y).toPoint();
+}
+
+QPoint film_position(const View& view, const glm::dvec3& point) {
+  const glm::dvec3 position = view.rays().project(point);
+  return QPointF(position.x, position.y).toPoint();
+}
+
 bool is_undone(Document& document, const Scene& before) {
   document.undo_stack().setIndex(0);
   return document.scene() == before;
@@ -103,6 +113,7 @@ void move_mouse(QWidget& widget, QPointF to, Qt::MouseButton button,
   QMouseEvent event(QEvent::MouseMove, to, widget.mapToGlobal(to), Qt::NoButton, button, modifiers);
   QApplication::sendEvent(&widget, &event);
   if (auto* view = qobject_cast<Viewport*>(&widget)) view->finish_input();
+  if (auto* view = qobject_cast<DeskView*>(&widget)) view->finish_input();
 }
 
 void drag_mouse(QWidget& widget, QPointF from, QPointF to, Qt::MouseButton button,
@@ -119,40 +130,40 @@ std::string bytes_of(const Document& document) {
   return document_to_json({document.scene(), document.extras()}, "/");
 }
 
-void enter(TestWindow& window, const char* field, const QString& text) {
-  auto* line = window->findChild<ValueField*>(field)->findChild<NumberField*>();
+void enter(QWidget& window, const char* field, const QString& text) {
+  auto* line = window.findChild<ValueField*>(field)->findChild<NumberField*>();
   line->setText(text);
   line->setModified(true);
   QTest::keyClick(line, Qt::Key_Return);
 }
 
-void click(TestWindow& window, const char* name) {
-  auto* button = window->findChild<QAbstractButton*>(name);
+void click(QWidget& window, const char* name) {
+  auto* button = window.findChild<QAbstractButton*>(name);
   QVERIFY2(button && button->isEnabled(), name);
   button->click();
 }
 
-void choose(TestWindow& window, const char* name, int index) {
-  auto* box = window->findChild<QComboBox*>(name);
+void choose(QWidget& window, const char* name, int index) {
+  auto* box = window.findChild<QComboBox*>(name);
   box->setCurrentIndex(index);
   Q_EMIT box->activated(index);
 }
 
-void type(TestWindow& window, const char* name, const QString& text) {
-  auto* line = window->findChild<QLineEdit*>(name);
+void type(QWidget& window, const char* name, const QString& text) {
+  auto* line = window.findChild<QLineEdit*>(name);
   line->selectAll();
   line->setFocus();
   QTest::keyClicks(line, text);
   QTest::keyClick(line, Qt::Key_Return);
 }
 
-QString value(TestWindow& window, const char* field) {
-  return window->findChild<ValueField*>(field)->findChild<NumberField*>()->text();
+QString value(QWidget& window, const char* field) {
+  return window.findChild<ValueField*>(field)->findChild<NumberField*>()->text();
 }
 
-void drag_title(TestWindow& window, const char* field, int pixels) {
-  auto* title = window->findChild<QLabel*>(QString(field) + "_title");
-  if (!title) title = window->findChild<ValueField*>(field)->findChild<QLabel*>();
+void drag_title(QWidget& window, const char* field, int pixels) {
+  auto* title = window.findChild<QLabel*>(QString(field) + "_title");
+  if (!title) title = window.findChild<ValueField*>(field)->findChild<QLabel*>();
   drag_mouse(*title, {3, 3}, {3.0 + pixels, 3});
 }
 

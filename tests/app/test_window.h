@@ -24,6 +24,9 @@ inline constexpr int patience = 300'000;
 
 namespace brume {
 
+class View;
+class Viewport;
+
 // Five Gaussians well apart on screen, two of them behind each other's plane, and a light.
 Scene small_scene();
 Scene tiny_scene();  // the same in 32 x 24 pixels
@@ -38,7 +41,10 @@ class TestWindow {
   explicit TestWindow(const Scene& scene = small_scene(), const QSize& size = {800, 660});
 
   MainWindow& operator*() { return *window_; }
+  operator QWidget&() { return *window_; }
   MainWindow* operator->() { return window_.get(); }
+  Document& document() { return window_->document(); }
+  Viewport& view() { return window_->viewport(); }
   [[nodiscard]] std::filesystem::path file(const char* name) const;
 
   // Opens a file of this window's folder; whether it is there.
@@ -70,18 +76,23 @@ void move_mouse(QWidget& widget, QPointF to, Qt::MouseButton button = Qt::LeftBu
 void drag_mouse(QWidget& widget, QPointF from, QPointF to, Qt::MouseButton button = Qt::LeftButton,
                 Qt::KeyboardModifiers modifiers = Qt::NoModifier);
 
-// What a document's scene file would be, all of its values in it.
+// The text of a document's scene file, all values included.
 std::string bytes_of(const Document& document);
 
+// Where a Gaussian's handle is in a view.
+QPoint handle_position(const View& view, std::size_t index);
+// Where a point is in a view.
+QPoint film_position(const View& view, const glm::dvec3& point);
+
 // Types into a ValueField, by name; its text.
-void enter(TestWindow& window, const char* field, const QString& text);
+void enter(QWidget& window, const char* field, const QString& text);
 // Act on widgets with a name: press a button, choose from a box, type into a line.
-void click(TestWindow& window, const char* button);
-void choose(TestWindow& window, const char* box, int index);
-void type(TestWindow& window, const char* line, const QString& text);
-QString value(TestWindow& window, const char* field);
+void click(QWidget& window, const char* button);
+void choose(QWidget& window, const char* box, int index);
+void type(QWidget& window, const char* line, const QString& text);
+QString value(QWidget& window, const char* field);
 // Drags a ValueField's title by some pixels, in steps.
-void drag_title(TestWindow& window, const char* field, int pixels);
+void drag_title(QWidget& window, const char* field, int pixels);
 
 // A suite of test_app, by name: a class of test functions, run with the arguments of
 // QTest::qExec().

@@ -1,8 +1,6 @@
 // The tools that paint and erase, with a mouse and a keyboard.
 
 #include <QComboBox>
-#include <QLineEdit>
-#include <QToolBar>
 #include <glm/geometric.hpp>
 #include <set>
 
@@ -14,6 +12,7 @@
 #include "app/widgets/number_field.h"
 #include "app/widgets/value_field.h"
 #include "core/scene/camera_rays.h"
+#include "tests/app/desk.h"
 #include "tests/app/test_window.h"
 
 using namespace brume;
@@ -21,8 +20,8 @@ using namespace brume;
 namespace {
 
 template <class T>
-T& tool(TestWindow& window) {
-  return dynamic_cast<T&>(window->tools().tool());
+T& tool(ToolBox& tools) {
+  return dynamic_cast<T&>(tools.tool());
 }
 
 QString active_name(TestWindow& window) {
@@ -107,7 +106,7 @@ class ToolsTest : public QObject {
     const QPoint from(430, 200);
     const double dark = brightness(window, from);
     window.key(Qt::Key_B);
-    PaintbrushTool& tool = ::tool<PaintbrushTool>(window);
+    PaintbrushTool& tool = ::tool<PaintbrushTool>(window->tools());
     tool.set_brush({.radius = 0.2, .density = 3.0, .spacing = 1.0, .scatter = 0.9});
     window.drag(from, from + QPoint(150, 60));
     QCOMPARE(document.undo_stack().count(), 1);
@@ -157,30 +156,30 @@ class ToolsTest : public QObject {
   }
 
   void a_running_stroke_can_be_cancelled() {
-    TestWindow window;
-    Document& document = window->document();
-    Viewport& view = window->viewport();
+    Desk desk;
+    Document& document = desk.document();
+    DeskView& view = desk.view();
     const Scene before = document.scene();
-    window.key(Qt::Key_B);
+    desk.key(Qt::Key_B);
     QTest::mousePress(&view, Qt::LeftButton, {}, QPoint(300, 200));
-    window.move(QPoint(380, 230));
+    desk.move(QPoint(380, 230));
     QTest::keyClick(&view, Qt::Key_Escape);
-    window.move(QPoint(420, 260));
+    desk.move(QPoint(420, 260));
     QTest::mouseRelease(&view, Qt::LeftButton, {}, QPoint(420, 260));
     QVERIFY(document.scene() == before);
     QCOMPARE(document.undo_stack().count(), 0);
 
     QTest::mousePress(&view, Qt::LeftButton, {}, QPoint(300, 200));
-    window.move(QPoint(380, 230));
+    desk.move(QPoint(380, 230));
     document.undo_stack().undo();
-    window.move(QPoint(420, 260));
+    desk.move(QPoint(420, 260));
     QTest::mouseRelease(&view, Qt::LeftButton, {}, QPoint(420, 260));
     QVERIFY(document.scene() == before);
     QVERIFY(document.undo_stack().canRedo());
 
     // Another tool in the middle of it.
     QTest::mousePress(&view, Qt::LeftButton, {}, QPoint(300, 200));
-    window.move(QPoint(380, 230));
+    desk.move(QPoint(380, 230));
     QTest::keyClick(&view, Qt::Key_V);
     QVERIFY(document.scene() == before);
     QTest::mouseRelease(&view, Qt::LeftButton, {}, QPoint(420, 260));
@@ -189,31 +188,31 @@ class ToolsTest : public QObject {
   void the_ground_and_the_sky() {
     Scene scene = small_scene();
     scene.camera.eye = {0.0, 2.0, 6.0};
-    TestWindow window(scene);
-    window.key(Qt::Key_B);
-    ::tool<PaintbrushTool>(window).set_plane(PaintPlane::ground);
-    PaintbrushTool& tool = ::tool<PaintbrushTool>(window);
+    Desk desk(scene);
+    desk.key(Qt::Key_B);
+    ::tool<PaintbrushTool>(desk.tools()).set_plane(PaintPlane::ground);
+    PaintbrushTool& tool = ::tool<PaintbrushTool>(desk.tools());
     tool.set_brush({.radius = 0.2, .density = 1.0, .spacing = 1.0, .scatter = 0.0});
-    const int bottom = window->viewport().height() - 20;
-    window.drag(QPoint(200, bottom), QPoint(350, bottom));
-    const Medium& medium = window->document().medium();
+    const int bottom = desk.view().height() - 20;
+    desk.drag(QPoint(200, bottom), QPoint(350, bottom));
+    const Medium& medium = desk.document().medium();
     QVERIFY(medium.size() > 7);
     for (std::size_t k = 5; k < medium.size(); ++k) {
       QVERIFY(std::abs(medium.centers()[k].y) < 1e-9);
     }
     const std::size_t painted = medium.size();
-    window.drag(QPoint(200, 5), QPoint(350, 5));  // above the horizon there is no ground
+    desk.drag(QPoint(200, 5), QPoint(350, 5));  // above the horizon there is no ground
     QCOMPARE(medium.size(), painted);
-    QCOMPARE(window->document().undo_stack().count(), 1);
+    QCOMPARE(desk.document().undo_stack().count(), 1);
   }
 
   void a_paint_plane_can_be_positioned() {
-    TestWindow window;
-    window.key(Qt::Key_B);
-    PaintbrushTool& tool = ::tool<PaintbrushTool>(window);
+    Desk desk;
+    desk.key(Qt::Key_B);
+    PaintbrushTool& tool = ::tool<PaintbrushTool>(desk.tools());
     tool.set_brush({.radius = 0.2, .density = 1.0, .spacing = 1.0, .scatter = 0.0});
-    auto* box = window->findChild<QComboBox*>("brush_plane");
-    auto* at = window->findChild<ValueField*>("brush_position");
+    auto* box = desk.findChild<QComboBox*>("brush_plane");
+    auto* at = desk.findChild<ValueField*>("brush_position");
     QVERIFY(!at->isVisible());
     const auto paint_at = [&](PaintPlane plane, const char* position) {
       box->setCurrentIndex(static_cast<int>(plane));
@@ -223,10 +222,10 @@ class ToolsTest : public QObject {
       field->setFocus();
       QTest::keyClicks(field, position);
       QTest::keyClick(field, Qt::Key_Return);
-      const int low = window->viewport().height() - 20;
-      window.drag(QPoint(300, low), QPoint(400, low - 10));
+      const int low = desk.view().height() - 20;
+      desk.drag(QPoint(300, low), QPoint(400, low - 10));
     };
-    const Medium& medium = window->document().medium();
+    const Medium& medium = desk.document().medium();
     const auto check = [&](std::size_t first, int axis, double position) {
       QVERIFY(medium.size() > first);
       for (std::size_t k = first; k < medium.size(); ++k) {
@@ -243,7 +242,7 @@ class ToolsTest : public QObject {
   void brackets_and_alt_set_the_brush() {
     TestWindow window;
     window.key(Qt::Key_B);
-    PaintbrushTool& tool = ::tool<PaintbrushTool>(window);
+    PaintbrushTool& tool = ::tool<PaintbrushTool>(window->tools());
     const Paintbrush before = tool.brush();
     window.key(Qt::Key_BracketRight);
     QVERIFY(tool.brush().radius > before.radius && tool.brush().density == before.density);
@@ -279,7 +278,7 @@ class ToolsTest : public QObject {
     window.key(Qt::Key_Z, Qt::ControlModifier);
     QVERIFY(document.scene() == before);
     window.key(Qt::Key_BracketRight);
-    QVERIFY(::tool<EraserTool>(window).radius() > 40.0);
+    QVERIFY(::tool<EraserTool>(window->tools()).radius() > 40.0);
     QTest::mousePress(&window->viewport(), Qt::LeftButton, {}, at);
     QVERIFY(document.is_modified());
     QTest::keyClick(&window->viewport(), Qt::Key_Escape);

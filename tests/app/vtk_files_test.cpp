@@ -63,7 +63,7 @@ std::string base64(const std::string& bytes) {
   return QByteArray::fromStdString(bytes).toBase64().toStdString();
 }
 
-// What one block of a compressed array becomes; `said` bytes is what its header says.
+// A compressed array of one block, whose header says `said` bytes.
 std::string compressed(const std::string& bytes, std::uint32_t said) {
   // Qt puts the length before it.
   const std::string packed = qCompress(QByteArray::fromStdString(bytes)).mid(4).toStdString();
