@@ -63,11 +63,7 @@ class AnimationTest : public QObject {
     const Emitter moved = document.scene().emitters[0];
     const glm::dvec3 moved_to = desk.view().rays().project(moved.position);
     QVERIFY(std::hypot(moved_to.x - on_film.x - 40.0, moved_to.y - on_film.y + 10.0) < 1.0);
-    QTest::mousePress(&desk.view(), Qt::LeftButton, {}, at + QPoint(40, -10));
-    desk.move(at);
-    QTest::keyClick(&desk.view(), Qt::Key_Escape);
-    QTest::mouseRelease(&desk.view(), Qt::LeftButton, {}, at);
-    QVERIFY(document.scene().emitters[0] == moved);
+    QVERIFY(is_cancelled_by_escape(desk.view(), document, at + QPoint(40, -10), at));
     enter(desk, "emitter_rate", "50");
     enter(desk, "emitter_lifetime", "1.5");
     enter(desk, "emitter_seed", "42");
@@ -145,13 +141,7 @@ class AnimationTest : public QObject {
     window.key(Qt::Key_Comma);
     QCOMPARE(window->timeline().frame(), 14);
     // The particles shown can be baked.
-    auto* freeze = [&] {
-      for (QAction* action : window->findChildren<QAction*>()) {
-        if (action->text().contains("Bake")) return action;
-      }
-      return static_cast<QAction*>(nullptr);
-    }();
-    freeze->trigger();
+    trigger(window, "Bake");
     const auto particles = particles_at(scene.emitters[0], 14 / 30.0);
     QCOMPARE(window->document().undo_stack().undoText(),
              QString("Bake %1 Gaussians").arg(particles.size()));

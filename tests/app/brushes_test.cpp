@@ -45,11 +45,7 @@ class BrushDesk : public Desk {
     return added_after(before);
   }
   std::vector<Gaussian> added_after(std::size_t count) {
-    std::vector<Gaussian> added;
-    for (std::size_t i = count; i < document().medium().size(); ++i) {
-      added.push_back(document().medium().gaussian(i));
-    }
-    return added;
+    return gaussians_after(document(), count);
   }
   void pen(QEvent::Type type, QPointF position, double pressure) {
     static const QPointingDevice stylus("pen", 7, QInputDevice::DeviceType::Stylus,

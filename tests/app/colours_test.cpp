@@ -6,12 +6,10 @@
 #include <QTableView>
 #include <QToolButton>
 
-#include "app/commands/clipboard.h"
 #include "app/commands/edit_emitters.h"
 #include "app/document/timeline.h"
 #include "app/panels/gaussians/gaussian_filter.h"
 #include "app/widgets/color_button.h"
-#include "brume/error.h"
 #include "core/io/scene/scene_file.h"
 #include "core/scene/lights/photometry.h"
 #include "tests/app/desk.h"
@@ -151,16 +149,6 @@ class ColoursTest : public QObject {
     document.undo_stack().setIndex(0);
     QVERIFY(document.is_modified());
     QVERIFY(document.scene() == before);
-  }
-
-  void copies_keep_them() {
-    const std::vector<Gaussian> gaussians{
-        {{1, 2, 3}, 0.5, 2.0, {glm::dvec3(0.5, 0.25, 1.0), {1.0, 0.0, 3.0}}},
-        {{1, 2, 4}, 0.5, 2.0}};
-    const QString text = gaussians_to_text(gaussians);
-    QVERIFY(gaussians_from_text(text) == gaussians);
-    QVERIFY_THROWS_EXCEPTION(InputError,
-                             gaussians_from_text(QString(text).replace("0.25", "1.25")));
   }
 };
 

@@ -67,7 +67,6 @@ class GlWindow : public TestWindow {
   }
   ~GlWindow() { choose("backend_auto"); }
 
-  Viewport& view() { return (*this)->viewport(); }
   void choose(const char* backend) { (*this)->findChild<QAction*>(backend)->trigger(); }
   // Moves a camera until `look` has seen a frame in motion that was asked for after that began: one
   // that is under way shows what was asked before.

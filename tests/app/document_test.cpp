@@ -85,22 +85,6 @@ class DocumentTest : public QObject {
     QCOMPARE(document.undo_stack().count(), 1);
   }
 
-  void values_outside_their_domain_are_refused() {
-    Document document;
-    add_gaussian(document, {{}, 1.0, 1.0});
-    const std::vector<GaussianId> ids = document.selection();
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    QVERIFY(!set_attribute(document, ids, GaussianAttribute::radius, 0.0).isEmpty());
-    QVERIFY(!set_attribute(document, ids, GaussianAttribute::radius, -1.0).isEmpty());
-    QVERIFY(!set_attribute(document, ids, GaussianAttribute::density, -1e-9).isEmpty());
-    QVERIFY(!set_attribute(document, ids, GaussianAttribute::center_x, infinity).isEmpty());
-    QVERIFY(
-        !set_attribute(document, ids, GaussianAttribute::center_x, parse_number("fog")).isEmpty());
-    QCOMPARE(document.undo_stack().count(), 1);
-    QVERIFY(set_attribute(document, ids, GaussianAttribute::density, 0.0).isEmpty());
-    QCOMPARE(parse_number(" 0,25 "), 0.25);
-  }
-
   void unknown_keys_follow_a_light_through_deletion_and_undo() {
     const QTemporaryDir folder;
     const auto file = std::filesystem::path(folder.path().toStdString()) / "scene.brume";
@@ -144,8 +128,9 @@ class DocumentTest : public QObject {
         QVERIFY2(comes_back(), qPrintable(attribute_name(field) + number_text(value)));
       }
       QVERIFY(taken >= 3);
-      QVERIFY(
-          !set_attribute(document, ids, field, 1.1 * attribute_domain(field).max_value).isEmpty());
+      for (const double bad : {1.1 * attribute_domain(field).max_value, parse_number("fog")}) {
+        QVERIFY(!set_attribute(document, ids, field, bad).isEmpty());
+      }
     }
     const glm::dvec3 far_out(3e12, -4e15, 1.0);
     move_gaussians(document, ids, {&far_out, 1}, new_merge_id());

@@ -108,13 +108,8 @@ class EllipsoidsTest : public QObject {
     QCOMPARE(gaussian(document, 1).shape, shape);
     QVERIFY(gaussian(document, 1).radius > 1.8 * 1.5 * before.medium.radii()[1]);
     QVERIFY(is_undone(document, before));
-    // Escape puts them back.
-    QTest::mousePress(&desk.view(), Qt::LeftButton, {}, middle + QPoint(60, 0));
-    desk.move(middle + QPoint(90, 0));
-    QVERIFY(!gaussian(document, 0).is_ball());
-    QTest::keyClick(&desk.view(), Qt::Key_Escape);
-    QTest::mouseRelease(&desk.view(), Qt::LeftButton, {}, middle);
-    QVERIFY(document.scene() == before);
+    QVERIFY(is_cancelled_by_escape(desk.view(), document, middle + QPoint(60, 0),
+                                   middle + QPoint(90, 0)));
   }
 
   // By a third of what the selected one does.
@@ -261,9 +256,8 @@ class EllipsoidsTest : public QObject {
     // Alt and a click pick the brush from what it painted.
     const auto pick = [&](PaintbrushTool& brush, const glm::dvec3& center) {
       brush.set_brush({.radius = 7.0, .density = 1.0, .stretch = 2.0});
-      const glm::dvec3 at = desk.view().rays().project(center);
       QTest::mouseClick(&desk.view(), Qt::LeftButton, Qt::AltModifier,
-                        QPointF(at.x, at.y).toPoint());
+                        film_position(desk.view(), center));
       return glm::dvec3(brush.brush().radius, brush.brush().density, brush.brush().stretch);
     };
     const Gaussian first = document.medium().gaussian(5);
@@ -305,6 +299,8 @@ class EllipsoidsTest : public QObject {
     QVERIFY(gaussians_from_text(text) == gaussians);
     QString bad = text;
     QVERIFY_THROWS_EXCEPTION(InputError, gaussians_from_text(bad.replace("\t1\t", "\t2\t")));
+    bad = text;
+    QVERIFY_THROWS_EXCEPTION(InputError, gaussians_from_text(bad.replace("0.25", "1.25")));
 
     document.select({2, 3, 4});
     window.key(Qt::Key_C, Qt::ControlModifier);

@@ -33,8 +33,6 @@ class Hour : public TestWindow {
  public:
   Hour() : TestWindow(small_scene(), {900, 700}) {}
 
-  Document& document() { return (*this)->document(); }
-  Viewport& view() { return (*this)->viewport(); }
   const Scene& scene() { return document().scene(); }
 
   // Keeps a picture of the window as it is at rest, if asked to.
@@ -63,10 +61,7 @@ class Hour : public TestWindow {
     QTRY_VERIFY(!(*this)->findChild<QLineEdit*>("command_words"));
     QCoreApplication::processEvents();
   }
-  QPoint on_film(const glm::dvec3& point) {
-    const glm::dvec3 p = view().rays().project(point);
-    return QPointF(p.x, p.y).toPoint();
-  }
+  QPoint on_film(const glm::dvec3& point) { return film_position(view(), point); }
   // Drags an arrow of the handles of the selected object by some pixels.
   void drag_arrow(const glm::dvec3& axis, QPoint by) {
     const glm::dvec3 center = object_center(scene(), *document().object(), view().rays());

@@ -27,15 +27,8 @@ class FogWindow : public TestWindow {
     QTRY_VERIFY((*this)->viewport().surfaces().is_ready());
   }
   void choose(const char* name) { (*this)->findChild<QAction*>(name)->trigger(); }
-  Document& document() { return (*this)->document(); }
-
-  // Gaussians after the first `count`.
   std::vector<Gaussian> added_after(std::size_t count) {
-    std::vector<Gaussian> added;
-    for (std::size_t i = count; i < document().medium().size(); ++i) {
-      added.push_back(document().medium().gaussian(i));
-    }
-    return added;
+    return gaussians_after(document(), count);
   }
 };
 

@@ -74,6 +74,21 @@ Scene scene_with_transfer(const std::filesystem::path& mesh, int n) {
   return scene;
 }
 
+// The frames that a service makes, as they come.
+struct ServedFrames {
+  ServedFrames() {
+    QObject::connect(&service, &FrameService::frame_ready, &service,
+                     [this](const std::shared_ptr<const RenderedFrame>& frame) {
+                       last = frame;
+                       serials.push_back(frame->request.serial);
+                     });
+  }
+
+  std::shared_ptr<const RenderedFrame> last;
+  std::vector<std::uint64_t> serials;
+  FrameService service{std::make_shared<TransferStore>()};
+};
+
 bool has_opengl() {
   return qEnvironmentVariableIsEmpty("BRUME_TEST_NO_OPENGL");
 }
@@ -215,60 +230,47 @@ class FramesTest : public QObject {
   }
 
   void slow_frames_in_motion_do_not_queue_up() {
-    FrameService service(std::make_shared<TransferStore>());
-    std::vector<std::uint64_t> came;
-    connect(&service, &FrameService::frame_ready, this,
-            [&](const std::shared_ptr<const RenderedFrame>& frame) {
-              came.push_back(frame->request.serial);
-            });
+    ServedFrames frames;
     FrameRequest request = endless_request(1);
     request.settings.reference_tolerance = 1e-3;
     request.film = {200, 150};
     request.moving = true;
-    service.request(request);
-    QTRY_VERIFY(!came.empty());
-    while (++request.serial <= 50) service.request(request);
-    QTRY_VERIFY(came.back() == 50);
-    QVERIFY2(came.size() < 25, qPrintable(QString::number(came.size())));
+    frames.service.request(request);
+    QTRY_VERIFY(!frames.serials.empty());
+    while (++request.serial <= 50) frames.service.request(request);
+    QTRY_VERIFY(frames.serials.back() == 50);
+    QVERIFY2(frames.serials.size() < 25, qPrintable(QString::number(frames.serials.size())));
   }
 
   void a_long_frame_is_cancelled_by_a_newer_one() {
-    FrameService service(std::make_shared<TransferStore>());
-    std::vector<std::uint64_t> came;
-    connect(&service, &FrameService::frame_ready, this,
-            [&](const std::shared_ptr<const RenderedFrame>& frame) {
-              came.push_back(frame->request.serial);
-            });
-    service.request(endless_request(1));
+    ServedFrames frames;
+    frames.service.request(endless_request(1));
     int ticks = 0;
     QTimer timer;
     connect(&timer, &QTimer::timeout, this, [&] { ++ticks; });
     timer.start(10);
     QTRY_VERIFY(ticks >= 10);
-    QVERIFY(came.empty());
+    QVERIFY(frames.serials.empty());
 
-    service.request(endless_request(2));
+    frames.service.request(endless_request(2));
     FrameRequest last = endless_request(3);
     last.film = {40, 30};
     last.settings = {.airlight = AirlightMethod::paper};
-    service.request(last);
-    QTRY_VERIFY(!came.empty());
-    QCOMPARE(came, std::vector<std::uint64_t>{3});
+    frames.service.request(last);
+    QTRY_VERIFY(!frames.serials.empty());
+    QCOMPARE(frames.serials, std::vector<std::uint64_t>{3});
   }
 
   void in_motion_the_resolution_drops() {
-    FrameService service(std::make_shared<TransferStore>());
-    std::shared_ptr<const RenderedFrame> frame;
-    connect(&service, &FrameService::frame_ready, this,
-            [&](const std::shared_ptr<const RenderedFrame>& f) { frame = f; });
+    ServedFrames frames;
     FrameRequest request = endless_request(1);
     request.settings = {.airlight = AirlightMethod::paper};
     request.film = {400, 300};
     request.moving = true;
-    service.request(request);
-    QTRY_VERIFY(frame);
-    QCOMPARE(frame->divisor, 4);
-    QCOMPARE(frame->frame.film, (Film{100, 75}));
+    frames.service.request(request);
+    QTRY_VERIFY(frames.last);
+    QCOMPARE(frames.last->divisor, 4);
+    QCOMPARE(frames.last->frame.film, (Film{100, 75}));
   }
 
   // Frames come meanwhile, and again once it is there.

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <QLineEdit>
-#include <QMenu>
 #include <QTreeWidget>
 #include <vector>
 
@@ -32,37 +31,14 @@ class WithGroups : public Window {
     return found.isEmpty() ? nullptr : found.front();
   }
   QPoint position(const QString& name, int column = 0) {
-    QTreeWidgetItem* item = row(name);
-    tree().scrollToItem(item);
-    const int x = tree().columnViewportPosition(column) + tree().columnWidth(column) / 2;
-    return {x, tree().visualItemRect(item).center().y()};
+    return cell_position(tree(), row(name), column);
   }
   void click(const QString& name, int column = 0) {
     QTest::mouseClick(tree().viewport(), Qt::LeftButton, {}, position(name, column));
   }
   // Chooses from the context menu of a row; "Move into/a" from a menu in it.
   bool choose(const QString& name, const QString& text) {
-    const QPoint at = position(name);
-    QContextMenuEvent event(QContextMenuEvent::Mouse, at, tree().viewport()->mapToGlobal(at));
-    QApplication::sendEvent(tree().viewport(), &event);
-    auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
-    QMenu* shown = menu;
-    for (const QString& part : text.split('/')) {
-      if (!shown) break;
-      for (QAction* action : shown->actions()) {
-        if (action->text() != part) continue;
-        if (action->menu()) {
-          shown = action->menu();
-          break;
-        }
-        const bool enabled = action->isEnabled();
-        if (enabled) action->trigger();
-        menu->close();
-        return enabled;
-      }
-    }
-    if (menu) menu->close();
-    return false;
+    return choose_from_menu(*tree().viewport(), position(name), text);
   }
   // Types a name into the editor that is open.
   void type_name(const QString& name) {

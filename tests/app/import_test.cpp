@@ -321,13 +321,9 @@ class ImportTest : public QObject {
     QVERIFY(std::abs(seen.medium.centers()[5].x - 2.0) < 1e-12);
     QVERIFY(window->files().save_to(window.file("steam.brume")));
     QCOMPARE(evaluate_at(load_scene(window.file("steam.brume")), 31 / 30.0).medium, seen.medium);
-    for (QAction* action : window->findChildren<QAction*>()) {
-      if (action->text().contains("Bake")) action->trigger();
-    }
+    trigger(window, "Bake");
     QCOMPARE(document.undo_stack().undoText(), QString("Bake 2 Gaussians"));
-    for (QAction* action : window->findChildren<QAction*>()) {
-      if (action->text().contains("Remove Seq")) action->trigger();
-    }
+    trigger(window, "Remove Seq");
     QVERIFY(document.scene().sequences.empty());
     document.undo_stack().undo();
     QCOMPARE(document.scene().sequences.size(), std::size_t{1});

@@ -2,8 +2,6 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QContextMenuEvent>
-#include <QMenu>
 #include <QToolButton>
 
 #include "app/commands/edit_lights.h"
@@ -159,15 +157,7 @@ class KeysTest : public QObject {
     set_key_at(desk, 0);
     set_key_at(desk, 60);
     KeyframeTrack& keys = strip(desk);
-    QContextMenuEvent event(QContextMenuEvent::Mouse, keys.position(0, 0),
-                            keys.mapToGlobal(keys.position(0, 0)));
-    QApplication::sendEvent(&keys, &event);
-    auto* menu = keys.findChild<QMenu*>();
-    QVERIFY(menu);
-    for (QAction* action : menu->actions()) {
-      if (action->text() == "&Linear") action->trigger();
-    }
-    menu->close();
+    QVERIFY(choose_from_menu(keys, keys.position(0, 0), "&Linear"));
     QCOMPARE(keyed_light(desk).keys.intensity[0].interpolation, Interpolation::linear);
     QCOMPARE(desk.document().undo_stack().undoText(),
              QString("Make keyframe of light 1 intensity linear"));

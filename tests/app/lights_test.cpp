@@ -63,6 +63,7 @@ class LightsTest : public QObject {
     QCOMPARE(value(desk, "light_intensity"), QString("12"));
     QTest::mouseClick(desk.findChild<QPushButton*>("delete_light"), Qt::LeftButton);
     QCOMPARE(document.scene().lights.size(), std::size_t{1});
+    QCOMPARE(document.scene().lights[0].intensity, glm::dvec3(48.0));
     QCOMPARE(document.undo_stack().count(), 5);
     const Scene after = document.scene();
     QVERIFY(is_undone(document, before));
@@ -186,9 +187,8 @@ class LightsTest : public QObject {
     enter(desk, "light_intensity", "0.001");  // a ring that is in nobody's way
     const glm::dvec3 direction = glm::normalize(sun().as<light::Directional>()->direction);
     const auto film = [&] {
-      const glm::dvec3 at = desk.view().rays().project(
-          handle_position(sun(), document.scene(), desk.view().rays()));
-      return QPoint(qRound(at.x), qRound(at.y));
+      return film_position(desk.view(),
+                           handle_position(sun(), document.scene(), desk.view().rays()));
     };
     const QPoint at = film();
     desk.drag(at, at + QPoint(50, 0));
@@ -236,10 +236,7 @@ class LightsTest : public QObject {
     QVERIFY(rectangle().two_sided);
 
     // A corner of it scales it, the end of its normal turns it.
-    const auto film = [&](const glm::dvec3& point) {
-      const glm::dvec3 at = desk.view().rays().project(point);
-      return QPoint(qRound(at.x), qRound(at.y));
-    };
+    const auto film = [&](const glm::dvec3& point) { return film_position(desk.view(), point); };
     const auto [right, up] = rectangle_axes(rectangle());
     const QPoint corner = film(light().position + 0.2 * right + 0.125 * up);
     const QPoint center = film(light().position);
@@ -325,38 +322,35 @@ class LightsTest : public QObject {
   }
 
   void a_spot_is_turned_and_opened_in_the_view() {
-    TestWindow window;
-    Document& document = window->document();
-    QTest::mouseClick(window->findChild<QPushButton*>("add_spot"), Qt::LeftButton);
-    enter(window, "light_intensity", "0.001");  // a ring that is in nobody's way
+    Desk desk;
+    Document& document = desk.document();
+    QTest::mouseClick(desk.findChild<QPushButton*>("add_spot"), Qt::LeftButton);
+    enter(desk, "light_intensity", "0.001");  // a ring that is in nobody's way
     const Light before = document.scene().lights[1];
-    const auto film = [&](const glm::dvec3& point) {
-      const glm::dvec3 at = window->viewport().rays().project(point);
-      return QPoint(qRound(at.x), qRound(at.y));
-    };
-    const double length = 0.2 * glm::distance(before.position, window->viewport().rays().eye());
+    const auto film = [&](const glm::dvec3& point) { return film_position(desk.view(), point); };
+    const double length = 0.2 * glm::distance(before.position, desk.view().rays().eye());
     const glm::dvec3 axis = glm::normalize(before.as<light::Spot>()->direction);
     const QPoint target = film(before.position + length * axis);
-    window.drag(target, target + QPoint(40, 0));
+    desk.drag(target, target + QPoint(40, 0));
     QCOMPARE(document.undo_stack().undoText(), QString("Turn light 2"));
     const glm::dvec3 turned =
         glm::normalize(document.scene().lights[1].as<light::Spot>()->direction);
     QVERIFY(glm::dot(turned, axis) < 0.99);
     QCOMPARE(document.scene().lights[1].position, before.position);
-    window.key(Qt::Key_Z, Qt::ControlModifier);
+    desk.key(Qt::Key_Z, Qt::ControlModifier);
     QCOMPARE(document.scene().lights[1], before);
     // The rim, to the right of the target.
     const glm::dvec3 right = glm::normalize(glm::cross(axis, glm::dvec3(1, 0, 0)));
     const double radius = length * std::tan(glm::radians(before.as<light::Spot>()->outer_angle));
     const glm::dvec3 across = glm::cross(right, axis);
     const QPoint rim = film(before.position + length * axis + radius * across);
-    window.drag(rim, rim + (rim - target));
+    desk.drag(rim, rim + (rim - target));
     QCOMPARE(document.undo_stack().undoText(), QString("Set outer angle of light 2"));
     const light::Spot& cone = *document.scene().lights[1].as<light::Spot>();
     QVERIFY2(cone.outer_angle > 30.0 && cone.outer_angle < 42.0,
              qPrintable(QString::number(cone.outer_angle)));
     QVERIFY(std::abs(cone.inner_angle / cone.outer_angle - 0.75) < 1e-9);
-    window.key(Qt::Key_Z, Qt::ControlModifier);
+    desk.key(Qt::Key_Z, Qt::ControlModifier);
     QCOMPARE(document.scene().lights[1], before);
   }
 
@@ -379,11 +373,7 @@ class LightsTest : public QObject {
     const double strength = light_strength(document.scene().lights[0]);
     QVERIFY2(strength > 100.0 && strength < 160.0, qPrintable(QString::number(strength)));
     desk.key(Qt::Key_Z, Qt::ControlModifier);
-    QTest::mousePress(&desk.view(), Qt::LeftButton, {}, at);
-    desk.move(at + QPoint(20, 0));
-    QVERIFY(document.is_modified());
-    QTest::keyClick(&desk.view(), Qt::Key_Escape);
-    QTest::mouseRelease(&desk.view(), Qt::LeftButton, {}, at);
+    QVERIFY(is_cancelled_by_escape(desk.view(), document, at, at + QPoint(20, 0)));
     QVERIFY(document.scene() == before);
     QVERIFY(!document.is_modified());
   }

@@ -69,11 +69,8 @@ class WithObjects : public Window {
     return nullptr;
   }
   void click_row(const QString& name, int column) {
-    QTreeWidgetItem* item = row(name);
-    tree().scrollToItem(item);
-    const int x = tree().columnViewportPosition(column) + tree().columnWidth(column) / 2;
     QTest::mouseClick(tree().viewport(), Qt::LeftButton, {},
-                      {x, tree().visualItemRect(item).center().y()});
+                      cell_position(tree(), row(name), column));
   }
 
   std::string before;
@@ -165,15 +162,9 @@ class ObjectsTest : public QObject {
     ObjectsDesk desk;
     desk.click_row("Box", 0);
     desk.key(Qt::Key_G);
-    const QPoint middle = desk.on_film({-1.5, 0.5, 0.0});
     const QPoint arrow = desk.on_film({-1.5, 1.0, 0.0});
     QTest::mouseMove(&desk.view(), arrow);
-    QTest::mousePress(&desk.view(), Qt::LeftButton, {}, arrow);
-    desk.move(arrow + QPoint(0, -50));
-    QVERIFY(desk.surfaces()[1].translate.y > 0.6);
-    QTest::keyClick(&desk.view(), Qt::Key_Escape);
-    QCOMPARE(desk.saved(), desk.before);
-    QTest::mouseRelease(&desk.view(), Qt::LeftButton, {}, middle);
+    QVERIFY(is_cancelled_by_escape(desk.view(), desk.document(), arrow, arrow - QPoint(0, 50)));
     QCOMPARE(desk.saved(), desk.before);
   }
 

@@ -51,10 +51,6 @@ std::shared_ptr<const RenderedFrame> rendered(const Scene& scene) {
   return frame;
 }
 
-QString label(MainWindow& window, const char* name) {
-  return window.findChild<QLabel*>(name)->text();
-}
-
 const ErrorEstimate& error_of(MainWindow& window) {
   return *window.viewport().frames().quality().error();
 }
@@ -90,9 +86,9 @@ class QualityTest : public QObject {
     QVERIFY(error_of(*window).rel_rmse > 0.0);
     const QString error = error_text(error_of(*window));
     QVERIFY2(error.contains(" ± "), qPrintable(error));
-    QCOMPARE(label(*window, "error"), "error " + error);
+    QCOMPARE(label_text(*window, "error"), "error " + error);
     QVERIFY(window->findChild<QLabel*>("error")->isEnabled());
-    QCOMPARE(label(*window, "quality"),
+    QCOMPARE(label_text(*window, "quality"),
              settings_text(window->viewport().frames().shown()->request.settings) + " · " +
                  percent_text(error_of(*window).rel_rmse));
   }
@@ -126,8 +122,8 @@ class QualityTest : public QObject {
     const int tight = slices_for("1 %");
     QVERIFY(error_of(*window).high <= 0.01);
     QVERIFY2(0 < loose && loose < tight, qPrintable(QString("%1 %2").arg(loose).arg(tight)));
-    QCOMPARE(label(*window, "shown"), QString("Auto: %1 slices").arg(tight));
-    QVERIFY(label(*window, "why").contains("1 %"));
+    QCOMPARE(label_text(*window, "shown"), QString("Auto: %1 slices").arg(tight));
+    QVERIFY(label_text(*window, "why").contains("1 %"));
   }
 
   // Runs after the one above.
@@ -177,11 +173,12 @@ class QualityTest : public QObject {
     window->viewport().frames().quality().set_max_error(1e-9);
     QVERIFY(window.settle());
     QVERIFY(window->viewport().frames().quality().is_exhausted());
-    QVERIFY2(label(*window, "error").contains("cannot meet"), qPrintable(label(*window, "error")));
-    QVERIFY(label(*window, "why").contains("cannot meet"));
+    QVERIFY2(label_text(*window, "error").contains("cannot meet"),
+             qPrintable(label_text(*window, "error")));
+    QVERIFY(label_text(*window, "why").contains("cannot meet"));
     window->viewport().frames().quality().set_max_error(0.02);
     QVERIFY(window.settle());
-    QVERIFY(!label(*window, "error").contains("cannot meet"));
+    QVERIFY(!label_text(*window, "error").contains("cannot meet"));
   }
 
   void another_scene_starts_anew() {
@@ -247,18 +244,18 @@ class QualityTest : public QObject {
     }
     QVERIFY(stage(*window, "visibility")->text(1).contains("no surfaces"));
     QVERIFY(stage(*window, "visibility")->isDisabled());
-    QCOMPARE(label(*window, "gaussians_used"), QString("5 of 5 used"));
+    QCOMPARE(label_text(*window, "gaussians_used"), QString("5 of 5 used"));
     const FrameStatistics& statistics = window->viewport().frames().shown()->frame.statistics;
-    QVERIFY(label(*window, "pairs").contains(count_text(statistics.view_pairs)));
-    QCOMPARE(label(*window, "panel_error"), error_text(error_of(*window)));
-    QVERIFY(label(*window, "interval").contains(count_text(error_of(*window).pixels)));
+    QVERIFY(label_text(*window, "pairs").contains(count_text(statistics.view_pairs)));
+    QCOMPARE(label_text(*window, "panel_error"), error_text(error_of(*window)));
+    QVERIFY(label_text(*window, "interval").contains(count_text(error_of(*window).pixels)));
 
     // Live: in motion too, which takes other settings than the finest.
     window->viewport().frames().quality().set_max_error(1e-9);
     QVERIFY(window.settle());
     int in_motion = 0;
     connect(&window->viewport().frames(), &FrameScheduler::frame_shown, this, [&] {
-      if (label(*window, "picture").contains("in motion")) ++in_motion;
+      if (label_text(*window, "picture").contains("in motion")) ++in_motion;
     });
     const QPoint middle = window->viewport().rect().center();
     // Again if a frame came so late that it was one at rest.
@@ -268,11 +265,11 @@ class QualityTest : public QObject {
     } while (!QTest::qWaitFor([&] { return in_motion > 0; }, 100) && !deadline.hasExpired());
     QVERIFY(in_motion > 0);
     QVERIFY(window.settle());
-    QVERIFY(!label(*window, "picture").contains("in motion"));
+    QVERIFY(!label_text(*window, "picture").contains("in motion"));
     window->document().select({5});
     window.key(Qt::Key_Delete);
     QVERIFY(window.settle());
-    QCOMPARE(label(*window, "gaussians_used"), QString("4 of 4 used"));
+    QCOMPARE(label_text(*window, "gaussians_used"), QString("4 of 4 used"));
   }
 
   // Frame time, error and method; the rest where it is asked for, by mouse and for later.
@@ -284,10 +281,10 @@ class QualityTest : public QObject {
       auto* stages = window->findChild<QTreeWidget*>("stages");
       for (const char* name : {"frame_time", "panel_error", "shown"}) {
         QVERIFY2(window->findChild<QLabel*>(name)->isVisible(), name);
-        QVERIFY2(!label(*window, name).isEmpty(), name);
+        QVERIFY2(!label_text(*window, name).isEmpty(), name);
       }
-      QVERIFY(label(*window, "frame_time").contains('s'));
-      QVERIFY(label(*window, "shown").startsWith("Auto: "));
+      QVERIFY(label_text(*window, "frame_time").contains('s'));
+      QVERIFY(label_text(*window, "shown").startsWith("Auto: "));
       QVERIFY(!stages->isVisible());
       QVERIFY(!window->findChild<QLabel*>("interval")->isVisible());
       QTest::mouseClick(details, Qt::LeftButton);
@@ -319,15 +316,15 @@ class QualityTest : public QObject {
     choose_bound(*window, "2 %");
     QVERIFY(choose("airlight_fast"));
     QCOMPARE(view.frames().shown()->request.settings.slices, FrameQuality::fast_slices);
-    QCOMPARE(label(*window, "shown"), QString("Fast: 8 slices"));
+    QCOMPARE(label_text(*window, "shown"), QString("Fast: 8 slices"));
     QVERIFY(choose("airlight_sliced"));
-    QCOMPARE(label(*window, "shown"), QString("Fixed: 24 slices"));
+    QCOMPARE(label_text(*window, "shown"), QString("Fixed: 24 slices"));
     QVERIFY(choose("airlight_paper"));
-    QCOMPARE(label(*window, "shown"), QString("Paper's method"));
+    QCOMPARE(label_text(*window, "shown"), QString("Paper's method"));
     // More paths come by themselves, and the window answers meanwhile.
     QVERIFY(choose("airlight_reference"));
     QCOMPARE(view.frames().mode(), ViewMode::path_traced);
-    QCOMPARE(label(*window, "shown"), QString("Reference: path tracing"));
+    QCOMPARE(label_text(*window, "shown"), QString("Reference: path tracing"));
     const int paths = view.frames().shown()->request.settings.paths;
     QTRY_VERIFY(view.frames().shown()->request.settings.paths > paths);
     // View > Show wins, and the method is as it was before.

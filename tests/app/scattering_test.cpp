@@ -56,10 +56,6 @@ void choose_scattering(TestWindow& window, const QString& text) {
   }
 }
 
-QString label(TestWindow& window, const char* name) {
-  return window->findChild<QLabel*>(name)->text();
-}
-
 bool matches(const QString& text, const char* pattern) {
   return QRegularExpression(QRegularExpression::anchoredPattern(pattern)).match(text).hasMatch();
 }
@@ -84,8 +80,8 @@ class ScatteringTest : public QObject {
     QCOMPARE(window->findChild<QComboBox*>("scattering")->currentText(), QString("All orders"));
     const auto shown_brightness = [&] { return brightness(frames.shown()->frame); };
     const double all = shown_brightness();
-    QVERIFY(
-        matches(label(window, "panel_scattering"), "all orders, converged to .* % in \\d+ sweeps"));
+    QVERIFY(matches(label_text(*window, "panel_scattering"),
+                    "all orders, converged to .* % in \\d+ sweeps"));
     const auto* stages = window->findChild<QTreeWidget*>("stages");
     QCOMPARE(stages->findItems("multiple scattering", Qt::MatchExactly).size(), 1);
 
@@ -93,7 +89,7 @@ class ScatteringTest : public QObject {
     QTRY_VERIFY(frames.is_settled());
     const double once = shown_brightness();
     QVERIFY2(all > 1.2 * once, qPrintable(QString("%1 %2").arg(all).arg(once)));
-    QCOMPARE(label(window, "panel_scattering"), QString("once"));
+    QCOMPARE(label_text(*window, "panel_scattering"), QString("once"));
     QVERIFY(stages->findItems("multiple scattering", Qt::MatchExactly).isEmpty());
     QVERIFY(!window->document().is_modified());
 
@@ -181,10 +177,11 @@ class ScatteringTest : public QObject {
     QVERIFY(reaches(2));
     QVERIFY(frames.is_measured());
     const char* paths = "\\d+ paths, noise .* %";
-    QVERIFY2(matches(label(window, "error"), paths), qPrintable(label(window, "error")));
-    QVERIFY(matches(label(window, "panel_error"), paths));
-    QVERIFY(label(window, "panel_scattering").startsWith("all orders, "));
-    QVERIFY(label(window, "quality").startsWith("path tracing"));
+    QVERIFY2(matches(label_text(*window, "error"), paths),
+             qPrintable(label_text(*window, "error")));
+    QVERIFY(matches(label_text(*window, "panel_error"), paths));
+    QVERIFY(label_text(*window, "panel_scattering").startsWith("all orders, "));
+    QVERIFY(label_text(*window, "quality").startsWith("path tracing"));
     QVERIFY(legend->isVisible());
     QVERIFY(legend->scale().title.startsWith("Path traced, "));
 

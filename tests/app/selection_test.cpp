@@ -347,11 +347,8 @@ class SelectionTest : public QObject {
       QCOMPARE(document.medium().radii()[k], before.medium.radii()[k]);
     }
     desk.key(Qt::Key_Z, Qt::ControlModifier);
-    QTest::mousePress(&desk.view(), Qt::LeftButton, {}, middle + QPoint(96, 0));
-    desk.move(middle + QPoint(70, 70));
-    QVERIFY(document.is_modified());
-    QTest::keyClick(&desk.view(), Qt::Key_Escape);
-    QTest::mouseRelease(&desk.view(), Qt::LeftButton, {}, middle);
+    QVERIFY(is_cancelled_by_escape(desk.view(), document, middle + QPoint(96, 0),
+                                   middle + QPoint(70, 70)));
     QVERIFY(document.scene() == before);
   }
 

@@ -38,7 +38,6 @@ class SimplifyWindow : public TestWindow {
     enter(*this, "simplify_error", percent);
     QTest::mouseClick(dialog.findChild<QPushButton*>("simplify_now"), Qt::LeftButton);
   }
-  Document& document() { return (*this)->document(); }
 };
 
 }  // namespace

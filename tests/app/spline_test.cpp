@@ -47,8 +47,7 @@ class SplineTest : public QObject {
     document.lock({before.medium.ids()[2]});
     desk.key(Qt::Key_G);
     enter(desk, "move_soft", "1");
-    const glm::dvec3 at = desk.view().rays().project(desk.view().pivot());
-    const QPoint pivot = QPointF(at.x, at.y).toPoint();
+    const QPoint pivot = film_position(desk.view(), desk.view().pivot());
     const auto steps = document.undo_stack().count();
     desk.drag(pivot + QPoint(0, 9), pivot + QPoint(0, 69));
     QCOMPARE(document.undo_stack().count(), steps + 1);
@@ -77,8 +76,7 @@ class SplineTest : public QObject {
     desk.key(Qt::Key_G);
     choose(desk, "move_snap", 2);
     enter(desk, "move_grid", "0.5");
-    const glm::dvec3 at = desk.view().rays().project(desk.view().pivot());
-    const QPoint pivot = QPointF(at.x, at.y).toPoint();
+    const QPoint pivot = film_position(desk.view(), desk.view().pivot());
     desk.drag(pivot + QPoint(60, 0), pivot + QPoint(150, 0));  // along x only
     const glm::dvec3 center = document.medium().centers()[0];
     QVERIFY(center.x > 0.4 && std::abs(std::remainder(center.x, 0.5)) < 1e-9);
@@ -189,8 +187,7 @@ class SplineTest : public QObject {
     QVERIFY(!document.is_modified());  // looking at it is no edit
 
     // Exactly its own Gaussians are painted again.
-    const glm::dvec3 end = later->viewport().rays().project(painted.points[1]);
-    const QPoint at = QPointF(end.x, end.y).toPoint();
+    const QPoint at = film_position(later->viewport(), painted.points[1]);
     later.drag(at, at + QPoint(0, 80));
     QCOMPARE(document.undo_stack().undoText(), QString("Move point of spline"));
     QVERIFY(tool->spline().points[1].y < painted.points[1].y - 0.3);

@@ -1,7 +1,6 @@
 // Surfaces: deleted and duplicated in the outliner, placed by numbers in their panel.
 
 #include <QComboBox>
-#include <QMenu>
 #include <QTreeWidget>
 #include <fstream>
 #include <glm/gtc/quaternion.hpp>
@@ -44,28 +43,12 @@ class SurfacesDesk : public Desk {
   QTreeWidget& tree() { return *findChild<QTreeWidget*>("outliner_tree"); }
   // Below the top-level item `group`.
   QTreeWidgetItem* item(int group, int index) { return tree().topLevelItem(group)->child(index); }
-  QPoint item_position(QTreeWidgetItem* item) {
-    tree().scrollToItem(item);
-    return tree().visualItemRect(item).center();
-  }
-  void click(QTreeWidgetItem* item) {
-    QTest::mouseClick(tree().viewport(), Qt::LeftButton, {}, item_position(item));
+  void click(QTreeWidgetItem* item, int column = 0) {
+    QTest::mouseClick(tree().viewport(), Qt::LeftButton, {}, cell_position(tree(), item, column));
   }
   // Chooses from the context menu of an item; whether it has that.
   bool choose(QTreeWidgetItem* item, const QString& text) {
-    const QPoint position = item_position(item);
-    QContextMenuEvent event(QContextMenuEvent::Mouse, position,
-                            tree().viewport()->mapToGlobal(position));
-    QApplication::sendEvent(tree().viewport(), &event);
-    auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
-    if (!menu) return false;
-    for (QAction* action : menu->actions()) {
-      if (action->text() != text) continue;
-      QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(action).center());
-      return true;
-    }
-    menu->close();
-    return false;
+    return choose_from_menu(*tree().viewport(), cell_position(tree(), item), text);
   }
 };
 
@@ -161,11 +144,7 @@ class SurfacesTest : public QObject {
     };
     QCOMPARE(shown(), std::size_t{3});
     QVERIFY(hits_teapot());
-    const auto click_eye = [&] {
-      const QPoint row = desk.item_position(desk.item(surface_group, 1));
-      const int x = desk.tree().columnViewportPosition(1) + desk.tree().columnWidth(1) / 2;
-      QTest::mouseClick(desk.tree().viewport(), Qt::LeftButton, {}, {x, row.y()});
-    };
+    const auto click_eye = [&] { desk.click(desk.item(surface_group, 1), 1); };
     click_eye();
     QCOMPARE(desk.document().undo_stack().undoText(), QString("Hide teapot.obj"));
     QCOMPARE(shown(), std::size_t{2});

@@ -1,10 +1,15 @@
 #include "tests/app/test_window.h"
 
 #include <QAbstractButton>
+#include <QAction>
 #include <QApplication>
 #include <QComboBox>
+#include <QContextMenuEvent>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
+#include <QTreeWidget>
+#include <algorithm>
 
 #include "app/document/paths.h"
 #include "app/files/scene_files.h"
@@ -93,6 +98,14 @@ void TestWindow::key(Qt::Key key, Qt::KeyboardModifiers modifiers) {
   QTest::keyClick(&window_->viewport(), key, modifiers);
 }
 
+std::vector<Gaussian> gaussians_after(const Document& document, std::size_t count) {
+  std::vector<Gaussian> gaussians;
+  for (std::size_t i = count; i < document.medium().size(); ++i) {
+    gaussians.push_back(document.medium().gaussian(i));
+  }
+  return gaussians;
+}
+
 QPoint handle_position(const View& view, std::size_t index) {
   const glm::dvec3& position = view.handles().position(index);
   return QPointF(position.x, position.y).toPoint();
@@ -106,6 +119,17 @@ QPoint film_position(const View& view, const glm::dvec3& point) {
 bool is_undone(Document& document, const Scene& before) {
   document.undo_stack().setIndex(0);
   return document.scene() == before;
+}
+
+bool is_cancelled_by_escape(QWidget& view, Document& document, QPoint from, QPoint to) {
+  const Scene before = document.scene();
+  QTest::mousePress(&view, Qt::LeftButton, {}, from);
+  move_mouse(view, to);
+  const bool changed = !(document.scene() == before);
+  QTest::keyClick(&view, Qt::Key_Escape);
+  const bool is_back = document.scene() == before;
+  QTest::mouseRelease(&view, Qt::LeftButton, {}, to);
+  return changed && is_back && document.scene() == before;
 }
 
 void move_mouse(QWidget& widget, QPointF to, Qt::MouseButton button,
@@ -159,6 +183,42 @@ void type(QWidget& window, const char* name, const QString& text) {
 
 QString value(QWidget& window, const char* field) {
   return window.findChild<ValueField*>(field)->findChild<NumberField*>()->text();
+}
+
+void trigger(QWidget& window, const QString& text) {
+  for (QAction* action : window.findChildren<QAction*>()) {
+    if (action->text().contains(text)) return action->trigger();
+  }
+  QFAIL(qPrintable(text));
+}
+
+bool choose_from_menu(QWidget& widget, QPoint place, const QString& text) {
+  QContextMenuEvent event(QContextMenuEvent::Mouse, place, widget.mapToGlobal(place));
+  QApplication::sendEvent(&widget, &event);
+  auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+  bool is_chosen = false;
+  const QMenu* shown = menu;
+  for (const QString& part : text.split('/')) {
+    if (!shown) break;
+    const auto actions = shown->actions();
+    const auto found = std::ranges::find(actions, part, &QAction::text);
+    shown = found == actions.end() ? nullptr : (*found)->menu();
+    if (found == actions.end() || shown) continue;
+    is_chosen = (*found)->isEnabled();
+    (*found)->trigger();
+  }
+  if (menu) menu->close();
+  return is_chosen;
+}
+
+QString label_text(const QWidget& window, const char* name) {
+  return window.findChild<QLabel*>(name)->text();
+}
+
+QPoint cell_position(QTreeWidget& tree, QTreeWidgetItem* item, int column) {
+  tree.scrollToItem(item);
+  const int x = tree.columnViewportPosition(column) + tree.columnWidth(column) / 2;
+  return {x, tree.visualItemRect(item).center().y()};
 }
 
 void drag_title(QWidget& window, const char* field, int pixels) {

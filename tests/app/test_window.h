@@ -22,6 +22,9 @@ inline constexpr int patience = 300'000;
 #undef QTRY_COMPARE
 #define QTRY_COMPARE(value, expected) QTRY_COMPARE_WITH_TIMEOUT(value, expected, brume::patience)
 
+class QTreeWidget;
+class QTreeWidgetItem;
+
 namespace brume {
 
 class View;
@@ -68,6 +71,8 @@ class TestWindow {
 
 // Undoes everything; whether all is as it was, to the last bit.
 bool is_undone(Document& document, const Scene& before);
+// Whether a drag changes the scene, and Escape within it takes that back.
+bool is_cancelled_by_escape(QWidget& view, Document& document, QPoint from, QPoint to);
 
 // Moves of the mouse with a button down, worked off at once: QTest::mouseMove knows of none.
 void move_mouse(QWidget& widget, QPointF to, Qt::MouseButton button = Qt::LeftButton,
@@ -78,6 +83,9 @@ void drag_mouse(QWidget& widget, QPointF from, QPointF to, Qt::MouseButton butto
 
 // The text of a document's scene file, all values included.
 std::string bytes_of(const Document& document);
+
+// Gaussians after the first `count`.
+std::vector<Gaussian> gaussians_after(const Document& document, std::size_t count);
 
 // Where a Gaussian's handle is in a view.
 QPoint handle_position(const View& view, std::size_t index);
@@ -91,6 +99,14 @@ void click(QWidget& window, const char* button);
 void choose(QWidget& window, const char* box, int index);
 void type(QWidget& window, const char* line, const QString& text);
 QString value(QWidget& window, const char* field);
+// Triggers the action of a menu by a part of its text.
+void trigger(QWidget& window, const QString& text);
+// Chooses from the context menu at a place, "Move into/a" from a menu in it; whether it has that
+// and it is enabled.
+bool choose_from_menu(QWidget& widget, QPoint place, const QString& text);
+QString label_text(const QWidget& window, const char* name);
+// The middle of a cell of a tree, once that is scrolled to.
+QPoint cell_position(QTreeWidget& tree, QTreeWidgetItem* item, int column = 0);
 // Drags a ValueField's title by some pixels, in steps.
 void drag_title(QWidget& window, const char* field, int pixels);
 

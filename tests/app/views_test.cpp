@@ -26,11 +26,6 @@ Viewport& pane(const ViewGrid& views, Projection projection) {
   return *views.panes()[static_cast<std::size_t>(projection)];
 }
 
-QPoint place(const Viewport& view, const glm::dvec3& point) {
-  const glm::dvec3 at = view.rays().project(point);
-  return QPointF(at.x, at.y).toPoint();
-}
-
 }  // namespace
 
 class ViewsTest : public QObject {
@@ -131,7 +126,7 @@ class ViewsTest : public QObject {
     for (const auto& [projection, fixed] : planes) {
       Viewport& view = pane(views, projection);
       const glm::dvec3 start = document.medium().centers()[2];
-      const QPoint from = place(view, start);
+      const QPoint from = film_position(view, start);
       QTest::mouseClick(&view, Qt::LeftButton, {}, from);
       QCOMPARE(document.selection(), std::vector<GaussianId>{3});
       drag_mouse(view, from, from + QPoint(20, -15));
@@ -139,7 +134,7 @@ class ViewsTest : public QObject {
       const glm::dvec3 way = document.medium().centers()[2] - start;
       QVERIFY(glm::length(way) > 0.05);
       QVERIFY(std::abs(way[fixed]) < 0.02 * glm::length(way));
-      QVERIFY((place(view, document.medium().centers()[2]) - from - QPoint(20, -15))
+      QVERIFY((film_position(view, document.medium().centers()[2]) - from - QPoint(20, -15))
                   .manhattanLength() <= 2);
       document.undo_stack().undo();
     }
