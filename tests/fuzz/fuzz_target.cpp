@@ -49,7 +49,7 @@ struct Parser {
 // Rows without columns and nodes that share a mesh are many Gaussians in a few bytes.
 constexpr std::size_t max_fuzzed = 100'000;
 
-// What is read is of the domains of Gaussians, or else the reader is wrong.
+// Gaussians that were read are in their domains, or else the reader is wrong.
 void check_gaussians(const std::vector<Gaussian>& gaussians) {
   Medium medium;
   for (const Gaussian& gaussian : gaussians) medium.append(gaussian);

@@ -96,7 +96,7 @@ std::vector<Patch> patches(const Light& light, int count) {
   return all;
 }
 
-// What a surface adds up to at x: of radiance * cosine / r^2 * transmittance, times `facing` of the
+// The sum over a surface at x: of radiance * cosine / r^2 * transmittance, times `facing` of the
 // direction to it.
 template <class Facing>
 double arriving(const Scene& scene, const std::vector<Patch>& surface, const glm::dvec3& x,
@@ -116,7 +116,7 @@ double arriving(const Scene& scene, const std::vector<Patch>& surface, const glm
   return scene.lights[0].intensity.x * sum;
 }
 
-// What a ray of the camera scatters of it, by small steps.
+// The light that a ray of the camera scatters of it, by small steps.
 double scattered(const Scene& scene, const std::vector<Patch>& surface, const glm::dvec3& w,
                  double end) {
   constexpr int steps = 500;

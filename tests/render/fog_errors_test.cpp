@@ -1,4 +1,4 @@
-// What `brume bench` says of fog besides its speed.
+// `brume bench` reports errors of fog besides its speed.
 
 #include "tools/bench/errors/fog_errors.h"
 

@@ -31,7 +31,7 @@ std::string value_at(const char* layer, std::size_t i, float x) {
   return std::string(layer) + "[" + std::to_string(i) + "] = " + std::to_string(x);
 }
 
-// What breaks the frame's promise first, or nothing.
+// The first promise that the frame breaks, or nothing.
 std::string broken_promise(const Frame& frame) {
   for (std::size_t i = 0; i < frame.beauty.size(); ++i) {
     const float x = frame.beauty[i];
@@ -60,7 +60,7 @@ Settings on_one_thread(AirlightMethod method) {
   return settings;
 }
 
-// What takes a fraction of a millisecond on a scene of a few pixels.
+// These take a fraction of a millisecond on a scene of a few pixels.
 std::vector<Settings> fast_methods(unsigned seed) {
   const Settings paper = on_one_thread(AirlightMethod::paper);
   Settings improved = paper;
@@ -81,7 +81,7 @@ std::vector<Settings> fast_methods(unsigned seed) {
   return methods;
 }
 
-// What takes adaptive quadrature.
+// These take adaptive quadrature.
 std::vector<Settings> slow_methods(unsigned seed) {
   Settings plain = on_one_thread(AirlightMethod::paper);
   plain.precision = Settings::Precision::plain_double;

@@ -42,7 +42,7 @@ Scene with_ray_noise(Scene scene) {
   return scene;
 }
 
-// Which has no edges in the picture.
+// It has no edges in the picture.
 Scene before_a_wide_wall(Scene scene) {
   scene.surfaces.push_back(wall(-0.4, 9.0));
   return scene;

@@ -144,7 +144,7 @@ TEST(OwnOptics, DenseEmissionIsItsRadiance) {
   }
 }
 
-// What a ray scatters and emits, by small steps.
+// The light that a ray scatters and emits, by small steps.
 glm::dvec3 integral(const Scene& scene, const glm::dvec3& w) {
   const double b0 = scene.medium.homogeneous_density();
   const Light& light = scene.lights[0];
@@ -246,7 +246,7 @@ TEST(OwnOptics, AllOrdersMatchPaths) {
   }
 }
 
-// What shines lights what is around it, by all orders only.
+// Emission lights its surroundings, by all orders only.
 TEST(OwnOptics, EmissionLightsSurfaces) {
   Scene scene = one_gaussian(0.5, {std::nullopt, glm::dvec3(10.0, 4.0, 1.0)});
   scene.surfaces = {wall(-1.0, 2.0)};
@@ -297,7 +297,7 @@ TEST(OwnOptics, SmallOnesLightWhatIsFarBeyondTheGrid) {
   EXPECT_LT(std::abs(Glow(false).on_wall(all_orders).bias), 0.05);
 }
 
-// Which only collisions would hardly ever find.
+// Collisions alone would hardly ever find them.
 TEST(OwnOptics, PathsFindSmallOnes) {
   EXPECT_LT(Glow(false).on_wall(path_traced(64)).relative_rmse, 0.02);
 }

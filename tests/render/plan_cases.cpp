@@ -1,5 +1,7 @@
 #include "tests/render/plan_cases.h"
 
+#include <gtest/gtest.h>
+
 #include "tests/render/test_scenes.h"
 
 namespace brume {
@@ -118,6 +120,18 @@ std::string in_words(const std::vector<SkippedStage>& stages) {
     words += std::string(to_string(skipped.stage)) + ": " + skipped.why + '\n';
   }
   return words;
+}
+
+void expect_planned(const FrameStatistics& statistics, const RenderPlan& plan,
+                    const std::string& name) {
+  StageSet ran;
+  for (const StageTime& stage : statistics.stages) {
+    EXPECT_FALSE(ran.has(stage.stage)) << to_string(stage.stage) << " twice, " << name;
+    ran.add(stage.stage);
+  }
+  EXPECT_EQ(to_string(ran), to_string(plan.stages)) << name;
+  EXPECT_EQ(in_words(statistics.skipped), in_words(plan.skipped)) << name;
+  EXPECT_EQ(in_words(statistics.on_cpu), in_words(plan.on_cpu)) << name;
 }
 
 }  // namespace brume

@@ -5,6 +5,7 @@
 
 #include "brume/frame.h"
 #include "brume/scene.h"
+#include "render/render_plan.h"
 #include "render/settings.h"
 
 namespace brume {
@@ -24,17 +25,6 @@ struct PlanCase {
   int scale = 1;
   Scattering scattering = Scattering::single;
 
-  [[nodiscard]] bool has_lights() const { return lights == Part::active; }
-  [[nodiscard]] bool has_sky() const { return sky == Part::active; }
-  [[nodiscard]] bool has_gaussians() const { return gaussians == Part::active; }
-  [[nodiscard]] bool has_medium() const { return has_gaussians() || fog; }
-  [[nodiscard]] bool has_any_light() const { return has_lights() || has_sky(); }
-  [[nodiscard]] bool is(AirlightMethod wanted) const { return method == wanted; }
-  // Whether the method renders more than one scattering, and is asked to.
-  [[nodiscard]] bool is_multiple() const {
-    return is(AirlightMethod::sliced) && scattering == Scattering::multiple;
-  }
-
   [[nodiscard]] Scene scene() const;
   // With grids and tables of few cells.
   [[nodiscard]] Settings settings() const;
@@ -47,5 +37,9 @@ std::vector<PlanCase> few_plan_cases(const std::vector<AirlightMethod>& methods)
 
 // One stage and its reason a line.
 std::string in_words(const std::vector<SkippedStage>& stages);
+
+// That a frame ran each stage of its plan once and no other, and says why the rest was left out.
+void expect_planned(const FrameStatistics& statistics, const RenderPlan& plan,
+                    const std::string& name);
 
 }  // namespace brume

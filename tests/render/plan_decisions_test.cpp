@@ -1,4 +1,4 @@
-// What a plan leaves out: it may, and where it is needed it is there.
+// A plan may leave stages out, and where one is needed it is there.
 
 #include "tools/bench/measure/plan_decisions.h"
 

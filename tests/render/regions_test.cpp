@@ -64,7 +64,7 @@ TEST(Regions, HaveTheBitsOfTheWholePictureWherePixelsAreSampled) {
   expect_regions_match(801, 2, {{24, 16}, paths});
 }
 
-// What is chosen is chosen for all regions alike, and layers are those of the whole picture.
+// Settings are chosen for all regions alike, and layers are those of the whole picture.
 TEST(Regions, OfRequestsHaveTheBitsOfTheWholePicture) {
   OutputLayers layers;
   layers.lights = layers.optical_depth = layers.planar_depth = layers.normal = layers.albedo = true;

@@ -59,7 +59,8 @@ TEST(RepeatableFrames, Paths) {
 TEST(RepeatableFrames, AcrossVectorInstructions) {
   const std::vector<std::int64_t> targets = hwy::SupportedAndGeneratedTargets();
   ASSERT_FALSE(targets.empty());
-  for (const Scene& scene : {cloud_scene(30, 2.0), in_fog(cut_by_a_surface(), 0.05)}) {
+  for (Scene scene : {cloud_scene(30, 2.0), in_fog(cut_by_a_surface(), 0.05)}) {
+    scene.film = {16, 12};
     for (const Settings& settings :
          {sliced(16), sliced(16, Scattering::multiple), marched(32), paper_settings}) {
       std::vector<Frame> frames;

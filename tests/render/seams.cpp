@@ -37,7 +37,7 @@ class FilmValues {
   [[nodiscard]] int height() const { return swapped_ ? film_.width : film_.height; }
   [[nodiscard]] double rms() const { return rms_; }
 
-  // What the error steps by between x - step and x, over what it changes by before and after.
+  // The step of the error between x - step and x, over its change before and after.
   [[nodiscard]] std::optional<double> step(int x, int y, int step) const {
     std::array<double, 4> e;
     for (int k = 0; k < 4; ++k) {

@@ -289,7 +289,7 @@ TEST(GaussianFit, SimulatedSmokeWithinItsBounds) {
   }
   // The next frame has little left to do.
   EXPECT_LT(next.fit.products, fit.products * 3 / 4);
-  // What was not renewed has stayed where it was: no flicker.
+  // Gaussians that were not relocated have stayed where they were: no flicker.
   std::size_t renewed = 0;
   std::size_t strayed = 0;
   for (std::size_t i = 0; i < 300; ++i) {

@@ -37,7 +37,7 @@ Numbers::Ptr constant(const char* name, double value) {
 
 class VolumeFitterTest : public testing::Test {
  protected:
-  VolumeFitterTest() { how_.options.count = 20; }
+  VolumeFitterTest() { how_.options.count = 10; }
 
   FittedVolume fitted(const openvdb::GridCPtrVec& grids, const VolumeFit& how) {
     write_vdb(folder_ / "a.vdb", grids);
@@ -52,7 +52,7 @@ TEST_F(VolumeFitterTest, FlamesShineWithoutSmoke) {
   const FittedVolume both =
       fitted({ball("density", 0.7), ball("flame", -0.7), constant("temperature", 1.0)}, how_);
   ASSERT_TRUE(both.flames);
-  EXPECT_EQ(both.gaussians().size(), 20u);
+  EXPECT_EQ(both.gaussians().size(), 10u);
   // Smoke of 1 K is dark and has the medium's albedo.
   for (const Gaussian& g : both.fit.gaussians) EXPECT_EQ(g.optics, GaussianOptics());
   double extinction = 0.0;
@@ -78,7 +78,7 @@ TEST_F(VolumeFitterTest, FlamesShineWithoutSmoke) {
   flames_alone.grid = no_grid;
   const FittedVolume alone = fitted({ball("flame", -0.7)}, flames_alone);
   EXPECT_TRUE(alone.fit.gaussians.empty());
-  EXPECT_EQ(alone.gaussians().size(), 20u);
+  EXPECT_EQ(alone.gaussians().size(), 10u);
   EXPECT_TRUE(fitted({constant("flame", 0.0)}, flames_alone).gaussians().empty());
   EXPECT_TRUE(contains(error_of([&] { fitted({ball("smoke", 0.0)}, flames_alone); }), "no flames"));
 }
@@ -118,6 +118,7 @@ TEST_F(VolumeFitterTest, ColoursAreAlbedosWhicheverWayTheyAreStored) {
 
 // Red grows along x, green along z, which becomes y.
 TEST_F(VolumeFitterTest, ColoursTurnWithTheVolume) {
+  how_.options.count = 20;
   how_.z_up = true;
   const auto colors = vdb_cube<openvdb::Vec3SGrid>("color", 14, voxel, [](const glm::dvec3& x) {
     return to_vdb({0.5 + 0.3 * x.x, 0.5 + 0.3 * x.z, 0.5});
@@ -138,7 +139,7 @@ TEST_F(VolumeFitterTest, FlamesOfASequenceBeginLater) {
   write_vdb(folder_ / "3.vdb", {ball("density", 0.0), ball("flame", 0.6)});
   fitter.next(folder_ / "1.vdb");
   const std::vector<GaussianNumber> first(fitter.ids().begin(), fitter.ids().end());
-  EXPECT_EQ(first.size(), 20u);
+  EXPECT_EQ(first.size(), 10u);
   std::vector<GaussianNumber> before;
   for (const char* name : {"2.vdb", "3.vdb"}) {
     const FittedVolume frame = *fitter.next(folder_ / name);

@@ -234,7 +234,7 @@ TEST(MediumRevision, IsSharedByCopiesAndNewAfterEachChange) {
   EXPECT_EQ(copy.revision(), seen[1]);
 }
 
-// What is stretched along its own axes keeps them, so that its numbers are those that one expects.
+// A Gaussian stretched along its own axes keeps them, so that its numbers are those one expects.
 TEST(Gaussian, OtherRadiiKeepItsRotation) {
   const glm::dquat turn(0.6, 0.0, 0.8, 0.0);
   Gaussian g;

@@ -115,7 +115,7 @@ TEST(Groups, HaveKeys) {
   scene.groups[0].keys.density_factor = {{.time = 0.0, .value = 1.0}, {.time = 2.0, .value = 3.0}};
   scene.groups[0].keys.albedo_factor = {{.time = 0.0, .value = glm::dvec3(1.0)},
                                         {.time = 2.0, .value = glm::dvec3(0.5)}};
-  // What it multiplies has keys, too.
+  // The values that it multiplies have keys, too.
   scene.optics.keys.albedo = {{.time = 0.0, .value = glm::dvec3(0.4)},
                               {.time = 2.0, .value = glm::dvec3(0.8)}};
   EXPECT_TRUE(is_animated(scene));

@@ -52,7 +52,7 @@ TEST(RayNoise, ShiftsByTheAmplitudeOnAverageAndNotInTheMean) {
   EXPECT_LT(glm::length(mean) / count, 0.003);  // four standard errors
 }
 
-// What keeps the mean optical depth.
+// The shift that keeps the mean optical depth.
 TEST(RayNoise, HasNoDivergenceAcrossTheRay) {
   Random random(2);
   double max_slope = 0.0;

@@ -95,7 +95,7 @@ TEST(SurfaceKeys, MoveAndChangeASurface) {
   EXPECT_EQ(moved.keys, SurfaceKeys{});
 }
 
-// What a material does not have, its keyframes do not change.
+// Keyframes do not change values that a material does not have.
 TEST(SurfaceKeys, OfAMeasuredMaterialAreThoseOfItsPlace) {
   Scene scene;
   scene.surfaces.resize(1);

@@ -49,7 +49,7 @@ TEST(BlockTree, FindsAllDensityAlongALine) {
   EXPECT_GT(hits, 1000);
 }
 
-// What is integrated along a line follows what lies on it.
+// The integral along a line follows what lies on it.
 TEST(BlockTree, IntervalsAreAsLongAsTheirBlocks) {
   DensityGrid grid = some_blocks(1, 1);
   grid.blocks.push_back(grid.blocks[0]);

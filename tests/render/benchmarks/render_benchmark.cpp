@@ -1,4 +1,4 @@
-// What the speed claims rest on. Every figure is a ratio or comes with its answer's error, both
+// The speed claims rest on these. Every figure is a ratio or comes with its answer's error, both
 // from the same run. Run it alone on the machine:
 //
 //   build/release/bin/benchmark_render
@@ -19,7 +19,7 @@
 namespace brume {
 namespace {
 
-// What the method itself costs: everything but casting rays at surfaces and writing the frame.
+// The cost of the method itself: everything but casting rays at surfaces and writing the frame.
 double airlight_milliseconds(const Frame& frame) {
   const StageSet of_method{Stage::light_depth, Stage::eye_depth, Stage::airlight};
   double sum = 0.0;

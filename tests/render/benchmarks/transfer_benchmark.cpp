@@ -1,4 +1,4 @@
-// What precomputed radiance transfer costs.
+// The cost of precomputed radiance transfer.
 
 #include <benchmark/benchmark.h>
 

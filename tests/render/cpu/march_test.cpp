@@ -20,7 +20,7 @@ struct MarchedScene {
   double fine;  // bound of the relative RMSE with 1024 steps, about twice what is measured
 };
 
-// What may be left out of each depth costs about this much.
+// The part that may be left out of each depth costs about this much.
 constexpr double culling_error = 2e-4;
 
 Scene clump() {

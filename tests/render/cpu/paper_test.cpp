@@ -82,7 +82,7 @@ TEST(PaperOptions, SimdFrameIsThePlainFrame) {
     Settings slow = plain();
     slow.paper = options;
     const Frame frame = render_frame(scene, fast);
-    // What culling leaves out, as above.
+    // Culling leaves this out, as above.
     EXPECT_LT(difference(frame.airlight, render_frame(scene, slow).airlight).relative_rmse, 2e-4);
     EXPECT_GT(
         difference(frame.airlight, render_frame(scene, paper_settings).airlight).relative_rmse,
@@ -121,7 +121,7 @@ TEST(PaperOptions, EnergyHalvesTheErrorInClouds) {
   EXPECT_LT(g.with, g.published);
 }
 
-// What energy cannot mend it leaves alone: the same picture as without it.
+// Energy leaves alone what it cannot mend: the same picture as without it.
 TEST(PaperOptions, EnergyIsLeftAloneInDenseGaussians) {
   Scene eye_inside = cloud_scene(30, 1.0);
   eye_inside.medium.append({eye_inside.camera.eye, 0.5, 20.0});
@@ -134,7 +134,7 @@ TEST(PaperOptions, EnergyIsLeftAloneInDenseGaussians) {
   }
 }
 
-// What culling leaves out of a ray is at most the stated 1e-3 of optical depth.
+// Culling leaves at most the stated 1e-3 of optical depth out of a ray.
 TEST(Paper, CullingKeepsTheDepthOfEveryRay) {
   const Scene scene = cloud_scene(3000, 3.0);
   const Frame culled = render_frame(scene, paper_settings);

@@ -1,4 +1,4 @@
-// What is shown of a frame without leaving the device, and the textures that it is in.
+// Frames are shown without leaving the device, in textures of its own.
 
 #include "render/display/to_display.h"
 #include "render/gl/display_stage.h"

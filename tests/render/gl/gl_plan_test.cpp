@@ -1,4 +1,4 @@
-// What runs on the device is decided without one.
+// The stages of the device are decided without one.
 
 #include "render/gl/gl_plan.h"
 
@@ -103,15 +103,7 @@ TEST_F(GlPlanOfFrames, MatchesTheirStatistics) {
   for (const PlanCase& c : few_plan_cases({AirlightMethod::paper, AirlightMethod::sliced})) {
     const Scene scene = c.scene();
     const RenderPlan plan = plan_of(scene, c.settings());
-    const FrameStatistics statistics = render(scene, c.settings()).statistics;
-    StageSet ran;
-    for (const StageTime& stage : statistics.stages) {
-      EXPECT_FALSE(ran.has(stage.stage)) << to_string(stage.stage) << " twice, " << c.name();
-      ran.add(stage.stage);
-    }
-    EXPECT_EQ(to_string(ran), to_string(plan.stages)) << c.name();
-    EXPECT_EQ(in_words(statistics.skipped), in_words(plan.skipped)) << c.name();
-    EXPECT_EQ(in_words(statistics.on_cpu), in_words(plan.on_cpu)) << c.name();
+    expect_planned(render(scene, c.settings()).statistics, plan, c.name());
   }
 }
 

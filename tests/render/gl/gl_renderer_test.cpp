@@ -21,7 +21,7 @@
 namespace brume::gl {
 namespace {
 
-// What the backends may differ by.
+// The backends may differ by this.
 constexpr double bound = 2e-3;
 
 // How far two frames' layers are from each other.
@@ -183,7 +183,7 @@ class GlSurfaces : public GlFrames {
     scene_.lights[1].position = {-1.5, -2.0, 2.0};
     scene_.lights[1].intensity = {0.5, 2.0, 1.0};
   }
-  // What comes from behind the medium, the airlight taken away.
+  // Light from behind the medium, without the airlight.
   static std::vector<float> through_medium(const Frame& frame) {
     std::vector<float> values = frame.airlight;
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -272,7 +272,7 @@ TEST_F(GlSurfaces, MatchTheCpuWithRadianceTransfer) {
     const std::string what = glossy ? "glossy" : "diffuse";
     if (glossy) make_glossy();
     expect_same(quick_slices(), what);
-    // What is kept from frame to frame follows.
+    // Caches follow from frame to frame.
     scene_.lights[0].position.x += 1.0;
     expect_same(quick_slices(), what + ", another lamp");
     expect_same({}, what);
@@ -403,7 +403,7 @@ TEST_F(GlFrames, ReusesUnchangedData) {
   EXPECT_LT(one, both);
   scene.medium.set_homogeneous_density(0.1);
   EXPECT_GT(pairs(), one);
-  // What is kept is right.
+  // The cached data is right.
   expect_within({render(scene, settings), on_cpu(scene, settings)}, bound, "kept");
 }
 

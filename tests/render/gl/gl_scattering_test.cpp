@@ -30,7 +30,7 @@ TEST_F(GlFrames, MultipleScattering) {
       }
       const Frame cpu = on_cpu(scene, settings);
       const Frame gl = render_on_device(scene, settings, name);
-      // What the backends may differ by.
+      // The backends may differ by this.
       EXPECT_LE(rel_rmse(gl.airlight, cpu.airlight), 2e-3) << name;
       EXPECT_LE(rel_rmse(gl.beauty, cpu.beauty), 2e-3) << name;
       ASSERT_TRUE(gl.statistics.scattering) << name;

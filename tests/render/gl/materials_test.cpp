@@ -96,7 +96,7 @@ TEST_F(GlMaterials, MatchTheCpuWithTextures) {
   material_of(2).normal_texture = material_of(1).normal_texture;
   material_of(2).normal_scale = 0.5;
   expect_same("normals of a box, too");
-  // What is kept from frame to frame follows.
+  // Caches follow from frame to frame.
   std::swap(scene_.surfaces[0].material, scene_.surfaces[2].material);
   expect_same("textures, exchanged");
   scene_.surfaces.erase(scene_.surfaces.begin() + 1);

@@ -60,7 +60,7 @@ SlicedLight light_at(const glm::dvec3& position) {
   return light;
 }
 
-// What is hard on careless arithmetic.
+// These are hard on careless arithmetic.
 std::vector<Case> hard_cases() {
   std::vector<Case> cases;
   cases.push_back(with("empty", {}));
@@ -98,7 +98,7 @@ std::vector<Case> hard_cases() {
   return cases;
 }
 
-// What a backend chooses.
+// The choice of a backend.
 struct Slices {
   int columns = 0, rows = 0;  // of tiles
   std::vector<std::vector<float>> tiles;
@@ -329,7 +329,7 @@ TEST_P(SliceBoundaries, ShareTheDepthOfAGaussianEvenly) {
   }
 }
 
-// What is seen of an opaque Gaussian is its front, a few of its slices deep.
+// An opaque Gaussian shows its front alone, a few of its slices deep.
 TEST_P(SliceBoundaries, LieWhereAnOpaqueGaussianIsVisible) {
   for (const double density : {1e3, 1e6}) {
     Case c = with("opaque", {{{0, 0, 0}, 1.0, density}});
@@ -396,7 +396,7 @@ INSTANTIATE_TEST_SUITE_P(Backends, SliceBoundaries, testing::Values(Backend::cpu
                          });
 
 // Boundaries that others have no counterpart of, within a hundredth of a mean slice and roundings.
-// What is as near as that may have merged into one.
+// Nearer ones may have merged into one.
 std::size_t count_missing(const std::vector<float>& some, const std::vector<float>& others) {
   const float slice = (some.back() - some.front()) / static_cast<float>(some.size());
   return static_cast<std::size_t>(std::ranges::count_if(some, [&](float t) {

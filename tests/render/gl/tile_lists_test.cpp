@@ -82,7 +82,7 @@ TEST_F(GlLongLists, MatchTheCpuAndRepeat) {
     EXPECT_LT(rel_rmse(first.beauty, cpu.beauty), 1e-3);
     EXPECT_LT(rel_rmse(first.transmittance, cpu.transmittance), 1e-4);
     for (int i = 0; i < 2; ++i) {
-      // What another frame leaves in the lists does not matter.
+      // Leftovers of another frame in the lists do not matter.
       render(crowded_scene(100 * (i + 1)), settings);
       const Frame again = render(scene, settings);
       EXPECT_EQ(again.beauty, first.beauty);

@@ -51,7 +51,7 @@ float open(int /*x*/, int /*y*/) {
   return infinite;
 }
 
-// What a backend makes of it.
+// The result of a backend.
 struct Upsampled {
   std::vector<glm::vec3> airlight;
   std::vector<float> transmittance;

@@ -62,7 +62,7 @@ TEST(OpticalDepthTable, MatchesTheOpticalDepthOfTheMedium) {
   }
 }
 
-// What an update makes is what a new table would hold, to a step or two of its 16 bits.
+// An update makes what a new table would hold, to a step or two of its 16 bits.
 TEST(TableRadii, AreUniformOrDenserNearTheLight) {
   const TableRadii even(65, 1.0, 9.0, 4.0);
   EXPECT_EQ(even.curvature, 0.0);
@@ -97,7 +97,7 @@ TEST(OpticalDepthTable, ResolvesASmallCloudInAHugeGaussian) {
   EXPECT_LT(std::sqrt(square / static_cast<double>(points.size())), 0.04);
 }
 
-// What their maps take is bounded however many points a light would become.
+// The memory of their maps is bounded however many points a light would become.
 TEST(Settings, ManyAreaLightsBecomeFewPointsEach) {
   Scene scene = cloud_scene(3, 1.0);
   scene.lights.clear();

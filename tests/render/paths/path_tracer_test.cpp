@@ -198,7 +198,7 @@ TEST(PathTracer, LightAndEyeCanBeExchanged) {
   EXPECT_LT(there.error.x, 0.04 * there.mean.x);
 }
 
-// What a surface reflects of direct light, and of light that was scattered once before.
+// A surface reflects direct light, and light that was scattered once before.
 void expect_reflected_light(const Scene& scene, double relative_error, int paths = 40'000) {
   const TracedScene traced(scene);
   const glm::dvec3 target(0.2, -0.1, -0.5);

@@ -162,7 +162,7 @@ TEST(MergedMedium, GoesOnAfterAStop) {
   expect_stands_for(merged, medium, 0.05);
 }
 
-// What shines is held on the grid of scattered light by the Gaussians that it has become.
+// Emission is held on the grid of scattered light by the merged Gaussians.
 TEST(MergedMedium, MayShineAndScatter) {
   Scene scene;
   scene.camera.eye = {0.0, 0.0, 5.0};

@@ -46,7 +46,7 @@ TEST(SampleSpacing, StaysWhereGaussiansAreFew) {
             4);
 }
 
-// What is seen decides, not what there is most of.
+// Visible Gaussians decide, not the most frequent ones.
 TEST(SampleSpacing, WeighsGaussiansByWhatIsSeenOfThem) {
   Scene scene = box_in_view(100'000);
   for (const double x : {0.2, 0.5, 0.8}) {

@@ -92,7 +92,7 @@ struct Tally {
 // A relative error above this means that the reference is black; its size is not informative.
 constexpr double black_error_threshold = 1e3;
 
-// As `auto` measures it, or for no more than the picture cost.
+// The error as `auto` measures it, or for no more than the picture cost.
 RequestedFrame rendered(Renderer& renderer, const Scene& scene, const Settings& settings,
                         ErrorMeasurement effort) {
   if (effort == ErrorMeasurement::full) {
@@ -212,7 +212,7 @@ TEST(AutoErrors, IntervalsOfAllOrdersHoldOnRandomScenes) {
   EXPECT_GE(covered, 0.95 * lit);
 }
 
-// Which ends, other than that of the integral.
+// This one ends, other than that of the integral.
 TEST(AutoErrors, IntervalsOfAllOrdersHoldInFogUnderASky) {
   Scene scene;
   scene.medium.set_homogeneous_density(0.1);

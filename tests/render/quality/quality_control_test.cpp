@@ -14,7 +14,7 @@ ErrorEstimate error_of(double high) {
   return {0.9 * high, 0.8 * high, high, 100};
 }
 
-// What frames with each step's settings would be measured to have.
+// Frames with each step's settings would be measured to have these.
 using ErrorOfStep = std::function<double(std::size_t)>;
 
 double halving(std::size_t step, double first) {

@@ -85,7 +85,7 @@ TEST(QuickError, IsTheSameForAnyNumberOfThreads) {
   EXPECT_EQ(one.block_median, many.block_median);
 }
 
-// What a picture costs does not depend on what its renderer has kept: nor does its error.
+// The cost of a picture does not depend on what its renderer has kept: nor does its error.
 TEST(QuickError, DoesNotDependOnFramesBefore) {
   const Scene scene = thick_cloud(48);
   const RenderRequest request{.backend = Backend::cpu};

@@ -98,7 +98,7 @@ TEST(ExposureSamples, AreEvenInEachDimension) {
   }
 }
 
-// What blurs is independent of where pixels are sampled: no covariance between the dimensions.
+// Blur is independent of where pixels are sampled: no covariance between the dimensions.
 TEST(ExposureSamples, AreIndependent) {
   const std::vector<ExposureSample> samples = exposure_samples(64);
   glm::dmat2 lens_by_pixel(0.0);

@@ -35,7 +35,7 @@ TEST(PixelSamples, OneIsTheCenter) {
   EXPECT_EQ(pixel_samples(1), std::vector{glm::dvec2(0.0)});
 }
 
-// What covers the left or upper half of a pixel covers half of it, to half a sample.
+// An edge over the left or upper half of a pixel covers half of it, to half a sample.
 TEST(PixelSamples, HaveNoPreferredSide) {
   for (const int count : {2, 4, 7, 16, 33, 64}) {
     const std::vector<glm::dvec2> samples = pixel_samples(count);

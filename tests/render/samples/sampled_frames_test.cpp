@@ -133,7 +133,7 @@ TEST_F(SampledFrames, DoNotPayForFogAgain) {
             60.0 * static_cast<double>(one_->statistics.view_pairs));
 }
 
-// What is in front of an edge is between what is in front of its two sides: no bright or dark rim.
+// Light in front of an edge is between that in front of its two sides: no bright or dark rim.
 TEST_F(SampledFrames, HaveNoHalos) {
   const int width = one_->film.width;
   for (int y = 1; y + 1 < one_->film.height; ++y) {

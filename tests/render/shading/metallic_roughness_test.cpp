@@ -90,7 +90,7 @@ TEST(MetallicRoughnessFrames, ShowWhatTheyEmit) {
   EXPECT_NEAR(seen.x, 3.0 * std::exp(-0.1 * 3.0), 2e-2);
 }
 
-// What is emitted arrives elsewhere, in paths: within a furnace of emission E, of albedo a.
+// Emitted light arrives elsewhere, in paths: within a furnace of emission E, of albedo a.
 TEST(MetallicRoughnessFrames, LightOthersInPaths) {
   MetallicRoughness material = metal(0.0, 1.0);
   material.base_color = glm::dvec3(0.5);

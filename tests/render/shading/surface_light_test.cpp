@@ -43,7 +43,7 @@ void set_type(Material::Type type, Material& material) {
   material.exponent = 5.0;
 }
 
-// What the surface sends towards the eye, as the frame has it: without airlight, and without the
+// The surface's radiance towards the eye, as the frame has it: without airlight, and without the
 // medium between.
 glm::dvec3 surface_part(const Frame& frame, std::size_t i) {
   glm::dvec3 radiance;
@@ -215,7 +215,7 @@ TEST(SurfaceLight, HighlightsSoftenAndWidenWithOpticalDepth) {
   }
 }
 
-// What eq. 28 adds, by the paper's own method: far from single scattering where the medium is
+// The light of eq. 28, by the paper's own method: far from single scattering where the medium is
 // thick, T e^-T ends in black (surfaces.md).
 TEST(Environment, PaperInscatteringMatchesThePublishedFormula) {
   Scene scene;

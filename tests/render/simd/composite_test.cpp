@@ -93,7 +93,7 @@ TEST(Composite, BackgroundIsBlackWithoutAnEnvironment) {
   }
 }
 
-// What would be a NaN or beyond the range is as finite() has it, in whole vectors and after them.
+// NaNs and values beyond the range are as finite() has them, in whole vectors and after them.
 TEST(Composite, RowsStayFinite) {
   constexpr std::size_t count = 35;
   std::vector<float> airlight(3 * count, 1.0f);

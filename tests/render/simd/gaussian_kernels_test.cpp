@@ -115,7 +115,7 @@ TEST(Kernels, PathDepthsHoldTheTablesBounds) {
         const glm::dvec3 side = glm::normalize(glm::cross(axis, random.point(1.0)));
         const double radius = row.radius;
         const double along = row.distance * (1.0 + 0.1 * random.uniform(-1.0, 1.0));
-        // What the kernel is handed, and the double formula is handed back.
+        // The kernel's input, which the double formula takes too.
         GaussianBatch batch;
         Medium medium;
         medium.append(

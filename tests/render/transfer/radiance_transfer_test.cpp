@@ -46,7 +46,7 @@ ShVector<double> cosine_lobe(int order, const glm::dvec3& n) {
   return lobe;
 }
 
-// What transfer makes of distant light.
+// The light that transfer makes of distant light.
 glm::dvec3 transferred(const ShMaterial& material, const ShVector<glm::dvec3>& light,
                        const RadianceTransfer& transfer, MeshSide side, const MeshPoint& point,
                        const glm::dvec3& n, const glm::dvec3& wo) {
@@ -102,7 +102,7 @@ TEST(EnclosedSides, AreNotBetweenTwoSheetsInOnePlace) {
   }
 }
 
-// What is seen from a ball, whose own lower hemispheres are mirrored from the upper ones: all.
+// A ball sees all, since its own lower hemispheres are mirrored from the upper ones.
 TEST(RadianceTransfer, ABallHasNoShadows) {
   const auto ball = ball_mesh(16);
   const MeshArrays arrays = to_arrays(*ball);
@@ -261,7 +261,7 @@ TEST(RadianceTransfer, AnIntegratingSphereIsAGeometricSeries) {
       EXPECT_NEAR(got[c], full - remainder, 0.012 * rho) << f;  // as of the light from outside
     }
 
-    // What is not diffuse gets the first reflection by eq. 23 and the others diffusely.
+    // A surface that is not diffuse gets the first reflection by eq. 23 and the others diffusely.
     Material glossy;
     glossy.type = Material::Type::phong;
     glossy.reflectance = glm::dvec3(0.3);

@@ -82,7 +82,7 @@ TEST(FileGroup, ReplacesNoneWhereOneFails) {
   EXPECT_EQ(folder.entry_count(), 1u);
 }
 
-// What a program left that was killed, but not what is being written.
+// Leftovers of a killed program, but no file that is being written.
 TEST(AtomicFile, AbandonedFilesAreRemoved) {
   const TemporaryFolder folder;
   const fs::path abandoned = folder.write(".brume-1-0.tmp", "half");

@@ -160,7 +160,7 @@ TEST(GaussianFile, SplatsBecomeEllipsoidsAsOpaque) {
   EXPECT_LT(glm::length(row[0].shape.rotation * glm::dvec3(1, 0, 0) - glm::dvec3(0, 1, 0)), 1e-15);
 }
 
-// What some programs leave out: rotations, and scales of discs and of balls.
+// Some programs leave out rotations, and scales of discs and of balls.
 TEST(GaussianFile, SplatsMayLackScalesAndRotations) {
   const TemporaryFolder folder;
   const std::string head =

@@ -112,7 +112,7 @@ TEST(OpenSequence, ReadsLargeOnesWhenTheyAreNeeded) {
   for (const double time : {0.0, 0.05, 0.09, 1.0}) {
     EXPECT_EQ(sequence_at(a, time, glm::dvec3(1.0)), sequence_at(b, time, glm::dvec3(1.0)));
   }
-  // What is missing is known when it is opened, as it is of small ones.
+  // Missing frames are known when it is opened, as with small ones.
   EXPECT_NE(error_of([&] {
               open_sequence(*files, 0, 4, read_gaussian_frame, 1000, nullptr, 10);
             }).find("f_4.ply"),

@@ -221,7 +221,7 @@ TEST(ExrFile, RefusesTilesMuchLargerThanTheImage) {
   EXPECT_TRUE(contains(error, "blocks of 20000 x 20000 pixels in an image of 8 x 8")) << error;
 }
 
-// What compresses best of each kind is still read: one colour in half precision.
+// The best compressed image of each kind is still read: one colour in half precision.
 TEST(ExrFile, ReadsWhatCompressesBest) {
   const TemporaryFolder folder;
   constexpr int side = 1024;

@@ -1,4 +1,4 @@
-// What exporters write beside the specification, and every other program reads.
+// Exporters write these beside the specification, and every other program reads them.
 
 #include <gtest/gtest.h>
 

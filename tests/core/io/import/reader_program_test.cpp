@@ -276,7 +276,7 @@ TEST(RawSceneBytes, RoundTrip) {
   EXPECT_EQ(again.parts[0].mesh, small_scene().parts[0].mesh);
 }
 
-// Whoever controls the program may send anything.
+// A hostile program may send anything.
 TEST(RawSceneBytes, OthersAreRefusedOrValid) {
   const std::string bytes = bytes_of(small_scene());
   const auto read = [](const std::string& changed) {

@@ -99,7 +99,7 @@ TEST(UnknownKeys, OfEveryObjectComeBack) {
   }
 }
 
-// What users do to the objects of a scene, without them being told of unknown keys.
+// Edits of the objects of a scene by someone who does not know of unknown keys.
 TEST(UnknownKeys, FollowTheirObject) {
   const TemporaryFolder folder;
   write_files(folder);

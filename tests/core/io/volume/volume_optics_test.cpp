@@ -103,7 +103,7 @@ TEST_F(VolumeOpticsFile, ReadsTemperaturesEmissionsAndFlames) {
                  return openvdb::Vec3s(0.0f);
                })}).color);
   EXPECT_TRUE(read({some_numbers("flame", 0.0f)}).flame->blocks.empty());
-  // What Blender's caches call emission is a single number, of another thing.
+  // The emission of Blender's caches is a single number, of another thing.
   EXPECT_FALSE(read({some_numbers("emission")}).emission);
 }
 

@@ -66,7 +66,7 @@ TEST(Particles, ShineAndFade) {
   }
 }
 
-// Whose rate grows from 0 to 40 a second from 1 s to 3 s: its integral is 10 (t - 1)^2.
+// Its rate grows from 0 to 40 a second from 1 s to 3 s: the integral is 10 (t - 1)^2.
 TEST(Particles, AreBornAtAKeyedRate) {
   Emitter emitter = steam;
   emitter.spread = 0.0;
@@ -133,7 +133,7 @@ TEST(Particles, KeepWhatTheyWereBornWith) {
   // The oldest alive was born when the lifetime was what it is old: b + 2 - b / 4 = 3.
   EXPECT_NEAR(all.front().center.x, 4.0 / 3.0 + 1.0 / 60.0, 1e-9);  // number 27
   EXPECT_LE(all.size(), max_particles(emitter));
-  // What the document shows at some moment plays no part.
+  // The moment that the document shows plays no part.
   Emitter shown = emitter;
   shown.lifetime = 0.0;
   shown.position = {9, 9, 9};

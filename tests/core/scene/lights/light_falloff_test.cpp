@@ -62,7 +62,7 @@ TEST(LightFalloff, IsOneWithoutCone) {
   for (const double angle : {0.0, 60.0, 120.0}) EXPECT_EQ(all.at(at_angle(angle)), 1.0) << angle;
 }
 
-// What keyframes may pass through is a light all the same.
+// Every state that keyframes pass through is a light.
 TEST(LightFalloff, SurvivesNoDirectionAndClosedCones) {
   EXPECT_EQ(LightFalloff(light::Spot{glm::dvec3(0.0), 10.0, 20.0}).at({0.0, -1.0, 0.0}), 1.0);
   EXPECT_EQ(LightFalloff(light::Spot{{0.0, -1e308, 1e308}, 0.0, 1e-9}).at({1.0, 0.0, 0.0}), 0.0);
