@@ -1,4 +1,4 @@
-// What `brume bench` makes of its measurements, and a run of it.
+// `brume bench` reports its measurements; a run of it.
 
 #include <gtest/gtest.h>
 
@@ -88,7 +88,7 @@ TEST(BenchCompare, ComparesErrorRowsWithOldOnes) {
   }
 }
 
-// What --compare reads is what is written.
+// --compare reads what is written.
 TEST(BenchCompare, RoundTripsReports) {
   const auto json = [](double error) {
     BenchReport written;

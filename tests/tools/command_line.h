@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -29,7 +31,13 @@ inline std::vector<std::string> joined(std::vector<std::string> arguments,
   return arguments;
 }
 
-// What `brume` prints, which ends well.
+// The words of a text as arguments.
+inline std::vector<std::string> words(const std::string& text) {
+  std::istringstream in(text);
+  return {std::istream_iterator<std::string>(in), {}};
+}
+
+// Runs `brume`, which ends well.
 inline ProgramResult expect_done(const std::vector<std::string>& arguments) {
   ProgramResult result = run_brume(arguments);
   EXPECT_EQ(result.exit_code, 0) << result.err;

@@ -201,9 +201,8 @@ TEST_F(CommandLine, OneNumberIsTheLongerSide) {
 }
 
 TEST_F(CommandLine, RendersPngsInViewsOfOpenColorIO) {
-  const auto render = [&](const char* name, std::vector<std::string> options) {
-    options.insert(options.begin(), {"render", scene_, "-o", file(name), "--airlight", "paper"});
-    expect_done(options);
+  const auto render = [&](const char* name, const std::vector<std::string>& options) {
+    expect_done(joined({"render", scene_, "-o", file(name), "--airlight", "paper"}, options));
     return content_of(folder_ / name);
   };
   const std::string neutral = render("a.png", {});
@@ -212,9 +211,7 @@ TEST_F(CommandLine, RendersPngsInViewsOfOpenColorIO) {
   EXPECT_NE(aces.find("ACES 1.0 SDR, sRGB"), std::string::npos);
   const auto refuse = [&](const char* name, const std::vector<std::string>& options,
                           const std::vector<std::string>& parts) {
-    std::vector<std::string> all{"render", scene_, "-o", file(name)};
-    all.insert(all.end(), options.begin(), options.end());
-    expect_refused(all, parts);
+    expect_refused(joined({"render", scene_, "-o", file(name)}, options), parts);
   };
   refuse("c.exr", {"--view", "Un-tone-mapped"}, {"--view", "allowed for .png"});
   refuse("c.png", {"--view", "Film"}, {"aces", "Film", "allowed: ACES 1.0 SDR, Un-tone-mapped"});
@@ -275,10 +272,9 @@ TEST_F(CommandLine, TellsTheNoiseOfPaths) {
 }
 
 TEST_F(CommandLine, RendersWithOpenGl) {
-  const auto run = [&](std::vector<std::string> options) {
-    std::vector<std::string> all{"render", scene_, "-o", file("o.exr"), "--stats", file("s.json")};
-    all.insert(all.end(), options.begin(), options.end());
-    const ProgramResult result = expect_done(all);
+  const auto run = [&](const std::vector<std::string>& options) {
+    const ProgramResult result = expect_done(
+        joined({"render", scene_, "-o", file("o.exr"), "--stats", file("s.json")}, options));
     const auto stats = Json::parse(content_of(folder_ / "s.json"));
     EXPECT_EQ(read_exr(folder_ / "o.exr").metadata.at("brume:backend"),
               stats["backend"].get<std::string>());
@@ -290,7 +286,7 @@ TEST_F(CommandLine, RendersWithOpenGl) {
   EXPECT_EQ(stats["backend"], "gl");
   EXPECT_NE(stats["device"], "");
   EXPECT_LT(stats["error"]["rel_rmse"], 0.02);
-  // What it does not know is the CPU's, and said to be.
+  // Methods that it lacks are the CPU's, with a word.
   const auto [warning, other] = run({"--airlight", "march:8", "--backend", "gl"});
   EXPECT_NE(warning.find("backend gl: rendered on the CPU: "), std::string::npos) << warning;
   EXPECT_EQ(other["backend"], "cpu");
@@ -324,7 +320,7 @@ TEST_F(CommandLine, ChoosesByMeasuredError) {
 // The frame that is timed is a moved one, also where just one frame is asked for.
 TEST_F(CommandLine, TimesAMovedFrame) {
   expect_done({"render", scene_, "-o", file("o.exr"), "--stats", file("s.json"), "--size", "2x2",
-               "--airlight", "sliced", "--slices", "32"});
+               "--airlight", "sliced", "--slices", "32", "--scattering", "single"});
   const Json stats = Json::parse(content_of(folder_ / "s.json"));
   EXPECT_EQ(stats["repeat"], 1);
   EXPECT_EQ(stats["frame_ms"]["min"], stats["frame_ms"]["max"]);
@@ -332,10 +328,10 @@ TEST_F(CommandLine, TimesAMovedFrame) {
 
 TEST_F(CommandLine, ReportsTheNumberOfThreads) {
   const auto threads = [&](const std::vector<std::string>& more) {
-    std::vector<std::string> arguments{"render",       scene_,   "-o",  file("o.exr"),  "--stats",
-                                       file("s.json"), "--size", "2x2", "--scattering", "single"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    const ProgramResult result = expect_done(arguments);
+    const ProgramResult result =
+        expect_done(joined({"render", scene_, "-o", file("o.exr"), "--stats", file("s.json"),
+                            "--size", "2x2", "--scattering", "single"},
+                           more));
     EXPECT_EQ(result.err, "");
     return Json::parse(content_of(folder_ / "s.json"))["threads"].get<int>();
   };

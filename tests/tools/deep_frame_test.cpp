@@ -28,11 +28,9 @@ class DeepFrames : public CommandLine {
                             "] }");
   }
   void render(const char* scene, const char* image, std::vector<std::string> options = {}) const {
-    std::vector<std::string> arguments{"render", file(scene), "-o", file(image)};
-    arguments.insert(arguments.end(), {"--airlight", "sliced", "--slices", "64"});
-    arguments.insert(arguments.end(), {"--scattering", "single"});
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    const ProgramResult result = expect_done(arguments);
+    options = joined(words("--airlight sliced --slices 64 --scattering single"), options);
+    const ProgramResult result =
+        expect_done(joined({"render", file(scene), "-o", file(image)}, options));
     ASSERT_EQ(result.err, "");
   }
   void oiiotool(const std::string& arguments) const {

@@ -1,4 +1,4 @@
-// What the header of an EXR says of the frame, as OpenImageIO reads it.
+// The header of an EXR describes the frame, as OpenImageIO reads it.
 
 #include <nlohmann/json.hpp>
 

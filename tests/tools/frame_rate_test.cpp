@@ -29,12 +29,8 @@ class FrameRate : public CommandLine {
 
   std::map<std::string, std::vector<float>> rendered(const std::string& scene, const char* image,
                                                      std::vector<std::string> more) {
-    std::vector<std::string> arguments{"render", scene,    "--airlight",   "sliced", "--backend",
-                                       "cpu",    "--size", "--scattering", "single", "-o"};
-    arguments.insert(arguments.begin() + 7, "8x6");
-    arguments.push_back(file(image));
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    expect_done(arguments);
+    more = joined(words("--airlight sliced --backend cpu --size 8x6 --scattering single"), more);
+    expect_done(joined({"render", scene, "-o", file(image)}, more));
     return read_exr(folder_ / (image == std::string("f_%d.exr") ? "f_6.exr" : image)).channels;
   }
 
@@ -45,9 +41,7 @@ class FrameRate : public CommandLine {
   }
 
   std::string stage(const std::string& scene, const std::vector<std::string>& more) {
-    std::vector<std::string> arguments{"export", scene, "-o", file("f.usda"), "--voxel", "0.2"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    expect_done(arguments);
+    expect_done(joined({"export", scene, "-o", file("f.usda"), "--voxel", "0.2"}, more));
     return content_of(folder_ / "f.usda");
   }
   // The camera's transform in a stage of one moment.
@@ -57,13 +51,10 @@ class FrameRate : public CommandLine {
     return stage.substr(place, stage.find('\n', place) - place);
   }
 
-  // What submit tells ffmpeg.
+  // The rate that submit gives ffmpeg.
   std::string video_rate(const std::string& scene, std::vector<std::string> more) {
-    std::vector<std::string> arguments{"submit",         "openjd",  scene,
-                                       "--frames",       "0-3",     "-o",
-                                       file("v_%d.png"), "--video", file("film.mp4")};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    expect_done(arguments);
+    more = joined({"-o", file("v_%d.png"), "--video", file("film.mp4")}, more);
+    expect_done(joined({"submit", "openjd", scene, "--frames", "0-3"}, more));
     const Json job = Json::parse(content_of(folder_ / "v.openjd/template.json"));
     const Json words = job["steps"][1]["script"]["actions"]["onRun"]["args"];
     const auto rate = std::ranges::find(words, Json("-framerate"));
@@ -84,13 +75,10 @@ TEST_F(FrameRate, IsOneForAllSubcommands) {
     SCOPED_TRACE(c.frames_per_second);
     const std::string scene = moving(c.timeline);
     const std::vector<std::string> time{"--time", Json(6.0 / c.frames_per_second).dump()};
-    std::vector<std::string> frame{"--frames", "6"};
-    frame.insert(frame.end(), c.options.begin(), c.options.end());
+    const std::vector<std::string> frame = joined({"--frames", "6"}, c.options);
     EXPECT_EQ(rendered(scene, "f_%d.exr", frame), rendered(scene, "alone.exr", time));
     EXPECT_EQ(exported(scene, "f_%d.ply", frame), exported(scene, "alone.ply", time));
-    std::vector<std::string> frames{"--frames", "6-7"};
-    frames.insert(frames.end(), c.options.begin(), c.options.end());
-    const std::string usd = stage(scene, frames);
+    const std::string usd = stage(scene, joined({"--frames", "6-7"}, c.options));
     const std::string number = quoted_text(c.frames_per_second);
     EXPECT_NE(usd.find("timeCodesPerSecond = " + number + "\n"), std::string::npos);
     EXPECT_NE(usd.find("6: " + transform(stage(scene, time))), std::string::npos) << usd;
@@ -99,16 +87,14 @@ TEST_F(FrameRate, IsOneForAllSubcommands) {
 }
 
 TEST_F(FrameRate, OfTheOptionReachesShuttersAndMotionVectors) {
-  const std::vector<std::string> blurred{"--samples", "8",        "--shutter",
-                                         "0,1",       "--layers", "motion"};
-  const auto with = [&blurred](std::vector<std::string> more) {
-    more.insert(more.end(), blurred.begin(), blurred.end());
-    return more;
+  const auto blurred = [this](double timeline, const std::string& more) {
+    return rendered(moving(timeline), "a.exr",
+                    words("--samples 8 --shutter 0,1 --layers motion --time 0.5" + more));
   };
-  const auto by_timeline = rendered(moving(10.0), "a.exr", with({"--time", "0.5"}));
-  const auto by_option = rendered(moving(40.0), "a.exr", with({"--time", "0.5", "--fps", "10"}));
+  const auto by_timeline = blurred(10.0, "");
+  const auto by_option = blurred(40.0, " --fps 10");
   EXPECT_EQ(by_option, by_timeline);
-  const auto faster = rendered(moving(40.0), "a.exr", with({"--time", "0.5"}));
+  const auto faster = blurred(40.0, "");
   EXPECT_NE(faster.at("R"), by_timeline.at("R"));
   // Where nothing is hit the direction moves by how far the camera turns, nearly in proportion.
   EXPECT_NEAR(by_timeline.at("forward.u")[0] / faster.at("forward.u")[0], 4.0, 0.5);
@@ -117,11 +103,9 @@ TEST_F(FrameRate, OfTheOptionReachesShuttersAndMotionVectors) {
 // Frames of another rate are others, at whatever option they come from.
 TEST_F(FrameRate, CountsForWhatIsCurrent) {
   const auto made = [this](std::optional<double> timeline, std::vector<std::string> more) {
-    std::vector<std::string> arguments{
-        "render", moving(timeline), "--airlight",     "sliced", "--size", "4x3", "--frames", "1-2",
-        "-o",     file("s_%d.exr"), "--skip-existing"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    const ProgramResult result = expect_done(arguments);
+    more = joined(words("--airlight sliced --scattering single --size 4x3 --frames 1-2"), more);
+    const ProgramResult result = expect_done(
+        joined({"render", moving(timeline), "-o", file("s_%d.exr"), "--skip-existing"}, more));
     return Json::parse(result.out)["made"].size();
   };
   EXPECT_EQ(made({}, {}), 2u);

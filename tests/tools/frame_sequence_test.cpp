@@ -26,7 +26,7 @@ class FrameSequence : public CommandLine {
     moving_ = folder_.write("moving.brume", scene.dump()).string();
   }
 
-  // What it says it did.
+  // The report of the program.
   Json render(std::vector<std::string> more, int exit_code = 0) {
     const ProgramResult result =
         run_brume(joined({"render", moving_, "--airlight", "sliced", "--scattering", "single",
@@ -70,10 +70,8 @@ TEST_F(FrameSequence, FilesAreTheSameInAnyOrderChunksAndThreads) {
 TEST_F(FrameSequence, SkipsFramesThatAreWholeAndCurrent) {
   for (const std::string extension : {".exr", ".png", ".deep.exr"}) {
     const std::string images = file(("s_%04d" + extension).c_str());
-    const std::vector<std::string> command{"--frames", "0-3", "--skip-existing", "-o", images};
-    const auto made = [&](std::vector<std::string> more = {}) {
-      more.insert(more.begin(), command.begin(), command.end());
-      return render(more)["made"];
+    const auto made = [&](const std::vector<std::string>& more = {}) {
+      return render(joined({"--frames", "0-3", "--skip-existing", "-o", images}, more))["made"];
     };
     const Json all{0, 1, 2, 3};
     EXPECT_EQ(made(), all);
@@ -122,10 +120,8 @@ colorspaces:
 )" + more);
   };
   const auto made = [&](const std::vector<std::string>& look) {
-    std::vector<std::string> all{"--frames", "1", "--skip-existing", "-o", file("s_%d.png"),
-                                 "--size",   "8"};
-    all.insert(all.end(), look.begin(), look.end());
-    return render(all)["made"];
+    return render(joined(words("--frames 1 --skip-existing --size 8 -o"),
+                         joined({file("s_%d.png")}, look)))["made"];
   };
   const Json one{1};
   const Json none = Json::array();
@@ -190,10 +186,9 @@ TEST_F(FrameSequence, RefusesWhatCannotBeMeant) {
 // Ended in the middle, what is there is whole, and going on makes the rest.
 TEST_F(FrameSequence, CanBeEndedAndGoOn) {
   for (const int signal : {SIGINT, SIGTERM, SIGKILL}) {
-    const std::vector<std::string> arguments{
-        "render",   moving_,        "--airlight",      "sliced", "--backend",      "cpu",
-        "--frames", "0-9",          "--skip-existing", "-o",     file("k_%d.exr"), "--size",
-        "200x150",  "--scattering", "single"};
+    const std::vector<std::string> arguments =
+        joined({"render", moving_, "-o", file("k_%d.exr"), "--frames", "0-9", "--skip-existing"},
+               words("--airlight sliced --backend cpu --scattering single --size 200x150"));
     {
       RunningProgram program(arguments);
       ASSERT_TRUE(program.wait_for("3 of 10")) << program.shown();

@@ -128,8 +128,8 @@ class JobBundle : public CommandLine {
  protected:
   fs::path bundle(std::vector<std::string> more) {
     const ProgramResult result =
-        expect_done(joined({"submit", "openjd", scene_, "--airlight", "sliced", "--fps", "10",
-                            "--size", "16x12", "--backend", "cpu"},
+        expect_done(joined({"submit", "openjd", scene_, "--airlight", "sliced", "--scattering",
+                            "single", "--fps", "10", "--size", "16x12", "--backend", "cpu"},
                            more));
     errors_ = result.err;
     return Json::parse(result.out)["bundle"].get<std::string>();
@@ -155,8 +155,9 @@ TEST_F(JobBundle, TasksMakeTheFramesOfTheSequence) {
     EXPECT_NE(result.out.find("\nopenjd_progress: 100\n"), std::string::npos) << result.out;
     EXPECT_EQ(result.out.find("openjd_fail"), std::string::npos) << result.out;
   }
-  run_brume({"render", scene_, "--airlight", "sliced", "--fps", "10", "--size", "16x12",
-             "--backend", "cpu", "--frames", "0,2,3,4,7", "-o", file("here/f_%02d.exr")});
+  run_brume({"render", scene_, "--airlight", "sliced", "--scattering", "single", "--fps", "10",
+             "--size", "16x12", "--backend", "cpu", "--frames", "0,2,3,4,7", "-o",
+             file("here/f_%02d.exr")});
   for (const char* frame : {"f_00.exr", "f_02.exr", "f_03.exr", "f_04.exr", "f_07.exr"}) {
     EXPECT_EQ(read_bytes(folder_ / "farm" / frame), read_bytes(folder_ / "here" / frame)) << frame;
   }

@@ -12,10 +12,9 @@ namespace {
 class LayersOption : public CommandLine {
  protected:
   [[nodiscard]] ImageLayers render(const std::vector<std::string>& options) const {
-    std::vector<std::string> arguments{"render", scene_, "-o", file("a.exr")};
-    arguments.insert(arguments.end(), {"--airlight", "sliced", "--scattering", "single"});
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    expect_done(arguments);
+    expect_done(joined(
+        {"render", scene_, "-o", file("a.exr"), "--airlight", "sliced", "--scattering", "single"},
+        options));
     return read_exr(folder_ / "a.exr");
   }
 };

@@ -115,7 +115,7 @@ TEST_F(Messages, SuggestASufficientVoxelSize) {
   ASSERT_NE(rest.find(" or more\n"), std::string::npos) << rest;
   const std::string size = rest.substr(0, rest.find(' '));
   EXPECT_LE(size.size(), 7u) << "two digits";
-  // What is named does, and is not much more than what would have to be; grids of gigabytes are not
+  // The size named is enough, and not much more than it must be; grids of gigabytes are not
   // made here.
   const double voxel = std::stod(size);
   EXPECT_GT(voxel, 0.002);

@@ -18,8 +18,7 @@ class OutputFolders : public CommandLine {
 
   const std::vector<std::string> quick_{"render", scene_, "--airlight", "paper", "--size", "4x3"};
   std::vector<std::string> render(std::vector<std::string> more) const {
-    more.insert(more.begin(), quick_.begin(), quick_.end());
-    return more;
+    return joined(quick_, more);
   }
 };
 
@@ -56,8 +55,8 @@ TEST_F(OutputFolders, AreMade) {
   expect_done(render({"-o", file("a/b/o.exr"), "--stats", file("c/s.json")}));
   expect_file("a/b/o.exr");
   expect_file("c/s.json");
-  expect_done(
-      {"render", scene_, "--airlight", "sliced", "--size", "4x3", "-o", file("d/o.deep.exr")});
+  expect_done({"render", scene_, "--airlight", "sliced", "--scattering", "single", "--size", "4x3",
+               "-o", file("d/o.deep.exr")});
   expect_file("d/o.deep.exr");
   expect_done({"export", scene_, "-o", file("e/f/m.usda"), "--voxel", "0.5"});
   expect_file("e/f/m_fog.vdb");
@@ -86,7 +85,7 @@ TEST_F(OutputFolders, AreLeftOutWhereNothingIsWritten) {
   EXPECT_EQ(folder_.entry_count(), entries);
 }
 
-// Whoever opened the pipe would wait for its other end.
+// Opening the pipe would wait for its other end.
 TEST_F(OutputFolders, PipesAreNotOpened) {
   const auto make_pipe = [this](const char* name) {
     ASSERT_EQ(::mkfifo((folder_ / name).c_str(), 0600), 0);

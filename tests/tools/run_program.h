@@ -16,7 +16,7 @@ struct ProgramResult {
   std::string err;
 };
 
-// What is different from a plain run.
+// Differences from a plain run.
 struct ProgramRun {
   std::string before{};  // shell commands that prepare it
   std::string out{};     // a file that exists, for standard output

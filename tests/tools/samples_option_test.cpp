@@ -97,21 +97,17 @@ TEST_F(SamplesOption, AShutterBlursWhatMoves) {
                                          {"time": 1, "value": [3, 0, 5]}]})");
   const std::vector<std::string> at{"--time", "0.5", "--samples", "8"};
   const Rendered still = render(moving, at);
-  std::vector<std::string> blurred = at;
-  blurred.insert(blurred.end(), {"--shutter", "0,2"});
-  const ImageLayers smeared = render(moving, blurred).image;
+  const ImageLayers smeared = render(moving, joined(at, {"--shutter", "0,2"})).image;
   EXPECT_NE(smeared.channels.at("R"), still.image.channels.at("R"));
   EXPECT_EQ(smeared.channels.at("Z"), still.image.channels.at("Z"));
   // Nothing moves: the same as without.
-  std::vector<std::string> idle{"--samples", "8", "--shutter", "0,2"};
-  EXPECT_EQ(render(scene_, idle).image.channels, render(scene_, {"--samples", "8"}).image.channels);
+  EXPECT_EQ(render(scene_, words("--samples 8 --shutter 0,2")).image.channels,
+            render(scene_, {"--samples", "8"}).image.channels);
   const std::string own =
       folder_.write("c.brume", R"({ "output": {"shutter": [0, 2]},)" + content_of(moving).substr(1))
           .string();
   EXPECT_EQ(render(own, at).image.channels, smeared.channels);
-  std::vector<std::string> none = at;
-  none.insert(none.end(), {"--shutter", "none"});
-  EXPECT_EQ(render(own, none).image.channels, still.image.channels);
+  EXPECT_EQ(render(own, joined(at, {"--shutter", "none"})).image.channels, still.image.channels);
 }
 
 TEST_F(SamplesOption, PathsAreShared) {

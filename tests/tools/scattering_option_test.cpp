@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-// What is measured is all of the light, against paths.
+// The error is of all of the light, against paths.
 TEST_F(CommandLine, MeasuresAllOrdersOfScattering) {
   const auto stats_of = [&](const char* scattering) {
     expect_done({"render", scene_, "-o", file("o.exr"), "--stats", file("s.json"), "--size",

@@ -11,7 +11,7 @@ using Json = nlohmann::json;
 
 class RenderStatistics : public CommandLine {
  protected:
-  // What --stats writes.
+  // The statistics that --stats writes.
   Json render(std::vector<std::string> more) {
     expect_done(joined(
         {"render", scene_, "--backend", "cpu", "--size", "8x6", "--stats", file("s.json")}, more));
@@ -52,9 +52,7 @@ TEST_F(RenderStatistics, NoErrorIsMeasuredWhereNoneIsWanted) {
     const std::vector<std::string> options{"--airlight",  method,         "-o",
                                            file("o.exr"), "--scattering", "single"};
     const auto error = [&](const char* wanted) {
-      std::vector<std::string> all = options;
-      all.insert(all.end(), {"--error", wanted});
-      return render(all)["error"];
+      return render(joined(options, {"--error", wanted}))["error"];
     };
     EXPECT_TRUE(error("none").is_null());
     EXPECT_FALSE(read_exr(folder_ / "o.exr").metadata.contains("brume:error"));
@@ -93,9 +91,8 @@ TEST_F(RenderStatistics, AutoChoosesOnceForAShot) {
 }
 
 TEST_F(RenderStatistics, OfASequenceListItsFrames) {
-  const std::vector<std::string> options{"--airlight", "sliced",        "--scattering", "single",
-                                         "--frames",   "3,0",           "--fps",        "10",
-                                         "-o",         file("f_%d.exr")};
+  const std::vector<std::string> options = joined(
+      words("--airlight sliced --scattering single --frames 3,0 --fps 10 -o"), {file("f_%d.exr")});
   const Json frames = render(options)["frames"];
   ASSERT_EQ(frames.size(), 2u);
   EXPECT_EQ(frames[0]["frame"], 3);
@@ -104,12 +101,10 @@ TEST_F(RenderStatistics, OfASequenceListItsFrames) {
   EXPECT_EQ(frames[1]["slices"], 24);
   EXPECT_TRUE(frames[1]["error"].is_null());
   EXPECT_GT(frames[1]["frame_ms"]["median"], 0.0);
-  std::vector<std::string> measured = options;
-  measured.insert(measured.end(), {"--error", "full"});
+  const std::vector<std::string> measured = joined(options, {"--error", "full"});
   EXPECT_GT(render(measured)["frames"][0]["error"]["pixels"], 0);
   // All are there already.
-  measured.emplace_back("--skip-existing");
-  EXPECT_TRUE(render(measured)["frames"].empty());
+  EXPECT_TRUE(render(joined(measured, {"--skip-existing"}))["frames"].empty());
   expect_refused({"submit", "openjd", scene_, "--frames", "0", "-o", file("f_%d.exr"), "--stats",
                   file("s.json")},
                  {"--stats"});

@@ -24,12 +24,12 @@ std::vector<float> difference(std::span<const float> a, std::span<const float> b
 // flicker, is less than where each frame is fitted by itself.
 TEST(SequenceView, FittedSmokeDoesNotFlicker) {
   VolumeFit how;
-  how.options.count = 100;
+  how.options.count = 60;
   VolumeFitter fitter(how);
   const FittedVolume first = *fitter.next(volumes / "smoke_0025.vdb");
   const FittedVolume second = *fitter.next(volumes / "smoke_0026.vdb");
   const FittedVolume by_itself = *VolumeFitter(how).next(volumes / "smoke_0026.vdb");
-  const SequenceView view(first.grid, Film{48, 48});
+  const SequenceView view(first.grid, Film{32, 32});
   const std::vector<float> before = view.render(first.fit.gaussians);
   const std::vector<float> smoke = difference(view.render(second.grid), view.render(first.grid));
   const std::vector<float> fog = difference(view.render(second.fit.gaussians), before);

@@ -21,9 +21,9 @@ using VolumeCommands = CommandLine;
 TEST_F(VolumeCommands, FitsAVolumeAndASequence) {
   const std::string volume = std::string(BRUME_VOLUMES) + "/smoke_0025.vdb";
   const ProgramResult result =
-      expect_done({"fit", volume, "--count", "50", "--up", "z", "-o", file("a.ply")});
+      expect_done({"fit", volume, "--count", "20", "--up", "z", "-o", file("a.ply")});
   const Json line = Json::parse(result.out);
-  EXPECT_EQ(line["gaussians"], 50);
+  EXPECT_EQ(line["gaussians"], 20);
   EXPECT_LT(line["density_error"], 0.6);
   EXPECT_LT(line["depth_error"], 0.3);
   EXPECT_NEAR(line["mass_ratio"].get<double>(), 1.0, 0.005);
@@ -35,11 +35,11 @@ TEST_F(VolumeCommands, FitsAVolumeAndASequence) {
 
   const ProgramResult both =
       expect_done({"fit", std::string(BRUME_VOLUMES) + "/smoke_%04d.vdb", "--frames", "25-26",
-                   "--count", "20", "-o", file("s%d.csv")});
+                   "--count", "8", "-o", file("s%d.csv")});
   EXPECT_EQ(std::count(both.out.begin(), both.out.end(), '\n'), 2);
   EXPECT_TRUE(std::filesystem::exists(file("s26.csv")));
   EXPECT_EQ(Json::parse(run_brume({"info", "--json", file("s26.csv")}).out)["medium"]["gaussians"],
-            20);
+            8);
   EXPECT_EQ(Json::parse(run_brume({"info", "--json", volume}).out)["grids"].size(), 5u);
 
   expect_refused({"fit", volume, "--grid", "smoke", "-o", file("b.ply")},
