@@ -49,7 +49,6 @@ class AnimationTest : public QObject {
   void an_emitter_is_placed_moved_and_deleted() {
     Desk desk;
     Document& document = desk.document();
-    const Scene before = document.scene();
     desk.key(Qt::Key_P);
     const QPoint at(200, 300);
     QTest::mouseClick(&desk.view(), Qt::LeftButton, {}, at);
@@ -76,7 +75,6 @@ class AnimationTest : public QObject {
     QVERIFY(load_scene(desk.file("steam.brume")).emitters == document.scene().emitters);
     QTest::mouseClick(desk.findChild<QPushButton*>("delete_emitter"), Qt::LeftButton);
     QVERIFY(document.scene().emitters.empty());
-    QVERIFY(is_undone(document, before));
   }
 
   void gaussians_beyond_the_limit_are_refused() {

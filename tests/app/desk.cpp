@@ -102,10 +102,16 @@ Desk::Desk(const Scene& scene)
 }
 
 Desk::~Desk() {
+  verify_undone();
   document_.disconnect();
   document_.undo_stack().disconnect();
   delete tools_;
   qDeleteAll(findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly));
+}
+
+void Desk::verify_undone() {
+  timeline_.set_frame(0);
+  QVERIFY2(is_undone(document_, opened_), "undoing everything gives another scene");
 }
 
 QWidget* Desk::new_column(const QList<QWidget*>& panels) {
@@ -123,6 +129,7 @@ void Desk::follow_time() {
     if (looks_through_camera) view_->camera_controller().set_camera(document_.scene().camera);
   });
   on_change(document_, Change::scene, &timeline_, [this] {
+    opened_ = document_.scene();
     timeline_.set_frame(0);
     timeline_.follow(document_.scene());
   });

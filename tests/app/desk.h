@@ -39,6 +39,7 @@ class DeskView : public QWidget, public View {
 
 // A scene from a file on a desk of all panels and tools, without the window and its pictures: what
 // panels and tools do is tested here in a tenth of the time. Keys are those of tools and of undo.
+// In the end each desk undoes everything, which has to give the scene as it was opened.
 class Desk : public QWidget {
   Q_OBJECT
  public:
@@ -65,10 +66,12 @@ class Desk : public QWidget {
 
  private:
   void follow_time();
+  void verify_undone();
   QWidget* new_column(const QList<QWidget*>& panels);
 
   QTemporaryDir folder_;
   Document document_;
+  Scene opened_;
   Timeline timeline_{nullptr};
   SurfacePicker surfaces_{document_};
   DeskView* view_;

@@ -225,7 +225,6 @@ class KeysTest : public QObject {
   void density_has_keys_too() {
     Desk desk;
     Document& document = desk.document();
-    const Scene before = document.scene();
     set_homogeneous_density(document, 0.1, no_merge);
     choose(desk, "Homogeneous density");
     set_key_at(desk, 0);
@@ -237,8 +236,6 @@ class KeysTest : public QObject {
     document.undo_stack().undo();
     document.undo_stack().undo();
     QCOMPARE(document.medium().homogeneous_density(), 0.1);
-    document.undo_stack().undo();
-    QVERIFY(document.scene() == before);
   }
 
   void every_number_of_an_emitter_has_keys() {
@@ -247,7 +244,6 @@ class KeysTest : public QObject {
     scene.emitters[0].optics = {glm::dvec3(0.5), glm::dvec3(4.0)};
     Desk desk(scene);
     Document& document = desk.document();
-    const Scene before = document.scene();
     auto* box = desk.findChild<QComboBox*>("key_target");
     std::size_t count = 0;
     for (int k = 0; k < box->count(); ++k) {
@@ -283,9 +279,6 @@ class KeysTest : public QObject {
     desk.findChild<QCheckBox*>("emitter_has_albedo")->click();
     QVERIFY(emitter().keys.albedo.empty());
     QCOMPARE(strip(desk).rows().size(), count - 1);
-    document.undo_stack().setIndex(0);
-    desk.timeline().set_frame(0);
-    QVERIFY(document.scene() == before);
   }
 
   void a_surface_moves_and_changes_its_material() {
@@ -298,7 +291,6 @@ class KeysTest : public QObject {
     Desk desk(scene);
     Document& document = desk.document();
     document.set_object(ObjectRef{ObjectRef::Kind::surface, index});
-    const Scene before = document.scene();
     const auto surface = [&]() -> const Surface& { return document.scene().surfaces[index]; };
     for (const char* value :
          {"position", "rotation", "scale", "reflectance", "specular", "exponent"}) {
@@ -332,9 +324,6 @@ class KeysTest : public QObject {
     // Without a highlight there are no keyframes of it.
     brume::choose(desk, "material_type", 0);
     QCOMPARE(strip(desk).rows().size(), std::size_t{4});
-    document.undo_stack().setIndex(0);
-    desk.timeline().set_frame(0);
-    QVERIFY(document.scene() == before);
   }
 
   void deleting_a_light_leaves_the_keys_of_the_others() {

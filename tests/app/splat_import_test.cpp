@@ -96,8 +96,6 @@ class SplatImportTest : public QObject {
       QVERIFY(imported(2 + k) == two_of_a_table[k]);
       QVERIFY(is_half_turned(imported(4 + k), last[k]));
     }
-    document.undo_stack().undo();
-    QVERIFY(document.scene() == before);
   }
 
   void a_sequence_of_splats_is_written_as_gaussians() {
@@ -204,8 +202,6 @@ class SplatImportTest : public QObject {
     QCOMPARE(document.scene().cameras.size(), before.cameras.size() + 1);
     QCOMPARE(document.undo_stack().count(), 1);
     QCOMPARE(document.undo_stack().undoText(), QString("Import both.glb"));
-    document.undo_stack().undo();
-    QVERIFY(document.scene() == before);
   }
 
   void the_file_dialog_offers_splats_of_gltf_as_gaussians() {
