@@ -9,6 +9,7 @@
 #include <QToolButton>
 
 #include "app/document/keyframe_tracks.h"
+#include "app/panels/time/timeline_bar.h"
 #include "app/view/camera_outline.h"
 #include "app/view/gizmo.h"
 #include "app/view/object_box.h"
@@ -18,21 +19,22 @@
 #include "core/io/scene/scene_file.h"
 #include "core/scene/camera_rays.h"
 #include "core/scene/cameras.h"
+#include "tests/app/desk.h"
 #include "tests/app/test_window.h"
 
 using namespace brume;
 
 namespace {
 
-QStringList cameras(TestWindow& window) {
+QStringList cameras(const QWidget& window) {
   QStringList names;
-  auto* list = window->findChild<QListWidget*>("cameras");
+  auto* list = window.findChild<QListWidget*>("cameras");
   for (int k = 0; k < list->count(); ++k) names << list->item(k)->text();
   return names;
 }
 
-QString used(TestWindow& window) {
-  return QString::fromStdString(window->document().scene().camera_name);
+QString used(const Document& document) {
+  return QString::fromStdString(document.scene().camera_name);
 }
 
 }  // namespace
@@ -42,35 +44,34 @@ class CamerasTest : public QObject {
 
  private Q_SLOTS:
   void cameras_are_named_used_and_deleted() {
-    TestWindow window(tiny_scene());
-    const Scene before = window->document().scene();
-    Viewport& view = window->viewport();
-    window.drag({300, 300}, {380, 320}, Qt::MiddleButton);
+    Desk desk(tiny_scene());
+    const Scene before = desk.document().scene();
+    DeskView& view = desk.view();
+    desk.drag({300, 300}, {380, 320}, Qt::MiddleButton);
     const Camera seen = view.camera();
     QVERIFY(seen != before.camera);
-    click(window, "add_camera");
-    QCOMPARE(cameras(window), (QStringList{"Camera", "Camera 2"}));
-    QCOMPARE(used(window), "Camera 2");
-    QVERIFY(window->document().scene().camera == seen);
+    click(desk, "add_camera");
+    QCOMPARE(cameras(desk), (QStringList{"Camera", "Camera 2"}));
+    QCOMPARE(used(desk.document()), "Camera 2");
+    QVERIFY(desk.document().scene().camera == seen);
 
-    auto* list = window->findChild<QListWidget*>("cameras");
+    auto* list = desk.findChild<QListWidget*>("cameras");
     list->editItem(list->item(1));
     auto* editor = list->findChild<QLineEdit*>();
     QVERIFY(editor);
     editor->setText("Close up");
     QTest::keyClick(editor, Qt::Key_Return);
-    QTRY_COMPARE(used(window), "Close up");
-    QCOMPARE(cameras(window), (QStringList{"Camera", "Close up"}));
+    QTRY_COMPARE(used(desk.document()), "Close up");
+    QCOMPARE(cameras(desk), (QStringList{"Camera", "Close up"}));
 
     QTest::mouseClick(list->viewport(), Qt::LeftButton, {},
                       list->visualItemRect(list->item(0)).center());
-    QCOMPARE(used(window), "Camera");
-    QVERIFY(window->document().scene().camera == before.camera);
-    click(window, "delete_camera");
-    QCOMPARE(used(window), "Close up");
-    QVERIFY(!window->findChild<QPushButton*>("delete_camera")->isEnabled());
-    QVERIFY(window->document().scene().camera == seen);
-    QVERIFY(is_undone(window->document(), before));
+    QCOMPARE(used(desk.document()), "Camera");
+    QVERIFY(desk.document().scene().camera == before.camera);
+    click(desk, "delete_camera");
+    QCOMPARE(used(desk.document()), "Close up");
+    QVERIFY(!desk.findChild<QPushButton*>("delete_camera")->isEnabled());
+    QVERIFY(desk.document().scene().camera == seen);
   }
 
   void a_name_that_is_typed_is_saved() {
@@ -88,92 +89,87 @@ class CamerasTest : public QObject {
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_S, Qt::ControlModifier);
     QVERIFY(!window->document().is_modified());
     QCOMPARE(load_scene(window->document().file()).camera_name, std::string("Behind"));
-    QTRY_COMPARE(cameras(window), (QStringList{"Behind", "Camera"}));
+    QTRY_COMPARE(cameras(*window), (QStringList{"Behind", "Camera"}));
     QCOMPARE(list->currentRow(), 0);
   }
 
   void focal_length_and_field_of_view_are_one() {
-    TestWindow window(tiny_scene());
-    enter(window, "focal_length", "50");
-    const double fov = window->document().scene().camera.vertical_fov;
+    Desk desk(tiny_scene());
+    enter(desk, "focal_length", "50");
+    const double fov = desk.document().scene().camera.vertical_fov;
     QVERIFY(std::abs(fov - vertical_fov(50.0, {32, 24})) < 1e-9);
-    enter(window, "camera_vertical_fov", "90");
-    QCOMPARE(value(window, "focal_length"), "13.5");  // 0.5 * 36 * 24 / 32
-    const int steps = window->document().undo_stack().count();
-    drag_title(window, "camera_vertical_fov", 30);
-    QCOMPARE(window->document().undo_stack().count(), steps + 1);
-    enter(window, "camera_target_z", "6");  // where the eye is: refused
-    QVERIFY(window->document().scene().camera.target == glm::dvec3(0.0));
+    enter(desk, "camera_vertical_fov", "90");
+    QCOMPARE(value(desk, "focal_length"), "13.5");  // 0.5 * 36 * 24 / 32
+    const int steps = desk.document().undo_stack().count();
+    drag_title(desk, "camera_vertical_fov", 30);
+    QCOMPARE(desk.document().undo_stack().count(), steps + 1);
+    enter(desk, "camera_target_z", "6");  // where the eye is: refused
+    QVERIFY(desk.document().scene().camera.target == glm::dvec3(0.0));
   }
 
   void roll_is_set_keyed_and_undone() {
-    TestWindow window(tiny_scene());
-    Document& document = window->document();
-    const Scene before = document.scene();
+    Desk desk(tiny_scene());
+    Document& document = desk.document();
     const auto tracks_shown = [&] {
       QStringList titles;
       for (const Track& track : tracks_with_keys(document.scene())) titles << track.title;
       return titles;
     };
-    auto* key = window->findChild<QToolButton*>("camera_roll_key");
+    auto* key = desk.findChild<QToolButton*>("camera_roll_key");
     QVERIFY(key && !key->isChecked());
     // At 0, too, which has no track yet.
     QTest::mouseClick(key, Qt::LeftButton);
     QVERIFY(key->isChecked());
     QCOMPARE(document.undo_stack().undoText(), QString("Set keyframe of camera roll"));
     QCOMPARE(tracks_shown(), QStringList{"Camera roll"});
-    window->timeline().set_frame(30);
+    desk.timeline().set_frame(30);
     QVERIFY(!key->isChecked());
-    enter(window, "camera_roll", "20");  // a key, since it has one
+    enter(desk, "camera_roll", "20");  // a key, since it has one
     QVERIFY(key->isChecked());
     QCOMPARE(document.scene().camera.roll, 20.0);
     QCOMPARE(document.scene().camera_keys.roll.size(), std::size_t{2});
-    window->timeline().set_frame(15);
-    QCOMPARE(value(window, "camera_roll"), "10");
-    window->timeline().set_frame(30);
+    desk.timeline().set_frame(15);
+    QCOMPARE(value(desk, "camera_roll"), "10");
+    desk.timeline().set_frame(30);
     QTest::mouseClick(key, Qt::LeftButton);
     QCOMPARE(document.undo_stack().undoText(), QString("Delete keyframe of camera roll"));
     QCOMPARE(document.scene().camera_keys.roll.size(), std::size_t{1});
-    while (document.undo_stack().canUndo()) document.undo_stack().undo();
-    window->timeline().set_frame(0);
-    QVERIFY(document.scene() == before);
   }
 
   void orthographic_cameras_are_chosen_set_and_undone() {
     Scene scene = tiny_scene();
     scene.camera.aperture = 0.1;
-    TestWindow window(scene);
-    Document& document = window->document();
+    Desk desk(scene);
+    Document& document = desk.document();
     const Scene before = document.scene();
     const double seen = 2.0 * half_height(before.camera);
-    choose(window, "camera_projection", 1);
+    choose(desk, "camera_projection", 1);
     QVERIFY(document.scene().camera.height.has_value());
     QVERIFY(std::abs(*document.scene().camera.height - seen) < 1e-12);
     QCOMPARE(document.scene().camera.aperture, 0.0);
     QCOMPARE(document.undo_stack().undoText(), QString("Set projection"));
     for (const char* field : {"focal_length", "camera_vertical_fov", "camera_aperture"}) {
-      QVERIFY2(!window->findChild<ValueField*>(field)->isEnabled(), field);
+      QVERIFY2(!desk.findChild<ValueField*>(field)->isEnabled(), field);
     }
-    enter(window, "camera_height", "3");
+    enter(desk, "camera_height", "3");
     QCOMPARE(document.scene().camera.height, std::optional(3.0));
-    choose(window, "camera_projection", 0);
+    choose(desk, "camera_projection", 0);
     QVERIFY(!document.scene().camera.height);
     QVERIFY(std::abs(2.0 * half_height(document.scene().camera) - 3.0) < 1e-12);
     QVERIFY(is_undone(document, before));
-    QCOMPARE(window->findChild<QComboBox*>("camera_projection")->currentIndex(), 0);
+    QCOMPARE(desk.findChild<QComboBox*>("camera_projection")->currentIndex(), 0);
   }
 
   void views_through_orthographic_cameras_pick_move_and_zoom() {
     Scene scene = tiny_scene();
     scene.camera.height = 3.0;
-    TestWindow window(scene);
-    Document& document = window->document();
-    Viewport& view = window->viewport();
-    window.key(Qt::Key_0);
-    QVERIFY(window.settle());
+    Desk desk(scene);
+    Document& document = desk.document();
+    DeskView& view = desk.view();
+    view.camera_controller().look_through_scene_camera();
     QVERIFY(view.camera().height.has_value());
     // The picture is rendered in parallel: handles stand where their Gaussians are.
-    const QPoint handle = window.handle(0);
+    const QPoint handle = desk.handle(0);
     QTest::mouseClick(&view, Qt::LeftButton, {}, handle);
     QVERIFY(document.is_selected(document.medium().ids()[0]));
     const CameraRays rays = view.rays();
@@ -192,7 +188,6 @@ class CamerasTest : public QObject {
                      10.0 * view.rays().pixel_width()) < 1e-9);
     view.camera_controller().frame_all();
     QVERIFY(view.camera().height.has_value());
-    QVERIFY(window.settle());
   }
 
   // However far away the plane of the eye is, and how little is seen.
@@ -217,13 +212,13 @@ class CamerasTest : public QObject {
   void the_timeline_keys_what_is_chosen_of_the_camera() {
     Scene scene = tiny_scene();
     scene.camera.aperture = 0.1;
-    TestWindow window(scene);
-    auto* target = window->findChild<QComboBox*>("key_target");
+    Desk desk(scene);
+    auto* target = desk.findChild<QComboBox*>("key_target");
     target->setCurrentText("Camera aperture");
     QCOMPARE(target->currentText(), "Camera aperture");
-    window.key(Qt::Key_I);
-    QCOMPARE(window->document().scene().camera_keys.aperture.size(), std::size_t{1});
-    QVERIFY(window->document().scene().camera_keys.eye.empty());
+    desk.findChild<TimelineBar*>()->set_key();
+    QCOMPARE(desk.document().scene().camera_keys.aperture.size(), std::size_t{1});
+    QVERIFY(desk.document().scene().camera_keys.eye.empty());
   }
 
   void the_frame_of_the_camera_fits_into_the_view() {

@@ -24,6 +24,7 @@
 #include "app/widgets/number_field.h"
 #include "app/widgets/value_field.h"
 #include "core/io/scene/scene_file.h"
+#include "tests/app/desk.h"
 #include "tests/app/question.h"
 #include "tests/app/test_window.h"
 
@@ -359,10 +360,10 @@ class FieldsTest : public QObject {
 
   // Another value may change meanwhile, as when something plays.
   void typing_is_not_interrupted() {
-    TestWindow window;
-    Document& document = window->document();
+    Desk desk;
+    Document& document = desk.document();
     document.select({1});
-    auto& radius = *window->findChild<NumberField*>("radius");
+    auto& radius = *desk.findChild<NumberField*>("radius");
     type(radius, "0.4");
     set_attribute(document, document.selection(), GaussianAttribute::density, 0.5);
     QCOMPARE(radius.text(), QString("0.4"));
@@ -436,17 +437,17 @@ class FieldsTest : public QObject {
   }
 
   void a_title_of_the_panel_gaussians_is_dragged() {
-    TestWindow window;
-    Document& document = window->document();
+    Desk desk;
+    Document& document = desk.document();
     document.select({1, 2});
-    drag_title(window, "density", 40);
+    drag_title(desk, "density", 40);
     const double expected = 0.8 * std::pow(1.01, 40.0);
     for (const std::size_t k : {0U, 1U}) {
       const double density = document.medium().densities()[k];
       QVERIFY2(std::abs(density / expected - 1.0) < 1e-3, qPrintable(QString::number(density)));
     }
     QCOMPARE(document.undo_stack().index(), 1);
-    drag_title(window, "radius", 40);  // which is mixed: no one value to begin from
+    drag_title(desk, "radius", 40);  // which is mixed: no one value to begin from
     QCOMPARE(document.undo_stack().index(), 1);
   }
 };

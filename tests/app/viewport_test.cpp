@@ -8,6 +8,7 @@
 #include "app/panels/gaussians/gaussian_panel.h"
 #include "app/viewport/viewport.h"
 #include "core/io/scene/scene_file.h"
+#include "tests/app/desk.h"
 #include "tests/app/test_window.h"
 
 using namespace brume;
@@ -35,17 +36,17 @@ class ViewportTest : public QObject {
   }
 
   void a_row_selects_the_handle_too() {
-    TestWindow window;
-    window->findChild<GaussianPanel*>()->table()->selectRow(1);
-    QCOMPARE(window->document().selection(), std::vector<GaussianId>{2});
+    Desk desk;
+    desk.findChild<GaussianPanel*>()->table()->selectRow(1);
+    QCOMPARE(desk.document().selection(), std::vector<GaussianId>{2});
   }
 
   void a_rectangle_selects_enclosed_centers() {
-    TestWindow window;
+    Desk desk;
     const QPoint around(20, 20);
-    const QRect both = QRect(window.handle(0), window.handle(3)).normalized();
-    window.drag(both.topLeft() - around, both.bottomRight() + around);
-    QCOMPARE(window->document().selection(), (std::vector<GaussianId>{1, 4}));
+    const QRect both = QRect(desk.handle(0), desk.handle(3)).normalized();
+    desk.drag(both.topLeft() - around, both.bottomRight() + around);
+    QCOMPARE(desk.document().selection(), (std::vector<GaussianId>{1, 4}));
   }
 
   void a_drag_moves_the_selection_as_one_step() {
@@ -72,68 +73,63 @@ class ViewportTest : public QObject {
   }
 
   void dragging_an_unselected_handle_moves_nothing() {
-    TestWindow window;
-    Document& document = window->document();
+    Desk desk;
+    Document& document = desk.document();
     const Scene before = document.scene();
     document.select({3});
     const QPoint aside(2, 2);  // so that the handle is inside, whatever it is rounded to
-    const QPoint from = window.handle(1) - aside;
-    QVERIFY(window->viewport().handles().pick(from));
-    window.drag(from, from + QPoint(40, 25));
+    const QPoint from = desk.handle(1) - aside;
+    QVERIFY(desk.view().handles().pick(from));
+    desk.drag(from, from + QPoint(40, 25));
     QVERIFY(document.scene() == before);
     // It is a rectangle, as from anywhere else.
     QCOMPARE(document.selection(), std::vector<GaussianId>{2});
-    window.drag(window.handle(1), window.handle(1) + QPoint(40, 25));
+    desk.drag(desk.handle(1), desk.handle(1) + QPoint(40, 25));
     QCOMPARE(document.undo_stack().undoText(), QString("Move Gaussian"));
     // With Shift it adds what is inside.
-    window.drag(window.handle(0) - aside, window.handle(3) + 3 * aside, Qt::LeftButton,
-                Qt::ShiftModifier);
+    desk.drag(desk.handle(0) - aside, desk.handle(3) + 3 * aside, Qt::LeftButton,
+              Qt::ShiftModifier);
     QCOMPARE(document.selection(), (std::vector<GaussianId>{1, 2, 4}));
   }
 
   void a_cancelled_drag_leaves_no_step() {
-    TestWindow window;
-    Document& document = window->document();
+    Desk desk;
+    Document& document = desk.document();
     const Scene before = document.scene();
-    Viewport& view = window->viewport();
-    const QPoint from = window.handle(1);
+    DeskView& view = desk.view();
+    const QPoint from = desk.handle(1);
     document.select({2});
     QTest::mousePress(&view, Qt::LeftButton, {}, from);
-    window.move(from + QPoint(30, 0));
+    desk.move(from + QPoint(30, 0));
     QVERIFY(document.is_modified());
-    window.move(from);
+    desk.move(from);
     QTest::mouseRelease(&view, Qt::LeftButton, {}, from);
     QCOMPARE(document.undo_stack().count(), 0);
     QVERIFY(document.scene() == before);
 
-    QTest::mousePress(&view, Qt::LeftButton, {}, from);
-    window.move(from + QPoint(30, 0));
-    QTest::keyClick(&view, Qt::Key_Escape);
-    window.move(from + QPoint(60, 0));
-    QTest::mouseRelease(&view, Qt::LeftButton, {}, from + QPoint(60, 0));
+    QVERIFY(is_cancelled_by_escape(view, document, from, from + QPoint(30, 0)));
     QCOMPARE(document.undo_stack().count(), 0);
-    QVERIFY(document.scene() == before);
   }
 
   void a_drag_ends_with_its_scene() {
-    TestWindow window;
-    Document& document = window->document();
-    Viewport& view = window->viewport();
-    const QPoint from = window.handle(1);
+    Desk desk;
+    Document& document = desk.document();
+    DeskView& view = desk.view();
+    const QPoint from = desk.handle(1);
     for (const int steps_before : {0, 1}) {
       document.select({2});
       QTest::mousePress(&view, Qt::LeftButton, {}, from);
-      for (int k = 0; k < steps_before; ++k) window.move(from + QPoint(30, 0));
+      for (int k = 0; k < steps_before; ++k) desk.move(from + QPoint(30, 0));
       document.open(load_scene(document.file()), document.file());  // as when one was read
       const Scene fresh = document.scene();
-      window.move(from + QPoint(40, 0));
-      window.move(from + QPoint(60, 10));
+      desk.move(from + QPoint(40, 0));
+      desk.move(from + QPoint(60, 10));
       QTest::mouseRelease(&view, Qt::LeftButton, {}, from + QPoint(60, 10));
       QVERIFY(document.scene() == fresh);
       QCOMPARE(document.undo_stack().count(), 0);
       QVERIFY(document.selection().empty());
       QTest::mousePress(&view, Qt::LeftButton, {}, from);
-      window.move(from + QPoint(30, 0));
+      desk.move(from + QPoint(30, 0));
       QTest::keyClick(&view, Qt::Key_Escape);
       QTest::mouseRelease(&view, Qt::LeftButton, {}, from);
     }
