@@ -20,9 +20,10 @@ struct OpticalDepthTableSize {
   bool operator==(const OpticalDepthTableSize&) const = default;
 };
 
-// Resolution of the grid of environment light in the medium; see SourceGrid.
+// Of Settings::shadow_cells.
 inline constexpr int max_shadow_cells = 1024;
 
+// Resolution of the grid of environment light in the medium; see SourceGrid.
 struct SourceGridSize {
   int nodes = 80'000;   // maximum, > 8
   int directions = 96;  // maximum
@@ -91,7 +92,7 @@ struct Settings {
   // `sliced`: slices per ray, and the optical depth tables of lights.
   int slices = 24;
   OpticalDepthTableSize optical_depth_table{};
-  // `sliced`: cells of a light's shadow map = shadow_cells^2.
+  // `sliced`: cells of a light's shadow map = shadow_cells^2, or for far lights in a room more.
   int shadow_cells = 384;
   // `sliced` and `march`: environment light in the medium; `sliced`: all that is scattered more
   // than once.

@@ -29,7 +29,7 @@ AnimationDialog::AnimationDialog(const Timeline& timeline, const QString& folder
           named(new WholeNumberBox(tr("First frame"), 0, limits::frame, this), "animation_first")),
       last_(named(new WholeNumberBox(tr("Last frame"), 0, limits::frame, this), "animation_last")),
       names_(new PlainLabel(this)),
-      export_(named(new QPushButton(tr("Export"), this), "export_animation")) {
+      export_(named(new QPushButton(tr("Export")), "export_animation")) {
   setWindowTitle(tr("Export animation"));
   setAttribute(Qt::WA_DeleteOnClose);
   format_->addItem(tr("PNG, one file per frame"), ".png");

@@ -31,7 +31,7 @@ FrameDialog::FrameDialog(const QString& folder, bool path_traced, const OutputLa
       method_(named(new QComboBox(this), "frame_method")),
       paths_(named(new QSpinBox(this), "frame_paths")),
       layers_(new LayerBoxes(this)),
-      export_(named(new QPushButton(tr("Export"), this), "export_frame")) {
+      export_(named(new QPushButton(tr("Export")), "export_frame")) {
   setWindowTitle(tr("Export frame"));
   setAttribute(Qt::WA_DeleteOnClose);
   format_->addItem(tr("PNG picture"), ".png");

@@ -95,7 +95,7 @@ MediumDialog::MediumDialog(std::shared_ptr<const Scene> scene, const Timeline& t
       first_(named(new WholeNumberBox(tr("First frame"), 0, limits::frame, this), "medium_first")),
       last_(named(new WholeNumberBox(tr("Last frame"), 0, limits::frame, this), "medium_last")),
       memory_(named(new PlainLabel(this), "medium_memory")),
-      export_(named(new QPushButton(tr("Export"), this), "export_medium")) {
+      export_(named(new QPushButton(tr("Export")), "export_medium")) {
   setWindowTitle(tr("Export medium"));
   setAttribute(Qt::WA_DeleteOnClose);
   for (const Format& format : formats()) {

@@ -21,6 +21,12 @@ FORMULA Real mean_inverse_square(Real a, Real b, Real h2) {
   return select(is_small, direct, angle / max(crosses, tiny));
 }
 
+// The indefinite integral over s of (s along - across) / r^3, r^2 = s^2 + h2: of the light that
+// arrives with a cosine, of whose axis these are components.
+FORMULA Real cosine_integral(Real along, Real across, Real h2, Real s) {
+  return -mul_add(across / h2, s, along) / sqrt(mul_add(s, s, h2));
+}
+
 // LightFalloff::at() of a cone, in the unit direction of these components along its azimuths and
 // its axis: 1 - cos t, which is the versine, keeps its digits near the axis.
 FORMULA Real cone_falloff(Vec3 w, Uniform dark_versine, Uniform per_versine) {

@@ -218,20 +218,26 @@ void each_occluded(const SweepOcclusion& occlusion, const Sweep& sweep, std::ptr
   }
 }
 
-// Whether light enters the grid at a node.
-bool is_entry(const Sweep& sweep, std::size_t slab, std::size_t v, std::size_t u) {
-  return slab == 0 || (sweep.shift_v < 0.0f && v == 0) ||
-         (sweep.shift_v > 0.0f && v + 1 == sweep.rows) || (sweep.shift_u < 0.0f && u == 0) ||
-         (sweep.shift_u > 0.0f && u + 1 == sweep.columns);
-}
+// Where light enters the grid in a row of nodes.
+struct Entry {
+  bool whole_row, first, last;
+
+  Entry(const Sweep& sweep, std::size_t slab, std::size_t v)
+      : whole_row(slab == 0 || (sweep.shift_v < 0.0f && v == 0) ||
+                  (sweep.shift_v > 0.0f && v + 1 == sweep.rows)),
+        first(sweep.shift_u < 0.0f),
+        last(sweep.shift_u > 0.0f) {}
+  [[nodiscard]] bool holds(std::size_t u, std::size_t columns) const {
+    return whole_row || (first && u == 0) || (last && u + 1 == columns);
+  }
+};
 
 // Replaces the light of nodes of a row where it enters the grid by at(u).
 template <class At>
-void let_in(const Sweep& sweep, std::size_t slab, std::size_t v, Slab& light, At at) {
-  float* values = light.row(v);
-  for (std::size_t u = 0; u < sweep.columns; ++u) {
-    if (is_entry(sweep, slab, v, u)) values[u] = at(u);
-  }
+void let_in(const Entry& entry, std::size_t columns, float* row, At at) {
+  for (std::size_t u = 0; entry.whole_row && u < columns; ++u) row[u] = at(u);
+  if (entry.first) row[0] = at(0);
+  if (entry.last) row[columns - 1] = at(columns - 1);
 }
 
 // Continues a slab beyond its ends.
@@ -277,8 +283,9 @@ void SweepTransmittance(const GridNodes& nodes, std::span<const float> density, 
         hn::StoreU(light_here, d, light.now.row(v) + u);
       }
       light.now.end_row(v);
+      const Entry entry(sweep, k, v);
       if (!inflow.empty()) {
-        let_in(sweep, k, v, light.now, [&](std::size_t u) {
+        let_in(entry, sweep.columns, light.now.row(v), [&](std::size_t u) {
           return inflow[static_cast<std::size_t>(row + static_cast<std::ptrdiff_t>(u) *
                                                            sweep.axes.step_u)];
         });
@@ -286,7 +293,7 @@ void SweepTransmittance(const GridNodes& nodes, std::span<const float> density, 
       each_occluded(occlusion, sweep, row, [&](std::size_t u, const OccludedNode& node) {
         float& here = light.now.row(v)[u];
         const Seen seen(upwind, node, light.before, u, v);
-        if (!inflow.empty() && is_entry(sweep, k, v, u)) {
+        if (!inflow.empty() && entry.holds(u, sweep.columns)) {
           here *= seen.weight;
           return;
         }
@@ -389,7 +396,10 @@ void SweepChannels(const GridNodes& nodes, std::span<const float> density, float
         for (std::size_t c = 0; c < channels; ++c) light[c].now.row(v)[u] = sums[c];
       });
       for (std::size_t c = 0; c < channels; ++c) {
-        if (continues) let_in(sweep, k, v, light[c].now, [](std::size_t) { return 0.0f; });
+        if (continues) {
+          let_in(Entry(sweep, k, v), sweep.columns, light[c].now.row(v),
+                 [](std::size_t) { return 0.0f; });
+        }
         sweep.write(light[c].now.row(v), emitted[c].data() + row);
       }
     }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <numbers>
+#include <utility>
 #include <vector>
 
 #include "brume/limits.h"
@@ -66,7 +68,7 @@ Box fog_bounds(double b0, std::span<const PointLight> lights) {
 }
 
 Box finest_fog_bounds(const RayCaster& surfaces, std::span<const PointLight> lights,
-                      const std::optional<Box>& enclosure, double reach) {
+                      const std::optional<Box>& room, double reach) {
   constexpr double clearances = 8.0;
   constexpr double worth = 0.5;  // of the sides of all
   // All levels of a grid reach some 400 times as far as the finest.
@@ -83,39 +85,46 @@ Box finest_fog_bounds(const RayCaster& surfaces, std::span<const PointLight> lig
     const glm::dvec3 around(std::max(clearances * clearance(surfaces, light.position), least));
     add(light.position - around, light.position + around);
   }
-  if (enclosure) {
-    const glm::dvec3 middle = 0.5 * (enclosure->low + enclosure->high);
-    add(glm::min(enclosure->low, middle - least), glm::max(enclosure->high, middle + least));
+  if (room) {
+    const glm::dvec3 middle = 0.5 * (room->low + room->high);
+    add(glm::min(room->low, middle - least), glm::max(room->high, middle + least));
   }
   if (!(box.low.x <= box.high.x) || !(longest_side(box) <= worth * longest_side(all))) return all;
   return in_steps(box);
 }
 
-std::optional<Box> enclosure(const RayCaster& surfaces, const glm::dvec3& place) {
+std::optional<Box> room_around(const RayCaster& surfaces, const glm::dvec3& place) {
   constexpr double closed_share = 0.9;
   constexpr double corners = 1.5;  // no farther than so many times what is closed
-  constexpr double max_share = 1.0 / 8.0;
+  const double widest = longest_side(surfaces.bounds()) / 8.0;
+  const std::vector<SphereNode> nodes = sphere_rule(11);
   std::vector<glm::dvec3> directions;
-  for (const SphereNode& node : sphere_rule(11)) directions.push_back(node.direction);
+  for (const SphereNode& node : nodes) directions.push_back(node.direction);
   std::vector<SurfaceHit> hits(directions.size());
   surfaces.first_hits(place, directions, hits);
-  std::vector<double> distances;
-  for (const SurfaceHit& hit : hits) distances.push_back(hit.distance);
-  const auto closed = distances.begin() +
-                      static_cast<std::ptrdiff_t>(closed_share * static_cast<double>(hits.size()));
-  std::ranges::nth_element(distances, closed);
-  Box box{place, place};
-  for (std::size_t i = 0; i < hits.size(); ++i) {
-    if (!(hits[i].distance <= corners * *closed)) continue;
-    const glm::dvec3 wall = place + std::min(hits[i].distance, limits::max_length) * directions[i];
-    box.low = glm::min(box.low, wall);
-    box.high = glm::max(box.high, wall);
+
+  std::vector<std::pair<double, double>> walls;  // distance and solid angle
+  for (std::size_t i = 0; i < hits.size(); ++i)
+    walls.push_back({hits[i].distance, nodes[i].weight});
+  std::ranges::sort(walls);
+  double open = 4.0 * std::numbers::pi * (1.0 - closed_share);
+  while (!walls.empty() && walls.back().second <= open) {
+    open -= walls.back().second;
+    walls.pop_back();
   }
-  const double widest = max_share * longest_side(surfaces.bounds());
-  if (!std::isfinite(*closed) || longest_side(box) > widest) return std::nullopt;
-  // Rays miss corners, and walls are thick.
-  const glm::dvec3 margin(0.1 * longest_side(box));
-  return Box{box.low - margin, box.high + margin};
+  if (walls.empty() || !std::isfinite(walls.back().first)) return std::nullopt;
+
+  // Of whole surfaces, so that it stays while the eye moves through the room.
+  Box box{place, place};
+  for (const SurfaceHit& hit : hits) {
+    if (!(hit.distance <= corners * walls.back().first)) continue;
+    const Box& wall = surfaces.surface_bounds(static_cast<std::size_t>(hit.surface));
+    if (longest_side(wall) > widest) continue;  // the ground
+    box.low = glm::min(box.low, wall.low);
+    box.high = glm::max(box.high, wall.high);
+  }
+  if (box.low == box.high || longest_side(box) > widest) return std::nullopt;
+  return box;
 }
 
 double FogExtent::ray_distance(const glm::dvec3& eye) const {

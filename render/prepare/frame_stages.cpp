@@ -160,11 +160,16 @@ SourceFunction::Multiple FrameStages::multiple_scattering(FrameContext& work, St
 }
 
 Box FrameStages::lit_fog(const FrameContext& work) const {
-  if (!work.plan.runs(Stage::homogeneous)) return {};
+  // Where there are Gaussians the grid is around these.
+  const auto is_there = [](const GaussianTerm<double>& g) { return g.c > 0.0; };
+  if (!work.plan.runs(Stage::homogeneous) ||
+      std::ranges::any_of(prepared_.medium().gaussians(), is_there)) {
+    return {};
+  }
   if (work.plan.runs(Stage::visibility)) {
     const double b0 = prepared_.medium().homogeneous_density();
     return finest_fog_bounds(prepared_.ray_caster(), work.plan.lights,
-                             enclosure(prepared_.ray_caster(), work.rays.eye()),
+                             room_around(prepared_.ray_caster(), work.rays.eye()),
                              scattering_reach(b0, work.fog_extent.ball()));
   }
   if (const FogBall& ball = work.fog_extent.ball(); !ball.is_endless()) {
@@ -280,8 +285,14 @@ std::vector<SlicedLight> FrameStages::sliced_lights(FrameContext& work, StageClo
   return lights;
 }
 
-// With more of them the largest shadow maps take too much memory.
-constexpr std::size_t max_lights_in_room = 4;
+// Cells as wide as the walls of a small room in a large scene would let light through these.
+int FrameStages::far_shadow_cells(const FrameContext& work) const {
+  const int cells = work.settings.shadow_cells;
+  if (!room_around(prepared_.ray_caster(), work.rays.eye())) return cells;
+  const auto far = std::ranges::count_if(work.plan.lights, &PointLight::is_far);
+  const double for_all = 2.0 * max_shadow_cells / std::sqrt(static_cast<double>(far));
+  return std::max(cells, std::min({max_shadow_cells, 8 * cells / 3, static_cast<int>(for_all)}));
+}
 
 // Fog scatters in every direction, Gaussians only where they are.
 DirectionMap FrameStages::shadow_directions(const FrameContext& work, const PointSource& light,
@@ -289,15 +300,11 @@ DirectionMap FrameStages::shadow_directions(const FrameContext& work, const Poin
   const int cells = work.settings.shadow_cells;
   if (!work.plan.runs(Stage::homogeneous)) return table.resized(cells);
   if (!light.is_far) return DirectionMap::full_sphere(cells);
-  // Only surfaces keep light of far lights from fog; beside them nothing does. From a small room
-  // in a large scene cells as wide as its walls would let light through these.
-  const bool is_in_room = work.plan.lights.size() <= max_lights_in_room &&
-                          enclosure(prepared_.ray_caster(), work.rays.eye()).has_value();
+  // Only surfaces keep light of far lights from fog; beside them nothing does.
   const Box& bounds = prepared_.ray_caster().bounds();
   const Ball surfaces{0.5 * (bounds.low + bounds.high),
                       0.5 * glm::length(bounds.high - bounds.low)};
-  return DirectionMap::towards(light.position, std::span(&surfaces, 1),
-                               is_in_room ? max_shadow_cells : cells);
+  return DirectionMap::towards(light.position, std::span(&surfaces, 1), far_shadow_cells(work));
 }
 
 SurfaceLighting FrameStages::surface_lighting(const FrameContext& work) const {

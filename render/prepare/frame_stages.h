@@ -141,6 +141,7 @@ class FrameStages {
   // Parts of sliced_lights(): the lights without tables, and the directions of a light's shadow
   // map; `table` is the map of its table.
   static std::vector<SlicedLight> lights_of(const FrameContext& work);
+  [[nodiscard]] int far_shadow_cells(const FrameContext& work) const;
   [[nodiscard]] DirectionMap shadow_directions(const FrameContext& work, const PointSource& light,
                                                const DirectionMap& table) const;
 

@@ -389,7 +389,9 @@ SourceGrid::SourceGrid(std::span<const GaussianTerm<double>> gaussians,
     if (content.fog_density > 0.0) level.fog = fog_shares(level, content.fog_ball);
     if (content.surfaces) {
       level.surfaces = content.surfaces->at(k, level.first, level.nodes, job);
-      level.holds_surfaces = contains(level.first, last_position(level), content.surfaces->bounds());
+      const double rounding = 1e-3 * static_cast<double>(level.nodes.spacing);
+      level.holds_surfaces = contains(level.first - rounding, last_position(level) + rounding,
+                                      content.surfaces->bounds());
     }
     if (content.emission) add_optics(gaussians, content, level, job);
   }

@@ -86,6 +86,14 @@ struct FalloffRays {
     return falloff.At(mul_sub(sine, along, (cosine / h) * across));
   }
 
+  // The integral of a cosine over r^2 between two s on one side of its plane.
+  [[nodiscard]] HWY_INLINE FloatVec OfCosineBetween(FloatVec begin, FloatVec end,
+                                                    FloatVec h2) const {
+    const FloatVec sum =
+        cosine_integral(along.z, across.z, h2, end) - cosine_integral(along.z, across.z, h2, begin);
+    return falloff.shape == LightFalloff::Shape::two_cosines ? abs(sum) : max(sum, 0.0f);
+  }
+
   // At s, the square of whose distance from the light is r2.
   [[nodiscard]] HWY_INLINE FloatVec At(FloatVec s, FloatVec r2) const {
     const FloatVec r = sqrt(r2);
@@ -98,10 +106,10 @@ struct FalloffRays {
 
 // A part of a ray as the light that it is h away from sees it: light arrives evenly over the angle.
 struct AnglesOfPart {
-  FloatVec first, angle, h;
+  FloatVec first, angle;
 
-  HWY_INLINE AnglesOfPart(FloatVec begin, FloatVec end, FloatVec of_nearest)
-      : first(atan(begin / of_nearest)), angle(atan(end / of_nearest) - first), h(of_nearest) {}
+  HWY_INLINE AnglesOfPart(FloatVec begin, FloatVec end, FloatVec distance)
+      : first(atan(begin / distance)), angle(atan(end / distance) - first) {}
 
   // Integrates over the angle by Gauss' rule on panels no wider than `panel`: add(weight, sine,
   // cosine) for each node, as of the nearest point. For lanes where the angle is positive.
@@ -136,6 +144,10 @@ struct FalloffMean {
     const FloatVec zero = hn::Zero(d);
     FloatVec sum = zero;
     FloatVec moment = zero;
+    const FloatVec h = sqrt(h2);
+    const float panel = light.Panel();
+    angle = mean_inverse_square(a, b, h2) * (b - a) * h;
+    const auto is_wide = angle > wide_falloff * panel;
     light.EachSmoothPart(a, b, [&](FloatVec begin, FloatVec end) HWY_ATTR {
       const FloatVec width = end - begin;
       const auto is_long = width > zero;
@@ -153,14 +165,14 @@ struct FalloffMean {
         whole += weight;
       }
       const FloatVec unattenuated = mean_inverse_square(begin, end, h2) * width;
-      const FloatVec counted = where(is_long, unattenuated * falloff / whole);
+      FloatVec arriving = unattenuated * falloff / whole;
+      if (!light.falloff.has_cone) {
+        arriving = select(is_wide, light.OfCosineBetween(begin, end, h2), arriving);
+      }
+      const FloatVec counted = where(is_long, arriving);
       sum += counted;
       moment = mul_add(counted, middle, moment);
     });
-    const FloatVec h = sqrt(h2);
-    const float panel = light.Panel();
-    angle = mean_inverse_square(a, b, h2) * (b - a) * h;
-    const auto is_wide = angle > wide_falloff * panel;
     if (light.falloff.has_cone && !hn::AllFalse(d, is_wide)) {
       FloatVec seen = zero;
       FloatVec seen_moment = zero;

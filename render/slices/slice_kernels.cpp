@@ -339,8 +339,8 @@ HWY_INLINE void SumSlicesOf(const PathBatch& paths, const RaySlices& slices,
               return mul_add(more, TruncatedPhase(scattering, cosine), whole_fraction * phase);
             };
             scattered = falloff * scattered_by(cos_theta(along, distance));
-            const auto is_wide = angle > min_wide_angle;
-            if (!hn::AllFalse(d, hn::And(is_wide, falloff > zero))) {
+            const auto is_wide = hn::And(hn::And(angle > min_wide_angle, falloff > zero), matters);
+            if (!hn::AllFalse(d, is_wide)) {
               const bool is_isotropic = lights[l].falloff.is_isotropic();
               const V mean = MeanOfWidePart(
                   is_isotropic ? nullptr : &falloffs[l], first, last, h2[l],

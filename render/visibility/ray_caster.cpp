@@ -60,6 +60,9 @@ RayCaster::~RayCaster() = default;
 const Box& RayCaster::bounds() const {
   return impl_->bounds;
 }
+const Box& RayCaster::surface_bounds(std::size_t surface) const {
+  return impl_->surface_bounds[surface];
+}
 const glm::dvec3& RayCaster::center() const {
   return impl_->center;
 }

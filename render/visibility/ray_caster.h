@@ -54,6 +54,8 @@ class RayCaster {
   [[nodiscard]] std::size_t size() const;  // triangles
   // Bounds of all surfaces.
   [[nodiscard]] const Box& bounds() const;
+  // Of one of those that it was made of; low > high if it has no points.
+  [[nodiscard]] const Box& surface_bounds(std::size_t surface) const;
 
   // Data for casting the same rays elsewhere: the center that triangles are relative to, the radius
   // of the ball around it that holds them all (< 0: none), and the triangles.

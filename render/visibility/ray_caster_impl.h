@@ -51,6 +51,7 @@ struct RayCaster::Impl {
   RasterTriangles raster;
   std::vector<std::uint32_t> first_triangles;  // per surface, in raster.corners
   Box bounds;
+  std::vector<Box> surface_bounds;
   glm::dvec3 center{0.0};
   double radius = -1.0;  // of the ball around `center` that holds all surfaces; < 0: none
 
@@ -69,6 +70,7 @@ struct RayCaster::Impl {
       for (const glm::dvec3& p : points.back()) {
         box = {glm::min(box.low, p), glm::max(box.high, p)};
       }
+      surface_bounds.push_back(box);
       bounds = {glm::min(bounds.low, box.low), glm::max(bounds.high, box.high)};
       if (!points.back().empty()) boxes.push_back(box);
     }

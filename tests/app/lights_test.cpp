@@ -284,7 +284,7 @@ class LightsTest : public QObject {
     QCOMPARE(document.scene().lights.size(), before.lights.size() + 7);
     QVERIFY(document.scene().lights[before.lights.size()].as<light::Directional>());
     QVERIFY(document.scene().lights[before.lights.size() + 3].as<light::Spot>());
-    QVERIFY(area_of(document.scene().lights[before.lights.size() + 5]));  // a desk
+    QVERIFY(area_of(document.scene().lights[before.lights.size() + 5]));  // a window
     // The candle.
     const auto candle = [&]() -> const Light& { return document.scene().lights.back(); };
     const auto shown = [&](const char* name) {

@@ -88,15 +88,18 @@ TEST(SpotLight, SlicedMatchesTheReference) {
   }
 }
 
-// A street's lamps, some a few centimetres off a ray: slices span wide angles at them, over which
-// cones and peaks of the phase function pass.
-TEST(SpotLight, LampsBesideRaysMatchTheReference) {
+// The lights of a street stand a few centimetres off some rays: slices span wide angles at them,
+// over which cones and peaks of the phase function pass.
+TEST(SpotLight, LightsBesideRaysMatchTheReference) {
   Scene scene;
   scene.camera = {{1.0, 1.7, 22.0}, {0.0, 3.0, -10.0}, {0.0, 1.0, 0.0}, 55.0};
   scene.film = {32, 24};
   scene.medium.set_homogeneous_density(0.03);
   const light::Spot downwards{{0.1, -1.0, 0.0}, 30.0, 70.0};
-  for (const Light::Kind& kind : {Light::Kind(light::Point()), Light::Kind(downwards)}) {
+  light::Disk lamp{.direction = {0.1, -1.0, 0.0}};
+  lamp.radius = 0.01;  // as good as a point
+  for (const Light::Kind& kind :
+       {Light::Kind(light::Point()), Light::Kind(downwards), Light::Kind(lamp)}) {
     scene.lights.clear();
     for (const double z : {12.0, -2.0, -16.0}) {
       scene.lights.push_back({{z == -2.0 ? -5.0 : 5.0, 5.5, z}, glm::dvec3(80.0), kind});

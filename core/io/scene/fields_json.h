@@ -45,16 +45,16 @@ void read_fields(JsonObject& object, Owner& owner) {
     read_value(object, field.info.name, field.domain, field.of(owner));
   });
   visit_fields<Owner>([&]<class F>(const F& field) {
-    const std::string name = field.info.name;
+    const char* const name = field.info.name;
     const FieldInfo* const other = replacement(field, owner);
     if (!other) return;
     if (object.find(name) != nullptr && (field.info.is_always_saved || !is_usual(field, owner))) {
       object.fail(other->name, found_beside(name));
     }
     if constexpr (F::can_have_keys) {
-      const Json* const keys = object.find("keys");
+      const Json* const keys = object.peek("keys");
       if (keys != nullptr && keys->contains(name)) {
-        object.fail(other->name, found_beside("keys." + name));
+        object.fail(other->name, found_beside(std::string("keys.") + name));
       }
     }
   });

@@ -84,8 +84,8 @@ vec2 falloff_sample(int l, vec3 along, vec3 across, float h2, float s, float wei
   return vec2(inverse * falloff_at(l, (s * along - across) * inversesqrt(r2)), inverse);
 }
 
-// AnglesOfPart of render/slices/slice_falloff-inl.h: Gauss' rule over the angle that [begin, end] spans
-// at a light, h away from its nearest point.
+// AnglesOfPart of render/slices/slice_falloff-inl.h: Gauss' rule over the angle that [begin, end]
+// spans at a light that is h away from the ray.
 struct AnglesOfPart {
   float first;
   float step_;  // of a panel
@@ -108,7 +108,7 @@ float weight_of_node(AnglesOfPart part, int k) {
   return part.step_ * (k == 1 ? gauss_3_middle : gauss_3_end);
 }
 
-// FalloffRays::AtAngle(): at an angle of this sine and cosine.
+// FalloffRays::AtAngle(), for an angle of this sine and cosine.
 float falloff_at_angle(int l, vec3 along, vec3 across, float sine, float cosine, float h) {
   return falloff_at(l, sine * along - cosine / h * across);
 }
@@ -123,7 +123,7 @@ float smooth_panel(int l) {
 
 // The light that arrives between begin and end, where the falloff is smooth, and that times their
 // middle.
-vec2 falloff_part(int l, vec3 along, vec3 across, float h2, float begin, float end) {
+vec2 falloff_part(int l, vec3 along, vec3 across, float h2, float begin, float end, bool is_wide) {
   const float width = end - begin;
   if (!(width > 0.0)) return vec2(0.0);
   const float middle = 0.5 * (begin + end);
@@ -131,11 +131,17 @@ vec2 falloff_part(int l, vec3 along, vec3 across, float h2, float begin, float e
   const vec2 sum = falloff_sample(l, along, across, h2, middle - place, gauss_3_end) +
                    falloff_sample(l, along, across, h2, middle, gauss_3_middle) +
                    falloff_sample(l, along, across, h2, middle + place, gauss_3_end);
-  const float arriving = mean_inverse_square(begin, end, h2) * width * sum.x / sum.y;
+  float arriving = mean_inverse_square(begin, end, h2) * width * sum.x / sum.y;
+  if (is_wide && !has_cone(l)) {
+    arriving = cosine_integral(along.z, across.z, h2, end) -
+               cosine_integral(along.z, across.z, h2, begin);
+    const bool is_two_sided = lights[l].falloff_shape == falloff_two_cosines;
+    arriving = is_two_sided ? abs(arriving) : max(arriving, 0.0);
+  }
   return vec2(arriving, arriving * middle);
 }
 
-// The same of a part that spans a wide angle.
+// The same as falloff_part() for a part that spans a wide angle.
 vec2 falloff_over_angle(int l, vec3 along, vec3 across, float h2, float begin, float end) {
   const float h = sqrt(h2);
   const AnglesOfPart part = angles_of_part(begin, end, h, smooth_panel(l));
@@ -186,19 +192,20 @@ float[6] smooth_parts(int l, vec3 along, vec3 across, float h2, float a, float b
 // [a, b] spans at the light.
 vec2 falloff_mean(int l, vec3 along, vec3 across, float a, float b, float h2, float angle) {
   const float[6] ends = smooth_parts(l, along, across, h2, a, b);
-  vec2 sum = falloff_part(l, along, across, h2, ends[0], ends[1]) +
-             falloff_part(l, along, across, h2, ends[1], ends[2]);
+  const bool is_wide = angle > wide_falloff * smooth_panel(l);
+  vec2 sum = falloff_part(l, along, across, h2, ends[0], ends[1], is_wide) +
+             falloff_part(l, along, across, h2, ends[1], ends[2], is_wide);
 #ifdef CONES
   if (has_cone(l)) {
-    if (angle > wide_falloff * smooth_panel(l)) {
+    if (is_wide) {
       sum = vec2(0.0);
       for (int i = 0; i < 5; ++i) {
         sum += falloff_over_angle(l, along, across, h2, ends[i], ends[i + 1]);
       }
     } else {
-      sum += falloff_part(l, along, across, h2, ends[2], ends[3]) +
-             falloff_part(l, along, across, h2, ends[3], ends[4]) +
-             falloff_part(l, along, across, h2, ends[4], ends[5]);
+      sum += falloff_part(l, along, across, h2, ends[2], ends[3], false) +
+             falloff_part(l, along, across, h2, ends[3], ends[4], false) +
+             falloff_part(l, along, across, h2, ends[4], ends[5], false);
     }
   }
 #endif

@@ -76,7 +76,8 @@ float scattered_by(float cosine, SliceScattering slice) {
   return slice.whole * phase_function + (slice.truncated - slice.whole) * truncated;
 }
 
-// MeanOfWidePart() of render/slices/slice_falloff-inl.h, of a part, times its length and the distance.
+// MeanOfWidePart() of render/slices/slice_falloff-inl.h gives this of one part, divided by its length
+// and the distance h.
 float scattered_over_angle(int l, vec3 along, vec3 across, float h2, float begin, float end,
                            float panel, SliceScattering slice) {
   if (!(end > begin)) return 0.0;
