@@ -35,7 +35,10 @@ void scattered_along(const glm::dvec3& w, const NodeLight& incident, std::span<c
 }
 
 SweepOcclusion occlusion_of(const GridMedium& medium) {
-  return medium.surfaces ? medium.surfaces->sweep() : SweepOcclusion{};
+  if (!medium.surfaces) return {};
+  SweepOcclusion occlusion = medium.surfaces->sweep();
+  occlusion.ends_within = medium.holds_surfaces;
+  return occlusion;
 }
 
 using Channels = std::array<std::span<float>, 3>;  // rows of nodes; the rest is empty

@@ -293,7 +293,7 @@ void SweepTransmittance(const GridNodes& nodes, std::span<const float> density, 
       each_occluded(occlusion, sweep, row, [&](std::size_t u, const OccludedNode& node) {
         float& here = light.now.row(v)[u];
         const Seen seen(upwind, node, light.before, u, v);
-        if (!inflow.empty() && entry.holds(u, sweep.columns)) {
+        if (occlusion.ends_within && !inflow.empty() && entry.holds(u, sweep.columns)) {
           here *= seen.weight;
           return;
         }

@@ -292,6 +292,7 @@ bool MultipleScattering::update(const Input& input, const Job& job) {
                      .density = extinctions.back(),
                      .continues = continues,
                      .surfaces = level.surfaces.get(),
+                     .holds_surfaces = level.holds_surfaces,
                      .albedo = level.albedo,
                      .is_fog_alone = std::ranges::all_of(level.density, is_zero)});
   }
