@@ -20,7 +20,7 @@ struct OpticalDepthTableSize {
   bool operator==(const OpticalDepthTableSize&) const = default;
 };
 
-// Of Settings::shadow_cells.
+// Shadow maps have at most so many cells along a side.
 inline constexpr int max_shadow_cells = 1024;
 
 // Resolution of the grid of environment light in the medium; see SourceGrid.

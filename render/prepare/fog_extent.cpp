@@ -114,7 +114,7 @@ std::optional<Box> room_around(const RayCaster& surfaces, const glm::dvec3& plac
   }
   if (walls.empty() || !std::isfinite(walls.back().first)) return std::nullopt;
 
-  // Of whole surfaces, so that it stays while the eye moves through the room.
+  // The box holds whole surfaces, so that it stays while the eye moves through the room.
   Box box{place, place};
   for (const SurfaceHit& hit : hits) {
     if (!(hit.distance <= corners * walls.back().first)) continue;

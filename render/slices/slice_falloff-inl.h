@@ -179,9 +179,9 @@ struct FalloffMean {
       light.EachSmoothPart(a, b, [&](FloatVec begin, FloatVec end) HWY_ATTR {
         AnglesOfPart(begin, end, h)
             .Integrate(panel, [&](FloatVec weight, FloatVec sine, FloatVec cosine) HWY_ATTR {
-              const FloatVec here = weight * light.AtAngle(sine, cosine, h);
-              seen += here;
-              seen_moment = mul_add(here, h * sine / cosine, seen_moment);
+              const FloatVec arriving = weight * light.AtAngle(sine, cosine, h);
+              seen += arriving;
+              seen_moment = mul_add(arriving, h * sine / cosine, seen_moment);
             });
       });
       sum = select(is_wide, seen / h, sum);

@@ -54,7 +54,7 @@ class RayCaster {
   [[nodiscard]] std::size_t size() const;  // triangles
   // Bounds of all surfaces.
   [[nodiscard]] const Box& bounds() const;
-  // Of one of those that it was made of; low > high if it has no points.
+  // Bounds of one surface; low > high if it has no points.
   [[nodiscard]] const Box& surface_bounds(std::size_t surface) const;
 
   // Data for casting the same rays elsewhere: the center that triangles are relative to, the radius

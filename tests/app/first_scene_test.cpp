@@ -1,4 +1,4 @@
-// First sights of a new scene: painted fog and imported meshes are lit, without a step that
+// A new scene shows something at once: painted fog and imported meshes are lit, without a step that
 // the user has not asked for.
 
 #include <fstream>

@@ -202,7 +202,7 @@ TEST(Orthographic, AirlightOfFogIsTheIntegral) {
   }
 }
 
-// Of a wall that moves while the camera does, and sees more.
+// A wall moves while the camera does, and the camera sees more of it.
 TEST(Orthographic, LayersHavePlacesAndMotion) {
   const Scene scene = before_a_wall_along_z();
   Scene next = scene;

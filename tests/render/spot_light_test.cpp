@@ -96,10 +96,10 @@ TEST(SpotLight, LightsBesideRaysMatchTheReference) {
   scene.film = {32, 24};
   scene.medium.set_homogeneous_density(0.03);
   const light::Spot downwards{{0.1, -1.0, 0.0}, 30.0, 70.0};
-  light::Disk lamp{.direction = {0.1, -1.0, 0.0}};
-  lamp.radius = 0.01;  // as good as a point
+  light::Disk disk{.direction = {0.1, -1.0, 0.0}};
+  disk.radius = 0.01;  // as good as a point
   for (const Light::Kind& kind :
-       {Light::Kind(light::Point()), Light::Kind(downwards), Light::Kind(lamp)}) {
+       {Light::Kind(light::Point()), Light::Kind(downwards), Light::Kind(disk)}) {
     scene.lights.clear();
     for (const double z : {12.0, -2.0, -16.0}) {
       scene.lights.push_back({{z == -2.0 ? -5.0 : 5.0, 5.5, z}, glm::dvec3(80.0), kind});

@@ -151,9 +151,9 @@ vec2 falloff_over_angle(int l, vec3 along, vec3 across, float h2, float begin, f
       const float theta = angle_of_node(part, i, k);
       const float sine = sin(theta);
       const float cosine = max(cos(theta), tiny);
-      const float here =
+      const float arriving =
           weight_of_node(part, k) * falloff_at_angle(l, along, across, sine, cosine, h);
-      sum += here * vec2(1.0 / h, sine / cosine);
+      sum += arriving * vec2(1.0 / h, sine / cosine);
     }
   }
   return sum;
