@@ -52,16 +52,18 @@ class PointsAroundLight {
   explicit PointsAroundLight(const NodePointLight& light) : light_(light), transmittance_(light) {}
 
   // Calls add(k, direction to the light, exp(-T) / r^2) for the points that see the light, times
-  // the mean of the falloff over `spacing` around each.
+  // the mean of the falloff over `spacing` around each: in space, or in the planes of `normals`.
   template <class Add>
-  void each(std::span<const glm::dvec3> points, double spacing, Add add) {
+  void each(std::span<const glm::dvec3> points, std::span<const glm::dvec3> normals, double spacing,
+            Add add) {
     const std::span<const double> transmittance = transmittance_.at(points);
     for (std::size_t k = 0; k < points.size(); ++k) {
       const glm::dvec3 q = light_.source.position - points[k];
       const double r2 = glm::dot(q, q);
       if (!(r2 > 0.0)) continue;
       const double r = std::sqrt(r2);
-      const double falloff = mean_falloff(points[k], r, spacing);
+      const glm::dvec3 normal = normals.empty() ? glm::dvec3(0.0) : normals[k];
+      const double falloff = mean_falloff(points[k], normal, r, spacing);
       if (!(falloff > 0.0)) continue;
       if (light_.surfaces && light_.surfaces->occluded(points[k], light_.source.position)) continue;
       add(k, q / r, falloff * transmittance[k] * light_.inverse_square(r2));
@@ -70,8 +72,10 @@ class PointsAroundLight {
 
  private:
   // Over the cells around a point at distance r: the mean of falloff / r^2 relative to that of
-  // 1 / r^2, so that an edge between nodes lights its share of both.
-  [[nodiscard]] double mean_falloff(const glm::dvec3& point, double r, double spacing) const {
+  // 1 / r^2, so that an edge between nodes lights its share of both. Not across a surface, by its
+  // normal: lamps below a ceiling would light what is above them.
+  [[nodiscard]] double mean_falloff(const glm::dvec3& point, const glm::dvec3& normal, double r,
+                                    double spacing) const {
     const LightFalloff& falloff = light_.source.falloff;
     if (falloff.is_isotropic()) return 1.0;
     const glm::dvec3 q = point - light_.source.position;
@@ -88,7 +92,8 @@ class PointsAroundLight {
     double lit = 0.0;
     double all = 0.0;
     for (const WeightedPoint& p : mean_rule()) {
-      const glm::dvec3 there = q + spacing * p.offset;
+      const glm::dvec3 offset = p.offset - glm::dot(p.offset, normal) * normal;
+      const glm::dvec3 there = q + spacing * offset;
       const double there2 = glm::dot(there, there);
       if (!(there2 > 0.0)) continue;
       const double weight = p.weight / there2;
@@ -141,7 +146,7 @@ void add_point_light(const NodePointLight& light, const glm::dvec3& first, const
       xs.push_back(x);
     }
     PointsAroundLight(light).each(
-        points, spacing, [&](std::size_t k, const glm::dvec3& w, double arriving) {
+        points, {}, spacing, [&](std::size_t k, const glm::dvec3& w, double arriving) {
           add(xs[k], (1.0 - shares[xs[k]]) * arriving, sh_basis(incident.bands, w));
         });
 
@@ -177,6 +182,7 @@ void add_reflected_point_light(const NodePointLight& light, const GridOcclusion&
   job.parallel_for((count + together - 1) / together, [&](std::size_t group) {
     PointsAroundLight around(light);
     std::vector<glm::dvec3> points;
+    std::vector<glm::dvec3> normals;
     const std::size_t end = std::min((group + 1) * together, count);
     const std::size_t first_link = surfaces.nodes()[group * together].first;
     for (std::size_t i = group * together; i < end; ++i) {
@@ -186,18 +192,21 @@ void add_reflected_point_light(const NodePointLight& light, const GridOcclusion&
         // Off the surface, which does not shadow itself.
         points.push_back(node + glm::dvec3(surfel.offset) +
                          1e-3 * spacing * glm::dvec3(surfel.normal));
+        normals.emplace_back(surfel.normal);
       }
     }
-    around.each(points, 0.5 * spacing, [&](std::size_t k, const glm::dvec3& w, double arriving) {
-      const GridOcclusion::Surfel& surfel = surfaces.surfels()[first_link + k];
-      const double cosine = glm::dot(glm::dvec3(surfel.normal), w);
-      if (!(cosine > 0.0)) return;
-      const double radiance = cosine * std::min(arriving, max_arriving) * std::numbers::inv_pi;
-      for (std::size_t c = 0; c < channels; ++c) {
-        reflected[c * links + first_link + k] += static_cast<float>(radiance) * light.intensity[c] *
-                                                 surfel.reflectance[static_cast<int>(c)];
-      }
-    });
+    around.each(
+        points, normals, 0.5 * spacing, [&](std::size_t k, const glm::dvec3& w, double arriving) {
+          const GridOcclusion::Surfel& surfel = surfaces.surfels()[first_link + k];
+          const double cosine = glm::dot(glm::dvec3(surfel.normal), w);
+          if (!(cosine > 0.0)) return;
+          const double radiance = cosine * std::min(arriving, max_arriving) * std::numbers::inv_pi;
+          for (std::size_t c = 0; c < channels; ++c) {
+            reflected[c * links + first_link + k] += static_cast<float>(radiance) *
+                                                     light.intensity[c] *
+                                                     surfel.reflectance[static_cast<int>(c)];
+          }
+        });
   });
 }
 

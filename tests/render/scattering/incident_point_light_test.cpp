@@ -154,6 +154,23 @@ TEST(IncidentPointLight, BeamsBetweenNodesKeepTheirPower) {
   }
 }
 
+// The mean around points of a ceiling is of the ceiling's light, not of what is below the lamp.
+TEST(IncidentPointLight, ASpotBelowACeilingDoesNotLightIt) {
+  const std::vector<Surface> ceiling{wall(0.0, 3.0)};
+  const RayCaster ray_caster(ceiling);
+  const GridNodes nodes{{7, 7, 5}, static_cast<float>(spacing)};
+  const glm::dvec3 first(-3.1 * spacing, -3.2 * spacing, -0.6 * spacing);
+  const GridOcclusion occlusion(ray_caster, ceiling, first, nodes, {});
+  NodePointLight light{
+      source_at({0.0, 0.0, 0.4 * spacing}, LightFalloff(light::Spot{{0.0, 0.0, 1.0}, 30.0, 70.0}))};
+  light.surfaces = &ray_caster;
+  light.intensity = {1.0f};
+  std::vector<float> reflected(occlusion.surfels().size(), 0.0f);
+  ASSERT_FALSE(reflected.empty());
+  add_reflected_point_light(light, occlusion, first, nodes, reflected, 1, {});
+  EXPECT_EQ(std::ranges::count(reflected, 0.0f), std::ssize(reflected));
+}
+
 // With this grid's spacing a quarter of it lies at 0.225 along each axis.
 TEST(IncidentPointLight, LightsOnLatticesOfTheGridMatchPaths) {
   Scene scene;
