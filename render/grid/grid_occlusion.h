@@ -44,7 +44,7 @@ class GridOcclusion {
   // Per grid node, OccludedNode::blocked, and enclosed_bit; empty: nothing is.
   [[nodiscard]] std::span<const std::uint32_t> blocked() const { return blocked_; }
   // For the kernels.
-  [[nodiscard]] SweepOcclusion sweep() const { return {index_, nodes_, fractions_}; }
+  [[nodiscard]] SweepOcclusion sweep() const { return {index_, nodes_, fractions_, false, {}}; }
   // Per blocked link of the kernels' nodes.
   [[nodiscard]] std::span<const Surfel> surfels() const { return surfels_; }
   [[nodiscard]] std::span<const OccludedNode> nodes() const { return nodes_; }
@@ -74,6 +74,10 @@ class LevelOcclusion {
   // Both must outlive this, until the next call.
   void set(const RayCaster& ray_caster, std::span<const Surface> surfaces);
   [[nodiscard]] const Box& bounds() const { return ray_caster_->bounds(); }
+  // Whether surfaces hide what is far away from a point. Thread-safe.
+  [[nodiscard]] bool hide(const glm::dvec3& point, const glm::dvec3& direction) const {
+    return static_cast<bool>(ray_caster_->first_hit(point, direction));
+  }
   [[nodiscard]] const AxisPlanes& planes() const { return planes_; }
   [[nodiscard]] Revision revision() const { return revision_; }
   std::shared_ptr<const GridOcclusion> at(std::size_t level, const glm::dvec3& first,

@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cmath>
 #include <glm/common.hpp>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -186,6 +187,8 @@ std::array<Upwind, 4> UpwindNodes(const Sweep& sweep, const glm::vec3& w) {
 struct Seen {
   float sum = 0.0f;
   float weight = 0.0f;
+  float least = std::numeric_limits<float>::infinity();  // of values that count
+  float most = 0.0f;
 
   Seen(std::span<const Upwind> upwind, const OccludedNode& node, Slab& slab, std::size_t u,
        std::size_t v) {
@@ -193,11 +196,23 @@ struct Seen {
       if (other.is_hidden_from(node)) continue;
       const auto row = static_cast<std::ptrdiff_t>(v) + other.v;
       const float* values = slab.row(0) + row * static_cast<std::ptrdiff_t>(slab.stride);
-      sum += other.weight * values[static_cast<std::ptrdiff_t>(u) + other.u];
+      const float value = values[static_cast<std::ptrdiff_t>(u) + other.u];
+      sum += other.weight * value;
       weight += other.weight;
+      if (!(other.weight > min_weight)) continue;
+      least = std::min(least, value);
+      most = std::max(most, value);
     }
   }
   [[nodiscard]] float mean() const { return weight > 0.0f ? sum / weight : 0.0f; }
+  // Whether a shadow's edge may be here: not all of it is lit, nor all dark.
+  [[nodiscard]] bool is_penumbra() const {
+    constexpr float darkest = 0.01f;
+    return most > darkest && (weight < 1.0f - min_weight || least < 0.9f * most);
+  }
+
+ private:
+  static constexpr float min_weight = 0.01f;
 };
 
 // Index of a hidden neighbour's link.
@@ -297,9 +312,14 @@ void SweepTransmittance(const GridNodes& nodes, std::span<const float> density, 
           here *= seen.weight;
           return;
         }
+        float incoming = seen.sum;
+        if (occlusion.is_lit && seen.is_penumbra()) {
+          const std::ptrdiff_t i = row + static_cast<std::ptrdiff_t>(u) * sweep.axes.step_u;
+          incoming = occlusion.is_lit(static_cast<std::size_t>(i)) ? seen.most : 0.0f;
+        }
         const float far = Seen(upwind, node, b.before, u, v).mean();
         const float depth = 0.5f * sweep.length * (b.now.row(v)[u] + far);
-        here = seen.sum * std::exp(-depth);
+        here = incoming * std::exp(-depth);
       });
       sweep.write(light.now.row(v), transmittance.data() + row);
     }

@@ -7,7 +7,9 @@
 #include <atomic>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <numbers>
 
+#include "core/math/substantial.h"
 #include "render/optical_depth/increment_kernels.h"
 
 namespace brume {
@@ -46,28 +48,37 @@ double TableRadii::radius(int k) const {
 
 OpticalDepthTableLayout::OpticalDepthTableLayout(const MediumIndex& medium, const glm::dvec3& light,
                                                  const OpticalDepthTableSize& size) {
+  std::vector<TableGaussian> gaussians;
+  std::vector<GaussianExtent> extents;
+  for (std::size_t i = 0; i < medium.size(); ++i) {
+    const TableGaussian& g = gaussians.emplace_back(medium, i);
+    const GaussianTerm<double>& term = medium.gaussians()[i];
+    extents.push_back({g.center - g.cutoff_radius, g.center + g.cutoff_radius,
+                       term.c * mean_radius_of(term) * std::sqrt(std::numbers::pi)});
+  }
   std::vector<Ball> balls;
+  std::vector<double> distances;
+  std::vector<double> cutoff_radii;
   double nearest = std::numeric_limits<double>::infinity();
   double farthest = 0.0;
-  std::vector<double> cutoff_radii;
-  for (std::size_t i = 0; i < medium.size(); ++i) {
-    const TableGaussian g(medium, i);
+  for (const std::size_t i : substantial_gaussians(extents)) {
+    const TableGaussian& g = gaussians[i];
     if (!(g.cutoff_radius > 0.0)) continue;
     balls.push_back({g.center, g.core});
-    const double distance = glm::length(g.center - light);
+    cutoff_radii.push_back(g.cutoff_radius);
+    const double distance = distances.emplace_back(glm::length(g.center - light));
     nearest = std::min(nearest, distance - g.cutoff_radius);
     farthest = std::max(farthest, distance + g.cutoff_radius);
-    cutoff_radii.push_back(g.cutoff_radius);
   }
   if (balls.empty()) return;
   // A few Gaussians as large as the world must not leave the others in one cell.
-  const auto median = cutoff_radii.begin() + static_cast<std::ptrdiff_t>(cutoff_radii.size() / 2);
-  std::nth_element(cutoff_radii.begin(), median, cutoff_radii.end());
+  std::vector<double> sorted = cutoff_radii;
+  const auto median = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+  std::nth_element(sorted.begin(), median, sorted.end());
   double typical_extent = 0.0;
-  for (std::size_t i = 0; i < medium.size(); ++i) {
-    const TableGaussian g(medium, i);
-    if (!(g.cutoff_radius > 0.0) || g.cutoff_radius > 10.0 * *median) continue;
-    typical_extent = std::max(typical_extent, glm::length(g.center - light) + g.cutoff_radius);
+  for (std::size_t k = 0; k < balls.size(); ++k) {
+    if (cutoff_radii[k] > 10.0 * *median) continue;
+    typical_extent = std::max(typical_extent, distances[k] + cutoff_radii[k]);
   }
   const double first = std::max(nearest, 0.0);
   // Nor all of the light of a point light in dense fog, which does not get far.

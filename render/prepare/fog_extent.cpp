@@ -44,6 +44,42 @@ Box in_steps(const Box& box) {
   return {step * glm::floor(box.low / step), step * glm::ceil(box.high / step)};
 }
 
+// The space above a plane as well as that in it.
+Box with_space_around(const Box& box) {
+  const glm::dvec3 margin =
+      0.5 * glm::max(0.5 * longest_side(box) - (box.high - box.low), glm::dvec3(0.0));
+  return {box.low - margin, box.high + margin};
+}
+
+// Ends a box where the surfaces do on sides where they hide most of what is there from these
+// places.
+Box without_hidden_space(Box box, const RayCaster& surfaces, std::span<const glm::dvec3> places) {
+  constexpr double hidden_share = 0.5;  // a place may be beside an open end
+  constexpr double margin = 1.0 / 64.0;
+  constexpr double steep = 0.5;  // cosine of directions that count for a side
+  const std::vector<SphereNode> directions = sphere_rule(9);
+  const Box& all = surfaces.bounds();
+  const double beyond = margin * longest_side(box);
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double side : {-1.0, 1.0}) {
+      const bool is_hidden = std::ranges::all_of(places, [&](const glm::dvec3& place) {
+        double sum = 0.0;
+        double hidden = 0.0;
+        for (const SphereNode& node : directions) {
+          if (side * node.direction[axis] < steep) continue;
+          sum += node.weight;
+          if (surfaces.first_hit(place, node.direction)) hidden += node.weight;
+        }
+        return hidden > hidden_share * sum;
+      });
+      if (!is_hidden) continue;
+      if (side < 0.0) box.low[axis] = std::max(box.low[axis], all.low[axis] - beyond);
+      if (side > 0.0) box.high[axis] = std::min(box.high[axis], all.high[axis] + beyond);
+    }
+  }
+  return box;
+}
+
 // Distance to the nearest surface, along the directions of the nodes of a sphere rule.
 double clearance(const RayCaster& surfaces, const glm::dvec3& position) {
   double nearest = infinity;
@@ -64,39 +100,54 @@ Box fog_bounds(double b0, std::span<const PointLight> lights) {
     box.high = glm::max(box.high, light.position + reach);
   }
   if (!(box.low.x <= box.high.x)) return {-reach, reach};
-  return in_steps(box);
+  return with_space_around(in_steps(box));
 }
 
 Box finest_fog_bounds(const RayCaster& surfaces, std::span<const PointLight> lights,
-                      const std::optional<Box>& room, double reach) {
-  constexpr double clearances = 8.0;
-  constexpr double worth = 0.5;  // of the sides of all
+                      const std::optional<Box>& room, const glm::dvec3& eye, double reach) {
+  constexpr double worth = 0.25;  // of the volume of all
   // All levels of a grid reach some 400 times as far as the finest.
   constexpr double min_share = 1.0 / 128.0;
   const Box& all = surfaces.bounds();
-  const double least = 0.5 * min_share * std::max(longest_side(all), 2.0 * reach);
-  Box box{glm::dvec3(infinity), glm::dvec3(-infinity)};
-  const auto add = [&box](const glm::dvec3& low, const glm::dvec3& high) {
-    box.low = glm::min(box.low, low);
-    box.high = glm::max(box.high, high);
-  };
+  std::vector<glm::dvec3> places{eye};
   for (const PointLight& light : lights) {
-    if (light.is_far) continue;
-    const glm::dvec3 around(std::max(clearances * clearance(surfaces, light.position), least));
-    add(light.position - around, light.position + around);
+    if (!light.is_far) places.push_back(light.position);
   }
-  if (room) {
-    const glm::dvec3 middle = 0.5 * (room->low + room->high);
-    add(glm::min(room->low, middle - least), glm::max(room->high, middle + least));
+  const auto with_space = [&](const Box& box) {
+    return without_hidden_space(with_space_around(box), surfaces, places);
+  };
+  const auto volume = [](const Box& box) {
+    const glm::dvec3 sides = box.high - box.low;
+    return sides.x * sides.y * sides.z;
+  };
+  const double least = 0.5 * min_share * std::max(longest_side(all), 2.0 * reach);
+  const Box whole = with_space(all);
+  for (const double clearances : {8.0, 4.0}) {
+    Box box{glm::dvec3(infinity), glm::dvec3(-infinity)};
+    const auto add = [&box](const glm::dvec3& low, const glm::dvec3& high) {
+      box.low = glm::min(box.low, low);
+      box.high = glm::max(box.high, high);
+    };
+    for (const PointLight& light : lights) {
+      if (light.is_far) continue;
+      const glm::dvec3 around(std::max(clearances * clearance(surfaces, light.position), least));
+      add(light.position - around, light.position + around);
+    }
+    if (room) {
+      const glm::dvec3 middle = 0.5 * (room->low + room->high);
+      add(glm::min(room->low, middle - least), glm::max(room->high, middle + least));
+    }
+    if (!(box.low.x <= box.high.x)) break;
+    box = with_space(in_steps(box));
+    if (volume(box) <= worth * volume(whole)) return box;
   }
-  if (!(box.low.x <= box.high.x) || !(longest_side(box) <= worth * longest_side(all))) return all;
-  return in_steps(box);
+  return whole;
 }
 
 std::optional<Box> room_around(const RayCaster& surfaces, const glm::dvec3& place) {
   constexpr double closed_share = 0.9;
   constexpr double corners = 1.5;  // no farther than so many times what is closed
-  const double widest = longest_side(surfaces.bounds()) / 8.0;
+  const double widest = longest_side(surfaces.bounds()) / 3.0;
   const std::vector<SphereNode> nodes = sphere_rule(11);
   std::vector<glm::dvec3> directions;
   for (const SphereNode& node : nodes) directions.push_back(node.direction);

@@ -169,7 +169,7 @@ Box FrameStages::lit_fog(const FrameContext& work) const {
   if (work.plan.runs(Stage::visibility)) {
     const double b0 = prepared_.medium().homogeneous_density();
     return finest_fog_bounds(prepared_.ray_caster(), work.plan.lights,
-                             room_around(prepared_.ray_caster(), work.rays.eye()),
+                             room_around(prepared_.ray_caster(), work.rays.eye()), work.rays.eye(),
                              scattering_reach(b0, work.fog_extent.ball()));
   }
   if (const FogBall& ball = work.fog_extent.ball(); !ball.is_endless()) {

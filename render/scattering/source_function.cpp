@@ -16,6 +16,10 @@ namespace {
 
 using std::numbers::pi;
 
+// So many times as many directions where light is swept between surfaces: of all that a window lets
+// in is lit by few.
+constexpr std::size_t directions_through_windows = 4;
+
 // In rows as fine as the phase function is narrow, 2 R columns of R rows.
 RadianceMap empty_map(double anisotropy) {
   const int rows =
@@ -143,7 +147,8 @@ bool SourceFunction::make_grid(const Input& input, const Job& job) {
   if (!environment) {
     light_ = {};
   } else {
-    read_map(environment->map, input.anisotropy, input.size.directions, job);
+    const std::size_t more = surfaces ? directions_through_windows : 1;
+    read_map(environment->map, input.anisotropy, more * input.size.directions, job);
   }
   medium_ = input.medium.revision();
   scene_medium_ = input.scene_medium;

@@ -51,7 +51,7 @@ class SourceFunction {
     double anisotropy;
     double fog_depth;  // optical depth of b0 from any point to the end of the fog
     FogBall fog_ball;
-    Box in_fog;  // bounds of what stands in fog
+    Box in_fog;  // see SourceGrid::Content
     std::optional<SourceGrid::Receivers> receivers;
     SourceGridSize size;
     std::optional<Multiple> multiple;

@@ -10,6 +10,7 @@
 
 #include "core/math/special_functions.h"
 #include "core/math/spherical_harmonics.h"
+#include "core/math/substantial.h"
 #include "render/grid/density_samples.h"
 #include "render/grid/node_layout.h"
 #include "render/grid/resampling.h"
@@ -25,27 +26,38 @@ constexpr double fine_grid_radii = 2.5;
 // So many sweeps are held at a time.
 constexpr std::size_t sweep_batch = 32;
 
+std::vector<GaussianExtent> extents_of(std::span<const GaussianTerm<double>> gaussians,
+                                       const SourceGrid::Content& content) {
+  std::vector<GaussianExtent> extents;
+  for (const GaussianTerm<double>& g : gaussians) {
+    const glm::dvec3 reach =
+        fine_grid_radii / g.a * (g.ellipsoid ? g.ellipsoid->reach() : glm::dvec3(1.0));
+    const double depth = g.c * mean_radius_of(g) * std::sqrt(std::numbers::pi);
+    extents.push_back({g.b - reach, g.b + reach, depth});
+  }
+  if (!content.emission) return extents;
+  for (const EmissionLights::Light& light : content.emission->lights()) {
+    for (const std::size_t i : light.gaussians) extents[i].emits = true;
+  }
+  return extents;
+}
+
 struct Bounds {
   glm::dvec3 low{std::numeric_limits<double>::infinity()};
   glm::dvec3 high{-std::numeric_limits<double>::infinity()};
   double min_radius = std::numeric_limits<double>::infinity();
 
   Bounds(std::span<const GaussianTerm<double>> gaussians, const SourceGrid::Content& content) {
-    for (const GaussianTerm<double>& g : gaussians) {
-      if (!(g.c > 0.0)) continue;
-      const glm::dvec3 reach = g.ellipsoid ? g.ellipsoid->reach() : glm::dvec3(1.0);
-      low = glm::min(low, g.b - fine_grid_radii / g.a * reach);
-      high = glm::max(high, g.b + fine_grid_radii / g.a * reach);
-      min_radius = std::min(min_radius, min_radius_of(g));
+    const std::vector<GaussianExtent> extents = extents_of(gaussians, content);
+    for (const std::size_t i : substantial_gaussians(extents)) {
+      if (!(gaussians[i].c > 0.0)) continue;
+      low = glm::min(low, extents[i].low);
+      high = glm::max(high, extents[i].high);
+      min_radius = std::min(min_radius, min_radius_of(gaussians[i]));
     }
     if (!empty() || !(content.fog_density > 0.0)) return;
-    // Above a plane as well as in it.
-    const auto& [fog_low, fog_high] = content.in_fog;
-    const glm::dvec3 extent = fog_high - fog_low;
-    const double longest = std::max({extent.x, extent.y, extent.z});
-    const glm::dvec3 margin = 0.5 * glm::max(0.5 * longest - extent, 0.0);
-    low = fog_low - margin;
-    high = fog_high + margin;
+    low = content.in_fog.low;
+    high = content.in_fog.high;
     min_radius = 0.0;
   }
   [[nodiscard]] bool empty() const { return !(low.x <= high.x); }
@@ -58,10 +70,6 @@ bool contains(const glm::dvec3& low, const glm::dvec3& high, const Box& box) {
 
 double smallest(const glm::dvec3& v) {
   return std::min({v.x, v.y, v.z});
-}
-
-SweepOcclusion occlusion_of(const SourceGrid::Level& level) {
-  return level.surfaces ? level.surfaces->sweep() : SweepOcclusion{};
 }
 
 // Weights of the transmittance towards each light: of the coefficients of its light, channel after
@@ -123,6 +131,17 @@ glm::dvec3 last_position(const SourceGrid::Level& level) {
   return node_position(level, level.nodes.size() - 1);
 }
 
+// Of light from direction w.
+SweepOcclusion occlusion_of(const SourceGrid::Level& level, const LevelOcclusion* surfaces,
+                            const glm::dvec3& w) {
+  if (!level.surfaces) return {};
+  SweepOcclusion occlusion = level.surfaces->sweep();
+  occlusion.is_lit = [&level, surfaces, w](std::size_t node) {
+    return !surfaces->hide(node_position(level, node), w);
+  };
+  return occlusion;
+}
+
 // Share of a cell around each node that is in the fog; empty: all.
 std::vector<float> fog_shares(const SourceGrid::Level& level, const FogBall& ball) {
   if (ball.is_endless()) return {};
@@ -163,18 +182,22 @@ Transmitted transmitted_light(const SourceGrid::Level& level, const SourceGrid::
     job.parallel_for(current.size(), [&](std::size_t k) {
       thread_local std::vector<float> around;
       thread_local std::vector<float> inflow;
-      const glm::vec3 w(current[k].light.direction);
+      const glm::dvec3& direction = current[k].light.direction;
+      const glm::vec3 w(direction);
+      const auto occlusion = [&](const SourceGrid::Level& of) {
+        return occlusion_of(of, content.surfaces, direction);
+      };
       inflow.clear();
       if (surfaces && coarse && !level.holds_surfaces) {
         around.resize(coarse->nodes.size());
         inflow.resize(nodes);
-        sweep_transmittance(coarse->nodes, coarse->density, w, occlusion_of(*coarse), {}, around);
+        sweep_transmittance(coarse->nodes, coarse->density, w, occlusion(*coarse), {}, around);
         Resampling(coarse->first, coarse->nodes, level.first, level.nodes)
             .apply_to_border(around, inflow);
       }
       const std::span<float> passes = std::span(transmittances).subspan(k * stride, nodes);
-      sweep_transmittance(level.nodes, level.density, w, occlusion_of(level), inflow, passes);
-      attenuate_by_fog(level, content, current[k].light.direction, passes);
+      sweep_transmittance(level.nodes, level.density, w, occlusion(level), inflow, passes);
+      attenuate_by_fog(level, content, direction, passes);
     });
     for (std::size_t k = 0; surfaces && k < current.size(); ++k) {
       add_reflected(*surfaces, current[k].light,

@@ -56,7 +56,7 @@ class SourceGrid {
     double fog_density = 0.0;  // homogeneous extinction [1/u]
     // Where it is. Endless: it attenuates distant lights evenly, and J leaves that out.
     FogBall fog_ball;
-    Box in_fog;  // bounds of what stands in it
+    Box in_fog;  // where it needs nodes, if there are no Gaussians
     std::optional<Receivers> receivers;
     LevelOcclusion* surfaces = nullptr;        // that occlude all light; null: none do
     bool keeps_transmitted = false;            // see Level

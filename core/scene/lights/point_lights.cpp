@@ -12,6 +12,7 @@
 #include "brume/mesh_arrays.h"
 #include "core/math/basis.h"
 #include "core/math/infinity.h"
+#include "core/math/substantial.h"
 #include "core/math/unit_direction.h"
 #include "core/overloaded.h"
 
@@ -169,9 +170,16 @@ std::optional<LitBounds> lit_bounds(const Scene& scene) {
     bounds.low = glm::min(bounds.low, p - radius);
     bounds.high = glm::max(bounds.high, p + radius);
   };
+  std::vector<GaussianExtent> gaussians;
   for (std::size_t i = 0; i < scene.medium.size(); ++i) {
     const Gaussian g = scene.medium.gaussian(i);
-    add(g.center, 3.0 * g.radius);
+    gaussians.push_back({g.center - 3.0 * g.radius, g.center + 3.0 * g.radius,
+                         g.density * g.mean_radius() * std::sqrt(std::numbers::pi),
+                         g.optics.emission != glm::dvec3(0.0)});
+  }
+  for (const std::size_t i : substantial_gaussians(gaussians)) {
+    add(gaussians[i].low, 0.0);
+    add(gaussians[i].high, 0.0);
   }
   for (const Surface& surface : scene.surfaces) {
     for (const glm::dvec3& p : world_points(surface)) add(p, 0.0);

@@ -30,7 +30,8 @@ struct PointLight {
   bool operator==(const PointLight&) const = default;
 };
 
-// Bounds of surfaces and Gaussians (3 radii each); nullopt without any. Reads all vertices.
+// Bounds of surfaces and of substantial_gaussians() (3 radii each); nullopt without any. Reads all
+// vertices.
 struct LitBounds {
   glm::dvec3 low{0.0};
   glm::dvec3 high{0.0};
