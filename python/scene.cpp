@@ -154,7 +154,7 @@ void bind_scene(py::module_& module) {
           "(width, height) of its pictures [pixels].")
       .def(
           "clear_keys", [](SharedScene& self) { self.rest.scene.optics.keys = {}; },
-          "Removes the keyframes of albedo and anisotropy, which are then constant.")
+          "Removes the keyframes of albedo, anisotropy and extent, which are then constant.")
       .def_property_readonly(
           "is_animated",
           [](const SharedScene& self) { return is_animated(self.without_gaussians().scene); })

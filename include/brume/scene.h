@@ -44,6 +44,7 @@ struct Noise {
 struct MediumKeys {
   Keys<glm::dvec3> albedo;
   Keys<double> anisotropy;
+  Keys<double> extent;
 
   bool operator==(const MediumKeys&) const = default;
 };
@@ -53,6 +54,9 @@ struct MediumOptics {
   glm::dvec3 albedo{
       1.0};  // single-scattering albedo, RGB in (0, 1]; extinction = scattering / albedo
   double anisotropy = 0.0;  // g of Henyey-Greenstein, in [-0.95, 0.95]
+  // How far homogeneous fog reaches from the middle of the scene: it is in this ball alone [u].
+  // Absent: see FogExtent.
+  std::optional<double> extent{};
   Noise noise;
   MediumKeys keys{};
 

@@ -164,6 +164,7 @@ class Scene:
     frames_per_second: float
     albedo: _Vec3
     anisotropy: float
+    extent: Optional[float]
     def __init__(self) -> None: ...
     @property
     def is_animated(self) -> bool: ...

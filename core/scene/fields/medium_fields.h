@@ -6,23 +6,33 @@
 namespace brume {
 
 template <>
-inline constexpr auto fields<MediumOptics> =
-    std::tuple{field(&MediumOptics::albedo, &MediumKeys::albedo, domain::albedo,
-                     {.name = "albedo",
-                      .label = "Albedo",
-                      .unit = "RGB",
-                      .says = "Single-scattering albedo: the fraction of the attenuated light that "
-                              "is scattered, the rest is absorbed",
-                      .step = 0.005,
-                      .is_always_saved = false}),
-               field(&MediumOptics::anisotropy, &MediumKeys::anisotropy, domain::anisotropy,
-                     {.name = "anisotropy",
-                      .label = "Anisotropy",
-                      .unit = "",
-                      .says = "g of the Henyey-Greenstein phase function: 0 isotropic, positive "
-                              "forward, negative backward",
-                      .step = 0.005,
-                      .is_always_saved = false})};
+inline constexpr auto fields<MediumOptics> = std::tuple{
+    field(&MediumOptics::albedo, &MediumKeys::albedo, domain::albedo,
+          {.name = "albedo",
+           .label = "Albedo",
+           .unit = "RGB",
+           .says = "Single-scattering albedo: the fraction of the attenuated light that "
+                   "is scattered, the rest is absorbed",
+           .step = 0.005,
+           .is_always_saved = false}),
+    field(&MediumOptics::anisotropy, &MediumKeys::anisotropy, domain::anisotropy,
+          {.name = "anisotropy",
+           .label = "Anisotropy",
+           .unit = "",
+           .says = "g of the Henyey-Greenstein phase function: 0 isotropic, positive "
+                   "forward, negative backward",
+           .step = 0.005,
+           .is_always_saved = false}),
+    field(&MediumOptics::extent, &MediumKeys::extent, domain::length,
+          {.name = "extent",
+           .label = "Homogeneous extent",
+           .unit = "u",
+           .says = "How far homogeneous fog reaches from the middle of the scene, of the "
+                   "box around surfaces and Gaussians: it is in a ball of this radius",
+           .step = 0.01,
+           .is_logarithmic = true,
+           .absent = "as far as the view, for light from far away the scene's diameter",
+           .is_always_saved = false})};
 
 template <>
 inline constexpr auto fields<Noise> = std::tuple{

@@ -30,6 +30,7 @@ class RandomScene {
     }
     if (maybe()) scene.optics.albedo = {number(0.01, 1), 1.0, number(0.01, 1)};
     if (maybe()) scene.optics.anisotropy = number(-0.95, 0.95);
+    if (maybe()) scene.optics.extent = std::exp(number(-20, 20));
     if (maybe()) {
       scene.optics.noise = {number(0, 1), number(0, 9), point(), integer(-1000, 1000)};
     }
@@ -111,6 +112,7 @@ class RandomScene {
     if (scene.camera.focus_distance) keys(scene.camera_keys.focus_distance, 9.0);
     keys(scene.density_keys, 9.0);
     keys(scene.optics.keys.albedo, 1.0);
+    if (scene.optics.extent) keys(scene.optics.keys.extent, 1.0);
     keys(scene.optics.noise.keys.amplitude, 2.0);
     keys(scene.optics.noise.keys.frequency, 9.0);
     keys(scene.optics.noise.keys.velocity, 9.0);
