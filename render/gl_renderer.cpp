@@ -358,7 +358,7 @@ std::optional<Frame> GlRenderer::Impl::render(FrameContext& work, tbb::task_aren
       group.lists,
       textures,
       {work.frame.film, work.rays, work.fog_extent.ray_distance(work.rays),
-       group.stages.prepared().medium().homogeneous_density(), work.plan, work.airlight_rms()},
+       BatchFog(group.stages.prepared().medium(), work.rays.eye()), work.plan, work.airlight_rms()},
       arena};
   integrate_medium(work, group, cpu_clock, frame);
   if (!shade_surfaces(work, group, cpu_clock, frame)) return std::nullopt;

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/math/infinity.h"
 #include "render/cpu/march_kernels.h"
 #include "render/geometry/ray_range.h"
 #include "render/optical_depth/path_depths.h"
@@ -27,8 +28,12 @@ RayRange medium_range(const MediumIndex& medium, std::span<const std::uint32_t> 
     if (!(chord2 > 0.0)) continue;
     range.add(t - std::sqrt(chord2), t + std::sqrt(chord2));
   }
-  if (const double b0 = medium.homogeneous_density(); b0 > 0.0)
-    range.add(0.0, opaque_fog_depth / b0);
+  if (const double b0 = medium.homogeneous_density(); b0 > 0.0) {
+    const FogInterval fog = medium.fog().interval(eye, w);
+    if (fog.begin < fog.end) {
+      range.add(fog.begin, std::min(fog.begin + opaque_fog_depth / b0, fog.end));
+    }
+  }
   range.clip(length);
   return range.empty() ? RayRange{0.0, 0.0} : range;
 }
@@ -37,6 +42,7 @@ struct MarchScratch {
   GaussianBatch batch;
   PathBatch rays;
   std::vector<double> begin, step;  // per ray [u]
+  std::vector<FogInterval> fog;     // the same
   std::vector<float> t, weights, depths, light_depths, lit_weights;
   std::vector<std::vector<float>> radiance;  // per light
   // Samples with a relevant contribution, towards a light.
@@ -64,9 +70,11 @@ void prepare(const MediumIndex& medium, std::span<const std::uint32_t> gaussians
   const std::size_t count = rays.directions.size();
   s.begin.resize(count);
   s.step.resize(count);
+  s.fog.resize(count);
   for (std::size_t k = 0; k < count; ++k) {
     const RayRange range =
         medium_range(medium, gaussians, rays.origin(k), rays.directions[k], rays.lengths[k]);
+    s.fog[k] = medium.fog().interval(rays.origin(k), rays.directions[k]);
     s.begin[k] = range.begin;
     s.step[k] = (range.end - range.begin) / steps;
   }
@@ -107,13 +115,15 @@ std::uint64_t add_samples(const MediumIndex& medium, const TileRays& rays, int i
   s.points.clear();
   for (std::size_t k = 0; k < rays.directions.size(); ++k) {
     const auto step = static_cast<float>(s.step[k]);
-    s.weights[k] = (s.weights[k] + b0) * step;
-    s.depths[k] += b0 * s.t[k];
+    const auto t = static_cast<double>(s.t[k]);
+    const float fog = s.fog[k].contains(t) ? b0 : 0.0f;
+    s.weights[k] = (s.weights[k] + fog) * step;
+    s.depths[k] += b0 * static_cast<float>(s.fog[k].before(t));
     if (!(s.weights[k] > negligible) || s.depths[k] > opaque) continue;
     s.relevant.push_back(k);
     s.points.push_back(rays.origin(k) + static_cast<double>(s.t[k]) * rays.directions[k]);
     if (!s.batch.has_optics()) continue;
-    s.weights[k] = (s.sums[0][k] + b0) * step;  // what is scattered of it
+    s.weights[k] = (s.sums[0][k] + fog) * step;  // what is scattered of it
     s.emitted[k] +=
         step * std::exp(-s.depths[k]) * glm::vec3(s.sums[1][k], s.sums[2][k], s.sums[3][k]);
   }
@@ -149,11 +159,12 @@ std::uint64_t add_light(const MediumIndex& medium, const RayCaster& ray_caster,
 void add_environment(const SourceFunction& environment, const SourceLookup& source,
                      const MediumIndex& medium, MarchScratch& s) {
   const auto b0 = static_cast<float>(medium.homogeneous_density());
+  const auto even_share = static_cast<float>(1.0 - environment.lobe_fog_extinction());
   std::ranges::fill(s.lit_weights, 0.0f);
   for (const std::size_t k : s.relevant) {
     s.lit_weights[k] = s.weights[k] * std::exp(-s.depths[k]);
     if (!environment.has_lobe_on_rays()) continue;
-    const float fog = b0 * s.t[k];
+    const float fog = even_share * b0 * static_cast<float>(s.fog[k].before(s.t[k]));
     s.along_rays[k] +=
         s.weights[k] * std::exp(medium.anisotropy() > 0.0 ? -fog : fog - 2.0f * s.depths[k]);
   }
@@ -162,12 +173,16 @@ void add_environment(const SourceFunction& environment, const SourceLookup& sour
 
 // Adds what the peak of the phase function scatters of it.
 void add_forward_lobe(const SourceFunction& environment, const SourceLookup& source,
-                      const TileRays& rays, MarchScratch& s) {
+                      const MediumIndex& medium, const TileRays& rays, MarchScratch& s) {
   PathBatch lines = s.rays;
   lines.make_endless();
   std::fill(s.depths.begin(), s.depths.end(), 0.0f);
   accumulate_path_depths(s.batch, lines, s.depths.data());
   for (std::size_t k = 0; k < rays.directions.size(); ++k) {
+    if (!medium.fog().is_endless()) {
+      s.depths[k] +=
+          static_cast<float>(medium.fog_depth(rays.origin(k), rays.directions[k], infinity));
+    }
     s.environment[k] += s.along_rays[k] *
                         environment.lobe_on_ray(source, s.source_weights[k], s.depths[k], rays, k);
   }
@@ -209,13 +224,13 @@ std::uint64_t marched_airlight(const MediumIndex& medium, std::span<const std::u
         s.source_weights[k]);
   }
   if (environment && environment->has_lobe_on_rays()) {
-    add_forward_lobe(*environment, *source, rays, s);
+    add_forward_lobe(*environment, *source, medium, rays, s);
   }
   std::fill(s.depths.begin(), s.depths.end(), 0.0f);
   accumulate_path_depths(s.batch, s.rays, s.depths.data());
-  const double b0 = medium.homogeneous_density();
   for (std::size_t k = 0; k < rays.directions.size(); ++k) {
-    out.depths[k] = static_cast<double>(s.depths[k]) + (b0 > 0.0 ? b0 * rays.lengths[k] : 0.0);
+    out.depths[k] = static_cast<double>(s.depths[k]) +
+                    medium.fog_depth(rays.origin(k), rays.directions[k], rays.lengths[k]);
     out.airlight[k] = glm::max(s.environment[k], 0.0f) + s.emitted[k];
     for (std::size_t l = 0; l < lights.size(); ++l) {
       out.airlight[k] += glm::vec3(lights[l].intensity) * s.radiance[l][k];

@@ -6,14 +6,11 @@
 #include "core/transport/gaussian_airlight.h"
 #include "core/transport/homogeneous_airlight.h"
 #include "core/transport/view_line.h"
+#include "render/reference/airlight_integral.h"
 #include "render/simd/gaussian_kernels.h"
 
 namespace brume {
 namespace {
-
-double homogeneous_depth(double b0, double length) {
-  return b0 > 0.0 ? b0 * length : 0.0;
-}
 
 bool any_conserves_energy(const PaperLights& paper) {
   return std::any_of(paper.lights.begin(), paper.lights.end(),
@@ -26,6 +23,22 @@ bool any_conserves_energy(const PaperLights& paper) {
 double energy_gain(double scattered, double depth) {
   constexpr double nothing = 1e-30;
   return scattered > nothing ? -std::expm1(-depth) / scattered : 1.0;
+}
+
+// Airlight of a ball of fog, where the closed form does not hold, per unit of radiant intensity.
+double airlight_of_ball(const MediumIndex& medium, const PaperLight& light, const glm::dvec3& eye,
+                        const glm::dvec3& w, double length) {
+  const FogInterval fog = medium.fog().interval(eye, w);
+  const double end = std::min(length, fog.end);
+  if (!(medium.homogeneous_density() > 0.0 && fog.begin < end)) return 0.0;
+  const ViewRayMedium<double> ray({}, medium.homogeneous_density(), eye, w, end, {}, {}, fog);
+  const LightSource<double> source{.position = light.position,
+                                   .h_min = light.h_min,
+                                   .gaussians = {},
+                                   .anisotropy = medium.anisotropy(),
+                                   .lit = {{{fog.begin, end}}},
+                                   .fog = medium.fog()};
+  return airlight_integral(ray, source, 1e-6);
 }
 
 // The formulas as written in the paper, in double: the reference for the SIMD path.
@@ -64,12 +77,14 @@ std::uint64_t plain(const MediumIndex& medium, std::span<const std::uint32_t> ga
     for (std::size_t l = 0; l < paper.lights.size(); ++l) {
       const PaperLight& light = paper.lights[l];
       const PointLightRay<double> path(light.position, origin, w, light.h_min);
-      const double fog = homogeneous_airlight(b0, path, length, medium.anisotropy());
+      const double fog = medium.fog().is_endless()
+                             ? homogeneous_airlight(b0, path, length, medium.anisotropy())
+                             : airlight_of_ball(medium, light, origin, w, length);
       airlight += light.intensity * ((light.conserve_energy ? gain : 1.0) * radiance[l] +
                                      std::exp(-light.depth_to_eye) * fog);
     }
     out.airlight[k] = airlight;
-    out.depths[k] = depth + homogeneous_depth(b0, length);
+    out.depths[k] = depth + medium.fog_depth(origin, w, length);
   }
   return pairs;
 }
@@ -101,7 +116,7 @@ std::uint64_t simd(const MediumIndex& medium, std::span<const std::uint32_t> gau
   s.depths.assign(s.rays.padded_size(), 0.0f);
   std::fill(out.airlight.begin(), out.airlight.end(), glm::vec3(0.0f));
 
-  const double b0 = medium.homogeneous_density();
+  const BatchFog fog(medium, rays.eye);
   std::uint64_t pairs = 0;
   const bool conserve = any_conserves_energy(paper);
   s.pack.at_mean = paper.at_mean;
@@ -134,9 +149,8 @@ std::uint64_t simd(const MediumIndex& medium, std::span<const std::uint32_t> gau
         radiance[l][k] *= static_cast<float>(
             energy_gain(static_cast<double>(s.scattered[k]), static_cast<double>(s.depths[k])));
       }
-      if (b0 > 0.0) {
-        accumulate_homogeneous_airlight(static_cast<float>(b0),
-                                        static_cast<float>(std::exp(-light.depth_to_eye)),
+      if (fog.density > 0.0f) {
+        accumulate_homogeneous_airlight(fog, static_cast<float>(std::exp(-light.depth_to_eye)),
                                         glm::vec3(s.pack.x[l], s.pack.y[l], s.pack.z[l]),
                                         s.pack.h_min[l], s.pack.anisotropy, s.rays, radiance[l]);
       }
@@ -145,7 +159,8 @@ std::uint64_t simd(const MediumIndex& medium, std::span<const std::uint32_t> gau
     }
   }
   for (std::size_t k = 0; k < count; ++k) {
-    out.depths[k] = static_cast<double>(s.depths[k]) + homogeneous_depth(b0, rays.lengths[k]);
+    out.depths[k] = static_cast<double>(s.depths[k]) +
+                    medium.fog_depth(rays.origin(k), rays.directions[k], rays.lengths[k]);
   }
   return pairs;
 }

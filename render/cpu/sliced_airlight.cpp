@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <glm/common.hpp>
 
+#include "core/math/infinity.h"
 #include "render/optical_depth/increment_kernels.h"
 #include "render/simd/gaussian_kernels.h"
 #include "render/slices/slice_kernels.h"
@@ -92,17 +93,22 @@ void add_source_function(const SlicedSource& from, const TileRays& rays, SliceSc
 }
 
 // Fills distances and depths of profiles, front to back.
-void set_depths(const SliceScratch& s, double b0, std::size_t rays, TileProfiles& profiles) {
+void set_depths(const SliceScratch& s, const MediumIndex& medium, const TileRays& tile,
+                TileProfiles& profiles) {
+  const double b0 = medium.homogeneous_density();
+  const std::size_t rays = tile.directions.size();
   const std::size_t stride = s.rays.padded_size();
   const std::size_t boundaries = s.slices.count();
   profiles.distances.resize(boundaries * rays);
   profiles.depths.resize(boundaries * rays);
   for (std::size_t i = 0; i < rays; ++i) {
+    const FogInterval fog = medium.fog().interval(tile.origin(i), tile.directions[i]);
     double depth = 0.0;
     for (std::size_t k = 0; k < boundaries; ++k) {
       const float t = *s.slices.at(i, k);
       if (k > 0) {
-        const double length = static_cast<double>(t) - static_cast<double>(*s.slices.at(i, k - 1));
+        const double length =
+            fog.overlap(static_cast<double>(*s.slices.at(i, k - 1)), static_cast<double>(t));
         depth += b0 * length + std::max(s.increments[(k - 1) * stride + i], 0.0f);
       }
       profiles.distances[k * rays + i] = t;
@@ -146,6 +152,7 @@ std::uint64_t sliced_airlight(const MediumIndex& medium, std::span<const std::ui
   }
 
   const double b0 = medium.homogeneous_density();
+  const BatchFog fog(medium, rays.eye);
   const auto negligible = static_cast<float>(medium.negligible_depth());
   s.depths.resize(stride);
   SliceWeights slice_weights;
@@ -167,6 +174,10 @@ std::uint64_t sliced_airlight(const MediumIndex& medium, std::span<const std::ui
         s.lines = s.rays;
         s.lines.make_endless();
         accumulate_path_depths(s.batch, s.lines, s.line_depths.data());
+        for (std::size_t k = 0; k < count && !medium.fog().is_endless(); ++k) {
+          s.line_depths[k] +=
+              static_cast<float>(medium.fog_depth(rays.origin(k), rays.directions[k], infinity));
+        }
       }
     }
   }
@@ -208,8 +219,8 @@ std::uint64_t sliced_airlight(const MediumIndex& medium, std::span<const std::ui
       s.radiance[l].assign(stride * sums, 0.0f);
       radiance[l] = s.radiance[l].data();
     }
-    sum_slices(s.rays, s.slices, s.increments.data(), s.moments.data(), static_cast<float>(b0),
-               scattering, negligible, std::span(pack).first(size), s.depths.data(),
+    sum_slices(s.rays, s.slices, s.increments.data(), s.moments.data(), fog, scattering, negligible,
+               std::span(pack).first(size), s.depths.data(),
                first == 0 ? slice_weights : SliceWeights(), optics, radiance,
                profiles ? SliceSums::running : SliceSums::total);
     optics.emission = {};
@@ -225,13 +236,18 @@ std::uint64_t sliced_airlight(const MediumIndex& medium, std::span<const std::ui
     });
   }
   if (profiles) {
-    set_depths(s, b0, count, *profiles);
+    set_depths(s, medium, rays, *profiles);
     std::ranges::copy(std::span(profiles->airlight).last(count), out.airlight.begin());
   }
   for (std::size_t k = 0; k < count; ++k) {
     // Homogeneous fog continues behind the last slice; the Gaussians do not.
     const auto sliced = static_cast<double>(*s.slices.at(k, last));
-    const double rest = std::max(rays.lengths[k] - sliced, 0.0);
+    double rest = std::max(rays.lengths[k] - sliced, 0.0);
+    if (!medium.fog().is_endless()) {
+      rest = medium.fog()
+                 .interval(rays.origin(k), rays.directions[k])
+                 .overlap(sliced, rays.lengths[k]);
+    }
     out.depths[k] = static_cast<double>(s.depths[k]) + (b0 > 0.0 ? b0 * rest : 0.0);
   }
   return pairs;

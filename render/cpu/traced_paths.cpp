@@ -46,6 +46,7 @@ std::span<const glm::vec3> TracedPaths::trace(const FrameStages& stages, FrameCo
   key.environment = work.scene.environment;
   key.surfaces = work.scene.surfaces;
   key.fog = scene.fog.ball;
+  key.is_fog_everywhere = scene.fog.is_everywhere;
   key.camera = work.camera;
   key.film = work.frame.film;
   key.channels = channels_of(work);

@@ -8,10 +8,26 @@ FORMULA_STRUCT FogRay {
   Real start2;    // h^2 + ts^2
   Real span;      // the angle at the light between the ray's start and its end
   Real at_start;  // the angle there between light and view
+  // In a ball of fog its radius, else 0; then where the ray starts, from the ball's center, its
+  // direction, and the light from where it starts.
+  Uniform radius;
+  Vec3 from_center;
+  Vec3 w;
+  Vec3 light;
 };
 
-FORMULA OF(FogRay) fog_ray(Real ts, Real offset2, Real length_, Uniform h_min, Uniform b0) {
+// A ray within a ball of fog (its radius 0: fog is everywhere) that starts at `from_center`, in the
+// unit direction w; the light is at `light` from there.
+FORMULA OF(FogRay) fog_ray(Vec3 light, Vec3 w, Real length_, Uniform h_min, Uniform b0,
+                           Vec3 from_center, Uniform radius) {
+  const Real ts = dot(light, w);
+  const Vec3 offset = neg_mul_add(ts, w, light);
+  const Real offset2 = dot(offset, offset);
   OF(FogRay) ray;
+  ray.radius = radius;
+  ray.from_center = from_center;
+  ray.w = w;
+  ray.light = light;
   ray.ts = ts;
   ray.offset2 = offset2;
   // A light on the ray needs some distance from it; see PointLightRay.
@@ -25,7 +41,8 @@ FORMULA OF(FogRay) fog_ray(Real ts, Real offset2, Real length_, Uniform h_min, U
   const Real min_extra_path = select(ts > 0.0, offset2 / max(start + ts, tiny), start - ts);
   const Real t_max =
       max_extra_path * (start + max_extra_path + start) / (2.0 * (max_extra_path + min_extra_path));
-  const Real end = min(length_, t_max);
+  // In a ball the way from the light may pass little fog.
+  const Real end = min(length_, radius == 0.0 ? t_max : REAL(max_extra_path));
   const Real adjacent = neg_mul_add(ts, end, ray.start2);
   const Real acute = atan(ray.h * end / max(abs(adjacent), tiny));
   ray.span = select(adjacent >= 0.0, acute, pi - acute);
@@ -40,7 +57,13 @@ FORMULA Real fog_light(OF(FogRay) ray, Real phi, Uniform b0, Uniform g) {
   const Real t = ray.start2 * sine / max(mul_add(ray.h, cos(phi), ray.ts * sine), tiny);
   const Real along = t - ray.ts;
   const Real distance_ = sqrt(mul_add(along, along, ray.offset2));
-  const Real transmitted = exp(-b0 * (t + distance_));
+  Real from_light = distance_;
+  if (ray.radius != 0.0) {
+    const Vec3 p = mul_add(t, ray.w, ray.from_center);
+    const Vec3 to_light = neg_mul_add(t, ray.w, ray.light);
+    from_light = fog_length(p, dot(p, to_light) / max(distance_, tiny), distance_, ray.radius);
+  }
+  const Real transmitted = exp(-b0 * (t + from_light));
   if (g == 0.0) return transmitted;
   return transmitted * henyey_greenstein(cos_theta(along, distance_), g);
 }

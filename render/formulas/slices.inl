@@ -42,10 +42,36 @@ FORMULA OF(LitPart) lit_part(Real begin, Real end, Real increment, Real moment) 
   return part;
 }
 
-// How far the light of a light has gone through a ball of homogeneous fog, FogBall::length(), to p,
-// relative to its center; `along`: the component of -p from there.
-FORMULA Real fog_length(Vec3 p, Real along, Uniform radius) {
+// How far the light of a light, `distance_` away, has gone through a ball of homogeneous fog,
+// FogBall::length(), to p, relative to its center; `along`: the component of -p from there.
+FORMULA Real fog_length(Vec3 p, Real along, Real distance_, Uniform radius) {
   const Real square = mul_sub(along, along, dot(p, p)) + radius * radius;
   const Real half_chord = sqrt(max(square, 0.0));
-  return min(max(half_chord - along, 0.0), half_chord + half_chord);
+  const Real up_to_end = min(max(half_chord - along, 0.0), half_chord + half_chord);
+  return min(up_to_end, min(distance_, max(distance_ + along + half_chord, 0.0)));
+}
+
+// Where a ray from p, relative to the center, in the unit direction w is in such a ball:
+// FogBall::interval(). Everywhere for the radius 0.
+FORMULA_STRUCT FogInterval {
+  Real begin;
+  Real end;
+};
+
+FORMULA OF(FogInterval) fog_interval(Vec3 p, Vec3 w, Uniform radius) {
+  OF(FogInterval) fog;
+  fog.begin = REAL(0.0);
+  fog.end = REAL(endless);
+  if (radius == 0.0) return fog;
+  const Real along = dot(p, w);
+  const Vec3 offset = neg_mul_add(along, w, p);
+  const Real half_chord = sqrt(max(radius * radius - dot(offset, offset), 0.0));
+  fog.begin = max(-half_chord - along, 0.0);
+  fog.end = max(half_chord - along, 0.0);
+  return fog;
+}
+
+// Of what lies between two places of a ray, the length in fog.
+FORMULA Real fog_overlap(OF(FogInterval) fog, Real begin, Real end) {
+  return max(min(end, fog.end) - max(begin, fog.begin), 0.0);
 }

@@ -33,7 +33,7 @@ double MediumIndex::max_displacement() const {
 }
 
 double MediumIndex::density(const glm::dvec3& x) const {
-  double sum = b0_;
+  double sum = homogeneous_density_at(x);
   bvh_.query(RaySegment{x, {0.0, 0.0, 1.0}, 0.0}, [&](std::uint32_t i) {
     const GaussianTerm<double>& g = gaussians_[i];
     const glm::dvec3 q = g.scaled(x);
@@ -55,7 +55,7 @@ RelativeOptics MediumIndex::optics_at(const glm::dvec3& x, double fog) const {
 
 double MediumIndex::depth(const RaySegment& segment) const {
   if (!(segment.length > 0.0)) return 0.0;
-  double sum = b0_ > 0.0 ? b0_ * segment.length : 0.0;
+  double sum = fog_depth(segment.origin, segment.direction, segment.length);
   bvh_.query(segment, [&](std::uint32_t i) {
     sum +=
         optical_depth(gaussians_[i], line_profile(gaussians_[i], segment.origin, segment.direction),

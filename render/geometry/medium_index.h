@@ -7,6 +7,7 @@
 #include "brume/revision.h"
 #include "core/scene/ray_noise.h"
 #include "core/transport/optical_depth.h"
+#include "render/geometry/fog_ball.h"
 #include "render/geometry/sphere_bvh.h"
 
 namespace brume {
@@ -60,7 +61,8 @@ class MediumIndex {
  public:
   MediumIndex(const Medium& medium, const CullingTolerance& tolerance, double anisotropy = 0.0);
 
-  [[nodiscard]] Revision revision() const { return revision_; }  // of all but its noise
+  // Of all but its noise and where its fog is.
+  [[nodiscard]] Revision revision() const { return revision_; }
   [[nodiscard]] std::size_t size() const { return gaussians_.size(); }
   [[nodiscard]] std::span<const GaussianTerm<double>> gaussians() const { return gaussians_.all(); }
   [[nodiscard]] std::span<const double> cutoff_radii() const { return cutoff_radii_; }
@@ -89,7 +91,18 @@ class MediumIndex {
   [[nodiscard]] double negligible_depth() const {
     return b0_ > 0.0 ? 0.0 : 1e-3 * tolerance_.depth;
   }
+  // b0, where homogeneous fog is [1/u].
   [[nodiscard]] double homogeneous_density() const { return b0_; }
+  // Where it is; everywhere by default; changing it needs no new index.
+  [[nodiscard]] const FogBall& fog() const { return fog_; }
+  void set_fog(const FogBall& fog) { fog_ = fog; }
+  [[nodiscard]] double homogeneous_density_at(const glm::dvec3& x) const {
+    return fog_.contains(x) ? b0_ : 0.0;
+  }
+  // Its optical depth along the first `length` of a ray, may be +inf.
+  [[nodiscard]] double fog_depth(const glm::dvec3& x, const glm::dvec3& w, double length) const {
+    return b0_ > 0.0 ? b0_ * fog_.length(x, w, length) : 0.0;
+  }
 
   // b(x) of Gaussians and b0 [1/u], up to the tolerance.
   [[nodiscard]] double density(const glm::dvec3& x) const;
@@ -106,6 +119,7 @@ class MediumIndex {
   RayNoise noise_;
   SphereBvh bvh_;
   double b0_;
+  FogBall fog_;
   CullingTolerance tolerance_;
   double anisotropy_;
 };

@@ -12,7 +12,7 @@ namespace brume {
 // A light as methods evaluate it.
 struct PointSource : PointLight {
   double h_min = 0.0;  // see light_limits.h [u]
-  FogBall fog{};       // that its light passes, of a far light; else endless: all the way
+  FogBall fog{};       // that its light passes; endless: all the way
 
   // Squared, for light at surfaces, which next to an area light are lit as by all of its radiance.
   [[nodiscard]] double distance2(const glm::dvec3& x) const {
@@ -24,7 +24,7 @@ struct PointSource : PointLight {
   [[nodiscard]] double fog_length(const glm::dvec3& x) const {
     const glm::dvec3 q = position - x;
     const double r = glm::length(q);
-    return r > 0.0 ? std::min(r, fog.length(x, q / r)) : 0.0;
+    return r > 0.0 ? fog.length(x, q / r, r) : 0.0;
   }
 };
 

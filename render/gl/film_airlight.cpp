@@ -32,6 +32,12 @@ std::string ray_definitions(const CameraRays& rays) {
   return rays.is_parallel() ? " PARALLEL" : "";
 }
 
+void set_fog(const Program& program, const BatchFog& fog) {
+  program.set("b0", fog.density);
+  program.set("fog_center", fog.center);
+  program.set("fog_radius", fog.radius);
+}
+
 void set_rays(const Program& program, const CameraRays& rays) {
   const CameraRays::FilmPlane plane = rays.plane();
   program.set("corner", rays.is_parallel() ? rays.whole_offset(glm::dvec2(0.0)) : plane.corner);
@@ -101,7 +107,7 @@ std::size_t FilmAirlight::run(Programs& programs, DeviceClock& clock, const Prog
     program.set("sample_film", sample_film);
     program.set("tiles", tiles);
     program.set("scale", scale);
-    program.set("b0", static_cast<float>(view.b0));
+    program.set("b0", view.fog.density);
     program.set("tolerance", static_cast<float>(view.plan.settings.upsampling_tolerance));
     program.set("capacity", static_cast<int>(capacity));
     program.set("requests_at", requests_at);

@@ -11,6 +11,7 @@
 #include "render/gl/programs.h"
 #include "render/gl/tile_lists.h"
 #include "render/render_plan.h"
+#include "render/simd/gaussian_kernels.h"
 
 namespace brume::gl {
 
@@ -30,7 +31,7 @@ struct FilmView {
   Film film;
   const CameraRays& rays;
   double ray_end;  // length of rays that hit nothing [u]; may be +inf
-  double b0;
+  BatchFog fog;
   const RenderPlan& plan;
   std::optional<double> airlight_rms;  // absent: that of the samples
 };
@@ -57,5 +58,7 @@ class FilmAirlight {
 std::string ray_definitions(const CameraRays& rays);
 // Sets the uniforms of shaders/rays.glsl.
 void set_rays(const Program& program, const CameraRays& rays);
+// The uniforms of fog: of shaders/view_fog.glsl, or of surfaces.
+void set_fog(const Program& program, const BatchFog& fog);
 
 }  // namespace brume::gl

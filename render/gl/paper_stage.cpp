@@ -19,7 +19,7 @@ std::size_t PaperStage::run(FrameStages& stages, FrameContext& work, StageClock&
   set_noise(program, medium.noise(), work.rays.eye());
   program.set("light_count", static_cast<int>(paper.lights.size()));
   program.set("gaussian_count", static_cast<int>(medium.size()));
-  program.set("b0", static_cast<float>(medium.homogeneous_density()));
+  set_fog(program, device.view.fog);
   program.set("anisotropy", static_cast<float>(medium.anisotropy()));
   program.set("at_mean", paper.at_mean ? 1 : 0);
   program.set("conserves", std::ranges::any_of(paper.lights, &PaperLight::conserve_energy) ? 1 : 0);

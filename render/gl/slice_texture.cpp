@@ -16,7 +16,7 @@ void SliceTexture::choose(Programs& programs, DeviceClock& clock, OpticalDepthTa
   const auto tile_count = static_cast<std::size_t>(tiles.x) * static_cast<std::size_t>(tiles.y);
   const auto node_count =
       static_cast<std::size_t>(2 * tiles.x + 1) * static_cast<std::size_t>(2 * tiles.y + 1);
-  stride_ = static_cast<int>(max_boundaries(slices, light_count, view.b0 > 0.0));
+  stride_ = static_cast<int>(max_boundaries(slices, light_count, view.fog.density > 0.0f));
   const auto record = static_cast<std::size_t>(stride_) + 1;
   chosen_.reserve(tile_count * record * sizeof(float));
   const std::size_t rows = node_count * record / node_texture_width + 1;
@@ -34,7 +34,7 @@ void SliceTexture::choose(Programs& programs, DeviceClock& clock, OpticalDepthTa
     choose.set("light_count", static_cast<int>(light_count));
     choose.set("slices", slices);
     choose.set("per_light", slices_per_light(slices, light_count));
-    choose.set("b0", static_cast<float>(view.b0));
+    set_fog(choose, view.fog);
     choose.set("stride", stride_);
     lights.bind(choose);
     lists.bind(choose);

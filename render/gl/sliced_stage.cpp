@@ -44,7 +44,7 @@ std::size_t SlicedStage::run(FrameStages& stages, FrameContext& work, DeviceFram
   const Program& program = device.programs.get("sliced", defined);
   set_noise(program, medium.noise(), eye);
   program.set("light_count", static_cast<int>(lights.size()));
-  program.set("b0", static_cast<float>(medium.homogeneous_density()));
+  set_fog(program, device.view.fog);
   program.set("negligible", static_cast<float>(medium.negligible_depth()));
   program.set("anisotropy", scattering.anisotropy);
   program.set("view_extinction", scattering.view_extinction);

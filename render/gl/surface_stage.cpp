@@ -92,7 +92,7 @@ std::uint64_t SurfaceStage::run(const FrameStages& stages, const FrameContext& w
                           ray_definitions(work.rays));
   set_rays(program, work.rays);
   program.set("light_count", static_cast<int>(lighting.lights.size()));
-  program.set("b0", static_cast<float>(medium.homogeneous_density()));
+  set_fog(program, BatchFog(medium, device.mesh.center()));
   program.set("albedo", static_cast<float>(lighting.albedo));
   program.set("eye", work.rays.eye() - device.mesh.center());
   program.set("film", glm::ivec2(work.frame.film.width, work.frame.film.height));

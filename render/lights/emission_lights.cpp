@@ -155,11 +155,12 @@ double diagonal(const MediumIndex& medium, const Box& surfaces) {
 void EmissionLights::update(const MediumIndex& medium, double albedo, const Box& surfaces,
                             const Job& job) {
   const bool has_none = revision_ != 0 && optics_.empty() && medium.optics().empty();
-  if (revision_ != 0 && (has_none || medium_ == medium.revision()) && albedo_ == albedo &&
-      surfaces_ == surfaces) {
+  if (revision_ != 0 && (has_none || (medium_ == medium.revision() && fog_ == medium.fog())) &&
+      albedo_ == albedo && surfaces_ == surfaces) {
     return;
   }
   medium_ = medium.revision();
+  fog_ = medium.fog();
   albedo_ = albedo;
   surfaces_ = surfaces;
   revision_ = new_revision();
@@ -182,6 +183,7 @@ void EmissionLights::update(const MediumIndex& medium, double albedo, const Box&
     for (Cluster& cluster : clusters_of(std::move(emitters), medium, min_share * extent)) {
       Light& light = lights_.emplace_back();
       light.source.position = cluster.center;
+      light.source.fog = medium.fog();
       const double share = escaping_share(cluster, medium);
       for (const EmittingGaussian& emitter : cluster.emitters) {
         light.source.intensity += share * emitter.intensity;

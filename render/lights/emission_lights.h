@@ -51,6 +51,7 @@ class EmissionLights {
 
  private:
   Revision medium_ = 0;
+  FogBall fog_;
   double albedo_ = 0.0;
   Box surfaces_;
   Revision revision_ = 0;

@@ -83,7 +83,7 @@ OpticalDepthTableLayout::OpticalDepthTableLayout(const MediumIndex& medium, cons
   const double first = std::max(nearest, 0.0);
   // Nor all of the light of a point light in dense fog, which does not get far.
   const double density_at_light =
-      std::max(medium.density(light) - medium.homogeneous_density(), 1e-30);
+      std::max(medium.density(light) - medium.homogeneous_density_at(light), 1e-30);
   radii =
       TableRadii(size.radii, first, farthest,
                  std::min(typical_extent - first, OpticalDepthTable::opaque / density_at_light));

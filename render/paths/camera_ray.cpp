@@ -28,7 +28,8 @@ CameraRay::CameraRay(const MediumIndex& medium, const glm::dvec3& eye, const glm
             gaussians_ = found.size();
             return found;
           }(),
-          medium.homogeneous_density(), eye, w, length, medium.noise()) {
+          medium.homogeneous_density(), eye, w, length, medium.noise(), {},
+          medium.fog().interval(eye, w)) {
   if (gaussians_ > 0 || medium.homogeneous_density() > 0.0) depth_ = medium_.depth(length);
   if (!(depth_ > 0.0)) return;
   // Between them all but a millionth of what scatters.
@@ -44,7 +45,7 @@ CameraRay::CameraRay(const MediumIndex& medium, const glm::dvec3& eye, const glm
 
 CameraRay::Point CameraRay::at(double t) const {
   const auto sums = medium_.at(t);
-  return {t, sums.density + medium_.b0, sums.depth};
+  return {t, sums.density + medium_.homogeneous_density(t), sums.depth};
 }
 
 CameraRay::Point CameraRay::at_depth(double level) const {

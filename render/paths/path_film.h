@@ -28,6 +28,7 @@ struct PathKey {
   std::optional<Environment> environment;
   std::vector<Surface> surfaces;
   FogBall fog;
+  bool is_fog_everywhere = true;
   Camera camera;
   Film film;
   glm::dvec3 channels{1.0};

@@ -42,6 +42,7 @@ PathFog PathFog::around(const MediumIndex& medium, const RayCaster& ray_caster,
   if (!(density > 0.0)) return fog;
   fog.density = density;
   fog.ball = extent;
+  fog.is_everywhere = medium.fog().is_endless();
   if (!extent.is_endless()) return fog;
   glm::dvec3 low(std::numeric_limits<double>::infinity());
   glm::dvec3 high(-std::numeric_limits<double>::infinity());
@@ -71,6 +72,11 @@ double PathFog::length(const glm::dvec3& x, const glm::dvec3& w) const {
   return density > 0.0 ? ball.length(x, w) : 0.0;
 }
 
+FogInterval PathFog::interval(const glm::dvec3& x, const glm::dvec3& w) const {
+  if (!(density > 0.0)) return {0.0, 0.0};
+  return is_everywhere ? FogInterval{0.0, ball.length(x, w)} : ball.interval(x, w);
+}
+
 double PathFog::importance(const glm::dvec3& x) const {
   if (!is_endless()) return 1.0;
   return scene_radius / std::max(glm::length(x - ball.center), scene_radius);
@@ -88,7 +94,7 @@ void PathScene::set_lights(std::span<const PointSource> all) {
       grid.empty() ? 0.0 : 0.5 * glm::length(grid.bounds().high - grid.bounds().low);
   for (PathLight& light : lights) {
     if (light.is_far || light.area) continue;  // those of surfaces stay bounded
-    const double density = fog.density + medium.density(light.position);
+    const double density = fog.density_at(light.position) + medium.density(light.position);
     if (!(density > 0.0)) continue;
     // A mean free path; less where the bulk of the medium is denser, since the light's surroundings
     // then scatter little of what the bulk does, and equi-angular samples know nothing of the bulk.

@@ -51,6 +51,7 @@ struct PathLight : PointSource {
 struct PathFog {
   double density = 0.0;  // b0 [1/u]
   FogBall ball;
+  bool is_everywhere = true;  // whether view rays and walks begin in it, wherever they do
   // The radius of the ball around everything that sends or scatters light, in endless fog; else 0
   // [u].
   double scene_radius = 0.0;
@@ -70,6 +71,11 @@ struct PathFog {
   [[nodiscard]] bool is_endless() const { return scene_radius > 0.0; }
   // Length of a ray from x in the unit direction w in it [u].
   [[nodiscard]] double length(const glm::dvec3& x, const glm::dvec3& w) const;
+  // Where it is. Only `medium.extent` keeps it from beginning at x.
+  [[nodiscard]] FogInterval interval(const glm::dvec3& x, const glm::dvec3& w) const;
+  [[nodiscard]] double density_at(const glm::dvec3& x) const {
+    return !is_everywhere && !ball.contains(x) ? 0.0 : density;
+  }
 
   // The importance of a collision at x, relative to one in the scene: in endless fog light
   // diffuses like 1 / distance. (A steeper fall is as cheap for its noise, but leaves outliers.)

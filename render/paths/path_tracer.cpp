@@ -78,7 +78,7 @@ double PathTracer::direction_pdf(const Vertex& vertex, const glm::dvec3& l) cons
 }
 
 RelativeOptics PathTracer::optics_at(const glm::dvec3& x) const {
-  return scene_.medium.index().optics_at(x, scene_.fog.density);
+  return scene_.medium.index().optics_at(x, scene_.fog.density_at(x));
 }
 
 template <class Importance, class Visit>
@@ -110,7 +110,7 @@ double PathTracer::visibility(const glm::dvec3& x, const PathLight& light,
   const double r = glm::length(q);
   const glm::dvec3 l = q / r;
   const double depth =
-      scene_.medium.depth(x, l, r) + scene_.fog.density * std::min(r, light.fog.length(x, l));
+      scene_.medium.depth(x, l, r) + scene_.fog.density * light.fog.length(x, l, r);
   const double transmittance = std::exp(-depth);
   if (!(transmittance > 0.0) || scene_.ray_caster.occluded(x, point)) return 0.0;
   return transmittance;
@@ -171,7 +171,7 @@ PathTracer::Emission PathTracer::emission_of(const RaySegment& way, double direc
   const glm::dvec3 y = way.origin + way.length * way.direction;
   const double density = scene_.medium.density(y);
   const glm::dvec3 emission = scene_.medium.index().optics_at(y, 0.0).emission;
-  const double fog = std::min(way.length, scene_.fog.length(way.origin, way.direction));
+  const double fog = scene_.fog.interval(way.origin, way.direction).before(way.length);
   const double depth =
       scene_.medium.depth(way.origin, way.direction, way.length) + scene_.fog.density * fog;
   const double arriving = density * std::exp(-depth) / (way.length * way.length);
@@ -223,7 +223,7 @@ glm::dvec3 PathTracer::lights_on_camera_ray(const CameraRay& ray, double opacity
 
 PathTracer::Segment PathTracer::segment(const Vertex& vertex, const glm::dvec3& w) const {
   return {vertex.position, w, scene_.ray_caster.first_hit(vertex.position, w),
-          scene_.fog.length(vertex.position, w)};
+          scene_.fog.interval(vertex.position, w)};
 }
 
 glm::dvec3 PathTracer::light_on_segment(const PathLight& light, const Segment& segment,
@@ -244,12 +244,12 @@ glm::dvec3 PathTracer::light_on_segment(const PathLight& light, const Segment& s
   const double t = std::min(angular.t(random.uniform() * angular.span), hit.distance);
   const Vertex vertex = Vertex::in_medium(origin, w, t);
   const double density =
-      scene_.medium.density(vertex.position) + (t < fog ? scene_.fog.density : 0.0);
+      scene_.medium.density(vertex.position) + (fog.contains(t) ? scene_.fog.density : 0.0);
   if (!(density > 0.0)) return none;
   const glm::dvec3 q = light.position - vertex.position;
   const double r = glm::length(q);
   if (!(r > 0.0)) return none;
-  const double depth = scene_.medium.depth(origin, w, t) + scene_.fog.density * std::min(t, fog);
+  const double depth = scene_.medium.depth(origin, w, t) + scene_.fog.density * fog.before(t);
   const double scattered = density * optics_at(vertex.position).albedo * std::exp(-depth);
   const double factor =
       scattered * equi_angular_weight(light, r) * angular.span / (path.h * probability);
@@ -378,8 +378,8 @@ void PathTracer::walk(Vertex vertex, glm::dvec3 throughput, PathRandom& random,
 
     double in_fog = infinity;
     if (scene_.fog.density > 0.0) {
-      const double t = -std::log(random.uniform()) / scene_.fog.density;
-      if (t < fog) in_fog = t;
+      const double t = fog.begin - std::log(random.uniform()) / scene_.fog.density;
+      if (t < fog.end) in_fog = t;
     }
     const double end = std::min(hit.distance, in_fog);
     const double t = std::min(scene_.medium.collision(origin, w, end, random), in_fog);

@@ -137,12 +137,12 @@ class PathTracer {
   }
   [[nodiscard]] glm::dvec3 lights_on_camera_ray(const CameraRay& ray, double opacity, double u,
                                                 PathRandom& random) const;
-  // Where a walk goes from a vertex, up to a surface or endlessly, in fog up to `fog`.
+  // Where a walk goes from a vertex, up to a surface or endlessly, and where it is in fog.
   struct Segment {
     glm::dvec3 origin{0.0};
     glm::dvec3 w{0.0};
     SurfaceHit hit;
-    double fog = 0.0;
+    FogInterval fog;
   };
   [[nodiscard]] Segment segment(const Vertex& vertex, const glm::dvec3& w) const;
   // The light of a light in the medium that a segment scatters, the share of equi-angular samples.

@@ -17,11 +17,12 @@ namespace brume {
 
 FogExtent::FogExtent(const Scene& scene) {
   const double b0 = scene.medium.homogeneous_density();
-  const bool is_lit_from_afar =
-      scene.environment || std::ranges::any_of(scene.lights, [](const Light& light) {
-        return light.on && light.as<light::Directional>();
-      });
-  if (!is_lit_from_afar || !(b0 > 0.0)) return;
+  const std::optional<double>& extent = scene.optics.extent;
+  if (!(b0 > 0.0)) return;
+  has_far_light_ = scene.environment || std::ranges::any_of(scene.lights, [](const Light& light) {
+                     return light.on && light.as<light::Directional>();
+                   });
+  if (!has_far_light_ && !extent) return;
   const auto bounds = lit_bounds(scene);
   const double diameter = bounds ? glm::length(bounds->high - bounds->low) : 0.0;
   if (diameter > 0.0) {
@@ -29,6 +30,15 @@ FogExtent::FogExtent(const Scene& scene) {
   } else {
     ball_.radius = 1.0 / b0;
   }
+  if (has_far_light_) view_radius_ = std::max(ball_.radius, extent.value_or(0.0));
+  if (!extent) return;
+  if (bounds) ball_.center = 0.5 * (bounds->low + bounds->high);
+  ball_.radius = *extent;
+  fog_ = ball_;
+}
+
+FogBall fog_of(const Scene& scene) {
+  return scene.optics.extent ? FogExtent(scene).fog() : FogBall();
 }
 
 namespace {
@@ -179,11 +189,11 @@ std::optional<Box> room_around(const RayCaster& surfaces, const glm::dvec3& plac
 }
 
 double FogExtent::ray_distance(const glm::dvec3& eye) const {
-  return ball_.radius + glm::length(eye - ball_.center);
+  return view_radius_ + glm::length(eye - ball_.center);
 }
 
 double FogExtent::ray_distance(const CameraRays& rays) const {
-  return ball_.radius + std::abs(rays.distance_to(ball_.center));
+  return view_radius_ + std::abs(rays.distance_to(ball_.center));
 }
 
 }  // namespace brume

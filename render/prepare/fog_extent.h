@@ -5,6 +5,7 @@
 #include <span>
 
 #include "brume/scene.h"
+#include "core/math/infinity.h"
 #include "core/scene/camera_rays.h"
 #include "core/scene/lights/point_lights.h"
 #include "render/geometry/box.h"
@@ -13,28 +14,40 @@
 
 namespace brume {
 
-// Extent of the homogeneous fog. It is infinite without an environment or a directional light,
-// which infinite fog would hide; with one it ends at the distance D of eq. 26: the diagonal of the
-// bounding box of surfaces and Gaussians (3 radii each), or 1 / b0 without any.
+// Extent of the homogeneous fog. With `medium.extent` it is a ball around the middle of the scene:
+// of the bounding box of surfaces and Gaussians (3 radii each), or the origin without any. Else
+// view rays and near lights cross it all the way, and it is infinite without an environment or a
+// directional light, which infinite fog would hide; for their light it ends at the distance D of
+// eq. 26: the diagonal of that box, or 1 / b0 without it.
 class FogExtent {
  public:
   explicit FogExtent(const Scene& scene);
 
-  // D for points on surfaces [u]; +inf where it is infinite, or without fog.
-  [[nodiscard]] double surface_distance() const { return ball_.radius; }
-  // Optical depth of fog of density b0 [1/u] over D; 0 without fog.
-  [[nodiscard]] double surface_optical_depth(double b0) const {
-    return b0 > 0.0 ? b0 * ball_.radius : 0.0;
-  }
-  // Around the middle of surfaces and Gaussians; D is its radius.
+  // Where there is fog: in the ball of `medium.extent`; endless without.
+  [[nodiscard]] const FogBall& fog() const { return fog_; }
+  // What light from far away crosses of it: that ball, or one of radius D around the same middle.
   [[nodiscard]] const FogBall& ball() const { return ball_; }
-  // Length of a view ray that hits nothing: D beyond the center of the scene.
+  // Whether there is fog, and a directional light or an environment, whose light crosses it.
+  [[nodiscard]] bool has_far_light() const { return has_far_light_; }
+  // The radius of ball() [u]; +inf where it is infinite, or without fog.
+  [[nodiscard]] double surface_distance() const { return ball_.radius; }
+  // Optical depth of fog of density b0 [1/u] over D where it is taken for that from anywhere to
+  // its end; 0 without fog, and where fog() is a ball, which tells each way through it.
+  [[nodiscard]] double surface_optical_depth(double b0) const {
+    return b0 > 0.0 && fog_.is_endless() ? b0 * ball_.radius : 0.0;
+  }
+  // Length of a view ray that hits nothing: D, and all of a ball, beyond the center of the scene.
   [[nodiscard]] double ray_distance(const glm::dvec3& eye) const;
   [[nodiscard]] double ray_distance(const CameraRays& rays) const;
 
  private:
-  FogBall ball_;
+  FogBall fog_, ball_;
+  bool has_far_light_ = false;
+  double view_radius_ = infinity;  // of what view rays see around the middle [u]
 };
+
+// FogExtent::fog() of a scene, whose vertices it reads only if it has a `medium.extent`.
+FogBall fog_of(const Scene& scene);
 
 // Where fog of density b0 > 0 [1/u] without surfaces scatters light more than once: two mean free
 // paths around these lights but directional ones, or around the origin. In steps of at least a

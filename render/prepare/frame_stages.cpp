@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
 #include <limits>
 #include <utility>
 
@@ -32,7 +34,7 @@ bool FrameStages::begin(FrameContext& work, StageClock& clock) {
     if (!make_transfers(work)) return false;
     clock.finish(Stage::transfer);
   }
-  if (!prepared_.update(work.scene, work.plan, work.job.stop)) return false;
+  if (!prepared_.update(work.scene, work.plan, work.fog_extent.fog(), work.job.stop)) return false;
   shading_.update(work.scene, work.plan, work.transfers);
   clock.finish(Stage::prepare);
   return true;
@@ -112,7 +114,7 @@ bool FrameStages::prepare_source(FrameContext& work, StageClock& clock) {
                               prepared_.gaussians(),
                               work.scene.optics.anisotropy,
                               has_environment ? fog_depth(work) : 0.0,
-                              has_multiple ? work.fog_extent.ball() : FogBall{},
+                              has_multiple ? work.fog_extent.ball() : work.fog_extent.fog(),
                               lit_fog(work),
                               {},
                               work.settings.source_grid,
@@ -159,6 +161,19 @@ SourceFunction::Multiple FrameStages::multiple_scattering(FrameContext& work, St
   return multiple;
 }
 
+namespace {
+
+// The part of a box that holds a ball of fog; the box if there is none.
+Box within(const Box& box, const FogBall& fog) {
+  if (fog.is_endless()) return box;
+  const Box part{glm::max(box.low, fog.center - fog.radius),
+                 glm::min(box.high, fog.center + fog.radius)};
+  const bool is_empty = glm::any(glm::greaterThan(part.low, part.high)) || part.low == part.high;
+  return is_empty ? box : part;
+}
+
+}  // namespace
+
 Box FrameStages::lit_fog(const FrameContext& work) const {
   // Where there are Gaussians the grid is around these.
   const auto is_there = [](const GaussianTerm<double>& g) { return g.c > 0.0; };
@@ -168,9 +183,11 @@ Box FrameStages::lit_fog(const FrameContext& work) const {
   }
   if (work.plan.runs(Stage::visibility)) {
     const double b0 = prepared_.medium().homogeneous_density();
-    return finest_fog_bounds(prepared_.ray_caster(), work.plan.lights,
-                             room_around(prepared_.ray_caster(), work.rays.eye()), work.rays.eye(),
-                             scattering_reach(b0, work.fog_extent.ball()));
+    const Box box =
+        finest_fog_bounds(prepared_.ray_caster(), work.plan.lights,
+                          room_around(prepared_.ray_caster(), work.rays.eye()), work.rays.eye(),
+                          scattering_reach(b0, work.fog_extent.ball()));
+    return within(box, work.fog_extent.fog());
   }
   if (const FogBall& ball = work.fog_extent.ball(); !ball.is_endless()) {
     return {ball.center - ball.radius, ball.center + ball.radius};
@@ -180,7 +197,10 @@ Box FrameStages::lit_fog(const FrameContext& work) const {
 
 IncidentOptics FrameStages::incident_optics(const FrameContext& work) const {
   IncidentOptics optics;
-  optics.fog_density = prepared_.medium().homogeneous_density();
+  // In a ball it is part of what the nodes hold.
+  if (work.fog_extent.fog().is_endless()) {
+    optics.fog_density = prepared_.medium().homogeneous_density();
+  }
   optics.anisotropy = work.scene.optics.anisotropy;
   const double fog = fog_depth(work);
   const ScatterTable::Bands fractions =
@@ -191,6 +211,12 @@ IncidentOptics FrameStages::incident_optics(const FrameContext& work) const {
 }
 
 namespace {
+
+// Length of fog on the way from a point by q.
+double fog_length(const FogBall& fog, const glm::dvec3& point, const glm::dvec3& q) {
+  const double distance = glm::length(q);
+  return distance > 0.0 ? fog.length(point, q / distance, distance) : 0.0;
+}
 
 // From a point to where the ray through it starts; 0 where none reaches it.
 glm::dvec3 to_eye(const CameraRays& rays, const glm::dvec3& point) {
@@ -223,8 +249,9 @@ PaperLights FrameStages::paper_lights(FrameContext& work, StageClock& clock) {
       const glm::dvec3 q = to_eye(work.rays, light.position);
       const double distance = glm::length(q);
       if (work.plan.runs(Stage::homogeneous) && distance > 0.0) {
-        light.depth_to_eye = medium.depth({light.position, q / distance, distance}) -
-                             medium.homogeneous_density() * distance;
+        const RaySegment to_light{light.position, q / distance, distance};
+        light.depth_to_eye =
+            medium.depth(to_light) - medium.fog_depth(light.position, q / distance, distance);
       }
     }
     clock.finish(Stage::light_depth);
@@ -237,9 +264,12 @@ PaperLights FrameStages::paper_lights(FrameContext& work, StageClock& clock) {
     const double b0 = medium.homogeneous_density();
     for (std::size_t i = 0; i < medium.size(); ++i) {
       const glm::dvec3& b = medium.gaussians()[i].b;
+      const double to_view = medium.fog().is_endless()
+                                 ? std::max(work.rays.distance_to(b), 0.0)
+                                 : fog_length(medium.fog(), b, to_eye(work.rays, b));
       for (PaperLight& light : paper.lights) {
-        light.frozen[i] += paper.from_eye[i] + b0 * (glm::length(b - light.position) +
-                                                     std::max(work.rays.distance_to(b), 0.0));
+        light.frozen[i] +=
+            paper.from_eye[i] + b0 * (fog_length(medium.fog(), b, light.position - b) + to_view);
       }
     }
     clock.finish(Stage::eye_depth);
@@ -313,6 +343,8 @@ SurfaceLighting FrameStages::surface_lighting(const FrameContext& work) const {
   lighting.albedo = work.group.albedo;
   if (lighting.environment) {
     lighting.fog_depth = fog_depth(work);
+    lighting.fog = work.fog_extent.fog();
+    lighting.fog_density = prepared_.medium().homogeneous_density();
     if (work.plan.has_receivers) {
       lighting.incident = &source_.grid();
       lighting.incident_scale = work.scene.environment->intensity;

@@ -91,7 +91,7 @@ struct FrameContext {
   }
   // The plan's lights.
   [[nodiscard]] std::vector<PointSource> sources() const {
-    return point_sources(plan.lights, rays, camera, fog_extent.ball());
+    return point_sources(plan.lights, rays, camera, fog_extent);
   }
 };
 
@@ -124,10 +124,10 @@ class FrameStages {
   [[nodiscard]] double fog_depth(const FrameContext& work) const {
     return work.fog_extent.surface_optical_depth(prepared_.medium().homogeneous_density());
   }
-  // The same of view rays that hit nothing, from the eye; 0 if they have no end.
+  // The same of view rays that hit nothing, from the eye; 0 if they have no end, or fog is a ball.
   [[nodiscard]] double view_fog_depth(const FrameContext& work) const {
     const double b0 = prepared_.medium().homogeneous_density();
-    return work.fog_extent.ball().is_endless() || !(b0 > 0.0)
+    return work.fog_extent.ball().is_endless() || !work.fog_extent.fog().is_endless() || !(b0 > 0.0)
                ? 0.0
                : b0 * work.fog_extent.ray_distance(work.rays);
   }

@@ -6,12 +6,13 @@
 #include "brume/scene.h"
 #include "core/scene/camera_rays.h"
 #include "render/geometry/point_source.h"
+#include "render/prepare/fog_extent.h"
 
 namespace brume {
 
 // The lights of a view as methods evaluate them. `lights` are point lights already, as of
-// RenderPlan::lights; `fog`: see FogExtent::ball().
+// RenderPlan::lights.
 std::vector<PointSource> point_sources(std::span<const PointLight> lights, const CameraRays& rays,
-                                       const Camera& camera, const FogBall& fog);
+                                       const Camera& camera, const FogExtent& extent);
 
 }  // namespace brume

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 namespace brume {
-bool PreparedScene::update(const Scene& scene, const RenderPlan& plan,
+bool PreparedScene::update(const Scene& scene, const RenderPlan& plan, const FogBall& fog,
                            const std::stop_token& stop) {
   const Settings& settings = plan.settings;
   MergedMedium::Limits merging;
@@ -26,6 +26,7 @@ bool PreparedScene::update(const Scene& scene, const RenderPlan& plan,
     prepared.indexed = medium.revision();
   }
   prepared.index->set_noise(RayNoise(scene.optics.noise, scene.time));
+  prepared.index->set_fog(fog);
   if (!ray_caster_ || !ray_caster_->shows(scene.surfaces)) {
     ray_caster_.reset();
     exact_occlusion_.reset();

@@ -27,8 +27,10 @@ namespace brume {
 class PreparedScene {
  public:
   // Brings medium and surfaces up to date and drops the caches of lights that are not the plan's.
-  // If memory runs out, stale data is dropped as well. False if stopped.
-  bool update(const Scene& scene, const RenderPlan& plan, const std::stop_token& stop = {});
+  // If memory runs out, stale data is dropped as well. False if stopped. `fog`: where homogeneous
+  // fog is, see FogExtent::fog().
+  bool update(const Scene& scene, const RenderPlan& plan, const FogBall& fog = {},
+              const std::stop_token& stop = {});
 
   // State after the last update().
   [[nodiscard]] const MediumIndex& medium() const { return *media_[current_].index; }

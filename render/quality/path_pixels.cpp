@@ -32,8 +32,7 @@ PathPixels::PathPixels(const Scene& scene, const Camera& camera, const Film& fil
   const FogExtent fog_extent(scene);
   ray_end_ = fog_extent.ray_distance(rays_);
   if (plan.has_environment) environment_ = std::make_unique<EnvironmentSampler>(*scene.environment);
-  const std::vector<PointSource> lights =
-      point_sources(plan.lights, rays_, camera, fog_extent.ball());
+  const std::vector<PointSource> lights = point_sources(plan.lights, rays_, camera, fog_extent);
   std::vector<PointSource> area_lights = lights;
   std::erase_if(area_lights, [](const PointSource& light) {
     return !light.area || light.is_far;  // the integral has the disc of a sun
@@ -46,6 +45,7 @@ PathPixels::PathPixels(const Scene& scene, const Camera& camera, const Film& fil
     group.index = std::make_unique<MediumIndex>(
         extinction, culling_tolerance(extinction, plan.depth_error), scene.optics.anisotropy);
     group.index->set_noise(RayNoise(scene.optics.noise, scene.time));
+    group.index->set_fog(fog_extent.fog());
     group.medium = std::make_unique<PathMedium>(*group.index);
     group.scene = std::make_unique<PathScene>(
         PathScene::of_view(*group.medium, each.albedo, ray_caster_, surfaces_, environment_.get(),

@@ -30,8 +30,9 @@ constexpr Real interval_radii = Real(6);
 template <class Real>
 ViewRayMedium<Real>::ViewRayMedium(std::span<const GaussianTerm<Real>> gaussians, Real b0_,
                                    const Vec3<Real>& eye_, const Vec3<Real>& w_, Real d_,
-                                   const RayNoise& noise, std::span<const RelativeOptics> optics)
-    : eye(eye_), w(w_), d(d_), b0(b0_) {
+                                   const RayNoise& noise, std::span<const RelativeOptics> optics,
+                                   const FogInterval& fog_)
+    : eye(eye_), w(w_), d(d_), b0(b0_), fog(fog_) {
   Real total = 0;
   for (std::size_t i = 0; i < gaussians.size(); ++i) {
     const GaussianTerm<Real>& g = gaussians[i];
@@ -54,14 +55,15 @@ ViewRayMedium<Real>::ViewRayMedium(std::span<const GaussianTerm<Real>> gaussians
 template <class Real>
 typename Crossings<Real>::Sums ViewRayMedium<Real>::at(Real t) const {
   auto sums = crossings_.at(t);
-  sums.depth = std::max(sums.depth, Real(0)) + (b0 > 0 ? b0 * t : Real(0));
+  const auto in_fog = static_cast<Real>(fog.before(static_cast<double>(t)));
+  sums.depth = std::max(sums.depth, Real(0)) + (b0 > 0 ? b0 * in_fog : Real(0));
   return sums;
 }
 
 template <class Real>
 RelativeOptics ViewRayMedium<Real>::optics_at(Real t) const {
   if (optics_.empty()) return {};
-  OpticsMean mean(static_cast<double>(b0));
+  OpticsMean mean(static_cast<double>(homogeneous_density(t)));
   for (const OpticsCrossing& c : optics_) {
     const Real u = c.a * (t - c.t0);
     mean.add(static_cast<double>(c.peak * std::exp(-u * u)), c.optics);
@@ -208,7 +210,7 @@ Real airlight_integral(const ViewRayMedium<Real>& medium, const LightSource<Real
     const Real t = std::min(angular.t(phi), end_t);
     const auto [gaussian_density, view_depth] = medium.at(t);
     Real density = scattered_by == ScatteredBy::homogeneous ? Real(0) : gaussian_density;
-    if (scattered_by != ScatteredBy::gaussians) density += medium.b0;
+    if (scattered_by != ScatteredBy::gaussians) density += medium.homogeneous_density(t);
     if (!(density > 0) || view_depth > opaque<Real>) return Real(0);
     if (medium.has_optics()) density *= static_cast<Real>(medium.optics_at(t).albedo);
     const Vec3<Real> q = medium.eye + t * medium.w - light.position;
@@ -218,7 +220,8 @@ Real airlight_integral(const ViewRayMedium<Real>& medium, const LightSource<Real
     Real fog_length = r;
     if (!light.fog.is_endless() && r > 0) {
       const glm::dvec3 x(medium.eye + t * medium.w);
-      fog_length = static_cast<Real>(light.fog.length(x, -glm::dvec3(q / r)));
+      fog_length =
+          static_cast<Real>(light.fog.length(x, -glm::dvec3(q / r), static_cast<double>(r)));
     }
     const Real light_depth =
         r > 0 ? around_light.depth(q / r, r) + medium.b0 * fog_length : Real(0);
@@ -253,6 +256,8 @@ Real airlight_integral(const ViewRayMedium<Real>& medium, const LightSource<Real
                                                glm::dvec3(medium.w))) {
     split_at(static_cast<Real>(edge), ranges);
   }
+  split_at(static_cast<Real>(medium.fog.begin), ranges);
+  split_at(static_cast<Real>(medium.fog.end), ranges);
   for (const auto& [begin_t, stop_t] : ranges) {
     const Real begin = angular.angle(begin_t);
     const Real end = std::min(angular.angle(stop_t), angular.span);
@@ -296,7 +301,8 @@ glm::dvec3 emission_integral(const ViewRayMedium<double>& medium, double toleran
   for (int c = 0; c < 3; ++c) {
     const auto radiance = [&](double t) {
       const auto [density, depth] = medium.at(t);
-      return (density + medium.b0) * medium.optics_at(t).emission[c] * std::exp(-depth);
+      return (density + medium.homogeneous_density(t)) * medium.optics_at(t).emission[c] *
+             std::exp(-depth);
     };
     sum[c] = integrate<double>(radiance, breakpoints, tolerance).value;
   }

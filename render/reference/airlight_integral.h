@@ -23,14 +23,17 @@ template <class Real>
 class ViewRayMedium {
  public:
   // `gaussians`: at least those that touch the ray. d may be +inf. `noise` displaces the ray.
-  // `optics`: of the Gaussians; empty: all as by default.
+  // `optics`: of the Gaussians; empty: all as by default. `fog`: where b0 is on the ray.
   ViewRayMedium(std::span<const GaussianTerm<Real>> gaussians, Real b0, const Vec3<Real>& eye,
                 const Vec3<Real>& w, Real d, const RayNoise& noise = {},
-                std::span<const RelativeOptics> optics = {});
+                std::span<const RelativeOptics> optics = {}, const FogInterval& fog = {});
 
   // Scattering coefficient of the Gaussians at t [1/u], and T(v, x(t)) with b0. t may be +inf.
   [[nodiscard]] typename Crossings<Real>::Sums at(Real t) const;
   [[nodiscard]] Real depth(Real t) const { return at(t).depth; }
+  [[nodiscard]] Real homogeneous_density(Real t) const {
+    return fog.contains(static_cast<double>(t)) ? b0 : Real(0);
+  }
 
   // Of what is at t, with b0; means weighted by density.
   [[nodiscard]] RelativeOptics optics_at(Real t) const;
@@ -49,6 +52,7 @@ class ViewRayMedium {
   const Vec3<Real> eye, w;
   const Real d;
   const Real b0;
+  const FogInterval fog;
 
  private:
   // Where the ray crosses a Gaussian with optics of its own, or others beside such.

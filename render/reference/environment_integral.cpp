@@ -7,6 +7,7 @@
 #include <map>
 #include <numbers>
 
+#include "core/math/infinity.h"
 #include "core/math/quadrature.h"
 #include "core/scene/lights/environment.h"
 #include "core/transport/phase_function.h"
@@ -84,8 +85,10 @@ glm::dvec3 ReferenceEnvironment::sum(const MediumIndex& medium, const glm::dvec3
   }
   around.finish();
   glm::dvec3 result(0.0);
+  const bool is_fog_everywhere = medium.fog().is_endless();
   for (const DistantLight& light : scattered) {
-    result += std::exp(-around.depth(light.direction, beyond)) * light.irradiance;
+    const double fog = is_fog_everywhere ? 0.0 : medium.fog_depth(x, light.direction, infinity);
+    result += std::exp(-around.depth(light.direction, beyond) - fog) * light.irradiance;
   }
   return result;
 }

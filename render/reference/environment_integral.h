@@ -16,9 +16,9 @@ namespace brume {
 // Not occluded by surfaces.
 class ReferenceEnvironment {
  public:
-  // `fog_depth`: optical depth of b0 from any point to the end of the fog. Sampling the medium's
-  // transmittance at discrete directions has a relative error of about `tolerance`; the phase
-  // function is sampled at full resolution.
+  // `fog_depth`: optical depth of b0 from any point to the end of the fog, of which
+  // MediumIndex::fog() knows nothing. Sampling the medium's transmittance at discrete directions
+  // has a relative error of about `tolerance`; the phase function is sampled at full resolution.
   ReferenceEnvironment(const Environment& environment, double anisotropy, double fog_depth,
                        double tolerance);
 

@@ -21,14 +21,16 @@ ReferenceRay reference_airlight(const MediumIndex& medium, const ExactOcclusion&
   });
   result.view_pairs = along.size();
   const double b0 = medium.homogeneous_density();
-  const ViewRayMedium<double> ray(along, b0, eye, w, length, medium.noise());
+  const FogInterval fog = b0 > 0.0 ? medium.fog().interval(eye, w) : FogInterval{0.0, 0.0};
+  const ViewRayMedium<double> ray(along, b0, eye, w, length, medium.noise(), {}, fog);
   result.depth = ray.depth(length);
-  if (along.empty() && !(b0 > 0.0)) return result;
+  last = std::max(last, fog.end);
+  if (along.empty() && !(fog.end > 0.0)) return result;
 
   // The part of the ray that scatters at all; past it shadows are of no interest.
   double end = ray.parameter_at_depth(50.0);
-  if (!(b0 > 0.0)) end = std::min(end, last);
-  const ViewRayMedium<double> lit(along, b0, eye, w, end, medium.noise(), optics);
+  end = std::min(end, last);
+  const ViewRayMedium<double> lit(along, b0, eye, w, end, medium.noise(), optics, fog);
   result.airlight = emission_integral(lit, tolerance);
   if (environment) result.airlight += environment->airlight(medium, lit, tolerance);
   for (const PointSource& light : lights) {

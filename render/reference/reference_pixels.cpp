@@ -30,12 +30,13 @@ ReferencePixels::ReferencePixels(const Scene& scene, const Camera& camera, const
   const RenderPlan plan(lights == Lights::all ? scene : without_area_lights(scene), film, settings);
   const FogExtent fog_extent(scene);
   ray_end_ = fog_extent.ray_distance(rays_);
-  lights_ = point_sources(plan.lights, rays_, camera, fog_extent.ball());
+  lights_ = point_sources(plan.lights, rays_, camera, fog_extent);
   for (const AlbedoGroup& group : albedo_groups(scene)) {
     const Medium extinction = extinction_medium(scene, group);
     MediumIndex medium(extinction, culling_tolerance(extinction, plan.depth_error),
                        scene.optics.anisotropy);
     medium.set_noise(RayNoise(scene.optics.noise, scene.time));
+    medium.set_fog(fog_extent.fog());
     std::optional<ReferenceEnvironment> environment;
     if (plan.has_environment) {
       environment.emplace(*scene.environment, scene.optics.anisotropy,

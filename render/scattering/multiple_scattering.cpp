@@ -218,15 +218,6 @@ SweepDegrees sweep_degrees(const MultipleScattering::Input& input, const SourceG
   return degrees;
 }
 
-// Density at the nodes, with homogeneous fog [1/u].
-std::vector<float> density_with_fog(const SourceGrid::Level& level, double fog) {
-  std::vector<float> density = level.density;
-  for (std::size_t i = 0; i < density.size(); ++i) {
-    density[i] += static_cast<float>(fog) * (level.fog.empty() ? 1.0f : level.fog[i]);
-  }
-  return density;
-}
-
 }  // namespace
 
 std::size_t MultipleScattering::bytes() const {
@@ -286,7 +277,7 @@ bool MultipleScattering::update(const Input& input, const Job& job) {
   std::vector<std::vector<float>> extinctions;
   std::vector<GridMedium> media;
   for (const SourceGrid::Level& level : levels) {
-    extinctions.push_back(density_with_fog(level, truncation.extinction * input.fog_density));
+    extinctions.push_back(level.density_with_fog(truncation.extinction * input.fog_density));
     const bool continues = media.size() + 1 < levels.size();
     media.push_back({.nodes = level.nodes,
                      .density = extinctions.back(),

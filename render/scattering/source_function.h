@@ -49,7 +49,9 @@ class SourceFunction {
     const Environment* environment;  // null: none
     const Medium& medium;            // densities are extinction coefficients
     double anisotropy;
-    double fog_depth;  // optical depth of b0 from any point to the end of the fog
+    // Optical depth of b0 from any point to the end of the fog; not counted with `multiple`: then,
+    // and where it is 0, nodes hold how much passes the ball.
+    double fog_depth;
     FogBall fog_ball;
     Box in_fog;  // see SourceGrid::Content
     std::optional<SourceGrid::Receivers> receivers;
@@ -86,7 +88,7 @@ class SourceFunction {
   // Extinction of homogeneous fog for that light, relative to the fog's; 0: the fog attenuates it
   // evenly, by the scale of its weights.
   [[nodiscard]] double lobe_fog_extinction() const {
-    return keeps_transmitted_ ? extinction_ : 0.0;
+    return keeps_transmitted_ || !fog_ball_.is_endless() ? extinction_ : 0.0;
   }
   // Look-ups relative to the eye.
   [[nodiscard]] SourceLookup from_eye(const glm::dvec3& eye) const;

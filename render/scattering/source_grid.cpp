@@ -240,8 +240,10 @@ void fill(SourceGrid::Level& level, const SourceGrid::Level* coarse,
     }
   });
   if (content.receivers) {
-    level.incident = incident_light(level.nodes, level.density, transmitted.light,
-                                    content.receivers->optics, job);
+    const bool is_ball = content.fog_density > 0.0 && !content.fog_ball.is_endless();
+    level.incident = incident_light(
+        level.nodes, is_ball ? level.density_with_fog(content.fog_density) : level.density,
+        transmitted.light, content.receivers->optics, job);
   }
   if (content.keeps_transmitted) {
     level.transmitted = std::move(transmitted.light);
@@ -336,8 +338,13 @@ SourceGrid::SourceGrid(std::span<const GaussianTerm<double>> gaussians,
       }
       if (is_fog_alone && !content.fog_ball.is_endless()) {  // nor beyond the fog
         const FogBall& ball = content.fog_ball;
-        max_low = glm::max(max_low, glm::min(low, ball.center - ball.radius));
-        max_high = glm::min(max_high, glm::max(high, ball.center + ball.radius));
+        Box all{ball.center - ball.radius, ball.center + ball.radius};
+        if (content.surfaces) {  // a ball may end before they do
+          all.low = glm::min(all.low, content.surfaces->bounds().low);
+          all.high = glm::max(all.high, content.surfaces->bounds().high);
+        }
+        max_low = glm::max(max_low, glm::min(low, all.low));
+        max_high = glm::min(max_high, glm::max(high, all.high));
       }
       low = max_low;
       high = max_high;
@@ -382,6 +389,14 @@ SourceGrid::SourceGrid(std::span<const GaussianTerm<double>> gaussians,
   for (std::size_t k = 0; k < levels_.size(); ++k) {
     fill(levels_[k], k + 1 < levels_.size() ? &levels_[k + 1] : nullptr, lights, content, job);
   }
+}
+
+std::vector<float> SourceGrid::Level::density_with_fog(double fog_density) const {
+  std::vector<float> sum = density;
+  for (std::size_t i = 0; i < sum.size(); ++i) {
+    sum[i] += static_cast<float>(fog_density) * (fog.empty() ? 1.0f : fog[i]);
+  }
+  return sum;
 }
 
 bool SourceGrid::Level::is_point(const EmissionLights::Light& light) const {

@@ -112,6 +112,8 @@ class SourceGrid {
     // It has all surfaces within it: on the way to its border there are none.
     bool holds_surfaces = false;
 
+    // Density at the nodes, with fog of that density [1/u].
+    [[nodiscard]] std::vector<float> density_with_fog(double fog_density) const;
     // Whether it is a point light to the grid, which else holds what it stands for: it is not
     // large, nor beside surfaces, to which nodes would be too far from it.
     [[nodiscard]] bool is_point(const EmissionLights::Light& light) const;

@@ -127,7 +127,7 @@ std::uint64_t find_depths(const MediumIndex& medium, const SurfaceLight& light,
     const std::size_t point = std::min(k, points.count - 1);
     light_at_point.depths[k] +=
         b0 *
-        (!light.source.is_far
+        (light.source.fog.is_endless()
              ? light_at_point.paths.length[k]
              : static_cast<float>(light.source.fog_length(points.origin + points.position[point])));
   }

@@ -42,8 +42,15 @@ struct SurfaceLighting {
   bool incident_is_all = false;
   double extinction = 1.0;
   std::uint32_t occlusion_bits = GridOcclusion::all_bits;  // see SourceGrid
-  double fog_depth = 0.0;                                  // average optical depth of b0
+  double fog_depth = 0.0;    // average optical depth of b0 where it is the same everywhere
+  FogBall fog{};             // else of that density in a ball
+  double fog_density = 0.0;  // [1/u]
   double albedo = 1.0;
+
+  // Average optical depth of fog around x.
+  [[nodiscard]] double fog_depth_at(const glm::dvec3& x) const {
+    return fog.is_endless() ? fog_depth : fog_density * fog.mean_length(x);
+  }
 
   [[nodiscard]] bool has_indirect() const { return environment || incident; }
 };
@@ -68,10 +75,10 @@ inline IncidentLookup incident_lookup(const SurfaceLighting& lighting,
 template <class Visit>
 void for_each_fraction(const SurfaceLighting& lighting, const AverageDepthGrid* average_depth,
                        const SurfacePoints& points, Visit visit) {
-  const auto fog = static_cast<float>(lighting.fog_depth);
   for (std::size_t k = 0; k < points.count; ++k) {
-    const float Tbar =
-        average_depth ? fog + (*average_depth)(points.origin + points.position[k]) : fog;
+    const glm::dvec3 x = points.origin + points.position[k];
+    const auto fog = static_cast<float>(lighting.fog_depth_at(x));
+    const float Tbar = average_depth ? fog + (*average_depth)(x) : fog;
     visit(k, lighting.environment->incident(Tbar, lighting.albedo));
   }
 }

@@ -104,6 +104,7 @@ VertexLightingInputs::VertexLightingInputs(const MediumIndex& index,
       environment(lighting.environment ? lighting.environment->revision() : 0),
       incident(lighting.incident ? lighting.incident->revision() : 0),
       fog_depth(lighting.fog_depth),
+      fog(lighting.fog),
       albedo(lighting.albedo),
       precision(arithmetic) {
   for (const SurfaceLight& light : lighting.lights) {

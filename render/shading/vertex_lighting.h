@@ -43,6 +43,7 @@ struct VertexLightingInputs {
   Revision environment = 0;  // 0: none
   Revision incident = 0;     // 0: average optical depth
   double fog_depth = 0.0;
+  FogBall fog;
   double albedo = 1.0;
   Settings::Precision precision = Settings::Precision::simd_float;
 

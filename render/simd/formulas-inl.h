@@ -11,6 +11,7 @@
 #include <bit>
 
 #include "core/scene/ray_noise.h"
+#include "render/geometry/ray_range.h"
 #include "render/geometry/rounding.h"
 #include "render/simd/coefficients.h"
 #include "render/simd/lanes-inl.h"

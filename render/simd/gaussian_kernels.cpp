@@ -222,7 +222,7 @@ std::uint64_t AccumulatePaperAirlight(const GaussianBatch& g, const PathBatch& r
 }
 
 template <class Rays>
-HWY_INLINE void HomogeneousAirlight(float b0, float attenuation, const glm::vec3& light,
+HWY_INLINE void HomogeneousAirlight(const BatchFog& fog, float attenuation, const glm::vec3& light,
                                     float h_min, float anisotropy, const PathBatch& paths,
                                     float* radiance) {
   const D d;
@@ -234,10 +234,11 @@ HWY_INLINE void HomogeneousAirlight(float b0, float attenuation, const glm::vec3
     const Rays rays(d, paths, k);
     const Vector& w = rays.w;
     const Vector s = rays.From({set(light.x), set(light.y), set(light.z)});
-    const V ts = dot(s, w);
-    const Vector offset = neg_mul_add(ts, w, s);
+    const FogInterval<V> in_fog = FogOnRays(rays, fog);
+    const Vector start = FromPosition(rays, in_fog.begin, fog.center);
+    const V length = fog_overlap(in_fog, zero, hn::LoadU(d, paths.length.data() + k));
     const FogRay<V> ray =
-        fog_ray(ts, dot(offset, offset), hn::LoadU(d, paths.length.data() + k), h_min, b0);
+        fog_ray(neg_mul_add(in_fog.begin, w, s), w, length, h_min, fog.density, start, fog.radius);
     // A forward peak of the phase function lies at angle 0 between light and view, a backward one
     // at pi: panels double from there.
     const V phi_offset = anisotropy < 0.0f ? pi - (ray.at_start + ray.span) : ray.at_start;
@@ -254,19 +255,20 @@ HWY_INLINE void HomogeneousAirlight(float b0, float attenuation, const glm::vec3
       for (int i = 0; i < 8; ++i) {
         const V angle = mul_add(panel_width, fog_rule.nodes[i], panel_begin);
         const V phi = anisotropy < 0.0f ? ray.span - angle : angle;
-        sum = mul_add(fog_rule.weights[i], fog_light(ray, phi, b0, anisotropy), sum);
+        sum = mul_add(fog_rule.weights[i], fog_light(ray, phi, fog.density, anisotropy), sum);
       }
       mean = mul_add(sum, panel_width / ray.h, mean);
     }
-    const V gain = set(b0 * attenuation * static_cast<float>(isotropic_phase));
+    const V gain = set(fog.density * attenuation * static_cast<float>(isotropic_phase));
     hn::StoreU(mul_add(gain, mean, hn::LoadU(d, radiance + k)), d, radiance + k);
   }
 }
 
-void AccumulateHomogeneousAirlight(float b0, float attenuation, const glm::vec3& light, float h_min,
-                                   float anisotropy, const PathBatch& rays, float* radiance) {
+void AccumulateHomogeneousAirlight(const BatchFog& fog, float attenuation, const glm::vec3& light,
+                                   float h_min, float anisotropy, const PathBatch& rays,
+                                   float* radiance) {
   WithRays(D(), rays, [&]<class Rays>() HWY_ATTR {
-    HomogeneousAirlight<Rays>(b0, attenuation, light, h_min, anisotropy, rays, radiance);
+    HomogeneousAirlight<Rays>(fog, attenuation, light, h_min, anisotropy, rays, radiance);
   });
 }
 
@@ -275,6 +277,13 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace brume {
+
+BatchFog::BatchFog(const MediumIndex& medium, const glm::dvec3& origin)
+    : density(static_cast<float>(medium.homogeneous_density())) {
+  if (medium.fog().is_endless()) return;
+  center = glm::vec3(medium.fog().center - origin);
+  radius = static_cast<float>(medium.fog().radius);
+}
 
 HWY_EXPORT(AccumulatePathDepths);
 HWY_EXPORT(AccumulatePaperAirlight);
@@ -291,11 +300,11 @@ std::uint64_t accumulate_paper_airlight(const GaussianBatch& gaussians, const Pa
                                                        radiance);
 }
 
-void accumulate_homogeneous_airlight(float b0, float attenuation, const glm::vec3& light,
+void accumulate_homogeneous_airlight(const BatchFog& fog, float attenuation, const glm::vec3& light,
                                      float h_min, float anisotropy, const PathBatch& rays,
                                      float* radiance) {
   HWY_DYNAMIC_DISPATCH(AccumulateHomogeneousAirlight)
-  (b0, attenuation, light, h_min, anisotropy, rays, radiance);
+  (fog, attenuation, light, h_min, anisotropy, rays, radiance);
 }
 
 // A large medium is not in the cache, and a tile's Gaussians are all over it.

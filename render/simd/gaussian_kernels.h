@@ -145,9 +145,20 @@ std::uint64_t accumulate_paper_airlight(const GaussianBatch& gaussians, const Pa
                                         const LightBatch& lights, float* depths, float* scattered,
                                         const std::array<float*, light_pack>& radiance);
 
+// Homogeneous fog, everywhere or in a ball.
+struct BatchFog {
+  float density = 0.0f;    // b0 [1/u]
+  glm::vec3 center{0.0f};  // relative to the rays' origin [u]
+  float radius = 0.0f;     // 0: everywhere
+
+  BatchFog() = default;
+  explicit BatchFog(float b0) : density(b0) {}
+  BatchFog(const MediumIndex& medium, const glm::dvec3& origin);
+};
+
 // Airlight of the homogeneous part (eqs. 17 to 19): radiance[k] += attenuation * b0/(4 pi) *
 // integral, per unit of radiant intensity; relative error at most 5e-4.
-void accumulate_homogeneous_airlight(float b0, float attenuation, const glm::vec3& light,
+void accumulate_homogeneous_airlight(const BatchFog& fog, float attenuation, const glm::vec3& light,
                                      float h_min, float anisotropy, const PathBatch& rays,
                                      float* radiance);
 

@@ -62,6 +62,19 @@ HWY_INLINE decltype(auto) WithRays(D, const PathBatch& paths, const Body& body) 
   return body.template operator()<RaysFromOrigin<D>>();
 }
 
+// The points at t on rays, relative to a position.
+template <class Rays, class V = typename Rays::V>
+HWY_INLINE V3<V> FromPosition(const Rays& rays, V t, const glm::vec3& position) {
+  const V3<V> s = rays.From({lanes<V>(position.x), lanes<V>(position.y), lanes<V>(position.z)});
+  return {mul_sub(t, rays.w.x, s.x), mul_sub(t, rays.w.y, s.y), mul_sub(t, rays.w.z, s.z)};
+}
+
+// Where rays are in fog.
+template <class Rays, class V = typename Rays::V>
+HWY_INLINE FogInterval<V> FogOnRays(const Rays& rays, const BatchFog& fog) {
+  return fog_interval(FromPosition(rays, lanes<V>(0.0f), fog.center), rays.w, fog.radius);
+}
+
 }  // namespace brume::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

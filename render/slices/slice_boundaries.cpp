@@ -182,6 +182,33 @@ class SliceDemand {
   std::vector<double> curvature_;  // the same
 };
 
+// Where rays of a tile meet fog, but for what is opaque in front of it, and the density for which
+// slices of it are chosen [1/u].
+struct FogDemand {
+  RayRange range;
+  double density = 0.0;
+};
+
+FogDemand fog_demand(const FogBall& fog, const TileCone& rays, double b0) {
+  if (fog.is_endless()) return {{0.0, opaque_fog_depth / b0}, b0};
+  const glm::dvec3 q = fog.center - rays.eye;
+  const TileCone::Pass nearest = rays.nearest_pass(q);
+  const double square = fog.radius * fog.radius - nearest.h * nearest.h;
+  if (!(square > 0.0)) return {};
+  const double half = std::sqrt(square);
+  // Of a center behind the eye, that pass is of the axis.
+  const double aside = nearest.t < 0.0 ? rays.spread * nearest.h : 0.0;
+  const double first = std::max(nearest.t - half, 0.0);
+  // The last of the rays to enter it.
+  const double t = glm::dot(q, rays.center);
+  const double h = glm::length(q - t * rays.center) + rays.spread * std::max(t, 0.0) + rays.width;
+  const double last =
+      std::max(t - std::sqrt(std::max(fog.radius * fog.radius - h * h, 0.0)), first);
+  const double free_path = 1.0 / b0;
+  return {{first, std::min(nearest.t + half + aside, last + opaque_fog_depth * free_path)},
+          1.0 / (free_path + (last - first))};
+}
+
 }  // namespace
 
 int slices_per_light(int slices, std::size_t lights) {
@@ -244,10 +271,10 @@ void choose_slices(const MediumIndex& medium, std::span<const std::uint32_t> gau
   core.clip(max_length);
   const double b0 = medium.homogeneous_density();
   RayRange full_range = extent;
-  if (b0 > 0.0) {
-    full_range.begin = 0.0;
-    full_range.end =
-        std::min(max_length, std::max(extent.empty() ? 0.0 : extent.end, opaque_fog_depth / b0));
+  const FogDemand fog = b0 > 0.0 ? fog_demand(medium.fog(), rays, b0) : FogDemand();
+  if (!fog.range.empty()) {
+    full_range.add(fog.range.begin, fog.range.end);
+    full_range.clip(max_length);
   }
   if (full_range.empty()) return;
   boundaries.push_back(full_range.begin);
@@ -264,7 +291,7 @@ void choose_slices(const MediumIndex& medium, std::span<const std::uint32_t> gau
     boundaries.push_back(extent.begin);
     boundaries.push_back(extent.end);
   }
-  const RayRange& lit = b0 > 0.0 ? full_range : core;
+  const RayRange& lit = fog.range.empty() ? core : full_range;
   for (const SlicedLight& light : lights) {
     // A light in or near the medium; far ones are smooth along the ray.
     const glm::dvec3 q = light.position - rays.eye;
@@ -275,12 +302,17 @@ void choose_slices(const MediumIndex& medium, std::span<const std::uint32_t> gau
       continue;
     add_equi_angular(light, rays, lit, slices_per_light(slices, lights.size()), boundaries);
   }
-  if (b0 > 0.0) {
+  if (!fog.range.empty()) {
     // Slices of equal loss in the fog.
-    const double opaque = -std::expm1(-b0 * full_range.end);
-    for (int k = 1; k < slices; ++k) {
-      boundaries.push_back(-std::log1p(-opaque * k / slices) / b0);
+    const bool is_ball = !medium.fog().is_endless();  // which has ends of its own
+    const int count = is_ball ? std::max(slices - 1, 1) : slices;
+    const double begin = std::min(fog.range.begin, max_length);
+    const double end = is_ball ? std::min(fog.range.end, max_length) : full_range.end;
+    const double opaque = -std::expm1(-fog.density * (end - begin));
+    for (int k = is_ball ? 0 : 1; k < count; ++k) {
+      boundaries.push_back(begin - std::log1p(-opaque * k / count) / fog.density);
     }
+    if (is_ball) boundaries.push_back(end);
   }
   std::sort(boundaries.begin(), boundaries.end());
   const double min_spacing = min_gap_of_range * (full_range.end - full_range.begin);

@@ -139,29 +139,32 @@ HWY_INLINE V Lit(const SliceLight& light, const Vector& q, V distance) {
 // SliceWeights::along_rays: where the Gaussians have the depth G(t) on the ray, the integral of
 // (G' + b0) exp(-(1 -+ e) G - (1 -+ f) b0 t) dt, + for light from the eye, e and f its extinction.
 // The exponent grows evenly within a slice.
-void SumAlongRays(const RaySlices& slices, std::size_t stride, const float* increments,
-                  const SliceScattering& scattering, const SliceWeights& weights, bool has_optics,
-                  float b0, bool running) {
+template <class Rays>
+HWY_INLINE void SumAlongRays(const PathBatch& paths, const RaySlices& slices, std::size_t stride,
+                             const float* increments, const SliceScattering& scattering,
+                             const SliceWeights& weights, bool has_optics, const BatchFog& fog,
+                             bool running) {
   const D d;
   // The first optics have the albedo.
   const std::size_t to_scattered = has_optics ? (slices.count() - 1) * stride : 0;
   const float from_eye = scattering.anisotropy < 0.0f ? 1.0f : -1.0f;
   const V per_depth = set(1.0f + from_eye * weights.extinction);
-  const float per_length = b0 * (1.0f + from_eye * weights.fog_extinction);
+  const float per_length = fog.density * (1.0f + from_eye * weights.fog_extinction);
   float* const sums = weights.along_rays;
   for (std::size_t i = 0; i < stride; i += hn::Lanes(d)) {
+    const FogInterval<V> in_fog = FogOnRays(Rays(d, paths, i), fog);
     V begin = hn::LoadU(d, slices.at(i, 0));
-    V transmittance_in = exp(-per_length * begin);
+    V transmittance_in = exp(-per_length * fog_overlap(in_fog, hn::Zero(d), begin));
     V sum = hn::Zero(d);
     for (std::size_t k = 0; k + 1 < slices.count(); ++k) {
       const V end = hn::LoadU(d, slices.at(i, k + 1));
-      const V fog = b0 * (end - begin);
+      const V length = fog_overlap(in_fog, begin, end);
       const V gaussians = max(hn::LoadU(d, increments + k * stride + i), 0.0f);
-      const V exponent = mul_add(per_depth, gaussians, per_length * (end - begin));
+      const V exponent = mul_add(per_depth, gaussians, per_length * length);
       const V transmittance_out = transmittance_in * exp(-exponent);
       const V mean = mean_transmittance(exponent, transmittance_in, transmittance_out);
       const V scattered = max(hn::LoadU(d, increments + to_scattered + k * stride + i), 0.0f);
-      sum = mul_add(mean, scattered + fog, sum);
+      sum = mul_add(mean, scattered + fog.density * length, sum);
       if (running) hn::StoreU(sum, d, sums + k * stride + i);
       transmittance_in = transmittance_out;
       begin = end;
@@ -170,19 +173,12 @@ void SumAlongRays(const RaySlices& slices, std::size_t stride, const float* incr
   }
 }
 
-// The points at t on rays, relative to a position.
-template <class Rays>
-HWY_INLINE Vector FromPosition(const Rays& rays, V t, const glm::vec3& position) {
-  const Vector s = rays.From({set(position.x), set(position.y), set(position.z)});
-  return {mul_sub(t, rays.w.x, s.x), mul_sub(t, rays.w.y, s.y), mul_sub(t, rays.w.z, s.z)};
-}
-
 // FogBall::length() from a point on a ray.
 template <class Rays>
 HWY_INLINE V FogLength(const SliceLight& light, V t, const Rays& rays, V distance) {
   const Vector q = FromPosition(rays, t, light.position);
   const Vector p = FromPosition(rays, t, light.fog_center);
-  return fog_length(p, -(dot(p, q) / distance), light.fog_radius);
+  return fog_length(p, -(dot(p, q) / distance), distance, light.fog_radius);
 }
 
 HWY_INLINE V TruncatedPhase(const SliceScattering& scattering, V cosine) {
@@ -220,7 +216,7 @@ HWY_INLINE V LobeLoss(const float* table, V cosine, V depth) {
 
 template <class Rays>
 HWY_INLINE void SumSlicesOf(const PathBatch& paths, const RaySlices& slices,
-                            const float* increments, const float* moments, float b0,
+                            const float* increments, const float* moments, const BatchFog& fog,
                             const SliceScattering& scattering, float negligible,
                             std::span<const SliceLight> lights, float* depths,
                             const SliceWeights& weights, const SliceOptics& optics,
@@ -231,7 +227,8 @@ HWY_INLINE void SumSlicesOf(const PathBatch& paths, const RaySlices& slices,
   const std::size_t stride = paths.padded_size();
   const std::size_t plane = (slices.count() - 1) * stride;
   if (weights.along_rays) {
-    SumAlongRays(slices, stride, increments, scattering, weights, optics.has, b0, running);
+    SumAlongRays<Rays>(paths, slices, stride, increments, scattering, weights, optics.has, fog,
+                       running);
   }
   const bool has_view_extinction = scattering.view_extinction != 1.0f;
   const V view_extinction = set(scattering.view_extinction);
@@ -244,6 +241,7 @@ HWY_INLINE void SumSlicesOf(const PathBatch& paths, const RaySlices& slices,
   for (std::size_t i = 0; i < stride; i += hn::Lanes(d)) {
     const Rays rays(d, paths, i);
     const Vector& w = rays.w;
+    const FogInterval<V> in_fog = FogOnRays(rays, fog);
     V ts[light_pack];
     V h2[light_pack];
     V sum[light_pack];
@@ -266,9 +264,9 @@ HWY_INLINE void SumSlicesOf(const PathBatch& paths, const RaySlices& slices,
     V weighted_distance = zero;
     for (std::size_t k = 0; k + 1 < slices.count(); ++k) {
       const V end = hn::LoadU(d, slices.at(i, k + 1));
-      const V width = end - begin;
+      const V width = fog_overlap(in_fog, begin, end);
       const V gaussians = max(hn::LoadU(d, increments + k * stride + i), zero);
-      const V increment = mul_add(b0, width, gaussians);
+      const V increment = mul_add(fog.density, width, gaussians);
       const V next_depth = depth + increment;
       const auto matters = hn::And(increment > negligible, view_extinction * depth < visible_depth);
       if (!hn::AllFalse(d, matters)) {
@@ -286,14 +284,14 @@ HWY_INLINE void SumSlicesOf(const PathBatch& paths, const RaySlices& slices,
             const V emission = max(hn::LoadU(d, own + (c + 1) * plane), zero);
             emitted[c] = mul_add(emitting, emission, emitted[c]);
           }
-          const V scattering_depth = mul_add(b0, width, max(hn::LoadU(d, own), zero));
+          const V scattering_depth = mul_add(fog.density, width, max(hn::LoadU(d, own), zero));
           const V albedo = scattering_depth * inverse;
           whole_fraction *= albedo;
           truncated_fraction *= albedo;
         }
-        // The slice holds fog evenly.
-        const V middle_of_slice = 0.5f * (begin + end);
-        const V fog_moment = b0 * width * middle_of_slice;
+        // The slice holds fog evenly, as far as that goes.
+        const V middle_of_fog = 0.5f * (max(begin, in_fog.begin) + min(end, in_fog.end));
+        const V fog_moment = fog.density * width * middle_of_fog;
         const V moment = fog_moment + hn::LoadU(d, moments + k * stride + i);
         const LitPart<V> part = lit_part(begin, end, increment, moment);
         const V counted = where(matters, truncated_fraction);
@@ -318,9 +316,9 @@ HWY_INLINE void SumSlicesOf(const PathBatch& paths, const RaySlices& slices,
           const V along = middle - ts[l];
           const V distance = sqrt(mul_add(along, along, h2[l]));
           const Vector q = FromPosition(rays, middle, lights[l].map_origin);
-          V light_depth =
-              b0 * (lights[l].fog_radius > 0.0f ? FogLength(lights[l], middle, rays, distance)
-                                                : distance);
+          V light_depth = fog.density * (lights[l].fog_radius > 0.0f
+                                             ? FogLength(lights[l], middle, rays, distance)
+                                             : distance);
           if (tables[l].depths) {
             light_depth += Lookup(tables[l], q, lights[l].in_table, distance);
           }
@@ -383,13 +381,13 @@ HWY_INLINE void SumSlicesOf(const PathBatch& paths, const RaySlices& slices,
 }
 
 void SumSlices(const PathBatch& rays, const RaySlices& slices, const float* increments,
-               const float* moments, float b0, const SliceScattering& scattering, float negligible,
-               std::span<const SliceLight> lights, float* depths, const SliceWeights& weights,
-               const SliceOptics& optics, const std::array<float*, light_pack>& radiance,
-               SliceSums sums) {
+               const float* moments, const BatchFog& fog, const SliceScattering& scattering,
+               float negligible, std::span<const SliceLight> lights, float* depths,
+               const SliceWeights& weights, const SliceOptics& optics,
+               const std::array<float*, light_pack>& radiance, SliceSums sums) {
   WithRays(D(), rays, [&]<class Rays>() HWY_ATTR {
-    SumSlicesOf<Rays>(rays, slices, increments, moments, b0, scattering, negligible, lights, depths,
-                      weights, optics, radiance, sums);
+    SumSlicesOf<Rays>(rays, slices, increments, moments, fog, scattering, negligible, lights,
+                      depths, weights, optics, radiance, sums);
   });
 }
 
@@ -411,12 +409,12 @@ void lookup_depths(const OpticalDepthTable& table, const PathBatch& paths, float
 }
 
 void sum_slices(const PathBatch& rays, const RaySlices& slices, const float* increments,
-                const float* moments, float b0, const SliceScattering& scattering, float negligible,
-                std::span<const SliceLight> lights, float* depths, const SliceWeights& weights,
-                const SliceOptics& optics, const std::array<float*, light_pack>& radiance,
-                SliceSums sums) {
+                const float* moments, const BatchFog& fog, const SliceScattering& scattering,
+                float negligible, std::span<const SliceLight> lights, float* depths,
+                const SliceWeights& weights, const SliceOptics& optics,
+                const std::array<float*, light_pack>& radiance, SliceSums sums) {
   HWY_DYNAMIC_DISPATCH(SumSlices)
-  (rays, slices, increments, moments, b0, scattering, negligible, lights, depths, weights, optics,
+  (rays, slices, increments, moments, fog, scattering, negligible, lights, depths, weights, optics,
    radiance, sums);
 }
 

@@ -108,9 +108,9 @@ enum class SliceSums { total, running };
 // = T(v, p) of Gaussians and b0 up to t_K. Slices of optical depth below `negligible` are skipped.
 // At most light_pack lights.
 void sum_slices(const PathBatch& rays, const RaySlices& slices, const float* increments,
-                const float* moments, float b0, const SliceScattering& scattering, float negligible,
-                std::span<const SliceLight> lights, float* depths, const SliceWeights& weights,
-                const SliceOptics& optics, const std::array<float*, light_pack>& radiance,
-                SliceSums sums = SliceSums::total);
+                const float* moments, const BatchFog& fog, const SliceScattering& scattering,
+                float negligible, std::span<const SliceLight> lights, float* depths,
+                const SliceWeights& weights, const SliceOptics& optics,
+                const std::array<float*, light_pack>& radiance, SliceSums sums = SliceSums::total);
 
 }  // namespace brume

@@ -270,7 +270,7 @@ std::map<std::string, Quantity<float>> kernels() {
          PathBatch path;
          path.assign(std::array{ray.w}, std::array{ray.d});
          std::vector<float> radiance(path.padded_size(), 0.0f);
-         accumulate_homogeneous_airlight(real<float>(in.at("b0")), 1.0f,
+         accumulate_homogeneous_airlight(BatchFog(real<float>(in.at("b0"))), 1.0f,
                                          glm::vec3(vec<double>(in.at("s")) - ray.v), 0.0f, 0.0f,
                                          path, radiance.data());
          return R{real<float>(in.at("I0")) * radiance[0]};

@@ -26,7 +26,7 @@ Scene lit(const LightProfile& profile, const Light::Kind& kind = light::Point(),
   return scene;
 }
 
-const Settings all_orders = sliced(24, Scattering::multiple);
+const Settings sliced_all_orders = sliced(24, Scattering::multiple);
 
 TEST(ProfileLight, IsotropicIsAPointLight) {
   Scene scene =
@@ -34,7 +34,7 @@ TEST(ProfileLight, IsotropicIsAPointLight) {
   scene.surfaces = {wall(-1.0, 2.0)};
   Scene point = scene;
   point.lights[0].kind = light::Point();
-  for (const Settings& settings : {reference_settings(), sliced(24), all_orders}) {
+  for (const Settings& settings : {reference_settings(), sliced(24), sliced_all_orders}) {
     const Frame frame = render_frame(scene, settings);
     const Frame expected = render_frame(point, settings);
     // Where a slice is long beside its distance from the light, a profile's light is attenuated

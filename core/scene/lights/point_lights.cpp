@@ -198,6 +198,9 @@ LitRegion LitRegion::of(const Scene& scene) {
     const double diagonal = glm::length(bounds->high - bounds->low);
     if (diagonal > 0.0) length = diagonal;
   }
+  // At the end of a far larger ball of fog the light still comes from within a degree of its
+  // direction; a farther one would leave too few digits to what is in the middle.
+  if (b0 > 0.0 && scene.optics.extent) length = std::max(length, *scene.optics.extent / 32.0);
   region.has_surfaces = !scene.surfaces.empty();
   region.diameter = std::exp2(std::ceil(std::log2(length)));
   const double step = region.diameter / 16.0;

@@ -4,6 +4,7 @@
 #include "linear.glsl"
 #include "rays.glsl"
 #include "lights.glsl"
+#include "view_fog.glsl"
 #include "slice_boundaries.glsl"
 
 layout(r32f, binding = 0) readonly uniform image2D depths;  // to the surface; < 0: none
@@ -16,7 +17,6 @@ uniform int scale;
 uniform float ray_end;  // of rays that hit nothing
 uniform int slices;
 uniform int per_light;
-uniform float b0;
 uniform int stride;
 
 // The pixels [x, z) x [y, w) that a tile's samples cover: FilmTiles::pixels().
@@ -42,7 +42,7 @@ void main() {
   set_ray_offset(pixels.xy + corner_);
   CenterRay ray = center_ray(is_corner, ray_direction(pixels.xy + corner_));
   ray.max_length = reduce_max(max_length);
-  choose_slices(ray, offsets[tile], offsets[tile + 1], slices, per_light, b0);
+  choose_slices(ray, offsets[tile], offsets[tile + 1], slices, per_light);
   barrier();
   const int count = boundary_count < 2 ? 0 : min(boundary_count, stride);
   const int first = tile * (stride + 1);

@@ -111,9 +111,18 @@ float average_depth(SurfacePoint point) {
   return sum;
 }
 
+// SurfaceLighting::fog_depth_at().
+float average_fog_depth(vec3 position) {
+  if (fog_radius == 0.0) return fog_depth;
+  // Nearer to the center the logarithm loses digits.
+  const float s = max(length(position - fog_center) / fog_radius, small_exponent);
+  const float inside = (1.0 - s * s) / (2.0 * s) * log((1.0 + s) / max(abs(1.0 - s), tiny));
+  return 0.5 * b0 * fog_radius * (1.0 + inside);
+}
+
 // EnvironmentLight::incident(), without a grid.
 void find_light_of_environment(SurfacePoint point) {
-  const float depth = fog_depth + average_depth(point);
+  const float depth = average_fog_depth(point.position) + average_depth(point);
   const float unscattered = exp(-depth);
   const float x = scatter_position(depth);
   const bool passes = depth > 0.0 && depth < scatter_opaque;

@@ -38,7 +38,7 @@ float table_depth(int l, vec3 q, float distance_) {
 float length_in_fog(int l, vec3 point, vec3 from_light, float distance_) {
   if (lights[l].fog_radius == 0.0) return distance_;
   const vec3 p = point - lights[l].fog_center;
-  return fog_length(p, -dot(p, from_light), lights[l].fog_radius);
+  return fog_length(p, -dot(p, from_light), distance_, lights[l].fog_radius);
 }
 
 // PhotometricProfile::at() in the direction of q.

@@ -11,10 +11,10 @@ layout(std430, binding = 1) readonly buffer Frozen { float frozen[]; };
 #include "film.glsl"
 #include "noise.glsl"
 #include "environment_inscattering.glsl"
+#include "view_fog.glsl"
 
 uniform int light_count;
 uniform int gaussian_count;
-uniform float b0;
 uniform float anisotropy;
 uniform int at_mean;
 uniform int conserves;  // whether any light conserves energy
@@ -27,10 +27,11 @@ shared EllipsoidWarp batch_ellipsoids[group_size];
 
 // Airlight of the homogeneous part (eqs. 17 to 19), per unit of radiant intensity.
 float fog_airlight(PaperLight light, vec3 w, float length_) {
-  const vec3 s = from_ray(light.position);
-  const float ts = dot(s, w);
-  const vec3 offset = s - ts * w;
-  const FogRay ray = fog_ray(ts, dot(offset, offset), length_, light.h_min, b0);
+  const FogInterval in_fog = fog_on_ray(w);
+  const vec3 s = from_ray(light.position) - in_fog.begin * w;
+  const vec3 start = in_fog.begin * w - from_ray(fog_center);
+  const FogRay ray = fog_ray(s, w, fog_overlap(in_fog, 0.0, length_), light.h_min, b0, start,
+                             fog_radius);
   // Panels double from the phase function's peak, at angle 0 between light and view or at pi.
   const float phi_offset = anisotropy < 0.0 ? pi - (ray.at_start + ray.span) : ray.at_start;
   float panel_begin = 0.0;
@@ -144,7 +145,7 @@ void main() {
       airlight += lights[l].intensity * lights[l].transmittance *
                   fog_airlight(lights[l], w, length_);
     }
-    depth += b0 * length_;
+    depth += b0 * fog_overlap(fog_on_ray(w), 0.0, length_);
   }
   store_pixel(pixel, airlight + environment_inscattering(w, depth), depth, pairs);
 }

@@ -34,7 +34,9 @@ uniform int has_environment;
 uniform float extinction;
 uniform int incident_is_all;
 uniform float incident_scale;
-uniform float fog_depth;         // b0's part of the average depth
+uniform float fog_depth;         // b0's part of the average depth, where it is the same everywhere
+uniform vec3 fog_center;         // else of a ball
+uniform float fog_radius;
 uniform int incident_levels;                 // 0: there is none
 uniform vec4 incident_first[max_grid_levels];  // as source.glsl has them
 uniform ivec4 incident_count[max_grid_levels];

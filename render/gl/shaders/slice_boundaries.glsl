@@ -213,7 +213,28 @@ void sort_boundaries(float min_gap) {
   barrier();
 }
 
-void choose_slices(CenterRay ray, uint begin, uint end, int slices, int per_light, float b0) {
+// fog_demand() of the CPU: begin, end, and the density.
+vec3 fog_demand(CenterRay ray) {
+  if (fog_radius == 0.0) return vec3(0.0, opaque_fog_depth / b0, b0);
+  const vec3 q = from_center(ray, fog_center);
+  const vec2 nearest = nearest_pass(ray, q);
+  const float square = fog_radius * fog_radius - nearest.y * nearest.y;
+  if (!(square > 0.0)) return vec3(0.0);
+  const float half_ = sqrt(square);
+  const float aside = nearest.x < 0.0 ? ray.spread * nearest.y : 0.0;
+  const float first = max(nearest.x - half_, 0.0);
+  const float t = dot(q, ray.w);
+  float h = length(q - t * ray.w) + ray.spread * max(t, 0.0);
+#ifdef PARALLEL
+  h += ray.width;
+#endif
+  const float last = max(t - sqrt(max(fog_radius * fog_radius - h * h, 0.0)), first);
+  const float free_path = 1.0 / b0;
+  return vec3(first, min(nearest.x + half_ + aside, last + opaque_fog_depth * free_path),
+              1.0 / (free_path + (last - first)));
+}
+
+void choose_slices(CenterRay ray, uint begin, uint end, int slices, int per_light) {
   const int id = int(gl_LocalInvocationID.x);
   barrier();
   if (id == 0) {
@@ -242,9 +263,12 @@ void choose_slices(CenterRay ray, uint begin, uint end, int slices, int per_ligh
   extent = clamp(vec2(reduce_min(extent.x), reduce_max(extent.y)), ends.xx, ends.yy);
   core = clamp(vec2(reduce_min(core.x), reduce_max(core.y)), ends.xx, ends.yy);
   vec2 full_range = extent;
-  if (b0 > 0.0) {
-    full_range = vec2(0.0, min(ray.max_length,
-                               max(extent.x < extent.y ? extent.y : 0.0, opaque_fog_depth / b0)));
+  const vec3 fog = b0 > 0.0 ? fog_demand(ray) : vec3(0.0);
+  const bool has_fog = fog.x < fog.y;
+  if (has_fog) {
+    const bool is_empty = !(extent.x < extent.y);
+    full_range = min(vec2(is_empty ? fog.x : min(extent.x, fog.x),
+                          is_empty ? fog.y : max(extent.y, fog.y)), ray.max_length);
   }
   if (!(full_range.x < full_range.y)) return;
   if (id == 0) {
@@ -263,7 +287,7 @@ void choose_slices(CenterRay ray, uint begin, uint end, int slices, int per_ligh
     }
   }
   barrier();
-  const vec2 lit = b0 > 0.0 ? full_range : core;
+  const vec2 lit = has_fog ? full_range : core;
   for (int l = 0; l < light_count; ++l) {
     // A light in or near the medium; far ones are smooth along the ray.
     const vec3 q = from_center(ray, lights[l].position);
@@ -276,12 +300,17 @@ void choose_slices(CenterRay ray, uint begin, uint end, int slices, int per_ligh
     }
     add_equi_angular(l, ray, lit, per_light);
   }
-  if (b0 > 0.0) {
+  if (has_fog) {
     // Slices of equal loss in the fog.
-    const float opacity = 1.0 - exp(-b0 * full_range.y);
-    for (int k = id + 1; k < slices; k += group_size) {
-      add_boundary(-log(1.0 - opacity * float(k) / float(slices)) / b0);
+    const bool is_ball = fog_radius != 0.0;
+    const int count = is_ball ? max(slices - 1, 1) : slices;
+    const float first = min(fog.x, ray.max_length);
+    const float last = is_ball ? min(fog.y, ray.max_length) : full_range.y;
+    const float opacity = 1.0 - exp(-fog.z * (last - first));
+    for (int k = id + (is_ball ? 0 : 1); k < count; k += group_size) {
+      add_boundary(first - log(1.0 - opacity * float(k) / float(count)) / fog.z);
     }
+    if (is_ball && id == 0) add_boundary(last);
   }
   sort_boundaries(min_gap_of_range * (full_range.y - full_range.x));
 }

@@ -13,8 +13,8 @@
 #include "center_ray.glsl"
 #include "source.glsl"
 #include "compact.glsl"
+#include "view_fog.glsl"
 
-uniform float b0;
 uniform float anisotropy;
 uniform float negligible;
 uniform float light_extinction;  // factor of optical depths towards lights
@@ -126,7 +126,8 @@ void main() {
   const bool needs_line = has_lobe_on_rays && anisotropy > 0.0;
   float along_ray = 0.0;
   float line_depth = 0.0;  // of all Gaussians, also behind surfaces
-  float transmittance_in = exp(-ray_per_fog * b0 * t_begin);
+  const FogInterval in_fog = fog_on_ray(w);
+  float transmittance_in = exp(-ray_per_fog * b0 * fog_overlap(in_fog, 0.0, t_begin));
   for (int first = 0; first < last; first += chunk) {
     float increments[chunk];
     float moments[chunk];
@@ -205,7 +206,7 @@ void main() {
     for (int k = 0; k < count; ++k) {
       const float t_end = min(max(slice_boundary(position, first + k + 1), t_begin), length_);
       const float gaussians = max(spilled[k * group_size + id], 0.0);
-      const float fog = b0 * (t_end - t_begin);
+      const float fog = b0 * fog_overlap(in_fog, t_begin, t_end);
       const float increment = fog + gaussians;
 #ifdef OPTICS
       const vec4 own = max(spilled_optics[k * group_size + id], vec4(0.0));
@@ -232,9 +233,9 @@ void main() {
         whole_fraction *= scattering / max(increment, tiny);
         truncated_fraction *= scattering / max(increment, tiny);
 #endif
-        // The slice holds fog evenly.
-        const float moment =
-            fog * 0.5 * (t_begin + t_end) + spilled_moments[k * group_size + id];
+        // The slice holds fog evenly, as far as that goes.
+        const float middle_of_fog = 0.5 * (max(t_begin, in_fog.begin) + min(t_end, in_fog.end));
+        const float moment = fog * middle_of_fog + spilled_moments[k * group_size + id];
         const LitPart part = lit_part(t_begin, t_end, increment, moment);
         lookup_weight += truncated_fraction;
         lookup_position += truncated_fraction * part.center;
@@ -307,9 +308,10 @@ void main() {
     }
   }
   if (has_lobe_on_rays) {
+    if (fog_radius != 0.0) line_depth += b0 * (in_fog.end - in_fog.begin);
     scattered += along_ray * source_forward_lobe(anisotropy < 0.0, light_extinction * line_depth);
   }
   // Homogeneous fog continues behind the last slice; the Gaussians do not.
-  if (b0 > 0.0 && last > 0) depth += b0 * (length_ - t_begin);
+  if (b0 > 0.0 && last > 0) depth += b0 * fog_overlap(in_fog, t_begin, length_);
   store_pixel(pixel, airlight + max(scattered, vec3(0.0)), depth, pairs);
 }

@@ -157,6 +157,13 @@ TEST(DeepRenderer, FlattenedIsTheFlatFrameOfAnOrthographicCamera) {
   expect_flattened_is_flat(scene);
 }
 
+// Part of the cloud stands in a ball of fog.
+TEST(DeepRenderer, FlattenedIsTheFlatFrameOfABallOfFog) {
+  Scene scene = in_fog(lit_from_the_front(1.0), 0.5);
+  scene.optics.extent = 0.8;
+  expect_flattened_is_flat(scene);
+}
+
 TEST(DeepRenderer, TakesFewerSamplesForALargerError) {
   const Scene scene = lit_from_the_front(2.0);
   const Settings settings = sliced(24);

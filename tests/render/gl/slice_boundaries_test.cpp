@@ -30,6 +30,7 @@ struct Case {
   double end = std::numeric_limits<double>::infinity();  // of all rays
   // Where it is about a single ray: the camera looks along -z from here.
   glm::dvec3 eye{0.0, 0.0, 5.0};
+  FogBall fog{};
 };
 
 Case with(std::string name, std::initializer_list<Gaussian> gaussians, double b0 = 0.0) {
@@ -90,6 +91,20 @@ std::vector<Case> hard_cases() {
     cases.push_back(cases.back());
     cases.back().slices = 5;
   }
+  for (const double b0 : {0.1, 100.0}) {
+    for (const glm::dvec3& center : {glm::dvec3(0), {0.3, 0, 4.8}, {0, 0, 6.1}, {1.2, 0.4, 1}}) {
+      Case ball = small_cloud(5, 1.0);
+      ball.medium.set_homogeneous_density(b0);
+      ball.fog = {center, 1.0};
+      ball.lights = {light_at({0.1, 0.2, 0.3})};
+      ball.name = "ball of density " + std::to_string(b0) + " at " + std::to_string(center.z);
+      cases.push_back(ball);
+      ball.medium = {};
+      ball.medium.set_homogeneous_density(b0);
+      ball.name += ", alone";
+      cases.push_back(ball);
+    }
+  }
   Case lights = small_cloud(4, 1.0);
   Random random(9);
   for (int i = 0; i < 40; ++i) lights.lights.push_back(light_at(random.point(1.0)));
@@ -127,7 +142,9 @@ FilmWindow window() {
 }
 
 MediumIndex index_of(const Case& c) {
-  return {c.medium, 1e-6};
+  MediumIndex index(c.medium, 1e-6);
+  index.set_fog(c.fog);
+  return index;
 }
 
 TileCone cone_of(const Case& c, std::size_t tile) {
@@ -197,7 +214,7 @@ Slices choose_on_device(DeviceState& device, const Case& c) {
   settings.airlight_scale = scale;
   const RenderPlan plan(Scene(), film, settings);
   const FilmView view{
-      film, rays,        std::numeric_limits<double>::infinity(), medium.homogeneous_density(),
+      film, rays,        std::numeric_limits<double>::infinity(), BatchFog(medium, rays.eye()),
       plan, std::nullopt};
   device.slices.choose(device.programs, device.clock, device.lights, c.lights.size(), c.slices,
                        device.lists, view, device.textures);

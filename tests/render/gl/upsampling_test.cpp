@@ -162,8 +162,12 @@ Upsampled upsample_on_device(DeviceState& device, const Given& given) {
   scene.lights = given.lights;
   scene.medium.set_homogeneous_density(b0);
   const RenderPlan plan(scene, given.film, settings);
-  const FilmView view{given.film, rays, std::numeric_limits<double>::infinity(),
-                      b0,         plan, std::nullopt};
+  const FilmView view{given.film,
+                      rays,
+                      std::numeric_limits<double>::infinity(),
+                      BatchFog(static_cast<float>(b0)),
+                      plan,
+                      std::nullopt};
   Upsampled upsampled;
   upsampled.exact = device.film.run(
       device.programs, device.clock, device.method,

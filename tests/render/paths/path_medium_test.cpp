@@ -7,9 +7,9 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <limits>
 #include <utility>
 
+#include "core/math/infinity.h"
 #include "render/paths/camera_ray.h"
 #include "tests/random.h"
 #include "tests/render/test_scenes.h"
@@ -17,7 +17,6 @@
 namespace brume {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double tolerance = 1e-9;
 
 glm::dvec3 direction(Random& random) {

@@ -221,7 +221,7 @@ TEST(Kernels, HomogeneousAirlightAgreesWithDouble) {
       rays.assign(glm::dvec3(0.0), ends, self);
       if (round % 2 == 0) std::fill(rays.length.begin(), rays.length.end(), INFINITY);
       std::vector<float> fast(rays.padded_size(), 0.0f);
-      accumulate_homogeneous_airlight(static_cast<float>(b0), 1.0f, glm::vec3(light),
+      accumulate_homogeneous_airlight(BatchFog(static_cast<float>(b0)), 1.0f, glm::vec3(light),
                                       static_cast<float>(h_min), 0.0f, rays, fast.data());
       for (std::size_t k = 0; k < ends.size(); ++k) {
         const glm::dvec3 w = glm::normalize(ends[k]);
@@ -278,8 +278,9 @@ TEST(Kernels, HomogeneousAirlightOfALightStraightAhead) {
       PathBatch ray;
       ray.assign(std::array{ahead}, std::array{one.length});
       std::vector<float> radiance(ray.padded_size(), 0.0f);
-      accumulate_homogeneous_airlight(static_cast<float>(one.b0), 1.0f, glm::vec3(one.light()),
-                                      static_cast<float>(one.h_min()), 0.0f, ray, radiance.data());
+      accumulate_homogeneous_airlight(BatchFog(static_cast<float>(one.b0)), 1.0f,
+                                      glm::vec3(one.light()), static_cast<float>(one.h_min()), 0.0f,
+                                      ray, radiance.data());
       // The rule's worst case, and float below exp(-b0 distance) = 1e-30.
       ASSERT_NEAR(static_cast<double>(radiance[0]), one.exact, 1e-3 * one.exact + 1e-30)
           << "b0 " << one.b0 << " distance " << one.distance << " off " << one.off;

@@ -117,7 +117,7 @@ Seconds run_kernels(const View& view, float negligible) {
       accumulate_increments(tile.batch, tile.rays, tile.slices, increments.data(), moments.data());
     });
     const auto sum = [&](const Lights& lights) {
-      sum_slices(tile.rays, tile.slices, increments.data(), moments.data(), 0.0f, {}, negligible,
+      sum_slices(tile.rays, tile.slices, increments.data(), moments.data(), {}, {}, negligible,
                  std::span(lights).first(view.light_count), depths.data(), {}, {}, out);
     };
     timed(seconds.sum, [&] { sum(view.lights); });
