@@ -339,10 +339,12 @@ SourceGrid::SourceGrid(std::span<const GaussianTerm<double>> gaussians,
       if (is_fog_alone && !content.fog_ball.is_endless()) {  // nor beyond the fog
         const FogBall& ball = content.fog_ball;
         Box all{ball.center - ball.radius, ball.center + ball.radius};
-        if (content.surfaces) {  // a ball may end before they do
-          all.low = glm::min(all.low, content.surfaces->bounds().low);
-          all.high = glm::max(all.high, content.surfaces->bounds().high);
-        }
+        const auto add = [&all](const Box& box) {  // a ball may end before what light falls on does
+          all.low = glm::min(all.low, box.low);
+          all.high = glm::max(all.high, box.high);
+        };
+        if (content.surfaces) add(content.surfaces->bounds());
+        if (content.receivers) add(content.receivers->box);
         max_low = glm::max(max_low, glm::min(low, all.low));
         max_high = glm::min(max_high, glm::max(high, all.high));
       }

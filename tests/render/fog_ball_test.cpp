@@ -175,6 +175,23 @@ TEST(FogBallFrames, LightOnSurfacesCrossesTheBall) {
   }
 }
 
+// A floor larger than a ball that absorbs: with one order of scattering as with all.
+TEST(FogBallFrames, SkiesLightFloorsThroughTheBall) {
+  Scene scene = fog_ball_scene({0.0, 2.0, 6.0});
+  scene.camera.vertical_fov = 40.0;
+  scene.optics.extent = 2.0;
+  scene.optics.albedo = glm::dvec3(1e-3);
+  scene.medium.set_homogeneous_density(0.5e-3);
+  set_white_sky(scene);
+  Surface floor = wall(0.0, 3.0);
+  floor.rotate = {std::sqrt(0.5), -std::sqrt(0.5), 0.0, 0.0};
+  scene.surfaces = {floor};
+  const Frame paths = render_frame(scene, path_traced(512));
+  const Frame once = render_frame(scene, sliced(24));
+  EXPECT_LT(difference(once.beauty, paths.beauty).relative_rmse, 0.02);
+  EXPECT_LT(std::abs(difference(once.beauty, paths.beauty).bias), 0.01);
+}
+
 TEST(FogBallFrames, AFurnaceIsWhite) {
   for (const glm::dvec3& eye : ball_eyes) {
     for (const double density : {0.5, 2.0}) {
