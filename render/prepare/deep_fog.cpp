@@ -9,10 +9,22 @@
 
 namespace brume {
 
+namespace {
+
+// Three digits of a length, all of one that has more.
+std::string length_text(double length) {
+  std::ostringstream text;
+  text << std::setprecision(length < 100.0 ? 2 : 15)
+       << (length < 100.0 ? length : std::round(length));
+  return text.str();
+}
+
+}  // namespace
+
 double transmittance_of_fog(const Scene& scene) {
   const FogExtent extent(scene);
-  if (extent.ball().is_endless()) return 1.0;
-  return std::exp(-extent.surface_optical_depth(scene.medium.homogeneous_density()));
+  if (!extent.has_far_light()) return 1.0;
+  return std::exp(-scene.medium.homogeneous_density() * extent.surface_distance());
 }
 
 std::optional<std::string> deep_fog_text(const Scene& scene) {
@@ -27,9 +39,12 @@ std::optional<std::string> deep_fog_text(const Scene& scene) {
     text << std::setprecision(2) << 100.0 * transmittance;
   }
   text << "% of the light from far away through to the middle of the scene, for it reaches "
-       << std::setprecision(reach < 100.0 ? 2 : 15) << (reach < 100.0 ? reach : std::round(reach))
-       << " u, as far as all that is in the scene; a homogeneous density of "
-       << std::setprecision(2) << std::numbers::ln2 / reach << " would let half of it through";
+       << length_text(reach) << " u, "
+       << (scene.optics.extent ? "the medium's extent" : "as far as all that is in the scene")
+       << "; a homogeneous density of " << std::setprecision(2) << std::numbers::ln2 / reach
+       << ", or a medium.extent of "
+       << length_text(std::numbers::ln2 / scene.medium.homogeneous_density())
+       << ", would let half of it through";
   return text.str();
 }
 

@@ -46,10 +46,51 @@ TEST_F(CommandLine, SaysHowMuchOfTheSunDeepFogLetsThrough) {
                                 .string();
   const Json info = Json::parse(expect_done({"info", scene, "--json"}).out);
   EXPECT_DOUBLE_EQ(info["medium"]["far_light_transmittance"], std::exp(-5.0));
+  EXPECT_DOUBLE_EQ(info["medium"]["fog_extent"], 100.0);
+  EXPECT_EQ(info["medium"]["fog_extent_is"], "derived");
   const ProgramResult render =
       expect_done({"render", scene, "-o", file("deep.exr"), "--error", "none"});
-  EXPECT_NE(render.err.find("lets 0.67% of the light from far away through"), std::string::npos)
-      << render.err;
+  for (const std::string& err : {render.err, expect_done({"info", scene}).err}) {
+    EXPECT_NE(err.find("lets 0.67% of the light from far away through"), std::string::npos) << err;
+    EXPECT_NE(err.find("as far as all that is in the scene; a homogeneous density of 0.0069, or a "
+                       "medium.extent of 14, would let half of it through"),
+              std::string::npos)
+        << err;
+  }
+}
+
+TEST_F(CommandLine, SaysHowFarFogReaches) {
+  const auto scene = [this](const char* name, const std::string& medium, const char* type) {
+    return folder_
+        .write(name, R"({"format": "brume-scene", "version": 1,
+    "camera": {"eye": [0, 2, 4], "target": [0, 0, 0]}, "film": {"width": 4, "height": 3},
+    "medium": {)" + medium +
+                         R"(}, "lights": [)" + type + "]}")
+        .string();
+  };
+  const char* const sun = R"({"type": "directional", "direction": [0, -1, 0],
+                              "irradiance": [1, 1, 1]})";
+  const char* const point = R"({"type": "point", "position": [0, 3, 0], "intensity": [1, 1, 1]})";
+  const auto info_of = [this](const std::string& file) {
+    return Json::parse(expect_done({"info", file, "--json"}).out)["medium"];
+  };
+  const std::string set = R"("density": 0.05, "extent": 30)";
+  const Json far = info_of(scene("far.brume", set, sun));
+  EXPECT_DOUBLE_EQ(far["fog_extent"], 30.0);
+  EXPECT_EQ(far["fog_extent_is"], "set");
+  EXPECT_DOUBLE_EQ(far["far_light_transmittance"], std::exp(-1.5));
+  const ProgramResult warned = expect_done({"info", scene("far.brume", set, sun)});
+  EXPECT_NE(warned.err.find("it reaches 30 u, the medium's extent; a homogeneous density of 0.023, "
+                            "or a medium.extent of 14, would"),
+            std::string::npos)
+      << warned.err;
+  const Json near = info_of(scene("near.brume", set, point));
+  EXPECT_DOUBLE_EQ(near["fog_extent"], 30.0);
+  EXPECT_FALSE(near.contains("far_light_transmittance"));
+  const Json endless = info_of(scene("endless.brume", R"("density": 0.05)", point));
+  EXPECT_EQ(endless["fog_extent_is"], "endless");
+  EXPECT_FALSE(endless.contains("fog_extent"));
+  EXPECT_FALSE(info_of(scene("clear.brume", "", point)).contains("fog_extent_is"));
 }
 
 TEST_F(CommandLine, SummarizesAMedium) {

@@ -20,6 +20,7 @@
 #include "core/scene/mesh.h"
 #include "core/transport/medium_summary.h"
 #include "render/prepare/deep_fog.h"
+#include "render/prepare/fog_extent.h"
 #include "tools/brume/command.h"
 #include "tools/brume/progress_line.h"
 #include "tools/brume/read_scene.h"
@@ -65,6 +66,15 @@ Json scene_json(const SceneDocument& document) {
   json["medium"] = medium_json(scene.medium);
   if (const auto& loaded = document.extras.medium_file) {
     json["medium"]["file"] = loaded->file.string();
+  }
+  if (scene.medium.homogeneous_density() > 0.0) {
+    const FogExtent extent(scene);
+    if (!extent.ball().is_endless()) {
+      json["medium"]["fog_extent"] = extent.ball().radius;
+    }
+    json["medium"]["fog_extent_is"] = scene.optics.extent           ? "set"
+                                      : !extent.ball().is_endless() ? "derived"
+                                                                    : "endless";
   }
   if (const double transmittance = transmittance_of_fog(scene); transmittance < 1.0) {
     json["medium"]["far_light_transmittance"] = transmittance;
@@ -219,6 +229,7 @@ class InfoCommand final : public Command {
       const SceneDocument document = read_document(file_, files);
       const ProgressLine line("measuring " + file_);
       json.update(scene_json(document));
+      if (const auto deep = deep_fog_text(document.scene)) print_warnings({*deep});
     } else {
       refuse_other_format(file_, read_first_bytes(file_, 64));
       throw InputError(file_, "",
