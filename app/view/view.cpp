@@ -18,6 +18,7 @@
 #include "brume/at_time.h"
 #include "core/authoring/contribution.h"
 #include "core/transport/optical_depth.h"
+#include "render/prepare/fog_extent.h"
 
 namespace brume {
 namespace {
@@ -97,15 +98,17 @@ glm::dvec3 View::shift_on_film(QPointF pixels) const {
 std::optional<std::size_t> View::visible_surface(QPointF position) {
   const CameraRays view = rays();
   const glm::dvec3 origin = view.origin(position.x(), position.y());
-  const auto surface = surfaces_.hit(origin, view.direction(position.x(), position.y()));
+  const glm::dvec3 direction = view.direction(position.x(), position.y());
+  const auto surface = surfaces_.hit(origin, direction);
   if (!surface) return std::nullopt;
   const std::size_t index = surfaces_.index_of(*surface);
   if (document_.scene().surfaces[index].locked) return std::nullopt;
   const auto scene = document_.visible_snapshot();
-  double depth =
-      projection() == Projection::perspective
-          ? scene->medium.homogeneous_density() * glm::distance(origin, surface->position)
-          : 0.0;
+  const double distance = glm::distance(origin, surface->position);
+  const FogInterval in_fog = fog_of(*scene).interval(origin, direction);
+  double depth = projection() == Projection::perspective
+                     ? scene->medium.homogeneous_density() * in_fog.before(distance)
+                     : 0.0;
   depth /= mean(scene->optics.albedo);
   for (std::size_t i = 0; i < scene->medium.size() && depth < std::numbers::ln2; ++i) {
     const Gaussian gaussian = scene->medium.gaussian(i);

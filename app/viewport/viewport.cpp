@@ -13,8 +13,15 @@
 #include "app/viewport/legend.h"
 #include "app/viewport/view_services.h"
 #include "app/widgets/interface_settings.h"
+#include "render/prepare/fog_extent.h"
 
 namespace brume {
+namespace {
+
+// How far homogeneous fog reaches: faint.
+constexpr QRgb fog_outline_color = qRgba(200, 205, 215, 70);
+
+}  // namespace
 
 Viewport::Viewport(Document& document, ViewServices& services, Projection projection,
                    QWidget* parent)
@@ -158,6 +165,12 @@ void Viewport::draw_overlay() {
   // The perspective view looks through it, or came from there.
   if (projection() != Projection::perspective) {
     add_camera_outline(overlay, rays(), document_.scene().camera, document_.scene().film);
+  }
+  // Parallel views render without it.
+  const bool has_fog = projection() == Projection::perspective;
+  const auto scene = has_fog ? shown_scene() : document_.visible_snapshot();
+  if (const FogBall fog = fog_of(*scene); !fog.is_endless()) {
+    overlay.add_outline(rays(), {fog.center, fog.radius, 1.0}, fog_outline_color);
   }
   add_axes(overlay, rays(), film());
   surface_->show_overlay(overlay);

@@ -43,7 +43,8 @@ double Contribution::effect() const {
 
 std::vector<Contribution> contributions(const Medium& medium, const glm::dvec3& medium_albedo,
                                         const glm::dvec3& eye, const glm::dvec3& direction,
-                                        double distance, double min_effect) {
+                                        double distance, double min_effect,
+                                        const std::pair<double, double>& fog) {
   std::vector<Contribution> result;
   for (std::size_t i = 0; i < medium.size(); ++i) {
     if (is_far(medium, i, eye, direction)) continue;
@@ -69,8 +70,8 @@ std::vector<Contribution> contributions(const Medium& medium, const glm::dvec3& 
             [](const Contribution& a, const Contribution& b) { return a.distance < b.distance; });
   glm::dvec3 gaussians_in_front(0.0);
   for (Contribution& c : result) {
-    c.depth_in_front =
-        gaussians_in_front + medium.homogeneous_density() * c.distance / medium_albedo;
+    const double in_fog = std::max(std::min(c.distance, fog.second) - fog.first, 0.0);
+    c.depth_in_front = gaussians_in_front + medium.homogeneous_density() * in_fog / medium_albedo;
     const glm::dvec3 attenuated = glm::exp(-c.depth_in_front) * opacity(c.optical_depth);
     c.fraction = luminance(attenuated);
     c.emitted = medium.optics(c.index).emission * attenuated;

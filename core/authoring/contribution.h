@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "brume/scene.h"
@@ -24,11 +25,13 @@ struct Contribution {
 // The Gaussians on a ray (unit direction) up to `distance` [u], in descending order of effect.
 // Each is concentrated at its mean on the ray, attenuated by those in front. Those are skipped
 // whose optical depth, and what they emit unattenuated, is below `min_effect`. `medium_albedo`: of
-// Gaussians without their own.
+// Gaussians without their own. Homogeneous fog is from `fog`.first to `fog`.second on the ray [u].
 std::vector<Contribution> contributions(const Medium& medium, const glm::dvec3& medium_albedo,
                                         const glm::dvec3& eye, const glm::dvec3& direction,
                                         double distance = std::numeric_limits<double>::infinity(),
-                                        double min_effect = 1e-3);
+                                        double min_effect = 1e-3,
+                                        const std::pair<double, double>& fog = {
+                                            0.0, std::numeric_limits<double>::infinity()});
 
 // RGB radiance that the Gaussian scatters towards the eye from one point light, evaluated at its
 // mean on the ray and attenuated by the whole medium including b0 on both segments; surfaces are

@@ -50,6 +50,26 @@ class PanelsTest : public QObject {
     QVERIFY(document.scene() == after);
   }
 
+  void fog_reaches_as_far_as_the_view_or_an_extent() {
+    Desk desk;
+    Document& document = desk.document();
+    const Scene before = document.scene();
+    const auto extent = [&] { return document.scene().optics.extent; };
+    QVERIFY(!desk.findChild<ValueField*>("extent")->isEnabled());
+    click(desk, "endless_fog");
+    QVERIFY(extent() && *extent() > 0.0);
+    enter(desk, "extent", "12");
+    QCOMPARE(extent(), std::optional(12.0));
+    enter(desk, "extent", "0");  // refused
+    QCOMPARE(extent(), std::optional(12.0));
+    document.save(desk.file("extent.brume"));
+    QCOMPARE(load_scene(desk.file("extent.brume")).optics.extent, std::optional(12.0));
+    click(desk, "endless_fog");
+    QVERIFY(!extent());
+    QCOMPARE(document.undo_stack().count(), 3);
+    QVERIFY(is_undone(document, before));
+  }
+
   void an_environment_is_loaded_rotated_and_removed() {
     Desk desk;
     Document& document = desk.document();

@@ -1,11 +1,14 @@
 #include "app/panels/forms/medium_panel.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QFormLayout>
 #include <QMenu>
 #include <QPushButton>
 #include <QSettings>
 #include <array>
+#include <glm/geometric.hpp>
+#include <string_view>
 
 #include "app/commands/edit_medium.h"
 #include "app/commands/scene_part_command.h"
@@ -13,6 +16,7 @@
 #include "app/widgets/rows.h"
 #include "core/number_domain.h"
 #include "core/scene/fields/medium_fields.h"
+#include "core/scene/lights/point_lights.h"
 
 namespace brume {
 namespace {
@@ -43,6 +47,13 @@ constexpr std::array medium_presets{
                  glm::dvec3(0.21), 0.34},
 };
 
+// As far as light from far away crosses fog without an extent, whether there is such light or not.
+double derived_extent(const Scene& scene) {
+  const auto bounds = lit_bounds(scene);
+  const double diagonal = bounds ? glm::length(bounds->high - bounds->low) : 0.0;
+  return diagonal > 0.0 ? domain::length.nearest(diagonal) : 10.0;
+}
+
 }  // namespace
 
 MediumPanel::MediumPanel(Document& document, Scattering scattering, QWidget* parent)
@@ -58,17 +69,20 @@ MediumPanel::MediumPanel(Document& document, Scattering scattering, QWidget* par
               }});
   form->addRow(tr("Preset"), new_presets());
   const auto optics = [this]() -> const MediumOptics& { return document_.scene().optics; };
-  add_fields<MediumOptics>(
-      *form,
-      {.prefix = "",
-       .get = [optics] { return &optics(); },
-       .set =
-           [this](const MediumOptics& changed, const FieldInfo& info, MergeId gesture) {
-             set_scene_part(document_, changed, tr("Set %1").arg(field_label(info).toLower()),
-                            gesture);
-           },
-       .track = [](const Scene& scene,
-                   const FieldInfo& info) { return value_track<MediumOptics>(scene, info.name); }});
+  const Fields<MediumOptics> fields{
+      .prefix = "",
+      .get = [optics] { return &optics(); },
+      .set =
+          [this](const MediumOptics& changed, const FieldInfo& info, MergeId gesture) {
+            set_scene_part(document_, changed, tr("Set %1").arg(field_label(info).toLower()),
+                           gesture);
+          },
+      .track = [](const Scene& scene,
+                  const FieldInfo& info) { return value_track<MediumOptics>(scene, info.name); }};
+  visit_fields<MediumOptics>([&](const auto& field) {
+    if (std::string_view(field.info.name) == "extent") add_endless(*form);
+    add_field(*form, field, fields);
+  });
   fill_scattering(scattering);
   form->addRow(tr("Scattering"), scattering_);
   add_fields<Noise>(
@@ -92,6 +106,25 @@ void MediumPanel::change_optics(const QString& text, MergeId gesture,
   MediumOptics optics = document_.scene().optics;
   change(optics);
   set_scene_part(document_, std::move(optics), text, gesture);
+}
+
+void MediumPanel::add_endless(QFormLayout& form) {
+  auto* endless = named(new QCheckBox(tr("Homogeneous fog everywhere"), this), "endless_fog",
+                        tr("Without an extent: as far as the view; light from far away crosses as "
+                           "much of it as the scene is wide"));
+  form.addRow({}, endless);
+  connect(endless, &QCheckBox::clicked, this, [this](bool on) {
+    change_optics(tr("Set homogeneous extent"), no_merge, [&](MediumOptics& optics) {
+      optics.extent.reset();
+      if (on) {
+        optics.keys.extent.clear();
+      } else {
+        optics.extent = derived_extent(document_.scene());
+      }
+    });
+  });
+  on_refresh(
+      [this, endless] { endless->setChecked(!document_.scene().optics.extent.has_value()); });
 }
 
 QPushButton* MediumPanel::new_presets() {

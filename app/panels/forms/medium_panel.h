@@ -4,6 +4,7 @@
 #include "render/settings.h"
 
 class QComboBox;
+class QFormLayout;
 class QPushButton;
 
 namespace brume {
@@ -27,6 +28,8 @@ class MediumPanel : public SceneForm {
  private:
   void change_optics(const QString& text, MergeId gesture,
                      const std::function<void(MediumOptics&)>& change);
+  // A check box, and in its place the extent of the fog.
+  void add_endless(QFormLayout& form);
   QPushButton* new_presets();
   void fill_scattering(Scattering scattering);
 

@@ -63,9 +63,12 @@ void ContributionPanel::compute() {
   const glm::dvec3 direction = rays.direction(position_.x(), position_.y());
   const auto surface = view_->surfaces().hit(origin, direction);
   const auto scene = view_->shown_scene();
+  const FogBall near_fog = fog_of(*scene);
+  const FogInterval in_fog = near_fog.interval(origin, direction);
   const std::vector<Contribution> met = contributions(
       scene->medium, scene->optics.albedo, origin, direction,
-      surface ? glm::distance(surface->position, origin) : std::numeric_limits<double>::infinity());
+      surface ? glm::distance(surface->position, origin) : std::numeric_limits<double>::infinity(),
+      1e-3, {in_fog.begin, in_fog.end});
   if (met.empty()) return;
 
   const auto id = [&](const Contribution& c) { return scene->medium.ids()[c.index]; };
@@ -92,7 +95,7 @@ void ContributionPanel::compute() {
       const glm::dvec3 to_light = (light.position - place) / distance;
       const auto between = view_->surfaces().hit(place, to_light);
       if (between && glm::distance(between->position, place) < distance) continue;
-      const double fog_length = light.is_far ? fog.length(place, to_light) : infinity;
+      const double fog_length = (light.is_far ? fog : near_fog).length(place, to_light, distance);
       radiance +=
           scattered_radiance(*scene, facts.contribution, origin, direction, light, fog_length);
     }
