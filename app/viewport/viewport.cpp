@@ -146,6 +146,17 @@ void Viewport::show_camera_frame() {
                             tr("%1 · %2 × %3").arg(name).arg(film.width).arg(film.height));
 }
 
+const FogBall& Viewport::fog_ball() {
+  // Parallel views render without it.
+  const bool has_fog = projection() == Projection::perspective;
+  auto scene = has_fog ? shown_scene() : document_.visible_snapshot();
+  if (scene != fog_ball_of_) {
+    fog_ball_ = fog_of(*scene);
+    fog_ball_of_ = std::move(scene);
+  }
+  return fog_ball_;
+}
+
 void Viewport::draw_overlay() {
   Overlay overlay;
   if (!shows_overlay_) return surface_->show_overlay(overlay);
@@ -166,10 +177,7 @@ void Viewport::draw_overlay() {
   if (projection() != Projection::perspective) {
     add_camera_outline(overlay, rays(), document_.scene().camera, document_.scene().film);
   }
-  // Parallel views render without it.
-  const bool has_fog = projection() == Projection::perspective;
-  const auto scene = has_fog ? shown_scene() : document_.visible_snapshot();
-  if (const FogBall fog = fog_of(*scene); !fog.is_endless()) {
+  if (const FogBall& fog = fog_ball(); !fog.is_endless()) {
     overlay.add_outline(rays(), {fog.center, fog.radius, 1.0}, fog_outline_color);
   }
   add_axes(overlay, rays(), film());

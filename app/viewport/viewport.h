@@ -7,6 +7,7 @@
 #include "app/frames/frame_scheduler.h"
 #include "app/view/view.h"
 #include "app/view/view_input.h"
+#include "render/geometry/fog_ball.h"
 
 namespace brume {
 
@@ -67,12 +68,16 @@ class Viewport : public QWidget, public View {
   void show_camera_frame();
   void update_overlay() { overlay_timer_.start(0); }
   void draw_overlay();
+  // Where homogeneous fog is that has an extent; endless without.
+  const FogBall& fog_ball();
 
   const Document& document_;
   ViewportSurface* surface_;
   FrameScheduler frames_;
   ViewInput input_;
   QRubberBand band_;
+  std::shared_ptr<const Scene> fog_ball_of_;
+  FogBall fog_ball_;
   CameraFrame* camera_frame_;
   Legend* legend_;
   QTimer overlay_timer_;
