@@ -27,6 +27,7 @@ BELOW = ((0.0, -0.1, -1.0), (2.0, 0.05, 2.0))
 
 
 def far_gaussian(scene, _):
+    """Under a sun or a sky homogeneous fog ends farther away then, by paths, too."""
     eye, target = (scene["camera"][key] for key in ("eye", "target"))
     distance = sum((e - t) ** 2 for e, t in zip(eye, target)) ** 0.5
     behind = [e + 30.0 * (e - t) for e, t in zip(eye, target)]
