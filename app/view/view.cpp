@@ -126,8 +126,10 @@ std::optional<GaussianId> View::max_visible(QPointF position) {
   const double distance =
       surface ? glm::distance(surface->position, origin) : std::numeric_limits<double>::infinity();
   const auto scene = document_.visible_snapshot();
-  for (const Contribution& met : contributions(scene->medium, scene->optics.albedo, origin,
-                                               direction, distance, min_effect)) {
+  const FogInterval in_fog = fog_of(*scene).interval(origin, direction);
+  for (const Contribution& met :
+       contributions(scene->medium, scene->optics.albedo, origin, direction, distance, min_effect,
+                     {in_fog.begin, in_fog.end})) {
     const GaussianId id = scene->medium.ids()[met.index];
     if (document_.is_editable(id)) return id;
   }

@@ -18,7 +18,7 @@
 namespace brume {
 namespace {
 
-// How far homogeneous fog reaches: faint.
+// The outline of homogeneous fog is faint.
 constexpr QRgb fog_outline_color = qRgba(200, 205, 215, 70);
 
 }  // namespace

@@ -29,6 +29,10 @@ StandaloneTerm::StandaloneTerm(const Gaussian& g) {
   term_ = {1.0 / g.radius, g.density, g.center, ellipsoid_ ? &*ellipsoid_ : nullptr};
 }
 
+double central_depth(const GaussianTerm<double>& term) {
+  return term.c * mean_radius_of(term) * std::sqrt(std::numbers::pi);
+}
+
 double mean_radius_of(const GaussianTerm<double>& term) {
   if (!term.ellipsoid) return 1.0 / term.a;
   const glm::dvec3& s = term.ellipsoid->stretch;

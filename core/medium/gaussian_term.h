@@ -113,6 +113,8 @@ double volume_of(const GaussianTerm<double>& term);
 // Gaussian::mean_radius() of a term, and the smallest of its radii.
 double mean_radius_of(const GaussianTerm<double>& term);
 double min_radius_of(const GaussianTerm<double>& term);
+// Optical depth along a line through the center, in the mean over the shape.
+double central_depth(const GaussianTerm<double>& term);
 
 // The Gaussian of a term.
 Gaussian gaussian_of(const GaussianTerm<double>& term);

@@ -14,11 +14,11 @@ struct FogInterval {
   double begin = 0.0;
   double end = infinity;
 
-  // Of what lies between two places of the ray.
+  // The length of it between two places of the ray.
   [[nodiscard]] double overlap(double first, double last) const {
     return std::max(std::min(end, last) - std::max(begin, first), 0.0);
   }
-  // Of what lies before a place.
+  // The length of it before a place.
   [[nodiscard]] double before(double t) const { return overlap(0.0, t); }
   [[nodiscard]] bool contains(double t) const { return begin < end && t >= begin && t <= end; }
 };
@@ -57,6 +57,8 @@ struct FogBall {
   [[nodiscard]] double mean_length(const glm::dvec3& x) const {
     const double s = glm::length(x - center) / radius;
     if (s < 1e-4) return radius;
+    // Far outside the logarithm cancels.
+    if (s > 10.0) return radius / (3.0 * s * s) * (1.0 + 0.2 / (s * s));
     const double gap = std::abs(1.0 - s);
     return 0.5 * radius *
            (1.0 + (gap > 0.0 ? (1.0 - s * s) / (2.0 * s) * std::log((1.0 + s) / gap) : 0.0));

@@ -61,7 +61,7 @@ class MediumIndex {
  public:
   MediumIndex(const Medium& medium, const CullingTolerance& tolerance, double anisotropy = 0.0);
 
-  // Of all but its noise and where its fog is.
+  // Changes with all but the noise and where fog is.
   [[nodiscard]] Revision revision() const { return revision_; }
   [[nodiscard]] std::size_t size() const { return gaussians_.size(); }
   [[nodiscard]] std::span<const GaussianTerm<double>> gaussians() const { return gaussians_.all(); }
@@ -91,9 +91,9 @@ class MediumIndex {
   [[nodiscard]] double negligible_depth() const {
     return b0_ > 0.0 ? 0.0 : 1e-3 * tolerance_.depth;
   }
-  // b0, where homogeneous fog is [1/u].
+  // The density b0 of homogeneous fog [1/u].
   [[nodiscard]] double homogeneous_density() const { return b0_; }
-  // Where it is; everywhere by default; changing it needs no new index.
+  // Where that fog is: everywhere by default. Changing it needs no new index.
   [[nodiscard]] const FogBall& fog() const { return fog_; }
   void set_fog(const FogBall& fog) { fog_ = fog; }
   [[nodiscard]] double homogeneous_density_at(const glm::dvec3& x) const {

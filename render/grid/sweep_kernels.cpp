@@ -205,13 +205,16 @@ struct Seen {
     }
   }
   [[nodiscard]] float mean() const { return weight > 0.0f ? sum / weight : 0.0f; }
-  // Whether a shadow's edge may be here: not all of it is lit, nor all dark.
+  // Whether a shadow's edge may be here: some of it is lit, and some hidden or dark.
   [[nodiscard]] bool is_penumbra() const {
     constexpr float darkest = 0.01f;
-    return most > darkest && (weight < 1.0f - min_weight || least < 0.9f * most);
+    return most > darkest && (weight < 1.0f - min_weight || is_partly_dark());
   }
+  // Of what is lit.
+  [[nodiscard]] float lit_mean() const { return is_partly_dark() ? most : mean(); }
 
  private:
+  [[nodiscard]] bool is_partly_dark() const { return least < 0.5f * most; }
   static constexpr float min_weight = 0.01f;
 };
 
@@ -315,7 +318,7 @@ void SweepTransmittance(const GridNodes& nodes, std::span<const float> density, 
         float incoming = seen.sum;
         if (occlusion.is_lit && seen.is_penumbra()) {
           const std::ptrdiff_t i = row + static_cast<std::ptrdiff_t>(u) * sweep.axes.step_u;
-          incoming = occlusion.is_lit(static_cast<std::size_t>(i)) ? seen.most : 0.0f;
+          incoming = occlusion.is_lit(static_cast<std::size_t>(i)) ? seen.lit_mean() : 0.0f;
         }
         const float far = Seen(upwind, node, b.before, u, v).mean();
         const float depth = 0.5f * sweep.length * (b.now.row(v)[u] + far);

@@ -116,7 +116,7 @@ double escaping_share(const Cluster& cluster, const MediumIndex& medium) {
     // Of optical depth T through its center, it lets out Ein(T) / T. What others then let through
     // is found from six points: Gauss' rule of two of a normal distribution, along each axis.
     const GaussianTerm<double>& g = medium.gaussians()[emitter.index];
-    const double depth = g.c * mean_radius_of(g) * std::sqrt(std::numbers::pi);
+    const double depth = central_depth(g);
     const double out = depth > 0.0 ? entire_exponential_integral(depth) / depth : 1.0;
     const double offset = std::sqrt(1.5) / g.a;
     const glm::dmat3 axes = g.ellipsoid ? g.ellipsoid->axes : glm::dmat3(1.0);

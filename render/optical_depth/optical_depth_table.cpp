@@ -7,7 +7,6 @@
 #include <atomic>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <numbers>
 
 #include "core/math/substantial.h"
 #include "render/optical_depth/increment_kernels.h"
@@ -52,9 +51,8 @@ OpticalDepthTableLayout::OpticalDepthTableLayout(const MediumIndex& medium, cons
   std::vector<GaussianExtent> extents;
   for (std::size_t i = 0; i < medium.size(); ++i) {
     const TableGaussian& g = gaussians.emplace_back(medium, i);
-    const GaussianTerm<double>& term = medium.gaussians()[i];
     extents.push_back({g.center - g.cutoff_radius, g.center + g.cutoff_radius,
-                       term.c * mean_radius_of(term) * std::sqrt(std::numbers::pi)});
+                       central_depth(medium.gaussians()[i])});
   }
   std::vector<Ball> balls;
   std::vector<double> distances;

@@ -19,18 +19,26 @@ std::string length_text(double length) {
   return text.str();
 }
 
+// Of the mean albedo [1/u].
+double extinction_of_fog(const Scene& scene) {
+  const glm::dvec3& albedo = scene.optics.albedo;
+  return scene.medium.homogeneous_density() * 3.0 / (albedo.x + albedo.y + albedo.z);
+}
+
 }  // namespace
 
 double transmittance_of_fog(const Scene& scene) {
   const FogExtent extent(scene);
   if (!extent.has_far_light()) return 1.0;
-  return std::exp(-scene.medium.homogeneous_density() * extent.surface_distance());
+  return std::exp(-extinction_of_fog(scene) * extent.surface_distance());
 }
 
 std::optional<std::string> deep_fog_text(const Scene& scene) {
   const double transmittance = transmittance_of_fog(scene);
   if (transmittance >= 0.5) return std::nullopt;
   const double reach = FogExtent(scene).surface_distance();
+  const double half =
+      std::numbers::ln2 / extinction_of_fog(scene);  // the length that lets it through
   std::ostringstream text;
   text << "the homogeneous fog lets ";
   if (transmittance < 1e-3) {
@@ -41,10 +49,9 @@ std::optional<std::string> deep_fog_text(const Scene& scene) {
   text << "% of the light from far away through to the middle of the scene, for it reaches "
        << length_text(reach) << " u, "
        << (scene.optics.extent ? "the medium's extent" : "as far as all that is in the scene")
-       << "; a homogeneous density of " << std::setprecision(2) << std::numbers::ln2 / reach
-       << ", or a medium.extent of "
-       << length_text(std::numbers::ln2 / scene.medium.homogeneous_density())
-       << ", would let half of it through";
+       << "; a homogeneous density of " << std::setprecision(2)
+       << scene.medium.homogeneous_density() * half / reach << ", or a medium.extent of "
+       << length_text(half) << ", would let half of it through";
   return text.str();
 }
 

@@ -1,6 +1,7 @@
 #include "render/prepare/fog_extent.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -61,31 +62,39 @@ Box with_space_around(const Box& box) {
   return {box.low - margin, box.high + margin};
 }
 
-// Ends a box where the surfaces do on sides where they hide most of what is there from these
-// places.
-Box without_hidden_space(Box box, const RayCaster& surfaces, std::span<const glm::dvec3> places) {
+// The sides of the surfaces' bounds on which they hide most of what is there from these places: of
+// each axis the low one and the high one.
+using HiddenSides = std::array<std::array<bool, 2>, 3>;
+HiddenSides hidden_sides(const RayCaster& surfaces, std::span<const glm::dvec3> places) {
   constexpr double hidden_share = 0.5;  // a place may be beside an open end
-  constexpr double margin = 1.0 / 64.0;
-  constexpr double steep = 0.5;  // cosine of directions that count for a side
+  constexpr double steep = 0.5;         // cosine of directions that count for a side
   const std::vector<SphereNode> directions = sphere_rule(9);
-  const Box& all = surfaces.bounds();
+  HiddenSides hidden;
+  for (std::size_t k = 0; k < 6; ++k) {
+    const int axis = static_cast<int>(k / 2);
+    const double side = k % 2 == 0 ? -1.0 : 1.0;
+    hidden[k / 2][k % 2] = std::ranges::all_of(places, [&](const glm::dvec3& place) {
+      double sum = 0.0;
+      double behind = 0.0;
+      for (const SphereNode& node : directions) {
+        if (side * node.direction[axis] < steep) continue;
+        sum += node.weight;
+        if (surfaces.first_hit(place, node.direction)) behind += node.weight;
+      }
+      return behind > hidden_share * sum;
+    });
+  }
+  return hidden;
+}
+
+// Ends a box soon beyond the bounds of surfaces on sides that they hide.
+Box without_hidden_space(Box box, const Box& surfaces, const HiddenSides& hidden) {
+  constexpr double margin = 1.0 / 64.0;
   const double beyond = margin * longest_side(box);
   for (int axis = 0; axis < 3; ++axis) {
-    for (const double side : {-1.0, 1.0}) {
-      const bool is_hidden = std::ranges::all_of(places, [&](const glm::dvec3& place) {
-        double sum = 0.0;
-        double hidden = 0.0;
-        for (const SphereNode& node : directions) {
-          if (side * node.direction[axis] < steep) continue;
-          sum += node.weight;
-          if (surfaces.first_hit(place, node.direction)) hidden += node.weight;
-        }
-        return hidden > hidden_share * sum;
-      });
-      if (!is_hidden) continue;
-      if (side < 0.0) box.low[axis] = std::max(box.low[axis], all.low[axis] - beyond);
-      if (side > 0.0) box.high[axis] = std::min(box.high[axis], all.high[axis] + beyond);
-    }
+    const auto& [low, high] = hidden[static_cast<std::size_t>(axis)];
+    if (low) box.low[axis] = std::max(box.low[axis], surfaces.low[axis] - beyond);
+    if (high) box.high[axis] = std::min(box.high[axis], surfaces.high[axis] + beyond);
   }
   return box;
 }
@@ -119,12 +128,17 @@ Box finest_fog_bounds(const RayCaster& surfaces, std::span<const PointLight> lig
   // All levels of a grid reach some 400 times as far as the finest.
   constexpr double min_share = 1.0 / 128.0;
   const Box& all = surfaces.bounds();
-  std::vector<glm::dvec3> places{eye};
+  std::vector<glm::dvec3> places;
+  std::vector<double> clearances;
   for (const PointLight& light : lights) {
-    if (!light.is_far) places.push_back(light.position);
+    if (light.is_far) continue;
+    places.push_back(light.position);
+    clearances.push_back(clearance(surfaces, light.position));
   }
+  const HiddenSides hidden = hidden_sides(
+      surfaces, places.empty() ? std::span(&eye, 1) : std::span(std::as_const(places)));
   const auto with_space = [&](const Box& box) {
-    return without_hidden_space(with_space_around(box), surfaces, places);
+    return without_hidden_space(with_space_around(box), all, hidden);
   };
   const auto volume = [](const Box& box) {
     const glm::dvec3 sides = box.high - box.low;
@@ -132,16 +146,15 @@ Box finest_fog_bounds(const RayCaster& surfaces, std::span<const PointLight> lig
   };
   const double least = 0.5 * min_share * std::max(longest_side(all), 2.0 * reach);
   const Box whole = with_space(all);
-  for (const double clearances : {8.0, 4.0}) {
+  for (const double reach_of_light : {8.0, 4.0}) {  // in clearances
     Box box{glm::dvec3(infinity), glm::dvec3(-infinity)};
     const auto add = [&box](const glm::dvec3& low, const glm::dvec3& high) {
       box.low = glm::min(box.low, low);
       box.high = glm::max(box.high, high);
     };
-    for (const PointLight& light : lights) {
-      if (light.is_far) continue;
-      const glm::dvec3 around(std::max(clearances * clearance(surfaces, light.position), least));
-      add(light.position - around, light.position + around);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const glm::dvec3 around(std::max(reach_of_light * clearances[i], least));
+      add(places[i] - around, places[i] + around);
     }
     if (room) {
       const glm::dvec3 middle = 0.5 * (room->low + room->high);

@@ -15,10 +15,10 @@
 namespace brume {
 
 // Extent of the homogeneous fog. With `medium.extent` it is a ball around the middle of the scene:
-// of the bounding box of surfaces and Gaussians (3 radii each), or the origin without any. Else
+// of lit_bounds(), or the origin without any. Else
 // view rays and near lights cross it all the way, and it is infinite without an environment or a
 // directional light, which infinite fog would hide; for their light it ends at the distance D of
-// eq. 26: the diagonal of that box, or 1 / b0 without it.
+// eq. 26: the diagonal of these bounds, or 1 / b0 without it.
 class FogExtent {
  public:
   explicit FogExtent(const Scene& scene);
@@ -57,8 +57,8 @@ Box fog_bounds(double b0, std::span<const PointLight> lights);
 // surfaces, some times as far as these are, but no less than coarser levels can go on from: to all
 // surfaces, and as far as fog scatters (`reach`); and the room around the eye, if it is in one. All
 // of the bounds if that would save little. With space above what is flat, but none on sides where
-// surfaces hide it from the eye and the lights: nodes below a ground or behind the walls of a
-// tunnel would be lost. It stays while lights move a little.
+// surfaces hide it from these lights, or without any from the eye: nodes below a ground or behind
+// the walls of a tunnel would be lost. It stays while lights move a little.
 Box finest_fog_bounds(const RayCaster& surfaces, std::span<const PointLight> lights,
                       const std::optional<Box>& room, const glm::dvec3& eye, double reach);
 // Bounds of the surfaces that hide nine tenths of the directions around a place, but for those as

@@ -168,8 +168,7 @@ Box within(const Box& box, const FogBall& fog) {
   if (fog.is_endless()) return box;
   const Box part{glm::max(box.low, fog.center - fog.radius),
                  glm::min(box.high, fog.center + fog.radius)};
-  const bool is_empty = glm::any(glm::greaterThan(part.low, part.high)) || part.low == part.high;
-  return is_empty ? box : part;
+  return glm::any(glm::greaterThanEqual(part.low, part.high)) ? box : part;
 }
 
 }  // namespace
@@ -189,10 +188,11 @@ Box FrameStages::lit_fog(const FrameContext& work) const {
                           scattering_reach(b0, work.fog_extent.ball()));
     return within(box, work.fog_extent.fog());
   }
-  if (const FogBall& ball = work.fog_extent.ball(); !ball.is_endless()) {
+  // What is lit from far away is lit wherever there is fog.
+  const FogBall& ball = work.fog_extent.ball();
+  if (work.fog_extent.has_far_light())
     return {ball.center - ball.radius, ball.center + ball.radius};
-  }
-  return fog_bounds(prepared_.medium().homogeneous_density(), work.plan.lights);
+  return within(fog_bounds(prepared_.medium().homogeneous_density(), work.plan.lights), ball);
 }
 
 IncidentOptics FrameStages::incident_optics(const FrameContext& work) const {

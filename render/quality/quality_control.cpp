@@ -24,8 +24,12 @@ QualityControl::Measures measures_of(const Scene& scene) {
   }
   const auto lights =
       std::ranges::count(scene.lights, true, &Light::on) + (scene.environment ? 1 : 0);
-  return {static_cast<double>(lights), static_cast<double>(scene.medium.size()), depth,
-          scene.medium.homogeneous_density(), scene.optics.noise.amplitude};
+  return {static_cast<double>(lights),
+          static_cast<double>(scene.medium.size()),
+          depth,
+          scene.medium.homogeneous_density(),
+          scene.optics.extent.value_or(0.0),
+          scene.optics.noise.amplitude};
 }
 
 bool much_different(double a, double b) {

@@ -17,7 +17,7 @@ namespace brume {
 class QualityControl {
  public:
   // Measures to decide whether a scene has changed much.
-  using Measures = std::array<double, 5>;
+  using Measures = std::array<double, 6>;
 
   struct Trial {
     Settings settings;

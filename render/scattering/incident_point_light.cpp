@@ -72,8 +72,8 @@ class PointsAroundLight {
 
  private:
   // Over the cells around a point at distance r: the mean of falloff / r^2 relative to that of
-  // 1 / r^2, so that an edge between nodes lights its share of both. Not across a surface, by its
-  // normal: lamps below a ceiling would light what is above them.
+  // 1 / r^2, so that an edge between nodes lights its share of both. Points of a surface, which
+  // have its normal, lie along it: else lamps below a ceiling would light what is above them.
   [[nodiscard]] double mean_falloff(const glm::dvec3& point, const glm::dvec3& normal, double r,
                                     double spacing) const {
     const LightFalloff& falloff = light_.source.falloff;

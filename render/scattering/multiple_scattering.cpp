@@ -305,7 +305,7 @@ bool MultipleScattering::update(const Input& input, const Job& job) {
     std::optional<NodeLight> outside;
     if (!outer.empty()) {
       // Through windows comes what few directions see.
-      const int degree = level.surfaces ? input.limits.light_degree : degrees.rest;
+      const int degree = level.surfaces ? degrees.first : degrees.rest;
       outside = scatter_into(media[k], outer, phase, degree, job);
       add(outside->values, light.incident.values);
       if (level.surfaces) add(reflected_light(*level.surfaces, *outside), light.reflected);

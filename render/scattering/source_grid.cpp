@@ -32,8 +32,7 @@ std::vector<GaussianExtent> extents_of(std::span<const GaussianTerm<double>> gau
   for (const GaussianTerm<double>& g : gaussians) {
     const glm::dvec3 reach =
         fine_grid_radii / g.a * (g.ellipsoid ? g.ellipsoid->reach() : glm::dvec3(1.0));
-    const double depth = g.c * mean_radius_of(g) * std::sqrt(std::numbers::pi);
-    extents.push_back({g.b - reach, g.b + reach, depth});
+    extents.push_back({g.b - reach, g.b + reach, central_depth(g)});
   }
   if (!content.emission) return extents;
   for (const EmissionLights::Light& light : content.emission->lights()) {
@@ -131,7 +130,7 @@ glm::dvec3 last_position(const SourceGrid::Level& level) {
   return node_position(level, level.nodes.size() - 1);
 }
 
-// Of light from direction w.
+// The occlusion that light from direction w meets.
 SweepOcclusion occlusion_of(const SourceGrid::Level& level, const LevelOcclusion* surfaces,
                             const glm::dvec3& w) {
   if (!level.surfaces) return {};
@@ -257,7 +256,7 @@ void fill(SourceGrid::Level& level, const SourceGrid::Level* coarse,
 double escaping_share(const GaussianTerm<double>& g, float spacing) {
   const double radius = mean_radius_of(g);
   const double share = std::min(radius / static_cast<double>(spacing), 1.0);
-  const double depth = g.c * radius * std::sqrt(std::numbers::pi);
+  const double depth = central_depth(g);
   if (share == 1.0 || !(depth > 0.0)) return 1.0;
   const double widened = depth * share * share;
   if (!(widened > 0.0)) return 1.0;

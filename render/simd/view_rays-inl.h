@@ -69,7 +69,7 @@ HWY_INLINE V3<V> FromPosition(const Rays& rays, V t, const glm::vec3& position) 
   return {mul_sub(t, rays.w.x, s.x), mul_sub(t, rays.w.y, s.y), mul_sub(t, rays.w.z, s.z)};
 }
 
-// Where rays are in fog.
+// The intervals of rays in fog.
 template <class Rays, class V = typename Rays::V>
 HWY_INLINE FogInterval<V> FogOnRays(const Rays& rays, const BatchFog& fog) {
   return fog_interval(FromPosition(rays, lanes<V>(0.0f), fog.center), rays.w, fog.radius);

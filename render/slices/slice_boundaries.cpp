@@ -270,7 +270,7 @@ void choose_slices(const MediumIndex& medium, std::span<const std::uint32_t> gau
   extent.clip(max_length);
   core.clip(max_length);
   const double b0 = medium.homogeneous_density();
-  RayRange full_range = extent;
+  RayRange full_range = extent.empty() ? RayRange() : extent;
   const FogDemand fog = b0 > 0.0 ? fog_demand(medium.fog(), rays, b0) : FogDemand();
   if (!fog.range.empty()) {
     full_range.add(fog.range.begin, fog.range.end);

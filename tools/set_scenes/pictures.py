@@ -59,9 +59,9 @@ def difference(picture, one, other):
     squares = blocks(products(less(picture, one), less(picture, other)))
     power = sum(products(one, other))
     if power <= 0.0:
-        black = not any(map(any, picture))
-        return {"error": 0.0 if black else float("inf"), "low": 0.0, "high": 0.0, "bias": 0.0,
-                "blocks": 0.0, "noise": 0.0}
+        error = float("inf") if any(map(any, picture)) else 0.0
+        return {"error": error, "low": error, "high": error, "bias": 0.0, "blocks": error,
+                "noise": 0.0}
     spread = statistics.stdev(squares) * len(squares) ** 0.5
     means = [[blocks(channel) for channel in zip(*values)] for values in (picture, one, other)]
     errors, noises = [], []

@@ -47,7 +47,8 @@ constexpr std::array medium_presets{
                  glm::dvec3(0.21), 0.34},
 };
 
-// As far as light from far away crosses fog without an extent, whether there is such light or not.
+// The diagonal of all that is in the scene, after which light from far away crosses no fog without
+// an extent; 10 if there is nothing.
 double derived_extent(const Scene& scene) {
   const auto bounds = lit_bounds(scene);
   const double diagonal = bounds ? glm::length(bounds->high - bounds->low) : 0.0;

@@ -28,7 +28,7 @@ class MediumPanel : public SceneForm {
  private:
   void change_optics(const QString& text, MergeId gesture,
                      const std::function<void(MediumOptics&)>& change);
-  // A check box, and in its place the extent of the fog.
+  // Adds a check box and, for fog that is not endless, its extent.
   void add_endless(QFormLayout& form);
   QPushButton* new_presets();
   void fill_scattering(Scattering scattering);
