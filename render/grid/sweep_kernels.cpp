@@ -205,16 +205,18 @@ struct Seen {
     }
   }
   [[nodiscard]] float mean() const { return weight > 0.0f ? sum / weight : 0.0f; }
-  // Whether a shadow's edge may be here: some of it is lit, and some hidden or dark.
-  [[nodiscard]] bool is_penumbra() const {
+  // Whether a shadow's edge may be here: some of it is lit, and some hidden or below this share of
+  // the most.
+  [[nodiscard]] bool is_penumbra(float lit_share) const {
     constexpr float darkest = 0.01f;
-    return most > darkest && (weight < 1.0f - min_weight || is_partly_dark());
+    return most > darkest && (weight < 1.0f - min_weight || least < lit_share * most);
   }
-  // Of what is lit.
-  [[nodiscard]] float lit_mean() const { return is_partly_dark() ? most : mean(); }
+  // What is lit of it.
+  [[nodiscard]] float lit(float lit_share) const {
+    return least < lit_share * most ? most : mean();
+  }
 
  private:
-  [[nodiscard]] bool is_partly_dark() const { return least < 0.5f * most; }
   static constexpr float min_weight = 0.01f;
 };
 
@@ -315,13 +317,15 @@ void SweepTransmittance(const GridNodes& nodes, std::span<const float> density, 
           here *= seen.weight;
           return;
         }
-        float incoming = seen.sum;
-        if (occlusion.is_lit && seen.is_penumbra()) {
-          const std::ptrdiff_t i = row + static_cast<std::ptrdiff_t>(u) * sweep.axes.step_u;
-          incoming = occlusion.is_lit(static_cast<std::size_t>(i)) ? seen.lit_mean() : 0.0f;
-        }
         const float far = Seen(upwind, node, b.before, u, v).mean();
         const float depth = 0.5f * sweep.length * (b.now.row(v)[u] + far);
+        // Where the medium is dense it makes neighbours differ, too.
+        const float lit_share = depth < 0.05f ? 0.9f : 0.5f;
+        float incoming = seen.sum;
+        if (occlusion.is_lit && seen.is_penumbra(lit_share)) {
+          const std::ptrdiff_t i = row + static_cast<std::ptrdiff_t>(u) * sweep.axes.step_u;
+          incoming = occlusion.is_lit(static_cast<std::size_t>(i)) ? seen.lit(lit_share) : 0.0f;
+        }
         here = incoming * std::exp(-depth);
       });
       sweep.write(light.now.row(v), transmittance.data() + row);
