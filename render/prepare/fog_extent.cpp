@@ -167,6 +167,15 @@ Box finest_fog_bounds(const RayCaster& surfaces, std::span<const PointLight> lig
   return whole;
 }
 
+bool is_indoors(const RayCaster& surfaces, const glm::dvec3& place) {
+  constexpr double hidden_share = 0.75;
+  double hidden = 0.0;
+  for (const SphereNode& node : sphere_rule(11)) {
+    if (surfaces.first_hit(place, node.direction)) hidden += node.weight;
+  }
+  return hidden >= hidden_share * 4.0 * std::numbers::pi;
+}
+
 std::optional<Box> room_around(const RayCaster& surfaces, const glm::dvec3& place) {
   constexpr double closed_share = 0.9;
   constexpr double corners = 1.5;  // no farther than so many times what is closed

@@ -65,5 +65,7 @@ Box finest_fog_bounds(const RayCaster& surfaces, std::span<const PointLight> lig
 // wide as a ground; nullopt if it is in the open, or if they are more than a third as wide as
 // all surfaces: then nodes for all of these do.
 std::optional<Box> room_around(const RayCaster& surfaces, const glm::dvec3& place);
+// Whether surfaces hide three quarters of the directions around a place.
+bool is_indoors(const RayCaster& surfaces, const glm::dvec3& place);
 
 }  // namespace brume

@@ -143,12 +143,14 @@ SourceFunction::Multiple FrameStages::multiple_scattering(FrameContext& work, St
   const bool has_surfaces = work.plan.runs(Stage::visibility);
   emission_lights_.update(prepared_.medium(), work.group.albedo,
                           has_surfaces ? prepared_.ray_caster().bounds() : Box{}, work.job);
-  SourceFunction::Multiple multiple{{},
-                                    &emission_lights_,
-                                    work.group.albedo,
-                                    has_surfaces ? &prepared_.ray_caster() : nullptr,
-                                    work.scene.surfaces,
-                                    work.settings.scattering_limits};
+  SourceFunction::Multiple multiple{
+      {},
+      &emission_lights_,
+      work.group.albedo,
+      has_surfaces ? &prepared_.ray_caster() : nullptr,
+      work.scene.surfaces,
+      work.settings.scattering_limits,
+      has_surfaces && is_indoors(prepared_.ray_caster(), work.rays.eye())};
   for (PointSource& source : work.sources()) {
     const OpticalDepthTable* const table =
         work.plan.runs(Stage::light_table)

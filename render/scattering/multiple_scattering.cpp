@@ -251,7 +251,8 @@ bool MultipleScattering::update(const Input& input, const Job& job) {
           input.fog_density,
           input.surfaces_revision,
           input.limits,
-          input.motion.warm_start};
+          input.motion.warm_start,
+          input.through_windows};
   for (const Light& light : input.lights) {
     key.lights.push_back({light.position, light.intensity,
                           light.table ? light.table->revision() : 0, light.falloff, light.fog});
@@ -304,8 +305,7 @@ bool MultipleScattering::update(const Input& input, const Job& job) {
     }
     std::optional<NodeLight> outside;
     if (!outer.empty()) {
-      // Through windows comes what few directions see.
-      const int degree = level.surfaces ? degrees.first : degrees.rest;
+      const int degree = input.through_windows ? degrees.first : degrees.rest;
       outside = scatter_into(media[k], outer, phase, degree, job);
       add(outside->values, light.incident.values);
       if (level.surfaces) add(reflected_light(*level.surfaces, *outside), light.reflected);

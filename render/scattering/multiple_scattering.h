@@ -39,6 +39,7 @@ class MultipleScattering {
     Revision surfaces_revision;
     ScatteringLimits limits;
     Motion motion;
+    bool through_windows;  // light comes from few directions
   };
   // False, and empty, if the job was stopped.
   bool update(const Input& input, const Job& job);
@@ -72,6 +73,7 @@ class MultipleScattering {
     Revision surfaces = 0;
     ScatteringLimits limits;
     bool warm_start = false;
+    bool through_windows = false;
 
     bool operator==(const Key&) const = default;
     [[nodiscard]] bool is_but_for_tables(const Key& other) const;

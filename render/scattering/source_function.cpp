@@ -16,8 +16,8 @@ namespace {
 
 using std::numbers::pi;
 
-// So many times as many directions where light is swept between surfaces: of all that a window lets
-// in is lit by few.
+// So many times as many directions of light that comes through windows: what these let in is lit by
+// few of all.
 constexpr std::size_t directions_through_windows = 4;
 
 // In rows as fine as the phase function is narrow, 2 R columns of R rows.
@@ -130,24 +130,26 @@ bool SourceFunction::make_grid(const Input& input, const Job& job) {
     surfaces = &occlusion_;
     occlusion_.set(*input.multiple->ray_caster, input.multiple->surfaces);
   }
+  const bool through_windows = input.multiple && input.multiple->through_windows;
   const Revision surfaces_revision = surfaces ? occlusion_.revision() : 0;
   const Revision emission = input.multiple ? input.multiple->emission->revision() : 0;
   const bool same_light =
       grid_ && same_map && anisotropy_ == input.anisotropy && size_ == input.size;
-  const bool same =
-      same_light && (!environment || environment_->rotation == environment->rotation) &&
-      has_same(input.receivers) && scene_medium_ == input.scene_medium &&
-      (input.motion.any_source_precision ||
-       (medium_ == input.medium.revision() && emission_ == emission)) &&
-      fog_ball_ == input.fog_ball && in_fog_ == input.in_fog && extinction_ == extinction &&
-      keeps_transmitted_ == input.multiple.has_value() && surfaces_revision_ == surfaces_revision;
+  const bool same = same_light &&
+                    (!environment || environment_->rotation == environment->rotation) &&
+                    has_same(input.receivers) && scene_medium_ == input.scene_medium &&
+                    (input.motion.any_source_precision ||
+                     (medium_ == input.medium.revision() && emission_ == emission)) &&
+                    fog_ball_ == input.fog_ball && in_fog_ == input.in_fog &&
+                    extinction_ == extinction && keeps_transmitted_ == input.multiple.has_value() &&
+                    surfaces_revision_ == surfaces_revision && through_windows_ == through_windows;
   environment_.reset();
   if (environment) environment_ = *environment;
   if (same) return true;
   if (!environment) {
     light_ = {};
   } else {
-    const std::size_t more = surfaces ? directions_through_windows : 1;
+    const std::size_t more = through_windows ? directions_through_windows : 1;
     read_map(environment->map, input.anisotropy, more * input.size.directions, job);
   }
   medium_ = input.medium.revision();
@@ -161,6 +163,7 @@ bool SourceFunction::make_grid(const Input& input, const Job& job) {
   keeps_transmitted_ = input.multiple.has_value();
   emission_ = emission;
   surfaces_revision_ = surfaces_revision;
+  through_windows_ = through_windows;
   anisotropy_ = input.anisotropy;
   receivers_ = input.receivers;
   size_ = input.size;
@@ -196,7 +199,7 @@ bool SourceFunction::add_multiple(const Input& input, const Job& job) {
   if (!multiple_.update(
           {*grid_, environment_ ? scale : 0.0, multiple.lights, multiple.emission->lights(),
            multiple.albedo, anisotropy_, input.medium.homogeneous_density(), multiple.ray_caster,
-           occlusion_.revision(), multiple.limits, input.motion},
+           occlusion_.revision(), multiple.limits, input.motion, multiple.through_windows},
           job)) {
     return false;
   }

@@ -44,6 +44,7 @@ class SourceFunction {
     const RayCaster* ray_caster;  // of the surfaces; null: there are none
     std::span<const Surface> surfaces;
     ScatteringLimits limits;
+    bool through_windows = false;  // most of what is around the eye are surfaces
   };
   struct Input {
     const Environment* environment;  // null: none
@@ -134,6 +135,7 @@ class SourceFunction {
   Revision medium_ = 0;
   Revision scene_medium_ = 0;
   FogBall fog_ball_;
+  bool through_windows_ = false;
   Box in_fog_;
   double extinction_ = 1.0;
   double albedo_ = 1.0;
