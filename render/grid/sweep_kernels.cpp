@@ -211,7 +211,7 @@ struct Seen {
     constexpr float darkest = 0.01f;
     return most > darkest && (weight < 1.0f - min_weight || least < lit_share * most);
   }
-  // What is lit of it.
+  // The light of those that are lit.
   [[nodiscard]] float lit(float lit_share) const {
     return least < lit_share * most ? most : mean();
   }

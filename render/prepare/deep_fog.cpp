@@ -19,10 +19,10 @@ std::string length_text(double length) {
   return text.str();
 }
 
-// Of the mean albedo [1/u].
+// The extinction of homogeneous fog, by the mean of its albedo [1/u].
 double extinction_of_fog(const Scene& scene) {
   const glm::dvec3& albedo = scene.optics.albedo;
-  return scene.medium.homogeneous_density() * 3.0 / (albedo.x + albedo.y + albedo.z);
+  return scene.medium.homogeneous_density() / ((albedo.x + albedo.y + albedo.z) / 3.0);
 }
 
 }  // namespace

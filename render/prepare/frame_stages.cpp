@@ -190,7 +190,7 @@ Box FrameStages::lit_fog(const FrameContext& work) const {
                           scattering_reach(b0, work.fog_extent.ball()));
     return within(box, work.fog_extent.fog());
   }
-  // What is lit from far away is lit wherever there is fog.
+  // Light from far away is scattered wherever there is fog.
   const FogBall& ball = work.fog_extent.ball();
   if (work.fog_extent.has_far_light())
     return {ball.center - ball.radius, ball.center + ball.radius};

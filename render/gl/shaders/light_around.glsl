@@ -111,13 +111,18 @@ float average_depth(SurfacePoint point) {
   return sum;
 }
 
+// Beyond so many radii of a ball of fog the logarithm cancels, and two terms of its series do.
+const float series_from = 10.0;
+const float second_term = 0.2;
+
 // SurfaceLighting::fog_depth_at().
 float average_fog_depth(vec3 position) {
   if (fog_radius == 0.0) return fog_depth;
   // Nearer to the center the logarithm loses digits.
   const float s = max(length(position - fog_center) / fog_radius, small_exponent);
-  // Far outside it cancels.
-  if (s > 10.0) return b0 * fog_radius / (3.0 * s * s) * (1.0 + 0.2 / (s * s));
+  if (s > series_from) {
+    return b0 * fog_radius / (3.0 * s * s) * (1.0 + second_term / (s * s));
+  }
   const float inside = (1.0 - s * s) / (2.0 * s) * log((1.0 + s) / max(abs(1.0 - s), tiny));
   return 0.5 * b0 * fog_radius * (1.0 + inside);
 }
