@@ -57,10 +57,10 @@ Box fog_bounds(double b0, std::span<const PointLight> lights);
 // surfaces, some times as far as these are, but no less than coarser levels can go on from: to all
 // surfaces, and as far as fog scatters (`reach`); and the room around the eye, if it is in one. All
 // of the bounds if that would save little. With space above what is flat, but none on sides where
-// surfaces hide it from these lights, or without any from the eye: nodes below a ground or behind
-// the walls of a tunnel would be lost. It stays while lights move a little.
+// surfaces hide it from these lights: nodes below a ground or behind the walls of a tunnel would be
+// lost. It stays while lights move a little.
 Box finest_fog_bounds(const RayCaster& surfaces, std::span<const PointLight> lights,
-                      const std::optional<Box>& room, const glm::dvec3& eye, double reach);
+                      const std::optional<Box>& room, double reach);
 // Bounds of the surfaces that hide nine tenths of the directions around a place, but for those as
 // wide as a ground; nullopt if it is in the open, or if they are more than a third as wide as
 // all surfaces: then nodes for all of these do.

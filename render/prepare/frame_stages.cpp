@@ -184,10 +184,9 @@ Box FrameStages::lit_fog(const FrameContext& work) const {
   }
   if (work.plan.runs(Stage::visibility)) {
     const double b0 = prepared_.medium().homogeneous_density();
-    const Box box =
-        finest_fog_bounds(prepared_.ray_caster(), work.plan.lights,
-                          room_around(prepared_.ray_caster(), work.rays.eye()), work.rays.eye(),
-                          scattering_reach(b0, work.fog_extent.ball()));
+    const Box box = finest_fog_bounds(prepared_.ray_caster(), work.plan.lights,
+                                      room_around(prepared_.ray_caster(), work.rays.eye()),
+                                      scattering_reach(b0, work.fog_extent.ball()));
     return within(box, work.fog_extent.fog());
   }
   // Light from far away is scattered wherever there is fog.
