@@ -7,7 +7,7 @@
 
 namespace brume {
 
-// What counts of a Gaussian where the extent of a medium is measured.
+// A Gaussian as the extent of a medium is measured by it.
 struct GaussianExtent {
   glm::dvec3 low{0.0};
   glm::dvec3 high{0.0};

@@ -71,7 +71,7 @@ FORMULA OF(FogInterval) fog_interval(Vec3 p, Vec3 w, Uniform radius) {
   return fog;
 }
 
-// Of what lies between two places of a ray, the length in fog.
+// The length in fog between two places of a ray.
 FORMULA Real fog_overlap(OF(FogInterval) fog, Real begin, Real end) {
   return max(min(end, fog.end) - max(begin, fog.begin), 0.0);
 }

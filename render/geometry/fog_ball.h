@@ -67,7 +67,8 @@ struct FogBall {
   bool operator==(const FogBall&) const = default;
 
  private:
-  // Of the line of a ray: half of its part within, and from its middle to the ray's start.
+  // The line of a ray has a part within: half its length, and the way from its middle to the
+  // ray's start.
   struct Chord {
     double half, along;
   };

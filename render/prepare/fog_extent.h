@@ -25,7 +25,7 @@ class FogExtent {
 
   // Where there is fog: in the ball of `medium.extent`; endless without.
   [[nodiscard]] const FogBall& fog() const { return fog_; }
-  // What light from far away crosses of it: that ball, or one of radius D around the same middle.
+  // The fog that light from far away crosses: that ball, or one of radius D around the same middle.
   [[nodiscard]] const FogBall& ball() const { return ball_; }
   // Whether there is fog, and a directional light or an environment, whose light crosses it.
   [[nodiscard]] bool has_far_light() const { return has_far_light_; }

@@ -73,7 +73,7 @@ class PointsAroundLight {
  private:
   // Over the cells around a point at distance r: the mean of falloff / r^2 relative to that of
   // 1 / r^2, so that an edge between nodes lights its share of both. Points of a surface, which
-  // have its normal, lie along it: else lamps below a ceiling would light what is above them.
+  // have its normal, lie along it: else lights below a ceiling would light what is above them.
   [[nodiscard]] double mean_falloff(const glm::dvec3& point, const glm::dvec3& normal, double r,
                                     double spacing) const {
     const LightFalloff& falloff = light_.source.falloff;
@@ -93,11 +93,11 @@ class PointsAroundLight {
     double all = 0.0;
     for (const WeightedPoint& p : mean_rule()) {
       const glm::dvec3 offset = p.offset - glm::dot(p.offset, normal) * normal;
-      const glm::dvec3 there = q + spacing * offset;
-      const double there2 = glm::dot(there, there);
-      if (!(there2 > 0.0)) continue;
-      const double weight = p.weight / there2;
-      lit += weight * falloff.at(there / std::sqrt(there2));
+      const glm::dvec3 from_light = q + spacing * offset;
+      const double distance2 = glm::dot(from_light, from_light);
+      if (!(distance2 > 0.0)) continue;
+      const double weight = p.weight / distance2;
+      lit += weight * falloff.at(from_light / std::sqrt(distance2));
       all += weight;
     }
     return lit / all;

@@ -5,62 +5,21 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
-#include <limits>
 #include <numbers>
 
 #include "core/math/special_functions.h"
 #include "core/math/spherical_harmonics.h"
-#include "core/math/substantial.h"
 #include "render/grid/density_samples.h"
 #include "render/grid/node_layout.h"
 #include "render/grid/resampling.h"
+#include "render/scattering/medium_bounds.h"
 #include "render/simd/gaussian_kernels.h"
 
 namespace brume {
 namespace {
 
-// Extent of each Gaussian covered by the fine grid [radii]: 1% of its extinction is beyond, where
-// look-ups clamp to the border.
-constexpr double fine_grid_radii = 2.5;
-
 // So many sweeps are held at a time.
 constexpr std::size_t sweep_batch = 32;
-
-std::vector<GaussianExtent> extents_of(std::span<const GaussianTerm<double>> gaussians,
-                                       const SourceGrid::Content& content) {
-  std::vector<GaussianExtent> extents;
-  for (const GaussianTerm<double>& g : gaussians) {
-    const glm::dvec3 reach =
-        fine_grid_radii / g.a * (g.ellipsoid ? g.ellipsoid->reach() : glm::dvec3(1.0));
-    extents.push_back({g.b - reach, g.b + reach, central_depth(g)});
-  }
-  if (!content.emission) return extents;
-  for (const EmissionLights::Light& light : content.emission->lights()) {
-    for (const std::size_t i : light.gaussians) extents[i].emits = true;
-  }
-  return extents;
-}
-
-struct Bounds {
-  glm::dvec3 low{std::numeric_limits<double>::infinity()};
-  glm::dvec3 high{-std::numeric_limits<double>::infinity()};
-  double min_radius = std::numeric_limits<double>::infinity();
-
-  Bounds(std::span<const GaussianTerm<double>> gaussians, const SourceGrid::Content& content) {
-    const std::vector<GaussianExtent> extents = extents_of(gaussians, content);
-    for (const std::size_t i : substantial_gaussians(extents)) {
-      if (!(gaussians[i].c > 0.0)) continue;
-      low = glm::min(low, extents[i].low);
-      high = glm::max(high, extents[i].high);
-      min_radius = std::min(min_radius, min_radius_of(gaussians[i]));
-    }
-    if (!empty() || !(content.fog_density > 0.0)) return;
-    low = content.in_fog.low;
-    high = content.in_fog.high;
-    min_radius = 0.0;
-  }
-  [[nodiscard]] bool empty() const { return !(low.x <= high.x); }
-};
 
 bool contains(const glm::dvec3& low, const glm::dvec3& high, const Box& box) {
   return glm::all(glm::lessThanEqual(low, box.low)) &&
@@ -308,14 +267,17 @@ SourceGrid::SourceGrid(std::span<const GaussianTerm<double>> gaussians,
                        std::span<const SourceLight> lights, const Content& content,
                        const SourceGridSize& size, const Job& job)
     : bands_(content.bands) {
-  const Bounds bounds(gaussians, content);
+  MediumBounds bounds = medium_bounds(gaussians, content.emission);
+  // With Gaussians the grid is where these are, and as large as they want it: measured so far.
+  const bool is_fog_alone = bounds.empty();
+  if (is_fog_alone && content.fog_density > 0.0) {
+    bounds = {content.in_fog.low, content.in_fog.high, 0.0};
+  }
   core_ = {bounds.low, bounds.high};
   if (bounds.empty()) {
     levels_.emplace_back();
   } else {
     static const AxisPlanes none;
-    // With Gaussians the grid is where these are, and as large as they want it: measured so far.
-    const bool is_fog_alone = !(bounds.min_radius > 0.0);
     const AxisPlanes& planes = content.surfaces && is_fog_alone ? content.surfaces->planes() : none;
     const auto add_nodes = [&](const NodeLayout& layout) {
       Level& level = levels_.emplace_back();

@@ -196,7 +196,7 @@ FogDemand fog_demand(const FogBall& fog, const TileCone& rays, double b0) {
   const double square = fog.radius * fog.radius - nearest.h * nearest.h;
   if (!(square > 0.0)) return {};
   const double half = std::sqrt(square);
-  // Of a center behind the eye, that pass is of the axis.
+  // A center behind the eye is passed by the axis.
   const double aside = nearest.t < 0.0 ? rays.spread * nearest.h : 0.0;
   const double first = std::max(nearest.t - half, 0.0);
   // The last of the rays to enter it.

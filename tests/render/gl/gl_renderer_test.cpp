@@ -113,7 +113,7 @@ TEST_F(GlFrames, RandomScenes) {
       expect_within(error, 3.0 * own, name);
     }
   }
-  // Of these 16 it is one, seed 15: 0.25% off.
+  // One of these 16 is: seed 15, by 0.25%.
   EXPECT_LE(unstable.size(), scenes / 16) << testing::PrintToString(unstable);
 }
 

@@ -1,4 +1,4 @@
-// What is far and thin changes nothing: grids and tables are as fine as what counts needs.
+// Gaussians that are far and thin change nothing: grids and tables are as fine as others need.
 
 #include <gtest/gtest.h>
 

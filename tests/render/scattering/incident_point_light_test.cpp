@@ -154,7 +154,7 @@ TEST(IncidentPointLight, BeamsBetweenNodesKeepTheirPower) {
   }
 }
 
-// The mean around points of a ceiling is of the ceiling's light, not of what is below the lamp.
+// The mean around points of a ceiling is of the ceiling's light, not of what is below the spot.
 TEST(IncidentPointLight, ASpotBelowACeilingDoesNotLightIt) {
   const std::vector<Surface> ceiling{wall(0.0, 3.0)};
   const RayCaster ray_caster(ceiling);
