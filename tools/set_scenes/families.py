@@ -22,14 +22,14 @@ def ground(chance, folder):
     height = chance.uniform(2.0, 8.0)
     side = height * log_uniform(chance, 5.0, 5000.0)
     near = min(side / 4.0, 2.0 * height)
-    lamps = [point((chance.uniform(-near, near), height, chance.uniform(-near, near)),
-                   tinted(chance, 5.0 * height**2))
-             for _ in range(chance.randint(1, 3))]
+    lights = [point((chance.uniform(-near, near), height, chance.uniform(-near, near)),
+                    tinted(chance, 5.0 * height**2))
+              for _ in range(chance.randint(1, 3))]
     distance = height * chance.uniform(2.0, 4.0)
     mist = bank(chance, 12, (-near, 0.0, -near), (near, height, near), (0.3 * height, height), 0.3)
     density = chance.uniform(0.1, 1.0) / distance
     return scene((chance.uniform(-1.0, 1.0), 1.7, distance), (0.0, 0.4 * height, 0.0), 45.0,
-                 [floor(chance, side, side)], lamps, density, chance.choice([[], mist]),
+                 [floor(chance, side, side)], lights, density, chance.choice([[], mist]),
                  **optics(chance))
 
 
@@ -75,20 +75,20 @@ def room_with_window(chance, folder):
 
 @family
 def closed_room(chance, folder):
-    """A lamp, bulb or panel, down to 3 cm below the ceiling."""
+    """A point, sphere or panel light, down to 3 cm below the ceiling."""
     x, y, z = size = between(chance, (3.0, 2.4, 3.0), (10.0, 4.0, 12.0))
     below = log_uniform(chance, 0.03, 0.6)
     at = (chance.uniform(-0.2, 0.2) * x, y - below, chance.uniform(-0.3, 0.2) * z)
     bulb = {"type": "sphere", "position": list(at), "radius": min(0.1, 0.5 * below),
             "radiance": tinted(chance, 300.0)}
-    lamp = chance.choice([point(at, tinted(chance, 20.0)), bulb,
-                          panel(at, (0.0, -1.0, 0.0), tinted(chance, 20.0), 1.2, 0.5)])
+    light = chance.choice([point(at, tinted(chance, 20.0)), bulb,
+                           panel(at, (0.0, -1.0, 0.0), tinted(chance, 20.0), 1.2, 0.5)])
     things = [standing("box", between(chance, (0.4, 0.4, 0.4), (1.2, 1.8, 1.2)),
                        chance.uniform(-0.4, 0.4) * x,
                        chance.uniform(-0.4, 0.0) * z, color(chance, 0.1, 0.7)) for _ in range(3)]
     smoke = bank(chance, 15, (-x / 3.0, 0.5, -z / 3.0), (x / 3.0, y, z / 5.0), (0.2, 0.6), 0.3)
     return scene((-0.35 * x, 1.6, 0.42 * z), (0.1 * x, 0.45 * y, -0.2 * z), 60.0,
-                 [*room(size, (0.0, 0.0, 0.0), color(chance, 0.3, 0.8)), *things], [lamp],
+                 [*room(size, (0.0, 0.0, 0.0), color(chance, 0.3, 0.8)), *things], [light],
                  chance.uniform(0.01, 0.15), chance.choice([[], smoke]), **optics(chance))
 
 
@@ -181,10 +181,10 @@ def landscape(chance, folder):
                     color(chance, 0.2, 0.7)) for _ in range(8)]
     mist = bank(chance, 40, (-side / 3.0, -height, -side / 3.0), (side / 3.0, height, side / 3.0),
                 (0.02 * side, 0.1 * side), 0.3)
-    lamps = [point((chance.uniform(-0.1, 0.1) * side, height + 6.0, -0.1 * side * i),
-                   tinted(chance, 200.0)) for i in range(3)]
+    lights = [point((chance.uniform(-0.1, 0.1) * side, height + 6.0, -0.1 * side * i),
+                    tinted(chance, 200.0)) for i in range(3)]
     return scene((0.0, height + 5.0, 0.4 * side), (0.0, height, 0.0), 50.0,
-                 [terrain(chance, folder, side, height, flat=0.7), *houses], chance.choice([[], lamps]),
+                 [terrain(chance, folder, side, height, flat=0.7), *houses], chance.choice([[], lights]),
                  chance.uniform(0.0, 0.5) / side, mist, environment=sky(chance, folder),
                  **optics(chance))
 
@@ -244,7 +244,7 @@ def kitchen(chance, folder):
 
 @family
 def houses(chance, folder):
-    """Closed ones on a plain under a sun; half of the cameras are in one, beside a lamp."""
+    """Closed ones on a plain under a sun; half of the cameras are in one, beside a light."""
     side = log_uniform(chance, 100.0, 3000.0)
     made = []
     for i in range(chance.randint(1, 4)):

@@ -97,8 +97,8 @@ def profile(chance, folder):
     candelas = [round(1000.0 * math.exp(-(((a - brightest) / width) ** 2)) * (a < 90)) for a in angles]
     lines = ["IESNA:LM-63-2002", "TILT=NONE", f"1 -1 1 {len(candelas)} 1 1 2 0 0 0", "1 1 100",
              " ".join(map(str, angles)), "0", " ".join(map(str, candelas))]
-    (folder / "lamp.ies").write_text("\n".join(lines) + "\n")
-    return "lamp.ies"
+    (folder / "light.ies").write_text("\n".join(lines) + "\n")
+    return "light.ies"
 
 
 def sky(chance, folder, strength=1.0):
