@@ -4,29 +4,11 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
-#include <numbers>
 
-#include "core/math/sphere_rule.h"
-#include "core/scene/materials/brdf.h"
+#include "core/scene/materials/mean_reflectance.h"
 
 namespace brume {
 namespace {
-
-// The part of light that a material reflects, whatever the direction, as a diffuse surface would:
-// the mean of its directional albedo over a cosine.
-glm::vec3 mean_reflectance(const Material& material) {
-  if (material.type == Material::Type::diffuse) return glm::vec3(material.reflectance);
-  const glm::dvec3 n(0.0, 0.0, 1.0);
-  const std::vector<SphereNode> hemisphere = hemisphere_rule(256);
-  glm::dvec3 sum(0.0);
-  for (const SphereNode& in : hemisphere) {
-    for (const SphereNode& out : hemisphere) {
-      sum += in.weight * in.direction.z * out.weight * out.direction.z *
-             brdf(material, in.direction, out.direction, n);
-    }
-  }
-  return glm::vec3(glm::min(sum / std::numbers::pi, glm::dvec3(1.0)));
-}
 
 // The links of one node that surfaces block.
 struct NodeLinks {
@@ -78,7 +60,7 @@ GridOcclusion::GridOcclusion(const RayCaster& ray_caster, std::span<const Surfac
   if (ray_caster.empty()) return;
   std::vector<glm::vec3> reflectances;
   for (const Surface& surface : surfaces) {
-    reflectances.push_back(mean_reflectance(surface.material));
+    reflectances.emplace_back(mean_reflectance(surface.material));
     const glm::vec3& r = reflectances.back();
     if (r.x != r.y || r.y != r.z) is_grey_ = false;
   }

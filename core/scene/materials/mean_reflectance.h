@@ -1,0 +1,14 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include "brume/surface.h"
+
+namespace brume {
+
+// The part of light that a material reflects, RGB in [0, 1], of light that comes evenly from all
+// directions: its directional albedo, averaged over a cosine. Highlights of every width are
+// integrated over half vectors; textures count by their averages.
+glm::dvec3 mean_reflectance(const Material& material);
+
+}  // namespace brume
