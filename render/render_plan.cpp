@@ -7,16 +7,11 @@
 #include <optional>
 
 #include "core/scene/fields/light_fields.h"
+#include "core/scene/lights/emitting_surfaces.h"
 #include "core/scene/mesh.h"
 
 namespace brume {
 namespace {
-
-bool is_emissive(const Surface& surface) {
-  const Material& material = surface.material;
-  return material.type == Material::Type::metallic_roughness &&
-         material.metallic_roughness.emissive != glm::dvec3(0.0);
-}
 
 bool has_transfer(const Surface& surface) {
   return surface.transfer != Surface::Transfer::none &&
@@ -33,7 +28,7 @@ struct Content {
   // Properties of Gaussians; emission counts as light of methods that know it.
   bool has_own_optics;
   bool has_emission = false;
-  bool emissive_surfaces;  // seen, and lighting what paths meet; no light of other methods
+  bool emissive_surfaces;
 
   Content(const Scene& scene, AirlightMethod method)
       : surfaces(!scene.surfaces.empty()),
@@ -54,6 +49,7 @@ struct Content {
         ++lights_beyond_paper;  // its closed form is that of isotropic lights nearby
       }
     }
+    if (is_paper) lights_beyond_paper += std::ranges::count_if(scene.surfaces, is_emissive);
     // A sphere far away is one isotropic light, which is not `paper`'s either.
     lights = point_lights(scene, method == AirlightMethod::reference ? LightPoints::many
                                  : method == AirlightMethod::path    ? LightPoints::drawn

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "brume/revision.h"
+#include "core/scene/lights/emitting_surfaces.h"
 #include "render/layers/layer_channels.h"
 
 namespace brume {
@@ -53,11 +54,7 @@ void dim(Scene& scene) {
 }
 
 bool has_emission(const Scene& scene) {
-  return scene.medium.has_emission() ||
-         std::ranges::any_of(scene.surfaces, [](const Surface& surface) {
-           return surface.material.type == Material::Type::metallic_roughness &&
-                  surface.material.metallic_roughness.emissive != glm::dvec3(0.0);
-         });
+  return scene.medium.has_emission() || std::ranges::any_of(scene.surfaces, is_emissive);
 }
 
 // A source of light: what makes a scene lit by it alone.

@@ -116,6 +116,7 @@ PathScene PathScene::of_view(const PathMedium& medium, double albedo, const RayC
   if (environment && !environment->empty()) scene.environment = environment;
   for (const Surface& surface : surfaces) scene.materials.emplace_back(surface.material);
   scene.emission = EmissionSampler(medium.index());
+  scene.emitters = EmitterSampler(surfaces);
   scene.set_lights(lights);
   return scene;
 }

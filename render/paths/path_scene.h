@@ -9,6 +9,7 @@
 #include "render/geometry/point_source.h"
 #include "render/paths/area_sampler.h"
 #include "render/paths/emission_sampler.h"
+#include "render/paths/emitter_sampler.h"
 #include "render/paths/environment_sampler.h"
 #include "render/paths/material_sampler.h"
 #include "render/paths/path_medium.h"
@@ -90,7 +91,8 @@ struct PathScene {
   PathFog fog;
   std::vector<PathLight> lights{};
   const EnvironmentSampler* environment = nullptr;  // null: none, or black
-  EmissionSampler emission{};
+  EmissionSampler emission{};                       // of Gaussians
+  EmitterSampler emitters{};                        // of surfaces
   const RayCaster& ray_caster;
   std::span<const Surface> surfaces;
   std::vector<MaterialSampler> materials{};  // of the surfaces

@@ -150,6 +150,50 @@ glm::dvec3 PathTracer::environment_at(const Vertex& vertex, PathRandom& random) 
   return std::exp(-depth) / (pdf + direction_pdf(vertex, l)) * value * environment->radiance(l);
 }
 
+glm::dvec3 PathTracer::emitters_at(const Vertex& vertex, PathRandom& random) const {
+  const glm::dvec3 none(0.0);
+  if (scene_.emitters.empty()) return none;
+  const EmitterSampler::Point drawn = scene_.emitters.sample(random);
+  const glm::dvec3 q = drawn.position - vertex.position;
+  const double r = glm::length(q);
+  if (!(r > 0.0)) return none;
+  const glm::dvec3 l = q / r;
+  const glm::dvec3 value = scattering(vertex, l);
+  if (!(max_component(value) > 0.0)) return none;
+  const SurfaceHit hit = scene_.ray_caster.first_hit(vertex.position, l);
+  const double pdf = scene_.emitters.pdf(hit, l);
+  if (!(pdf > 0.0) || hit.surface != static_cast<std::int32_t>(drawn.surface) ||
+      hit.triangle != drawn.triangle) {
+    return none;
+  }
+  const double fog = scene_.fog.interval(vertex.position, l).before(hit.distance);
+  const double depth =
+      scene_.medium.depth(vertex.position, l, hit.distance) + scene_.fog.density * fog;
+  const SurfacePoint point = scene_.ray_caster.point(hit, vertex.position, l, scene_.surfaces);
+  return std::exp(-depth) / (pdf + direction_pdf(vertex, l)) * value * point.emitted;
+}
+
+glm::dvec3 PathTracer::emitters_around(const Vertex& vertex, PathRandom& random) const {
+  const glm::dvec3 none(0.0);
+  if (scene_.emitters.empty()) return none;
+  const Direction direction = sample_direction(vertex, random);
+  if (!(direction.pdf > 0.0)) return none;
+  const auto& [origin, w, hit, fog] = segment(vertex, direction.w);
+  if (!hit) return none;
+  const SurfacePoint point = scene_.ray_caster.point(hit, origin, w, scene_.surfaces);
+  if (!(max_component(point.emitted) > 0.0)) return none;
+  const double depth =
+      scene_.medium.depth(origin, w, hit.distance) + scene_.fog.density * fog.before(hit.distance);
+  return std::exp(-depth) / direction.pdf * scattering(vertex, w) *
+         emitted_by(hit, point, direction);
+}
+
+glm::dvec3 PathTracer::emitted_by(const SurfaceHit& hit, const SurfacePoint& point,
+                                  const Direction& direction) const {
+  const double pdf = scene_.emitters.pdf(hit, direction.w);
+  return direction.pdf / (direction.pdf + pdf) * point.emitted;
+}
+
 glm::dvec3 PathTracer::emission_at(const Vertex& vertex, PathRandom& random) const {
   const glm::dvec3 none(0.0);
   if (scene_.emission.empty()) return none;
@@ -183,7 +227,8 @@ glm::dvec3 PathTracer::direct_light(const Vertex& vertex, PathRandom& random) co
     if (vertex.is_surface) return 1.0;
     return 1.0 - equi_angular_weight(light, glm::length(point - vertex.position));
   };
-  return light_at(vertex, weight, random) + environment_at(vertex, random);
+  return light_at(vertex, weight, random) + environment_at(vertex, random) +
+         emitters_at(vertex, random);
 }
 
 glm::dvec3 PathTracer::lights_on_camera_ray(const CameraRay& ray, double opacity, double u,
@@ -321,8 +366,9 @@ OrderedRadiance PathTracer::airlight(const CameraRay& ray, const StratifiedPair&
   const RelativeOptics optics = optics_at(first.vertex.position);
   const double scattered = first.opacity * optics.albedo;
   sum.add(1, first.opacity * optics.emission +
-                 scattered * (light_at(first.vertex, weight, random) +
-                              environment_at(first.vertex, random)) +
+                 scattered *
+                     (light_at(first.vertex, weight, random) +
+                      environment_at(first.vertex, random) + emitters_at(first.vertex, random)) +
                  lights_on_camera_ray(ray, first.opacity, stratified.second, random));
   walk(first.vertex, glm::dvec3(scattered), random, sum);
   return sum;
@@ -333,7 +379,8 @@ glm::dvec3 PathTracer::lights_once(const CameraRay& ray, const StratifiedPair& s
   const FirstCollision first(ray, stratified.first);
   const auto weight = [&first](const auto&... point) { return first.weight(point...); };
   return first.opacity * optics_at(first.vertex.position).albedo *
-             light_at(first.vertex, weight, random) +
+             (light_at(first.vertex, weight, random) + emitters_at(first.vertex, random) +
+              emitters_around(first.vertex, random)) +
          lights_on_camera_ray(ray, first.opacity, stratified.second, random);
 }
 
@@ -402,7 +449,7 @@ void PathTracer::walk(Vertex vertex, glm::dvec3 throughput, PathRandom& random,
       }
     } else if (hit) {
       vertex = Vertex::on_surface(scene_.ray_caster.point(hit, origin, w, scene_.surfaces));
-      sum.add(events, throughput * vertex.point.emitted);
+      sum.add(events, throughput * emitted_by(hit, vertex.point, direction));
     } else {
       if (!scene_.environment) return;
       const double pdf = scene_.environment->pdf(w);

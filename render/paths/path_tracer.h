@@ -22,7 +22,7 @@ struct OrderedRadiance {
 // Unbiased estimates of the light along view rays: random walks through medium and surfaces with
 // next-event estimation at every vertex, all orders, optical depths in closed form. Environments
 // are sampled by their radiance and by phase function or material, combined by the balance
-// heuristic (Veach), emissive surfaces by phase function or material alone; points of area lights
+// heuristic (Veach), and so are emissive surfaces, by what they send; points of area lights
 // by their solid angle, and for collisions near them evenly (AreaSampler); lights inside the medium
 // by collisions and equi-angularly (Kulla and Fajardo 2012); light that Gaussians emit by
 // collisions and by what they emit, combined likewise.
@@ -39,7 +39,7 @@ class PathTracer {
   [[nodiscard]] OrderedRadiance airlight(const CameraRay& ray, const StratifiedPair& stratified,
                                          PathRandom& random) const;
 
-  // The part of it that is light of the scene's lights, scattered once.
+  // The part of it that is light of the scene's lights and of surfaces that emit, scattered once.
   [[nodiscard]] glm::dvec3 lights_once(const CameraRay& ray, const StratifiedPair& stratified,
                                        PathRandom& random) const;
 
@@ -108,6 +108,14 @@ class PathTracer {
   [[nodiscard]] glm::dvec3 light_at(const Vertex& vertex, Weight weight, PathRandom& random) const;
   // The same of the environment.
   [[nodiscard]] glm::dvec3 environment_at(const Vertex& vertex, PathRandom& random) const;
+  // The same of surfaces that emit.
+  [[nodiscard]] glm::dvec3 emitters_at(const Vertex& vertex, PathRandom& random) const;
+  // The same, found by a direction in which the vertex scatters.
+  [[nodiscard]] glm::dvec3 emitters_around(const Vertex& vertex, PathRandom& random) const;
+  // The light of what a ray that was drawn with a density hits, by its share of the balance
+  // heuristic with emitters_at().
+  [[nodiscard]] glm::dvec3 emitted_by(const SurfaceHit& hit, const SurfacePoint& point,
+                                      const Direction& direction) const;
   // The emission of Gaussians at the end of a segment, as it arrives at its origin per solid angle
   // there and length; the densities of finding that point [1/u^3] by a collision, and by
   // EmissionSampler.

@@ -50,7 +50,8 @@ PathPixels::PathPixels(const Scene& scene, const Camera& camera, const Film& fil
     group.scene = std::make_unique<PathScene>(
         PathScene::of_view(*group.medium, each.albedo, ray_caster_, surfaces_, environment_.get(),
                            lights, rays_.eye(), fog_extent.ball(), rays_.max_offset()));
-    if (orders_ == Orders::all || area_lights.empty()) continue;
+    const bool has_areas = !area_lights.empty() || !group.scene->emitters.empty();
+    if (orders_ == Orders::all || !has_areas) continue;
     group.area_lights = std::make_unique<PathScene>(
         PathScene::of_view(*group.medium, each.albedo, ray_caster_, surfaces_, nullptr, area_lights,
                            rays_.eye(), fog_extent.ball(), rays_.max_offset()));

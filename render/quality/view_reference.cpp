@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/scene/lights/emitting_surfaces.h"
 #include "core/scene/lights/point_lights.h"
 #include "render/quality/work.h"
 #include "render/util/job.h"
@@ -10,6 +11,7 @@ namespace brume {
 namespace {
 
 bool has_area_lights(const Scene& scene) {
+  if (std::ranges::any_of(scene.surfaces, is_emissive)) return true;
   return std::ranges::any_of(scene.lights, [](const Light& light) {
     return light.on && area_of(light) && light.intensity != glm::dvec3(0.0);
   });

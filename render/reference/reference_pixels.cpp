@@ -13,6 +13,9 @@ namespace {
 
 Scene without_area_lights(Scene scene) {
   std::erase_if(scene.lights, [](const Light& light) { return area_of(light).has_value(); });
+  for (Surface& surface : scene.surfaces) {
+    surface.material.metallic_roughness.emissive = glm::dvec3(0.0);
+  }
   return scene;
 }
 

@@ -13,18 +13,19 @@
 namespace brume {
 namespace {
 
-// Points along each axis of a mean, over two spacings.
+// Points along each axis of a mean, over two spacings; fewer for a cosine, which has a kink but no
+// edge.
 constexpr int mean_points = 6;
+constexpr int cosine_points = 3;
 
 struct WeightedPoint {
   glm::dvec3 offset;  // from the node, in spacings
   double weight;
 };
 
-std::vector<WeightedPoint> make_mean_rule() {
-  constexpr int count = mean_points;
+std::vector<WeightedPoint> make_mean_rule(int count) {
   std::vector<WeightedPoint> rule;
-  const auto coordinate = [](int i) { return 2.0 * (i + 0.5) / count - 1.0; };
+  const auto coordinate = [count](int i) { return 2.0 * (i + 0.5) / count - 1.0; };
   double sum = 0.0;
   for (int z = 0; z < count; ++z) {
     for (int y = 0; y < count; ++y) {
@@ -42,7 +43,11 @@ std::vector<WeightedPoint> make_mean_rule() {
 
 // The cells around a node, as a trilinear interpolation weights them.
 std::span<const WeightedPoint> mean_rule() {
-  static const std::vector<WeightedPoint> rule = make_mean_rule();
+  static const std::vector<WeightedPoint> rule = make_mean_rule(mean_points);
+  return rule;
+}
+std::span<const WeightedPoint> cosine_rule() {
+  static const std::vector<WeightedPoint> rule = make_mean_rule(cosine_points);
   return rule;
 }
 
@@ -91,7 +96,7 @@ class PointsAroundLight {
     }
     double lit = 0.0;
     double all = 0.0;
-    for (const WeightedPoint& p : mean_rule()) {
+    for (const WeightedPoint& p : falloff.has_cone() ? mean_rule() : cosine_rule()) {
       const glm::dvec3 offset = p.offset - glm::dot(p.offset, normal) * normal;
       const glm::dvec3 from_light = q + spacing * offset;
       const double distance2 = glm::dot(from_light, from_light);

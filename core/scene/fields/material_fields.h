@@ -64,7 +64,7 @@ inline constexpr auto fields<MetallicRoughness> = std::tuple{
           {.name = "emissive",
            .label = "Emissive",
            .unit = "RGB",
-           .says = "Radiance that the surface emits in W/(sr u^2), seen by the eye, and by paths",
+           .says = "Radiance that the surface emits in W/(sr u^2), seen by the eye, and a light",
            .step = 0.01}),
     field(&MetallicRoughness::normal_scale, domain::normal_scale,
           {.name = "normal_scale",

@@ -15,6 +15,7 @@
 #include "core/math/substantial.h"
 #include "core/math/unit_direction.h"
 #include "core/overloaded.h"
+#include "core/scene/lights/emitting_surfaces.h"
 
 namespace brume {
 namespace {
@@ -315,6 +316,12 @@ std::vector<PointLight> point_lights(const Scene& scene, LightPoints count) {
     for (const Light* light : shining) {
       const auto points =
           point_lights(*light, region, count, count == LightPoints::few ? max_points : many_points);
+      lights.insert(lights.end(), points.begin(), points.end());
+    }
+    if (count != LightPoints::drawn) {
+      const auto points = emitting_points(scene.surfaces, count == LightPoints::few ? 2 * max_points
+                                                          : count == LightPoints::many ? many_points
+                                                                                       : 1);
       lights.insert(lights.end(), points.begin(), points.end());
     }
     if (count != LightPoints::few || lights.size() <= max_few_points) break;

@@ -41,8 +41,8 @@ double TracedScene::length(const glm::dvec3& eye, const glm::dvec3& w) const {
 
 PathScene TracedScene::scene_from(const glm::dvec3& eye) const {
   std::vector<PointSource> lights;
-  for (const Light& light : scene_.lights) {
-    lights.push_back({{light.position, light.intensity}});
+  for (const PointLight& light : point_lights(scene_, LightPoints::drawn)) {
+    lights.push_back({light});
   }
   return PathScene::of_view(medium_, albedo_, ray_caster_, scene_.surfaces,
                             environment_ ? &*environment_ : nullptr, lights, eye, fog_);
@@ -123,8 +123,8 @@ TracedScene::Estimate TracedScene::surface(const glm::dvec3& eye, const glm::dve
 glm::dvec3 TracedScene::single_scattering(const glm::dvec3& eye, const glm::dvec3& target) const {
   constexpr double tolerance = 1e-5;
   std::vector<PointSource> lights;
-  for (const Light& light : scene_.lights) {
-    lights.push_back({{light.position, light.intensity}});
+  for (const PointLight& light : point_lights(scene_, LightPoints::drawn)) {
+    lights.push_back({light});
   }
   std::optional<ReferenceEnvironment> environment;
   if (scene_.environment) {

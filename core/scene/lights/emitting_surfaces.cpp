@@ -1,0 +1,275 @@
+#include "core/scene/lights/emitting_surfaces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <limits>
+#include <numbers>
+#include <numeric>
+#include <queue>
+#include <tuple>
+
+#include "brume/mesh_arrays.h"
+#include "core/math/max_component.h"
+#include "core/scene/lights/point_lights.h"
+#include "core/scene/materials/ggx.h"
+#include "core/scene/materials/texture.h"
+
+namespace brume {
+namespace {
+
+// The radiance of a surface at texture coordinates, averaged over a square around them.
+glm::dvec3 radiance_at(const MetallicRoughness& material, const glm::dvec2& uv, double footprint) {
+  return material.emissive * glm::dvec3(lookup(material.emissive_texture, uv, footprint));
+}
+
+// A part of a triangle that emits, with its texture coordinates.
+struct Piece {
+  std::array<glm::dvec3, 3> corners;
+  std::array<glm::dvec2, 3> texcoords;
+  const MetallicRoughness* material;
+  bool is_two_sided;
+
+  [[nodiscard]] glm::dvec3 middle() const { return (corners[0] + corners[1] + corners[2]) / 3.0; }
+  [[nodiscard]] glm::dvec3 area_vector() const {
+    return 0.5 * glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+  }
+  [[nodiscard]] double area() const { return glm::length(area_vector()); }
+  [[nodiscard]] glm::dvec3 radiance() const {
+    const glm::dvec2 a = texcoords[1] - texcoords[0];
+    const glm::dvec2 b = texcoords[2] - texcoords[0];
+    const double footprint = std::sqrt(0.5 * std::abs(a.x * b.y - a.y * b.x));
+    return radiance_at(*material, (texcoords[0] + texcoords[1] + texcoords[2]) / 3.0, footprint);
+  }
+  // Its halves, cut through its longest edge.
+  [[nodiscard]] std::array<Piece, 2> halves() const {
+    std::size_t longest = 0;
+    double length = -1.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double edge = glm::distance(corners[k], corners[(k + 1) % 3]);
+      if (edge > length) {
+        length = edge;
+        longest = k;
+      }
+    }
+    const std::size_t next = (longest + 1) % 3;
+    Piece first = *this;
+    Piece second = *this;
+    first.corners[next] = second.corners[longest] = 0.5 * (corners[longest] + corners[next]);
+    first.texcoords[next] = second.texcoords[longest] =
+        0.5 * (texcoords[longest] + texcoords[next]);
+    return {first, second};
+  }
+};
+
+// Whether a mesh has an outside that its triangles face: it has no edge, vertices at one place
+// taken as one.
+bool has_outside(const MeshArrays& mesh) {
+  std::vector<std::size_t> order(mesh.points.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto key = [&mesh](std::size_t vertex) {
+    const glm::vec3& p = mesh.points[vertex];
+    return std::tuple(p.x, p.y, p.z);
+  };
+  std::ranges::sort(order, {}, key);
+  std::vector<unsigned> place(order.size());
+  for (std::size_t k = 1; k < order.size(); ++k) {
+    place[order[k]] = place[order[k - 1]] + (key(order[k]) == key(order[k - 1]) ? 0 : 1);
+  }
+  std::vector<std::pair<unsigned, unsigned>> edges, reversed;
+  double volume = 0.0;
+  for (const glm::uvec3& corners : mesh.triangles) {
+    for (int k = 0; k < 3; ++k) {
+      const unsigned from = place[corners[k]];
+      const unsigned to = place[corners[(k + 1) % 3]];
+      edges.emplace_back(from, to);
+      reversed.emplace_back(to, from);
+    }
+    const glm::dvec3 a(mesh.points[corners.x]);
+    volume += glm::dot(
+        a, glm::cross(glm::dvec3(mesh.points[corners.y]), glm::dvec3(mesh.points[corners.z])));
+  }
+  std::ranges::sort(edges);
+  std::ranges::sort(reversed);
+  return volume > 0.0 && edges == reversed;
+}
+
+// All triangles of surfaces that emit; visit(piece, surface, triangle).
+template <class Visit>
+void for_each_emitting(std::span<const Surface> surfaces, Visit visit) {
+  for (std::size_t s = 0; s < surfaces.size(); ++s) {
+    if (!is_emissive(surfaces[s])) continue;
+    const MeshArrays mesh = to_arrays(*surfaces[s].mesh);
+    const std::vector<glm::dvec3> points = world_points(surfaces[s], mesh.points);
+    const bool is_two_sided = !has_outside(mesh);
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      Piece piece{.corners = {},
+                  .texcoords = {},
+                  .material = &surfaces[s].material.metallic_roughness,
+                  .is_two_sided = is_two_sided};
+      for (int k = 0; k < 3; ++k) {
+        const unsigned vertex = mesh.triangles[t][k];
+        piece.corners[static_cast<std::size_t>(k)] = points[vertex];
+        if (!mesh.texcoords.empty()) {
+          piece.texcoords[static_cast<std::size_t>(k)] = glm::dvec2(mesh.texcoords[vertex]);
+        }
+      }
+      visit(piece, s, t);
+    }
+  }
+}
+
+// What a piece sends, without its falloff.
+struct Source {
+  glm::dvec3 position;
+  glm::dvec3 normal;     // unit
+  glm::dvec3 intensity;  // area times radiance [W/sr]
+  double area;
+  bool is_two_sided;
+
+  [[nodiscard]] double power() const { return max_component(intensity); }
+  // The side of the cube around the origin that its normal points to: of both sides, one.
+  [[nodiscard]] int facing() const {
+    const glm::dvec3 size = glm::abs(normal);
+    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    return 2 * axis + (!is_two_sided && normal[axis] < 0.0 ? 1 : 0);
+  }
+};
+
+// Triangles are cut until the pieces are so many for each point that stands for them.
+constexpr int pieces_per_point = 16;
+
+// The pieces that matter, cut where they send most.
+std::vector<Source> sources_of(std::span<const Surface> surfaces, int max_count) {
+  const auto size = static_cast<std::size_t>(pieces_per_point * max_count);
+  struct Weighted {
+    Piece piece;
+    double power;
+    bool operator<(const Weighted& other) const { return power < other.power; }
+  };
+  const auto weighted = [](const Piece& piece) {
+    return Weighted{piece, piece.area() * max_component(piece.material->emissive)};
+  };
+  std::priority_queue<Weighted> pieces;
+  for_each_emitting(surfaces, [&](const Piece& piece, std::size_t, std::size_t) {
+    if (piece.area() > 0.0) pieces.push(weighted(piece));
+  });
+  while (!pieces.empty() && pieces.size() < size) {
+    const Piece largest = pieces.top().piece;
+    pieces.pop();
+    for (const Piece& half : largest.halves()) pieces.push(weighted(half));
+  }
+  std::vector<Source> sources;
+  for (; !pieces.empty(); pieces.pop()) {
+    const Piece& piece = pieces.top().piece;
+    const double area = piece.area();
+    const glm::dvec3 intensity = area * piece.radiance();
+    if (!(max_component(intensity) > 0.0)) continue;
+    sources.push_back(
+        {piece.middle(), piece.area_vector() / area, intensity, area, piece.is_two_sided});
+  }
+  return sources;
+}
+
+// Pieces that one point may stand for.
+struct Cluster {
+  std::vector<Source> sources;
+  glm::dvec3 low{std::numeric_limits<double>::infinity()};
+  glm::dvec3 high{-std::numeric_limits<double>::infinity()};
+  double power = 0.0;
+
+  void add(const Source& source) {
+    sources.push_back(source);
+    low = glm::min(low, source.position);
+    high = glm::max(high, source.position);
+    power += source.power();
+  }
+  [[nodiscard]] bool can_be_split() const { return sources.size() > 1 && low != high; }
+  // How much is gained by splitting it.
+  [[nodiscard]] double spread() const {
+    return can_be_split() ? power * glm::distance(low, high) : 0.0;
+  }
+  bool operator<(const Cluster& other) const { return spread() < other.spread(); }
+
+  // Two that send about as much, cut across the longest side.
+  [[nodiscard]] std::array<Cluster, 2> halves() const {
+    const glm::dvec3 size = high - low;
+    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    std::vector<Source> sorted = sources;
+    std::ranges::sort(sorted, {}, [axis](const Source& source) { return source.position[axis]; });
+    std::array<Cluster, 2> halves;
+    for (const Source& source : sorted) {
+      const bool is_first =
+          halves[0].sources.empty() ||
+          (halves[0].power + 0.5 * source.power() < 0.5 * power && &source != &sorted.back());
+      halves[is_first ? 0 : 1].add(source);
+    }
+    return halves;
+  }
+
+  // It sends all of their light from the piece next to their middle, as that faces.
+  [[nodiscard]] PointLight point() const {
+    glm::dvec3 middle(0.0), intensity(0.0), normal(0.0);
+    double area = 0.0;
+    for (const Source& source : sources) {
+      middle += source.power() / power * source.position;
+      intensity += source.intensity;
+      const double side = glm::dot(source.normal, sources.front().normal) < 0.0 ? -1.0 : 1.0;
+      normal += side * source.power() * source.normal;
+      area += source.area;
+    }
+    const Source& nearest = *std::ranges::min_element(
+        sources, {}, [&](const Source& source) { return glm::distance(source.position, middle); });
+    if (!(glm::length(normal) > 0.0)) normal = nearest.normal;
+    return {.position = nearest.position,
+            .intensity = intensity,
+            .falloff = LightFalloff::of_surface(glm::normalize(normal), nearest.is_two_sided),
+            .radius = std::sqrt(area * std::numbers::inv_pi)};
+  }
+};
+
+}  // namespace
+
+bool is_emissive(const Surface& surface) {
+  return surface.material.type == Material::Type::metallic_roughness &&
+         surface.material.metallic_roughness.emissive != glm::dvec3(0.0);
+}
+
+glm::dvec3 area_vector(const EmittingTriangle& triangle) {
+  const auto& [a, b, c] = triangle.corners;
+  return 0.5 * glm::cross(b - a, c - a);
+}
+
+std::vector<EmittingTriangle> emitting_triangles(std::span<const Surface> surfaces) {
+  std::vector<EmittingTriangle> triangles;
+  for_each_emitting(surfaces, [&](const Piece& piece, std::size_t surface, std::size_t index) {
+    triangles.push_back({piece.corners, piece.radiance(), piece.is_two_sided,
+                         static_cast<std::uint32_t>(surface), static_cast<std::uint32_t>(index)});
+  });
+  return triangles;
+}
+
+std::vector<PointLight> emitting_points(std::span<const Surface> surfaces, int max_count) {
+  constexpr int side_count = 6;
+  std::array<Cluster, side_count> sides;
+  for (const Source& source : sources_of(surfaces, max_count)) {
+    sides[max_count < side_count ? 0 : static_cast<std::size_t>(source.facing())].add(source);
+  }
+  std::priority_queue<Cluster> clusters;
+  for (const Cluster& side : sides) {
+    if (!side.sources.empty()) clusters.push(side);
+  }
+  while (!clusters.empty() && static_cast<int>(clusters.size()) < max_count &&
+         clusters.top().can_be_split()) {
+    const Cluster largest = clusters.top();
+    clusters.pop();
+    for (const Cluster& half : largest.halves()) clusters.push(half);
+  }
+  std::vector<PointLight> lights;
+  for (; !clusters.empty(); clusters.pop()) lights.push_back(clusters.top().point());
+  return lights;
+}
+
+}  // namespace brume

@@ -1,0 +1,45 @@
+#include "render/paths/emitter_sampler.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace brume {
+
+EmitterSampler::EmitterSampler(std::span<const Surface> surfaces)
+    : triangles_(emitting_triangles(surfaces)), firsts_(surfaces.size(), -1) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < triangles_.size(); ++i) {
+    const EmittingTriangle& triangle = triangles_[i];
+    std::int64_t& first = firsts_[triangle.surface];
+    if (first < 0) first = static_cast<std::int64_t>(i);
+    const glm::dvec3& radiance = triangle.radiance;
+    const double power =
+        glm::length(area_vector(triangle)) * (radiance.x + radiance.y + radiance.z);
+    if (std::isfinite(sum + power)) sum += power;
+    sums_.push_back(sum);
+  }
+}
+
+EmitterSampler::Point EmitterSampler::sample(PathRandom& random) const {
+  const double wanted = sums_.back() * random.uniform();
+  const auto chosen = std::min(std::ranges::upper_bound(sums_, wanted), sums_.end() - 1);
+  const EmittingTriangle& triangle = triangles_[static_cast<std::size_t>(chosen - sums_.begin())];
+  const auto& [a, b, c] = triangle.corners;
+  const double root = std::sqrt(random.uniform());
+  const double v = random.uniform() * root;
+  return {(1.0 - root) * a + (root - v) * b + v * c, triangle.surface, triangle.index};
+}
+
+double EmitterSampler::pdf(const SurfaceHit& hit, const glm::dvec3& w) const {
+  if (empty() || !hit) return 0.0;
+  const std::int64_t first = firsts_[static_cast<std::size_t>(hit.surface)];
+  if (first < 0) return 0.0;
+  const std::size_t i = static_cast<std::size_t>(first) + hit.triangle;
+  const double share = (sums_[i] - (i > 0 ? sums_[i - 1] : 0.0)) / sums_.back();
+  // Its area as the ray sees it.
+  const double facing = std::abs(glm::dot(area_vector(triangles_[i]), w));
+  return facing > 0.0 ? share * hit.distance * hit.distance / facing : 0.0;
+}
+
+}  // namespace brume

@@ -1,0 +1,96 @@
+#include "core/scene/lights/emitting_surfaces.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+#include "brume/primitive.h"
+#include "core/scene/lights/point_lights.h"
+#include "core/scene/materials/texture.h"
+
+namespace brume {
+namespace {
+
+Surface emitting(const Primitive& primitive, const glm::dvec3& radiance) {
+  Surface surface;
+  surface.primitive = primitive;
+  surface.mesh = mesh_of(primitive);
+  surface.material.type = Material::Type::metallic_roughness;
+  surface.material.metallic_roughness.emissive = radiance;
+  return surface;
+}
+
+glm::dvec3 total(const std::vector<PointLight>& lights) {
+  glm::dvec3 sum(0.0);
+  for (const PointLight& light : lights) sum += light.intensity;
+  return sum;
+}
+
+TEST(EmittingSurfaces, PointsOfABoxSendAsMuchAsItsSides) {
+  const std::vector<Surface> box{
+      emitting({.shape = Primitive::Shape::box, .size = {2.0, 1.0, 0.5}}, {3.0, 2.0, 1.0})};
+  const double area = 2.0 * (2.0 * 1.0 + 1.0 * 0.5 + 2.0 * 0.5);
+  for (const int count : {1, 6, 34, 200}) {
+    const std::vector<PointLight> lights = emitting_points(box, count);
+    EXPECT_LE(static_cast<int>(lights.size()), count);
+    EXPECT_NEAR(glm::distance(total(lights), area * glm::dvec3(3.0, 2.0, 1.0)), 0.0, 1e-9) << count;
+  }
+}
+
+// It is closed: its points lie on its sides and shine outwards.
+TEST(EmittingSurfaces, PointsOfABoxShineOutwards) {
+  const std::vector<Surface> box{
+      emitting({.shape = Primitive::Shape::box, .size = {2.0, 1.0, 0.5}}, glm::dvec3(1.0))};
+  for (const PointLight& light : emitting_points(box, 60)) {
+    EXPECT_EQ(light.falloff.shape(), LightFalloff::Shape::cosine);
+    const glm::dvec3 outside = light.position + 0.01 * light.falloff.axis();
+    EXPECT_TRUE(std::abs(outside.x) > 1.0 || std::abs(outside.y) > 0.5 ||
+                std::abs(outside.z) > 0.25);
+  }
+}
+
+TEST(EmittingSurfaces, AnOpenOneShinesToBothSides) {
+  const std::vector<Surface> plane{
+      emitting({.shape = Primitive::Shape::plane, .size = {1.0, 1.0, 1.0}}, glm::dvec3(1.0))};
+  const std::vector<PointLight> lights = emitting_points(plane, 21);
+  EXPECT_EQ(lights.size(), 21u);
+  for (const PointLight& light : lights) {
+    EXPECT_EQ(light.falloff.shape(), LightFalloff::Shape::two_cosines);
+  }
+}
+
+// A screen whose left half is black.
+TEST(EmittingSurfaces, PointsAreWhereTheTextureShines) {
+  Surface screen =
+      emitting({.shape = Primitive::Shape::plane, .size = {1.0, 1.0, 1.0}}, glm::dvec3(2.0));
+  std::vector<glm::vec3> texels;
+  for (int y = 0; y < 64; ++y) {
+    for (int x = 0; x < 64; ++x) texels.emplace_back(x < 32 ? 0.0f : 1.0f);
+  }
+  screen.material.metallic_roughness.emissive_texture.content =
+      std::make_shared<Texture>(64, 64, texels);
+  const std::vector<PointLight> lights = emitting_points(std::span(&screen, 1), 40);
+  EXPECT_NEAR(total(lights).x, 1.0, 0.02);
+  for (const PointLight& light : lights) EXPECT_GT(light.position.x, -0.05);
+}
+
+TEST(EmittingSurfaces, BrightOnesGetTheirShareOfPoints) {
+  std::vector<Surface> boxes{
+      emitting({.shape = Primitive::Shape::box, .size = {1.0, 1.0, 1.0}}, glm::dvec3(100.0)),
+      emitting({.shape = Primitive::Shape::box, .size = {1.0, 1.0, 1.0}}, glm::dvec3(0.01))};
+  boxes[1].translate = {5.0, 0.0, 0.0};
+  const std::vector<PointLight> lights = emitting_points(boxes, 60);
+  EXPECT_GT(std::ranges::count_if(lights, [](const auto& l) { return l.position.x < 2.0; }), 48);
+}
+
+TEST(EmittingSurfaces, AreAmongTheLightsOfAScene) {
+  Scene scene;
+  scene.surfaces.push_back(
+      emitting({.shape = Primitive::Shape::box, .size = {1.0, 1.0, 1.0}}, glm::dvec3(1.0)));
+  EXPECT_GT(point_lights(scene, LightPoints::few).size(), 6u);
+  EXPECT_TRUE(point_lights(scene, LightPoints::drawn).empty());
+}
+
+}  // namespace
+}  // namespace brume
