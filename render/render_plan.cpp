@@ -9,9 +9,14 @@
 #include "core/scene/fields/light_fields.h"
 #include "core/scene/lights/emitting_surfaces.h"
 #include "core/scene/mesh.h"
+#include "render/shading/mirrored_light.h"
 
 namespace brume {
 namespace {
+
+bool mirrors(const Surface& surface) {
+  return may_mirror(surface.material);
+}
 
 bool has_transfer(const Surface& surface) {
   return surface.transfer != Surface::Transfer::none &&
@@ -292,6 +297,9 @@ RenderPlan::RenderPlan(const Scene& scene, const Film& film, const Settings& req
       runs(Stage::surfaces) && std::ranges::any_of(scene.surfaces, [](const Surface& surface) {
         return surface.material.type == Material::Type::metallic_roughness;
       });
+  // In motion they reflect harmonics.
+  has_mirrors = settings.mirrors && motion == Motion() && runs(Stage::surfaces) &&
+                method == AirlightMethod::sliced && std::ranges::any_of(scene.surfaces, mirrors);
   surface_depths = planned_surface_depths(content, method);
   has_exact_occlusion = is_reference;
   precision = is_reference ? Settings::Precision::plain_double : settings.precision;

@@ -47,6 +47,7 @@ struct RenderPlan {
   [[nodiscard]] bool has_medium() const { return has_density; }
 
   bool has_density = false;  // of Gaussians or homogeneous
+  bool has_mirrors = false;  // smooth surfaces show what is around them
   // Gaussians with an albedo of their own, or that shine; `paper` knows none.
   bool has_own_optics = false;
   // An environment with non-zero radiance: behind the scene, and lighting it.

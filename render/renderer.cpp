@@ -106,6 +106,10 @@ std::optional<Frame> Renderer::Impl::render(FrameContext& work) {
   } else {
     if (!stages.prepare_source(work, clock)) return std::nullopt;
     medium = integrate_medium(work, clock);
+    work.mirrored.airlight_along = medium.method.along;
+    work.mirrored.open_length = [&work](const glm::dvec3& origin) {
+      return work.fog_extent.ray_distance(origin);
+    };
     surfaces = stages.shade_surfaces(work, clock);
   }
   if (work.job.stop.stop_requested()) return std::nullopt;
@@ -154,7 +158,8 @@ void Renderer::Impl::sample_pixels(FrameContext& work, const SeenMedium& medium,
   // Samples see what pixels beside their tile see, perhaps farther away.
   const FilmTiles film{tiles, medium.lists, work.rays, ends, work.frame, work.window, scale, 1};
   if (medium.method.prepare) medium.method.prepare(film);
-  const FilmSurfaces surfaces = stages.film_surfaces(work);
+  FilmSurfaces surfaces = stages.film_surfaces(work);
+  surfaces.mirrored_rays = 2;  // of each sample
   const Brightness brightness = work.settings.brightness
                                     ? *work.settings.brightness
                                     : brightness_of(work.frame, work.window.region());
@@ -224,7 +229,16 @@ AirlightIntegrator Renderer::Impl::sliced(FrameContext& work, StageClock& clock)
     film_slices.choose(film, stages.prepared().medium(), stages.lit_from(work, *lights),
                        work.settings.slices, work.job);
   };
-  return {evaluate, prepare};
+  const auto along = [this, &work, lights, source](const glm::dvec3& origin, auto directions,
+                                                   auto lengths, auto airlight, auto depths) {
+    sliced_airlight_along(stages.prepared().medium(), *lights, source ? source->function : nullptr,
+                          work.settings.slices,
+                          {.eye = origin, .directions = directions, .lengths = lengths},
+                          {airlight, depths});
+    // The frame's own airlight is multiplied at the end.
+    for (glm::vec3& radiance : airlight) radiance *= static_cast<float>(work.group.albedo);
+  };
+  return {evaluate, prepare, along};
 }
 
 AirlightIntegrator Renderer::Impl::march(const FrameContext& work) const {

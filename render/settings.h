@@ -107,6 +107,9 @@ struct Settings {
   // inscattering, instead of one per optical depth.
   bool paper_spread = false;
 
+  // `sliced`: smooth surfaces mirror what is around them, but in motion.
+  bool mirrors = true;
+
   // Maximum error of a ray's optical depth from culling far Gaussians; the reference has its own.
   double depth_error = 1e-3;
 

@@ -75,6 +75,8 @@ std::string to_string(Reason reason, std::size_t count) {
       return "airlight march runs only on the CPU";
     case Reason::reference_on_cpu:
       return "airlight reference runs only on the CPU";
+    case Reason::mirrors_on_cpu:
+      return "rays that smooth surfaces mirror are traced on the CPU";
     case Reason::path_on_cpu:
       return "airlight path runs only on the CPU";
     case Reason::too_many_slices:

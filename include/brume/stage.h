@@ -98,6 +98,7 @@ enum class Reason {
   march_on_cpu,
   reference_on_cpu,
   path_on_cpu,
+  mirrors_on_cpu,
   too_many_slices,
   too_many_radii,
   center_depths_on_cpu,

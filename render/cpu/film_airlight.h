@@ -17,6 +17,7 @@
 #include "render/prepare/film_window.h"
 #include "render/prepare/ray_ends.h"
 #include "render/settings.h"
+#include "render/shading/mirrored_light.h"
 #include "render/util/job.h"
 
 namespace brume {
@@ -56,7 +57,9 @@ struct AirlightIntegrator {
                                                const TileRays& rays, const TileAirlight& out)>;
   Evaluate evaluate;
   // Called once with all tiles before any is evaluated. May be empty.
-  std::function<void(const FilmTiles& film)> prepare;
+  std::function<void(const FilmTiles& film)> prepare{};
+  // Of rays that are not of the film; empty: the method has none. Thread-safe.
+  AirlightAlong along{};
 };
 
 struct FilmAirlight {

@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <optional>
 
 #include "core/math/infinity.h"
+#include "render/geometry/ray_range.h"
 #include "render/optical_depth/increment_kernels.h"
 #include "render/simd/gaussian_kernels.h"
+#include "render/slices/slice_boundaries.h"
 #include "render/slices/slice_kernels.h"
 
 namespace brume {
@@ -251,6 +255,36 @@ std::uint64_t sliced_airlight(const MediumIndex& medium, std::span<const std::ui
     out.depths[k] = static_cast<double>(s.depths[k]) + (b0 > 0.0 ? b0 * rest : 0.0);
   }
   return pairs;
+}
+
+void sliced_airlight_along(const MediumIndex& medium, std::span<const SlicedLight> lights,
+                           const SourceFunction* source, int slices, TileRays rays,
+                           const TileAirlight& out) {
+  thread_local std::vector<std::uint32_t> gaussians;
+  thread_local std::vector<double> boundaries;
+  thread_local std::vector<float> nodes;
+  TileCone cone;
+  cone.eye = rays.eye;
+  for (const glm::dvec3& w : rays.directions) cone.center += w;
+  cone.center = glm::normalize(cone.center);
+  for (std::size_t k = 0; k < rays.directions.size(); ++k) {
+    cone.spread = std::max(cone.spread, glm::length(rays.directions[k] - cone.center));
+    cone.max_length = std::max(cone.max_length, rays.lengths[k]);
+  }
+  gaussians.clear();
+  medium.bvh().query(cone, [&](std::uint32_t i) { gaussians.push_back(i); });
+  std::ranges::sort(gaussians);
+  choose_slices(medium, gaussians, lights, cone, std::max(slices / 2, 4), boundaries);
+  nodes.clear();
+  for (const double t : boundaries) nodes.push_back(static_cast<float>(std::min(t, endless)));
+  SliceNodes same;
+  same.boundaries.fill(nodes.data());
+  same.count = nodes.size() < 2 ? 0 : nodes.size();
+  const std::vector<glm::vec2> places(rays.directions.size(), glm::vec2(0.5f));
+  rays.positions = places;
+  std::optional<SlicedSource> seen;
+  if (source) seen = {source, source->from_eye(rays.eye)};
+  sliced_airlight(medium, gaussians, lights, seen ? &*seen : nullptr, rays, same, out);
 }
 
 }  // namespace brume

@@ -44,4 +44,10 @@ std::uint64_t sliced_airlight(const MediumIndex& medium, std::span<const std::ui
                               const TileRays& rays, const SliceNodes& slices,
                               const TileAirlight& out, TileProfiles* profiles = nullptr);
 
+// The same of rays from one point of the scene, their eye, which are none of a film: with slices of
+// their own, about half of `slices`. `source`: may be null. Thread-safe.
+void sliced_airlight_along(const MediumIndex& medium, std::span<const SlicedLight> lights,
+                           const SourceFunction* source, int slices, TileRays rays,
+                           const TileAirlight& out);
+
 }  // namespace brume

@@ -16,7 +16,7 @@ struct TileRays {
   std::span<const glm::dvec3> directions;  // unit
   std::span<const double> lengths;         // to the surface [u], or +inf
   std::size_t tile = 0;                    // index on the film
-  std::span<const glm::vec2> positions;    // in the tile, in [0, 1]^2
+  std::span<const glm::vec2> positions{};  // in the tile, in [0, 1]^2
   std::span<const glm::dvec3> offsets{};   // of each ray [u]; empty: they start at the eye
 
   [[nodiscard]] glm::dvec3 origin(std::size_t k) const {
@@ -43,6 +43,14 @@ struct TileCone {
     const double h = std::max(glm::length(q - t * center) - spread * std::max(t, 0.0) - width, 0.0);
     if (!(t > 0.0) || width > 0.0) return {t, h};
     return {std::sqrt(std::max(glm::dot(q, q) - h * h, t * t)), h};
+  }
+  // Whether rays of the cone may touch a ball.
+  [[nodiscard]] bool touches(const glm::dvec3& ball, double radius) const {
+    const glm::dvec3 q = ball - eye;
+    const double t = glm::dot(q, center);
+    if (t > max_length + radius) return false;
+    if (t <= 0.0) return glm::dot(q, q) <= radius * radius;
+    return nearest_pass(q).h <= radius;
   }
 };
 

@@ -10,6 +10,11 @@
 namespace brume {
 namespace {
 
+// What a surface reflects, and what of that no mirror planes do.
+struct Reflectances {
+  glm::vec3 all, scattered;
+};
+
 // The links of one node that surfaces block.
 struct NodeLinks {
   std::uint32_t blocked = 0;
@@ -18,7 +23,7 @@ struct NodeLinks {
 };
 
 NodeLinks links_of(const RayCaster& ray_caster, std::span<const Surface> surfaces,
-                   std::span<const glm::vec3> reflectances, const glm::dvec3& node,
+                   std::span<const Reflectances> reflectances, const glm::dvec3& node,
                    double spacing) {
   NodeLinks links;
   for (int link = 0; link < 27; ++link) {
@@ -34,7 +39,8 @@ NodeLinks links_of(const RayCaster& ray_caster, std::span<const Surface> surface
     links.blocked |= 1u << link;
     links.fractions.push_back(static_cast<float>(std::min(hit.distance / distance, 1.0)));
     links.surfels.push_back({glm::vec3(point.position - node), glm::vec3(point.normal),
-                             reflectances[static_cast<std::size_t>(hit.surface)]});
+                             reflectances[static_cast<std::size_t>(hit.surface)].all,
+                             reflectances[static_cast<std::size_t>(hit.surface)].scattered});
   }
   return links;
 }
@@ -58,11 +64,15 @@ bool is_beside_blocked(const GridNodes& nodes, std::span<const NodeLinks> links,
 GridOcclusion::GridOcclusion(const RayCaster& ray_caster, std::span<const Surface> surfaces,
                              const glm::dvec3& first, const GridNodes& nodes, const Job& job) {
   if (ray_caster.empty()) return;
-  std::vector<glm::vec3> reflectances;
+  std::vector<Reflectances> reflectances;
   for (const Surface& surface : surfaces) {
-    reflectances.emplace_back(mean_reflectance(surface.material));
-    const glm::vec3& r = reflectances.back();
+    const glm::vec3 r(mean_reflectance(surface.material));
+    reflectances.push_back({r, r});
     if (r.x != r.y || r.y != r.z) is_grey_ = false;
+  }
+  mirrors_ = mirror_planes(surfaces);
+  for (const MirrorPlane& mirror : mirrors_) {
+    reflectances[mirror.surface].scattered = glm::vec3(mirror.reflection.diffuse);
   }
   const auto width = static_cast<std::size_t>(nodes.count.x);
   const auto height = static_cast<std::size_t>(nodes.count.y);

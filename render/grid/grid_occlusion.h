@@ -12,6 +12,7 @@
 #include "brume/revision.h"
 #include "brume/scene.h"
 #include "render/grid/axis_planes.h"
+#include "render/grid/mirror_planes.h"
 #include "render/grid/sweep_kernels.h"
 #include "render/util/job.h"
 #include "render/visibility/ray_caster.h"
@@ -31,7 +32,9 @@ class GridOcclusion {
   struct Surfel {
     glm::vec3 offset{0.0f};       // from the node [u]
     glm::vec3 normal{0.0f};       // unit, on the side of the node
-    glm::vec3 reflectance{0.0f};  // diffuse
+    glm::vec3 reflectance{0.0f};  // of all it reflects, as a diffuse surface would
+    // Of what it reflects of point lights: without what mirrors() do.
+    glm::vec3 scattered{0.0f};
   };
 
   GridOcclusion() = default;  // nothing is occluded
@@ -41,6 +44,8 @@ class GridOcclusion {
                 const glm::dvec3& first, const GridNodes& nodes, const Job& job);
 
   [[nodiscard]] bool is_grey() const { return is_grey_; }
+  // The flat sides of smooth surfaces.
+  [[nodiscard]] std::span<const MirrorPlane> mirrors() const { return mirrors_; }
   // Per grid node, OccludedNode::blocked, and enclosed_bit; empty: nothing is.
   [[nodiscard]] std::span<const std::uint32_t> blocked() const { return blocked_; }
   // For the kernels.
@@ -65,6 +70,7 @@ class GridOcclusion {
   std::vector<std::uint32_t> grid_nodes_;
   std::vector<float> fractions_;
   std::vector<Surfel> surfels_;
+  std::vector<MirrorPlane> mirrors_;
   bool is_grey_ = true;
 };
 

@@ -56,7 +56,8 @@ struct FrameContext {
   FogExtent fog_extent;
   FilmWindow window;
   CameraRays rays;
-  Frame frame;  // of the window
+  Frame frame;            // of the window
+  MirroredWays mirrored;  // with mirrors, before surfaces are shaded
 
   FrameContext(const RenderPlan& frame_plan, const Scene& group_scene, const Camera& frame_camera,
                const FilmWindow& film_window, const TransferStore& known_transfers,
@@ -153,9 +154,16 @@ class FrameStages {
   std::span<const glm::vec3> shade_surfaces(FrameContext& work, StageClock& clock);
   // Shades more points of surfaces, after shade_surfaces(), until the next frame.
   [[nodiscard]] FilmSurfaces film_surfaces(const FrameContext& work) const {
-    return {work.scene.surfaces, prepared_.medium(), prepared_.ray_caster(), shading_,
-            lighting_,           work.rays,          work.frame.film,        work.window.shaded(),
-            work.plan.precision};
+    return {work.scene.surfaces,
+            prepared_.medium(),
+            prepared_.ray_caster(),
+            shading_,
+            lighting_,
+            work.rays,
+            work.frame.film,
+            work.window.shaded(),
+            work.plan.precision,
+            work.plan.has_mirrors ? &work.mirrored : nullptr};
   }
 
  private:

@@ -209,7 +209,7 @@ void add_reflected_point_light(const NodePointLight& light, const GridOcclusion&
           for (std::size_t c = 0; c < channels; ++c) {
             reflected[c * links + first_link + k] += static_cast<float>(radiance) *
                                                      light.intensity[c] *
-                                                     surfel.reflectance[static_cast<int>(c)];
+                                                     surfel.scattered[static_cast<int>(c)];
           }
         });
   });

@@ -8,6 +8,7 @@
 
 #include "render/grid/resampling.h"
 #include "render/grid/sweep_kernels.h"
+#include "render/scattering/mirrored_point_light.h"
 
 namespace brume {
 namespace {
@@ -64,14 +65,18 @@ void add_environment(const SourceGrid::Level& level, double scale, NodeLight& li
   }
 }
 
-// Adds a light's that is unscattered, or reflected by surfaces then. In one channel the colour of
-// all is common.
-void add_light(NodePointLight point, const SourceGrid::Level& level, UnscatteredLight& light,
-               const Job& job) {
+// In one channel the colour of all lights is common.
+void set_intensity(NodePointLight& point, std::size_t channels) {
   const glm::vec3 intensity(point.source.intensity);
   point.intensity = {intensity.x, intensity.y, intensity.z};
-  const std::size_t channels = light.incident.channels;
   if (channels == 1) point.intensity[0] = std::max({intensity.x, intensity.y, intensity.z});
+}
+
+// Adds a light's that is unscattered, or reflected by surfaces then.
+void add_light(NodePointLight point, const SourceGrid::Level& level, UnscatteredLight& light,
+               const Job& job) {
+  const std::size_t channels = light.incident.channels;
+  set_intensity(point, channels);
   add_point_light(point, level.first, level.nodes, level.surfaces.get(), light.incident, job);
   if (!level.surfaces) return;
   add_reflected_point_light(point, *level.surfaces, level.first, level.nodes, light.reflected,
@@ -121,21 +126,40 @@ void add_held_emission(const MultipleScattering::Input& input, const SourceGrid:
   if (level.surfaces) light.reflected = reflected_light(*level.surfaces, light.incident);
 }
 
-// Light that Gaussians emit as it arrives unscattered at the nodes of a level, and as surfaces
-// reflect it.
-std::optional<UnscatteredLight> emitted_light(const MultipleScattering::Input& input,
-                                              const SourceGrid::Level& level,
-                                              const GridMedium& medium, double extinction,
-                                              const UnscatteredLight& others, const Job& job) {
+// The light of point lights that smooth surfaces mirror, as it arrives unscattered at the nodes of
+// a level, and as surfaces reflect it then.
+void add_mirrored_light(const MultipleScattering::Input& input, const SourceGrid::Level& level,
+                        double extinction, UnscatteredLight& light, const Job& job) {
+  NodeLight mirrored(light.incident.bands, light.incident.channels, level.nodes.size());
+  for (const MultipleScattering::Light& source : input.lights) {
+    NodePointLight point{
+        source, {}, source.table, extinction, extinction * input.fog_density, input.surfaces};
+    set_intensity(point, mirrored.channels);
+    add_mirrored_point_light(point, *level.surfaces, level.first, level.nodes, mirrored, job);
+  }
+  add(mirrored.values, light.incident.values);
+  add(reflected_light(*level.surfaces, mirrored), light.reflected);
+}
+
+// Light that arrives unscattered at the nodes of a level and that slices do not know: what
+// Gaussians emit, and what smooth surfaces mirror; and as surfaces reflect it.
+std::optional<UnscatteredLight> light_of_nodes(const MultipleScattering::Input& input,
+                                               const SourceGrid::Level& level,
+                                               const GridMedium& medium, double extinction,
+                                               const UnscatteredLight& others, const Job& job) {
   const auto is_point = [&](const EmissionLights::Light& emission) {
     return level.is_point(emission);
   };
   const bool is_held = !level.emission[0].empty();
-  if (!is_held && std::ranges::none_of(input.emission, is_point)) return std::nullopt;
+  const bool has_mirrors = level.surfaces && !level.surfaces->mirrors().empty();
+  if (!is_held && !has_mirrors && std::ranges::none_of(input.emission, is_point)) {
+    return std::nullopt;
+  }
   UnscatteredLight light{
       NodeLight(others.incident.bands, others.incident.channels, level.nodes.size()),
       std::vector<float>(others.reflected.size(), 0.0f)};
   if (is_held) add_held_emission(input, level, medium, extinction, light, job);
+  if (has_mirrors) add_mirrored_light(input, level, extinction, light, job);
   for (const EmissionLights::Light& emission : input.emission) {
     if (!is_point(emission)) continue;
     add_light({emission.source,
@@ -297,11 +321,11 @@ bool MultipleScattering::update(const Input& input, const Job& job) {
     const SourceGrid::Level& level = levels[k];
     const SweepDegrees degrees = sweep_degrees(input, level);
     UnscatteredLight light = unscattered_light(input, k, truncation.extinction, color, job);
-    const std::optional<UnscatteredLight> emitted =
-        emitted_light(input, level, media[k], truncation.extinction, light, job);
-    if (emitted) {
-      add(emitted->incident.values, light.incident.values);
-      add(emitted->reflected, light.reflected);
+    const std::optional<UnscatteredLight> own =
+        light_of_nodes(input, level, media[k], truncation.extinction, light, job);
+    if (own) {
+      add(own->incident.values, light.incident.values);
+      add(own->reflected, light.reflected);
     }
     std::optional<NodeLight> outside;
     if (!outer.empty()) {
@@ -337,7 +361,7 @@ bool MultipleScattering::update(const Input& input, const Job& job) {
                                    Resampling(level.first, level.nodes, finer.first, finer.nodes)});
     }
     if (outside) add(outside->values, scattered.values);
-    if (emitted) add(emitted->incident.values, scattered.values);
+    if (own) add(own->incident.values, scattered.values);
     solved[k] = std::move(scattered);
   }
   levels_ = std::move(solved);

@@ -91,18 +91,38 @@ std::uint64_t FilmSurfaces::shade(std::span<const SurfaceHit> hits,
                                   std::span<const glm::vec3> directions,
                                   std::span<const glm::dvec3> offsets,
                                   std::span<glm::vec3> radiance) const {
+  return shade(hits, rays.eye(), directions, offsets, mirrored ? mirrored_rays : 0, radiance);
+}
+
+std::uint64_t FilmSurfaces::shade(std::span<const SurfaceHit> hits, const glm::dvec3& origin,
+                                  std::span<const glm::vec3> directions,
+                                  std::span<const glm::dvec3> offsets, int max_mirrored,
+                                  std::span<glm::vec3> radiance) const {
   SurfacePoints points;
   points.pixel_angle = static_cast<float>(2.0 * rays.pixel_half_angle());
   points.pixel_width = static_cast<float>(rays.pixel_width());
-  ray_caster.points(hits, rays.eye(), directions, offsets, surfaces, points);
+  ray_caster.points(hits, origin, directions, offsets, surfaces, points);
+  const bool mirrors =
+      max_mirrored > 0 && may_mirror(points.surface->material) && begin_mirroring(points);
   const SurfaceShading& shaded = shading.surfaces()[static_cast<std::size_t>(hits[0].surface)];
   // The light that transfer does not hold.
   const SurfaceLighting straight{.lights = lighting.lights};
   PointRadiance outgoing;
-  const std::uint64_t pairs =
+  std::uint64_t pairs =
       surface_radiance(medium, ray_caster, shaded.transferred ? straight : lighting, shaded, points,
                        precision, outgoing);
   if (shaded.transferred) shaded.transferred->add(hits, points, outgoing);
+  if (mirrors) {
+    // The second mirror shows two rays of each, the third none.
+    const int of_hits = max_mirrored > 2 ? 2 : 0;
+    const ShadeHits shade_hits = [&](auto of, const auto& from, auto seen_along, auto starts,
+                                     auto out) {
+      pairs += shade(of, from, seen_along, starts, of_hits, out);
+    };
+    add_mirrored_light({ray_caster, shading.environment(), mirrored->airlight_along,
+                        mirrored->open_length, shade_hits},
+                       points, max_mirrored, outgoing);
+  }
   for (std::size_t k = 0; k < hits.size(); ++k) {
     radiance[k] = {outgoing.r[k], outgoing.g[k], outgoing.b[k]};
   }

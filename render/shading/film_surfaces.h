@@ -8,12 +8,19 @@
 #include "render/geometry/medium_index.h"
 #include "render/geometry/tiles.h"
 #include "render/settings.h"
+#include "render/shading/mirrored_light.h"
 #include "render/shading/prepared_shading.h"
 #include "render/shading/surface_shading.h"
 #include "render/util/job.h"
 #include "render/visibility/ray_caster.h"
 
 namespace brume {
+
+// How far mirrored rays go, and what is on their way.
+struct MirroredWays {
+  AirlightAlong airlight_along;                                 // empty: there is no medium
+  std::function<double(const glm::dvec3& origin)> open_length;  // of rays that hit nothing
+};
 
 // Shades the surfaces of a view.
 struct FilmSurfaces {
@@ -31,6 +38,9 @@ struct FilmSurfaces {
   Film film;
   CameraRays::PixelRectangle pixels;  // those that are shaded, whole blocks
   Settings::Precision precision;
+  const MirroredWays* mirrored = nullptr;  // null: nothing mirrors
+  // Rays that a point mirrors at most; their hits mirror fewer, and those of these nothing more.
+  int mirrored_rays = 16;
 
   // Sets the exitant radiance of these pixels' hits towards the eye, black where there is none.
   // Returns the Gaussian x path pairs evaluated.
@@ -40,6 +50,12 @@ struct FilmSurfaces {
   // `offsets`, unless empty, see RayCaster::first_hits().
   std::uint64_t shade(std::span<const SurfaceHit> hits, std::span<const glm::vec3> directions,
                       std::span<const glm::dvec3> offsets, std::span<glm::vec3> radiance) const;
+
+ private:
+  // The same of rays from `origin`, of which each mirrors at most so many.
+  std::uint64_t shade(std::span<const SurfaceHit> hits, const glm::dvec3& origin,
+                      std::span<const glm::vec3> directions, std::span<const glm::dvec3> offsets,
+                      int max_mirrored, std::span<glm::vec3> radiance) const;
 };
 
 }  // namespace brume

@@ -162,7 +162,7 @@ std::uint64_t surface_radiance(const MediumIndex& medium, const RayCaster& ray_c
     if (material.type == Material::Type::measured) {
       add_measured_light(points, light_at_point, reflected.intensity, radiance);
     } else if (is_ggx) {
-      add_ggx_light(points, light_at_point, reflected.intensity, radiance);
+      add_ggx_light(points, light_at_point, reflected.intensity, light.source.is_seen, radiance);
     } else {
       add_direct_light(points, light_at_point, reflected, radiance);
     }

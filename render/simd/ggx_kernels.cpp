@@ -35,7 +35,7 @@ HWY_INLINE Vector Load(const PointVectors& v, std::size_t i) {
 }  // namespace ggx
 
 void AddGgxLight(const SurfacePoints& points, const LightAtPoints& light,
-                 const glm::vec3& intensity, PointRadiance& radiance) {
+                 const glm::vec3& intensity, bool is_seen, PointRadiance& radiance) {
   const D d;
   const V zero = hn::Zero(d);
   const V one = hn::Set(d, 1.0f);
@@ -55,9 +55,10 @@ void AddGgxLight(const SurfacePoints& points, const LightAtPoints& light,
     const V inverse = where(has_half, one / length);
     const Vector h{sum.x * inverse, sum.y * inverse, sum.z * inverse};
     const V cos_eye = max(dot(n, wo), static_cast<float>(min_ggx_cosine));
+    const V share = is_seen ? ggx::Load(points.ggx.lobe, i) : one;
     const V specular =
-        where(hn::And(lit, has_half),
-              microfacets(n, h, max(cos_light, zero), cos_eye, ggx::Load(points.ggx.alpha, i)));
+        share * where(hn::And(lit, has_half), microfacets(n, h, max(cos_light, zero), cos_eye,
+                                                          ggx::Load(points.ggx.alpha, i)));
     const V s = schlick(length);
     const V rest = one - s;
     const V diffuse = rest * std::numbers::inv_pi_v<float>;
@@ -82,8 +83,8 @@ namespace brume {
 HWY_EXPORT(AddGgxLight);
 
 void add_ggx_light(const SurfacePoints& points, const LightAtPoints& light,
-                   const glm::vec3& intensity, PointRadiance& radiance) {
-  HWY_DYNAMIC_DISPATCH(AddGgxLight)(points, light, intensity, radiance);
+                   const glm::vec3& intensity, bool is_seen, PointRadiance& radiance) {
+  HWY_DYNAMIC_DISPATCH(AddGgxLight)(points, light, intensity, is_seen, radiance);
 }
 
 }  // namespace brume

@@ -146,7 +146,7 @@ struct GgxRows {
   Rows rows;
   hn::Vec<hn::RebindToSigned<D>> first;  // of the tables over roughness
   V roughness_fraction;
-  V diffuse[3], f0[3];
+  V diffuse[3], f0[3], lobe;
   const float* diffuse_table;
   const float* scaled_table;
   const float* added_table;
@@ -163,6 +163,7 @@ struct GgxRows {
     roughness_fraction = hn::Sub(coordinate, below);
     first = hn::Add(rows.first, hn::ConvertTo(hn::RebindToSigned<D>(),
                                               hn::Mul(below, hn::Set(d, float{layer_size}))));
+    lobe = hn::Load(d, ggx.lobe.data() + at);
     const PointArray* diffuse_arrays[] = {&ggx.diffuse.x, &ggx.diffuse.y, &ggx.diffuse.z};
     const PointArray* f0_arrays[] = {&ggx.f0.x, &ggx.f0.y, &ggx.f0.z};
     for (std::size_t k = 0; k < 3; ++k) {
@@ -176,7 +177,7 @@ struct GgxRows {
     const V scaled = Layered(scaled_table + i);
     const V added = Layered(added_table + i);
     for (std::size_t k = 0; k < 3; ++k) {
-      rgb[k] = hn::MulAdd(diffuse[k], cosine, hn::MulAdd(f0[k], scaled, added));
+      rgb[k] = hn::MulAdd(diffuse[k], cosine, hn::Mul(lobe, hn::MulAdd(f0[k], scaled, added)));
     }
   }
 

@@ -31,6 +31,7 @@ struct GgxPoints {
   PointVectors diffuse, f0;
   PointVectors emitted;  // radiance
   PointArray alpha;
+  PointArray lobe;  // 1; 0 where mirrored rays hold what the highlight reflects of surfaces and fog
 };
 
 // Hit points of one surface in a tile, as arrays in single precision; padded to padded(count) by

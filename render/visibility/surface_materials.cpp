@@ -11,6 +11,7 @@ void set(const MaterialPoint& material, std::size_t k, GgxPoints& ggx) {
   ggx.f0.set(k, glm::vec3(material.reflection.f0));
   ggx.emitted.set(k, glm::vec3(material.emitted));
   ggx.alpha[k] = static_cast<float>(material.reflection.alpha);
+  ggx.lobe[k] = 1.0f;
 }
 
 }  // namespace

@@ -226,7 +226,8 @@ struct Cluster {
     return {.position = nearest.position,
             .intensity = intensity,
             .falloff = LightFalloff::of_surface(glm::normalize(normal), nearest.is_two_sided),
-            .radius = std::sqrt(area * std::numbers::inv_pi)};
+            .radius = std::sqrt(area * std::numbers::inv_pi),
+            .is_seen = true};
   }
 };
 

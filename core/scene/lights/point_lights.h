@@ -22,8 +22,9 @@ struct PointLight {
   glm::dvec3 position{0.0};
   glm::dvec3 intensity{0.0};  // RGB [W/sr]
   LightFalloff falloff{};
-  double radius = 0.0;  // of a disk as large as what it stands for of an area light [u]
-  bool is_far = false;  // stands for a directional light
+  double radius = 0.0;   // of a disk as large as what it stands for of an area light [u]
+  bool is_far = false;   // stands for a directional light
+  bool is_seen = false;  // stands for a surface that emits, which is seen
   // LightPoints::drawn: the surface around `position` that shines in place of the point.
   std::optional<AreaLight> area{};
 

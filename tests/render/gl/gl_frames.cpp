@@ -23,6 +23,7 @@ Settings quick_slices() {
   settings.optical_depth_table = {48, 24};
   settings.shadow_cells = 96;
   settings.source_grid = {200, 12};
+  settings.mirrors = false;  // the device has none
   return settings;
 }
 

@@ -35,6 +35,7 @@ struct GgxCase {
       points->ggx.diffuse.set(k, glm::vec3(r.diffuse));
       points->ggx.f0.set(k, glm::vec3(r.f0));
       points->ggx.alpha[k] = static_cast<float>(r.alpha);
+      points->ggx.lobe[k] = 1.0f;
     }
   }
 };
@@ -61,7 +62,7 @@ TEST(GgxKernels, ReflectLightsAsThePlainVersion) {
     light.lit[k] = k % 16 == 5 ? 0.0f : 1.0f;
   }
   PointRadiance found{};
-  add_ggx_light(*c.points, light, {1.0f, 2.0f, 3.0f}, found);
+  add_ggx_light(*c.points, light, {1.0f, 2.0f, 3.0f}, false, found);
   for (std::size_t k = 0; k < c.points->count; ++k) {
     const glm::dvec3 wi(-light.paths.x[k], -light.paths.y[k], -light.paths.z[k]);
     const double cosine = static_cast<double>(light.cosine[k]);

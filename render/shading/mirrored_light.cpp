@@ -1,0 +1,161 @@
+#include "render/shading/mirrored_light.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <limits>
+#include <map>
+#include <vector>
+
+#include "core/scene/materials/ggx.h"
+
+namespace brume {
+namespace {
+
+// Rays of a highlight of this alpha.
+int ray_count(float alpha, int max_rays) {
+  constexpr float point = 0.004f;
+  constexpr float narrow = 0.03f;
+  constexpr float wide = 0.1f;
+  const int wanted = alpha < point ? 1 : alpha < narrow ? 4 : alpha < wide ? 8 : 16;
+  return std::min(wanted, max_rays);
+}
+
+// Point k of a set that covers [0, 1)^2 evenly.
+glm::dvec2 even_point(int k, int count) {
+  if (count == 1) return {0.0, 0.0};  // straight from the mirror
+  constexpr double inverse_golden_ratio = 0.61803398874989484820;
+  const double turns = inverse_golden_ratio * k;
+  return {(k + 0.5) / count, turns - std::floor(turns)};
+}
+
+// A ray that a point mirrors, and the share of its light that is reflected.
+struct MirroredRay {
+  std::size_t point;
+  glm::dvec3 direction;  // unit
+  glm::dvec3 weight;
+  SurfaceHit hit{};
+  glm::vec3 behind{0.0f};  // radiance of the surface that it hits, or of the environment
+};
+
+void add_rays(const SurfacePoints& points, std::size_t k, int max_rays,
+              std::vector<MirroredRay>& rays) {
+  const glm::dvec3 n = points.normal[k];
+  const glm::dvec3 wo = points.to_eye[k];
+  GgxReflection highlight;
+  highlight.f0 = points.ggx.f0[k];
+  highlight.alpha = static_cast<double>(points.ggx.alpha[k]);
+  const int count = ray_count(points.ggx.alpha[k], max_rays);
+  for (int j = 0; j < count; ++j) {
+    const glm::dvec3 wi = sample_ggx(highlight.alpha, wo, n, even_point(j, count));
+    const double cosine = glm::dot(wi, n);
+    const double pdf = ggx_pdf(highlight.alpha, wi, wo, n);
+    if (!(cosine > 0.0) || !(pdf > 0.0)) continue;
+    rays.push_back(
+        {k, glm::normalize(wi), cosine / (pdf * count) * ggx_brdf(highlight, wi, wo, n)});
+  }
+}
+
+// The radiance of the surfaces that rays hit, those of one surface together.
+void shade(const MirroredScene& scene, const SurfacePoints& points, std::span<MirroredRay> rays) {
+  std::map<std::int32_t, std::vector<std::size_t>> waiting;
+  const auto shade_together = [&](std::vector<std::size_t>& some) {
+    std::array<SurfaceHit, Tiles::pixels> hits;
+    std::array<glm::vec3, Tiles::pixels> directions, radiance;
+    std::array<glm::dvec3, Tiles::pixels> offsets;
+    for (std::size_t i = 0; i < some.size(); ++i) {
+      hits[i] = rays[some[i]].hit;
+      directions[i] = glm::vec3(rays[some[i]].direction);
+      offsets[i] = points.shadow_origin[rays[some[i]].point];
+    }
+    scene.shade(std::span(hits).first(some.size()), points.origin,
+                std::span(directions).first(some.size()), std::span(offsets).first(some.size()),
+                std::span(radiance).first(some.size()));
+    for (std::size_t i = 0; i < some.size(); ++i) rays[some[i]].behind = radiance[i];
+    some.clear();
+  };
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    if (!rays[i].hit) continue;
+    std::vector<std::size_t>& some = waiting[rays[i].hit.surface];
+    some.push_back(i);
+    if (some.size() == Tiles::pixels) shade_together(some);
+  }
+  for (auto& [surface, some] : waiting) {
+    if (!some.empty()) shade_together(some);
+  }
+}
+
+// Adds the light of the rays of one point, with the medium on their way.
+void add_light(const MirroredScene& scene, const glm::dvec3& origin,
+               std::span<const MirroredRay> rays, PointRadiance& radiance) {
+  std::vector<glm::dvec3> directions;
+  std::vector<double> lengths;
+  for (const MirroredRay& ray : rays) {
+    directions.push_back(ray.direction);
+    lengths.push_back(ray.hit ? ray.hit.distance : scene.open_length(origin));
+  }
+  std::vector<glm::vec3> airlight(rays.size(), glm::vec3(0.0f));
+  std::vector<double> depths(rays.size(), 0.0);
+  if (scene.airlight_along) scene.airlight_along(origin, directions, lengths, airlight, depths);
+  const std::size_t k = rays.front().point;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    const glm::vec3 arriving =
+        airlight[i] + static_cast<float>(std::exp(-depths[i])) * rays[i].behind;
+    const glm::vec3 reflected = glm::vec3(rays[i].weight) * arriving;
+    radiance.r[k] += reflected.r;
+    radiance.g[k] += reflected.g;
+    radiance.b[k] += reflected.b;
+  }
+}
+
+}  // namespace
+
+bool may_mirror(const Material& material) {
+  if (material.type != Material::Type::metallic_roughness) return false;
+  const MetallicRoughness& values = material.metallic_roughness;
+  return values.roughness * values.roughness < double{max_mirror_alpha} ||
+         values.metallic_roughness_texture.content;
+}
+
+bool begin_mirroring(SurfacePoints& points) {
+  bool any = false;
+  for (std::size_t k = 0; k < points.padded_size(); ++k) {
+    const bool mirrors = points.ggx.alpha[k] < max_mirror_alpha;
+    points.ggx.lobe[k] = mirrors ? 0.0f : 1.0f;
+    any |= mirrors;
+  }
+  return any;
+}
+
+void add_mirrored_light(const MirroredScene& scene, const SurfacePoints& points, int max_rays,
+                        PointRadiance& radiance) {
+  std::vector<MirroredRay> rays;
+  std::vector<glm::dvec3> directions;
+  std::vector<SurfaceHit> hits;
+  for (std::size_t k = 0; k < points.count; ++k) {
+    if (points.ggx.lobe[k] > 0.0f) continue;
+    const std::size_t first = rays.size();
+    add_rays(points, k, max_rays, rays);
+    const std::span<MirroredRay> own = std::span(rays).subspan(first);
+    directions.clear();
+    for (const MirroredRay& ray : own) directions.push_back(ray.direction);
+    hits.resize(own.size());
+    scene.ray_caster.first_hits(points.origin + points.shadow_origin[k], directions, hits);
+    for (std::size_t i = 0; i < own.size(); ++i) own[i].hit = hits[i];
+  }
+  constexpr std::array open{std::numeric_limits<float>::infinity()};
+  for (MirroredRay& ray : rays) {
+    if (ray.hit || !scene.environment) continue;
+    scene.environment->show(ray.direction, glm::dvec3(0.0), 0, open, std::span(&ray.behind, 1));
+  }
+  shade(scene, points, rays);
+  for (std::size_t first = 0, end = 0; first < rays.size(); first = end) {
+    while (end < rays.size() && rays[end].point == rays[first].point) ++end;
+    add_light(scene, points.origin + points.shadow_origin[rays[first].point],
+              std::span(rays).subspan(first, end - first), radiance);
+  }
+}
+
+}  // namespace brume

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <functional>
+#include <glm/vec3.hpp>
+#include <span>
+
+#include "render/scattering/environment_light.h"
+#include "render/simd/surface_points.h"
+#include "render/visibility/ray_caster.h"
+
+namespace brume {
+
+// Light that smooth surfaces mirror: what the rays of a highlight meet, as view rays do. Rougher
+// ones reflect the spherical harmonics of all light, which hold no more.
+
+// Below this, in alpha = roughness^2, surfaces mirror.
+inline constexpr float max_mirror_alpha = 0.25f;
+
+// Whether any point of a material may mirror.
+bool may_mirror(const Material& material);
+
+// Airlight and optical depth of rays from one point, in unit directions up to `lengths` (may be
+// +inf).
+using AirlightAlong = std::function<void(
+    const glm::dvec3& origin, std::span<const glm::dvec3> directions,
+    std::span<const double> lengths, std::span<glm::vec3> airlight, std::span<double> depths)>;
+
+// Radiance, towards where the rays start, of hits of one surface: rays from `origin` plus offsets,
+// in unit directions; up to Tiles::pixels of them.
+using ShadeHits =
+    std::function<void(std::span<const SurfaceHit> hits, const glm::dvec3& origin,
+                       std::span<const glm::vec3> directions, std::span<const glm::dvec3> offsets,
+                       std::span<glm::vec3> radiance)>;
+
+// What mirrored rays meet.
+struct MirroredScene {
+  const RayCaster& ray_caster;
+  const EnvironmentLight* environment;                                 // null: none
+  const AirlightAlong& airlight_along;                                 // empty: there is no medium
+  const std::function<double(const glm::dvec3& origin)>& open_length;  // of rays that hit nothing
+  const ShadeHits& shade;
+};
+
+// Takes the highlight from what spherical harmonics reflect at points that mirror; see
+// GgxPoints::lobe. Whether there are any.
+bool begin_mirroring(SurfacePoints& points);
+
+// radiance += what points reflect from mirrored rays, `max_rays` of each at most: they are spread
+// over the highlight, by the normals that the eye sees, alike at all points; fewer where it is
+// narrow. Thread-safe.
+void add_mirrored_light(const MirroredScene& scene, const SurfacePoints& points, int max_rays,
+                        PointRadiance& radiance);
+
+}  // namespace brume

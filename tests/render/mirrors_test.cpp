@@ -1,0 +1,145 @@
+// Smooth surfaces mirror what is around them.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "brume/frame.h"
+#include "tests/render/test_scenes.h"
+
+namespace brume {
+namespace {
+
+Surface placed(Primitive::Shape shape, const glm::dvec3& size, const glm::dvec3& place) {
+  Surface surface;
+  surface.primitive = Primitive{shape, size};
+  surface.mesh = mesh_of(*surface.primitive);
+  surface.translate = place;
+  return surface;
+}
+
+void make_metal(Surface& surface, double base_color, double roughness) {
+  surface.material.type = Material::Type::metallic_roughness;
+  MetallicRoughness& material = surface.material.metallic_roughness;
+  material.base_color = glm::dvec3(base_color);
+  material.metallic = 1.0;
+  material.roughness = roughness;
+}
+
+// Boxes on a floor, lit from above.
+Scene boxes_on_a_floor() {
+  Scene scene;
+  scene.film = {48, 36};
+  scene.camera = {.eye = {0.0, 1.0, 4.0}, .target = {0.0, 0.2, 0.0}, .vertical_fov = 50.0};
+  scene.surfaces = {placed(Primitive::Shape::plane, {12.0, 1.0, 12.0}, {0.0, 0.0, 0.0}),
+                    placed(Primitive::Shape::box, {0.8, 1.0, 0.8}, {-0.8, 0.6, -0.5}),
+                    placed(Primitive::Shape::box, {0.8, 1.6, 0.8}, {0.8, 0.9, -1.0})};
+  scene.surfaces[1].material.reflectance = {0.8, 0.1, 0.1};
+  scene.surfaces[2].material.reflectance = {0.1, 0.2, 0.8};
+  Light light;
+  light.position = {2.0, 3.0, 2.0};
+  light.intensity = glm::dvec3(40.0);
+  scene.lights = {light};
+  return scene;
+}
+
+glm::vec3 pixel(const Frame& frame, int x, int y) {
+  const auto i = 4 * static_cast<std::size_t>(y * frame.film.width + x);
+  return {frame.beauty[i], frame.beauty[i + 1], frame.beauty[i + 2]};
+}
+
+// A white mirror shows what an eye below it sees where it is away.
+TEST(Mirrors, ShowWhatAMirroredEyeSees) {
+  Scene scene = boxes_on_a_floor();
+  make_metal(scene.surfaces[0], 1.0, 0.0);
+  const Frame mirrored = render_frame(scene, sliced(8));
+  scene.surfaces[0].translate.y = -20.0;
+  scene.surfaces[0].material.metallic_roughness.base_color = glm::dvec3(0.0);
+  scene.camera.eye.y *= -1.0;
+  scene.camera.target.y *= -1.0;
+  const Frame from_below = render_frame(scene, sliced(8));
+  int boxes = 0;
+  for (int y = 24; y < 36; ++y) {
+    for (int x = 0; x < 48; ++x) {
+      const glm::vec3 seen = pixel(from_below, x, 35 - y);
+      const glm::vec3 shown = pixel(mirrored, x, y);
+      if (!(seen.x + seen.z > 0.05f) || !(shown.x + shown.z > 0.05f)) continue;
+      ++boxes;
+      EXPECT_NEAR(shown.x, seen.x, 0.01f * seen.x + 1e-4f) << x << " " << y;
+      EXPECT_NEAR(shown.z, seen.z, 0.01f * seen.z + 1e-4f) << x << " " << y;
+    }
+  }
+  EXPECT_GT(boxes, 40);
+}
+
+double mean_difference(const Frame& a, const Frame& b, int first_row) {
+  double difference = 0.0;
+  double sum = 0.0;
+  for (int y = first_row; y < a.film.height; ++y) {
+    for (int x = 0; x < a.film.width; ++x) {
+      difference += static_cast<double>(pixel(a, x, y).x - pixel(b, x, y).x);
+      sum += static_cast<double>(pixel(b, x, y).x);
+    }
+  }
+  return difference / sum;
+}
+
+// Narrower highlights of a point light are rare, bright paths.
+TEST(Mirrors, AreAsBrightInFogAsPathsHaveThem) {
+  for (const double roughness : {0.2, 0.3, 0.45}) {
+    Scene scene = in_fog(boxes_on_a_floor(), 0.05);
+    scene.optics.albedo = glm::dvec3(0.7);
+    make_metal(scene.surfaces[0], 0.8, roughness);
+    const Frame mirrored = render_frame(scene, sliced(24, Scattering::multiple));
+    const Frame paths = render_frame(scene, path_traced(128));
+    EXPECT_NEAR(mean_difference(mirrored, paths, 22), 0.0, 0.03) << roughness;
+  }
+}
+
+// A surface that emits is seen in them, and makes no highlights beside that.
+TEST(Mirrors, ShowWhatEmitsOnce) {
+  Scene scene = boxes_on_a_floor();
+  scene.lights.clear();
+  make_metal(scene.surfaces[0], 0.8, 0.1);
+  make_metal(scene.surfaces[1], 0.0, 1.0);
+  scene.surfaces[1].material.metallic_roughness.emissive = glm::dvec3(3.0);
+  const Frame mirrored = render_frame(scene, sliced(8, Scattering::multiple));
+  const Frame paths = render_frame(scene, path_traced(256));
+  EXPECT_NEAR(mean_difference(mirrored, paths, 20), 0.0, 0.03);
+}
+
+TEST(Mirrors, OfEachOtherEnd) {
+  Scene scene = in_fog(boxes_on_a_floor(), 0.05);
+  for (Surface& surface : scene.surfaces) make_metal(surface, 1.0, 0.0);
+  expect_finite(render_frame(scene, sliced(8, Scattering::multiple)));
+}
+
+// The light above a mirror as its image below sends it, times Fresnel's term.
+TEST(Mirrors, SendLightIntoTheFog) {
+  Scene scene = in_fog(boxes_on_a_floor(), 0.02);
+  scene.surfaces.resize(1);
+  scene.camera = {.eye = {0.0, 2.0, 4.0}, .target = {0.0, 2.0, 0.0}, .vertical_fov = 30.0};
+  const auto airlight = [&](double base_color) {
+    make_metal(scene.surfaces[0], base_color, 0.1);
+    const Frame frame = render_frame(scene, sliced(24, Scattering::multiple));
+    double sum = 0.0;
+    for (const float value : frame.airlight) sum += static_cast<double>(value);
+    return sum;
+  };
+  const double black = airlight(0.0);
+  const double white = airlight(1.0);
+  Scene two_lights = scene;
+  make_metal(two_lights.surfaces[0], 0.0, 0.1);
+  two_lights.surfaces[0].translate.y = -30.0;
+  two_lights.lights.push_back(two_lights.lights[0]);
+  two_lights.lights[1].position.y *= -1.0;
+  double both = 0.0;
+  for (const float value : render_frame(two_lights, sliced(24, Scattering::multiple)).airlight) {
+    both += static_cast<double>(value);
+  }
+  // The mirror ends somewhere, and the black one reflects at grazing angles: some percent.
+  EXPECT_NEAR((white - black) / (both - black), 1.0, 0.1);
+}
+
+}  // namespace
+}  // namespace brume
