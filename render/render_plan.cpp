@@ -8,14 +8,15 @@
 
 #include "core/scene/fields/light_fields.h"
 #include "core/scene/lights/emitting_surfaces.h"
+#include "core/scene/materials/ggx.h"
 #include "core/scene/mesh.h"
-#include "render/shading/mirrored_light.h"
 
 namespace brume {
 namespace {
 
 bool mirrors(const Surface& surface) {
-  return may_mirror(surface.material);
+  return surface.material.type == Material::Type::metallic_roughness &&
+         may_mirror(surface.material.metallic_roughness);
 }
 
 bool has_transfer(const Surface& surface) {

@@ -49,7 +49,7 @@ std::vector<MirrorPlane> mirror_planes(std::span<const Surface> surfaces) {
     const Material& material = surfaces[s].material;
     if (material.type != Material::Type::metallic_roughness) continue;
     const GgxReflection reflection = average_material(material.metallic_roughness).reflection;
-    if (!(reflection.alpha < max_plane_alpha)) continue;
+    if (!(reflection.alpha < GgxReflection::max_mirror_alpha)) continue;
     for (MirrorPlane& side : sides_of(surfaces[s])) {
       side.surface = static_cast<std::uint32_t>(s);
       side.reflection = reflection;

@@ -20,9 +20,8 @@ struct MirrorPlane {
   GgxReflection reflection;  // on average
 };
 
-// Those of all surfaces that are smooth on average (alpha below max_plane_alpha) and have at most
+// Those of all surfaces that mirror on average (GgxReflection::max_mirror_alpha) and have at most
 // max_sides of them; curved ones have none.
-inline constexpr double max_plane_alpha = 0.25;
 inline constexpr std::size_t max_sides = 6;
 std::vector<MirrorPlane> mirror_planes(std::span<const Surface> surfaces);
 

@@ -102,8 +102,10 @@ std::uint64_t FilmSurfaces::shade(std::span<const SurfaceHit> hits, const glm::d
   points.pixel_angle = static_cast<float>(2.0 * rays.pixel_half_angle());
   points.pixel_width = static_cast<float>(rays.pixel_width());
   ray_caster.points(hits, origin, directions, offsets, surfaces, points);
-  const bool mirrors =
-      max_mirrored > 0 && may_mirror(points.surface->material) && begin_mirroring(points);
+  const Material& material = points.surface->material;
+  const bool is_ggx = material.type == Material::Type::metallic_roughness;
+  const bool mirrors = max_mirrored > 0 && is_ggx && may_mirror(material.metallic_roughness) &&
+                       begin_mirroring(points);
   const SurfaceShading& shaded = shading.surfaces()[static_cast<std::size_t>(hits[0].surface)];
   // The light that transfer does not hold.
   const SurfaceLighting straight{.lights = lighting.lights};

@@ -112,17 +112,10 @@ void add_light(const MirroredScene& scene, const glm::dvec3& origin,
 
 }  // namespace
 
-bool may_mirror(const Material& material) {
-  if (material.type != Material::Type::metallic_roughness) return false;
-  const MetallicRoughness& values = material.metallic_roughness;
-  return values.roughness * values.roughness < double{max_mirror_alpha} ||
-         values.metallic_roughness_texture.content;
-}
-
 bool begin_mirroring(SurfacePoints& points) {
   bool any = false;
   for (std::size_t k = 0; k < points.padded_size(); ++k) {
-    const bool mirrors = points.ggx.alpha[k] < max_mirror_alpha;
+    const bool mirrors = points.ggx.alpha[k] < float{GgxReflection::max_mirror_alpha};
     points.ggx.lobe[k] = mirrors ? 0.0f : 1.0f;
     any |= mirrors;
   }

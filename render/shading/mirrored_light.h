@@ -13,12 +13,6 @@ namespace brume {
 // Light that smooth surfaces mirror: what the rays of a highlight meet, as view rays do. Rougher
 // ones reflect the spherical harmonics of all light, which hold no more.
 
-// Below this, in alpha = roughness^2, surfaces mirror.
-inline constexpr float max_mirror_alpha = 0.25f;
-
-// Whether any point of a material may mirror.
-bool may_mirror(const Material& material);
-
 // Airlight and optical depth of rays from one point, in unit directions up to `lengths` (may be
 // +inf).
 using AirlightAlong = std::function<void(

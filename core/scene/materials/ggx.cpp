@@ -113,6 +113,11 @@ bool has_textures(const MetallicRoughness& material) {
          material.normal_texture.content || material.emissive_texture.content;
 }
 
+bool may_mirror(const MetallicRoughness& material) {
+  return square(material.roughness) < GgxReflection::max_mirror_alpha ||
+         material.metallic_roughness_texture.content;
+}
+
 MaterialPoint material_at(const MetallicRoughness& material, const glm::dvec2& uv,
                           double footprint) {
   MaterialPoint point = combined(material, lookup(material.base_color_texture, uv, footprint),

@@ -25,6 +25,9 @@ struct GgxReflection {
 
   // Smoother surfaces are taken for this one: a point light's highlight on a mirror is of no size.
   static constexpr double min_alpha = 1e-3;
+  // Those below this show what is around them; rougher ones reflect no more of it than spherical
+  // harmonics hold.
+  static constexpr double max_mirror_alpha = 0.25;
   // Materials that are no metal have an index of refraction of 1.5.
   static constexpr double dielectric_f0 = 0.04;
 
@@ -58,6 +61,9 @@ struct MaterialPoint {
 };
 
 bool has_textures(const MetallicRoughness& material);
+
+// Whether any point of it may be below GgxReflection::max_mirror_alpha.
+bool may_mirror(const MetallicRoughness& material);
 
 // At texture coordinates, averaged over a square of side `footprint` there.
 MaterialPoint material_at(const MetallicRoughness& material, const glm::dvec2& uv,
