@@ -1,6 +1,7 @@
 #pragma once
 
 #include <glm/vec3.hpp>
+#include <glm/vector_relational.hpp>
 
 namespace brume {
 
@@ -11,5 +12,10 @@ struct Box {
 
   bool operator==(const Box&) const = default;
 };
+
+inline bool contains(const Box& outer, const Box& inner) {
+  return glm::all(glm::lessThanEqual(outer.low, inner.low)) &&
+         glm::all(glm::greaterThanEqual(outer.high, inner.high));
+}
 
 }  // namespace brume

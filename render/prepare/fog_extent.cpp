@@ -11,6 +11,7 @@
 
 #include "brume/limits.h"
 #include "core/math/infinity.h"
+#include "core/math/random_source.h"
 #include "core/math/sphere_rule.h"
 #include "core/scene/lights/point_lights.h"
 
@@ -122,21 +123,14 @@ Box fog_bounds(double b0, std::span<const PointLight> lights) {
   return with_space_around(in_steps(box));
 }
 
-Box finest_fog_bounds(const RayCaster& surfaces, std::span<const PointLight> lights,
-                      const std::optional<Box>& room, double reach) {
+LitSpace space_lit_near(const RayCaster& surfaces, std::span<const glm::dvec3> lights,
+                        const std::optional<Box>& room, double reach) {
   constexpr double worth = 0.25;  // of the volume of all
   // All levels of a grid reach some 400 times as far as the finest.
   constexpr double min_share = 1.0 / 128.0;
   const Box& all = surfaces.bounds();
-  std::vector<glm::dvec3> places;
-  std::vector<double> clearances;
-  for (const PointLight& light : lights) {
-    if (light.is_far) continue;
-    places.push_back(light.position);
-    clearances.push_back(clearance(surfaces, light.position));
-  }
   // Under a sun the fog over a ground needs the nodes below it: without, a floor was 7% too dark.
-  const HiddenSides hidden = places.empty() ? HiddenSides{} : hidden_sides(surfaces, places);
+  const HiddenSides hidden = lights.empty() ? HiddenSides{} : hidden_sides(surfaces, lights);
   const auto with_space = [&](const Box& box) {
     return without_hidden_space(with_space_around(box), all, hidden);
   };
@@ -145,16 +139,24 @@ Box finest_fog_bounds(const RayCaster& surfaces, std::span<const PointLight> lig
     return sides.x * sides.y * sides.z;
   };
   const double least = 0.5 * min_share * std::max(longest_side(all), 2.0 * reach);
-  const Box whole = with_space(all);
+  LitSpace lit{with_space(all)};
+  const double whole = volume(lit.fog);
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto& [low, high] = hidden[static_cast<std::size_t>(axis)];
+    if (low) lit.open.low[axis] = all.low[axis];
+    if (high) lit.open.high[axis] = all.high[axis];
+  }
+  std::vector<double> clearances;
+  for (const glm::dvec3& light : lights) clearances.push_back(clearance(surfaces, light));
   for (const double reach_of_light : {8.0, 4.0}) {  // in clearances
     Box box{glm::dvec3(infinity), glm::dvec3(-infinity)};
     const auto add = [&box](const glm::dvec3& low, const glm::dvec3& high) {
       box.low = glm::min(box.low, low);
       box.high = glm::max(box.high, high);
     };
-    for (std::size_t i = 0; i < places.size(); ++i) {
+    for (std::size_t i = 0; i < lights.size(); ++i) {
       const glm::dvec3 around(std::max(reach_of_light * clearances[i], least));
-      add(places[i] - around, places[i] + around);
+      add(lights[i] - around, lights[i] + around);
     }
     if (room) {
       const glm::dvec3 middle = 0.5 * (room->low + room->high);
@@ -162,9 +164,29 @@ Box finest_fog_bounds(const RayCaster& surfaces, std::span<const PointLight> lig
     }
     if (!(box.low.x <= box.high.x)) break;
     box = with_space(in_steps(box));
-    if (volume(box) <= worth * volume(whole)) return box;
+    if (volume(box) > worth * whole) continue;
+    lit.fog = box;
+    break;
   }
-  return whole;
+  return lit;
+}
+
+bool close_in(const RayCaster& surfaces, std::span<const glm::dvec3> lights) {
+  // Light that is scattered anywhere on its way.
+  constexpr std::size_t walks = 512;
+  constexpr int steps = 6;
+  if (lights.empty()) return false;
+  RandomSource random(1);
+  for (std::size_t i = 0; i < std::max(walks, lights.size()); ++i) {
+    glm::dvec3 place = lights[i % lights.size()];
+    for (int step = 0; step < steps; ++step) {
+      const glm::dvec3 w = glm::normalize(random.in_ball());
+      const SurfaceHit hit = surfaces.first_hit(place, w);
+      if (!hit) return false;
+      place += random.uniform() * hit.distance * w;
+    }
+  }
+  return true;
 }
 
 bool is_indoors(const RayCaster& surfaces, const glm::dvec3& place) {

@@ -10,6 +10,7 @@
 #include "core/scene/lights/point_lights.h"
 #include "render/geometry/box.h"
 #include "render/geometry/fog_ball.h"
+#include "render/scattering/lit_space.h"
 #include "render/visibility/ray_caster.h"
 
 namespace brume {
@@ -53,14 +54,17 @@ FogBall fog_of(const Scene& scene);
 // paths around these lights but directional ones, or around the origin. In steps of at least a
 // sixteenth of its size, so that it mostly stays while a light is dragged.
 Box fog_bounds(double b0, std::span<const PointLight> lights);
-// The part of the surfaces' bounds where fog needs the finest nodes: around lights that are near
-// surfaces, some times as far as these are, but no less than coarser levels can go on from: to all
-// surfaces, and as far as fog scatters (`reach`); and the room around the eye, if it is in one. All
-// of the bounds if that would save little. With space above what is flat, but none on sides where
-// surfaces hide it from these lights: nodes below a ground or behind the walls of a tunnel would be
-// lost. It stays while lights move a little.
-Box finest_fog_bounds(const RayCaster& surfaces, std::span<const PointLight> lights,
-                      const std::optional<Box>& room, double reach);
+// Among surfaces, with lights that are not far away at these places. The fog that needs the finest
+// nodes is the part of the surfaces' bounds around lights that are near surfaces, some times as far
+// as these are, but no less than coarser levels can go on from: to all surfaces, and as far as fog
+// scatters (`reach`); and the room around the eye, if it is in one. It is all of the bounds if that
+// would save little. With space above what is flat, but none on sides where surfaces hide it from
+// these lights: nodes below a ground or behind the walls of a tunnel would be lost. It stays while
+// lights move a little.
+LitSpace space_lit_near(const RayCaster& surfaces, std::span<const glm::dvec3> lights,
+                        const std::optional<Box>& room, double reach);
+// Whether surfaces keep all light of lights at these places in, however often it is scattered.
+bool close_in(const RayCaster& surfaces, std::span<const glm::dvec3> lights);
 // Bounds of the surfaces that hide nine tenths of the directions around a place, but for those as
 // wide as a ground; nullopt if it is in the open, or if they are more than a third as wide as
 // all surfaces: then nodes for all of these do.

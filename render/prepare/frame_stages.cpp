@@ -108,6 +108,11 @@ SurfaceHit FrameStages::hit(std::size_t pixel) const {
 bool FrameStages::prepare_source(FrameContext& work, StageClock& clock) {
   const bool has_environment = work.plan.runs(Stage::environment);
   const bool has_multiple = work.plan.runs(Stage::scattering);
+  if (has_multiple) {
+    emission_lights_.update(
+        prepared_.medium(), work.group.albedo,
+        work.plan.runs(Stage::visibility) ? prepared_.ray_caster().bounds() : Box{}, work.job);
+  }
   if (!work.plan.has_environment_in_medium && !has_multiple) source_.clear();
   if (!work.plan.has_source_function()) return true;
   SourceFunction::Input input{has_environment ? &*work.scene.environment : nullptr,
@@ -115,7 +120,7 @@ bool FrameStages::prepare_source(FrameContext& work, StageClock& clock) {
                               work.scene.optics.anisotropy,
                               has_environment ? fog_depth(work) : 0.0,
                               has_multiple ? work.fog_extent.ball() : work.fog_extent.fog(),
-                              lit_fog(work),
+                              lit_space(work),
                               {},
                               work.settings.source_grid,
                               {},
@@ -141,8 +146,6 @@ bool FrameStages::prepare_source(FrameContext& work, StageClock& clock) {
 
 SourceFunction::Multiple FrameStages::multiple_scattering(FrameContext& work, StageClock& clock) {
   const bool has_surfaces = work.plan.runs(Stage::visibility);
-  emission_lights_.update(prepared_.medium(), work.group.albedo,
-                          has_surfaces ? prepared_.ray_caster().bounds() : Box{}, work.job);
   SourceFunction::Multiple multiple{
       {},
       &emission_lights_,
@@ -175,25 +178,43 @@ Box within(const Box& box, const FogBall& fog) {
 
 }  // namespace
 
-Box FrameStages::lit_fog(const FrameContext& work) const {
-  // Where there are Gaussians the grid is around these.
-  const auto is_there = [](const GaussianTerm<double>& g) { return g.c > 0.0; };
-  if (!work.plan.runs(Stage::homogeneous) ||
-      std::ranges::any_of(prepared_.medium().gaussians(), is_there)) {
-    return {};
-  }
-  if (work.plan.runs(Stage::visibility)) {
-    const double b0 = prepared_.medium().homogeneous_density();
-    const Box box = finest_fog_bounds(prepared_.ray_caster(), work.plan.lights,
-                                      room_around(prepared_.ray_caster(), work.rays.eye()),
-                                      scattering_reach(b0, work.fog_extent.ball()));
-    return within(box, work.fog_extent.fog());
-  }
-  // Light from far away is scattered wherever there is fog.
+LitSpace FrameStages::lit_space(const FrameContext& work) const {
+  const bool has_fog = work.plan.runs(Stage::homogeneous);
+  const double b0 = prepared_.medium().homogeneous_density();
   const FogBall& ball = work.fog_extent.ball();
+  const auto is_there = [](const GaussianTerm<double>& g) { return g.c > 0.0; };
+  const bool has_gaussians = std::ranges::any_of(prepared_.medium().gaussians(), is_there);
+  if (work.plan.runs(Stage::visibility)) {
+    const RayCaster& surfaces = prepared_.ray_caster();
+    if (!has_fog) return {{}, surfaces.bounds()};
+    const bool is_lit_from_afar = work.fog_extent.has_far_light();
+    // Then light is everywhere, and finest nodes are around Gaussians: a forest in mist was 8% too
+    // bright else.
+    if (is_lit_from_afar && has_gaussians) return {};
+    std::vector<glm::dvec3> lights;
+    for (const PointLight& light : work.plan.lights) {
+      if (!light.is_far) lights.push_back(light.position);
+    }
+    if (work.plan.runs(Stage::scattering)) {
+      for (const EmissionLights::Light& light : emission_lights_.lights())
+        lights.push_back(light.source.position);
+    }
+    LitSpace lit = space_lit_near(surfaces, lights, room_around(surfaces, work.rays.eye()),
+                                  scattering_reach(b0, ball));
+    lit.fog = within(lit.fog, work.fog_extent.fog());
+    if (is_lit_from_afar) {
+      lit.open = LitSpace().open;
+    } else if (close_in(surfaces, lights)) {
+      lit.open = surfaces.bounds();
+      lit.is_closed = true;
+    }
+    return lit;
+  }
+  if (!has_fog || has_gaussians) return {};  // around these
+  // Light from far away is scattered wherever there is fog.
   if (work.fog_extent.has_far_light())
-    return {ball.center - ball.radius, ball.center + ball.radius};
-  return within(fog_bounds(prepared_.medium().homogeneous_density(), work.plan.lights), ball);
+    return {{ball.center - ball.radius, ball.center + ball.radius}};
+  return {within(fog_bounds(b0, work.plan.lights), ball)};
 }
 
 IncidentOptics FrameStages::incident_optics(const FrameContext& work) const {

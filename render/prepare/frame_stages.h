@@ -169,8 +169,7 @@ class FrameStages {
  private:
   static bool make_transfers(FrameContext& work);
   SurfaceLighting tabled_lighting(FrameContext& work);
-  // Bounds of what stands in homogeneous fog.
-  [[nodiscard]] Box lit_fog(const FrameContext& work) const;
+  [[nodiscard]] LitSpace lit_space(const FrameContext& work) const;
   [[nodiscard]] IncidentOptics incident_optics(const FrameContext& work) const;
   SourceFunction::Multiple multiple_scattering(FrameContext& work, StageClock& clock);
 

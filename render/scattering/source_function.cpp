@@ -140,8 +140,8 @@ bool SourceFunction::make_grid(const Input& input, const Job& job) {
                     has_same(input.receivers) && scene_medium_ == input.scene_medium &&
                     (input.motion.any_source_precision ||
                      (medium_ == input.medium.revision() && emission_ == emission)) &&
-                    fog_ball_ == input.fog_ball && in_fog_ == input.in_fog &&
-                    extinction_ == extinction && keeps_transmitted_ == input.multiple.has_value() &&
+                    fog_ball_ == input.fog_ball && lit_ == input.lit && extinction_ == extinction &&
+                    keeps_transmitted_ == input.multiple.has_value() &&
                     surfaces_revision_ == surfaces_revision && through_windows_ == through_windows;
   environment_.reset();
   if (environment) environment_ = *environment;
@@ -155,7 +155,7 @@ bool SourceFunction::make_grid(const Input& input, const Job& job) {
   medium_ = input.medium.revision();
   scene_medium_ = input.scene_medium;
   fog_ball_ = input.fog_ball;
-  in_fog_ = input.in_fog;
+  lit_ = input.lit;
   extinction_ = extinction;
   albedo_ = input.multiple ? input.multiple->albedo : 1.0;
   lobe_broadening_ =
@@ -171,7 +171,7 @@ bool SourceFunction::make_grid(const Input& input, const Job& job) {
   const GaussianTerms<double> terms(input.medium, extinction);
   grid_.emplace(terms.all(), lights_in_world(),
                 SourceGrid::Content{phase_.count(), extinction * input.medium.homogeneous_density(),
-                                    input.fog_ball, input.in_fog, receivers_, surfaces,
+                                    input.fog_ball, input.lit, receivers_, surfaces,
                                     input.multiple.has_value(),
                                     input.multiple ? input.multiple->emission : nullptr},
                 input.size, job);

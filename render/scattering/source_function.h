@@ -54,7 +54,7 @@ class SourceFunction {
     // and where it is 0, nodes hold how much passes the ball.
     double fog_depth;
     FogBall fog_ball;
-    Box in_fog;  // see SourceGrid::Content
+    LitSpace lit;
     std::optional<SourceGrid::Receivers> receivers;
     SourceGridSize size;
     std::optional<Multiple> multiple;
@@ -136,7 +136,7 @@ class SourceFunction {
   Revision scene_medium_ = 0;
   FogBall fog_ball_;
   bool through_windows_ = false;
-  Box in_fog_;
+  LitSpace lit_;
   double extinction_ = 1.0;
   double albedo_ = 1.0;
   LobeBroadening lobe_broadening_;

@@ -10,9 +10,8 @@
 #include "core/math/special_functions.h"
 #include "core/math/spherical_harmonics.h"
 #include "render/grid/density_samples.h"
-#include "render/grid/node_layout.h"
 #include "render/grid/resampling.h"
-#include "render/scattering/medium_bounds.h"
+#include "render/scattering/grid_layout.h"
 #include "render/simd/gaussian_kernels.h"
 
 namespace brume {
@@ -20,15 +19,6 @@ namespace {
 
 // So many sweeps are held at a time.
 constexpr std::size_t sweep_batch = 32;
-
-bool contains(const glm::dvec3& low, const glm::dvec3& high, const Box& box) {
-  return glm::all(glm::lessThanEqual(low, box.low)) &&
-         glm::all(glm::greaterThanEqual(high, box.high));
-}
-
-double smallest(const glm::dvec3& v) {
-  return std::min({v.x, v.y, v.z});
-}
 
 // Weights of the transmittance towards each light: of the coefficients of its light, channel after
 // channel, and of the clusters.
@@ -267,75 +257,12 @@ SourceGrid::SourceGrid(std::span<const GaussianTerm<double>> gaussians,
                        std::span<const SourceLight> lights, const Content& content,
                        const SourceGridSize& size, const Job& job)
     : bands_(content.bands) {
-  MediumBounds bounds = medium_bounds(gaussians, content.emission);
-  // With Gaussians the grid is where these are, and as large as they want it: measured so far.
-  const bool is_fog_alone = bounds.empty();
-  if (is_fog_alone && content.fog_density > 0.0) {
-    bounds = {content.in_fog.low, content.in_fog.high, 0.0};
-  }
-  core_ = {bounds.low, bounds.high};
-  if (bounds.empty()) {
-    levels_.emplace_back();
-  } else {
-    static const AxisPlanes none;
-    const AxisPlanes& planes = content.surfaces && is_fog_alone ? content.surfaces->planes() : none;
-    const auto add_nodes = [&](const NodeLayout& layout) {
-      Level& level = levels_.emplace_back();
-      level.first = layout.first;
-      level.nodes = layout.nodes;
-    };
-    add_nodes(lay_out(bounds.low, bounds.high, 0.12 * bounds.min_radius, size.nodes, planes));
-    const bool goes_beyond = (content.receivers && !holds(content.receivers->box)) ||
-                             (content.surfaces && !holds(content.surfaces->bounds()));
-    glm::dvec3 low = bounds.low;
-    glm::dvec3 high = bounds.high;
-    const auto add_level = [&](int nodes) {
-      const double beyond = glm::length(high - low);
-      glm::dvec3 max_low = low - beyond;
-      glm::dvec3 max_high = high + beyond;
-      if (content.surfaces && !(content.fog_density > 0.0)) {  // nothing is beyond them
-        max_low = glm::max(max_low, glm::min(low, content.surfaces->bounds().low));
-        max_high = glm::min(max_high, glm::max(high, content.surfaces->bounds().high));
-      }
-      if (is_fog_alone && !content.fog_ball.is_endless()) {  // nor beyond the fog
-        const FogBall& ball = content.fog_ball;
-        Box all{ball.center - ball.radius, ball.center + ball.radius};
-        const auto add = [&all](const Box& box) {  // a ball may end before what light falls on does
-          all.low = glm::min(all.low, box.low);
-          all.high = glm::max(all.high, box.high);
-        };
-        if (content.surfaces) add(content.surfaces->bounds());
-        if (content.receivers) add(content.receivers->box);
-        max_low = glm::max(max_low, glm::min(low, all.low));
-        max_high = glm::min(max_high, glm::max(high, all.high));
-      }
-      low = max_low;
-      high = max_high;
-      const double spacing = static_cast<double>(levels_.back().nodes.spacing);
-      add_nodes(lay_out(low, high, 2.0 * spacing, nodes, planes));
-    };
-    // A sky lights all of a ball of fog from beyond it; endless fog scatters what is near.
-    const FogBall& ball = content.fog_ball;
-    const auto holds_fog = [&] {
-      if (!(content.fog_density > 0.0)) return true;
-      if (!ball.is_endless()) {
-        return contains(low, high, {ball.center - ball.radius, ball.center + ball.radius});
-      }
-      const double mean_free_paths = is_fog_alone ? 4.0 : 1.0;
-      return levels_.size() > 1 && 0.5 * smallest(high - low) >=
-                                       scattering_reach(content.fog_density, ball, mean_free_paths);
-    };
-    if (!holds_fog() || goes_beyond) add_level(size.nodes / 2);
-    // Surfaces beyond all levels are lit as those at the border are, which is too much of what
-    // Gaussians emit.
-    const auto holds_surfaces = [&] {
-      const bool has_emission = content.emission && !content.emission->lights().empty();
-      return !content.surfaces || (!gaussians.empty() && !has_emission) ||
-             contains(low, high, content.surfaces->bounds());
-    };
-    while (levels_.size() < max_levels && (!holds_fog() || !holds_surfaces())) {
-      add_level(size.nodes / 4);
-    }
+  const GridLayout layout = lay_out_levels(gaussians, content, size);
+  core_ = layout.core;
+  for (const NodeLayout& nodes : layout.levels) {
+    Level& level = levels_.emplace_back();
+    level.first = nodes.first;
+    level.nodes = nodes.nodes;
   }
   for (std::size_t k = 0; k < levels_.size(); ++k) {
     Level& level = levels_[k];
@@ -344,7 +271,7 @@ SourceGrid::SourceGrid(std::span<const GaussianTerm<double>> gaussians,
     if (content.surfaces) {
       level.surfaces = content.surfaces->at(k, level.first, level.nodes, job);
       const double rounding = 1e-3 * static_cast<double>(level.nodes.spacing);
-      level.holds_surfaces = contains(level.first - rounding, last_position(level) + rounding,
+      level.holds_surfaces = contains({level.first - rounding, last_position(level) + rounding},
                                       content.surfaces->bounds());
     }
     if (content.emission) add_optics(gaussians, content, level, job);
@@ -463,7 +390,7 @@ std::size_t SourceGrid::bytes() const {
 }
 
 bool SourceGrid::holds(const Box& box) const {
-  return contains(core_.low, core_.high, box);
+  return contains(core_, box);
 }
 
 }  // namespace brume

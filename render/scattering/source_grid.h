@@ -19,6 +19,7 @@
 #include "render/lights/distant_lights.h"
 #include "render/lights/emission_lights.h"
 #include "render/scattering/incident_grid.h"
+#include "render/scattering/lit_space.h"
 #include "render/scattering/phase_bands.h"
 #include "render/settings.h"
 #include "render/util/job.h"
@@ -56,7 +57,7 @@ class SourceGrid {
     double fog_density = 0.0;  // homogeneous extinction [1/u]
     // Where it is. Endless: it attenuates distant lights evenly, and J leaves that out.
     FogBall fog_ball;
-    Box in_fog;  // where it needs nodes, if there are no Gaussians
+    LitSpace lit;
     std::optional<Receivers> receivers;
     LevelOcclusion* surfaces = nullptr;        // that occlude all light; null: none do
     bool keeps_transmitted = false;            // see Level
@@ -65,10 +66,7 @@ class SourceGrid {
 
   static constexpr std::size_t max_levels = 5;
 
-  // Around the Gaussians, or without any around what stands in the fog. With fog or surfaces, each
-  // of further, coarser levels covers several times the extent of the one before: as many as reach
-  // the end of the fog, or mean free paths if it has none. In parallel; invalid after the job was
-  // stopped.
+  // Its levels are those of lay_out_levels(). In parallel; invalid after the job was stopped.
   SourceGrid(std::span<const GaussianTerm<double>> gaussians, std::span<const SourceLight> lights,
              const Content& content, const SourceGridSize& size, const Job& job);
 

@@ -73,5 +73,26 @@ TEST(Rooms, AreLitThroughAWindowAsByPaths) {
   EXPECT_NEAR(picture.bias, 0.0, 0.04);
 }
 
+// A light just below the ceiling of a closed room of 6 by 10 by 3. The grid's levels left the room,
+// which had few nodes then: 21% were missing, and 11% with smoke, around which all fine nodes were.
+TEST(Rooms, AreLitFromJustBelowTheirCeilings) {
+  Scene scene;
+  scene.film = {16, 12};
+  scene.camera = {{2.5, 1.6, 4.5}, {-1.5, 1.2, -2.0}, {0, 1, 0}, 60.0};
+  scene.medium.set_homogeneous_density(0.12);
+  scene.optics.albedo = glm::dvec3(1.0);
+  scene.lights = {{{-0.7, 2.93, -1.0}, glm::dvec3(10.0), light::Point()}};
+  scene.surfaces = {
+      block({-3.2, -0.2, -5.2}, {3.2, 0.0, 5.2}), block({-3.2, 3.0, -5.2}, {3.2, 3.2, 5.2}),
+      block({-3.2, 0.0, -5.2}, {-3.0, 3.0, 5.2}), block({3.0, 0.0, -5.2}, {3.2, 3.0, 5.2}),
+      block({-3.0, 0.0, -5.2}, {3.0, 3.0, -5.0}), block({-3.0, 0.0, 5.0}, {3.0, 3.0, 5.2})};
+  // The means of `brume render --airlight path:8192`.
+  EXPECT_NEAR(mean_airlight_in(scene), 0.1001, 0.03 * 0.1001);
+  for (int i = 0; i < 5; ++i) {
+    scene.medium.append({{-1.0 + 0.5 * i, 0.8 + 0.3 * i, -1.5 - 0.4 * i}, 0.4, 0.4});
+  }
+  EXPECT_NEAR(mean_airlight_in(scene), 0.1010, 0.03 * 0.1010);
+}
+
 }  // namespace
 }  // namespace brume
