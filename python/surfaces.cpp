@@ -83,6 +83,15 @@ std::shared_ptr<Surface> primitive_surface(const std::string& shape, const glm::
   return surface;
 }
 
+AlphaMode alpha_mode(const std::string& name) {
+  constexpr std::array names{"opaque", "cutout", "blend"};
+  const auto found = std::ranges::find(names, name);
+  if (found == names.end()) {
+    throw DomainError("alpha", "found '" + name + "'; allowed: opaque, cutout, blend");
+  }
+  return static_cast<AlphaMode>(found - names.begin());
+}
+
 void set_material(Surface& surface, const Material& material) {
   check_unkeyed("reflectance", surface.keys.reflectance);
   check_unkeyed("specular", surface.keys.specular);
@@ -159,17 +168,25 @@ void bind_surface(py::module_& module) {
       .def(
           "set_metallic_roughness",
           [](Surface& self, const glm::dvec3& base_color, double metallic, double roughness,
-             const glm::dvec3& emissive) {
+             const glm::dvec3& emissive, const std::string& alpha, double opacity,
+             double alpha_cutoff, const glm::dvec3& transmission) {
             Material material{.type = Material::Type::metallic_roughness};
             MetallicRoughness& values = material.metallic_roughness;
             values.base_color = base_color;
             values.metallic = metallic;
             values.roughness = roughness;
             values.emissive = emissive;
+            values.alpha = alpha_mode(alpha);
+            values.opacity = opacity;
+            values.alpha_cutoff = alpha_cutoff;
+            values.transmission = transmission;
             set_material(self, material);
           },
           py::arg("base_color"), py::arg("metallic") = 0.0, py::arg("roughness") = 0.5,
-          py::arg("emissive") = glm::dvec3(0.0), "glTF's material; emissive [W/(sr u^2)].");
+          py::arg("emissive") = glm::dvec3(0.0), py::arg("alpha") = "opaque",
+          py::arg("opacity") = 1.0, py::arg("alpha_cutoff") = 0.5,
+          py::arg("transmission") = glm::dvec3(0.0),
+          "glTF's material; emissive [W/(sr u^2)]; alpha 'opaque', 'cutout' or 'blend'.");
 }
 
 }  // namespace brume::python

@@ -10,6 +10,7 @@
 #include "core/scene/lights/emitting_surfaces.h"
 #include "core/scene/materials/ggx.h"
 #include "core/scene/mesh.h"
+#include "render/visibility/coverage.h"
 
 namespace brume {
 namespace {
@@ -288,7 +289,13 @@ RenderPlan::RenderPlan(const Scene& scene, const Film& film, const Settings& req
   const FilmRegion whole = film.region.value_or(FilmRegion{0, 0, film.width, film.height});
   const auto pixels =
       static_cast<std::size_t>(whole.full_width) * static_cast<std::size_t>(whole.full_height);
-  rasterizes = content.surfaces && triangle_count(scene) <= pixels;
+  has_holes = brume::has_holes(scene.surfaces);
+  has_panes = brume::has_panes(scene.surfaces);
+  // The rasterizer fills triangles.
+  rasterizes = content.surfaces && !has_holes && !has_panes && triangle_count(scene) <= pixels;
+  if (is_reference && has_medium() && (has_holes || has_panes)) {
+    skipped.push_back({Stage::shadow_map, to_string(Reason::coverage_beyond_reference)});
+  }
   has_environment = content.environment;
   has_environment_in_medium = content.environment && content.medium();
   has_all_light_at_surfaces = runs(Stage::scattering) && content.surfaces;

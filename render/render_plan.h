@@ -61,6 +61,9 @@ struct RenderPlan {
   // First hits are rasterized where float is precise enough, faster than rays unless triangles
   // outnumber pixels.
   bool rasterizes = false;
+  // Surfaces with holes or panes, see Coverage; of panes view rays see what is behind them.
+  bool has_holes = false;
+  bool has_panes = false;
   // Surfaces take environment light from the grid instead of average optical depths.
   bool has_receivers = false;
   // Surfaces take all light from the grid but the point lights' unscattered.

@@ -11,6 +11,7 @@
 #include "render/cpu/film_samples.h"
 #include "render/cpu/film_slices.h"
 #include "render/cpu/marched_airlight.h"
+#include "render/cpu/pane_layers.h"
 #include "render/cpu/paper_airlight.h"
 #include "render/cpu/sliced_airlight.h"
 #include "render/cpu/traced_paths.h"
@@ -20,6 +21,7 @@
 #include "render/samples/brightness.h"
 #include "render/samples/mean_frame.h"
 #include "render/scattering/source_view.h"
+#include "render/visibility/coverage.h"
 
 namespace brume {
 
@@ -27,11 +29,13 @@ struct Renderer::Impl {
   FrameStages stages;
   FilmSlices film_slices;
   SourceView source_view;
-  TracedPaths paths;
+  std::vector<TracedPaths> paths{1};  // by layer of panes
 
   std::optional<Frame> render(FrameContext& work);
   // Outgoing radiance of surfaces, RGB per pixel; empty if none is lit.
-  std::span<const glm::vec3> trace_paths(FrameContext& work, StageClock& clock);
+  std::span<const glm::vec3> trace_paths(FrameContext& work, std::size_t layer, StageClock& clock);
+  // Adds what is seen through panes to the frame, which holds what is in front of the first ones.
+  void see_through_panes(FrameContext& work, StageClock& clock);
   // The medium on the view rays, for more of them.
   struct SeenMedium {
     AirlightIntegrator method;
@@ -65,9 +69,10 @@ std::optional<Frame> Renderer::render(const Scene& scene, const Camera& camera, 
     return render(plan, scene, camera, shifted, job);
   };
   const Job job{std::move(stop), progress};
-  const bool is_path = settings.airlight == AirlightMethod::path;
-  return is_path && settings.samples > 1 ? render_shifted(film, settings, job, render_film)
-                                         : render_film(film, settings, job);
+  // What is seen through panes has no samples of its own.
+  const bool is_shifted = settings.airlight == AirlightMethod::path || has_panes(scene.surfaces);
+  return is_shifted && settings.samples > 1 ? render_shifted(film, settings, job, render_film)
+                                            : render_film(film, settings, job);
 }
 
 std::optional<Frame> Renderer::render(const RenderPlan& plan, const Scene& scene,
@@ -102,7 +107,7 @@ std::optional<Frame> Renderer::Impl::render(FrameContext& work) {
   const Job job = work.job;
   if (work.plan.runs(Stage::samples)) work.job = job.subrange(0.0, 0.5);
   if (work.settings.airlight == AirlightMethod::path) {
-    surfaces = trace_paths(work, clock);
+    surfaces = trace_paths(work, 0, clock);
   } else {
     if (!stages.prepare_source(work, clock)) return std::nullopt;
     medium = integrate_medium(work, clock);
@@ -114,6 +119,10 @@ std::optional<Frame> Renderer::Impl::render(FrameContext& work) {
   }
   if (work.job.stop.stop_requested()) return std::nullopt;
   composite(work.rays, stages.shading().environment(), surfaces, work.job, work.frame);
+  if (work.plan.has_panes) {
+    see_through_panes(work, clock);
+    if (work.job.stop.stop_requested()) return std::nullopt;
+  }
   if (work.settings.background_apart) set_background_apart(work.frame);
   clock.finish(Stage::composite);
   if (work.plan.runs(Stage::samples)) {
@@ -126,8 +135,29 @@ std::optional<Frame> Renderer::Impl::render(FrameContext& work) {
   return std::move(work.frame);
 }
 
-std::span<const glm::vec3> Renderer::Impl::trace_paths(FrameContext& work, StageClock& clock) {
-  const std::span<const glm::vec3> surfaces = paths.trace(stages, work);
+void Renderer::Impl::see_through_panes(FrameContext& work, StageClock& clock) {
+  PaneLayers layers(work.frame);
+  layers.add(stages.seen_panes(work), work.frame);
+  for (std::size_t layer = 1; layers.are_open() && layer < max_pane_layers; ++layer) {
+    stages.find_hits_behind_panes(work);
+    std::span<const glm::vec3> surfaces;
+    if (work.settings.airlight == AirlightMethod::path) {
+      surfaces = trace_paths(work, layer, clock);
+    } else {
+      integrate_medium(work, clock);
+      surfaces = stages.shade_surfaces(work, clock);
+    }
+    if (work.job.stop.stop_requested()) return;
+    composite(work.rays, stages.shading().environment(), surfaces, work.job, work.frame);
+    layers.add(stages.seen_panes(work), work.frame);
+  }
+  layers.write(work.frame);
+}
+
+std::span<const glm::vec3> Renderer::Impl::trace_paths(FrameContext& work, std::size_t layer,
+                                                       StageClock& clock) {
+  if (layer >= paths.size()) paths.resize(layer + 1);
+  const std::span<const glm::vec3> surfaces = paths[layer].trace(stages, work);
   if (work.plan.runs(work.plan.medium_stage())) clock.finish(work.plan.medium_stage());
   return surfaces;
 }

@@ -65,6 +65,8 @@ std::string to_string(Reason reason, std::size_t count) {
              std::to_string(count);
     case Reason::optics_beyond_paper:
       return "the paper's method has one albedo and no emission; left out: those of Gaussians";
+    case Reason::coverage_beyond_reference:
+      return "the reference's fog is shadowed as by opaque surfaces; left out: holes and panes";
     case Reason::part_of_paths:
       return "paths carry its light";
     case Reason::part_of_all_orders:
@@ -79,6 +81,8 @@ std::string to_string(Reason reason, std::size_t count) {
       return "rays that smooth surfaces mirror are traced on the CPU";
     case Reason::path_on_cpu:
       return "airlight path runs only on the CPU";
+    case Reason::coverage_on_cpu:
+      return "surfaces with holes, and panes, are rendered on the CPU";
     case Reason::too_many_slices:
       return "more slices than fit into a work group";
     case Reason::too_many_radii:

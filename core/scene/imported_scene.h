@@ -41,12 +41,13 @@ struct ImportedScene {
   std::string left_out;  // where the first mesh without triangles is, and what it has; empty: none
 };
 
-// The textures of a material, in the order that imported ones are listed in; base color and
-// emissive hold colors.
+// The textures of a material, in the order that imported ones are listed in.
 auto textures_of(auto& material) {
   return std::array{&material.base_color_texture, &material.metallic_roughness_texture,
-                    &material.normal_texture, &material.emissive_texture};
+                    &material.normal_texture, &material.emissive_texture,
+                    &material.transmission_texture};
 }
+inline constexpr std::array texture_has_colors{true, false, false, true, true};
 
 // The parts of the nodes with these names and of all nodes below them; of all nodes if there is no
 // name.

@@ -22,6 +22,9 @@ struct TextureReference {
   bool operator==(const TextureReference&) const = default;
 };
 
+// How much of a surface is there: all of it, all but its holes, or a share.
+enum class AlphaMode { opaque, cutout, blend };
+
 // The metallic-roughness material of glTF 2.0: reflection by GGX; evaluated by
 // core/scene/materials/ggx.h. Each value is multiplied by what its texture holds.
 struct MetallicRoughness {
@@ -30,11 +33,18 @@ struct MetallicRoughness {
   double roughness = 1.0;      // in [0, 1]
   glm::dvec3 emissive{0.0};    // radiance, RGB, >= 0 [W/(sr u^2)]
   double normal_scale = 1.0;   // of the normal map's slopes, in [0, 1000]
+  // `cutout`: opacity times the texture's alpha below alpha_cutoff is a hole; `blend`: that product
+  // is the share that the surface covers, all else passes.
+  AlphaMode alpha = AlphaMode::opaque;
+  double opacity = 1.0;          // in [0, 1]
+  double alpha_cutoff = 0.5;     // in [0, 1]
+  glm::dvec3 transmission{0.0};  // share of light that crosses it, unbent; RGB in [0, 1]
 
-  TextureReference base_color_texture;          // RGB
+  TextureReference base_color_texture;          // RGB, and alpha that multiplies opacity
   TextureReference metallic_roughness_texture;  // roughness in G, metallic in B
   TextureReference normal_texture;              // 2 RGB - 1: along u, along v, along the normal
   TextureReference emissive_texture;            // RGB
+  TextureReference transmission_texture;        // RGB
 
   bool operator==(const MetallicRoughness&) const = default;
 };

@@ -91,6 +91,7 @@ enum class Reason {
   black_lights,
   lights_beyond_paper,
   optics_beyond_paper,
+  coverage_beyond_reference,
   part_of_paths,
   part_of_all_orders,
   // On the CPU.
@@ -99,6 +100,7 @@ enum class Reason {
   reference_on_cpu,
   path_on_cpu,
   mirrors_on_cpu,
+  coverage_on_cpu,
   too_many_slices,
   too_many_radii,
   center_depths_on_cpu,

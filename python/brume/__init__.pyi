@@ -151,6 +151,10 @@ class Surface:
         metallic: float = 0.0,
         roughness: float = 0.5,
         emissive: _Vec3 = (0.0, 0.0, 0.0),
+        alpha: str = "opaque",
+        opacity: float = 1.0,
+        alpha_cutoff: float = 0.5,
+        transmission: _Vec3 = (0.0, 0.0, 0.0),
     ) -> None: ...
     def clear_keys(self) -> None: ...
 

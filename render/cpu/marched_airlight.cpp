@@ -143,11 +143,12 @@ std::uint64_t add_light(const MediumIndex& medium, const RayCaster& ray_caster,
     const std::size_t k = s.relevant[i];
     s.light_depths[k] = static_cast<float>(s.exact[i] + medium.homogeneous_density() *
                                                             light.fog_length(s.points[i]));
-    if (ray_caster.occluded(s.points[i], light.position)) continue;
+    const double visible = ray_caster.transmittance(s.points[i], light.position);
+    if (!(visible > 0.0)) continue;
     const glm::dvec3 q = s.points[i] - light.position;
     const double r = glm::length(q);
     const double falloff = r > 0.0 ? light.falloff.at(q / r) : 1.0;
-    s.lit_weights[k] = static_cast<float>(falloff) * s.weights[k];
+    s.lit_weights[k] = static_cast<float>(visible * falloff) * s.weights[k];
   }
   add_scattered(s.rays, {s.t.data(), s.lit_weights.data(), s.depths.data(), s.light_depths.data()},
                 glm::vec3(light.position - eye), static_cast<float>(light.h_min),

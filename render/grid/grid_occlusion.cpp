@@ -22,25 +22,52 @@ struct NodeLinks {
   std::vector<GridOcclusion::Surfel> surfels;
 };
 
+// In [0, 1), the same for both directions of a link.
+double link_number(const glm::ivec3& node, const glm::ivec3& offset, std::uint64_t draw) {
+  const glm::ivec3 middle = 2 * node + offset;
+  std::uint64_t x = draw;
+  for (int k = 0; k < 3; ++k) {
+    x = (x ^ static_cast<std::uint32_t>(middle[k])) + 0x9e3779b97f4a7c15u;
+    x = (x ^ x >> 30) * 0xbf58476d1ce4e5b9u;
+    x = (x ^ x >> 27) * 0x94d049bb133111ebu;
+    x ^= x >> 31;
+  }
+  return static_cast<double>(x >> 11) * 0x1p-53;
+}
+
+// The surface that a link ends at. Panes block as many of the links as they block light.
+SurfaceHit blocking_hit(const RayCaster& ray_caster, const glm::dvec3& node, const glm::dvec3& q,
+                        const glm::ivec3& at, const glm::ivec3& offset) {
+  const double distance = glm::length(q);
+  if (!ray_caster.has_panes()) {
+    if (!ray_caster.occluded(node, node + q)) return {};
+    return ray_caster.first_hit(node, q / distance);  // none within the ray caster's margins
+  }
+  std::uint64_t draws = 0;
+  const SurfaceHit hit = ray_caster.first_hit_by_chance(
+      node, q / distance, [&] { return link_number(at, offset, draws++); });
+  return hit.distance < distance ? hit : SurfaceHit{};
+}
+
 NodeLinks links_of(const RayCaster& ray_caster, std::span<const Surface> surfaces,
-                   std::span<const Reflectances> reflectances, const glm::dvec3& node,
-                   double spacing) {
+                   std::span<const Reflectances> reflectances, const glm::ivec3& at,
+                   const glm::dvec3& node, double spacing) {
   NodeLinks links;
   for (int link = 0; link < 27; ++link) {
     const glm::ivec3 offset = neighbour_offset(link);
     if (offset == glm::ivec3(0)) continue;
     const glm::dvec3 q = spacing * glm::dvec3(offset);
-    if (!ray_caster.occluded(node, node + q)) continue;
+    const SurfaceHit hit = blocking_hit(ray_caster, node, q, at, offset);
+    if (!hit) continue;
     const double distance = glm::length(q);
     const glm::dvec3 w = q / distance;
-    const SurfaceHit hit = ray_caster.first_hit(node, w);
-    if (!hit) continue;  // within the ray caster's margins
     const SurfacePoint point = ray_caster.point(hit, node, w, surfaces);
     links.blocked |= 1u << link;
     links.fractions.push_back(static_cast<float>(std::min(hit.distance / distance, 1.0)));
+    const auto share = static_cast<float>(ray_caster.reflected_by_chance(hit));
+    const Reflectances& r = reflectances[static_cast<std::size_t>(hit.surface)];
     links.surfels.push_back({glm::vec3(point.position - node), glm::vec3(point.normal),
-                             reflectances[static_cast<std::size_t>(hit.surface)].all,
-                             reflectances[static_cast<std::size_t>(hit.surface)].scattered});
+                             glm::min(share * r.all, 1.0f), glm::min(share * r.scattered, 1.0f)});
   }
   return links;
 }
@@ -82,11 +109,10 @@ GridOcclusion::GridOcclusion(const RayCaster& ray_caster, std::span<const Surfac
   std::vector<NodeLinks> links(nodes.size());
   job.parallel_for(height * static_cast<std::size_t>(nodes.count.z), [&](std::size_t row) {
     for (std::size_t x = 0; x < width; ++x) {
-      const glm::dvec3 p =
-          first + spacing * glm::dvec3(static_cast<double>(x), static_cast<double>(row % height),
-                                       static_cast<double>(row / height));
+      const glm::ivec3 at(x, row % height, row / height);
+      const glm::dvec3 p = first + spacing * glm::dvec3(at);
       if (glm::any(glm::lessThan(p, low)) || glm::any(glm::greaterThan(p, high))) continue;
-      links[row * width + x] = links_of(ray_caster, surfaces, reflectances, p, spacing);
+      links[row * width + x] = links_of(ray_caster, surfaces, reflectances, at, p, spacing);
     }
   });
   index_.assign(nodes.size(), -1);

@@ -11,6 +11,7 @@
 
 #include "brume/revision.h"
 #include "brume/scene.h"
+#include "core/math/infinity.h"
 #include "render/grid/axis_planes.h"
 #include "render/grid/mirror_planes.h"
 #include "render/grid/sweep_kernels.h"
@@ -82,7 +83,7 @@ class LevelOcclusion {
   [[nodiscard]] const Box& bounds() const { return ray_caster_->bounds(); }
   // Whether surfaces hide what is far away from a point. Thread-safe.
   [[nodiscard]] bool hide(const glm::dvec3& point, const glm::dvec3& direction) const {
-    return static_cast<bool>(ray_caster_->first_hit(point, direction));
+    return ray_caster_->transmittance(point, direction, infinity) < 0.5;
   }
   [[nodiscard]] const AxisPlanes& planes() const { return planes_; }
   [[nodiscard]] Revision revision() const { return revision_; }

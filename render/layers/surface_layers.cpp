@@ -74,7 +74,7 @@ class MotionVectors {
   std::vector<const Surface*> next_;
 };
 
-// The layers as one ray per pixel sees them.
+// The layers as one ray per pixel sees them, through panes that are less than half opaque.
 class PointLayers {
  public:
   PointLayers(const Scene& scene, const RayCaster& ray_caster, const OutputLayers& layers,
@@ -146,10 +146,32 @@ class RowHits {
     ray_caster_.first_hits(rays_.eye(), directions_, offsets_, hits_);
   }
   [[nodiscard]] const glm::dvec3& direction(int x) const { return directions_[index(x)]; }
-  [[nodiscard]] const SurfaceHit& hit(int x) const { return hits_[index(x)]; }
+  // The first that is more than half opaque.
+  [[nodiscard]] SurfaceHit solid_hit(int x) const {
+    SurfaceHit hit = hits_[index(x)];
+    while (hit && ray_caster_.has_panes() && !(ray_caster_.pane(hit, 0.0).opaque > 0.5)) {
+      hit = behind(x, hit);
+    }
+    return hit;
+  }
+  // Calls visit(surface, its share of the view) for all that a ray sees.
+  void each_seen(int x, auto&& visit) const {
+    double share = 1.0;
+    for (SurfaceHit hit = hits_[index(x)]; hit && share > min_share;) {
+      const double opaque = ray_caster_.has_panes() ? ray_caster_.pane(hit, 0.0).opaque : 1.0;
+      visit(static_cast<std::size_t>(hit.surface), static_cast<float>(share * opaque));
+      share *= 1.0 - opaque;
+      if (share > min_share) hit = behind(x, hit);
+    }
+  }
 
  private:
   static constexpr int together = 64;
+  static constexpr double min_share = 1e-3;  // of what is looked for behind panes
+  [[nodiscard]] SurfaceHit behind(int x, const SurfaceHit& hit) const {
+    const glm::dvec3 offset = offsets_.empty() ? glm::dvec3(0.0) : offsets_[index(x)];
+    return ray_caster_.next_hit(rays_.eye() + offset, directions_[index(x)], hit.distance);
+  }
   [[nodiscard]] std::size_t index(int x) const {
     return static_cast<std::size_t>(rays_.first_pixel().x + x - first_);
   }
@@ -227,16 +249,17 @@ void add_surface_layers(const Scene& scene, const Camera& camera, const Film& fi
     for (int x = 0; x < film.width; ++x) {
       const glm::dvec2 place = glm::dvec2(rays.first_pixel() + glm::ivec2(x, y)) + 0.5;
       points.set(row * width + static_cast<std::size_t>(x), place,
-                 rays.eye() + rays.whole_offset(place), hits.direction(x), hits.hit(x));
+                 rays.eye() + rays.whole_offset(place), hits.direction(x), hits.solid_hit(x));
     }
     for (std::size_t k = 0; k < samples.size() && has_mattes; ++k) {
       hits.find(y, samples[k]);
       for (int x = 0; x < film.width; ++x) {
-        if (!hits.hit(x)) continue;
         const std::size_t pixel = row * width + static_cast<std::size_t>(x);
-        const auto surface = static_cast<std::size_t>(hits.hit(x).surface);
-        if (layers.objects) object_coverage.add(pixel, objects.of_surface[surface], weight);
-        if (layers.materials) material_coverage.add(pixel, materials.of_surface[surface], weight);
+        hits.each_seen(x, [&](std::size_t surface, float share) {
+          const float seen = share * weight;
+          if (layers.objects) object_coverage.add(pixel, objects.of_surface[surface], seen);
+          if (layers.materials) material_coverage.add(pixel, materials.of_surface[surface], seen);
+        });
       }
     }
   });

@@ -112,8 +112,8 @@ double PathTracer::visibility(const glm::dvec3& x, const PathLight& light,
   const double depth =
       scene_.medium.depth(x, l, r) + scene_.fog.density * light.fog.length(x, l, r);
   const double transmittance = std::exp(-depth);
-  if (!(transmittance > 0.0) || scene_.ray_caster.occluded(x, point)) return 0.0;
-  return transmittance;
+  if (!(transmittance > 0.0)) return 0.0;
+  return transmittance * scene_.ray_caster.transmittance(x, point);
 }
 
 template <class Weight>
@@ -144,10 +144,12 @@ glm::dvec3 PathTracer::environment_at(const Vertex& vertex, PathRandom& random) 
   const double pdf = environment->pdf(l);
   const glm::dvec3 value = scattering(vertex, l);
   if (!(pdf > 0.0) || !(max_component(value) > 0.0)) return glm::dvec3(0.0);
-  if (scene_.ray_caster.first_hit(vertex.position, l)) return glm::dvec3(0.0);
+  const double visible = scene_.ray_caster.transmittance(vertex.position, l, infinity);
+  if (!(visible > 0.0)) return glm::dvec3(0.0);
   const double depth = scene_.medium.depth(vertex.position, l, infinity) +
                        scene_.fog.density * scene_.fog.length(vertex.position, l);
-  return std::exp(-depth) / (pdf + direction_pdf(vertex, l)) * value * environment->radiance(l);
+  return visible * std::exp(-depth) / (pdf + direction_pdf(vertex, l)) * value *
+         environment->radiance(l);
 }
 
 glm::dvec3 PathTracer::emitters_at(const Vertex& vertex, PathRandom& random) const {
@@ -206,9 +208,9 @@ glm::dvec3 PathTracer::emission_at(const Vertex& vertex, PathRandom& random) con
   if (!(max_component(value) > 0.0)) return none;
   const Emission emission = emission_of({vertex.position, l, r}, direction_pdf(vertex, l));
   if (!(emission.collision_pdf + emission.pdf > 0.0)) return none;
-  const SurfaceHit hit = scene_.ray_caster.first_hit(vertex.position, l);
-  if (hit && hit.distance < r) return none;
-  return emission.arriving / (emission.collision_pdf + emission.pdf) * value;
+  const double visible = scene_.ray_caster.transmittance(vertex.position, l, r);
+  if (!(visible > 0.0)) return none;
+  return visible * emission.arriving / (emission.collision_pdf + emission.pdf) * value;
 }
 
 PathTracer::Emission PathTracer::emission_of(const RaySegment& way, double direction_pdf) const {
@@ -266,9 +268,11 @@ glm::dvec3 PathTracer::lights_on_camera_ray(const CameraRay& ray, double opacity
   return sum;
 }
 
-PathTracer::Segment PathTracer::segment(const Vertex& vertex, const glm::dvec3& w) const {
-  return {vertex.position, w, scene_.ray_caster.first_hit(vertex.position, w),
-          scene_.fog.interval(vertex.position, w)};
+PathTracer::Segment PathTracer::segment(const Vertex& vertex, const glm::dvec3& w,
+                                        PathRandom& random) const {
+  const SurfaceHit hit = scene_.ray_caster.first_hit_by_chance(
+      vertex.position, w, [&random] { return random.uniform(); });
+  return {vertex.position, w, hit, scene_.fog.interval(vertex.position, w)};
 }
 
 glm::dvec3 PathTracer::light_on_segment(const PathLight& light, const Segment& segment,
@@ -327,7 +331,7 @@ glm::dvec3 PathTracer::lights_around(const Vertex& vertex, PathRandom& random) c
     const glm::dvec3 value = scattering(vertex, w);
     if (!(max_component(value) > 0.0)) continue;
     sum += value / (direction_pdf(vertex, w) + sampling.density(w)) *
-           light_on_segment(light, segment(vertex, w), random);
+           light_on_segment(light, segment(vertex, w, random), random);
   }
   return sum;
 }
@@ -418,7 +422,7 @@ void PathTracer::walk(Vertex vertex, glm::dvec3 throughput, PathRandom& random,
       throughput *= scattering(vertex, direction.w) / direction.pdf;
       if (!(max_component(throughput) > 0.0)) return;
     }
-    const Segment next = segment(vertex, direction.w);
+    const Segment next = segment(vertex, direction.w, random);
     const auto& [origin, w, hit, fog] = next;
     sum.add(events + 1,
             scene_.albedo * throughput * lights_along(vertex, next, direction.pdf, random));
@@ -449,6 +453,7 @@ void PathTracer::walk(Vertex vertex, glm::dvec3 throughput, PathRandom& random,
       }
     } else if (hit) {
       vertex = Vertex::on_surface(scene_.ray_caster.point(hit, origin, w, scene_.surfaces));
+      throughput *= scene_.ray_caster.reflected_by_chance(hit);
       sum.add(events, throughput * emitted_by(hit, vertex.point, direction));
     } else {
       if (!scene_.environment) return;

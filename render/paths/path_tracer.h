@@ -152,7 +152,9 @@ class PathTracer {
     SurfaceHit hit;
     FogInterval fog;
   };
-  [[nodiscard]] Segment segment(const Vertex& vertex, const glm::dvec3& w) const;
+  // It passes panes by chance.
+  [[nodiscard]] Segment segment(const Vertex& vertex, const glm::dvec3& w,
+                                PathRandom& random) const;
   // The light of a light in the medium that a segment scatters, the share of equi-angular samples.
   [[nodiscard]] glm::dvec3 light_on_segment(const PathLight& light, const Segment& segment,
                                             PathRandom& random) const;

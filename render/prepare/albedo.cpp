@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/visibility/coverage.h"
+
 namespace brume {
 
 namespace {
@@ -20,14 +22,24 @@ bool are_equal(const Scene& scene, bool with_own_albedos, int a, int b) {
 
 }  // namespace
 
+glm::dvec3 channel_weights(const AlbedoGroup& group) {
+  glm::dvec3 weights(0.0);
+  for (const std::size_t c : group.channels) {
+    weights[static_cast<int>(c)] = 1.0 / static_cast<double>(group.channels.size());
+  }
+  return weights;
+}
+
 std::vector<AlbedoGroup> albedo_groups(const Scene& scene, bool with_own_optics) {
+  const bool is_apart = has_colored_panes(scene.surfaces);
   const bool has_albedos = with_own_optics && scene.medium.has_albedos();
   const bool has_own_optics = has_albedos || (with_own_optics && scene.medium.has_emission());
   std::vector<AlbedoGroup> groups;
   for (std::size_t channel = 0; channel < 3; ++channel) {
     const int c = static_cast<int>(channel);
     const auto same = std::ranges::find_if(groups, [&](const AlbedoGroup& group) {
-      return are_equal(scene, has_albedos, static_cast<int>(group.channels.front()), c);
+      return !is_apart &&
+             are_equal(scene, has_albedos, static_cast<int>(group.channels.front()), c);
     });
     if (same != groups.end()) {
       same->channels.push_back(channel);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <glm/vec3.hpp>
 #include <optional>
 #include <span>
 #include <vector>
@@ -27,8 +28,12 @@ struct AlbedoGroup {
   bool operator==(const AlbedoGroup&) const = default;
 };
 
+// The mean over a group's channels, as weights of R, G, B.
+glm::dvec3 channel_weights(const AlbedoGroup& group);
+
 // Groups the channels R, G, B by albedo, the medium's and, unless they are left out, its
-// Gaussians': one to three groups.
+// Gaussians': one to three groups. Where panes are colored each channel is one: surfaces let
+// through as much of all light in a group.
 std::vector<AlbedoGroup> albedo_groups(const Scene& scene, bool with_own_optics = true);
 
 // Densities divided by the albedos of a group: the extinction coefficient. The optics of its

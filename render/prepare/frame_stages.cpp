@@ -34,7 +34,10 @@ bool FrameStages::begin(FrameContext& work, StageClock& clock) {
     if (!make_transfers(work)) return false;
     clock.finish(Stage::transfer);
   }
-  if (!prepared_.update(work.scene, work.plan, work.fog_extent.fog(), work.job.stop)) return false;
+  if (!prepared_.update(work.scene, work.plan, work.fog_extent.fog(), work.job.stop,
+                        channel_weights(work.group))) {
+    return false;
+  }
   shading_.update(work.scene, work.plan, work.transfers);
   clock.finish(Stage::prepare);
   return true;
@@ -96,6 +99,38 @@ void FrameStages::find_hits(FrameContext& work, StageClock& clock) {
     });
   }
   clock.finish(Stage::visibility);
+}
+
+std::vector<SeenPane> FrameStages::seen_panes(const FrameContext& work) const {
+  std::vector<SeenPane> panes(work.frame.depth.size());
+  work.job.parallel_for(panes.size(), [&](std::size_t pixel) {
+    const SurfaceHit seen = hit(pixel);
+    const double width =
+        2.0 * work.rays.pixel_half_angle() * seen.distance + work.rays.pixel_width();
+    if (seen) panes[pixel] = prepared_.ray_caster().pane(seen, width);
+  });
+  return panes;
+}
+
+void FrameStages::find_hits_behind_panes(FrameContext& work) {
+  const RayCaster& ray_caster = prepared_.ray_caster();
+  const auto width = static_cast<std::size_t>(work.frame.film.width);
+  work.frame.depth.resize(hits_.size());
+  work.job.parallel_for(hits_.size() / width, [&](std::size_t y) {
+    for (std::size_t x = 0; x < width; ++x) {
+      const std::size_t pixel = y * width + x;
+      const SurfaceHit before = hit(pixel);
+      if (before && ray_caster.pane(before, 0.0).passing > 0.0) {
+        const glm::dvec2 place(static_cast<double>(x) + 0.5, static_cast<double>(y) + 0.5);
+        const SurfaceHit next =
+            ray_caster.next_hit(work.rays.origin(place.x, place.y),
+                                work.rays.direction(place.x, place.y), before.distance);
+        hits_[pixel] = ray_caster.pixel_of(next);
+        distances_[pixel] = next.distance;
+      }
+      work.frame.depth[pixel] = hits_[pixel].distance;
+    }
+  });
 }
 
 SurfaceHit FrameStages::hit(std::size_t pixel) const {

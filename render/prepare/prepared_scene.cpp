@@ -4,7 +4,7 @@
 
 namespace brume {
 bool PreparedScene::update(const Scene& scene, const RenderPlan& plan, const FogBall& fog,
-                           const std::stop_token& stop) {
+                           const std::stop_token& stop, const glm::dvec3& channels) {
   const Settings& settings = plan.settings;
   MergedMedium::Limits merging;
   if (MergedMedium::may_merge(scene.medium)) {
@@ -27,11 +27,11 @@ bool PreparedScene::update(const Scene& scene, const RenderPlan& plan, const Fog
   }
   prepared.index->set_noise(RayNoise(scene.optics.noise, scene.time));
   prepared.index->set_fog(fog);
-  if (!ray_caster_ || !ray_caster_->shows(scene.surfaces)) {
+  if (!ray_caster_ || !ray_caster_->shows(scene.surfaces, channels)) {
     ray_caster_.reset();
     exact_occlusion_.reset();
     shadows_.clear();
-    ray_caster_ = std::make_unique<RayCaster>(scene.surfaces);
+    ray_caster_ = std::make_unique<RayCaster>(scene.surfaces, channels);
   }
   if (!exact_occlusion_ && plan.has_exact_occlusion)
     exact_occlusion_ = std::make_unique<ExactOcclusion>(scene.surfaces);

@@ -28,9 +28,10 @@ class PreparedScene {
  public:
   // Brings medium and surfaces up to date and drops the caches of lights that are not the plan's.
   // If memory runs out, stale data is dropped as well. False if stopped. `fog`: where homogeneous
-  // fog is, see FogExtent::fog().
+  // fog is, see FogExtent::fog(); `channels`: see RayCaster.
   bool update(const Scene& scene, const RenderPlan& plan, const FogBall& fog = {},
-              const std::stop_token& stop = {});
+              const std::stop_token& stop = {},
+              const glm::dvec3& channels = RayCaster::all_channels);
 
   // State after the last update().
   [[nodiscard]] const MediumIndex& medium() const { return *media_[current_].index; }

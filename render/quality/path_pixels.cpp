@@ -46,14 +46,18 @@ PathPixels::PathPixels(const Scene& scene, const Camera& camera, const Film& fil
         extinction, culling_tolerance(extinction, plan.depth_error), scene.optics.anisotropy);
     group.index->set_noise(RayNoise(scene.optics.noise, scene.time));
     group.index->set_fog(fog_extent.fog());
+    if (ray_caster_.has_panes()) {
+      group.ray_caster = std::make_unique<RayCaster>(surfaces_, channel_weights(each));
+    }
+    const RayCaster& ray_caster = group.ray_caster ? *group.ray_caster : ray_caster_;
     group.medium = std::make_unique<PathMedium>(*group.index);
     group.scene = std::make_unique<PathScene>(
-        PathScene::of_view(*group.medium, each.albedo, ray_caster_, surfaces_, environment_.get(),
+        PathScene::of_view(*group.medium, each.albedo, ray_caster, surfaces_, environment_.get(),
                            lights, rays_.eye(), fog_extent.ball(), rays_.max_offset()));
     const bool has_areas = !area_lights.empty() || !group.scene->emitters.empty();
     if (orders_ == Orders::all || !has_areas) continue;
     group.area_lights = std::make_unique<PathScene>(
-        PathScene::of_view(*group.medium, each.albedo, ray_caster_, surfaces_, nullptr, area_lights,
+        PathScene::of_view(*group.medium, each.albedo, ray_caster, surfaces_, nullptr, area_lights,
                            rays_.eye(), fog_extent.ball(), rays_.max_offset()));
   }
 }
@@ -62,22 +66,40 @@ void PathPixels::trace(std::size_t pixel, int count, PixelPaths& paths,
                        const std::stop_token& stop) const {
   const double x = static_cast<double>(pixel % width_) + 0.5;
   const double y = static_cast<double>(pixel / width_) + 0.5;
-  const double length = std::min(ray_caster_.first_hit(rays_, x, y).distance, ray_end_);
   for (std::size_t i = 0; i < groups_.size(); ++i) {
     const Group& group = groups_[i];
-    const CameraRay ray(*group.index, rays_.origin(x, y), rays_.direction(x, y), length);
-    if (!(ray.depth() > min_depth)) continue;
+    const bool has_panes = group.ray_caster != nullptr;
+    PathRandom first_random(pixel_seed, pixel, 0, 2);
+    const glm::dvec3 eye = rays_.origin(x, y);
+    const glm::dvec3 w = rays_.direction(x, y);
+    std::optional<CameraRay> ray;
+    ray.emplace(*group.index, eye, w, view_length(group, x, y, first_random));
+    if (!has_panes && !(ray->depth() > min_depth)) continue;
     for (int k = paths.count; k < count && !stop.stop_requested(); ++k) {
       const auto sample = static_cast<std::uint64_t>(k);
       const PathRandom block(pixel_seed, pixel, sample / path_block, 0);
       PathRandom random(pixel_seed, pixel, sample, 1);
       const PathRandom start = random;
       const StratifiedPair stratified(block, static_cast<unsigned>(k % path_block), random);
-      paths.sums[i].add(k, trace(group, ray, stratified, random), group.channels);
+      if (has_panes) {
+        PathRandom by_chance(pixel_seed, pixel, sample, 2);
+        ray.emplace(*group.index, eye, w, view_length(group, x, y, by_chance));
+      }
+      const glm::dvec3 radiance =
+          ray->depth() > min_depth ? trace(group, *ray, stratified, random) : glm::dvec3(0.0);
+      paths.sums[i].add(k, radiance, group.channels);
       paths.work += path_work(group.index->size(), random.drawn_since(start));
     }
   }
   paths.count = std::max(paths.count, count);
+}
+
+double PathPixels::view_length(const Group& group, double x, double y, PathRandom& random) const {
+  const SurfaceHit hit = group.ray_caster ? group.ray_caster->first_hit_by_chance(
+                                                rays_.origin(x, y), rays_.direction(x, y),
+                                                [&random] { return random.uniform(); })
+                                          : ray_caster_.first_hit(rays_, x, y);
+  return std::min(hit.distance, ray_end_);
 }
 
 glm::dvec3 PathPixels::trace(const Group& group, const CameraRay& ray,

@@ -52,11 +52,16 @@ class PathPixels {
   struct Group {
     glm::dvec3 channels{0.0};  // 1 for its own
     double albedo;
+    std::unique_ptr<RayCaster> ray_caster;  // of its own channels; null: that of all
     std::unique_ptr<MediumIndex> index;
     std::unique_ptr<PathMedium> medium;
     std::unique_ptr<PathScene> scene;
     std::unique_ptr<PathScene> area_lights;  // that are alone in the scene; null: there are none
   };
+  // The length of the view ray of a position on the film as far as a surface, which may be a pane
+  // that the ray does not pass by chance.
+  [[nodiscard]] double view_length(const Group& group, double x, double y,
+                                   PathRandom& random) const;
   [[nodiscard]] glm::dvec3 trace(const Group& group, const CameraRay& ray,
                                  const StratifiedPair& stratified, PathRandom& random) const;
 

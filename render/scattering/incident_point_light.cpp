@@ -70,8 +70,10 @@ class PointsAroundLight {
       const glm::dvec3 normal = normals.empty() ? glm::dvec3(0.0) : normals[k];
       const double falloff = mean_falloff(points[k], normal, r, spacing);
       if (!(falloff > 0.0)) continue;
-      if (light_.surfaces && light_.surfaces->occluded(points[k], light_.source.position)) continue;
-      add(k, q / r, falloff * transmittance[k] * light_.inverse_square(r2));
+      const double visible =
+          light_.surfaces ? light_.surfaces->transmittance(points[k], light_.source.position) : 1.0;
+      if (!(visible > 0.0)) continue;
+      add(k, q / r, visible * falloff * transmittance[k] * light_.inverse_square(r2));
     }
   }
 

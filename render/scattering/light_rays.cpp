@@ -96,14 +96,22 @@ bool LightRays::enters(const glm::dvec3& w, double& begin, double& end) const {
   return true;
 }
 
+HitsOnRay LightRays::panes_on(const glm::dvec3& w) const {
+  if (!light_.surfaces || !light_.surfaces->has_panes()) return {};
+  HitsOnRay on_ray = light_.surfaces->hits_on_ray(
+      light_.source.position, w, rounding_at(light_.source.position - light_.surfaces->center()));
+  on_ray.end = {};  // trace() ends there
+  return on_ray;
+}
+
 void LightRays::trace(std::span<Ray> rays, int bands) const {
   const double spacing = static_cast<double>(nodes_.spacing);
   std::vector<glm::dvec3> directions;
   for (const Ray& ray : rays) directions.push_back(ray.w);
   std::vector<SurfaceHit> hits(rays.size());
   if (light_.surfaces) {
-    light_.surfaces->first_hits(light_.source.position, directions, hits,
-                                rounding_at(light_.source.position - light_.surfaces->center()));
+    light_.surfaces->opaque_hits(light_.source.position, directions, hits,
+                                 rounding_at(light_.source.position - light_.surfaces->center()));
   }
   // The volume around a sample is step * solid angle * r^2.
   const double solid_angle = 2.0 * std::numbers::pi * versine_ / static_cast<double>(ray_count());
@@ -125,10 +133,12 @@ void LightRays::trace(std::span<Ray> rays, int bands) const {
       if (r > end) break;
       points.push_back(light_.source.position + spacing * r * ray.w);
     }
+    const HitsOnRay panes = panes_on(ray.w);
     for (const double value : transmittance.at(points)) {
       const double r = (static_cast<double>(ray.begin + ray.arriving.size()) + 0.5) /
                        light_ray_samples * spacing;
-      ray.arriving.push_back(volume * falloff * value * r * r * light_.inverse_square(r * r));
+      ray.arriving.push_back(volume * falloff * value * panes.passing(r) * r * r *
+                             light_.inverse_square(r * r));
     }
   }
 }

@@ -51,6 +51,7 @@ class LightRays {
   [[nodiscard]] bool enters(const glm::dvec3& w, double& begin, double& end) const;
   [[nodiscard]] std::size_t ray_count() const;
   void trace(std::span<Ray> rays, int bands) const;
+  [[nodiscard]] HitsOnRay panes_on(const glm::dvec3& w) const;
 
   const NodePointLight& light_;
   glm::dvec3 origin_;  // the light, in node coordinates

@@ -30,7 +30,7 @@ void add_measured_light(const SurfacePoints& points, const LightAtPoints& light_
                         -light_at_point.paths.z[k]);
     const glm::vec3 f(brdf(points.surface->material, wi, points.to_eye[k], points.normal[k]));
     const float incoming = light_at_point.cosine[k] * light_at_point.inverse_square[k] *
-                           std::exp(-light_at_point.depths[k]);
+                           std::exp(-light_at_point.depths[k]) * light_at_point.lit[k];
     add(f * intensity * incoming, k, radiance);
   }
 }

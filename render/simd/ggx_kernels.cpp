@@ -43,8 +43,8 @@ void AddGgxLight(const SurfacePoints& points, const LightAtPoints& light,
     const V cos_light = ggx::Load(light.cosine, i);
     const auto lit = hn::And(cos_light > zero, ggx::Load(light.lit, i) > zero);
     if (hn::AllFalse(d, lit)) continue;
-    const V incoming = where(
-        lit, cos_light * ggx::Load(light.inverse_square, i) * exp(-ggx::Load(light.depths, i)));
+    const V incoming = where(lit, cos_light * ggx::Load(light.inverse_square, i) *
+                                      exp(-ggx::Load(light.depths, i)) * ggx::Load(light.lit, i));
     const Vector n = ggx::Load(points.normal, i);
     const Vector wo = ggx::Load(points.to_eye, i);
     const Vector sum{wo.x - hn::LoadU(d, light.paths.x.data() + i),

@@ -103,8 +103,8 @@ void AddDirectLight(const SurfacePoints& points, const LightAtPoints& light,
     const V cosine = load(light.cosine, i);
     const auto lit = hn::And(cosine > zero, load(light.lit, i) > zero);
     if (hn::AllFalse(d, lit)) continue;
-    const V incoming =
-        where(lit, cosine * load(light.inverse_square, i) * exp(-load(light.depths, i)));
+    const V incoming = where(lit, cosine * load(light.inverse_square, i) *
+                                      exp(-load(light.depths, i)) * load(light.lit, i));
     add(incoming, shading.diffuse * shading.intensity, radiance, i);
     if (!shines) continue;
     const Vector w{hn::LoadU(d, light.paths.x.data() + i), hn::LoadU(d, light.paths.y.data() + i),

@@ -60,7 +60,7 @@ struct LightAtPoints {
   PointArray cosine;          // of the angle between normal and light direction
   PointArray inverse_square;  // of the distance [1/u^2]; 0 for a light on the surface
   PointArray depths;          // T(s, p), b0 included
-  PointArray lit;             // 1, or 0 if occluded; undefined for cosine <= 0
+  PointArray lit;             // share that surfaces let through; undefined for cosine <= 0
 };
 
 struct PointRadiance {

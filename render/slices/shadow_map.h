@@ -40,13 +40,26 @@ class ShadowMap {
     float min_depth, max_depth;
   };
   [[nodiscard]] const Range* ranges() const { return ranges_.data(); }
+  // The n-th panes before that, by direction: their depths, +inf for none, and the share of light
+  // that they let through.
+  struct PaneLayer {
+    std::vector<float> depths, passing;
+  };
+  [[nodiscard]] const std::vector<PaneLayer>& panes() const { return panes_; }
+  // The last layer has all further ones, too.
+  static constexpr std::size_t max_pane_layers = 8;
 
  private:
+  void add_panes(const RayCaster& ray_caster);
+  // The depth of something in the direction of a cell [u].
+  [[nodiscard]] float depth(const glm::dvec3& direction, double distance) const;
+
   glm::dvec3 light_;
   DirectionMap map_;
   double start_ = 0.0;
   std::vector<float> depths_;
   std::vector<Range> ranges_;
+  std::vector<PaneLayer> panes_;
 };
 
 }  // namespace brume

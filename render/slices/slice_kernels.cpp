@@ -111,6 +111,20 @@ void LookupDepths(const OpticalDepthTable::View& table, const PathBatch& paths, 
   }
 }
 
+// The share of light that panes let through, bilinear as below.
+HWY_INLINE V Passing(const ShadowMap& shadows, const MapPosition& position, V near) {
+  const D d;
+  V share = set(1.0f);
+  for (const ShadowMap::PaneLayer& layer : shadows.panes()) {
+    share *= position.Mix(shadows.map().stride(), [&](int cell) HWY_ATTR {
+      const V depth = hn::GatherIndex(d, layer.depths.data(), position.cell + cell);
+      const V passing = hn::GatherIndex(d, layer.passing.data(), position.cell + cell);
+      return where(near <= depth, set(1.0f)) + where(near > depth, passing);
+    });
+  }
+  return share;
+}
+
 // Visibility, bilinear over four cells (percentage-closer filtering).
 HWY_INLINE V Lit(const SliceLight& light, const Vector& q, V distance) {
   const D d;
@@ -127,10 +141,11 @@ HWY_INLINE V Lit(const SliceLight& light, const Vector& q, V distance) {
   const float* const ranges = &shadows.ranges()->min_depth;
   const auto range = hn::ShiftLeft<1>(position.cell);
   const auto lit = near <= hn::GatherIndex(d, ranges, range);
-  if (hn::AllTrue(d, lit)) return set(1.0f);
+  const V passing = Passing(shadows, position, near);
+  if (hn::AllTrue(d, lit)) return passing;
   const auto dark = near > hn::GatherIndex(d, ranges, range + 1);
-  if (hn::AllTrue(d, hn::Or(lit, dark))) return where(lit, set(1.0f));
-  return position.Mix(shadows.map().stride(), [&](int cell) HWY_ATTR {
+  if (hn::AllTrue(d, hn::Or(lit, dark))) return where(lit, passing);
+  return passing * position.Mix(shadows.map().stride(), [&](int cell) HWY_ATTR {
     const V occluder_depth = hn::GatherIndex(d, shadows.depths(), position.cell + cell);
     return where(near <= occluder_depth, set(1.0f));
   });

@@ -13,14 +13,14 @@ namespace {
 constexpr std::size_t packet = 16;
 
 // Rays that start at one point or are parallel, and see no triangle edge-on.
-struct ViewQuery : RayQuery {
+struct ViewQuery : CoverageQuery {
   const std::vector<std::vector<Vertex>>& vertices;
   const std::vector<std::vector<glm::uvec3>>& triangles;
   glm::dvec3 eye;
   std::optional<glm::dvec3> direction;  // of parallel rays
 
   ViewQuery(const auto& impl, const glm::dvec3& origin, RayOrder order)
-      : RayQuery(order, refuse_edge_on),
+      : CoverageQuery(order, refuse_edge_on),
         vertices(impl.vertices),
         triangles(impl.triangles),
         eye(origin - impl.center) {}
@@ -53,7 +53,8 @@ SurfaceHit hit(const FloatSegment& segment, float tfar, unsigned geometry, unsig
 
 }  // namespace
 
-RayCaster::RayCaster(std::span<const Surface> surfaces) : impl_(std::make_unique<Impl>(surfaces)) {}
+RayCaster::RayCaster(std::span<const Surface> surfaces, const glm::dvec3& channels)
+    : impl_(std::make_unique<Impl>(surfaces, channels)) {}
 
 RayCaster::~RayCaster() = default;
 
@@ -104,7 +105,8 @@ std::size_t RayCaster::size() const {
   return impl_->raster.corners.size();
 }
 
-bool RayCaster::shows(std::span<const Surface> surfaces) const {
+bool RayCaster::shows(std::span<const Surface> surfaces, const glm::dvec3& channels) const {
+  if (has_panes() && channels != impl_->channels) return false;
   return std::equal(surfaces.begin(), surfaces.end(), impl_->surfaces.begin(),
                     impl_->surfaces.end(),
                     [](const Surface& s, const Placed& p) { return Placed(s) == p; });
@@ -132,9 +134,36 @@ SurfaceHit RayCaster::cast(const glm::dvec3& origin, const glm::dvec3& direction
   return hit(segment, query.ray.tfar, query.hit.geomID, query.hit.primID, query.hit.u, query.hit.v);
 }
 
+HitsOnRay RayCaster::hits_on_ray(const glm::dvec3& origin, const glm::dvec3& direction,
+                                 double nearest) const {
+  if (empty()) return {};
+  FloatSegment segment = impl_->to_first_hit(origin, direction);
+  segment.tnear = std::max(nearest - segment.skip, 0.0);
+  HitsOnRay result;
+  RTCRayHit query{};
+  impl_->set(query.ray, 0, origin, direction, segment);
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  ViewQuery view(*impl_, origin, RayOrder::incoherent);
+  view.mode = CoverageQuery::Panes::collected;
+  view.panes = &result.panes;
+  view.intersect(impl_->scene, query);
+  result.end =
+      hit(segment, query.ray.tfar, query.hit.geomID, query.hit.primID, query.hit.u, query.hit.v);
+  for (PaneHit& pane : result.panes) pane.hit.distance += segment.skip;
+  std::erase_if(result.panes,
+                [&](const PaneHit& pane) { return !(pane.hit.distance < result.end.distance); });
+  std::ranges::sort(result.panes, {}, [](const PaneHit& pane) { return pane.hit.distance; });
+  return result;
+}
+
 void RayCaster::first_hits(const glm::dvec3& origin, std::span<const glm::dvec3> directions,
                            std::span<SurfaceHit> hits, double nearest) const {
   cast(origin, directions, {}, hits, nearest);
+}
+
+void RayCaster::opaque_hits(const glm::dvec3& origin, std::span<const glm::dvec3> directions,
+                            std::span<SurfaceHit> hits, double nearest) const {
+  cast(origin, directions, {}, hits, nearest, true);
 }
 
 void RayCaster::first_hits(const glm::dvec3& eye, std::span<const glm::dvec3> directions,
@@ -144,11 +173,12 @@ void RayCaster::first_hits(const glm::dvec3& eye, std::span<const glm::dvec3> di
 
 void RayCaster::cast(const glm::dvec3& eye, std::span<const glm::dvec3> directions,
                      std::span<const glm::dvec3> offsets, std::span<SurfaceHit> hits,
-                     double nearest) const {
+                     double nearest, bool passes_panes) const {
   std::fill(hits.begin(), hits.end(), SurfaceHit{});
   if (empty()) return;
   const bool near = offsets.empty() && is_near(eye);
   ViewQuery view(*impl_, eye, RayOrder::coherent);
+  if (passes_panes) view.mode = CoverageQuery::Panes::passed;
   if (!offsets.empty()) view.direction = directions.front();
   for (std::size_t first = 0; first < directions.size(); first += packet) {
     alignas(64) std::array<int, packet> valid{};
@@ -211,7 +241,8 @@ void RayCaster::trace_shadow_rays(const SurfacePoints& points, const glm::vec3& 
 void RayCaster::cast_shadow_rays(const SurfacePoints& points, const glm::vec3& position,
                                  std::span<const std::uint8_t> pending,
                                  LightAtPoints& light) const {
-  RayQuery shadow(RayOrder::coherent);
+  CoverageQuery shadow(RayOrder::coherent);
+  shadow.mode = CoverageQuery::Panes::attenuate;
   const auto light_rounding = static_cast<float>(rounding_at(glm::dvec3(position)));
   const std::size_t count = std::min(packet, pending.size());
   alignas(64) std::array<int, packet> valid;
@@ -233,27 +264,44 @@ void RayCaster::cast_shadow_rays(const SurfacePoints& points, const glm::vec3& p
         1.0f - static_cast<float>(light_margin) - light_rounding / light.paths.length[i];
     query.time[k] = 0.0f;
     query.mask[k] = ~0u;
-    query.id[k] = 0u;
+    query.id[k] = static_cast<unsigned>(k);
     query.flags[k] = 0u;
     valid[k] = k < count ? -1 : 0;
   }
-  shadow.occluded(impl_->scene, valid.data(), query);
+  if (has_panes()) {
+    // In packets a ray may meet a triangle more than once.
+    for (std::size_t k = 0; k < count; ++k) {
+      RTCRay ray =
+          rtcGetRayFromRayN(reinterpret_cast<RTCRayN*>(&query), packet, static_cast<unsigned>(k));
+      shadow.occluded(impl_->scene, ray);
+      query.tfar[k] = ray.tfar;
+    }
+  } else {
+    shadow.occluded(impl_->scene, valid.data(), query);
+  }
   for (std::size_t k = 0; k < count; ++k) {
-    light.lit[pending[k]] = query.tfar[k] >= 0.0f ? 1.0f : 0.0f;
+    light.lit[pending[k]] = query.tfar[k] >= 0.0f ? shadow.transmittance[k] : 0.0f;
   }
 }
 
-bool RayCaster::occluded(const glm::dvec3& start, const glm::dvec3& end) const {
+double RayCaster::transmittance(const glm::dvec3& start, const glm::dvec3& end) const {
   const glm::dvec3 q = end - start;
   const double distance = glm::length(q);
-  if (empty() || !(distance > 0.0)) return false;
+  if (empty() || !(distance > 0.0)) return 1.0;
   const FloatSegment segment = impl_->between(start, q / distance, distance);
-  if (!(segment.tnear < segment.tfar)) return false;
-  RayQuery shadow(RayOrder::incoherent);
+  if (!(segment.tnear < segment.tfar)) return 1.0;
+  CoverageQuery shadow(RayOrder::incoherent);
+  shadow.mode = CoverageQuery::Panes::attenuate;
   RTCRay query;
   impl_->set(query, 0, start, q / distance, segment);
   shadow.occluded(impl_->scene, query);
-  return query.tfar < 0.0f;
+  return query.tfar < 0.0f ? 0.0 : static_cast<double>(shadow.transmittance[0]);
+}
+
+double RayCaster::transmittance(const glm::dvec3& origin, const glm::dvec3& direction,
+                                double length) const {
+  if (has_panes()) return hits_on_ray(origin, direction).passing(length);
+  return first_hit(origin, direction).distance < length ? 0.0 : 1.0;
 }
 
 }  // namespace brume

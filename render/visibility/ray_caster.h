@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <glm/ext/vector_uint3.hpp>
 #include <glm/vec3.hpp>
 #include <limits>
@@ -31,6 +32,28 @@ struct SurfaceHit {
   explicit operator bool() const { return surface >= 0; }
 };
 
+// A pane on a ray, and the share of light that it lets through.
+struct PaneHit {
+  SurfaceHit hit;
+  double passing = 1.0;
+};
+
+// What is on a ray: panes by distance, and the first that lets nothing through.
+struct HitsOnRay {
+  std::vector<PaneHit> panes;
+  SurfaceHit end;
+
+  // The share of light that comes through as far as that.
+  [[nodiscard]] double passing(double distance) const;
+};
+
+// A pane where it is seen.
+struct SeenPane {
+  double covered = 1.0;  // share of what it reflects and emits that is there
+  double passing = 0.0;  // of light in the channels of the ray caster
+  double opaque = 1.0;   // share of light that does not pass, all channels together
+};
+
 // A triangle in world space, relative to Visibility::center().
 struct WorldTriangle {
   std::array<glm::vec3, 3> positions;
@@ -41,10 +64,13 @@ struct WorldTriangle {
 };
 
 // Ray casting against the surfaces of a scene, by Embree. Coordinates are stored as float relative
-// to coordinate_center(), so scenes far from the origin lose no precision.
+// to coordinate_center(), so scenes far from the origin lose no precision. Rays pass holes. Panes
+// are hit unless a function says something else.
 class RayCaster {
  public:
-  explicit RayCaster(std::span<const Surface> surfaces);
+  // `channels`: weights of red, green and blue in what panes let through.
+  static constexpr glm::dvec3 all_channels{1.0 / 3.0};
+  explicit RayCaster(std::span<const Surface> surfaces, const glm::dvec3& channels = all_channels);
   ~RayCaster();
   RayCaster(const RayCaster&) = delete;
   RayCaster& operator=(const RayCaster&) = delete;
@@ -72,9 +98,11 @@ class RayCaster {
   // Shadow rays end this share of their length before the light, which may lie on a surface.
   static constexpr double light_margin = 2.0 * position_rounding;
 
-  // Whether these are the surfaces it was built from, comparing meshes and transforms (materials do
-  // not count).
-  [[nodiscard]] bool shows(std::span<const Surface> surfaces) const;
+  // Whether these are the surfaces it was built from, comparing meshes, transforms, holes and panes
+  // (other values of materials do not count).
+  [[nodiscard]] bool shows(std::span<const Surface> surfaces,
+                           const glm::dvec3& channels = all_channels) const;
+  [[nodiscard]] bool has_panes() const;
 
   // The nearest hit of a ray (unit direction); triangles seen edge-on are invisible
   // (render/geometry/edge_on.h). Thread-safe.
@@ -90,6 +118,26 @@ class RayCaster {
                   std::span<const glm::dvec3> offsets, std::span<SurfaceHit> hits) const;
   // That of a view ray through a position on the film.
   [[nodiscard]] SurfaceHit first_hit(const CameraRays& rays, double x, double y) const;
+
+  // The same as the first of these through panes: hits of what lets nothing through.
+  void opaque_hits(const glm::dvec3& origin, std::span<const glm::dvec3> directions,
+                   std::span<SurfaceHit> hits, double nearest) const;
+
+  // All on a ray; hits nearer than `nearest` are ignored. Thread-safe.
+  [[nodiscard]] HitsOnRay hits_on_ray(const glm::dvec3& origin, const glm::dvec3& direction,
+                                      double nearest = 0.0) const;
+  // A first hit that passes each pane by chance, as often as light does; `draw` returns numbers in
+  // [0, 1), and is called only where there are panes.
+  [[nodiscard]] SurfaceHit first_hit_by_chance(const glm::dvec3& origin,
+                                               const glm::dvec3& direction,
+                                               const std::function<double()>& draw) const;
+  // What is behind a hit at some distance. Thread-safe.
+  [[nodiscard]] SurfaceHit next_hit(const glm::dvec3& origin, const glm::dvec3& direction,
+                                    double distance) const;
+  // The pane at a hit that is seen over so many u; opaque where it is no pane.
+  [[nodiscard]] SeenPane pane(const SurfaceHit& hit, double width) const;
+  // Where rays are stopped by a pane as often as light is: what it reflects counts so many times.
+  [[nodiscard]] double reflected_by_chance(const SurfaceHit& hit) const;
 
   // Rasterization of a pinhole's first hits: precise enough unless the eye is far away. Keeps a
   // reference to this.
@@ -110,12 +158,20 @@ class RayCaster {
               std::span<const glm::vec3> directions, std::span<const glm::dvec3> offsets,
               std::span<const Surface> surfaces, SurfacePoints& points) const;
 
-  // Sets `lit` of a light at `position` relative to points.origin that point_to_light() has seen.
+  // Sets `lit`, the share of light that comes through, of a light at `position` relative to
+  // points.origin that point_to_light() has seen.
   void trace_shadow_rays(const SurfacePoints& points, const glm::vec3& position,
                          LightAtPoints& light) const;
 
-  // Whether a surface occludes the segment between two points, ends excluded. Thread-safe.
-  [[nodiscard]] bool occluded(const glm::dvec3& start, const glm::dvec3& end) const;
+  // The share of light that surfaces let through between two points, ends excluded. Thread-safe.
+  [[nodiscard]] double transmittance(const glm::dvec3& start, const glm::dvec3& end) const;
+  // The same along a ray, which sees no triangle edge-on.
+  [[nodiscard]] double transmittance(const glm::dvec3& origin, const glm::dvec3& direction,
+                                     double length) const;
+  // Whether that is less than half.
+  [[nodiscard]] bool occluded(const glm::dvec3& start, const glm::dvec3& end) const {
+    return transmittance(start, end) < 0.5;
+  }
 
  private:
   Revision revision_ = new_revision();
@@ -123,7 +179,8 @@ class RayCaster {
   [[nodiscard]] SurfaceHit cast(const glm::dvec3& origin, const glm::dvec3& direction,
                                 const std::optional<glm::dvec3>& parallel) const;
   void cast(const glm::dvec3& eye, std::span<const glm::dvec3> directions,
-            std::span<const glm::dvec3> offsets, std::span<SurfaceHit> hits, double nearest) const;
+            std::span<const glm::dvec3> offsets, std::span<SurfaceHit> hits, double nearest,
+            bool passes_panes = false) const;
   void cast_shadow_rays(const SurfacePoints& points, const glm::vec3& position,
                         std::span<const std::uint8_t> pending, LightAtPoints& light) const;
 

@@ -15,6 +15,7 @@
 #include "core/scene/placement.h"
 #include "render/geometry/rounding.h"
 #include "render/visibility/coordinate_center.h"
+#include "render/visibility/coverage.h"
 #include "render/visibility/embree.h"
 #include "render/visibility/ray_caster.h"
 
@@ -24,8 +25,10 @@ namespace brume {
 struct Placed {
   std::shared_ptr<const TriangleMesh> mesh;
   Placement placement;
+  Coverage coverage;
 
-  explicit Placed(const Surface& surface) : mesh(surface.mesh), placement(surface) {}
+  explicit Placed(const Surface& surface)
+      : mesh(surface.mesh), placement(surface), coverage(surface.material) {}
   bool operator==(const Placed&) const = default;
 };
 
@@ -41,6 +44,24 @@ struct FloatSegment {
   double tfar = std::numeric_limits<double>::infinity();
 };
 
+// A query that meets holes and panes.
+struct CoverageQuery : RayQuery {
+  enum class Panes {
+    hit,
+    passed,
+    attenuate,  // multiply `transmittance`
+    collected   // in `panes`
+  };
+  Panes mode = Panes::hit;
+  std::array<float, 16> transmittance;  // by the ray's id
+  std::vector<PaneHit>* panes = nullptr;
+
+  explicit CoverageQuery(RayOrder order, RTCFilterFunctionN hit_filter = nullptr)
+      : RayQuery(order, hit_filter) {
+    transmittance.fill(1.0f);
+  }
+};
+
 struct RayCaster::Impl {
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
@@ -54,8 +75,10 @@ struct RayCaster::Impl {
   std::vector<Box> surface_bounds;
   glm::dvec3 center{0.0};
   double radius = -1.0;  // of the ball around `center` that holds all surfaces; < 0: none
+  glm::dvec3 channels;
+  bool has_panes = false;
 
-  explicit Impl(std::span<const Surface> built_from) {
+  Impl(std::span<const Surface> built_from, const glm::dvec3& weights) : channels(weights) {
     if (built_from.empty()) return;
     constexpr double infinite = std::numeric_limits<double>::infinity();
     bounds = {glm::dvec3(infinite), glm::dvec3(-infinite)};
@@ -112,10 +135,37 @@ struct RayCaster::Impl {
                                own_vertices.data(), 0, sizeof(Vertex), own_vertices.size());
     rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
                                own_triangles.data(), 0, sizeof(glm::uvec3), own_triangles.size());
+    const Coverage& coverage = surfaces[vertices.size() - 1].coverage;
+    if (coverage.is_pane()) has_panes = true;
+    if (!coverage.is_opaque()) {
+      rtcSetGeometryUserData(geometry, this);
+      rtcSetGeometryIntersectFilterFunction(geometry, meet_coverage);
+      rtcSetGeometryOccludedFilterFunction(geometry, meet_coverage);
+    }
     rtcCommitGeometry(geometry);
     rtcAttachGeometry(scene, geometry);
     rtcReleaseGeometry(geometry);
   }
+
+  [[nodiscard]] glm::dvec2 texcoord(std::size_t surface, std::size_t triangle, float u,
+                                    float v) const {
+    if (texcoords[surface].empty()) return glm::dvec2(0.0);
+    const glm::uvec3& corners = triangles[surface][triangle];
+    const auto at = [&](unsigned corner) { return glm::dvec2(texcoords[surface][corner]); };
+    const double first = 1.0 - static_cast<double>(u) - static_cast<double>(v);
+    return first * at(corners.x) + static_cast<double>(u) * at(corners.y) +
+           static_cast<double>(v) * at(corners.z);
+  }
+
+  // The share of light that passes a surface there, in the ray caster's channels.
+  [[nodiscard]] double passing(const Coverage& coverage, const glm::dvec2& uv,
+                               double footprint) const {
+    const double crossing = glm::dot(channels, coverage.transmitted(uv, footprint));
+    return 1.0 - coverage.covered(uv, footprint) * (1.0 - crossing);
+  }
+
+  // Embree's filter of surfaces with holes and of panes. All queries are a CoverageQuery.
+  static void meet_coverage(const RTCFilterFunctionNArguments* found);
 
   [[nodiscard]] TextureFrame texture_frame(const SurfaceHit& hit) const {
     const auto surface = static_cast<std::size_t>(hit.surface);

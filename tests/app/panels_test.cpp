@@ -162,13 +162,20 @@ class PanelsTest : public QObject {
     Q_EMIT desk.findChild<ColorButton*>("base_color")->edited({0.5, 0.25, 0.125}, no_merge);
     QCOMPARE(material().base_color, glm::dvec3(0.5, 0.25, 0.125));
 
+    auto* alpha = desk.findChild<QComboBox*>("alpha");
+    alpha->setCurrentIndex(2);
+    Q_EMIT alpha->activated(2);
+    QVERIFY(material().alpha == AlphaMode::blend);
+    enter(desk, "opacity", "0.5");
+    QCOMPARE(material().opacity, 0.5);
+
     const std::filesystem::path file = desk.file("wood.png");
     std::ofstream(file, std::ios::binary) << encode_png(1, 1, std::vector<std::uint8_t>(3, 200));
     form->load_texture(&MetallicRoughness::base_color_texture, file);
     QTRY_VERIFY(material().base_color_texture.content);
     auto* choose = desk.findChild<QPushButton*>("base_color_texture");
     QCOMPARE(choose->text(), QString("wood.png"));
-    QCOMPARE(document.undo_stack().count(), 6);
+    QCOMPARE(document.undo_stack().count(), 8);
     desk.findChild<QToolButton*>("base_color_texture_remove")->click();
     QVERIFY(material().base_color_texture == TextureReference{});
     document.undo_stack().undo();

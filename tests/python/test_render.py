@@ -204,6 +204,11 @@ def test_lights_and_surfaces(cloud, tmp_path):
     floor.translate = (0, -1, 0)
     floor.set_metallic_roughness((0.8, 0.4, 0.2), metallic=1, roughness=0.3)
     cloud.surfaces.append(floor)
+    pane = Surface.primitive("plane", (1, 1, 1))
+    pane.set_metallic_roughness((1, 1, 1), alpha="blend", opacity=0.5, transmission=(1, 0.5, 0))
+    cloud.surfaces.append(pane)
+    with pytest.raises(brume.DomainError, match="alpha: found 'mask'; allowed: opaque, cutout, blend"):
+        pane.set_metallic_roughness((1, 1, 1), alpha="mask")
     frame = brume.render(cloud, airlight="sliced")
     assert np.isfinite(frame.depth).any()
     cloud.save(tmp_path / "s.brume")
@@ -211,7 +216,7 @@ def test_lights_and_surfaces(cloud, tmp_path):
     assert [light.kind for light in again.lights] == kinds
     assert np.array_equal(brume.render(again, airlight="sliced").beauty, frame.beauty)
     cloud.surfaces.append(Surface.mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]]))
-    with pytest.raises(brume.DomainError, match=r"surfaces\[1\].mesh: it is in memory alone"):
+    with pytest.raises(brume.DomainError, match=r"surfaces\[2\].mesh: it is in memory alone"):
         cloud.save(tmp_path / "t.brume")
     points = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]
     for triangles, index in (([[0, 1, 3]], "3"), ([[0, 1, -1]], "-1"), ([[0, 1, 2**32]], "4294967296")):

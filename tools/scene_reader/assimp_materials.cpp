@@ -54,7 +54,6 @@ class Materials {
 
   void add_all() {
     for (unsigned i = 0; i < from_.mNumMaterials; ++i) add(*from_.mMaterials[i]);
-    if (!not_opaque_.empty()) warn(surfaces_are_opaque(not_opaque_));
   }
 
  private:
@@ -76,7 +75,7 @@ class Materials {
     values.emissive = color(material, max_key("emit_color").c_str(), 0, 0, limits::intensity)
                           .value_or(color(material, AI_MATKEY_COLOR_EMISSIVE, limits::intensity)
                                         .value_or(glm::dvec3(0.0)));
-    auto& [base, metallic_roughness, normal, emissive] = result.textures;
+    auto& [base, metallic_roughness, normal, emissive, transmission] = result.textures;
     base = texture(material, {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE});
     if (base) values.base_color = glm::dvec3(1.0);
     emissive = texture(material, {aiTextureType_EMISSION_COLOR, aiTextureType_EMISSIVE});
@@ -90,11 +89,18 @@ class Materials {
     } else if (metal || rough) {
       warn("textures of metalness and roughness that are not one image are left out");
     }
-    if (number(material, AI_MATKEY_OPACITY).value_or(1.0) < 1.0) {
-      not_opaque_.push_back(
-          result.name.empty() ? "number " + std::to_string(to_.materials.size() + 1) : result.name);
-    }
+    set_opacity(material, result);
     to_.materials.push_back(result);
+  }
+
+  // MTL's d, Tr and map_d, and FBX's transparency, are the share that a surface covers.
+  void set_opacity(const aiMaterial& material, RawMaterial& result) {
+    const auto mask = texture(material, {aiTextureType_OPACITY});
+    if (mask) result.opacity_image = mask->image;
+    const double opacity = std::clamp(number(material, AI_MATKEY_OPACITY).value_or(1.0), 0.0, 1.0);
+    // FBX files may have a mask beside a factor that assimp takes for wholly transparent.
+    result.values.opacity = mask && opacity == 0.0 ? 1.0 : opacity;
+    if (mask || opacity < 1.0) result.values.alpha = AlphaMode::blend;
   }
 
   static double roughness(const aiMaterial& material) {
@@ -164,8 +170,7 @@ class Materials {
   const aiScene& from_;
   const fs::path& file_;
   RawScene& to_;
-  std::vector<std::string> names_;       // of to_.images
-  std::vector<std::string> not_opaque_;  // names of materials
+  std::vector<std::string> names_;  // of to_.images
 };
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "app/panels/forms/metallic_roughness_form.h"
 
+#include <QComboBox>
 #include <QFormLayout>
 #include <QPushButton>
 #include <QToolButton>
@@ -17,7 +18,8 @@ namespace {
 
 bool has_colors(MetallicRoughnessForm::Slot slot) {
   return slot == &MetallicRoughness::base_color_texture ||
-         slot == &MetallicRoughness::emissive_texture;
+         slot == &MetallicRoughness::emissive_texture ||
+         slot == &MetallicRoughness::transmission_texture;
 }
 
 }  // namespace
@@ -27,6 +29,7 @@ MetallicRoughnessForm::MetallicRoughnessForm(Document& document, Target target, 
   auto* form = new QFormLayout(this);
   form->setContentsMargins(0, 0, 0, 0);
   add_values(*form);
+  add_alpha(*form);
   add_texture(*form, tr("Base color texture"), "base_color_texture",
               &MetallicRoughness::base_color_texture);
   add_texture(*form, tr("Roughness texture"), "metallic_roughness_texture",
@@ -34,6 +37,8 @@ MetallicRoughnessForm::MetallicRoughnessForm(Document& document, Target target, 
   add_texture(*form, tr("Normal map"), "normal_texture", &MetallicRoughness::normal_texture);
   add_texture(*form, tr("Emissive texture"), "emissive_texture",
               &MetallicRoughness::emissive_texture);
+  add_texture(*form, tr("Transmission texture"), "transmission_texture",
+              &MetallicRoughness::transmission_texture);
   on_refresh([this] { setVisible(material() != nullptr); });
   on_change(document_, brume::Change::scene, &reading_, &BackgroundJob::cancel);
   connect(&reading_, &BackgroundJob::failed, this, &MetallicRoughnessForm::refused);
@@ -72,6 +77,20 @@ void MetallicRoughnessForm::add_values(QFormLayout& form) {
   visit_fields<MetallicRoughness>([&](const auto& field) {
     if (std::string_view(field.info.name) != "base_color") add_field(form, field, values);
   });
+}
+
+void MetallicRoughnessForm::add_alpha(QFormLayout& form) {
+  auto* alpha = named(new QComboBox(this), "alpha");
+  alpha->addItems({tr("Opaque"), tr("Cutout"), tr("Blend")});
+  alpha->setToolTip(tr("Whether opacity makes holes in the surface, or covers a share of it"));
+  connect(alpha, &QComboBox::activated, this, [this](int index) {
+    change(tr("Set alpha of %1"), no_merge,
+           [index](MetallicRoughness& m) { m.alpha = static_cast<AlphaMode>(index); });
+  });
+  on_refresh([this, alpha] {
+    if (material()) alpha->setCurrentIndex(static_cast<int>(material()->alpha));
+  });
+  form.addRow(tr("Alpha"), alpha);
 }
 
 void MetallicRoughnessForm::add_texture(QFormLayout& form, const QString& title, const char* name,

@@ -28,6 +28,7 @@ class MetallicRoughnessForm : public SceneForm {
 
  private:
   void add_values(QFormLayout& form);
+  void add_alpha(QFormLayout& form);
   void add_texture(QFormLayout& form, const QString& title, const char* name, Slot slot);
   void ask_for_texture(Slot slot);
   [[nodiscard]] const MetallicRoughness* material() const;  // null: none

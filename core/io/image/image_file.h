@@ -44,6 +44,9 @@ void write_png(const std::filesystem::path& file, int width, int height,
 void write_png(const std::filesystem::path& file, int width, int height,
                std::span<const std::uint16_t> rgb,
                const std::map<std::string, std::string>& metadata);
+// The same of width * height * 4 values of 8 bits, with alpha, without metadata.
+void write_png_with_alpha(const std::filesystem::path& file, int width, int height,
+                          std::span<const std::uint8_t> rgba);
 
 // The bytes of such a file, of 8 bits.
 std::string encode_png(int width, int height, std::span<const std::uint8_t> rgb);

@@ -46,15 +46,16 @@ void write_bytes(png_structp png, png_bytep bytes, std::size_t count) {
 
 void flush_bytes(png_structp) {}
 
-// R G B per pixel, rows from the top.
+// R G B per pixel, or R G B A, rows from the top.
 struct Image {
   int width;
   int height;
   std::span<const std::uint8_t> bytes;
   int bits;  // 8, or 16 in the byte order of this machine
+  int channels = 3;
 
-  Image(int image_width, int image_height, std::span<const std::uint8_t> rgb)
-      : width(image_width), height(image_height), bytes(rgb), bits(8) {
+  Image(int image_width, int image_height, std::span<const std::uint8_t> values, int count = 3)
+      : width(image_width), height(image_height), bytes(values), bits(8), channels(count) {
     assert(bytes.size() == static_cast<std::size_t>(height) * row_bytes());
   }
   Image(int image_width, int image_height, std::span<const std::uint16_t> rgb)
@@ -65,7 +66,8 @@ struct Image {
     assert(bytes.size() == static_cast<std::size_t>(height) * row_bytes());
   }
   [[nodiscard]] std::size_t row_bytes() const {
-    return static_cast<std::size_t>(width) * 3 * static_cast<std::size_t>(bits / 8);
+    return static_cast<std::size_t>(width) * static_cast<std::size_t>(channels) *
+           static_cast<std::size_t>(bits / 8);
   }
 };
 
@@ -85,7 +87,8 @@ bool write_image(std::ostream& out, const Image& image, png_textp texts, int tex
   }
   png_set_write_fn(png, &out, write_bytes, flush_bytes);
   png_set_IHDR(png, info, static_cast<png_uint_32>(image.width),
-               static_cast<png_uint_32>(image.height), image.bits, PNG_COLOR_TYPE_RGB,
+               static_cast<png_uint_32>(image.height), image.bits,
+               image.channels == 4 ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB,
                PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
   png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
   if (text_count > 0) png_set_text(png, info, texts, text_count);
@@ -173,6 +176,11 @@ void write_png(const std::filesystem::path& file, int width, int height,
                std::span<const std::uint16_t> rgb,
                const std::map<std::string, std::string>& metadata) {
   write_file(file, {width, height, rgb}, metadata);
+}
+
+void write_png_with_alpha(const std::filesystem::path& file, int width, int height,
+                          std::span<const std::uint8_t> rgba) {
+  write_file(file, {width, height, rgba, 4}, {});
 }
 
 std::string encode_png(int width, int height, std::span<const std::uint8_t> rgb) {

@@ -48,15 +48,15 @@ double value_of(std::int64_t type, const char* bytes, bool is_normalized) {
   }
 }
 
-constexpr std::array<std::string_view, 5> read_extensions{
-    "KHR_gaussian_splatting", "KHR_lights_punctual", "KHR_materials_emissive_strength",
-    "KHR_mesh_quantization", "KHR_texture_transform"};
+constexpr std::array<std::string_view, 6> read_extensions{
+    "KHR_gaussian_splatting",     "KHR_lights_punctual",   "KHR_materials_emissive_strength",
+    "KHR_materials_transmission", "KHR_mesh_quantization", "KHR_texture_transform"};
 // Without these, materials look different, and that is all.
-constexpr std::array<std::string_view, 11> optional_extensions{
-    "KHR_materials_anisotropy", "KHR_materials_clearcoat",    "KHR_materials_dispersion",
-    "KHR_materials_ior",        "KHR_materials_iridescence",  "KHR_materials_sheen",
-    "KHR_materials_specular",   "KHR_materials_transmission", "KHR_materials_unlit",
-    "KHR_materials_variants",   "KHR_materials_volume"};
+constexpr std::array<std::string_view, 10> optional_extensions{
+    "KHR_materials_anisotropy", "KHR_materials_clearcoat",   "KHR_materials_dispersion",
+    "KHR_materials_ior",        "KHR_materials_iridescence", "KHR_materials_sheen",
+    "KHR_materials_specular",   "KHR_materials_unlit",       "KHR_materials_variants",
+    "KHR_materials_volume"};
 
 bool is_compression(std::string_view extension) {
   return extension.ends_with("_compression");

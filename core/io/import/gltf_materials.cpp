@@ -105,12 +105,33 @@ class Textures {
   bool has_any_ = false;
 };
 
+AlphaMode alpha_mode(JsonObject& material) {
+  const std::string mode = material.text("alphaMode", "OPAQUE");
+  return mode == "MASK"    ? AlphaMode::cutout
+         : mode == "BLEND" ? AlphaMode::blend
+                           : AlphaMode::opaque;
+}
+
 double emissive_strength(GltfFile& file, JsonObject& material) {
   auto extensions = material.find_object("extensions");
   if (!extensions) return 1.0;
   auto strength = extensions->find_object("KHR_materials_emissive_strength");
   if (!strength) return 1.0;
   return nearest_number(file, *strength, "emissiveStrength", domain::not_negative, 1.0);
+}
+
+// KHR_materials_transmission: as much of what is not reflected crosses, in the base color.
+void read_transmission(GltfFile& file, JsonObject& object, RawMaterial& material,
+                       Textures& textures) {
+  auto extensions = object.find_object("extensions");
+  auto extension =
+      extensions ? extensions->find_object("KHR_materials_transmission") : std::nullopt;
+  if (!extension) return;
+  MetallicRoughness& values = material.values;
+  values.transmission = nearest_number(file, *extension, "transmissionFactor", domain::unit, 0.0) *
+                        (1.0 - values.metallic) * values.base_color;
+  textures.read(*extension, "transmissionTexture", 4, [](JsonObject&) {});
+  material.is_transmission_tinted = true;
 }
 
 }  // namespace
@@ -126,6 +147,7 @@ GltfMaterial read_gltf_material(GltfFile& file, GltfImages& images, std::size_t 
     const auto rgba =
         nearest_numbers(file, *pbr, "baseColorFactor", domain::unit, {1.0, 1.0, 1.0, 1.0});
     values.base_color = {rgba[0], rgba[1], rgba[2]};
+    values.opacity = rgba[3];
     values.metallic = nearest_number(file, *pbr, "metallicFactor", domain::unit, 1.0);
     values.roughness = nearest_number(file, *pbr, "roughnessFactor", domain::unit, 1.0);
     textures.read(*pbr, "baseColorTexture", 0, nothing);
@@ -138,7 +160,12 @@ GltfMaterial read_gltf_material(GltfFile& file, GltfImages& images, std::size_t 
   textures.read(object, "emissiveTexture", 3, nothing);
   values.emissive = nearest_vector(file, object, "emissiveFactor", domain::unit, glm::dvec3(0.0)) *
                     emissive_strength(file, object);
-  result.is_opaque = object.text("alphaMode", "OPAQUE") == "OPAQUE";
+  values.alpha = alpha_mode(object);
+  if (values.alpha == AlphaMode::opaque) values.opacity = 1.0;
+  if (values.alpha == AlphaMode::cutout) {
+    values.alpha_cutoff = nearest_number(file, object, "alphaCutoff", domain::unit, 0.5);
+  }
+  read_transmission(file, object, result.material, textures);
   return result;
 }
 

@@ -12,7 +12,6 @@ struct GltfMaterial {
   RawMaterial material;
   std::size_t texcoord_set = 0;        // TEXCOORD_n
   glm::dmat3 texcoord_transform{1.0};  // of (u, v, 1) as the file has them, v down
-  bool is_opaque = true;
 };
 
 // The images of a glTF file that textures use; no others are looked at.

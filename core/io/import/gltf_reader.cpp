@@ -51,18 +51,9 @@ class GltfReader {
   }
 
   void read_materials() {
-    const JsonPath path = file_.path().member("materials");
     GltfImages images(file_);
-    std::vector<std::string> not_opaque;
     for (std::size_t i = 0; i < file_.list("materials").size(); ++i) {
-      const JsonPath material = path.element(i);
       materials_.push_back(read_gltf_material(file_, images, i));
-      const std::string& name = materials_[i].material.name;
-      if (!materials_[i].is_opaque) not_opaque.push_back(name.empty() ? material.text() : name);
-    }
-    if (!not_opaque.empty()) {
-      const JsonPath any = path.element(0);
-      file_.context().warn(any.member("alphaMode"), surfaces_are_opaque(not_opaque));
     }
     materials_.emplace_back();  // of what has none
     for (const GltfMaterial& material : materials_) scene_.materials.push_back(material.material);

@@ -13,6 +13,7 @@
 #include "core/io/text_scanner.h"
 #include "core/io/unicode_text.h"
 #include "core/printable_text.h"
+#include "core/scene/materials/mixed_texture.h"
 #include "core/scene/mesh.h"
 
 namespace brume {
@@ -66,19 +67,53 @@ class SceneBuilder {
     result.type = Material::Type::metallic_roughness;
     result.metallic_roughness = raw.values;
     result.name = raw.name;
-    for (const std::size_t slot : {0, 1, 2, 3}) {
+    for (std::size_t slot = 0; slot < raw.textures.size(); ++slot) {
       const std::optional<RawTexture>& use = raw.textures[slot];
       if (!use) continue;
-      const bool has_colors = slot == 0 || slot == 3;
       TextureReference& texture = *textures_of(result.metallic_roughness)[slot];
       texture.file = raw_.images[use->image].file;
-      texture.content = this->texture({use->image, has_colors}, scene);
+      texture.content = this->texture({use->image, texture_has_colors[slot]}, scene);
       texture.wrap_u = use->wrap_u;
       texture.wrap_v = use->wrap_v;
     }
     MetallicRoughness& values = result.metallic_roughness;
     if (raw.textures[3] && !values.emissive_texture.content) values.emissive = glm::dvec3(0.0);
+    if (raw.opacity_image) add_opacity(*raw.opacity_image, values.base_color_texture, scene);
+    if (raw.is_transmission_tinted) tint(values);
     return result;
+  }
+
+  // Makes an image of its own of what a scene has in two.
+  void set_mixed(TextureReference& texture, std::shared_ptr<const Texture> mixed) {
+    texture.file = file_;
+    texture.content = std::move(mixed);
+    add_bytes(texture.content->bytes());
+  }
+
+  void add_opacity(std::size_t image, TextureReference& base_color, ImportedScene& scene) {
+    const std::shared_ptr<const Texture> opacity = texture({image, false}, scene);
+    if (!opacity) return;
+    const bool is_alpha = has_alpha(*opacity);
+    set_mixed(base_color, mixed_texture(base_color.content.get(), opacity.get(),
+                                        [is_alpha](glm::vec4 color, const glm::vec4& share) {
+                                          color.a = is_alpha ? share.a
+                                                             : (share.r + share.g + share.b) / 3.0f;
+                                          return color;
+                                        }));
+  }
+
+  // What crosses the surface has the base color.
+  void tint(MetallicRoughness& values) {
+    const TextureReference& base_color = values.base_color_texture;
+    TextureReference& share = values.transmission_texture;
+    if (!share.content) {
+      share = base_color;
+      return;
+    }
+    set_mixed(share, mixed_texture(base_color.content.get(), share.content.get(),
+                                   [](const glm::vec4& color, const glm::vec4& crossing) {
+                                     return color * crossing.r;
+                                   }));
   }
 
   // Null, which is white, with a warning where it is missing or cannot be read. A surface that it
@@ -194,18 +229,6 @@ std::string imported_name(std::string_view name, const std::string& otherwise) {
     if (!result.empty() && static_cast<unsigned char>(result.back()) >= 0xC0) result.pop_back();
   }
   return result.empty() ? otherwise : result;
-}
-
-std::string surfaces_are_opaque(std::span<const std::string> materials) {
-  constexpr std::size_t max_names = 5;
-  std::string names = materials.size() == 1 ? "material " : "materials ";
-  for (std::size_t i = 0; i < std::min(materials.size(), max_names); ++i) {
-    names += (i > 0 ? ", " : "") + materials[i];
-  }
-  if (materials.size() > max_names) {
-    names += " and " + std::to_string(materials.size() - max_names) + " more";
-  }
-  return "surfaces are opaque here, also those of the " + names;
 }
 
 }  // namespace brume

@@ -32,7 +32,12 @@ struct RawTexture {
 struct RawMaterial {
   std::string name{};                                   // empty: none
   MetallicRoughness values{};                           // without its textures
-  std::array<std::optional<RawTexture>, 4> textures{};  // in the order of textures_of()
+  std::array<std::optional<RawTexture>, 5> textures{};  // in the order of textures_of()
+  // Its alpha, or brightness if it has none, multiplies the opacity.
+  std::optional<std::size_t> opacity_image{};
+  // The first channel of the transmission texture alone counts, and the base color texture, if
+  // there is one, multiplies it.
+  bool is_transmission_tinted = false;
 };
 
 struct RawPart {

@@ -10,6 +10,7 @@
 #include "core/scene/cameras.h"
 #include "core/scene/fields/camera_fields.h"
 #include "core/scene/fields/light_fields.h"
+#include "core/scene/fields/material_fields.h"
 #include "core/scene/light_rules.h"
 
 namespace brume {
@@ -110,6 +111,10 @@ void visit_values(auto& io, auto& values) {
   io.plain(values.roughness);
   io.plain(values.emissive);
   io.plain(values.normal_scale);
+  io.plain(values.alpha);
+  io.plain(values.opacity);
+  io.plain(values.alpha_cutoff);
+  io.plain(values.transmission);
 }
 
 void visit_light(auto& io, auto& light) {
@@ -149,6 +154,8 @@ void visit_scene(auto& io, auto& scene) {
         io.plain(use.wrap_v);
       });
     }
+    io.maybe(material.opacity_image, [&io](auto& image) { io.plain(image); });
+    io.plain(material.is_transmission_tinted);
   });
   io.list(scene.images, [&io](auto& image) {
     visit_path(io, image.file);
@@ -200,10 +207,10 @@ bool is_valid(const RawMaterial& material, std::size_t images) {
       return false;
     }
   }
-  const MetallicRoughness& v = material.values;
-  return is_in(v.base_color, domain::unit) && domain::unit.contains(v.metallic) &&
-         domain::unit.contains(v.roughness) && is_in(v.emissive, domain::intensity) &&
-         domain::normal_scale.contains(v.normal_scale);
+  if (material.opacity_image && *material.opacity_image >= images) return false;
+  const AlphaMode alpha = material.values.alpha;
+  return is_in_domain(material.values) &&
+         (alpha == AlphaMode::opaque || alpha == AlphaMode::cutout || alpha == AlphaMode::blend);
 }
 
 bool is_valid(const Light& light) {

@@ -23,7 +23,4 @@ inline constexpr double lumens_per_watt = 683.0;
 // limits::name_length bytes; `otherwise` if nothing is left.
 std::string imported_name(std::string_view name, const std::string& otherwise);
 
-// A warning that the surfaces of these materials, which are not opaque in their file, are.
-std::string surfaces_are_opaque(std::span<const std::string> materials);
-
 }  // namespace brume

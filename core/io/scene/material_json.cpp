@@ -15,6 +15,7 @@ void visit_texture_keys(MaterialOrConst& material, Visit visit) {
   visit("metallic_roughness_texture", material.metallic_roughness_texture, false);
   visit("normal_texture", material.normal_texture, false);
   visit("emissive_texture", material.emissive_texture, true);
+  visit("transmission_texture", material.transmission_texture, true);
 }
 
 class MaterialReader {
@@ -56,6 +57,8 @@ class MaterialReader {
 
   void read_metallic_roughness(JsonObject& object, MetallicRoughness& material) {
     read_fields(object, material);
+    material.alpha =
+        static_cast<AlphaMode>(object.choice("alpha", scene_names::alpha_modes, std::size_t{0}));
     visit_texture_keys(material, [&](const char* key, TextureReference& texture, bool has_colors) {
       auto reference = object.find_object(key);
       if (reference) read_texture_reference(*reference, key, texture, has_colors);
@@ -88,6 +91,9 @@ void add_metallic_roughness(Json& object, const Surface& surface, const UnknownK
                             const fs::path& directory) {
   const MetallicRoughness& material = surface.material.metallic_roughness;
   write_fields(object, material, NoKeys());
+  if (material.alpha != AlphaMode::opaque) {
+    object["alpha"] = scene_names::alpha_modes[static_cast<std::size_t>(material.alpha)];
+  }
   visit_texture_keys(material, [&](const char* key, const TextureReference& texture, bool) {
     if (texture.file.empty()) return;
     Json& entry = object[key] = Json{{"file", SceneReferences::text_for(texture.file, directory)}};

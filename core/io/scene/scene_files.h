@@ -5,6 +5,7 @@
 
 #include "core/io/scene/scene_document.h"
 #include "core/scene/fields/light_fields.h"
+#include "core/scene/imported_scene.h"
 
 namespace brume {
 
@@ -23,9 +24,7 @@ void visit_files(SceneOrConst& scene, Visit visit) {
     if (!surface.primitive) visit(surface.mesh_file);
     if (surface.material.type == Material::Type::measured) visit(surface.material.file);
     if (surface.material.type == Material::Type::metallic_roughness) {
-      auto& material = surface.material.metallic_roughness;
-      for (auto* texture : {&material.base_color_texture, &material.metallic_roughness_texture,
-                            &material.normal_texture, &material.emissive_texture}) {
+      for (auto* texture : textures_of(surface.material.metallic_roughness)) {
         if (texture->content) visit(texture->file);  // else it is missing
       }
     }

@@ -7,6 +7,7 @@
 
 #include "core/io/disk/file_bytes.h"
 #include "core/io/image/image_file.h"
+#include "core/scene/materials/mixed_texture.h"
 #include "core/scene/materials/texture.h"
 
 namespace brume {
@@ -23,14 +24,19 @@ bool is_image_file(const std::filesystem::path& file) {
 void write_image(const std::filesystem::path& file, const Texture& texture) {
   const Texture::Level& level = texture.levels().front();
   const auto count = static_cast<std::size_t>(level.width) * static_cast<std::size_t>(level.height);
-  std::vector<std::uint8_t> rgb;
-  rgb.reserve(3 * count);
+  const unsigned bits = has_alpha(texture) ? 32 : 24;
+  std::vector<std::uint8_t> bytes;
+  bytes.reserve(bits / 8 * count);
   for (const std::uint32_t texel : texture.texels().subspan(level.first, count)) {
-    for (const unsigned shift : {0u, 8u, 16u}) {
-      rgb.push_back(static_cast<std::uint8_t>(texel >> shift));
+    for (unsigned shift = 0; shift < bits; shift += 8) {
+      bytes.push_back(static_cast<std::uint8_t>(texel >> shift));
     }
   }
-  write_png(file, level.width, level.height, rgb, {});
+  if (bits == 32) {
+    write_png_with_alpha(file, level.width, level.height, bytes);
+  } else {
+    write_png(file, level.width, level.height, bytes, {});
+  }
 }
 
 const char* wrap_name(TextureWrap wrap) {
@@ -116,8 +122,19 @@ class PreviewSurface {
       }
       connect(declaration, {name, &texture, scale, glm::dvec4(0.0), space, channel});
     };
+    // USD has no color of what crosses a pane.
+    const double crossing = (m.transmission.x + m.transmission.y + m.transmission.z) / 3.0;
+    const double opacity = (m.alpha == AlphaMode::opaque ? 1.0 : m.opacity) * (1.0 - crossing);
     value("color3f inputs:diffuseColor", "BaseColor", m.base_color, m.base_color_texture,
-          {m.base_color, 1.0}, "\"sRGB\"", "rgb");
+          {m.base_color, opacity}, "\"sRGB\"", "rgb");
+    if (m.alpha != AlphaMode::opaque && m.base_color_texture.content) {
+      out_.constant("float inputs:opacity.connect", "<" + path_ + "/BaseColor.outputs:a>");
+    } else if (opacity < 1.0) {
+      out_.constant("float inputs:opacity", usd_value(opacity));
+    }
+    if (m.alpha == AlphaMode::cutout) {
+      out_.constant("float inputs:opacityThreshold", usd_value(m.alpha_cutoff));
+    }
     value("color3f inputs:emissiveColor", "Emissive", m.emissive, m.emissive_texture,
           {m.emissive, 1.0}, "\"sRGB\"", "rgb");
     const TextureReference& pair = m.metallic_roughness_texture;
@@ -156,6 +173,7 @@ class PreviewSurface {
     out_.constant("float4 inputs:bias", usd_value(use.bias));
     out_.declare("float outputs:g");
     out_.declare("float outputs:b");
+    out_.declare("float outputs:a");
     out_.declare("float3 outputs:rgb");
     out_.close();
   }

@@ -72,6 +72,29 @@ inline constexpr auto fields<MetallicRoughness> = std::tuple{
            .unit = "",
            .says = "Multiplies the slopes of the normal map",
            .step = 0.01,
+           .is_always_saved = false}),
+    field(
+        &MetallicRoughness::opacity, domain::unit,
+        {.name = "opacity",
+         .label = "Opacity",
+         .unit = "",
+         .says = "Share of the surface that is there, of `cutout` and `blend`; times the alpha of "
+                 "the base color texture",
+         .step = 0.01,
+         .is_always_saved = false}),
+    field(&MetallicRoughness::alpha_cutoff, domain::unit,
+          {.name = "alpha_cutoff",
+           .label = "Alpha cutoff",
+           .unit = "",
+           .says = "Where less than this share is there, `cutout` has a hole",
+           .step = 0.01,
+           .is_always_saved = false}),
+    field(&MetallicRoughness::transmission, domain::unit,
+          {.name = "transmission",
+           .label = "Transmission",
+           .unit = "RGB",
+           .says = "Share of light that crosses the surface as a thin pane, unbent",
+           .step = 0.005,
            .is_always_saved = false})};
 
 }  // namespace brume

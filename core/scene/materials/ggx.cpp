@@ -32,12 +32,14 @@ glm::dvec3 to_local(const glm::dquat& frame, const glm::dvec3& w) {
 }
 
 MaterialPoint combined(const MetallicRoughness& material, const glm::vec4& base_color,
-                       const glm::vec4& metallic_roughness, const glm::vec4& emissive) {
+                       const glm::vec4& metallic_roughness, const glm::vec4& emissive,
+                       const glm::vec4& transmission) {
   MaterialPoint point;
   point.reflection =
       GgxReflection(material.base_color * glm::dvec3(base_color),
                     std::clamp(material.metallic * double{metallic_roughness.b}, 0.0, 1.0),
                     std::clamp(material.roughness * double{metallic_roughness.g}, 0.0, 1.0));
+  point.reflection.diffuse *= 1.0 - material.transmission * glm::dvec3(transmission);
   point.emitted = material.emissive * glm::dvec3(emissive);
   return point;
 }
@@ -110,7 +112,8 @@ double ggx_pdf(double alpha, const glm::dvec3& wi, const glm::dvec3& wo, const g
 
 bool has_textures(const MetallicRoughness& material) {
   return material.base_color_texture.content || material.metallic_roughness_texture.content ||
-         material.normal_texture.content || material.emissive_texture.content;
+         material.normal_texture.content || material.emissive_texture.content ||
+         material.transmission_texture.content;
 }
 
 bool may_mirror(const MetallicRoughness& material) {
@@ -122,7 +125,8 @@ MaterialPoint material_at(const MetallicRoughness& material, const glm::dvec2& u
                           double footprint) {
   MaterialPoint point = combined(material, lookup(material.base_color_texture, uv, footprint),
                                  lookup(material.metallic_roughness_texture, uv, footprint),
-                                 lookup(material.emissive_texture, uv, footprint));
+                                 lookup(material.emissive_texture, uv, footprint),
+                                 lookup(material.transmission_texture, uv, footprint));
   if (!material.normal_texture.content) return point;
   const glm::dvec3 n =
       2.0 * glm::dvec3(lookup(material.normal_texture, uv, footprint)) - glm::dvec3(1.0);
@@ -137,7 +141,8 @@ MaterialPoint average_material(const MetallicRoughness& material) {
     return texture.content ? texture.content->average() : glm::vec4(1.0f);
   };
   return combined(material, average(material.base_color_texture),
-                  average(material.metallic_roughness_texture), average(material.emissive_texture));
+                  average(material.metallic_roughness_texture), average(material.emissive_texture),
+                  average(material.transmission_texture));
 }
 
 }  // namespace brume

@@ -307,6 +307,34 @@ TEST(SurfaceLayers, MattesCoverPixelsInPart) {
             std::bit_cast<float>(cryptomatte_hash("diffuse 1")));
 }
 
+// A pane covers as much as it hides; other layers are of the first surface that hides more than
+// half.
+TEST(SurfaceLayers, PanesCoverInPart) {
+  Scene scene = two_walls();
+  Surface pane = scene.surfaces[0];
+  pane.name = "pane";
+  pane.id = 9;
+  pane.translate.z += 0.5;
+  pane.material = {};
+  pane.material.type = Material::Type::metallic_roughness;
+  pane.material.metallic_roughness.alpha = AlphaMode::blend;
+  const std::size_t pixel = 16 * 32 + 12;
+  const float z = surface_layers(scene, nullptr).channels.at("position.Z")[pixel];
+  scene.surfaces.push_back(pane);
+  for (const double opacity : {0.25, 0.75}) {
+    scene.surfaces.back().material.metallic_roughness.opacity = opacity;
+    const ImageLayers image = surface_layers(scene, nullptr);
+    for (const auto& [name, share] : {std::pair("pane", opacity), {"left", 1.0 - opacity}}) {
+      const bool is_first = image.channels.at("CryptoObject00.R")[pixel] ==
+                            std::bit_cast<float>(cryptomatte_hash(name));
+      EXPECT_EQ(is_first, share > 0.5) << name;
+      EXPECT_NEAR(image.channels.at(is_first ? "CryptoObject00.G" : "CryptoObject00.A")[pixel],
+                  share, 1e-4);
+    }
+    EXPECT_NEAR(image.channels.at("position.Z")[pixel], opacity > 0.5 ? z + 0.5f : z, 1e-3f);
+  }
+}
+
 TEST(SurfaceLayers, NamesOfSurfacesAreThoseOfTheOutliner) {
   std::vector<Surface> surfaces(5);
   surfaces[0].name = "floor";

@@ -119,14 +119,32 @@ TEST_F(GltfValues, ImagesThatHaveNoFileAreMissing) {
   }
 }
 
-TEST_F(GltfValues, MaterialsThatAreNotOpaqueAreNamed) {
-  builder_.json["materials"] = {
-      {{"name", "glass"}, {"alphaMode", "BLEND"}}, {{"name", "wood"}}, {{"alphaMode", "MASK"}}};
-  read();
-  EXPECT_TRUE(
-      is_warned("materials[].alphaMode: surfaces are opaque here, also those of the materials "
-                "glass, materials[2]"));
-  EXPECT_EQ(warnings_.size(), 1u);
+TEST_F(GltfValues, MaterialsHaveHolesAndPanes) {
+  const Json half = {{"baseColorFactor", {1, 1, 1, 0.5}}};
+  const MetallicRoughness solid = read_material({{"pbrMetallicRoughness", half}});
+  EXPECT_EQ(solid.alpha, AlphaMode::opaque);
+  EXPECT_EQ(solid.opacity, 1.0);
+  const MetallicRoughness leaf =
+      read_material({{"alphaMode", "MASK"}, {"alphaCutoff", 0.25}, {"pbrMetallicRoughness", half}});
+  EXPECT_EQ(leaf.alpha, AlphaMode::cutout);
+  EXPECT_EQ(leaf.opacity, 0.5);
+  EXPECT_EQ(leaf.alpha_cutoff, 0.25);
+  const MetallicRoughness veil =
+      read_material({{"alphaMode", "BLEND"}, {"pbrMetallicRoughness", half}});
+  EXPECT_EQ(veil.alpha, AlphaMode::blend);
+  EXPECT_EQ(veil.opacity, 0.5);
+  EXPECT_TRUE(warnings_.empty());
+  read_material({{"alphaMode", "MASK"}, {"alphaCutoff", 2.0}});
+  EXPECT_TRUE(is_warned("materials[].alphaCutoff: found 2"));
+}
+
+TEST_F(GltfValues, GlassTransmitsItsBaseColor) {
+  const MetallicRoughness glass = read_material(
+      {{"pbrMetallicRoughness", {{"baseColorFactor", {1, 0.5, 0, 1}}, {"metallicFactor", 0}}},
+       {"extensions", {{"KHR_materials_transmission", {{"transmissionFactor", 0.5}}}}}});
+  EXPECT_EQ(glass.transmission, glm::dvec3(0.5, 0.25, 0.0));
+  EXPECT_EQ(glass.alpha, AlphaMode::opaque);
+  EXPECT_TRUE(warnings_.empty());
 }
 
 TEST_F(GltfValues, CompressedMeshesWithoutOtherDataAreToldToBeMissing) {

@@ -230,5 +230,47 @@ TEST_F(ImportedTextures, MissingMaterialFilesAreTold) {
   expect_warning("a.obj: the material file " + (folder_ / "other.mtl").string() + " is missing");
 }
 
+// The mask of an MTL file becomes the alpha of the base color.
+TEST_F(ImportedTextures, MasksAreAlpha) {
+  folder_.write("mask.png", encode_png(2, 1, std::vector<std::uint8_t>{255, 255, 255, 0, 0, 0}));
+  folder_.write("red.png", red_png());
+  for (const std::string color : {"map_Kd red.png\n", ""}) {
+    const Texture* texture = read(write_obj(color + "map_d mask.png\n"));
+    EXPECT_TRUE(warnings_.empty());
+    ASSERT_NE(texture, nullptr);
+    EXPECT_EQ(texture->width(), 2);
+    const glm::vec4 left = texture->texel(texture->levels()[0], 0, 0);
+    EXPECT_EQ(left, color.empty() ? glm::vec4(1.0f) : glm::vec4(1, 0, 0, 1));
+    EXPECT_EQ(texture->texel(texture->levels()[0], 1, 0).a, 0.0f);
+    const MetallicRoughness& values = scene_->parts.at(0).material.metallic_roughness;
+    EXPECT_EQ(values.alpha, AlphaMode::blend);
+    EXPECT_EQ(values.opacity, 1.0);
+  }
+}
+
+// Of a texture of transmission red alone counts; the base color's tints it.
+TEST_F(ImportedTextures, GlassIsTinted) {
+  folder_.write("share.png", encode_png(1, 1, std::vector<std::uint8_t>{255, 0, 128}));
+  folder_.write("red.png", red_png());
+  GltfBuilder builder;
+  builder.json["images"] = {{{"uri", "red.png"}}, {{"uri", "share.png"}}};
+  builder.json["textures"] = {{{"source", 0}}, {{"source", 1}}};
+  GltfBuilder::Json extension = {{"transmissionFactor", 1.0}};
+  const auto crossing = [&] {
+    builder.json["materials"] = {
+        {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}, {"metallicFactor", 0}}},
+         {"extensions", {{"KHR_materials_transmission", extension}}}}};
+    builder.primitive()["material"] = 0;
+    read(folder_.write("a.glb", builder.binary()));
+    const auto& texture =
+        scene_->parts.at(0).material.metallic_roughness.transmission_texture.content;
+    return texture ? glm::vec3(texture->average()) : glm::vec3(-1.0f);
+  };
+  EXPECT_EQ(crossing(), glm::vec3(1, 0, 0));
+  extension["transmissionTexture"] = {{"index", 1}};
+  EXPECT_EQ(crossing(), glm::vec3(1, 0, 0));
+  EXPECT_TRUE(warnings_.empty());
+}
+
 }  // namespace
 }  // namespace brume

@@ -247,15 +247,21 @@ TEST(ReaderProgram, ReadsObjInUtf16) {
   }
 }
 
-TEST(ReaderProgram, NamesTheMaterialsThatAreNotOpaque) {
+TEST(ReaderProgram, MaterialsThatAreNotOpaqueBlend) {
   const TemporaryFolder folder;
   const auto file = folder.write("scene.obj", two_squares);
-  folder.write("my.mtl", "newmtl painted\nd 0.5\nnewmtl shiny\nd 0.25\n");
+  folder.write("my.mtl", "newmtl painted\nTr 0.25\nnewmtl shiny\nd 0.25\n");
   std::vector<std::string> warnings;
-  read_imported_scene(file, warnings);
-  EXPECT_EQ(warnings,
-            std::vector{file.string() + ": surfaces are opaque here, also those of the materials "
-                                        "painted, shiny"});
+  const auto scene = read_imported_scene(file, warnings);
+  EXPECT_TRUE(warnings.empty());
+  ASSERT_EQ(scene->parts.size(), 2u);
+  std::vector<double> opacities;
+  for (const ImportedPart& part : scene->parts) {
+    EXPECT_EQ(part.material.metallic_roughness.alpha, AlphaMode::blend);
+    opacities.push_back(part.material.metallic_roughness.opacity);
+  }
+  std::ranges::sort(opacities);
+  EXPECT_EQ(opacities, (std::vector{0.25, 0.75}));
 }
 
 TEST(ReaderProgram, StopsWhenAsked) {

@@ -32,7 +32,8 @@ class MaterialFile : public testing::Test {
 TEST_F(MaterialFile, KeepsMetallicRoughness) {
   const fs::path file = write(R"({ "type": "metallic_roughness",
     "base_color": [1, 0.5, 0.25], "metallic": 0.25, "roughness": 0.75, "emissive": [0, 2, 30],
-    "normal_scale": 0.5, "later": 1,
+    "normal_scale": 0.5, "later": 1, "alpha": "cutout", "opacity": 0.75, "alpha_cutoff": 0.25,
+    "transmission": [0.5, 0.25, 1], "transmission_texture": { "file": "wood.png" },
     "base_color_texture": { "file": "wood.png", "wrap_u": "clamp", "wrap_v": "mirror", "x": 2 },
     "metallic_roughness_texture": { "file": "wood.png" },
     "normal_texture": { "file": "wood.png" }, "emissive_texture": { "file": "wood.png" } })");
@@ -45,13 +46,18 @@ TEST_F(MaterialFile, KeepsMetallicRoughness) {
   EXPECT_EQ(values.roughness, 0.75);
   EXPECT_EQ(values.emissive, glm::dvec3(0.0, 2.0, 30.0));
   EXPECT_EQ(values.normal_scale, 0.5);
+  EXPECT_EQ(values.alpha, AlphaMode::cutout);
+  EXPECT_EQ(values.opacity, 0.75);
+  EXPECT_EQ(values.alpha_cutoff, 0.25);
+  EXPECT_EQ(values.transmission, glm::dvec3(0.5, 0.25, 1.0));
+  EXPECT_EQ(values.transmission_texture.content, values.base_color_texture.content);
   EXPECT_EQ(values.base_color_texture.file, wood_);
   EXPECT_EQ(values.base_color_texture.wrap_u, TextureWrap::clamp);
   EXPECT_EQ(values.base_color_texture.wrap_v, TextureWrap::mirror);
   EXPECT_EQ(values.base_color_texture.content->encoding(), Texture::Encoding::srgb);
   EXPECT_EQ(values.normal_texture.content->encoding(), Texture::Encoding::linear);
   EXPECT_EQ(values.base_color_texture.content, values.emissive_texture.content) << "is shared";
-  EXPECT_EQ(files_of(document).size(), 4u);
+  EXPECT_EQ(files_of(document).size(), 5u);
 
   save_document(document, folder_ / "b.brume");
   const SceneDocument again = load_document(folder_ / "b.brume", nullptr);
@@ -59,6 +65,7 @@ TEST_F(MaterialFile, KeepsMetallicRoughness) {
   EXPECT_EQ(document_to_json(again, folder_.path()), content_of(folder_ / "b.brume"));
   const std::string text = content_of(folder_ / "b.brume");
   EXPECT_TRUE(contains(text, R"("wrap_u": "clamp")"));
+  EXPECT_TRUE(contains(text, R"("alpha": "cutout")"));
   EXPECT_TRUE(contains(text, R"("later": 1)"));
   EXPECT_TRUE(contains(text, R"("x": 2)"));
 }
@@ -100,6 +107,11 @@ TEST_F(MaterialFile, RefusesBadValues) {
                        "surfaces[0].material.base_color[1]: found 2"));
   EXPECT_TRUE(contains(error(begin + R"("emissive": [1, -2, 0] })"),
                        "surfaces[0].material.emissive[1]: found -2"));
+  EXPECT_TRUE(contains(error(begin + R"("alpha": "mask" })"),
+                       "surfaces[0].material.alpha: found \"mask\"; allowed: "));
+  EXPECT_TRUE(contains(error(begin + R"("opacity": 2 })"), "surfaces[0].material.opacity"));
+  EXPECT_TRUE(contains(error(begin + R"("alpha_cutoff": -1 })"), "material.alpha_cutoff"));
+  EXPECT_TRUE(contains(error(begin + R"("transmission": [0, 0, 2] })"), "transmission[2]"));
   EXPECT_TRUE(
       contains(error(begin + R"("normal_scale": "a" })"), "surfaces[0].material.normal_scale"));
   EXPECT_TRUE(

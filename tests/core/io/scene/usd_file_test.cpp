@@ -234,6 +234,38 @@ TEST_F(UsdFile, CornersWithoutNormalsHaveThoseOfTheirTriangles) {
   EXPECT_EQ(normal(3), glm::vec3(0, 1, 0));
 }
 
+TEST_F(UsdFile, MaterialsKeepHolesAndPanes) {
+  Surface box;
+  box.name = "Box";
+  box.primitive = Primitive{};
+  box.mesh = mesh_of(*box.primitive);
+  box.material.type = Material::Type::metallic_roughness;
+  MetallicRoughness& m = box.material.metallic_roughness;
+  m.alpha = AlphaMode::cutout;
+  m.opacity = 0.75;
+  m.alpha_cutoff = 0.25;
+  scene_.surfaces = {box};
+  std::string shader = prim(prim(stage(), "Box"), "Shader");
+  EXPECT_EQ(numbers(shader, "inputs:opacity"), std::vector{0.75});
+  EXPECT_EQ(numbers(shader, "inputs:opacityThreshold"), std::vector{0.25});
+  // Within a file of another kind.
+  const std::vector<std::uint8_t> texels{10, 20, 30, 255, 40, 50, 60, 0};
+  scene_.surfaces[0].material.metallic_roughness.base_color_texture = {
+      folder_ / "model.glb", std::make_shared<Texture>(2, 1, texels, Texture::Encoding::srgb)};
+  const std::string mesh = prim(stage(), "Box");
+  EXPECT_NE(
+      prim(mesh, "Shader").find("opacity.connect = </World/Box/Material/BaseColor.outputs:a>"),
+      std::string::npos);
+  EXPECT_EQ(numbers(prim(mesh, "BaseColor"), "inputs:scale"), (std::vector{1.0, 1.0, 1.0, 0.75}));
+  const auto written = read_texture(folder_ / "a_texture_1.png", true);
+  EXPECT_EQ(written->texel(written->levels()[0], 1, 0).a, 0.0f);
+  MetallicRoughness& pane = scene_.surfaces[0].material.metallic_roughness;
+  pane = {};
+  pane.transmission = {0.25, 0.5, 0.75};
+  shader = prim(prim(stage(), "Box"), "Shader");
+  EXPECT_EQ(numbers(shader, "inputs:opacity"), std::vector{0.5});
+}
+
 TEST_F(UsdFile, MaterialsKeepTheirValuesAndTextures) {
   Surface box;
   box.name = "Box";

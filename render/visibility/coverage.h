@@ -1,0 +1,46 @@
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <span>
+
+#include "brume/scene.h"
+
+namespace brume {
+
+// How much of a surface is there, of a metallic-roughness material: holes (`cutout`), and panes,
+// which let light through unbent (`blend`, transmission).
+struct Coverage {
+  AlphaMode alpha = AlphaMode::opaque;
+  double opacity = 1.0;
+  double cutoff = 0.5;
+  glm::dvec3 transmission{0.0};
+  TextureReference alpha_texture{};
+  TextureReference transmission_texture{};
+
+  Coverage() = default;
+  explicit Coverage(const Material& material);
+
+  [[nodiscard]] bool has_holes() const { return alpha == AlphaMode::cutout; }
+  [[nodiscard]] bool is_pane() const {
+    return alpha == AlphaMode::blend || transmission != glm::dvec3(0.0);
+  }
+  [[nodiscard]] bool is_opaque() const { return !has_holes() && !is_pane(); }
+
+  // At texture coordinates, without averaging.
+  [[nodiscard]] bool is_hole(const glm::dvec2& uv) const;
+  // The share that a pane covers, averaged over a square of side `footprint` in the texture; 1
+  // where it has no holes.
+  [[nodiscard]] double covered(const glm::dvec2& uv, double footprint) const;
+  // The share of the light on what is covered that crosses it, per channel.
+  [[nodiscard]] glm::dvec3 transmitted(const glm::dvec2& uv, double footprint) const;
+
+  bool operator==(const Coverage&) const = default;
+};
+
+bool has_holes(std::span<const Surface> surfaces);
+bool has_panes(std::span<const Surface> surfaces);
+// Whether panes may let through more of one channel than of another.
+bool has_colored_panes(std::span<const Surface> surfaces);
+
+}  // namespace brume

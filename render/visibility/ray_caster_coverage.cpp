@@ -1,0 +1,98 @@
+// Holes and panes of RayCaster.
+#include <algorithm>
+
+#include "render/visibility/ray_caster_impl.h"
+
+namespace brume {
+namespace {
+
+// Less light than this is none.
+constexpr float negligible = 1e-6f;
+
+}  // namespace
+
+void RayCaster::Impl::meet_coverage(const RTCFilterFunctionNArguments* found) {
+  const auto& impl = *static_cast<const Impl*>(found->geometryUserPtr);
+  auto& query = static_cast<CoverageQuery&>(*found->context);
+  for (unsigned i = 0; i < found->N; ++i) {
+    if (found->valid[i] == 0) continue;
+    const unsigned surface = RTCHitN_geomID(found->hit, found->N, i);
+    const unsigned triangle = RTCHitN_primID(found->hit, found->N, i);
+    const float u = RTCHitN_u(found->hit, found->N, i);
+    const float v = RTCHitN_v(found->hit, found->N, i);
+    const glm::dvec2 uv = impl.texcoord(surface, triangle, u, v);
+    const Coverage& coverage = impl.surfaces[surface].coverage;
+    if (coverage.is_hole(uv)) {
+      found->valid[i] = 0;
+      continue;
+    }
+    if (!coverage.is_pane() || query.mode == CoverageQuery::Panes::hit) continue;
+    if (query.mode == CoverageQuery::Panes::passed) {
+      found->valid[i] = 0;
+      continue;
+    }
+    const double passing = impl.passing(coverage, uv, 0.0);
+    if (query.mode == CoverageQuery::Panes::collected) {
+      const double distance = static_cast<double>(RTCRayN_tfar(found->ray, found->N, i));
+      query.panes->push_back(
+          {{distance, static_cast<std::int32_t>(surface), triangle, u, v}, passing});
+      found->valid[i] = 0;
+      continue;
+    }
+    float& transmittance = query.transmittance[RTCRayN_id(found->ray, found->N, i)];
+    transmittance *= static_cast<float>(passing);
+    if (transmittance > negligible) found->valid[i] = 0;
+  }
+}
+
+double HitsOnRay::passing(double distance) const {
+  if (end.distance < distance) return 0.0;
+  double share = 1.0;
+  for (const PaneHit& pane : panes) {
+    if (pane.hit.distance >= distance) break;
+    share *= pane.passing;
+  }
+  return share;
+}
+
+bool RayCaster::has_panes() const {
+  return impl_->has_panes;
+}
+
+SurfaceHit RayCaster::first_hit_by_chance(const glm::dvec3& origin, const glm::dvec3& direction,
+                                          const std::function<double()>& draw) const {
+  if (!has_panes()) return first_hit(origin, direction);
+  const HitsOnRay on_ray = hits_on_ray(origin, direction);
+  for (const PaneHit& pane : on_ray.panes) {
+    if (draw() >= pane.passing) return pane.hit;
+  }
+  return on_ray.end;
+}
+
+SurfaceHit RayCaster::next_hit(const glm::dvec3& origin, const glm::dvec3& direction,
+                               double distance) const {
+  const double margin = rounding_at(origin + distance * direction - impl_->center);
+  const HitsOnRay behind = hits_on_ray(origin, direction, distance + margin);
+  return behind.panes.empty() ? behind.end : behind.panes.front().hit;
+}
+
+SeenPane RayCaster::pane(const SurfaceHit& hit, double width) const {
+  const Coverage& coverage = impl_->surfaces[static_cast<std::size_t>(hit.surface)].coverage;
+  if (!coverage.is_pane()) return {};
+  const TextureFrame frame = impl_->texture_frame(hit);
+  const double footprint = width * frame.density;
+  SeenPane seen;
+  seen.covered = coverage.covered(frame.uv, footprint);
+  seen.passing = impl_->passing(coverage, frame.uv, footprint);
+  const glm::dvec3 transmitted = coverage.transmitted(frame.uv, footprint);
+  seen.opaque = seen.covered * (1.0 - glm::dot(all_channels, transmitted));
+  return seen;
+}
+
+double RayCaster::reflected_by_chance(const SurfaceHit& hit) const {
+  if (!has_panes()) return 1.0;
+  const SeenPane seen = pane(hit, 0.0);
+  return seen.passing < 1.0 ? seen.covered / (1.0 - seen.passing) : 0.0;
+}
+
+}  // namespace brume

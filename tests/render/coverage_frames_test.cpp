@@ -1,0 +1,136 @@
+// Frames of surfaces with holes, and of panes.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "brume/primitive.h"
+#include "render/renderer.h"
+#include "tests/render/coverage_scenes.h"
+#include "tests/render/test_scenes.h"
+
+namespace brume {
+namespace {
+
+Scene with(Scene scene, std::vector<Surface> surfaces, double height = 1.0) {
+  for (Surface& surface : surfaces) {
+    surface.translate.y += height;
+    scene.surfaces.push_back(surface);
+  }
+  return scene;
+}
+
+// The floor as seen from right above, without fog.
+Scene floor_from_above() {
+  Scene scene = lit_from_above();
+  scene.film = {9, 9};
+  scene.camera = {{0.3, 0.9, 0.2}, {0.3, 0.0, 0.2}, {0, 0, -1}, 20.0};
+  return scene;
+}
+
+glm::vec3 mean_of(const Frame& frame) {
+  glm::vec3 sum(0.0f);
+  const std::size_t pixels = frame.depth.size();
+  for (std::size_t i = 0; i < pixels; ++i) {
+    sum += glm::vec3(frame.beauty[4 * i], frame.beauty[4 * i + 1], frame.beauty[4 * i + 2]);
+  }
+  return sum / static_cast<float>(pixels);
+}
+
+// The texture's edges are where squares of their own end.
+TEST(CoverageFrames, HolesAreThoseOfSquaresOfTheirOwn) {
+  const Scene leaf = in_fog(with(lit_from_above(), {checkered_leaf()}), 0.1);
+  const Scene squares = in_fog(with(lit_from_above(), leaf_of_squares()), 0.1);
+  const Scene solid = [&] {
+    Scene scene = leaf;
+    scene.surfaces.back().material.metallic_roughness.alpha = AlphaMode::opaque;
+    return scene;
+  }();
+  for (const Settings& settings : {sliced(12), sliced(12, Scattering::multiple), marched(48)}) {
+    const Frame wanted = render_frame(squares, settings);
+    EXPECT_LT(difference(render_frame(leaf, settings).beauty, wanted.beauty).relative_rmse, 5e-3);
+    EXPECT_GT(difference(render_frame(solid, settings).beauty, wanted.beauty).relative_rmse, 0.2);
+  }
+  // Paths of the same random numbers.
+  const Frame wanted = render_frame(squares, path_traced(16));
+  EXPECT_LT(difference(render_frame(leaf, path_traced(16)).beauty, wanted.beauty).relative_rmse,
+            0.02);
+}
+
+TEST(CoverageFrames, FloorsBehindPanesAreLitThroughThem) {
+  const Scene plain = floor_from_above();
+  const glm::dvec3 crossing(0.9, 0.5, 0.1);
+  for (const auto& [opacity, mode] : {std::pair{1.0, AlphaMode::opaque}, {0.5, AlphaMode::blend}}) {
+    const Scene shaded = with(plain, {pane(mode, opacity, crossing)});
+    for (const Settings& settings : {sliced(12), path_traced(64)}) {
+      const glm::vec3 lit = mean_of(render_frame(plain, settings));
+      const glm::vec3 behind = mean_of(render_frame(shaded, settings));
+      for (int c = 0; c < 3; ++c) {
+        const double share = 1.0 - opacity * (1.0 - crossing[c]);
+        // Paths have what floor and pane reflect to each other, too.
+        const bool is_path = settings.airlight == AirlightMethod::path;
+        EXPECT_NEAR(behind[c] / lit[c], share, is_path ? 0.1 : 1e-5) << c;
+      }
+    }
+  }
+}
+
+TEST(CoverageFrames, PanesShowWhatIsBehind) {
+  // The pane is between eye and floor, and has no light of its own.
+  Scene plain = floor_from_above();
+  plain.lights[0].position = {0.3, 0.4, 0.2};
+  const glm::dvec3 crossing(0.9, 0.5, 0.1);
+  const Scene seen = with(plain, {pane(AlphaMode::opaque, 1.0, crossing)}, 0.6);
+  const glm::vec3 floor = mean_of(render_frame(plain, sliced(12)));
+  const glm::vec3 pane_and_floor = mean_of(render_frame(seen, sliced(12)));
+  for (int c = 0; c < 3; ++c) {
+    EXPECT_NEAR(pane_and_floor[c], crossing[c] * floor[c], 1e-5 * floor[c]);
+  }
+  // Half of the light crosses it, then less.
+  EXPECT_NEAR(render_frame(seen, sliced(12)).depth[40], 0.9, 1e-4);
+  Scene darker = seen;
+  darker.surfaces[1].material.metallic_roughness.transmission.x = 0.8;
+  EXPECT_NEAR(render_frame(darker, sliced(12)).depth[40], 0.3, 1e-4);
+  Scene clear = seen;
+  clear.surfaces[1] = pane(AlphaMode::blend, 0.25, glm::dvec3(0.0));
+  clear.surfaces[1].translate.y = 0.6;
+  clear.surfaces[1].material.metallic_roughness.base_color = glm::dvec3(0.0);
+  const Frame through = render_frame(clear, sliced(12));
+  EXPECT_NEAR(through.depth[40], 0.9, 1e-4);
+  EXPECT_NEAR(mean_of(through).x / floor.x, 0.75, 0.02);  // its highlights
+}
+
+// In fog: beams, airlight before and behind, all orders.
+TEST(CoverageFrames, PanesInFogAreThoseOfPaths) {
+  for (const Surface& hung : {pane(AlphaMode::opaque, 1.0, {0.9, 0.4, 0.1}),
+                              pane(AlphaMode::blend, 0.5, glm::dvec3(0.0))}) {
+    Scene scene = in_fog(with(lit_from_above(), {hung}), 0.15);
+    scene.film = {12, 9};
+    const Frame wanted = render_frame(scene, path_traced(512));
+    const Frame frame = render_frame(scene, sliced(24, Scattering::multiple));
+    const Difference found = difference(frame.beauty, wanted.beauty);
+    EXPECT_LT(std::abs(found.bias), 0.03);
+    EXPECT_LT(found.relative_rmse, 0.08);
+    Scene opaque = scene;
+    opaque.surfaces.back().material.metallic_roughness.alpha = AlphaMode::opaque;
+    opaque.surfaces.back().material.metallic_roughness.transmission = glm::dvec3(0.0);
+    EXPECT_GT(difference(render_frame(opaque, path_traced(64)).beauty, wanted.beauty).relative_rmse,
+              0.12);
+  }
+}
+
+TEST(CoverageFrames, StacksOfPanesShareLayers) {
+  std::vector<Surface> stack;
+  for (int k = 0; k < 3; ++k) {
+    stack.push_back(pane(AlphaMode::blend, 0.5, glm::dvec3(0.0)));
+    stack.back().translate.y = -0.1 * k;
+    stack.back().material.metallic_roughness.base_color = glm::dvec3(0.0);
+  }
+  const Scene plain = floor_from_above();
+  const float share = mean_of(render_frame(with(plain, stack, 1.2), sliced(12))).x /
+                      mean_of(render_frame(plain, sliced(12))).x;
+  EXPECT_NEAR(share, 0.125, 1e-5);
+}
+
+}  // namespace
+}  // namespace brume
