@@ -8,9 +8,9 @@
 
 #include "core/scene/fields/light_fields.h"
 #include "core/scene/lights/emitting_surfaces.h"
+#include "core/scene/materials/coverage.h"
 #include "core/scene/materials/ggx.h"
 #include "core/scene/mesh.h"
-#include "render/visibility/coverage.h"
 
 namespace brume {
 namespace {
@@ -293,8 +293,8 @@ RenderPlan::RenderPlan(const Scene& scene, const Film& film, const Settings& req
   has_panes = brume::has_panes(scene.surfaces);
   // The rasterizer fills triangles.
   rasterizes = content.surfaces && !has_holes && !has_panes && triangle_count(scene) <= pixels;
-  if (is_reference && has_medium() && (has_holes || has_panes)) {
-    skipped.push_back({Stage::shadow_map, to_string(Reason::coverage_beyond_reference)});
+  if (is_reference && has_medium() && has_panes) {
+    skipped.push_back({Stage::shadow_map, to_string(Reason::panes_beyond_reference)});
   }
   has_environment = content.environment;
   has_environment_in_medium = content.environment && content.medium();

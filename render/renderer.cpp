@@ -6,6 +6,7 @@
 #include <atomic>
 #include <chrono>
 
+#include "core/scene/materials/coverage.h"
 #include "render/cpu/composite.h"
 #include "render/cpu/film_airlight.h"
 #include "render/cpu/film_samples.h"
@@ -21,7 +22,6 @@
 #include "render/samples/brightness.h"
 #include "render/samples/mean_frame.h"
 #include "render/scattering/source_view.h"
-#include "render/visibility/coverage.h"
 
 namespace brume {
 

@@ -65,8 +65,8 @@ std::string to_string(Reason reason, std::size_t count) {
              std::to_string(count);
     case Reason::optics_beyond_paper:
       return "the paper's method has one albedo and no emission; left out: those of Gaussians";
-    case Reason::coverage_beyond_reference:
-      return "the reference's fog is shadowed as by opaque surfaces; left out: holes and panes";
+    case Reason::panes_beyond_reference:
+      return "panes shadow the reference's fog as opaque surfaces do";
     case Reason::part_of_paths:
       return "paths carry its light";
     case Reason::part_of_all_orders:

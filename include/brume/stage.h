@@ -91,7 +91,7 @@ enum class Reason {
   black_lights,
   lights_beyond_paper,
   optics_beyond_paper,
-  coverage_beyond_reference,
+  panes_beyond_reference,
   part_of_paths,
   part_of_all_orders,
   // On the CPU.

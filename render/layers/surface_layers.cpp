@@ -170,7 +170,7 @@ class RowHits {
   static constexpr double min_share = 1e-3;  // of what is looked for behind panes
   [[nodiscard]] SurfaceHit behind(int x, const SurfaceHit& hit) const {
     const glm::dvec3 offset = offsets_.empty() ? glm::dvec3(0.0) : offsets_[index(x)];
-    return ray_caster_.next_hit(rays_.eye() + offset, directions_[index(x)], hit.distance);
+    return ray_caster_.next_hit(rays_.eye() + offset, directions_[index(x)], hit);
   }
   [[nodiscard]] std::size_t index(int x) const {
     return static_cast<std::size_t>(rays_.first_pixel().x + x - first_);

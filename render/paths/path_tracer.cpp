@@ -162,7 +162,7 @@ glm::dvec3 PathTracer::emitters_at(const Vertex& vertex, PathRandom& random) con
   const glm::dvec3 l = q / r;
   const glm::dvec3 value = scattering(vertex, l);
   if (!(max_component(value) > 0.0)) return none;
-  const SurfaceHit hit = scene_.ray_caster.first_hit(vertex.position, l);
+  const SurfaceHit hit = segment(vertex, l, random).hit;
   const double pdf = scene_.emitters.pdf(hit, l);
   if (!(pdf > 0.0) || hit.surface != static_cast<std::int32_t>(drawn.surface) ||
       hit.triangle != drawn.triangle) {
@@ -172,7 +172,8 @@ glm::dvec3 PathTracer::emitters_at(const Vertex& vertex, PathRandom& random) con
   const double depth =
       scene_.medium.depth(vertex.position, l, hit.distance) + scene_.fog.density * fog;
   const SurfacePoint point = scene_.ray_caster.point(hit, vertex.position, l, scene_.surfaces);
-  return std::exp(-depth) / (pdf + direction_pdf(vertex, l)) * value * point.emitted;
+  return scene_.ray_caster.reflected_by_chance(hit) * std::exp(-depth) /
+         (pdf + direction_pdf(vertex, l)) * value * point.emitted;
 }
 
 glm::dvec3 PathTracer::emitters_around(const Vertex& vertex, PathRandom& random) const {
@@ -180,14 +181,14 @@ glm::dvec3 PathTracer::emitters_around(const Vertex& vertex, PathRandom& random)
   if (scene_.emitters.empty()) return none;
   const Direction direction = sample_direction(vertex, random);
   if (!(direction.pdf > 0.0)) return none;
-  const auto& [origin, w, hit, fog] = segment(vertex, direction.w);
+  const auto& [origin, w, hit, fog] = segment(vertex, direction.w, random);
   if (!hit) return none;
   const SurfacePoint point = scene_.ray_caster.point(hit, origin, w, scene_.surfaces);
   if (!(max_component(point.emitted) > 0.0)) return none;
   const double depth =
       scene_.medium.depth(origin, w, hit.distance) + scene_.fog.density * fog.before(hit.distance);
-  return std::exp(-depth) / direction.pdf * scattering(vertex, w) *
-         emitted_by(hit, point, direction);
+  return scene_.ray_caster.reflected_by_chance(hit) * std::exp(-depth) / direction.pdf *
+         scattering(vertex, w) * emitted_by(hit, point, direction);
 }
 
 glm::dvec3 PathTracer::emitted_by(const SurfaceHit& hit, const SurfacePoint& point,

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/visibility/coverage.h"
+#include "core/scene/materials/coverage.h"
 
 namespace brume {
 

@@ -122,9 +122,8 @@ void FrameStages::find_hits_behind_panes(FrameContext& work) {
       const SurfaceHit before = hit(pixel);
       if (before && ray_caster.pane(before, 0.0).passing > 0.0) {
         const glm::dvec2 place(static_cast<double>(x) + 0.5, static_cast<double>(y) + 0.5);
-        const SurfaceHit next =
-            ray_caster.next_hit(work.rays.origin(place.x, place.y),
-                                work.rays.direction(place.x, place.y), before.distance);
+        const SurfaceHit next = ray_caster.next_hit(work.rays.origin(place.x, place.y),
+                                                    work.rays.direction(place.x, place.y), before);
         hits_[pixel] = ray_caster.pixel_of(next);
         distances_[pixel] = next.distance;
       }

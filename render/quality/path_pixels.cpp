@@ -34,7 +34,8 @@ PathPixels::PathPixels(const Scene& scene, const Camera& camera, const Film& fil
   if (plan.has_environment) environment_ = std::make_unique<EnvironmentSampler>(*scene.environment);
   const std::vector<PointSource> lights = point_sources(plan.lights, rays_, camera, fog_extent);
   std::vector<PointSource> area_lights = lights;
-  std::erase_if(area_lights, [](const PointSource& light) {
+  std::erase_if(area_lights, [this](const PointSource& light) {
+    if (ray_caster_.has_panes()) return false;
     return !light.area || light.is_far;  // the integral has the disc of a sun
   });
   for (const AlbedoGroup& each : albedo_groups(scene)) {
@@ -105,7 +106,7 @@ double PathPixels::view_length(const Group& group, double x, double y, PathRando
 glm::dvec3 PathPixels::trace(const Group& group, const CameraRay& ray,
                              const StratifiedPair& stratified, PathRandom& random) const {
   OrderedRadiance radiance;
-  if (orders_ != Orders::area_lights_once) {
+  if (orders_ != Orders::integrals_lack_once) {
     radiance = PathTracer(*group.scene).airlight(ray, stratified, random);
   }
   if (orders_ == Orders::all) return radiance.sum();

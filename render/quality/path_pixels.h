@@ -35,9 +35,9 @@ struct PixelPaths {
 // Airlight at arbitrary pixels of one view, by path tracing.
 class PathPixels {
  public:
-  // What they are traced for: all light, what is scattered once of area lights, or the latter and
-  // what is scattered more often.
-  enum class Orders { all, area_lights_once, all_but_integrals };
+  // What they are traced for: all light, what is scattered once that integrals lack (of area
+  // lights; where there are panes, of all), or the latter and what is scattered more often.
+  enum class Orders { all, integrals_lack_once, all_but_integrals };
   PathPixels(const Scene& scene, const Camera& camera, const Film& film, Orders orders);
 
   // Adds paths to a pixel, a row-major index, until they are `count`. The same whatever other

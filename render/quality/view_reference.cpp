@@ -4,6 +4,7 @@
 
 #include "core/scene/lights/emitting_surfaces.h"
 #include "core/scene/lights/point_lights.h"
+#include "core/scene/materials/coverage.h"
 #include "render/quality/work.h"
 #include "render/util/job.h"
 
@@ -26,8 +27,10 @@ ViewReference::ViewReference(const Scene& scene, const Camera& camera, const Fil
   const bool has_other_environment =
       scene.environment && (!scene.surfaces.empty() || scene.medium.homogeneous_density() > 0.0);
   constexpr double max_integral_work = 3e7;  // that of thousands of paths
-  if (is_single || !has_other_environment) {
-    reference_.emplace(scene, camera, film, tolerance, ReferencePixels::Lights::without_area);
+  const bool has_panes = brume::has_panes(scene.surfaces);
+  if (is_single || !(has_other_environment || has_panes)) {
+    using enum ReferencePixels::Lights;
+    reference_.emplace(scene, camera, film, tolerance, has_panes ? none : without_area);
     integral_work_ = brume::integral_work(scene.medium.size(), reference_->light_count(),
                                           reference_->has_environment());
     if (!is_single && integral_work_ > max_integral_work) {
@@ -38,8 +41,8 @@ ViewReference::ViewReference(const Scene& scene, const Camera& camera, const Fil
   using enum PathPixels::Orders;
   if (!is_single) {
     path_pixels_.emplace(scene, camera, film, reference_ ? all_but_integrals : all);
-  } else if (has_area_lights(scene)) {
-    path_pixels_.emplace(scene, camera, film, area_lights_once);
+  } else if (has_area_lights(scene) || has_panes) {
+    path_pixels_.emplace(scene, camera, film, integrals_lack_once);
   }
 }
 

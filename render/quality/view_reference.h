@@ -13,7 +13,8 @@ namespace brume {
 // Caches what the airlight of one view's pixels ought to be. Not thread-safe.
 class ViewReference {
  public:
-  // Scattered once: converged, see ReferencePixels, but for area lights. These, and what is
+  // Scattered once: converged, see ReferencePixels, but for area lights and light through panes.
+  // These, and what is
   // scattered more often, by PathPixels, which are noisy; all orders where surfaces keep an
   // environment out or fog ends, which the former do not know, or where they would take too long.
   ViewReference(const Scene& scene, const Camera& camera, const Film& film, double tolerance,

@@ -11,8 +11,10 @@ namespace brume {
 
 namespace {
 
-Scene without_area_lights(Scene scene) {
-  std::erase_if(scene.lights, [](const Light& light) { return area_of(light).has_value(); });
+Scene with_lights(Scene scene, ReferencePixels::Lights lights) {
+  std::erase_if(scene.lights, [lights](const Light& light) {
+    return lights == ReferencePixels::Lights::none || area_of(light).has_value();
+  });
   for (Surface& surface : scene.surfaces) {
     surface.material.metallic_roughness.emissive = glm::dvec3(0.0);
   }
@@ -30,7 +32,7 @@ ReferencePixels::ReferencePixels(const Scene& scene, const Camera& camera, const
       exact_occlusion_(scene.surfaces) {
   Settings settings;
   settings.airlight = AirlightMethod::reference;
-  const RenderPlan plan(lights == Lights::all ? scene : without_area_lights(scene), film, settings);
+  const RenderPlan plan(lights == Lights::all ? scene : with_lights(scene, lights), film, settings);
   const FogExtent fog_extent(scene);
   ray_end_ = fog_extent.ray_distance(rays_);
   lights_ = point_sources(plan.lights, rays_, camera, fog_extent);

@@ -19,7 +19,7 @@ namespace brume {
 class ReferencePixels {
  public:
   // Which lights count: area lights are hundreds of points each.
-  enum class Lights { all, without_area };
+  enum class Lights { all, without_area, none };
   // `tolerance`: relative, of each ray's quadrature.
   ReferencePixels(const Scene& scene, const Camera& camera, const Film& film, double tolerance,
                   Lights lights = Lights::all);

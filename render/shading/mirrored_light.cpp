@@ -100,9 +100,13 @@ void add_light(const MirroredScene& scene, const glm::dvec3& origin,
   std::vector<double> depths(rays.size(), 0.0);
   if (scene.airlight_along) scene.airlight_along(origin, directions, lengths, airlight, depths);
   const std::size_t k = rays.front().point;
+  const bool has_panes = scene.ray_caster.has_panes();
   for (std::size_t i = 0; i < rays.size(); ++i) {
-    const glm::vec3 arriving =
-        airlight[i] + static_cast<float>(std::exp(-depths[i])) * rays[i].behind;
+    double passes = std::exp(-depths[i]);
+    if (has_panes) {
+      passes *= scene.ray_caster.transmittance(origin, rays[i].direction, rays[i].hit.distance);
+    }
+    const glm::vec3 arriving = airlight[i] + static_cast<float>(passes) * rays[i].behind;
     const glm::vec3 reflected = glm::vec3(rays[i].weight) * arriving;
     radiance.r[k] += reflected.r;
     radiance.g[k] += reflected.g;
@@ -135,7 +139,8 @@ void add_mirrored_light(const MirroredScene& scene, const SurfacePoints& points,
     directions.clear();
     for (const MirroredRay& ray : own) directions.push_back(ray.direction);
     hits.resize(own.size());
-    scene.ray_caster.first_hits(points.origin + points.shadow_origin[k], directions, hits);
+    // Panes only attenuate what is behind them.
+    scene.ray_caster.opaque_hits(points.origin + points.shadow_origin[k], directions, hits, 0.0);
     for (std::size_t i = 0; i < own.size(); ++i) own[i].hit = hits[i];
   }
   constexpr std::array open{std::numeric_limits<float>::infinity()};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <optional>
 
@@ -14,12 +15,43 @@ namespace {
 // the ray than this fraction of the light's distance are ignored.
 constexpr double touching = 1e-9;
 
+// Holes of textures are found by so many steps along a triangle, and their edges by bisection.
+constexpr int hole_steps = 512;
+constexpr int edge_steps = 30;
+
 using Segment = std::array<glm::dvec2, 2>;
+
+// The ends of a segment as weights of a triangle's corners.
+using Ends = std::array<glm::dvec3, 2>;
+
+// Calls visit(a, b) for the parts of a segment, from 0 to 1, that are no holes.
+void each_solid_part(auto&& is_hole, auto&& visit) {
+  const auto edge = [&](double solid, double hole) {
+    for (int k = 0; k < edge_steps; ++k) {
+      const double middle = 0.5 * (solid + hole);
+      (is_hole(middle) ? hole : solid) = middle;
+    }
+    return solid;
+  };
+  double begin = is_hole(0.0) ? -1.0 : 0.0;  // of the part; < 0: in a hole
+  for (int k = 1; k <= hole_steps; ++k) {
+    const double at = static_cast<double>(k) / hole_steps;
+    const double before = static_cast<double>(k - 1) / hole_steps;
+    const bool is_in_hole = is_hole(at);
+    if (is_in_hole && begin >= 0.0) {
+      visit(begin, edge(before, at));
+      begin = -1.0;
+    } else if (!is_in_hole && begin < 0.0) {
+      begin = edge(at, before);
+    }
+  }
+  if (begin >= 0.0) visit(begin, 1.0);
+}
 
 // Where a triangle meets the plane through `origin` spanned by x and y, in those coordinates.
 std::optional<Segment> cross_section(const std::array<glm::dvec3, 3>& triangle,
                                      const glm::dvec3& origin, const glm::dvec3& x,
-                                     const glm::dvec3& y, const glm::dvec3& normal) {
+                                     const glm::dvec3& y, const glm::dvec3& normal, Ends& ends) {
   std::array<double, 3> height;
   for (std::size_t k = 0; k < 3; ++k) height[k] = glm::dot(triangle[k] - origin, normal);
   Segment segment;
@@ -30,6 +62,9 @@ std::optional<Segment> cross_section(const std::array<glm::dvec3, 3>& triangle,
     if ((height[k] < 0.0) == (height[next] < 0.0)) continue;
     const double s = height[k] / (height[k] - height[next]);
     const glm::dvec3 q = triangle[k] + s * (triangle[next] - triangle[k]) - origin;
+    ends[found] = glm::dvec3(0.0);
+    ends[found][static_cast<int>(k)] = 1.0 - s;
+    ends[found][static_cast<int>(next)] = s;
     segment[found++] = {glm::dot(q, x), glm::dot(q, y)};
   }
   return found == 2 ? std::optional(segment) : std::nullopt;
@@ -53,17 +88,32 @@ ExactOcclusion::ExactOcclusion(std::span<const Surface> surfaces) {
   std::vector<double> radii;
   for (const Surface& surface : surfaces) {
     const MeshArrays mesh = to_arrays(*surface.mesh);
+    coverages_.push_back(std::make_unique<const Coverage>(surface.material));
     const std::vector<glm::dvec3> points = world_points(surface, mesh.points);
     for (const glm::uvec3& corners : mesh.triangles) {
       const Triangle triangle{points[corners.x], points[corners.y], points[corners.z]};
       const glm::dvec3 low = glm::min(triangle[0], glm::min(triangle[1], triangle[2]));
       const glm::dvec3 high = glm::max(triangle[0], glm::max(triangle[1], triangle[2]));
+      if (coverages_.back()->has_holes()) {
+        Holes& holes = holes_[static_cast<std::uint32_t>(triangles_.size())];
+        holes.coverage = coverages_.back().get();
+        for (int k = 0; k < 3 && !mesh.texcoords.empty(); ++k) {
+          holes.texcoords[static_cast<std::size_t>(k)] = glm::dvec2(mesh.texcoords[corners[k]]);
+        }
+      }
       triangles_.push_back(triangle);
       centers.push_back(0.5 * (low + high));
       radii.push_back(0.5 * glm::length(high - low));
     }
   }
   bvh_ = SphereBvh(centers, radii);
+}
+
+bool ExactOcclusion::is_hole(std::uint32_t triangle, const glm::dvec3& weights) const {
+  const auto found = holes_.find(triangle);
+  if (found == holes_.end()) return false;
+  const auto& [coverage, uv] = found->second;
+  return coverage->is_hole(weights.x * uv[0] + weights.y * uv[1] + weights.z * uv[2]);
 }
 
 double ExactOcclusion::first_hit(const glm::dvec3& origin, const glm::dvec3& direction,
@@ -81,7 +131,8 @@ double ExactOcclusion::first_hit(const glm::dvec3& origin, const glm::dvec3& dir
     const double u = glm::dot(q, p) / det;
     const double v = glm::dot(direction, glm::cross(q, e1)) / det;
     const double t = glm::dot(e2, glm::cross(q, e1)) / det;
-    if (u >= 0.0 && v >= 0.0 && u + v <= 1.0 && t > 0.0) nearest = std::min(nearest, t);
+    if (!(u >= 0.0 && v >= 0.0 && u + v <= 1.0 && t > 0.0)) return;
+    if (!is_hole(i, {1.0 - u - v, u, v})) nearest = std::min(nearest, t);
   });
   return nearest;
 }
@@ -110,13 +161,26 @@ std::vector<std::pair<double, double>> ExactOcclusion::lit(const glm::dvec3& lig
   const double last = std::atan2(end - ts, h);
   std::vector<std::pair<double, double>> hidden;
   bvh_.query(TriangleShape{light, eye, eye + end * w}, [&](std::uint32_t i) {
-    std::optional<Segment> s = cross_section(triangles_[i], light, w, y, normal);
-    if (!s || !clip(*s, touching * h, (1.0 - touching) * h)) return;
-    const double a = std::atan2((*s)[0].x, (*s)[0].y);
-    const double b = std::atan2((*s)[1].x, (*s)[1].y);
-    const double begin = std::max(std::min(a, b), first);
-    const double stop = std::min(std::max(a, b), last);
-    if (begin < stop) hidden.emplace_back(begin, stop);
+    Ends ends;
+    const std::optional<Segment> whole = cross_section(triangles_[i], light, w, y, normal, ends);
+    if (!whole) return;
+    const auto hide = [&](Segment s) {
+      if (!clip(s, touching * h, (1.0 - touching) * h)) return;
+      const double a = std::atan2(s[0].x, s[0].y);
+      const double b = std::atan2(s[1].x, s[1].y);
+      const double begin = std::max(std::min(a, b), first);
+      const double stop = std::min(std::max(a, b), last);
+      if (begin < stop) hidden.emplace_back(begin, stop);
+    };
+    if (!holes_.contains(i)) {
+      hide(*whole);
+      return;
+    }
+    each_solid_part([&](double at) { return is_hole(i, glm::mix(ends[0], ends[1], at)); },
+                    [&](double begin, double stop) {
+                      hide({glm::mix((*whole)[0], (*whole)[1], begin),
+                            glm::mix((*whole)[0], (*whole)[1], stop)});
+                    });
   });
   std::sort(hidden.begin(), hidden.end());
 

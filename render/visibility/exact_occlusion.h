@@ -1,19 +1,25 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <map>
+#include <memory>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "brume/scene.h"
+#include "core/scene/materials/coverage.h"
 #include "render/geometry/sphere_bvh.h"
 
 namespace brume {
 
 // Exact occlusion between a point light and a view ray. Where Embree traces one shadow ray, this
 // evaluates all shadow rays from the light to the view ray analytically: in the plane of light and
-// ray every triangle is a segment that hides an angular interval at the light.
+// ray every triangle is a segment that hides an angular interval at the light, or where it has
+// holes several. Panes count as opaque.
 class ExactOcclusion {
  public:
   explicit ExactOcclusion(std::span<const Surface> surfaces);
@@ -31,7 +37,15 @@ class ExactOcclusion {
                                  double end) const;
 
   using Triangle = std::array<glm::dvec3, 3>;
+  struct Holes {
+    const Coverage* coverage;
+    std::array<glm::dvec2, 3> texcoords;
+  };
+  [[nodiscard]] bool is_hole(std::uint32_t triangle, const glm::dvec3& weights) const;
+
   std::vector<Triangle> triangles_;
+  std::vector<std::unique_ptr<const Coverage>> coverages_;
+  std::map<std::uint32_t, Holes> holes_;  // of triangles that have some
   SphereBvh bvh_;
 };
 

@@ -131,9 +131,9 @@ class RayCaster {
   [[nodiscard]] SurfaceHit first_hit_by_chance(const glm::dvec3& origin,
                                                const glm::dvec3& direction,
                                                const std::function<double()>& draw) const;
-  // What is behind a hit at some distance. Thread-safe.
+  // What is behind a hit on a pane. Thread-safe.
   [[nodiscard]] SurfaceHit next_hit(const glm::dvec3& origin, const glm::dvec3& direction,
-                                    double distance) const;
+                                    const SurfaceHit& before) const;
   // The pane at a hit that is seen over so many u; opaque where it is no pane.
   [[nodiscard]] SeenPane pane(const SurfaceHit& hit, double width) const;
   // Where rays are stopped by a pane as often as light is: what it reflects counts so many times.

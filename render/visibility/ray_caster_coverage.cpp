@@ -70,10 +70,19 @@ SurfaceHit RayCaster::first_hit_by_chance(const glm::dvec3& origin, const glm::d
 }
 
 SurfaceHit RayCaster::next_hit(const glm::dvec3& origin, const glm::dvec3& direction,
-                               double distance) const {
-  const double margin = rounding_at(origin + distance * direction - impl_->center);
-  const HitsOnRay behind = hits_on_ray(origin, direction, distance + margin);
-  return behind.panes.empty() ? behind.end : behind.panes.front().hit;
+                               const SurfaceHit& before) const {
+  const HitsOnRay on_ray = hits_on_ray(origin, direction);
+  // By its triangle: the same distance may be rounded otherwise.
+  auto next = std::ranges::find_if(on_ray.panes, [&before](const PaneHit& pane) {
+    return pane.hit.surface == before.surface && pane.hit.triangle == before.triangle;
+  });
+  if (next != on_ray.panes.end()) {
+    ++next;
+  } else {
+    next = std::ranges::upper_bound(on_ray.panes, before.distance, {},
+                                    [](const PaneHit& pane) { return pane.hit.distance; });
+  }
+  return next != on_ray.panes.end() ? next->hit : on_ray.end;
 }
 
 SeenPane RayCaster::pane(const SurfaceHit& hit, double width) const {

@@ -12,10 +12,10 @@
 #include <vector>
 
 #include "brume/mesh_arrays.h"
+#include "core/scene/materials/coverage.h"
 #include "core/scene/placement.h"
 #include "render/geometry/rounding.h"
 #include "render/visibility/coordinate_center.h"
-#include "render/visibility/coverage.h"
 #include "render/visibility/embree.h"
 #include "render/visibility/ray_caster.h"
 

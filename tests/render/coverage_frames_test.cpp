@@ -51,6 +51,11 @@ TEST(CoverageFrames, HolesAreThoseOfSquaresOfTheirOwn) {
     EXPECT_LT(difference(render_frame(leaf, settings).beauty, wanted.beauty).relative_rmse, 5e-3);
     EXPECT_GT(difference(render_frame(solid, settings).beauty, wanted.beauty).relative_rmse, 0.2);
   }
+  Settings reference = reference_settings(1e-4);
+  EXPECT_LT(
+      difference(render_frame(leaf, reference).airlight, render_frame(squares, reference).airlight)
+          .relative_rmse,
+      1e-3);
   // Paths of the same random numbers.
   const Frame wanted = render_frame(squares, path_traced(16));
   EXPECT_LT(difference(render_frame(leaf, path_traced(16)).beauty, wanted.beauty).relative_rmse,
@@ -117,6 +122,26 @@ TEST(CoverageFrames, PanesInFogAreThoseOfPaths) {
     EXPECT_GT(difference(render_frame(opaque, path_traced(64)).beauty, wanted.beauty).relative_rmse,
               0.12);
   }
+}
+
+// Also in the middle of all surfaces, where coordinates have the most digits.
+TEST(CoverageFrames, PanesAreSeenOnceEverywhere) {
+  Scene scene = floor_from_above();
+  scene.film = {41, 41};
+  scene.camera = {{1.5, 1.0, 2.0}, {0, 0, 0}, {0, 1, 0}, 40.0};
+  Surface veil = pane(AlphaMode::blend, 0.5, glm::dvec3(0.0));
+  veil.material.metallic_roughness.base_color = glm::dvec3(0.0);
+  veil.material.metallic_roughness.emissive = glm::dvec3(1.0);
+  scene.surfaces = {veil};
+  scene.lights.clear();
+  const Frame frame = render_frame(scene, sliced(12));
+  int seen = 0;
+  for (std::size_t i = 0; i < frame.depth.size(); ++i) {
+    if (frame.beauty[4 * i] == 0.0f) continue;
+    ++seen;
+    EXPECT_EQ(frame.beauty[4 * i], 0.5f) << i;
+  }
+  EXPECT_GT(seen, 300);
 }
 
 TEST(CoverageFrames, StacksOfPanesShareLayers) {

@@ -194,6 +194,30 @@ TEST(RenderPlan, MatchesTheStatisticsOfFrames) {
 }
 
 // Each group runs all stages; their times are added up by stage.
+TEST(RenderPlan, RaysAreCastAtHolesAndPanes) {
+  Scene scene = cloud_scene(3, 1.0);
+  scene.surfaces = {wall(0.0, 1.0)};
+  scene.surfaces[0].material.type = Material::Type::metallic_roughness;
+  MetallicRoughness& material = scene.surfaces[0].material.metallic_roughness;
+  const auto plan = [&](const Settings& settings) {
+    return RenderPlan(scene, scene.film, settings);
+  };
+  EXPECT_TRUE(plan(sliced(12)).rasterizes);
+  material.alpha = AlphaMode::cutout;
+  EXPECT_FALSE(plan(sliced(12)).rasterizes);
+  EXPECT_FALSE(plan(sliced(12)).has_panes);
+  material.alpha = AlphaMode::blend;
+  EXPECT_FALSE(plan(sliced(12)).rasterizes);
+  EXPECT_TRUE(plan(sliced(12)).has_panes);
+  const auto is_named = [](const RenderPlan& of) {
+    return std::ranges::any_of(of.skipped, [](const SkippedStage& skipped) {
+      return skipped.why == to_string(Reason::panes_beyond_reference);
+    });
+  };
+  EXPECT_TRUE(is_named(plan(reference_settings())));
+  EXPECT_FALSE(is_named(plan(sliced(12))));
+}
+
 TEST(RenderPlan, IsSharedByAlbedoGroups) {
   Scene scene = cloud_scene(3, 1.0);
   scene.film = {16, 12};

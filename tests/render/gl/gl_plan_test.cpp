@@ -46,6 +46,22 @@ TEST(GlPlan, LeavesTheCpuWhatOnlyItCan) {
   }
 }
 
+TEST(GlPlan, RefusesHolesAndPanes) {
+  Scene scene = cloud_scene(3, 1.0);
+  scene.surfaces = {wall(0.0, 1.0)};
+  Material& material = scene.surfaces[0].material;
+  material.type = Material::Type::metallic_roughness;
+  const Settings settings = sliced_settings({}, 24);
+  EXPECT_EQ(refusal_of(scene, settings), std::nullopt);
+  material.metallic_roughness.alpha = AlphaMode::cutout;
+  EXPECT_EQ(refusal_of(scene, settings), Reason::coverage_on_cpu);
+  material.metallic_roughness.alpha = AlphaMode::blend;
+  EXPECT_EQ(refusal_of(scene, settings), Reason::coverage_on_cpu);
+  material.metallic_roughness.alpha = AlphaMode::opaque;
+  material.metallic_roughness.transmission.y = 0.1;
+  EXPECT_EQ(refusal_of(scene, settings), Reason::coverage_on_cpu);
+}
+
 TEST(GlPlan, RefusesTooManySlices) {
   Scene scene = cloud_scene(3, 1.0);
   EXPECT_EQ(refusal_of(scene, sliced_settings({}, 256)), std::nullopt);

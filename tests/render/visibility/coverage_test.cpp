@@ -1,6 +1,6 @@
 // Holes and panes, as rays meet them.
 
-#include "render/visibility/coverage.h"
+#include "core/scene/materials/coverage.h"
 
 #include <gtest/gtest.h>
 
@@ -106,7 +106,8 @@ TEST(Coverage, PanesAttenuate) {
     EXPECT_EQ(hits.panes[1].hit.surface, 1);
     EXPECT_EQ(hits.end.surface, 2);
     EXPECT_NEAR(hits.passing(1.5), 0.75, 1e-12);
-    EXPECT_EQ(caster.next_hit(start, down, 1.0).surface, 1);
+    EXPECT_EQ(caster.next_hit(start, down, hits.panes[0].hit).surface, 1);
+    EXPECT_EQ(caster.next_hit(start, down, hits.panes[1].hit).surface, 2);
     std::array<SurfaceHit, 1> opaque;
     caster.opaque_hits(start, std::array{down}, opaque, 0.0);
     EXPECT_EQ(opaque[0].surface, 2);

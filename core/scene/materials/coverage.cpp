@@ -1,4 +1,4 @@
-#include "render/visibility/coverage.h"
+#include "core/scene/materials/coverage.h"
 
 #include <algorithm>
 
