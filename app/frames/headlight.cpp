@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <numbers>
 
+#include "core/scene/lights/emitting_surfaces.h"
+
 namespace brume {
 
 bool is_unlit(const Scene& scene) {
   const bool is_empty = scene.surfaces.empty() && scene.medium.size() == 0;
   if (is_empty || scene.environment) return false;
   if (std::ranges::any_of(scene.lights, &Light::on)) return false;
+  if (std::ranges::any_of(scene.surfaces, is_emissive)) return false;
   return scene.emitters.empty() && scene.sequences.empty() && !scene.medium.has_emission();
 }
 

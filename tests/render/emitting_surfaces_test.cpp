@@ -16,22 +16,14 @@ namespace {
 
 const glm::dvec3 emitted(8.0, 4.0, 2.0);
 
-Surface primitive(Primitive::Shape shape, const glm::dvec3& size, const glm::dvec3& place) {
-  Surface surface;
-  surface.primitive = Primitive{shape, size};
-  surface.mesh = mesh_of(*surface.primitive);
-  surface.translate = place;
-  return surface;
-}
-
 // A bar above a floor, in thin fog; black but for what it emits.
 Scene bar_in_fog() {
   Scene scene;
   scene.camera = {.eye = {0.0, 1.2, 5.0}, .target = {0.0, 0.7, 0.0}};
   scene.film = {48, 36};
   scene.optics.albedo = glm::dvec3(0.9);
-  scene.surfaces = {primitive(Primitive::Shape::plane, {8.0, 1.0, 8.0}, {0.0, 0.0, 0.0}),
-                    primitive(Primitive::Shape::box, {1.6, 0.2, 0.2}, {0.0, 1.2, -0.5})};
+  scene.surfaces = {placed(Primitive::Shape::plane, {8.0, 1.0, 8.0}, {0.0, 0.0, 0.0}),
+                    placed(Primitive::Shape::box, {1.6, 0.2, 0.2}, {0.0, 1.2, -0.5})};
   Material& bar = scene.surfaces[1].material;
   bar.type = Material::Type::metallic_roughness;
   bar.metallic_roughness.base_color = glm::dvec3(0.0);
@@ -105,7 +97,7 @@ TEST(EmittingSurfacesInFog, AreLeftOutByThePapersMethodWhichSaysSo) {
 TEST(EmittingSurfacesInFog, AreAWhiteFurnaceFromWithin) {
   Scene scene = bar_in_fog();
   scene.optics.albedo = glm::dvec3(1.0);
-  scene.surfaces = {primitive(Primitive::Shape::box, {4.0, 4.0, 4.0}, {0.0, 0.0, 0.0})};
+  scene.surfaces = {placed(Primitive::Shape::box, {4.0, 4.0, 4.0}, {0.0, 0.0, 0.0})};
   Material& walls = scene.surfaces[0].material;
   walls.type = Material::Type::metallic_roughness;
   walls.metallic_roughness.base_color = glm::dvec3(0.0);

@@ -70,6 +70,14 @@ Scene in_fog(Scene scene, double b0) {
   return scene;
 }
 
+Surface placed(Primitive::Shape shape, const glm::dvec3& size, const glm::dvec3& place) {
+  Surface surface;
+  surface.primitive = Primitive{shape, size};
+  surface.mesh = mesh_of(*surface.primitive);
+  surface.translate = place;
+  return surface;
+}
+
 Surface wall(double z, double half, double reflectance) {
   const auto h = static_cast<float>(half);
   const auto z_plane = static_cast<float>(z);

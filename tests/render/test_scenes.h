@@ -28,6 +28,9 @@ Surface wall(double z, double half, double reflectance = 0.5);
 Scene eye_inside();
 Scene cut_by_a_surface();
 
+// A primitive whose middle is at `place`.
+Surface placed(Primitive::Shape shape, const glm::dvec3& size, const glm::dvec3& place);
+
 // A tessellated unit ball.
 std::shared_ptr<const TriangleMesh> ball_mesh(int rings);
 
