@@ -16,10 +16,9 @@ namespace {
 
 // Rays of a highlight of this alpha.
 int ray_count(float alpha, int max_rays) {
-  constexpr float point = 0.004f;
-  constexpr float narrow = 0.03f;
-  constexpr float wide = 0.1f;
-  const int wanted = alpha < point ? 1 : alpha < narrow ? 4 : alpha < wide ? 8 : 16;
+  constexpr float sharp = 0.015f;  // copies of what is mirrored would show
+  constexpr float narrow = 0.05f;
+  const int wanted = alpha < sharp ? 1 : alpha < narrow ? 4 : 8;
   return std::min(wanted, max_rays);
 }
 
@@ -87,26 +86,37 @@ void shade(const MirroredScene& scene, const SurfacePoints& points, std::span<Mi
   }
 }
 
-// Adds the light of the rays of one point, with the medium on their way.
+// Adds the light of the rays of one point, with the medium on their way: those that hit one surface
+// share that of the first, most of the time that mirrors take.
 void add_light(const MirroredScene& scene, const glm::dvec3& origin,
                std::span<const MirroredRay> rays, PointRadiance& radiance) {
   std::vector<glm::dvec3> directions;
   std::vector<double> lengths;
+  std::vector<std::int32_t> surfaces;
+  std::vector<std::size_t> ways;  // of each ray, in those
   for (const MirroredRay& ray : rays) {
+    const auto known = std::ranges::find(surfaces, ray.hit.surface);
+    ways.push_back(static_cast<std::size_t>(known - surfaces.begin()));
+    if (known != surfaces.end()) continue;
+    surfaces.push_back(ray.hit.surface);
     directions.push_back(ray.direction);
     lengths.push_back(ray.hit ? ray.hit.distance : scene.open_length(origin));
   }
-  std::vector<glm::vec3> airlight(rays.size(), glm::vec3(0.0f));
-  std::vector<double> depths(rays.size(), 0.0);
-  if (scene.airlight_along) scene.airlight_along(origin, directions, lengths, airlight, depths);
+  std::vector<glm::vec3> airlight(ways.size(), glm::vec3(0.0f));
+  std::vector<double> depths(ways.size(), 0.0);
+  if (scene.airlight_along) {
+    const std::size_t count = directions.size();
+    scene.airlight_along(origin, directions, lengths, std::span(airlight).first(count),
+                         std::span(depths).first(count));
+  }
   const std::size_t k = rays.front().point;
   const bool has_panes = scene.ray_caster.has_panes();
   for (std::size_t i = 0; i < rays.size(); ++i) {
-    double passes = std::exp(-depths[i]);
+    double passes = std::exp(-depths[ways[i]]);
     if (has_panes) {
       passes *= scene.ray_caster.transmittance(origin, rays[i].direction, rays[i].hit.distance);
     }
-    const glm::vec3 arriving = airlight[i] + static_cast<float>(passes) * rays[i].behind;
+    const glm::vec3 arriving = airlight[ways[i]] + static_cast<float>(passes) * rays[i].behind;
     const glm::vec3 reflected = glm::vec3(rays[i].weight) * arriving;
     radiance.r[k] += reflected.r;
     radiance.g[k] += reflected.g;

@@ -319,7 +319,7 @@ std::vector<PointLight> point_lights(const Scene& scene, LightPoints count) {
       lights.insert(lights.end(), points.begin(), points.end());
     }
     if (count != LightPoints::drawn) {
-      const auto points = emitting_points(scene.surfaces, count == LightPoints::few ? 2 * max_points
+      const auto points = emitting_points(scene.surfaces, count == LightPoints::few    ? max_points
                                                           : count == LightPoints::many ? many_points
                                                                                        : 1);
       lights.insert(lights.end(), points.begin(), points.end());
