@@ -259,12 +259,14 @@ AirlightIntegrator Renderer::Impl::sliced(FrameContext& work, StageClock& clock)
     film_slices.choose(film, stages.prepared().medium(), stages.lit_from(work, *lights),
                        work.settings.slices, work.job);
   };
-  const auto along = [this, &work, lights, source](const glm::dvec3& origin, auto directions,
-                                                   auto lengths, auto airlight, auto depths) {
-    sliced_airlight_along(stages.prepared().medium(), *lights, source ? source->function : nullptr,
-                          work.settings.slices,
-                          {.eye = origin, .directions = directions, .lengths = lengths},
-                          {airlight, depths});
+  const auto along = [this, &work, lights, source](const glm::dvec3& origin, auto offsets,
+                                                   auto directions, auto lengths, auto airlight,
+                                                   auto depths) {
+    sliced_airlight_along(
+        stages.prepared().medium(), *lights, source ? source->function : nullptr,
+        work.settings.slices,
+        {.eye = origin, .directions = directions, .lengths = lengths, .offsets = offsets},
+        {airlight, depths});
     // The frame's own airlight is multiplied at the end.
     for (glm::vec3& radiance : airlight) radiance *= static_cast<float>(work.group.albedo);
   };

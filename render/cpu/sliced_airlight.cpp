@@ -265,14 +265,24 @@ void sliced_airlight_along(const MediumIndex& medium, std::span<const SlicedLigh
   thread_local std::vector<float> nodes;
   TileCone cone;
   cone.eye = rays.eye;
-  for (const glm::dvec3& w : rays.directions) cone.center += w;
-  cone.center = glm::normalize(cone.center);
+  cone.center = rays.directions.front();
   for (std::size_t k = 0; k < rays.directions.size(); ++k) {
     cone.spread = std::max(cone.spread, glm::length(rays.directions[k] - cone.center));
     cone.max_length = std::max(cone.max_length, rays.lengths[k]);
+    if (!rays.offsets.empty()) cone.width = std::max(cone.width, glm::length(rays.offsets[k]));
   }
   gaussians.clear();
   medium.bvh().query(cone, [&](std::uint32_t i) { gaussians.push_back(i); });
+  if (!gaussians.empty() && rays.directions.size() > 1) {
+    for (std::size_t k = 0; k < rays.directions.size(); ++k) {
+      sliced_airlight_along(medium, lights, source, slices,
+                            {.eye = rays.origin(k),
+                             .directions = rays.directions.subspan(k, 1),
+                             .lengths = rays.lengths.subspan(k, 1)},
+                            {out.airlight.subspan(k, 1), out.depths.subspan(k, 1)});
+    }
+    return;
+  }
   std::ranges::sort(gaussians);
   choose_slices(medium, gaussians, lights, cone, std::max(slices / 2, 4), boundaries);
   nodes.clear();

@@ -44,8 +44,10 @@ std::uint64_t sliced_airlight(const MediumIndex& medium, std::span<const std::ui
                               const TileRays& rays, const SliceNodes& slices,
                               const TileAirlight& out, TileProfiles* profiles = nullptr);
 
-// The same of rays from one point of the scene, their eye, which are none of a film: with slices of
-// their own, about half of `slices`. `source`: may be null. Thread-safe.
+// The same of rays from points beside each other, at offsets from their eye, which are none of a
+// film: with slices of their own, about half of `slices`. Those that meet Gaussians are evaluated
+// one by one: only parallel rays share what is prepared of these. `source`: may be null.
+// Thread-safe.
 void sliced_airlight_along(const MediumIndex& medium, std::span<const SlicedLight> lights,
                            const SourceFunction* source, int slices, TileRays rays,
                            const TileAirlight& out);

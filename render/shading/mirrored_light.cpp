@@ -86,43 +86,57 @@ void shade(const MirroredScene& scene, const SurfacePoints& points, std::span<Mi
   }
 }
 
-// Adds the light of the rays of one point, with the medium on their way: those that hit one surface
-// share that of the first, most of the time that mirrors take.
-void add_light(const MirroredScene& scene, const glm::dvec3& origin,
-               std::span<const MirroredRay> rays, PointRadiance& radiance) {
-  std::vector<glm::dvec3> directions;
-  std::vector<double> lengths;
-  std::vector<std::int32_t> surfaces;
-  std::vector<std::size_t> ways;  // of each ray, in those
-  for (const MirroredRay& ray : rays) {
-    const auto known = std::ranges::find(surfaces, ray.hit.surface);
-    ways.push_back(static_cast<std::size_t>(known - surfaces.begin()));
-    if (known != surfaces.end()) continue;
-    surfaces.push_back(ray.hit.surface);
-    directions.push_back(ray.direction);
-    lengths.push_back(ray.hit ? ray.hit.distance : scene.open_length(origin));
-  }
-  std::vector<glm::vec3> airlight(ways.size(), glm::vec3(0.0f));
-  std::vector<double> depths(ways.size(), 0.0);
-  if (scene.airlight_along) {
-    const std::size_t count = directions.size();
-    scene.airlight_along(origin, directions, lengths, std::span(airlight).first(count),
-                         std::span(depths).first(count));
-  }
-  const std::size_t k = rays.front().point;
-  const bool has_panes = scene.ray_caster.has_panes();
-  for (std::size_t i = 0; i < rays.size(); ++i) {
-    double passes = std::exp(-depths[ways[i]]);
-    if (has_panes) {
-      passes *= scene.ray_caster.transmittance(origin, rays[i].direction, rays[i].hit.distance);
+// The medium on the ways of mirrored rays. Those of one point that hit one surface share the
+// first's, and neighbours are evaluated together: most of the time that mirrors take.
+class Ways {
+ public:
+  Ways(const MirroredScene& scene, const SurfacePoints& points, std::span<const MirroredRay> rays) {
+    std::size_t point = points.count;
+    std::size_t first = 0;  // of the point's ways
+    std::vector<std::int32_t> surfaces;
+    for (const MirroredRay& ray : rays) {
+      if (ray.point != point) {
+        point = ray.point;
+        first = directions_.size();
+        surfaces.clear();
+      }
+      const auto known = std::ranges::find(surfaces, ray.hit.surface);
+      of_rays_.push_back(first + static_cast<std::size_t>(known - surfaces.begin()));
+      if (known != surfaces.end()) continue;
+      surfaces.push_back(ray.hit.surface);
+      starts_.push_back(points.origin + points.shadow_origin[ray.point]);
+      directions_.push_back(ray.direction);
+      lengths_.push_back(ray.hit ? ray.hit.distance : scene.open_length(starts_.back()));
     }
-    const glm::vec3 arriving = airlight[ways[i]] + static_cast<float>(passes) * rays[i].behind;
-    const glm::vec3 reflected = glm::vec3(rays[i].weight) * arriving;
-    radiance.r[k] += reflected.r;
-    radiance.g[k] += reflected.g;
-    radiance.b[k] += reflected.b;
+    airlight_.assign(directions_.size(), glm::vec3(0.0f));
+    depths_.assign(directions_.size(), 0.0);
+    if (scene.airlight_along) evaluate(scene.airlight_along);
   }
-}
+
+  [[nodiscard]] const glm::vec3& airlight(std::size_t ray) const {
+    return airlight_[of_rays_[ray]];
+  }
+  [[nodiscard]] double depth(std::size_t ray) const { return depths_[of_rays_[ray]]; }
+
+ private:
+  void evaluate(const AirlightAlong& airlight_along) {
+    constexpr std::size_t together = 16;
+    std::array<glm::dvec3, together> offsets;
+    for (std::size_t k = 0; k < directions_.size(); k += together) {
+      const std::size_t count = std::min(together, directions_.size() - k);
+      for (std::size_t i = 0; i < count; ++i) offsets[i] = starts_[k + i] - starts_[k];
+      airlight_along(starts_[k], std::span(offsets).first(count),
+                     std::span(directions_).subspan(k, count),
+                     std::span(lengths_).subspan(k, count), std::span(airlight_).subspan(k, count),
+                     std::span(depths_).subspan(k, count));
+    }
+  }
+
+  std::vector<std::size_t> of_rays_;
+  std::vector<glm::dvec3> starts_, directions_;
+  std::vector<double> lengths_, depths_;
+  std::vector<glm::vec3> airlight_;
+};
 
 }  // namespace
 
@@ -159,10 +173,20 @@ void add_mirrored_light(const MirroredScene& scene, const SurfacePoints& points,
     scene.environment->show(ray.direction, glm::dvec3(0.0), 0, open, std::span(&ray.behind, 1));
   }
   shade(scene, points, rays);
-  for (std::size_t first = 0, end = 0; first < rays.size(); first = end) {
-    while (end < rays.size() && rays[end].point == rays[first].point) ++end;
-    add_light(scene, points.origin + points.shadow_origin[rays[first].point],
-              std::span(rays).subspan(first, end - first), radiance);
+  const Ways ways(scene, points, rays);
+  const bool has_panes = scene.ray_caster.has_panes();
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    const MirroredRay& ray = rays[i];
+    double passes = std::exp(-ways.depth(i));
+    if (has_panes) {
+      passes *= scene.ray_caster.transmittance(points.origin + points.shadow_origin[ray.point],
+                                               ray.direction, ray.hit.distance);
+    }
+    const glm::vec3 arriving = ways.airlight(i) + static_cast<float>(passes) * ray.behind;
+    const glm::vec3 reflected = glm::vec3(ray.weight) * arriving;
+    radiance.r[ray.point] += reflected.r;
+    radiance.g[ray.point] += reflected.g;
+    radiance.b[ray.point] += reflected.b;
   }
 }
 

@@ -13,11 +13,12 @@ namespace brume {
 // Light that smooth surfaces mirror: what the rays of a highlight meet, as view rays do. Rougher
 // ones reflect the spherical harmonics of all light, which hold no more.
 
-// Airlight and optical depth of rays from one point, in unit directions up to `lengths` (may be
-// +inf).
-using AirlightAlong = std::function<void(
-    const glm::dvec3& origin, std::span<const glm::dvec3> directions,
-    std::span<const double> lengths, std::span<glm::vec3> airlight, std::span<double> depths)>;
+// Airlight and optical depth of rays from neighbouring points, at `offsets` from the origin, in
+// unit directions up to `lengths` (may be +inf).
+using AirlightAlong =
+    std::function<void(const glm::dvec3& origin, std::span<const glm::dvec3> offsets,
+                       std::span<const glm::dvec3> directions, std::span<const double> lengths,
+                       std::span<glm::vec3> airlight, std::span<double> depths)>;
 
 // Radiance, towards where the rays start, of hits of one surface: rays from `origin` plus offsets,
 // in unit directions; up to Tiles::pixels of them.
