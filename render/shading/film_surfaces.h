@@ -40,7 +40,7 @@ struct FilmSurfaces {
   Settings::Precision precision;
   const MirroredWays* mirrored = nullptr;  // null: nothing mirrors
   // Rays that a point mirrors at most; their hits mirror fewer, and those of these nothing more.
-  int mirrored_rays = 8;
+  int mirrored_rays = 16;
 
   // Sets the exitant radiance of these pixels' hits towards the eye, black where there is none.
   // Returns the Gaussian x path pairs evaluated.

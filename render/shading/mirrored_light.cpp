@@ -14,11 +14,14 @@
 namespace brume {
 namespace {
 
+// All over a highlight of less alpha the airlight is the same.
+constexpr float narrow = 0.05f;
+
 // Rays of a highlight of this alpha.
 int ray_count(float alpha, int max_rays) {
   constexpr float sharp = 0.015f;  // copies of what is mirrored would show
-  constexpr float narrow = 0.05f;
-  const int wanted = alpha < sharp ? 1 : alpha < narrow ? 4 : 8;
+  constexpr float wide = 0.1f;
+  const int wanted = alpha < sharp ? 1 : alpha < narrow ? 4 : alpha < wide ? 8 : 16;
   return std::min(wanted, max_rays);
 }
 
@@ -86,8 +89,9 @@ void shade(const MirroredScene& scene, const SurfacePoints& points, std::span<Mi
   }
 }
 
-// The medium on the ways of mirrored rays. Those of one point that hit one surface share the
-// first's, and neighbours are evaluated together: most of the time that mirrors take.
+// The medium on the ways of mirrored rays. Those of a narrow highlight that hit one
+// surface share the first's, and neighbours are evaluated together: most of the time that mirrors
+// take.
 class Ways {
  public:
   Ways(const MirroredScene& scene, const SurfacePoints& points, std::span<const MirroredRay> rays) {
@@ -101,8 +105,11 @@ class Ways {
         surfaces.clear();
       }
       const auto known = std::ranges::find(surfaces, ray.hit.surface);
-      of_rays_.push_back(first + static_cast<std::size_t>(known - surfaces.begin()));
-      if (known != surfaces.end()) continue;
+      if (known != surfaces.end() && points.ggx.alpha[ray.point] < narrow) {
+        of_rays_.push_back(first + static_cast<std::size_t>(known - surfaces.begin()));
+        continue;
+      }
+      of_rays_.push_back(directions_.size());
       surfaces.push_back(ray.hit.surface);
       starts_.push_back(points.origin + points.shadow_origin[ray.point]);
       directions_.push_back(ray.direction);
