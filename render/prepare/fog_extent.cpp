@@ -175,7 +175,7 @@ bool close_in(const RayCaster& surfaces, std::span<const glm::dvec3> lights) {
   // Light that is scattered anywhere on its way.
   constexpr std::size_t walks = 512;
   constexpr int steps = 6;
-  if (lights.empty()) return false;
+  if (lights.empty() || surfaces.has_panes()) return false;
   RandomSource random(1);
   for (std::size_t i = 0; i < std::max(walks, lights.size()); ++i) {
     glm::dvec3 place = lights[i % lights.size()];

@@ -105,9 +105,8 @@ std::vector<SeenPane> FrameStages::seen_panes(const FrameContext& work) const {
   std::vector<SeenPane> panes(work.frame.depth.size());
   work.job.parallel_for(panes.size(), [&](std::size_t pixel) {
     const SurfaceHit seen = hit(pixel);
-    const double width =
-        2.0 * work.rays.pixel_half_angle() * seen.distance + work.rays.pixel_width();
-    if (seen) panes[pixel] = prepared_.ray_caster().pane(seen, width);
+    // Not averaged over the pixel: find_hits_behind_panes() goes on where this lets light through.
+    if (seen) panes[pixel] = prepared_.ray_caster().pane(seen, 0.0);
   });
   return panes;
 }

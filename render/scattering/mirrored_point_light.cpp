@@ -35,7 +35,8 @@ class Image {
   // Nullopt: none passes the surfaces.
   [[nodiscard]] std::optional<Way> way_to(const glm::dvec3& point) const {
     const double height = glm::dot(plane_.normal, point) - plane_.offset;
-    if (!(height * height_ > 0.0)) return std::nullopt;
+    // A light on the plane has no image.
+    if (!(height * height_ > 0.0) || std::abs(height_) < margin_) return std::nullopt;
     const glm::dvec3 q = position_ - point;
     Way way{.r2 = glm::dot(q, q)};
     const double r = std::sqrt(way.r2);
