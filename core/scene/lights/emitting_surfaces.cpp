@@ -14,22 +14,27 @@
 #include "brume/mesh_arrays.h"
 #include "core/math/max_component.h"
 #include "core/scene/lights/point_lights.h"
-#include "core/scene/materials/ggx.h"
+#include "core/scene/materials/coverage.h"
 #include "core/scene/materials/texture.h"
 
 namespace brume {
 namespace {
 
-// The radiance of a surface at texture coordinates, averaged over a square around them.
-glm::dvec3 radiance_at(const MetallicRoughness& material, const glm::dvec2& uv, double footprint) {
-  return material.emissive * glm::dvec3(lookup(material.emissive_texture, uv, footprint));
+// The radiance of a surface at texture coordinates, averaged over a square around them; nothing
+// from its holes.
+glm::dvec3 radiance_at(const Material& of_surface, const glm::dvec2& uv, double footprint) {
+  const MetallicRoughness& material = of_surface.metallic_roughness;
+  const Coverage coverage(of_surface);
+  if (coverage.has_holes() && coverage.is_hole(uv)) return glm::dvec3(0.0);
+  return (coverage.is_pane() ? coverage.covered(uv, footprint) : 1.0) * material.emissive *
+         glm::dvec3(lookup(material.emissive_texture, uv, footprint));
 }
 
 // A part of a triangle that emits, with its texture coordinates.
 struct Piece {
   std::array<glm::dvec3, 3> corners;
   std::array<glm::dvec2, 3> texcoords;
-  const MetallicRoughness* material;
+  const Material* material;
   bool is_two_sided;
 
   [[nodiscard]] glm::dvec3 middle() const { return (corners[0] + corners[1] + corners[2]) / 3.0; }
@@ -107,7 +112,7 @@ void for_each_emitting(std::span<const Surface> surfaces, Visit visit) {
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
       Piece piece{.corners = {},
                   .texcoords = {},
-                  .material = &surfaces[s].material.metallic_roughness,
+                  .material = &surfaces[s].material,
                   .is_two_sided = is_two_sided};
       for (int k = 0; k < 3; ++k) {
         const unsigned vertex = mesh.triangles[t][k];
@@ -150,7 +155,8 @@ std::vector<Source> sources_of(std::span<const Surface> surfaces, int max_count)
     bool operator<(const Weighted& other) const { return power < other.power; }
   };
   const auto weighted = [](const Piece& piece) {
-    return Weighted{piece, piece.area() * max_component(piece.material->emissive)};
+    return Weighted{piece,
+                    piece.area() * max_component(piece.material->metallic_roughness.emissive)};
   };
   std::priority_queue<Weighted> pieces;
   for_each_emitting(surfaces, [&](const Piece& piece, std::size_t, std::size_t) {
