@@ -58,7 +58,7 @@ struct AirlightIntegrator {
   Evaluate evaluate;
   // Called once with all tiles before any is evaluated. May be empty.
   std::function<void(const FilmTiles& film)> prepare{};
-  // Of rays that are not of the film; empty: the method has none. Thread-safe.
+  // Evaluates rays that are not of the film; empty: the method has none. Thread-safe.
   AirlightAlong along{};
 };
 

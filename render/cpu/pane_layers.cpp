@@ -26,10 +26,10 @@ void PaneLayers::add(std::span<const SeenPane> panes, const Frame& layer) {
     const float transmittance = rgb(layer.transmittance, i, 3).x;  // grey within a group
     const glm::vec3 airlight = rgb(layer.airlight, i, 3);
     const glm::vec3 attenuated = rgb(layer.beauty, i, 4) - airlight;
-    const glm::vec3 scattered = pixel.passing * (airlight - pixel.before);
+    const glm::vec3 scattered = pixel.passing * (airlight - pixel.airlight_before);
     pixel.airlight += scattered;
     pixel.beauty += scattered + pixel.passing * static_cast<float>(pane.covered) * attenuated;
-    pixel.before = airlight;
+    pixel.airlight_before = airlight;
     const bool is_surface = std::isfinite(layer.depth[i]);
     if (!pixel.has_depth) pixel.transmittance = transmittance;
     if (is_surface && pane.opaque > 0.5 && !pixel.has_depth) {

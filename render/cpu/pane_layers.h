@@ -35,7 +35,7 @@ class PaneLayers {
     float transmittance = 1.0f;
     float alpha = 0.0f;
     bool has_depth = false;
-    glm::vec3 before{0.0f};  // airlight as far as the last layer
+    glm::vec3 airlight_before{0.0f};  // as far as the last layer
     glm::vec3 airlight{0.0f}, beauty{0.0f};
   };
   std::vector<Pixel> pixels_;

@@ -13,6 +13,12 @@ struct Box {
   bool operator==(const Box&) const = default;
 };
 
+// Its volume [u^3].
+inline double volume(const Box& box) {
+  const glm::dvec3 sides = box.high - box.low;
+  return sides.x * sides.y * sides.z;
+}
+
 inline bool contains(const Box& outer, const Box& inner) {
   return glm::all(glm::lessThanEqual(outer.low, inner.low)) &&
          glm::all(glm::greaterThanEqual(outer.high, inner.high));

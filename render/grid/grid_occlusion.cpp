@@ -10,7 +10,7 @@
 namespace brume {
 namespace {
 
-// What a surface reflects, and what of that no mirror planes do.
+// The light that a surface reflects, and the part of it that no mirror planes do.
 struct Reflectances {
   glm::vec3 all, scattered;
 };
@@ -22,7 +22,7 @@ struct NodeLinks {
   std::vector<GridOcclusion::Surfel> surfels;
 };
 
-// In [0, 1), the same for both directions of a link.
+// A number in [0, 1), the same for both directions of a link.
 double link_number(const glm::ivec3& node, const glm::ivec3& offset, std::uint64_t draw) {
   const glm::ivec3 middle = 2 * node + offset;
   std::uint64_t x = draw;
@@ -89,7 +89,9 @@ bool is_beside_blocked(const GridNodes& nodes, std::span<const NodeLinks> links,
 }  // namespace
 
 GridOcclusion::GridOcclusion(const RayCaster& ray_caster, std::span<const Surface> surfaces,
-                             const glm::dvec3& first, const GridNodes& nodes, const Job& job) {
+                             std::span<const MirrorPlane> mirrors, const glm::dvec3& first,
+                             const GridNodes& nodes, const Job& job)
+    : mirrors_(mirrors.begin(), mirrors.end()) {
   if (ray_caster.empty()) return;
   std::vector<Reflectances> reflectances;
   for (const Surface& surface : surfaces) {
@@ -97,7 +99,6 @@ GridOcclusion::GridOcclusion(const RayCaster& ray_caster, std::span<const Surfac
     reflectances.push_back({r, r});
     if (r.x != r.y || r.y != r.z) is_grey_ = false;
   }
-  mirrors_ = mirror_planes(surfaces);
   for (const MirrorPlane& mirror : mirrors_) {
     reflectances[mirror.surface].scattered = glm::vec3(mirror.reflection.diffuse);
   }
@@ -175,6 +176,7 @@ void LevelOcclusion::set(const RayCaster& ray_caster, std::span<const Surface> s
   for (const Surface& surface : surfaces) materials.push_back(surface.material);
   if (ray_caster_revision_ != ray_caster.revision() || materials_ != materials) {
     revision_ = new_revision();
+    mirrors_ = mirror_planes(surfaces);
   }
   if (ray_caster_revision_ != ray_caster.revision()) planes_ = AxisPlanes(ray_caster);
   ray_caster_ = &ray_caster;
@@ -193,8 +195,9 @@ std::shared_ptr<const GridOcclusion> LevelOcclusion::at(std::size_t level, const
   if (is_wanted(cached)) return cached.occlusion;
   std::swap(cached, last);
   if (is_wanted(cached)) return cached.occlusion;
-  cached = {revision_, first, nodes,
-            std::make_shared<const GridOcclusion>(*ray_caster_, surfaces_, first, nodes, job)};
+  cached = {
+      revision_, first, nodes,
+      std::make_shared<const GridOcclusion>(*ray_caster_, surfaces_, mirrors_, first, nodes, job)};
   if (job.stop.stop_requested()) cached = {};
   return cached.occlusion;
 }

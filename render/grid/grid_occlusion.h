@@ -34,15 +34,15 @@ class GridOcclusion {
     glm::vec3 offset{0.0f};       // from the node [u]
     glm::vec3 normal{0.0f};       // unit, on the side of the node
     glm::vec3 reflectance{0.0f};  // of all it reflects, as a diffuse surface would
-    // Of what it reflects of point lights: without what mirrors() do.
-    glm::vec3 scattered{0.0f};
+    glm::vec3 scattered{0.0f};    // the part that mirrors() do not
   };
 
   GridOcclusion() = default;  // nothing is occluded
   // Rays are traced in parallel: 26 for each node within the bounds of the surfaces. Invalid after
   // the job was stopped.
   GridOcclusion(const RayCaster& ray_caster, std::span<const Surface> surfaces,
-                const glm::dvec3& first, const GridNodes& nodes, const Job& job);
+                std::span<const MirrorPlane> mirrors, const glm::dvec3& first,
+                const GridNodes& nodes, const Job& job);
 
   [[nodiscard]] bool is_grey() const { return is_grey_; }
   // The flat sides of smooth surfaces.
@@ -102,6 +102,7 @@ class LevelOcclusion {
   Revision ray_caster_revision_ = 0;
   AxisPlanes planes_;
   std::vector<Material> materials_;
+  std::vector<MirrorPlane> mirrors_;
   Revision revision_ = 0;  // of geometry and materials
   // Per level: in use, and the one before, for frames in motion and at rest take turns.
   std::vector<std::array<Cached, 2>> cached_;

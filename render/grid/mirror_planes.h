@@ -20,9 +20,10 @@ struct MirrorPlane {
   GgxReflection reflection;  // on average
 };
 
-// Those of all surfaces that mirror on average (GgxReflection::max_mirror_alpha) and have at most
-// max_sides of them; curved ones have none.
+// Surfaces with more sides are curved, or seem so: they have no planes.
 inline constexpr std::size_t max_sides = 6;
+
+// The planes of all surfaces that mirror on average (GgxReflection::max_mirror_alpha).
 std::vector<MirrorPlane> mirror_planes(std::span<const Surface> surfaces);
 
 }  // namespace brume

@@ -15,7 +15,7 @@ EmitterSampler::EmitterSampler(std::span<const Surface> surfaces)
     if (first < 0) first = static_cast<std::int64_t>(i);
     const glm::dvec3& radiance = triangle.radiance;
     const double power =
-        glm::length(area_vector(triangle)) * (radiance.x + radiance.y + radiance.z);
+        glm::length(area_vector(triangle.corners)) * (radiance.x + radiance.y + radiance.z);
     if (std::isfinite(sum + power)) sum += power;
     sums_.push_back(sum);
   }
@@ -38,7 +38,7 @@ double EmitterSampler::pdf(const SurfaceHit& hit, const glm::dvec3& w) const {
   const std::size_t i = static_cast<std::size_t>(first) + hit.triangle;
   const double share = (sums_[i] - (i > 0 ? sums_[i - 1] : 0.0)) / sums_.back();
   // Its area as the ray sees it.
-  const double facing = std::abs(glm::dot(area_vector(triangles_[i]), w));
+  const double facing = std::abs(glm::dot(area_vector(triangles_[i].corners), w));
   return facing > 0.0 ? share * hit.distance * hit.distance / facing : 0.0;
 }
 

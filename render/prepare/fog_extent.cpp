@@ -134,10 +134,6 @@ LitSpace space_lit_near(const RayCaster& surfaces, std::span<const glm::dvec3> l
   const auto with_space = [&](const Box& box) {
     return without_hidden_space(with_space_around(box), all, hidden);
   };
-  const auto volume = [](const Box& box) {
-    const glm::dvec3 sides = box.high - box.low;
-    return sides.x * sides.y * sides.z;
-  };
   const double least = 0.5 * min_share * std::max(longest_side(all), 2.0 * reach);
   LitSpace lit{with_space(all)};
   const double whole = volume(lit.fog);

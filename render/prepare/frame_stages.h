@@ -117,7 +117,7 @@ class FrameStages {
   }
   // The panes that pixels see first, after find_hits(); opaque ones where they see none.
   [[nodiscard]] std::vector<SeenPane> seen_panes(const FrameContext& work) const;
-  // In place of hits on panes those behind them.
+  // Replaces hits on panes by those behind them.
   void find_hits_behind_panes(FrameContext& work);
   // First hit of a pixel's ray, after find_hits().
   [[nodiscard]] SurfaceHit hit(std::size_t pixel) const;

@@ -35,7 +35,7 @@ struct PixelPaths {
 // Airlight at arbitrary pixels of one view, by path tracing.
 class PathPixels {
  public:
-  // What they are traced for: all light, what is scattered once that integrals lack (of area
+  // The light that they are traced for: all, what is scattered once that integrals lack (of area
   // lights; where there are panes, of all), or the latter and what is scattered more often.
   enum class Orders { all, integrals_lack_once, all_but_integrals };
   PathPixels(const Scene& scene, const Camera& camera, const Film& film, Orders orders);

@@ -11,11 +11,6 @@
 namespace brume {
 namespace {
 
-double volume(const Box& box) {
-  const glm::dvec3 sides = box.high - box.low;
-  return sides.x * sides.y * sides.z;
-}
-
 Box around(const Box& a, const Box& b) {
   return {glm::min(a.low, b.low), glm::max(a.high, b.high)};
 }

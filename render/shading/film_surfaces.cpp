@@ -115,11 +115,10 @@ std::uint64_t FilmSurfaces::shade(std::span<const SurfaceHit> hits, const glm::d
                        precision, outgoing);
   if (shaded.transferred) shaded.transferred->add(hits, points, outgoing);
   if (mirrors) {
-    // The second mirror shows two rays of each, the third none.
-    const int of_hits = max_mirrored > 2 ? 2 : 0;
-    const ShadeHits shade_hits = [&](auto of, const auto& from, auto seen_along, auto starts,
-                                     auto out) {
-      pairs += shade(of, from, seen_along, starts, of_hits, out);
+    const int next_mirrored = max_mirrored > few_mirrored_rays ? few_mirrored_rays : 0;
+    const ShadeHits shade_hits = [&](auto mirrored_hits, const auto& center, auto seen_along,
+                                     auto starts, auto seen) {
+      pairs += shade(mirrored_hits, center, seen_along, starts, next_mirrored, seen);
     };
     add_mirrored_light({ray_caster, shading.environment(), mirrored->airlight_along,
                         mirrored->open_length, shade_hits},

@@ -39,8 +39,10 @@ struct FilmSurfaces {
   CameraRays::PixelRectangle pixels;  // those that are shaded, whole blocks
   Settings::Precision precision;
   const MirroredWays* mirrored = nullptr;  // null: nothing mirrors
-  // Rays that a point mirrors at most; their hits mirror fewer, and those of these nothing more.
+  // Rays that a point mirrors at most; their hits mirror few_mirrored_rays, and the hits of these
+  // none.
   int mirrored_rays = 16;
+  static constexpr int few_mirrored_rays = 2;
 
   // Sets the exitant radiance of these pixels' hits towards the eye, black where there is none.
   // Returns the Gaussian x path pairs evaluated.
@@ -52,7 +54,7 @@ struct FilmSurfaces {
                       std::span<const glm::dvec3> offsets, std::span<glm::vec3> radiance) const;
 
  private:
-  // The same of rays from `origin`, of which each mirrors at most so many.
+  // Shades hits of rays from `origin`, of which each mirrors at most so many.
   std::uint64_t shade(std::span<const SurfaceHit> hits, const glm::dvec3& origin,
                       std::span<const glm::vec3> directions, std::span<const glm::dvec3> offsets,
                       int max_mirrored, std::span<glm::vec3> radiance) const;

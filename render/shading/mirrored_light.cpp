@@ -14,7 +14,7 @@
 namespace brume {
 namespace {
 
-// All over a highlight of less alpha the airlight is the same.
+// Highlights of less alpha are so narrow that one airlight is that of all their rays.
 constexpr float narrow = 0.05f;
 
 // Rays of a highlight of this alpha.

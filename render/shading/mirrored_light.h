@@ -27,7 +27,7 @@ using ShadeHits =
                        std::span<const glm::vec3> directions, std::span<const glm::dvec3> offsets,
                        std::span<glm::vec3> radiance)>;
 
-// What mirrored rays meet.
+// The scene as mirrored rays meet it.
 struct MirroredScene {
   const RayCaster& ray_caster;
   const EnvironmentLight* environment;                                 // null: none

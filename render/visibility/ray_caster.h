@@ -38,7 +38,7 @@ struct PaneHit {
   double passing = 1.0;
 };
 
-// What is on a ray: panes by distance, and the first that lets nothing through.
+// The hits on a ray: panes by distance, and the first surface that lets nothing through.
 struct HitsOnRay {
   std::vector<PaneHit> panes;
   SurfaceHit end;
@@ -123,7 +123,7 @@ class RayCaster {
   void opaque_hits(const glm::dvec3& origin, std::span<const glm::dvec3> directions,
                    std::span<SurfaceHit> hits, double nearest) const;
 
-  // All on a ray; hits nearer than `nearest` are ignored. Thread-safe.
+  // All hits on a ray but those nearer than `nearest`. Thread-safe.
   [[nodiscard]] HitsOnRay hits_on_ray(const glm::dvec3& origin, const glm::dvec3& direction,
                                       double nearest = 0.0) const;
   // A first hit that passes each pane by chance, as often as light does; `draw` returns numbers in
@@ -131,12 +131,12 @@ class RayCaster {
   [[nodiscard]] SurfaceHit first_hit_by_chance(const glm::dvec3& origin,
                                                const glm::dvec3& direction,
                                                const std::function<double()>& draw) const;
-  // What is behind a hit on a pane. Thread-safe.
+  // The hit behind one on a pane. Thread-safe.
   [[nodiscard]] SurfaceHit next_hit(const glm::dvec3& origin, const glm::dvec3& direction,
                                     const SurfaceHit& before) const;
   // The pane at a hit that is seen over so many u; opaque where it is no pane.
   [[nodiscard]] SeenPane pane(const SurfaceHit& hit, double width) const;
-  // Where rays are stopped by a pane as often as light is: what it reflects counts so many times.
+  // The weight of the light that a pane reflects where it stops rays as often as light.
   [[nodiscard]] double reflected_by_chance(const SurfaceHit& hit) const;
 
   // Rasterization of a pinhole's first hits: precise enough unless the eye is far away. Keeps a

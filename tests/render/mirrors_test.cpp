@@ -106,7 +106,7 @@ TEST(Mirrors, OfEachOtherEnd) {
   expect_finite(render_frame(scene, sliced(8, Scattering::multiple)));
 }
 
-// What a mirror adds to the airlight, beside that of paths.
+// A mirror adds as much to the airlight as paths have it.
 TEST(Mirrors, SendLightIntoTheFog) {
   Scene scene = in_fog(boxes_on_a_floor(), 0.02);
   scene.surfaces.resize(1);

@@ -102,7 +102,7 @@ class SceneBuilder {
                                         }));
   }
 
-  // What crosses the surface has the base color.
+  // Light that crosses the surface has the base color.
   void tint(MetallicRoughness& values) {
     const TextureReference& base_color = values.base_color_texture;
     TextureReference& share = values.transmission_texture;

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <numeric>
 #include <queue>
@@ -34,19 +35,16 @@ glm::dvec3 radiance_at(const Material& of_surface, const glm::dvec2& uv, double 
 struct Piece {
   std::array<glm::dvec3, 3> corners;
   std::array<glm::dvec2, 3> texcoords;
-  const Material* material;
-  bool is_two_sided;
+  const Surface* surface;
 
   [[nodiscard]] glm::dvec3 middle() const { return (corners[0] + corners[1] + corners[2]) / 3.0; }
-  [[nodiscard]] glm::dvec3 area_vector() const {
-    return 0.5 * glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
-  }
-  [[nodiscard]] double area() const { return glm::length(area_vector()); }
+  [[nodiscard]] double area() const { return glm::length(area_vector(corners)); }
   [[nodiscard]] glm::dvec3 radiance() const {
     const glm::dvec2 a = texcoords[1] - texcoords[0];
     const glm::dvec2 b = texcoords[2] - texcoords[0];
     const double footprint = std::sqrt(0.5 * std::abs(a.x * b.y - a.y * b.x));
-    return radiance_at(*material, (texcoords[0] + texcoords[1] + texcoords[2]) / 3.0, footprint);
+    return radiance_at(surface->material, (texcoords[0] + texcoords[1] + texcoords[2]) / 3.0,
+                       footprint);
   }
   // Its halves, cut through its longest edge.
   [[nodiscard]] std::array<Piece, 2> halves() const {
@@ -101,19 +99,15 @@ bool has_outside(const MeshArrays& mesh) {
   return volume > 0.0 && edges == reversed;
 }
 
-// All triangles of surfaces that emit; visit(piece, surface, triangle).
+// Calls visit(piece, surface, triangle) for all triangles of surfaces that emit.
 template <class Visit>
 void for_each_emitting(std::span<const Surface> surfaces, Visit visit) {
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
     if (!is_emissive(surfaces[s])) continue;
     const MeshArrays mesh = to_arrays(*surfaces[s].mesh);
     const std::vector<glm::dvec3> points = world_points(surfaces[s], mesh.points);
-    const bool is_two_sided = !has_outside(mesh);
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-      Piece piece{.corners = {},
-                  .texcoords = {},
-                  .material = &surfaces[s].material,
-                  .is_two_sided = is_two_sided};
+      Piece piece{.corners = {}, .texcoords = {}, .surface = &surfaces[s]};
       for (int k = 0; k < 3; ++k) {
         const unsigned vertex = mesh.triangles[t][k];
         piece.corners[static_cast<std::size_t>(k)] = points[vertex];
@@ -126,7 +120,7 @@ void for_each_emitting(std::span<const Surface> surfaces, Visit visit) {
   }
 }
 
-// What a piece sends, without its falloff.
+// A piece as a light, whose intensity falls off by the cosine from its normal.
 struct Source {
   glm::dvec3 position;
   glm::dvec3 normal;     // unit
@@ -135,7 +129,7 @@ struct Source {
   bool is_two_sided;
 
   [[nodiscard]] double power() const { return max_component(intensity); }
-  // The side of the cube around the origin that its normal points to: of both sides, one.
+  // The side of a cube that its normal points to; one of two opposite ones if it shines to both.
   [[nodiscard]] int facing() const {
     const glm::dvec3 size = glm::abs(normal);
     const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
@@ -155,8 +149,8 @@ std::vector<Source> sources_of(std::span<const Surface> surfaces, int max_count)
     bool operator<(const Weighted& other) const { return power < other.power; }
   };
   const auto weighted = [](const Piece& piece) {
-    return Weighted{piece,
-                    piece.area() * max_component(piece.material->metallic_roughness.emissive)};
+    return Weighted{
+        piece, piece.area() * max_component(piece.surface->material.metallic_roughness.emissive)};
   };
   std::priority_queue<Weighted> pieces;
   for_each_emitting(surfaces, [&](const Piece& piece, std::size_t, std::size_t) {
@@ -167,14 +161,18 @@ std::vector<Source> sources_of(std::span<const Surface> surfaces, int max_count)
     pieces.pop();
     for (const Piece& half : largest.halves()) pieces.push(weighted(half));
   }
+  std::map<const Surface*, bool> closed;
+  for (const Surface& surface : surfaces) {
+    if (is_emissive(surface)) closed[&surface] = has_outside(to_arrays(*surface.mesh));
+  }
   std::vector<Source> sources;
   for (; !pieces.empty(); pieces.pop()) {
     const Piece& piece = pieces.top().piece;
     const double area = piece.area();
     const glm::dvec3 intensity = area * piece.radiance();
     if (!(max_component(intensity) > 0.0)) continue;
-    sources.push_back(
-        {piece.middle(), piece.area_vector() / area, intensity, area, piece.is_two_sided});
+    sources.push_back({piece.middle(), area_vector(piece.corners) / area, intensity, area,
+                       !closed[piece.surface]});
   }
   return sources;
 }
@@ -244,16 +242,16 @@ bool is_emissive(const Surface& surface) {
          surface.material.metallic_roughness.emissive != glm::dvec3(0.0);
 }
 
-glm::dvec3 area_vector(const EmittingTriangle& triangle) {
-  const auto& [a, b, c] = triangle.corners;
+glm::dvec3 area_vector(const std::array<glm::dvec3, 3>& triangle) {
+  const auto& [a, b, c] = triangle;
   return 0.5 * glm::cross(b - a, c - a);
 }
 
 std::vector<EmittingTriangle> emitting_triangles(std::span<const Surface> surfaces) {
   std::vector<EmittingTriangle> triangles;
   for_each_emitting(surfaces, [&](const Piece& piece, std::size_t surface, std::size_t index) {
-    triangles.push_back({piece.corners, piece.radiance(), piece.is_two_sided,
-                         static_cast<std::uint32_t>(surface), static_cast<std::uint32_t>(index)});
+    triangles.push_back({piece.corners, piece.radiance(), static_cast<std::uint32_t>(surface),
+                         static_cast<std::uint32_t>(index)});
   });
   return triangles;
 }

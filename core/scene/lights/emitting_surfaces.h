@@ -12,27 +12,26 @@ namespace brume {
 
 struct PointLight;
 
-// Surfaces whose material emits light: they shine to both sides with the same radiance in all
-// directions, those that are closed only outwards.
+// Whether a surface emits light: with the same radiance in all directions of both sides. Point
+// lights stand only for the outer side of those that are closed.
 bool is_emissive(const Surface& surface);
 
 struct EmittingTriangle {
   std::array<glm::dvec3, 3> corners;  // [u]
   glm::dvec3 radiance{0.0};           // RGB, its mean over the triangle [W/(sr u^2)]
-  bool is_two_sided = true;
-  std::uint32_t surface = 0;  // index in the scene
-  std::uint32_t index = 0;    // in the surface's mesh
+  std::uint32_t surface = 0;          // index in the scene
+  std::uint32_t index = 0;            // in the surface's mesh
 };
 
-// Normal, of its front, times area [u^2].
-glm::dvec3 area_vector(const EmittingTriangle& triangle);
+// The normal of a triangle's front times its area [u^2].
+glm::dvec3 area_vector(const std::array<glm::dvec3, 3>& triangle);
 
 // All triangles of surfaces that emit, in their order.
 std::vector<EmittingTriangle> emitting_triangles(std::span<const Surface> surfaces);
 
 // At most `max_count` point lights that send as much as the surfaces do: each stands for
 // neighbouring pieces that face about the same way, most of them where the brightest and largest
-// pieces are. Fewer where less pieces emit.
+// pieces are. Fewer where fewer pieces emit.
 std::vector<PointLight> emitting_points(std::span<const Surface> surfaces, int max_count);
 
 }  // namespace brume

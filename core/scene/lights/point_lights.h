@@ -83,8 +83,8 @@ inline constexpr std::size_t max_few_points = limits::lights;
 std::vector<PointLight> point_lights(const Light& light, const LitRegion& region,
                                      LightPoints count);
 
-// For those that are on and not black, in their order, then for surfaces that emit;
-// LightPoints::drawn leaves these out.
+// The lights that are on and not black, in their order, then surfaces that emit, which
+// LightPoints::drawn leaves out.
 std::vector<PointLight> point_lights(const Scene& scene, LightPoints count = LightPoints::one);
 
 }  // namespace brume

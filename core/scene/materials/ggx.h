@@ -16,8 +16,8 @@ namespace brume {
 //   D       = Trowbridge-Reitz with alpha = roughness^2
 //   V       = G / (4 N.L N.V), G of Smith, heights of light and eye correlated (Heitz 2014; the
 //             specification's is not, and darker)
-// What a material transmits is taken from `diffuse`. Light that is scattered between microfacets
-// more than once is lost: at roughness 1 up to half of it.
+// Light that a material transmits is taken from `diffuse`. Light that is scattered between
+// microfacets more than once is lost: at roughness 1 up to half of it.
 struct GgxReflection {
   glm::dvec3 diffuse{0.0};
   glm::dvec3 f0{0.0};

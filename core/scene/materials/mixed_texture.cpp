@@ -32,11 +32,11 @@ std::shared_ptr<const Texture> mixed_texture(
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
       const glm::dvec2 uv((x + 0.5) / width, 1.0 - (y + 0.5) / height);
-      const auto at = [&uv](const Texture* texture) {
+      const auto texel = [&uv](const Texture* texture) {
         if (!texture) return glm::vec4(1.0f);
         return texture->lookup(uv, 0.0, TextureWrap::clamp, TextureWrap::clamp);
       };
-      const glm::vec4 value = mix(at(a), at(b));
+      const glm::vec4 value = mix(texel(a), texel(b));
       for (int c = 0; c < 3; ++c) {
         rgba.push_back(to_byte(srgb_encoded(std::clamp(value[c], 0.0f, 1.0f))));
       }

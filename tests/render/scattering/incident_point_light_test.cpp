@@ -160,7 +160,7 @@ TEST(IncidentPointLight, ASpotBelowACeilingDoesNotLightIt) {
   const RayCaster ray_caster(ceiling);
   const GridNodes nodes{{7, 7, 5}, static_cast<float>(spacing)};
   const glm::dvec3 first(-3.1 * spacing, -3.2 * spacing, -0.6 * spacing);
-  const GridOcclusion occlusion(ray_caster, ceiling, first, nodes, {});
+  const GridOcclusion occlusion(ray_caster, ceiling, {}, first, nodes, {});
   NodePointLight light{
       source_at({0.0, 0.0, 0.4 * spacing}, LightFalloff(light::Spot{{0.0, 0.0, 1.0}, 30.0, 70.0}))};
   light.surfaces = &ray_caster;

@@ -248,7 +248,7 @@ TEST_F(ImportedTextures, MasksAreAlpha) {
   }
 }
 
-// Of a texture of transmission red alone counts; the base color's tints it.
+// Only the red of a texture of transmission counts; the base color's tints it.
 TEST_F(ImportedTextures, GlassIsTinted) {
   folder_.write("share.png", encode_png(1, 1, std::vector<std::uint8_t>{255, 0, 128}));
   folder_.write("red.png", red_png());

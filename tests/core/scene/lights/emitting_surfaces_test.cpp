@@ -75,6 +75,14 @@ TEST(EmittingSurfaces, PointsAreWhereTheTextureShines) {
   for (const PointLight& light : lights) EXPECT_GT(light.position.x, -0.05);
 }
 
+TEST(EmittingSurfaces, PanesSendAsMuchAsTheyCover) {
+  Surface pane =
+      emitting({.shape = Primitive::Shape::plane, .size = {1.0, 1.0, 1.0}}, glm::dvec3(2.0));
+  pane.material.metallic_roughness.alpha = AlphaMode::blend;
+  pane.material.metallic_roughness.opacity = 0.1;
+  EXPECT_NEAR(total(emitting_points(std::span(&pane, 1), 20)).x, 0.2, 1e-9);
+}
+
 TEST(EmittingSurfaces, BrightOnesGetTheirShareOfPoints) {
   std::vector<Surface> boxes{
       emitting({.shape = Primitive::Shape::box, .size = {1.0, 1.0, 1.0}}, glm::dvec3(100.0)),
