@@ -12,6 +12,15 @@ CONSTANT tiny_square = 1e-37;
 // The same of the sine of an angle, where directions are unit.
 CONSTANT tiny_sine_square = 1e-14;
 
+// What a point of an area light sends at least to a surface, of what it sends straight ahead: where
+// all of a sphere's points are turned away, the nearest tell whether it is hidden.
+CONSTANT least_of_area = 1e-3;
+
+// Sides of the polygon that stands for a disk that shines: at its edge 1% of the radius off.
+CONSTANT disk_corners = 16.0;
+// Rays over the highlight of a smooth surface that look for area lights.
+CONSTANT highlight_rays = 64.0;
+
 // A slice's part of a Gaussian lies in its middle where it is shorter than this [radii]: to a
 // twentieth of the slice.
 CONSTANT short_slice = 0.25;

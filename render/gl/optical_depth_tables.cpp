@@ -6,8 +6,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/scene/lights/area_lights.h"
 #include "render/gl/shader_constants.h"
 #include "render/gl/shadow_maps.h"
+#include "render/simd/coefficients.h"
 #include "render/slices/shadow_map.h"
 
 namespace brume::gl {
@@ -130,6 +132,20 @@ void OpticalDepthTables::upload(std::span<const SlicedLight> lights, const Shado
       u.profile_row = place.y;
     }
     u.radius2 = static_cast<float>(light.radius * light.radius);
+    if (light.area_points > 0) {
+      const AreaOutline outline(*light.area, light.area_center,
+                                static_cast<int>(coefficient::disk_corners));
+      u.area_points = light.area_points;
+      u.area_of_point = static_cast<float>(area_of_point(light));
+      u.area_center = glm::vec3(outline.center - origin);
+      u.area_u = glm::vec3(outline.u);
+      u.area_v = glm::vec3(outline.v);
+      u.area_corners = outline.corner_count;
+      u.area_is_two_sided = is_two_sided(*light.area) ? 1 : 0;
+      if (const auto* sphere = std::get_if<light::Sphere>(&*light.area)) {
+        u.area_radius = static_cast<float>(sphere->radius);
+      }
+    }
     if (!light.fog.is_endless()) {
       u.fog_center = glm::vec3(light.fog.center - origin);
       u.fog_radius = static_cast<float>(light.fog.radius);

@@ -45,9 +45,16 @@ BRUME_SHARED_STRUCT(LightData, {
   std::int32_t profile_column = 0;
   std::int32_t profile_row = 0;
   glm::vec3 azimuth_0{0.0f};  // of a cone
-  float unused_0 = 0.0f;
+  float area_of_point = 0.0f;  // of an area light, see area_of_point()
   glm::vec3 azimuth_90{0.0f};
-  float unused_90 = 0.0f;
+  float area_radius = 0.0f;  // of a sphere
+  // The area light that it stands for: AreaOutline.
+  glm::vec3 area_center{0.0f};
+  std::int32_t area_points = 0;
+  glm::vec3 area_u{0.0f};
+  std::int32_t area_corners = 0;
+  glm::vec3 area_v{0.0f};
+  std::int32_t area_is_two_sided = 0;
   // The ball of homogeneous fog that its light passes, as the position is; radius 0: all the way.
   glm::vec3 fog_center{0.0f};
   float fog_radius = 0.0f;

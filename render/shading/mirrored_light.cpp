@@ -4,12 +4,12 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/vec2.hpp>
 #include <limits>
 #include <map>
 #include <vector>
 
 #include "core/scene/materials/ggx.h"
+#include "render/geometry/even_points.h"
 
 namespace brume {
 namespace {
@@ -23,14 +23,6 @@ int ray_count(float alpha, int max_rays) {
   constexpr float wide = 0.1f;
   const int wanted = alpha < sharp ? 1 : alpha < narrow ? 4 : alpha < wide ? 8 : 16;
   return std::min(wanted, max_rays);
-}
-
-// Point k of a set that covers [0, 1)^2 evenly.
-glm::dvec2 even_point(int k, int count) {
-  if (count == 1) return {0.0, 0.0};  // straight from the mirror
-  constexpr double inverse_golden_ratio = 0.61803398874989484820;
-  const double turns = inverse_golden_ratio * k;
-  return {(k + 0.5) / count, turns - std::floor(turns)};
 }
 
 // A ray that a point mirrors, and the share of its light that is reflected.

@@ -6,6 +6,8 @@
 
 #include "core/scene/materials/brdf.h"
 #include "render/optical_depth/path_depths.h"
+#include "render/shading/area_highlight.h"
+#include "render/simd/area_kernels.h"
 #include "render/simd/ggx_kernels.h"
 #include "render/simd/reflection_kernels.h"
 #include "render/slices/slice_kernels.h"
@@ -143,6 +145,7 @@ std::uint64_t surface_radiance(const MediumIndex& medium, const RayCaster& ray_c
                                const SurfacePoints& points, Settings::Precision precision,
                                PointRadiance& radiance) {
   thread_local LightAtPoints light_at_point;
+  thread_local AreaSum area_sum;
   thread_local BandArrays factors;
   thread_local IncidentLight indirect;  // of what is not diffuse
   for (PointArray* channel : {&radiance.r, &radiance.g, &radiance.b}) channel->fill(0.0f);
@@ -152,19 +155,33 @@ std::uint64_t surface_radiance(const MediumIndex& medium, const RayCaster& ray_c
   const bool reflects_indirect = !is_diffuse && (lighting.point || lighting.has_indirect());
   if (reflects_indirect) indirect.clear();
   std::uint64_t pairs = 0;
+  int area_points = 0;  // that are still to come of an area light
   for (const SurfaceLight& light : lighting.lights) {
+    const double area = area_of_point(light.source);
+    if (area > 0.0 && area_points == 0) {
+      area_points = light.source.area_points;
+      area_sum.clear();
+    }
+    PointRadiance& direct = area > 0.0 ? area_sum.radiance : radiance;
     const glm::vec3 position(light.source.position - points.origin);
-    point_to_light(points, position, light.source.falloff, static_cast<float>(light.source.radius),
-                   light_at_point);
+    point_to_light(points, light.source, light_at_point);
     pairs += find_depths(medium, light, points, precision, lighting.extinction, light_at_point);
     ray_caster.trace_shadow_rays(points, position, light_at_point);
     PointLightShading reflected = point_light_shading(material, light.source);
     if (material.type == Material::Type::measured) {
-      add_measured_light(points, light_at_point, reflected.intensity, radiance);
+      add_measured_light(points, light_at_point, reflected.intensity, direct);
     } else if (is_ggx) {
-      add_ggx_light(points, light_at_point, reflected.intensity, light.source.is_seen, radiance);
+      add_ggx_light(points, light.source, light_at_point, direct);
     } else {
-      add_direct_light(points, light_at_point, reflected, radiance);
+      add_direct_light(points, light_at_point, reflected, direct);
+    }
+    if (area > 0.0) {
+      area_sum.add(points, light_at_point, static_cast<float>(area));
+      if (--area_points == 0) {
+        area_sum.add_to(points, {*light.source.area, light.source.area_center, points.origin},
+                        radiance);
+        if (is_ggx) add_area_highlight(points, ray_caster, light.source, area_sum, radiance);
+      }
     }
     if (!lighting.point) continue;
     find_spread(light_at_point, points.padded_size(),

@@ -58,9 +58,7 @@ std::uint64_t add_light_sphere(const MediumIndex& medium, const SurfaceLighting&
                                IncidentBlock& traced) {
   thread_local LightAtPoints light_at_points;
   thread_local std::array<PointArray, sh_max_bands> factors;
-  point_to_light(points, glm::vec3(surface_light.source.position - points.origin),
-                 surface_light.source.falloff, static_cast<float>(surface_light.source.radius),
-                 light_at_points);
+  point_to_light(points, surface_light.source, light_at_points);
   const std::uint64_t pairs =
       find_depths(medium, surface_light, points, precision, lighting.extinction, light_at_points);
   if (lighting.point) {

@@ -94,6 +94,7 @@ requires(sizeof(Uniform) == 8) HWY_INLINE Real short_mean(Real e, Real m, Real k
 #include "render/formulas/surfaces.inl"
 
 // Formulas that use those above.
+#include "render/formulas/area.inl"
 #include "render/formulas/fog.inl"
 #include "render/formulas/line.inl"
 

@@ -34,9 +34,11 @@ HWY_INLINE Vector Load(const PointVectors& v, std::size_t i) {
 
 }  // namespace ggx
 
-void AddGgxLight(const SurfacePoints& points, const LightAtPoints& light,
-                 const glm::vec3& intensity, bool is_seen, PointRadiance& radiance) {
+void AddGgxLight(const SurfacePoints& points, const PointLight& source, const LightAtPoints& light,
+                 PointRadiance& radiance) {
   const D d;
+  const glm::vec3 intensity(source.intensity);
+  const auto area = static_cast<float>(area_of_point(source));
   const V zero = hn::Zero(d);
   const V one = hn::Set(d, 1.0f);
   for (std::size_t i = 0; i < points.padded_size(); i += hn::Lanes(d)) {
@@ -55,10 +57,17 @@ void AddGgxLight(const SurfacePoints& points, const LightAtPoints& light,
     const V inverse = where(has_half, one / length);
     const Vector h{sum.x * inverse, sum.y * inverse, sum.z * inverse};
     const V cos_eye = max(dot(n, wo), static_cast<float>(min_ggx_cosine));
-    const V share = is_seen ? ggx::Load(points.ggx.lobe, i) : one;
-    const V specular =
-        share * where(hn::And(lit, has_half), microfacets(n, h, max(cos_light, zero), cos_eye,
-                                                          ggx::Load(points.ggx.alpha, i)));
+    const V alpha = ggx::Load(points.ggx.alpha, i);
+    V share = source.is_seen ? ggx::Load(points.ggx.lobe, i) : one;
+    if (area > 0.0f) {
+      const V alpha2 = alpha * alpha;
+      const V density = ggx_ray_density(ggx_distribution(n, h, alpha2), cos_eye, alpha2);
+      const V of_points =
+          one / mul_add(highlight_rays * density, area * ggx::Load(light.inverse_square, i), one);
+      share = select(alpha < GgxReflection::max_mirror_alpha, of_points, one);
+    }
+    const V specular = share * where(hn::And(lit, has_half),
+                                     microfacets(n, h, max(cos_light, zero), cos_eye, alpha));
     const V s = schlick(length);
     const V rest = one - s;
     const V diffuse = rest * std::numbers::inv_pi_v<float>;
@@ -82,9 +91,9 @@ namespace brume {
 
 HWY_EXPORT(AddGgxLight);
 
-void add_ggx_light(const SurfacePoints& points, const LightAtPoints& light,
-                   const glm::vec3& intensity, bool is_seen, PointRadiance& radiance) {
-  HWY_DYNAMIC_DISPATCH(AddGgxLight)(points, light, intensity, is_seen, radiance);
+void add_ggx_light(const SurfacePoints& points, const PointLight& source,
+                   const LightAtPoints& light, PointRadiance& radiance) {
+  HWY_DYNAMIC_DISPATCH(AddGgxLight)(points, source, light, radiance);
 }
 
 }  // namespace brume

@@ -64,9 +64,10 @@ void InterpolatePoints(const PointTriangles& triangles, SurfacePoints& points) {
   }
 }
 
-void PointToLight(const SurfacePoints& points, const glm::vec3& position,
-                  const LightFalloff& falloff, float radius, LightAtPoints& light) {
+void PointToLight(const SurfacePoints& points, const PointLight& source, LightAtPoints& light) {
   const D d;
+  const glm::vec3 position(source.position - points.origin);
+  const auto radius = static_cast<float>(source.radius);
   light.paths.resize(points.count);
   for (std::size_t i = 0; i < points.padded_size(); i += hn::Lanes(d)) {
     const Vector q = load(points.position, i) - set(position);
@@ -80,9 +81,10 @@ void PointToLight(const SurfacePoints& points, const glm::vec3& position,
     hn::StoreU(square * inverse, d, light.paths.length.data() + i);
     store(-dot(from_light, load(points.normal, i)), light.cosine, i);
     V arriving = where(is_distinct, 1.0f / max(square, radius * radius));
-    if (!falloff.is_isotropic()) {
-      const FalloffFloats floats(falloff);
-      arriving *= floats.At(floats.Components(from_light));
+    if (!source.falloff.is_isotropic()) {
+      const FalloffFloats floats(source.falloff);
+      const V sent = floats.At(floats.Components(from_light));
+      arriving *= source.area ? max(sent, least_of_area) : sent;
     }
     store(arriving, light.inverse_square, i);
   }
@@ -194,9 +196,8 @@ void interpolate_points(const PointTriangles& triangles, SurfacePoints& points) 
   HWY_DYNAMIC_DISPATCH(InterpolatePoints)(triangles, points);
 }
 
-void point_to_light(const SurfacePoints& points, const glm::vec3& position,
-                    const LightFalloff& falloff, float radius, LightAtPoints& light) {
-  HWY_DYNAMIC_DISPATCH(PointToLight)(points, position, falloff, radius, light);
+void point_to_light(const SurfacePoints& points, const PointLight& source, LightAtPoints& light) {
+  HWY_DYNAMIC_DISPATCH(PointToLight)(points, source, light);
 }
 
 void add_direct_light(const SurfacePoints& points, const LightAtPoints& light,

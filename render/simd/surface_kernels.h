@@ -6,7 +6,7 @@
 #include <span>
 
 #include "core/scene/camera_rays.h"
-#include "core/scene/lights/light_falloff.h"
+#include "core/scene/lights/point_lights.h"
 #include "render/simd/scatter_table.h"
 #include "render/simd/surface_points.h"
 
@@ -30,10 +30,8 @@ struct PointTriangles {
 // shadow_origin and side from those, `u`, `v` and `to_eye`.
 void interpolate_points(const PointTriangles& triangles, SurfacePoints& points);
 
-// Sets all members of `light` but depths and lit, for a light at `position` relative to
-// points.origin; `radius`: see PointSource::distance2().
-void point_to_light(const SurfacePoints& points, const glm::vec3& position,
-                    const LightFalloff& falloff, float radius, LightAtPoints& light);
+// Sets all members of `light` but depths and lit.
+void point_to_light(const SurfacePoints& points, const PointLight& source, LightAtPoints& light);
 
 // Shading parameters of a point light, RGB.
 struct PointLightShading {

@@ -11,6 +11,7 @@
 #include "brume/frame.h"
 #include "core/scene/camera_rays.h"
 #include "core/scene/fields/light_fields.h"
+#include "core/scene/lights/area_lights.h"
 #include "core/scene/lights/point_lights.h"
 #include "render/reference/reference_pixels.h"
 #include "tests/render/test_scenes.h"
@@ -343,6 +344,76 @@ TEST(AreaLight, HardCasesStayFinite) {
     scene.lights[0].position = {0.0, 0.0, 0.0};
     set_direction(scene.lights[0], {0.0, 0.0, 1.0});
     expect_all_finite(scene, "in a surface");
+  }
+}
+
+// A panel and a ball next to a floor, without fog.
+Scene light_at_a_floor(const Light& light) {
+  Scene scene;
+  scene.film = {32, 24};
+  scene.camera = {.eye = {0.0, 3.0, 4.0}, .target = {0.0, 0.0, 0.0}, .vertical_fov = 30.0};
+  scene.surfaces = {placed(Primitive::Shape::plane, {20.0, 1.0, 20.0}, {0.0, 0.0, 0.0})};
+  scene.surfaces[0].material.reflectance = glm::dvec3(1.0);
+  scene.lights = {light};
+  return scene;
+}
+
+TEST(AreaLights, DoNotShowTheirPointsAtAFloor) {
+  Light panel{.position = {0.0, 0.05, 0.0}, .intensity = glm::dvec3(1.0)};
+  panel.kind = light::Rectangle{.direction = {0, -1, 0}, .up = {0, 0, 1}, .width = 1, .height = 1};
+  Light ball{.position = {0.0, 0.51, 0.0}, .intensity = glm::dvec3(1.0)};
+  ball.kind = light::Sphere{0.5, false};
+  for (const Light& light : {panel, ball}) {
+    const Scene scene = light_at_a_floor(light);
+    const Frame frame = render_frame(scene, sliced(8));
+    const CameraRays rays(scene.camera, scene.film);
+    for (int y = 0; y < scene.film.height; ++y) {
+      for (int x = 0; x < scene.film.width; ++x) {
+        const glm::dvec3 w = rays.direction(x + 0.5, y + 0.5);
+        const glm::dvec3 floor = scene.camera.eye - scene.camera.eye.y / w.y * w;
+        const double expected =
+            area_irradiance(*area_of(light), light.position, floor, {0, 1, 0}) / std::numbers::pi;
+        const auto i = 4 * static_cast<std::size_t>(y * scene.film.width + x);
+        EXPECT_NEAR(frame.beauty[i], expected, 2e-3 * expected + 1e-5) << x << " " << y;
+      }
+    }
+  }
+}
+
+// On smooth metal, where the points of the light would be seen one by one.
+TEST(AreaLights, ShineOnMetalAsPathsHaveThem) {
+  for (const double roughness : {0.3, 0.6}) {
+    Light panel{.position = {0.0, 0.8, -1.0}, .intensity = {5.0, 4.0, 3.0}};
+    panel.kind = light::Rectangle{
+        .direction = {0.0, -1.0, 0.6}, .up = {0, 0, 1}, .width = 1.2, .height = 0.6};
+    Scene scene = light_at_a_floor(panel);
+    scene.camera.eye.y = 1.6;
+    scene.camera.vertical_fov = 40.0;
+    Material& material = scene.surfaces[0].material;
+    material.type = Material::Type::metallic_roughness;
+    material.metallic_roughness.base_color = glm::dvec3(0.7);
+    material.metallic_roughness.metallic = 1.0;
+    material.metallic_roughness.roughness = roughness;
+    const Frame frame = render_frame(scene, sliced(8));
+    const Frame truth = render_frame(scene, path_traced(256));
+    // Blocks of 8 x 8: a path's pixel is a mean over its square.
+    constexpr int side = 8;
+    double difference = 0.0;
+    double sum = 0.0;
+    for (int block = 0; block < 12; ++block) {
+      double mean = 0.0;
+      double true_mean = 0.0;
+      for (int k = 0; k < side * side; ++k) {
+        const int x = block % 4 * side + k % side;
+        const int y = block / 4 * side + k / side;
+        const auto i = 4 * static_cast<std::size_t>(y * scene.film.width + x);
+        mean += static_cast<double>(frame.beauty[i]);
+        true_mean += static_cast<double>(truth.beauty[i]);
+      }
+      difference += std::abs(mean - true_mean);
+      sum += true_mean;
+    }
+    EXPECT_LT(difference / sum, 0.04) << roughness;
   }
 }
 

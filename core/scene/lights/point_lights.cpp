@@ -49,6 +49,7 @@ PointLight far_disk(const Light& light, const light::Directional& sun, const Lit
   if (!(half_angle > 0.0)) return far;
   far.area = light::Disk{.direction = -axis,
                          .radius = far_light_distance * region.diameter * std::tan(half_angle)};
+  far.area_center = far.position;
   // Its edge is farther away than its middle.
   far.intensity /= std::cos(half_angle) * std::cos(half_angle);
   return far;
@@ -152,13 +153,17 @@ std::vector<PointLight> points_on_area(const Light& light, const AreaLight& area
   for (int k = 0; k < count; ++k) {
     const auto [offset, normal] =
         std::visit([&](const auto& shape) { return point_on(shape, k, count); }, area);
+    PointLight point{
+        .radius = radius, .area = area, .area_center = light.position, .area_points = count};
     if (is_isotropic) {
-      lights.push_back(
-          {light.position + depth * offset, 0.25 * share * light.intensity, {}, radius});
-      continue;
+      point.position = light.position + depth * offset;
+      point.intensity = 0.25 * share * light.intensity;
+    } else {
+      point.position = light.position + offset;
+      point.intensity = share * light.intensity;
+      point.falloff = LightFalloff::of_surface(normal, is_two_sided(area));
     }
-    lights.push_back({light.position + offset, share * light.intensity,
-                      LightFalloff::of_surface(normal, is_two_sided(area)), radius});
+    lights.push_back(point);
   }
   return lights;
 }
@@ -239,6 +244,12 @@ double facing_area(const AreaLight& area) {
   return surface_area(area) * (std::holds_alternative<light::Sphere>(area) ? 0.25 : 1.0);
 }
 
+double area_of_point(const PointLight& point) {
+  if (point.area_points == 0) return 0.0;
+  return (point.falloff.is_isotropic() ? 0.25 : 1.0) * surface_area(*point.area) /
+         point.area_points;
+}
+
 double bounding_radius(const AreaLight& area) {
   return std::visit(
       Overloaded{[](const light::Rectangle& r) { return 0.5 * std::hypot(r.width, r.height); },
@@ -282,7 +293,9 @@ std::vector<PointLight> point_lights(const Light& light, const LitRegion& region
                    if (count == LightPoints::drawn) {
                      return Points{{.position = light.position,
                                     .intensity = surface_area(area) * light.intensity,
-                                    .area = area}};
+                                    .area = area,
+                                    .area_center = light.position,
+                                    .area_points = 1}};
                    }
                    const bool is_sphere = std::holds_alternative<light::Sphere>(area);
                    const int points = chosen(is_sphere ? whole_sphere : whole, many_points);

@@ -25,8 +25,11 @@ struct PointLight {
   double radius = 0.0;   // of a disk as large as what it stands for of an area light [u]
   bool is_far = false;   // stands for a directional light
   bool is_seen = false;  // stands for a surface that emits, which is seen
-  // LightPoints::drawn: the surface around `position` that shines in place of the point.
+  // The area light that it stands for, and its middle; null of a disc that is far away but for
+  // LightPoints::drawn.
   std::optional<AreaLight> area{};
+  glm::dvec3 area_center{0.0};
+  int area_points = 0;  // how many stand for it; they follow each other
 
   bool operator==(const PointLight&) const = default;
 };
@@ -63,6 +66,9 @@ bool is_two_sided(const AreaLight& area);
 // [u^2]; `facing`: as seen from far away, from where it looks largest.
 double surface_area(const AreaLight& area);
 double facing_area(const AreaLight& area);
+// How much of an area light's surface, facing the way that it shines most, a point stands for; 0 of
+// lights that are points [u^2].
+double area_of_point(const PointLight& point);
 // The radius of the ball around its center that holds it [u].
 double bounding_radius(const AreaLight& area);
 // Unit vectors along the width and the height of a rectangle.

@@ -48,5 +48,6 @@ float bounded(float x) { return clamp(x, -erfc_end, erfc_end); }
 #include "phase.inl"
 #include "slices.inl"
 #include "surfaces.inl"
+#include "area.inl"
 #include "fog.inl"
 #include "line.inl"

@@ -87,9 +87,9 @@ LightAtPoint point_to_light(int l, SurfacePoint point, int pixel, int pixels) {
   light_at_point.w = inverse * q;
   light_at_point.length_ = square * inverse;
   light_at_point.cosine = -dot(light_at_point.w, point.normal);
-  light_at_point.inverse_square =
-      falloff_towards(l, light_at_point.w) /
-      max(max(square, lights[l].radius2), tiny);
+  const float sent = falloff_towards(l, light_at_point.w);
+  light_at_point.inverse_square = (lights[l].area_points > 0 ? max(sent, least_of_area) : sent) /
+                                  max(max(square, lights[l].radius2), tiny);
   light_at_point.depth =
       b0 * length_in_fog(l, point.position, light_at_point.w, light_at_point.length_);
   if (has_depths != 0) {
@@ -100,6 +100,32 @@ LightAtPoint point_to_light(int l, SurfacePoint point, int pixel, int pixels) {
   }
   light_at_point.depth *= extinction;
   return light_at_point;
+}
+
+// AreaOutline::corner(), relative to a point.
+vec3 area_corner(int l, int k, vec3 position) {
+  const float t = 2.0 * pi * (float(k) + 0.5) / float(lights[l].area_corners);
+  return lights[l].area_center + cos(t) * lights[l].area_u + sin(t) * lights[l].area_v - position;
+}
+
+// area_irradiance() of the area light that a light is a point of.
+float area_irradiance(int l, SurfacePoint point) {
+  const bool is_two_sided = lights[l].area_is_two_sided != 0;
+  if (lights[l].area_corners == 0) {
+    const vec3 to_center = lights[l].area_center - point.position;
+    const float radius = lights[l].area_radius;
+    if (dot(to_center, to_center) <= radius * radius) return is_two_sided ? pi : 0.0;
+    return sphere_irradiance(to_center, point.normal, radius);
+  }
+  PolygonLight polygon = no_polygon_light(0.0);
+  vec3 corner = area_corner(l, 0, point.position);
+  for (int k = 1; k <= lights[l].area_corners; ++k) {
+    const vec3 next = area_corner(l, k, point.position);
+    polygon = with_edge(polygon, corner, next, point.normal);
+    corner = next;
+  }
+  const float sum = polygon_irradiance(polygon, point.normal);
+  return is_two_sided ? abs(sum) : max(sum, 0.0);
 }
 
 vec3 direct_light(int l, SurfacePoint point, LightAtPoint light_at_point, vec3 to_eye, int pixel,
@@ -219,9 +245,28 @@ vec3 surface_light(SurfacePoint point, PixelHit hit, vec3 to_eye, int index, int
   }
   vec3 radiance = vec3(0.0);
   vec3 rest = vec3(0.0);
+  int area_points = 0;  // AreaSum: those to come, and what those before sent
+  vec3 of_area = vec3(0.0);
+  float area_sum = 0.0;
   for (int l = 0; l < light_count; ++l) {
     const LightAtPoint light_at_point = point_to_light(l, point, index, pixels);
-    radiance += direct_light(l, point, light_at_point, to_eye, index, pixels);
+    const vec3 direct = direct_light(l, point, light_at_point, to_eye, index, pixels);
+    if (lights[l].area_points == 0) {
+      radiance += direct;
+    } else {
+      if (area_points == 0) {
+        area_points = lights[l].area_points;
+        of_area = vec3(0.0);
+        area_sum = 0.0;
+      }
+      of_area += direct;
+      area_sum += max(light_at_point.cosine, 0.0) * light_at_point.inverse_square *
+                  lights[l].area_of_point;
+      --area_points;
+      if (area_points == 0 && area_sum > tiny) {
+        radiance += area_irradiance(l, point) / area_sum * of_area;
+      }
+    }
     if (!is_scattered) continue;
     float factors[sh_bands];
     find_spread(l, light_at_point, factors);

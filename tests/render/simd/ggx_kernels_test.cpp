@@ -62,7 +62,7 @@ TEST(GgxKernels, ReflectLightsAsThePlainVersion) {
     light.lit[k] = k % 16 == 5 ? 0.0f : 1.0f;
   }
   PointRadiance found{};
-  add_ggx_light(*c.points, light, {1.0f, 2.0f, 3.0f}, false, found);
+  add_ggx_light(*c.points, PointLight{.intensity = {1.0, 2.0, 3.0}}, light, found);
   for (std::size_t k = 0; k < c.points->count; ++k) {
     const glm::dvec3 wi(-light.paths.x[k], -light.paths.y[k], -light.paths.z[k]);
     const double cosine = static_cast<double>(light.cosine[k]);

@@ -141,7 +141,7 @@ TEST(SurfaceKernels, LightIsThatOfThePlainVersion) {
     const double density = random.uniform(0.0, 0.5);
 
     LightAtPoints light_at_point;
-    point_to_light(points, glm::vec3(light - points.origin), LightFalloff(), 0.0f, light_at_point);
+    point_to_light(points, PointLight{.position = light}, light_at_point);
     seen.ray_caster->trace_shadow_rays(points, glm::vec3(light - points.origin), light_at_point);
     for (float& depth : light_at_point.depths) depth = static_cast<float>(random.power(-3.0, 1.3));
     PointLightShading shading;
@@ -202,7 +202,8 @@ TEST(SurfaceKernels, ALightOnTheSurfaceContributesNothing) {
   SurfacePoints points;
   seen.ray_caster->points(seen.hits, seen.eye, seen.directions, {}, seen.surfaces, points);
   LightAtPoints light_at_point;
-  point_to_light(points, glm::vec3(points.position[2]), LightFalloff(), 0.0f, light_at_point);
+  point_to_light(points, PointLight{.position = points.origin + points.position[2]},
+                 light_at_point);
   light_at_point.depths.fill(0.0f);
   light_at_point.lit.fill(1.0f);
   PointRadiance radiance{};
