@@ -44,7 +44,7 @@ BRUME_SHARED_STRUCT(LightData, {
   // The place where the map of a photometric profile begins.
   std::int32_t profile_column = 0;
   std::int32_t profile_row = 0;
-  glm::vec3 azimuth_0{0.0f};  // of a cone
+  glm::vec3 azimuth_0{0.0f};   // of a cone
   float area_of_point = 0.0f;  // of an area light, see area_of_point()
   glm::vec3 azimuth_90{0.0f};
   float area_radius = 0.0f;  // of a sphere
