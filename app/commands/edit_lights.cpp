@@ -70,6 +70,8 @@ void copy_common_values(const Light& from, Light& to) {
   if (LightProfile* profile = profile_member(to); profile && profile_of(from)) {
     *profile = *profile_of(from);
   }
+  if (auto* spot = to.as<light::Spot>(); spot && texture_of(from))
+    spot->texture = *texture_of(from);
   visit_fields_of(to, [&]<class F>(const F& field) {
     const auto* value = find_value<typename F::Value>(from, field.info.name);
     if (value == nullptr) return;
@@ -255,6 +257,15 @@ light::Spot with_outer_angle(light::Spot spot, double angle) {
 void set_profile(Light& light, LightProfile profile) {
   if (auto* member = profile_member(light)) *member = std::move(profile);
   if (!profile_of(light)) light.keys.profile_rotation.clear();
+}
+
+void set_texture(Light& light, LightTexture texture) {
+  auto* spot = light.as<light::Spot>();
+  if (!spot) return;
+  spot->texture = std::move(texture);
+  if (texture_of(light)) return;
+  light.keys.texture_rotation.clear();
+  light.keys.texture_focus.clear();
 }
 
 double light_strength(const Light& light) {

@@ -58,6 +58,8 @@ Camera camera_at(const Light& light, const LitRegion& region, const glm::dvec3& 
 
 // Gives a point light or a spot a photometric profile, or with no content none.
 void set_profile(Light& light, LightProfile profile);
+// Puts a picture into the beam of a spot, or with no file none.
+void set_texture(Light& light, LightTexture texture);
 
 // Cones with an angle from the axis changed [degrees]; the other one makes room.
 light::Spot with_inner_angle(light::Spot spot, double angle);

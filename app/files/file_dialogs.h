@@ -21,6 +21,7 @@ enum class FileKind {
   material,
   color,
   profile,
+  texture,
   missing
 };
 

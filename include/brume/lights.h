@@ -13,6 +13,7 @@
 namespace brume {
 
 class PhotometricProfile;
+class Texture;
 struct RadianceMap;
 
 // Keyframes of a light's values, of those that its kind has; see core/scene/animation/animation.h.
@@ -23,6 +24,8 @@ struct LightKeys {
   Keys<double> inner_angle;
   Keys<double> outer_angle;
   Keys<double> profile_rotation;
+  Keys<double> texture_rotation;
+  Keys<double> texture_focus;
   Keys<double> angular_diameter;
   Keys<glm::dvec3> up;
   Keys<double> width;
@@ -42,6 +45,17 @@ struct LightProfile {
   bool operator==(const LightProfile&) const = default;
 };
 
+// A picture in the beam of a spot, a gobo: it fills the square around the outer cone, upright as
+// seen from a spot that shines ahead; see core/scene/lights/beam_pattern.h.
+struct LightTexture {
+  std::filesystem::path file;              // empty: none
+  std::shared_ptr<const Texture> content;  // null: none, or the file is missing
+  double rotation = 0.0;                   // about the axis, counterclockwise against it [degrees]
+  double focus = 1.0;                      // 1 sharp, 0 blurred to the size of the cone
+
+  bool operator==(const LightTexture&) const = default;
+};
+
 // The kinds of lights: each has values of its own, in the order of Light::Kind.
 namespace light {
 
@@ -59,6 +73,7 @@ struct Spot {
   double inner_angle = 0.0;              // from the axis, >= 0 [degrees]
   double outer_angle = 45.0;             // above 0, at least inner_angle, at most 180 [degrees]
   LightProfile profile{};
+  LightTexture texture{};  // with one, outer_angle is below 90
 
   bool operator==(const Spot&) const = default;
 };

@@ -18,6 +18,9 @@ CONSTANT least_of_area = 1e-3;
 
 // Sides of the polygon that stands for a disk that shines: at its edge 1% of the radius off.
 CONSTANT disk_corners = 16.0;
+// An area light lights surfaces by its points alone where the square of their distance is so many
+// times its area, as it is seen from ahead.
+CONSTANT far_areas = 400.0;
 // Rays over the highlight of a smooth surface that look for area lights.
 CONSTANT highlight_rays = 64.0;
 

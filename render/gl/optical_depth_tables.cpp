@@ -126,16 +126,19 @@ void OpticalDepthTables::upload(std::span<const SlicedLight> lights, const Shado
     u.per_versine = static_cast<float>(light.falloff.per_versine());
     u.azimuth_0 = glm::vec3(light.falloff.azimuth_0());
     u.azimuth_90 = glm::vec3(light.falloff.azimuth_90());
-    if (const auto& profile = light.falloff.profile()) {
-      const glm::ivec2 place = profiles_.place(*profile);
-      u.profile_column = place.x;
-      u.profile_row = place.y;
+    if (const auto& map = light.falloff.map()) {
+      const glm::ivec2 place = profiles_.place(*map);
+      u.map_column = place.x;
+      u.map_row = place.y;
+      u.map_side = map->side;
+      u.cotangent = static_cast<float>(light.falloff.cotangent());
     }
     u.radius2 = static_cast<float>(light.radius * light.radius);
     if (light.area_points > 0) {
       const AreaOutline outline(*light.area, light.area_center,
                                 static_cast<int>(coefficient::disk_corners));
       u.area_points = light.area_points;
+      u.area_far2 = static_cast<float>(coefficient::far_areas * facing_area(*light.area));
       u.area_of_point = static_cast<float>(area_of_point(light));
       u.area_center = glm::vec3(outline.center - origin);
       u.area_u = glm::vec3(outline.u);

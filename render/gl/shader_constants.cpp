@@ -12,7 +12,6 @@
 #include "core/math/spherical_harmonics.h"
 #include "core/math/srgb.h"
 #include "core/scene/camera_rays.h"
-#include "core/scene/lights/photometric_profile.h"
 #include "core/scene/materials/brdf.h"
 #include "core/scene/materials/ggx.h"
 #include "core/scene/materials/ggx_sh.h"
@@ -160,13 +159,12 @@ void add_slices(Constants& constants) {
   add_shape("falloff_cone", LightFalloff::Shape::cone);
   add_shape("falloff_cosine", LightFalloff::Shape::cosine);
   add_shape("falloff_two_cosines", LightFalloff::Shape::two_cosines);
-  add_shape("falloff_profile", LightFalloff::Shape::profile);
   constants.add("falloff_panel", falloff_panel);
   constants.add("profile_panel", profile_panel);
+  constants.add("picture_panel", picture_panel);
   constants.add("phase_panel", phase_panel);
   constants.add("wide_falloff", wide_falloff);
   constants.add("wide_phase", wide_phase);
-  constants.add("profile_side", PhotometricProfile::side);
   constants.add("gauss_3_end", gauss_3_end);
   constants.add("gauss_3_middle", gauss_3_middle);
   constants.add("bin_room", bin_room);

@@ -41,9 +41,9 @@ BRUME_SHARED_STRUCT(LightData, {
   float dark_versine = 0.0f;
   float per_versine = 0.0f;
   float radius2 = 0.0f;  // see PointSource::distance2()
-  // The place where the map of a photometric profile begins.
-  std::int32_t profile_column = 0;
-  std::int32_t profile_row = 0;
+  // The place where the map of a profile or a picture begins.
+  std::int32_t map_column = 0;
+  std::int32_t map_row = 0;
   glm::vec3 azimuth_0{0.0f};   // of a cone
   float area_of_point = 0.0f;  // of an area light, see area_of_point()
   glm::vec3 azimuth_90{0.0f};
@@ -55,6 +55,10 @@ BRUME_SHARED_STRUCT(LightData, {
   std::int32_t area_corners = 0;
   glm::vec3 area_v{0.0f};
   std::int32_t area_is_two_sided = 0;
+  std::int32_t map_side = 0;
+  float cotangent = 0.0f;  // of a picture
+  float area_far2 = 0.0f;  // see AreaShape
+  float unused = 0.0f;
   // The ball of homogeneous fog that its light passes, as the position is; radius 0: all the way.
   glm::vec3 fog_center{0.0f};
   float fog_radius = 0.0f;

@@ -92,7 +92,7 @@ class PointsAroundLight {
     if (falloff.has_cone()) {
       const double versine = falloff.versine(w);
       if (versine - reach > falloff.dark_versine()) return 0.0;
-      if (!falloff.profile() && versine + reach < falloff.full_versine()) return 1.0;
+      if (!falloff.map() && versine + reach < falloff.full_versine()) return 1.0;
     } else if (std::abs(glm::dot(w, falloff.axis())) > reach) {
       return falloff.at(w);  // it is smooth there
     }

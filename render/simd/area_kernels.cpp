@@ -71,8 +71,12 @@ void AddArea(const SurfacePoints& points, const AreaShape& area, const PointArra
     const V of_points = Load(irradiance, i);
     const auto is_lit = of_points > tiny;
     if (hn::AllFalse(d, is_lit)) continue;
-    const V all = Irradiance(area, Load(points.position, i), Load(points.normal, i));
-    const V factor = where(is_lit, all / of_points);
+    const Vector position = Load(points.position, i);
+    const Vector to_center = Set(area.center) - position;
+    const auto is_far = dot(to_center, to_center) > area.far2;
+    const V all =
+        hn::AllTrue(d, is_far) ? of_points : Irradiance(area, position, Load(points.normal, i));
+    const V factor = where(is_lit, select(is_far, of_points, all) / of_points);
     const auto add = [&](const PointArray& from, PointArray& to) HWY_ATTR {
       hn::Store(mul_add(factor, Load(from, i), Load(to, i)), d, to.data() + i);
     };
@@ -92,7 +96,9 @@ HWY_EXPORT(AddIrradiance);
 HWY_EXPORT(AddArea);
 
 AreaShape::AreaShape(const AreaLight& area, const glm::dvec3& area_center, const glm::dvec3& origin)
-    : center(area_center - origin), is_two_sided(brume::is_two_sided(area)) {
+    : center(area_center - origin),
+      is_two_sided(brume::is_two_sided(area)),
+      far2(static_cast<float>(coefficient::far_areas * facing_area(area))) {
   const AreaOutline outline(area, area_center, coefficient::disk_corners);
   for (int k = 0; k < outline.corner_count; ++k) corners.emplace_back(outline.corner(k) - origin);
   if (const auto* sphere = std::get_if<light::Sphere>(&area)) {

@@ -16,6 +16,9 @@ struct AreaShape {
   glm::vec3 center{0.0f};
   float radius = 0.0f;  // of a sphere
   bool is_two_sided = false;
+  // Squared: from here on its points are as good, and the angles between its edges lose their
+  // digits.
+  float far2 = 0.0f;
 
   AreaShape(const AreaLight& area, const glm::dvec3& area_center, const glm::dvec3& origin);
 };

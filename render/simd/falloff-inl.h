@@ -11,7 +11,6 @@
 #include <hwy/highway.h>
 
 #include "core/scene/lights/light_falloff.h"
-#include "core/scene/lights/photometric_profile.h"
 #include "render/simd/gaussian-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -30,38 +29,38 @@ HWY_INLINE V3<FloatVec> Floats(const glm::dvec3& v) {
           Floats(static_cast<float>(v.z))};
 }
 
-// PhotometricProfile::at() in the direction w, of any length but 0, by its map.
-HWY_INLINE FloatVec ProfileAt(const float* map, const V3<FloatVec>& w) {
+// A map at a place in its square, [-1, 1]^2.
+HWY_INLINE FloatVec MapAt(const IntensityMap& map, const V2<FloatVec>& position) {
   const FloatTag d;
   const hn::RebindToSigned<FloatTag> di;
-  constexpr int side = PhotometricProfile::side;
-  constexpr float half = 0.5f * (side - 1);
-  const V2<FloatVec> position = octahedral_position(w);
+  const float* values = map.values.data();
+  const auto half = 0.5f * static_cast<float>(map.side - 1);
   const auto place = [&](FloatVec t) HWY_ATTR {
     const FloatVec in_cells = mul_add(t, half, half);
     return clamp(in_cells, 0.0f, 2.0f * half);
   };
   const FloatVec column = place(position.x);
   const FloatVec row = place(position.y);
-  const auto last = hn::Set(di, side - 2);
+  const auto last = hn::Set(di, map.side - 2);
   const auto low_column = min(hn::ConvertTo(di, column), last);
   const auto low_row = min(hn::ConvertTo(di, row), last);
   const FloatVec f = column - hn::ConvertTo(d, low_column);
   const FloatVec g = row - hn::ConvertTo(d, low_row);
-  const auto first = low_row * side + low_column;
+  const auto first = low_row * map.side + low_column;
   const auto mix = [&](const float* at) HWY_ATTR {
     const FloatVec low = hn::GatherIndex(d, at, first);
     const FloatVec high = hn::GatherIndex(d, at + 1, first);
     return mul_add(f, high - low, low);
   };
-  const FloatVec low = mix(map);
-  return mul_add(g, mix(map + side) - low, low);
+  const FloatVec low = mix(values);
+  return mul_add(g, mix(values + map.side) - low, low);
 }
 
 struct FalloffFloats {
   V3<FloatVec> axis;
   V3<FloatVec> azimuth_0, azimuth_90;  // of a cone
-  const float* profile = nullptr;      // map of a profile
+  const IntensityMap* map = nullptr;   // of a profile or a picture
+  float cotangent = 0.0f;              // of a picture
   float dark_versine = 0.0f, per_versine = 0.0f;
   LightFalloff::Shape shape = LightFalloff::Shape::isotropic;
   bool has_cone = false;
@@ -71,7 +70,8 @@ struct FalloffFloats {
       : axis(Floats(falloff.axis())),
         azimuth_0(Floats(falloff.azimuth_0())),
         azimuth_90(Floats(falloff.azimuth_90())),
-        profile(falloff.profile() ? falloff.profile()->map().data() : nullptr),
+        map(falloff.map().get()),
+        cotangent(static_cast<float>(falloff.cotangent())),
         dark_versine(static_cast<float>(falloff.dark_versine())),
         per_versine(static_cast<float>(falloff.per_versine())),
         shape(falloff.shape()),
@@ -88,7 +88,9 @@ struct FalloffFloats {
       return min(shape == LightFalloff::Shape::two_cosines ? abs(w.z) : max(w.z, 0.0), 1.0);
     }
     const FloatVec in_cone = cone_falloff(w, dark_versine, per_versine);
-    return profile ? in_cone * ProfileAt(profile, w) : in_cone;
+    if (!map) return in_cone;
+    return in_cone *
+           MapAt(*map, map->is_around_cone ? cone_position(w, cotangent) : octahedral_position(w));
   }
 };
 

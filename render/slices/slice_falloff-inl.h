@@ -77,7 +77,8 @@ struct FalloffRays {
 
   // Panels of AnglesOfPart over which the falloff is smooth between the edges [radians].
   [[nodiscard]] HWY_INLINE float Panel() const {
-    return falloff.profile ? profile_panel : falloff_panel;
+    if (!falloff.map) return falloff_panel;
+    return falloff.map->is_around_cone ? picture_panel / falloff.cotangent : profile_panel;
   }
 
   // The falloff in the direction from the light whose angle from the nearest point of the ray,

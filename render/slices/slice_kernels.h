@@ -27,10 +27,12 @@ constexpr float gauss_3_middle = 8.0f / 18.0f;
 
 // Where a slice spans a wide angle at its light, falloff and phase function are integrated over the
 // angle, over which light arrives evenly, by that rule on panels [radians]: of what is smooth
-// between the edges of a cone, of a photometric profile, and, times 1 - |g|, of the phase function,
-// whose peak is about so wide. What is narrower than a share of a panel is taken at its middle.
+// between the edges of a cone, of a photometric profile, of a picture in a beam, times the tangent
+// of the cone, and, times 1 - |g|, of the phase function, whose peak is about so wide. What is
+// narrower than a share of a panel is taken at its middle.
 constexpr float falloff_panel = 1.0f;
 constexpr float profile_panel = 0.13f;
+constexpr float picture_panel = 0.06f;
 constexpr float phase_panel = 2.0f;
 constexpr float wide_falloff = 0.5f;
 constexpr float wide_phase = 0.25f;

@@ -11,6 +11,7 @@
 #include "brume/frame.h"
 #include "core/scene/fields/light_fields.h"
 #include "core/scene/lights/photometric_profile.h"
+#include "tests/pictures.h"
 #include "tests/render/test_profiles.h"
 #include "tests/render/test_scenes.h"
 
@@ -124,6 +125,27 @@ TEST(ProfileLight, HardCasesAreFinite) {
       expect_finite(render_frame(scene, small_grid));
       expect_finite(render_frame(scene, {.airlight = AirlightMethod::reference}));
     }
+  }
+}
+
+// A picture in the beam, in fog and on a wall.
+TEST(BeamPictures, SlicedMatchesTheReference) {
+  light::Spot spot{{-0.4, -1.2, -0.5}, 33.0, 35.0};
+  for (const auto& content : {quadrants_picture(), disc_picture()}) {
+    spot.texture = {.file = "a.png", .content = content, .rotation = 20.0, .focus = 0.9};
+    Scene scene = lit({}, spot);
+    scene.film = {32, 24};
+    scene.medium.set_homogeneous_density(0.05);
+    scene.surfaces = {wall(-1.0, 2.0)};
+    const Frame truth = render_frame(scene, reference_settings(1e-3));
+    const Frame frame = render_frame(scene, sliced(24));
+    EXPECT_LT(difference(frame.airlight, truth.airlight).relative_rmse, 0.015);
+    EXPECT_LT(difference(frame.beauty, truth.beauty).relative_rmse, 0.015);
+    // It counts.
+    Scene without = scene;
+    without.lights[0].as<light::Spot>()->texture = {};
+    EXPECT_GT(difference(render_frame(without, sliced(24)).airlight, truth.airlight).relative_rmse,
+              0.2);
   }
 }
 

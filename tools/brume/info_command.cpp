@@ -86,8 +86,7 @@ Json scene_json(const SceneDocument& document) {
   }
   json["lights"] = Json::array();
   for (const Light& light : scene.lights) {
-    const LightProfile* profile = profile_of(light);
-    json["lights"].push_back(light_to_json(light, profile ? profile->file.string() : ""));
+    json["lights"].push_back(light_to_json(light, [](const auto& file) { return file.string(); }));
   }
   if (scene.environment) json["environment"] = scene.environment->file.string();
   json["surfaces"] = Json::array();
@@ -152,7 +151,7 @@ Json imported_json(const ImportedScene& scene) {
   }
   json["lights"] = Json::array();
   for (const Light& light : scene.lights) {
-    Json& entry = json["lights"].emplace_back(light_to_json(light, ""));
+    Json& entry = json["lights"].emplace_back(light_to_json(light, [](const auto&) { return ""; }));
     if (!light.name.empty()) entry["name"] = light.name;
   }
   return json;

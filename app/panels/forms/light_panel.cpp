@@ -29,6 +29,7 @@
 #include "app/widgets/rows.h"
 #include "brume/limits.h"
 #include "core/io/ies_file.h"
+#include "core/io/image/texture_file.h"
 #include "core/number_domain.h"
 #include "core/scene/fields/light_fields.h"
 #include "core/scene/light_rules.h"
@@ -177,6 +178,7 @@ void LightPanel::add_light_fields(QFormLayout& form) {
   visit_light_fields([&](const auto& field, const Light&) {
     const std::string_view name = field.info.name;
     if (name == "profile_rotation") add_profile_field(form);
+    if (name == "texture_rotation") add_texture_field(form);
     // Values in the list have no row; the strength has one with its color.
     const bool is_listed = name == "on" || name == "locked";
     if (!is_listed && !is_strength(field)) add_value(form, field);
@@ -237,44 +239,116 @@ void LightPanel::set_value(Light changed, const FieldInfo& info, MergeId gesture
                [&changed](Light& l) { l = std::move(changed); });
 }
 
+void LightPanel::add_file_field(QFormLayout& form, const LightFile& file) {
+  const QString title = file.label.toLower();
+  const QString object = QString(file.name);
+  auto* name = new PlainLabel(this);
+  name->setObjectName("light_" + object);
+  auto* choose = new QPushButton(tr("Choose…"), this);
+  choose->setObjectName("choose_" + object);
+  choose->setToolTip(file.says);
+  auto* remove = new QPushButton(tr("Remove"), this);
+  remove->setObjectName("remove_" + object);
+  form.addRow(file.label, row_of({name, choose, remove}));
+  connect(choose, &QPushButton::clicked, this, [file] {
+    const std::filesystem::path chosen = file.ask();
+    if (!chosen.empty()) file.load(chosen);
+  });
+  connect(remove, &QPushButton::clicked, this, [this, file, title] {
+    change_light(document_, document_.active_light(), tr("Remove %1 of %2").arg(title, "%1"),
+                 no_merge, [&file](Light& l) { file.remove(l); });
+  });
+  on_refresh([this, file, name, choose, remove] {
+    const std::filesystem::path* of_light = light() ? file.of(*light()) : nullptr;
+    choose->setEnabled(light() && file.may_have(*light()));
+    remove->setEnabled(of_light != nullptr);
+    name->setText(of_light ? to_qstring(of_light->filename()) : tr("none"));
+  });
+}
+
 void LightPanel::add_profile_field(QFormLayout& form) {
-  auto* name = named(new PlainLabel(this), "light_profile");
-  auto* choose = named(new QPushButton(tr("Choose…"), this), "choose_profile",
-                       tr("Spreads the light as a luminaire does, measured in an IES file"));
-  auto* remove = named(new QPushButton(tr("Remove"), this), "remove_profile");
-  form.addRow(tr("Profile"), row_of({name, choose, remove}));
-  connect(choose, &QPushButton::clicked, this, [this] {
-    const std::filesystem::path file =
-        ask_for_file(this, FileKind::profile, tr("Choose a photometric profile"),
-                     tr("Photometric profiles (*.ies);;All files (*)"), document_.folder());
-    if (!file.empty()) load_profile(file);
-  });
-  connect(remove, &QPushButton::clicked, this, [this] {
-    change_light(document_, document_.active_light(), tr("Remove profile of %1"), no_merge,
-                 [](Light& l) { set_profile(l, {}); });
-  });
-  on_refresh([this, name, choose, remove] {
-    const LightProfile* profile = light() ? profile_of(*light()) : nullptr;
-    choose->setEnabled(light() && profile_member(*light()));
-    remove->setEnabled(profile != nullptr);
-    name->setText(profile ? to_qstring(profile->file.filename()) : tr("none"));
+  add_file_field(
+      form, {.name = "profile",
+             .label = tr("Profile"),
+             .says = tr("Spreads the light as a luminaire does, measured in an IES file"),
+             .may_have = [](const Light& l) { return profile_member(l) != nullptr; },
+             .of =
+                 [](const Light& l) {
+                   const LightProfile* profile = profile_of(l);
+                   return profile ? &profile->file : nullptr;
+                 },
+             .ask =
+                 [this] {
+                   return ask_for_file(this, FileKind::profile, tr("Choose a photometric profile"),
+                                       tr("Photometric profiles (*.ies);;All files (*)"),
+                                       document_.folder());
+                 },
+             .load = [this](const std::filesystem::path& file) { load_profile(file); },
+             .remove = [](Light& l) { set_profile(l, {}); }});
+}
+
+void LightPanel::add_texture_field(QFormLayout& form) {
+  add_file_field(form, {.name = "texture",
+                        .label = tr("Texture"),
+                        .says = tr("A picture in the beam of a spot, a gobo"),
+                        .may_have =
+                            [](const Light& l) {
+                              const auto* spot = l.as<light::Spot>();
+                              return spot && spot->outer_angle < 90.0;
+                            },
+                        .of =
+                            [](const Light& l) {
+                              const LightTexture* texture = texture_of(l);
+                              return texture ? &texture->file : nullptr;
+                            },
+                        .ask =
+                            [this] {
+                              return ask_for_file(
+                                  this, FileKind::texture, tr("Choose a picture"),
+                                  tr("Pictures (*.png *.jpg *.jpeg);;All files (*)"),
+                                  document_.folder());
+                            },
+                        .load = [this](const std::filesystem::path& file) { load_texture(file); },
+                        .remove = [](Light& l) { set_texture(l, {}); }});
+}
+
+template <class Read, class Set>
+void LightPanel::load_file(const std::filesystem::path& file, const QString& text, Read read,
+                           Set set) {
+  const std::filesystem::path path = std::filesystem::absolute(file);
+  if (!light()) return;
+  reading_.start([this, path, text, read, set, id = light()->id](const Job&) {
+    return [this, path, text, set, id, content = read(path)] {
+      const Lights& lights = document_.scene().lights;
+      const auto found = std::ranges::find(lights, id, &Light::id);
+      if (found == lights.end()) return;
+      Light changed = *found;
+      set(changed, path, content);
+      if (refusal(changed)) return;
+      const auto index = static_cast<std::size_t>(found - lights.begin());
+      change_light(document_, index, text, no_merge, [&](Light& l) { l = changed; });
+    };
   });
 }
 
 void LightPanel::load_profile(const std::filesystem::path& file) {
-  const std::filesystem::path path = std::filesystem::absolute(file);
-  if (!light()) return;
-  reading_.start([this, path, id = light()->id](const Job&) {
-    return [this, path, id, content = read_ies(path)] {
-      const Lights& lights = document_.scene().lights;
-      const auto found = std::ranges::find(lights, id, &Light::id);
-      if (found == lights.end() || !profile_member(*found)) return;
-      const auto index = static_cast<std::size_t>(found - lights.begin());
-      change_light(document_, index, tr("Set profile of %1"), no_merge, [&](Light& l) {
-        set_profile(l, {path, content, profile_member(l)->rotation});
+  load_file(file, tr("Set profile of %1"), read_ies,
+            [](Light& l, const std::filesystem::path& path, const auto& content) {
+              if (LightProfile* profile = profile_member(l)) {
+                set_profile(l, {path, content, profile->rotation});
+              }
+            });
+}
+
+void LightPanel::load_texture(const std::filesystem::path& file) {
+  load_file(
+      file, tr("Set texture of %1"),
+      [](const std::filesystem::path& path) { return read_texture(path, true, nullptr); },
+      [](Light& l, const std::filesystem::path& path, const auto& content) {
+        if (auto* spot = l.as<light::Spot>()) {
+          set_texture(l, {path, content, spot->texture.rotation, spot->texture.focus});
+        }
       });
-    };
-  });
 }
 
 void LightPanel::add_photometric_fields(QFormLayout& form) {

@@ -26,6 +26,8 @@ class LightPanel : public SceneForm {
 
   // Gives the active light, a point light or a spot, a photometric profile; read in the background.
   void load_profile(const std::filesystem::path& file);
+  // Puts a picture into the beam of the active light, a spot, in the same way.
+  void load_texture(const std::filesystem::path& file);
 
  private:
   void add_light_list(QFormLayout& form);
@@ -33,7 +35,23 @@ class LightPanel : public SceneForm {
   void add_photometric_fields(QFormLayout& form);
   void add_type_field(QFormLayout& form);
   void add_strength_field(QFormLayout& form);
+  // A file that a light may have, which is chosen and removed; `of`: that of a light, or null where
+  // it has none.
+  struct LightFile {
+    const char* name;
+    QString label, says;
+    std::function<bool(const Light&)> may_have;
+    std::function<const std::filesystem::path*(const Light&)> of;
+    std::function<std::filesystem::path()> ask;
+    std::function<void(const std::filesystem::path&)> load;
+    std::function<void(Light&)> remove;
+  };
+  void add_file_field(QFormLayout& form, const LightFile& file);
   void add_profile_field(QFormLayout& form);
+  void add_texture_field(QFormLayout& form);
+  // Reads a file in the background, then changes the light that was active if it may have it.
+  template <class Read, class Set>
+  void load_file(const std::filesystem::path& file, const QString& text, Read read, Set set);
   // A row for a value that several kinds may have.
   template <class F>
   void add_value(QFormLayout& form, const F& field);

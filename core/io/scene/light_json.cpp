@@ -1,5 +1,7 @@
 #include "core/io/scene/light_json.h"
 
+#include <tuple>
+
 #include "core/io/scene/fields_json.h"
 #include "core/scene/fields/light_fields.h"
 #include "core/scene/light_rules.h"
@@ -22,11 +24,26 @@ void read_profile(JsonContext& context, JsonObject& object, SceneReferences& ref
   budget.reserve(path, *profile.content);
 }
 
+void read_light_texture(JsonContext& context, JsonObject& object, SceneReferences& references,
+                        SceneBudget& budget, UnknownKeys& unknown_keys, Light& light) {
+  auto* spot = light.as<light::Spot>();
+  auto entry = spot ? object.find_object("texture") : std::nullopt;
+  if (!entry) return;
+  const JsonPath path = entry->path_of("file");
+  std::tie(spot->texture.file, spot->texture.content) =
+      references.texture(context, path, entry->text("file", {}), true);
+  if (spot->texture.content) budget.reserve(path, *spot->texture.content);
+  unknown_keys.add(light.id, "texture", entry->unknown_keys());
+}
+
 }  // namespace
 
-Json light_to_json(const Light& light, const std::string& profile) {
+Json light_to_json(const Light& light, const FileText& text_of) {
   Json json{{"type", kind_info(light).name}};
-  if (profile_of(light)) json["profile"] = profile;
+  if (const LightProfile* profile = profile_of(light)) json["profile"] = text_of(profile->file);
+  if (const LightTexture* texture = texture_of(light)) {
+    json["texture"] = Json{{"file", text_of(texture->file)}};
+  }
   write_fields(json, light, light.keys);
   return json;
 }
@@ -37,6 +54,7 @@ Light read_light(JsonContext& context, JsonObject& object, SceneReferences& refe
   if (LightProfile* profile = profile_member(light)) {
     read_profile(context, object, references, budget, *profile);
   }
+  read_light_texture(context, object, references, budget, unknown_keys, light);
   read_fields(object, light);
   light.name = object.name("");
   unknown_keys.add(light.id, "keys",

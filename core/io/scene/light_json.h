@@ -1,5 +1,7 @@
 #pragma once
 
+#include <filesystem>
+#include <functional>
 #include <string>
 
 #include "brume/scene.h"
@@ -14,8 +16,8 @@ namespace brume {
 // A light as scene files have it.
 Light read_light(JsonContext& context, JsonObject& object, SceneReferences& references,
                  SceneBudget& budget, UnknownKeys& unknown_keys);
-// The same in return, but for `on` and its keyframes.
-// `profile`: the text for the file of its profile.
-Json light_to_json(const Light& light, const std::string& profile);
+// The same in return, but for `on` and its keyframes. `text_of`: what is written for a file.
+using FileText = std::function<std::string(const std::filesystem::path& file)>;
+Json light_to_json(const Light& light, const FileText& text_of);
 
 }  // namespace brume

@@ -15,6 +15,8 @@ template <class SceneOrConst, class Visit>
 void visit_files(SceneOrConst& scene, Visit visit) {
   for (auto& light : scene.lights) {
     if (auto* profile = profile_of(light)) visit(profile->file);
+    // Without content it is missing.
+    if (auto* texture = texture_of(light); texture && texture->content) visit(texture->file);
   }
   for (auto& surface : scene.surfaces) {
     if (surface.imported) {

@@ -248,7 +248,7 @@ std::pair<fs::path, std::shared_ptr<const Texture>> SceneReferences::texture(
   if (!fs::exists(place, error)) {
     note_missing(place);
     context.warn(path, "the texture " + quoted_text(place.string()) +
-                           " is missing; its surface is drawn without it");
+                           " is missing; the scene is drawn without it");
     return {place, nullptr};
   }
   fs::path file = resolve(context, path, text);

@@ -200,9 +200,12 @@ Json scene_to_json(const SceneDocument& document, const fs::path& directory) {
   root["medium"] = medium_to_json(document, directory);
   Json& lights = root["lights"] = Json::array();
   for (const Light& light : scene.lights) {
-    const LightProfile* profile = profile_of(light);
-    Json entry =
-        light_to_json(light, profile ? SceneReferences::text_for(profile->file, directory) : "");
+    Json entry = light_to_json(light, [&directory](const std::filesystem::path& file) {
+      return SceneReferences::text_for(file, directory);
+    });
+    if (entry.contains("texture")) {
+      add_unknown_keys(entry["texture"], unknown_keys.of(light.id, "texture"));
+    }
     add_name(entry, light.name);
     add_keys(entry, unknown_keys, unknown_keys.of(light.id, "keys"),
              [&light](auto&& visit) { visit_keyed(light, visit); });

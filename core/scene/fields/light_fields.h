@@ -68,6 +68,12 @@ auto* profile_of(auto& light) {
   return profile && profile->content ? profile : nullptr;
 }
 
+// The picture in the beam of a spot that has one, or else null.
+auto* texture_of(auto& light) {
+  auto* spot = light.template as<light::Spot>();
+  return spot && !spot->texture.file.empty() ? &spot->texture : nullptr;
+}
+
 // The value of a light of a kind.
 template <class Kind, class T>
 struct OfKind {
@@ -255,10 +261,32 @@ inline constexpr auto fields<LightProfile> = std::tuple{field_within<Light>(
              "its horizontal angle 0 is +x, its 90 is −z",
      .step = 0.5})};
 
-// The fields of a light: those of its kind, of its profile, and of every light.
+// The values of a spot with a picture in its beam.
+template <>
+inline constexpr auto fields<LightTexture> = std::tuple{
+    field_within<Light>(
+        [](auto& light) -> auto& { return light.template as<light::Spot>()->texture.rotation; },
+        &LightKeys::texture_rotation, domain::degrees,
+        {.name = "texture_rotation",
+         .label = "Texture rotation",
+         .unit = "degrees",
+         .says = "Rotation of the picture in its beam about the axis, counterclockwise as seen "
+                 "against it",
+         .step = 0.5}),
+    field_within<Light>(
+        [](auto& light) -> auto& { return light.template as<light::Spot>()->texture.focus; },
+        &LightKeys::texture_focus, domain::unit,
+        {.name = "texture_focus",
+         .label = "Texture focus",
+         .unit = "",
+         .says = "How sharp the picture in its beam is: 1 sharp, 0 blurred to the size of the cone",
+         .step = 0.01})};
+
+// The fields of a light: those of its kind, of its profile and texture, and of every light.
 inline void visit_fields_of(const Light& light, auto&& visit) {
   std::visit([&]<class Kind>(const Kind&) { visit_fields<Kind>(visit); }, light.kind);
   if (profile_of(light)) visit_fields<LightProfile>(visit);
+  if (texture_of(light)) visit_fields<LightTexture>(visit);
   visit_fields<Light>(visit);
 }
 
@@ -296,6 +324,8 @@ void visit_light_fields(auto&& visit) {
     light.kind = kind;
     visit_fields<Kind>(visit_new);
   });
+  light.kind = light::Spot{};
+  visit_fields<LightTexture>(visit_new);
   light.kind = {};
   visit_fields<LightProfile>(visit_new);
   visit_fields<Light>(visit_new);

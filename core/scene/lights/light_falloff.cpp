@@ -35,6 +35,23 @@ glm::dquat turn_from_down(const glm::dvec3& direction) {
   return glm::normalize(glm::dquat(w, axis.x, axis.y, axis.z));
 }
 
+// The value of a map at a place in its square, [-1, 1]^2.
+double in_square(const IntensityMap& map, double x, double y) {
+  const auto cell = [&map](double t) {
+    const double place = std::clamp(0.5 * (t + 1.0), 0.0, 1.0) * (map.side - 1);
+    const int low = std::min(static_cast<int>(place), map.side - 2);
+    return std::pair(low, place - low);
+  };
+  const auto [column, f] = cell(x);
+  const auto [row, g] = cell(y);
+  const auto value = [&](int dx, int dy) {
+    const auto texel = static_cast<std::ptrdiff_t>(row + dy) * map.side + column + dx;
+    return static_cast<double>(map.values[static_cast<std::size_t>(texel)]);
+  };
+  return std::lerp(std::lerp(value(0, 0), value(1, 0), f), std::lerp(value(0, 1), value(1, 1), f),
+                   g);
+}
+
 }  // namespace
 
 LightFalloff::LightFalloff(const light::Point& point) {
@@ -56,10 +73,24 @@ LightFalloff::LightFalloff(const light::Spot& spot) : shape_(Shape::cone) {
   if (spot.profile.content) set_profile(spot.profile);
 }
 
+LightFalloff::LightFalloff(const light::Spot& spot, const BeamPattern& pattern)
+    : LightFalloff(spot) {
+  shape_ = Shape::picture;
+  profile_ = nullptr;
+  map_ = pattern.map;
+  cotangent_ = 1.0 / std::tan(glm::radians(spot.outer_angle));
+  turn_about_axis(spot.texture.rotation);
+}
+
 void LightFalloff::set_profile(const LightProfile& profile) {
   shape_ = Shape::profile;
   profile_ = profile.content;
-  const double turn = glm::radians(profile.rotation);
+  map_ = profile_->map();
+  turn_about_axis(profile.rotation);
+}
+
+void LightFalloff::turn_about_axis(double degrees) {
+  const double turn = glm::radians(degrees);
   const glm::dquat pose = turn_from_down(axis_);
   azimuth_0_ = pose * glm::dvec3(std::cos(turn), 0.0, -std::sin(turn));
   azimuth_90_ = pose * glm::dvec3(-std::sin(turn), 0.0, -std::cos(turn));
@@ -96,6 +127,13 @@ double LightFalloff::at(const glm::dvec3& w) const {
       const double share = in_cone();
       if (!(share > 0.0)) return 0.0;
       return share * profile_->at({glm::dot(w, azimuth_0_), glm::dot(w, azimuth_90_), cosine});
+    }
+    case Shape::picture: {
+      const double share = in_cone();
+      if (!(share > 0.0)) return 0.0;
+      const double scale = cotangent_ / cosine;
+      return share *
+             in_square(*map_, scale * glm::dot(w, azimuth_0_), scale * glm::dot(w, azimuth_90_));
     }
   }
   return 1.0;

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "brume/scene.h"
+#include "core/scene/lights/beam_pattern.h"
 
 namespace brume {
 
@@ -14,10 +15,11 @@ namespace brume {
 // of a piece of an area light that of a surface of the same radiance everywhere (Lambert),
 //   max(cos t, 0), or two-sided |cos t|,
 // with a photometric profile that in the direction, times what the cone leaves,
+// with a picture in the beam of a spot that in the direction, times what the cone leaves,
 // else 1.
 class LightFalloff {
  public:
-  enum class Shape { isotropic, cone, cosine, two_cosines, profile };
+  enum class Shape { isotropic, cone, cosine, two_cosines, profile, picture };
 
   LightFalloff() = default;  // isotropic
   // The falloff of a luminaire that hangs at azimuth 0 along +x, turned about its axis, then, of a
@@ -25,6 +27,8 @@ class LightFalloff {
   // or a cone.
   explicit LightFalloff(const light::Point& point);
   explicit LightFalloff(const light::Spot& spot);
+  // That of a spot with one of its beam_patterns().
+  LightFalloff(const light::Spot& spot, const BeamPattern& pattern);
   // `normal`: unit.
   static LightFalloff of_surface(const glm::dvec3& normal, bool two_sided);
 
@@ -32,14 +36,15 @@ class LightFalloff {
   [[nodiscard]] bool is_isotropic() const { return shape_ == Shape::isotropic; }
   // Unit; 0 if isotropic.
   [[nodiscard]] const glm::dvec3& axis() const { return axis_; }
-  // The directions of azimuths 0 and 90 degrees, of a cone and of a profile; unit.
+  // The directions of azimuths 0 and 90 degrees, of a cone, a profile and a picture; unit.
   [[nodiscard]] const glm::dvec3& azimuth_0() const { return azimuth_0_; }
   [[nodiscard]] const glm::dvec3& azimuth_90() const { return azimuth_90_; }
-  [[nodiscard]] const std::shared_ptr<const PhotometricProfile>& profile() const {
-    return profile_;
-  }
+  // Of a profile or a picture; else null.
+  [[nodiscard]] const std::shared_ptr<const IntensityMap>& map() const { return map_; }
+  // Of a picture: 1 over the tangent of the cone's angle; else 0.
+  [[nodiscard]] double cotangent() const { return cotangent_; }
   // The cone of a profile without a spot holds all directions.
-  [[nodiscard]] bool has_cone() const { return shape_ == Shape::cone || shape_ == Shape::profile; }
+  [[nodiscard]] bool has_cone() const { return shape_ == Shape::cone || map_; }
   // The falloff of a cone, and of a profile within one, is clamp((dark_versine - versine(w)) *
   // per_versine, 0, 1)^2, dark at dark_versine and full at full_versine, which is below 0 where no
   // direction gets all. The versine 1 - cos t keeps its digits near the axis, where cosines differ
@@ -63,6 +68,7 @@ class LightFalloff {
 
  private:
   void set_profile(const LightProfile& profile);  // within the cone
+  void turn_about_axis(double degrees);
 
   glm::dvec3 axis_{0.0};
   double dark_versine_ = 0.0;
@@ -70,6 +76,8 @@ class LightFalloff {
   Shape shape_ = Shape::isotropic;
   glm::dvec3 azimuth_0_{0.0}, azimuth_90_{0.0};
   std::shared_ptr<const PhotometricProfile> profile_;
+  std::shared_ptr<const IntensityMap> map_;
+  double cotangent_ = 0.0;
 };
 
 }  // namespace brume

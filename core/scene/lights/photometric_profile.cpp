@@ -64,13 +64,17 @@ PhotometricProfile::PhotometricProfile(std::vector<double> polar_angles,
     }
   }
 
-  map_.reserve(std::size_t{side} * side);
+  constexpr int side = 257;
+  IntensityMap map{.side = side};
+  map.values.reserve(std::size_t{side} * side);
   const auto coordinate = [](int i) { return 2.0 * i / (side - 1) - 1.0; };
   for (int y = 0; y < side; ++y) {
     for (int x = 0; x < side; ++x) {
-      map_.push_back(static_cast<float>(at(octahedral_direction(coordinate(x), coordinate(y)))));
+      map.values.push_back(
+          static_cast<float>(at(octahedral_direction(coordinate(x), coordinate(y)))));
     }
   }
+  map_ = std::make_shared<const IntensityMap>(std::move(map));
 }
 
 PhotometricProfile PhotometricProfile::isotropic() {

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <glm/vec3.hpp>
-#include <span>
+#include <memory>
 #include <vector>
+
+#include "core/scene/lights/intensity_map.h"
 
 namespace brume {
 
@@ -28,15 +30,12 @@ class PhotometricProfile {
   // Its integral over all directions [sr].
   [[nodiscard]] double solid_angle() const { return solid_angle_; }
 
-  // For fast look-ups: at() at side x side points of an octahedral map, rows one after the other,
-  // to be interpolated in both coordinates. The map takes (x, y) / (|x| + |y| + |z|), folded over
-  // the diagonals for z < 0, from [-1, 1]^2.
-  static constexpr int side = 257;
-  [[nodiscard]] std::span<const float> map() const { return map_; }
+  // The same for fast look-ups.
+  [[nodiscard]] const std::shared_ptr<const IntensityMap>& map() const { return map_; }
 
   // The memory it takes.
   [[nodiscard]] std::size_t bytes() const {
-    return map_.size() * sizeof(float) + values_.size() * sizeof(double);
+    return map_->values.size() * sizeof(float) + values_.size() * sizeof(double);
   }
 
  private:
@@ -44,7 +43,7 @@ class PhotometricProfile {
   std::vector<double> azimuths_;
   std::vector<double> values_;
   double solid_angle_ = 0.0;
-  std::vector<float> map_;
+  std::shared_ptr<const IntensityMap> map_;
 };
 
 }  // namespace brume

@@ -55,6 +55,17 @@ PointLight far_disk(const Light& light, const light::Directional& sun, const Lit
   return far;
 }
 
+// A spot with a picture in its beam: one light, or one for each channel.
+std::vector<PointLight> beams(const Light& light, const light::Spot& spot) {
+  std::vector<PointLight> lights;
+  for (const BeamPattern& pattern : beam_patterns(spot)) {
+    lights.push_back({.position = light.position,
+                      .intensity = pattern.factor * light.intensity,
+                      .falloff = LightFalloff(spot, pattern)});
+  }
+  return lights;
+}
+
 // Directions of equal irradiance on what faces the disc: evenly over the disc of their sines.
 std::vector<PointLight> points_on_disc(const Light& light, const light::Directional& sun, int count,
                                        const LitRegion& region) {
@@ -284,7 +295,9 @@ std::vector<PointLight> point_lights(const Light& light, const LitRegion& region
   };
   return std::visit(
       Overloaded{[&](const light::Point& kind) { return point(kind); },
-                 [&](const light::Spot& kind) { return point(kind); },
+                 [&](const light::Spot& kind) {
+                   return kind.texture.content ? beams(light, kind) : point(kind);
+                 },
                  [&](const light::Directional& sun) {
                    if (count == LightPoints::drawn) return Points{far_disk(light, sun, region)};
                    return points_on_disc(light, sun, chosen(8, 64), region);

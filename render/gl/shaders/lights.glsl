@@ -5,7 +5,7 @@
 layout(std430, binding = 0) readonly buffer Lights { Light lights[]; };
 layout(std430, binding = 1) readonly buffer Tables { uint tables[]; };
 
-// Photometric profiles: see PhotometricProfile::map().
+// Photometric profiles and pictures: see IntensityMap.
 layout(r32f, binding = 5) readonly uniform image2D profiles;
 
 uniform int light_count;
@@ -41,13 +41,15 @@ float length_in_fog(int l, vec3 point, vec3 from_light, float distance_) {
   return fog_length(p, -dot(p, from_light), distance_, lights[l].fog_radius);
 }
 
-// PhotometricProfile::at() in the direction of q.
-float profile_at(int l, vec3 q) {
-  const float last = float(profile_side - 1);
-  const vec2 at = clamp(0.5 * last * (octahedral_position(q) + 1.0), 0.0, last);
-  const ivec2 low = min(ivec2(at), profile_side - 2);
+// The map of a profile or a picture in the direction of these components, see in_profile().
+float map_at(int l, vec3 w) {
+  const float last = float(lights[l].map_side - 1);
+  const vec2 position = lights[l].cotangent > 0.0 ? cone_position(w, lights[l].cotangent)
+                                                  : octahedral_position(w);
+  const vec2 at = clamp(0.5 * last * (position + 1.0), 0.0, last);
+  const ivec2 low = min(ivec2(at), lights[l].map_side - 2);
   const vec2 f = at - vec2(low);
-  const ivec2 first = ivec2(lights[l].profile_column, lights[l].profile_row) + low;
+  const ivec2 first = ivec2(lights[l].map_column, lights[l].map_row) + low;
   const float a = imageLoad(profiles, first).r;
   const float b = imageLoad(profiles, first + ivec2(1, 0)).r;
   const float c = imageLoad(profiles, first + ivec2(0, 1)).r;
@@ -68,7 +70,7 @@ float falloff_at(int l, vec3 w) {
   if (shape == falloff_cosine) return clamp(w.z, 0.0, 1.0);
   if (shape == falloff_two_cosines) return min(abs(w.z), 1.0);
   const float in_cone = cone_falloff(w, lights[l].dark_versine, lights[l].per_versine);
-  return shape == falloff_profile ? in_cone * profile_at(l, w) : in_cone;
+  return lights[l].map_side > 0 ? in_cone * map_at(l, w) : in_cone;
 }
 
 // LightFalloff::at() in the unit direction w.
@@ -114,11 +116,12 @@ float falloff_at_angle(int l, vec3 along, vec3 across, float sine, float cosine,
 }
 
 bool has_cone(int l) {
-  return lights[l].falloff_shape == falloff_cone || lights[l].falloff_shape == falloff_profile;
+  return lights[l].falloff_shape == falloff_cone || lights[l].map_side > 0;
 }
 
 float smooth_panel(int l) {
-  return lights[l].falloff_shape == falloff_profile ? profile_panel : falloff_panel;
+  if (lights[l].cotangent > 0.0) return picture_panel / lights[l].cotangent;
+  return lights[l].map_side > 0 ? profile_panel : falloff_panel;
 }
 
 // The light that arrives between begin and end, where the falloff is smooth, and that times their

@@ -264,7 +264,9 @@ vec3 surface_light(SurfacePoint point, PixelHit hit, vec3 to_eye, int index, int
                   lights[l].area_of_point;
       --area_points;
       if (area_points == 0 && area_sum > tiny) {
-        radiance += area_irradiance(l, point) / area_sum * of_area;
+        const vec3 to_center = lights[l].area_center - point.position;
+        const bool is_far = dot(to_center, to_center) > lights[l].area_far2;
+        radiance += is_far ? of_area : area_irradiance(l, point) / area_sum * of_area;
       }
     }
     if (!is_scattered) continue;

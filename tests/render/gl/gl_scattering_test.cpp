@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/scene/fields/light_fields.h"
+#include "tests/pictures.h"
 #include "tests/render/gl/gl_frames.h"
 #include "tests/render/test_profiles.h"
 #include "tests/render/test_scenes.h"
@@ -82,6 +83,19 @@ TEST_F(GlFrames, ProfileLights) {
     *profile_member(scene.lights[0]) = lobed_profile(70.0);
     *profile_member(scene.lights[1]) = cosine_profile();
     *profile_member(scene.lights[3]) = *profile_member(scene.lights[1]);
+    expect_backends_agree(scene, scattering);
+  }
+}
+
+TEST_F(GlFrames, PicturesInBeams) {
+  for (const Scattering scattering : {Scattering::single, Scattering::multiple}) {
+    Scene scene = in_fog(cloud_scene(10, 2.0), 0.02);
+    scene.film = {24, 18};
+    scene.surfaces.push_back(wall(-0.8, 1.5));
+    light::Spot spot{{-0.9, -1.4, -0.9}, 25.0, 40.0};
+    spot.texture = {.file = "a.png", .content = quadrants_picture(), .rotation = 30.0};
+    scene.lights = {{{0.9, 1.4, 0.6}, glm::dvec3(6.0), spot}, {{-0.3, 1.0, 0.7}, {2.0, 3.0, 4.0}}};
+    *profile_member(scene.lights[1]) = cosine_profile();
     expect_backends_agree(scene, scattering);
   }
 }

@@ -48,7 +48,7 @@ TEST(PhotometricProfile, IsOneInAllDirectionsIfIsotropic) {
   Random random(3);
   for (int i = 0; i < 1000; ++i) EXPECT_EQ(profile.at(random.point(2.0)), 1.0);
   EXPECT_NEAR(profile.solid_angle(), 4.0 * std::numbers::pi, 1e-12);
-  for (const float value : profile.map()) EXPECT_EQ(value, 1.0f);
+  for (const float value : profile.map()->values) EXPECT_EQ(value, 1.0f);
 }
 
 // Linear interpolation over a degree errs by an eighth of its square.
