@@ -46,6 +46,8 @@ inline constexpr NumberDomain albedo_offset{-1.0, 1.0, "a number in [-1, 1]"};
 inline constexpr NumberDomain anisotropy{-0.95, 0.95, "a number in [-0.95, 0.95]"};
 inline constexpr NumberDomain field_of_view{0.0, 180.0, "a number in (0, 180) degrees", true};
 inline constexpr NumberDomain cone_angle{0.0, 180.0, "a number in [0, 180] degrees"};
+inline constexpr NumberDomain elevation{-90.0, 90.0, "a number in [-90, 90] degrees"};
+inline constexpr NumberDomain turbidity{1.0, 10.0, "a number in [1, 10]"};
 inline constexpr NumberDomain angular_diameter{0.0, 89.99999999999999,
                                                "a number in [0, 90) degrees"};
 inline constexpr NumberDomain temperature{800.0, 40000.0, "a number from 800 to 40000 K"};

@@ -107,8 +107,12 @@ void bind_camera(py::module_& module) {
 }
 
 void bind_environment(py::module_& module) {
+  py::class_<Sky> sky(module, "Sky", "A clear sky, computed for an elevation of its sun.");
+  def_fields<Sky>(sky);
+  def_clear_keys(sky);
   py::class_<Environment, std::shared_ptr<Environment>> environment(
-      module, "Environment", "A latitude-longitude map that lights the scene from far away.");
+      module, "Environment",
+      "A latitude-longitude map, or a sky, that lights the scene from far away.");
   environment.def(py::init([](const std::filesystem::path& map) {
                     std::vector<std::string> warnings;
                     auto loaded = std::make_shared<Environment>(load_environment(map, &warnings));
@@ -116,6 +120,15 @@ void bind_environment(py::module_& module) {
                     return loaded;
                   }),
                   py::arg("map"), "An .exr or .hdr file.");
+  environment.def(py::init([](const Sky& sky) {
+                    auto made = std::make_shared<Environment>();
+                    made->sky = sky;
+                    return made;
+                  }),
+                  py::arg("sky"), "A computed sky, and its sun.");
+  environment.def_property_readonly(
+      "sky", [](Environment& self) { return self.sky ? &*self.sky : nullptr; },
+      py::return_value_policy::reference_internal, "Its sky; None: a map.");
   def_values<Environment>(environment);
   def_clear_keys(environment);
 }

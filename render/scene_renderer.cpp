@@ -25,8 +25,9 @@ namespace {
 
 // Whether evaluate_at() would only copy the scene, and with it all Gaussians.
 bool is_evaluated(const Scene& scene, double time) {
+  const bool has_sky = scene.environment && scene.environment->sky;
   return time == scene.time && !is_animated(scene) && scene.groups.empty() &&
-         scene.emitters.empty() && scene.sequences.empty() &&
+         scene.emitters.empty() && scene.sequences.empty() && !has_sky &&
          std::ranges::all_of(scene.surfaces, [](const Surface& surface) {
            return surface.visible && !surface.imported;
          });

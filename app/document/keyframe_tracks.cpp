@@ -103,6 +103,9 @@ void visit_objects(const Scene& scene, auto&& visit) {
   if (const auto& environment = scene.environment) {
     visit(track_text("Environment"), index_of<std::optional<Environment>>(), *environment,
           environment->keys);
+    if (const auto& sky = environment->sky) {
+      visit(track_text("Sky"), index_of<std::optional<Environment>>(), *sky, sky->keys);
+    }
   }
   visit(track_text("Homogeneous density"), index_of<KeyedDensity>(), scene.medium, NoKeys());
   const MediumOptics& optics = scene.optics;

@@ -27,7 +27,7 @@ void visit_keyed_part(auto& part, auto&& visit) {
         } else if constexpr (std::is_same_v<Part, Groups>) {
           for (auto& group : value) visit_keyed(group, visit);
         } else if constexpr (std::is_same_v<Part, std::optional<Environment>>) {
-          if (value) visit_keyed(*value, visit);
+          if (value) visit_keyed_environment(*value, visit);
         } else if constexpr (std::is_same_v<Part, MediumOptics>) {
           visit_keyed(value, visit);
           visit_keyed(value.noise, visit);

@@ -190,6 +190,7 @@ BackgroundJob::Apply SceneImport::read(const File& file, const SplatOptions& opt
         Environment environment = document_.scene().environment.value_or(Environment{});
         environment.file = path;
         environment.map = map;
+        environment.sky.reset();
         set_scene_part(document_, std::optional(std::move(environment)),
                        tr("Import environment %1").arg(to_qstring(path.filename())));
       };

@@ -14,6 +14,7 @@
 #include "app/commands/edit_objects.h"
 #include "app/commands/undo_text.h"
 #include "app/document/document.h"
+#include "app/tools/sun_handle.h"
 #include "app/view/gizmo.h"
 #include "app/view/navigation.h"
 #include "app/view/object_box.h"
@@ -33,14 +34,9 @@ namespace brume {
 namespace {
 
 // In pixels, at a scale of the handles of 1.
-constexpr double sun_size = 6.0;
 constexpr double ring_min = 18.0;
 constexpr double ring_per_decade = 14.0;
 constexpr double pick_size = 4.0;
-
-double sun_radius() {
-  return sun_size * handle_scale();
-}
 
 double pick_distance() {
   return pick_size * handle_scale();
@@ -238,16 +234,7 @@ void LightHandles::draw(Overlay& overlay, const CameraRays& rays) const {
     const int alpha = lights[k].on ? 230 : 90;
     const QRgb rgba = qRgba(color.red(), color.green(), color.blue(), alpha);
     const bool hovered = hovered_ && hovered_->light == k;
-    overlay.add_circle(projected.x, projected.y, sun_radius(), rgba);
-    for (int ray = 0; ray < 8; ++ray) {
-      const double angle = glm::two_pi<double>() * ray / 8;
-      const auto point = [&](double radius) {
-        return Overlay::Vertex{static_cast<float>(projected.x + radius * std::cos(angle)),
-                               static_cast<float>(projected.y + radius * std::sin(angle)), rgba};
-      };
-      overlay.lines.push_back(point(sun_radius() + 2.0));
-      overlay.lines.push_back(point(sun_radius() + (hovered ? 7.0 : 5.0)));
-    }
+    draw_sun_icon(overlay, {projected.x, projected.y}, rgba, hovered);
     if (lights[k].as<light::Directional>()) {
       const glm::dvec3 sun = handle_position(lights[k], document_.scene(), rays);
       overlay.add_line(rays, sun, 0.5 * (sun + document_.scene().camera.target), rgba);

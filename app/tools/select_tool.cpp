@@ -30,8 +30,10 @@ QString SelectTool::hint() const {
 
 void SelectTool::hover(QPointF position) {
   const auto before = lights_.hovered();
-  const bool on_light = lights_.hover(view().rays(), position);
-  if (lights_.hovered() != before) Q_EMIT appearance_changed();
+  const bool was_on_sun = sun_.is_hovered();
+  const bool on_sun = sun_.hover(view().rays(), position);
+  const bool on_light = lights_.hover(view().rays(), position) || on_sun;
+  if (lights_.hovered() != before || on_sun != was_on_sun) Q_EMIT appearance_changed();
   const ClickTarget target = on_light ? ClickTarget{} : click_target(document_, view(), position);
   set_hovered_object(target.object);
   view().set_hovered(target.gaussian);
@@ -49,7 +51,7 @@ void SelectTool::leave() {
 }
 
 void SelectTool::press(QPointF position, Qt::KeyboardModifiers modifiers) {
-  if (lights_.press(view().rays(), position)) return;
+  if (lights_.press(view().rays(), position) || sun_.press(view().rays(), position)) return;
   start_ = position;
   gesture_ = Gesture::undecided;
   area_mode_ = click_mode_ = mode_with(modifiers);
@@ -66,6 +68,10 @@ void SelectTool::move(std::span<const QPointF> path) {
   const QPointF position = path.back();
   if (lights_.is_dragging()) {
     lights_.move(view().rays(), position);
+    return;
+  }
+  if (sun_.is_dragging()) {
+    sun_.move(view().rays(), position);
     return;
   }
   if (gesture_ == Gesture::undecided) {
@@ -103,6 +109,7 @@ void SelectTool::release(QPointF position) {
 
 void SelectTool::cancel() {
   if (lights_.is_dragging()) lights_.cancel();
+  if (sun_.is_dragging()) sun_.cancel();
   if (gesture_ == Gesture::moving) move_selection(start_);
   abandon();
 }
@@ -110,12 +117,14 @@ void SelectTool::cancel() {
 void SelectTool::abandon() {
   view().show_band({});
   lights_.end();
+  sun_.end();
   gesture_ = Gesture::none;
   pressed_.reset();
 }
 
 void SelectTool::draw(Overlay& overlay, const CameraRays& rays) const {
   lights_.draw(overlay, rays);
+  sun_.draw(overlay, rays);
   const Scene& scene = document_.scene();
   for (std::size_t k = 0; k < scene.emitters.size(); ++k) {
     const glm::dvec3 projected = rays.project(scene.emitters[k].position);

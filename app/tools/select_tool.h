@@ -9,6 +9,7 @@
 #include "app/document/object_ref.h"
 #include "app/tools/light_handles.h"
 #include "app/tools/selection_tool.h"
+#include "app/tools/sun_handle.h"
 #include "brume/gaussian.h"
 #include "core/scene/camera_rays.h"
 
@@ -21,7 +22,8 @@ namespace brume {
 class SelectTool : public SelectionTool {
   Q_OBJECT
  public:
-  SelectTool(Document& document, View& view) : SelectionTool(document, view), lights_(document) {}
+  SelectTool(Document& document, View& view)
+      : SelectionTool(document, view), lights_(document), sun_(document) {}
 
   [[nodiscard]] QString hint() const override;
   void hover(QPointF position) override;
@@ -45,6 +47,7 @@ class SelectTool : public SelectionTool {
   void set_hovered_object(const std::optional<ObjectRef>& object);
 
   LightHandles lights_;
+  SunHandle sun_;
   std::optional<ObjectRef> hovered_object_;
   Gesture gesture_ = Gesture::none;
   SelectMode area_mode_ = SelectMode::set;   // of a rectangle

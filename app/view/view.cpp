@@ -48,7 +48,8 @@ std::shared_ptr<const Scene> View::shown_scene() const {
   auto scene = document_.visible_snapshot();
   const bool is_clear =
       projection() == Projection::perspective || scene->medium.homogeneous_density() == 0.0;
-  if (!is_animated(*scene) && is_clear) return scene;
+  const bool has_sky = scene->environment && scene->environment->sky;
+  if (!is_animated(*scene) && !has_sky && is_clear) return scene;
   if (at_time_of_ != scene) {
     problem_.clear();
     Scene shown = scene_at(*scene, time_, problem_);

@@ -15,6 +15,7 @@
 #include "core/scene/fields/description.h"
 #include "core/scene/group_effects.h"
 #include "core/scene/light_rules.h"
+#include "core/scene/lights/sky.h"
 
 namespace brume {
 
@@ -372,13 +373,21 @@ void check(const Scene& scene) {
     check_value("timeline.frames_per_second", playback->frames_per_second, domain::frame_rate);
   }
   check_medium(scene);
-  check_count("lights", scene.lights.size(), limits::lights);
+  const bool has_sun = sun_of_sky(scene) != nullptr;
+  check_count(has_sun ? "lights, with the sky's sun" : "lights", scene.lights.size() + has_sun,
+              limits::lights);
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
     check_light(element("lights", i), scene.lights[i]);
   }
   if (scene.environment) {
     check_fields("environment", *scene.environment, scene.environment->keys);
-    if (!scene.environment->map) throw DomainError("environment.map", "there is none");
+    if (const auto& sky = scene.environment->sky) {
+      if (!scene.environment->file.empty() || scene.environment->map) {
+        throw DomainError("environment.sky", found_beside("file"));
+      }
+      check_fields("environment.sky", *sky, sky->keys);
+    } else if (!scene.environment->map)
+      throw DomainError("environment.map", "there is none");
   }
   check_count("surfaces", scene.surfaces.size(), limits::surfaces);
   for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {

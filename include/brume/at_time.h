@@ -29,7 +29,8 @@ BRUME_EXPORT void apply_groups(Scene& scene);
 
 // Evaluates a scene at a time [s]: keyframed values are evaluated, groups are applied, particles
 // and sequences are added to the medium; the result has no keys, groups, emitters, sequences or
-// hidden surfaces, imported scenes are in parts (shown_surfaces()), and it shows this time.
+// hidden surfaces, imported scenes are in parts (shown_surfaces()), a sky is an environment map and
+// its sun the last of the lights, and it shows this time.
 BRUME_EXPORT Scene evaluate_at(const Scene& scene, double time);
 
 }  // namespace brume

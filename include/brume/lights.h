@@ -150,14 +150,38 @@ struct EnvironmentKeys {
   bool operator==(const EnvironmentKeys&) const = default;
 };
 
-// An environment map; rotation about +y in degrees. Evaluated by core/scene/lights/environment.h.
+struct SkyKeys {
+  Keys<double> elevation;
+  Keys<double> azimuth;
+  Keys<double> turbidity;
+  Keys<glm::dvec3> ground_albedo;
+
+  bool operator==(const SkyKeys&) const = default;
+};
+
+// A clear sky, computed (core/scene/atmosphere). At a time of the scene it is a map, and its sun
+// one of the lights; see evaluate_at().
+struct Sky {
+  double elevation = 30.0;        // of the sun's center above the horizon, in [-90, 90] [degrees]
+  double azimuth = 0.0;           // of the sun: 0 is -z, 90 is +x [degrees]
+  double turbidity = 3.0;         // in [1, 10]
+  glm::dvec3 ground_albedo{0.3};  // RGB in [0, 1]
+  bool sun = true;                // whether it comes with its directional light
+  SkyKeys keys{};
+
+  bool operator==(const Sky&) const = default;
+};
+
+// An environment map, or a sky in its place; rotation about +y in degrees. Evaluated by
+// core/scene/lights/environment.h.
 struct Environment {
   std::filesystem::path file;
-  std::shared_ptr<const RadianceMap> map;  // never null in a loaded scene
+  std::shared_ptr<const RadianceMap> map;  // never null in a loaded scene without a sky
   double intensity = 1.0;
   double rotation = 0.0;
   EnvironmentKeys keys{};
   ObjectId id = 0;
+  std::optional<Sky> sky{};
 
   bool operator==(const Environment&) const = default;
 };

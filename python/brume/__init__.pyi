@@ -1,5 +1,5 @@
 from os import PathLike
-from typing import Callable, Iterable, Optional, Sequence, Tuple, Union
+from typing import Callable, Iterable, Optional, Sequence, Tuple, Union, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -60,10 +60,31 @@ class Camera:
     ) -> None: ...
     def clear_keys(self) -> None: ...
 
+class Sky:
+    elevation: float
+    azimuth: float
+    turbidity: float
+    ground_albedo: _Vec3
+    sun: bool
+    def __init__(
+        self,
+        elevation: float = 30.0,
+        azimuth: float = 0.0,
+        turbidity: float = 3.0,
+        ground_albedo: _Vec3 = (0.3, 0.3, 0.3),
+        sun: bool = True,
+    ) -> None: ...
+    def clear_keys(self) -> None: ...
+
 class Environment:
     intensity: float
     rotation: float
+    @overload
     def __init__(self, map: _Path) -> None: ...
+    @overload
+    def __init__(self, sky: Sky) -> None: ...
+    @property
+    def sky(self) -> Optional[Sky]: ...
     def clear_keys(self) -> None: ...
 
 class Light:

@@ -6,6 +6,7 @@
 #include "brume/mesh_arrays.h"
 #include "core/scene/fields/light_fields.h"
 #include "core/scene/lights/radiance_map.h"
+#include "core/scene/lights/sky.h"
 #include "core/scene/materials/measured_brdf.h"
 #include "tests/random.h"
 #include "tests/render/test_profiles.h"
@@ -162,8 +163,18 @@ class RandomScene {
     noise.seed = integer(0, 1000);
   }
 
-  // Any pixels, many of them black.
+  // Any pixels, many of them black, or a sky and its sun.
   void add_environment() {
+    if (one_in(3)) {
+      Environment& environment = scene_.environment.emplace();
+      environment.sky = Sky{.elevation = random_.uniform(-20.0, 90.0),
+                            .azimuth = random_.uniform(-360.0, 360.0),
+                            .turbidity = random_.uniform(1.0, 10.0),
+                            .sun = one_in(2)};
+      environment.intensity = spread(1.0, -20, 20);
+      apply_sky(scene_);
+      return;
+    }
     auto map = std::make_shared<RadianceMap>(RadianceMap{integer(1, 6), integer(1, 4), {}});
     for (int i = map->width * map->height; i > 0; --i) {
       const double radiance = one_in(3) ? 0.0 : spread(random_.power(-1, 1), -20, 20);

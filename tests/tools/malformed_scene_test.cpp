@@ -129,6 +129,7 @@ TEST_F(MalformedScene, EachValueOfTheMediumAndTheEnvironmentIsRefusedInOneLine) 
     return scene_with_medium("\"noise\": {" + members + "}");
   }));
   expect_each_refused(malformed_fields<Environment>("environment", scene_with_environment));
+  expect_each_refused(malformed_fields<Sky>("environment.sky", scene_with_sky));
 }
 
 TEST_F(MalformedScene, EachValueOfAMaterialIsRefusedInOneLine) {

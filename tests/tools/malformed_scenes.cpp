@@ -97,6 +97,10 @@ std::string scene_with_environment(const std::string& members) {
   return environment(R"("file": "sky.exr", )" + members);
 }
 
+std::string scene_with_sky(const std::string& members) {
+  return environment("\"sky\": {" + members + "}");
+}
+
 std::string scene_with_emitter(const std::string& members) {
   return medium(R"("emitters": [{)" + members + "}]");
 }
@@ -408,6 +412,19 @@ std::vector<MalformedCase> malformed_cases() {
        {"\"smooth\", \"linear\""}},
 
       {"environment without file", environment("\"rotation\": 0"), "environment.file", {"missing"}},
+      {"environment of two kinds",
+       environment(R"("file": "none.exr", "sky": {"elevation": 3})"),
+       "environment.sky",
+       {"file", "one of the two"}},
+      {"a sky without elevation",
+       environment(R"("sky": {"turbidity": 3})"),
+       "environment.sky.elevation",
+       {"missing"}},
+      {"a sky that is none", environment(R"("sky": true)"), "environment.sky", {"object"}},
+      {"a sky's elevation beyond the zenith",
+       environment(R"("sky": {"elevation": 3, "keys": {"elevation": [{"time": 0, "value": 91}]}})"),
+       "environment.sky.keys.elevation[0].value",
+       {"found 91", "[-90, 90] degrees"}},
       {"environment missing",
        environment(R"("file": "none.exr")"),
        "environment.file",

@@ -32,6 +32,7 @@ std::string scene_with_camera(const std::string& members);
 std::string scene_with_light(const std::string& members);
 std::string scene_with_medium(const std::string& members);
 std::string scene_with_environment(const std::string& members);  // of its own file
+std::string scene_with_sky(const std::string& members);
 std::string scene_with_emitter(const std::string& members);
 std::string scene_with_surface(const std::string& members);
 std::string scene_with_groups(const std::string& groups);

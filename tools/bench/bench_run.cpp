@@ -9,6 +9,7 @@
 
 #include "core/io/scene/scene_file.h"
 #include "core/scene/imported_scene.h"
+#include "core/scene/lights/sky.h"
 #include "render/render_plan.h"
 #include "render/renderer.h"
 #include "render/transfer/transfer_store.h"
@@ -91,6 +92,7 @@ std::vector<BenchScene> chosen_scenes(const BenchOptions& options) {
   for (const auto& file : options.scenes) {
     BenchScene& added = scenes.emplace_back(file.stem().string(), load_scene(file));
     added.scene.surfaces = shown_surfaces(added.scene.surfaces);
+    apply_sky(added.scene);
     const Film& film = added.scene.film;
     if (options.quick && film.width * film.height > frontier_film.width * frontier_film.height) {
       added.scene.film = frontier_film;

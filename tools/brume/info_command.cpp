@@ -16,6 +16,7 @@
 #include "core/io/volume/volume_file.h"
 #include "core/number_domain.h"
 #include "core/scene/fields/camera_fields.h"
+#include "core/scene/fields/environment_fields.h"
 #include "core/scene/imported_scene.h"
 #include "core/scene/mesh.h"
 #include "core/transport/medium_summary.h"
@@ -88,7 +89,13 @@ Json scene_json(const SceneDocument& document) {
   for (const Light& light : scene.lights) {
     json["lights"].push_back(light_to_json(light, [](const auto& file) { return file.string(); }));
   }
-  if (scene.environment) json["environment"] = scene.environment->file.string();
+  if (const auto& environment = scene.environment) {
+    if (const auto& sky = environment->sky) {
+      write_fields(json["environment"]["sky"], *sky, sky->keys);
+    } else {
+      json["environment"] = environment->file.string();
+    }
+  }
   json["surfaces"] = Json::array();
   for (const Surface& surface : scene.surfaces) {
     Json entry;

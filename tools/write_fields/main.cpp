@@ -238,15 +238,18 @@ bool rewrite_all(const std::filesystem::path& folder, bool only_checks) {
         write_rows<Emitter>(lines, "emitter");
         write_keys<Emitter>(lines, "each emitter");
         write_rows<Environment>(lines, "environment");
+        write_rows<Sky>(lines, "sky");
         write_rows<Material>(lines, "material");
         write_rows<MetallicRoughness>(lines, "");
         write_keys<Environment>(lines, "environment");
+        write_keys<Sky>(lines, "environment.sky");
         const auto visit_lights = [](auto&& visit) { visit_light_values(visit); };
         write_rows(lines, "light", visit_lights);
         write_keys(lines, "each light", visit_lights);
       });
   const bool stub = rewrite(folder / "python/brume/__init__.pyi", only_checks, [](Lines& lines) {
     write_class<Camera>(lines, "Camera");
+    write_class<Sky>(lines, "Sky");
     write_light_class(lines);
   });
   return manual || stub;

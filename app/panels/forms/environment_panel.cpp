@@ -3,6 +3,7 @@
 #include <QFormLayout>
 #include <QPushButton>
 
+#include "app/commands/edit_environment.h"
 #include "app/commands/scene_part_command.h"
 #include "app/document/document.h"
 #include "app/document/paths.h"
@@ -12,11 +13,20 @@
 #include "app/widgets/rows.h"
 #include "core/io/image/radiance_map_file.h"
 #include "core/scene/fields/environment_fields.h"
+#include "core/scene/lights/sky.h"
 
 namespace brume {
 namespace {
 
 constexpr int picture_width = 180;
+
+// With the map of its sky.
+std::optional<Environment> shown_environment(const Scene& scene) {
+  Scene lit;
+  lit.environment = scene.environment;
+  apply_sky(lit);
+  return lit.environment;
+}
 
 }  // namespace
 
@@ -42,6 +52,25 @@ EnvironmentPanel::EnvironmentPanel(Document& document, QWidget* parent)
                   [](const Scene& scene, const FieldInfo& info) {
                     return value_track<std::optional<Environment>>(scene, info.name);
                   }});
+  add_fields<Sky>(
+      *form, {.prefix = "sky_",
+              .get =
+                  [this] {
+                    const auto& environment = document_.scene().environment;
+                    return environment && environment->sky ? &*environment->sky : nullptr;
+                  },
+              .set =
+                  [this](const Sky& sky, const FieldInfo& info, MergeId gesture) {
+                    Environment changed = *document_.scene().environment;
+                    changed.sky = sky;
+                    set_scene_part(document_, std::optional(std::move(changed)),
+                                   tr("Set %1 of sky").arg(field_label(info).toLower()), gesture);
+                  },
+              .track =
+                  [](const Scene& scene, const FieldInfo& info) {
+                    constexpr std::size_t sky = 1;
+                    return value_track<std::optional<Environment>>(scene, info.name, sky);
+                  }});
   on_change(document_, Change::scene, &reading_, &BackgroundJob::cancel);
   connect(&reading_, &BackgroundJob::failed, this, [this](const QString& problem) {
     show_picture();
@@ -53,19 +82,23 @@ EnvironmentPanel::EnvironmentPanel(Document& document, QWidget* parent)
 void EnvironmentPanel::add_file(QFormLayout& form) {
   auto* name = named(new PlainLabel(this), "environment_file");
   auto* choose = new QPushButton(tr("Choose…"), this);
+  auto* sky = named(new QPushButton(tr("Sky"), this), "add_sky",
+                    tr("A clear sky with its sun, which can be dragged in the view"));
   auto* remove = named(new QPushButton(tr("Remove"), this), "remove_environment");
-  form.addRow(tr("Environment"), row_of({name, choose, remove}));
+  form.addRow(tr("Environment"), row_of({name, choose, sky, remove}));
   picture_ = new PlainLabel(this);
   picture_->setObjectName("environment_picture");
   picture_->setToolTip(tr("The environment as rotated: −z in the centre, +x to the right"));
   form.addRow({}, picture_);
   connect(choose, &QPushButton::clicked, this, &EnvironmentPanel::choose);
+  connect(sky, &QPushButton::clicked, this, [this] { add_sky(document_); });
   connect(remove, &QPushButton::clicked, this, [this] {
     set_scene_part(document_, std::optional<Environment>(), tr("Remove environment"));
   });
-  on_refresh([this, name, remove] {
+  on_refresh([this, name, sky, remove] {
     const auto& environment = document_.scene().environment;
-    name->setText(environment ? to_qstring(environment->file.filename()) : tr("none"));
+    name->setText(environment ? environment_text(*environment) : tr("none"));
+    sky->setEnabled(!environment || !environment->sky);
     remove->setEnabled(environment.has_value());
     // Thousands of directions: not for each drag of a light.
     if (environment != pictured_) {
@@ -93,13 +126,14 @@ void EnvironmentPanel::load(const QString& file) {
       Environment environment = document_.scene().environment.value_or(Environment{});
       environment.file = path;
       environment.map = map;
+      environment.sky.reset();
       set_scene_part(document_, std::optional(std::move(environment)), tr("Set environment"));
     };
   });
 }
 
 void EnvironmentPanel::show_picture() {
-  const auto& environment = document_.scene().environment;
+  const auto environment = shown_environment(document_.scene());
   if (environment && environment->map) {
     const double scale = devicePixelRatioF();
     QImage image = environment_picture(*environment, static_cast<int>(scale * picture_width),

@@ -7,6 +7,7 @@
 #include <QTimer>
 #include <QTreeWidgetItemIterator>
 
+#include "app/commands/edit_environment.h"
 #include "app/commands/edit_groups.h"
 #include "app/commands/edit_objects.h"
 #include "app/commands/edit_splines.h"
@@ -122,8 +123,7 @@ void Outliner::rebuild() {
     lights->addChild(new_object_item({ObjectRef::Kind::light, k}));
   }
   addTopLevelItem(lights);
-  const QString environment =
-      scene.environment ? to_qstring(scene.environment->file.filename()) : tr("none");
+  const QString environment = scene.environment ? environment_text(*scene.environment) : tr("none");
   addTopLevelItem(new_item(tr("Environment: %1").arg(environment), Kind::environment));
   auto* surfaces = new_item(tr("Surfaces"), Kind::surface);
   for (std::size_t k = 0; k < scene.surfaces.size(); ++k) {

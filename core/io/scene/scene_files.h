@@ -31,7 +31,7 @@ void visit_files(SceneOrConst& scene, Visit visit) {
       }
     }
   }
-  if (scene.environment) visit(scene.environment->file);
+  if (scene.environment && !scene.environment->sky) visit(scene.environment->file);
   for (auto& sequence : scene.sequences) visit(sequence);
 }
 

@@ -285,13 +285,31 @@ class SceneLoader {
 
   void load_surface(JsonObject& object) { scene_.surfaces.push_back(surfaces_.read(object)); }
 
+  Sky load_sky(JsonObject& object, ObjectId& environment) {
+    Sky sky;
+    read_fields(object, sky);
+    if (sky.sun && scene_.lights.size() == limits::lights) {
+      object.fail("sun", "found true beside " + std::to_string(limits::lights) +
+                             " lights; allowed: one light less, or false");
+    }
+    unknown_keys_.add(environment, "sky.keys",
+                      load_keys(object, [&](auto&& visit) { visit_keyed(sky, visit); }));
+    unknown_keys_.add(environment, "sky", object.unknown_keys());
+    return sky;
+  }
+
   void load_environment(JsonObject& object) {
     Environment environment;
-    const JsonPath file = object.path_of("file");
-    environment.file = references_.resolve(context_, file, object.text("file", {}));
     read_fields(object, environment);
-    environment.map = references_.radiance_map(context_, file, environment.file);
-    budget_.reserve(file, *environment.map);
+    if (auto sky = object.find_object("sky")) {
+      if (object.find("file") != nullptr) object.fail("sky", found_beside("file"));
+      environment.sky = load_sky(*sky, environment.id);
+    } else {
+      const JsonPath file = object.path_of("file");
+      environment.file = references_.resolve(context_, file, object.text("file", {}));
+      environment.map = references_.radiance_map(context_, file, environment.file);
+      budget_.reserve(file, *environment.map);
+    }
     unknown_keys_.add(environment.id, "keys",
                       load_keys(object, [&](auto&& visit) { visit_keyed(environment, visit); }));
     unknown_keys_.add(environment.id, "", object.unknown_keys());

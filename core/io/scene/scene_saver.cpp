@@ -184,6 +184,15 @@ Json surface_to_json(const Surface& surface, const UnknownKeys& unknown_keys,
   return object;
 }
 
+Json sky_to_json(const Sky& sky, ObjectId environment, const UnknownKeys& unknown_keys) {
+  Json object = Json::object();
+  write_fields(object, sky, sky.keys);
+  add_keys(object, unknown_keys, unknown_keys.of(environment, "sky.keys"),
+           [&sky](auto&& visit) { visit_keyed(sky, visit); });
+  add_unknown_keys(object, unknown_keys.of(environment, "sky"));
+  return object;
+}
+
 Json scene_to_json(const SceneDocument& document, const fs::path& directory) {
   const Scene& scene = document.scene;
   const UnknownKeys& unknown_keys = document.extras.unknown_keys;
@@ -213,8 +222,12 @@ Json scene_to_json(const SceneDocument& document, const fs::path& directory) {
     lights.push_back(std::move(entry));
   }
   if (const auto& environment = scene.environment) {
-    Json& entry = root["environment"] =
-        Json{{"file", SceneReferences::text_for(environment->file, directory)}};
+    Json& entry = root["environment"] = Json::object();
+    if (const auto& sky = environment->sky) {
+      entry["sky"] = sky_to_json(*sky, environment->id, unknown_keys);
+    } else {
+      entry["file"] = SceneReferences::text_for(environment->file, directory);
+    }
     write_fields(entry, *environment, environment->keys);
     add_keys(entry, unknown_keys, unknown_keys.of(environment->id, "keys"),
              [&](auto&& visit) { visit_keyed(*environment, visit); });

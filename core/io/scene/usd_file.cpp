@@ -22,6 +22,7 @@
 #include "core/scene/lights/area_normal.h"
 #include "core/scene/lights/environment.h"
 #include "core/scene/lights/point_lights.h"
+#include "core/scene/lights/radiance_map.h"
 #include "core/scene/placement.h"
 
 namespace brume {
@@ -154,6 +155,11 @@ void write_light(UsdText& out, Frames frames, std::size_t i, const std::filesyst
   out.close();
 }
 
+glm::dvec3 mean_radiance(const RadianceMap& map) {
+  // The first harmonic and the integral's share of it are 1 / sqrt(4 pi).
+  return 0.5 * std::numbers::inv_sqrtpi * map_sh(map, 1)[0];
+}
+
 // USD's maps have +z in the middle, Brume's -z.
 void write_environment(UsdText& out, Frames frames, const std::filesystem::path& folder) {
   if (!frames.front().scene.environment) return;
@@ -166,8 +172,14 @@ void write_environment(UsdText& out, Frames frames, const std::filesystem::path&
         glm::rotate(glm::dmat4(1.0), glm::radians(180.0), glm::dvec3(0.0, 1.0, 0.0));
     return glm::mat4_cast(environment_rotation(environment(k))) * half_turn;
   });
-  out.constant("asset inputs:texture:file", named_from(folder, environment(0).file));
-  out.constant("token inputs:texture:format", "\"latlong\"");
+  if (environment(0).file.empty()) {
+    // A computed sky has no file that could be named: its light is the same from all directions.
+    out.each_frame("color3f inputs:color",
+                   [&](std::size_t k) { return mean_radiance(*environment(k).map); });
+  } else {
+    out.constant("asset inputs:texture:file", named_from(folder, environment(0).file));
+    out.constant("token inputs:texture:format", "\"latlong\"");
+  }
   out.each_frame("float inputs:intensity", [&](std::size_t k) { return environment(k).intensity; });
   out.close();
 }

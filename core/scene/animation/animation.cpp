@@ -17,7 +17,7 @@ void visit_all(auto& scene, double& homogeneous_density, auto&& visit) {
   for (auto& group : scene.groups) visit_keyed(group, visit);
   for (auto& emitter : scene.emitters) visit_keyed(emitter, visit);
   for (auto& light : scene.lights) visit_keyed(light, visit);
-  if (scene.environment) visit_keyed(*scene.environment, visit);
+  if (scene.environment) visit_keyed_environment(*scene.environment, visit);
   for (auto& surface : scene.surfaces) visit_keyed_surface(surface, visit);
 }
 

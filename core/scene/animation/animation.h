@@ -25,6 +25,13 @@ void visit_keyed_surface(S& surface, auto&& visit) {
   visit_keyed(surface.material, keys, visit);
 }
 
+// With those of its sky.
+template <class E>
+void visit_keyed_environment(E& environment, auto&& visit) {
+  visit_keyed(environment, visit);
+  if (environment.sky) visit_keyed(*environment.sky, visit);
+}
+
 template <class D, class K>
 void visit_keyed_density(D& homogeneous_density, K& keys, auto&& visit) {
   visit("density", homogeneous_density, keys, domain::density);

@@ -11,6 +11,7 @@
 #include "core/scene/animation/particles.h"
 #include "core/scene/group_effects.h"
 #include "core/scene/imported_scene.h"
+#include "core/scene/lights/sky.h"
 
 namespace brume {
 
@@ -70,6 +71,7 @@ Scene evaluate_at(const Scene& scene, double time) {
   }
   clear_keys(result);
   apply_groups(result);
+  apply_sky(result);
   result.surfaces = shown_surfaces(result.surfaces);
   for (const Emitter& emitter : scene.emitters) {
     if (!emitter.visible) continue;

@@ -26,8 +26,8 @@ std::optional<double> luminous_flux(const Light& light);
 
 // Colour of a black body, linear Rec. 709, its greatest channel 1; channels outside that gamut are
 // 0. The temperature is clamped to
-// domain::temperature [K]. Planck's law, with the CIE 1931 observer as fitted
-// by Wyman, Sloan and Shirley (2013): chromaticities are within 0.003.
+// domain::temperature [K]. Planck's law; chromaticities are within 0.003
+// (core/math/color_matching.h).
 glm::dvec3 black_body_color(double temperature);
 
 // Radiance of a black body, linear Rec. 709 [W/(sr m^2)], in the RGB watts of lumens_per_watt;

@@ -107,7 +107,7 @@ TEST(Tangents, NeverLeadOutOfADomain) {
   scene.lights.resize(3);
   scene.lights[1].kind = light::Spot();
   scene.lights[2].kind = light::Rectangle();
-  scene.environment.emplace();
+  scene.environment.emplace().sky.emplace();
   scene.emitters.resize(1);
   scene.groups.resize(1);
   scene.surfaces.resize(1);
@@ -116,7 +116,7 @@ TEST(Tangents, NeverLeadOutOfADomain) {
     visit_keyed(scene.camera, scene.camera_keys, visit);
     visit_keyed(scene.optics, visit);
     for (auto& light : scene.lights) visit_keyed(light, visit);
-    visit_keyed(*scene.environment, visit);
+    visit_keyed_environment(*scene.environment, visit);
     visit_keyed(scene.groups[0], visit);
     visit_keyed(scene.emitters[0], visit);
     visit_keyed_surface(scene.surfaces[0], visit);

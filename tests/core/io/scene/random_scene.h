@@ -67,6 +67,11 @@ class RandomScene {
     }
     if (maybe())
       scene.environment = {folder_ / "dawn.exr", nullptr, number(0, 3), number(-720, 720)};
+    if (scene.environment && maybe()) {
+      scene.environment->file.clear();
+      scene.environment->sky =
+          Sky{number(-90, 90), number(-720, 720), number(1, 10), {number(0, 1), 0.0, 1.0}, maybe()};
+    }
     for (int i = integer(0, 3); i > 0; --i) {
       Surface surface;
       if (maybe()) {
@@ -136,6 +141,11 @@ class RandomScene {
       if (is_spot) keys(light.keys.outer_angle, 180.0);
     }
     if (scene.environment) keys(scene.environment->keys.rotation, 720.0);
+    if (scene.environment && scene.environment->sky) {
+      keys(scene.environment->sky->keys.elevation, 90.0);
+      keys(scene.environment->sky->keys.azimuth, 720.0);
+      keys(scene.environment->sky->keys.ground_albedo, 1.0);
+    }
     if (maybe()) scene.playback = Playback{integer(0, 9), integer(9, 99), maybe()};
     if (scene.playback && maybe()) scene.playback->frames_per_second = integer(1, 1000);
     if (maybe()) scene.camera_name = "Main";

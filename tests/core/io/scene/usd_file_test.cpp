@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "brume/at_time.h"
 #include "brume/error.h"
 #include "brume/mesh_arrays.h"
 #include "brume/primitive.h"
@@ -188,6 +189,20 @@ TEST_F(UsdFile, EnvironmentIsTurnedToUsd) {
   const std::vector<double> turn = numbers(dome, "xformOp:transform");
   EXPECT_NEAR(turn[0], std::cos(210.0 * std::numbers::pi / 180.0), 1e-12);
   EXPECT_NEAR(turn[8], std::sin(210.0 * std::numbers::pi / 180.0), 1e-12);
+}
+
+// Such a sky has no file, so its light is even; its sun is a light.
+TEST_F(UsdFile, SkyIsEvenLightAndASun) {
+  scene_.environment.emplace().sky = Sky{.elevation = 40.0};
+  scene_ = evaluate_at(scene_, 0.0);
+  const std::string text = stage();
+  const std::string dome = prim(text, "Environment");
+  EXPECT_EQ(dome.find("texture"), std::string::npos) << dome;
+  const std::vector<double> color = numbers(dome, "inputs:color");
+  ASSERT_EQ(color.size(), 3U);
+  EXPECT_GT(color[2], 1.0);
+  EXPECT_LT(color[2], 20.0);
+  EXPECT_GT(numbers(prim(text, "Sun"), "inputs:intensity")[0], 100.0);
 }
 
 TEST_F(UsdFile, SurfacesAreMeshesInTheirPlaces) {
