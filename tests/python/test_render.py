@@ -360,3 +360,15 @@ def test_animation(bunny):
 def test_missing_file():
     with pytest.raises(brume.InputError, match="nowhere.brume"):
         brume.load("nowhere.brume")
+
+
+def test_skies_light_what_is_under_them(cloud):
+    cloud.lights.clear()
+    cloud.environment = brume.Environment(brume.Sky(elevation=40, sun=False))
+    noon = brume.render(cloud, airlight="sliced:8", scattering="single", size=(16, 12)).beauty.sum()
+    cloud.environment.sky.elevation = -3
+    dusk = brume.render(cloud, airlight="sliced:8", scattering="single", size=(16, 12)).beauty.sum()
+    assert noon > 10 * dusk > 0
+    with pytest.raises(brume.DomainError, match="environment.sky.turbidity"):
+        cloud.environment.sky.turbidity = 11
+        brume.render(cloud, airlight="sliced:8", size=(16, 12))

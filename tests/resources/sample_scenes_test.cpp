@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <string>
 
+#include "brume/at_time.h"
 #include "core/io/scene/scene_file.h"
 #include "core/scene/fields/light_fields.h"
 #include "core/scene/lights/photometric_profile.h"
@@ -175,6 +176,19 @@ TEST(SampleScenes, EveningMistHasAnEnvironment) {
   EXPECT_EQ(scene.environment->map->width, 512);
   ASSERT_EQ(scene.surfaces.size(), 3u);
   EXPECT_EQ(scene.surfaces[1].material.type, Material::Type::phong);
+}
+
+TEST(SampleScenes, SunriseIsADayOfASky) {
+  const Scene scene = load("sunrise.brume");
+  ASSERT_TRUE(scene.environment && scene.environment->sky);
+  EXPECT_EQ(last_moment(scene), 8.0);
+  const Scene morning = evaluate_at(scene, 0.0);
+  const Scene noon = evaluate_at(scene, 239.0 / 30.0);
+  ASSERT_EQ(morning.lights.size(), 1U);
+  EXPECT_GT(morning.lights[0].intensity.r, 5.0 * morning.lights[0].intensity.g);
+  EXPECT_LT(noon.lights[0].intensity.r, 1.5 * noon.lights[0].intensity.g);
+  const glm::dvec3 place(0.0, 0.5, -5.0);
+  EXPECT_LT(density_at(noon.medium, place), 0.05 * density_at(morning.medium, place));
 }
 
 }  // namespace

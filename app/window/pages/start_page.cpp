@@ -57,6 +57,8 @@ constexpr std::array offered_samples = std::to_array<Offered>({
      QT_TRANSLATE_NOOP("StartPage", "Animated spots; press Space to play")},
     {"evening_mist", QT_TRANSLATE_NOOP("StartPage", "Evening mist"),
      QT_TRANSLATE_NOOP("StartPage", "Ground mist under an evening sky")},
+    {"sunrise", QT_TRANSLATE_NOOP("StartPage", "Sunrise"),
+     QT_TRANSLATE_NOOP("StartPage", "A day's sky, and mist that burns off; press Space to play")},
     {"teapot_steam", QT_TRANSLATE_NOOP("StartPage", "Teapot"),
      QT_TRANSLATE_NOOP("StartPage", "Steam against the light")},
     {"courtyard", QT_TRANSLATE_NOOP("StartPage", "Courtyard"),
