@@ -107,9 +107,9 @@ void bind_camera(py::module_& module) {
 }
 
 void bind_environment(py::module_& module) {
-  py::class_<Sky> sky(module, "Sky", "A clear sky, computed for an elevation of its sun.");
-  def_fields<Sky>(sky);
-  def_clear_keys(sky);
+  py::class_<Sky> bound_sky(module, "Sky", "A clear sky, computed for an elevation of its sun.");
+  def_fields<Sky>(bound_sky);
+  def_clear_keys(bound_sky);
   py::class_<Environment, std::shared_ptr<Environment>> environment(
       module, "Environment",
       "A latitude-longitude map, or a sky, that lights the scene from far away.");

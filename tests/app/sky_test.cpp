@@ -94,7 +94,6 @@ class SkyTest : public QObject {
   // With a turned environment and keyframes of the elevation: the drag sets one.
   void a_dragged_sun_follows_rotation_and_keyframes() {
     Desk desk;
-    Document& document = desk.document();
     click(desk, "add_sky");
     enter(desk, "sky_elevation", "6");
     enter(desk, "environment_rotation", "10");
