@@ -50,6 +50,7 @@ inline constexpr NumberDomain elevation{-90.0, 90.0, "a number in [-90, 90] degr
 inline constexpr NumberDomain turbidity{1.0, 10.0, "a number in [1, 10]"};
 inline constexpr NumberDomain angular_diameter{0.0, 89.99999999999999,
                                                "a number in [0, 90) degrees"};
+inline constexpr NumberDomain turn{0.0, 360.0, "a number of degrees from 0 to 360"};
 inline constexpr NumberDomain temperature{800.0, 40000.0, "a number from 800 to 40000 K"};
 inline constexpr NumberDomain not_negative{0.0, 1e12, "a number >= 0 (up to 1e12)"};
 inline constexpr NumberDomain brush_spacing{0.05, 100.0, "a number from 0.05 to 100"};

@@ -127,6 +127,26 @@ void bind_surface(py::module_& module) {
                   "Points (n, 3) [u] and triangles (m, 3), shaded flat. It cannot be saved.")
       .def_readwrite("name", &Surface::name)
       .def_readwrite("visible", &Surface::visible)
+      .def(
+          "scatter",
+          [](Surface& self, const std::string& over, double density, std::int64_t seed,
+             const glm::dvec2& scale, double turn) {
+            self.copies = Copies{.scatter = {over, density, seed, scale, turn}};
+          },
+          py::arg("over"), py::arg("density"), py::arg("seed") = std::int64_t{0},
+          py::arg("scale") = glm::dvec2(1.0), py::arg("turn") = 0.0,
+          "Copies of it at random points of the surface of that name: so many per u^2, of a scale "
+          "between two, turned by so many degrees at most.")
+      .def(
+          "load_copies",
+          [](Surface& self, const std::filesystem::path& file) {
+            std::vector<std::string> warnings;
+            self.copies = load_copies(file, &warnings);
+            warn_of(warnings);
+          },
+          py::arg("file"), "Copies of it as a file places them: PLY or CSV.")
+      .def(
+          "clear_copies", [](Surface& self) { self.copies.reset(); }, "It stands alone.")
       .def_property(
           "rotate",
           [](const Surface& self) {

@@ -22,7 +22,7 @@ bool mirrors(const Surface& surface) {
 
 bool has_transfer(const Surface& surface) {
   return surface.transfer != Surface::Transfer::none &&
-         surface.material.type != Material::Type::metallic_roughness;
+         surface.material.type != Material::Type::metallic_roughness && !surface.placed_copies;
 }
 
 // The content of a scene that there is to render.
@@ -200,7 +200,7 @@ std::vector<SkippedStage> skipped_stages(const Scene& scene, const Content& cont
   const bool is_refused = std::ranges::any_of(scene.surfaces, [](const Surface& surface) {
     return surface.transfer != Surface::Transfer::none && !has_transfer(surface);
   });
-  if (is_refused) skip(Stage::transfer, Reason::transfer_of_metallic_roughness);
+  if (is_refused) skip(Stage::transfer, Reason::transfer_refused);
   if (!content.surfaces) skip(Stage::visibility, Reason::no_surfaces);
   if (content.surfaces && !content.light() && !content.emissive_surfaces) {
     skip(Stage::surfaces, Reason::no_light);
@@ -291,8 +291,11 @@ RenderPlan::RenderPlan(const Scene& scene, const Film& film, const Settings& req
       static_cast<std::size_t>(whole.full_width) * static_cast<std::size_t>(whole.full_height);
   has_holes = brume::has_holes(scene.surfaces);
   has_panes = brume::has_panes(scene.surfaces);
+  has_copies = std::ranges::any_of(
+      scene.surfaces, [](const Surface& surface) { return surface.placed_copies != nullptr; });
   // The rasterizer fills triangles.
-  rasterizes = content.surfaces && !has_holes && !has_panes && triangle_count(scene) <= pixels;
+  rasterizes = content.surfaces && !has_holes && !has_panes && !has_copies &&
+               triangle_count(scene) <= pixels;
   if (is_reference && has_medium() && has_panes) {
     skipped.push_back({Stage::shadow_map, to_string(Reason::panes_beyond_reference)});
   }

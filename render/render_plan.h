@@ -64,6 +64,7 @@ struct RenderPlan {
   // Surfaces with holes or panes, see Coverage; of panes view rays see what is behind them.
   bool has_holes = false;
   bool has_panes = false;
+  bool has_copies = false;  // surfaces with copies
   // Surfaces take environment light from the grid instead of average optical depths.
   bool has_receivers = false;
   // Surfaces take all light from the grid but the point lights' unscattered.

@@ -9,6 +9,7 @@
 #include "brume/error.h"
 #include "brume/limits.h"
 #include "brume/render.h"
+#include "core/scene/imported_scene.h"
 #include "render/deep/deep_file.h"
 #include "render/gl_renderer.h"
 #include "render/layers/frame_layers.h"
@@ -28,9 +29,7 @@ bool is_evaluated(const Scene& scene, double time) {
   const bool has_sky = scene.environment && scene.environment->sky;
   return time == scene.time && !is_animated(scene) && scene.groups.empty() &&
          scene.emitters.empty() && scene.sequences.empty() && !has_sky &&
-         std::ranges::all_of(scene.surfaces, [](const Surface& surface) {
-           return surface.visible && !surface.imported;
-         });
+         std::ranges::all_of(scene.surfaces, is_shown_as_it_is);
 }
 
 // What is measured: nothing of methods that errors are measured against.

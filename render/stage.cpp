@@ -52,8 +52,8 @@ std::string to_string(Reason reason, std::size_t count) {
       return "no surface requests it";
     case Reason::only_direct_light:
       return "all light is direct";
-    case Reason::transfer_of_metallic_roughness:
-      return "metallic-roughness materials have none";
+    case Reason::transfer_refused:
+      return "metallic-roughness materials and surfaces with copies have none";
     case Reason::transfer_pending:
       return "it is not computed yet";
     case Reason::lights_off:
@@ -83,6 +83,8 @@ std::string to_string(Reason reason, std::size_t count) {
       return "airlight path runs only on the CPU";
     case Reason::coverage_on_cpu:
       return "surfaces with holes, and panes, are rendered on the CPU";
+    case Reason::copies_on_cpu:
+      return "surfaces with copies are rendered on the CPU";
     case Reason::too_many_slices:
       return "more slices than fit into a work group";
     case Reason::too_many_radii:

@@ -60,7 +60,7 @@ awk '
 ' <(echo "$includes") - <<ROWS
 Qt or VTK:Q[A-Z]|Qt[A-Z]|vtk[A-Z]:include core render tools
 OpenGL:epoxy/|GL/|EGL/:include core tools
-what is not public:core/|render/|app/|tools/|OpenMesh/|nlohmann/:include
+what is not public:core/|render/|app/|tools/|nlohmann/:include
 frames:brume/(frame|methods|render|stage)[.]h:core
 scenes:brume/(scene|lights|surface|at_time|camera|keys)[.]h:core/math core/medium core/volume
 a layer above itself:render/|app/|tools/:core

@@ -1,9 +1,7 @@
 #pragma once
 
-// The tests' precompiled header: what core has, GoogleTest and the meshes.
+// The tests' precompiled header: what core has and GoogleTest.
 
 #include <gtest/gtest.h>
-
-#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 
 #include "core/precompiled.h"

@@ -4,7 +4,8 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <limits>
+#include <type_traits>
+#include <utility>
 
 #include "app/commands/allowed_name.h"
 #include "app/commands/edit_emitters.h"
@@ -115,13 +116,8 @@ void move(Surface& surface, const Movement& movement) {
 // About as wide as it is seen [u].
 double width_of(const Object& object, const Scene& scene) {
   if (const auto* surface = std::get_if<Surface>(&object)) {
-    double low = std::numeric_limits<double>::infinity();
-    double high = -low;
-    for (const glm::dvec3& p : world_points(*surface)) {
-      low = std::min(low, p.x);
-      high = std::max(high, p.x);
-    }
-    return rounded(1.1 * std::max(high - low, 0.0), 3);
+    const MeshBox box = world_box(*surface);
+    return rounded(1.1 * std::max(box.high.x - box.low.x, 0.0), 3);
   }
   if (const auto* emitter = std::get_if<Emitter>(&object))
     return rounded(3.0 * emitter->radius[1], 3);
@@ -203,8 +199,17 @@ void duplicate_object(Document& document, const ObjectRef& ref) {
 }
 
 void rename_object(Document& document, const ObjectRef& ref, const QString& name) {
-  change_object(document, ref, undo_text("Rename %1"), no_merge,
-                [text = allowed_name(name).toStdString()](auto& object) { object.name = text; });
+  const std::string text = allowed_name(name).toStdString();
+  change_list(document, ref, undo_text("Rename %1"), no_merge, [&]<class T>(std::vector<T>& list) {
+    const std::string before = std::exchange(list[ref.index].name, text);
+    if constexpr (std::is_same_v<T, Surface>) {
+      // Copies stay scattered over it.
+      for (Surface& surface : list) {
+        if (before.empty() || text.empty() || !surface.copies) continue;
+        if (surface.copies->scatter.over == before) surface.copies->scatter.over = text;
+      }
+    }
+  });
 }
 
 void show_object(Document& document, const ObjectRef& ref, bool shown) {

@@ -53,9 +53,7 @@ std::shared_ptr<const Scene> Document::snapshot() const {
 
 std::shared_ptr<const Scene> Document::visible_snapshot() const {
   if (hidden_.empty() && scene_.groups.empty() &&
-      std::ranges::all_of(scene_.surfaces, [](const Surface& surface) {
-        return surface.visible && !surface.imported;
-      })) {
+      std::ranges::all_of(scene_.surfaces, is_shown_as_it_is)) {
     return snapshot();
   }
   if (!visible_) {

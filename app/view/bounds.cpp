@@ -7,6 +7,7 @@
 
 #include "brume/mesh_arrays.h"
 #include "core/medium/gaussian_term.h"
+#include "core/scene/copies.h"
 
 namespace brume {
 namespace {
@@ -52,8 +53,11 @@ Sphere bounding_sphere(const Surface& surface) {
 std::optional<Sphere> bounding_sphere(const Scene& scene) {
   GrowingBox box;
   for (std::size_t i = 0; i < scene.medium.size(); ++i) box.include(scene.medium, i);
-  for (const Surface& surface : scene.surfaces) {
-    for (const glm::dvec3& p : world_points(surface)) box.include(p);
+  for (const Surface& surface : with_placed_copies(scene.surfaces)) {
+    const MeshBox around = world_box(surface);
+    if (!(around.low.x <= around.high.x)) continue;
+    box.include(around.low);
+    box.include(around.high);
   }
   if (!box.sphere()) {
     for (const Light& light : scene.lights) box.include(light.position, glm::dvec3(1.0));

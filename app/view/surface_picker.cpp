@@ -1,6 +1,7 @@
 #include "app/view/surface_picker.h"
 
 #include "app/document/document.h"
+#include "core/scene/copies.h"
 
 namespace brume {
 
@@ -14,9 +15,10 @@ void SurfacePicker::prepare() {
   all_ = document_.scene().surfaces;
   surfaces_.clear();
   indices_.clear();
-  for (std::size_t k = 0; k < all_.size(); ++k) {
-    if (!all_[k].visible) continue;
-    surfaces_.push_back(all_[k]);
+  const std::vector<Surface> placed = with_placed_copies(all_);
+  for (std::size_t k = 0; k < placed.size(); ++k) {
+    if (!placed[k].visible) continue;
+    surfaces_.push_back(placed[k]);
     indices_.push_back(k);
   }
   caster_.reset();

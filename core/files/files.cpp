@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "brume/error.h"
+#include "brume/limits.h"
+#include "core/io/copies_file.h"
 #include "core/io/gaussians/gaussian_file.h"
 #include "core/io/image/radiance_map_file.h"
 #include "core/io/mesh/mesh_file.h"
@@ -40,6 +42,10 @@ void save_scene_file(const SceneFile& scene, const fs::path& file) {
       throw DomainError("surfaces[" + std::to_string(i) + "].mesh",
                         "it is in memory alone; allowed in a file: a primitive, or of a mesh_file");
     }
+    if (surface.copies && surface.copies->placements && surface.copies->file.empty()) {
+      throw DomainError("surfaces[" + std::to_string(i) + "].copies",
+                        "they are in memory alone; allowed in a file: those of a file, or scattered");
+    }
   }
   save_document({scene.scene, scene.extras ? *scene.extras : SceneExtras{}}, absolute_name(file));
 }
@@ -70,6 +76,12 @@ Surface load_surface(const fs::path& mesh, std::vector<std::string>* warnings) {
   surface.mesh_file = absolute_name(mesh);
   surface.mesh = read_mesh(mesh, warnings);
   return surface;
+}
+
+Copies load_copies(const fs::path& file, std::vector<std::string>* warnings) {
+  constexpr std::size_t max_count = limits::scene_bytes / limits::copy_bytes;
+  return {absolute_name(file),
+          std::make_shared<const CopyPlacements>(read_copies(file, max_count, warnings))};
 }
 
 Environment load_environment(const fs::path& map, std::vector<std::string>* warnings) {

@@ -12,6 +12,7 @@
 #include "core/math/max_component.h"
 #include "core/scene/animation/animation.h"
 #include "core/scene/cameras.h"
+#include "core/scene/fields/copies_fields.h"
 #include "core/scene/fields/description.h"
 #include "core/scene/group_effects.h"
 #include "core/scene/light_rules.h"
@@ -197,12 +198,26 @@ void check_material(const std::string& place, const Material& material) {
   }
 }
 
+void check_copies(const std::string& place, const Copies& copies) {
+  constexpr std::size_t max_count = limits::scene_bytes / limits::copy_bytes;
+  check_values(place, copies.scatter);
+  if (!copies.placements) return;
+  check_count(place, copies.placements->size(), max_count);
+  for (std::size_t i = 0; i < copies.placements->size(); ++i) {
+    const auto& [translate, rotate, scale] = (*copies.placements)[i];
+    check_value(element(place, i) + ".translate", translate, domain::coordinate);
+    brume::check_value(element(place, i) + ".scale", scale, domain::length);
+    check_rotation(element(place, i) + ".rotate", rotate, 1e-3);
+  }
+}
+
 void check_surface(const std::string& place, const Surface& surface) {
   check_name(place + ".name", surface.name, 0);
   visit_keyed_surface(surface, in(place));
   if (!surface.mesh) throw DomainError(place + ".mesh", "there is none");
   if (surface.primitive) check_size(place + ".primitive.size", *surface.primitive);
   check_material(place + ".material", surface.material);
+  if (surface.copies) check_copies(place + ".copies", *surface.copies);
 }
 
 void check_groups(const Scene& scene) {

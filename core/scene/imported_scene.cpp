@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "brume/mesh_arrays.h"
+#include "core/scene/copies.h"
 #include "core/scene/mesh.h"
 
 namespace brume {
@@ -54,9 +55,13 @@ std::shared_ptr<const TriangleMesh> joined_mesh(std::span<const ImportedPart* co
   return to_mesh(all);
 }
 
+bool is_shown_as_it_is(const Surface& surface) {
+  return surface.visible && !surface.imported && !surface.copies;
+}
+
 std::vector<Surface> shown_surfaces(std::span<const Surface> surfaces) {
   std::vector<Surface> shown;
-  for (const Surface& surface : surfaces) {
+  for (const Surface& surface : with_placed_copies({surfaces.begin(), surfaces.end()})) {
     if (!surface.visible) continue;
     if (!surface.imported) {
       shown.push_back(surface);

@@ -1,12 +1,15 @@
 #pragma once
 
-#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+#include <cstddef>
+
+#include "brume/mesh_arrays.h"
 
 namespace brume {
 
-// Triangles with vertex normals, unit or 0 (the triangle's own), and perhaps texture coordinates
-// (texcoord2D; u to the right, v up), in the mesh file's own coordinates [u]. A class of its own so
-// that other headers can name it without OpenMesh's headers (forward declaration).
-struct TriangleMesh : OpenMesh::TriMesh_ArrayKernelT<OpenMesh::DefaultTraits> {};
+// A mesh that surfaces share; never changed.
+struct TriangleMesh : MeshArrays {
+  [[nodiscard]] std::size_t n_vertices() const { return points.size(); }
+  [[nodiscard]] std::size_t n_faces() const { return triangles.size(); }
+};
 
 }  // namespace brume

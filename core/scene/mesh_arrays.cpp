@@ -1,10 +1,10 @@
 #include "brume/mesh_arrays.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <mutex>
+#include <glm/common.hpp>
 #include <string>
+#include <utility>
 
 #include "brume/error.h"
 #include "core/scene/mesh.h"
@@ -12,36 +12,6 @@
 
 namespace brume {
 namespace {
-
-using OpenMesh::Vec3f;
-using OpenMesh::VertexHandle;
-
-glm::vec3 to_vec3(const Vec3f& v) {
-  return {v[0], v[1], v[2]};
-}
-
-// Points, normals, texture coordinates and OpenMesh's connectivity with its status bits.
-std::size_t bytes_of(std::size_t vertices, std::size_t edges, std::size_t faces,
-                     bool has_texcoords) {
-  return (has_texcoords ? 44 : 36) * vertices + 40 * edges + 8 * faces;
-}
-
-// OpenMesh reports each triangle that does not fit on its error stream.
-class QuietErrors {
- public:
-  QuietErrors() : lock_(mutex_) { omerr().disable(); }
-  ~QuietErrors() {
-    if (was_enabled_) omerr().enable();
-  }
-  QuietErrors(const QuietErrors&) = delete;
-  QuietErrors& operator=(const QuietErrors&) = delete;
-
- private:
-  // OpenMesh has one stream for all threads.
-  static inline std::mutex mutex_;
-  const std::lock_guard<std::mutex> lock_;
-  const bool was_enabled_ = omerr().is_enabled();
-};
 
 void check(const MeshArrays& arrays) {
   const std::size_t count = arrays.points.size();
@@ -63,85 +33,32 @@ void check(const MeshArrays& arrays) {
   }
 }
 
-std::vector<glm::vec3> points_of(const TriangleMesh& mesh) {
-  std::vector<glm::vec3> points;
-  points.reserve(mesh.n_vertices());
-  for (const auto v : mesh.vertices()) points.push_back(to_vec3(mesh.point(v)));
-  return points;
-}
-
 }  // namespace
 
-MeshArrays to_arrays(const TriangleMesh& mesh) {
-  MeshArrays arrays{points_of(mesh), {}, {}, {}};
-  arrays.normals.reserve(mesh.n_vertices());
-  for (const auto v : mesh.vertices()) arrays.normals.push_back(to_vec3(mesh.normal(v)));
-  if (mesh.has_vertex_texcoords2D()) {
-    arrays.texcoords.reserve(mesh.n_vertices());
-    for (const auto v : mesh.vertices()) {
-      const OpenMesh::Vec2f& uv = mesh.texcoord2D(v);
-      arrays.texcoords.emplace_back(uv[0], uv[1]);
-    }
-  }
-  arrays.triangles.reserve(mesh.n_faces());
-  for (const auto face : mesh.faces()) {
-    glm::uvec3& corners = arrays.triangles.emplace_back(0);
-    int k = 0;
-    for (const auto v : face.vertices()) corners[k++] = static_cast<unsigned>(v.idx());
-  }
-  return arrays;
-}
-
-std::shared_ptr<TriangleMesh> to_mesh(const MeshArrays& arrays, std::size_t max_bytes) {
-  check(arrays);
-  const std::size_t edges = arrays.triangles.size() * 3 / 2;
-  const bool has_texcoords = !arrays.texcoords.empty();
-  if (bytes_of(arrays.points.size(), edges, arrays.triangles.size(), has_texcoords) > max_bytes) {
-    return nullptr;
-  }
-  auto mesh = std::make_shared<TriangleMesh>();
-  mesh->request_vertex_normals();
-  if (has_texcoords) mesh->request_vertex_texcoords2D();
-  mesh->reserve(arrays.points.size(), edges, arrays.triangles.size());
-  const auto add_vertex = [&](unsigned i) {
-    const glm::vec3& p = arrays.points[i];
-    const glm::vec3& n = arrays.normals[i];
-    const VertexHandle vertex = mesh->add_vertex(Vec3f(p.x, p.y, p.z));
-    mesh->set_normal(vertex, Vec3f(n.x, n.y, n.z));
-    if (has_texcoords) {
-      mesh->set_texcoord2D(vertex, OpenMesh::Vec2f(arrays.texcoords[i].x, arrays.texcoords[i].y));
-    }
-    return vertex;
-  };
-  for (unsigned i = 0; i < arrays.points.size(); ++i) add_vertex(i);
-  const QuietErrors quiet;
-  for (const glm::uvec3& triangle : arrays.triangles) {
-    if (mesh_bytes(*mesh) > max_bytes) return nullptr;
-    const std::array corners{triangle.x, triangle.y, triangle.z};
-    std::array<VertexHandle, 3> vertices;
-    std::ranges::transform(corners, vertices.begin(),
-                           [](unsigned i) { return VertexHandle(static_cast<int>(i)); });
-    if (mesh->add_face(vertices.data(), 3).is_valid()) continue;
-    std::ranges::transform(corners, vertices.begin(), add_vertex);
-    mesh->add_face(vertices.data(), 3);
-  }
+const MeshArrays& to_arrays(const TriangleMesh& mesh) {
   return mesh;
 }
 
+std::shared_ptr<TriangleMesh> to_mesh(MeshArrays arrays, std::size_t max_bytes) {
+  check(arrays);
+  auto mesh = std::make_shared<TriangleMesh>(TriangleMesh{std::move(arrays)});
+  return mesh_bytes(*mesh) <= max_bytes ? mesh : nullptr;
+}
+
 std::size_t mesh_bytes(const TriangleMesh& mesh) {
-  return bytes_of(mesh.n_vertices(), mesh.n_edges(), mesh.n_faces(), mesh.has_vertex_texcoords2D());
+  return std::span(mesh.points).size_bytes() + std::span(mesh.normals).size_bytes() +
+         std::span(mesh.triangles).size_bytes() + std::span(mesh.texcoords).size_bytes();
 }
 
 MeshBox box_of(const TriangleMesh& mesh) {
-  if (mesh.n_vertices() == 0) return {};
-  const Vec3f* const points = mesh.points();
-  Vec3f low = points[0];
-  Vec3f high = points[0];
-  for (std::size_t i = 1; i < mesh.n_vertices(); ++i) {
-    low.minimize(points[i]);
-    high.maximize(points[i]);
+  if (mesh.points.empty()) return {};
+  glm::vec3 low = mesh.points.front();
+  glm::vec3 high = low;
+  for (const glm::vec3& p : mesh.points) {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
   }
-  return {glm::dvec3(to_vec3(low)), glm::dvec3(to_vec3(high))};
+  return {glm::dvec3(low), glm::dvec3(high)};
 }
 
 std::vector<glm::dvec3> world_points(const Surface& surface, std::span<const glm::vec3> points) {
@@ -154,7 +71,7 @@ std::vector<glm::dvec3> world_points(const Surface& surface, std::span<const glm
 }
 
 std::vector<glm::dvec3> world_points(const Surface& surface) {
-  return world_points(surface, points_of(*surface.mesh));
+  return world_points(surface, surface.mesh->points);
 }
 
 }  // namespace brume

@@ -16,6 +16,8 @@ struct Placement {
 
   explicit Placement(const Surface& surface)
       : translate(surface.translate), rotate(surface.rotate), scale(surface.scale) {}
+  explicit Placement(const CopyPlacement& copy)
+      : translate(copy.translate), rotate(copy.rotate), scale(copy.scale) {}
   bool operator==(const Placement&) const = default;
 
   [[nodiscard]] glm::dvec3 point_to_world(const glm::dvec3& p) const {
@@ -37,5 +39,13 @@ struct Placement {
     return glm::conjugate(rotate) * n;
   }
 };
+
+// The placements of a surface: the first is its own, the others are those of its copies.
+inline std::size_t placement_count(const Surface& surface) {
+  return 1 + (surface.placed_copies ? surface.placed_copies->size() : 0);
+}
+inline Placement placement_of(const Surface& surface, std::size_t copy) {
+  return copy == 0 ? Placement(surface) : Placement((*surface.placed_copies)[copy - 1]);
+}
 
 }  // namespace brume

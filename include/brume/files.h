@@ -55,6 +55,9 @@ BRUME_EXPORT void save_gaussians(std::span<const Gaussian> gaussians,
 // to `warnings`, a line each.
 BRUME_EXPORT Surface load_surface(const std::filesystem::path& mesh,
                                   std::vector<std::string>* warnings = nullptr);
+// Placements of copies of a surface: PLY or CSV, see the manual.
+BRUME_EXPORT Copies load_copies(const std::filesystem::path& file,
+                                std::vector<std::string>* warnings = nullptr);
 BRUME_EXPORT Environment load_environment(const std::filesystem::path& map,
                                           std::vector<std::string>* warnings = nullptr);
 

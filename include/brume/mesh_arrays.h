@@ -15,8 +15,7 @@ namespace brume {
 struct Surface;
 struct TriangleMesh;
 
-// A mesh as flat arrays, in its file's own coordinates. The only place where OpenMesh's vertices
-// and faces become these, and these a mesh of OpenMesh.
+// A mesh as flat arrays, in its file's own coordinates.
 struct MeshArrays {
   std::vector<glm::vec3> points;
   std::vector<glm::vec3> normals;  // unit, or 0: the triangle's own; as many as points
@@ -26,14 +25,13 @@ struct MeshArrays {
   bool operator==(const MeshArrays&) const = default;
 };
 
-BRUME_EXPORT MeshArrays to_arrays(const TriangleMesh& mesh);
+BRUME_EXPORT const MeshArrays& to_arrays(const TriangleMesh& mesh);
 
-// Vertices and triangles keep their order. OpenMesh holds manifolds only: where a triangle does not
-// fit, it gets vertices of its own, behind all others. Null: the mesh needs more than `max_bytes`.
+// Throws DomainError. Null: the mesh needs more than `max_bytes`.
 BRUME_EXPORT std::shared_ptr<TriangleMesh> to_mesh(
-    const MeshArrays& arrays, std::size_t max_bytes = std::numeric_limits<std::size_t>::max());
+    MeshArrays arrays, std::size_t max_bytes = std::numeric_limits<std::size_t>::max());
 
-// Approximate memory of a mesh.
+// Memory of a mesh.
 BRUME_EXPORT std::size_t mesh_bytes(const TriangleMesh& mesh);
 
 // The box around a mesh, in its file's own coordinates; of no vertices around the origin.
@@ -47,5 +45,8 @@ BRUME_EXPORT MeshBox box_of(const TriangleMesh& mesh);
 BRUME_EXPORT std::vector<glm::dvec3> world_points(const Surface& surface,
                                                   std::span<const glm::vec3> points);
 BRUME_EXPORT std::vector<glm::dvec3> world_points(const Surface& surface);
+
+// The box around a surface and its copies in the world; low > high if it has no vertices.
+BRUME_EXPORT MeshBox world_box(const Surface& surface);
 
 }  // namespace brume

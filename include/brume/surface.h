@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "brume/copies.h"
 #include "brume/keys.h"
 #include "brume/metallic_roughness.h"
 #include "brume/object_id.h"
@@ -64,6 +65,9 @@ struct Surface {
   Material material{};
   SurfaceKeys keys{};
   Transfer transfer = Transfer::none;
+  std::optional<Copies> copies{};
+  // Its copies' meshes in the world, of surfaces that frames show: see evaluate_at().
+  std::shared_ptr<const CopyPlacements> placed_copies{};
   bool visible = true;  // else no frame has it: evaluate_at() leaves it out
   bool locked = false;  // for editors: not to be changed in the view
   ObjectId id = 0;

@@ -112,12 +112,10 @@ void MaterialStage::upload_materials(const Scene& scene) {
 void MaterialStage::upload_texcoords(const Scene& scene, const MeshBuffers& mesh) {
   if (mesh_ == mesh.revision()) return;
   mesh_ = 0;
-  std::vector<MeshArrays> arrays;
-  for (const Surface& surface : scene.surfaces) arrays.push_back(to_arrays(*surface.mesh));
   std::vector<glm::vec2> texcoords;
   texcoords.reserve(3 * mesh.places().size());
   for (const MeshBuffers::Place& place : mesh.places()) {
-    const MeshArrays& own_arrays = arrays[place.surface];
+    const MeshArrays& own_arrays = to_arrays(*scene.surfaces[place.surface].mesh);
     for (int k = 0; k < 3; ++k) {
       texcoords.push_back(own_arrays.texcoords.empty()
                               ? glm::vec2(0.0f)

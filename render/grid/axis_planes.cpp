@@ -15,7 +15,7 @@ constexpr double min_cosine = 0.99999;
 }  // namespace
 
 AxisPlanes::AxisPlanes(const RayCaster& ray_caster) {
-  for (const WorldTriangle& triangle : ray_caster.triangles()) {
+  ray_caster.for_each_triangle([&](const WorldTriangle& triangle) {
     const auto& [a, b, c] = triangle.positions;
     const glm::dvec3 normal =
         glm::cross(glm::dvec3(b) - glm::dvec3(a), glm::dvec3(c) - glm::dvec3(a));
@@ -25,7 +25,7 @@ AxisPlanes::AxisPlanes(const RayCaster& ray_caster) {
       planes_[static_cast<std::size_t>(k)].push_back(
           {ray_caster.center()[k] + static_cast<double>(a[k]), 0.5 * length});
     }
-  }
+  });
   for (std::vector<Plane>& planes : planes_) {
     std::ranges::sort(planes, {}, &Plane::coordinate);
     // Triangles of one plane are one, and those of a slightly uneven one.

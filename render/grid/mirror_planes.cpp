@@ -12,7 +12,7 @@ namespace {
 
 // The sides of a surface; empty: it has more than max_sides.
 std::vector<MirrorPlane> sides_of(const Surface& surface) {
-  const MeshArrays mesh = to_arrays(*surface.mesh);
+  const MeshArrays& mesh = to_arrays(*surface.mesh);
   const std::vector<glm::dvec3> points = world_points(surface, mesh.points);
   std::vector<MirrorPlane> sides;
   for (const glm::uvec3& corners : mesh.triangles) {

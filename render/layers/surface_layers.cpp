@@ -52,9 +52,12 @@ class MotionVectors {
   }
 
   // The place of a point of a surface in the next frame.
-  [[nodiscard]] glm::dvec3 moved(std::size_t surface, const glm::dvec3& point) const {
-    return Placement(*next_[surface])
-        .point_to_world(Placement(now_.surfaces[surface]).point_to_mesh(point));
+  [[nodiscard]] glm::dvec3 moved(const SurfaceHit& hit, const glm::dvec3& point) const {
+    const auto surface = static_cast<std::size_t>(hit.surface);
+    const Surface& next = *next_[surface];
+    if (hit.copy >= placement_count(next)) return point;
+    return placement_of(next, hit.copy)
+        .point_to_world(placement_of(now_.surfaces[surface], hit.copy).point_to_mesh(point));
   }
   // To the right and up from a position on the whole film; 0 for what comes to be behind the
   // camera.
@@ -103,8 +106,7 @@ class PointLayers {
     if (albedo_) albedo_->set(pixel, albedo_of(point));
     if (position_) position_->set(pixel, glm::vec3(point.position));
     if (!motion_) return;
-    const auto surface = static_cast<std::size_t>(hit.surface);
-    set_motion(pixel, motion_->on_film(motion_->moved(surface, point.position), place));
+    set_motion(pixel, motion_->on_film(motion_->moved(hit, point.position), place));
   }
 
  private:

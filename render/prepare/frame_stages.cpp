@@ -78,6 +78,7 @@ void trace_hits(const RayCaster& ray_caster, const FrameContext& work, Keep keep
 
 void FrameStages::find_hits(FrameContext& work, StageClock& clock) {
   distances_.clear();
+  copies_.clear();
   if (!work.plan.runs(Stage::visibility)) return;
   hits_.resize(work.frame.depth.size());  // all are set
   const auto width = static_cast<std::size_t>(work.frame.film.width);
@@ -91,10 +92,10 @@ void FrameStages::find_hits(FrameContext& work, StageClock& clock) {
                           [&](std::size_t band) { raster.draw(band, hits_, work.frame.depth); });
   } else {
     distances_.resize(hits_.size());
+    if (work.plan.has_copies) copies_.resize(hits_.size());
     trace_hits(ray_caster, work, [&](int x, int y, const SurfaceHit& hit) {
       const std::size_t i = index(x, y);
-      distances_[i] = hit.distance;
-      hits_[i] = ray_caster.pixel_of(hit);
+      set_hit(i, hit);
       work.frame.depth[i] = hits_[i].distance;
     });
   }
@@ -123,8 +124,7 @@ void FrameStages::find_hits_behind_panes(FrameContext& work) {
         const glm::dvec2 place(static_cast<double>(x) + 0.5, static_cast<double>(y) + 0.5);
         const SurfaceHit next = ray_caster.next_hit(work.rays.origin(place.x, place.y),
                                                     work.rays.direction(place.x, place.y), before);
-        hits_[pixel] = ray_caster.pixel_of(next);
-        distances_[pixel] = next.distance;
+        set_hit(pixel, next);
       }
       work.frame.depth[pixel] = hits_[pixel].distance;
     }
@@ -133,9 +133,16 @@ void FrameStages::find_hits_behind_panes(FrameContext& work) {
 
 SurfaceHit FrameStages::hit(std::size_t pixel) const {
   if (hits_.empty()) return {};
-  SurfaceHit hit = prepared_.ray_caster().hit_of(hits_[pixel]);
+  SurfaceHit hit =
+      prepared_.ray_caster().hit_of(hits_[pixel], copies_.empty() ? 0 : copies_[pixel]);
   if (!distances_.empty()) hit.distance = distances_[pixel];
   return hit;
+}
+
+void FrameStages::set_hit(std::size_t pixel, const SurfaceHit& hit) {
+  hits_[pixel] = prepared_.ray_caster().pixel_of(hit);
+  distances_[pixel] = hit.distance;
+  if (!copies_.empty()) copies_[pixel] = hit.copy;
 }
 
 bool FrameStages::prepare_source(FrameContext& work, StageClock& clock) {
@@ -446,7 +453,7 @@ std::span<const glm::vec3> FrameStages::shade_surfaces(FrameContext& work, Stage
   update_vertex_lighting(work);
   lighting_ = tabled_lighting(work);
   work.frame.statistics.light_pairs +=
-      film_surfaces(work).shade(hits_, work.job, surface_radiance_);
+      film_surfaces(work).shade(hits_, copies_, work.job, surface_radiance_);
   clock.finish(Stage::surfaces);
   return surface_radiance_;
 }

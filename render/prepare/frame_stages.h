@@ -180,11 +180,14 @@ class FrameStages {
   PreparedScene prepared_;
   PreparedShading shading_;
   EmissionLights emission_lights_;
+  void set_hit(std::size_t pixel, const SurfaceHit& hit);
+
   SourceFunction source_;
   SurfaceLighting lighting_;  // of the frame
   // Members to reuse their memory.
   std::vector<RasterPixel> hits_;
   std::vector<double> distances_;  // of hits_ in double, where float is too coarse; else empty
+  std::vector<std::uint32_t> copies_;  // of hits_; empty: nothing has copies
   std::vector<glm::vec3> surface_radiance_;
 };
 

@@ -16,8 +16,13 @@ namespace {
 // The work of one thread.
 class Shader {
  public:
-  Shader(const FilmSurfaces& film, std::span<const RasterPixel> hits, std::span<glm::vec3> radiance)
-      : film_(film), hits_(hits), radiance_(radiance), waiting_(film.surfaces.size()) {}
+  Shader(const FilmSurfaces& film, std::span<const RasterPixel> hits,
+         std::span<const std::uint32_t> copies, std::span<glm::vec3> radiance)
+      : film_(film),
+        hits_(hits),
+        copies_(copies),
+        radiance_(radiance),
+        waiting_(film.surfaces.size()) {}
 
   void shade(const CameraRays::PixelRectangle& tile) {
     Tiles::each_pixel(tile, [&](int x, int y) {
@@ -50,8 +55,13 @@ class Shader {
            static_cast<std::size_t>(pixel.x);
   }
 
+  [[nodiscard]] SurfaceHit hit_of(const glm::ivec2& pixel) const {
+    const std::size_t i = index_of(pixel);
+    return film_.ray_caster.hit_of(hits_[i], copies_.empty() ? 0 : copies_[i]);
+  }
+
   void shade_later(const glm::ivec2& pixel) {
-    const SurfaceHit hit = film_.ray_caster.hit_of(hits_[index_of(pixel)]);
+    const SurfaceHit hit = hit_of(pixel);
     std::vector<glm::ivec2>& pixels = waiting_[static_cast<std::size_t>(hit.surface)];
     pixels.push_back(pixel);
     if (pixels.size() == Tiles::pixels) shade_now(pixels);
@@ -66,7 +76,7 @@ class Shader {
     PointVectors directions;
     find_view_directions(film_.rays, pixels, directions);
     for (std::size_t k = 0; k < pixels.size(); ++k) {
-      hits[k] = film_.ray_caster.hit_of(hits_[index_of(pixels[k])]);
+      hits[k] = hit_of(pixels[k]);
       seen_along[k] = {directions.x[k], directions.y[k], directions.z[k]};
       offsets[k] = film_.rays.offset(pixels[k].x + 0.5, pixels[k].y + 0.5);
     }
@@ -80,6 +90,7 @@ class Shader {
 
   const FilmSurfaces& film_;
   std::span<const RasterPixel> hits_;
+  std::span<const std::uint32_t> copies_;
   std::span<glm::vec3> radiance_;
   std::vector<std::vector<glm::ivec2>> waiting_;  // per surface
   std::uint64_t pairs_ = 0;
@@ -130,7 +141,8 @@ std::uint64_t FilmSurfaces::shade(std::span<const SurfaceHit> hits, const glm::d
   return pairs;
 }
 
-std::uint64_t FilmSurfaces::shade(std::span<const RasterPixel> hits, const Job& job,
+std::uint64_t FilmSurfaces::shade(std::span<const RasterPixel> hits,
+                                  std::span<const std::uint32_t> copies, const Job& job,
                                   std::span<glm::vec3> radiance) const {
   const int columns = (pixels.x1 - pixels.x0 + block_width - 1) / block_width;
   const int rows = (pixels.y1 - pixels.y0 + block_height - 1) / block_height;
@@ -140,7 +152,7 @@ std::uint64_t FilmSurfaces::shade(std::span<const RasterPixel> hits, const Job& 
     const int top = pixels.y0 + static_cast<int>(block) / columns * block_height;
     const int right = std::min(left + block_width, pixels.x1);
     const int bottom = std::min(top + block_height, pixels.y1);
-    Shader shader(*this, hits, radiance);
+    Shader shader(*this, hits, copies, radiance);
     for (int y = top; y < bottom; y += Tiles::height) {
       for (int x = left; x < right; x += Tiles::width) {
         shader.shade(

@@ -45,9 +45,10 @@ struct FilmSurfaces {
   static constexpr int few_mirrored_rays = 2;
 
   // Sets the exitant radiance of these pixels' hits towards the eye, black where there is none.
-  // Returns the Gaussian x path pairs evaluated.
-  std::uint64_t shade(std::span<const RasterPixel> hits, const Job& job,
-                      std::span<glm::vec3> radiance) const;
+  // `copies`: see SurfaceHit; empty: nothing has copies. Returns the Gaussian x path pairs
+  // evaluated.
+  std::uint64_t shade(std::span<const RasterPixel> hits, std::span<const std::uint32_t> copies,
+                      const Job& job, std::span<glm::vec3> radiance) const;
   // The same of up to Tiles::pixels hits on one surface, seen in these unit directions; from
   // `offsets`, unless empty, see RayCaster::first_hits().
   std::uint64_t shade(std::span<const SurfaceHit> hits, std::span<const glm::vec3> directions,

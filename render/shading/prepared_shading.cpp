@@ -1,8 +1,6 @@
 #include "render/shading/prepared_shading.h"
 
 #include <algorithm>
-#include <glm/common.hpp>
-#include <limits>
 
 #include "brume/mesh_arrays.h"
 #include "render/shading/surface_shading.h"
@@ -11,19 +9,14 @@ namespace brume {
 namespace {
 
 Box bounds(const Surface& surface) {
-  Box box{glm::dvec3(std::numeric_limits<double>::infinity()),
-          glm::dvec3(-std::numeric_limits<double>::infinity())};
-  for (const glm::dvec3& p : world_points(surface)) {
-    box.low = glm::min(box.low, p);
-    box.high = glm::max(box.high, p);
-  }
-  return box.low.x <= box.high.x ? box : Box{};
+  const MeshBox box = world_box(surface);
+  return box.low.x <= box.high.x ? Box{box.low, box.high} : Box{};
 }
 
 }  // namespace
 
 bool PreparedShading::Depths::matches(const Surface& surface) const {
-  return mesh == surface.mesh && placement == Placement(surface);
+  return mesh == surface.mesh && placement == Placement(surface) && copies == surface.placed_copies;
 }
 
 void PreparedShading::update(const Scene& scene, const RenderPlan& plan,
@@ -124,7 +117,7 @@ const AverageDepthGrid& PreparedShading::average_depth_of(const Surface& surface
   const GaussianTerms<double> gaussians(medium);
   light_revision_ = new_revision();
   depths_.push_back(std::make_unique<Depths>(Depths{
-      surface.mesh, Placement(surface), AverageDepthGrid(gaussians.all(), bounds(surface))}));
+      surface.mesh, Placement(surface), surface.placed_copies, AverageDepthGrid(gaussians.all(), bounds(surface))}));
   return depths_.back()->grid;
 }
 

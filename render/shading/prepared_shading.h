@@ -56,6 +56,7 @@ class PreparedShading {
   struct Depths {
     std::shared_ptr<const TriangleMesh> mesh;
     Placement placement;
+    std::shared_ptr<const CopyPlacements> copies;
     AverageDepthGrid grid;
 
     [[nodiscard]] bool matches(const Surface& surface) const;

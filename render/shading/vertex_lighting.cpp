@@ -118,8 +118,8 @@ VertexLighting::VertexLighting(const MediumIndex& medium, const SurfaceLighting&
       material_(shading.material),
       order_(shading.transfer->settings.order) {
   const RadianceTransfer& transfer = *shading.transfer;
-  MeshArrays mesh = to_arrays(*surface.mesh);
-  triangles_ = std::move(mesh.triangles);
+  const MeshArrays& mesh = to_arrays(*surface.mesh);
+  triangles_ = mesh.triangles;
   for (std::size_t s = 0; s < sides_.size(); ++s) {
     if (transfer.sides[s].visibility.empty()) continue;
     sides_[s].radiance.resize(transfer.vertices);

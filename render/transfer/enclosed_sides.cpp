@@ -82,7 +82,7 @@ struct Shape {
 }  // namespace
 
 std::vector<Enclosed> enclosed_sides(const TriangleMesh& of) {
-  const MeshArrays mesh = to_arrays(of);
+  const MeshArrays& mesh = to_arrays(of);
   const std::vector<Index> place = places(mesh);
   Components components(place.size());
   std::vector<Edge> edges;

@@ -35,7 +35,7 @@ std::uint64_t hash_of(const TriangleMesh& mesh, const TransferSettings& settings
   hash.add(settings.order);
   hash.add(settings.directions);
   hash.add(settings.bounces);
-  const MeshArrays arrays = to_arrays(mesh);
+  const MeshArrays& arrays = to_arrays(mesh);
   hash.add(std::span(arrays.points));
   hash.add(std::span(arrays.normals));
   for (const glm::uvec3& corners : arrays.triangles) hash.add(corners);

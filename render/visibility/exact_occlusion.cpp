@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <optional>
 
 #include "brume/mesh_arrays.h"
@@ -83,45 +84,89 @@ bool clip(Segment& s, double low, double high) {
 
 }  // namespace
 
-ExactOcclusion::ExactOcclusion(std::span<const Surface> surfaces) {
+void ExactOcclusion::Part::add(const Surface& surface, const Placement& placement,
+                               const Coverage* coverage) {
+  const MeshArrays& mesh = to_arrays(*surface.mesh);
+  std::vector<glm::dvec3> points(mesh.points.size());
+  std::ranges::transform(mesh.points, points.begin(), [&placement](const glm::vec3& p) {
+    return placement.point_to_world(glm::dvec3(p));
+  });
+  for (const glm::uvec3& corners : mesh.triangles) {
+    if (coverage->has_holes()) {
+      Holes& own_holes = holes[static_cast<std::uint32_t>(triangles.size())];
+      own_holes.coverage = coverage;
+      for (int k = 0; k < 3 && !mesh.texcoords.empty(); ++k) {
+        own_holes.texcoords[static_cast<std::size_t>(k)] = glm::dvec2(mesh.texcoords[corners[k]]);
+      }
+    }
+    triangles.push_back({points[corners.x], points[corners.y], points[corners.z]});
+  }
+}
+
+void ExactOcclusion::Part::finish() {
   std::vector<glm::dvec3> centers;
   std::vector<double> radii;
+  for (const Triangle& triangle : triangles) {
+    const glm::dvec3 low = glm::min(triangle[0], glm::min(triangle[1], triangle[2]));
+    const glm::dvec3 high = glm::max(triangle[0], glm::max(triangle[1], triangle[2]));
+    centers.push_back(0.5 * (low + high));
+    radii.push_back(0.5 * glm::length(high - low));
+  }
+  bvh = SphereBvh(centers, radii);
+}
+
+ExactOcclusion::ExactOcclusion(std::span<const Surface> surfaces) {
+  const Placement in_the_world{CopyPlacement()};
+  parts_.emplace_back();
   for (const Surface& surface : surfaces) {
-    const MeshArrays mesh = to_arrays(*surface.mesh);
     coverages_.push_back(std::make_unique<const Coverage>(surface.material));
-    const std::vector<glm::dvec3> points = world_points(surface, mesh.points);
-    for (const glm::uvec3& corners : mesh.triangles) {
-      const Triangle triangle{points[corners.x], points[corners.y], points[corners.z]};
-      const glm::dvec3 low = glm::min(triangle[0], glm::min(triangle[1], triangle[2]));
-      const glm::dvec3 high = glm::max(triangle[0], glm::max(triangle[1], triangle[2]));
-      if (coverages_.back()->has_holes()) {
-        Holes& holes = holes_[static_cast<std::uint32_t>(triangles_.size())];
-        holes.coverage = coverages_.back().get();
-        for (int k = 0; k < 3 && !mesh.texcoords.empty(); ++k) {
-          holes.texcoords[static_cast<std::size_t>(k)] = glm::dvec2(mesh.texcoords[corners[k]]);
-        }
-      }
-      triangles_.push_back(triangle);
-      centers.push_back(0.5 * (low + high));
-      radii.push_back(0.5 * glm::length(high - low));
+    if (!surface.placed_copies) {
+      parts_.front().add(surface, Placement(surface), coverages_.back().get());
+      continue;
     }
+    Part& part = parts_.emplace_back();
+    part.add(surface, in_the_world, coverages_.back().get());
+    for (std::size_t copy = 0; copy < placement_count(surface); ++copy) {
+      instances_.push_back({static_cast<std::uint32_t>(parts_.size() - 1),
+                            placement_of(surface, copy)});
+    }
+  }
+  if (!parts_.front().triangles.empty()) instances_.push_back({0, in_the_world});
+
+  std::vector<glm::dvec3> part_centers;
+  std::vector<double> part_radii;
+  for (Part& part : parts_) {
+    part.finish();
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    glm::dvec3 low(infinite), high(-infinite);
+    for (const Triangle& triangle : part.triangles) {
+      low = glm::min(low, glm::min(triangle[0], glm::min(triangle[1], triangle[2])));
+      high = glm::max(high, glm::max(triangle[0], glm::max(triangle[1], triangle[2])));
+    }
+    part_centers.push_back(0.5 * (low + high));
+    part_radii.push_back(0.5 * glm::length(high - low));
+  }
+  std::vector<glm::dvec3> centers;
+  std::vector<double> radii;
+  for (const auto& [part, placement] : instances_) {
+    centers.push_back(placement.point_to_world(part_centers[part]));
+    radii.push_back(placement.scale * part_radii[part]);
   }
   bvh_ = SphereBvh(centers, radii);
 }
 
-bool ExactOcclusion::is_hole(std::uint32_t triangle, const glm::dvec3& weights) const {
-  const auto found = holes_.find(triangle);
-  if (found == holes_.end()) return false;
+bool ExactOcclusion::Part::is_hole(std::uint32_t triangle, const glm::dvec3& weights) const {
+  const auto found = holes.find(triangle);
+  if (found == holes.end()) return false;
   const auto& [coverage, uv] = found->second;
   return coverage->is_hole(weights.x * uv[0] + weights.y * uv[1] + weights.z * uv[2]);
 }
 
-double ExactOcclusion::first_hit(const glm::dvec3& origin, const glm::dvec3& direction,
-                                 double end) const {
-  double nearest = end;
-  bvh_.query(RaySegment{origin, direction, end}, [&](std::uint32_t i) {
+void ExactOcclusion::Part::shorten(const glm::dvec3& origin, const glm::dvec3& direction,
+                                   double& end) const {
+  bvh.query(RaySegment{origin, direction, end}, [&](std::uint32_t i) {
     // Moeller and Trumbore 1997.
-    const Triangle& triangle = triangles_[i];
+    const Triangle& triangle = triangles[i];
     const glm::dvec3 e1 = triangle[1] - triangle[0];
     const glm::dvec3 e2 = triangle[2] - triangle[0];
     const glm::dvec3 p = glm::cross(direction, e2);
@@ -132,7 +177,19 @@ double ExactOcclusion::first_hit(const glm::dvec3& origin, const glm::dvec3& dir
     const double v = glm::dot(direction, glm::cross(q, e1)) / det;
     const double t = glm::dot(e2, glm::cross(q, e1)) / det;
     if (!(u >= 0.0 && v >= 0.0 && u + v <= 1.0 && t > 0.0)) return;
-    if (!is_hole(i, {1.0 - u - v, u, v})) nearest = std::min(nearest, t);
+    if (!is_hole(i, {1.0 - u - v, u, v})) end = std::min(end, t);
+  });
+}
+
+double ExactOcclusion::first_hit(const glm::dvec3& origin, const glm::dvec3& direction,
+                                 double end) const {
+  double nearest = end;
+  bvh_.query(RaySegment{origin, direction, end}, [&](std::uint32_t i) {
+    const auto& [part, placement] = instances_[i];
+    double own_end = nearest / placement.scale;
+    parts_[part].shorten(placement.point_to_mesh(origin), placement.normal_to_mesh(direction),
+                         own_end);
+    nearest = std::min(nearest, own_end * placement.scale);
   });
   return nearest;
 }
@@ -160,27 +217,41 @@ std::vector<std::pair<double, double>> ExactOcclusion::lit(const glm::dvec3& lig
   const double first = std::atan2(-ts, h);
   const double last = std::atan2(end - ts, h);
   std::vector<std::pair<double, double>> hidden;
+  // Angles are the same in a part's own coordinates.
+  const auto hide_part = [&](const Part& part, const Placement& placement) {
+    const glm::dvec3 own_light = placement.point_to_mesh(light);
+    const glm::dvec3 own_eye = placement.point_to_mesh(eye);
+    const glm::dvec3 own_w = placement.normal_to_mesh(w);
+    const glm::dvec3 own_y = placement.normal_to_mesh(y);
+    const glm::dvec3 own_normal = placement.normal_to_mesh(normal);
+    const double own_h = h / placement.scale;
+    const TriangleShape seen{own_light, own_eye, own_eye + end / placement.scale * own_w};
+    part.bvh.query(seen, [&](std::uint32_t i) {
+      Ends ends;
+      const std::optional<Segment> whole =
+          cross_section(part.triangles[i], own_light, own_w, own_y, own_normal, ends);
+      if (!whole) return;
+      const auto hide = [&](Segment s) {
+        if (!clip(s, touching * own_h, (1.0 - touching) * own_h)) return;
+        const double a = std::atan2(s[0].x, s[0].y);
+        const double b = std::atan2(s[1].x, s[1].y);
+        const double begin = std::max(std::min(a, b), first);
+        const double stop = std::min(std::max(a, b), last);
+        if (begin < stop) hidden.emplace_back(begin, stop);
+      };
+      if (!part.holes.contains(i)) {
+        hide(*whole);
+        return;
+      }
+      each_solid_part([&](double at) { return part.is_hole(i, glm::mix(ends[0], ends[1], at)); },
+                      [&](double begin, double stop) {
+                        hide({glm::mix((*whole)[0], (*whole)[1], begin),
+                              glm::mix((*whole)[0], (*whole)[1], stop)});
+                      });
+    });
+  };
   bvh_.query(TriangleShape{light, eye, eye + end * w}, [&](std::uint32_t i) {
-    Ends ends;
-    const std::optional<Segment> whole = cross_section(triangles_[i], light, w, y, normal, ends);
-    if (!whole) return;
-    const auto hide = [&](Segment s) {
-      if (!clip(s, touching * h, (1.0 - touching) * h)) return;
-      const double a = std::atan2(s[0].x, s[0].y);
-      const double b = std::atan2(s[1].x, s[1].y);
-      const double begin = std::max(std::min(a, b), first);
-      const double stop = std::min(std::max(a, b), last);
-      if (begin < stop) hidden.emplace_back(begin, stop);
-    };
-    if (!holes_.contains(i)) {
-      hide(*whole);
-      return;
-    }
-    each_solid_part([&](double at) { return is_hole(i, glm::mix(ends[0], ends[1], at)); },
-                    [&](double begin, double stop) {
-                      hide({glm::mix((*whole)[0], (*whole)[1], begin),
-                            glm::mix((*whole)[0], (*whole)[1], stop)});
-                    });
+    hide_part(parts_[instances_[i].part], instances_[i].placement);
   });
   std::sort(hidden.begin(), hidden.end());
 

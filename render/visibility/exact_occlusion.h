@@ -12,6 +12,7 @@
 
 #include "brume/scene.h"
 #include "core/scene/materials/coverage.h"
+#include "core/scene/placement.h"
 #include "render/geometry/sphere_bvh.h"
 
 namespace brume {
@@ -24,7 +25,7 @@ class ExactOcclusion {
  public:
   explicit ExactOcclusion(std::span<const Surface> surfaces);
 
-  [[nodiscard]] bool empty() const { return triangles_.empty(); }
+  [[nodiscard]] bool empty() const { return instances_.empty(); }
 
   // The intervals [t0, t1] of the view ray eye + t w, t in [0, end], that are visible from the
   // light, ascending. Thread-safe.
@@ -33,20 +34,37 @@ class ExactOcclusion {
                                                            const glm::dvec3& w, double end) const;
 
  private:
-  [[nodiscard]] double first_hit(const glm::dvec3& origin, const glm::dvec3& direction,
-                                 double end) const;
-
   using Triangle = std::array<glm::dvec3, 3>;
   struct Holes {
     const Coverage* coverage;
     std::array<glm::dvec2, 3> texcoords;
   };
-  [[nodiscard]] bool is_hole(std::uint32_t triangle, const glm::dvec3& weights) const;
+  // Triangles that stand in several places.
+  struct Part {
+    std::vector<Triangle> triangles;
+    std::map<std::uint32_t, Holes> holes;  // of triangles that have some
+    SphereBvh bvh;
 
-  std::vector<Triangle> triangles_;
+    void add(const Surface& surface, const Placement& placement, const Coverage* coverage);
+    void finish();
+    [[nodiscard]] bool is_hole(std::uint32_t triangle, const glm::dvec3& weights) const;
+    // Stops the ray at the nearest hit.
+    void shorten(const glm::dvec3& origin, const glm::dvec3& direction, double& end) const;
+  };
+  struct Instance {
+    std::uint32_t part;
+    Placement placement;
+  };
+  void add_instances(const Part& part, std::span<const Placement> placements);
+
+  [[nodiscard]] double first_hit(const glm::dvec3& origin, const glm::dvec3& direction,
+                                 double end) const;
+
+  // The first is of all surfaces without copies, in the world.
+  std::vector<Part> parts_;
+  std::vector<Instance> instances_;
   std::vector<std::unique_ptr<const Coverage>> coverages_;
-  std::map<std::uint32_t, Holes> holes_;  // of triangles that have some
-  SphereBvh bvh_;
+  SphereBvh bvh_;  // of instances
 };
 
 }  // namespace brume

@@ -13,43 +13,29 @@ namespace {
 constexpr std::size_t packet = 16;
 
 // Rays that start at one point or are parallel, and see no triangle edge-on.
+template <class Impl>
 struct ViewQuery : CoverageQuery {
-  const std::vector<std::vector<Vertex>>& vertices;
-  const std::vector<std::vector<glm::uvec3>>& triangles;
+  const Impl& impl;
   glm::dvec3 eye;
   std::optional<glm::dvec3> direction;  // of parallel rays
 
-  ViewQuery(const auto& impl, const glm::dvec3& origin, RayOrder order)
-      : CoverageQuery(order, refuse_edge_on),
-        vertices(impl.vertices),
-        triangles(impl.triangles),
-        eye(origin - impl.center) {}
+  ViewQuery(const Impl& surfaces, const glm::dvec3& origin, RayOrder order)
+      : CoverageQuery(order, refuse_edge_on), impl(surfaces), eye(origin - surfaces.center) {}
 
  private:
   static void refuse_edge_on(const RTCFilterFunctionNArguments* found) {
     const auto& view = static_cast<const ViewQuery&>(*found->context);
     for (unsigned i = 0; i < found->N; ++i) {
       if (found->valid[i] == 0) continue;
-      const unsigned surface = RTCHitN_geomID(found->hit, found->N, i);
-      const unsigned triangle = RTCHitN_primID(found->hit, found->N, i);
-      const std::vector<Vertex>& all = view.vertices[surface];
-      const glm::uvec3& corners = view.triangles[surface][triangle];
-      const std::array<glm::vec3, 3> positions{all[corners.x].position, all[corners.y].position,
-                                               all[corners.z].position};
+      const auto corners = view.impl.corners(view.impl.placed_triangle(*found, i));
+      const std::array<glm::vec3, 3> positions{corners[0].position, corners[1].position,
+                                               corners[2].position};
       const bool is_refused =
           view.direction ? is_along(positions, *view.direction) : is_edge_on(positions, view.eye);
       if (is_refused) found->valid[i] = 0;
     }
   }
 };
-
-SurfaceHit hit(const FloatSegment& segment, float tfar, unsigned geometry, unsigned triangle,
-               float u, float v) {
-  // Triangles near the end of float's range come out infinitely far.
-  if (geometry == RTC_INVALID_GEOMETRY_ID || !std::isfinite(tfar)) return {};
-  return {segment.skip + static_cast<double>(tfar), static_cast<std::int32_t>(geometry), triangle,
-          u, v};
-}
 
 }  // namespace
 
@@ -76,21 +62,27 @@ bool RayCaster::is_near(const glm::dvec3& origin) const {
 
 std::vector<WorldTriangle> RayCaster::triangles() const {
   std::vector<WorldTriangle> result;
-  for (std::size_t s = 0; s < impl_->triangles.size(); ++s) {
-    const std::vector<Vertex>& vertices = impl_->vertices[s];
-    for (std::size_t t = 0; t < impl_->triangles[s].size(); ++t) {
-      WorldTriangle& triangle = result.emplace_back();
-      triangle.surface = static_cast<std::uint32_t>(s);
-      triangle.index = static_cast<std::uint32_t>(t);
-      triangle.vertices = impl_->triangles[s][t];
-      for (int k = 0; k < 3; ++k) {
-        const Vertex& vertex = vertices[impl_->triangles[s][t][k]];
-        triangle.positions[static_cast<std::size_t>(k)] = vertex.position;
-        triangle.normals[static_cast<std::size_t>(k)] = vertex.normal;
+  result.reserve(size());
+  for_each_triangle([&result](const WorldTriangle& triangle) { result.push_back(triangle); });
+  return result;
+}
+
+void RayCaster::for_each_triangle(const std::function<void(const WorldTriangle&)>& visit) const {
+  WorldTriangle triangle;
+  for (std::uint32_t s = 0; s < impl_->surfaces.size(); ++s) {
+    const std::vector<glm::uvec3>& all = impl_->mesh(s).triangles;
+    triangle.surface = s;
+    for (std::uint32_t t = 0; t < all.size(); ++t) {
+      triangle.index = t;
+      triangle.vertices = all[t];
+      const std::array<Vertex, 3> corners = impl_->corners({s, 0, t});
+      for (std::size_t k = 0; k < 3; ++k) {
+        triangle.positions[k] = corners[k].position;
+        triangle.normals[k] = corners[k].normal;
       }
+      visit(triangle);
     }
   }
-  return result;
 }
 
 std::uint32_t RayCaster::index_of(const SurfaceHit& hit) const {
@@ -102,7 +94,7 @@ bool RayCaster::empty() const {
 }
 
 std::size_t RayCaster::size() const {
-  return impl_->raster.corners.size();
+  return impl_->triangle_count;
 }
 
 bool RayCaster::shows(std::span<const Surface> surfaces, const glm::dvec3& channels) const {
@@ -128,10 +120,11 @@ SurfaceHit RayCaster::cast(const glm::dvec3& origin, const glm::dvec3& direction
   RTCRayHit query{};
   impl_->set(query.ray, 0, origin, direction, segment);
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   ViewQuery view(*impl_, origin, RayOrder::incoherent);
   view.direction = parallel;
   view.intersect(impl_->scene, query);
-  return hit(segment, query.ray.tfar, query.hit.geomID, query.hit.primID, query.hit.u, query.hit.v);
+  return impl_->hit(segment, query);
 }
 
 HitsOnRay RayCaster::hits_on_ray(const glm::dvec3& origin, const glm::dvec3& direction,
@@ -143,12 +136,12 @@ HitsOnRay RayCaster::hits_on_ray(const glm::dvec3& origin, const glm::dvec3& dir
   RTCRayHit query{};
   impl_->set(query.ray, 0, origin, direction, segment);
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   ViewQuery view(*impl_, origin, RayOrder::incoherent);
   view.mode = CoverageQuery::Panes::collected;
   view.panes = &result.panes;
   view.intersect(impl_->scene, query);
-  result.end =
-      hit(segment, query.ray.tfar, query.hit.geomID, query.hit.primID, query.hit.u, query.hit.v);
+  result.end = impl_->hit(segment, query);
   for (PaneHit& pane : result.panes) pane.hit.distance += segment.skip;
   std::erase_if(result.panes,
                 [&](const PaneHit& pane) { return !(pane.hit.distance < result.end.distance); });
@@ -177,7 +170,7 @@ void RayCaster::cast(const glm::dvec3& eye, std::span<const glm::dvec3> directio
   std::fill(hits.begin(), hits.end(), SurfaceHit{});
   if (empty()) return;
   const bool near = offsets.empty() && is_near(eye);
-  ViewQuery view(*impl_, eye, RayOrder::coherent);
+  ViewQuery view(*impl_, eye, impl_->packet_order());
   if (passes_panes) view.mode = CoverageQuery::Panes::passed;
   if (!offsets.empty()) view.direction = directions.front();
   for (std::size_t first = 0; first < directions.size(); first += packet) {
@@ -196,8 +189,9 @@ void RayCaster::cast(const glm::dvec3& eye, std::span<const glm::dvec3> directio
     }
     view.intersect(impl_->scene, valid.data(), query);
     for (std::size_t k = 0; k < count; ++k) {
-      hits[first + k] = hit(segments[k], query.ray.tfar[k], query.hit.geomID[k],
-                            query.hit.primID[k], query.hit.u[k], query.hit.v[k]);
+      hits[first + k] =
+          impl_->hit(segments[k], query.ray.tfar[k], query.hit.geomID[k], query.hit.instID[0][k],
+                     query.hit.primID[k], query.hit.u[k], query.hit.v[k]);
     }
   }
 }
@@ -208,15 +202,15 @@ bool RayCaster::can_rasterize(const CameraRays& rays) const {
 }
 
 Raster RayCaster::raster(const CameraRays& rays, const Film& film, const Job& job) const {
-  return {impl_->raster, rays, rays.eye() - impl_->center, film, job};
+  return {impl_->raster_triangles(), rays, rays.eye() - impl_->center, film, job};
 }
 
-SurfaceHit RayCaster::hit_of(const RasterPixel& pixel) const {
+SurfaceHit RayCaster::hit_of(const RasterPixel& pixel, std::uint32_t copy) const {
   if (!std::isfinite(pixel.distance)) return {};
   const std::vector<std::uint32_t>& first = impl_->first_triangles;
   const auto surface = std::ranges::upper_bound(first, pixel.triangle) - first.begin() - 1;
   return {static_cast<double>(pixel.distance), static_cast<std::int32_t>(surface),
-          pixel.triangle - first[static_cast<std::size_t>(surface)], pixel.u, pixel.v};
+          pixel.triangle - first[static_cast<std::size_t>(surface)], pixel.u, pixel.v, copy};
 }
 
 RasterPixel RayCaster::pixel_of(const SurfaceHit& hit) const {
@@ -241,7 +235,7 @@ void RayCaster::trace_shadow_rays(const SurfacePoints& points, const glm::vec3& 
 void RayCaster::cast_shadow_rays(const SurfacePoints& points, const glm::vec3& position,
                                  std::span<const std::uint8_t> pending,
                                  LightAtPoints& light) const {
-  CoverageQuery shadow(RayOrder::coherent);
+  CoverageQuery shadow(impl_->packet_order());
   shadow.mode = CoverageQuery::Panes::attenuate;
   const auto light_rounding = static_cast<float>(rounding_at(glm::dvec3(position)));
   const std::size_t count = std::min(packet, pending.size());

@@ -28,6 +28,7 @@ struct SurfaceHit {
   std::int32_t surface = -1;  // index, or -1 for none
   std::uint32_t triangle = 0;
   float u = 0.0f, v = 0.0f;  // barycentric, of the triangle's second and third corner
+  std::uint32_t copy = 0;    // the placement, see placement_of()
 
   explicit operator bool() const { return surface >= 0; }
 };
@@ -77,17 +78,20 @@ class RayCaster {
 
   [[nodiscard]] Revision revision() const { return revision_; }
   [[nodiscard]] bool empty() const;
-  [[nodiscard]] std::size_t size() const;  // triangles
+  [[nodiscard]] std::size_t size() const;  // triangles, without those of copies
   // Bounds of all surfaces.
   [[nodiscard]] const Box& bounds() const;
   // Bounds of one surface; low > high if it has no points.
   [[nodiscard]] const Box& surface_bounds(std::size_t surface) const;
 
   // Data for casting the same rays elsewhere: the center that triangles are relative to, the radius
-  // of the ball around it that holds them all (< 0: none), and the triangles.
+  // of the ball around it that holds them all (< 0: none), and the triangles without those of
+  // copies.
   [[nodiscard]] const glm::dvec3& center() const;
   [[nodiscard]] double radius() const;
   [[nodiscard]] std::vector<WorldTriangle> triangles() const;
+  // The same one by one.
+  void for_each_triangle(const std::function<void(const WorldTriangle&)>& visit) const;
   [[nodiscard]] std::uint32_t index_of(const SurfaceHit& hit) const;  // index in triangles()
   // Whether rays may start here: close enough that rounding the direction moves a hit by a few
   // float roundings only. Rays from farther away start near the ball.
@@ -98,7 +102,7 @@ class RayCaster {
   // Shadow rays end this share of their length before the light, which may lie on a surface.
   static constexpr double light_margin = 2.0 * position_rounding;
 
-  // Whether these are the surfaces it was built from, comparing meshes, transforms, holes and panes
+  // Whether these are the surfaces it was built from, comparing meshes, placements, holes and panes
   // (other values of materials do not count).
   [[nodiscard]] bool shows(std::span<const Surface> surfaces,
                            const glm::dvec3& channels = all_channels) const;
@@ -139,11 +143,11 @@ class RayCaster {
   // The weight of the light that a pane reflects where it stops rays as often as light.
   [[nodiscard]] double reflected_by_chance(const SurfaceHit& hit) const;
 
-  // Rasterization of a pinhole's first hits: precise enough unless the eye is far away. Keeps a
-  // reference to this.
+  // Rasterization of a pinhole's first hits: precise enough unless the eye is far away. Nothing
+  // may have copies. Keeps a reference to this.
   [[nodiscard]] bool can_rasterize(const CameraRays& rays) const;
   [[nodiscard]] Raster raster(const CameraRays& rays, const Film& film, const Job& job) const;
-  [[nodiscard]] SurfaceHit hit_of(const RasterPixel& pixel) const;
+  [[nodiscard]] SurfaceHit hit_of(const RasterPixel& pixel, std::uint32_t copy = 0) const;
   [[nodiscard]] RasterPixel pixel_of(const SurfaceHit& hit) const;
 
   // The hit point of that ray; textures are not averaged. Thread-safe.

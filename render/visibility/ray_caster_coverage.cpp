@@ -16,8 +16,7 @@ void RayCaster::Impl::meet_coverage(const RTCFilterFunctionNArguments* found) {
   auto& query = static_cast<CoverageQuery&>(*found->context);
   for (unsigned i = 0; i < found->N; ++i) {
     if (found->valid[i] == 0) continue;
-    const unsigned surface = RTCHitN_geomID(found->hit, found->N, i);
-    const unsigned triangle = RTCHitN_primID(found->hit, found->N, i);
+    const auto [surface, copy, triangle] = impl.placed_triangle(*found, i);
     const float u = RTCHitN_u(found->hit, found->N, i);
     const float v = RTCHitN_v(found->hit, found->N, i);
     const glm::dvec2 uv = impl.texcoord(surface, triangle, u, v);
@@ -35,7 +34,7 @@ void RayCaster::Impl::meet_coverage(const RTCFilterFunctionNArguments* found) {
     if (query.mode == CoverageQuery::Panes::collected) {
       const double distance = static_cast<double>(RTCRayN_tfar(found->ray, found->N, i));
       query.panes->push_back(
-          {{distance, static_cast<std::int32_t>(surface), triangle, u, v}, passing});
+          {{distance, static_cast<std::int32_t>(surface), triangle, u, v, copy}, passing});
       found->valid[i] = 0;
       continue;
     }
@@ -74,7 +73,8 @@ SurfaceHit RayCaster::next_hit(const glm::dvec3& origin, const glm::dvec3& direc
   const HitsOnRay on_ray = hits_on_ray(origin, direction);
   // By its triangle: the same distance may be rounded otherwise.
   auto next = std::ranges::find_if(on_ray.panes, [&before](const PaneHit& pane) {
-    return pane.hit.surface == before.surface && pane.hit.triangle == before.triangle;
+    return pane.hit.surface == before.surface && pane.hit.triangle == before.triangle &&
+           pane.hit.copy == before.copy;
   });
   if (next != on_ray.panes.end()) {
     ++next;

@@ -4,14 +4,19 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x3.hpp>
 #include <limits>
 #include <memory>
+#include <mutex>
 #include <new>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "brume/mesh_arrays.h"
+#include "core/scene/copies.h"
 #include "core/scene/materials/coverage.h"
 #include "core/scene/placement.h"
 #include "render/geometry/rounding.h"
@@ -26,10 +31,22 @@ struct Placed {
   std::shared_ptr<const TriangleMesh> mesh;
   Placement placement;
   Coverage coverage;
+  std::shared_ptr<const CopyPlacements> copies;
 
   explicit Placed(const Surface& surface)
-      : mesh(surface.mesh), placement(surface), coverage(surface.material) {}
-  bool operator==(const Placed&) const = default;
+      : mesh(surface.mesh),
+        placement(surface),
+        coverage(surface.material),
+        copies(surface.placed_copies) {}
+  bool operator==(const Placed& other) const {
+    return mesh == other.mesh && placement == other.placement && coverage == other.coverage &&
+           (copies == other.copies || (copies && other.copies && *copies == *other.copies));
+  }
+
+  [[nodiscard]] std::size_t placement_count() const { return 1 + (copies ? copies->size() : 0); }
+  [[nodiscard]] Placement placement_of(std::size_t copy) const {
+    return copy == 0 ? placement : Placement((*copies)[copy - 1]);
+  }
 };
 
 struct Vertex {
@@ -62,15 +79,29 @@ struct CoverageQuery : RayQuery {
   }
 };
 
+// A triangle of a surface, and at which of its placements.
+struct PlacedTriangle {
+  std::uint32_t surface = 0;
+  std::uint32_t copy = 0;
+  std::uint32_t triangle = 0;
+};
+
+// A surface with copies is a scene of its own, of its mesh around a point of it; each placement is
+// an instance of that. Others are geometries with vertices in the world.
 struct RayCaster::Impl {
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
   std::vector<Placed> surfaces;
-  std::vector<std::vector<glm::uvec3>> triangles;  // vertex indices, per surface
-  std::vector<std::vector<Vertex>> vertices;       // per surface
-  std::vector<std::vector<glm::vec2>> texcoords;   // per surface; empty: none
-  RasterTriangles raster;
+  std::vector<std::vector<Vertex>> vertices;  // per surface; of one with copies in its mesh
+  std::vector<glm::dvec3> mesh_centers;       // per surface, that vertices are relative to then
+  std::vector<RTCScene> instanced;            // per surface; null: it has no copies
+  std::vector<std::uint32_t> first_instances;     // per surface: the geometry of its own placement
+  std::vector<std::uint32_t> surfaces_of_instances;  // by geometry, beyond those of surfaces
   std::vector<std::uint32_t> first_triangles;  // per surface, in raster.corners
+  std::size_t triangle_count = 0;              // of all, copies not counted
+  // Made on first use.
+  mutable std::once_flag raster_flag;
+  mutable RasterTriangles raster;
   Box bounds;
   std::vector<Box> surface_bounds;
   glm::dvec3 center{0.0};
@@ -83,75 +114,180 @@ struct RayCaster::Impl {
     constexpr double infinite = std::numeric_limits<double>::infinity();
     bounds = {glm::dvec3(infinite), glm::dvec3(-infinite)};
     std::vector<Box> boxes;
-    std::vector<MeshArrays> meshes;
-    std::vector<std::vector<glm::dvec3>> points;
     for (const Surface& surface : built_from) {
       surfaces.emplace_back(surface);
-      meshes.push_back(to_arrays(*surface.mesh));
-      points.push_back(world_points(surface, meshes.back().points));
-      Box box{glm::dvec3(infinite), glm::dvec3(-infinite)};
-      for (const glm::dvec3& p : points.back()) {
-        box = {glm::min(box.low, p), glm::max(box.high, p)};
-      }
+      const MeshBox around = world_box(surface);
+      const Box box{around.low, around.high};
       surface_bounds.push_back(box);
       bounds = {glm::min(bounds.low, box.low), glm::max(bounds.high, box.high)};
-      if (!points.back().empty()) boxes.push_back(box);
+      if (box.low.x <= box.high.x) boxes.push_back(box);
     }
     center = coordinate_center(bounds, boxes);
+    for (const Surface& surface : built_from) {
+      radius = std::max(radius, farthest_vertex(surface, center));
+    }
     device = rtcNewDevice(nullptr);
     if (!device) throw std::bad_alloc();
-    scene = rtcNewScene(device);
-    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST | scene_flag_filter);
-    for (std::size_t s = 0; s < surfaces.size(); ++s) {
-      add(surfaces[s].placement, points[s], std::move(meshes[s]));
-    }
-    raster.pad();
+    scene = new_scene();
+    for (std::size_t s = 0; s < surfaces.size(); ++s) add(s);
+    for (std::size_t s = 0; s < surfaces.size(); ++s) add_instances(s);
     rtcCommitScene(scene);
+    if (rtcGetDeviceError(device) == RTC_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
   }
 
   ~Impl() {
     if (scene) rtcReleaseScene(scene);
+    for (const RTCScene own_scene : instanced) {
+      if (own_scene) rtcReleaseScene(own_scene);
+    }
     if (device) rtcReleaseDevice(device);
   }
 
-  void add(const Placement& placement, std::span<const glm::dvec3> points, MeshArrays mesh) {
-    auto& own_vertices = vertices.emplace_back();
-    for (std::size_t v = 0; v < points.size(); ++v) {
-      const glm::dvec3 p = points[v] - center;
-      own_vertices.push_back(
-          {glm::vec3(p), glm::vec3(placement.normal_to_world(glm::dvec3(mesh.normals[v])))});
-      radius = std::max(radius, glm::length(p));
+  [[nodiscard]] RTCScene new_scene() const {
+    const RTCScene result = rtcNewScene(device);
+    rtcSetSceneFlags(result, RTC_SCENE_FLAG_ROBUST | scene_flag_filter);
+    return result;
+  }
+
+  [[nodiscard]] const MeshArrays& mesh(std::size_t surface) const {
+    return to_arrays(*surfaces[surface].mesh);
+  }
+
+  void add(std::size_t s) {
+    const Placed& placed = surfaces[s];
+    const MeshArrays& arrays = mesh(s);
+    const bool has_copies = placed.copies != nullptr;
+    const MeshBox box = box_of(*placed.mesh);
+    mesh_centers.push_back(has_copies ? 0.5 * (box.low + box.high) : glm::dvec3(0.0));
+    auto& own_vertices = vertices.emplace_back(arrays.points.size());
+    for (std::size_t v = 0; v < own_vertices.size(); ++v) {
+      const glm::dvec3 p(arrays.points[v]);
+      const glm::dvec3 n(arrays.normals[v]);
+      own_vertices[v] = has_copies
+                            ? Vertex{glm::vec3(p - mesh_centers[s]), arrays.normals[v]}
+                            : Vertex{glm::vec3(placed.placement.point_to_world(p) - center),
+                                     glm::vec3(placed.placement.normal_to_world(n))};
     }
-    texcoords.push_back(std::move(mesh.texcoords));
-    const auto& own_triangles = triangles.emplace_back(std::move(mesh.triangles));
-    const glm::uvec3 first_vertex(static_cast<unsigned>(raster.x.size()));
-    first_triangles.push_back(static_cast<std::uint32_t>(raster.corners.size()));
-    for (const Vertex& vertex : own_vertices) raster.add_vertex(vertex.position);
-    for (const glm::uvec3& corners : own_triangles)
-      raster.corners.push_back(first_vertex + corners);
+    first_triangles.push_back(static_cast<std::uint32_t>(triangle_count));
+    triangle_count += arrays.triangles.size();
     // Embree reads the very arrays.
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
     rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                                own_vertices.data(), 0, sizeof(Vertex), own_vertices.size());
     rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                               own_triangles.data(), 0, sizeof(glm::uvec3), own_triangles.size());
-    const Coverage& coverage = surfaces[vertices.size() - 1].coverage;
-    if (coverage.is_pane()) has_panes = true;
-    if (!coverage.is_opaque()) {
+                               arrays.triangles.data(), 0, sizeof(glm::uvec3),
+                               arrays.triangles.size());
+    if (placed.coverage.is_pane()) has_panes = true;
+    if (!placed.coverage.is_opaque()) {
       rtcSetGeometryUserData(geometry, this);
       rtcSetGeometryIntersectFilterFunction(geometry, meet_coverage);
       rtcSetGeometryOccludedFilterFunction(geometry, meet_coverage);
     }
     rtcCommitGeometry(geometry);
-    rtcAttachGeometry(scene, geometry);
+    instanced.push_back(has_copies ? new_scene() : nullptr);
+    if (has_copies) {
+      rtcAttachGeometry(instanced[s], geometry);
+      rtcCommitScene(instanced[s]);
+    } else {
+      rtcAttachGeometryByID(scene, geometry, static_cast<unsigned>(s));
+    }
     rtcReleaseGeometry(geometry);
+  }
+
+  void add_instances(std::size_t s) {
+    first_instances.push_back(
+        static_cast<std::uint32_t>(surfaces.size() + surfaces_of_instances.size()));
+    if (!instanced[s]) return;
+    for (std::size_t copy = 0; copy < surfaces[s].placement_count(); ++copy) {
+      RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
+      rtcSetGeometryInstancedScene(geometry, instanced[s]);
+      rtcSetGeometryTimeStepCount(geometry, 1);
+      const Placement placement = surfaces[s].placement_of(copy);
+      const glm::mat3 axes(placement.scale * glm::mat3_cast(placement.rotate));
+      const glm::vec3 origin(placement.point_to_world(mesh_centers[s]) - center);
+      const glm::mat4x3 transform(axes[0], axes[1], axes[2], origin);
+      rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, &transform);
+      rtcCommitGeometry(geometry);
+      rtcAttachGeometryByID(scene, geometry,
+                            first_instances[s] + static_cast<std::uint32_t>(copy));
+      rtcReleaseGeometry(geometry);
+      surfaces_of_instances.push_back(static_cast<std::uint32_t>(s));
+    }
+  }
+
+  // Embree 3.13 loops forever in coherent packets of shadow rays that meet instances.
+  [[nodiscard]] RayOrder packet_order() const {
+    return surfaces_of_instances.empty() ? RayOrder::coherent : RayOrder::incoherent;
+  }
+
+  // What Embree found.
+  [[nodiscard]] PlacedTriangle placed_triangle(unsigned geometry, unsigned instance,
+                                               unsigned triangle) const {
+    if (instance == RTC_INVALID_GEOMETRY_ID) return {geometry, 0, triangle};
+    const std::uint32_t surface = surfaces_of_instances[instance - surfaces.size()];
+    return {surface, instance - first_instances[surface], triangle};
+  }
+  [[nodiscard]] PlacedTriangle placed_triangle(const RTCFilterFunctionNArguments& found,
+                                               unsigned i) const {
+    return placed_triangle(RTCHitN_geomID(found.hit, found.N, i),
+                           RTCHitN_instID(found.hit, found.N, i, 0),
+                           RTCHitN_primID(found.hit, found.N, i));
+  }
+  static PlacedTriangle placed_triangle(const SurfaceHit& hit) {
+    return {static_cast<std::uint32_t>(hit.surface), hit.copy, hit.triangle};
+  }
+
+  [[nodiscard]] SurfaceHit hit(const FloatSegment& segment, float tfar, unsigned geometry,
+                               unsigned instance, unsigned triangle, float u, float v) const {
+    // Triangles near the end of float's range come out infinitely far.
+    if (geometry == RTC_INVALID_GEOMETRY_ID || !std::isfinite(tfar)) return {};
+    const PlacedTriangle found = placed_triangle(geometry, instance, triangle);
+    return {segment.skip + static_cast<double>(tfar),
+            static_cast<std::int32_t>(found.surface),
+            triangle,
+            u,
+            v,
+            found.copy};
+  }
+  [[nodiscard]] SurfaceHit hit(const FloatSegment& segment, const RTCRayHit& query) const {
+    return hit(segment, query.ray.tfar, query.hit.geomID, query.hit.instID[0], query.hit.primID,
+               query.hit.u, query.hit.v);
+  }
+
+  // Its corners in the world, relative to the center.
+  [[nodiscard]] std::array<Vertex, 3> corners(const PlacedTriangle& of) const {
+    const glm::uvec3& indices = mesh(of.surface).triangles[of.triangle];
+    const std::vector<Vertex>& all = vertices[of.surface];
+    std::array<Vertex, 3> result{all[indices.x], all[indices.y], all[indices.z]};
+    if (!instanced[of.surface]) return result;
+    const Placement placement = surfaces[of.surface].placement_of(of.copy);
+    for (Vertex& vertex : result) {
+      const glm::dvec3 p = mesh_centers[of.surface] + glm::dvec3(vertex.position);
+      vertex = {glm::vec3(placement.point_to_world(p) - center),
+                glm::vec3(placement.normal_to_world(glm::dvec3(vertex.normal)))};
+    }
+    return result;
+  }
+
+  const RasterTriangles& raster_triangles() const {
+    std::call_once(raster_flag, [this] {
+      for (std::size_t s = 0; s < surfaces.size(); ++s) {
+        const glm::uvec3 first_vertex(static_cast<unsigned>(raster.x.size()));
+        for (const Vertex& vertex : vertices[s]) raster.add_vertex(vertex.position);
+        for (const glm::uvec3& indices : mesh(s).triangles)
+          raster.corners.push_back(first_vertex + indices);
+      }
+      raster.pad();
+    });
+    return raster;
   }
 
   [[nodiscard]] glm::dvec2 texcoord(std::size_t surface, std::size_t triangle, float u,
                                     float v) const {
-    if (texcoords[surface].empty()) return glm::dvec2(0.0);
-    const glm::uvec3& corners = triangles[surface][triangle];
-    const auto at = [&](unsigned corner) { return glm::dvec2(texcoords[surface][corner]); };
+    const std::vector<glm::vec2>& texcoords = mesh(surface).texcoords;
+    if (texcoords.empty()) return glm::dvec2(0.0);
+    const glm::uvec3& corners = mesh(surface).triangles[triangle];
+    const auto at = [&](unsigned corner) { return glm::dvec2(texcoords[corner]); };
     const double first = 1.0 - static_cast<double>(u) - static_cast<double>(v);
     return first * at(corners.x) + static_cast<double>(u) * at(corners.y) +
            static_cast<double>(v) * at(corners.z);
@@ -168,14 +304,16 @@ struct RayCaster::Impl {
   static void meet_coverage(const RTCFilterFunctionNArguments* found);
 
   [[nodiscard]] TextureFrame texture_frame(const SurfaceHit& hit) const {
-    const auto surface = static_cast<std::size_t>(hit.surface);
-    if (texcoords[surface].empty()) return {};
-    const glm::uvec3& corners = triangles[surface][hit.triangle];
+    const PlacedTriangle found = placed_triangle(hit);
+    const std::vector<glm::vec2>& texcoords = mesh(found.surface).texcoords;
+    if (texcoords.empty()) return {};
+    const glm::uvec3& indices = mesh(found.surface).triangles[found.triangle];
+    const std::array<Vertex, 3> own_corners = corners(found);
     std::array<glm::dvec3, 3> positions;
     std::array<glm::dvec2, 3> own_texcoords;
-    for (int k = 0; k < 3; ++k) {
-      positions[static_cast<std::size_t>(k)] = glm::dvec3(vertices[surface][corners[k]].position);
-      own_texcoords[static_cast<std::size_t>(k)] = glm::dvec2(texcoords[surface][corners[k]]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      positions[k] = glm::dvec3(own_corners[k].position);
+      own_texcoords[k] = glm::dvec2(texcoords[indices[static_cast<int>(k)]]);
     }
     const double u = static_cast<double>(hit.u);
     const double v = static_cast<double>(hit.v);

@@ -17,7 +17,7 @@ SurfacePoint RayCaster::point(const SurfaceHit& hit, const glm::dvec3& origin,
   result.position = origin + hit.distance * direction;
   result.to_eye = -direction;
   result.surface = &surfaces[static_cast<std::size_t>(hit.surface)];
-  const glm::uvec3 corners = impl_->triangles[static_cast<std::size_t>(hit.surface)][hit.triangle];
+  const std::array<Vertex, 3> corners = impl_->corners(Impl::placed_triangle(hit));
   const double u = static_cast<double>(hit.u);
   const double v = static_cast<double>(hit.v);
   const glm::dvec3 weights(1.0 - u - v, u, v);
@@ -25,10 +25,9 @@ SurfacePoint RayCaster::point(const SurfaceHit& hit, const glm::dvec3& origin,
   std::array<glm::dvec3, 3> positions;
   std::array<glm::dvec3, 3> normals;
   glm::dvec3 smooth(0.0);
-  const std::vector<Vertex>& vertices = impl_->vertices[static_cast<std::size_t>(hit.surface)];
   for (int k = 0; k < 3; ++k) {
-    const Vertex& vertex = vertices[corners[k]];
     const auto c = static_cast<std::size_t>(k);
+    const Vertex& vertex = corners[c];
     corner_positions[c] = vertex.position;
     positions[c] = impl_->center + glm::dvec3(vertex.position);
     normals[c] = glm::dvec3(vertex.normal);
@@ -68,8 +67,6 @@ void RayCaster::points(std::span<const SurfaceHit> hits, const glm::dvec3& origi
                        std::span<const glm::vec3> directions, std::span<const glm::dvec3> offsets,
                        std::span<const Surface> surfaces, SurfacePoints& points) const {
   const auto surface = static_cast<std::size_t>(hits[0].surface);
-  const std::vector<glm::uvec3>& all_corners = impl_->triangles[surface];
-  const std::vector<Vertex>& vertices = impl_->vertices[surface];
   points.surface = &surfaces[surface];
   points.count = hits.size();
   points.origin = impl_->center;
@@ -79,20 +76,19 @@ void RayCaster::points(std::span<const SurfaceHit> hits, const glm::dvec3& origi
   for (std::size_t i = 0; i < points.padded_size(); ++i) {
     const std::size_t start = std::min(i, hits.size() - 1);
     const SurfaceHit& hit = hits[start];
-    const glm::uvec3& corners = all_corners[hit.triangle];
+    const std::array<Vertex, 3> corners = impl_->corners(Impl::placed_triangle(hit));
     for (std::size_t c = 0; c < 3; ++c) {
-      const Vertex& vertex = vertices[corners[static_cast<int>(c)]];
-      triangles.position[c].set(i, vertex.position);
-      triangles.normal[c].set(i, vertex.normal);
+      triangles.position[c].set(i, corners[c].position);
+      triangles.normal[c].set(i, corners[c].normal);
     }
     // Weights of corners lose digits on triangles that are larger than the distance, distances
     // where the eye is far away.
-    const glm::vec3& first = vertices[corners.x].position;
+    const glm::vec3& first = corners[0].position;
     const glm::dvec3 start_of_ray = offsets.empty() ? eye : eye + offsets[start];
     points.position.set(
         i, near ? glm::vec3(start_of_ray + hit.distance * glm::dvec3(directions[start]))
-                : first + hit.u * (vertices[corners.y].position - first) +
-                      hit.v * (vertices[corners.z].position - first));
+                : first + hit.u * (corners[1].position - first) +
+                      hit.v * (corners[2].position - first));
     points.u[i] = hit.u;
     points.v[i] = hit.v;
     points.to_eye.set(i, -directions[start]);

@@ -94,8 +94,7 @@ void choose(const fs::path& file, SeenDialog* seen = nullptr) {
 }
 
 bool is_visible(const Surface& surface) {
-  return surface.mesh->point(OpenMesh::VertexHandle(0)) !=
-         surface.mesh->point(OpenMesh::VertexHandle(1));
+  return surface.mesh->points[0] != surface.mesh->points[1];
 }
 
 // A scene with two files, in a folder of its own.

@@ -8,6 +8,7 @@
 #include "core/io/image/image_file.h"
 #include "core/io/scene/scene_file.h"
 #include "core/scene/animation/animation.h"
+#include "core/scene/fields/copies_fields.h"
 #include "tests/tools/malformed_fields.h"
 #include "tests/tools/malformed_scenes.h"
 #include "tests/tools/run_program.h"
@@ -138,6 +139,14 @@ TEST_F(MalformedScene, EachValueOfAMaterialIsRefusedInOneLine) {
         return scene_with_surface(R"("mesh": "good.obj", "material": {
             "type": "metallic_roughness", )" +
                                   members + "}");
+      }));
+}
+
+TEST_F(MalformedScene, EachValueOfScatteredCopiesIsRefusedInOneLine) {
+  expect_each_refused(
+      malformed_fields<Scatter>("surfaces[1].copies", [](const std::string& members) {
+        return scene_with_surface(R"("mesh": "good.obj", "copies": { "over": "good", )" + members +
+                                  "}");
       }));
 }
 

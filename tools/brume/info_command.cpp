@@ -15,6 +15,7 @@
 #include "core/io/text_scanner.h"
 #include "core/io/volume/volume_file.h"
 #include "core/number_domain.h"
+#include "core/scene/copies.h"
 #include "core/scene/fields/camera_fields.h"
 #include "core/scene/fields/environment_fields.h"
 #include "core/scene/imported_scene.h"
@@ -97,7 +98,9 @@ Json scene_json(const SceneDocument& document) {
     }
   }
   json["surfaces"] = Json::array();
-  for (const Surface& surface : scene.surfaces) {
+  const std::vector<Surface> placed = with_placed_copies(scene.surfaces);
+  for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
+    const Surface& surface = scene.surfaces[i];
     Json entry;
     if (!surface.name.empty()) entry["name"] = surface.name;
     if (const auto& primitive = surface.primitive) {
@@ -108,6 +111,7 @@ Json scene_json(const SceneDocument& document) {
     }
     entry["vertices"] = surface.mesh->n_vertices();
     entry["faces"] = surface.mesh->n_faces();
+    if (placed[i].placed_copies) entry["copies"] = placed[i].placed_copies->size();
     if (!surface.visible) entry["visible"] = false;
     json["surfaces"].push_back(std::move(entry));
   }

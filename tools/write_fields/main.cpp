@@ -14,6 +14,7 @@
 
 #include "core/io/disk/atomic_file.h"
 #include "core/scene/animation/animation.h"
+#include "core/scene/fields/copies_fields.h"
 #include "core/scene/fields/description.h"
 
 namespace brume {
@@ -241,6 +242,7 @@ bool rewrite_all(const std::filesystem::path& folder, bool only_checks) {
         write_rows<Sky>(lines, "sky");
         write_rows<Material>(lines, "material");
         write_rows<MetallicRoughness>(lines, "");
+        write_rows<Scatter>(lines, "copies");
         write_keys<Environment>(lines, "environment");
         write_keys<Sky>(lines, "environment.sky");
         const auto visit_lights = [](auto&& visit) { visit_light_values(visit); };

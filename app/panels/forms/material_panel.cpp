@@ -13,6 +13,7 @@
 #include "app/widgets/rows.h"
 #include "core/io/merl_file.h"
 #include "core/number_domain.h"
+#include "core/scene/fields/copies_fields.h"
 
 namespace brume {
 
@@ -20,7 +21,8 @@ MaterialPanel::MaterialPanel(Document& document, QWidget* parent)
     : SceneForm(document, parent),
       surfaces_(named(new QComboBox(this), "surface")),
       type_(named(new QComboBox(this), "material_type")),
-      transfer_(named(new QComboBox(this), "transfer")) {
+      transfer_(named(new QComboBox(this), "transfer")),
+      copies_(named(new QComboBox(this), "copies")) {
   type_->addItems({tr("Diffuse"), tr("Phong"), tr("Measured…"), tr("Metallic-roughness")});
   transfer_->addItems({tr("None"), tr("Shadows"), tr("Shadows and interreflection")});
   transfer_->setToolTip(
@@ -57,6 +59,7 @@ MaterialPanel::MaterialPanel(Document& document, QWidget* parent)
   connect(&reading_, &BackgroundJob::failed, this, &MaterialPanel::refused);
   // After the list, which says what surface the fields are about.
   add_placement_fields(*form);
+  add_copies_fields(*form);
   form->addRow(tr("Material"), type_);
   add_material_fields(*form);
   transfer_->setToolTip(tr("Where light is scattered once; all orders shadow and reflect anyway"));
@@ -133,6 +136,62 @@ void MaterialPanel::add_placement_fields(QFormLayout& form) {
               [this](double scale, MergeId gesture) {
                 change_shown(tr("Scale %1"), gesture, [scale](Surface& s) { s.scale = scale; });
               }});
+}
+
+const Scatter* MaterialPanel::scatter() const {
+  const bool is_scattered = surface() && surface()->copies && !surface()->copies->placements;
+  return is_scattered ? &surface()->copies->scatter : nullptr;
+}
+
+// The list has the surfaces that copies can be scattered over: those with a name.
+void MaterialPanel::add_copies_fields(QFormLayout& form) {
+  copies_->setToolTip(tr("More placements of this surface, at random points of another one"));
+  connect(copies_, &QComboBox::activated, this, [this](int index) {
+    const std::string over = copies_->itemData(index).toString().toStdString();
+    if (index > 0 && over.empty()) return;  // those of its file
+    change_shown(tr("Scatter copies of %1"), no_merge, [&](Surface& s) {
+      if (index == 0) {
+        s.copies.reset();
+      } else {
+        if (!s.copies || s.copies->placements) s.copies = Copies();
+        s.copies->scatter.over = over;
+      }
+    });
+  });
+  on_refresh([this] {
+    const QSignalBlocker blocker(copies_);
+    copies_->clear();
+    copies_->addItem(tr("None"));
+    copies_->setEnabled(surface() != nullptr);
+    if (!surface()) return;
+    for (const Surface& other : document_.scene().surfaces) {
+      const QString name = QString::fromStdString(other.name);
+      if (!name.isEmpty() && &other != surface() && copies_->findData(name) < 0) {
+        copies_->addItem(tr("Scattered over %1").arg(name), name);
+      }
+    }
+    if (!surface()->copies) return;
+    const QString over = QString::fromStdString(surface()->copies->scatter.over);
+    if (!scatter()) {
+      copies_->addItem(
+          tr("Of %1").arg(QString::fromStdString(surface()->copies->file.filename().string())));
+    } else if (copies_->findData(over) < 0) {
+      copies_->addItem(tr("Scattered over %1, which is missing").arg(over), over);
+    }
+    copies_->setCurrentIndex(scatter() ? copies_->findData(over) : copies_->count() - 1);
+  });
+  form.addRow(tr("Copies"), copies_);
+  add_fields<Scatter>(
+      form, {.prefix = "scatter_",
+             .get = [this] { return scatter(); },
+             .set =
+                 [this](const Scatter& changed, const FieldInfo& info, MergeId gesture) {
+                   change_shown(tr("Set %1 of the copies of %2")
+                                    .arg(field_label(info).toLower(), "%1"),
+                                gesture, [&](Surface& s) { s.copies->scatter = changed; });
+                 },
+             .track = {},
+             .object = tr("Copies")});
 }
 
 void MaterialPanel::add_material_fields(QFormLayout& form) {

@@ -20,6 +20,7 @@ class MaterialPanel : public SceneForm {
 
  private:
   void add_placement_fields(QFormLayout& form);
+  void add_copies_fields(QFormLayout& form);
   void add_material_fields(QFormLayout& form);
   void choose_type(int type);
   void set_type(int index, Material::Type type, const std::filesystem::path& file,
@@ -28,6 +29,7 @@ class MaterialPanel : public SceneForm {
   void change(const QString& text, MergeId gesture, const std::function<void(Material&)>& how);
   [[nodiscard]] const Surface* surface() const;    // the current one; may be null
   [[nodiscard]] const Material* material() const;  // of the current surface
+  [[nodiscard]] const Scatter* scatter() const;    // null: its copies are not scattered
 
   [[nodiscard]] glm::dvec3 angles() const;  // of its rotation [degrees]
 
@@ -35,6 +37,7 @@ class MaterialPanel : public SceneForm {
   QComboBox* surfaces_;
   QComboBox* type_;
   QComboBox* transfer_;
+  QComboBox* copies_;
   BackgroundJob reading_{BackgroundJob::Policy::latest_wins};
 };
 

@@ -13,6 +13,7 @@
 #include "app/window/dialogs/fog_shape_dialog.h"
 #include "app/window/menus/menus.h"
 #include "brume/mesh_arrays.h"
+#include "core/scene/copies.h"
 
 namespace brume {
 namespace {
@@ -22,8 +23,8 @@ constexpr double enough_ground = 0.2;  // share of what is in view
 
 double lowest_surface(const Scene& scene) {
   double low = std::numeric_limits<double>::infinity();
-  for (const Surface& surface : scene.surfaces) {
-    for (const glm::dvec3& p : world_points(surface)) low = std::min(low, p.y);
+  for (const Surface& surface : with_placed_copies(scene.surfaces)) {
+    low = std::min(low, world_box(surface).low.y);
   }
   return std::isfinite(low) ? low : 0.0;
 }

@@ -10,7 +10,7 @@
 #include "brume/error.h"
 #include "core/io/disk/atomic_file.h"
 #include "core/io/disk/file_bytes.h"
-#include "core/io/gaussians/csv_table.h"
+#include "core/io/csv_table.h"
 #include "core/io/gaussians/gaussian_columns.h"
 #include "core/io/text_scanner.h"
 
@@ -24,7 +24,7 @@ using gaussian_columns::names;
 class CsvReader {
  public:
   CsvReader(const std::filesystem::path& file, std::string bytes)
-      : file_(file), table_(file, std::move(bytes)) {
+      : file_(file), table_(file, std::move(bytes), "Gaussians as PLY, CSV or glTF of splats") {
     const auto has_columns = [&] { return !missing_column(); };
     if (!table_.read_heading(has_columns)) {
       throw InputError(file, "", "the file is empty; allowed: Gaussians as PLY or CSV");

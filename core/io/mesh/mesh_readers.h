@@ -26,7 +26,6 @@ struct RawMesh {
   std::vector<std::string> warnings;  // one line each, with the file's name
 };
 
-// Own readers, since OpenMesh's trust counts and indices of the file and merge normals at creases.
 // Each takes the bytes of a file (the name is for errors), checks counts, indices and coordinates,
 // and throws InputError naming line, row or byte.
 RawMesh read_obj(const std::filesystem::path& file, std::string_view bytes);

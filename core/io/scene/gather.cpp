@@ -40,9 +40,9 @@ fs::path common_folder(const fs::path& folder, const fs::path& file) {
 }
 
 // The copies of one scene's files.
-class Copies {
+class FileCopies {
  public:
-  Copies(fs::path folder, const std::stop_token& stop) : folder_(std::move(folder)), stop_(stop) {}
+  FileCopies(fs::path folder, const std::stop_token& stop) : folder_(std::move(folder)), stop_(stop) {}
 
   // Makes `file` its copy.
   void add(fs::path& file) {
@@ -170,7 +170,7 @@ fs::path cleaned(const fs::path& folder) {
 
 void write_copies(const SceneDocument& document, const fs::path& folder, const std::string& name,
                   const std::stop_token& stop) {
-  Copies copies(folder / "files", stop);
+  FileCopies copies(folder / "files", stop);
   SceneDocument gathered = document;
   visit_files(gathered.scene, [&copies](auto& reference) { copies.add(reference); });
   if (refers_to_medium_file(document)) {

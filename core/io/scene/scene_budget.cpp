@@ -1,5 +1,6 @@
 #include "core/io/scene/scene_budget.h"
 
+#include <cmath>
 #include <set>
 #include <string>
 
@@ -63,6 +64,15 @@ void SceneBudget::reserve(const JsonPath& path, std::span<const ImportedPart* co
   for (const Texture* texture : textures) reserve(path, *texture);
 }
 
+void SceneBudget::reserve_copies(const JsonPath& path, double count) {
+  if (!(count <= static_cast<double>(copies_left()))) {
+    context_.fail(path, "found " + quoted_text(std::round(count)) +
+                            " copies; allowed: as many as the memory of the scene holds, " +
+                            std::to_string(copies_left()) + " more");
+  }
+  reserve_bytes(path, static_cast<std::size_t>(count) * limits::copy_bytes);
+}
+
 void SceneBudget::reserve_bytes(const JsonPath& path, std::size_t bytes) {
   bytes_ += bytes;
   if (bytes_ <= limits::scene_bytes) return;
@@ -73,6 +83,10 @@ void SceneBudget::reserve_bytes(const JsonPath& path, std::size_t bytes) {
 
 std::size_t SceneBudget::gaussians_left() const {
   return limits::gaussians - gaussians_;
+}
+
+std::size_t SceneBudget::copies_left() const {
+  return (limits::scene_bytes - bytes_) / limits::copy_bytes;
 }
 
 }  // namespace brume

@@ -33,7 +33,11 @@ class SceneBudget {
   // Per surface: rendering copies the mesh for each.
   void reserve(const JsonPath& path, const TriangleMesh& mesh);
 
+  // Copies of a surface.
+  void reserve_copies(const JsonPath& path, double count);
+
   [[nodiscard]] std::size_t gaussians_left() const;
+  [[nodiscard]] std::size_t copies_left() const;
 
  private:
   void reserve_bytes(const JsonPath& path, std::size_t bytes);

@@ -19,6 +19,7 @@ void visit_files(SceneOrConst& scene, Visit visit) {
     if (auto* texture = texture_of(light); texture && texture->content) visit(texture->file);
   }
   for (auto& surface : scene.surfaces) {
+    if (surface.copies && !surface.copies->file.empty()) visit(surface.copies->file);
     if (surface.imported) {
       visit(surface);
       continue;

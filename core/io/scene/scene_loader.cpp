@@ -46,6 +46,7 @@ class SceneLoader {
     load_elements(object, "lights", limits::lights, &SceneLoader::load_light);
     if (auto environment = object.find_object("environment")) load_environment(*environment);
     load_elements(object, "surfaces", limits::surfaces, &SceneLoader::load_surface);
+    surfaces_.reserve_scattered(object.path_of("surfaces"), scene_.surfaces);
     if (auto timeline = object.find_object("timeline")) load_timeline(*timeline);
     unknown_keys_.add("", object.unknown_keys());
     context_.finish_warnings();

@@ -7,6 +7,7 @@
 
 #include "brume/error.h"
 #include "brume/mesh_arrays.h"
+#include "core/io/copies_file.h"
 #include "core/io/disk/alike_file.h"
 #include "core/io/disk/file_bytes.h"
 #include "core/io/gaussians/gaussian_file.h"
@@ -187,6 +188,18 @@ std::shared_ptr<const TriangleMesh> SceneReferences::mesh(JsonContext& context,
   mesh = at_path(context, path, [&] { return read_mesh(file, &warnings); });
   for (const std::string& warning : warnings) context.warn(path, warning);
   return mesh;
+}
+
+std::shared_ptr<const CopyPlacements> SceneReferences::copies(JsonContext& context,
+                                                              const JsonPath& path,
+                                                              const fs::path& file,
+                                                              std::size_t max_count) {
+  std::shared_ptr<const CopyPlacements>& copies = copies_[file];
+  if (!copies && is_missing(file)) copies = std::make_shared<const CopyPlacements>();
+  if (copies) return copies;
+  return copies = at_path_with_warnings(context, path, [&](std::vector<std::string>& warnings) {
+           return std::make_shared<const CopyPlacements>(read_copies(file, max_count, &warnings));
+         });
 }
 
 std::shared_ptr<const ImportedScene> SceneReferences::imported(JsonContext& context,

@@ -41,6 +41,10 @@ class SceneReferences {
   // Meshes, profiles, measured BRDFs and textures are cached and shared.
   std::shared_ptr<const TriangleMesh> mesh(JsonContext& context, const JsonPath& path,
                                            const std::filesystem::path& file);
+  // None of a missing file.
+  std::shared_ptr<const CopyPlacements> copies(JsonContext& context, const JsonPath& path,
+                                               const std::filesystem::path& file,
+                                               std::size_t max_count);
   // A scene of another program, cached and shared, too.
   std::shared_ptr<const ImportedScene> imported(JsonContext& context, const JsonPath& path,
                                                 const std::filesystem::path& file);
@@ -80,6 +84,7 @@ class SceneReferences {
   MissingFiles* missing_;
   std::filesystem::path directory_;
   std::map<std::filesystem::path, std::shared_ptr<const TriangleMesh>> meshes_;
+  std::map<std::filesystem::path, std::shared_ptr<const CopyPlacements>> copies_;
   std::map<std::filesystem::path, std::shared_ptr<const ImportedScene>> imported_;
   std::map<std::filesystem::path, std::shared_ptr<const PhotometricProfile>> profiles_;
   std::map<std::filesystem::path, std::shared_ptr<const MeasuredBrdf>> measured_;

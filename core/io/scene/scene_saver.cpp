@@ -19,6 +19,7 @@
 #include "core/io/scene/spline_json.h"
 #include "core/medium/written_radii.h"
 #include "core/scene/animation/animation.h"
+#include "core/scene/fields/copies_fields.h"
 #include "core/scene/group_effects.h"
 
 namespace brume {
@@ -155,6 +156,20 @@ Json medium_to_json(const SceneDocument& document, const fs::path& directory) {
   return object;
 }
 
+Json copies_to_json(const Surface& surface, const UnknownKeys& unknown_keys,
+                    const fs::path& directory) {
+  const Copies& copies = *surface.copies;
+  Json object;
+  if (copies.placements) {
+    object["file"] = SceneReferences::text_for(copies.file, directory);
+  } else {
+    object["over"] = copies.scatter.over;
+    write_fields(object, copies.scatter, NoKeys());
+  }
+  add_unknown_keys(object, unknown_keys.of(surface.id, "copies"));
+  return object;
+}
+
 Json surface_to_json(const Surface& surface, const UnknownKeys& unknown_keys,
                      const fs::path& directory) {
   Json object;
@@ -176,6 +191,7 @@ Json surface_to_json(const Surface& surface, const UnknownKeys& unknown_keys,
   if (surface.transfer != Surface::Transfer::none) {
     object["transfer"] = scene_names::transfers[static_cast<std::size_t>(surface.transfer)];
   }
+  if (surface.copies) object["copies"] = copies_to_json(surface, unknown_keys, directory);
   if (!surface.visible) object["visible"] = false;
   if (surface.locked) object["locked"] = true;
   add_keys(object, unknown_keys, unknown_keys.of(surface.id, "keys"),

@@ -4,12 +4,15 @@
 
 #include "brume/error.h"
 #include "brume/limits.h"
+#include "core/io/scene/fields_json.h"
 #include "core/io/scene/keys_json.h"
 #include "core/io/scene/material_json.h"
 #include "core/io/scene/scene_names.h"
 #include "core/io/text_scanner.h"
 #include "core/number_domain.h"
 #include "core/scene/animation/animation.h"
+#include "core/scene/copies.h"
+#include "core/scene/fields/copies_fields.h"
 #include "core/scene/imported_scene.h"
 
 namespace brume {
@@ -30,6 +33,7 @@ Surface SurfaceReader::read(JsonObject& object) {
   }
   surface.transfer = static_cast<Surface::Transfer>(
       object.choice("transfer", scene_names::transfers, std::size_t{0}));
+  if (auto copies = object.find_object("copies")) read_copies(*copies, surface);
   surface.visible = object.boolean("visible", surface.visible);
   surface.locked = object.boolean("locked", surface.locked);
   unknown_keys_.add(surface.id, "keys",
@@ -37,6 +41,37 @@ Surface SurfaceReader::read(JsonObject& object) {
                                      [&](auto&& visit) { visit_keyed_surface(surface, visit); }));
   unknown_keys_.add(surface.id, "", object.unknown_keys());
   return surface;
+}
+
+void SurfaceReader::read_copies(JsonObject& object, Surface& surface) {
+  Copies& copies = surface.copies.emplace();
+  if (object.find("file") != nullptr) {
+    if (object.find("over") != nullptr) object.fail("over", found_beside("file"));
+    const JsonPath path = object.path_of("file");
+    copies.file = references_.resolve(context_, path, object.text("file", {}));
+    copies.placements = references_.copies(context_, path, copies.file, budget_.copies_left());
+    budget_.reserve_copies(path, static_cast<double>(copies.placements->size()));
+  } else {
+    copies.scatter.over = object.text("over", {});
+    read_fields(object, copies.scatter);
+  }
+  unknown_keys_.add(surface.id, "copies", object.unknown_keys());
+}
+
+void SurfaceReader::reserve_scattered(const JsonPath& path, const std::vector<Surface>& surfaces) {
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    if (!surfaces[i].copies || surfaces[i].copies->placements) continue;
+    const Scatter& scatter = surfaces[i].copies->scatter;
+    const JsonPath surface = path.element(i);
+    const JsonPath copies = surface.member("copies");
+    const Surface* const over = find_scattered_over(scatter, surfaces);
+    if (over == nullptr) {
+      context_.warn(copies.member("over"), "there is no surface " + quoted_text(scatter.over) +
+                                               "; nothing is scattered over it");
+    } else {
+      budget_.reserve_copies(copies.member("density"), scattered_count(scatter, *over));
+    }
+  }
 }
 
 std::shared_ptr<const TriangleMesh> SurfaceReader::primitive_mesh(const Primitive& primitive) {

@@ -22,9 +22,12 @@ class SurfaceReader {
       : context_(context), references_(references), budget_(budget), unknown_keys_(unknown_keys) {}
 
   Surface read(JsonObject& object);
+  // After all: copies that are scattered over one another. `path`: of the surfaces.
+  void reserve_scattered(const JsonPath& path, const std::vector<Surface>& surfaces);
 
  private:
   void read_mesh(JsonObject& object, Surface& surface);
+  void read_copies(JsonObject& object, Surface& surface);
   Primitive read_primitive(JsonObject& object, Surface& surface);
   std::shared_ptr<const TriangleMesh> primitive_mesh(const Primitive& primitive);
   void read_imported(JsonObject& object, const JsonPath& path, Surface& surface);

@@ -217,7 +217,7 @@ void write_normals(UsdText& out, const MeshArrays& mesh) {
 }
 
 void write_mesh(UsdText& out, const TriangleMesh& mesh) {
-  const MeshArrays arrays = to_arrays(mesh);
+  const MeshArrays& arrays = to_arrays(mesh);
   out.constant("int[] faceVertexCounts",
                list_of(arrays.triangles.size(), [](std::size_t) { return std::string("3"); }));
   out.constant("int[] faceVertexIndices", list_of(arrays.triangles.size(), [&](std::size_t i) {

@@ -104,7 +104,7 @@ template <class Visit>
 void for_each_emitting(std::span<const Surface> surfaces, Visit visit) {
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
     if (!is_emissive(surfaces[s])) continue;
-    const MeshArrays mesh = to_arrays(*surfaces[s].mesh);
+    const MeshArrays& mesh = to_arrays(*surfaces[s].mesh);
     const std::vector<glm::dvec3> points = world_points(surfaces[s], mesh.points);
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
       Piece piece{.corners = {}, .texcoords = {}, .surface = &surfaces[s]};

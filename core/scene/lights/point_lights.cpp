@@ -199,7 +199,9 @@ std::optional<LitBounds> lit_bounds(const Scene& scene) {
     add(gaussians[i].high, 0.0);
   }
   for (const Surface& surface : scene.surfaces) {
-    for (const glm::dvec3& p : world_points(surface)) add(p, 0.0);
+    const MeshBox box = world_box(surface);
+    add(box.low, 0.0);
+    add(box.high, 0.0);
   }
   return bounds.low.x <= bounds.high.x ? std::optional(bounds) : std::nullopt;
 }

@@ -3,8 +3,10 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <utility>
 #include <vector>
 
+#include "core/scene/lights/area_normal.h"
 #include "core/scene/mesh.h"
 
 namespace brume {
@@ -14,33 +16,29 @@ using std::numbers::pi;
 
 }  // namespace
 
-MeshBuilder::MeshBuilder() : mesh_(std::make_shared<TriangleMesh>()) {}
-
 std::size_t MeshBuilder::size() const {
-  return mesh_->n_vertices();
+  return mesh_.points.size();
 }
 
 void MeshBuilder::grid(int columns, int rows, bool closed, const Place& place) {
-  std::vector<TriangleMesh::VertexHandle> vertices;
+  const auto first = static_cast<unsigned>(size());
   for (int j = 0; j < rows; ++j) {
     for (int i = 0; i < columns; ++i) {
       const glm::dvec3 p =
           place(static_cast<double>(i) / (closed ? columns : columns - 1), j / (rows - 1.0));
-      vertices.push_back(mesh_->add_vertex(
-          {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)}));
+      mesh_.points.emplace_back(p);
     }
   }
-  const auto add = [&](auto a, auto b, auto c) {
+  const auto add = [&](unsigned a, unsigned b, unsigned c) {
     // None at the poles of a ball, where a row is a point.
-    const auto& p = mesh_->point(a);
-    const auto& q = mesh_->point(b);
-    const auto& r = mesh_->point(c);
-    if ((q - p).cross(r - p).sqrnorm() > 0.0f) mesh_->add_face(a, b, c);
+    const glm::vec3& p = mesh_.points[a];
+    const glm::vec3 normal = glm::cross(mesh_.points[b] - p, mesh_.points[c] - p);
+    if (glm::dot(normal, normal) > 0.0f) mesh_.triangles.emplace_back(a, b, c);
   };
   for (int j = 0; j + 1 < rows; ++j) {
     for (int i = 0; i < (closed ? columns : columns - 1); ++i) {
       const auto vertex_at = [&](int column, int row) {
-        return vertices[static_cast<std::size_t>(row * columns + column % columns)];
+        return first + static_cast<unsigned>(row * columns + column % columns);
       };
       add(vertex_at(i, j), vertex_at(i + 1, j), vertex_at(i + 1, j + 1));
       add(vertex_at(i, j), vertex_at(i + 1, j + 1), vertex_at(i, j + 1));
@@ -97,21 +95,31 @@ void MeshBuilder::tube(const std::function<glm::dvec3(double v)>& path, double r
 
 void MeshBuilder::sheet(std::size_t vertices, const Place& place) {
   const std::size_t end = size() + vertices;
-  const auto first_face = static_cast<int>(mesh_->n_faces());
+  std::size_t face = mesh_.triangles.size();
   const int columns = static_cast<int>(std::sqrt(static_cast<double>(vertices)));
   grid(columns, static_cast<int>(vertices) / columns, false, place);
-  for (int face = first_face; size() < end; ++face) {
-    const TriangleMesh::FaceHandle handle(face);
-    mesh_->split(handle, mesh_->calc_face_centroid(handle));
+  for (; size() < end; ++face) {
+    const glm::uvec3 corners = mesh_.triangles[face];
+    const auto middle = static_cast<unsigned>(size());
+    glm::vec3 sum(0.0f);
+    for (int k = 0; k < 3; ++k) sum += mesh_.points[corners[k]];
+    mesh_.points.push_back(sum / 3.0f);
+    mesh_.triangles[face] = {corners.x, corners.y, middle};
+    mesh_.triangles.emplace_back(corners.y, corners.z, middle);
+    mesh_.triangles.emplace_back(corners.z, corners.x, middle);
   }
 }
 
 std::shared_ptr<const TriangleMesh> MeshBuilder::finish() {
-  mesh_->request_face_normals();
-  mesh_->request_vertex_normals();
-  mesh_->update_normals();
-  mesh_->release_face_normals();
-  return std::move(mesh_);
+  mesh_.normals.assign(size(), glm::vec3(0.0f));
+  for (const glm::uvec3& corners : mesh_.triangles) {
+    const glm::vec3 normal(glm::normalize(area_normal(mesh_.points, corners)));
+    for (int k = 0; k < 3; ++k) mesh_.normals[corners[k]] += normal;
+  }
+  for (glm::vec3& normal : mesh_.normals) {
+    if (normal != glm::vec3(0.0f)) normal = glm::normalize(normal);
+  }
+  return to_mesh(std::move(mesh_));
 }
 
 }  // namespace brume

@@ -4,17 +4,15 @@
 #include <glm/vec3.hpp>
 #include <memory>
 
-namespace brume {
+#include "brume/mesh_arrays.h"
 
-struct TriangleMesh;
+namespace brume {
 
 // Meshes of exact vertex counts from simple shapes. Shapes share no vertices, so their edges are
 // sharp. Every shape says how many vertices it takes.
 class MeshBuilder {
  public:
   using Place = std::function<glm::dvec3(double u, double v)>;
-
-  MeshBuilder();
 
   // columns * rows vertices at place(u, v), u and v from 0 to 1. Closed: the last column joins the
   // first, and u ends one step before 1.
@@ -35,7 +33,7 @@ class MeshBuilder {
   std::shared_ptr<const TriangleMesh> finish();
 
  private:
-  std::shared_ptr<TriangleMesh> mesh_;
+  MeshArrays mesh_;
 };
 
 }  // namespace brume

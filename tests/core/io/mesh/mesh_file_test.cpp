@@ -58,8 +58,8 @@ std::string binary_stl() {
 }
 
 void expect_unit_normals(const TriangleMesh& mesh) {
-  for (const auto vertex : mesh.vertices()) {
-    EXPECT_NEAR(mesh.normal(vertex).norm(), 1.0f, 1e-6f) << "vertex " << vertex.idx();
+  for (std::size_t v = 0; v < mesh.n_vertices(); ++v) {
+    EXPECT_NEAR(glm::length(mesh.normals[v]), 1.0f, 1e-6f) << "vertex " << v;
   }
 }
 
@@ -77,9 +77,8 @@ TEST(MeshFile, ReadsEveryFormat) {
     EXPECT_EQ(mesh->n_faces(), 4u);
     expect_unit_normals(*mesh);
     // Smooth normals of a tetrahedron point away from its middle.
-    for (const auto vertex : mesh->vertices()) {
-      const auto outward = mesh->point(vertex) - OpenMesh::Vec3f(0.25f, 0.25f, 0.25f);
-      EXPECT_GT(outward | mesh->normal(vertex), 0.0f);
+    for (std::size_t v = 0; v < mesh->n_vertices(); ++v) {
+      EXPECT_GT(glm::dot(mesh->points[v] - glm::vec3(0.25f), mesh->normals[v]), 0.0f);
     }
   }
 }
@@ -89,7 +88,7 @@ TEST(MeshFile, WeighsSmoothNormalsByArea) {
   // A triangle of area 8 in z = 0 and one of area 0.5 in x = 0 share the origin.
   const auto mesh = read_mesh(
       folder.write("a.obj", "v 0 0 0\nv 4 0 0\nv 0 4 0\nv 0 -1 0\nv 0 0 -1\nf 1 2 3\nf 1 4 5\n"));
-  const auto normal = mesh->normal(OpenMesh::VertexHandle(0));
+  const auto normal = mesh->normals[0];
   EXPECT_NEAR(normal[0], 0.5f / std::hypot(8.0f, 0.5f), 1e-6f);
   EXPECT_NEAR(normal[2], 8.0f / std::hypot(8.0f, 0.5f), 1e-6f);
 }
@@ -102,7 +101,7 @@ TEST(MeshFile, SmoothsSeamsAndKeepsEdges) {
     const auto mesh =
         read_mesh(folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 1 0 0\n" + right +
                                             "v 1 1 0\nf 1 2 3 4\nf 5 6 7 8\n"));
-    return mesh->normal(OpenMesh::VertexHandle(1));
+    return mesh->normals[1];
   };
   // 45 degrees: one surface, its normal between the two. 80 degrees: an edge.
   EXPECT_LT(normal_at_seam("1")[0], -0.3f);
@@ -117,8 +116,8 @@ TEST(MeshFile, UsesNormalsOfTheFileAndKeepsCreases) {
                              "f 1//1 2//1 3//1\nf -4//-2 3//2 4//3\n"));
   EXPECT_EQ(mesh->n_vertices(), 6u) << "the two points of the crease have two normals each";
   expect_unit_normals(*mesh);
-  EXPECT_EQ(mesh->normal(OpenMesh::VertexHandle(0)), OpenMesh::Vec3f(0, 0, 1));
-  EXPECT_EQ(mesh->normal(OpenMesh::VertexHandle(3)), OpenMesh::Vec3f(1, 0, 0));
+  EXPECT_EQ(mesh->normals[0], glm::vec3(0, 0, 1));
+  EXPECT_EQ(mesh->normals[3], glm::vec3(1, 0, 0));
 }
 
 TEST(MeshFile, UsesNormalsOfPlyAndOff) {
@@ -132,8 +131,8 @@ TEST(MeshFile, UsesNormalsOfPlyAndOff) {
                    "element face 1\nproperty list uchar uint vertex_index\nend_header\n"
                    "0 3 4 0 0 0\n0 3 4 1 0 0\n0 3 4 0 1 0\n3 0 1 2\n"));
   for (const auto& mesh : {of_off, of_ply}) {
-    for (const auto vertex : mesh->vertices()) {
-      EXPECT_NEAR((mesh->normal(vertex) - OpenMesh::Vec3f(0, 0.6f, 0.8f)).norm(), 0.0f, 1e-6f);
+    for (const glm::vec3& normal : mesh->normals) {
+      EXPECT_NEAR(glm::distance(normal, glm::vec3(0, 0.6f, 0.8f)), 0.0f, 1e-6f);
     }
   }
 }

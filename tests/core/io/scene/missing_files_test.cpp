@@ -26,7 +26,7 @@ constexpr const char* scene_text = R"({
 })";
 
 bool is_visible(const TriangleMesh& mesh) {
-  return mesh.point(OpenMesh::VertexHandle(0)) != mesh.point(OpenMesh::VertexHandle(1));
+  return mesh.points[0] != mesh.points[1];
 }
 
 class MissingFilesTest : public testing::Test {

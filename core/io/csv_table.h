@@ -17,8 +17,8 @@ namespace brume {
 // number may have one as its decimal sign.
 class CsvTable {
  public:
-  // `bytes` of `file`. Throws InputError if they are no text.
-  CsvTable(std::filesystem::path file, std::string bytes);
+  // `bytes` of `file`. Throws InputError if they are no text, with what is `allowed` instead.
+  CsvTable(std::filesystem::path file, std::string bytes, const char* allowed);
   CsvTable(const CsvTable&) = delete;  // which has views into itself
   CsvTable& operator=(const CsvTable&) = delete;
 

@@ -1,4 +1,4 @@
-#include "core/io/gaussians/csv_table.h"
+#include "core/io/csv_table.h"
 
 #include <algorithm>
 #include <utility>
@@ -48,10 +48,10 @@ std::optional<char> declared_separator(std::string_view line) {
 
 }  // namespace
 
-CsvTable::CsvTable(std::filesystem::path file, std::string bytes)
+CsvTable::CsvTable(std::filesystem::path file, std::string bytes, const char* allowed)
     : file_(std::move(file)), text_(as_utf8(std::move(bytes))), rest_(text_) {
   if (text_.find('\0') != std::string::npos) {
-    throw InputError(file_, "", "is no text; allowed: Gaussians as PLY, CSV or glTF of splats");
+    throw InputError(file_, "", std::string("is no text; allowed: ") + allowed);
   }
 }
 

@@ -1,0 +1,251 @@
+#include "core/scene/copies.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <limits>
+#include <optional>
+
+#include "brume/limits.h"
+#include "core/math/random_source.h"
+#include "core/scene/mesh.h"
+#include "core/scene/placement.h"
+#include "core/scene/remembered.h"
+
+namespace brume {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+// The shortest rotation from +y to a unit normal.
+glm::dquat rotation_from_y(const glm::dvec3& normal) {
+  constexpr double opposite = -1.0 + 1e-12;
+  if (normal.y < opposite) return {0.0, 1.0, 0.0, 0.0};
+  return glm::normalize(glm::dquat(1.0 + normal.y, normal.z, 0.0, -normal.x));
+}
+
+glm::dquat rotation_about_y(double degrees) {
+  const double half = 0.5 * glm::radians(degrees);
+  return {std::cos(half), 0.0, std::sin(half), 0.0};
+}
+
+// A surface's triangles, by area.
+class AreaPoints {
+ public:
+  explicit AreaPoints(const Surface& surface)
+      : placement_(surface), mesh_(to_arrays(*surface.mesh)) {
+    double sum = 0.0;
+    sums_.reserve(mesh_.triangles.size());
+    const double square = placement_.scale * placement_.scale;
+    for (const glm::uvec3& corners : mesh_.triangles) {
+      sum += 0.5 * square * glm::length(across(corners));
+      sums_.push_back(sum);
+    }
+  }
+
+  [[nodiscard]] double area() const { return sums_.empty() ? 0.0 : sums_.back(); }
+
+  // A random point, and the unit normal there.
+  void draw(RandomSource& random, glm::dvec3& point, glm::dvec3& normal) const {
+    const auto chosen =
+        std::min(std::ranges::upper_bound(sums_, random.uniform() * area()), sums_.end() - 1);
+    const glm::uvec3& corners = mesh_.triangles[static_cast<std::size_t>(chosen - sums_.begin())];
+    const double root = std::sqrt(random.uniform());
+    const double v = random.uniform() * root;
+    const glm::dvec3 weights(1.0 - root, root - v, v);
+    point = normal = glm::dvec3(0.0);
+    for (int k = 0; k < 3; ++k) {
+      point += weights[k] * glm::dvec3(mesh_.points[corners[k]]);
+      normal += weights[k] * glm::dvec3(mesh_.normals[corners[k]]);
+    }
+    if (normal == glm::dvec3(0.0)) normal = across(corners);
+    const double length = glm::length(normal);
+    normal = length > 0.0 ? normal / length : glm::dvec3(0.0, 1.0, 0.0);
+    point = placement_.point_to_world(point);
+    normal = placement_.normal_to_world(normal);
+  }
+
+ private:
+  [[nodiscard]] glm::dvec3 across(const glm::uvec3& corners) const {
+    const glm::dvec3 a(mesh_.points[corners.x]);
+    return glm::cross(glm::dvec3(mesh_.points[corners.y]) - a,
+                      glm::dvec3(mesh_.points[corners.z]) - a);
+  }
+
+  Placement placement_;
+  const MeshArrays& mesh_;
+  std::vector<double> sums_;  // of areas [u^2]
+};
+
+std::size_t rounded_count(double count) {
+  constexpr std::size_t max_count = limits::scene_bytes / limits::copy_bytes;
+  return count < static_cast<double>(max_count) ? static_cast<std::size_t>(std::llround(count))
+                                                : max_count;
+}
+
+// What scattered placements depend on.
+struct ScatterKey {
+  std::shared_ptr<const TriangleMesh> mesh;
+  Placement placement;
+  Scatter scatter;
+
+  bool operator==(const ScatterKey&) const = default;
+};
+using SharedPlacements = std::shared_ptr<const CopyPlacements>;
+
+SharedPlacements placements_of(const Copies& copies, const std::vector<Surface>& surfaces) {
+  static Remembered<ScatterKey, SharedPlacements> results;
+  if (copies.placements) return copies.placements;
+  const Surface* const over = find_scattered_over(copies.scatter, surfaces);
+  if (!over || !over->mesh) return nullptr;
+  return results.get({over->mesh, Placement(*over), copies.scatter}, [&] {
+    return std::make_shared<const CopyPlacements>(scattered(copies.scatter, *over));
+  });
+}
+
+// Where the meshes of a surface's copies are in the world.
+struct PlacedKey {
+  SharedPlacements placements;
+  glm::dquat rotate;
+  double scale;
+
+  bool operator==(const PlacedKey&) const = default;
+};
+
+SharedPlacements placed(const SharedPlacements& placements, const Surface& surface) {
+  static Remembered<PlacedKey, SharedPlacements> results;
+  if (!placements || placements->empty()) return nullptr;
+  return results.get({placements, surface.rotate, surface.scale}, [&] {
+    CopyPlacements all = *placements;
+    for (CopyPlacement& copy : all) {
+      copy.rotate = copy.rotate * surface.rotate;
+      copy.scale *= surface.scale;
+    }
+    return std::make_shared<const CopyPlacements>(std::move(all));
+  });
+}
+
+// The greatest exact(k) of `count` things, where bound(k) is no less, and cheap.
+double greatest(std::size_t count, auto&& bound, auto&& exact) {
+  std::vector<std::pair<double, std::size_t>> heap(count);
+  for (std::size_t k = 0; k < count; ++k) heap[k] = {bound(k), k};
+  std::ranges::make_heap(heap);
+  double result = -infinite;
+  for (auto end = heap.end(); end != heap.begin() && heap.front().first > result; --end) {
+    result = std::max(result, exact(heap.front().second));
+    std::pop_heap(heap.begin(), end);
+  }
+  return result;
+}
+
+// The vertices of a surface at all its placements.
+class PlacedVertices {
+ public:
+  explicit PlacedVertices(const Surface& surface)
+      : surface_(surface), points_(to_arrays(*surface.mesh).points), box_(box_of(*surface.mesh)) {}
+
+  [[nodiscard]] bool empty() const { return points_.empty(); }
+
+  // The greatest value of a vertex, where `bound` is no less of those in a ball.
+  [[nodiscard]] double greatest_value(auto&& value, auto&& bound) const {
+    const glm::dvec3 center = 0.5 * (box_.low + box_.high);
+    const double radius = 0.5 * glm::length(box_.high - box_.low) * (1.0 + 1e-12);
+    return greatest(
+        placement_count(surface_),
+        [&](std::size_t copy) {
+          const Placement placement = placement_of(surface_, copy);
+          return bound(placement.point_to_world(center), placement.scale * radius);
+        },
+        [&](std::size_t copy) {
+          const Placement placement = placement_of(surface_, copy);
+          double result = -infinite;
+          for (const glm::vec3& p : points_) {
+            result = std::max(result, value(placement.point_to_world(glm::dvec3(p))));
+          }
+          return result;
+        });
+  }
+
+ private:
+  const Surface& surface_;
+  const std::vector<glm::vec3>& points_;
+  MeshBox box_;
+};
+
+// What the box around a surface depends on.
+struct BoxKey {
+  std::shared_ptr<const TriangleMesh> mesh;
+  Placement placement;
+  SharedPlacements copies;
+
+  bool operator==(const BoxKey&) const = default;
+};
+
+}  // namespace
+
+const Surface* find_scattered_over(const Scatter& scatter, const std::vector<Surface>& surfaces) {
+  const auto found = std::ranges::find(surfaces, scatter.over, &Surface::name);
+  return scatter.over.empty() || found == surfaces.end() ? nullptr : &*found;
+}
+
+double scattered_count(const Scatter& scatter, const Surface& over) {
+  return scatter.density * AreaPoints(over).area();
+}
+
+CopyPlacements scattered(const Scatter& scatter, const Surface& over) {
+  const AreaPoints points(over);
+  CopyPlacements placements(rounded_count(scatter.density * points.area()));
+  RandomSource random(static_cast<std::uint64_t>(scatter.seed));
+  for (CopyPlacement& copy : placements) {
+    glm::dvec3 normal;
+    points.draw(random, copy.translate, normal);
+    copy.scale = glm::mix(scatter.scale[0], scatter.scale[1], random.uniform());
+    const double turn = scatter.max_turn * (2.0 * random.uniform() - 1.0);
+    copy.rotate = rotation_from_y(normal) * rotation_about_y(turn);
+  }
+  return placements;
+}
+
+std::vector<Surface> with_placed_copies(std::vector<Surface> surfaces) {
+  std::vector<SharedPlacements> all;
+  for (const Surface& surface : surfaces) {
+    all.push_back(surface.copies ? placements_of(*surface.copies, surfaces) : nullptr);
+  }
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    if (!surfaces[i].copies) continue;  // of a frame already
+    surfaces[i].placed_copies = placed(all[i], surfaces[i]);
+    surfaces[i].copies.reset();
+  }
+  return surfaces;
+}
+
+MeshBox world_box(const Surface& surface) {
+  static Remembered<BoxKey, MeshBox> results;
+  return results.get({surface.mesh, Placement(surface), surface.placed_copies}, [&]() -> MeshBox {
+    const PlacedVertices vertices(surface);
+    if (vertices.empty()) return {glm::dvec3(infinite), glm::dvec3(-infinite)};
+    MeshBox box;
+    for (int axis = 0; axis < 3; ++axis) {
+      box.low[axis] = -vertices.greatest_value(
+          [axis](const glm::dvec3& p) { return -p[axis]; },
+          [axis](const glm::dvec3& center, double radius) { return radius - center[axis]; });
+      box.high[axis] = vertices.greatest_value(
+          [axis](const glm::dvec3& p) { return p[axis]; },
+          [axis](const glm::dvec3& center, double radius) { return radius + center[axis]; });
+    }
+    return box;
+  });
+}
+
+double farthest_vertex(const Surface& surface, const glm::dvec3& point) {
+  return PlacedVertices(surface).greatest_value(
+      [&](const glm::dvec3& p) { return glm::distance(p, point); },
+      [&](const glm::dvec3& center, double radius) {
+        return glm::distance(center, point) + radius;
+      });
+}
+
+}  // namespace brume
