@@ -39,9 +39,10 @@ class PlacementReader {
   // `value(column, name)` reads a number of a row.
   void add(const Columns& columns, const std::string& place, auto&& value) {
     if (placements_.size() == max_count_) {
-      throw InputError(file_, place,
-                       "found too many copies; allowed: as many as the memory of the scene holds, " +
-                           std::to_string(max_count_) + " more");
+      throw InputError(
+          file_, place,
+          "found too many copies; allowed: as many as the memory of the scene holds, " +
+              std::to_string(max_count_) + " more");
     }
     CopyPlacement& copy = placements_.emplace_back();
     std::array<double, names.size()> values{0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};
@@ -93,12 +94,12 @@ CopyPlacements read_ply(const std::filesystem::path& file, const std::string& by
                      "there is no property " + std::string(missing) + "; needed: " + needed);
   }
   PlacementReader reader(file, max_count);
-  ply.for_each_row([&](const PlyFile::Element& element, std::uint64_t index,
-                       const PlyFile::Row& row) {
-    if (&element != vertices) return;
-    reader.add(columns, "vertex " + std::to_string(index),
-               [&row](std::size_t column, std::string_view) { return row.scalars[column]; });
-  });
+  ply.for_each_row(
+      [&](const PlyFile::Element& element, std::uint64_t index, const PlyFile::Row& row) {
+        if (&element != vertices) return;
+        reader.add(columns, "vertex " + std::to_string(index),
+                   [&row](std::size_t column, std::string_view) { return row.scalars[column]; });
+      });
   return reader.finish();
 }
 

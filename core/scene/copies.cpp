@@ -7,7 +7,8 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <limits>
-#include <optional>
+#include <span>
+#include <utility>
 
 #include "brume/limits.h"
 #include "core/math/random_source.h"
@@ -128,51 +129,51 @@ SharedPlacements placed(const SharedPlacements& placements, const Surface& surfa
   });
 }
 
-// The greatest exact(k) of `count` things, where bound(k) is no less, and cheap.
-double greatest(std::size_t count, auto&& bound, auto&& exact) {
-  std::vector<std::pair<double, std::size_t>> heap(count);
-  for (std::size_t k = 0; k < count; ++k) heap[k] = {bound(k), k};
-  std::ranges::make_heap(heap);
-  double result = -infinite;
-  for (auto end = heap.end(); end != heap.begin() && heap.front().first > result; --end) {
-    result = std::max(result, exact(heap.front().second));
-    std::pop_heap(heap.begin(), end);
-  }
-  return result;
-}
-
 // The vertices of a surface at all its placements.
 class PlacedVertices {
  public:
   explicit PlacedVertices(const Surface& surface)
-      : surface_(surface), points_(to_arrays(*surface.mesh).points), box_(box_of(*surface.mesh)) {}
+      : surface_(surface), points_(to_arrays(*surface.mesh).points) {
+    const MeshBox box = box_of(*surface.mesh);
+    for (std::size_t k = 0; k < corners_.size(); ++k) {
+      for (int axis = 0; axis < 3; ++axis) {
+        corners_[k][axis] = static_cast<float>(k >> axis & 1U ? box.high[axis] : box.low[axis]);
+      }
+    }
+  }
 
-  [[nodiscard]] bool empty() const { return points_.empty(); }
-
-  // The greatest value of a vertex, where `bound` is no less of those in a ball.
-  [[nodiscard]] double greatest_value(auto&& value, auto&& bound) const {
-    const glm::dvec3 center = 0.5 * (box_.low + box_.high);
-    const double radius = 0.5 * glm::length(box_.high - box_.low) * (1.0 + 1e-12);
-    return greatest(
-        placement_count(surface_),
-        [&](std::size_t copy) {
-          const Placement placement = placement_of(surface_, copy);
-          return bound(placement.point_to_world(center), placement.scale * radius);
-        },
-        [&](std::size_t copy) {
-          const Placement placement = placement_of(surface_, copy);
-          double result = -infinite;
-          for (const glm::vec3& p : points_) {
-            result = std::max(result, value(placement.point_to_world(glm::dvec3(p))));
-          }
-          return result;
-        });
+  // The greatest value of a vertex, -inf without any; of a convex function, which is no less at the
+  // corners of a box. If many placements may have it, that of a corner.
+  [[nodiscard]] double greatest(auto&& value) const {
+    if (points_.empty()) return -infinite;
+    const auto greatest_of = [&](std::span<const glm::vec3> points, std::size_t copy) {
+      const Placement placement = placement_of(surface_, copy);
+      double result = -infinite;
+      for (const glm::vec3& p : points) {
+        result = std::max(result, value(placement.point_to_world(glm::dvec3(p))));
+      }
+      return result;
+    };
+    const std::size_t count = placement_count(surface_);
+    if (count == 1) return greatest_of(points_, 0);
+    std::vector<std::pair<double, std::size_t>> bounds(count);
+    for (std::size_t k = 0; k < count; ++k) bounds[k] = {greatest_of(corners_, k), k};
+    std::ranges::make_heap(bounds);
+    double result = -infinite;
+    auto end = bounds.end();
+    for (std::size_t tried = 0; end != bounds.begin() && bounds.front().first > result; ++tried) {
+      if (tried == max_tried) return bounds.front().first;
+      result = std::max(result, greatest_of(points_, bounds.front().second));
+      std::pop_heap(bounds.begin(), end--);
+    }
+    return result;
   }
 
  private:
+  static constexpr std::size_t max_tried = 1000;
   const Surface& surface_;
-  const std::vector<glm::vec3>& points_;
-  MeshBox box_;
+  std::span<const glm::vec3> points_;
+  std::array<glm::vec3, 8> corners_;  // of the box around the mesh
 };
 
 // What the box around a surface depends on.
@@ -226,26 +227,18 @@ MeshBox world_box(const Surface& surface) {
   static Remembered<BoxKey, MeshBox> results;
   return results.get({surface.mesh, Placement(surface), surface.placed_copies}, [&]() -> MeshBox {
     const PlacedVertices vertices(surface);
-    if (vertices.empty()) return {glm::dvec3(infinite), glm::dvec3(-infinite)};
     MeshBox box;
     for (int axis = 0; axis < 3; ++axis) {
-      box.low[axis] = -vertices.greatest_value(
-          [axis](const glm::dvec3& p) { return -p[axis]; },
-          [axis](const glm::dvec3& center, double radius) { return radius - center[axis]; });
-      box.high[axis] = vertices.greatest_value(
-          [axis](const glm::dvec3& p) { return p[axis]; },
-          [axis](const glm::dvec3& center, double radius) { return radius + center[axis]; });
+      box.low[axis] = -vertices.greatest([axis](const glm::dvec3& p) { return -p[axis]; });
+      box.high[axis] = vertices.greatest([axis](const glm::dvec3& p) { return p[axis]; });
     }
     return box;
   });
 }
 
 double farthest_vertex(const Surface& surface, const glm::dvec3& point) {
-  return PlacedVertices(surface).greatest_value(
-      [&](const glm::dvec3& p) { return glm::distance(p, point); },
-      [&](const glm::dvec3& center, double radius) {
-        return glm::distance(center, point) + radius;
-      });
+  return PlacedVertices(surface).greatest(
+      [&point](const glm::dvec3& p) { return glm::distance(p, point); });
 }
 
 }  // namespace brume

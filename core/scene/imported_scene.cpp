@@ -1,11 +1,17 @@
 #include "core/scene/imported_scene.h"
 
+#include <glm/common.hpp>
+#include <map>
 #include <set>
 #include <string_view>
+#include <utility>
 
 #include "brume/mesh_arrays.h"
+#include "brume/primitive.h"
 #include "core/scene/copies.h"
 #include "core/scene/mesh.h"
+#include "core/scene/placement.h"
+#include "core/scene/remembered.h"
 
 namespace brume {
 namespace {
@@ -16,6 +22,63 @@ void append(MeshArrays& all, const MeshArrays& mesh) {
   all.points.insert(all.points.end(), mesh.points.begin(), mesh.points.end());
   all.normals.insert(all.normals.end(), mesh.normals.begin(), mesh.normals.end());
   for (const glm::uvec3& triangle : mesh.triangles) all.triangles.push_back(triangle + first);
+}
+
+// The same at a placement.
+void append(MeshArrays& all, const MeshArrays& mesh, const Placement& placement) {
+  const std::size_t first = all.points.size();
+  append(all, mesh);
+  for (std::size_t i = first; i < all.points.size(); ++i) {
+    all.points[i] = placement.point_to_world(glm::dvec3(all.points[i]));
+    all.normals[i] = placement.normal_to_world(glm::dvec3(all.normals[i]));
+  }
+}
+
+// The box around a mesh.
+MeshArrays box_mesh(const TriangleMesh& mesh) {
+  const MeshBox around = box_of(mesh);
+  MeshArrays box = to_arrays(*mesh_of({Primitive::Shape::box, glm::dvec3(1.0)}));
+  for (glm::vec3& p : box.points) {
+    p = glm::mix(around.low, around.high, glm::dvec3(p) + 0.5);
+  }
+  return box;
+}
+
+// Where the surface stands that shows parts which share their mesh, and its copies.
+struct PartPlacements {
+  CopyPlacement own;
+  std::shared_ptr<const CopyPlacements> copies;  // null: none
+};
+
+// What they depend on.
+struct PartsKey {
+  std::shared_ptr<const ImportedScene> scene;
+  std::vector<const ImportedPart*> parts;
+  Placement placement;
+  std::shared_ptr<const CopyPlacements> copies;
+
+  bool operator==(const PartsKey&) const = default;
+};
+
+PartPlacements placements_of(const Surface& whole, std::span<const ImportedPart* const> parts) {
+  static Remembered<PartsKey, PartPlacements> results;
+  return results.get(
+      {whole.imported, {parts.begin(), parts.end()}, Placement(whole), whole.placed_copies}, [&] {
+        CopyPlacements all;
+        for (std::size_t copy = 0; copy < placement_count(whole); ++copy) {
+          const Placement outer = placement_of(whole, copy);
+          for (const ImportedPart* part : parts) {
+            for (const CopyPlacement& inner : part->placements) {
+              all.push_back({outer.point_to_world(inner.translate), outer.rotate * inner.rotate,
+                             outer.scale * inner.scale});
+            }
+          }
+        }
+        PartPlacements result{all.front(), nullptr};
+        all.erase(all.begin());
+        if (!all.empty()) result.copies = std::make_shared<const CopyPlacements>(std::move(all));
+        return result;
+      });
 }
 
 Surface surface_of(const Surface& whole, const ImportedPart& part) {
@@ -49,10 +112,18 @@ std::vector<const ImportedPart*> chosen_parts(const ImportedScene& scene,
 
 std::shared_ptr<const TriangleMesh> joined_mesh(std::span<const ImportedPart* const> parts) {
   if (parts.empty()) return nullptr;
-  if (parts.size() == 1) return parts.front()->mesh;
+  if (parts.size() == 1 && parts.front()->placements.empty()) return parts.front()->mesh;
+  // Beyond so many triangles, copies are the boxes around them.
+  constexpr std::size_t max_triangles = 2'000'000;
   MeshArrays all;
-  for (const ImportedPart* part : parts) append(all, to_arrays(*part->mesh));
-  return to_mesh(all);
+  for (const ImportedPart* part : parts) {
+    if (part->placements.empty()) append(all, to_arrays(*part->mesh));
+    for (const CopyPlacement& placement : part->placements) {
+      const bool has_room = all.triangles.size() + part->mesh->n_faces() <= max_triangles;
+      append(all, has_room ? to_arrays(*part->mesh) : box_mesh(*part->mesh), Placement(placement));
+    }
+  }
+  return to_mesh(std::move(all));
 }
 
 bool is_shown_as_it_is(const Surface& surface) {
@@ -67,8 +138,26 @@ std::vector<Surface> shown_surfaces(std::span<const Surface> surfaces) {
       shown.push_back(surface);
       continue;
     }
+    std::vector<std::vector<const ImportedPart*>> sharing;  // mesh and material
+    std::map<const TriangleMesh*, std::size_t> places;      // in `sharing`
     for (const ImportedPart* part : chosen_parts(*surface.imported, surface.nodes)) {
-      shown.push_back(surface_of(surface, *part));
+      const auto [place, is_new] = part->placements.empty()
+                                       ? std::pair(places.end(), true)
+                                       : places.try_emplace(part->mesh.get(), sharing.size());
+      if (is_new) {
+        sharing.push_back({part});
+      } else {
+        sharing[place->second].push_back(part);
+      }
+    }
+    for (const std::vector<const ImportedPart*>& parts : sharing) {
+      Surface& added = shown.emplace_back(surface_of(surface, *parts.front()));
+      if (parts.front()->placements.empty()) continue;
+      const auto [own, copies] = placements_of(surface, parts);
+      added.translate = own.translate;
+      added.rotate = own.rotate;
+      added.scale = own.scale;
+      added.placed_copies = copies;
     }
   }
   return shown;

@@ -24,6 +24,9 @@ struct ImportedPart {
   std::size_t node = 0;
   std::shared_ptr<const TriangleMesh> mesh;  // in the coordinates of its file [u]
   Material material;
+  // Where the file places a mesh that it has several times, which is in its own coordinates then;
+  // else empty.
+  CopyPlacements placements{};
 };
 
 // A glTF, OBJ or FBX scene, as its file has it: y up.
@@ -58,7 +61,8 @@ std::vector<const ImportedPart*> chosen_parts(const ImportedScene& scene,
 std::shared_ptr<const TriangleMesh> joined_mesh(std::span<const ImportedPart* const> parts);
 
 // The surfaces that frames show: visible ones, and in place of one with an imported scene its
-// parts, each with the placements of that surface, named SURFACE/NODE, or NODE where the surface has
+// parts, each with the placements of that surface. Parts that share mesh and material are one, with
+// copies, called as the first. They are named SURFACE/NODE, or NODE where the surface has
 // no name or the same. A node that has no name is called as its mesh.
 std::vector<Surface> shown_surfaces(std::span<const Surface> surfaces);
 // Whether a surface stays itself there.

@@ -24,11 +24,11 @@ using CopyPlacements = std::vector<CopyPlacement>;
 
 // Copies at random points of another surface, uniform by area: the same seed gives the same copies.
 struct Scatter {
-  std::string over{};           // the name of that surface; without one there are no copies
-  double density = 1.0;         // >= 0 [1/u^2]
-  std::int64_t seed = 0;        // another one gives other copies
-  glm::dvec2 scale{1.0};        // the least and the greatest, > 0
-  double max_turn = 0.0;        // about the normal, either way, in [0, 360] [degrees]
+  std::string over{};     // the name of that surface; without one there are no copies
+  double density = 1.0;   // >= 0 [1/u^2]
+  std::int64_t seed = 0;  // another one gives other copies
+  glm::dvec2 scale{1.0};  // the least and the greatest, > 0
+  double max_turn = 0.0;  // about the normal, either way, in [0, 360] [degrees]
 
   bool operator==(const Scatter&) const = default;
 };

@@ -4,10 +4,15 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "brume/mesh_arrays.h"
+
 namespace brume {
 
 EmitterSampler::EmitterSampler(std::span<const Surface> surfaces)
     : triangles_(emitting_triangles(surfaces)), firsts_(surfaces.size(), -1) {
+  for (const Surface& surface : surfaces) {
+    face_counts_.push_back(to_arrays(*surface.mesh).triangles.size());
+  }
   double sum = 0.0;
   for (std::size_t i = 0; i < triangles_.size(); ++i) {
     const EmittingTriangle& triangle = triangles_[i];
@@ -28,14 +33,17 @@ EmitterSampler::Point EmitterSampler::sample(PathRandom& random) const {
   const auto& [a, b, c] = triangle.corners;
   const double root = std::sqrt(random.uniform());
   const double v = random.uniform() * root;
-  return {(1.0 - root) * a + (root - v) * b + v * c, triangle.surface, triangle.index};
+  return {(1.0 - root) * a + (root - v) * b + v * c, triangle.surface, triangle.index,
+          triangle.copy};
 }
 
 double EmitterSampler::pdf(const SurfaceHit& hit, const glm::dvec3& w) const {
   if (empty() || !hit) return 0.0;
   const std::int64_t first = firsts_[static_cast<std::size_t>(hit.surface)];
   if (first < 0) return 0.0;
-  const std::size_t i = static_cast<std::size_t>(first) + hit.triangle;
+  const std::size_t i = static_cast<std::size_t>(first) +
+                        hit.copy * face_counts_[static_cast<std::size_t>(hit.surface)] +
+                        hit.triangle;
   const double share = (sums_[i] - (i > 0 ? sums_[i - 1] : 0.0)) / sums_.back();
   // Its area as the ray sees it.
   const double facing = std::abs(glm::dot(area_vector(triangles_[i].corners), w));

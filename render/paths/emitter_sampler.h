@@ -25,6 +25,7 @@ class EmitterSampler {
     glm::dvec3 position{0.0};
     std::uint32_t surface = 0;   // index
     std::uint32_t triangle = 0;  // in its mesh
+    std::uint32_t copy = 0;      // see SurfaceHit
   };
   [[nodiscard]] Point sample(PathRandom& random) const;
   // Density of finding, from where the ray came, the point that a ray in the unit direction w hits
@@ -33,8 +34,9 @@ class EmitterSampler {
 
  private:
   std::vector<EmittingTriangle> triangles_;
-  std::vector<double> sums_;          // of what they send up to each
-  std::vector<std::int64_t> firsts_;  // in triangles_, per surface; < 0: it emits nothing
+  std::vector<double> sums_;              // of what they send up to each
+  std::vector<std::int64_t> firsts_;      // in triangles_, per surface; < 0: it emits nothing
+  std::vector<std::size_t> face_counts_;  // per surface
 };
 
 }  // namespace brume

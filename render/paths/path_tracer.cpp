@@ -165,7 +165,7 @@ glm::dvec3 PathTracer::emitters_at(const Vertex& vertex, PathRandom& random) con
   const SurfaceHit hit = segment(vertex, l, random).hit;
   const double pdf = scene_.emitters.pdf(hit, l);
   if (!(pdf > 0.0) || hit.surface != static_cast<std::int32_t>(drawn.surface) ||
-      hit.triangle != drawn.triangle) {
+      hit.copy != drawn.copy || hit.triangle != drawn.triangle) {
     return none;
   }
   const double fog = scene_.fog.interval(vertex.position, l).before(hit.distance);

@@ -186,7 +186,7 @@ class FrameStages {
   SurfaceLighting lighting_;  // of the frame
   // Members to reuse their memory.
   std::vector<RasterPixel> hits_;
-  std::vector<double> distances_;  // of hits_ in double, where float is too coarse; else empty
+  std::vector<double> distances_;      // of hits_ in double, where float is too coarse; else empty
   std::vector<std::uint32_t> copies_;  // of hits_; empty: nothing has copies
   std::vector<glm::vec3> surface_radiance_;
 };

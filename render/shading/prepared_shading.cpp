@@ -116,8 +116,9 @@ const AverageDepthGrid& PreparedShading::average_depth_of(const Surface& surface
   }
   const GaussianTerms<double> gaussians(medium);
   light_revision_ = new_revision();
-  depths_.push_back(std::make_unique<Depths>(Depths{
-      surface.mesh, Placement(surface), surface.placed_copies, AverageDepthGrid(gaussians.all(), bounds(surface))}));
+  depths_.push_back(
+      std::make_unique<Depths>(Depths{surface.mesh, Placement(surface), surface.placed_copies,
+                                      AverageDepthGrid(gaussians.all(), bounds(surface))}));
   return depths_.back()->grid;
 }
 

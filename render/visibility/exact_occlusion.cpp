@@ -1,13 +1,16 @@
 #include "render/visibility/exact_occlusion.h"
 
+#include <tbb/parallel_sort.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <numeric>
 #include <optional>
 
-#include "brume/mesh_arrays.h"
+#include "core/scene/mesh.h"
 
 namespace brume {
 namespace {
@@ -82,97 +85,121 @@ bool clip(Segment& s, double low, double high) {
   return true;
 }
 
-}  // namespace
+constexpr double infinite = std::numeric_limits<double>::infinity();
 
-void ExactOcclusion::Part::add(const Surface& surface, const Placement& placement,
-                               const Coverage* coverage) {
-  const MeshArrays& mesh = to_arrays(*surface.mesh);
-  std::vector<glm::dvec3> points(mesh.points.size());
-  std::ranges::transform(mesh.points, points.begin(), [&placement](const glm::vec3& p) {
-    return placement.point_to_world(glm::dvec3(p));
-  });
-  for (const glm::uvec3& corners : mesh.triangles) {
-    if (coverage->has_holes()) {
-      Holes& own_holes = holes[static_cast<std::uint32_t>(triangles.size())];
-      own_holes.coverage = coverage;
-      for (int k = 0; k < 3 && !mesh.texcoords.empty(); ++k) {
-        own_holes.texcoords[static_cast<std::size_t>(k)] = glm::dvec2(mesh.texcoords[corners[k]]);
-      }
-    }
-    triangles.push_back({points[corners.x], points[corners.y], points[corners.z]});
-  }
+// Beyond so many triangles, so many neighbours have one sphere: that takes less memory.
+constexpr std::size_t max_alone = 1'000'000;
+constexpr std::size_t neighbours = 8;
+
+std::size_t group_size(std::size_t triangles) {
+  return triangles > max_alone ? neighbours : 1;
 }
 
-void ExactOcclusion::Part::finish() {
+// Sorts triangles along a space-filling curve, Morton's.
+void sort_along_curve(const TriangleMesh& mesh, std::vector<std::uint32_t>& order) {
+  const MeshBox box = box_of(mesh);
+  const glm::dvec3 scale = 1023.0 / glm::max(box.high - box.low, glm::dvec3(1e-300));
+  const auto spread = [](std::uint32_t bits) {  // to every third
+    bits = (bits | bits << 16) & 0x030000ffU;
+    bits = (bits | bits << 8) & 0x0300f00fU;
+    bits = (bits | bits << 4) & 0x030c30c3U;
+    return (bits | bits << 2) & 0x09249249U;
+  };
+  std::vector<std::uint32_t> codes(order.size());
+  std::ranges::transform(order, codes.begin(), [&](std::uint32_t triangle) {
+    const glm::dvec3 cell = (glm::dvec3(mesh.points[mesh.triangles[triangle].x]) - box.low) * scale;
+    return spread(static_cast<std::uint32_t>(cell.x)) |
+           spread(static_cast<std::uint32_t>(cell.y)) << 1 |
+           spread(static_cast<std::uint32_t>(cell.z)) << 2;
+  });
+  tbb::parallel_sort(order, [&codes](std::uint32_t a, std::uint32_t b) {
+    return codes[a] != codes[b] ? codes[a] < codes[b] : a < b;
+  });
+}
+
+}  // namespace
+
+ExactOcclusion::Part::Part(const Surface& surface, const Placement& placement)
+    : mesh(surface.mesh), points(mesh->points.size()), coverage(surface.material) {
+  std::ranges::transform(mesh->points, points.begin(), [&placement](const glm::vec3& p) {
+    return placement.point_to_world(glm::dvec3(p));
+  });
+  order.resize(mesh->n_faces());
+  std::iota(order.begin(), order.end(), 0U);
+  if (order.size() > max_alone) sort_along_curve(*mesh, order);
+  const std::size_t size = group_size(order.size());
   std::vector<glm::dvec3> centers;
   std::vector<double> radii;
-  for (const Triangle& triangle : triangles) {
-    const glm::dvec3 low = glm::min(triangle[0], glm::min(triangle[1], triangle[2]));
-    const glm::dvec3 high = glm::max(triangle[0], glm::max(triangle[1], triangle[2]));
+  for (std::size_t first = 0; first < order.size(); first += size) {
+    glm::dvec3 low(infinite), high(-infinite);
+    for (std::size_t i = first; i < std::min(first + size, order.size()); ++i) {
+      for (const glm::dvec3& p : triangle(order[i])) {
+        low = glm::min(low, p);
+        high = glm::max(high, p);
+      }
+    }
     centers.push_back(0.5 * (low + high));
     radii.push_back(0.5 * glm::length(high - low));
   }
   bvh = SphereBvh(centers, radii);
 }
 
-ExactOcclusion::ExactOcclusion(std::span<const Surface> surfaces) {
-  const Placement in_the_world{CopyPlacement()};
-  parts_.emplace_back();
-  for (const Surface& surface : surfaces) {
-    coverages_.push_back(std::make_unique<const Coverage>(surface.material));
-    if (!surface.placed_copies) {
-      parts_.front().add(surface, Placement(surface), coverages_.back().get());
-      continue;
-    }
-    Part& part = parts_.emplace_back();
-    part.add(surface, in_the_world, coverages_.back().get());
-    for (std::size_t copy = 0; copy < placement_count(surface); ++copy) {
-      instances_.push_back({static_cast<std::uint32_t>(parts_.size() - 1),
-                            placement_of(surface, copy)});
-    }
-  }
-  if (!parts_.front().triangles.empty()) instances_.push_back({0, in_the_world});
+ExactOcclusion::Triangle ExactOcclusion::Part::triangle(std::uint32_t index) const {
+  const glm::uvec3& corners = mesh->triangles[index];
+  return {points[corners.x], points[corners.y], points[corners.z]};
+}
 
-  std::vector<glm::dvec3> part_centers;
-  std::vector<double> part_radii;
-  for (Part& part : parts_) {
-    part.finish();
-    constexpr double infinite = std::numeric_limits<double>::infinity();
-    glm::dvec3 low(infinite), high(-infinite);
-    for (const Triangle& triangle : part.triangles) {
-      low = glm::min(low, glm::min(triangle[0], glm::min(triangle[1], triangle[2])));
-      high = glm::max(high, glm::max(triangle[0], glm::max(triangle[1], triangle[2])));
-    }
-    part_centers.push_back(0.5 * (low + high));
-    part_radii.push_back(0.5 * glm::length(high - low));
-  }
+void ExactOcclusion::Part::query(const auto& shape, auto visit) const {
+  const std::size_t size = group_size(order.size());
+  bvh.query(shape, [&](std::uint32_t group) {
+    const std::size_t first = group * size;
+    for (std::size_t i = first; i < std::min(first + size, order.size()); ++i) visit(order[i]);
+  });
+}
+
+ExactOcclusion::ExactOcclusion(std::span<const Surface> surfaces) {
+  const Placement none{CopyPlacement()};
   std::vector<glm::dvec3> centers;
   std::vector<double> radii;
-  for (const auto& [part, placement] : instances_) {
-    centers.push_back(placement.point_to_world(part_centers[part]));
-    radii.push_back(placement.scale * part_radii[part]);
+  for (const Surface& surface : surfaces) {
+    const bool has_copies = surface.placed_copies != nullptr;
+    const auto part = static_cast<std::uint32_t>(parts_.size());
+    parts_.push_back(std::make_unique<const Part>(surface, has_copies ? none : Placement(surface)));
+    glm::dvec3 low(infinite), high(-infinite);
+    for (const glm::dvec3& p : parts_.back()->points) {
+      low = glm::min(low, p);
+      high = glm::max(high, p);
+    }
+    for (std::size_t copy = 0; copy < placement_count(surface); ++copy) {
+      const Placement placement = has_copies ? placement_of(surface, copy) : none;
+      instances_.push_back({part, placement});
+      centers.push_back(placement.point_to_world(0.5 * (low + high)));
+      radii.push_back(placement.scale * 0.5 * glm::length(high - low));
+    }
   }
   bvh_ = SphereBvh(centers, radii);
 }
 
-bool ExactOcclusion::Part::is_hole(std::uint32_t triangle, const glm::dvec3& weights) const {
-  const auto found = holes.find(triangle);
-  if (found == holes.end()) return false;
-  const auto& [coverage, uv] = found->second;
-  return coverage->is_hole(weights.x * uv[0] + weights.y * uv[1] + weights.z * uv[2]);
+bool ExactOcclusion::Part::is_hole(std::uint32_t index, const glm::dvec3& weights) const {
+  if (!coverage.has_holes()) return false;
+  glm::dvec2 uv(0.0);
+  for (int k = 0; k < 3 && !mesh->texcoords.empty(); ++k) {
+    uv += weights[k] * glm::dvec2(mesh->texcoords[mesh->triangles[index][k]]);
+  }
+  return coverage.is_hole(uv);
 }
 
 void ExactOcclusion::Part::shorten(const glm::dvec3& origin, const glm::dvec3& direction,
                                    double& end) const {
-  bvh.query(RaySegment{origin, direction, end}, [&](std::uint32_t i) {
+  query(RaySegment{origin, direction, end}, [&](std::uint32_t i) {
     // Moeller and Trumbore 1997.
-    const Triangle& triangle = triangles[i];
-    const glm::dvec3 e1 = triangle[1] - triangle[0];
-    const glm::dvec3 e2 = triangle[2] - triangle[0];
+    const Triangle corners = triangle(i);
+    const glm::dvec3 e1 = corners[1] - corners[0];
+    const glm::dvec3 e2 = corners[2] - corners[0];
     const glm::dvec3 p = glm::cross(direction, e2);
     const double det = glm::dot(e1, p);
     if (det == 0.0) return;
-    const glm::dvec3 q = origin - triangle[0];
+    const glm::dvec3 q = origin - corners[0];
     const double u = glm::dot(q, p) / det;
     const double v = glm::dot(direction, glm::cross(q, e1)) / det;
     const double t = glm::dot(e2, glm::cross(q, e1)) / det;
@@ -187,8 +214,8 @@ double ExactOcclusion::first_hit(const glm::dvec3& origin, const glm::dvec3& dir
   bvh_.query(RaySegment{origin, direction, end}, [&](std::uint32_t i) {
     const auto& [part, placement] = instances_[i];
     double own_end = nearest / placement.scale;
-    parts_[part].shorten(placement.point_to_mesh(origin), placement.normal_to_mesh(direction),
-                         own_end);
+    parts_[part]->shorten(placement.point_to_mesh(origin), placement.normal_to_mesh(direction),
+                          own_end);
     nearest = std::min(nearest, own_end * placement.scale);
   });
   return nearest;
@@ -226,10 +253,10 @@ std::vector<std::pair<double, double>> ExactOcclusion::lit(const glm::dvec3& lig
     const glm::dvec3 own_normal = placement.normal_to_mesh(normal);
     const double own_h = h / placement.scale;
     const TriangleShape seen{own_light, own_eye, own_eye + end / placement.scale * own_w};
-    part.bvh.query(seen, [&](std::uint32_t i) {
+    part.query(seen, [&](std::uint32_t i) {
       Ends ends;
       const std::optional<Segment> whole =
-          cross_section(part.triangles[i], own_light, own_w, own_y, own_normal, ends);
+          cross_section(part.triangle(i), own_light, own_w, own_y, own_normal, ends);
       if (!whole) return;
       const auto hide = [&](Segment s) {
         if (!clip(s, touching * own_h, (1.0 - touching) * own_h)) return;
@@ -239,7 +266,7 @@ std::vector<std::pair<double, double>> ExactOcclusion::lit(const glm::dvec3& lig
         const double stop = std::min(std::max(a, b), last);
         if (begin < stop) hidden.emplace_back(begin, stop);
       };
-      if (!part.holes.contains(i)) {
+      if (!part.coverage.has_holes()) {
         hide(*whole);
         return;
       }
@@ -251,7 +278,7 @@ std::vector<std::pair<double, double>> ExactOcclusion::lit(const glm::dvec3& lig
     });
   };
   bvh_.query(TriangleShape{light, eye, eye + end * w}, [&](std::uint32_t i) {
-    hide_part(parts_[instances_[i].part], instances_[i].placement);
+    hide_part(*parts_[instances_[i].part], instances_[i].placement);
   });
   std::sort(hidden.begin(), hidden.end());
 

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
-#include <map>
 #include <memory>
 #include <span>
 #include <utility>
@@ -35,18 +34,18 @@ class ExactOcclusion {
 
  private:
   using Triangle = std::array<glm::dvec3, 3>;
-  struct Holes {
-    const Coverage* coverage;
-    std::array<glm::dvec2, 3> texcoords;
-  };
-  // Triangles that stand in several places.
+  // The triangles of a surface: in the world, or in its mesh where it has copies.
   struct Part {
-    std::vector<Triangle> triangles;
-    std::map<std::uint32_t, Holes> holes;  // of triangles that have some
-    SphereBvh bvh;
+    std::shared_ptr<const TriangleMesh> mesh;
+    std::vector<glm::dvec3> points;
+    std::vector<std::uint32_t> order;  // of triangles: neighbours form groups
+    Coverage coverage;
+    SphereBvh bvh;  // of groups
 
-    void add(const Surface& surface, const Placement& placement, const Coverage* coverage);
-    void finish();
+    Part(const Surface& surface, const Placement& placement);
+    [[nodiscard]] Triangle triangle(std::uint32_t index) const;
+    // Calls visit(index) for the triangles of all groups that a shape touches.
+    void query(const auto& shape, auto visit) const;
     [[nodiscard]] bool is_hole(std::uint32_t triangle, const glm::dvec3& weights) const;
     // Stops the ray at the nearest hit.
     void shorten(const glm::dvec3& origin, const glm::dvec3& direction, double& end) const;
@@ -55,15 +54,11 @@ class ExactOcclusion {
     std::uint32_t part;
     Placement placement;
   };
-  void add_instances(const Part& part, std::span<const Placement> placements);
-
   [[nodiscard]] double first_hit(const glm::dvec3& origin, const glm::dvec3& direction,
                                  double end) const;
 
-  // The first is of all surfaces without copies, in the world.
-  std::vector<Part> parts_;
+  std::vector<std::unique_ptr<const Part>> parts_;
   std::vector<Instance> instances_;
-  std::vector<std::unique_ptr<const Coverage>> coverages_;
   SphereBvh bvh_;  // of instances
 };
 

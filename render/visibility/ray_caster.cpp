@@ -209,8 +209,12 @@ SurfaceHit RayCaster::hit_of(const RasterPixel& pixel, std::uint32_t copy) const
   if (!std::isfinite(pixel.distance)) return {};
   const std::vector<std::uint32_t>& first = impl_->first_triangles;
   const auto surface = std::ranges::upper_bound(first, pixel.triangle) - first.begin() - 1;
-  return {static_cast<double>(pixel.distance), static_cast<std::int32_t>(surface),
-          pixel.triangle - first[static_cast<std::size_t>(surface)], pixel.u, pixel.v, copy};
+  return {static_cast<double>(pixel.distance),
+          static_cast<std::int32_t>(surface),
+          pixel.triangle - first[static_cast<std::size_t>(surface)],
+          pixel.u,
+          pixel.v,
+          copy};
 }
 
 RasterPixel RayCaster::pixel_of(const SurfaceHit& hit) const {

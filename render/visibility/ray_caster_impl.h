@@ -92,13 +92,13 @@ struct RayCaster::Impl {
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
   std::vector<Placed> surfaces;
-  std::vector<std::vector<Vertex>> vertices;  // per surface; of one with copies in its mesh
-  std::vector<glm::dvec3> mesh_centers;       // per surface, that vertices are relative to then
-  std::vector<RTCScene> instanced;            // per surface; null: it has no copies
-  std::vector<std::uint32_t> first_instances;     // per surface: the geometry of its own placement
+  std::vector<std::vector<Vertex>> vertices;   // per surface; of one with copies in its mesh
+  std::vector<glm::dvec3> mesh_centers;        // per surface, that vertices are relative to then
+  std::vector<RTCScene> instanced;             // per surface; null: it has no copies
+  std::vector<std::uint32_t> first_instances;  // per surface: the geometry of its own placement
   std::vector<std::uint32_t> surfaces_of_instances;  // by geometry, beyond those of surfaces
-  std::vector<std::uint32_t> first_triangles;  // per surface, in raster.corners
-  std::size_t triangle_count = 0;              // of all, copies not counted
+  std::vector<std::uint32_t> first_triangles;        // per surface, in raster.corners
+  std::size_t triangle_count = 0;                    // of all, copies not counted
   // Made on first use.
   mutable std::once_flag raster_flag;
   mutable RasterTriangles raster;
@@ -108,6 +108,7 @@ struct RayCaster::Impl {
   double radius = -1.0;  // of the ball around `center` that holds all surfaces; < 0: none
   glm::dvec3 channels;
   bool has_panes = false;
+  bool is_compact = false;  // one of the scenes
 
   Impl(std::span<const Surface> built_from, const glm::dvec3& weights) : channels(weights) {
     if (built_from.empty()) return;
@@ -128,7 +129,11 @@ struct RayCaster::Impl {
     }
     device = rtcNewDevice(nullptr);
     if (!device) throw std::bad_alloc();
-    scene = new_scene();
+    std::size_t own_triangles = 0;
+    for (std::size_t s = 0; s < surfaces.size(); ++s) {
+      if (!surfaces[s].copies) own_triangles += mesh(s).triangles.size();
+    }
+    scene = new_scene(own_triangles);
     for (std::size_t s = 0; s < surfaces.size(); ++s) add(s);
     for (std::size_t s = 0; s < surfaces.size(); ++s) add_instances(s);
     rtcCommitScene(scene);
@@ -143,9 +148,13 @@ struct RayCaster::Impl {
     if (device) rtcReleaseDevice(device);
   }
 
-  [[nodiscard]] RTCScene new_scene() const {
+  // `triangles` of a scene: large ones take half the memory, for rays that are a little slower.
+  [[nodiscard]] RTCScene new_scene(std::size_t triangles) {
+    constexpr std::size_t large = 2'000'000;
     const RTCScene result = rtcNewScene(device);
-    rtcSetSceneFlags(result, RTC_SCENE_FLAG_ROBUST | scene_flag_filter);
+    const auto compact = triangles > large ? RTC_SCENE_FLAG_COMPACT : RTC_SCENE_FLAG_NONE;
+    is_compact = is_compact || triangles > large;
+    rtcSetSceneFlags(result, RTC_SCENE_FLAG_ROBUST | scene_flag_filter | compact);
     return result;
   }
 
@@ -163,10 +172,9 @@ struct RayCaster::Impl {
     for (std::size_t v = 0; v < own_vertices.size(); ++v) {
       const glm::dvec3 p(arrays.points[v]);
       const glm::dvec3 n(arrays.normals[v]);
-      own_vertices[v] = has_copies
-                            ? Vertex{glm::vec3(p - mesh_centers[s]), arrays.normals[v]}
-                            : Vertex{glm::vec3(placed.placement.point_to_world(p) - center),
-                                     glm::vec3(placed.placement.normal_to_world(n))};
+      own_vertices[v] = has_copies ? Vertex{glm::vec3(p - mesh_centers[s]), arrays.normals[v]}
+                                   : Vertex{glm::vec3(placed.placement.point_to_world(p) - center),
+                                            glm::vec3(placed.placement.normal_to_world(n))};
     }
     first_triangles.push_back(static_cast<std::uint32_t>(triangle_count));
     triangle_count += arrays.triangles.size();
@@ -184,7 +192,7 @@ struct RayCaster::Impl {
       rtcSetGeometryOccludedFilterFunction(geometry, meet_coverage);
     }
     rtcCommitGeometry(geometry);
-    instanced.push_back(has_copies ? new_scene() : nullptr);
+    instanced.push_back(has_copies ? new_scene(arrays.triangles.size()) : nullptr);
     if (has_copies) {
       rtcAttachGeometry(instanced[s], geometry);
       rtcCommitScene(instanced[s]);
@@ -208,16 +216,17 @@ struct RayCaster::Impl {
       const glm::mat4x3 transform(axes[0], axes[1], axes[2], origin);
       rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, &transform);
       rtcCommitGeometry(geometry);
-      rtcAttachGeometryByID(scene, geometry,
-                            first_instances[s] + static_cast<std::uint32_t>(copy));
+      rtcAttachGeometryByID(scene, geometry, first_instances[s] + static_cast<std::uint32_t>(copy));
       rtcReleaseGeometry(geometry);
       surfaces_of_instances.push_back(static_cast<std::uint32_t>(s));
     }
   }
 
-  // Embree 3.13 loops forever in coherent packets of shadow rays that meet instances.
+  // Embree 3.13 loops forever in coherent packets of shadow rays that meet instances or triangles of
+  // compact scenes.
   [[nodiscard]] RayOrder packet_order() const {
-    return surfaces_of_instances.empty() ? RayOrder::coherent : RayOrder::incoherent;
+    return is_compact || !surfaces_of_instances.empty() ? RayOrder::incoherent
+                                                        : RayOrder::coherent;
   }
 
   // What Embree found.

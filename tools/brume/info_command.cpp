@@ -142,7 +142,7 @@ Json imported_json(const ImportedScene& scene) {
   std::set<const Texture*> textures;
   std::vector<std::size_t> faces(scene.nodes.size(), 0);
   for (const ImportedPart* part : parts) {
-    faces[part->node] += part->mesh->n_faces();
+    faces[part->node] += part->mesh->n_faces() * std::max<std::size_t>(part->placements.size(), 1);
     for (const TextureReference* texture : textures_of(part->material.metallic_roughness)) {
       if (texture->content) textures.insert(texture->content.get());
     }

@@ -186,9 +186,9 @@ void MaterialPanel::add_copies_fields(QFormLayout& form) {
              .get = [this] { return scatter(); },
              .set =
                  [this](const Scatter& changed, const FieldInfo& info, MergeId gesture) {
-                   change_shown(tr("Set %1 of the copies of %2")
-                                    .arg(field_label(info).toLower(), "%1"),
-                                gesture, [&](Surface& s) { s.copies->scatter = changed; });
+                   change_shown(
+                       tr("Set %1 of the copies of %2").arg(field_label(info).toLower(), "%1"),
+                       gesture, [&](Surface& s) { s.copies->scatter = changed; });
                  },
              .track = {},
              .object = tr("Copies")});

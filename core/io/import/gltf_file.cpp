@@ -48,9 +48,11 @@ double value_of(std::int64_t type, const char* bytes, bool is_normalized) {
   }
 }
 
-constexpr std::array<std::string_view, 6> read_extensions{
-    "KHR_gaussian_splatting",     "KHR_lights_punctual",   "KHR_materials_emissive_strength",
-    "KHR_materials_transmission", "KHR_mesh_quantization", "KHR_texture_transform"};
+constexpr std::array<std::string_view, 7> read_extensions{
+    "EXT_mesh_gpu_instancing",    "KHR_gaussian_splatting",
+    "KHR_lights_punctual",        "KHR_materials_emissive_strength",
+    "KHR_materials_transmission", "KHR_mesh_quantization",
+    "KHR_texture_transform"};
 // Without these, materials look different, and that is all.
 constexpr std::array<std::string_view, 10> optional_extensions{
     "KHR_materials_anisotropy", "KHR_materials_clearcoat",   "KHR_materials_dispersion",

@@ -2,7 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/matrix.hpp>
+#include <map>
 #include <numbers>
+#include <span>
+#include <utility>
 
 #include "brume/limits.h"
 #include "core/io/import/gltf_file.h"
@@ -22,6 +27,31 @@ namespace {
 constexpr std::size_t max_primitives = 1 << 20;
 constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
 
+// Transforms as placements; empty: one of them stretches or mirrors.
+CopyPlacements placements(std::span<const glm::dmat4> transforms) {
+  CopyPlacements result;
+  for (const glm::dmat4& transform : transforms) {
+    const glm::dmat3 axes(transform);
+    const double scale = glm::length(axes[0]);
+    // Roundings of float.
+    constexpr double rounding = 1e-5;
+    const glm::dmat3 turn = (1.0 / scale) * axes;
+    const glm::dmat3 difference = glm::transpose(turn) * turn - glm::dmat3(1.0);
+    double greatest = 0.0;
+    for (int k = 0; k < 9; ++k) {
+      greatest = std::max(greatest, std::abs(difference[k / 3][k % 3]));
+    }
+    const glm::dvec3 translate(transform[3]);
+    const bool is_placed =
+        domain::length.contains(scale) && greatest < rounding && glm::determinant(turn) > 0.0 &&
+        domain::coordinate.contains(translate.x) && domain::coordinate.contains(translate.y) &&
+        domain::coordinate.contains(translate.z);
+    if (!is_placed) return {};
+    result.push_back({translate, glm::normalize(glm::quat_cast(turn)), scale});
+  }
+  return result;
+}
+
 class GltfReader {
  public:
   explicit GltfReader(const std::filesystem::path& file) : file_(file, scene_.warnings) {}
@@ -29,6 +59,7 @@ class GltfReader {
   RawScene read() {
     nodes_ = read_gltf_nodes(file_);
     for (const GltfNode& node : nodes_) add_node(node);
+    count_uses();
     read_materials();
     for (std::size_t i = 0; i < nodes_.size(); ++i) add_parts(i);
     center_ = center();
@@ -60,12 +91,63 @@ class GltfReader {
     scene_.images = images.all();
   }
 
+  void count_uses() {
+    uses_.resize(file_.list("meshes").size());
+    for (const GltfNode& node : nodes_) {
+      JsonObject object = file_.object("nodes", node.element);
+      if (const auto index = file_.index(object, "mesh", "meshes")) ++uses_[*index];
+    }
+  }
+
+  // To the world: of a node, or of its instances.
+  std::vector<glm::dmat4> transforms_of(const GltfNode& node, JsonObject& object) {
+    auto extensions = object.find_object("extensions");
+    auto instancing =
+        extensions ? extensions->find_object("EXT_mesh_gpu_instancing") : std::nullopt;
+    if (!instancing) return {node.to_world};
+    JsonObject attributes = instancing->object("attributes");
+    const auto translations = vectors<glm::vec3>(attributes, "TRANSLATION");
+    const auto rotations = vectors<glm::vec4>(attributes, "ROTATION");
+    const auto scales = vectors<glm::vec3>(attributes, "SCALE");
+    const std::size_t count = std::max({translations.size(), rotations.size(), scales.size()});
+    for (const std::size_t size : {translations.size(), rotations.size(), scales.size()}) {
+      if (size == 0 || size == count) continue;
+      file_.context().fail(attributes.path(), "found " + std::to_string(size) + " values for " +
+                                                  std::to_string(count) + " instances");
+    }
+    if (count > limits::scene_bytes / limits::copy_bytes) {
+      file_.context().fail(attributes.path(), "the instances take more memory than the allowed " +
+                                                  std::to_string(limits::scene_bytes) + " bytes");
+    }
+    std::vector<glm::dmat4> transforms;
+    for (std::size_t i = 0; i < count; ++i) {
+      glm::dquat rotation(1.0, 0.0, 0.0, 0.0);
+      if (!rotations.empty()) {
+        const glm::dvec4 q(rotations[i]);
+        rotation = glm::dquat(q.w, q.x, q.y, q.z);
+        if (!(glm::length(rotation) > 0.0)) {
+          attributes.fail("ROTATION", "found length 0; allowed: unit quaternions");
+        }
+      }
+      const glm::dvec3 scale = scales.empty() ? glm::dvec3(1.0) : glm::dvec3(scales[i]);
+      glm::dmat4 own(glm::mat4_cast(glm::normalize(rotation)));
+      for (int k = 0; k < 3; ++k) own[k] *= scale[k];
+      if (!translations.empty()) own[3] = glm::dvec4(glm::dvec3(translations[i]), 1.0);
+      transforms.push_back(node.to_world * own);
+    }
+    return transforms;
+  }
+
   void add_parts(std::size_t index_of_node) {
     const GltfNode& node = nodes_[index_of_node];
     JsonObject object = file_.object("nodes", node.element);
     const auto index = file_.index(object, "mesh", "meshes");
     if (!index) return;
-    const std::vector<glm::dmat4>* const joints = skins_.joints(object);
+    Use use{index_of_node, *index, skins_.joints(object), {}, {}};
+    use.transforms = transforms_of(node, object);
+    if (!use.joints && (use.transforms.size() > 1 || uses_[*index] > 1)) {
+      use.placements = placements(use.transforms);
+    }
     JsonObject mesh = file_.object("meshes", *index);
     const Json::array_t& primitives = mesh.array("primitives", limits::surfaces);
     primitives_ += primitives.size();
@@ -75,13 +157,26 @@ class GltfReader {
                                " primitives of nodes; allowed: " + std::to_string(max_primitives));
     }
     for (std::size_t i = 0; i < primitives.size(); ++i) {
-      add_part(index_of_node, joints, primitives[i], mesh.path_of("primitives").element(i));
+      add_part(use, i, primitives[i], mesh.path_of("primitives").element(i));
     }
   }
 
-  // `joints`: as of GltfSkins.
-  void add_part(std::size_t node, const std::vector<glm::dmat4>* joints, const Json& value,
-                const JsonPath& path) {
+  // A mesh at a node.
+  struct Use {
+    std::size_t node;
+    std::size_t mesh;
+    const std::vector<glm::dmat4>* joints;  // as of GltfSkins
+    std::vector<glm::dmat4> transforms;     // to the world
+    CopyPlacements placements;              // the same, of a mesh that is shared; else empty
+  };
+
+  void add_part(const Use& use, std::size_t index, const Json& value, const JsonPath& path) {
+    const auto shared = shared_parts_.find({use.mesh, index});
+    if (!use.placements.empty() && shared != shared_parts_.end()) {
+      scene_.parts.push_back(
+          {use.node, scene_.parts[shared->second].material, {}, use.placements, shared->second});
+      return;
+    }
     JsonObject primitive(file_.context(), value, path);
     constexpr std::int64_t triangles = 4;
     const std::int64_t mode = primitive.integer("mode", 0, 6, triangles);
@@ -95,25 +190,36 @@ class GltfReader {
       note_left_out(path, are_splats ? "Gaussian splats" : mode == 0 ? "points" : "lines");
       return;
     }
-    if (scene_.parts.size() >= limits::surfaces) {
+    if (meshes_ + use.transforms.size() > limits::surfaces && use.placements.empty()) {
       file_.context().fail(path,
                            "found more than " + std::to_string(limits::surfaces) +
                                " meshes of nodes; allowed: " + std::to_string(limits::surfaces));
     }
     RawPart part;
-    part.node = node;
+    part.node = use.node;
     part.material = file_.index(primitive, "material", "materials").value_or(materials_.size() - 1);
-    const bool is_skinned = read_mesh(primitive, mode, joints, part);
+    const bool is_skinned = read_mesh(primitive, mode, use.joints, part);
     if (part.mesh.triangles.empty()) return;
-    bytes_ += part.mesh.points.size() * (sizeof(glm::vec3) * 2 + sizeof(glm::vec2)) +
-              part.mesh.triangles.size() * sizeof(glm::uvec3);
-    if (bytes_ > limits::scene_bytes / 4) {  // a mesh takes up to four times its arrays
-      file_.context().fail(path, "the meshes up to here take more memory than the allowed " +
-                                     std::to_string(limits::scene_bytes) + " bytes");
+    const auto add = [&](RawPart added, const glm::dmat4& to_world) {
+      bytes_ += added.mesh.points.size() * (sizeof(glm::vec3) * 2 + sizeof(glm::vec2)) +
+                added.mesh.triangles.size() * sizeof(glm::uvec3);
+      if (bytes_ > limits::scene_bytes / 4) {
+        file_.context().fail(path, "the meshes up to here take more memory than the allowed " +
+                                       std::to_string(limits::scene_bytes) + " bytes");
+      }
+      ++meshes_;
+      apply_transform(to_world, file_.context().file(), path.text(), added.mesh);
+      scene_.parts.push_back(std::move(added));
+    };
+    if (is_skinned) {
+      add(std::move(part), glm::dmat4(1.0));
+    } else if (!use.placements.empty()) {
+      shared_parts_[{use.mesh, index}] = scene_.parts.size();
+      part.placements = use.placements;
+      add(std::move(part), glm::dmat4(1.0));
+    } else {
+      for (const glm::dmat4& to_world : use.transforms) add(part, to_world);
     }
-    const glm::dmat4 to_world = is_skinned ? glm::dmat4(1.0) : nodes_[node].to_world;
-    apply_transform(to_world, file_.context().file(), path.text(), part.mesh);
-    scene_.parts.push_back(std::move(part));
   }
 
   void note_left_out(const JsonPath& path, const std::string& what) {
@@ -234,11 +340,14 @@ class GltfReader {
   [[nodiscard]] glm::dvec3 center() const {
     glm::dvec3 low(limits::coordinate);
     glm::dvec3 high(-limits::coordinate);
+    const auto add = [&](const glm::dvec3& point) {
+      low = glm::min(low, point);
+      high = glm::max(high, point);
+    };
     for (const RawPart& part : scene_.parts) {
-      for (const glm::vec3& point : part.mesh.points) {
-        low = glm::min(low, glm::dvec3(point));
-        high = glm::max(high, glm::dvec3(point));
-      }
+      for (const CopyPlacement& placement : part.placements) add(placement.translate);
+      if (!part.placements.empty()) continue;
+      for (const glm::vec3& point : part.mesh.points) add(glm::dvec3(point));
     }
     return scene_.parts.empty() ? glm::dvec3(0.0) : 0.5 * (low + high);
   }
@@ -319,6 +428,9 @@ class GltfReader {
   std::vector<GltfMaterial> materials_;
   glm::dvec3 center_{0.0};
   std::size_t bytes_ = 0;
+  std::vector<std::size_t> uses_;  // of each mesh, by nodes
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> shared_parts_;  // by mesh, primitive
+  std::size_t meshes_ = 0;                                                   // of parts
   std::size_t primitives_ = 0;
 };
 

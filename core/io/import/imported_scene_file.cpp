@@ -38,8 +38,11 @@ class SceneBuilder {
     scene->files = std::move(raw_.files);
     for (RawPart& part : raw_.parts) {
       if (stop.stop_requested()) return nullptr;
-      scene->parts.push_back({part.node, mesh_of(part.mesh), material(part.material, *scene)});
-      part.mesh = {};
+      auto mesh =
+          part.same_mesh_as ? scene->parts[*part.same_mesh_as].mesh : mesh_of(std::move(part.mesh));
+      add_bytes(part.placements.size() * limits::copy_bytes);
+      scene->parts.push_back({part.node, std::move(mesh), material(part.material, *scene),
+                              std::move(part.placements)});
     }
     scene->changed = latest_change(scene->files);
     scene->nodes = std::move(raw_.nodes);
@@ -52,8 +55,8 @@ class SceneBuilder {
  private:
   using TextureOfImage = std::pair<std::size_t, bool>;  // and whether it has colors
 
-  std::shared_ptr<const TriangleMesh> mesh_of(const MeshArrays& arrays) {
-    auto mesh = to_mesh(arrays, limits::scene_bytes - bytes_);
+  std::shared_ptr<const TriangleMesh> mesh_of(MeshArrays arrays) {
+    auto mesh = to_mesh(std::move(arrays), limits::scene_bytes - bytes_);
     if (!mesh) fail_too_large();
     add_bytes(mesh_bytes(*mesh));
     return mesh;

@@ -43,7 +43,10 @@ struct RawMaterial {
 struct RawPart {
   std::size_t node = 0;
   std::size_t material = 0;
-  MeshArrays mesh;
+  MeshArrays mesh{};
+  // As in ImportedPart; the mesh is then that of an earlier part, if one is named.
+  CopyPlacements placements{};
+  std::optional<std::size_t> same_mesh_as{};
 };
 
 // The content of a scene file before its images are decoded and its meshes made. Readers have

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
-#include <tuple>
+#include <numeric>
 #include <utility>
 
 #include "core/io/mesh/mesh_normals.h"
@@ -58,28 +58,53 @@ class TurnedSets {
   std::vector<bool> turned_;  // against the parent
 };
 
+// An edge of a triangle, from a place to a higher one.
 struct Edge {
-  Index low, high;  // places
-  Index triangle;
-  bool is_forward;  // from low to high
+  Index high;
+  Index triangle : 31;
+  Index is_forward : 1;  // the triangle goes from low to high
+
+  bool operator<(const Edge& other) const {
+    return high != other.high ? high < other.high : triangle < other.triangle;
+  }
+};
+static_assert(sizeof(Edge) == 8);
+
+// The edges of all triangles by their lower place, each list sorted: those of place p are
+// edges[ends[p - 1]] to edges[ends[p]].
+struct EdgesByPlace {
+  std::vector<Edge> edges;
+  std::vector<std::size_t> ends;
 };
 
-std::vector<Edge> sorted_edges(std::span<const Index> places, const std::vector<bool>& ignored,
-                               std::span<const glm::uvec3> triangles) {
-  std::vector<Edge> edges;
-  edges.reserve(3 * triangles.size());
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    if (ignored[t]) continue;
-    for (int k = 0; k < 3; ++k) {
-      const Index a = places[triangles[t][k]];
-      const Index b = places[triangles[t][(k + 1) % 3]];
-      if (a != b) edges.push_back({std::min(a, b), std::max(a, b), static_cast<Index>(t), a < b});
+EdgesByPlace edges_by_place(std::span<const Index> places, const std::vector<bool>& ignored,
+                            std::span<const glm::uvec3> triangles) {
+  const auto for_each_edge = [&](auto&& visit) {
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+      if (ignored[t]) continue;
+      for (int k = 0; k < 3; ++k) {
+        const Index a = places[triangles[t][k]];
+        const Index b = places[triangles[t][(k + 1) % 3]];
+        if (a != b) visit(std::min(a, b), Edge{std::max(a, b), static_cast<Index>(t), a < b});
+      }
     }
+  };
+  EdgesByPlace result;
+  result.ends.resize(places.size() + 1);
+  for_each_edge([&result](Index low, const Edge&) { ++result.ends[low + 1]; });
+  std::partial_sum(result.ends.begin(), result.ends.end(), result.ends.begin());
+  result.edges.resize(result.ends.back());
+  // Each list's first becomes its end as it is filled.
+  for_each_edge(
+      [&result](Index low, const Edge& edge) { result.edges[result.ends[low]++] = edge; });
+  result.ends.pop_back();
+  std::size_t first = 0;
+  for (const std::size_t end : result.ends) {
+    std::sort(result.edges.begin() + static_cast<std::ptrdiff_t>(first),
+              result.edges.begin() + static_cast<std::ptrdiff_t>(end));
+    first = end;
   }
-  std::ranges::sort(edges, [](const Edge& a, const Edge& b) {
-    return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
-  });
-  return edges;
+  return result;
 }
 
 }  // namespace
@@ -89,11 +114,13 @@ void make_winding_consistent(const std::vector<glm::dvec3>& points, std::span<co
   const auto normal = [&](Index t) { return unit_or_zero(area_normal(points, triangles[t])); };
   TurnedSets sets(triangles.size());
   std::vector<std::pair<Index, Index>> overlaps;  // and what goes on beyond an edge of several
-  const std::vector<Edge> edges = sorted_edges(places, ignored, triangles);
+  const auto [edges, ends] = edges_by_place(places, ignored, triangles);
+  auto list_end = ends.begin();
   for (std::size_t i = 0; i < edges.size();) {
+    while (*list_end <= i) ++list_end;
     const Edge& first = edges[i];
     const std::size_t begin = i;
-    while (i < edges.size() && edges[i].low == first.low && edges[i].high == first.high) ++i;
+    while (i < *list_end && edges[i].high == first.high) ++i;
     const bool has_two = i - begin == 2;
     for (std::size_t k = begin + 1; k < i; ++k) {
       const Edge& other = edges[k];

@@ -42,7 +42,8 @@ fs::path common_folder(const fs::path& folder, const fs::path& file) {
 // The copies of one scene's files.
 class FileCopies {
  public:
-  FileCopies(fs::path folder, const std::stop_token& stop) : folder_(std::move(folder)), stop_(stop) {}
+  FileCopies(fs::path folder, const std::stop_token& stop)
+      : folder_(std::move(folder)), stop_(stop) {}
 
   // Makes `file` its copy.
   void add(fs::path& file) {

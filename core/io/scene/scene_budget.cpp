@@ -7,10 +7,12 @@
 #include "brume/gaussian.h"
 #include "brume/mesh_arrays.h"
 #include "core/scene/imported_scene.h"
+#include "core/scene/lights/emitting_surfaces.h"
 #include "core/scene/lights/photometric_profile.h"
 #include "core/scene/lights/radiance_map.h"
 #include "core/scene/materials/measured_brdf.h"
 #include "core/scene/materials/texture.h"
+#include "core/scene/mesh.h"
 
 namespace brume {
 
@@ -48,7 +50,9 @@ void SceneBudget::reserve(const JsonPath& path, const TriangleMesh& mesh) {
 
 void SceneBudget::reserve(const JsonPath& path, std::span<const ImportedPart* const> parts) {
   constexpr std::size_t max_parts = 4 * limits::surfaces;
-  parts_ += parts.size();
+  std::set<const TriangleMesh*> meshes;
+  for (const ImportedPart* part : parts) meshes.insert(part->mesh.get());
+  parts_ += meshes.size();
   if (parts_ > max_parts) {
     context_.fail(path, "the imported scenes have " + std::to_string(parts_) +
                             " meshes of nodes so far; allowed: at most " +
@@ -56,7 +60,8 @@ void SceneBudget::reserve(const JsonPath& path, std::span<const ImportedPart* co
   }
   std::set<const Texture*> textures;
   for (const ImportedPart* part : parts) {
-    reserve(path, *part->mesh);
+    if (meshes.erase(part->mesh.get()) > 0) reserve(path, *part->mesh);
+    reserve_bytes(path, part->placements.size() * limits::copy_bytes);
     for (const TextureReference* texture : textures_of(part->material.metallic_roughness)) {
       if (texture->content) textures.insert(texture->content.get());
     }
@@ -64,13 +69,17 @@ void SceneBudget::reserve(const JsonPath& path, std::span<const ImportedPart* co
   for (const Texture* texture : textures) reserve(path, *texture);
 }
 
-void SceneBudget::reserve_copies(const JsonPath& path, double count) {
-  if (!(count <= static_cast<double>(copies_left()))) {
+void SceneBudget::reserve_copies(const JsonPath& path, double count, const Surface& surface) {
+  constexpr std::size_t light_bytes = 512;  // of an emitting triangle
+  const std::size_t bytes =
+      limits::copy_bytes + (is_emissive(surface) ? light_bytes * surface.mesh->n_faces() : 0);
+  const std::size_t max_count = (limits::scene_bytes - bytes_) / bytes;
+  if (!(std::round(count) <= static_cast<double>(max_count))) {
     context_.fail(path, "found " + quoted_text(std::round(count)) +
                             " copies; allowed: as many as the memory of the scene holds, " +
-                            std::to_string(copies_left()) + " more");
+                            std::to_string(max_count) + " more");
   }
-  reserve_bytes(path, static_cast<std::size_t>(count) * limits::copy_bytes);
+  reserve_bytes(path, static_cast<std::size_t>(std::llround(count)) * bytes);
 }
 
 void SceneBudget::reserve_bytes(const JsonPath& path, std::size_t bytes) {

@@ -13,6 +13,7 @@ class PhotometricProfile;
 class Texture;
 struct ImportedPart;
 struct RadianceMap;
+struct Surface;
 struct TriangleMesh;
 
 // Memory budget while reading a scene: the sum over all files stays within limits::gaussians and
@@ -33,8 +34,8 @@ class SceneBudget {
   // Per surface: rendering copies the mesh for each.
   void reserve(const JsonPath& path, const TriangleMesh& mesh);
 
-  // Copies of a surface.
-  void reserve_copies(const JsonPath& path, double count);
+  // Copies of a surface; those of one that emits are lights, triangle by triangle.
+  void reserve_copies(const JsonPath& path, double count, const Surface& surface);
 
   [[nodiscard]] std::size_t gaussians_left() const;
   [[nodiscard]] std::size_t copies_left() const;

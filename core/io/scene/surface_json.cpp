@@ -50,7 +50,7 @@ void SurfaceReader::read_copies(JsonObject& object, Surface& surface) {
     const JsonPath path = object.path_of("file");
     copies.file = references_.resolve(context_, path, object.text("file", {}));
     copies.placements = references_.copies(context_, path, copies.file, budget_.copies_left());
-    budget_.reserve_copies(path, static_cast<double>(copies.placements->size()));
+    budget_.reserve_copies(path, static_cast<double>(copies.placements->size()), surface);
   } else {
     copies.scatter.over = object.text("over", {});
     read_fields(object, copies.scatter);
@@ -62,14 +62,15 @@ void SurfaceReader::reserve_scattered(const JsonPath& path, const std::vector<Su
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     if (!surfaces[i].copies || surfaces[i].copies->placements) continue;
     const Scatter& scatter = surfaces[i].copies->scatter;
-    const JsonPath surface = path.element(i);
-    const JsonPath copies = surface.member("copies");
+    const JsonPath element = path.element(i);
+    const JsonPath copies = element.member("copies");
     const Surface* const over = find_scattered_over(scatter, surfaces);
     if (over == nullptr) {
       context_.warn(copies.member("over"), "there is no surface " + quoted_text(scatter.over) +
                                                "; nothing is scattered over it");
     } else {
-      budget_.reserve_copies(copies.member("density"), scattered_count(scatter, *over));
+      budget_.reserve_copies(copies.member("density"), scattered_count(scatter, *over),
+                             surfaces[i]);
     }
   }
 }

@@ -99,15 +99,25 @@ bool has_outside(const MeshArrays& mesh) {
   return volume > 0.0 && edges == reversed;
 }
 
-// Calls visit(piece, surface, triangle) for all triangles of surfaces that emit.
+// The surface at the placement of one of its copies, or at its own.
+Surface at_placement(const Surface& surface, std::size_t copy) {
+  Surface result = surface;
+  if (copy == 0) return result;
+  const CopyPlacement& placement = (*surface.placed_copies)[copy - 1];
+  result.translate = placement.translate;
+  result.rotate = placement.rotate;
+  result.scale = placement.scale;
+  return result;
+}
+
+// Calls visit(piece, surface, copy, triangle) for all triangles of surfaces that emit.
 template <class Visit>
 void for_each_emitting(std::span<const Surface> surfaces, Visit visit) {
-  for (std::size_t s = 0; s < surfaces.size(); ++s) {
-    if (!is_emissive(surfaces[s])) continue;
-    const MeshArrays& mesh = to_arrays(*surfaces[s].mesh);
-    const std::vector<glm::dvec3> points = world_points(surfaces[s], mesh.points);
+  const auto visit_placement = [&visit](const Surface& surface, std::size_t s, std::size_t copy) {
+    const MeshArrays& mesh = to_arrays(*surface.mesh);
+    const std::vector<glm::dvec3> points = world_points(at_placement(surface, copy), mesh.points);
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-      Piece piece{.corners = {}, .texcoords = {}, .surface = &surfaces[s]};
+      Piece piece{.corners = {}, .texcoords = {}, .surface = &surface};
       for (int k = 0; k < 3; ++k) {
         const unsigned vertex = mesh.triangles[t][k];
         piece.corners[static_cast<std::size_t>(k)] = points[vertex];
@@ -115,7 +125,14 @@ void for_each_emitting(std::span<const Surface> surfaces, Visit visit) {
           piece.texcoords[static_cast<std::size_t>(k)] = glm::dvec2(mesh.texcoords[vertex]);
         }
       }
-      visit(piece, s, t);
+      visit(piece, s, copy, t);
+    }
+  };
+  for (std::size_t s = 0; s < surfaces.size(); ++s) {
+    if (!is_emissive(surfaces[s])) continue;
+    const auto& copies = surfaces[s].placed_copies;
+    for (std::size_t copy = 0; copy < 1 + (copies ? copies->size() : 0); ++copy) {
+      visit_placement(surfaces[s], s, copy);
     }
   }
 }
@@ -153,7 +170,7 @@ std::vector<Source> sources_of(std::span<const Surface> surfaces, int max_count)
         piece, piece.area() * max_component(piece.surface->material.metallic_roughness.emissive)};
   };
   std::priority_queue<Weighted> pieces;
-  for_each_emitting(surfaces, [&](const Piece& piece, std::size_t, std::size_t) {
+  for_each_emitting(surfaces, [&](const Piece& piece, std::size_t, std::size_t, std::size_t) {
     if (piece.area() > 0.0) pieces.push(weighted(piece));
   });
   while (!pieces.empty() && pieces.size() < size) {
@@ -249,10 +266,11 @@ glm::dvec3 area_vector(const std::array<glm::dvec3, 3>& triangle) {
 
 std::vector<EmittingTriangle> emitting_triangles(std::span<const Surface> surfaces) {
   std::vector<EmittingTriangle> triangles;
-  for_each_emitting(surfaces, [&](const Piece& piece, std::size_t surface, std::size_t index) {
-    triangles.push_back({piece.corners, piece.radiance(), static_cast<std::uint32_t>(surface),
-                         static_cast<std::uint32_t>(index)});
-  });
+  for_each_emitting(
+      surfaces, [&](const Piece& piece, std::size_t surface, std::size_t copy, std::size_t index) {
+        triangles.push_back({piece.corners, piece.radiance(), static_cast<std::uint32_t>(surface),
+                             static_cast<std::uint32_t>(index), static_cast<std::uint32_t>(copy)});
+      });
   return triangles;
 }
 

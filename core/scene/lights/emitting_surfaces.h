@@ -21,12 +21,14 @@ struct EmittingTriangle {
   glm::dvec3 radiance{0.0};           // RGB, its mean over the triangle [W/(sr u^2)]
   std::uint32_t surface = 0;          // index in the scene
   std::uint32_t index = 0;            // in the surface's mesh
+  std::uint32_t copy = 0;             // 0: of its own placement; see Surface::placed_copies
 };
 
 // The normal of a triangle's front times its area [u^2].
 glm::dvec3 area_vector(const std::array<glm::dvec3, 3>& triangle);
 
-// All triangles of surfaces that emit, in their order.
+// All triangles of surfaces that emit and of their copies, in their order: surface by surface, copy
+// by copy.
 std::vector<EmittingTriangle> emitting_triangles(std::span<const Surface> surfaces);
 
 // At most `max_count` point lights that send as much as the surfaces do: each stands for

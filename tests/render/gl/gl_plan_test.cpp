@@ -62,6 +62,13 @@ TEST(GlPlan, RefusesHolesAndPanes) {
   EXPECT_EQ(refusal_of(scene, settings), Reason::coverage_on_cpu);
 }
 
+TEST(GlPlan, RefusesCopies) {
+  Scene scene = cloud_scene(3, 1.0);
+  scene.surfaces = {wall(0.0, 1.0)};
+  scene.surfaces[0].placed_copies = std::make_shared<const CopyPlacements>(1);
+  EXPECT_EQ(refusal_of(scene, sliced_settings({}, 24)), Reason::copies_on_cpu);
+}
+
 TEST(GlPlan, RefusesTooManySlices) {
   Scene scene = cloud_scene(3, 1.0);
   EXPECT_EQ(refusal_of(scene, sliced_settings({}, 256)), std::nullopt);
