@@ -23,7 +23,7 @@ void SurfacePicker::prepare() {
   }
   caster_.reset();
   job_.start([this, surfaces = surfaces_](const Job&) {
-    return [this, built = std::make_shared<const RayCaster>(surfaces)] { caster_ = built; };
+    return [this, built = shared_ray_caster(surfaces)] { caster_ = built; };
   });
 }
 

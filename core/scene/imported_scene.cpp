@@ -130,6 +130,9 @@ bool is_shown_as_it_is(const Surface& surface) {
   return surface.visible && !surface.imported && !surface.copies;
 }
 
+// As many nodes with one mesh are surfaces of their own.
+constexpr std::size_t max_nodes_apart = 16;
+
 std::vector<Surface> shown_surfaces(std::span<const Surface> surfaces) {
   std::vector<Surface> shown;
   for (const Surface& surface : with_placed_copies({surfaces.begin(), surfaces.end()})) {
@@ -140,10 +143,13 @@ std::vector<Surface> shown_surfaces(std::span<const Surface> surfaces) {
     }
     std::vector<std::vector<const ImportedPart*>> sharing;  // mesh and material
     std::map<const TriangleMesh*, std::size_t> places;      // in `sharing`
-    for (const ImportedPart* part : chosen_parts(*surface.imported, surface.nodes)) {
-      const auto [place, is_new] = part->placements.empty()
-                                       ? std::pair(places.end(), true)
-                                       : places.try_emplace(part->mesh.get(), sharing.size());
+    const std::vector<const ImportedPart*> chosen = chosen_parts(*surface.imported, surface.nodes);
+    std::map<const TriangleMesh*, std::size_t> uses;
+    for (const ImportedPart* part : chosen) ++uses[part->mesh.get()];
+    for (const ImportedPart* part : chosen) {
+      const bool is_alone = uses[part->mesh.get()] <= max_nodes_apart;
+      const auto [place, is_new] = is_alone ? std::pair(places.end(), true)
+                                            : places.try_emplace(part->mesh.get(), sharing.size());
       if (is_new) {
         sharing.push_back({part});
       } else {

@@ -61,9 +61,9 @@ std::vector<const ImportedPart*> chosen_parts(const ImportedScene& scene,
 std::shared_ptr<const TriangleMesh> joined_mesh(std::span<const ImportedPart* const> parts);
 
 // The surfaces that frames show: visible ones, and in place of one with an imported scene its
-// parts, each with the placements of that surface. Parts that share mesh and material are one, with
-// copies, called as the first. They are named SURFACE/NODE, or NODE where the surface has
-// no name or the same. A node that has no name is called as its mesh.
+// parts, each with the placements of that surface. Where more than 16
+// parts share a mesh they are one, with copies, called as the first. They are named SURFACE/NODE,
+// or NODE where the surface has no name or the same. A node that has no name is called as its mesh.
 std::vector<Surface> shown_surfaces(std::span<const Surface> surfaces);
 // Whether a surface stays itself there.
 bool is_shown_as_it_is(const Surface& surface);

@@ -232,7 +232,8 @@ void add_surface_layers(const Scene& scene, const Camera& camera, const Film& fi
   image.height = film.height;
   const auto width = static_cast<std::size_t>(film.width);
   const auto height = static_cast<std::size_t>(film.height);
-  const RayCaster ray_caster(scene.surfaces);
+  const std::shared_ptr<const RayCaster> shared = shared_ray_caster(scene.surfaces);
+  const RayCaster& ray_caster = *shared;
   const CameraRays rays(camera, film);
   std::optional<MotionVectors> motion;
   if (layers.motion && next) motion.emplace(scene, *next, next_camera, film);

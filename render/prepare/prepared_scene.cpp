@@ -31,7 +31,7 @@ bool PreparedScene::update(const Scene& scene, const RenderPlan& plan, const Fog
     ray_caster_.reset();
     exact_occlusion_.reset();
     shadows_.clear();
-    ray_caster_ = std::make_unique<RayCaster>(scene.surfaces, channels);
+    ray_caster_ = shared_ray_caster(scene.surfaces, channels);
   }
   if (!exact_occlusion_ && plan.has_exact_occlusion)
     exact_occlusion_ = std::make_unique<ExactOcclusion>(scene.surfaces);

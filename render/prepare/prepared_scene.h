@@ -83,7 +83,7 @@ class PreparedScene {
   std::array<PreparedMedium, 2> media_;
   std::size_t current_ = 0;
 
-  std::unique_ptr<RayCaster> ray_caster_;
+  std::shared_ptr<const RayCaster> ray_caster_;
   std::unique_ptr<ExactOcclusion> exact_occlusion_;
   std::vector<std::unique_ptr<ShadowMap>> shadows_;
 };

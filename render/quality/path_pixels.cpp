@@ -25,7 +25,7 @@ PathPixels::PathPixels(const Scene& scene, const Camera& camera, const Film& fil
       width_(static_cast<std::size_t>(film.width)),
       orders_(orders),
       surfaces_(scene.surfaces),
-      ray_caster_(surfaces_) {
+      ray_caster_(shared_ray_caster(surfaces_)) {
   Settings settings;
   settings.airlight = AirlightMethod::path;
   const RenderPlan plan(scene, film, settings);
@@ -35,7 +35,7 @@ PathPixels::PathPixels(const Scene& scene, const Camera& camera, const Film& fil
   const std::vector<PointSource> lights = point_sources(plan.lights, rays_, camera, fog_extent);
   std::vector<PointSource> area_lights = lights;
   std::erase_if(area_lights, [this](const PointSource& light) {
-    if (ray_caster_.has_panes()) return false;
+    if (ray_caster_->has_panes()) return false;
     return !light.area || light.is_far;  // the integral has the disc of a sun
   });
   for (const AlbedoGroup& each : albedo_groups(scene)) {
@@ -47,10 +47,10 @@ PathPixels::PathPixels(const Scene& scene, const Camera& camera, const Film& fil
         extinction, culling_tolerance(extinction, plan.depth_error), scene.optics.anisotropy);
     group.index->set_noise(RayNoise(scene.optics.noise, scene.time));
     group.index->set_fog(fog_extent.fog());
-    if (ray_caster_.has_panes()) {
-      group.ray_caster = std::make_unique<RayCaster>(surfaces_, channel_weights(each));
+    if (ray_caster_->has_panes()) {
+      group.ray_caster = shared_ray_caster(surfaces_, channel_weights(each));
     }
-    const RayCaster& ray_caster = group.ray_caster ? *group.ray_caster : ray_caster_;
+    const RayCaster& ray_caster = group.ray_caster ? *group.ray_caster : *ray_caster_;
     group.medium = std::make_unique<PathMedium>(*group.index);
     group.scene = std::make_unique<PathScene>(
         PathScene::of_view(*group.medium, each.albedo, ray_caster, surfaces_, environment_.get(),
@@ -99,7 +99,7 @@ double PathPixels::view_length(const Group& group, double x, double y, PathRando
   const SurfaceHit hit = group.ray_caster ? group.ray_caster->first_hit_by_chance(
                                                 rays_.origin(x, y), rays_.direction(x, y),
                                                 [&random] { return random.uniform(); })
-                                          : ray_caster_.first_hit(rays_, x, y);
+                                          : ray_caster_->first_hit(rays_, x, y);
   return std::min(hit.distance, ray_end_);
 }
 

@@ -52,7 +52,7 @@ class PathPixels {
   struct Group {
     glm::dvec3 channels{0.0};  // 1 for its own
     double albedo;
-    std::unique_ptr<RayCaster> ray_caster;  // of its own channels; null: that of all
+    std::shared_ptr<const RayCaster> ray_caster;  // of its own channels; null: that of all
     std::unique_ptr<MediumIndex> index;
     std::unique_ptr<PathMedium> medium;
     std::unique_ptr<PathScene> scene;
@@ -69,7 +69,7 @@ class PathPixels {
   std::size_t width_;
   Orders orders_;
   std::vector<Surface> surfaces_;
-  RayCaster ray_caster_;
+  std::shared_ptr<const RayCaster> ray_caster_;
   double ray_end_;
   std::unique_ptr<EnvironmentSampler> environment_;
   std::vector<Group> groups_;

@@ -28,7 +28,7 @@ ReferencePixels::ReferencePixels(const Scene& scene, const Camera& camera, const
     : rays_(camera, film),
       width_(static_cast<std::size_t>(film.width)),
       tolerance_(tolerance),
-      ray_caster_(scene.surfaces),
+      ray_caster_(shared_ray_caster(scene.surfaces)),
       exact_occlusion_(scene.surfaces) {
   Settings settings;
   settings.airlight = AirlightMethod::reference;
@@ -65,7 +65,7 @@ std::vector<glm::dvec3> ReferencePixels::airlight(
         .parallel_for_with_progress(pixels.size(), [&](std::size_t k) {
           const double x = static_cast<double>(pixels[k] % width_) + 0.5;
           const double y = static_cast<double>(pixels[k] / width_) + 0.5;
-          const double length = std::min(ray_caster_.first_hit(rays_, x, y).distance, ray_end_);
+          const double length = std::min(ray_caster_->first_hit(rays_, x, y).distance, ray_end_);
           const glm::dvec3 airlight =
               reference_airlight(group.medium, exact_occlusion_, lights_,
                                  group.environment ? &*group.environment : nullptr,

@@ -46,7 +46,7 @@ class ReferencePixels {
   CameraRays rays_;
   std::size_t width_;
   double tolerance_;
-  RayCaster ray_caster_;
+  std::shared_ptr<const RayCaster> ray_caster_;
   ExactOcclusion exact_occlusion_;
   double ray_end_;
   std::vector<PointSource> lights_;

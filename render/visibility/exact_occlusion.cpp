@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <optional>
@@ -119,12 +120,14 @@ void sort_along_curve(const TriangleMesh& mesh, std::vector<std::uint32_t>& orde
 
 }  // namespace
 
-ExactOcclusion::Part::Part(const Surface& surface, const Placement& placement)
-    : mesh(surface.mesh), points(mesh->points.size()), coverage(surface.material) {
-  std::ranges::transform(mesh->points, points.begin(), [&placement](const glm::vec3& p) {
-    return placement.point_to_world(glm::dvec3(p));
-  });
+ExactOcclusion::Part::Part(const Surface& surface, const Placement& own_placement)
+    : mesh(surface.mesh), placement(own_placement), coverage(surface.material) {
   order.resize(mesh->n_faces());
+  if (order.size() <= max_alone) {
+    std::ranges::transform(mesh->points, std::back_inserter(points), [this](const glm::vec3& p) {
+      return placement.point_to_world(glm::dvec3(p));
+    });
+  }
   std::iota(order.begin(), order.end(), 0U);
   if (order.size() > max_alone) sort_along_curve(*mesh, order);
   const std::size_t size = group_size(order.size());
@@ -146,7 +149,7 @@ ExactOcclusion::Part::Part(const Surface& surface, const Placement& placement)
 
 ExactOcclusion::Triangle ExactOcclusion::Part::triangle(std::uint32_t index) const {
   const glm::uvec3& corners = mesh->triangles[index];
-  return {points[corners.x], points[corners.y], points[corners.z]};
+  return {point(corners.x), point(corners.y), point(corners.z)};
 }
 
 void ExactOcclusion::Part::query(const auto& shape, auto visit) const {
@@ -166,7 +169,8 @@ ExactOcclusion::ExactOcclusion(std::span<const Surface> surfaces) {
     const auto part = static_cast<std::uint32_t>(parts_.size());
     parts_.push_back(std::make_unique<const Part>(surface, has_copies ? none : Placement(surface)));
     glm::dvec3 low(infinite), high(-infinite);
-    for (const glm::dvec3& p : parts_.back()->points) {
+    for (std::uint32_t v = 0; v < surface.mesh->n_vertices(); ++v) {
+      const glm::dvec3 p = parts_.back()->point(v);
       low = glm::min(low, p);
       high = glm::max(high, p);
     }

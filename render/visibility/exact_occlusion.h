@@ -11,6 +11,7 @@
 
 #include "brume/scene.h"
 #include "core/scene/materials/coverage.h"
+#include "core/scene/mesh.h"
 #include "core/scene/placement.h"
 #include "render/geometry/sphere_bvh.h"
 
@@ -37,12 +38,17 @@ class ExactOcclusion {
   // The triangles of a surface: in the world, or in its mesh where it has copies.
   struct Part {
     std::shared_ptr<const TriangleMesh> mesh;
-    std::vector<glm::dvec3> points;
+    Placement placement;
+    std::vector<glm::dvec3> points;    // placed; empty: there are too many
     std::vector<std::uint32_t> order;  // of triangles: neighbours form groups
     Coverage coverage;
     SphereBvh bvh;  // of groups
 
     Part(const Surface& surface, const Placement& placement);
+    [[nodiscard]] glm::dvec3 point(std::uint32_t vertex) const {
+      return points.empty() ? placement.point_to_world(glm::dvec3(mesh->points[vertex]))
+                            : points[vertex];
+    }
     [[nodiscard]] Triangle triangle(std::uint32_t index) const;
     // Calls visit(index) for the triangles of all groups that a shape touches.
     void query(const auto& shape, auto visit) const;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 
 #include "core/scene/camera_rays.h"
 #include "render/geometry/edge_on.h"
@@ -300,6 +301,24 @@ double RayCaster::transmittance(const glm::dvec3& origin, const glm::dvec3& dire
                                 double length) const {
   if (has_panes()) return hits_on_ray(origin, direction).passing(length);
   return first_hit(origin, direction).distance < length ? 0.0 : 1.0;
+}
+
+std::shared_ptr<const RayCaster> shared_ray_caster(std::span<const Surface> surfaces,
+                                                   const glm::dvec3& channels) {
+  static std::mutex mutex;
+  static std::vector<std::weak_ptr<const RayCaster>> all;
+  {
+    const std::lock_guard lock(mutex);
+    std::erase_if(all, [](const auto& each) { return each.expired(); });
+    for (const auto& each : all) {
+      const std::shared_ptr<const RayCaster> held = each.lock();
+      if (held && held->shows(surfaces, channels)) return held;
+    }
+  }
+  auto made = std::make_shared<const RayCaster>(surfaces, channels);
+  const std::lock_guard lock(mutex);
+  all.push_back(made);
+  return made;
 }
 
 }  // namespace brume

@@ -195,4 +195,8 @@ class RayCaster {
   std::unique_ptr<Impl> impl_;
 };
 
+// One of these surfaces: that which something still holds, or else a new one.
+std::shared_ptr<const RayCaster> shared_ray_caster(
+    std::span<const Surface> surfaces, const glm::dvec3& channels = RayCaster::all_channels);
+
 }  // namespace brume

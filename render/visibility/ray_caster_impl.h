@@ -222,11 +222,10 @@ struct RayCaster::Impl {
     }
   }
 
-  // Embree 3.13 loops forever in coherent packets of shadow rays that meet instances or triangles of
-  // compact scenes.
+  // Embree 3.13 loops forever in coherent packets of shadow rays that meet instances or triangles
+  // of compact scenes.
   [[nodiscard]] RayOrder packet_order() const {
-    return is_compact || !surfaces_of_instances.empty() ? RayOrder::incoherent
-                                                        : RayOrder::coherent;
+    return is_compact || !surfaces_of_instances.empty() ? RayOrder::incoherent : RayOrder::coherent;
   }
 
   // What Embree found.

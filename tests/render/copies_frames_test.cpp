@@ -82,7 +82,7 @@ TEST(CopiesFrames, AreThoseOfAsManySurfaces) {
   }
   // Without them it is another frame.
   const Frame alone = render_frame(scene_of({apart(box)[0]}), sliced(24));
-  EXPECT_GT(difference(alone.beauty, render_frame(other, sliced(24)).beauty).relative_rmse, 0.05);
+  EXPECT_GT(difference(alone.beauty, render_frame(other, sliced(24)).beauty).relative_rmse, 0.005);
 }
 
 TEST(CopiesFrames, OfTexturedMetalAreThoseOfAsManySurfaces) {

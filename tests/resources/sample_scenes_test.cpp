@@ -10,6 +10,7 @@
 
 #include "brume/at_time.h"
 #include "core/io/scene/scene_file.h"
+#include "core/scene/copies.h"
 #include "core/scene/fields/light_fields.h"
 #include "core/scene/lights/photometric_profile.h"
 #include "core/scene/lights/radiance_map.h"
@@ -51,6 +52,16 @@ TEST(SampleScenes, EachLoadsWithoutWarnings) {
       EXPECT_TRUE(!scene.medium.empty() || folder != scenes) << entry.path();
     }
   }
+}
+
+TEST(SampleScenes, SprucesAreCopiesOfOne) {
+  const Scene scene = load("spruces.brume");
+  const std::vector<Surface> placed = with_placed_copies(scene.surfaces);
+  ASSERT_EQ(placed.size(), 2u);
+  EXPECT_EQ(placed[0].placed_copies, nullptr);
+  ASSERT_NE(placed[1].placed_copies, nullptr);
+  EXPECT_EQ(placed[1].placed_copies->size(), 3234u) << "README.md says it";
+  EXPECT_EQ(placed[1].mesh->n_faces(), 1815u);
 }
 
 TEST(SampleScenes, BunnyInFog) {

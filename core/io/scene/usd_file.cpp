@@ -245,6 +245,31 @@ std::string surface_name(const Surface& surface) {
   return surface.mesh_file.empty() ? "Surface" : surface.mesh_file.stem().string();
 }
 
+// The copies of a surface, of which a prim of USD is the prototype: relative to its own placement,
+// which that prim has. They stand still.
+void write_copies(UsdText& out, const Surface& surface, const std::string& path) {
+  if (!surface.placed_copies) return;
+  const Placement own(surface);
+  const CopyPlacements& copies = *surface.placed_copies;
+  const auto turn = [&](std::size_t i) { return copies[i].rotate * glm::conjugate(own.rotate); };
+  const auto size = [&](std::size_t i) { return copies[i].scale / own.scale; };
+  out.open("PointInstancer", surface_name(surface) + " copies");
+  out.constant("rel prototypes", "<" + path + ">");
+  out.constant("int[] protoIndices",
+               list_of(copies.size(), [](std::size_t) { return std::string("0"); }));
+  out.constant("point3f[] positions", list_of(copies.size(), [&](std::size_t i) {
+                 return usd_value(copies[i].translate - turn(i) * (size(i) * own.translate));
+               }));
+  out.constant("quath[] orientations", list_of(copies.size(), [&](std::size_t i) {
+                 const glm::dquat q = turn(i);
+                 return usd_tuple({q.w, q.x, q.y, q.z});
+               }));
+  out.constant("float3[] scales", list_of(copies.size(), [&](std::size_t i) {
+                 return usd_value(glm::dvec3(size(i)));
+               }));
+  out.close();
+}
+
 void write_surface(UsdText& out, Frames frames, std::size_t i, UsdTextures& textures) {
   const auto surface = [&](std::size_t k) -> const Surface& { return frames[k].scene.surfaces[i]; };
   const Surface& first = surface(0);
@@ -257,6 +282,7 @@ void write_surface(UsdText& out, Frames frames, std::size_t i, UsdTextures& text
   write_mesh(out, *first.mesh);
   write_usd_material(out, frames, i, path, textures);
   out.close();
+  write_copies(out, first, path);
 }
 
 bool have_splats(Frames frames) {

@@ -9,8 +9,10 @@
 #include "core/io/image/image_file.h"
 #include "core/io/import/imported_scene_file.h"
 #include "core/io/import/scene_readers.h"
+#include "core/scene/imported_scene.h"
 #include "core/scene/materials/texture.h"
 #include "core/scene/mesh.h"
+#include "core/scene/placement.h"
 #include "tests/core/io/import/gltf_builder.h"
 #include "tests/core/io/input_error.h"
 #include "tests/core/io/temporary_folder.h"
@@ -84,6 +86,62 @@ TEST_F(Gltf, TransformsOfNodesAreInTheMesh) {
   expect_near(mesh.points[0], {13, 0, 0});
   expect_near(mesh.points[1], {13, 0, -2});
   expect_near(mesh.normals[0], {1, 0, 0});
+}
+
+TEST_F(Gltf, NodesThatShareAMeshShareItsMemory) {
+  GltfBuilder builder;
+  constexpr std::size_t count = 20;
+  builder.json["scenes"][0]["nodes"].clear();
+  builder.json["nodes"].clear();
+  for (std::size_t i = 0; i < count; ++i) {
+    builder.json["scenes"][0]["nodes"].push_back(i);
+    builder.json["nodes"].push_back(
+        {{"mesh", 0}, {"translation", {i, 0, 0}}, {"scale", {2, 2, 2}}});
+  }
+  Surface whole;
+  whole.imported = read(builder);
+  whole.translate = {0, 1, 0};
+  ASSERT_EQ(whole.imported->parts.size(), count);
+  EXPECT_EQ(whole.imported->parts[0].mesh, whole.imported->parts[7].mesh);
+  const std::vector<Surface> shown = shown_surfaces(std::span(&whole, 1));
+  ASSERT_EQ(shown.size(), 1u);
+  ASSERT_EQ(placement_count(shown[0]), count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const glm::dvec3 place = placement_of(shown[0], i).point_to_world({1, 0, 0});
+    EXPECT_EQ(place, glm::dvec3(static_cast<double>(i) + 2.0, 1, 0));
+  }
+  EXPECT_EQ(shown_surfaces(std::span(&whole, 1))[0].placed_copies, shown[0].placed_copies);
+  // A few are told apart; one that is stretched is a mesh of its own.
+  builder.json["scenes"][0]["nodes"] = {0, 1, 2};
+  builder.json["nodes"][2]["scale"] = {1, 2, 1};
+  whole.imported = read(builder);
+  EXPECT_EQ(shown_surfaces(std::span(&whole, 1)).size(), 3u);
+  EXPECT_EQ(whole.imported->parts[0].mesh, whole.imported->parts[1].mesh);
+  EXPECT_NE(whole.imported->parts[0].mesh, whole.imported->parts[2].mesh);
+  expect_near(to_arrays(*whole.imported->parts[2].mesh).points[2], {3, 2, 0});
+}
+
+TEST_F(Gltf, InstancesAreCopies) {
+  GltfBuilder builder;
+  const float s = std::sqrt(0.5f);  // a quarter turn about z: x to y
+  const std::size_t translations = builder.add({1, 0, 0, 5, 0, 0}, "VEC3");
+  const std::size_t rotations = builder.add({0, 0, 0, 1, 0, 0, s, s}, "VEC4");
+  const std::size_t scales = builder.add({1, 1, 1, 3, 3, 3}, "VEC3");
+  builder.json["nodes"][0]["translation"] = {0, 0, 7};
+  GltfBuilder::Json& attributes =
+      builder.json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"];
+  attributes = {{"TRANSLATION", translations}, {"ROTATION", rotations}, {"SCALE", scales}};
+  builder.json["extensionsRequired"] = {"EXT_mesh_gpu_instancing"};
+  Surface whole;
+  whole.imported = read(builder);
+  const std::vector<Surface> shown = shown_surfaces(std::span(&whole, 1));
+  ASSERT_EQ(shown.size(), 1u);
+  ASSERT_EQ(placement_count(shown[0]), 2u);
+  expect_near(placement_of(shown[0], 0).point_to_world({1, 0, 0}), {2, 0, 7});
+  expect_near(placement_of(shown[0], 1).point_to_world({1, 0, 0}), {5, 3, 7});
+  EXPECT_EQ(to_arrays(*joined_mesh(chosen_parts(*whole.imported, {}))).triangles.size(), 4u);
+  attributes["SCALE"] = builder.add({1, 1, 1}, "VEC3");
+  EXPECT_THROW(read(builder), InputError);
 }
 
 // Light and shadow need outward normals and the winding that goes with them.

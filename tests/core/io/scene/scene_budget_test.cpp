@@ -99,10 +99,10 @@ TEST(SceneBudget, SequencesShareTheGaussiansOfTheScene) {
                        "f_1.csv: line 3: found too many Gaussians"));
 }
 
-// A mesh of 30,000 triangles, placed as often as surfaces may be.
+// A mesh of 90,000 triangles, placed as often as surfaces may be.
 TEST(SceneBudget, SurfacesShareTheMemoryOfTheScene) {
   const TemporaryFolder folder;
-  constexpr int side = 123;
+  constexpr int side = 213;
   std::string mesh;
   for (int i = 0; i < side * side; ++i) {
     mesh += "v " + std::to_string(i % side) + " " + std::to_string(i / side) + " 0\n";

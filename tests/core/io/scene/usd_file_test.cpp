@@ -230,6 +230,25 @@ TEST_F(UsdFile, SurfacesAreMeshesInTheirPlaces) {
   EXPECT_EQ(numbers(first, "inputs:diffuseColor"), (std::vector{0.1, 0.2, 0.3}));
 }
 
+TEST_F(UsdFile, CopiesAreInstances) {
+  Surface box;
+  box.name = "Box";
+  box.primitive = Primitive{};
+  box.mesh = mesh_of(*box.primitive);
+  box.translate = {1.0, 2.0, 3.0};
+  box.scale = 2.0;
+  // Four times as large as the box, with its corner x = 0.5 at 6.
+  box.placed_copies =
+      std::make_shared<const CopyPlacements>(CopyPlacements{{{2.0, 0.0, 0.0}, {1, 0, 0, 0}, 8.0}});
+  scene_.surfaces = {box};
+  const std::string copies = prim(stage(), "Box_copies");
+  EXPECT_NE(copies.find("rel prototypes = </World/Box>"), std::string::npos) << copies;
+  EXPECT_EQ(numbers(copies, "protoIndices"), std::vector{0.0});
+  EXPECT_EQ(numbers(copies, "scales"), (std::vector{4.0, 4.0, 4.0}));
+  EXPECT_EQ(numbers(copies, "orientations"), (std::vector{1.0, 0.0, 0.0, 0.0}));
+  EXPECT_EQ(numbers(copies, "positions"), (std::vector{-2.0, -8.0, -12.0}));
+}
+
 TEST_F(UsdFile, CornersWithoutNormalsHaveThoseOfTheirTriangles) {
   Surface bend;
   bend.name = "Bend";
