@@ -43,8 +43,9 @@ void save_scene_file(const SceneFile& scene, const fs::path& file) {
                         "it is in memory alone; allowed in a file: a primitive, or of a mesh_file");
     }
     if (surface.copies && surface.copies->placements && surface.copies->file.empty()) {
-      throw DomainError("surfaces[" + std::to_string(i) + "].copies",
-                        "they are in memory alone; allowed in a file: those of a file, or scattered");
+      throw DomainError(
+          "surfaces[" + std::to_string(i) + "].copies",
+          "they are in memory alone; allowed in a file: those of a file, or scattered");
     }
   }
   save_document({scene.scene, scene.extras ? *scene.extras : SceneExtras{}}, absolute_name(file));

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/commands/edit_lights.h"
+#include "app/commands/edit_objects.h"
 #include "app/panels/forms/environment_panel.h"
 #include "app/panels/forms/light_panel.h"
 #include "app/panels/forms/material_panel.h"
@@ -133,6 +134,33 @@ class PanelsTest : public QObject {
     QCOMPARE(document.undo_stack().count(), 4);
     document.undo_stack().setIndex(0);
     QCOMPARE(transfer->currentIndex(), 0);
+    QVERIFY(document.scene() == before);
+  }
+
+  void copies() {
+    Desk desk;
+    Document& document = desk.document();
+    document.open(load_scene(BRUME_RESOURCES "/scenes/spruces.brume"), {});
+    const Scene before = document.scene();
+    desk.findChild<MaterialPanel*>()->show_surface(1);
+    auto* copies = desk.findChild<QComboBox*>("copies");
+    QCOMPARE(copies->currentData().toString(), QString("hill"));
+    const auto scatter = [&] { return document.scene().surfaces[1].copies->scatter; };
+    enter(desk, "scatter_density", "0.01");
+    enter(desk, "scatter_turn", "45");
+    QCOMPARE(scatter().density, 0.01);
+    QCOMPARE(scatter().max_turn, 45.0);
+    QVERIFY(document.visible_snapshot()->surfaces[1].placed_copies != nullptr);
+    // They stay on a surface that gets another name.
+    rename_object(document, {ObjectRef::Kind::surface, 0}, "ground");
+    QCOMPARE(scatter().over, std::string("ground"));
+    Q_EMIT copies->activated(0);
+    QVERIFY(!document.scene().surfaces[1].copies);
+    QVERIFY(!desk.findChild<QWidget*>("scatter_density")->isEnabled());
+    Q_EMIT copies->activated(1);
+    QCOMPARE(scatter().over, std::string("ground"));
+    QCOMPARE(document.undo_stack().count(), 5);
+    document.undo_stack().setIndex(0);
     QVERIFY(document.scene() == before);
   }
 

@@ -228,6 +228,32 @@ def test_lights_and_surfaces(cloud, tmp_path):
         Surface.primitive("box", (1e300, 1, 1))
 
 
+def test_copies(tmp_path):
+    scene = brume.Scene()
+    floor = brume.Surface.primitive("plane", (10, 1, 10))
+    floor.name = "floor"
+    post = brume.Surface.primitive("cylinder", (0.4, 1, 0.4))
+    scene.surfaces = [floor, post]
+    scene.camera.eye = (0, 3, 9)
+    scene.lights.append(brume.Light.point((3, 5, 2), intensity=(50, 50, 50)))
+
+    def beauty(of):
+        return brume.render(of, size=(32, 24), airlight="sliced", backend="cpu").beauty
+
+    alone = beauty(scene)
+    post.scatter("floor", density=0.5, scale=(0.5, 1.5), turn=90)
+    scene.save(tmp_path / "scattered.brume")
+    scattered = beauty(scene)
+    assert not np.array_equal(scattered, alone)
+    again = brume.load(tmp_path / "scattered.brume")
+    assert np.array_equal(beauty(again), scattered)
+    (tmp_path / "one.csv").write_text("x,y,z\n2,0,0\n")
+    post.load_copies(tmp_path / "one.csv")
+    assert not np.array_equal(beauty(scene), scattered)
+    post.clear_copies()
+    assert np.array_equal(beauty(scene), alone)
+
+
 def test_ctrl_c_stops_a_render(bunny):
     def interrupt():
         time.sleep(0.5)

@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "brume/error.h"
+#include "core/io/csv_table.h"
 #include "core/io/disk/atomic_file.h"
 #include "core/io/disk/file_bytes.h"
-#include "core/io/csv_table.h"
 #include "core/io/gaussians/gaussian_columns.h"
 #include "core/io/text_scanner.h"
 
