@@ -50,8 +50,8 @@ struct LightProfile {
 struct LightTexture {
   std::filesystem::path file;              // empty: none
   std::shared_ptr<const Texture> content;  // null: none, or the file is missing
-  double rotation = 0.0;                   // about the axis, counterclockwise against it [degrees]
-  double focus = 1.0;                      // 1 sharp, 0 blurred to the size of the cone
+  double rotation = 0.0;  // about the axis, counterclockwise as seen from the light [degrees]
+  double focus = 1.0;     // 1 sharp, 0 blurred to the size of the cone
 
   bool operator==(const LightTexture&) const = default;
 };

@@ -100,6 +100,8 @@ class Light:
     up: _Vec3
     two_sided: bool
     radius: float
+    texture_rotation: float
+    texture_focus: float
     profile_rotation: float
     on: bool
     locked: bool

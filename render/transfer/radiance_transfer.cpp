@@ -6,7 +6,6 @@
 #include <glm/gtc/quaternion.hpp>
 #include <limits>
 #include <numbers>
-#include <numeric>
 #include <span>
 #include <utility>
 
@@ -16,6 +15,7 @@
 #include "core/scene/materials/brdf.h"
 #include "core/scene/mesh.h"
 #include "render/geometry/rounding.h"
+#include "render/transfer/mesh_topology.h"
 #include "render/visibility/ray_caster.h"
 
 namespace brume {
@@ -33,8 +33,7 @@ constexpr double border_inset = 0.01;
 
 class MeshGeometry {
  public:
-  explicit MeshGeometry(const TriangleMesh& mesh)
-      : arrays_(mesh), triangles_by_vertex_(triangles_by_vertex(mesh)) {
+  explicit MeshGeometry(const TriangleMesh& mesh) : arrays_(mesh), topology_(mesh) {
     glm::dvec3 low(std::numeric_limits<double>::infinity());
     glm::dvec3 high(-std::numeric_limits<double>::infinity());
     for (const glm::vec3& p : arrays_.points) {
@@ -51,9 +50,9 @@ class MeshGeometry {
   // That of a triangle where the mesh has none; any direction where nothing has.
   [[nodiscard]] glm::dvec3 normal(std::size_t vertex) const {
     glm::dvec3 n(arrays_.normals[vertex]);
-    for (const glm::uvec3& corners : triangles_at(vertex)) {
+    for (const std::uint32_t triangle : topology_.triangles_at(vertex)) {
       if (n != glm::dvec3(0.0)) break;
-      n = area_normal(arrays_.points, corners);
+      n = area_normal(arrays_.points, arrays_.triangles[triangle]);
     }
     const double length = glm::length(n);
     return length > 0.0 ? n / length : glm::dvec3(0.0, 0.0, 1.0);
@@ -64,16 +63,16 @@ class MeshGeometry {
     double size = max_component(glm::abs(position(vertex) - center_));
     glm::dvec3 inward(0.0);
     double corner_count = 0.0;
-    for (const glm::uvec3& corners : triangles_at(vertex)) {
+    for (const std::uint32_t triangle : topology_.triangles_at(vertex)) {
       for (int k = 0; k < 3; ++k) {
-        const glm::dvec3 p = position(corners[k]);
+        const glm::dvec3 p = position(arrays_.triangles[triangle][k]);
         size = std::max(size, max_component(glm::abs(p - center_)));
         inward += p - position(vertex);
         corner_count += 1.0;
       }
     }
     const glm::dvec3 origin = position(vertex) + vertex_margin * size * n;
-    if (!is_on_border(vertex)) return origin;
+    if (!topology_.is_on_border(vertex)) return origin;
     inward *= border_inset / corner_count;
     return origin + inward - std::min(0.0, glm::dot(inward, n)) * n;
   }
@@ -91,50 +90,8 @@ class MeshGeometry {
   }
 
  private:
-  // The triangles around vertices: those of vertex v are indices[firsts[v]] to indices[firsts[v +
-  // 1]], in their order.
-  struct TrianglesByVertex {
-    std::vector<std::size_t> firsts;
-    std::vector<std::uint32_t> indices;
-  };
-
-  static TrianglesByVertex triangles_by_vertex(const MeshArrays& mesh) {
-    TrianglesByVertex result{std::vector<std::size_t>(mesh.points.size() + 1),
-                             std::vector<std::uint32_t>(3 * mesh.triangles.size())};
-    for (const glm::uvec3& corners : mesh.triangles) {
-      for (int k = 0; k < 3; ++k) ++result.firsts[corners[k] + 1];
-    }
-    std::partial_sum(result.firsts.begin(), result.firsts.end(), result.firsts.begin());
-    std::vector<std::size_t> ends(result.firsts.begin(), result.firsts.end() - 1);
-    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-      for (int k = 0; k < 3; ++k) result.indices[ends[mesh.triangles[t][k]]++] = t;
-    }
-    return result;
-  }
-
-  [[nodiscard]] std::vector<glm::uvec3> triangles_at(std::size_t vertex) const {
-    std::vector<glm::uvec3> result;
-    const std::size_t end = triangles_by_vertex_.firsts[vertex + 1];
-    for (std::size_t i = triangles_by_vertex_.firsts[vertex]; i < end; ++i) {
-      result.push_back(arrays_.triangles[triangles_by_vertex_.indices[i]]);
-    }
-    return result;
-  }
-
-  // Whether an edge of the vertex is that of one triangle only.
-  [[nodiscard]] bool is_on_border(std::size_t vertex) const {
-    std::vector<unsigned> ends;
-    for (const glm::uvec3& corners : triangles_at(vertex)) {
-      for (int k = 0; k < 3; ++k) {
-        if (corners[k] != vertex) ends.push_back(corners[k]);
-      }
-    }
-    return std::ranges::any_of(
-        ends, [&ends](unsigned end) { return std::ranges::count(ends, end) == 1; });
-  }
-
   const MeshArrays& arrays_;
-  TrianglesByVertex triangles_by_vertex_;
+  MeshTopology topology_;
   glm::dvec3 center_{0.0};  // that rays are traced around
 };
 

@@ -125,6 +125,9 @@ void write_shape(UsdText& out, Frames frames, std::size_t i, const std::filesyst
     out.constant("asset inputs:shaping:ies:file", named_from(folder, profile->file));
     out.constant("bool inputs:shaping:ies:normalize", usd_value(true));
   }
+  if (const LightTexture* texture = texture_of(first)) {
+    out.constant("custom asset brume:texture:file", named_from(folder, texture->file));
+  }
   if (const auto area = area_of(first); area && is_two_sided(*area)) {
     out.constant("custom bool brume:twoSided", usd_value(true));
   }

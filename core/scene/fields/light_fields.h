@@ -271,7 +271,7 @@ inline constexpr auto fields<LightTexture> = std::tuple{
          .label = "Texture rotation",
          .unit = "degrees",
          .says = "Rotation of the picture in its beam about the axis, counterclockwise as seen "
-                 "against it",
+                 "from the light",
          .step = 0.5}),
     field_within<Light>(
         [](auto& light) -> auto& { return light.template as<light::Spot>()->texture.focus; },
