@@ -28,4 +28,8 @@ void move_sun(Document& document, const glm::dvec3& direction, MergeId gesture) 
   set_scene_part(document, std::optional(std::move(environment)), undo_text("Move sun"), gesture);
 }
 
+void put_back_environment(Document& document, const Environment& environment, MergeId gesture) {
+  set_scene_part(document, std::optional(environment), undo_text("Move sun"), gesture);
+}
+
 }  // namespace brume

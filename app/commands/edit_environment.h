@@ -19,5 +19,7 @@ void add_sky(Document& document);
 
 // Turns the sky's sun to a unit direction, an undo step that merges within a gesture.
 void move_sun(Document& document, const glm::dvec3& direction, MergeId gesture);
+// Puts back what it was before such a gesture.
+void put_back_environment(Document& document, const Environment& environment, MergeId gesture);
 
 }  // namespace brume

@@ -17,6 +17,7 @@
 #include "brume/limits.h"
 #include "brume/mesh_arrays.h"
 #include "core/math/rounded.h"
+#include "core/scene/copies.h"
 #include "core/scene/fields/light_fields.h"
 
 namespace brume {
@@ -201,14 +202,15 @@ void duplicate_object(Document& document, const ObjectRef& ref) {
 void rename_object(Document& document, const ObjectRef& ref, const QString& name) {
   const std::string text = allowed_name(name).toStdString();
   change_list(document, ref, undo_text("Rename %1"), no_merge, [&]<class T>(std::vector<T>& list) {
-    const std::string before = std::exchange(list[ref.index].name, text);
     if constexpr (std::is_same_v<T, Surface>) {
       // Copies stay scattered over it.
       for (Surface& surface : list) {
-        if (before.empty() || text.empty() || !surface.copies) continue;
-        if (surface.copies->scatter.over == before) surface.copies->scatter.over = text;
+        if (text.empty() || !surface.copies) continue;
+        Scatter& scatter = surface.copies->scatter;
+        if (find_scattered_over(scatter, list) == &list[ref.index]) scatter.over = text;
       }
     }
+    list[ref.index].name = text;
   });
 }
 

@@ -57,7 +57,7 @@ bool SunHandle::hover(const CameraRays& rays, QPointF position) {
 
 bool SunHandle::press(const CameraRays& rays, QPointF position) {
   if (!hover(rays, position)) return false;
-  gesture_ = {*place(rays) - position, *direction(), new_merge_id()};
+  gesture_ = {*place(rays) - position, document_.scene().environment.value(), new_merge_id()};
   return true;
 }
 
@@ -68,7 +68,7 @@ void SunHandle::move(const CameraRays& rays, QPointF position) {
 }
 
 void SunHandle::cancel() {
-  if (direction()) move_sun(document_, gesture_->before, gesture_->merge_id);
+  if (direction()) put_back_environment(document_, gesture_->before, gesture_->merge_id);
   gesture_.reset();
 }
 

@@ -37,7 +37,7 @@ class SunHandle {
  private:
   struct Gesture {
     QPointF offset;  // of the sun from the mouse
-    glm::dvec3 before;
+    Environment before;
     MergeId merge_id = no_merge;
   };
 

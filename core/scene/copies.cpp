@@ -89,7 +89,7 @@ std::size_t rounded_count(double count) {
 
 // What scattered placements depend on.
 struct ScatterKey {
-  std::shared_ptr<const TriangleMesh> mesh;
+  Identity<TriangleMesh> mesh;
   Placement placement;
   Scatter scatter;
 
@@ -97,19 +97,24 @@ struct ScatterKey {
 };
 using SharedPlacements = std::shared_ptr<const CopyPlacements>;
 
+std::size_t bytes_of(const SharedPlacements& placements) {
+  return std::span(*placements).size_bytes();
+}
+
 SharedPlacements placements_of(const Copies& copies, const std::vector<Surface>& surfaces) {
   static Remembered<ScatterKey, SharedPlacements> results;
   if (copies.placements) return copies.placements;
   const Surface* const over = find_scattered_over(copies.scatter, surfaces);
   if (!over || !over->mesh) return nullptr;
-  return results.get({over->mesh, Placement(*over), copies.scatter}, [&] {
-    return std::make_shared<const CopyPlacements>(scattered(copies.scatter, *over));
-  });
+  return results.get(
+      {over->mesh, Placement(*over), copies.scatter},
+      [&] { return std::make_shared<const CopyPlacements>(scattered(copies.scatter, *over)); },
+      bytes_of);
 }
 
 // Where the meshes of a surface's copies are in the world.
 struct PlacedKey {
-  SharedPlacements placements;
+  Identity<CopyPlacements> placements;
   glm::dquat rotate;
   double scale;
 
@@ -119,14 +124,17 @@ struct PlacedKey {
 SharedPlacements placed(const SharedPlacements& placements, const Surface& surface) {
   static Remembered<PlacedKey, SharedPlacements> results;
   if (!placements || placements->empty()) return nullptr;
-  return results.get({placements, surface.rotate, surface.scale}, [&] {
-    CopyPlacements all = *placements;
-    for (CopyPlacement& copy : all) {
-      copy.rotate = copy.rotate * surface.rotate;
-      copy.scale *= surface.scale;
-    }
-    return std::make_shared<const CopyPlacements>(std::move(all));
-  });
+  return results.get(
+      {placements, surface.rotate, surface.scale},
+      [&] {
+        CopyPlacements all = *placements;
+        for (CopyPlacement& copy : all) {
+          copy.rotate = copy.rotate * surface.rotate;
+          copy.scale *= surface.scale;
+        }
+        return std::make_shared<const CopyPlacements>(std::move(all));
+      },
+      bytes_of);
 }
 
 // The vertices of a surface at all its placements.
@@ -178,9 +186,9 @@ class PlacedVertices {
 
 // What the box around a surface depends on.
 struct BoxKey {
-  std::shared_ptr<const TriangleMesh> mesh;
+  Identity<TriangleMesh> mesh;
   Placement placement;
-  SharedPlacements copies;
+  Identity<CopyPlacements> copies;
 
   bool operator==(const BoxKey&) const = default;
 };
@@ -225,15 +233,18 @@ std::vector<Surface> with_placed_copies(std::vector<Surface> surfaces) {
 
 MeshBox world_box(const Surface& surface) {
   static Remembered<BoxKey, MeshBox> results;
-  return results.get({surface.mesh, Placement(surface), surface.placed_copies}, [&]() -> MeshBox {
-    const PlacedVertices vertices(surface);
-    MeshBox box;
-    for (int axis = 0; axis < 3; ++axis) {
-      box.low[axis] = -vertices.greatest([axis](const glm::dvec3& p) { return -p[axis]; });
-      box.high[axis] = vertices.greatest([axis](const glm::dvec3& p) { return p[axis]; });
-    }
-    return box;
-  });
+  return results.get(
+      {surface.mesh, Placement(surface), surface.placed_copies},
+      [&]() -> MeshBox {
+        const PlacedVertices vertices(surface);
+        MeshBox box;
+        for (int axis = 0; axis < 3; ++axis) {
+          box.low[axis] = -vertices.greatest([axis](const glm::dvec3& p) { return -p[axis]; });
+          box.high[axis] = vertices.greatest([axis](const glm::dvec3& p) { return p[axis]; });
+        }
+        return box;
+      },
+      [](const MeshBox& box) { return sizeof(box); });
 }
 
 double farthest_vertex(const Surface& surface, const glm::dvec3& point) {

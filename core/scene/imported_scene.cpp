@@ -52,10 +52,10 @@ struct PartPlacements {
 
 // What they depend on.
 struct PartsKey {
-  std::shared_ptr<const ImportedScene> scene;
+  Identity<ImportedScene> scene;
   std::vector<const ImportedPart*> parts;
   Placement placement;
-  std::shared_ptr<const CopyPlacements> copies;
+  Identity<CopyPlacements> copies;
 
   bool operator==(const PartsKey&) const = default;
 };
@@ -63,7 +63,8 @@ struct PartsKey {
 PartPlacements placements_of(const Surface& whole, std::span<const ImportedPart* const> parts) {
   static Remembered<PartsKey, PartPlacements> results;
   return results.get(
-      {whole.imported, {parts.begin(), parts.end()}, Placement(whole), whole.placed_copies}, [&] {
+      {whole.imported, {parts.begin(), parts.end()}, Placement(whole), whole.placed_copies},
+      [&] {
         CopyPlacements all;
         for (std::size_t copy = 0; copy < placement_count(whole); ++copy) {
           const Placement outer = placement_of(whole, copy);
@@ -78,6 +79,9 @@ PartPlacements placements_of(const Surface& whole, std::span<const ImportedPart*
         all.erase(all.begin());
         if (!all.empty()) result.copies = std::make_shared<const CopyPlacements>(std::move(all));
         return result;
+      },
+      [](const PartPlacements& result) {
+        return result.copies ? std::span(*result.copies).size_bytes() : sizeof(result);
       });
 }
 

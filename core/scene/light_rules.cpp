@@ -1,7 +1,5 @@
 #include "core/scene/light_rules.h"
 
-#include <algorithm>
-
 #include "core/number_domain.h"
 #include "core/scene/fields/light_fields.h"
 
@@ -13,12 +11,10 @@ std::optional<RefusedLight> refusal(const Light& light) {
     return RefusedLight{"direction", "found a vector of length 0; allowed: any other"};
   }
   const auto* spot = light.as<light::Spot>();
-  if (spot && !spot->texture.file.empty() &&
-      (!(spot->outer_angle < 90.0) ||
-       std::ranges::any_of(light.keys.outer_angle,
-                           [](const auto& key) { return !(key.value < 90.0); }))) {
-    return RefusedLight{"outer_angle",
-                        "found 90 or more; allowed: below 90 degrees with a texture"};
+  if (spot && !spot->texture.file.empty() && light.keys.outer_angle.empty() &&
+      !(spot->outer_angle < 90.0)) {
+    return RefusedLight{"outer_angle", "found " + quoted_text(spot->outer_angle) +
+                                           "; allowed: below 90 degrees with a texture"};
   }
   const bool is_keyed = !light.keys.inner_angle.empty() || !light.keys.outer_angle.empty();
   if (!spot || is_keyed) return std::nullopt;

@@ -71,8 +71,15 @@ void SceneBudget::reserve(const JsonPath& path, std::span<const ImportedPart* co
 
 void SceneBudget::reserve_copies(const JsonPath& path, double count, const Surface& surface) {
   constexpr std::size_t light_bytes = 512;  // of an emitting triangle
-  const std::size_t bytes =
-      limits::copy_bytes + (is_emissive(surface) ? light_bytes * surface.mesh->n_faces() : 0);
+  std::size_t emitting = 0;                 // triangles
+  if (!surface.imported) {
+    emitting = is_emissive(surface) ? surface.mesh->n_faces() : 0;
+  } else {
+    for (const ImportedPart* part : chosen_parts(*surface.imported, surface.nodes)) {
+      if (emits(part->material)) emitting += part->mesh->n_faces();
+    }
+  }
+  const std::size_t bytes = limits::copy_bytes + light_bytes * emitting;
   const std::size_t max_count = (limits::scene_bytes - bytes_) / bytes;
   if (!(std::round(count) <= static_cast<double>(max_count))) {
     context_.fail(path, "found " + quoted_text(std::round(count)) +

@@ -57,7 +57,7 @@ class ProfileShare {
  public:
   explicit ProfileShare(const light::Spot& spot)
       : profile_(spot.profile.content.get()),
-        tangent_(std::tan(glm::radians(spot.outer_angle))),
+        tangent_(beam_tangent(spot)),
         turn_(glm::radians(spot.profile.rotation - spot.texture.rotation)) {}
 
   [[nodiscard]] double at(double x, double y) const {
@@ -124,10 +124,15 @@ struct Made {
 
 }  // namespace
 
+double beam_tangent(const light::Spot& spot) {
+  constexpr double greatest = 89.9;  // [degrees]
+  return std::tan(glm::radians(std::clamp(spot.outer_angle, 1e-6, greatest)));
+}
+
 std::vector<BeamPattern> beam_patterns(const light::Spot& spot) {
   static std::mutex mutex;
-  static std::deque<Made> kept;
-  constexpr std::size_t max_kept = 32;
+  static std::deque<Made> kept;  // the last used one first
+  constexpr std::size_t max_kept = 256;
   const bool has_profile = spot.profile.content != nullptr;
   Made wanted{spot.texture.content,
               spot.profile.content,
@@ -137,17 +142,19 @@ std::vector<BeamPattern> beam_patterns(const light::Spot& spot) {
               {}};
   const std::scoped_lock lock(mutex);
   std::erase_if(kept, [](const Made& made) { return made.picture.expired(); });
-  for (const Made& made : kept) {
-    if (made.picture.lock() == spot.texture.content &&
-        made.profile.lock() == spot.profile.content && made.focus == wanted.focus &&
-        made.outer_angle == wanted.outer_angle && made.turn == wanted.turn) {
-      return made.patterns;
-    }
+  const auto known = std::ranges::find_if(kept, [&](const Made& made) {
+    return made.picture.lock() == spot.texture.content &&
+           made.profile.lock() == spot.profile.content && made.focus == wanted.focus &&
+           made.outer_angle == wanted.outer_angle && made.turn == wanted.turn;
+  });
+  if (known != kept.end()) {
+    std::rotate(kept.begin(), known, known + 1);
+    return kept.front().patterns;
   }
   wanted.patterns = make_patterns(spot);
-  if (kept.size() == max_kept) kept.pop_front();
-  kept.push_back(std::move(wanted));
-  return kept.back().patterns;
+  if (kept.size() == max_kept) kept.pop_back();
+  kept.push_front(std::move(wanted));
+  return kept.front().patterns;
 }
 
 }  // namespace brume

@@ -16,6 +16,10 @@ struct BeamPattern {
   glm::dvec3 factor{1.0};  // RGB
 };
 
+// The tangent of the angle of the cone around which the picture lies: that of the spot, below 90
+// degrees, which keyframes may pass.
+double beam_tangent(const light::Spot& spot);
+
 // Those of a spot whose texture has a content. A profile is in them too. Blurred by three means
 // over squares, which reach as far as a disc of (1 - focus) cones; nothing is around the picture.
 // The last ones are kept: equal textures give the same maps.

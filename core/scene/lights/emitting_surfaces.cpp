@@ -254,9 +254,13 @@ struct Cluster {
 
 }  // namespace
 
+bool emits(const Material& material) {
+  return material.type == Material::Type::metallic_roughness &&
+         material.metallic_roughness.emissive != glm::dvec3(0.0);
+}
+
 bool is_emissive(const Surface& surface) {
-  return surface.material.type == Material::Type::metallic_roughness &&
-         surface.material.metallic_roughness.emissive != glm::dvec3(0.0);
+  return emits(surface.material);
 }
 
 glm::dvec3 area_vector(const std::array<glm::dvec3, 3>& triangle) {

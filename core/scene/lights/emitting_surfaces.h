@@ -15,6 +15,7 @@ struct PointLight;
 // Whether a surface emits light: with the same radiance in all directions of both sides. Point
 // lights stand only for the outer side of those that are closed.
 bool is_emissive(const Surface& surface);
+bool emits(const Material& material);
 
 struct EmittingTriangle {
   std::array<glm::dvec3, 3> corners;  // [u]

@@ -78,7 +78,7 @@ LightFalloff::LightFalloff(const light::Spot& spot, const BeamPattern& pattern)
   shape_ = Shape::picture;
   profile_ = nullptr;
   map_ = pattern.map;
-  cotangent_ = 1.0 / std::tan(glm::radians(spot.outer_angle));
+  cotangent_ = 1.0 / beam_tangent(spot);
   turn_about_axis(spot.texture.rotation);
 }
 

@@ -65,7 +65,7 @@ TEST_F(GlFrames, SampleScenes) {
   for (const auto& entry : std::filesystem::directory_iterator(resources_folder() / "scenes")) {
     if (entry.path().extension() != ".brume") continue;
     std::vector<std::string> warnings;
-    Scene scene = load_scene(entry.path(), &warnings);
+    Scene scene = evaluate_at(load_scene(entry.path(), &warnings), 0.0);
     scene.film = {61, 40};
     // Made once: it takes longer than all frames.
     const auto transfers = std::make_shared<TransferStore>();
