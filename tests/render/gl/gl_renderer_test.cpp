@@ -1,6 +1,7 @@
 // Frames of the device against those of the CPU with the same settings.
 
 #include "render/gl_renderer.h"
+#include "brume/at_time.h"
 
 #include <filesystem>
 #include <glm/geometric.hpp>
