@@ -419,6 +419,37 @@ class LightsTest : public QObject {
     QVERIFY(!profile_of(light()));
     QCOMPARE(desk.findChild<QLabel*>("light_profile")->text(), QString("none"));
   }
+
+  void a_picture_is_put_into_the_beam_of_a_spot() {
+    Scene scene;
+    scene.lights = {{.kind = light::Spot{.outer_angle = 40.0}}};
+    Desk desk(scene);
+    Document& document = desk.document();
+    const Scene before = document.scene();
+    const auto light = [&]() -> const Light& { return document.scene().lights[0]; };
+    auto* focus = desk.findChild<ValueField*>("light_texture_focus");
+    QVERIFY(!focus->isEnabled());
+    const std::filesystem::path file = BRUME_RESOURCES "/gobos/window.png";
+    desk.findChild<LightPanel*>()->load_texture(file);
+    QTRY_VERIFY(texture_of(light()));
+    QCOMPARE(document.undo_stack().undoText(), QString("Set texture of light 1"));
+    QCOMPARE(desk.findChild<QLabel*>("light_texture")->text(), QString("window.png"));
+    enter(desk, "light_texture_focus", "0.5");
+    QCOMPARE(texture_of(light())->focus, 0.5);
+    // Wider than a half-space no picture fits.
+    enter(desk, "light_outer_angle", "95");
+    QCOMPARE(light().as<light::Spot>()->outer_angle, 40.0);
+    // Saved and opened it is the same.
+    const std::filesystem::path saved = desk.file("texture.brume");
+    save_document({document.scene(), {}}, saved);
+    const Scene loaded = load_scene(saved);
+    QCOMPARE(texture_of(loaded.lights[0])->file, file);
+    QCOMPARE(texture_of(loaded.lights[0])->focus, 0.5);
+    QTest::mouseClick(desk.findChild<QPushButton*>("remove_texture"), Qt::LeftButton);
+    QVERIFY(!texture_of(light()));
+    while (document.undo_stack().canUndo()) document.undo_stack().undo();
+    QVERIFY(document.scene() == before);
+  }
 };
 
 BRUME_APP_SUITE("lights", LightsTest)
