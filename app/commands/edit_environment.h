@@ -10,7 +10,7 @@ namespace brume {
 
 class Document;
 
-// What an environment is called: the name of its file, or "Sky".
+// The text for an environment: the name of its file, or "Sky".
 QString environment_text(const Environment& environment);
 
 // Puts a sky in place of the environment map, one undo step. Without an environment before, so

@@ -154,7 +154,7 @@ class PlacedVertices {
   // corners of a box. If many placements may have it, that of a corner.
   [[nodiscard]] double greatest(auto&& value) const {
     if (points_.empty()) return -infinite;
-    const auto greatest_of = [&](std::span<const glm::vec3> points, std::size_t copy) {
+    const auto max_over = [&](std::span<const glm::vec3> points, std::size_t copy) {
       const Placement placement = placement_of(surface_, copy);
       double result = -infinite;
       for (const glm::vec3& p : points) {
@@ -163,15 +163,15 @@ class PlacedVertices {
       return result;
     };
     const std::size_t count = placement_count(surface_);
-    if (count == 1) return greatest_of(points_, 0);
+    if (count == 1) return max_over(points_, 0);
     std::vector<std::pair<double, std::size_t>> bounds(count);
-    for (std::size_t k = 0; k < count; ++k) bounds[k] = {greatest_of(corners_, k), k};
+    for (std::size_t k = 0; k < count; ++k) bounds[k] = {max_over(corners_, k), k};
     std::ranges::make_heap(bounds);
     double result = -infinite;
     auto end = bounds.end();
     for (std::size_t tried = 0; end != bounds.begin() && bounds.front().first > result; ++tried) {
       if (tried == max_tried) return bounds.front().first;
-      result = std::max(result, greatest_of(points_, bounds.front().second));
+      result = std::max(result, max_over(points_, bounds.front().second));
       std::pop_heap(bounds.begin(), end--);
     }
     return result;

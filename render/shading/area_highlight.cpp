@@ -15,7 +15,7 @@ namespace {
 
 constexpr auto rays_over_lobe = static_cast<int>(coefficient::highlight_rays);
 // Where rays meet the light with less than this share, its points do.
-constexpr double least_share = 0.02;
+constexpr double min_share = 0.02;
 
 // The greatest solid angle that one of the light's points stands for at x [sr].
 double solid_angle(const PointLight& light, const glm::dvec3& x) {
@@ -34,7 +34,7 @@ void add_area_highlight(const SurfacePoints& points, const RayCaster& ray_caster
     const auto alpha = static_cast<double>(points.ggx.alpha[k]);
     const glm::dvec3 start = points.origin + points.shadow_origin[k];
     const double densest = rays_over_lobe / (4.0 * std::numbers::pi * alpha * alpha);
-    if (densest * solid_angle(light, start) < least_share) continue;
+    if (densest * solid_angle(light, start) < min_share) continue;
     const glm::dvec3 n = points.normal[k];
     const glm::dvec3 wo = points.to_eye[k];
     GgxReflection reflection;

@@ -20,7 +20,7 @@ namespace {
 
 constexpr int picture_width = 180;
 
-// With the map of its sky.
+// The environment has the map of its sky.
 std::optional<Environment> shown_environment(const Scene& scene) {
   Scene lit;
   lit.environment = scene.environment;

@@ -99,7 +99,7 @@ class GltfReader {
     }
   }
 
-  // To the world: of a node, or of its instances.
+  // The placements in the world of a node, or of its instances.
   std::vector<glm::dmat4> transforms_of(const GltfNode& node, JsonObject& object) {
     auto extensions = object.find_object("extensions");
     auto instancing =

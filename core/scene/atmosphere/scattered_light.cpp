@@ -51,10 +51,10 @@ Spectrum between(const GroundLight& light, const RadianceMoments::Place& place) 
   const auto node = static_cast<std::size_t>(place.node);
   Spectrum result;
   for (std::size_t k = 0; k < spectrum_size; ++k) {
-    // As RadianceMoments.
-    const double before = std::max(light[node][k], 1e-300);
-    const double after = std::max(light[node + 1][k], 1e-300);
-    result[k] = before * std::pow(after / before, place.share);
+    // Logarithms are interpolated, as RadianceMoments does.
+    const double lower = std::max(light[node][k], 1e-300);
+    const double upper = std::max(light[node + 1][k], 1e-300);
+    result[k] = lower * std::pow(upper / lower, place.share);
   }
   return result;
 }
