@@ -182,14 +182,15 @@ std::string render_doc() {
 }  // namespace
 
 void bind_frame(py::module_& module) {
-  py::class_<ErrorEstimate>(module, "ErrorEstimate",
-                            "Relative RMSE of the airlight, measured on a sample of pixels.")
+  py::class_<ErrorEstimate>(
+      module, "ErrorEstimate",
+      "Relative RMSE of the airlight or the picture, measured on a sample of pixels.")
       .def_readonly("rel_rmse", &ErrorEstimate::rel_rmse)
       .def_readonly("low", &ErrorEstimate::low, "Of the 95 % confidence interval.")
       .def_readonly("high", &ErrorEstimate::high, "Of the 95 % confidence interval.")
       .def_readonly("pixels", &ErrorEstimate::pixels)
       .def_readonly("block_median", &ErrorEstimate::block_median,
-                    "Median of blocks of 8 x 8 pixels, each relative to its own airlight.")
+                    "Median of blocks of 8 x 8 pixels, each relative to its own light.")
       .def_readonly("block_low", &ErrorEstimate::block_low, "Of its 95 % confidence interval.")
       .def_readonly("block_high", &ErrorEstimate::block_high, "Of its 95 % confidence interval.")
       .def("__float__", [](const ErrorEstimate& self) { return self.rel_rmse; })
@@ -238,7 +239,11 @@ void bind_frame(py::module_& module) {
       .def_property_readonly(
           "size",
           [](const TimedFrame& self) { return std::pair(self.film.width, self.film.height); })
-      .def_readonly("error", &TimedFrame::error, "An ErrorEstimate; None: not measured.")
+      .def_readonly("error", &TimedFrame::error,
+                    "An ErrorEstimate of the airlight; None: not measured.")
+      .def_readonly(
+          "picture_error", &TimedFrame::picture_error,
+          "The same of the beauty: surfaces, mirrors, panes and all that shines included.")
       .def_property_readonly(
           "airlight_method", [](const TimedFrame& self) { return self.statistics.airlight; },
           "What rendered it, such as 'sliced:16'.")

@@ -63,8 +63,9 @@ std::optional<RequestedFrame> render_view(FrameRenderer& renderer, const Scene& 
     Settings wanted = settings;
     if (has_blur) wanted.samples = 1;
     const Job measuring = has_blur ? job.subrange(0.0, 0.5) : job;
-    std::optional<RequestedFrame> measured = render_requested(
-        renderer, scene, camera, view.film, wanted, measuring.stop, measuring.progress);
+    std::optional<RequestedFrame> measured =
+        render_requested(renderer, scene, camera, view.film, wanted, measuring.stop,
+                         measuring.progress, Measured::airlight_and_picture);
     if (!measured || !has_blur) return measured;
     found = std::move(*measured);
     found.settings.samples = settings.samples;
@@ -89,11 +90,25 @@ std::optional<RequestedFrame> render_view(FrameRenderer& renderer, const Scene& 
   return found;
 }
 
-std::string unsure_text(const ErrorEstimate& error, double max_error) {
+std::string interval_text(const ErrorEstimate& error) {
   std::ostringstream text;
-  text << "the setting that was found is not certain to meet a max_error of " << max_error
-       << ": it has a relative RMSE of " << error.rel_rmse << ", " << error.low << " to "
-       << error.high;
+  text << error.rel_rmse << ", " << error.low << " to " << error.high;
+  return text.str();
+}
+
+// What is not certain to meet a bound: the airlight, which finer settings might mend, or else the
+// rest of the picture, where it is sure to miss it.
+std::optional<std::string> unsure_text(const FrameError& error, double max_error) {
+  std::ostringstream text;
+  if (error.airlight.high > max_error) {
+    text << "the setting that was found is not certain to meet a max_error of " << max_error
+         << ": it has a relative RMSE of " << interval_text(error.airlight);
+    return text.str();
+  }
+  if (!error.picture || error.picture->low <= max_error) return std::nullopt;
+  text << "the picture misses a max_error of " << max_error
+       << ", although its airlight does not: it has a relative RMSE of "
+       << interval_text(*error.picture);
   return text.str();
 }
 
@@ -191,7 +206,7 @@ std::optional<Frame> SceneRenderer::render(const Scene& asked, const RenderReque
   if (!found) return std::nullopt;
 
   Frame frame = std::move(found->frame);
-  frame.error = found->error;
+  std::optional<FrameError> error = found->error;
   RenderRequest made = chosen(request, found->settings);
   made.film = view.film;
   frame.request = std::make_shared<const RenderRequest>(std::move(made));
@@ -216,22 +231,28 @@ std::optional<Frame> SceneRenderer::render(const Scene& asked, const RenderReque
     if (!layers) return std::nullopt;
     frame.layers = std::move(*layers);
   }
-  if (!frame.error && effort != ErrorMeasurement::none) {
+  if (!error && effort != ErrorMeasurement::none) {
     const Camera& camera = request.camera ? *request.camera : scene.camera;
     const Job measuring = job.subrange(0.9, 1.0);
-    frame.error = effort == ErrorMeasurement::full
-                      ? measure_error(scene, camera, frame, stop, measuring.progress)
-                      : measure_error_quickly(scene, camera, frame, found->settings,
-                                              request.airlight == AirlightMethod::auto_, stop,
-                                              measuring.progress);
-    if (!frame.error) return std::nullopt;
+    error = effort == ErrorMeasurement::full
+                ? measure_error(scene, camera, frame, stop, measuring.progress,
+                                Measured::airlight_and_picture)
+                : measure_error_quickly(scene, camera, frame, found->settings,
+                                        request.airlight == AirlightMethod::auto_, stop,
+                                        measuring.progress, Measured::airlight_and_picture);
+    if (!error) return std::nullopt;
+  }
+  if (error) {
+    frame.error = error->airlight;
+    frame.picture_error = error->picture;
   }
   const std::chrono::duration<double, std::milli> extra =
       std::chrono::steady_clock::now() - rendered;
   frame.statistics.extra_milliseconds = extra.count();
-  if (request.airlight == AirlightMethod::auto_ && frame.error &&
-      frame.error->high > request.max_error) {
-    warnings.push_back(unsure_text(*frame.error, request.max_error));
+  if (request.airlight == AirlightMethod::auto_ && error) {
+    if (auto text = unsure_text(*error, request.max_error)) {
+      warnings.push_back(std::move(*text));
+    }
   }
   if (const std::optional<std::string> deep = deep_fog_text(scene)) warnings.push_back(*deep);
   frame.warnings = std::move(warnings);

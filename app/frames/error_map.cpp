@@ -44,14 +44,9 @@ void fill_block(ErrorMap& map, std::size_t pixel, int step, float error) {
 }
 
 // RGB rms difference of a pixel's airlight, what the noise of its reference adds subtracted.
-double difference(const Frame& frame, std::size_t pixel, const PixelAirlight& truth) {
-  double square = -truth.variance;
-  for (std::size_t c = 0; c < 3; ++c) {
-    const double d = static_cast<double>(frame.center_airlight()[3 * pixel + c]) -
-                     truth.radiance[static_cast<int>(c)];
-    square += d * d;
-  }
-  return std::sqrt(std::max(square, 0.0) / 3.0);
+double difference(const Frame& frame, std::size_t pixel, const PixelRadiance& truth) {
+  const glm::dvec3 d = CenterLight::airlight(frame).at(pixel) - truth.radiance;
+  return std::sqrt(std::max(glm::dot(d, d) - truth.variance, 0.0) / 3.0);
 }
 
 double rms(const std::vector<float>& values) {

@@ -25,7 +25,7 @@ FrameErrors& ErrorMeter::errors_of_view(const RenderedFrame& frame) {
     scene_ = request.scene;
     camera_ = request.camera;
     film_ = frame.frame.film;
-    errors_.emplace(*scene_, camera_, evaluation_seed);
+    errors_.emplace(*scene_, camera_, evaluation_seed, Measured::airlight_and_picture);
   }
   return *errors_;
 }

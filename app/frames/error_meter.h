@@ -23,8 +23,7 @@ class ErrorMeter : public QObject {
   void cancel() { job_.cancel(); }
 
  Q_SIGNALS:
-  void measured(std::shared_ptr<const brume::RenderedFrame> frame,
-                const brume::ErrorEstimate& error);
+  void measured(std::shared_ptr<const brume::RenderedFrame> frame, const brume::FrameError& error);
   void failed(const QString& message);
 
  private:

@@ -113,16 +113,16 @@ void FrameQuality::measure() {
 }
 
 void FrameQuality::set_measured(const std::shared_ptr<const RenderedFrame>& frame,
-                                const ErrorEstimate& error) {
+                                const FrameError& error) {
   if (frame != frame_) return;  // cancelled meanwhile
   frame_.reset();
   error_ = error;
   Settings used = frame->request.settings;
   used.samples = settings().samples;  // of no meaning for the error, which is that of centers
   if (is_auto()) {
-    control_.record(used, error, frame->milliseconds);
+    control_.record(used, error.airlight, frame->milliseconds);
   } else {
-    chosen_ = {used, error, frame->milliseconds};
+    chosen_ = {used, error.airlight, frame->milliseconds};
   }
   measured_ = settings() == used;
   if (!measured_) Q_EMIT settings_changed();

@@ -41,14 +41,14 @@ class FrameQuality : public QObject {
   // A measurement in this scene.
   struct Tried {
     Settings settings;
-    ErrorEstimate error;
+    ErrorEstimate error;  // of the airlight
     double milliseconds;
   };
   // Measurements of auto's settings in order of cost, or of the manually chosen method.
   [[nodiscard]] std::vector<Tried> tried() const;
 
-  // The last measured error; of the current frame if is_measured().
-  [[nodiscard]] const std::optional<ErrorEstimate>& error() const { return error_; }
+  // The last measured errors; of the current frame if is_measured().
+  [[nodiscard]] const std::optional<FrameError>& error() const { return error_; }
   [[nodiscard]] bool is_measured() const { return measured_; }
   // Whether auto cannot meet the bound.
   [[nodiscard]] bool is_exhausted() const { return is_auto() && control_.is_exhausted(); }
@@ -67,14 +67,14 @@ class FrameQuality : public QObject {
 
  private:
   void measure();
-  void set_measured(const std::shared_ptr<const RenderedFrame>& frame, const ErrorEstimate& error);
+  void set_measured(const std::shared_ptr<const RenderedFrame>& frame, const FrameError& error);
 
   AirlightMethod airlight_ = AirlightMethod::auto_;
   int slices_ = Settings().slices;
   Scattering scattering_ = Scattering::multiple;
   QualityControl control_;
   std::shared_ptr<const RenderedFrame> frame_;  // being measured
-  std::optional<ErrorEstimate> error_;
+  std::optional<FrameError> error_;
   std::optional<Tried> chosen_;  // of a manually chosen method
   bool measured_ = false;
   ErrorMeter meter_;

@@ -6,6 +6,7 @@
 
 #include "app/document/number_text.h"
 #include "brume/frame.h"
+#include "render/quality/frame_errors.h"
 #include "render/settings.h"
 
 namespace brume {
@@ -89,6 +90,12 @@ QString error_text(const ErrorEstimate& error) {
   const int digits = decimals(error.rel_rmse);
   return QString("%1 ± %2 %")
       .arg(number(error.rel_rmse, digits), number(error.high - error.rel_rmse, digits));
+}
+
+QString errors_text(const FrameError& error) {
+  const QString airlight = error_text(error.airlight);
+  const QString picture = error.picture ? error_text(*error.picture) : airlight;
+  return picture == airlight ? airlight : frame_words("%1, picture %2").arg(airlight, picture);
 }
 
 QString block_error_text(const ErrorEstimate& error) {

@@ -6,6 +6,7 @@
 namespace brume {
 
 struct ErrorEstimate;
+struct FrameError;
 struct Frame;
 struct FrameStatistics;
 struct Settings;
@@ -35,6 +36,10 @@ QString bound_text(double share);
 
 // The relative error and how far off it may be: "1.4 ± 0.2 %".
 QString error_text(const ErrorEstimate& error);
+
+// That of the airlight, and of the whole picture where it differs: "1.4 ± 0.2 %, picture 2.0 ± 0.4
+// %".
+QString errors_text(const FrameError& error);
 
 // The median of blocks: "2.1 %, 1.8 to 2.6 %"
 QString block_error_text(const ErrorEstimate& error);

@@ -289,9 +289,9 @@ void FrameOutput::keep_view() {
     return work_.show_status(tr("Wait until the picture is at rest, then keep it."));
   }
   QString details = picture_details(shown->frame, shown->request.settings, shown->milliseconds);
-  const std::optional<ErrorEstimate>& error = frames.quality().error();
+  const std::optional<FrameError>& error = frames.quality().error();
   if (frames.quality().is_measured() && error && frames.mode() != ViewMode::path_traced) {
-    details += tr(" · error %1").arg(error_text(*error));
+    details += tr(" · error %1").arg(errors_text(*error));
   }
   const QString name = tr("View, frame %1").arg(work_.timeline.frame());
   const std::size_t slot =

@@ -27,8 +27,8 @@ StatusLine::StatusLine(const Workspace& work, QMainWindow& window,
       error_(named(new PlainLabel(&window), "error")),
       quality_(named(new PlainLabel(&window), "quality")) {
   error_->setToolTip(
-      tr("Relative RMSE of the airlight against the reference, measured on this frame; grey while "
-         "measuring. Of a path-traced picture: its noise, the standard error relative to the RMS"));
+      tr("Relative RMSE of the airlight against the reference, measured on this frame, and of the "
+         "whole picture beside all the light there is; grey while measuring. Of a path-traced picture: its noise, the standard error relative to the RMS"));
   // Menu bars do not follow when what is in their corner grows.
   quality_->setMinimumWidth(quality_->fontMetrics().horizontalAdvance("paper's method · < 0.01 %"));
   quality_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -86,9 +86,9 @@ void StatusLine::update_error() {
     status = paths;
     const std::optional<RelativeNoise> noise = relative_noise(frame->frame);
     if (noise) corner += " · " + percent_text(noise->picture);
-  } else if (const std::optional<ErrorEstimate>& error = quality.error()) {
-    status = tr("error %1").arg(error_text(*error));
-    corner += " · " + percent_text(error->rel_rmse);
+  } else if (const std::optional<FrameError>& error = quality.error()) {
+    status = tr("error %1").arg(errors_text(*error));
+    corner += " · " + percent_text(error->airlight.rel_rmse);
     if (quality.is_exhausted()) {
       const QString bound = bound_text(quality.max_error());
       status += quality.control().may_keep_bound() ? tr(", may exceed %1").arg(bound)

@@ -76,15 +76,15 @@ struct FrameStatistics {
 // The side of the blocks of a picture that are judged each by itself [pixels].
 inline constexpr int error_block = 8;
 
-// Error of a frame's airlight, estimated from a sample of its pixels.
+// Error of the airlight or of the whole picture, estimated from a sample of a frame's pixels.
 struct ErrorEstimate {
-  double rel_rmse = 0.0;  // rms(L - Lref) / rms(Lref) over RGB of the airlight
+  double rel_rmse = 0.0;  // rms(L - Lref) / rms(Lref) over RGB
   double low = 0.0;       // 95% confidence interval
   double high = 0.0;
   std::size_t pixels = 0;  // of the sample
   double noise = 0.0;  // share of the interval's variance that is noise of the reference's paths
-  // The same of blocks of the picture, each relative to its own airlight: the median over those
-  // that have any. A pixel of the sample stands for its block. 0 of a black picture.
+  // The same of blocks of the frame, each relative to its own light: the median over those that
+  // have any. A pixel of the sample stands for its block. 0 of a black frame.
   double block_median = 0.0;
   double block_low = 0.0;  // 95% confidence interval
   double block_high = 0.0;
@@ -102,23 +102,29 @@ struct Frame {
   std::vector<float> transmittance;  // RGB per pixel, eye to first surface or through the medium
   // Distance along the view ray through the center [u], +inf where nothing is hit; never filtered.
   std::vector<float> depth;
-  // The airlight of rays through centers, RGB per pixel, where that of pixels is filtered; else
-  // empty. What errors are measured by.
-  std::vector<float> airlight_at_centers;
+  // The airlight, RGB, and the beauty, RGBA, of rays through centers, where those of pixels are
+  // filtered; else empty. What errors are measured by.
+  std::vector<float> airlight_at_centers, beauty_at_centers;
   // The environment behind all, as much as a pixel shows of it and the medium lets through, RGB
   // per pixel; it is in beauty, too. Empty: it was not asked for (layers do).
   std::vector<float> background;
   FrameStatistics statistics;
   // A frame that a RenderRequest asked for has the request, with all that was chosen, so
-  // that it makes the frame again; its error, if it is known, layers besides those above, and what
-  // there is to say of it, a line each.
+  // that it makes the frame again; its errors, if they are known, layers besides those above, and
+  // what there is to say of it, a line each.
   std::shared_ptr<const RenderRequest> request;
-  std::optional<ErrorEstimate> error;
+  std::optional<ErrorEstimate> error;  // of the airlight, for the orders that were rendered
+  // Of the beauty, for all the light that there is: surfaces, what they mirror and let through,
+  // what shines, and the environment.
+  std::optional<ErrorEstimate> picture_error;
   ImageLayers layers;
   std::vector<std::string> warnings;
 
   [[nodiscard]] const std::vector<float>& center_airlight() const {
     return airlight_at_centers.empty() ? airlight : airlight_at_centers;
+  }
+  [[nodiscard]] const std::vector<float>& center_beauty() const {
+    return beauty_at_centers.empty() ? beauty : beauty_at_centers;
   }
 };
 

@@ -380,6 +380,7 @@ std::uint64_t sample_film(const SampledView& view, std::vector<PixelDetail> deta
     if (!keep_worst(std::span(sampled).subspan(first), 3.0 * max_error * max_error, details)) break;
   }
   frame.airlight_at_centers = frame.airlight;
+  frame.beauty_at_centers = frame.beauty;
   for (const SampledPixel& pixel : sampled) write(pixel, frame);
   frame.statistics.light_pairs += light_pairs;
   return view_pairs;

@@ -105,6 +105,10 @@ std::map<std::string, std::string> frame_metadata(const Frame& frame, const Fram
     metadata["brume:error"] = quoted_text(frame.error->rel_rmse);
     metadata["brume:block_error"] = quoted_text(frame.error->block_median);
   }
+  if (frame.picture_error) {
+    metadata["brume:picture_error"] = quoted_text(frame.picture_error->rel_rmse);
+    metadata["brume:picture_block_error"] = quoted_text(frame.picture_error->block_median);
+  }
   if (const auto noise = relative_noise(frame)) {
     metadata["brume:noise"] = quoted_text(noise->picture);
   }

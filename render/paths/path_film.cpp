@@ -9,9 +9,6 @@ namespace {
 // Rays with less have no airlight: products with random numbers must stay normal.
 constexpr double min_depth = 1e-200;
 
-// Surfaces behind more than this optical depth are not seen: exp(-50) = 2e-22.
-constexpr double hidden_depth = 50.0;
-
 // Streams of random numbers of a pixel.
 enum Stream : std::uint64_t { block_stream, airlight_stream, surface_stream };
 
@@ -79,7 +76,7 @@ void PathFilm::trace_pixel(const View& view, const PathTracer& tracer, const glm
   if (view.has_medium) ray.emplace(view.scene.medium.index(), eye, w, end);
   const double depth = ray ? ray->depth() : 0.0;
   const bool has_airlight = depth > min_depth;
-  const bool sees_surface = hit && depth < hidden_depth;
+  const bool sees_surface = hit && depth < PathTracer::hidden_depth;
   SurfacePoint point;
   if (sees_surface) point = view.scene.ray_caster.point(hit, eye, w, view.scene.surfaces);
 

@@ -46,6 +46,8 @@ class PathTracer {
   // Outgoing radiance of a surface point towards the eye.
   [[nodiscard]] OrderedRadiance surface(const SurfacePoint& point, PathRandom& random) const;
 
+  // Surfaces behind more than this optical depth are not seen: exp(-50) = 2e-22.
+  static constexpr double hidden_depth = 50.0;
   // Russian roulette by throughput begins after so many scattering events.
   static constexpr int first_roulette = 5;
   // Where nothing absorbs, paths end by chance after so many, and so many more on average: light

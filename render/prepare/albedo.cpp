@@ -77,25 +77,28 @@ const Medium& ExtinctionMedia::update(std::size_t which, const Scene& scene,
 
 void copy_channels(const AlbedoGroup& group, const Frame& group_frame, Frame& frame) {
   const auto albedo = static_cast<float>(group.albedo);
-  for (std::size_t i = 0; i < group_frame.airlight.size() / 3; ++i) {
-    for (const std::size_t c : group.channels) {
-      const float airlight = group_frame.airlight[3 * i + c];
-      const float surface = std::max(group_frame.beauty[4 * i + c] - airlight, 0.0f);
-      frame.airlight[3 * i + c] = albedo * airlight;
-      frame.transmittance[3 * i + c] = group_frame.transmittance[3 * i + c];
-      frame.beauty[4 * i + c] = albedo * airlight + surface;
+  const auto copy = [&](std::vector<float> Frame::*layer) {
+    for (std::size_t i = 0; i < (group_frame.*layer).size() / 3; ++i) {
+      for (const std::size_t c : group.channels) {
+        (frame.*layer)[3 * i + c] = (group_frame.*layer)[3 * i + c];
+      }
     }
-  }
-  for (std::size_t i = 0; i < group_frame.background.size() / 3; ++i) {
-    for (const std::size_t c : group.channels) {
-      frame.background[3 * i + c] = group_frame.background[3 * i + c];
+  };
+  copy(&Frame::transmittance);
+  copy(&Frame::background);
+  const auto copy_light = [&](std::vector<float> Frame::*airlights,
+                              std::vector<float> Frame::*beauties) {
+    for (std::size_t i = 0; i < (group_frame.*airlights).size() / 3; ++i) {
+      for (const std::size_t c : group.channels) {
+        const float airlight = (group_frame.*airlights)[3 * i + c];
+        const float behind = std::max((group_frame.*beauties)[4 * i + c] - airlight, 0.0f);
+        (frame.*airlights)[3 * i + c] = albedo * airlight;
+        (frame.*beauties)[4 * i + c] = albedo * airlight + behind;
+      }
     }
-  }
-  for (std::size_t i = 0; i < group_frame.airlight_at_centers.size() / 3; ++i) {
-    for (const std::size_t c : group.channels) {
-      frame.airlight_at_centers[3 * i + c] = albedo * group_frame.airlight_at_centers[3 * i + c];
-    }
-  }
+  };
+  copy_light(&Frame::airlight, &Frame::beauty);
+  copy_light(&Frame::airlight_at_centers, &Frame::beauty_at_centers);
 }
 
 namespace {

@@ -77,7 +77,7 @@ Frame FilmWindow::cut(Frame frame) const {
     }
     layer = std::move(part);
   };
-  cut_layer(frame.beauty, 4);
+  for (auto* layer : {&frame.beauty, &frame.beauty_at_centers}) cut_layer(*layer, 4);
   for (auto* layer :
        {&frame.airlight, &frame.transmittance, &frame.airlight_at_centers, &frame.background}) {
     cut_layer(*layer, 3);

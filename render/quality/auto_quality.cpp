@@ -92,21 +92,22 @@ std::optional<Settings> choose_settings(FrameRenderer& renderer, const Scene& sc
     const std::optional<Frame> frame = renderer.render(scene, camera, small, single, stop);
     if (!frame) return std::nullopt;
     const auto reported = begin > 0.6 ? nullptr : measuring.progress;
-    const std::optional<ErrorEstimate> error =
+    const std::optional<FrameError> measured =
         is_full ? errors.measure(*frame, std::nullopt, stop, reported)
                 : errors.measure_within(quick_choice_work, *frame, std::nullopt, stop, reported);
-    if (!error) return std::nullopt;
+    if (!measured) return std::nullopt;
+    const ErrorEstimate& error = measured->airlight;
     begin += 0.5 * (1.0 - begin);
     if (progress) progress(begin);
     // By the estimate and not by its interval, which is wide on a few pixels and would make finer
     // settings look needed; the frame is judged by the interval.
     const double fraction = is_full ? likely_fraction : safe_fraction;
-    if (error->rel_rmse <= fraction * settings.max_error) return tried;
-    found.push_back(error->rel_rmse);
+    if (error.rel_rmse <= fraction * settings.max_error) return tried;
+    found.push_back(error.rel_rmse);
     all_tried.push_back(tried);
     if (is_vain(found) && *std::ranges::min_element(found) > hopeless_error) break;
     if (step + 1 == ladder.size()) break;
-    const bool skips = !is_full && error->rel_rmse > far_above * settings.max_error;
+    const bool skips = !is_full && error.rel_rmse > far_above * settings.max_error;
     step = std::min(step + (skips ? 2 : 1), ladder.size() - 1);
   }
   // A large frame is interpolated between nearer rays and may still meet the bound: where
@@ -116,17 +117,20 @@ std::optional<Settings> choose_settings(FrameRenderer& renderer, const Scene& sc
       std::ranges::find_if(found, [=](double error) { return error <= good; }) - found.begin())];
 }
 
-std::optional<ErrorEstimate> measure_error(const Scene& scene, const Camera& camera,
-                                           const Frame& frame, const std::stop_token& stop,
-                                           const std::function<void(double)>& progress) {
-  return FrameErrors(scene, camera, evaluation_seed).measure(frame, std::nullopt, stop, progress);
+std::optional<FrameError> measure_error(const Scene& scene, const Camera& camera,
+                                        const Frame& frame, const std::stop_token& stop,
+                                        const std::function<void(double)>& progress,
+                                        Measured measured) {
+  return FrameErrors(scene, camera, evaluation_seed, measured)
+      .measure(frame, std::nullopt, stop, progress);
 }
 
-std::optional<ErrorEstimate> measure_error_quickly(const Scene& scene, const Camera& camera,
-                                                   const Frame& frame, const Settings& settings,
-                                                   bool has_bound, const std::stop_token& stop,
-                                                   const std::function<void(double)>& progress) {
-  return FrameErrors(scene, camera, evaluation_seed)
+std::optional<FrameError> measure_error_quickly(const Scene& scene, const Camera& camera,
+                                                const Frame& frame, const Settings& settings,
+                                                bool has_bound, const std::stop_token& stop,
+                                                const std::function<void(double)>& progress,
+                                                Measured measured) {
+  return FrameErrors(scene, camera, evaluation_seed, measured)
       .measure_within(quick_share * picture_work(frame, settings), frame,
                       has_bound ? std::optional(settings.max_error) : std::nullopt, stop, progress);
 }
@@ -154,17 +158,18 @@ std::optional<RequestedFrame> render_within_error(FrameRenderer& renderer, const
     std::optional<Frame> frame = renderer.render(scene, camera, small, *tried, job.stop,
                                                  job.subrange(begin, center).progress);
     if (!frame) return std::nullopt;
-    const std::optional<ErrorEstimate> error =
+    const std::optional<FrameError> measured =
         errors.measure(*frame, max_error, job.stop, job.subrange(center, end).progress);
-    if (!error) return std::nullopt;
+    if (!measured) return std::nullopt;
+    const ErrorEstimate& error = measured->airlight;
     // Finer settings that are no surer of the bound are only slower.
-    const bool may_keep = result && result->error->rel_rmse <= max_error;
-    if (error->high <= max_error || !may_keep) {
-      result = RequestedFrame{std::move(*frame), *tried, *error};
+    const bool may_keep = result && result->error->airlight.rel_rmse <= max_error;
+    if (error.high <= max_error || !may_keep) {
+      result = RequestedFrame{std::move(*frame), *tried, *measured};
     }
-    if (error->high <= max_error) break;
-    found.push_back(error->rel_rmse);
-    if (error->low > max_error && is_vain(found)) break;
+    if (error.high <= max_error) break;
+    found.push_back(error.rel_rmse);
+    if (error.low > max_error && is_vain(found)) break;
     tried = better_settings(*tried);
     begin = end;
   }
@@ -177,7 +182,8 @@ std::optional<RequestedFrame> render_requested(FrameRenderer& renderer, const Sc
                                                const Camera& camera, const Film& film,
                                                const Settings& settings,
                                                const std::stop_token& stop,
-                                               const std::function<void(double)>& progress) {
+                                               const std::function<void(double)>& progress,
+                                               Measured measured) {
   const Job job{stop, progress};
   if (settings.airlight != AirlightMethod::auto_) {
     std::optional<Frame> frame = renderer.render(scene, camera, film, settings, stop, progress);
@@ -190,10 +196,12 @@ std::optional<RequestedFrame> render_requested(FrameRenderer& renderer, const Sc
   // All regions get the settings that a small picture of the whole needs.
   const Film small = small_film(film, choice_pixels);
   chosen->samples = 1;  // errors are those of centers
-  FrameErrors small_errors(scene, camera, evaluation_seed);
+  const bool is_small = small == film;
+  FrameErrors small_errors(scene, camera, evaluation_seed,
+                           is_small ? measured : Measured::airlight);
   std::optional<RequestedFrame> result = render_within_error(
       renderer, scene, camera, film, small, *chosen, small_errors, job.subrange(0.3, 0.6));
-  if (!result || (small == film && settings.samples == 1)) return result;
+  if (!result || (is_small && settings.samples == 1)) return result;
   result->settings.samples = settings.samples;
   // With more samples than one a frame may need it although the small one did not.
   std::optional<Settings> final_settings =
@@ -204,8 +212,8 @@ std::optional<RequestedFrame> render_requested(FrameRenderer& renderer, const Sc
       renderer.render(scene, camera, film, result->settings, stop, job.subrange(0.6, 0.8).progress);
   if (!frame) return std::nullopt;
   result->frame = std::move(*frame);
-  FrameErrors own_errors(scene, camera, evaluation_seed);
-  FrameErrors& errors = small == film ? small_errors : own_errors;
+  FrameErrors own_errors(scene, camera, evaluation_seed, measured);
+  FrameErrors& errors = is_small ? small_errors : own_errors;
   result->error =
       errors.measure(result->frame, settings.max_error, stop, job.subrange(0.8, 1.0).progress);
   if (!result->error) return std::nullopt;

@@ -5,6 +5,7 @@
 #include "brume/render.h"
 #include "render/frame_renderer.h"
 #include "render/quality/frame_errors.h"
+#include "render/settings.h"
 
 namespace brume {
 
@@ -33,29 +34,33 @@ std::optional<Settings> choose_settings(FrameRenderer& renderer, const Scene& sc
 struct RequestedFrame {
   Frame frame;
   Settings settings;
-  std::optional<ErrorEstimate> error;
+  std::optional<FrameError> error;
 };
 
 // Estimates the error of a frame on an independent sample of its pixels, as sure as is useful.
-std::optional<ErrorEstimate> measure_error(const Scene& scene, const Camera& camera,
-                                           const Frame& frame, const std::stop_token& stop = {},
-                                           const std::function<void(double)>& progress = {});
+std::optional<FrameError> measure_error(const Scene& scene, const Camera& camera,
+                                        const Frame& frame, const std::stop_token& stop = {},
+                                        const std::function<void(double)>& progress = {},
+                                        Measured measured = Measured::airlight);
 
 // The same for at most what a frame of the settings cost. Their max_error is the bound to decide
 // about where `has_bound`.
-std::optional<ErrorEstimate> measure_error_quickly(
-    const Scene& scene, const Camera& camera, const Frame& frame, const Settings& settings,
-    bool has_bound, const std::stop_token& stop = {},
-    const std::function<void(double)>& progress = {});
+std::optional<FrameError> measure_error_quickly(const Scene& scene, const Camera& camera,
+                                                const Frame& frame, const Settings& settings,
+                                                bool has_bound, const std::stop_token& stop = {},
+                                                const std::function<void(double)>& progress = {},
+                                                Measured measured = Measured::airlight);
 
 // Renders with the settings; if they say `auto_`, chooses them, renders and measures. Whether they
-// meet max_error is judged by small frames of the whole view, so that regions of it are rendered
-// alike: while the measured error exceeds it, continues with finer settings. If none meets it,
-// takes the cheapest that may meet it within the confidence interval, or else the last.
+// meet max_error is judged by the airlight of small frames of the whole view, so that regions of it
+// are rendered alike: while the measured error exceeds it, continues with finer settings, which
+// change little else. If none meets it, takes the cheapest that may meet it within the confidence
+// interval, or else the last.
 std::optional<RequestedFrame> render_requested(FrameRenderer& renderer, const Scene& scene,
                                                const Camera& camera, const Film& film,
                                                const Settings& settings,
                                                const std::stop_token& stop = {},
-                                               const std::function<void(double)>& progress = {});
+                                               const std::function<void(double)>& progress = {},
+                                               Measured measured = Measured::airlight);
 
 }  // namespace brume

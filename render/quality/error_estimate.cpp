@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "render/paths/path_random.h"
+#include "render/quality/center_light.h"
 #include "render/quality/sample_probabilities.h"
 #include "render/quality/view_reference.h"
 
@@ -27,16 +28,11 @@ struct Squares {
   double noise = 0.0;  // variance of `error` that comes from the reference
 };
 
-Squares squares_of(const Frame& frame, std::size_t pixel, const PixelAirlight& reference) {
+Squares squares_of(const glm::dvec3& radiance, const PixelRadiance& reference) {
+  const glm::dvec3 difference = radiance - reference.radiance;
   Squares squares;
-  squares.error = -reference.variance;
-  squares.reference = -reference.variance;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double t = reference.radiance[static_cast<int>(k)];
-    const double d = static_cast<double>(frame.center_airlight()[3 * pixel + k]) - t;
-    squares.error += d * d;
-    squares.reference += t * t;
-  }
+  squares.error = glm::dot(difference, difference) - reference.variance;
+  squares.reference = glm::dot(reference.radiance, reference.radiance) - reference.variance;
   // Of the square of a normal variable; the channels mostly vary together.
   squares.noise =
       reference.variance * (2.0 * reference.variance + 4.0 * std::max(squares.error, 0.0));
@@ -58,13 +54,6 @@ constexpr double enough_pixels = 128.0;
 // measured on a hundred pixels is a few tenths of that.
 constexpr int max_pixel_paths = 8192;
 
-// Over RGB.
-double square_of(const Frame& frame, std::size_t pixel) {
-  const float* rgb = &frame.center_airlight()[3 * pixel];
-  const glm::dvec3 airlight(rgb[0], rgb[1], rgb[2]);
-  return glm::dot(airlight, airlight);
-}
-
 // As many as tell their own noise.
 constexpr int min_pixel_paths = 2 * path_block;
 
@@ -72,13 +61,13 @@ constexpr int min_pixel_paths = 2 * path_block;
 // brightness; what it adds to an estimated sum of squares, with its square over the probability: to
 // the power 2/3 the variance of that sum is least. By the guide, not by the noise that paths show:
 // pixels that missed rare bright ones would look like the surest.
-std::vector<float> path_shares(const Frame& guide, const std::vector<double>& probabilities) {
+std::vector<float> path_shares(const CenterLight& light, const std::vector<double>& probabilities) {
   std::vector<double> shares(probabilities.size(), 0.0);
   double sum = 0.0;
   double count = 0.0;
   for (std::size_t i = 0; i < shares.size(); ++i) {
     if (!(probabilities[i] > 0.0)) continue;
-    shares[i] = std::cbrt(std::pow(square_of(guide, i) / probabilities[i], 2.0));
+    shares[i] = std::cbrt(std::pow(light.square(i) / probabilities[i], 2.0));
     sum += probabilities[i] * shares[i];
     count += probabilities[i];
   }
@@ -91,25 +80,25 @@ std::vector<float> path_shares(const Frame& guide, const std::vector<double>& pr
   return relative;
 }
 
-// The sum of squares of a block's airlight, and its pixels.
+// The sum of squares of a block's light, and its pixels.
 struct BlockLight {
   double squares = 0.0;
   double pixels = 0.0;
 };
 
-BlockLight block_light(const Frame& frame, std::size_t pixel) {
-  const auto width = static_cast<std::size_t>(frame.film.width);
-  const auto height = static_cast<std::size_t>(frame.film.height);
+BlockLight block_light(const CenterLight& light, std::size_t pixel) {
+  const auto width = static_cast<std::size_t>(light.film.width);
+  const auto height = static_cast<std::size_t>(light.film.height);
   const std::size_t x0 = pixel % width / error_block * error_block;
   const std::size_t y0 = pixel / width / error_block * error_block;
-  BlockLight light;
+  BlockLight sum;
   for (std::size_t y = y0; y < std::min(y0 + error_block, height); ++y) {
     for (std::size_t x = x0; x < std::min(x0 + error_block, width); ++x) {
-      light.squares += square_of(frame, y * width + x);
-      ++light.pixels;
+      sum.squares += light.square(y * width + x);
+      ++sum.pixels;
     }
   }
-  return light;
+  return sum;
 }
 
 // The error of a pixel, squared, relative to its own reference, as that of its block: pixels stand
@@ -124,26 +113,25 @@ struct BlockError {
 // Blocks below this share of the picture's rms are black: ten stops.
 constexpr double visible_share = 1e-3;
 
-// The square of the airlight from which on a pixel's or a block's counts, in the mean.
-double visible_square(const Frame& frame) {
+// The square of the light from which on a pixel's or a block's counts, in the mean.
+double visible_square(const CenterLight& light) {
   double sum = 0.0;
-  for (std::size_t i = 0; i < frame.depth.size(); ++i) sum += square_of(frame, i);
-  return visible_share * visible_share * sum / static_cast<double>(frame.depth.size());
+  for (std::size_t i = 0; i < light.pixels(); ++i) sum += light.square(i);
+  return visible_share * visible_share * sum / static_cast<double>(light.pixels());
 }
 
 // Nullopt where there is no light.
-std::optional<BlockError> block_error(const Frame& frame, double visible, std::size_t pixel,
-                                      const PixelAirlight& reference, double probability) {
-  const BlockLight light = block_light(frame, pixel);
-  const double of_frame = square_of(frame, pixel);
+std::optional<BlockError> block_error(const CenterLight& light, double visible, std::size_t pixel,
+                                      const PixelRadiance& reference, double probability) {
+  const BlockLight block = block_light(light, pixel);
+  const double of_frame = light.square(pixel);
   const double of_reference = glm::dot(reference.radiance, reference.radiance);
-  const bool is_black = !(light.squares > visible * light.pixels);  // in the frame
+  const bool is_black = !(block.squares > visible * block.pixels);  // in the frame
   if (is_black ? !(of_reference > visible) : !(of_frame > 0.0)) return std::nullopt;
-  const double share = is_black ? 1.0 / light.pixels : of_frame / light.squares;
+  const double share = is_black ? 1.0 / block.pixels : of_frame / block.squares;
   const double weight = share / probability;
   if (!(of_reference > 0.0)) return BlockError{weight, 1.0, 1.0, 0.0};  // light where there is none
-  const float* rgb = &frame.center_airlight()[3 * pixel];
-  const glm::dvec3 error = glm::dvec3(rgb[0], rgb[1], rgb[2]) - reference.radiance;
+  const glm::dvec3 error = light.at(pixel) - reference.radiance;
   const double square = glm::dot(error, error);
   const double least = std::max(std::sqrt(square) - 2.0 * std::sqrt(reference.variance), 0.0);
   return BlockError{weight, square / of_reference, least * least / of_reference,
@@ -199,7 +187,9 @@ ErrorSample::ErrorSample(std::shared_ptr<ViewReference> reference,
       probabilities_(std::move(probabilities)),
       seed_(seed),
       paths_(paths),
-      path_shares_(path_shares(guide, probabilities_)) {}
+      path_shares_(path_shares(
+          reference_->has_picture() ? CenterLight::picture(guide) : CenterLight::airlight(guide),
+          probabilities_)) {}
 
 std::optional<ErrorSample> ErrorSample::create(const Scene& scene, const Camera& camera,
                                                const Frame& guide, std::size_t count,
@@ -219,8 +209,11 @@ std::optional<ErrorSample> ErrorSample::create(std::shared_ptr<ViewReference> re
                                                std::uint64_t seed, const std::stop_token& stop,
                                                const std::function<void(double)>& progress,
                                                int paths) {
-  ErrorSample sample(std::move(reference), sample_probabilities(scene, camera, guide, count), guide,
-                     seed, paths);
+  const Measured measured =
+      reference->has_picture() ? Measured::airlight_and_picture : Measured::airlight;
+  ErrorSample sample(std::move(reference),
+                     sample_probabilities(scene, camera, guide, count, measured), guide, seed,
+                     paths);
   if (!sample.sample_around_errors(guide, count / 4, stop)) return std::nullopt;
   if (!sample.sample_pixels(stop, progress)) return std::nullopt;
   return sample;
@@ -242,7 +235,8 @@ bool ErrorSample::sample_around_errors(const Frame& guide, std::size_t max_pixel
     std::vector<std::pair<double, std::size_t>> errors;
     double sum = 0.0;
     for (const std::size_t i : certain_pixels) {
-      errors.emplace_back(squares_of(guide, i, reference_->airlight(i)).error, i);
+      errors.emplace_back(
+          squares_of(CenterLight::airlight(guide).at(i), reference_->airlight(i)).error, i);
       sum += errors.back().first;
     }
     std::ranges::sort(errors, std::greater());
@@ -309,16 +303,25 @@ bool ErrorSample::evaluate(std::span<const std::size_t> pixels, int paths,
 }
 
 ErrorEstimate ErrorSample::measure(const Frame& frame) const {
+  return estimate(frame, false);
+}
+
+ErrorEstimate ErrorSample::measure_picture(const Frame& frame) const {
+  return estimate(frame, true);
+}
+
+ErrorEstimate ErrorSample::estimate(const Frame& frame, bool is_picture) const {
+  const CenterLight light = is_picture ? CenterLight::picture(frame) : CenterLight::airlight(frame);
   // Sums over all pixels, estimated from those sampled (Horvitz and Thompson).
   std::vector<Squares> weighted;
   Squares sums;
   std::vector<BlockError> blocks;
-  const double visible = visible_square(frame);
+  const double visible = visible_square(light);
   for (const std::size_t i : pixels_) {
-    const PixelAirlight& airlight = reference_->airlight(i);
-    const auto block = block_error(frame, visible, i, airlight, probabilities_[i]);
+    const PixelRadiance& truth = is_picture ? reference_->picture(i) : reference_->airlight(i);
+    const auto block = block_error(light, visible, i, truth, probabilities_[i]);
     if (block) blocks.push_back(*block);
-    Squares squares = squares_of(frame, i, airlight);
+    Squares squares = squares_of(light.at(i), truth);
     squares.error /= probabilities_[i];
     squares.reference /= probabilities_[i];
     squares.noise /= probabilities_[i] * probabilities_[i];
@@ -331,7 +334,7 @@ ErrorEstimate ErrorSample::measure(const Frame& frame) const {
   estimate.pixels = pixels_.size();
   set_block_errors(std::move(blocks), estimate);
   if (!(sums.reference > 0.0)) {
-    // The reference is black: any airlight is an error.
+    // The reference is black: any light is an error.
     if (sums.error > 0.0) estimate.rel_rmse = estimate.low = estimate.high = 1.0;
     return estimate;
   }

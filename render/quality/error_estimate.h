@@ -16,7 +16,7 @@ namespace brume {
 
 class ViewReference;
 
-// A random sample of a view's pixels with their converged airlight. Importance-sampled by
+// A random sample of a view's pixels with what they ought to be. Importance-sampled by
 // sample_probabilities(). Pixels of probability 1 with large error add their 3x3 neighbourhood at
 // probability 1. A few hundred pixels suffice.
 class ErrorSample {
@@ -50,12 +50,15 @@ class ErrorSample {
   bool refine(const std::stop_token& stop, const std::function<void(double)>& progress = {},
               double factor = 2.0);
 
-  // The error of a frame of the same view and film as the guide.
+  // The error of the airlight of a frame of the same view and film as the guide.
   [[nodiscard]] ErrorEstimate measure(const Frame& frame) const;
+  // That of its picture, where the reference has one.
+  [[nodiscard]] ErrorEstimate measure_picture(const Frame& frame) const;
 
  private:
   ErrorSample(std::shared_ptr<ViewReference> reference, std::vector<double> probabilities,
               const Frame& guide, std::uint64_t seed, int paths);
+  [[nodiscard]] ErrorEstimate estimate(const Frame& frame, bool is_picture) const;
   bool sample_around_errors(const Frame& guide, std::size_t max_pixels,
                             const std::stop_token& stop);
   bool sample_pixels(const std::stop_token& stop, const std::function<void(double)>& progress);

@@ -12,7 +12,7 @@ constexpr double sample_tolerance = 1e-3;
 // the pixels, or 128 times the paths, or anything between.
 constexpr int max_growths = 3;
 constexpr int max_doublings = 7;
-// Where no bound is asked for.
+// Where no bound is asked for, and for the picture, which finer settings do not better.
 constexpr int max_free_refinements = 4;
 
 // The reference's time per pixel grows with the number of Gaussians, and more with an environment;
@@ -43,6 +43,12 @@ bool is_surely_decided(const ErrorEstimate& error, double max_error) {
   return below * error.high <= max_error || error.low > room * max_error;
 }
 
+// Whether a condition holds for the airlight, or for the picture where it counts.
+template <class Condition>
+bool any_of(const FrameError& error, bool has_picture, Condition condition) {
+  return condition(error.airlight) || (has_picture && error.picture && condition(*error.picture));
+}
+
 bool is_wide(const ErrorEstimate& error) {
   constexpr double wide = 1.5;
   return error.high > wide * error.low;
@@ -63,9 +69,9 @@ void FrameErrors::make_reference(const Frame& frame) {
   times_refined_ = 0;
   sample_.reset();
   // A frame without more than one scattering, whatever the reason, claims to need none.
-  reference_ =
-      std::make_shared<ViewReference>(scene_, camera_, frame.film, sample_tolerance,
-                                      has_all_orders ? Scattering::multiple : Scattering::single);
+  reference_ = std::make_shared<ViewReference>(
+      scene_, camera_, frame.film, sample_tolerance,
+      has_all_orders ? Scattering::multiple : Scattering::single, measured_);
 }
 
 bool FrameErrors::make_sample(const Frame& frame, std::size_t pixels, int paths, const Job& job) {
@@ -75,10 +81,15 @@ bool FrameErrors::make_sample(const Frame& frame, std::size_t pixels, int paths,
   return sample_.has_value();
 }
 
-std::optional<ErrorEstimate> FrameErrors::measure(const Frame& frame,
-                                                  std::optional<double> max_error,
-                                                  const std::stop_token& stop,
-                                                  const std::function<void(double)>& progress) {
+FrameError FrameErrors::error_of(const Frame& frame) const {
+  FrameError error{sample_->measure(frame), std::nullopt};
+  if (reference_->has_picture()) error.picture = sample_->measure_picture(frame);
+  return error;
+}
+
+std::optional<FrameError> FrameErrors::measure(const Frame& frame, std::optional<double> max_error,
+                                               const std::stop_token& stop,
+                                               const std::function<void(double)>& progress) {
   // Usually one sample suffices; each doubling costs as much as all before, so it gets half of the
   // remaining progress.
   const Job job{stop, progress};
@@ -91,12 +102,19 @@ std::optional<ErrorEstimate> FrameErrors::measure(const Frame& frame,
   if (!make_sample(frame, sample_pixels(scene_), ErrorSample::default_paths, next_part())) {
     return std::nullopt;
   }
-  ErrorEstimate error = sample_->measure(frame);
-  while (max_error ? is_undecided(error, *max_error) : is_noisy(error)) {
+  const auto is_unsure = [&](const ErrorEstimate& estimate) {
+    return max_error ? is_undecided(estimate, *max_error) : is_noisy(estimate);
+  };
+  FrameError error = error_of(frame);
+  const auto has_picture = [&] { return times_grown_ + times_refined_ < max_free_refinements; };
+  while (any_of(error, has_picture(), is_unsure)) {
     if (times_grown_ + times_refined_ == max_doublings) break;
     // More paths or more pixels, whichever the interval is wide for.
     const bool may_refine = max_error || times_refined_ < max_free_refinements;
-    if (is_noisy(error) && may_refine && sample_->refine(stop, next_part().progress)) {
+    const bool is_noise = any_of(error, has_picture(), [&](const ErrorEstimate& estimate) {
+      return is_unsure(estimate) && is_noisy(estimate);
+    });
+    if (is_noise && may_refine && sample_->refine(stop, next_part().progress)) {
       ++times_refined_;
     } else {
       if (stop.stop_requested()) return std::nullopt;
@@ -104,14 +122,15 @@ std::optional<ErrorEstimate> FrameErrors::measure(const Frame& frame,
       if (!sample_->grow(stop, next_part().progress)) return std::nullopt;
       ++times_grown_;
     }
-    error = sample_->measure(frame);
+    error = error_of(frame);
   }
   return error;
 }
 
-std::optional<ErrorEstimate> FrameErrors::measure_within(
-    double max_work, const Frame& frame, std::optional<double> max_error,
-    const std::stop_token& stop, const std::function<void(double)>& progress) {
+std::optional<FrameError> FrameErrors::measure_within(double max_work, const Frame& frame,
+                                                      std::optional<double> max_error,
+                                                      const std::stop_token& stop,
+                                                      const std::function<void(double)>& progress) {
   const Job job{stop, progress};
   make_reference(frame);
   // Integrals cost the same wherever they are; half of the work is for the first.
@@ -123,8 +142,11 @@ std::optional<ErrorEstimate> FrameErrors::measure_within(
           ? std::max({static_cast<std::size_t>(affordable), most / 2, min_quick_pixels})
           : most;
   if (!make_sample(frame, pixels, quick_paths, job.subrange(0.0, 0.1))) return std::nullopt;
-  ErrorEstimate error = sample_->measure(frame);
-  while (max_error ? !is_surely_decided(error, *max_error) : is_wide(error)) {
+  const auto is_unsure = [&](const ErrorEstimate& estimate) {
+    return max_error ? !is_surely_decided(estimate, *max_error) : is_wide(estimate);
+  };
+  FrameError error = error_of(frame);
+  while (any_of(error, true, is_unsure)) {
     // In steps, since the first paths tell little of what is needed.
     constexpr double max_factor = 4.0;
     constexpr double min_factor = 1.25;
@@ -133,14 +155,17 @@ std::optional<ErrorEstimate> FrameErrors::measure_within(
     const double refined = std::min(1.0 + left / before.paths, max_factor);
     const double grown = std::min(1.0 + left / before.sum(), max_factor);
     const Job part = job.subrange(std::min(0.1 + 0.9 * before.sum() / max_work, 1.0), 1.0);
-    const bool is_above_bound = !max_error || error.high > *max_error;
-    const bool refines = is_above_bound && error.noise > 0.5 && refined >= min_factor;
+    const bool is_noise = any_of(error, true, [&](const ErrorEstimate& estimate) {
+      const bool is_above_bound = !max_error || estimate.high > *max_error;
+      return is_unsure(estimate) && is_above_bound && estimate.noise > 0.5;
+    });
+    const bool refines = is_noise && refined >= min_factor;
     if (!(refines && sample_->refine(stop, part.progress, refined)) && grown >= min_factor) {
       static_cast<void>(sample_->grow(stop, part.progress, grown));
     }
     if (stop.stop_requested()) return std::nullopt;
     if (reference_->work().sum() == before.sum()) break;
-    error = sample_->measure(frame);
+    error = error_of(frame);
   }
   return error;
 }

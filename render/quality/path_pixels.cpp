@@ -1,6 +1,7 @@
 #include "render/quality/path_pixels.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "render/paths/path_tracer.h"
 #include "render/prepare/albedo.h"
@@ -20,10 +21,12 @@ constexpr std::uint64_t pixel_seed = 0x6d65;
 
 }  // namespace
 
-PathPixels::PathPixels(const Scene& scene, const Camera& camera, const Film& film, Orders orders)
+PathPixels::PathPixels(const Scene& scene, const Camera& camera, const Film& film, Orders airlight,
+                       Orders picture)
     : rays_(camera, film),
       width_(static_cast<std::size_t>(film.width)),
-      orders_(orders),
+      airlight_orders_(airlight),
+      picture_orders_(picture),
       surfaces_(scene.surfaces),
       ray_caster_(shared_ray_caster(surfaces_)) {
   Settings settings;
@@ -56,7 +59,7 @@ PathPixels::PathPixels(const Scene& scene, const Camera& camera, const Film& fil
         PathScene::of_view(*group.medium, each.albedo, ray_caster, surfaces_, environment_.get(),
                            lights, rays_.eye(), fog_extent.ball(), rays_.max_offset()));
     const bool has_areas = !area_lights.empty() || !group.scene->emitters.empty();
-    if (orders_ == Orders::all || !has_areas) continue;
+    if (airlight_orders_ == Orders::all || !has_areas) continue;
     group.area_lights = std::make_unique<PathScene>(
         PathScene::of_view(*group.medium, each.albedo, ray_caster, surfaces_, nullptr, area_lights,
                            rays_.eye(), fog_extent.ball(), rays_.max_offset()));
@@ -73,9 +76,11 @@ void PathPixels::trace(std::size_t pixel, int count, PixelPaths& paths,
     PathRandom first_random(pixel_seed, pixel, 0, 2);
     const glm::dvec3 eye = rays_.origin(x, y);
     const glm::dvec3 w = rays_.direction(x, y);
+    SurfaceHit hit = view_hit(group, x, y, first_random);
     std::optional<CameraRay> ray;
-    ray.emplace(*group.index, eye, w, view_length(group, x, y, first_random));
-    if (!has_panes && !(ray->depth() > min_depth)) continue;
+    ray.emplace(*group.index, eye, w, std::min(hit.distance, ray_end_));
+    const bool has_picture = picture_orders_ != Orders::none;
+    if (!has_panes && !has_picture && !(ray->depth() > min_depth)) continue;
     for (int k = paths.count; k < count && !stop.stop_requested(); ++k) {
       const auto sample = static_cast<std::uint64_t>(k);
       const PathRandom block(pixel_seed, pixel, sample / path_block, 0);
@@ -84,46 +89,85 @@ void PathPixels::trace(std::size_t pixel, int count, PixelPaths& paths,
       const StratifiedPair stratified(block, static_cast<unsigned>(k % path_block), random);
       if (has_panes) {
         PathRandom by_chance(pixel_seed, pixel, sample, 2);
-        ray.emplace(*group.index, eye, w, view_length(group, x, y, by_chance));
+        hit = view_hit(group, x, y, by_chance);
+        ray.emplace(*group.index, eye, w, std::min(hit.distance, ray_end_));
       }
-      const glm::dvec3 radiance =
-          ray->depth() > min_depth ? trace(group, *ray, stratified, random) : glm::dvec3(0.0);
-      paths.sums[i].add(k, radiance, group.channels);
+      const TracedAirlight traced =
+          ray->depth() > min_depth ? trace(group, *ray, stratified, random) : TracedAirlight{};
+      paths.airlight[i].add(k, traced.airlight, group.channels);
       paths.work += path_work(group.index->size(), random.drawn_since(start));
+      if (!has_picture) continue;
+      PathRandom from_surface(pixel_seed, pixel, sample, 3);
+      const PathRandom surface_start = from_surface;
+      paths.picture[i].add(
+          k, group.albedo * traced.in_picture + behind(group, *ray, hit, from_surface),
+          group.channels);
+      paths.work += path_work(group.index->size(), from_surface.drawn_since(surface_start));
     }
   }
   paths.count = std::max(paths.count, count);
 }
 
-double PathPixels::view_length(const Group& group, double x, double y, PathRandom& random) const {
-  const SurfaceHit hit = group.ray_caster ? group.ray_caster->first_hit_by_chance(
-                                                rays_.origin(x, y), rays_.direction(x, y),
-                                                [&random] { return random.uniform(); })
-                                          : ray_caster_->first_hit(rays_, x, y);
-  return std::min(hit.distance, ray_end_);
+SurfaceHit PathPixels::view_hit(const Group& group, double x, double y, PathRandom& random) const {
+  return group.ray_caster
+             ? group.ray_caster->first_hit_by_chance(rays_.origin(x, y), rays_.direction(x, y),
+                                                     [&random] { return random.uniform(); })
+             : ray_caster_->first_hit(rays_, x, y);
 }
 
-glm::dvec3 PathPixels::trace(const Group& group, const CameraRay& ray,
-                             const StratifiedPair& stratified, PathRandom& random) const {
+glm::dvec3 PathPixels::behind(const Group& group, const CameraRay& ray, const SurfaceHit& hit,
+                              PathRandom& random) const {
+  const glm::dvec3 none(0.0);
+  if (ray.depth() > PathTracer::hidden_depth) return none;
+  const double transmittance = std::exp(-ray.depth());
+  if (!hit) return environment_ ? transmittance * environment_->radiance(ray.w()) : none;
+  const RayCaster& ray_caster = group.scene->ray_caster;
+  const SurfacePoint point = ray_caster.point(hit, ray.eye(), ray.w(), surfaces_);
+  return transmittance * ray_caster.reflected_by_chance(hit) *
+         PathTracer(*group.scene).surface(point, random).sum();
+}
+
+PathPixels::TracedAirlight PathPixels::trace(const Group& group, const CameraRay& ray,
+                                             const StratifiedPair& stratified,
+                                             PathRandom& random) const {
+  using enum Orders;
+  const auto needs = [this](Orders orders) {
+    return airlight_orders_ == orders || picture_orders_ == orders;
+  };
   OrderedRadiance radiance;
-  if (orders_ != Orders::integrals_lack_once) {
+  if (needs(all) || needs(all_but_integrals)) {
     radiance = PathTracer(*group.scene).airlight(ray, stratified, random);
   }
-  if (orders_ == Orders::all) return radiance.sum();
-  radiance.orders[0] = glm::dvec3(0.0);
-  if (group.area_lights) {
-    radiance.orders[0] = PathTracer(*group.area_lights).lights_once(ray, stratified, random);
+  glm::dvec3 lacking(0.0);
+  if (group.area_lights && (needs(integrals_lack_once) || needs(all_but_integrals))) {
+    lacking = PathTracer(*group.area_lights).lights_once(ray, stratified, random);
   }
-  return radiance.sum();
+  const auto of = [&](Orders orders) {
+    if (orders == all) return radiance.sum();
+    if (orders == none) return glm::dvec3(0.0);
+    if (orders == integrals_lack_once) return lacking;
+    return radiance.sum() - radiance.orders[0] + lacking;
+  };
+  return {of(airlight_orders_), of(picture_orders_)};
 }
 
-PixelAirlight PathPixels::airlight(const PixelPaths& paths) const {
-  PixelAirlight result;
+PixelRadiance PathPixels::airlight(const PixelPaths& paths) const {
+  PixelRadiance result;
   for (std::size_t i = 0; i < groups_.size(); ++i) {
     const Group& group = groups_[i];
-    result.radiance += group.albedo * group.channels * paths.sums[i].mean(paths.count);
+    result.radiance += group.albedo * group.channels * paths.airlight[i].mean(paths.count);
     result.variance +=
-        group.albedo * group.albedo * paths.sums[i].variance(paths.count, group.channels);
+        group.albedo * group.albedo * paths.airlight[i].variance(paths.count, group.channels);
+  }
+  return result;
+}
+
+PixelRadiance PathPixels::picture(const PixelPaths& paths) const {
+  PixelRadiance result;
+  for (std::size_t i = 0; i < groups_.size(); ++i) {
+    const glm::dvec3& channels = groups_[i].channels;
+    result.radiance += channels * paths.picture[i].mean(paths.count);
+    result.variance += paths.picture[i].variance(paths.count, channels);
   }
   return result;
 }

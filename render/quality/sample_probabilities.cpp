@@ -7,6 +7,7 @@
 
 #include "core/scene/lights/point_lights.h"
 #include "render/prepare/light_pixels.h"
+#include "render/quality/center_light.h"
 #include "render/quality/small_gaussians.h"
 
 namespace brume {
@@ -19,28 +20,19 @@ constexpr double gradient_fraction = 0.35;
 // A small Gaussian that may cause a relative error of 0.3% is always sampled.
 constexpr double change_that_counts = 3e-3;
 
-std::vector<double> squared_radiance(const Frame& frame) {
-  std::vector<double> square(frame.depth.size(), 0.0);
-  const std::vector<float>& airlight = frame.center_airlight();
-  for (std::size_t i = 0; i < airlight.size(); ++i) {
-    const auto x = static_cast<double>(airlight[i]);
-    square[i / 3] += x * x;
-  }
-  return square;
+std::vector<double> squared_radiance(const CenterLight& light) {
+  std::vector<double> squares(light.pixels());
+  for (std::size_t i = 0; i < squares.size(); ++i) squares[i] = light.square(i);
+  return squares;
 }
 
 // The squared difference to the neighbour that differs most.
-std::vector<double> squared_steps(const Frame& frame) {
-  const auto width = static_cast<std::size_t>(frame.film.width);
-  std::vector<double> steps(frame.depth.size(), 0.0);
-  const std::vector<float>& airlight = frame.center_airlight();
+std::vector<double> squared_steps(const CenterLight& light) {
+  const auto width = static_cast<std::size_t>(light.film.width);
+  std::vector<double> steps(light.pixels(), 0.0);
   const auto compare = [&](std::size_t i, std::size_t j) {
-    double square = 0.0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double d =
-          static_cast<double>(airlight[3 * i + k]) - static_cast<double>(airlight[3 * j + k]);
-      square += d * d;
-    }
+    const glm::dvec3 step = light.at(i) - light.at(j);
+    const double square = glm::dot(step, step);
     steps[i] = std::max(steps[i], square);
     steps[j] = std::max(steps[j], square);
   };
@@ -101,11 +93,9 @@ void fill(std::vector<double>& probabilities, double count) {
 }  // namespace
 
 std::vector<double> sample_probabilities(const Scene& scene, const Camera& camera,
-                                         const Frame& guide, std::size_t count) {
+                                         const Frame& guide, std::size_t count, Measured measured) {
   const CameraRays rays(camera, guide.film);
   const std::vector<double> uniform(guide.depth.size(), 1.0);
-  const std::vector<double> bright = squared_radiance(guide);
-  const std::vector<double> gradient = squared_steps(guide);
   std::vector<double> probabilities(uniform.size(), 0.0);
   const auto add = [&](const std::vector<double>& measure, double fraction) {
     const double sum = std::accumulate(measure.begin(), measure.end(), 0.0);
@@ -115,8 +105,14 @@ std::vector<double> sample_probabilities(const Scene& scene, const Camera& camer
     return sum;
   };
   add(uniform, uniform_fraction);
-  add(gradient, gradient_fraction);
-  const double sum = add(bright, bright_fraction);
+  const bool has_picture = measured == Measured::airlight_and_picture;
+  const double share = has_picture ? 0.5 : 1.0;
+  const auto add_light = [&](const CenterLight& light) {
+    add(squared_steps(light), share * gradient_fraction);
+    return add(squared_radiance(light), share * bright_fraction);
+  };
+  const double sum = add_light(CenterLight::airlight(guide));
+  if (has_picture) add_light(CenterLight::picture(guide));
   for (const glm::ivec2& pixel : pixels_of_lights(scene, rays, guide.film, count / 4)) {
     probabilities[static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(guide.film.width) +
                   static_cast<std::size_t>(pixel.x)] = 1.0;

@@ -21,7 +21,8 @@ bool has_area_lights(const Scene& scene) {
 }  // namespace
 
 ViewReference::ViewReference(const Scene& scene, const Camera& camera, const Film& film,
-                             double tolerance, Scattering scattering) {
+                             double tolerance, Scattering scattering, Measured measured)
+    : has_picture_(measured == Measured::airlight_and_picture) {
   const bool is_single = scattering == Scattering::single;
   // Neither surfaces nor the end of the fog are on the way of the integral's environment.
   const bool has_other_environment =
@@ -38,11 +39,19 @@ ViewReference::ViewReference(const Scene& scene, const Camera& camera, const Fil
       integral_work_ = 0.0;
     }
   }
+  // Whether they are what the truth has of light that is scattered once.
+  keeps_integrals_ = reference_ && !has_other_environment && !has_panes;
   using enum PathPixels::Orders;
+  PathPixels::Orders airlight = none;
   if (!is_single) {
-    path_pixels_.emplace(scene, camera, film, reference_ ? all_but_integrals : all);
+    airlight = reference_ ? all_but_integrals : all;
   } else if (has_area_lights(scene) || has_panes) {
-    path_pixels_.emplace(scene, camera, film, integrals_lack_once);
+    airlight = integrals_lack_once;
+  }
+  PathPixels::Orders picture = none;
+  if (has_picture_) picture = keeps_integrals_ ? all_but_integrals : all;
+  if (airlight != none || picture != none) {
+    path_pixels_.emplace(scene, camera, film, airlight, picture);
   }
 }
 
@@ -85,6 +94,9 @@ bool ViewReference::evaluate(std::span<const std::size_t> pixels,
     pixel.paths = traced[i];
     pixel.airlight = path_pixels_->airlight(traced[i]);
     pixel.airlight.radiance += pixel.exact;
+    if (!has_picture_) continue;
+    pixel.picture = path_pixels_->picture(traced[i]);
+    if (keeps_integrals_) pixel.picture.radiance += pixel.exact;
   }
   return true;
 }

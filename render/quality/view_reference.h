@@ -4,21 +4,22 @@
 #include <optional>
 #include <unordered_map>
 
+#include "render/quality/center_light.h"
 #include "render/quality/path_pixels.h"
 #include "render/reference/reference_pixels.h"
 #include "render/settings.h"
 
 namespace brume {
 
-// Caches what the airlight of one view's pixels ought to be. Not thread-safe.
+// Caches what the pixels of one view ought to be. Not thread-safe.
 class ViewReference {
  public:
   // Scattered once: converged, see ReferencePixels, but for area lights and light through panes.
-  // These, and what is
-  // scattered more often, by PathPixels, which are noisy; all orders where surfaces keep an
-  // environment out or fog ends, which the former do not know, or where they would take too long.
+  // These, and what is scattered more often, by PathPixels, which are noisy; all orders where
+  // surfaces keep an environment out or fog ends, which the former do not know, or where they would
+  // take too long. The picture has all orders, by PathPixels too where they are not known exactly.
   ViewReference(const Scene& scene, const Camera& camera, const Film& film, double tolerance,
-                Scattering scattering = Scattering::single);
+                Scattering scattering = Scattering::single, Measured measured = Measured::airlight);
 
   // Evaluates pixels that are not cached, in parallel, milliseconds each; those by paths with at
   // least so many of them, of each pixel. False if `stop` was requested. `progress`: see
@@ -26,10 +27,14 @@ class ViewReference {
   bool evaluate(std::span<const std::size_t> pixels, const std::function<int(std::size_t)>& paths,
                 const std::stop_token& stop, const std::function<void(double)>& progress = {});
 
-  // Airlight of an evaluated pixel.
-  [[nodiscard]] const PixelAirlight& airlight(std::size_t pixel) const {
+  // Airlight of an evaluated pixel, and its picture if that is measured.
+  [[nodiscard]] const PixelRadiance& airlight(std::size_t pixel) const {
     return known_.at(pixel).airlight;
   }
+  [[nodiscard]] const PixelRadiance& picture(std::size_t pixel) const {
+    return known_.at(pixel).picture;
+  }
+  [[nodiscard]] bool has_picture() const { return has_picture_; }
 
   // Forgets all pixels.
   void forget() { known_.clear(); }
@@ -55,9 +60,12 @@ class ViewReference {
   struct Pixel {
     glm::dvec3 exact{0.0};  // converged
     PixelPaths paths;
-    PixelAirlight airlight;  // of both
+    PixelRadiance airlight;  // of both
+    PixelRadiance picture;
   };
 
+  bool has_picture_;
+  bool keeps_integrals_ = false;  // in the picture
   double integral_work_ = 0.0;
   Work work_;
   std::optional<ReferencePixels> reference_;

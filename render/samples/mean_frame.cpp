@@ -55,6 +55,7 @@ std::optional<Frame> mean_frame(Frame center, int count, const Job& job, const R
   }
   mean->depth = std::move(center.depth);
   mean->airlight_at_centers = std::move(center.airlight);
+  mean->beauty_at_centers = std::move(center.beauty);
   return mean;
 }
 

@@ -99,7 +99,7 @@ class Gestures {
     at_rest_ = view_.frames().shown()->milliseconds;
     const auto& quality = view_.frames().quality();
     std::printf("picture at rest: %.0f ms, relative RMSE at most %.4f (bound %.2f)\n", at_rest_,
-                quality.error() ? quality.error()->high : -1.0, quality.max_error());
+                quality.error() ? quality.error()->airlight.high : -1.0, quality.max_error());
     std::printf("  %s\n", qPrintable(stages_text()));
     std::printf("%-34s first picture [ms]: median, worst, of rest | pictures/s | settled [s]\n",
                 "");

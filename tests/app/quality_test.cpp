@@ -52,7 +52,7 @@ std::shared_ptr<const RenderedFrame> rendered(const Scene& scene) {
 }
 
 const ErrorEstimate& error_of(MainWindow& window) {
-  return *window.viewport().frames().quality().error();
+  return window.viewport().frames().quality().error()->airlight;
 }
 
 // With the keyboard, as a user would.
@@ -84,7 +84,7 @@ class QualityTest : public QObject {
     QCOMPARE(window->viewport().frames().quality().max_error(), 0.02);
     QVERIFY(error_of(*window).high <= 0.02);
     QVERIFY(error_of(*window).rel_rmse > 0.0);
-    const QString error = error_text(error_of(*window));
+    const QString error = errors_text(*window->viewport().frames().quality().error());
     QVERIFY2(error.contains(" ± "), qPrintable(error));
     QCOMPARE(label_text(*window, "error"), "error " + error);
     QVERIFY(window->findChild<QLabel*>("error")->isEnabled());
@@ -247,7 +247,8 @@ class QualityTest : public QObject {
     QCOMPARE(label_text(*window, "gaussians_used"), QString("5 of 5 used"));
     const FrameStatistics& statistics = window->viewport().frames().shown()->frame.statistics;
     QVERIFY(label_text(*window, "pairs").contains(count_text(statistics.view_pairs)));
-    QCOMPARE(label_text(*window, "panel_error"), error_text(error_of(*window)));
+    QCOMPARE(label_text(*window, "panel_error"),
+             errors_text(*window->viewport().frames().quality().error()));
     QVERIFY(label_text(*window, "interval").contains(count_text(error_of(*window).pixels)));
 
     // Live: in motion too, which takes other settings than the finest.
@@ -346,6 +347,9 @@ class QualityTest : public QObject {
     QCOMPARE(text(0.0021, 0.0025), QString("0.21 ± 0.04 %"));
     QCOMPARE(text(1e-6, 2e-6), QString("< 0.01 %"));
     QCOMPARE(error_text({}), QString("< 0.01 %"));
+    QCOMPARE(errors_text({{0.014, 0.013, 0.016, 100}, std::nullopt}), QString("1.4 ± 0.2 %"));
+    QCOMPARE(errors_text({{0.014, 0.013, 0.016, 100}, ErrorEstimate{0.02, 0.01, 0.024, 100}}),
+             QString("1.4 ± 0.2 %, picture 2.0 ± 0.4 %"));
     QCOMPARE(count_text(12408), QString("12,408"));
     QCOMPARE(bound_text(0.02), QString("2 %"));
   }

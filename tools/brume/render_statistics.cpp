@@ -14,6 +14,17 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// `low` and `high`: 95% confidence intervals.
+Json estimate_json(const ErrorEstimate& error) {
+  return {
+      {"rel_rmse", error.rel_rmse},
+      {"pixels", error.pixels},
+      {"low", error.low},
+      {"high", error.high},
+      {"blocks",
+       Json{{"median", error.block_median}, {"low", error.block_low}, {"high", error.block_high}}}};
+}
+
 // Each stage's median, in the order in which stages first ran.
 Json stage_medians(std::span<const FrameStatistics> frames) {
   std::vector<Stage> names;
@@ -94,14 +105,10 @@ std::string statistics_json(const RenderRun& run, const Frame& frame,
   }
   json["error"] = nullptr;
   if (frame.error) {
-    // `low` and `high`: 95% confidence interval of the frame's error.
-    json["error"] = Json{{"rel_rmse", frame.error->rel_rmse},
-                         {"pixels", frame.error->pixels},
-                         {"low", frame.error->low},
-                         {"high", frame.error->high},
-                         {"blocks", Json{{"median", frame.error->block_median},
-                                         {"low", frame.error->block_low},
-                                         {"high", frame.error->block_high}}}};
+    // That of the airlight has always been there by itself.
+    json["error"] = estimate_json(*frame.error);
+    json["error"]["airlight"] = estimate_json(*frame.error);
+    if (frame.picture_error) json["error"]["picture"] = estimate_json(*frame.picture_error);
   }
   json["noise"] = nullptr;
   if (const auto noise = relative_noise(frame)) {

@@ -95,8 +95,9 @@ PerformancePanel::PerformancePanel(std::function<const FrameScheduler&()> active
   time_ = add_row(*form, tr("Frame"), "frame_time",
                   tr("How long the picture took to render, in milliseconds or seconds"));
   error_ = add_row(*form, tr("Error"), "panel_error",
-                   tr("Relative RMSE of the airlight against the reference; of a path-traced "
-                      "picture its noise. Grey while it is being measured"));
+                   tr("Relative RMSE of the airlight against the reference, and of the whole "
+                      "picture beside all the light there is; of a path-traced picture its noise. "
+                      "Grey while it is being measured"));
   method_ = add_row(*form, tr("Method"), "shown",
                     tr("Chosen in View > Quality; the more slices along a ray, the more exact"));
   QWidget* details = make_details();
@@ -124,10 +125,13 @@ QWidget* PerformancePanel::make_details() {
   backend_->setWordWrap(true);
   auto* numbers = new QFormLayout;
   interval_ = add_row(*numbers, tr("Interval"), "interval",
-                      tr("Contains the error of the whole picture in 95% of cases"));
+                      tr("Contains the error of all the airlight in 95% of cases"));
   blocks_ = add_row(*numbers, tr("Blocks"), "block_error",
                     tr("Median error of blocks of 8 × 8 pixels, each relative to its own airlight, "
                        "and its interval: what the eye sees in dark parts beside bright ones"));
+  picture_blocks_ = add_row(*numbers, tr("Picture's blocks"), "picture_block_error",
+                            tr("The same of the whole picture: with surfaces, mirrors, panes, what "
+                               "shines and the environment, beside all the light that there is"));
   gaussians_ = add_row(*numbers, tr("Gaussians"), "gaussians_used",
                        tr("Those that this view needs, of all"));
   pairs_ = add_row(*numbers, tr("Pairs"), "pairs",
@@ -209,26 +213,31 @@ void PerformancePanel::showEvent(QShowEvent* event) {
   update_frame();
 }
 
+void PerformancePanel::clear_numbers() {
+  for (QLabel* label : {interval_, blocks_, picture_blocks_}) label->clear();
+}
+
 void PerformancePanel::update_quality() {
   if (!isVisible()) return;
   const FrameQuality& quality = active_frames_().quality();
   why_->setText(reason(active_frames_()));
   frontier_->show_quality(quality);
-  for (QLabel* label : {error_, interval_, blocks_})
+  for (QLabel* label : {error_, interval_, blocks_, picture_blocks_})
     label->setEnabled(active_frames_().is_measured());
   const RenderedFrame* frame = active_frames_().shown();
   if (const QString paths = frame ? paths_text(frame->frame) : QString(); !paths.isEmpty()) {
     error_->setText(paths);
-    interval_->clear();
-    blocks_->clear();
-  } else if (const std::optional<ErrorEstimate>& error = quality.error()) {
-    error_->setText(error_text(*error));
-    interval_->setText(tr("%1 (%2 pixels)").arg(interval_text(*error), count_text(error->pixels)));
-    blocks_->setText(block_error_text(*error));
+    clear_numbers();
+  } else if (const std::optional<FrameError>& error = quality.error()) {
+    const ErrorEstimate& airlight = error->airlight;
+    error_->setText(errors_text(*error));
+    interval_->setText(
+        tr("%1 (%2 pixels)").arg(interval_text(airlight), count_text(airlight.pixels)));
+    blocks_->setText(block_error_text(airlight));
+    picture_blocks_->setText(error->picture ? block_error_text(*error->picture) : QString());
   } else {
     error_->setText(tr("measuring"));
-    interval_->clear();
-    blocks_->clear();
+    clear_numbers();
   }
 }
 

@@ -28,6 +28,7 @@ class PerformancePanel : public QWidget {
   // To be told when the frame shown, or its error, is another.
   void update_frame();
   void update_quality();
+  void clear_numbers();  // of the error
 
  Q_SIGNALS:
   void max_error_changed(double max_error);
@@ -50,6 +51,7 @@ class PerformancePanel : public QWidget {
   QLabel* error_;
   QLabel* interval_;
   QLabel* blocks_;
+  QLabel* picture_blocks_;
   QLabel* gaussians_;
   QLabel* scattering_;
   QLabel* pairs_;

@@ -53,7 +53,7 @@ void environment(benchmark::State& state) {
   const Frame frame = *renderer.render(scene, scene.camera, scene.film, settings);
   state.counters["lit_over_dark"] = lit / dark;
   state.counters["frame_ms"] = 1e3 * lit;
-  state.counters["rel_rmse"] = measure_error(scene, scene.camera, frame)->rel_rmse;
+  state.counters["rel_rmse"] = measure_error(scene, scene.camera, frame)->airlight.rel_rmse;
 }
 BENCHMARK(environment)
     ->ArgsProduct({{30, 300, 3000}, {8, 24, 64}, {0, 6}})

@@ -152,7 +152,7 @@ TEST_P(KindsOfScenes, SlicedAndAutoKeepTheirBounds) {
     Renderer renderer;
     const auto result = render_requested(renderer, scene(), scene().camera, scene().film, settings);
     ASSERT_TRUE(result);
-    EXPECT_LE(result->error->high, 0.02);
+    EXPECT_LE(result->error->airlight.high, 0.02);
     EXPECT_LE(error_of(result->frame), 0.02);
   }
 }

@@ -101,7 +101,7 @@ RequestedFrame rendered(Renderer& renderer, const Scene& scene, const Settings& 
   const Settings chosen =
       *choose_settings(renderer, scene, scene.camera, scene.film, settings, {}, {}, effort);
   Frame frame = *renderer.render(scene, scene.camera, scene.film, chosen);
-  const std::optional<ErrorEstimate> error =
+  const std::optional<FrameError> error =
       measure_error_quickly(scene, scene.camera, frame, chosen, true);
   return {std::move(frame), chosen, error};
 }
@@ -119,13 +119,14 @@ Tally tally_auto(unsigned first, unsigned count, ErrorMeasurement effort) {
     const RequestedFrame made = rendered(renderer, scene, settings, effort);
     const double actual_error = true_error(scene, made.frame);
     if (actual_error == 0.0) return;  // black
-    const bool passes = made.error->high <= max_error;
+    const bool passes = made.error->airlight.high <= max_error;
     const std::scoped_lock lock(mutex);
     if (actual_error > black_error_threshold) {
       tally.black_accepted += passes ? 1 : 0;
       return;
     }
-    const bool covered = made.error->low <= actual_error && actual_error <= made.error->high;
+    const bool covered =
+        made.error->airlight.low <= actual_error && actual_error <= made.error->airlight.high;
     const bool false_pass = passes && actual_error > max_error;
     ++tally.lit;
     tally.covered += covered ? 1 : 0;
@@ -133,7 +134,7 @@ Tally tally_auto(unsigned first, unsigned count, ErrorMeasurement effort) {
     if (covered) return;
     std::ostringstream text;
     text << (false_pass ? "false pass" : "not covered") << " in " << seed << ": " << actual_error
-         << " not in " << made.error->low << " to " << made.error->high;
+         << " not in " << made.error->airlight.low << " to " << made.error->airlight.high;
     tally.failures.push_back(text.str());
   });
   std::ranges::sort(tally.failures);
@@ -187,12 +188,12 @@ std::optional<bool> holds_all_orders(const Scene& scene) {
       *render_requested(renderer, scene, scene.camera, scene.film, settings);
   const PathError truth = path_error(scene, made.frame);
   if (truth.square == 0.0 && truth.slack == 0.0) return std::nullopt;
-  const double low = made.error->low * made.error->low;
-  const double high = made.error->high * made.error->high;
+  const double low = made.error->airlight.low * made.error->airlight.low;
+  const double high = made.error->airlight.high * made.error->airlight.high;
   const bool holds = low <= truth.square + truth.slack && truth.square - truth.slack <= high;
   if (!holds) {
-    std::cout << "not covered: " << std::sqrt(truth.square) << " not in " << made.error->low
-              << " to " << made.error->high << '\n';
+    std::cout << "not covered: " << std::sqrt(truth.square) << " not in "
+              << made.error->airlight.low << " to " << made.error->airlight.high << '\n';
   }
   return holds;
 }

@@ -92,7 +92,7 @@ class WrongFrame {
     return *ErrorSample::create(reference_, scene_, scene_.camera, frame, count, seed);
   }
   [[nodiscard]] std::vector<double> probabilities(std::size_t count) const {
-    return sample_probabilities(scene_, scene_.camera, frame, count);
+    return sample_probabilities(scene_, scene_.camera, frame, count, Measured::airlight);
   }
 
  private:
@@ -211,7 +211,8 @@ TEST(ErrorEstimate, ManyLightsLeavePixelsForTheRest) {
   guide.film = scene.film;
   guide.airlight.assign(3 * 1600, 1.0f);
   guide.depth.assign(1600, 1.0f);
-  const std::vector<double> probabilities = sample_probabilities(scene, scene.camera, guide, 80);
+  const std::vector<double> probabilities =
+      sample_probabilities(scene, scene.camera, guide, 80, Measured::airlight);
   EXPECT_EQ(std::ranges::count(probabilities, 1.0), 20);
   EXPECT_EQ(probabilities[small_y * 40 + small_x], 1.0);
 }
@@ -281,7 +282,7 @@ TEST(FrameErrors, GrowOnlyWhileTheBoundIsInTheInterval) {
   scene.film = {60, 60};
   const Frame frame = render_frame(scene, method(AirlightMethod::sliced, 8));
   const auto measured = [&](std::optional<double> bound) {
-    return *FrameErrors(scene, scene.camera, 1).measure(frame, bound);
+    return FrameErrors(scene, scene.camera, 1).measure(frame, bound)->airlight;
   };
   const ErrorEstimate free = measured(std::nullopt);
   EXPECT_EQ(measured(1.1 * free.high).pixels, free.pixels);
@@ -300,7 +301,7 @@ TEST(AutoQuality, MeetsTheRequestedError) {
       const RequestedFrame made =
           *render_requested(renderer, scene, scene.camera, scene.film, {.max_error = asked});
       EXPECT_EQ(made.settings.airlight, AirlightMethod::sliced);
-      EXPECT_LE(made.error->high, asked);
+      EXPECT_LE(made.error->airlight.high, asked);
       EXPECT_LT(difference(made.frame.airlight, reference.airlight).relative_rmse, asked);
     }
   }

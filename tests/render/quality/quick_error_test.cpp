@@ -39,7 +39,7 @@ struct MeasuredWithin {
 MeasuredWithin measured_within(const Scene& scene, const Frame& frame, double max_work,
                                std::optional<double> bound) {
   FrameErrors errors(scene, scene.camera, evaluation_seed);
-  const ErrorEstimate error = *errors.measure_within(max_work, frame, bound);
+  const ErrorEstimate error = errors.measure_within(max_work, frame, bound)->airlight;
   return {error, errors.work()};
 }
 
@@ -135,7 +135,7 @@ TEST(BlockErrors, ADarkPartCountsAsMuchAsABrightOne) {
     const auto rows = static_cast<std::size_t>(share * scene.film.height);
     for (std::size_t i = 0; i < 3 * rows * 60; ++i) frame.airlight[i] *= 1.2f;
     FrameErrors errors(scene, scene.camera, evaluation_seed);
-    const ErrorEstimate error = *errors.measure(frame, std::nullopt);
+    const ErrorEstimate error = errors.measure(frame, std::nullopt)->airlight;
     const double median = share < 0.5 ? 0.0 : 0.2;
     EXPECT_LE(error.block_low, median + 1e-3);
     EXPECT_GE(error.block_high, median - 1e-3);
@@ -147,7 +147,7 @@ TEST(BlockErrors, ABlackPictureHasNone) {
   Scene scene = thick_cloud();
   scene.lights.clear();
   const Frame frame = render_frame(scene, sliced_settings({}, 8));
-  const ErrorEstimate error = *measure_error(scene, scene.camera, frame);
+  const ErrorEstimate error = measure_error(scene, scene.camera, frame)->airlight;
   EXPECT_EQ(error.block_median, 0.0);
   EXPECT_EQ(error.block_high, 0.0);
 }
@@ -166,7 +166,7 @@ TEST(SampledReference, AreaLightsAreWhatTheirPointsAre) {
   EXPECT_TRUE(sampled.is_noisy());
   ASSERT_TRUE(sampled.evaluate(pixels, [](std::size_t) { return 4096; }, {}));
   for (std::size_t k = 0; k < pixels.size(); ++k) {
-    const PixelAirlight& pixel = sampled.airlight(pixels[k]);
+    const PixelRadiance& pixel = sampled.airlight(pixels[k]);
     EXPECT_GT(pixel.variance, 0.0);
     const double off = glm::length(pixel.radiance - summed[k]);
     EXPECT_LT(off, 4.0 * std::sqrt(pixel.variance) + 2e-3 * glm::length(summed[k])) << pixels[k];

@@ -402,8 +402,8 @@ TEST(EnvironmentAirlight, AutoMeetsItsErrorBound) {
   scene.film = {24, 24};
   Renderer renderer;
   const auto frame = render_requested(renderer, scene, scene.camera, scene.film, {});
-  EXPECT_LE(frame->error->high, 0.02);
-  EXPECT_GT(frame->error->rel_rmse, 0.0);
+  EXPECT_LE(frame->error->airlight.high, 0.02);
+  EXPECT_GT(frame->error->airlight.rel_rmse, 0.0);
 }
 
 }  // namespace

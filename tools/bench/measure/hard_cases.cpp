@@ -46,7 +46,8 @@ HardCaseAuto auto_error(FrameRenderer& renderer, const HardCase& hard_case) {
   const Settings settings{.max_error = hard_case_max_error, .airlight_scale = 4};
   const RequestedFrame result =
       *render_requested(renderer, scene, scene.camera, scene.film, settings);
-  return {error_of(result.frame, hard_case).airlight, result.error->high > hard_case_max_error};
+  return {error_of(result.frame, hard_case).airlight,
+          result.error->airlight.high > hard_case_max_error};
 }
 
 }  // namespace
