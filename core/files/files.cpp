@@ -80,9 +80,8 @@ Surface load_surface(const fs::path& mesh, std::vector<std::string>* warnings) {
 }
 
 Copies load_copies(const fs::path& file, std::vector<std::string>* warnings) {
-  constexpr std::size_t max_count = limits::scene_bytes / limits::copy_bytes;
   return {absolute_name(file),
-          std::make_shared<const CopyPlacements>(read_copies(file, max_count, warnings))};
+          std::make_shared<const CopyPlacements>(read_copies(file, limits::copies, warnings))};
 }
 
 Environment load_environment(const fs::path& map, std::vector<std::string>* warnings) {

@@ -139,8 +139,10 @@ CopyPlacements read_csv(const std::filesystem::path& file, std::string bytes,
 CopyPlacements read_copies(const std::filesystem::path& file, std::size_t max_count,
                            std::vector<std::string>* warnings) {
   std::string bytes = read_bytes(file);
-  return bytes.starts_with("ply") ? read_ply(file, bytes, max_count, warnings)
-                                  : read_csv(file, std::move(bytes), max_count);
+  CopyPlacements copies = bytes.starts_with("ply") ? read_ply(file, bytes, max_count, warnings)
+                                                   : read_csv(file, std::move(bytes), max_count);
+  if (warnings && copies.empty()) warnings->push_back("there are no copies in it");
+  return copies;
 }
 
 }  // namespace brume

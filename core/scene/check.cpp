@@ -12,6 +12,7 @@
 #include "core/math/max_component.h"
 #include "core/scene/animation/animation.h"
 #include "core/scene/cameras.h"
+#include "core/scene/copies.h"
 #include "core/scene/fields/copies_fields.h"
 #include "core/scene/fields/description.h"
 #include "core/scene/group_effects.h"
@@ -199,10 +200,9 @@ void check_material(const std::string& place, const Material& material) {
 }
 
 void check_copies(const std::string& place, const Copies& copies) {
-  constexpr std::size_t max_count = limits::scene_bytes / limits::copy_bytes;
   check_values(place, copies.scatter);
   if (!copies.placements) return;
-  check_count(place, copies.placements->size(), max_count);
+  check_count(place, copies.placements->size(), limits::copies);
   for (std::size_t i = 0; i < copies.placements->size(); ++i) {
     const auto& [translate, rotate, scale] = (*copies.placements)[i];
     check_value(element(place, i) + ".translate", translate, domain::coordinate);
@@ -218,6 +218,13 @@ void check_surface(const std::string& place, const Surface& surface) {
   if (surface.primitive) check_size(place + ".primitive.size", *surface.primitive);
   check_material(place + ".material", surface.material);
   if (surface.copies) check_copies(place + ".copies", *surface.copies);
+}
+
+void check_copy_count(const Scene& scene) {
+  const double count = copy_count(scene.surfaces);
+  if (count <= static_cast<double>(limits::copies)) return;
+  throw DomainError("surfaces", "have " + quoted_text(count) + " copies; allowed: at most " +
+                                    std::to_string(limits::copies));
 }
 
 void check_groups(const Scene& scene) {
@@ -408,6 +415,7 @@ void check(const Scene& scene) {
   for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
     check_surface(element("surfaces", i), scene.surfaces[i]);
   }
+  check_copy_count(scene);
 }
 
 }  // namespace brume

@@ -82,10 +82,17 @@ class AreaPoints {
 };
 
 std::size_t rounded_count(double count) {
-  constexpr std::size_t max_count = limits::scene_bytes / limits::copy_bytes;
-  return count < static_cast<double>(max_count) ? static_cast<std::size_t>(std::llround(count))
-                                                : max_count;
+  return count < static_cast<double>(limits::copies) ? static_cast<std::size_t>(std::llround(count))
+                                                     : limits::copies;
 }
+
+// What the area of a surface depends on.
+struct AreaKey {
+  Identity<TriangleMesh> mesh;
+  double scale;
+
+  bool operator==(const AreaKey&) const = default;
+};
 
 // What scattered placements depend on.
 struct ScatterKey {
@@ -201,7 +208,25 @@ const Surface* find_scattered_over(const Scatter& scatter, const std::vector<Sur
 }
 
 double scattered_count(const Scatter& scatter, const Surface& over) {
-  return scatter.density * AreaPoints(over).area();
+  static Remembered<AreaKey, double> areas;
+  return scatter.density * areas.get(
+                               {over.mesh, over.scale}, [&] { return AreaPoints(over).area(); },
+                               [](double area) { return sizeof(area); });
+}
+
+double copy_count(const std::vector<Surface>& surfaces) {
+  double count = 0.0;
+  for (const Surface& surface : surfaces) {
+    if (!surface.copies) continue;
+    const Copies& copies = *surface.copies;
+    const Surface* const over = find_scattered_over(copies.scatter, surfaces);
+    if (copies.placements) {
+      count += static_cast<double>(copies.placements->size());
+    } else if (over && over->mesh) {
+      count += std::round(scattered_count(copies.scatter, *over));
+    }
+  }
+  return count;
 }
 
 CopyPlacements scattered(const Scatter& scatter, const Surface& over) {

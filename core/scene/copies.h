@@ -14,6 +14,9 @@ const Surface* find_scattered_over(const Scatter& scatter, const std::vector<Sur
 // How many copies are scattered over a surface; not whole, and beyond what memory holds perhaps.
 double scattered_count(const Scatter& scatter, const Surface& over);
 
+// The copies of all surfaces, counted in the same way.
+double copy_count(const std::vector<Surface>& surfaces);
+
 // Their placements. `over` stands for its mesh at its own placement.
 CopyPlacements scattered(const Scatter& scatter, const Surface& over);
 

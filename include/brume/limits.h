@@ -27,6 +27,7 @@ inline constexpr int frame = 1'000'000;  // of what is played
 inline constexpr int sequence_frames = 100'000;
 inline constexpr std::size_t surfaces = 4096;
 inline constexpr std::size_t copy_bytes = 1024;  // that a copy of a surface counts, of scene_bytes
+inline constexpr std::size_t copies = scene_bytes / copy_bytes;  // of all surfaces
 inline constexpr int film_side = 16384;          // pixels
 inline constexpr int image_side = 32768;         // pixels
 inline constexpr int texture_side = 16384;       // texels

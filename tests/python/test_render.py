@@ -21,6 +21,7 @@ def test_three_lines(bunny, tmp_path):
     assert frame.depth.shape == (48, 64)
     assert np.isfinite(frame.beauty).all() and frame.beauty[..., :3].max() > 0
     assert 0 <= frame.error.low <= frame.error.rel_rmse <= frame.error.high < 0.06
+    assert 0 <= frame.picture_error.low <= frame.picture_error.high < 1
     assert frame.milliseconds > 0 and frame.stages["airlight"] > 0
     assert frame.airlight_method.startswith("sliced:")
 

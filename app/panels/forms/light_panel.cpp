@@ -324,7 +324,10 @@ void LightPanel::load_file(const std::filesystem::path& file, const QString& tex
       if (found == lights.end()) return;
       Light changed = *found;
       set(changed, path, content);
-      if (refusal(changed)) return;
+      if (const auto why = refusal(changed)) {
+        Q_EMIT refused(QString::fromStdString(std::string(why->member) + ": " + why->message));
+        return;
+      }
       const auto index = static_cast<std::size_t>(found - lights.begin());
       change_light(document_, index, text, no_merge, [&](Light& l) { l = changed; });
     };

@@ -115,7 +115,7 @@ class GltfReader {
       file_.context().fail(attributes.path(), "found " + std::to_string(size) + " values for " +
                                                   std::to_string(count) + " instances");
     }
-    if (count > limits::scene_bytes / limits::copy_bytes) {
+    if (count > limits::copies) {
       file_.context().fail(attributes.path(), "the instances take more memory than the allowed " +
                                                   std::to_string(limits::scene_bytes) + " bytes");
     }

@@ -46,7 +46,11 @@ Surface SurfaceReader::read(JsonObject& object) {
 void SurfaceReader::read_copies(JsonObject& object, Surface& surface) {
   Copies& copies = surface.copies.emplace();
   if (object.find("file") != nullptr) {
-    if (object.find("over") != nullptr) object.fail("over", found_beside("file"));
+    const auto is_alone = [&object](const std::string& name) {
+      if (object.find(name) != nullptr) object.fail(name, found_beside("file"));
+    };
+    is_alone("over");
+    visit_fields<Scatter>([&](const auto& field) { is_alone(field.info.name); });
     const JsonPath path = object.path_of("file");
     copies.file = references_.resolve(context_, path, object.text("file", {}));
     copies.placements = references_.copies(context_, path, copies.file, budget_.copies_left());

@@ -17,6 +17,7 @@
 #include "core/scene/lights/point_lights.h"
 #include "core/scene/materials/coverage.h"
 #include "core/scene/materials/texture.h"
+#include "core/scene/placement.h"
 
 namespace brume {
 namespace {
@@ -130,8 +131,7 @@ void for_each_emitting(std::span<const Surface> surfaces, Visit visit) {
   };
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
     if (!is_emissive(surfaces[s])) continue;
-    const auto& copies = surfaces[s].placed_copies;
-    for (std::size_t copy = 0; copy < 1 + (copies ? copies->size() : 0); ++copy) {
+    for (std::size_t copy = 0; copy < placement_count(surfaces[s]); ++copy) {
       visit_placement(surfaces[s], s, copy);
     }
   }

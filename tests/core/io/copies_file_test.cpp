@@ -62,6 +62,9 @@ TEST(CopiesFile, SaysWhereAndWhatIsWrong) {
       "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty "
       "float y\nproperty float z\nproperty float scale\nend_header\n1 2 3 -1\n";
   EXPECT_TRUE(contains(refusal(ply), "vertex 0, scale"));
+  std::vector<std::string> warnings;
+  EXPECT_TRUE(read_copies(folder.write("a.csv", heading), 10, &warnings).empty());
+  EXPECT_EQ(warnings, std::vector<std::string>{"there are no copies in it"});
 }
 
 class CopiesScene : public ::testing::Test {
@@ -115,6 +118,8 @@ TEST_F(CopiesScene, SaysWhatIsWrong) {
     return error_of([&] { load_document(write(copies)); });
   };
   EXPECT_NE(refusal(R"("file": "places/c.csv", "over": "ground")").find("surfaces[1].copies.over"),
+            std::string::npos);
+  EXPECT_NE(refusal(R"("file": "places/c.csv", "density": 2)").find("surfaces[1].copies.density"),
             std::string::npos);
   EXPECT_NE(refusal(R"("file": "none.csv")").find("none.csv"), std::string::npos);
   EXPECT_NE(refusal(R"("over": "ground")").find("surfaces[1].copies.density"), std::string::npos);

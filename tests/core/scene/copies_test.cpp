@@ -6,7 +6,10 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "brume/error.h"
+#include "brume/limits.h"
 #include "brume/primitive.h"
+#include "core/scene/check.h"
 #include "core/scene/placement.h"
 
 namespace brume {
@@ -68,6 +71,20 @@ TEST(Scatter, StandsOnTheNormalScaledAndTurned) {
   EXPECT_LE(greatest, 1.5);
   EXPECT_GT(greatest, 1.48);
   EXPECT_NEAR(turned, glm::radians(30.0), glm::radians(1.0));
+}
+
+TEST(Copies, OfAllSurfacesAreLimited) {
+  Scene scene;
+  scene.surfaces = {slope(), slope(), slope()};
+  for (std::size_t i = 1; i < 3; ++i) {
+    scene.surfaces[i].name = "tree";
+    scene.surfaces[i].copies = Copies{.scatter = scatter};
+    const double area = scattered_count(scatter, slope()) / scatter.density;
+    scene.surfaces[i].copies->scatter.density = 0.6 * static_cast<double>(limits::copies) / area;
+  }
+  EXPECT_THROW(check(scene), DomainError);
+  scene.surfaces.pop_back();
+  EXPECT_NO_THROW(check(scene));
 }
 
 TEST(Copies, ArePlacedAsTheirSurfaceIsTurnedAndScaled) {
