@@ -189,7 +189,7 @@ void Renderer::Impl::sample_pixels(FrameContext& work, const SeenMedium& medium,
   const FilmTiles film{tiles, medium.lists, work.rays, ends, work.frame, work.window, scale, 1};
   if (medium.method.prepare) medium.method.prepare(film);
   FilmSurfaces surfaces = stages.film_surfaces(work);
-  surfaces.mirrored_rays = FilmSurfaces::few_mirrored_rays;  // of each sample
+  surfaces.highlights = &stages.highlights();
   const Brightness brightness = work.settings.brightness
                                     ? *work.settings.brightness
                                     : brightness_of(work.frame, work.window.region());

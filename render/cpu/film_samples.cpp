@@ -172,15 +172,17 @@ class TileSampler {
     std::array<SurfaceHit, Tiles::pixels> hits;
     std::array<glm::vec3, Tiles::pixels> directions, radiance;
     std::array<glm::dvec3, Tiles::pixels> offsets;
+    std::array<glm::ivec2, Tiles::pixels> seen_in;
     for (std::size_t k = 0; k < samples.size(); ++k) {
       hits[k] = hits_[samples[k]];
+      seen_in[k] = pixels_[samples[k] / offsets_.size()];
       directions[k] = glm::vec3(directions_[samples[k]]);
       if (!ray_offsets_.empty()) offsets[k] = ray_offsets_[samples[k]];
     }
     light_pairs_ += view_.surfaces->shade(
         std::span(hits).first(samples.size()), std::span(directions).first(samples.size()),
         std::span(offsets).first(ray_offsets_.empty() ? 0 : samples.size()),
-        std::span(radiance).first(samples.size()));
+        std::span(seen_in).first(samples.size()), std::span(radiance).first(samples.size()));
     for (std::size_t k = 0; k < samples.size(); ++k) behind_[samples[k]] = radiance[k];
     samples.clear();
   }

@@ -37,8 +37,10 @@ FilmWindow::FilmWindow(const Film& film, const Settings& settings)
   first_ = glm::max(begin - 1, 0) / tile_;
   end_ = (end + tile_ - 1) / tile_;
   const glm::ivec2 block(FilmSurfaces::block_width, FilmSurfaces::block_height);
-  const glm::ivec2 shaded_begin = glm::max(first_ - complete(), 0) * tile_ / block * block;
-  const glm::ivec2 shaded_end = ((end_ + complete()) * tile_ + block - 1) / block * block;
+  const int reach = SharedHighlights::max_reach;
+  const glm::ivec2 shaded_begin =
+      glm::max((first_ - complete()) * tile_ - reach, 0) / block * block;
+  const glm::ivec2 shaded_end = ((end_ + complete()) * tile_ + reach + block - 1) / block * block;
   // Blocks are at least as large as tiles.
   const glm::ivec2 margin = (sliced() - complete()) * tile_;
   const glm::ivec2 start = glm::max(shaded_begin - margin, 0) / block * block;

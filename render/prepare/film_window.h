@@ -38,7 +38,7 @@ class FilmWindow {
 
   // Whether a tile, by column and row, is so far away at most.
   [[nodiscard]] bool is_within(int tiles, const glm::ivec2& tile) const;
-  // The pixels of complete() tiles, in whole blocks.
+  // The pixels of complete() tiles, and those whose highlights they share, in whole blocks.
   [[nodiscard]] const CameraRays::PixelRectangle& shaded() const { return shaded_; }
 
   // The region of a frame of the window.

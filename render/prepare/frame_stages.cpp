@@ -453,7 +453,7 @@ std::span<const glm::vec3> FrameStages::shade_surfaces(FrameContext& work, Stage
   update_vertex_lighting(work);
   lighting_ = tabled_lighting(work);
   work.frame.statistics.light_pairs +=
-      film_surfaces(work).shade(hits_, copies_, work.job, surface_radiance_);
+      film_surfaces(work).shade(hits_, copies_, work.job, surface_radiance_, highlights_);
   clock.finish(Stage::surfaces);
   return surface_radiance_;
 }

@@ -156,6 +156,8 @@ class FrameStages {
   void update_vertex_lighting(FrameContext& work);
   // Outgoing radiance of surfaces, RGB per pixel; empty if none is lit.
   std::span<const glm::vec3> shade_surfaces(FrameContext& work, StageClock& clock);
+  // What wide highlights reflect at the pixels of that frame, if anything mirrors.
+  [[nodiscard]] const SharedHighlights& highlights() const { return highlights_; }
   // Shades more points of surfaces, after shade_surfaces(), until the next frame.
   [[nodiscard]] FilmSurfaces film_surfaces(const FrameContext& work) const {
     return {work.scene.surfaces,
@@ -179,6 +181,7 @@ class FrameStages {
 
   PreparedScene prepared_;
   PreparedShading shading_;
+  SharedHighlights highlights_;
   EmissionLights emission_lights_;
   void set_hit(std::size_t pixel, const SurfaceHit& hit);
 

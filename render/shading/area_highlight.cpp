@@ -58,9 +58,7 @@ void add_area_highlight(const SurfacePoints& points, const RayCaster& ray_caster
       sum += passes * cosine * piece / (1.0 + density * piece) * ggx_brdf(reflection, wi, wo, n);
     }
     const glm::vec3 highlight(static_cast<double>(of_points.transmittance(k)) * emitted * sum);
-    radiance.r[k] += highlight.r;
-    radiance.g[k] += highlight.g;
-    radiance.b[k] += highlight.b;
+    radiance.add(k, highlight);
   }
 }
 

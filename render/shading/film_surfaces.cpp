@@ -17,11 +17,13 @@ namespace {
 class Shader {
  public:
   Shader(const FilmSurfaces& film, std::span<const RasterPixel> hits,
-         std::span<const std::uint32_t> copies, std::span<glm::vec3> radiance)
+         std::span<const std::uint32_t> copies, std::span<glm::vec3> radiance,
+         SharedHighlights& shared)
       : film_(film),
         hits_(hits),
         copies_(copies),
         radiance_(radiance),
+        shared_(shared),
         waiting_(film.surfaces.size()) {}
 
   void shade(const CameraRays::PixelRectangle& tile) {
@@ -83,7 +85,7 @@ class Shader {
     pairs_ += film_.shade(std::span(hits).first(pixels.size()),
                           std::span(seen_along).first(pixels.size()),
                           std::span(offsets).first(film_.rays.is_parallel() ? pixels.size() : 0),
-                          std::span(outgoing).first(pixels.size()));
+                          pixels, std::span(outgoing).first(pixels.size()), shared_);
     for (std::size_t k = 0; k < pixels.size(); ++k) radiance_[index_of(pixels[k])] = outgoing[k];
     pixels.clear();
   }
@@ -92,58 +94,100 @@ class Shader {
   std::span<const RasterPixel> hits_;
   std::span<const std::uint32_t> copies_;
   std::span<glm::vec3> radiance_;
+  SharedHighlights& shared_;
   std::vector<std::vector<glm::ivec2>> waiting_;  // per surface
   std::uint64_t pairs_ = 0;
 };
 
 }  // namespace
 
-std::uint64_t FilmSurfaces::shade(std::span<const SurfaceHit> hits,
-                                  std::span<const glm::vec3> directions,
-                                  std::span<const glm::dvec3> offsets,
-                                  std::span<glm::vec3> radiance) const {
-  return shade(hits, rays.eye(), directions, offsets, mirrored ? mirrored_rays : 0, radiance);
-}
-
-std::uint64_t FilmSurfaces::shade(std::span<const SurfaceHit> hits, const glm::dvec3& origin,
-                                  std::span<const glm::vec3> directions,
-                                  std::span<const glm::dvec3> offsets, int max_mirrored,
-                                  std::span<glm::vec3> radiance) const {
-  SurfacePoints points;
-  points.pixel_angle = static_cast<float>(2.0 * rays.pixel_half_angle());
-  points.pixel_width = static_cast<float>(rays.pixel_width());
-  ray_caster.points(hits, origin, directions, offsets, surfaces, points);
-  const Material& material = points.surface->material;
-  const bool is_ggx = material.type == Material::Type::metallic_roughness;
-  const bool mirrors = max_mirrored > 0 && is_ggx && may_mirror(material.metallic_roughness) &&
-                       begin_mirroring(points);
+void FilmSurfaces::light(std::span<const SurfaceHit> hits, const glm::dvec3& origin,
+                         std::span<const glm::vec3> directions, std::span<const glm::dvec3> offsets,
+                         bool may_mirror_rays, Lit& lit) const {
+  lit.points.pixel_angle = static_cast<float>(2.0 * rays.pixel_half_angle());
+  lit.points.pixel_width = static_cast<float>(rays.pixel_width());
+  ray_caster.points(hits, origin, directions, offsets, surfaces, lit.points);
+  const Material& material = lit.points.surface->material;
+  lit.mirrors = may_mirror_rays && material.type == Material::Type::metallic_roughness &&
+                may_mirror(material.metallic_roughness) && begin_mirroring(lit.points);
   const SurfaceShading& shaded = shading.surfaces()[static_cast<std::size_t>(hits[0].surface)];
   // The light that transfer does not hold.
   const SurfaceLighting straight{.lights = lighting.lights};
-  PointRadiance outgoing;
-  std::uint64_t pairs =
-      surface_radiance(medium, ray_caster, shaded.transferred ? straight : lighting, shaded, points,
-                       precision, outgoing);
-  if (shaded.transferred) shaded.transferred->add(hits, points, outgoing);
-  if (mirrors) {
-    const int next_mirrored = max_mirrored > few_mirrored_rays ? few_mirrored_rays : 0;
-    const ShadeHits shade_hits = [&](auto mirrored_hits, const auto& center, auto seen_along,
-                                     auto starts, auto seen) {
-      pairs += shade(mirrored_hits, center, seen_along, starts, next_mirrored, seen);
-    };
-    add_mirrored_light({ray_caster, shading.environment(), mirrored->airlight_along,
-                        mirrored->open_length, shade_hits},
-                       points, max_mirrored, outgoing);
+  lit.pairs = surface_radiance(medium, ray_caster, shaded.transferred ? straight : lighting, shaded,
+                               lit.points, precision, lit.outgoing);
+  if (shaded.transferred) shaded.transferred->add(hits, lit.points, lit.outgoing);
+}
+
+void FilmSurfaces::mirror(const MirroredRays& rays_of_points, Lit& lit, PointRadiance* wide) const {
+  const bool is_last = rays_of_points.max_rays <= few_mirrored_rays;
+  const ShadeHits shade_hits = [&](auto mirrored_hits, const auto& center, auto seen_along,
+                                   auto starts, auto seen) {
+    Lit next;
+    light(mirrored_hits, center, seen_along, starts, !is_last, next);
+    if (next.mirrors) mirror({.max_rays = few_mirrored_rays}, next);
+    for (std::size_t k = 0; k < mirrored_hits.size(); ++k) seen[k] = next.outgoing[k];
+    lit.pairs += next.pairs;
+  };
+  add_mirrored_light({ray_caster, shading.environment(), mirrored->airlight_along,
+                      mirrored->open_length, shade_hits},
+                     lit.points, rays_of_points, lit.outgoing, wide);
+}
+
+std::uint64_t FilmSurfaces::shade(std::span<const SurfaceHit> hits,
+                                  std::span<const glm::vec3> directions,
+                                  std::span<const glm::dvec3> offsets,
+                                  std::span<const glm::ivec2> seen_in,
+                                  std::span<glm::vec3> radiance, SharedHighlights& shared) const {
+  Lit lit;
+  light(hits, rays.eye(), directions, offsets, mirrored != nullptr, lit);
+  PointRadiance wide{};
+  if (lit.mirrors) {
+    std::array<std::uint8_t, Tiles::pixels> patterns;
+    for (std::size_t k = 0; k < hits.size(); ++k) {
+      patterns[k] = SharedHighlights::pattern_of(rays.first_pixel() + seen_in[k]);
+    }
+    mirror({mirrored_rays, std::span(patterns).first(hits.size())}, lit, &wide);
   }
   for (std::size_t k = 0; k < hits.size(); ++k) {
-    radiance[k] = {outgoing.r[k], outgoing.g[k], outgoing.b[k]};
+    radiance[k] = lit.outgoing[k];
+    if (!lit.mirrors || lit.points.ggx.lobe[k] > 0.0f ||
+        !is_wide_highlight(lit.points.ggx.alpha[k], mirrored_rays)) {
+      continue;
+    }
+    const int reach = SharedHighlights::reach_of(lit.points.ggx.alpha[k], lit.points.pixel_angle);
+    shared.set(seen_in[k], hits[k], lit.points.normal[k], reach, wide[k]);
   }
-  return pairs;
+  return lit.pairs;
+}
+
+std::uint64_t FilmSurfaces::shade(std::span<const SurfaceHit> hits,
+                                  std::span<const glm::vec3> directions,
+                                  std::span<const glm::dvec3> offsets,
+                                  std::span<const glm::ivec2> seen_in,
+                                  std::span<glm::vec3> radiance) const {
+  Lit lit;
+  light(hits, rays.eye(), directions, offsets, mirrored != nullptr, lit);
+  if (lit.mirrors) {
+    std::array<std::uint8_t, Tiles::pixels> patterns;
+    for (std::size_t k = 0; k < hits.size(); ++k) {
+      patterns[k] = SharedHighlights::pattern_of(rays.first_pixel() + seen_in[k]);
+      const bool is_wide = is_wide_highlight(lit.points.ggx.alpha[k], mirrored_rays);
+      const glm::vec3* const known =
+          is_wide && highlights ? highlights->near(seen_in[k], hits[k]) : nullptr;
+      if (!known || lit.points.ggx.lobe[k] > 0.0f) continue;
+      patterns[k] = MirroredRays::none;
+      lit.outgoing.add(k, *known);
+    }
+    mirror({few_mirrored_rays, std::span(patterns).first(hits.size())}, lit);
+  }
+  for (std::size_t k = 0; k < hits.size(); ++k) radiance[k] = lit.outgoing[k];
+  return lit.pairs;
 }
 
 std::uint64_t FilmSurfaces::shade(std::span<const RasterPixel> hits,
                                   std::span<const std::uint32_t> copies, const Job& job,
-                                  std::span<glm::vec3> radiance) const {
+                                  std::span<glm::vec3> radiance, SharedHighlights& shared) const {
+  if (mirrored) shared.reset({film.width, film.height});
   const int columns = (pixels.x1 - pixels.x0 + block_width - 1) / block_width;
   const int rows = (pixels.y1 - pixels.y0 + block_height - 1) / block_height;
   std::atomic<std::uint64_t> pairs = 0;
@@ -152,7 +196,7 @@ std::uint64_t FilmSurfaces::shade(std::span<const RasterPixel> hits,
     const int top = pixels.y0 + static_cast<int>(block) / columns * block_height;
     const int right = std::min(left + block_width, pixels.x1);
     const int bottom = std::min(top + block_height, pixels.y1);
-    Shader shader(*this, hits, copies, radiance);
+    Shader shader(*this, hits, copies, radiance, shared);
     for (int y = top; y < bottom; y += Tiles::height) {
       for (int x = left; x < right; x += Tiles::width) {
         shader.shade(
@@ -166,6 +210,9 @@ std::uint64_t FilmSurfaces::shade(std::span<const RasterPixel> hits,
     shader.finish();
     pairs += shader.pairs();
   });
+  if (!mirrored || job.stop.stop_requested()) return pairs;
+  shared.share(pixels, job);
+  for (std::size_t i = 0; i < radiance.size(); ++i) radiance[i] += shared.light()[i];
   return pairs;
 }
 

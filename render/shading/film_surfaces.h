@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/ext/vector_int2.hpp>
 #include <glm/vec3.hpp>
 #include <span>
 
@@ -10,6 +11,7 @@
 #include "render/settings.h"
 #include "render/shading/mirrored_light.h"
 #include "render/shading/prepared_shading.h"
+#include "render/shading/shared_highlights.h"
 #include "render/shading/surface_shading.h"
 #include "render/util/job.h"
 #include "render/visibility/ray_caster.h"
@@ -39,26 +41,42 @@ struct FilmSurfaces {
   CameraRays::PixelRectangle pixels;  // those that are shaded, whole blocks
   Settings::Precision precision;
   const MirroredWays* mirrored = nullptr;  // null: nothing mirrors
+  // What wide highlights are known to reflect at pixels; null: nothing is known.
+  const SharedHighlights* highlights = nullptr;
   // Rays that a point mirrors at most; their hits mirror few_mirrored_rays, and the hits of these
   // none.
-  int mirrored_rays = 16;
+  static constexpr int mirrored_rays = 4;
   static constexpr int few_mirrored_rays = 2;
 
   // Sets the exitant radiance of these pixels' hits towards the eye, black where there is none.
   // `copies`: see SurfaceHit; empty: nothing has copies. Returns the Gaussian x path pairs
-  // evaluated.
+  // evaluated, and what wide highlights reflect.
   std::uint64_t shade(std::span<const RasterPixel> hits, std::span<const std::uint32_t> copies,
-                      const Job& job, std::span<glm::vec3> radiance) const;
-  // The same of up to Tiles::pixels hits on one surface, seen in these unit directions; from
-  // `offsets`, unless empty, see RayCaster::first_hits().
+                      const Job& job, std::span<glm::vec3> radiance,
+                      SharedHighlights& shared) const;
+  // The same of up to Tiles::pixels hits on one surface, seen in these unit directions within the
+  // pixels; from `offsets`, unless empty, see RayCaster::first_hits().
   std::uint64_t shade(std::span<const SurfaceHit> hits, std::span<const glm::vec3> directions,
-                      std::span<const glm::dvec3> offsets, std::span<glm::vec3> radiance) const;
+                      std::span<const glm::dvec3> offsets, std::span<const glm::ivec2> seen_in,
+                      std::span<glm::vec3> radiance) const;
+  // The same of the pixels themselves, whose highlights go to `shared`.
+  std::uint64_t shade(std::span<const SurfaceHit> hits, std::span<const glm::vec3> directions,
+                      std::span<const glm::dvec3> offsets, std::span<const glm::ivec2> seen_in,
+                      std::span<glm::vec3> radiance, SharedHighlights& shared) const;
 
  private:
-  // Shades hits of rays from `origin`, of which each mirrors at most so many.
-  std::uint64_t shade(std::span<const SurfaceHit> hits, const glm::dvec3& origin,
-                      std::span<const glm::vec3> directions, std::span<const glm::dvec3> offsets,
-                      int max_mirrored, std::span<glm::vec3> radiance) const;
+  // Points that are lit, and what they reflect without mirrored rays.
+  struct Lit {
+    SurfacePoints points;
+    PointRadiance outgoing;
+    bool mirrors = false;
+    std::uint64_t pairs = 0;
+  };
+  void light(std::span<const SurfaceHit> hits, const glm::dvec3& origin,
+             std::span<const glm::vec3> directions, std::span<const glm::dvec3> offsets,
+             bool may_mirror_rays, Lit& lit) const;
+  // Adds what they mirror; `wide`: see add_mirrored_light().
+  void mirror(const MirroredRays& rays_of_points, Lit& lit, PointRadiance* wide = nullptr) const;
 };
 
 }  // namespace brume

@@ -10,6 +10,7 @@
 
 #include "core/scene/materials/ggx.h"
 #include "render/geometry/even_points.h"
+#include "render/shading/shared_highlights.h"
 
 namespace brume {
 namespace {
@@ -17,13 +18,8 @@ namespace {
 // Highlights of less alpha are so narrow that one airlight is that of all their rays.
 constexpr float narrow = 0.05f;
 
-// Rays of a highlight of this alpha.
-int ray_count(float alpha, int max_rays) {
-  constexpr float sharp = 0.015f;  // copies of what is mirrored would show
-  constexpr float wide = 0.1f;
-  const int wanted = alpha < sharp ? 1 : alpha < narrow ? 4 : alpha < wide ? 8 : 16;
-  return std::min(wanted, max_rays);
-}
+// Those of less are sharp: one ray.
+constexpr float sharp = 0.015f;
 
 // A ray that a point mirrors, and the share of its light that is reflected.
 struct MirroredRay {
@@ -34,16 +30,20 @@ struct MirroredRay {
   glm::vec3 behind{0.0f};  // radiance of the surface that it hits, or of the environment
 };
 
-void add_rays(const SurfacePoints& points, std::size_t k, int max_rays,
+void add_rays(const SurfacePoints& points, std::size_t k, const MirroredRays& mirrored,
               std::vector<MirroredRay>& rays) {
   const glm::dvec3 n = points.normal[k];
   const glm::dvec3 wo = points.to_eye[k];
   GgxReflection highlight;
   highlight.f0 = points.ggx.f0[k];
   highlight.alpha = static_cast<double>(points.ggx.alpha[k]);
-  const int count = ray_count(points.ggx.alpha[k], max_rays);
+  const bool is_wide = is_wide_highlight(points.ggx.alpha[k], mirrored.max_rays);
+  const int count = is_wide ? mirrored.max_rays : 1;
+  const int sets = is_wide && !mirrored.patterns.empty() ? SharedHighlights::patterns : 1;
+  const int pattern = sets > 1 ? mirrored.patterns[k] : 0;
   for (int j = 0; j < count; ++j) {
-    const glm::dvec3 wi = sample_ggx(highlight.alpha, wo, n, even_point(j, count));
+    const glm::dvec2 place = even_point(sets * j + pattern, sets * count);
+    const glm::dvec3 wi = sample_ggx(highlight.alpha, wo, n, place);
     const double cosine = glm::dot(wi, n);
     const double pdf = ggx_pdf(highlight.alpha, wi, wo, n);
     if (!(cosine > 0.0) || !(pdf > 0.0)) continue;
@@ -149,15 +149,21 @@ bool begin_mirroring(SurfacePoints& points) {
   return any;
 }
 
-void add_mirrored_light(const MirroredScene& scene, const SurfacePoints& points, int max_rays,
-                        PointRadiance& radiance) {
+bool is_wide_highlight(float alpha, int max_rays) {
+  return max_rays > 1 && !(alpha < sharp);
+}
+
+void add_mirrored_light(const MirroredScene& scene, const SurfacePoints& points,
+                        const MirroredRays& mirrored, PointRadiance& radiance,
+                        PointRadiance* wide) {
   std::vector<MirroredRay> rays;
   std::vector<glm::dvec3> directions;
   std::vector<SurfaceHit> hits;
   for (std::size_t k = 0; k < points.count; ++k) {
     if (points.ggx.lobe[k] > 0.0f) continue;
+    if (!mirrored.patterns.empty() && mirrored.patterns[k] == MirroredRays::none) continue;
     const std::size_t first = rays.size();
-    add_rays(points, k, max_rays, rays);
+    add_rays(points, k, mirrored, rays);
     const std::span<MirroredRay> own = std::span(rays).subspan(first);
     directions.clear();
     for (const MirroredRay& ray : own) directions.push_back(ray.direction);
@@ -183,9 +189,9 @@ void add_mirrored_light(const MirroredScene& scene, const SurfacePoints& points,
     }
     const glm::vec3 arriving = ways.airlight(i) + static_cast<float>(passes) * ray.behind;
     const glm::vec3 reflected = glm::vec3(ray.weight) * arriving;
-    radiance.r[ray.point] += reflected.r;
-    radiance.g[ray.point] += reflected.g;
-    radiance.b[ray.point] += reflected.b;
+    const bool is_wide = wide && is_wide_highlight(points.ggx.alpha[ray.point], mirrored.max_rays);
+    PointRadiance& sum = is_wide ? *wide : radiance;
+    sum.add(ray.point, reflected);
   }
 }
 

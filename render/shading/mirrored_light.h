@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <glm/vec3.hpp>
 #include <span>
@@ -40,10 +41,22 @@ struct MirroredScene {
 // GgxPoints::lobe. Whether there are any.
 bool begin_mirroring(SurfacePoints& points);
 
-// radiance += what points reflect from mirrored rays, `max_rays` of each at most: they are spread
-// over the highlight, by the normals that the eye sees, alike at all points; fewer where it is
-// narrow. Thread-safe.
-void add_mirrored_light(const MirroredScene& scene, const SurfacePoints& points, int max_rays,
-                        PointRadiance& radiance);
+// Which rays points mirror.
+struct MirroredRays {
+  int max_rays = 1;  // of a point
+  // Of each point: see SharedHighlights::pattern_of(), or `none`. Empty: all mirror the same rays.
+  std::span<const std::uint8_t> patterns{};
+  static constexpr std::uint8_t none = 255;
+};
+
+// Whether a highlight is so wide that neighbours can share its rays.
+bool is_wide_highlight(float alpha, int max_rays);
+
+// radiance += what points reflect from mirrored rays: they are spread over the highlight, by the
+// normals that the eye sees; one where it is narrow. `wide` += what wide highlights reflect, or
+// null: the same as others. Thread-safe.
+void add_mirrored_light(const MirroredScene& scene, const SurfacePoints& points,
+                        const MirroredRays& mirrored, PointRadiance& radiance,
+                        PointRadiance* wide = nullptr);
 
 }  // namespace brume

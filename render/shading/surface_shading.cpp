@@ -17,12 +17,6 @@ namespace {
 
 using BandArrays = std::array<PointArray, sh_max_bands>;
 
-void add(const glm::vec3& value, std::size_t k, PointRadiance& radiance) {
-  radiance.r[k] += value.r;
-  radiance.g[k] += value.g;
-  radiance.b[k] += value.b;
-}
-
 // Materials for which brdf() has no kernel, point by point.
 void add_measured_light(const SurfacePoints& points, const LightAtPoints& light_at_point,
                         const glm::vec3& intensity, PointRadiance& radiance) {
@@ -33,7 +27,7 @@ void add_measured_light(const SurfacePoints& points, const LightAtPoints& light_
     const glm::vec3 f(brdf(points.surface->material, wi, points.to_eye[k], points.normal[k]));
     const float incoming = light_at_point.cosine[k] * light_at_point.inverse_square[k] *
                            std::exp(-light_at_point.depths[k]) * light_at_point.lit[k];
-    add(f * intensity * incoming, k, radiance);
+    radiance.add(k, f * intensity * incoming);
   }
 }
 
@@ -55,7 +49,7 @@ void add_diffuse_light(const SurfaceLighting& lighting, const AverageDepthGrid* 
   }
   const glm::vec3 reflectance(points.surface->material.reflectance);
   for (std::size_t k = 0; k < points.count; ++k) {
-    add(reflectance * glm::vec3(sent.r[k], sent.g[k], sent.b[k]), k, radiance);
+    radiance.add(k, reflectance * sent[k]);
   }
 }
 
@@ -86,7 +80,7 @@ void add_reflected(const SurfacePoints& points, const ShMaterial* material,
     reflect_ggx(points, light, outgoing);
   }
   for (std::size_t k = 0; k < points.count; ++k) {
-    add(glm::max(glm::vec3(outgoing.r[k], outgoing.g[k], outgoing.b[k]), 0.0f), k, radiance);
+    radiance.add(k, glm::max(outgoing[k], 0.0f));
   }
 }
 
@@ -206,7 +200,7 @@ std::uint64_t surface_radiance(const MediumIndex& medium, const RayCaster& ray_c
     add_reflected(points, is_ggx ? nullptr : shading.material, indirect, radiance);
   }
   for (std::size_t k = 0; is_ggx && k < points.count; ++k) {
-    add(glm::vec3(points.ggx.emitted[k]), k, radiance);
+    radiance.add(k, glm::vec3(points.ggx.emitted[k]));
   }
   return pairs;
 }

@@ -65,6 +65,13 @@ struct LightAtPoints {
 
 struct PointRadiance {
   PointArray r, g, b;
+
+  [[nodiscard]] glm::vec3 operator[](std::size_t k) const { return {r[k], g[k], b[k]}; }
+  void add(std::size_t k, const glm::vec3& radiance) {
+    r[k] += radiance.r;
+    g[k] += radiance.g;
+    b[k] += radiance.b;
+  }
 };
 
 }  // namespace brume
