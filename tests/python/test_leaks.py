@@ -2,6 +2,8 @@
 
 import os
 
+import numpy as np
+
 import brume
 
 
@@ -30,7 +32,7 @@ def test_views(cloud):
 def test_media():
     def make():
         medium = brume.Medium()
-        medium.append([[0, 0, 0]] * 20_000, 1, 1)
+        medium.append(np.zeros((20_000, 3)), 1, 1)
         return medium.centers[5:].mean()
 
     assert growth(make, 100) < 8 << 20  # 100 MB in all
