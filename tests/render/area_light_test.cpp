@@ -164,7 +164,7 @@ TEST(AreaLight, SlicedAndMarchMatchTheReference) {
   for (const Shape shape : {Shape::rectangle, Shape::disk, Shape::sphere}) {
     for (const bool two_sided : {false, true}) {
       Scene scene = lit_by(area_light(shape, {1.6, 1.2, 0.9}, 0.8, two_sided), 2.0);
-      scene.film = {16, 12};
+      scene.film = {8, 6};
       const Frame truth = render_frame(scene, reference_settings(1e-4));
       for (const Settings& settings : {sliced(24), marched(200)}) {
         const Frame frame = render_frame(scene, settings);
@@ -180,7 +180,7 @@ TEST(AreaLight, SlicedAndMarchMatchTheReference) {
 TEST(AreaLight, SlicedMatchesTheReferenceInFog) {
   for (const Shape shape : {Shape::rectangle, Shape::disk, Shape::sphere}) {
     Scene scene = lit_by(area_light(shape, {1.6, 1.2, 0.9}, 0.8), 2.0);
-    scene.film = {16, 12};
+    scene.film = {12, 9};
     scene.medium.set_homogeneous_density(0.05);
     const Frame truth = render_frame(scene, reference_settings(1e-4));
     const Frame frame = render_frame(scene, sliced(24));

@@ -43,6 +43,7 @@ void expect_same(const Scene& balls, const Settings& settings, const char* what,
 
 TEST(Ellipsoids, ThatAreBallsRenderAsBalls) {
   Scene scene = in_fog(cloud_scene(20, 2.0), 0.03);
+  scene.film = {16, 12};
   scene.optics.anisotropy = 0.4;
   scene.surfaces.push_back(wall(-0.6, 1.2));
   expect_same(scene, brume::reference_settings(1e-4), "reference", 1e-6);

@@ -130,7 +130,7 @@ void run_scenes(unsigned first, unsigned count, MethodsOf methods_of) {
 }
 
 TEST(Fuzz, FramesAreFiniteAndInTheirBounds) {
-  run_scenes(1, random_cases(1000), fast_methods);
+  run_scenes(1, random_cases(500), fast_methods);
 }
 
 TEST(Fuzz, FramesInDoubleAreFiniteAndInTheirBounds) {

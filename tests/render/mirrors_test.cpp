@@ -78,12 +78,12 @@ double mean_difference(const Frame& a, const Frame& b, int first_row) {
 
 // Narrower highlights of a point light are rare, bright paths.
 TEST(Mirrors, AreAsBrightInFogAsPathsHaveThem) {
-  for (const double roughness : {0.2, 0.3, 0.45}) {
+  for (const double roughness : {0.2, 0.45}) {
     Scene scene = in_fog(boxes_on_a_floor(), 0.05);
     scene.optics.albedo = glm::dvec3(0.7);
     make_metal(scene.surfaces[0], 0.8, roughness);
     const Frame mirrored = render_frame(scene, sliced(24, Scattering::multiple));
-    const Frame paths = render_frame(scene, path_traced(128));
+    const Frame paths = render_frame(scene, path_traced(48));
     EXPECT_NEAR(mean_difference(mirrored, paths, 22), 0.0, 0.03) << roughness;
   }
 }
@@ -110,13 +110,11 @@ TEST(Mirrors, OfEachOtherEnd) {
 TEST(Mirrors, SendLightIntoTheFog) {
   Scene scene = in_fog(boxes_on_a_floor(), 0.02);
   scene.surfaces.resize(1);
+  scene.film = {24, 18};
   scene.camera = {.eye = {0.0, 2.0, 4.0}, .target = {0.0, 2.0, 0.0}, .vertical_fov = 30.0};
   const auto airlight = [&](double base_color, const Settings& settings) {
     make_metal(scene.surfaces[0], base_color, 0.2);
-    const Frame frame = render_frame(scene, settings);
-    double sum = 0.0;
-    for (const float value : frame.airlight) sum += static_cast<double>(value);
-    return sum;
+    return mean_airlight(scene, settings);
   };
   const auto added = [&](const Settings& settings) {
     return airlight(1.0, settings) - airlight(0.0, settings);

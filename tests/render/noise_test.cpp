@@ -16,11 +16,7 @@ namespace brume {
 namespace {
 
 Noise noise(double amplitude, double frequency, std::int64_t seed = 0) {
-  Noise n;
-  n.amplitude = amplitude;
-  n.frequency = frequency;
-  n.seed = seed;
-  return n;
+  return {.amplitude = amplitude, .frequency = frequency, .seed = seed};
 }
 
 Scene noisy(Scene scene, double amplitude, double frequency = 2.0, std::int64_t seed = 0) {
@@ -29,9 +25,7 @@ Scene noisy(Scene scene, double amplitude, double frequency = 2.0, std::int64_t 
 }
 
 Settings method(AirlightMethod airlight) {
-  Settings settings;
-  settings.airlight = airlight;
-  return settings;
+  return {.airlight = airlight};
 }
 
 double mean_depth(const Frame& frame) {

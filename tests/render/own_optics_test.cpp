@@ -205,7 +205,7 @@ TEST(OwnOptics, ReferenceIsTheIntegral) {
 TEST(OwnOptics, SlicedAndMarchMatchTheReference) {
   for (const double depth : {0.3, 3.0, 20.0}) {
     for (const double b0 : {0.0, 0.03}) {
-      Scene scene = in_fog(glowing(depth), b0);
+      Scene scene = in_fog(glowing(depth, 16), b0);
       scene.optics.anisotropy = b0 > 0.0 ? 0.5 : 0.0;
       scene.optics.albedo = {0.95, 0.9, 0.9};
       const Frame truth = render_frame(scene, reference_settings(1e-4));
@@ -250,7 +250,7 @@ TEST(OwnOptics, AllOrdersMatchPaths) {
 TEST(OwnOptics, EmissionLightsSurfaces) {
   Scene scene = one_gaussian(0.5, {std::nullopt, glm::dvec3(10.0, 4.0, 1.0)});
   scene.surfaces = {wall(-1.0, 2.0)};
-  const Frame truth = render_frame(scene, path_traced(1024));
+  const Frame truth = render_frame(scene, path_traced(512));
   const Difference beauty = difference(render_frame(scene, all_orders).beauty, truth.beauty);
   EXPECT_LT(beauty.relative_rmse, 0.05);
   EXPECT_LT(std::abs(beauty.bias), 0.02);

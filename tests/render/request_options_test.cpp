@@ -43,9 +43,16 @@ TEST(RequestOptions, TellWhatTheyWereSetTo) {
 
 TEST(RequestOptions, RefuseOtherTexts) {
   RenderRequest request;
-  for (const char* text : {"", "sliced:", "sliced:3", "sliced+mean", "path", "paper+", "paper:3",
-                           "paper+energy+mean", "auto:3", "march:0", "Sliced"}) {
-    EXPECT_TRUE(set(request, "airlight", text).starts_with(std::string("found ") + text)) << text;
+  std::vector<std::string> airlights{"",        "sliced:",           "sliced:3",    "sliced+mean",
+                                     "paper+",  "paper:3",           "auto:3",      "Sliced",
+                                     "March:8", "paper+energy+mean", "march:65537", "path:1000001"};
+  for (const char* number :
+       {"", ":", ":0", ":-3", ":1e3", ":8x", ":nan", ":99999999999999999999"}) {
+    airlights.push_back(std::string("march") + number);
+    airlights.push_back(std::string("path") + number);
+  }
+  for (const std::string& text : airlights) {
+    EXPECT_TRUE(set(request, "airlight", text).starts_with("found " + text)) << text;
   }
   for (const char* text : {"", "x", "1,2,3", "0,0"}) EXPECT_NE(set(request, "shutter", text), "");
   for (const char* text : {"", "3", "1.0"}) EXPECT_NE(set(request, "airlight-scale", text), "");

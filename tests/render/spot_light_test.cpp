@@ -192,14 +192,8 @@ TEST(SpotLight, NarrowBeamsAreNotLostBetweenNodes) {
   Scene scene = cloud_scene(5, 2.0);
   scene.film = {12, 9};
   scene.lights = {{{0.0, 40.0, 0.0}, glm::dvec3(4000.0), light::Spot{{0.0, -1.0, 0.0}, 0.05, 0.1}}};
-  const auto mean = [](const Frame& frame) {
-    double sum = 0.0;
-    for (const float value : frame.airlight) sum += static_cast<double>(value);
-    return sum / static_cast<double>(frame.airlight.size());
-  };
-  const double expected = mean(render_frame(scene, path_traced(4096)));
-  EXPECT_NEAR(mean(render_frame(scene, sliced(24, Scattering::multiple))), expected,
-              0.05 * expected);
+  const double expected = mean_airlight(scene, path_traced(4096));
+  EXPECT_NEAR(mean_airlight(scene, sliced(24, Scattering::multiple)), expected, 0.05 * expected);
 }
 
 // By the paper, nothing shines but isotropic point lights; what is left out is counted.

@@ -70,11 +70,13 @@ Scene in_fog(Scene scene, double b0) {
   return scene;
 }
 
-Surface placed(Primitive::Shape shape, const glm::dvec3& size, const glm::dvec3& place) {
+Surface placed(Primitive::Shape shape, const glm::dvec3& size, const glm::dvec3& place,
+               double reflectance) {
   Surface surface;
   surface.primitive = Primitive{shape, size};
   surface.mesh = mesh_of(*surface.primitive);
   surface.translate = place;
+  surface.material.reflectance = glm::dvec3(reflectance);
   return surface;
 }
 
@@ -150,6 +152,16 @@ Difference difference(const std::vector<float>& a, const std::vector<float>& b) 
     sum_b += static_cast<double>(b[i]);
   }
   return {std::sqrt(square / square_b), sum / sum_b};
+}
+
+double mean_airlight(const Frame& frame) {
+  double sum = 0.0;
+  for (const float value : frame.airlight) sum += static_cast<double>(value);
+  return sum / static_cast<double>(frame.airlight.size());
+}
+
+double mean_airlight(const Scene& scene, const Settings& settings) {
+  return mean_airlight(render_frame(scene, settings));
 }
 
 double airlight_error(const Scene& scene, const Settings& settings, const Settings& truth) {

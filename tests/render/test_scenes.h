@@ -29,7 +29,8 @@ Scene eye_inside();
 Scene cut_by_a_surface();
 
 // A primitive whose middle is at `place`.
-Surface placed(Primitive::Shape shape, const glm::dvec3& size, const glm::dvec3& place);
+Surface placed(Primitive::Shape shape, const glm::dvec3& size, const glm::dvec3& place,
+               double reflectance = 0.5);
 
 // A tessellated unit ball.
 std::shared_ptr<const TriangleMesh> ball_mesh(int rings);
@@ -39,7 +40,7 @@ std::shared_ptr<const RadianceMap> constant_sky(float radiance);
 
 Frame render_frame(const Scene& scene, const Settings& settings);
 inline const Settings paper_settings{.airlight = AirlightMethod::paper};
-Settings reference_settings(double tolerance = 1e-6);
+Settings reference_settings(double tolerance = 1e-5);
 Settings sliced(int slices, Scattering scattering = Scattering::single);
 Settings marched(int steps);
 Settings path_traced(int paths);
@@ -50,6 +51,10 @@ struct Difference {
   double bias = 0.0;  // mean(a - b) / mean(b)
 };
 Difference difference(const std::vector<float>& a, const std::vector<float>& b);
+
+// The mean over pixels and channels.
+double mean_airlight(const Frame& frame);
+double mean_airlight(const Scene& scene, const Settings& settings);
 
 // The relative RMSE of the airlight that a scene has by some settings, of that by others.
 double airlight_error(const Scene& scene, const Settings& settings, const Settings& truth);

@@ -53,16 +53,10 @@ TEST_F(CommandLine, RefusesBadUsageInOneLineWithASuggestion) {
   }
   expect_refused({"render", scene_, "-o", out, "--airlight", "papr"},
                  {"allowed: auto, paper, sliced, reference, march:N"});
-  for (const char* march : {"march", "march:", "march:0", "march:-3", "march:65537", "march:1e3",
-                            "march:8x", "march:nan", "march:99999999999999999999", "March:8"}) {
-    expect_refused({"render", scene_, "-o", out, "--airlight", march},
-                   {march, "march:N with N from 1 to 65536"});
-  }
-  for (const char* path : {"path", "path:", "path:0", "path:-3", "path:1000001", "path:1e3",
-                           "path:8x", "path:nan", "path:99999999999999999999", "Path:8"}) {
-    expect_refused({"render", scene_, "-o", out, "--airlight", path},
-                   {path, "path:N with N from 1 to 1000000"});
-  }
+  expect_refused({"render", scene_, "-o", out, "--airlight", "march:0"},
+                 {"march:0", "march:N with N from 1 to 65536"});
+  expect_refused({"render", scene_, "-o", out, "--airlight", "path:8x"},
+                 {"path:8x", "path:N with N from 1 to 1000000"});
   expect_refused({"render", scene_, "-o", out, "--airlight", "path:8", "--airlight-scale", "2"},
                  {"--airlight-scale: path is never interpolated"});
   expect_refused({"render", scene_, "-o", out, "--backend", "vulkan"}, {"allowed: auto, cpu, gl"});
@@ -81,7 +75,7 @@ TEST_F(CommandLine, RefusesNumbersThatAreNotFiniteOrOutOfRange) {
                                                    {"--threads", "a whole number from 1 to 1024"},
                                                    {"--repeat", "a number from 1 to 1e+06"}};
   for (const auto& [option, allowed] : domains) {
-    for (const char* value : {"nan", "-nan", "inf", "-inf", "1e300", "-200", "x"}) {
+    for (const char* value : {"nan", "-inf", "1e300", "x"}) {
       expect_refused({"render", scene_, "-o", out, option + "=" + value},
                      {option + ": found " + value, "allowed: " + allowed});
     }

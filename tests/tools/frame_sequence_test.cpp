@@ -86,6 +86,7 @@ TEST_F(FrameSequence, SkipsFramesThatAreWholeAndCurrent) {
     // The file is that of another frame.
     fs::copy_file(folder_ / ("s_0000" + extension), second, fs::copy_options::overwrite_existing);
     EXPECT_EQ(made(), Json({1}));
+    if (extension != ".exr") continue;
     // Made from something else.
     EXPECT_EQ(made({"--slices", "16"}), all);
     EXPECT_EQ(made({"--slices", "16"}), Json::array());

@@ -13,11 +13,7 @@ namespace brume {
 namespace {
 
 Noise noise(double amplitude, double frequency, std::int64_t seed = 0) {
-  Noise n;
-  n.amplitude = amplitude;
-  n.frequency = frequency;
-  n.seed = seed;
-  return n;
+  return {.amplitude = amplitude, .frequency = frequency, .seed = seed};
 }
 
 glm::dvec3 direction(Random& random) {

@@ -7,13 +7,6 @@
 namespace brume {
 namespace {
 
-Settings march(int steps) {
-  Settings settings;
-  settings.airlight = AirlightMethod::march;
-  settings.march_steps = steps;
-  return settings;
-}
-
 struct MarchedScene {
   const char* name;
   Scene scene;
@@ -64,12 +57,10 @@ std::vector<MarchedScene> rows() {
 TEST(March, ConvergesToTheReference) {
   for (const MarchedScene& row : rows()) {
     SCOPED_TRACE(row.name);
-    Settings settings;
-    settings.airlight = AirlightMethod::reference;
-    const Frame reference = render_frame(row.scene, settings);
+    const Frame reference = render_frame(row.scene, reference_settings(1e-4));
     double last = 1e9;
     for (const int steps : {4, 16, 64, 256, 1024}) {
-      const Frame frame = render_frame(row.scene, march(steps));
+      const Frame frame = render_frame(row.scene, marched(steps));
       const double error = difference(frame.airlight, reference.airlight).relative_rmse;
       EXPECT_LT(error, std::max(0.5 * last, culling_error)) << steps;
       last = error;
@@ -85,7 +76,7 @@ TEST(March, ConvergesToTheReference) {
 TEST(March, WithoutLightsIsDarkAndDims) {
   Scene scene = clump();
   scene.lights.clear();
-  const Frame frame = render_frame(scene, march(4));
+  const Frame frame = render_frame(scene, marched(4));
   const Frame paper = render_frame(scene, paper_settings);
   for (const float x : frame.airlight) ASSERT_EQ(x, 0.0f);
   EXPECT_LT(difference(frame.transmittance, paper.transmittance).relative_rmse, 1e-5);

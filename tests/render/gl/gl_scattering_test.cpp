@@ -56,47 +56,36 @@ TEST_F(GlFrames, ForwardLobes) {
   }
 }
 
-// Beams in the medium and on surfaces.
-TEST_F(GlFrames, SpotLights) {
-  for (const Scattering scattering : {Scattering::single, Scattering::multiple}) {
-    Scene scene = in_fog(cloud_scene(10, 2.0), 0.02);
-    scene.film = {24, 18};
-    scene.surfaces.push_back(wall(-0.8, 1.5));
-    scene.lights = {{{0.9, 1.4, 0.6}, glm::dvec3(6.0), light::Spot{{-0.9, -1.4, -0.9}, 5.0, 20.0}},
-                    {{-1.0, 0.4, 1.0}, glm::dvec3(2.0), light::Spot{{1.0, -0.3, -1.2}, 9.8, 10.0}},
-                    {{0.0, -1.0, 0.5}, glm::dvec3(1.0), light::Spot{{0.0, 1.0, 0.0}, 60.0, 130.0}},
-                    {{1.0, 0.4, 1.0}, glm::dvec3(9.0), light::Spot{{-1.0, -0.3, -1.2}, 0.5, 1.0}},
-                    {{0.5, 0.5, 1.5}, glm::dvec3(1.0), {}}};
-    expect_backends_agree(scene, scattering);
-  }
-}
-
-TEST_F(GlFrames, ProfileLights) {
-  for (const Scattering scattering : {Scattering::single, Scattering::multiple}) {
-    Scene scene = in_fog(cloud_scene(10, 2.0), 0.02);
-    scene.film = {24, 18};
-    scene.surfaces.push_back(wall(-0.8, 1.5));
-    scene.lights = {{{0.9, 1.4, 0.6}, glm::dvec3(6.0), light::Spot{{-0.9, -1.4, -0.9}, 25.0, 40.0}},
-                    {{-0.3, 1.0, 0.7}, {2.0, 3.0, 4.0}},
-                    {{0.5, 0.5, 1.5}, glm::dvec3(1.0)},
-                    {{0.6, 1.0, 0.0}, glm::dvec3(1.0)}};
-    *profile_member(scene.lights[0]) = lobed_profile(70.0);
-    *profile_member(scene.lights[1]) = cosine_profile();
-    *profile_member(scene.lights[3]) = *profile_member(scene.lights[1]);
-    expect_backends_agree(scene, scattering);
-  }
-}
-
-TEST_F(GlFrames, PicturesInBeams) {
-  for (const Scattering scattering : {Scattering::single, Scattering::multiple}) {
-    Scene scene = in_fog(cloud_scene(10, 2.0), 0.02);
-    scene.film = {24, 18};
-    scene.surfaces.push_back(wall(-0.8, 1.5));
-    light::Spot spot{{-0.9, -1.4, -0.9}, 25.0, 40.0};
-    spot.texture = {.file = "a.png", .content = quadrants_picture(), .rotation = 30.0};
-    scene.lights = {{{0.9, 1.4, 0.6}, glm::dvec3(6.0), spot}, {{-0.3, 1.0, 0.7}, {2.0, 3.0, 4.0}}};
-    *profile_member(scene.lights[1]) = cosine_profile();
-    expect_backends_agree(scene, scattering);
+// Beams in the medium and on surfaces, lights with profiles, a picture in a beam.
+TEST_F(GlFrames, LightsInFogBeforeAWall) {
+  std::vector<Light> profiles{
+      {{0.9, 1.4, 0.6}, glm::dvec3(6.0), light::Spot{{-0.9, -1.4, -0.9}, 25.0, 40.0}},
+      {{-0.3, 1.0, 0.7}, {2.0, 3.0, 4.0}},
+      {{0.5, 0.5, 1.5}, glm::dvec3(1.0)},
+      {{0.6, 1.0, 0.0}, glm::dvec3(1.0)}};
+  *profile_member(profiles[0]) = lobed_profile(70.0);
+  *profile_member(profiles[1]) = cosine_profile();
+  *profile_member(profiles[3]) = *profile_member(profiles[1]);
+  std::vector<Light> picture{profiles[0], profiles[1]};
+  *profile_member(picture[0]) = {};
+  picture[0].as<light::Spot>()->texture = {
+      .file = "a.png", .content = quadrants_picture(), .rotation = 30.0};
+  const std::vector<Light> spots{
+      {{0.9, 1.4, 0.6}, glm::dvec3(6.0), light::Spot{{-0.9, -1.4, -0.9}, 5.0, 20.0}},
+      {{-1.0, 0.4, 1.0}, glm::dvec3(2.0), light::Spot{{1.0, -0.3, -1.2}, 9.8, 10.0}},
+      {{0.0, -1.0, 0.5}, glm::dvec3(1.0), light::Spot{{0.0, 1.0, 0.0}, 60.0, 130.0}},
+      {{1.0, 0.4, 1.0}, glm::dvec3(9.0), light::Spot{{-1.0, -0.3, -1.2}, 0.5, 1.0}},
+      {{0.5, 0.5, 1.5}, glm::dvec3(1.0), {}}};
+  for (const auto& [name, lights] :
+       {std::pair("spots", spots), {"profiles", profiles}, {"a picture and a profile", picture}}) {
+    SCOPED_TRACE(name);
+    for (const Scattering scattering : {Scattering::single, Scattering::multiple}) {
+      Scene scene = in_fog(cloud_scene(10, 2.0), 0.02);
+      scene.film = {24, 18};
+      scene.surfaces.push_back(wall(-0.8, 1.5));
+      scene.lights = lights;
+      expect_backends_agree(scene, scattering);
+    }
   }
 }
 

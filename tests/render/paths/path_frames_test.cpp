@@ -12,13 +12,6 @@
 namespace brume {
 namespace {
 
-Settings path_settings(int paths) {
-  Settings settings;
-  settings.airlight = AirlightMethod::path;
-  settings.paths = paths;
-  return settings;
-}
-
 // A little of everything.
 Scene small_scene() {
   Scene scene = cloud_scene(12, 2.0);
@@ -41,7 +34,7 @@ void expect_same(const Frame& a, const Frame& b) {
 
 TEST(PathFrames, DoNotDependOnThreads) {
   const Scene scene = small_scene();
-  Settings settings = path_settings(12);
+  Settings settings = path_traced(12);
   settings.threads = 1;
   const Frame one = render_frame(scene, settings);
   expect_finite(one);
@@ -53,16 +46,16 @@ TEST(PathFrames, GoOnWhereTheyStopped) {
   for (const glm::dvec3& albedo : {glm::dvec3(1.0), glm::dvec3(0.9, 0.5, 0.9)}) {
     Scene scene = small_scene();
     scene.optics.albedo = albedo;
-    const Frame at_once = render_frame(scene, path_settings(21));
+    const Frame at_once = render_frame(scene, path_traced(21));
     Renderer renderer;
     for (const int paths : {1, 3, 8, 17}) {
-      ASSERT_TRUE(renderer.render(scene, scene.camera, scene.film, path_settings(paths)));
+      ASSERT_TRUE(renderer.render(scene, scene.camera, scene.film, path_traced(paths)));
     }
-    expect_same(*renderer.render(scene, scene.camera, scene.film, path_settings(21)), at_once);
+    expect_same(*renderer.render(scene, scene.camera, scene.film, path_traced(21)), at_once);
     // Nothing is left to do, and fewer begin anew.
-    expect_same(*renderer.render(scene, scene.camera, scene.film, path_settings(21)), at_once);
-    expect_same(*renderer.render(scene, scene.camera, scene.film, path_settings(5)),
-                render_frame(scene, path_settings(5)));
+    expect_same(*renderer.render(scene, scene.camera, scene.film, path_traced(21)), at_once);
+    expect_same(*renderer.render(scene, scene.camera, scene.film, path_traced(5)),
+                render_frame(scene, path_traced(5)));
   }
 }
 
@@ -79,37 +72,37 @@ TEST(PathFrames, ForgetOtherPictures) {
   Renderer renderer;
   for (const Scene* other :
        std::initializer_list<const Scene*>{&scene, &changed, &turned, &painted, &foggier}) {
-    expect_same(*renderer.render(*other, other->camera, other->film, path_settings(4)),
-                render_frame(*other, path_settings(4)));
+    expect_same(*renderer.render(*other, other->camera, other->film, path_traced(4)),
+                render_frame(*other, path_traced(4)));
   }
-  Settings seeded = path_settings(4);
+  Settings seeded = path_traced(4);
   seeded.path_seed = 1;
   const Frame frame = *renderer.render(foggier, foggier.camera, foggier.film, seeded);
   expect_same(frame, render_frame(foggier, seeded));
-  EXPECT_NE(frame.airlight, render_frame(foggier, path_settings(4)).airlight);
+  EXPECT_NE(frame.airlight, render_frame(foggier, path_traced(4)).airlight);
 }
 
 TEST(PathFrames, StopWithoutATrace) {
   const Scene scene = small_scene();
   Renderer renderer;
   std::stop_source stop;
-  const auto stopped = renderer.render(scene, scene.camera, scene.film, path_settings(30),
+  const auto stopped = renderer.render(scene, scene.camera, scene.film, path_traced(30),
                                        stop.get_token(), [&](double done) {
                                          if (done > 0.4) stop.request_stop();
                                        });
   EXPECT_FALSE(stopped);
-  expect_same(*renderer.render(scene, scene.camera, scene.film, path_settings(30)),
-              render_frame(scene, path_settings(30)));
+  expect_same(*renderer.render(scene, scene.camera, scene.film, path_traced(30)),
+              render_frame(scene, path_traced(30)));
 }
 
 // Channels of one albedo are traced together; each is what it would be alone.
 TEST(PathFrames, MatchTheirChannelsAlone) {
   Scene scene = small_scene();
   scene.optics.albedo = {0.9, 0.5, 0.9};
-  const Frame frame = render_frame(scene, path_settings(4));
+  const Frame frame = render_frame(scene, path_traced(4));
   for (const std::size_t c : {0u, 1u, 2u}) {
     scene.optics.albedo = glm::dvec3(c == 1 ? 0.5 : 0.9);
-    const Frame alone = render_frame(scene, path_settings(4));
+    const Frame alone = render_frame(scene, path_traced(4));
     for (std::size_t i = 0; i < frame.depth.size(); ++i) {
       ASSERT_EQ(frame.airlight[3 * i + c], alone.airlight[3 * i + c]);
       ASSERT_EQ(frame.beauty[4 * i + c], alone.beauty[4 * i + c]);
@@ -127,7 +120,7 @@ TEST(PathFrames, AClosedRoomKeepsTheSkyOut) {
   room.mesh = ball_mesh(16);
   room.scale = 6.0;
   scene.surfaces = {room};
-  const Frame frame = render_frame(scene, path_settings(16));
+  const Frame frame = render_frame(scene, path_traced(16));
   for (const float x : frame.airlight) EXPECT_EQ(x, 0.0f);
   for (std::size_t i = 0; i < frame.depth.size(); ++i) EXPECT_EQ(frame.beauty[4 * i], 0.0f);
 }
@@ -141,7 +134,7 @@ TEST(PathFrames, TellTheirNoise) {
   double airlight = 0.0;
   double picture = 0.0;
   for (int seed = 0; seed < seeds; ++seed) {
-    Settings settings = path_settings(32);
+    Settings settings = path_traced(32);
     settings.path_seed = static_cast<std::uint64_t>(seed);
     frames.push_back(render_frame(scene, settings));
     const std::optional<RelativeNoise> noise = relative_noise(frames.back());
@@ -174,8 +167,8 @@ TEST(PathFrames, TellTheirNoise) {
 
 TEST(PathFrames, OnePathKnowsNoNoise) {
   const Scene scene = small_scene();
-  EXPECT_FALSE(relative_noise(render_frame(scene, path_settings(1))));
-  EXPECT_TRUE(relative_noise(render_frame(scene, path_settings(2))));
+  EXPECT_FALSE(relative_noise(render_frame(scene, path_traced(1))));
+  EXPECT_TRUE(relative_noise(render_frame(scene, path_traced(2))));
   EXPECT_FALSE(relative_noise(render_frame(scene, paper_settings)));
 }
 

@@ -178,9 +178,7 @@ TEST(MergedMedium, MayShineAndScatter) {
     request.slices = slices;
     const Frame frame = *render(scene, request);
     EXPECT_EQ(frame.statistics.gaussians_merged > 0, slices < 32);
-    double sum = 0.0;
-    for (const float each : frame.airlight) sum += static_cast<double>(each);
-    return sum;
+    return mean_airlight(frame);
   };
   const double exact = mean(48);
   EXPECT_NEAR(mean(8), exact, 0.03 * exact);

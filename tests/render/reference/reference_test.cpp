@@ -69,17 +69,10 @@ class Marching {
   int light_steps_;
 };
 
-Settings reference_settings(double tolerance = 1e-4) {
-  Settings settings;
-  settings.airlight = AirlightMethod::reference;
-  settings.reference_tolerance = tolerance;
-  return settings;
-}
-
 // relRMSE of the reference's airlight over all pixels against marching up to `length`.
 double error_against_marching(const Scene& scene, const Marching& marching, double length,
                               int steps) {
-  const Frame frame = render_frame(scene, reference_settings());
+  const Frame frame = render_frame(scene, reference_settings(1e-4));
   const CameraRays rays(scene.camera, scene.film);
   double square = 0.0;
   double square_true = 0.0;
@@ -109,7 +102,7 @@ TEST(Reference, AgreesWithMarchingInFogWithTheLightInView) {
   scene.medium.set_homogeneous_density(0.1);
   scene.lights[0].position = {0.35, 0.2, 0.3};
   scene.camera.eye = {0.1, 0.1, 2.0};
-  scene.film = {6, 6};
+  scene.film = {4, 4};
   // Every ray ends at a wall: marching cannot go to infinity.
   scene.surfaces.push_back(wall(-8.0, 100.0));
   EXPECT_LT(error_against_marching(scene, Marching(scene), 12.0, 3000), 5e-4);
@@ -120,7 +113,7 @@ TEST(Reference, AgreesWithMarchingWhenTheMediumAbsorbs) {
   Scene scene = cloud_scene(8, 1.5, 4);
   scene.film = {6, 6};
   scene.optics.albedo = {0.5, 1.0, 0.8};
-  const Frame frame = render_frame(scene, reference_settings());
+  const Frame frame = render_frame(scene, reference_settings(1e-4));
   const CameraRays rays(scene.camera, scene.film);
   for (const int c : {0, 1, 2}) {
     // Marching knows no albedo: it sees the extinction, of which the albedo is scattered.
@@ -152,7 +145,7 @@ TEST(Reference, AgreesWithMarchingWhenScatteringIsAnisotropic) {
     scene.optics.anisotropy = g;
     scene.lights[0].position = {0.7, 0.5, -1.5};
     scene.surfaces.push_back(wall(-2.5, 100.0));
-    scene.film = {6, 6};
+    scene.film = {4, 4};
     EXPECT_LT(error_against_marching(scene, Marching(scene), 10.0, 2000), 5e-4) << g;
   }
 }
@@ -222,9 +215,9 @@ TEST(Reference, FindsASmallGaussianAndItsShadow) {
   scene.medium.append({{0, 0, 0}, 3.0, 0.05});
   scene.medium.append({{0, 1.5, 0.01}, 0.02, 200.0});
   const Marching marching(scene, 3000);
-  const Frame frame = render_frame(scene, reference_settings());
+  const Frame frame = render_frame(scene, reference_settings(1e-4));
   const CameraRays rays(scene.camera, scene.film);
-  for (const int y : {2, 10, 20, 30}) {
+  for (const int y : {2, 30}) {
     const auto pixel = static_cast<std::size_t>(y * scene.film.width + 2);
     const double reference =
         marching.airlight(rays.eye(), rays.direction(2.5, y + 0.5), 15.0, 6000);

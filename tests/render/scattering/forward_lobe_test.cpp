@@ -5,7 +5,6 @@
 #include <cmath>
 #include <string>
 
-#include "brume/primitive.h"
 #include "render/renderer.h"
 #include "tests/render/test_scenes.h"
 
@@ -29,17 +28,7 @@ double furnace_error(Scene scene, double anisotropy) {
   return std::sqrt(squares / 144.0);
 }
 
-Surface solid(Primitive::Shape shape, const glm::dvec3& size, const glm::dvec3& position,
-              double reflectance) {
-  Surface surface;
-  surface.primitive = Primitive{shape, size};
-  surface.mesh = mesh_of(*surface.primitive);
-  surface.translate = position;
-  surface.material.reflectance = glm::dvec3(reflectance);
-  return surface;
-}
-
-constexpr double anisotropies[] = {-0.5, 0.0, 0.3, 0.6, 0.8, 0.9};
+constexpr double anisotropies[] = {-0.5, 0.3, 0.9};
 
 TEST(ForwardLobe, KeepsAUniformFieldInFog) {
   for (const double g : anisotropies) {
@@ -54,7 +43,7 @@ TEST(ForwardLobe, KeepsAUniformFieldInFogAndGaussians) {
   for (const double b0 : {0.02, 0.3}) {
     // Denser fog shows the nodes of coarser levels more: 0.503% for -0.5.
     const double bound = b0 < 0.1 ? 0.005 : 0.006;
-    for (const double g : {-0.5, 0.6, 0.9}) {
+    for (const double g : {-0.5, 0.9}) {
       EXPECT_LT(furnace_error(in_fog(cloud_scene(5, 3.0), b0), g), bound) << b0 << ' ' << g;
     }
   }
@@ -68,7 +57,7 @@ TEST(ForwardLobe, KeepsAUniformFieldBesideSurfaces) {
   scene.camera = {{0, 1.7, 14}, {0, 4, 0}, {0, 1, 0}, 55.0};
   scene.medium.set_homogeneous_density(0.05);
   for (const double x : {20.0, -20.0}) {
-    scene.surfaces.push_back(solid(Primitive::Shape::sphere, glm::dvec3(0.1), {x, 0.0, x}, 1.0));
+    scene.surfaces.push_back(placed(Primitive::Shape::sphere, glm::dvec3(0.1), {x, 0.0, x}, 1.0));
   }
   for (const double g : anisotropies) EXPECT_LT(furnace_error(scene, g), 0.015) << g;
 }
@@ -82,28 +71,22 @@ Scene room() {
   scene.environment.emplace().map = constant_sky(1.0f);
   for (const double side : {-1.0, 1.0}) {
     const auto box = Primitive::Shape::box;
-    scene.surfaces.push_back(solid(box, {6.4, 0.2, 7.4}, {0.0, 1.5 + 1.6 * side, 0.0}, 0.5));
-    scene.surfaces.push_back(solid(box, {0.2, 3.0, 7.0}, {3.1 * side, 1.5, 0.0}, 0.5));
-    scene.surfaces.push_back(solid(box, {6.4, 3.0, 0.2}, {0.0, 1.5, 3.6 * side}, 0.5));
+    scene.surfaces.push_back(placed(box, {6.4, 0.2, 7.4}, {0.0, 1.5 + 1.6 * side, 0.0}, 0.5));
+    scene.surfaces.push_back(placed(box, {0.2, 3.0, 7.0}, {3.1 * side, 1.5, 0.0}, 0.5));
+    scene.surfaces.push_back(placed(box, {6.4, 3.0, 0.2}, {0.0, 1.5, 3.6 * side}, 0.5));
   }
   return scene;
 }
 
 double airlight_within(const Scene& scene) {
-  const Frame frame = render_frame(scene, sliced(24, Scattering::multiple));
-  double sum = 0.0;
-  for (const float value : frame.airlight) sum += static_cast<double>(value);
-  return sum / static_cast<double>(frame.airlight.size());
+  return mean_airlight(scene, sliced(24, Scattering::multiple));
 }
 
 // The lobe of a sky asked no surface: 3% of its radiance were in there for g = 0.6.
 TEST(ForwardLobe, StaysOutOfClosedRooms) {
-  for (const double g : {-0.5, 0.3, 0.85}) {
-    Scene scene = room();
-    scene.optics.anisotropy = g;
-    EXPECT_LT(airlight_within(scene), 1e-4) << g;
-  }
   Scene scene = room();
+  scene.optics.anisotropy = 0.85;
+  EXPECT_LT(airlight_within(scene), 1e-4);
   scene.optics.anisotropy = 0.6;
   scene.medium.append({{0.0, 1.5, 0.0}, 0.5, 0.5});
   EXPECT_LT(airlight_within(scene), 1e-4) << "with a Gaussian";

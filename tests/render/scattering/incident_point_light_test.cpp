@@ -102,7 +102,7 @@ double mean_at(const PointSource& source, const glm::dvec3& node) {
 TEST(IncidentPointLight, ChangesContinuouslyWithTheLightsPosition) {
   constexpr double step = 1e-7;
   for (const auto& [name, falloff] : falloffs) {
-    for (const glm::dvec3& position : positions_beside_nodes(250)) {
+    for (const glm::dvec3& position : positions_beside_nodes(100)) {
       const NodeLight here = incident_light(source_at(position, falloff), glm::ivec3(9));
       const NodeLight next = incident_light(
           source_at(position + step * glm::dvec3(0.7, 0.5, -0.6), falloff), glm::ivec3(9));
@@ -121,7 +121,7 @@ TEST(IncidentPointLight, IsTheMeanOverTheCellsAroundNodes) {
   const GridNodes nodes{glm::ivec3(9), static_cast<float>(spacing)};
   for (const auto& [name, falloff] : falloffs) {
     if (name == "narrow spot") continue;  // too few of those directions are in its cone
-    for (const glm::dvec3& position : positions_beside_nodes(100)) {
+    for (const glm::dvec3& position : positions_beside_nodes(50)) {
       const PointSource source = source_at(position, falloff);
       const NodeLight incident = incident_light(source, glm::ivec3(9));
       for (const glm::ivec3 offset : {glm::ivec3(0), {1, 0, 0}, {0, 1, 1}}) {

@@ -9,12 +9,7 @@ namespace brume {
 namespace {
 
 Surface block(const glm::dvec3& low, const glm::dvec3& high) {
-  Surface surface;
-  surface.primitive = Primitive{Primitive::Shape::box, high - low};
-  surface.mesh = mesh_of(*surface.primitive);
-  surface.translate = 0.5 * (low + high);
-  surface.material.reflectance = glm::dvec3(0.5);
-  return surface;
+  return placed(Primitive::Shape::box, high - low, 0.5 * (low + high));
 }
 
 // Six by seven by three, walls of 0.2; the window is in the wall towards +x, which the camera does
@@ -36,10 +31,7 @@ Scene room_with_window() {
 const Settings of_all_orders = sliced(Settings{}.slices, Scattering::multiple);
 
 double mean_airlight_in(const Scene& scene) {
-  const Frame frame = render_frame(scene, of_all_orders);
-  double sum = 0.0;
-  for (const float value : frame.airlight) sum += static_cast<double>(value);
-  return sum / static_cast<double>(frame.airlight.size());
+  return mean_airlight(scene, of_all_orders);
 }
 
 // The grid ends at the outer walls: what lights these from outside did light the room.
@@ -69,7 +61,7 @@ TEST(Rooms, AreLitThroughAWindowAsByPaths) {
   Scene scene = room_with_window();
   scene.environment.emplace().map = constant_sky(1.0f);
   const Difference picture = difference(render_frame(scene, of_all_orders).beauty,
-                                        render_frame(scene, path_traced(512)).beauty);
+                                        render_frame(scene, path_traced(128)).beauty);
   EXPECT_NEAR(picture.bias, 0.0, 0.04);
 }
 

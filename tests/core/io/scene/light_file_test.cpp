@@ -28,23 +28,6 @@ TEST(LightsInFiles, SayWhetherTheyAreOff) {
   EXPECT_FALSE(contains(text, R"("on": true)"));
 }
 
-TEST(LightsInFiles, KeepSpotCones) {
-  const TemporaryFolder folder;
-  Scene scene;
-  scene.lights = {{{1, 2, 3}, {4, 5, 6}, light::Spot{{0, -2, 1}, 12.5, 30}},
-                  {{3, 2, 1}, {1, 1, 1}}};
-  scene.lights[0].keys.outer_angle = {{0.0, 20.0}, {2.0, 40.0}};
-  save_document(scene, folder / "a.brume");
-  const Scene loaded = load_scene(folder / "a.brume");
-  ASSERT_EQ(loaded.lights.size(), 2u);
-  EXPECT_EQ(loaded.lights[0].kind, scene.lights[0].kind);
-  EXPECT_EQ(loaded.lights[0].keys, scene.lights[0].keys);
-  EXPECT_TRUE(loaded.lights[1].as<light::Point>());
-  const std::string text = content_of(folder / "a.brume");
-  EXPECT_TRUE(contains(text, R"("type": "spot")"));
-  EXPECT_TRUE(contains(text, R"("type": "point")"));
-}
-
 TEST(LightsInFiles, KeepProfiles) {
   const TemporaryFolder folder;
   folder.write("narrow.ies", "TILT=NONE\n1 -1 1 2 1 1 2 0 0 0\n1 1 60\n0 30\n0\n100 0\n");
@@ -89,64 +72,6 @@ TEST(LightsInFiles, LoadWithKeyedConesAtAnyMoment) {
   keys.direction = {};
   save_document(scene, folder / "a.brume");
   EXPECT_THROW(load_scene(folder / "a.brume"), InputError);
-}
-
-TEST(LightsInFiles, KeepDirections) {
-  const TemporaryFolder folder;
-  Scene scene;
-  scene.lights = {{.intensity = {4, 5, 6}, .kind = light::Directional{{1, -2, 0}, 0.53}}};
-  LightKeys& keys = scene.lights[0].keys;
-  keys.intensity = {{0.0, {1, 2, 3}}};
-  keys.direction = {{0.0, {0, 1, 0}}};
-  keys.angular_diameter = {{0.0, 20.0}, {2.0, 40.0}};
-  save_document(scene, folder / "a.brume");
-  const Scene loaded = load_scene(folder / "a.brume");
-  ASSERT_EQ(loaded.lights.size(), 1u);
-  EXPECT_EQ(loaded.lights[0].kind, scene.lights[0].kind);
-  EXPECT_EQ(loaded.lights[0].intensity, scene.lights[0].intensity);
-  EXPECT_EQ(loaded.lights[0].keys, keys);
-  const std::string text = content_of(folder / "a.brume");
-  EXPECT_TRUE(contains(text, R"("type": "directional")"));
-  EXPECT_TRUE(contains(text, R"("irradiance": [4.0, 5.0, 6.0])"));
-  EXPECT_FALSE(contains(text, "position"));
-}
-
-TEST(LightsInFiles, KeepAreas) {
-  const TemporaryFolder folder;
-  Scene scene;
-  scene.lights.resize(3);
-  for (Light& light : scene.lights) {
-    light.position = {1, 2, 3};
-    light.intensity = {4, 5, 6};
-    light.keys.position = {{0.0, {1, 1, 1}}};
-    light.keys.intensity = {{0.0, {1, 2, 3}}};
-  }
-  Light& rectangle = scene.lights[0];
-  rectangle.kind = light::Rectangle{{1, -2, 0}, {0, 1, 1}, 0.5, 2.0, true};
-  rectangle.keys.direction = {{0.0, {0, 1, 0}}};
-  rectangle.keys.up = {{0.0, {0, 0, 1}}};
-  rectangle.keys.width = {{0.0, 1.0}, {1.0, 2.0}};
-  rectangle.keys.height = {{0.0, 3.0}};
-  Light& disk = scene.lights[1];
-  disk.kind = light::Disk{{1, -2, 0}, 0.25};
-  disk.keys.direction = {{0.0, {0, 1, 0}}};
-  Light& sphere = scene.lights[2];
-  sphere.kind = light::Sphere{0.25, true};
-  disk.keys.radius = sphere.keys.radius = {{0.0, 1.0}, {2.0, 1e-3}};
-  save_document(scene, folder / "a.brume");
-  const Scene loaded = load_scene(folder / "a.brume");
-  ASSERT_EQ(loaded.lights.size(), 3u);
-  for (std::size_t k = 0; k < 3; ++k) {
-    EXPECT_EQ(loaded.lights[k].kind, scene.lights[k].kind);
-    EXPECT_EQ(loaded.lights[k].position, scene.lights[k].position);
-    EXPECT_EQ(loaded.lights[k].intensity, scene.lights[k].intensity);
-    EXPECT_EQ(loaded.lights[k].keys, scene.lights[k].keys);
-  }
-  const std::string text = content_of(folder / "a.brume");
-  for (const char* part : {R"("type": "rectangle")", R"("type": "disk")", R"("type": "sphere")",
-                           R"("radiance": [4.0, 5.0, 6.0])"}) {
-    EXPECT_TRUE(contains(text, part)) << part;
-  }
 }
 
 TEST(LightsInFiles, HaveTheDocumentedCones) {

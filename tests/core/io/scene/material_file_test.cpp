@@ -100,20 +100,8 @@ TEST_F(MaterialFile, MissingTextureIsAWarningThatNamesIt) {
 
 TEST_F(MaterialFile, RefusesBadValues) {
   const std::string begin = R"({ "type": "metallic_roughness", )";
-  EXPECT_TRUE(contains(error(begin + R"("metallic": 1.5 })"),
-                       "surfaces[0].material.metallic: found 1.5; allowed: a number in [0, 1]"));
-  EXPECT_TRUE(contains(error(begin + R"("roughness": -0.1 })"), "surfaces[0].material.roughness"));
-  EXPECT_TRUE(contains(error(begin + R"("base_color": [1, 2, 0] })"),
-                       "surfaces[0].material.base_color[1]: found 2"));
-  EXPECT_TRUE(contains(error(begin + R"("emissive": [1, -2, 0] })"),
-                       "surfaces[0].material.emissive[1]: found -2"));
   EXPECT_TRUE(contains(error(begin + R"("alpha": "mask" })"),
                        "surfaces[0].material.alpha: found \"mask\"; allowed: "));
-  EXPECT_TRUE(contains(error(begin + R"("opacity": 2 })"), "surfaces[0].material.opacity"));
-  EXPECT_TRUE(contains(error(begin + R"("alpha_cutoff": -1 })"), "material.alpha_cutoff"));
-  EXPECT_TRUE(contains(error(begin + R"("transmission": [0, 0, 2] })"), "transmission[2]"));
-  EXPECT_TRUE(
-      contains(error(begin + R"("normal_scale": "a" })"), "surfaces[0].material.normal_scale"));
   EXPECT_TRUE(
       contains(error(begin + R"("normal_texture": "wood.png" })"),
                "surfaces[0].material.normal_texture: found \"wood.png\"; allowed: an object"));

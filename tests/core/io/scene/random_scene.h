@@ -5,6 +5,11 @@
 #include <random>
 
 #include "brume/scene.h"
+#include "core/scene/fields/emitter_fields.h"
+#include "core/scene/fields/environment_fields.h"
+#include "core/scene/fields/group_fields.h"
+#include "core/scene/fields/light_fields.h"
+#include "core/scene/fields/medium_fields.h"
 #include "tests/core/io/temporary_folder.h"
 
 namespace brume {
@@ -31,46 +36,34 @@ class RandomScene {
     if (maybe()) scene.optics.albedo = {number(0.01, 1), 1.0, number(0.01, 1)};
     if (maybe()) scene.optics.anisotropy = number(-0.95, 0.95);
     if (maybe()) scene.optics.extent = std::exp(number(-20, 20));
-    if (maybe()) {
-      scene.optics.noise = {number(0, 1), number(0, 9), point(), integer(-1000, 1000)};
-    }
+    if (maybe()) fill(scene.optics.noise, scene.optics.noise.keys);
     for (int i = integer(0, 3); i > 0; --i) {
-      scene.emitters.push_back({.position = point(),
-                                .rate = number(0, 1e4),
-                                .lifetime = number(0, 9),
-                                .velocity = point(),
-                                .spread = number(0, 9),
-                                .acceleration = point(),
-                                .radius = {number(0.1, 1), number(0.1, 9)},
-                                .density = {number(0, 1), number(0, 9)},
-                                .seed = integer(-1000, 1000)});
-      scene.emitters.back().visible = maybe();
-      scene.emitters.back().locked = maybe();
-      if (maybe()) scene.emitters.back().name = "pot";
-      if (maybe()) scene.emitters.back().optics.albedo = glm::dvec3(number(0.01, 1));
-      if (maybe()) scene.emitters.back().optics.emission = {number(0, 9), 0.0, number(0, 1e9)};
-      if (maybe()) scene.emitters.back().emission_at_death = glm::dvec3(number(0, 9));
+      Emitter& emitter = scene.emitters.emplace_back();
+      fill(emitter, emitter.keys);
+      // No more of them than a scene may have.
+      emitter.rate = number(0.0, 1e4);
+      emitter.lifetime = number(0.0, 9.0);
+      emitter.keys.rate.clear();
+      keys(emitter.keys.rate, 9.0);
+      if (maybe()) emitter.name = "pot";
     }
     for (int i = integer(0, 5); i > 0; --i) {
-      scene.lights.push_back(
-          {.position = point(), .intensity = {number(0, 90), 0.0, number(0, 1e9)}, .on = maybe()});
-      scene.lights.back().locked = maybe();
-      if (maybe()) scene.lights.back().name = "key";
-      if (maybe()) {
-        scene.lights.back().kind = light::Spot{point() + 1.0, number(0, 40), number(41, 180)};
-      } else if (maybe()) {
-        scene.lights.back().position = {};
-        scene.lights.back().kind = light::Directional{point() + 1.0, number(0, 89)};
-      } else if (maybe()) {
-        scene.lights.back().kind = area_light();
+      Light& light = scene.lights.emplace_back();
+      light.kind = light_kind(static_cast<std::size_t>(integer(0, light_kinds.size() - 1)));
+      fill(light, light.keys);
+      if (auto* spot = light.as<light::Spot>(); spot && spot->inner_angle > spot->outer_angle) {
+        std::swap(spot->inner_angle, spot->outer_angle);
       }
+      if (maybe()) light.name = "key";
     }
-    if (maybe())
-      scene.environment = {folder_ / "dawn.exr", nullptr, number(0, 3), number(-720, 720)};
-    if (scene.environment && maybe()) {
-      scene.environment->file.clear();
-      scene.environment->sky =
-          Sky{number(-90, 90), number(-720, 720), number(1, 10), {number(0, 1), 0.0, 1.0}, maybe()};
+    if (maybe()) {
+      Environment& environment = scene.environment.emplace();
+      fill(environment, environment.keys);
+      if (maybe()) {
+        fill(environment.sky.emplace(), environment.sky->keys);
+      } else {
+        environment.file = folder_ / "dawn.exr";
+      }
     }
     for (int i = integer(0, 3); i > 0; --i) {
       Surface surface;
@@ -118,34 +111,6 @@ class RandomScene {
     keys(scene.density_keys, 9.0);
     keys(scene.optics.keys.albedo, 1.0);
     if (scene.optics.extent) keys(scene.optics.keys.extent, 1.0);
-    keys(scene.optics.noise.keys.amplitude, 2.0);
-    keys(scene.optics.noise.keys.frequency, 9.0);
-    keys(scene.optics.noise.keys.velocity, 9.0);
-    for (Emitter& emitter : scene.emitters) {
-      keys(emitter.keys.position, 1e6);
-      keys(emitter.keys.rate, 9.0);
-      keys(emitter.keys.radius, 9.0);
-      keys(emitter.keys.density, 9.0);
-      if (emitter.optics.albedo) keys(emitter.keys.albedo, 1.0);
-      keys(emitter.keys.emission, 1e9);
-      keys(emitter.keys.emission_at_death, 1e9);
-    }
-    for (Light& light : scene.lights) {
-      keys(light.keys.intensity, 1e9);
-      const bool is_sun = light.as<light::Directional>();
-      const bool is_spot = light.as<light::Spot>();
-      keys(is_sun ? light.keys.direction : light.keys.position, 1e6);
-      if (is_sun) keys(light.keys.angular_diameter, 80.0);
-      if (is_spot) keys(light.keys.direction, 1e6);
-      if (light.as<light::Sphere>()) keys(light.keys.radius, 9.0);
-      if (is_spot) keys(light.keys.outer_angle, 180.0);
-    }
-    if (scene.environment) keys(scene.environment->keys.rotation, 720.0);
-    if (scene.environment && scene.environment->sky) {
-      keys(scene.environment->sky->keys.elevation, 90.0);
-      keys(scene.environment->sky->keys.azimuth, 720.0);
-      keys(scene.environment->sky->keys.ground_albedo, 1.0);
-    }
     if (maybe()) scene.playback = Playback{integer(0, 9), integer(9, 99), maybe()};
     if (scene.playback && maybe()) scene.playback->frames_per_second = integer(1, 1000);
     if (maybe()) scene.camera_name = "Main";
@@ -171,53 +136,61 @@ class RandomScene {
   int integer(int min_value, int max_value) {
     return std::uniform_int_distribution<int>(min_value, max_value)(random_);
   }
-  Light::Kind area_light() {
-    switch (integer(0, 2)) {
-      case 0:
-        return light::Rectangle{point() + 1.0, point(), number(1e-6, 9), number(1e-6, 1e6),
-                                maybe()};
-      case 1:
-        return light::Disk{point() + 1.0, number(1e-6, 1e6), maybe()};
-      default:
-        return light::Sphere{number(1e-6, 1e6), maybe()};
-    }
+  // Any value of a domain, of the sizes that designers use.
+  double within(const NumberDomain& domain, double) {
+    return domain.nearest(
+        number(std::max(domain.min_value, -1e6), std::min(domain.max_value, 1e6)));
+  }
+  bool within(const NumberDomain&, bool) { return maybe(); }
+  std::int64_t within(const NumberDomain&, std::int64_t) { return integer(-1000, 1000); }
+  template <int n>
+  glm::vec<n, double> within(const NumberDomain& domain, glm::vec<n, double> value) {
+    for (int k = 0; k < n; ++k) value[k] = within(domain, 0.0);
+    return value;
+  }
+  template <class T>
+  std::optional<T> within(const NumberDomain& domain, const std::optional<T>&) {
+    return maybe() ? std::optional(within(domain, T{})) : std::nullopt;
+  }
+  // Every value that the tables know of an object, and keyframes of it.
+  template <class Owner>
+  void fill(Owner& owner, auto& all_keys) {
+    visit_fields_of(owner, [this, &owner](const auto& field) {
+      auto& value = field.of(owner);
+      if (field.info.is_always_saved || maybe()) value = within(field.domain, value);
+    });
+    visit_keyed_fields(owner, all_keys, [this](const auto& field, auto& keys) {
+      const double low = std::max(field.domain.min_value, 0.01);
+      this->keys(keys, std::min(field.domain.max_value, low + 9.0), low);
+    });
   }
   bool maybe() { return integer(0, 1) == 0; }
   glm::dvec3 point() { return {number(-1e6, 1e6), number(-1, 1), number(-1e-6, 1e-6)}; }
-  double up_to(double max_value, double) { return number(0.01, max_value); }
-  glm::dvec2 up_to(double max_value, const glm::dvec2&) {
-    return {number(0.01, max_value), number(0.01, max_value)};
+  double up_to(double max_value, double, double min_value = 0.01) {
+    return number(min_value, max_value);
   }
-  glm::dvec3 up_to(double max_value, const glm::dvec3&) {
-    return {number(0.01, max_value), number(0.01, max_value), number(0.01, max_value)};
+  template <int n>
+  glm::vec<n, double> up_to(double max_value, glm::vec<n, double> value, double min_value = 0.01) {
+    for (int k = 0; k < n; ++k) value[k] = number(min_value, max_value);
+    return value;
   }
-  glm::dquat up_to(double max_value, const glm::dquat&) {
+  glm::dquat up_to(double max_value, const glm::dquat&, double = 0.0) {
     return glm::normalize(glm::dquat(number(0.1, max_value), number(-1, 1), number(-1, 1), 0.5));
   }
   void groups(std::vector<Group>& groups) {
     for (int i = integer(1, 4); i > 0; --i) {
       Group group{.id = static_cast<GroupId>(groups.size() + 1), .name = std::to_string(i)};
       if (!groups.empty() && maybe()) group.parent = 1;
-      group.color = {number(0, 1), number(0, 1), 1.0};
-      group.visible = maybe();
-      group.locked = maybe();
-      if (maybe()) group.density_factor = number(0, 9);
-      if (maybe()) group.density_offset = number(-9, 9);
-      if (maybe()) group.radius_factor = number(0.1, 9);
-      if (maybe()) group.radius_offset = number(-9, 9);
-      if (maybe()) group.albedo_factor = {number(0, 9), 1.0, number(0, 9)};
-      if (maybe()) group.albedo_offset = {number(-1, 1), 0.0, number(-1, 1)};
-      keys(group.keys.density_factor, 9.0);
-      keys(group.keys.radius_offset, 9.0);
-      keys(group.keys.albedo_factor, 9.0);
+      fill(group, group.keys);
       groups.push_back(group);
     }
   }
   template <class T>
-  void keys(Keys<T>& keys, double max_value) {
+  void keys(Keys<T>& keys, double max_value, double min_value = 0.01) {
     double time = number(-9, 9);
     for (int i = maybe() ? integer(0, 4) : 0; i > 0; --i, time += number(1e-3, 5)) {
-      keys.push_back({time, up_to(max_value, T{}), static_cast<Interpolation>(integer(0, 2))});
+      keys.push_back(
+          {time, up_to(max_value, T{}, min_value), static_cast<Interpolation>(integer(0, 2))});
       if constexpr (std::is_same_v<T, glm::dquat>) continue;
       if (maybe()) keys.back().in = up_to(1e30, T{});
       if (maybe()) keys.back().out = -up_to(9.0, T{});

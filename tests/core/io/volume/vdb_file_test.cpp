@@ -303,7 +303,7 @@ TEST(VdbFile, SurvivesDamage) {
   const std::string complete = content_of(std::filesystem::path(BRUME_VOLUMES) / "smoke_0025.vdb");
   Random random(7);
   int refused = 0;
-  for (int trial = 0; trial < 2000; ++trial) {
+  for (int trial = 0; trial < 1000; ++trial) {
     std::string damaged = complete;
     // Most of them in the first bytes, where counts and places stand.
     for (int i = 0; i < 1 + trial % 8; ++i) {
@@ -322,7 +322,7 @@ TEST(VdbFile, SurvivesDamage) {
       }
     }
   }
-  EXPECT_GT(refused, 1000);
+  EXPECT_GT(refused, 500);
 }
 
 }  // namespace

@@ -367,7 +367,7 @@ TEST(ClearSky, NightsAreDimAndEven) {
 
 TEST(ClearSky, EveryElevationAndTurbidityIsFinite) {
   for (const double turbidity : {1.0, 10.0}) {
-    for (const double elevation : {-90.0, -14.0, -0.265, 0.0, 89.99, 90.0}) {
+    for (const double elevation : {-90.0, -0.265, 0.0, 90.0}) {
       const ClearSky sky(elevation, turbidity, glm::dvec3(1.0));
       for (const glm::dvec3& w : {glm::dvec3(0, 1, 0), glm::dvec3(0, 0, -1), glm::dvec3(1, 0, 0),
                                   glm::dvec3(0, -1, 0), direction_of(elevation, 0.0)}) {
