@@ -110,7 +110,6 @@ TEST(Mirrors, OfEachOtherEnd) {
 TEST(Mirrors, SendLightIntoTheFog) {
   Scene scene = in_fog(boxes_on_a_floor(), 0.02);
   scene.surfaces.resize(1);
-  scene.film = {24, 18};
   scene.camera = {.eye = {0.0, 2.0, 4.0}, .target = {0.0, 2.0, 0.0}, .vertical_fov = 30.0};
   const auto airlight = [&](double base_color, const Settings& settings) {
     make_metal(scene.surfaces[0], base_color, 0.2);
