@@ -19,8 +19,8 @@ using namespace brume;
 
 namespace {
 
-constexpr int actions = 1000;
-constexpr int min_edits = 200;
+constexpr int actions = 500;
+constexpr int min_edits = 100;
 
 // The user's acts, as read from a tape.
 struct Action {

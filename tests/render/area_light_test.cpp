@@ -180,7 +180,7 @@ TEST(AreaLight, SlicedAndMarchMatchTheReference) {
 TEST(AreaLight, SlicedMatchesTheReferenceInFog) {
   for (const Shape shape : {Shape::rectangle, Shape::disk, Shape::sphere}) {
     Scene scene = lit_by(area_light(shape, {1.6, 1.2, 0.9}, 0.8), 2.0);
-    scene.film = {12, 9};
+    scene.film = {8, 6};
     scene.medium.set_homogeneous_density(0.05);
     const Frame truth = render_frame(scene, reference_settings(1e-4));
     const Frame frame = render_frame(scene, sliced(24));
@@ -330,7 +330,7 @@ TEST(AreaLight, HardCasesStayFinite) {
   };
   for (const Shape shape : {Shape::rectangle, Shape::disk, Shape::sphere}) {
     Scene scene = lit_by(area_light(shape, {0.1, 0.0, 0.0}, 1e-6));
-    scene.film = {8, 6};
+    scene.film = {4, 3};
     expect_all_finite(scene, "tiny, in a Gaussian");
     scene.lights = {area_light(shape, {0.1, 0.0, 0.0}, 2e5)};
     expect_all_finite(scene, "larger than the scene");

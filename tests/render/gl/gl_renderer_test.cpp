@@ -72,10 +72,9 @@ TEST_F(GlFrames, SampleScenes) {
     const auto has_copies = [](const Surface& surface) { return surface.placed_copies != nullptr; };
     if (std::ranges::any_of(scene.surfaces, has_copies)) continue;
     scene.film = {61, 40};
-    // Made once, as are the depths around nodes: they take longer than all frames.
-    const auto transfers = std::make_shared<TransferStore>();
-    transfers->make(needed_transfers(scene), {});
-    Renderer renderer(transfers);
+    // Of which the tests of surfaces are: it takes longer to make than all frames.
+    for (Surface& surface : scene.surfaces) surface.transfer = Surface::Transfer::none;
+    Renderer renderer;
     // Other combinations are those of random scenes.
     for (const Settings& settings : {paper, scaled}) {
       const std::string name = entry.path().filename().string() + ", " + airlight_name(settings) +
