@@ -16,19 +16,25 @@ Real average_depth_of_ellipsoid(const GaussianTerm<Real>& g, const Vec3<Real>& p
   // The tails, beyond ln s from both ends of what matters: the integrand decays as s, and as
   // s^(-1/2).
   constexpr Real tail = sizeof(Real) == 4 ? Real(14) : Real(34);
+  constexpr Real negligible = sizeof(Real) == 4 ? Real(30) : Real(80);
   // In greatest radii.
   const Vec3<Real> q = g.a * ((p - g.b) * g.ellipsoid->axes);
   const Vec3<Real> rate = Real(1) / (g.ellipsoid->stretch * g.ellipsoid->stretch);
   const Vec3<Real> u2 = rate * q * q;
   const Real begin = -std::log1p(u2.x + u2.y + u2.z) - tail;
   const Real end = std::log(std::max({rate.x, rate.y, rate.z})) + 2 * tail;
+  const double ratio = std::exp(static_cast<double>(step));
+  double next = std::exp(static_cast<double>(begin));
   Real sum = 0;
   for (Real x = begin; x < end; x += step) {
-    const Real s = std::exp(x);
+    const auto s = static_cast<Real>(next);
+    next *= ratio;
     const Vec3<Real> r = rate + s;
+    const Real exponent = s * (u2.x / r.x + u2.y / r.y + u2.z / r.z);
+    if (exponent > negligible) break;  // and it grows
     // Their product would overflow.
     const Real root = std::sqrt(r.x) * std::sqrt(r.y) * std::sqrt(r.z);
-    sum += s / root * std::exp(-s * (u2.x / r.x + u2.y / r.y + u2.z / r.z));
+    sum += s / root * std::exp(-exponent);
   }
   return g.c / g.a * Real(0.25) / std::numbers::inv_sqrtpi_v<Real> * step * sum;
 }
