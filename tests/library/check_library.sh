@@ -20,7 +20,7 @@ foreign=$(nm -D --defined-only --demangle "$library" |
 [ -z "$foreign" ] || { echo "symbols that are not Brume's:" && head <<< "$foreign" && exit 1; }
 
 cp -r "$source/examples" "$folder/examples"
-cmake -S "$folder/examples" -B "$folder/build" -G Ninja -DCMAKE_BUILD_TYPE=Debug \
+cmake -S "$folder/examples" -B "$folder/build" -G Ninja -DCMAKE_BUILD_TYPE=None \
   -DCMAKE_PREFIX_PATH="$folder/prefix" > "$folder/log" || { cat "$folder/log" && exit 1; }
 cmake --build "$folder/build" > "$folder/log" || { cat "$folder/log" && exit 1; }
 long=$(wc -l "$source"/examples/*.cpp | awk '$2 != "total" && $1 > 30')
