@@ -31,7 +31,7 @@ struct Content {
   std::size_t lights_off = 0;
   std::size_t black_lights = 0;
   std::size_t lights_beyond_paper = 0;
-  bool surfaces, environment, gaussians, homogeneous, noise;
+  bool surfaces, visible_lights, shining_shapes, environment, gaussians, homogeneous, noise;
   // Properties of Gaussians; emission counts as light of methods that know it.
   bool has_own_optics;
   bool has_emission = false;
@@ -39,6 +39,12 @@ struct Content {
 
   Content(const Scene& scene, AirlightMethod method)
       : surfaces(!scene.surfaces.empty()),
+        visible_lights(std::ranges::any_of(scene.lights, is_seen)),
+        shining_shapes(std::ranges::any_of(scene.lights,
+                                           [](const Light& light) {
+                                             return is_seen(light) &&
+                                                    light.intensity != glm::dvec3(0.0);
+                                           })),
         environment(scene.environment && scene.environment->intensity > 0.0),
         gaussians(std::ranges::any_of(scene.medium.densities(), [](double c) { return c > 0.0; })),
         homogeneous(scene.medium.homogeneous_density() > 0.0),
@@ -150,7 +156,7 @@ StageSet planned_stages(const Content& content, AirlightMethod method, bool has_
       sliced || method == AirlightMethod::march || (content.surfaces && !paper && !path);
   StageSet stages{Stage::prepare, Stage::composite};
   stages.add(Stage::transfer, has_transfers);
-  stages.add(Stage::visibility, content.surfaces);
+  stages.add(Stage::visibility, content.surfaces || content.visible_lights);
   stages.add(Stage::environment, content.environment && content.medium() && needs_grid);
   stages.add(Stage::light_depth, paper && lit_gaussians);
   stages.add(Stage::eye_depth, paper && lit_gaussians);
@@ -158,10 +164,12 @@ StageSet planned_stages(const Content& content, AirlightMethod method, bool has_
   stages.add(Stage::shadow_map,
              sliced && content.surfaces && content.medium() && content.point_light());
   if (path && (content.light() || content.emissive_surfaces)) {
-    stages.add(Stage::paths, content.medium() || content.surfaces);
+    stages.add(Stage::paths, content.medium() || content.surfaces || content.visible_lights);
   } else {
     stages.add(content.light() ? Stage::airlight : Stage::transmittance, content.medium());
-    stages.add(Stage::surfaces, content.surfaces && (content.light() || content.emissive_surfaces));
+    stages.add(Stage::surfaces,
+               content.shining_shapes ||
+                   (content.surfaces && (content.light() || content.emissive_surfaces)));
   }
   return stages;
 }
@@ -201,7 +209,7 @@ std::vector<SkippedStage> skipped_stages(const Scene& scene, const Content& cont
     return surface.transfer != Surface::Transfer::none && !has_transfer(surface);
   });
   if (is_refused) skip(Stage::transfer, Reason::transfer_refused);
-  if (!content.surfaces) skip(Stage::visibility, Reason::no_surfaces);
+  if (!plan.runs(Stage::visibility)) skip(Stage::visibility, Reason::no_surfaces);
   if (content.surfaces && !content.light() && !content.emissive_surfaces) {
     skip(Stage::surfaces, Reason::no_light);
   }
@@ -293,6 +301,7 @@ RenderPlan::RenderPlan(const Scene& scene, const Film& film, const Settings& req
   has_panes = brume::has_panes(scene.surfaces);
   has_copies = std::ranges::any_of(
       scene.surfaces, [](const Surface& surface) { return surface.placed_copies != nullptr; });
+  has_visible_lights = content.visible_lights;
   // The rasterizer fills triangles.
   rasterizes = content.surfaces && !has_holes && !has_panes && !has_copies &&
                triangle_count(scene) <= pixels;

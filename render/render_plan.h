@@ -64,7 +64,8 @@ struct RenderPlan {
   // Surfaces with holes or panes, see Coverage; of panes view rays see what is behind them.
   bool has_holes = false;
   bool has_panes = false;
-  bool has_copies = false;  // surfaces with copies
+  bool has_copies = false;          // surfaces with copies
+  bool has_visible_lights = false;  // see LightShapes
   // Surfaces take environment light from the grid instead of average optical depths.
   bool has_receivers = false;
   // Surfaces take all light from the grid but the point lights' unscattered.

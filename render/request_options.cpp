@@ -350,8 +350,8 @@ std::vector<RequestOption> make_options() {
                                    "relative tolerance of the reference")),
       told(always, number("samples", &Request::samples, 1, limits::samples,
                           "samples of pixels at edges, filtered; 1: the centers of all pixels; "
-                          "default: the scene's, else 16 with surfaces, 64 where a lens or a "
-                          "shutter blurs")),
+                          "default: the scene's, else 16 with surfaces or visible lights, 64 "
+                          "where a lens or a shutter blurs")),
       told(always, shutter()),
       layers(),
       told(always, number("deep-error", &Request::deep_error, 1e-5, 0.5,

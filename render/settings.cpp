@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "brume/scene.h"
+#include "core/scene/lights/point_lights.h"
 
 namespace brume {
 
@@ -75,7 +76,9 @@ Settings limit_light_map_memory(Settings settings, std::size_t lights, bool shad
 
 int chosen_samples(const Scene& scene) {
   const auto is_visible = [](const Surface& surface) { return surface.visible; };
-  return std::ranges::any_of(scene.surfaces, is_visible) ? edge_samples : 1;
+  const bool has_edges =
+      std::ranges::any_of(scene.surfaces, is_visible) || std::ranges::any_of(scene.lights, is_seen);
+  return has_edges ? edge_samples : 1;
 }
 
 Settings without_auto(Settings settings) {

@@ -140,8 +140,8 @@ struct Settings {
 
 inline constexpr int max_paths = limits::paths;
 
-// Samples a pixel where nothing else is asked for: more than one if there are surfaces, whose edges
-// need them.
+// Samples a pixel where nothing else is asked for: more than one if there are surfaces or lights
+// that are seen, whose edges need them.
 inline constexpr int edge_samples = 16;
 int chosen_samples(const Scene& scene);
 

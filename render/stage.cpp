@@ -85,6 +85,8 @@ std::string to_string(Reason reason, std::size_t count) {
       return "surfaces with holes, and panes, are rendered on the CPU";
     case Reason::copies_on_cpu:
       return "surfaces with copies are rendered on the CPU";
+    case Reason::visible_lights_on_cpu:
+      return "lights that are visible are rendered on the CPU";
     case Reason::too_many_slices:
       return "more slices than fit into a work group";
     case Reason::too_many_radii:

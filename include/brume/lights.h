@@ -87,12 +87,14 @@ struct Directional {
 };
 
 // Surfaces that shine with the same radiance everywhere and in all directions of their front, or of
-// both sides. They are not seen themselves and keep no light out, as point lights.
+// both sides. They keep no light out, as point lights. Where they are visible, view rays and those
+// that smooth surfaces mirror end at the sides that shine; see render/visibility/light_shapes.h.
 struct Rectangle {
   glm::dvec3 direction{0.0, -1.0, 0.0};  // normal of its front; any length but 0
   glm::dvec3 up{0.0, 1.0, 0.0};          // along its height, but for the normal
   double width = 1.0, height = 1.0;      // > 0 [u]
   bool two_sided = false;
+  bool visible = false;
 
   bool operator==(const Rectangle&) const = default;
 };
@@ -101,6 +103,7 @@ struct Disk {
   glm::dvec3 direction{0.0, -1.0, 0.0};  // normal of its front; any length but 0
   double radius = 0.5;                   // > 0 [u]
   bool two_sided = false;
+  bool visible = false;
 
   bool operator==(const Disk&) const = default;
 };
@@ -108,6 +111,7 @@ struct Disk {
 struct Sphere {
   double radius = 0.5;     // > 0 [u]
   bool two_sided = false;  // it then shines inwards, too
+  bool visible = false;
 
   bool operator==(const Sphere&) const = default;
 };

@@ -99,6 +99,7 @@ class Light:
     height: float
     up: _Vec3
     two_sided: bool
+    visible: bool
     radius: float
     texture_rotation: float
     texture_focus: float
@@ -135,6 +136,7 @@ class Light:
         height: float,
         up: _Vec3 = (0.0, 1.0, 0.0),
         two_sided: bool = False,
+        visible: bool = False,
     ) -> Light: ...
     @staticmethod
     def disk(
@@ -143,6 +145,7 @@ class Light:
         radiance: _Vec3,
         radius: float,
         two_sided: bool = False,
+        visible: bool = False,
     ) -> Light: ...
     @staticmethod
     def sphere(
@@ -150,6 +153,7 @@ class Light:
         radiance: _Vec3,
         radius: float,
         two_sided: bool = False,
+        visible: bool = False,
     ) -> Light: ...
     def clear_keys(self) -> None: ...
 

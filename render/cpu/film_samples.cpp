@@ -137,11 +137,13 @@ class TileSampler {
     if (!view_.surfaces) return;
     for (std::size_t i = 0; i < count; i += Tiles::pixels) {
       const std::size_t some = std::min<std::size_t>(Tiles::pixels, count - i);
-      view_.surfaces->ray_caster.first_hits(
-          view_.tiles.rays.eye(), std::span(directions_).subspan(i, some),
-          ray_offsets_.empty() ? std::span<const glm::dvec3>()
-                               : std::span<const glm::dvec3>(ray_offsets_).subspan(i, some),
-          std::span(hits_).subspan(i, some));
+      const glm::dvec3& eye = view_.tiles.rays.eye();
+      const std::span<const glm::dvec3> directions = std::span(directions_).subspan(i, some);
+      std::span<const glm::dvec3> offsets = ray_offsets_;
+      if (!offsets.empty()) offsets = offsets.subspan(i, some);
+      const std::span<SurfaceHit> hits = std::span(hits_).subspan(i, some);
+      view_.surfaces->ray_caster.first_hits(eye, directions, offsets, hits);
+      view_.surfaces->light_shapes.meet(eye, directions, offsets, hits);
     }
   }
 
@@ -159,6 +161,10 @@ class TileSampler {
     if (!view_.are_lit) return;
     for (std::size_t i = 0; i < hits_.size(); ++i) {
       if (!hits_[i]) continue;
+      if (hits_[i].is_light()) {
+        behind_[i] = view_.surfaces->light_shapes.of(hits_[i]).radiance;
+        continue;
+      }
       std::vector<std::size_t>& samples = waiting_[static_cast<std::size_t>(hits_[i].surface)];
       samples.push_back(i);
       if (samples.size() == Tiles::pixels) shade(samples);

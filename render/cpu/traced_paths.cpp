@@ -33,10 +33,12 @@ std::span<const glm::vec3> TracedPaths::trace(const FrameStages& stages, FrameCo
   prepare(stages, work);
 
   const RayCaster& ray_caster = stages.prepared().ray_caster();
-  const PathScene scene =
+  PathScene scene =
       PathScene::of_view(*medium_, work.group.albedo, ray_caster, work.scene.surfaces,
                          environment_ ? &*environment_ : nullptr, work.sources(), work.rays.eye(),
                          work.fog_extent.ball(), work.rays.max_offset());
+
+  scene.light_shapes = &work.light_shapes;
 
   PathKey key;
   key.medium = medium_revision_;
@@ -45,6 +47,7 @@ std::span<const glm::vec3> TracedPaths::trace(const FrameStages& stages, FrameCo
   key.lights = work.plan.lights;
   key.environment = work.scene.environment;
   key.surfaces = work.scene.surfaces;
+  key.light_shapes = work.light_shapes.all();
   key.fog = scene.fog.ball;
   key.is_fog_everywhere = scene.fog.is_everywhere;
   key.camera = work.camera;

@@ -26,6 +26,7 @@ std::optional<Reason> refusal(const RenderPlan& plan) {
   if (plan.has_mirrors) return Reason::mirrors_on_cpu;
   if (plan.has_holes || plan.has_panes) return Reason::coverage_on_cpu;
   if (plan.has_copies) return Reason::copies_on_cpu;
+  if (plan.has_visible_lights) return Reason::visible_lights_on_cpu;
   switch (settings.airlight) {
     case AirlightMethod::paper:
       return std::nullopt;

@@ -24,7 +24,11 @@ constexpr double min_solid_angle = 1e-6;
 // for Spherical Rectangles", EGSR 2013), in coordinates along its sides and towards it.
 class SphericalRectangle {
  public:
-  // Its sides are at x0, x1, y0 and y1, at a distance of z > 0.
+  // `middle` is at a distance of z > 0.
+  SphericalRectangle(const glm::dvec3& middle, double half_width, double half_height)
+      : SphericalRectangle(middle.x - half_width, middle.x + half_width, middle.y - half_height,
+                           middle.y + half_height, middle.z) {}
+  // Its sides are at x0, x1, y0 and y1.
   SphericalRectangle(double x0, double x1, double y0, double y1, double z)
       : x0_(x0), x1_(x1), y0_(y0), y1_(y1), z_(z) {
     // Components along z of the normals of the planes through the point and the sides; then the
@@ -128,13 +132,39 @@ AreaSampler::SeenPoint AreaSampler::seen_from(const glm::dvec3& x, PathRandom& r
   return is_sphere_ ? seen_on_sphere(x, random) : seen_on_plane(x, random);
 }
 
+double AreaSampler::direction_pdf(const glm::dvec3& x, const glm::dvec3& position) const {
+  if (is_sphere_) return 1.0 / (2.0 * pi * sphere_versine(x));
+  const double solid_angle = plane_solid_angle(x);
+  if (solid_angle > 0.0) return 1.0 / solid_angle;
+  const glm::dvec3 q = position - x;
+  const double seen = cosine({position, normal_}, x) * surface_area_;
+  return seen > 0.0 ? glm::dot(q, q) / seen : 0.0;
+}
+
+double AreaSampler::sphere_versine(const glm::dvec3& x) const {
+  const double sine = radius_ / glm::length(center_ - x);
+  return sine < 1.0 ? sine * sine / (1.0 + std::sqrt(1.0 - sine * sine)) : 2.0;
+}
+
+glm::dvec3 AreaSampler::to_plane(const glm::dvec3& x) const {
+  const glm::dvec3 q = center_ - x;
+  return {glm::dot(q, right_), glm::dot(q, up_), std::abs(glm::dot(q, normal_))};
+}
+
+double AreaSampler::plane_solid_angle(const glm::dvec3& x) const {
+  // A disk is drawn from the square around it, a fifth of which is none of it: only nearby that
+  // makes less noise than drawing it evenly.
+  if (is_disk_ && glm::length(center_ - x) > radius_) return 0.0;
+  const double solid_angle =
+      SphericalRectangle(to_plane(x), half_width_, half_height_).solid_angle();
+  return solid_angle > min_solid_angle ? solid_angle : 0.0;
+}
+
 AreaSampler::SeenPoint AreaSampler::seen_on_sphere(const glm::dvec3& x, PathRandom& random) const {
   const glm::dvec3 q = center_ - x;
   const double distance = glm::length(q);
-  const double sine = radius_ / distance;
-  const bool is_inside = !(sine < 1.0);
-  // 1 - cos of the cone that holds it.
-  const double versine = is_inside ? 2.0 : sine * sine / (1.0 + std::sqrt(1.0 - sine * sine));
+  const bool is_inside = !(radius_ / distance < 1.0);
+  const double versine = sphere_versine(x);
   const glm::dvec3 axis = distance > 0.0 ? q / distance : glm::dvec3(0.0, 0.0, 1.0);
   const glm::dvec3 w = direction_around(axis, 1.0 - versine * random.uniform(), random);
   // Where the ray enters it, or leaves it from within.
@@ -146,21 +176,15 @@ AreaSampler::SeenPoint AreaSampler::seen_on_sphere(const glm::dvec3& x, PathRand
 }
 
 AreaSampler::SeenPoint AreaSampler::seen_on_plane(const glm::dvec3& x, PathRandom& random) const {
-  const glm::dvec3 q = center_ - x;
-  // A disk is drawn from the square around it, a fifth of which is none of it: only nearby that
-  // makes less noise than drawing it evenly.
-  const bool is_far_disk = is_disk_ && glm::length(q) > radius_;
-  const double along = glm::dot(q, right_);
-  const double up = glm::dot(q, up_);
-  const SphericalRectangle rectangle(along - half_width_, along + half_width_, up - half_height_,
-                                     up + half_height_, std::abs(glm::dot(q, normal_)));
-  if (is_far_disk || !(rectangle.solid_angle() > min_solid_angle)) {
+  if (!(plane_solid_angle(x) > 0.0)) {
     const Point point = on_surface(random);
     return {point.position, cosine(point, x)};
   }
+  const glm::dvec3 q = to_plane(x);
+  const SphericalRectangle rectangle(q, half_width_, half_height_);
   const double u = random.uniform();
   const glm::dvec2 place = rectangle.sample(u, random.uniform());
-  const glm::dvec2 offset = place - glm::dvec2(along, up);
+  const glm::dvec2 offset = place - glm::dvec2(q);
   if (is_disk_ && glm::dot(offset, offset) > radius_ * radius_) return {};
   const glm::dvec3 position = center_ + offset.x * right_ + offset.y * up_;
   const glm::dvec3 way = position - x;

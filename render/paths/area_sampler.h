@@ -32,8 +32,16 @@ class AreaSampler {
     double factor = 0.0;
   };
   [[nodiscard]] SeenPoint seen_from(const glm::dvec3& x, PathRandom& random) const;
+  // Density of finding there a point of the light that shines to x, per solid angle [1/sr].
+  [[nodiscard]] double direction_pdf(const glm::dvec3& x, const glm::dvec3& position) const;
 
  private:
+  // 1 - cos of the cone from x that is drawn from.
+  [[nodiscard]] double sphere_versine(const glm::dvec3& x) const;
+  // From x to the middle of a plane, along its sides and towards it.
+  [[nodiscard]] glm::dvec3 to_plane(const glm::dvec3& x) const;
+  // The solid angle that is drawn from; 0 where points are drawn evenly over the surface.
+  [[nodiscard]] double plane_solid_angle(const glm::dvec3& x) const;
   [[nodiscard]] SeenPoint seen_on_sphere(const glm::dvec3& x, PathRandom& random) const;
   [[nodiscard]] SeenPoint seen_on_plane(const glm::dvec3& x, PathRandom& random) const;
   // The points of a plane that faces the way `direction`, in a rectangle around it.

@@ -76,9 +76,11 @@ void PathFilm::trace_pixel(const View& view, const PathTracer& tracer, const glm
   if (view.has_medium) ray.emplace(view.scene.medium.index(), eye, w, end);
   const double depth = ray ? ray->depth() : 0.0;
   const bool has_airlight = depth > min_depth;
-  const bool sees_surface = hit && depth < PathTracer::hidden_depth;
+  const bool sees_surface = hit && !hit.is_light() && depth < PathTracer::hidden_depth;
   SurfacePoint point;
   if (sees_surface) point = view.scene.ray_caster.point(hit, eye, w, view.scene.surfaces);
+
+  if (hit.is_light()) surface_radiance_[pixel] = view.scene.light_shapes->of(hit).radiance;
 
   int& count = counts_[pixel];
   for (; count < view.paths; ++count) {

@@ -27,6 +27,7 @@ struct PathKey {
   std::vector<PointLight> lights;
   std::optional<Environment> environment;
   std::vector<Surface> surfaces;
+  std::vector<LightShape> light_shapes;
   FogBall fog;
   bool is_fog_everywhere = true;
   Camera camera;

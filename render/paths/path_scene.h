@@ -13,6 +13,7 @@
 #include "render/paths/environment_sampler.h"
 #include "render/paths/material_sampler.h"
 #include "render/paths/path_medium.h"
+#include "render/visibility/light_shapes.h"
 #include "render/visibility/ray_caster.h"
 
 namespace brume {
@@ -43,6 +44,10 @@ struct PathLight : PointSource {
     glm::dvec3 intensity{0.0};  // towards x [W/sr]
   };
   [[nodiscard]] Seen seen_from(const glm::dvec3& x, PathRandom& random) const;
+  // Density of seen_from() finding a point of an area light, per solid angle at x [1/sr].
+  [[nodiscard]] double direction_pdf(const glm::dvec3& x, const glm::dvec3& point) const {
+    return sampler->direction_pdf(x, point);
+  }
 
   // Roughly how much of it arrives at x [W/u^2].
   [[nodiscard]] double importance(const glm::dvec3& x) const;
@@ -90,6 +95,7 @@ struct PathScene {
   double albedo = 1.0;
   PathFog fog;
   std::vector<PathLight> lights{};
+  const LightShapes* light_shapes = nullptr;        // null: no light is seen
   const EnvironmentSampler* environment = nullptr;  // null: none, or black
   EmissionSampler emission{};                       // of Gaussians
   EmitterSampler emitters{};                        // of surfaces

@@ -7,6 +7,7 @@
 
 #include "core/math/infinity.h"
 #include "core/math/max_component.h"
+#include "core/scene/lights/area_lights.h"
 #include "core/transport/light_path.h"
 #include "core/transport/phase_function.h"
 #include "render/paths/direction_sampling.h"
@@ -197,6 +198,52 @@ glm::dvec3 PathTracer::emitted_by(const SurfaceHit& hit, const SurfacePoint& poi
   return direction.pdf / (direction.pdf + pdf) * point.emitted;
 }
 
+bool PathTracer::is_smooth(const Vertex& vertex) {
+  return vertex.is_surface && vertex.point.ggx &&
+         vertex.point.ggx->alpha < GgxReflection::max_mirror_alpha;
+}
+
+glm::dvec3 PathTracer::lights_passed(const Vertex& vertex, const Direction& direction,
+                                     double length) const {
+  glm::dvec3 sum(0.0);
+  if (!is_smooth(vertex)) return sum;
+  for (const PathLight& light : scene_.lights) {
+    if (!light.area || light.is_far) continue;
+    const auto hit = hit_area(*light.area, light.position, vertex.position, direction.w);
+    if (!hit || hit->distance > length) continue;
+    const double pdf =
+        light.direction_pdf(vertex.position, vertex.position + hit->distance * direction.w);
+    sum += direction.pdf / (direction.pdf + pdf) / surface_area(*light.area) * light.intensity;
+  }
+  return sum;
+}
+
+glm::dvec3 PathTracer::mirrored_share(const Vertex& vertex, const glm::dvec3& l) const {
+  GgxReflection mirrored = *vertex.point.ggx;
+  mirrored.diffuse = glm::dvec3(0.0);
+  const glm::dvec3 part = ggx_brdf(mirrored, l, vertex.point.to_eye, vertex.point.normal);
+  const glm::dvec3 all = brdf(vertex.point, l);
+  glm::dvec3 share(1.0);
+  for (int c = 0; c < 3; ++c) {
+    if (all[c] > 0.0) share[c] = part[c] / all[c];
+  }
+  return share;
+}
+
+glm::dvec3 PathTracer::end_at_light(const Vertex& vertex, Segment& segment,
+                                    PathRandom& random) const {
+  SurfaceHit met = segment.hit;
+  scene_.light_shapes->meet(segment.origin, segment.w, met);
+  if (!met.is_light()) return glm::dvec3(1.0);
+  const glm::dvec3 mirrored = mirrored_share(vertex, segment.w);
+  const double chance = max_component(mirrored);
+  if (random.uniform() < chance) {
+    segment.hit = met;
+    return mirrored / chance;
+  }
+  return (1.0 - mirrored) / (1.0 - chance);
+}
+
 glm::dvec3 PathTracer::emission_at(const Vertex& vertex, PathRandom& random) const {
   const glm::dvec3 none(0.0);
   if (scene_.emission.empty()) return none;
@@ -227,6 +274,10 @@ PathTracer::Emission PathTracer::emission_of(const RaySegment& way, double direc
 
 glm::dvec3 PathTracer::direct_light(const Vertex& vertex, PathRandom& random) const {
   const auto weight = [&](const PathLight& light, const glm::dvec3& point) {
+    if (is_smooth(vertex) && light.area && !light.is_far) {
+      const double pdf = light.direction_pdf(vertex.position, point);
+      return pdf / (pdf + direction_pdf(vertex, glm::normalize(point - vertex.position)));
+    }
     if (vertex.is_surface) return 1.0;
     return 1.0 - equi_angular_weight(light, glm::length(point - vertex.position));
   };
@@ -401,6 +452,7 @@ void PathTracer::walk(Vertex vertex, glm::dvec3 throughput, PathRandom& random,
                       OrderedRadiance& sum) const {
   const double full = max_component(throughput);
   double importance = 1.0;
+  bool is_view = vertex.is_surface && scene_.light_shapes;  // a view ray, perhaps mirrored
   for (int events = 1;; ++events) {
     if (events >= first_roulette) {
       const double growth = max_component(throughput) / full;
@@ -423,7 +475,9 @@ void PathTracer::walk(Vertex vertex, glm::dvec3 throughput, PathRandom& random,
       throughput *= scattering(vertex, direction.w) / direction.pdf;
       if (!(max_component(throughput) > 0.0)) return;
     }
-    const Segment next = segment(vertex, direction.w, random);
+    Segment next = segment(vertex, direction.w, random);
+    is_view = is_view && is_smooth(vertex);
+    if (is_view) throughput *= end_at_light(vertex, next, random);
     const auto& [origin, w, hit, fog] = next;
     sum.add(events + 1,
             scene_.albedo * throughput * lights_along(vertex, next, direction.pdf, random));
@@ -435,7 +489,9 @@ void PathTracer::walk(Vertex vertex, glm::dvec3 throughput, PathRandom& random,
     }
     const double end = std::min(hit.distance, in_fog);
     const double t = std::min(scene_.medium.collision(origin, w, end, random), in_fog);
+    sum.add(events, throughput * lights_passed(vertex, direction, std::min(t, hit.distance)));
     if (t < hit.distance) {
+      is_view = false;
       vertex = Vertex::in_medium(origin, w, t);
       throughput *= scene_.albedo;
       if (t < in_fog) {  // among the Gaussians
@@ -452,6 +508,8 @@ void PathTracer::walk(Vertex vertex, glm::dvec3 throughput, PathRandom& random,
         throughput *= importance / now;
         importance = now;
       }
+    } else if (hit.is_light()) {
+      return;
     } else if (hit) {
       vertex = Vertex::on_surface(scene_.ray_caster.point(hit, origin, w, scene_.surfaces));
       throughput *= scene_.ray_caster.reflected_by_chance(hit);

@@ -23,7 +23,8 @@ struct OrderedRadiance {
 // next-event estimation at every vertex, all orders, optical depths in closed form. Environments
 // are sampled by their radiance and by phase function or material, combined by the balance
 // heuristic (Veach), and so are emissive surfaces, by what they send; points of area lights
-// by their solid angle, and for collisions near them evenly (AreaSampler); lights inside the medium
+// by their solid angle, and for collisions near them evenly (AreaSampler), of smooth surfaces by
+// the material, too; lights inside the medium
 // by collisions and equi-angularly (Kulla and Fajardo 2012); light that Gaussians emit by
 // collisions and by what they emit, combined likewise.
 //
@@ -118,6 +119,14 @@ class PathTracer {
   // heuristic with emitters_at().
   [[nodiscard]] glm::dvec3 emitted_by(const SurfaceHit& hit, const SurfacePoint& point,
                                       const Direction& direction) const;
+  // Whether a vertex mirrors: on a surface that shows what is around it.
+  [[nodiscard]] static bool is_smooth(const Vertex& vertex);
+  // The light of area lights that a ray from a smooth vertex passes within a length, by its share
+  // of the balance heuristic with light_at().
+  [[nodiscard]] glm::dvec3 lights_passed(const Vertex& vertex, const Direction& direction,
+                                         double length) const;
+  // The share of scattering() that is mirrored.
+  [[nodiscard]] glm::dvec3 mirrored_share(const Vertex& vertex, const glm::dvec3& l) const;
   // The emission of Gaussians at the end of a segment, as it arrives at its origin per solid angle
   // there and length; the densities of finding that point [1/u^3] by a collision, and by
   // EmissionSampler.
@@ -157,6 +166,10 @@ class PathTracer {
   // It passes panes by chance.
   [[nodiscard]] Segment segment(const Vertex& vertex, const glm::dvec3& w,
                                 PathRandom& random) const;
+  // Ends the segment at a light that is seen, by chance: mirrored light does not pass it, other
+  // light does. The factor of the throughput.
+  [[nodiscard]] glm::dvec3 end_at_light(const Vertex& vertex, Segment& segment,
+                                        PathRandom& random) const;
   // The light of a light in the medium that a segment scatters, the share of equi-angular samples.
   [[nodiscard]] glm::dvec3 light_on_segment(const PathLight& light, const Segment& segment,
                                             PathRandom& random) const;

@@ -52,24 +52,41 @@ bool FrameStages::make_transfers(FrameContext& work) {
 
 namespace {
 
+// The view rays of a tile's pixels.
+class ViewRays {
+ public:
+  ViewRays(const CameraRays& rays, const CameraRays::PixelRectangle& rectangle)
+      : is_parallel_(rays.is_parallel()) {
+    Tiles::each_pixel(rectangle, [&](int x, int y) {
+      offsets_[count_] = rays.offset(x + 0.5, y + 0.5);
+      directions_[count_++] = rays.direction(x + 0.5, y + 0.5);
+    });
+  }
+  [[nodiscard]] std::span<const glm::dvec3> directions() const {
+    return std::span(directions_).first(count_);
+  }
+  // Empty unless they are parallel.
+  [[nodiscard]] std::span<const glm::dvec3> offsets() const {
+    return std::span(offsets_).first(is_parallel_ ? count_ : 0);
+  }
+
+ private:
+  std::array<glm::dvec3, Tiles::pixels> directions_, offsets_;
+  std::size_t count_ = 0;
+  bool is_parallel_;
+};
+
 // Calls keep(x, y, hit) for all pixels.
 template <class Keep>
 void trace_hits(const RayCaster& ray_caster, const FrameContext& work, Keep keep) {
   const Tiles tiles(work.frame.film);
   work.job.parallel_for(tiles.count(), [&](std::size_t tile) {
     const CameraRays::PixelRectangle rectangle = tiles.rectangle(tile);
-    std::array<glm::dvec3, Tiles::pixels> directions, offsets;
+    const ViewRays rays(work.rays, rectangle);
     std::array<SurfaceHit, Tiles::pixels> hits;
+    ray_caster.first_hits(work.rays.eye(), rays.directions(), rays.offsets(),
+                          std::span(hits).first(rays.directions().size()));
     std::size_t count = 0;
-    Tiles::each_pixel(rectangle, [&](int x, int y) {
-      offsets[count] = work.rays.offset(x + 0.5, y + 0.5);
-      directions[count++] = work.rays.direction(x + 0.5, y + 0.5);
-    });
-    ray_caster.first_hits(
-        work.rays.eye(), std::span<const glm::dvec3>(directions).first(count),
-        std::span<const glm::dvec3>(offsets).first(work.rays.is_parallel() ? count : 0),
-        std::span(hits).first(count));
-    count = 0;
     Tiles::each_pixel(rectangle, [&](int x, int y) { keep(x, y, hits[count++]); });
   });
 }
@@ -99,7 +116,32 @@ void FrameStages::find_hits(FrameContext& work, StageClock& clock) {
       work.frame.depth[i] = hits_[i].distance;
     });
   }
+  meet_lights(work);
   clock.finish(Stage::visibility);
+}
+
+void FrameStages::meet_lights(FrameContext& work) {
+  if (work.light_shapes.empty()) return;
+  const auto width = static_cast<std::size_t>(work.frame.film.width);
+  const Tiles tiles(work.frame.film);
+  work.job.parallel_for(tiles.count(), [&](std::size_t tile) {
+    const ViewRays rays(work.rays, tiles.rectangle(tile));
+    std::array<SurfaceHit, Tiles::pixels> hits;
+    std::array<std::size_t, Tiles::pixels> pixels;
+    std::size_t count = 0;
+    Tiles::each_pixel(tiles.rectangle(tile), [&](int x, int y) {
+      pixels[count] = static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x);
+      const std::size_t pixel = pixels[count];
+      hits[count++].distance =
+          distances_.empty() ? static_cast<double>(hits_[pixel].distance) : distances_[pixel];
+    });
+    work.light_shapes.meet(work.rays.eye(), rays.directions(), rays.offsets(),
+                           std::span(hits).first(count));
+    for (std::size_t k = 0; k < count; ++k) {
+      if (hits[k].is_light()) set_hit(pixels[k], hits[k]);
+      work.frame.depth[pixels[k]] = hits_[pixels[k]].distance;
+    }
+  });
 }
 
 std::vector<SeenPane> FrameStages::seen_panes(const FrameContext& work) const {
@@ -122,8 +164,10 @@ void FrameStages::find_hits_behind_panes(FrameContext& work) {
       const SurfaceHit before = hit(pixel);
       if (before && ray_caster.pane(before, 0.0).passing > 0.0) {
         const glm::dvec2 place(static_cast<double>(x) + 0.5, static_cast<double>(y) + 0.5);
-        const SurfaceHit next = ray_caster.next_hit(work.rays.origin(place.x, place.y),
-                                                    work.rays.direction(place.x, place.y), before);
+        const glm::dvec3 origin = work.rays.origin(place.x, place.y);
+        const glm::dvec3 direction = work.rays.direction(place.x, place.y);
+        SurfaceHit next = ray_caster.next_hit(origin, direction, before);
+        work.light_shapes.meet(origin, direction, next);
         set_hit(pixel, next);
       }
       work.frame.depth[pixel] = hits_[pixel].distance;
@@ -141,7 +185,7 @@ SurfaceHit FrameStages::hit(std::size_t pixel) const {
 
 void FrameStages::set_hit(std::size_t pixel, const SurfaceHit& hit) {
   hits_[pixel] = prepared_.ray_caster().pixel_of(hit);
-  distances_[pixel] = hit.distance;
+  if (!distances_.empty()) distances_[pixel] = hit.distance;
   if (!copies_.empty()) copies_[pixel] = hit.copy;
 }
 
@@ -149,9 +193,8 @@ bool FrameStages::prepare_source(FrameContext& work, StageClock& clock) {
   const bool has_environment = work.plan.runs(Stage::environment);
   const bool has_multiple = work.plan.runs(Stage::scattering);
   if (has_multiple) {
-    emission_lights_.update(
-        prepared_.medium(), work.group.albedo,
-        work.plan.runs(Stage::visibility) ? prepared_.ray_caster().bounds() : Box{}, work.job);
+    emission_lights_.update(prepared_.medium(), work.group.albedo,
+                            has_surfaces() ? prepared_.ray_caster().bounds() : Box{}, work.job);
   }
   if (!work.plan.has_environment_in_medium && !has_multiple) source_.clear();
   if (!work.plan.has_source_function()) return true;
@@ -185,15 +228,14 @@ bool FrameStages::prepare_source(FrameContext& work, StageClock& clock) {
 }
 
 SourceFunction::Multiple FrameStages::multiple_scattering(FrameContext& work, StageClock& clock) {
-  const bool has_surfaces = work.plan.runs(Stage::visibility);
   SourceFunction::Multiple multiple{
       {},
       &emission_lights_,
       work.group.albedo,
-      has_surfaces ? &prepared_.ray_caster() : nullptr,
+      has_surfaces() ? &prepared_.ray_caster() : nullptr,
       work.scene.surfaces,
       work.settings.scattering_limits,
-      has_surfaces && is_indoors(prepared_.ray_caster(), work.rays.eye())};
+      has_surfaces() && is_indoors(prepared_.ray_caster(), work.rays.eye())};
   for (PointSource& source : work.sources()) {
     const OpticalDepthTable* const table =
         work.plan.runs(Stage::light_table)
@@ -224,7 +266,7 @@ LitSpace FrameStages::lit_space(const FrameContext& work) const {
   const FogBall& ball = work.fog_extent.ball();
   const auto is_there = [](const GaussianTerm<double>& g) { return g.c > 0.0; };
   const bool has_gaussians = std::ranges::any_of(prepared_.medium().gaussians(), is_there);
-  if (work.plan.runs(Stage::visibility)) {
+  if (has_surfaces()) {
     const RayCaster& surfaces = prepared_.ray_caster();
     if (!has_fog) return {{}, surfaces.bounds()};
     const bool is_lit_from_afar = work.fog_extent.has_far_light();

@@ -25,6 +25,7 @@
 #include "render/slices/sliced_light.h"
 #include "render/transfer/transfer_store.h"
 #include "render/util/job.h"
+#include "render/visibility/light_shapes.h"
 
 namespace brume {
 
@@ -55,6 +56,7 @@ struct FrameContext {
   AlbedoGroup group;
   FogExtent fog_extent;
   FilmWindow window;
+  LightShapes light_shapes;
   CameraRays rays;
   Frame frame;            // of the window
   MirroredWays mirrored;  // with mirrors, before surfaces are shaded
@@ -73,6 +75,7 @@ struct FrameContext {
         group(std::move(albedo_group)),
         fog_extent(extent),
         window(film_window),
+        light_shapes(group_scene.lights),
         rays(frame_camera, film_window.film()) {
     frame.film = window.film();
     frame.camera = frame_camera;
@@ -169,11 +172,14 @@ class FrameStages {
             work.frame.film,
             work.window.shaded(),
             work.plan.precision,
+            work.light_shapes,
             work.plan.has_mirrors ? &work.mirrored : nullptr};
   }
 
  private:
   static bool make_transfers(FrameContext& work);
+  [[nodiscard]] bool has_surfaces() const { return !prepared_.ray_caster().empty(); }
+  void meet_lights(FrameContext& work);
   SurfaceLighting tabled_lighting(FrameContext& work);
   [[nodiscard]] LitSpace lit_space(const FrameContext& work) const;
   [[nodiscard]] IncidentOptics incident_optics(const FrameContext& work) const;

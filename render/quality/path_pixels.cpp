@@ -28,7 +28,8 @@ PathPixels::PathPixels(const Scene& scene, const Camera& camera, const Film& fil
       airlight_orders_(airlight),
       picture_orders_(picture),
       surfaces_(scene.surfaces),
-      ray_caster_(shared_ray_caster(surfaces_)) {
+      ray_caster_(shared_ray_caster(surfaces_)),
+      light_shapes_(scene.lights) {
   Settings settings;
   settings.airlight = AirlightMethod::path;
   const RenderPlan plan(scene, film, settings);
@@ -109,10 +110,13 @@ void PathPixels::trace(std::size_t pixel, int count, PixelPaths& paths,
 }
 
 SurfaceHit PathPixels::view_hit(const Group& group, double x, double y, PathRandom& random) const {
-  return group.ray_caster
-             ? group.ray_caster->first_hit_by_chance(rays_.origin(x, y), rays_.direction(x, y),
-                                                     [&random] { return random.uniform(); })
-             : ray_caster_->first_hit(rays_, x, y);
+  const glm::dvec3 eye = rays_.origin(x, y);
+  const glm::dvec3 w = rays_.direction(x, y);
+  SurfaceHit hit = group.ray_caster ? group.ray_caster->first_hit_by_chance(
+                                          eye, w, [&random] { return random.uniform(); })
+                                    : ray_caster_->first_hit(rays_, x, y);
+  light_shapes_.meet(eye, w, hit);
+  return hit;
 }
 
 glm::dvec3 PathPixels::behind(const Group& group, const CameraRay& ray, const SurfaceHit& hit,
@@ -121,6 +125,7 @@ glm::dvec3 PathPixels::behind(const Group& group, const CameraRay& ray, const Su
   if (ray.depth() > PathTracer::hidden_depth) return none;
   const double transmittance = std::exp(-ray.depth());
   if (!hit) return environment_ ? transmittance * environment_->radiance(ray.w()) : none;
+  if (hit.is_light()) return transmittance * glm::dvec3(light_shapes_.of(hit).radiance);
   const RayCaster& ray_caster = group.scene->ray_caster;
   const SurfacePoint point = ray_caster.point(hit, ray.eye(), ray.w(), surfaces_);
   return transmittance * ray_caster.reflected_by_chance(hit) *

@@ -15,6 +15,7 @@
 #include "render/paths/path_medium.h"
 #include "render/paths/path_scene.h"
 #include "render/paths/path_sums.h"
+#include "render/visibility/light_shapes.h"
 #include "render/visibility/ray_caster.h"
 
 namespace brume {
@@ -63,8 +64,8 @@ class PathPixels {
     std::unique_ptr<PathScene> scene;
     std::unique_ptr<PathScene> area_lights;  // that are alone in the scene; null: there are none
   };
-  // The surface that the view ray of a position on the film sees, which may be a pane that the ray
-  // does not pass by chance.
+  // The surface or light that the view ray of a position on the film sees; that may be a pane that
+  // the ray does not pass by chance.
   [[nodiscard]] SurfaceHit view_hit(const Group& group, double x, double y,
                                     PathRandom& random) const;
   // What a ray that ends at the hit sees there, attenuated.
@@ -84,6 +85,7 @@ class PathPixels {
   Orders picture_orders_;
   std::vector<Surface> surfaces_;
   std::shared_ptr<const RayCaster> ray_caster_;
+  LightShapes light_shapes_;
   double ray_end_;
   std::unique_ptr<EnvironmentSampler> environment_;
   std::vector<Group> groups_;

@@ -29,6 +29,7 @@ ReferencePixels::ReferencePixels(const Scene& scene, const Camera& camera, const
       width_(static_cast<std::size_t>(film.width)),
       tolerance_(tolerance),
       ray_caster_(shared_ray_caster(scene.surfaces)),
+      light_shapes_(scene.lights),
       exact_occlusion_(scene.surfaces) {
   Settings settings;
   settings.airlight = AirlightMethod::reference;
@@ -65,7 +66,9 @@ std::vector<glm::dvec3> ReferencePixels::airlight(
         .parallel_for_with_progress(pixels.size(), [&](std::size_t k) {
           const double x = static_cast<double>(pixels[k] % width_) + 0.5;
           const double y = static_cast<double>(pixels[k] / width_) + 0.5;
-          const double length = std::min(ray_caster_->first_hit(rays_, x, y).distance, ray_end_);
+          SurfaceHit hit = ray_caster_->first_hit(rays_, x, y);
+          light_shapes_.meet(rays_.origin(x, y), rays_.direction(x, y), hit);
+          const double length = std::min(hit.distance, ray_end_);
           const glm::dvec3 airlight =
               reference_airlight(group.medium, exact_occlusion_, lights_,
                                  group.environment ? &*group.environment : nullptr,

@@ -11,6 +11,7 @@
 #include "render/prepare/fog_extent.h"
 #include "render/reference/reference_airlight.h"
 #include "render/visibility/exact_occlusion.h"
+#include "render/visibility/light_shapes.h"
 #include "render/visibility/ray_caster.h"
 
 namespace brume {
@@ -47,6 +48,7 @@ class ReferencePixels {
   std::size_t width_;
   double tolerance_;
   std::shared_ptr<const RayCaster> ray_caster_;
+  LightShapes light_shapes_;
   ExactOcclusion exact_occlusion_;
   double ray_end_;
   std::vector<PointSource> lights_;

@@ -64,6 +64,10 @@ class Shader {
 
   void shade_later(const glm::ivec2& pixel) {
     const SurfaceHit hit = hit_of(pixel);
+    if (hit.is_light()) {
+      radiance_[index_of(pixel)] = film_.light_shapes.of(hit).radiance;
+      return;
+    }
     std::vector<glm::ivec2>& pixels = waiting_[static_cast<std::size_t>(hit.surface)];
     pixels.push_back(pixel);
     if (pixels.size() == Tiles::pixels) shade_now(pixels);
@@ -128,7 +132,7 @@ void FilmSurfaces::mirror(const MirroredRays& rays_of_points, Lit& lit, PointRad
     for (std::size_t k = 0; k < mirrored_hits.size(); ++k) seen[k] = next.outgoing[k];
     lit.pairs += next.pairs;
   };
-  add_mirrored_light({ray_caster, shading.environment(), mirrored->airlight_along,
+  add_mirrored_light({ray_caster, light_shapes, shading.environment(), mirrored->airlight_along,
                       mirrored->open_length, shade_hits},
                      lit.points, rays_of_points, lit.outgoing, wide);
 }

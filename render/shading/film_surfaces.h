@@ -14,6 +14,7 @@
 #include "render/shading/shared_highlights.h"
 #include "render/shading/surface_shading.h"
 #include "render/util/job.h"
+#include "render/visibility/light_shapes.h"
 #include "render/visibility/ray_caster.h"
 
 namespace brume {
@@ -40,6 +41,7 @@ struct FilmSurfaces {
   Film film;
   CameraRays::PixelRectangle pixels;  // those that are shaded, whole blocks
   Settings::Precision precision;
+  const LightShapes& light_shapes;
   const MirroredWays* mirrored = nullptr;  // null: nothing mirrors
   // What wide highlights are known to reflect at pixels; null: nothing is known.
   const SharedHighlights* highlights = nullptr;
@@ -48,14 +50,16 @@ struct FilmSurfaces {
   static constexpr int mirrored_rays = 4;
   static constexpr int few_mirrored_rays = 2;
 
-  // Sets the exitant radiance of these pixels' hits towards the eye, black where there is none.
+  // Sets the exitant radiance of these pixels' hits towards the eye, of surfaces or lights, black
+  // where there is none.
   // `copies`: see SurfaceHit; empty: nothing has copies. Returns the Gaussian x path pairs
   // evaluated, and what wide highlights reflect.
   std::uint64_t shade(std::span<const RasterPixel> hits, std::span<const std::uint32_t> copies,
                       const Job& job, std::span<glm::vec3> radiance,
                       SharedHighlights& shared) const;
   // The same of up to Tiles::pixels hits on one surface, seen in these unit directions within the
-  // pixels; from `offsets`, unless empty, see RayCaster::first_hits().
+  // pixels; from `offsets`, unless empty, see RayCaster::first_hits(). Not of lights, whose
+  // shapes say it.
   std::uint64_t shade(std::span<const SurfaceHit> hits, std::span<const glm::vec3> directions,
                       std::span<const glm::dvec3> offsets, std::span<const glm::ivec2> seen_in,
                       std::span<glm::vec3> radiance) const;

@@ -71,7 +71,7 @@ void shade(const MirroredScene& scene, const SurfacePoints& points, std::span<Mi
     some.clear();
   };
   for (std::size_t i = 0; i < rays.size(); ++i) {
-    if (!rays[i].hit) continue;
+    if (!rays[i].hit || rays[i].hit.is_light()) continue;
     std::vector<std::size_t>& some = waiting[rays[i].hit.surface];
     some.push_back(i);
     if (some.size() == Tiles::pixels) shade_together(some);
@@ -169,7 +169,9 @@ void add_mirrored_light(const MirroredScene& scene, const SurfacePoints& points,
     for (const MirroredRay& ray : own) directions.push_back(ray.direction);
     hits.resize(own.size());
     // Panes only attenuate what is behind them.
-    scene.ray_caster.opaque_hits(points.origin + points.shadow_origin[k], directions, hits, 0.0);
+    const glm::dvec3 start = points.origin + points.shadow_origin[k];
+    scene.ray_caster.opaque_hits(start, directions, hits, 0.0);
+    scene.light_shapes.meet(start, directions, {}, hits);
     for (std::size_t i = 0; i < own.size(); ++i) own[i].hit = hits[i];
   }
   constexpr std::array open{std::numeric_limits<float>::infinity()};

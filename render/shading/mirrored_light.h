@@ -7,12 +7,15 @@
 
 #include "render/scattering/environment_light.h"
 #include "render/simd/surface_points.h"
+#include "render/visibility/light_shapes.h"
 #include "render/visibility/ray_caster.h"
 
 namespace brume {
 
 // Light that smooth surfaces mirror: what the rays of a highlight meet, as view rays do. Rougher
-// ones reflect the spherical harmonics of all light, which hold no more.
+// ones reflect the spherical harmonics of all light, which hold no more. Lights that are seen end
+// rays, and show nothing: what the surface reflects of the lights themselves, their points and
+// add_area_highlight() have already, whether they are seen or not.
 
 // Airlight and optical depth of rays from neighbouring points, at `offsets` from the origin, in
 // unit directions up to `lengths` (may be +inf).
@@ -31,6 +34,7 @@ using ShadeHits =
 // The scene as mirrored rays meet it.
 struct MirroredScene {
   const RayCaster& ray_caster;
+  const LightShapes& light_shapes;
   const EnvironmentLight* environment;                                 // null: none
   const AirlightAlong& airlight_along;                                 // empty: there is no medium
   const std::function<double(const glm::dvec3& origin)>& open_length;  // of rays that hit nothing

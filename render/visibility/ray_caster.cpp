@@ -4,6 +4,7 @@
 #include <cmath>
 #include <mutex>
 
+#include "brume/limits.h"
 #include "core/scene/camera_rays.h"
 #include "render/geometry/edge_on.h"
 #include "render/visibility/ray_caster_impl.h"
@@ -12,6 +13,9 @@ namespace brume {
 namespace {
 
 constexpr std::size_t packet = 16;
+// Triangles of pixels that see lights are these and those after them.
+constexpr std::uint32_t first_light_triangle =
+    std::numeric_limits<std::uint32_t>::max() - static_cast<std::uint32_t>(limits::lights);
 
 // Rays that start at one point or are parallel, and see no triangle edge-on.
 template <class Impl>
@@ -208,6 +212,10 @@ Raster RayCaster::raster(const CameraRays& rays, const Film& film, const Job& jo
 
 SurfaceHit RayCaster::hit_of(const RasterPixel& pixel, std::uint32_t copy) const {
   if (!std::isfinite(pixel.distance)) return {};
+  if (pixel.triangle >= first_light_triangle) {
+    return SurfaceHit::on_light(static_cast<double>(pixel.distance),
+                                pixel.triangle - first_light_triangle);
+  }
   const std::vector<std::uint32_t>& first = impl_->first_triangles;
   const auto surface = std::ranges::upper_bound(first, pixel.triangle) - first.begin() - 1;
   return {static_cast<double>(pixel.distance),
@@ -220,7 +228,10 @@ SurfaceHit RayCaster::hit_of(const RasterPixel& pixel, std::uint32_t copy) const
 
 RasterPixel RayCaster::pixel_of(const SurfaceHit& hit) const {
   if (!hit) return {std::numeric_limits<float>::infinity()};
-  return {static_cast<float>(hit.distance), index_of(hit), hit.u, hit.v};
+  const std::uint32_t triangle =
+      hit.is_light() ? first_light_triangle + static_cast<std::uint32_t>(hit.light())
+                     : index_of(hit);
+  return {static_cast<float>(hit.distance), triangle, hit.u, hit.v};
 }
 
 void RayCaster::trace_shadow_rays(const SurfacePoints& points, const glm::vec3& position,

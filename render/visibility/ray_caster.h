@@ -18,20 +18,10 @@
 #include "render/geometry/rounding.h"
 #include "render/simd/surface_points.h"
 #include "render/visibility/raster.h"
+#include "render/visibility/surface_hit.h"
 #include "render/visibility/surface_point.h"
 
 namespace brume {
-
-// The nearest hit of a ray, compact.
-struct SurfaceHit {
-  double distance = std::numeric_limits<double>::infinity();
-  std::int32_t surface = -1;  // index, or -1 for none
-  std::uint32_t triangle = 0;
-  float u = 0.0f, v = 0.0f;  // barycentric, of the triangle's second and third corner
-  std::uint32_t copy = 0;    // the placement, see placement_of()
-
-  explicit operator bool() const { return surface >= 0; }
-};
 
 // A pane on a ray, and the share of light that it lets through.
 struct PaneHit {
@@ -147,6 +137,7 @@ class RayCaster {
   // may have copies. Keeps a reference to this.
   [[nodiscard]] bool can_rasterize(const CameraRays& rays) const;
   [[nodiscard]] Raster raster(const CameraRays& rays, const Film& film, const Job& job) const;
+  // Those and hits on lights as pixels, and pixels as hits.
   [[nodiscard]] SurfaceHit hit_of(const RasterPixel& pixel, std::uint32_t copy = 0) const;
   [[nodiscard]] RasterPixel pixel_of(const SurfaceHit& hit) const;
 

@@ -86,6 +86,7 @@ SurfaceHit RayCaster::next_hit(const glm::dvec3& origin, const glm::dvec3& direc
 }
 
 SeenPane RayCaster::pane(const SurfaceHit& hit, double width) const {
+  if (hit.is_light()) return {};
   const Coverage& coverage = impl_->surfaces[static_cast<std::size_t>(hit.surface)].coverage;
   if (!coverage.is_pane()) return {};
   const TextureFrame frame = impl_->texture_frame(hit);

@@ -231,6 +231,13 @@ class LightsTest : public QObject {
     auto* two_sided = desk.findChild<QCheckBox*>("light_two_sided");
     QTest::mouseClick(two_sided, Qt::LeftButton, {}, QPoint(8, two_sided->height() / 2));
     QVERIFY(rectangle().two_sided);
+    auto* visible = desk.findChild<QCheckBox*>("light_visible");
+    QTest::mouseClick(visible, Qt::LeftButton, {}, QPoint(8, visible->height() / 2));
+    QVERIFY(rectangle().visible);
+    document.undo_stack().undo();
+    QVERIFY(!rectangle().visible && !visible->isChecked());
+    document.undo_stack().redo();
+    QVERIFY(rectangle().visible && visible->isChecked());
 
     // A corner of it scales it, the end of its normal turns it.
     const auto film = [&](const glm::dvec3& point) { return film_position(desk.view(), point); };

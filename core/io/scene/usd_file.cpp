@@ -128,9 +128,9 @@ void write_shape(UsdText& out, Frames frames, std::size_t i, const std::filesyst
   if (const LightTexture* texture = texture_of(first)) {
     out.constant("custom asset brume:texture:file", named_from(folder, texture->file));
   }
-  if (const auto area = area_of(first); area && is_two_sided(*area)) {
-    out.constant("custom bool brume:twoSided", usd_value(true));
-  }
+  const auto area = area_of(first);
+  if (area && is_two_sided(*area)) out.constant("custom bool brume:twoSided", usd_value(true));
+  if (area && is_visible(*area)) out.constant("custom bool brume:visible", usd_value(true));
 }
 
 // Intensity, per type: area lights radiance; distant lights, normalized, irradiance; normalized

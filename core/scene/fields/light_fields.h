@@ -156,6 +156,17 @@ inline constexpr auto two_sided = field_within<Light>(
      .says = "Whether it shines to both sides; a sphere then also lights what is inside it",
      .step = 1.0});
 
+template <class Kind>
+inline constexpr auto visible = field_within<Light>(
+    OfKind<Kind, bool>{&Kind::visible}, domain::boolean,
+    {.name = "visible",
+     .label = "Visible",
+     .unit = "",
+     .says = "Whether the eye sees it, also in mirrors and through panes, from the sides that it "
+             "shines to; it still keeps no light out",
+     .step = 1.0,
+     .is_always_saved = false});
+
 }  // namespace light_field
 
 // The values that every light has.
@@ -237,17 +248,21 @@ inline constexpr auto fields<light::Rectangle> = std::tuple{
                           .unit = "",
                           .says = "The direction of its height, as far as the normal leaves it",
                           .step = 0.01}),
-    light_field::two_sided<light::Rectangle>};
+    light_field::two_sided<light::Rectangle>,
+    light_field::visible<light::Rectangle>};
 
 template <>
-inline constexpr auto fields<light::Disk> =
-    std::tuple{light_field::position, light_field::direction<light::Disk>, light_field::radiance,
-               light_field::radius<light::Disk>, light_field::two_sided<light::Disk>};
+inline constexpr auto fields<light::Disk> = std::tuple{light_field::position,
+                                                       light_field::direction<light::Disk>,
+                                                       light_field::radiance,
+                                                       light_field::radius<light::Disk>,
+                                                       light_field::two_sided<light::Disk>,
+                                                       light_field::visible<light::Disk>};
 
 template <>
 inline constexpr auto fields<light::Sphere> =
     std::tuple{light_field::position, light_field::radiance, light_field::radius<light::Sphere>,
-               light_field::two_sided<light::Sphere>};
+               light_field::two_sided<light::Sphere>, light_field::visible<light::Sphere>};
 
 // The values of a light with a profile.
 template <>

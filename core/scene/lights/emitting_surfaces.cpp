@@ -17,7 +17,6 @@
 #include "core/scene/lights/point_lights.h"
 #include "core/scene/materials/coverage.h"
 #include "core/scene/materials/texture.h"
-#include "core/scene/placement.h"
 
 namespace brume {
 namespace {

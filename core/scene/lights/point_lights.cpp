@@ -244,6 +244,15 @@ bool is_two_sided(const AreaLight& area) {
   return std::visit([](const auto& shape) { return shape.two_sided; }, area);
 }
 
+bool is_visible(const AreaLight& area) {
+  return std::visit([](const auto& shape) { return shape.visible; }, area);
+}
+
+bool is_seen(const Light& light) {
+  const auto area = area_of(light);
+  return light.on && area && is_visible(*area);
+}
+
 double surface_area(const AreaLight& area) {
   using std::numbers::pi;
   return std::visit(

@@ -63,6 +63,9 @@ inline constexpr double far_light_distance = 2048.0;
 glm::dvec3 to_light(const light::Directional& light);
 
 bool is_two_sided(const AreaLight& area);
+bool is_visible(const AreaLight& area);
+// Whether a light is on and its shape is visible.
+bool is_seen(const Light& light);
 // [u^2]; `facing`: as seen from far away, from where it looks largest.
 double surface_area(const AreaLight& area);
 double facing_area(const AreaLight& area);

@@ -69,6 +69,14 @@ TEST(GlPlan, RefusesCopies) {
   EXPECT_EQ(refusal_of(scene, sliced_settings({}, 24)), Reason::copies_on_cpu);
 }
 
+TEST(GlPlan, RefusesVisibleLights) {
+  Scene scene = cloud_scene(3, 1.0);
+  scene.lights[0].kind = light::Sphere{};
+  EXPECT_EQ(refusal_of(scene, sliced_settings({}, 24)), std::nullopt);
+  scene.lights[0].kind = light::Sphere{.visible = true};
+  EXPECT_EQ(refusal_of(scene, sliced_settings({}, 24)), Reason::visible_lights_on_cpu);
+}
+
 TEST(GlPlan, RefusesTooManySlices) {
   Scene scene = cloud_scene(3, 1.0);
   EXPECT_EQ(refusal_of(scene, sliced_settings({}, 256)), std::nullopt);

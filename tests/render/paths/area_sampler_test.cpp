@@ -98,6 +98,25 @@ TEST(AreaSampler, AgreesWithTheWholeSurface) {
   }
 }
 
+// A point is found with the density that its factor is one by.
+TEST(AreaSampler, KnowsTheDensityOfItsPoints) {
+  for (const Shape shape : {Shape::rectangle, Shape::disk, Shape::sphere}) {
+    const AreaLight area = facing_down(shape);
+    const AreaSampler sampler(area, center);
+    PathRandom random(9, 10, 11, 12);
+    for (const glm::dvec3& offset :
+         {glm::dvec3(0.1, -0.2, 0.2), {0.3, -0.6, 0.2}, {2.0, -1.0, 3.0}, {0.0, -2000.0, 1.0}}) {
+      for (int i = 0; i < 10; ++i) {
+        const AreaSampler::SeenPoint seen = sampler.seen_from(center + offset, random);
+        if (!(seen.factor > 0.0)) continue;
+        const glm::dvec3 q = seen.position - center - offset;
+        const double density = glm::dot(q, q) / (seen.factor * surface_area(area));
+        EXPECT_NEAR(sampler.direction_pdf(center + offset, seen.position), density, 1e-6 * density);
+      }
+    }
+  }
+}
+
 TEST(AreaSampler, ShinesToItsFrontOrToBothSides) {
   const glm::dvec3 above = center + glm::dvec3(0.1, 0.3, 0.0);
   for (const Shape shape : {Shape::rectangle, Shape::disk}) {

@@ -28,6 +28,32 @@ TEST(LightsInFiles, SayWhetherTheyAreOff) {
   EXPECT_FALSE(contains(text, R"("on": true)"));
 }
 
+TEST(LightsInFiles, SayWhetherTheyAreVisible) {
+  const TemporaryFolder folder;
+  Scene scene;
+  scene.lights = {{.kind = light::Rectangle{.visible = true}},
+                  {.kind = light::Disk{.visible = true}},
+                  {.kind = light::Sphere{.visible = true}},
+                  {.kind = light::Sphere{}}};
+  save_document(scene, folder / "a.brume");
+  const Scene loaded = load_scene(folder / "a.brume");
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(loaded.lights[i].kind, scene.lights[i].kind);
+  const std::string text = content_of(folder / "a.brume");
+  EXPECT_TRUE(contains(text, R"("visible": true)"));
+  EXPECT_FALSE(contains(text, R"("visible": false)"));
+  // A light without a shape has no such key: it is kept, and named in a warning.
+  folder.write("point.brume", R"({ "format": "brume-scene", "version": 1, "lights": [
+    { "type": "point", "position": [0, 0, 0], "visible": true }] })");
+  std::vector<std::string> warnings;
+  load_document(folder / "point.brume", &warnings);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_TRUE(contains(warnings[0], "lights[0]") && contains(warnings[0], "visible"))
+      << warnings[0];
+  folder.write("number.brume", R"({ "format": "brume-scene", "version": 1, "lights": [
+    { "type": "sphere", "position": [0, 0, 0], "radius": 1, "radiance": 1, "visible": 1 }] })");
+  EXPECT_TRUE(contains(error_of([&] { load_scene(folder / "number.brume"); }), "lights[0]."));
+}
+
 TEST(LightsInFiles, KeepProfiles) {
   const TemporaryFolder folder;
   folder.write("narrow.ies", "TILT=NONE\n1 -1 1 2 1 1 2 0 0 0\n1 1 60\n0 30\n0\n100 0\n");
