@@ -141,11 +141,13 @@ TEST(LightShapes, MeetTilesOfRays) {
   }
 }
 
-// A mirror, and the eye itself, see them as they see surfaces that emit as much.
+// A mirror, and the eye itself, see them as they see surfaces that emit as much, before a wall that
+// shines.
 TEST(VisibleLights, LookLikeSurfacesThatEmit) {
   Scene scene = lights_above_a_floor();
   scene.surfaces[0].material = metal(1.0, 0.0);
-  scene.surfaces[1].material.reflectance = glm::dvec3(0.0);
+  scene.surfaces[1].material = metal(0.0, 1.0);
+  scene.surfaces[1].material.metallic_roughness.emissive = glm::dvec3(2.0);
   const std::vector<int> seen = seen_lights(scene);
   Settings settings = sliced(8);
   settings.samples = 1;
