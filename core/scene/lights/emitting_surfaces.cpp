@@ -130,7 +130,8 @@ void for_each_emitting(std::span<const Surface> surfaces, Visit visit) {
   };
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
     if (!is_emissive(surfaces[s])) continue;
-    for (std::size_t copy = 0; copy < placement_count(surfaces[s]); ++copy) {
+    const auto& copies = surfaces[s].placed_copies;
+    for (std::size_t copy = 0; copy < 1 + (copies ? copies->size() : 0); ++copy) {
       visit_placement(surfaces[s], s, copy);
     }
   }
