@@ -111,10 +111,7 @@ std::optional<Frame> Renderer::Impl::render(FrameContext& work) {
   } else {
     if (!stages.prepare_source(work, clock)) return std::nullopt;
     medium = integrate_medium(work, clock);
-    work.mirrored.airlight_along = medium.method.along;
-    work.mirrored.open_length = [&work](const glm::dvec3& origin) {
-      return work.fog_extent.ray_distance(origin);
-    };
+    work.set_mirrored_ways(medium.method.along);
     surfaces = stages.shade_surfaces(work, clock);
   }
   if (work.job.stop.stop_requested()) return std::nullopt;
@@ -188,13 +185,13 @@ void Renderer::Impl::sample_pixels(FrameContext& work, const SeenMedium& medium,
   // Samples see what pixels beside their tile see, perhaps farther away.
   const FilmTiles film{tiles, medium.lists, work.rays, ends, work.frame, work.window, scale, 1};
   if (medium.method.prepare) medium.method.prepare(film);
-  FilmSurfaces surfaces = stages.film_surfaces(work);
-  surfaces.highlights = &stages.highlights();
+  const FilmSurfaces surfaces = stages.film_surfaces(work);
   const Brightness brightness = work.settings.brightness
                                     ? *work.settings.brightness
                                     : brightness_of(work.frame, work.window.region());
   SampledView view{.tiles = film,
                    .surfaces = work.plan.runs(Stage::visibility) ? &surfaces : nullptr,
+                   .highlights = &stages.highlights(),
                    .are_lit = work.plan.runs(Stage::surfaces),
                    .environment = stages.shading().environment(),
                    .fog_tolerance = work.settings.upsampling_tolerance,
@@ -259,18 +256,10 @@ AirlightIntegrator Renderer::Impl::sliced(FrameContext& work, StageClock& clock)
     film_slices.choose(film, stages.prepared().medium(), stages.lit_from(work, *lights),
                        work.settings.slices, work.job);
   };
-  const auto along = [this, &work, lights, source](const glm::dvec3& origin, auto offsets,
-                                                   auto directions, auto lengths, auto airlight,
-                                                   auto depths) {
-    sliced_airlight_along(
-        stages.prepared().medium(), *lights, source ? source->function : nullptr,
-        work.settings.slices,
-        {.eye = origin, .directions = directions, .lengths = lengths, .offsets = offsets},
-        {airlight, depths});
-    // The frame's own airlight is multiplied at the end.
-    for (glm::vec3& radiance : airlight) radiance *= static_cast<float>(work.group.albedo);
-  };
-  return {evaluate, prepare, along};
+  return {
+      evaluate, prepare,
+      sliced_airlight_along(stages.prepared().medium(), lights, source ? source->function : nullptr,
+                            work.settings.slices, work.group.albedo)};
 }
 
 AirlightIntegrator Renderer::Impl::march(const FrameContext& work) const {

@@ -98,14 +98,17 @@ std::string interval_text(const ErrorEstimate& error) {
 
 // What is not certain to meet a bound: the airlight, which finer settings might mend, or else the
 // rest of the picture, where it is sure to miss it.
-std::optional<std::string> unsure_text(const FrameError& error, double max_error) {
+std::optional<std::string> unsure_text(const FrameError& error, const RenderRequest& request) {
+  const double max_error = request.max_error;
   std::ostringstream text;
   if (error.airlight.high > max_error) {
     text << "the setting that was found is not certain to meet a max_error of " << max_error
          << ": it has a relative RMSE of " << interval_text(error.airlight);
     return text.str();
   }
-  if (!error.picture || error.picture->low <= max_error) return std::nullopt;
+  // Light scattered once, where it is asked for, is not all of it.
+  const bool has_all = request.scattering == Scattering::multiple;
+  if (!has_all || !error.picture || error.picture->low <= max_error) return std::nullopt;
   text << "the picture misses a max_error of " << max_error
        << ", although its airlight does not: it has a relative RMSE of "
        << interval_text(*error.picture);
@@ -250,7 +253,7 @@ std::optional<Frame> SceneRenderer::render(const Scene& asked, const RenderReque
       std::chrono::steady_clock::now() - rendered;
   frame.statistics.extra_milliseconds = extra.count();
   if (request.airlight == AirlightMethod::auto_ && error) {
-    if (auto text = unsure_text(*error, request.max_error)) {
+    if (auto text = unsure_text(*error, request)) {
       warnings.push_back(std::move(*text));
     }
   }

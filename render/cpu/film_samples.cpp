@@ -188,7 +188,8 @@ class TileSampler {
     light_pairs_ += view_.surfaces->shade(
         std::span(hits).first(samples.size()), std::span(directions).first(samples.size()),
         std::span(offsets).first(ray_offsets_.empty() ? 0 : samples.size()),
-        std::span(seen_in).first(samples.size()), std::span(radiance).first(samples.size()));
+        std::span(seen_in).first(samples.size()), *view_.highlights,
+        std::span(radiance).first(samples.size()));
     for (std::size_t k = 0; k < samples.size(); ++k) behind_[samples[k]] = radiance[k];
     samples.clear();
   }

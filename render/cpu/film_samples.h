@@ -13,6 +13,7 @@ namespace brume {
 struct SampledView {
   const FilmTiles& tiles;
   const FilmSurfaces* surfaces = nullptr;         // null: none
+  const SharedHighlights* highlights = nullptr;   // of the frame's pixels; with surfaces
   bool are_lit = false;                           // else they are black
   const EnvironmentLight* environment = nullptr;  // null: none
   // Null: no medium.

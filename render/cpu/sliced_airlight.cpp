@@ -297,4 +297,19 @@ void sliced_airlight_along(const MediumIndex& medium, std::span<const SlicedLigh
   sliced_airlight(medium, gaussians, lights, seen ? &*seen : nullptr, rays, same, out);
 }
 
+AirlightAlong sliced_airlight_along(const MediumIndex& medium,
+                                    std::shared_ptr<const std::vector<SlicedLight>> lights,
+                                    const SourceFunction* source, int slices, double albedo) {
+  return [&medium, lights = std::move(lights), source, slices, albedo](
+             const glm::dvec3& origin, auto offsets, auto directions, auto lengths, auto airlight,
+             auto depths) {
+    sliced_airlight_along(
+        medium, *lights, source, slices,
+        {.eye = origin, .directions = directions, .lengths = lengths, .offsets = offsets},
+        {airlight, depths});
+    // The frame's own airlight is multiplied at the end.
+    for (glm::vec3& radiance : airlight) radiance *= static_cast<float>(albedo);
+  };
+}
+
 }  // namespace brume

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <vector>
 
 #include "render/geometry/tile_rays.h"
@@ -9,6 +10,7 @@
 #include "render/optical_depth/ray_slices.h"
 #include "render/scattering/source_function.h"
 #include "render/scattering/source_lookup.h"
+#include "render/shading/mirrored_light.h"
 #include "render/slices/shadow_map.h"
 #include "render/slices/sliced_light.h"
 
@@ -51,5 +53,11 @@ std::uint64_t sliced_airlight(const MediumIndex& medium, std::span<const std::ui
 void sliced_airlight_along(const MediumIndex& medium, std::span<const SlicedLight> lights,
                            const SourceFunction* source, int slices, TileRays rays,
                            const TileAirlight& out);
+
+// The same as a function of the rays, of light that scatters with this albedo. Refers to all but
+// the lights.
+AirlightAlong sliced_airlight_along(const MediumIndex& medium,
+                                    std::shared_ptr<const std::vector<SlicedLight>> lights,
+                                    const SourceFunction* source, int slices, double albedo);
 
 }  // namespace brume

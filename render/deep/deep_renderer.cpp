@@ -44,13 +44,19 @@ class DeepGroup {
     stages_.find_hits(work_, clock);
     if (!stages_.prepare_source(work_, clock)) return false;
     if (work_.plan.has_medium()) {
-      lights_ = stages_.sliced_lights(work_, clock);
-      if (const SourceFunction* function = stages_.source_function(work_)) {
+      lights_ =
+          std::make_shared<const std::vector<SlicedLight>>(stages_.sliced_lights(work_, clock));
+      const SourceFunction* const function = stages_.source_function(work_);
+      if (function) {
         source_view_.update(*function, work_.rays, work_.job);
         source_ = {function, source_view_.lookup(*function)};
       }
       tiles_.emplace(work_.frame.film);
       lists_ = tiles_->lists(medium(), work_.rays);
+      work_.set_mirrored_ways(sliced_airlight_along(medium(), lights_, function,
+                                                    work_.settings.slices, work_.group.albedo));
+    } else {
+      work_.set_mirrored_ways({});
     }
     surfaces_ = stages_.shade_surfaces(work_, clock);
     return !work_.job.stop.stop_requested();
@@ -59,13 +65,13 @@ class DeepGroup {
   void choose_slices(FilmSlices& slices) const {
     const RayEnds ends = stages_.ray_ends(work_);
     const FilmTiles film{*tiles_, lists_, work_.rays, ends, work_.frame, work_.window, 1};
-    slices.choose(film, medium(), stages_.lit_from(work_, lights_), work_.settings.slices,
+    slices.choose(film, medium(), stages_.lit_from(work_, *lights_), work_.settings.slices,
                   work_.job);
   }
 
   void evaluate(const TileRays& rays, const SliceNodes& nodes, const TileAirlight& out,
                 TileProfiles& profiles) const {
-    sliced_airlight(medium(), lists_.gaussians_of(rays.tile), lights_,
+    sliced_airlight(medium(), lists_.gaussians_of(rays.tile), *lights_,
                     source_ ? &*source_ : nullptr, rays, nodes, out, &profiles);
   }
 
@@ -85,7 +91,8 @@ class DeepGroup {
   Scene scene_;
   FrameContext work_;
   FrameStages stages_;
-  std::vector<SlicedLight> lights_;
+  std::shared_ptr<const std::vector<SlicedLight>> lights_ =
+      std::make_shared<const std::vector<SlicedLight>>();
   SourceView source_view_;
   std::optional<SlicedSource> source_;
   std::optional<Tiles> tiles_;

@@ -133,7 +133,8 @@ glm::dvec3 PathTracer::light_at(const Vertex& vertex, Weight weight, PathRandom&
                           : relative_to(light, point, vertex.start, vertex.w).distance2(vertex.t);
     const double factor = weight(light, point) / (probability * r2);
     if (!(factor > 0.0)) return;
-    sum += factor * visibility(vertex.position, light, point) * value * intensity;
+    sum += factor * visibility(vertex.position, light, point) * value * intensity *
+           shapes_pass(vertex, q / r, r);
   });
   return sum;
 }
@@ -150,7 +151,7 @@ glm::dvec3 PathTracer::environment_at(const Vertex& vertex, PathRandom& random) 
   const double depth = scene_.medium.depth(vertex.position, l, infinity) +
                        scene_.fog.density * scene_.fog.length(vertex.position, l);
   return visible * std::exp(-depth) / (pdf + direction_pdf(vertex, l)) * value *
-         environment->radiance(l);
+         environment->radiance(l) * shapes_pass(vertex, l, infinity);
 }
 
 glm::dvec3 PathTracer::emitters_at(const Vertex& vertex, PathRandom& random) const {
@@ -174,7 +175,8 @@ glm::dvec3 PathTracer::emitters_at(const Vertex& vertex, PathRandom& random) con
       scene_.medium.depth(vertex.position, l, hit.distance) + scene_.fog.density * fog;
   const SurfacePoint point = scene_.ray_caster.point(hit, vertex.position, l, scene_.surfaces);
   return scene_.ray_caster.reflected_by_chance(hit) * std::exp(-depth) /
-         (pdf + direction_pdf(vertex, l)) * value * point.emitted;
+         (pdf + direction_pdf(vertex, l)) * value * point.emitted *
+         shapes_pass(vertex, l, hit.distance);
 }
 
 glm::dvec3 PathTracer::emitters_around(const Vertex& vertex, PathRandom& random) const {
@@ -196,52 +198,6 @@ glm::dvec3 PathTracer::emitted_by(const SurfaceHit& hit, const SurfacePoint& poi
                                   const Direction& direction) const {
   const double pdf = scene_.emitters.pdf(hit, direction.w);
   return direction.pdf / (direction.pdf + pdf) * point.emitted;
-}
-
-bool PathTracer::is_smooth(const Vertex& vertex) {
-  return vertex.is_surface && vertex.point.ggx &&
-         vertex.point.ggx->alpha < GgxReflection::max_mirror_alpha;
-}
-
-glm::dvec3 PathTracer::lights_passed(const Vertex& vertex, const Direction& direction,
-                                     double length) const {
-  glm::dvec3 sum(0.0);
-  if (!is_smooth(vertex)) return sum;
-  for (const PathLight& light : scene_.lights) {
-    if (!light.area || light.is_far) continue;
-    const auto hit = hit_area(*light.area, light.position, vertex.position, direction.w);
-    if (!hit || hit->distance > length) continue;
-    const double pdf =
-        light.direction_pdf(vertex.position, vertex.position + hit->distance * direction.w);
-    sum += direction.pdf / (direction.pdf + pdf) / surface_area(*light.area) * light.intensity;
-  }
-  return sum;
-}
-
-glm::dvec3 PathTracer::mirrored_share(const Vertex& vertex, const glm::dvec3& l) const {
-  GgxReflection mirrored = *vertex.point.ggx;
-  mirrored.diffuse = glm::dvec3(0.0);
-  const glm::dvec3 part = ggx_brdf(mirrored, l, vertex.point.to_eye, vertex.point.normal);
-  const glm::dvec3 all = brdf(vertex.point, l);
-  glm::dvec3 share(1.0);
-  for (int c = 0; c < 3; ++c) {
-    if (all[c] > 0.0) share[c] = part[c] / all[c];
-  }
-  return share;
-}
-
-glm::dvec3 PathTracer::end_at_light(const Vertex& vertex, Segment& segment,
-                                    PathRandom& random) const {
-  SurfaceHit met = segment.hit;
-  scene_.light_shapes->meet(segment.origin, segment.w, met);
-  if (!met.is_light()) return glm::dvec3(1.0);
-  const glm::dvec3 mirrored = mirrored_share(vertex, segment.w);
-  const double chance = max_component(mirrored);
-  if (random.uniform() < chance) {
-    segment.hit = met;
-    return mirrored / chance;
-  }
-  return (1.0 - mirrored) / (1.0 - chance);
 }
 
 glm::dvec3 PathTracer::emission_at(const Vertex& vertex, PathRandom& random) const {
@@ -443,6 +399,7 @@ glm::dvec3 PathTracer::lights_once(const CameraRay& ray, const StratifiedPair& s
 OrderedRadiance PathTracer::surface(const SurfacePoint& point, PathRandom& random) const {
   OrderedRadiance sum;
   Vertex vertex = Vertex::on_surface(point);
+  vertex.is_view = scene_.light_shapes != nullptr;
   sum.add(1, point.emitted + direct_light(vertex, random));
   walk(vertex, glm::dvec3(1.0), random, sum);
   return sum;
@@ -452,7 +409,6 @@ void PathTracer::walk(Vertex vertex, glm::dvec3 throughput, PathRandom& random,
                       OrderedRadiance& sum) const {
   const double full = max_component(throughput);
   double importance = 1.0;
-  bool is_view = vertex.is_surface && scene_.light_shapes;  // a view ray, perhaps mirrored
   for (int events = 1;; ++events) {
     if (events >= first_roulette) {
       const double growth = max_component(throughput) / full;
@@ -476,7 +432,7 @@ void PathTracer::walk(Vertex vertex, glm::dvec3 throughput, PathRandom& random,
       if (!(max_component(throughput) > 0.0)) return;
     }
     Segment next = segment(vertex, direction.w, random);
-    is_view = is_view && is_smooth(vertex);
+    const bool is_view = vertex.is_view && is_smooth(vertex);
     if (is_view) throughput *= end_at_light(vertex, next, random);
     const auto& [origin, w, hit, fog] = next;
     sum.add(events + 1,
@@ -491,7 +447,6 @@ void PathTracer::walk(Vertex vertex, glm::dvec3 throughput, PathRandom& random,
     const double t = std::min(scene_.medium.collision(origin, w, end, random), in_fog);
     sum.add(events, throughput * lights_passed(vertex, direction, std::min(t, hit.distance)));
     if (t < hit.distance) {
-      is_view = false;
       vertex = Vertex::in_medium(origin, w, t);
       throughput *= scene_.albedo;
       if (t < in_fog) {  // among the Gaussians
@@ -512,6 +467,7 @@ void PathTracer::walk(Vertex vertex, glm::dvec3 throughput, PathRandom& random,
       return;
     } else if (hit) {
       vertex = Vertex::on_surface(scene_.ray_caster.point(hit, origin, w, scene_.surfaces));
+      vertex.is_view = is_view;
       throughput *= scene_.ray_caster.reflected_by_chance(hit);
       sum.add(events, throughput * emitted_by(hit, vertex.point, direction));
     } else {

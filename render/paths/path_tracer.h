@@ -67,7 +67,8 @@ class PathTracer {
     glm::dvec3 start{0.0};     // of the segment that ended here
     double t = 0.0;            // and its length
     bool is_surface = false;
-    SurfacePoint point;  // of a surface
+    bool is_view = false;  // reached by a view ray, mirrored perhaps: its highlight shows lights
+    SurfacePoint point;    // of a surface
 
     static Vertex in_medium(const glm::dvec3& start, const glm::dvec3& w, double t);
     static Vertex on_surface(const SurfacePoint& point);
@@ -170,6 +171,10 @@ class PathTracer {
   // light does. The factor of the throughput.
   [[nodiscard]] glm::dvec3 end_at_light(const Vertex& vertex, Segment& segment,
                                         PathRandom& random) const;
+  // The share of the light from a point in the unit direction l, so far away [u], that is not
+  // hidden by the shape of a light: what a highlight mirrors is.
+  [[nodiscard]] glm::dvec3 shapes_pass(const Vertex& vertex, const glm::dvec3& l,
+                                       double distance) const;
   // The light of a light in the medium that a segment scatters, the share of equi-angular samples.
   [[nodiscard]] glm::dvec3 light_on_segment(const PathLight& light, const Segment& segment,
                                             PathRandom& random) const;

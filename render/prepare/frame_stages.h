@@ -87,6 +87,13 @@ struct FrameContext {
   }
   // Allocates all layers of the frame.
   void make_layers();
+  // With mirrors, before surfaces are shaded; empty: there is no medium, or the method has none.
+  void set_mirrored_ways(AirlightAlong airlight_along) {
+    mirrored.airlight_along = std::move(airlight_along);
+    mirrored.open_length = [this](const glm::dvec3& origin) {
+      return fog_extent.ray_distance(origin);
+    };
+  }
   // Brightness::airlight_rms, if it is known: of the group, whose airlight is still to be
   // multiplied by its albedo.
   [[nodiscard]] std::optional<double> airlight_rms() const {

@@ -187,9 +187,13 @@ ErrorSample::ErrorSample(std::shared_ptr<ViewReference> reference,
       probabilities_(std::move(probabilities)),
       seed_(seed),
       paths_(paths),
-      path_shares_(path_shares(
-          reference_->has_picture() ? CenterLight::picture(guide) : CenterLight::airlight(guide),
-          probabilities_)) {}
+      path_shares_(path_shares(CenterLight::airlight(guide), probabilities_)) {
+  if (!reference_->has_picture()) return;
+  // What is bright in the picture alone takes no paths from the airlight.
+  const std::vector<float> of_picture = path_shares(CenterLight::picture(guide), probabilities_);
+  std::ranges::transform(path_shares_, of_picture, path_shares_.begin(),
+                         [](float airlight, float picture) { return std::max(airlight, picture); });
+}
 
 std::optional<ErrorSample> ErrorSample::create(const Scene& scene, const Camera& camera,
                                                const Frame& guide, std::size_t count,

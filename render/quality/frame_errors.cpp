@@ -118,7 +118,8 @@ std::optional<FrameError> FrameErrors::measure(const Frame& frame, std::optional
       ++times_refined_;
     } else {
       if (stop.stop_requested()) return std::nullopt;
-      if (!max_error || times_grown_ == max_growths) break;
+      // More paths are all that a picture gets.
+      if (!max_error || times_grown_ == max_growths || !is_unsure(error.airlight)) break;
       if (!sample_->grow(stop, next_part().progress)) return std::nullopt;
       ++times_grown_;
     }
@@ -134,8 +135,8 @@ std::optional<FrameError> FrameErrors::measure_within(double max_work, const Fra
   const Job job{stop, progress};
   make_reference(frame);
   // Integrals cost the same wherever they are; half of the work is for the first.
-  const std::size_t most =
-      std::min(sample_pixels(scene_), reference_->is_noisy() ? max_noisy_pixels : ~std::size_t{0});
+  const std::size_t most = std::min(
+      sample_pixels(scene_), reference_->has_noisy_airlight() ? max_noisy_pixels : ~std::size_t{0});
   const double affordable = 0.5 * max_work / std::max(reference_->integral_work(), 1.0);
   const std::size_t pixels =
       affordable < static_cast<double>(most)

@@ -59,6 +59,7 @@ PathPixels::PathPixels(const Scene& scene, const Camera& camera, const Film& fil
     group.scene = std::make_unique<PathScene>(
         PathScene::of_view(*group.medium, each.albedo, ray_caster, surfaces_, environment_.get(),
                            lights, rays_.eye(), fog_extent.ball(), rays_.max_offset()));
+    if (!light_shapes_.empty()) group.scene->light_shapes = &light_shapes_;
     const bool has_areas = !area_lights.empty() || !group.scene->emitters.empty();
     if (airlight_orders_ == Orders::all || !has_areas) continue;
     group.area_lights = std::make_unique<PathScene>(

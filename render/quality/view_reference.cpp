@@ -48,6 +48,7 @@ ViewReference::ViewReference(const Scene& scene, const Camera& camera, const Fil
   } else if (has_area_lights(scene) || has_panes) {
     airlight = integrals_lack_once;
   }
+  has_noisy_airlight_ = airlight != none;
   PathPixels::Orders picture = none;
   if (has_picture_) picture = keeps_integrals_ ? all_but_integrals : all;
   if (airlight != none || picture != none) {

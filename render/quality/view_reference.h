@@ -41,6 +41,8 @@ class ViewReference {
 
   // Whether more paths make pixels surer.
   [[nodiscard]] bool is_noisy() const { return path_pixels_.has_value(); }
+  // Whether they do in the airlight.
+  [[nodiscard]] bool has_noisy_airlight() const { return has_noisy_airlight_; }
 
   // Number of evaluated pixels.
   [[nodiscard]] std::size_t size() const { return known_.size(); }
@@ -65,6 +67,7 @@ class ViewReference {
   };
 
   bool has_picture_;
+  bool has_noisy_airlight_ = false;
   bool keeps_integrals_ = false;  // in the picture
   double integral_work_ = 0.0;
   Work work_;

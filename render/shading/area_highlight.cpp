@@ -9,6 +9,7 @@
 #include "core/scene/materials/ggx.h"
 #include "render/geometry/even_points.h"
 #include "render/simd/coefficients.h"
+#include "render/visibility/light_shapes.h"
 
 namespace brume {
 namespace {
@@ -29,6 +30,7 @@ void add_area_highlight(const SurfacePoints& points, const RayCaster& ray_caster
                         const PointLight& light, const AreaSum& of_points,
                         PointRadiance& radiance) {
   const glm::dvec3 emitted = light.intensity / area_of_point(light);
+  const double radius = bounding_radius(*light.area);
   for (std::size_t k = 0; k < points.count; ++k) {
     if (!(points.ggx.alpha[k] < float{GgxReflection::max_mirror_alpha})) continue;
     const auto alpha = static_cast<double>(points.ggx.alpha[k]);
@@ -54,7 +56,8 @@ void add_area_highlight(const SurfacePoints& points, const RayCaster& ray_caster
                                       ? 1.0 / std::pow(glm::distance(start, light.area_center), 2.0)
                                       : hit->cosine / (hit->distance * hit->distance));
       if (!(density > 0.0)) continue;
-      const double passes = ray_caster.transmittance(start, wi, hit->distance);
+      const double passes =
+          ray_caster.transmittance(start, wi, hit->distance - light_margin(*hit, radius));
       sum += passes * cosine * piece / (1.0 + density * piece) * ggx_brdf(reflection, wi, wo, n);
     }
     const glm::vec3 highlight(static_cast<double>(of_points.transmittance(k)) * emitted * sum);

@@ -18,17 +18,19 @@ class Shader {
  public:
   Shader(const FilmSurfaces& film, std::span<const RasterPixel> hits,
          std::span<const std::uint32_t> copies, std::span<glm::vec3> radiance,
-         SharedHighlights& shared)
+         SharedHighlights& shared, bool are_lonely)
       : film_(film),
         hits_(hits),
         copies_(copies),
         radiance_(radiance),
         shared_(shared),
+        are_lonely_(are_lonely),
         waiting_(film.surfaces.size()) {}
 
   void shade(const CameraRays::PixelRectangle& tile) {
     Tiles::each_pixel(tile, [&](int x, int y) {
       const std::size_t i = index_of({x, y});
+      if (are_lonely_ && !shared_.is_lonely({x, y})) return;
       radiance_[i] = glm::vec3(0.0f);
       if (std::isfinite(hits_[i].distance)) shade_later({x, y});
     });
@@ -86,10 +88,14 @@ class Shader {
       seen_along[k] = {directions.x[k], directions.y[k], directions.z[k]};
       offsets[k] = film_.rays.offset(pixels[k].x + 0.5, pixels[k].y + 0.5);
     }
-    pairs_ += film_.shade(std::span(hits).first(pixels.size()),
-                          std::span(seen_along).first(pixels.size()),
-                          std::span(offsets).first(film_.rays.is_parallel() ? pixels.size() : 0),
-                          pixels, std::span(outgoing).first(pixels.size()), shared_);
+    const std::size_t count = pixels.size();
+    const auto own_hits = std::span(hits).first(count);
+    const auto own_directions = std::span(seen_along).first(count);
+    const auto own_offsets = std::span(offsets).first(film_.rays.is_parallel() ? count : 0);
+    const auto own_radiance = std::span(outgoing).first(count);
+    pairs_ += are_lonely_ ? film_.shade(own_hits, own_directions, own_offsets, own_radiance)
+                          : film_.shade(own_hits, own_directions, own_offsets, pixels, own_radiance,
+                                        shared_);
     for (std::size_t k = 0; k < pixels.size(); ++k) radiance_[index_of(pixels[k])] = outgoing[k];
     pixels.clear();
   }
@@ -99,6 +105,7 @@ class Shader {
   std::span<const std::uint32_t> copies_;
   std::span<glm::vec3> radiance_;
   SharedHighlights& shared_;
+  bool are_lonely_;  // those of its pixels that have no share are shaded, not all
   std::vector<std::vector<glm::ivec2>> waiting_;  // per surface
   std::uint64_t pairs_ = 0;
 };
@@ -122,7 +129,8 @@ void FilmSurfaces::light(std::span<const SurfaceHit> hits, const glm::dvec3& ori
   if (shaded.transferred) shaded.transferred->add(hits, lit.points, lit.outgoing);
 }
 
-void FilmSurfaces::mirror(const MirroredRays& rays_of_points, Lit& lit, PointRadiance* wide) const {
+void FilmSurfaces::mirror(const MirroredRays& rays_of_points, Lit& lit,
+                          WideHighlights* wide) const {
   const bool is_last = rays_of_points.max_rays <= few_mirrored_rays;
   const ShadeHits shade_hits = [&](auto mirrored_hits, const auto& center, auto seen_along,
                                    auto starts, auto seen) {
@@ -144,7 +152,7 @@ std::uint64_t FilmSurfaces::shade(std::span<const SurfaceHit> hits,
                                   std::span<glm::vec3> radiance, SharedHighlights& shared) const {
   Lit lit;
   light(hits, rays.eye(), directions, offsets, mirrored != nullptr, lit);
-  PointRadiance wide{};
+  WideHighlights wide;
   if (lit.mirrors) {
     std::array<std::uint8_t, Tiles::pixels> patterns;
     for (std::size_t k = 0; k < hits.size(); ++k) {
@@ -154,12 +162,10 @@ std::uint64_t FilmSurfaces::shade(std::span<const SurfaceHit> hits,
   }
   for (std::size_t k = 0; k < hits.size(); ++k) {
     radiance[k] = lit.outgoing[k];
-    if (!lit.mirrors || lit.points.ggx.lobe[k] > 0.0f ||
-        !is_wide_highlight(lit.points.ggx.alpha[k], mirrored_rays)) {
-      continue;
-    }
-    const int reach = SharedHighlights::reach_of(lit.points.ggx.alpha[k], lit.points.pixel_angle);
-    shared.set(seen_in[k], hits[k], lit.points.normal[k], reach, wide[k]);
+    const float alpha = lit.points.ggx.alpha[k];
+    if (!lit.mirrors || lit.points.ggx.lobe[k] > 0.0f || !is_wide_highlight(alpha)) continue;
+    shared.set(seen_in[k], {hits[k].surface, hits[k].copy, alpha, lit.points.normal[k],
+                            lit.points.ggx.f0[k], wide[k]});
   }
   return lit.pairs;
 }
@@ -167,7 +173,19 @@ std::uint64_t FilmSurfaces::shade(std::span<const SurfaceHit> hits,
 std::uint64_t FilmSurfaces::shade(std::span<const SurfaceHit> hits,
                                   std::span<const glm::vec3> directions,
                                   std::span<const glm::dvec3> offsets,
+                                  std::span<glm::vec3> radiance) const {
+  Lit lit;
+  light(hits, rays.eye(), directions, offsets, mirrored != nullptr, lit);
+  if (lit.mirrors) mirror({mirrored_rays}, lit);
+  for (std::size_t k = 0; k < hits.size(); ++k) radiance[k] = lit.outgoing[k];
+  return lit.pairs;
+}
+
+std::uint64_t FilmSurfaces::shade(std::span<const SurfaceHit> hits,
+                                  std::span<const glm::vec3> directions,
+                                  std::span<const glm::dvec3> offsets,
                                   std::span<const glm::ivec2> seen_in,
+                                  const SharedHighlights& known,
                                   std::span<glm::vec3> radiance) const {
   Lit lit;
   light(hits, rays.eye(), directions, offsets, mirrored != nullptr, lit);
@@ -175,12 +193,11 @@ std::uint64_t FilmSurfaces::shade(std::span<const SurfaceHit> hits,
     std::array<std::uint8_t, Tiles::pixels> patterns;
     for (std::size_t k = 0; k < hits.size(); ++k) {
       patterns[k] = SharedHighlights::pattern_of(rays.first_pixel() + seen_in[k]);
-      const bool is_wide = is_wide_highlight(lit.points.ggx.alpha[k], mirrored_rays);
-      const glm::vec3* const known =
-          is_wide && highlights ? highlights->near(seen_in[k], hits[k]) : nullptr;
-      if (!known || lit.points.ggx.lobe[k] > 0.0f) continue;
+      if (lit.points.ggx.lobe[k] > 0.0f || !is_wide_highlight(lit.points.ggx.alpha[k])) continue;
+      const Highlight* const found = known.find(seen_in[k], hits[k], lit.points.normal[k]);
+      if (!found) continue;
       patterns[k] = MirroredRays::none;
-      lit.outgoing.add(k, *known);
+      lit.outgoing.add(k, found->reflected(lit.points.ggx.f0[k]));
     }
     mirror({few_mirrored_rays, std::span(patterns).first(hits.size())}, lit);
   }
@@ -191,32 +208,36 @@ std::uint64_t FilmSurfaces::shade(std::span<const SurfaceHit> hits,
 std::uint64_t FilmSurfaces::shade(std::span<const RasterPixel> hits,
                                   std::span<const std::uint32_t> copies, const Job& job,
                                   std::span<glm::vec3> radiance, SharedHighlights& shared) const {
-  if (mirrored) shared.reset({film.width, film.height});
+  shared.reset(mirrored ? glm::ivec2(film.width, film.height) : glm::ivec2(0),
+               static_cast<float>(2.0 * rays.pixel_half_angle()));
   const int columns = (pixels.x1 - pixels.x0 + block_width - 1) / block_width;
   const int rows = (pixels.y1 - pixels.y0 + block_height - 1) / block_height;
   std::atomic<std::uint64_t> pairs = 0;
-  job.parallel_for(static_cast<std::size_t>(columns * rows), [&](std::size_t block) {
-    const int left = pixels.x0 + static_cast<int>(block) % columns * block_width;
-    const int top = pixels.y0 + static_cast<int>(block) / columns * block_height;
-    const int right = std::min(left + block_width, pixels.x1);
-    const int bottom = std::min(top + block_height, pixels.y1);
-    Shader shader(*this, hits, copies, radiance, shared);
-    for (int y = top; y < bottom; y += Tiles::height) {
-      for (int x = left; x < right; x += Tiles::width) {
-        shader.shade(
-            {x, y, std::min(x + Tiles::width, right), std::min(y + Tiles::height, bottom)});
+  const auto shade_blocks = [&](bool are_lonely) {
+    job.parallel_for(static_cast<std::size_t>(columns * rows), [&](std::size_t block) {
+      const int left = pixels.x0 + static_cast<int>(block) % columns * block_width;
+      const int top = pixels.y0 + static_cast<int>(block) / columns * block_height;
+      const int right = std::min(left + block_width, pixels.x1);
+      const int bottom = std::min(top + block_height, pixels.y1);
+      Shader shader(*this, hits, copies, radiance, shared, are_lonely);
+      for (int y = top; y < bottom; y += Tiles::height) {
+        for (int x = left; x < right; x += Tiles::width) {
+          shader.shade(
+              {x, y, std::min(x + Tiles::width, right), std::min(y + Tiles::height, bottom)});
+        }
+        const int next = y + Tiles::height;
+        if (next < bottom) {
+          shader.prefetch({left, next, right, std::min(next + Tiles::height, bottom)});
+        }
       }
-      const int next = y + Tiles::height;
-      if (next < bottom) {
-        shader.prefetch({left, next, right, std::min(next + Tiles::height, bottom)});
-      }
-    }
-    shader.finish();
-    pairs += shader.pairs();
-  });
+      shader.finish();
+      pairs += shader.pairs();
+    });
+  };
+  shade_blocks(false);
   if (!mirrored || job.stop.stop_requested()) return pairs;
-  shared.share(pixels, job);
-  for (std::size_t i = 0; i < radiance.size(); ++i) radiance[i] += shared.light()[i];
+  shared.share(pixels, job, radiance);
+  shade_blocks(true);
   return pairs;
 }
 

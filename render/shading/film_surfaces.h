@@ -43,11 +43,9 @@ struct FilmSurfaces {
   Settings::Precision precision;
   const LightShapes& light_shapes;
   const MirroredWays* mirrored = nullptr;  // null: nothing mirrors
-  // What wide highlights are known to reflect at pixels; null: nothing is known.
-  const SharedHighlights* highlights = nullptr;
   // Rays that a point mirrors at most; their hits mirror few_mirrored_rays, and the hits of these
   // none.
-  static constexpr int mirrored_rays = 4;
+  static constexpr int mirrored_rays = 16;
   static constexpr int few_mirrored_rays = 2;
 
   // Sets the exitant radiance of these pixels' hits towards the eye, of surfaces or lights, black
@@ -57,13 +55,15 @@ struct FilmSurfaces {
   std::uint64_t shade(std::span<const RasterPixel> hits, std::span<const std::uint32_t> copies,
                       const Job& job, std::span<glm::vec3> radiance,
                       SharedHighlights& shared) const;
-  // The same of up to Tiles::pixels hits on one surface, seen in these unit directions within the
-  // pixels; from `offsets`, unless empty, see RayCaster::first_hits(). Not of lights, whose
-  // shapes say it.
+  // The same of up to Tiles::pixels hits on one surface, seen in these unit directions; from
+  // `offsets`, unless empty, see RayCaster::first_hits(). Not of lights, whose shapes say it.
+  std::uint64_t shade(std::span<const SurfaceHit> hits, std::span<const glm::vec3> directions,
+                      std::span<const glm::dvec3> offsets, std::span<glm::vec3> radiance) const;
+  // The same of samples of pixels, whose highlights may be known.
   std::uint64_t shade(std::span<const SurfaceHit> hits, std::span<const glm::vec3> directions,
                       std::span<const glm::dvec3> offsets, std::span<const glm::ivec2> seen_in,
-                      std::span<glm::vec3> radiance) const;
-  // The same of the pixels themselves, whose highlights go to `shared`.
+                      const SharedHighlights& known, std::span<glm::vec3> radiance) const;
+  // The same of pixels, without wide highlights, which go to `shared`.
   std::uint64_t shade(std::span<const SurfaceHit> hits, std::span<const glm::vec3> directions,
                       std::span<const glm::dvec3> offsets, std::span<const glm::ivec2> seen_in,
                       std::span<glm::vec3> radiance, SharedHighlights& shared) const;
@@ -80,7 +80,7 @@ struct FilmSurfaces {
              std::span<const glm::vec3> directions, std::span<const glm::dvec3> offsets,
              bool may_mirror_rays, Lit& lit) const;
   // Adds what they mirror; `wide`: see add_mirrored_light().
-  void mirror(const MirroredRays& rays_of_points, Lit& lit, PointRadiance* wide = nullptr) const;
+  void mirror(const MirroredRays& rays_of_points, Lit& lit, WideHighlights* wide = nullptr) const;
 };
 
 }  // namespace brume

@@ -18,14 +18,24 @@ namespace {
 // Highlights of less alpha are so narrow that one airlight is that of all their rays.
 constexpr float narrow = 0.05f;
 
-// Those of less are sharp: one ray.
+// Those of less are sharp: one ray. Copies of what is mirrored would show.
 constexpr float sharp = 0.015f;
+
+// Rays of a highlight of this alpha.
+int ray_count(float alpha, int max_rays) {
+  constexpr float wide = 0.1f;
+  const int wanted = alpha < sharp ? 1 : alpha < narrow ? 4 : alpha < wide ? 8 : 16;
+  return std::min(wanted, max_rays);
+}
+
+// Rays of a pixel that shares them.
+constexpr int shared_rays = 4;
 
 // A ray that a point mirrors, and the share of its light that is reflected.
 struct MirroredRay {
   std::size_t point;
   glm::dvec3 direction;  // unit
-  glm::dvec3 weight;
+  double base, grazing;  // over f0, and beside it
   SurfaceHit hit{};
   glm::vec3 behind{0.0f};  // radiance of the surface that it hits, or of the environment
 };
@@ -34,21 +44,24 @@ void add_rays(const SurfacePoints& points, std::size_t k, const MirroredRays& mi
               std::vector<MirroredRay>& rays) {
   const glm::dvec3 n = points.normal[k];
   const glm::dvec3 wo = points.to_eye[k];
-  GgxReflection highlight;
-  highlight.f0 = points.ggx.f0[k];
-  highlight.alpha = static_cast<double>(points.ggx.alpha[k]);
-  const bool is_wide = is_wide_highlight(points.ggx.alpha[k], mirrored.max_rays);
-  const int count = is_wide ? mirrored.max_rays : 1;
-  const int sets = is_wide && !mirrored.patterns.empty() ? SharedHighlights::patterns : 1;
-  const int pattern = sets > 1 ? mirrored.patterns[k] : 0;
+  const float alpha = points.ggx.alpha[k];
+  const bool is_shared = is_wide_highlight(alpha) && !mirrored.patterns.empty();
+  const int count = is_shared ? shared_rays : ray_count(alpha, mirrored.max_rays);
+  const int sets = is_shared ? SharedHighlights::patterns : 1;
+  const int pattern = is_shared ? mirrored.patterns[k] : 0;
+  GgxReflection black, white;
+  black.alpha = white.alpha = static_cast<double>(alpha);
+  white.f0 = glm::dvec3(1.0);
   for (int j = 0; j < count; ++j) {
     const glm::dvec2 place = even_point(sets * j + pattern, sets * count);
-    const glm::dvec3 wi = sample_ggx(highlight.alpha, wo, n, place);
+    const glm::dvec3 wi = sample_ggx(black.alpha, wo, n, place);
     const double cosine = glm::dot(wi, n);
-    const double pdf = ggx_pdf(highlight.alpha, wi, wo, n);
+    const double pdf = ggx_pdf(black.alpha, wi, wo, n);
     if (!(cosine > 0.0) || !(pdf > 0.0)) continue;
+    const double share = cosine / (pdf * count);
+    const double grazing = share * ggx_brdf(black, wi, wo, n).x;
     rays.push_back(
-        {k, glm::normalize(wi), cosine / (pdf * count) * ggx_brdf(highlight, wi, wo, n)});
+        {k, glm::normalize(wi), share * ggx_brdf(white, wi, wo, n).x - grazing, grazing});
   }
 }
 
@@ -149,13 +162,13 @@ bool begin_mirroring(SurfacePoints& points) {
   return any;
 }
 
-bool is_wide_highlight(float alpha, int max_rays) {
-  return max_rays > 1 && !(alpha < sharp);
+bool is_wide_highlight(float alpha) {
+  return !(alpha < sharp);
 }
 
 void add_mirrored_light(const MirroredScene& scene, const SurfacePoints& points,
                         const MirroredRays& mirrored, PointRadiance& radiance,
-                        PointRadiance* wide) {
+                        WideHighlights* shared) {
   std::vector<MirroredRay> rays;
   std::vector<glm::dvec3> directions;
   std::vector<SurfaceHit> hits;
@@ -190,10 +203,14 @@ void add_mirrored_light(const MirroredScene& scene, const SurfacePoints& points,
                                                ray.direction, ray.hit.distance);
     }
     const glm::vec3 arriving = ways.airlight(i) + static_cast<float>(passes) * ray.behind;
-    const glm::vec3 reflected = glm::vec3(ray.weight) * arriving;
-    const bool is_wide = wide && is_wide_highlight(points.ggx.alpha[ray.point], mirrored.max_rays);
-    PointRadiance& sum = is_wide ? *wide : radiance;
-    sum.add(ray.point, reflected);
+    const Highlight highlight{static_cast<float>(ray.base) * arriving,
+                              static_cast<float>(ray.grazing) * arriving};
+    if (shared && is_wide_highlight(points.ggx.alpha[ray.point])) {
+      shared->base.add(ray.point, highlight.base);
+      shared->grazing.add(ray.point, highlight.grazing);
+    } else {
+      radiance.add(ray.point, highlight.reflected(glm::vec3(points.ggx.f0[ray.point])));
+    }
   }
 }
 

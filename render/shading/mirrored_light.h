@@ -6,6 +6,7 @@
 #include <span>
 
 #include "render/scattering/environment_light.h"
+#include "render/shading/shared_highlights.h"
 #include "render/simd/surface_points.h"
 #include "render/visibility/light_shapes.h"
 #include "render/visibility/ray_caster.h"
@@ -48,19 +49,27 @@ bool begin_mirroring(SurfacePoints& points);
 // Which rays points mirror.
 struct MirroredRays {
   int max_rays = 1;  // of a point
-  // Of each point: see SharedHighlights::pattern_of(), or `none`. Empty: all mirror the same rays.
+  // Points whose wide highlights are shared mirror a pattern of SharedHighlights::pattern_of(), and
+  // `none` nothing. Empty: all mirror the same rays.
   std::span<const std::uint8_t> patterns{};
   static constexpr std::uint8_t none = 255;
 };
 
 // Whether a highlight is so wide that neighbours can share its rays.
-bool is_wide_highlight(float alpha, int max_rays);
+bool is_wide_highlight(float alpha);
+
+// Highlights of points that are shared.
+struct WideHighlights {
+  PointRadiance base{}, grazing{};
+
+  [[nodiscard]] Highlight operator[](std::size_t k) const { return {base[k], grazing[k]}; }
+};
 
 // radiance += what points reflect from mirrored rays: they are spread over the highlight, by the
-// normals that the eye sees; one where it is narrow. `wide` += what wide highlights reflect, or
-// null: the same as others. Thread-safe.
+// normals that the eye sees; one where it is narrow. Wide highlights of points with patterns go to
+// `shared` instead. Thread-safe.
 void add_mirrored_light(const MirroredScene& scene, const SurfacePoints& points,
                         const MirroredRays& mirrored, PointRadiance& radiance,
-                        PointRadiance* wide = nullptr);
+                        WideHighlights* shared = nullptr);
 
 }  // namespace brume

@@ -13,13 +13,13 @@
 #include "render/geometry/rounding.h"
 
 namespace brume {
-namespace {
 
-// Where the hits of surfaces are not exact, those of lights on them may be so much farther away.
-double margin(const AreaHit& hit, double radius) {
+double light_margin(const AreaHit& hit, double radius) {
   constexpr double min_cosine = 0.01;
   return 4.0 * position_rounding * (hit.distance + radius) / std::max(hit.cosine, min_cosine);
 }
+
+namespace {
 
 // A cone around directions.
 struct Cone {
@@ -82,7 +82,7 @@ void LightShapes::meet(std::size_t shape, const glm::dvec3& origin, const glm::d
   constexpr double rounding = 1e-9;
   if (beside > radius * radius * (1.0 + rounding) + rounding * along * along) return;
   const auto met = hit_area(shapes_[shape].area, shapes_[shape].center, origin, direction);
-  if (!met || met->distance > hit.distance + margin(*met, radius)) return;
+  if (!met || met->distance > hit.distance + light_margin(*met, radius)) return;
   hit = SurfaceHit::on_light(met->distance, shape);
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "brume/scene.h"
+#include "core/scene/lights/area_lights.h"
 #include "core/scene/lights/point_lights.h"
 #include "render/visibility/surface_hit.h"
 
@@ -48,6 +49,10 @@ class LightShapes {
   std::vector<LightShape> shapes_;
   std::vector<double> radii_;  // of the balls around them [u]
 };
+
+// Where the hits of surfaces are not exact, those of lights of that size [u] on them may be so much
+// farther away [u].
+double light_margin(const AreaHit& hit, double radius);
 
 // Where a point of a light's shape is when the light has become another one of its kind.
 glm::dvec3 moved_on_shape(const AreaLight& now, const glm::dvec3& now_center, const AreaLight& next,

@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <glm/gtc/quaternion.hpp>
+#include <utility>
 
 #include "brume/frame.h"
+#include "tests/pictures.h"
 #include "tests/render/test_scenes.h"
 
 namespace brume {
@@ -86,6 +89,52 @@ TEST(Mirrors, AreAsBrightInFogAsPathsHaveThem) {
     const Frame paths = render_frame(scene, path_traced(48));
     EXPECT_NEAR(mean_difference(mirrored, paths, 22), 0.0, 0.03) << roughness;
   }
+}
+
+// A glowing wall and a gray sky around what is mirrored.
+Scene glowing_wall(Surface mirror, double roughness) {
+  Scene scene;
+  scene.film = {32, 24};
+  scene.camera = {.eye = {0.0, 1.2, 4.0}, .target = {0.0, 0.3, 0.0}, .vertical_fov = 40.0};
+  scene.surfaces = {std::move(mirror),
+                    placed(Primitive::Shape::box, {1.5, 3.0, 0.1}, {0.3, 1.6, -1.5})};
+  make_metal(scene.surfaces[0], 0.9, roughness);
+  make_metal(scene.surfaces[1], 0.0, 1.0);
+  scene.surfaces[1].material.metallic_roughness.emissive = glm::dvec3(2.0);
+  scene.environment.emplace().map = constant_sky(0.3f);
+  return scene;
+}
+
+double error_beside_paths(const Scene& scene, int samples) {
+  Settings settings = sliced(8);
+  Settings paths = path_traced(512);
+  settings.samples = paths.samples = samples;
+  return difference(render_frame(scene, settings).beauty, render_frame(scene, paths).beauty)
+      .relative_rmse;
+}
+
+// Neighbours share the rays of wide highlights, not what they reflect: textures stay sharp.
+TEST(Mirrors, KeepTheTexturesOfMetals) {
+  Scene scene =
+      glowing_wall(placed(Primitive::Shape::plane, {4.0, 1.0, 4.0}, {0.0, 0.0, 0.0}), 0.3);
+  scene.surfaces[0].material.metallic_roughness.base_color_texture = {
+      "a.png", picture(8, [](int x, int y) { return (x + y) % 2 == 0 ? 0xffffffu : 0x202020u; })};
+  scene.film = {64, 48};  // blocks of 4 x 4 pixels widen the image of the wall less
+  EXPECT_LT(error_beside_paths(scene, 1), 0.07);
+}
+
+// The faces of one mesh mirror different parts of the scene, also where samples of a pixel see
+// both.
+TEST(Mirrors, KeepTheEdgesOfAMesh) {
+  Surface box = placed(Primitive::Shape::box, {1.6, 1.0, 1.6}, {0.0, 0.3, 0.6});
+  box.rotate = glm::angleAxis(0.6, glm::dvec3(0.0, 1.0, 0.0));
+  EXPECT_LT(error_beside_paths(glowing_wall(box, 0.3), 16), 0.06);
+}
+
+// Where a surface curves within a few pixels there are few to share with.
+TEST(Mirrors, AreSharpOnSmallBalls) {
+  const Surface ball = placed(Primitive::Shape::sphere, glm::dvec3(1.4), {0.0, 0.5, 0.8});
+  EXPECT_LT(error_beside_paths(glowing_wall(ball, 0.17), 1), 0.12);
 }
 
 // A surface that emits is seen in them, and makes no highlights beside that.

@@ -255,6 +255,24 @@ TEST(VisibleLights, AreInMirrorsAsPathsHaveThem) {
   }
 }
 
+// A lacquer without blue and green keeps the red that it scatters below a light that is black
+// there.
+TEST(VisibleLights, HideWhatHighlightsMirrorAndNothingElse) {
+  Scene scene = lights_above_a_floor();
+  scene.film = {16, 12};
+  scene.lights = {panel()};
+  scene.lights[0].intensity = glm::dvec3(1e-3);
+  scene.surfaces[0].material = metal(1.0, 0.3);
+  scene.surfaces[0].material.metallic_roughness.metallic = 0.0;
+  scene.surfaces[0].material.metallic_roughness.base_color = {1.0, 0.0, 0.0};
+  scene.surfaces[1].material = metal(0.0, 1.0);
+  scene.surfaces[1].material.metallic_roughness.emissive = glm::dvec3(1.0);
+  const double seen = mean(render_frame(scene, path_traced(256)), 8);
+  const double hidden = mean(render_frame(with_hidden(scene), path_traced(256)), 8);
+  EXPECT_LT(seen, hidden);
+  EXPECT_GT(seen, 0.85 * hidden);
+}
+
 TEST(VisibleLights, AreSeenThroughPanes) {
   Scene scene = lights_above_a_floor();
   const std::vector<int> seen = seen_lights(scene);

@@ -117,11 +117,11 @@ TEST(DeepRenderer, HeldOutIsTheFrameWithAWallInColour) {
 
 // Under an environment and many orders of scattering a wall changes the light, but not what is at
 // the end.
-void expect_flattened_is_flat(Scene scene) {
+void expect_flattened_is_flat(Scene scene, const Surface& behind = wall(-0.3, 0.6)) {
   scene.environment = Environment{.file = {}, .map = constant_sky(0.3f), .intensity = 1.0};
   scene.optics.anisotropy = 0.3;
   scene.lights[0].intensity = glm::dvec3(100.0);
-  scene.surfaces.push_back(wall(-0.3, 0.6));
+  scene.surfaces.push_back(behind);
   Settings settings = sliced(64, Scattering::multiple);
   settings.source_grid = {.nodes = 2000, .directions = 32};
   const Frame flat = render_frame(scene, settings);
@@ -148,6 +148,13 @@ void expect_flattened_is_flat(Scene scene) {
 
 TEST(DeepRenderer, FlattenedIsTheFlatFrame) {
   expect_flattened_is_flat(lit_from_the_front(3.0));
+}
+
+TEST(DeepRenderer, FlattenedIsTheFlatFrameOfAMirror) {
+  Surface mirror = wall(-0.3, 0.6);
+  mirror.material.type = Material::Type::metallic_roughness;
+  mirror.material.metallic_roughness.roughness = 0.1;
+  expect_flattened_is_flat(lit_from_the_front(3.0), mirror);
 }
 
 // Depths are along the axis, from the plane of the eye on.
