@@ -88,7 +88,7 @@ struct Directional {
 
 // Surfaces that shine with the same radiance everywhere and in all directions of their front, or of
 // both sides. They keep no light out, as point lights. Where they are visible, view rays and those
-// that smooth surfaces mirror end at the sides that shine; see render/visibility/light_shapes.h.
+// that smooth surfaces mirror end at the sides that shine.
 struct Rectangle {
   glm::dvec3 direction{0.0, -1.0, 0.0};  // normal of its front; any length but 0
   glm::dvec3 up{0.0, 1.0, 0.0};          // along its height, but for the normal

@@ -46,7 +46,7 @@ class FrameErrors {
   void make_reference(const Frame& frame);
   // Makes the sample, unless there is one. False if stopped.
   bool make_sample(const Frame& frame, std::size_t pixels, int paths, const Job& job);
-  // Of all that is measured, by the sample as it is.
+  // The error of all that is measured, by the sample as it is.
   [[nodiscard]] FrameError error_of(const Frame& frame) const;
 
   const Scene& scene_;

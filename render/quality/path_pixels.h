@@ -68,7 +68,7 @@ class PathPixels {
   // the ray does not pass by chance.
   [[nodiscard]] SurfaceHit view_hit(const Group& group, double x, double y,
                                     PathRandom& random) const;
-  // What a ray that ends at the hit sees there, attenuated.
+  // The light of a ray's hit, attenuated.
   [[nodiscard]] glm::dvec3 behind(const Group& group, const CameraRay& ray, const SurfaceHit& hit,
                                   PathRandom& random) const;
   // The airlight of one path, for the airlight alone and as a part of the picture.

@@ -12,6 +12,7 @@
 #include "core/io/scene/scene_file.h"
 #include "core/scene/copies.h"
 #include "core/scene/fields/light_fields.h"
+#include "core/scene/lights/emitting_surfaces.h"
 #include "core/scene/lights/photometric_profile.h"
 #include "core/scene/lights/radiance_map.h"
 #include "core/scene/mesh.h"
@@ -121,6 +122,13 @@ TEST(SampleScenes, HeadlightsOnAWetRoad) {
   for (std::size_t k = 0; k < 4; ++k) EXPECT_TRUE(scene.lights[k].as<light::Spot>());
   EXPECT_TRUE(scene.lights[4].as<light::Rectangle>());
   EXPECT_EQ(scene.surfaces[0].material.type, Material::Type::phong);
+}
+
+TEST(SampleScenes, AWetStreetUnderNeon) {
+  const Scene scene = load("wet_street.brume");
+  EXPECT_EQ(scene.surfaces.size(), 16u);
+  EXPECT_EQ(std::ranges::count_if(scene.surfaces, is_emissive), 10);
+  EXPECT_LT(scene.surfaces[0].material.metallic_roughness.roughness, 0.2) << "it is wet";
 }
 
 TEST(SampleScenes, ACandleAndItsSmoke) {

@@ -28,6 +28,17 @@ TEST(LightsInFiles, SayWhetherTheyAreOff) {
   EXPECT_FALSE(contains(text, R"("on": true)"));
 }
 
+// Other programs read these words.
+TEST(LightsInFiles, HaveTheUnitsOfTheirKinds) {
+  const TemporaryFolder folder;
+  Scene scene;
+  scene.lights = {{.intensity = {4, 5, 6}, .kind = light::Directional{{1, -2, 0}, 0.53}}};
+  save_document(scene, folder / "a.brume");
+  const std::string sun = content_of(folder / "a.brume");
+  EXPECT_TRUE(contains(sun, R"("irradiance": [4.0, 5.0, 6.0])"));
+  EXPECT_FALSE(contains(sun, "position"));
+}
+
 TEST(LightsInFiles, SayWhetherTheyAreVisible) {
   const TemporaryFolder folder;
   Scene scene;

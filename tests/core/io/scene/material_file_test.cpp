@@ -100,6 +100,8 @@ TEST_F(MaterialFile, MissingTextureIsAWarningThatNamesIt) {
 
 TEST_F(MaterialFile, RefusesBadValues) {
   const std::string begin = R"({ "type": "metallic_roughness", )";
+  EXPECT_TRUE(contains(error(begin + R"("base_color": [1, 2, 0] })"),
+                       "surfaces[0].material.base_color[1]: found 2"));
   EXPECT_TRUE(contains(error(begin + R"("alpha": "mask" })"),
                        "surfaces[0].material.alpha: found \"mask\"; allowed: "));
   EXPECT_TRUE(
