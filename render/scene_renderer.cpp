@@ -96,8 +96,8 @@ std::string interval_text(const ErrorEstimate& error) {
   return text.str();
 }
 
-// What is not certain to meet a bound: the airlight, which finer settings might mend, or else the
-// rest of the picture, where it is sure to miss it.
+// Says of the airlight, which finer settings might mend, that it is not certain to meet the bound,
+// or else of the rest of the picture that it is sure to miss it.
 std::optional<std::string> unsure_text(const FrameError& error, const RenderRequest& request) {
   const double max_error = request.max_error;
   std::ostringstream text;

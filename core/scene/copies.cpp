@@ -86,7 +86,7 @@ std::size_t rounded_count(double count) {
                                                      : limits::copies;
 }
 
-// What the area of a surface depends on.
+// An area depends on these.
 struct AreaKey {
   Identity<TriangleMesh> mesh;
   double scale;

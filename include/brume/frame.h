@@ -114,8 +114,8 @@ struct Frame {
   // what there is to say of it, a line each.
   std::shared_ptr<const RenderRequest> request;
   std::optional<ErrorEstimate> error;  // of the airlight, for the orders that were rendered
-  // Of the beauty, for all the light that there is: surfaces, what they mirror and let through,
-  // what shines, and the environment.
+  // The same of the beauty, for all the light that there is: surfaces, what they mirror and let
+  // through, what shines, and the environment.
   std::optional<ErrorEstimate> picture_error;
   ImageLayers layers;
   std::vector<std::string> warnings;

@@ -87,7 +87,8 @@ struct FrameContext {
   }
   // Allocates all layers of the frame.
   void make_layers();
-  // With mirrors, before surfaces are shaded; empty: there is no medium, or the method has none.
+  // Mirrored rays need it before surfaces are shaded. An empty function: there is no medium, or the
+  // method has none.
   void set_mirrored_ways(AirlightAlong airlight_along) {
     mirrored.airlight_along = std::move(airlight_along);
     mirrored.open_length = [this](const glm::dvec3& origin) {
@@ -166,7 +167,7 @@ class FrameStages {
   void update_vertex_lighting(FrameContext& work);
   // Outgoing radiance of surfaces, RGB per pixel; empty if none is lit.
   std::span<const glm::vec3> shade_surfaces(FrameContext& work, StageClock& clock);
-  // What wide highlights reflect at the pixels of that frame, if anything mirrors.
+  // The wide highlights at the pixels of that frame, if anything mirrors.
   [[nodiscard]] const SharedHighlights& highlights() const { return highlights_; }
   // Shades more points of surfaces, after shade_surfaces(), until the next frame.
   [[nodiscard]] FilmSurfaces film_surfaces(const FrameContext& work) const {

@@ -9,7 +9,7 @@
 
 namespace brume {
 
-// What is measured of a frame: its picture takes paths of all orders of scattering and reflection.
+// A picture is measured by paths of all orders of scattering and reflection.
 enum class Measured { airlight, airlight_and_picture };
 
 // The light of rays through the centers of a frame's pixels, by which its error is measured.

@@ -189,7 +189,7 @@ ErrorSample::ErrorSample(std::shared_ptr<ViewReference> reference,
       paths_(paths),
       path_shares_(path_shares(CenterLight::airlight(guide), probabilities_)) {
   if (!reference_->has_picture()) return;
-  // What is bright in the picture alone takes no paths from the airlight.
+  // Light that is bright in the picture alone takes no paths from the airlight.
   const std::vector<float> of_picture = path_shares(CenterLight::picture(guide), probabilities_);
   std::ranges::transform(path_shares_, of_picture, path_shares_.begin(),
                          [](float airlight, float picture) { return std::max(airlight, picture); });

@@ -12,7 +12,7 @@ constexpr double sample_tolerance = 1e-3;
 // the pixels, or 128 times the paths, or anything between.
 constexpr int max_growths = 3;
 constexpr int max_doublings = 7;
-// Where no bound is asked for, and for the picture, which finer settings do not better.
+// A limit where no bound is asked for, and for the picture, which finer settings do not better.
 constexpr int max_free_refinements = 4;
 
 // The reference's time per pixel grows with the number of Gaussians, and more with an environment;

@@ -148,13 +148,13 @@ PathPixels::TracedAirlight PathPixels::trace(const Group& group, const CameraRay
   if (group.area_lights && (needs(integrals_lack_once) || needs(all_but_integrals))) {
     lacking = PathTracer(*group.area_lights).lights_once(ray, stratified, random);
   }
-  const auto of = [&](Orders orders) {
+  const auto light_of = [&](Orders orders) {
     if (orders == all) return radiance.sum();
     if (orders == none) return glm::dvec3(0.0);
     if (orders == integrals_lack_once) return lacking;
     return radiance.sum() - radiance.orders[0] + lacking;
   };
-  return {of(airlight_orders_), of(picture_orders_)};
+  return {light_of(airlight_orders_), light_of(picture_orders_)};
 }
 
 PixelRadiance PathPixels::airlight(const PixelPaths& paths) const {

@@ -50,11 +50,11 @@ class LightShapes {
   std::vector<double> radii_;  // of the balls around them [u]
 };
 
-// Where the hits of surfaces are not exact, those of lights of that size [u] on them may be so much
+// Hits of surfaces are not exact: those of lights of that radius [u] that lie on them may be so much
 // farther away [u].
 double light_margin(const AreaHit& hit, double radius);
 
-// Where a point of a light's shape is when the light has become another one of its kind.
+// A point of a light's shape after the light has become another one of its kind.
 glm::dvec3 moved_on_shape(const AreaLight& now, const glm::dvec3& now_center, const AreaLight& next,
                           const glm::dvec3& next_center, const glm::dvec3& point);
 

@@ -131,7 +131,7 @@ TEST(Mirrors, KeepTheEdgesOfAMesh) {
   EXPECT_LT(error_beside_paths(glowing_wall(box, 0.3), 16), 0.06);
 }
 
-// Where a surface curves within a few pixels there are few to share with.
+// A surface that curves within a few pixels has few neighbours to share with.
 TEST(Mirrors, AreSharpOnSmallBalls) {
   const Surface ball = placed(Primitive::Shape::sphere, glm::dvec3(1.4), {0.0, 0.5, 0.8});
   EXPECT_LT(error_beside_paths(glowing_wall(ball, 0.17), 1), 0.12);

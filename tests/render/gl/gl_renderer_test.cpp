@@ -72,7 +72,7 @@ TEST_F(GlFrames, SampleScenes) {
     const auto has_copies = [](const Surface& surface) { return surface.placed_copies != nullptr; };
     if (std::ranges::any_of(scene.surfaces, has_copies)) continue;
     scene.film = {61, 40};
-    // Of which the tests of surfaces are: it takes longer to make than all frames.
+    // Tests of surfaces hold it: it takes longer to make than all frames.
     for (Surface& surface : scene.surfaces) surface.transfer = Surface::Transfer::none;
     Renderer renderer;
     // Other combinations are those of random scenes.

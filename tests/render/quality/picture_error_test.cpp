@@ -117,7 +117,7 @@ TEST(PictureErrors, EveryKindOfLightIsMissedWhereItIsLeftOut) {
   }
 }
 
-// What the paper's method leaves out is in the error of its pictures, too.
+// The paper's method leaves light out: that is in the error of its pictures, too.
 TEST(PictureErrors, TheIntervalHasWhatAPathTracedPictureTells) {
   for (const LitScene& lit : kinds_of_light()) {
     // The others are like these.
