@@ -50,8 +50,8 @@ class LightShapes {
   std::vector<double> radii_;  // of the balls around them [u]
 };
 
-// Hits of surfaces are not exact: those of lights of that radius [u] that lie on them may be so much
-// farther away [u].
+// Hits of surfaces are not exact: those of lights of that radius [u] that lie on them may be so
+// much farther away [u].
 double light_margin(const AreaHit& hit, double radius);
 
 // A point of a light's shape after the light has become another one of its kind.
