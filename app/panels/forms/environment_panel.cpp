@@ -33,6 +33,7 @@ std::optional<Environment> shown_environment(const Scene& scene) {
 EnvironmentPanel::EnvironmentPanel(Document& document, QWidget* parent)
     : SceneForm(document, parent) {
   auto* form = new QFormLayout(this);
+  form->setRowWrapPolicy(QFormLayout::WrapLongRows);  // docks are narrow
   form->setContentsMargins(0, 0, 0, 0);
   add_file(*form);
   add_fields<Environment>(

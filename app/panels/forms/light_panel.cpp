@@ -43,6 +43,7 @@ LightPanel::LightPanel(Document& document, std::function<const View&()> active_v
       active_view_(std::move(active_view)),
       list_(named(new QListWidget(this), "lights")) {
   auto* form = new QFormLayout(this);
+  form->setRowWrapPolicy(QFormLayout::WrapLongRows);  // docks are narrow
   form->setContentsMargins(6, 6, 6, 6);
   add_light_list(*form);
   add_light_fields(*form);
