@@ -46,8 +46,7 @@ QString lines_of(const std::vector<std::string>& warnings) {
 }
 
 bool is_one_of(const fs::path& file, const auto& extensions) {
-  const std::string extension = lower_case_extension(file);
-  return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
+  return std::ranges::find(extensions, lower_case_extension(file)) != extensions.end();
 }
 
 bool is_volume(const fs::path& file) {

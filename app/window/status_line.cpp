@@ -28,7 +28,8 @@ StatusLine::StatusLine(const Workspace& work, QMainWindow& window,
       quality_(named(new PlainLabel(&window), "quality")) {
   error_->setToolTip(
       tr("Relative RMSE of the airlight against the reference, measured on this frame, and of the "
-         "whole picture beside all the light there is; grey while measuring. Of a path-traced picture: its noise, the standard error relative to the RMS"));
+         "whole picture beside all the light there is; grey while measuring. Of a path-traced "
+         "picture: its noise, the standard error relative to the RMS"));
   // Menu bars do not follow when what is in their corner grows.
   quality_->setMinimumWidth(quality_->fontMetrics().horizontalAdvance("paper's method · < 0.01 %"));
   quality_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);

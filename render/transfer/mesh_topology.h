@@ -8,8 +8,8 @@
 
 namespace brume {
 
-// What lies next to what in a mesh, by OpenMesh's half-edges. Triangles that do not fit a manifold
-// are no neighbours of the others at their edges, which are borders.
+// The neighbours of triangles and vertices in a mesh, by OpenMesh's half-edges. Triangles that do
+// not fit a manifold are no neighbours of the others at their edges, which are borders.
 class MeshTopology {
  public:
   explicit MeshTopology(const MeshArrays& mesh);

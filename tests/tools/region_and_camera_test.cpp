@@ -35,7 +35,7 @@ class RegionAndCamera : public CommandLine {
 };
 
 TEST_F(RegionAndCamera, ARegionShowsItsPartOfThePicture) {
-  // By each method the renderer's own tests hold it (Regions).
+  // The renderer's own tests hold it for each method (Regions).
   expect_region_matches({"--airlight", "auto", "--backend", "cpu", "--error", "none"});
   expect_region_matches({"--airlight", "sliced", "--backend", "cpu", "--airlight-scale", "4",
                          "--scattering", "single", "--layers", "lights,normal,motion"});
