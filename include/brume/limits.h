@@ -28,11 +28,11 @@ inline constexpr int sequence_frames = 100'000;
 inline constexpr std::size_t surfaces = 4096;
 inline constexpr std::size_t copy_bytes = 1024;  // that a copy of a surface counts, of scene_bytes
 inline constexpr std::size_t copies = scene_bytes / copy_bytes;  // of all surfaces
-inline constexpr int film_side = 16384;          // pixels
-inline constexpr int image_side = 32768;         // pixels
-inline constexpr int texture_side = 16384;       // texels
-inline constexpr int json_depth = 64;            // nested arrays and objects
-inline constexpr std::size_t keys = 1024;        // of one JSON object
+inline constexpr int film_side = 16384;                          // pixels
+inline constexpr int image_side = 32768;                         // pixels
+inline constexpr int texture_side = 16384;                       // texels
+inline constexpr int json_depth = 64;                            // nested arrays and objects
+inline constexpr std::size_t keys = 1024;                        // of one JSON object
 // Memory limit of parsed JSON: a base, plus a multiple of the text's length. Gaussians without
 // decimals need 7.
 inline constexpr std::size_t json_bytes = std::size_t{64} << 20;
