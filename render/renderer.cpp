@@ -13,6 +13,7 @@
 #include "render/cpu/film_slices.h"
 #include "render/cpu/marched_airlight.h"
 #include "render/cpu/pane_layers.h"
+#include "render/cpu/pane_view.h"
 #include "render/cpu/paper_airlight.h"
 #include "render/cpu/sliced_airlight.h"
 #include "render/cpu/traced_paths.h"
@@ -33,16 +34,27 @@ struct Renderer::Impl {
 
   std::optional<Frame> render(FrameContext& work);
   // Outgoing radiance of surfaces, RGB per pixel; empty if none is lit.
-  std::span<const glm::vec3> trace_paths(FrameContext& work, std::size_t layer, StageClock& clock);
-  // Adds what is seen through panes to the frame, which holds what is in front of the first ones.
-  void see_through_panes(FrameContext& work, StageClock& clock);
+  // `is_open`: see PathFilm::View.
+  std::span<const glm::vec3> trace_paths(FrameContext& work, std::size_t layer,
+                                         std::function<bool(std::size_t)> is_open,
+                                         StageClock& clock);
+  // Adds what paths see through panes to the frame, which holds what is in front of the first ones.
+  void trace_through_panes(FrameContext& work, StageClock& clock);
   // The medium on the view rays, for more of them.
   struct SeenMedium {
     AirlightIntegrator method;
     Tiles::Lists lists;
+    std::optional<PaneView> panes;  // nullopt: none are seen
   };
   SeenMedium integrate_medium(FrameContext& work, StageClock& clock);
+  // The fog as far as these ends, at the pixels of a window.
+  FilmAirlight integrate_fog(FrameContext& work, const FilmWindow& window,
+                             const AirlightIntegrator& method, const RayEnds& ends);
+  void see_through_panes(FrameContext& work, SeenMedium& medium, StageClock& clock);
   void sample_pixels(FrameContext& work, const SeenMedium& medium, StageClock& clock);
+  // Calls sample(view) with the view of samples of a frame whose fog is known.
+  void with_samples(FrameContext& work, const SeenMedium& medium,
+                    const std::function<std::uint64_t(SampledView& view)>& sample);
   AirlightIntegrator airlight_method(FrameContext& work, StageClock& clock);
   AirlightIntegrator paper(FrameContext& work, StageClock& clock);
   AirlightIntegrator sliced(FrameContext& work, StageClock& clock);
@@ -69,10 +81,9 @@ std::optional<Frame> Renderer::render(const Scene& scene, const Camera& camera, 
     return render(plan, scene, camera, shifted, job);
   };
   const Job job{std::move(stop), progress};
-  // What is seen through panes has no samples of its own.
-  const bool is_shifted = settings.airlight == AirlightMethod::path || has_panes(scene.surfaces);
-  return is_shifted && settings.samples > 1 ? render_shifted(film, settings, job, render_film)
-                                            : render_film(film, settings, job);
+  return settings.airlight == AirlightMethod::path && settings.samples > 1
+             ? render_shifted(film, settings, job, render_film)
+             : render_film(film, settings, job);
 }
 
 std::optional<Frame> Renderer::render(const RenderPlan& plan, const Scene& scene,
@@ -107,7 +118,7 @@ std::optional<Frame> Renderer::Impl::render(FrameContext& work) {
   const Job job = work.job;
   if (work.plan.runs(Stage::samples)) work.job = job.subrange(0.0, 0.5);
   if (work.settings.airlight == AirlightMethod::path) {
-    surfaces = trace_paths(work, 0, clock);
+    surfaces = trace_paths(work, 0, {}, clock);
   } else {
     if (!stages.prepare_source(work, clock)) return std::nullopt;
     medium = integrate_medium(work, clock);
@@ -116,12 +127,12 @@ std::optional<Frame> Renderer::Impl::render(FrameContext& work) {
   }
   if (work.job.stop.stop_requested()) return std::nullopt;
   composite(work.rays, stages.shading().environment(), surfaces, work.job, work.frame);
-  if (work.plan.has_panes) {
-    see_through_panes(work, clock);
-    if (work.job.stop.stop_requested()) return std::nullopt;
-  }
+  const bool is_path = work.settings.airlight == AirlightMethod::path;
+  if (work.plan.has_panes && is_path) trace_through_panes(work, clock);
   if (work.settings.background_apart) set_background_apart(work.frame);
   clock.finish(Stage::composite);
+  if (work.plan.has_panes && !is_path) see_through_panes(work, medium, clock);
+  if (work.job.stop.stop_requested()) return std::nullopt;
   if (work.plan.runs(Stage::samples)) {
     work.job = job.subrange(0.5, 1.0);
     sample_pixels(work, medium, clock);
@@ -132,18 +143,13 @@ std::optional<Frame> Renderer::Impl::render(FrameContext& work) {
   return std::move(work.frame);
 }
 
-void Renderer::Impl::see_through_panes(FrameContext& work, StageClock& clock) {
+void Renderer::Impl::trace_through_panes(FrameContext& work, StageClock& clock) {
   PaneLayers layers(work.frame);
   layers.add(stages.seen_panes(work), work.frame);
-  for (std::size_t layer = 1; layers.are_open() && layer < max_pane_layers; ++layer) {
+  for (std::size_t layer = 1; layers.are_open() && layer <= max_seen_panes; ++layer) {
     stages.find_hits_behind_panes(work);
-    std::span<const glm::vec3> surfaces;
-    if (work.settings.airlight == AirlightMethod::path) {
-      surfaces = trace_paths(work, layer, clock);
-    } else {
-      integrate_medium(work, clock);
-      surfaces = stages.shade_surfaces(work, clock);
-    }
+    const auto is_open = [&layers](std::size_t pixel) { return layers.is_open(pixel); };
+    const std::span<const glm::vec3> surfaces = trace_paths(work, layer, is_open, clock);
     if (work.job.stop.stop_requested()) return;
     composite(work.rays, stages.shading().environment(), surfaces, work.job, work.frame);
     layers.add(stages.seen_panes(work), work.frame);
@@ -152,9 +158,10 @@ void Renderer::Impl::see_through_panes(FrameContext& work, StageClock& clock) {
 }
 
 std::span<const glm::vec3> Renderer::Impl::trace_paths(FrameContext& work, std::size_t layer,
+                                                       std::function<bool(std::size_t)> is_open,
                                                        StageClock& clock) {
   if (layer >= paths.size()) paths.resize(layer + 1);
-  const std::span<const glm::vec3> surfaces = paths[layer].trace(stages, work);
+  const std::span<const glm::vec3> surfaces = paths[layer].trace(stages, work, std::move(is_open));
   if (work.plan.runs(work.plan.medium_stage())) clock.finish(work.plan.medium_stage());
   return surfaces;
 }
@@ -163,46 +170,83 @@ std::span<const glm::vec3> Renderer::Impl::trace_paths(FrameContext& work, std::
 Renderer::Impl::SeenMedium Renderer::Impl::integrate_medium(FrameContext& work, StageClock& clock) {
   if (!work.plan.has_medium()) return {};
   AirlightIntegrator method = airlight_method(work, clock);
-  FilmAirlight film = film_airlight(stages.prepared().medium(), work.plan.lights, work.rays,
-                                    work.window, work.settings, work.airlight_rms(), method,
-                                    stages.ray_ends(work), work.job, work.frame);
+  FilmAirlight film = integrate_fog(work, work.window, method, stages.ray_ends(work));
   FrameStatistics& statistics = work.frame.statistics;
   statistics.gaussians_used = film.gaussians_used;
   if (stages.prepared().is_merged()) {
     statistics.gaussians_merged = stages.prepared().medium().size();
   }
-  statistics.exact_pixels = film.exact_pixels;
-  statistics.view_pairs += film.pairs;
   clock.finish(work.plan.medium_stage());
-  return {std::move(method), std::move(film.lists)};
+  return {std::move(method), std::move(film.lists), std::nullopt};
 }
 
-void Renderer::Impl::sample_pixels(FrameContext& work, const SeenMedium& medium,
-                                   StageClock& clock) {
+FilmAirlight Renderer::Impl::integrate_fog(FrameContext& work, const FilmWindow& window,
+                                           const AirlightIntegrator& method, const RayEnds& ends) {
+  FilmAirlight film =
+      film_airlight(stages.prepared().medium(), work.plan.lights, work.rays, window, work.settings,
+                    work.airlight_rms(), method, ends, work.job, work.frame);
+  work.frame.statistics.exact_pixels += film.exact_pixels;
+  work.frame.statistics.view_pairs += film.pairs;
+  return film;
+}
+
+void Renderer::Impl::with_samples(FrameContext& work, const SeenMedium& medium,
+                                  const std::function<std::uint64_t(SampledView& view)>& sample) {
   const int scale = work.settings.airlight_scale;
   const Tiles tiles(sample_film(work.frame.film, scale));
-  const RayEnds ends = stages.ray_ends(work);
+  const RayEnds ends = medium.panes ? medium.panes->ends() : stages.ray_ends(work);
+  std::vector<KnownFog> fogs{
+      {work.frame.airlight, work.frame.transmittance, work.frame.depth, ends}};
+  if (medium.panes) {
+    const auto seen = medium.panes->fogs();
+    fogs.assign(seen.begin(), seen.end());
+  }
   // Samples see what pixels beside their tile see, perhaps farther away.
   const FilmTiles film{tiles, medium.lists, work.rays, ends, work.frame, work.window, scale, 1};
-  if (medium.method.prepare) medium.method.prepare(film);
   const FilmSurfaces surfaces = stages.film_surfaces(work);
-  const Brightness brightness = work.settings.brightness
-                                    ? *work.settings.brightness
-                                    : brightness_of(work.frame, work.window.region());
   SampledView view{.tiles = film,
+                   .fogs = fogs,
                    .surfaces = work.plan.runs(Stage::visibility) ? &surfaces : nullptr,
                    .highlights = &stages.highlights(),
                    .are_lit = work.plan.runs(Stage::surfaces),
                    .environment = stages.shading().environment(),
-                   .fog_tolerance = work.settings.upsampling_tolerance,
-                   .picture_rms = brightness.rms};
+                   .fog_tolerance = work.settings.upsampling_tolerance};
   if (work.plan.has_medium()) {
     view.medium = &stages.prepared().medium();
     view.method = &medium.method;
+    if (view.method->prepare) view.method->prepare(film);
   }
-  work.frame.statistics.view_pairs +=
-      sample_film(view, find_details(work.frame, brightness.mean, work.job), work.settings.samples,
-                  work.job, work.frame);
+  work.frame.statistics.view_pairs += sample(view);
+}
+
+void Renderer::Impl::see_through_panes(FrameContext& work, SeenMedium& medium, StageClock& clock) {
+  PaneView panes(stages, work);
+  if (panes.empty()) return;
+  if (work.plan.has_medium()) {
+    panes.find_fog(work.frame, [&] {
+      integrate_fog(work, work.window.around(panes.around()), medium.method, panes.ends());
+    });
+    clock.finish(work.plan.medium_stage());
+  }
+  if (work.job.stop.stop_requested()) return;
+  medium.panes = std::move(panes);
+  with_samples(work, medium, [&](const SampledView& view) {
+    return brume::see_through_panes(view, medium.panes->pixels(), work.window.complete(), work.job,
+                                    work.frame);
+  });
+  clock.finish(Stage::surfaces);
+}
+
+void Renderer::Impl::sample_pixels(FrameContext& work, const SeenMedium& medium,
+                                   StageClock& clock) {
+  const Brightness brightness = work.settings.brightness
+                                    ? *work.settings.brightness
+                                    : brightness_of(work.frame, work.window.region());
+  with_samples(work, medium, [&](SampledView& view) {
+    view.picture_rms = brightness.rms;
+    return sample_film(view, find_details(work.frame, brightness.mean, work.job),
+                       work.settings.samples, work.job, work.frame);
+  });
   clock.finish(Stage::samples);
 }
 

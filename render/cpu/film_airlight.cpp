@@ -36,7 +36,7 @@ class Batch {
   void add(int x, int y) {
     pixels_[count_] = static_cast<std::size_t>(y) * static_cast<std::size_t>(frame_.film.width) +
                       static_cast<std::size_t>(x);
-    lengths_[count_] = film_.ends.distance(frame_, pixels_[count_]);
+    lengths_[count_] = film_.ends.distance(frame_.depth, pixels_[count_]);
     // The last pixels of a film may lie slightly outside the tile.
     places_[count_] = glm::min((glm::vec2(x, y) - first_) * per_pixel_, 1.0f);
     if (film_.rays.is_parallel()) offsets_[count_] = film_.rays.offset(x + 0.5, y + 0.5);
@@ -88,7 +88,7 @@ double max_end(const RayEnds& ends, const Frame& frame, std::size_t first, std::
   double max_distance = 0.0;
   if (!ends.surfaces.empty()) {
     for (std::size_t i = first; i < first + count; ++i)
-      max_distance = std::max(max_distance, ends.distance(frame, i));
+      max_distance = std::max(max_distance, ends.distance(frame.depth, i));
     return max_distance;
   }
   // The bits of distances, as integers, have the same order, and compilers vectorize their

@@ -1,27 +1,11 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
-#include "render/cpu/film_airlight.h"
-#include "render/samples/contrast.h"
-#include "render/scattering/environment_light.h"
-#include "render/shading/film_surfaces.h"
+#include "render/cpu/tile_sampler.h"
 
 namespace brume {
-
-// The view of a pixel's samples.
-struct SampledView {
-  const FilmTiles& tiles;
-  const FilmSurfaces* surfaces = nullptr;         // null: none
-  const SharedHighlights* highlights = nullptr;   // of the frame's pixels; with surfaces
-  bool are_lit = false;                           // else they are black
-  const EnvironmentLight* environment = nullptr;  // null: none
-  // Null: no medium.
-  const MediumIndex* medium = nullptr;
-  const AirlightIntegrator* method = nullptr;
-  double fog_tolerance = 0.01;  // see Settings::upsampling_tolerance
-  double picture_rms = 0.0;     // see Brightness
-};
 
 // Filters the pixels of a frame that have details, by `count` samples as pixel_samples() has them,
 // and by up to 16 times as many where those differ by so much that the pixel would be off by more
@@ -34,5 +18,11 @@ struct SampledView {
 // eye; those from lights are added to the statistics.
 std::uint64_t sample_film(const SampledView& view, std::vector<PixelDetail> details, int count,
                           const Job& job, Frame& frame);
+
+// Sets the pixels that `sees_panes` names, of tiles so far from the region at most (see
+// FilmWindow), to what one ray through their centers sees, of the first surface that is more than
+// half opaque their depth. The rest as for sample_film().
+std::uint64_t see_through_panes(const SampledView& view, std::span<const PixelDetail> sees_panes,
+                                int distance, const Job& job, Frame& frame);
 
 }  // namespace brume

@@ -9,10 +9,7 @@
 
 namespace brume {
 
-// A frame is rendered once more for what is behind each pane on a view ray; the last is opaque.
-inline constexpr std::size_t max_pane_layers = 16;
-
-// Composites frames of the first, second, ... surfaces on the view rays: with airlight A_k as far
+// Composites path-traced frames of the first, second, ... surfaces on the view rays: with airlight A_k as far
 // as the k-th, whose radiance S_k the medium attenuates by T_k, which covers c_k of what is behind
 // and lets P_k of its light through, the picture is
 //   sum_k (P_1 ... P_k-1) (A_k - A_k-1 + c_k T_k S_k)
@@ -24,6 +21,7 @@ class PaneLayers {
   void add(std::span<const SeenPane> panes, const Frame& layer);
   // Whether light of farther layers comes through.
   [[nodiscard]] bool are_open() const { return is_open_; }
+  [[nodiscard]] bool is_open(std::size_t pixel) const { return pixels_[pixel].passing > 0.0f; }
   // Sets the frame to the sums; its depth is that of the first surface that is more than half
   // opaque.
   void write(Frame& frame) const;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <glm/vec3.hpp>
 #include <memory>
 #include <optional>
@@ -17,8 +18,9 @@ namespace brume {
 class TracedPaths {
  public:
   // Fills the layers of work.frame; returns the outgoing radiance of surfaces per pixel, for
-  // composite(). If the job is stopped all is incomplete.
-  std::span<const glm::vec3> trace(const FrameStages& stages, FrameContext& work);
+  // composite(). `is_open`: see PathFilm::View. If the job is stopped all is incomplete.
+  std::span<const glm::vec3> trace(const FrameStages& stages, FrameContext& work,
+                                   std::function<bool(std::size_t)> is_open);
 
  private:
   void prepare(const FrameStages& stages, const FrameContext& work);

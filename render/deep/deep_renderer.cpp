@@ -84,7 +84,7 @@ class DeepGroup {
   [[nodiscard]] const FrameContext& work() const { return work_; }
   // To the surface, or to the end of fog [u].
   [[nodiscard]] double distance(std::size_t pixel) const {
-    return stages_.ray_ends(work_).distance(work_.frame, pixel);
+    return stages_.ray_ends(work_).distance(work_.frame.depth, pixel);
   }
 
  private:

@@ -66,6 +66,7 @@ void PathFilm::trace(const PathKey& key, const View& view, const Job& job, Frame
 void PathFilm::trace_pixel(const View& view, const PathTracer& tracer, const glm::ivec2& position,
                            const Job& job, Frame& frame, Variances& variances) {
   const std::size_t pixel = index_of(position, frame.film.width);
+  if (view.is_open && !view.is_open(pixel)) return;
   // On the whole film, so that regions have the same random numbers.
   const std::size_t stream = index_of(view.rays.first_pixel() + position, view.rays.whole_size().x);
   const glm::dvec3 eye = view.rays.origin(position.x + 0.5, position.y + 0.5);

@@ -50,6 +50,8 @@ class PathFilm {
     double open_end;                    // of rays that hit nothing [u], may be +inf
     // First hit of a pixel's ray.
     std::function<SurfaceHit(std::size_t pixel)> hit;
+    // Whether a pixel is traced; empty: all are.
+    std::function<bool(std::size_t pixel)> is_open{};
     int paths;          // per pixel; 0: transmittance alone
     bool has_medium;    // airlight and transmittance are wanted
     bool has_surfaces;  // their radiance is

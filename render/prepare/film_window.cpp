@@ -33,9 +33,7 @@ FilmWindow::FilmWindow(const Film& film, const Settings& settings)
   const glm::ivec2 whole(film.region->full_width, film.region->full_height);
   const glm::ivec2 begin(film.region->x, film.region->y);
   const glm::ivec2 end = begin + glm::ivec2(film.width, film.height);
-  // The last cells of a film have the pixels of its last samples, which may be in tiles behind.
-  first_ = glm::max(begin - 1, 0) / tile_;
-  end_ = (end + tile_ - 1) / tile_;
+  set_tiles(begin, end);
   const glm::ivec2 block(FilmSurfaces::block_width, FilmSurfaces::block_height);
   const int reach = SharedHighlights::max_reach;
   const glm::ivec2 shaded_begin =
@@ -57,6 +55,18 @@ FilmWindow::FilmWindow(const Film& film, const Settings& settings)
   };
   region_ = on_film(begin, end);
   shaded_ = on_film(shaded_begin, shaded_end);
+}
+
+void FilmWindow::set_tiles(const glm::ivec2& begin, const glm::ivec2& end) {
+  // The last cells of a film have the pixels of its last samples, which may be in tiles behind.
+  first_ = glm::max(begin - 1, 0) / tile_;
+  end_ = (end + tile_ - 1) / tile_;
+}
+
+FilmWindow FilmWindow::around(const CameraRays::PixelRectangle& pixels) const {
+  FilmWindow part = *this;
+  part.set_tiles({pixels.x0, pixels.y0}, {pixels.x1, pixels.y1});
+  return part;
 }
 
 bool FilmWindow::is_within(int tiles, const glm::ivec2& tile) const {

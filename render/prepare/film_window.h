@@ -22,6 +22,9 @@ class FilmWindow {
  public:
   FilmWindow(const Film& film, const Settings& settings);
 
+  // The same window for a part of its pixels alone, on its film.
+  [[nodiscard]] FilmWindow around(const CameraRays::PixelRectangle& pixels) const;
+
   [[nodiscard]] const Film& film() const { return film_; }
   // The region's pixels on that film.
   [[nodiscard]] const CameraRays::PixelRectangle& region() const { return region_; }
@@ -45,6 +48,9 @@ class FilmWindow {
   [[nodiscard]] Frame cut(Frame frame) const;
 
  private:
+  // Names the tiles of pixels of a film that begins with a tile.
+  void set_tiles(const glm::ivec2& begin, const glm::ivec2& end);
+
   bool is_sampled_;
   bool is_interpolated_;
   glm::ivec2 tile_;  // its size [pixels]

@@ -5,8 +5,6 @@
 #include <limits>
 #include <span>
 
-#include "brume/frame.h"
-
 namespace brume {
 
 // Ends of the view rays.
@@ -16,9 +14,9 @@ struct RayEnds {
   // Distance to the surface per pixel, +inf for none [u]; empty: use the depth layer.
   std::span<const double> surfaces;
 
-  [[nodiscard]] double distance(const Frame& frame, std::size_t pixel) const {
-    const double surface =
-        surfaces.empty() ? static_cast<double>(frame.depth[pixel]) : surfaces[pixel];
+  // `depth`: that layer.
+  [[nodiscard]] double distance(std::span<const float> depth, std::size_t pixel) const {
+    const double surface = surfaces.empty() ? static_cast<double>(depth[pixel]) : surfaces[pixel];
     return std::isfinite(surface) ? surface : open;
   }
 };

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <glm/geometric.hpp>
+#include <span>
 #include <vector>
 
 #include "render/geometry/direction_map.h"
@@ -35,7 +36,7 @@ class ShadowMap {
   [[nodiscard]] double start() const { return start_; }  // shadow_start()
   // Rows of map().stride() depths [u], +inf where nothing is hit.
   [[nodiscard]] const float* depths() const { return depths_.data(); }
-  // Minimum and maximum over each 2 x 2 footprint of bilinear interpolation.
+  // Minimum, of panes too, and maximum over each 2 x 2 footprint of bilinear interpolation.
   struct Range {
     float min_depth, max_depth;
   };
@@ -50,7 +51,8 @@ class ShadowMap {
   static constexpr std::size_t max_pane_layers = 8;
 
  private:
-  void add_panes(const RayCaster& ray_caster);
+  // Makes layers of the panes in each direction, in order of their depths; none: there are none.
+  void add_panes(std::span<const std::vector<PaneHit>> panes);
   // The depth of something in the direction of a cell [u].
   [[nodiscard]] float depth(const glm::dvec3& direction, double distance) const;
 

@@ -141,11 +141,10 @@ HWY_INLINE V Lit(const SliceLight& light, const Vector& q, V distance) {
   const float* const ranges = &shadows.ranges()->min_depth;
   const auto range = hn::ShiftLeft<1>(position.cell);
   const auto lit = near <= hn::GatherIndex(d, ranges, range);
-  const V passing = Passing(shadows, position, near);
-  if (hn::AllTrue(d, lit)) return passing;
+  if (hn::AllTrue(d, lit)) return set(1.0f);
   const auto dark = near > hn::GatherIndex(d, ranges, range + 1);
-  if (hn::AllTrue(d, hn::Or(lit, dark))) return where(lit, passing);
-  return passing * position.Mix(shadows.map().stride(), [&](int cell) HWY_ATTR {
+  if (hn::AllTrue(d, hn::Or(lit, dark))) return where(lit, set(1.0f));
+  return Passing(shadows, position, near) * position.Mix(shadows.map().stride(), [&](int cell) HWY_ATTR {
     const V occluder_depth = hn::GatherIndex(d, shadows.depths(), position.cell + cell);
     return where(near <= occluder_depth, set(1.0f));
   });

@@ -128,6 +128,8 @@ class RayCaster {
   // The hit behind one on a pane. Thread-safe.
   [[nodiscard]] SurfaceHit next_hit(const glm::dvec3& origin, const glm::dvec3& direction,
                                     const SurfaceHit& before) const;
+  // Whether a hit is on a surface that lets light through somewhere.
+  [[nodiscard]] bool is_pane(const SurfaceHit& hit) const;
   // The pane at a hit that is seen over so many u; opaque where it is no pane.
   [[nodiscard]] SeenPane pane(const SurfaceHit& hit, double width) const;
   // The weight of the light that a pane reflects where it stops rays as often as light.

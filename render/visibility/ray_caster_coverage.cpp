@@ -85,10 +85,14 @@ SurfaceHit RayCaster::next_hit(const glm::dvec3& origin, const glm::dvec3& direc
   return next != on_ray.panes.end() ? next->hit : on_ray.end;
 }
 
+bool RayCaster::is_pane(const SurfaceHit& hit) const {
+  return has_panes() && hit && !hit.is_light() &&
+         impl_->surfaces[static_cast<std::size_t>(hit.surface)].coverage.is_pane();
+}
+
 SeenPane RayCaster::pane(const SurfaceHit& hit, double width) const {
-  if (hit.is_light()) return {};
+  if (!is_pane(hit)) return {};
   const Coverage& coverage = impl_->surfaces[static_cast<std::size_t>(hit.surface)].coverage;
-  if (!coverage.is_pane()) return {};
   const TextureFrame frame = impl_->texture_frame(hit);
   const double footprint = width * frame.density;
   SeenPane seen;
