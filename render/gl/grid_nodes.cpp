@@ -8,7 +8,7 @@ namespace brume::gl {
 void append_nodes(const SourceGrid::Level& level, std::span<const float> values,
                   std::vector<glm::vec4>& target) {
   const std::span<const std::uint32_t> blocked =
-      level.surfaces ? level.surfaces->blocked() : std::span<const std::uint32_t>{};
+      level.surfaces ? level.surfaces->hidden() : std::span<const std::uint32_t>{};
   const std::size_t size = values.size() / level.nodes.size();
   for (std::size_t node = 0; node < level.nodes.size(); ++node) {
     const std::size_t first = target.size();

@@ -104,7 +104,7 @@ void SlicedStage::upload_source(const SourceFunction* source, const glm::dvec3& 
     set_level(program, "source", k, level, eye, at);
     at += level.values.size() / 4;
     if (is_new) append_nodes(level, level.values, values);
-    has_surfaces |= level.surfaces && !level.surfaces->blocked().empty();
+    has_surfaces |= level.surfaces && !level.surfaces->hidden().empty();
   }
   program.set("source_occlusion_bits", source->grid().occlusion_bits(eye));
   program.set("source_surfaces", has_surfaces ? 1 : 0);

@@ -17,7 +17,7 @@ struct Reflectances {
 
 // The links of one node that surfaces block.
 struct NodeLinks {
-  std::uint32_t blocked = 0;
+  std::uint32_t blocked = 0, hidden = 0;  // bits of links
   std::vector<float> fractions;
   std::vector<GridOcclusion::Surfel> surfels;
 };
@@ -35,18 +35,26 @@ double link_number(const glm::ivec3& node, const glm::ivec3& offset, std::uint64
   return static_cast<double>(x >> 11) * 0x1p-53;
 }
 
-// The surface that a link ends at. Panes block as many of the links as they block light.
-SurfaceHit blocking_hit(const RayCaster& ray_caster, const glm::dvec3& node, const glm::dvec3& q,
-                        const glm::ivec3& at, const glm::ivec3& offset) {
+struct Link {
+  SurfaceHit end{};        // none: it is open
+  bool is_hidden = false;  // any surface lies between its ends
+};
+
+// Panes block as many of the links as they block light.
+Link link_to(const RayCaster& ray_caster, const glm::dvec3& node, const glm::dvec3& q,
+             const glm::ivec3& at, const glm::ivec3& offset) {
   const double distance = glm::length(q);
   if (!ray_caster.has_panes()) {
     if (!ray_caster.occluded(node, node + q)) return {};
-    return ray_caster.first_hit(node, q / distance);  // none within the ray caster's margins
+    // None within the ray caster's margins.
+    const SurfaceHit hit = ray_caster.first_hit(node, q / distance);
+    return {hit, static_cast<bool>(hit)};
   }
   std::uint64_t draws = 0;
-  const SurfaceHit hit = ray_caster.first_hit_by_chance(
-      node, q / distance, [&] { return link_number(at, offset, draws++); });
-  return hit.distance < distance ? hit : SurfaceHit{};
+  const HitsOnRay on_ray = ray_caster.hits_on_ray(node, q / distance);
+  const SurfaceHit hit = on_ray.end_by_chance([&] { return link_number(at, offset, draws++); });
+  const bool has_pane = !on_ray.panes.empty() && on_ray.panes.front().hit.distance < distance;
+  return {hit.distance < distance ? hit : SurfaceHit{}, has_pane || on_ray.end.distance < distance};
 }
 
 NodeLinks links_of(const RayCaster& ray_caster, std::span<const Surface> surfaces,
@@ -57,7 +65,8 @@ NodeLinks links_of(const RayCaster& ray_caster, std::span<const Surface> surface
     const glm::ivec3 offset = neighbour_offset(link);
     if (offset == glm::ivec3(0)) continue;
     const glm::dvec3 q = spacing * glm::dvec3(offset);
-    const SurfaceHit hit = blocking_hit(ray_caster, node, q, at, offset);
+    const auto [hit, is_hidden] = link_to(ray_caster, node, q, at, offset);
+    if (is_hidden) links.hidden |= 1u << link;
     if (!hit) continue;
     const double distance = glm::length(q);
     const glm::dvec3 w = q / distance;
@@ -84,6 +93,43 @@ bool is_beside_blocked(const GridNodes& nodes, std::span<const NodeLinks> links,
     if (links[node_index(nodes, p)].blocked != 0) return true;
   }
   return false;
+}
+
+// Nodes that open links connect with the border of their grid.
+std::vector<bool> open_nodes(const GridNodes& nodes, std::span<const std::uint32_t> blocked) {
+  std::vector<std::size_t> reached;
+  std::vector<bool> is_open(nodes.size(), false);
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const glm::ivec3 at = node_coordinates(nodes, i);
+    if (glm::all(glm::greaterThan(at, glm::ivec3(0))) &&
+        glm::all(glm::lessThan(at, nodes.count - 1))) {
+      continue;
+    }
+    is_open[i] = true;
+    reached.push_back(i);
+  }
+  while (!reached.empty()) {
+    const std::size_t node = reached.back();
+    reached.pop_back();
+    const glm::ivec3 at = node_coordinates(nodes, node);
+    for (int link = 0; link < 27; ++link) {
+      const glm::ivec3 offset = neighbour_offset(link);
+      const glm::ivec3 p = at + offset;
+      if (glm::any(glm::lessThan(p, glm::ivec3(0))) ||
+          glm::any(glm::greaterThanEqual(p, nodes.count))) {
+        continue;
+      }
+      const std::size_t other = node_index(nodes, p);
+      const int back = neighbour_index(-offset.x, -offset.y, -offset.z);
+      if (is_open[other] || (blocked[node] >> link & 1u) != 0 ||
+          (blocked[other] >> back & 1u) != 0) {
+        continue;
+      }
+      is_open[other] = true;
+      reached.push_back(other);
+    }
+  }
+  return is_open;
 }
 
 }  // namespace
@@ -129,45 +175,10 @@ GridOcclusion::GridOcclusion(const RayCaster& ray_caster, std::span<const Surfac
     index_.clear();
     return;
   }
-  for (const NodeLinks& node : links) blocked_.push_back(node.blocked);
-  mark_enclosed(nodes);
-}
-
-void GridOcclusion::mark_enclosed(const GridNodes& nodes) {
-  std::vector<std::size_t> reached;
-  std::vector<bool> is_open(nodes.size(), false);
+  for (const NodeLinks& node : links) hidden_.push_back(node.blocked);
+  const std::vector<bool> is_open = open_nodes(nodes, hidden_);
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    const glm::ivec3 at = node_coordinates(nodes, i);
-    if (glm::all(glm::greaterThan(at, glm::ivec3(0))) &&
-        glm::all(glm::lessThan(at, nodes.count - 1))) {
-      continue;
-    }
-    is_open[i] = true;
-    reached.push_back(i);
-  }
-  while (!reached.empty()) {
-    const std::size_t node = reached.back();
-    reached.pop_back();
-    const glm::ivec3 at = node_coordinates(nodes, node);
-    for (int link = 0; link < 27; ++link) {
-      const glm::ivec3 offset = neighbour_offset(link);
-      const glm::ivec3 p = at + offset;
-      if (glm::any(glm::lessThan(p, glm::ivec3(0))) ||
-          glm::any(glm::greaterThanEqual(p, nodes.count))) {
-        continue;
-      }
-      const std::size_t other = node_index(nodes, p);
-      const int back = neighbour_index(-offset.x, -offset.y, -offset.z);
-      if (is_open[other] || (blocked_[node] >> link & 1u) != 0 ||
-          (blocked_[other] >> back & 1u) != 0) {
-        continue;
-      }
-      is_open[other] = true;
-      reached.push_back(other);
-    }
-  }
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    if (!is_open[i]) blocked_[i] |= enclosed_bit;
+    hidden_[i] = links[i].hidden | (is_open[i] ? 0u : enclosed_bit);
   }
 }
 

@@ -47,8 +47,10 @@ class GridOcclusion {
   [[nodiscard]] bool is_grey() const { return is_grey_; }
   // The flat sides of smooth surfaces.
   [[nodiscard]] std::span<const MirrorPlane> mirrors() const { return mirrors_; }
-  // Per grid node, OccludedNode::blocked, and enclosed_bit; empty: nothing is.
-  [[nodiscard]] std::span<const std::uint32_t> blocked() const { return blocked_; }
+  // Per grid node, the neighbours that surfaces hide, panes too, as bits of neighbour_index(), and
+  // enclosed_bit; empty: nothing is hidden. Light on both sides of a pane differs: who looks up one
+  // side has no use for nodes on the other.
+  [[nodiscard]] std::span<const std::uint32_t> hidden() const { return hidden_; }
   // For the kernels.
   [[nodiscard]] SweepOcclusion sweep() const { return {index_, nodes_, fractions_, false, {}}; }
   // Per blocked link of the kernels' nodes.
@@ -63,10 +65,8 @@ class GridOcclusion {
   }
 
  private:
-  void mark_enclosed(const GridNodes& nodes);
-
   std::vector<std::int32_t> index_;
-  std::vector<std::uint32_t> blocked_;
+  std::vector<std::uint32_t> hidden_;
   std::vector<OccludedNode> nodes_;
   std::vector<std::uint32_t> grid_nodes_;
   std::vector<float> fractions_;

@@ -12,8 +12,8 @@ GridLevels::GridLevels(const SourceGrid& grid, const glm::dvec3& origin,
     relative.values = level.values.data();
     relative.incident = level.incident.data();
     relative.occlusion_bits = occlusion_bits;
-    if (level.surfaces && !level.surfaces->blocked().empty()) {
-      relative.blocked = level.surfaces->blocked().data();
+    if (level.surfaces && !level.surfaces->hidden().empty()) {
+      relative.blocked = level.surfaces->hidden().data();
     }
   }
 }

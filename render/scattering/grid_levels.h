@@ -18,7 +18,7 @@ struct GridLevel {
   glm::ivec3 count{2};
   const float* values = nullptr;
   const float* incident = nullptr;
-  const std::uint32_t* blocked = nullptr;  // see GridOcclusion; null: no surfaces
+  const std::uint32_t* blocked = nullptr;  // GridOcclusion::hidden(); null: no surfaces
   std::uint32_t occlusion_bits = GridOcclusion::all_bits;
   const float* view = nullptr;  // see SourceLookup::set_view()
   float view_begin = 0.0f;      // distance from where it is used [u]

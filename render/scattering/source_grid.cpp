@@ -292,13 +292,13 @@ std::vector<float> SourceGrid::Level::density_with_fog(double fog_density) const
 bool SourceGrid::Level::is_point(const EmissionLights::Light& light) const {
   const double spacing = static_cast<double>(nodes.spacing);
   if (light.width > 4.0 * spacing) return false;
-  if (!surfaces || surfaces->blocked().empty()) return true;
+  if (!surfaces || surfaces->hidden().empty()) return true;
   const glm::ivec3 node(glm::round((light.source.position - first) / spacing));
   if (glm::any(glm::lessThan(node, glm::ivec3(0))) ||
       glm::any(glm::greaterThanEqual(node, nodes.count))) {
     return true;
   }
-  return surfaces->blocked()[node_index(nodes, node)] == 0;
+  return surfaces->hidden()[node_index(nodes, node)] == 0;
 }
 
 void SourceGrid::set_scattered(const Scattered& scattered, const Job& job) {
@@ -366,14 +366,14 @@ void SourceGrid::remove_scattered() {
 
 std::uint32_t SourceGrid::occlusion_bits(const glm::dvec3& eye) const {
   for (const Level& level : levels_) {
-    if (!level.surfaces || level.surfaces->blocked().empty()) continue;
+    if (!level.surfaces || level.surfaces->hidden().empty()) continue;
     const glm::dvec3 coordinate = (eye - level.first) / static_cast<double>(level.nodes.spacing);
     if (glm::any(glm::lessThan(coordinate, glm::dvec3(0.0))) ||
         glm::any(glm::greaterThan(coordinate, glm::dvec3(level.nodes.count - 1)))) {
       continue;
     }
     const std::size_t nearest = node_index(level.nodes, glm::ivec3(glm::round(coordinate)));
-    const std::uint32_t blocked = level.surfaces->blocked()[nearest];
+    const std::uint32_t blocked = level.surfaces->hidden()[nearest];
     return GridOcclusion::all_bits & ~(blocked & GridOcclusion::enclosed_bit);
   }
   return GridOcclusion::all_bits;

@@ -46,8 +46,8 @@ ShadowMap::ShadowMap(const RayCaster& ray_caster, const glm::dvec3& light, const
     ranges_[i] = {min_depth, max_depth};
     if (panes_.empty()) continue;
     const std::vector<float>& first = panes_.front().depths;
-    ranges_[i].min_depth = std::min(
-        {min_depth, first[i], first[i + 1], first[i + stride], first[i + stride + 1]});
+    ranges_[i].min_depth =
+        std::min({min_depth, first[i], first[i + 1], first[i + stride], first[i + stride + 1]});
   }
 }
 

@@ -197,7 +197,7 @@ TEST(GridOcclusion, NodesWithinSolidsAreEnclosed) {
     const std::vector<Surface> surfaces = solid_ball(radius);
     const RayCaster ray_caster(surfaces);
     const GridOcclusion occlusion(ray_caster, surfaces, {}, glm::dvec3(-3.0), nodes, Job{});
-    return std::ranges::count_if(occlusion.blocked(), [](std::uint32_t bits) {
+    return std::ranges::count_if(occlusion.hidden(), [](std::uint32_t bits) {
       return (bits & GridOcclusion::enclosed_bit) != 0;
     });
   };
