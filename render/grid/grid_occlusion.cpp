@@ -17,63 +17,47 @@ struct Reflectances {
 
 // The links of one node that surfaces block.
 struct NodeLinks {
-  std::uint32_t blocked = 0, hidden = 0;  // bits of links
-  std::vector<float> fractions;
+  std::uint32_t blocked = 0, closed = 0;  // bits of links; the closed ones let nothing through
+  std::vector<float> fractions, passing;
   std::vector<GridOcclusion::Surfel> surfels;
 };
 
-// A number in [0, 1), the same for both directions of a link.
-double link_number(const glm::ivec3& node, const glm::ivec3& offset, std::uint64_t draw) {
-  const glm::ivec3 middle = 2 * node + offset;
-  std::uint64_t x = draw;
-  for (int k = 0; k < 3; ++k) {
-    x = (x ^ static_cast<std::uint32_t>(middle[k])) + 0x9e3779b97f4a7c15u;
-    x = (x ^ x >> 30) * 0xbf58476d1ce4e5b9u;
-    x = (x ^ x >> 27) * 0x94d049bb133111ebu;
-    x ^= x >> 31;
-  }
-  return static_cast<double>(x >> 11) * 0x1p-53;
-}
-
 struct Link {
-  SurfaceHit end{};        // none: it is open
-  bool is_hidden = false;  // any surface lies between its ends
+  SurfaceHit hit{};         // the first; none: it is open
+  double passing = 0.0;     // share of light that comes through
+  double reflecting = 1.0;  // share of the first surface's light that it reflects
 };
 
-// Panes block as many of the links as they block light.
-Link link_to(const RayCaster& ray_caster, const glm::dvec3& node, const glm::dvec3& q,
-             const glm::ivec3& at, const glm::ivec3& offset) {
+Link link_to(const RayCaster& ray_caster, const glm::dvec3& node, const glm::dvec3& q) {
   const double distance = glm::length(q);
   if (!ray_caster.has_panes()) {
     if (!ray_caster.occluded(node, node + q)) return {};
-    // None within the ray caster's margins.
-    const SurfaceHit hit = ray_caster.first_hit(node, q / distance);
-    return {hit, static_cast<bool>(hit)};
+    return {ray_caster.first_hit(node, q / distance)};  // none within the ray caster's margins
   }
-  std::uint64_t draws = 0;
   const HitsOnRay on_ray = ray_caster.hits_on_ray(node, q / distance);
-  const SurfaceHit hit = on_ray.end_by_chance([&] { return link_number(at, offset, draws++); });
-  const bool has_pane = !on_ray.panes.empty() && on_ray.panes.front().hit.distance < distance;
-  return {hit.distance < distance ? hit : SurfaceHit{}, has_pane || on_ray.end.distance < distance};
+  const SurfaceHit& first = on_ray.panes.empty() ? on_ray.end : on_ray.panes.front().hit;
+  if (!(first.distance < distance)) return {};
+  return {first, on_ray.passing(distance), ray_caster.pane(first, 0.0).covered};
 }
 
 NodeLinks links_of(const RayCaster& ray_caster, std::span<const Surface> surfaces,
-                   std::span<const Reflectances> reflectances, const glm::ivec3& at,
-                   const glm::dvec3& node, double spacing) {
+                   std::span<const Reflectances> reflectances, const glm::dvec3& node,
+                   double spacing) {
   NodeLinks links;
   for (int link = 0; link < 27; ++link) {
     const glm::ivec3 offset = neighbour_offset(link);
     if (offset == glm::ivec3(0)) continue;
     const glm::dvec3 q = spacing * glm::dvec3(offset);
-    const auto [hit, is_hidden] = link_to(ray_caster, node, q, at, offset);
-    if (is_hidden) links.hidden |= 1u << link;
+    const auto [hit, passing, reflecting] = link_to(ray_caster, node, q);
     if (!hit) continue;
     const double distance = glm::length(q);
     const glm::dvec3 w = q / distance;
     const SurfacePoint point = ray_caster.point(hit, node, w, surfaces);
     links.blocked |= 1u << link;
+    if (!(passing > 0.0)) links.closed |= 1u << link;
     links.fractions.push_back(static_cast<float>(std::min(hit.distance / distance, 1.0)));
-    const auto share = static_cast<float>(ray_caster.reflected_by_chance(hit));
+    links.passing.push_back(static_cast<float>(passing));
+    const auto share = static_cast<float>(reflecting);
     const Reflectances& r = reflectances[static_cast<std::size_t>(hit.surface)];
     links.surfels.push_back({glm::vec3(point.position - node), glm::vec3(point.normal),
                              glm::min(share * r.all, 1.0f), glm::min(share * r.scattered, 1.0f)});
@@ -96,7 +80,7 @@ bool is_beside_blocked(const GridNodes& nodes, std::span<const NodeLinks> links,
 }
 
 // Nodes that open links connect with the border of their grid.
-std::vector<bool> open_nodes(const GridNodes& nodes, std::span<const std::uint32_t> blocked) {
+std::vector<bool> open_nodes(const GridNodes& nodes, std::span<const std::uint32_t> closed) {
   std::vector<std::size_t> reached;
   std::vector<bool> is_open(nodes.size(), false);
   for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -121,8 +105,7 @@ std::vector<bool> open_nodes(const GridNodes& nodes, std::span<const std::uint32
       }
       const std::size_t other = node_index(nodes, p);
       const int back = neighbour_index(-offset.x, -offset.y, -offset.z);
-      if (is_open[other] || (blocked[node] >> link & 1u) != 0 ||
-          (blocked[other] >> back & 1u) != 0) {
+      if (is_open[other] || (closed[node] >> link & 1u) != 0 || (closed[other] >> back & 1u) != 0) {
         continue;
       }
       is_open[other] = true;
@@ -159,7 +142,7 @@ GridOcclusion::GridOcclusion(const RayCaster& ray_caster, std::span<const Surfac
       const glm::ivec3 at(x, row % height, row / height);
       const glm::dvec3 p = first + spacing * glm::dvec3(at);
       if (glm::any(glm::lessThan(p, low)) || glm::any(glm::greaterThan(p, high))) continue;
-      links[row * width + x] = links_of(ray_caster, surfaces, reflectances, at, p, spacing);
+      links[row * width + x] = links_of(ray_caster, surfaces, reflectances, p, spacing);
     }
   });
   index_.assign(nodes.size(), -1);
@@ -169,16 +152,19 @@ GridOcclusion::GridOcclusion(const RayCaster& ray_caster, std::span<const Surfac
     nodes_.push_back({links[i].blocked, static_cast<std::uint32_t>(fractions_.size())});
     grid_nodes_.push_back(static_cast<std::uint32_t>(i));
     fractions_.insert(fractions_.end(), links[i].fractions.begin(), links[i].fractions.end());
+    if (ray_caster.has_panes()) {
+      passing_.insert(passing_.end(), links[i].passing.begin(), links[i].passing.end());
+    }
     surfels_.insert(surfels_.end(), links[i].surfels.begin(), links[i].surfels.end());
   }
   if (nodes_.empty()) {
     index_.clear();
     return;
   }
-  for (const NodeLinks& node : links) hidden_.push_back(node.blocked);
+  for (const NodeLinks& node : links) hidden_.push_back(node.closed);
   const std::vector<bool> is_open = open_nodes(nodes, hidden_);
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    hidden_[i] = links[i].hidden | (is_open[i] ? 0u : enclosed_bit);
+    hidden_[i] = links[i].blocked | (is_open[i] ? 0u : enclosed_bit);
   }
 }
 

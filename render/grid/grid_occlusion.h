@@ -47,12 +47,13 @@ class GridOcclusion {
   [[nodiscard]] bool is_grey() const { return is_grey_; }
   // The flat sides of smooth surfaces.
   [[nodiscard]] std::span<const MirrorPlane> mirrors() const { return mirrors_; }
-  // Per grid node, the neighbours that surfaces hide, panes too, as bits of neighbour_index(), and
-  // enclosed_bit; empty: nothing is hidden. Light on both sides of a pane differs: who looks up one
-  // side has no use for nodes on the other.
+  // Per grid node, OccludedNode::blocked, and enclosed_bit; empty: nothing is hidden. Panes hide.
+  // Light on both sides of a pane differs: who looks up one side has no use for nodes on the other.
   [[nodiscard]] std::span<const std::uint32_t> hidden() const { return hidden_; }
   // For the kernels.
-  [[nodiscard]] SweepOcclusion sweep() const { return {index_, nodes_, fractions_, false, {}}; }
+  [[nodiscard]] SweepOcclusion sweep() const {
+    return {index_, nodes_, fractions_, passing_, false, {}};
+  }
   // Per blocked link of the kernels' nodes.
   [[nodiscard]] std::span<const Surfel> surfels() const { return surfels_; }
   [[nodiscard]] std::span<const OccludedNode> nodes() const { return nodes_; }
@@ -69,7 +70,7 @@ class GridOcclusion {
   std::vector<std::uint32_t> hidden_;
   std::vector<OccludedNode> nodes_;
   std::vector<std::uint32_t> grid_nodes_;
-  std::vector<float> fractions_;
+  std::vector<float> fractions_, passing_;
   std::vector<Surfel> surfels_;
   std::vector<MirrorPlane> mirrors_;
   bool is_grey_ = true;

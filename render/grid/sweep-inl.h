@@ -141,6 +141,17 @@ inline std::array<Upwind, 4> UpwindNodes(const Sweep& sweep, const glm::vec3& w)
   return upwind;
 }
 
+// Index of a hidden neighbour's link.
+inline std::size_t LinkOf(const OccludedNode& node, int neighbour) {
+  const std::uint32_t before = node.blocked & ((1u << neighbour) - 1u);
+  return node.first + static_cast<std::size_t>(std::popcount(before));
+}
+
+// The share of a hidden neighbour's light that panes let through.
+inline float PassingOf(const SweepOcclusion& occlusion, std::size_t link) {
+  return occlusion.passing.empty() ? 0.0f : occlusion.passing[link];
+}
+
 // What a node sees of the slab before. The rest of the weights is the surfaces': so on average they
 // end where they do, wherever between the nodes that is. Weighing only what is seen, slanting light
 // would go on along walls.
@@ -150,15 +161,23 @@ struct Seen {
   float least = std::numeric_limits<float>::infinity();  // of values that count
   float most = 0.0f;
 
-  Seen(std::span<const Upwind> upwind, const OccludedNode& node, Slab& slab, std::size_t u,
-       std::size_t v) {
+  bool through_panes = false;
+
+  Seen(const SweepOcclusion& occlusion, std::span<const Upwind> upwind, const OccludedNode& node,
+       Slab& slab, std::size_t u, std::size_t v) {
     for (const Upwind& other : upwind) {
-      if (other.is_hidden_from(node)) continue;
+      float share = other.weight;
+      if (other.is_hidden_from(node)) {
+        const float passing = PassingOf(occlusion, LinkOf(node, other.neighbour));
+        if (!(passing > 0.0f)) continue;
+        share *= passing;
+        through_panes = true;
+      }
       const auto row = static_cast<std::ptrdiff_t>(v) + other.v;
       const float* values = slab.row(0) + row * static_cast<std::ptrdiff_t>(slab.stride);
       const float value = values[static_cast<std::ptrdiff_t>(u) + other.u];
-      sum += other.weight * value;
-      weight += other.weight;
+      sum += share * value;
+      weight += share;
       if (!(other.weight > min_weight)) continue;
       least = std::min(least, value);
       most = std::max(most, value);
@@ -169,7 +188,8 @@ struct Seen {
   // the most.
   [[nodiscard]] bool is_penumbra(float lit_share) const {
     constexpr float darkest = 0.01f;
-    return most > darkest && (weight < 1.0f - min_weight || least < lit_share * most);
+    return most > darkest && !through_panes &&
+           (weight < 1.0f - min_weight || least < lit_share * most);
   }
   // The light of those that are lit.
   [[nodiscard]] float lit(float lit_share) const {
@@ -179,12 +199,6 @@ struct Seen {
  private:
   static constexpr float min_weight = 0.01f;
 };
-
-// Index of a hidden neighbour's link.
-inline std::size_t LinkOf(const OccludedNode& node, int neighbour) {
-  const std::uint32_t before = node.blocked & ((1u << neighbour) - 1u);
-  return node.first + static_cast<std::size_t>(std::popcount(before));
-}
 
 // Calls fix(u, node) for the nodes of a row that surfaces hide neighbours from.
 template <class Fix>

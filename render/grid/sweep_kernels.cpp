@@ -104,12 +104,12 @@ void SweepTransmittance(const GridNodes& nodes, std::span<const float> density, 
       }
       each_occluded(occlusion, sweep, row, [&](std::size_t u, const OccludedNode& node) {
         float& here = light.now.row(v)[u];
-        const Seen seen(upwind, node, light.before, u, v);
+        const Seen seen(occlusion, upwind, node, light.before, u, v);
         if (occlusion.ends_within && !inflow.empty() && entry.holds(u, sweep.columns)) {
           here *= seen.weight;
           return;
         }
-        const float far = Seen(upwind, node, b.before, u, v).mean();
+        const float far = Seen(occlusion, upwind, node, b.before, u, v).mean();
         const float depth = 0.5f * sweep.length * (b.now.row(v)[u] + far);
         // Where the medium is dense it makes neighbours differ, too.
         const float lit_share = depth < 0.05f ? 0.9f : 0.5f;
@@ -194,11 +194,11 @@ void SweepChannels(const GridNodes& nodes, std::span<const float> density, float
       }
       each_occluded(occlusion, sweep, row, [&](std::size_t u, const OccludedNode& node) {
         const float near = b.now.row(v)[u];
-        const Seen far(upwind, node, b.before, u, v);
+        const Seen far(occlusion, upwind, node, b.before, u, v);
         const float passes = std::exp(-sweep.length * (0.5f * (near + far.mean()) + fog));
         float sums[channels];
         for (std::size_t c = 0; c < channels; ++c) {
-          sums[c] = passes * Seen(upwind, node, light[c].before, u, v).sum +
+          sums[c] = passes * Seen(occlusion, upwind, node, light[c].before, u, v).sum +
                     (1.0f - passes) * far.weight * emission[c].now.row(v)[u];
         }
         for (const Upwind& other : upwind) {
@@ -206,10 +206,11 @@ void SweepChannels(const GridNodes& nodes, std::span<const float> density, float
           const std::size_t link = LinkOf(node, other.neighbour);
           const float way = occlusion.fractions[link] * sweep.length;
           const float transmitted = std::exp(-way * (near + fog));
+          // The rest of the way's light is that of what is seen.
+          const float sends = (1.0f - PassingOf(occlusion, link)) * (1.0f - transmitted);
           for (std::size_t c = 0; c < channels; ++c) {
             const float sent = outgoing.empty() ? 0.0f : outgoing[c][link];
-            sums[c] += other.weight *
-                       (transmitted * sent + (1.0f - transmitted) * emission[c].now.row(v)[u]);
+            sums[c] += other.weight * (transmitted * sent + sends * emission[c].now.row(v)[u]);
           }
         }
         for (std::size_t c = 0; c < channels; ++c) light[c].now.row(v)[u] = sums[c];

@@ -36,9 +36,6 @@ struct HitsOnRay {
 
   // The share of light that comes through as far as that.
   [[nodiscard]] double passing(double distance) const;
-  // The hit that ends a ray which passes each pane by chance, as often as light does; `draw`
-  // returns numbers in [0, 1).
-  [[nodiscard]] SurfaceHit end_by_chance(const std::function<double()>& draw) const;
 };
 
 // A pane where it is seen.
@@ -123,7 +120,8 @@ class RayCaster {
   // All hits on a ray but those nearer than `nearest`. Thread-safe.
   [[nodiscard]] HitsOnRay hits_on_ray(const glm::dvec3& origin, const glm::dvec3& direction,
                                       double nearest = 0.0) const;
-  // HitsOnRay::end_by_chance(); `draw` is called only where there are panes.
+  // A first hit that passes each pane by chance, as often as light does; `draw` returns numbers in
+  // [0, 1), and is called only where there are panes.
   [[nodiscard]] SurfaceHit first_hit_by_chance(const glm::dvec3& origin,
                                                const glm::dvec3& direction,
                                                const std::function<double()>& draw) const;

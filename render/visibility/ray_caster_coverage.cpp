@@ -54,13 +54,6 @@ double HitsOnRay::passing(double distance) const {
   return share;
 }
 
-SurfaceHit HitsOnRay::end_by_chance(const std::function<double()>& draw) const {
-  for (const PaneHit& pane : panes) {
-    if (draw() >= pane.passing) return pane.hit;
-  }
-  return end;
-}
-
 bool RayCaster::has_panes() const {
   return impl_->has_panes;
 }
@@ -68,7 +61,11 @@ bool RayCaster::has_panes() const {
 SurfaceHit RayCaster::first_hit_by_chance(const glm::dvec3& origin, const glm::dvec3& direction,
                                           const std::function<double()>& draw) const {
   if (!has_panes()) return first_hit(origin, direction);
-  return hits_on_ray(origin, direction).end_by_chance(draw);
+  const HitsOnRay on_ray = hits_on_ray(origin, direction);
+  for (const PaneHit& pane : on_ray.panes) {
+    if (draw() >= pane.passing) return pane.hit;
+  }
+  return on_ray.end;
 }
 
 SurfaceHit RayCaster::next_hit(const glm::dvec3& origin, const glm::dvec3& direction,

@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <glm/gtc/quaternion.hpp>
+#include <optional>
 
 #include "brume/primitive.h"
 #include "render/renderer.h"
+#include "render/samples/mean_frame.h"
 #include "tests/render/coverage_scenes.h"
 #include "tests/render/test_scenes.h"
 
@@ -127,6 +130,61 @@ TEST(CoverageFrames, PanesInFogAreThoseOfPaths) {
     EXPECT_GT(difference(render_frame(opaque, path_traced(32)).beauty, wanted.beauty).relative_rmse,
               0.12);
   }
+}
+
+// A room with a dark window in bright fog, seen from within: the fog outside neither lights the
+// window's near side nor shines through it more than it lets through.
+TEST(CoverageFrames, WindowsKeepBrightFogOutOfRooms) {
+  Scene scene;
+  scene.film = {16, 16};
+  scene.camera = {{-1.5, 0, 0}, {2, 0, 0}, {0, 1, 0}, 50.0};
+  scene.medium.set_homogeneous_density(0.1);
+  scene.lights = {{.intensity = {3, 3, 3}, .kind = light::Directional{{-1, -0.5, 0.2}, 0.0}}};
+  for (const glm::dvec3& side :
+       {glm::dvec3(0, -2, 0), {0, 2, 0}, {-2, 0, 0}, {0, 0, -2}, {0, 0, 2}, {2, 0, 0}}) {
+    Surface wall = pane(AlphaMode::opaque, 1.0, glm::dvec3(0.0));
+    wall.scale = 2.0;
+    wall.translate = side;
+    wall.rotate = glm::dquat(glm::dvec3(0, 1, 0), glm::normalize(side));
+    wall.material.metallic_roughness.base_color = glm::dvec3(0.2);
+    scene.surfaces.push_back(wall);
+  }
+  MetallicRoughness& window = scene.surfaces.back().material.metallic_roughness;
+  window.base_color = glm::dvec3(1.0);
+  window.transmission = glm::dvec3(0.03);
+  const Frame wanted = render_frame(scene, path_traced(512));
+  const Frame frame = render_frame(scene, sliced(24, Scattering::multiple));
+  const Difference found = difference(frame.beauty, wanted.beauty);
+  EXPECT_LT(std::abs(found.bias), 0.04);  // 0.23 with nodes outside, 0.06 if edges count twice
+  EXPECT_LT(found.relative_rmse, 0.1);    // of which paths' noise is 0.05
+}
+
+// What samples see through panes is what whole frames of shifted films would.
+TEST(CoverageFrames, SamplesOfPixelsSeeThroughPanes) {
+  Surface glass = pane(AlphaMode::blend, 0.6, {0.9, 0.5, 0.1});
+  glass.rotate = glm::angleAxis(1.2, glm::dvec3(0.6, 0.0, 0.8));
+  Scene scene = in_fog(with(lit_from_above(), {glass, checkered_leaf()}), 0.15);
+  scene.lights[0].position.y = 6.2;  // out of sight: around it pixels have samples by chance
+  Settings settings = sliced(24);
+  settings.samples = 16;
+  Settings single = settings;
+  single.samples = 1;
+  const Frame wanted = *render_shifted(
+      scene.film, settings, {}, [&](const Film& film, const Settings& one_sample, const Job&) {
+        Scene shifted = scene;
+        shifted.film = film;
+        return std::optional<Frame>(render_frame(shifted, one_sample));
+      });
+  const Frame frame = render_frame(scene, settings);
+  EXPECT_GT(frame.statistics.sampled_pixels, 100u);
+  EXPECT_LT(frame.statistics.sampled_pixels, frame.depth.size());
+  EXPECT_LT(difference(frame.beauty, wanted.beauty).relative_rmse, 1e-3);
+  // Pixels whose beauty has no details are one sample.
+  EXPECT_LT(difference(frame.airlight, wanted.airlight).relative_rmse, 6e-3);
+  EXPECT_LT(difference(frame.transmittance, wanted.transmittance).relative_rmse, 6e-3);
+  EXPECT_GT(difference(render_frame(scene, single).beauty, wanted.beauty).relative_rmse, 3e-3);
+  settings.airlight_scale = 4;
+  EXPECT_LT(difference(render_frame(scene, settings).beauty, wanted.beauty).relative_rmse, 2e-3);
 }
 
 // Also in the middle of all surfaces, where coordinates have the most digits.
