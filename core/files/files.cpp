@@ -6,6 +6,7 @@
 
 #include "brume/error.h"
 #include "brume/limits.h"
+#include "brume/mesh_arrays.h"
 #include "core/io/copies_file.h"
 #include "core/io/gaussians/gaussian_file.h"
 #include "core/io/image/radiance_map_file.h"
@@ -76,6 +77,10 @@ Surface load_surface(const fs::path& mesh, std::vector<std::string>* warnings) {
   Surface surface;
   surface.mesh_file = absolute_name(mesh);
   surface.mesh = read_mesh(mesh, warnings);
+  if (!to_arrays(*surface.mesh).colors.empty()) {
+    surface.material.type = Material::Type::metallic_roughness;
+    surface.material.metallic_roughness.metallic = 0.0;
+  }
   return surface;
 }
 

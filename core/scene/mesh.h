@@ -12,4 +12,16 @@ struct TriangleMesh : MeshArrays {
   [[nodiscard]] std::size_t n_faces() const { return triangles.size(); }
 };
 
+// Calls visit(list, key) for what a mesh has of each vertex besides its place; lists are empty
+// where it has none.
+void visit_vertex_values(auto& arrays, auto&& visit) {
+  visit(arrays.normals, "normals");
+  visit(arrays.texcoords, "texcoords");
+  visit(arrays.second_texcoords, "second_texcoords");
+  visit(arrays.colors, "colors");
+}
+
+// Memory of a mesh.
+std::size_t mesh_bytes(const MeshArrays& arrays);
+
 }  // namespace brume

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
 #include <string>
 #include <utility>
 
@@ -15,9 +16,23 @@ namespace {
 
 void check(const MeshArrays& arrays) {
   const std::size_t count = arrays.points.size();
-  if (arrays.normals.size() != count ||
-      (!arrays.texcoords.empty() && arrays.texcoords.size() != count)) {
-    throw DomainError("normals, texcoords", "allowed: as many as points; no texcoords");
+  if (arrays.normals.size() != count) {
+    throw DomainError("normals", "allowed: as many as points");
+  }
+  visit_vertex_values(arrays, [&](const auto& values, const char* key) {
+    if (values.empty() || values.size() == count) return;
+    throw DomainError(key, "allowed: as many as points, or none");
+  });
+  if (arrays.texcoords.empty() && !arrays.second_texcoords.empty()) {
+    throw DomainError("second_texcoords", "allowed: with texcoords");
+  }
+  for (std::size_t i = 0; i < arrays.colors.size(); ++i) {
+    const glm::vec4& color = arrays.colors[i];
+    if (glm::all(glm::greaterThanEqual(color, glm::vec4(0.0f))) &&
+        glm::all(glm::lessThanEqual(color, glm::vec4(1.0f)))) {
+      continue;
+    }
+    throw DomainError("colors[" + std::to_string(i) + "]", "allowed: numbers in [0, 1]");
   }
   for (std::size_t i = 0; i < count; ++i) {
     const glm::vec3& p = arrays.points[i];
@@ -46,8 +61,16 @@ std::shared_ptr<TriangleMesh> to_mesh(MeshArrays arrays, std::size_t max_bytes) 
 }
 
 std::size_t mesh_bytes(const TriangleMesh& mesh) {
-  return std::span(mesh.points).size_bytes() + std::span(mesh.normals).size_bytes() +
-         std::span(mesh.triangles).size_bytes() + std::span(mesh.texcoords).size_bytes();
+  return mesh_bytes(to_arrays(mesh));
+}
+
+std::size_t mesh_bytes(const MeshArrays& arrays) {
+  std::size_t bytes =
+      std::span(arrays.points).size_bytes() + std::span(arrays.triangles).size_bytes();
+  visit_vertex_values(arrays, [&bytes](const auto& values, const char*) {
+    bytes += std::span(values).size_bytes();
+  });
+  return bytes;
 }
 
 MeshBox box_of(const TriangleMesh& mesh) {

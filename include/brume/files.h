@@ -51,8 +51,9 @@ BRUME_EXPORT void save_gaussians(std::span<const Gaussian> gaussians,
                                  std::span<const GaussianNumber> ids = {});
 
 // Surfaces and lights that a file makes, to be placed in a scene: a mesh (OBJ, PLY, STL, OFF), and
-// an environment map (EXR, HDR). What is left out or taken otherwise than the file says is appended
-// to `warnings`, a line each.
+// an environment map (EXR, HDR). A mesh whose vertices have colors gets a metallic-roughness
+// material that shows them. What is left out or taken otherwise than the file says is appended to
+// `warnings`, a line each.
 BRUME_EXPORT Surface load_surface(const std::filesystem::path& mesh,
                                   std::vector<std::string>* warnings = nullptr);
 // Placements of copies of a surface: PLY or CSV, see the manual.

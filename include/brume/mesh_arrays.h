@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 #include <limits>
 #include <memory>
 #include <span>
@@ -21,6 +22,11 @@ struct MeshArrays {
   std::vector<glm::vec3> normals;  // unit, or 0: the triangle's own; as many as points
   std::vector<glm::uvec3> triangles;
   std::vector<glm::vec2> texcoords{};  // u to the right, v up; as many as points, or none
+  // Where textures are looked up that name the second set; none without the first.
+  std::vector<glm::vec2> second_texcoords{};
+  // Linear RGBA in [0, 1], as many as points, or none. On metallic-roughness materials RGB
+  // multiplies base color and transmission, A opacity.
+  std::vector<glm::vec4> colors{};
 
   bool operator==(const MeshArrays&) const = default;
 };

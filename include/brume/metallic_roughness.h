@@ -18,6 +18,8 @@ struct TextureReference {
   std::shared_ptr<const Texture> content;  // null: none, or its file is missing; as if white
   TextureWrap wrap_u = TextureWrap::repeat;
   TextureWrap wrap_v = TextureWrap::repeat;
+  // Whether it is looked up by the mesh's second texture coordinates, if there are any.
+  bool uses_second_texcoords = false;
 
   bool operator==(const TextureReference&) const = default;
 };
@@ -26,7 +28,8 @@ struct TextureReference {
 enum class AlphaMode { opaque, cutout, blend };
 
 // The metallic-roughness material of glTF 2.0: reflection by GGX; evaluated by
-// core/scene/materials/ggx.h. Each value is multiplied by what its texture holds.
+// core/scene/materials/ggx.h. Each value is multiplied by what its texture holds, some
+// by colors of the mesh's vertices.
 struct MetallicRoughness {
   glm::dvec3 base_color{1.0};  // RGB in [0, 1]
   double metallic = 1.0;       // in [0, 1]

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "brume/mesh_arrays.h"
+#include "core/scene/materials/mesh_values.h"
 #include "core/scene/materials/texture.h"
 #include "render/gl/shader_structs.h"
 
@@ -30,7 +31,8 @@ class TextureRecords {
     words.insert(words.end(), {static_cast<std::uint32_t>(texture.encoding()),
                                static_cast<std::uint32_t>(reference.wrap_u),
                                static_cast<std::uint32_t>(reference.wrap_v),
-                               static_cast<std::uint32_t>(texture.levels().size())});
+                               static_cast<std::uint32_t>(texture.levels().size()),
+                               std::uint32_t{reference.uses_second_texcoords}});
     for (const brume::Texture::Level& level : texture.levels()) {
       words.insert(words.end(), {static_cast<std::uint32_t>(level.width),
                                  static_cast<std::uint32_t>(level.height),
@@ -59,7 +61,7 @@ class TextureRecords {
 
 void MaterialStage::run(const FrameContext& work, DeviceFrame& device) {
   upload_materials(work.scene);
-  upload_texcoords(work.scene, device.mesh);
+  upload_mesh_values(work.scene, device.mesh);
   const Film& film = work.frame.film;
   const std::size_t pixels =
       static_cast<std::size_t>(film.width) * static_cast<std::size_t>(film.height);
@@ -74,7 +76,9 @@ void MaterialStage::run(const FrameContext& work, DeviceFrame& device) {
   program.bind("Hits", device.mesh.hits());
   program.bind("Behind", device.textures.behind);
   program.bind("Texels", texels_);
-  program.bind("Texcoords", texcoords_);
+  program.bind("MeshValues", mesh_values_);
+  program.set("second_texcoords_at", static_cast<int>(second_texcoords_at_));
+  program.set("colors_at", static_cast<int>(colors_at_));
   program.bind("Records", records_);
   program.dispatch_over({film.width, film.height});
 }
@@ -109,20 +113,43 @@ void MaterialStage::upload_materials(const Scene& scene) {
   materials_ = std::move(materials);
 }
 
-void MaterialStage::upload_texcoords(const Scene& scene, const MeshBuffers& mesh) {
+void MaterialStage::upload_mesh_values(const Scene& scene, const MeshBuffers& mesh) {
   if (mesh_ == mesh.revision()) return;
   mesh_ = 0;
-  std::vector<glm::vec2> texcoords;
-  texcoords.reserve(3 * mesh.places().size());
-  for (const MeshBuffers::Place& place : mesh.places()) {
-    const MeshArrays& own_arrays = to_arrays(*scene.surfaces[place.surface].mesh);
-    for (int k = 0; k < 3; ++k) {
-      texcoords.push_back(own_arrays.texcoords.empty()
-                              ? glm::vec2(0.0f)
-                              : own_arrays.texcoords[own_arrays.triangles[place.index][k]]);
-    }
+  bool has_second = false;
+  bool has_colors = false;
+  for (const Surface& surface : scene.surfaces) {
+    const MeshArrays& arrays = to_arrays(*surface.mesh);
+    has_second = has_second || !arrays.second_texcoords.empty();
+    has_colors = has_colors || !arrays.colors.empty();
   }
-  texcoords_.upload(std::span<const glm::vec2>(texcoords));
+  std::vector<float> values;
+  const auto append = [&](auto&& add) {
+    for (const MeshBuffers::Place& place : mesh.places()) {
+      const MeshArrays& arrays = to_arrays(*scene.surfaces[place.surface].mesh);
+      for (const MeshValues& corner : corner_values(arrays, place.index)) add(corner);
+    }
+  };
+  const auto append_texcoords = [&](std::size_t set) {
+    append([&](const MeshValues& corner) {
+      const glm::vec2 uv(corner.texcoords[set].uv);
+      values.insert(values.end(), {uv.x, uv.y});
+    });
+  };
+  const std::size_t corners = 3 * mesh.places().size();
+  values.reserve(corners * (2 + (has_second ? 2 : 0) + (has_colors ? 3 : 0)));
+  append_texcoords(0);
+  second_texcoords_at_ = has_second ? values.size() : 0;
+  if (has_second) append_texcoords(1);
+  colors_at_ = has_colors ? values.size() : 0;
+  if (has_colors) {
+    append([&](const MeshValues& corner) {
+      const glm::vec3 color(corner.color);
+      values.insert(values.end(), {color.r, color.g, color.b});
+    });
+  }
+  if (values.size() > INT32_MAX) throw OutOfMemory("the meshes do not fit into device memory");
+  mesh_values_.upload(std::span<const float>(values));
   mesh_ = mesh.revision();
 }
 

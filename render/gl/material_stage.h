@@ -18,11 +18,14 @@ class MaterialStage {
 
  private:
   void upload_materials(const Scene& scene);
-  void upload_texcoords(const Scene& scene, const MeshBuffers& mesh);
+  void upload_mesh_values(const Scene& scene, const MeshBuffers& mesh);
 
-  Buffer texels_, texcoords_, records_;
+  Buffer texels_, mesh_values_, records_;
+  // Places among mesh_values_, whose first are the first texture coordinates; 0: no mesh has any.
+  std::size_t second_texcoords_at_ = 0;
+  std::size_t colors_at_ = 0;
   std::optional<std::vector<Material>> materials_;  // of the surfaces; those in records_
-  Revision mesh_ = 0;                               // of texcoords_
+  Revision mesh_ = 0;                               // of mesh_values_
 };
 
 }  // namespace brume::gl

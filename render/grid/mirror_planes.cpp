@@ -48,7 +48,10 @@ std::vector<MirrorPlane> mirror_planes(std::span<const Surface> surfaces) {
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
     const Material& material = surfaces[s].material;
     if (material.type != Material::Type::metallic_roughness) continue;
-    const GgxReflection reflection = average_material(material.metallic_roughness).reflection;
+    if (!may_mirror(material.metallic_roughness)) continue;
+    const glm::dvec4 color = mean_color(to_arrays(*surfaces[s].mesh));
+    const GgxReflection reflection =
+        average_material(material.metallic_roughness, color).reflection;
     if (!(reflection.alpha < GgxReflection::max_mirror_alpha)) continue;
     for (MirrorPlane& side : sides_of(surfaces[s])) {
       side.surface = static_cast<std::uint32_t>(s);

@@ -185,12 +185,7 @@ ExactOcclusion::ExactOcclusion(std::span<const Surface> surfaces) {
 }
 
 bool ExactOcclusion::Part::is_hole(std::uint32_t index, const glm::dvec3& weights) const {
-  if (!coverage.has_holes()) return false;
-  glm::dvec2 uv(0.0);
-  for (int k = 0; k < 3 && !mesh->texcoords.empty(); ++k) {
-    uv += weights[k] * glm::dvec2(mesh->texcoords[mesh->triangles[index][k]]);
-  }
-  return coverage.is_hole(uv);
+  return coverage.has_holes() && coverage.is_hole(values_in(*mesh, index, weights));
 }
 
 void ExactOcclusion::Part::shorten(const glm::dvec3& origin, const glm::dvec3& direction,

@@ -19,9 +19,10 @@ void RayCaster::Impl::meet_coverage(const RTCFilterFunctionNArguments* found) {
     const auto [surface, copy, triangle] = impl.placed_triangle(*found, i);
     const float u = RTCHitN_u(found->hit, found->N, i);
     const float v = RTCHitN_v(found->hit, found->N, i);
-    const glm::dvec2 uv = impl.texcoord(surface, triangle, u, v);
+    const MeshValues values = values_in(
+        impl.mesh(surface), triangle, barycentric(static_cast<double>(u), static_cast<double>(v)));
     const Coverage& coverage = impl.surfaces[surface].coverage;
-    if (coverage.is_hole(uv)) {
+    if (coverage.is_hole(values)) {
       found->valid[i] = 0;
       continue;
     }
@@ -30,7 +31,7 @@ void RayCaster::Impl::meet_coverage(const RTCFilterFunctionNArguments* found) {
       found->valid[i] = 0;
       continue;
     }
-    const double passing = impl.passing(coverage, uv, 0.0);
+    const double passing = impl.passing(coverage, values);
     if (query.mode == CoverageQuery::Panes::collected) {
       const double distance = static_cast<double>(RTCRayN_tfar(found->ray, found->N, i));
       query.panes->push_back(
@@ -93,12 +94,11 @@ bool RayCaster::is_pane(const SurfaceHit& hit) const {
 SeenPane RayCaster::pane(const SurfaceHit& hit, double width) const {
   if (!is_pane(hit)) return {};
   const Coverage& coverage = impl_->surfaces[static_cast<std::size_t>(hit.surface)].coverage;
-  const TextureFrame frame = impl_->texture_frame(hit);
-  const double footprint = width * frame.density;
+  const MeshValues values = impl_->mesh_frame(hit).with_width(width);
   SeenPane seen;
-  seen.covered = coverage.covered(frame.uv, footprint);
-  seen.passing = impl_->passing(coverage, frame.uv, footprint);
-  const glm::dvec3 transmitted = coverage.transmitted(frame.uv, footprint);
+  seen.covered = coverage.covered(values);
+  seen.passing = impl_->passing(coverage, values);
+  const glm::dvec3 transmitted = coverage.transmitted(values);
   seen.opaque = seen.covered * (1.0 - glm::dot(all_channels, transmitted));
   return seen;
 }

@@ -290,42 +290,38 @@ struct RayCaster::Impl {
     return raster;
   }
 
-  [[nodiscard]] glm::dvec2 texcoord(std::size_t surface, std::size_t triangle, float u,
-                                    float v) const {
-    const std::vector<glm::vec2>& texcoords = mesh(surface).texcoords;
-    if (texcoords.empty()) return glm::dvec2(0.0);
-    const glm::uvec3& corners = mesh(surface).triangles[triangle];
-    const auto at = [&](unsigned corner) { return glm::dvec2(texcoords[corner]); };
-    const double first = 1.0 - static_cast<double>(u) - static_cast<double>(v);
-    return first * at(corners.x) + static_cast<double>(u) * at(corners.y) +
-           static_cast<double>(v) * at(corners.z);
-  }
+  // By the weights of a triangle's second and third corner.
+  [[nodiscard]] static glm::dvec3 barycentric(double u, double v) { return {1.0 - u - v, u, v}; }
 
   // The share of light that passes a surface there, in the ray caster's channels.
-  [[nodiscard]] double passing(const Coverage& coverage, const glm::dvec2& uv,
-                               double footprint) const {
-    const double crossing = glm::dot(channels, coverage.transmitted(uv, footprint));
-    return 1.0 - coverage.covered(uv, footprint) * (1.0 - crossing);
+  [[nodiscard]] double passing(const Coverage& coverage, const MeshValues& values) const {
+    const double crossing = glm::dot(channels, coverage.transmitted(values));
+    return 1.0 - coverage.covered(values) * (1.0 - crossing);
   }
 
   // Embree's filter of surfaces with holes and of panes. All queries are a CoverageQuery.
   static void meet_coverage(const RTCFilterFunctionNArguments* found);
 
-  [[nodiscard]] TextureFrame texture_frame(const SurfaceHit& hit) const {
+  [[nodiscard]] MeshFrame mesh_frame(const SurfaceHit& hit) const {
     const PlacedTriangle found = placed_triangle(hit);
-    const std::vector<glm::vec2>& texcoords = mesh(found.surface).texcoords;
-    if (texcoords.empty()) return {};
-    const glm::uvec3& indices = mesh(found.surface).triangles[found.triangle];
+    const MeshArrays& arrays = mesh(found.surface);
+    MeshFrame frame;
+    if (arrays.texcoords.empty() && arrays.colors.empty()) return frame;
+    const std::array<MeshValues, 3> values = corner_values(arrays, found.triangle);
+    frame.values =
+        interpolate(values, barycentric(static_cast<double>(hit.u), static_cast<double>(hit.v)));
+    if (arrays.texcoords.empty()) return frame;
     const std::array<Vertex, 3> own_corners = corners(found);
     std::array<glm::dvec3, 3> positions;
-    std::array<glm::dvec2, 3> own_texcoords;
-    for (std::size_t k = 0; k < 3; ++k) {
-      positions[k] = glm::dvec3(own_corners[k].position);
-      own_texcoords[k] = glm::dvec2(texcoords[indices[static_cast<int>(k)]]);
-    }
-    const double u = static_cast<double>(hit.u);
-    const double v = static_cast<double>(hit.v);
-    return {positions, own_texcoords, {1.0 - u - v, u, v}};
+    for (std::size_t k = 0; k < 3; ++k) positions[k] = glm::dvec3(own_corners[k].position);
+    const auto texture_frame = [&](std::size_t set) -> TextureFrame {
+      return {
+          positions,
+          {values[0].texcoords[set].uv, values[1].texcoords[set].uv, values[2].texcoords[set].uv}};
+    };
+    frame.textures[0] = texture_frame(0);
+    frame.textures[1] = arrays.second_texcoords.empty() ? frame.textures[0] : texture_frame(1);
+    return frame;
   }
 
   // A ray from far away starts at the ball around the surfaces, where float has digits for it.

@@ -55,8 +55,10 @@ SurfacePoint RayCaster::point(const SurfaceHit& hit, const glm::dvec3& origin,
   }
   const Material& material = result.surface->material;
   if (material.type == Material::Type::metallic_roughness) {
-    const MaterialPoint found = material_at(material.metallic_roughness, impl_->texture_frame(hit),
-                                            0.0, side, result.normal);
+    const MeshFrame frame = impl_->mesh_frame(hit);
+    const MaterialPoint found =
+        material_at(material.metallic_roughness, frame, 0.0, side, result.normal);
+    result.color = frame.values.color;
     result.ggx = found.reflection;
     result.emitted = found.emitted;
   }
@@ -100,15 +102,14 @@ void RayCaster::points(std::span<const SurfaceHit> hits, const glm::dvec3& origi
 }
 
 void RayCaster::find_materials(std::span<const SurfaceHit> hits, SurfacePoints& points) const {
-  std::array<TextureFrame, Tiles::pixels> frames;
+  std::array<MeshFrame, Tiles::pixels> frames;
   std::array<double, Tiles::pixels> distances;
-  const std::size_t textured =
-      has_textures(points.surface->material.metallic_roughness) ? points.count : 0;
-  for (std::size_t k = 0; k < textured; ++k) {
-    frames[k] = impl_->texture_frame(hits[k]);
+  const std::size_t varied = is_varied(*points.surface) ? points.count : 0;
+  for (std::size_t k = 0; k < varied; ++k) {
+    frames[k] = impl_->mesh_frame(hits[k]);
     distances[k] = hits[k].distance;
   }
-  brume::find_materials(std::span(frames).first(textured), std::span(distances).first(textured),
+  brume::find_materials(std::span(frames).first(varied), std::span(distances).first(varied),
                         points);
 }
 

@@ -16,11 +16,11 @@ void set(const MaterialPoint& material, std::size_t k, GgxPoints& ggx) {
 
 }  // namespace
 
-void find_materials(std::span<const TextureFrame> frames, std::span<const double> distances,
+void find_materials(std::span<const MeshFrame> frames, std::span<const double> distances,
                     SurfacePoints& points) {
   const MetallicRoughness& material = points.surface->material.metallic_roughness;
   if (frames.empty()) {
-    const MaterialPoint everywhere = material_at(material, {}, 0.0);
+    const MaterialPoint everywhere = material_at(material, MeshValues());
     for (std::size_t k = 0; k < points.padded_size(); ++k) set(everywhere, k, points.ggx);
     return;
   }

@@ -10,9 +10,9 @@ namespace brume {
 // A pixel's cone at a grazing angle is taken to be no longer than at this one.
 inline constexpr double min_grazing_cosine = 0.02;
 
-// Sets points.ggx and turns normals by normal maps. `frames` of the points, unless the material has
-// no textures; `distances` from the eye [u].
-void find_materials(std::span<const TextureFrame> frames, std::span<const double> distances,
+// Sets points.ggx and turns normals by normal maps. `frames` of the points, if is_varied();
+// `distances` from the eye [u].
+void find_materials(std::span<const MeshFrame> frames, std::span<const double> distances,
                     SurfacePoints& points);
 
 }  // namespace brume

@@ -13,8 +13,7 @@ glm::dvec3 brdf(const SurfacePoint& point, const glm::dvec3& wi) {
 }
 
 TextureFrame::TextureFrame(const std::array<glm::dvec3, 3>& positions,
-                           const std::array<glm::dvec2, 3>& texcoords, const glm::dvec3& weights) {
-  for (int k = 0; k < 3; ++k) uv += weights[k] * texcoords[static_cast<std::size_t>(k)];
+                           const std::array<glm::dvec2, 3>& texcoords) {
   const glm::dvec3 p1 = positions[1] - positions[0];
   const glm::dvec3 p2 = positions[2] - positions[0];
   const glm::dvec2 t1 = texcoords[1] - texcoords[0];
@@ -41,11 +40,21 @@ glm::dvec3 TextureFrame::to_world(const glm::dvec3& of_texture, const glm::dvec3
                         of_texture.z * n);
 }
 
-MaterialPoint material_at(const MetallicRoughness& material, const TextureFrame& frame,
-                          double width, double side, glm::dvec3& normal) {
-  MaterialPoint point = material_at(material, frame.uv, width * frame.density);
-  if (material.normal_texture.content && glm::dot(normal, normal) > 0.0) {
-    normal = side * frame.to_world(point.normal, side * normal);
+MeshValues MeshFrame::with_width(double width) const {
+  MeshValues result = values;
+  for (std::size_t set = 0; set < textures.size(); ++set) {
+    result.texcoords[set].footprint = width * textures[set].density;
+  }
+  return result;
+}
+
+MaterialPoint material_at(const MetallicRoughness& material, const MeshFrame& frame, double width,
+                          double side, glm::dvec3& normal) {
+  MaterialPoint point = material_at(material, frame.with_width(width));
+  const TextureReference& map = material.normal_texture;
+  if (map.content && glm::dot(normal, normal) > 0.0) {
+    const TextureFrame& texture = frame.textures[map.uses_second_texcoords ? 1 : 0];
+    normal = side * texture.to_world(point.normal, side * normal);
   }
   return point;
 }

@@ -3,10 +3,12 @@
 #include <array>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 #include <optional>
 
 #include "brume/scene.h"
 #include "core/scene/materials/ggx.h"
+#include "core/scene/materials/mesh_values.h"
 
 namespace brume {
 
@@ -23,31 +25,40 @@ struct SurfacePoint {
   // The reflection of a metallic-roughness material there.
   std::optional<GgxReflection> ggx{};
   glm::dvec3 emitted{0.0};  // radiance
+  glm::dvec4 color{1.0};    // of its mesh there, see MeshArrays
 };
 
 // brdf() of the material at the point, for light from wi that is reflected to the eye [1/sr].
 glm::dvec3 brdf(const SurfacePoint& point, const glm::dvec3& wi);
 
-// How a texture lies on a triangle, at one of its points.
+// How a texture lies on a triangle.
 struct TextureFrame {
-  glm::dvec2 uv{0.0};
-  glm::dvec3 along_u{0.0};  // the point's derivatives, of any length, 0 where there is no texture
+  glm::dvec3 along_u{0.0};  // a point's derivatives, of any length, 0 where there is no texture
   glm::dvec3 along_v{0.0};
   double density = 0.0;  // side of a square in the texture per side in the world [1/u]
 
   TextureFrame() = default;
-  // `weights` are barycentric.
   TextureFrame(const std::array<glm::dvec3, 3>& positions,
-               const std::array<glm::dvec2, 3>& texcoords, const glm::dvec3& weights);
+               const std::array<glm::dvec2, 3>& texcoords);
 
   // A normal of the texture's frame, turned to that around the unit normal n of the surface's
   // front.
   [[nodiscard]] glm::dvec3 to_world(const glm::dvec3& of_texture, const glm::dvec3& n) const;
 };
 
+// The values of a mesh at a point, and how textures lie there by each set of its texture
+// coordinates.
+struct MeshFrame {
+  MeshValues values;  // without footprints
+  std::array<TextureFrame, 2> textures;
+
+  // The values with the footprints of a square of a side in the world [u].
+  [[nodiscard]] MeshValues with_width(double width) const;
+};
+
 // The material at a point; turns its unit normal, which is on the visible side, by the normal map.
 // `side`: 1 if that is the mesh's front, else -1; `width`: of what is averaged [u].
-MaterialPoint material_at(const MetallicRoughness& material, const TextureFrame& frame,
-                          double width, double side, glm::dvec3& normal);
+MaterialPoint material_at(const MetallicRoughness& material, const MeshFrame& frame, double width,
+                          double side, glm::dvec3& normal);
 
 }  // namespace brume

@@ -52,8 +52,14 @@ class Materials {
   Materials(const aiScene& from, const fs::path& file, RawScene& to)
       : from_(from), file_(file), to_(to) {}
 
-  void add_all() {
-    for (unsigned i = 0; i < from_.mNumMaterials; ++i) add(*from_.mMaterials[i]);
+  std::vector<TexcoordChannels> add_all() {
+    std::vector<TexcoordChannels> channels;
+    for (unsigned i = 0; i < from_.mNumMaterials; ++i) {
+      channels_.clear();
+      add(*from_.mMaterials[i]);
+      channels.push_back(channels_);
+    }
+    return channels;
   }
 
  private:
@@ -131,10 +137,25 @@ class Materials {
       int v = aiTextureMapMode_Wrap;
       material.Get(AI_MATKEY_MAPPINGMODE_U(type, 0), u);
       material.Get(AI_MATKEY_MAPPINGMODE_V(type, 0), v);
+      int channel = 0;
+      material.Get(AI_MATKEY_UVWSRC(type, 0), channel);
       return RawTexture{*image, wrap_of(static_cast<aiTextureMapMode>(u)),
-                        wrap_of(static_cast<aiTextureMapMode>(v))};
+                        wrap_of(static_cast<aiTextureMapMode>(v)), is_second(channel)};
     }
     return std::nullopt;
+  }
+
+  // Whether texture coordinates are not those of the material's first texture.
+  bool is_second(int channel) {
+    const auto wanted = static_cast<unsigned>(std::max(channel, 0));
+    const auto known = std::ranges::find(channels_, wanted);
+    if (known != channels_.end()) return known != channels_.begin();
+    if (channels_.size() == 2) {
+      warn("a material's third texture coordinates: those of its first texture are used");
+      return false;
+    }
+    channels_.push_back(wanted);
+    return channels_.size() == 2;
   }
 
   std::optional<std::size_t> image_of(const aiString& name) {
@@ -171,12 +192,14 @@ class Materials {
   const fs::path& file_;
   RawScene& to_;
   std::vector<std::string> names_;  // of to_.images
+  TexcoordChannels channels_;       // of the material that is read
 };
 
 }  // namespace
 
-void add_materials(const aiScene& from, const fs::path& file, RawScene& to) {
-  Materials(from, file, to).add_all();
+std::vector<TexcoordChannels> add_materials(const aiScene& from, const fs::path& file,
+                                            RawScene& to) {
+  return Materials(from, file, to).add_all();
 }
 
 }  // namespace brume

@@ -17,6 +17,7 @@
 #include "core/io/disk/file_bytes.h"
 #include "core/io/import/node_transform.h"
 #include "core/io/import/scene_readers.h"
+#include "core/io/mesh/mesh_readers.h"
 #include "core/io/mesh/obj_corner.h"
 #include "core/io/text_scanner.h"
 #include "core/io/unicode_text.h"
@@ -74,7 +75,7 @@ class Reader {
   Reader(const aiScene& from, const fs::path& file) : from_(from), file_(file) {}
 
   RawScene read() {
-    add_materials(from_, file_, scene_);
+    channels_ = add_materials(from_, file_, scene_);
     add_nodes();
     for (unsigned i = 0; i < from_.mNumCameras; ++i) add_camera(*from_.mCameras[i]);
     for (unsigned i = 0; i < from_.mNumLights; ++i) add_light(*from_.mLights[i]);
@@ -126,10 +127,15 @@ class Reader {
     for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
       arrays.points.emplace_back(to_dvec3(mesh.mVertices[i]));
       if (mesh.HasNormals()) arrays.normals.emplace_back(to_dvec3(mesh.mNormals[i]));
-      if (!mesh.HasTextureCoords(0)) continue;
-      const aiVector3D& uv = mesh.mTextureCoords[0][i];
-      const bool is_valid = std::abs(uv.x) <= max_texcoord && std::abs(uv.y) <= max_texcoord;
-      arrays.texcoords.push_back(is_valid ? glm::vec2(uv.x, uv.y) : glm::vec2(0.0f));
+      if (mesh.HasVertexColors(0)) {
+        const aiColor4D& color = mesh.mColors[0][i];
+        arrays.colors.push_back(linear_color({color.r, color.g, color.b, color.a}));
+      }
+    }
+    const TexcoordChannels& channels = channels_[mesh.mMaterialIndex];
+    arrays.texcoords = texcoords(mesh, channels.empty() ? 0 : channels[0]);
+    if (channels.size() > 1 && !arrays.texcoords.empty()) {
+      arrays.second_texcoords = texcoords(mesh, channels[1]);
     }
     for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
       const aiFace& face = mesh.mFaces[i];
@@ -142,6 +148,17 @@ class Reader {
     apply_transform(to_world, file_, "node " + quoted_text(scene_.nodes[node].name), arrays);
     include(arrays);
     scene_.parts.push_back(std::move(part));
+  }
+
+  static std::vector<glm::vec2> texcoords(const aiMesh& mesh, unsigned channel) {
+    std::vector<glm::vec2> result;
+    if (channel >= AI_MAX_NUMBER_OF_TEXTURECOORDS || !mesh.HasTextureCoords(channel)) return result;
+    for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
+      const aiVector3D& uv = mesh.mTextureCoords[channel][i];
+      const bool is_valid = std::abs(uv.x) <= max_texcoord && std::abs(uv.y) <= max_texcoord;
+      result.push_back(is_valid ? glm::vec2(uv.x, uv.y) : glm::vec2(0.0f));
+    }
+    return result;
   }
 
   void include(const MeshArrays& arrays) {
@@ -204,6 +221,7 @@ class Reader {
   const aiScene& from_;
   const fs::path& file_;
   RawScene scene_;
+  std::vector<TexcoordChannels> channels_;  // by material
   std::map<std::string, glm::dmat4> to_world_;
   glm::dvec3 low_{limits::coordinate};
   glm::dvec3 high_{-limits::coordinate};

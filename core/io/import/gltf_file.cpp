@@ -270,6 +270,28 @@ std::vector<float> GltfFile::numbers(const JsonPath& user, std::size_t index,
   return read(path, found);
 }
 
+std::vector<glm::vec4> GltfFile::colors(const JsonPath& user, std::size_t index) {
+  const JsonPath path = root_path_.member("accessors").element(index);
+  const Accessor found = accessor(index);
+  const bool is_color =
+      found.type == f32 || (found.is_normalized && (found.type == u8 || found.type == u16));
+  if (!is_color || found.components < 3) {
+    context_.fail(user, "refers to " + path.text() +
+                            "; allowed: one with 3 or 4 components, floats or normalized unsigned "
+                            "integers of 8 or 16 bits");
+  }
+  const std::vector<float> numbers = read(path, found);
+  std::vector<glm::vec4> colors(found.count, glm::vec4(1.0f));
+  bool are_all_allowed = true;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const float value = numbers[i] > 0.0f ? std::min(numbers[i], 1.0f) : 0.0f;
+    are_all_allowed = are_all_allowed && value == numbers[i];
+    colors[i / found.components][static_cast<int>(i % found.components)] = value;
+  }
+  if (!are_all_allowed) context_.warn(user, "found colors outside [0, 1]; the nearest are taken");
+  return colors;
+}
+
 std::size_t GltfFile::count(std::size_t index) {
   return accessor(index).count;
 }

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <glm/vec4.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -38,6 +39,8 @@ class GltfFile {
   // other; integers that are normalized, and only those, become fractions. `user`: what refers to
   // it.
   std::vector<float> numbers(const JsonPath& user, std::size_t accessor, std::size_t components);
+  // Linear colors in [0, 1]; others are taken as the nearest, with a warning.
+  std::vector<glm::vec4> colors(const JsonPath& user, std::size_t accessor);
   // The number of elements of an accessor, all of them in its buffer view, if it has one.
   std::size_t count(std::size_t accessor);
   std::vector<std::uint32_t> indices(const JsonPath& user, std::size_t accessor);

@@ -1,5 +1,6 @@
 #include "core/io/import/gltf_materials.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "brume/error.h"
@@ -15,8 +16,7 @@ namespace {
 // A texture as a material refers to it.
 struct TextureUse {
   RawTexture texture;
-  std::size_t texcoord_set = 0;
-  glm::dmat3 transform{1.0};
+  GltfTexcoords texcoords;
 };
 
 constexpr std::int64_t max_set = 15;
@@ -38,10 +38,11 @@ void read_transform(JsonObject& object, TextureUse& use) {
   const double angle = object.number("rotation", domain::coordinate, 0.0);
   const double c = std::cos(angle);
   const double s = std::sin(angle);
-  use.transform = glm::dmat3(c * scale.x, -s * scale.x, 0.0, s * scale.y, c * scale.y, 0.0,
-                             offset.x, offset.y, 1.0);
-  use.texcoord_set = static_cast<std::size_t>(
-      object.integer("texCoord", 0, max_set, static_cast<std::int64_t>(use.texcoord_set)));
+  auto& [set, transform] = use.texcoords;
+  transform = glm::dmat3(c * scale.x, -s * scale.x, 0.0, s * scale.y, c * scale.y, 0.0, offset.x,
+                         offset.y, 1.0);
+  set = static_cast<std::size_t>(
+      object.integer("texCoord", 0, max_set, static_cast<std::int64_t>(set)));
 }
 
 // Nullopt for an image of a format that only an extension has.
@@ -49,7 +50,7 @@ std::optional<TextureUse> read_texture_use(GltfFile& file, GltfImages& images, J
   if (object.find("index") == nullptr) object.fail("index", "missing");
   const std::size_t index = *file.index(object, "index", "textures");
   TextureUse use;
-  use.texcoord_set = static_cast<std::size_t>(object.integer("texCoord", 0, max_set, 0));
+  use.texcoords.set = static_cast<std::size_t>(object.integer("texCoord", 0, max_set, 0));
   if (auto extensions = object.find_object("extensions")) {
     auto transform = extensions->find_object("KHR_texture_transform");
     if (transform) read_transform(*transform, use);
@@ -70,8 +71,8 @@ std::optional<TextureUse> read_texture_use(GltfFile& file, GltfImages& images, J
   return use;
 }
 
-// Collects the textures of a material. A mesh has one set of texture coordinates: that of the
-// first.
+// Collects the textures of a material. A mesh has two sets of texture coordinates: those of the
+// first textures.
 class Textures {
  public:
   Textures(GltfFile& file, GltfImages& images, GltfMaterial& material)
@@ -83,26 +84,30 @@ class Textures {
     auto object = owner.find_object(key);
     if (!object) return;
     read_more(*object);
-    const std::optional<TextureUse> use = read_texture_use(file_, images_, *object);
+    std::optional<TextureUse> use = read_texture_use(file_, images_, *object);
     if (!use) return;
+    use->texture.uses_second_texcoords = index_of(use->texcoords, object->path()) == 1;
     material_.material.textures[slot] = use->texture;
-    if (!has_any_) {
-      material_.texcoord_set = use->texcoord_set;
-      material_.texcoord_transform = use->transform;
-      has_any_ = true;
-    } else if (material_.texcoord_set != use->texcoord_set ||
-               material_.texcoord_transform != use->transform) {
-      file_.context().warn(object->path(),
-                           "has texture coordinates of its own: those of the material's first "
-                           "texture are used");
-    }
   }
 
  private:
+  std::size_t index_of(const GltfTexcoords& texcoords, const JsonPath& user) {
+    std::vector<GltfTexcoords>& known = material_.texcoords;
+    const auto found = std::ranges::find(known, texcoords);
+    if (found != known.end()) return static_cast<std::size_t>(found - known.begin());
+    if (known.size() == 2) {
+      file_.context().warn(user,
+                           "has texture coordinates of its own, the material's third: those of the "
+                           "material's first texture are used");
+      return 0;
+    }
+    known.push_back(texcoords);
+    return known.size() - 1;
+  }
+
   GltfFile& file_;
   GltfImages& images_;
   GltfMaterial& material_;
-  bool has_any_ = false;
 };
 
 AlphaMode alpha_mode(JsonObject& material) {

@@ -7,11 +7,19 @@
 
 namespace brume {
 
-// A material of a glTF file, and the texture coordinates of its textures.
+// Texture coordinates of a mesh as a texture uses them.
+struct GltfTexcoords {
+  std::size_t set = 0;        // TEXCOORD_n
+  glm::dmat3 transform{1.0};  // of (u, v, 1) as the file has them, v down
+
+  bool operator==(const GltfTexcoords&) const = default;
+};
+
+// A material of a glTF file, and the texture coordinates that its textures use: up to two, which
+// its meshes have.
 struct GltfMaterial {
   RawMaterial material;
-  std::size_t texcoord_set = 0;        // TEXCOORD_n
-  glm::dmat3 texcoord_transform{1.0};  // of (u, v, 1) as the file has them, v down
+  std::vector<GltfTexcoords> texcoords;
 };
 
 // The images of a glTF file that textures use; no others are looked at.

@@ -19,6 +19,7 @@
 #include "core/io/import/scene_readers.h"
 #include "core/io/text_scanner.h"
 #include "core/number_domain.h"
+#include "core/scene/mesh.h"
 
 namespace brume {
 namespace {
@@ -201,8 +202,7 @@ class GltfReader {
     const bool is_skinned = read_mesh(primitive, mode, use.joints, part);
     if (part.mesh.triangles.empty()) return;
     const auto add = [&](RawPart added, const glm::dmat4& to_world) {
-      bytes_ += added.mesh.points.size() * (sizeof(glm::vec3) * 2 + sizeof(glm::vec2)) +
-                added.mesh.triangles.size() * sizeof(glm::uvec3);
+      bytes_ += mesh_bytes(added.mesh);
       if (bytes_ > limits::scene_bytes / 4) {
         file_.context().fail(path, "the meshes up to here take more memory than the allowed " +
                                        std::to_string(limits::scene_bytes) + " bytes");
@@ -230,7 +230,6 @@ class GltfReader {
   // already, by the joints of its skin.
   bool read_mesh(JsonObject& primitive, std::int64_t mode, const std::vector<glm::dmat4>* joints,
                  RawPart& part) {
-    const GltfMaterial& material = materials_[part.material];
     MeshArrays& mesh = part.mesh;
     JsonObject attributes = primitive.object("attributes");
     const JsonPath& path = attributes.path();
@@ -247,23 +246,37 @@ class GltfReader {
     }
     mesh.points = vectors<glm::vec3>(attributes, "POSITION");
     mesh.normals = vectors<glm::vec3>(attributes, "NORMAL");
-    if (attributes.find("COLOR_0")) {
-      file_.context().warn(attributes.path_of("COLOR_0"), "colors of vertices are left out");
+    if (const auto colors = file_.index(attributes, "COLOR_0", "accessors")) {
+      mesh.colors = file_.colors(attributes.path_of("COLOR_0"), *colors);
     }
-    const std::string set = "TEXCOORD_" + std::to_string(material.texcoord_set);
-    for (const glm::vec2& uv : vectors<glm::vec2>(attributes, set)) {
-      const glm::dvec2 moved(material.texcoord_transform * glm::dvec3(uv, 1.0));
-      mesh.texcoords.push_back(texcoord(moved));
-    }
-    for (const std::size_t count : {mesh.normals.size(), mesh.texcoords.size()}) {
-      if (count == 0 || count == mesh.points.size()) continue;
-      file_.context().fail(path, "found " + std::to_string(count) + " values for " +
+    read_texcoords(attributes, materials_[part.material].texcoords, mesh);
+    visit_vertex_values(mesh, [&](const auto& values, auto&&) {
+      if (values.empty() || values.size() == mesh.points.size()) return;
+      file_.context().fail(path, "found " + std::to_string(values.size()) + " values for " +
                                      std::to_string(mesh.points.size()) + " vertices");
-    }
+    });
     add_triangles(primitive, mode, mesh);
     const bool is_skinned = joints != nullptr && apply_skin(file_, attributes, *joints, mesh);
     if (mesh.normals.empty()) add_flat_normals(mesh);
     return is_skinned;
+  }
+
+  // Those that a material's textures use; TEXCOORD_0, if it has none.
+  void read_texcoords(JsonObject& attributes, std::span<const GltfTexcoords> uses,
+                      MeshArrays& mesh) {
+    constexpr GltfTexcoords first;
+    const auto read = [&](const GltfTexcoords& use) {
+      const std::string key = "TEXCOORD_" + std::to_string(use.set);
+      std::vector<glm::vec2> texcoords = vectors<glm::vec2>(attributes, key);
+      if (texcoords.empty() && !uses.empty()) {
+        file_.context().warn(attributes.path_of(key), "missing: a texture uses it");
+        texcoords.resize(mesh.points.size());
+      }
+      for (glm::vec2& uv : texcoords) uv = texcoord(use.transform * glm::dvec3(uv, 1.0));
+      return texcoords;
+    };
+    mesh.texcoords = read(uses.empty() ? first : uses.front());
+    if (uses.size() > 1) mesh.second_texcoords = read(uses[1]);
   }
 
   // The extension that compresses points or triangles where nothing else has them; else empty.
@@ -276,7 +289,7 @@ class GltfReader {
   }
 
   // v up, as Brume has it.
-  static glm::vec2 texcoord(const glm::dvec2& uv) {
+  static glm::vec2 texcoord(const glm::dvec3& uv) {
     constexpr double longest = 1e6;
     const bool is_valid = std::abs(uv.x) <= longest && std::abs(uv.y) <= longest;
     return is_valid ? glm::vec2(uv.x, 1.0 - uv.y) : glm::vec2(0.0f);

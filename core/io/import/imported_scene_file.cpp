@@ -78,6 +78,7 @@ class SceneBuilder {
       texture.content = this->texture({use->image, texture_has_colors[slot]}, scene);
       texture.wrap_u = use->wrap_u;
       texture.wrap_v = use->wrap_v;
+      texture.uses_second_texcoords = use->uses_second_texcoords;
     }
     MetallicRoughness& values = result.metallic_roughness;
     if (raw.textures[3] && !values.emissive_texture.content) values.emissive = glm::dvec3(0.0);

@@ -2,10 +2,12 @@
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <utility>
 
 #include "brume/error.h"
 #include "core/number_domain.h"
 #include "core/scene/lights/area_normal.h"
+#include "core/scene/mesh.h"
 
 namespace brume {
 namespace {
@@ -61,18 +63,27 @@ glm::dvec3 moved_normal(const glm::dmat3& to_world, const glm::dvec3& normal) {
 }
 
 void add_flat_normals(MeshArrays& mesh) {
-  MeshArrays flat;
-  for (const glm::uvec3& triangle : mesh.triangles) {
-    const auto first = static_cast<unsigned>(flat.points.size());
-    const glm::vec3 normal(direction_or_zero(area_normal(mesh.points, triangle)));
-    for (int k = 0; k < 3; ++k) {
-      flat.points.push_back(mesh.points[triangle[k]]);
-      flat.normals.push_back(normal);
-      if (!mesh.texcoords.empty()) flat.texcoords.push_back(mesh.texcoords[triangle[k]]);
+  // Each triangle has vertices of its own.
+  const auto split = [&triangles = mesh.triangles](auto& values, auto&&...) {
+    if (values.empty()) return;
+    auto shared = std::exchange(values, {});
+    values.reserve(3 * triangles.size());
+    for (const glm::uvec3& triangle : triangles) {
+      for (int k = 0; k < 3; ++k) values.push_back(shared[triangle[k]]);
     }
-    flat.triangles.emplace_back(first, first + 1, first + 2);
+  };
+  std::vector<glm::vec3> normals;
+  for (const glm::uvec3& triangle : mesh.triangles) {
+    const glm::vec3 normal(direction_or_zero(area_normal(mesh.points, triangle)));
+    normals.insert(normals.end(), 3, normal);
   }
-  mesh = std::move(flat);
+  split(mesh.points);
+  visit_vertex_values(mesh, split);
+  mesh.normals = std::move(normals);
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const auto first = static_cast<unsigned>(3 * i);
+    mesh.triangles[i] = {first, first + 1, first + 2};
+  }
 }
 
 Camera camera_of_node(const glm::dmat4& to_world, const glm::dvec3& pivot, double vertical_fov) {

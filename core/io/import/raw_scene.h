@@ -27,6 +27,7 @@ struct RawTexture {
   std::size_t image = 0;
   TextureWrap wrap_u = TextureWrap::repeat;
   TextureWrap wrap_v = TextureWrap::repeat;
+  bool uses_second_texcoords = false;
 };
 
 struct RawMaterial {

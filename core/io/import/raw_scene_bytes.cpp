@@ -12,6 +12,7 @@
 #include "core/scene/fields/light_fields.h"
 #include "core/scene/fields/material_fields.h"
 #include "core/scene/light_rules.h"
+#include "core/scene/mesh.h"
 
 namespace brume {
 namespace {
@@ -140,8 +141,7 @@ void visit_scene(auto& io, auto& scene) {
     io.plain(part.node);
     io.plain(part.material);
     io.plain_list(part.mesh.points);
-    io.plain_list(part.mesh.normals);
-    io.plain_list(part.mesh.texcoords);
+    visit_vertex_values(part.mesh, [&io](auto& values, auto&&) { io.plain_list(values); });
     io.plain_list(part.mesh.triangles);
   });
   io.list(scene.materials, [&io](auto& material) {
@@ -152,6 +152,7 @@ void visit_scene(auto& io, auto& scene) {
         io.plain(use.image);
         io.plain(use.wrap_u);
         io.plain(use.wrap_v);
+        io.plain(use.uses_second_texcoords);
       });
     }
     io.maybe(material.opacity_image, [&io](auto& image) { io.plain(image); });
@@ -180,15 +181,26 @@ bool is_in(const glm::dvec3& v, const NumberDomain& domain) {
 bool is_valid(const MeshArrays& mesh) {
   const std::size_t count = mesh.points.size();
   if (mesh.normals.size() != count) return false;
-  if (!mesh.texcoords.empty() && mesh.texcoords.size() != count) return false;
+  bool are_as_many = true;
+  visit_vertex_values(mesh, [&](const auto& values, auto&&) {
+    are_as_many = are_as_many && (values.empty() || values.size() == count);
+  });
+  if (!are_as_many || mesh.second_texcoords.size() > mesh.texcoords.size()) return false;
   for (const glm::vec3& point : mesh.points) {
     if (!is_in(point, domain::coordinate)) return false;
   }
   for (const glm::vec3& normal : mesh.normals) {
     if (normal != glm::vec3(0.0f) && !(std::abs(glm::length(normal) - 1.0f) < 1e-3f)) return false;
   }
-  for (const glm::vec2& uv : mesh.texcoords) {
-    if (!(std::abs(uv.x) <= 1e7f && std::abs(uv.y) <= 1e7f)) return false;
+  for (const auto* texcoords : {&mesh.texcoords, &mesh.second_texcoords}) {
+    for (const glm::vec2& uv : *texcoords) {
+      if (!(std::abs(uv.x) <= 1e7f && std::abs(uv.y) <= 1e7f)) return false;
+    }
+  }
+  for (const glm::vec4& color : mesh.colors) {
+    for (int k = 0; k < 4; ++k) {
+      if (!domain::unit.contains(static_cast<double>(color[k]))) return false;
+    }
   }
   for (const glm::uvec3& t : mesh.triangles) {
     if (t.x >= count || t.y >= count || t.z >= count) return false;

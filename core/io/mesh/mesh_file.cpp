@@ -1,5 +1,6 @@
 #include "core/io/mesh/mesh_file.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "brume/error.h"
@@ -10,6 +11,7 @@
 #include "core/io/mesh/triangulate.h"
 #include "core/io/text_scanner.h"
 #include "core/io/unicode_text.h"
+#include "core/math/srgb.h"
 #include "core/number_domain.h"
 
 namespace brume {
@@ -42,6 +44,7 @@ std::shared_ptr<TriangleMesh> to_triangle_mesh(const std::filesystem::path& file
   arrays.normals.assign(normals.begin(), normals.end());
   arrays.triangles = std::move(faces.triangles);
   arrays.texcoords = raw.texcoords;
+  arrays.colors = raw.colors;
   auto mesh = to_mesh(arrays, limits::scene_bytes);
   if (mesh) return mesh;
   throw InputError(file, "",
@@ -94,6 +97,14 @@ glm::vec2 read_texcoord(TextScanner& scanner) {
   const double u = parse_number(scanner.next_token()).value_or(0.0);
   const double v = parse_number(scanner.next_token()).value_or(0.0);
   return finite_texcoord(u, v);
+}
+
+glm::vec4 linear_color(const glm::dvec4& rgba) {
+  const auto nearest = [](double x) { return x > 0.0 ? std::min(x, 1.0) : 0.0; };
+  glm::vec4 color;
+  for (int k = 0; k < 3; ++k) color[k] = static_cast<float>(srgb_decoded(nearest(rgba[k])));
+  color.a = static_cast<float>(nearest(rgba.a));
+  return color;
 }
 
 void add_polygon(RawMesh& mesh, std::span<const std::uint32_t> corners) {

@@ -19,6 +19,7 @@ class ObjReader {
       const std::string_view keyword = scanner_.next_token();
       if (keyword == "v") {
         points_.push_back(read_point(file_, scanner_));
+        read_color();
       } else if (keyword == "vn") {
         normals_.push_back(read_normal(scanner_));
       } else if (keyword == "vt") {
@@ -45,6 +46,21 @@ class ObjReader {
       return hash ^ hash >> 32;
     }
   };
+
+  // Of a line `v x y z r g b`; all vertices before the first with a color are white.
+  void read_color() {
+    glm::dvec4 color(1.0);
+    for (int k = 0; k < 3; ++k) {
+      const std::optional<double> value = parse_number(scanner_.next_token());
+      if (!value) {
+        if (!colors_.empty()) colors_.emplace_back(1.0f);
+        return;
+      }
+      color[k] = *value;
+    }
+    colors_.resize(points_.size() - 1, glm::vec4(1.0f));
+    colors_.push_back(linear_color(color));
+  }
 
   void read_face() {
     const std::string line = scanner_.place();
@@ -78,7 +94,9 @@ class ObjReader {
     mesh_.points.reserve(corners_.size());
     if (!normals_.empty()) mesh_.normals.reserve(corners_.size());
     if (!texcoords_.empty()) mesh_.texcoords.reserve(corners_.size());
+    if (!colors_.empty()) mesh_.colors.reserve(corners_.size());
     for (const ObjCorner& corner : corners_) {
+      if (!colors_.empty()) mesh_.colors.push_back(colors_[*corner.point]);
       mesh_.points.push_back(points_[*corner.point]);
       if (!normals_.empty()) {
         mesh_.normals.push_back(corner.normal ? normals_[*corner.normal] : glm::dvec3(0.0));
@@ -94,6 +112,7 @@ class ObjReader {
   ObjCounts counts_;
   std::vector<glm::dvec3> points_;
   std::vector<glm::dvec3> normals_;
+  std::vector<glm::vec4> colors_;
   std::vector<glm::vec2> texcoords_;
   std::vector<ObjCorner> corners_;
   std::unordered_map<ObjCorner, std::uint32_t, Hash> vertices_;

@@ -34,6 +34,37 @@ bool all(const Columns& columns) {
   return columns[0] && columns[1] && columns[2];
 }
 
+// Reads the colors of vertices.
+class PlyColors {
+ public:
+  explicit PlyColors(const PlyFile::Element& vertices) {
+    for (const char* name : {"red", "green", "blue", "alpha"}) {
+      const auto column = vertices.property(name);
+      if (!column || vertices.properties[*column].list_count) break;
+      columns_.push_back({*column, white(vertices.properties[*column].type)});
+    }
+  }
+  [[nodiscard]] bool has_any() const { return columns_.size() >= 3; }
+  [[nodiscard]] glm::vec4 of(const PlyFile::Row& row) const {
+    glm::dvec4 rgba(1.0);
+    for (std::size_t k = 0; k < columns_.size(); ++k) {
+      rgba[static_cast<int>(k)] = row.scalars[columns_[k].index] / columns_[k].white;
+    }
+    return linear_color(rgba);
+  }
+
+ private:
+  struct Column {
+    std::size_t index;
+    double white;
+  };
+  static double white(PlyFile::Type type) {
+    using enum PlyFile::Type;
+    return type == float32 || type == float64 ? 1.0 : type == uint16 ? 65535.0 : 255.0;
+  }
+  std::vector<Column> columns_;
+};
+
 glm::dvec3 values(const PlyFile::Row& row, const Columns& columns) {
   return {row.scalars[*columns[0]], row.scalars[*columns[1]], row.scalars[*columns[2]]};
 }
@@ -60,6 +91,7 @@ RawMesh read_ply_mesh(const std::filesystem::path& file, std::string_view bytes)
   const Columns position = scalar_columns(*vertices, {"x", "y", "z"});
   const Columns normal = scalar_columns(*vertices, {"nx", "ny", "nz"});
   const auto texcoord = texcoord_columns(*vertices);
+  const PlyColors colors(*vertices);
   if (!all(position)) throw InputError(file, "element vertex", "there are no properties x y z");
   std::optional<std::size_t> corners = faces->property("vertex_indices");
   if (!corners) corners = faces->property("vertex_index");
@@ -76,6 +108,7 @@ RawMesh read_ply_mesh(const std::filesystem::path& file, std::string_view bytes)
           mesh.points.push_back(values(row, position));
           check_point(file, "vertex " + std::to_string(index), mesh.points.back());
           if (all(normal)) mesh.normals.push_back(values(row, normal));
+          if (colors.has_any()) mesh.colors.push_back(colors.of(row));
           if (texcoord) {
             const auto& [u, v] = *texcoord;
             mesh.texcoords.push_back(finite_texcoord(row.scalars[u], row.scalars[v]));

@@ -219,7 +219,8 @@ void write_normals(UsdText& out, const MeshArrays& mesh) {
   out.constant("normal3f[] normals", vectors(normals), "interpolation = \"faceVarying\"");
 }
 
-void write_mesh(UsdText& out, const TriangleMesh& mesh) {
+// Colors of vertices multiply `base_color`.
+void write_mesh(UsdText& out, const TriangleMesh& mesh, const glm::dvec3& base_color) {
   const MeshArrays& arrays = to_arrays(mesh);
   out.constant("int[] faceVertexCounts",
                list_of(arrays.triangles.size(), [](std::size_t) { return std::string("3"); }));
@@ -230,12 +231,23 @@ void write_mesh(UsdText& out, const TriangleMesh& mesh) {
                }));
   out.constant("point3f[] points", vectors(arrays.points));
   write_normals(out, arrays);
-  if (!arrays.texcoords.empty()) {
-    out.constant("texCoord2f[] primvars:st",
-                 list_of(arrays.texcoords.size(),
+  const auto write_texcoords = [&](const char* declaration, std::span<const glm::vec2> texcoords) {
+    if (texcoords.empty()) return;
+    out.constant(declaration,
+                 list_of(texcoords.size(),
                          [&](std::size_t i) {
-                           const glm::dvec2 uv(arrays.texcoords[i]);
+                           const glm::dvec2 uv(texcoords[i]);
                            return usd_tuple({uv.x, uv.y});
+                         }),
+                 "interpolation = \"vertex\"");
+  };
+  write_texcoords("texCoord2f[] primvars:st", arrays.texcoords);
+  write_texcoords("texCoord2f[] primvars:st1", arrays.second_texcoords);
+  if (!arrays.colors.empty()) {
+    out.constant("color3f[] primvars:displayColor",
+                 list_of(arrays.colors.size(),
+                         [&](std::size_t i) {
+                           return usd_value(base_color * glm::dvec3(arrays.colors[i]));
                          }),
                  "interpolation = \"vertex\"");
   }
@@ -282,7 +294,7 @@ void write_surface(UsdText& out, Frames frames, std::size_t i, UsdTextures& text
     return glm::translate(glm::dmat4(1.0), placement.translate) * glm::mat4_cast(placement.rotate) *
            glm::scale(glm::dmat4(1.0), glm::dvec3(placement.scale));
   });
-  write_mesh(out, *first.mesh);
+  write_mesh(out, *first.mesh, first.material.metallic_roughness.base_color);
   write_usd_material(out, frames, i, path, textures);
   out.close();
   write_copies(out, first, path);

@@ -1,10 +1,12 @@
 #include "core/io/scene/usd_material.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
+#include "brume/mesh_arrays.h"
 #include "core/io/disk/file_bytes.h"
 #include "core/io/image/image_file.h"
 #include "core/scene/materials/mixed_texture.h"
@@ -78,7 +80,7 @@ class PreviewSurface {
     out_.declare("token outputs:surface");
     out_.close();
     for (const Use& use : uses_) write_texture(use);
-    if (!uses_.empty()) write_reader();
+    for (const Reader& reader : readers_) write_reader(reader);
   }
 
  private:
@@ -89,6 +91,14 @@ class PreviewSurface {
     glm::dvec4 bias;
     const char* color_space;
     const char* channel;  // that the shader takes
+  };
+
+  // A prim that reads values of vertices, of so many components.
+  struct Reader {
+    const char* name;
+    const char* size;
+    const char* values;
+    bool operator==(const Reader&) const = default;
   };
 
   [[nodiscard]] const Material& material(std::size_t k) const {
@@ -125,8 +135,15 @@ class PreviewSurface {
     // USD has no color of what crosses a pane.
     const double crossing = (m.transmission.x + m.transmission.y + m.transmission.z) / 3.0;
     const double opacity = (m.alpha == AlphaMode::opaque ? 1.0 : m.opacity) * (1.0 - crossing);
-    value("color3f inputs:diffuseColor", "BaseColor", m.base_color, m.base_color_texture,
-          {m.base_color, opacity}, "\"sRGB\"", "rgb");
+    // A texture and colors of vertices cannot be multiplied.
+    const Surface& surface = frames_[0].scene.surfaces[i_];
+    if (!m.base_color_texture.content && !to_arrays(*surface.mesh).colors.empty()) {
+      out_.constant("color3f inputs:diffuseColor.connect", "<" + path_ + "/Colors.outputs:result>");
+      readers_.push_back({"Colors", "3", "displayColor"});
+    } else {
+      value("color3f inputs:diffuseColor", "BaseColor", m.base_color, m.base_color_texture,
+            {m.base_color, opacity}, "\"sRGB\"", "rgb");
+    }
     if (m.alpha != AlphaMode::opaque && m.base_color_texture.content) {
       out_.constant("float inputs:opacity.connect", "<" + path_ + "/BaseColor.outputs:a>");
     } else if (opacity < 1.0) {
@@ -166,7 +183,11 @@ class PreviewSurface {
     out_.constant("asset inputs:file", textures_.asset(*use.texture));
     const bool is_linear = use.texture->content->encoding() == Texture::Encoding::shared_exponent;
     out_.constant("token inputs:sourceColorSpace", is_linear ? "\"raw\"" : use.color_space);
-    out_.constant("float2 inputs:st.connect", "<" + path_ + "/Coordinates.outputs:result>");
+    const bool is_second = use.texture->uses_second_texcoords && has_second_texcoords();
+    const Reader reader =
+        is_second ? Reader{"SecondCoordinates", "2", "st1"} : Reader{"Coordinates", "2", "st"};
+    if (std::ranges::count(readers_, reader) == 0) readers_.push_back(reader);
+    out_.constant("float2 inputs:st.connect", "<" + path_ + "/" + reader.name + ".outputs:result>");
     out_.constant("token inputs:wrapS", wrap_name(use.texture->wrap_u));
     out_.constant("token inputs:wrapT", wrap_name(use.texture->wrap_v));
     out_.constant("float4 inputs:scale", usd_value(use.scale));
@@ -178,11 +199,16 @@ class PreviewSurface {
     out_.close();
   }
 
-  void write_reader() {
-    out_.open("Shader", "Coordinates");
-    out_.constant("uniform token info:id", "\"UsdPrimvarReader_float2\"");
-    out_.constant("string inputs:varname", "\"st\"");
-    out_.declare("float2 outputs:result");
+  [[nodiscard]] bool has_second_texcoords() const {
+    return !to_arrays(*frames_[0].scene.surfaces[i_].mesh).second_texcoords.empty();
+  }
+
+  void write_reader(const Reader& reader) {
+    const std::string type = std::string("float") + reader.size;
+    out_.open("Shader", reader.name);
+    out_.constant("uniform token info:id", "\"UsdPrimvarReader_" + type + "\"");
+    out_.constant("string inputs:varname", std::string("\"") + reader.values + "\"");
+    out_.declare(type + " outputs:result");
     out_.close();
   }
 
@@ -192,6 +218,7 @@ class PreviewSurface {
   std::string path_;
   UsdTextures& textures_;
   std::vector<Use> uses_;
+  std::vector<Reader> readers_;
 };
 
 }  // namespace

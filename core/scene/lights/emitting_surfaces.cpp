@@ -16,35 +16,38 @@
 #include "core/math/max_component.h"
 #include "core/scene/lights/point_lights.h"
 #include "core/scene/materials/coverage.h"
-#include "core/scene/materials/texture.h"
 
 namespace brume {
 namespace {
 
-// The radiance of a surface at texture coordinates, averaged over a square around them; nothing
-// from its holes.
-glm::dvec3 radiance_at(const Material& of_surface, const glm::dvec2& uv, double footprint) {
+// The radiance of a surface at a point of its mesh; nothing from its holes.
+glm::dvec3 radiance_at(const Material& of_surface, const MeshValues& mesh) {
   const MetallicRoughness& material = of_surface.metallic_roughness;
   const Coverage coverage(of_surface);
-  if (coverage.has_holes() && coverage.is_hole(uv)) return glm::dvec3(0.0);
-  return (coverage.is_pane() ? coverage.covered(uv, footprint) : 1.0) * material.emissive *
-         glm::dvec3(lookup(material.emissive_texture, uv, footprint));
+  MeshValues middle = mesh;
+  for (MeshValues::Texcoord& texcoord : middle.texcoords) texcoord.footprint = 0.0;
+  if (coverage.is_hole(middle)) return glm::dvec3(0.0);
+  return coverage.covered(mesh) * material.emissive *
+         glm::dvec3(lookup(material.emissive_texture, mesh));
 }
 
-// A part of a triangle that emits, with its texture coordinates.
+// A part of a triangle that emits.
 struct Piece {
   std::array<glm::dvec3, 3> corners;
-  std::array<glm::dvec2, 3> texcoords;
+  std::array<MeshValues, 3> values;
   const Surface* surface;
 
   [[nodiscard]] glm::dvec3 middle() const { return (corners[0] + corners[1] + corners[2]) / 3.0; }
   [[nodiscard]] double area() const { return glm::length(area_vector(corners)); }
   [[nodiscard]] glm::dvec3 radiance() const {
-    const glm::dvec2 a = texcoords[1] - texcoords[0];
-    const glm::dvec2 b = texcoords[2] - texcoords[0];
-    const double footprint = std::sqrt(0.5 * std::abs(a.x * b.y - a.y * b.x));
-    return radiance_at(surface->material, (texcoords[0] + texcoords[1] + texcoords[2]) / 3.0,
-                       footprint);
+    MeshValues mean = interpolate(values, glm::dvec3(1.0 / 3.0));
+    for (std::size_t set = 0; set < mean.texcoords.size(); ++set) {
+      const glm::dvec2& first = values[0].texcoords[set].uv;
+      const glm::dvec2 a = values[1].texcoords[set].uv - first;
+      const glm::dvec2 b = values[2].texcoords[set].uv - first;
+      mean.texcoords[set].footprint = std::sqrt(0.5 * std::abs(a.x * b.y - a.y * b.x));
+    }
+    return radiance_at(surface->material, mean);
   }
   // Its halves, cut through its longest edge.
   [[nodiscard]] std::array<Piece, 2> halves() const {
@@ -61,8 +64,9 @@ struct Piece {
     Piece first = *this;
     Piece second = *this;
     first.corners[next] = second.corners[longest] = 0.5 * (corners[longest] + corners[next]);
-    first.texcoords[next] = second.texcoords[longest] =
-        0.5 * (texcoords[longest] + texcoords[next]);
+    glm::dvec3 halves(0.0);
+    halves[static_cast<int>(longest)] = halves[static_cast<int>(next)] = 0.5;
+    first.values[next] = second.values[longest] = interpolate(values, halves);
     return {first, second};
   }
 };
@@ -117,13 +121,9 @@ void for_each_emitting(std::span<const Surface> surfaces, Visit visit) {
     const MeshArrays& mesh = to_arrays(*surface.mesh);
     const std::vector<glm::dvec3> points = world_points(at_placement(surface, copy), mesh.points);
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-      Piece piece{.corners = {}, .texcoords = {}, .surface = &surface};
+      Piece piece{.corners = {}, .values = corner_values(mesh, t), .surface = &surface};
       for (int k = 0; k < 3; ++k) {
-        const unsigned vertex = mesh.triangles[t][k];
-        piece.corners[static_cast<std::size_t>(k)] = points[vertex];
-        if (!mesh.texcoords.empty()) {
-          piece.texcoords[static_cast<std::size_t>(k)] = glm::dvec2(mesh.texcoords[vertex]);
-        }
+        piece.corners[static_cast<std::size_t>(k)] = points[mesh.triangles[t][k]];
       }
       visit(piece, s, copy, t);
     }

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/scene/materials/texture.h"
+#include "brume/mesh_arrays.h"
 
 namespace brume {
 
@@ -19,18 +19,21 @@ Coverage::Coverage(const Material& material) {
   if (transmission != glm::dvec3(0.0)) transmission_texture = values.transmission_texture;
 }
 
-bool Coverage::is_hole(const glm::dvec2& uv) const {
-  return has_holes() && opacity * double{lookup(alpha_texture, uv, 0.0).a} < cutoff;
+double Coverage::opacity_at(const MeshValues& mesh) const {
+  return opacity * mesh.color.a * double{lookup(alpha_texture, mesh).a};
 }
 
-double Coverage::covered(const glm::dvec2& uv, double footprint) const {
-  if (alpha != AlphaMode::blend) return 1.0;
-  return std::clamp(opacity * double{lookup(alpha_texture, uv, footprint).a}, 0.0, 1.0);
+bool Coverage::is_hole(const MeshValues& mesh) const {
+  return has_holes() && opacity_at(mesh) < cutoff;
 }
 
-glm::dvec3 Coverage::transmitted(const glm::dvec2& uv, double footprint) const {
+double Coverage::covered(const MeshValues& mesh) const {
+  return alpha == AlphaMode::blend ? std::clamp(opacity_at(mesh), 0.0, 1.0) : 1.0;
+}
+
+glm::dvec3 Coverage::transmitted(const MeshValues& mesh) const {
   if (transmission == glm::dvec3(0.0)) return glm::dvec3(0.0);
-  return transmission * glm::dvec3(lookup(transmission_texture, uv, footprint));
+  return transmission * glm::dvec3(mesh.color) * glm::dvec3(lookup(transmission_texture, mesh));
 }
 
 bool has_holes(std::span<const Surface> surfaces) {
@@ -47,7 +50,9 @@ bool has_colored_panes(std::span<const Surface> surfaces) {
   return std::ranges::any_of(surfaces, [](const Surface& surface) {
     const Coverage coverage(surface.material);
     const glm::dvec3& t = coverage.transmission;
-    return t.x != t.y || t.y != t.z || coverage.transmission_texture.content;
+    const bool has_colors = surface.mesh && !to_arrays(*surface.mesh).colors.empty();
+    return t.x != t.y || t.y != t.z ||
+           (t != glm::dvec3(0.0) && (has_colors || coverage.transmission_texture.content));
   });
 }
 

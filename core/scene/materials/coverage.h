@@ -1,10 +1,10 @@
 #pragma once
 
-#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <span>
 
 #include "brume/scene.h"
+#include "core/scene/materials/mesh_values.h"
 
 namespace brume {
 
@@ -27,15 +27,17 @@ struct Coverage {
   }
   [[nodiscard]] bool is_opaque() const { return !has_holes() && !is_pane(); }
 
-  // At texture coordinates, without averaging.
-  [[nodiscard]] bool is_hole(const glm::dvec2& uv) const;
-  // The share that a pane covers, averaged over a square of side `footprint` in the texture; 1
-  // where it has no holes.
-  [[nodiscard]] double covered(const glm::dvec2& uv, double footprint) const;
+  // At a point of the mesh, without footprints.
+  [[nodiscard]] bool is_hole(const MeshValues& mesh) const;
+  // The share that a pane covers; 1 where it has no holes.
+  [[nodiscard]] double covered(const MeshValues& mesh) const;
   // The share of the light on what is covered that crosses it, per channel.
-  [[nodiscard]] glm::dvec3 transmitted(const glm::dvec2& uv, double footprint) const;
+  [[nodiscard]] glm::dvec3 transmitted(const MeshValues& mesh) const;
 
   bool operator==(const Coverage&) const = default;
+
+ private:
+  [[nodiscard]] double opacity_at(const MeshValues& mesh) const;
 };
 
 bool has_holes(std::span<const Surface> surfaces);

@@ -7,6 +7,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <numbers>
 
+#include "brume/mesh_arrays.h"
 #include "core/scene/materials/brdf.h"
 #include "core/scene/materials/texture.h"
 
@@ -31,15 +32,16 @@ glm::dvec3 to_local(const glm::dquat& frame, const glm::dvec3& w) {
   return glm::normalize(local);
 }
 
+// By what its textures hold, and the color of vertices.
 MaterialPoint combined(const MetallicRoughness& material, const glm::vec4& base_color,
                        const glm::vec4& metallic_roughness, const glm::vec4& emissive,
-                       const glm::vec4& transmission) {
+                       const glm::vec4& transmission, const glm::dvec3& color) {
   MaterialPoint point;
   point.reflection =
-      GgxReflection(material.base_color * glm::dvec3(base_color),
+      GgxReflection(color * material.base_color * glm::dvec3(base_color),
                     std::clamp(material.metallic * double{metallic_roughness.b}, 0.0, 1.0),
                     std::clamp(material.roughness * double{metallic_roughness.g}, 0.0, 1.0));
-  point.reflection.diffuse *= 1.0 - material.transmission * glm::dvec3(transmission);
+  point.reflection.diffuse *= 1.0 - color * material.transmission * glm::dvec3(transmission);
   point.emitted = material.emissive * glm::dvec3(emissive);
   return point;
 }
@@ -110,7 +112,9 @@ double ggx_pdf(double alpha, const glm::dvec3& wi, const glm::dvec3& wo, const g
   return ggx_distribution(alpha, h.z / length) / (2.0 * (eye.z + smith_root(alpha * alpha, eye.z)));
 }
 
-bool has_textures(const MetallicRoughness& material) {
+bool is_varied(const Surface& surface) {
+  const MetallicRoughness& material = surface.material.metallic_roughness;
+  if (!to_arrays(*surface.mesh).colors.empty()) return true;
   return material.base_color_texture.content || material.metallic_roughness_texture.content ||
          material.normal_texture.content || material.emissive_texture.content ||
          material.transmission_texture.content;
@@ -121,28 +125,26 @@ bool may_mirror(const MetallicRoughness& material) {
          material.metallic_roughness_texture.content;
 }
 
-MaterialPoint material_at(const MetallicRoughness& material, const glm::dvec2& uv,
-                          double footprint) {
-  MaterialPoint point = combined(material, lookup(material.base_color_texture, uv, footprint),
-                                 lookup(material.metallic_roughness_texture, uv, footprint),
-                                 lookup(material.emissive_texture, uv, footprint),
-                                 lookup(material.transmission_texture, uv, footprint));
+MaterialPoint material_at(const MetallicRoughness& material, const MeshValues& mesh) {
+  MaterialPoint point = combined(material, lookup(material.base_color_texture, mesh),
+                                 lookup(material.metallic_roughness_texture, mesh),
+                                 lookup(material.emissive_texture, mesh),
+                                 lookup(material.transmission_texture, mesh), mesh.color);
   if (!material.normal_texture.content) return point;
-  const glm::dvec3 n =
-      2.0 * glm::dvec3(lookup(material.normal_texture, uv, footprint)) - glm::dvec3(1.0);
+  const glm::dvec3 n = 2.0 * glm::dvec3(lookup(material.normal_texture, mesh)) - glm::dvec3(1.0);
   const glm::dvec3 scaled(material.normal_scale * n.x, material.normal_scale * n.y,
                           std::max(n.z, min_normal_height));
   point.normal = glm::normalize(scaled);
   return point;
 }
 
-MaterialPoint average_material(const MetallicRoughness& material) {
+MaterialPoint average_material(const MetallicRoughness& material, const glm::dvec4& color) {
   const auto average = [](const TextureReference& texture) {
     return texture.content ? texture.content->average() : glm::vec4(1.0f);
   };
   return combined(material, average(material.base_color_texture),
                   average(material.metallic_roughness_texture), average(material.emissive_texture),
-                  average(material.transmission_texture));
+                  average(material.transmission_texture), color);
 }
 
 }  // namespace brume

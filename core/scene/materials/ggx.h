@@ -3,7 +3,8 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "brume/metallic_roughness.h"
+#include "brume/scene.h"
+#include "core/scene/materials/mesh_values.h"
 
 namespace brume {
 
@@ -60,15 +61,15 @@ struct MaterialPoint {
   glm::dvec3 normal{0.0, 0.0, 1.0};  // unit: along u, along v, along the surface's normal
 };
 
-bool has_textures(const MetallicRoughness& material);
+// Whether it is not the same everywhere: its material has textures or its mesh colors.
+bool is_varied(const Surface& surface);
 
 // Whether any point of it may be below GgxReflection::max_mirror_alpha.
 bool may_mirror(const MetallicRoughness& material);
 
-// At texture coordinates, averaged over a square of side `footprint` there.
-MaterialPoint material_at(const MetallicRoughness& material, const glm::dvec2& uv,
-                          double footprint);
-// The same on average, without the normal map.
-MaterialPoint average_material(const MetallicRoughness& material);
+MaterialPoint material_at(const MetallicRoughness& material, const MeshValues& mesh);
+// The same on average over its textures, without the normal map, where vertices have a color.
+MaterialPoint average_material(const MetallicRoughness& material,
+                               const glm::dvec4& color = glm::dvec4(1.0));
 
 }  // namespace brume

@@ -10,7 +10,7 @@
 
 namespace brume {
 
-glm::dvec3 mean_reflectance(const Material& material) {
+glm::dvec3 mean_reflectance(const Material& material, const glm::dvec4& color) {
   if (material.type == Material::Type::diffuse) return material.reflectance;
   static const QuadratureRule rule = gauss_legendre(32);
   // `lobe`: the reflected light by the cosine of the eye, whose first harmonic is its integral.
@@ -23,7 +23,8 @@ glm::dvec3 mean_reflectance(const Material& material) {
     return glm::clamp(std::sqrt(4.0 * std::numbers::pi) * sum, 0.0, 1.0);
   };
   if (material.type == Material::Type::metallic_roughness) {
-    const GgxReflection reflection = average_material(material.metallic_roughness).reflection;
+    const GgxReflection reflection =
+        average_material(material.metallic_roughness, color).reflection;
     return mean([&](double cosine) { return GgxSh::table()(reflection, cosine); });
   }
   return mean(BrdfSh(material, 1));

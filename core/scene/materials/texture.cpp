@@ -199,9 +199,4 @@ glm::vec4 Texture::lookup(const glm::dvec2& uv, double footprint, TextureWrap wr
   return glm::mix(fine, bilinear(levels_[below + 1], position, wrap_u, wrap_v), fraction);
 }
 
-glm::vec4 lookup(const TextureReference& texture, const glm::dvec2& uv, double footprint) {
-  if (!texture.content) return glm::vec4(1.0f);
-  return texture.content->lookup(uv, footprint, texture.wrap_u, texture.wrap_v);
-}
-
 }  // namespace brume

@@ -72,7 +72,4 @@ class Texture {
 // Linear light of an sRGB-encoded value of 8 bits.
 const std::array<float, 256>& srgb_to_linear();
 
-// The texture of a reference there; white if it has none.
-glm::vec4 lookup(const TextureReference& texture, const glm::dvec2& uv, double footprint);
-
 }  // namespace brume

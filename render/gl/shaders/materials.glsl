@@ -6,17 +6,23 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 // Texels of all textures and levels; see Texture.
 layout(std430, binding = 0) readonly buffer Texels { uint texels[]; };
-// Texture coordinates of the corners of each triangle.
-layout(std430, binding = 1) readonly buffer Texcoords { vec2 texcoords[]; };
+// Values of the corners of each triangle: texture coordinates, and from places that are not 0 on
+// second ones and colors.
+layout(std430, binding = 1) readonly buffer MeshValues { float mesh_values[]; };
 // After a vector per pixel, for each pixel those that shade_surfaces.glsl reads.
 layout(std430, binding = 3) writeonly buffer Behind { vec4 behind[]; };
 // A MaterialRecord per surface, whose textures are places here: of the encoding, the wraps along u
-// and v, the number of levels, and for each level width, height and its first texel.
+// and v, the number of levels, whether it uses second texture coordinates, and for each level width,
+// height and its first texel.
 layout(std430, binding = 7) readonly buffer Records { uint records[]; };
 
 uniform ivec2 film;
 uniform float pixel_angle;  // between neighbouring rays
 uniform float pixel_width;  // between parallel ones [u]
+uniform int second_texcoords_at;
+uniform int colors_at;
+
+const int texture_header = 5;  // words before the levels
 
 float number(int place) { return uintBitsToFloat(records[place]); }
 vec3 color(int place) { return vec3(number(place), number(place + 1), number(place + 2)); }
@@ -49,7 +55,7 @@ int wrapped_index(int i, int size, uint wrap) {
 }
 
 vec4 bilinear(int texture_, int level, vec2 position) {
-  const int place = texture_ + 4 + 3 * level;
+  const int place = texture_ + texture_header + 3 * level;
   const ivec2 size = ivec2(records[place], records[place + 1]);
   const vec2 at = position * vec2(size) - 0.5;
   const ivec2 low = ivec2(floor(at));
@@ -67,11 +73,11 @@ vec4 bilinear(int texture_, int level, vec2 position) {
 }
 
 vec4 lookup(int texture_, vec2 uv, float footprint) {
-  if (texture_ == 0) return vec4(1.0);
   const vec2 position = vec2(wrapped(uv.x, records[texture_ + 1]),
                              wrapped(1.0 - uv.y, records[texture_ + 2]));
   const int last = int(records[texture_ + 3]) - 1;
-  const float size = footprint * sqrt(float(records[texture_ + 4]) * float(records[texture_ + 5]));
+  const float size = footprint * sqrt(float(records[texture_ + texture_header]) *
+                                      float(records[texture_ + texture_header + 1]));
   const float level = size > 1.0 ? min(log2(size), float(last)) : 0.0;
   const int below = int(level);
   const vec4 fine = bilinear(texture_, below, position);
@@ -87,10 +93,16 @@ struct TextureFrame {
   float density;
 };
 
-TextureFrame texture_frame(PixelHit hit) {
-  const vec2 t0 = texcoords[3 * hit.triangle];
-  const vec2 t1 = texcoords[3 * hit.triangle + 1] - t0;
-  const vec2 t2 = texcoords[3 * hit.triangle + 2] - t0;
+vec2 texcoord(int first, int corner_) {
+  const int place = first + 2 * corner_;
+  return vec2(mesh_values[place], mesh_values[place + 1]);
+}
+
+// By the set of texture coordinates whose first value is at a place.
+TextureFrame texture_frame(PixelHit hit, int first) {
+  const vec2 t0 = texcoord(first, 3 * hit.triangle);
+  const vec2 t1 = texcoord(first, 3 * hit.triangle + 1) - t0;
+  const vec2 t2 = texcoord(first, 3 * hit.triangle + 2) - t0;
   const vec3 p0 = corner_of(hit.triangle, 0);
   const vec3 p1 = corner_of(hit.triangle, 1) - p0;
   const vec3 p2 = corner_of(hit.triangle, 2) - p0;
@@ -119,6 +131,27 @@ vec3 to_world(TextureFrame frame, vec3 of_texture, vec3 n) {
   return normalize(of_texture.x * tangent + of_texture.y * handedness * across + of_texture.z * n);
 }
 
+vec3 mesh_color(int corner_) {
+  const int place = colors_at + 3 * corner_;
+  return vec3(mesh_values[place], mesh_values[place + 1], mesh_values[place + 2]);
+}
+
+vec3 mesh_color(PixelHit hit) {
+  if (colors_at == 0) return vec3(1.0);
+  const int first = 3 * hit.triangle;
+  return (1.0 - hit.u - hit.v) * mesh_color(first) + hit.u * mesh_color(first + 1) +
+         hit.v * mesh_color(first + 2);
+}
+
+// The texture of a record's member there, averaged over a square of a side in the world; white if it
+// has none.
+vec4 lookup(TextureFrame frames[2], int member, float width) {
+  const int texture_ = int(records[member]);
+  if (texture_ == 0) return vec4(1.0);
+  const TextureFrame frame = frames[records[texture_ + 4]];
+  return lookup(texture_, frame.uv, width * frame.density);
+}
+
 void main() {
   const ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
   if (any(greaterThanEqual(pixel, film))) return;
@@ -131,17 +164,16 @@ void main() {
   behind[result] = vec4(0.0);
   if (records[record + material_is_metallic_roughness] == 0u) return;
 
-  const TextureFrame frame = texture_frame(hit);
+  TextureFrame frames[2];
+  frames[0] = texture_frame(hit, 0);
+  frames[1] = second_texcoords_at == 0 ? frames[0] : texture_frame(hit, second_texcoords_at);
   const float cosine = max(dot(point.normal, -ray_direction(pixel)), min_grazing_cosine);
-  const float footprint = (pixel_angle * hit.distance + pixel_width) / cosine * frame.density;
-  const vec3 base_color =
-      color(record + material_base_color) *
-      lookup(int(records[record + material_base_color_texture]), frame.uv, footprint).rgb;
-  const vec4 sample_ =
-      lookup(int(records[record + material_metallic_roughness_texture]), frame.uv, footprint);
-  const vec3 emitted =
-      color(record + material_emissive) *
-      lookup(int(records[record + material_emissive_texture]), frame.uv, footprint).rgb;
+  const float width = (pixel_angle * hit.distance + pixel_width) / cosine;
+  const vec3 base_color = mesh_color(hit) * color(record + material_base_color) *
+                          lookup(frames, record + material_base_color_texture, width).rgb;
+  const vec4 sample_ = lookup(frames, record + material_metallic_roughness_texture, width);
+  const vec3 emitted = color(record + material_emissive) *
+                       lookup(frames, record + material_emissive_texture, width).rgb;
   const float metallic = clamp(number(record + material_metallic) * sample_.b, 0.0, 1.0);
   const float roughness = clamp(number(record + material_roughness) * sample_.g, 0.0, 1.0);
   const vec3 f0 = mix(vec3(dielectric_f0), base_color, metallic);
@@ -151,11 +183,11 @@ void main() {
   vec3 normal = point.normal;
   const int map = int(records[record + material_normal_texture]);
   if (map != 0 && dot(normal, normal) > 0.0) {
-    const vec3 n = 2.0 * lookup(map, frame.uv, footprint).rgb - 1.0;
+    const vec3 n = 2.0 * lookup(frames, record + material_normal_texture, width).rgb - 1.0;
     const float scale = number(record + material_normal_scale);
     const vec3 of_texture = normalize(vec3(scale * n.xy, max(n.z, min_normal_height)));
     const float side = point.on_back ? -1.0 : 1.0;
-    normal = side * to_world(frame, of_texture, side * normal);
+    normal = side * to_world(frames[records[map + 4]], of_texture, side * normal);
   }
   behind[result] = vec4(normal, alpha);
   behind[result + 1] = vec4(diffuse, f0.r);

@@ -3,6 +3,7 @@
 #include <array>
 #include <glm/gtc/quaternion.hpp>
 
+#include "brume/mesh_arrays.h"
 #include "brume/primitive.h"
 #include "core/scene/materials/texture.h"
 #include "tests/random.h"
@@ -103,6 +104,30 @@ TEST_F(GlMaterials, MatchTheCpuWithTextures) {
   expect_same("textures, a surface less");
   scene_.medium = Medium();
   expect_same("textures in clear air");
+}
+
+TEST_F(GlMaterials, MatchTheCpuWithColorsAndSecondTexcoords) {
+  Random random(7);
+  const auto painted = [&](std::size_t surface, bool has_second) {
+    MeshArrays arrays = to_arrays(*scene_.surfaces[surface].mesh);
+    for (std::size_t i = 0; i < arrays.points.size(); ++i) {
+      arrays.colors.emplace_back(glm::vec3(random.point(0.5)) + 0.5f, 1.0f);
+      if (has_second) arrays.second_texcoords.emplace_back(random.point(2.0));
+    }
+    scene_.surfaces[surface].primitive.reset();
+    scene_.surfaces[surface].mesh = to_mesh(std::move(arrays));
+  };
+  painted(1, false);
+  expect_same("colors of the ball");
+  painted(2, true);
+  material_of(2).base_color_texture = noise(8, 8, Image::Encoding::srgb, 1, 0);
+  material_of(2).normal_texture = noise(4, 4, Image::Encoding::linear, 3, 100);
+  material_of(0).base_color_texture = material_of(2).base_color_texture;
+  expect_same("a texture by the first texture coordinates");
+  material_of(2).base_color_texture.uses_second_texcoords = true;
+  material_of(2).normal_texture.uses_second_texcoords = true;
+  material_of(0).base_color_texture.uses_second_texcoords = true;  // whose mesh has none
+  expect_same("by the second ones");
 }
 
 }  // namespace
