@@ -60,7 +60,7 @@ std::shared_ptr<const Scene> Document::visible_snapshot() const {
     auto scene = std::make_shared<Scene>(scene_);
     scene->medium = visible_medium();
     scene->groups.clear();
-    scene->surfaces = shown_surfaces(scene_.surfaces);
+    scene->surfaces = shown_surfaces(scene_.surfaces, time_);
     visible_ = std::move(scene);
   }
   return visible_;

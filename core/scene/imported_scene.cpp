@@ -56,33 +56,41 @@ struct PartsKey {
   std::vector<const ImportedPart*> parts;
   Placement placement;
   Identity<CopyPlacements> copies;
+  double time;  // of parts that move; else 0
 
   bool operator==(const PartsKey&) const = default;
 };
 
-PartPlacements placements_of(const Surface& whole, std::span<const ImportedPart* const> parts) {
-  static Remembered<PartsKey, PartPlacements> results;
-  return results.get(
-      {whole.imported, {parts.begin(), parts.end()}, Placement(whole), whole.placed_copies},
-      [&] {
-        CopyPlacements all;
-        for (std::size_t copy = 0; copy < placement_count(whole); ++copy) {
-          const Placement outer = placement_of(whole, copy);
-          for (const ImportedPart* part : parts) {
-            for (const CopyPlacement& inner : part->placements) {
-              all.push_back({outer.point_to_world(inner.translate), outer.rotate * inner.rotate,
-                             outer.scale * inner.scale});
-            }
-          }
+PartPlacements placements_of(const Surface& whole, std::span<const ImportedPart* const> parts,
+                             double time) {
+  const auto compute = [&] {
+    CopyPlacements all;
+    for (std::size_t copy = 0; copy < placement_count(whole); ++copy) {
+      const Placement outer = placement_of(whole, copy);
+      for (const ImportedPart* part : parts) {
+        for (const CopyPlacement& inner : placements_at(*part, time)) {
+          all.push_back({outer.point_to_world(inner.translate), outer.rotate * inner.rotate,
+                         outer.scale * inner.scale});
         }
-        PartPlacements result{all.front(), nullptr};
-        all.erase(all.begin());
-        if (!all.empty()) result.copies = std::make_shared<const CopyPlacements>(std::move(all));
-        return result;
-      },
-      [](const PartPlacements& result) {
-        return result.copies ? std::span(*result.copies).size_bytes() : sizeof(result);
-      });
+      }
+    }
+    PartPlacements result{all.front(), nullptr};
+    all.erase(all.begin());
+    if (!all.empty()) result.copies = std::make_shared<const CopyPlacements>(std::move(all));
+    return result;
+  };
+  const bool moves = !parts.front()->keys.empty();
+  if (moves && !whole.placed_copies) return compute();
+  static Remembered<PartsKey, PartPlacements> results;
+  return results.get({whole.imported,
+                      {parts.begin(), parts.end()},
+                      Placement(whole),
+                      whole.placed_copies,
+                      moves ? time : 0.0},
+                     compute, [](const PartPlacements& result) {
+                       return result.copies ? std::span(*result.copies).size_bytes()
+                                            : sizeof(result);
+                     });
 }
 
 Surface surface_of(const Surface& whole, const ImportedPart& part) {
@@ -114,15 +122,22 @@ std::vector<const ImportedPart*> chosen_parts(const ImportedScene& scene,
   return parts;
 }
 
+CopyPlacements placements_at(const ImportedPart& part, double time) {
+  if (part.keys.empty()) return part.placements;
+  const auto& [translate, rotate, scale] = part.keys;
+  return {{value_at(translate, time), value_at(rotate, time), value_at(scale, time)}};
+}
+
 std::shared_ptr<const TriangleMesh> joined_mesh(std::span<const ImportedPart* const> parts) {
   if (parts.empty()) return nullptr;
-  if (parts.size() == 1 && parts.front()->placements.empty()) return parts.front()->mesh;
+  if (parts.size() == 1 && placements_at(*parts.front(), 0.0).empty()) return parts.front()->mesh;
   // Beyond so many triangles, copies are the boxes around them.
   constexpr std::size_t max_triangles = 2'000'000;
   MeshArrays all;
   for (const ImportedPart* part : parts) {
-    if (part->placements.empty()) append(all, to_arrays(*part->mesh));
-    for (const CopyPlacement& placement : part->placements) {
+    const CopyPlacements placements = placements_at(*part, 0.0);
+    if (placements.empty()) append(all, to_arrays(*part->mesh));
+    for (const CopyPlacement& placement : placements) {
       const bool has_room = all.triangles.size() + part->mesh->n_faces() <= max_triangles;
       append(all, has_room ? to_arrays(*part->mesh) : box_mesh(*part->mesh), Placement(placement));
     }
@@ -137,7 +152,7 @@ bool is_shown_as_it_is(const Surface& surface) {
 // As many nodes with one mesh are surfaces of their own.
 constexpr std::size_t max_nodes_apart = 16;
 
-std::vector<Surface> shown_surfaces(std::span<const Surface> surfaces) {
+std::vector<Surface> shown_surfaces(std::span<const Surface> surfaces, double time) {
   std::vector<Surface> shown;
   for (const Surface& surface : with_placed_copies({surfaces.begin(), surfaces.end()})) {
     if (!surface.visible) continue;
@@ -162,8 +177,8 @@ std::vector<Surface> shown_surfaces(std::span<const Surface> surfaces) {
     }
     for (const std::vector<const ImportedPart*>& parts : sharing) {
       Surface& added = shown.emplace_back(surface_of(surface, *parts.front()));
-      if (parts.front()->placements.empty()) continue;
-      const auto [own, copies] = placements_of(surface, parts);
+      if (parts.front()->placements.empty() && parts.front()->keys.empty()) continue;
+      const auto [own, copies] = placements_of(surface, parts, time);
       added.translate = own.translate;
       added.rotate = own.rotate;
       added.scale = own.scale;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "brume/keys.h"
 #include "brume/scene.h"
 
 namespace brume {
@@ -19,6 +20,20 @@ struct ImportedNode {
   std::string mesh_name{};              // what it shows is called, if the file names only its mesh
 };
 
+// Keyframes of a placement.
+struct PlacementKeys {
+  Keys<glm::dvec3> translate;
+  Keys<glm::dquat> rotate;
+  Keys<double> scale;
+
+  [[nodiscard]] bool empty() const { return translate.empty(); }  // all or none are
+  [[nodiscard]] std::size_t bytes() const {
+    return std::span(translate).size_bytes() + std::span(rotate).size_bytes() +
+           std::span(scale).size_bytes();
+  }
+  bool operator==(const PlacementKeys&) const = default;
+};
+
 // A mesh of a node, all of one material.
 struct ImportedPart {
   std::size_t node = 0;
@@ -27,6 +42,8 @@ struct ImportedPart {
   // Where the file places a mesh that it has several times, which is in its own coordinates then;
   // else empty.
   CopyPlacements placements{};
+  // How the file moves it, which is in its own coordinates then; empty: it does not.
+  PlacementKeys keys{};
 };
 
 // A glTF, OBJ or FBX scene, as its file has it: y up.
@@ -57,14 +74,18 @@ inline constexpr std::array texture_has_colors{true, false, false, true, true};
 std::vector<const ImportedPart*> chosen_parts(const ImportedScene& scene,
                                               std::span<const std::string> nodes);
 
-// These parts as one mesh; null if there is none.
+// Where a part's mesh is at a time [s]; empty: in the file's coordinates.
+CopyPlacements placements_at(const ImportedPart& part, double time);
+
+// These parts as one mesh, as they are at 0 s; null if there is none.
 std::shared_ptr<const TriangleMesh> joined_mesh(std::span<const ImportedPart* const> parts);
 
-// The surfaces that frames show: visible ones, and in place of one with an imported scene its
-// parts, each with the placements of that surface. Where more than 16
-// parts share a mesh they are one, with copies, called as the first. They are named SURFACE/NODE,
-// or NODE where the surface has no name or the same. A node that has no name is called as its mesh.
-std::vector<Surface> shown_surfaces(std::span<const Surface> surfaces);
+// The surfaces that frames show at a time [s], once keys are applied: visible ones, and in place of
+// one with an imported scene its parts where that file's animation has them then, each with the
+// placements of that surface. Where more than 16 parts share a mesh they are one, with copies,
+// called as the first. They are named SURFACE/NODE, or NODE where the surface has no name or the
+// same. A node that has no name is called as its mesh.
+std::vector<Surface> shown_surfaces(std::span<const Surface> surfaces, double time);
 // Whether a surface stays itself there.
 bool is_shown_as_it_is(const Surface& surface);
 

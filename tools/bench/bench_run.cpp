@@ -91,7 +91,7 @@ std::vector<BenchScene> chosen_scenes(const BenchOptions& options) {
   std::vector<BenchScene> scenes;
   for (const auto& file : options.scenes) {
     BenchScene& added = scenes.emplace_back(file.stem().string(), load_scene(file));
-    added.scene.surfaces = shown_surfaces(added.scene.surfaces);
+    added.scene.surfaces = shown_surfaces(added.scene.surfaces, 0.0);
     apply_sky(added.scene);
     const Film& film = added.scene.film;
     if (options.quick && film.width * film.height > frontier_film.width * frontier_film.height) {

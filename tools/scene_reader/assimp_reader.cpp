@@ -15,13 +15,16 @@
 #include "brume/error.h"
 #include "brume/limits.h"
 #include "core/io/disk/file_bytes.h"
+#include "core/io/import/node_keys.h"
 #include "core/io/import/node_transform.h"
 #include "core/io/import/scene_readers.h"
 #include "core/io/mesh/mesh_readers.h"
 #include "core/io/mesh/obj_corner.h"
 #include "core/io/text_scanner.h"
 #include "core/io/unicode_text.h"
+#include "core/math/basis.h"
 #include "core/number_domain.h"
+#include "tools/scene_reader/assimp_animation.h"
 #include "tools/scene_reader/assimp_materials.h"
 #include "tools/scene_reader/assimp_polygons.h"
 #include "tools/scene_reader/limited_files.h"
@@ -77,8 +80,14 @@ class Reader {
   RawScene read() {
     channels_ = add_materials(from_, file_, scene_);
     add_nodes();
-    for (unsigned i = 0; i < from_.mNumCameras; ++i) add_camera(*from_.mCameras[i]);
-    for (unsigned i = 0; i < from_.mNumLights; ++i) add_light(*from_.mLights[i]);
+    std::size_t node = scene_.nodes.size();  // of the first camera
+    for (unsigned i = 0; i < from_.mNumCameras; ++i) add_camera(*from_.mCameras[i], node++);
+    for (unsigned i = 0; i < from_.mNumLights; ++i) add_light(*from_.mLights[i], node++);
+    if (from_.mNumAnimations > 1) {
+      const std::string message = "found " + std::to_string(from_.mNumAnimations) +
+                                  " animations; all but the first are left out";
+      scene_.warnings.emplace_back(InputError(file_, "", message).what());
+    }
     return std::move(scene_);
   }
 
@@ -87,32 +96,76 @@ class Reader {
     struct Visit {
       const aiNode* node;
       std::optional<std::size_t> parent;
-      glm::dmat4 to_world;
     };
-    std::vector<Visit> open{{from_.mRootNode, std::nullopt, scene_transform(from_)}};
+    std::vector<Visit> open{{from_.mRootNode, std::nullopt}};
+    std::vector<const aiNode*> nodes;
+    std::vector<MovingNode> moving;
+    std::map<std::string, std::size_t> names;
     while (!open.empty()) {
-      const Visit visit = open.back();
+      const auto [node, parent] = open.back();
       open.pop_back();
-      const glm::dmat4 to_world = visit.to_world * to_dmat4(visit.node->mTransformation);
-      const std::size_t index = scene_.nodes.size();
+      const std::size_t index = nodes.size();
       if (index >= max_imported_nodes) {
         throw InputError(file_, "",
                          "found more than " + std::to_string(max_imported_nodes) +
                              " nodes; allowed: " + std::to_string(max_imported_nodes));
       }
-      const std::string name = visit.node->mName.C_Str();
-      scene_.nodes.push_back({imported_name(name, "node " + std::to_string(index)), visit.parent});
-      to_world_.try_emplace(name, to_world);
-      for (unsigned i = 0; i < visit.node->mNumMeshes; ++i) {
-        add_part(*from_.mMeshes[visit.node->mMeshes[i]], index, to_world);
+      const std::string name = node->mName.C_Str();
+      nodes.push_back(node);
+      scene_.nodes.push_back({imported_name(name, "node " + std::to_string(index)), parent});
+      names.try_emplace(name, index);
+      MovingNode& added = moving.emplace_back();
+      added.parent = parent;
+      added.at_rest = to_dmat4(node->mTransformation);
+      if (!parent) added.at_rest = scene_transform(from_) * added.at_rest;
+      for (unsigned i = node->mNumChildren; i > 0; --i) {
+        open.push_back({node->mChildren[i - 1], index});
       }
-      for (unsigned i = visit.node->mNumChildren; i > 0; --i) {
-        open.push_back({visit.node->mChildren[i - 1], index, to_world});
+    }
+    add_tracks(from_, names, moving);
+    // Cameras and lights are within the node of their name, and look along -z.
+    const auto add_within = [&](const aiString& name, const glm::dmat4& at_rest) {
+      const auto found = names.find(name.C_Str());
+      MovingNode& added = moving.emplace_back();
+      if (found != names.end()) added.parent = found->second;
+      added.at_rest = at_rest;
+    };
+    for (unsigned i = 0; i < from_.mNumCameras; ++i) {
+      add_within(from_.mCameras[i]->mName, axes_of(*from_.mCameras[i]));
+    }
+    for (unsigned i = 0; i < from_.mNumLights; ++i) {
+      add_within(from_.mLights[i]->mName, axes_of(*from_.mLights[i]));
+    }
+    motion_.emplace(file_, moving);
+    for (std::size_t i = 0; i < moving.size(); ++i) {
+      const std::optional<std::size_t> parent = moving[i].parent;
+      to_world_.push_back(motion_->moves(i) ? motion_->to_world(i, 0.0)
+                                            : (parent ? to_world_[*parent] : glm::dmat4(1.0)) *
+                                                  moving[i].at_rest);
+    }
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      for (unsigned k = 0; k < nodes[i]->mNumMeshes; ++k) {
+        add_part(*from_.mMeshes[nodes[i]->mMeshes[k]], i);
       }
     }
   }
 
-  void add_part(const aiMesh& mesh, std::size_t node, const glm::dmat4& to_world) {
+  static glm::dmat4 axes_of(const aiCamera& camera) {
+    const glm::dvec3 back = -to_dvec3(camera.mLookAt);
+    const glm::dvec3 up = to_dvec3(camera.mUp);
+    return {glm::dvec4(glm::cross(up, back), 0.0), glm::dvec4(up, 0.0), glm::dvec4(back, 0.0),
+            glm::dvec4(to_dvec3(camera.mPosition), 1.0)};
+  }
+  static glm::dmat4 axes_of(const aiLight& light) {
+    const glm::dvec3 direction = to_dvec3(light.mDirection);
+    const double length = glm::length(direction);
+    const glm::dvec3 back = length > 0.0 ? -direction / length : glm::dvec3(0.0, 1.0, 0.0);
+    const auto [u, v] = make_basis(back);
+    return {glm::dvec4(u, 0.0), glm::dvec4(v, 0.0), glm::dvec4(back, 0.0),
+            glm::dvec4(to_dvec3(light.mPosition), 1.0)};
+  }
+
+  void add_part(const aiMesh& mesh, std::size_t node) {
     if (mesh.mPrimitiveTypes != aiPrimitiveType_TRIANGLE &&
         !(mesh.mPrimitiveTypes & aiPrimitiveType_TRIANGLE)) {
       return;
@@ -145,8 +198,20 @@ class Reader {
     }
     if (arrays.triangles.empty()) return;
     if (arrays.normals.empty()) add_flat_normals(arrays);
-    apply_transform(to_world, file_, "node " + quoted_text(scene_.nodes[node].name), arrays);
-    include(arrays);
+    const std::string place = "node " + quoted_text(scene_.nodes[node].name);
+    glm::dmat4 to_world = to_world_[node];
+    if (motion_->moves(node)) {
+      NodeKeys found = placement_keys(*motion_, node);
+      if (found.is_stretched) {
+        const std::string message =
+            "its animation stretches it along one axis: it keeps its proportions";
+        scene_.warnings.emplace_back(InputError(file_, place, message).what());
+      }
+      part.keys = std::move(found.keys);
+      to_world = found.to_placed;
+    }
+    apply_transform(to_world, file_, place, arrays);
+    include(arrays, part.keys);
     scene_.parts.push_back(std::move(part));
   }
 
@@ -161,46 +226,39 @@ class Reader {
     return result;
   }
 
-  void include(const MeshArrays& arrays) {
+  void include(const MeshArrays& arrays, const PlacementKeys& keys) {
+    const auto add = [this](const glm::dvec3& point) {
+      low_ = glm::min(low_, point);
+      high_ = glm::max(high_, point);
+    };
+    for (const Key<glm::dvec3>& key : keys.translate) add(key.value);
     for (const glm::vec3& point : arrays.points) {
-      low_ = glm::min(low_, glm::dvec3(point));
-      high_ = glm::max(high_, glm::dvec3(point));
+      if (keys.empty()) add(glm::dvec3(point));
     }
   }
 
-  // Cameras and lights are at the node of their name.
-  [[nodiscard]] glm::dmat4 node_of(const aiString& name) const {
-    const auto found = to_world_.find(name.C_Str());
-    return found == to_world_.end() ? glm::dmat4(1.0) : found->second;
-  }
-
-  void add_camera(const aiCamera& camera) {
+  void add_camera(const aiCamera& camera, std::size_t node) {
     const double half_width = std::tan(0.5 * static_cast<double>(camera.mHorizontalFOV));
     const double aspect = camera.mAspect > 0 ? static_cast<double>(camera.mAspect) : 1.0;
     const double fov = 2.0 * std::atan(half_width / aspect) * degrees_per_radian;
     if (!domain::field_of_view.contains(fov) || scene_.cameras.size() >= limits::cameras) return;
-    const glm::dmat4 node = node_of(camera.mName);
-    const glm::dvec3 back = -to_dvec3(camera.mLookAt);
-    const glm::dvec3 up = to_dvec3(camera.mUp);
-    const glm::dmat4 axes(glm::dvec4(glm::cross(up, back), 0.0), glm::dvec4(up, 0.0),
-                          glm::dvec4(back, 0.0), glm::dvec4(to_dvec3(camera.mPosition), 1.0));
     const glm::dvec3 center = scene_.parts.empty() ? glm::dvec3(0.0) : 0.5 * (low_ + high_);
-    scene_.cameras.push_back({imported_name(camera.mName.C_Str(), "Camera"),
-                              camera_of_node(node * axes, center, fov),
-                              {}});
+    NamedCamera& added = scene_.cameras.emplace_back();
+    added.name = imported_name(camera.mName.C_Str(), "Camera");
+    added.camera = camera_of_node(to_world_[node], center, fov);
+    if (motion_->moves(node)) add_keys(*motion_, node, center, added);
   }
 
-  void add_light(const aiLight& from) {
+  void add_light(const aiLight& from, std::size_t node) {
     if (scene_.lights.size() >= limits::lights) return;
-    const glm::dmat4 node = node_of(from.mName);
     Light light;
     light.name = imported_name(from.mName.C_Str(), "");
-    light.position = glm::dvec3(node * glm::dvec4(to_dvec3(from.mPosition), 1.0));
+    light.position = glm::dvec3(to_world_[node][3]);
     for (int k = 0; k < 3; ++k) {
       const double value = static_cast<double>(from.mColorDiffuse[static_cast<unsigned>(k)]);
       light.intensity[k] = std::isfinite(value) ? std::clamp(value, 0.0, limits::intensity) : 0.0;
     }
-    glm::dvec3 direction = glm::dmat3(node) * to_dvec3(from.mDirection);
+    glm::dvec3 direction = -glm::dvec3(to_world_[node][2]);
     const double length = glm::length(direction);
     direction = length > 0.0 ? direction / length : glm::dvec3(0.0, -1.0, 0.0);
     if (from.mType == aiLightSource_DIRECTIONAL) {
@@ -215,6 +273,7 @@ class Reader {
     } else if (from.mType != aiLightSource_POINT) {
       return;
     }
+    if (motion_->moves(node)) add_keys(*motion_, node, light);
     scene_.lights.push_back(std::move(light));
   }
 
@@ -222,7 +281,8 @@ class Reader {
   const fs::path& file_;
   RawScene scene_;
   std::vector<TexcoordChannels> channels_;  // by material
-  std::map<std::string, glm::dmat4> to_world_;
+  std::optional<NodeMotion> motion_;        // of nodes, then of cameras and lights
+  std::vector<glm::dmat4> to_world_;        // at 0 s, of the same
   glm::dvec3 low_{limits::coordinate};
   glm::dvec3 high_{-limits::coordinate};
 };
@@ -249,7 +309,6 @@ RawScene read_with_assimp(const fs::path& file) {
   auto* files = new LimitedFiles(file);  // the importer's from here on
   importer.SetIOHandler(files);
   importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
-  importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_READ_ANIMATIONS, false);
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
                               aiPrimitiveType_POINT | aiPrimitiveType_LINE);
   // Vertices at one place are smooth up to 60 degrees, as those of meshes.

@@ -1,7 +1,6 @@
 #include "core/io/import/gltf_nodes.h"
 
 #include <algorithm>
-#include <glm/ext/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <string>
 
@@ -40,27 +39,26 @@ void check_node_transform(GltfFile& file, const JsonPath& path, const glm::dmat4
   }
 }
 
-glm::dmat4 node_transform(GltfFile& file, JsonObject& node) {
-  if (const Json* matrix = node.find("matrix")) {
+// Sets the transform of a node to its parent.
+void read_transform(GltfFile& file, JsonObject& object, GltfNode& node) {
+  if (const Json* matrix = object.find("matrix")) {
     const std::vector<double> m =
-        read_numbers(file.context(), *matrix, node.path_of("matrix"), 16, domain::coordinate);
-    glm::dmat4 result;
-    for (int k = 0; k < 16; ++k) result[k / 4][k % 4] = m[static_cast<std::size_t>(k)];
-    return result;
+        read_numbers(file.context(), *matrix, object.path_of("matrix"), 16, domain::coordinate);
+    for (int k = 0; k < 16; ++k) node.to_parent[k / 4][k % 4] = m[static_cast<std::size_t>(k)];
+    return;
   }
-  glm::dquat rotation(1.0, 0.0, 0.0, 0.0);
-  if (const Json* value = node.find("rotation")) {
+  auto& [translation, rotation, scale] = node.transform;
+  if (const Json* value = object.find("rotation")) {
     const std::vector<double> q =
-        read_numbers(file.context(), *value, node.path_of("rotation"), 4, domain::coordinate);
+        read_numbers(file.context(), *value, object.path_of("rotation"), 4, domain::coordinate);
     rotation = glm::dquat(q[3], q[0], q[1], q[2]);
     const double length = glm::length(rotation);
-    if (!(length > 0.0)) node.fail("rotation", "found length 0; allowed: a unit quaternion");
+    if (!(length > 0.0)) object.fail("rotation", "found length 0; allowed: a unit quaternion");
     rotation /= length;
   }
-  const glm::dvec3 scale = node.vector("scale", domain::coordinate, glm::dvec3(1.0));
-  const glm::dvec3 translation = node.vector("translation", domain::coordinate, glm::dvec3(0.0));
-  return glm::translate(glm::dmat4(1.0), translation) * glm::mat4_cast(rotation) *
-         glm::scale(glm::dmat4(1.0), scale);
+  scale = object.vector("scale", domain::coordinate, glm::dvec3(1.0));
+  translation = object.vector("translation", domain::coordinate, glm::dvec3(0.0));
+  node.to_parent = node.transform.matrix();
 }
 
 }  // namespace
@@ -103,8 +101,12 @@ std::vector<GltfNode> read_gltf_nodes(GltfFile& file) {
     }
     const std::size_t index = nodes.size();
     const glm::dmat4 parent = visit.parent ? nodes[*visit.parent].to_world : glm::dmat4(1.0);
-    nodes.push_back({visit.element, visit.parent, parent * node_transform(file, object)});
-    check_node_transform(file, object.path(), nodes.back().to_world);
+    GltfNode& node = nodes.emplace_back();
+    node.element = visit.element;
+    node.parent = visit.parent;
+    read_transform(file, object, node);
+    node.to_world = parent * node.to_parent;
+    check_node_transform(file, object.path(), node.to_world);
     std::vector<std::size_t> children = gltf_node_indices(file, object, "children");
     for (auto child = children.rbegin(); child != children.rend(); ++child) {
       open.push_back({*child, index});

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/io/import/gltf_file.h"
+#include "core/io/import/node_motion.h"
 
 namespace brume {
 
@@ -13,6 +14,8 @@ struct GltfNode {
   std::size_t element = 0;              // of the list `nodes`
   std::optional<std::size_t> parent{};  // of read_gltf_nodes()
   glm::dmat4 to_world{1.0};             // affine; entries of domain::coordinate
+  glm::dmat4 to_parent{1.0};
+  NodeTransform transform{};  // which that is, unless the file has a matrix
 };
 
 // The nodes of the file's scene, of all nodes if it has none; parents before their children. Throws

@@ -10,11 +10,15 @@
 #include <utility>
 
 #include "brume/limits.h"
+#include "core/io/import/gltf_animation.h"
 #include "core/io/import/gltf_file.h"
 #include "core/io/import/gltf_materials.h"
+#include "core/io/import/gltf_mesh.h"
 #include "core/io/import/gltf_nodes.h"
 #include "core/io/import/gltf_skin.h"
 #include "core/io/import/gltf_values.h"
+#include "core/io/import/node_keys.h"
+#include "core/io/import/node_motion.h"
 #include "core/io/import/node_transform.h"
 #include "core/io/import/scene_readers.h"
 #include "core/io/text_scanner.h"
@@ -59,6 +63,7 @@ class GltfReader {
 
   RawScene read() {
     nodes_ = read_gltf_nodes(file_);
+    read_animation();
     for (const GltfNode& node : nodes_) add_node(node);
     count_uses();
     read_materials();
@@ -71,6 +76,20 @@ class GltfReader {
   }
 
  private:
+  // What has no keys, as skins, is as it is at 0 s.
+  void read_animation() {
+    animation_ = read_gltf_animation(file_, nodes_);
+    std::vector<MovingNode> moving;
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      moving.push_back(
+          {nodes_[i].parent, nodes_[i].to_parent, nodes_[i].transform, animation_.tracks[i]});
+    }
+    motion_.emplace(file_.context().file(), std::move(moving));
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      if (motion_->moves(i)) nodes_[i].to_world = motion_->to_world(i, 0.0);
+    }
+  }
+
   void add_node(const GltfNode& node) {
     JsonObject object = file_.object("nodes", node.element);
     const std::string name = imported_name(object.text("name", ""), "");
@@ -107,9 +126,9 @@ class GltfReader {
         extensions ? extensions->find_object("EXT_mesh_gpu_instancing") : std::nullopt;
     if (!instancing) return {node.to_world};
     JsonObject attributes = instancing->object("attributes");
-    const auto translations = vectors<glm::vec3>(attributes, "TRANSLATION");
-    const auto rotations = vectors<glm::vec4>(attributes, "ROTATION");
-    const auto scales = vectors<glm::vec3>(attributes, "SCALE");
+    const auto translations = gltf_vectors<glm::vec3>(file_, attributes, "TRANSLATION");
+    const auto rotations = gltf_vectors<glm::vec4>(file_, attributes, "ROTATION");
+    const auto scales = gltf_vectors<glm::vec3>(file_, attributes, "SCALE");
     const std::size_t count = std::max({translations.size(), rotations.size(), scales.size()});
     for (const std::size_t size : {translations.size(), rotations.size(), scales.size()}) {
       if (size == 0 || size == count) continue;
@@ -146,10 +165,20 @@ class GltfReader {
     if (!index) return;
     Use use{index_of_node, *index, skins_.joints(object), {}, {}};
     use.transforms = transforms_of(node, object);
-    if (!use.joints && (use.transforms.size() > 1 || uses_[*index] > 1)) {
+    use.weights = animation_.weights[index_of_node];
+    if (use.weights.empty()) use.weights = gltf_weights(file_, object);
+    const bool has_own_weights = !use.weights.empty();
+    if (use.joints && motion_->moves_any()) {
+      file_.context().warn(object.path(), "has a skin: it stays as it is at 0 s");
+    }
+    if (motion_->moves(index_of_node) && !use.joints) {
+      add_motion(use, object);
+    } else if (!use.joints && !has_own_weights &&
+               (use.transforms.size() > 1 || uses_[*index] > 1)) {
       use.placements = placements(use.transforms);
     }
     JsonObject mesh = file_.object("meshes", *index);
+    if (!has_own_weights) use.weights = gltf_weights(file_, mesh);
     const Json::array_t& primitives = mesh.array("primitives", limits::surfaces);
     primitives_ += primitives.size();
     if (primitives_ > max_primitives) {
@@ -169,7 +198,23 @@ class GltfReader {
     const std::vector<glm::dmat4>* joints;  // as of GltfSkins
     std::vector<glm::dmat4> transforms;     // to the world
     CopyPlacements placements;              // the same, of a mesh that is shared; else empty
+    PlacementKeys keys{};                   // then from there
+    std::vector<double> weights{};          // of its morph targets
   };
+
+  void add_motion(Use& use, JsonObject& object) {
+    if (use.transforms.size() != 1) {
+      file_.context().warn(object.path(), "has instances: they do not move");
+      return;
+    }
+    NodeKeys found = placement_keys(*motion_, use.node);
+    if (found.is_stretched) {
+      file_.context().warn(object.path(),
+                           "its animation stretches it along one axis: it keeps its proportions");
+    }
+    use.keys = std::move(found.keys);
+    use.transforms = {found.to_placed};
+  }
 
   void add_part(const Use& use, std::size_t index, const Json& value, const JsonPath& path) {
     const auto shared = shared_parts_.find({use.mesh, index});
@@ -199,10 +244,10 @@ class GltfReader {
     RawPart part;
     part.node = use.node;
     part.material = file_.index(primitive, "material", "materials").value_or(materials_.size() - 1);
-    const bool is_skinned = read_mesh(primitive, mode, use.joints, part);
+    const bool is_skinned = read_mesh(primitive, mode, use, part);
     if (part.mesh.triangles.empty()) return;
     const auto add = [&](RawPart added, const glm::dmat4& to_world) {
-      bytes_ += mesh_bytes(added.mesh);
+      bytes_ += mesh_bytes(added.mesh) + added.keys.bytes();
       if (bytes_ > limits::scene_bytes / 4) {
         file_.context().fail(path, "the meshes up to here take more memory than the allowed " +
                                        std::to_string(limits::scene_bytes) + " bytes");
@@ -218,6 +263,7 @@ class GltfReader {
       part.placements = use.placements;
       add(std::move(part), glm::dmat4(1.0));
     } else {
+      part.keys = use.keys;
       for (const glm::dmat4& to_world : use.transforms) add(part, to_world);
     }
   }
@@ -228,8 +274,7 @@ class GltfReader {
 
   // Reads the mesh of a part whose node and material are set. Returns whether it is in the world
   // already, by the joints of its skin.
-  bool read_mesh(JsonObject& primitive, std::int64_t mode, const std::vector<glm::dmat4>* joints,
-                 RawPart& part) {
+  bool read_mesh(JsonObject& primitive, std::int64_t mode, const Use& use, RawPart& part) {
     MeshArrays& mesh = part.mesh;
     JsonObject attributes = primitive.object("attributes");
     const JsonPath& path = attributes.path();
@@ -244,39 +289,10 @@ class GltfReader {
       note_left_out(path, data);
       return false;
     }
-    mesh.points = vectors<glm::vec3>(attributes, "POSITION");
-    mesh.normals = vectors<glm::vec3>(attributes, "NORMAL");
-    if (const auto colors = file_.index(attributes, "COLOR_0", "accessors")) {
-      mesh.colors = file_.colors(attributes.path_of("COLOR_0"), *colors);
-    }
-    read_texcoords(attributes, materials_[part.material].texcoords, mesh);
-    visit_vertex_values(mesh, [&](const auto& values, auto&&) {
-      if (values.empty() || values.size() == mesh.points.size()) return;
-      file_.context().fail(path, "found " + std::to_string(values.size()) + " values for " +
-                                     std::to_string(mesh.points.size()) + " vertices");
-    });
-    add_triangles(primitive, mode, mesh);
-    const bool is_skinned = joints != nullptr && apply_skin(file_, attributes, *joints, mesh);
+    mesh = read_gltf_mesh(file_, primitive, mode, materials_[part.material].texcoords, use.weights);
+    const bool is_skinned = use.joints && apply_skin(file_, attributes, *use.joints, mesh);
     if (mesh.normals.empty()) add_flat_normals(mesh);
     return is_skinned;
-  }
-
-  // Those that a material's textures use; TEXCOORD_0, if it has none.
-  void read_texcoords(JsonObject& attributes, std::span<const GltfTexcoords> uses,
-                      MeshArrays& mesh) {
-    constexpr GltfTexcoords first;
-    const auto read = [&](const GltfTexcoords& use) {
-      const std::string key = "TEXCOORD_" + std::to_string(use.set);
-      std::vector<glm::vec2> texcoords = vectors<glm::vec2>(attributes, key);
-      if (texcoords.empty() && !uses.empty()) {
-        file_.context().warn(attributes.path_of(key), "missing: a texture uses it");
-        texcoords.resize(mesh.points.size());
-      }
-      for (glm::vec2& uv : texcoords) uv = texcoord(use.transform * glm::dvec3(uv, 1.0));
-      return texcoords;
-    };
-    mesh.texcoords = read(uses.empty() ? first : uses.front());
-    if (uses.size() > 1) mesh.second_texcoords = read(uses[1]);
   }
 
   // The extension that compresses points or triangles where nothing else has them; else empty.
@@ -286,55 +302,6 @@ class GltfReader {
     const Json* const extensions = primitive.find("extensions");
     std::string found = file_.compression(extensions, *points);
     return found.empty() && indices ? file_.compression(extensions, *indices) : found;
-  }
-
-  // v up, as Brume has it.
-  static glm::vec2 texcoord(const glm::dvec3& uv) {
-    constexpr double longest = 1e6;
-    const bool is_valid = std::abs(uv.x) <= longest && std::abs(uv.y) <= longest;
-    return is_valid ? glm::vec2(uv.x, 1.0 - uv.y) : glm::vec2(0.0f);
-  }
-
-  template <class Vector>
-  std::vector<Vector> vectors(JsonObject& attributes, const std::string& key) {
-    const auto accessor = file_.index(attributes, key, "accessors");
-    if (!accessor) return {};
-    constexpr auto size = static_cast<std::size_t>(Vector::length());
-    const std::vector<float> numbers = file_.numbers(attributes.path_of(key), *accessor, size);
-    std::vector<Vector> result(numbers.size() / size);
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-      result[i / size][static_cast<int>(i % size)] = numbers[i];
-    }
-    return result;
-  }
-
-  void add_triangles(JsonObject& primitive, std::int64_t mode, MeshArrays& mesh) {
-    const auto count = static_cast<unsigned>(mesh.points.size());
-    std::vector<unsigned> corners;
-    if (const auto accessor = file_.index(primitive, "indices", "accessors")) {
-      corners = file_.indices(primitive.path_of("indices"), *accessor);
-    } else {
-      for (unsigned i = 0; i < count; ++i) corners.push_back(i);
-    }
-    for (const unsigned corner : corners) {
-      if (corner < count) continue;
-      primitive.fail("indices", "found vertex " + std::to_string(corner) + "; allowed: less than " +
-                                    std::to_string(count));
-    }
-    const auto add = [&mesh](unsigned a, unsigned b, unsigned c) {
-      if (a != b && b != c && c != a) mesh.triangles.emplace_back(a, b, c);
-    };
-    constexpr std::int64_t list = 4;
-    constexpr std::int64_t strip = 5;
-    for (std::size_t i = 0; i + 2 < corners.size(); i += mode == list ? 3 : 1) {
-      if (mode == list || (mode == strip && i % 2 == 0)) {
-        add(corners[i], corners[i + 1], corners[i + 2]);
-      } else if (mode == strip) {
-        add(corners[i + 1], corners[i], corners[i + 2]);
-      } else {
-        add(corners[0], corners[i + 1], corners[i + 2]);
-      }
-    }
   }
 
   void add_camera_and_light(std::size_t index_of_node) {
@@ -359,7 +326,8 @@ class GltfReader {
     };
     for (const RawPart& part : scene_.parts) {
       for (const CopyPlacement& placement : part.placements) add(placement.translate);
-      if (!part.placements.empty()) continue;
+      for (const Key<glm::dvec3>& key : part.keys.translate) add(key.value);
+      if (!part.placements.empty() || !part.keys.empty()) continue;
       for (const glm::vec3& point : part.mesh.points) add(glm::dvec3(point));
     }
     return scene_.parts.empty() ? glm::dvec3(0.0) : 0.5 * (low + high);
@@ -378,17 +346,21 @@ class GltfReader {
       }
       Camera camera = camera_of_node(nodes_[node].to_world, center_, Camera().vertical_fov);
       camera.height = height;
-      scene_.cameras.push_back({scene_.nodes[node].name, camera, {}});
+      add_camera(node, camera);
       return;
     }
     JsonObject perspective = object.object("perspective");
     static constexpr NumberDomain half_turn{0.0, std::numbers::pi, "a number in (0, pi) radians",
                                             true};
     const double fov = perspective.number("yfov", half_turn, {}) * degrees_per_radian;
-    scene_.cameras.push_back(
-        {scene_.nodes[node].name,
-         camera_of_node(nodes_[node].to_world, center_, std::min(fov, 179.999)),
-         {}});
+    add_camera(node, camera_of_node(nodes_[node].to_world, center_, std::min(fov, 179.999)));
+  }
+
+  void add_camera(std::size_t node, const Camera& camera) {
+    NamedCamera& added = scene_.cameras.emplace_back();
+    added.name = scene_.nodes[node].name;
+    added.camera = camera;
+    if (motion_->moves(node)) add_keys(*motion_, node, center_, added);
   }
 
   void add_light(std::size_t node, JsonObject& use) {
@@ -416,6 +388,7 @@ class GltfReader {
     }
     if (type == 1) light.kind = read_cone(object, direction);
     if (type == 2) light.kind = light::Directional{direction};
+    if (motion_->moves(node)) add_keys(*motion_, node, light);
     scene_.lights.push_back(std::move(light));
   }
 
@@ -437,6 +410,8 @@ class GltfReader {
   RawScene scene_;
   GltfFile file_;
   std::vector<GltfNode> nodes_;
+  GltfAnimation animation_;
+  std::optional<NodeMotion> motion_;
   GltfSkins skins_{file_, nodes_};
   std::vector<GltfMaterial> materials_;
   glm::dvec3 center_{0.0};

@@ -40,9 +40,9 @@ class SceneBuilder {
       if (stop.stop_requested()) return nullptr;
       auto mesh =
           part.same_mesh_as ? scene->parts[*part.same_mesh_as].mesh : mesh_of(std::move(part.mesh));
-      add_bytes(part.placements.size() * limits::copy_bytes);
+      add_bytes(part.placements.size() * limits::copy_bytes + part.keys.bytes());
       scene->parts.push_back({part.node, std::move(mesh), material(part.material, *scene),
-                              std::move(part.placements)});
+                              std::move(part.placements), std::move(part.keys)});
     }
     scene->changed = latest_change(scene->files);
     scene->nodes = std::move(raw_.nodes);

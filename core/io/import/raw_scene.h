@@ -48,6 +48,7 @@ struct RawPart {
   // As in ImportedPart; the mesh is then that of an earlier part, if one is named.
   CopyPlacements placements{};
   std::optional<std::size_t> same_mesh_as{};
+  PlacementKeys keys{};
 };
 
 // The content of a scene file before its images are decoded and its meshes made. Readers have

@@ -122,6 +122,8 @@ void visit_light(auto& io, auto& light) {
   io.text(light.name);
   io.plain(light.position);
   io.plain(light.intensity);
+  io.plain_list(light.keys.position);
+  io.plain_list(light.keys.direction);
   // The values of those kinds that other programs' scenes have.
   io.kind(light.kind);
   if (auto* spot = std::get_if<light::Spot>(&light.kind)) {
@@ -143,6 +145,9 @@ void visit_scene(auto& io, auto& scene) {
     io.plain_list(part.mesh.points);
     visit_vertex_values(part.mesh, [&io](auto& values, auto&&) { io.plain_list(values); });
     io.plain_list(part.mesh.triangles);
+    io.plain_list(part.keys.translate);
+    io.plain_list(part.keys.rotate);
+    io.plain_list(part.keys.scale);
   });
   io.list(scene.materials, [&io](auto& material) {
     io.text(material.name);
@@ -168,6 +173,9 @@ void visit_scene(auto& io, auto& scene) {
   io.list(scene.cameras, [&io](auto& camera) {
     io.text(camera.name);
     io.plain(camera.camera);
+    io.plain_list(camera.keys.eye);
+    io.plain_list(camera.keys.target);
+    io.plain_list(camera.keys.roll);
   });
   io.list(scene.lights, [&io](auto& light) { visit_light(io, light); });
   io.list(scene.files, [&io](auto& file) { visit_path(io, file); });
@@ -208,6 +216,36 @@ bool is_valid(const MeshArrays& mesh) {
   return true;
 }
 
+bool is_valid(double value, const NumberDomain& domain) {
+  return domain.contains(value);
+}
+bool is_valid(const glm::dvec3& value, const NumberDomain& domain) {
+  return is_in(value, domain);
+}
+bool is_valid(const glm::dquat& value, const NumberDomain&) {
+  return std::abs(glm::length(value) - 1.0) < 1e-3;
+}
+
+template <class T>
+bool is_valid(const Keys<T>& keys, const NumberDomain& domain) {
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    const Key<T>& key = keys[i];
+    if (!domain::seconds.contains(key.time) || !is_valid(key.value, domain) || key.in || key.out ||
+        (i > 0 && !(key.time - keys[i - 1].time >= min_key_distance)) ||
+        (key.interpolation != Interpolation::linear &&
+         key.interpolation != Interpolation::constant)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool is_valid(const PlacementKeys& keys) {
+  return keys.rotate.empty() == keys.empty() && keys.scale.empty() == keys.empty() &&
+         is_valid(keys.translate, domain::coordinate) &&
+         is_valid(keys.rotate, domain::coordinate) && is_valid(keys.scale, domain::length);
+}
+
 bool is_valid(TextureWrap wrap) {
   return wrap == TextureWrap::repeat || wrap == TextureWrap::clamp || wrap == TextureWrap::mirror;
 }
@@ -226,7 +264,9 @@ bool is_valid(const RawMaterial& material, std::size_t images) {
 }
 
 bool is_valid(const Light& light) {
-  return is_in(light.position, domain::coordinate) && is_in_domain(light) && !refusal(light);
+  return is_in(light.position, domain::coordinate) && is_in_domain(light) && !refusal(light) &&
+         is_valid(light.keys.position, domain::coordinate) &&
+         is_valid(light.keys.direction, domain::coordinate);
 }
 
 }  // namespace
@@ -247,13 +287,16 @@ RawScene read_raw_scene(const std::filesystem::path& file, std::string_view byte
                scene.lights.size() <= limits::lights && scene.cameras.size() <= limits::cameras);
   for (const RawPart& part : scene.parts) {
     reader.check(part.node < scene.nodes.size() && part.material < scene.materials.size() &&
-                 is_valid(part.mesh));
+                 is_valid(part.mesh) && is_valid(part.keys));
   }
   for (const RawMaterial& material : scene.materials) {
     reader.check(is_valid(material, scene.images.size()));
   }
   for (const NamedCamera& camera : scene.cameras) {
-    reader.check(is_in_domain(camera.camera) && !refusal(camera.camera));
+    reader.check(is_in_domain(camera.camera) && !refusal(camera.camera) &&
+                 is_valid(camera.keys.eye, domain::coordinate) &&
+                 is_valid(camera.keys.target, domain::coordinate) &&
+                 is_valid(camera.keys.roll, domain::degrees));
   }
   for (const Light& light : scene.lights) reader.check(is_valid(light));
   return scene;

@@ -10,8 +10,8 @@
 
 namespace brume {
 
-// Reads a glTF 2.0 scene (.gltf, .glb) of its default scene: triangles, skinned ones at rest,
-// metallic-roughness materials, cameras, KHR_lights_punctual. What it has besides is
+// Reads a glTF 2.0 scene (.gltf, .glb) of its default scene: triangles, skinned and morphed as
+// at 0 s, metallic-roughness materials, cameras, KHR_lights_punctual. What it has besides is
 // left out, with a warning where it would be seen. Throws InputError naming the JSON path.
 RawScene read_gltf(const std::filesystem::path& file);
 

@@ -61,7 +61,7 @@ void SceneBudget::reserve(const JsonPath& path, std::span<const ImportedPart* co
   std::set<const Texture*> textures;
   for (const ImportedPart* part : parts) {
     if (meshes.erase(part->mesh.get()) > 0) reserve(path, *part->mesh);
-    reserve_bytes(path, part->placements.size() * limits::copy_bytes);
+    reserve_bytes(path, part->placements.size() * limits::copy_bytes + part->keys.bytes());
     for (const TextureReference* texture : textures_of(part->material.metallic_roughness)) {
       if (texture->content) textures.insert(texture->content.get());
     }

@@ -5,6 +5,7 @@
 
 #include "brume/keys.h"
 #include "core/scene/animation/keys_in_domain.h"
+#include "core/scene/imported_scene.h"
 
 namespace brume {
 namespace {
@@ -21,6 +22,18 @@ void visit_all(auto& scene, double& homogeneous_density, auto&& visit) {
   for (auto& surface : scene.surfaces) visit_keyed_surface(surface, visit);
 }
 
+// Those of imported scenes, which move by themselves.
+void visit_imported(const Scene& scene, auto&& visit) {
+  for (const Surface& surface : scene.surfaces) {
+    if (!surface.imported) continue;
+    for (const ImportedPart& part : surface.imported->parts) {
+      visit(part.keys.translate);
+      visit(part.keys.rotate);
+      visit(part.keys.scale);
+    }
+  }
+}
+
 }  // namespace
 
 bool has_keys(const Scene& scene) {
@@ -30,6 +43,7 @@ bool has_keys(const Scene& scene) {
             [&found](const char*, const auto&, const auto& keys, const NumberDomain&) {
               found = found || !keys.empty();
             });
+  visit_imported(scene, [&found](const auto& keys) { found = found || keys.size() > 1; });
   return found;
 }
 
@@ -40,6 +54,9 @@ double last_key_time(const Scene& scene) {
             [&last](const char*, const auto&, const auto& keys, const NumberDomain&) {
               if (!keys.empty()) last = std::max(last, keys.back().time);
             });
+  visit_imported(scene, [&last](const auto& keys) {
+    if (!keys.empty()) last = std::max(last, keys.back().time);
+  });
   return last;
 }
 

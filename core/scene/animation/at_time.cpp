@@ -72,7 +72,7 @@ Scene evaluate_at(const Scene& scene, double time) {
   clear_keys(result);
   apply_groups(result);
   apply_sky(result);
-  result.surfaces = shown_surfaces(result.surfaces);
+  result.surfaces = shown_surfaces(result.surfaces, time);
   for (const Emitter& emitter : scene.emitters) {
     if (!emitter.visible) continue;
     for (const Gaussian& gaussian : particles_at(emitter, time)) result.medium.append(gaussian);

@@ -103,19 +103,19 @@ TEST_F(Gltf, NodesThatShareAMeshShareItsMemory) {
   whole.translate = {0, 1, 0};
   ASSERT_EQ(whole.imported->parts.size(), count);
   EXPECT_EQ(whole.imported->parts[0].mesh, whole.imported->parts[7].mesh);
-  const std::vector<Surface> shown = shown_surfaces(std::span(&whole, 1));
+  const std::vector<Surface> shown = shown_surfaces(std::span(&whole, 1), 0.0);
   ASSERT_EQ(shown.size(), 1u);
   ASSERT_EQ(placement_count(shown[0]), count);
   for (std::size_t i = 0; i < count; ++i) {
     const glm::dvec3 place = placement_of(shown[0], i).point_to_world({1, 0, 0});
     EXPECT_EQ(place, glm::dvec3(static_cast<double>(i) + 2.0, 1, 0));
   }
-  EXPECT_EQ(shown_surfaces(std::span(&whole, 1))[0].placed_copies, shown[0].placed_copies);
+  EXPECT_EQ(shown_surfaces(std::span(&whole, 1), 0.0)[0].placed_copies, shown[0].placed_copies);
   // A few are told apart; one that is stretched is a mesh of its own.
   builder.json["scenes"][0]["nodes"] = {0, 1, 2};
   builder.json["nodes"][2]["scale"] = {1, 2, 1};
   whole.imported = read(builder);
-  EXPECT_EQ(shown_surfaces(std::span(&whole, 1)).size(), 3u);
+  EXPECT_EQ(shown_surfaces(std::span(&whole, 1), 0.0).size(), 3u);
   EXPECT_EQ(whole.imported->parts[0].mesh, whole.imported->parts[1].mesh);
   EXPECT_NE(whole.imported->parts[0].mesh, whole.imported->parts[2].mesh);
   expect_near(to_arrays(*whole.imported->parts[2].mesh).points[2], {3, 2, 0});
@@ -134,7 +134,7 @@ TEST_F(Gltf, InstancesAreCopies) {
   builder.json["extensionsRequired"] = {"EXT_mesh_gpu_instancing"};
   Surface whole;
   whole.imported = read(builder);
-  const std::vector<Surface> shown = shown_surfaces(std::span(&whole, 1));
+  const std::vector<Surface> shown = shown_surfaces(std::span(&whole, 1), 0.0);
   ASSERT_EQ(shown.size(), 1u);
   ASSERT_EQ(placement_count(shown[0]), 2u);
   expect_near(placement_of(shown[0], 0).point_to_world({1, 0, 0}), {2, 0, 7});

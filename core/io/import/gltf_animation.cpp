@@ -1,0 +1,189 @@
+#include "core/io/import/gltf_animation.h"
+
+#include <algorithm>
+#include <map>
+#include <string>
+
+#include "core/number_domain.h"
+
+namespace brume {
+namespace {
+
+glm::dvec3 to_value(const float* numbers, const glm::dvec3&) {
+  return {numbers[0], numbers[1], numbers[2]};
+}
+glm::dquat to_value(const float* numbers, const glm::dquat&) {
+  return {numbers[3], numbers[0], numbers[1], numbers[2]};
+}
+
+class Animation {
+ public:
+  // Both outlive this.
+  Animation(GltfFile& file, JsonObject& object)
+      : file_(file),
+        object_(object),
+        samplers_(object_.array("samplers", max_elements)),
+        channels_(object_.array("channels", max_elements)) {}
+
+  GltfAnimation read(const std::vector<GltfNode>& nodes) {
+    std::map<std::size_t, std::size_t> index_of;  // of elements
+    for (std::size_t i = 0; i < nodes.size(); ++i) index_of[nodes[i].element] = i;
+    GltfAnimation result{std::vector<NodeTracks>(nodes.size()),
+                         std::vector<std::vector<double>>(nodes.size())};
+    for (std::size_t i = 0; i < channels_.size(); ++i) {
+      JsonObject channel(file_.context(), channels_[i], object_.path_of("channels").element(i));
+      JsonObject target = channel.object("target");
+      const auto element = file_.index(target, "node", "nodes");
+      const auto node = element ? index_of.find(*element) : index_of.end();
+      if (node == index_of.end()) continue;
+      read_channel(channel, target, result.tracks[node->second], result.weights[node->second]);
+    }
+    return result;
+  }
+
+ private:
+  static constexpr std::size_t max_elements = 1 << 20;
+
+  void read_channel(JsonObject& channel, JsonObject& target, NodeTracks& tracks,
+                    std::vector<double>& weights) {
+    const std::string path = target.text("path", "");
+    if (path == "translation") {
+      read_track(channel, vectors_, 3, tracks.translation);
+    } else if (path == "rotation") {
+      read_track(channel, quaternions_, 4, tracks.rotation);
+    } else if (path == "scale") {
+      read_track(channel, vectors_, 3, tracks.scale);
+    } else if (path == "weights") {
+      file_.context().warn(target.path_of("path"), "weights stay as they are at 0 s");
+      weights = read_weights(sampler_of(channel));
+    } else {
+      file_.context().warn(target.path_of("path"),
+                           "animations of " + quoted_text(path) + " are left out");
+    }
+  }
+
+  std::size_t sampler_of(JsonObject& channel) {
+    static_cast<void>(channel.required("sampler"));
+    if (samplers_.empty()) channel.fail("sampler", "refers to samplers; the animation has none");
+    return static_cast<std::size_t>(
+        channel.integer("sampler", 0, static_cast<std::int64_t>(samplers_.size()) - 1, 0));
+  }
+
+  template <class T>
+  using Known = std::map<std::size_t, std::shared_ptr<const Track<T>>>;  // by sampler
+
+  template <class T>
+  void read_track(JsonObject& channel, Known<T>& known, std::size_t components,
+                  std::shared_ptr<const Track<T>>& track) {
+    const std::size_t index = sampler_of(channel);
+    auto& found = known[index];
+    if (!found) found = std::make_shared<const Track<T>>(read_sampler<T>(index, components));
+    track = found;
+  }
+
+  template <class T>
+  Track<T> read_sampler(std::size_t index, std::size_t components) {
+    JsonObject sampler(file_.context(), samplers_[index],
+                       object_.path_of("samplers").element(index));
+    Track<T> track;
+    track.interpolation = interpolation_of(sampler);
+    track.times = read_times(sampler);
+    const std::vector<float> values = numbers(sampler, "output", components);
+    const std::size_t count = values_per_time(track.interpolation) * track.times.size();
+    if (values.size() != components * count) {
+      sampler.fail("output", "found " + std::to_string(values.size() / components) +
+                                 " values for " + std::to_string(track.times.size()) +
+                                 " times; allowed: " + std::to_string(count));
+    }
+    for (std::size_t i = 0; i < values.size(); i += components) {
+      track.values.push_back(to_value(&values[i], T()));
+    }
+    return track;
+  }
+
+  static TrackInterpolation interpolation_of(JsonObject& sampler) {
+    const std::string name = sampler.text("interpolation", "LINEAR");
+    if (name == "STEP") return TrackInterpolation::step;
+    if (name == "CUBICSPLINE") return TrackInterpolation::cubic;
+    if (name != "LINEAR") {
+      sampler.fail("interpolation",
+                   "found " + quoted_text(name) + "; allowed: LINEAR, STEP, CUBICSPLINE");
+    }
+    return TrackInterpolation::linear;
+  }
+  static std::size_t values_per_time(TrackInterpolation interpolation) {
+    return interpolation == TrackInterpolation::cubic ? 3 : 1;
+  }
+
+  std::vector<double> read_times(JsonObject& sampler) {
+    std::vector<double> times;
+    for (const float time : numbers(sampler, "input", 1)) {
+      const auto seconds = static_cast<double>(time);
+      if (!domain::seconds.contains(seconds)) {
+        sampler.fail("input", domain::seconds.refusal(seconds));
+      }
+      if (!times.empty() && !(seconds > times.back())) {
+        sampler.fail("input", "found the time " + quoted_text(seconds) + " after " +
+                                  quoted_text(times.back()) + "; allowed: ascending times");
+      }
+      times.push_back(seconds);
+    }
+    return times;
+  }
+
+  // Of all morph targets at the last time up to 0 s, or the first.
+  std::vector<double> read_weights(std::size_t index) {
+    JsonObject sampler(file_.context(), samplers_[index],
+                       object_.path_of("samplers").element(index));
+    const std::size_t per_time = values_per_time(interpolation_of(sampler));
+    const std::vector<double> times = read_times(sampler);
+    const std::vector<float> values = numbers(sampler, "output", 1);
+    const std::size_t targets = values.size() / (per_time * times.size());
+    if (values.size() != targets * per_time * times.size()) {
+      sampler.fail("output", "found " + std::to_string(values.size()) + " values for " +
+                                 std::to_string(times.size()) +
+                                 " times; allowed: as many for each");
+    }
+    const auto later = std::ranges::upper_bound(times, 0.0);
+    const auto key =
+        static_cast<std::size_t>(later - times.begin()) - (later == times.begin() ? 0 : 1);
+    const std::size_t first = (per_time * key + per_time / 2) * targets;
+    return {values.begin() + static_cast<std::ptrdiff_t>(first),
+            values.begin() + static_cast<std::ptrdiff_t>(first + targets)};
+  }
+
+  std::vector<float> numbers(JsonObject& sampler, const char* key, std::size_t components) {
+    static_cast<void>(sampler.required(key));
+    std::vector<float> values =
+        file_.numbers(sampler.path_of(key), *file_.index(sampler, key, "accessors"), components);
+    for (const float value : values) {
+      if (domain::coordinate.contains(static_cast<double>(value))) continue;
+      sampler.fail(key, domain::coordinate.refusal(static_cast<double>(value)));
+    }
+    return values;
+  }
+
+  GltfFile& file_;
+  JsonObject& object_;
+  const Json::array_t& samplers_;
+  const Json::array_t& channels_;
+  Known<glm::dvec3> vectors_;
+  Known<glm::dquat> quaternions_;
+};
+
+}  // namespace
+
+GltfAnimation read_gltf_animation(GltfFile& file, const std::vector<GltfNode>& nodes) {
+  const std::size_t count = file.list("animations").size();
+  if (count == 0) {
+    return {std::vector<NodeTracks>(nodes.size()), std::vector<std::vector<double>>(nodes.size())};
+  }
+  if (count > 1) {
+    file.context().warn(file.path().member("animations"),
+                        "found " + std::to_string(count) + "; all but the first are left out");
+  }
+  JsonObject first = file.object("animations", 0);
+  return Animation(file, first).read(nodes);
+}
+
+}  // namespace brume

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include "core/io/import/gltf_nodes.h"
+#include "core/io/import/node_motion.h"
+
+namespace brume {
+
+// What the file's first animation does to nodes, in their order.
+struct GltfAnimation {
+  std::vector<NodeTracks> tracks;
+  std::vector<std::vector<double>> weights;  // of morph targets at 0 s; empty: not animated
+};
+
+// Other animations, and those of anything else, are left out with a warning. Throws InputError
+// where times do not ascend, or numbers are missing or none.
+GltfAnimation read_gltf_animation(GltfFile& file, const std::vector<GltfNode>& nodes);
+
+}  // namespace brume

@@ -1,0 +1,121 @@
+#include "core/io/import/gltf_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/number_domain.h"
+#include "core/scene/mesh.h"
+
+namespace brume {
+namespace {
+
+constexpr std::size_t max_morph_targets = 1 << 16;
+
+// v up, as Brume has it.
+glm::vec2 texcoord(const glm::dvec3& uv) {
+  constexpr double longest = 1e6;
+  const bool is_valid = std::abs(uv.x) <= longest && std::abs(uv.y) <= longest;
+  return is_valid ? glm::vec2(uv.x, 1.0 - uv.y) : glm::vec2(0.0f);
+}
+
+// Those that a material's textures use; TEXCOORD_0, if it has none.
+void read_texcoords(GltfFile& file, JsonObject& attributes, std::span<const GltfTexcoords> uses,
+                    MeshArrays& mesh) {
+  constexpr GltfTexcoords first;
+  const auto read = [&](const GltfTexcoords& use) {
+    const std::string key = "TEXCOORD_" + std::to_string(use.set);
+    std::vector<glm::vec2> texcoords = gltf_vectors<glm::vec2>(file, attributes, key);
+    if (texcoords.empty() && !uses.empty()) {
+      file.context().warn(attributes.path_of(key), "missing: a texture uses it");
+      texcoords.resize(mesh.points.size());
+    }
+    for (glm::vec2& uv : texcoords) uv = texcoord(use.transform * glm::dvec3(uv, 1.0));
+    return texcoords;
+  };
+  mesh.texcoords = read(uses.empty() ? first : uses.front());
+  if (uses.size() > 1) mesh.second_texcoords = read(uses[1]);
+}
+
+void add_morph_targets(GltfFile& file, JsonObject& primitive, std::span<const double> weights,
+                       MeshArrays& mesh) {
+  const Json::array_t& targets = primitive.array("targets", max_morph_targets);
+  for (std::size_t i = 0; i < std::min(targets.size(), weights.size()); ++i) {
+    if (weights[i] == 0.0) continue;
+    JsonObject target(file.context(), targets[i], primitive.path_of("targets").element(i));
+    const auto add = [&](const char* key, std::vector<glm::vec3>& values) {
+      const auto offsets = gltf_vectors<glm::vec3>(file, target, key);
+      if (offsets.empty() || values.empty()) return;
+      if (offsets.size() != values.size()) {
+        target.fail(key, "found " + std::to_string(offsets.size()) + " values for " +
+                             std::to_string(values.size()) + " vertices");
+      }
+      for (std::size_t v = 0; v < values.size(); ++v) {
+        values[v] += static_cast<float>(weights[i]) * offsets[v];
+      }
+    };
+    add("POSITION", mesh.points);
+    add("NORMAL", mesh.normals);
+  }
+}
+
+void add_triangles(GltfFile& file, JsonObject& primitive, std::int64_t mode, MeshArrays& mesh) {
+  const auto count = static_cast<unsigned>(mesh.points.size());
+  std::vector<unsigned> corners;
+  if (const auto accessor = file.index(primitive, "indices", "accessors")) {
+    corners = file.indices(primitive.path_of("indices"), *accessor);
+  } else {
+    for (unsigned i = 0; i < count; ++i) corners.push_back(i);
+  }
+  for (const unsigned corner : corners) {
+    if (corner < count) continue;
+    primitive.fail("indices", "found vertex " + std::to_string(corner) + "; allowed: less than " +
+                                  std::to_string(count));
+  }
+  const auto add = [&mesh](unsigned a, unsigned b, unsigned c) {
+    if (a != b && b != c && c != a) mesh.triangles.emplace_back(a, b, c);
+  };
+  constexpr std::int64_t list = 4;
+  constexpr std::int64_t strip = 5;
+  for (std::size_t i = 0; i + 2 < corners.size(); i += mode == list ? 3 : 1) {
+    if (mode == list || (mode == strip && i % 2 == 0)) {
+      add(corners[i], corners[i + 1], corners[i + 2]);
+    } else if (mode == strip) {
+      add(corners[i + 1], corners[i], corners[i + 2]);
+    } else {
+      add(corners[0], corners[i + 1], corners[i + 2]);
+    }
+  }
+}
+
+}  // namespace
+
+MeshArrays read_gltf_mesh(GltfFile& file, JsonObject& primitive, std::int64_t mode,
+                          std::span<const GltfTexcoords> texcoords,
+                          std::span<const double> weights) {
+  JsonObject attributes = primitive.object("attributes");
+  MeshArrays mesh;
+  mesh.points = gltf_vectors<glm::vec3>(file, attributes, "POSITION");
+  mesh.normals = gltf_vectors<glm::vec3>(file, attributes, "NORMAL");
+  if (const auto colors = file.index(attributes, "COLOR_0", "accessors")) {
+    mesh.colors = file.colors(attributes.path_of("COLOR_0"), *colors);
+  }
+  read_texcoords(file, attributes, texcoords, mesh);
+  visit_vertex_values(mesh, [&](const auto& values, auto&&) {
+    if (values.empty() || values.size() == mesh.points.size()) return;
+    file.context().fail(attributes.path(), "found " + std::to_string(values.size()) +
+                                               " values for " + std::to_string(mesh.points.size()) +
+                                               " vertices");
+  });
+  add_morph_targets(file, primitive, weights, mesh);
+  add_triangles(file, primitive, mode, mesh);
+  return mesh;
+}
+
+std::vector<double> gltf_weights(GltfFile& file, JsonObject& object) {
+  const Json* const value = object.find("weights");
+  if (value == nullptr) return {};
+  const std::size_t count = object.array("weights", max_morph_targets).size();
+  return read_numbers(file.context(), *value, object.path_of("weights"), count, domain::coordinate);
+}
+
+}  // namespace brume

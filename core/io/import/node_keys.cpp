@@ -1,0 +1,367 @@
+#include "core/io/import/node_keys.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <numbers>
+#include <utility>
+
+#include "brume/error.h"
+#include "brume/limits.h"
+#include "core/io/import/node_transform.h"
+#include "core/number_domain.h"
+
+namespace brume {
+namespace {
+
+constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
+
+// Between keys, values may be off by this share of the way that they take in all, directions and
+// rotations by this angle [radians].
+constexpr double max_share = 5e-4;
+constexpr double max_angle = 1e-3;
+
+// Values jump in this time [s].
+constexpr double jump_time = 2.0 * min_key_distance;
+
+template <class State>
+struct Sample {
+  double time = 0.0;
+  State state{};
+  bool is_held = false;  // until the next one
+};
+
+// Samples a function of time so that it is linear between samples. `Measure` has
+// mixed(a, b, share), and distance(a, b) in units of what is allowed.
+template <class At, class Measure>
+class Sampler {
+ public:
+  using State = std::invoke_result_t<At, double>;
+
+  Sampler(const At& at, const Measure& measure, const std::filesystem::path& file)
+      : at_(at), measure_(measure), file_(file) {}
+
+  std::vector<Sample<State>> run(const std::vector<double>& times) {
+    double begin = times.front();
+    for (const double time : times) {
+      if (time - begin < 4.0 * jump_time) continue;
+      add_interval(begin, time);
+      begin = time;
+    }
+    add(begin, at_(begin));
+    return std::move(samples_);
+  }
+
+ private:
+  // All from a time on, without the end.
+  void add_interval(double begin, double end) {
+    constexpr int max_depth = 6;
+    const State first = at_(begin);
+    const State last = at_(end);
+    const State before = at_(end - jump_time);
+    add(begin, first);
+    if (measure_.distance(before, last) <= 1.0) {
+      refine({begin, first}, {end, last}, max_depth);
+      return;
+    }
+    if (measure_.distance(first, before) <= 1e-3 &&
+        is_linear({begin, first}, {end - jump_time, before})) {
+      samples_.back().is_held = true;
+      return;
+    }
+    refine({begin, first}, {end - jump_time, before}, max_depth);
+    add(end - jump_time, before);
+  }
+
+  [[nodiscard]] bool is_linear(const Sample<State>& a, const Sample<State>& b) const {
+    return std::ranges::all_of(std::array{0.5, 0.25, 0.75}, [&](double share) {
+      const State found = at_(a.time + share * (b.time - a.time));
+      return measure_.distance(found, measure_.mixed(a.state, b.state, share)) <= 1.0;
+    });
+  }
+
+  void refine(const Sample<State>& a, const Sample<State>& b, int depth) {
+    if (depth == 0 || b.time - a.time < 4.0 * jump_time || is_linear(a, b)) return;
+    const double time = 0.5 * (a.time + b.time);
+    const Sample<State> middle{time, at_(time)};
+    refine(a, middle, depth - 1);
+    add(time, middle.state);
+    refine(middle, b, depth - 1);
+  }
+
+  void add(double time, const State& state) {
+    if (samples_.size() >= limits::keys_of_value) {
+      throw InputError(file_, "",
+                       "the animation of a node needs more than the allowed " +
+                           std::to_string(limits::keys_of_value) + " keyframes");
+    }
+    samples_.push_back({time, state});
+  }
+
+  const At& at_;
+  const Measure& measure_;
+  const std::filesystem::path& file_;
+  std::vector<Sample<State>> samples_;
+};
+
+template <class Measure>
+auto sampled(const NodeMotion& motion, std::size_t node, const auto& at, const Measure& measure) {
+  return Sampler(at, measure, motion.file()).run(motion.times(node));
+}
+
+// A member of the samples as keys.
+template <class State, class T>
+Keys<T> keys_of(const std::vector<Sample<State>>& samples, T State::*member) {
+  Keys<T> keys;
+  for (const Sample<State>& sample : samples) {
+    keys.push_back({sample.time, sample.state.*member,
+                    sample.is_held ? Interpolation::constant : Interpolation::linear});
+  }
+  return keys;
+}
+
+template <class T>
+bool is_constant(const Keys<T>& keys) {
+  return std::ranges::all_of(keys,
+                             [&](const Key<T>& key) { return key.value == keys.front().value; });
+}
+
+// How far points may be off that move between these.
+double max_offset(const std::vector<glm::dvec3>& points) {
+  glm::dvec3 low = points.front();
+  glm::dvec3 high = low;
+  for (const glm::dvec3& point : points) {
+    low = glm::min(low, point);
+    high = glm::max(high, point);
+  }
+  constexpr double rounding = 1e-9;
+  return max_share * glm::distance(low, high) +
+         rounding * (1.0 + std::max(glm::length(low), glm::length(high)));
+}
+
+std::vector<glm::dvec3> origins(const NodeMotion& motion, std::size_t node) {
+  std::vector<glm::dvec3> points;
+  for (const double time : motion.times(node)) points.emplace_back(motion.to_world(node, time)[3]);
+  return points;
+}
+
+void check_coordinates(const NodeMotion& motion, const glm::dvec3& point) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (domain::coordinate.contains(point[axis])) continue;
+    throw InputError(motion.file(), "",
+                     "the animation of a node: " + domain::coordinate.refusal(point[axis]));
+  }
+}
+
+struct PlacementMeasure {
+  double offset;
+
+  [[nodiscard]] static CopyPlacement mixed(const CopyPlacement& a, const CopyPlacement& b,
+                                           double share) {
+    return {glm::mix(a.translate, b.translate, share), glm::slerp(a.rotate, b.rotate, share),
+            glm::mix(a.scale, b.scale, share)};
+  }
+  [[nodiscard]] double distance(const CopyPlacement& a, const CopyPlacement& b) const {
+    const double cosine = std::min(std::abs(glm::dot(a.rotate, b.rotate)), 1.0);
+    return std::max({glm::distance(a.translate, b.translate) / offset,
+                     2.0 * std::acos(cosine) / max_angle,
+                     std::abs(a.scale - b.scale) / (max_share * std::max(a.scale, b.scale))});
+  }
+};
+
+// The axes of a matrix, made a rotation; zero where it has none.
+glm::dmat3 turn_of(const glm::dmat3& m) {
+  constexpr double tiny = 1e-9;
+  const double size = std::max({glm::length(m[0]), glm::length(m[1]), glm::length(m[2])});
+  const glm::dvec3 across = glm::cross(m[0], m[1]);
+  if (!(glm::length(m[0]) > tiny * size) || !(glm::length(across) > tiny * size * size)) {
+    return glm::dmat3(0.0);
+  }
+  const glm::dvec3 x = glm::normalize(m[0]);
+  const glm::dvec3 z = glm::normalize(across);
+  return {x, glm::cross(z, x), z};
+}
+
+double size_of(const glm::dmat3& m) {
+  return std::cbrt(std::abs(glm::determinant(m)));
+}
+
+}  // namespace
+
+NodeKeys placement_keys(const NodeMotion& motion, std::size_t node) {
+  NodeKeys result;
+  const std::vector<double> times = motion.times(node);
+  const auto axes_at = [&](double time) { return glm::dmat3(motion.to_world(node, time)); };
+  double scale = 0.0;
+  double whole = times.front();  // when it is largest: hidden nodes are often small ones
+  for (const double time : times) {
+    if (const double size = size_of(axes_at(time)); size > scale) {
+      scale = size;
+      whole = time;
+    }
+  }
+  const glm::dmat3 turn = turn_of(axes_at(whole));
+  if (!(scale > 0.0) || turn == glm::dmat3(0.0)) {  // it is nowhere to be seen
+    result.to_placed = motion.to_world(node, 0.0);
+    return result;
+  }
+  const glm::dmat3 own = glm::transpose(turn) * axes_at(whole) / scale;
+  const glm::dmat3 inverse = glm::inverse(own);
+  const auto at = [&](double time) {
+    const glm::dmat4 to_world = motion.to_world(node, time);
+    check_coordinates(motion, glm::dvec3(to_world[3]));
+    const glm::dmat3 placed = glm::dmat3(to_world) * inverse;
+    constexpr double smallest = 1e-6;
+    CopyPlacement placement{glm::dvec3(to_world[3]), {1.0, 0.0, 0.0, 0.0}, size_of(placed)};
+    placement.scale = domain::length.nearest(std::max(placement.scale, smallest * scale));
+    // One that vanishes is turned as shortly before or after.
+    constexpr double moment = 1e-3;
+    for (const double near : {0.0, -moment, moment}) {
+      const glm::dmat3 own_turn =
+          near == 0.0 ? turn_of(placed) : turn_of(axes_at(time + near) * inverse);
+      if (own_turn == glm::dmat3(0.0)) continue;
+      placement.rotate = glm::normalize(glm::quat_cast(own_turn));
+      const glm::dmat3 rest = placed - placement.scale * own_turn;
+      for (int k = 0; k < 9 && near == 0.0; ++k) {
+        constexpr double allowed = 1e-3;
+        result.is_stretched = result.is_stretched || std::abs(rest[k / 3][k % 3]) > allowed * scale;
+      }
+      break;
+    }
+    return placement;
+  };
+  const PlacementMeasure measure{max_offset(origins(motion, node))};
+  const auto samples = sampled(motion, node, at, measure);
+  result.to_placed = glm::dmat4(own);
+  const auto add = [&](auto& keys, auto member) {
+    keys = keys_of(samples, member);
+    if (is_constant(keys)) keys.resize(1);
+  };
+  add(result.keys.translate, &CopyPlacement::translate);
+  add(result.keys.rotate, &CopyPlacement::rotate);
+  add(result.keys.scale, &CopyPlacement::scale);
+  return result;
+}
+
+namespace {
+
+struct CameraState {
+  glm::dvec3 eye;
+  glm::dvec3 target;
+  double roll;  // [degrees]
+};
+
+double turned(double from, double to) {
+  return std::remainder(to - from, 360.0);
+}
+
+struct CameraMeasure {
+  double offset;
+  double distance_to_target;
+
+  [[nodiscard]] static CameraState mixed(const CameraState& a, const CameraState& b, double share) {
+    return {glm::mix(a.eye, b.eye, share), glm::mix(a.target, b.target, share),
+            a.roll + share * turned(a.roll, b.roll)};
+  }
+  [[nodiscard]] double distance(const CameraState& a, const CameraState& b) const {
+    const glm::dvec3 turn = (a.target - a.eye) - (b.target - b.eye);
+    return std::max({glm::distance(a.eye, b.eye) / offset,
+                     glm::length(turn) / (max_angle * distance_to_target),
+                     std::abs(turned(a.roll, b.roll)) / (max_angle * degrees_per_radian)});
+  }
+};
+
+struct LightState {
+  glm::dvec3 position;
+  glm::dvec3 direction;
+};
+
+struct LightMeasure {
+  double offset;
+
+  [[nodiscard]] static LightState mixed(const LightState& a, const LightState& b, double share) {
+    return {glm::mix(a.position, b.position, share), glm::mix(a.direction, b.direction, share)};
+  }
+  [[nodiscard]] double distance(const LightState& a, const LightState& b) const {
+    return std::max(glm::distance(a.position, b.position) / offset,
+                    glm::distance(a.direction, b.direction) / max_angle);
+  }
+};
+
+}  // namespace
+
+void add_keys(const NodeMotion& motion, std::size_t node, const glm::dvec3& pivot,
+              NamedCamera& named) {
+  Camera& camera = named.camera;
+  const std::vector<double> times = motion.times(node);
+  const auto camera_at = [&](double time) {
+    return camera_of_node(motion.to_world(node, time), pivot, camera.vertical_fov);
+  };
+  const Camera first = camera_at(times.front());
+  const double distance = glm::distance(first.eye, first.target);
+  const auto forward_of = [](const Camera& of) { return glm::normalize(of.target - of.eye); };
+  // The horizon stays level unless the camera rolls, or looks along the vertical.
+  constexpr glm::dvec3 vertical(0.0, 1.0, 0.0);
+  constexpr double steep = 0.02;
+  const bool is_ever_steep = std::ranges::any_of(times, [&](double time) {
+    return glm::length(glm::cross(forward_of(camera_at(time)), vertical)) < steep;
+  });
+  camera.up = is_ever_steep ? first.up : vertical;
+  const auto at = [&](double time) {
+    const Camera found = camera_at(time);
+    check_coordinates(motion, found.eye);
+    const glm::dvec3 forward = forward_of(found);
+    CameraState state{found.eye, found.eye + distance * forward, 0.0};
+    const glm::dvec3 right = glm::cross(forward, camera.up);
+    if (glm::length(right) > 0.0) {
+      const glm::dvec3 unit_right = glm::normalize(right);
+      state.roll =
+          degrees_per_radian * std::atan2(glm::dot(found.up, unit_right),
+                                          glm::dot(found.up, glm::cross(unit_right, forward)));
+      // Roundings of a level camera.
+      constexpr double level = 1e-5;
+      if (std::abs(state.roll) < level) state.roll = 0.0;
+    }
+    return state;
+  };
+  const CameraMeasure measure{max_offset(origins(motion, node)), distance};
+  auto samples = sampled(motion, node, at, measure);
+  for (std::size_t i = 1; i < samples.size(); ++i) {
+    const double before = samples[i - 1].state.roll;
+    samples[i].state.roll = before + turned(before, samples[i].state.roll);
+  }
+  camera.eye = samples.front().state.eye;
+  camera.target = samples.front().state.target;
+  camera.roll = samples.front().state.roll;
+  named.keys.eye = keys_of(samples, &CameraState::eye);
+  named.keys.target = keys_of(samples, &CameraState::target);
+  Keys<double> roll = keys_of(samples, &CameraState::roll);
+  if (!is_constant(roll)) named.keys.roll = std::move(roll);
+}
+
+void add_keys(const NodeMotion& motion, std::size_t node, Light& light) {
+  auto* spot = std::get_if<light::Spot>(&light.kind);
+  auto* sun = std::get_if<light::Directional>(&light.kind);
+  glm::dvec3* const direction = spot ? &spot->direction : sun ? &sun->direction : nullptr;
+  const auto at = [&](double time) {
+    const glm::dmat4 to_world = motion.to_world(node, time);
+    LightState state{glm::dvec3(to_world[3]), glm::dvec3(0.0)};
+    check_coordinates(motion, state.position);
+    const glm::dvec3 along = -glm::dvec3(to_world[2]);
+    if (direction) state.direction = glm::length(along) > 0.0 ? glm::normalize(along) : *direction;
+    return state;
+  };
+  const auto samples = sampled(motion, node, at, LightMeasure{max_offset(origins(motion, node))});
+  light.position = samples.front().state.position;
+  Keys<glm::dvec3> positions = keys_of(samples, &LightState::position);
+  if (!sun && !is_constant(positions)) light.keys.position = std::move(positions);
+  if (!direction) return;
+  *direction = samples.front().state.direction;
+  Keys<glm::dvec3> directions = keys_of(samples, &LightState::direction);
+  if (!is_constant(directions)) light.keys.direction = std::move(directions);
+}
+
+}  // namespace brume

@@ -1,0 +1,190 @@
+// What FBX scenes have besides shapes and materials: colors, texture coordinates, animations.
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <glm/geometric.hpp>
+
+#include "brume/mesh_arrays.h"
+#include "core/io/image/image_file.h"
+#include "core/io/import/imported_scene_file.h"
+#include "core/math/srgb.h"
+#include "core/scene/imported_scene.h"
+#include "tests/core/io/temporary_folder.h"
+
+namespace brume {
+namespace {
+
+// A square whose node moves from (1, 2, 3) to (5, 2, 3) in a second; its texture is looked up by
+// the second set of texture coordinates.
+constexpr const char* moving_square = R"(; FBX 7.4.0 project file
+FBXHeaderExtension:  {
+	FBXVersion: 7400
+}
+GlobalSettings:  {
+	Properties70:  {
+		P: "UpAxis", "int", "Integer", "",1
+		P: "UpAxisSign", "int", "Integer", "",1
+		P: "FrontAxis", "int", "Integer", "",2
+		P: "FrontAxisSign", "int", "Integer", "",1
+		P: "CoordAxis", "int", "Integer", "",0
+		P: "CoordAxisSign", "int", "Integer", "",1
+		P: "UnitScaleFactor", "double", "Number", "",100
+		P: "TimeMode", "enum", "", "",6
+	}
+}
+Objects:  {
+	Geometry: 100, "Geometry::quad", "Mesh" {
+		Vertices: *12 {
+			a: 0,0,0,1,0,0,1,1,0,0,1,0
+		}
+		PolygonVertexIndex: *4 {
+			a: 0,1,2,-4
+		}
+		LayerElementColor: 0 {
+			Name: "Col"
+			MappingInformationType: "ByPolygonVertex"
+			ReferenceInformationType: "Direct"
+			Colors: *16 {
+				a: 1,0,0,1,0,1,0,1,0,0,1,1,0.5,0.5,0.5,1
+			}
+		}
+		LayerElementUV: 0 {
+			Name: "first"
+			MappingInformationType: "ByPolygonVertex"
+			ReferenceInformationType: "Direct"
+			UV: *8 {
+				a: 0,0,1,0,1,1,0,1
+			}
+		}
+		LayerElementUV: 1 {
+			Name: "second"
+			MappingInformationType: "ByPolygonVertex"
+			ReferenceInformationType: "Direct"
+			UV: *8 {
+				a: 0,0,4,0,4,4,0,4
+			}
+		}
+		LayerElementMaterial: 0 {
+			Name: ""
+			MappingInformationType: "AllSame"
+			ReferenceInformationType: "IndexToDirect"
+			Materials: *1 {
+				a: 0
+			}
+		}
+		Layer: 0 {
+			LayerElement:  {
+				Type: "LayerElementMaterial"
+				TypedIndex: 0
+			}
+			LayerElement:  {
+				Type: "LayerElementColor"
+				TypedIndex: 0
+			}
+			LayerElement:  {
+				Type: "LayerElementUV"
+				TypedIndex: 0
+			}
+		}
+		Layer: 1 {
+			LayerElement:  {
+				Type: "LayerElementUV"
+				TypedIndex: 1
+			}
+		}
+	}
+	Model: 200, "Model::mover", "Mesh" {
+		Properties70:  {
+			P: "Lcl Translation", "Lcl Translation", "", "A",1,2,3
+		}
+	}
+	Material: 300, "Material::paint", "" {
+		ShadingModel: "phong"
+		Properties70:  {
+			P: "DiffuseColor", "Color", "", "A",0.8,0.8,0.8
+		}
+	}
+	Texture: 600, "Texture::picture", "" {
+		Type: "TextureVideoClip"
+		TextureName: "Texture::picture"
+		FileName: "picture.png"
+		RelativeFilename: "picture.png"
+		Properties70:  {
+			P: "UVSet", "KString", "", "", "second"
+		}
+	}
+	AnimationStack: 400, "AnimStack::take", "" {
+		Properties70:  {
+			P: "LocalStop", "KTime", "Time", "",46186158000
+		}
+	}
+	AnimationLayer: 401, "AnimLayer::base", "" {
+	}
+	AnimationCurveNode: 402, "AnimCurveNode::T", "" {
+		Properties70:  {
+			P: "d|X", "Number", "", "A",1
+			P: "d|Y", "Number", "", "A",2
+			P: "d|Z", "Number", "", "A",3
+		}
+	}
+	AnimationCurve: 500, "AnimCurve::", "" {
+		KeyVer: 4008
+		KeyTime: *2 {
+			a: 0,46186158000
+		}
+		KeyValueFloat: *2 {
+			a: 1,5
+		}
+		KeyAttrFlags: *1 {
+			a: 24836
+		}
+		KeyAttrDataFloat: *4 {
+			a: 0,0,0,0
+		}
+		KeyAttrRefCount: *1 {
+			a: 2
+		}
+	}
+}
+Connections:  {
+	C: "OO",200,0
+	C: "OO",100,200
+	C: "OO",300,200
+	C: "OP",600,300, "DiffuseColor"
+	C: "OO",401,400
+	C: "OO",402,401
+	C: "OP",402,200, "Lcl Translation"
+	C: "OP",500,402, "d|X"
+}
+)";
+
+TEST(FbxScene, HasColorsSecondTexcoordsAndAnimations) {
+  const TemporaryFolder folder;
+  const std::array<std::uint8_t, 12> pixels{};
+  folder.write("picture.png", encode_png(2, 2, pixels));
+  std::vector<std::string> warnings;
+  const auto scene = read_imported_scene(folder.write("a.fbx", moving_square), warnings);
+  EXPECT_TRUE(warnings.empty());
+  const ImportedPart& part = scene->parts.at(0);
+  const MeshArrays& mesh = to_arrays(*part.mesh);
+  ASSERT_EQ(mesh.colors.size(), 4u);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const glm::vec2 corner(mesh.points[i]);
+    EXPECT_EQ(mesh.texcoords.at(i), 4.0f * corner) << "those that the material's texture uses";
+    if (corner == glm::vec2(0.0f, 1.0f)) {
+      EXPECT_NEAR(mesh.colors[i].r, srgb_decoded(0.5), 1e-6);
+    }
+  }
+  const Keys<glm::dvec3>& keys = part.keys.translate;
+  ASSERT_GE(keys.size(), 2u);
+  const auto expect_near = [&](double time, const glm::dvec3& place) {
+    EXPECT_LT(glm::distance(value_at(keys, time), place), 5e-3) << time;
+  };
+  expect_near(0.0, {1, 2, 3});
+  expect_near(1.0, {5, 2, 3});
+  EXPECT_EQ(part.keys.rotate.size(), 1u);
+}
+
+}  // namespace
+}  // namespace brume

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <assimp/scene.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/io/import/node_motion.h"
+
+namespace brume {
+
+// Sets the tracks of nodes by a scene's first animation. `nodes`: by name; the first is the root,
+// which does not move.
+void add_tracks(const aiScene& from, const std::map<std::string, std::size_t>& names,
+                std::vector<MovingNode>& nodes);
+
+}  // namespace brume
