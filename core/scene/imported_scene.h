@@ -42,7 +42,7 @@ struct ImportedPart {
   // Where the file places a mesh that it has several times, which is in its own coordinates then;
   // else empty.
   CopyPlacements placements{};
-  // How the file moves it, which is in its own coordinates then; empty: it does not.
+  // Its movement in the coordinates of the file; the mesh is in its own then. Empty: it stands.
   PlacementKeys keys{};
 };
 
@@ -74,7 +74,7 @@ inline constexpr std::array texture_has_colors{true, false, false, true, true};
 std::vector<const ImportedPart*> chosen_parts(const ImportedScene& scene,
                                               std::span<const std::string> nodes);
 
-// Where a part's mesh is at a time [s]; empty: in the file's coordinates.
+// The placements of a part's mesh at a time [s]; empty: it is in the file's coordinates.
 CopyPlacements placements_at(const ImportedPart& part, double time);
 
 // These parts as one mesh, as they are at 0 s; null if there is none.

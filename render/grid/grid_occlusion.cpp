@@ -11,7 +11,7 @@
 namespace brume {
 namespace {
 
-// What a surface reflects where its vertices are black and white.
+// The light that a surface reflects where its vertices are black and white.
 struct Reflectance {
   glm::vec3 black, white;
 
@@ -136,7 +136,8 @@ GridOcclusion::GridOcclusion(const RayCaster& ray_caster, std::span<const Surfac
   std::vector<Reflectances> reflectances;
   for (const Surface& surface : surfaces) {
     const glm::vec3 r(mean_reflectance(surface.material));
-    const bool has_colors = !to_arrays(*surface.mesh).colors.empty();
+    const bool has_colors = surface.material.type == Material::Type::metallic_roughness &&
+                            !to_arrays(*surface.mesh).colors.empty();
     const glm::dvec4 black(0.0, 0.0, 0.0, 1.0);
     const Reflectance own{has_colors ? glm::vec3(mean_reflectance(surface.material, black)) : r, r};
     reflectances.push_back({own, own});

@@ -290,7 +290,7 @@ struct RayCaster::Impl {
     return raster;
   }
 
-  // By the weights of a triangle's second and third corner.
+  // The weights of a triangle's corners by those of the second and third.
   [[nodiscard]] static glm::dvec3 barycentric(double u, double v) { return {1.0 - u - v, u, v}; }
 
   // The share of light that passes a surface there, in the ray caster's channels.

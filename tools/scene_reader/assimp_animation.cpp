@@ -49,10 +49,10 @@ std::shared_ptr<const Track<T>> track_of(const Key* keys, unsigned count, double
 
 }  // namespace
 
-void add_tracks(const aiScene& from, const std::map<std::string, std::size_t>& names,
+void add_tracks(const aiScene& scene, const std::map<std::string, std::size_t>& names,
                 std::vector<MovingNode>& nodes) {
-  if (from.mNumAnimations == 0) return;
-  const aiAnimation& animation = *from.mAnimations[0];
+  if (scene.mNumAnimations == 0) return;
+  const aiAnimation& animation = *scene.mAnimations[0];
   constexpr double usual_ticks = 25.0;  // assimp's
   const double ticks = animation.mTicksPerSecond > 0.0 ? animation.mTicksPerSecond : usual_ticks;
   for (const aiNodeAnim* channel : std::span(animation.mChannels, animation.mNumChannels)) {

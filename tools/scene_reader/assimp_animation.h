@@ -10,9 +10,9 @@
 
 namespace brume {
 
-// Sets the tracks of nodes by a scene's first animation. `nodes`: by name; the first is the root,
-// which does not move.
-void add_tracks(const aiScene& from, const std::map<std::string, std::size_t>& names,
+// Sets the tracks of nodes by a scene's first animation. `names`: of nodes, the first of which is
+// the root, which does not move.
+void add_tracks(const aiScene& scene, const std::map<std::string, std::size_t>& names,
                 std::vector<MovingNode>& nodes);
 
 }  // namespace brume

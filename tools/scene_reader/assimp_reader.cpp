@@ -84,14 +84,18 @@ class Reader {
     for (unsigned i = 0; i < from_.mNumCameras; ++i) add_camera(*from_.mCameras[i], node++);
     for (unsigned i = 0; i < from_.mNumLights; ++i) add_light(*from_.mLights[i], node++);
     if (from_.mNumAnimations > 1) {
-      const std::string message = "found " + std::to_string(from_.mNumAnimations) +
-                                  " animations; all but the first are left out";
-      scene_.warnings.emplace_back(InputError(file_, "", message).what());
+      warn("", "found " + std::to_string(from_.mNumAnimations) +
+                   " animations; all but the first are left out");
     }
     return std::move(scene_);
   }
 
  private:
+  void warn(const std::string& place, const std::string& message) {
+    const std::string warning = InputError(file_, place, message).what();
+    if (std::ranges::count(scene_.warnings, warning) == 0) scene_.warnings.push_back(warning);
+  }
+
   void add_nodes() {
     struct Visit {
       const aiNode* node;
@@ -199,13 +203,12 @@ class Reader {
     if (arrays.triangles.empty()) return;
     if (arrays.normals.empty()) add_flat_normals(arrays);
     const std::string place = "node " + quoted_text(scene_.nodes[node].name);
+    if (mesh.HasBones() && motion_->moves_any()) warn(place, "has a skin: it stays at rest");
     glm::dmat4 to_world = to_world_[node];
     if (motion_->moves(node)) {
       NodeKeys found = placement_keys(*motion_, node);
       if (found.is_stretched) {
-        const std::string message =
-            "its animation stretches it along one axis: it keeps its proportions";
-        scene_.warnings.emplace_back(InputError(file_, place, message).what());
+        warn(place, "its animation stretches it along one axis: it keeps its proportions");
       }
       part.keys = std::move(found.keys);
       to_world = found.to_placed;

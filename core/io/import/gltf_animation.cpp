@@ -131,7 +131,7 @@ class Animation {
     return times;
   }
 
-  // Of all morph targets at the last time up to 0 s, or the first.
+  // The weights of all morph targets at the last time up to 0 s, or the first.
   std::vector<double> read_weights(std::size_t index) {
     JsonObject sampler(file_.context(), samplers_[index],
                        object_.path_of("samplers").element(index));

@@ -7,7 +7,7 @@
 
 namespace brume {
 
-// What the file's first animation does to nodes, in their order.
+// The effects of the file's first animation on nodes, in their order.
 struct GltfAnimation {
   std::vector<NodeTracks> tracks;
   std::vector<std::vector<double>> weights;  // of morph targets at 0 s; empty: not animated

@@ -76,7 +76,7 @@ class GltfReader {
   }
 
  private:
-  // What has no keys, as skins, is as it is at 0 s.
+  // Skins and all else without keys are as at 0 s.
   void read_animation() {
     animation_ = read_gltf_animation(file_, nodes_);
     std::vector<MovingNode> moving;

@@ -36,13 +36,13 @@ struct Sample {
 
 // Samples a function of time so that it is linear between samples. `Measure` has
 // mixed(a, b, share), and distance(a, b) in units of what is allowed.
-template <class At, class Measure>
+template <class StateAt, class Measure>
 class Sampler {
  public:
-  using State = std::invoke_result_t<At, double>;
+  using State = std::invoke_result_t<StateAt, double>;
 
-  Sampler(const At& at, const Measure& measure, const std::filesystem::path& file)
-      : at_(at), measure_(measure), file_(file) {}
+  Sampler(const StateAt& state_at, const Measure& measure, const std::filesystem::path& file)
+      : state_at_(state_at), measure_(measure), file_(file) {}
 
   std::vector<Sample<State>> run(const std::vector<double>& times) {
     double begin = times.front();
@@ -51,34 +51,34 @@ class Sampler {
       add_interval(begin, time);
       begin = time;
     }
-    add(begin, at_(begin));
+    add(begin, state_at_(begin));
     return std::move(samples_);
   }
 
  private:
-  // All from a time on, without the end.
+  // Adds samples from a time on, without the end.
   void add_interval(double begin, double end) {
     constexpr int max_depth = 6;
-    const State first = at_(begin);
-    const State last = at_(end);
-    const State before = at_(end - jump_time);
+    const State first = state_at_(begin);
+    const State last = state_at_(end);
+    const State end_state = state_at_(end - jump_time);
     add(begin, first);
-    if (measure_.distance(before, last) <= 1.0) {
+    if (measure_.distance(end_state, last) <= 1.0) {
       refine({begin, first}, {end, last}, max_depth);
       return;
     }
-    if (measure_.distance(first, before) <= 1e-3 &&
-        is_linear({begin, first}, {end - jump_time, before})) {
+    if (measure_.distance(first, end_state) <= 1e-3 &&
+        is_linear({begin, first}, {end - jump_time, end_state})) {
       samples_.back().is_held = true;
       return;
     }
-    refine({begin, first}, {end - jump_time, before}, max_depth);
-    add(end - jump_time, before);
+    refine({begin, first}, {end - jump_time, end_state}, max_depth);
+    add(end - jump_time, end_state);
   }
 
   [[nodiscard]] bool is_linear(const Sample<State>& a, const Sample<State>& b) const {
     return std::ranges::all_of(std::array{0.5, 0.25, 0.75}, [&](double share) {
-      const State found = at_(a.time + share * (b.time - a.time));
+      const State found = state_at_(a.time + share * (b.time - a.time));
       return measure_.distance(found, measure_.mixed(a.state, b.state, share)) <= 1.0;
     });
   }
@@ -86,7 +86,7 @@ class Sampler {
   void refine(const Sample<State>& a, const Sample<State>& b, int depth) {
     if (depth == 0 || b.time - a.time < 4.0 * jump_time || is_linear(a, b)) return;
     const double time = 0.5 * (a.time + b.time);
-    const Sample<State> middle{time, at_(time)};
+    const Sample<State> middle{time, state_at_(time)};
     refine(a, middle, depth - 1);
     add(time, middle.state);
     refine(middle, b, depth - 1);
@@ -101,15 +101,16 @@ class Sampler {
     samples_.push_back({time, state});
   }
 
-  const At& at_;
+  const StateAt& state_at_;
   const Measure& measure_;
   const std::filesystem::path& file_;
   std::vector<Sample<State>> samples_;
 };
 
 template <class Measure>
-auto sampled(const NodeMotion& motion, std::size_t node, const auto& at, const Measure& measure) {
-  return Sampler(at, measure, motion.file()).run(motion.times(node));
+auto sampled(const NodeMotion& motion, std::size_t node, const auto& state_at,
+             const Measure& measure) {
+  return Sampler(state_at, measure, motion.file()).run(motion.times(node));
 }
 
 // A member of the samples as keys.
@@ -129,7 +130,7 @@ bool is_constant(const Keys<T>& keys) {
                              [&](const Key<T>& key) { return key.value == keys.front().value; });
 }
 
-// How far points may be off that move between these.
+// The allowed error of points that move between these.
 double max_offset(const std::vector<glm::dvec3>& points) {
   glm::dvec3 low = points.front();
   glm::dvec3 high = low;
@@ -208,9 +209,9 @@ NodeKeys placement_keys(const NodeMotion& motion, std::size_t node) {
     result.to_placed = motion.to_world(node, 0.0);
     return result;
   }
-  const glm::dmat3 own = glm::transpose(turn) * axes_at(whole) / scale;
-  const glm::dmat3 inverse = glm::inverse(own);
-  const auto at = [&](double time) {
+  const glm::dmat3 shape = glm::transpose(turn) * axes_at(whole) / scale;
+  const glm::dmat3 inverse = glm::inverse(shape);
+  const auto state_at = [&](double time) {
     const glm::dmat4 to_world = motion.to_world(node, time);
     check_coordinates(motion, glm::dvec3(to_world[3]));
     const glm::dmat3 placed = glm::dmat3(to_world) * inverse;
@@ -220,11 +221,11 @@ NodeKeys placement_keys(const NodeMotion& motion, std::size_t node) {
     // One that vanishes is turned as shortly before or after.
     constexpr double moment = 1e-3;
     for (const double near : {0.0, -moment, moment}) {
-      const glm::dmat3 own_turn =
+      const glm::dmat3 found_turn =
           near == 0.0 ? turn_of(placed) : turn_of(axes_at(time + near) * inverse);
-      if (own_turn == glm::dmat3(0.0)) continue;
-      placement.rotate = glm::normalize(glm::quat_cast(own_turn));
-      const glm::dmat3 rest = placed - placement.scale * own_turn;
+      if (found_turn == glm::dmat3(0.0)) continue;
+      placement.rotate = glm::normalize(glm::quat_cast(found_turn));
+      const glm::dmat3 rest = placed - placement.scale * found_turn;
       for (int k = 0; k < 9 && near == 0.0; ++k) {
         constexpr double allowed = 1e-3;
         result.is_stretched = result.is_stretched || std::abs(rest[k / 3][k % 3]) > allowed * scale;
@@ -234,8 +235,8 @@ NodeKeys placement_keys(const NodeMotion& motion, std::size_t node) {
     return placement;
   };
   const PlacementMeasure measure{max_offset(origins(motion, node))};
-  const auto samples = sampled(motion, node, at, measure);
-  result.to_placed = glm::dmat4(own);
+  const auto samples = sampled(motion, node, state_at, measure);
+  result.to_placed = glm::dmat4(shape);
   const auto add = [&](auto& keys, auto member) {
     keys = keys_of(samples, member);
     if (is_constant(keys)) keys.resize(1);
@@ -254,8 +255,8 @@ struct CameraState {
   double roll;  // [degrees]
 };
 
-double turned(double from, double to) {
-  return std::remainder(to - from, 360.0);
+double turned(double first, double second) {
+  return std::remainder(second - first, 360.0);
 }
 
 struct CameraMeasure {
@@ -302,7 +303,7 @@ void add_keys(const NodeMotion& motion, std::size_t node, const glm::dvec3& pivo
   };
   const Camera first = camera_at(times.front());
   const double distance = glm::distance(first.eye, first.target);
-  const auto forward_of = [](const Camera& of) { return glm::normalize(of.target - of.eye); };
+  const auto forward_of = [](const Camera& seen) { return glm::normalize(seen.target - seen.eye); };
   // The horizon stays level unless the camera rolls, or looks along the vertical.
   constexpr glm::dvec3 vertical(0.0, 1.0, 0.0);
   constexpr double steep = 0.02;
@@ -310,7 +311,7 @@ void add_keys(const NodeMotion& motion, std::size_t node, const glm::dvec3& pivo
     return glm::length(glm::cross(forward_of(camera_at(time)), vertical)) < steep;
   });
   camera.up = is_ever_steep ? first.up : vertical;
-  const auto at = [&](double time) {
+  const auto state_at = [&](double time) {
     const Camera found = camera_at(time);
     check_coordinates(motion, found.eye);
     const glm::dvec3 forward = forward_of(found);
@@ -328,10 +329,10 @@ void add_keys(const NodeMotion& motion, std::size_t node, const glm::dvec3& pivo
     return state;
   };
   const CameraMeasure measure{max_offset(origins(motion, node)), distance};
-  auto samples = sampled(motion, node, at, measure);
+  auto samples = sampled(motion, node, state_at, measure);
   for (std::size_t i = 1; i < samples.size(); ++i) {
-    const double before = samples[i - 1].state.roll;
-    samples[i].state.roll = before + turned(before, samples[i].state.roll);
+    const double last_roll = samples[i - 1].state.roll;
+    samples[i].state.roll = last_roll + turned(last_roll, samples[i].state.roll);
   }
   camera.eye = samples.front().state.eye;
   camera.target = samples.front().state.target;
@@ -346,7 +347,7 @@ void add_keys(const NodeMotion& motion, std::size_t node, Light& light) {
   auto* spot = std::get_if<light::Spot>(&light.kind);
   auto* sun = std::get_if<light::Directional>(&light.kind);
   glm::dvec3* const direction = spot ? &spot->direction : sun ? &sun->direction : nullptr;
-  const auto at = [&](double time) {
+  const auto state_at = [&](double time) {
     const glm::dmat4 to_world = motion.to_world(node, time);
     LightState state{glm::dvec3(to_world[3]), glm::dvec3(0.0)};
     check_coordinates(motion, state.position);
@@ -354,7 +355,8 @@ void add_keys(const NodeMotion& motion, std::size_t node, Light& light) {
     if (direction) state.direction = glm::length(along) > 0.0 ? glm::normalize(along) : *direction;
     return state;
   };
-  const auto samples = sampled(motion, node, at, LightMeasure{max_offset(origins(motion, node))});
+  const auto samples =
+      sampled(motion, node, state_at, LightMeasure{max_offset(origins(motion, node))});
   light.position = samples.front().state.position;
   Keys<glm::dvec3> positions = keys_of(samples, &LightState::position);
   if (!sun && !is_constant(positions)) light.keys.position = std::move(positions);

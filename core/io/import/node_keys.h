@@ -7,7 +7,7 @@
 
 namespace brume {
 
-// How the mesh of a node that moves is placed by keys: `to_placed` of its points, then the keys.
+// The keys that place the mesh of a node that moves; `to_placed` transforms its points first.
 struct NodeKeys {
   glm::dmat4 to_placed{1.0};
   PlacementKeys keys;  // none: it does not move

@@ -23,7 +23,7 @@ struct Track {
   TrackInterpolation interpolation = TrackInterpolation::linear;
 };
 
-// What multiplies the points of a node first is its scale, last its translation. Values without a
+// The transform of a node within its parent: points are scaled first, moved last. Values without a
 // track are as at rest.
 struct NodeTransform {
   glm::dvec3 translation{0.0};

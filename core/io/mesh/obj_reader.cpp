@@ -47,7 +47,7 @@ class ObjReader {
     }
   };
 
-  // Of a line `v x y z r g b`; all vertices before the first with a color are white.
+  // Reads what may follow a point, `r g b`; all vertices before the first with a color are white.
   void read_color() {
     glm::dvec4 color(1.0);
     for (int k = 0; k < 3; ++k) {

@@ -27,7 +27,7 @@ struct Coverage {
   }
   [[nodiscard]] bool is_opaque() const { return !has_holes() && !is_pane(); }
 
-  // At a point of the mesh, without footprints.
+  // Whether a point of the mesh, without footprints, is none of the surface.
   [[nodiscard]] bool is_hole(const MeshValues& mesh) const;
   // The share that a pane covers; 1 where it has no holes.
   [[nodiscard]] double covered(const MeshValues& mesh) const;

@@ -32,7 +32,7 @@ glm::dvec3 to_local(const glm::dquat& frame, const glm::dvec3& w) {
   return glm::normalize(local);
 }
 
-// By what its textures hold, and the color of vertices.
+// The material by what its textures hold, and the color of vertices.
 MaterialPoint combined(const MetallicRoughness& material, const glm::vec4& base_color,
                        const glm::vec4& metallic_roughness, const glm::vec4& emissive,
                        const glm::vec4& transmission, const glm::dvec3& color) {

@@ -98,7 +98,7 @@ vec2 texcoord(int first, int corner_) {
   return vec2(mesh_values[place], mesh_values[place + 1]);
 }
 
-// By the set of texture coordinates whose first value is at a place.
+// The frame by the set of texture coordinates whose first value is at a place.
 TextureFrame texture_frame(PixelHit hit, int first) {
   const vec2 t0 = texcoord(first, 3 * hit.triangle);
   const vec2 t1 = texcoord(first, 3 * hit.triangle + 1) - t0;

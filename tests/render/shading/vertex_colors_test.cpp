@@ -24,7 +24,10 @@ Scene foggy_room(AlphaMode alpha) {
                     placed(Primitive::Shape::sphere, glm::dvec3(1.0), {0, 0, 0})};
   for (Surface& surface : scene.surfaces) {
     surface.material.type = Material::Type::metallic_roughness;
-    surface.material.metallic_roughness = {.metallic = 0.0, .roughness = 0.8, .alpha = alpha};
+    MetallicRoughness& material = surface.material.metallic_roughness;
+    material.metallic = 0.0;
+    material.roughness = 0.8;
+    material.alpha = alpha;
   }
   return scene;
 }

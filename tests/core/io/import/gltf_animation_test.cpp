@@ -82,6 +82,36 @@ TEST_F(GltfAnimation, MovesNodesOnStraightLines) {
   expect_near(corner_at(scene, 9.0), {5, 2, 0});
 }
 
+TEST_F(GltfAnimation, MovesWithinThePlacementOfItsSurface) {
+  animate(0, "translation", {0, 1}, {0, 0, 0, 4, 0, 0});
+  Scene scene = read();
+  scene.surfaces[0].translate = {10, 0, 0};
+  scene.surfaces[0].scale = 2.0;
+  expect_near(corner_at(scene, 0.5), {16, 0, 0});
+  scene.surfaces[0].copies.emplace().placements = std::make_shared<const CopyPlacements>(
+      CopyPlacements{{{0, 0, 0}, {1, 0, 0, 0}, 1.0}, {{0, 5, 0}, {1, 0, 0, 0}, 1.0}});
+  for (const double time : {0.5, 1.0}) {
+    const Surface shown = evaluate_at(scene, time).surfaces.at(0);
+    ASSERT_EQ(placement_count(shown), 3u);
+    expect_near(placement_of(shown, 1).translate, {8.0 * time, 0, 0});
+    expect_near(placement_of(shown, 2).translate, {8.0 * time, 5, 0});
+    expect_near(corner_at(scene, time), {12.0 + 8.0 * time, 0, 0});
+  }
+}
+
+TEST_F(GltfAnimation, DamagedFilesAreErrorsOrRead) {
+  builder_.primitive()["attributes"]["COLOR_0"] =
+      builder_.add({1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 1}, "VEC3");
+  animate(0, "rotation", {0, 1}, {0, 0, 0, 1, 0, 0, root_half, root_half});
+  animate(0, "scale", {0, 1}, {1, 1, 1, 2, 2, 2}, "STEP");
+  const std::size_t refused = refused_damages(builder_.binary(), [&](const std::string& bytes) {
+    std::vector<std::string> warnings;
+    const auto scene = read_imported_scene(folder_.write("damaged.glb", bytes), warnings);
+    for (const ImportedPart& part : scene->parts) placements_at(part, 0.5);
+  });
+  EXPECT_GT(refused, 100u);
+}
+
 TEST_F(GltfAnimation, TurnsChildrenAroundTheirParents) {
   builder_.json["nodes"][0]["translation"] = {2, 0, 0};
   builder_.json["nodes"].push_back({{"name", "carousel"}, {"children", {0}}});

@@ -350,6 +350,42 @@ TEST_F(UsdFile, MaterialsKeepTheirValuesAndTextures) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "a_texture_1.png"));
 }
 
+TEST_F(UsdFile, MeshesKeepColorsAndSecondTexcoords) {
+  Surface box;
+  box.name = "Box";
+  MeshArrays arrays = to_arrays(*mesh_of(Primitive{}));
+  const std::size_t count = arrays.points.size();
+  arrays.texcoords.assign(count, {0.25f, 0.75f});
+  arrays.second_texcoords.assign(count, {0.5f, 0.5f});
+  arrays.colors.assign(count, {1.0f, 0.5f, 0.25f, 1.0f});
+  box.mesh = to_mesh(arrays);
+  box.material.type = Material::Type::metallic_roughness;
+  MetallicRoughness& m = box.material.metallic_roughness;
+  m.base_color = {0.5, 0.5, 1.0};
+  const std::vector<std::uint8_t> texels{10, 20, 30, 255};
+  m.emissive_texture.file = folder_ / "glow.png";
+  m.emissive_texture.content = std::make_shared<Texture>(1, 1, texels, Texture::Encoding::srgb);
+  m.emissive_texture.uses_second_texcoords = true;
+  scene_.surfaces = {box};
+  const std::string mesh = prim(stage(), "Box");
+  EXPECT_EQ(numbers(mesh, "primvars:st1").size(), 2 * count);
+  const std::vector<double> colors = numbers(mesh, "primvars:displayColor");
+  ASSERT_EQ(colors.size(), 3 * count);
+  EXPECT_EQ(colors[0], 0.5);
+  EXPECT_EQ(colors[1], 0.25);
+  EXPECT_EQ(colors[2], 0.25);
+  const auto has = [](const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+  };
+  const std::string material = "</World/Box/Material/";
+  EXPECT_TRUE(
+      has(prim(mesh, "Shader"), "diffuseColor.connect = " + material + "Colors.outputs:result>"));
+  EXPECT_TRUE(has(prim(mesh, "Colors"), "\"displayColor\""));
+  EXPECT_TRUE(has(prim(mesh, "Emissive"),
+                  "st.connect = " + material + "SecondCoordinates.outputs:result>"));
+  EXPECT_TRUE(has(prim(mesh, "SecondCoordinates"), "\"st1\""));
+}
+
 TEST_F(UsdFile, PhongLobesKeepTheirWidth) {
   Surface box;
   box.name = "Box";
