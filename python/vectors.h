@@ -7,7 +7,6 @@
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
-#include <tuple>
 
 // Vectors of GLM are tuples in Python: what cannot be written through cannot be written in vain.
 // Any sequence of as many numbers becomes one.

@@ -1,7 +1,6 @@
 #include "core/io/copies_file.h"
 
 #include <array>
-#include <functional>
 #include <glm/geometric.hpp>
 #include <optional>
 #include <string_view>

@@ -21,7 +21,6 @@ class TextScanner {
   void skip_line() { line_ = {}; }
 
   [[nodiscard]] std::string_view rest_of_line() const { return line_; }
-  [[nodiscard]] std::size_t line_number() const { return number_; }
   [[nodiscard]] std::string place() const { return "line " + std::to_string(number_); }
   [[nodiscard]] std::string_view rest_of_text() const { return rest_; }
 

@@ -1,7 +1,6 @@
 // A deep frame of a cloud of 3,000 Gaussians beside 64 even slices: samples, size, time, and the
 // worst error when held out, against frames with a wall.
 
-#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdio>

@@ -3,7 +3,6 @@
 #include <assimp/material.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "brume/error.h"

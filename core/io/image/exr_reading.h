@@ -6,7 +6,6 @@
 #include <exception>
 #include <filesystem>
 #include <new>
-#include <string>
 
 #include "brume/error.h"
 #include "core/io/text_scanner.h"

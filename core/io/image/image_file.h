@@ -6,7 +6,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <vector>
 
 #include "brume/image_layers.h"
 #include "brume/limits.h"

@@ -1,6 +1,5 @@
 #include "core/io/mesh/triangulate.h"
 
-#include <array>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <span>

@@ -1,7 +1,6 @@
 #include "core/io/scene/scene_references.h"
 
 #include <algorithm>
-#include <array>
 #include <numbers>
 #include <set>
 

@@ -1,7 +1,5 @@
 #include "core/scene/atmosphere/clear_sky.h"
 
-#include <algorithm>
-#include <cmath>
 #include <glm/common.hpp>
 #include <glm/trigonometric.hpp>
 

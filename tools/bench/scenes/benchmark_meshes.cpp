@@ -4,7 +4,6 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 #include <utility>
-#include <vector>
 
 #include "core/scene/lights/area_normal.h"
 #include "core/scene/mesh.h"
