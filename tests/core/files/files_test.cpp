@@ -7,6 +7,7 @@
 #include "brume/error.h"
 #include "brume/mesh_arrays.h"
 #include "core/io/disk/file_bytes.h"
+#include "tests/contains.h"
 #include "tests/core/io/temporary_folder.h"
 
 namespace brume {
@@ -18,8 +19,8 @@ class Files : public testing::Test {
 };
 
 TEST_F(Files, SceneKeepsUnknownKeysWhereverItsObjectsMove) {
-  const auto file = folder_.write("s.brume", R"({ "format": "brume-scene", "version": 1,
-    "lights": [ { "type": "point", "position": [0, 1, 0], "gobo": "leaves" } ] })");
+  const auto file = folder_.write_scene(
+      "s.brume", R"("lights": [ { "type": "point", "position": [0, 1, 0], "gobo": "leaves" } ])");
   std::vector<std::string> warnings;
   SceneFile scene = load_scene_file(file, &warnings);
   EXPECT_EQ(warnings.size(), 1u);
@@ -28,10 +29,10 @@ TEST_F(Files, SceneKeepsUnknownKeysWhereverItsObjectsMove) {
   save_scene_file(scene, saved);
   const SceneFile again = load_scene_file(saved);
   EXPECT_EQ(again.scene.lights.size(), 2u);
-  EXPECT_NE(read_bytes(saved).find("\"gobo\": \"leaves\""), std::string::npos);
+  EXPECT_TRUE(contains(read_bytes(saved), "\"gobo\": \"leaves\""));
   // A scene alone has none.
   save_scene(scene.scene, saved);
-  EXPECT_EQ(read_bytes(saved).find("gobo"), std::string::npos);
+  EXPECT_FALSE(contains(read_bytes(saved), "gobo"));
 }
 
 TEST_F(Files, SavingRefusesWhatAFileCannotHold) {

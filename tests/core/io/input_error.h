@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <initializer_list>
 #include <string>
+#include <vector>
 
 #include "brume/error.h"
+#include "tests/contains.h"
 
 namespace brume {
 
@@ -18,6 +21,23 @@ std::string error_of(Work&& work) {
   }
   ADD_FAILURE() << "no InputError was thrown";
   return {};
+}
+
+// Whether `work` throws an InputError whose text has these parts.
+template <typename Work>
+void expect_error(Work&& work, std::initializer_list<std::string> parts) {
+  const std::string error = error_of(work);
+  for (const std::string& part : parts) EXPECT_TRUE(contains(error, part));
+}
+template <typename Work>
+void expect_error(Work&& work, const std::string& part) {
+  expect_error(work, {part});
+}
+
+// Whether there is one warning, which has this part.
+inline void expect_only(const std::vector<std::string>& warnings, const std::string& part) {
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_TRUE(contains(warnings[0], part));
 }
 
 // Whether `read` refuses each beginning of a file that lacks more than `spare` bytes.
@@ -44,10 +64,6 @@ std::size_t refused_damages(const std::string& whole, Read&& read, int change = 
     }
   }
   return refused;
-}
-
-inline bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 }  // namespace brume

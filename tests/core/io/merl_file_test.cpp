@@ -7,9 +7,9 @@
 #include <limits>
 
 #include "core/io/scene/scene_file.h"
+#include "tests/core/io/folder_test.h"
 #include "tests/core/io/input_error.h"
 #include "tests/core/io/merl_writer.h"
-#include "tests/core/io/temporary_folder.h"
 #include "tests/random.h"
 
 namespace brume {
@@ -29,11 +29,12 @@ const std::string& phong_bytes() {
   return bytes;
 }
 
-TEST(MerlFile, EvaluatesLikeTheModelItTabulates) {
-  const TemporaryFolder folder;
+using MerlFile = FolderTest;
+
+TEST_F(MerlFile, EvaluatesLikeTheModelItTabulates) {
   Material measured;
   measured.type = Material::Type::measured;
-  measured.measured = read_merl(folder.write("phong.binary", phong_bytes()));
+  measured.measured = read_merl(folder_.write("phong.binary", phong_bytes()));
   Random random(41);
   double worst = 0.0;
   for (int i = 0; i < 5000; ++i) {
@@ -51,11 +52,10 @@ TEST(MerlFile, EvaluatesLikeTheModelItTabulates) {
   EXPECT_LT(worst, 0.01);
 }
 
-TEST(MerlFile, ProjectsLikeTheModelItTabulates) {
-  const TemporaryFolder folder;
+TEST_F(MerlFile, ProjectsLikeTheModelItTabulates) {
   Material measured;
   measured.type = Material::Type::measured;
-  measured.measured = read_merl(folder.write("phong.binary", phong_bytes()));
+  measured.measured = read_merl(folder_.write("phong.binary", phong_bytes()));
   const BrdfSh table(measured, 4);
   const BrdfSh reference(phong(), 4);
   for (const double cosine : {0.2, 0.6, 1.0}) {
@@ -65,7 +65,7 @@ TEST(MerlFile, ProjectsLikeTheModelItTabulates) {
   }
 }
 
-TEST(MerlFile, IgnoresCellsThatWereNotMeasured) {
+TEST_F(MerlFile, IgnoresCellsThatWereNotMeasured) {
   std::vector<glm::vec3> values(MeasuredBrdf::samples, glm::vec3(-1.0f));
   const glm::dvec3 n(0, 0, 1);
   EXPECT_EQ(MeasuredBrdf(values)(n, n, n), glm::dvec3(0.0));
@@ -73,10 +73,9 @@ TEST(MerlFile, IgnoresCellsThatWereNotMeasured) {
   EXPECT_EQ(MeasuredBrdf(values)(n, n, n), glm::dvec3(2.0));
 }
 
-TEST(MerlFile, RefusesWhatItIsNot) {
-  const TemporaryFolder folder;
+TEST_F(MerlFile, RefusesWhatItIsNot) {
   const auto error = [&](const std::string& bytes) {
-    return error_of([&] { read_merl(folder.write("bad.binary", bytes)); });
+    return error_of([&] { read_merl(folder_.write("bad.binary", bytes)); });
   };
   EXPECT_TRUE(contains(error(""), "90 x 90 x 180"));
   EXPECT_TRUE(contains(error(std::string(12, '\1')), "90 x 90 x 180"));
@@ -88,23 +87,22 @@ TEST(MerlFile, RefusesWhatItIsNot) {
   EXPECT_TRUE(contains(error(bytes), "sample 17: found nan"));
 }
 
-TEST(MerlFile, IsReadOncePerScene) {
-  const TemporaryFolder folder;
-  folder.write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-  folder.write("phong.binary", phong_bytes());
+TEST_F(MerlFile, IsReadOncePerScene) {
+  folder_.write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  folder_.write("phong.binary", phong_bytes());
   const std::string surface =
       R"({"mesh": "m.obj", "material": {"type": "measured", "file": "phong.binary"}})";
   std::string text = R"({"format": "brume-scene", "version": 1, "surfaces": [)";
   text += surface + ", " + surface + "]}";
   std::vector<std::string> warnings;
-  const Scene scene = load_scene(folder.write("a.brume", text), &warnings);
+  const Scene scene = load_scene(folder_.write("a.brume", text), &warnings);
   ASSERT_NE(scene.surfaces[0].material.measured, nullptr);
   EXPECT_EQ(scene.surfaces[0].material.measured, scene.surfaces[1].material.measured);
   EXPECT_TRUE(warnings.empty());
-  save_document(scene, folder / "b.brume");
-  EXPECT_TRUE(contains(content_of(folder / "b.brume"), R"("file": "phong.binary")"));
-  EXPECT_EQ(document_to_json(load_scene(folder / "b.brume"), folder.path()),
-            content_of(folder / "b.brume"));
+  save_document(scene, folder_ / "b.brume");
+  EXPECT_TRUE(contains(content_of(folder_ / "b.brume"), R"("file": "phong.binary")"));
+  EXPECT_EQ(document_to_json(load_scene(folder_ / "b.brume"), folder_.path()),
+            content_of(folder_ / "b.brume"));
 }
 
 }  // namespace

@@ -2,8 +2,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <filesystem>
-#include <fstream>
 #include <glm/gtc/quaternion.hpp>
 #include <numbers>
 #include <string>

@@ -39,6 +39,11 @@ class TemporaryFolder {
     return file;
   }
 
+  // A scene of these members.
+  std::filesystem::path write_scene(std::string_view name, const std::string& members) const {
+    return write(name, R"({"format": "brume-scene", "version": 1, )" + members + "}");
+  }
+
   [[nodiscard]] std::size_t entry_count() const {
     std::size_t count = 0;
     for ([[maybe_unused]] const auto& entry :

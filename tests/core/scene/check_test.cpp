@@ -2,9 +2,7 @@
 
 #include <functional>
 #include <limits>
-#include <memory>
 #include <string>
-#include <vector>
 
 #include "brume/error.h"
 #include "brume/primitive.h"

@@ -64,8 +64,8 @@ TEST(MediumSampling, OfANeedleCostsItsLength) {
     const auto plan = MediumSampling::plan(medium, 1e-4, 1'000'000);
     ASSERT_TRUE(plan);
     const double length_in_blocks = 2.0 * 3.035 / (8e-4);
-    EXPECT_GT(static_cast<double>(plan->blocks()), length_in_blocks);
-    EXPECT_LT(static_cast<double>(plan->blocks()), 12.0 * length_in_blocks);
+    EXPECT_GT(plan->blocks(), length_in_blocks);
+    EXPECT_LT(plan->blocks(), 12.0 * length_in_blocks);
   }
 }
 

@@ -2,15 +2,17 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/core/io/temporary_folder.h"
+#include "tests/core/io/folder_test.h"
 
 namespace brume {
 namespace {
 
 namespace fs = std::filesystem;
 
+using AlikeFile = FolderTest;
+
 // Each name as Linux and Windows store it, and as macOS does.
-TEST(AlikeFile, ComposedAndDecomposedNamesAreOne) {
+TEST_F(AlikeFile, ComposedAndDecomposedNamesAreOne) {
   for (const auto& [composed, decomposed] : std::vector<std::pair<std::string, std::string>>{
            {"caf\u00e9.png", "cafe\u0301.png"},
            {"\u00dcber.obj", "U\u0308ber.obj"},
@@ -29,41 +31,37 @@ TEST(AlikeFile, ComposedAndDecomposedNamesAreOne) {
   }
 }
 
-TEST(AlikeFile, CaseBlanksAndBackslashesDoNotCount) {
-  const TemporaryFolder folder;
-  const fs::path file = folder.write("Maps/\u00c4pfel ROT.png", "x");
+TEST_F(AlikeFile, CaseBlanksAndBackslashesDoNotCount) {
+  const fs::path file = folder_.write("Maps/\u00c4pfel ROT.png", "x");
   for (const char* name : {"maps/\u00e4pfel rot.PNG", "Maps\\\u00c4pfel ROT.png",
                            "Maps/\u00c4pfel ROT.png \t", "other\\..\\MAPS\\a\u0308pfel rot.png"}) {
-    EXPECT_EQ(find_file_named_alike(folder / name), file) << name;
+    EXPECT_EQ(find_file_named_alike(folder_ / name), file) << name;
   }
 }
 
-TEST(AlikeFile, OtherLettersAreOtherFiles) {
-  const TemporaryFolder folder;
-  folder.write("cafe.png", "x");
+TEST_F(AlikeFile, OtherLettersAreOtherFiles) {
+  folder_.write("cafe.png", "x");
   for (const char* name :
        {"caf\u00e9.png", "caf.png", "cafe.jpg", "folder/cafe.png", " cafe.png"}) {
-    EXPECT_EQ(find_file_named_alike(folder / name), folder / name);
+    EXPECT_EQ(find_file_named_alike(folder_ / name), folder_ / name);
   }
   EXPECT_EQ(find_file_named_alike(""), "");
 }
 
-TEST(AlikeFile, TheExactNameComesFirst) {
-  const TemporaryFolder folder;
-  const fs::path lower = folder.write("a.png", "x");
-  const fs::path upper = folder.write("A.png", "x");
-  const fs::path blank = folder.write("A.png ", "x");
+TEST_F(AlikeFile, TheExactNameComesFirst) {
+  const fs::path lower = folder_.write("a.png", "x");
+  const fs::path upper = folder_.write("A.png", "x");
+  const fs::path blank = folder_.write("A.png ", "x");
   EXPECT_EQ(find_file_named_alike(lower), lower);
   EXPECT_EQ(find_file_named_alike(upper), upper);
   EXPECT_EQ(find_file_named_alike(blank), blank);
-  EXPECT_EQ(find_file_named_alike(folder / "a.PNG"), upper) << "the same each time";
+  EXPECT_EQ(find_file_named_alike(folder_ / "a.PNG"), upper) << "the same each time";
 }
 
-TEST(AlikeFile, InvalidBytesAreCompared) {
-  const TemporaryFolder folder;
-  const fs::path file = folder.write("\xe4pfel.png", "x");
-  EXPECT_EQ(find_file_named_alike(folder / "\xe4pfel.PNG"), file);
-  EXPECT_EQ(find_file_named_alike(folder / "\xf0"), folder / "\xf0");
+TEST_F(AlikeFile, InvalidBytesAreCompared) {
+  const fs::path file = folder_.write("\xe4pfel.png", "x");
+  EXPECT_EQ(find_file_named_alike(folder_ / "\xe4pfel.PNG"), file);
+  EXPECT_EQ(find_file_named_alike(folder_ / "\xf0"), folder_ / "\xf0");
 }
 
 }  // namespace

@@ -5,25 +5,25 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "tests/core/io/folder_test.h"
 #include "tests/core/io/input_error.h"
-#include "tests/core/io/temporary_folder.h"
 
 namespace brume {
 namespace {
 
 namespace fs = std::filesystem;
 
-TEST(AtomicFile, ReplacesTheContent) {
-  const TemporaryFolder folder;
-  const fs::path file = folder.write("a.txt", "old");
+using AtomicFile = FolderTest;
+
+TEST_F(AtomicFile, ReplacesTheContent) {
+  const fs::path file = folder_.write("a.txt", "old");
   write_atomically(file, "new");
   EXPECT_EQ(content_of(file), "new");
-  EXPECT_EQ(folder.entry_count(), 1u);
+  EXPECT_EQ(folder_.entry_count(), 1u);
 }
 
-TEST(AtomicFile, PreservesTheOldFileWhenWritingFails) {
-  const TemporaryFolder folder;
-  const fs::path file = folder.write("a.txt", "old");
+TEST_F(AtomicFile, PreservesTheOldFileWhenWritingFails) {
+  const fs::path file = folder_.write("a.txt", "old");
   EXPECT_THROW(write_atomically(file,
                                 [](const fs::path& temporary) {
                                   std::ofstream(temporary) << "half of it";
@@ -31,12 +31,11 @@ TEST(AtomicFile, PreservesTheOldFileWhenWritingFails) {
                                 }),
                std::logic_error);
   EXPECT_EQ(content_of(file), "old");
-  EXPECT_EQ(folder.entry_count(), 1u) << "the temporary file must be gone";
+  EXPECT_EQ(folder_.entry_count(), 1u) << "the temporary file must be gone";
 }
 
-TEST(AtomicFile, PreservesPermissions) {
-  const TemporaryFolder folder;
-  const fs::path file = folder.write("a.txt", "old");
+TEST_F(AtomicFile, PreservesPermissions) {
+  const fs::path file = folder_.write("a.txt", "old");
   const fs::perms mode = fs::perms::owner_read | fs::perms::owner_write | fs::perms::others_read;
   fs::permissions(file, mode);
   write_atomically(file, "new");
@@ -83,68 +82,61 @@ TEST(FileGroup, ReplacesNoneWhereOneFails) {
 }
 
 // Leftovers of a killed program, but no file that is being written.
-TEST(AtomicFile, AbandonedFilesAreRemoved) {
-  const TemporaryFolder folder;
-  const fs::path abandoned = folder.write(".brume-1-0.tmp", "half");
-  const fs::path other = folder.write(".brume-notes", "kept");
-  write_atomically(folder / "a.txt", [&](const fs::path& temporary) {
-    remove_abandoned_files(folder.path());
+TEST_F(AtomicFile, AbandonedFilesAreRemoved) {
+  const fs::path abandoned = folder_.write(".brume-1-0.tmp", "half");
+  const fs::path other = folder_.write(".brume-notes", "kept");
+  write_atomically(folder_ / "a.txt", [&](const fs::path& temporary) {
+    remove_abandoned_files(folder_.path());
     EXPECT_TRUE(fs::exists(temporary));
     std::ofstream(temporary) << "whole";
   });
-  EXPECT_EQ(content_of(folder / "a.txt"), "whole");
+  EXPECT_EQ(content_of(folder_ / "a.txt"), "whole");
   EXPECT_FALSE(fs::exists(abandoned));
   EXPECT_TRUE(fs::exists(other));
-  remove_abandoned_files(folder / "nowhere");
+  remove_abandoned_files(folder_ / "nowhere");
 }
 
-TEST(AtomicFile, WritesThroughALink) {
-  const TemporaryFolder folder;
-  const fs::path target = folder.write("inner/a.txt", "old");
-  fs::create_symlink("inner/a.txt", folder / "link");
-  write_atomically(folder / "link", "new");
-  EXPECT_TRUE(fs::is_symlink(folder / "link"));
+TEST_F(AtomicFile, WritesThroughALink) {
+  const fs::path target = folder_.write("inner/a.txt", "old");
+  fs::create_symlink("inner/a.txt", folder_ / "link");
+  write_atomically(folder_ / "link", "new");
+  EXPECT_TRUE(fs::is_symlink(folder_ / "link"));
   EXPECT_EQ(content_of(target), "new");
 }
 
-TEST(AtomicFile, WritesThroughALinkToAFileThatIsNotThereYet) {
-  const TemporaryFolder folder;
-  fs::create_symlink("a.txt", folder / "link");
-  write_atomically(folder / "link", "new");
-  EXPECT_TRUE(fs::is_symlink(folder / "link"));
-  EXPECT_EQ(content_of(folder / "a.txt"), "new");
+TEST_F(AtomicFile, WritesThroughALinkToAFileThatIsNotThereYet) {
+  fs::create_symlink("a.txt", folder_ / "link");
+  write_atomically(folder_ / "link", "new");
+  EXPECT_TRUE(fs::is_symlink(folder_ / "link"));
+  EXPECT_EQ(content_of(folder_ / "a.txt"), "new");
 }
 
-TEST(AtomicFile, RefusesWhatCannotBeWritten) {
-  const TemporaryFolder folder;
-  folder.write("plain", "");
-  fs::create_directory(folder / "sub");
-  fs::create_symlink("loop", folder / "loop");
+TEST_F(AtomicFile, RefusesWhatCannotBeWritten) {
+  folder_.write("plain", "");
+  fs::create_directory(folder_ / "sub");
+  fs::create_symlink("loop", folder_ / "loop");
   for (const char* name : {"missing/a.txt", "plain/a.txt", "sub", "loop"}) {
     SCOPED_TRACE(name);
-    const std::string error = error_of([&] { write_atomically(folder / name, "x"); });
-    EXPECT_TRUE(contains(error, (folder / name).string())) << error;
-    EXPECT_TRUE(contains(error, "cannot be written")) << error;
+    expect_error([&] { write_atomically(folder_ / name, "x"); },
+                 {(folder_ / name).string(), "cannot be written"});
   }
-  EXPECT_TRUE(contains(error_of([&] { check_writable("/dev/null"); }), "regular file"));
+  expect_error([&] { check_writable("/dev/null"); }, "regular file");
 }
 
 // To open a pipe would be to wait for its other end.
-TEST(AtomicFile, LeavesPipesWithNamesOfTemporaryFiles) {
-  const TemporaryFolder folder;
-  ASSERT_EQ(::mkfifo((folder / ".brume-1.tmp").c_str(), 0600), 0);
-  ASSERT_EQ(::mkfifo((folder / ".brume-2.tmp").c_str(), 0600), 0);
-  const int reader = ::open((folder / ".brume-2.tmp").c_str(), O_RDONLY | O_NONBLOCK);
-  folder.write(".brume-3.tmp", "abandoned");
-  remove_abandoned_files(folder.path());
+TEST_F(AtomicFile, LeavesPipesWithNamesOfTemporaryFiles) {
+  ASSERT_EQ(::mkfifo((folder_ / ".brume-1.tmp").c_str(), 0600), 0);
+  ASSERT_EQ(::mkfifo((folder_ / ".brume-2.tmp").c_str(), 0600), 0);
+  const int reader = ::open((folder_ / ".brume-2.tmp").c_str(), O_RDONLY | O_NONBLOCK);
+  folder_.write(".brume-3.tmp", "abandoned");
+  remove_abandoned_files(folder_.path());
   ::close(reader);
-  EXPECT_EQ(folder.entry_count(), 2u);
+  EXPECT_EQ(folder_.entry_count(), 2u);
 }
 
-TEST(AtomicFile, RefusesAFolderThatCannotBeWritten) {
+TEST_F(AtomicFile, RefusesAFolderThatCannotBeWritten) {
   // Not even root makes files there.
-  const std::string error = error_of([&] { write_atomically("/proc/brume-test", "x"); });
-  EXPECT_TRUE(contains(error, "/proc/brume-test")) << error;
+  expect_error([&] { write_atomically("/proc/brume-test", "x"); }, "/proc/brume-test");
 }
 
 }  // namespace

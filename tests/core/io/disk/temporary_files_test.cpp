@@ -9,7 +9,7 @@
 
 #include "brume/error.h"
 #include "core/io/disk/atomic_file.h"
-#include "tests/core/io/temporary_folder.h"
+#include "tests/core/io/folder_test.h"
 
 namespace brume {
 namespace {
@@ -42,7 +42,9 @@ int status_of_writing(const fs::path& file, int signal, void (*disposition)(int)
   });
 }
 
-TEST(TemporaryFiles, AreRemovedOnSignals) {
+using TemporaryFiles = FolderTest;
+
+TEST_F(TemporaryFiles, AreRemovedOnSignals) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     SCOPED_TRACE(signal);
     const TemporaryFolder folder;
@@ -55,42 +57,38 @@ TEST(TemporaryFiles, AreRemovedOnSignals) {
   }
 }
 
-TEST(TemporaryFiles, AreRemovedWithTheirFolders) {
-  const TemporaryFolder folder;
-  const fs::path outside = folder.write("outside.txt", "stays");
+TEST_F(TemporaryFiles, AreRemovedWithTheirFolders) {
+  const fs::path outside = folder_.write("outside.txt", "stays");
   const int status = status_of([&] {
-    const TemporaryName name(folder / "made");
-    folder.write("made/files/inner/a.txt", "a");
-    for (int k = 0; k < 200; ++k) folder.write("made/b" + std::to_string(k), "b");
-    fs::create_symlink(outside, folder / "made/link");
-    fs::create_directory_symlink(folder.path(), folder / "made/up");
+    const TemporaryName name(folder_ / "made");
+    folder_.write("made/files/inner/a.txt", "a");
+    for (int k = 0; k < 200; ++k) folder_.write("made/b" + std::to_string(k), "b");
+    fs::create_symlink(outside, folder_ / "made/link");
+    fs::create_directory_symlink(folder_.path(), folder_ / "made/up");
     ::raise(SIGTERM);
   });
   EXPECT_TRUE(WIFSIGNALED(status));
-  EXPECT_FALSE(fs::exists(folder / "made"));
+  EXPECT_FALSE(fs::exists(folder_ / "made"));
   EXPECT_EQ(content_of(outside), "stays");
 }
 
-TEST(TemporaryFiles, RemainWhereTheSignalIsIgnored) {
-  const TemporaryFolder folder;
-  const fs::path file = folder.write("a.txt", "old");
+TEST_F(TemporaryFiles, RemainWhereTheSignalIsIgnored) {
+  const fs::path file = folder_.write("a.txt", "old");
   const int status = status_of_writing(file, SIGHUP, SIG_IGN);  // as nohup does
   EXPECT_TRUE(WIFEXITED(status));
   EXPECT_EQ(content_of(file), "half of it");
 }
 
-TEST(TemporaryFiles, FinishedFilesStay) {
-  const TemporaryFolder folder;
+TEST_F(TemporaryFiles, FinishedFilesStay) {
   status_of([&] {
-    for (int k = 0; k < 200; ++k) write_atomically(folder / "a.txt", "new");
+    for (int k = 0; k < 200; ++k) write_atomically(folder_ / "a.txt", "new");
     ::raise(SIGTERM);
   });
-  EXPECT_EQ(content_of(folder / "a.txt"), "new");
+  EXPECT_EQ(content_of(folder_ / "a.txt"), "new");
 }
 
-TEST(TemporaryFiles, FilesBeyondTheLimitAreAnError) {
-  const TemporaryFolder folder;
-  const fs::path file = folder.write("a.txt", "old");
+TEST_F(TemporaryFiles, FilesBeyondTheLimitAreAnError) {
+  const fs::path file = folder_.write("a.txt", "old");
   const int status = status_of([&] {
     const rlimit limit{1000, 1000};
     ::setrlimit(RLIMIT_FSIZE, &limit);
@@ -102,7 +100,7 @@ TEST(TemporaryFiles, FilesBeyondTheLimitAreAnError) {
   });
   EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 2);
   EXPECT_EQ(content_of(file), "old");
-  EXPECT_EQ(folder.entry_count(), 1u);
+  EXPECT_EQ(folder_.entry_count(), 1u);
 }
 
 }  // namespace

@@ -3,27 +3,27 @@
 #include <gtest/gtest.h>
 
 #include "core/io/gaussians/gaussian_file.h"
+#include "tests/core/io/folder_test.h"
 #include "tests/core/io/input_error.h"
-#include "tests/core/io/temporary_folder.h"
 #include "tests/random.h"
 
 namespace brume {
 namespace {
 
-TEST(GaussianCsv, ReadsBackExactlyWhatWasWritten) {
-  const TemporaryFolder folder;
+using GaussianCsv = FolderTest;
+
+TEST_F(GaussianCsv, ReadsBackExactlyWhatWasWritten) {
   Random random(1);
   std::vector<Gaussian> gaussians;
   for (int i = 0; i < 1000; ++i) {
     gaussians.push_back({random.point(1e3), random.power(-9, 9), random.power(-9, 9)});
   }
-  write_gaussians_csv(folder / "a.csv", gaussians);
-  EXPECT_EQ(read_gaussians_csv(folder / "a.csv"), gaussians);
+  write_gaussians_csv(folder_ / "a.csv", gaussians);
+  EXPECT_EQ(read_gaussians_csv(folder_ / "a.csv"), gaussians);
 }
 
-TEST(GaussianCsv, FindsItsColumnsByName) {
-  const TemporaryFolder folder;
-  const auto file = folder.write(
+TEST_F(GaussianCsv, FindsItsColumnsByName) {
+  const auto file = folder_.write(
       "a.csv", "id, density,radius ,z,y,x,note\r\n7,1,2,3,4,5,a b\r\n\r\n8, 0.5,2e-1,-3,4,5,");
   const std::vector<Gaussian> expected{{{5, 4, 3}, 2, 1}, {{5, 4, -3}, 0.2, 0.5}};
   EXPECT_EQ(read_gaussians_csv(file), expected);
@@ -32,8 +32,7 @@ TEST(GaussianCsv, FindsItsColumnsByName) {
 // The two Gaussians that each of these tables holds.
 const std::vector<Gaussian> tabled{{{1, 2, 3}, 0.25, 0.5}, {{-4, 5, 6}, 1, 2}};
 
-TEST(GaussianCsv, ReadsWhatSpreadsheetsAndOtherProgramsWrite) {
-  const TemporaryFolder folder;
+TEST_F(GaussianCsv, ReadsWhatSpreadsheetsAndOtherProgramsWrite) {
   const std::pair<const char*, std::string> tables[] = {
       {"a byte order mark", "\xef\xbb\xbfx,y,z,radius,density\r\n1,2,3,.25,.5\r\n-4,5,6,1,2\r\n"},
       {"semicolons and decimal commas", "x;y;z;radius;density\n1,0;2;3;0,25;5E-1\n-4;5;6;1;2\n"},
@@ -58,14 +57,13 @@ TEST(GaussianCsv, ReadsWhatSpreadsheetsAndOtherProgramsWrite) {
       {"separators at the ends", "x,y,z,radius,density,\n1,2,3,.25,.5,\n-4,5,6,1,2,,\n"},
   };
   for (const auto& [what, text] : tables) {
-    const auto file = folder.write("a.csv", text);
+    const auto file = folder_.write("a.csv", text);
     EXPECT_EQ(read_gaussians(file), tabled) << what;
     EXPECT_GE(max_gaussian_count(file), tabled.size()) << what;
   }
 }
 
-TEST(GaussianCsv, ReadsUtf16) {
-  const TemporaryFolder folder;
+TEST_F(GaussianCsv, ReadsUtf16) {
   const std::string text = "x\ty\tz\tradius\tdensity\r\n1\t2\t3\t0,25\t0,5\r\n-4\t5\t6\t1\t2\r\n";
   std::string little = "\xff\xfe";
   std::string big = "\xfe\xff";
@@ -73,14 +71,13 @@ TEST(GaussianCsv, ReadsUtf16) {
     little += {c, '\0'};
     big += {'\0', c};
   }
-  EXPECT_EQ(read_gaussians(folder.write("little.csv", little)), tabled);
-  EXPECT_EQ(read_gaussians(folder.write("big.csv", big)), tabled);
+  EXPECT_EQ(read_gaussians(folder_.write("little.csv", little)), tabled);
+  EXPECT_EQ(read_gaussians(folder_.write("big.csv", big)), tabled);
 }
 
-TEST(GaussianCsv, ErrorsNameLineAndColumn) {
-  const TemporaryFolder folder;
+TEST_F(GaussianCsv, ErrorsNameLineAndColumn) {
   const auto refusal = [&](std::string_view text) {
-    const auto file = folder.write("a.csv", text);
+    const auto file = folder_.write("a.csv", text);
     return error_of([&] { read_gaussians_csv(file); });
   };
   const std::string header = "x,y,z,radius,density\n";

@@ -6,9 +6,9 @@
 #include <cstring>
 #include <random>
 
+#include "tests/core/io/folder_test.h"
 #include "tests/core/io/gaussians/random_ellipsoids.h"
 #include "tests/core/io/input_error.h"
-#include "tests/core/io/temporary_folder.h"
 
 namespace brume {
 namespace {
@@ -25,8 +25,9 @@ void append(std::string& bytes, Number value, bool big_endian) {
   bytes.append(raw, sizeof(Number));
 }
 
-TEST(GaussianFile, ReadsBackExactlyWhatWasWritten) {
-  const TemporaryFolder folder;
+using GaussianFile = FolderTest;
+
+TEST_F(GaussianFile, ReadsBackExactlyWhatWasWritten) {
   std::mt19937_64 random(11);
   std::uniform_real_distribution<double> coordinate(-1e3, 1e3);
   std::uniform_real_distribution<double> exponent(-9.0, 9.0);
@@ -37,23 +38,22 @@ TEST(GaussianFile, ReadsBackExactlyWhatWasWritten) {
                            std::pow(10.0, exponent(random)),
                            i % 7 == 0 ? 0.0 : std::pow(10.0, exponent(random))});
     }
-    write_gaussians(folder / "a.ply", gaussians);
-    EXPECT_EQ(read_gaussians(folder / "a.ply"), gaussians);
+    write_gaussians(folder_ / "a.ply", gaussians);
+    EXPECT_EQ(read_gaussians(folder_ / "a.ply"), gaussians);
   }
 }
 
 // Also at the limit of elongation, where rounding must not make a file that is refused. Beside
 // ellipsoids, balls are kept exactly, too.
-TEST(GaussianFile, KeepsEllipsoids) {
-  const TemporaryFolder folder;
+TEST_F(GaussianFile, KeepsEllipsoids) {
   std::vector<Gaussian> gaussians = random_ellipsoids(1000);
   for (Gaussian g : random_ellipsoids(1000, 8)) {
     if (!g.is_ball()) g.set_radii(g.radii() * glm::dvec3(1.0, 1e-6, 1.0), g.shape.rotation);
     gaussians.push_back(g);
   }
   for (const char* name : {"a.ply", "a.csv"}) {
-    write_gaussians(folder / name, gaussians);
-    const std::vector<Gaussian> read = read_gaussians(folder / name);
+    write_gaussians(folder_ / name, gaussians);
+    const std::vector<Gaussian> read = read_gaussians(folder_ / name);
     ASSERT_EQ(read.size(), gaussians.size());
     for (std::size_t i = 0; i < read.size(); ++i) {
       const Gaussian& expected = gaussians[i];
@@ -70,10 +70,9 @@ TEST(GaussianFile, KeepsEllipsoids) {
   }
 }
 
-TEST(GaussianFile, RefusesEllipsoidsThatContradictThemselves) {
-  const TemporaryFolder folder;
+TEST_F(GaussianFile, RefusesEllipsoidsThatContradictThemselves) {
   const auto refusal = [&](std::string_view text) {
-    const auto file = folder.write("a.csv", text);
+    const auto file = folder_.write("a.csv", text);
     return error_of([&] { read_gaussians(file); });
   };
   EXPECT_TRUE(contains(refusal("x,y,z,radius,density,radius_x,radius_y\n"),
@@ -85,46 +84,42 @@ TEST(GaussianFile, RefusesEllipsoidsThatContradictThemselves) {
   EXPECT_TRUE(contains(refusal(header + "0,0,0,1,1,1,.5,1,1,1,0,0\n"), "line 2, rotate_w"));
   std::string ply = ply_header;
   ply.replace(ply.find("end_header"), 0, "property double rotate_x\n");
-  EXPECT_TRUE(contains(
-      error_of([&] { read_gaussians(folder.write("a.ply", ply + "1 2 3 1 1 0 1 2 3 1 1 0")); }),
-      "there is no property radius_x"));
+  expect_error([&] { read_gaussians(folder_.write("a.ply", ply + "1 2 3 1 1 0 1 2 3 1 1 0")); },
+               "there is no property radius_x");
 }
 
-TEST(GaussianFile, DetectsTheFormatByItsContent) {
-  const TemporaryFolder folder;
+TEST_F(GaussianFile, DetectsTheFormatByItsContent) {
   const std::vector<Gaussian> gaussians{{{1, 2, 3}, 0.1, 0.3}};
-  write_gaussians(folder / "a.CSV", gaussians);
-  EXPECT_TRUE(content_of(folder / "a.CSV").starts_with("x,y,z"));
-  std::filesystem::rename(folder / "a.CSV", folder / "a.ply");
-  EXPECT_EQ(read_gaussians(folder / "a.ply"), gaussians);
+  write_gaussians(folder_ / "a.CSV", gaussians);
+  EXPECT_TRUE(content_of(folder_ / "a.CSV").starts_with("x,y,z"));
+  std::filesystem::rename(folder_ / "a.CSV", folder_ / "a.ply");
+  EXPECT_EQ(read_gaussians(folder_ / "a.ply"), gaussians);
 }
 
-TEST(GaussianFile, AcceptsColumnNamesOfOtherPrograms) {
-  const TemporaryFolder folder;
+TEST_F(GaussianFile, AcceptsColumnNamesOfOtherPrograms) {
   std::string text = ply_header;
   text.replace(text.find("radius"), 6, "pscale");
   text.replace(text.find("density"), 7, "scalar_density");
   const std::vector<Gaussian> expected{{{1, 2, 3}, 0.5, 0.01}, {{-1, 2, 0}, 4, 5}};
-  EXPECT_EQ(read_gaussians(folder.write("a.ply", text + "1 2 3 .5 1e-2\n-1 +2 0 4 5")), expected);
+  EXPECT_EQ(read_gaussians(folder_.write("a.ply", text + "1 2 3 .5 1e-2\n-1 +2 0 4 5")), expected);
   EXPECT_EQ(read_gaussians(
-                folder.write("a.csv", "x,y,z,scalar_radius,density\n1,2,3,.5,1e-2\n-1,2,0,4,5\n")),
+                folder_.write("a.csv", "x,y,z,scalar_radius,density\n1,2,3,.5,1e-2\n-1,2,0,4,5\n")),
             expected);
 }
 
 // Gaussian splatting stores ellipsoids; they become as opaque along their mean radius.
-TEST(GaussianFile, SplatsBecomeEllipsoidsAsOpaque) {
-  const TemporaryFolder folder;
+TEST_F(GaussianFile, SplatsBecomeEllipsoidsAsOpaque) {
   const std::string splats =
       "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
       "property float z\nproperty float nx\nproperty float f_dc_0\nproperty float opacity\n"
       "property float scale_0\nproperty float scale_1\nproperty float scale_2\n"
       "property float rot_0\nproperty float rot_1\nproperty float rot_2\nproperty float rot_3\n"
       "end_header\n";
-  const auto file = folder.write("a.ply", splats +
-                                              "1 2 3 0 .5 0 -2.1 -2 -1.9 1 0 0 0\n"
-                                              "0 0 0 0 0 2 0 0 0 1 0 0 0\n"
-                                              "0 0 0 0 0 -40 0 0 0 1 0 0 0\n"
-                                              "0 0 0 0 0 800 0 0 0 1 0 0 0\n");
+  const auto file = folder_.write("a.ply", splats +
+                                               "1 2 3 0 .5 0 -2.1 -2 -1.9 1 0 0 0\n"
+                                               "0 0 0 0 0 2 0 0 0 1 0 0 0\n"
+                                               "0 0 0 0 0 -40 0 0 0 1 0 0 0\n"
+                                               "0 0 0 0 0 800 0 0 0 1 0 0 0\n");
   const std::vector<Gaussian> balls = read_gaussians(file);
   ASSERT_EQ(balls.size(), 4u);
   EXPECT_EQ(balls[0].center, glm::dvec3(1, 2, 3));
@@ -142,7 +137,7 @@ TEST(GaussianFile, SplatsBecomeEllipsoidsAsOpaque) {
                           "0 0 0 0 0 0 nan 0 0 1 0 0 0", "0 0 0 0 0 0 0 0 nan 1 0 0 0"}) {
     std::string one = splats;
     one.replace(one.find("vertex 4"), 8, "vertex 1");
-    const auto bad = folder.write("b.ply", one + row);
+    const auto bad = folder_.write("b.ply", one + row);
     for (const auto along : {OpacityAlong::shortest, OpacityAlong::mean, OpacityAlong::longest}) {
       const auto read = [&] { read_gaussians(bad, nullptr, limits::gaussians, {along}); };
       EXPECT_TRUE(contains(error_of(read), "vertex 0")) << row;
@@ -152,7 +147,7 @@ TEST(GaussianFile, SplatsBecomeEllipsoidsAsOpaque) {
   // Turned from x to y.
   std::string one = splats;
   one.replace(one.find("vertex 4"), 8, "vertex 1");
-  const auto turned = folder.write("c.ply", one + "1 2 3 0 0 0 0 -1 -2 5 0 0 5");
+  const auto turned = folder_.write("c.ply", one + "1 2 3 0 0 0 0 -1 -2 5 0 0 5");
   const std::vector<Gaussian> row = read_gaussians(turned);
   ASSERT_EQ(row.size(), 1u);
   const glm::dvec3 radii = std::sqrt(2.0) * glm::exp(glm::dvec3(0.0, -1.0, -2.0));
@@ -161,13 +156,12 @@ TEST(GaussianFile, SplatsBecomeEllipsoidsAsOpaque) {
 }
 
 // Some programs leave out rotations, and scales of discs and of balls.
-TEST(GaussianFile, SplatsMayLackScalesAndRotations) {
-  const TemporaryFolder folder;
+TEST_F(GaussianFile, SplatsMayLackScalesAndRotations) {
   const std::string head =
       "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
       "property float z\nproperty float opacity\nproperty float scale_0\n";
   const auto read = [&](const std::string& rest) {
-    return read_gaussians(folder.write("a.ply", head + rest)).at(0);
+    return read_gaussians(folder_.write("a.ply", head + rest)).at(0);
   };
   const Gaussian ball = read("end_header\n1 2 3 0 -1\n");
   EXPECT_TRUE(ball.is_ball());
@@ -178,16 +172,15 @@ TEST(GaussianFile, SplatsMayLackScalesAndRotations) {
   EXPECT_NEAR(disc.density * std::sqrt(std::acos(-1.0)) * disc.mean_radius(), std::log(2.0), 1e-14);
 }
 
-TEST(GaussianFile, ReadsAscii) {
-  const TemporaryFolder folder;
-  const auto file = folder.write("a.ply", std::string(ply_header) + "1 2 3 .5 1e-2\r\n-1 +2 0 4 5");
+TEST_F(GaussianFile, ReadsAscii) {
+  const auto file =
+      folder_.write("a.ply", std::string(ply_header) + "1 2 3 .5 1e-2\r\n-1 +2 0 4 5");
   const std::vector<Gaussian> expected{{{1, 2, 3}, 0.5, 0.01}, {{-1, 2, 0}, 4, 5}};
   EXPECT_EQ(read_gaussians(file), expected);
 }
 
 // Other elements, lists and properties of every type stand between and around the ones needed.
-TEST(GaussianFile, SkipsWhatItDoesNotNeedInBothByteOrders) {
-  const TemporaryFolder folder;
+TEST_F(GaussianFile, SkipsWhatItDoesNotNeedInBothByteOrders) {
   for (const bool big : {false, true}) {
     std::string bytes = "ply\nformat binary_" + std::string(big ? "big" : "little") +
                         "_endian 1.0\ncomment made by hand\nobj_info nothing\n"
@@ -209,7 +202,7 @@ TEST(GaussianFile, SkipsWhatItDoesNotNeedInBothByteOrders) {
     append(bytes, 9.0, big);
     append(bytes, std::uint32_t{70000}, big);
     const std::vector<Gaussian> expected{{{1.5, -300, -3}, 70000, 0.25}};
-    EXPECT_EQ(read_gaussians(folder.write("a.ply", bytes)), expected) << "big-endian: " << big;
+    EXPECT_EQ(read_gaussians(folder_.write("a.ply", bytes)), expected) << "big-endian: " << big;
   }
 }
 
@@ -219,7 +212,7 @@ struct BadFile {
   const char* place;
 };
 
-TEST(GaussianFile, RefusesBadFilesAndNamesThePlace) {
+TEST_F(GaussianFile, RefusesBadFilesAndNamesThePlace) {
   const std::string h = ply_header;
   const auto replaced = [&](const std::string& what, const std::string& by) {
     std::string text = h;
@@ -250,35 +243,32 @@ TEST(GaussianFile, RefusesBadFilesAndNamesThePlace) {
   for (const auto& [name, content, place] : files) {
     SCOPED_TRACE(name);
     const auto file = folder.write("bad.ply", content);
-    const std::string error = error_of([&] { read_gaussians(file); });
-    EXPECT_TRUE(contains(error, file.string())) << error;
-    EXPECT_TRUE(contains(error, place)) << error;
+    expect_error([&] { read_gaussians(file); }, {file.string(), place});
   }
-  EXPECT_TRUE(contains(error_of([&] { read_gaussians(folder / "none.ply"); }), "no such file"));
-  EXPECT_TRUE(contains(error_of([&] { read_gaussians(folder.path()); }), "folder"));
+  expect_error([&] { read_gaussians(folder / "none.ply"); }, "no such file");
+  expect_error([&] { read_gaussians(folder.path()); }, "folder");
 }
 
-TEST(GaussianFile, CarriesOptics) {
-  const TemporaryFolder folder;
+TEST_F(GaussianFile, CarriesOptics) {
   const glm::dvec3 red(0.9, 0.3, 1e-6);
   const std::vector<Gaussian> gaussians{{{1, 2, 3}, 0.1, 0.3, {red, {1e20, 0.25, 0.0}}},
                                         {{1, 2, 4}, 0.1, 0.3},
                                         {{1, 2, 5}, 0.1, 0.3, {std::nullopt, {0.0, 0.0, 7.0}}}};
   for (const char* name : {"a.ply", "a.csv"}) {
-    write_gaussians(folder / name, gaussians);
-    EXPECT_EQ(read_gaussians(folder / name), gaussians) << name;
+    write_gaussians(folder_ / name, gaussians);
+    EXPECT_EQ(read_gaussians(folder_ / name), gaussians) << name;
   }
-  EXPECT_TRUE(content_of(folder / "a.csv")
+  EXPECT_TRUE(content_of(folder_ / "a.csv")
                   .starts_with("x,y,z,radius,density,albedo_r,albedo_g,albedo_b,emission_r,"));
   // Those of none take no columns.
-  write_gaussians(folder / "plain.csv", std::vector{gaussians[1]});
-  EXPECT_TRUE(content_of(folder / "plain.csv").starts_with("x,y,z,radius,density\n"));
+  write_gaussians(folder_ / "plain.csv", std::vector{gaussians[1]});
+  EXPECT_TRUE(content_of(folder_ / "plain.csv").starts_with("x,y,z,radius,density\n"));
 
   const std::string header =
       "x,y,z,radius,density,emission_r,emission_g,emission_b,albedo_r,albedo_g,albedo_b\n";
   const auto error = [&](const std::string& optics) {
     return error_of(
-        [&] { read_gaussians(folder.write("bad.csv", header + "1,2,3,1,1," + optics + "\n")); });
+        [&] { read_gaussians(folder_.write("bad.csv", header + "1,2,3,1,1," + optics + "\n")); });
   };
   EXPECT_TRUE(contains(error("1,1,1,0.5,0,0.5"), "line 2, albedo_g: found 0; allowed"));
   EXPECT_TRUE(contains(error("1,1,1,0.5,2,0.5"), "albedo_g: found 2; allowed"));
@@ -288,11 +278,10 @@ TEST(GaussianFile, CarriesOptics) {
   EXPECT_TRUE(contains(error("1,1,1,0.5,1"), "albedo_b: is missing"));
 }
 
-TEST(GaussianFile, EveryTruncationOfABinaryFileIsRefused) {
-  const TemporaryFolder folder;
-  write_gaussians(folder / "a.ply", std::vector<Gaussian>(3, {{1, 2, 3}, 4, 5}));
-  expect_truncations_refused(content_of(folder / "a.ply"), [&](const std::string& bytes) {
-    read_gaussians(folder.write("cut.ply", bytes));
+TEST_F(GaussianFile, EveryTruncationOfABinaryFileIsRefused) {
+  write_gaussians(folder_ / "a.ply", std::vector<Gaussian>(3, {{1, 2, 3}, 4, 5}));
+  expect_truncations_refused(content_of(folder_ / "a.ply"), [&](const std::string& bytes) {
+    read_gaussians(folder_.write("cut.ply", bytes));
   });
 }
 

@@ -6,9 +6,9 @@
 #include <numbers>
 
 #include "core/io/gaussians/gaussian_file.h"
+#include "tests/core/io/folder_test.h"
 #include "tests/core/io/gaussians/random_ellipsoids.h"
 #include "tests/core/io/input_error.h"
-#include "tests/core/io/temporary_folder.h"
 
 namespace brume {
 namespace {
@@ -16,13 +16,14 @@ namespace {
 constexpr OpacityAlong every_opacity_along[] = {OpacityAlong::shortest, OpacityAlong::mean,
                                                 OpacityAlong::longest};
 
-TEST(SplatFile, PlyGivesBackShapesAndDensities) {
-  const TemporaryFolder folder;
+using SplatFile = FolderTest;
+
+TEST_F(SplatFile, PlyGivesBackShapesAndDensities) {
   const std::vector<Gaussian> gaussians = random_ellipsoids(200);
   for (const OpacityAlong along : every_opacity_along) {
-    write_splats(folder / "a.ply", gaussians, {along});
+    write_splats(folder_ / "a.ply", gaussians, {along});
     const std::vector<Gaussian> back =
-        read_gaussians(folder / "a.ply", nullptr, limits::gaussians, {along});
+        read_gaussians(folder_ / "a.ply", nullptr, limits::gaussians, {along});
     ASSERT_EQ(back.size(), gaussians.size());
     for (std::size_t i = 0; i < back.size(); ++i) {
       EXPECT_LT(shape_difference(back[i], gaussians[i]), 2e-5) << i;
@@ -31,38 +32,36 @@ TEST(SplatFile, PlyGivesBackShapesAndDensities) {
   }
 }
 
-TEST(SplatFile, ColorsBecomeAlbedosIfWanted) {
-  const TemporaryFolder folder;
+TEST_F(SplatFile, ColorsBecomeAlbedosIfWanted) {
   std::vector<Gaussian> gaussians = random_ellipsoids(20);
   for (std::size_t i = 0; i < gaussians.size(); ++i) {
     const double x = static_cast<double>(i) / 19.0;
     gaussians[i].optics.albedo = glm::max(glm::dvec3(x, 1.0 - x, 0.002 * x), 1e-6);
   }
   for (const char* name : {"a.ply", "a.glb", "a.gltf"}) {
-    write_splats(folder / name, gaussians);
-    const auto plain = read_gaussians(folder / name);
+    write_splats(folder_ / name, gaussians);
+    const auto plain = read_gaussians(folder_ / name);
     const auto back =
-        read_gaussians(folder / name, nullptr, limits::gaussians, {.has_albedos = true});
+        read_gaussians(folder_ / name, nullptr, limits::gaussians, {.has_albedos = true});
     ASSERT_EQ(back.size(), gaussians.size());
     for (std::size_t i = 0; i < back.size(); ++i) {
       EXPECT_FALSE(plain[i].optics.albedo.has_value());
       ASSERT_TRUE(back[i].optics.albedo.has_value());
       EXPECT_LT(glm::length(*back[i].optics.albedo - *gaussians[i].optics.albedo), 1e-6) << name;
     }
-    write_gaussians(folder / "a.csv", back);
-    EXPECT_EQ(read_gaussians(folder / "a.csv"), back);
+    write_gaussians(folder_ / "a.csv", back);
+    EXPECT_EQ(read_gaussians(folder_ / "a.csv"), back);
   }
 }
 
-TEST(SplatFile, ColorsOfPlyMayBeMissingOrBeyondAlbedos) {
-  const TemporaryFolder folder;
+TEST_F(SplatFile, ColorsOfPlyMayBeMissingOrBeyondAlbedos) {
   const auto read_with = [&](const std::string& properties, const std::string& values) {
-    folder.write("a.ply", "ply\nformat ascii 1.0\nelement vertex 1\n" + properties +
-                              "property float x\nproperty float y\nproperty float z\n"
-                              "property float opacity\nproperty float scale_0\n"
-                              "end_header\n" +
-                              values + "0 0 0 0 -1\n");
-    return read_gaussians(folder / "a.ply", nullptr, limits::gaussians, {.has_albedos = true})
+    folder_.write("a.ply", "ply\nformat ascii 1.0\nelement vertex 1\n" + properties +
+                               "property float x\nproperty float y\nproperty float z\n"
+                               "property float opacity\nproperty float scale_0\n"
+                               "end_header\n" +
+                               values + "0 0 0 0 -1\n");
+    return read_gaussians(folder_ / "a.ply", nullptr, limits::gaussians, {.has_albedos = true})
         .at(0)
         .optics.albedo;
   };
@@ -71,20 +70,19 @@ TEST(SplatFile, ColorsOfPlyMayBeMissingOrBeyondAlbedos) {
   EXPECT_FALSE(read_with("", "").has_value());
   EXPECT_EQ(read_with(colors, "-9 9 1e30 "), glm::dvec3(1e-6, 1.0, 1.0));
   const std::string error = error_of([&] { read_with(colors, "0 nan 0 "); });
-  EXPECT_TRUE(contains(error, "vertex 0") && contains(error, "f_dc_1")) << error;
+  EXPECT_TRUE(contains(error, "vertex 0") && contains(error, "f_dc_1"));
 }
 
 // The layout that other programs read.
-TEST(SplatFile, PlyHasTheUsualProperties) {
-  const TemporaryFolder folder;
+TEST_F(SplatFile, PlyHasTheUsualProperties) {
   Gaussian g{{1.0, 2.0, 3.0}, 1.0};
   g.set_radii(std::numbers::sqrt2 * glm::exp(glm::dvec3(-1.0, -2.0, -3.0)),
               glm::dquat(0.5, 0.5, -0.5, 0.5));
   g.density = std::log(4.0) * std::numbers::inv_sqrtpi / g.mean_radius();  // opacity 3/4
   Gaussian colored = g;
   colored.optics.albedo = glm::dvec3(1.0, 0.21404114048223255, 1e-6);
-  write_splats(folder / "a.ply", std::vector{g, colored}, {.albedo = glm::dvec3(1.0)});
-  const std::string bytes = content_of(folder / "a.ply");
+  write_splats(folder_ / "a.ply", std::vector{g, colored}, {.albedo = glm::dvec3(1.0)});
+  const std::string bytes = content_of(folder_ / "a.ply");
   const std::string header =
       "ply\nformat binary_little_endian 1.0\nelement vertex 2\n"
       "property float x\nproperty float y\nproperty float z\n"
@@ -107,22 +105,21 @@ TEST(SplatFile, PlyHasTheUsualProperties) {
   }
 }
 
-TEST(SplatFile, PlyKeepsExtremes) {
-  const TemporaryFolder folder;
+TEST_F(SplatFile, PlyKeepsExtremes) {
   std::vector<Gaussian> gaussians{{{1e12, -1e12, 0.0}, 9e11, 9e11},
                                   {{0.0, 0.0, 0.0}, 2e-12, 9e11},
                                   {{0.0, 0.0, 0.0}, 1.0, 1e-300},
                                   {{0.0, 0.0, 0.0}, 1.0, 0.0}};
-  write_splats(folder / "a.ply", gaussians);
-  const std::vector<Gaussian> back = read_gaussians(folder / "a.ply");
+  write_splats(folder_ / "a.ply", gaussians);
+  const std::vector<Gaussian> back = read_gaussians(folder_ / "a.ply");
   ASSERT_EQ(back.size(), 4u);
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_NEAR(back[i].radius / gaussians[i].radius, 1.0, 1e-5);
     EXPECT_NEAR(back[i].density, gaussians[i].density, 1e-4 * gaussians[i].density);
   }
   EXPECT_EQ(back[3].density, 0.0);
-  write_splats(folder / "none.ply", {});
-  EXPECT_TRUE(read_gaussians(folder / "none.ply").empty());
+  write_splats(folder_ / "none.ply", {});
+  EXPECT_TRUE(read_gaussians(folder_ / "none.ply").empty());
 }
 
 }  // namespace

@@ -2,12 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "core/io/image/hdr_file.h"
 #include "core/io/image/image_file.h"
+#include "tests/core/io/folder_test.h"
 #include "tests/core/io/input_error.h"
-#include "tests/core/io/temporary_folder.h"
 
 namespace brume {
 namespace {
@@ -23,10 +21,11 @@ std::string bytes(std::initializer_list<int> values) {
   return text;
 }
 
-TEST(HdrFile, ReadsFlatPixels) {
-  const TemporaryFolder folder;
+using HdrFile = FolderTest;
+
+TEST_F(HdrFile, ReadsFlatPixels) {
   // Exponent 136 is a unit of 1; 128 one of 1/256.
-  const RadianceMap map = read_hdr(folder.write(
+  const RadianceMap map = read_hdr(folder_.write(
       "a.hdr",
       hdr_header(2, 2) + bytes({10, 20, 30, 136, 255, 0, 128, 128, 9, 9, 9, 0, 1, 1, 2, 137})));
   ASSERT_EQ(map.width, 2);
@@ -37,24 +36,21 @@ TEST(HdrFile, ReadsFlatPixels) {
   EXPECT_EQ(map.pixel(1, 1), glm::vec3(3.0f, 3.0f, 5.0f));
 }
 
-TEST(HdrFile, UndoesTheExposure) {
-  const TemporaryFolder folder;
+TEST_F(HdrFile, UndoesTheExposure) {
   const RadianceMap map =
-      read_hdr(folder.write("a.hdr", hdr_header(1, 1, "EXPOSURE= 4\nGAMMA=1\nEXPOSURE=0.5\n") +
-                                         bytes({10, 20, 30, 136})));
+      read_hdr(folder_.write("a.hdr", hdr_header(1, 1, "EXPOSURE= 4\nGAMMA=1\nEXPOSURE=0.5\n") +
+                                          bytes({10, 20, 30, 136})));
   EXPECT_EQ(map.pixel(0, 0), glm::vec3(5.25f, 10.25f, 15.25f));
 }
 
-TEST(HdrFile, UndoesTheColorCorrection) {
-  const TemporaryFolder folder;
+TEST_F(HdrFile, UndoesTheColorCorrection) {
   const RadianceMap map = read_hdr(
-      folder.write("a.hdr", hdr_header(1, 1, "EXPOSURE = 2\nCOLORCORR= 1 2 .5\n# EXPOSURE=9\n") +
-                                bytes({10, 20, 30, 136})));
+      folder_.write("a.hdr", hdr_header(1, 1, "EXPOSURE = 2\nCOLORCORR= 1 2 .5\n# EXPOSURE=9\n") +
+                                 bytes({10, 20, 30, 136})));
   EXPECT_EQ(map.pixel(0, 0), glm::vec3(5.25f, 5.125f, 30.5f));
 }
 
-TEST(HdrFile, ReadsRowsInAnyOrder) {
-  const TemporaryFolder folder;
+TEST_F(HdrFile, ReadsRowsInAnyOrder) {
   // The picture, of three by two pixels, from the top: 1 2 3, 4 5 6.
   const std::pair<const char*, std::vector<int>> orders[] = {
       {"-Y 2 +X 3", {1, 2, 3, 4, 5, 6}}, {"-Y 2 -X 3", {3, 2, 1, 6, 5, 4}},
@@ -65,7 +61,7 @@ TEST(HdrFile, ReadsRowsInAnyOrder) {
     std::string pixels;
     for (const int value : order) pixels += bytes({value, 0, 0, 136});
     const RadianceMap map =
-        read_hdr(folder.write("a.hdr", std::string("#?RGBE\n\n") + size + "\n" + pixels));
+        read_hdr(folder_.write("a.hdr", std::string("#?RGBE\n\n") + size + "\n" + pixels));
     ASSERT_EQ(map.width, 3) << size;
     ASSERT_EQ(map.height, 2) << size;
     for (int i = 0; i < 6; ++i) {
@@ -74,31 +70,28 @@ TEST(HdrFile, ReadsRowsInAnyOrder) {
   }
 }
 
-TEST(HdrFile, ReadsHeadersOfOldPrograms) {
-  const TemporaryFolder folder;
+TEST_F(HdrFile, ReadsHeadersOfOldPrograms) {
   const std::string pixel = bytes({10, 20, 30, 136});
   for (const std::string& header :
        {std::string("#?RGBE\n\n-Y 1 +X 1\n"),
         std::string("#?RADIANCE\r\nFORMAT=32-bit_rle_rgbe\r\n\r\n-Y 1 +X 1\r\n"),
         std::string("#?RADIANCE\npfilt -x 1\nFORMAT= 32-bit_rle_rgbe \n \n\n-Y 1 +X 1\n"),
         std::string("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n-Y 1 +X 1\n")}) {
-    EXPECT_EQ(read_hdr(folder.write("a.hdr", header + pixel)).pixel(0, 0).x, 10.5f) << header;
-    EXPECT_EQ(read_hdr(folder.write("a.hdr", header + pixel + "behind")).pixel(0, 0).x, 10.5f);
+    EXPECT_EQ(read_hdr(folder_.write("a.hdr", header + pixel)).pixel(0, 0).x, 10.5f) << header;
+    EXPECT_EQ(read_hdr(folder_.write("a.hdr", header + pixel + "behind")).pixel(0, 0).x, 10.5f);
   }
 }
 
-TEST(HdrFile, ReadsTheOldRuns) {
-  const TemporaryFolder folder;
+TEST_F(HdrFile, ReadsTheOldRuns) {
   // A count of 3 + 256 in two pixels.
-  const RadianceMap map = read_hdr(folder.write(
+  const RadianceMap map = read_hdr(folder_.write(
       "a.hdr",
       hdr_header(261, 1) + bytes({10, 20, 30, 136, 1, 1, 1, 3, 1, 1, 1, 1, 40, 20, 30, 136})));
   EXPECT_EQ(map.pixel(259, 0).x, 10.5f);
   EXPECT_EQ(map.pixel(260, 0).x, 40.5f);
 }
 
-TEST(HdrFile, ReadsTheNewRuns) {
-  const TemporaryFolder folder;
+TEST_F(HdrFile, ReadsTheNewRuns) {
   std::string data = hdr_header(8, 2);
   for (int row = 0; row < 2; ++row) {
     data += bytes({2, 2, 0, 8});
@@ -106,14 +99,13 @@ TEST(HdrFile, ReadsTheNewRuns) {
     data += bytes({3, 1, 2, 3, 128 + 4, 4, 1, 5});             // green: both
     data += bytes({8, 0, 1, 2, 3, 4, 5, 6, 7, 128 + 8, 136});  // blue: one stretch
   }
-  const RadianceMap map = read_hdr(folder.write("a.hdr", data));
+  const RadianceMap map = read_hdr(folder_.write("a.hdr", data));
   EXPECT_EQ(map.pixel(0, 0), glm::vec3(10.5f, 1.5f, 0.5f));
   EXPECT_EQ(map.pixel(6, 1), glm::vec3(11.5f, 4.5f, 6.5f));
   EXPECT_EQ(map.pixel(7, 1), glm::vec3(11.5f, 5.5f, 7.5f));
 }
 
-TEST(HdrFile, RefusesWhatItIsNot) {
-  const TemporaryFolder folder;
+TEST_F(HdrFile, RefusesWhatItIsNot) {
   const std::string pixel = bytes({10, 20, 30, 136});
   const std::string bad_header = "#?RADIANCE\n\n";
   const std::string new_row = bytes({2, 2, 0, 8});
@@ -141,18 +133,17 @@ TEST(HdrFile, RefusesWhatItIsNot) {
       {hdr_header(8, 1) + new_row + bytes({136}), "ends here"},
   };
   for (const auto& [content, part] : cases) {
-    const std::filesystem::path file = folder.write("bad.hdr", content);
+    const std::filesystem::path file = folder_.write("bad.hdr", content);
     const std::string error = error_of([&] { read_hdr(file); });
     EXPECT_TRUE(contains(error, part)) << part << " in: " << error;
     EXPECT_TRUE(contains(error, "bad.hdr"));
   }
 }
 
-TEST(HdrFile, NoDamageDoesAnythingButAnError) {
-  const TemporaryFolder folder;
+TEST_F(HdrFile, NoDamageDoesAnythingButAnError) {
   const std::string complete =
       hdr_header(8, 1) + bytes({2, 2, 0, 8, 136, 1, 136, 2, 3, 1, 2, 3, 133, 4, 136, 9});
-  const auto read = [&](const std::string& bytes) { read_hdr(folder.write("a.hdr", bytes)); };
+  const auto read = [&](const std::string& bytes) { read_hdr(folder_.write("a.hdr", bytes)); };
   EXPECT_NO_THROW(read(complete));
   expect_truncations_refused(complete, read);
   refused_damages(complete, read);
@@ -190,8 +181,7 @@ TEST(RadianceMapFile, RefusesWhatCannotLightAScene) {
   EXPECT_TRUE(contains(error(image), "pixel (1, 0)"));
   image.channels.erase("G");
   EXPECT_TRUE(contains(error(image), "no channels R G B or Y; its channels: B R"));
-  EXPECT_TRUE(contains(error_of([&] { read_radiance_map(folder.write("not.exr", "PNG")); }),
-                       "neither an OpenEXR"));
+  expect_error([&] { read_radiance_map(folder.write("not.exr", "PNG")); }, "neither an OpenEXR");
 }
 
 }  // namespace

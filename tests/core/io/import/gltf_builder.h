@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstring>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>

@@ -58,8 +58,8 @@ class ImportedTextures : public ::testing::Test {
 
   void expect_warning(const std::string& part, const std::string& other = "") {
     ASSERT_EQ(warnings_.size(), 1u);
-    EXPECT_TRUE(contains(warnings_[0], part)) << warnings_[0];
-    EXPECT_TRUE(contains(warnings_[0], other)) << warnings_[0];
+    EXPECT_TRUE(contains(warnings_[0], part));
+    EXPECT_TRUE(contains(warnings_[0], other));
   }
 
   TemporaryFolder folder_;

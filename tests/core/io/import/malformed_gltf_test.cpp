@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
 #include "core/io/import/imported_scene_file.h"
+#include "tests/core/io/folder_test.h"
 #include "tests/core/io/import/gltf_builder.h"
 #include "tests/core/io/input_error.h"
-#include "tests/core/io/temporary_folder.h"
 
 namespace brume {
 namespace {
@@ -113,31 +113,30 @@ const std::vector<Mistake>& mistakes() {
   return all;
 }
 
-TEST(MalformedGltf, NamesThePlace) {
-  const TemporaryFolder folder;
+using MalformedGltf = FolderTest;
+
+TEST_F(MalformedGltf, NamesThePlace) {
   for (const Mistake& mistake : mistakes()) {
     GltfBuilder builder;
     mistake.make(builder);
-    const std::filesystem::path file = folder.write("scene.glb", builder.binary());
+    const std::filesystem::path file = folder_.write("scene.glb", builder.binary());
     std::vector<std::string> warnings;
     const std::string error = error_of([&] { read_imported_scene(file, warnings); });
     EXPECT_TRUE(error.starts_with(file.string() + ": " + mistake.place)) << error;
-    EXPECT_TRUE(contains(error, mistake.said)) << error;
+    EXPECT_TRUE(contains(error, mistake.said));
   }
 }
 
-TEST(MalformedGltf, TruncatedAnywhereIsRefused) {
-  const TemporaryFolder folder;
+TEST_F(MalformedGltf, TruncatedAnywhereIsRefused) {
   std::vector<std::string> warnings;
   const auto read = [&](const std::string& bytes) {
-    read_imported_scene(folder.write("scene.glb", bytes), warnings);
+    read_imported_scene(folder_.write("scene.glb", bytes), warnings);
   };
   expect_truncations_refused(GltfBuilder().binary(), read, 7, 4);
 }
 
 // Points, which are left out, of a mesh that many nodes share: a small file, and no end to it.
-TEST(MalformedGltf, NodesWithTooManyPrimitivesAreRefused) {
-  const TemporaryFolder folder;
+TEST_F(MalformedGltf, NodesWithTooManyPrimitivesAreRefused) {
   GltfBuilder builder;
   GltfBuilder::Json points = builder.primitive();
   points["mode"] = 0;
@@ -145,25 +144,23 @@ TEST(MalformedGltf, NodesWithTooManyPrimitivesAreRefused) {
   builder.json["nodes"] = std::vector<GltfBuilder::Json>(513, {{"mesh", 0}});
   builder.json.erase("scene");
   builder.json.erase("scenes");
-  const auto file = folder.write("scene.glb", builder.binary());
+  const auto file = folder_.write("scene.glb", builder.binary());
   std::vector<std::string> warnings;
-  const std::string error = error_of([&] { read_imported_scene(file, warnings); });
-  EXPECT_TRUE(contains(error, "nodes[512]: found more than 1048576 primitives")) << error;
+  expect_error([&] { read_imported_scene(file, warnings); },
+               "nodes[512]: found more than 1048576 primitives");
 }
 
-TEST(MalformedGltf, ABufferThatIsMissingIsNamed) {
-  const TemporaryFolder folder;
-  const auto file = folder.write("scene.gltf", GltfBuilder().text("gone.bin"));
+TEST_F(MalformedGltf, ABufferThatIsMissingIsNamed) {
+  const auto file = folder_.write("scene.gltf", GltfBuilder().text("gone.bin"));
   std::vector<std::string> warnings;
-  const std::string error = error_of([&] { read_imported_scene(file, warnings); });
-  EXPECT_TRUE(contains(error, "buffers[0].uri: " + (folder / "gone.bin").string())) << error;
+  expect_error([&] { read_imported_scene(file, warnings); },
+               "buffers[0].uri: " + (folder_ / "gone.bin").string());
 }
 
-TEST(MalformedGltf, OtherFormatsAreRefused) {
-  const TemporaryFolder folder;
+TEST_F(MalformedGltf, OtherFormatsAreRefused) {
   std::vector<std::string> warnings;
-  const auto error = error_of([&] { read_imported_scene(folder.write("a.dae", "x"), warnings); });
-  EXPECT_TRUE(contains(error, "allowed: .gltf, .glb, .obj, .fbx")) << error;
+  const auto error = error_of([&] { read_imported_scene(folder_.write("a.dae", "x"), warnings); });
+  EXPECT_TRUE(contains(error, "allowed: .gltf, .glb, .obj, .fbx"));
 }
 
 }  // namespace

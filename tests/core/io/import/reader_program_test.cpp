@@ -8,9 +8,9 @@
 #include "core/io/import/imported_scene_file.h"
 #include "core/scene/lights/area_normal.h"
 #include "core/scene/mesh.h"
+#include "tests/core/io/folder_test.h"
 #include "tests/core/io/import/small_raw_scene.h"
 #include "tests/core/io/input_error.h"
-#include "tests/core/io/temporary_folder.h"
 
 namespace brume {
 namespace {
@@ -46,12 +46,13 @@ Ns 126
 Ke 1 2 3
 )";
 
-TEST(ReaderProgram, ReadsObjWithItsMaterials) {
-  const TemporaryFolder folder;
-  const auto file = folder.write("scene.obj", two_squares);
-  folder.write("my.mtl", two_materials);
+using ReaderProgram = FolderTest;
+
+TEST_F(ReaderProgram, ReadsObjWithItsMaterials) {
+  const auto file = folder_.write("scene.obj", two_squares);
+  folder_.write("my.mtl", two_materials);
   const std::vector<std::uint8_t> pixels(12, 255);
-  folder.write("paint.png", encode_png(2, 2, pixels));
+  folder_.write("paint.png", encode_png(2, 2, pixels));
   std::vector<std::string> warnings;
   const auto scene = read_imported_scene(file, warnings);
   EXPECT_TRUE(warnings.empty()) << warnings.front();
@@ -66,22 +67,21 @@ TEST(ReaderProgram, ReadsObjWithItsMaterials) {
   EXPECT_EQ(scene->parts[1].material.name, "shiny");
   const MetallicRoughness& painted = scene->parts[0].material.metallic_roughness;
   EXPECT_EQ(painted.base_color, glm::dvec3(1.0)) << "the texture instead";
-  EXPECT_EQ(painted.base_color_texture.file, folder / "paint.png");
+  EXPECT_EQ(painted.base_color_texture.file, folder_ / "paint.png");
   EXPECT_NE(painted.base_color_texture.content, nullptr);
   const MetallicRoughness& shiny = scene->parts[1].material.metallic_roughness;
   EXPECT_LT(glm::distance(shiny.base_color, {0.2, 0.4, 0.6}), 1e-6);
   EXPECT_EQ(shiny.metallic, 0.0);
   EXPECT_NEAR(shiny.roughness, std::pow(2.0 / 128.0, 0.25), 1e-6);
   EXPECT_LT(glm::distance(shiny.emissive, {1, 2, 3}), 1e-6);
-  EXPECT_EQ(scene->files, (std::vector{file, folder / "my.mtl", folder / "paint.png"}));
+  EXPECT_EQ(scene->files, (std::vector{file, folder_ / "my.mtl", folder_ / "paint.png"}));
 }
 
 // 3ds Max writes pi times the color that it shows as EmissiveColor, and exponents of Phong that are
 // not those of its roughness.
-TEST(ReaderProgram, ReadsPhysicalMaterialsOf3dsMax) {
-  const TemporaryFolder folder;
+TEST_F(ReaderProgram, ReadsPhysicalMaterialsOf3dsMax) {
   const auto read = [&](const std::string& properties) {
-    const auto file = folder.write("max.fbx", R"(; FBX 7.7.0 project file
+    const auto file = folder_.write("max.fbx", R"(; FBX 7.7.0 project file
 FBXHeaderExtension:  {
 	FBXVersion: 7700
 }
@@ -141,23 +141,20 @@ Connections:  {
   EXPECT_NEAR(read("").emissive.x, 3.14159, 1e-5) << "of another program";
 }
 
-TEST(ReaderProgram, MissingTexturesAreAWarning) {
-  const TemporaryFolder folder;
-  const auto file = folder.write("scene.obj", two_squares);
-  folder.write("my.mtl", two_materials);
+TEST_F(ReaderProgram, MissingTexturesAreAWarning) {
+  const auto file = folder_.write("scene.obj", two_squares);
+  folder_.write("my.mtl", two_materials);
   std::vector<std::string> warnings;
   const auto scene = read_imported_scene(file, warnings);
-  ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_TRUE(contains(warnings[0], "paint.png is missing")) << warnings[0];
+  expect_only(warnings, "paint.png is missing");
   EXPECT_EQ(scene->parts[0].material.metallic_roughness.base_color_texture.content, nullptr);
 }
 
-TEST(ReaderProgram, CoversConcavePolygons) {
-  const TemporaryFolder folder;
+TEST_F(ReaderProgram, CoversConcavePolygons) {
   const std::string points = "v 2 0 0\nv 2 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0\nv 0 0 0\n";
   std::vector<std::string> warnings;
   for (const char* face : {"f 1 2 3 4 5 6\n", "f 6 5 4 3 2 1\n", "f 4 5 6 1 2 3\nl 1 2\n"}) {
-    const auto scene = read_imported_scene(folder.write("l.obj", points + face), warnings);
+    const auto scene = read_imported_scene(folder_.write("l.obj", points + face), warnings);
     const MeshArrays mesh = to_arrays(*scene->parts.at(0).mesh);
     double area = 0.0;
     for (const glm::uvec3& t : mesh.triangles) {
@@ -167,22 +164,21 @@ TEST(ReaderProgram, CoversConcavePolygons) {
   }
 }
 
-TEST(ReaderProgram, ReadsLinesThatGoOn) {
-  const TemporaryFolder folder;
+TEST_F(ReaderProgram, ReadsLinesThatGoOn) {
   std::vector<std::string> warnings;
   const auto scene = read_imported_scene(
-      folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 1 \\\n1 0\nv 0 1 0\nf 1 2 \\\r\n3 4\n"), warnings);
+      folder_.write("a.obj", "v 0 0 0\nv 1 0 0\nv 1 \\\n1 0\nv 0 1 0\nf 1 2 \\\r\n3 4\n"),
+      warnings);
   EXPECT_EQ(to_arrays(*scene->parts.at(0).mesh).triangles.size(), 2u);
 }
 
-TEST(ReaderProgram, LeavesOutBadFacesOfObj) {
-  const TemporaryFolder folder;
+TEST_F(ReaderProgram, LeavesOutBadFacesOfObj) {
   const std::string good = "v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nvn 0 0 1\nf 1/1/1 2/1/1 3/1/1\n";
   for (const char* bad : {"f 1 2 4", "f 0 1 2", "f -1 -2 -4", "f 1/1 2/1 \\\n9/1",
                           "f 9 8 7 # l 1 99\nl 1 99\np 99"}) {
     SCOPED_TRACE(bad);
     std::vector<std::string> warnings;
-    const auto file = folder.write("a.obj", good + bad + "\nf 3/1/1 2/1/1 1/1/1\n");
+    const auto file = folder_.write("a.obj", good + bad + "\nf 3/1/1 2/1/1 1/1/1\n");
     const auto scene = read_imported_scene(file, warnings);
     EXPECT_EQ(to_arrays(*scene->parts.at(0).mesh).triangles.size(), 2u);
     ASSERT_EQ(warnings.size(), 1u);
@@ -190,30 +186,27 @@ TEST(ReaderProgram, LeavesOutBadFacesOfObj) {
   }
   std::vector<std::string> warnings;
   const auto scene =
-      read_imported_scene(folder.write("a.obj", good + "f 3/7/1 2/1/9 1/1/1\n"), warnings);
+      read_imported_scene(folder_.write("a.obj", good + "f 3/7/1 2/1/9 1/1/1\n"), warnings);
   EXPECT_EQ(to_arrays(*scene->parts.at(0).mesh).triangles.size(), 2u)
       << "without texture coordinates";
   EXPECT_TRUE(warnings.empty()) << warnings[0];
 }
 
-TEST(ReaderProgram, DamagedFilesAreAnError) {
-  const TemporaryFolder folder;
+TEST_F(ReaderProgram, DamagedFilesAreAnError) {
   std::vector<std::string> warnings;
   for (const auto& [name, content] :
        {std::pair("a.obj", "f 1 2 3\n"), std::pair("a.fbx", "f 1 2 3\n"),
         std::pair("a.fbx", "Kaydara FBX Binary  \x00\x1a\x00garbage")}) {
-    const auto file = folder.write(name, content);
+    const auto file = folder_.write(name, content);
     const std::string error = error_of([&] { read_imported_scene(file, warnings); });
     EXPECT_TRUE(error.starts_with(file.string() + ": cannot be read")) << error;
   }
-  const std::string error = error_of([&] { read_imported_scene(folder / "b.fbx", warnings); });
-  EXPECT_TRUE(contains(error, "no such file")) << error;
+  expect_error([&] { read_imported_scene(folder_ / "b.fbx", warnings); }, "no such file");
 }
 
-TEST(ReaderProgram, SaysWhatAnObjWithoutFacesHas) {
-  const TemporaryFolder folder;
+TEST_F(ReaderProgram, SaysWhatAnObjWithoutFacesHas) {
   const auto error = [&](const char* name, const char* content) {
-    const auto file = folder.write(name, content);
+    const auto file = folder_.write(name, content);
     std::vector<std::string> warnings;
     return error_of([&] { read_imported_scene(file, warnings); }).substr(file.string().size());
   };
@@ -226,8 +219,7 @@ TEST(ReaderProgram, SaysWhatAnObjWithoutFacesHas) {
 }
 
 // Windows' editors and PowerShell write it so.
-TEST(ReaderProgram, ReadsObjInUtf16) {
-  const TemporaryFolder folder;
+TEST_F(ReaderProgram, ReadsObjInUtf16) {
   const auto utf16 = [](const std::string& text, bool is_big_endian) {
     std::string bytes = is_big_endian ? "\xfe\xff" : "\xff\xfe";
     for (const char c : text) {
@@ -237,8 +229,8 @@ TEST(ReaderProgram, ReadsObjInUtf16) {
     return bytes;
   };
   for (const bool is_big_endian : {false, true}) {
-    const auto file = folder.write("scene.obj", utf16(two_squares, is_big_endian));
-    folder.write("my.mtl", utf16("newmtl shiny\nKd 0.5 0.25 1\nnewmtl painted\n", is_big_endian));
+    const auto file = folder_.write("scene.obj", utf16(two_squares, is_big_endian));
+    folder_.write("my.mtl", utf16("newmtl shiny\nKd 0.5 0.25 1\nnewmtl painted\n", is_big_endian));
     std::vector<std::string> warnings;
     const auto scene = read_imported_scene(file, warnings);
     ASSERT_EQ(scene->parts.size(), 2u);
@@ -247,10 +239,9 @@ TEST(ReaderProgram, ReadsObjInUtf16) {
   }
 }
 
-TEST(ReaderProgram, MaterialsThatAreNotOpaqueBlend) {
-  const TemporaryFolder folder;
-  const auto file = folder.write("scene.obj", two_squares);
-  folder.write("my.mtl", "newmtl painted\nTr 0.25\nnewmtl shiny\nd 0.25\n");
+TEST_F(ReaderProgram, MaterialsThatAreNotOpaqueBlend) {
+  const auto file = folder_.write("scene.obj", two_squares);
+  folder_.write("my.mtl", "newmtl painted\nTr 0.25\nnewmtl shiny\nd 0.25\n");
   std::vector<std::string> warnings;
   const auto scene = read_imported_scene(file, warnings);
   EXPECT_TRUE(warnings.empty());
@@ -264,9 +255,8 @@ TEST(ReaderProgram, MaterialsThatAreNotOpaqueBlend) {
   EXPECT_EQ(opacities, (std::vector{0.25, 0.75}));
 }
 
-TEST(ReaderProgram, StopsWhenAsked) {
-  const TemporaryFolder folder;
-  const auto file = folder.write("scene.obj", two_squares);
+TEST_F(ReaderProgram, StopsWhenAsked) {
+  const auto file = folder_.write("scene.obj", two_squares);
   std::stop_source source;
   source.request_stop();
   std::vector<std::string> warnings;

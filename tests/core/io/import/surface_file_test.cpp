@@ -109,10 +109,10 @@ TEST_F(SurfaceFile, IsSavedAsItWas) {
       write(R"("file": "model/town.gltf", "nodes": ["house"], "material": { "x": 1 })"));
   save_document(document, folder_ / "again.brume");
   const std::string text = content_of(folder_ / "again.brume");
-  EXPECT_TRUE(contains(text, R"("file": "model/town.gltf")")) << text;
-  EXPECT_TRUE(contains(text, R"("nodes": ["house"])")) << text;
-  EXPECT_TRUE(contains(text, R"("material": { "x": 1 })")) << text;
-  EXPECT_FALSE(contains(text, "\"mesh\"")) << text;
+  EXPECT_TRUE(contains(text, R"("file": "model/town.gltf")"));
+  EXPECT_TRUE(contains(text, R"("nodes": ["house"])"));
+  EXPECT_TRUE(contains(text, R"("material": { "x": 1 })"));
+  EXPECT_FALSE(contains(text, "\"mesh\""));
   save_document(load_document(folder_ / "again.brume"), folder_ / "third.brume");
   EXPECT_EQ(content_of(folder_ / "third.brume"), text);
 }
@@ -143,7 +143,7 @@ TEST_F(SurfaceFile, MistakesAreNamed) {
            {R"("file": "model/town.bin")", "file", "allowed: .gltf, .glb, .obj, .fbx"}}) {
     const std::string text = error(surface);
     EXPECT_TRUE(text.starts_with(scene + place + ":")) << text;
-    EXPECT_TRUE(contains(text, said)) << text;
+    EXPECT_TRUE(contains(text, said));
   }
 }
 
@@ -153,16 +153,16 @@ TEST_F(SurfaceFile, OfPointsAndLinesAloneIsRefusedWithItsName) {
   const fs::path lines = folder_.write("lines.glb", builder.binary());
   const std::string left_out =
       "surfaces[0].file: " + lines.string() + ": meshes[0].primitives[0]: found ";
-  EXPECT_TRUE(contains(error_of([&] { load_scene(write(R"("file": "lines.glb")")); }),
-                       left_out + "lines, and no triangles anywhere"));
+  expect_error([&] { load_scene(write(R"("file": "lines.glb")")); },
+               left_out + "lines, and no triangles anywhere");
   builder.primitive()["mode"] = 0;
   folder_.write("lines.glb", builder.binary());
-  EXPECT_TRUE(contains(error_of([&] { load_scene(write(R"("file": "lines.glb")")); }),
-                       left_out + "points, and no triangles anywhere"));
+  expect_error([&] { load_scene(write(R"("file": "lines.glb")")); },
+               left_out + "points, and no triangles anywhere");
   builder.json["nodes"][0].erase("mesh");
   folder_.write("lines.glb", builder.binary());
-  EXPECT_TRUE(contains(error_of([&] { load_scene(write(R"("file": "lines.glb")")); }),
-                       "surfaces[0].file: " + lines.string() + ": has no triangles"));
+  expect_error([&] { load_scene(write(R"("file": "lines.glb")")); },
+               "surfaces[0].file: " + lines.string() + ": has no triangles");
 }
 
 TEST_F(SurfaceFile, WarnsOfWhatIsMissingInIt) {
@@ -170,9 +170,8 @@ TEST_F(SurfaceFile, WarnsOfWhatIsMissingInIt) {
   std::vector<std::string> warnings;
   const fs::path file = write(R"("file": "model/town.gltf")");
   load_scene(file, &warnings);
-  ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_TRUE(contains(warnings[0], "surfaces[].file: ")) << warnings[0];
-  EXPECT_TRUE(contains(warnings[0], "textures/t.png is missing")) << warnings[0];
+  expect_only(warnings, "surfaces[].file: ");
+  EXPECT_TRUE(contains(warnings[0], "textures/t.png is missing"));
 }
 
 TEST_F(SurfaceFile, MayBeMissingAsAWhole) {
@@ -182,8 +181,8 @@ TEST_F(SurfaceFile, MayBeMissingAsAWhole) {
   EXPECT_EQ(missing.missing, std::vector{folder_ / "model/gone.glb"});
   save_document(document, folder_ / "again.brume");
   const std::string text = content_of(folder_ / "again.brume");
-  EXPECT_TRUE(contains(text, R"("file": "model/gone.glb")")) << text;
-  EXPECT_TRUE(contains(text, R"("nodes": ["any"])")) << text;
+  EXPECT_TRUE(contains(text, R"("file": "model/gone.glb")"));
+  EXPECT_TRUE(contains(text, R"("nodes": ["any"])"));
 }
 
 TEST_F(SurfaceFile, IsGatheredWithItsFiles) {

@@ -106,10 +106,7 @@ TEST(GroupFile, RefusesAGroupThatTheSceneDoesNotHave) {
   const TemporaryFolder folder;
   folder.write("fog.csv", "x,y,z,radius,density,group\n0,0,0,1,1,0\n0,0,0,1,1,2\n");
   const fs::path file = folder.write("a.brume", csv_scene(R"({"name": "a"})"));
-  const std::string message = error_of([&] { load_scene(file); });
-  EXPECT_TRUE(contains(message, "medium.file")) << message;
-  EXPECT_TRUE(contains(message, "Gaussian 1")) << message;
-  EXPECT_TRUE(contains(message, "from 0 to 1")) << message;
+  expect_error([&] { load_scene(file); }, {"medium.file", "Gaussian 1", "from 0 to 1"});
   // In a scene without groups it is a column like others.
   EXPECT_EQ(load_scene(folder.write("b.brume", csv_scene(""))).medium.size(), 2u);
 }

@@ -37,7 +37,7 @@ class MissingFilesTest : public testing::Test {
 };
 
 TEST_F(MissingFilesTest, AreAnErrorByDefault) {
-  EXPECT_TRUE(contains(error_of([&] { load_scene(scene_); }), "column.ply"));
+  expect_error([&] { load_scene(scene_); }, "column.ply");
 }
 
 TEST_F(MissingFilesTest, AreListedOnce) {
@@ -86,13 +86,12 @@ TEST(SceneReferences, FilesNamedAlikeAreFound) {
 TEST(SceneReferences, WarnsOfFacesThatAreLeftOut) {
   const TemporaryFolder folder;
   folder.write("a.obj", std::string(triangle_obj) + "f 1 2 99\n");
-  const fs::path scene = folder.write("a.brume", R"({ "format": "brume-scene", "version": 1,
-    "surfaces": [ { "mesh": "a.obj" }, { "mesh": "a.obj" } ] })");
+  const fs::path scene =
+      folder.write_scene("a.brume", R"("surfaces": [ { "mesh": "a.obj" }, { "mesh": "a.obj" } ])");
   std::vector<std::string> warnings;
   load_scene(scene, &warnings);
   ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_TRUE(contains(warnings[0], "surfaces[].mesh: " + (folder / "a.obj").string()))
-      << warnings[0];
+  EXPECT_TRUE(contains(warnings[0], "surfaces[].mesh: " + (folder / "a.obj").string()));
 }
 
 TEST_F(MissingFilesTest, AreReadFromTheirNewPlace) {
@@ -113,7 +112,7 @@ TEST_F(MissingFilesTest, AreReadFromTheirNewPlace) {
 
 TEST_F(MissingFilesTest, OtherMistakesStayErrors) {
   folder_.write("column.ply", "no ply");
-  EXPECT_TRUE(contains(error_of([&] { load_document(scene_, nullptr, missing_); }), "column.ply"));
+  expect_error([&] { load_document(scene_, nullptr, missing_); }, "column.ply");
 }
 
 }  // namespace

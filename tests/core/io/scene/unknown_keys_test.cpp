@@ -34,8 +34,8 @@ void add_everywhere(Json& value, int& count) {
 TEST(UnknownKeys, ArePreservedAndWarnedOfOncePerKind) {
   const TemporaryFolder folder;
   write_files(folder);
-  const fs::path file = folder.write("a.brume", R"({
-    "format": "brume-scene", "version": 1, "author": {"name": "\u00e9", "tags": [1, null, 2.5e-7]},
+  const fs::path file =
+      folder.write_scene("a.brume", R"("author": {"name": "\u00e9", "tags": [1, null, 2.5e-7]},
     "camera": {"lens": "x"}, "film": {"gamma": 2},
     "medium": {"kind": 1, "gaussians": [
       {"center": [0, 0, 0], "radius": 1, "density": 1, "colour": "red", "9": []},
@@ -46,7 +46,7 @@ TEST(UnknownKeys, ArePreservedAndWarnedOfOncePerKind) {
     "timeline": {"last": 2, "speed": 2},
     "lights": [{"type": "point", "position": [0, 0, 0], "owner": "sun"}],
     "environment": {"file": "dawn.exr", "blur": 1},
-    "surfaces": [{"mesh": "bunny.obj", "owner": "b", "material": {"roughness": 0.5}}]})");
+    "surfaces": [{"mesh": "bunny.obj", "owner": "b", "material": {"roughness": 0.5}}])");
   std::vector<std::string> warnings;
   const SceneDocument document = load_document(file, &warnings);
   for (const char* kind :
@@ -103,9 +103,7 @@ TEST(UnknownKeys, OfEveryObjectComeBack) {
 TEST(UnknownKeys, FollowTheirObject) {
   const TemporaryFolder folder;
   write_files(folder);
-  SceneDocument document = load_document(folder.write("a.brume", R"({
-    "format": "brume-scene", "version": 1,
-    "medium": {"gaussians": [
+  SceneDocument document = load_document(folder.write_scene("a.brume", R"("medium": {"gaussians": [
       {"center": [0, 0, 0], "radius": 1, "density": 1, "name": "g0"},
       {"center": [1, 0, 0], "radius": 1, "density": 1, "name": "g1"}]},
     "lights": [
@@ -115,7 +113,7 @@ TEST(UnknownKeys, FollowTheirObject) {
         {"time": 0, "value": [1, 1, 1], "name": "t0"}, {"time": 1, "value": [2, 2, 2]},
         {"time": 2, "value": [3, 3, 3], "name": "t2"}]}}],
     "surfaces": [{"mesh": "bunny.obj", "name": "s0", "material": {"name": "m0"}},
-                 {"mesh": "bunny.obj", "material": {"name": "m1"}}]})"));
+                 {"mesh": "bunny.obj", "material": {"name": "m1"}}])"));
   const auto saved = [&] { return Json::parse(document_to_json(document, folder.path())); };
   const Json before = saved();
   const SceneDocument untouched = document;

@@ -19,6 +19,7 @@
 #include "core/number_domain.h"
 #include "core/scene/lights/radiance_map.h"
 #include "core/scene/materials/texture.h"
+#include "tests/contains.h"
 #include "tests/core/io/temporary_folder.h"
 
 namespace brume {
@@ -66,8 +67,8 @@ class UsdFile : public ::testing::Test {
 };
 
 TEST_F(UsdFile, HasSplatsWhereFramesHaveThem) {
-  EXPECT_EQ(stage().find("ParticleField"), std::string::npos);
-  EXPECT_EQ(stage().find("purpose"), std::string::npos);
+  EXPECT_FALSE(contains(stage(), "ParticleField"));
+  EXPECT_FALSE(contains(stage(), "purpose"));
   Gaussian g{{1.0, 2.0, 3.0}, 1.0};
   g.set_radii(std::numbers::sqrt2 * glm::dvec3(0.5, 0.25, 0.125), {0.5, 0.5, -0.5, 0.5});
   g.density = std::log(4.0) * std::numbers::inv_sqrtpi / g.mean_radius();
@@ -77,11 +78,11 @@ TEST_F(UsdFile, HasSplatsWhereFramesHaveThem) {
   UsdFrame frame{{}, scene_, {}};
   frame.splats = {g, black};
   const std::string all = stage({frame});
-  EXPECT_NE(prim(all, "Fog").find("token purpose = \"render\""), std::string::npos);
+  EXPECT_TRUE(contains(prim(all, "Fog"), "token purpose = \"render\""));
   const std::string splats = prim(all, "Fog_splats");
   EXPECT_TRUE(splats.find("def ParticleField3DGaussianSplat") != std::string::npos) << splats;
-  EXPECT_NE(splats.find("token purpose = \"proxy\""), std::string::npos);
-  EXPECT_NE(splats.find("sphericalHarmonicsDegree = 0"), std::string::npos);
+  EXPECT_TRUE(contains(splats, "token purpose = \"proxy\""));
+  EXPECT_TRUE(contains(splats, "sphericalHarmonicsDegree = 0"));
   const auto expect = [&](const char* attribute, const std::vector<double>& expected) {
     const std::vector<double> found = numbers(splats, attribute);
     ASSERT_EQ(found.size(), expected.size()) << attribute;
@@ -98,11 +99,9 @@ TEST_F(UsdFile, HasSplatsWhereFramesHaveThem) {
   frame.frame = 0;
   UsdFrame empty{1, scene_, {}};
   const std::string animated = prim(stage({frame, empty}), "Fog_splats");
-  EXPECT_NE(animated.find("positions.timeSamples = {"), std::string::npos) << animated;
-  EXPECT_NE(animated.find("1: [],"), std::string::npos);
-  EXPECT_NE(animated.find("sphericalHarmonicsCoefficients (\n            elementSize = 1"),
-            std::string::npos)
-      << animated;
+  EXPECT_TRUE(contains(animated, "positions.timeSamples = {"));
+  EXPECT_TRUE(contains(animated, "1: [],"));
+  EXPECT_TRUE(contains(animated, "sphericalHarmonicsCoefficients (\n            elementSize = 1"));
 }
 
 TEST_F(UsdFile, CameraSeesWhatBrumeSees) {
@@ -122,10 +121,10 @@ TEST_F(UsdFile, CameraSeesWhatBrumeSees) {
 TEST_F(UsdFile, OrthographicCamerasSeeWhatBrumeSees) {
   scene_.camera.height = 3.0;
   const std::string camera = prim(stage(), "Camera");
-  EXPECT_NE(camera.find("token projection = \"orthographic\""), std::string::npos);
+  EXPECT_TRUE(contains(camera, "token projection = \"orthographic\""));
   EXPECT_NEAR(numbers(camera, "verticalAperture")[0], 30.0, 1e-9);
   EXPECT_NEAR(numbers(camera, "horizontalAperture")[0], 60.0, 1e-9);
-  EXPECT_EQ(camera.find("focalLength"), std::string::npos);
+  EXPECT_FALSE(contains(camera, "focalLength"));
 }
 
 TEST_F(UsdFile, CameraRolls) {
@@ -140,11 +139,11 @@ TEST_F(UsdFile, CameraRolls) {
 TEST_F(UsdFile, PointLightsKeepTheirIntensity) {
   scene_.lights = {{{1.0, 2.0, 3.0}, {8.0, 4.0, 2.0}}};
   const std::string light = prim(stage(), "Point_light");
-  ASSERT_NE(light.find("SphereLight"), std::string::npos);
+  ASSERT_TRUE(contains(light, "SphereLight"));
   EXPECT_NEAR(numbers(light, "inputs:intensity")[0] / 4.0, 8.0, 1e-12);
   EXPECT_EQ(numbers(light, "inputs:color"), (std::vector{1.0, 0.5, 0.25}));
-  EXPECT_NE(light.find("inputs:normalize = true"), std::string::npos);
-  EXPECT_NE(light.find("treatAsPoint = true"), std::string::npos);
+  EXPECT_TRUE(contains(light, "inputs:normalize = true"));
+  EXPECT_TRUE(contains(light, "treatAsPoint = true"));
 }
 
 TEST_F(UsdFile, OtherLightsKeepShapeAndDirection) {
@@ -159,7 +158,7 @@ TEST_F(UsdFile, OtherLightsKeepShapeAndDirection) {
   scene_.lights = {spot, sun, panel};
   const std::string text = stage();
   const std::string lamp = prim(text, "Lamp");
-  EXPECT_NE(lamp.find("ShapingAPI"), std::string::npos);
+  EXPECT_TRUE(contains(lamp, "ShapingAPI"));
   EXPECT_EQ(numbers(lamp, "shaping:cone:angle"), std::vector{40.0});
   EXPECT_EQ(numbers(lamp, "shaping:cone:softness"), std::vector{0.75});
   const std::vector<double> down = numbers(lamp, "xformOp:transform");  // -z of the light is -y
@@ -169,10 +168,10 @@ TEST_F(UsdFile, OtherLightsKeepShapeAndDirection) {
   EXPECT_EQ(numbers(distant, "inputs:intensity"), std::vector{3.0});
   EXPECT_NEAR(numbers(distant, "xformOp:transform")[8], -1.0, 1e-12);
   const std::string area = prim(text, "Area_light");
-  EXPECT_NE(area.find("RectLight"), std::string::npos);
+  EXPECT_TRUE(contains(area, "RectLight"));
   EXPECT_EQ(numbers(area, "inputs:width"), std::vector{2.0});
   EXPECT_EQ(numbers(area, "inputs:intensity"), std::vector{0.0});  // switched off
-  EXPECT_NE(area.find("brume:twoSided = true"), std::string::npos);
+  EXPECT_TRUE(contains(area, "brume:twoSided = true"));
 }
 
 // OpenEXR's maps, which USD follows, have +z in the middle.
@@ -184,7 +183,7 @@ TEST_F(UsdFile, EnvironmentIsTurnedToUsd) {
   environment.map = std::make_shared<RadianceMap>(RadianceMap{2, 1, {{}, {}}});
   scene_.environment = environment;
   const std::string dome = prim(stage(), "Environment");
-  EXPECT_NE(dome.find("@sky.exr@"), std::string::npos) << dome;
+  EXPECT_TRUE(contains(dome, "@sky.exr@"));
   EXPECT_EQ(numbers(dome, "inputs:intensity"), std::vector{2.0});
   const std::vector<double> turn = numbers(dome, "xformOp:transform");
   EXPECT_NEAR(turn[0], std::cos(210.0 * std::numbers::pi / 180.0), 1e-12);
@@ -197,7 +196,7 @@ TEST_F(UsdFile, SkyIsEvenLightAndASun) {
   scene_ = evaluate_at(scene_, 0.0);
   const std::string text = stage();
   const std::string dome = prim(text, "Environment");
-  EXPECT_EQ(dome.find("texture"), std::string::npos) << dome;
+  EXPECT_FALSE(contains(dome, "texture"));
   const std::vector<double> color = numbers(dome, "inputs:color");
   ASSERT_EQ(color.size(), 3U);
   EXPECT_GT(color[2], 1.0);
@@ -216,7 +215,7 @@ TEST_F(UsdFile, SurfacesAreMeshesInTheirPlaces) {
   scene_.surfaces = {box, box};
   const std::string text = stage();
   const std::string first = prim(text, "A__box_");
-  EXPECT_NE(first.find(R"(displayName = "A \"box\"")"), std::string::npos) << first.substr(0, 300);
+  EXPECT_TRUE(contains(first, R"(displayName = "A \"box\"")")) << first.substr(0, 300);
   EXPECT_FALSE(prim(text, "A__box__2").empty());  // names are told apart
   EXPECT_EQ(numbers(first, "xformOp:transform"),
             (std::vector<double>{2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 1, 2, 3, 1}));
@@ -226,7 +225,7 @@ TEST_F(UsdFile, SurfacesAreMeshesInTheirPlaces) {
   EXPECT_GT(triangles, 0u);
   EXPECT_EQ(indices.size(), 3 * triangles);
   EXPECT_EQ(numbers(first, "normals").size(), 3 * points);
-  EXPECT_LT(*std::ranges::max_element(indices), static_cast<double>(points));
+  EXPECT_LT(*std::ranges::max_element(indices), points);
   EXPECT_EQ(numbers(first, "inputs:diffuseColor"), (std::vector{0.1, 0.2, 0.3}));
 }
 
@@ -242,7 +241,7 @@ TEST_F(UsdFile, CopiesAreInstances) {
       std::make_shared<const CopyPlacements>(CopyPlacements{{{2.0, 0.0, 0.0}, {1, 0, 0, 0}, 8.0}});
   scene_.surfaces = {box};
   const std::string copies = prim(stage(), "Box_copies");
-  EXPECT_NE(copies.find("rel prototypes = </World/Box>"), std::string::npos) << copies;
+  EXPECT_TRUE(contains(copies, "rel prototypes = </World/Box>"));
   EXPECT_EQ(numbers(copies, "protoIndices"), std::vector{0.0});
   EXPECT_EQ(numbers(copies, "scales"), (std::vector{4.0, 4.0, 4.0}));
   EXPECT_EQ(numbers(copies, "orientations"), (std::vector{1.0, 0.0, 0.0, 0.0}));
@@ -257,7 +256,7 @@ TEST_F(UsdFile, CornersWithoutNormalsHaveThoseOfTheirTriangles) {
                        {{0, 1, 2}, {0, 3, 1}}});
   scene_.surfaces = {bend};
   const std::string mesh = prim(stage(), "Bend");
-  EXPECT_NE(mesh.find("faceVarying"), std::string::npos);
+  EXPECT_TRUE(contains(mesh, "faceVarying"));
   const std::vector<double> normals = numbers(mesh, "normals");
   ASSERT_EQ(normals.size(), 18u);
   const auto normal = [&](std::size_t corner) {
@@ -287,9 +286,8 @@ TEST_F(UsdFile, MaterialsKeepHolesAndPanes) {
   scene_.surfaces[0].material.metallic_roughness.base_color_texture = {
       folder_ / "model.glb", std::make_shared<Texture>(2, 1, texels, Texture::Encoding::srgb)};
   const std::string mesh = prim(stage(), "Box");
-  EXPECT_NE(
-      prim(mesh, "Shader").find("opacity.connect = </World/Box/Material/BaseColor.outputs:a>"),
-      std::string::npos);
+  EXPECT_TRUE(contains(prim(mesh, "Shader"),
+                       "opacity.connect = </World/Box/Material/BaseColor.outputs:a>"));
   EXPECT_EQ(numbers(prim(mesh, "BaseColor"), "inputs:scale"), (std::vector{1.0, 1.0, 1.0, 0.75}));
   const auto written = read_texture(folder_ / "a_texture_1.png", true);
   EXPECT_EQ(written->texel(written->levels()[0], 1, 0).a, 0.0f);
@@ -408,16 +406,16 @@ TEST_F(UsdFile, WhatMovesHasTimeSamples) {
     frames.push_back({frame, scene_, "fog_" + std::to_string(frame) + ".vdb"});
   }
   const std::string text = stage(frames);
-  EXPECT_NE(text.find("startTimeCode = 1"), std::string::npos);
-  EXPECT_NE(text.find("endTimeCode = 2"), std::string::npos);
-  EXPECT_NE(text.find("timeCodesPerSecond = 24"), std::string::npos);
+  EXPECT_TRUE(contains(text, "startTimeCode = 1"));
+  EXPECT_TRUE(contains(text, "endTimeCode = 2"));
+  EXPECT_TRUE(contains(text, "timeCodesPerSecond = 24"));
   const std::string camera = prim(text, "Camera");
-  EXPECT_NE(camera.find("xformOp:transform.timeSamples = {"), std::string::npos);
-  EXPECT_NE(camera.find("focalLength = "), std::string::npos);  // stays
+  EXPECT_TRUE(contains(camera, "xformOp:transform.timeSamples = {"));
+  EXPECT_TRUE(contains(camera, "focalLength = "));  // stays
   const std::string density = prim(text, "density");
-  EXPECT_NE(density.find("1: @fog_1.vdb@"), std::string::npos) << density;
-  EXPECT_NE(density.find("2: @fog_2.vdb@"), std::string::npos);
-  EXPECT_NE(text.find("rel field:density = </World/Fog/density>"), std::string::npos);
+  EXPECT_TRUE(contains(density, "1: @fog_1.vdb@"));
+  EXPECT_TRUE(contains(density, "2: @fog_2.vdb@"));
+  EXPECT_TRUE(contains(text, "rel field:density = </World/Fog/density>"));
 }
 
 // A farm's task writes one, to be put together with others.
@@ -425,10 +423,10 @@ TEST_F(UsdFile, OneFrameOfASequenceHasItsTimeCode) {
   const std::string text = stage({{48, scene_, "fog_48.vdb"}});
   for (const char* line : {"startTimeCode = 48\n", "endTimeCode = 48\n",
                            "timeCodesPerSecond = 24\n", "48: @fog_48.vdb@,\n"}) {
-    EXPECT_NE(text.find(line), std::string::npos) << line;
+    EXPECT_TRUE(contains(text, line));
   }
-  EXPECT_NE(prim(text, "Camera").find("float focalLength.timeSamples = {"), std::string::npos);
-  EXPECT_EQ(stage().find("timeCode"), std::string::npos) << "a moment alone";
+  EXPECT_TRUE(contains(prim(text, "Camera"), "float focalLength.timeSamples = {"));
+  EXPECT_FALSE(contains(stage(), "timeCode")) << "a moment alone";
 }
 
 TEST(UsdText, QuotesWhatNeedsIt) {

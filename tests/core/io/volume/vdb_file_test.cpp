@@ -10,8 +10,8 @@
 #include "core/io/little_endian.h"
 #include "core/io/volume/openvdb_grid.h"
 #include "core/io/volume/volume_file.h"
+#include "tests/core/io/folder_test.h"
 #include "tests/core/io/input_error.h"
-#include "tests/core/io/temporary_folder.h"
 #include "tests/random.h"
 
 namespace brume {
@@ -128,7 +128,9 @@ void expect_as_the_library_has_it(typename Grid::ValueType unit) {
   }
 }
 
-TEST(VdbFile, ReadsEachTypeAndCompression) {
+using VdbFile = FolderTest;
+
+TEST_F(VdbFile, ReadsEachTypeAndCompression) {
   expect_as_the_library_has_it<openvdb::FloatGrid>(0.37f);
   expect_as_the_library_has_it<openvdb::DoubleGrid>(0.37);
   expect_as_the_library_has_it<openvdb::Int32Grid>(-3);
@@ -179,9 +181,8 @@ std::string file_of_half_grid(std::uint32_t version) {
   return bytes;
 }
 
-TEST(VdbFile, ReadsGridsOfHalfPrecision) {
-  const TemporaryFolder folder;
-  const auto file = folder.write("a.vdb", file_of_half_grid(225));
+TEST_F(VdbFile, ReadsGridsOfHalfPrecision) {
+  const auto file = folder_.write("a.vdb", file_of_half_grid(225));
   EXPECT_TRUE(volume_warnings(file).empty());
   const DensityGrid grid = read_volume(file, "density");
   EXPECT_EQ(grid.spacing, glm::dvec3(0.5));
@@ -191,15 +192,13 @@ TEST(VdbFile, ReadsGridsOfHalfPrecision) {
   EXPECT_EQ(volume_grids(file).at(0).type, "half");
 }
 
-TEST(VdbFile, TriesNewerVersionsWithAWarning) {
-  const TemporaryFolder folder;
-  const auto file = folder.write("a.vdb", file_of_half_grid(226));
+TEST_F(VdbFile, TriesNewerVersionsWithAWarning) {
+  const auto file = folder_.write("a.vdb", file_of_half_grid(226));
   EXPECT_EQ(read_volume(file, "density").at({0, 0, 1}), 1.5);
   const std::vector<std::string> warnings = volume_warnings(file);
-  ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_TRUE(contains(warnings[0], "found version 226")) << warnings[0];
-  const auto old = folder.write("b.vdb", file_of_half_grid(221));
-  EXPECT_TRUE(contains(error_of([&] { read_volume(old, "density"); }), "allowed: 222 and later"));
+  expect_only(warnings, "found version 226");
+  const auto old = folder_.write("b.vdb", file_of_half_grid(221));
+  expect_error([&] { read_volume(old, "density"); }, "allowed: 222 and later");
 }
 
 // The sum of two grids of a name, `apart` in the world.
@@ -219,7 +218,7 @@ DensityGrid sum_of_two(const openvdb::Vec3d& apart, double size_of_second = 0.5)
   return read_volume(folder / "a.vdb", "density");
 }
 
-TEST(VdbFile, SumsGridsOfOneName) {
+TEST_F(VdbFile, SumsGridsOfOneName) {
   const DensityGrid twice = sum_of_two(openvdb::Vec3d(0.0));
   ASSERT_EQ(twice.blocks.size(), 1u);
   EXPECT_EQ(twice.at({3, 2, 3}), 8.0);
@@ -232,12 +231,11 @@ TEST(VdbFile, SumsGridsOfOneName) {
   EXPECT_EQ(sum_of_two(openvdb::Vec3d(-1.0, 0.0, 0.0)).at({0, 2, 3}), 4.0);
   EXPECT_NEAR(sum_of_two(openvdb::Vec3d(1000.0)).integral(), 30.0 / 8.0, 1e-6);
   for (const double size : {0.5, 0.25}) {
-    const std::string error = error_of([&] { sum_of_two(openvdb::Vec3d(0.2), size); });
-    EXPECT_TRUE(contains(error, "voxels do not coincide")) << error;
+    expect_error([&] { sum_of_two(openvdb::Vec3d(0.2), size); }, "voxels do not coincide");
   }
 }
 
-TEST(VdbFile, ReadsEachLinearTransform) {
+TEST_F(VdbFile, ReadsEachLinearTransform) {
   namespace math = openvdb::math;
   const TemporaryFolder folder;
   const openvdb::Vec3d move(1, -2, 3);
@@ -271,8 +269,7 @@ TEST(VdbFile, ReadsEachLinearTransform) {
   }
 }
 
-TEST(VdbFile, GridsThatShareATreeAndGridsThatAreNoNumbers) {
-  const TemporaryFolder folder;
+TEST_F(VdbFile, GridsThatShareATreeAndGridsThatAreNoNumbers) {
   const auto grid = some_grid<openvdb::FloatGrid>(0.37f);
   const auto twin = new_grid<openvdb::FloatGrid>();
   twin->setTree(grid->treePtr());
@@ -283,23 +280,22 @@ TEST(VdbFile, GridsThatShareATreeAndGridsThatAreNoNumbers) {
       openvdb::BBoxd(openvdb::Vec3d(0.0), openvdb::Vec3d(10.0)), 0.5, 10.0));
   const auto mask = openvdb::GridBase::Ptr(new_grid<openvdb::MaskGrid>());
   mask->setName("mask");
-  openvdb::io::File((folder / "a.vdb").string()).write({grid, twin, frustum, mask});
-  std::string bytes = content_of(folder / "a.vdb");
+  openvdb::io::File((folder_ / "a.vdb").string()).write({grid, twin, frustum, mask});
+  std::string bytes = content_of(folder_ / "a.vdb");
   bytes.replace(bytes.find("Tree_mask"), 9, "Tree_text");
-  folder.write("a.vdb", bytes);
+  folder_.write("a.vdb", bytes);
   std::map<std::string, std::uint64_t> voxels;
-  for (const auto& info : volume_grids(folder / "a.vdb")) voxels[info.name] = info.voxels;
+  for (const auto& info : volume_grids(folder_ / "a.vdb")) voxels[info.name] = info.voxels;
   EXPECT_EQ(voxels.size(), 4u);
   EXPECT_EQ(voxels["some"], grid->activeVoxelCount());
   EXPECT_EQ(voxels["twin"], grid->activeVoxelCount());
-  EXPECT_TRUE(contains(error_of([&] { read_volume(folder / "a.vdb", "frustum"); }), "perspective"));
-  EXPECT_TRUE(contains(error_of([&] { read_volume(folder / "a.vdb", "mask"); }), "text"));
+  expect_error([&] { read_volume(folder_ / "a.vdb", "frustum"); }, "perspective");
+  expect_error([&] { read_volume(folder_ / "a.vdb", "mask"); }, "text");
 }
 
 // Whatever bytes say: an answer or an InputError, at once and in little memory. Any other exception
 // ends the test.
-TEST(VdbFile, SurvivesDamage) {
-  const TemporaryFolder folder;
+TEST_F(VdbFile, SurvivesDamage) {
   const std::string complete = content_of(std::filesystem::path(BRUME_VOLUMES) / "smoke_0025.vdb");
   Random random(7);
   int refused = 0;
@@ -312,7 +308,7 @@ TEST(VdbFile, SurvivesDamage) {
       const auto offset = static_cast<std::size_t>(random.uniform(0.0, within - 1.0));
       damaged[offset] = static_cast<char>(random.uniform(0.0, 255.9));
     }
-    const auto file = folder.write("a.vdb", damaged);
+    const auto file = folder_.write("a.vdb", damaged);
     for (const char* grid : {"density", "shadow"}) {
       try {
         read_volume(file, grid);

@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <glm/vec3.hpp>
 #include <string>
-#include <utility>
 
 #include "core/io/volume/openvdb_grid.h"
 

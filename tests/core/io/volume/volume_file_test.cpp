@@ -9,8 +9,8 @@
 
 #include "core/io/volume/openvdb_grid.h"
 #include "core/volume/medium_grid.h"
+#include "tests/core/io/folder_test.h"
 #include "tests/core/io/input_error.h"
-#include "tests/core/io/temporary_folder.h"
 #include "tests/random.h"
 
 namespace brume {
@@ -36,12 +36,13 @@ void write(const std::filesystem::path& file, const std::string& name, Grid grid
   openvdb::io::File(file.string()).write({grid});
 }
 
-TEST(VolumeFile, ReadsBackWhatWasWritten) {
-  const TemporaryFolder folder;
+using VolumeFile = FolderTest;
+
+TEST_F(VolumeFile, ReadsBackWhatWasWritten) {
   const DensityGrid grid = some_grid();
   for (const bool half : {false, true}) {
-    write_volume(folder / "a.vdb", grid, half);
-    const DensityGrid read = read_volume(folder / "a.vdb", "density");
+    write_volume(folder_ / "a.vdb", grid, half);
+    const DensityGrid read = read_volume(folder_ / "a.vdb", "density");
     ASSERT_EQ(read.blocks.size(), grid.blocks.size());
     EXPECT_LT(glm::length(read.origin - grid.origin), 1e-12);
     Random random(2);
@@ -52,12 +53,12 @@ TEST(VolumeFile, ReadsBackWhatWasWritten) {
                   half ? std::ldexp(expected, -11) + 1e-7 : 1e-6);
     }
   }
-  const std::vector<VolumeGridInfo> grids = volume_grids(folder / "a.vdb");
+  const std::vector<VolumeGridInfo> grids = volume_grids(folder_ / "a.vdb");
   ASSERT_EQ(grids.size(), 1u);
   EXPECT_EQ(grids[0].name, "density");
 }
 
-TEST(VolumeFile, ReadsSmokeOfASimulation) {
+TEST_F(VolumeFile, ReadsSmokeOfASimulation) {
   const DensityGrid grid = read_volume(volumes / "smoke_0025.vdb", "density");
   EXPECT_NEAR(grid.spacing.x, 1.0 / 12.0, 1e-6);
   EXPECT_NEAR(grid.integral() / (935.5 / 1728.0), 1.0, 1e-3);
@@ -65,8 +66,7 @@ TEST(VolumeFile, ReadsSmokeOfASimulation) {
 }
 
 // At the voxels' points, or each component in the middle of its face.
-TEST(VolumeFile, ReadsVelocities) {
-  const TemporaryFolder folder;
+TEST_F(VolumeFile, ReadsVelocities) {
   const auto field = [](const openvdb::Vec3d& x) {
     return openvdb::Vec3d(1.0 + x.y(), 2.0 * x.x() - x.z(), -0.5 * x.z());
   };
@@ -84,8 +84,8 @@ TEST(VolumeFile, ReadsVelocities) {
       }
       grid->tree().setValue(voxel, value);
     }
-    write(folder / "a.vdb", "vel", grid);
-    const auto velocity = read_velocity(folder / "a.vdb");
+    write(folder_ / "a.vdb", "vel", grid);
+    const auto velocity = read_velocity(folder_ / "a.vdb");
     ASSERT_TRUE(velocity);
     Random random(3);
     for (int i = 0; i < 100; ++i) {
@@ -96,67 +96,64 @@ TEST(VolumeFile, ReadsVelocities) {
     }
   }
   EXPECT_TRUE(read_velocity(volumes / "smoke_0025.vdb"));
-  write_volume(folder / "a.vdb", some_grid(), false);
-  EXPECT_FALSE(read_velocity(folder / "a.vdb"));
+  write_volume(folder_ / "a.vdb", some_grid(), false);
+  EXPECT_FALSE(read_velocity(folder_ / "a.vdb"));
 }
 
-TEST(VolumeFile, TilesAreVoxels) {
-  const TemporaryFolder folder;
+TEST_F(VolumeFile, TilesAreVoxels) {
   const auto grid = new_grid<openvdb::DoubleGrid>();
   grid->fill(openvdb::CoordBBox(openvdb::Coord(0), openvdb::Coord(31)), 0.5);
   grid->setTransform(openvdb::math::Transform::createLinearTransform(0.1));
-  write(folder / "a.vdb", "smoke", grid);
-  EXPECT_NEAR(read_volume(folder / "a.vdb", "smoke").integral(), 0.5 * std::pow(3.2, 3.0), 1e-4);
+  write(folder_ / "a.vdb", "smoke", grid);
+  EXPECT_NEAR(read_volume(folder_ / "a.vdb", "smoke").integral(), 0.5 * std::pow(3.2, 3.0), 1e-4);
 }
 
 // 36 tiles of 128^3 voxels in a small file: 304 MB of blocks, and not twice.
-TEST(VolumeFile, TilesTakeTheMemoryOfTheirVoxelsOnce) {
-  const TemporaryFolder folder;
+TEST_F(VolumeFile, TilesTakeTheMemoryOfTheirVoxelsOnce) {
   const auto grid = new_grid<openvdb::FloatGrid>();
   grid->fill(openvdb::CoordBBox(openvdb::Coord(0), openvdb::Coord(127, 127, 36 * 128 - 1)), 0.5f);
-  write(folder / "a.vdb", "smoke", grid);
-  EXPECT_LT(std::filesystem::file_size(folder / "a.vdb"), 100'000u);
+  write(folder_ / "a.vdb", "smoke", grid);
+  EXPECT_LT(std::filesystem::file_size(folder_ / "a.vdb"), 100'000u);
   const auto max_memory = [] {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
     return usage.ru_maxrss;  // [KiB]
   };
   const long before = max_memory();
-  EXPECT_EQ(read_volume(folder / "a.vdb", "smoke").blocks.size(), std::size_t{36} * 4096);
+  EXPECT_EQ(read_volume(folder_ / "a.vdb", "smoke").blocks.size(), std::size_t{36} * 4096);
   EXPECT_LT(max_memory() - before, 400 * 1024);
 }
 
-TEST(VolumeFile, RefusesGridsWithoutDensity) {
-  const TemporaryFolder folder;
+TEST_F(VolumeFile, RefusesGridsWithoutDensity) {
   const auto refusal = [&](const char* name) {
-    return error_of([&] { read_volume(folder / "a.vdb", name); });
+    return error_of([&] { read_volume(folder_ / "a.vdb", name); });
   };
-  write_volume(folder / "a.vdb", some_grid(), false);
+  write_volume(folder_ / "a.vdb", some_grid(), false);
   EXPECT_TRUE(contains(refusal("smoke"), "its grids: density"));
 
   const auto vectors = new_grid<openvdb::Vec3SGrid>();
   vectors->tree().setValue(openvdb::Coord(1, 2, 3), openvdb::Vec3s(1.0f));
-  write(folder / "a.vdb", "density", vectors);
+  write(folder_ / "a.vdb", "density", vectors);
   EXPECT_TRUE(contains(refusal("density"), "vec3s"));
 
   const auto number = new_grid<openvdb::FloatGrid>();
   number->tree().setValue(openvdb::Coord(1, 2, 3), std::numeric_limits<float>::quiet_NaN());
-  write(folder / "a.vdb", "density", number);
+  write(folder_ / "a.vdb", "density", number);
   EXPECT_TRUE(contains(refusal("density"), "nan"));
 
   number->tree().setValue(openvdb::Coord(1, 2, 3), 1.0f);
   number->setGridClass(openvdb::GRID_LEVEL_SET);
-  write(folder / "a.vdb", "density", number);
+  write(folder_ / "a.vdb", "density", number);
   EXPECT_TRUE(contains(refusal("density"), "level set"));
 
   number->setGridClass(openvdb::GRID_FOG_VOLUME);
   number->fill(openvdb::CoordBBox(openvdb::Coord(0), openvdb::Coord((1 << 14) - 1)), 1.0f);
-  write(folder / "a.vdb", "density", number);
+  write(folder_ / "a.vdb", "density", number);
   EXPECT_TRUE(contains(refusal("density"), "active voxels"));
 
   const auto far = new_grid<openvdb::FloatGrid>();
   far->tree().setValue(openvdb::Coord(1 << 30, 0, 0), 1.0f);
-  write(folder / "a.vdb", "density", far);
+  write(folder_ / "a.vdb", "density", far);
   EXPECT_TRUE(contains(refusal("density"), "too far"));
 
   const auto sheared = new_grid<openvdb::FloatGrid>();
@@ -164,31 +161,29 @@ TEST(VolumeFile, RefusesGridsWithoutDensity) {
   matrix(0, 1) = 0.5;
   sheared->setTransform(openvdb::math::Transform::createLinearTransform(matrix));
   sheared->tree().setValue(openvdb::Coord(1, 2, 3), 1.0f);
-  write(folder / "a.vdb", "density", sheared);
+  write(folder_ / "a.vdb", "density", sheared);
   EXPECT_TRUE(contains(refusal("density"), "shear"));
 
-  folder.write("a.vdb", "no volume");
+  folder_.write("a.vdb", "no volume");
   EXPECT_TRUE(contains(refusal("density"), "a.vdb"));
-  EXPECT_TRUE(contains(error_of([&] { read_volume(folder / "b.vdb", "density"); }), "b.vdb"));
+  expect_error([&] { read_volume(folder_ / "b.vdb", "density"); }, "b.vdb");
 }
 
 // A box of 10^23 voxels, two of which there are.
-TEST(VolumeFile, AllocatesNothingForEmptyVoxels) {
-  const TemporaryFolder folder;
+TEST_F(VolumeFile, AllocatesNothingForEmptyVoxels) {
   const auto grid = new_grid<openvdb::FloatGrid>();
   constexpr int far = 1 << 25;
   grid->tree().setValue(openvdb::Coord(-far), 1.0f);
   grid->tree().setValue(openvdb::Coord(far), 1.0f);
-  write(folder / "a.vdb", "density", grid);
-  EXPECT_EQ(read_volume(folder / "a.vdb", "density").blocks.size(), 2u);
-  EXPECT_EQ(volume_grids(folder / "a.vdb").at(0).max_corner, glm::dvec3(far));
+  write(folder_ / "a.vdb", "density", grid);
+  EXPECT_EQ(read_volume(folder_ / "a.vdb", "density").blocks.size(), 2u);
+  EXPECT_EQ(volume_grids(folder_ / "a.vdb").at(0).max_corner, glm::dvec3(far));
 }
 
-TEST(VolumeFile, RefusesTruncatedFiles) {
-  const TemporaryFolder folder;
+TEST_F(VolumeFile, RefusesTruncatedFiles) {
   const std::string complete = content_of(volumes / "smoke_0025.vdb");
   for (std::size_t percent = 0; percent < 100; ++percent) {
-    const auto file = folder.write(
+    const auto file = folder_.write(
         "a.vdb", std::string_view(complete).substr(0, complete.size() * percent / 100));
     EXPECT_THROW(read_volume(file, "density"), InputError) << percent;
   }
