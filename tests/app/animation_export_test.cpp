@@ -171,7 +171,7 @@ class AnimationExportTest : public QObject {
     const QString problem = video.failed[0][0].toString();
     QVERIFY2(problem.contains("v.mp4: cannot be written by ffmpeg: no such codec"),
              qPrintable(problem));
-    QCOMPARE(video.files(), std::size_t{0});
+    QCOMPARE(video.files(), 0u);
   }
 
   void a_cancelled_video_leaves_nothing() {
@@ -179,7 +179,7 @@ class AnimationExportTest : public QObject {
     Exported video;
     video.start(video.file("v.mp4"), 100'000);
     QVERIFY(video.cancel_once([&] { return video.files() > 0; }) >= 0);
-    QCOMPARE(video.files(), std::size_t{0});
+    QCOMPARE(video.files(), 0u);
   }
 
   void ffmpeg_gets_a_name_that_is_no_option_and_no_protocol() {
@@ -204,7 +204,7 @@ class AnimationExportTest : public QObject {
     video.start(video.file("v.mp4"), 1);
     const QString closed = find_ffmpeg() + ".closed";
     QVERIFY(video.cancel_once([&] { return QFile::exists(closed); }) >= 0);
-    QCOMPARE(video.files(), std::size_t{0});
+    QCOMPARE(video.files(), 0u);
   }
 
   void an_ffmpeg_that_hangs_when_closed_lets_the_editor_quit() {
@@ -220,7 +220,7 @@ class AnimationExportTest : public QObject {
     const QString closed = find_ffmpeg() + ".closed";
     QVERIFY(QTest::qWaitFor([&] { return QFile::exists(closed); }, 60000));
     window.reset();  // the test's time limit is what fails if this waits for ffmpeg
-    QCOMPARE(files_in(folder), std::size_t{0});
+    QCOMPARE(files_in(folder), 0u);
   }
 
   void the_dialog_previews_the_files() {
@@ -231,7 +231,7 @@ class AnimationExportTest : public QObject {
     QVERIFY(!dialog.findChild<QLabel*>("no_video")->isVisible());
     dialog.file().setText("/tmp/steam.png");
     dialog.findChild<QComboBox*>("animation_format")->setCurrentIndex(1);
-    QCOMPARE(dialog.file().text(), QString("/tmp/steam.exr"));
+    QCOMPARE(dialog.file().text(), "/tmp/steam.exr");
     dialog.set_last(2);
     QVERIFY(!dialog.button().isEnabled());
     dialog.set_last(5);

@@ -30,14 +30,14 @@ using namespace brume;
 namespace {
 
 std::size_t shown_gaussians(TestWindow& window) {
-  return window->viewport().frames().shown()->request.scene->medium.size();
+  return window.shown().request.scene->medium.size();
 }
 
 // Holds the left button down at a place until the medium has more than some Gaussians.
 void hold(Desk& desk, QPoint at, std::size_t count) {
-  QTest::mousePress(&desk.view(), Qt::LeftButton, {}, at);
+  desk.press(at);
   QTRY_VERIFY(desk.document().medium().size() > count);
-  QTest::mouseRelease(&desk.view(), Qt::LeftButton, {}, at);
+  desk.release(at);
 }
 
 }  // namespace
@@ -51,14 +51,14 @@ class AnimationTest : public QObject {
     Document& document = desk.document();
     desk.key(Qt::Key_P);
     const QPoint at(200, 300);
-    QTest::mouseClick(&desk.view(), Qt::LeftButton, {}, at);
-    QCOMPARE(document.undo_stack().undoText(), QString("Add emitter 1"));
+    desk.click(at);
+    QCOMPARE(last_step(document), "Add emitter 1");
     const glm::dvec3 on_film = desk.view().rays().project(document.scene().emitters.at(0).position);
     QVERIFY(std::hypot(on_film.x - at.x(), on_film.y - at.y()) < 1.0);
-    QCOMPARE(desk.view().shown_scene()->medium.size(), std::size_t{6});  // one is born at time 0
+    QCOMPARE(desk.view().shown_scene()->medium.size(), 6u);  // one is born at time 0
     desk.drag(at, at + QPoint(40, -10));
-    QCOMPARE(document.undo_stack().undoText(), QString("Move emitter 1"));
-    QCOMPARE(document.undo_stack().count(), 2);
+    QCOMPARE(last_step(document), "Move emitter 1");
+    QCOMPARE(step_count(document), 2);
     const Emitter moved = document.scene().emitters[0];
     const glm::dvec3 moved_to = desk.view().rays().project(moved.position);
     QVERIFY(std::hypot(moved_to.x - on_film.x - 40.0, moved_to.y - on_film.y + 10.0) < 1.0);
@@ -69,11 +69,8 @@ class AnimationTest : public QObject {
     enter(desk, "emitter_density_birth", "-1");  // refused
     QCOMPARE(document.scene().emitters[0].rate, 50.0);
     QCOMPARE(document.scene().emitters[0].seed, std::int64_t{42});
-    QCOMPARE(document.undo_stack().count(), 5);
-    // The file keeps it.
-    document.save(desk.file("steam.brume"));
-    QVERIFY(load_scene(desk.file("steam.brume")).emitters == document.scene().emitters);
-    QTest::mouseClick(desk.findChild<QPushButton*>("delete_emitter"), Qt::LeftButton);
+    QCOMPARE(step_count(document), 5);
+    click(desk, "delete_emitter");
     QVERIFY(document.scene().emitters.empty());
   }
 
@@ -92,7 +89,7 @@ class AnimationTest : public QObject {
     QVERIFY2(bar->message().contains("10,000,001 Gaussians"), qUtf8Printable(bar->message()));
     QVERIFY(document.scene() == before);
     add_gaussians(document, std::span(gaussians).first(5), "Paste");
-    QCOMPARE(document.undo_stack().count(), 1);
+    QCOMPARE(step_count(document), 1);
 
     document.set_active_emitter(99);
     window.key(Qt::Key_P);
@@ -103,7 +100,7 @@ class AnimationTest : public QObject {
     QCOMPARE(rate->text().toDouble(), 99'989.0);
     enter(window, "emitter_rate", "1000");
     QCOMPARE(document.scene().emitters[99].rate, 1000.0);
-    QCOMPARE(document.undo_stack().count(), 2);
+    QCOMPARE(step_count(document), 2);
     QVERIFY(is_undone(document, before));
   }
 
@@ -112,11 +109,11 @@ class AnimationTest : public QObject {
     scene.optics.noise = {.amplitude = 0.5, .velocity = {1, 0, 0}};
     TestWindow window(scene);
     QVERIFY(window.settle());
-    const std::vector<float> before = window->viewport().frames().shown()->frame.beauty;
+    const std::vector<float> before = window.shown().frame.beauty;
     window->findChild<QSlider*>("frame_slider")->setValue(15);
     QVERIFY(window.settle());
-    QCOMPARE(window->viewport().frames().shown()->frame.time, 0.5);
-    QVERIFY(window->viewport().frames().shown()->frame.beauty != before);
+    QCOMPARE(window.shown().frame.time, 0.5);
+    QVERIFY(window.shown().frame.beauty != before);
     QVERIFY(!window->document().is_modified());
   }
 
@@ -125,13 +122,12 @@ class AnimationTest : public QObject {
     scene.emitters.push_back({.rate = 30.0, .lifetime = 1.0});
     TestWindow window(scene);
     QVERIFY(window.settle());
-    QCOMPARE(shown_gaussians(window), std::size_t{6});
+    QCOMPARE(shown_gaussians(window), 6u);
     auto* slider = window->findChild<QSlider*>("frame_slider");
     slider->setValue(15);
     QVERIFY(window.settle());
-    QCOMPARE(window->viewport().frames().shown()->request.scene->time, 0.5);
-    QCOMPARE(shown_gaussians(window),
-             5 + particles_at(window->document().scene().emitters[0], 0.5).size());
+    QCOMPARE(window.shown().request.scene->time, 0.5);
+    QCOMPARE(shown_gaussians(window), 5 + particles_at(window.scene().emitters[0], 0.5).size());
     QVERIFY(!window->document().is_modified());
     window.key(Qt::Key_Period);
     QCOMPARE(window->timeline().frame(), 16);
@@ -141,8 +137,7 @@ class AnimationTest : public QObject {
     // The particles shown can be baked.
     trigger(window, "Bake");
     const auto particles = particles_at(scene.emitters[0], 14 / 30.0);
-    QCOMPARE(window->document().undo_stack().undoText(),
-             QString("Bake %1 Gaussians").arg(particles.size()));
+    QCOMPARE(last_step(window->document()), QString("Bake %1 Gaussians").arg(particles.size()));
     QVERIFY(window->document().medium().gaussian(5) == particles[0]);
   }
 
@@ -158,7 +153,7 @@ class AnimationTest : public QObject {
     window.key(Qt::Key_Space);
     QVERIFY(!timeline.is_playing());
     window->findChild<QCheckBox*>("loop")->setChecked(false);
-    QTest::mouseClick(window->findChild<QToolButton*>("play"), Qt::LeftButton);
+    click(window, "play");
     QTRY_VERIFY(!timeline.is_playing());
     QCOMPARE(timeline.frame(), 16);
     window->document().undo_stack().undo();
@@ -175,7 +170,7 @@ class AnimationTest : public QObject {
     desk.findChild<QSpinBox*>("last_frame_of_range")->setValue(48);
     desk.findChild<QSpinBox*>("first_frame_of_range")->setValue(12);
     desk.findChild<QCheckBox*>("loop")->setChecked(false);
-    QCOMPARE(document.undo_stack().count(), 3);
+    QCOMPARE(step_count(document), 3);
     QVERIFY(document.scene().playback == (Playback{12, 48, false}));
     QVERIFY(document.is_modified());
     document.save(desk.file("range.brume"));
@@ -202,10 +197,10 @@ class AnimationTest : public QObject {
     const Scene before = document.scene();
     desk.key(Qt::Key_A);
     hold(desk, QPoint(200, 250), 8);
-    QCOMPARE(document.undo_stack().count(), 1);
+    QCOMPARE(step_count(document), 1);
     const std::size_t sprayed = document.medium().size() - 5;
     QVERIFY2(sprayed > 3, qPrintable(QString::number(sprayed)));
-    QCOMPARE(document.undo_stack().undoText(),
+    QCOMPARE(last_step(document),
              sprayed == 1 ? QString("Spray Gaussian") : QString("Spray %1 Gaussians").arg(sprayed));
     const Scene after = document.scene();
     QTest::qWait(200);  // it has stopped
@@ -214,18 +209,18 @@ class AnimationTest : public QObject {
     QVERIFY(document.scene() == before);
     desk.key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
     QVERIFY(document.scene() == after);
-    QTest::mousePress(&desk.view(), Qt::LeftButton, {}, QPoint(200, 250));
+    desk.press(QPoint(200, 250));
     QTRY_VERIFY(document.medium().size() > after.medium.size());
     QTest::keyClick(&desk.view(), Qt::Key_Escape);
     QTest::qWait(150);
-    QTest::mouseRelease(&desk.view(), Qt::LeftButton, {}, QPoint(200, 250));
+    desk.release(QPoint(200, 250));
     QVERIFY(document.scene() == after);
     // Undo while it sprays ends it.
-    QTest::mousePress(&desk.view(), Qt::LeftButton, {}, QPoint(200, 250));
+    desk.press(QPoint(200, 250));
     QTRY_VERIFY(document.medium().size() > after.medium.size());
     document.undo_stack().setIndex(0);
     QTest::qWait(150);
-    QTest::mouseRelease(&desk.view(), Qt::LeftButton, {}, QPoint(200, 250));
+    desk.release(QPoint(200, 250));
     QVERIFY(document.scene() == before);
   }
 

@@ -59,19 +59,19 @@ class AutosaveTest : public QObject {
     add_gaussian(document, {{1, 2, 3}, 1.0, 0.5});
     autosave.save_soon();
     autosave.wait();
-    QCOMPARE(copies(folder / "recovery").size(), std::size_t{1});
+    QCOMPARE(copies(folder / "recovery").size(), 1u);
     const fs::path copy = copies(folder / "recovery").front();
     QVERIFY(std::ranges::equal(load_scene(copy).medium.centers(), document.medium().centers()));
     add_gaussian(document, {{4, 5, 6}, 1.0, 0.5});
     autosave.save_soon();
     autosave.wait();
-    QCOMPARE(load_scene(copy).medium.size(), std::size_t{2});
+    QCOMPARE(load_scene(copy).medium.size(), 2u);
     document.save(folder / "saved.brume");
     QVERIFY(copies(folder / "recovery").empty());
     document.undo_stack().undo();
     autosave.save_soon();
     autosave.wait();
-    QCOMPARE(copies(folder / "recovery").size(), std::size_t{1});
+    QCOMPARE(copies(folder / "recovery").size(), 1u);
     document.undo_stack().redo();  // as saved
     QVERIFY(copies(folder / "recovery").empty());
   }
@@ -89,16 +89,16 @@ class AutosaveTest : public QObject {
       autosave->save_soon();
       autosave->wait();
     }
-    QCOMPARE(copies(folder).size(), std::size_t{2});
+    QCOMPARE(copies(folder).size(), 2u);
     QVERIFY(first.recovery_files().empty());  // both live
     leave_behind(folder, small_scene(), "/nowhere/fog.brume");
     const auto left = second.recovery_files();
-    QCOMPARE(left.size(), std::size_t{1});
+    QCOMPARE(left.size(), 1u);
     QVERIFY(left[0].file == fs::path("/nowhere/fog.brume"));
     first.end();
-    QCOMPARE(copies(folder).size(), std::size_t{2});
+    QCOMPARE(copies(folder).size(), 2u);
     Autosave::forget(left[0]);
-    QCOMPARE(copies(folder).size(), std::size_t{1});
+    QCOMPARE(copies(folder).size(), 1u);
   }
 
   void a_full_disk_is_reported_once() {
@@ -143,11 +143,11 @@ class AutosaveTest : public QObject {
         end();
         QTRY_COMPARE(ended.count(), 1);
         QVERIFY(window->isVisible());
-        QCOMPARE(copies(recovery_folder()).size(), std::size_t{1});
+        QCOMPARE(copies(recovery_folder()).size(), 1u);
         copy = copies(recovery_folder()).front();
       }
       const Scene kept = load_scene(copy);
-      QCOMPARE(kept.medium.size(), std::size_t{6});
+      QCOMPARE(kept.medium.size(), 6u);
       QCOMPARE(kept.lights[0].name, std::string("Moon"));
       Autosave::forget({copy, {}, {}});
     }
@@ -170,7 +170,7 @@ class AutosaveTest : public QObject {
     Document document;
     Autosave autosave(document, recovery_folder(), nullptr);
     const std::vector<RecoveryFile> offered = autosave.recovery_files();
-    QCOMPARE(offered.size(), std::size_t{1});
+    QCOMPARE(offered.size(), 1u);
     QCOMPARE(offered[0].file, file);
     QCOMPARE(load_scene(offered[0].scene).medium.size(), tiny_scene().medium.size());
     Autosave::forget(offered[0]);
@@ -190,7 +190,7 @@ class AutosaveTest : public QObject {
     autosave.save_soon();  // once it pauses
     QVERIFY(copies(folder).empty());
     autosave.save_now();
-    QCOMPARE(copies(folder).size(), std::size_t{1});
+    QCOMPARE(copies(folder).size(), 1u);
   }
 
   void it_is_offered_and_restored() {
@@ -199,21 +199,21 @@ class AutosaveTest : public QObject {
       TestWindow window;
       auto* bar = window->findChild<RecoveryBar*>();
       QVERIFY(bar->isVisible());
-      QTest::mouseClick(bar->findChild<QPushButton*>("later"), Qt::LeftButton);
+      click(*bar, "later");
       QVERIFY(!bar->isVisible());
       window->close();
     }
-    QCOMPARE(copies(recovery_folder()).size(), std::size_t{1});  // nothing was deleted
+    QCOMPARE(copies(recovery_folder()).size(), 1u);  // nothing was deleted
     TestWindow window;
     window->document().create();
     auto* bar = window->findChild<RecoveryBar*>();
-    QTest::mouseClick(bar->findChild<QPushButton*>("restore"), Qt::LeftButton);
-    QTRY_COMPARE(window->document().medium().size(), std::size_t{5});
+    click(*bar, "restore");
+    QTRY_COMPARE(window->document().medium().size(), 5u);
     QVERIFY(!bar->isVisible());
-    QCOMPARE(window->windowTitle(), QString("fog.brume[*] – Brume"));
+    QCOMPARE(window->windowTitle(), "fog.brume[*] – Brume");
     QVERIFY(window->isWindowModified());
     // The copy is now this session's.
-    QCOMPARE(copies(recovery_folder()).size(), std::size_t{1});
+    QCOMPARE(copies(recovery_folder()).size(), 1u);
     QVERIFY(copies(recovery_folder()).front().filename() != "killed.brume");
     QVERIFY(window->files().save_to(window.file("fog.brume")));
     QVERIFY(copies(recovery_folder()).empty());
@@ -232,7 +232,7 @@ class AutosaveTest : public QObject {
       autosave.wait();
       add_gaussian(document, {{}, 1.0, 0.5});  // the second time the copy is replaced
     }
-    QCOMPARE(autosave.recovery_files().size(), std::size_t{1});
+    QCOMPARE(autosave.recovery_files().size(), 1u);
     QCOMPARE(fs::status(folder).permissions(), fs::perms::owner_all);
     std::size_t files = 0;
     for (const auto& entry : fs::directory_iterator(folder)) {
@@ -268,9 +268,9 @@ class AutosaveTest : public QObject {
     // Old, but never seen.
     fs::last_write_time(folder / "killed.brume",
                         fs::file_time_type::clock::now() - std::chrono::hours(24 * 400));
-    QCOMPARE(autosave.recovery_files().size(), std::size_t{1});
+    QCOMPARE(autosave.recovery_files().size(), 1u);
     set_offered(Autosave::days_offered - 1);
-    QCOMPARE(autosave.recovery_files().size(), std::size_t{1});
+    QCOMPARE(autosave.recovery_files().size(), 1u);
     Autosave::mark_offered(autosave.recovery_files().front());  // the first time counts
     set_offered(Autosave::days_offered + 1);
     Autosave::mark_offered({folder / "killed.brume", {}, {}});
@@ -298,7 +298,7 @@ class AutosaveTest : public QObject {
     auto* bar = window->findChild<RecoveryBar*>();
     const QSettings about(to_qstring(recovery_folder() / "killed.ini"), QSettings::IniFormat);
     QVERIFY(about.value("offered").toDateTime().isValid());  // noted
-    QTest::mouseClick(bar->findChild<QPushButton*>("discard"), Qt::LeftButton);
+    click(*bar, "discard");
     QVERIFY(copies(recovery_folder()).empty());
     QVERIFY(!bar->isVisible());
   }

@@ -10,7 +10,6 @@
 #include <QTabletEvent>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <numbers>
 #include <set>
 
 #include "app/tools/airbrush_tool.h"
@@ -156,7 +155,7 @@ class BrushesTest : public QObject {
       enter(desk, "brush_spacing", "0.2");
       enter(desk, "brush_smoothing", QString::number(smoothing));
       const QPointF start = desk.view().rect().center() - QPoint(150, 0);
-      QTest::mousePress(&desk.view(), Qt::LeftButton, {}, start.toPoint());
+      desk.press(start.toPoint());
       for (int k = 1; k <= 60; ++k) {
         desk.move(start + QPointF(5.0 * k, k % 2 == 0 ? 10.0 : -10.0));
       }
@@ -168,7 +167,7 @@ class BrushesTest : public QObject {
         sum += g.center.y;
         squares += g.center.y * g.center.y;
       }
-      const auto n = static_cast<double>(all.size());
+      const double n = all.size();
       return std::sqrt(squares / n - sum * sum / (n * n));
     };
     const double free = shake(0.0);
@@ -178,9 +177,9 @@ class BrushesTest : public QObject {
 
   void mirrors_repeat_the_stroke() {
     BrushDesk desk;
-    desk.findChild<QCheckBox*>("brush_mirror_x")->click();
-    desk.findChild<QCheckBox*>("brush_mirror_y")->click();
-    const std::size_t steps = desk.document().undo_stack().count();
+    click(desk, "brush_mirror_x");
+    click(desk, "brush_mirror_y");
+    const std::size_t steps = step_count(desk.document());
     QPoint at = desk.view().rect().center() + QPoint(120, 80);
     desk.drag(at, at + QPoint(60, 30));
     const std::vector<Gaussian> all = desk.added_after(0);
@@ -192,12 +191,12 @@ class BrushesTest : public QObject {
       QCOMPARE(all[k + 2].center.y, -p.y);
       QVERIFY(glm::distance(all[k + 3].center, {-p.x, -p.y, p.z}) < 1e-12);
     }
-    QCOMPARE(static_cast<std::size_t>(desk.document().undo_stack().count()), steps + 1);
+    QCOMPARE(static_cast<std::size_t>(step_count(desk.document())), steps + 1);
     desk.document().undo_stack().undo();
     QVERIFY(desk.document().medium().empty());
 
     // Through what the view looks at.
-    desk.findChild<QCheckBox*>("brush_mirror_y")->click();
+    click(desk, "brush_mirror_y");
     choose(desk, "brush_mirror_at", 1);
     desk.view().camera_controller().drag(NavigationDrag::pan, {-90.0, 0.0});
     const double middle = desk.view().camera().target.x;
@@ -211,7 +210,7 @@ class BrushesTest : public QObject {
   void what_lies_on_the_mirror_is_painted_once() {
     BrushDesk desk;
     enter(desk, "brush_scatter", "0");
-    desk.findChild<QCheckBox*>("brush_mirror_z")->click();
+    click(desk, "brush_mirror_z");
     const std::vector<Gaussian> gaussians = desk.stroke();  // in the plane z = 0
     for (std::size_t k = 1; k < gaussians.size(); ++k) {
       QVERIFY(glm::distance(gaussians[k].center, gaussians[k - 1].center) > 0.01);
@@ -256,7 +255,7 @@ class BrushesTest : public QObject {
     mist->trigger();
     const Paintbrush near_brush = desk.brush().brush();
     QVERIFY(near_brush.falloff > 0.5);
-    QCOMPARE(value(desk, "brush_falloff"), QString("0.9"));
+    QCOMPARE(value(desk, "brush_falloff"), "0.9");
     QVERIFY(!desk.stroke().empty());
     desk.view().camera_controller().zoom_by(10.0);
     entry(open_presets(desk, "brush_presets"), "Soft mist")->trigger();
@@ -328,7 +327,7 @@ class BrushesTest : public QObject {
     QCOMPARE(preset.size, 0.5);
     preset.size = 0.25;
     library.add(preset);
-    QCOMPARE(library.read().size(), std::size_t{1});
+    QCOMPARE(library.read().size(), 1u);
     QCOMPARE(library.read().at(0).size, 0.25);
     QVERIFY(library_text().contains("mine") && library_text().contains("author"));
   }
@@ -372,15 +371,15 @@ class BrushesTest : public QObject {
     desk.key(Qt::Key_A);
     qint64 now = 0;
     desk.airbrush().set_clock([&] { return now; });
-    desk.findChild<QCheckBox*>("air_mirror_x")->click();
+    click(desk, "air_mirror_x");
     enter(desk, "air_jitter", "1");
     const QPoint at = desk.view().rect().center() + QPoint(100, 0);
-    QTest::mousePress(&desk.view(), Qt::LeftButton, {}, at);
+    desk.press(at);
     for (int k = 1; k <= 10; ++k) {
       now += 100;
       desk.move(at + QPoint(k, 0));
     }
-    QTest::mouseRelease(&desk.view(), Qt::LeftButton, {}, at);
+    desk.release(at);
     const std::vector<Gaussian> all = desk.added_after(0);
     QVERIFY(all.size() > 40 && all.size() % 2 == 0);
     std::set<double> radii;

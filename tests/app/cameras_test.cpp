@@ -45,7 +45,7 @@ class CamerasTest : public QObject {
  private Q_SLOTS:
   void cameras_are_named_used_and_deleted() {
     Desk desk(tiny_scene());
-    const Scene before = desk.document().scene();
+    const Scene before = desk.scene();
     DeskView& view = desk.view();
     desk.drag({300, 300}, {380, 320}, Qt::MiddleButton);
     const Camera seen = view.camera();
@@ -53,7 +53,7 @@ class CamerasTest : public QObject {
     click(desk, "add_camera");
     QCOMPARE(cameras(desk), (QStringList{"Camera", "Camera 2"}));
     QCOMPARE(used(desk.document()), "Camera 2");
-    QVERIFY(desk.document().scene().camera == seen);
+    QVERIFY(desk.scene().camera == seen);
 
     auto* list = desk.findChild<QListWidget*>("cameras");
     list->editItem(list->item(1));
@@ -67,11 +67,11 @@ class CamerasTest : public QObject {
     QTest::mouseClick(list->viewport(), Qt::LeftButton, {},
                       list->visualItemRect(list->item(0)).center());
     QCOMPARE(used(desk.document()), "Camera");
-    QVERIFY(desk.document().scene().camera == before.camera);
+    QVERIFY(desk.scene().camera == before.camera);
     click(desk, "delete_camera");
     QCOMPARE(used(desk.document()), "Close up");
     QVERIFY(!desk.findChild<QPushButton*>("delete_camera")->isEnabled());
-    QVERIFY(desk.document().scene().camera == seen);
+    QVERIFY(desk.scene().camera == seen);
   }
 
   void a_name_that_is_typed_is_saved() {
@@ -96,15 +96,15 @@ class CamerasTest : public QObject {
   void focal_length_and_field_of_view_are_one() {
     Desk desk(tiny_scene());
     enter(desk, "focal_length", "50");
-    const double fov = desk.document().scene().camera.vertical_fov;
+    const double fov = desk.scene().camera.vertical_fov;
     QVERIFY(std::abs(fov - vertical_fov(50.0, {32, 24})) < 1e-9);
     enter(desk, "camera_vertical_fov", "90");
     QCOMPARE(value(desk, "focal_length"), "13.5");  // 0.5 * 36 * 24 / 32
-    const int steps = desk.document().undo_stack().count();
+    const int steps = step_count(desk.document());
     drag_title(desk, "camera_vertical_fov", 30);
-    QCOMPARE(desk.document().undo_stack().count(), steps + 1);
+    QCOMPARE(step_count(desk.document()), steps + 1);
     enter(desk, "camera_target_z", "6");  // where the eye is: refused
-    QVERIFY(desk.document().scene().camera.target == glm::dvec3(0.0));
+    QVERIFY(desk.scene().camera.target == glm::dvec3(0.0));
   }
 
   void roll_is_set_keyed_and_undone() {
@@ -120,20 +120,20 @@ class CamerasTest : public QObject {
     // At 0, too, which has no track yet.
     QTest::mouseClick(key, Qt::LeftButton);
     QVERIFY(key->isChecked());
-    QCOMPARE(document.undo_stack().undoText(), QString("Set keyframe of camera roll"));
+    QCOMPARE(last_step(document), "Set keyframe of camera roll");
     QCOMPARE(tracks_shown(), QStringList{"Camera roll"});
     desk.timeline().set_frame(30);
     QVERIFY(!key->isChecked());
     enter(desk, "camera_roll", "20");  // a key, since it has one
     QVERIFY(key->isChecked());
     QCOMPARE(document.scene().camera.roll, 20.0);
-    QCOMPARE(document.scene().camera_keys.roll.size(), std::size_t{2});
+    QCOMPARE(document.scene().camera_keys.roll.size(), 2u);
     desk.timeline().set_frame(15);
     QCOMPARE(value(desk, "camera_roll"), "10");
     desk.timeline().set_frame(30);
     QTest::mouseClick(key, Qt::LeftButton);
-    QCOMPARE(document.undo_stack().undoText(), QString("Delete keyframe of camera roll"));
-    QCOMPARE(document.scene().camera_keys.roll.size(), std::size_t{1});
+    QCOMPARE(last_step(document), "Delete keyframe of camera roll");
+    QCOMPARE(document.scene().camera_keys.roll.size(), 1u);
   }
 
   void orthographic_cameras_are_chosen_set_and_undone() {
@@ -147,7 +147,7 @@ class CamerasTest : public QObject {
     QVERIFY(document.scene().camera.height.has_value());
     QVERIFY(std::abs(*document.scene().camera.height - seen) < 1e-12);
     QCOMPARE(document.scene().camera.aperture, 0.0);
-    QCOMPARE(document.undo_stack().undoText(), QString("Set projection"));
+    QCOMPARE(last_step(document), "Set projection");
     for (const char* field : {"focal_length", "camera_vertical_fov", "camera_aperture"}) {
       QVERIFY2(!desk.findChild<ValueField*>(field)->isEnabled(), field);
     }
@@ -217,8 +217,8 @@ class CamerasTest : public QObject {
     target->setCurrentText("Camera aperture");
     QCOMPARE(target->currentText(), "Camera aperture");
     desk.findChild<TimelineBar*>()->set_key();
-    QCOMPARE(desk.document().scene().camera_keys.aperture.size(), std::size_t{1});
-    QVERIFY(desk.document().scene().camera_keys.eye.empty());
+    QCOMPARE(desk.scene().camera_keys.aperture.size(), 1u);
+    QVERIFY(desk.scene().camera_keys.eye.empty());
   }
 
   void the_frame_of_the_camera_fits_into_the_view() {
@@ -230,7 +230,7 @@ class CamerasTest : public QObject {
     QVERIFY(frame.isVisible());
     const auto frame_is_right = [&] {
       const QRectF rect = *view.camera_controller().frame();
-      const Film film = window->document().scene().film;
+      const Film film = window.scene().film;
       // A point seen at a corner of the film is drawn at that corner of the frame.
       const CameraRays rays(view.camera(), film);
       const glm::dvec3 at = view.rays().project(rays.eye() + 3.0 * rays.direction(0.0, 0.0));
@@ -255,7 +255,7 @@ class CamerasTest : public QObject {
     QVERIFY(frame.isVisible());
     window.drag({300, 300}, {340, 300}, Qt::MiddleButton);  // leaves the camera
     QVERIFY(!frame.isVisible());
-    QVERIFY(view.camera() != window->document().scene().camera);
+    QVERIFY(view.camera() != window.scene().camera);
   }
 
   void other_views_see_the_camera() {
@@ -276,23 +276,23 @@ class CamerasTest : public QObject {
   void a_view_locked_to_the_camera_moves_it() {
     TestWindow window(tiny_scene());
     Viewport& view = window->viewport();
-    const Camera before = window->document().scene().camera;
+    const Camera before = window.scene().camera;
     window.key(Qt::Key_0);
     click(window, "view.lock_camera_box");
     window.drag({300, 300}, {380, 330}, Qt::MiddleButton);
-    const Camera moved = window->document().scene().camera;
+    const Camera moved = window.scene().camera;
     QVERIFY(moved != before && view.camera() == moved);
     QVERIFY(view.camera_frame().isVisible());
-    QCOMPARE(window->document().undo_stack().count(), 1);
+    QCOMPARE(step_count(window->document()), 1);
     window.drag({300, 300}, {320, 300}, Qt::MiddleButton);
-    QCOMPARE(window->document().undo_stack().count(), 2);
+    QCOMPARE(step_count(window->document()), 2);
     window.key(Qt::Key_Z, Qt::ControlModifier);
-    QVERIFY(window->document().scene().camera == moved && view.camera() == moved);
+    QVERIFY(window.scene().camera == moved && view.camera() == moved);
     window.key(Qt::Key_Z, Qt::ControlModifier);
-    QVERIFY(window->document().scene().camera == before && view.camera() == before);
+    QVERIFY(window.scene().camera == before && view.camera() == before);
     click(window, "view.lock_camera_box");
     window.drag({300, 300}, {320, 300}, Qt::MiddleButton);
-    QVERIFY(window->document().scene().camera == before && view.camera() != before);
+    QVERIFY(window.scene().camera == before && view.camera() != before);
   }
 };
 

@@ -21,6 +21,7 @@
 #include "app/tools/tool_bars.h"
 #include "app/view/tool.h"
 #include "app/widgets/keys.h"
+#include "brume/error.h"
 #include "core/io/scene/scene_file.h"
 
 namespace brume {
@@ -102,16 +103,32 @@ Desk::Desk(const Scene& scene)
 }
 
 Desk::~Desk() {
+  timeline_.set_frame(0);
   verify_undone();
+  verify_saved();
   document_.disconnect();
   document_.undo_stack().disconnect();
   delete tools_;
   qDeleteAll(findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly));
 }
 
+void Desk::verify_saved() {
+  const std::filesystem::path saved = file("end.brume");
+  try {
+    document_.save(saved);
+    QCOMPARE(document_to_json(load_document(saved), "/"), bytes_of(document_));
+  } catch (const InputError& error) {
+    QFAIL(error.what());
+  }
+}
+
 void Desk::verify_undone() {
-  timeline_.set_frame(0);
+  const int end = document_.undo_stack().index();
+  const std::string after = bytes_of(document_);
   QVERIFY2(is_undone(document_, opened_), "undoing everything gives another scene");
+  QCOMPARE(bytes_of(document_), opened_bytes_);
+  document_.undo_stack().setIndex(end);
+  QCOMPARE(bytes_of(document_), after);
 }
 
 QWidget* Desk::new_column(const QList<QWidget*>& panels) {
@@ -130,6 +147,7 @@ void Desk::follow_time() {
   });
   on_change(document_, Change::scene, &timeline_, [this] {
     opened_ = document_.scene();
+    opened_bytes_ = bytes_of(document_);
     timeline_.set_frame(0);
     timeline_.follow(document_.scene());
   });
@@ -146,6 +164,18 @@ void Desk::open(const char* name) {
 
 bool Desk::picks() {
   return QTest::qWaitFor([this] { return surfaces_.is_ready(); }, patience);
+}
+
+void Desk::click(QPoint position, Qt::KeyboardModifiers modifiers) {
+  QTest::mouseClick(view_, Qt::LeftButton, modifiers, position);
+}
+
+void Desk::press(QPoint position, Qt::KeyboardModifiers modifiers) {
+  QTest::mousePress(view_, Qt::LeftButton, modifiers, position);
+}
+
+void Desk::release(QPoint position, Qt::KeyboardModifiers modifiers) {
+  QTest::mouseRelease(view_, Qt::LeftButton, modifiers, position);
 }
 
 void Desk::move(QPointF to, Qt::MouseButton button, Qt::KeyboardModifiers modifiers) {

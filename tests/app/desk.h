@@ -39,7 +39,8 @@ class DeskView : public QWidget, public View {
 
 // A scene from a file on a desk of all panels and tools, without the window and its pictures: what
 // panels and tools do is tested here in a tenth of the time. Keys are those of tools and of undo.
-// In the end each desk undoes everything, which has to give the scene as it was opened.
+// In the end each desk saves what it has, which has to come back from the file; undoes everything,
+// which has to give the scene as it was opened; and redoes it.
 class Desk : public QWidget {
   Q_OBJECT
  public:
@@ -51,12 +52,17 @@ class Desk : public QWidget {
   void open(const char* name);
 
   Document& document() { return document_; }
+  const Scene& scene() { return document_.scene(); }
   Timeline& timeline() { return timeline_; }
   ToolBox& tools() { return *tools_; }
   DeskView& view() { return *view_; }
   // Waits until surfaces can be picked.
   bool picks();
 
+  // The left button, in the view.
+  void click(QPoint position, Qt::KeyboardModifiers modifiers = {});
+  void press(QPoint position, Qt::KeyboardModifiers modifiers = {});
+  void release(QPoint position, Qt::KeyboardModifiers modifiers = {});
   QPoint handle(std::size_t index) { return brume::handle_position(*view_, index); }
   void move(QPointF to, Qt::MouseButton button = Qt::LeftButton,
             Qt::KeyboardModifiers modifiers = Qt::NoModifier);
@@ -66,12 +72,14 @@ class Desk : public QWidget {
 
  private:
   void follow_time();
+  void verify_saved();
   void verify_undone();
   QWidget* new_column(const QList<QWidget*>& panels);
 
   QTemporaryDir folder_;
   Document document_;
   Scene opened_;
+  std::string opened_bytes_;
   Timeline timeline_{nullptr};
   SurfacePicker surfaces_{document_};
   DeskView* view_;

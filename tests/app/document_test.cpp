@@ -1,13 +1,11 @@
 // The document, its commands and the table's model, without a window.
 
-#include <limits>
-
+#include "app/document/document.h"
 #include "app/commands/edit_keys.h"
 #include "app/commands/edit_lights.h"
 #include "app/commands/edit_medium.h"
 #include "app/commands/edit_objects.h"
 #include "app/commands/scene_part_command.h"
-#include "app/document/document.h"
 #include "app/document/number_text.h"
 #include "app/panels/gaussians/gaussian_table_model.h"
 #include "core/io/scene/scene_file.h"
@@ -66,13 +64,13 @@ class DocumentTest : public QObject {
     const MergeId first = new_merge_id();
     put({5, 5, 5}, first);
     put({6, 6, 6}, first);
-    QCOMPARE(document.undo_stack().count(), 2);
+    QCOMPARE(step_count(document), 2);
     put(start, first);
-    QCOMPARE(document.undo_stack().count(), 1);
+    QCOMPARE(step_count(document), 1);
     put({7, 7, 7}, new_merge_id());
     put({8, 8, 8}, new_merge_id());
-    QCOMPARE(document.undo_stack().count(), 3);
-    QCOMPARE(document.undo_stack().text(2), QString("Move Gaussian"));
+    QCOMPARE(step_count(document), 3);
+    QCOMPARE(document.undo_stack().text(2), "Move Gaussian");
   }
 
   void a_change_to_the_same_value_is_no_step() {
@@ -82,7 +80,7 @@ class DocumentTest : public QObject {
     document.undo_stack().redo();
     QVERIFY(
         set_attribute(document, document.selection(), GaussianAttribute::radius, 1.0).isEmpty());
-    QCOMPARE(document.undo_stack().count(), 1);
+    QCOMPARE(step_count(document), 1);
   }
 
   void unknown_keys_follow_a_light_through_deletion_and_undo() {

@@ -87,12 +87,12 @@ class EditorTest : public QObject {
     table->selectionModel()->setCurrentIndex(table->model()->index(2, 3),
                                              QItemSelectionModel::NoUpdate);
     type(table, "0.75");
-    QCOMPARE(document.undo_stack().count(), 1);
-    QCOMPARE(document.undo_stack().undoText(), QString("Set radius of 3 Gaussians to 0.75"));
+    QCOMPARE(step_count(document), 1);
+    QCOMPARE(last_step(document), "Set radius of 3 Gaussians to 0.75");
     for (const std::size_t k : {0U, 2U, 3U}) QCOMPARE(document.medium().radii()[k], 0.75);
     QCOMPARE(document.medium().radii()[1], before.medium.radii()[1]);
-    QCOMPARE(table->model()->index(0, 3).data().toString(), QString("0.75"));
-    QCOMPARE(document.selection().size(), std::size_t{3});
+    QCOMPARE(table->model()->index(0, 3).data().toString(), "0.75");
+    QCOMPARE(document.selection().size(), 3u);
     desk.key(Qt::Key_Z, Qt::ControlModifier);
     QVERIFY(document.scene() == before);
   }
@@ -138,16 +138,16 @@ class EditorTest : public QObject {
     Document& document = window->document();
     const Scene before = document.scene();
     window.key(Qt::Key_A, Qt::ShiftModifier);
-    QCOMPARE(document.medium().size(), std::size_t{6});
-    QCOMPARE(document.selection().size(), std::size_t{1});
-    QTest::mouseClick(&window->viewport(), Qt::LeftButton, {}, window.handle(0));
+    QCOMPARE(document.medium().size(), 6u);
+    QCOMPARE(document.selection().size(), 1u);
+    window.click(window.handle(0));
     window.drag(window.handle(0), window.handle(0) + QPoint(20, 20));
     window.key(Qt::Key_A, Qt::ControlModifier);
     window.key(Qt::Key_I, Qt::ControlModifier);
     QVERIFY(document.selection().empty());
     document.select({2, 4});
     window.key(Qt::Key_Delete);
-    QCOMPARE(document.medium().size(), std::size_t{4});
+    QCOMPARE(document.medium().size(), 4u);
     QVERIFY(document.selection().empty());
     QCOMPARE(table_of(*window)->model()->rowCount(), 4);
     const Scene after = document.scene();
@@ -166,7 +166,7 @@ class EditorTest : public QObject {
   void save_and_open_again_is_the_same_scene() {
     TestWindow window;
     Document& document = window->document();
-    QCOMPARE(window->windowTitle(), QString("scene.brume[*] – Brume"));
+    QCOMPARE(window->windowTitle(), "scene.brume[*] – Brume");
     window.key(Qt::Key_A, Qt::ShiftModifier);
     QVERIFY(window->isWindowModified());
     window.key(Qt::Key_S, Qt::ControlModifier);
@@ -180,7 +180,7 @@ class EditorTest : public QObject {
     QVERIFY(window->files().create());
     QVERIFY(document.medium().empty() && document.file().empty());
     QVERIFY(window.open("other.brume"));
-    QCOMPARE(document.name(), QString("other.brume"));
+    QCOMPARE(document.name(), "other.brume");
     QVERIFY(std::ranges::equal(document.medium().centers(), saved.medium.centers()));
     QVERIFY(std::ranges::equal(document.medium().radii(), saved.medium.radii()));
     QVERIFY(std::ranges::equal(document.medium().densities(), saved.medium.densities()));
@@ -188,7 +188,7 @@ class EditorTest : public QObject {
     QVERIFY(document.scene().camera == saved.camera);
     QMenu recent;
     window->files().fill_recent_menu(recent);
-    QCOMPARE(recent.actions().first()->text(), QString("other.brume"));
+    QCOMPARE(recent.actions().first()->text(), "other.brume");
   }
 
   void unsaved_work_is_asked_about_once() {
@@ -199,7 +199,7 @@ class EditorTest : public QObject {
     QVERIFY(window->isVisible());
     answer(QMessageBox::Save);
     QVERIFY(window->files().create());
-    QCOMPARE(load_scene(window.file("scene.brume")).medium.size(), std::size_t{6});
+    QCOMPARE(load_scene(window.file("scene.brume")).medium.size(), 6u);
     window.key(Qt::Key_A, Qt::ShiftModifier);
     answer(QMessageBox::Discard);
     QVERIFY(window->close());
@@ -215,8 +215,8 @@ class EditorTest : public QObject {
     std::ofstream(window.file("broken.brume")) << "{ \"brume\": ";
     QVERIFY(!window.open("broken.brume"));
     QVERIFY(bar->message().contains("broken.brume"));
-    QCOMPARE(window->document().name(), QString("scene.brume"));
-    QCOMPARE(window->document().medium().size(), std::size_t{5});
+    QCOMPARE(window->document().name(), "scene.brume");
+    QCOMPARE(window->document().medium().size(), 5u);
     QVERIFY(window.open("scene.brume"));
     QVERIFY(!bar->isVisible());
   }
@@ -263,7 +263,7 @@ class EditorTest : public QObject {
     QVERIFY(enter.isAccepted());
     QDropEvent drop(QPointF(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
     QApplication::sendEvent(&*window, &drop);
-    QTRY_COMPARE(window->document().medium().size(), std::size_t{5});
+    QTRY_COMPARE(window->document().medium().size(), 5u);
   }
 
   void the_present_scene_stays_until_the_other_is_complete() {
@@ -278,8 +278,8 @@ class EditorTest : public QObject {
     QVERIFY(window->document().medium().size() == 5 || !loading.is_running());
     QTRY_VERIFY(!loading.is_running());
     QVERIFY(!bar.isVisible());
-    QCOMPARE(window->document().medium().size(), std::size_t{20000});
-    QCOMPARE(window->document().name(), QString("big.brume"));
+    QCOMPARE(window->document().medium().size(), 20000u);
+    QCOMPARE(window->document().name(), "big.brume");
   }
 
   void opening_can_be_cancelled_and_the_last_one_wins() {
@@ -291,10 +291,10 @@ class EditorTest : public QObject {
     const JobBar& bar = window.bar(window->files().loading());
     QTest::mouseClick(bar.findChild<QToolButton*>(), Qt::LeftButton);
     QVERIFY(!bar.isVisible());
-    QCOMPARE(window->document().medium().size(), std::size_t{5});
+    QCOMPARE(window->document().medium().size(), 5u);
     window->files().open_file(window.file("big.brume"));
     QVERIFY(window.open("seven.brume"));
-    QCOMPARE(window->document().medium().size(), std::size_t{7});
+    QCOMPARE(window->document().medium().size(), 7u);
     QTest::qWait(300);
     QCOMPARE(opened.count(), 1);  // the big ones never came
   }
@@ -306,7 +306,7 @@ class EditorTest : public QObject {
     answer(QMessageBox::Cancel);
     QTRY_VERIFY(!window->files().loading().is_running());
     QTRY_VERIFY(!QApplication::activeModalWidget());
-    QCOMPARE(window->document().medium().size(), std::size_t{6});
+    QCOMPARE(window->document().medium().size(), 6u);
     QVERIFY(window->isWindowModified());
     window->document().undo_stack().undo();
   }

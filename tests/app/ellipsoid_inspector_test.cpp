@@ -56,19 +56,19 @@ class EllipsoidInspectorTest : public QObject {
     QCOMPARE(number(desk, "radius_x").text(), number(desk, "radius").text());  // both mixed
     QVERIFY(!number(desk, "rotation_x").isVisible());
     type_into(desk, "radius", "0.5");
-    QCOMPARE(number(desk, "radius_y").text(), QString("0.5"));
+    QCOMPARE(number(desk, "radius_y").text(), "0.5");
     type_into(desk, "radius_z", "0.8");
-    QCOMPARE(document.undo_stack().undoText(), QString("Set radius z of 2 Gaussians to 0.8"));
-    QCOMPARE(number(desk, "radius").text(), QString("0.8"));
-    QCOMPARE(number(desk, "radius_x").text(), QString("0.5"));
+    QCOMPARE(last_step(document), "Set radius z of 2 Gaussians to 0.8");
+    QCOMPARE(number(desk, "radius").text(), "0.8");
+    QCOMPARE(number(desk, "radius_x").text(), "0.5");
     for (const std::size_t k : {0U, 1U}) {
       QVERIFY(is_near(gaussian(document, k).radii(), {0.5, 0.5, 0.8}));
     }
     QVERIFY(number(desk, "rotation_x").isVisible());
     type_into(desk, "rotation_y", "130");
     type_into(desk, "rotation_x", "15");
-    QCOMPARE(document.undo_stack().undoText(), QString("Set rotation x of 2 Gaussians to 15"));
-    QCOMPARE(number(desk, "rotation_y").text(), QString("130"));  // as entered
+    QCOMPARE(last_step(document), "Set rotation x of 2 Gaussians to 15");
+    QCOMPARE(number(desk, "rotation_y").text(), "130");  // as entered
     QCOMPARE(gaussian(document, 1).shape.rotation, from_euler_angles({15.0, 130.0, 0.0}));
     QCOMPARE(gaussian(document, 2).shape, GaussianShape());
     // The one radius scales all.
@@ -79,7 +79,7 @@ class EllipsoidInspectorTest : public QObject {
     type_into(desk, "rotation_z", "40");
     type_into(desk, "radius_y", "0.3");
     document.select({1, 2});
-    QCOMPARE(number(desk, "radius_x").text(), QString("1"));
+    QCOMPARE(number(desk, "radius_x").text(), "1");
     QVERIFY(number(desk, "radius_y").text() != QString("0.3"));
     QVERIFY(number(desk, "rotation_z").text() != QString("40"));
     type_into(desk, "radius_y", "*2");
@@ -98,9 +98,9 @@ class EllipsoidInspectorTest : public QObject {
     Desk desk(before);
     Document& document = desk.document();
     document.select({2});
-    const int count = document.undo_stack().count();
+    const int count = step_count(document);
     drag_in_steps(desk, "rotation_y", 10);
-    QCOMPARE(document.undo_stack().count(), count + 1);
+    QCOMPARE(step_count(document), count + 1);
     // Half a degree a pixel, past 90.
     QVERIFY(is_turned(gaussian(document, 1), {10.0, 220.0, 30.0}));
     QCOMPARE(gaussian(document, 1).radii(), before.medium.gaussian(1).radii());
@@ -111,7 +111,7 @@ class EllipsoidInspectorTest : public QObject {
     Desk desk(before);
     Document& document = desk.document();
     document.select({2, 3});
-    QCOMPARE(number(desk, "rotation_y").text(), QString("88"));
+    QCOMPARE(number(desk, "rotation_y").text(), "88");
     double shown = 88.0;
     drag_in_steps(desk, "rotation_y", 4, [&] {
       shown += 20.0;
@@ -119,10 +119,10 @@ class EllipsoidInspectorTest : public QObject {
       QVERIFY(is_turned(gaussian(document, 1), {0.0, shown, 30.0}));
       QVERIFY(is_turned(gaussian(document, 2), {0.0, shown, 40.0}));
     });
-    QCOMPARE(document.undo_stack().count(), 1);
-    QCOMPARE(number(desk, "rotation_x").text(), QString("0"));
+    QCOMPARE(step_count(document), 1);
+    QCOMPARE(number(desk, "rotation_x").text(), "0");
     document.undo_stack().undo();
-    QCOMPARE(number(desk, "rotation_y").text(), QString("88"));
+    QCOMPARE(number(desk, "rotation_y").text(), "88");
     for (int k = 0; k < 2; ++k) {
       type_into(desk, "rotation_y", "130");
       QVERIFY(is_turned(gaussian(document, 1), {0.0, 130.0, 30.0}));
@@ -132,8 +132,8 @@ class EllipsoidInspectorTest : public QObject {
     document.select({2});
     type_into(desk, "rotation_x", "5");
     document.select({3});
-    QCOMPARE(number(desk, "rotation_y").text(), QString("130"));
-    QCOMPARE(number(desk, "rotation_z").text(), QString("40"));
+    QCOMPARE(number(desk, "rotation_y").text(), "130");
+    QCOMPARE(number(desk, "rotation_z").text(), "40");
   }
 
   void changes_of_angles_are_of_those_shown() {
@@ -143,16 +143,16 @@ class EllipsoidInspectorTest : public QObject {
     document.select({1, 2, 3});
     type_into(desk, "rotation_y", "130");
     // The ball does not turn.
-    QCOMPARE(document.undo_stack().undoText(), QString("Set rotation y of 2 Gaussians to 130"));
+    QCOMPARE(last_step(document), "Set rotation y of 2 Gaussians to 130");
     type_into(desk, "rotation_y", "+10");
-    QCOMPARE(document.undo_stack().undoText(), QString("Change rotation y of 2 Gaussians"));
+    QCOMPARE(last_step(document), "Change rotation y of 2 Gaussians");
     QVERIFY(is_turned(gaussian(document, 1), {0.0, 140.0, 30.0}));
     QVERIFY(is_turned(gaussian(document, 2), {0.0, 140.0, 40.0}));
     document.select({2, 3});
-    QCOMPARE(number(desk, "rotation_y").text(), QString("140"));
+    QCOMPARE(number(desk, "rotation_y").text(), "140");
     type_into(desk, "rotation_y", "*2");
     type_into(desk, "rotation_y", "-=30");
-    QCOMPARE(number(desk, "rotation_y").text(), QString("250"));
+    QCOMPARE(number(desk, "rotation_y").text(), "250");
     type_into(desk, "rotation_z", "*2");  // of what differs
     QVERIFY(is_turned(gaussian(document, 1), {0.0, 250.0, 60.0}));
     QVERIFY(is_turned(gaussian(document, 2), {0.0, 250.0, 80.0}));
@@ -174,7 +174,7 @@ class EllipsoidInspectorTest : public QObject {
     QVERIFY(was_ball);
     QCOMPARE(gaussian(document, 0).radii().z, 1.489);
     QVERIFY(is_turned(gaussian(document, 0), {10.0, 20.0, 30.0}));
-    QCOMPARE(document.undo_stack().count(), 2);
+    QCOMPARE(step_count(document), 2);
     // One of its own is made from a ball as it is.
     for (int k = 0; k < 3; ++k) type_into(desk, "radius_z", "1");
     QVERIFY(gaussian(document, 0).is_ball());

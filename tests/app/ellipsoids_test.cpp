@@ -91,8 +91,8 @@ class EllipsoidsTest : public QObject {
     const glm::dvec3 pivot = desk.view().pivot();
     const QPoint middle = pivot_on_film(desk);
     desk.drag(middle + QPoint(60, 0), middle + QPoint(90, 0));
-    QCOMPARE(document.undo_stack().count(), 1);
-    QCOMPARE(document.undo_stack().undoText(), QString("Scale 3 Gaussians"));
+    QCOMPARE(step_count(document), 1);
+    QCOMPARE(last_step(document), "Scale 3 Gaussians");
     for (std::size_t k = 0; k < 3; ++k) {
       const Gaussian was = before.medium.gaussian(k);
       const Gaussian is = gaussian(document, k);
@@ -176,11 +176,11 @@ class EllipsoidsTest : public QObject {
     const auto text = [&](int row, int k) {
       return table->model()->index(row, k).data().toString();
     };
-    QCOMPARE(text(0, elongation), QString("1"));
-    QCOMPARE(text(1, elongation), QString("3"));
-    QCOMPARE(text(1, column(GaussianAttribute::radius_x)), QString("0.3"));
-    QCOMPARE(text(1, column(GaussianAttribute::rotation_y)), QString("20"));
-    QCOMPARE(text(0, column(GaussianAttribute::rotation_y)), QString("0"));
+    QCOMPARE(text(0, elongation), "1");
+    QCOMPARE(text(1, elongation), "3");
+    QCOMPARE(text(1, column(GaussianAttribute::radius_x)), "0.3");
+    QCOMPARE(text(1, column(GaussianAttribute::rotation_y)), "20");
+    QCOMPARE(text(0, column(GaussianAttribute::rotation_y)), "0");
     const auto is_editable = [&](int k) {
       return table->model()->flags(table->model()->index(1, k)).testFlag(Qt::ItemIsEditable);
     };
@@ -200,7 +200,7 @@ class EllipsoidsTest : public QObject {
     QVERIFY(is_turned(gaussian(document, 1), {10.0, 20.0, 30.0}));
     document.undo_stack().undo();
     table->sortByColumn(elongation, Qt::DescendingOrder);
-    QCOMPARE(text(0, elongation), QString("3"));
+    QCOMPARE(text(0, elongation), "3");
     table->sortByColumn(-1, Qt::AscendingOrder);
     auto* filter = desk.findChild<QLineEdit*>("gaussian_filter");
     const auto rows = [&](const char* condition) {
@@ -301,12 +301,12 @@ class EllipsoidsTest : public QObject {
     document.select({2, 3, 4});
     window.key(Qt::Key_C, Qt::ControlModifier);
     window.key(Qt::Key_V, Qt::ControlModifier | Qt::ShiftModifier);
-    QCOMPARE(document.undo_stack().undoText(), QString("Paste 3 Gaussians"));
+    QCOMPARE(last_step(document), "Paste 3 Gaussians");
     for (const std::size_t k : {0U, 1U, 2U}) {
       QCOMPARE(gaussian(document, 5 + k), before.medium.gaussian(1 + k));
     }
     window.key(Qt::Key_D, Qt::ControlModifier);
-    QCOMPARE(document.medium().size(), std::size_t{11});
+    QCOMPARE(document.medium().size(), 11u);
     for (const std::size_t k : {0U, 1U, 2U}) {
       QCOMPARE(gaussian(document, 8 + k).shape, before.medium.gaussian(1 + k).shape);
     }

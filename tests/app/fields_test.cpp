@@ -105,7 +105,7 @@ class FieldsTest : public QObject {
         [&] { QTest::keyClick(&radius, Qt::Key_Tab); },
         [&] { QTest::keyClick(&radius, Qt::Key_Return); },
         [&] { click(&filter); },
-        [&] { QTest::mouseClick(&window->viewport(), Qt::LeftButton, {}, QPoint(3, 3)); },
+        [&] { window.click(QPoint(3, 3)); },
         [&] { click(&tool_button(window, "paintbrush")); },
         [&] { click(window->statusBar()); },
         [&] { QTest::keyClick(&radius, Qt::Key_S, Qt::ControlModifier); },
@@ -264,12 +264,12 @@ class FieldsTest : public QObject {
     auto& last = *window->findChild<QSpinBox*>("last_frame_of_range");
     type(line_of(window, "light_intensity"), "34");
     QTest::mouseClick(&tool_button(window, "eraser"), Qt::LeftButton);
-    QCOMPARE(window->document().scene().lights[0].intensity.r, 34.0);
+    QCOMPARE(window.scene().lights[0].intensity.r, 34.0);
     window.key(Qt::Key_B);
     type(line_of(window, "brush_radius"), "0.77");
     QTest::mouseClick(&tool_button(window, "eraser"), Qt::LeftButton);
     QCOMPARE(brush.brush().radius, 0.77);
-    QCOMPARE(active_tool(window), QString("eraser"));
+    QCOMPARE(active_tool(window), "eraser");
     type(last, "60");
     QTest::mouseClick(&tool_button(window, "paintbrush"), Qt::LeftButton);
     QCOMPARE(window->timeline().last(), 60);
@@ -290,7 +290,7 @@ class FieldsTest : public QObject {
       QVERIFY(window->viewport().hasFocus());
       QCOMPARE(document.undo_stack().index(), 1);
       QTest::keyClick(QApplication::focusWidget(), Qt::Key_E);
-      QCOMPARE(active_tool(window), QString("eraser"));
+      QCOMPARE(active_tool(window), "eraser");
       QTest::keyClick(QApplication::focusWidget(), Qt::Key_Z, Qt::ControlModifier);
       QVERIFY(document.scene() == before);
 
@@ -366,7 +366,7 @@ class FieldsTest : public QObject {
     auto& radius = *desk.findChild<NumberField*>("radius");
     type(radius, "0.4");
     set_attribute(document, document.selection(), GaussianAttribute::density, 0.5);
-    QCOMPARE(radius.text(), QString("0.4"));
+    QCOMPARE(radius.text(), "0.4");
     QTest::keyClicks(&radius, "2");
     QTest::keyClick(&radius, Qt::Key_Return);
     QCOMPARE(document.medium().radii()[0], 0.42);

@@ -127,7 +127,7 @@ class FilesTest : public QObject {
     QTRY_VERIFY(has_offer(window, "reload"));
     QVERIFY(bar_of(window).message().contains("scene.brume"));
     take_offer(window, "reload");
-    QTRY_COMPARE(window->document().medium().size(), std::size_t{6});
+    QTRY_COMPARE(window->document().medium().size(), 6u);
     QVERIFY(!bar_of(window).isVisible());
   }
 
@@ -142,12 +142,12 @@ class FilesTest : public QObject {
     QVERIFY(!window->files().save());
     QVERIFY2(question.contains("scene.brume"), qPrintable(question));
     QVERIFY(document.is_modified());
-    QCOMPARE(count_on_disk(window), std::size_t{6});
+    QCOMPARE(count_on_disk(window), 6u);
     answer(QMessageBox::SaveAll);
     choose(window.file("mine.brume"));
     QVERIFY(window->files().save());
-    QCOMPARE(document.name(), QString("mine.brume"));
-    QCOMPARE(count_on_disk(window), std::size_t{6});
+    QCOMPARE(document.name(), "mine.brume");
+    QCOMPARE(count_on_disk(window), 6u);
     QVERIFY(window->files().save());  // no question: nobody else wrote this one
   }
 
@@ -159,9 +159,9 @@ class FilesTest : public QObject {
     answer(QMessageBox::Save);
     QVERIFY(window->files().save());
     QVERIFY(!bar_of(window).isVisible());
-    QCOMPARE(count_on_disk(window), std::size_t{5});
+    QCOMPARE(count_on_disk(window), 5u);
     QVERIFY(window->files().save());
-    QCOMPARE(count_on_disk(window), std::size_t{5});
+    QCOMPARE(count_on_disk(window), 5u);
   }
 
   void keeping_own_work_is_asked_once_per_change() {
@@ -172,7 +172,7 @@ class FilesTest : public QObject {
     take_offer(window, "keep_mine");
     QVERIFY(!bar_of(window).isVisible());
     QVERIFY(window->files().save());
-    QCOMPARE(count_on_disk(window), std::size_t{5});
+    QCOMPARE(count_on_disk(window), 5u);
     change_on_disk(window);
     answer(QMessageBox::Cancel);
     QVERIFY(!window->files().save());
@@ -195,7 +195,7 @@ class FilesTest : public QObject {
     fs::remove(window.file("scene.brume"));
     QTRY_VERIFY(has_offer(window, "save_missing"));
     take_offer(window, "save_missing");
-    QCOMPARE(count_on_disk(window), std::size_t{5});
+    QCOMPARE(count_on_disk(window), 5u);
     QVERIFY(!document.is_modified() && !bar_of(window).isVisible());
   }
 
@@ -231,7 +231,7 @@ class FilesTest : public QObject {
     QVERIFY(window->files().save());
     fs::remove(window.file("scene.brume"));
     QVERIFY(window->files().save());  // nothing there that could be lost
-    QCOMPARE(count_on_disk(window), std::size_t{5});
+    QCOMPARE(count_on_disk(window), 5u);
   }
 
   void unsaved_work_is_asked_about_before_the_file_is_read_again() {
@@ -243,10 +243,10 @@ class FilesTest : public QObject {
     QTRY_VERIFY(has_offer(window, "reload"));
     answer(QMessageBox::Cancel);
     take_offer(window, "reload");
-    QCOMPARE(window->document().medium().size(), std::size_t{7});
+    QCOMPARE(window->document().medium().size(), 7u);
     answer(QMessageBox::Discard);
     window->files().reload();
-    QTRY_COMPARE(window->document().medium().size(), std::size_t{6});
+    QTRY_COMPARE(window->document().medium().size(), 6u);
   }
 
   void a_scene_opens_without_a_mesh_and_keeps_its_reference() {
@@ -257,8 +257,8 @@ class FilesTest : public QObject {
     const QString message = bar_of(window).message();
     QVERIFY2(message.contains("a.obj") && !message.contains("b.obj"), qPrintable(message));
     QVERIFY(window.settle());
-    const Surfaces& surfaces = window->document().scene().surfaces;
-    QCOMPARE(surfaces.size(), std::size_t{3});
+    const Surfaces& surfaces = window.scene().surfaces;
+    QCOMPARE(surfaces.size(), 3u);
     QVERIFY(!is_visible(surfaces[0]));
     QVERIFY(is_visible(surfaces[1]));
     QVERIFY(!window->document().is_modified());
@@ -280,12 +280,12 @@ class FilesTest : public QObject {
     SeenDialog seen;
     choose(window.file("moved") / "a.obj", &seen);
     take_offer(window, "find_missing");
-    QCOMPARE(seen.title, QString("Find a.obj"));
-    QTRY_VERIFY(is_visible(window->document().scene().surfaces[0]));
-    QVERIFY(is_visible(window->document().scene().surfaces[1]));
+    QCOMPARE(seen.title, "Find a.obj");
+    QTRY_VERIFY(is_visible(window.scene().surfaces[0]));
+    QVERIFY(is_visible(window.scene().surfaces[1]));
     QVERIFY(!bar_of(window).isVisible());
     QVERIFY(window->document().is_modified());  // until the new places are in the file
-    QCOMPARE(window->document().name(), QString("meshes.brume"));
+    QCOMPARE(window->document().name(), "meshes.brume");
     QVERIFY(window->files().save());
     QVERIFY(load_scene(window.file("meshes.brume")).surfaces[1].mesh_file ==
             window.file("moved") / "b.obj");
@@ -300,7 +300,7 @@ class FilesTest : public QObject {
     choose(window.file("bad.obj"));
     take_offer(window, "find_missing");
     QTRY_VERIFY(bar_of(window).message().contains("bad.obj"));
-    QCOMPARE(window->document().scene().surfaces.size(), std::size_t{3});
+    QCOMPARE(window.scene().surfaces.size(), 3u);
   }
 
   void names_are_no_markup() {
@@ -362,24 +362,24 @@ class FilesTest : public QObject {
     const auto trigger = [&](const char* action, const fs::path& file) {
       SeenDialog seen;
       choose(file, &seen);
-      window->findChild<QAction*>(action)->trigger();
+      invoke(window, action);
       return seen.folder;
     };
     const QString here = QFileInfo(to_qstring(scenes)).dir().canonicalPath();
     QCOMPARE(trigger("file.open", scenes / "a.brume"), here);
-    QTRY_COMPARE(window->document().name(), QString("a.brume"));
+    QTRY_COMPARE(window->document().name(), "a.brume");
     // The first time, where the scene is; then where the last import came from.
     const QString there = QDir(to_qstring(scenes)).canonicalPath();
     QCOMPARE(trigger("file.import", meshes / "a.obj"), there);
-    QTRY_COMPARE(window->document().scene().surfaces.size(), std::size_t{1});
+    QTRY_COMPARE(window.scene().surfaces.size(), 1u);
     QCOMPARE(trigger("file.import", meshes / "a.obj"), QDir(to_qstring(meshes)).canonicalPath());
-    QTRY_COMPARE(window->document().scene().surfaces.size(), std::size_t{2});
+    QTRY_COMPARE(window.scene().surfaces.size(), 2u);
     window->document().undo_stack().setIndex(0);
     QCOMPARE(trigger("file.open", scenes / "a.brume"), there);
     // After a restart as well.
     QCOMPARE(last_folder(FileKind::import, "/"), to_qstring(meshes));
     fs::remove_all(meshes);
-    QCOMPARE(last_folder(FileKind::import, "/"), QString("/"));
+    QCOMPARE(last_folder(FileKind::import, "/"), "/");
   }
 };
 

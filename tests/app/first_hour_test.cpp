@@ -90,7 +90,7 @@ class FirstHourTest : public QObject {
     hour->findChild<QAction*>("file.start_page")->trigger();
     hour.picture("start_page");
     auto* page = hour->findChild<StartPage*>();
-    QTest::mouseClick(page->findChild<QToolButton*>("template_room"), Qt::LeftButton);
+    click(*page, "template_room");
     QTRY_VERIFY(page->isHidden());
     QVERIFY(!hour.scene().surfaces.empty());
     const auto saved_text = [&] {

@@ -70,15 +70,15 @@ class FirstSceneTest : public QObject {
     window.drag(center - QPoint(150, 0), center + QPoint(150, 0));
     QVERIFY(window.document().medium().size() > 1);
     QVERIFY(window.bright_share() > 0.02);
-    QVERIFY(window.document().scene().lights == new_scene().lights);
+    QVERIFY(window.scene().lights == new_scene().lights);
   }
 
   void an_imported_mesh_is_framed_and_lit_in_one_step() {
     NewScene window;
     window.import({bunny});
-    const Scene imported = window.document().scene();
-    QCOMPARE(window.document().undo_stack().count(), 1);
-    QCOMPARE(window.document().undo_stack().undoText(), QString("Import bunny.obj"));
+    const Scene imported = window.scene();
+    QCOMPARE(step_count(window.document()), 1);
+    QCOMPARE(last_step(window.document()), "Import bunny.obj");
     QVERIFY(window.bright_share() > 0.05);
     QVERIFY(window->viewport().camera() == imported.camera);
 
@@ -92,10 +92,10 @@ class FirstSceneTest : public QObject {
     QVERIFY(std::abs(radiance - 1.0) < 1e-9);
 
     window.key(Qt::Key_Z, Qt::ControlModifier);
-    QVERIFY(window.document().scene() == new_scene());
+    QVERIFY(window.scene() == new_scene());
     QVERIFY(!window.document().is_modified());
     window.document().undo_stack().redo();
-    QVERIFY(window.document().scene() == imported);
+    QVERIFY(window.scene() == imported);
     QVERIFY(window.bright_share() > 0.05);
   }
 
@@ -119,11 +119,11 @@ class FirstSceneTest : public QObject {
     std::ofstream(window.file("left.obj")) << "v -9 0 0\nv -8 0 0\nv -9 1 0\nf 1 2 3\n";
     std::ofstream(window.file("right.obj")) << "v 9 0 0\nv 8 0 0\nv 9 1 0\nf 1 3 2\n";
     window.import({window.file("left.obj"), window.file("right.obj")});
-    QCOMPARE(window.document().scene().surfaces.size(), std::size_t{2});
-    QVERIFY(std::abs(window.document().scene().camera.target.x) < 1e-9);
-    QCOMPARE(window.document().undo_stack().count(), 1);
+    QCOMPARE(window.scene().surfaces.size(), 2u);
+    QVERIFY(std::abs(window.scene().camera.target.x) < 1e-9);
+    QCOMPARE(step_count(window.document()), 1);
     window.document().undo_stack().undo();
-    QVERIFY(window.document().scene() == new_scene());
+    QVERIFY(window.scene() == new_scene());
   }
 
   void a_mesh_after_an_undone_one_is_framed() {
@@ -132,7 +132,7 @@ class FirstSceneTest : public QObject {
     window.import({window.file("far.obj")});
     window.document().undo_stack().undo();
     window.import({bunny});
-    QVERIFY(window->viewport().camera() == window.document().scene().camera);
+    QVERIFY(window->viewport().camera() == window.scene().camera);
     QVERIFY(window.bright_share() > 0.05);
   }
 
@@ -202,10 +202,10 @@ class FirstSceneTest : public QObject {
     window->viewport().frames().set_mode(ViewMode::optical_depth);
     QVERIFY(!says_so());
     window->viewport().frames().set_mode(ViewMode::final);
-    window->findChild<QAction*>("airlight_paper")->trigger();
+    invoke(window, "airlight_paper");
     QCOMPARE(window.bright_share(), 0.0);
     QVERIFY(!says_so());
-    window->findChild<QAction*>("airlight_auto")->trigger();
+    invoke(window, "airlight_auto");
     QVERIFY(window.settle());
     QVERIFY(says_so());
 

@@ -42,17 +42,17 @@ class FogPresetsTest : public QObject {
     FogWindow window;
     for (const char* scene : {"room", "landscape"}) {
       window.open_template(scene);
-      const Scene before = window.document().scene();
+      const Scene before = window.scene();
       for (const FogPreset& preset : fog_presets()) {
         window.choose(preset.name);
-        QVERIFY2(window.document().undo_stack().count() == 1, preset.name);
-        QVERIFY2(window.document().undo_stack().undoText().startsWith("Add "), preset.name);
-        QVERIFY2(!(window.document().scene() == before), preset.name);
+        QVERIFY2(step_count(window.document()) == 1, preset.name);
+        QVERIFY2(last_step(window.document()).startsWith("Add "), preset.name);
+        QVERIFY2(!(window.scene() == before), preset.name);
         const auto added = window.added_after(before.medium.size());
         QVERIFY2(added.size() < 400, preset.name);
         QCOMPARE(window.document().selection().size(), added.size());
         window.document().undo_stack().undo();
-        QVERIFY2(window.document().scene() == before, preset.name);
+        QVERIFY2(window.scene() == before, preset.name);
         window.document().undo_stack().clear();
       }
     }
@@ -121,12 +121,12 @@ class FogPresetsTest : public QObject {
 
   void god_rays_bring_a_sun_if_there_is_none() {
     FogWindow window;
-    const std::size_t lights = window.document().scene().lights.size();
+    const std::size_t lights = window.scene().lights.size();
     window.choose("fog.god_rays");
-    QCOMPARE(window.document().scene().lights.size(), lights + 1);
-    QVERIFY(window.document().scene().lights.back().as<light::Directional>());
+    QCOMPARE(window.scene().lights.size(), lights + 1);
+    QVERIFY(window.scene().lights.back().as<light::Directional>());
     window.choose("fog.god_rays");
-    QCOMPARE(window.document().scene().lights.size(), lights + 1);
+    QCOMPARE(window.scene().lights.size(), lights + 1);
   }
 
   void shapes_are_added_by_numbers() {
@@ -142,11 +142,11 @@ class FogPresetsTest : public QObject {
     enter(window, "fog_shape_spacing", "0.25");
     enter(window, "fog_shape_density", "0.4");
     auto* label = dialog->findChild<QLabel*>("fog_shape_count");
-    QCOMPARE(label->text(), QString("512 Gaussians"));
+    QCOMPARE(label->text(), "512 Gaussians");
     auto* button = dialog->findChild<QPushButton*>("fog_shape_add");
     button->click();
     const auto added = window.added_after(count);
-    QCOMPARE(added.size(), std::size_t{512});
+    QCOMPARE(added.size(), 512u);
     // Even inside: what the density says.
     for (const glm::dvec3 at : {glm::dvec3(0.0), glm::dvec3(0.3, -0.2, 0.11)}) {
       double sum = 0.0;
@@ -156,7 +156,7 @@ class FogPresetsTest : public QObject {
       }
       QVERIFY(std::abs(sum - 0.4) < 0.01);
     }
-    QCOMPARE(window.document().undo_stack().undoText(), QString("Add fog box"));
+    QCOMPARE(last_step(window.document()), "Add fog box");
     enter(window, "fog_shape_spacing", "0.01");
     QVERIFY(!button->isEnabled());
     QVERIFY(label->text().contains("spacing"));

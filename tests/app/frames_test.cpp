@@ -139,27 +139,27 @@ class FramesTest : public QObject {
       auto* paper = window->findChild<QAction*>("airlight_paper");
       auto* automatic = window->findChild<QAction*>("airlight_auto");
       QVERIFY(automatic->isChecked() && !paper->isChecked());
-      const QImage before = window->viewport().frames().shown()->picture;
+      const QImage before = window.shown().picture;
       QVERIFY(shown_settings(*window).contains("slices"));
       paper->trigger();
       QVERIFY(!automatic->isChecked());
       QVERIFY(window.settle());
-      QVERIFY(window->viewport().frames().shown()->picture != before);
+      QVERIFY(window.shown().picture != before);
       QVERIFY(shown_settings(*window).startsWith("paper"));
       QVERIFY(!window->document().is_modified());
     }
     TestWindow window;
     QCOMPARE(window->viewport().frames().quality().airlight(), AirlightMethod::paper);
-    window->findChild<QAction*>("airlight_sliced")->trigger();
+    invoke(window, "airlight_sliced");
     QVERIFY(window.settle());
     QVERIFY(shown_settings(*window).startsWith(QString("%1 slices").arg(Settings{}.slices)));
-    window->findChild<QAction*>("airlight_auto")->trigger();
+    invoke(window, "airlight_auto");
   }
 
   // Or the table of depths from each light would be built anew at every start and stop.
   void motion_keeps_the_tables_of_rest() {
     TestWindow window;
-    window->findChild<QAction*>("airlight_sliced")->trigger();
+    invoke(window, "airlight_sliced");
     QVERIFY(window.settle());
     Viewport& view = window->viewport();
     const Settings rest = view.frames().shown()->request.settings;
@@ -179,7 +179,7 @@ class FramesTest : public QObject {
     QVERIFY(in_motion);
     QVERIFY(view.frames().shown()->request.settings == rest);
     QCOMPARE(view.frames().shown()->frame.statistics.light_pairs, std::uint64_t{0});
-    window->findChild<QAction*>("airlight_auto")->trigger();
+    invoke(window, "airlight_auto");
   }
 
   // Not in motion, and not in the error, which is that of pixels' centers.
@@ -323,8 +323,8 @@ class FramesTest : public QObject {
     TestWindow window;
     const auto* shown = window->findChild<QLabel*>("backend");
     const auto render_by = [&](const char* action) {
-      window->findChild<QAction*>(action)->trigger();
-      return window.settle() ? window->viewport().frames().shown()->frame : Frame{};
+      invoke(window, action);
+      return window.settle() ? window.shown().frame : Frame{};
     };
     const Frame cpu = render_by("backend_cpu");
     QCOMPARE(cpu.statistics.backend, "cpu");
@@ -357,9 +357,7 @@ class FramesTest : public QObject {
       auto* opengl = window->findChild<QAction*>("backend_gl");
       opengl->trigger();
       QVERIFY(window.settle());
-      const auto backend = [&] {
-        return window->viewport().frames().shown()->frame.statistics.backend;
-      };
+      const auto backend = [&] { return window.shown().frame.statistics.backend; };
       QCOMPARE(backend(), "gl");
       gl::failures().context = true;
       window->document().select({5});
@@ -367,7 +365,7 @@ class FramesTest : public QObject {
       QVERIFY(window.settle());
       gl::failures() = {};
       QCOMPARE(backend(), "cpu");
-      QVERIFY(all_finite(window->viewport().frames().shown()->frame));
+      QVERIFY(all_finite(window.shown().frame));
       auto* bar = window->findChild<MessageBar*>();
       QVERIFY2(bar->isVisible() && bar->message().contains("lost"), qPrintable(bar->message()));
       QVERIFY(window->findChild<QLabel*>("backend")->text().contains("lost"));
@@ -383,14 +381,14 @@ class FramesTest : public QObject {
     }
     TestWindow window;
     QVERIFY(window->findChild<QAction*>("backend_gl")->isChecked());
-    QCOMPARE(window->viewport().frames().shown()->frame.statistics.backend, "gl");
+    QCOMPARE(window.shown().frame.statistics.backend, "gl");
     QSignalSpy exported(window->findChild<FrameExport*>(), &FrameExport::finished);
     window->output().export_frame_to(window.file("frame.exr"));
     QVERIFY(exported.wait(patience));
     QFile file(to_qstring(window.file("frame.exr")));
     QVERIFY(file.open(QIODevice::ReadOnly));
     QVERIFY(file.read(4096).contains(QByteArray("brume:backend\0string\0\2\0\0\0gl", 27)));
-    window->findChild<QAction*>("backend_auto")->trigger();
+    invoke(window, "backend_auto");
   }
 
   void export_writes_the_scene_film_in_the_background() {

@@ -27,9 +27,9 @@ class GroupFactorsTest : public QObject {
     QVERIFY(desk.findChild<QLabel*>("group_hint")->isHidden());
     desk.click("Group");
     const Medium plain = document.medium();
-    QCOMPARE(value(desk, "group_density_factor"), QString("1"));
+    QCOMPARE(value(desk, "group_density_factor"), "1");
     enter(desk, "group_density_factor", "2");
-    QCOMPARE(document.undo_stack().undoText(), QString("Set density factor of Group"));
+    QCOMPARE(last_step(document), "Set density factor of Group");
     enter(desk, "group_radius_offset", "0.1");
     enter(desk, "group_albedo_factor_y", "0.5");
     QCOMPARE(document.medium().revision(), plain.revision());
@@ -42,9 +42,9 @@ class GroupFactorsTest : public QObject {
     enter(desk, "group_radius_factor", "0");  // refused
     QCOMPARE(desk.groups()[0].radius_factor, 1.0);
     // A drag is one step.
-    const int count = document.undo_stack().count();
+    const int count = step_count(document);
     drag_title(desk, "group_density_factor", 40);
-    QCOMPARE(document.undo_stack().count(), count + 1);
+    QCOMPARE(step_count(document), count + 1);
     QVERIFY(desk.groups()[0].density_factor > 2.0);
     // Edits that do not change the picture leave the medium of frames as it is.
     const Revision revision = desk.shown_medium().revision();
@@ -67,7 +67,7 @@ class GroupFactorsTest : public QObject {
     QVERIFY(key->isChecked());
     GroupKeys keys;
     keys.radius_factor = desk.groups()[1].keys.radius_factor;
-    QCOMPARE(keys.radius_factor.size(), std::size_t{1});
+    QCOMPARE(keys.radius_factor.size(), 1u);
     QVERIFY(desk.groups()[1].keys == keys && desk.groups()[0].keys == GroupKeys());
     QTest::mouseClick(key, Qt::LeftButton);
     QVERIFY(desk.groups()[1].keys == GroupKeys());
@@ -87,19 +87,19 @@ class GroupFactorsTest : public QObject {
     desk.timeline().set_frame(30);
     enter(desk, "group_density_factor", "3");
     desk.findChild<TimelineBar*>()->set_key();
-    QCOMPARE(desk.groups()[0].keys.density_factor.size(), std::size_t{2});
+    QCOMPARE(desk.groups()[0].keys.density_factor.size(), 2u);
     const double density = document.medium().densities()[0];
     QCOMPARE(desk.shown_medium().densities()[0], 3.0 * density);
     desk.timeline().set_frame(15);
     QCOMPARE(desk.shown_medium().densities()[0], 2.0 * density);
-    QCOMPARE(value(desk, "group_density_factor"), QString("2"));
+    QCOMPARE(value(desk, "group_density_factor"), "2");
     // From then on what is entered is a keyframe.
     enter(desk, "group_density_factor", "5");
-    QCOMPARE(desk.groups()[0].keys.density_factor.size(), std::size_t{3});
+    QCOMPARE(desk.groups()[0].keys.density_factor.size(), 3u);
     desk.timeline().set_frame(0);
     QCOMPARE(desk.shown_medium().densities()[0], density);
     document.undo_stack().undo();
-    QCOMPARE(desk.groups()[0].keys.density_factor.size(), std::size_t{2});
+    QCOMPARE(desk.groups()[0].keys.density_factor.size(), 2u);
   }
 };
 

@@ -83,29 +83,29 @@ class ImportTest : public QObject {
     write_gaussians(desk.file("two.ply"), two);
     for (const char* name : {"two.csv", "two.ply"}) {
       drop(desk, {desk.file(name)});
-      QCOMPARE(wait(desk), QString());
-      QCOMPARE(document.undo_stack().undoText(), QString("Import 2 Gaussians"));
-      QCOMPARE(document.selection().size(), std::size_t{2});
+      QCOMPARE(wait(desk), "");
+      QCOMPARE(last_step(document), "Import 2 Gaussians");
+      QCOMPARE(document.selection().size(), 2u);
     }
-    QCOMPARE(document.medium().size(), std::size_t{9});
+    QCOMPARE(document.medium().size(), 9u);
     drop(desk, {BRUME_RESOURCES "/meshes/bunny.obj"});
-    QCOMPARE(wait(desk), QString());
-    QCOMPARE(document.undo_stack().undoText(), QString("Import bunny.obj"));
-    QCOMPARE(document.scene().surfaces.size(), std::size_t{1});
+    QCOMPARE(wait(desk), "");
+    QCOMPARE(last_step(document), "Import bunny.obj");
+    QCOMPARE(document.scene().surfaces.size(), 1u);
     write_text(desk.file("face.ply"), ply_triangle);
     drop(desk, {desk.file("face.ply")});
-    QCOMPARE(wait(desk), QString());
-    QCOMPARE(document.scene().surfaces.size(), std::size_t{2});
+    QCOMPARE(wait(desk), "");
+    QCOMPARE(document.scene().surfaces.size(), 2u);
     drop(desk, {BRUME_RESOURCES "/environments/sunset.exr"});
-    QCOMPARE(wait(desk), QString());
+    QCOMPARE(wait(desk), "");
     QVERIFY(document.scene().environment);
-    QCOMPARE(document.undo_stack().count(), 5);
+    QCOMPARE(step_count(document), 5);
   }
 
   void an_address_on_the_web_is_not_sought_as_a_file() {
     TestWindow window;
     drop(window, {}, {QUrl("https://example.org/cup.obj")});
-    QCOMPARE(window->document().undo_stack().count(), 0);
+    QCOMPARE(step_count(window->document()), 0);
     const auto* bar = window->findChild<MessageBar*>();
     QVERIFY(bar->message().startsWith("https://example.org/cup.obj is no file of this computer"));
   }
@@ -119,30 +119,30 @@ class ImportTest : public QObject {
     }
     write_gaussians(desk.file("two.csv"), two);
     drop(desk, {desk.file("cup.obj"), desk.file("pot.obj"), desk.file("two.csv")});
-    QCOMPARE(wait(desk), QString());
-    QCOMPARE(document.scene().surfaces.size(), std::size_t{2});
-    QCOMPARE(document.medium().size(), std::size_t{7});
-    QCOMPARE(document.undo_stack().undoText(), QString("Import 3 files"));
-    QCOMPARE(document.undo_stack().count(), 1);
+    QCOMPARE(wait(desk), "");
+    QCOMPARE(document.scene().surfaces.size(), 2u);
+    QCOMPARE(document.medium().size(), 7u);
+    QCOMPARE(last_step(document), "Import 3 files");
+    QCOMPARE(step_count(document), 1);
     document.undo_stack().undo();
     QVERIFY(document.scene().surfaces.empty() && document.medium().size() == 5);
     QVERIFY(!document.is_modified());
     // Numbered meshes are no frames of a sequence.
     drop(desk, {desk.file("m_1.obj"), desk.file("m_2.obj")});
-    QCOMPARE(wait(desk), QString());
-    QCOMPARE(document.scene().surfaces.size(), std::size_t{2});
+    QCOMPARE(wait(desk), "");
+    QCOMPARE(document.scene().surfaces.size(), 2u);
   }
 
   void numbered_ply_files_are_a_sequence_or_meshes_by_what_is_in_them() {
     FileDesk desk;
     for (const char* name : {"g_1.ply", "g_2.ply"}) write_gaussians(desk.file(name), two);
     drop(desk, {desk.file("g_1.ply"), desk.file("g_2.ply")});
-    QCOMPARE(wait(desk), QString());
-    QCOMPARE(desk.document().scene().sequences.size(), std::size_t{1});
+    QCOMPARE(wait(desk), "");
+    QCOMPARE(desk.scene().sequences.size(), 1u);
     for (const char* name : {"f_1.ply", "f_2.ply"}) write_text(desk.file(name), ply_triangle);
     drop(desk, {desk.file("f_1.ply"), desk.file("f_2.ply")});
-    QCOMPARE(wait(desk), QString());
-    QCOMPARE(desk.document().scene().surfaces.size(), std::size_t{2});
+    QCOMPARE(wait(desk), "");
+    QCOMPARE(desk.scene().surfaces.size(), 2u);
   }
 
   void unsupported_drops_are_reported() {
@@ -158,8 +158,8 @@ class ImportTest : public QObject {
     }
     drop(window, {window.file("cup.obj"), window.file("photo.jpg"), window.file("scene.brume")});
     QVERIFY2(bar->message().startsWith("photo.jpg, scene.brume: "), qPrintable(bar->message()));
-    QCOMPARE(wait(window), QString());
-    QCOMPARE(window->document().scene().surfaces.size(), std::size_t{1});
+    QCOMPARE(wait(window), "");
+    QCOMPARE(window.scene().surfaces.size(), 1u);
   }
 
   void file_errors_are_reported_and_change_nothing() {
@@ -181,9 +181,9 @@ class ImportTest : public QObject {
     };
     const auto full = points("full.vtp", array("radius", "0.5 0.25") + array("density", "2 3"));
     drop(desk, {full});
-    QCOMPARE(wait(desk), QString());
+    QCOMPARE(wait(desk), "");
     QVERIFY(desk.document().medium().gaussian(6) == (Gaussian{{1, 2, 4}, 0.25, 3.0}));
-    QCOMPARE(desk.document().undo_stack().undoText(), QString("Import 2 Gaussians"));
+    QCOMPARE(last_step(desk.document()), "Import 2 Gaussians");
     const auto bare = read_vtk_points(points("bare.vtp", ""));
     QCOMPARE(bare[0].density, 1.0);
     QCOMPARE(bare[0].radius, std::cbrt(8.0 / 2.0));
@@ -200,13 +200,13 @@ class ImportTest : public QObject {
     drop(desk, {smoke});
     auto* dialog = shown<VolumeDialog>(desk);
     QVERIFY(dialog);
-    QCOMPARE(dialog->findChild<QComboBox*>("volume_grid")->currentText(), QString("density"));
+    QCOMPARE(dialog->findChild<QComboBox*>("volume_grid")->currentText(), "density");
     dialog->findChild<QSpinBox*>("volume_count")->setValue(30);
     dialog->findChild<QComboBox*>("volume_up")->setCurrentIndex(1);
     dialog->findChild<QLineEdit*>("volume_scale")->setText("2.5");
-    QTest::mouseClick(dialog->findChild<QPushButton*>("import_volume"), Qt::LeftButton);
-    QCOMPARE(wait(desk), QString());
-    QCOMPARE(document.undo_stack().undoText(), QString("Import 30 Gaussians"));
+    click(*dialog, "import_volume");
+    QCOMPARE(wait(desk), "");
+    QCOMPARE(last_step(document), "Import 30 Gaussians");
     VolumeFit how;
     how.options.count = 30;
     how.z_up = true;
@@ -226,9 +226,9 @@ class ImportTest : public QObject {
     const auto combo = [&](const char* name) { return dialog->findChild<QComboBox*>(name); };
     const auto edit = [&](const char* name) { return dialog->findChild<QLineEdit*>(name); };
     auto* import = dialog->findChild<QPushButton*>("import_volume");
-    QCOMPARE(combo("volume_color")->currentText(), QString("Automatic: albedo"));
-    QCOMPARE(combo("volume_emission")->currentText(), QString("Automatic: emission"));
-    QCOMPARE(combo("volume_flame")->currentText(), QString("Automatic: none"));
+    QCOMPARE(combo("volume_color")->currentText(), "Automatic: albedo");
+    QCOMPARE(combo("volume_emission")->currentText(), "Automatic: emission");
+    QCOMPARE(combo("volume_flame")->currentText(), "Automatic: none");
     QCOMPARE(combo("volume_color")->findText("density"), -1);
     dialog->findChild<QSpinBox*>("volume_count")->setValue(10);
     combo("volume_emission")->setCurrentIndex(combo("volume_emission")->findText("None"));
@@ -241,7 +241,7 @@ class ImportTest : public QObject {
     QVERIFY(import->isEnabled());
     const std::size_t before = document.medium().size();
     QTest::mouseClick(import, Qt::LeftButton);
-    QCOMPARE(wait(desk), QString());
+    QCOMPARE(wait(desk), "");
     const Medium& medium = document.medium();
     QCOMPARE(medium.size(), before + 10);
     // Half of them are the smoke's, which is red, and half the flames'.
@@ -266,9 +266,9 @@ class ImportTest : public QObject {
     VolumeFit how;
     how.options.count = 5;
     desk.import().import_volumes(frames_around(desk.file("f_1.vdb")), how, folder);
-    QCOMPARE(wait(desk), QString());
-    const auto& frames = *desk.document().scene().sequences.at(0).frames;
-    QCOMPARE(frames.size(), std::size_t{2});
+    QCOMPARE(wait(desk), "");
+    const auto& frames = *desk.scene().sequences.at(0).frames;
+    QCOMPARE(frames.size(), 2u);
     for (const Gaussian& g : read_gaussians(folder / "f_2.ply")) {
       QVERIFY(std::abs(g.optics.albedo->g - 0.75) < 1e-4);
       QVERIFY(std::abs(g.optics.emission.r - 3.0) < 1e-3);
@@ -303,25 +303,25 @@ class ImportTest : public QObject {
     }
     window->timeline().set_frame(30);
     drop(window, {window.file("steam_2.csv"), window.file("steam_3.csv")});
-    QCOMPARE(wait(window), QString());
-    QCOMPARE(document.undo_stack().undoText(), QString("Import sequence steam_%d.csv"));
+    QCOMPARE(wait(window), "");
+    QCOMPARE(last_step(document), "Import sequence steam_%d.csv");
     const MediumSequence& sequence = document.scene().sequences.at(0);
     QCOMPARE(sequence.first, 1);
     QCOMPARE(sequence.last, 3);
     QCOMPARE(sequence.start, 1.0);
     window->timeline().set_frame(31);
     QVERIFY(window.settle());
-    const Scene& seen = *window->viewport().frames().shown()->request.scene;
-    QCOMPARE(seen.medium.size(), std::size_t{7});
+    const Scene& seen = *window.shown().request.scene;
+    QCOMPARE(seen.medium.size(), 7u);
     QVERIFY(std::abs(seen.medium.centers()[5].x - 2.0) < 1e-12);
     QVERIFY(window->files().save_to(window.file("steam.brume")));
     QCOMPARE(evaluate_at(load_scene(window.file("steam.brume")), 31 / 30.0).medium, seen.medium);
     trigger(window, "Bake");
-    QCOMPARE(document.undo_stack().undoText(), QString("Bake 2 Gaussians"));
+    QCOMPARE(last_step(document), "Bake 2 Gaussians");
     trigger(window, "Remove Seq");
     QVERIFY(document.scene().sequences.empty());
     document.undo_stack().undo();
-    QCOMPARE(document.scene().sequences.size(), std::size_t{1});
+    QCOMPARE(document.scene().sequences.size(), 1u);
     document.undo_stack().setIndex(0);
     QVERIFY(document.scene().sequences.empty());
   }
@@ -337,17 +337,17 @@ class ImportTest : public QObject {
     QVERIFY(dialog);
     const fs::path folder = desk.file("made");
     dialog->findChild<QLineEdit*>("sequence_folder")->setText(to_qstring(folder));
-    QTest::mouseClick(dialog->findChild<QPushButton*>("import_sequence"), Qt::LeftButton);
-    QCOMPARE(wait(desk), QString());
-    const Scene& scene = desk.document().scene();
-    QCOMPARE(desk.document().undo_stack().undoText(), QString("Import sequence p_%02d.ply"));
-    QCOMPARE(scene.sequences.size(), std::size_t{1});
+    click(*dialog, "import_sequence");
+    QCOMPARE(wait(desk), "");
+    const Scene& scene = desk.scene();
+    QCOMPARE(last_step(desk.document()), "Import sequence p_%02d.ply");
+    QCOMPARE(scene.sequences.size(), 1u);
     const std::vector<Gaussian> halfway =
         sequence_at(scene.sequences[0], 0.5 / 30.0, glm::dvec3(1.0));
-    QCOMPARE(halfway.size(), std::size_t{2});
+    QCOMPARE(halfway.size(), 2u);
     QVERIFY(halfway[0].center == glm::dvec3(0, 1, 0));
     QVERIFY(halfway[1].center == glm::dvec3(8, 1, 0));
-    QCOMPARE(files_in(folder), std::size_t{2});
+    QCOMPARE(files_in(folder), 2u);
     desk.document().save(desk.file("p.brume"));
     const Scene loaded = load_scene(desk.file("p.brume"));
     QVERIFY(*loaded.sequences.at(0).frames->frame(0) == *scene.sequences[0].frames->frame(0));
@@ -358,7 +358,7 @@ class ImportTest : public QObject {
     const QString problem = wait(desk);
     QVERIFY2(problem.contains("p_03.vtp") && problem.contains("twice"), qPrintable(problem));
     QVERIFY(!fs::exists(desk.file("bad")));
-    QCOMPARE(desk.document().undo_stack().count(), 1);
+    QCOMPARE(step_count(desk.document()), 1);
   }
 
   void volumes_become_a_sequence_of_files() {
@@ -369,12 +369,12 @@ class ImportTest : public QObject {
     dialog->findChild<QSpinBox*>("volume_count")->setValue(25);
     const fs::path folder = desk.file("made");
     dialog->findChild<QLineEdit*>("sequence_folder")->setText(to_qstring(folder));
-    QTest::mouseClick(dialog->findChild<QPushButton*>("import_volume"), Qt::LeftButton);
-    QCOMPARE(wait(desk), QString());
-    QCOMPARE(desk.document().scene().sequences.size(), std::size_t{1});
-    QCOMPARE(desk.document().scene().sequences[0].frames->size(), std::size_t{2});
-    QCOMPARE(read_gaussians(folder / "smoke_0026.ply").size(), std::size_t{25});
-    QCOMPARE(files_in(folder), std::size_t{2});
+    click(*dialog, "import_volume");
+    QCOMPARE(wait(desk), "");
+    QCOMPARE(desk.scene().sequences.size(), 1u);
+    QCOMPARE(desk.scene().sequences[0].frames->size(), 2u);
+    QCOMPARE(read_gaussians(folder / "smoke_0026.ply").size(), 25u);
+    QCOMPARE(files_in(folder), 2u);
   }
 };
 

@@ -194,8 +194,8 @@ class JobsTest : public QObject {
     done.acquire();
     job.cancel();
     QTRY_VERIFY(!job.is_running());
-    QCOMPARE(parts.size(), std::size_t{3});
-    QCOMPARE(percents.size(), std::size_t{3});
+    QCOMPARE(parts.size(), 3u);
+    QCOMPARE(percents.size(), 3u);
   }
 
   void destruction_stops_and_delivers_nothing() {
@@ -287,7 +287,7 @@ class JobsTest : public QObject {
     QVERIFY(bar.isHidden());
     job.start(endless, "Counting sheep");
     QVERIFY(!bar.isHidden());
-    QCOMPARE(bar.findChild<QLabel*>()->text(), QString("Counting sheep"));
+    QCOMPARE(bar.findChild<QLabel*>()->text(), "Counting sheep");
     bar.findChild<QToolButton*>()->click();
     QTRY_VERIFY(!job.is_running());
     QVERIFY(bar.isHidden());

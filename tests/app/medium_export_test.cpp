@@ -66,7 +66,7 @@ class MediumExportTest : public QObject {
     last->selectAll();
     QTest::keyClicks(last, "5");
     QTest::mouseClick(button, Qt::LeftButton);
-    QCOMPARE(wait(desk), QString());
+    QCOMPARE(wait(desk), "");
     QCOMPARE(volume_grids(desk.file("m_0005.vdb")).at(0).name, std::string("density"));
     QVERIFY(fs::exists(desk.file("m_0004.vdb")));
   }
@@ -76,13 +76,13 @@ class MediumExportTest : public QObject {
     const Gaussian g{{0, 0, 0}, 0.5, 1.0, {glm::dvec3(0.5, 0.25, 1.0), glm::dvec3(1.0, 2.0, 3.0)}};
     write_gaussians(desk.file("g.csv"), std::vector{g});
     drop(desk, {desk.file("g.csv")});
-    QCOMPARE(wait(desk), QString());
+    QCOMPARE(wait(desk), "");
     auto* dialog = open_export(desk);
     const fs::path file = desk.file("m.vdb");
     dialog->findChild<QLineEdit*>("medium_file")->setText(to_qstring(file));
     dialog->findChild<QLineEdit*>("medium_voxel")->setText("0.2");
-    QTest::mouseClick(dialog->findChild<QPushButton*>("export_medium"), Qt::LeftButton);
-    QCOMPARE(wait(desk), QString());
+    click(*dialog, "export_medium");
+    QCOMPARE(wait(desk), "");
     std::vector<std::string> names;
     for (const VolumeGridInfo& grid : volume_grids(file)) names.push_back(grid.name);
     QCOMPARE(names, (std::vector<std::string>{"density", "albedo", "emission"}));
@@ -94,10 +94,10 @@ class MediumExportTest : public QObject {
     write_gaussians(desk.file("g.ply"), written);
     desk.document().create();
     drop(desk, {desk.file("g.ply")});
-    QCOMPARE(wait(desk), QString());
+    QCOMPARE(wait(desk), "");
     const auto expect_longest = [&](const fs::path& file, bool is_half_turned_about_z) {
       const auto found = read_gaussians(file, nullptr, limits::gaussians, {OpacityAlong::longest});
-      QCOMPARE(found.size(), std::size_t{2});
+      QCOMPARE(found.size(), 2u);
       for (std::size_t k = 0; k < 2; ++k) {
         Gaussian expected = written[k];
         if (!is_half_turned_about_z) turn_half(expected);
@@ -116,16 +116,16 @@ class MediumExportTest : public QObject {
       dialog->findChild<QComboBox*>("medium_opacity")->setCurrentText("Longest radius");
       dialog->findChild<QComboBox*>("medium_up")->setCurrentIndex(1);
       const fs::path chosen = to_path(file->text());
-      QTest::mouseClick(dialog->findChild<QPushButton*>("export_medium"), Qt::LeftButton);
+      click(*dialog, "export_medium");
       return chosen;
     };
     const fs::path ply = export_as("Gaussian splats", "");
-    QCOMPARE(wait(desk), QString());
+    QCOMPARE(wait(desk), "");
     QCOMPARE(ply, desk.file("fog.ply"));
     QVERIFY(has_splats(ply));
     expect_longest(ply, true);
     const fs::path glb = export_as("Gaussian splats", ".glb");
-    QCOMPARE(wait(desk), QString());
+    QCOMPARE(wait(desk), "");
     QVERIFY(has_splats(glb));
     expect_longest(glb, false);  // its y is up
     // The extension that is typed chooses the format, too.
@@ -165,13 +165,13 @@ class MediumExportTest : public QObject {
       format->setCurrentIndex(format->findText(title + " (", Qt::MatchStartsWith));
       dialog->findChild<QLineEdit*>("medium_exposure")->setText(exposure);
       const fs::path chosen = to_path(file->text());
-      QTest::mouseClick(dialog->findChild<QPushButton*>("export_medium"), Qt::LeftButton);
+      click(*dialog, "export_medium");
       return chosen;
     };
     const fs::path dark = export_to("Lit splats", "-2");
-    QCOMPARE(wait(desk), QString());
+    QCOMPARE(wait(desk), "");
     const fs::path bright = export_to("Lit splats", "1");
-    QCOMPARE(wait(desk), QString());
+    QCOMPARE(wait(desk), "");
     const auto sum_of = [](const fs::path& file, const char* name) {
       const std::string bytes = read_bytes(file);
       const PlyFile ply(file, bytes);
@@ -186,7 +186,7 @@ class MediumExportTest : public QObject {
     QVERIFY(sum_of(dark, "f_rest_44") != 0.0);
     QVERIFY(sum_of(dark, "f_dc_0") < sum_of(bright, "f_dc_0"));
     const fs::path page = export_to("Web page", "0");
-    QCOMPARE(wait(desk), QString());
+    QCOMPARE(wait(desk), "");
     QVERIFY(read_bytes(page).find("data:application/octet-stream") != std::string::npos);
     open_export(desk)->findChild<QLineEdit*>("medium_exposure")->clear();
     auto* format = shown<MediumDialog>(desk)->findChild<QComboBox*>("medium_format");
@@ -198,7 +198,7 @@ class MediumExportTest : public QObject {
     // A cancelled export writes nothing.
     const fs::path cancelled = export_to("Lit splats", "3");
     desk.job().cancel();
-    QCOMPARE(wait(desk), QString());
+    QCOMPARE(wait(desk), "");
     QVERIFY(!fs::exists(cancelled));
   }
 
@@ -210,8 +210,8 @@ class MediumExportTest : public QObject {
     dialog->findChild<QCheckBox*>("medium_is_range")->setChecked(true);
     dialog->findChild<QSpinBox*>("medium_first")->setValue(4);
     dialog->findChild<QSpinBox*>("medium_last")->setValue(5);
-    QTest::mouseClick(dialog->findChild<QPushButton*>("export_medium"), Qt::LeftButton);
-    QCOMPARE(wait(desk), QString());
+    click(*dialog, "export_medium");
+    QCOMPARE(wait(desk), "");
     const std::string stage = read_bytes(desk.file("s.usda"));
     QVERIFY(stage.find("ParticleField3DGaussianSplat") != std::string::npos);
     QVERIFY(stage.find("startTimeCode = 4") != std::string::npos);
@@ -228,7 +228,7 @@ class MediumExportTest : public QObject {
     dialog->findChild<QSpinBox*>("medium_last")->setValue(5);
     QString question;
     answer(QMessageBox::Cancel, &question);
-    QTest::mouseClick(dialog->findChild<QPushButton*>("export_medium"), Qt::LeftButton);
+    click(*dialog, "export_medium");
     QVERIFY2(question.contains("s_fog_0005.vdb"), qPrintable(question));
     QVERIFY(!fs::exists(desk.file("s.usda")));
   }
@@ -238,17 +238,17 @@ class MediumExportTest : public QObject {
     for (const char* name : {"Exposure &Up", "Export Me"}) trigger(window, name);
     auto* dialog = shown<MediumDialog>(window);
     QVERIFY(dialog);
-    QCOMPARE(dialog->findChild<QLineEdit*>("medium_exposure")->text(), QString("0.5"));
+    QCOMPARE(dialog->findChild<QLineEdit*>("medium_exposure")->text(), "0.5");
   }
 
   void gathered_scenes_open_elsewhere() {
     TestWindow window;
     drop(window, {BRUME_RESOURCES "/meshes/bunny.obj"});
-    QCOMPARE(wait(window), QString());
+    QCOMPARE(wait(window), "");
     window->file_jobs().gather_to(window.file("gathered"));
-    QCOMPARE(wait(window), QString());
+    QCOMPARE(wait(window), "");
     const Scene scene = load_scene(window.file("gathered") / "scene.brume");
-    QCOMPARE(scene.surfaces.size(), std::size_t{1});
+    QCOMPARE(scene.surfaces.size(), 1u);
     QVERIFY(fs::exists(window.file("gathered") / "files/bunny.obj"));
     QVERIFY(window->document().is_modified());  // what is being edited is not what was written
     window->file_jobs().gather_to(window.file("gathered"));

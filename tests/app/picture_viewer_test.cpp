@@ -72,11 +72,11 @@ class PictureViewerTest : public QObject {
       QCOMPARE(pictures.keep(plain("a", 1.0F)), k);
     }
     pictures.set(0, plain("newer", 1.0F));
-    QCOMPARE(pictures.keep(plain("b", 1.0F)), std::size_t{1});
+    QCOMPARE(pictures.keep(plain("b", 1.0F)), 1u);
     pictures.set(5, nullptr);
-    QCOMPARE(pictures.keep_of_job(7, plain("c", 1.0F)), std::size_t{5});
-    QCOMPARE(pictures.keep_of_job(7, plain("d", 1.0F)), std::size_t{5});
-    QCOMPARE(*pictures.slot_of_job(7), std::size_t{5});
+    QCOMPARE(pictures.keep_of_job(7, plain("c", 1.0F)), 5u);
+    QCOMPARE(pictures.keep_of_job(7, plain("d", 1.0F)), 5u);
+    QCOMPARE(*pictures.slot_of_job(7), 5u);
     pictures.set(5, nullptr);
     QVERIFY(!pictures.slot_of_job(7));
   }

@@ -52,11 +52,11 @@ class PlaybackTest : public QObject {
   void the_cache_keeps_the_best_of_each_time_and_its_limit() {
     PictureCache cache(1000);
     cache.insert(frame_of(0.0), false);
-    QCOMPARE(cache.bytes(), std::size_t{400});
+    QCOMPARE(cache.bytes(), 400u);
     QVERIFY(!cache.kept(0).front().full);
     cache.insert(frame_of(0.0), true);
     cache.insert(frame_of(0.0), false);
-    QCOMPARE(cache.bytes(), std::size_t{400});
+    QCOMPARE(cache.bytes(), 400u);
     QVERIFY(cache.kept(0).front().full);
     QVERIFY(cache.find(0, 0.0, Camera{}));
     QVERIFY(!cache.find(1, 0.0, Camera{}));
@@ -64,9 +64,9 @@ class PlaybackTest : public QObject {
     QVERIFY(!cache.find(0, 0.0, Camera{.eye = {1.0, 2.0, 3.0}}));
     cache.insert(frame_of(0.5), true);
     cache.insert(frame_of(1.0), true);  // no more room
-    QCOMPARE(cache.kept(0).size(), std::size_t{2});
+    QCOMPARE(cache.kept(0).size(), 2u);
     cache.forget(0);
-    QCOMPARE(cache.bytes(), std::size_t{0});
+    QCOMPARE(cache.bytes(), 0u);
     QVERIFY(!cache.find(0, 0.0, Camera{}));
   }
 
@@ -126,7 +126,7 @@ class PlaybackTest : public QObject {
     window.key(Qt::Key_Space);
     QTRY_VERIFY(!label->isHidden() && label->text().contains("fps"));
     for (int frame = 0; frame <= 4; ++frame) QTRY_VERIFY(is_full(window, frame));
-    QTRY_VERIFY(window->viewport().frames().shown()->cached);
+    QTRY_VERIFY(window.shown().cached);
     QVERIFY(window->timeline().is_playing());
     const auto playing = [&] { return window->viewport().frames().shown(); };
     QTRY_COMPARE(window->timeline().frame(), 2);
@@ -145,9 +145,9 @@ class PlaybackTest : public QObject {
     }
     QCOMPARE(rate.measured(2000), 12.0);
     QCOMPARE(rate.measured(9000), 0.0);
-    QCOMPARE(playback_text(12.0, 30.0), QString("12 of 30 fps, 18 dropped"));
-    QCOMPARE(playback_text(30.0, 30.0), QString("30 of 30 fps"));
-    QCOMPARE(playback_text(31.2, 30.0), QString("30 of 30 fps"));
+    QCOMPARE(playback_text(12.0, 30.0), "12 of 30 fps, 18 dropped");
+    QCOMPARE(playback_text(30.0, 30.0), "30 of 30 fps");
+    QCOMPARE(playback_text(31.2, 30.0), "30 of 30 fps");
   }
 };
 

@@ -85,7 +85,7 @@ class PreferencesTest : public QObject {
       window.choose_command("Lasso");
       QTest::keyClick(&edit, Qt::Key_E);
       window.part<QPushButton>("key_set").click();
-      QCOMPARE(window.part<QLabel>("key_note").text(), QString("Taken from Eraser."));
+      QCOMPARE(window.part<QLabel>("key_note").text(), "Taken from Eraser.");
       QVERIFY(window.action("tool.eraser").shortcuts().isEmpty());
       window.key(Qt::Key_E);
       QVERIFY(window.action("tool.lasso").isChecked());
@@ -156,21 +156,21 @@ class PreferencesTest : public QObject {
       QTest::keyClicks(radius, "0.5 cm");
       QTest::keyClick(radius, Qt::Key_Return);
       QCOMPARE(window->document().medium().radii()[0], 0.5);
-      QCOMPARE(radius->text(), QString("0.5 cm"));
+      QCOMPARE(radius->text(), "0.5 cm");
     }
     PreferencesWindow later;
-    QCOMPARE(later.part<QComboBox>("length_unit").currentText(), QString("cm"));
+    QCOMPARE(later.part<QComboBox>("length_unit").currentText(), "cm");
   }
 
   void colours_have_the_numbers_that_are_chosen() {
     PreferencesWindow window;
     auto* albedo = window->findChild<ColorButton*>("gaussian_albedo");
     albedo->show_color(glm::dvec3(0.5, 0.25, 0.0));
-    QCOMPARE(albedo->toolTip(), QString("sRGB 188, 137, 0"));
+    QCOMPARE(albedo->toolTip(), "sRGB 188, 137, 0");
     auto& numbers = window.part<QComboBox>("color_numbers");
     numbers.setFocus();
     QTest::keyClick(&numbers, Qt::Key_Down);
-    QCOMPARE(albedo->toolTip(), QString("linear 0.5, 0.25, 0"));
+    QCOMPARE(albedo->toolTip(), "linear 0.5, 0.25, 0");
     // The colour dialog has fields of such numbers then.
     QSignalSpy edited(albedo, &ColorButton::edited);
     albedo->setEnabled(true);
@@ -241,7 +241,7 @@ class PreferencesTest : public QObject {
     QVERIFY(is_open(later, "outliner"));
     auto* menu = later->findChild<QMenu*>("layouts");
     Q_EMIT menu->aboutToShow();
-    QCOMPARE(menu->actions().front()->text(), QString("Paint && look"));
+    QCOMPARE(menu->actions().front()->text(), "Paint && look");
     menu->actions().front()->trigger();
     QVERIFY(!is_open(later, "outliner") && !is_open(later, "timeline"));
     trigger(later, "Reset to Default");

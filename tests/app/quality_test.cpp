@@ -88,9 +88,8 @@ class QualityTest : public QObject {
     QVERIFY2(error.contains(" ± "), qPrintable(error));
     QCOMPARE(label_text(*window, "error"), "error " + error);
     QVERIFY(window->findChild<QLabel*>("error")->isEnabled());
-    QCOMPARE(label_text(*window, "quality"),
-             settings_text(window->viewport().frames().shown()->request.settings) + " · " +
-                 percent_text(error_of(*window).rel_rmse));
+    QCOMPARE(label_text(*window, "quality"), settings_text(window.shown().request.settings) +
+                                                 " · " + percent_text(error_of(*window).rel_rmse));
   }
 
   void the_error_is_grey_while_outdated() {
@@ -148,7 +147,7 @@ class QualityTest : public QObject {
     }
 
     // With a method of the user's own that one is on screen, and auto's still told of.
-    window->findChild<QAction*>("airlight_paper")->trigger();
+    invoke(window, "airlight_paper");
     QVERIFY(window.settle());
     QCOMPARE(plot->points().back().settings.airlight, AirlightMethod::paper);
     QVERIFY(plot->points().back().is_shown);
@@ -156,7 +155,7 @@ class QualityTest : public QObject {
     QCOMPARE(count(&FrontierPlot::Point::is_auto_choice), 1);
     // Far more error lies higher up.
     QVERIFY(plot->position(plot->points().back()).y() < plot->position(autos).y());
-    window->findChild<QAction*>("airlight_auto")->trigger();
+    invoke(window, "airlight_auto");
     QVERIFY(window.settle());
   }
 
@@ -164,7 +163,7 @@ class QualityTest : public QObject {
   void the_bound_is_remembered() {
     TestWindow window;
     QCOMPARE(window->viewport().frames().quality().max_error(), 0.01);
-    QCOMPARE(window->findChild<QComboBox*>("max_error")->currentText(), QString("1 %"));
+    QCOMPARE(window->findChild<QComboBox*>("max_error")->currentText(), "1 %");
     choose_bound(*window, "2 %");
   }
 
@@ -244,8 +243,8 @@ class QualityTest : public QObject {
     }
     QVERIFY(stage(*window, "visibility")->text(1).contains("no surfaces"));
     QVERIFY(stage(*window, "visibility")->isDisabled());
-    QCOMPARE(label_text(*window, "gaussians_used"), QString("5 of 5 used"));
-    const FrameStatistics& statistics = window->viewport().frames().shown()->frame.statistics;
+    QCOMPARE(label_text(*window, "gaussians_used"), "5 of 5 used");
+    const FrameStatistics& statistics = window.shown().frame.statistics;
     QVERIFY(label_text(*window, "pairs").contains(count_text(statistics.view_pairs)));
     QCOMPARE(label_text(*window, "panel_error"),
              errors_text(*window->viewport().frames().quality().error()));
@@ -270,7 +269,7 @@ class QualityTest : public QObject {
     window->document().select({5});
     window.key(Qt::Key_Delete);
     QVERIFY(window.settle());
-    QCOMPARE(label_text(*window, "gaussians_used"), QString("4 of 4 used"));
+    QCOMPARE(label_text(*window, "gaussians_used"), "4 of 4 used");
   }
 
   // Frame time, error and method; the rest where it is asked for, by mouse and for later.
@@ -303,29 +302,29 @@ class QualityTest : public QObject {
     TestWindow window(small_scene(), {500, 420});
     const Viewport& view = window->viewport();
     const auto choose = [&](const char* name) {
-      window->findChild<QAction*>(name)->trigger();
+      invoke(window, name);
       return window.settle();
     };
     const auto is_checked = [&](const char* name) {
       return window->findChild<QAction*>(name)->isChecked();
     };
     QCOMPARE(window->findChild<QAction*>("airlight_auto")->text().remove('&'),
-             QString("Auto (max error 2 %)"));
+             "Auto (max error 2 %)");
     choose_bound(*window, "5 %");
     QCOMPARE(window->findChild<QAction*>("airlight_auto")->text().remove('&'),
-             QString("Auto (max error 5 %)"));
+             "Auto (max error 5 %)");
     choose_bound(*window, "2 %");
     QVERIFY(choose("airlight_fast"));
     QCOMPARE(view.frames().shown()->request.settings.slices, FrameQuality::fast_slices);
-    QCOMPARE(label_text(*window, "shown"), QString("Fast: 8 slices"));
+    QCOMPARE(label_text(*window, "shown"), "Fast: 8 slices");
     QVERIFY(choose("airlight_sliced"));
-    QCOMPARE(label_text(*window, "shown"), QString("Fixed: 24 slices"));
+    QCOMPARE(label_text(*window, "shown"), "Fixed: 24 slices");
     QVERIFY(choose("airlight_paper"));
-    QCOMPARE(label_text(*window, "shown"), QString("Paper's method"));
+    QCOMPARE(label_text(*window, "shown"), "Paper's method");
     // More paths come by themselves, and the window answers meanwhile.
     QVERIFY(choose("airlight_reference"));
     QCOMPARE(view.frames().mode(), ViewMode::path_traced);
-    QCOMPARE(label_text(*window, "shown"), QString("Reference: path tracing"));
+    QCOMPARE(label_text(*window, "shown"), "Reference: path tracing");
     const int paths = view.frames().shown()->request.settings.paths;
     QTRY_VERIFY(view.frames().shown()->request.settings.paths > paths);
     // View > Show wins, and the method is as it was before.
@@ -342,16 +341,16 @@ class QualityTest : public QObject {
     const auto text = [](double error, double high) {
       return error_text({error, error * error / high, high, 100});
     };
-    QCOMPARE(text(0.014, 0.016), QString("1.4 ± 0.2 %"));
-    QCOMPARE(text(0.353, 0.384), QString("35 ± 3 %"));
-    QCOMPARE(text(0.0021, 0.0025), QString("0.21 ± 0.04 %"));
-    QCOMPARE(text(1e-6, 2e-6), QString("< 0.01 %"));
-    QCOMPARE(error_text({}), QString("< 0.01 %"));
-    QCOMPARE(errors_text({{0.014, 0.013, 0.016, 100}, std::nullopt}), QString("1.4 ± 0.2 %"));
+    QCOMPARE(text(0.014, 0.016), "1.4 ± 0.2 %");
+    QCOMPARE(text(0.353, 0.384), "35 ± 3 %");
+    QCOMPARE(text(0.0021, 0.0025), "0.21 ± 0.04 %");
+    QCOMPARE(text(1e-6, 2e-6), "< 0.01 %");
+    QCOMPARE(error_text({}), "< 0.01 %");
+    QCOMPARE(errors_text({{0.014, 0.013, 0.016, 100}, std::nullopt}), "1.4 ± 0.2 %");
     QCOMPARE(errors_text({{0.014, 0.013, 0.016, 100}, ErrorEstimate{0.02, 0.01, 0.024, 100}}),
-             QString("1.4 ± 0.2 %, picture 2.0 ± 0.4 %"));
-    QCOMPARE(count_text(12408), QString("12,408"));
-    QCOMPARE(bound_text(0.02), QString("2 %"));
+             "1.4 ± 0.2 %, picture 2.0 ± 0.4 %");
+    QCOMPARE(count_text(12408), "12,408");
+    QCOMPARE(bound_text(0.02), "2 %");
   }
 };
 

@@ -348,7 +348,7 @@ class RandomHands {
         set_tangent(document_, row, curve, {times[0], side, 9.0 * number() - 4.0, below(3) == 0},
                     merge_id);
       } else {
-        const double shift = static_cast<double>(below(3));
+        const double shift = below(3);
         const std::vector<CurveKeyMove> moves{{curve, {times[0], times[0] + shift}, number()},
                                               {curve, {times[1], times[1] + shift}, number()}};
         move_curve_keys(document_, row, before, moves, merge_id);

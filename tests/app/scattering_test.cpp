@@ -78,7 +78,7 @@ class ScatteringTest : public QObject {
   void all_orders_are_the_default_and_brighter_than_once() {
     TestWindow window(dense_scene());
     const FrameScheduler& frames = window->viewport().frames();
-    QCOMPARE(window->findChild<QComboBox*>("scattering")->currentText(), QString("All orders"));
+    QCOMPARE(window->findChild<QComboBox*>("scattering")->currentText(), "All orders");
     const auto shown_brightness = [&] { return brightness(frames.shown()->frame); };
     const double all = shown_brightness();
     QVERIFY(matches(label_text(*window, "panel_scattering"),
@@ -90,7 +90,7 @@ class ScatteringTest : public QObject {
     QTRY_VERIFY(frames.is_settled());
     const double once = shown_brightness();
     QVERIFY2(all > 1.2 * once, qPrintable(QString("%1 %2").arg(all).arg(once)));
-    QCOMPARE(label_text(*window, "panel_scattering"), QString("once"));
+    QCOMPARE(label_text(*window, "panel_scattering"), "once");
     QVERIFY(stages->findItems("multiple scattering", Qt::MatchExactly).isEmpty());
     QVERIFY(!window->document().is_modified());
 
@@ -105,7 +105,7 @@ class ScatteringTest : public QObject {
       choose_scattering(window, "Once");
     }
     TestWindow window;
-    QCOMPARE(window->findChild<QComboBox*>("scattering")->currentText(), QString("Once"));
+    QCOMPARE(window->findChild<QComboBox*>("scattering")->currentText(), "Once");
     window->views().show_four(true);
     for (const Viewport* pane : window->views().panes()) {
       QVERIFY(pane->frames().quality().scattering() == Scattering::single);
@@ -122,12 +122,12 @@ class ScatteringTest : public QObject {
     desk.findChild<QAction*>("preset_black_smoke")->trigger();
     const MediumOptics smoke = document.scene().optics;
     QVERIFY(smoke.albedo.x < 0.5 && smoke.anisotropy > 0.0);
-    QCOMPARE(document.undo_stack().undoText(), QString("Set medium to black smoke"));
+    QCOMPARE(last_step(document), "Set medium to black smoke");
     desk.findChild<QAction*>("preset_black_smoke")->trigger();  // as it is
-    QCOMPARE(document.undo_stack().count(), 1);
+    QCOMPARE(step_count(document), 1);
     desk.findChild<QAction*>("preset_water_fog")->trigger();
     QVERIFY(document.scene().optics.albedo.x > 0.99);
-    QCOMPARE(document.undo_stack().count(), 2);
+    QCOMPARE(step_count(document), 2);
     document.undo_stack().undo();
     QVERIFY(document.scene().optics == smoke);
   }
@@ -213,14 +213,14 @@ class ScatteringTest : public QObject {
     window->views().show_four(true);
     QVERIFY(&window->views().active() == &window->viewport());
     for (const Viewport* pane : window->views().panes()) QTRY_VERIFY(pane->frames().is_settled());
-    const int paths = window->viewport().frames().shown()->request.settings.paths;
-    QTRY_VERIFY(window->viewport().frames().shown()->request.settings.paths > paths);
+    const int paths = window.shown().request.settings.paths;
+    QTRY_VERIFY(window.shown().request.settings.paths > paths);
   }
 
   void paths_are_traced_on_the_cpu_beside_opengl() {
     TestWindow window(dense_scene(), small);
     const FrameScheduler& frames = window->viewport().frames();
-    window->findChild<QAction*>("backend_gl")->trigger();
+    invoke(window, "backend_gl");
     QVERIFY(window.settle());
     const std::string backend = frames.shown()->frame.statistics.backend;
     window->viewport().frames().set_mode(ViewMode::path_traced);
@@ -231,12 +231,12 @@ class ScatteringTest : public QObject {
     window->viewport().frames().set_mode(ViewMode::final);
     QVERIFY(window.settle());
     QCOMPARE(frames.shown()->frame.statistics.backend, backend);
-    window->findChild<QAction*>("backend_auto")->trigger();
+    invoke(window, "backend_auto");
   }
 
   void a_png_of_16_bits_is_exported() {
     TestWindow window(dense_scene());
-    window->findChild<QAction*>("file.export")->trigger();
+    invoke(window, "file.export");
     auto* dialog = window->findChild<FrameDialog*>();
     QVERIFY(dialog);
     auto* format = dialog->findChild<QComboBox*>("frame_format");
@@ -248,7 +248,7 @@ class ScatteringTest : public QObject {
     bits->setCurrentIndex(1);
     dialog->findChild<QLineEdit*>("frame_file")->setText(to_qstring(window.file("fine.png")));
     QSignalSpy finished(window->findChild<FrameExport*>(), &FrameExport::finished);
-    QTest::mouseClick(dialog->findChild<QPushButton*>("export_frame"), Qt::LeftButton);
+    click(*dialog, "export_frame");
     QVERIFY(finished.wait(patience));
     QFile written(to_qstring(window.file("fine.png")));
     QVERIFY(written.open(QIODevice::ReadOnly));
@@ -257,7 +257,7 @@ class ScatteringTest : public QObject {
 
   void a_path_traced_frame_is_exported() {
     TestWindow window(dense_scene());
-    window->findChild<QAction*>("file.export")->trigger();
+    invoke(window, "file.export");
     auto* dialog = window->findChild<FrameDialog*>();
     QVERIFY(dialog);
     auto* paths = dialog->findChild<QSpinBox*>("frame_paths");
@@ -274,7 +274,7 @@ class ScatteringTest : public QObject {
     QVERIFY(paths->isEnabled());
     paths->setValue(3);
     QSignalSpy finished(window->findChild<FrameExport*>(), &FrameExport::finished);
-    QTest::mouseClick(dialog->findChild<QPushButton*>("export_frame"), Qt::LeftButton);
+    click(*dialog, "export_frame");
     QVERIFY(finished.wait(patience));
     QFile written(to_qstring(window.file("paths.exr")));
     QVERIFY(written.open(QIODevice::ReadOnly));

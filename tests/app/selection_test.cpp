@@ -58,13 +58,13 @@ class SelectionTest : public QObject {
   void selecting_is_a_step_but_no_change() {
     TestWindow window;
     Document& document = window->document();
-    QTest::mouseClick(&window->viewport(), Qt::LeftButton, {}, window.handle(2));
-    QCOMPARE(document.undo_stack().undoText(), QString("Select Gaussian"));
+    window.click(window.handle(2));
+    QCOMPARE(last_step(document), "Select Gaussian");
     QVERIFY(!document.is_modified() && !window->isWindowModified());
     window.key(Qt::Key_A, Qt::ControlModifier);
-    QCOMPARE(document.selection().size(), std::size_t{5});
+    QCOMPARE(document.selection().size(), 5u);
     window.key(Qt::Key_A, Qt::ControlModifier);  // they are already
-    QCOMPARE(document.undo_stack().count(), 2);
+    QCOMPARE(step_count(document), 2);
     window.key(Qt::Key_Z, Qt::ControlModifier);
     QCOMPARE(document.selection(), Ids{3});
     window.key(Qt::Key_Z, Qt::ControlModifier);
@@ -85,7 +85,7 @@ class SelectionTest : public QObject {
     // Well inside the outline, far from the handle.
     const QPoint beside = desk.handle(1) + QPoint(22, 0);
     QVERIFY(!desk.view().handles().pick(beside));
-    QTest::mouseClick(&desk.view(), Qt::LeftButton, {}, beside);
+    desk.click(beside);
     QCOMPARE(desk.document().selection(), Ids{2});
   }
 
@@ -101,7 +101,7 @@ class SelectionTest : public QObject {
     QCOMPARE(document.selection(), Ids{4});
     lasso(desk, triangle(desk.handle(3)), Qt::ControlModifier);
     QVERIFY(document.selection().empty());
-    QCOMPARE(document.undo_stack().count(), 4);
+    QCOMPARE(step_count(document), 4);
     dynamic_cast<SelectionTool&>(desk.tools().tool()).set_mode(SelectMode::add);
     lasso(desk, triangle(desk.handle(0)), {});
     lasso(desk, triangle(desk.handle(1)), {});
@@ -115,16 +115,16 @@ class SelectionTest : public QObject {
     desk.drag(desk.handle(0), desk.handle(1));
     QVERIFY(document.is_selected(1) && document.is_selected(2));
     QVERIFY(!document.is_selected(3));
-    QCOMPARE(document.undo_stack().count(), 1);
+    QCOMPARE(step_count(document), 1);
     desk.drag(desk.handle(1), desk.handle(1) + QPoint(5, 0), Qt::LeftButton, Qt::ControlModifier);
     QVERIFY(!document.is_selected(2));
     const Ids before = document.selection();
-    QTest::mousePress(&desk.view(), Qt::LeftButton, {}, desk.handle(2));
+    desk.press(desk.handle(2));
     QCOMPARE(document.selection(), Ids{3});
     QTest::keyClick(&desk.view(), Qt::Key_Escape);
-    QTest::mouseRelease(&desk.view(), Qt::LeftButton, {}, desk.handle(2));
+    desk.release(desk.handle(2));
     QCOMPARE(document.selection(), before);
-    QCOMPARE(document.undo_stack().count(), 2);
+    QCOMPARE(step_count(document), 2);
   }
 
   void selection_grows_and_shrinks_by_contact() {
@@ -140,7 +140,7 @@ class SelectionTest : public QObject {
     QCOMPARE(document.selection(), (Ids{1, 2, 3, 4, 5}));
     window.key(Qt::Key_Minus, Qt::ControlModifier);
     QCOMPARE(document.selection(), (Ids{1, 2, 3, 4}));
-    QCOMPARE(document.undo_stack().undoText(), QString("Select 4 Gaussians"));
+    QCOMPARE(last_step(document), "Select 4 Gaussians");
   }
 
   void hidden_gaussians_are_invisible_and_protected() {
@@ -153,8 +153,8 @@ class SelectionTest : public QObject {
     QVERIFY(document.selection().empty());
     QVERIFY(!document.is_modified());
     QVERIFY(window.settle());
-    QCOMPARE(window->viewport().frames().shown()->request.scene->medium.size(), std::size_t{4});
-    QTest::mouseClick(&window->viewport(), Qt::LeftButton, {}, at);
+    QCOMPARE(window.shown().request.scene->medium.size(), 4u);
+    window.click(at);
     window.key(Qt::Key_A, Qt::ControlModifier);
     QCOMPARE(document.selection(), (Ids{1, 3, 4, 5}));
     window.key(Qt::Key_E);
@@ -162,11 +162,11 @@ class SelectionTest : public QObject {
     QCOMPARE(document.medium().densities()[1], 0.8);
     // The file gets all of it.
     QVERIFY(window->files().save_to(window.file("all.brume")));
-    QCOMPARE(load_scene(window.file("all.brume")).medium.size(), std::size_t{5});
+    QCOMPARE(load_scene(window.file("all.brume")).medium.size(), 5u);
     window.key(Qt::Key_H, Qt::ShiftModifier);
     QVERIFY(document.hidden().empty());
     QVERIFY(window.settle());
-    QCOMPARE(window->viewport().frames().shown()->request.scene->medium.size(), std::size_t{5});
+    QCOMPARE(window.shown().request.scene->medium.size(), 5u);
   }
 
   void isolating_toggles_the_rest() {
@@ -187,16 +187,16 @@ class SelectionTest : public QObject {
     const QPoint at = window.handle(1);
     window.key(Qt::Key_K);
     QVERIFY(document.selection().empty());
-    QTest::mouseClick(&window->viewport(), Qt::LeftButton, {}, at);
+    window.click(at);
     QVERIFY(document.selection().empty());
     window.key(Qt::Key_E);
     window.drag(at - QPoint(60, 0), at + QPoint(60, 0));
     QCOMPARE(document.medium().densities()[1], 0.8);
     QVERIFY(!document.is_modified());
-    QCOMPARE(document.visible_snapshot()->medium.size(), std::size_t{5});
+    QCOMPARE(document.visible_snapshot()->medium.size(), 5u);
     window.key(Qt::Key_K, Qt::ShiftModifier);
     window.key(Qt::Key_V);
-    QTest::mouseClick(&window->viewport(), Qt::LeftButton, {}, at);
+    window.click(at);
     QCOMPARE(document.selection(), Ids{2});
   }
 
@@ -207,7 +207,7 @@ class SelectionTest : public QObject {
     document.select({2, 3});
     window.key(Qt::Key_C, Qt::ControlModifier);
     window.key(Qt::Key_V, Qt::ControlModifier | Qt::ShiftModifier);
-    QCOMPARE(document.undo_stack().undoText(), QString("Paste 2 Gaussians"));
+    QCOMPARE(last_step(document), "Paste 2 Gaussians");
     QCOMPARE(document.selection(), (Ids{6, 7}));
     QVERIFY(document.medium().gaussian(5) == before.medium.gaussian(1));
     QVERIFY(document.medium().gaussian(6) == before.medium.gaussian(2));
@@ -215,10 +215,10 @@ class SelectionTest : public QObject {
     const glm::dvec3 shift = center(document, 7) - center(document, 5);
     QVERIFY(glm::distance(center(document, 8) - center(document, 6), shift) < 1e-12);
     window.key(Qt::Key_D, Qt::ControlModifier);
-    QCOMPARE(document.undo_stack().undoText(), QString("Duplicate 2 Gaussians"));
-    QCOMPARE(document.medium().size(), std::size_t{11});
+    QCOMPARE(last_step(document), "Duplicate 2 Gaussians");
+    QCOMPARE(document.medium().size(), 11u);
     window.key(Qt::Key_X, Qt::ControlModifier);
-    QCOMPARE(document.undo_stack().undoText(), QString("Cut 2 Gaussians"));
+    QCOMPARE(last_step(document), "Cut 2 Gaussians");
     QVERIFY(is_undone(document, before));
     QCOMPARE(document.selection(), (Ids{2, 3}));
   }
@@ -294,7 +294,7 @@ class SelectionTest : public QObject {
     QVERIFY(message_for("1\t2\t3\t1\t1\n1\t2\t3\t-1\t1\n").contains("line 3, radius: found -1"));
     QVERIFY(!window->document().is_modified());
     message_for("1,2,3,.5,4\n");
-    QCOMPARE(window->document().medium().size(), std::size_t{6});
+    QCOMPARE(window->document().medium().size(), 6u);
   }
 
   void an_arrow_moves_along_its_axis() {
@@ -305,8 +305,8 @@ class SelectionTest : public QObject {
     desk.key(Qt::Key_G);
     const QPoint pivot = film_position(desk.view(), desk.view().pivot());
     desk.drag(pivot + QPoint(60, 0), pivot + QPoint(110, 30));
-    QCOMPARE(document.undo_stack().undoText(), QString("Move 2 Gaussians"));
-    QCOMPARE(document.undo_stack().count(), 1);
+    QCOMPARE(last_step(document), "Move 2 Gaussians");
+    QCOMPARE(step_count(document), 1);
     for (const std::size_t k : {1U, 2U}) {
       const glm::dvec3 moved = center(document, k) - before.medium.centers()[k];
       QVERIFY(moved.x > 0.1 && moved.y == 0.0 && moved.z == 0.0);
@@ -335,7 +335,7 @@ class SelectionTest : public QObject {
     const QPoint middle = film_position(desk.view(), pivot);
     // Around the view, a quarter of a turn counterclockwise.
     desk.drag(middle + QPoint(96, 0), middle + QPoint(0, -96));
-    QCOMPARE(document.undo_stack().undoText(), QString("Rotate 3 Gaussians"));
+    QCOMPARE(last_step(document), "Rotate 3 Gaussians");
     for (std::size_t k = 0; k < 3; ++k) {
       const glm::dvec3 was = before.medium.centers()[k] - pivot;
       const glm::dvec3 is = center(document, k) - pivot;
@@ -361,7 +361,7 @@ class SelectionTest : public QObject {
     const glm::dvec3 pivot = desk.view().pivot();
     const QPoint middle = film_position(desk.view(), pivot);
     desk.drag(middle + QPoint(0, 10), middle + QPoint(0, 20));
-    QCOMPARE(document.undo_stack().undoText(), QString("Scale 3 Gaussians"));
+    QCOMPARE(last_step(document), "Scale 3 Gaussians");
     for (std::size_t k = 0; k < 3; ++k) {
       const double factor = document.medium().radii()[k] / before.medium.radii()[k];
       QVERIFY(std::abs(factor - 2.0) < 0.1);

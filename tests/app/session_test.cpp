@@ -191,7 +191,7 @@ class Player {
   }
 
   std::string bytes() {
-    save_document(window->document().scene(), window.file("bytes.brume"));
+    save_document(window.scene(), window.file("bytes.brume"));
     std::ifstream file(window.file("bytes.brume"), std::ios::binary);
     return {std::istreambuf_iterator<char>(file), {}};
   }

@@ -36,7 +36,7 @@ class SimplifyWindow : public TestWindow {
   void simplify(const char* percent) {
     SimplifyDialog& dialog = show();
     enter(*this, "simplify_error", percent);
-    QTest::mouseClick(dialog.findChild<QPushButton*>("simplify_now"), Qt::LeftButton);
+    brume::click(dialog, "simplify_now");
   }
 };
 
@@ -48,16 +48,16 @@ class SimplifyTest : public QObject {
  private Q_SLOTS:
   void is_one_step_that_undo_takes_back() {
     SimplifyWindow window;
-    const Scene before = window.document().scene();
+    const Scene before = window.scene();
     window.simplify("5");
-    QTRY_COMPARE(window.document().undo_stack().count(), 1);
-    QCOMPARE(window.document().undo_stack().undoText(), QString("Simplify 301 Gaussians"));
+    QTRY_COMPARE(step_count(window.document()), 1);
+    QCOMPARE(last_step(window.document()), "Simplify 301 Gaussians");
     const std::size_t left = window.document().medium().size();
     QVERIFY2(left < 250, qPrintable(QString::number(left)));
     // The one that stands alone is as it was.
     QVERIFY(window.document().medium().index_of(before.medium.ids()[300]));
     window.document().undo_stack().undo();
-    QVERIFY(window.document().scene() == before);
+    QVERIFY(window.scene() == before);
     window.document().undo_stack().redo();
     QCOMPARE(window.document().medium().size(), left);
   }
@@ -67,11 +67,10 @@ class SimplifyTest : public QObject {
     const auto ids = window.document().medium().ids();
     select_gaussians(window.document(), {ids.begin(), ids.begin() + 100});
     SimplifyDialog& dialog = window.show();
-    QCOMPARE(dialog.findChild<QLabel*>("simplify_count")->text(),
-             QString("Merges 100 Gaussians, selected"));
+    QCOMPARE(dialog.findChild<QLabel*>("simplify_count")->text(), "Merges 100 Gaussians, selected");
     dialog.reject();
     window.simplify("20");
-    QTRY_COMPARE(window.document().undo_stack().undoText(), QString("Simplify 100 Gaussians"));
+    QTRY_COMPARE(last_step(window.document()), "Simplify 100 Gaussians");
     for (std::size_t i = 100; i < 301; ++i) {
       QVERIFY(window.document().medium().index_of(crowded_scene().medium.ids()[i]));
     }
@@ -85,7 +84,7 @@ class SimplifyTest : public QObject {
     window.document().lock(locked);
     window.document().hide(hidden);
     window.simplify("20");
-    QTRY_COMPARE(window.document().undo_stack().undoText(), QString("Simplify 221 Gaussians"));
+    QTRY_COMPARE(last_step(window.document()), "Simplify 221 Gaussians");
     for (const GaussianId id : locked) QVERIFY(window.document().medium().index_of(id));
     for (const GaussianId id : hidden) QVERIFY(window.document().medium().index_of(id));
   }
@@ -94,7 +93,7 @@ class SimplifyTest : public QObject {
     SimplifyWindow window(small_scene());
     window.simplify("1");
     QTRY_VERIFY(window->statusBar()->currentMessage().contains("No Gaussians"));
-    QCOMPARE(window.document().undo_stack().count(), 0);
+    QCOMPARE(step_count(window.document()), 0);
   }
 
   void refuses_what_is_no_error() {

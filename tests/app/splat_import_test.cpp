@@ -32,7 +32,7 @@ const std::vector<Gaussian> two_of_a_table{{{0, 1, 0}, 0.5, 0.1}, {{0, 2, 0}, 0.
 void answer_splats(SplatDialog& dialog) {
   dialog.findChild<QComboBox*>("splat_opacity")->setCurrentText("Longest radius");
   dialog.findChild<QComboBox*>("splat_up")->setCurrentIndex(1);
-  QTest::mouseClick(dialog.findChild<QPushButton*>("import"), Qt::LeftButton);
+  click(dialog, "import");
 }
 
 }  // namespace
@@ -50,15 +50,14 @@ class SplatImportTest : public QObject {
       for (Gaussian& g : written) g.optics.albedo = glm::dvec3(1.0, 0.5, 0.1);
       write_splats(desk.file(name), written, {.along = OpacityAlong::longest});
       drop(desk, {desk.file(name)});
-      QCOMPARE(wait(desk), QString());
+      QCOMPARE(wait(desk), "");
       auto* dialog = shown<SplatDialog>(desk);
       QVERIFY(dialog);
-      QCOMPARE(dialog->findChild<QComboBox*>("splat_opacity")->currentText(),
-               QString("Mean radius"));
+      QCOMPARE(dialog->findChild<QComboBox*>("splat_opacity")->currentText(), "Mean radius");
       QTest::mouseClick(dialog->findChild<QCheckBox*>("splat_albedos"), Qt::LeftButton,
                         Qt::NoModifier, {5, 10});
       answer_splats(*dialog);
-      QCOMPARE(wait(desk), QString());
+      QCOMPARE(wait(desk), "");
       QCOMPARE(document.medium().size(), before.medium.size() + 2);
       for (std::size_t k = 0; k < 2; ++k) {
         const Gaussian g = document.medium().gaussian(before.medium.size() + k);
@@ -78,15 +77,15 @@ class SplatImportTest : public QObject {
     const auto last = write_two_splats(desk.file("c.glb"), {4.0, 5.0, 6.0});
     write_gaussians(desk.file("b.csv"), two_of_a_table);
     drop(desk, {desk.file("a.ply"), desk.file("b.csv"), desk.file("c.glb")});
-    QCOMPARE(wait(desk), QString());
+    QCOMPARE(wait(desk), "");
     QCOMPARE(desk.findChildren<SplatDialog*>().size(), 1);
     auto* dialog = shown<SplatDialog>(desk);
-    QCOMPARE(dialog->windowTitle(), QString("Import 3 files"));
+    QCOMPARE(dialog->windowTitle(), "Import 3 files");
     QVERIFY(document.scene() == before);
     answer_splats(*dialog);
-    QCOMPARE(wait(desk), QString());
-    QCOMPARE(document.undo_stack().count(), 1);
-    QCOMPARE(document.undo_stack().undoText(), QString("Import 3 files"));
+    QCOMPARE(wait(desk), "");
+    QCOMPARE(step_count(document), 1);
+    QCOMPARE(last_step(document), "Import 3 files");
     const auto imported = [&](std::size_t k) {
       return document.medium().gaussian(before.medium.size() + k);
     };
@@ -102,7 +101,7 @@ class SplatImportTest : public QObject {
     FileDesk desk;
     std::vector<std::vector<Gaussian>> written;
     for (const char* name : {"s_1.ply", "s_2.ply"}) {
-      const double x = static_cast<double>(written.size());
+      const double x = written.size();
       written.push_back(write_two_splats(desk.file(name), {x, 2.0, 3.0}));
     }
     // Both ways to import one.
@@ -113,16 +112,16 @@ class SplatImportTest : public QObject {
       } else {
         desk.import().import_sequence(desk.file("s_2.ply"));
       }
-      QCOMPARE(wait(desk), QString());
+      QCOMPARE(wait(desk), "");
       auto* dialog = shown<SplatDialog>(desk);
       QVERIFY(dialog);
-      QCOMPARE(dialog->windowTitle(), QString("Import s_%d.ply"));
+      QCOMPARE(dialog->windowTitle(), "Import s_%d.ply");
       dialog->findChild<QLineEdit*>("sequence_folder")->setText(to_qstring(folder));
       answer_splats(*dialog);
-      QCOMPARE(wait(desk), QString());
-      const MediumSequence& sequence = desk.document().scene().sequences.back();
+      QCOMPARE(wait(desk), "");
+      const MediumSequence& sequence = desk.scene().sequences.back();
       QCOMPARE(sequence.file, folder / "s_%d.ply");
-      QCOMPARE(sequence.frames->size(), std::size_t{2});
+      QCOMPARE(sequence.frames->size(), 2u);
       for (std::size_t frame = 0; frame < 2; ++frame) {
         for (std::size_t k = 0; k < 2; ++k) {
           const Gaussian& found = sequence.frames->frame(frame)->gaussians.at(k);
@@ -136,7 +135,7 @@ class SplatImportTest : public QObject {
                                 desk.file("dropped") / "..");
     QVERIFY(wait(desk).contains("another folder"));
     QVERIFY(has_splats(desk.file("s_1.ply")));
-    QCOMPARE(desk.document().undo_stack().count(), 2);
+    QCOMPARE(step_count(desk.document()), 2);
   }
 
   void bad_splats_of_a_sequence_are_told() {
@@ -149,7 +148,7 @@ class SplatImportTest : public QObject {
     }
     window->file_jobs().import().import_splats(frames_around(window.file("s_1.ply")), {},
                                                window.file("imported"));
-    QCOMPARE(wait(window), QString());
+    QCOMPARE(wait(window), "");
     const QString told = window->findChild<MessageBar*>()->message();
     for (const char* name : {"s_1.ply: 1 of 3 splats", "s_2.ply: 1 of 3 splats"}) {
       QVERIFY2(told.contains(name), qPrintable(told));
@@ -172,7 +171,7 @@ class SplatImportTest : public QObject {
       QVERIFY(wait(desk).contains(problem));
     }
     QVERIFY(!desk.findChild<SplatDialog*>());
-    QCOMPARE(desk.document().undo_stack().count(), 0);
+    QCOMPARE(step_count(desk.document()), 0);
   }
 
   void splats_come_with_what_else_their_gltf_has() {
@@ -188,20 +187,20 @@ class SplatImportTest : public QObject {
     const Scene before = document.scene();
     std::ofstream(desk.file("both.glb"), std::ios::binary) << builder.binary();
     drop(desk, {desk.file("both.glb")});
-    QCOMPARE(wait(desk), QString());
+    QCOMPARE(wait(desk), "");
     auto* dialog = shown<SplatDialog>(desk);
     QVERIFY(dialog);
-    QTest::mouseClick(dialog->findChild<QPushButton*>("import"), Qt::LeftButton);
-    QCOMPARE(wait(desk), QString());
+    click(*dialog, "import");
+    QCOMPARE(wait(desk), "");
     auto* parts = shown<SceneDialog>(desk);
     QVERIFY(parts);
-    QTest::mouseClick(parts->findChild<QPushButton*>("import"), Qt::LeftButton);
+    click(*parts, "import");
     QCOMPARE(document.medium().size(), before.medium.size() + 2);
     QCOMPARE(document.scene().surfaces.size(), before.surfaces.size() + 1);
-    QCOMPARE(document.scene().surfaces.back().imported->parts.size(), std::size_t{1});
+    QCOMPARE(document.scene().surfaces.back().imported->parts.size(), 1u);
     QCOMPARE(document.scene().cameras.size(), before.cameras.size() + 1);
-    QCOMPARE(document.undo_stack().count(), 1);
-    QCOMPARE(document.undo_stack().undoText(), QString("Import both.glb"));
+    QCOMPARE(step_count(document), 1);
+    QCOMPARE(last_step(document), "Import both.glb");
   }
 
   void the_file_dialog_offers_splats_of_gltf_as_gaussians() {

@@ -48,9 +48,9 @@ class SplineTest : public QObject {
     desk.key(Qt::Key_G);
     enter(desk, "move_soft", "1");
     const QPoint pivot = film_position(desk.view(), desk.view().pivot());
-    const auto steps = document.undo_stack().count();
+    const auto steps = step_count(document);
     desk.drag(pivot + QPoint(0, 9), pivot + QPoint(0, 69));
-    QCOMPARE(document.undo_stack().count(), steps + 1);
+    QCOMPARE(step_count(document), steps + 1);
     const auto moved = [&](std::size_t k) {
       return document.medium().centers()[k].y - before.medium.centers()[k].y;
     };
@@ -65,7 +65,7 @@ class SplineTest : public QObject {
     enter(desk, "move_soft", "0");
     desk.drag(pivot + QPoint(0, 9), pivot + QPoint(0, 69));
     QCOMPARE(moved(1), 0.0);
-    QCOMPARE(document.undo_stack().undoText(), QString("Move Gaussian"));
+    QCOMPARE(last_step(document), "Move Gaussian");
   }
 
   void moves_snap_to_a_grid() {
@@ -92,21 +92,21 @@ class SplineTest : public QObject {
     auto& tool = dynamic_cast<SplineTool&>(desk.tools().tool());
     const QPoint center = desk.view().rect().center();
     const auto click = [&](QPoint at, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
-      QTest::mouseClick(&desk.view(), Qt::LeftButton, modifiers, at);
+      desk.click(at, modifiers);
     };
     click(center - QPoint(150, 0));
     click(center);
     click(center + QPoint(150, 0));
-    QCOMPARE(tool.spline().points.size(), std::size_t{3});
-    QCOMPARE(document.undo_stack().count(), 3);
+    QCOMPARE(tool.spline().points.size(), 3u);
+    QCOMPARE(step_count(document), 3);
     const Medium straight = document.medium();
     const std::vector<glm::dvec3> points = tool.spline().points;
     QVERIFY(straight.size() > 5);
 
     // The point in the middle, down: one step, and undo takes the point back as well.
     desk.drag(center, center + QPoint(0, 90));
-    QCOMPARE(document.undo_stack().count(), 4);
-    QCOMPARE(document.undo_stack().undoText(), QString("Move point of spline"));
+    QCOMPARE(step_count(document), 4);
+    QCOMPARE(last_step(document), "Move point of spline");
     QVERIFY(tool.spline().points[1].y < -0.5);
     double lowest = 0.0;
     for (const glm::dvec3& at : document.medium().centers()) lowest = std::min(lowest, at.y);
@@ -120,36 +120,36 @@ class SplineTest : public QObject {
     // A change of the brush repaints it, as one step of all in a row.
     enter(desk, "spline_radius", "0.1");
     enter(desk, "spline_density", "2");
-    QCOMPARE(document.undo_stack().count(), 5);
+    QCOMPARE(step_count(document), 5);
     for (std::size_t k = 0; k < document.medium().size(); ++k) {
       QCOMPARE(document.medium().gaussian(k).radius, 0.1);
       QCOMPARE(document.medium().gaussian(k).density, 2.0);
     }
     enter(desk, "spline_smoothing", "10");  // which changes nothing of it
-    QCOMPARE(document.undo_stack().count(), 5);
+    QCOMPARE(step_count(document), 5);
 
     click(center + QPoint(0, 90), Qt::ControlModifier);
-    QCOMPARE(tool.spline().points.size(), std::size_t{2});
-    QCOMPARE(document.undo_stack().undoText(), QString("Remove point of spline"));
+    QCOMPARE(tool.spline().points.size(), 2u);
+    QCOMPARE(last_step(document), "Remove point of spline");
 
     // Gaussians deleted meanwhile are painted again; Escape takes a drag back.
     document.select({document.medium().ids()[1]});
     delete_selection(document, "Delete");
     const Medium deleted = document.medium();
     const QPoint end = center + QPoint(150, 0);
-    QTest::mousePress(&desk.view(), Qt::LeftButton, {}, end);
+    desk.press(end);
     desk.move(end + QPoint(0, 40));
     QVERIFY(document.medium().size() >= deleted.size());
     QTest::keyClick(&desk.view(), Qt::Key_Escape);
-    QTest::mouseRelease(&desk.view(), Qt::LeftButton, {}, end);
+    desk.release(end);
     QVERIFY(tool.spline().points[1] == points[2]);
 
     // New leaves it; the next click begins another.
     const std::size_t count = document.medium().size();
-    desk.findChild<QPushButton*>("spline_new")->click();
+    brume::click(desk, "spline_new");
     QVERIFY(tool.spline().points.empty());
     click(center + QPoint(0, 120));
-    QCOMPARE(tool.spline().points.size(), std::size_t{1});
+    QCOMPARE(tool.spline().points.size(), 1u);
     QCOMPARE(document.medium().size(), count + 1);
     QVERIFY(is_undone(document, before));
     while (document.undo_stack().canRedo()) document.undo_stack().redo();
@@ -163,9 +163,9 @@ class SplineTest : public QObject {
     const QPoint center = desk.view().rect().center();
     enter(desk, "spline_radius", "0.2");
     enter(desk, "spline_density", "3");
-    QTest::mouseClick(&desk.view(), Qt::LeftButton, {}, center - QPoint(120, 0));
-    QTest::mouseClick(&desk.view(), Qt::LeftButton, {}, center + QPoint(120, 0));
-    const PaintedSpline painted = desk.document().scene().splines.at(0);
+    desk.click(center - QPoint(120, 0));
+    desk.click(center + QPoint(120, 0));
+    const PaintedSpline painted = desk.scene().splines.at(0);
     QVERIFY(painted.gaussians.size() > 5);
     desk.document().save(desk.file("spline.brume"));
 
@@ -189,7 +189,7 @@ class SplineTest : public QObject {
     // Exactly its own Gaussians are painted again.
     const QPoint at = film_position(later->viewport(), painted.points[1]);
     later.drag(at, at + QPoint(0, 80));
-    QCOMPARE(document.undo_stack().undoText(), QString("Move point of spline"));
+    QCOMPARE(last_step(document), "Move point of spline");
     QVERIFY(tool->spline().points[1].y < painted.points[1].y - 0.3);
     QVERIFY(document.medium().centers().back().y < opened.medium.centers().back().y - 0.1);
     QCOMPARE(document.medium().radii().front(), 0.2);
@@ -209,7 +209,7 @@ class SplineTest : public QObject {
     Document& document = desk.document();
     desk.key(Qt::Key_B, Qt::ShiftModifier);
     const QPoint center = desk.view().rect().center();
-    QTest::mouseClick(&desk.view(), Qt::LeftButton, {}, center);
+    desk.click(center);
     const Scene painted = document.scene();
     auto* tree = desk.findChild<QTreeWidget*>("outliner_tree");
     const auto row = [&](const QString& name) {
@@ -224,7 +224,7 @@ class SplineTest : public QObject {
     QTest::keyClicks(editor, "Trail");
     QTest::keyClick(editor, Qt::Key_Return);
     QTRY_VERIFY(row("Trail"));
-    QCOMPARE(document.undo_stack().undoText(), QString("Rename Spline to Trail"));
+    QCOMPARE(last_step(document), "Rename Spline to Trail");
     tree->setCurrentItem(row("Trail"));
     tree->setFocus();
     QTest::keyClick(tree, Qt::Key_Delete);
@@ -245,12 +245,12 @@ class SplineTest : public QObject {
     Document& document = desk.document();
     desk.key(Qt::Key_B, Qt::ShiftModifier);
     const QPoint center = desk.view().rect().center();
-    QTest::mouseClick(&desk.view(), Qt::LeftButton, {}, center);
+    desk.click(center);
     document.select({document.medium().ids()[0]});
     group_selection(document);
     const GroupId group = document.scene().groups[0].id;
     document.set_active_group(0);
-    QTest::mouseClick(&desk.view(), Qt::LeftButton, {}, center + QPoint(150, 0));
+    desk.click(center + QPoint(150, 0));
     QVERIFY(document.medium().size() > 3);
     for (std::size_t k = 0; k < document.medium().size(); ++k) {
       QCOMPARE(document.medium().group(k), group);
@@ -261,7 +261,7 @@ class SplineTest : public QObject {
     SplineDesk desk;
     desk.key(Qt::Key_B, Qt::ShiftModifier);
     auto& tool = dynamic_cast<SplineTool&>(desk.tools().tool());
-    QTest::mouseClick(&desk.view(), Qt::LeftButton, {}, desk.view().rect().center());
+    desk.click(desk.view().rect().center());
     QVERIFY(!tool.spline().points.empty());
     desk.document().create();
     QVERIFY(tool.spline().points.empty());

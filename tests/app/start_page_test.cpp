@@ -4,7 +4,6 @@
 #include <QFile>
 #include <QSettings>
 #include <QToolButton>
-#include <cmath>
 
 #include "app/commands/edit_medium.h"
 #include "app/document/paths.h"
@@ -51,7 +50,7 @@ class StartPageTest : public QObject {
   void a_window_of_a_scene_has_none() {
     TestWindow window;
     QVERIFY(page_of(window).isHidden());
-    window->findChild<QAction*>("file.start_page")->trigger();
+    invoke(window, "file.start_page");
     QVERIFY(page_of(window).isVisible());
     QCOMPARE(page_of(window).size(), page_of(window).parentWidget()->size());
     QTest::keyClick(&page_of(window), Qt::Key_Escape);
@@ -80,14 +79,14 @@ class StartPageTest : public QObject {
     // Saved elsewhere it finds its meshes.
     QVERIFY(window->files().save_to(window.file("street.brume")));
     QVERIFY(window.open("street.brume"));
-    QCOMPARE(window->document().scene().surfaces.size(), std::size_t{2});
+    QCOMPARE(window.scene().surfaces.size(), 2u);
   }
 
   void empty_is_a_new_scene() {
     TestWindow window;
     page_of(window).open();
     QVERIFY(choose(window, "template_empty"));
-    QVERIFY(window->document().scene() == new_scene());
+    QVERIFY(window.scene() == new_scene());
     QVERIFY(window->document().file().empty());
   }
 
@@ -112,7 +111,7 @@ class StartPageTest : public QObject {
     page_of(window).open();
     auto* tile = page_of(window).findChild<QToolButton*>("recent_0");
     QVERIFY(tile && tile->isVisible());
-    QCOMPARE(tile->accessibleName(), QString("scene"));
+    QCOMPARE(tile->accessibleName(), "scene");
     QVERIFY(has_picture(*tile));
     QVERIFY(choose(window, "recent_0"));
     QVERIFY(window->document().file() == window.file("scene.brume"));
@@ -184,7 +183,7 @@ class StartPageTest : public QObject {
     window.key(Qt::Key_0);
     QVERIFY(window->files().create());
     QVERIFY(window.open("copy.brume"));
-    QVERIFY(controller.camera() == window->document().scene().camera);
+    QVERIFY(controller.camera() == window.scene().camera);
   }
 
   void broken_saved_views_are_ignored() {
@@ -197,7 +196,7 @@ class StartPageTest : public QObject {
       QSettings().setValue("saved_views",
                            QVariantList{QVariantMap{{"file", name}, {"camera", text}}});
       QVERIFY(window.open("scene.brume"));
-      QVERIFY(window->viewport().camera() == window->document().scene().camera);
+      QVERIFY(window->viewport().camera() == window.scene().camera);
     }
   }
 
@@ -212,7 +211,7 @@ class StartPageTest : public QObject {
     QVERIFY(window->files().create());
     QVERIFY(grid->isChecked() && window->views().shows_ground_grid());
     window->views().show_four(true);
-    QCOMPARE(window->views().panes().size(), std::size_t{4});
+    QCOMPARE(window->views().panes().size(), 4u);
   }
 
   void the_grid_suits_the_distance_and_hides_behind_surfaces() {

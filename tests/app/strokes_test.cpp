@@ -159,7 +159,7 @@ class StrokesTest : public QObject {
       const auto is_near = [&](QPointF at) { return QLineF(place, at).length() < brush; };
       QVERIFY(std::ranges::any_of(painted, is_near));
     }
-    QCOMPARE(window->document().undo_stack().count(), 1);
+    QCOMPARE(step_count(window->document()), 1);
   }
 
   void the_eraser_thins_the_spiral() {

@@ -77,6 +77,22 @@ const JobBar& TestWindow::bar(const BackgroundJob& job) const {
   return **std::ranges::find_if(bars, [&](const JobBar* bar) { return &bar->job() == &job; });
 }
 
+const RenderedFrame& TestWindow::shown() {
+  return *window_->viewport().frames().shown();
+}
+
+void TestWindow::click(QPoint position, Qt::KeyboardModifiers modifiers) {
+  QTest::mouseClick(&window_->viewport(), Qt::LeftButton, modifiers, position);
+}
+
+void TestWindow::press(QPoint position, Qt::KeyboardModifiers modifiers) {
+  QTest::mousePress(&window_->viewport(), Qt::LeftButton, modifiers, position);
+}
+
+void TestWindow::release(QPoint position, Qt::KeyboardModifiers modifiers) {
+  QTest::mouseRelease(&window_->viewport(), Qt::LeftButton, modifiers, position);
+}
+
 QPoint TestWindow::handle(std::size_t index) {
   return handle_position(window_->viewport(), index);
 }
@@ -114,6 +130,14 @@ QPoint handle_position(const View& view, std::size_t index) {
 QPoint film_position(const View& view, const glm::dvec3& point) {
   const glm::dvec3 position = view.rays().project(point);
   return QPointF(position.x, position.y).toPoint();
+}
+
+QString last_step(Document& document) {
+  return document.undo_stack().undoText();
+}
+
+int step_count(Document& document) {
+  return document.undo_stack().count();
 }
 
 bool is_undone(Document& document, const Scene& before) {
@@ -183,6 +207,10 @@ void type(QWidget& window, const char* name, const QString& text) {
 
 QString value(QWidget& window, const char* field) {
   return window.findChild<ValueField*>(field)->findChild<NumberField*>()->text();
+}
+
+void invoke(QWidget& window, const char* action) {
+  window.findChild<QAction*>(action)->trigger();
 }
 
 void trigger(QWidget& window, const QString& text) {

@@ -29,6 +29,7 @@ namespace brume {
 
 class View;
 class Viewport;
+struct RenderedFrame;
 
 // Five Gaussians well apart on screen, two of them behind each other's plane, and a light.
 Scene small_scene();
@@ -47,6 +48,9 @@ class TestWindow {
   operator QWidget&() { return *window_; }
   MainWindow* operator->() { return window_.get(); }
   Document& document() { return window_->document(); }
+  const Scene& scene() { return document().scene(); }
+  // The frame that the viewport shows.
+  const RenderedFrame& shown();
   Viewport& view() { return window_->viewport(); }
   [[nodiscard]] std::filesystem::path file(const char* name) const;
 
@@ -56,6 +60,10 @@ class TestWindow {
   bool settle();
   // The bar that shows a job.
   [[nodiscard]] const JobBar& bar(const BackgroundJob& job) const;
+  // The left button, in the view.
+  void click(QPoint position, Qt::KeyboardModifiers modifiers = {});
+  void press(QPoint position, Qt::KeyboardModifiers modifiers = {});
+  void release(QPoint position, Qt::KeyboardModifiers modifiers = {});
   // Where a Gaussian's handle is in the viewport.
   QPoint handle(std::size_t index);
   void move(QPointF to, Qt::MouseButton button = Qt::LeftButton,
@@ -69,6 +77,9 @@ class TestWindow {
   std::unique_ptr<MainWindow> window_;
 };
 
+// What undo would undo, and how many steps there are.
+QString last_step(Document& document);
+int step_count(Document& document);
 // Undoes everything; whether all is as it was, to the last bit.
 bool is_undone(Document& document, const Scene& before);
 // Whether a drag changes the scene, and Escape within it takes that back.
@@ -99,7 +110,8 @@ void click(QWidget& window, const char* button);
 void choose(QWidget& window, const char* box, int index);
 void type(QWidget& window, const char* line, const QString& text);
 QString value(QWidget& window, const char* field);
-// Triggers the action of a menu by a part of its text.
+// Triggers an action by its name, and that of a menu by a part of its text.
+void invoke(QWidget& window, const char* action);
 void trigger(QWidget& window, const QString& text);
 // Chooses from the context menu at a place, "Move into/a" from a menu in it; whether it has that
 // and it is enabled.

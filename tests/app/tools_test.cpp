@@ -30,7 +30,7 @@ QString active_name(TestWindow& window) {
 
 // The mean brightness of the picture around a place, as it is rendered.
 double brightness(TestWindow& window, QPoint at) {
-  const QImage& picture = window->viewport().frames().shown()->picture;
+  const QImage& picture = window.shown().picture;
   double sum = 0.0;
   for (int y = at.y() - 4; y <= at.y() + 4; ++y) {
     for (int x = at.x() - 4; x <= at.x() + 4; ++x) sum += qGray(picture.pixel(x, y));
@@ -61,9 +61,9 @@ class ToolsTest : public QObject {
     QSettings().setValue("keys/tool.paintbrush", "Ctrl+F7");
     TestWindow window;
     window.key(Qt::Key_B);
-    QCOMPARE(active_name(window), QString("select"));
+    QCOMPARE(active_name(window), "select");
     window.key(Qt::Key_F7, Qt::ControlModifier);
-    QCOMPARE(active_name(window), QString("paintbrush"));
+    QCOMPARE(active_name(window), "paintbrush");
     QSettings().remove("keys/tool.paintbrush");
   }
 
@@ -95,8 +95,8 @@ class ToolsTest : public QObject {
     auto* radius = window->findChild<NumberField*>("radius");
     radius->setFocus();
     QTest::keyClicks(radius, "be[");
-    QCOMPARE(active_name(window), QString("select"));
-    QCOMPARE(radius->text(), QString("be["));
+    QCOMPARE(active_name(window), "select");
+    QCOMPARE(radius->text(), "be[");
   }
 
   void a_stroke_paints_on_the_view_plane_as_one_step() {
@@ -109,10 +109,10 @@ class ToolsTest : public QObject {
     PaintbrushTool& tool = ::tool<PaintbrushTool>(window->tools());
     tool.set_brush({.radius = 0.2, .density = 3.0, .spacing = 1.0, .scatter = 0.9});
     window.drag(from, from + QPoint(150, 60));
-    QCOMPARE(document.undo_stack().count(), 1);
+    QCOMPARE(step_count(document), 1);
     const std::size_t painted = document.medium().size() - 5;
     QVERIFY(painted >= 6);
-    QCOMPARE(document.undo_stack().undoText(), QString("Paint %1 Gaussians").arg(painted));
+    QCOMPARE(last_step(document), QString("Paint %1 Gaussians").arg(painted));
     QVERIFY(document.selection().empty());
     // The first is where the mouse went down, on the plane through the target; none leaves the
     // stroke by its radius.
@@ -146,13 +146,13 @@ class ToolsTest : public QObject {
   void the_picture_follows_while_the_mouse_is_down() {
     TestWindow window;
     window.key(Qt::Key_B);
-    QTest::mousePress(&window->viewport(), Qt::LeftButton, {}, QPoint(300, 200));
+    window.press(QPoint(300, 200));
     window.move(QPoint(380, 230));
     window.move(QPoint(384, 232));  // a curve is one position behind
     const std::size_t now = window->document().medium().size();
     QVERIFY(now > 6);
-    QTRY_COMPARE(window->viewport().frames().shown()->request.scene->medium.size(), now);
-    QTest::mouseRelease(&window->viewport(), Qt::LeftButton, {}, QPoint(380, 230));
+    QTRY_COMPARE(window.shown().request.scene->medium.size(), now);
+    window.release(QPoint(380, 230));
   }
 
   void a_running_stroke_can_be_cancelled() {
@@ -167,7 +167,7 @@ class ToolsTest : public QObject {
     desk.move(QPoint(420, 260));
     QTest::mouseRelease(&view, Qt::LeftButton, {}, QPoint(420, 260));
     QVERIFY(document.scene() == before);
-    QCOMPARE(document.undo_stack().count(), 0);
+    QCOMPARE(step_count(document), 0);
 
     QTest::mousePress(&view, Qt::LeftButton, {}, QPoint(300, 200));
     desk.move(QPoint(380, 230));
@@ -203,7 +203,7 @@ class ToolsTest : public QObject {
     const std::size_t painted = medium.size();
     desk.drag(QPoint(200, 5), QPoint(350, 5));  // above the horizon there is no ground
     QCOMPARE(medium.size(), painted);
-    QCOMPARE(desk.document().undo_stack().count(), 1);
+    QCOMPARE(step_count(desk.document()), 1);
   }
 
   void a_paint_plane_can_be_positioned() {
@@ -254,7 +254,7 @@ class ToolsTest : public QObject {
     QVERIFY(tool.brush().density > before.density);
     window.key(Qt::Key_BracketLeft, Qt::ShiftModifier);
 
-    QTest::mouseClick(&window->viewport(), Qt::LeftButton, Qt::AltModifier, window.handle(1));
+    window.click(window.handle(1), Qt::AltModifier);
     QCOMPARE(tool.brush().radius, window->document().medium().radii()[1]);
     QCOMPARE(tool.brush().density, 0.8);
     QVERIFY(!window->document().is_modified());
@@ -266,23 +266,23 @@ class ToolsTest : public QObject {
     const Scene before = document.scene();
     window.key(Qt::Key_E);
     const QPoint at = window.handle(1);
-    QTest::mouseClick(&window->viewport(), Qt::LeftButton, {}, at);
-    QCOMPARE(document.undo_stack().undoText(), QString("Erase Gaussian"));
+    window.click(at);
+    QCOMPARE(last_step(document), "Erase Gaussian");
     QVERIFY(document.medium().densities()[1] < 0.8 && document.medium().densities()[1] > 0.3);
     QCOMPARE(document.medium().densities()[0], 0.8);
     window.drag(at - QPoint(60, 0), at + QPoint(60, 0));
-    QCOMPARE(document.undo_stack().count(), 2);
+    QCOMPARE(step_count(document), 2);
     QVERIFY(!document.medium().index_of(2));
-    QCOMPARE(document.medium().size(), std::size_t{4});
+    QCOMPARE(document.medium().size(), 4u);
     window.key(Qt::Key_Z, Qt::ControlModifier);
     window.key(Qt::Key_Z, Qt::ControlModifier);
     QVERIFY(document.scene() == before);
     window.key(Qt::Key_BracketRight);
     QVERIFY(::tool<EraserTool>(window->tools()).radius() > 40.0);
-    QTest::mousePress(&window->viewport(), Qt::LeftButton, {}, at);
+    window.press(at);
     QVERIFY(document.is_modified());
     QTest::keyClick(&window->viewport(), Qt::Key_Escape);
-    QTest::mouseRelease(&window->viewport(), Qt::LeftButton, {}, at);
+    window.release(at);
     QVERIFY(document.scene() == before);
     QVERIFY(!document.is_modified());
   }

@@ -35,10 +35,10 @@ class ViewsTest : public QObject {
   void a_key_toggles_four_views() {
     TestWindow window;
     ViewGrid& views = window->views();
-    QCOMPARE(views.panes().size(), std::size_t{1});
+    QCOMPARE(views.panes().size(), 1u);
     window.key(Qt::Key_Q, Qt::ControlModifier | Qt::AltModifier);
     QVERIFY(views.shows_four());
-    QCOMPARE(views.panes().size(), std::size_t{4});
+    QCOMPARE(views.panes().size(), 4u);
     QVERIFY(settle_all(views));
     for (const Viewport* one : views.panes()) {
       QVERIFY(one->isVisible());
@@ -50,12 +50,12 @@ class ViewsTest : public QObject {
     Viewport& top = pane(views, Projection::top);
     QTest::mouseClick(&top, Qt::LeftButton, {}, QPoint(3, top.height() - 3));
     QCOMPARE(&views.active(), &top);
-    window->findChild<QAction*>("view.four")->trigger();
+    invoke(window, "view.four");
     QVERIFY(!views.shows_four());
     QVERIFY(top.isVisible() && !views.perspective().isVisible());
     QVERIFY(QTest::qWaitFor([&] { return top.frames().is_measured(); }, patience));
     QVERIFY(!views.perspective().frames().is_measured());
-    window->findChild<QAction*>("view.four")->trigger();
+    invoke(window, "view.four");
     QVERIFY(views.perspective().isVisible());
     QVERIFY(settle_all(views));
   }
@@ -130,7 +130,7 @@ class ViewsTest : public QObject {
       QTest::mouseClick(&view, Qt::LeftButton, {}, from);
       QCOMPARE(document.selection(), std::vector<GaussianId>{3});
       drag_mouse(view, from, from + QPoint(20, -15));
-      QCOMPARE(document.undo_stack().undoText(), QString("Move Gaussian"));
+      QCOMPARE(last_step(document), "Move Gaussian");
       const glm::dvec3 way = document.medium().centers()[2] - start;
       QVERIFY(glm::length(way) > 0.05);
       QVERIFY(std::abs(way[fixed]) < 0.02 * glm::length(way));
@@ -139,18 +139,18 @@ class ViewsTest : public QObject {
       document.undo_stack().undo();
     }
     // A brush paints at the depth of what is selected.
-    window->findChild<QAction*>("tool.paintbrush")->trigger();
+    invoke(window, "tool.paintbrush");
     Viewport& top = pane(views, Projection::top);
     const std::size_t count = document.medium().size();
     drag_mouse(top, top.rect().center() - QPoint(40, 0), top.rect().center() + QPoint(40, 0));
     QVERIFY(document.medium().size() > count);
-    QVERIFY(document.undo_stack().undoText().startsWith("Paint"));
+    QVERIFY(last_step(document).startsWith("Paint"));
     for (std::size_t k = count; k < document.medium().size(); ++k) {
       // But for the scatter across the stroke, which is less than the radius.
       const Gaussian painted = document.medium().gaussian(k);
       QVERIFY(std::abs(painted.center.y - document.medium().centers()[2].y) < painted.radius);
     }
-    window->findChild<QAction*>("tool.lasso")->trigger();
+    invoke(window, "tool.lasso");
     Viewport& side = pane(views, Projection::side);
     drag_mouse(side, side.rect().center(), side.rect().center() + QPoint(30, 0));
     QVERIFY(settle_all(views));

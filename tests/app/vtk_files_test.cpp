@@ -6,8 +6,6 @@
 #include <atomic>
 #include <fstream>
 #include <functional>
-#include <limits>
-#include <numbers>
 
 #include "app/document/paths.h"
 #include "app/import/vtk_points.h"
@@ -302,7 +300,7 @@ class VtkFilesTest : public QObject {
 
   void more_points_than_are_allowed_are_refused() {
     const fs::path file = write("a.vtp", Parts().text());
-    QCOMPARE(read_vtk_points(file, nullptr, 2).size(), std::size_t{2});
+    QCOMPARE(read_vtk_points(file, nullptr, 2).size(), 2u);
     QVERIFY_EXCEPTION_THROWN(read_vtk_points(file, nullptr, 1), InputError);
   }
 
@@ -310,7 +308,7 @@ class VtkFilesTest : public QObject {
     Parts parts;
     parts.arrays = array("id", "7 0.5");
     const fs::path file = write("a.vtp", parts.text());
-    QCOMPARE(read_vtk_points(file).size(), std::size_t{2});
+    QCOMPARE(read_vtk_points(file).size(), 2u);
     std::vector<GaussianNumber> ids;
     QVERIFY_EXCEPTION_THROWN(read_vtk_points(file, &ids), InputError);
     parts.arrays = array("id", "7 5");
