@@ -5,7 +5,6 @@
 #include <fstream>
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
-#include <string>
 
 #include "core/transport/optical_depth.h"
 #include "render/reference/airlight_integral.h"

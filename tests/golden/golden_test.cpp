@@ -325,7 +325,7 @@ void evaluate(const Json& test, const std::map<std::string, Quantity<Real>>& how
   if (pass) return;
   std::printf("FAILED %s at %s:", test.at("id").get<std::string>().c_str(), tolerance);
   for (std::size_t i = 0; i < want.size() && i < got.size(); ++i) {
-    const double value = static_cast<double>(got[i]);
+    const double value = got[i];
     std::printf(" %.15g should be %.15g (relative error %.2g, allowed %.2g);", value, want[i],
                 std::abs(value / want[i] - 1.0), relative);
   }

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <glm/geometric.hpp>
 
 #include "brume/primitive.h"
@@ -77,12 +76,12 @@ TEST(CopiesFrames, AreThoseOfAsManySurfaces) {
         Case{reference_settings(1e-3), 1e-4}, Case{path_traced(8), 2e-2}}) {
     const Frame frame = render_frame(scene, settings);
     const Frame truth = render_frame(other, settings);
-    EXPECT_LT(difference(frame.beauty, truth.beauty).relative_rmse, max_rmse);
-    EXPECT_LT(difference(frame.airlight, truth.airlight).relative_rmse, max_rmse);
+    EXPECT_LT(rel_rmse(frame.beauty, truth.beauty), max_rmse);
+    EXPECT_LT(rel_rmse(frame.airlight, truth.airlight), max_rmse);
   }
   // Without them it is another frame.
   const Frame alone = render_frame(scene_of({apart(box)[0]}), sliced(24));
-  EXPECT_GT(difference(alone.beauty, render_frame(other, sliced(24)).beauty).relative_rmse, 0.005);
+  EXPECT_GT(rel_rmse(alone.beauty, render_frame(other, sliced(24)).beauty), 0.005);
 }
 
 TEST(CopiesFrames, OfTexturedMetalAreThoseOfAsManySurfaces) {
@@ -92,7 +91,7 @@ TEST(CopiesFrames, OfTexturedMetalAreThoseOfAsManySurfaces) {
   box.material.metallic_roughness.roughness = 0.3;
   const Frame frame = render_frame(scene_of({box}), sliced(24));
   const Frame truth = render_frame(scene_of(apart(box)), sliced(24));
-  EXPECT_LT(difference(frame.beauty, truth.beauty).relative_rmse, 1e-3);
+  EXPECT_LT(rel_rmse(frame.beauty, truth.beauty), 1e-3);
 }
 
 TEST(CopiesFrames, OfEmittersLightFog) {
@@ -110,7 +109,7 @@ TEST(CopiesFrames, OfEmittersLightFog) {
   }
   const Frame frame = render_frame(scene_of({box}), path_traced(16));
   const Frame truth = render_frame(scene_of(boxes), path_traced(16));
-  EXPECT_LT(difference(frame.airlight, truth.airlight).relative_rmse, 2e-2);
+  EXPECT_LT(rel_rmse(frame.airlight, truth.airlight), 2e-2);
 }
 
 TEST(CopiesRays, HitWhatSurfacesDo) {

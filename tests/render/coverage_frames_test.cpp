@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "brume/primitive.h"
-#include "render/renderer.h"
 #include "render/samples/mean_frame.h"
 #include "tests/render/coverage_scenes.h"
 #include "tests/render/test_scenes.h"
@@ -51,21 +50,17 @@ TEST(CoverageFrames, HolesAreThoseOfSquaresOfTheirOwn) {
   }();
   for (const Settings& settings : {sliced(12), sliced(12, Scattering::multiple), marched(48)}) {
     const Frame wanted = render_frame(squares, settings);
-    EXPECT_LT(difference(render_frame(leaf, settings).beauty, wanted.beauty).relative_rmse, 5e-3);
+    EXPECT_LT(rel_rmse(render_frame(leaf, settings).beauty, wanted.beauty), 5e-3);
   }
-  EXPECT_GT(
-      difference(render_frame(solid, sliced(12)).beauty, render_frame(leaf, sliced(12)).beauty)
-          .relative_rmse,
-      0.2);
+  EXPECT_GT(rel_rmse(render_frame(solid, sliced(12)).beauty, render_frame(leaf, sliced(12)).beauty),
+            0.2);
   Settings reference = reference_settings(1e-4);
   EXPECT_LT(
-      difference(render_frame(leaf, reference).airlight, render_frame(squares, reference).airlight)
-          .relative_rmse,
+      rel_rmse(render_frame(leaf, reference).airlight, render_frame(squares, reference).airlight),
       1e-3);
   // Paths of the same random numbers.
   const Frame wanted = render_frame(squares, path_traced(16));
-  EXPECT_LT(difference(render_frame(leaf, path_traced(16)).beauty, wanted.beauty).relative_rmse,
-            0.02);
+  EXPECT_LT(rel_rmse(render_frame(leaf, path_traced(16)).beauty, wanted.beauty), 0.02);
 }
 
 TEST(CoverageFrames, FloorsBehindPanesAreLitThroughThem) {
@@ -127,8 +122,7 @@ TEST(CoverageFrames, PanesInFogAreThoseOfPaths) {
     Scene opaque = scene;
     opaque.surfaces.back().material.metallic_roughness.alpha = AlphaMode::opaque;
     opaque.surfaces.back().material.metallic_roughness.transmission = glm::dvec3(0.0);
-    EXPECT_GT(difference(render_frame(opaque, path_traced(32)).beauty, wanted.beauty).relative_rmse,
-              0.12);
+    EXPECT_GT(rel_rmse(render_frame(opaque, path_traced(32)).beauty, wanted.beauty), 0.12);
   }
 }
 
@@ -178,13 +172,13 @@ TEST(CoverageFrames, SamplesOfPixelsSeeThroughPanes) {
   const Frame frame = render_frame(scene, settings);
   EXPECT_GT(frame.statistics.sampled_pixels, 100u);
   EXPECT_LT(frame.statistics.sampled_pixels, frame.depth.size());
-  EXPECT_LT(difference(frame.beauty, wanted.beauty).relative_rmse, 1e-3);
+  EXPECT_LT(rel_rmse(frame.beauty, wanted.beauty), 1e-3);
   // Pixels whose beauty has no details are one sample.
-  EXPECT_LT(difference(frame.airlight, wanted.airlight).relative_rmse, 6e-3);
-  EXPECT_LT(difference(frame.transmittance, wanted.transmittance).relative_rmse, 6e-3);
-  EXPECT_GT(difference(render_frame(scene, single).beauty, wanted.beauty).relative_rmse, 3e-3);
+  EXPECT_LT(rel_rmse(frame.airlight, wanted.airlight), 6e-3);
+  EXPECT_LT(rel_rmse(frame.transmittance, wanted.transmittance), 6e-3);
+  EXPECT_GT(rel_rmse(render_frame(scene, single).beauty, wanted.beauty), 3e-3);
   settings.airlight_scale = 4;
-  EXPECT_LT(difference(render_frame(scene, settings).beauty, wanted.beauty).relative_rmse, 2e-3);
+  EXPECT_LT(rel_rmse(render_frame(scene, settings).beauty, wanted.beauty), 2e-3);
 }
 
 // Also in the middle of all surfaces, where coordinates have the most digits.

@@ -63,7 +63,7 @@ TEST(DirectionalLight, ReferenceIsTheIntegral) {
       const double end = b0 > 0.0 ? FogExtent(scene).ray_distance(scene.camera.eye) : 10.0;
       const double expected = integral(scene, w, end);
       const auto at = static_cast<std::size_t>(3 * (pixel.y * 32 + pixel.x));
-      EXPECT_NEAR(static_cast<double>(frame.airlight[at]), expected, 1e-3 * expected + 1e-7)
+      EXPECT_NEAR(frame.airlight[at], expected, 1e-3 * expected + 1e-7)
           << b0 << " at " << pixel.x << ", " << pixel.y;
     }
   }
@@ -85,7 +85,7 @@ TEST(DirectionalLight, SlicedMatchesTheReference) {
         const Frame truth = render_frame(scene, reference_settings());
         // The edge of a shadow takes twice the slices, as of point lights.
         const Frame frame = render_frame(scene, sliced(has_wall ? 48 : 24));
-        EXPECT_LT(difference(frame.airlight, truth.airlight).relative_rmse, 0.01)
+        EXPECT_LT(rel_rmse(frame.airlight, truth.airlight), 0.01)
             << "depth " << depth << " b0 " << b0 << " wall " << has_wall;
       }
     }
@@ -109,8 +109,7 @@ TEST(DirectionalLight, AFarPointIsASun) {
   for (const Settings& settings :
        {reference_settings(), sliced(24), sliced(24, Scattering::multiple)}) {
     EXPECT_LT(
-        difference(render_frame(scene, settings).airlight, render_frame(point, settings).airlight)
-            .relative_rmse,
+        rel_rmse(render_frame(scene, settings).airlight, render_frame(point, settings).airlight),
         1e-3);
   }
 }

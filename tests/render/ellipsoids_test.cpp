@@ -37,8 +37,8 @@ Scene as_ellipsoids(Scene scene) {
 void expect_same(const Scene& balls, const Settings& settings, const char* what, double bound) {
   const Frame expected = render_frame(balls, settings);
   const Frame frame = render_frame(as_ellipsoids(balls), settings);
-  EXPECT_LT(difference(frame.airlight, expected.airlight).relative_rmse, bound) << what;
-  EXPECT_LT(difference(frame.beauty, expected.beauty).relative_rmse, bound) << what;
+  EXPECT_LT(rel_rmse(frame.airlight, expected.airlight), bound) << what;
+  EXPECT_LT(rel_rmse(frame.beauty, expected.beauty), bound) << what;
 }
 
 TEST(Ellipsoids, ThatAreBallsRenderAsBalls) {
@@ -56,7 +56,7 @@ TEST(Ellipsoids, ThatAreBallsRenderAsBalls) {
   scene.optics.noise = {.amplitude = 0.4, .frequency = 2.0};
   expect_same(scene, sliced(24), "with noise", 1e-3);
   expect_same(scene, paper_settings, "paper with noise", 1e-5);
-  scene.environment.emplace().map = constant_sky(0.3f);
+  scene.environment = even_sky(0.3f);
   expect_same(scene, paper_settings, "paper below a sky", 1e-3);
   expect_same(scene, sliced(24), "below a sky", 1e-3);
 }
@@ -67,9 +67,9 @@ TEST(Ellipsoids, SlicedIsTheReference) {
     scene.film = {24, 24};
     const Frame reference = render_frame(scene, brume::reference_settings(1e-5));
     const Frame frame = render_frame(scene, sliced(32));
-    EXPECT_LT(difference(frame.airlight, reference.airlight).relative_rmse, 0.01) << seed;
+    EXPECT_LT(rel_rmse(frame.airlight, reference.airlight), 0.01) << seed;
     const Frame finer = render_frame(scene, sliced(128));
-    EXPECT_LT(difference(finer.airlight, reference.airlight).relative_rmse, 0.004) << seed;
+    EXPECT_LT(rel_rmse(finer.airlight, reference.airlight), 0.004) << seed;
   }
 }
 
@@ -111,8 +111,7 @@ TEST(Ellipsoids, AverageDepthInSinglePrecision) {
         const glm::vec3 p(g.center + distance * random.point(1.0));
         const StandaloneTerm term(g);
         const double exact = average_depth(*term, glm::dvec3(p));
-        EXPECT_NEAR(static_cast<double>(average_depth(terms[0], p)), exact, 1e-5 * exact)
-            << stretch << ' ' << distance;
+        EXPECT_NEAR(average_depth(terms[0], p), exact, 1e-5 * exact) << stretch << ' ' << distance;
       }
     }
   }
@@ -136,7 +135,7 @@ TEST(Ellipsoids, AverageDepthIsThatOverAllDirections) {
     EXPECT_NEAR(average_depth(*term, p), mean, 1e-11 * mean);
     GaussianTerms<float> terms;
     terms.add(g);
-    EXPECT_NEAR(static_cast<double>(average_depth(terms[0], glm::vec3(p))), mean, 1e-5 * mean);
+    EXPECT_NEAR(average_depth(terms[0], glm::vec3(p)), mean, 1e-5 * mean);
   }
 }
 
@@ -216,8 +215,7 @@ TEST(Ellipsoids, DensityOnAGridIsTheirDensity) {
           sum += g.c * std::exp(-glm::dot(q, q));
         }
         largest = std::max(largest, sum);
-        const double got =
-            static_cast<double>(density[static_cast<std::size_t>((z * 24 + y) * 24 + x)]);
+        const double got = density[static_cast<std::size_t>((z * 24 + y) * 24 + x)];
         EXPECT_NEAR(got, sum, 2e-3) << x << ' ' << y << ' ' << z;
       }
     }

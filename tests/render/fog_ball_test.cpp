@@ -85,8 +85,7 @@ TEST(FogBallFrames, ABallThatAbsorbsHidesTheSkyByItsChords) {
       const double bound = method.settings.airlight_scale > 1 ? 0.02 : 1e-4;
       EXPECT_LT(fog_transmittance_error(scene, frame), bound) << method.name << " from " << eye.z;
       for (std::size_t i = 0; i < frame.depth.size(); i += 7) {
-        ASSERT_NEAR(static_cast<double>(frame.beauty[4 * i]), fog_transmittance(scene, frame, i),
-                    bound)
+        ASSERT_NEAR(frame.beauty[4 * i], fog_transmittance(scene, frame, i), bound)
             << method.name << " from " << eye.z;
       }
     }
@@ -168,8 +167,7 @@ TEST(FogBallFrames, LightOnSurfacesCrossesTheBall) {
         const double crossed = FogExtent(scene).fog().length(x, glm::normalize(q), glm::length(q));
         const double expected = static_cast<double>(lit.beauty[4 * i]) *
                                 std::exp(-0.5 * (crossed + ray.end - ray.begin));
-        EXPECT_NEAR(static_cast<double>(frame.beauty[4 * i]), expected, 0.01 * expected)
-            << i << " " << is_far;
+        EXPECT_NEAR(frame.beauty[4 * i], expected, 0.01 * expected) << i << " " << is_far;
       }
     }
   }
@@ -188,7 +186,7 @@ TEST(FogBallFrames, SkiesLightFloorsThroughTheBall) {
   scene.surfaces = {floor};
   const Frame paths = render_frame(scene, path_traced(512));
   const Frame once = render_frame(scene, sliced(24));
-  EXPECT_LT(difference(once.beauty, paths.beauty).relative_rmse, 0.02);
+  EXPECT_LT(rel_rmse(once.beauty, paths.beauty), 0.02);
   EXPECT_LT(std::abs(difference(once.beauty, paths.beauty).bias), 0.01);
 }
 
@@ -266,7 +264,7 @@ TEST(FogBallFrames, ALargeBallIsAsEndlessFog) {
   for (const BallMethod& method : ball_methods()) {
     const Frame ball = render_frame(scene, method.settings);
     const Frame all = render_frame(endless, method.settings);
-    EXPECT_LT(difference(ball.beauty, all.beauty).relative_rmse, 1e-3) << method.name;
+    EXPECT_LT(rel_rmse(ball.beauty, all.beauty), 1e-3) << method.name;
   }
 }
 

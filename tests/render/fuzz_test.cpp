@@ -100,8 +100,7 @@ std::string broken_promise(unsigned seed, std::span<const Settings> methods) {
   const Scene scene = random_scene(seed);
   Renderer renderer;  // what materials need is prepared once for all methods
   for (const Settings& settings : methods) {
-    const std::string broken =
-        broken_promise(*renderer.render(scene, scene.camera, scene.film, settings));
+    const std::string broken = broken_promise(render_frame(renderer, scene, settings));
     if (!broken.empty()) {
       return "BRUME_FUZZ_SEED=" + std::to_string(seed) + " " + airlight_name(settings) +
              (settings.precision == Settings::Precision::plain_double ? " in double" : "") + ": " +

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <glm/gtc/quaternion.hpp>
 #include <utility>
 
@@ -101,7 +100,7 @@ Scene glowing_wall(Surface mirror, double roughness) {
   make_metal(scene.surfaces[0], 0.9, roughness);
   make_metal(scene.surfaces[1], 0.0, 1.0);
   scene.surfaces[1].material.metallic_roughness.emissive = glm::dvec3(2.0);
-  scene.environment.emplace().map = constant_sky(0.3f);
+  scene.environment = even_sky(0.3f);
   return scene;
 }
 
@@ -109,8 +108,7 @@ double error_beside_paths(const Scene& scene, int samples) {
   Settings settings = sliced(8);
   Settings paths = path_traced(512);
   settings.samples = paths.samples = samples;
-  return difference(render_frame(scene, settings).beauty, render_frame(scene, paths).beauty)
-      .relative_rmse;
+  return rel_rmse(render_frame(scene, settings).beauty, render_frame(scene, paths).beauty);
 }
 
 // Neighbours share the rays of wide highlights, not what they reflect: textures stay sharp.

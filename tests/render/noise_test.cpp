@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -48,8 +47,7 @@ TEST(Noise, ChangesThePictureButNotTheMeanDepth) {
         SCOPED_TRACE(testing::Message() << amplitude << ' ' << frequency << ' ' << seed);
         const Frame bent = render_frame(noisy(scene, amplitude, frequency, seed), settings);
         EXPECT_NEAR(mean_depth(bent) / mean_depth(still), 1.0, 0.02);
-        EXPECT_GT(difference(bent.transmittance, still.transmittance).relative_rmse,
-                  0.02 * amplitude);
+        EXPECT_GT(rel_rmse(bent.transmittance, still.transmittance), 0.02 * amplitude);
       }
     }
   }
@@ -63,8 +61,8 @@ TEST(Noise, SlicedConvergesToTheReference) {
     const Frame reference = render_frame(scene, method(AirlightMethod::reference));
     const Frame coarse = render_frame(scene, sliced_settings({}, 24));
     const Frame fine = render_frame(scene, sliced_settings({}, 96));
-    const double coarse_error = difference(coarse.airlight, reference.airlight).relative_rmse;
-    const double fine_error = difference(fine.airlight, reference.airlight).relative_rmse;
+    const double coarse_error = rel_rmse(coarse.airlight, reference.airlight);
+    const double fine_error = rel_rmse(fine.airlight, reference.airlight);
     EXPECT_LT(coarse_error, 0.001);
     EXPECT_LT(fine_error, 0.0003);
     for (std::size_t i = 0; i < reference.transmittance.size(); ++i) {
@@ -79,7 +77,7 @@ TEST(Noise, MarchConvergesToTheReference) {
     settings.march_steps = 96;
     const Frame reference = render_frame(scene, method(AirlightMethod::reference));
     const Frame frame = render_frame(scene, settings);
-    EXPECT_LT(difference(frame.airlight, reference.airlight).relative_rmse, 2e-4);
+    EXPECT_LT(rel_rmse(frame.airlight, reference.airlight), 2e-4);
     for (std::size_t i = 0; i < reference.transmittance.size(); ++i) {
       ASSERT_NEAR(frame.transmittance[i], reference.transmittance[i], 1e-3);
     }
@@ -96,8 +94,8 @@ TEST(Noise, PaperInSimdIsThePlainFrame) {
       const Frame fast = render_frame(scene, settings);
       settings.precision = Settings::Precision::plain_double;
       const Frame plain = render_frame(scene, settings);
-      EXPECT_LT(difference(fast.airlight, plain.airlight).relative_rmse, 2e-5);
-      EXPECT_LT(difference(fast.transmittance, plain.transmittance).relative_rmse, 2e-5);
+      EXPECT_LT(rel_rmse(fast.airlight, plain.airlight), 2e-5);
+      EXPECT_LT(rel_rmse(fast.transmittance, plain.transmittance), 2e-5);
     }
   }
 }
@@ -157,7 +155,7 @@ TEST(Noise, MovesWithTimeAndRenewsNoTables) {
   Renderer renderer;
   const auto frame = [&](double time) {
     scene.time = time;
-    return *renderer.render(scene, scene.camera, scene.film, settings);
+    return render_frame(renderer, scene, settings);
   };
   const Frame calm = frame(0.0);
   EXPECT_EQ(frame(3.0).beauty, calm.beauty) << "no wind";

@@ -1,6 +1,5 @@
 #include "tests/render/random_scene.h"
 
-#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "brume/mesh_arrays.h"

@@ -35,7 +35,7 @@ Scene scene_of(unsigned seed, const Film& film) {
     ball.translate = scene.camera.target;
     scene.surfaces.push_back(ball);
   }
-  if (seed % 3 == 0 && !scene.environment) scene.environment.emplace().map = constant_sky(0.3f);
+  if (seed % 3 == 0 && !scene.environment) scene.environment = even_sky(0.3f);
   return scene;
 }
 
@@ -85,7 +85,7 @@ void expect_region_matches(FrameRenderer& renderer, unsigned seed, const RegionR
   const Settings settings =
       *with_brightness(renderer, scene, scene.camera, scene.film, request.settings, {});
   Random random(seed);
-  const Frame whole = *renderer.render(scene, scene.camera, scene.film, settings);
+  const Frame whole = render_frame(renderer, scene, settings);
   const Film region = random_region(scene.film, random);
   SCOPED_TRACE("BRUME_REGION_SEED=" + std::to_string(seed) + " " + airlight_name(settings) + " / " +
                std::to_string(settings.airlight_scale) + ", " + std::to_string(region.width) +

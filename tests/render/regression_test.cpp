@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "render/quality/auto_quality.h"
-#include "render/renderer.h"
+#include "tools/bench/measure/frames.h"
 #include "tools/bench/scenes/benchmark_scenes.h"
 
 namespace brume {
@@ -33,7 +33,7 @@ TEST(Regression, FramesTakeNoMoreWorkAndAreNoWorse) {
     Settings settings;
     settings.airlight_scale = row.scale;
     settings = sliced_settings(settings, row.slices);
-    const Frame frame = *Renderer().render(row.scene, row.scene.camera, row.scene.film, settings);
+    const Frame frame = render_frame(row.scene, settings);
     const auto sample = ErrorSample::create(row.scene, row.scene.camera, frame, 60, 1, 1e-3);
     const double error = sample->measure(frame).rel_rmse;
     const double view = 1e-6 * static_cast<double>(frame.statistics.view_pairs);

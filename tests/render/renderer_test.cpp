@@ -104,7 +104,7 @@ TEST(Renderer, ReusesOnlyUnchangedData) {
   Scene scene = busy_scene();
   Renderer renderer;
   const auto check = [&](const char* what) {
-    const Frame kept = *renderer.render(scene, scene.camera, scene.film, paper_settings);
+    const Frame kept = render_frame(renderer, scene, paper_settings);
     EXPECT_EQ(kept.beauty, render_frame(scene, paper_settings).beauty) << what;
   };
   check("first");
@@ -127,13 +127,6 @@ TEST(Renderer, ReusesOnlyUnchangedData) {
   check("material changed");
   scene.film = {33, 17};
   check("film changed");
-}
-
-TEST(Renderer, SameFrameOnAnyNumberOfThreads) {
-  const Scene scene = busy_scene();
-  Settings one = paper_settings;
-  one.threads = 1;
-  EXPECT_EQ(render_frame(scene, one).beauty, render_frame(scene, paper_settings).beauty);
 }
 
 TEST(Renderer, StopsOnRequest) {

@@ -23,7 +23,7 @@ Scene scene_at(int frame) {
   scene.film = {37, 29};
   scene.camera.eye += glm::dvec3(0.3 * frame, 0.1 * frame, -0.05 * frame);
   scene.medium.set_homogeneous_density(0.02);
-  scene.environment.emplace().map = constant_sky(0.3f);
+  scene.environment = even_sky(0.3f);
   Light light;
   light.position = {-1.5 + 0.2 * (frame / 2), 1.2, 1.4};
   light.intensity = {3.0, 4.0, 5.0};
@@ -98,7 +98,7 @@ void expect_repeatable(const std::function<std::unique_ptr<FrameRenderer>()>& cr
                        Settings settings, const std::vector<Scene>& scenes) {
   const auto render = [&](FrameRenderer& renderer, int i) {
     const Scene& scene = scenes[static_cast<std::size_t>(i)];
-    return *renderer.render(scene, scene.camera, scene.film, settings);
+    return render_frame(renderer, scene, settings);
   };
   std::vector<Frame> forwards;
   const auto expect_same = [&](FrameRenderer& renderer, int i, const char* order) {

@@ -5,8 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <hwy/targets.h>
-#include <array>
-#include <stop_token>
 #include <vector>
 
 #include "brume/edits.h"
@@ -72,8 +70,8 @@ TEST(RepeatableFrames, AcrossVectorInstructions) {
       hwy::SetSupportedTargetsForTest(0);
       for (std::size_t k = 1; k < frames.size(); ++k) {
         SCOPED_TRACE(airlight_name(settings) + ", " + hwy::TargetName(targets[k]));
-        EXPECT_LT(difference(frames[k].beauty, frames[0].beauty).relative_rmse, 1e-5);
-        EXPECT_LT(difference(frames[k].airlight, frames[0].airlight).relative_rmse, 1e-5);
+        EXPECT_LT(rel_rmse(frames[k].beauty, frames[0].beauty), 1e-5);
+        EXPECT_LT(rel_rmse(frames[k].airlight, frames[0].airlight), 1e-5);
       }
     }
   }

@@ -68,7 +68,7 @@ TEST(SpotLight, ReferenceIsTheIntegral) {
       const glm::dvec3 w = glm::normalize(rays.direction(pixel.x + 0.5, pixel.y + 0.5));
       const double expected = integral(scene, w, 0.0, 8.0) + integral(scene, w, 8.0, 100.0);
       const auto at = static_cast<std::size_t>(3 * (pixel.y * 32 + pixel.x));
-      EXPECT_NEAR(static_cast<double>(frame.airlight[at]), expected, 1e-3 * expected + 1e-7)
+      EXPECT_NEAR(frame.airlight[at], expected, 1e-3 * expected + 1e-7)
           << cone.outer_angle << " at " << pixel.x << ", " << pixel.y;
     }
   }
@@ -109,7 +109,7 @@ TEST(SpotLight, LightsBesideRaysMatchTheReference) {
       const Frame truth = render_frame(scene, reference_settings(1e-4));
       for (const auto& [slices, bound] : {std::pair(24, 0.015), {8, 0.05}}) {
         const Frame frame = render_frame(scene, sliced(slices));
-        EXPECT_LT(difference(frame.airlight, truth.airlight).relative_rmse, bound) << g;
+        EXPECT_LT(rel_rmse(frame.airlight, truth.airlight), bound) << g;
       }
     }
   }
@@ -129,8 +129,7 @@ TEST(SpotLight, NarrowBeamsAreTheIntegral) {
                                      distance - half_width, distance + half_width);
     for (const auto& [settings, bound] :
          {std::pair(reference_settings(), 1e-3), {sliced(128), 0.02}}) {
-      EXPECT_NEAR(static_cast<double>(render_frame(scene, settings).airlight[0]), expected,
-                  bound * expected)
+      EXPECT_NEAR(render_frame(scene, settings).airlight[0], expected, bound * expected)
           << inner << " to " << outer;
     }
   }
@@ -153,8 +152,7 @@ TEST(SpotLight, NarrowSpotsAreFullOnTheirAxis) {
         {{0.0, 0.0, 10.0}, glm::dvec3(1000.0), light::Spot{{0.0, 0.0, -1.0}, inner, outer}}};
     for (const Settings& settings :
          {sliced(24), marched(64), reference_settings(), path_traced(4)}) {
-      EXPECT_NEAR(static_cast<double>(render_frame(scene, settings).beauty[0]),
-                  10.0 / std::numbers::pi, 1e-3)
+      EXPECT_NEAR(render_frame(scene, settings).beauty[0], 10.0 / std::numbers::pi, 1e-3)
           << inner << " to " << outer;
     }
   }
@@ -172,8 +170,7 @@ TEST(SpotLight, OfAllDirectionsIsAPointLight) {
   for (const Settings& settings :
        {reference_settings(), sliced(24), sliced(24, Scattering::multiple)}) {
     EXPECT_LT(
-        difference(render_frame(spot, settings).airlight, render_frame(point, settings).airlight)
-            .relative_rmse,
+        rel_rmse(render_frame(spot, settings).airlight, render_frame(point, settings).airlight),
         1e-4);
   }
 }

@@ -9,7 +9,6 @@
 #include "brume/mesh_arrays.h"
 #include "core/scene/lights/radiance_map.h"
 #include "core/transport/optical_depth.h"
-#include "render/renderer.h"
 #include "tests/random.h"
 
 namespace brume {
@@ -133,9 +132,10 @@ std::shared_ptr<const RadianceMap> constant_sky(float radiance) {
       RadianceMap{16, 8, std::vector<glm::vec3>(16 * 8, glm::vec3(radiance))});
 }
 
-Frame render_frame(const Scene& scene, const Settings& settings) {
-  Renderer renderer;
-  return *renderer.render(scene, scene.camera, scene.film, settings);
+Environment even_sky(float radiance) {
+  Environment environment;
+  environment.map = constant_sky(radiance);
+  return environment;
 }
 
 Difference difference(const std::vector<float>& a, const std::vector<float>& b) {
@@ -165,8 +165,7 @@ double mean_airlight(const Scene& scene, const Settings& settings) {
 }
 
 double airlight_error(const Scene& scene, const Settings& settings, const Settings& truth) {
-  return difference(render_frame(scene, settings).airlight, render_frame(scene, truth).airlight)
-      .relative_rmse;
+  return rel_rmse(render_frame(scene, settings).airlight, render_frame(scene, truth).airlight);
 }
 
 bool is_left_out(const Frame& frame, const std::string& why) {

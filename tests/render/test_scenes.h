@@ -6,6 +6,7 @@
 #include "brume/frame.h"
 #include "brume/scene.h"
 #include "render/settings.h"
+#include "tools/bench/measure/frames.h"
 
 namespace brume {
 
@@ -37,15 +38,14 @@ std::shared_ptr<const TriangleMesh> ball_mesh(int rings);
 
 // A sky that is the same everywhere.
 std::shared_ptr<const RadianceMap> constant_sky(float radiance);
+Environment even_sky(float radiance);
 
-Frame render_frame(const Scene& scene, const Settings& settings);
 inline const Settings paper_settings{.airlight = AirlightMethod::paper};
 Settings reference_settings(double tolerance = 1e-5);
 Settings sliced(int slices, Scattering scattering = Scattering::single);
 Settings marched(int steps);
 Settings path_traced(int paths);
 
-// Largest and root-mean-square difference of two frames' beauty (RGB), relative to b's rms.
 struct Difference {
   double relative_rmse = 0.0;
   double bias = 0.0;  // mean(a - b) / mean(b)

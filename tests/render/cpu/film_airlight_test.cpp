@@ -7,7 +7,6 @@
 #include <cmath>
 #include <glm/vec2.hpp>
 
-#include "render/renderer.h"
 #include "tests/render/test_scenes.h"
 
 namespace brume {
@@ -56,8 +55,7 @@ Errors errors(const std::vector<float>& a, const std::vector<float>& b) {
     max_error =
         std::max(max_error, std::abs(static_cast<double>(a[i]) - static_cast<double>(b[i])));
   }
-  return {difference(a, b).relative_rmse,
-          max_error / static_cast<double>(*std::max_element(b.begin(), b.end()))};
+  return {rel_rmse(a, b), max_error / static_cast<double>(*std::max_element(b.begin(), b.end()))};
 }
 
 // The worst pixel counts: a halo is a few bad pixels, which an average forgives.

@@ -61,7 +61,7 @@ TEST(March, ConvergesToTheReference) {
     double last = 1e9;
     for (const int steps : {4, 16, 64, 256, 1024}) {
       const Frame frame = render_frame(row.scene, marched(steps));
-      const double error = difference(frame.airlight, reference.airlight).relative_rmse;
+      const double error = rel_rmse(frame.airlight, reference.airlight);
       EXPECT_LT(error, std::max(0.5 * last, culling_error)) << steps;
       last = error;
       for (std::size_t i = 0; i < frame.transmittance.size(); ++i) {
@@ -79,7 +79,7 @@ TEST(March, WithoutLightsIsDarkAndDims) {
   const Frame frame = render_frame(scene, marched(4));
   const Frame paper = render_frame(scene, paper_settings);
   for (const float x : frame.airlight) ASSERT_EQ(x, 0.0f);
-  EXPECT_LT(difference(frame.transmittance, paper.transmittance).relative_rmse, 1e-5);
+  EXPECT_LT(rel_rmse(frame.transmittance, paper.transmittance), 1e-5);
 }
 
 }  // namespace

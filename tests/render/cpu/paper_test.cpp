@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "render/renderer.h"
 #include "tests/render/test_scenes.h"
 
 namespace brume {
@@ -21,10 +20,10 @@ TEST(Paper, SimdFrameIsThePlainFrame) {
   scene.lights.push_back({{-2, 1, 3}, {1, 5, 9}, {}});
   const Frame fast = render_frame(scene, paper_settings);
   const Frame slow = render_frame(scene, plain());
-  EXPECT_LT(difference(fast.beauty, slow.beauty).relative_rmse, 2e-5);
+  EXPECT_LT(rel_rmse(fast.beauty, slow.beauty), 2e-5);
   // The plain path drops a Gaussian below tolerance ray by ray, the SIMD path only where all rays
   // of a vector agree: they differ by what culling may leave out, not by rounding.
-  EXPECT_LT(difference(fast.transmittance, slow.transmittance).relative_rmse, 2e-4);
+  EXPECT_LT(rel_rmse(fast.transmittance, slow.transmittance), 2e-4);
 }
 
 // The rows of the error table in kind: good in thin media, and darker and darker in dense ones.
@@ -55,10 +54,9 @@ Gain gain(const Scene& scene, const PaperOptions& options) {
   const Frame reference = render_frame(scene, reference_settings(1e-4));
   Settings settings = paper_settings;
   const double published =
-      difference(render_frame(scene, paper_settings).airlight, reference.airlight).relative_rmse;
+      rel_rmse(render_frame(scene, paper_settings).airlight, reference.airlight);
   settings.paper = options;
-  return {published,
-          difference(render_frame(scene, settings).airlight, reference.airlight).relative_rmse};
+  return {published, rel_rmse(render_frame(scene, settings).airlight, reference.airlight)};
 }
 
 constexpr PaperOptions at_mean{.at_mean = true};
@@ -77,10 +75,8 @@ TEST(PaperOptions, SimdFrameIsThePlainFrame) {
     slow.paper = options;
     const Frame frame = render_frame(scene, fast);
     // Culling leaves this out, as above.
-    EXPECT_LT(difference(frame.airlight, render_frame(scene, slow).airlight).relative_rmse, 2e-4);
-    EXPECT_GT(
-        difference(frame.airlight, render_frame(scene, paper_settings).airlight).relative_rmse,
-        1e-3);
+    EXPECT_LT(rel_rmse(frame.airlight, render_frame(scene, slow).airlight), 2e-4);
+    EXPECT_GT(rel_rmse(frame.airlight, render_frame(scene, paper_settings).airlight), 1e-3);
   }
 }
 
@@ -148,7 +144,7 @@ TEST(Paper, ThinMediaAreNotCulledAway) {
   for (Light& light : thinner.lights) light.intensity *= 1e6;
   const Frame a = render_frame(thin, paper_settings);
   const Frame b = render_frame(thinner, paper_settings);
-  EXPECT_LT(difference(a.airlight, b.airlight).relative_rmse, 3e-3);
+  EXPECT_LT(rel_rmse(a.airlight, b.airlight), 3e-3);
 }
 
 }  // namespace

@@ -114,9 +114,7 @@ std::vector<KindOfScene> make_rows() {
 class KindsOfScenes : public testing::TestWithParam<KindOfScene> {
  protected:
   const Scene& scene() const { return GetParam().scene; }
-  double error_of(const Frame& frame) const {
-    return difference(frame.airlight, truth_.airlight).relative_rmse;
-  }
+  double error_of(const Frame& frame) const { return rel_rmse(frame.airlight, truth_.airlight); }
 
   Frame truth_ = render_frame(GetParam().scene, reference());
 };

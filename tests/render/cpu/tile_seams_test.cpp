@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 
 #include "core/io/scene/scene_file.h"
 #include "render/cpu/film_slices.h"

@@ -132,7 +132,7 @@ void expect_flattened_is_flat(Scene scene, const Surface& behind = wall(-0.3, 0.
     const HeldOut all = held_out(samples.data(), samples.size(), 2e30);
     double alpha = 0.0;
     for (int c = 0; c < 3; ++c) {
-      const double beauty = static_cast<double>(flat.beauty[4 * i + static_cast<std::size_t>(c)]);
+      const double beauty = flat.beauty[4 * i + static_cast<std::size_t>(c)];
       EXPECT_NEAR(all.airlight[c], beauty, slicing * std::max(scale, beauty)) << i;
       alpha += (1.0 - all.transmittance[c]) / 3.0;
     }

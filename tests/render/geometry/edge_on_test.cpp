@@ -6,11 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "brume/mesh_arrays.h"
 #include "render/quality/auto_quality.h"
-#include "render/renderer.h"
 #include "tests/render/test_scenes.h"
 
 namespace brume {
@@ -85,7 +83,7 @@ TEST(EdgeOn, MethodsAndTheErrorAgree) {
     const Frame reference = render_frame(scene, reference_settings);
     const Frame frame = render_frame(scene, sliced_settings({}, 32));
     EXPECT_EQ(hits(reference), 0U);
-    EXPECT_LT(difference(frame.airlight, reference.airlight).relative_rmse, 0.02);
+    EXPECT_LT(rel_rmse(frame.airlight, reference.airlight), 0.02);
     const auto error = measure_error(scene, scene.camera, frame);
     ASSERT_TRUE(error);
     EXPECT_LT(error->airlight.high, 0.05);

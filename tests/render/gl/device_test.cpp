@@ -4,7 +4,6 @@
 
 #include <epoxy/gl.h>
 
-#include <array>
 #include <glm/vec4.hpp>
 #include <thread>
 #include <vector>

@@ -13,6 +13,7 @@
 #include <limits>
 
 #include "render/gl_renderer.h"
+#include "tests/contains.h"
 #include "tests/render/gl/gl_test.h"
 #include "tests/render/test_meshes.h"
 #include "tests/render/test_scenes.h"
@@ -207,7 +208,7 @@ TEST_F(Display, UnsupportedFramesAreRenderedByTheCpu) {
     EXPECT_EQ(shown.frame.statistics.backend, "cpu");
     EXPECT_EQ(shown.frame.beauty.size(), 4u * 45 * 34);
     ASSERT_FALSE(shown.frame.statistics.on_cpu.empty());
-    EXPECT_NE(shown.frame.statistics.on_cpu[0].why.find(why), std::string::npos);
+    EXPECT_TRUE(contains(shown.frame.statistics.on_cpu[0].why, why));
   };
   failures().memory = true;
   expect_cpu("out of device memory");

@@ -40,7 +40,7 @@ TEST_F(GlFrames, EllipsoidsByThePaper) {
     scene.optics.noise = {.amplitude = 0.4, .frequency = 2.0};
     Settings settings = paper_settings;
     settings.paper.at_mean = at_mean;
-    const Frame cpu = on_cpu(scene, settings);
+    const Frame cpu = render_frame(scene, settings);
     const Frame gl = render_on_device(scene, settings, "paper");
     EXPECT_LE(rel_rmse(gl.airlight, cpu.airlight), 1e-3);
   }
@@ -54,7 +54,7 @@ TEST_F(GlFrames, EllipsoidsAllAround) {
   scene.lights[0].position = {-0.3, 0.2, -0.4};
   // Needles of less than a pixel differ by the rounding of single precision.
   Settings settings = quick_slices();
-  const Frame cpu = on_cpu(scene, settings);
+  const Frame cpu = render_frame(scene, settings);
   const Frame gl = render_on_device(scene, settings, "among them");
   EXPECT_LE(rel_rmse(gl.airlight, cpu.airlight), 1e-2);
 }
@@ -75,7 +75,7 @@ TEST_F(GlFrames, ThinDiscs) {
   }
   scene.medium = discs;
   scene.film = {96, 72};
-  const Frame cpu = on_cpu(scene, quick_slices());
+  const Frame cpu = render_frame(scene, quick_slices());
   const Frame gl = render_on_device(scene, quick_slices(), "thin discs");
   // Single precision knows the thinnest that are seen edge-on, or lit so, to a part in a thousand.
   EXPECT_LE(rel_rmse(gl.airlight, cpu.airlight), 2e-2);

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <string>
-
 #include "tests/render/fog_ball_frames.h"
 #include "tests/render/gl/gl_frames.h"
 #include "tests/render/test_scenes.h"
@@ -48,7 +46,7 @@ TEST_F(GlFrames, FogInABallUnderASky) {
   scene.environment->map = constant_sky(1.0f);
   expect_backends_agree(scene, Scattering::single);
   expect_backends_agree(scene, Scattering::multiple);
-  const Frame cpu = on_cpu(scene, paper_settings);
+  const Frame cpu = render_frame(scene, paper_settings);
   const Frame gl = render_on_device(scene, paper_settings, "paper");
   EXPECT_LE(rel_rmse(gl.beauty, cpu.beauty), 2e-3);
 }

@@ -21,7 +21,7 @@ TEST_F(GlFrames, StepNoMoreAtBordersOfTilesThanWithin) {
     settings.airlight_scale = 4;
     const std::string name = "seed " + std::to_string(seed);
     seams.add(find_seams(render_on_device(scene, settings, name),
-                         on_cpu(scene, sliced_settings({}, 128)), 4));
+                         render_frame(scene, sliced_settings({}, 128)), 4));
   }
   EXPECT_LT(seams.ratio(0.75), 2.5);
   EXPECT_LT(seams.ratio(0.9), 2.5);
@@ -37,7 +37,7 @@ TEST_F(GlFrames, ComputePixelsNearestToALight) {
       {scene.camera.eye + 4.0 * rays.direction(30.5, 22.5), glm::dvec3(10.0), {}});
   scene.medium.append({scene.lights[0].position, 0.02, 1.0});
   Settings settings = sliced_settings({}, 64);
-  const Frame full = on_cpu(scene, settings);
+  const Frame full = render_frame(scene, settings);
   for (const int scale : {2, 4}) {
     settings.airlight_scale = scale;
     const Frame frame = render_on_device(scene, settings, "scale " + std::to_string(scale));
@@ -65,7 +65,7 @@ TEST_F(GlFrames, KeepShadowsOnFloorsOfAnySize) {
     return primitive_surface(Primitive::Shape::plane, {size, 1, size}, {});
   };
   for (const Light& light : {oblique_sun(), light_beside_box(1.0)}) {
-    const Frame expected = on_cpu(box_on_floor(floor(40.0), light), quick_slices());
+    const Frame expected = render_frame(box_on_floor(floor(40.0), light), quick_slices());
     for (const Surface& large : {floor(1e4), floor(1e7), two_triangles(1e5), two_triangles(1e7)}) {
       const Frame frame =
           render_on_device(box_on_floor(large, light), quick_slices(), "box on a floor");

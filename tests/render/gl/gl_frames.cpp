@@ -1,22 +1,8 @@
 #include "tests/render/gl/gl_frames.h"
 
-#include <limits>
-
-#include "render/output/compare.h"
-#include "render/renderer.h"
+#include "tests/render/test_scenes.h"
 
 namespace brume::gl {
-
-double rel_rmse(std::span<const float> a, std::span<const float> b) {
-  const ChannelPair pair{a, b};
-  const Comparison difference = compare(std::span(&pair, 1));
-  return difference.incomparable > 0 ? std::numeric_limits<double>::infinity()
-                                     : difference.rel_rmse;
-}
-
-Frame on_cpu(const Scene& scene, const Settings& settings) {
-  return *Renderer().render(scene, scene.camera, scene.film, settings);
-}
 
 Settings quick_slices() {
   Settings settings = sliced_settings({}, 12);
@@ -65,7 +51,7 @@ void GlFrames::expect_backends_agree(const Scene& scene, Scattering scattering) 
   Settings settings = quick_slices();
   settings.source_grid = {2000, 24};
   settings.scattering = scattering;
-  const Frame cpu = on_cpu(scene, settings);
+  const Frame cpu = render_frame(scene, settings);
   const Frame gl = render_on_device(scene, settings, "frame");
   EXPECT_LE(rel_rmse(gl.airlight, cpu.airlight), 2e-3);
   EXPECT_LE(rel_rmse(gl.beauty, cpu.beauty), 2e-3);

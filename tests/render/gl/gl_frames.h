@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <memory>
-#include <span>
 #include <string>
 
 #include "brume/scene.h"
@@ -13,11 +12,6 @@
 #include "render/gl_renderer.h"
 
 namespace brume::gl {
-
-// The relative RMSE of a layer; infinite where one of the two is not a number.
-double rel_rmse(std::span<const float> a, std::span<const float> b);
-
-Frame on_cpu(const Scene& scene, const Settings& settings);
 
 // Both backends make tables alike; small ones are quicker.
 Settings quick_slices();

@@ -29,7 +29,7 @@ TEST_F(GlFrames, MultipleScattering) {
         scene.environment.emplace().map = smooth_sky();
         scene.surfaces.push_back(wall(0.1, 0.8));
       }
-      const Frame cpu = on_cpu(scene, settings);
+      const Frame cpu = render_frame(scene, settings);
       const Frame gl = render_on_device(scene, settings, name);
       // The backends may differ by this.
       EXPECT_LE(rel_rmse(gl.airlight, cpu.airlight), 2e-3) << name;

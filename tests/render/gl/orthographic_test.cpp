@@ -38,7 +38,7 @@ TEST_F(GlFrames, InParallelUnderASky) {
   for (const double anisotropy : {0.6, -0.4}) {
     Scene scene = in_parallel(in_fog(cloud_scene(20, 2.0), 0.02));
     scene.surfaces.push_back(wall(-0.6, 1.2));
-    scene.environment.emplace().map = constant_sky(0.3f);
+    scene.environment = even_sky(0.3f);
     scene.optics.anisotropy = anisotropy;
     expect_backends_agree(scene, Scattering::multiple);
   }
@@ -50,7 +50,7 @@ TEST_F(GlFrames, InParallelByThePaper) {
     scene.optics.noise = {.amplitude = 0.4, .frequency = 2.0};
     Settings settings = paper_settings;
     settings.paper = {improved, improved};
-    const Frame cpu = on_cpu(scene, settings);
+    const Frame cpu = render_frame(scene, settings);
     const Frame gl = render_on_device(scene, settings, "paper");
     EXPECT_LE(rel_rmse(gl.airlight, cpu.airlight), 1e-3);
   }

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "core/transport/optical_depth.h"
 #include "render/cpu/film_slices.h"
@@ -251,7 +250,7 @@ TEST_P(SliceBoundaries, AscendWithinTheRay) {
       EXPECT_GE(tile.size(), 2U);
       EXPECT_LE(tile.size(), max_boundaries(c.slices, c.lights.size(), b0 > 0.0));
       EXPECT_GE(tile.front(), 0.0f);
-      EXPECT_LE(static_cast<double>(tile.back()), std::min(c.end, endless));
+      EXPECT_LE(tile.back(), std::min(c.end, endless));
       for (std::size_t k = 0; k + 1 < tile.size(); ++k) ASSERT_LT(tile[k], tile[k + 1]) << k;
     }
   }
@@ -269,9 +268,9 @@ TEST_P(SliceBoundaries, CoverTheMedium) {
       const FogInterval fog = c.fog.interval(cone.eye, cone.center);
       if (b0 > 0.0 && fog.begin < std::min(fog.end, c.end)) {
         ASSERT_FALSE(tile.empty());
-        EXPECT_LE(static_cast<double>(tile.front()), fog.begin * (1.0 + 1e-6));
+        EXPECT_LE(tile.front(), fog.begin * (1.0 + 1e-6));
         // All of it that is not hidden by the fog itself.
-        EXPECT_GE(static_cast<double>(tile.back()),
+        EXPECT_GE(tile.back(),
                   std::min({c.end, fog.end, fog.begin + opaque_fog_depth / b0}) * (1.0 - 1e-6));
       }
       // The part of the central ray within the core of each Gaussian. Single precision misses the
@@ -287,9 +286,9 @@ TEST_P(SliceBoundaries, CoverTheMedium) {
         const double rounding = 1e-6 * (std::abs(t) + r);
         if (end - begin <= rounding) continue;
         ASSERT_FALSE(tile.empty());
-        EXPECT_LE(static_cast<double>(tile.front()), begin + rounding);
+        EXPECT_LE(tile.front(), begin + rounding);
         if (b0 > 0.0) continue;
-        EXPECT_GE(static_cast<double>(tile.back()), std::min(end, endless) - rounding);
+        EXPECT_GE(tile.back(), std::min(end, endless) - rounding);
       }
     }
   }
@@ -360,7 +359,7 @@ TEST_P(SliceBoundaries, LieWhereAnOpaqueGaussianIsVisible) {
     int visible = 0;
     double widest = 0.0;  // of optical depths within what is visible
     for (std::size_t k = 1; k + 1 < chosen.tiles[center].size(); ++k) {
-      const auto t = static_cast<double>(chosen.tiles[center][k]);
+      const double t = chosen.tiles[center][k];
       const double before = depth_between(medium, cone, 0.0, t);
       if (before < 0.01 || before > 5.0) continue;
       ++visible;
@@ -443,7 +442,7 @@ TEST_P(SlicesOfBackends, Agree) {
       different +=
           count_missing(cpu.tiles[i], gl.tiles[i]) + count_missing(gl.tiles[i], cpu.tiles[i]);
     }
-    EXPECT_LE(static_cast<double>(different), 0.01 * static_cast<double>(boundaries));
+    EXPECT_LE(different, 0.01 * static_cast<double>(boundaries));
   }
 }
 INSTANTIATE_TEST_SUITE_P(Both, SlicesOfBackends, testing::Values(Backend::device),

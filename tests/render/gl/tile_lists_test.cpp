@@ -8,6 +8,7 @@
 #include "tests/random.h"
 #include "tests/render/gl/gl_frames.h"
 #include "tests/render/gl/gl_test.h"
+#include "tests/render/test_scenes.h"
 
 namespace brume::gl {
 namespace {
@@ -76,7 +77,7 @@ TEST_F(GlLongLists, MatchTheCpuAndRepeat) {
     settings.airlight = method;
     settings.optical_depth_table = {12, 8};
     const Frame first = render_on_device(scene, settings, "crowded");
-    const Frame cpu = on_cpu(scene, settings);
+    const Frame cpu = render_frame(scene, settings);
     // The bound is that of other frames: light tables of 16 bits, and sums of thousands in single
     // precision.
     EXPECT_LT(rel_rmse(first.beauty, cpu.beauty), 1e-3);

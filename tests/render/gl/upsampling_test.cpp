@@ -5,7 +5,6 @@
 #include "core/scene/camera_rays.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <functional>
 #include <glm/common.hpp>
@@ -383,7 +382,7 @@ TEST_P(Upsampling, EvaluatesEachRequestedPixelOnce) {
         EXPECT_LT(exact, given.pixels());
       } else {
         // A cell of noise here and there looks smooth.
-        EXPECT_GT(static_cast<double>(exact), 0.99 * static_cast<double>(given.pixels()));
+        EXPECT_GT(exact, 0.99 * static_cast<double>(given.pixels()));
       }
     }
   }
@@ -410,13 +409,12 @@ TEST_P(Upsampling, MeetsTheTolerance) {
           }
           ++interpolated;
           for (int c = 0; c < 3; ++c) {
-            const auto error =
+            const double error =
                 static_cast<double>(std::abs(upsampled.airlight[i][c] - given.values[i][c])) / unit;
             ASSERT_LT(error, 2.5) << i;
             square += error * error / 3.0;
           }
-          ASSERT_LT(static_cast<double>(
-                        std::abs(upsampled.transmittance[i] - std::exp(-given.values[i].w))),
+          ASSERT_LT(std::abs(upsampled.transmittance[i] - std::exp(-given.values[i].w)),
                     2.5 * tolerance);
         }
       }
@@ -484,7 +482,7 @@ TEST_P(UpsamplingOfBackends, Agree) {
       ASSERT_NEAR(cpu.transmittance[i], gl.transmittance[i], 1e-5f) << i;
     }
   }
-  EXPECT_LE(static_cast<double>(chosen_otherwise), 1e-3 * static_cast<double>(pixels));
+  EXPECT_LE(chosen_otherwise, 1e-3 * static_cast<double>(pixels));
 }
 INSTANTIATE_TEST_SUITE_P(Both, UpsamplingOfBackends,
                          testing::Combine(testing::Values(Backend::device), testing::Values(2, 4)),

@@ -73,7 +73,7 @@ double sum_of(const ImageLayers& image, const std::vector<std::string>& layers, 
 void expect_sum(const Layered& made, const std::vector<std::string>& layers) {
   for (std::size_t i = 0; i < made.frame.depth.size(); ++i) {
     for (std::size_t c = 0; c < 3; ++c) {
-      const auto picture = static_cast<double>(made.frame.beauty[4 * i + c]);
+      const double picture = made.frame.beauty[4 * i + c];
       ASSERT_NEAR(sum_of(made.image, layers, i, c), picture, 1e-6 * std::max(picture, 1.0)) << i;
     }
   }
@@ -142,7 +142,7 @@ TEST(LightLayers, AreTheLightsAlone) {
   double error = 0.0;
   double size = 0.0;
   for (std::size_t i = 0; i < frame.depth.size(); ++i) {
-    const auto picture = static_cast<double>(frame.beauty[4 * i + 2]);
+    const double picture = frame.beauty[4 * i + 2];
     const double sum = sum_of(made.image, {"airlight.Fill_light", "surface.Fill_light"}, i, 2);
     error += (sum - picture) * (sum - picture);
     size += picture * picture;
@@ -159,7 +159,7 @@ TEST(LightLayers, OrdersAddUpToThePicture) {
   double background = 0.0;
   double multiple = 0.0;
   for (std::size_t i = 0; i < made.frame.depth.size(); ++i) {
-    const auto picture = static_cast<double>(made.frame.beauty[4 * i]);
+    const double picture = made.frame.beauty[4 * i];
     const double sum = sum_of(
         made.image, {"airlight.direct", "surface.direct", "airlight.multiple", "surface.multiple"},
         i, 0);
@@ -205,7 +205,7 @@ TEST(LightLayers, PixelsShowSurfacesBesideTheBackground) {
   for (std::size_t i = 0; i < coverage.size(); ++i) {
     const double sum = sum_of(once.image, {"surface.direct"}, i, 0) +
                        static_cast<double>(once.frame.background[3 * i]);
-    EXPECT_NEAR(sum, static_cast<double>(once.frame.beauty[4 * i]), 1e-6) << i;
+    EXPECT_NEAR(sum, once.frame.beauty[4 * i], 1e-6) << i;
     if (coverage[i] > 0.0f) continue;
     EXPECT_EQ(sum_of(once.image, {"surface.direct"}, i, 0), 0.0);
   }

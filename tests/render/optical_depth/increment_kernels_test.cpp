@@ -87,8 +87,8 @@ TEST(Increments, AgreeWithDouble) {
         accumulate_increments(batch, bundle.rays, bundle.slices, increments.data(), moments.data());
         for (std::size_t i = 0; i < count; ++i) {
           for (std::size_t k = 0; k + 1 < c.boundaries; ++k) {
-            const double begin = static_cast<double>(*bundle.slices.at(i, k));
-            const double end = static_cast<double>(*bundle.slices.at(i, k + 1));
+            const double begin = *bundle.slices.at(i, k);
+            const double end = *bundle.slices.at(i, k + 1);
             double depth = 0.0;
             double moment = 0.0;
             double opaque = 0.0;

@@ -149,7 +149,7 @@ TEST(Renderer, ManyLightsTakeBoundedMemory) {
   Settings exact;
   exact.airlight = AirlightMethod::march;
   exact.march_steps = 256;
-  EXPECT_LT(difference(sliced.airlight, render_frame(scene, exact).airlight).relative_rmse, 1e-3);
+  EXPECT_LT(rel_rmse(sliced.airlight, render_frame(scene, exact).airlight), 1e-3);
 }
 
 // Also of a medium that is derived from the scene's, at an albedo below 1.

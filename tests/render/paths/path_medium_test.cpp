@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <utility>
 
 #include "core/math/infinity.h"
 #include "render/paths/camera_ray.h"

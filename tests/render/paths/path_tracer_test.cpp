@@ -6,7 +6,6 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -122,7 +121,7 @@ TEST(PathTracer, AFurnaceIsConstant) {
     for (const double g : {0.0, 0.7}) {
       Scene scene = cloud_scene(20, 4.0);
       scene.lights.clear();
-      scene.environment.emplace().map = constant_sky(2.0f);
+      scene.environment = even_sky(2.0f);
       scene.medium.set_homogeneous_density(b0);
       scene.optics.anisotropy = g;
       const MediumIndex index(scene.medium, 1e-9);
@@ -140,7 +139,7 @@ TEST(PathTracer, AFurnaceIsConstant) {
 TEST(PathTracer, AWhiteSurfaceInAFurnaceIsConstant) {
   Scene scene = cloud_scene(20, 3.0);
   scene.lights.clear();
-  scene.environment.emplace().map = constant_sky(1.0f);
+  scene.environment = even_sky(1.0f);
   scene.medium.set_homogeneous_density(0.1);
   scene.surfaces = {wall(-0.3, 0.8, 1.0)};
   Surface ball;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
 #include <vector>

@@ -20,6 +20,7 @@
 #include "render/renderer.h"
 #include "tests/random.h"
 #include "tests/render/random_scene.h"
+#include "tools/bench/measure/frames.h"
 #include "tools/bench/scenes/benchmark_scenes.h"
 
 namespace brume {
@@ -65,11 +66,11 @@ PathError path_error(const Scene& scene, const Frame& frame) {
   settings.threads = 1;
   settings.airlight = AirlightMethod::path;
   settings.paths = 512;
-  const Frame reference = *Renderer().render(scene, scene.camera, scene.film, settings);
+  const Frame reference = render_frame(scene, settings);
   double error = 0.0;
   double sum = 0.0;
   for (std::size_t i = 0; i < frame.airlight.size(); ++i) {
-    const double t = static_cast<double>(reference.airlight[i]);
+    const double t = reference.airlight[i];
     error += std::pow(static_cast<double>(frame.airlight[i]) - t, 2.0);
     sum += t * t;
   }
@@ -77,7 +78,7 @@ PathError path_error(const Scene& scene, const Frame& frame) {
   const std::optional<RelativeNoise> noise = relative_noise(reference);
   const double variance = noise ? noise->airlight * noise->airlight : 0.0;
   const double square = std::max(error / sum - variance, 0.0);
-  const auto pixels = static_cast<double>(frame.depth.size());
+  const double pixels = frame.depth.size();
   return {square, 2.0 * std::sqrt((2.0 * variance * variance + 4.0 * variance * square) / pixels)};
 }
 
@@ -100,7 +101,7 @@ RequestedFrame rendered(Renderer& renderer, const Scene& scene, const Settings& 
   }
   const Settings chosen =
       *choose_settings(renderer, scene, scene.camera, scene.film, settings, {}, {}, effort);
-  Frame frame = *renderer.render(scene, scene.camera, scene.film, chosen);
+  Frame frame = render_frame(renderer, scene, chosen);
   const std::optional<FrameError> error =
       measure_error_quickly(scene, scene.camera, frame, chosen, true);
   return {std::move(frame), chosen, error};

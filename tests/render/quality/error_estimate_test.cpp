@@ -47,13 +47,13 @@ TEST(ErrorEstimate, IntervalHoldsTheTruth) {
          {method(AirlightMethod::paper), method(AirlightMethod::sliced, 8),
           method(AirlightMethod::sliced, 16)}) {
       const Frame frame = render_frame(scene, settings);
-      const double error = difference(frame.airlight, reference.airlight).relative_rmse;
+      const double error = rel_rmse(frame.airlight, reference.airlight);
       for (std::uint64_t seed = 1; seed <= 10; ++seed) {
         const auto sample =
             ErrorSample::create(view_reference, scene, scene.camera, frame, 150, seed);
         const ErrorEstimate estimate = sample->measure(frame);
         // So many by chance, and a quarter more around errors.
-        EXPECT_NEAR(static_cast<double>(estimate.pixels), 170.0, 50.0);
+        EXPECT_NEAR(estimate.pixels, 170.0, 50.0);
         held += estimate.low <= error && error <= estimate.high ? 1 : 0;
         ++cases;
         narrow += estimate.high < 3.0 * estimate.low ? 1 : 0;
@@ -175,7 +175,7 @@ TEST(ErrorEstimate, SamplesAroundErrors) {
     for (int x = small_x - 2; x <= small_x + 2; ++x) wrong.lose(wrong.pixel(x, y));
   }
   const Frame reference = WrongFrame(light_in_view()).frame;
-  const double error = difference(wrong.frame.airlight, reference.airlight).relative_rmse;
+  const double error = rel_rmse(wrong.frame.airlight, reference.airlight);
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     EXPECT_NEAR(wrong.sample(60, seed).measure(wrong.frame).rel_rmse, error, 0.01 * error) << seed;
   }
@@ -192,7 +192,7 @@ TEST(ErrorEstimate, ChancesAddUpToTheSample) {
         EXPECT_LE(probability, 1.0);
         sum += probability;
       }
-      EXPECT_NEAR(sum, static_cast<double>(count), 0.01 * static_cast<double>(count));
+      EXPECT_NEAR(sum, count, 0.01 * static_cast<double>(count));
     }
   }
 }
@@ -302,7 +302,7 @@ TEST(AutoQuality, MeetsTheRequestedError) {
           *render_requested(renderer, scene, scene.camera, scene.film, {.max_error = asked});
       EXPECT_EQ(made.settings.airlight, AirlightMethod::sliced);
       EXPECT_LE(made.error->airlight.high, asked);
-      EXPECT_LT(difference(made.frame.airlight, reference.airlight).relative_rmse, asked);
+      EXPECT_LT(rel_rmse(made.frame.airlight, reference.airlight), asked);
     }
   }
 }

@@ -45,7 +45,7 @@ TEST(QualityControl, LadderIsOrderedByCost) {
     return exact;
   }());
   const auto error = [&](const Settings& tried) {
-    return difference(render_frame(scene, tried).airlight, reference.airlight).relative_rmse;
+    return rel_rmse(render_frame(scene, tried).airlight, reference.airlight);
   };
   for (const Settings& step : ladder) EXPECT_EQ(step.reference_tolerance, 2e-4);
   EXPECT_LT(error(ladder.back()), 0.1 * error(ladder.front()));

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 #include <tbb/task_arena.h>
 
-#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <optional>

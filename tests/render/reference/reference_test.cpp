@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "core/scene/camera_rays.h"
-#include "render/renderer.h"
 #include "tests/render/test_scenes.h"
 
 namespace brume {
@@ -176,7 +175,7 @@ TEST(Reference, HalvingTheToleranceChangesNothing) {
   scene.surfaces.push_back(wall(-0.3, 0.6));
   const Frame coarse = render_frame(scene, reference_settings(1e-4));
   const Frame fine = render_frame(scene, reference_settings(0.5e-4));
-  EXPECT_LT(difference(coarse.beauty, fine.beauty).relative_rmse, 1e-4);
+  EXPECT_LT(rel_rmse(coarse.beauty, fine.beauty), 1e-4);
 }
 
 // Forty thin slats between light and medium: no probe of shadow rays would find all their edges.
@@ -193,7 +192,7 @@ TEST(Reference, HalvingTheToleranceChangesNothingBehindAFence) {
   }
   const Frame coarse = render_frame(scene, reference_settings(1e-4));
   const Frame fine = render_frame(scene, reference_settings(0.5e-4));
-  EXPECT_LT(difference(coarse.beauty, fine.beauty).relative_rmse, 1e-4);
+  EXPECT_LT(rel_rmse(coarse.beauty, fine.beauty), 1e-4);
   // And the shafts are right: marching with the fence's own formula.
   Marching marching(scene, 100);
   marching.free = [](const glm::dvec3& a, const glm::dvec3& b) {
@@ -221,7 +220,7 @@ TEST(Reference, FindsASmallGaussianAndItsShadow) {
     const auto pixel = static_cast<std::size_t>(y * scene.film.width + 2);
     const double reference =
         marching.airlight(rays.eye(), rays.direction(2.5, y + 0.5), 15.0, 6000);
-    EXPECT_NEAR(static_cast<double>(frame.airlight[3 * pixel]), reference, 1e-3 * reference) << y;
+    EXPECT_NEAR(frame.airlight[3 * pixel], reference, 1e-3 * reference) << y;
   }
 }
 

@@ -126,18 +126,13 @@ TEST(SurfaceReference, MatchesALightInAnAbsorbingMedium) {
   EXPECT_LT(tinted.scattered.y, got.scattered.y);
 }
 
-std::shared_ptr<const RadianceMap> even_sky(float radiance) {
-  return std::make_shared<const RadianceMap>(
-      RadianceMap{1, 1, std::vector<glm::vec3>(1, glm::vec3(radiance))});
-}
-
 TEST(SurfaceReference, MatchesAConstantEnvironment) {
   const Surface surface;
   Scene scene;
   const double b0 = 0.1;
   const double far = 10.0;
   scene.medium.set_homogeneous_density(b0);
-  scene.environment.emplace().map = even_sky(2.0f);
+  scene.environment = even_sky(2.0f);
   // From a point at t the medium ends where the ball does; averaged over all directions.
   const auto from = [&](double t) {
     const auto f = [&](double cosine) {
@@ -158,7 +153,7 @@ TEST(SurfaceReference, SurfacesCastShadows) {
   Scene scene;
   scene.medium.set_homogeneous_density(0.3);
   scene.lights.push_back({{0, 0, 4}, {3, 3, 3}, {}});
-  scene.environment.emplace().map = even_sky(1.0f);
+  scene.environment = even_sky(1.0f);
   const Surface ground;
   const SurfacePoint point = upward(ground);
   const auto behind_wall = [&](double half) {
@@ -224,8 +219,7 @@ TEST(SurfaceReference, MatchesAFrameForPointLights) {
   const glm::dvec3 reference = reflected_light(scene, ray_caster, point, {.samples = 2}).attenuated;
   const Frame frame = render_frame(scene, paper_settings);
   for (int c = 0; c < 3; ++c) {
-    EXPECT_NEAR(static_cast<double>(frame.beauty[static_cast<std::size_t>(c)]), reference[c],
-                1e-5 * reference[c]);
+    EXPECT_NEAR(frame.beauty[static_cast<std::size_t>(c)], reference[c], 1e-5 * reference[c]);
   }
   EXPECT_GT(reference.z, 5.0 * reference.x) << "a highlight";
 }

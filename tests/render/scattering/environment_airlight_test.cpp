@@ -345,7 +345,7 @@ TEST(EnvironmentAirlight, UpdatesOnlyWhenItsInputsChange) {
   Renderer renderer;
   const Settings settings = sliced_settings({}, 12);
   const auto expect_as_new = [&](const char* what) {
-    const Frame kept = *renderer.render(scene, scene.camera, scene.film, settings);
+    const Frame kept = render_frame(renderer, scene, settings);
     EXPECT_EQ(kept.airlight, render_frame(scene, settings).airlight) << what;
   };
   expect_as_new("first");

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <string>
 
 #include "render/renderer.h"
 #include "tests/render/test_scenes.h"
@@ -16,7 +15,7 @@ namespace {
 double furnace_error(Scene scene, double anisotropy) {
   scene.film = {8, 6};
   scene.lights.clear();
-  scene.environment.emplace().map = constant_sky(1.0f);
+  scene.environment = even_sky(1.0f);
   scene.optics.anisotropy = anisotropy;
   const Frame frame = render_frame(scene, sliced(24, Scattering::multiple));
   double squares = 0.0;
@@ -64,7 +63,7 @@ Scene room() {
   scene.film = {8, 6};
   scene.camera = {{-1.5, 1.6, 3.1}, {0.8, 1.2, -1.5}, {0, 1, 0}, 60.0};
   scene.medium.set_homogeneous_density(0.1);
-  scene.environment.emplace().map = constant_sky(1.0f);
+  scene.environment = even_sky(1.0f);
   for (const double side : {-1.0, 1.0}) {
     const auto box = Primitive::Shape::box;
     scene.surfaces.push_back(placed(box, {6.4, 0.2, 7.4}, {0.0, 1.5 + 1.6 * side, 0.0}, 0.5));

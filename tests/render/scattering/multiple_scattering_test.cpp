@@ -68,7 +68,7 @@ double furnace_error(double depth, double anisotropy) {
   Scene scene = cloud_scene(5, depth);
   scene.film = {8, 8};
   scene.lights.clear();
-  scene.environment.emplace().map = constant_sky(1.0f);
+  scene.environment = even_sky(1.0f);
   scene.optics.anisotropy = anisotropy;
   const Frame frame = render_frame(scene, multiple_settings());
   double squares = 0.0;
@@ -189,7 +189,7 @@ TEST(MultipleScattering, ClosedWallsKeepTheSkyOut) {
   scene.camera.eye = {0, 0, 2};
   scene.film = {8, 8};
   scene.lights.clear();
-  scene.environment.emplace().map = constant_sky(1.0f);
+  scene.environment = even_sky(1.0f);
   const double outdoors = mean_airlight(scene, multiple_settings());
   Surface& ball = scene.surfaces.emplace_back();
   ball.mesh = ball_mesh(24);

@@ -59,7 +59,7 @@ TEST(Rooms, AreDarkWhereverTheyStand) {
 
 TEST(Rooms, AreLitThroughAWindowAsByPaths) {
   Scene scene = room_with_window();
-  scene.environment.emplace().map = constant_sky(1.0f);
+  scene.environment = even_sky(1.0f);
   const Difference picture = difference(render_frame(scene, of_all_orders).beauty,
                                         render_frame(scene, path_traced(128)).beauty);
   EXPECT_NEAR(picture.bias, 0.0, 0.04);

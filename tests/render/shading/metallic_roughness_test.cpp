@@ -70,7 +70,7 @@ TEST(MetallicRoughnessFrames, ReflectUniformSkiesAsPathsDo) {
     Scene scene = ball(metal(metallic, roughness));
     scene.film = {9, 9};
     scene.camera.vertical_fov = 20.0;  // nothing but the ball
-    scene.environment.emplace().map = constant_sky(0.7f);
+    scene.environment = even_sky(0.7f);
     const Frame paths = render_frame(scene, path_traced(400));
     const Difference found = difference(render_frame(scene, sliced(12)).beauty, paths.beauty);
     EXPECT_LT(std::abs(found.bias), 0.01) << metallic << ' ' << roughness;
@@ -170,7 +170,7 @@ TEST(MetallicRoughnessFrames, TurnNormalsByTheirMap) {
 TEST(MetallicRoughnessFrames, RefuseRadianceTransfer) {
   Scene scene = ball(metal(0.0, 0.5));
   scene.surfaces[0].transfer = Surface::Transfer::shadow;
-  scene.environment.emplace().map = constant_sky(0.7f);
+  scene.environment = even_sky(0.7f);
   const Frame frame = render_frame(scene, sliced(12));
   const auto& skipped = frame.statistics.skipped;
   EXPECT_TRUE(std::ranges::any_of(skipped, [](const SkippedStage& stage) {

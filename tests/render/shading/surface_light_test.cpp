@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
@@ -62,8 +61,7 @@ TEST(ScatterTable, MeetsItsErrorBound) {
       const ScatterTable::Bands got = table(static_cast<float>(T));
       for (std::size_t l = 0; l < exact.size(); ++l) {
         const double factor = std::sqrt(4.0 * pi / (2.0 * static_cast<double>(l) + 1.0));
-        EXPECT_NEAR(static_cast<double>(got[l]), T * std::exp(-T) * factor * exact[l], 2e-5)
-            << T << ' ' << l;
+        EXPECT_NEAR(got[l], T * std::exp(-T) * factor * exact[l], 2e-5) << T << ' ' << l;
       }
     }
   };
@@ -83,7 +81,7 @@ void expect_average_depths_on_grids(const Scene& scene, double tolerance) {
       const glm::dvec3 p =
           0.5 * (box.low + box.high) + 0.5 * random.point(1.0) * (box.high - box.low);
       const double exact = average_depth(scene.medium, 0.0, p);
-      EXPECT_NEAR(static_cast<double>(grid(p)), exact, tolerance * exact);
+      EXPECT_NEAR(grid(p), exact, tolerance * exact);
     }
   }
 }
@@ -162,7 +160,7 @@ TEST(SurfaceLight, AWhiteBallMatchesItsEnvironment) {
   scene.surfaces[0].material.reflectance = glm::dvec3(1.0);
   scene.camera = {{0, 0.5, 4}, {0, 0, 0}, {0, 1, 0}, 40.0};
   scene.film = {32, 24};
-  scene.environment.emplace().map = constant_sky(1.0f);
+  scene.environment = even_sky(1.0f);
   const Frame frame = render_frame(scene, paper_settings);
   for (std::size_t i = 0; i < frame.depth.size(); ++i) {
     const bool is_open = !std::isfinite(frame.depth[i]);
@@ -201,7 +199,7 @@ TEST(SurfaceLight, HighlightsSoftenAndWidenWithOpticalDepth) {
       peak = std::max(peak, values.back());
       sum += values.back();
     }
-    const auto count = static_cast<double>(values.size());
+    const double count = values.size();
     const double contrast = peak / (sum / count);
     // Where the halo reaches a tenth of the peak: the sharp core itself never widens.
     const double width =
@@ -219,7 +217,7 @@ TEST(SurfaceLight, HighlightsSoftenAndWidenWithOpticalDepth) {
 // thick, T e^-T ends in black (surfaces.md).
 TEST(Environment, PaperInscatteringMatchesThePublishedFormula) {
   Scene scene;
-  scene.environment.emplace().map = constant_sky(1.0f);
+  scene.environment = even_sky(1.0f);
   scene.camera = {{0, 0, 4}, {0, 0, 0}, {0, 1, 0}, 1.0};
   scene.film = {1, 1};
   scene.medium.append({{0, 0, 0}, 1.0, 1.0});
@@ -267,7 +265,7 @@ TEST(Environment, UpdatesWhenItsInputsChange) {
   Renderer renderer;
   Settings settings = paper_settings;
   const auto expect_as_new = [&](const char* what) {
-    const Frame kept = *renderer.render(scene, scene.camera, scene.film, settings);
+    const Frame kept = render_frame(renderer, scene, settings);
     expect_finite(kept);
     EXPECT_EQ(kept.beauty, render_frame(scene, settings).beauty) << what;
   };
@@ -308,7 +306,7 @@ TEST(Environment, CostsNothingWhenAbsent) {
   scene.surfaces = {ball(1.0)};
   EXPECT_TRUE(skipped(scene).has(Stage::environment));
   EXPECT_TRUE(skipped(scene).has(Stage::surfaces));
-  scene.environment.emplace().map = constant_sky(1.0f);
+  scene.environment = even_sky(1.0f);
   EXPECT_FALSE(skipped(scene).has(Stage::environment));
   EXPECT_FALSE(skipped(scene).has(Stage::surfaces));
   EXPECT_TRUE(skipped(scene).has(Stage::surface_scattering));

@@ -39,7 +39,7 @@ TEST(VertexLighting, AWhiteBallMatchesItsEnvironment) {
   surface.mesh = ball_mesh(24);
   surface.material.reflectance = glm::dvec3(1.0);
   surface.rotate = glm::normalize(glm::dquat(0.8, 0.1, -0.3, 0.4));
-  scene.environment.emplace().map = constant_sky(1.0f);
+  scene.environment = even_sky(1.0f);
   scene.camera = {{0, 0.5, 4}, {0, 0, 0}, {0, 1, 0}, 40.0};
   scene.film = {32, 24};
   for (const auto transfer : {shadow, interreflection}) {
@@ -57,7 +57,7 @@ TEST(VertexLighting, ABowlInAFurnaceIsAGeometricSeries) {
     const double f = 0.5 * (1.0 - std::cos(to));
     Scene scene = bowl_scene(to, interreflection);
     scene.surfaces[0].material.reflectance = {0.9, 0.6, 0.2};
-    scene.environment.emplace().map = constant_sky(1.0f);
+    scene.environment = even_sky(1.0f);
     const auto expect = [&](const auto& wanted) {
       const Frame frame = render_frame(scene, paper_settings);
       for (std::size_t i = 0; i < frame.depth.size(); ++i) {
@@ -111,8 +111,8 @@ TEST(VertexLighting, RotatesWithSceneAndEnvironment) {
   scene.camera.target = turn * scene.camera.target;
   scene.camera.up = turn * scene.camera.up;
   const Frame after = render_frame(scene, paper_settings);
-  EXPECT_LT(difference(after.beauty, before.beauty).relative_rmse, 1e-5);
-  EXPECT_GT(difference(sky_alone.beauty, before.beauty).relative_rmse, 1e-2);
+  EXPECT_LT(rel_rmse(after.beauty, before.beauty), 1e-5);
+  EXPECT_GT(rel_rmse(sky_alone.beauty, before.beauty), 1e-2);
 }
 
 TEST(VertexLighting, UpdatesWhenItsInputsChange) {
@@ -131,7 +131,7 @@ TEST(VertexLighting, UpdatesWhenItsInputsChange) {
   settings.source_grid = {1000, 24};  // everything is made anew each time
   std::vector<float> last;
   const auto expect_as_new = [&](const char* what) {
-    const Frame kept = *renderer.render(scene, scene.camera, scene.film, settings);
+    const Frame kept = render_frame(renderer, scene, settings);
     expect_finite(kept);
     EXPECT_EQ(kept.beauty, render_frame(scene, settings).beauty) << what;
     EXPECT_NE(kept.beauty, last) << what;
@@ -194,7 +194,7 @@ TEST(VertexLighting, MeasuredMaterialMatchesItsSource) {
     measured.surfaces[0].material.measured = read_merl(file);
     measured.surfaces[0].material.type = Material::Type::measured;
     const Frame frame = with(measured, transfer);
-    const double error = difference(frame.beauty, phong.beauty).relative_rmse;
+    const double error = rel_rmse(frame.beauty, phong.beauty);
     // Twice what was measured: it is interpolated between its cells.
     EXPECT_LT(error, 2e-4);
   }
@@ -205,9 +205,7 @@ TEST(VertexLighting, UsesOnlyAvailableTransfer) {
   scene.environment.emplace().map = smooth_sky();
   const auto transfers = std::make_shared<TransferStore>();
   Renderer renderer(transfers);
-  const auto render = [&] {
-    return *renderer.render(scene, scene.camera, scene.film, paper_settings);
-  };
+  const auto render = [&] { return render_frame(renderer, scene, paper_settings); };
   const auto why_skipped = [](const Frame& frame) {
     for (const SkippedStage& s : frame.statistics.skipped) {
       if (s.stage == Stage::transfer) return s.why;
@@ -256,7 +254,7 @@ TEST(VertexLighting, IsComputedOnlyWithLight) {
   scene.medium.set_homogeneous_density(0.1);
   EXPECT_EQ(why(scene), "");
   scene.medium.set_homogeneous_density(0.0);
-  scene.environment.emplace().map = constant_sky(1.0f);
+  scene.environment = even_sky(1.0f);
   EXPECT_EQ(why(scene), "");
   scene.surfaces.push_back(scene.surfaces[0]);
   EXPECT_EQ(needed_transfers(scene).size(), 1u) << "made once";

@@ -73,11 +73,11 @@ TEST(Composite, ShowsTheSkyAndTheSurfaces) {
       const bool is_sky = std::isinf(frame.depth[i]);
       const glm::dvec3 behind = is_sky ? environment_radiance(sky, rays.direction(x + 0.5, y + 0.5))
                                        : glm::dvec3(surfaces[i]);
-      const auto transmittance = static_cast<double>(frame.transmittance[3 * i]);
+      const double transmittance = frame.transmittance[3 * i];
       for (std::size_t k = 0; k < 3; ++k) {
         const double expected = static_cast<double>(frame.airlight[3 * i + k]) +
                                 transmittance * behind[static_cast<int>(k)];
-        ASSERT_NEAR(static_cast<double>(frame.beauty[4 * i + k]), expected, 1e-4)
+        ASSERT_NEAR(frame.beauty[4 * i + k], expected, 1e-4)
             << c.film.width << ": " << x << ' ' << y;
       }
       ASSERT_FLOAT_EQ(frame.beauty[4 * i + 3], is_sky ? 1.0f - frame.transmittance[3 * i] : 1.0f);

@@ -282,7 +282,7 @@ TEST(Kernels, HomogeneousAirlightOfALightStraightAhead) {
                                       glm::vec3(one.light()), static_cast<float>(one.h_min()), 0.0f,
                                       ray, radiance.data());
       // The rule's worst case, and float below exp(-b0 distance) = 1e-30.
-      ASSERT_NEAR(static_cast<double>(radiance[0]), one.exact, 1e-3 * one.exact + 1e-30)
+      ASSERT_NEAR(radiance[0], one.exact, 1e-3 * one.exact + 1e-30)
           << "b0 " << one.b0 << " distance " << one.distance << " off " << one.off;
     }
   });
@@ -319,7 +319,7 @@ TEST(Kernels, PhasedLightIsThatOfThePhaseFunction) {
                    glm::dvec3(light.irradiance);
         }
         for (int c = 0; c < 3; ++c) {
-          const double got = static_cast<double>(sums[static_cast<std::size_t>(c)][k]);
+          const double got = sums[static_cast<std::size_t>(c)][k];
           ASSERT_NEAR(got, 0.5 + exact[c], 1e-5 * (0.5 + exact[c])) << g << ' ' << k << ' ' << c;
         }
       }

@@ -65,7 +65,7 @@ TEST(GgxKernels, ReflectLightsAsThePlainVersion) {
   add_ggx_light(*c.points, PointLight{.intensity = {1.0, 2.0, 3.0}}, light, found);
   for (std::size_t k = 0; k < c.points->count; ++k) {
     const glm::dvec3 wi(-light.paths.x[k], -light.paths.y[k], -light.paths.z[k]);
-    const double cosine = static_cast<double>(light.cosine[k]);
+    const double cosine = light.cosine[k];
     glm::dvec3 expected(0.0);
     if (cosine > 0.0 && light.lit[k] > 0.0f) {
       expected = ggx_brdf(c.reflections[k], glm::normalize(wi), glm::normalize(c.points->to_eye[k]),

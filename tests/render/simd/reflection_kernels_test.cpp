@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <glm/geometric.hpp>
 #include <memory>
 #include <vector>

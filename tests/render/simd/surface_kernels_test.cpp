@@ -167,7 +167,7 @@ TEST(SurfaceKernels, LightIsThatOfThePlainVersion) {
       const double cosine = glm::dot(points.normal[k], wi);
       const bool blocked =
           seen.ray_caster->occluded(points.origin + points.shadow_origin[k], light);
-      const double T = static_cast<double>(light_at_point.depths[k]);
+      const double T = light_at_point.depths[k];
       const double irradiance = 3.0 / (distance * distance);
       glm::dvec3 expected(0.0);
       if (!blocked) {
@@ -176,7 +176,7 @@ TEST(SurfaceKernels, LightIsThatOfThePlainVersion) {
         ++lit;
       }
       // A power of 300 makes 300 times as much of a rounding.
-      EXPECT_NEAR(static_cast<double>(direct.r[k]), expected.r, 3e-4 * expected.r + 1e-7);
+      EXPECT_NEAR(direct.r[k], expected.r, 3e-4 * expected.r + 1e-7);
 
       // Eq. 25 without its delta, convolved with the cosine.
       const double homogeneous_fraction = density * distance < T ? density * distance / T : 1.0;
@@ -188,8 +188,7 @@ TEST(SurfaceKernels, LightIsThatOfThePlainVersion) {
       const double reflected =
           std::max(0.0, sh_evaluate(sh_convolve(light_sh, clamped_cosine_sh()), points.normal[k]));
       const double scale = irradiance * 0.2 * std::numbers::inv_pi;
-      EXPECT_NEAR(static_cast<double>(scattered.r[k]), scale * T * std::exp(-T) * reflected,
-                  5e-5 * scale);
+      EXPECT_NEAR(scattered.r[k], scale * T * std::exp(-T) * reflected, 5e-5 * scale);
       EXPECT_NEAR(scattered.b[k], scattered.r[k] * (0.9 / 0.2) / 3.0, 1e-5 * scale);
     }
   }

@@ -11,6 +11,7 @@
 
 #include "core/io/disk/content_hash.h"
 #include "core/scene/mesh.h"
+#include "tests/contains.h"
 #include "tests/core/io/temporary_folder.h"
 #include "tests/render/test_meshes.h"
 
@@ -127,7 +128,7 @@ TEST(TransferCache, ReplacesDamagedFiles) {
     EXPECT_FALSE(got.was_read);
     EXPECT_TRUE(same(got.transfer, reference));
     ASSERT_EQ(got.warnings.size(), 1u);
-    EXPECT_NE(got.warnings[0].find(file.string()), std::string::npos);
+    EXPECT_TRUE(contains(got.warnings[0], file.string()));
     EXPECT_EQ(content_of(file), good) << "replaced";
   }
   EXPECT_EQ(folder.entry_count(), 1u) << "nothing is left beside it";

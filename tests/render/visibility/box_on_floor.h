@@ -1,7 +1,6 @@
 #pragma once
 
 #include <glm/vec3.hpp>
-#include <vector>
 
 #include "brume/mesh_arrays.h"
 #include "brume/primitive.h"

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "brume/primitive.h"

@@ -11,7 +11,6 @@
 #include <cmath>
 #include <cstdint>
 #include <glm/geometric.hpp>
-#include <memory>
 #include <vector>
 
 #include "core/scene/mesh.h"
@@ -75,8 +74,8 @@ Differences differences(const RayCaster& ray_caster, const CameraRays& rays, con
   Differences result;
   const std::vector<RasterPixel> hits = drawn(ray_caster, rays, film);
   for (std::size_t i = 0; i < hits.size(); ++i) {
-    const auto x = static_cast<double>(i % static_cast<std::size_t>(film.width));
-    const auto y = static_cast<double>(i / static_cast<std::size_t>(film.width));
+    const double x = i % static_cast<std::size_t>(film.width);
+    const double y = i / static_cast<std::size_t>(film.width);
     EXPECT_GE(hits[i].distance, 0.0f);
     const SurfaceHit hit = ray_caster.hit_of(hits[i]);
     const SurfaceHit ray = ray_caster.first_hit(rays.eye(), rays.direction(x + 0.5, y + 0.5));
@@ -156,8 +155,8 @@ TEST(Raster, FindsDepthsOfFloorsFarLargerThanTheirDistance) {
     ASSERT_TRUE(ray_caster.can_rasterize(rays));
     const std::vector<RasterPixel> hits = drawn(ray_caster, rays, film);
     for (std::size_t i = 0; i < hits.size(); ++i) {
-      const auto x = static_cast<double>(i % 80);
-      const auto y = static_cast<double>(i / 80);
+      const double x = i % 80;
+      const double y = i / 80;
       const glm::dvec3 w = rays.direction(x + 0.5, y + 0.5);
       if (!(w.y < -1e-3)) continue;
       EXPECT_NEAR(static_cast<double>(hits[i].distance) * -w.y / 0.05, 1.0, 2e-4) << size;

@@ -20,7 +20,7 @@ Surface floor_of(double size) {
 }
 
 double difference_to(const Frame& expected, const Scene& scene) {
-  return difference(render_frame(scene, sliced(8)).beauty, expected.beauty).relative_rmse;
+  return rel_rmse(render_frame(scene, sliced(8)).beauty, expected.beauty);
 }
 
 float max_beauty(const Frame& frame) {

@@ -1,14 +1,13 @@
 #include "tools/bench/errors/all_orders_errors.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
 #include "brume/frame.h"
 #include "core/io/scene/scene_file.h"
-#include "render/output/compare.h"
 #include "render/renderer.h"
+#include "tools/bench/measure/frames.h"
 #include "tools/bench/measure/report_text.h"
 #include "tools/bench/scenes/benchmark_scenes.h"
 
@@ -27,8 +26,7 @@ Settings settings_of(Scattering scattering) {
 
 // Relative RMSE of the airlight without the paths' noise.
 double error_of(const Frame& frame, const Frame& reference, double noise) {
-  const std::array<ChannelPair, 1> airlight{{{frame.airlight, reference.airlight}}};
-  const double measured = compare(airlight).rel_rmse;
+  const double measured = rel_rmse(frame.airlight, reference.airlight);
   return std::sqrt(std::max(measured * measured - noise * noise, 0.0));
 }
 
@@ -60,19 +58,16 @@ double edit_milliseconds(Scene scene, int frames) {
 
 AllOrdersRow measure(std::string name, Scene scene, int frames) {
   scene.film = error_film;
-  const auto render = [&](const Settings& settings) {
-    return *Renderer().render(scene, scene.camera, scene.film, settings);
-  };
   Settings path;
   path.airlight = AirlightMethod::path;
   path.paths = paths;
-  const Frame reference = render(path);
-  const Frame multiple = render(settings_of(Scattering::multiple));
+  const Frame reference = render_frame(scene, path);
+  const Frame multiple = render_frame(scene, settings_of(Scattering::multiple));
   AllOrdersRow row;
   row.scene = std::move(name);
   const auto noise = relative_noise(reference);
   row.noise = noise ? noise->airlight : 0.0;
-  row.single = error_of(render(settings_of(Scattering::single)), reference, row.noise);
+  row.single = error_of(render_frame(scene, settings_of(Scattering::single)), reference, row.noise);
   row.multiple = error_of(multiple, reference, row.noise);
   if (multiple.statistics.scattering) row.sweeps = multiple.statistics.scattering->sweeps;
   row.solve_milliseconds = stage_milliseconds(multiple, Stage::scattering);

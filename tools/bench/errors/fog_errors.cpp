@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "core/transport/medium_summary.h"
-#include "render/renderer.h"
+#include "tools/bench/measure/frames.h"
 #include "tools/bench/measure/report_text.h"
 #include "tools/bench/scenes/benchmark_scenes.h"
 #include "tools/bench/scenes/table_one_scenes.h"
@@ -14,25 +14,15 @@ namespace brume {
 namespace {
 
 ErrorEstimate error_of(const ErrorSample& sample, const Scene& scene, const Settings& settings) {
-  return sample.measure(*Renderer().render(scene, scene.camera, scene.film, settings));
+  return sample.measure(render_frame(scene, settings));
 }
 
 ErrorEstimate sky_error(Scene scene, std::shared_ptr<const RadianceMap> sky) {
   scene.lights.clear();
   scene.environment.emplace().map = std::move(sky);
-  const Frame frame = *Renderer().render(scene, scene.camera, scene.film, sliced_settings({}, 24));
+  const Frame frame = render_frame(scene, sliced_settings({}, 24));
   const std::size_t pixels = scene.medium.size() > 1000 ? 12 : 40;
   return ErrorSample::create(scene, scene.camera, frame, pixels, 1, 1e-3)->measure(frame);
-}
-
-double relative_rms(const std::vector<float>& a, const std::vector<float>& b) {
-  double difference = 0.0;
-  double sum = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    difference += std::pow(static_cast<double>(a[i]) - static_cast<double>(b[i]), 2);
-    sum += std::pow(static_cast<double>(b[i]), 2);
-  }
-  return std::sqrt(difference / sum);
 }
 
 }  // namespace
@@ -50,7 +40,7 @@ std::vector<ThicknessRow> measure_thickness(std::size_t pixels) {
     }
     scene.medium = medium;
     const Settings sliced = sliced_settings({}, 24);
-    const Frame guide = *Renderer().render(scene, scene.camera, scene.film, sliced);
+    const Frame guide = render_frame(scene, sliced);
     const ErrorSample sample = *ErrorSample::create(scene, scene.camera, guide, pixels, 1, 1e-4);
     const Settings published{.airlight = AirlightMethod::paper};
     Settings energy = published;
@@ -84,9 +74,7 @@ std::vector<ComparedError> measure_patches() {
     scene.lights.clear();
     scene.environment.emplace().map = low_sun_sky();
     scene.optics.anisotropy = anisotropy;
-    const auto frame = [&](int slices) {
-      return *Renderer().render(scene, scene.camera, scene.film, sliced_settings({}, slices));
-    };
+    const auto frame = [&](int slices) { return render_frame(scene, sliced_settings({}, slices)); };
     const ErrorSample reference = *ErrorSample::create(scene, scene.camera, frame(24), 80, 1, 1e-3);
     for (const int slices : anisotropy == 0.0 ? std::vector{12, 24, 64} : std::vector{24}) {
       rows.push_back({formatted("anisotropy %g, a grid of %d nodes, %d slices", anisotropy,
@@ -109,7 +97,7 @@ std::vector<InscatteringRow> measure_inscattering() {
     const auto airlight = [&](AirlightMethod method) {
       Settings settings;
       settings.airlight = method;
-      const Frame frame = *Renderer().render(scene, scene.camera, scene.film, settings);
+      const Frame frame = render_frame(scene, settings);
       return static_cast<double>(frame.airlight[0]);
     };
     rows.push_back({depth, airlight(AirlightMethod::paper) / airlight(AirlightMethod::reference)});
@@ -124,7 +112,7 @@ std::vector<ScaleRow> measure_scales() {
     const auto frame = [&](int scale) {
       Settings settings = sliced_settings({}, 24);
       settings.airlight_scale = scale;
-      return *Renderer().render(scene, scene.camera, scene.film, settings);
+      return render_frame(scene, settings);
     };
     const Frame full = frame(1);
     for (const int scale : {2, 4}) {
@@ -132,7 +120,7 @@ std::vector<ScaleRow> measure_scales() {
       rows.push_back({name, scale,
                       static_cast<double>(fewer.statistics.exact_pixels) /
                           static_cast<double>(full.statistics.exact_pixels),
-                      relative_rms(fewer.airlight, full.airlight)});
+                      rel_rmse(fewer.airlight, full.airlight)});
     }
   };
   add("cloud_300_depth_3", cloud(300, 3.0));

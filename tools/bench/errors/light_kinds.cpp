@@ -9,7 +9,7 @@
 #include <memory>
 
 #include "core/scene/lights/photometric_profile.h"
-#include "render/output/compare.h"
+#include "tools/bench/measure/frames.h"
 #include "tools/bench/scenes/benchmark_scenes.h"
 #include "tools/bench/scenes/hash_random.h"
 
@@ -58,13 +58,7 @@ double error_of(Scene scene, const Settings& settings) {
   scene.film = kinds_error_film;
   Settings reference;
   reference.airlight = AirlightMethod::reference;
-  const auto render = [&](const Settings& chosen) {
-    return *Renderer().render(scene, scene.camera, scene.film, chosen);
-  };
-  const Frame frame = render(settings);
-  const Frame truth = render(reference);
-  const std::array<ChannelPair, 1> pair{{{frame.airlight, truth.airlight}}};
-  return compare(pair).rel_rmse;
+  return rel_rmse(render_frame(scene, settings).airlight, render_frame(scene, reference).airlight);
 }
 
 // Frames of both scenes in turn; each is changed by `step` before.

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "render/renderer.h"
+#include "tools/bench/measure/frames.h"
 #include "tools/bench/measure/report_text.h"
 #include "tools/bench/scenes/benchmark_scenes.h"
 
@@ -10,8 +10,7 @@ namespace brume {
 namespace {
 
 double mean_depth(const Scene& scene) {
-  const Frame frame =
-      *Renderer().render(scene, scene.camera, scene.film, {.airlight = AirlightMethod::paper});
+  const Frame frame = render_frame(scene, {.airlight = AirlightMethod::paper});
   double sum = 0.0;
   for (const float t : frame.transmittance) sum -= std::log(static_cast<double>(t));
   return sum / static_cast<double>(frame.transmittance.size());
@@ -32,7 +31,7 @@ Spread changes(Scene scene, double amplitude, double cells) {
 
 ErrorEstimate sliced_error(const Scene& scene, std::size_t pixels) {
   const Settings settings = sliced_settings({}, 24);
-  const Frame frame = *Renderer().render(scene, scene.camera, scene.film, settings);
+  const Frame frame = render_frame(scene, settings);
   return ErrorSample::create(scene, scene.camera, frame, pixels, 1, 1e-5)->measure(frame);
 }
 

@@ -4,9 +4,9 @@
 
 #include "brume/at_time.h"
 #include "core/io/scene/scene_file.h"
-#include "render/output/compare.h"
 #include "render/renderer.h"
 #include "render/samples/mean_frame.h"
+#include "tools/bench/measure/frames.h"
 #include "tools/bench/measure/measurement.h"
 #include "tools/bench/scenes/benchmark_scenes.h"
 
@@ -15,12 +15,6 @@ namespace {
 
 constexpr int true_samples = 64;
 constexpr Film sampled_film{320, 240};
-
-double picture_error(const Frame& frame, const Frame& truth) {
-  // Alpha is as good as black: the same in both where surfaces are.
-  const std::array<ChannelPair, 1> pair{{{frame.beauty, truth.beauty}}};
-  return compare(pair).rel_rmse;
-}
 
 SampleRow measure_scene_samples(const std::string& name, int frames) {
   Scene scene = evaluate_at(load_scene(sample_scene_file(name)), 0.0);
@@ -54,9 +48,10 @@ SampleRow measure_scene_samples(const std::string& name, int frames) {
   const auto pairs = [](const Frame& frame) {
     return static_cast<double>(std::max<std::uint64_t>(frame.statistics.view_pairs, 1));
   };
+  // Alpha is as good as black: the same in all where surfaces are.
   return {name,
-          picture_error(plain, truth),
-          picture_error(sampled, truth),
+          rel_rmse(plain.beauty, truth.beauty),
+          rel_rmse(sampled.beauty, truth.beauty),
           static_cast<double>(sampled.statistics.sampled_pixels) /
               static_cast<double>(sampled.depth.size()),
           pairs(sampled) / pairs(plain),

@@ -4,8 +4,8 @@
 #include <numbers>
 
 #include "core/transport/optical_depth.h"
-#include "render/renderer.h"
 #include "tools/bench/errors/surface_truth.h"
+#include "tools/bench/measure/frames.h"
 #include "tools/bench/measure/report_text.h"
 #include "tools/bench/scenes/benchmark_scenes.h"
 #include "tools/bench/scenes/mesh_patches.h"
@@ -60,7 +60,7 @@ double depth_to_light(const Scene& scene) {
 
 Frame frame_of(const Scene& scene, bool paper_spread) {
   const Settings settings{.airlight = AirlightMethod::paper, .paper_spread = paper_spread};
-  return *Renderer().render(scene, scene.camera, scene.film, settings);
+  return render_frame(scene, settings);
 }
 
 }  // namespace

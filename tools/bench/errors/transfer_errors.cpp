@@ -5,8 +5,8 @@
 #include <glm/gtc/quaternion.hpp>
 #include <numbers>
 
-#include "render/renderer.h"
 #include "tools/bench/errors/surface_truth.h"
+#include "tools/bench/measure/frames.h"
 #include "tools/bench/measure/report_text.h"
 #include "tools/bench/scenes/benchmark_scenes.h"
 #include "tools/bench/scenes/hash_random.h"
@@ -19,7 +19,7 @@ using std::numbers::pi;
 
 Frame frame_with(Scene scene, Surface::Transfer transfer) {
   for (Surface& surface : scene.surfaces) surface.transfer = transfer;
-  return *Renderer().render(scene, scene.camera, scene.film, {.airlight = AirlightMethod::paper});
+  return render_frame(scene, {.airlight = AirlightMethod::paper});
 }
 
 ComparedError shadow_error(const char* label, const Scene& scene, std::size_t samples) {

@@ -10,6 +10,7 @@
 #include "core/io/scene/scene_file.h"
 #include "render/quality/auto_quality.h"
 #include "render/renderer.h"
+#include "tools/bench/measure/frames.h"
 
 namespace brume {
 namespace {
@@ -34,11 +35,6 @@ double relative_rmse(const std::vector<float>& values, const std::vector<float>&
   }
   const double n = static_cast<double>(reference.size());
   return std::sqrt(difference / n) / std::max({std::sqrt(sum / n), min_rms / unit, 1e-300});
-}
-
-Frame frame_of(const HardCase& hard_case, const Settings& settings) {
-  const Scene& scene = hard_case.scene;
-  return *Renderer().render(scene, scene.camera, scene.film, settings);
 }
 
 HardCaseAuto auto_error(FrameRenderer& renderer, const HardCase& hard_case) {
@@ -84,7 +80,7 @@ HardCaseError error_of(const Frame& frame, const HardCase& hard_case) {
 HardCaseError sliced_error(FrameRenderer& renderer, const HardCase& hard_case) {
   const Scene& scene = hard_case.scene;
   const Settings sliced = sliced_settings({}, 24);
-  return error_of(*renderer.render(scene, scene.camera, scene.film, sliced), hard_case);
+  return error_of(render_frame(renderer, scene, sliced), hard_case);
 }
 
 HardCaseErrors measure_hard_case(const HardCase& hard_case, FrameRenderer* gl) {
@@ -95,13 +91,13 @@ HardCaseErrors measure_hard_case(const HardCase& hard_case, FrameRenderer* gl) {
   Settings plain = paper;
   plain.precision = Settings::Precision::plain_double;
   HardCaseErrors errors;
-  errors.reference = error_of(frame_of(hard_case, reference), hard_case);
+  errors.reference = error_of(render_frame(hard_case.scene, reference), hard_case);
   Renderer cpu;
   errors.sliced = sliced_error(cpu, hard_case);
   // A millionth of the right picture cannot be seen.
   const double brightest = *std::ranges::max_element(hard_case.airlight);
-  errors.paper = relative_rmse(frame_of(hard_case, paper).airlight,
-                               frame_of(hard_case, plain).airlight, 1e-6 * brightest);
+  errors.paper = relative_rmse(render_frame(hard_case.scene, paper).airlight,
+                               render_frame(hard_case.scene, plain).airlight, 1e-6 * brightest);
   errors.automatic = auto_error(cpu, hard_case);
   if (gl) errors.gl = sliced_error(*gl, hard_case);
   return errors;

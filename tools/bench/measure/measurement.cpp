@@ -6,6 +6,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <map>
 
+#include "tools/bench/measure/frames.h"
 #include "tools/bench/scenes/benchmark_scenes.h"
 
 namespace brume {
@@ -40,7 +41,7 @@ std::string setting_name(const Settings& settings) {
 }
 
 ReferenceSample find_reference(const Scene& scene, std::size_t pixels, double tolerance) {
-  const Frame guide = *Renderer().render(scene, scene.camera, scene.film, sliced_settings({}, 12));
+  const Frame guide = render_frame(scene, sliced_settings({}, 12));
   const double begin = cpu_seconds();
   ErrorSample sample = *ErrorSample::create(scene, scene.camera, guide, pixels, 1, tolerance);
   const double film = static_cast<double>(scene.film.width) * scene.film.height;
@@ -99,7 +100,7 @@ Measurement measure(FrameRenderer& renderer, const Scene& scene, const Settings&
   result.settings = settings;
   const Clock::time_point begin = Clock::now();
   const double cpu_begin = cpu_seconds();
-  const Frame first = *renderer.render(scene, scene.camera, scene.film, settings);
+  const Frame first = render_frame(renderer, scene, settings);
   result.first_milliseconds = milliseconds_since(begin);
   result.first_cpu_milliseconds = 1e3 * (cpu_seconds() - cpu_begin);
   result.error = reference.measure(first);

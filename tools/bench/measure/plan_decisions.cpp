@@ -7,6 +7,7 @@
 #include "render/render_plan.h"
 #include "render/renderer.h"
 #include "render/transfer/transfer_store.h"
+#include "tools/bench/measure/frames.h"
 #include "tools/bench/scenes/benchmark_meshes.h"
 #include "tools/bench/scenes/benchmark_scenes.h"
 
@@ -161,7 +162,7 @@ std::vector<PlanDecision> plan_decisions() {
 
 Frame render_planned(const Scene& scene, AirlightMethod method) {
   Renderer renderer(transfers_of(scene));
-  return *renderer.render(scene, scene.camera, scene.film, settings_of(method));
+  return render_frame(renderer, scene, settings_of(method));
 }
 
 bool leaves_out(const Frame& frame, const PlanDecision& decision) {
