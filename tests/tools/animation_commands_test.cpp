@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/io/gaussians/gaussian_file.h"
+#include "tests/contains.h"
 #include "tests/tools/command_line.h"
 
 namespace brume {
@@ -25,8 +26,8 @@ TEST_F(AnimationCommands, RendersTheMomentOfItsKeys) {
   still["medium"]["density"] = 0.1;
   still["lights"][0]["position"] = {0, 2, 2};
   still["lights"][0]["intensity"] = {30, 0, 30};
-  const std::string moving_scene = folder_.write("moving.brume", moving.dump()).string();
-  const std::string still_scene = folder_.write("still.brume", still.dump()).string();
+  const std::string moving_scene = folder_.write("moving.brume", moving.dump());
+  const std::string still_scene = folder_.write("still.brume", still.dump());
   const auto render = [&](const std::string& scene, const char* time, const char* image) {
     expect_done({"render", scene, "--airlight", "sliced", "--scattering", "single", "--time", time,
                  "-o", file(image)});
@@ -45,11 +46,9 @@ TEST_F(AnimationCommands, PlaysASequenceThatWasFitted) {
   const std::string volumes = BRUME_VOLUMES "/smoke_%04d.vdb";
   expect_done({"fit", volumes, "--frames", "25-26", "--up", "z", "--count", "12", "-o",
                file("s_%02d.csv")});
-  const std::string scene = folder_
-                                .write("s.brume", R"({ "format": "brume-scene", "version": 1,
-    "medium": { "sequences": [ { "file": "s_%02d.csv", "first": 25, "last": 26,
-                                 "frames_per_second": 10 } ] } })")
-                                .string();
+  const std::string scene = folder_.write_scene(
+      "s.brume", R"("medium": { "sequences": [ { "file": "s_%02d.csv", "first": 25, "last": 26,
+                                 "frames_per_second": 10 } ] })");
   const auto medium_at = [&](const char* time) {
     expect_done({"export", scene, "--time", time, "-o", file("m.ply")});
     return read_gaussians(file("m.ply"));
@@ -75,8 +74,7 @@ TEST_F(AnimationCommands, ExportSimplifies) {
   folder_.write("crowd.csv", rows);
   const ProgramResult result =
       expect_done({"export", file("crowd.csv"), "-o", file("few.csv"), "--simplify", "0.01"});
-  EXPECT_NE(result.err.find("8 Gaussians became 1, with an error of "), std::string::npos)
-      << result.err;
+  EXPECT_TRUE(contains(result.err, "8 Gaussians became 1, with an error of "));
   const std::vector<Gaussian> few = read_gaussians(folder_ / "few.csv");
   ASSERT_EQ(few.size(), 1u);
   EXPECT_NEAR(few[0].density, 0.8, 1e-12);
@@ -94,7 +92,7 @@ TEST_F(AnimationCommands, ExportMakesTheOtherFramesOfASequence) {
   const ProgramResult result =
       run_brume({"export", file("g_%d.csv"), "-o", file("h_%d.ply"), "--frames", "1-3"});
   EXPECT_EQ(result.exit_code, 1);
-  EXPECT_NE(result.err.find("error: frame 2: "), std::string::npos) << result.err;
+  EXPECT_TRUE(contains(result.err, "error: frame 2: "));
   EXPECT_TRUE(std::filesystem::exists(folder_ / "h_1.ply"));
   EXPECT_FALSE(std::filesystem::exists(folder_ / "h_2.ply"));
   EXPECT_TRUE(std::filesystem::exists(folder_ / "h_3.ply"));

@@ -10,6 +10,7 @@
 #include "brume/error.h"
 #include "core/io/scene/scene_file.h"
 #include "core/scene/mesh.h"
+#include "tests/contains.h"
 #include "tests/tools/command_line.h"
 #include "tools/bench/measure/frontier.h"
 #include "tools/bench/report/bench_compare.h"
@@ -217,10 +218,10 @@ TEST(BenchTables, AppearInMarkdownAndHtml) {
         "shadow_map | 1e-06"}) {
     EXPECT_EQ(count(page, std::string("\n| ") + row + " |\n"), 1u) << row;
   }
-  EXPECT_NE(page.find(" | 1.08 (1.01 to 1.20) | "), std::string::npos) << "Table 1, all orders";
+  EXPECT_TRUE(contains(page, " | 1.08 (1.01 to 1.20) | ")) << "Table 1, all orders";
   EXPECT_EQ(count(html, "<td>1.1% (1 to 1.2)<td>152% (96 to 208)"), 4u);
-  EXPECT_NE(page.find("| 0.1 | 1 | 3.1% (2.8 to 3.6) | 1.5% (1.4 to 1.6) | 0.03% (0.02 to 0.04) |"),
-            std::string::npos);
+  EXPECT_TRUE(
+      contains(page, "| 0.1 | 1 | 3.1% (2.8 to 3.6) | 1.5% (1.4 to 1.6) | 0.03% (0.02 to 0.04) |"));
   EXPECT_EQ(count(html, "<td>3.1% (2.8 to 3.6)"), 1u);
   EXPECT_EQ(count(html, "x &lt; y"), 1u);
   EXPECT_EQ(count(html, "x < y"), 0u);
@@ -242,7 +243,7 @@ using BenchCommand = CommandLine;
 TEST_F(BenchCommand, WritesAReport) {
   const ProgramResult result =
       expect_done({"bench", "--quick", scene_, "-o", file("report"), "--threads", "2"});
-  EXPECT_NE(result.out.find("| a: 2 Gaussians |"), std::string::npos) << result.out;
+  EXPECT_TRUE(contains(result.out, "| a: 2 Gaussians |"));
   EXPECT_EQ(content_of(file("report.md")), result.out);
   EXPECT_TRUE(content_of(file("report.svg")).starts_with("<svg "));
   const Json json = Json::parse(content_of(file("report.json")));
@@ -261,9 +262,9 @@ TEST_F(BenchCommand, WritesAReport) {
   EXPECT_EQ(settings[0]["setting"], "paper");
   EXPECT_GT(settings[0]["error"]["rel_rmse"], 0.02);
   const std::string html = content_of(file("report.html"));
-  EXPECT_NE(html.find("<svg"), std::string::npos);
-  EXPECT_NE(html.find("data:image/png;base64,"), std::string::npos);
-  EXPECT_EQ(html.find(">nan"), std::string::npos);
+  EXPECT_TRUE(contains(html, "<svg"));
+  EXPECT_TRUE(contains(html, "data:image/png;base64,"));
+  EXPECT_FALSE(contains(html, ">nan"));
 
   // A report is at least as good as itself.
   const std::string old = content_of(file("report.json"));
@@ -276,9 +277,8 @@ TEST_F(BenchCommand, PutsOtherProgramsBeside) {
   folder_.write("peers.json", Json{{"peers", {row}}}.dump());
   const ProgramResult result = expect_done(
       {"bench", "--quick", scene_, "-o", file("report"), "--peers", file("peers.json")});
-  EXPECT_NE(result.out.find("| Other | 7 grains | 123.46 s | 1.9% |"), std::string::npos)
-      << result.out;
-  EXPECT_NE(content_of(file("report.svg")).find("Other"), std::string::npos);
+  EXPECT_TRUE(contains(result.out, "| Other | 7 grains | 123.46 s | 1.9% |"));
+  EXPECT_TRUE(contains(content_of(file("report.svg")), "Other"));
   const Json json = Json::parse(content_of(file("report.json")));
   EXPECT_EQ(json["scenes"][0]["peers"][0]["cpu_ms"], 123456.0);
 
@@ -309,7 +309,7 @@ TEST_F(BenchCommand, RefusesBeforeLongWork) {
         R"({"scenes": [], "table_one": [], "noise": [{"what": "n", "error": {"low": 1}}]})",
         R"({"scenes": [], "table_one": [{"name": "box", "cpu_ms": {"min": "1", "max": 2},
             "error": {"low": 0, "high": 1}}]})"}) {
-    const std::string old = folder_.write("old.json", report).string();
+    const std::string old = folder_.write("old.json", report);
     expect_refused({"bench", "--quick", scene_, "-o", file("report"), "--compare", old},
                    {old, "not a report"});
   }

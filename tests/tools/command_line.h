@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/io/image/image_file.h"
+#include "tests/contains.h"
 #include "tests/tools/run_program.h"
 
 namespace brume {
@@ -47,7 +48,7 @@ inline ProgramResult expect_done(const std::vector<std::string>& arguments) {
 class CommandLine : public ::testing::Test {
  protected:
   CommandLine() {
-    scene_ = folder_.write("a.brume", scene_text).string();
+    scene_ = folder_.write("a.brume", scene_text);
     folder_.write("floor.obj", "v -2 -1 -2\nv -2 -1 2\nv 2 -1 2\nv 2 -1 -2\nf 1 2 3 4\n");
   }
 
@@ -62,7 +63,7 @@ class CommandLine : public ::testing::Test {
     EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
     EXPECT_TRUE(result.err.starts_with("brume: error: ")) << result.err;
     for (const std::string& part : parts) {
-      EXPECT_NE(result.err.find(part), std::string::npos) << part << " in " << result.err;
+      EXPECT_TRUE(contains(result.err, part)) << part << " in " << result.err;
     }
   }
 

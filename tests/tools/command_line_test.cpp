@@ -3,15 +3,14 @@
 #include <stdlib.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "core/io/gaussians/gaussian_file.h"
 #include "core/io/image/image_file.h"
+#include "tests/contains.h"
 #include "tests/tools/command_line.h"
 
 namespace brume {
@@ -23,12 +22,12 @@ TEST_F(CommandLine, HelpAndVersion) {
   const std::string version = run_brume({"--version"}).out;
   EXPECT_TRUE(version.starts_with("brume " BRUME_VERSION "\n")) << version;
   for (const char* part : {"compiler", "vector instructions", "Embree", "OpenVDB"}) {
-    EXPECT_NE(version.find(part), std::string::npos) << part;
+    EXPECT_TRUE(contains(version, part));
   }
   for (const std::vector<std::string>& arguments :
        std::vector<std::vector<std::string>>{{"-h"}, {"render", "-h"}, {"compare", "--help"}}) {
     const ProgramResult result = expect_done(arguments);
-    EXPECT_NE(result.out.find("Usage"), std::string::npos);
+    EXPECT_TRUE(contains(result.out, "Usage"));
     EXPECT_EQ(result.err, "");
   }
 }
@@ -156,7 +155,7 @@ TEST_F(CommandLine, RendersAirlightAtLowerResolution) {
   const ProgramResult reference = run_brume(
       {"render", scene_, "-o", file("n.exr"), "--airlight", "reference", "--airlight-scale", "2"});
   EXPECT_EQ(reference.exit_code, 2);
-  EXPECT_NE(reference.err.find("--airlight-scale"), std::string::npos) << reference.err;
+  EXPECT_TRUE(contains(reference.err, "--airlight-scale"));
   EXPECT_FALSE(std::filesystem::exists(folder_ / "n.exr"));
 }
 
@@ -168,9 +167,9 @@ TEST_F(CommandLine, RendersToPng) {
   for (const char* text :
        {"Software", "Brume " BRUME_VERSION, "brume:scene", "brume:version", "brume:airlight",
         "paper", "brume:backend", "brume:exposure", "-1.5", "brume:view_transform"}) {
-    EXPECT_NE(png.find(text), std::string::npos) << text;
+    EXPECT_TRUE(contains(png, text));
   }
-  EXPECT_EQ(png.find(folder_.path().string()), std::string::npos) << "a path of this machine";
+  EXPECT_FALSE(contains(png, folder_.path().string())) << "a path of this machine";
 }
 
 TEST_F(CommandLine, PngsHaveEightOrSixteenBits) {
@@ -201,8 +200,8 @@ TEST_F(CommandLine, RendersPngsInViewsOfOpenColorIO) {
   };
   const std::string neutral = render("a.png", {});
   const std::string aces = render("b.png", {"--color-config", "aces"});
-  EXPECT_NE(neutral.find("Khronos PBR Neutral, sRGB"), std::string::npos);
-  EXPECT_NE(aces.find("ACES 1.0 SDR, sRGB"), std::string::npos);
+  EXPECT_TRUE(contains(neutral, "Khronos PBR Neutral, sRGB"));
+  EXPECT_TRUE(contains(aces, "ACES 1.0 SDR, sRGB"));
   const auto refuse = [&](const char* name, const std::vector<std::string>& options,
                           const std::vector<std::string>& parts) {
     expect_refused(joined({"render", scene_, "-o", file(name)}, options), parts);
@@ -282,14 +281,14 @@ TEST_F(CommandLine, RendersWithOpenGl) {
   EXPECT_LT(stats["error"]["rel_rmse"], 0.02);
   // Methods that it lacks are the CPU's, with a word.
   const auto [warning, other] = run({"--airlight", "march:8", "--backend", "gl"});
-  EXPECT_NE(warning.find("backend gl: rendered on the CPU: "), std::string::npos) << warning;
+  EXPECT_TRUE(contains(warning, "backend gl: rendered on the CPU: "));
   EXPECT_EQ(other["backend"], "cpu");
   EXPECT_EQ(other["on_cpu"][0]["stage"], "frame");
   // Unasked, only a GPU is used.
   const auto [nothing, automatic] =
       run({"--airlight", "sliced", "--scattering", "single", "--backend", "auto"});
   EXPECT_EQ(nothing, "");
-  EXPECT_EQ(automatic["device"].get<std::string>().find("llvmpipe"), std::string::npos);
+  EXPECT_FALSE(contains(automatic["device"].get<std::string>(), "llvmpipe"));
 }
 
 // Reports what auto chose and measured, which meets the bound: a quick measurement need not decide.
@@ -348,20 +347,18 @@ TEST_F(CommandLine, ReportsTheNumberOfThreads) {
 }
 
 TEST_F(CommandLine, WarnsOnStandardError) {
-  const std::string scene = folder_
-                                .write("w.brume", R"({"format": "brume-scene", "version": 1,
-    "mystery": 1, "film": {"width": 2, "height": 2}})")
-                                .string();
+  const std::string scene =
+      folder_.write_scene("w.brume", R"("mystery": 1, "film": {"width": 2, "height": 2})");
   const ProgramResult result = expect_done({"render", scene, "-o", file("o.exr")});
   EXPECT_TRUE(result.err.starts_with("brume: warning: ")) << result.err;
-  EXPECT_NE(result.err.find("mystery: unknown key"), std::string::npos) << result.err;
+  EXPECT_TRUE(contains(result.err, "mystery: unknown key"));
 }
 
 // In the cache folder of the user, from one run to the next.
 TEST_F(CommandLine, CachesRadianceTransfer) {
   Json scene = Json::parse(scene_text);
   scene["surfaces"][0]["transfer"] = "interreflection";
-  const std::string with_transfer = folder_.write("t.brume", scene.dump()).string();
+  const std::string with_transfer = folder_.write("t.brume", scene.dump());
   ASSERT_EQ(setenv("XDG_CACHE_HOME", file("cache").c_str(), 1), 0);
   const auto render = [&](const std::string& what) {
     ProgramResult result =

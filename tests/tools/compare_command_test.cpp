@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/io/image/image_file.h"
+#include "tests/contains.h"
 #include "tests/tools/command_line.h"
 
 namespace brume {
@@ -38,7 +39,7 @@ TEST_F(CommandLine, CompareStatesWhatCannotBeCompared) {
   const ProgramResult result = run_brume({"compare", file("a.exr"), file("b.exr")});
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_TRUE(Json::parse(result.out)["rel_rmse"].is_null());
-  EXPECT_NE(result.err.find("NaN"), std::string::npos);
+  EXPECT_TRUE(contains(result.err, "NaN"));
   const ProgramResult depth =
       expect_done({"compare", file("a.exr"), file("b.exr"), "--layer", "Z"});
   EXPECT_EQ(Json::parse(depth.out)["rel_rmse"], 0.0);

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tests/contains.h"
 #include "tests/tools/command_line.h"
 
 namespace brume {
@@ -48,16 +49,16 @@ TEST_F(FrameHeader, HasSettingsTimeAndRate) {
   for (const char* line :
        {"brume:slices: \"16\"", "brume:samples: \"4\"", "brume:frame: \"12\"", "brume:time: \"0.5",
         "framesPerSecond: 24000/1001", "brume:error: \"0."}) {
-    EXPECT_NE(sliced.find(line), std::string::npos) << line << " in " << sliced;
+    EXPECT_TRUE(contains(sliced, line)) << line << " in " << sliced;
   }
-  EXPECT_EQ(sliced.find("brume:seed"), std::string::npos);
+  EXPECT_FALSE(contains(sliced, "brume:seed"));
   render({"--airlight", "path:2", "--seed", "7", "--time", "-2.5", "-o", file("p.exr")});
   const std::string traced = header("p.exr");
   for (const char* line : {"brume:seed: \"7\"", "brume:time: \"-2.5\"", "framesPerSecond: 30/1"}) {
-    EXPECT_NE(traced.find(line), std::string::npos) << line << " in " << traced;
+    EXPECT_TRUE(contains(traced, line)) << line << " in " << traced;
   }
   for (const char* line : {"brume:slices", "brume:frame:", "brume:error"}) {
-    EXPECT_EQ(traced.find(line), std::string::npos) << line;
+    EXPECT_FALSE(contains(traced, line));
   }
 }
 
@@ -80,8 +81,8 @@ TEST_F(FrameHeader, HasTheMatricesOfTheCamera) {
 
 // An orthographic one, 4 u high: points are not divided by their depth.
 TEST_F(FrameHeader, HasTheMatricesOfAnOrthographicCamera) {
-  folder_.write("map.brume", R"({"format": "brume-scene", "version": 1,
-      "camera": {"eye": [0, 0, 5], "target": [0, 0, 0], "height": 4}})");
+  folder_.write_scene("map.brume",
+                      R"("camera": {"eye": [0, 0, 5], "target": [0, 0, 0], "height": 4})");
   for (const char* image : {"a.exr", "a.deep.exr"}) {
     SCOPED_TRACE(image);
     expect_done({"render", file("map.brume"), "--backend", "cpu", "--size", "40x20", "--airlight",

@@ -5,6 +5,7 @@
 
 #include "core/io/gaussians/gaussian_file.h"
 #include "core/number_domain.h"
+#include "tests/contains.h"
 #include "tests/tools/command_line.h"
 
 namespace brume {
@@ -24,7 +25,7 @@ class FrameRate : public CommandLine {
     scene["lights"][0]["keys"] = {{"intensity", keys({0, 0, 60}, {60, 0, 0})}};
     scene["medium"]["emitters"] = {{{"position", {0, 0, 0}}, {"rate", 5}, {"lifetime", 5}}};
     if (timeline) scene["timeline"] = {{"last", 99}, {"frames_per_second", *timeline}};
-    return folder_.write("moving.brume", scene.dump()).string();
+    return folder_.write("moving.brume", scene.dump());
   }
 
   std::map<std::string, std::vector<float>> rendered(const std::string& scene, const char* image,
@@ -80,8 +81,8 @@ TEST_F(FrameRate, IsOneForAllSubcommands) {
     EXPECT_EQ(exported(scene, "f_%d.ply", frame), exported(scene, "alone.ply", time));
     const std::string usd = stage(scene, joined({"--frames", "6-7"}, c.options));
     const std::string number = quoted_text(c.frames_per_second);
-    EXPECT_NE(usd.find("timeCodesPerSecond = " + number + "\n"), std::string::npos);
-    EXPECT_NE(usd.find("6: " + transform(stage(scene, time))), std::string::npos) << usd;
+    EXPECT_TRUE(contains(usd, "timeCodesPerSecond = " + number + "\n"));
+    EXPECT_TRUE(contains(usd, "6: " + transform(stage(scene, time))));
     EXPECT_EQ(video_rate(scene, c.options), number);
   }
 }

@@ -5,6 +5,7 @@
 
 #include "core/io/disk/file_bytes.h"
 #include "core/io/gaussians/gaussian_file.h"
+#include "tests/contains.h"
 #include "tests/tools/command_line.h"
 #include "tests/tools/running_program.h"
 
@@ -23,7 +24,7 @@ class FrameSequence : public CommandLine {
     };
     scene["camera"]["keys"] = {{"eye", keys({0, 0, 5}, {4, 0, 5})}};
     scene["lights"][0]["keys"] = {{"intensity", keys({0, 0, 60}, {60, 0, 0})}};
-    moving_ = folder_.write("moving.brume", scene.dump()).string();
+    moving_ = folder_.write("moving.brume", scene.dump());
   }
 
   // The report of the program.
@@ -157,7 +158,7 @@ TEST_F(FrameSequence, AFrameThatFailsLeavesTheOthersAlone) {
   Json scene = Json::parse(scene_text);
   scene["medium"]["sequences"] =
       Json::array({{{"file", "fog_%d.ply"}, {"first", 0}, {"last", 5}, {"frames_per_second", 10}}});
-  moving_ = folder_.write("played.brume", scene.dump()).string();
+  moving_ = folder_.write("played.brume", scene.dump());
   fs::create_directory(folder_ / "s_5.exr.folder");
   const Json result = render({"--frames", "0-5", "-o", file("s_%d.exr")}, 1);
   EXPECT_EQ(result["made"], Json({0, 1, 2, 4, 5}));
@@ -166,7 +167,7 @@ TEST_F(FrameSequence, AFrameThatFailsLeavesTheOthersAlone) {
   // Any other file that is missing ends it all.
   fs::remove(folder_ / "floor.obj");
   render({"--frames", "0-5", "-o", file("s_%d.exr")}, 2);
-  EXPECT_NE(errors_.find("surfaces[0].mesh"), std::string::npos) << errors_;
+  EXPECT_TRUE(contains(errors_, "surfaces[0].mesh"));
 }
 
 TEST_F(FrameSequence, RefusesWhatCannotBeMeant) {

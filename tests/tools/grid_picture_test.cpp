@@ -30,7 +30,7 @@ TEST(GridPicture, MatchesTheMedium) {
   double wrong = 0.0;
   double right = 0.0;
   for (std::size_t i = 0; i < picture.size(); ++i) {
-    const double expected = static_cast<double>(frame.airlight[3 * i]);
+    const double expected = frame.airlight[3 * i];
     wrong += std::pow(static_cast<double>(picture[i]) - expected, 2.0);
     right += expected * expected;
   }

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/io/gaussians/gaussian_file.h"
+#include "tests/contains.h"
 #include "tests/tools/command_line.h"
 
 namespace brume {
@@ -30,20 +31,17 @@ TEST_F(CommandLine, SummarizesAScene) {
   EXPECT_GT(info["medium"]["greatest_optical_depth"], 0.95 * both);
 
   const ProgramResult words = expect_done({"info", scene_});
-  EXPECT_NE(words.out.find("gaussians: 2"), std::string::npos) << words.out;
-  EXPECT_NE(words.out.find("center bounds: (0, 0, 0) to (1, 0, 0)"), std::string::npos)
-      << words.out;
+  EXPECT_TRUE(contains(words.out, "gaussians: 2"));
+  EXPECT_TRUE(contains(words.out, "center bounds: (0, 0, 0) to (1, 0, 0)"));
 }
 
 // Fog over a wide ground, as far as that reaches.
 TEST_F(CommandLine, SaysHowMuchOfTheSunDeepFogLetsThrough) {
-  const std::string scene = folder_
-                                .write("deep.brume", R"({"format": "brume-scene", "version": 1,
-    "camera": {"eye": [0, 2, 4], "target": [0, 0, 0], "vertical_fov": 40},
+  const std::string scene = folder_.write_scene(
+      "deep.brume", R"("camera": {"eye": [0, 2, 4], "target": [0, 0, 0], "vertical_fov": 40},
     "film": {"width": 4, "height": 3}, "medium": {"density": 0.05},
     "lights": [{"type": "directional", "direction": [0, -1, 0], "irradiance": [1, 1, 1]}],
-    "surfaces": [{"primitive": {"type": "plane", "size": [60, 1, 80]}}]})")
-                                .string();
+    "surfaces": [{"primitive": {"type": "plane", "size": [60, 1, 80]}}])");
   const Json info = Json::parse(expect_done({"info", scene, "--json"}).out);
   EXPECT_DOUBLE_EQ(info["medium"]["far_light_transmittance"], std::exp(-5.0));
   EXPECT_DOUBLE_EQ(info["medium"]["fog_extent"], 100.0);
@@ -51,22 +49,20 @@ TEST_F(CommandLine, SaysHowMuchOfTheSunDeepFogLetsThrough) {
   const ProgramResult render =
       expect_done({"render", scene, "-o", file("deep.exr"), "--error", "none"});
   for (const std::string& err : {render.err, expect_done({"info", scene}).err}) {
-    EXPECT_NE(err.find("lets 0.67% of the light from far away through"), std::string::npos) << err;
-    EXPECT_NE(err.find("as far as all that is in the scene; a homogeneous density of 0.0069, or a "
-                       "medium.extent of 14, would let half of it through"),
-              std::string::npos)
-        << err;
+    EXPECT_TRUE(contains(err, "lets 0.67% of the light from far away through"));
+    EXPECT_TRUE(
+        contains(err,
+                 "as far as all that is in the scene; a homogeneous density of 0.0069, or a "
+                 "medium.extent of 14, would let half of it through"));
   }
 }
 
 TEST_F(CommandLine, SaysHowFarFogReaches) {
   const auto scene = [this](const char* name, const std::string& medium, const char* type) {
-    return folder_
-        .write(name, R"({"format": "brume-scene", "version": 1,
+    return folder_.write(name, R"({"format": "brume-scene", "version": 1,
     "camera": {"eye": [0, 2, 4], "target": [0, 0, 0]}, "film": {"width": 4, "height": 3},
-    "medium": {)" + medium +
-                         R"(}, "lights": [)" + type + "]}")
-        .string();
+    "medium": {)" + medium + R"(}, "lights": [)" +
+                                   type + "]}");
   };
   const char* const sun = R"({"type": "directional", "direction": [0, -1, 0],
                               "irradiance": [1, 1, 1]})";
@@ -80,10 +76,9 @@ TEST_F(CommandLine, SaysHowFarFogReaches) {
   EXPECT_EQ(far["fog_extent_is"], "set");
   EXPECT_DOUBLE_EQ(far["far_light_transmittance"], std::exp(-1.5));
   const ProgramResult warned = expect_done({"info", scene("far.brume", set, sun)});
-  EXPECT_NE(warned.err.find("it reaches 30 u, the medium's extent; a homogeneous density of 0.023, "
-                            "or a medium.extent of 14, would"),
-            std::string::npos)
-      << warned.err;
+  EXPECT_TRUE(contains(warned.err,
+                       "it reaches 30 u, the medium's extent; a homogeneous density of 0.023, "
+                       "or a medium.extent of 14, would"));
   const Json near = info_of(scene("near.brume", set, point));
   EXPECT_DOUBLE_EQ(near["fog_extent"], 30.0);
   EXPECT_FALSE(near.contains("far_light_transmittance"));
@@ -104,7 +99,7 @@ TEST_F(CommandLine, SummarizesAMedium) {
 TEST_F(CommandLine, AcceptsExtensionsInAnyCase) {
   write_gaussians(folder_ / "M.PLY", std::vector<Gaussian>{{{1, 2, 3}, 2, 0.25}});
   expect_done({"info", file("M.PLY")});
-  expect_done({"info", folder_.write("A.Brume", scene_text).string()});
+  expect_done({"info", folder_.write("A.Brume", scene_text)});
   expect_refused({"info", file("smoke.VDB")}, {"smoke.VDB", "no such file"});
 }
 

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "core/io/gaussians/gaussian_file.h"
+#include "tests/contains.h"
 #include "tests/tools/command_line.h"
 #include "tests/tools/running_program.h"
 
@@ -21,13 +22,12 @@ class Interruption : public CommandLine {
  protected:
   Interruption() {
     write_cloud(5000);
-    slow_ = folder_
-                .write("slow.brume", R"({ "format": "brume-scene", "version": 1,
-  "camera": { "eye": [0, 0, 5], "target": [0, 0, 0] }, "film": { "width": 2000, "height": 2000 },
+    slow_ = folder_.write_scene(
+        "slow.brume",
+        R"("camera": { "eye": [0, 0, 5], "target": [0, 0, 0] }, "film": { "width": 2000, "height": 2000 },
   "medium": { "density": 0.02, "file": "cloud.ply" },
   "lights": [ { "type": "point", "position": [2, 2, 2], "intensity": [30, 20, 10] } ],
-  "surfaces": [ { "mesh": "floor.obj" } ] })")
-                .string();
+  "surfaces": [ { "mesh": "floor.obj" } ])");
   }
 
   // The fog of the scene.
@@ -49,7 +49,7 @@ class Interruption : public CommandLine {
     const int status = program.wait();
     EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGINT) << status << '\n'
                                                                    << program.shown();
-    EXPECT_EQ(program.shown().find("error"), std::string::npos) << program.shown();
+    EXPECT_FALSE(contains(program.shown(), "error"));
     EXPECT_EQ(folder_.entry_count(), entries);
   }
 
@@ -57,7 +57,7 @@ class Interruption : public CommandLine {
 };
 
 TEST_F(Interruption, EndsEverySubcommand) {
-  const std::string old = folder_.write("old.png", "old").string();
+  const std::string old = folder_.write("old.png", "old");
   expect_interruptible({"render", slow_, "-o", old, "--backend", "cpu"}, "frame 1 of 1: ");
   expect_interruptible({"render", slow_, "-o", old, "--airlight", "reference", "--backend", "cpu"},
                        "frame 1 of 1: ");

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "core/io/disk/file_bytes.h"
+#include "tests/contains.h"
 #include "tests/tools/command_line.h"
 
 namespace brume {
@@ -151,9 +152,9 @@ TEST_F(JobBundle, TasksMakeTheFramesOfTheSequence) {
   ASSERT_EQ(results.size(), 3u);
   for (const auto& [chunk, result] : results) {
     EXPECT_EQ(result.exit_code, 0) << chunk << result.err;
-    EXPECT_NE(result.out.find("openjd_status: frame "), std::string::npos) << result.out;
-    EXPECT_NE(result.out.find("\nopenjd_progress: 100\n"), std::string::npos) << result.out;
-    EXPECT_EQ(result.out.find("openjd_fail"), std::string::npos) << result.out;
+    EXPECT_TRUE(contains(result.out, "openjd_status: frame "));
+    EXPECT_TRUE(contains(result.out, "\nopenjd_progress: 100\n"));
+    EXPECT_FALSE(contains(result.out, "openjd_fail"));
   }
   run_brume({"render", scene_, "--airlight", "sliced", "--scattering", "single", "--fps", "10",
              "--size", "16x12", "--backend", "cpu", "--frames", "0,2,3,4,7", "-o",
@@ -186,7 +187,7 @@ TEST_F(JobBundle, TellsOfFramesThatFail) {
   ASSERT_EQ(results.size(), 1u);
   const ProgramResult& result = results.begin()->second;
   EXPECT_NE(result.exit_code, 0);
-  EXPECT_NE(result.out.find("openjd_fail: "), std::string::npos) << result.out << result.err;
+  EXPECT_TRUE(contains(result.out, "openjd_fail: ")) << result.out << result.err;
 }
 
 TEST_F(JobBundle, VideosFollowTheirFrames) {
@@ -203,9 +204,9 @@ TEST_F(JobBundle, WarnOfFilesThatAFarmWouldNotCopy) {
   fs::create_directory(folder_ / "scenes");
   std::string text = scene_text;
   text.replace(text.find("floor.obj"), 9, "../floor.obj");
-  scene_ = folder_.write("scenes/b.brume", text).string();
+  scene_ = folder_.write("scenes/b.brume", text);
   bundle({"--frames", "0", "-o", file("f_%d.exr")});
-  EXPECT_NE(errors_.find("brume gather"), std::string::npos) << errors_;
+  EXPECT_TRUE(contains(errors_, "brume gather"));
 }
 
 TEST_F(JobBundle, RefuseWhatATemplateCannotSay) {

@@ -9,6 +9,7 @@
 #include "core/io/gaussians/gaussian_file.h"
 #include "core/io/import/uri.h"
 #include "core/io/ply.h"
+#include "tests/contains.h"
 #include "tests/tools/command_line.h"
 
 namespace brume {
@@ -68,7 +69,7 @@ TEST_F(LitSplats, TurnWithTheirLight) {
 TEST_F(LitSplats, APageHoldsAllThatItShows) {
   expect_done({"export", file("lit.brume"), "-o", file("fog.html"), "--web"});
   const std::string page = read_bytes(file("fog.html"));
-  EXPECT_NE(page.find("<title>fog</title>"), std::string::npos);
+  EXPECT_TRUE(contains(page, "<title>fog</title>"));
   const std::string mark = "id=\"sse-bootstrap\">";
   const std::size_t begin = page.find(mark) + mark.size();
   const Json content = Json::parse(page.substr(begin, page.find("</script>", begin) - begin));

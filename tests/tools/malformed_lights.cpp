@@ -1,4 +1,3 @@
-#include <utility>
 
 #include "core/scene/fields/light_fields.h"
 #include "tests/tools/malformed_fields.h"

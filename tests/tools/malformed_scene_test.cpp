@@ -9,6 +9,7 @@
 #include "core/io/scene/scene_file.h"
 #include "core/scene/animation/animation.h"
 #include "core/scene/fields/copies_fields.h"
+#include "tests/contains.h"
 #include "tests/tools/malformed_fields.h"
 #include "tests/tools/malformed_scenes.h"
 #include "tests/tools/run_program.h"
@@ -59,10 +60,9 @@ class MalformedScene : public ::testing::Test {
     EXPECT_EQ(std::ranges::count(message, '\n'), 0) << message;
     EXPECT_LT(message.size(), 6000u);
     EXPECT_TRUE(message.starts_with(scene + ": ")) << message;
-    EXPECT_NE(message.find(expected.place), std::string::npos)
-        << expected.place << " in " << message;
+    EXPECT_TRUE(contains(message, expected.place)) << expected.place << " in " << message;
     for (const std::string& part : expected.said) {
-      EXPECT_NE(message.find(part), std::string::npos) << part << " in " << message;
+      EXPECT_TRUE(contains(message, part)) << part << " in " << message;
     }
   }
 
@@ -211,7 +211,7 @@ TEST_F(MalformedScene, RefusesHugeFilesUnread) {
   const ProgramResult result =
       run_brume({"render", scene.string(), "-o", (folder_ / "o.exr").string()});
   EXPECT_EQ(result.exit_code, 2);
-  EXPECT_NE(result.err.find("1073741824"), std::string::npos) << result.err;
+  EXPECT_TRUE(contains(result.err, "1073741824"));
 }
 
 }  // namespace

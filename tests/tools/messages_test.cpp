@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/printable_text.h"
+#include "tests/contains.h"
 #include "tests/tools/command_line.h"
 
 namespace brume {
@@ -25,17 +26,15 @@ void expect_printable(const ProgramResult& result) {
 TEST_F(Messages, DoNotDriveTheTerminal) {
   const std::string key = hostile;
   const std::string scene =
-      folder_
-          .write(key + ".brume", nlohmann::json{{"format", "brume-scene"},
-                                                {"version", 1},
-                                                {key, 1},
-                                                {"film", {{"width", 2}, {"height", 2}}}}
-                                     .dump())
-          .string();
+      folder_.write(key + ".brume", nlohmann::json{{"format", "brume-scene"},
+                                                   {"version", 1},
+                                                   {key, 1},
+                                                   {"film", {{"width", 2}, {"height", 2}}}}
+                                        .dump());
   const ProgramResult info = expect_done({"info", scene});
   expect_printable(info);
-  EXPECT_NE(info.out.find(harmless), std::string::npos) << info.out;
-  EXPECT_NE(info.err.find(std::string(harmless) + ": unknown key"), std::string::npos) << info.err;
+  EXPECT_TRUE(contains(info.out, harmless));
+  EXPECT_TRUE(contains(info.err, std::string(harmless) + ": unknown key"));
 
   const ProgramResult as_json = run_brume({"info", "--json", scene});
   expect_printable(as_json);
@@ -65,12 +64,10 @@ TEST_F(Messages, ManyWarningsAreCounted) {
   nlohmann::json scene{{"format", "brume-scene"}, {"version", 1}};
   for (int i = 0; i < 500; ++i) scene["medium"]["unknown_" + std::to_string(i)] = i;
   for (int i = 0; i < 500; ++i) scene["unknown_" + std::to_string(i)] = i;
-  const ProgramResult result =
-      expect_done({"info", folder_.write("w.brume", scene.dump()).string()});
+  const ProgramResult result = expect_done({"info", folder_.write("w.brume", scene.dump())});
   EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 21) << result.err;
-  EXPECT_NE(result.err.find("unknown_0: unknown key"), std::string::npos) << result.err;
-  EXPECT_NE(result.err.find("w.brume: and 980 more warnings like these"), std::string::npos)
-      << result.err;
+  EXPECT_TRUE(contains(result.err, "unknown_0: unknown key"));
+  EXPECT_TRUE(contains(result.err, "w.brume: and 980 more warnings like these"));
 }
 
 TEST_F(Messages, NameWhatIsGatheredFromElsewhere) {
@@ -84,27 +81,23 @@ TEST_F(Messages, NameWhatIsGatheredFromElsewhere) {
   folder_.write("here/own.obj", floor);
   const auto scene = [&](const char* name, const std::string& list) {
     const std::string text = R"({ "format": "brume-scene", "version": 1, "surfaces": [ )";
-    return folder_.write(name, text + list + " ] }").string();
+    return folder_.write(name, text + list + " ] }");
   };
   const ProgramResult own =
       expect_done({"gather", scene("here/a.brume", R"({ "mesh": "own.obj" })"), file("own")});
-  EXPECT_EQ(own.err.find("outside"), std::string::npos) << own.err;
+  EXPECT_FALSE(contains(own.err, "outside"));
   const ProgramResult others =
       expect_done({"gather", scene("here/b.brume", surfaces), file("all")});
   const std::string note = "copied from outside the scene's folder: " + file("floor.obj") + ", " +
                            file("elsewhere/10.obj");
-  EXPECT_NE(others.err.find(note), std::string::npos) << others.err;
-  EXPECT_NE(others.err.find("18.obj and 3 more\n"), std::string::npos) << others.err;
+  EXPECT_TRUE(contains(others.err, note));
+  EXPECT_TRUE(contains(others.err, "18.obj and 3 more\n"));
 }
 
 TEST_F(Messages, SuggestASufficientVoxelSize) {
-  const std::string scene =
-      folder_
-          .write("small.brume",
-                 R"({ "format": "brume-scene", "version": 1, "medium": { "gaussians": [
+  const std::string scene = folder_.write_scene("small.brume", R"("medium": { "gaussians": [
   { "center": [0, 0, 0], "radius": 1, "density": 1 },
-  { "center": [1, 0, 0], "radius": 1e-12, "density": 1 } ] } })")
-          .string();
+  { "center": [1, 0, 0], "radius": 1e-12, "density": 1 } ] })");
   const ProgramResult refused = run_brume({"export", scene, "-o", file("o.vdb")});
   EXPECT_EQ(refused.exit_code, 2);
   const std::string before =
@@ -112,7 +105,7 @@ TEST_F(Messages, SuggestASufficientVoxelSize) {
   const std::size_t at = refused.err.find(before);
   ASSERT_NE(at, std::string::npos) << refused.err;
   const std::string rest = refused.err.substr(at + before.size());
-  ASSERT_NE(rest.find(" or more\n"), std::string::npos) << rest;
+  ASSERT_TRUE(contains(rest, " or more\n"));
   const std::string size = rest.substr(0, rest.find(' '));
   EXPECT_LE(size.size(), 7u) << "two digits";
   // The size named is enough, and not much more than it must be; grids of gigabytes are not

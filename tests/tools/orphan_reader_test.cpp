@@ -88,10 +88,8 @@ TEST_F(OrphanReader, EndsWithTheProgramThatStartedIt) {
         "f " + std::to_string(i) + ' ' + std::to_string(i + 1) + ' ' + std::to_string(i + 2) + '\n';
   }
   folder_.write("big.obj", obj);
-  const std::string scene = folder_
-                                .write("big.brume", R"({ "format": "brume-scene", "version": 1,
-    "surfaces": [ { "file": "big.obj" } ] })")
-                                .string();
+  const std::string scene =
+      folder_.write_scene("big.brume", R"("surfaces": [ { "file": "big.obj" } ])");
   pid_t reader = -1;
   while (reader < 0) {
     RunningProgram program({"info", scene});

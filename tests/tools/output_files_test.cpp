@@ -4,6 +4,7 @@
 
 #include "core/io/gaussians/gaussian_file.h"
 #include "core/io/volume/volume_file.h"
+#include "tests/contains.h"
 #include "tests/tools/command_line.h"
 
 namespace brume {
@@ -23,11 +24,9 @@ class OutputFiles : public CommandLine {
     sky.height = 2;
     for (const char* channel : {"R", "G", "B"}) sky.channels[channel] = std::vector<float>(8, 1.0f);
     write_exr(folder_ / "sky.exr", sky);
-    many_ = folder_
-                .write("many.brume", R"({ "format": "brume-scene", "version": 1,
-  "medium": { "file": "many.ply" }, "film": { "width": 24, "height": 18 },
-  "environment": { "file": "sky.exr" }, "surfaces": [ { "mesh": "floor.obj" } ] })")
-                .string();
+    many_ = folder_.write_scene(
+        "many.brume", R"("medium": { "file": "many.ply" }, "film": { "width": 24, "height": 18 },
+  "environment": { "file": "sky.exr" }, "surfaces": [ { "mesh": "floor.obj" } ])");
   }
 
   // Refused, and all files are what they were.
@@ -94,8 +93,7 @@ TEST_F(OutputFiles, AFullDiskLeavesNoGatheredScene) {
       run_brume({"gather", many_, file("all")}, {.before = "ulimit -f 2; "});
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_TRUE(result.err.starts_with("brume: error: " + file("all") + ": cannot be created: "));
-  EXPECT_NE(result.err.find("many.ply: cannot be written: File too large"), std::string::npos)
-      << result.err;
+  EXPECT_TRUE(contains(result.err, "many.ply: cannot be written: File too large"));
   EXPECT_EQ(folder_.entry_count(), entries);
 }
 

@@ -42,10 +42,9 @@ TEST_F(OutputFolders, MayHavePercentsInTheirNames) {
 TEST_F(OutputFolders, OfAScenesSequenceMayHaveThem) {
   write_gaussians(fs::path(folder_.write("5%d/x", "").parent_path()) / "s_7.ply",
                   std::vector<Gaussian>{{{0, 0, 0}, 1.0, 0.5}});
-  const std::string scene = folder_
-                                .write("s.brume", R"({ "format": "brume-scene", "version": 1,
-    "medium": { "sequences": [ { "file": "5%d/s_%d.ply", "first": 7, "last": 7 } ] } })")
-                                .string();
+  const std::string scene = folder_.write_scene(
+      "s.brume",
+      R"("medium": { "sequences": [ { "file": "5%d/s_%d.ply", "first": 7, "last": 7 } ] })");
   expect_done({"gather", scene, file("new/all")});
   expect_file("new/all/s.brume");
   expect_done({"info", file("new/all/s.brume")});

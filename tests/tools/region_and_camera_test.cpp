@@ -1,5 +1,6 @@
 #include <cstring>
 
+#include "tests/contains.h"
 #include "tests/tools/command_line.h"
 
 namespace brume {
@@ -60,10 +61,9 @@ TEST_F(RegionAndCamera, ANamedCameraSeesTheScene) {
   const std::string named =
       R"({ "cameras": [ { "name": "From behind", "eye": [0, 0, -5], "vertical_fov": 30 } ],)" +
       text.substr(1);
-  const std::string scene = folder_.write("b.brume", named).string();
+  const std::string scene = folder_.write("b.brume", named);
   const std::string behind =
-      folder_.write("c.brume", std::string(text).replace(text.find("[0, 0, 5]"), 9, "[0, 0, -5]"))
-          .string();
+      folder_.write("c.brume", std::string(text).replace(text.find("[0, 0, 5]"), 9, "[0, 0, -5]"));
   const auto seen_by = [&](const std::string& camera) {
     return render(scene, {"--airlight", "paper", "--samples", "1", "--camera", camera});
   };
@@ -74,7 +74,7 @@ TEST_F(RegionAndCamera, ANamedCameraSeesTheScene) {
   EXPECT_NE(first.channels, other.channels);
   EXPECT_NE(other.channels, render(behind, paper).channels);  // whose field of view is wider
   const ProgramResult info = run_brume({"info", scene});
-  EXPECT_NE(info.out.find("cameras: Camera, From behind\n"), std::string::npos) << info.out;
+  EXPECT_TRUE(contains(info.out, "cameras: Camera, From behind\n"));
   expect_refused({"render", scene, "-o", file("o.exr"), "--camera", "Front"},
                  {"--camera", "Front", "Camera, From behind"});
 }

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "tests/tools/command_line.h"
@@ -15,7 +14,7 @@ using Json = nlohmann::json;
 class SamplesOption : public CommandLine {
  protected:
   // Without homogeneous fog, which hides where the floor ends: it lets nothing through to infinity.
-  SamplesOption() { scene_ = folder_.write("a.brume", clear_text()).string(); }
+  SamplesOption() { scene_ = folder_.write("a.brume", clear_text()); }
   static std::string clear_text() {
     std::string text = scene_text;
     const std::string density = "\"density\": 0.02, ";
@@ -37,9 +36,8 @@ class SamplesOption : public CommandLine {
     const std::string begin = "\"" + object + "\": {";
     const std::size_t found = text.find(begin);
     if (found == std::string::npos)
-      return folder_.write("b.brume", "{ \"" + object + "\": {" + members + "}," + text.substr(1))
-          .string();
-    return folder_.write("b.brume", text.insert(found + begin.size(), members + ", ")).string();
+      return folder_.write("b.brume", "{ \"" + object + "\": {" + members + "}," + text.substr(1));
+    return folder_.write("b.brume", text.insert(found + begin.size(), members + ", "));
   }
 };
 
@@ -71,7 +69,7 @@ TEST_F(SamplesOption, AreChosenByTheScene) {
 
   std::string bare = clear_text();
   bare = bare.substr(0, bare.find(",\n  \"surfaces\"")) + "}";
-  const std::string fog = folder_.write("fog.brume", bare).string();
+  const std::string fog = folder_.write("fog.brume", bare);
   const Rendered plain = render(fog, {});
   EXPECT_EQ(plain.stats["samples"], 1);
   EXPECT_EQ(plain.image.channels, render(fog, {"--samples", "1"}).image.channels);
@@ -103,9 +101,8 @@ TEST_F(SamplesOption, AShutterBlursWhatMoves) {
   // Nothing moves: the same as without.
   EXPECT_EQ(render(scene_, words("--samples 8 --shutter 0,2")).image.channels,
             render(scene_, {"--samples", "8"}).image.channels);
-  const std::string own =
-      folder_.write("c.brume", R"({ "output": {"shutter": [0, 2]},)" + content_of(moving).substr(1))
-          .string();
+  const std::string own = folder_.write(
+      "c.brume", R"({ "output": {"shutter": [0, 2]},)" + content_of(moving).substr(1));
   EXPECT_EQ(render(own, at).image.channels, smeared.channels);
   EXPECT_EQ(render(own, joined(at, {"--shutter", "none"})).image.channels, still.image.channels);
 }

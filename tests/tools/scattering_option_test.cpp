@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tests/contains.h"
 #include "tests/tools/command_line.h"
 
 namespace brume {
@@ -30,9 +31,7 @@ TEST_F(CommandLine, MeasuresAllOrdersOfScattering) {
   const ProgramResult wrong =
       run_brume({"render", scene_, "-o", file("w.exr"), "--scattering", "twice"});
   EXPECT_EQ(wrong.exit_code, 2);
-  EXPECT_NE(wrong.err.find("--scattering: found twice; allowed: single, multiple"),
-            std::string::npos)
-      << wrong.err;
+  EXPECT_TRUE(contains(wrong.err, "--scattering: found twice; allowed: single, multiple"));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tests/contains.h"
 #include "tests/tools/command_line.h"
 
 namespace brume {
@@ -93,7 +94,7 @@ TEST_F(SlurmSubmission, RefusesWhatAScriptCannotSay) {
   const auto refused = [this](std::vector<std::string> more) {
     const ProgramResult result = submit(std::move(more));
     EXPECT_EQ(result.exit_code, 2) << result.out;
-    EXPECT_NE(result.err.find("allowed"), std::string::npos) << result.err;
+    EXPECT_TRUE(contains(result.err, "allowed"));
   };
   refused({"--frames", "1", "-o", file("out\ntouch INJECTED\n#/f_%d.exr")});
   refused({"--frames", "1", "-o", file("a\tb/f_%d.exr")});
@@ -115,7 +116,7 @@ TEST_F(SlurmSubmission, VideosFindFramesInFoldersWithPercents) {
       submit({"--frames", "1-2", "-o", file("5%d/%%_%d.png"), "--video", file("film.mp4")});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const std::string calls = content_of(folder_ / "calls");
-  EXPECT_NE(calls.find(file("5%%d/%%_%d.png")), std::string::npos) << calls;
+  EXPECT_TRUE(contains(calls, file("5%%d/%%_%d.png")));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "core/io/gaussians/gaussian_file.h"
+#include "tests/contains.h"
 #include "tests/tools/command_line.h"
 
 namespace brume {
@@ -52,10 +53,9 @@ TEST_F(SplatExport, GltfThereAndBack) {
     expect_done({"export", file(name), "-o", file("c.ply")});
     expect_same("c.ply", 2e-6);
     const ProgramResult info = expect_done({"info", file(name)});
-    EXPECT_NE(info.out.find("  gaussians: 2\n"), std::string::npos) << info.out;
+    EXPECT_TRUE(contains(info.out, "  gaussians: 2\n"));
   }
-  folder_.write("s.brume", R"({ "format": "brume-scene", "version": 1,
-    "medium": { "file": "b.glb" } })");
+  folder_.write_scene("s.brume", R"("medium": { "file": "b.glb" })");
   expect_done({"export", file("s.brume"), "-o", file("d.ply")});
   expect_same("d.ply", 2e-6);
 }
@@ -64,8 +64,8 @@ TEST_F(SplatExport, StagesHaveSplatsToo) {
   expect_done({"export", scene_, "-o", file("a.usda"), "--splats", "--voxel", "0.2"});
   std::ifstream in(file("a.usda"));
   const std::string stage{std::istreambuf_iterator<char>(in), {}};
-  EXPECT_NE(stage.find("def ParticleField3DGaussianSplat"), std::string::npos);
-  EXPECT_NE(stage.find("def Volume \"Fog\""), std::string::npos);
+  EXPECT_TRUE(contains(stage, "def ParticleField3DGaussianSplat"));
+  EXPECT_TRUE(contains(stage, "def Volume \"Fog\""));
 }
 
 TEST_F(SplatExport, SequencesOfSplats) {
@@ -99,9 +99,9 @@ TEST_F(SplatExport, KeepsIds) {
   expect_done({"export", file("c.ply"), "-o", file("d.csv")});
   for (const char* name : {"b.ply", "c.ply", "d.csv"}) EXPECT_EQ(ids_of(name), ids) << name;
 
-  folder_.write("s.brume", R"({ "format": "brume-scene", "version": 1, "medium": { "gaussians": [
+  folder_.write_scene("s.brume", R"("medium": { "gaussians": [
     { "center": [0, 0, 0], "radius": 1, "density": 1, "id": 5 },
-    { "center": [1, 0, 0], "radius": 1, "density": 1 } ] } })");
+    { "center": [1, 0, 0], "radius": 1, "density": 1 } ] })");
   expect_done({"export", file("s.brume"), "-o", file("s.csv")});
   EXPECT_EQ(ids_of("s.csv"), (std::vector<GaussianNumber>{5, 6}));
   expect_done({"export", file("a.ply"), "-o", file("none.csv")});
@@ -135,7 +135,7 @@ TEST_F(SplatExport, TellsOfSplatsThatAreLeftOut) {
        {run_brume({"export", file("bad.ply"), "-o", file("good.csv")}),
         run_brume({"info", file("bad.ply")})}) {
     EXPECT_EQ(result.exit_code, 0);
-    EXPECT_NE(result.err.find("1 of 3 splats left out"), std::string::npos) << result.err;
+    EXPECT_TRUE(contains(result.err, "1 of 3 splats left out"));
   }
   EXPECT_EQ(read_gaussians(file("good.csv")).size(), 2u);
 }

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "core/io/volume/volume_file.h"
+#include "tests/contains.h"
 #include "tests/tools/command_line.h"
 
 namespace brume {
@@ -23,39 +24,36 @@ class UsdExport : public CommandLine {
 
 TEST_F(UsdExport, WritesAStageAndItsVolume) {
   const ProgramResult result = expect_done({"export", scene_, "-o", file("a.usda")});
-  EXPECT_NE(result.err.find("homogeneous"), std::string::npos) << result.err;
+  EXPECT_TRUE(contains(result.err, "homogeneous"));
   const std::string stage = text_of("a.usda");
   EXPECT_TRUE(stage.starts_with("#usda 1.0\n"));
   for (const char* part :
        {"def Camera", "def SphereLight", "def Mesh \"floor\"", "def Volume",
         "def OpenVDBAsset \"density\"", "@a_fog.vdb@", "brume:homogeneousDensity = 0.02"}) {
-    EXPECT_NE(stage.find(part), std::string::npos) << part;
+    EXPECT_TRUE(contains(stage, part));
   }
   EXPECT_EQ(volume_grids(file("a_fog.vdb")).size(), 1u);
 }
 
 TEST_F(UsdExport, WritesAVolumeForEachFrame) {
-  const std::string moving = folder_
-                                 .write("m.brume", R"({
-    "format": "brume-scene", "version": 1,
-    "camera": { "eye": [0, 0, 5], "target": [0, 0, 0], "keys": { "eye": [
+  const std::string moving = folder_.write_scene(
+      "m.brume", R"("camera": { "eye": [0, 0, 5], "target": [0, 0, 0], "keys": { "eye": [
       { "time": 0, "value": [0, 0, 5] }, { "time": 1, "value": [0, 0, 9] } ] } },
     "film": { "width": 24, "height": 18 },
     "medium": { "emitters": [ { "position": [0, 0, 0], "rate": 20 } ] },
-    "lights": [] })")
-                                 .string();
+    "lights": [])");
   expect_done(
       {"export", moving, "-o", file("m.usda"), "--frames", "5-6", "--fps", "10", "--voxel", "0.1"});
   const std::string stage = text_of("m.usda");
-  EXPECT_NE(stage.find("5: @m_fog_0005.vdb@"), std::string::npos) << stage;
-  EXPECT_NE(stage.find("6: @m_fog_0006.vdb@"), std::string::npos);
-  EXPECT_NE(stage.find("xformOp:transform.timeSamples"), std::string::npos);
-  EXPECT_NE(stage.find("timeCodesPerSecond = 10"), std::string::npos);
+  EXPECT_TRUE(contains(stage, "5: @m_fog_0005.vdb@"));
+  EXPECT_TRUE(contains(stage, "6: @m_fog_0006.vdb@"));
+  EXPECT_TRUE(contains(stage, "xformOp:transform.timeSamples"));
+  EXPECT_TRUE(contains(stage, "timeCodesPerSecond = 10"));
   EXPECT_TRUE(std::filesystem::exists(file("m_fog_0006.vdb")));
   expect_done(
       {"export", moving, "-o", file("o.usda"), "--frames", "6", "--fps", "10", "--voxel", "0.1"});
-  EXPECT_NE(text_of("o.usda").find("6: @o_fog_0006.vdb@"), std::string::npos);
-  EXPECT_NE(text_of("o.usda").find("startTimeCode = 6"), std::string::npos);
+  EXPECT_TRUE(contains(text_of("o.usda"), "6: @o_fog_0006.vdb@"));
+  EXPECT_TRUE(contains(text_of("o.usda"), "startTimeCode = 6"));
 }
 
 // 100 kB are all that a file may grow to: the volume fits, the stage does not.
@@ -75,9 +73,7 @@ TEST_F(UsdExport, ReplacesNeitherFileWhereTheStageDoesNotFit) {
   const ProgramResult result = run_brume({"export", scene_, "-o", file("o.usda"), "--voxel", "0.5"},
                                          {.before = "ulimit -f 200; "});
   EXPECT_EQ(result.exit_code, 2);
-  EXPECT_NE(result.err.find(file("o.usda") + ": cannot be written: File too large"),
-            std::string::npos)
-      << result.err;
+  EXPECT_TRUE(contains(result.err, file("o.usda") + ": cannot be written: File too large"));
   EXPECT_EQ(text_of("o.usda"), "old");
   EXPECT_EQ(text_of("o_fog.vdb"), "old");
   EXPECT_EQ(folder_.entry_count(), entries);

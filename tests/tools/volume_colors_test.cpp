@@ -8,6 +8,7 @@
 
 #include "core/io/gaussians/gaussian_file.h"
 #include "core/scene/lights/photometry.h"
+#include "tests/contains.h"
 #include "tests/core/fit/matter.h"
 #include "tests/core/io/volume/vdb_test_grid.h"
 #include "tests/random.h"
@@ -69,16 +70,14 @@ TEST_F(VolumeColorCommands, ExportAndFitGiveBackTheColours) {
                                            "--emission", "none", "-o", file("c.csv")});
   EXPECT_FALSE(Json::parse(plain.out).contains("extinction_error"));
   for (const Gaussian& g : read_gaussians(file("c.csv"))) EXPECT_EQ(g.optics, GaussianOptics());
-  EXPECT_EQ(content_of(file("c.csv")).find("albedo"), std::string::npos);
+  EXPECT_FALSE(contains(content_of(file("c.csv")), "albedo"));
 }
 
 TEST_F(VolumeColorCommands, ExportedColoursAreReadByOpenVdbInPython) {
-  const std::string scene = folder_
-                                .write("colors.brume", R"({ "format": "brume-scene", "version": 1,
-    "medium": { "albedo": [0.9, 0.8, 0.7], "gaussians": [
+  const std::string scene =
+      folder_.write_scene("colors.brume", R"("medium": { "albedo": [0.9, 0.8, 0.7], "gaussians": [
       { "center": [0, 0, 0], "radius": 1, "density": 0.5, "emission": [3, 2, 100000] },
-      { "center": [1, 0, 0], "radius": 0.5, "density": 2, "albedo": [1, 0.5, 0.25] } ] } })")
-                                .string();
+      { "center": [1, 0, 0], "radius": 0.5, "density": 2, "albedo": [1, 0.5, 0.25] } ] })");
   for (const char* precision : {"float", "half"}) {
     std::vector<std::string> arguments{"export", scene, "-o", file("m.vdb"), "--voxel", "0.2"};
     if (precision == std::string("half")) arguments.push_back("--half");
@@ -97,7 +96,7 @@ TEST_F(VolumeColorCommands, ExportedColoursAreReadByOpenVdbInPython) {
   // Seven channels count where one did.
   const ProgramResult fine = run_brume({"export", scene, "-o", file("n.vdb"), "--voxel", "0.01"});
   EXPECT_EQ(fine.exit_code, 2);
-  EXPECT_NE(fine.err.find("a larger --voxel"), std::string::npos) << fine.err;
+  EXPECT_TRUE(contains(fine.err, "a larger --voxel"));
 }
 
 openvdb::FloatGrid::Ptr ball(const char* name, double x, double peak) {

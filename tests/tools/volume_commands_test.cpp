@@ -9,6 +9,7 @@
 #include "core/io/gaussians/gaussian_file.h"
 #include "core/io/volume/volume_file.h"
 #include "core/transport/optical_depth.h"
+#include "tests/contains.h"
 #include "tests/random.h"
 #include "tests/tools/command_line.h"
 
@@ -53,10 +54,8 @@ TEST_F(VolumeCommands, FitsAVolumeAndASequence) {
 }
 
 TEST_F(VolumeCommands, ExportsWhatEmittersHaveMade) {
-  const std::string scene = folder_
-                                .write("e.brume", R"({ "format": "brume-scene", "version": 1,
-    "medium": { "emitters": [ { "position": [0, 0, 0], "rate": 10 } ] } })")
-                                .string();
+  const std::string scene = folder_.write_scene(
+      "e.brume", R"("medium": { "emitters": [ { "position": [0, 0, 0], "rate": 10 } ] })");
   const auto count = [&](const char* time) {
     expect_done({"export", scene, "--time", time, "-o", file("e.ply")});
     return read_gaussians(file("e.ply")).size();
@@ -110,10 +109,8 @@ TEST_F(VolumeCommands, ExportedVolumesAreReadByOpenVdbInPython) {
 }
 
 TEST_F(VolumeCommands, ExportsATimeRange) {
-  const std::string scene = folder_
-                                .write("e.brume", R"({ "format": "brume-scene", "version": 1,
-    "medium": { "emitters": [ { "position": [0, 0, 0], "rate": 10 } ] } })")
-                                .string();
+  const std::string scene = folder_.write_scene(
+      "e.brume", R"("medium": { "emitters": [ { "position": [0, 0, 0], "rate": 10 } ] })");
   expect_done({"export", scene, "--frames", "9-11", "--fps", "10", "-o", file("s_%04d.vdb"),
                "--voxel", "0.1"});
   for (const auto& [frame, time] :
@@ -151,8 +148,8 @@ TEST_F(VolumeCommands, ExportsTheMedium) {
   }
   const ProgramResult result =
       expect_done({"export", scene_, "-o", file("m.vdb"), "--voxel", "0.1", "--half"});
-  EXPECT_NE(result.err.find("the homogeneous density, 0.02"), std::string::npos) << result.err;
-  EXPECT_NE(result.err.find("voxels of 0.1"), std::string::npos) << result.err;
+  EXPECT_TRUE(contains(result.err, "the homogeneous density, 0.02"));
+  EXPECT_TRUE(contains(result.err, "voxels of 0.1"));
   const Json grids = Json::parse(run_brume({"info", "--json", file("m.vdb")}).out)["grids"];
   ASSERT_EQ(grids.size(), 1u);
   EXPECT_EQ(grids[0]["name"], "density");
@@ -160,7 +157,7 @@ TEST_F(VolumeCommands, ExportsTheMedium) {
   const ProgramResult fine =
       run_brume({"export", scene_, "-o", file("n.vdb"), "--voxel", "0.0001"});
   EXPECT_EQ(fine.exit_code, 2);
-  EXPECT_NE(fine.err.find("a larger --voxel"), std::string::npos) << fine.err;
+  EXPECT_TRUE(contains(fine.err, "a larger --voxel"));
   EXPECT_FALSE(std::filesystem::exists(file("n.vdb")));
   expect_refused({"export", scene_, "-o", file("m.obj")}, {".vdb, .ply, .csv"});
   expect_refused({"export", scene_, "-o", file("m.ply"), "--half"}, {"--half"});
