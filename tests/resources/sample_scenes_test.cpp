@@ -131,6 +131,25 @@ TEST(SampleScenes, AWetStreetUnderNeon) {
   EXPECT_LT(scene.surfaces[0].material.metallic_roughness.roughness, 0.2) << "it is wet";
 }
 
+TEST(SampleScenes, AChapelWithStainedGlass) {
+  const Scene scene = load("chapel.brume");
+  EXPECT_EQ(std::ranges::count_if(scene.surfaces,
+                                  [](const Surface& surface) {
+                                    return static_cast<bool>(
+                                        surface.material.metallic_roughness.transmission_texture
+                                            .content);
+                                  }),
+            3);
+}
+
+TEST(SampleScenes, PicturesInTheBeamsOfAStage) {
+  const Scene scene = load("gobos.brume");
+  ASSERT_EQ(scene.lights.size(), 3u);
+  for (const Light& light : scene.lights) {
+    EXPECT_TRUE(light.as<light::Spot>()->texture.content) << light.name;
+  }
+}
+
 TEST(SampleScenes, ACandleAndItsSmoke) {
   const Scene scene = load("candle.brume");
   EXPECT_TRUE(scene.medium.has_emission());

@@ -6,6 +6,7 @@ import statistics
 import subprocess
 
 WIDTH, HEIGHT, BLOCK = 96, 64, 8
+PICTURE, AIRLIGHT = 0, 5  # first channels of a frame's
 
 
 def render(program, scene, picture, *options):
@@ -22,8 +23,8 @@ def render(program, scene, picture, *options):
     return usage.ru_utime + usage.ru_stime
 
 
-def read(picture, first=5):
-    """Three channels of all pixels: those of the airlight, or the picture's from 0 on."""
+def read(picture, first=AIRLIGHT):
+    """Three channels of all pixels."""
     dump = subprocess.run(["oiiotool", "--dumpdata", str(picture)], capture_output=True, text=True,
                           check=True).stdout
     pixels = re.findall(r"Pixel \(\d+, \d+\): ([^(\n]*)", dump)
