@@ -34,9 +34,9 @@ struct Renderer::Impl {
 
   std::optional<Frame> render(FrameContext& work);
   // Outgoing radiance of surfaces, RGB per pixel; empty if none is lit.
-  // `is_open`: see PathFilm::View.
+  // `passing`: see PathFilm::View.
   std::span<const glm::vec3> trace_paths(FrameContext& work, std::size_t layer,
-                                         std::function<bool(std::size_t)> is_open,
+                                         std::function<float(std::size_t)> passing,
                                          StageClock& clock);
   // Adds what paths see through panes to the frame, which holds what is in front of the first ones.
   void trace_through_panes(FrameContext& work, StageClock& clock);
@@ -44,7 +44,8 @@ struct Renderer::Impl {
   struct SeenMedium {
     AirlightIntegrator method;
     Tiles::Lists lists;
-    std::optional<PaneView> panes;  // nullopt: none are seen
+    std::optional<PaneView> panes;                        // nullopt: none are seen
+    const SharedHighlights* highlights_behind = nullptr;  // with panes
   };
   SeenMedium integrate_medium(FrameContext& work, StageClock& clock);
   // The fog as far as these ends, at the pixels of a window.
@@ -127,11 +128,15 @@ std::optional<Frame> Renderer::Impl::render(FrameContext& work) {
   }
   if (work.job.stop.stop_requested()) return std::nullopt;
   composite(work.rays, stages.shading().environment(), surfaces, work.job, work.frame);
-  const bool is_path = work.settings.airlight == AirlightMethod::path;
-  if (work.plan.has_panes && is_path) trace_through_panes(work, clock);
   if (work.settings.background_apart) set_background_apart(work.frame);
   clock.finish(Stage::composite);
-  if (work.plan.has_panes && !is_path) see_through_panes(work, medium, clock);
+  if (work.plan.has_panes) {
+    if (work.settings.airlight == AirlightMethod::path) {
+      trace_through_panes(work, clock);
+    } else {
+      see_through_panes(work, medium, clock);
+    }
+  }
   if (work.job.stop.stop_requested()) return std::nullopt;
   if (work.plan.runs(Stage::samples)) {
     work.job = job.subrange(0.5, 1.0);
@@ -148,8 +153,8 @@ void Renderer::Impl::trace_through_panes(FrameContext& work, StageClock& clock) 
   layers.add(stages.seen_panes(work), work.frame);
   for (std::size_t layer = 1; layers.are_open() && layer <= max_seen_panes; ++layer) {
     stages.find_hits_behind_panes(work);
-    const auto is_open = [&layers](std::size_t pixel) { return layers.is_open(pixel); };
-    const std::span<const glm::vec3> surfaces = trace_paths(work, layer, is_open, clock);
+    const auto passing = [&layers](std::size_t pixel) { return layers.passing(pixel); };
+    const std::span<const glm::vec3> surfaces = trace_paths(work, layer, passing, clock);
     if (work.job.stop.stop_requested()) return;
     composite(work.rays, stages.shading().environment(), surfaces, work.job, work.frame);
     layers.add(stages.seen_panes(work), work.frame);
@@ -158,10 +163,10 @@ void Renderer::Impl::trace_through_panes(FrameContext& work, StageClock& clock) 
 }
 
 std::span<const glm::vec3> Renderer::Impl::trace_paths(FrameContext& work, std::size_t layer,
-                                                       std::function<bool(std::size_t)> is_open,
+                                                       std::function<float(std::size_t)> passing,
                                                        StageClock& clock) {
   if (layer >= paths.size()) paths.resize(layer + 1);
-  const std::span<const glm::vec3> surfaces = paths[layer].trace(stages, work, std::move(is_open));
+  const std::span<const glm::vec3> surfaces = paths[layer].trace(stages, work, std::move(passing));
   if (work.plan.runs(work.plan.medium_stage())) clock.finish(work.plan.medium_stage());
   return surfaces;
 }
@@ -173,11 +178,12 @@ Renderer::Impl::SeenMedium Renderer::Impl::integrate_medium(FrameContext& work, 
   FilmAirlight film = integrate_fog(work, work.window, method, stages.ray_ends(work));
   FrameStatistics& statistics = work.frame.statistics;
   statistics.gaussians_used = film.gaussians_used;
+  statistics.exact_pixels = film.exact_pixels;
   if (stages.prepared().is_merged()) {
     statistics.gaussians_merged = stages.prepared().medium().size();
   }
   clock.finish(work.plan.medium_stage());
-  return {std::move(method), std::move(film.lists), std::nullopt};
+  return {std::move(method), std::move(film.lists), std::nullopt, nullptr};
 }
 
 FilmAirlight Renderer::Impl::integrate_fog(FrameContext& work, const FilmWindow& window,
@@ -185,7 +191,6 @@ FilmAirlight Renderer::Impl::integrate_fog(FrameContext& work, const FilmWindow&
   FilmAirlight film =
       film_airlight(stages.prepared().medium(), work.plan.lights, work.rays, window, work.settings,
                     work.airlight_rms(), method, ends, work.job, work.frame);
-  work.frame.statistics.exact_pixels += film.exact_pixels;
   work.frame.statistics.view_pairs += film.pairs;
   return film;
 }
@@ -207,7 +212,7 @@ void Renderer::Impl::with_samples(FrameContext& work, const SeenMedium& medium,
   SampledView view{.tiles = film,
                    .fogs = fogs,
                    .surfaces = work.plan.runs(Stage::visibility) ? &surfaces : nullptr,
-                   .highlights = &stages.highlights(),
+                   .highlights = {&stages.highlights(), medium.highlights_behind},
                    .are_lit = work.plan.runs(Stage::surfaces),
                    .environment = stages.shading().environment(),
                    .fog_tolerance = work.settings.upsampling_tolerance};
@@ -229,6 +234,9 @@ void Renderer::Impl::see_through_panes(FrameContext& work, SeenMedium& medium, S
     clock.finish(work.plan.medium_stage());
   }
   if (work.job.stop.stop_requested()) return;
+  if (work.plan.runs(Stage::surfaces)) {
+    medium.highlights_behind = &stages.find_highlights_behind(work, panes.hits(), panes.copies());
+  }
   medium.panes = std::move(panes);
   with_samples(work, medium, [&](const SampledView& view) {
     return brume::see_through_panes(view, medium.panes->pixels(), work.window.complete(), work.job,

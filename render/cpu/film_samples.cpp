@@ -39,10 +39,6 @@ bool keep_worst(std::span<const SampledPixel> pixels, double max_variance,
   return has_any;
 }
 
-}  // namespace
-
-namespace {
-
 // What samples of pixels have cost.
 struct SampleCost {
   std::atomic<std::uint64_t> view_pairs = 0, light_pairs = 0;

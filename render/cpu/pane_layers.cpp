@@ -42,6 +42,7 @@ void PaneLayers::add(std::span<const SeenPane> panes, const Frame& layer) {
       pixel.alpha = 1.0f;
       continue;
     }
+    pixel.background = pixel.passing * attenuated;
     // Alpha of what is open: render_groups() takes it from the transmittance.
     if (!pixel.has_depth) pixel.transmittance = pixel.passing * transmittance;
     pixel.alpha = 1.0f - pixel.passing * transmittance;
@@ -56,6 +57,8 @@ void PaneLayers::write(Frame& frame) const {
       frame.airlight[3 * i + c] = pixel.airlight[static_cast<int>(c)];
       frame.transmittance[3 * i + c] = pixel.transmittance;
       frame.beauty[4 * i + c] = pixel.beauty[static_cast<int>(c)];
+      if (frame.background.empty()) continue;
+      frame.background[3 * i + c] = pixel.background[static_cast<int>(c)];
     }
     frame.beauty[4 * i + 3] = pixel.alpha;
     frame.depth[i] = pixel.depth;

@@ -9,9 +9,9 @@
 
 namespace brume {
 
-// Composites path-traced frames of the first, second, ... surfaces on the view rays: with airlight A_k as far
-// as the k-th, whose radiance S_k the medium attenuates by T_k, which covers c_k of what is behind
-// and lets P_k of its light through, the picture is
+// Composites path-traced frames of the first, second, ... surfaces on the view rays: with airlight
+// A_k as far as the k-th, whose radiance S_k the medium attenuates by T_k, which covers c_k of what
+// is behind and lets P_k of its light through, the picture is
 //   sum_k (P_1 ... P_k-1) (A_k - A_k-1 + c_k T_k S_k)
 class PaneLayers {
  public:
@@ -21,9 +21,10 @@ class PaneLayers {
   void add(std::span<const SeenPane> panes, const Frame& layer);
   // Whether light of farther layers comes through.
   [[nodiscard]] bool are_open() const { return is_open_; }
-  [[nodiscard]] bool is_open(std::size_t pixel) const { return pixels_[pixel].passing > 0.0f; }
-  // Sets the frame to the sums; its depth is that of the first surface that is more than half
-  // opaque.
+  // The share of the next layer's light that comes through.
+  [[nodiscard]] float passing(std::size_t pixel) const { return pixels_[pixel].passing; }
+  // Sets the frame to the sums, its background if it has one; its depth is that of the first
+  // surface that is more than half opaque.
   void write(Frame& frame) const;
 
  private:
@@ -35,6 +36,7 @@ class PaneLayers {
     bool has_depth = false;
     glm::vec3 airlight_before{0.0f};  // as far as the last layer
     glm::vec3 airlight{0.0f}, beauty{0.0f};
+    glm::vec3 background{0.0f};  // the part of beauty that open rays show behind the medium
   };
   std::vector<Pixel> pixels_;
   bool is_open_ = true;

@@ -14,6 +14,8 @@ PaneView::PaneView(const FrameStages& stages, const FrameContext& work)
   first_.distances.resize(count);
   last_.distances.resize(count);
   pixels_.assign(count, PixelDetail::none);
+  hits_.assign(count, ray_caster.pixel_of({}));
+  copies_.assign(work.plan.has_copies ? count : 0, 0);
   work.job.parallel_for(count / width, [&](std::size_t y) {
     for (std::size_t x = 0; x < width; ++x) {
       const std::size_t pixel = y * width + x;
@@ -26,6 +28,8 @@ PaneView::PaneView(const FrameStages& stages, const FrameContext& work)
       SurfaceHit end = ray_caster.hits_on_ray(origin, direction).end;
       work.light_shapes.meet(origin, direction, end);
       last_.distances[pixel] = end.distance;
+      hits_[pixel] = ray_caster.pixel_of(end);
+      if (!copies_.empty()) copies_[pixel] = end.copy;
       pixels_[pixel] = PixelDetail::surfaces;
     }
   });

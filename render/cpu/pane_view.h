@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <vector>
@@ -25,6 +26,9 @@ class PaneView {
   [[nodiscard]] std::span<const PixelDetail> pixels() const { return pixels_; }
   // Of what is seen last.
   [[nodiscard]] RayEnds ends() const { return {open_, last_.distances}; }
+  // The same as hits, at these pixels alone, and their copies, if anything has any.
+  [[nodiscard]] std::span<const RasterPixel> hits() const { return hits_; }
+  [[nodiscard]] std::span<const std::uint32_t> copies() const { return copies_; }
 
   // Keeps the fog of a frame of the first hits as that in front of these. integrate() then fills
   // its layers of airlight and transmittance at the pixels as far as ends(), its depth layer being
@@ -45,6 +49,8 @@ class PaneView {
   double open_;
   CameraRays::PixelRectangle around_;
   std::vector<PixelDetail> pixels_;
+  std::vector<RasterPixel> hits_;
+  std::vector<std::uint32_t> copies_;
   Layer first_, last_;
 };
 

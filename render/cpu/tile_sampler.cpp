@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "core/scene/camera_rays.h"
 #include "render/prepare/upsampling_limits.h"
@@ -114,13 +116,15 @@ void TileSampler::add_panes(std::size_t sample, const SurfaceHit& first) {
   for (std::size_t k = 0; k <= on_ray.panes.size(); ++k) {
     const bool is_pane = k < on_ray.panes.size();
     part.hit = is_pane ? on_ray.panes[k].hit : on_ray.end;
+    part.panes = k;
     pane = ray_caster.pane(part.hit, 0.0);
     const bool is_last = !is_pane || k == max_seen_panes || !(passing * pane.passing > negligible);
     const double next = is_last ? 0.0 : passing * pane.passing;
     part.airlight = static_cast<float>(passing - next);
     part.reaching = static_cast<float>(passing * pane.covered);
     // The transmittance is that of what is more than half opaque.
-    const bool counts = !is_counted && (!part.hit || is_last || pane.opaque > 0.5);
+    part.is_opaque = pane.opaque > 0.5;
+    const bool counts = !is_counted && (!part.hit || is_last || part.is_opaque);
     part.counted = !counts ? 0.0f : part.hit ? 1.0f : static_cast<float>(passing);
     is_counted |= counts;
     passing = next;
@@ -163,10 +167,12 @@ void TileSampler::shade(std::vector<std::size_t>& parts) {
   std::array<glm::vec3, Tiles::pixels> directions, radiance;
   std::array<glm::dvec3, Tiles::pixels> offsets;
   std::array<glm::ivec2, Tiles::pixels> seen_in;
+  std::array<std::size_t, Tiles::pixels> numbers;
   for (std::size_t k = 0; k < count; ++k) {
     const Part& part = parts_[parts[k]];
     hits[k] = part.hit;
     seen_in[k] = pixels_[pixel_of(part)];
+    numbers[k] = part.sample % offsets_.size();
     directions[k] = glm::vec3(directions_[part.sample]);
     if (!ray_offsets_.empty()) offsets[k] = ray_offsets_[part.sample];
   }
@@ -174,12 +180,10 @@ void TileSampler::shade(std::vector<std::size_t>& parts) {
   const auto own_directions = std::span(directions).first(count);
   const auto own_offsets = std::span(offsets).first(ray_offsets_.empty() ? 0 : count);
   const auto own_radiance = std::span(radiance).first(count);
-  // The only sample of a pixel mirrors as many rays as several do.
-  light_pairs_ +=
-      offsets_.size() == 1
-          ? view_.surfaces->shade(own_hits, own_directions, own_offsets, own_radiance)
-          : view_.surfaces->shade(own_hits, own_directions, own_offsets,
-                                  std::span(seen_in).first(count), *view_.highlights, own_radiance);
+  light_pairs_ += view_.surfaces->shade(
+      own_hits, own_directions, own_offsets,
+      {std::span(seen_in).first(count), std::span(numbers).first(count), offsets_.size()},
+      view_.highlights, own_radiance);
   for (std::size_t k = 0; k < count; ++k) parts_[parts[k]].behind = radiance[k];
   parts.clear();
 }
@@ -204,20 +208,24 @@ void TileSampler::make_clusters() {
 }
 
 void TileSampler::make_clusters(std::size_t pixel, std::span<std::size_t> parts) {
-  std::ranges::sort(parts, {}, [&](std::size_t i) { return parts_[i].hit.distance; });
+  std::ranges::sort(
+      parts, {}, [&](std::size_t i) { return std::pair(parts_[i].panes, parts_[i].hit.distance); });
   const bool is_apart = view_.medium && details_[index(pixels_[pixel])] == PixelDetail::fog;
   const std::size_t first_cluster = clusters_.size();
   double nearest = 0.0, last = 0.0;
+  std::size_t panes = 0;
   for (const std::size_t i : parts) {
     Part& part = parts_[i];
     const bool is_open = !part.hit;
     const double length = part.hit.distance;
-    if (clusters_.size() == first_cluster || is_apart ||
+    // Fog between a pane and what is behind it is none of either's.
+    if (clusters_.size() == first_cluster || is_apart || part.panes != panes ||
         (is_open ? std::isfinite(last) : !continues(nearest, last, length))) {
       clusters_.push_back({.pixel = pixel, .is_open = is_open});
       nearest = length;
     }
     last = length;
+    panes = part.panes;
     // Sums for now.
     Cluster& c = clusters_.back();
     c.position += position(part.sample);
@@ -253,8 +261,13 @@ std::optional<TileSampler::Known> TileSampler::known_fog(const glm::ivec2& middl
                                                          const Cluster& c) const {
   std::optional<Known> found;
   double nearest = std::numeric_limits<double>::infinity();
-  for (int y = std::max(middle.y - 1, 0); y < std::min(middle.y + 2, frame_.film.height); ++y) {
-    for (int x = std::max(middle.x - 1, 0); x < std::min(middle.x + 2, frame_.film.width); ++x) {
+  // Beside a region's pixels nothing is known unless they are sampled.
+  const int reach = offsets_.size() > 1 ? 1 : 0;
+  const glm::ivec2 low = glm::max(middle - reach, glm::ivec2(0));
+  const glm::ivec2 high =
+      glm::min(middle + reach, glm::ivec2(frame_.film.width, frame_.film.height) - 1);
+  for (int y = low.y; y <= high.y; ++y) {
+    for (int x = low.x; x <= high.x; ++x) {
       const std::size_t pixel = index({x, y});
       for (const KnownFog& fog : view_.fogs) {
         const bool is_open = !std::isfinite(fog.depth[pixel]);
@@ -324,7 +337,8 @@ void TileSampler::add_up(std::vector<SampledPixel>& results) const {
         sum.transmittance += share * part.counted * c.transmittance;
         if (!part.hit) sum.background += share * attenuated;
         sum.alpha += share * part.airlight * (part.hit ? 1.0f : 1.0f - c.transmittance);
-        if (part.hit && part.counted > 0.0f) sum.depth = static_cast<float>(part.hit.distance);
+        if (part.hit && part.counted > 0.0f && part.is_opaque)
+          sum.depth = static_cast<float>(part.hit.distance);
       }
       sum.beauty += share * beauty;
       square += share * glm::dot(beauty, beauty);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <glm/ext/vector_int2.hpp>
@@ -27,8 +28,9 @@ struct KnownFog {
 struct SampledView {
   const FilmTiles& tiles;  // their ends are those of what is seen last
   std::span<const KnownFog> fogs;
-  const FilmSurfaces* surfaces = nullptr;         // null: none
-  const SharedHighlights* highlights = nullptr;   // of the frame's pixels; with surfaces
+  const FilmSurfaces* surfaces = nullptr;  // null: none
+  // Of what the frame's pixels see first, and, or null, last; with surfaces.
+  std::array<const SharedHighlights*, 2> highlights{};
   bool are_lit = false;                           // else they are black
   const EnvironmentLight* environment = nullptr;  // null: none
   // Null: no medium.
@@ -75,6 +77,8 @@ class TileSampler {
     float airlight = 1.0f;   // share of the airlight as far as there
     float reaching = 1.0f;   // share of its light that reaches the eye but for the medium
     float counted = 1.0f;    // share of the transmittance that is the sample's
+    bool is_opaque = true;   // more than half
+    std::size_t panes = 0;   // before it
     glm::vec3 behind{0.0f};  // radiance
     std::size_t cluster = 0;
   };

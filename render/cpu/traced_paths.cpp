@@ -29,7 +29,7 @@ void TracedPaths::prepare(const FrameStages& stages, const FrameContext& work) {
 }
 
 std::span<const glm::vec3> TracedPaths::trace(const FrameStages& stages, FrameContext& work,
-                                              std::function<bool(std::size_t)> is_open) {
+                                              std::function<float(std::size_t)> passing) {
   const bool is_lit = work.plan.runs(Stage::paths);
   if (!is_lit && !work.plan.has_medium()) return {};
   prepare(stages, work);
@@ -62,7 +62,7 @@ std::span<const glm::vec3> TracedPaths::trace(const FrameStages& stages, FrameCo
                             .pixels = work.window.region(),
                             .open_end = stages.ray_ends(work).open,
                             .hit = [&](std::size_t pixel) { return stages.hit(pixel); },
-                            .is_open = std::move(is_open),
+                            .passing = std::move(passing),
                             .paths = is_lit ? work.settings.paths : 0,
                             .has_medium = work.plan.has_medium(),
                             .has_surfaces = work.plan.runs(Stage::visibility)};

@@ -18,9 +18,9 @@ namespace brume {
 class TracedPaths {
  public:
   // Fills the layers of work.frame; returns the outgoing radiance of surfaces per pixel, for
-  // composite(). `is_open`: see PathFilm::View. If the job is stopped all is incomplete.
+  // composite(). `passing`: see PathFilm::View. If the job is stopped all is incomplete.
   std::span<const glm::vec3> trace(const FrameStages& stages, FrameContext& work,
-                                   std::function<bool(std::size_t)> is_open);
+                                   std::function<float(std::size_t)> passing);
 
  private:
   void prepare(const FrameStages& stages, const FrameContext& work);

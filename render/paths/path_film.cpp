@@ -55,7 +55,8 @@ void PathFilm::trace(const PathKey& key, const View& view, const Job& job, Frame
     }
   }
   if (view.paths < 2) return;
-  PathNoise& noise = frame.statistics.path_noise.emplace();
+  std::optional<PathNoise>& known = frame.statistics.path_noise;
+  PathNoise& noise = known ? *known : known.emplace();
   noise.paths = view.paths;
   for (const Variances& each : variances) {
     noise.airlight_variance += each.airlight;
@@ -66,7 +67,8 @@ void PathFilm::trace(const PathKey& key, const View& view, const Job& job, Frame
 void PathFilm::trace_pixel(const View& view, const PathTracer& tracer, const glm::ivec2& position,
                            const Job& job, Frame& frame, Variances& variances) {
   const std::size_t pixel = index_of(position, frame.film.width);
-  if (view.is_open && !view.is_open(pixel)) return;
+  const double passing = view.passing ? static_cast<double>(view.passing(pixel)) : 1.0;
+  if (!(passing > 0.0)) return;
   // On the whole film, so that regions have the same random numbers.
   const std::size_t stream = index_of(view.rays.first_pixel() + position, view.rays.whole_size().x);
   const glm::dvec3 eye = view.rays.origin(position.x + 0.5, position.y + 0.5);
@@ -111,15 +113,16 @@ void PathFilm::trace_pixel(const View& view, const PathTracer& tracer, const glm
   if (view.paths == 0) return;
   if (has_airlight) {
     set_pixel(frame.airlight, pixel, airlight_[pixel].mean(view.paths));
-    variances.airlight += airlight_[pixel].variance(view.paths, key_.channels);
+    variances.airlight += passing * passing * airlight_[pixel].variance(view.paths, key_.channels);
   }
   if (sees_surface) {
     const glm::dvec3 radiance = surfaces_[pixel].mean(view.paths);
     for (int c = 0; c < 3; ++c) {
       surface_radiance_[pixel][c] = finite(static_cast<float>(radiance[c]));
     }
+    const double reaching = passing * transmittance;
     variances.surfaces +=
-        transmittance * transmittance * surfaces_[pixel].variance(view.paths, key_.channels);
+        reaching * reaching * surfaces_[pixel].variance(view.paths, key_.channels);
   }
 }
 

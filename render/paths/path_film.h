@@ -50,15 +50,17 @@ class PathFilm {
     double open_end;                    // of rays that hit nothing [u], may be +inf
     // First hit of a pixel's ray.
     std::function<SurfaceHit(std::size_t pixel)> hit;
-    // Whether a pixel is traced; empty: all are.
-    std::function<bool(std::size_t pixel)> is_open{};
+    // Share of its light that the eye gets, of what is behind panes; pixels with 0 are not traced.
+    // Empty: all of it.
+    std::function<float(std::size_t pixel)> passing{};
     int paths;          // per pixel; 0: transmittance alone
     bool has_medium;    // airlight and transmittance are wanted
     bool has_surfaces;  // their radiance is
   };
 
-  // Fills airlight, transmittance, pairs per pixel and the noise of the frame, whose layers must be
-  // allocated. If the job is stopped the frame is incomplete, and what was traced is kept.
+  // Fills airlight, transmittance and pairs per pixel of the frame, whose layers must be allocated,
+  // and adds to its noise. If the job is stopped the frame is incomplete, and what was traced is
+  // kept.
   void trace(const PathKey& key, const View& view, const Job& job, Frame& frame);
 
   // Outgoing radiance of surfaces per pixel, before the medium in front; empty without surfaces.

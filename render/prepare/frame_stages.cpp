@@ -395,6 +395,19 @@ void FrameStages::update_vertex_lighting(FrameContext& work) {
                                   work.job, work.frame.statistics.light_pairs);
 }
 
+const SharedHighlights& FrameStages::find_highlights_behind(FrameContext& work,
+                                                            std::span<const RasterPixel> hits,
+                                                            std::span<const std::uint32_t> copies) {
+  std::vector<glm::vec3> radiance(hits.size());
+  if (work.plan.has_mirrors) {
+    work.frame.statistics.light_pairs +=
+        film_surfaces(work).shade(hits, copies, work.job, radiance, highlights_behind_);
+  } else {
+    highlights_behind_.reset(glm::ivec2(0), 0.0f);
+  }
+  return highlights_behind_;
+}
+
 std::span<const glm::vec3> FrameStages::shade_surfaces(FrameContext& work, StageClock& clock) {
   if (!work.plan.runs(Stage::surfaces)) return {};
   surface_radiance_.resize(hits_.size());

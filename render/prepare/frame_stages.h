@@ -126,7 +126,8 @@ class FrameStages {
   [[nodiscard]] RayEnds ray_ends(const FrameContext& work) const {
     return {work.fog_extent.ray_distance(work.rays), distances_};
   }
-  // The panes that pixels see first, after find_hits(); opaque ones where they see none.
+  // Path-traced frames have layers of what is behind panes, see PaneLayers. The panes that pixels
+  // see first, after find_hits(); opaque ones where they see none.
   [[nodiscard]] std::vector<SeenPane> seen_panes(const FrameContext& work) const;
   // Replaces hits on panes by those behind them.
   void find_hits_behind_panes(FrameContext& work);
@@ -169,6 +170,10 @@ class FrameStages {
   std::span<const glm::vec3> shade_surfaces(FrameContext& work, StageClock& clock);
   // The wide highlights at the pixels of that frame, if anything mirrors.
   [[nodiscard]] const SharedHighlights& highlights() const { return highlights_; }
+  // The same of further hits, those that are seen last through panes; they are shaded for it.
+  const SharedHighlights& find_highlights_behind(FrameContext& work,
+                                                 std::span<const RasterPixel> hits,
+                                                 std::span<const std::uint32_t> copies);
   // Shades more points of surfaces, after shade_surfaces(), until the next frame.
   [[nodiscard]] FilmSurfaces film_surfaces(const FrameContext& work) const {
     return {work.scene.surfaces,
@@ -195,7 +200,7 @@ class FrameStages {
 
   PreparedScene prepared_;
   PreparedShading shading_;
-  SharedHighlights highlights_;
+  SharedHighlights highlights_, highlights_behind_;
   EmissionLights emission_lights_;
   void set_hit(std::size_t pixel, const SurfaceHit& hit);
 

@@ -183,23 +183,34 @@ std::uint64_t FilmSurfaces::shade(std::span<const SurfaceHit> hits,
 
 std::uint64_t FilmSurfaces::shade(std::span<const SurfaceHit> hits,
                                   std::span<const glm::vec3> directions,
-                                  std::span<const glm::dvec3> offsets,
-                                  std::span<const glm::ivec2> seen_in,
-                                  const SharedHighlights& known,
+                                  std::span<const glm::dvec3> offsets, const Samples& samples,
+                                  const std::array<const SharedHighlights*, 2>& known,
                                   std::span<glm::vec3> radiance) const {
   Lit lit;
   light(hits, rays.eye(), directions, offsets, mirrored != nullptr, lit);
   if (lit.mirrors) {
     std::array<std::uint8_t, Tiles::pixels> patterns;
     for (std::size_t k = 0; k < hits.size(); ++k) {
-      patterns[k] = SharedHighlights::pattern_of(rays.first_pixel() + seen_in[k]);
+      const glm::ivec2& pixel = samples.seen_in[k];
+      // An odd step, so that all patterns have their turn.
+      constexpr std::size_t step = 13;
+      patterns[k] = static_cast<std::uint8_t>(
+          (SharedHighlights::pattern_of(rays.first_pixel() + pixel) + step * samples.numbers[k]) %
+          SharedHighlights::patterns);
       if (lit.points.ggx.lobe[k] > 0.0f || !is_wide_highlight(lit.points.ggx.alpha[k])) continue;
-      const Highlight* const found = known.find(seen_in[k], hits[k], lit.points.normal[k]);
+      const Highlight* found = nullptr;
+      for (const SharedHighlights* each : known) {
+        if (each && !found) found = each->find(pixel, hits[k], lit.points.normal[k]);
+      }
       if (!found) continue;
       patterns[k] = MirroredRays::none;
       lit.outgoing.add(k, found->reflected(lit.points.ggx.f0[k]));
     }
-    mirror({few_mirrored_rays, std::span(patterns).first(hits.size())}, lit);
+    // The only sample of a pixel mirrors as many rays as several do.
+    const bool is_only = samples.count == 1;
+    mirror({is_only ? mirrored_rays : few_mirrored_rays, std::span(patterns).first(hits.size()),
+            is_only ? mirrored_rays : 4},
+           lit);
   }
   for (std::size_t k = 0; k < hits.size(); ++k) radiance[k] = lit.outgoing[k];
   return lit.pairs;

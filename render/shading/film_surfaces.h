@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/ext/vector_int2.hpp>
 #include <glm/vec3.hpp>
@@ -59,10 +60,17 @@ struct FilmSurfaces {
   // `offsets`, unless empty, see RayCaster::first_hits(). Not of lights, whose shapes say it.
   std::uint64_t shade(std::span<const SurfaceHit> hits, std::span<const glm::vec3> directions,
                       std::span<const glm::dvec3> offsets, std::span<glm::vec3> radiance) const;
-  // The same of samples of pixels, whose highlights may be known.
+  // The same of samples of pixels, whose highlights may be known, where not null; others mirror a
+  // pattern of their own each.
+  struct Samples {
+    std::span<const glm::ivec2> seen_in;
+    std::span<const std::size_t> numbers;  // within their pixels
+    std::size_t count;                     // of a pixel's
+  };
   std::uint64_t shade(std::span<const SurfaceHit> hits, std::span<const glm::vec3> directions,
-                      std::span<const glm::dvec3> offsets, std::span<const glm::ivec2> seen_in,
-                      const SharedHighlights& known, std::span<glm::vec3> radiance) const;
+                      std::span<const glm::dvec3> offsets, const Samples& samples,
+                      const std::array<const SharedHighlights*, 2>& known,
+                      std::span<glm::vec3> radiance) const;
   // The same of pixels, without wide highlights, which go to `shared`.
   std::uint64_t shade(std::span<const SurfaceHit> hits, std::span<const glm::vec3> directions,
                       std::span<const glm::dvec3> offsets, std::span<const glm::ivec2> seen_in,

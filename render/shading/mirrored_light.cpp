@@ -28,8 +28,8 @@ int ray_count(float alpha, int max_rays) {
   return std::min(wanted, max_rays);
 }
 
-// Rays of a pixel that shares them.
-constexpr int shared_rays = 4;
+// Rays of a highlight in all patterns together.
+constexpr int all_pattern_rays = 4 * SharedHighlights::patterns;
 
 // A ray that a point mirrors, and the share of its light that is reflected.
 struct MirroredRay {
@@ -46,9 +46,9 @@ void add_rays(const SurfacePoints& points, std::size_t k, const MirroredRays& mi
   const glm::dvec3 wo = points.to_eye[k];
   const float alpha = points.ggx.alpha[k];
   const bool is_shared = is_wide_highlight(alpha) && !mirrored.patterns.empty();
-  const int count = is_shared ? shared_rays : ray_count(alpha, mirrored.max_rays);
-  const int sets = is_shared ? SharedHighlights::patterns : 1;
-  const int pattern = is_shared ? mirrored.patterns[k] : 0;
+  const int count = is_shared ? mirrored.pattern_rays : ray_count(alpha, mirrored.max_rays);
+  const int sets = is_shared ? all_pattern_rays / count : 1;
+  const int pattern = is_shared ? mirrored.patterns[k] % sets : 0;
   GgxReflection black, white;
   black.alpha = white.alpha = static_cast<double>(alpha);
   white.f0 = glm::dvec3(1.0);

@@ -53,6 +53,7 @@ struct MirroredRays {
   // `none` nothing. Empty: all mirror the same rays.
   std::span<const std::uint8_t> patterns{};
   static constexpr std::uint8_t none = 255;
+  int pattern_rays = 4;  // of a pattern; a power of two
 };
 
 // Whether a highlight is so wide that neighbours can share its rays.

@@ -144,10 +144,11 @@ HWY_INLINE V Lit(const SliceLight& light, const Vector& q, V distance) {
   if (hn::AllTrue(d, lit)) return set(1.0f);
   const auto dark = near > hn::GatherIndex(d, ranges, range + 1);
   if (hn::AllTrue(d, hn::Or(lit, dark))) return where(lit, set(1.0f));
-  return Passing(shadows, position, near) * position.Mix(shadows.map().stride(), [&](int cell) HWY_ATTR {
-    const V occluder_depth = hn::GatherIndex(d, shadows.depths(), position.cell + cell);
-    return where(near <= occluder_depth, set(1.0f));
-  });
+  return Passing(shadows, position, near) *
+         position.Mix(shadows.map().stride(), [&](int cell) HWY_ATTR {
+           const V occluder_depth = hn::GatherIndex(d, shadows.depths(), position.cell + cell);
+           return where(near <= occluder_depth, set(1.0f));
+         });
 }
 
 // SliceWeights::along_rays: where the Gaussians have the depth G(t) on the ray, the integral of

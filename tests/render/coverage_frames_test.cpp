@@ -201,7 +201,7 @@ TEST(CoverageFrames, PanesAreSeenOnceEverywhere) {
   EXPECT_GT(seen, 300);
 }
 
-TEST(CoverageFrames, StacksOfPanesShareLayers) {
+TEST(CoverageFrames, StacksOfPanesDarkenWhatIsBehind) {
   std::vector<Surface> stack;
   for (int k = 0; k < 3; ++k) {
     stack.push_back(pane(AlphaMode::blend, 0.5, glm::dvec3(0.0)));
