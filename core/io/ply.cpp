@@ -1,6 +1,10 @@
 #include "core/io/ply.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -76,6 +80,10 @@ double decode(Type type, const char* bytes, bool swap) {
       return decode<double>(bytes, swap);
   }
   return 0.0;
+}
+
+bool is_list_length(double value) {
+  return value >= 0.0 && value == std::floor(value);
 }
 
 // The values of the data section one after the other.
@@ -199,10 +207,65 @@ PlyFile::PlyFile(std::filesystem::path file, std::string_view bytes) : file_(std
   data_ = header.rest_of_text();
 }
 
+bool PlyFile::has_swapped_bytes() const {
+  return (format_ == Format::big) != (std::endian::native == std::endian::big);
+}
+
+double PlyFile::EqualRows::value(std::uint64_t row, std::size_t property, std::size_t i) const {
+  const Column& column = columns_[property];
+  return decode(column.type, first_ + row * stride_ + column.begin + i * size_of(column.type),
+                swap_);
+}
+
+std::optional<std::vector<PlyFile::EqualRows>> PlyFile::equal_rows() const {
+  if (format_ == Format::ascii) return std::nullopt;
+  std::vector<EqualRows> result;
+  std::string_view rest = data_;
+  for (const Element& element : elements_) {
+    EqualRows rows;
+    rows.first_ = rest.data();
+    rows.swap_ = has_swapped_bytes();
+    EqualRows lengths = rows;  // of the lists
+    for (const Property& property : element.properties) {
+      EqualRows::Column column{property.type, rows.stride_, 1};
+      if (property.list_count) {
+        column.begin += size_of(*property.list_count);
+        if (element.count == 0 || column.begin > rest.size()) return std::nullopt;
+        lengths.columns_.push_back({*property.list_count, rows.stride_, 1});
+        const double length = lengths.value(0, lengths.columns_.size() - 1);
+        // The next property of the row must be within the file.
+        if (!is_list_length(length) || length > static_cast<double>(rest.size()))
+          return std::nullopt;
+        column.length = static_cast<std::size_t>(length);
+      }
+      rows.stride_ = column.begin + column.length * size_of(column.type);
+      rows.columns_.push_back(column);
+    }
+    if (element.count > 0 && (rows.stride_ == 0 || element.count > rest.size() / rows.stride_)) {
+      return std::nullopt;
+    }
+    lengths.stride_ = rows.stride_;
+    std::atomic<bool> are_equal = true;
+    tbb::parallel_for(
+        tbb::blocked_range<std::uint64_t>(0, lengths.columns_.empty() ? 0 : element.count, 4096),
+        [&](const auto& range) {
+          if (!are_equal) return;
+          for (std::uint64_t row = range.begin(); row < range.end(); ++row) {
+            for (std::size_t k = 0; k < lengths.columns_.size(); ++k) {
+              if (lengths.value(row, k) != lengths.value(0, k)) are_equal = false;
+            }
+          }
+        });
+    if (!are_equal) return std::nullopt;
+    rest.remove_prefix(element.count * rows.stride_);
+    result.push_back(std::move(rows));
+  }
+  return result;
+}
+
 void PlyFile::for_each_row(const Visit& visit) const {
   const bool ascii = format_ == Format::ascii;
-  const bool swap = (format_ == Format::big) != (std::endian::native == std::endian::big);
-  Values values(data_, ascii, swap);
+  Values values(data_, ascii, has_swapped_bytes());
   Row row;
   for (const Element& element : elements_) {
     std::size_t row_size = 0;
@@ -233,8 +296,7 @@ void PlyFile::for_each_row(const Visit& visit) const {
           row.scalars[p] = *first;
           continue;
         }
-        if (!(*first >= 0.0) || *first != std::floor(*first) ||
-            !values.can_hold(*first, size_of(property.type))) {
+        if (!is_list_length(*first) || !values.can_hold(*first, size_of(property.type))) {
           fail(property, "found a list of " + std::to_string(*first) +
                              " values; the file is too short for it");
         }

@@ -36,6 +36,28 @@ class PlyFile {
     std::vector<std::vector<double>> lists;
   };
 
+  // Rows of one size in a binary file: without lists, or with lists as long as the first row's.
+  class EqualRows {
+   public:
+    // A property's values in a row: one, or those of its list.
+    [[nodiscard]] std::size_t length(std::size_t property) const {
+      return columns_[property].length;
+    }
+    [[nodiscard]] double value(std::uint64_t row, std::size_t property, std::size_t i = 0) const;
+
+   private:
+    friend class PlyFile;
+    struct Column {
+      Type type = Type::float32;
+      std::size_t begin = 0;  // in the row, in bytes
+      std::size_t length = 1;
+    };
+    std::vector<Column> columns_;
+    const char* first_ = nullptr;
+    std::size_t stride_ = 0;
+    bool swap_ = false;
+  };
+
   // Reads the header; `bytes` must outlive this. Throws InputError.
   PlyFile(std::filesystem::path file, std::string_view bytes);
 
@@ -49,8 +71,14 @@ class PlyFile {
   using Visit = std::function<void(const Element& element, std::uint64_t index, const Row& row)>;
   void for_each_row(const Visit& visit) const;
 
+  // Each element's rows, which may then be read in parallel; nullopt where for_each_row() is to
+  // read them, or to say what is wrong: in ascii, if rows differ in size, or if some are missing.
+  [[nodiscard]] std::optional<std::vector<EqualRows>> equal_rows() const;
+
  private:
   enum class Format { ascii, little, big };
+
+  [[nodiscard]] bool has_swapped_bytes() const;
 
   std::filesystem::path file_;
   std::string_view data_;

@@ -36,16 +36,18 @@ RawMesh read_raw(const std::filesystem::path& file) {
   return reader(file, bytes);
 }
 
-std::shared_ptr<TriangleMesh> to_triangle_mesh(const std::filesystem::path& file,
-                                               const RawMesh& raw, Triangulation faces) {
+std::shared_ptr<TriangleMesh> to_triangle_mesh(const std::filesystem::path& file, RawMesh raw,
+                                               Triangulation faces) {
   MeshArrays arrays;
+  {
+    const std::vector<glm::dvec3> normals = vertex_normals(raw, faces);
+    arrays.normals.assign(normals.begin(), normals.end());
+  }
   arrays.points.assign(raw.points.begin(), raw.points.end());
-  const std::vector<glm::dvec3> normals = vertex_normals(raw, faces);
-  arrays.normals.assign(normals.begin(), normals.end());
   arrays.triangles = std::move(faces.triangles);
-  arrays.texcoords = raw.texcoords;
-  arrays.colors = raw.colors;
-  auto mesh = to_mesh(arrays, limits::scene_bytes);
+  arrays.texcoords = std::move(raw.texcoords);
+  arrays.colors = std::move(raw.colors);
+  auto mesh = to_mesh(std::move(arrays), limits::scene_bytes);
   if (mesh) return mesh;
   throw InputError(file, "",
                    "the mesh needs more than the allowed " + std::to_string(limits::scene_bytes) +
@@ -122,7 +124,7 @@ void add_polygon(RawMesh& mesh, std::span<const std::uint32_t> corners) {
 
 std::shared_ptr<const TriangleMesh> read_mesh(const std::filesystem::path& file,
                                               std::vector<std::string>* warnings) {
-  const RawMesh raw = read_raw(file);
+  RawMesh raw = read_raw(file);
   if (warnings != nullptr) {
     warnings->insert(warnings->end(), raw.warnings.begin(), raw.warnings.end());
   }
@@ -131,7 +133,7 @@ std::shared_ptr<const TriangleMesh> read_mesh(const std::filesystem::path& file,
     const std::string why = raw.warnings.empty() ? "" : ": " + raw.warnings.front();
     throw InputError(file, "", "the mesh has no faces" + why);
   }
-  return to_triangle_mesh(file, raw, std::move(faces));
+  return to_triangle_mesh(file, std::move(raw), std::move(faces));
 }
 
 }  // namespace brume

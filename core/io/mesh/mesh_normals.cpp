@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <numeric>
-#include <tuple>
 
+#include "core/io/mesh/places.h"
 #include "core/io/mesh/polygon_copies.h"
 #include "core/io/mesh/winding.h"
 #include "core/scene/lights/area_normal.h"
@@ -14,22 +14,6 @@ namespace {
 
 using Index = std::uint32_t;
 
-// For each vertex the first one at its place.
-std::vector<Index> find_places(std::span<const glm::dvec3> points) {
-  std::vector<Index> order(points.size());
-  std::iota(order.begin(), order.end(), Index{0});
-  const auto key = [&](Index i) { return std::tie(points[i].x, points[i].y, points[i].z); };
-  std::ranges::sort(
-      order, [&](Index a, Index b) { return key(a) < key(b) || (key(a) == key(b) && a < b); });
-  std::vector<Index> places(points.size());
-  Index first = 0;
-  for (const Index i : order) {
-    if (i == order.front() || key(i) != key(first)) first = i;
-    places[i] = first;
-  }
-  return places;
-}
-
 // Vertices at one place are the seam of a smooth surface if their normals differ by less than 60
 // degrees (patches tessellated one by one), else an edge that is meant to be seen.
 constexpr double cos_seam = 0.5;
@@ -37,23 +21,32 @@ constexpr double cos_seam = 0.5;
 // Adds to every vertex's sum those of the vertices at the same place that it forms a seam with.
 void smooth_seams(const RawMesh& raw, std::span<const Index> places,
                   std::vector<glm::dvec3>& sums) {
-  std::vector<Index> order(sums.size());
-  std::iota(order.begin(), order.end(), Index{0});
+  std::vector<bool> is_shared(sums.size());
+  for (Index i = 0; i < places.size(); ++i) {
+    if (places[i] != i) is_shared[places[i]] = is_shared[i] = true;
+  }
+  std::vector<Index> order;
+  for (Index i = 0; i < places.size(); ++i) {
+    if (is_shared[i]) order.push_back(i);
+  }
   const auto place = [&](Index i) { return places[i]; };
   std::ranges::stable_sort(order, {}, place);
-  const std::vector<glm::dvec3> own = sums;
   // A place where very many vertices meet is no seam, and pairs would take long.
   constexpr std::ptrdiff_t limit = 64;
+  std::vector<glm::dvec3> own;  // the sums at a place, before
   for (auto first = order.begin(); first != order.end();) {
     const auto last =
         std::find_if(first, order.end(), [&](Index i) { return place(i) != place(*first); });
-    for (auto i = first; last - first <= limit && i != last; ++i) {
-      for (auto j = first; j != last; ++j) {
+    own.clear();
+    for (auto i = first; last - first <= limit && i != last; ++i) own.push_back(sums[*i]);
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      for (std::size_t j = 0; j < own.size(); ++j) {
         if (i == j) continue;
-        const bool is_split =
-            !raw.file_points.empty() && raw.file_points[*i] == raw.file_points[*j];
-        const double cosine = glm::dot(unit_or_zero(own[*i]), unit_or_zero(own[*j]));
-        if (is_split || cosine > cos_seam) sums[*i] += own[*j];
+        const Index a = *(first + static_cast<std::ptrdiff_t>(i));
+        const Index b = *(first + static_cast<std::ptrdiff_t>(j));
+        const bool is_split = !raw.file_points.empty() && raw.file_points[a] == raw.file_points[b];
+        const double cosine = glm::dot(unit_or_zero(own[i]), unit_or_zero(own[j]));
+        if (is_split || cosine > cos_seam) sums[a] += own[j];
       }
     }
     first = last;

@@ -1,6 +1,13 @@
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <atomic>
+#include <utility>
+
 #include "brume/error.h"
 #include "core/io/mesh/mesh_readers.h"
 #include "core/io/ply.h"
+#include "core/number_domain.h"
 
 namespace brume {
 namespace {
@@ -45,10 +52,11 @@ class PlyColors {
     }
   }
   [[nodiscard]] bool has_any() const { return columns_.size() >= 3; }
-  [[nodiscard]] glm::vec4 of(const PlyFile::Row& row) const {
+  // `value` of a property.
+  [[nodiscard]] glm::vec4 color(const auto& value) const {
     glm::dvec4 rgba(1.0);
     for (std::size_t k = 0; k < columns_.size(); ++k) {
-      rgba[static_cast<int>(k)] = row.scalars[columns_[k].index] / columns_[k].white;
+      rgba[static_cast<int>(k)] = value(columns_[k].index) / columns_[k].white;
     }
     return linear_color(rgba);
   }
@@ -65,9 +73,40 @@ class PlyColors {
   std::vector<Column> columns_;
 };
 
-glm::dvec3 values(const PlyFile::Row& row, const Columns& columns) {
-  return {row.scalars[*columns[0]], row.scalars[*columns[1]], row.scalars[*columns[2]]};
+glm::dvec3 values(const auto& value, const Columns& columns) {
+  return {value(*columns[0]), value(*columns[1]), value(*columns[2])};
 }
+
+// Where the values of a vertex stand.
+struct VertexColumns {
+  Columns position;
+  Columns normal;
+  std::optional<std::array<std::size_t, 2>> texcoord;
+  PlyColors colors;
+
+  explicit VertexColumns(const PlyFile::Element& vertices)
+      : position(scalar_columns(vertices, {"x", "y", "z"})),
+        normal(scalar_columns(vertices, {"nx", "ny", "nz"})),
+        texcoord(texcoord_columns(vertices)),
+        colors(vertices) {}
+
+  void resize(RawMesh& mesh, std::size_t count) const {
+    mesh.points.resize(count);
+    if (all(normal)) mesh.normals.resize(count);
+    if (colors.has_any()) mesh.colors.resize(count);
+    if (texcoord) mesh.texcoords.resize(count);
+  }
+  // Takes the values of a vertex by property.
+  void read(RawMesh& mesh, std::size_t vertex, const auto& value) const {
+    mesh.points[vertex] = values(value, position);
+    if (all(normal)) mesh.normals[vertex] = values(value, normal);
+    if (colors.has_any()) mesh.colors[vertex] = colors.color(value);
+    if (texcoord) {
+      const auto& [u, v] = *texcoord;
+      mesh.texcoords[vertex] = finite_texcoord(value(u), value(v));
+    }
+  }
+};
 
 // A strip of triangles, each of a vertex and the two before it, every second one turned round.
 // Lists of strips, as Stanford's programs write them, end each with -1.
@@ -76,6 +115,54 @@ void add_strip(RawMesh& mesh, std::span<const std::uint32_t> strip) {
     const std::size_t odd = i % 2;
     add_polygon(mesh, std::array{strip[i - 2 + odd], strip[i - 1 - odd], strip[i]});
   }
+}
+
+void for_each_in_parallel(std::uint64_t count, const auto& visit) {
+  tbb::parallel_for(tbb::blocked_range<std::uint64_t>(0, count, 4096), [&](const auto& range) {
+    for (std::uint64_t i = range.begin(); i < range.end(); ++i) visit(i);
+  });
+}
+
+// Reads rows of one size. False for a mesh that is not sound, as far as it was read.
+bool read_equal_rows(RawMesh& mesh, const VertexColumns& columns,
+                     const PlyFile::EqualRows& vertices, std::uint64_t vertex_count,
+                     const PlyFile::EqualRows& faces, std::uint64_t face_count,
+                     std::size_t corner_list) {
+  std::atomic<bool> is_sound = true;
+  columns.resize(mesh, vertex_count);
+  for_each_in_parallel(vertex_count, [&](std::uint64_t i) {
+    columns.read(mesh, i, [&](std::size_t property) { return vertices.value(i, property); });
+    for (int axis = 0; axis < 3; ++axis) {
+      if (!domain::coordinate.contains(mesh.points[i][axis])) is_sound = false;
+    }
+  });
+  const std::size_t n = faces.length(corner_list);
+  mesh.corners.resize(face_count * n);
+  std::atomic<bool> has_repeated = n < 3;
+  for_each_in_parallel(face_count, [&](std::uint64_t i) {
+    for (std::size_t k = 0; k < n; ++k) {
+      const double corner = faces.value(i, corner_list, k);
+      if (!(corner >= 0.0 && corner < static_cast<double>(vertex_count))) {
+        is_sound = false;
+        return;
+      }
+      mesh.corners[i * n + k] = static_cast<std::uint32_t>(corner);
+    }
+    for (std::size_t k = 0; k < n; ++k) {
+      if (mesh.corners[i * n + k] == mesh.corners[i * n + (k + 1) % n]) has_repeated = true;
+    }
+  });
+  if (!is_sound) return false;
+  if (has_repeated) {
+    const std::vector<std::uint32_t> corners = std::exchange(mesh.corners, {});
+    for (std::size_t i = 0; i < face_count; ++i) {
+      add_polygon(mesh, std::span(corners).subspan(i * n, n));
+    }
+  } else {
+    mesh.polygon_ends.resize(face_count);
+    for_each_in_parallel(face_count, [&](std::uint64_t i) { mesh.polygon_ends[i] = (i + 1) * n; });
+  }
+  return true;
 }
 
 }  // namespace
@@ -88,11 +175,9 @@ RawMesh read_ply_mesh(const std::filesystem::path& file, std::string_view bytes)
   if (are_strips) faces = ply.element("tristrips");
   if (vertices == nullptr) throw InputError(file, "header", "there is no element vertex");
   if (faces == nullptr) throw InputError(file, "header", "the mesh has no faces");
-  const Columns position = scalar_columns(*vertices, {"x", "y", "z"});
-  const Columns normal = scalar_columns(*vertices, {"nx", "ny", "nz"});
-  const auto texcoord = texcoord_columns(*vertices);
-  const PlyColors colors(*vertices);
-  if (!all(position)) throw InputError(file, "element vertex", "there are no properties x y z");
+  const VertexColumns columns(*vertices);
+  if (!all(columns.position))
+    throw InputError(file, "element vertex", "there are no properties x y z");
   std::optional<std::size_t> corners = faces->property("vertex_indices");
   if (!corners) corners = faces->property("vertex_index");
   if (!corners || !faces->properties[*corners].list_count) {
@@ -101,18 +186,23 @@ RawMesh read_ply_mesh(const std::filesystem::path& file, std::string_view bytes)
 
   RawMesh mesh;
   mesh.warnings = ply.warnings();
+  if (const auto rows = ply.equal_rows(); rows && !are_strips) {
+    const auto rows_of = [&](const PlyFile::Element* element) {
+      return (*rows)[static_cast<std::size_t>(element - ply.elements().data())];
+    };
+    RawMesh plain = mesh;
+    if (read_equal_rows(plain, columns, rows_of(vertices), vertices->count, rows_of(faces),
+                        faces->count, *corners)) {
+      return plain;
+    }
+  }
   std::vector<std::uint32_t> face;
   ply.for_each_row(
       [&](const PlyFile::Element& element, std::uint64_t index, const PlyFile::Row& row) {
         if (&element == vertices) {
-          mesh.points.push_back(values(row, position));
+          columns.resize(mesh, index + 1);
+          columns.read(mesh, index, [&row](std::size_t property) { return row.scalars[property]; });
           check_point(file, "vertex " + std::to_string(index), mesh.points.back());
-          if (all(normal)) mesh.normals.push_back(values(row, normal));
-          if (colors.has_any()) mesh.colors.push_back(colors.of(row));
-          if (texcoord) {
-            const auto& [u, v] = *texcoord;
-            mesh.texcoords.push_back(finite_texcoord(row.scalars[u], row.scalars[v]));
-          }
         } else if (&element == faces) {
           face.clear();
           for (const double corner : row.lists[*corners]) {

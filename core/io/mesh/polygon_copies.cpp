@@ -4,6 +4,8 @@
 #include <numeric>
 #include <ranges>
 
+#include "core/io/mesh/hashed_indices.h"
+
 namespace brume {
 namespace {
 
@@ -15,6 +17,23 @@ std::span<const Index> polygon(const RawMesh& mesh, const std::vector<Index>& co
   return std::span(corners).subspan(begin, mesh.polygon_ends[i] - begin);
 }
 
+// Polygons that may be copies or have some: those whose places, in any order, share a hash.
+std::vector<Index> find_candidates(const RawMesh& mesh, std::span<const Index> places) {
+  std::vector<Index> candidates;
+  const auto hash = [&](Index i) {
+    std::uint64_t sum = 0;  // whatever the order
+    for (const Index vertex : polygon(mesh, mesh.corners, i)) sum += mixed_bits(places[vertex]);
+    return mixed_bits(sum);
+  };
+  for_each_alike(
+      mesh.polygon_ends.size(), hash, [](Index) {},
+      [&candidates](std::span<const Index> alike) {
+        candidates.insert(candidates.end(), alike.begin(), alike.end());
+      });
+  std::ranges::sort(candidates);
+  return candidates;
+}
+
 }  // namespace
 
 PolygonCopies find_copies(const RawMesh& mesh, std::span<const Index> places) {
@@ -22,42 +41,46 @@ PolygonCopies find_copies(const RawMesh& mesh, std::span<const Index> places) {
   const auto place = [&](Index vertex) { return places[vertex]; };
   PolygonCopies copies;
   copies.is_turned.resize(count);
-  // Each polygon from its lowest place on, in the sense in which the next place is lower.
+  copies.originals.resize(count);
+  std::iota(copies.originals.begin(), copies.originals.end(), Index{0});
+  const std::vector<Index> candidates = find_candidates(mesh, places);
+  // Each candidate from its lowest place on, in the sense in which the next place is lower.
   std::vector<Index> canonical;
-  canonical.reserve(mesh.corners.size());
-  for (std::size_t i = 0; i < count; ++i) {
+  std::vector<std::size_t> begins{0};
+  std::vector<bool> is_turned;
+  for (const Index i : candidates) {
     const auto corners = polygon(mesh, mesh.corners, i);
     const auto begin = canonical.insert(canonical.end(), corners.begin(), corners.end());
     std::rotate(begin, std::ranges::min_element(begin, canonical.end(), {}, place),
                 canonical.end());
-    copies.is_turned[i] = place(canonical.back()) < place(*(begin + 1));
-    if (copies.is_turned[i]) std::reverse(begin + 1, canonical.end());
+    is_turned.push_back(place(canonical.back()) < place(*(begin + 1)));
+    if (is_turned.back()) std::reverse(begin + 1, canonical.end());
+    begins.push_back(canonical.size());
   }
-  const auto is_before = [&](Index a, Index b) {
-    return std::ranges::lexicographical_compare(polygon(mesh, canonical, a),
-                                                polygon(mesh, canonical, b), {}, place, place);
+  const auto outline = [&](Index candidate) {
+    return std::span(canonical).subspan(begins[candidate],
+                                        begins[candidate + 1] - begins[candidate]);
   };
-  std::vector<Index> order(count);
+  const auto is_before = [&](Index a, Index b) {
+    return std::ranges::lexicographical_compare(outline(a), outline(b), {}, place, place);
+  };
+  std::vector<Index> order(candidates.size());
   std::iota(order.begin(), order.end(), Index{0});
-  copies.originals = order;
   std::ranges::stable_sort(order, is_before);
-  for (std::size_t k = 1, first = 0; k < count; ++k) {
+  for (std::size_t k = 1, first = 0; k < order.size(); ++k) {
     const Index original = order[first];
     const Index copy = order[k];
     if (is_before(original, copy)) {
       first = k;
       continue;
     }
-    copies.originals[copy] = original;
-    const auto originals = polygon(mesh, canonical, original);
-    const auto copied = polygon(mesh, canonical, copy);
+    copies.originals[candidates[copy]] = candidates[original];
+    copies.is_turned[candidates[copy]] = is_turned[copy] != is_turned[original];
+    const auto originals = outline(original);
+    const auto copied = outline(copy);
     for (std::size_t c = 0; c < copied.size(); ++c) {
       if (copied[c] != originals[c]) copies.vertices.emplace_back(copied[c], originals[c]);
     }
-  }
-  // From the last on: originals stand before their copies, and are not turned against themselves.
-  for (std::size_t i = count; i-- > 0;) {
-    copies.is_turned[i] = copies.is_turned[i] != copies.is_turned[copies.originals[i]];
   }
   return copies;
 }

@@ -51,6 +51,7 @@ class Triangulator {
  public:
   explicit Triangulator(const RawMesh& mesh) : mesh_(mesh) {
     result_.triangles.reserve(mesh.corners.size() - 2 * mesh.polygon_ends.size());
+    result_.polygons.reserve(result_.triangles.capacity());
   }
 
   Triangulation run() {

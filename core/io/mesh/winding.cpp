@@ -1,6 +1,7 @@
 #include "core/io/mesh/winding.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <numeric>
 #include <utility>
@@ -111,7 +112,16 @@ EdgesByPlace edges_by_place(std::span<const Index> places, const std::vector<boo
 
 void make_winding_consistent(const std::vector<glm::dvec3>& points, std::span<const Index> places,
                              const std::vector<bool>& ignored, std::span<glm::uvec3> triangles) {
-  const auto normal = [&](Index t) { return unit_or_zero(area_normal(points, triangles[t])); };
+  const auto area = [&](Index t) { return area_normal(points, triangles[t]); };
+  const auto normal = [&](Index t) { return unit_or_zero(area(t)); };
+  // Most triangles are clearly not folded: no unit vectors are needed to see it.
+  const auto is_folded = [&](Index a, Index b, bool is_turned) {
+    constexpr double clear = 1e-200;  // no square underflows or overflows to it
+    const double along = (is_turned ? -1.0 : 1.0) * glm::dot(area(a), area(b));
+    if (along > clear && std::isfinite(along)) return false;
+    const double cosine = glm::dot(normal(a), normal(b));
+    return !((is_turned ? -cosine : cosine) > cos_folded);
+  };
   TurnedSets sets(triangles.size());
   std::vector<std::pair<Index, Index>> overlaps;  // and what goes on beyond an edge of several
   const auto [edges, ends] = edges_by_place(places, ignored, triangles);
@@ -125,10 +135,10 @@ void make_winding_consistent(const std::vector<glm::dvec3>& points, std::span<co
     for (std::size_t k = begin + 1; k < i; ++k) {
       const Edge& other = edges[k];
       const bool is_turned = first.is_forward == other.is_forward;
-      const double cosine = glm::dot(normal(first.triangle), normal(other.triangle));
-      if (has_two && (is_turned ? -cosine : cosine) > cos_folded) {
+      if (has_two && !is_folded(first.triangle, other.triangle, is_turned)) {
         sets.join(first.triangle, other.triangle, is_turned);
-      } else if (has_two || std::abs(cosine) > cos_continued) {
+      } else if (has_two || std::abs(glm::dot(normal(first.triangle), normal(other.triangle))) >
+                                cos_continued) {
         overlaps.emplace_back(first.triangle, other.triangle);
       }
     }
