@@ -64,12 +64,17 @@ void add_areas(const RawMesh& raw, const Triangulation& faces, const std::vector
 }
 
 // Normals for a mesh without any.
-std::vector<glm::dvec3> smooth_normals(const RawMesh& raw, Triangulation& faces) {
+std::vector<glm::dvec3> smooth_normals(RawMesh& raw, Triangulation& faces) {
   const std::vector<Index> places = find_places(raw.points);
-  const PolygonCopies copies = find_copies(raw, places);
+  PolygonCopies copies = find_copies(raw, places);
   cut_alike(raw, places, copies, faces);
   std::vector<bool> ignored;
   for (const Index polygon : faces.polygons) ignored.push_back(copies.is_copy(polygon));
+  // Large meshes need the memory.
+  raw.corners = {};
+  raw.polygon_ends = {};
+  faces.polygons = {};
+  copies.originals = {};
   make_winding_consistent(raw.points, places, ignored, faces.triangles);
   std::vector<glm::dvec3> sums(raw.points.size(), glm::dvec3(0.0));
   add_areas(raw, faces, ignored, sums);
@@ -83,7 +88,7 @@ std::vector<glm::dvec3> smooth_normals(const RawMesh& raw, Triangulation& faces)
 
 }  // namespace
 
-std::vector<glm::dvec3> vertex_normals(const RawMesh& raw, Triangulation& faces) {
+std::vector<glm::dvec3> vertex_normals(RawMesh& raw, Triangulation& faces) {
   std::vector<glm::dvec3> normals(raw.normals.size());
   std::ranges::transform(raw.normals, normals.begin(), unit_or_zero);
   const glm::dvec3 none(0.0);

@@ -1,6 +1,10 @@
 #include "core/io/mesh/winding.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numeric>
@@ -71,8 +75,8 @@ struct Edge {
 };
 static_assert(sizeof(Edge) == 8);
 
-// The edges of all triangles by their lower place, each list sorted: those of place p are
-// edges[ends[p - 1]] to edges[ends[p]].
+// The edges of all triangles by their lower place: those of place p are edges[ends[p - 1]] to
+// edges[ends[p]].
 struct EdgesByPlace {
   std::vector<Edge> edges;
   std::vector<std::size_t> ends;
@@ -80,7 +84,7 @@ struct EdgesByPlace {
 
 EdgesByPlace edges_by_place(std::span<const Index> places, const std::vector<bool>& ignored,
                             std::span<const glm::uvec3> triangles) {
-  const auto for_each_edge = [&](auto&& visit) {
+  const auto visit_all = [&](auto&& visit) {
     for (std::size_t t = 0; t < triangles.size(); ++t) {
       if (ignored[t]) continue;
       for (int k = 0; k < 3; ++k) {
@@ -92,20 +96,22 @@ EdgesByPlace edges_by_place(std::span<const Index> places, const std::vector<boo
   };
   EdgesByPlace result;
   result.ends.resize(places.size() + 1);
-  for_each_edge([&result](Index low, const Edge&) { ++result.ends[low + 1]; });
+  visit_all([&result](Index low, const Edge&) { ++result.ends[low + 1]; });
   std::partial_sum(result.ends.begin(), result.ends.end(), result.ends.begin());
   result.edges.resize(result.ends.back());
   // Each list's first becomes its end as it is filled.
-  for_each_edge(
-      [&result](Index low, const Edge& edge) { result.edges[result.ends[low]++] = edge; });
+  visit_all([&result](Index low, const Edge& edge) { result.edges[result.ends[low]++] = edge; });
   result.ends.pop_back();
-  std::size_t first = 0;
-  for (const std::size_t end : result.ends) {
-    std::sort(result.edges.begin() + static_cast<std::ptrdiff_t>(first),
-              result.edges.begin() + static_cast<std::ptrdiff_t>(end));
-    first = end;
-  }
   return result;
+}
+
+// Calls visit(edges) for all that are between two places, in order.
+void for_each_edge(std::span<const Edge> edges_of_place, auto&& visit) {
+  for (std::size_t i = 0; i < edges_of_place.size();) {
+    const std::size_t begin = i;
+    while (i < edges_of_place.size() && edges_of_place[i].high == edges_of_place[begin].high) ++i;
+    visit(edges_of_place.subspan(begin, i - begin));
+  }
 }
 
 }  // namespace
@@ -122,27 +128,45 @@ void make_winding_consistent(const std::vector<glm::dvec3>& points, std::span<co
     const double cosine = glm::dot(normal(a), normal(b));
     return !((is_turned ? -cosine : cosine) > cos_folded);
   };
+  auto [edges, ends] = edges_by_place(places, ignored, triangles);
+  const auto edges_of = [&edges = edges, &ends = ends](std::size_t place) {
+    const std::size_t begin = place > 0 ? ends[place - 1] : 0;
+    return std::span(edges).subspan(begin, ends[place] - begin);
+  };
+  // Most meshes are wound alike already.
+  std::atomic<bool> is_consistent = true;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, ends.size(), 1024), [&](const auto& range) {
+    for (std::size_t place = range.begin(); place < range.end(); ++place) {
+      const std::span<Edge> own = edges_of(place);
+      std::sort(own.begin(), own.end());
+      for_each_edge(own, [&](std::span<const Edge> edge) {
+        if (edge.size() == 1 || !is_consistent) return;
+        if (edge.size() > 2 || edge[0].is_forward == edge[1].is_forward ||
+            is_folded(edge[0].triangle, edge[1].triangle, false)) {
+          is_consistent = false;
+        }
+      });
+    }
+  });
+  if (is_consistent) return;
   TurnedSets sets(triangles.size());
   std::vector<std::pair<Index, Index>> overlaps;  // and what goes on beyond an edge of several
-  const auto [edges, ends] = edges_by_place(places, ignored, triangles);
-  auto list_end = ends.begin();
-  for (std::size_t i = 0; i < edges.size();) {
-    while (*list_end <= i) ++list_end;
-    const Edge& first = edges[i];
-    const std::size_t begin = i;
-    while (i < *list_end && edges[i].high == first.high) ++i;
-    const bool has_two = i - begin == 2;
-    for (std::size_t k = begin + 1; k < i; ++k) {
-      const Edge& other = edges[k];
-      const bool is_turned = first.is_forward == other.is_forward;
-      if (has_two && !is_folded(first.triangle, other.triangle, is_turned)) {
-        sets.join(first.triangle, other.triangle, is_turned);
-      } else if (has_two || std::abs(glm::dot(normal(first.triangle), normal(other.triangle))) >
-                                cos_continued) {
-        overlaps.emplace_back(first.triangle, other.triangle);
+  for (std::size_t place = 0; place < ends.size(); ++place) {
+    for_each_edge(edges_of(place), [&](std::span<const Edge> edge) {
+      const Edge& first = edge.front();
+      const bool has_two = edge.size() == 2;
+      for (const Edge& other : edge.subspan(1)) {
+        const bool is_turned = first.is_forward == other.is_forward;
+        if (has_two && !is_folded(first.triangle, other.triangle, is_turned)) {
+          sets.join(first.triangle, other.triangle, is_turned);
+        } else if (has_two || std::abs(glm::dot(normal(first.triangle), normal(other.triangle))) >
+                                  cos_continued) {
+          overlaps.emplace_back(first.triangle, other.triangle);
+        }
       }
-    }
+    });
   }
+  edges = {};
   for (const auto& [a, b] : overlaps) sets.join(a, b, glm::dot(normal(a), normal(b)) < 0.0);
 
   std::vector<std::int64_t> turned_less_others(triangles.size(), 0);  // by the first of each set
