@@ -1,5 +1,8 @@
 #include "core/scene/copies.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -163,11 +166,15 @@ class PlacedVertices {
     if (points_.empty()) return -infinite;
     const auto max_over = [&](std::span<const glm::vec3> points, std::size_t copy) {
       const Placement placement = placement_of(surface_, copy);
-      double result = -infinite;
-      for (const glm::vec3& p : points) {
-        result = std::max(result, value(placement.point_to_world(glm::dvec3(p))));
-      }
-      return result;
+      using Range = tbb::blocked_range<std::size_t>;
+      const auto max_in = [&](const Range& range, double result) {
+        for (std::size_t i = range.begin(); i < range.end(); ++i) {
+          result = std::max(result, value(placement.point_to_world(glm::dvec3(points[i]))));
+        }
+        return result;
+      };
+      return tbb::parallel_reduce(Range(0, points.size(), 65536), -infinite, max_in,
+                                  [](double a, double b) { return std::max(a, b); });
     };
     const std::size_t count = placement_count(surface_);
     if (count == 1) return max_over(points_, 0);

@@ -1,5 +1,6 @@
 #include "render/visibility/exact_occlusion.h"
 
+#include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
@@ -96,8 +97,8 @@ std::size_t group_size(std::size_t triangles) {
   return triangles > max_alone ? neighbours : 1;
 }
 
-// Sorts triangles along a space-filling curve, Morton's.
-void sort_along_curve(const TriangleMesh& mesh, std::vector<std::uint32_t>& order) {
+// The triangles along a space-filling curve, Morton's.
+std::vector<std::uint32_t> order_along_curve(const TriangleMesh& mesh) {
   const MeshBox box = box_of(mesh);
   const glm::dvec3 scale = 1023.0 / glm::max(box.high - box.low, glm::dvec3(1e-300));
   const auto spread = [](std::uint32_t bits) {  // to every third
@@ -106,44 +107,49 @@ void sort_along_curve(const TriangleMesh& mesh, std::vector<std::uint32_t>& orde
     bits = (bits | bits << 4) & 0x030c30c3U;
     return (bits | bits << 2) & 0x09249249U;
   };
-  std::vector<std::uint32_t> codes(order.size());
-  std::ranges::transform(order, codes.begin(), [&](std::uint32_t triangle) {
+  std::vector<std::uint64_t> keys(mesh.n_faces());  // the place on the curve, and the triangle
+  tbb::parallel_for(std::size_t{0}, keys.size(), [&](std::size_t triangle) {
     const glm::dvec3 cell = (glm::dvec3(mesh.points[mesh.triangles[triangle].x]) - box.low) * scale;
-    return spread(static_cast<std::uint32_t>(cell.x)) |
-           spread(static_cast<std::uint32_t>(cell.y)) << 1 |
-           spread(static_cast<std::uint32_t>(cell.z)) << 2;
+    const std::uint32_t code = spread(static_cast<std::uint32_t>(cell.x)) |
+                               spread(static_cast<std::uint32_t>(cell.y)) << 1 |
+                               spread(static_cast<std::uint32_t>(cell.z)) << 2;
+    keys[triangle] = std::uint64_t{code} << 32 | triangle;
   });
-  tbb::parallel_sort(order, [&codes](std::uint32_t a, std::uint32_t b) {
-    return codes[a] != codes[b] ? codes[a] < codes[b] : a < b;
-  });
+  tbb::parallel_sort(keys);
+  std::vector<std::uint32_t> order(keys.size());
+  std::ranges::transform(keys, order.begin(),
+                         [](std::uint64_t key) { return static_cast<std::uint32_t>(key); });
+  return order;
 }
 
 }  // namespace
 
 ExactOcclusion::Part::Part(const Surface& surface, const Placement& own_placement)
     : mesh(surface.mesh), placement(own_placement), coverage(surface.material) {
-  order.resize(mesh->n_faces());
-  if (order.size() <= max_alone) {
+  if (mesh->n_faces() > max_alone) {
+    order = order_along_curve(*mesh);
+  } else {
+    order.resize(mesh->n_faces());
+    std::iota(order.begin(), order.end(), 0U);
     std::ranges::transform(mesh->points, std::back_inserter(points), [this](const glm::vec3& p) {
       return placement.point_to_world(glm::dvec3(p));
     });
   }
-  std::iota(order.begin(), order.end(), 0U);
-  if (order.size() > max_alone) sort_along_curve(*mesh, order);
   const std::size_t size = group_size(order.size());
-  std::vector<glm::dvec3> centers;
-  std::vector<double> radii;
-  for (std::size_t first = 0; first < order.size(); first += size) {
+  const std::size_t group_count = (order.size() + size - 1) / size;
+  std::vector<glm::dvec3> centers(group_count);
+  std::vector<double> radii(group_count);
+  tbb::parallel_for(std::size_t{0}, group_count, [&](std::size_t group) {
     glm::dvec3 low(infinite), high(-infinite);
-    for (std::size_t i = first; i < std::min(first + size, order.size()); ++i) {
+    for (std::size_t i = group * size; i < std::min((group + 1) * size, order.size()); ++i) {
       for (const glm::dvec3& p : triangle(order[i])) {
         low = glm::min(low, p);
         high = glm::max(high, p);
       }
     }
-    centers.push_back(0.5 * (low + high));
-    radii.push_back(0.5 * glm::length(high - low));
-  }
+    centers[group] = 0.5 * (low + high);
+    radii[group] = 0.5 * glm::length(high - low);
+  });
   bvh = SphereBvh(centers, radii);
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -169,13 +171,13 @@ struct RayCaster::Impl {
     const MeshBox box = box_of(*placed.mesh);
     mesh_centers.push_back(has_copies ? 0.5 * (box.low + box.high) : glm::dvec3(0.0));
     auto& own_vertices = vertices.emplace_back(arrays.points.size());
-    for (std::size_t v = 0; v < own_vertices.size(); ++v) {
+    tbb::parallel_for(std::size_t{0}, own_vertices.size(), [&](std::size_t v) {
       const glm::dvec3 p(arrays.points[v]);
       const glm::dvec3 n(arrays.normals[v]);
       own_vertices[v] = has_copies ? Vertex{glm::vec3(p - mesh_centers[s]), arrays.normals[v]}
                                    : Vertex{glm::vec3(placed.placement.point_to_world(p) - center),
                                             glm::vec3(placed.placement.normal_to_world(n))};
-    }
+    });
     first_triangles.push_back(static_cast<std::uint32_t>(triangle_count));
     triangle_count += arrays.triangles.size();
     // Embree reads the very arrays.
