@@ -7,8 +7,10 @@
 #include <map>
 #include <numbers>
 #include <span>
+#include <string>
 #include <utility>
 
+#include "brume/error.h"
 #include "brume/limits.h"
 #include "core/io/import/gltf_animation.h"
 #include "core/io/import/gltf_file.h"
@@ -78,7 +80,13 @@ class GltfReader {
  private:
   // Skins and all else without keys are as at 0 s.
   void read_animation() {
-    animation_ = read_gltf_animation(file_, nodes_);
+    try {
+      animation_ = read_gltf_animation(file_, nodes_);
+    } catch (const InputError& error) {
+      scene_.warnings.push_back(std::string(error.what()) + "; the animation is left out");
+      animation_.tracks.resize(nodes_.size());
+      animation_.weights.resize(nodes_.size());
+    }
     std::vector<MovingNode> moving;
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
       moving.push_back(

@@ -186,6 +186,19 @@ glm::dmat3 turn_of(const glm::dmat3& m) {
   return {x, glm::cross(z, x), z};
 }
 
+// The only axis without a length; none: -1.
+int flat_axis(const glm::dmat3& m) {
+  constexpr double tiny = 1e-9;
+  const double size = std::max({glm::length(m[0]), glm::length(m[1]), glm::length(m[2])});
+  int flat = -1;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (glm::length(m[axis]) > tiny * size) continue;
+    if (flat >= 0) return -1;
+    flat = axis;
+  }
+  return flat;
+}
+
 double size_of(const glm::dmat3& m) {
   return std::cbrt(std::abs(glm::determinant(m)));
 }
@@ -195,7 +208,16 @@ double size_of(const glm::dmat3& m) {
 NodeKeys placement_keys(const NodeMotion& motion, std::size_t node) {
   NodeKeys result;
   const std::vector<double> times = motion.times(node);
-  const auto axes_at = [&](double time) { return glm::dmat3(motion.to_world(node, time)); };
+  // A node that is flat has a height meanwhile: its axes need an inverse.
+  const int flat = flat_axis(glm::dmat3(motion.to_world(node, times.front())));
+  const auto axes_at = [&](double time) {
+    glm::dmat3 axes(motion.to_world(node, time));
+    if (flat < 0) return axes;
+    const glm::dvec3 height = glm::cross(axes[(flat + 1) % 3], axes[(flat + 2) % 3]);
+    const double area = glm::length(height);
+    axes[flat] = area > 0.0 ? height / std::sqrt(area) : glm::dvec3(0.0);
+    return axes;
+  };
   double scale = 0.0;
   double whole = times.front();  // when it is largest: hidden nodes are often small ones
   for (const double time : times) {
@@ -214,7 +236,7 @@ NodeKeys placement_keys(const NodeMotion& motion, std::size_t node) {
   const auto state_at = [&](double time) {
     const glm::dmat4 to_world = motion.to_world(node, time);
     check_coordinates(motion, glm::dvec3(to_world[3]));
-    const glm::dmat3 placed = glm::dmat3(to_world) * inverse;
+    const glm::dmat3 placed = axes_at(time) * inverse;
     constexpr double smallest = 1e-6;
     CopyPlacement placement{glm::dvec3(to_world[3]), {1.0, 0.0, 0.0, 0.0}, size_of(placed)};
     placement.scale = domain::length.nearest(std::max(placement.scale, smallest * scale));
@@ -237,6 +259,7 @@ NodeKeys placement_keys(const NodeMotion& motion, std::size_t node) {
   const PlacementMeasure measure{max_offset(origins(motion, node))};
   const auto samples = sampled(motion, node, state_at, measure);
   result.to_placed = glm::dmat4(shape);
+  if (flat >= 0) result.to_placed[flat] = glm::dvec4(0.0);
   const auto add = [&](auto& keys, auto member) {
     keys = keys_of(samples, member);
     if (is_constant(keys)) keys.resize(1);

@@ -112,6 +112,22 @@ TEST_F(GltfAnimation, DamagedFilesAreErrorsOrRead) {
   EXPECT_GT(refused, 100u);
 }
 
+TEST_F(GltfAnimation, IsLeftOutIfItsTimesDoNotAscend) {
+  animate(0, "translation", {0, 1, 1}, {0, 0, 0, 5, 0, 0, 7, 0, 0});
+  const Scene scene = read();
+  ASSERT_EQ(warnings_.size(), 1u);
+  EXPECT_NE(warnings_[0].find("the animation is left out"), std::string::npos) << warnings_[0];
+  expect_near(corner_at(scene, 1.0), {1, 0, 0});
+}
+
+TEST_F(GltfAnimation, MovesFlatNodes) {
+  builder_.json["nodes"][0]["scale"] = {1, 1, 0};
+  animate(0, "translation", {0, 1}, {0, 0, 0, 5, 0, 0});
+  const Scene scene = read();
+  expect_near(corner_at(scene, 0.0), {1, 0, 0});
+  expect_near(corner_at(scene, 0.5), {3.5, 0, 0});
+}
+
 TEST_F(GltfAnimation, TurnsChildrenAroundTheirParents) {
   builder_.json["nodes"][0]["translation"] = {2, 0, 0};
   builder_.json["nodes"].push_back({{"name", "carousel"}, {"children", {0}}});
