@@ -335,6 +335,12 @@ bool RenderPlan::needs_transfer(const Surface& surface) const {
          std::ranges::find(transfers, transfer_request(surface)) != transfers.end();
 }
 
+bool shows_mirrored_light(const Scene& scene, const Settings& settings) {
+  const RenderPlan plan(scene, scene.film, settings);
+  return plan.has_mirrors ||
+         (plan.runs(Stage::paths) && std::ranges::any_of(scene.surfaces, mirrors));
+}
+
 std::vector<TransferRequest> needed_transfers(const Scene& scene, const Settings& settings) {
   if (scene.surfaces.empty()) return {};
   return RenderPlan(scene, scene.film, settings).transfers;

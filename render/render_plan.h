@@ -89,6 +89,9 @@ struct RenderPlan {
   [[nodiscard]] bool needs_transfer(const Surface& surface) const;
 };
 
+// Whether smooth surfaces mirror what is around them in frames of the scene.
+bool shows_mirrored_light(const Scene& scene, const Settings& settings);
+
 // RenderPlan::transfers, of sliced frames without settings.
 std::vector<TransferRequest> needed_transfers(const Scene& scene, const Settings& settings = {});
 

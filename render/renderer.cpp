@@ -127,7 +127,7 @@ std::optional<Frame> Renderer::Impl::render(FrameContext& work) {
     surfaces = stages.shade_surfaces(work, clock);
   }
   if (work.job.stop.stop_requested()) return std::nullopt;
-  composite(work.rays, stages.shading().environment(), surfaces, work.job, work.frame);
+  composite(work.rays, stages.background(work), surfaces, work.job, work.frame);
   if (work.settings.background_apart) set_background_apart(work.frame);
   clock.finish(Stage::composite);
   if (work.plan.has_panes) {
@@ -156,7 +156,7 @@ void Renderer::Impl::trace_through_panes(FrameContext& work, StageClock& clock) 
     const auto passing = [&layers](std::size_t pixel) { return layers.passing(pixel); };
     const std::span<const glm::vec3> surfaces = trace_paths(work, layer, passing, clock);
     if (work.job.stop.stop_requested()) return;
-    composite(work.rays, stages.shading().environment(), surfaces, work.job, work.frame);
+    composite(work.rays, stages.background(work), surfaces, work.job, work.frame);
     layers.add(stages.seen_panes(work), work.frame);
   }
   layers.write(work.frame);
@@ -214,7 +214,7 @@ void Renderer::Impl::with_samples(FrameContext& work, const SeenMedium& medium,
                    .surfaces = work.plan.runs(Stage::visibility) ? &surfaces : nullptr,
                    .highlights = {&stages.highlights(), medium.highlights_behind},
                    .are_lit = work.plan.runs(Stage::surfaces),
-                   .environment = stages.shading().environment(),
+                   .environment = stages.background(work),
                    .fog_tolerance = work.settings.upsampling_tolerance};
   if (work.plan.has_medium()) {
     view.medium = &stages.prepared().medium();

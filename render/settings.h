@@ -109,6 +109,9 @@ struct Settings {
 
   // `sliced`: smooth surfaces mirror what is around them, but in motion.
   bool mirrors = true;
+  // `sliced` and `path`: what is seen sends nothing but what it mirrors, and nothing is seen behind
+  // the fog: for layers. Lights that highlights show are not mirrored.
+  bool mirrored_alone = false;
 
   // Maximum error of a ray's optical depth from culling far Gaussians; the reference has its own.
   double depth_error = 1e-3;

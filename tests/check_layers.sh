@@ -113,7 +113,7 @@ render/reference/*.[hc]*:$values render/render_plan.h render/util/ $surfaces ren
 render/paths/*.[hc]*:$values render/util/ render/geometry/ render/simd/ render/visibility/ render/reference/ render/prepare/light_limits.h
 render/samples/*.[hc]*:$values render/frame_renderer.h render/util/ render/prepare/albedo.h render/paths/path_random.h
 render/cpu/*.[hc]*:$values render/render_plan.h render/util/ $surfaces render/prepare/ render/reference/ render/samples/ render/paths/
-render/layers/*.[hc]*:$values render/frame_renderer.h render/util/ render/samples/ $surfaces
+render/layers/*.[hc]*:$values render/frame_renderer.h render/render_plan.h render/util/ render/samples/ $surfaces
 render/gl/*.[hc]*:$values render/display/ render/formulas/ render/render_plan.h render/util/ $surfaces render/prepare/
 render/output/*.[hc]*:$values render/display/
 render/deep/*.[hc]*:$values render/frame_renderer.h render/render_plan.h render/util/ render/transfer/ $surfaces render/prepare/ render/samples/ render/cpu/ render/output/

@@ -44,6 +44,10 @@ constexpr std::array texts{
               QT_TRANSLATE_NOOP("layers",
                                 "Light that was scattered or reflected more often. Takes "
                                 "another render")},
+    LayerText{"layer_reflection", QT_TRANSLATE_NOOP("layers", "Reflection"),
+              QT_TRANSLATE_NOOP("layers",
+                                "What smooth surfaces mirror of surfaces, fog and sky. Takes "
+                                "another render where some do")},
     LayerText{"layer_optical_depth", QT_TRANSLATE_NOOP("layers", "Optical depth"),
               QT_TRANSLATE_NOOP("layers", "Minus the logarithm of the transmittance")},
     LayerText{"layer_planar_depth", QT_TRANSLATE_NOOP("layers", "Planar depth"),

@@ -19,6 +19,7 @@ struct OutputLayers {
   // Light scattered once at most, and more often.
   bool direct = false;
   bool multiple = false;
+  bool reflection = false;  // what smooth surfaces mirror
   bool optical_depth = false;
   // These are about the surface that is seen first:
   bool planar_depth = false;  // along the camera's axis
@@ -54,6 +55,7 @@ inline constexpr std::array layer_names{LayerName{"airlight", &OutputLayers::air
                                         LayerName{"emission", &OutputLayers::emission},
                                         LayerName{"direct", &OutputLayers::direct},
                                         LayerName{"multiple", &OutputLayers::multiple},
+                                        LayerName{"reflection", &OutputLayers::reflection},
                                         LayerName{"optical_depth", &OutputLayers::optical_depth},
                                         LayerName{"depth.planar", &OutputLayers::planar_depth},
                                         LayerName{"normal", &OutputLayers::normal},

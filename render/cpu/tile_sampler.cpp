@@ -150,7 +150,7 @@ void TileSampler::shade_parts() {
     Part& part = parts_[i];
     if (!part.hit) continue;
     if (part.hit.is_light()) {
-      part.behind = view_.surfaces->light_shapes.of(part.hit).radiance;
+      part.behind = view_.surfaces->radiance_of_light(part.hit);
       continue;
     }
     std::vector<std::size_t>& parts = waiting_[static_cast<std::size_t>(part.hit.surface)];

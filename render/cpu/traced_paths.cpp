@@ -41,6 +41,7 @@ std::span<const glm::vec3> TracedPaths::trace(const FrameStages& stages, FrameCo
                          work.fog_extent.ball(), work.rays.max_offset());
 
   scene.light_shapes = &work.light_shapes;
+  scene.is_mirrored_alone = work.settings.mirrored_alone;
 
   PathKey key;
   key.medium = medium_revision_;
@@ -56,6 +57,7 @@ std::span<const glm::vec3> TracedPaths::trace(const FrameStages& stages, FrameCo
   key.film = work.frame.film;
   key.channels = channels_of(work);
   key.seed = work.settings.path_seed;
+  key.is_mirrored_alone = scene.is_mirrored_alone;
 
   const PathFilm::View view{.scene = scene,
                             .rays = work.rays,

@@ -59,8 +59,8 @@ std::size_t layer_bytes(const Scene& scene, const Film& film, const OutputLayers
   if (layers.environment) channels += 9;
   if (layers.emission) channels += 6;
   for (const bool two : {layers.direct, layers.multiple}) channels += two ? 6 : 0;
-  for (const bool one :
-       {layers.optical_depth, layers.normal, layers.albedo, layers.position, layers.motion}) {
+  for (const bool one : {layers.reflection, layers.optical_depth, layers.normal, layers.albedo,
+                         layers.position, layers.motion}) {
     channels += one ? 3 : 0;
   }
   if (layers.planar_depth) channels += 1;

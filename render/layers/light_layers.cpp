@@ -1,12 +1,14 @@
 #include "render/layers/light_layers.h"
 
 #include <algorithm>
+#include <glm/common.hpp>
 #include <memory>
 #include <set>
 
 #include "brume/revision.h"
 #include "core/scene/lights/emitting_surfaces.h"
 #include "render/layers/layer_channels.h"
+#include "render/render_plan.h"
 
 namespace brume {
 namespace {
@@ -143,6 +145,16 @@ void write_orders(const Frame& all, const Frame& single, const OutputLayers& lay
   }
 }
 
+// `mirrored`: a frame in which surfaces show only what they mirror; null: nothing mirrors.
+void write_reflection(const Frame* mirrored, ImageLayers& image) {
+  const LayerChannels reflection(image, "reflection");
+  if (!mirrored) return;
+  const FrameParts parts{*mirrored};
+  for (std::size_t i = 0; i < mirrored->depth.size(); ++i) {
+    reflection.set(i, glm::max(parts.surfaces(i), 0.0f));
+  }
+}
+
 // The sum of frames, in double.
 class FrameSum {
  public:
@@ -182,6 +194,9 @@ bool wants_sources(const OutputLayers& layers) {
 bool wants_orders(const OutputLayers& layers) {
   return layers.direct || layers.multiple;
 }
+bool renders_reflection(const Scene& scene, const Settings& settings, const OutputLayers& layers) {
+  return layers.reflection && shows_mirrored_light(scene, settings);
+}
 
 }  // namespace
 
@@ -203,8 +218,10 @@ std::vector<std::string> light_layer_names(const std::vector<Light>& lights) {
   return names;
 }
 
-std::size_t light_layer_frames(const Scene& scene, const OutputLayers& layers) {
+std::size_t light_layer_frames(const Scene& scene, const Settings& settings,
+                               const OutputLayers& layers) {
   std::size_t frames = wants_orders(layers) ? 2 : 0;
+  if (renders_reflection(scene, settings, layers)) ++frames;
   if (!wants_sources(layers)) return frames;
   frames += static_cast<std::size_t>(std::ranges::count_if(scene.lights, is_shining));
   if (is_lit_by_environment(scene)) ++frames;
@@ -218,7 +235,7 @@ bool add_light_layers(const RenderLit& render_lit, const Scene& scene, const Set
   Settings exact = settings;
   exact.airlight_scale = 1;
   exact.background_apart = true;
-  const std::size_t frames = light_layer_frames(scene, layers);
+  const std::size_t frames = light_layer_frames(scene, settings, layers);
   std::size_t done = 0;
   const auto as_it_is = [](Scene&) {};
   const auto render = [&](const ChangeLight& light, const Settings& with) {
@@ -252,6 +269,18 @@ bool add_light_layers(const RenderLit& render_lit, const Scene& scene, const Set
     const std::optional<Frame> single = render(as_it_is, exact);
     if (!single) return false;
     write_orders(frame, *single, layers, image);
+  }
+  if (layers.reflection) {
+    std::optional<Frame> mirrored;
+    if (renders_reflection(scene, settings, layers)) {
+      // Attenuated as the picture is.
+      Settings alone = settings;
+      if (wants_sources(layers) || wants_orders(layers)) alone.airlight_scale = 1;
+      alone.mirrored_alone = true;
+      mirrored = render(as_it_is, alone);
+      if (!mirrored) return false;
+    }
+    write_reflection(mirrored ? &*mirrored : nullptr, image);
   }
   return true;
 }

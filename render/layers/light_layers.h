@@ -34,6 +34,8 @@ using RenderLit = std::function<std::optional<Frame>(const ChangeLight& light,
 //   emission     airlight.emission and surface.emission
 //   direct       airlight.direct and surface.direct: light scattered once at most
 //   multiple     airlight.multiple and surface.multiple: the rest of the picture
+//   reflection   reflection: the part that smooth surfaces mirror, but of lights that their
+//                highlights show, through the fog; black where nothing mirrors
 // With any of the first three all of them are rendered, and the picture and its airlight become
 // their sum. Every frame has the same slices, light tables and shadow maps, and each pixel of its
 // own: settings.airlight_scale does not count. False if stopped.
@@ -41,6 +43,7 @@ bool add_light_layers(const RenderLit& render_lit, const Scene& scene, const Set
                       const OutputLayers& layers, const Job& job, Frame& frame, ImageLayers& image);
 
 // How many frames that takes.
-std::size_t light_layer_frames(const Scene& scene, const OutputLayers& layers);
+std::size_t light_layer_frames(const Scene& scene, const Settings& settings,
+                               const OutputLayers& layers);
 
 }  // namespace brume

@@ -17,7 +17,7 @@ bool PathTracer::is_smooth(const Vertex& vertex) {
 glm::dvec3 PathTracer::lights_passed(const Vertex& vertex, const Direction& direction,
                                      double length) const {
   glm::dvec3 sum(0.0);
-  if (!is_smooth(vertex)) return sum;
+  if (!is_smooth(vertex) || vertex.is_mirror) return sum;
   for (const PathLight& light : scene_.lights) {
     if (!light.area || light.is_far) continue;
     const auto hit = hit_area(*light.area, light.position, vertex.position, direction.w);

@@ -34,6 +34,7 @@ struct PathKey {
   Film film;
   glm::dvec3 channels{1.0};
   std::uint64_t seed = 0;
+  bool is_mirrored_alone = false;  // PathScene's
 
   bool operator==(const PathKey&) const = default;
 };

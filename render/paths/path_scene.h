@@ -102,6 +102,7 @@ struct PathScene {
   const RayCaster& ray_caster;
   std::span<const Surface> surfaces;
   std::vector<MaterialSampler> materials{};  // of the surfaces
+  bool is_mirrored_alone = false;            // see Settings::mirrored_alone
 
   // Sets the lights and their near_radius.
   void set_lights(std::span<const PointSource> all);

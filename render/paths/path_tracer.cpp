@@ -400,7 +400,14 @@ OrderedRadiance PathTracer::surface(const SurfacePoint& point, PathRandom& rando
   OrderedRadiance sum;
   Vertex vertex = Vertex::on_surface(point);
   vertex.is_view = scene_.light_shapes != nullptr;
-  sum.add(1, point.emitted + direct_light(vertex, random));
+  if (scene_.is_mirrored_alone) {
+    if (!is_smooth(vertex)) return sum;
+    vertex.is_mirror = true;
+    vertex.point.ggx->diffuse = glm::dvec3(0.0);
+    sum.add(1, environment_at(vertex, random) + emitters_at(vertex, random));
+  } else {
+    sum.add(1, point.emitted + direct_light(vertex, random));
+  }
   walk(vertex, glm::dvec3(1.0), random, sum);
   return sum;
 }

@@ -44,7 +44,7 @@ class PathTracer {
   [[nodiscard]] glm::dvec3 lights_once(const CameraRay& ray, const StratifiedPair& stratified,
                                        PathRandom& random) const;
 
-  // Outgoing radiance of a surface point towards the eye.
+  // Outgoing radiance of a surface point towards the eye, or the part of it that PathScene says.
   [[nodiscard]] OrderedRadiance surface(const SurfacePoint& point, PathRandom& random) const;
 
   // Surfaces behind more than this optical depth are not seen: exp(-50) = 2e-22.
@@ -67,8 +67,9 @@ class PathTracer {
     glm::dvec3 start{0.0};     // of the segment that ended here
     double t = 0.0;            // and its length
     bool is_surface = false;
-    bool is_view = false;  // reached by a view ray, mirrored perhaps: its highlight shows lights
-    SurfacePoint point;    // of a surface
+    bool is_view = false;    // reached by a view ray, mirrored perhaps: its highlight shows lights
+    bool is_mirror = false;  // sends on what it mirrors, without the lights of its highlight
+    SurfacePoint point;      // of a surface
 
     static Vertex in_medium(const glm::dvec3& start, const glm::dvec3& w, double t);
     static Vertex on_surface(const SurfacePoint& point);

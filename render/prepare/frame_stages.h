@@ -122,6 +122,10 @@ class FrameStages {
   // State of the frame after begin().
   [[nodiscard]] const PreparedScene& prepared() const { return prepared_; }
   [[nodiscard]] const PreparedShading& shading() const { return shading_; }
+  // What is seen behind all; null: nothing.
+  [[nodiscard]] const EnvironmentLight* background(const FrameContext& work) const {
+    return work.settings.mirrored_alone ? nullptr : shading_.environment();
+  }
   // After find_hits().
   [[nodiscard]] RayEnds ray_ends(const FrameContext& work) const {
     return {work.fog_extent.ray_distance(work.rays), distances_};
@@ -186,7 +190,8 @@ class FrameStages {
             work.window.shaded(),
             work.plan.precision,
             work.light_shapes,
-            work.plan.has_mirrors ? &work.mirrored : nullptr};
+            work.plan.has_mirrors ? &work.mirrored : nullptr,
+            work.settings.mirrored_alone};
   }
 
  private:

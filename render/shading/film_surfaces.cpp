@@ -67,7 +67,7 @@ class Shader {
   void shade_later(const glm::ivec2& pixel) {
     const SurfaceHit hit = hit_of(pixel);
     if (hit.is_light()) {
-      radiance_[index_of(pixel)] = film_.light_shapes.of(hit).radiance;
+      radiance_[index_of(pixel)] = film_.radiance_of_light(hit);
       return;
     }
     std::vector<glm::ivec2>& pixels = waiting_[static_cast<std::size_t>(hit.surface)];
@@ -112,21 +112,43 @@ class Shader {
 
 }  // namespace
 
-void FilmSurfaces::light(std::span<const SurfaceHit> hits, const glm::dvec3& origin,
-                         std::span<const glm::vec3> directions, std::span<const glm::dvec3> offsets,
-                         bool may_mirror_rays, Lit& lit) const {
+void FilmSurfaces::find_points(std::span<const SurfaceHit> hits, const glm::dvec3& origin,
+                               std::span<const glm::vec3> directions,
+                               std::span<const glm::dvec3> offsets, bool may_mirror_rays,
+                               Lit& lit) const {
   lit.points.pixel_angle = static_cast<float>(2.0 * rays.pixel_half_angle());
   lit.points.pixel_width = static_cast<float>(rays.pixel_width());
   ray_caster.points(hits, origin, directions, offsets, surfaces, lit.points);
   const Material& material = lit.points.surface->material;
   lit.mirrors = may_mirror_rays && material.type == Material::Type::metallic_roughness &&
                 may_mirror(material.metallic_roughness) && begin_mirroring(lit.points);
+}
+
+void FilmSurfaces::reflect(std::span<const SurfaceHit> hits, Lit& lit) const {
   const SurfaceShading& shaded = shading.surfaces()[static_cast<std::size_t>(hits[0].surface)];
   // The light that transfer does not hold.
   const SurfaceLighting straight{.lights = lighting.lights};
   lit.pairs = surface_radiance(medium, ray_caster, shaded.transferred ? straight : lighting, shaded,
                                lit.points, precision, lit.outgoing);
   if (shaded.transferred) shaded.transferred->add(hits, lit.points, lit.outgoing);
+}
+
+void FilmSurfaces::light(std::span<const SurfaceHit> hits, const glm::dvec3& origin,
+                         std::span<const glm::vec3> directions, std::span<const glm::dvec3> offsets,
+                         bool may_mirror_rays, Lit& lit) const {
+  find_points(hits, origin, directions, offsets, may_mirror_rays, lit);
+  reflect(hits, lit);
+}
+
+void FilmSurfaces::light_seen(std::span<const SurfaceHit> hits,
+                              std::span<const glm::vec3> directions,
+                              std::span<const glm::dvec3> offsets, Lit& lit) const {
+  find_points(hits, rays.eye(), directions, offsets, mirrored != nullptr, lit);
+  if (is_mirrored_alone) {
+    lit.outgoing = {};
+  } else {
+    reflect(hits, lit);
+  }
 }
 
 void FilmSurfaces::mirror(const MirroredRays& rays_of_points, Lit& lit,
@@ -151,7 +173,7 @@ std::uint64_t FilmSurfaces::shade(std::span<const SurfaceHit> hits,
                                   std::span<const glm::ivec2> seen_in,
                                   std::span<glm::vec3> radiance, SharedHighlights& shared) const {
   Lit lit;
-  light(hits, rays.eye(), directions, offsets, mirrored != nullptr, lit);
+  light_seen(hits, directions, offsets, lit);
   WideHighlights wide;
   if (lit.mirrors) {
     std::array<std::uint8_t, Tiles::pixels> patterns;
@@ -175,7 +197,7 @@ std::uint64_t FilmSurfaces::shade(std::span<const SurfaceHit> hits,
                                   std::span<const glm::dvec3> offsets,
                                   std::span<glm::vec3> radiance) const {
   Lit lit;
-  light(hits, rays.eye(), directions, offsets, mirrored != nullptr, lit);
+  light_seen(hits, directions, offsets, lit);
   if (lit.mirrors) mirror({mirrored_rays}, lit);
   for (std::size_t k = 0; k < hits.size(); ++k) radiance[k] = lit.outgoing[k];
   return lit.pairs;
@@ -187,7 +209,7 @@ std::uint64_t FilmSurfaces::shade(std::span<const SurfaceHit> hits,
                                   const std::array<const SharedHighlights*, 2>& known,
                                   std::span<glm::vec3> radiance) const {
   Lit lit;
-  light(hits, rays.eye(), directions, offsets, mirrored != nullptr, lit);
+  light_seen(hits, directions, offsets, lit);
   if (lit.mirrors) {
     std::array<std::uint8_t, Tiles::pixels> patterns;
     for (std::size_t k = 0; k < hits.size(); ++k) {

@@ -44,6 +44,7 @@ struct FilmSurfaces {
   Settings::Precision precision;
   const LightShapes& light_shapes;
   const MirroredWays* mirrored = nullptr;  // null: nothing mirrors
+  bool is_mirrored_alone = false;          // see Settings::mirrored_alone
   // Rays that a point mirrors at most; their hits mirror few_mirrored_rays, and the hits of these
   // none.
   static constexpr int mirrored_rays = 16;
@@ -56,8 +57,12 @@ struct FilmSurfaces {
   std::uint64_t shade(std::span<const RasterPixel> hits, std::span<const std::uint32_t> copies,
                       const Job& job, std::span<glm::vec3> radiance,
                       SharedHighlights& shared) const;
+  // The same of a hit on a light.
+  [[nodiscard]] glm::vec3 radiance_of_light(const SurfaceHit& hit) const {
+    return is_mirrored_alone ? glm::vec3(0.0f) : light_shapes.of(hit).radiance;
+  }
   // The same of up to Tiles::pixels hits on one surface, seen in these unit directions; from
-  // `offsets`, unless empty, see RayCaster::first_hits(). Not of lights, whose shapes say it.
+  // `offsets`, unless empty, see RayCaster::first_hits().
   std::uint64_t shade(std::span<const SurfaceHit> hits, std::span<const glm::vec3> directions,
                       std::span<const glm::dvec3> offsets, std::span<glm::vec3> radiance) const;
   // The same of samples of pixels, whose highlights may be known, where not null; others mirror a
@@ -87,6 +92,14 @@ struct FilmSurfaces {
   void light(std::span<const SurfaceHit> hits, const glm::dvec3& origin,
              std::span<const glm::vec3> directions, std::span<const glm::dvec3> offsets,
              bool may_mirror_rays, Lit& lit) const;
+  // The same of what the eye sees; without light where only what they mirror is shown.
+  void light_seen(std::span<const SurfaceHit> hits, std::span<const glm::vec3> directions,
+                  std::span<const glm::dvec3> offsets, Lit& lit) const;
+  // The parts of light(): where points are and whether they mirror, and what else they reflect.
+  void find_points(std::span<const SurfaceHit> hits, const glm::dvec3& origin,
+                   std::span<const glm::vec3> directions, std::span<const glm::dvec3> offsets,
+                   bool may_mirror_rays, Lit& lit) const;
+  void reflect(std::span<const SurfaceHit> hits, Lit& lit) const;
   // Adds what they mirror; `wide`: see add_mirrored_light().
   void mirror(const MirroredRays& rays_of_points, Lit& lit, WideHighlights* wide = nullptr) const;
 };

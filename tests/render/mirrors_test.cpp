@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "brume/frame.h"
+#include "brume/render.h"
+#include "render/layers/light_layers.h"
 #include "tests/pictures.h"
 #include "tests/render/test_scenes.h"
 
@@ -166,6 +168,140 @@ TEST(Mirrors, SendLightIntoTheFog) {
     return airlight(1.0, settings) - airlight(0.0, settings);
   };
   EXPECT_NEAR(added(sliced(24, Scattering::multiple)) / added(path_traced(64)), 1.0, 0.05);
+}
+
+Frame with_reflection(const Scene& scene, RenderRequest request) {
+  request.layers.reflection = true;
+  return render(scene, request).value();
+}
+
+RenderRequest sliced_once(int samples) {
+  RenderRequest request;
+  request.airlight = AirlightMethod::sliced;
+  request.slices = 8;
+  request.scattering = Scattering::single;
+  request.samples = samples;
+  return request;
+}
+
+const std::vector<float>& reflection(const Frame& frame, const char* channel = "R") {
+  return frame.layers.channels.at(std::string("reflection.") + channel);
+}
+
+double mean_reflection(const Frame& frame) {
+  double sum = 0.0;
+  for (const float value : reflection(frame)) sum += static_cast<double>(value);
+  return sum / static_cast<double>(frame.depth.size());
+}
+
+// A smooth floor that is not only a mirror, which shows boxes above the picture.
+Scene floor_before_boxes() {
+  Scene scene = boxes_on_a_floor();
+  scene.camera.target = {0.0, 0.0, 2.5};
+  scene.camera.vertical_fov = 30.0;
+  make_metal(scene.surfaces[0], 0.5, 0.1);
+  scene.surfaces[0].material.metallic_roughness.metallic = 0.3;
+  return scene;
+}
+
+// The picture is the layer and what is left where all that is mirrored is black.
+TEST(ReflectionLayer, IsWhatMirrorsAddToThePicture) {
+  for (const int samples : {1, 16}) {
+    Scene scene = floor_before_boxes();
+    const Frame whole = with_reflection(scene, sliced_once(samples));
+    EXPECT_EQ(whole.beauty, render(scene, sliced_once(samples)).value().beauty);
+    for (const std::size_t box : {1u, 2u}) scene.surfaces[box].material.reflectance *= 0.0;
+    const Frame without = with_reflection(scene, sliced_once(samples));
+    double sum = 0.0;
+    double largest = 0.0;
+    double error = 0.0;
+    for (std::size_t i = 0; i < whole.depth.size(); ++i) {
+      ASSERT_TRUE(std::isfinite(whole.depth[i]));
+      EXPECT_EQ(reflection(without)[i], 0.0f);
+      const double picture = whole.beauty[4 * i];
+      const double made = without.beauty[4 * i] + reflection(whole)[i];
+      error = std::max(error, std::abs(made - picture));
+      largest = std::max(largest, picture);
+      sum += static_cast<double>(reflection(whole)[i]);
+    }
+    // Of several samples each frame takes them where it has edges.
+    EXPECT_LT(error, (samples == 1 ? 1e-6 : 0.02) * largest) << samples;
+    EXPECT_GT(sum, 10.0 * error) << samples;
+  }
+}
+
+// Not what else is seen: rough surfaces, the sky behind all, a light.
+TEST(ReflectionLayer, IsBlackButOnSmoothSurfaces) {
+  Scene scene = boxes_on_a_floor();
+  scene.environment = even_sky(0.3f);
+  Light lamp;
+  lamp.kind = light::Sphere{.radius = 0.2, .visible = true};
+  lamp.position = {0.0, 1.0, 0.0};
+  lamp.intensity = glm::dvec3(5.0);
+  scene.lights.push_back(lamp);
+  make_metal(scene.surfaces[0], 0.8, 0.1);
+  const Frame smooth = with_reflection(scene, sliced_once(1));
+  int black = 0;
+  int floor = 0;
+  for (int y = 0; y < 36; ++y) {
+    for (int x = 0; x < 48; ++x) {
+      const auto i = static_cast<std::size_t>(48 * y + x);
+      const bool is_above = y < 12;  // boxes, the lamp and the sky
+      if (is_above) {
+        EXPECT_EQ(reflection(smooth)[i], 0.0f) << x << " " << y;
+      }
+      black += is_above && smooth.beauty[4 * i] > 0.1f;
+      floor += y > 30 && reflection(smooth, "B")[i] > 0.1f;
+    }
+  }
+  EXPECT_GT(black, 300);
+  EXPECT_GT(floor, 200);
+
+  make_metal(scene.surfaces[0], 0.8, 0.51);
+  OutputLayers layers;
+  layers.reflection = true;
+  EXPECT_EQ(mean_reflection(with_reflection(scene, sliced_once(1))), 0.0);
+  EXPECT_EQ(light_layer_frames(scene, sliced(8), layers), 0u);
+  EXPECT_EQ(light_layer_frames(scene, path_traced(8), layers), 0u);
+  make_metal(scene.surfaces[0], 0.8, 0.49);
+  EXPECT_EQ(light_layer_frames(scene, sliced(8), layers), 1u);
+  EXPECT_EQ(light_layer_frames(scene, path_traced(8), layers), 1u);
+  EXPECT_EQ(light_layer_frames(scene, marched(8), layers), 0u);
+}
+
+// Through fog and a pane, and of the same light in both methods.
+TEST(ReflectionLayer, IsThatOfPaths) {
+  Scene scene = in_fog(
+      glowing_wall(placed(Primitive::Shape::plane, {4.0, 1.0, 4.0}, {0.0, 0.0, 0.0}), 0.3), 0.1);
+  scene.optics.albedo = glm::dvec3(0.5);
+  scene.surfaces[0].material.metallic_roughness.metallic = 0.5;
+  RenderRequest sliced = sliced_once(1);
+  sliced.slices = 24;
+  sliced.scattering = Scattering::multiple;
+  RenderRequest paths;
+  paths.airlight = AirlightMethod::path;
+  paths.paths = 64;
+  paths.samples = 1;
+  const auto mean = [&](const RenderRequest& request) {
+    return mean_reflection(with_reflection(scene, request));
+  };
+  EXPECT_NEAR(mean(sliced) / mean(paths), 1.0, 0.03);
+
+  // Before the eye: it takes a half of what is seen, and shows nothing itself. In fog the grid of
+  // its light sees the pane, too.
+  scene.medium = {};
+  Surface pane = wall(0.0, 0.2);
+  pane.translate = {0.0, 1.2, 3.8};
+  make_metal(pane, 0.0, 1.0);
+  pane.material.metallic_roughness.alpha = AlphaMode::blend;
+  pane.material.metallic_roughness.opacity = 0.5;
+  scene.surfaces[0].material.metallic_roughness.roughness = 0.1;  // one ray a pixel
+  for (const RenderRequest& request : {sliced, paths}) {
+    const double open = mean(request);
+    scene.surfaces.push_back(pane);
+    EXPECT_NEAR(mean(request) / open, 0.5, 0.01);
+    scene.surfaces.pop_back();
+  }
 }
 
 }  // namespace

@@ -29,10 +29,12 @@ TEST_F(LayersOption, WithoutItTheLayersAreThoseOfTheContract) {
 
 TEST_F(LayersOption, AddsLayersToThose) {
   const ImageLayers image =
-      render({"--layers", "lights,optical_depth,normal,albedo,position,motion,objects,materials"});
-  for (const char* name : {"R", "Z", "airlight.R", "airlight.light_1.R", "surface.light_1.B",
-                           "optical_depth.G", "normal.X", "albedo.R", "position.Z", "forward.u",
-                           "CryptoObject00.R", "CryptoObject02.A", "CryptoMaterial01.G"}) {
+      render({"--layers",
+              "lights,reflection,optical_depth,normal,albedo,position,motion,objects,materials"});
+  for (const char* name :
+       {"R", "Z", "airlight.R", "airlight.light_1.R", "surface.light_1.B", "reflection.B",
+        "optical_depth.G", "normal.X", "albedo.R", "position.Z", "forward.u", "CryptoObject00.R",
+        "CryptoObject02.A", "CryptoMaterial01.G"}) {
     EXPECT_TRUE(image.channels.contains(name)) << name;
   }
   std::size_t manifests = 0;
