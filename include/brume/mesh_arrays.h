@@ -22,7 +22,7 @@ struct MeshArrays {
   std::vector<glm::vec3> normals;  // unit, or 0: the triangle's own; as many as points
   std::vector<glm::uvec3> triangles;
   std::vector<glm::vec2> texcoords{};  // u to the right, v up; as many as points, or none
-  // Where textures are looked up that name the second set; none without the first.
+  // The coordinates of textures that name the second set; none without the first.
   std::vector<glm::vec2> second_texcoords{};
   // Linear RGBA in [0, 1], as many as points, or none. On metallic-roughness materials RGB
   // multiplies base color and transmission, A opacity.

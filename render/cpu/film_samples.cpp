@@ -39,7 +39,7 @@ bool keep_worst(std::span<const SampledPixel> pixels, double max_variance,
   return has_any;
 }
 
-// What samples of pixels have cost.
+// The pairs that samples of pixels have cost.
 struct SampleCost {
   std::atomic<std::uint64_t> view_pairs = 0, light_pairs = 0;
 };

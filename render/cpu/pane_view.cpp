@@ -52,7 +52,7 @@ void PaneView::find_fog(Frame& frame, const std::function<void()>& integrate) {
   last_.airlight = std::exchange(frame.airlight, first_.airlight);
   last_.transmittance = std::exchange(frame.transmittance, first_.transmittance);
   frame.depth = first_.depth;
-  // Beside the pixels integrate() may have left anything.
+  // integrate() may have left anything beside the pixels.
   for (std::size_t pixel = 0; pixel < pixels_.size(); ++pixel) {
     if (pixels_[pixel] != PixelDetail::none) continue;
     for (std::size_t i = 3 * pixel; i < 3 * pixel + 3; ++i) {

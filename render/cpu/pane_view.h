@@ -16,7 +16,7 @@ namespace brume {
 // first and last: with these two known, seldom is fog between panes evaluated ray by ray.
 class PaneView {
  public:
-  // After FrameStages::find_hits(). Keeps nothing.
+  // FrameStages::find_hits() has been called. Keeps nothing.
   PaneView(const FrameStages& stages, const FrameContext& work);
 
   [[nodiscard]] bool empty() const { return around_.x0 >= around_.x1; }
@@ -24,7 +24,7 @@ class PaneView {
   [[nodiscard]] const CameraRays::PixelRectangle& around() const { return around_; }
   // PixelDetail::surfaces at these pixels, none at others.
   [[nodiscard]] std::span<const PixelDetail> pixels() const { return pixels_; }
-  // Of what is seen last.
+  // The ends of the view rays at what is seen last.
   [[nodiscard]] RayEnds ends() const { return {open_, last_.distances}; }
   // The same as hits, at these pixels alone, and their copies, if anything has any.
   [[nodiscard]] std::span<const RasterPixel> hits() const { return hits_; }
@@ -34,7 +34,7 @@ class PaneView {
   // its layers of airlight and transmittance at the pixels as far as ends(), its depth layer being
   // theirs; in the end the frame is as it was.
   void find_fog(Frame& frame, const std::function<void()>& integrate);
-  // What is known after that.
+  // The fog that is known after that.
   [[nodiscard]] std::array<KnownFog, 2> fogs() const { return {known(first_), known(last_)}; }
 
  private:

@@ -261,7 +261,7 @@ std::optional<TileSampler::Known> TileSampler::known_fog(const glm::ivec2& middl
                                                          const Cluster& c) const {
   std::optional<Known> found;
   double nearest = std::numeric_limits<double>::infinity();
-  // Beside a region's pixels nothing is known unless they are sampled.
+  // Nothing is known beside a region's pixels unless they are sampled.
   const int reach = offsets_.size() > 1 ? 1 : 0;
   const glm::ivec2 low = glm::max(middle - reach, glm::ivec2(0));
   const glm::ivec2 high =

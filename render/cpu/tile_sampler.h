@@ -29,7 +29,7 @@ struct SampledView {
   const FilmTiles& tiles;  // their ends are those of what is seen last
   std::span<const KnownFog> fogs;
   const FilmSurfaces* surfaces = nullptr;  // null: none
-  // Of what the frame's pixels see first, and, or null, last; with surfaces.
+  // Highlights of what the frame's pixels see first and, or null, last; with surfaces.
   std::array<const SharedHighlights*, 2> highlights{};
   bool are_lit = false;                           // else they are black
   const EnvironmentLight* environment = nullptr;  // null: none
@@ -97,7 +97,7 @@ class TileSampler {
     return static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(frame_.film.width) +
            static_cast<std::size_t>(pixel.x);
   }
-  // On the whole film.
+  // A pixel's center on the whole film.
   [[nodiscard]] glm::dvec2 center(const glm::ivec2& pixel) const {
     return glm::dvec2(view_.tiles.rays.first_pixel() + pixel) + 0.5;
   }
@@ -124,8 +124,8 @@ class TileSampler {
   void make_clusters(std::size_t pixel, std::span<std::size_t> parts);
   // Airlight and transmittance of all clusters.
   void find_fog();
-  // What is known at the pixel nearest to a cluster, among those around `middle`, about as far
-  // away.
+  // The fog that is known at the pixel nearest to a cluster, among those around `middle`, about as
+  // far away.
   struct Known {
     const KnownFog* fog;
     std::size_t pixel;

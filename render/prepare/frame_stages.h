@@ -122,7 +122,7 @@ class FrameStages {
   // State of the frame after begin().
   [[nodiscard]] const PreparedScene& prepared() const { return prepared_; }
   [[nodiscard]] const PreparedShading& shading() const { return shading_; }
-  // What is seen behind all; null: nothing.
+  // The environment that is seen behind all; null: nothing.
   [[nodiscard]] const EnvironmentLight* background(const FrameContext& work) const {
     return work.settings.mirrored_alone ? nullptr : shading_.environment();
   }

@@ -159,8 +159,7 @@ void add_point_light(const NodePointLight& light, const glm::dvec3& first, const
 
     // A node beside surfaces gets the mean of what it sees of its cells.
     const auto is_beside_surfaces = [&](std::size_t x) {
-      return occlusion && !occlusion->hidden().empty() &&
-             occlusion->hidden()[row * width + x] != 0;
+      return occlusion && !occlusion->hidden().empty() && occlusion->hidden()[row * width + x] != 0;
     };
     for (std::size_t x = 0; x < width; ++x) {
       if (!(shares[x] > 0.0) || !is_beside_surfaces(x)) continue;

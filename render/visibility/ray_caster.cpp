@@ -151,7 +151,7 @@ HitsOnRay RayCaster::hits_on_ray(const glm::dvec3& origin, const glm::dvec3& dir
   std::erase_if(result.panes,
                 [&](const PaneHit& pane) { return !(pane.hit.distance < result.end.distance); });
   std::ranges::sort(result.panes, {}, [](const PaneHit& pane) { return pane.hit.distance; });
-  // On an edge of two triangles a pane is met twice.
+  // A ray meets a pane twice on an edge of two triangles.
   const auto repeated = std::ranges::unique(result.panes, [](const PaneHit& a, const PaneHit& b) {
     return a.hit.surface == b.hit.surface && a.hit.copy == b.hit.copy &&
            b.hit.distance - a.hit.distance <= position_rounding * b.hit.distance;

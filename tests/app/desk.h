@@ -39,7 +39,7 @@ class DeskView : public QWidget, public View {
 
 // A scene from a file on a desk of all panels and tools, without the window and its pictures: what
 // panels and tools do is tested here in a tenth of the time. Keys are those of tools and of undo.
-// In the end each desk saves what it has, which has to come back from the file; undoes everything,
+// Each desk saves in the end what it has, which has to come back from the file; undoes everything,
 // which has to give the scene as it was opened; and redoes it.
 class Desk : public QWidget {
   Q_OBJECT

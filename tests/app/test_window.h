@@ -77,7 +77,7 @@ class TestWindow {
   std::unique_ptr<MainWindow> window_;
 };
 
-// What undo would undo, and how many steps there are.
+// The step that undo would undo, and how many there are.
 QString last_step(Document& document);
 int step_count(Document& document);
 // Undoes everything; whether all is as it was, to the last bit.

@@ -224,7 +224,7 @@ TEST(ReflectionLayer, IsWhatMirrorsAddToThePicture) {
       largest = std::max(largest, picture);
       sum += static_cast<double>(reflection(whole)[i]);
     }
-    // Of several samples each frame takes them where it has edges.
+    // Each frame takes several samples where it has edges.
     EXPECT_LT(error, (samples == 1 ? 1e-6 : 0.02) * largest) << samples;
     EXPECT_GT(sum, 10.0 * error) << samples;
   }
@@ -287,8 +287,8 @@ TEST(ReflectionLayer, IsThatOfPaths) {
   };
   EXPECT_NEAR(mean(sliced) / mean(paths), 1.0, 0.03);
 
-  // Before the eye: it takes a half of what is seen, and shows nothing itself. In fog the grid of
-  // its light sees the pane, too.
+  // The pane is before the eye: it takes a half of what is seen, and shows nothing itself. In fog
+  // the grid of its light sees the pane, too.
   scene.medium = {};
   Surface pane = wall(0.0, 0.2);
   pane.translate = {0.0, 1.2, 3.8};

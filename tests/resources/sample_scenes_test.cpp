@@ -133,13 +133,13 @@ TEST(SampleScenes, AWetStreetUnderNeon) {
 
 TEST(SampleScenes, AChapelWithStainedGlass) {
   const Scene scene = load("chapel.brume");
-  EXPECT_EQ(std::ranges::count_if(scene.surfaces,
-                                  [](const Surface& surface) {
-                                    return static_cast<bool>(
-                                        surface.material.metallic_roughness.transmission_texture
-                                            .content);
-                                  }),
-            3);
+  EXPECT_EQ(
+      std::ranges::count_if(scene.surfaces,
+                            [](const Surface& surface) {
+                              return static_cast<bool>(
+                                  surface.material.metallic_roughness.transmission_texture.content);
+                            }),
+      3);
 }
 
 TEST(SampleScenes, PicturesInTheBeamsOfAStage) {

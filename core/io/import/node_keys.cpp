@@ -19,7 +19,7 @@ namespace {
 
 constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
 
-// Between keys, values may be off by this share of the way that they take in all, directions and
+// Values between keys may be off by this share of the way that they take in all, directions and
 // rotations by this angle [radians].
 constexpr double max_share = 5e-4;
 constexpr double max_angle = 1e-3;

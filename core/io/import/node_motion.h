@@ -12,7 +12,7 @@
 
 namespace brume {
 
-// Between the times of a track, as glTF has it.
+// Interpolation between the times of a track, as glTF has it.
 enum class TrackInterpolation { linear, step, cubic };
 
 // A value of a node over time, constant before its first time and after its last.

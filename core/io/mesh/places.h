@@ -7,7 +7,7 @@
 
 namespace brume {
 
-// For each point the first one at its place; -0 is 0.
+// The first point at the place of each; -0 is 0.
 std::vector<std::uint32_t> find_places(std::span<const glm::dvec3> points);
 
 }  // namespace brume

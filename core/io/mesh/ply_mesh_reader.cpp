@@ -77,7 +77,7 @@ glm::dvec3 values(const auto& value, const Columns& columns) {
   return {value(*columns[0]), value(*columns[1]), value(*columns[2])};
 }
 
-// Where the values of a vertex stand.
+// The places of the values of a vertex.
 struct VertexColumns {
   Columns position;
   Columns normal;

@@ -9,7 +9,8 @@
 
 namespace brume {
 
-// What the scene's camera sees, by a renderer that has rendered nothing before, or by this one.
+// The picture of the scene's camera, by a renderer that has rendered nothing before, or by this
+// one.
 Frame render_frame(const Scene& scene, const Settings& settings);
 Frame render_frame(FrameRenderer& renderer, const Scene& scene, const Settings& settings);
 

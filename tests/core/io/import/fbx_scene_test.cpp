@@ -1,4 +1,4 @@
-// What FBX scenes have besides shapes and materials: colors, texture coordinates, animations.
+// FBX scenes besides shapes and materials: colors, texture coordinates, animations.
 
 #include <gtest/gtest.h>
 

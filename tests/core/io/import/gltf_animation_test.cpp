@@ -48,7 +48,7 @@ class GltfAnimation : public ::testing::Test {
     return scene;
   }
   const ImportedScene& imported(const Scene& scene) { return *scene.surfaces[0].imported; }
-  // Where the square's corner (1, 0, 0) is.
+  // The place of the square's corner (1, 0, 0).
   static glm::dvec3 corner_at(const Scene& scene, double time) {
     return world_points(evaluate_at(scene, time).surfaces.at(0)).at(1);
   }

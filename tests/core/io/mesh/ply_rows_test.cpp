@@ -51,7 +51,7 @@ class PlyText {
   std::string data_;
 };
 
-// What a random file has; the same seed makes the same content in every format.
+// The content of a random file; the same seed makes the same content in every format.
 std::string random_ply(unsigned seed, PlyText::Format format) {
   Random random(seed);
   const auto one_of = [&](int count) { return static_cast<int>(random.uniform(0.0, count)); };
