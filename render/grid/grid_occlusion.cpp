@@ -95,9 +95,9 @@ std::vector<bool> open_nodes(const GridNodes& nodes, std::span<const std::uint32
   std::vector<std::size_t> reached;
   std::vector<bool> is_open(nodes.size(), false);
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    const glm::ivec3 at = node_coordinates(nodes, i);
-    if (glm::all(glm::greaterThan(at, glm::ivec3(0))) &&
-        glm::all(glm::lessThan(at, nodes.count - 1))) {
+    const glm::ivec3 place = node_coordinates(nodes, i);
+    if (glm::all(glm::greaterThan(place, glm::ivec3(0))) &&
+        glm::all(glm::lessThan(place, nodes.count - 1))) {
       continue;
     }
     is_open[i] = true;
@@ -106,10 +106,10 @@ std::vector<bool> open_nodes(const GridNodes& nodes, std::span<const std::uint32
   while (!reached.empty()) {
     const std::size_t node = reached.back();
     reached.pop_back();
-    const glm::ivec3 at = node_coordinates(nodes, node);
+    const glm::ivec3 place = node_coordinates(nodes, node);
     for (int link = 0; link < 27; ++link) {
       const glm::ivec3 offset = neighbour_offset(link);
-      const glm::ivec3 p = at + offset;
+      const glm::ivec3 p = place + offset;
       if (glm::any(glm::lessThan(p, glm::ivec3(0))) ||
           glm::any(glm::greaterThanEqual(p, nodes.count))) {
         continue;

@@ -231,7 +231,7 @@ std::uint64_t FilmSurfaces::shade(std::span<const SurfaceHit> hits,
     // The only sample of a pixel mirrors as many rays as several do.
     const bool is_only = samples.count == 1;
     mirror({is_only ? mirrored_rays : few_mirrored_rays, std::span(patterns).first(hits.size()),
-            is_only ? mirrored_rays : 4},
+            is_only ? mirrored_rays : MirroredRays::shared_rays},
            lit);
   }
   for (std::size_t k = 0; k < hits.size(); ++k) radiance[k] = lit.outgoing[k];

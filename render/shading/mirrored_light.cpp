@@ -29,7 +29,7 @@ int ray_count(float alpha, int max_rays) {
 }
 
 // Rays of a highlight in all patterns together.
-constexpr int all_pattern_rays = 4 * SharedHighlights::patterns;
+constexpr int all_pattern_rays = MirroredRays::shared_rays * SharedHighlights::patterns;
 
 // A ray that a point mirrors, and the share of its light that is reflected.
 struct MirroredRay {

@@ -53,7 +53,8 @@ struct MirroredRays {
   // `none` nothing. Empty: all mirror the same rays.
   std::span<const std::uint8_t> patterns{};
   static constexpr std::uint8_t none = 255;
-  int pattern_rays = 4;  // of a pattern; a power of two
+  static constexpr int shared_rays = 4;
+  int pattern_rays = shared_rays;  // of a pattern; a power of two
 };
 
 // Whether a highlight is so wide that neighbours can share its rays.

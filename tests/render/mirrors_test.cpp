@@ -234,11 +234,11 @@ TEST(ReflectionLayer, IsWhatMirrorsAddToThePicture) {
 TEST(ReflectionLayer, IsBlackButOnSmoothSurfaces) {
   Scene scene = boxes_on_a_floor();
   scene.environment = even_sky(0.3f);
-  Light lamp;
-  lamp.kind = light::Sphere{.radius = 0.2, .visible = true};
-  lamp.position = {0.0, 1.0, 0.0};
-  lamp.intensity = glm::dvec3(5.0);
-  scene.lights.push_back(lamp);
+  Light ball;
+  ball.kind = light::Sphere{.radius = 0.2, .visible = true};
+  ball.position = {0.0, 1.0, 0.0};
+  ball.intensity = glm::dvec3(5.0);
+  scene.lights.push_back(ball);
   make_metal(scene.surfaces[0], 0.8, 0.1);
   const Frame smooth = with_reflection(scene, sliced_once(1));
   int black = 0;
@@ -246,7 +246,7 @@ TEST(ReflectionLayer, IsBlackButOnSmoothSurfaces) {
   for (int y = 0; y < 36; ++y) {
     for (int x = 0; x < 48; ++x) {
       const auto i = static_cast<std::size_t>(48 * y + x);
-      const bool is_above = y < 12;  // boxes, the lamp and the sky
+      const bool is_above = y < 12;  // boxes, the ball and the sky
       if (is_above) {
         EXPECT_EQ(reflection(smooth)[i], 0.0f) << x << " " << y;
       }
