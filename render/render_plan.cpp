@@ -137,9 +137,10 @@ std::optional<Reason> why_scattered_once(const Scene& scene, const Content& cont
   // The share of the allowed error that is negligible.
   constexpr double negligible = 0.1;
   if (!content.light()) return Reason::no_light;
+  // Surfaces light each other, however thin the medium is, without one as well.
+  if (content.surfaces) return std::nullopt;
   if (!content.medium()) return Reason::no_medium;
-  // Surfaces light each other, however thin the medium is.
-  if (!content.surfaces && max_multiple_share(scene) < negligible * settings.max_error) {
+  if (max_multiple_share(scene) < negligible * settings.max_error) {
     return Reason::thin_medium;
   }
   return std::nullopt;
@@ -312,7 +313,7 @@ RenderPlan::RenderPlan(const Scene& scene, const Film& film, const Settings& req
   has_environment_in_medium = content.environment && content.medium();
   has_all_light_at_surfaces = runs(Stage::scattering) && content.surfaces;
   has_receivers = runs(Stage::environment) && content.surfaces && !has_all_light_at_surfaces;
-  has_indirect_light = content.indirect_light() && !is_path;
+  has_indirect_light = (content.indirect_light() || runs(Stage::scattering)) && !is_path;
   has_metallic_roughness =
       runs(Stage::surfaces) && std::ranges::any_of(scene.surfaces, [](const Surface& surface) {
         return surface.material.type == Material::Type::metallic_roughness;

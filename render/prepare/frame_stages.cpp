@@ -174,7 +174,7 @@ LitSpace FrameStages::lit_space(const FrameContext& work) const {
   const bool has_gaussians = std::ranges::any_of(prepared_.medium().gaussians(), is_there);
   if (has_surfaces()) {
     const RayCaster& surfaces = prepared_.ray_caster();
-    if (!has_fog) return {{}, surfaces.bounds()};
+    if (!has_fog && has_gaussians) return {{}, surfaces.bounds()};
     const bool is_lit_from_afar = work.fog_extent.has_far_light();
     // Then light is everywhere, and finest nodes are around Gaussians: a forest in mist was 8% too
     // bright else.
@@ -188,7 +188,7 @@ LitSpace FrameStages::lit_space(const FrameContext& work) const {
         lights.push_back(light.source.position);
     }
     LitSpace lit = space_lit_near(surfaces, lights, room_around(surfaces, work.rays.eye()),
-                                  scattering_reach(b0, ball));
+                                  has_fog ? scattering_reach(b0, ball) : 0.0);
     lit.fog = within(lit.fog, work.fog_extent.fog());
     if (is_lit_from_afar) {
       lit.open = LitSpace().open;
