@@ -28,7 +28,7 @@ void add_emitter(Document& document, const glm::dvec3& position, double size) {
   emitter.position = position;
   emitter.velocity = {0.0, rounded(0.1 * size, 2), 0.0};
   emitter.spread = rounded(0.03 * size, 2);
-  emitter.radius = {rounded(0.02 * size, 2), rounded(0.08 * size, 2)};
+  emitter.radius = {rounded(born_radius(size), 2), rounded(0.08 * size, 2)};
   emitter.density = {rounded(0.6 / emitter.radius.x, 2), 0.0};
   // No two of a scene alike.
   emitter.seed = static_cast<std::int64_t>(emitters.size()) + 1;

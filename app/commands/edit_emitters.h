@@ -14,6 +14,10 @@ class Document;
 
 // Adds an emitter sized for a view `size` u wide.
 void add_emitter(Document& document, const glm::dvec3& position, double size);
+// The radius of its particles at birth [u].
+inline double born_radius(double size) {
+  return 0.02 * size;
+}
 // Its name, or else "emitter 2", "Emitter 2".
 QString emitter_name(const Emitter& emitter, std::size_t index);
 QString emitter_title(const Emitter& emitter, std::size_t index);

@@ -141,12 +141,12 @@ void AirbrushTool::spray() {
   gesture_.apply(std::move(edit), tr("Spray %1").arg(gaussians_text(gaussians.size())));
 }
 
-std::optional<Nozzle> AirbrushTool::nozzle_at(double fraction) const {
+std::optional<Nozzle> AirbrushTool::nozzle_at(double fraction) {
   const double place = fraction * static_cast<double>(way_.size() - 1);
   const auto before = std::min(static_cast<std::size_t>(place), way_.size() - 1);
   const auto after = std::min(before + 1, way_.size() - 1);
   const double share = place - static_cast<double>(before);
-  const auto point = paint_at(way_[before] + share * (way_[after] - way_[before]));
+  const auto point = extend_to(way_[before] + share * (way_[after] - way_[before]));
   if (!point) return std::nullopt;
   const glm::dvec3 direction = inside_ ? -point->normal : point->normal;
   // Off the surface, on the side that is sprayed.

@@ -30,6 +30,8 @@ class AirbrushTool : public FogBrushTool {
  protected:
   [[nodiscard]] double radius() const override { return airbrush_.radius; }
   [[nodiscard]] double density() const override { return airbrush_.density; }
+  // What fills a mesh begins at its surface.
+  [[nodiscard]] double offset() const override { return inside_ ? 0.0 : airbrush_.radius; }
   void set_gaussian(double radius, double density) override;
   void set_stretch(double stretch) override { airbrush_.stretch = stretch; }
   void fit_to(double distance) override;
@@ -40,7 +42,7 @@ class AirbrushTool : public FogBrushTool {
  private:
   void spray();  // up to the current time
   // At a fraction of its path, from 0 to 1.
-  [[nodiscard]] std::optional<Nozzle> nozzle_at(double fraction) const;
+  [[nodiscard]] std::optional<Nozzle> nozzle_at(double fraction);
 
   Airbrush airbrush_;
   bool inside_ = false;

@@ -4,7 +4,6 @@
 #include <QLineF>
 
 #include "app/document/document.h"
-#include "app/view/view.h"
 
 namespace brume {
 
@@ -24,7 +23,6 @@ void BrushTool::leave() {
 
 void BrushTool::press(QPointF position, Qt::KeyboardModifiers /*modifiers*/) {
   hover(position);
-  pivot_ = view().pivot();
   gesture_.begin();
   path_.begin(position);
   brush_ = position;
@@ -71,18 +69,6 @@ void BrushTool::end_gesture() {
 
 void BrushTool::medium_changed() {
   if (!gesture_.is_applying()) end_gesture();
-}
-
-std::optional<PaintPoint> BrushTool::paint_at(QPointF position) const {
-  const glm::dvec3 pivot = gesture_.is_running() ? pivot_ : view().pivot();
-  return paint_point(target(), pivot, view().rays(), position, view().surfaces());
-}
-
-void BrushTool::draw(Overlay& overlay, const CameraRays& rays) const {
-  if (!cursor_) return;
-  if (const auto point = paint_at(*cursor_)) {
-    add_brush_cursor(overlay, rays, *point, cursor_radius());
-  }
 }
 
 }  // namespace brume

@@ -3,14 +3,13 @@
 #include <optional>
 
 #include "app/commands/edit_gesture.h"
-#include "app/tools/paint_plane.h"
 #include "app/tools/stroke_path.h"
 #include "app/view/tool.h"
 #include "core/scene/camera_rays.h"
 
 namespace brume {
 
-// Base of brushes: size, cursor, and a stroke as one undo step.
+// Base of brushes: where the brush is, and a stroke as one undo step.
 class BrushTool : public Tool {
   Q_OBJECT
  public:
@@ -27,15 +26,11 @@ class BrushTool : public Tool {
   // Other changes of the medium, such as undo, end the stroke.
   void medium_changed() override;
 
-  void draw(Overlay& overlay, const CameraRays& rays) const override;
   [[nodiscard]] bool shows_handles() const override { return false; }
   [[nodiscard]] Qt::CursorShape cursor() const override { return Qt::CrossCursor; }
   [[nodiscard]] bool draws_strokes() const override { return true; }
 
  protected:
-  // Radius of the cursor's sphere at the paint point [u].
-  [[nodiscard]] virtual double cursor_radius() const = 0;
-  [[nodiscard]] virtual PaintTarget target() const = 0;
   virtual void begin_stroke(QPointF position) = 0;
   // Extends the stroke by points of a smooth curve; may be empty.
   virtual void extend_stroke(std::span<const QPointF> curve) = 0;
@@ -52,9 +47,6 @@ class BrushTool : public Tool {
 
   void end_gesture();
 
-  // The paint point at a position; during a stroke on its initial plane.
-  [[nodiscard]] std::optional<PaintPoint> paint_at(QPointF position) const;
-
   EditGesture gesture_;
 
  private:
@@ -63,7 +55,6 @@ class BrushTool : public Tool {
   QPointF brush_;  // of the stroke, behind the mouse
   double pressure_ = 1.0;
   double pressure_before_ = 1.0;  // at the end of the last extend_stroke()
-  glm::dvec3 pivot_{0.0};         // of the stroke
 };
 
 }  // namespace brume

@@ -6,6 +6,7 @@
 #include "app/commands/edit_emitters.h"
 #include "app/commands/edit_objects.h"
 #include "app/document/document.h"
+#include "app/tools/brush_cursor.h"
 #include "app/tools/option_widgets.h"
 #include "app/view/gizmo.h"
 #include "app/view/view.h"
@@ -53,9 +54,19 @@ std::optional<std::size_t> EmitterTool::pick(QPointF position) const {
 }
 
 void EmitterTool::hover(QPointF position) {
-  const auto now = pick(position);
-  if (now != hovered_) Q_EMIT appearance_changed();
-  hovered_ = now;
+  cursor_ = position;
+  hovered_ = pick(position);
+  Q_EMIT appearance_changed();
+}
+
+void EmitterTool::leave() {
+  cursor_.reset();
+  hovered_.reset();
+  Q_EMIT appearance_changed();
+}
+
+std::optional<PaintPoint> EmitterTool::paint_at(QPointF position) const {
+  return paint_point(view(), target_, position, born_radius(view().distance()));
 }
 
 void EmitterTool::press(QPointF position, Qt::KeyboardModifiers /*modifiers*/) {
@@ -64,8 +75,7 @@ void EmitterTool::press(QPointF position, Qt::KeyboardModifiers /*modifiers*/) {
     drag_ = {*emitter, position, document_.scene().emitters[*emitter].position, new_merge_id()};
     return;
   }
-  const auto point =
-      paint_point(target_, view().pivot(), view().rays(), position, view().surfaces());
+  const auto point = paint_at(position);
   if (!point) return;
   add_emitter(document_, point->position, view().distance());
   document_.set_active_emitter(document_.scene().emitters.size() - 1);
@@ -93,8 +103,13 @@ void EmitterTool::cancel() {
   drag_.reset();
 }
 
-// Each as a small cone, with the way that its particles go on average as dots.
+// Where a click places one, and each as a small cone, with the way that its particles go on average
+// as dots.
 void EmitterTool::draw(Overlay& overlay, const CameraRays& rays) const {
+  if (const auto point = cursor_ && !hovered_ && !drag_ ? paint_at(*cursor_) : std::nullopt) {
+    const Gaussian born{point->position, born_radius(view().distance()), 1.0};
+    add_brush_cursor(overlay, rays, view().surfaces(), born, point->normal);
+  }
   const Emitters& emitters = document_.scene().emitters;
   for (std::size_t k = 0; k < emitters.size(); ++k) {
     const Emitter& emitter = emitters[k];

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "app/commands/merge_id.h"
-#include "app/tools/paint_plane.h"
+#include "app/view/paint_point.h"
 #include "app/view/tool.h"
 #include "brume/emitter.h"
 #include "core/scene/camera_rays.h"
@@ -20,6 +20,7 @@ class EmitterTool : public Tool {
   void add_options(QHBoxLayout& row) override;
   void set_target(const PaintTarget& target);
   void hover(QPointF position) override;
+  void leave() override;
   void press(QPointF position, Qt::KeyboardModifiers modifiers) override;
   void move(std::span<const QPointF> path) override;
   void release(QPointF position) override;
@@ -38,8 +39,11 @@ class EmitterTool : public Tool {
     MergeId merge_id = no_merge;
   };
   [[nodiscard]] std::optional<std::size_t> pick(QPointF position) const;
+  // Where a click at a position places one.
+  [[nodiscard]] std::optional<PaintPoint> paint_at(QPointF position) const;
 
   PaintTarget target_;
+  std::optional<QPointF> cursor_;
   std::optional<std::size_t> hovered_;
   std::optional<DragState> drag_;
 };

@@ -10,7 +10,9 @@
 #include "app/document/document.h"
 #include "app/document/gaussian_attribute.h"
 #include "app/tools/option_widgets.h"
+#include "app/view/overlay.h"
 #include "app/view/view.h"
+#include "app/widgets/application.h"
 
 namespace brume {
 namespace {
@@ -52,11 +54,10 @@ void EraserTool::set(double radius, double strength) {
   Q_EMIT options_changed();
 }
 
-double EraserTool::cursor_radius() const {
-  // The radius on the film at the depth of the plane that the cursor is drawn on.
-  const CameraRays rays = view().rays();
-  const double depth = glm::dot(view().pivot() - rays.eye(), rays.forward());
-  return depth * cone_slope(rays) + radius_ * rays.pixel_width();
+void EraserTool::draw_on_film(Overlay& overlay) const {
+  if (const auto& center = cursor_position()) {
+    overlay.add_circle(center->x(), center->y(), radius_, accent_color().rgba());
+  }
 }
 
 void EraserTool::begin_stroke(QPointF position) {

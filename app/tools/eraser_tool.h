@@ -19,10 +19,9 @@ class EraserTool : public BrushTool {
   void add_options(QHBoxLayout& row) override;
   void change_size(double factor) override;
   void change_strength(double factor) override;
+  void draw_on_film(Overlay& overlay) const override;
 
  protected:
-  [[nodiscard]] double cursor_radius() const override;
-  [[nodiscard]] PaintTarget target() const override { return {}; }
   void begin_stroke(QPointF position) override;
   void extend_stroke(std::span<const QPointF> curve) override;
 

@@ -13,6 +13,7 @@
 #include "app/commands/edit_groups.h"
 #include "app/document/document.h"
 #include "app/document/gaussian_attribute.h"
+#include "app/tools/brush_cursor.h"
 #include "app/tools/option_widgets.h"
 #include "app/view/navigation.h"
 #include "app/view/view.h"
@@ -114,12 +115,33 @@ void FogBrushTool::append_images(std::vector<Gaussian>& images, const Gaussian& 
   }
 }
 
+std::optional<PaintPoint> FogBrushTool::paint_at(QPointF position) const {
+  return paint_point(view(), target_, position, offset(),
+                     gesture_.is_running() ? depth_ : std::nullopt);
+}
+
+std::optional<PaintPoint> FogBrushTool::extend_to(QPointF position) {
+  const auto point = paint_at(position);
+  if (!point) return point;
+  if (depth_) {
+    has_jumped_ = is_depth_jump(view().rays(), depth_->last, *point, radius());
+    depth_->extend(*point);
+  } else {
+    depth_.emplace(*point);
+    has_jumped_ = false;
+  }
+  return point;
+}
+
 // The cursor also where strokes are mirrored to.
 void FogBrushTool::draw(Overlay& overlay, const CameraRays& rays) const {
-  BrushTool::draw(overlay, rays);
-  if (!cursor_position() || stroke_options_.mirrors == std::array<bool, 3>{}) return;
+  if (!cursor_position()) return;
   const auto point = paint_at(*cursor_position());
   if (!point) return;
+  const Gaussian laid{point->position, radius(), click_density()};
+  add_brush_cursor(overlay, rays, view().surfaces(), laid, point->normal);
+  if (!gesture_.is_running()) add_ghost(overlay, rays, view().surfaces(), laid, color());
+  if (stroke_options_.mirrors == std::array<bool, 3>{}) return;
   for (const Gaussian& image : mirror_images({point->position, radius(), 1.0}, mirror_planes())) {
     if (image.center == point->position) continue;
     overlay.add_outline(rays, image, qRgba(235, 238, 242, 130));
@@ -132,6 +154,7 @@ void FogBrushTool::press(QPointF position, Qt::KeyboardModifiers modifiers) {
       Q_EMIT refused(problem);
       return;
     }
+    depth_.reset();
     BrushTool::press(position, modifiers);
     return;
   }
@@ -191,10 +214,7 @@ void FogBrushTool::add_optics_button(QHBoxLayout& row, const QString& prefix) {
   row.addWidget(button);
   const auto show = [this, editor, button] {
     editor->show_optics(optics_, document_.scene().optics.albedo);
-    const bool shines = emission_strength(optics_.emission) > 0.0;
-    button->setIcon(color_swatch(shines
-                                     ? emission_color(optics_.emission)
-                                     : optics_.albedo.value_or(document_.scene().optics.albedo)));
+    button->setIcon(color_swatch(color()));
   };
   button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   connect(this, &Tool::options_changed, editor, show);
@@ -204,6 +224,12 @@ void FogBrushTool::add_optics_button(QHBoxLayout& row, const QString& prefix) {
     Q_EMIT options_changed();
   });
   show();
+}
+
+glm::dvec3 FogBrushTool::color() const {
+  return emission_strength(optics_.emission) > 0.0
+             ? emission_color(optics_.emission)
+             : optics_.albedo.value_or(document_.scene().optics.albedo);
 }
 
 Gaussian FogBrushTool::coloured(const Gaussian& gaussian) const {

@@ -5,6 +5,7 @@
 #include "app/tools/brush_preset.h"
 #include "app/tools/brush_tool.h"
 #include "app/tools/stroke_options_button.h"
+#include "app/view/paint_point.h"
 #include "core/authoring/mirror.h"
 #include "core/scene/camera_rays.h"
 
@@ -58,8 +59,16 @@ class FogBrushTool : public BrushTool {
   // Sets default sizes for a view distance [u].
   virtual void fit_to(double distance) = 0;
 
-  [[nodiscard]] double cursor_radius() const override { return radius(); }
-  [[nodiscard]] PaintTarget target() const override { return target_; }
+  // How far in front of a surface the center is; 0: on it [u].
+  [[nodiscard]] virtual double offset() const { return radius(); }
+  // The density of what one click lays [1/u].
+  [[nodiscard]] virtual double click_density() const { return density(); }
+  // The paint point at a position; of a stroke where that would go on.
+  [[nodiscard]] std::optional<PaintPoint> paint_at(QPointF position) const;
+  // The same, and the stroke goes on from there.
+  std::optional<PaintPoint> extend_to(QPointF position);
+  // Whether that has jumped to a thing at another depth.
+  [[nodiscard]] bool has_jumped() const { return has_jumped_; }
 
   [[nodiscard]] double smoothing() const override { return stroke_options_.smoothing; }
   // The pen's factors of radius and density; never 0.
@@ -101,8 +110,12 @@ class FogBrushTool : public BrushTool {
   void set_both(double radius, double density);
 
   void add_optics_button(QHBoxLayout& row, const QString& prefix);
+  // Of what is added: of its light if it shines, or else its albedo.
+  [[nodiscard]] glm::dvec3 color() const;
 
   PaintTarget target_;
+  std::optional<StrokeDepth> depth_;  // of the stroke
+  bool has_jumped_ = false;
   StrokeOptions stroke_options_;
   GaussianOptics optics_;
   int seed_ = 1;

@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "app/tools/paint_plane.h"
+#include "app/view/paint_point.h"
 #include "app/view/tool.h"
 #include "app/widgets/value_field.h"
 #include "core/number_domain.h"

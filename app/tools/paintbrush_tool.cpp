@@ -79,8 +79,9 @@ void PaintbrushTool::extend_stroke(std::span<const QPointF> curve) {
   double count_so_far = 0.0;
   for (const QPointF position : curve) {
     const PenScale pen = pen_scale(++count_so_far / static_cast<double>(curve.size()));
-    const auto point = paint_at(position);
+    const auto point = extend_to(position);
     if (!point) continue;
+    if (has_jumped()) stroke_->lift();
     for (const Gaussian& gaussian : stroke_->extend(point->position, pen.size, pen.strength)) {
       append_images(gaussians, gaussian, false);
     }

@@ -20,6 +20,7 @@ class PaintbrushTool : public FogBrushTool {
   void apply_preset(const BrushPreset& preset) override;
 
  protected:
+  [[nodiscard]] double click_density() const override { return brush_.density * brush_.flow; }
   // `prefix` of the names of the widgets.
   void add_brush_options(QHBoxLayout& row, const QString& prefix);
 

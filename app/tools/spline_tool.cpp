@@ -125,7 +125,7 @@ void SplineTool::press(QPointF position, Qt::KeyboardModifiers modifiers) {
     return;
   }
   dragged_ = hovered_;
-  if (dragged_) return;
+  if (dragged_) return begin_drag(position);
   const auto point = paint_at(position);
   if (!point) return;
   if (points.size() >= limits::spline_points) {
@@ -134,18 +134,30 @@ void SplineTool::press(QPointF position, Qt::KeyboardModifiers modifiers) {
     return;
   }
   dragged_ = points.size();
+  dragged_depth_.emplace(*point);
   points.push_back(point->position);
   repaint(std::move(points), tr("Add point to spline"), gesture_id_);
+}
+
+// The point stays on the surface that it lies on, or else in the plane through itself.
+void SplineTool::begin_drag(QPointF position) {
+  const glm::dvec3& place = spline().points[*dragged_];
+  const auto around = paint_point(view(), paint_target(), position, offset());
+  PaintPoint begin{place, -view().rays().forward(), view().rays().distance_to(place)};
+  if (around && around->on_surface && glm::distance(around->position, place) < brush().radius) {
+    begin.distance = around->distance;
+    begin.on_surface = true;
+  }
+  dragged_depth_.emplace(begin);
 }
 
 void SplineTool::move(std::span<const QPointF> path) {
   PaintbrushTool::hover(path.back());
   if (!dragged_ || *dragged_ >= spline().points.size()) return;
   std::vector<glm::dvec3> points = spline().points;
-  // A view plane goes through the point itself.
-  const auto point =
-      paint_point(paint_target(), points[*dragged_], view().rays(), path.back(), view().surfaces());
+  const auto point = paint_point(view(), paint_target(), path.back(), offset(), dragged_depth_);
   if (!point) return;
+  dragged_depth_->extend(*point);
   points[*dragged_] = point->position;
   const bool is_new = before_.size() < points.size();
   repaint(std::move(points), is_new ? tr("Add point to spline") : tr("Move point of spline"),

@@ -36,13 +36,15 @@ class SplineTool : public PaintbrushTool {
   // Takes over the brush of the active spline.
   void adopt_brush();
   void forget_gesture();
+  void begin_drag(QPointF position);
   // Paints along `points` in place of the present ones.
   void repaint(std::vector<glm::dvec3> points, const QString& text, MergeId merge_id);
   [[nodiscard]] std::vector<Gaussian> painted(const PaintedSpline& spline) const;
 
   std::optional<std::size_t> hovered_;
   std::optional<std::size_t> dragged_;  // point
-  std::vector<glm::dvec3> before_;      // the points when the drag began
+  std::optional<StrokeDepth> dragged_depth_;
+  std::vector<glm::dvec3> before_;  // the points when the drag began
   MergeId gesture_id_ = no_merge;
   MergeId options_id_ = no_merge;  // of changes of the brush in a row
   bool is_adopting_ = false;

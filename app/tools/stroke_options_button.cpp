@@ -51,10 +51,9 @@ void add_snap(QHBoxLayout& row, FogBrushTool& tool, const QString& prefix) {
     tool.set_target(target);
   };
   add_choice(
-      row, tool, {Tool::tr("Snap to"), prefix + "_snap"},
-      {Tool::tr("Nothing"), Tool::tr("Surface"), Tool::tr("Grid")},
-      [&tool] { return static_cast<int>(tool.paint_target().snap); },
-      [change](int index) { change([&](PaintTarget& t) { t.snap = static_cast<Snap>(index); }); });
+      row, tool, {Tool::tr("Snap to"), prefix + "_snap"}, {Tool::tr("Nothing"), Tool::tr("Grid")},
+      [&tool] { return tool.paint_target().snaps_to_grid ? 1 : 0; },
+      [change](int index) { change([&](PaintTarget& t) { t.snaps_to_grid = index == 1; }); });
   ValueField* grid = add_number(
       row, tool,
       {Tool::tr("Grid"), prefix + "_grid", domain::length, ValueField::Scale::logarithmic, 0.01},
@@ -62,7 +61,7 @@ void add_snap(QHBoxLayout& row, FogBrushTool& tool, const QString& prefix) {
       [change](double value) { change([&](PaintTarget& t) { t.grid = value; }); });
   grid->number().show_length_unit();
   grid->setToolTip(Tool::tr("Distance between the points of the grid in scene units"));
-  const auto show = [grid, &tool] { grid->setEnabled(tool.paint_target().snap == Snap::grid); };
+  const auto show = [grid, &tool] { grid->setEnabled(tool.paint_target().snaps_to_grid); };
   QObject::connect(&tool, &Tool::options_changed, grid, show);
   show();
 }

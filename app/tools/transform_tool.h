@@ -1,7 +1,6 @@
 #pragma once
 
 #include "app/commands/edit_objects.h"
-#include "app/tools/paint_plane.h"
 #include "app/tools/select_tool.h"
 #include "app/view/gizmo.h"
 #include "core/scene/camera_rays.h"
@@ -70,6 +69,9 @@ class MoveTool : public TransformTool {
   [[nodiscard]] QString verb() const override { return tr("Move %1"); }
 
  private:
+  // Moves to the surface under the mouse if there is one, or to the nearest point of a grid through
+  // the origin.
+  enum class Snap { none, surface, grid };
   [[nodiscard]] glm::dvec3 way(QPointF position) const;  // of the pivot [u]
 
   Snap snap_ = Snap::none;

@@ -73,7 +73,8 @@ void Overlay::add_line(const CameraRays& rays, const glm::dvec3& start, const gl
   lines.push_back({static_cast<float>(b.x), static_cast<float>(b.y), color});
 }
 
-void Overlay::add_outline(const CameraRays& rays, const Gaussian& gaussian, QRgb color) {
+void Overlay::add_outline(const CameraRays& rays, const Gaussian& gaussian, QRgb color,
+                          const std::function<bool(const glm::dvec3&)>& is_hidden) {
   const bool is_ball = gaussian.is_ball();
   const double radius = gaussian.radius;
   // An ellipsoid in the space in which it is a ball, as what is seen of it touches the same rays.
@@ -90,16 +91,19 @@ void Overlay::add_outline(const CameraRays& rays, const Gaussian& gaussian, QRgb
   glm::dmat3 frame(circle * plane.u, circle * plane.v, axis * (-radius * sine));
   if (!is_ball) frame = inverse_warp(gaussian.shape) * frame;
   const glm::dvec3 middle = gaussian.center + frame[2];
-  const auto point_at = [&](double turn) {
+  const auto place_at = [&](double turn) {
     const double angle = glm::two_pi<double>() * turn;
-    return rays.project(middle + std::cos(angle) * frame[0] + std::sin(angle) * frame[1]);
+    return middle + std::cos(angle) * frame[0] + std::sin(angle) * frame[1];
   };
+  const auto point_at = [&](double turn) { return rays.project(place_at(turn)); };
   glm::dvec3 last = point_at(0.0);
   const int segments = outline_segments(
       std::max(film_distance(last, point_at(0.5)), film_distance(point_at(0.25), point_at(0.75))));
   for (int k = 1; k <= segments; ++k) {
-    const glm::dvec3 next = point_at(static_cast<double>(k) / segments);
-    if (last.z > 0.0 && next.z > 0.0) {
+    const glm::dvec3 place = place_at(static_cast<double>(k) / segments);
+    const glm::dvec3 next = rays.project(place);
+    const bool is_gap = k % 2 == 0 && is_hidden && is_hidden(place);
+    if (last.z > 0.0 && next.z > 0.0 && !is_gap) {
       lines.push_back({static_cast<float>(last.x), static_cast<float>(last.y), color});
       lines.push_back({static_cast<float>(next.x), static_cast<float>(next.y), color});
     }
@@ -142,6 +146,22 @@ void add_axes(Overlay& overlay, const CameraRays& rays, const Film& film) {
 }
 
 void paint(const Overlay& overlay, QPainter& painter) {
+  painter.setPen(Qt::NoPen);
+  for (std::size_t k = 0; k + 2 < overlay.triangles.size(); k += 3) {
+    QPolygonF triangle;
+    std::array<int, 4> color{};  // the mean: a painter has no gradients of triangles
+    for (std::size_t i = k; i < k + 3; ++i) {
+      const Overlay::Vertex& v = overlay.triangles[i];
+      triangle << QPointF(v.x, v.y);
+      color[0] += qRed(v.color);
+      color[1] += qGreen(v.color);
+      color[2] += qBlue(v.color);
+      color[3] += qAlpha(v.color);
+    }
+    painter.setBrush(QColor(color[0] / 3, color[1] / 3, color[2] / 3, color[3] / 3));
+    painter.drawPolygon(triangle);
+  }
+  painter.setBrush(Qt::NoBrush);
   painter.setRenderHint(QPainter::Antialiasing);
   for (std::size_t k = 0; k + 1 < overlay.lines.size(); k += 2) {
     const auto& a = overlay.lines[k];

@@ -2,6 +2,7 @@
 
 #include <QColor>
 #include <QPainter>
+#include <functional>
 #include <vector>
 
 #include "brume/gaussian.h"
@@ -19,9 +20,10 @@ struct Overlay {
     QRgb color = 0;  // with alpha, not premultiplied
   };
 
-  std::vector<Vertex> dots;   // small squares
-  std::vector<Vertex> marks;  // larger ones
-  std::vector<Vertex> lines;  // two per segment
+  std::vector<Vertex> dots;       // small squares
+  std::vector<Vertex> marks;      // larger ones
+  std::vector<Vertex> lines;      // two per segment
+  std::vector<Vertex> triangles;  // three of each, below all else
 
   // In the size of handles that the user chose.
   static float dot_size();
@@ -32,8 +34,9 @@ struct Overlay {
   // A world-space line, clipped behind the eye.
   void add_line(const CameraRays& rays, const glm::dvec3& start, const glm::dvec3& end, QRgb color);
   // The exact perspective silhouette of a Gaussian at 1/e of its density; none if the eye is
-  // inside.
-  void add_outline(const CameraRays& rays, const Gaussian& gaussian, QRgb color);
+  // inside. Dashed where a point of it is hidden.
+  void add_outline(const CameraRays& rays, const Gaussian& gaussian, QRgb color,
+                   const std::function<bool(const glm::dvec3&)>& is_hidden = {});
 };
 
 // Draws the world axes in the lower left corner.

@@ -14,6 +14,7 @@
 #include "app/view/bounds.h"
 #include "app/view/gizmo.h"
 #include "app/view/object_box.h"
+#include "app/view/paint_point.h"
 #include "app/view/surface_picker.h"
 #include "brume/at_time.h"
 #include "core/authoring/contribution.h"
@@ -21,15 +22,6 @@
 #include "render/prepare/fog_extent.h"
 
 namespace brume {
-namespace {
-
-constexpr double min_effect = 0.02;  // of a Gaussian that can be pointed at
-
-double mean(const glm::dvec3& rgb) {
-  return (rgb.r + rgb.g + rgb.b) / 3.0;
-}
-
-}  // namespace
 
 View::View(const Document& document, SurfacePicker& surfaces, Projection projection,
            const QWidget& pane)
@@ -74,21 +66,21 @@ glm::dvec3 View::pivot() const {
   return sphere ? sphere->center : camera().target;
 }
 
+QPointF View::mouse_position() const {
+  if (asked_) return *asked_;
+  return pane_.underMouse() ? pane_.mapFromGlobal(QPointF(QCursor::pos()))
+                            : QRectF(pane_.rect()).center();
+}
+
 glm::dvec3 View::place_under_mouse(double radius) {
-  const CameraRays view = rays();
-  const QPointF position = pane_.underMouse() ? pane_.mapFromGlobal(QPointF(QCursor::pos()))
-                                              : 0.5 * QPointF(pane_.width(), pane_.height());
-  const glm::dvec3 origin = view.origin(position.x(), position.y());
-  const glm::dvec3 direction = view.direction(position.x(), position.y());
-  const double depth = glm::dot(camera().target - view.eye(), view.forward());
-  double distance = depth / glm::dot(direction, view.forward());
-  if (const auto surface = surfaces_.hit(origin, direction)) {
-    const double hit_distance = glm::distance(surface->position, origin);
-    // The sphere touches the surface, but moves at most half way to the eye.
-    const double back = radius / std::abs(glm::dot(direction, surface->normal));
-    distance = std::min(distance, std::max(hit_distance - back, 0.5 * hit_distance));
-  }
-  return origin + distance * direction;
+  const auto point = paint_point(*this, {.stands = true}, mouse_position(), radius);
+  return point ? point->position : camera().target;
+}
+
+FogOnRay View::fog_on(const glm::dvec3& origin, const glm::dvec3& direction) const {
+  const auto scene = shown_scene();
+  const FogInterval in_fog = fog_of(*scene).interval(origin, direction);
+  return {*scene, origin, direction, {in_fog.begin, in_fog.end}};
 }
 
 glm::dvec3 View::shift_on_film(QPointF pixels) const {
@@ -104,18 +96,8 @@ std::optional<std::size_t> View::visible_surface(QPointF position) {
   if (!surface) return std::nullopt;
   const std::size_t index = surfaces_.index_of(*surface);
   if (document_.scene().surfaces[index].locked) return std::nullopt;
-  const auto scene = document_.visible_snapshot();
-  const double distance = glm::distance(origin, surface->position);
-  const FogInterval in_fog = fog_of(*scene).interval(origin, direction);
-  double depth = projection() == Projection::perspective
-                     ? scene->medium.homogeneous_density() * in_fog.before(distance)
-                     : 0.0;
-  depth /= mean(scene->optics.albedo);
-  for (std::size_t i = 0; i < scene->medium.size() && depth < std::numbers::ln2; ++i) {
-    const Gaussian gaussian = scene->medium.gaussian(i);
-    depth += optical_depth(gaussian, origin, surface->position) /
-             mean(gaussian.optics.albedo.value_or(scene->optics.albedo));
-  }
+  const double depth =
+      fog_on(origin, direction).optical_depth(glm::distance(origin, surface->position));
   return depth < std::numbers::ln2 ? std::optional(index) : std::nullopt;
 }
 
@@ -129,8 +111,8 @@ std::optional<GaussianId> View::max_visible(QPointF position) {
   const auto scene = document_.visible_snapshot();
   const FogInterval in_fog = fog_of(*scene).interval(origin, direction);
   for (const Contribution& met :
-       contributions(scene->medium, scene->optics.albedo, origin, direction, distance, min_effect,
-                     {in_fog.begin, in_fog.end})) {
+       contributions(scene->medium, scene->optics.albedo, origin, direction, distance,
+                     min_pointed_effect, {in_fog.begin, in_fog.end})) {
     const GaussianId id = scene->medium.ids()[met.index];
     if (document_.is_editable(id)) return id;
   }

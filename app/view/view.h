@@ -5,11 +5,15 @@
 
 #include "app/view/camera_controller.h"
 #include "app/view/shown_handles.h"
+#include "core/authoring/contribution.h"
 #include "core/scene/camera_rays.h"
 
 namespace brume {
 
 class SurfacePicker;
+
+// What a Gaussian has to take of the light at a position to be pointed at there.
+inline constexpr double min_pointed_effect = 0.02;
 
 // One view of the document as tools and panels know it: camera, handles, and what is under the
 // mouse. Knows nothing of frames.
@@ -36,6 +40,8 @@ class View {
   void set_hovered(std::optional<GaussianId> id) { handles_.set_hovered(id); }
   virtual void show_band(const QRect& rectangle) = 0;  // null: none
 
+  void set_asked(std::optional<QPointF> position) { asked_ = position; }
+
   // Displayed time [s].
   [[nodiscard]] double time() const { return time_; }
   virtual void set_time(double time);
@@ -48,9 +54,13 @@ class View {
   // Pivot of tools: the center of the document's object or of the selected Gaussians, or the
   // camera's target.
   [[nodiscard]] glm::dvec3 pivot() const;
-  // Placement of a sphere under the mouse (or the film's center): on the view plane through the
-  // target, or in front of a nearer surface.
+  // Where a menu of the view was asked for while that is open, else the mouse in the pane, or the
+  // pane's center.
+  [[nodiscard]] QPointF mouse_position() const;
+  // Where a ball is put under the mouse (paint_point()).
   [[nodiscard]] glm::dvec3 place_under_mouse(double radius);
+  // What is shown of the fog on a ray of unit direction.
+  [[nodiscard]] FogOnRay fog_on(const glm::dvec3& origin, const glm::dvec3& direction) const;
   // World-space vector of a pixel offset at the pivot's depth.
   [[nodiscard]] glm::dvec3 shift_on_film(QPointF pixels) const;
   // The surface at a position, neither hidden nor locked, if the fog before it lets more than half
@@ -66,6 +76,7 @@ class View {
   const QWidget& pane_;
   CameraController camera_;
   ShownHandles handles_;
+  std::optional<QPointF> asked_;
   double time_ = 0.0;
   // Cache of shown_scene() and the snapshot it derives from.
   mutable std::shared_ptr<const Scene> at_time_;

@@ -76,8 +76,10 @@ class VtkHost::Shapes {
     cells->SetData(points_per_cell_, ids);
     if (points_per_cell_ == 1) {
       data_->SetVerts(cells);
-    } else {
+    } else if (points_per_cell_ == 2) {
       data_->SetLines(cells);
+    } else {
+      data_->SetPolys(cells);
     }
   }
 
@@ -118,6 +120,7 @@ VtkHost::VtkHost(Context context) : context_(std::move(context)) {
   shared_object_->SetWrapS(vtkTextureObject::ClampToEdge);
   shared_object_->SetWrapT(vtkTextureObject::ClampToEdge);
   shared_->SetTextureObject(shared_object_);
+  shapes_.push_back(std::make_unique<Shapes>(*renderer_, 3));
   shapes_.push_back(std::make_unique<Shapes>(*renderer_, 2));
   shapes_.push_back(std::make_unique<Shapes>(*renderer_, 1));
   shapes_.push_back(std::make_unique<Shapes>(*renderer_, 1));
@@ -195,12 +198,13 @@ void VtkHost::show_overlay(const Overlay& overlay) {
 
 void VtkHost::rebuild_shapes() {
   const double height = size().height();
-  shapes_[0]->set(overlay_.lines, height, scale_);
-  shapes_[0]->property().SetLineWidth(static_cast<float>(Overlay::line_width() * scale_));
-  shapes_[1]->set(overlay_.dots, height, scale_);
-  shapes_[1]->property().SetPointSize(static_cast<float>(Overlay::dot_size() * scale_));
-  shapes_[2]->set(overlay_.marks, height, scale_);
-  shapes_[2]->property().SetPointSize(static_cast<float>(Overlay::mark_size() * scale_));
+  shapes_[0]->set(overlay_.triangles, height, scale_);
+  shapes_[1]->set(overlay_.lines, height, scale_);
+  shapes_[1]->property().SetLineWidth(static_cast<float>(Overlay::line_width() * scale_));
+  shapes_[2]->set(overlay_.dots, height, scale_);
+  shapes_[2]->property().SetPointSize(static_cast<float>(Overlay::dot_size() * scale_));
+  shapes_[3]->set(overlay_.marks, height, scale_);
+  shapes_[3]->property().SetPointSize(static_cast<float>(Overlay::mark_size() * scale_));
 }
 
 unsigned VtkHost::render() {

@@ -61,7 +61,7 @@ class VtkHost {
   vtkNew<vtkOpenGLTexture> shared_;  // of picture_
   vtkNew<vtkTextureObject> shared_object_;
   std::shared_ptr<gl::DevicePicture> picture_;   // null: it is uploaded_ that is shown
-  std::vector<std::unique_ptr<Shapes>> shapes_;  // lines, dots, marks
+  std::vector<std::unique_ptr<Shapes>> shapes_;  // triangles, lines, dots, marks
   Overlay overlay_;
   double scale_ = 1.0;
   bool ready_ = false;

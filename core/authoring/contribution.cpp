@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 
+#include "core/math/infinity.h"
 #include "core/scene/lights/light_falloff.h"
 #include "core/scene/lights/photometry.h"
 #include "core/transport/optical_depth.h"
@@ -28,6 +29,23 @@ bool is_far(const Medium& medium, std::size_t i, const glm::dvec3& origin,
   const glm::dvec3 across = to_center - glm::dot(to_center, direction) * direction;
   const double reach = far * medium.radii()[i];
   return glm::dot(across, across) > reach * reach;
+}
+
+double mean(const glm::dvec3& rgb) {
+  return (rgb.r + rgb.g + rgb.b) / 3.0;
+}
+
+// Where a function that grows from 0 reaches a value that it exceeds at last.
+template <class Function>
+double where_it_reaches(double value, const Function& function) {
+  double low = 0.0;
+  double high = 1.0;
+  while (function(high) < value && high < 1e30) high *= 2.0;
+  while (high - low > 1e-9 * high) {
+    const double middle = 0.5 * (low + high);
+    (function(middle) < value ? low : high) = middle;
+  }
+  return high;
 }
 
 glm::dvec3 opacity(const glm::dvec3& optical_depth) {
@@ -81,6 +99,47 @@ std::vector<Contribution> contributions(const Medium& medium, const glm::dvec3& 
     return a.effect() > b.effect();
   });
   return result;
+}
+
+FogOnRay::FogOnRay(const Scene& scene, const glm::dvec3& eye, const glm::dvec3& direction,
+                   const std::pair<double, double>& fog)
+    : extinction_(scene.medium.homogeneous_density() / mean(scene.optics.albedo)), fog_(fog) {
+  constexpr double min_optical_depth = 1e-5;  // so that all others together count for nothing
+  const Medium& medium = scene.medium;
+  for (std::size_t i = 0; i < medium.size(); ++i) {
+    if (is_far(medium, i, eye, direction)) continue;
+    const Gaussian gaussian = medium.gaussian(i);
+    const StandaloneTerm term(gaussian);
+    const double albedo = mean(gaussian.optics.albedo.value_or(scene.optics.albedo));
+    const Part part{line_profile(*term, eye, direction), gaussian.density / albedo};
+    const GaussianTerm<double> g(1.0, part.extinction, {});
+    if (brume::optical_depth(g, part.line, infinity) > min_optical_depth) parts_.push_back(part);
+  }
+}
+
+double FogOnRay::optical_depth_of_gaussians(double distance) const {
+  double sum = 0.0;
+  for (const Part& part : parts_) {
+    sum += brume::optical_depth({1.0, part.extinction, {}}, part.line, distance);
+  }
+  return sum;
+}
+
+double FogOnRay::optical_depth(double distance) const {
+  const double in_fog = std::max(std::min(distance, fog_.second) - fog_.first, 0.0);
+  return optical_depth_of_gaussians(distance) + (extinction_ > 0.0 ? extinction_ * in_fog : 0.0);
+}
+
+double FogOnRay::distance_at(double optical_depth) const {
+  if (!(this->optical_depth(infinity) > optical_depth)) return infinity;
+  return where_it_reaches(optical_depth, [this](double d) { return this->optical_depth(d); });
+}
+
+std::optional<double> FogOnRay::middle_of_gaussians(double min_opacity) const {
+  const double opacity = -std::expm1(-optical_depth_of_gaussians(infinity));
+  if (opacity < min_opacity) return std::nullopt;
+  return where_it_reaches(-std::log1p(-0.5 * opacity),
+                          [this](double d) { return optical_depth_of_gaussians(d); });
 }
 
 glm::dvec3 scattered_radiance(const Scene& scene, const Contribution& contribution,

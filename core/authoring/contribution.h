@@ -1,11 +1,13 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "brume/scene.h"
 #include "core/scene/lights/point_lights.h"
+#include "core/transport/optical_depth.h"
 
 namespace brume {
 
@@ -32,6 +34,33 @@ std::vector<Contribution> contributions(const Medium& medium, const glm::dvec3& 
                                         double min_effect = 1e-3,
                                         const std::pair<double, double>& fog = {
                                             0.0, std::numeric_limits<double>::infinity()});
+
+// The fog of a scene on a view ray. Optical depths are of extinction, for the mean albedo of the
+// three channels.
+class FogOnRay {
+ public:
+  // Of a unit direction. Homogeneous fog is from `fog`.first to `fog`.second on the ray [u].
+  FogOnRay(const Scene& scene, const glm::dvec3& eye, const glm::dvec3& direction,
+           const std::pair<double, double>& fog);
+
+  // Up to a distance, which may be infinite [u].
+  [[nodiscard]] double optical_depth(double distance) const;
+  [[nodiscard]] double optical_depth_of_gaussians(double distance) const;
+  // The distance up to which it is `optical_depth` > 0; +inf if it never is [u].
+  [[nodiscard]] double distance_at(double optical_depth) const;
+  // The distance up to which the Gaussians alone take half of the light that they take at all;
+  // nullopt if that is less than `min_opacity` of it [u].
+  [[nodiscard]] std::optional<double> middle_of_gaussians(double min_opacity) const;
+
+ private:
+  struct Part {
+    LineProfile<double> line;
+    double extinction;  // of the Gaussian at its center [1/u]
+  };
+  std::vector<Part> parts_;
+  double extinction_ = 0.0;  // of homogeneous fog [1/u]
+  std::pair<double, double> fog_;
+};
 
 // RGB radiance that the Gaussian scatters towards the eye from one point light, evaluated at its
 // mean on the ray and attenuated by the whole medium including b0 on both segments; surfaces are

@@ -27,6 +27,8 @@ class PaintStroke {
   // `size` and `strength` > 0 multiply radius and density, as the pressure of a pen does.
   std::vector<Gaussian> extend(const glm::dvec3& point, double size = 1.0, double strength = 1.0);
   static constexpr int max_steps = 4096;
+  // The next point begins anew, with nothing between.
+  void lift() { last_.reset(); }
 
  private:
   // At an offset from the stroke, relative to the maximum.

@@ -220,7 +220,7 @@ class BrushesTest : public QObject {
   void strokes_snap_to_a_grid() {
     BrushDesk desk;
     enter(desk, "brush_scatter", "0");
-    choose(desk, "brush_snap", 2);
+    choose(desk, "brush_snap", 1);
     enter(desk, "brush_grid", "0.25");
     const std::vector<Gaussian> gaussians = desk.stroke();
     const glm::dvec3 first = gaussians.front().center;

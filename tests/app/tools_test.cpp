@@ -107,6 +107,7 @@ class ToolsTest : public QObject {
     const double dark = brightness(window, from);
     window.key(Qt::Key_B);
     PaintbrushTool& tool = ::tool<PaintbrushTool>(window->tools());
+    tool.set_plane(PaintPlane::view);
     tool.set_brush({.radius = 0.2, .density = 3.0, .spacing = 1.0, .scatter = 0.9});
     window.drag(from, from + QPoint(150, 60));
     QCOMPARE(step_count(document), 1);

@@ -8,6 +8,7 @@
 #include "app/document/document.h"
 #include "app/view/bounds.h"
 #include "app/view/navigation.h"
+#include "app/view/paint_point.h"
 #include "app/view/surface_picker.h"
 #include "app/viewport/view_grid.h"
 #include "app/window/dialogs/fog_shape_dialog.h"
@@ -42,10 +43,10 @@ double ground_share(const FindGround& find_ground, const glm::dvec3& around, dou
   return static_cast<double>(found) / (side * side);
 }
 
-// The place for fog that a view looks at: the surface in its middle if that faces up, else the
-// ground below its target. The ground is what lies below the height of the eye, so that the ceiling
-// of a room is none; where hardly any of it is met, it is the plane of the lowest surface, or y =
-// 0.
+// The place for fog under the mouse, or else in the middle of a view: the surface there if that
+// faces up, or else the ground below. The ground is what lies below the height of the eye, so that
+// the ceiling of a room is none; where hardly any of it is met, it is the plane of the lowest
+// surface, or y = 0.
 FogPlace fog_place(const Document& document, View& view) {
   const Camera& camera = view.camera();
   FogPlace place;
@@ -68,26 +69,24 @@ FogPlace fog_place(const Document& document, View& view) {
     };
   }
 
-  const auto find_headroom = [&surfaces, &place] {
-    const glm::dvec3 above = place.target + glm::dvec3(0.0, 0.01 * place.size, 0.0);
-    if (const auto hit = surfaces.hit(above, {0.0, 1.0, 0.0})) {
-      place.headroom = hit->position.y - place.target.y;
-    }
+  // What is far beyond what is looked at, as a horizon, is no place.
+  const QPointF mouse = view.mouse_position();
+  const auto at_mouse = [&](PaintPlane plane) {
+    return paint_point(view, {.plane = plane}, mouse, 0.1 * place.size);
   };
-  const glm::dvec3 forward = glm::normalize(camera.target - camera.eye);
-  const auto hit = surfaces.hit(camera.eye, forward);
-  const double hit_distance = hit ? glm::distance(hit->position, camera.eye) : 0.0;
-  if (hit && hit->normal.y > facing_up && hit_distance < 2.0 * target_distance(camera)) {
-    place.target = hit->position;
-    find_headroom();
-    return place;
+  auto point = at_mouse(PaintPlane::under_mouse);
+  if (!point || point->distance > 2.0 * target_distance(camera)) point = at_mouse(PaintPlane::view);
+  place.target = point ? point->position : camera.target;
+  const auto surface = at_mouse(PaintPlane::surface);
+  if (point && point->on_surface && surface->normal.y > facing_up) {
+    place.target = surface->position;
+  } else {
+    place.target.y = place.find_ground(place.target.x, place.target.z).value_or(place.target.y);
   }
-  // In front of a wall in the way.
-  place.target = hit && hit_distance < target_distance(camera)
-                     ? camera.eye + 0.85 * hit_distance * forward
-                     : camera.target;
-  place.target.y = place.find_ground(place.target.x, place.target.z).value_or(place.target.y);
-  find_headroom();
+  const glm::dvec3 above = place.target + glm::dvec3(0.0, 0.01 * place.size, 0.0);
+  if (const auto hit = surfaces.hit(above, {0.0, 1.0, 0.0})) {
+    place.headroom = hit->position.y - place.target.y;
+  }
   return place;
 }
 

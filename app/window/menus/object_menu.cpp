@@ -10,6 +10,7 @@
 #include "app/commands/edit_medium.h"
 #include "app/commands/edit_objects.h"
 #include "app/commands/select_command.h"
+#include "app/document/document.h"
 #include "app/document/surface_names.h"
 #include "app/import/scene_import.h"
 #include "app/panels/forms/light_panel.h"
@@ -58,7 +59,9 @@ void ObjectMenu::fill_add_menu(QMenu& menu) {
   menu.addSeparator();
   add_action(&menu, tr("&Gaussian"), "edit.add_gaussian", this, [this] { add_gaussian_in_view(); });
   add_action(&menu, tr("&Emitter"), "add.emitter", this, [this] {
-    add_emitter(work_.document, work_.views.active().pivot(), work_.views.active().distance());
+    Viewport& view = work_.views.pointed();
+    add_emitter(work_.document, view.place_under_mouse(born_radius(view.distance())),
+                view.distance());
     work_.document.set_object(ObjectRef{ObjectRef::Kind::emitter, work_.document.active_emitter()});
   });
 }
@@ -83,12 +86,12 @@ void ObjectMenu::add_primitive(Primitive::Shape shape) {
 }
 
 void ObjectMenu::add_gaussian_in_view() {
-  const Viewport& view = work_.views.active();
+  Viewport& view = work_.views.pointed();
   const double radius = rounded(0.12 * std::max(view.distance(), 1e-6), 3);
   // Optical depth 1 through the center: sqrt(pi) * radius * density.
   const double density = rounded(1.0 / (std::sqrt(std::numbers::pi) * radius), 3);
   add_gaussian(work_.document,
-               {.center = view.camera().target, .radius = radius, .density = density});
+               {.center = view.place_under_mouse(radius), .radius = radius, .density = density});
 }
 
 void ObjectMenu::rename_object() {
@@ -110,6 +113,8 @@ void ObjectMenu::show_view_menu(Viewport& view, QPointF position) {
   }
   auto* menu = named(new QMenu(&view), "view_menu");
   menu->setAttribute(Qt::WA_DeleteOnClose);
+  view.set_asked(position);
+  connect(menu, &QObject::destroyed, &view, [&view] { view.set_asked(std::nullopt); });
   const auto add = [this, menu](std::initializer_list<const char*> names) {
     for (const char* name : names) {
       if (auto* action = window_.findChild<QAction*>(name)) menu->addAction(action);
