@@ -144,7 +144,7 @@ constexpr std::array ready_made_fog = std::to_array<FogPreset>({
      QT_TRANSLATE_NOOP("Fog", "A shallow, patchy layer that lies on the ground in view"),
      add_ground_mist},
     {"fog.steam", QT_TRANSLATE_NOOP("Fog", "&Steam"),
-     QT_TRANSLATE_NOOP("Fog", "A thin white plume from what the view looks at"), add_steam},
+     QT_TRANSLATE_NOOP("Fog", "A thin white plume from the ground"), add_steam},
     {"fog.smoke_column", QT_TRANSLATE_NOOP("Fog", "S&moke Column"),
      QT_TRANSLATE_NOOP("Fog", "A dense grey column that bends with the wind"), add_smoke_column},
     {"fog.haze", QT_TRANSLATE_NOOP("Fog", "&Haze"),

@@ -67,9 +67,14 @@ glm::dvec3 View::pivot() const {
 }
 
 QPointF View::mouse_position() const {
-  if (asked_) return *asked_;
+  if (menu_) return asked_;
   return pane_.underMouse() ? pane_.mapFromGlobal(QPointF(QCursor::pos()))
                             : QRectF(pane_.rect()).center();
+}
+
+void View::set_asked(const QObject& menu, QPointF position) {
+  menu_ = &menu;
+  asked_ = position;
 }
 
 glm::dvec3 View::place_under_mouse(double radius) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <QPointF>
+#include <QPointer>
 #include <QString>
 #include <memory>
 
@@ -40,7 +42,7 @@ class View {
   void set_hovered(std::optional<GaussianId> id) { handles_.set_hovered(id); }
   virtual void show_band(const QRect& rectangle) = 0;  // null: none
 
-  void set_asked(std::optional<QPointF> position) { asked_ = position; }
+  void set_asked(const QObject& menu, QPointF position);
 
   // Displayed time [s].
   [[nodiscard]] double time() const { return time_; }
@@ -54,8 +56,8 @@ class View {
   // Pivot of tools: the center of the document's object or of the selected Gaussians, or the
   // camera's target.
   [[nodiscard]] glm::dvec3 pivot() const;
-  // Where a menu of the view was asked for while that is open, else the mouse in the pane, or the
-  // pane's center.
+  // Where the mouse is in the pane, or else the pane's center; while a menu lives that was asked
+  // for at a position, that position.
   [[nodiscard]] QPointF mouse_position() const;
   // Where a ball is put under the mouse (paint_point()).
   [[nodiscard]] glm::dvec3 place_under_mouse(double radius);
@@ -76,7 +78,8 @@ class View {
   const QWidget& pane_;
   CameraController camera_;
   ShownHandles handles_;
-  std::optional<QPointF> asked_;
+  QPointer<const QObject> menu_;
+  QPointF asked_;  // where it was
   double time_ = 0.0;
   // Cache of shown_scene() and the snapshot it derives from.
   mutable std::shared_ptr<const Scene> at_time_;

@@ -126,6 +126,10 @@ class Benchmark {
     select_gaussians(document, {});
     table->sortByColumn(3, Qt::AscendingOrder);
     settle();
+    window.findChild<QAction*>("tool.paintbrush")->trigger();
+    settle();
+    measure("paintbrush: where it would paint", 20,
+            [&](int k) { QTest::mouseMove(&view, position(k)); });
     stroke(window, "paintbrush", "paintbrush: a step of a stroke");
     measure("undo the stroke", 1, [&](int) { document.undo_stack().undo(); });
     stroke(window, "eraser", "eraser: a step of a stroke");

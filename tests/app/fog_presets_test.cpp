@@ -101,6 +101,35 @@ class FogPresetsTest : public QObject {
     QVERIFY(window.added_after(count).size() > 20);
   }
 
+  // On the floor under the mouse; with the mouse elsewhere in the middle of the view.
+  void a_column_rises_from_under_the_mouse() {
+    FogWindow window;
+    window.open_template("room");
+    Viewport& view = window.view();
+    const auto foot = [&] {
+      const std::size_t count = window.document().medium().size();
+      window.choose("fog.steam");
+      const auto added = window.added_after(count);
+      const auto low =
+          std::ranges::min_element(added, {}, [](const Gaussian& g) { return g.center.y; });
+      return film_position(view, low->center);
+    };
+    QTest::mouseMove(&*window, QPoint(5, 5));
+    QTRY_VERIFY(!view.underMouse());
+    QVERIFY(std::abs(foot().x() - view.width() / 2) < 40);
+    const QPoint floor(view.width() / 4, view.height() - 30);
+    QTest::mouseMove(&view, floor);
+    QTRY_VERIFY(view.underMouse());
+    QVERIFY((foot() - floor).manhattanLength() < 60);
+    // A menu of the view keeps the place where it was asked for.
+    {
+      QObject menu;
+      view.set_asked(menu, QPointF(view.width() * 0.75, view.height() - 30));
+      QVERIFY(std::abs(foot().x() - view.width() * 3 / 4) < 60);
+    }
+    QVERIFY((foot() - floor).manhattanLength() < 60);
+  }
+
   void sizes_follow_the_scene() {
     FogWindow window;
     const auto size_in = [&](double scale) {

@@ -118,8 +118,15 @@ void MainMenu::fill_edit_menu(QMenu* menu) {
   menu->addAction(undo);
   menu->addAction(redo);
   menu->addSeparator();
-  add(menu, tr("Fi&nd Command…"), "edit.find_command",
-      [this] { (new CommandSearch(*window_.menuBar(), &window_))->open(); });
+  add(menu, tr("Fi&nd Command…"), "edit.find_command", [this] {
+    auto* search = new CommandSearch(*window_.menuBar(), &window_);
+    Viewport& view = work_.views.pointed();
+    // The command is carried out when the dialog is gone.
+    auto* place = new QObject(&window_);
+    connect(search, &QObject::destroyed, place, &QObject::deleteLater, Qt::QueuedConnection);
+    view.set_asked(*place, view.mouse_position());
+    search->open();
+  });
   add(menu, tr("Prefere&nces…"), "edit.preferences", [this] { show_preferences(); });
   menu->addSeparator();
   add(menu, tr("Cu&t"), "edit.cut", [this] { cut_selection(work_.document); });

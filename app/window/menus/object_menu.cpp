@@ -113,8 +113,7 @@ void ObjectMenu::show_view_menu(Viewport& view, QPointF position) {
   }
   auto* menu = named(new QMenu(&view), "view_menu");
   menu->setAttribute(Qt::WA_DeleteOnClose);
-  view.set_asked(position);
-  connect(menu, &QObject::destroyed, &view, [&view] { view.set_asked(std::nullopt); });
+  view.set_asked(*menu, position);
   const auto add = [this, menu](std::initializer_list<const char*> names) {
     for (const char* name : names) {
       if (auto* action = window_.findChild<QAction*>(name)) menu->addAction(action);
@@ -135,6 +134,7 @@ void ObjectMenu::show_view_menu(Viewport& view, QPointF position) {
     add({"edit.paste", "select.all"});
   }
   menu->addMenu(window_.findChild<QMenu*>("add_menu"));
+  menu->addMenu(window_.findChild<QMenu*>("fog_menu"));
   menu->addSeparator();
   add({"view.frame_selection", "view.frame_all"});
   menu->popup(view.mapToGlobal(position).toPoint());

@@ -400,5 +400,39 @@ TEST(Contributions, ThinGaussiansThatShineAreMet) {
   EXPECT_NEAR(met[0].emitted.b, 0.1772, 1e-4);
 }
 
+TEST(FogOnRay, FindsHowFarOneSees) {
+  Scene scene;
+  scene.optics.albedo = glm::dvec3(0.5);
+  scene.medium.append({{0, 0, -4}, 0.5, 0.3});
+  scene.medium.append({{0, 0, -9}, 0.5, 0.3});
+  scene.medium.append({{3, 0, -6}, 0.5, 9.0});  // aside
+  const FogOnRay clear(scene, {0, 0, 0}, {0, 0, -1}, {0.0, infinity});
+  const double each = std::sqrt(std::numbers::pi) * 0.5 * 0.3 / 0.5;
+  EXPECT_NEAR(clear.optical_depth(6.5), each, 1e-6);
+  EXPECT_NEAR(clear.optical_depth(infinity), 2.0 * each, 1e-6);
+  // The half of the light that both take is lost within the first, which has more than that.
+  const double lost = 0.5 * -std::expm1(-2.0 * each);
+  const auto middle = clear.middle_of_gaussians(0.02);
+  ASSERT_TRUE(middle);
+  EXPECT_NEAR(-std::expm1(-clear.optical_depth(*middle)), lost, 1e-6);
+  EXPECT_NEAR(*middle, 4.0, 0.5);
+  EXPECT_EQ(clear.distance_at(2.1 * each), infinity);
+  EXPECT_FALSE(FogOnRay(scene, {0, 0, 0}, {0, 1, 0}, {0.0, infinity}).middle_of_gaussians(0.02));
+
+  scene.medium.set_homogeneous_density(0.1);
+  const FogOnRay hazy(scene, {0, 0, 0}, {0, 1, 0}, {2.0, 50.0});
+  EXPECT_NEAR(hazy.distance_at(0.6), 5.0, 1e-6);
+  EXPECT_NEAR(hazy.optical_depth(infinity), 9.6, 1e-9);
+}
+
+TEST(PaintStroke, BeginsAnewWhereItIsLifted) {
+  PaintStroke stroke({.radius = 0.5, .spacing = 1.0, .scatter = 0.0}, 1);
+  EXPECT_EQ(stroke.extend({0, 0, 0}).size(), 1u);
+  stroke.lift();
+  const auto next = stroke.extend({10, 0, 0});
+  ASSERT_EQ(next.size(), 1u);
+  EXPECT_EQ(next.front().center, glm::dvec3(10, 0, 0));
+}
+
 }  // namespace
 }  // namespace brume
