@@ -130,7 +130,7 @@ std::optional<LightHandles::Handle> LightHandles::pick(const CameraRays& rays,
     if (projected.z <= 0.0 || lights[k].locked) continue;
     const double distance = QLineF(QPointF(projected.x, projected.y), position).length();
     if (distance <= sun_radius() + 3.0) return Handle{k, Part::light};
-    if (k != document_.active_light()) continue;
+    if (!is_selected(k)) continue;
     const DrawnShape shape(lights[k], rays);
     if (has_target(lights[k]) && film_distance(rays, shape.target, position) <= sun_radius()) {
       return Handle{k, Part::target};
@@ -239,8 +239,9 @@ void LightHandles::draw(Overlay& overlay, const CameraRays& rays) const {
       const glm::dvec3 sun = handle_position(lights[k], document_.scene(), rays);
       overlay.add_line(rays, sun, 0.5 * (sun + document_.scene().camera.target), rgba);
     }
+    const bool active = is_selected(k);
+    if (!active && !hovered && lights[k].as<light::Spot>()) continue;
     const DrawnShape shape(lights[k], rays);
-    const bool active = k == document_.active_light();
     const auto line = [&](const glm::dvec3& start, const glm::dvec3& end, bool bright) {
       overlay.add_line(rays, start, end,
                        qRgba(color.red(), color.green(), color.blue(),
@@ -248,7 +249,7 @@ void LightHandles::draw(Overlay& overlay, const CameraRays& rays) const {
                              : active ? 150
                                       : 70));
     };
-    if (has_target(lights[k])) {
+    if (has_target(lights[k]) && (active || hovered)) {
       line(lights[k].position, shape.target, hovered && hovered_->part == Part::target);
       const glm::dvec3 end = rays.project(shape.target);
       if (active && end.z > 0.0) overlay.add_circle(end.x, end.y, 0.6 * sun_radius(), rgba);
@@ -260,7 +261,7 @@ void LightHandles::draw(Overlay& overlay, const CameraRays& rays) const {
         line(lights[k].position, shape.outline[i], bright_rim);
       }
     }
-    if (k == document_.active_light()) {
+    if (active) {
       const bool bright = hovered && hovered_->part == Part::ring;
       overlay.add_circle(projected.x, projected.y, ring_radius(light_strength(lights[k])),
                          qRgba(color.red(), color.green(), color.blue(), bright ? 255 : 120));

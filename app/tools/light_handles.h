@@ -4,18 +4,19 @@
 #include <optional>
 
 #include "app/commands/merge_id.h"
+#include "app/document/document.h"
 #include "brume/scene.h"
 #include "core/scene/camera_rays.h"
 
 namespace brume {
 
-class Document;
 struct Overlay;
 
-// Light handles in the view: a sun icon to move a light in the view plane, and a ring to change its
-// strength; a directional light's icon stands beside what is looked at and turns it; of a spot
-// or area light the end of its axis to turn it; the rim of a cone to open it, that of a surface to
-// scale it.
+// Light handles in the view, of the selected light and the one under the mouse, of others only the
+// icon, and the edges of area lights: a sun icon to move a light in the view plane, and a ring to
+// change its strength; a directional light's icon stands beside what is looked at and turns it; of
+// a spot or area light the end of its axis to turn it; the rim of a cone to open it, that of a
+// surface to scale it.
 class LightHandles {
  public:
   explicit LightHandles(Document& document) : document_(document) {}
@@ -49,6 +50,9 @@ class LightHandles {
   struct DrawnShape;
   // Opens a cone or scales a surface by dragging its rim.
   void open_or_scale(const DrawnShape& shape, double factor);
+  [[nodiscard]] bool is_selected(std::size_t light) const {
+    return document_.object() == ObjectRef{ObjectRef::Kind::light, light};
+  }
   [[nodiscard]] std::optional<Handle> pick(const CameraRays& rays, QPointF position) const;
 
   Document& document_;

@@ -9,8 +9,10 @@ namespace brume {
 namespace {
 
 constexpr int grid_cells = 30;  // from the middle to each side
-constexpr double edge_on =
-    0.03;  // sine of the view's height above the ground: below, all is a line
+// Sines of the angle at which the ground is seen: below the first its lines run into a bar, above
+// the second none do.
+constexpr double edge_on = 0.03;
+constexpr double plain_view = 0.12;
 constexpr int plain_alpha = 70;
 constexpr int strong_alpha = 120;  // of every fifth line
 constexpr int axis_alpha = 140;
@@ -44,9 +46,6 @@ double ground_grid_step(double distance) {
 void add_ground_grid(Overlay& overlay, const Camera& camera, const Film& film, double distance,
                      const std::optional<GridDepth>& depth) {
   const CameraRays rays(camera, film);
-  const glm::dvec3 view = camera.target - camera.eye;
-  const double sine = std::abs(view.y) / glm::length(view);
-  if (sine < edge_on && (camera.height || std::abs(camera.eye.y) < edge_on * distance)) return;
   const double step = ground_grid_step(distance);
   const auto middle_x = static_cast<long long>(std::round(camera.target.x / step));
   const auto middle_z = static_cast<long long>(std::round(camera.target.z / step));
@@ -70,7 +69,9 @@ void add_ground_grid(Overlay& overlay, const Camera& camera, const Film& film, d
       const glm::dvec3 center = 0.5 * (a + b);
       const double from_middle =
           std::hypot(center.x - camera.target.x, center.z - camera.target.z) / (grid_cells * step);
-      double fade = std::clamp(1.0 - from_middle, 0.0, 1.0);
+      const double sine = std::abs(rays.towards(center).y);
+      const double flat = std::clamp((sine - edge_on) / (plain_view - edge_on), 0.0, 1.0);
+      double fade = flat * std::clamp(1.0 - from_middle, 0.0, 1.0);
       const glm::dvec3 on_film = rays.project(center);
       if (on_film.z > 0.0 && is_behind(center, on_film, rays, usable, film)) fade *= behind_surface;
       const int faded = static_cast<int>(alpha * fade);

@@ -19,8 +19,8 @@ struct GridDepth {
 double ground_grid_step(double distance);
 
 // Draws a grid on the ground, y = 0, around the point below the target, with the axes x and z in
-// their colours. It fades with distance and is faint behind surfaces, where their depth is known.
-// `distance`: from the eye to what is looked at [u].
+// their colours. It fades with distance and where it is seen edge-on, and is faint behind surfaces,
+// where their depth is known. `distance`: from the eye to what is looked at [u].
 void add_ground_grid(Overlay& overlay, const Camera& camera, const Film& film, double distance,
                      const std::optional<GridDepth>& depth);
 

@@ -85,9 +85,10 @@ MainWindow::MainWindow(QWidget* parent)
   output_ = new FrameOutput(work, *file_jobs_, *this);
   auto* docks = new Docks(work, *output_, *this);
   follow_time();  // after the panels, which then have the scene whose time it is
-  new StatusLine(work, *this,
-                 {&files_->loading(), &views_->transfer_job().job(),
-                  &output_->queue().exporter().job(), &file_jobs_->job()});
+  auto* status = new StatusLine(work, *this,
+                                {&files_->loading(), &views_->transfer_job().job(),
+                                 &output_->queue().exporter().job(), &file_jobs_->job()});
+  connect(start_page_, &StartPage::covers, status, &StatusLine::hide_scene);
   new MainMenu(work,
                {.jobs = *file_jobs_,
                 .output = *output_,
@@ -124,12 +125,17 @@ void MainWindow::lay_out_center() {
   auto* layout = new QVBoxLayout(center);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
-  layout->addWidget(message_bar_);
+  bars_ = new QWidget(center);
+  auto* column = new QVBoxLayout(bars_);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(message_bar_);
+  layout->addWidget(bars_);
   layout->addWidget(new ToolOptions(*tools_, this));
   layout->addWidget(views_, 1);
   center->setFocusProxy(views_);
   setCentralWidget(center);
-  start_page_ = new StartPage(document_, *files_, *views_);
+  start_page_ = new StartPage(document_, *files_, *this, *bars_, *views_);
   new SavedViews(document_, *files_, *viewport_, this);
   setAcceptDrops(true);
   setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
@@ -168,7 +174,7 @@ MainWindow::~MainWindow() {
 
 void MainWindow::offer_recovery() {
   auto* bar = new RecoveryBar(this);
-  qobject_cast<QVBoxLayout*>(centralWidget()->layout())->insertWidget(0, bar);
+  qobject_cast<QVBoxLayout*>(bars_->layout())->insertWidget(0, bar);
   connect(bar, &RecoveryBar::restore, files_, &SceneFiles::restore);
   connect(files_, &SceneFiles::restored, this, [this](const RecoveryFile& work) {
     // The old copy goes only when there is one of this session.

@@ -65,6 +65,7 @@ class MainWindow : public QMainWindow {
   SceneFiles* files_;
   Autosave* autosave_;
   MessageBar* message_bar_;
+  QWidget* bars_ = nullptr;  // messages above the tools' options
   StartPage* start_page_ = nullptr;
   ViewGrid* views_;
   Viewport* viewport_;  // the perspective one

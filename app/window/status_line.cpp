@@ -60,6 +60,10 @@ StatusLine::StatusLine(const Workspace& work, QMainWindow& window,
   update_numbers();
 }
 
+void StatusLine::hide_scene(bool hidden) {
+  for (QLabel* label : {hint_, numbers_, error_, quality_}) label->setVisible(!hidden);
+}
+
 void StatusLine::update_numbers() {
   const std::size_t count = work_.document.medium().size();
   const std::size_t selected = work_.document.selection().size();
@@ -72,7 +76,7 @@ void StatusLine::update_numbers() {
   numbers_->setText(text);
   const bool is_select = work_.tools.active() == 0;
   hint_->setText(count == 0 && is_select ? tr("No fog yet. Press B to paint fog, or Shift+A to add "
-                                              "a Gaussian at the centre of the view.")
+                                              "a Gaussian under the mouse.")
                                          : work_.tools.tool().hint());
 }
 

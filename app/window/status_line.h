@@ -20,6 +20,9 @@ class StatusLine : public QObject {
  public:
   StatusLine(const Workspace& work, QMainWindow& window, const std::vector<BackgroundJob*>& jobs);
 
+  // All but the jobs, while something covers the scene.
+  void hide_scene(bool hidden);
+
  private:
   void update_numbers();
   void update_error();

@@ -14,6 +14,7 @@
 #include "app/commands/edit_lights.h"
 #include "app/panels/forms/light_panel.h"
 #include "app/view/object_box.h"
+#include "app/view/overlay.h"
 #include "app/viewport/viewport.h"
 #include "app/widgets/color_button.h"
 #include "app/widgets/number_field.h"
@@ -348,6 +349,29 @@ class LightsTest : public QObject {
     QVERIFY(std::abs(cone.inner_angle / cone.outer_angle - 0.75) < 1e-9);
     desk.key(Qt::Key_Z, Qt::ControlModifier);
     QCOMPARE(document.scene().lights[1], before);
+  }
+
+  void a_cone_is_drawn_of_a_spot_that_is_selected_or_pointed_at() {
+    Desk desk;
+    Document& document = desk.document();
+    click(desk, "add_spot");
+    const auto lines = [&] {
+      Overlay overlay;
+      desk.tools().tool().draw(overlay, desk.view().rays());
+      return overlay.lines.size();
+    };
+    const std::size_t selected = lines();
+    document.set_object(std::nullopt);
+    const std::size_t plain = lines();
+    QVERIFY(selected > plain + 96);  // a rim of 48 segments
+    desk.tools().tool().hover(light_position(desk, 1));
+    QVERIFY(lines() > plain + 96);
+    desk.tools().tool().hover(QPointF(3, 3));
+    QCOMPARE(lines(), plain);
+    auto* list = desk.findChild<QListWidget*>("lights");
+    list->setCurrentRow(0);
+    list->setCurrentRow(1);
+    QCOMPARE(lines(), selected);
   }
 
   void a_light_is_dragged_in_the_view() {

@@ -1,8 +1,11 @@
 // A window begins with the start page, the view one had left, the grid of an empty scene.
 
 #include <QCheckBox>
+#include <QDockWidget>
 #include <QFile>
+#include <QLabel>
 #include <QSettings>
+#include <QStatusBar>
 #include <QToolButton>
 
 #include "app/commands/edit_medium.h"
@@ -12,6 +15,7 @@
 #include "app/frames/headlight.h"
 #include "app/view/ground_grid.h"
 #include "app/viewport/view_grid.h"
+#include "app/window/pages/message_bar.h"
 #include "app/window/pages/start_page.h"
 #include "tests/app/question.h"
 #include "tests/app/test_window.h"
@@ -30,6 +34,15 @@ bool choose(TestWindow& window, const QString& name) {
   if (!tile || !tile->isVisible()) return false;
   tile->click();
   return QTest::qWaitFor([&] { return page_of(window).isHidden(); }, patience);
+}
+
+// Whether nothing of a widget is seen beside the page.
+bool covers(TestWindow& window, const QWidget& widget) {
+  const StartPage& page = page_of(window);
+  // Panels behind others in tabs are outside of the window.
+  const QRect place = QRect(widget.mapTo(&*window, QPoint()), widget.size()) & window->rect();
+  const QRegion mask = page.mask().translated(page.pos());
+  return page.isVisible() && QRegion(place).subtracted(mask).isEmpty();
 }
 
 bool has_picture(const QToolButton& tile) {
@@ -52,7 +65,7 @@ class StartPageTest : public QObject {
     QVERIFY(page_of(window).isHidden());
     invoke(window, "file.start_page");
     QVERIFY(page_of(window).isVisible());
-    QCOMPARE(page_of(window).size(), page_of(window).parentWidget()->size());
+    QVERIFY(covers(window, window->views()));
     QTest::keyClick(&page_of(window), Qt::Key_Escape);
     QVERIFY(page_of(window).isHidden());
     QVERIFY(window->viewport().hasFocus());
@@ -135,15 +148,31 @@ class StartPageTest : public QObject {
     QVERIFY(page_of(window).isHidden());
   }
 
-  void it_covers_the_views_of_any_size() {
+  // What belongs to the scene behind; messages and the status line, which shows jobs, stay.
+  void it_covers_the_window_of_any_size() {
     TestWindow window;
     page_of(window).open();
     window->resize(1280, 800);
-    QTRY_COMPARE(page_of(window).size(), page_of(window).parentWidget()->size());
+    QTRY_VERIFY(page_of(window).width() == window->width());
+    for (const auto* dock : window->findChildren<QDockWidget*>()) {
+      QVERIFY2(!dock->isVisible() || covers(window, *dock), qPrintable(dock->objectName()));
+    }
+    for (const char* name : {"tool_options", "tools"}) {
+      QVERIFY2(covers(window, *window->findChild<QWidget*>(name)), name);
+    }
+    const auto* error = window->findChild<QLabel*>("error");
+    QVERIFY(window->statusBar()->isVisible() && !error->isVisible());
+    auto* bar = window->findChild<MessageBar*>();
+    bar->show_error("a message");
+    QTRY_VERIFY(bar->isVisible() && !covers(window, *bar));
+    QVERIFY(covers(window, window->views()));
+    bar->hide();
     // No tile is cut off to the right.
     for (const auto* tile : page_of(window).findChildren<QToolButton*>()) {
       QVERIFY(tile->geometry().right() <= tile->parentWidget()->width());
     }
+    QTest::keyClick(&page_of(window), Qt::Key_Escape);
+    QVERIFY(error->isVisible());
   }
 
   void a_scene_opens_where_one_looked_last() {
@@ -238,6 +267,13 @@ class StartPageTest : public QObject {
     QCOMPARE(alpha_of(GridDepth{frame, moved}), open);
     frame.depth.assign(100 * 80, 1e9F);
     QCOMPARE(alpha_of(GridDepth{frame, camera}), open);
+    // Far lines that run into each other are left out, seen from low above the ground.
+    Overlay low;
+    add_ground_grid(low, {{0.0, 0.5, 8.0}, {0.0, 0.5, 0.0}}, film, 8.0, {});
+    QVERIFY(!low.lines.empty());
+    for (const Overlay::Vertex& vertex : low.lines) {
+      QVERIFY2(vertex.y > 41.0F, qPrintable(QString::number(vertex.y)));  // the horizon: 40
+    }
     // Edge-on it would be one line.
     Overlay overlay;
     add_ground_grid(overlay, {{0.0, 0.0, 8.0}, {0.0, 0.0, 0.0}}, film, 8.0, {});

@@ -132,7 +132,8 @@ void LightPanel::add_light_list(QFormLayout& form) {
     delete_object(document_, {ObjectRef::Kind::light, document_.active_light()});
   });
   connect(list_, &QListWidget::currentRowChanged, this, [this](int row) {
-    if (!showing_ && row >= 0) document_.set_active_light(static_cast<std::size_t>(row));
+    if (showing_ || row < 0) return;
+    document_.set_object(ObjectRef{ObjectRef::Kind::light, static_cast<std::size_t>(row)});
   });
   connect(list_, &QListWidget::itemChanged, this, [this](QListWidgetItem* item) {
     if (showing_) return;

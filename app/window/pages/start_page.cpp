@@ -5,10 +5,14 @@
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
+#include <QMainWindow>
+#include <QMenuBar>
 #include <QPainter>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QSettings>
+#include <QStatusBar>
+#include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <array>
@@ -102,8 +106,9 @@ QLabel* page_heading(const QString& text, QWidget* parent) {
 
 }  // namespace
 
-StartPage::StartPage(Document& document, SceneFiles& files, QWidget& views)
-    : QFrame(&views), files_(files), views_(views) {
+StartPage::StartPage(Document& document, SceneFiles& files, QMainWindow& window, QWidget& bars,
+                     QWidget& views)
+    : QFrame(&window), files_(files), window_(window), bars_(bars), views_(views) {
   setObjectName("start_page");
   setAutoFillBackground(true);
   setFocusPolicy(Qt::StrongFocus);
@@ -153,7 +158,7 @@ StartPage::StartPage(Document& document, SceneFiles& files, QWidget& views)
   layout->addLayout(row);
 
   hide();
-  views.installEventFilter(this);
+  for (QWidget* widget : {static_cast<QWidget*>(&window), &bars}) widget->installEventFilter(this);
   on_change(document, Change::scene, this, &StartPage::close_page);
   connect(&document.undo_stack(), &QUndoStack::indexChanged, this, &StartPage::close_page);
 }
@@ -169,10 +174,22 @@ void StartPage::open() {
     is_filled_ = true;
   }
   fill_recent();
-  setGeometry(views_.rect());
+  cover();
   raise();
   show();
   setFocus();
+}
+
+// All between the menu and the status line but for the bars.
+void StartPage::cover() {
+  QRect room = window_.rect();
+  room.setTop(window_.menuBar()->geometry().bottom() + 1);
+  room.setBottom(window_.statusBar()->geometry().top() - 1);
+  setGeometry(room);
+  const QRect bars(bars_.mapTo(&window_, QPoint()) - room.topLeft(), bars_.size());
+  const bool are_shown = bars_.isVisible() && bars.height() > 0;
+  setMask(are_shown ? QRegion(rect()) - QRegion(bars) : QRegion(rect()));
+  layout()->setContentsMargins(0, are_shown ? std::max(bars.bottom() + 1, 0) : 0, 0, 0);
 }
 
 void StartPage::close_page() {
@@ -226,8 +243,22 @@ void StartPage::fill_recent() {
 }
 
 bool StartPage::eventFilter(QObject* watched, QEvent* event) {
-  if (watched == &views_ && event->type() == QEvent::Resize) setGeometry(views_.rect());
+  const bool has_changed = event->type() == QEvent::Resize || event->type() == QEvent::Show ||
+                           event->type() == QEvent::Hide || event->type() == QEvent::Move;
+  // The window lays itself out first.
+  if (has_changed && isVisible()) QTimer::singleShot(0, this, &StartPage::cover);
   return QFrame::eventFilter(watched, event);
+}
+
+void StartPage::showEvent(QShowEvent* event) {
+  QFrame::showEvent(event);
+  cover();
+  Q_EMIT covers(true);
+}
+
+void StartPage::hideEvent(QHideEvent* event) {
+  QFrame::hideEvent(event);
+  Q_EMIT covers(false);
 }
 
 void StartPage::keyPressEvent(QKeyEvent* event) {
