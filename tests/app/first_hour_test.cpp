@@ -40,6 +40,7 @@ class Hour : public TestWindow {
     const QString folder = qEnvironmentVariable("BRUME_PICTURES");
     if (folder.isEmpty()) return;
     QVERIFY(settle());
+    QTest::qWait(100);  // the start page lays itself out twice
     QVERIFY((*this)->grab().save(
         QString("%1/%2_%3.png").arg(folder).arg(++step_, 2, 10, QChar('0')).arg(name)));
   }

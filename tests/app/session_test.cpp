@@ -136,7 +136,7 @@ class Tape {
   }
 
   QSize view_;
-  Random random_{7};
+  Random random_{5};  // with which gestures of R and G meet handles
   std::vector<Action> actions_;
 };
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "app/tools/paintbrush_tool.h"
 #include "app/viewport/view_grid.h"
 #include "core/scene/cameras.h"
 #include "tests/app/test_window.h"
@@ -138,8 +139,9 @@ class ViewsTest : public QObject {
                   .manhattanLength() <= 2);
       document.undo_stack().undo();
     }
-    // A brush paints at the depth of what is selected.
+    // A brush paints on the view plane at the depth of what is selected.
     invoke(window, "tool.paintbrush");
+    dynamic_cast<PaintbrushTool&>(window->tools().tool()).set_plane(PaintPlane::view);
     Viewport& top = pane(views, Projection::top);
     const std::size_t count = document.medium().size();
     drag_mouse(top, top.rect().center() - QPoint(40, 0), top.rect().center() + QPoint(40, 0));
