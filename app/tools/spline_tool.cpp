@@ -144,6 +144,7 @@ void SplineTool::begin_drag(QPointF position) {
   const glm::dvec3& place = spline().points[*dragged_];
   const auto around = paint_point(view(), paint_target(), position, offset());
   PaintPoint begin{place, -view().rays().forward(), view().rays().distance_to(place)};
+  begin.unsnapped = place;
   if (around && around->on_surface && glm::distance(around->position, place) < brush().radius) {
     begin.distance = around->distance;
     begin.on_surface = true;

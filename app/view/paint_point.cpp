@@ -63,7 +63,7 @@ std::optional<PaintPoint> continue_under_mouse(View& view, const FilmRay& ray, d
                                                const StrokeDepth& stroke) {
   const bool began_on_surface = stroke.first.on_surface;
   const PaintPoint& level = began_on_surface ? stroke.last : stroke.first;
-  const auto in_air = on_plane(level.position, -view.rays().forward(), ray);
+  const auto in_air = on_plane(level.unsnapped, -view.rays().forward(), ray);
   const auto surface = on_surface(view.surfaces(), ray, radius);
   if (!surface) return in_air;
   constexpr double leap = 1.5;
@@ -83,7 +83,7 @@ std::optional<PaintPoint> free_point(View& view, const PaintTarget& target, cons
       return stroke ? continue_under_mouse(view, ray, radius, *stroke)
                     : begin_under_mouse(view, ray, radius, target.stands);
     case PaintPlane::view:
-      return on_plane(stroke ? stroke->first.position : view.pivot(), -view.rays().forward(), ray);
+      return on_plane(stroke ? stroke->first.unsnapped : view.pivot(), -view.rays().forward(), ray);
     case PaintPlane::ground:
       return across_axis({0.0, 1.0, 0.0});
     case PaintPlane::wall_x:
@@ -118,6 +118,7 @@ std::optional<PaintPoint> paint_point(View& view, const PaintTarget& target, QPo
   const FilmRay ray{rays.origin(position.x(), position.y()),
                     rays.direction(position.x(), position.y())};
   auto point = free_point(view, target, ray, radius, stroke);
+  if (point) point->unsnapped = point->position;
   if (point && target.snaps_to_grid) {
     point->position = glm::round(point->position / target.grid) * target.grid;
   }

@@ -28,9 +28,10 @@ struct PaintTarget {
 
 struct PaintPoint {
   glm::dvec3 position{0.0};
-  glm::dvec3 normal{0.0};   // unit
-  double distance = 0.0;    // along the ray to what is under the mouse there [u]
-  bool on_surface = false;  // rather than in the air
+  glm::dvec3 normal{0.0};     // unit
+  double distance = 0.0;      // along the ray to what is under the mouse there [u]
+  bool on_surface = false;    // rather than in the air
+  glm::dvec3 unsnapped{0.0};  // the position but for the grid
 };
 
 // What the depth of a stroke's next point follows from.

@@ -256,6 +256,18 @@ class UnderMouseTest : public QObject {
     QVERIFY(std::abs(depth(desk, next->position) - depth_at(middle)) < 1e-6);
   }
 
+  // The grid moves points, not the plane that a stroke stays on.
+  void a_grid_leaves_the_plane_of_a_stroke() {
+    Desk desk(post_and_wall());
+    const QPointF middle = QRectF(desk.view().rect()).center();
+    const PaintTarget target{.plane = PaintPlane::view, .snaps_to_grid = true, .grid = 0.7};
+    const auto begin = paint_point(desk.view(), target, middle, 0.1);
+    const auto next =
+        paint_point(desk.view(), target, middle + QPointF(60, 0), 0.1, StrokeDepth(*begin));
+    QVERIFY(std::abs(std::remainder(next->position.z, 0.7)) < 1e-9);
+    QVERIFY(std::abs(depth(desk, next->unsnapped) - 10.0) < 1e-9);
+  }
+
   // Half of the light is lost after ln 2 mean free paths; the wall is 30 away.
   void fog_that_hides_a_surface_is_painted_in() {
     Scene scene = post_and_wall();
