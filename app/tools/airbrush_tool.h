@@ -30,7 +30,7 @@ class AirbrushTool : public FogBrushTool {
  protected:
   [[nodiscard]] double radius() const override { return airbrush_.radius; }
   [[nodiscard]] double density() const override { return airbrush_.density; }
-  // What fills a mesh begins at its surface.
+  // Fog that fills a mesh begins at its surface.
   [[nodiscard]] double offset() const override { return inside_ ? 0.0 : airbrush_.radius; }
   void set_gaussian(double radius, double density) override;
   void set_stretch(double stretch) override { airbrush_.stretch = stretch; }

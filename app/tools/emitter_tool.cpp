@@ -103,8 +103,8 @@ void EmitterTool::cancel() {
   drag_.reset();
 }
 
-// Where a click places one, and each as a small cone, with the way that its particles go on average
-// as dots.
+// The place where a click puts one, and each as a small cone, with the way that its particles go on
+// average as dots.
 void EmitterTool::draw(Overlay& overlay, const CameraRays& rays) const {
   if (const auto point = cursor_ && !hovered_ && !drag_ ? paint_at(*cursor_) : std::nullopt) {
     const Gaussian born{point->position, born_radius(view().distance()), 1.0};

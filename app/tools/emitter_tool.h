@@ -39,7 +39,7 @@ class EmitterTool : public Tool {
     MergeId merge_id = no_merge;
   };
   [[nodiscard]] std::optional<std::size_t> pick(QPointF position) const;
-  // Where a click at a position places one.
+  // The place of a new one for a click at a position.
   [[nodiscard]] std::optional<PaintPoint> paint_at(QPointF position) const;
 
   PaintTarget target_;

@@ -110,7 +110,7 @@ class FogBrushTool : public BrushTool {
   void set_both(double radius, double density);
 
   void add_optics_button(QHBoxLayout& row, const QString& prefix);
-  // Of what is added: of its light if it shines, or else its albedo.
+  // The color of what is added: of its light if it shines, or else its albedo.
   [[nodiscard]] glm::dvec3 color() const;
 
   PaintTarget target_;

@@ -12,11 +12,11 @@ namespace brume {
 
 struct Overlay;
 
-// Light handles in the view, of the selected light and the one under the mouse, of others only the
-// icon, and the edges of area lights: a sun icon to move a light in the view plane, and a ring to
-// change its strength; a directional light's icon stands beside what is looked at and turns it; of
+// Light handles in the view: a sun icon to move a light in the view plane, and a ring to change its
+// strength; a directional light's icon stands beside what is looked at and turns it; of
 // a spot or area light the end of its axis to turn it; the rim of a cone to open it, that of a
-// surface to scale it.
+// surface to scale it. Lights that are neither selected nor under the mouse have the icon, and area
+// lights their edge, alone.
 class LightHandles {
  public:
   explicit LightHandles(Document& document) : document_(document) {}

@@ -9,8 +9,8 @@ namespace brume {
 class CameraRays;
 class View;
 
-// Where a tool paints: on what is under the mouse, the view plane through a pivot, an axis-aligned
-// plane (ground: y, walls: x and z), or only the scene's surfaces.
+// The place that a tool paints on: what is under the mouse, the view plane through a pivot, an
+// axis-aligned plane (ground: y, walls: x and z), or only the scene's surfaces.
 enum class PaintPlane { under_mouse, view, ground, wall_x, wall_z, surface };
 
 struct PaintTarget {
@@ -34,7 +34,7 @@ struct PaintPoint {
   glm::dvec3 unsnapped{0.0};  // the position but for the grid
 };
 
-// What the depth of a stroke's next point follows from.
+// The points of a stroke that the depth of its next one follows from.
 struct StrokeDepth {
   explicit StrokeDepth(const PaintPoint& begin)
       : first(begin), last(begin), farthest(begin.distance) {}
@@ -50,17 +50,16 @@ struct StrokeDepth {
 bool is_depth_jump(const CameraRays& rays, const PaintPoint& last, const PaintPoint& next,
                    double radius);
 
-// Where a tool's point is for a position of the mouse; nullopt if that misses the plane, or the
+// The place of a tool's point for a position of the mouse; nullopt if that misses the plane, or the
 // surfaces if these alone are painted on.
 //
-// Under the mouse is the surface, with a ball of `radius` in front of it [u] that touches it, or at
-// flat angles would if it came much nearer; without one the depth
-// up to which half of the light is lost that the Gaussians take there; without these the view
-// plane. It is never farther than fog lets half of the light through, so that what is painted is
-// seen.
+// PaintPlane::under_mouse: a ball of `radius` [u] in front of the surface, which it touches unless
+// it would come much nearer, at a flat angle; without a surface the depth up to which the Gaussians
+// take half of the light that they take at all; without Gaussians the view plane. It is never
+// farther than fog lets half of the light through, so that what is painted is seen.
 //
-// Within a stroke that began on a surface points stay on surfaces, and keep the last depth where
-// there is none, or one half as far again as any before; within one that began in the air they keep
+// The points of a stroke that began on a surface stay on surfaces, and keep the last depth where
+// there is none, or one half as far again as any before; those of one that began in the air keep
 // its depth, but stay in front of surfaces.
 std::optional<PaintPoint> paint_point(View& view, const PaintTarget& target, QPointF position,
                                       double radius,

@@ -14,7 +14,7 @@ namespace brume {
 
 class SurfacePicker;
 
-// What a Gaussian has to take of the light at a position to be pointed at there.
+// The share of the light at a position that a Gaussian has to take to be pointed at there.
 inline constexpr double min_pointed_effect = 0.02;
 
 // One view of the document as tools and panels know it: camera, handles, and what is under the
@@ -56,12 +56,12 @@ class View {
   // Pivot of tools: the center of the document's object or of the selected Gaussians, or the
   // camera's target.
   [[nodiscard]] glm::dvec3 pivot() const;
-  // Where the mouse is in the pane, or else the pane's center; while a menu lives that was asked
-  // for at a position, that position.
+  // The position of the mouse in the pane, or else the pane's center; while a menu lives that was
+  // asked for at a position, that position.
   [[nodiscard]] QPointF mouse_position() const;
-  // Where a ball is put under the mouse (paint_point()).
+  // The center of a ball that is put under the mouse (paint_point()).
   [[nodiscard]] glm::dvec3 place_under_mouse(double radius);
-  // What is shown of the fog on a ray of unit direction.
+  // The fog that is shown, on a ray of unit direction.
   [[nodiscard]] FogOnRay fog_on(const glm::dvec3& origin, const glm::dvec3& direction) const;
   // World-space vector of a pixel offset at the pivot's depth.
   [[nodiscard]] glm::dvec3 shift_on_film(QPointF pixels) const;

@@ -35,7 +35,7 @@ double mean(const glm::dvec3& rgb) {
   return (rgb.r + rgb.g + rgb.b) / 3.0;
 }
 
-// Where a function that grows from 0 reaches a value that it exceeds at last.
+// The argument at which a function that grows from 0 reaches a value that it exceeds at last.
 template <class Function>
 double where_it_reaches(double value, const Function& function) {
   double low = 0.0;

@@ -39,7 +39,7 @@ std::vector<Contribution> contributions(const Medium& medium, const glm::dvec3& 
 // three channels.
 class FogOnRay {
  public:
-  // Of a unit direction. Homogeneous fog is from `fog`.first to `fog`.second on the ray [u].
+  // `direction`: unit. Homogeneous fog is from `fog`.first to `fog`.second on the ray [u].
   FogOnRay(const Scene& scene, const glm::dvec3& eye, const glm::dvec3& direction,
            const std::pair<double, double>& fog);
 

@@ -101,7 +101,7 @@ class FogPresetsTest : public QObject {
     QVERIFY(window.added_after(count).size() > 20);
   }
 
-  // On the floor under the mouse; with the mouse elsewhere in the middle of the view.
+  // It stands on the floor under the mouse; with the mouse elsewhere in the middle of the view.
   void a_column_rises_from_under_the_mouse() {
     FogWindow window;
     window.open_template("room");

@@ -148,7 +148,8 @@ class StartPageTest : public QObject {
     QVERIFY(page_of(window).isHidden());
   }
 
-  // What belongs to the scene behind; messages and the status line, which shows jobs, stay.
+  // It hides all that belongs to the scene behind; messages and the status line, which shows jobs,
+  // stay.
   void it_covers_the_window_of_any_size() {
     TestWindow window;
     page_of(window).open();

@@ -32,7 +32,7 @@ class TemplateDesk : public Desk {
   QPoint place(double x, double y) {
     return (QPointF(view().width() * x, view().height() * y)).toPoint();
   }
-  // What the view's camera sees at a time, in light scattered once.
+  // The picture that the view's camera sees at a time, in light scattered once.
   Frame picture(double time = 0.0) {
     Film film = view().film();
     film.width = static_cast<int>(film.width / shrink);
@@ -86,7 +86,7 @@ QString text(const char* name, QPointF at, double value) {
   return QString("%1, %2, %3: %4").arg(name).arg(at.x()).arg(at.y()).arg(value);
 }
 
-// Near the ground, on walls, on what stands there, and in the sky.
+// Strokes begin near the ground, on walls, on what stands there, and in the sky.
 constexpr double places[10][2] = {{0.15, 0.85}, {0.5, 0.92}, {0.8, 0.8},   {0.3, 0.65},
                                   {0.6, 0.6},   {0.08, 0.4}, {0.88, 0.45}, {0.45, 0.5},
                                   {0.35, 0.2},  {0.55, 0.25}};
@@ -182,7 +182,7 @@ class UnderMouseTest : public QObject {
     }
   }
 
-  // Beyond the floor's edge, over the wall far behind and the sky above that.
+  // The stroke goes beyond the floor's edge, over the wall far behind and the sky above that.
   void a_stroke_that_leaves_a_surface_keeps_its_depth() {
     Desk desk(post_and_wall());
     QVERIFY(desk.picks());
@@ -247,7 +247,7 @@ class UnderMouseTest : public QObject {
       return depth(desk, paint_point(desk.view(), {}, at, 0.1)->position);
     };
     QVERIFY(std::abs(depth_at(middle) - 5.0) < 0.05);
-    // Beside it there is only the plane through what the camera looks at.
+    // There is only the plane through what the camera looks at.
     QVERIFY(std::abs(depth_at(middle + QPointF(250, 0)) - 10.0) < 1e-6);
     // A stroke that began in the fog goes on at its depth.
     const auto begin = paint_point(desk.view(), {}, middle, 0.1);
@@ -309,7 +309,7 @@ class UnderMouseTest : public QObject {
     };
     const Cursor seen = cursor_on(PaintPlane::under_mouse);
     QVERIFY(seen.max_alpha > 50);
-    // As wide as 1% of the density reaches.
+    // The ghost is as wide as 1% of the density reaches.
     const CameraRays rays = desk.view().rays();
     const auto point = paint_point(desk.view(), {}, floor, 0.3);
     const double reach = 0.3 * std::sqrt(std::log(100.0));

@@ -69,7 +69,7 @@ FogPlace fog_place(const Document& document, View& view) {
     };
   }
 
-  // What is far beyond what is looked at, as a horizon, is no place.
+  // Points far beyond what is looked at, as of a horizon, are no place for it.
   const QPointF mouse = view.mouse_position();
   const auto at_mouse = [&](PaintPlane plane) {
     return paint_point(view, {.plane = plane}, mouse, 0.1 * place.size);
