@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <glm/vec3.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -35,6 +37,19 @@ struct NodeLight {
   }
 };
 
+// Homogeneous fog without end around a grid, which holds all that shines. As far as the grid's
+// border its light diffuses: the fluence falls with the distance r from the lights as exp(-decay r)
+// / r.
+struct EndlessFog {
+  double transport_extinction = 1.0;  // [1/u]
+  double decay = 0.0;                 // [1/u]; 0: nothing is absorbed
+  glm::dvec3 lights{0.0};             // their middle, from the first node [u]
+
+  EndlessFog() = default;
+  // Of that density [1/u].
+  EndlessFog(double density, double albedo, double anisotropy, const glm::dvec3& middle_of_lights);
+};
+
 // A medium on a grid.
 struct GridMedium {
   GridNodes nodes;
@@ -45,6 +60,7 @@ struct GridMedium {
   bool holds_surfaces = false;              // all of them: none reaches the grid's border
   std::span<const float> albedo{};          // factor of what each node scatters; empty: 1
   bool is_fog_alone = false;                // without Gaussians
+  std::optional<EndlessFog> beyond{};       // sends back a part of the light that leaves the grid
 };
 
 // A level around finer ones, and the light in it.

@@ -29,12 +29,22 @@ std::vector<float> reflected(const GridMedium& medium, const NodeLight& incident
   return medium.surfaces ? reflected_light(*medium.surfaces, incident) : std::vector<float>{};
 }
 
+// How much the light at each node matters: as much as is scattered to the eye there. Without a
+// medium it falls on surfaces.
+std::vector<float> weights_of(const GridMedium& medium) {
+  std::vector<float> weights(medium.density.begin(), medium.density.end());
+  const auto is_zero = [](float density) { return density == 0.0f; };
+  if (std::ranges::all_of(weights, is_zero)) std::ranges::fill(weights, 1.0f);
+  return weights;
+}
+
 // How much the light at nodes changes relative to what is there, or to a hundredth of the
-// brightest, as a root mean square over the medium. In deep fog the eye may be where little light
+// brightest, as a root mean square by these weights. In deep fog the eye may be where little light
 // is.
-double relative_change(const GridMedium& medium, const NodeLight& before, const NodeLight& after) {
+double relative_change(std::span<const float> weights, const NodeLight& before,
+                       const NodeLight& after) {
   constexpr double dimmest_share = 0.01;
-  const std::size_t nodes = medium.density.size();
+  const std::size_t nodes = weights.size();
   if (nodes == 0) return 0.0;
   std::vector<double> squares(nodes, 0.0);
   std::vector<double> changes(nodes, 0.0);
@@ -49,13 +59,13 @@ double relative_change(const GridMedium& medium, const NodeLight& before, const 
   }
   const double least = dimmest_share * dimmest_share * *std::ranges::max_element(squares);
   double sum = 0.0;
-  double weights = 0.0;
+  double all = 0.0;
   for (std::size_t i = 0; least > 0.0 && i < nodes; ++i) {
-    const auto weight = static_cast<double>(medium.density[i]);
+    const auto weight = static_cast<double>(weights[i]);
     sum += weight * changes[i] / (squares[i] + least);
-    weights += weight;
+    all += weight;
   }
-  return weights > 0.0 ? std::sqrt(sum / weights) : 0.0;
+  return all > 0.0 ? std::sqrt(sum / all) : 0.0;
 }
 
 }  // namespace
@@ -67,10 +77,12 @@ Convergence solve_scattering(const GridMedium& medium, const TruncatedScattering
   for (double& factor : phase) factor *= scattering.albedo;
 
   const NodeLight& incident = unscattered.incident;
-  // What matters is what is scattered to the eye.
-  std::vector<float> weights(incident.stride, 0.0f);
-  std::copy(medium.density.begin(), medium.density.end(), weights.begin());
-  AndersonAcceleration acceleration(weights);
+  // A sweep changes less where light that has left comes back: 2% would be missing.
+  const double tolerance = (medium.beyond ? 0.3 : 1.0) * limits.tolerance;
+  const std::vector<float> weights = weights_of(medium);
+  std::vector<float> padded_weights = weights;
+  padded_weights.resize(incident.stride, 0.0f);
+  AndersonAcceleration acceleration(padded_weights);
 
   NodeLight first(incident.bands, incident.channels, medium.nodes.size());
   if (limits.sweeps == 1 && !scattered.values.empty()) {
@@ -91,9 +103,9 @@ Convergence solve_scattering(const GridMedium& medium, const TruncatedScattering
     scatter_once(medium, scattered, reflected(medium, scattered), phase, degrees.rest, next, job);
     add(first.values, next.values);
     ++convergence.sweeps;
-    convergence.residual = relative_change(medium, scattered, next);
+    convergence.residual = relative_change(weights, scattered, next);
     acceleration.advance(scattered.values, next.values);
-    if (convergence.residual <= limits.tolerance) break;
+    if (convergence.residual <= tolerance) break;
   }
   return convergence;
 }

@@ -111,8 +111,14 @@ double clearance(const RayCaster& surfaces, const glm::dvec3& position) {
 
 }  // namespace
 
-Box fog_bounds(double b0, std::span<const PointLight> lights) {
-  const glm::dvec3 reach(std::min(2.0 / b0, limits::max_length));
+Box fog_bounds(double b0, std::span<const PointLight> lights, const glm::dvec3& eye) {
+  double nearest = infinity;
+  for (const PointLight& light : lights) {
+    if (!light.is_far) nearest = std::min(nearest, glm::length(light.position - eye));
+  }
+  const double least = 0.05 / b0;  // the farthest level is to reach beyond four mean free paths
+  const double seen = std::exp2(std::ceil(std::log2(std::max(nearest, least))));
+  const glm::dvec3 reach(std::min({2.0 / b0, seen, limits::max_length}));
   Box box{glm::dvec3(infinity), glm::dvec3(-infinity)};
   for (const PointLight& light : lights) {
     if (light.is_far) continue;

@@ -202,7 +202,7 @@ LitSpace FrameStages::lit_space(const FrameContext& work) const {
   // Light from far away is scattered wherever there is fog.
   if (work.fog_extent.has_far_light())
     return {{ball.center - ball.radius, ball.center + ball.radius}};
-  return {within(fog_bounds(b0, work.plan.lights), ball)};
+  return {within(fog_bounds(b0, work.plan.lights, work.rays.eye()), ball)};
 }
 
 IncidentOptics FrameStages::incident_optics(const FrameContext& work) const {

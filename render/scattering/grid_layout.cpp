@@ -54,6 +54,7 @@ class Levels {
   void add(const Box& box, double min_spacing, int nodes) {
     static const AxisPlanes none;
     const bool keeps_off = content_.surfaces && volume(content_.lit.fog) > 0.0;
+    if (layouts_.empty()) first_ = box;
     layouts_.push_back(lay_out(box.low, box.high, min_spacing, nodes,
                                keeps_off ? content_.surfaces->planes() : none));
     last_ = box;
@@ -76,6 +77,12 @@ class Levels {
       if (content_.surfaces) end = around(end, content_.surfaces->bounds());
       if (content_.receivers) end = around(end, content_.receivers->box);
       box = within(box, end, last_);
+    } else if (content_.fog_density > 0.0) {
+      // Farther out the nodes would be mean free paths apart.
+      const double reach = 2.0 * fog_reach();
+      Box end{first_.low - reach, first_.high + reach};
+      if (content_.surfaces) end = around(end, content_.surfaces->bounds());
+      box = within(box, end, last_);
     }
     return box;
   }
@@ -93,10 +100,10 @@ class Levels {
       return contains(last_, content_.surfaces->bounds());
     // A sky lights all of a ball of fog from beyond it; endless fog scatters what is near.
     if (fog_end_) return contains(last_, *fog_end_);
-    const double mean_free_paths = has_gaussians_ ? 1.0 : 4.0;
-    return size() > 1 &&
-           0.5 * smallest_side(last_) >=
-               scattering_reach(content_.fog_density, content_.fog_ball, mean_free_paths);
+    return size() > 1 && 0.5 * smallest_side(last_) >= fog_reach();
+  }
+  [[nodiscard]] double fog_reach() const {
+    return scattering_reach(content_.fog_density, content_.fog_ball, has_gaussians_ ? 1.0 : 4.0);
   }
   // Surfaces beyond all levels are lit as those at the border are, which is too much of what
   // Gaussians emit.
@@ -110,7 +117,7 @@ class Levels {
   bool has_gaussians_;
   std::optional<Box> fog_end_;
   std::vector<NodeLayout> layouts_;
-  Box last_;
+  Box first_, last_;
 };
 
 }  // namespace

@@ -227,6 +227,20 @@ bool is_in_medium(const SourceGrid::Level& level, double fog, const glm::dvec3& 
   return static_cast<double>(level.density[at]) + fog > 0.0;
 }
 
+// Where lights are, by their power; the scene's and what Gaussians emit.
+glm::dvec3 middle_of_lights(const MultipleScattering::Input& input) {
+  glm::dvec3 sum(0.0);
+  double all = 0.0;
+  const auto add = [&](const PointSource& light) {
+    const double power = light.intensity.x + light.intensity.y + light.intensity.z;
+    sum += power * light.position;
+    all += power;
+  };
+  std::ranges::for_each(input.lights, add);
+  for (const EmissionLights::Light& light : input.emission) add(light.source);
+  return all > 0.0 ? sum / all : sum;
+}
+
 SweepDegrees sweep_degrees(const MultipleScattering::Input& input, const SourceGrid::Level& level) {
   SweepDegrees degrees{input.limits.degree, input.limits.degree};
   if (input.surfaces) degrees.first = std::max(degrees.first, input.limits.light_degree);
@@ -303,14 +317,20 @@ bool MultipleScattering::update(const Input& input, const Job& job) {
   std::vector<GridMedium> media;
   for (const SourceGrid::Level& level : levels) {
     extinctions.push_back(level.density_with_fog(truncation.extinction * input.fog_density));
-    const bool continues = media.size() + 1 < levels.size();
+    const bool is_outermost = media.size() + 1 == levels.size();
+    std::optional<EndlessFog> beyond;
+    if (is_outermost && input.fog_is_endless && input.fog_density > 0.0) {
+      beyond.emplace(input.fog_density, input.albedo, input.anisotropy,
+                     middle_of_lights(input) - level.first);
+    }
     media.push_back({.nodes = level.nodes,
                      .density = extinctions.back(),
-                     .continues = continues,
+                     .continues = !is_outermost || beyond,
                      .surfaces = level.surfaces.get(),
                      .holds_surfaces = level.holds_surfaces,
                      .albedo = level.albedo,
-                     .is_fog_alone = std::ranges::all_of(level.density, is_zero)});
+                     .is_fog_alone = std::ranges::all_of(level.density, is_zero),
+                     .beyond = beyond});
   }
   std::vector<double> phase = truncation.phase;
   for (double& factor : phase) factor *= truncation.albedo;

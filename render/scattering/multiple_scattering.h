@@ -34,7 +34,8 @@ class MultipleScattering {
     std::span<const EmissionLights::Light> emission;
     double albedo;
     double anisotropy;
-    double fog_density;         // [1/u]
+    double fog_density;  // [1/u]
+    bool fog_is_endless;
     const RayCaster* surfaces;  // null: none
     Revision surfaces_revision;
     ScatteringLimits limits;

@@ -198,8 +198,9 @@ bool SourceFunction::add_multiple(const Input& input, const Job& job) {
   const double scale = weight_parts().scale;
   if (!multiple_.update(
           {*grid_, environment_ ? scale : 0.0, multiple.lights, multiple.emission->lights(),
-           multiple.albedo, anisotropy_, input.medium.homogeneous_density(), multiple.ray_caster,
-           occlusion_.revision(), multiple.limits, input.motion, multiple.through_windows},
+           multiple.albedo, anisotropy_, input.medium.homogeneous_density(),
+           input.fog_ball.is_endless(), multiple.ray_caster, occlusion_.revision(), multiple.limits,
+           input.motion, multiple.through_windows},
           job)) {
     return false;
   }
