@@ -16,8 +16,7 @@ void add_point_light(const NodePointLight& light, const glm::dvec3& first, const
                      const GridOcclusion* occlusion, NodeLight& incident, const Job& job);
 
 // Adds what the surfaces between the nodes reflect of it, per channel and surfel; see
-// reflected_light(). Within half a spacing the light counts as that far away: nearer, one surfel
-// would stand for a bright spot.
+// reflected_light(). A surfel stands for what falls on a square, one spacing wide.
 void add_reflected_point_light(const NodePointLight& light, const GridOcclusion& surfaces,
                                const glm::dvec3& first, const GridNodes& nodes,
                                std::span<float> reflected, std::size_t channels, const Job& job);

@@ -171,6 +171,42 @@ TEST(IncidentPointLight, ASpotBelowACeilingDoesNotLightIt) {
   EXPECT_EQ(std::ranges::count(reflected, 0.0f), std::ssize(reflected));
 }
 
+// The solid angle of a rectangle, from its middle plane's coordinates of two corners at height h.
+double solid_angle(const glm::dvec2& low, const glm::dvec2& high, double h) {
+  const auto up_to = [h](double x, double y) {
+    return std::atan(x * y / (h * std::sqrt(x * x + y * y + h * h)));
+  };
+  return up_to(high.x, high.y) - up_to(low.x, high.y) - up_to(high.x, low.y) + up_to(low.x, low.y);
+}
+
+// All that falls on a wall is reflected, however near the light is. Surfels had its irradiance at
+// their middles, but no more than that of a light half a spacing away: a third too little or too
+// much.
+TEST(IncidentPointLight, WallsReflectAllThatFallsOnThem) {
+  const std::vector<Surface> walls{wall(0.0, 3.0)};
+  const RayCaster ray_caster(walls);
+  const GridNodes nodes{{7, 7, 5}, static_cast<float>(spacing)};
+  const glm::dvec3 first(-3.1 * spacing, -3.2 * spacing, -0.6 * spacing);
+  const GridOcclusion occlusion(ray_caster, walls, {}, first, nodes, {});
+  for (const double height : {0.01, 0.1, 0.4, 1.0, 3.0}) {
+    NodePointLight light{source_at({0.05, -0.03, height * spacing})};
+    light.surfaces = &ray_caster;
+    light.intensity = {1.0f};
+    std::vector<float> reflected(occlusion.surfels().size(), 0.0f);
+    add_reflected_point_light(light, occlusion, first, nodes, reflected, 1, {});
+    double flux = 0.0;
+    for (std::size_t i = 0; i < reflected.size(); ++i) {
+      const GridOcclusion::Surfel& surfel = occlusion.surfels()[i];
+      const bool is_straight = glm::length(glm::vec2(surfel.offset)) < 1e-4f;
+      if (!is_straight) continue;
+      flux += pi * static_cast<double>(reflected[i] / surfel.scattered.x) * spacing * spacing;
+    }
+    const glm::dvec2 low = glm::dvec2(first) - 0.5 * spacing - glm::dvec2(light.source.position);
+    const double expected = solid_angle(low, low + 7.0 * spacing, light.source.position.z);
+    EXPECT_NEAR(flux, expected, 0.01 * expected) << height;
+  }
+}
+
 // With this grid's spacing a quarter of it lies at 0.225 along each axis.
 TEST(IncidentPointLight, LightsOnLatticesOfTheGridMatchPaths) {
   Scene scene;
