@@ -146,7 +146,8 @@ std::optional<Reason> why_scattered_once(const Scene& scene, const Content& cont
   return std::nullopt;
 }
 
-StageSet planned_stages(const Content& content, AirlightMethod method, bool has_transfers) {
+StageSet planned_stages(const Content& content, AirlightMethod method, bool has_transfers,
+                        bool has_all_orders) {
   const bool paper = method == AirlightMethod::paper;
   const bool sliced = method == AirlightMethod::sliced;
   const bool path = method == AirlightMethod::path;
@@ -158,7 +159,9 @@ StageSet planned_stages(const Content& content, AirlightMethod method, bool has_
   StageSet stages{Stage::prepare, Stage::composite};
   stages.add(Stage::transfer, has_transfers);
   stages.add(Stage::visibility, content.surfaces || content.visible_lights);
-  stages.add(Stage::environment, content.environment && content.medium() && needs_grid);
+  // Light of all orders at surfaces is all that the grid holds.
+  stages.add(Stage::environment,
+             content.environment && needs_grid && (content.medium() || has_all_orders));
   stages.add(Stage::light_depth, paper && lit_gaussians);
   stages.add(Stage::eye_depth, paper && lit_gaussians);
   stages.add(Stage::light_table, sliced && lit_gaussians);
@@ -286,8 +289,8 @@ RenderPlan::RenderPlan(const Scene& scene, const Film& film, const Settings& req
   // Paths and the grid of all orders keep light out and send it back themselves.
   if (!is_path && !has_all_orders) transfers = content.transfers(scene);
 
-  stages =
-      planned_stages(content, method, !transfers.empty() && (!shared || shared->has(transfers)));
+  stages = planned_stages(
+      content, method, !transfers.empty() && (!shared || shared->has(transfers)), has_all_orders);
   parts = planned_parts(content, settings, !transfers.empty());
   skipped = skipped_stages(scene, content, method, *this);
 

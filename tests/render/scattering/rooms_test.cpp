@@ -57,12 +57,26 @@ TEST(Rooms, AreDarkWhereverTheyStand) {
   EXPECT_LT(mean_airlight_in(scene), 1e-3 * open);
 }
 
+// Without fog, walls did not light each other, and the sky shone through them.
 TEST(Rooms, AreLitThroughAWindowAsByPaths) {
+  for (const double density : {0.05, 0.0}) {
+    Scene scene = room_with_window();
+    scene.medium.set_homogeneous_density(density);
+    scene.environment = even_sky(1.0f);
+    const Difference picture = difference(render_frame(scene, of_all_orders).beauty,
+                                          render_frame(scene, path_traced(128)).beauty);
+    EXPECT_NEAR(picture.bias, 0.0, 0.04) << density;
+  }
+}
+
+TEST(Rooms, AreLitByALampAsByPathsWithoutFog) {
   Scene scene = room_with_window();
-  scene.environment = even_sky(1.0f);
+  scene.medium.set_homogeneous_density(0.0);
+  scene.lights = {{{-1.0, 2.0, 0.5}, glm::dvec3(5.0), light::Point()}};
   const Difference picture = difference(render_frame(scene, of_all_orders).beauty,
                                         render_frame(scene, path_traced(128)).beauty);
-  EXPECT_NEAR(picture.bias, 0.0, 0.04);
+  EXPECT_NEAR(picture.bias, 0.0, 0.03);
+  EXPECT_LT(picture.relative_rmse, 0.08);
 }
 
 // A light just below the ceiling of a closed room of 6 by 10 by 3. The grid's levels left the room,
