@@ -1,5 +1,6 @@
 #include "app/widgets/field_filter.h"
 
+#include <QAbstractItemView>
 #include <QAbstractSlider>
 #include <QApplication>
 #include <QComboBox>
@@ -9,6 +10,8 @@
 #include <QMainWindow>
 #include <QScrollBar>
 #include <QSpinBox>
+
+#include "app/widgets/keys.h"
 
 namespace brume {
 namespace {
@@ -102,6 +105,11 @@ bool FieldFilter::eventFilter(QObject* watched, QEvent* event) {
       }
       break;
     case QEvent::ShortcutOverride:
+      // Letters typed into a list are no commands: X would delete what is selected.
+      if (qobject_cast<QAbstractItemView*>(widget) && is_typed(*static_cast<QKeyEvent*>(event))) {
+        event->accept();
+        return true;
+      }
       if (const QLineEdit* line = line_of(widget);
           line && is_of_document(*static_cast<QKeyEvent*>(event), *line)) {
         event->ignore();

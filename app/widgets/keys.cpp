@@ -136,6 +136,14 @@ bool is_key_of(const char* action, const QKeyEvent& event) {
   return keys_of(action).contains(QKeySequence(pressed));
 }
 
+bool is_typed(const QKeyEvent& event) {
+  constexpr Qt::KeyboardModifiers commands =
+      Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier;
+  const QString text = event.text();
+  return !(event.modifiers() & commands) && !text.isEmpty() && text[0].isPrint() &&
+         !text[0].isSpace();
+}
+
 void remember_keys(const char* action, const QList<QKeySequence>& keys) {
   QSettings settings;
   if (keys == default_keys_of(action)) {

@@ -25,6 +25,8 @@ QList<QKeySequence> default_keys_of(const char* action);
 std::optional<QKeyCombination> latin_key(const QKeyEvent& event);
 // Whether it is pressed: for widgets that act themselves while they have the focus.
 bool is_key_of(const char* action, const QKeyEvent& event);
+// Whether it types a letter, digit or sign, which lists search for or edit with.
+bool is_typed(const QKeyEvent& event);
 // For this and later sessions; the default ones are no setting.
 void remember_keys(const char* action, const QList<QKeySequence>& keys);
 

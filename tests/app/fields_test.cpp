@@ -436,6 +436,37 @@ class FieldsTest : public QObject {
     QCOMPARE(window->document().undo_stack().index(), 0);
   }
 
+  void letters_typed_into_a_list_act_on_the_list_only() {
+    TestWindow window;
+    Document& document = window->document();
+    const Scene before = document.scene();
+    document.select({1, 2, 3});
+    auto* table = window->findChild<GaussianPanel*>()->table();
+    auto* outliner = window->findChild<Outliner*>();
+    for (QWidget* list : {static_cast<QWidget*>(table), static_cast<QWidget*>(outliner)}) {
+      show(*list);
+      list->setFocus();
+      QTest::keyClicks(list, "hxk");
+      QTest::keyClick(list, Qt::Key_Escape);
+    }
+    QCOMPARE(document.selection(), (std::vector<GaussianId>{1, 2, 3}));
+    QVERIFY(document.hidden().empty() && document.locked().empty());
+    QVERIFY(document.scene() == before);
+    // They search names, and no letter deletes what they find.
+    outliner->keyboardSearch({});  // what was typed before is over
+    QTest::keyClicks(outliner, "lig");
+    QCOMPARE(outliner->currentItem()->text(0), "Lights");
+    document.set_object(ObjectRef{ObjectRef::Kind::light, 0});
+    QTest::keyClick(outliner, Qt::Key_X);
+    QCOMPARE(document.scene().lights.size(), 1u);
+    // In the view they are commands.
+    document.set_object(std::nullopt);
+    window->viewport().setFocus();
+    QTest::keyClick(&window->viewport(), Qt::Key_X);
+    QCOMPARE(document.medium().size(), 2u);
+    document.undo_stack().undo();
+  }
+
   void a_title_of_the_panel_gaussians_is_dragged() {
     Desk desk;
     Document& document = desk.document();

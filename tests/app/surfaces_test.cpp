@@ -79,7 +79,7 @@ class SurfacesTest : public QObject {
     QCOMPARE(desk.document().medium().size(), 1u);  // though it is selected
     // The one that takes its place is the next.
     QCOMPARE(desk.tree().currentItem(), desk.item(surface_group, 1));
-    QTest::keyClick(&desk.tree(), Qt::Key_X);
+    QTest::keyClick(&desk.tree(), Qt::Key_Delete);
     QCOMPARE(last_step(desk.document()), "Delete plane.obj (2)");
     QVERIFY(desk.saved().find("floor") != std::string::npos);
     QTest::keyClick(&desk.tree(), Qt::Key_Delete);

@@ -260,6 +260,7 @@ bool Outliner::event(QEvent* event) {
 }
 
 void Outliner::keyPressEvent(QKeyEvent* event) {
+  if (is_typed(*event)) return QTreeWidget::keyPressEvent(event);  // which searches names
   const std::optional<ObjectRef> object = object_of(currentItem());
   if (object && is_key_of("edit.delete", *event)) return delete_object(document_, *object);
   if (object && is_key_of("edit.duplicate", *event)) return duplicate_object(document_, *object);
