@@ -84,36 +84,18 @@ bool has_member(const Medium& medium, GroupId group) {
 
 }  // namespace
 
-std::vector<GaussianId> members_of(const Document& document, GroupId group) {
-  const Groups& groups = document.scene().groups;
-  const Medium& medium = document.medium();
-  GroupId last = group;
-  for (const Group& other : groups) last = std::max(last, other.id);
-  std::vector<bool> is_chosen(last + std::size_t{1});
-  is_chosen[group] = true;
-  for (const Group& other : groups) {
-    if (group != 0 && other.parent == group) is_chosen[other.id] = true;
-  }
-  std::vector<GaussianId> ids;
-  for (std::size_t i = 0; i < medium.size(); ++i) {
-    const GroupId own_group = medium.group(i);
-    if (own_group <= last && is_chosen[own_group]) ids.push_back(medium.ids()[i]);
-  }
-  return ids;
-}
-
 void select_group(Document& document, GroupId group) {
   document.set_active_group(group);
-  select_gaussians(document, members_of(document, group));
+  select_gaussians(document, members_of(document.scene(), group));
 }
 
-void group_selection(Document& document) {
+void group_selection(Document& document, const QString& name) {
   Groups groups = document.scene().groups;
   if (groups.size() >= limits::groups) return;
   Group group;
   for (const Group& other : groups) group.id = std::max(group.id, other.id);
   ++group.id;
-  group.name = free_group_name(groups, undo_text("Group")).toStdString();
+  group.name = free_group_name(groups, name.isEmpty() ? undo_text("Group") : name).toStdString();
   group.color = colors[groups.size() % colors.size()];
   group.parent = common_outer_group(document);
   groups.push_back(group);
@@ -190,7 +172,7 @@ void delete_group(Document& document, GroupId group) {
   std::erase_if(groups,
                 [&](const Group& other) { return other.id == group || other.parent == group; });
   push(document, std::move(groups),
-       MediumEdit::remove(document.medium(), members_of(document, group)), text);
+       MediumEdit::remove(document.medium(), members_of(document.scene(), group)), text);
 }
 
 void rename_group(Document& document, GroupId group, const QString& name) {

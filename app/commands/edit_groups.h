@@ -14,14 +14,12 @@ class Document;
 // Edits of groups of Gaussians, each one undo step. Ids of groups that are not there change
 // nothing.
 
-// The Gaussians of a group and of the groups in it; of 0 those in no group. Ordered by id.
-std::vector<GaussianId> members_of(const Document& document, GroupId group);
 // Selects those that can be selected, and makes the group the active one.
 void select_group(Document& document, GroupId group);
 
 // Makes a group of the selection, which becomes the active one. It is in the group that all of the
-// selection is in, if that is in none itself.
-void group_selection(Document& document);
+// selection is in, if that is in none itself. `name`: as of rename_group(); empty: "Group".
+void group_selection(Document& document, const QString& name = {});
 // Takes the selection out of its groups, one level each; groups that this empties go.
 void ungroup_selection(Document& document);
 // Whether that would do anything.

@@ -1,12 +1,15 @@
 #include "app/commands/select_command.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
+#include <set>
 
 #include "app/commands/undo_text.h"
 #include "app/document/document.h"
 #include "app/document/gaussian_attribute.h"
 #include "core/authoring/neighbours.h"
+#include "core/math/infinity.h"
 
 namespace brume {
 namespace {
@@ -17,6 +20,24 @@ std::vector<GaussianId> without(const std::vector<GaussianId>& ids,
   std::set_difference(ids.begin(), ids.end(), others.begin(), others.end(),
                       std::back_inserter(rest));
   return rest;
+}
+
+// Selects those of the medium, by their index, that `is_chosen`.
+template <class IsChosen>
+void select_if(Document& document, IsChosen is_chosen) {
+  std::vector<GaussianId> ids;
+  for (std::size_t i = 0; i < document.medium().size(); ++i) {
+    if (is_chosen(i)) ids.push_back(document.medium().ids()[i]);
+  }
+  select_gaussians(document, std::move(ids));
+}
+
+std::vector<std::size_t> selected_indices(const Document& document) {
+  std::vector<std::size_t> indices;
+  for (const GaussianId id : document.selection()) {
+    indices.push_back(*document.medium().index_of(id));
+  }
+  return indices;
 }
 
 }  // namespace
@@ -97,6 +118,31 @@ void shrink_selection(Document& document) {
   const auto all = document.medium().ids();
   const auto rest = without({all.begin(), all.end()}, document.selection());
   select_gaussians(document, without(document.selection(), touching(document.medium(), rest)));
+}
+
+void select_similar(Document& document, GaussianAttribute field) {
+  double low = infinity;
+  double high = -infinity;
+  for (const std::size_t i : selected_indices(document)) {
+    const double value = document.value(i, field);
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  low -= similar_by * std::abs(low);
+  high += similar_by * std::abs(high);
+  if (!(low <= high)) return;
+  select_if(document, [&](std::size_t i) {
+    const double value = document.value(i, field);
+    return value >= low && value <= high;
+  });
+}
+
+void select_same_groups(Document& document) {
+  std::set<GroupId> groups;
+  for (const std::size_t i : selected_indices(document)) {
+    groups.insert(document.medium().group(i));
+  }
+  select_if(document, [&](std::size_t i) { return groups.contains(document.medium().group(i)); });
 }
 
 }  // namespace brume

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "app/commands/merge_id.h"
+#include "app/document/gaussian_attribute.h"
 #include "brume/gaussian.h"
 
 namespace brume {
@@ -43,5 +44,10 @@ void invert_selection(Document& document);
 // the rest.
 void grow_selection(Document& document);
 void shrink_selection(Document& document);
+// Selects all whose attribute is within similar_by of what the selection has, from least to
+// greatest; those in the groups of the selection. Nothing is similar to none.
+inline constexpr double similar_by = 0.1;  // of the value
+void select_similar(Document& document, GaussianAttribute field);
+void select_same_groups(Document& document);
 
 }  // namespace brume

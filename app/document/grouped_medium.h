@@ -32,4 +32,7 @@ class GroupedMedium {
   std::vector<GaussianId> locked_;
 };
 
+// The Gaussians of a group and of the groups in it; of 0 those in no group. Ordered by id.
+std::vector<GaussianId> members_of(const Scene& scene, GroupId group);
+
 }  // namespace brume

@@ -4,6 +4,7 @@
 // rendered in other threads.
 
 #include <QAbstractScrollArea>
+#include <QLineEdit>
 #include <QScrollBar>
 #include <QTreeWidget>
 #include <algorithm>
@@ -115,6 +116,14 @@ class Benchmark {
       }
       select_gaussians(document, ids);
     });
+    auto* filter = window.findChild<QLineEdit*>("gaussian_filter");
+    measure("filter the table", 6, [&](int k) {
+      filter->setText(QString("density > 0.%1, radius < 0.03, id > 5").arg(k));
+    });
+    measure("select what is shown", 4, [&](int k) {
+      k % 2 == 0 ? QTest::keyClick(filter, Qt::Key_Return) : select_gaussians(document, {});
+    });
+    filter->clear();
     measure("inspector: select all, then none", 6,
             [&](int k) { k % 2 == 0 ? select_all(document) : select_gaussians(document, {}); });
     select_all(document);

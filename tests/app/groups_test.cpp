@@ -63,10 +63,10 @@ class GroupsTest : public QObject {
     QTreeWidgetItem* gaussians =
         desk.tree().findItems("5 Gaussians", Qt::MatchExactly | Qt::MatchRecursive).value(0);
     drop(desk, gaussians, "Group 2");
-    QCOMPARE(members_of(desk.document(), desk.groups()[1].id), (Ids{3, 4, 5}));
+    QCOMPARE(members_of(desk.document().scene(), desk.groups()[1].id), (Ids{3, 4, 5}));
     select_gaussians(desk.document(), {});
     drop(desk, gaussians, "Group");
-    QCOMPARE(members_of(desk.document(), desk.groups()[0].id), (Ids{1, 2}));
+    QCOMPARE(members_of(desk.document().scene(), desk.groups()[0].id), (Ids{1, 2}));
   }
 
   void the_table_has_a_column_of_groups() {
@@ -105,7 +105,7 @@ class GroupsTest : public QObject {
     desk.group({2, 4});
     QCOMPARE(last_step(desk.document()), "Group 2 Gaussians");
     QCOMPARE(desk.groups().size(), 1u);
-    QCOMPARE(members_of(desk.document(), desk.groups()[0].id), (Ids{2, 4}));
+    QCOMPARE(members_of(desk.document().scene(), desk.groups()[0].id), (Ids{2, 4}));
     QVERIFY(desk.row("Group"));
     QCOMPARE(desk.row("Group")->text(0), "Group (2)");
     QCOMPARE(desk.row("In no group")->text(0), "In no group (3)");
@@ -144,7 +144,7 @@ class GroupsTest : public QObject {
     ungroup_selection(desk.document());
     QCOMPARE(last_step(desk.document()), "Ungroup 2 Gaussians");
     QCOMPARE(desk.groups().size(), 1u);  // the inner one is empty, and gone
-    QCOMPARE(members_of(desk.document(), desk.groups()[0].id), (Ids{1, 3}));
+    QCOMPARE(members_of(desk.document().scene(), desk.groups()[0].id), (Ids{1, 3}));
     QVERIFY(desk.choose("Group", "Ungroup"));
     QVERIFY(desk.groups().empty());
     QCOMPARE(desk.document().medium().size(), 5u);
@@ -300,10 +300,10 @@ class GroupsTest : public QObject {
     select_gaussians(window.document(), {2, 3});
     choose("Group");
     QCOMPARE(last_step(window.document()), "Move 2 Gaussians to Group");
-    QCOMPARE(members_of(window.document(), window.groups()[0].id), (Ids{1, 2, 3}));
+    QCOMPARE(members_of(window.document().scene(), window.groups()[0].id), (Ids{1, 2, 3}));
     QCOMPARE(window.groups().size(), 2u);  // though one is empty now
     choose("Out of Groups");
-    QCOMPARE(members_of(window.document(), window.groups()[0].id), (Ids{1}));
+    QCOMPARE(members_of(window.document().scene(), window.groups()[0].id), (Ids{1}));
     select_gaussians(window.document(), {1});
     window.key(Qt::Key_G, Qt::ControlModifier | Qt::ShiftModifier);
     QCOMPARE(last_step(window.document()), "Ungroup Gaussian");

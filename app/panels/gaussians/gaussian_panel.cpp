@@ -3,6 +3,7 @@
 #include <QAction>
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QKeyEvent>
 #include <QLineEdit>
 #include <QScrollBar>
 #include <QSettings>
@@ -12,12 +13,14 @@
 #include <utility>
 #include <vector>
 
+#include "app/commands/edit_groups.h"
 #include "app/commands/select_command.h"
 #include "app/document/document.h"
+#include "app/panels/gaussians/filter_bar.h"
 #include "app/panels/gaussians/gaussian_form.h"
 #include "app/panels/gaussians/gaussian_histogram.h"
 #include "app/panels/gaussians/gaussian_table_model.h"
-#include "app/widgets/plain_text.h"
+#include "app/widgets/keys.h"
 #include "app/widgets/rows.h"
 
 namespace brume {
@@ -68,7 +71,8 @@ GaussianPanel::GaussianPanel(Document& document, QWidget* parent)
     : QWidget(parent),
       document_(document),
       model_(new GaussianTableModel(document, this)),
-      table_(new QTableView(this)) {
+      table_(new QTableView(this)),
+      filter_(new FilterBar(this)) {
   auto* form = new GaussianForm(document, this);
   table_->setModel(model_);
   table_->setItemDelegate(new RowDelegate(document, *model_, this));
@@ -90,6 +94,10 @@ GaussianPanel::GaussianPanel(Document& document, QWidget* parent)
   table_->setSortingEnabled(true);
   connect(model_, &QAbstractItemModel::modelAboutToBeReset, this, &GaussianPanel::remember_place);
   connect(model_, &QAbstractItemModel::modelReset, this, &GaussianPanel::restore_place);
+  table_->installEventFilter(this);
+  connect(filter_, &FilterBar::asked, model_, &GaussianTableModel::set_filter);
+  connect(filter_, &FilterBar::select_asked, this, &GaussianPanel::select_shown);
+  connect(filter_, &FilterBar::group_asked, this, &GaussianPanel::group_shown);
 
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -107,7 +115,7 @@ GaussianPanel::GaussianPanel(Document& document, QWidget* parent)
     }
     layout->addLayout(histograms);
   }
-  add_filter(*layout);
+  layout->addWidget(filter_);
   layout->addWidget(table_, 1);
 
   connect(form, &GaussianForm::refused, this, &GaussianPanel::refused);
@@ -118,6 +126,12 @@ GaussianPanel::GaussianPanel(Document& document, QWidget* parent)
   connect(&reload_timer_, &QTimer::timeout, this, &GaussianPanel::reload);
   on_change(document_, Change::scene, this, &GaussianPanel::reload);
   on_medium_edit(document_, this, &GaussianPanel::follow);
+  const auto count = [this] {
+    filter_->show_count(static_cast<std::size_t>(model_->rowCount()), document_.medium().size());
+  };
+  connect(model_, &QAbstractItemModel::modelReset, this, count);
+  on_change(document_, Change::medium, this, count);
+  count();
   // After the rows have followed.
   on_change(document_, Change::selection, this, &GaussianPanel::select_rows);
   const auto show_groups = [this] {
@@ -139,20 +153,28 @@ GaussianPanel::GaussianPanel(Document& document, QWidget* parent)
 void GaussianPanel::add_column_menu() {
   QHeaderView* header = table_->horizontalHeader();
   header->setContextMenuPolicy(Qt::ActionsContextMenu);
-  for (std::size_t k = 3; k < gaussian_attributes.size(); ++k) {  // always the center
-    const auto column = static_cast<int>(k);
-    const QString name = "column_" + attribute_name(gaussian_attributes[k]).replace(' ', '_');
-    auto* action = named(new QAction(attribute_title(gaussian_attributes[k]), header), name);
+  const auto add = [this, header](int column, const QString& title, bool is_shown) {
+    const QString name = "column_" + title.toLower().replace(' ', '_');
+    auto* action = named(new QAction(title, header), name);
     action->setCheckable(true);
-    // There is room for few, unless more were asked for.
     const QString key = "gaussians/" + name;
-    action->setChecked(QSettings().value(key, !is_of_shape(gaussian_attributes[k])).toBool());
+    action->setChecked(QSettings().value(key, is_shown).toBool());
     table_->setColumnHidden(column, !action->isChecked());
     connect(action, &QAction::toggled, table_, [this, column, key](bool shown) {
       table_->setColumnHidden(column, !shown);
       QSettings().setValue(key, shown);
     });
     header->addAction(action);
+  };
+  constexpr int id_column = GaussianTableModel::id_column;
+  add(id_column, tr("Id"), true);
+  header->moveSection(id_column, 0);
+  header->setSectionResizeMode(id_column, QHeaderView::Interactive);
+  header->resizeSection(id_column, header->fontMetrics().horizontalAdvance("0000000"));
+  for (std::size_t k = 3; k < gaussian_attributes.size(); ++k) {  // always the center
+    const GaussianAttribute field = gaussian_attributes[k];
+    // There is room for few, unless more were asked for.
+    add(static_cast<int>(k), attribute_title(field), !is_of_shape(field));
   }
 }
 
@@ -200,24 +222,29 @@ void GaussianPanel::follow(const MediumEdit& edit) {
   }
 }
 
-void GaussianPanel::add_filter(QLayout& layout) {
-  auto* filter = named(new QLineEdit(this), "gaussian_filter");
-  filter->setPlaceholderText(tr("Filter: radius < 0.5, density > 0.2"));
-  filter->setClearButtonEnabled(true);
-  layout.addWidget(filter);
-  connect(filter, &QLineEdit::textChanged, this, [this, filter](const QString& text) {
-    QString problem;
-    const auto parsed = GaussianFilter::parse(text, problem);
-    QPalette colors = palette();
-    if (!parsed) colors.setColor(QPalette::Text, QColor(226, 92, 92));
-    filter->setPalette(colors);
-    filter->setToolTip(
-        parsed
-            ? tr("Filter the table by x, y, z, radius, density, albedo, emission, radius x to z, "
-                 "rotation x to z, elongation or group")
-            : plain_tool_tip(problem));
-    if (parsed) model_->set_filter(*parsed);
-  });
+void GaussianPanel::select_shown() {
+  if (reload_timer_.isActive()) reload();
+  std::vector<GaussianId> ids;
+  for (int row = 0; row < model_->rowCount(); ++row) ids.push_back(model_->id(row));
+  select_gaussians(document_, std::move(ids));
+}
+
+void GaussianPanel::group_shown() {
+  document_.undo_stack().beginMacro(tr("Save %1 as group").arg(filter_->text()));
+  select_shown();
+  if (!document_.selection().empty()) group_selection(document_, filter_->text());
+  document_.undo_stack().endMacro();
+}
+
+bool GaussianPanel::eventFilter(QObject* watched, QEvent* event) {
+  const bool is_shortcut = event->type() == QEvent::ShortcutOverride;
+  if ((is_shortcut || event->type() == QEvent::KeyPress) &&
+      is_key_of("select.all", static_cast<QKeyEvent&>(*event))) {
+    event->accept();
+    if (!is_shortcut) select_shown();
+    return true;
+  }
+  return QWidget::eventFilter(watched, event);
 }
 
 void GaussianPanel::adopt_selection() {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <QLineEdit>
 #include <QTableView>
 #include <QTimer>
 #include <QWidget>
@@ -12,6 +11,7 @@
 namespace brume {
 
 class Document;
+class FilterBar;
 class GaussianTableModel;
 
 // The inspector: attributes of the selection, histograms, and a sortable, filterable table
@@ -23,22 +23,28 @@ class GaussianPanel : public QWidget {
 
   [[nodiscard]] QTableView* table() const { return table_; }
 
+ protected:
+  // Of the table: all that its keys select are its rows.
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  Q_SIGNALS:
   void refused(const QString& problem);  // why a typed value was rejected
 
  private:
-  void add_filter(QLayout& layout);
   void add_column_menu();  // of the header: which are shown
   void select_rows();      // from the document
   void adopt_selection();
   void follow(const MediumEdit& edit);
   void reload();
+  void select_shown();
+  void group_shown();
   void remember_place();  // before the model is reset, which leaves none
   void restore_place();
 
   Document& document_;
   GaussianTableModel* model_;
   QTableView* table_;
+  FilterBar* filter_;
   bool syncing_ = false;
   std::optional<GaussianId> current_;  // while the model is reset
   int current_column_ = 0;

@@ -33,8 +33,9 @@ void GaussianRows::arrange() {
   };
   std::vector<Entry> entries;
   for (std::size_t i = 0; i < medium.size(); ++i) {
-    const bool passes = filter_.is_empty() ||
-                        filter_.passes(document_.effective_gaussian(i), document_.scene().groups);
+    const bool passes =
+        filter_.is_empty() ||
+        filter_.passes(document_.effective_gaussian(i), document_.scene().groups, medium.ids()[i]);
     if (passes) entries.push_back({column_ < 0 ? 0.0 : key(i), medium.ids()[i]});
   }
   // Equal ones as in the medium, whose ids ascend.
@@ -64,6 +65,7 @@ void GaussianRows::erase(std::size_t first, std::size_t count) {
 
 bool GaussianRows::depends_on(int column) const {
   if (column == column_) return true;
+  if (column == id_column) return false;  // it stays
   return column == group_column ? filter_.is_of_groups() : !filter_.is_empty();
 }
 
@@ -93,6 +95,7 @@ void GaussianRows::rank_groups() {
 }
 
 double GaussianRows::key(std::size_t index) const {
+  if (column_ == id_column) return static_cast<double>(document_.medium().ids()[index]);
   if (column_ == group_column) {
     const auto rank = group_ranks_.find(document_.medium().group(index));
     return rank == group_ranks_.end() ? 0.0 : rank->second;

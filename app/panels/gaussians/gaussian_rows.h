@@ -20,6 +20,7 @@ class GaussianRows {
   explicit GaussianRows(const Document& document) : document_(document) { arrange(); }
 
   static constexpr int group_column = static_cast<int>(gaussian_attributes.size());
+  static constexpr int id_column = group_column + 1;
   static constexpr int no_column = -1;  // as in the medium
 
   void sort_by(int column, Qt::SortOrder order);

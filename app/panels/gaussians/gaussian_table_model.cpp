@@ -129,13 +129,13 @@ bool GaussianTableModel::follow(const MediumEdit& edit) {
 
 bool GaussianTableModel::follow_changes(const MediumEdit& edit) {
   // Only the columns that changed: rows that are sorted by another one stay where they are.
-  std::array<bool, group_column + 1> changed{};
+  std::array<bool, id_column + 1> changed{};
   for (const auto& change : edit.changed()) {
     for (std::size_t k = 0; k < gaussian_attributes.size(); ++k) {
       const GaussianAttribute field = gaussian_attributes[k];
       changed[k] = changed[k] || !is_shown_alike(change.before, change.after, field);
     }
-    changed.back() = changed.back() || change.before.group != change.after.group;
+    changed[group_column] = changed[group_column] || change.before.group != change.after.group;
   }
   for (int k = 0; k < columnCount(); ++k) {
     if (changed[static_cast<std::size_t>(k)] && rows_.depends_on(k)) return false;
@@ -168,7 +168,7 @@ int GaussianTableModel::rowCount(const QModelIndex& parent) const {
 }
 
 int GaussianTableModel::columnCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : group_column + 1;
+  return parent.isValid() ? 0 : id_column + 1;
 }
 
 QVariant GaussianTableModel::data(const QModelIndex& index, int role) const {
@@ -179,6 +179,9 @@ QVariant GaussianTableModel::data(const QModelIndex& index, int role) const {
   }
   const auto row_index = document_.medium().index_of(id(index.row()));
   if (!row_index) return {};
+  if (index.column() == id_column) {
+    return role == Qt::DisplayRole ? QVariant(qulonglong{id(index.row())}) : QVariant();
+  }
   if (index.column() == group_column) return group_data(document_.medium().group(*row_index), role);
   const GaussianAttribute field = gaussian_attributes[static_cast<std::size_t>(index.column())];
   const GaussianOptics own_optics = document_.medium().optics(*row_index);
@@ -236,6 +239,7 @@ QVariant GaussianTableModel::headerData(int section, Qt::Orientation orientation
   }
   // So many titles stand beside each other.
   if (section == group_column) return tr("Group");
+  if (section == id_column) return tr("Id");
   if (section < 3) return QString("XYZ"[section]);
   return attribute_title(gaussian_attributes[static_cast<std::size_t>(section)]);
 }

@@ -9,14 +9,15 @@ namespace brume {
 
 class Document;
 
-// The table of the medium's Gaussians: their attributes and their group. Albedo and emission have
-// swatches; the medium's albedo is grey text.
+// The table of the medium's Gaussians: their attributes, their group and their id. Albedo and
+// emission have swatches; the medium's albedo is grey text.
 class GaussianTableModel : public QAbstractTableModel {
   Q_OBJECT
  public:
   explicit GaussianTableModel(Document& document, QObject* parent = nullptr);
 
   static constexpr int group_column = GaussianRows::group_column;
+  static constexpr int id_column = GaussianRows::id_column;  // as At the Cursor and files have it
 
   [[nodiscard]] GaussianId id(int row) const { return rows_.id(row); }
   // nullopt: it is not shown.

@@ -18,6 +18,8 @@
 #include "app/commands/edit_objects.h"
 #include "app/commands/scene_part_command.h"
 #include "app/commands/select_command.h"
+#include "app/document/document.h"
+#include "app/document/gaussian_attribute.h"
 #include "app/document/number_text.h"
 #include "app/document/timeline.h"
 #include "app/files/recent_pictures.h"
@@ -157,6 +159,14 @@ void MainMenu::fill_select_menu(QMenu* menu) {
   add(menu, tr("&Invert"), "select.invert", [this] { invert_selection(work_.document); });
   add(menu, tr("&Grow"), "select.grow", [this] { grow_selection(work_.document); });
   add(menu, tr("Shrin&k"), "select.shrink", [this] { shrink_selection(work_.document); });
+  QMenu* similar = menu->addMenu(tr("Si&milar"));
+  for (const GaussianAttribute field :
+       {GaussianAttribute::radius, GaussianAttribute::density, GaussianAttribute::albedo,
+        GaussianAttribute::emission, GaussianAttribute::elongation}) {
+    add(similar, tr("Similar %1").arg(attribute_title(field)), "",
+        [this, field] { select_similar(work_.document, field); });
+  }
+  add(similar, tr("Same Group"), "", [this] { select_same_groups(work_.document); });
   menu->addSeparator();
   add(menu, tr("Gr&oup Selection"), "select.group", [this] { group_selection(work_.document); });
   add(menu, tr("Ungroup S&election"), "select.ungroup",
