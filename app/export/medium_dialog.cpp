@@ -12,12 +12,14 @@
 #include <algorithm>
 #include <array>
 
+#include "app/document/document.h"
 #include "app/document/gaussian_attribute.h"
 #include "app/document/number_text.h"
 #include "app/document/paths.h"
 #include "app/document/scene_at.h"
 #include "app/document/timeline.h"
 #include "app/files/file_dialogs.h"
+#include "app/widgets/color_button.h"
 #include "app/widgets/opacity_along_box.h"
 #include "app/widgets/plain_text.h"
 #include "app/widgets/rows.h"
@@ -76,16 +78,19 @@ void set_domain(double low, double high, QLineEdit* line) {
 
 }  // namespace
 
-MediumDialog::MediumDialog(std::shared_ptr<const Scene> scene, const Timeline& timeline,
-                           double exposure, const QString& folder, QWidget* parent)
+MediumDialog::MediumDialog(const Document& document, const Timeline& timeline, double exposure,
+                           QWidget* parent)
     : QDialog(parent),
-      scene_(std::move(scene)),
+      scene_(document.snapshot()),
+      selection_(document.selection()),
       time_(timeline.time()),
       frames_per_second_(timeline.frames_per_second()),
       form_(new QFormLayout(this)),
+      what_(named(new QComboBox(this), "medium_what")),
       format_(named(new QComboBox(this), "medium_format")),
-      file_(named(new QLineEdit(last_folder(FileKind::medium, folder) + "/medium.vdb", this),
-                  "medium_file")),
+      file_(named(
+          new QLineEdit(last_folder(FileKind::medium, document.folder()) + "/medium.vdb", this),
+          "medium_file")),
       voxel_(named(new QLineEdit(this), "medium_voxel")),
       half_(new QCheckBox(tr("half precision"), this)),
       along_(named(new OpacityAlongBox(this), "medium_opacity")),
@@ -98,6 +103,7 @@ MediumDialog::MediumDialog(std::shared_ptr<const Scene> scene, const Timeline& t
       export_(named(new QPushButton(tr("Export")), "export_medium")) {
   setWindowTitle(tr("Export medium"));
   setAttribute(Qt::WA_DeleteOnClose);
+  add_what();
   for (const Format& format : formats()) {
     format_->addItem(tr("%1 (%2)").arg(tr(format.title), format.extensions.join(", ")));
   }
@@ -137,6 +143,28 @@ MediumDialog::MediumDialog(std::shared_ptr<const Scene> scene, const Timeline& t
     connect(box, &WholeNumberBox::changed, this, &MediumDialog::show_memory);
   }
   show_options();
+}
+
+void MediumDialog::add_what() {
+  what_->addItem(tr("All Gaussians"));
+  if (!selection_.empty()) {
+    what_->addItem(tr("Selected %1").arg(gaussians_text(selection_.size())), qulonglong{0});
+  }
+  for (const Group& group : scene_->groups) {
+    what_->addItem(QIcon(color_swatch(group.color)), QString::fromStdString(group.name),
+                   qulonglong{group.id});
+  }
+  what_->setToolTip(tr("Lit splats are lit as if the others were not there"));
+  form_->addRow(tr("Gaussians"), what_);
+  form_->setRowVisible(what_, what_->count() > 1);
+  connect(what_, &QComboBox::currentIndexChanged, this, &MediumDialog::show_memory);
+}
+
+std::optional<std::vector<GaussianId>> MediumDialog::only() const {
+  const QVariant group = what_->currentData();
+  if (!group.isValid()) return std::nullopt;
+  return group.toULongLong() == 0 ? selection_
+                                  : members_of(*scene_, static_cast<GroupId>(group.toULongLong()));
 }
 
 void MediumDialog::add_options(QFormLayout* form, double exposure) {
@@ -191,12 +219,15 @@ void MediumDialog::show_options() {
 // Where a frame cannot be read the export says so.
 Scene MediumDialog::scene_now() const {
   QString ignored;
-  return scene_at(*scene_, time_, ignored);
+  Scene scene = scene_at(*scene_, time_, ignored);
+  if (const auto ids = only()) keep_only(scene.medium, *ids);
+  return scene;
 }
 
 MediumExport MediumDialog::chosen() const {
   MediumExport request;
   request.scene = scene_;
+  request.only = only();
   request.file = to_path(file_->text());
   request.format = chosen_of(*format_).format;
   request.along = along_->along();

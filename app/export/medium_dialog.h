@@ -14,6 +14,7 @@ class QPushButton;
 
 namespace brume {
 
+class Document;
 class OpacityAlongBox;
 class Timeline;
 class WholeNumberBox;
@@ -23,14 +24,15 @@ class WholeNumberBox;
 class MediumDialog : public QDialog {
   Q_OBJECT
  public:
-  // `exposure` [stops] is offered for lit splats.
-  MediumDialog(std::shared_ptr<const Scene> scene, const Timeline& timeline, double exposure,
-               const QString& folder, QWidget* parent);
+  // Of the document as it is now. `exposure` [stops] is offered for lit splats.
+  MediumDialog(const Document& document, const Timeline& timeline, double exposure,
+               QWidget* parent);
 
  Q_SIGNALS:
   void requested(const brume::MediumExport& request);
 
  private:
+  void add_what();
   void add_options(QFormLayout* form, double exposure);
   void follow_format();  // with the extension
   void follow_file();    // with the format
@@ -42,11 +44,14 @@ class MediumDialog : public QDialog {
   [[nodiscard]] MediumExport chosen() const;
 
   [[nodiscard]] Scene scene_now() const;
+  [[nodiscard]] std::optional<std::vector<GaussianId>> only() const;
 
   std::shared_ptr<const Scene> scene_;
+  std::vector<GaussianId> selection_;
   double time_;
   double frames_per_second_;
   QFormLayout* form_;
+  QComboBox* what_;  // all, the selection, or a group, whose id is its data
   QComboBox* format_;
   QLineEdit* file_;
   QLineEdit* voxel_;

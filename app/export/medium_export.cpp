@@ -1,8 +1,12 @@
 #include "app/export/medium_export.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include "app/export/export_frames.h"
 #include "app/files/numbered_file.h"
 #include "brume/at_time.h"
+#include "brume/edits.h"
 #include "brume/error.h"
 #include "core/io/disk/atomic_file.h"
 #include "core/io/gaussians/gaussian_file.h"
@@ -20,6 +24,12 @@ constexpr std::size_t max_blocks = max_grid_bytes / sizeof(DensityGrid::Block);
 double chosen_voxel_size(const Medium& medium, double request) {
   const double size = request > 0.0 ? request : fitting_voxel_size(medium);
   return size > 0.0 ? size : 1.0;  // nothing to sample
+}
+
+Scene exported_scene(const MediumExport& request, double time) {
+  Scene scene = evaluate_at(*request.scene, time);
+  if (request.only) keep_only(scene.medium, *request.only);
+  return scene;
 }
 
 struct Grids {
@@ -51,7 +61,7 @@ Grids sampled(const MediumExport& request, const std::filesystem::path& file, co
 // Returns a function that writes the medium of a time to a file. Throws Cancelled.
 FrameLoop::Write writing(const MediumExport& request, const std::filesystem::path& file,
                          double time, const Job& job) {
-  const Scene scene = evaluate_at(*request.scene, time);
+  const Scene scene = exported_scene(request, time);
   switch (request.format) {
     case MediumFormat::volume:
       return [grids = std::make_shared<const Grids>(sampled(request, file, scene, job)), file,
@@ -89,7 +99,7 @@ void write_stage(const MediumExport& request, const Job& job) {
     const double time = request.range ? number / range.frames_per_second : request.time;
     UsdFrame& frame = frames.emplace_back();
     if (request.range) frame.frame = number;
-    frame.scene = evaluate_at(*request.scene, time);
+    frame.scene = exported_scene(request, time);
     frame.splats = frame.scene.medium.gaussians();
     if (frame.splats.empty()) continue;
     const std::filesystem::path file = volume_of_stage(request.file, frame.frame);
@@ -104,6 +114,12 @@ void write_stage(const MediumExport& request, const Job& job) {
 }
 
 }  // namespace
+
+void keep_only(Medium& medium, const std::vector<GaussianId>& ids) {
+  std::vector<GaussianId> others;
+  std::ranges::set_difference(medium.ids(), ids, std::back_inserter(others));
+  MediumEdit::remove(medium, others).apply(medium);
+}
 
 std::optional<std::uintmax_t> grid_bytes(const Medium& medium, double voxel_size) {
   const auto plan = MediumSampling::plan(medium, chosen_voxel_size(medium, voxel_size), max_blocks);

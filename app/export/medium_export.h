@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "app/jobs/background_job.h"
 #include "brume/scene.h"
@@ -24,6 +25,8 @@ enum class MediumFormat : std::uint8_t {
 // Parameters of exporting a scene's Gaussians. The homogeneous density is unbounded and excluded.
 struct MediumExport {
   std::shared_ptr<const Scene> scene;  // with all its times
+  // Only these Gaussians of it, sorted; nullopt: all, and those of emitters and sequences.
+  std::optional<std::vector<GaussianId>> only;
   std::filesystem::path file;
   MediumFormat format = MediumFormat::volume;
   double voxel_size = 0.0;                  // of a .vdb; 0: half the least radius
@@ -40,6 +43,9 @@ struct MediumExport {
   };
   std::optional<Range> range;
 };
+
+// Removes all other Gaussians of a medium; `ids` are sorted.
+void keep_only(Medium& medium, const std::vector<GaussianId>& ids);
 
 // Maximum size of a grid [bytes].
 inline constexpr std::uintmax_t max_grid_bytes = std::uintmax_t{2} << 30;

@@ -116,9 +116,8 @@ void FileJobs::start(const QString& title, const BackgroundJob::Work& job) {
 }
 
 void FileJobs::export_medium() {
-  auto* dialog = new MediumDialog(work_.document.snapshot(), work_.timeline,
-                                  work_.views.perspective().frames().exposure(),
-                                  work_.document.folder(), window_);
+  auto* dialog = new MediumDialog(work_.document, work_.timeline,
+                                  work_.views.perspective().frames().exposure(), window_);
   connect(dialog, &MediumDialog::requested, this, [this](const MediumExport& what) {
     const QString name = to_qstring(what.file.filename());
     start(tr("Exporting %1").arg(name), brume::export_medium(what));

@@ -7,6 +7,7 @@
 #include <QPushButton>
 #include <QSpinBox>
 
+#include "app/commands/edit_groups.h"
 #include "app/export/medium_dialog.h"
 #include "core/io/disk/file_bytes.h"
 #include "core/io/ply.h"
@@ -28,9 +29,7 @@ MediumDialog* open_export(FileDesk& desk) {
   for (MediumDialog* old : desk.findChildren<MediumDialog*>()) {
     if (!old->isVisible()) delete old;
   }
-  Document& document = desk.document();
-  auto* dialog =
-      new MediumDialog(document.snapshot(), desk.timeline(), 0.0, document.folder(), &desk);
+  auto* dialog = new MediumDialog(desk.document(), desk.timeline(), 0.0, &desk);
   QObject::connect(dialog, &MediumDialog::requested, &desk, [&desk](const MediumExport& what) {
     desk.job().start(export_medium(what), "Exporting");
   });
@@ -153,6 +152,41 @@ class MediumExportTest : public QObject {
     }
     file->setText(to_qstring(desk.file("fog.txt")));
     QVERIFY(!dialog->findChild<QPushButton*>("export_medium")->isEnabled());
+  }
+
+  void a_selection_or_a_group_is_exported_alone() {
+    FileDesk desk;
+    Document& document = desk.document();
+    const auto what_of = [](MediumDialog& dialog) {
+      return dialog.findChild<QComboBox*>("medium_what");
+    };
+    QVERIFY(!what_of(*open_export(desk))->isVisible());  // there is nothing to choose
+    shown<MediumDialog>(desk)->reject();
+    document.select({2, 3});
+    group_selection(document);
+    document.select({3});
+    group_selection(document);  // in the first
+    document.select({1, 5});
+    const auto exported = [&](const QString& what) {
+      auto* dialog = open_export(desk);
+      what_of(*dialog)->setCurrentText(what);
+      dialog->findChild<QLineEdit*>("medium_file")->setText(to_qstring(desk.file("g.csv")));
+      click(*dialog, "export_medium");
+      std::vector<double> radii;
+      if (!wait(desk).isEmpty()) return radii;
+      for (const Gaussian& g : read_gaussians(desk.file("g.csv"))) radii.push_back(g.radius);
+      fs::remove(desk.file("g.csv"));
+      return radii;
+    };
+    const auto radii_of = [&](std::initializer_list<std::size_t> indices) {
+      std::vector<double> radii;
+      for (const std::size_t i : indices) radii.push_back(document.medium().radii()[i]);
+      return radii;
+    };
+    QCOMPARE(exported("Selected 2 Gaussians"), radii_of({0, 4}));
+    QCOMPARE(exported("Group"), radii_of({1, 2}));
+    QCOMPARE(exported("Group 2"), radii_of({2}));
+    QCOMPARE(exported("All Gaussians"), radii_of({0, 1, 2, 3, 4}));
   }
 
   void lit_splats_and_pages_are_exported_as_displayed() {
