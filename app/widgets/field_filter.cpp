@@ -10,6 +10,7 @@
 #include <QMainWindow>
 #include <QScrollBar>
 #include <QSpinBox>
+#include <QTableView>
 
 #include "app/widgets/keys.h"
 
@@ -86,6 +87,15 @@ bool FieldFilter::eventFilter(QObject* watched, QEvent* event) {
       // Or else the wheel would give it the focus first.
       if (has_wheel_value(widget) && widget->focusPolicy() == Qt::WheelFocus) {
         widget->setFocusPolicy(Qt::StrongFocus);
+      }
+      break;
+    case QEvent::Enter:
+      // Where one comes back to the picture with the mouse, letters are commands again; the cells
+      // of a table are still typed into.
+      if (QWidget* list = QApplication::focusWidget();
+          qobject_cast<QAbstractItemView*>(list) && !qobject_cast<QTableView*>(list)) {
+        const auto* main = qobject_cast<QMainWindow*>(list->window());
+        if (main && widget == main->centralWidget()) leave_field(*list);
       }
       break;
     case QEvent::Wheel:

@@ -11,6 +11,8 @@ namespace brume {
 //   scrolls what that is in;
 // - what is being typed is committed by a click anywhere else, by a shortcut, and when the window
 //   closes;
+// - letters typed into a list search its names, or open a cell, and are no shortcuts; a list of
+//   names has the focus until the mouse comes to the picture;
 // - undo and redo are the document's, unless the text was changed since the field got the focus;
 // - after Enter, which takes it, and Escape, which does not, the view has the focus.
 class FieldFilter : public QObject {
