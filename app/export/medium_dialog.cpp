@@ -154,7 +154,7 @@ void MediumDialog::add_what() {
     what_->addItem(QIcon(color_swatch(group.color)), QString::fromStdString(group.name),
                    qulonglong{group.id});
   }
-  what_->setToolTip(tr("Lit splats are lit as if the others were not there"));
+  what_->setToolTip(tr("Lit splats are lit as they are among the others"));
   form_->addRow(tr("Gaussians"), what_);
   form_->setRowVisible(what_, what_->count() > 1);
   connect(what_, &QComboBox::currentIndexChanged, this, &MediumDialog::show_memory);

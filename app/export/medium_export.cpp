@@ -75,8 +75,9 @@ FrameLoop::Write writing(const MediumExport& request, const std::filesystem::pat
       };
     case MediumFormat::lit_splats:
     case MediumFormat::page: {
-      auto bytes =
-          lit_splat_file(scene, {request.exposure, request.along, request.y_down}, file, job);
+      auto bytes = lit_splat_file(evaluate_at(*request.scene, time),
+                                  {request.exposure, request.along, request.y_down, request.only},
+                                  file, job);
       if (!bytes) throw Cancelled();
       return [bytes = std::move(*bytes), file] { write_atomically(file, bytes); };
     }

@@ -1,5 +1,7 @@
 #include "render/splats/lit_splat_file.h"
 
+#include <algorithm>
+
 #include "core/io/disk/file_bytes.h"
 #include "core/io/gaussians/splat_page.h"
 #include "core/io/gaussians/splat_ply.h"
@@ -30,11 +32,22 @@ std::optional<std::vector<SplatColor>> baked(const Scene& scene, double exposure
 std::optional<std::string> lit_splat_file(const Scene& scene, const LitSplatOptions& options,
                                           const std::filesystem::path& file, const Job& job,
                                           std::vector<std::string>* warnings) {
-  const auto colors = baked(scene, options.exposure, job, warnings);
+  auto colors = baked(scene, options.exposure, job, warnings);
   if (!colors) return std::nullopt;
+  std::vector<Gaussian> gaussians = scene.medium.gaussians();
+  if (options.only) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < gaussians.size(); ++i) {
+      if (!std::ranges::binary_search(*options.only, scene.medium.ids()[i])) continue;
+      gaussians[count] = gaussians[i];
+      (*colors)[count++] = (*colors)[i];
+    }
+    gaussians.resize(count);
+    colors->resize(count);
+  }
   const bool is_page = lower_case_extension(file) == ".html";
-  std::string ply = splats_ply(scene.medium.gaussians(), {options.along, scene.optics.albedo,
-                                                          *colors, options.y_down || is_page});
+  std::string ply = splats_ply(
+      gaussians, {options.along, scene.optics.albedo, *colors, options.y_down || is_page});
   if (!is_page) return ply;
   return splat_page(file.stem().string(), ply, scene.camera, scene.film);
 }

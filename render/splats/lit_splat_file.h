@@ -16,6 +16,8 @@ struct LitSplatOptions {
   double exposure = 0.0;  // [stops]
   OpacityAlong along = OpacityAlong::mean;
   bool y_down = false;  // of a PLY; see SplatOutput
+  // Only these of the Gaussians are written, lit as among all; sorted. nullopt: all.
+  std::optional<std::vector<GaussianId>> only;
 };
 
 // Bakes the light of a scene's fog into splats, exposed and shown as a .png is, and returns what

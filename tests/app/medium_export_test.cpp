@@ -22,6 +22,7 @@ using namespace brume;
 namespace {
 
 namespace fs = std::filesystem;
+using Ids = std::vector<GaussianId>;
 
 // Does what File > Export Medium does.
 MediumDialog* open_export(FileDesk& desk) {
@@ -191,8 +192,11 @@ class MediumExportTest : public QObject {
 
   void lit_splats_and_pages_are_exported_as_displayed() {
     FileDesk desk;
-    const auto export_to = [&](const QString& title, const char* exposure) {
+    const auto export_to = [&](const QString& title, const char* exposure,
+                               const char* what = "All") {
       auto* dialog = open_export(desk);
+      auto* box = dialog->findChild<QComboBox*>("medium_what");
+      box->setCurrentIndex(box->findText(what, Qt::MatchStartsWith));
       auto* format = dialog->findChild<QComboBox*>("medium_format");
       auto* file = dialog->findChild<QLineEdit*>("medium_file");
       file->setText(to_qstring(desk.file(exposure)) + ".vdb");
@@ -219,6 +223,22 @@ class MediumExportTest : public QObject {
     };
     QVERIFY(sum_of(dark, "f_rest_44") != 0.0);
     QVERIFY(sum_of(dark, "f_dc_0") < sum_of(bright, "f_dc_0"));
+    // One of two is as bright as among both.
+    const auto count_of = [](const fs::path& file) {
+      return PlyFile(file, read_bytes(file)).element("vertex")->count;
+    };
+    QCOMPARE(count_of(bright), desk.document().medium().size());
+    const double whole = sum_of(bright, "f_dc_0");
+    double parts = 0.0;
+    for (const Ids& ids : {Ids{1, 2}, Ids{3, 4, 5}}) {
+      desk.document().select(ids);
+      fs::remove(bright);
+      export_to("Lit splats", "1", "Selected");
+      QCOMPARE(wait(desk), "");
+      QCOMPARE(count_of(bright), ids.size());
+      parts += sum_of(bright, "f_dc_0");
+    }
+    QVERIFY(std::abs(parts - whole) < 1e-5 * std::abs(whole));  // of numbers with 7 digits
     const fs::path page = export_to("Web page", "0");
     QCOMPARE(wait(desk), "");
     QVERIFY(read_bytes(page).find("data:application/octet-stream") != std::string::npos);

@@ -2,6 +2,7 @@
 
 #include <QLabel>
 #include <QPushButton>
+#include <QSignalSpy>
 
 #include "app/commands/edit_groups.h"
 #include "app/commands/edit_medium.h"
@@ -69,6 +70,17 @@ class QueryTest : public QObject {
     document.undo_stack().undo();
     QVERIFY(document.scene() == before);
     QCOMPARE(document.selection(), Ids{1});
+    // What is locked is in no group, and nothing in none at all.
+    document.lock({3});
+    QTest::mouseClick(group, Qt::LeftButton);
+    QCOMPARE(document.selection(), Ids{4});
+    document.undo_stack().undo();
+    document.lock({3, 4});
+    const QSignalSpy refused(desk.findChild<GaussianPanel*>(), &GaussianPanel::refused);
+    for (QPushButton* button : {select, group}) QTest::mouseClick(button, Qt::LeftButton);
+    QCOMPARE(refused.count(), 2);
+    document.lock({});
+    QVERIFY(document.scene() == before);
     set_filter(desk, "");
     QVERIFY(!count->isVisible());
   }

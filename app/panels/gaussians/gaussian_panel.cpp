@@ -96,7 +96,8 @@ GaussianPanel::GaussianPanel(Document& document, QWidget* parent)
   connect(model_, &QAbstractItemModel::modelReset, this, &GaussianPanel::restore_place);
   table_->installEventFilter(this);
   connect(filter_, &FilterBar::asked, model_, &GaussianTableModel::set_filter);
-  connect(filter_, &FilterBar::select_asked, this, &GaussianPanel::select_shown);
+  connect(filter_, &FilterBar::select_asked, this,
+          [this] { select_gaussians(document_, shown()); });
   connect(filter_, &FilterBar::group_asked, this, &GaussianPanel::group_shown);
 
   auto* layout = new QVBoxLayout(this);
@@ -222,17 +223,22 @@ void GaussianPanel::follow(const MediumEdit& edit) {
   }
 }
 
-void GaussianPanel::select_shown() {
+std::vector<GaussianId> GaussianPanel::shown() {
   if (reload_timer_.isActive()) reload();
   std::vector<GaussianId> ids;
   for (int row = 0; row < model_->rowCount(); ++row) ids.push_back(model_->id(row));
-  select_gaussians(document_, std::move(ids));
+  const bool is_empty = ids.empty();
+  ids = document_.selectable(std::move(ids));
+  if (ids.empty() && !is_empty) Q_EMIT refused(tr("All of these are hidden or locked."));
+  return ids;
 }
 
 void GaussianPanel::group_shown() {
+  const std::vector<GaussianId> ids = shown();
+  if (ids.empty()) return;
   document_.undo_stack().beginMacro(tr("Save %1 as group").arg(filter_->text()));
-  select_shown();
-  if (!document_.selection().empty()) group_selection(document_, filter_->text());
+  select_gaussians(document_, ids);
+  group_selection(document_, filter_->text());
   document_.undo_stack().endMacro();
 }
 
@@ -241,7 +247,7 @@ bool GaussianPanel::eventFilter(QObject* watched, QEvent* event) {
   if ((is_shortcut || event->type() == QEvent::KeyPress) &&
       is_key_of("select.all", static_cast<QKeyEvent&>(*event))) {
     event->accept();
-    if (!is_shortcut) select_shown();
+    if (!is_shortcut) select_gaussians(document_, shown());
     return true;
   }
   return QWidget::eventFilter(watched, event);

@@ -5,6 +5,7 @@
 #include <QWidget>
 #include <glm/vec3.hpp>
 #include <optional>
+#include <vector>
 
 #include "brume/gaussian.h"
 
@@ -36,7 +37,7 @@ class GaussianPanel : public QWidget {
   void adopt_selection();
   void follow(const MediumEdit& edit);
   void reload();
-  void select_shown();
+  std::vector<GaussianId> shown();  // that can be selected; says so where none can
   void group_shown();
   void remember_place();  // before the model is reset, which leaves none
   void restore_place();
