@@ -17,7 +17,9 @@ std::function<void()> lit_splats(const Scene& scene, double exposure, OpacityAlo
   std::optional<std::string> bytes;
   {
     const ProgressLine line("baking light");
-    bytes = lit_splat_file(scene, {exposure, along, y_down}, output, line.job(), &warnings);
+    bytes =
+        lit_splat_file(scene, {.exposure = exposure, .along = along, .y_down = y_down, .only = {}},
+                       output, line.job(), &warnings);
   }
   print_warnings(warnings);
   return [bytes = finished(std::move(bytes)), output] { write_atomically(output, bytes); };
