@@ -40,8 +40,8 @@ void add_target(QHBoxLayout& row, Tool& tool, const QString& prefix,
                 const std::function<void(const PaintTarget&)>& set) {
   add_choice(
       row, tool, {Tool::tr("On"), prefix + "_plane"},
-      {Tool::tr("Under mouse"), Tool::tr("View plane"), Tool::tr("Ground, y"),
-       Tool::tr("Wall, x"), Tool::tr("Wall, z"), Tool::tr("Surfaces")},
+      {Tool::tr("Under mouse"), Tool::tr("View plane"), Tool::tr("Ground, y"), Tool::tr("Wall, x"),
+       Tool::tr("Wall, z"), Tool::tr("Surfaces")},
       [get] { return static_cast<int>(get().plane); },
       [get, set](int index) {
         PaintTarget target = get();
