@@ -95,7 +95,9 @@ void group_selection(Document& document, const QString& name) {
   Group group;
   for (const Group& other : groups) group.id = std::max(group.id, other.id);
   ++group.id;
-  group.name = free_group_name(groups, name.isEmpty() ? undo_text("Group") : name).toStdString();
+  const QString wanted = allowed_name(name, 10);  // with room for a number
+  group.name =
+      free_group_name(groups, wanted.isEmpty() ? undo_text("Group") : wanted).toStdString();
   group.color = colors[groups.size() % colors.size()];
   group.parent = common_outer_group(document);
   groups.push_back(group);

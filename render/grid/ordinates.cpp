@@ -69,25 +69,29 @@ void each_open_pair(const GridMedium& medium, Exchange exchange) {
 // Sweeps take the source as linear between the slabs of nodes that light passes through, as if each
 // node's were spread along its way: light diffuses too fast, by a twelfth of the squared way
 // between slabs, in units of mean free paths. This takes as much from its neighbours in advance, on
-// average over directions. The sum stays. Where nodes are mean free paths apart nothing changes:
-// the iteration would end no more.
-NodeLight sharpened(const GridMedium& medium, const NodeLight& incident) {
+// average over directions; what all nodes send stays. Nothing changes where nodes are mean free
+// paths apart: the iteration would end no more. So many bands as the phase function has.
+NodeLight sharpened(const GridMedium& medium, const NodeLight& incident, int bands,
+                    const Job& job) {
   // The mean of that squared way over all directions is 1.516 squared spacings; a third of it is
   // along each axis.
   constexpr float exchanged = 1.516f / 36.0f;
   constexpr float no_more = 1.5f;  // optical depth between nodes; it fades from 0.5 on
   NodeLight result = incident;
-  each_open_pair(medium, [&](std::size_t i, std::size_t j) {
-    const float depth = 0.5f * medium.nodes.spacing * (medium.density[i] + medium.density[j]);
-    const float share = exchanged * std::clamp(no_more - depth, 0.0f, 1.0f);
-    if (!(share > 0.0f)) return;
-    for (std::size_t row = 0; row < incident.channels * incident.functions(); ++row) {
-      const float* const from = incident.values.data() + row * incident.stride;
-      float* const to = result.values.data() + row * incident.stride;
-      const float flow = share * (from[i] - from[j]);
-      to[i] += flow;
-      to[j] -= flow;
-    }
+  const std::size_t functions = sh_size(bands);
+  job.parallel_for(incident.channels * functions, [&](std::size_t k) {
+    const std::span<const float> light = incident.row(k / functions, k % functions);
+    const std::span<float> sharp = result.row(k / functions, k % functions);
+    each_open_pair(medium, [&](std::size_t i, std::size_t j) {
+      const float first = medium.density[i];
+      const float second = medium.density[j];
+      if (!(first > 0.0f && second > 0.0f)) return;
+      const float depth = 0.5f * medium.nodes.spacing * (first + second);
+      const float share = exchanged * std::clamp(no_more - depth, 0.0f, 1.0f);
+      const float flow = share * std::min(first, second) * (light[i] - light[j]);
+      sharp[i] += flow / first;
+      sharp[j] -= flow / second;
+    });
   });
   return result;
 }
@@ -99,10 +103,7 @@ class Emission {
  public:
   Emission(const GridMedium& medium, const NodeLight& incident, std::span<const float> reflected,
            std::span<const double> phase)
-      : medium_(medium),
-        incident_(sharpened(medium, incident)),
-        phase_(phase),
-        occlusion_(occlusion_of(medium)) {
+      : medium_(medium), incident_(incident), phase_(phase), occlusion_(occlusion_of(medium)) {
     assert(static_cast<int>(phase.size()) <= incident.bands);
     const std::size_t links = reflected.size() / incident.channels;
     for (std::size_t c = 0; c < incident.channels; ++c) {
@@ -135,7 +136,7 @@ class Emission {
 
  private:
   const GridMedium& medium_;
-  NodeLight incident_;
+  const NodeLight& incident_;
   std::span<const double> phase_;
   SweepOcclusion occlusion_;
   std::array<std::span<const float>, 3> sent_;
@@ -156,7 +157,7 @@ void add_inflow(const GridMedium& medium, const glm::dvec3& w, std::span<float> 
   for (std::size_t i = 0; i < transmitted.size(); ++i) arriving[i] += max * transmitted[i];
 }
 
-// What endless fog sends back to the nodes of a grid's border, where light diffuses.
+// The light that endless fog sends back to the nodes of a grid's border, where it diffuses.
 class LightFromBeyond {
  public:
   LightFromBeyond(const GridMedium& medium, const NodeLight& incident)
@@ -210,11 +211,11 @@ class LightFromBeyond {
     double sum = 0.0;
     for (const Point& point : rule) {
       const double distance = glm::length(q + point.depth / fog.transport_extinction * w);
-      if (!(distance > 0.0)) continue;
-      const double fluence = std::exp(fog.decay * (r - distance)) * r / distance;
+      const double fluence =
+          distance > 0.0 ? std::exp(fog.decay * (r - distance)) * r / distance : most;
       sum += point.weight * std::min(fluence, most);
     }
-    return static_cast<float>(sum);
+    return static_cast<float>(fog.albedo * sum);
   }
 
   const GridMedium& medium_;
@@ -279,10 +280,11 @@ NodeLight::NodeLight(int bands_, std::size_t channels_, std::size_t nodes)
   values.assign(channels * functions() * stride, 0.0f);
 }
 
-EndlessFog::EndlessFog(double density, double albedo, double anisotropy,
+EndlessFog::EndlessFog(double density, double scattering_albedo, double anisotropy,
                        const glm::dvec3& middle_of_lights)
-    : transport_extinction(density * (1.0 - albedo * anisotropy)),
-      decay(std::sqrt(3.0 * (1.0 - albedo) * density * transport_extinction)),
+    : transport_extinction(density * (1.0 - scattering_albedo * anisotropy)),
+      decay(std::sqrt(3.0 * (1.0 - scattering_albedo) * density * transport_extinction)),
+      albedo(scattering_albedo * (1.0 - anisotropy) / (1.0 - scattering_albedo * anisotropy)),
       lights(middle_of_lights) {}
 
 std::vector<double> phase_bands(double anisotropy, int count) {
@@ -328,7 +330,11 @@ void scatter_once(const GridMedium& medium, const NodeLight& incident,
                   std::span<const float> reflected, std::span<const double> phase, int degree,
                   NodeLight& scattered, const Job& job) {
   assert(incident.channels == scattered.channels && incident.stride == scattered.stride);
-  const Emission emission(medium, incident, reflected, phase);
+  std::optional<NodeLight> sharp;
+  if (medium.is_fog_alone || medium.beyond) {
+    sharp = sharpened(medium, incident, static_cast<int>(phase.size()), job);
+  }
+  const Emission emission(medium, sharp ? *sharp : incident, reflected, phase);
   std::optional<LightFromBeyond> from_beyond;
   if (medium.beyond) from_beyond.emplace(medium, incident);
   integrate(ordinates(degree, medium), scattered, job,

@@ -43,11 +43,13 @@ struct NodeLight {
 struct EndlessFog {
   double transport_extinction = 1.0;  // [1/u]
   double decay = 0.0;                 // [1/u]; 0: nothing is absorbed
+  double albedo = 1.0;                // as if scattering were isotropic
   glm::dvec3 lights{0.0};             // their middle, from the first node [u]
 
   EndlessFog() = default;
-  // Of that density [1/u].
-  EndlessFog(double density, double albedo, double anisotropy, const glm::dvec3& middle_of_lights);
+  // `density` is the extinction [1/u].
+  EndlessFog(double density, double scattering_albedo, double anisotropy,
+             const glm::dvec3& middle_of_lights);
 };
 
 // A medium on a grid.

@@ -29,8 +29,8 @@ std::vector<float> reflected(const GridMedium& medium, const NodeLight& incident
   return medium.surfaces ? reflected_light(*medium.surfaces, incident) : std::vector<float>{};
 }
 
-// How much the light at each node matters: as much as is scattered to the eye there. Without a
-// medium it falls on surfaces.
+// The light at each node matters as much as it is scattered to the eye there. Without a medium it
+// falls on surfaces.
 std::vector<float> weights_of(const GridMedium& medium) {
   std::vector<float> weights(medium.density.begin(), medium.density.end());
   const auto is_zero = [](float density) { return density == 0.0f; };

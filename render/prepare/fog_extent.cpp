@@ -157,6 +157,7 @@ LitSpace space_lit_near(const RayCaster& surfaces, std::span<const glm::dvec3> l
       box.high = glm::max(box.high, high);
     };
     for (std::size_t i = 0; i < lights.size(); ++i) {
+      if (!std::isfinite(clearances[i])) continue;
       const glm::dvec3 around(std::max(reach_of_light * clearances[i], least));
       add(lights[i] - around, lights[i] + around);
     }

@@ -50,11 +50,11 @@ class FogExtent {
 // FogExtent::fog() of a scene, whose vertices it reads only if it has a `medium.extent`.
 FogBall fog_of(const Scene& scene);
 
-// Where fog of density b0 > 0 [1/u] without surfaces needs the finest nodes for light that it
-// scatters more than once: around these lights but directional ones, or around the origin, as far
-// as the eye is from the nearest, but at most two mean free paths. In steps of at least a sixteenth
-// of its size, and of powers of 2 of that distance, so that it mostly stays while a light is
-// dragged.
+// The box in which fog of density b0 > 0 [1/u] without surfaces needs the finest nodes for light
+// that it scatters more than once: around these lights but directional ones, or around the origin,
+// as far as the eye is from the nearest, but at most two mean free paths. It goes in steps, of a
+// sixteenth of its size at least, and of powers of 2 of that distance: mostly it stays while a
+// light or the eye moves.
 Box fog_bounds(double b0, std::span<const PointLight> lights, const glm::dvec3& eye);
 // Among surfaces, with lights that are not far away at these places. The fog that needs the finest
 // nodes is the part of the surfaces' bounds around lights that are near surfaces, some times as far

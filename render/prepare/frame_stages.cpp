@@ -198,7 +198,7 @@ LitSpace FrameStages::lit_space(const FrameContext& work) const {
     }
     return lit;
   }
-  if (!has_fog || has_gaussians) return {};  // around these
+  if (!has_fog || (has_gaussians && !ball.is_endless())) return {};  // around these
   // Light from far away is scattered wherever there is fog.
   if (work.fog_extent.has_far_light())
     return {{ball.center - ball.radius, ball.center + ball.radius}};

@@ -77,12 +77,12 @@ class Levels {
       if (content_.surfaces) end = around(end, content_.surfaces->bounds());
       if (content_.receivers) end = around(end, content_.receivers->box);
       box = within(box, end, last_);
-    } else if (content_.fog_density > 0.0) {
+    } else if (content_.fog_density > 0.0 && !fog_end_) {
       // Farther out the nodes would be mean free paths apart.
-      const double reach = 2.0 * fog_reach();
-      Box end{first_.low - reach, first_.high + reach};
-      if (content_.surfaces) end = around(end, content_.surfaces->bounds());
-      box = within(box, end, last_);
+      const double farthest = 2.0 * fog_reach();
+      Box limits{first_.low - farthest, first_.high + farthest};
+      if (content_.surfaces) limits = around(limits, content_.surfaces->bounds());
+      box = within(box, limits, last_);
     }
     return box;
   }
@@ -103,7 +103,8 @@ class Levels {
     return size() > 1 && 0.5 * smallest_side(last_) >= fog_reach();
   }
   [[nodiscard]] double fog_reach() const {
-    return scattering_reach(content_.fog_density, content_.fog_ball, has_gaussians_ ? 1.0 : 4.0);
+    // Light comes back from beyond the levels as it diffuses, which it does far from lights.
+    return scattering_reach(content_.fog_density, content_.fog_ball);
   }
   // Surfaces beyond all levels are lit as those at the border are, which is too much of what
   // Gaussians emit.

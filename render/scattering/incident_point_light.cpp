@@ -163,6 +163,7 @@ void add_point_light(const NodePointLight& light, const glm::dvec3& first, const
   const double spacing = static_cast<double>(nodes.spacing);
   const auto width = static_cast<std::size_t>(nodes.count.x);
   const LightRays rays(light, first, nodes, incident.bands, job);
+  const double max_more = light.deviation > 0.0 ? 0.0 : 0.02;
   job.parallel_for(nodes.size() / width, [&](std::size_t row) {
     const auto add = [&](std::size_t x, double arriving, const ShVector<double>& basis) {
       for (std::size_t c = 0; c < incident.channels; ++c) {
@@ -188,8 +189,9 @@ void add_point_light(const NodePointLight& light, const glm::dvec3& first, const
     PointsAroundLight(light).each(
         points, {}, spacing, [&](std::size_t k, const glm::dvec3& q, double arriving) {
           const double r2 = glm::dot(q, q);
-          // Over the cells around a node, to the second order.
-          const double mean = light.inverse_square(r2) * (1.0 + spacing * spacing / (6.0 * r2));
+          // The mean over the cells around a node is greater than at it, by the second order.
+          const double more = std::min(spacing * spacing / (6.0 * r2), max_more);
+          const double mean = light.inverse_square(r2) * (1.0 + more);
           add(xs[k], (1.0 - shares[xs[k]]) * mean * arriving,
               sh_basis(incident.bands, q / std::sqrt(r2)));
         });

@@ -227,7 +227,7 @@ bool is_in_medium(const SourceGrid::Level& level, double fog, const glm::dvec3& 
   return static_cast<double>(level.density[at]) + fog > 0.0;
 }
 
-// Where lights are, by their power; the scene's and what Gaussians emit.
+// The middle of the scene's lights and of those that Gaussians emit, by their power.
 glm::dvec3 middle_of_lights(const MultipleScattering::Input& input) {
   glm::dvec3 sum(0.0);
   double all = 0.0;
@@ -287,6 +287,7 @@ bool MultipleScattering::update(const Input& input, const Job& job) {
           input.albedo,
           input.anisotropy,
           input.fog_density,
+          input.fog_is_endless,
           input.surfaces_revision,
           input.limits,
           input.motion.warm_start,

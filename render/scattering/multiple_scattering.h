@@ -71,6 +71,7 @@ class MultipleScattering {
     double environment_scale = 0.0;
     std::vector<LightKey> lights;
     double albedo = 0.0, anisotropy = 0.0, fog_density = 0.0;
+    bool fog_is_endless = false;
     Revision surfaces = 0;
     ScatteringLimits limits;
     bool warm_start = false;

@@ -64,7 +64,7 @@ class ColoursTest : public QObject {
     Desk desk(scene);
     auto* table = desk.findChild<QTableView*>();
     QVERIFY(table);
-    QCOMPARE(table->model()->columnCount(), 15);
+    QCOMPARE(table->model()->columnCount(), 16);
     QCOMPARE(table->model()->rowCount(), 5);
     auto* filter = desk.findChild<QLineEdit*>("gaussian_filter");
     QTest::keyClicks(filter, "emission > 1");

@@ -54,6 +54,9 @@ class QueryTest : public QObject {
     set_filter(desk, "id > two");
     QVERIFY2(count->text().contains("“two” is no number"), qPrintable(count->text()));
     QVERIFY(!select->isVisible() && !group->isVisible());
+    const Ids chosen = document.selection();
+    QTest::keyClick(desk.findChild<QLineEdit*>("gaussian_filter"), Qt::Key_Return);
+    QCOMPARE(document.selection(), chosen);
     set_filter(desk, "id > 9");
     QCOMPARE(count->text(), "0 of 5");
     QVERIFY(!select->isEnabled() && !group->isEnabled());

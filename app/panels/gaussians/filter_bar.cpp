@@ -73,7 +73,7 @@ void FilterBar::show_answer() {
   count_->setText(is_right ? tr("%1 of %2").arg(count_text(shown_), count_text(all_)) : problem_);
   for (QAbstractButton* button : buttons_) {
     button->setVisible(is_right);
-    button->setEnabled(shown_ > 0);
+    button->setEnabled(is_right && shown_ > 0 && !text().isEmpty());
   }
   answer_->setVisible(!text().isEmpty());
 }

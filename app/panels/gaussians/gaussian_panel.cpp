@@ -22,6 +22,7 @@
 #include "app/panels/gaussians/gaussian_table_model.h"
 #include "app/widgets/keys.h"
 #include "app/widgets/rows.h"
+#include "brume/limits.h"
 
 namespace brume {
 namespace {
@@ -236,6 +237,10 @@ std::vector<GaussianId> GaussianPanel::shown() {
 void GaussianPanel::group_shown() {
   const std::vector<GaussianId> ids = shown();
   if (ids.empty()) return;
+  if (document_.scene().groups.size() >= limits::groups) {
+    Q_EMIT refused(tr("A scene has at most %L1 groups.").arg(limits::groups));
+    return;
+  }
   document_.undo_stack().beginMacro(tr("Save %1 as group").arg(filter_->text()));
   select_gaussians(document_, ids);
   group_selection(document_, filter_->text());
