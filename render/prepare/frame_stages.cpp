@@ -198,7 +198,12 @@ LitSpace FrameStages::lit_space(const FrameContext& work) const {
     }
     return lit;
   }
-  if (!has_fog || (has_gaussians && !ball.is_endless())) return {};  // around these
+  // Nodes are around Gaussians; in endless fog, where none of these shines, also around lights.
+  const bool is_lit_nearby =
+      std::ranges::any_of(work.plan.lights, [](const PointLight& light) { return !light.is_far; });
+  const bool has_emission = work.plan.runs(Stage::scattering) && !emission_lights_.lights().empty();
+  if (!has_fog) return {};
+  if (has_gaussians && (!ball.is_endless() || !is_lit_nearby || has_emission)) return {};
   // Light from far away is scattered wherever there is fog.
   if (work.fog_extent.has_far_light())
     return {{ball.center - ball.radius, ball.center + ball.radius}};

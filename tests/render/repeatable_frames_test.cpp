@@ -70,8 +70,10 @@ TEST(RepeatableFrames, AcrossVectorInstructions) {
       hwy::SetSupportedTargetsForTest(0);
       for (std::size_t k = 1; k < frames.size(); ++k) {
         SCOPED_TRACE(airlight_name(settings) + ", " + hwy::TargetName(targets[k]));
-        EXPECT_LT(rel_rmse(frames[k].beauty, frames[0].beauty), 1e-5);
-        EXPECT_LT(rel_rmse(frames[k].airlight, frames[0].airlight), 1e-5);
+        // The iteration for all orders is accelerated by what sweeps change, whose rounding grows.
+        const double bound = settings.scattering == Scattering::multiple ? 1e-4 : 1e-5;
+        EXPECT_LT(rel_rmse(frames[k].beauty, frames[0].beauty), bound);
+        EXPECT_LT(rel_rmse(frames[k].airlight, frames[0].airlight), bound);
       }
     }
   }
