@@ -24,7 +24,7 @@ class WholeNumberBox;
 class MediumDialog : public QDialog {
   Q_OBJECT
  public:
-  // Of the document as it is now. `exposure` [stops] is offered for lit splats.
+  // It offers what the document has now. `exposure` [stops] is offered for lit splats.
   MediumDialog(const Document& document, const Timeline& timeline, double exposure,
                QWidget* parent);
 

@@ -70,7 +70,7 @@ void each_open_pair(const GridMedium& medium, Exchange exchange) {
 // node's were spread along its way: light diffuses too fast, by a twelfth of the squared way
 // between slabs, in units of mean free paths. This takes as much from its neighbours in advance, on
 // average over directions; what all nodes send stays. Nothing changes where nodes are mean free
-// paths apart: the iteration would end no more. So many bands as the phase function has.
+// paths apart: the iteration would end no more. The phase function has `bands`; others stay.
 NodeLight sharpened(const GridMedium& medium, const NodeLight& incident, int bands,
                     const Job& job) {
   // The mean of that squared way over all directions is 1.516 squared spacings; a third of it is

@@ -134,8 +134,13 @@ double mean_irradiance(const NodePointLight& light, const glm::dvec3& q, const g
   if (!(height > 0.0)) return 0.0;
   const double r2 = glm::dot(q, q);
   constexpr double far_spacings = 32.0;  // from there on its middle stands for it, within 0.02%
-  if (light.deviation > 0.0 || r2 > far_spacings * far_spacings * spacing * spacing) {
-    return height / std::sqrt(r2) * light.inverse_square(r2);
+  const double cosine = height / std::sqrt(r2);
+  // One surfel would stand for the bright spot of a light that is wide but very near.
+  if (light.deviation > 0.0) {
+    return cosine * std::min(light.inverse_square(r2), 4.0 / (spacing * spacing));
+  }
+  if (r2 > far_spacings * far_spacings * spacing * spacing) {
+    return cosine * light.inverse_square(r2);
   }
   const auto [u, v] = make_basis(normal);
   const auto corner = [&](double x, double y) {

@@ -73,7 +73,7 @@ class QueryTest : public QObject {
     document.undo_stack().undo();
     QVERIFY(document.scene() == before);
     QCOMPARE(document.selection(), Ids{1});
-    // What is locked is in no group, and nothing in none at all.
+    // A locked Gaussian gets into no group, and where all are locked there is none.
     document.lock({3});
     QTest::mouseClick(group, Qt::LeftButton);
     QCOMPARE(document.selection(), Ids{4});

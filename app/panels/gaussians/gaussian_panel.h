@@ -25,7 +25,7 @@ class GaussianPanel : public QWidget {
   [[nodiscard]] QTableView* table() const { return table_; }
 
  protected:
-  // Of the table: all that its keys select are its rows.
+  // All that the table's keys select are its rows.
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  Q_SIGNALS:

@@ -99,7 +99,7 @@ TEST(EndlessFog, ScattersALampsLightAsInTheExactSolution) {
        {Case{1.0, {0.01, 0.03, 0.1, 0.3}}, Case{0.9, {0.03, 0.3}}, Case{0.5, {0.1}}}) {
     const ScatteredFluence fluence(albedo);
     for (const double density : densities) {
-      // In the deepest the nodes around the lamp end in front of the eye.
+      // The nodes around the light end in front of the eye in the deepest fog.
       const double bound = density < 0.3 ? 0.02 : 0.06;
       for (const glm::dvec3& target :
            {glm::dvec3(0.0, 1.1, 0.0), {-2.5, 0.5, 0.0}, {2.0, 2.5, 0.0}}) {
