@@ -8,8 +8,7 @@
 #include <numbers>
 
 #include "core/math/infinity.h"
-#include "core/math/special_functions.h"
-#include "core/math/sphere_rule.h"
+#include "render/lights/emission_parts.h"
 
 namespace brume {
 namespace {
@@ -21,13 +20,8 @@ constexpr std::size_t max_lights = 16;
 constexpr double small_share = 1.0 / 32.0;
 constexpr double min_share = 1.0 / 64.0;
 constexpr OpticalDepthTableSize table_size{32, 32};
-
-// A Gaussian that emits.
-struct EmittingGaussian {
-  std::size_t index;
-  glm::dvec3 intensity;  // unattenuated [W/sr]
-  double weight;         // the same of all channels
-};
+// Points that stand for a light where it is attenuated by itself and by what is beside it.
+constexpr int part_count = 64;
 
 struct Cluster {
   std::vector<EmittingGaussian> emitters;
@@ -90,49 +84,33 @@ std::vector<Cluster> clusters_of(std::vector<EmittingGaussian> emitters, const M
   return clusters;
 }
 
-// The Gaussians of a medium that are in a cluster, or that are not.
-MediumIndex part_of(const MediumIndex& medium, const Cluster& cluster, bool is_in) {
-  std::vector<bool> in_cluster(medium.size());
-  for (const EmittingGaussian& emitter : cluster.emitters) in_cluster[emitter.index] = true;
-  Medium part;
-  for (std::size_t i = 0; i < medium.size(); ++i) {
-    const GaussianTerm<double>& g = medium.gaussians()[i];
-    if (in_cluster[i] == is_in) part.append(gaussian_of(g));
-  }
-  return {part, medium.culling()};
-}
+// Where a cluster shines from.
+struct Shining {
+  glm::dvec3 position{0.0};
+  std::vector<glm::dvec3> parts{};  // from the position, all alike [u]
+  double share = 1.0;               // of what the cluster emits that is in the open
+};
 
-// Of what a cluster emits, in the mean over directions, what it does not absorb itself.
-double escaping_share(const Cluster& cluster, const MediumIndex& medium) {
-  constexpr std::size_t max_samples = 32;
-  const std::vector<SphereNode> directions = sphere_rule(3);
-  const MediumIndex own = part_of(medium, cluster, true);
-  const std::size_t step = (cluster.emitters.size() + max_samples - 1) / max_samples;
-  double escaping = 0.0;
-  double weight = 0.0;
-  for (std::size_t k = 0; k < cluster.emitters.size(); k += step) {
-    const EmittingGaussian& emitter = cluster.emitters[k];
-    weight += emitter.weight;
-    // Of optical depth T through its center, it lets out Ein(T) / T. What others then let through
-    // is found from six points: Gauss' rule of two of a normal distribution, along each axis.
-    const GaussianTerm<double>& g = medium.gaussians()[emitter.index];
-    const double depth = central_depth(g);
-    const double out = depth > 0.0 ? entire_exponential_integral(depth) / depth : 1.0;
-    const double offset = std::sqrt(1.5) / g.a;
-    const glm::dmat3 axes = g.ellipsoid ? g.ellipsoid->axes : glm::dmat3(1.0);
-    const glm::dvec3 stretch = g.ellipsoid ? g.ellipsoid->stretch : glm::dvec3(1.0);
-    for (int axis = 0; axis < 3; ++axis) {
-      for (const double side : {-offset, offset}) {
-        const glm::dvec3 x = g.b + side * stretch[axis] * axes[axis];
-        for (const SphereNode& node : directions) {
-          const double others = own.depth({x, node.direction, infinity}) -
-                                optical_depth(g, line_profile(g, x, node.direction), infinity);
-          escaping += emitter.weight * out * node.weight * std::exp(-std::max(others, 0.0));
-        }
-      }
+// From its center, or from the middle one of its parts where that lies in a solid.
+Shining shining_of(const Cluster& cluster, const MediumIndex& medium, const RayCaster* surfaces) {
+  Shining shining{cluster.center, emission_parts(cluster.emitters, medium, part_count)};
+  if (surfaces) {
+    std::vector<glm::dvec3> all = shining.parts;
+    all.push_back(cluster.center);
+    std::vector<glm::dvec3> open = parts_in_the_open(all, *surfaces);
+    if (open.back() == cluster.center) {
+      open.pop_back();
+    } else {
+      const auto distance = [&](const glm::dvec3& part) {
+        return glm::distance(part, cluster.center);
+      };
+      shining.position = *std::ranges::min_element(open, {}, distance);
     }
+    shining.share = static_cast<double>(open.size()) / part_count;
+    shining.parts = std::move(open);
   }
-  return escaping / (weight * 6.0 * 4.0 * std::numbers::pi);
+  for (glm::dvec3& part : shining.parts) part -= shining.position;
+  return shining;
 }
 
 double diagonal(const MediumIndex& medium, const Box& surfaces) {
@@ -152,21 +130,23 @@ double diagonal(const MediumIndex& medium, const Box& surfaces) {
 
 }  // namespace
 
-void EmissionLights::update(const MediumIndex& medium, double albedo, const Box& surfaces,
+void EmissionLights::update(const MediumIndex& medium, double albedo, const RayCaster* surfaces,
                             const Job& job) {
+  const Revision surfaces_revision = surfaces ? surfaces->revision() : 0;
   const bool has_none = revision_ != 0 && optics_.empty() && medium.optics().empty();
   if (revision_ != 0 && (has_none || (medium_ == medium.revision() && fog_ == medium.fog())) &&
-      albedo_ == albedo && surfaces_ == surfaces) {
+      albedo_ == albedo && surfaces_ == surfaces_revision) {
     return;
   }
   medium_ = medium.revision();
   fog_ = medium.fog();
   albedo_ = albedo;
-  surfaces_ = surfaces;
+  surfaces_ = surfaces_revision;
   revision_ = new_revision();
   lights_.clear();
   optics_.assign(medium.optics().begin(), medium.optics().end());
-  const double extent = optics_.empty() ? 0.0 : diagonal(medium, surfaces);
+  const double extent =
+      optics_.empty() ? 0.0 : diagonal(medium, surfaces ? surfaces->bounds() : Box());
   std::array<std::vector<EmittingGaussian>, 2> small_and_large;
   for (std::size_t i = 0; i < optics_.size(); ++i) {
     const GaussianTerm<double>& g = medium.gaussians()[i];
@@ -177,28 +157,28 @@ void EmissionLights::update(const MediumIndex& medium, double albedo, const Box&
       small_and_large[is_large ? 1 : 0].push_back({i, intensity, weight});
     }
   }
-  std::vector<Cluster> clusters;
+  std::vector<std::vector<glm::dvec3>> parts;  // of lights
   for (std::vector<EmittingGaussian>& emitters : small_and_large) {
     if (emitters.empty()) continue;
-    for (Cluster& cluster : clusters_of(std::move(emitters), medium, min_share * extent)) {
+    for (const Cluster& cluster : clusters_of(std::move(emitters), medium, min_share * extent)) {
       Light& light = lights_.emplace_back();
-      light.source.position = cluster.center;
+      Shining shining = shining_of(cluster, medium, surfaces);
+      parts.push_back(std::move(shining.parts));
+      light.source.position = shining.position;
       light.source.fog = medium.fog();
-      const double share = escaping_share(cluster, medium);
       for (const EmittingGaussian& emitter : cluster.emitters) {
-        light.source.intensity += share * emitter.intensity;
+        light.source.intensity += shining.share * emitter.intensity;
       }
       light.width = width(cluster);
       light.source.h_min = 0.5 * light.width;
       for (const EmittingGaussian& emitter : cluster.emitters) {
         light.gaussians.push_back(emitter.index);
       }
-      clusters.push_back(std::move(cluster));
     }
   }
   job.parallel_for(lights_.size(), [&](std::size_t i) {
-    lights_[i].table = std::make_unique<const OpticalDepthTable>(
-        part_of(medium, clusters[i], false), lights_[i].source.position, table_size);
+    lights_[i].table = std::make_unique<const OpticalDepthTable>(medium, lights_[i].source.position,
+                                                                 parts[i], table_size);
   });
   if (job.stop.stop_requested()) clear();
 }

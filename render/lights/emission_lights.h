@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "brume/revision.h"
-#include "render/geometry/box.h"
 #include "render/geometry/medium_index.h"
 #include "render/geometry/point_source.h"
 #include "render/optical_depth/optical_depth_table.h"
 #include "render/util/job.h"
+#include "render/visibility/ray_caster.h"
 
 namespace brume {
 
@@ -19,8 +19,9 @@ namespace brume {
 // what is smaller than its spacing is widened. What is larger stays on the grid, which knows where
 // within it light is emitted.
 //
-// Neighbours are one light: a normal distribution around their center of intensity, of what they do
-// not absorb themselves. Its table of optical depths is of all others, from the center.
+// Neighbours are one light: a normal distribution around their center of intensity. Its table of
+// optical depths has what lets through of it the whole medium, themselves among it, in the mean
+// over points that are spread as their emission is.
 class EmissionLights {
  public:
   struct Light {
@@ -30,9 +31,8 @@ class EmissionLights {
     std::vector<std::size_t> gaussians;
   };
 
-  // Of a medium in which surfaces are within `surfaces`; empty: there are none. Cached. Empty after
-  // the job was stopped.
-  void update(const MediumIndex& medium, double albedo, const Box& surfaces, const Job& job);
+  // Of a medium around surfaces; null: there are none. Cached. Empty after the job was stopped.
+  void update(const MediumIndex& medium, double albedo, const RayCaster* surfaces, const Job& job);
   void clear() { *this = EmissionLights(); }
 
   [[nodiscard]] std::span<const Light> lights() const { return lights_; }
@@ -53,7 +53,7 @@ class EmissionLights {
   Revision medium_ = 0;
   FogBall fog_;
   double albedo_ = 0.0;
-  Box surfaces_;
+  Revision surfaces_ = 0;
   Revision revision_ = 0;
   std::vector<Light> lights_;
   std::vector<RelativeOptics> optics_;

@@ -4,7 +4,9 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
 
@@ -90,6 +92,11 @@ OpticalDepthTableLayout::OpticalDepthTableLayout(const MediumIndex& medium, cons
 
 OpticalDepthTable::OpticalDepthTable(const MediumIndex& medium, const glm::dvec3& light,
                                      const OpticalDepthTableSize& size)
+    : OpticalDepthTable(medium, light, std::array{glm::dvec3(0.0)}, size) {}
+
+OpticalDepthTable::OpticalDepthTable(const MediumIndex& medium, const glm::dvec3& light,
+                                     std::span<const glm::dvec3> parts,
+                                     const OpticalDepthTableSize& size)
     : light_(light), layout_(medium, light, size) {
   if (layout_.empty()) return;
   const auto radii = static_cast<std::size_t>(layout_.radii.count);
@@ -97,9 +104,20 @@ OpticalDepthTable::OpticalDepthTable(const MediumIndex& medium, const glm::dvec3
   std::atomic<std::uint64_t> all_pairs = 0;
   tbb::parallel_for(0, blocks_across() * blocks_down(), [&](int index) {
     const Block block = block_at(index);
-    all_pairs += find_depths(medium, block, [&](std::size_t cell, const float* depths) {
-      std::copy_n(depths, radii, exact.data() + cell * radii);
-    });
+    for (const glm::dvec3& part : parts) {
+      all_pairs += find_depths(medium, part, block, [&](std::size_t cell, const float* depths) {
+        float* sums = exact.data() + cell * radii;
+        for (std::size_t k = 0; k < radii; ++k) {
+          sums[k] = parts.size() == 1 ? depths[k] : sums[k] + std::exp(-depths[k]);
+        }
+      });
+    }
+    if (parts.size() == 1) return;
+    for (const std::size_t cell : block.cells) {
+      for (std::size_t k = cell * radii; k < (cell + 1) * radii; ++k) {
+        exact[k] = std::min(std::log(static_cast<float>(parts.size()) / exact[k]), opaque);
+      }
+    }
   });
   pairs = all_pairs;
 
@@ -128,7 +146,7 @@ OpticalDepthTable::Block OpticalDepthTable::block_at(int index) const {
   const int y0 = index / blocks_across() * block_side;
   for (int y = y0; y < std::min(y0 + block_side, layout_.map.rows + 2); ++y) {
     for (int x = x0; x < std::min(x0 + block_side, layout_.map.stride()); ++x) {
-      result.ends.push_back(light_ + layout_.radii.last() * layout_.map.direction(x - 1, y - 1));
+      result.ends.push_back(layout_.radii.last() * layout_.map.direction(x - 1, y - 1));
       result.cells.push_back(static_cast<std::size_t>(y) *
                                  static_cast<std::size_t>(layout_.map.stride()) +
                              static_cast<std::size_t>(x));
@@ -138,20 +156,22 @@ OpticalDepthTable::Block OpticalDepthTable::block_at(int index) const {
 }
 
 template <class Store>
-std::uint64_t OpticalDepthTable::find_depths(const MediumIndex& medium, const Block& block,
-                                             Store store) const {
+std::uint64_t OpticalDepthTable::find_depths(const MediumIndex& medium, const glm::dvec3& part,
+                                             const Block& block, Store store) const {
   const auto radii = static_cast<std::size_t>(layout_.radii.count);
   std::vector<float> boundaries(radii);
   for (int k = 0; k < layout_.radii.count; ++k) {
     boundaries[static_cast<std::size_t>(k)] = static_cast<float>(layout_.radii.radius(k));
   }
+  const glm::dvec3 origin = light_ + part;
+  std::vector<glm::dvec3> ends;
+  for (const glm::dvec3& end : block.ends) ends.push_back(origin + end);
   std::vector<std::uint32_t> candidates;
-  medium.bvh().query(RayBundle(light_, block.ends),
-                     [&](std::uint32_t i) { candidates.push_back(i); });
+  medium.bvh().query(RayBundle(origin, ends), [&](std::uint32_t i) { candidates.push_back(i); });
   GaussianBatch batch;
-  batch.assign(medium, light_, candidates);
+  batch.assign(medium, origin, candidates);
   PathBatch rays;
-  rays.assign(light_, block.ends, std::vector<std::int32_t>(block.ends.size(), -1));
+  rays.assign(origin, ends, std::vector<std::int32_t>(ends.size(), -1));
   std::vector<float> increments((radii - 1) * rays.padded_size(), 0.0f);
   RaySlices slices;
   slices.assign(boundaries, rays);

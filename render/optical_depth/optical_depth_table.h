@@ -64,6 +64,10 @@ class OpticalDepthTable {
   // In parallel. Cost: directions^2 * (Gaussians per direction) line integrals.
   OpticalDepthTable(const MediumIndex& medium, const glm::dvec3& light,
                     const OpticalDepthTableSize& size);
+  // Of a light whose parts are at these offsets from it, all alike: exp(-T) is their mean, each
+  // towards as far away in the same direction.
+  OpticalDepthTable(const MediumIndex& medium, const glm::dvec3& light,
+                    std::span<const glm::dvec3> parts, const OpticalDepthTableSize& size);
 
   [[nodiscard]] Revision revision() const { return revision_; }
   [[nodiscard]] const glm::dvec3& light() const { return light_; }
@@ -88,15 +92,17 @@ class OpticalDepthTable {
   Revision revision_ = new_revision();
   // Neighbouring directions that share a list of Gaussians.
   struct Block {
-    std::vector<glm::dvec3> ends;
+    std::vector<glm::dvec3> ends;  // from the light [u]
     std::vector<std::size_t> cells;
   };
   [[nodiscard]] int blocks_across() const;
   [[nodiscard]] int blocks_down() const;
   [[nodiscard]] Block block_at(int index) const;
-  // Calls store(cell, optical depths at all radii) for the cells of a block.
+  // Calls store(cell, optical depths at all radii) for the cells of a block, from a part of the
+  // light.
   template <class Store>
-  std::uint64_t find_depths(const MediumIndex& medium, const Block& part, Store store) const;
+  std::uint64_t find_depths(const MediumIndex& medium, const glm::dvec3& part, const Block& block,
+                            Store store) const;
   [[nodiscard]] std::uint16_t stored(float depth) const;
 
   glm::dvec3 light_;

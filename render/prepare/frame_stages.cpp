@@ -100,7 +100,7 @@ bool FrameStages::prepare_source(FrameContext& work, StageClock& clock) {
   const bool has_multiple = work.plan.runs(Stage::scattering);
   if (has_multiple) {
     emission_lights_.update(prepared_.medium(), work.group.albedo,
-                            has_surfaces() ? prepared_.ray_caster().bounds() : Box{}, work.job);
+                            has_surfaces() ? &prepared_.ray_caster() : nullptr, work.job);
   }
   if (!work.plan.has_environment_in_medium && !has_multiple) source_.clear();
   if (!work.plan.has_source_function()) return true;

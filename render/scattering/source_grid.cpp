@@ -290,15 +290,7 @@ std::vector<float> SourceGrid::Level::density_with_fog(double fog_density) const
 }
 
 bool SourceGrid::Level::is_point(const EmissionLights::Light& light) const {
-  const double spacing = static_cast<double>(nodes.spacing);
-  if (light.width > 4.0 * spacing) return false;
-  if (!surfaces || surfaces->hidden().empty()) return true;
-  const glm::ivec3 node(glm::round((light.source.position - first) / spacing));
-  if (glm::any(glm::lessThan(node, glm::ivec3(0))) ||
-      glm::any(glm::greaterThanEqual(node, nodes.count))) {
-    return true;
-  }
-  return surfaces->hidden()[node_index(nodes, node)] == 0;
+  return light.width <= 4.0 * static_cast<double>(nodes.spacing);
 }
 
 void SourceGrid::set_scattered(const Scattered& scattered, const Job& job) {

@@ -112,8 +112,7 @@ class SourceGrid {
 
     // Density at the nodes, with fog of that density [1/u].
     [[nodiscard]] std::vector<float> density_with_fog(double fog_density) const;
-    // Whether it is a point light to the grid, which else holds what it stands for: it is not
-    // large, nor beside surfaces, to which nodes would be too far from it.
+    // Whether it is a point light to the grid, which holds what a large one stands for.
     [[nodiscard]] bool is_point(const EmissionLights::Light& light) const;
   };
   // Floats per node of J.
