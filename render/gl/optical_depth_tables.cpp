@@ -134,6 +134,7 @@ void OpticalDepthTables::upload(std::span<const SlicedLight> lights, const Shado
       u.cotangent = static_cast<float>(light.falloff.cotangent());
     }
     u.radius2 = static_cast<float>(light.radius * light.radius);
+    u.index = light.index;
     if (light.area_points > 0) {
       const AreaOutline outline(*light.area, light.area_center,
                                 static_cast<int>(coefficient::disk_corners));

@@ -180,6 +180,7 @@ void add_slices(Constants& constants) {
   constants.add("outstanding_demand", slice_demand::outstanding);
   constants.add("max_front_depth", slice_demand::max_front_depth);
   constants.add("uniform_share", slice_demand::uniform_share);
+  constants.add("points_per_demand", points_per_demand);
   constants.add("near_light_share", near_light_share);
   constants.add("light_slice_share", light_slice_share);
   constants.add("light_distances", light_distances);

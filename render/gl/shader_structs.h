@@ -58,7 +58,7 @@ BRUME_SHARED_STRUCT(LightData, {
   std::int32_t map_side = 0;
   float cotangent = 0.0f;  // of a picture
   float area_far2 = 0.0f;  // see AreaShape
-  float unused = 0.0f;
+  std::int32_t index = 0;  // see PointLight
   // The ball of homogeneous fog that its light passes, as the position is; radius 0: all the way.
   glm::vec3 fog_center{0.0f};
   float fog_radius = 0.0f;

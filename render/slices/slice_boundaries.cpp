@@ -293,6 +293,7 @@ void choose_slices(const MediumIndex& medium, std::span<const std::uint32_t> gau
   }
   const RayRange& lit = fog.range.empty() ? core : full_range;
   for (const SlicedLight& light : lights) {
+    if (light.index % points_per_demand != 0) continue;
     // A light in or near the medium; far ones are smooth along the ray.
     const glm::dvec3 q = light.position - rays.eye;
     const double ts = glm::dot(q, w);

@@ -39,6 +39,9 @@ constexpr double outstanding = 4.0;
 constexpr double uniform_share = 0.3;
 }  // namespace slice_demand
 
+// Of the points that stand for a surface, one in so many demands slices.
+constexpr int points_per_demand = 4;
+
 // Slices of equal angle at a light: for lights nearer to the range than this fraction of its
 // length.
 constexpr double near_light_share = 0.5;

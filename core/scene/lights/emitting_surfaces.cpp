@@ -16,6 +16,7 @@
 #include "core/math/max_component.h"
 #include "core/scene/lights/point_lights.h"
 #include "core/scene/materials/coverage.h"
+#include "core/scene/placement.h"
 
 namespace brume {
 namespace {
@@ -130,8 +131,7 @@ void for_each_emitting(std::span<const Surface> surfaces, Visit visit) {
   };
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
     if (!is_emissive(surfaces[s])) continue;
-    const auto& copies = surfaces[s].placed_copies;
-    for (std::size_t copy = 0; copy < 1 + (copies ? copies->size() : 0); ++copy) {
+    for (std::size_t copy = 0; copy < placement_count(surfaces[s]); ++copy) {
       visit_placement(surfaces[s], s, copy);
     }
   }
@@ -268,6 +268,14 @@ glm::dvec3 area_vector(const std::array<glm::dvec3, 3>& triangle) {
   return 0.5 * glm::cross(b - a, c - a);
 }
 
+std::size_t emitter_count(std::span<const Surface> surfaces) {
+  std::size_t count = 0;
+  for (const Surface& surface : surfaces) {
+    if (is_emissive(surface)) count += placement_count(surface);
+  }
+  return count;
+}
+
 std::vector<EmittingTriangle> emitting_triangles(std::span<const Surface> surfaces) {
   std::vector<EmittingTriangle> triangles;
   for_each_emitting(
@@ -295,7 +303,10 @@ std::vector<PointLight> emitting_points(std::span<const Surface> surfaces, int m
     for (const Cluster& half : largest.halves()) clusters.push(half);
   }
   std::vector<PointLight> lights;
-  for (; !clusters.empty(); clusters.pop()) lights.push_back(clusters.top().point());
+  for (; !clusters.empty(); clusters.pop()) {
+    lights.push_back(clusters.top().point());
+    lights.back().index = static_cast<int>(lights.size()) - 1;
+  }
   return lights;
 }
 

@@ -28,6 +28,9 @@ struct EmittingTriangle {
 // The normal of a triangle's front times its area [u^2].
 glm::dvec3 area_vector(const std::array<glm::dvec3, 3>& triangle);
 
+// How many surfaces emit; each copy is one.
+std::size_t emitter_count(std::span<const Surface> surfaces);
+
 // All triangles of surfaces that emit and of their copies, in their order: surface by surface, copy
 // by copy.
 std::vector<EmittingTriangle> emitting_triangles(std::span<const Surface> surfaces);

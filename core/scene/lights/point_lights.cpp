@@ -164,8 +164,11 @@ std::vector<PointLight> points_on_area(const Light& light, const AreaLight& area
   for (int k = 0; k < count; ++k) {
     const auto [offset, normal] =
         std::visit([&](const auto& shape) { return point_on(shape, k, count); }, area);
-    PointLight point{
-        .radius = radius, .area = area, .area_center = light.position, .area_points = count};
+    PointLight point{.radius = radius,
+                     .area = area,
+                     .area_center = light.position,
+                     .area_points = count,
+                     .index = k};
     if (is_isotropic) {
       point.position = light.position + depth * offset;
       point.intensity = 0.25 * share * light.intensity;
@@ -346,6 +349,8 @@ std::vector<PointLight> point_lights(const Scene& scene, LightPoints count) {
   });
   // Reads all vertices.
   const LitRegion region = needs_region ? LitRegion::of(scene) : LitRegion();
+  // A quarter of a light's points for each surface that emits, up to 16 of them.
+  const int share = static_cast<int>(std::clamp<std::size_t>(emitter_count(scene.surfaces), 4, 16));
   // Fewer points for each where all of them would be too many; Fibonacci numbers, as above.
   std::vector<PointLight> lights;
   for (const int max_points : {whole_sphere, whole, 13, 8, 5, 3, 2, 1}) {
@@ -356,9 +361,10 @@ std::vector<PointLight> point_lights(const Scene& scene, LightPoints count) {
       lights.insert(lights.end(), points.begin(), points.end());
     }
     if (count != LightPoints::drawn) {
-      const auto points = emitting_points(scene.surfaces, count == LightPoints::few    ? max_points
-                                                          : count == LightPoints::many ? many_points
-                                                                                       : 1);
+      const auto points =
+          emitting_points(scene.surfaces, count == LightPoints::few    ? share * max_points / 4
+                                          : count == LightPoints::many ? many_points
+                                                                       : 1);
       lights.insert(lights.end(), points.begin(), points.end());
     }
     if (count != LightPoints::few || lights.size() <= max_few_points) break;

@@ -30,6 +30,7 @@ struct PointLight {
   std::optional<AreaLight> area{};
   glm::dvec3 area_center{0.0};
   int area_points = 0;  // how many stand for it; they follow each other
+  int index = 0;        // among those that stand for one area light, or for all that emits
 
   bool operator==(const PointLight&) const = default;
 };

@@ -289,6 +289,7 @@ void choose_slices(CenterRay ray, uint begin, uint end, int slices, int per_ligh
   barrier();
   const vec2 lit = has_fog ? full_range : core;
   for (int l = 0; l < light_count; ++l) {
+    if (lights[l].index % points_per_demand != 0) continue;
     // A light in or near the medium; far ones are smooth along the ray.
     const vec3 q = from_center(ray, lights[l].position);
     const float ts = dot(q, ray.w);
