@@ -18,15 +18,36 @@ glm::vec2 texcoord(const glm::dvec3& uv) {
   return is_valid ? glm::vec2(uv.x, 1.0 - uv.y) : glm::vec2(0.0f);
 }
 
+// The values of an attribute that the mesh can do without, as `read` has them; else none.
+template <class Read>
+auto optional_values(GltfFile& file, JsonObject& attributes, const std::string& key,
+                     std::size_t vertices, Read read) {
+  decltype(read(file, attributes, key)) values;
+  const bool is_read = file.context().try_read(attributes.path_of(key), [&] {
+    values = read(file, attributes, key);
+    check_value_count(attributes, key, values.size(), vertices);
+  });
+  if (!is_read) values.clear();
+  return values;
+}
+
+std::vector<glm::vec4> colors(GltfFile& file, JsonObject& attributes, const std::string& key) {
+  const auto accessor = file.index(attributes, key, "accessors");
+  if (!accessor) return {};
+  return file.colors(attributes.path_of(key), *accessor);
+}
+
 // Those that a material's textures use; TEXCOORD_0, if it has none.
 void read_texcoords(GltfFile& file, JsonObject& attributes, std::span<const GltfTexcoords> uses,
                     MeshArrays& mesh) {
   constexpr GltfTexcoords first;
   const auto read = [&](const GltfTexcoords& use) {
     const std::string key = "TEXCOORD_" + std::to_string(use.set);
-    std::vector<glm::vec2> texcoords = gltf_vectors<glm::vec2>(file, attributes, key);
+    const bool is_missing = attributes.find(key) == nullptr;
+    auto texcoords =
+        optional_values(file, attributes, key, mesh.points.size(), gltf_vectors<glm::vec2>);
     if (texcoords.empty() && !uses.empty()) {
-      file.context().warn(attributes.path_of(key), "missing: a texture uses it");
+      if (is_missing) file.context().warn(attributes.path_of(key), "missing: a texture uses it");
       texcoords.resize(mesh.points.size());
     }
     for (glm::vec2& uv : texcoords) uv = texcoord(use.transform * glm::dvec3(uv, 1.0));
@@ -43,13 +64,10 @@ void add_morph_targets(GltfFile& file, JsonObject& primitive, std::span<const do
     if (weights[i] == 0.0) continue;
     JsonObject target(file.context(), targets[i], primitive.path_of("targets").element(i));
     const auto add = [&](const char* key, std::vector<glm::vec3>& values) {
-      const auto offsets = gltf_vectors<glm::vec3>(file, target, key);
-      if (offsets.empty() || values.empty()) return;
-      if (offsets.size() != values.size()) {
-        target.fail(key, "found " + std::to_string(offsets.size()) + " values for " +
-                             std::to_string(values.size()) + " vertices");
-      }
-      for (std::size_t v = 0; v < values.size(); ++v) {
+      if (values.empty()) return;
+      const auto offsets =
+          optional_values(file, target, key, values.size(), gltf_vectors<glm::vec3>);
+      for (std::size_t v = 0; v < offsets.size(); ++v) {
         values[v] += static_cast<float>(weights[i]) * offsets[v];
       }
     };
@@ -89,23 +107,23 @@ void add_triangles(GltfFile& file, JsonObject& primitive, std::int64_t mode, Mes
 
 }  // namespace
 
+void check_value_count(JsonObject& attributes, const std::string& key, std::size_t values,
+                       std::size_t vertices) {
+  if (values == 0 || values == vertices) return;
+  attributes.fail(key, "found " + std::to_string(values) + " values; allowed: " +
+                           std::to_string(vertices) + ", one for each vertex");
+}
+
 MeshArrays read_gltf_mesh(GltfFile& file, JsonObject& primitive, std::int64_t mode,
                           std::span<const GltfTexcoords> texcoords,
                           std::span<const double> weights) {
   JsonObject attributes = primitive.object("attributes");
   MeshArrays mesh;
   mesh.points = gltf_vectors<glm::vec3>(file, attributes, "POSITION");
-  mesh.normals = gltf_vectors<glm::vec3>(file, attributes, "NORMAL");
-  if (const auto colors = file.index(attributes, "COLOR_0", "accessors")) {
-    mesh.colors = file.colors(attributes.path_of("COLOR_0"), *colors);
-  }
+  const std::size_t vertices = mesh.points.size();
+  mesh.normals = optional_values(file, attributes, "NORMAL", vertices, gltf_vectors<glm::vec3>);
+  mesh.colors = optional_values(file, attributes, "COLOR_0", vertices, colors);
   read_texcoords(file, attributes, texcoords, mesh);
-  visit_vertex_values(mesh, [&](const auto& values, auto&&) {
-    if (values.empty() || values.size() == mesh.points.size()) return;
-    file.context().fail(attributes.path(), "found " + std::to_string(values.size()) +
-                                               " values for " + std::to_string(mesh.points.size()) +
-                                               " vertices");
-  });
   add_morph_targets(file, primitive, weights, mesh);
   add_triangles(file, primitive, mode, mesh);
   return mesh;

@@ -24,9 +24,14 @@ std::vector<Vector> gltf_vectors(GltfFile& file, JsonObject& attributes, const s
   return result;
 }
 
+// Throws InputError unless an attribute has one value for each vertex, or none at all.
+void check_value_count(JsonObject& attributes, const std::string& key, std::size_t values,
+                       std::size_t vertices);
+
 // The mesh of a primitive of triangles (`mode` 4), a strip (5) or a fan (6) in its own coordinates,
 // without normals if it has none, with the texture coordinates that its material uses. `weights` of
-// its morph targets, from the first on; those of others are 0.
+// its morph targets, from the first on; those of others are 0. What cannot be read is left out,
+// with a warning, but for points and triangles.
 MeshArrays read_gltf_mesh(GltfFile& file, JsonObject& primitive, std::int64_t mode,
                           std::span<const GltfTexcoords> texcoords,
                           std::span<const double> weights);

@@ -171,7 +171,8 @@ class GltfReader {
     JsonObject object = file_.object("nodes", node.element);
     const auto index = file_.index(object, "mesh", "meshes");
     if (!index) return;
-    Use use{index_of_node, *index, skins_.joints(object), {}, {}};
+    Use use{index_of_node, *index, nullptr, {}, {}};
+    file_.context().try_read(object.path_of("skin"), [&] { use.joints = skins_.joints(object); });
     use.transforms = transforms_of(node, object);
     use.weights = animation_.weights[index_of_node];
     if (use.weights.empty()) use.weights = gltf_weights(file_, object);
@@ -298,7 +299,11 @@ class GltfReader {
       return false;
     }
     mesh = read_gltf_mesh(file_, primitive, mode, materials_[part.material].texcoords, use.weights);
-    const bool is_skinned = use.joints && apply_skin(file_, attributes, *use.joints, mesh);
+    bool is_skinned = false;
+    if (use.joints) {
+      file_.context().try_read(
+          path, [&] { is_skinned = apply_skin(file_, attributes, *use.joints, mesh); });
+    }
     if (mesh.normals.empty()) add_flat_normals(mesh);
     return is_skinned;
   }

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <glm/matrix.hpp>
 #include <string>
+#include <utility>
 
+#include "core/io/import/gltf_mesh.h"
 #include "core/io/import/node_transform.h"
 
 namespace brume {
@@ -12,22 +14,17 @@ namespace {
 
 // Four joints of each vertex and their weights: the attributes JOINTS_n and WEIGHTS_n.
 struct Influences {
-  std::vector<float> joints;
-  std::vector<float> weights;
+  std::vector<glm::vec4> joints;
+  std::vector<glm::vec4> weights;
 };
 
 std::vector<Influences> read_influences(GltfFile& file, JsonObject& attributes,
                                         std::size_t vertices) {
   std::vector<Influences> sets;
-  const auto values = [&](const std::string& key) -> std::vector<float> {
-    const auto accessor = file.index(attributes, key, "accessors");
-    if (!accessor) return {};
-    std::vector<float> numbers = file.numbers(attributes.path_of(key), *accessor, 4);
-    if (numbers.size() != 4 * vertices) {
-      attributes.fail(key, "found " + std::to_string(numbers.size() / 4) + " values for " +
-                               std::to_string(vertices) + " vertices");
-    }
-    return numbers;
+  const auto values = [&](const std::string& key) {
+    auto vectors = gltf_vectors<glm::vec4>(file, attributes, key);
+    check_value_count(attributes, key, vectors.size(), vertices);
+    return vectors;
   };
   for (;;) {
     const std::string set = std::to_string(sets.size());
@@ -43,8 +40,8 @@ glm::dmat4 mean_matrix(JsonObject& attributes, const std::vector<glm::dmat4>& jo
                        const std::vector<Influences>& sets, std::size_t vertex) {
   glm::dmat4 sum(0.0);
   double sum_of_weights = 0.0;
-  const auto add = [&](std::size_t set, std::size_t k, double weight) {
-    const float joint = sets[set].joints[4 * vertex + k];
+  const auto add = [&](std::size_t set, int k, double weight) {
+    const float joint = sets[set].joints[vertex][k];
     if (!(joint >= 0.0f && joint < static_cast<float>(joints.size()))) {
       attributes.fail("JOINTS_" + std::to_string(set),
                       "vertex " + std::to_string(vertex) + ": found the joint " +
@@ -55,8 +52,8 @@ glm::dmat4 mean_matrix(JsonObject& attributes, const std::vector<glm::dmat4>& jo
     sum_of_weights += weight;
   };
   for (std::size_t set = 0; set < sets.size(); ++set) {
-    for (std::size_t k = 0; k < 4; ++k) {
-      const float weight = sets[set].weights[4 * vertex + k];
+    for (int k = 0; k < 4; ++k) {
+      const float weight = sets[set].weights[vertex][k];
       if (weight > 0.0f && std::isfinite(weight)) add(set, k, static_cast<double>(weight));
     }
   }
@@ -117,13 +114,17 @@ bool apply_skin(GltfFile& file, JsonObject& attributes, const std::vector<glm::d
   const std::vector<Influences> sets = read_influences(file, attributes, mesh.points.size());
   if (sets.empty()) return false;
   std::vector<bool> is_mirrored(mesh.points.size());
-  for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+  std::vector<glm::vec3> points = mesh.points;  // `mesh` stays as it is should there be a mistake
+  std::vector<glm::vec3> normals = mesh.normals;
+  for (std::size_t i = 0; i < points.size(); ++i) {
     const glm::dmat4 matrix = mean_matrix(attributes, joints, sets, i);
-    mesh.points[i] = glm::dvec3(matrix * glm::dvec4(mesh.points[i], 1.0));
+    points[i] = glm::dvec3(matrix * glm::dvec4(points[i], 1.0));
     const glm::dmat3 linear(matrix);
     is_mirrored[i] = glm::determinant(linear) < 0.0;
-    if (!mesh.normals.empty()) mesh.normals[i] = moved_normal(linear, mesh.normals[i]);
+    if (!normals.empty()) normals[i] = moved_normal(linear, normals[i]);
   }
+  mesh.points = std::move(points);
+  mesh.normals = std::move(normals);
   for (glm::uvec3& triangle : mesh.triangles) {
     if (is_mirrored[triangle.x]) std::swap(triangle.y, triangle.z);
   }

@@ -31,9 +31,24 @@ void JsonContext::fail(const JsonPath& path, const std::string& message) const {
 }
 
 void JsonContext::warn(const JsonPath& path, const std::string& message) {
-  if (warnings_ == nullptr || !warned_.insert(path.kind() + message).second) return;
+  add_warning(path.kind() + message, path.kind(), message);
+}
+
+void JsonContext::warn_of_left_out(const JsonPath& path, const InputError& error) {
+  // The error may be in what the path refers to.
+  const std::string place = path.text() + ": ";
+  const std::string file = InputError(file_, "", "").what();
+  std::string message = error.what();
+  if (message.starts_with(file)) message.erase(0, file.size());
+  if (message.starts_with(place)) message.erase(0, place.size());
+  add_warning(path.kind(), path.text(), message + "; it is left out");
+}
+
+void JsonContext::add_warning(const std::string& key, const std::string& place,
+                              const std::string& message) {
+  if (warnings_ == nullptr || !warned_.insert(key).second) return;
   if (warned_.size() > max_warnings) return;
-  warnings_->push_back(InputError(file_, path.kind(), message).what());
+  warnings_->push_back(InputError(file_, place, message).what());
 }
 
 void JsonContext::finish_warnings() {

@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "brume/error.h"
 #include "brume/limits.h"
 #include "core/number_domain.h"
 
@@ -52,11 +53,26 @@ class JsonContext {
   [[nodiscard]] const std::filesystem::path& file() const { return file_; }
   [[noreturn]] void fail(const JsonPath& path, const std::string& message) const;
   void warn(const JsonPath& path, const std::string& message);  // once per message and kind of path
+  // Reads what the file can do without. Where that throws InputError: false, and a warning that it
+  // is left out, which names the first such place of each kind.
+  template <class Read>
+  bool try_read(const JsonPath& path, Read read) {
+    try {
+      read();
+      return true;
+    } catch (const InputError& error) {
+      warn_of_left_out(path, error);
+      return false;
+    }
+  }
   // Only the first warnings are kept; appends the number of the others.
   void finish_warnings();
 
  private:
   static constexpr std::size_t max_warnings = 20;
+
+  void warn_of_left_out(const JsonPath& path, const InputError& error);
+  void add_warning(const std::string& key, const std::string& place, const std::string& message);
 
   std::filesystem::path file_;
   std::vector<std::string>* warnings_;

@@ -25,9 +25,19 @@ class GltfMeshValues : public ::testing::Test {
   std::vector<glm::vec4> colors_of(const GltfBuilder& builder) {
     return to_arrays(*part_of(builder).mesh).colors;
   }
-  std::string error_of_colors(std::size_t accessor) {
-    builder_.primitive()["attributes"]["COLOR_0"] = accessor;
-    return error_of([&] { part_of(builder_); });
+  // The only warning of a mesh whose `attribute` is left out.
+  std::string left_out(const char* attribute, std::size_t accessor) {
+    GltfBuilder builder = builder_;
+    builder.primitive()["attributes"][attribute] = accessor;
+    const MeshArrays mesh = to_arrays(*part_of(builder).mesh);
+    EXPECT_EQ(mesh.triangles.size(), 2u);
+    EXPECT_TRUE(mesh.colors.empty());
+    if (warnings_.size() != 1) return "found " + std::to_string(warnings_.size()) + " warnings";
+    const std::string place =
+        (folder_ / "scene.glb").string() + ": meshes[0].primitives[0].attributes." + attribute;
+    EXPECT_TRUE(warnings_[0].starts_with(place + ": ")) << warnings_[0];
+    EXPECT_TRUE(warnings_[0].ends_with("; it is left out")) << warnings_[0];
+    return warnings_[0];
   }
   // Textures by three sets of texture coordinates.
   void add_textures() {
@@ -85,19 +95,48 @@ TEST_F(GltfMeshValues, ColorsBeyondAreTakenAsTheNearest) {
   EXPECT_TRUE(contains(warnings_[0], "COLOR_0: found colors outside [0, 1]")) << warnings_[0];
 }
 
-TEST_F(GltfMeshValues, WrongColorsAreErrors) {
+TEST_F(GltfMeshValues, WrongColorsAreLeftOut) {
+  const auto warning = [&](std::size_t accessor) { return left_out("COLOR_0", accessor); };
   const std::string what = "; allowed: one with 3 or 4 components, floats or normalized";
-  EXPECT_TRUE(contains(error_of_colors(builder_.add({1, 0, 1, 0, 1, 0, 1, 0}, "VEC2")), what));
+  EXPECT_TRUE(contains(warning(builder_.add({1, 0, 1, 0, 1, 0, 1, 0}, "VEC2")), what));
   EXPECT_TRUE(contains(
-      error_of_colors(builder_.add_integers<std::uint8_t>(std::vector<std::uint8_t>(12), "VEC3")),
-      what))
+      warning(builder_.add_integers<std::uint8_t>(std::vector<std::uint8_t>(12), "VEC3")), what))
       << "integers that are not normalized";
-  EXPECT_TRUE(contains(error_of_colors(builder_.add({1, 0, 1, 0, 1, 0}, "VEC3")),
-                       "found 2 values for 4 vertices"));
-  EXPECT_TRUE(contains(error_of_colors(99), "COLOR_0: found 99"));
+  EXPECT_TRUE(contains(warning(builder_.add({1, 0, 1, 0, 1, 0}, "VEC3")),
+                       "found 2 values; allowed: 4, one for each vertex"));
+  EXPECT_TRUE(contains(warning(99), "COLOR_0: found 99"));
   const std::size_t beyond = builder_.add({1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0}, "VEC3");
   builder_.json["accessors"][beyond]["count"] = 4000;
-  EXPECT_TRUE(contains(error_of_colors(beyond), "needs 48000 bytes of a buffer view of 48"));
+  EXPECT_TRUE(contains(warning(beyond), "].count: needs 48000 bytes of a buffer view of 48"));
+}
+
+TEST_F(GltfMeshValues, OtherAttributesThatAreWrongAreLeftOut) {
+  const std::string count = "found 2 values; allowed: 4, one for each vertex";
+  const std::size_t vectors = builder_.add({0, 0, 1, 0, 0, 1}, "VEC3");
+  EXPECT_TRUE(contains(left_out("NORMAL", vectors), count));
+  EXPECT_TRUE(contains(left_out("TEXCOORD_0", vectors), "3 components; allowed: 2"));
+  const std::size_t beyond = builder_.add({0, 0, 1, 0}, "VEC2");
+  EXPECT_TRUE(contains(left_out("TEXCOORD_0", beyond), count));
+  add_textures();
+  EXPECT_TRUE(contains(left_out("TEXCOORD_1", beyond), count)) << "which a texture uses";
+}
+
+TEST_F(GltfMeshValues, ManyWrongAttributesAreOneWarning) {
+  builder_.primitive()["attributes"]["COLOR_0"] = builder_.add({1, 0, 1, 0, 1, 0}, "VEC3");
+  GltfBuilder::Json other = builder_.primitive();
+  other["attributes"]["COLOR_0"] = builder_.add({1, 0, 1}, "VEC3");
+  builder_.json["meshes"][0]["primitives"].push_back(other);
+  part_of(builder_);
+  EXPECT_EQ(warnings_.size(), 1u);
+}
+
+TEST_F(GltfMeshValues, AMorphTargetThatIsWrongIsLeftOut) {
+  builder_.json["meshes"][0]["weights"] = {1};
+  builder_.primitive()["targets"] = {{{"POSITION", builder_.add({0, 0, 1}, "VEC3")}}};
+  EXPECT_EQ(to_arrays(*part_of(builder_).mesh).points.at(2), glm::vec3(1, 1, 0));
+  ASSERT_EQ(warnings_.size(), 1u);
+  EXPECT_TRUE(contains(warnings_[0], "meshes[0].primitives[0].targets[0].POSITION: found 1 values"))
+      << warnings_[0];
 }
 
 TEST_F(GltfMeshValues, HasTwoSetsOfTexcoords) {

@@ -163,22 +163,28 @@ TEST_F(GltfSkin, PrimitivesWithoutJointsAreWhereTheNodeIs) {
   expect_points(read(), {{10, 0, 0}, {13, 0, 0}, {13, 3, 0}, {10, 3, 0}});
 }
 
-TEST_F(GltfSkin, NamesThePlaceOfMistakes) {
+TEST_F(GltfSkin, IsLeftOutWhereItIsWrong) {
+  const auto expect_left_out = [&](const std::string& what) {
+    expect_points(read(), {{10, 0, 0}, {13, 0, 0}, {13, 3, 0}, {10, 3, 0}});
+    ASSERT_EQ(warnings_.size(), 1u);
+    EXPECT_TRUE(contains(warnings_[0], what)) << warnings_[0];
+    EXPECT_TRUE(warnings_[0].ends_with("; it is left out")) << warnings_[0];
+  };
   builder_.json["skins"][0]["joints"] = {1};
-  EXPECT_TRUE(
-      contains(error(), "attributes.JOINTS_0: vertex 2: found the joint 1; allowed: 0 to 0"));
+  expect_left_out(
+      "meshes[0].primitives[0].attributes.JOINTS_0: vertex 2: found the joint 1; allowed: 0 to 0");
   builder_.json["skins"][0]["joints"] = {1, 7};
-  EXPECT_TRUE(contains(error(), "skins[0].joints: found 7"));
+  expect_left_out("nodes[0].skin: skins[0].joints: found 7");
   builder_.json["skins"][0]["joints"] = Json::array();
-  EXPECT_TRUE(contains(error(), "skins[0].joints"));
+  expect_left_out("skins[0].joints");
   builder_.json["skins"][0]["joints"] = {1, 2, 1};
   set_inverse_binds(matrix(1, {0, 0, 0}), matrix(1, {0, 0, 0}));
-  EXPECT_TRUE(contains(error(), "found 2 matrices for 3 joints"));
+  expect_left_out("found 2 matrices for 3 joints");
   builder_.json["skins"][0]["inverseBindMatrices"] = 0;
-  EXPECT_TRUE(contains(error(), R"(accessors[0].type: found "VEC3"; allowed: "MAT4")"));
+  expect_left_out(R"(accessors[0].type: found "VEC3"; allowed: "MAT4")");
   builder_.json["skins"][0].erase("inverseBindMatrices");
   set_attribute("WEIGHTS_0", builder_.add({1, 0, 0, 0}, "VEC4"));
-  EXPECT_TRUE(contains(error(), "WEIGHTS_0: found 1 values for 4 vertices"));
+  expect_left_out("attributes.WEIGHTS_0: found 1 values; allowed: 4, one for each vertex");
 }
 
 TEST_F(GltfSkin, RefusesPointsThatAreNoNumbers) {
