@@ -9,8 +9,8 @@
 #include <cmath>
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 #include <map>
-#include <numbers>
 
 #include "brume/error.h"
 #include "brume/limits.h"
@@ -25,6 +25,7 @@
 #include "core/math/basis.h"
 #include "core/number_domain.h"
 #include "tools/scene_reader/assimp_animation.h"
+#include "tools/scene_reader/assimp_lights.h"
 #include "tools/scene_reader/assimp_materials.h"
 #include "tools/scene_reader/assimp_polygons.h"
 #include "tools/scene_reader/limited_files.h"
@@ -34,7 +35,6 @@ namespace brume {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
 constexpr double max_texcoord = 1e6;
 
 glm::dvec3 to_dvec3(const aiVector3D& v) {
@@ -51,14 +51,19 @@ glm::dmat4 to_dmat4(const aiMatrix4x4& m) {  // which has rows
   return result;
 }
 
-// The transform to y up and meters from an FBX's axes and unit (centimeters); assimp
+// The unit of an FBX [m]; the file has it in centimeters.
+double unit_of(const aiScene& scene) {
+  float unit = 0;
+  const bool is_known =
+      scene.mMetaData && scene.mMetaData->Get("UnitScaleFactor", unit) && unit > 0;
+  return is_known ? 0.01 * static_cast<double>(unit) : 1.0;
+}
+
+// The transform to y up and meters from an FBX's axes and unit; assimp
 // leaves that to us, if it left the transform of the root alone.
 glm::dmat4 scene_transform(const aiScene& scene) {
-  glm::dmat4 result(1.0);
+  const glm::dmat4 result = glm::scale(glm::dmat4(1.0), glm::dvec3(unit_of(scene)));
   if (scene.mMetaData == nullptr) return result;
-  if (float unit = 0; scene.mMetaData->Get("UnitScaleFactor", unit) && unit > 0) {
-    result = glm::scale(result, glm::dvec3(0.01 * static_cast<double>(unit)));
-  }
   if (!scene.mRootNode->mTransformation.IsIdentity()) return result;
   glm::dmat4 axes(0.0);
   axes[3][3] = 1.0;
@@ -243,41 +248,37 @@ class Reader {
   void add_camera(const aiCamera& camera, std::size_t node) {
     const double half_width = std::tan(0.5 * static_cast<double>(camera.mHorizontalFOV));
     const double aspect = camera.mAspect > 0 ? static_cast<double>(camera.mAspect) : 1.0;
-    const double fov = 2.0 * std::atan(half_width / aspect) * degrees_per_radian;
+    const double fov = glm::degrees(2.0 * std::atan(half_width / aspect));
     if (!domain::field_of_view.contains(fov) || scene_.cameras.size() >= limits::cameras) return;
-    const glm::dvec3 center = scene_.parts.empty() ? glm::dvec3(0.0) : 0.5 * (low_ + high_);
     NamedCamera& added = scene_.cameras.emplace_back();
     added.name = imported_name(camera.mName.C_Str(), "Camera");
-    added.camera = camera_of_node(to_world_[node], center, fov);
-    if (motion_->moves(node)) add_keys(*motion_, node, center, added);
+    added.camera = camera_of_node(to_world_[node], center(), fov);
+    if (motion_->moves(node)) add_keys(*motion_, node, center(), added);
   }
 
   void add_light(const aiLight& from, std::size_t node) {
     if (scene_.lights.size() >= limits::lights) return;
-    Light light;
-    light.name = imported_name(from.mName.C_Str(), "");
-    light.position = glm::dvec3(to_world_[node][3]);
-    for (int k = 0; k < 3; ++k) {
-      const double value = static_cast<double>(from.mColorDiffuse[static_cast<unsigned>(k)]);
-      light.intensity[k] = std::isfinite(value) ? std::clamp(value, 0.0, limits::intensity) : 0.0;
-    }
-    glm::dvec3 direction = -glm::dvec3(to_world_[node][2]);
-    const double length = glm::length(direction);
-    direction = length > 0.0 ? direction / length : glm::dvec3(0.0, -1.0, 0.0);
-    if (from.mType == aiLightSource_DIRECTIONAL) {
-      light.kind = light::Directional{direction};
-    } else if (from.mType == aiLightSource_SPOT) {  // whose angles are those of the whole cone
-      const double outer = 0.5 * static_cast<double>(from.mAngleOuterCone) * degrees_per_radian;
-      const double inner = 0.5 * static_cast<double>(from.mAngleInnerCone) * degrees_per_radian;
-      light::Spot spot{direction};
-      if (outer > 0.0 && outer <= 180.0) spot.outer_angle = outer;
-      spot.inner_angle = inner >= 0.0 ? std::min(inner, spot.outer_angle) : 0.0;
-      light.kind = spot;
-    } else if (from.mType != aiLightSource_POINT) {
+    const LightUnits units = light_units(from_, unit_of(from_));
+    std::optional<Light> light = light_of(from, units, to_world_[node], center());
+    if (!light) {
+      warn("", "area and volume lights are left out: how large they are is not known");
       return;
     }
-    if (motion_->moves(node)) add_keys(*motion_, node, light);
-    scene_.lights.push_back(std::move(light));
+    const bool decays = std::holds_alternative<light::Directional>(light->kind) ||
+                        units.are_watts || decay_exponent(from) == 2;
+    if (!decays) {
+      warn("",
+           "found lights that do not decay by the square of the distance: they do here, and "
+           "are as bright as there in the middle of the meshes");
+    }
+    light->name = imported_name(from.mName.C_Str(), "");
+    if (motion_->moves(node)) add_keys(*motion_, node, *light);
+    scene_.lights.push_back(std::move(*light));
+  }
+
+  // The middle of the meshes.
+  [[nodiscard]] glm::dvec3 center() const {
+    return scene_.parts.empty() ? glm::dvec3(0.0) : 0.5 * (low_ + high_);
   }
 
   const aiScene& from_;
