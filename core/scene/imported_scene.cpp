@@ -1,5 +1,6 @@
 #include "core/scene/imported_scene.h"
 
+#include <algorithm>
 #include <glm/common.hpp>
 #include <map>
 #include <set>
@@ -93,14 +94,31 @@ PartPlacements placements_of(const Surface& whole, std::span<const ImportedPart*
                      });
 }
 
-Surface surface_of(const Surface& whole, const ImportedPart& part) {
+struct DeformedKey {
+  Identity<Deformation> deformation;
+  double time;
+
+  bool operator==(const DeformedKey&) const = default;
+};
+
+std::shared_ptr<const TriangleMesh> mesh_at(const ImportedPart& part, double time) {
+  if (!part.deformation) return part.mesh;
+  const std::vector<Pose>& poses = part.deformation->poses;
+  time = std::clamp(time, poses.front().time, poses.back().time);
+  static Remembered<DeformedKey, std::shared_ptr<const TriangleMesh>> results;
+  return results.get(
+      {part.deformation, time}, [&] { return to_mesh(deformed(*part.deformation, time)); },
+      [](const auto& mesh) { return mesh_bytes(*mesh); });
+}
+
+Surface surface_of(const Surface& whole, const ImportedPart& part, double time) {
   Surface surface = whole;
   const ImportedNode& source = whole.imported->nodes[part.node];
   const std::string& node = source.mesh_name.empty() ? source.name : source.mesh_name;
   surface.name = whole.name.empty() || whole.name == node ? node : whole.name + "/" + node;
   surface.imported = nullptr;
   surface.nodes.clear();
-  surface.mesh = part.mesh;
+  surface.mesh = mesh_at(part, time);
   surface.material = part.material;
   return surface;
 }
@@ -176,7 +194,7 @@ std::vector<Surface> shown_surfaces(std::span<const Surface> surfaces, double ti
       }
     }
     for (const std::vector<const ImportedPart*>& parts : sharing) {
-      Surface& added = shown.emplace_back(surface_of(surface, *parts.front()));
+      Surface& added = shown.emplace_back(surface_of(surface, *parts.front(), time));
       if (parts.front()->placements.empty() && parts.front()->keys.empty()) continue;
       const auto [own, copies] = placements_of(surface, parts, time);
       added.translate = own.translate;

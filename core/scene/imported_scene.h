@@ -10,6 +10,7 @@
 
 #include "brume/keys.h"
 #include "brume/scene.h"
+#include "core/scene/deformation.h"
 
 namespace brume {
 
@@ -44,6 +45,8 @@ struct ImportedPart {
   CopyPlacements placements{};
   // Its movement in the coordinates of the file; the mesh is in its own then. Empty: it stands.
   PlacementKeys keys{};
+  // What makes of the mesh, which is that at 0 s, the one of another time; null: it stays.
+  std::shared_ptr<const Deformation> deformation{};
 };
 
 // A glTF, OBJ or FBX scene, as its file has it: y up.

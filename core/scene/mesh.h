@@ -21,6 +21,11 @@ void visit_vertex_values(auto& arrays, auto&& visit) {
   visit(arrays.colors, "colors");
 }
 
+// A mesh without normals gets those of its triangles, which then share no vertices.
+void add_flat_normals(MeshArrays& mesh);
+// Vertices whose normal is 0 get that of their triangles, if those have one in all.
+void complete_normals(MeshArrays& mesh);
+
 // Memory of a mesh.
 std::size_t mesh_bytes(const MeshArrays& arrays);
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "brume/error.h"
+#include "core/math/normals.h"
 #include "core/scene/mesh.h"
 #include "core/scene/placement.h"
 
@@ -95,6 +96,40 @@ std::vector<glm::dvec3> world_points(const Surface& surface, std::span<const glm
 
 std::vector<glm::dvec3> world_points(const Surface& surface) {
   return world_points(surface, surface.mesh->points);
+}
+
+void complete_normals(MeshArrays& mesh) {
+  std::vector<glm::dvec3> sums(mesh.points.size(), glm::dvec3(0.0));
+  for (const glm::uvec3& triangle : mesh.triangles) {
+    for (int k = 0; k < 3; ++k) sums[triangle[k]] += area_normal(mesh.points, triangle);
+  }
+  for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
+    if (mesh.normals[i] == glm::vec3(0.0f)) mesh.normals[i] = direction_or_zero(sums[i]);
+  }
+}
+
+void add_flat_normals(MeshArrays& mesh) {
+  // Each triangle has vertices of its own.
+  const auto split = [&triangles = mesh.triangles](auto& values, auto&&...) {
+    if (values.empty()) return;
+    auto shared = std::exchange(values, {});
+    values.reserve(3 * triangles.size());
+    for (const glm::uvec3& triangle : triangles) {
+      for (int k = 0; k < 3; ++k) values.push_back(shared[triangle[k]]);
+    }
+  };
+  std::vector<glm::vec3> normals;
+  for (const glm::uvec3& triangle : mesh.triangles) {
+    const glm::vec3 normal(direction_or_zero(area_normal(mesh.points, triangle)));
+    normals.insert(normals.end(), 3, normal);
+  }
+  split(mesh.points);
+  visit_vertex_values(mesh, split);
+  mesh.normals = std::move(normals);
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const auto first = static_cast<unsigned>(3 * i);
+    mesh.triangles[i] = {first, first + 1, first + 2};
+  }
 }
 
 }  // namespace brume

@@ -11,7 +11,7 @@
 
 #include "brume/mesh_arrays.h"
 #include "core/math/sphere_rule.h"
-#include "core/scene/lights/area_normal.h"
+#include "core/math/normals.h"
 #include "core/scene/materials/brdf.h"
 #include "core/scene/mesh.h"
 #include "render/geometry/rounding.h"

@@ -24,7 +24,9 @@
 #include "core/io/unicode_text.h"
 #include "core/math/basis.h"
 #include "core/number_domain.h"
+#include "core/scene/mesh.h"
 #include "tools/scene_reader/assimp_animation.h"
+#include "tools/scene_reader/assimp_bones.h"
 #include "tools/scene_reader/assimp_lights.h"
 #include "tools/scene_reader/assimp_materials.h"
 #include "tools/scene_reader/assimp_polygons.h"
@@ -39,16 +41,6 @@ constexpr double max_texcoord = 1e6;
 
 glm::dvec3 to_dvec3(const aiVector3D& v) {
   return {v.x, v.y, v.z};
-}
-
-glm::dmat4 to_dmat4(const aiMatrix4x4& m) {  // which has rows
-  glm::dmat4 result;
-  for (unsigned row = 0; row < 4; ++row) {
-    for (unsigned column = 0; column < 4; ++column) {
-      result[static_cast<int>(column)][static_cast<int>(row)] = static_cast<double>(m[row][column]);
-    }
-  }
-  return result;
 }
 
 // The unit of an FBX [m]; the file has it in centimeters.
@@ -109,7 +101,6 @@ class Reader {
     std::vector<Visit> open{{from_.mRootNode, std::nullopt}};
     std::vector<const aiNode*> nodes;
     std::vector<MovingNode> moving;
-    std::map<std::string, std::size_t> names;
     while (!open.empty()) {
       const auto [node, parent] = open.back();
       open.pop_back();
@@ -122,7 +113,7 @@ class Reader {
       const std::string name = node->mName.C_Str();
       nodes.push_back(node);
       scene_.nodes.push_back({imported_name(name, "node " + std::to_string(index)), parent});
-      names.try_emplace(name, index);
+      names_.try_emplace(name, index);
       MovingNode& added = moving.emplace_back();
       added.parent = parent;
       added.at_rest = to_dmat4(node->mTransformation);
@@ -131,12 +122,12 @@ class Reader {
         open.push_back({node->mChildren[i - 1], index});
       }
     }
-    add_tracks(from_, names, moving);
+    add_tracks(from_, names_, moving);
     // Cameras and lights are within the node of their name, and look along -z.
     const auto add_within = [&](const aiString& name, const glm::dmat4& at_rest) {
-      const auto found = names.find(name.C_Str());
+      const auto found = names_.find(name.C_Str());
       MovingNode& added = moving.emplace_back();
-      if (found != names.end()) added.parent = found->second;
+      if (found != names_.end()) added.parent = found->second;
       added.at_rest = at_rest;
     };
     for (unsigned i = 0; i < from_.mNumCameras; ++i) {
@@ -206,9 +197,20 @@ class Reader {
       if (t.x != t.y && t.y != t.z && t.z != t.x) arrays.triangles.push_back(t);
     }
     if (arrays.triangles.empty()) return;
-    if (arrays.normals.empty()) add_flat_normals(arrays);
     const std::string place = "node " + quoted_text(scene_.nodes[node].name);
-    if (mesh.HasBones() && motion_->moves_any()) warn(place, "has a skin: it stays at rest");
+    if (mesh.mNumAnimMeshes > 0) warn(place, "its morph targets are left out");
+    if (mesh.HasBones()) {
+      set_skinned(mesh, node, place, part);
+    } else {
+      set_rigid(node, place, part);
+    }
+    include(arrays, part.keys);
+    scene_.parts.push_back(std::move(part));
+  }
+
+  // A mesh that its node moves.
+  void set_rigid(std::size_t node, const std::string& place, RawPart& part) {
+    if (part.mesh.normals.empty()) add_flat_normals(part.mesh);
     glm::dmat4 to_world = to_world_[node];
     if (motion_->moves(node)) {
       NodeKeys found = placement_keys(*motion_, node);
@@ -218,9 +220,20 @@ class Reader {
       part.keys = std::move(found.keys);
       to_world = found.to_placed;
     }
-    apply_transform(to_world, file_, place, arrays);
-    include(arrays, part.keys);
-    scene_.parts.push_back(std::move(part));
+    apply_transform(to_world, file_, place, part.mesh);
+  }
+
+  // A mesh that its bones move.
+  void set_skinned(const aiMesh& mesh, std::size_t node, const std::string& place, RawPart& part) {
+    Deformation deformation{std::move(part.mesh)};
+    const DeformationMotion motion{read_bones(mesh, names_, node, deformation)};
+    part.mesh = deformed(deformation, pose_at(motion, *motion_, 0.0));
+    apply_transform(glm::dmat4(1.0), file_, place, part.mesh);
+    try {
+      part.deformation = moving_deformation(std::move(deformation), motion, *motion_);
+    } catch (const InputError& error) {
+      scene_.warnings.push_back(std::string(error.what()) + "; it stays as it is at 0 s");
+    }
   }
 
   static std::vector<glm::vec2> texcoords(const aiMesh& mesh, unsigned channel) {
@@ -284,9 +297,10 @@ class Reader {
   const aiScene& from_;
   const fs::path& file_;
   RawScene scene_;
-  std::vector<TexcoordChannels> channels_;  // by material
-  std::optional<NodeMotion> motion_;        // of nodes, then of cameras and lights
-  std::vector<glm::dmat4> to_world_;        // at 0 s, of the same
+  std::vector<TexcoordChannels> channels_;    // by material
+  std::map<std::string, std::size_t> names_;  // of nodes
+  std::optional<NodeMotion> motion_;          // of nodes, then of cameras and lights
+  std::vector<glm::dmat4> to_world_;          // at 0 s, of the same
   glm::dvec3 low_{limits::coordinate};
   glm::dvec3 high_{-limits::coordinate};
 };

@@ -16,6 +16,13 @@ glm::dquat to_value(const float* numbers, const glm::dquat&) {
   return {numbers[3], numbers[0], numbers[1], numbers[2]};
 }
 
+GltfAnimation no_animation(std::size_t nodes) {
+  GltfAnimation none;
+  none.tracks.resize(nodes);
+  none.weights.resize(nodes);
+  return none;
+}
+
 class Animation {
  public:
   // Both outlive this.
@@ -28,8 +35,7 @@ class Animation {
   GltfAnimation read(const std::vector<GltfNode>& nodes) {
     std::map<std::size_t, std::size_t> index_of;  // of elements
     for (std::size_t i = 0; i < nodes.size(); ++i) index_of[nodes[i].element] = i;
-    GltfAnimation result{std::vector<NodeTracks>(nodes.size()),
-                         std::vector<std::vector<double>>(nodes.size())};
+    GltfAnimation result = no_animation(nodes.size());
     for (std::size_t i = 0; i < channels_.size(); ++i) {
       JsonObject channel(file_.context(), channels_[i], object_.path_of("channels").element(i));
       JsonObject target = channel.object("target");
@@ -45,7 +51,7 @@ class Animation {
   static constexpr std::size_t max_elements = 1 << 20;
 
   void read_channel(JsonObject& channel, JsonObject& target, NodeTracks& tracks,
-                    std::vector<double>& weights) {
+                    std::shared_ptr<const Track<MorphWeights>>& weights) {
     const std::string path = target.text("path", "");
     if (path == "translation") {
       read_track(channel, vectors_, 3, tracks.translation);
@@ -54,7 +60,6 @@ class Animation {
     } else if (path == "scale") {
       read_track(channel, vectors_, 3, tracks.scale);
     } else if (path == "weights") {
-      file_.context().warn(target.path_of("path"), "weights stay as they are at 0 s");
       weights = read_weights(sampler_of(channel));
     } else {
       file_.context().warn(target.path_of("path"),
@@ -131,25 +136,26 @@ class Animation {
     return times;
   }
 
-  // The weights of all morph targets at the last time up to 0 s, or the first.
-  std::vector<double> read_weights(std::size_t index) {
+  // Null where there are no morph targets.
+  std::shared_ptr<const Track<MorphWeights>> read_weights(std::size_t index) {
     JsonObject sampler(file_.context(), samplers_[index],
                        object_.path_of("samplers").element(index));
-    const std::size_t per_time = values_per_time(interpolation_of(sampler));
-    const std::vector<double> times = read_times(sampler);
+    auto track = std::make_shared<Track<MorphWeights>>();
+    track->interpolation = interpolation_of(sampler);
+    track->times = read_times(sampler);
     const std::vector<float> values = numbers(sampler, "output", 1);
-    const std::size_t targets = values.size() / (per_time * times.size());
-    if (values.size() != targets * per_time * times.size()) {
+    const std::size_t count = values_per_time(track->interpolation) * track->times.size();
+    const std::size_t targets = values.size() / count;
+    if (values.size() != targets * count) {
       sampler.fail("output", "found " + std::to_string(values.size()) + " values for " +
-                                 std::to_string(times.size()) +
+                                 std::to_string(track->times.size()) +
                                  " times; allowed: as many for each");
     }
-    const auto later = std::ranges::upper_bound(times, 0.0);
-    const auto key =
-        static_cast<std::size_t>(later - times.begin()) - (later == times.begin() ? 0 : 1);
-    const std::size_t first = (per_time * key + per_time / 2) * targets;
-    return {values.begin() + static_cast<std::ptrdiff_t>(first),
-            values.begin() + static_cast<std::ptrdiff_t>(first + targets)};
+    for (std::size_t i = 0; i < values.size(); i += targets) {
+      MorphWeights& weights = track->values.emplace_back(targets);
+      std::copy_n(&values[i], targets, std::begin(weights));
+    }
+    return targets > 0 ? track : nullptr;
   }
 
   std::vector<float> numbers(JsonObject& sampler, const char* key, std::size_t components) {
@@ -175,9 +181,7 @@ class Animation {
 
 GltfAnimation read_gltf_animation(GltfFile& file, const std::vector<GltfNode>& nodes) {
   const std::size_t count = file.list("animations").size();
-  if (count == 0) {
-    return {std::vector<NodeTracks>(nodes.size()), std::vector<std::vector<double>>(nodes.size())};
-  }
+  if (count == 0) return no_animation(nodes.size());
   if (count > 1) {
     file.context().warn(file.path().member("animations"),
                         "found " + std::to_string(count) + "; all but the first are left out");

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "core/io/import/gltf_nodes.h"
@@ -10,7 +11,7 @@ namespace brume {
 // The effects of the file's first animation on nodes, in their order.
 struct GltfAnimation {
   std::vector<NodeTracks> tracks;
-  std::vector<std::vector<double>> weights;  // of morph targets at 0 s; empty: not animated
+  std::vector<std::shared_ptr<const Track<MorphWeights>>> weights;  // null: not animated
 };
 
 // Other animations, and those of anything else, are left out with a warning. Throws InputError

@@ -57,23 +57,17 @@ void read_texcoords(GltfFile& file, JsonObject& attributes, std::span<const Gltf
   if (uses.size() > 1) mesh.second_texcoords = read(uses[1]);
 }
 
-void add_morph_targets(GltfFile& file, JsonObject& primitive, std::span<const double> weights,
-                       MeshArrays& mesh) {
-  const Json::array_t& targets = primitive.array("targets", max_morph_targets);
-  for (std::size_t i = 0; i < std::min(targets.size(), weights.size()); ++i) {
-    if (weights[i] == 0.0) continue;
-    JsonObject target(file.context(), targets[i], primitive.path_of("targets").element(i));
-    const auto add = [&](const char* key, std::vector<glm::vec3>& values) {
-      if (values.empty()) return;
-      const auto offsets =
-          optional_values(file, target, key, values.size(), gltf_vectors<glm::vec3>);
-      for (std::size_t v = 0; v < offsets.size(); ++v) {
-        values[v] += static_cast<float>(weights[i]) * offsets[v];
-      }
+std::vector<MorphTarget> read_morph_targets(GltfFile& file, JsonObject& primitive,
+                                            std::size_t vertices) {
+  std::vector<MorphTarget> targets;
+  for (const Json& value : primitive.array("targets", max_morph_targets)) {
+    JsonObject target(file.context(), value, primitive.path_of("targets").element(targets.size()));
+    const auto offsets = [&](const char* key) {
+      return optional_values(file, target, key, vertices, gltf_vectors<glm::vec3>);
     };
-    add("POSITION", mesh.points);
-    add("NORMAL", mesh.normals);
+    targets.push_back({offsets("POSITION"), offsets("NORMAL")});
   }
+  return targets;
 }
 
 void add_triangles(GltfFile& file, JsonObject& primitive, std::int64_t mode, MeshArrays& mesh) {
@@ -114,26 +108,28 @@ void check_value_count(JsonObject& attributes, const std::string& key, std::size
                            std::to_string(vertices) + ", one for each vertex");
 }
 
-MeshArrays read_gltf_mesh(GltfFile& file, JsonObject& primitive, std::int64_t mode,
-                          std::span<const GltfTexcoords> texcoords,
-                          std::span<const double> weights) {
+Deformation read_gltf_mesh(GltfFile& file, JsonObject& primitive, std::int64_t mode,
+                           std::span<const GltfTexcoords> texcoords) {
   JsonObject attributes = primitive.object("attributes");
-  MeshArrays mesh;
+  Deformation result;
+  MeshArrays& mesh = result.rest;
   mesh.points = gltf_vectors<glm::vec3>(file, attributes, "POSITION");
   const std::size_t vertices = mesh.points.size();
   mesh.normals = optional_values(file, attributes, "NORMAL", vertices, gltf_vectors<glm::vec3>);
   mesh.colors = optional_values(file, attributes, "COLOR_0", vertices, colors);
   read_texcoords(file, attributes, texcoords, mesh);
-  add_morph_targets(file, primitive, weights, mesh);
+  result.targets = read_morph_targets(file, primitive, vertices);
   add_triangles(file, primitive, mode, mesh);
-  return mesh;
+  return result;
 }
 
-std::vector<double> gltf_weights(GltfFile& file, JsonObject& object) {
+MorphWeights gltf_weights(GltfFile& file, JsonObject& object) {
   const Json* const value = object.find("weights");
   if (value == nullptr) return {};
   const std::size_t count = object.array("weights", max_morph_targets).size();
-  return read_numbers(file.context(), *value, object.path_of("weights"), count, domain::coordinate);
+  const std::vector<double> weights =
+      read_numbers(file.context(), *value, object.path_of("weights"), count, domain::coordinate);
+  return {weights.data(), weights.size()};
 }
 
 }  // namespace brume

@@ -7,6 +7,8 @@
 #include "brume/mesh_arrays.h"
 #include "core/io/import/gltf_file.h"
 #include "core/io/import/gltf_materials.h"
+#include "core/io/import/node_motion.h"
+#include "core/scene/deformation.h"
 
 namespace brume {
 
@@ -28,15 +30,14 @@ std::vector<Vector> gltf_vectors(GltfFile& file, JsonObject& attributes, const s
 void check_value_count(JsonObject& attributes, const std::string& key, std::size_t values,
                        std::size_t vertices);
 
-// The mesh of a primitive of triangles (`mode` 4), a strip (5) or a fan (6) in its own coordinates,
-// without normals if it has none, with the texture coordinates that its material uses. `weights` of
-// its morph targets, from the first on; those of others are 0. What cannot be read is left out,
-// with a warning, but for points and triangles.
-MeshArrays read_gltf_mesh(GltfFile& file, JsonObject& primitive, std::int64_t mode,
-                          std::span<const GltfTexcoords> texcoords,
-                          std::span<const double> weights);
+// The mesh at rest of a primitive of triangles (`mode` 4), a strip (5) or a fan (6) in its own
+// coordinates, without normals if it has none, with the texture coordinates that its material uses;
+// and its morph targets. What cannot be read is left out, with a warning, but for points and
+// triangles.
+Deformation read_gltf_mesh(GltfFile& file, JsonObject& primitive, std::int64_t mode,
+                           std::span<const GltfTexcoords> texcoords);
 
 // The member `weights` of a node or a mesh; empty if missing.
-std::vector<double> gltf_weights(GltfFile& file, JsonObject& object);
+MorphWeights gltf_weights(GltfFile& file, JsonObject& object);
 
 }  // namespace brume

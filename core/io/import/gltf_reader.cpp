@@ -22,6 +22,7 @@
 #include "core/io/import/node_keys.h"
 #include "core/io/import/node_motion.h"
 #include "core/io/import/node_transform.h"
+#include "core/io/import/poses.h"
 #include "core/io/import/scene_readers.h"
 #include "core/io/text_scanner.h"
 #include "core/number_domain.h"
@@ -78,7 +79,7 @@ class GltfReader {
   }
 
  private:
-  // Skins and all else without keys are as at 0 s.
+  // All else that has no keys is as at 0 s.
   void read_animation() {
     try {
       animation_ = read_gltf_animation(file_, nodes_);
@@ -174,12 +175,9 @@ class GltfReader {
     Use use{index_of_node, *index, nullptr, {}, {}};
     file_.context().try_read(object.path_of("skin"), [&] { use.joints = skins_.joints(object); });
     use.transforms = transforms_of(node, object);
-    use.weights = animation_.weights[index_of_node];
-    if (use.weights.empty()) use.weights = gltf_weights(file_, object);
-    const bool has_own_weights = !use.weights.empty();
-    if (use.joints && motion_->moves_any()) {
-      file_.context().warn(object.path(), "has a skin: it stays as it is at 0 s");
-    }
+    use.weights = gltf_weights(file_, object);
+    use.track = animation_.weights[index_of_node];
+    const bool has_own_weights = use.weights.size() > 0 || use.track;
     if (motion_->moves(index_of_node) && !use.joints) {
       add_motion(use, object);
     } else if (!use.joints && !has_own_weights &&
@@ -187,7 +185,7 @@ class GltfReader {
       use.placements = placements(use.transforms);
     }
     JsonObject mesh = file_.object("meshes", *index);
-    if (!has_own_weights) use.weights = gltf_weights(file_, mesh);
+    if (use.weights.size() == 0) use.weights = gltf_weights(file_, mesh);
     const Json::array_t& primitives = mesh.array("primitives", limits::surfaces);
     primitives_ += primitives.size();
     if (primitives_ > max_primitives) {
@@ -204,11 +202,12 @@ class GltfReader {
   struct Use {
     std::size_t node;
     std::size_t mesh;
-    const std::vector<glm::dmat4>* joints;  // as of GltfSkins
-    std::vector<glm::dmat4> transforms;     // to the world
-    CopyPlacements placements;              // the same, of a mesh that is shared; else empty
-    PlacementKeys keys{};                   // then from there
-    std::vector<double> weights{};          // of its morph targets
+    const std::vector<Joint>* joints;    // as of GltfSkins
+    std::vector<glm::dmat4> transforms;  // to the world
+    CopyPlacements placements;           // the same, of a mesh that is shared; else empty
+    PlacementKeys keys{};                // then from there
+    MorphWeights weights{};              // of its morph targets
+    std::shared_ptr<const Track<MorphWeights>> track{};  // of these
   };
 
   void add_motion(Use& use, JsonObject& object) {
@@ -253,10 +252,11 @@ class GltfReader {
     RawPart part;
     part.node = use.node;
     part.material = file_.index(primitive, "material", "materials").value_or(materials_.size() - 1);
-    const bool is_skinned = read_mesh(primitive, mode, use, part);
-    if (part.mesh.triangles.empty()) return;
+    Deformation mesh = read_mesh(primitive, mode, use, part);
+    if (mesh.rest.triangles.empty()) return;
     const auto add = [&](RawPart added, const glm::dmat4& to_world) {
       bytes_ += mesh_bytes(added.mesh) + added.keys.bytes();
+      if (added.deformation) bytes_ += added.deformation->bytes();
       if (bytes_ > limits::scene_bytes / 4) {
         file_.context().fail(path, "the meshes up to here take more memory than the allowed " +
                                        std::to_string(limits::scene_bytes) + " bytes");
@@ -265,15 +265,29 @@ class GltfReader {
       apply_transform(to_world, file_.context().file(), path.text(), added.mesh);
       scene_.parts.push_back(std::move(added));
     };
-    if (is_skinned) {
-      add(std::move(part), glm::dmat4(1.0));
-    } else if (!use.placements.empty()) {
+    const bool is_skinned = !mesh.influences.empty();
+    const bool is_shared = !is_skinned && !use.placements.empty();
+    if (is_shared) {
       shared_parts_[{use.mesh, index}] = scene_.parts.size();
       part.placements = use.placements;
-      add(std::move(part), glm::dmat4(1.0));
-    } else {
+    } else if (!is_skinned) {
       part.keys = use.keys;
-      for (const glm::dmat4& to_world : use.transforms) add(part, to_world);
+    }
+    const std::vector<glm::dmat4> here{glm::dmat4(1.0)};
+    for (const glm::dmat4& to_world : is_skinned || is_shared ? here : use.transforms) {
+      if (!is_skinned && mesh.targets.empty()) {
+        part.mesh = mesh.rest;
+        if (part.mesh.normals.empty()) add_flat_normals(part.mesh);
+        add(part, to_world);
+      } else {
+        DeformationMotion motion{{}, use.weights, use.track};
+        motion.joints = is_skinned ? *use.joints : std::vector<Joint>{{std::nullopt, to_world}};
+        part.mesh = deformed(mesh, pose_at(motion, *motion_, 0.0));
+        part.deformation = nullptr;
+        file_.context().try_read(
+            path, [&] { part.deformation = moving_deformation(mesh, motion, *motion_); });
+        add(part, glm::dmat4(1.0));
+      }
     }
   }
 
@@ -281,10 +295,10 @@ class GltfReader {
     if (scene_.left_out.empty()) scene_.left_out = path.text() + ": found " + what;
   }
 
-  // Reads the mesh of a part whose node and material are set. Returns whether it is in the world
-  // already, by the joints of its skin.
-  bool read_mesh(JsonObject& primitive, std::int64_t mode, const Use& use, RawPart& part) {
-    MeshArrays& mesh = part.mesh;
+  // Reads the mesh of a part whose node and material are set, with the influences of the joints of
+  // its skin.
+  Deformation read_mesh(JsonObject& primitive, std::int64_t mode, const Use& use,
+                        const RawPart& part) {
     JsonObject attributes = primitive.object("attributes");
     const JsonPath& path = attributes.path();
     static_cast<void>(attributes.required("POSITION"));
@@ -296,16 +310,14 @@ class GltfReader {
                                      " is missing: it has only " + data +
                                      "; export it again without " + compression_kind(name));
       note_left_out(path, data);
-      return false;
+      return {};
     }
-    mesh = read_gltf_mesh(file_, primitive, mode, materials_[part.material].texcoords, use.weights);
-    bool is_skinned = false;
+    Deformation mesh = read_gltf_mesh(file_, primitive, mode, materials_[part.material].texcoords);
     if (use.joints) {
       file_.context().try_read(
-          path, [&] { is_skinned = apply_skin(file_, attributes, *use.joints, mesh); });
+          path, [&] { read_gltf_influences(file_, attributes, use.joints->size(), mesh); });
     }
-    if (mesh.normals.empty()) add_flat_normals(mesh);
-    return is_skinned;
+    return mesh;
   }
 
   // The extension that compresses points or triangles where nothing else has them; else empty.

@@ -41,8 +41,10 @@ class SceneBuilder {
       auto mesh =
           part.same_mesh_as ? scene->parts[*part.same_mesh_as].mesh : mesh_of(std::move(part.mesh));
       add_bytes(part.placements.size() * limits::copy_bytes + part.keys.bytes());
+      if (part.deformation) add_bytes(part.deformation->bytes());
       scene->parts.push_back({part.node, std::move(mesh), material(part.material, *scene),
-                              std::move(part.placements), std::move(part.keys)});
+                              std::move(part.placements), std::move(part.keys),
+                              std::move(part.deformation)});
     }
     scene->changed = latest_change(scene->files);
     scene->nodes = std::move(raw_.nodes);

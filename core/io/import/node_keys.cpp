@@ -1,7 +1,6 @@
 #include "core/io/import/node_keys.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -9,103 +8,14 @@
 #include <numbers>
 #include <utility>
 
-#include "brume/error.h"
-#include "brume/limits.h"
 #include "core/io/import/node_transform.h"
+#include "core/io/import/sampler.h"
 #include "core/number_domain.h"
 
 namespace brume {
 namespace {
 
 constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
-
-// Values between keys may be off by this share of the way that they take in all, directions and
-// rotations by this angle [radians].
-constexpr double max_share = 5e-4;
-constexpr double max_angle = 1e-3;
-
-// Values jump in this time [s].
-constexpr double jump_time = 2.0 * min_key_distance;
-
-template <class State>
-struct Sample {
-  double time = 0.0;
-  State state{};
-  bool is_held = false;  // until the next one
-};
-
-// Samples a function of time so that it is linear between samples. `Measure` has
-// mixed(a, b, share), and distance(a, b) in units of what is allowed.
-template <class StateAt, class Measure>
-class Sampler {
- public:
-  using State = std::invoke_result_t<StateAt, double>;
-
-  Sampler(const StateAt& state_at, const Measure& measure, const std::filesystem::path& file)
-      : state_at_(state_at), measure_(measure), file_(file) {}
-
-  std::vector<Sample<State>> run(const std::vector<double>& times) {
-    double begin = times.front();
-    for (const double time : times) {
-      if (time - begin < 4.0 * jump_time) continue;
-      add_interval(begin, time);
-      begin = time;
-    }
-    add(begin, state_at_(begin));
-    return std::move(samples_);
-  }
-
- private:
-  // Adds samples from a time on, without the end.
-  void add_interval(double begin, double end) {
-    constexpr int max_depth = 6;
-    const State first = state_at_(begin);
-    const State last = state_at_(end);
-    const State end_state = state_at_(end - jump_time);
-    add(begin, first);
-    if (measure_.distance(end_state, last) <= 1.0) {
-      refine({begin, first}, {end, last}, max_depth);
-      return;
-    }
-    if (measure_.distance(first, end_state) <= 1e-3 &&
-        is_linear({begin, first}, {end - jump_time, end_state})) {
-      samples_.back().is_held = true;
-      return;
-    }
-    refine({begin, first}, {end - jump_time, end_state}, max_depth);
-    add(end - jump_time, end_state);
-  }
-
-  [[nodiscard]] bool is_linear(const Sample<State>& a, const Sample<State>& b) const {
-    return std::ranges::all_of(std::array{0.5, 0.25, 0.75}, [&](double share) {
-      const State found = state_at_(a.time + share * (b.time - a.time));
-      return measure_.distance(found, measure_.mixed(a.state, b.state, share)) <= 1.0;
-    });
-  }
-
-  void refine(const Sample<State>& a, const Sample<State>& b, int depth) {
-    if (depth == 0 || b.time - a.time < 4.0 * jump_time || is_linear(a, b)) return;
-    const double time = 0.5 * (a.time + b.time);
-    const Sample<State> middle{time, state_at_(time)};
-    refine(a, middle, depth - 1);
-    add(time, middle.state);
-    refine(middle, b, depth - 1);
-  }
-
-  void add(double time, const State& state) {
-    if (samples_.size() >= limits::keys_of_value) {
-      throw InputError(file_, "",
-                       "the animation of a node needs more than the allowed " +
-                           std::to_string(limits::keys_of_value) + " keyframes");
-    }
-    samples_.push_back({time, state});
-  }
-
-  const StateAt& state_at_;
-  const Measure& measure_;
-  const std::filesystem::path& file_;
-  std::vector<Sample<State>> samples_;
-};
 
 template <class Measure>
 auto sampled(const NodeMotion& motion, std::size_t node, const auto& state_at,
@@ -147,14 +57,6 @@ std::vector<glm::dvec3> origins(const NodeMotion& motion, std::size_t node) {
   std::vector<glm::dvec3> points;
   for (const double time : motion.times(node)) points.emplace_back(motion.to_world(node, time)[3]);
   return points;
-}
-
-void check_coordinates(const NodeMotion& motion, const glm::dvec3& point) {
-  for (int axis = 0; axis < 3; ++axis) {
-    if (domain::coordinate.contains(point[axis])) continue;
-    throw InputError(motion.file(), "",
-                     "the animation of a node: " + domain::coordinate.refusal(point[axis]));
-  }
 }
 
 struct PlacementMeasure {
@@ -235,7 +137,7 @@ NodeKeys placement_keys(const NodeMotion& motion, std::size_t node) {
   const glm::dmat3 inverse = glm::inverse(shape);
   const auto state_at = [&](double time) {
     const glm::dmat4 to_world = motion.to_world(node, time);
-    check_coordinates(motion, glm::dvec3(to_world[3]));
+    motion.check_coordinates(glm::dvec3(to_world[3]));
     const glm::dmat3 placed = axes_at(time) * inverse;
     constexpr double smallest = 1e-6;
     CopyPlacement placement{glm::dvec3(to_world[3]), {1.0, 0.0, 0.0, 0.0}, size_of(placed)};
@@ -336,7 +238,7 @@ void add_keys(const NodeMotion& motion, std::size_t node, const glm::dvec3& pivo
   camera.up = is_ever_steep ? first.up : vertical;
   const auto state_at = [&](double time) {
     const Camera found = camera_at(time);
-    check_coordinates(motion, found.eye);
+    motion.check_coordinates(found.eye);
     const glm::dvec3 forward = forward_of(found);
     CameraState state{found.eye, found.eye + distance * forward, 0.0};
     const glm::dvec3 right = glm::cross(forward, camera.up);
@@ -373,7 +275,7 @@ void add_keys(const NodeMotion& motion, std::size_t node, Light& light) {
   const auto state_at = [&](double time) {
     const glm::dmat4 to_world = motion.to_world(node, time);
     LightState state{glm::dvec3(to_world[3]), glm::dvec3(0.0)};
-    check_coordinates(motion, state.position);
+    motion.check_coordinates(state.position);
     const glm::dvec3 along = -glm::dvec3(to_world[2]);
     if (direction) state.direction = glm::length(along) > 0.0 ? glm::normalize(along) : *direction;
     return state;

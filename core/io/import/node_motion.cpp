@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "brume/error.h"
+#include "core/number_domain.h"
 
 namespace brume {
 namespace {
@@ -17,6 +18,10 @@ glm::dquat mixed(const glm::dquat& a, const glm::dquat& b, double share) {
   return glm::slerp(a, b, share);
 }
 
+MorphWeights mixed(const MorphWeights& a, const MorphWeights& b, double share) {
+  return (1.0 - share) * a + share * b;
+}
+
 glm::dvec3 valid(const glm::dvec3& v) {
   return v;
 }
@@ -25,8 +30,12 @@ glm::dquat valid(const glm::dquat& q) {
   return length > 0.0 ? q / length : glm::dquat(1.0, 0.0, 0.0, 0.0);
 }
 
+MorphWeights valid(const MorphWeights& weights) {
+  return weights;
+}
+
 template <class T>
-T value_at(const Track<T>& track, double time) {
+T evaluated(const Track<T>& track, double time) {
   const bool is_cubic = track.interpolation == TrackInterpolation::cubic;
   const auto value = [&](std::size_t i) { return track.values[is_cubic ? 3 * i + 1 : i]; };
   const auto next = std::ranges::upper_bound(track.times, time);
@@ -51,6 +60,10 @@ void add_times(const auto& track, std::vector<double>& times) {
 
 }  // namespace
 
+MorphWeights value_at(const Track<MorphWeights>& track, double time) {
+  return evaluated(track, time);
+}
+
 glm::dmat4 NodeTransform::matrix() const {
   return glm::translate(glm::dmat4(1.0), translation) * glm::mat4_cast(rotation) *
          glm::scale(glm::dmat4(1.0), scale);
@@ -73,13 +86,21 @@ glm::dmat4 NodeMotion::to_world(std::size_t node, double time) const {
       continue;
     }
     NodeTransform moved = transform;
-    if (tracks.translation) moved.translation = value_at(*tracks.translation, time);
-    if (tracks.rotation) moved.rotation = value_at(*tracks.rotation, time);
-    if (tracks.scale) moved.scale = value_at(*tracks.scale, time);
+    if (tracks.translation) moved.translation = evaluated(*tracks.translation, time);
+    if (tracks.rotation) moved.rotation = evaluated(*tracks.rotation, time);
+    if (tracks.scale) moved.scale = evaluated(*tracks.scale, time);
     result = moved.matrix() * result;
   }
   count(depth);
   return result;
+}
+
+void NodeMotion::check_coordinates(const glm::dvec3& point) const {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (domain::coordinate.contains(point[axis])) continue;
+    throw InputError(file_, "",
+                     "the animation of a node: " + domain::coordinate.refusal(point[axis]));
+  }
 }
 
 std::vector<double> NodeMotion::times(std::size_t node) const {

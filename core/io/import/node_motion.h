@@ -8,6 +8,7 @@
 #include <glm/vec3.hpp>
 #include <memory>
 #include <optional>
+#include <valarray>
 #include <vector>
 
 namespace brume {
@@ -22,6 +23,10 @@ struct Track {
   std::vector<T> values;  // as many; `cubic`: three each, tangents before and after it around it
   TrackInterpolation interpolation = TrackInterpolation::linear;
 };
+
+// Of morph targets, in their order.
+using MorphWeights = std::valarray<double>;
+MorphWeights value_at(const Track<MorphWeights>& track, double time);
 
 // The transform of a node within its parent: points are scaled first, moved last. Values without a
 // track are as at rest.
@@ -60,6 +65,8 @@ class NodeMotion {
   [[nodiscard]] bool moves_any() const { return std::ranges::count(moves_, true) > 0; }
   // Throws InputError where that has taken too long in all.
   [[nodiscard]] glm::dmat4 to_world(std::size_t node, double time) const;
+  // Throws InputError unless a point that an animation moves is one of a scene.
+  void check_coordinates(const glm::dvec3& point) const;
   // The times of the tracks of a node and of those that it is in, ascending; none twice.
   [[nodiscard]] std::vector<double> times(std::size_t node) const;
 

@@ -17,12 +17,6 @@ namespace brume {
 void apply_transform(const glm::dmat4& to_world, const std::filesystem::path& file,
                      const std::string& place, MeshArrays& mesh);
 
-// A normal moved so that it stays perpendicular, unit; 0 where it has no direction.
-glm::dvec3 moved_normal(const glm::dmat3& to_world, const glm::dvec3& normal);
-
-// A mesh without normals gets those of its triangles, which then share no vertices.
-void add_flat_normals(MeshArrays& mesh);
-
 // The camera of a node: it looks along -z, +y is up. Its target is as far as `pivot`, if that is in
 // front of it.
 Camera camera_of_node(const glm::dmat4& to_world, const glm::dvec3& pivot, double vertical_fov);

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -49,6 +50,7 @@ struct RawPart {
   CopyPlacements placements{};
   std::optional<std::size_t> same_mesh_as{};
   PlacementKeys keys{};
+  std::shared_ptr<const Deformation> deformation{};
 };
 
 // The content of a scene file before its images are decoded and its meshes made. Readers have

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <type_traits>
 
 #include "brume/limits.h"
@@ -47,6 +48,11 @@ class Writer {
     plain(std::uint8_t{value.has_value()});
     if (value) visit_value(*value);
   }
+  template <class Value>
+  void shared(const std::shared_ptr<const Value>& value, auto&& visit_value) {
+    plain(std::uint8_t{value != nullptr});
+    if (value) visit_value(*value);
+  }
   void kind(const Light::Kind& kind) { plain(static_cast<std::uint8_t>(kind.index())); }
 
  private:
@@ -75,6 +81,13 @@ class Reader {
   template <class Value>
   void maybe(std::optional<Value>& value, auto&& visit_value) {
     if (bytes_.number<std::uint8_t>() != 0) visit_value(value.emplace());
+  }
+  template <class Value>
+  void shared(std::shared_ptr<const Value>& value, auto&& visit_value) {
+    if (bytes_.number<std::uint8_t>() == 0) return;
+    auto read = std::make_shared<Value>();
+    visit_value(*read);
+    value = std::move(read);
   }
   void kind(Light::Kind& kind) {
     const auto index = bytes_.number<std::uint8_t>();
@@ -134,6 +147,23 @@ void visit_light(auto& io, auto& light) {
   if (auto* sun = std::get_if<light::Directional>(&light.kind)) io.plain(sun->direction);
 }
 
+void visit_mesh(auto& io, auto& mesh) {
+  io.plain_list(mesh.points);
+  visit_vertex_values(mesh, [&io](auto& values, auto&&) { io.plain_list(values); });
+  io.plain_list(mesh.triangles);
+}
+
+void visit_deformation(auto& io, auto& deformation) {
+  visit_mesh(io, deformation.rest);
+  io.plain_list(deformation.influences);
+  io.plain_list(deformation.ends);
+  io.list(deformation.poses, [&io](auto& pose) {
+    io.plain(pose.time);
+    io.plain(pose.is_held);
+    io.plain_list(pose.joints);
+  });
+}
+
 void visit_scene(auto& io, auto& scene) {
   io.list(scene.nodes, [&io](auto& node) {
     io.text(node.name);
@@ -142,12 +172,11 @@ void visit_scene(auto& io, auto& scene) {
   io.list(scene.parts, [&io](auto& part) {
     io.plain(part.node);
     io.plain(part.material);
-    io.plain_list(part.mesh.points);
-    visit_vertex_values(part.mesh, [&io](auto& values, auto&&) { io.plain_list(values); });
-    io.plain_list(part.mesh.triangles);
+    visit_mesh(io, part.mesh);
     io.plain_list(part.keys.translate);
     io.plain_list(part.keys.rotate);
     io.plain_list(part.keys.scale);
+    io.shared(part.deformation, [&io](auto& deformation) { visit_deformation(io, deformation); });
   });
   io.list(scene.materials, [&io](auto& material) {
     io.text(material.name);
@@ -212,6 +241,41 @@ bool is_valid(const MeshArrays& mesh) {
   }
   for (const glm::uvec3& t : mesh.triangles) {
     if (t.x >= count || t.y >= count || t.z >= count) return false;
+  }
+  return true;
+}
+
+// Of a mesh as large as the part's, as readers make it: without morph targets.
+bool is_valid(const Deformation& deformation) {
+  const std::size_t vertices = deformation.rest.points.size();
+  MeshArrays rest = deformation.rest;
+  if (rest.normals.empty()) rest.normals.resize(vertices);
+  if (!is_valid(rest) || deformation.ends.size() != vertices || deformation.poses.empty()) {
+    return false;
+  }
+  const std::size_t joints = deformation.poses.front().joints.size();
+  for (const Influence& influence : deformation.influences) {
+    if (influence.joint >= joints || !(influence.weight >= 0.0f && influence.weight <= 1.0001f)) {
+      return false;
+    }
+  }
+  std::uint32_t begin = 0;
+  for (const std::uint32_t end : deformation.ends) {
+    if (end <= begin || end > deformation.influences.size()) return false;
+    begin = end;
+  }
+  double last = -std::numeric_limits<double>::infinity();
+  for (const Pose& pose : deformation.poses) {
+    if (!domain::seconds.contains(pose.time) || !(pose.time > last) ||
+        pose.joints.size() != joints) {
+      return false;
+    }
+    last = pose.time;
+    for (const glm::dmat4& joint : pose.joints) {
+      for (int k = 0; k < 16; ++k) {
+        if (!std::isfinite(joint[k / 4][k % 4])) return false;
+      }
+    }
   }
   return true;
 }
@@ -287,7 +351,8 @@ RawScene read_raw_scene(const std::filesystem::path& file, std::string_view byte
                scene.lights.size() <= limits::lights && scene.cameras.size() <= limits::cameras);
   for (const RawPart& part : scene.parts) {
     reader.check(part.node < scene.nodes.size() && part.material < scene.materials.size() &&
-                 is_valid(part.mesh) && is_valid(part.keys));
+                 is_valid(part.mesh) && is_valid(part.keys) &&
+                 (!part.deformation || is_valid(*part.deformation)));
   }
   for (const RawMaterial& material : scene.materials) {
     reader.check(is_valid(material, scene.images.size()));

@@ -7,7 +7,7 @@
 #include "core/io/mesh/places.h"
 #include "core/io/mesh/polygon_copies.h"
 #include "core/io/mesh/winding.h"
-#include "core/scene/lights/area_normal.h"
+#include "core/math/normals.h"
 
 namespace brume {
 namespace {

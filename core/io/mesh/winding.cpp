@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "core/io/mesh/mesh_normals.h"
-#include "core/scene/lights/area_normal.h"
+#include "core/math/normals.h"
 
 namespace brume {
 namespace {

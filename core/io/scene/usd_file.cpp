@@ -19,7 +19,7 @@
 #include "core/medium/splat.h"
 #include "core/scene/camera_rays.h"
 #include "core/scene/fields/light_fields.h"
-#include "core/scene/lights/area_normal.h"
+#include "core/math/normals.h"
 #include "core/scene/lights/environment.h"
 #include "core/scene/lights/point_lights.h"
 #include "core/scene/lights/radiance_map.h"

@@ -30,6 +30,7 @@ void visit_imported(const Scene& scene, auto&& visit) {
       visit(part.keys.translate);
       visit(part.keys.rotate);
       visit(part.keys.scale);
+      if (part.deformation) visit(part.deformation->poses);
     }
   }
 }

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <utility>
 
-#include "core/scene/lights/area_normal.h"
+#include "core/math/normals.h"
 #include "core/scene/mesh.h"
 
 namespace brume {

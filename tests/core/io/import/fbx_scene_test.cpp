@@ -6,9 +6,11 @@
 #include <glm/geometric.hpp>
 #include <initializer_list>
 #include <numbers>
+#include <span>
 #include <string>
 
 #include "brume/mesh_arrays.h"
+#include "brume/surface.h"
 #include "core/io/image/image_file.h"
 #include "core/io/import/imported_scene_file.h"
 #include "core/math/srgb.h"
@@ -187,6 +189,67 @@ TEST(FbxScene, HasColorsSecondTexcoordsAndAnimations) {
   expect_near(0.0, {1, 2, 3});
   expect_near(1.0, {5, 2, 3});
   EXPECT_EQ(part.keys.rotate.size(), 1u);
+}
+
+// A bone along y moves the upper corners of the square.
+TEST(FbxScene, SkinsMoveWithTheirBones) {
+  std::string text = moving_square;
+  const auto insert = [&](const std::string& before, const std::string& added) {
+    text.insert(text.find(before), added);
+  };
+  insert("\tMaterial: 300", R"(	Model: 210, "Model::bone", "LimbNode" {
+		Properties70:  {
+			P: "Lcl Translation", "Lcl Translation", "", "A",1,2,3
+		}
+	}
+	NodeAttribute: 211, "NodeAttribute::bone", "LimbNode" {
+		TypeFlags: "Skeleton"
+	}
+	Deformer: 700, "Deformer::skin", "Skin" {
+		Version: 101
+	}
+	Deformer: 701, "SubDeformer::bone", "Cluster" {
+		Version: 100
+		Indexes: *2 {
+			a: 2,3
+		}
+		Weights: *2 {
+			a: 1,1
+		}
+		Transform: *16 {
+			a: 1,0,0,0,0,1,0,0,0,0,1,0,-1,-2,-3,1
+		}
+		TransformLink: *16 {
+			a: 1,0,0,0,0,1,0,0,0,0,1,0,1,2,3,1
+		}
+	}
+)");
+  // The bone moves in place of the mesh, which stands at the origin.
+  text.replace(text.find("\tC: \"OP\",402,200"), 16, "\tC: \"OP\",402,210");
+  text.replace(text.find("\"A\",1,2,3"), 9, "\"A\",0,0,0");
+  text.insert(text.rfind('}'), R"(	C: "OO",210,0
+	C: "OO",211,210
+	C: "OO",700,100
+	C: "OO",701,700
+	C: "OO",210,701
+)");
+  const TemporaryFolder folder;
+  folder.write("picture.png", encode_png(2, 2, std::array<std::uint8_t, 12>{}));
+  std::vector<std::string> warnings;
+  Surface surface;
+  surface.imported = read_imported_scene(folder.write("a.fbx", text), warnings);
+  ASSERT_EQ(surface.imported->parts.size(), 1u);
+  ASSERT_TRUE(surface.imported->parts[0].deformation);
+  EXPECT_TRUE(warnings.empty());
+  for (const double time : {0.0, 0.5, 1.0}) {
+    const auto shown = shown_surfaces(std::span(&surface, 1), time);
+    const MeshArrays& mesh = to_arrays(*shown.at(0).mesh);
+    for (std::size_t i = 0; i < 4; ++i) {
+      const glm::vec2 rest(surface.imported->parts[0].deformation->rest.points.at(i));
+      const glm::vec3 wanted(rest.x + (rest.y > 0.5f ? 4.0 * time : 0.0), rest.y, 0.0);
+      EXPECT_LT(glm::distance(mesh.points.at(i), wanted), 5e-3f) << time << ": " << i;
+    }
+  }
 }
 
 struct FbxLight {

@@ -10,6 +10,7 @@
 #include "brume/at_time.h"
 #include "brume/mesh_arrays.h"
 #include "core/io/import/imported_scene_file.h"
+#include "core/scene/animation/animation.h"
 #include "core/scene/imported_scene.h"
 #include "core/scene/placement.h"
 #include "tests/core/io/import/gltf_builder.h"
@@ -279,7 +280,17 @@ TEST_F(GltfAnimation, OnesWithWrongSamplersAreLeftOut) {
   EXPECT_TRUE(contains(warning(), "animations[0].channels[0].target.node: found 3"));
 }
 
-TEST_F(GltfAnimation, MorphTargetsAreAsAtTheBeginning) {
+TEST_F(GltfAnimation, MorphsWhileItMoves) {
+  builder_.primitive()["targets"] = {
+      {{"POSITION", builder_.add({0, 0, 0, 1, 0, 0, 1, 0, 0, 0, 0, 0}, "VEC3")}}};
+  animate(0, "translation", {0, 1}, {0, 0, 0, 0, 8, 0});
+  animate(0, "weights", {0, 1, 2}, {0, 1, 0});
+  builder_.json["accessors"].back()["type"] = "SCALAR";
+  builder_.json["accessors"].back()["count"] = 3;
+  expect_near(corner_at(read(), 0.5), {1.5, 4.0, 0.0});
+}
+
+TEST_F(GltfAnimation, MorphTargetsHaveTheWeightsOfTheTime) {
   builder_.primitive()["targets"] = {
       {{"POSITION", builder_.add({0, 0, 0, 1, 0, 0, 1, 0, 0, 0, 0, 0}, "VEC3")}},
       {{"POSITION", builder_.add({0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1}, "VEC3")}}};
@@ -296,8 +307,14 @@ TEST_F(GltfAnimation, MorphTargetsAreAsAtTheBeginning) {
   builder_.json["animations"][0]["channels"] = {
       {{"sampler", 0}, {"target", {{"node", 0}, {"path", "weights"}}}}};
   expect_near(corner(), {2, 0, 3});
-  ASSERT_EQ(warnings_.size(), 1u);
-  EXPECT_TRUE(contains(warnings_[0], "weights stay as they are at 0 s")) << warnings_[0];
+  EXPECT_TRUE(warnings_.empty());
+  const Scene scene = read();
+  for (const double time : {-2.0, -0.5, 0.0, 0.25, 2.0}) {
+    const double first = time < 0.0 ? std::max(0.0, 1.0 + time) : std::max(0.0, 1.0 - time);
+    expect_near(corner_at(scene, time), {1.0 + first, 0.0, 3.0 * first});
+  }
+  EXPECT_TRUE(has_keys(scene));
+  EXPECT_EQ(last_key_time(scene), 1.0);
   builder_.json["animations"][0]["samplers"][0]["output"] = builder_.add({0, 0, 1, 3, 0}, "SCALAR");
   EXPECT_TRUE(contains(warning(), "output: found 5 values for 3 times"));
   builder_.json.erase("animations");

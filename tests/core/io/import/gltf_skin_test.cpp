@@ -1,13 +1,17 @@
-// Skinned meshes at their rest pose (glTF 2.0, 3.7.3.3).
+// Skinned meshes at rest and in motion (glTF 2.0, 3.7.3.3).
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <span>
 
 #include "brume/mesh_arrays.h"
+#include "brume/surface.h"
 #include "core/io/import/imported_scene_file.h"
-#include "core/scene/lights/area_normal.h"
+#include "core/math/normals.h"
+#include "core/scene/imported_scene.h"
 #include "tests/core/io/import/gltf_builder.h"
 #include "tests/core/io/input_error.h"
 #include "tests/core/io/temporary_folder.h"
@@ -185,6 +189,59 @@ TEST_F(GltfSkin, IsLeftOutWhereItIsWrong) {
   builder_.json["skins"][0].erase("inverseBindMatrices");
   set_attribute("WEIGHTS_0", builder_.add({1, 0, 0, 0}, "VEC4"));
   expect_left_out("attributes.WEIGHTS_0: found 1 values; allowed: 4, one for each vertex");
+}
+
+// The joint `tip` turns by 90 degrees about z in 2 s.
+TEST_F(GltfSkin, MovesWithItsJoints) {
+  builder_.json["nodes"][2]["translation"] = {0, 2, 0};
+  builder_.json["animations"] = {
+      {{"samplers",
+        {{{"input", builder_.add({1, 3}, "SCALAR")},
+          {"output", builder_.add({0, 0, 0, 1, 0, 0, 0.70710678f, 0.70710678f}, "VEC4")}}}},
+       {"channels", {{{"sampler", 0}, {"target", {{"node", 2}, {"path", "rotation"}}}}}}}};
+  for (const bool has_normals : {true, false}) {
+    if (!has_normals) builder_.primitive()["attributes"].erase("NORMAL");
+    read();
+    EXPECT_TRUE(warnings_.empty());
+    Surface surface;
+    surface.imported = read_imported_scene(folder_ / "scene.glb", warnings_);
+    const auto mesh_at = [&](double time) {
+      return to_arrays(*shown_surfaces(std::span(&surface, 1), time).at(0).mesh);
+    };
+    const auto expect_tip = [&](double time, double degrees) {
+      const MeshArrays mesh = mesh_at(time);
+      const double angle = glm::radians(degrees);
+      const glm::dvec3 x(std::cos(angle), std::sin(angle), 0.0);
+      const glm::dvec3 y(-x.y, x.x, 0.0);
+      // The corner (1, 1, 0).
+      EXPECT_LT(glm::distance(glm::dvec3(mesh.points.at(2)), glm::dvec3(0, 2, 0) + x + y), 2e-3)
+          << time;
+      EXPECT_EQ(mesh.points.at(1), glm::vec3(1, 0, 0)) << "which the other joint has";
+      ASSERT_EQ(mesh.normals.size(), mesh.points.size());
+      EXPECT_LT(glm::distance(mesh.normals.at(2), glm::vec3(0, 0, 1)), 1e-6f);
+    };
+    expect_tip(0.0, 0.0);
+    expect_tip(1.7, 31.5);
+    expect_tip(2.0, 45.0);
+    expect_tip(5.0, 90.0);
+    EXPECT_EQ(shown_surfaces(std::span(&surface, 1), 2.5).at(0).mesh,
+              shown_surfaces(std::span(&surface, 1), 2.5).at(0).mesh)
+        << "what is shown again is the same, which caches compare";
+  }
+}
+
+TEST_F(GltfSkin, StaysWhereItsAnimationLeavesTheScene) {
+  builder_.json["nodes"][1]["scale"] = {10, 10, 10};
+  set_inverse_binds(matrix(0.1f, {0, 0, 0}), matrix(0.1f, {0, 0, 0}));
+  builder_.json["animations"] = {
+      {{"samplers",
+        {{{"input", builder_.add({0, 1}, "SCALAR")},
+          {"output", builder_.add({0, 0, 0, 5e11f, 0, 0}, "VEC3")}}}},
+       {"channels", {{{"sampler", 0}, {"target", {{"node", 2}, {"path", "translation"}}}}}}}};
+  const MeshArrays mesh = read();
+  expect_points(mesh, {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}});
+  ASSERT_EQ(warnings_.size(), 1u);
+  EXPECT_TRUE(contains(warnings_[0], "the animation of a node: found ")) << warnings_[0];
 }
 
 TEST_F(GltfSkin, RefusesPointsThatAreNoNumbers) {

@@ -6,7 +6,7 @@
 #include "brume/mesh_arrays.h"
 #include "core/io/image/image_file.h"
 #include "core/io/import/imported_scene_file.h"
-#include "core/scene/lights/area_normal.h"
+#include "core/math/normals.h"
 #include "core/scene/mesh.h"
 #include "tests/core/io/folder_test.h"
 #include "tests/core/io/import/small_raw_scene.h"

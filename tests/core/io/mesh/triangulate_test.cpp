@@ -10,7 +10,7 @@
 
 #include "brume/mesh_arrays.h"
 #include "core/io/mesh/mesh_file.h"
-#include "core/scene/lights/area_normal.h"
+#include "core/math/normals.h"
 #include "tests/core/io/temporary_folder.h"
 #include "tests/random.h"
 

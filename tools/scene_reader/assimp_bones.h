@@ -1,0 +1,21 @@
+#pragma once
+
+#include <assimp/mesh.h>
+
+#include <glm/mat4x4.hpp>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/io/import/poses.h"
+
+namespace brume {
+
+glm::dmat4 to_dmat4(const aiMatrix4x4& m);
+
+// The joints that are a mesh's bones and the vertices that they move; the last one is the mesh's
+// own `node`, which moves those that no bone does. Bones that are no nodes (`names`) move none.
+std::vector<Joint> read_bones(const aiMesh& mesh, const std::map<std::string, std::size_t>& names,
+                              std::size_t node, Deformation& deformation);
+
+}  // namespace brume
