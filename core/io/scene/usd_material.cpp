@@ -59,6 +59,14 @@ double phong_roughness(double exponent) {
   return std::pow(2.0 / (exponent + 2.0), 0.25);
 }
 
+// White where there are none.
+glm::dvec4 mean_color(const std::vector<glm::vec4>& colors) {
+  if (colors.empty()) return glm::dvec4(1.0);
+  glm::dvec4 sum(0.0);
+  for (const glm::vec4& color : colors) sum += glm::dvec4(color);
+  return sum / static_cast<double>(colors.size());
+}
+
 class PreviewSurface {
  public:
   PreviewSurface(UsdText& out, Frames frames, std::size_t i, std::string path,
@@ -93,10 +101,10 @@ class PreviewSurface {
     const char* channel;  // that the shader takes
   };
 
-  // A prim that reads values of vertices, of so many components.
+  // A prim that reads values of vertices.
   struct Reader {
     const char* name;
-    const char* size;
+    const char* type;
     const char* values;
     bool operator==(const Reader&) const = default;
   };
@@ -132,20 +140,19 @@ class PreviewSurface {
       }
       connect(declaration, {name, &texture, scale, glm::dvec4(0.0), space, channel});
     };
-    // USD has no color of what crosses a pane.
-    const double crossing = (m.transmission.x + m.transmission.y + m.transmission.z) / 3.0;
-    const double opacity = (m.alpha == AlphaMode::opaque ? 1.0 : m.opacity) * (1.0 - crossing);
-    // A texture and colors of vertices cannot be multiplied.
+    const double opacity = usd_opacity(m);
     const Surface& surface = frames_[0].scene.surfaces[i_];
-    if (!m.base_color_texture.content && !to_arrays(*surface.mesh).colors.empty()) {
-      out_.constant("color3f inputs:diffuseColor.connect", "<" + path_ + "/Colors.outputs:result>");
-      readers_.push_back({"Colors", "3", "displayColor"});
+    const std::vector<glm::vec4>& colors = to_arrays(*surface.mesh).colors;
+    if (!m.base_color_texture.content && !colors.empty()) {
+      connect_reader("color3f inputs:diffuseColor", {"Colors", "float3", "displayColor"});
     } else {
       value("color3f inputs:diffuseColor", "BaseColor", m.base_color, m.base_color_texture,
-            {m.base_color, opacity}, "\"sRGB\"", "rgb");
+            glm::dvec4(m.base_color, opacity) * mean_color(colors), "\"sRGB\"", "rgb");
     }
     if (m.alpha != AlphaMode::opaque && m.base_color_texture.content) {
       out_.constant("float inputs:opacity.connect", "<" + path_ + "/BaseColor.outputs:a>");
+    } else if (usd_colors_have_opacity(surface)) {
+      connect_reader("float inputs:opacity", {"Opacities", "float", "displayOpacity"});
     } else if (opacity < 1.0) {
       out_.constant("float inputs:opacity", usd_value(opacity));
     }
@@ -175,6 +182,11 @@ class PreviewSurface {
     uses_.push_back(use);
   }
 
+  void connect_reader(std::string declaration, const Reader& reader) {
+    out_.constant(declaration + ".connect", "<" + path_ + "/" + reader.name + ".outputs:result>");
+    readers_.push_back(reader);
+  }
+
   // Both values of one texture are outputs of one prim.
   void write_texture(const Use& use) {
     if (use.channel == std::string_view("b")) return;
@@ -184,8 +196,8 @@ class PreviewSurface {
     const bool is_linear = use.texture->content->encoding() == Texture::Encoding::shared_exponent;
     out_.constant("token inputs:sourceColorSpace", is_linear ? "\"raw\"" : use.color_space);
     const bool is_second = use.texture->uses_second_texcoords && has_second_texcoords();
-    const Reader reader =
-        is_second ? Reader{"SecondCoordinates", "2", "st1"} : Reader{"Coordinates", "2", "st"};
+    const Reader reader = is_second ? Reader{"SecondCoordinates", "float2", "st1"}
+                                    : Reader{"Coordinates", "float2", "st"};
     if (std::ranges::count(readers_, reader) == 0) readers_.push_back(reader);
     out_.constant("float2 inputs:st.connect", "<" + path_ + "/" + reader.name + ".outputs:result>");
     out_.constant("token inputs:wrapS", wrap_name(use.texture->wrap_u));
@@ -204,7 +216,7 @@ class PreviewSurface {
   }
 
   void write_reader(const Reader& reader) {
-    const std::string type = std::string("float") + reader.size;
+    const std::string type = reader.type;
     out_.open("Shader", reader.name);
     out_.constant("uniform token info:id", "\"UsdPrimvarReader_" + type + "\"");
     out_.constant("string inputs:varname", std::string("\"") + reader.values + "\"");
@@ -222,6 +234,21 @@ class PreviewSurface {
 };
 
 }  // namespace
+
+double usd_opacity(const MetallicRoughness& material) {
+  const glm::dvec3& t = material.transmission;
+  const double crossing = (t.x + t.y + t.z) / 3.0;
+  return (material.alpha == AlphaMode::opaque ? 1.0 : material.opacity) * (1.0 - crossing);
+}
+
+bool usd_colors_have_opacity(const Surface& surface) {
+  const Material& material = surface.material;
+  return material.type == Material::Type::metallic_roughness &&
+         material.metallic_roughness.alpha != AlphaMode::opaque &&
+         !material.metallic_roughness.base_color_texture.content &&
+         std::ranges::any_of(to_arrays(*surface.mesh).colors,
+                             [](const glm::vec4& color) { return color.a < 1.0f; });
+}
 
 std::string named_from(const std::filesystem::path& folder, const std::filesystem::path& file) {
   return usd_asset(file.lexically_proximate(folder).generic_string());

@@ -32,8 +32,15 @@ class UsdTextures {
   std::map<const Texture*, std::filesystem::path> written_;
 };
 
+// The opacity of a material where it has no texture and vertices no colors. USD has no color of
+// what crosses a pane.
+double usd_opacity(const MetallicRoughness& material);
+// Whether colors of vertices change the opacity, and no texture has it.
+bool usd_colors_have_opacity(const Surface& surface);
+
 // Binds the prim at `path`, which is open, to a UsdPreviewSurface with the material of surface i.
-// Measured materials are grey; lobes of Phong become such of GGX as have their width.
+// Measured materials are grey; lobes of Phong become such of GGX as have their width. A texture of
+// base color is multiplied by the mean color of the vertices: USD cannot multiply by each.
 void write_usd_material(UsdText& out, std::span<const UsdFrame> frames, std::size_t i,
                         const std::string& path, UsdTextures& textures);
 

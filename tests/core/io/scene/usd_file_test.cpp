@@ -248,6 +248,45 @@ TEST_F(UsdFile, CopiesAreInstances) {
   EXPECT_EQ(numbers(copies, "positions"), (std::vector{-2.0, -8.0, -12.0}));
 }
 
+// A copy stays where it is while the prototype, of which it is an instance, moves.
+TEST_F(UsdFile, CopiesAreWhereTheyAreInEachFrame) {
+  Surface box;
+  box.name = "Box";
+  box.mesh = mesh_of(Primitive{});
+  box.placed_copies =
+      std::make_shared<const CopyPlacements>(CopyPlacements{{{2.0, 0.0, 0.0}, {1, 0, 0, 0}, 2.0}});
+  scene_.surfaces = {box};
+  std::vector<UsdFrame> frames{{1, scene_, {}}, {2, scene_, {}}, {3, scene_, {}}};
+  frames[2].scene.surfaces[0].translate = {0.0, 3.0, 0.0};
+  const std::string moving = prim(stage(frames), "Box_copies");
+  EXPECT_TRUE(contains(moving, "positions.timeSamples = {"));
+  EXPECT_TRUE(contains(moving, "1: [(2, 0, 0)],"));
+  EXPECT_TRUE(contains(moving, "2: [(2, 0, 0)],"));
+  EXPECT_TRUE(contains(moving, "3: [(2, -6, 0)],"));
+  EXPECT_TRUE(contains(moving, "scales = [(2, 2, 2)]"));
+  frames[2] = frames[1];
+  frames[2].frame = 3;
+  EXPECT_FALSE(contains(prim(stage(frames), "Box_copies"), "timeSamples"));
+  // What may move has a time sample in a stage of one frame, which others put together.
+  EXPECT_TRUE(contains(prim(stage({frames[1]}), "Box_copies"), "2: [(2, 0, 0)],"));
+}
+
+TEST_F(UsdFile, MeshesBendFromFrameToFrame) {
+  Surface box;
+  box.name = "Box";
+  box.mesh = mesh_of(Primitive{});
+  scene_.surfaces = {box};
+  std::vector<UsdFrame> frames{{1, scene_, {}}, {2, scene_, {}}};
+  EXPECT_TRUE(contains(prim(stage(frames), "Box"), "points = ["));
+  MeshArrays bent = to_arrays(*box.mesh);
+  bent.points[0] = {7.0f, 8.0f, 9.0f};
+  frames[1].scene.surfaces[0].mesh = to_mesh(bent);
+  const std::string mesh = prim(stage(frames), "Box");
+  EXPECT_TRUE(contains(mesh, "points.timeSamples = {"));
+  EXPECT_TRUE(contains(mesh, "2: [(7, 8, 9), "));
+  EXPECT_TRUE(contains(mesh, "normals = [")) << "which stay";
+}
+
 TEST_F(UsdFile, CornersWithoutNormalsHaveThoseOfTheirTriangles) {
   Surface bend;
   bend.name = "Bend";
@@ -382,6 +421,36 @@ TEST_F(UsdFile, MeshesKeepColorsAndSecondTexcoords) {
   EXPECT_TRUE(has(prim(mesh, "Emissive"),
                   "st.connect = " + material + "SecondCoordinates.outputs:result>"));
   EXPECT_TRUE(has(prim(mesh, "SecondCoordinates"), "\"st1\""));
+}
+
+TEST_F(UsdFile, TexturesHaveTheMeanOfTheColorsOfVertices) {
+  Surface box;
+  box.name = "Box";
+  MeshArrays arrays = to_arrays(*mesh_of(Primitive{}));
+  const std::size_t count = arrays.points.size();
+  arrays.texcoords.assign(count, {0.25f, 0.75f});
+  arrays.colors.assign(count, {1.0f, 0.5f, 0.25f, 0.5f});
+  for (std::size_t i = 0; i < count / 2; ++i) arrays.colors[i] = glm::vec4(0.0f);
+  box.mesh = to_mesh(arrays);
+  box.material.type = Material::Type::metallic_roughness;
+  MetallicRoughness& m = box.material.metallic_roughness;
+  m.base_color = {0.5, 0.5, 1.0};
+  m.opacity = 0.5;
+  m.alpha = AlphaMode::blend;
+  scene_.surfaces = {box};
+  const std::string colored = prim(stage(), "Box");
+  EXPECT_TRUE(contains(prim(colored, "Shader"), "inputs:opacity.connect"));
+  const std::vector<double> opacities = numbers(colored, "primvars:displayOpacity");
+  ASSERT_EQ(opacities.size(), count);
+  EXPECT_EQ(opacities.front(), 0.0);
+  EXPECT_EQ(opacities.back(), 0.25);
+  const std::vector<std::uint8_t> texels{10, 20, 30, 255};
+  MetallicRoughness& textured = scene_.surfaces[0].material.metallic_roughness;
+  textured.base_color_texture.file = folder_ / "paint.png";
+  textured.base_color_texture.content =
+      std::make_shared<Texture>(1, 1, texels, Texture::Encoding::srgb);
+  EXPECT_EQ(numbers(prim(stage(), "BaseColor"), "inputs:scale"),
+            (std::vector{0.25, 0.125, 0.125, 0.125}));
 }
 
 TEST_F(UsdFile, PhongLobesKeepTheirWidth) {
