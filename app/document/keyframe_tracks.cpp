@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "app/document/surface_names.h"
 #include "app/document/visit_keyed_part.h"
 #include "core/number_domain.h"
 #include "core/scene/animation/keys_in_domain.h"
+#include "core/scene/imported_scene.h"
 
 namespace brume {
 namespace {
@@ -131,6 +133,36 @@ void visit_keys(ScenePart& part, const Track& row, std::span<const double> times
   });
 }
 
+// Calls visit(keys) for all that moves of what a surface shows of its imported scene.
+void visit_imported(const Surface& surface, auto&& visit) {
+  if (!surface.imported) return;
+  const auto visit_moving = [&](const auto& keys) {
+    if (keys.size() > 1) visit(keys);
+  };
+  for (const ImportedPart* part : chosen_parts(*surface.imported, surface.nodes)) {
+    visit_moving(part->keys.translate);
+    visit_moving(part->keys.rotate);
+    visit_moving(part->keys.scale);
+    if (part->deformation) visit_moving(part->deformation->poses);
+  }
+}
+
+// The keys of all parts, which are as many as there are samples, a millisecond apart.
+std::vector<Keyframe> imported_keyframes(const Surface& surface) {
+  std::set<double> times;
+  visit_imported(surface, [&](const auto& keys) {
+    for (const auto& key : keys) times.insert(key.time);
+  });
+  constexpr double resolution = 1e-3;
+  std::vector<Keyframe> marks;
+  for (const double time : times) {
+    if (marks.empty() || time - marks.back().time > resolution) {
+      marks.push_back({time, Interpolation::linear});
+    }
+  }
+  return marks;
+}
+
 }  // namespace
 
 std::vector<Track> tracks(const Scene& scene) {
@@ -186,7 +218,21 @@ std::vector<Track> tracks_with_keys(const Scene& scene) {
   return rows;
 }
 
+std::vector<Track> imported_tracks(const Scene& scene) {
+  std::vector<Track> rows;
+  const QStringList names = surface_names(scene.surfaces);
+  for (std::size_t k = 0; k < scene.surfaces.size(); ++k) {
+    bool moves = false;
+    visit_imported(scene.surfaces[k], [&moves](const auto&) { moves = true; });
+    if (!moves) continue;
+    rows.push_back({track_text("%1 animation").arg(names[static_cast<int>(k)]),
+                    index_of<Surfaces>(), 0, 0, ObjectRef{ObjectRef::Kind::surface, k}});
+  }
+  return rows;
+}
+
 std::vector<Keyframe> keyframes_of(const Scene& scene, const Track& row) {
+  if (row.count == 0) return imported_keyframes(scene.surfaces[row.surface->index]);
   std::vector<Keyframe> marks;
   const ScenePart part = scene_part(scene, row.part);
   visit_row(part, row, [&marks](const auto&, const auto& keys) {

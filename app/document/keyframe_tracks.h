@@ -17,13 +17,15 @@ struct Track {
   std::size_t part = 0;  // index of ScenePart
   // Range of the part's animatable values, in the order of core/scene/animation/animation.h.
   std::size_t first = 0;
-  std::size_t count = 1;
+  std::size_t count = 1;  // 0: the animation of an imported scene, which stays as it is
   std::optional<ObjectRef> surface{};  // whose value it is, if of one
 };
 
 // All tracks; and those with keyframes.
 std::vector<Track> tracks(const Scene& scene);
 std::vector<Track> tracks_with_keys(const Scene& scene);
+// Those of surfaces whose imported scenes move by themselves.
+std::vector<Track> imported_tracks(const Scene& scene);
 // The track of one value, by its name in files, of an object of a part: a light, a group, an
 // emitter by its index; of the medium noise is the second. Surfaces and the density have none here.
 Track value_track(const Scene& scene, std::size_t part, std::size_t object, std::string_view name);
@@ -49,7 +51,7 @@ struct Keyframe {
 
   bool operator==(const Keyframe&) const = default;
 };
-std::vector<Keyframe> keyframes_of(const Scene& scene, const Track& row);
+std::vector<Keyframe> keyframes_of(const Scene& scene, const Track& row);  // by time
 
 // Whether its curves may have tangents: those of rotations have none.
 bool may_have_tangents(const Scene& scene, const Track& row);

@@ -14,10 +14,13 @@
 #include "app/widgets/number_field.h"
 #include "app/widgets/value_field.h"
 #include "brume/at_time.h"
+#include "brume/mesh_arrays.h"
+#include "brume/primitive.h"
 #include "core/io/scene/scene_file.h"
 #include "core/number_domain.h"
 #include "core/scene/animation/animation.h"
 #include "core/scene/animation/particles.h"
+#include "core/scene/imported_scene.h"
 #include "tests/app/desk.h"
 #include "tests/app/test_window.h"
 
@@ -340,6 +343,46 @@ class KeysTest : public QObject {
     QCOMPARE(keyed_light(desk).keys.position.size(), 2u);
     document.undo_stack().undo();
     QVERIFY(document.scene() == both);
+  }
+
+  void keys_of_imported_animations_are_shown_and_stay() {
+    Desk desk;
+    Surfaces surfaces = desk.scene().surfaces;
+    auto imported = std::make_shared<ImportedScene>();
+    imported->nodes = {{"wheel"}, {"bent"}};
+    imported->files = {"car.glb"};
+    ImportedPart wheel{0, mesh_of(Primitive{}), {}};
+    wheel.keys.translate = {{.time = 0.0}, {.time = 1.0, .value = glm::dvec3(1.0)}};
+    wheel.keys.rotate = {{.time = 0.0, .value = {1, 0, 0, 0}}};
+    wheel.keys.scale = {{.time = 0.0, .value = 1.0}};
+    ImportedPart bent{1, wheel.mesh, {}};
+    Deformation deformation{to_arrays(*wheel.mesh)};
+    deformation.poses = {{0.0, false, {}, {glm::dmat4(1.0)}}, {2.0, false, {}, {glm::dmat4(2.0)}}};
+    bent.deformation = std::make_shared<const Deformation>(deformation);
+    imported->parts = {wheel, bent};
+    Surface& surface = surfaces.emplace_back();
+    surface.name = "Car";
+    surface.mesh = wheel.mesh;
+    surface.imported = imported;
+    set_scene_part(desk.document(), surfaces, "Import");
+    KeyframeTrack& keys = strip(desk);
+    const auto frames = [&] {
+      std::vector<int> result;
+      for (const Keyframe& key : keyframes_of(desk.scene(), keys.rows().at(0))) {
+        result.push_back(qRound(key.time / frame_seconds));
+      }
+      return result;
+    };
+    QCOMPARE(keys.rows().size(), 1u);
+    QCOMPARE(keys.rows()[0].title, "Car animation");
+    QCOMPARE(frames(), (std::vector{0, 30, 60}));
+    drag_mouse(keys, keys.position(0, 30), keys.position(0, 50));
+    QTest::mouseDClick(&keys, Qt::LeftButton, {}, keys.position(0, 40));
+    QTest::keyClick(&keys, Qt::Key_Delete);
+    QCOMPARE(frames(), (std::vector{0, 30, 60}));
+    QCOMPARE(step_count(desk.document()), 1);
+    desk.document().undo_stack().undo();
+    QCOMPARE(keys.rows().size(), 0u);
   }
 
   void the_range_holds_all_keys_of_a_scene() {

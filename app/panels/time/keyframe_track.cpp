@@ -44,6 +44,7 @@ KeyframeTrack::KeyframeTrack(Timeline& timeline, Document& document, QWidget* pa
 
 void KeyframeTrack::refresh() {
   rows_ = tracks_with_keys(document_.scene());
+  for (const Track& row : imported_tracks(document_.scene())) rows_.push_back(row);
   marks_.clear();
   for (const Track& row : rows_) marks_.push_back(keyframes_of(document_.scene(), row));
   if (chosen_ && chosen_->row >= rows_.size()) chosen_.reset();
@@ -85,6 +86,7 @@ std::optional<KeyframeTrack::Mark> KeyframeTrack::mark_at(QPointF position) cons
   const double row = std::floor((position.y() - 2) / row_height);
   if (row < 0 || row >= static_cast<double>(rows_.size())) return std::nullopt;
   const auto k = static_cast<std::size_t>(row);
+  if (rows_[k].count == 0) return std::nullopt;
   std::optional<Mark> nearest;
   double min_value = mark_radius + 2.0;
   for (const Keyframe& mark : marks_[k]) {
@@ -104,6 +106,7 @@ void KeyframeTrack::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   const QColor text = palette().color(QPalette::Text);
+  const QColor faint = palette().color(QPalette::PlaceholderText);
   for (std::size_t k = 0; k < rows_.size(); ++k) {
     const int top = static_cast<int>(k) * row_height + 2;
     if (k % 2 == 0) {
@@ -124,7 +127,7 @@ void KeyframeTrack::paintEvent(QPaintEvent*) {
       const double y = position(k, 0).y();
       const bool chosen = is_chosen(k, mark.time);
       painter.setPen(QPen(chosen ? Qt::white : palette().color(QPalette::Base), 1.0));
-      painter.setBrush(chosen ? accent_color() : text);
+      painter.setBrush(chosen ? accent_color() : rows_[k].count > 0 ? text : faint);
       painter.drawConvexPolygon(key_shape(mark.interpolation, {x, y}, mark_radius));
     }
   }
@@ -175,7 +178,8 @@ void KeyframeTrack::mouseDoubleClickEvent(QMouseEvent* event) {
   const std::optional<Mark> mark = mark_at(event->position());
   const double time = mark ? mark->time : timeline_.time_of(frame_at(event->position().x()));
   timeline_.set_frame(static_cast<int>(std::round(timeline_.frame_of(time))));
-  if (!mark) set_keys(document_, rows_[static_cast<std::size_t>(row)]);
+  const Track& track = rows_[static_cast<std::size_t>(row)];
+  if (!mark && track.count > 0) set_keys(document_, track);
 }
 
 void KeyframeTrack::contextMenuEvent(QContextMenuEvent* event) {

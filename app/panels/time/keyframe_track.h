@@ -15,7 +15,8 @@ class Timeline;
 
 // The keyframe tracks of a scene: diamonds are smooth keys, squares linear ones, triangles
 // constant ones. Click selects, drag moves, Delete deletes, right click opens a menu, double click
-// adds a key; dragging elsewhere scrubs the timeline.
+// adds a key; dragging elsewhere scrubs the timeline. Below them the animations of imported scenes,
+// whose keys are only shown.
 class KeyframeTrack : public QWidget {
   Q_OBJECT
  public:
