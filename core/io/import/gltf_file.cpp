@@ -48,17 +48,22 @@ double value_of(std::int64_t type, const char* bytes, bool is_normalized) {
   }
 }
 
-constexpr std::array<std::string_view, 7> read_extensions{
-    "EXT_mesh_gpu_instancing",    "KHR_gaussian_splatting",
-    "KHR_lights_punctual",        "KHR_materials_emissive_strength",
-    "KHR_materials_transmission", "KHR_mesh_quantization",
-    "KHR_texture_transform"};
-// Without these, materials look different, and that is all.
-constexpr std::array<std::string_view, 10> optional_extensions{
-    "KHR_materials_anisotropy", "KHR_materials_clearcoat",   "KHR_materials_dispersion",
-    "KHR_materials_ior",        "KHR_materials_iridescence", "KHR_materials_sheen",
-    "KHR_materials_specular",   "KHR_materials_unlit",       "KHR_materials_variants",
-    "KHR_materials_volume"};
+constexpr std::array<std::string_view, 8> read_extensions{"EXT_mesh_gpu_instancing",
+                                                          "KHR_gaussian_splatting",
+                                                          "KHR_lights_punctual",
+                                                          "KHR_materials_emissive_strength",
+                                                          "KHR_materials_pbrSpecularGlossiness",
+                                                          "KHR_materials_transmission",
+                                                          "KHR_mesh_quantization",
+                                                          "KHR_texture_transform"};
+// Without these, materials look different, values stay or nobody is named as the author, and that
+// is all.
+bool is_optional(std::string_view extension) {
+  return extension == "KHR_animation_pointer" ||
+         std::ranges::any_of(std::array{"_materials_", "_texture_", "_xmp"}, [&](const char* part) {
+           return extension.find(part) != extension.npos;
+         });
+}
 
 bool is_compression(std::string_view extension) {
   return extension.ends_with("_compression");
@@ -138,18 +143,18 @@ void GltfFile::check_extensions(JsonObject& root) {
   };
   const Json::array_t& required = root.array("extensionsRequired", limits::keys);
   for (std::size_t i = 0; i < required.size(); ++i) {
-    if (is_in(required[i], read_extensions) || is_in(required[i], optional_extensions)) continue;
+    const std::string name = required[i].is_string() ? required[i].get<std::string>() : "";
+    if (is_in(required[i], read_extensions) || is_optional(name)) continue;
     const JsonPath list = root.path_of("extensionsRequired");
-    if (const std::string name = required[i].is_string() ? required[i].get<std::string>() : "";
-        is_compression(name)) {
+    if (is_compression(name)) {
       context_.fail(list.element(i), "found meshes compressed by " + quoted_text(name) +
                                          "; allowed: others; export the scene again without " +
                                          compression_kind(name));
     }
     std::string names;
-    for (const std::string_view name : read_extensions) (names += name) += ", ";
+    for (const std::string_view known : read_extensions) (names += known) += ", ";
     context_.fail(list.element(i), "found " + quoted_json(required[i]) + "; allowed: " + names +
-                                       "extensions of materials");
+                                       "extensions of materials and textures");
   }
   for (const Json& used : root.array("extensionsUsed", limits::keys)) {
     if (is_in(used, read_extensions)) continue;

@@ -45,23 +45,43 @@ void read_transform(JsonObject& object, TextureUse& use) {
       object.integer("texCoord", 0, max_set, static_cast<std::int64_t>(set)));
 }
 
-// Nullopt for an image of a format that only an extension has.
+// Reads an extension of an object, if it has that. Returns whether it has.
+bool read_extension(JsonObject& object, std::string_view name, auto&& read) {
+  auto extensions = object.find_object("extensions");
+  auto extension = extensions ? extensions->find_object(name) : std::nullopt;
+  if (extension) read(*extension);
+  return extension.has_value();
+}
+
+// The image of a texture; the one of an extension for another format, if it is the only one.
+std::optional<std::size_t> source_of(GltfFile& file, JsonObject& texture) {
+  if (const auto source = file.index(texture, "source", "images")) return source;
+  const Json* const extensions = texture.find("extensions");
+  if (extensions == nullptr || !extensions->is_object()) return std::nullopt;
+  auto object = texture.object("extensions");
+  for (const auto& [name, value] : extensions->items()) {
+    if (!value.is_object()) continue;
+    JsonObject extension = object.object(name);
+    if (const auto source = file.index(extension, "source", "images")) return source;
+  }
+  return std::nullopt;
+}
+
+// Nullopt for a texture without an image.
 std::optional<TextureUse> read_texture_use(GltfFile& file, GltfImages& images, JsonObject& object) {
   if (object.find("index") == nullptr) object.fail("index", "missing");
   const std::size_t index = *file.index(object, "index", "textures");
   TextureUse use;
   use.texcoords.set = static_cast<std::size_t>(object.integer("texCoord", 0, max_set, 0));
-  if (auto extensions = object.find_object("extensions")) {
-    auto transform = extensions->find_object("KHR_texture_transform");
-    if (transform) read_transform(*transform, use);
-  }
+  read_extension(object, "KHR_texture_transform",
+                 [&](JsonObject& transform) { read_transform(transform, use); });
   JsonObject texture = file.object("textures", index);
   if (const auto sampler_index = file.index(texture, "sampler", "samplers")) {
     JsonObject sampler = file.object("samplers", *sampler_index);
     use.texture.wrap_u = wrap_of(sampler, "wrapS");
     use.texture.wrap_v = wrap_of(sampler, "wrapT");
   }
-  const auto image = file.index(texture, "source", "images");
+  const auto image = source_of(file, texture);
   if (!image) {
     file.context().warn(texture.path_of("source"), "missing: the texture is left out");
     return std::nullopt;
@@ -118,25 +138,38 @@ AlphaMode alpha_mode(JsonObject& material) {
 }
 
 double emissive_strength(GltfFile& file, JsonObject& material) {
-  auto extensions = material.find_object("extensions");
-  if (!extensions) return 1.0;
-  auto strength = extensions->find_object("KHR_materials_emissive_strength");
-  if (!strength) return 1.0;
-  return nearest_number(file, *strength, "emissiveStrength", domain::not_negative, 1.0);
+  double strength = 1.0;
+  read_extension(material, "KHR_materials_emissive_strength", [&](JsonObject& extension) {
+    strength = nearest_number(file, extension, "emissiveStrength", domain::not_negative, 1.0);
+  });
+  return strength;
 }
 
 // KHR_materials_transmission: as much of what is not reflected crosses, in the base color.
-void read_transmission(GltfFile& file, JsonObject& object, RawMaterial& material,
+void read_transmission(GltfFile& file, JsonObject& extension, RawMaterial& material,
                        Textures& textures) {
-  auto extensions = object.find_object("extensions");
-  auto extension =
-      extensions ? extensions->find_object("KHR_materials_transmission") : std::nullopt;
-  if (!extension) return;
   MetallicRoughness& values = material.values;
-  values.transmission = nearest_number(file, *extension, "transmissionFactor", domain::unit, 0.0) *
+  values.transmission = nearest_number(file, extension, "transmissionFactor", domain::unit, 0.0) *
                         (1.0 - values.metallic) * values.base_color;
-  textures.read(*extension, "transmissionTexture", 4, [](JsonObject&) {});
+  textures.read(extension, "transmissionTexture", 4, [](JsonObject&) {});
   material.is_transmission_tinted = true;
+}
+
+void set_color(MetallicRoughness& values, const std::vector<double>& rgba) {
+  values.base_color = {rgba[0], rgba[1], rgba[2]};
+  values.opacity = rgba[3];
+}
+
+// KHR_materials_pbrSpecularGlossiness, which takes the place of metallic-roughness, as a
+// dielectric.
+void read_glossiness(GltfFile& file, JsonObject& extension, MetallicRoughness& values,
+                     Textures& textures) {
+  set_color(values,
+            nearest_numbers(file, extension, "diffuseFactor", domain::unit, {1.0, 1.0, 1.0, 1.0}));
+  values.metallic = 0.0;
+  values.roughness = 1.0 - nearest_number(file, extension, "glossinessFactor", domain::unit, 1.0);
+  textures.read(extension, "diffuseTexture", 0, [](JsonObject&) {});
+  file.context().warn(extension.path(), "specular colors and textures of glossiness are left out");
 }
 
 }  // namespace
@@ -148,11 +181,12 @@ GltfMaterial read_gltf_material(GltfFile& file, GltfImages& images, std::size_t 
   MetallicRoughness& values = result.material.values;
   Textures textures(file, images, result);
   const auto nothing = [](JsonObject&) {};
-  if (auto pbr = object.find_object("pbrMetallicRoughness")) {
-    const auto rgba =
-        nearest_numbers(file, *pbr, "baseColorFactor", domain::unit, {1.0, 1.0, 1.0, 1.0});
-    values.base_color = {rgba[0], rgba[1], rgba[2]};
-    values.opacity = rgba[3];
+  const bool has_glossiness =
+      read_extension(object, "KHR_materials_pbrSpecularGlossiness",
+                     [&](JsonObject& gloss) { read_glossiness(file, gloss, values, textures); });
+  if (auto pbr = object.find_object("pbrMetallicRoughness"); pbr && !has_glossiness) {
+    set_color(values,
+              nearest_numbers(file, *pbr, "baseColorFactor", domain::unit, {1.0, 1.0, 1.0, 1.0}));
     values.metallic = nearest_number(file, *pbr, "metallicFactor", domain::unit, 1.0);
     values.roughness = nearest_number(file, *pbr, "roughnessFactor", domain::unit, 1.0);
     textures.read(*pbr, "baseColorTexture", 0, nothing);
@@ -170,7 +204,9 @@ GltfMaterial read_gltf_material(GltfFile& file, GltfImages& images, std::size_t 
   if (values.alpha == AlphaMode::cutout) {
     values.alpha_cutoff = nearest_number(file, object, "alphaCutoff", domain::unit, 0.5);
   }
-  read_transmission(file, object, result.material, textures);
+  read_extension(object, "KHR_materials_transmission", [&](JsonObject& extension) {
+    read_transmission(file, extension, result.material, textures);
+  });
   return result;
 }
 

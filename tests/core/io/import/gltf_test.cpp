@@ -176,6 +176,43 @@ TEST_F(Gltf, WarnsOfExtensionsThatItLeavesOut) {
   EXPECT_TRUE(contains(warnings_[1], "X_y"));
 }
 
+TEST_F(Gltf, WhatMakesMaterialsLookDifferentIsNotNeeded) {
+  GltfBuilder builder;
+  builder.json["extensionsRequired"] = {"KHR_materials_diffuse_transmission", "KHR_xmp_json_ld",
+                                        "EXT_texture_webp", "KHR_animation_pointer"};
+  // A texture of another format counts as white, and one of emission as black.
+  builder.json["images"] = {{{"uri", "a.webp"}}};
+  builder.json["textures"] = {{{"extensions", {{"EXT_texture_webp", {{"source", 0}}}}}}};
+  builder.json["materials"] = {{{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}},
+                                {"emissiveTexture", {{"index", 0}}},
+                                {"emissiveFactor", {1, 1, 1}}}};
+  builder.primitive()["material"] = 0;
+  folder_.write("a.webp", "RIFF....WEBPVP8 ");
+  const MetallicRoughness material = read(builder)->parts.at(0).material.metallic_roughness;
+  EXPECT_EQ(material.emissive, glm::dvec3(0.0));
+  EXPECT_EQ(material.base_color_texture.content, nullptr);
+  ASSERT_EQ(warnings_.size(), 1u);
+  EXPECT_TRUE(contains(warnings_[0], "a.webp")) << warnings_[0];
+  builder.json["extensionsRequired"] = {"KHR_node_of_the_future"};
+  EXPECT_THROW(read(builder), InputError);
+}
+
+TEST_F(Gltf, GlossyMaterialsAreDielectrics) {
+  GltfBuilder builder;
+  builder.json["materials"] = {
+      {{"extensions",
+        {{"KHR_materials_pbrSpecularGlossiness",
+          {{"diffuseFactor", {0.5, 0.25, 0.125, 1}}, {"glossinessFactor", 0.75}}}}},
+       {"pbrMetallicRoughness", {{"roughnessFactor", 0.1}}}}};
+  builder.primitive()["material"] = 0;
+  const MetallicRoughness material = read(builder)->parts.at(0).material.metallic_roughness;
+  EXPECT_EQ(material.base_color, glm::dvec3(0.5, 0.25, 0.125));
+  EXPECT_EQ(material.roughness, 0.25);
+  EXPECT_EQ(material.metallic, 0.0);
+  ASSERT_EQ(warnings_.size(), 1u);
+  EXPECT_TRUE(contains(warnings_[0], "pbrSpecularGlossiness: specular colors")) << warnings_[0];
+}
+
 TEST_F(Gltf, MeshesWithoutNormalsAreFlat) {
   GltfBuilder builder;
   builder.primitive()["attributes"].erase("NORMAL");
