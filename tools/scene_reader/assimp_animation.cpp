@@ -49,12 +49,16 @@ std::shared_ptr<const Track<T>> track_of(const Key* keys, unsigned count, double
 
 }  // namespace
 
+double ticks_per_second(const aiAnimation& animation) {
+  constexpr double usual_ticks = 25.0;  // assimp's
+  return animation.mTicksPerSecond > 0.0 ? animation.mTicksPerSecond : usual_ticks;
+}
+
 void add_tracks(const aiScene& scene, const std::map<std::string, std::size_t>& names,
                 std::vector<MovingNode>& nodes) {
   if (scene.mNumAnimations == 0) return;
   const aiAnimation& animation = *scene.mAnimations[0];
-  constexpr double usual_ticks = 25.0;  // assimp's
-  const double ticks = animation.mTicksPerSecond > 0.0 ? animation.mTicksPerSecond : usual_ticks;
+  const double ticks = ticks_per_second(animation);
   for (const aiNodeAnim* channel : std::span(animation.mChannels, animation.mNumChannels)) {
     const auto found = names.find(channel->mNodeName.C_Str());
     if (found == names.end() || found->second == 0) continue;

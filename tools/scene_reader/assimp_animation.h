@@ -10,6 +10,8 @@
 
 namespace brume {
 
+double ticks_per_second(const aiAnimation& animation);
+
 // Sets the tracks of nodes by a scene's first animation. `names`: of nodes, the first of which is
 // the root, which does not move.
 void add_tracks(const aiScene& scene, const std::map<std::string, std::size_t>& names,

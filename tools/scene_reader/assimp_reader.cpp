@@ -26,7 +26,7 @@
 #include "core/number_domain.h"
 #include "core/scene/mesh.h"
 #include "tools/scene_reader/assimp_animation.h"
-#include "tools/scene_reader/assimp_bones.h"
+#include "tools/scene_reader/assimp_deformation.h"
 #include "tools/scene_reader/assimp_lights.h"
 #include "tools/scene_reader/assimp_materials.h"
 #include "tools/scene_reader/assimp_polygons.h"
@@ -99,19 +99,18 @@ class Reader {
       std::optional<std::size_t> parent;
     };
     std::vector<Visit> open{{from_.mRootNode, std::nullopt}};
-    std::vector<const aiNode*> nodes;
     std::vector<MovingNode> moving;
     while (!open.empty()) {
       const auto [node, parent] = open.back();
       open.pop_back();
-      const std::size_t index = nodes.size();
+      const std::size_t index = nodes_.size();
       if (index >= max_imported_nodes) {
         throw InputError(file_, "",
                          "found more than " + std::to_string(max_imported_nodes) +
                              " nodes; allowed: " + std::to_string(max_imported_nodes));
       }
       const std::string name = node->mName.C_Str();
-      nodes.push_back(node);
+      nodes_.push_back(node);
       scene_.nodes.push_back({imported_name(name, "node " + std::to_string(index)), parent});
       names_.try_emplace(name, index);
       MovingNode& added = moving.emplace_back();
@@ -143,9 +142,9 @@ class Reader {
                                             : (parent ? to_world_[*parent] : glm::dmat4(1.0)) *
                                                   moving[i].at_rest);
     }
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-      for (unsigned k = 0; k < nodes[i]->mNumMeshes; ++k) {
-        add_part(*from_.mMeshes[nodes[i]->mMeshes[k]], i);
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      for (unsigned k = 0; k < nodes_[i]->mNumMeshes; ++k) {
+        add_part(*from_.mMeshes[nodes_[i]->mMeshes[k]], i);
       }
     }
   }
@@ -198,35 +197,30 @@ class Reader {
     }
     if (arrays.triangles.empty()) return;
     const std::string place = "node " + quoted_text(scene_.nodes[node].name);
-    if (mesh.mNumAnimMeshes > 0) warn(place, "its morph targets are left out");
-    if (mesh.HasBones()) {
-      set_skinned(mesh, node, place, part);
-    } else {
-      set_rigid(node, place, part);
-    }
+    set_shape(mesh, node, place, part);
     include(arrays, part.keys);
     scene_.parts.push_back(std::move(part));
   }
 
-  // A mesh that its node moves.
-  void set_rigid(std::size_t node, const std::string& place, RawPart& part) {
-    if (part.mesh.normals.empty()) add_flat_normals(part.mesh);
-    glm::dmat4 to_world = to_world_[node];
-    if (motion_->moves(node)) {
-      NodeKeys found = placement_keys(*motion_, node);
-      if (found.is_stretched) {
-        warn(place, "its animation stretches it along one axis: it keeps its proportions");
-      }
-      part.keys = std::move(found.keys);
-      to_world = found.to_placed;
+  // Places a mesh, which is as in the file: by its bones, or by its node.
+  void set_shape(const aiMesh& mesh, std::size_t node, const std::string& place, RawPart& part) {
+    Deformation deformation;
+    DeformationMotion motion;
+    motion.track = read_morph(from_, mesh, *nodes_[node], deformation);
+    if (mesh.mNumAnimMeshes > 0 && !motion.track) {
+      warn(place, "its morph targets, which are not animated, are left out");
     }
-    apply_transform(to_world, file_, place, part.mesh);
-  }
-
-  // A mesh that its bones move.
-  void set_skinned(const aiMesh& mesh, std::size_t node, const std::string& place, RawPart& part) {
-    Deformation deformation{std::move(part.mesh)};
-    const DeformationMotion motion{read_bones(mesh, names_, node, deformation)};
+    if (mesh.HasBones()) {
+      motion.joints = read_bones(mesh, names_, node, deformation);
+    } else {
+      motion.joints = {{std::nullopt, transform_of(node, place, part)}};
+    }
+    if (!mesh.HasBones() && !motion.track) {
+      if (part.mesh.normals.empty()) add_flat_normals(part.mesh);
+      apply_transform(motion.joints.front().to_node, file_, place, part.mesh);
+      return;
+    }
+    deformation.rest = std::move(part.mesh);
     part.mesh = deformed(deformation, pose_at(motion, *motion_, 0.0));
     apply_transform(glm::dmat4(1.0), file_, place, part.mesh);
     try {
@@ -234,6 +228,17 @@ class Reader {
     } catch (const InputError& error) {
       scene_.warnings.push_back(std::string(error.what()) + "; it stays as it is at 0 s");
     }
+  }
+
+  // Of a node to the world, or to the placements of which it gets the keys.
+  glm::dmat4 transform_of(std::size_t node, const std::string& place, RawPart& part) {
+    if (!motion_->moves(node)) return to_world_[node];
+    NodeKeys found = placement_keys(*motion_, node);
+    if (found.is_stretched) {
+      warn(place, "its animation stretches it along one axis: it keeps its proportions");
+    }
+    part.keys = std::move(found.keys);
+    return found.to_placed;
   }
 
   static std::vector<glm::vec2> texcoords(const aiMesh& mesh, unsigned channel) {
@@ -297,7 +302,8 @@ class Reader {
   const aiScene& from_;
   const fs::path& file_;
   RawScene scene_;
-  std::vector<TexcoordChannels> channels_;    // by material
+  std::vector<TexcoordChannels> channels_;  // by material
+  std::vector<const aiNode*> nodes_;
   std::map<std::string, std::size_t> names_;  // of nodes
   std::optional<NodeMotion> motion_;          // of nodes, then of cameras and lights
   std::vector<glm::dmat4> to_world_;          // at 0 s, of the same

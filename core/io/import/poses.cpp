@@ -19,12 +19,14 @@ struct Extent {
   std::vector<double> targets;        // the longest offset by each target
 };
 
-Extent extent_of(const Deformation& deformation, const DeformationMotion& motion) {
+Extent extent_of(const Deformation& deformation, const DeformationMotion& motion,
+                 const NodeMotion& nodes) {
   Extent extent;
   double greatest = 0.0;  // offset
   for (std::size_t i = 0; i < deformation.targets.size(); ++i) {
     double length = 0.0;
     for (const glm::vec3& offset : deformation.targets[i].points) {
+      nodes.check_coordinates(offset);
       length = std::max(length, glm::length(glm::dvec3(offset)));
     }
     extent.targets.push_back(length);
@@ -106,7 +108,7 @@ std::shared_ptr<const Deformation> moving_deformation(Deformation deformation,
                                                       const NodeMotion& nodes) {
   const std::vector<double> times = times_of(motion, nodes);
   if (times.empty()) return nullptr;
-  const Extent extent = extent_of(deformation, motion);
+  const Extent extent = extent_of(deformation, motion, nodes);
   // A minute and 2 GB at most.
   constexpr std::size_t max_transforms = std::size_t{1} << 24;
   std::size_t transforms = 0;

@@ -1,5 +1,6 @@
 #include "core/io/import/raw_scene_bytes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -155,11 +156,16 @@ void visit_mesh(auto& io, auto& mesh) {
 
 void visit_deformation(auto& io, auto& deformation) {
   visit_mesh(io, deformation.rest);
+  io.list(deformation.targets, [&io](auto& target) {
+    io.plain_list(target.points);
+    io.plain_list(target.normals);
+  });
   io.plain_list(deformation.influences);
   io.plain_list(deformation.ends);
   io.list(deformation.poses, [&io](auto& pose) {
     io.plain(pose.time);
     io.plain(pose.is_held);
+    io.plain_list(pose.weights);
     io.plain_list(pose.joints);
   });
 }
@@ -245,15 +251,27 @@ bool is_valid(const MeshArrays& mesh) {
   return true;
 }
 
-// Of a mesh as large as the part's, as readers make it: without morph targets.
+bool is_finite(const std::vector<glm::vec3>& vectors) {
+  return std::ranges::all_of(vectors, [](const glm::vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+  });
+}
+
 bool is_valid(const Deformation& deformation) {
   const std::size_t vertices = deformation.rest.points.size();
   MeshArrays rest = deformation.rest;
   if (rest.normals.empty()) rest.normals.resize(vertices);
-  if (!is_valid(rest) || deformation.ends.size() != vertices || deformation.poses.empty()) {
-    return false;
+  if (!is_valid(rest) || deformation.poses.empty()) return false;
+  for (const MorphTarget& target : deformation.targets) {
+    for (const auto* offsets : {&target.points, &target.normals}) {
+      const bool are_as_many = offsets->empty() || offsets->size() == vertices;
+      if (!are_as_many || !is_finite(*offsets)) return false;
+    }
   }
   const std::size_t joints = deformation.poses.front().joints.size();
+  const std::size_t weights = deformation.poses.front().weights.size();
+  const bool is_skinned = !deformation.influences.empty();
+  if (joints == 0 || deformation.ends.size() != (is_skinned ? vertices : 0)) return false;
   for (const Influence& influence : deformation.influences) {
     if (influence.joint >= joints || !(influence.weight >= 0.0f && influence.weight <= 1.0001f)) {
       return false;
@@ -267,8 +285,11 @@ bool is_valid(const Deformation& deformation) {
   double last = -std::numeric_limits<double>::infinity();
   for (const Pose& pose : deformation.poses) {
     if (!domain::seconds.contains(pose.time) || !(pose.time > last) ||
-        pose.joints.size() != joints) {
+        pose.joints.size() != joints || pose.weights.size() != weights) {
       return false;
+    }
+    for (const double weight : pose.weights) {
+      if (!std::isfinite(weight)) return false;
     }
     last = pose.time;
     for (const glm::dmat4& joint : pose.joints) {

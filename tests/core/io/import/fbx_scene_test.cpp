@@ -252,6 +252,91 @@ TEST(FbxScene, SkinsMoveWithTheirBones) {
   }
 }
 
+// The upper corners go up by 2 in a second, while the square moves.
+TEST(FbxScene, MorphTargetsHaveTheWeightsOfTheTime) {
+  std::string text = moving_square;
+  text.insert(text.find("\tMaterial: 300"), R"(	Geometry: 110, "Geometry::tall", "Shape" {
+		Version: 100
+		Indexes: *2 {
+			a: 2,3
+		}
+		Vertices: *6 {
+			a: 0,2,0,0,2,0
+		}
+		Normals: *6 {
+			a: 0,0,0,0,0,0
+		}
+	}
+	Deformer: 710, "Deformer::", "BlendShape" {
+		Version: 100
+	}
+	Deformer: 711, "SubDeformer::tall", "BlendShapeChannel" {
+		Version: 100
+		DeformPercent: 0
+		FullWeights: *1 {
+			a: 100
+		}
+	}
+	AnimationCurveNode: 412, "AnimCurveNode::DeformPercent", "" {
+		Properties70:  {
+			P: "d|DeformPercent", "Number", "", "A",0
+		}
+	}
+	AnimationCurve: 510, "AnimCurve::", "" {
+		KeyVer: 4008
+		KeyTime: *2 {
+			a: 0,46186158000
+		}
+		KeyValueFloat: *2 {
+			a: 0,100
+		}
+		KeyAttrFlags: *1 {
+			a: 24836
+		}
+		KeyAttrDataFloat: *4 {
+			a: 0,0,0,0
+		}
+		KeyAttrRefCount: *1 {
+			a: 2
+		}
+	}
+)");
+  const std::string rest = R"(	C: "OO",710,100
+	C: "OO",711,710
+	C: "OO",110,711
+)";
+  const std::string weights = R"(	C: "OO",412,401
+	C: "OP",412,711, "DeformPercent"
+	C: "OP",510,412, "d|DeformPercent"
+)";
+  const TemporaryFolder folder;
+  folder.write("picture.png", encode_png(2, 2, std::array<std::uint8_t, 12>{}));
+  std::vector<std::string> warnings;
+  Surface surface;
+  const auto read = [&](const std::string& connections) {
+    std::string whole = text;
+    whole.insert(whole.rfind('}'), connections);
+    surface.imported = read_imported_scene(folder.write("a.fbx", whole), warnings);
+  };
+  read(rest + weights);
+  EXPECT_TRUE(warnings.empty());
+  for (const double time : {0.0, 0.25, 1.0}) {
+    const auto shown = shown_surfaces(std::span(&surface, 1), time);
+    const auto points = world_points(shown.at(0));
+    ASSERT_EQ(points.size(), 4u);
+    for (std::size_t i = 0; i < 4; ++i) {
+      const glm::dvec3 corner(surface.imported->parts[0].deformation->rest.points.at(i));
+      const glm::dvec3 wanted = corner + glm::dvec3(1.0 + 4.0 * time, 2.0, 3.0) +
+                                glm::dvec3(0.0, 2.0 * time * corner.y, 0.0);
+      EXPECT_LT(glm::distance(points[i], wanted), 5e-3) << time << ": " << i;
+    }
+  }
+  read(rest);
+  EXPECT_EQ(surface.imported->parts[0].deformation, nullptr);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_TRUE(warnings[0].find("morph targets, which are not animated") != std::string::npos);
+}
+
 struct FbxLight {
   int type;  // 0 point, 1 directional, 2 spot, 3 area
   int decay;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <numbers>
 
 #include "brume/at_time.h"
@@ -288,6 +289,19 @@ TEST_F(GltfAnimation, MorphsWhileItMoves) {
   builder_.json["accessors"].back()["type"] = "SCALAR";
   builder_.json["accessors"].back()["count"] = 3;
   expect_near(corner_at(read(), 0.5), {1.5, 4.0, 0.0});
+}
+
+TEST_F(GltfAnimation, MorphTargetsThatAreNoNumbersStayAsAtTheBeginning) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  builder_.primitive()["targets"] = {
+      {{"POSITION", builder_.add({0, 0, 0, nan, 0, 0, 1, 0, 0, 0, 0, 0}, "VEC3")}}};
+  animate(0, "weights", {0, 1, 2}, {0, 1, 0});
+  builder_.json["accessors"].back()["type"] = "SCALAR";
+  builder_.json["accessors"].back()["count"] = 3;
+  expect_near(corner_at(read(), 1.0), {1, 0, 0});
+  ASSERT_EQ(warnings_.size(), 1u);
+  EXPECT_TRUE(contains(warnings_[0], "meshes[0].primitives[0]: the animation of a node: found nan"))
+      << warnings_[0];
 }
 
 TEST_F(GltfAnimation, MorphTargetsHaveTheWeightsOfTheTime) {

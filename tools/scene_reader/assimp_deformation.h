@@ -1,6 +1,7 @@
 #pragma once
 
 #include <assimp/mesh.h>
+#include <assimp/scene.h>
 
 #include <glm/mat4x4.hpp>
 #include <map>
@@ -17,5 +18,10 @@ glm::dmat4 to_dmat4(const aiMatrix4x4& m);
 // own `node`, which moves those that no bone does. Bones that are no nodes (`names`) move none.
 std::vector<Joint> read_bones(const aiMesh& mesh, const std::map<std::string, std::size_t>& names,
                               std::size_t node, Deformation& deformation);
+
+// Reads the morph targets of a mesh that a node shows, and the weights that the scene's first
+// animation gives them; none without such, since nobody knows their weights at rest then.
+std::shared_ptr<const Track<MorphWeights>> read_morph(const aiScene& scene, const aiMesh& mesh,
+                                                      const aiNode& node, Deformation& deformation);
 
 }  // namespace brume
