@@ -62,6 +62,11 @@ struct PartsKey {
   bool operator==(const PartsKey&) const = default;
 };
 
+CopyPlacement within(const Placement& outer, const CopyPlacement& inner) {
+  return {outer.point_to_world(inner.translate), outer.rotate * inner.rotate,
+          outer.scale * inner.scale};
+}
+
 PartPlacements placements_of(const Surface& whole, std::span<const ImportedPart* const> parts,
                              double time) {
   const auto compute = [&] {
@@ -70,8 +75,7 @@ PartPlacements placements_of(const Surface& whole, std::span<const ImportedPart*
       const Placement outer = placement_of(whole, copy);
       for (const ImportedPart* part : parts) {
         for (const CopyPlacement& inner : placements_at(*part, time)) {
-          all.push_back({outer.point_to_world(inner.translate), outer.rotate * inner.rotate,
-                         outer.scale * inner.scale});
+          all.push_back(within(outer, inner));
         }
       }
     }
@@ -80,8 +84,11 @@ PartPlacements placements_of(const Surface& whole, std::span<const ImportedPart*
     if (!all.empty()) result.copies = std::make_shared<const CopyPlacements>(std::move(all));
     return result;
   };
-  const bool moves = !parts.front()->keys.empty();
-  if (moves && !whole.placed_copies) return compute();
+  const bool moves =
+      std::ranges::any_of(parts, [](const ImportedPart* part) { return !part->keys.empty(); });
+  if (parts.size() == 1 && parts.front()->placements.empty() && !whole.placed_copies) {
+    return compute();
+  }
   static Remembered<PartsKey, PartPlacements> results;
   return results.get({whole.imported,
                       {parts.begin(), parts.end()},
@@ -143,7 +150,11 @@ std::vector<const ImportedPart*> chosen_parts(const ImportedScene& scene,
 CopyPlacements placements_at(const ImportedPart& part, double time) {
   if (part.keys.empty()) return part.placements;
   const auto& [translate, rotate, scale] = part.keys;
-  return {{value_at(translate, time), value_at(rotate, time), value_at(scale, time)}};
+  const CopyPlacement own{value_at(translate, time), value_at(rotate, time), value_at(scale, time)};
+  if (part.placements.empty()) return {own};
+  CopyPlacements all;
+  for (const CopyPlacement& inner : part.placements) all.push_back(within(Placement(own), inner));
+  return all;
 }
 
 std::shared_ptr<const TriangleMesh> joined_mesh(std::span<const ImportedPart* const> parts) {

@@ -43,7 +43,8 @@ struct ImportedPart {
   // Where the file places a mesh that it has several times, which is in its own coordinates then;
   // else empty.
   CopyPlacements placements{};
-  // Its movement in the coordinates of the file; the mesh is in its own then. Empty: it stands.
+  // Its movement in the coordinates of the file, and that of its placements; the mesh is in its own
+  // then. Empty: it stands.
   PlacementKeys keys{};
   // What makes of the mesh, which is that at 0 s, the one of another time; null: it stays.
   std::shared_ptr<const Deformation> deformation{};

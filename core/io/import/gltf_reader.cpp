@@ -128,12 +128,12 @@ class GltfReader {
     }
   }
 
-  // The placements in the world of a node, or of its instances.
-  std::vector<glm::dmat4> transforms_of(const GltfNode& node, JsonObject& object) {
+  // The transforms of a node's instances within it.
+  std::vector<glm::dmat4> instances_of(JsonObject& object) {
     auto extensions = object.find_object("extensions");
     auto instancing =
         extensions ? extensions->find_object("EXT_mesh_gpu_instancing") : std::nullopt;
-    if (!instancing) return {node.to_world};
+    if (!instancing) return {glm::dmat4(1.0)};
     JsonObject attributes = instancing->object("attributes");
     const auto translations = gltf_vectors<glm::vec3>(file_, attributes, "TRANSLATION");
     const auto rotations = gltf_vectors<glm::vec4>(file_, attributes, "ROTATION");
@@ -162,7 +162,7 @@ class GltfReader {
       glm::dmat4 own(glm::mat4_cast(glm::normalize(rotation)));
       for (int k = 0; k < 3; ++k) own[k] *= scale[k];
       if (!translations.empty()) own[3] = glm::dvec4(glm::dvec3(translations[i]), 1.0);
-      transforms.push_back(node.to_world * own);
+      transforms.push_back(own);
     }
     return transforms;
   }
@@ -174,14 +174,14 @@ class GltfReader {
     if (!index) return;
     Use use{index_of_node, *index, nullptr, {}, {}};
     file_.context().try_read(object.path_of("skin"), [&] { use.joints = skins_.joints(object); });
-    use.transforms = transforms_of(node, object);
+    use.transforms = instances_of(object);
     use.weights = gltf_weights(file_, object);
     use.track = animation_.weights[index_of_node];
     const bool has_own_weights = use.weights.size() > 0 || use.track;
-    if (motion_->moves(index_of_node) && !use.joints) {
-      add_motion(use, object);
-    } else if (!use.joints && !has_own_weights &&
-               (use.transforms.size() > 1 || uses_[*index] > 1)) {
+    const bool moves = motion_->moves(index_of_node) && !use.joints;
+    const glm::dmat4 outer = moves ? add_motion(use, object) : node.to_world;
+    for (glm::dmat4& transform : use.transforms) transform = outer * transform;
+    if (!use.joints && !has_own_weights && (use.transforms.size() > 1 || uses_[*index] > 1)) {
       use.placements = placements(use.transforms);
     }
     JsonObject mesh = file_.object("meshes", *index);
@@ -203,32 +203,33 @@ class GltfReader {
     std::size_t node;
     std::size_t mesh;
     const std::vector<Joint>* joints;    // as of GltfSkins
-    std::vector<glm::dmat4> transforms;  // to the world
+    std::vector<glm::dmat4> transforms;  // to the world, or to what the keys place
     CopyPlacements placements;           // the same, of a mesh that is shared; else empty
-    PlacementKeys keys{};                // then from there
+    PlacementKeys keys{};                // to the world
     MorphWeights weights{};              // of its morph targets
     std::shared_ptr<const Track<MorphWeights>> track{};  // of these
   };
 
-  void add_motion(Use& use, JsonObject& object) {
-    if (use.transforms.size() != 1) {
-      file_.context().warn(object.path(), "has instances: they do not move");
-      return;
-    }
+  // Adds the keys of a node. Returns its transform to the placements that they are of.
+  glm::dmat4 add_motion(Use& use, JsonObject& object) {
     NodeKeys found = placement_keys(*motion_, use.node);
     if (found.is_stretched) {
       file_.context().warn(object.path(),
                            "its animation stretches it along one axis: it keeps its proportions");
     }
     use.keys = std::move(found.keys);
-    use.transforms = {found.to_placed};
+    return found.to_placed;
   }
 
   void add_part(const Use& use, std::size_t index, const Json& value, const JsonPath& path) {
     const auto shared = shared_parts_.find({use.mesh, index});
     if (!use.placements.empty() && shared != shared_parts_.end()) {
-      scene_.parts.push_back(
-          {use.node, scene_.parts[shared->second].material, {}, use.placements, shared->second});
+      scene_.parts.push_back({use.node,
+                              scene_.parts[shared->second].material,
+                              {},
+                              use.placements,
+                              shared->second,
+                              use.keys});
       return;
     }
     JsonObject primitive(file_.context(), value, path);
@@ -270,9 +271,8 @@ class GltfReader {
     if (is_shared) {
       shared_parts_[{use.mesh, index}] = scene_.parts.size();
       part.placements = use.placements;
-    } else if (!is_skinned) {
-      part.keys = use.keys;
     }
+    if (!is_skinned) part.keys = use.keys;
     const std::vector<glm::dmat4> here{glm::dmat4(1.0)};
     for (const glm::dmat4& to_world : is_skinned || is_shared ? here : use.transforms) {
       if (!is_skinned && mesh.targets.empty()) {
@@ -350,8 +350,10 @@ class GltfReader {
       high = glm::max(high, point);
     };
     for (const RawPart& part : scene_.parts) {
-      for (const CopyPlacement& placement : part.placements) add(placement.translate);
       for (const Key<glm::dvec3>& key : part.keys.translate) add(key.value);
+      for (const CopyPlacement& placement : part.placements) {
+        if (part.keys.empty()) add(placement.translate);
+      }
       if (!part.placements.empty() || !part.keys.empty()) continue;
       for (const glm::vec3& point : part.mesh.points) add(glm::dvec3(point));
     }

@@ -281,6 +281,44 @@ TEST_F(GltfAnimation, OnesWithWrongSamplersAreLeftOut) {
   EXPECT_TRUE(contains(warning(), "animations[0].channels[0].target.node: found 3"));
 }
 
+TEST_F(GltfAnimation, InstancesMoveWithTheirNode) {
+  builder_.json["nodes"][0]["scale"] = {2, 2, 2};
+  builder_.json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"] = {
+      {"TRANSLATION", builder_.add({0, 0, 0, 5, 0, 0}, "VEC3")}};
+  animate(0, "translation", {0, 1}, {0, 0, 0, 0, 8, 0});
+  const Scene scene = read();
+  EXPECT_TRUE(warnings_.empty());
+  const auto place_at = [&](double time, std::size_t copy) {
+    const Scene shown = evaluate_at(scene, time);
+    EXPECT_EQ(shown.surfaces.size(), 1u);
+    EXPECT_EQ(placement_count(shown.surfaces[0]), 2u);
+    return placement_of(shown.surfaces[0], copy).point_to_world({1, 0, 0});
+  };
+  expect_near(place_at(0.0, 0), {2, 0, 0});
+  expect_near(place_at(0.5, 0), {2, 4, 0});
+  expect_near(place_at(0.5, 1), {12, 4, 0});
+  EXPECT_EQ(evaluate_at(scene, 0.5).surfaces[0].placed_copies,
+            evaluate_at(scene, 0.5).surfaces[0].placed_copies);
+  // Those that are stretched are meshes of their own, and move as well.
+  builder_.json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["SCALE"] =
+      builder_.add({1, 1, 1, 3, 1, 1}, "VEC3");
+  const Scene stretched = evaluate_at(read(), 0.5);
+  ASSERT_EQ(stretched.surfaces.size(), 2u);
+  expect_near(world_points(stretched.surfaces[1]).at(1), {16, 4, 0});
+}
+
+TEST_F(GltfAnimation, NodesThatMoveShareTheirMesh) {
+  builder_.json["nodes"].push_back({{"mesh", 0}, {"translation", {7, 0, 0}}});
+  builder_.json["scenes"][0]["nodes"] = {0, 1};
+  animate(0, "translation", {0, 1}, {0, 0, 0, 0, 8, 0});
+  const Scene scene = read();
+  ASSERT_EQ(imported(scene).parts.size(), 2u);
+  EXPECT_EQ(imported(scene).parts[0].mesh, imported(scene).parts[1].mesh);
+  const Scene shown = evaluate_at(scene, 0.5);
+  expect_near(world_points(shown.surfaces.at(0)).at(1), {1, 4, 0});
+  expect_near(world_points(shown.surfaces.at(1)).at(1), {8, 0, 0});
+}
+
 TEST_F(GltfAnimation, MorphsWhileItMoves) {
   builder_.primitive()["targets"] = {
       {{"POSITION", builder_.add({0, 0, 0, 1, 0, 0, 1, 0, 0, 0, 0, 0}, "VEC3")}}};
