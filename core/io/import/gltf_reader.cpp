@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/gtc/quaternion.hpp>
-#include <glm/matrix.hpp>
+#include <glm/geometric.hpp>
 #include <map>
 #include <numbers>
-#include <span>
 #include <string>
 #include <utility>
 
@@ -14,6 +12,7 @@
 #include "brume/limits.h"
 #include "core/io/import/gltf_animation.h"
 #include "core/io/import/gltf_file.h"
+#include "core/io/import/gltf_instances.h"
 #include "core/io/import/gltf_materials.h"
 #include "core/io/import/gltf_mesh.h"
 #include "core/io/import/gltf_nodes.h"
@@ -34,31 +33,6 @@ namespace {
 // Nodes may share meshes: nothing in the file bounds how many primitives that are.
 constexpr std::size_t max_primitives = 1 << 20;
 constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
-
-// Transforms as placements; empty: one of them stretches or mirrors.
-CopyPlacements placements(std::span<const glm::dmat4> transforms) {
-  CopyPlacements result;
-  for (const glm::dmat4& transform : transforms) {
-    const glm::dmat3 axes(transform);
-    const double scale = glm::length(axes[0]);
-    // Roundings of float.
-    constexpr double rounding = 1e-5;
-    const glm::dmat3 turn = (1.0 / scale) * axes;
-    const glm::dmat3 difference = glm::transpose(turn) * turn - glm::dmat3(1.0);
-    double greatest = 0.0;
-    for (int k = 0; k < 9; ++k) {
-      greatest = std::max(greatest, std::abs(difference[k / 3][k % 3]));
-    }
-    const glm::dvec3 translate(transform[3]);
-    const bool is_placed =
-        domain::length.contains(scale) && greatest < rounding && glm::determinant(turn) > 0.0 &&
-        domain::coordinate.contains(translate.x) && domain::coordinate.contains(translate.y) &&
-        domain::coordinate.contains(translate.z);
-    if (!is_placed) return {};
-    result.push_back({translate, glm::normalize(glm::quat_cast(turn)), scale});
-  }
-  return result;
-}
 
 class GltfReader {
  public:
@@ -128,45 +102,6 @@ class GltfReader {
     }
   }
 
-  // The transforms of a node's instances within it.
-  std::vector<glm::dmat4> instances_of(JsonObject& object) {
-    auto extensions = object.find_object("extensions");
-    auto instancing =
-        extensions ? extensions->find_object("EXT_mesh_gpu_instancing") : std::nullopt;
-    if (!instancing) return {glm::dmat4(1.0)};
-    JsonObject attributes = instancing->object("attributes");
-    const auto translations = gltf_vectors<glm::vec3>(file_, attributes, "TRANSLATION");
-    const auto rotations = gltf_vectors<glm::vec4>(file_, attributes, "ROTATION");
-    const auto scales = gltf_vectors<glm::vec3>(file_, attributes, "SCALE");
-    const std::size_t count = std::max({translations.size(), rotations.size(), scales.size()});
-    for (const std::size_t size : {translations.size(), rotations.size(), scales.size()}) {
-      if (size == 0 || size == count) continue;
-      file_.context().fail(attributes.path(), "found " + std::to_string(size) + " values for " +
-                                                  std::to_string(count) + " instances");
-    }
-    if (count > limits::copies) {
-      file_.context().fail(attributes.path(), "the instances take more memory than the allowed " +
-                                                  std::to_string(limits::scene_bytes) + " bytes");
-    }
-    std::vector<glm::dmat4> transforms;
-    for (std::size_t i = 0; i < count; ++i) {
-      glm::dquat rotation(1.0, 0.0, 0.0, 0.0);
-      if (!rotations.empty()) {
-        const glm::dvec4 q(rotations[i]);
-        rotation = glm::dquat(q.w, q.x, q.y, q.z);
-        if (!(glm::length(rotation) > 0.0)) {
-          attributes.fail("ROTATION", "found length 0; allowed: unit quaternions");
-        }
-      }
-      const glm::dvec3 scale = scales.empty() ? glm::dvec3(1.0) : glm::dvec3(scales[i]);
-      glm::dmat4 own(glm::mat4_cast(glm::normalize(rotation)));
-      for (int k = 0; k < 3; ++k) own[k] *= scale[k];
-      if (!translations.empty()) own[3] = glm::dvec4(glm::dvec3(translations[i]), 1.0);
-      transforms.push_back(own);
-    }
-    return transforms;
-  }
-
   void add_parts(std::size_t index_of_node) {
     const GltfNode& node = nodes_[index_of_node];
     JsonObject object = file_.object("nodes", node.element);
@@ -174,7 +109,7 @@ class GltfReader {
     if (!index) return;
     Use use{index_of_node, *index, nullptr, {}, {}};
     file_.context().try_read(object.path_of("skin"), [&] { use.joints = skins_.joints(object); });
-    use.transforms = instances_of(object);
+    use.transforms = gltf_instances(file_, object);
     use.weights = gltf_weights(file_, object);
     use.track = animation_.weights[index_of_node];
     const bool has_own_weights = use.weights.size() > 0 || use.track;
@@ -182,7 +117,7 @@ class GltfReader {
     const glm::dmat4 outer = moves ? add_motion(use, object) : node.to_world;
     for (glm::dmat4& transform : use.transforms) transform = outer * transform;
     if (!use.joints && !has_own_weights && (use.transforms.size() > 1 || uses_[*index] > 1)) {
-      use.placements = placements(use.transforms);
+      use.placements = placements_of(use.transforms);
     }
     JsonObject mesh = file_.object("meshes", *index);
     if (use.weights.size() == 0) use.weights = gltf_weights(file_, mesh);

@@ -25,6 +25,14 @@ std::string usd_value(const glm::dmat4& transform);  // of column vectors, as GL
 std::string usd_string(std::string_view text);       // quoted
 std::string usd_asset(std::string_view path);
 
+// A list of value_of(i), the texts of as many values as there are.
+template <class ValueOf>
+std::string usd_list(std::size_t count, ValueOf value_of) {
+  std::string text = "[";
+  for (std::size_t i = 0; i < count; ++i) text += (i == 0 ? "" : ", ") + value_of(i);
+  return text + "]";
+}
+
 // The text of a stage, prim by prim.
 class UsdText {
  public:
