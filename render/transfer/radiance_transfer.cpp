@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "brume/mesh_arrays.h"
-#include "core/math/sphere_rule.h"
 #include "core/math/normals.h"
+#include "core/math/sphere_rule.h"
 #include "core/scene/materials/brdf.h"
 #include "core/scene/mesh.h"
 #include "render/geometry/rounding.h"
