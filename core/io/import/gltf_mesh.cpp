@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "brume/limits.h"
 #include "core/number_domain.h"
 #include "core/scene/mesh.h"
 
@@ -60,12 +61,18 @@ void read_texcoords(GltfFile& file, JsonObject& attributes, std::span<const Gltf
 std::vector<MorphTarget> read_morph_targets(GltfFile& file, JsonObject& primitive,
                                             std::size_t vertices) {
   std::vector<MorphTarget> targets;
+  std::size_t bytes = 0;  // which nothing in the file bounds: targets may share what they have
   for (const Json& value : primitive.array("targets", max_morph_targets)) {
     JsonObject target(file.context(), value, primitive.path_of("targets").element(targets.size()));
     const auto offsets = [&](const char* key) {
       return optional_values(file, target, key, vertices, gltf_vectors<glm::vec3>);
     };
-    targets.push_back({offsets("POSITION"), offsets("NORMAL")});
+    const MorphTarget& added = targets.emplace_back(offsets("POSITION"), offsets("NORMAL"));
+    bytes += std::span(added.points).size_bytes() + std::span(added.normals).size_bytes();
+    if (bytes > limits::scene_bytes / 4) {
+      target.fail("POSITION", "the morph targets up to here take more memory than the allowed " +
+                                  std::to_string(limits::scene_bytes) + " bytes");
+    }
   }
   return targets;
 }

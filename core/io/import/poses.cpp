@@ -113,7 +113,8 @@ std::shared_ptr<const Deformation> moving_deformation(Deformation deformation,
   constexpr std::size_t max_transforms = std::size_t{1} << 24;
   std::size_t transforms = 0;
   const auto state_at = [&](double time) {
-    transforms += 1 + motion.joints.size();
+    constexpr std::size_t weights_per_transform = 16;  // by their bytes
+    transforms += 1 + motion.joints.size() + extent.targets.size() / weights_per_transform;
     if (transforms > max_transforms) {
       throw InputError(nodes.file(), "", "the animation of its joints takes too long");
     }
