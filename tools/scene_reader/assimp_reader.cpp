@@ -10,7 +10,9 @@
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <limits>
 #include <map>
+#include <span>
 
 #include "brume/error.h"
 #include "brume/limits.h"
@@ -326,6 +328,20 @@ std::vector<fs::path> missing_material_files(const fs::path& file,
   return result;
 }
 
+// Values that do no harm here, for which assimp would refuse the whole file.
+void settle(aiScene& scene) {
+  for (aiLight* light : std::span(scene.mLights, scene.mNumLights)) {
+    light->mAngleInnerCone = std::min(light->mAngleInnerCone, light->mAngleOuterCone);
+  }
+  for (aiCamera* camera : std::span(scene.mCameras, scene.mNumCameras)) {
+    camera->mClipPlaneNear = 0.1f;
+    camera->mClipPlaneFar = 1000.0f;
+  }
+  for (aiAnimation* animation : std::span(scene.mAnimations, scene.mNumAnimations)) {
+    animation->mDuration = std::numeric_limits<double>::max();
+  }
+}
+
 }  // namespace
 
 RawScene read_with_assimp(const fs::path& file) {
@@ -337,8 +353,11 @@ RawScene read_with_assimp(const fs::path& file) {
                               aiPrimitiveType_POINT | aiPrimitiveType_LINE);
   // Vertices at one place are smooth up to 60 degrees, as those of meshes.
   importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, 60.0f);
-  const auto read = [&] {
-    return importer.ReadFile(file.string(), aiProcess_ValidateDataStructure);
+  const auto read = [&]() -> const aiScene* {
+    const aiScene* read_scene = importer.ReadFile(file.string(), 0);
+    if (read_scene == nullptr) return nullptr;
+    settle(const_cast<aiScene&>(*read_scene));  // the importer's, which has steps to go
+    return importer.ApplyPostProcessing(aiProcess_ValidateDataStructure);
   };
   const aiScene* scene = read();
   ObjRepair repair;
@@ -351,7 +370,7 @@ RawScene read_with_assimp(const fs::path& file) {
     }
   }
   if (scene != nullptr) {
-    cut_polygons(const_cast<aiScene&>(*scene));  // the importer's, which has steps to go
+    cut_polygons(const_cast<aiScene&>(*scene));
     scene = importer.ApplyPostProcessing(aiProcess_SortByPType | aiProcess_GenSmoothNormals |
                                          aiProcess_JoinIdenticalVertices |
                                          aiProcess_ValidateDataStructure);

@@ -111,5 +111,19 @@ TEST(FbxLights, WithoutASizeAreLeftOut) {
   EXPECT_TRUE(warnings[0].find("area and volume lights are left out") != std::string::npos);
 }
 
+TEST(FbxLights, ConesWhoseInsideIsWiderAreRead) {
+  const TemporaryFolder folder;
+  std::vector<std::string> warnings;
+  std::string text = lights_fbx("Blender", 100.0, {{2, 2}});
+  const std::string intensity = "P: \"Intensity\"";
+  text.insert(text.find(intensity), R"(P: "InnerAngle", "Number", "", "A",60
+			P: "OuterAngle", "Number", "", "A",45
+			)");
+  const auto scene = read_imported_scene(folder.write("a.fbx", text), warnings);
+  const auto& spot = std::get<light::Spot>(scene->lights.at(0).kind);
+  EXPECT_NEAR(spot.outer_angle, 22.5, 1e-5);
+  EXPECT_NEAR(spot.inner_angle, 22.5, 1e-5);
+}
+
 }  // namespace
 }  // namespace brume
