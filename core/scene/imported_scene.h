@@ -46,7 +46,7 @@ struct ImportedPart {
   // Its movement in the coordinates of the file, and that of its placements; the mesh is in its own
   // then. Empty: it stands.
   PlacementKeys keys{};
-  // What makes of the mesh, which is that at 0 s, the one of another time; null: it stays.
+  // Makes the mesh of another time than 0 s, whose `mesh` is; null: it stays.
   std::shared_ptr<const Deformation> deformation{};
 };
 

@@ -44,7 +44,7 @@ LightUnits light_units(const aiScene& scene, double unit) {
 }
 
 int decay_exponent(const aiLight& light) {
-  // What assimp's converter of FBX leaves of it; for 3 it sets only the second factor.
+  // The attenuation is all that assimp's converter of FBX leaves of it; for 3 it sets one factor.
   const aiLight unset;
   if (light.mAttenuationLinear == unset.mAttenuationLinear && light.mAttenuationQuadratic == 1.0f) {
     return 3;

@@ -10,8 +10,8 @@
 
 namespace brume {
 
-// What the numbers of an FBX's lights mean, which no field of the file says; a light's Intensity is
-// a percentage of them (ufbx: ufbx_light::intensity).
+// The unit of the numbers of an FBX's lights, which no field of the file says; a light's Intensity
+// is a percentage of them (ufbx: ufbx_light::intensity).
 struct LightUnits {
   // Blender writes watts of its lights (W/m² of its suns). For other programs, such as Maya, a
   // white surface that faces a light of intensity 1 has the radiance 1, at a unit of length where
@@ -21,7 +21,7 @@ struct LightUnits {
 };
 LightUnits light_units(const aiScene& scene, double unit);
 
-// By which power of the distance a light decays: 0 to 3.
+// The power of the distance by which a light decays: 0 to 3.
 int decay_exponent(const aiLight& light);
 
 // A point, spot or directional light; nullopt for others. `to_world` places it, shining along -z.

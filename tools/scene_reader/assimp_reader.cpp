@@ -232,7 +232,7 @@ class Reader {
     }
   }
 
-  // Of a node to the world, or to the placements of which it gets the keys.
+  // The transform of a node to the world, or to the placements of which the part gets the keys.
   glm::dmat4 transform_of(std::size_t node, const std::string& place, RawPart& part) {
     if (!motion_->moves(node)) return to_world_[node];
     NodeKeys found = placement_keys(*motion_, node);

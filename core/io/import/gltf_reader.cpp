@@ -53,7 +53,6 @@ class GltfReader {
   }
 
  private:
-  // All else that has no keys is as at 0 s.
   void read_animation() {
     try {
       animation_ = read_gltf_animation(file_, nodes_);
@@ -209,19 +208,20 @@ class GltfReader {
     }
     if (!is_skinned) part.keys = use.keys;
     const std::vector<glm::dmat4> here{glm::dmat4(1.0)};
-    for (const glm::dmat4& to_world : is_skinned || is_shared ? here : use.transforms) {
+    const std::vector<glm::dmat4>& transforms = is_skinned || is_shared ? here : use.transforms;
+    for (const glm::dmat4& to_world : transforms) {
+      RawPart added = part;
       if (!is_skinned && mesh.targets.empty()) {
-        part.mesh = mesh.rest;
-        if (part.mesh.normals.empty()) add_flat_normals(part.mesh);
-        add(part, to_world);
+        added.mesh = &to_world == &transforms.back() ? std::move(mesh.rest) : mesh.rest;
+        if (added.mesh.normals.empty()) add_flat_normals(added.mesh);
+        add(std::move(added), to_world);
       } else {
         DeformationMotion motion{{}, use.weights, use.track};
         motion.joints = is_skinned ? *use.joints : std::vector<Joint>{{std::nullopt, to_world}};
-        part.mesh = deformed(mesh, pose_at(motion, *motion_, 0.0));
-        part.deformation = nullptr;
+        added.mesh = deformed(mesh, pose_at(motion, *motion_, 0.0));
         file_.context().try_read(
-            path, [&] { part.deformation = moving_deformation(mesh, motion, *motion_); });
-        add(part, glm::dmat4(1.0));
+            path, [&] { added.deformation = moving_deformation(mesh, motion, *motion_); });
+        add(std::move(added), glm::dmat4(1.0));
       }
     }
   }

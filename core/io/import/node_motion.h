@@ -24,7 +24,7 @@ struct Track {
   TrackInterpolation interpolation = TrackInterpolation::linear;
 };
 
-// Of morph targets, in their order.
+// The weights of morph targets, in their order.
 using MorphWeights = std::valarray<double>;
 MorphWeights value_at(const Track<MorphWeights>& track, double time);
 

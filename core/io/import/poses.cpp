@@ -13,7 +13,7 @@
 namespace brume {
 namespace {
 
-// What bounds the way of vertices from one pose to another.
+// Bounds the way of vertices from one pose to another.
 struct Extent {
   std::array<glm::dvec3, 8> corners;  // around the vertices, morphed ones too
   std::vector<double> targets;        // the longest offset by each target

@@ -16,7 +16,7 @@ struct Joint {
   glm::dmat4 to_node{1.0};            // from the mesh at rest
 };
 
-// What makes a mesh deform.
+// The joints and weights that make a mesh deform.
 struct DeformationMotion {
   std::vector<Joint> joints;
   MorphWeights weights{};                              // without a track

@@ -91,7 +91,7 @@ TEST_F(UsdSurface, CopiesAreWhereTheyAreInEachFrame) {
   frames[2] = frames[1];
   frames[2].frame = 3;
   EXPECT_FALSE(contains(prim(stage(frames), "Box_copies"), "timeSamples"));
-  // What may move has a time sample in a stage of one frame, which others put together.
+  // A stage of one frame, which others put together, has a time sample of all that may move.
   EXPECT_TRUE(contains(prim(stage({frames[1]}), "Box_copies"), "2: [(2, 0, 0)],"));
 }
 
