@@ -316,8 +316,7 @@ TEST(AreaLight, OneSideShinesAndTwoDo) {
 }
 
 TEST(AreaLight, HardCasesStayFinite) {
-  Settings small_grid = sliced(8, Scattering::multiple);
-  small_grid.source_grid.nodes = 1000;
+  Settings small_grid = all_orders(8, {.nodes = 1000, .directions = 32});
   const auto expect_all_finite = [&](const Scene& scene, const char* what) {
     SCOPED_TRACE(what);
     for (const Settings& settings : {small_grid, reference_settings(1e-2)}) {

@@ -106,8 +106,7 @@ TEST(DirectionalLight, AFarPointIsASun) {
   const double distance = 1e4;
   point.lights = {{-distance * glm::normalize(scene.lights[0].as<light::Directional>()->direction),
                    distance * distance * irradiance}};
-  for (const Settings& settings :
-       {reference_settings(), sliced(24), sliced(24, Scattering::multiple)}) {
+  for (const Settings& settings : {reference_settings(), sliced(24), all_orders(24)}) {
     EXPECT_LT(
         rel_rmse(render_frame(scene, settings).airlight, render_frame(point, settings).airlight),
         1e-3);
@@ -208,8 +207,7 @@ TEST(DirectionalLight, AlwaysShinesSomewhere) {
 
 // Grazing, in empty and in endless scenes, of all sizes.
 TEST(DirectionalLight, HardCasesAreFinite) {
-  Settings small_grid = sliced(8, Scattering::multiple);
-  small_grid.source_grid.nodes = 1000;
+  Settings small_grid = all_orders(8, {.nodes = 1000, .directions = 32});
   for (const double scale : {1e-6, 1.0, 1e6}) {
     for (const double b0 : {0.0, 0.1 / scale}) {
       for (const glm::dvec3& direction :

@@ -144,7 +144,7 @@ TEST(Mirrors, ShowWhatEmitsOnce) {
   make_metal(scene.surfaces[0], 0.8, 0.1);
   make_metal(scene.surfaces[1], 0.0, 1.0);
   scene.surfaces[1].material.metallic_roughness.emissive = glm::dvec3(3.0);
-  const Frame mirrored = render_frame(scene, sliced(8, Scattering::multiple));
+  const Frame mirrored = render_frame(scene, all_orders(8));
   const Frame paths = render_frame(scene, path_traced(256));
   EXPECT_NEAR(mean_difference(mirrored, paths, 20), 0.0, 0.03);
 }
@@ -152,12 +152,14 @@ TEST(Mirrors, ShowWhatEmitsOnce) {
 TEST(Mirrors, OfEachOtherEnd) {
   Scene scene = in_fog(boxes_on_a_floor(), 0.05);
   for (Surface& surface : scene.surfaces) make_metal(surface, 1.0, 0.0);
-  expect_finite(render_frame(scene, sliced(8, Scattering::multiple)));
+  expect_finite(render_frame(scene, all_orders(8)));
 }
 
 // A mirror adds as much to the airlight as paths have it.
 TEST(Mirrors, SendLightIntoTheFog) {
   Scene scene = in_fog(boxes_on_a_floor(), 0.02);
+  scene.film = {24, 18};
+  scene.optics.albedo = glm::dvec3(0.8);  // paths end sooner
   scene.surfaces.resize(1);
   scene.camera = {.eye = {0.0, 2.0, 4.0}, .target = {0.0, 2.0, 0.0}, .vertical_fov = 30.0};
   const auto airlight = [&](double base_color, const Settings& settings) {

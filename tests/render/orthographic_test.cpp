@@ -93,8 +93,7 @@ TEST(Orthographic, IsTheLimitOfPinholesSliced) {
 }
 
 TEST(Orthographic, IsTheLimitOfPinholesForAllOrders) {
-  Settings settings = sliced(24, Scattering::multiple);
-  settings.source_grid = {.nodes = 2000, .directions = 32};
+  Settings settings = all_orders(24, {.nodes = 2000, .directions = 32});
   expect_limit_of_pinholes(settings, "all orders");
 }
 

@@ -26,15 +26,13 @@ Scene lit(const LightProfile& profile, const Light::Kind& kind = light::Point(),
   return scene;
 }
 
-const Settings sliced_all_orders = sliced(24, Scattering::multiple);
-
 TEST(ProfileLight, IsotropicIsAPointLight) {
   Scene scene =
       lit({"a.ies", std::make_shared<const PhotometricProfile>(PhotometricProfile::isotropic())});
   scene.surfaces = {wall(-1.0, 2.0)};
   Scene point = scene;
   point.lights[0].kind = light::Point();
-  for (const Settings& settings : {reference_settings(), sliced(24), sliced_all_orders}) {
+  for (const Settings& settings : {reference_settings(), sliced(24), all_orders(24)}) {
     const Frame frame = render_frame(scene, settings);
     const Frame expected = render_frame(point, settings);
     // Where a slice is long beside its distance from the light, a profile's light is attenuated
@@ -109,8 +107,7 @@ TEST(ProfileLight, HardCasesAreFinite) {
   const LightProfile profiles[] = {profile({0.0, 0.5, 1.0}, {1.0, 1.0, 0.0}),
                                    profile({90.0}, {1.0}), profile({120.0, 180.0}, {0.0, 1e20}),
                                    profile({0.0}, {1e-20})};
-  Settings small_grid = sliced(8, Scattering::multiple);
-  small_grid.source_grid.nodes = 1000;
+  Settings small_grid = all_orders(8, {.nodes = 1000, .directions = 32});
   for (const LightProfile& p : profiles) {
     Scene scene = lit(p, light::Point(), 5.0);
     scene.film = {8, 6};

@@ -57,11 +57,10 @@ TEST(RepeatableFrames, Paths) {
 TEST(RepeatableFrames, AcrossVectorInstructions) {
   const std::vector<std::int64_t> targets = hwy::SupportedAndGeneratedTargets();
   ASSERT_FALSE(targets.empty());
-  Settings all_orders = sliced(16, Scattering::multiple);
-  all_orders.source_grid = {.nodes = 2000, .directions = 32};
+  Settings solved = all_orders(16, {.nodes = 2000, .directions = 32});
   for (Scene scene : {cloud_scene(30, 2.0), in_fog(cut_by_a_surface(), 0.05)}) {
     scene.film = {16, 12};
-    for (const Settings& settings : {sliced(16), all_orders, marched(32), paper_settings}) {
+    for (const Settings& settings : {sliced(16), solved, marched(32), paper_settings}) {
       std::vector<Frame> frames;
       for (const std::int64_t target : targets) {
         hwy::SetSupportedTargetsForTest(target);

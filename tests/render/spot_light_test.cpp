@@ -167,8 +167,7 @@ TEST(SpotLight, OfAllDirectionsIsAPointLight) {
   const Scene spot = lit_by_spot({smooth.direction, 179.999, 180.0});
   Scene point = spot;
   point.lights[0].kind = light::Point();
-  for (const Settings& settings :
-       {reference_settings(), sliced(24), sliced(24, Scattering::multiple)}) {
+  for (const Settings& settings : {reference_settings(), sliced(24), all_orders(24)}) {
     EXPECT_LT(
         rel_rmse(render_frame(spot, settings).airlight, render_frame(point, settings).airlight),
         1e-4);
@@ -190,7 +189,7 @@ TEST(SpotLight, NarrowBeamsAreNotLostBetweenNodes) {
   scene.film = {12, 9};
   scene.lights = {{{0.0, 40.0, 0.0}, glm::dvec3(4000.0), light::Spot{{0.0, -1.0, 0.0}, 0.05, 0.1}}};
   const double expected = mean_airlight(scene, path_traced(4096));
-  EXPECT_NEAR(mean_airlight(scene, sliced(24, Scattering::multiple)), expected, 0.05 * expected);
+  EXPECT_NEAR(mean_airlight(scene, all_orders(24)), expected, 0.05 * expected);
 }
 
 // By the paper, nothing shines but isotropic point lights; what is left out is counted.
@@ -221,8 +220,7 @@ TEST(SpotLight, HardCasesAreFinite) {
   Scene scene = lit_by_spot(smooth, 5.0);
   scene.film = {8, 6};
   scene.surfaces = {wall(-1.0, 2.0)};
-  Settings small_grid = sliced(8, Scattering::multiple);
-  small_grid.source_grid.nodes = 1000;
+  Settings small_grid = all_orders(8, {.nodes = 1000, .directions = 32});
   for (const glm::dvec3& position :
        {glm::dvec3(0.0), scene.camera.eye, glm::dvec3(0.0, 0.0, 2.0), glm::dvec3(0.0, 1e6, 0.0)}) {
     for (const glm::dvec3& direction :

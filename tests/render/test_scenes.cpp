@@ -196,6 +196,12 @@ Settings sliced(int slices, Scattering scattering) {
   return settings;
 }
 
+Settings all_orders(int slices, const SourceGridSize& grid) {
+  Settings settings = sliced(slices, Scattering::multiple);
+  settings.source_grid = grid;
+  return settings;
+}
+
 Settings marched(int steps) {
   Settings settings;
   settings.airlight = AirlightMethod::march;

@@ -43,6 +43,8 @@ Environment even_sky(float radiance);
 inline const Settings paper_settings{.airlight = AirlightMethod::paper};
 Settings reference_settings(double tolerance = 1e-5);
 Settings sliced(int slices, Scattering scattering = Scattering::single);
+// Of all orders, on a grid that is coarse beside what users get; the bounds of frames hold on it.
+Settings all_orders(int slices, const SourceGridSize& grid = {.nodes = 6000, .directions = 48});
 Settings marched(int steps);
 Settings path_traced(int paths);
 

@@ -196,9 +196,8 @@ TEST(VisibleLights, ChangeOnlyThePixelsThatSeeThem) {
   clear.film = {36, 27};
   const Scene foggy = in_fog(clear, 0.2);
   const std::vector<int> seen = seen_lights(clear);
-  Settings settings = sliced(24, Scattering::multiple);
+  Settings settings = all_orders(24, {.nodes = 2000, .directions = 32});
   settings.samples = 1;
-  settings.source_grid = {.nodes = 2000, .directions = 32};
   for (const auto& [scene, method] :
        {std::pair(clear, settings), {foggy, marched(64)}, {foggy, path_traced(2)}}) {
     const Frame shown = render_frame(scene, method);
@@ -244,9 +243,10 @@ TEST(VisibleLights, AreInMirrorsAsPathsHaveThem) {
   for (const auto& [roughness, metallic] : {std::pair(0.0, 1.0), {0.3, 0.0}}) {
     Scene scene = in_fog(lights_above_a_floor(), 0.05);
     scene.film = {24, 18};
+    scene.optics.albedo = glm::dvec3(0.9);  // paths end sooner
     scene.surfaces[0].material = metal(0.5, roughness);
     scene.surfaces[0].material.metallic_roughness.metallic = metallic;
-    Settings settings = sliced(24, Scattering::multiple);
+    Settings settings = all_orders(24);
     settings.samples = 1;
     const double shown = mean(render_frame(scene, settings), 10);
     const double truth = mean(render_frame(scene, path_traced(32)), 10);
@@ -306,7 +306,7 @@ TEST(VisibleLights, AreSeenAlone) {
   const std::vector<int> seen = seen_lights(scene);
   for (const double fog : {0.0, 0.1}) {
     const Scene alone = in_fog(scene, fog);
-    Settings settings = sliced(8, Scattering::multiple);
+    Settings settings = all_orders(8);
     settings.samples = 4;
     for (const Settings& method : {settings, marched(16), path_traced(2), paper_settings}) {
       const Frame frame = render_frame(alone, method);

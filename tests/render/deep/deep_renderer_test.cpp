@@ -122,8 +122,7 @@ void expect_flattened_is_flat(Scene scene, const Surface& behind = wall(-0.3, 0.
   scene.optics.anisotropy = 0.3;
   scene.lights[0].intensity = glm::dvec3(100.0);
   scene.surfaces.push_back(behind);
-  Settings settings = sliced(64, Scattering::multiple);
-  settings.source_grid = {.nodes = 2000, .directions = 32};
+  Settings settings = all_orders(64, {.nodes = 2000, .directions = 32});
   const Frame flat = render_frame(scene, settings);
   const DeepFrame deep(scene, settings, deep_error, flat);
   const double scale = rms(flat.beauty);
