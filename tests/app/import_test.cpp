@@ -201,14 +201,14 @@ class ImportTest : public QObject {
     auto* dialog = shown<VolumeDialog>(desk);
     QVERIFY(dialog);
     QCOMPARE(dialog->findChild<QComboBox*>("volume_grid")->currentText(), "density");
-    dialog->findChild<QSpinBox*>("volume_count")->setValue(30);
+    dialog->findChild<QSpinBox*>("volume_count")->setValue(8);
     dialog->findChild<QComboBox*>("volume_up")->setCurrentIndex(1);
     dialog->findChild<QLineEdit*>("volume_scale")->setText("2.5");
     click(*dialog, "import_volume");
     QCOMPARE(wait(desk), "");
-    QCOMPARE(last_step(document), "Import 30 Gaussians");
+    QCOMPARE(last_step(document), "Import 8 Gaussians");
     VolumeFit how;
-    how.options.count = 30;
+    how.options.count = 8;
     how.z_up = true;
     how.density_scale = 2.5;
     const auto fitted = fit_volume(smoke, how, {});
@@ -366,14 +366,14 @@ class ImportTest : public QObject {
     desk.import().import_sequence(smoke);
     auto* dialog = shown<VolumeDialog>(desk);
     QVERIFY(dialog);
-    dialog->findChild<QSpinBox*>("volume_count")->setValue(25);
+    dialog->findChild<QSpinBox*>("volume_count")->setValue(6);
     const fs::path folder = desk.file("made");
     dialog->findChild<QLineEdit*>("sequence_folder")->setText(to_qstring(folder));
     click(*dialog, "import_volume");
     QCOMPARE(wait(desk), "");
     QCOMPARE(desk.scene().sequences.size(), 1u);
     QCOMPARE(desk.scene().sequences[0].frames->size(), 2u);
-    QCOMPARE(read_gaussians(folder / "smoke_0026.ply").size(), 25u);
+    QCOMPARE(read_gaussians(folder / "smoke_0026.ply").size(), 6u);
     QCOMPARE(files_in(folder), 2u);
   }
 };

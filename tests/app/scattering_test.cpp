@@ -76,7 +76,7 @@ class ScatteringTest : public QObject {
   void initTestCase() { QSettings().remove("view/scattering"); }
 
   void all_orders_are_the_default_and_brighter_than_once() {
-    TestWindow window(dense_scene());
+    TestWindow window(dense_scene(), small);
     const FrameScheduler& frames = window->viewport().frames();
     QCOMPARE(window->findChild<QComboBox*>("scattering")->currentText(), "All orders");
     const auto shown_brightness = [&] { return brightness(frames.shown()->frame); };
@@ -133,7 +133,7 @@ class ScatteringTest : public QObject {
   }
 
   void few_sweeps_in_motion_and_convergence_at_rest() {
-    TestWindow window(dense_scene());
+    TestWindow window(dense_scene(), small);
     const FrameScheduler& frames = window->viewport().frames();
     std::vector<int> in_motion;
     connect(&frames, &FrameScheduler::frame_shown, this, [&] {
@@ -208,7 +208,7 @@ class ScatteringTest : public QObject {
   }
 
   void paths_hold_up_no_other_view() {
-    TestWindow window(dense_scene());
+    TestWindow window(dense_scene(), small);
     window->viewport().frames().set_mode(ViewMode::path_traced);
     window->views().show_four(true);
     QVERIFY(&window->views().active() == &window->viewport());
@@ -235,7 +235,7 @@ class ScatteringTest : public QObject {
   }
 
   void a_png_of_16_bits_is_exported() {
-    TestWindow window(dense_scene());
+    TestWindow window(dense_scene(), small);
     invoke(window, "file.export");
     auto* dialog = window->findChild<FrameDialog*>();
     QVERIFY(dialog);
@@ -256,7 +256,7 @@ class ScatteringTest : public QObject {
   }
 
   void a_path_traced_frame_is_exported() {
-    TestWindow window(dense_scene());
+    TestWindow window(dense_scene(), small);
     invoke(window, "file.export");
     auto* dialog = window->findChild<FrameDialog*>();
     QVERIFY(dialog);

@@ -15,8 +15,8 @@ using Json = nlohmann::json;
 // The error is of all of the light, against paths.
 TEST_F(CommandLine, MeasuresAllOrdersOfScattering) {
   const auto stats_of = [&](const char* scattering) {
-    expect_done({"render", scene_, "-o", file("o.exr"), "--stats", file("s.json"), "--size",
-                 "16x12", "--airlight", "sliced", "--scattering", scattering});
+    expect_done({"render", scene_, "-o", file("o.exr"), "--stats", file("s.json"), "--size", "8x6",
+                 "--airlight", "sliced", "--scattering", scattering});
     return Json::parse(content_of(folder_ / "s.json"));
   };
   const Json single = stats_of("single");

@@ -66,7 +66,7 @@ TEST_F(VolumeColorCommands, ExportAndFitGiveBackTheColours) {
   EXPECT_LT(std::sqrt(emission_squares / scale), 0.05);
 
   // Declined, they are not there.
-  const ProgramResult plain = expect_done({"fit", file("a.vdb"), "--count", "40", "--color", "none",
+  const ProgramResult plain = expect_done({"fit", file("a.vdb"), "--count", "4", "--color", "none",
                                            "--emission", "none", "-o", file("c.csv")});
   EXPECT_FALSE(Json::parse(plain.out).contains("extinction_error"));
   for (const Gaussian& g : read_gaussians(file("c.csv"))) EXPECT_EQ(g.optics, GaussianOptics());

@@ -86,7 +86,7 @@ std::vector<KindOfScene> make_rows() {
       {"300 Gaussians, depth 1", cloud_scene(300, 1.0), cloud, finest},
       {"300 Gaussians, depth 3", cloud_scene(300, 3.0), cloud, finest},
       {"300 Gaussians, depth 10", cloud_scene(300, 10.0), cloud, finest},
-      {"3,000 Gaussians, depth 10", cloud_scene(3000, 10.0), cloud, finest},
+      {"1,000 Gaussians, depth 10", cloud_scene(1000, 10.0), cloud, finest},
       {"light inside, depth 1", with_light_at(cloud_scene(300, 1.0), {0.2, 0.1, 0.3}), hard,
        finest},
       {"light inside, depth 3", with_light_at(cloud_scene(300, 3.0), {0.2, 0.1, 0.3}), hard,

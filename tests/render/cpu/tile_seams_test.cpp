@@ -35,7 +35,7 @@ TEST(TileSeams, RandomScenesStepNoMoreAtBordersThanWithinTiles) {
     for (unsigned seed = 1; seed <= 10; ++seed) {
       Scene scene = seam_scene(seed);
       if (scale == 1) scene.film = {120, 96};
-      const Frame reference = frame_of(scene, 128, 1);
+      const Frame reference = frame_of(scene, 64, 1);
       coarse.add(find_seams(frame_of(scene, 8, scale), reference, scale));
       fine.add(find_seams(frame_of(scene, 16, scale), reference, scale));
     }

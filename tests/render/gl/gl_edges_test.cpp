@@ -21,7 +21,7 @@ TEST_F(GlFrames, StepNoMoreAtBordersOfTilesThanWithin) {
     settings.airlight_scale = 4;
     const std::string name = "seed " + std::to_string(seed);
     seams.add(find_seams(render_on_device(scene, settings, name),
-                         render_frame(scene, sliced_settings({}, 128)), 4));
+                         render_frame(scene, sliced_settings({}, 64)), 4));
   }
   EXPECT_LT(seams.ratio(0.75), 2.5);
   EXPECT_LT(seams.ratio(0.9), 2.5);
