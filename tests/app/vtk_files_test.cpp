@@ -22,14 +22,14 @@ const std::vector<double> coordinates{0, 0, 0, 1, 2, 4};
 
 // The parts of a file of two points.
 struct Parts {
-  std::string before_root;
+  std::string before_root{};
   std::string root = R"(version="1.0" byte_order="LittleEndian" header_type="UInt32")";
   std::string piece = R"(NumberOfPoints="2")";
-  std::string arrays;  // of the points
+  std::string arrays{};  // of the points
   std::string points_type = "Float64";
   std::string points_format = R"(NumberOfComponents="3" format="ascii")";
   std::string points = "0 0 0 1 2 4";
-  std::string after_data;
+  std::string after_data{};
 
   [[nodiscard]] std::string text(const std::string& kind = "PolyData") const {
     const std::string cell_count = kind == "PolyData" ? "" : R"( NumberOfCells="0")";
@@ -85,138 +85,118 @@ std::string repeated(const std::string& text, int count) {
 
 struct Damage {
   const char* name;
-  std::function<void(Parts&)> change;
+  Parts parts{};
   std::function<std::string(std::string)> cut = {};  // of the text that comes of it
 };
 
-std::string appended(std::uint64_t offset, const std::string& data) {
-  return R"(NumberOfComponents="3" format="appended" offset=")" + std::to_string(offset) + "\"" +
-         data;
+std::string ascii(const char* components) {
+  return std::string("NumberOfComponents=\"") + components + R"(" format="ascii")";
+}
+
+std::string points_counted(const char* count) {
+  return std::string("NumberOfPoints=\"") + count + '"';
+}
+
+Parts in_base64(const std::string& points) {
+  return {.points_format = binary, .points = points};
+}
+
+Parts compressed_points(const std::string& points, const char* count = "2") {
+  return {
+      .root = zlib_root, .piece = points_counted(count), .points_format = binary, .points = points};
+}
+
+Parts appended_points(std::uint64_t offset, const std::string& data) {
+  return {.points_format =
+              R"(NumberOfComponents="3" format="appended" offset=")" + std::to_string(offset) + '"',
+          .points = "",
+          .after_data = data};
+}
+
+Parts with_entity(const std::string& entity, const char* points = "&a;") {
+  return {.before_root = "<!DOCTYPE z [" + entity + "]>", .points = points};
+}
+
+// Ten times as many of each as of the one before.
+std::string multiplying_entities() {
+  std::string entities = R"(<!ENTITY a "aaaaaaaaaaaaaaaaaaaaaaaaaa">)";
+  for (char c = 'b'; c < 'k'; ++c) {
+    entities += std::string("<!ENTITY ") + c + " \"" +
+                repeated(std::string("&") + static_cast<char>(c - 1) + ";", 10) + "\">";
+  }
+  return entities;
+}
+
+// Without all from one word to another.
+auto without(const std::string& first, const std::string& last) {
+  return [=](std::string text) {
+    const std::size_t begin = text.find(first);
+    return text.erase(begin, text.find(last) + last.size() - begin);
+  };
 }
 
 const std::vector<Damage>& damages() {
+  const std::string bytes = bytes_of(coordinates);
+  const auto header = [](const std::vector<std::uint32_t>& numbers) {
+    return base64(bytes_of(numbers));
+  };
   static const std::vector<Damage> all{
-      {"nested_deeply",
-       [](Parts& p) { p.after_data = repeated("<a>", 200'000) + repeated("</a>", 200'000); }},
-      {"nested_without_end", [](Parts& p) { p.after_data = repeated("<a>", 100'000); }},
-      {"nested_in_points",
-       [](Parts& p) { p.points = repeated("<a>", 100'000) + repeated("</a>", 100'000); }},
-      {"components_huge",
-       [](Parts& p) { p.points_format = R"(NumberOfComponents="1000000000" format="ascii")"; }},
+      {"nested_deeply", {.after_data = repeated("<a>", 200'000) + repeated("</a>", 200'000)}},
+      {"nested_without_end", {.after_data = repeated("<a>", 100'000)}},
+      {"nested_in_points", {.points = repeated("<a>", 100'000) + repeated("</a>", 100'000)}},
+      {"components_huge", {.points_format = ascii("1000000000")}},
       {"components_of_array_huge",
-       [](Parts& p) { p.arrays = array("radius", "1 1", R"(NumberOfComponents="1000000000")"); }},
-      {"components_zero",
-       [](Parts& p) { p.points_format = R"(NumberOfComponents="0" format="ascii")"; }},
-      {"components_negative",
-       [](Parts& p) { p.points_format = R"(NumberOfComponents="-3" format="ascii")"; }},
-      {"components_two",
-       [](Parts& p) { p.points_format = R"(NumberOfComponents="2" format="ascii")"; }},
-      {"points_huge", [](Parts& p) { p.piece = R"(NumberOfPoints="1000000000")"; }},
-      {"points_beyond_64_bits",
-       [](Parts& p) { p.piece = R"(NumberOfPoints="99999999999999999999999")"; }},
-      {"points_negative", [](Parts& p) { p.piece = R"(NumberOfPoints="-2")"; }},
-      {"points_no_number", [](Parts& p) { p.piece = R"(NumberOfPoints="two")"; }},
-      {"points_none", [](Parts& p) { p.piece = R"(NumberOfPoints="0")"; }},
-      {"points_unsaid", [](Parts& p) { p.piece = ""; }},
-      {"points_too_few", [](Parts& p) { p.piece = R"(NumberOfPoints="3")"; }},
-      {"coordinate_nan", [](Parts& p) { p.points = "nan 0 0 1 2 4"; }},
-      {"coordinate_infinite", [](Parts& p) { p.points = "0 0 0 1 2 inf"; }},
-      {"coordinate_too_far", [](Parts& p) { p.points = "0 0 0 1 2 1e300"; }},
-      {"coordinate_no_number", [](Parts& p) { p.points = "0 0 zero 1 2 4"; }},
-      {"radius_zero", [](Parts& p) { p.arrays = array("radius", "1 0"); }},
-      {"radius_nan", [](Parts& p) { p.arrays = array("radius", "nan 1"); }},
+       {.arrays = array("radius", "1 1", R"(NumberOfComponents="1000000000")")}},
+      {"components_zero", {.points_format = ascii("0")}},
+      {"components_negative", {.points_format = ascii("-3")}},
+      {"components_two", {.points_format = ascii("2")}},
+      {"points_huge", {.piece = points_counted("1000000000")}},
+      {"points_beyond_64_bits", {.piece = points_counted("99999999999999999999999")}},
+      {"points_negative", {.piece = points_counted("-2")}},
+      {"points_no_number", {.piece = points_counted("two")}},
+      {"points_none", {.piece = points_counted("0")}},
+      {"points_unsaid", {.piece = ""}},
+      {"points_too_few", {.piece = points_counted("3")}},
+      {"coordinate_nan", {.points = "nan 0 0 1 2 4"}},
+      {"coordinate_infinite", {.points = "0 0 0 1 2 inf"}},
+      {"coordinate_too_far", {.points = "0 0 0 1 2 1e300"}},
+      {"coordinate_no_number", {.points = "0 0 zero 1 2 4"}},
+      {"radius_zero", {.arrays = array("radius", "1 0")}},
+      {"radius_nan", {.arrays = array("radius", "nan 1")}},
       {"radius_of_two_numbers",
-       [](Parts& p) { p.arrays = array("radius", "1 1 1 1", R"(NumberOfComponents="2")"); }},
-      {"radius_too_short", [](Parts& p) { p.arrays = array("radius", "1"); }},
-      {"density_negative", [](Parts& p) { p.arrays = array("density", "1 -1"); }},
-      {"entities_that_multiply",
-       [](Parts& p) {
-         p.before_root = R"(<!DOCTYPE z [<!ENTITY a "aaaaaaaaaaaaaaaaaaaaaaaaaa">)";
-         for (char c = 'b'; c < 'k'; ++c) {
-           p.before_root += std::string("<!ENTITY ") + c + " \"" +
-                            repeated(std::string("&") + static_cast<char>(c - 1) + ";", 10) + "\">";
-         }
-         p.before_root += "]>";
-         p.points = "&j;";
-       }},
-      {"entity_of_itself",
-       [](Parts& p) {
-         p.before_root = R"(<!DOCTYPE z [<!ENTITY a "&a;">]>)";
-         p.points = "&a;";
-       }},
-      {"entity_of_another_file",
-       [](Parts& p) {
-         p.before_root = R"(<!DOCTYPE z [<!ENTITY a SYSTEM "/dev/zero">]>)";
-         p.points = "&a;";
-       }},
-      {"base64_bad", [](Parts& p) { p.points_format = binary, p.points = "!!!!####"; }},
-      {"base64_empty", [](Parts& p) { p.points_format = binary, p.points = ""; }},
-      {"binary_cut",
-       [](Parts& p) { p.points_format = binary, p.points = in_binary(48).substr(0, 40); }},
-      {"binary_longer_than_said",
-       [](Parts& p) {
-         p.points_format = binary, p.points = in_binary(0xfffffff0);
-         p.points.resize(20);
-       }},
-      {"binary_shorter_than_needed",
-       [](Parts& p) { p.points_format = binary, p.points = in_binary(40); }},
-      {"compressed_nothing",
-       [](Parts& p) { p.root = zlib_root, p.points_format = binary, p.points = ""; }},
-      {"compressed_damaged",
-       [](Parts& p) {
-         p.root = zlib_root, p.points_format = binary;
-         p.points =
-             base64(bytes_of(std::vector<std::uint32_t>{1, 48, 0, 12})) + base64("no zlib here");
-       }},
-      {"compressed_length_wrong",
-       [](Parts& p) {
-         p.root = zlib_root, p.points_format = binary,
-         p.points = compressed(bytes_of(coordinates), 40);
-       }},
+       {.arrays = array("radius", "1 1 1 1", R"(NumberOfComponents="2")")}},
+      {"radius_too_short", {.arrays = array("radius", "1")}},
+      {"density_negative", {.arrays = array("density", "1 -1")}},
+      {"entities_that_multiply", with_entity(multiplying_entities(), "&j;")},
+      {"entity_of_itself", with_entity(R"(<!ENTITY a "&a;">)")},
+      {"entity_of_another_file", with_entity(R"(<!ENTITY a SYSTEM "/dev/zero">)")},
+      {"base64_bad", in_base64("!!!!####")},
+      {"base64_empty", in_base64("")},
+      {"binary_cut", in_base64(in_binary(48).substr(0, 40))},
+      {"binary_longer_than_said", in_base64(in_binary(0xfffffff0).substr(0, 20))},
+      {"binary_shorter_than_needed", in_base64(in_binary(40))},
+      {"compressed_nothing", compressed_points("")},
+      {"compressed_damaged", compressed_points(header({1, 48, 0, 12}) + base64("no zlib here"))},
+      {"compressed_length_wrong", compressed_points(compressed(bytes, 40))},
       {"compressed_bomb",
-       [](Parts& p) {
-         p.root = zlib_root, p.points_format = binary, p.piece = R"(NumberOfPoints="40000000")";
-         p.points = compressed(std::string(100'000'000, '\0'), 960'000'000);
-       }},
-      {"compressed_blocks_huge",
-       [](Parts& p) {
-         p.root = zlib_root, p.points_format = binary;
-         p.points = base64(bytes_of(std::vector<std::uint32_t>{0xfffffff, 0xfffffff, 0, 9}));
-       }},
+       compressed_points(compressed(std::string(100'000'000, '\0'), 960'000'000), "40000000")},
+      {"compressed_blocks_huge", compressed_points(header({0xfffffff, 0xfffffff, 0, 9}))},
       {"compressor_unknown",
-       [](Parts& p) {
-         p.root = R"(version="1.0" byte_order="LittleEndian" compressor="vtkNoSuchCompressor")";
-         p.points_format = binary, p.points = compressed(bytes_of(coordinates), 48);
-       }},
+       {.root = R"(version="1.0" byte_order="LittleEndian" compressor="vtkNoSuchCompressor")",
+        .points_format = binary,
+        .points = compressed(bytes, 48)}},
       {"appended_beyond_the_end",
-       [](Parts& p) {
-         p.points_format = appended(1'000'000'000'000, ""), p.points = "";
-         p.after_data = R"(<AppendedData encoding="raw">_abc</AppendedData>)";
-       }},
-      {"appended_cut",
-       [](Parts& p) {
-         p.points_format = appended(0, ""), p.points = "";
-         p.after_data = R"(<AppendedData encoding="base64">_AA</AppendedData>)";
-       }},
-      {"appended_nowhere", [](Parts& p) { p.points_format = appended(0, ""), p.points = ""; }},
-      {"type_unknown", [](Parts& p) { p.points_type = "Float99"; }},
-      {"cut_in_the_middle", [](Parts&) {},
-       [](const std::string& text) { return text.substr(0, text.size() / 2); }},
-      {"cut_before_the_end", [](Parts&) {},
-       [](const std::string& text) { return text.substr(0, text.size() - 12); }},
-      {"no_xml", [](Parts&) {}, [](const std::string&) { return std::string("no XML"); }},
-      {"empty", [](Parts&) {}, [](const std::string&) { return std::string(); }},
-      {"zero_bytes", [](Parts&) {}, [](const std::string&) { return std::string(10'000, '\0'); }},
-      {"no_points", [](Parts&) {},
-       [](std::string text) {
-         const std::size_t at = text.find("<Points>");
-         return text.erase(at, text.find("</Points>") + 9 - at);
-       }},
-      {"no_piece", [](Parts&) {},
-       [](std::string text) {
-         const std::size_t at = text.find("<Piece");
-         return text.erase(at, text.find("</Piece>") + 8 - at);
-       }},
+       appended_points(1'000'000'000'000, R"(<AppendedData encoding="raw">_abc</AppendedData>)")},
+      {"appended_cut", appended_points(0, R"(<AppendedData encoding="base64">_AA</AppendedData>)")},
+      {"appended_nowhere", appended_points(0, "")},
+      {"type_unknown", {.points_type = "Float99"}},
+      {"cut_in_the_middle", {}, [](auto text) { return text.substr(0, text.size() / 2); }},
+      {"cut_before_the_end", {}, [](auto text) { return text.substr(0, text.size() - 12); }},
+      {"no_xml", {}, [](const auto&) { return "no XML"; }},
+      {"empty", {}, [](const auto&) { return ""; }},
+      {"zero_bytes", {}, [](const auto&) { return std::string(10'000, '\0'); }},
+      {"no_points", {}, without("<Points>", "</Points>")},
+      {"no_piece", {}, without("<Piece", "</Piece>")},
   };
   return all;
 }
@@ -250,10 +230,10 @@ class VtkFilesTest : public QObject {
     packed.root = zlib_root;
     packed.points = compressed(bytes_of(coordinates), 48);
     add("compressed", packed.text(), "a.vtp");
-    parts.after_data = "<AppendedData encoding=\"base64\">_" + parts.points + "</AppendedData>";
-    parts.points_format = appended(0, "");
-    parts.points = "";
-    add("appended", parts.text(), "a.vtp");
+    Parts behind = appended_points(
+        0, "<AppendedData encoding=\"base64\">_" + parts.points + "</AppendedData>");
+    behind.arrays = parts.arrays;
+    add("appended", behind.text(), "a.vtp");
   }
   void text_binary_compressed_and_appended_points_are_the_same() {
     QFETCH(QString, text);
@@ -280,9 +260,7 @@ class VtkFilesTest : public QObject {
     const auto damage = std::find_if(damages().begin(), damages().end(), [&](const Damage& d) {
       return row.startsWith(QString(d.name) + " of");
     });
-    Parts parts;
-    damage->change(parts);
-    std::string text = parts.text(kind.toStdString());
+    std::string text = damage->parts.text(kind.toStdString());
     if (damage->cut) text = damage->cut(std::move(text));
     const fs::path file = write(kind == "PolyData" ? "a.vtp" : "a.vtu", text);
     std::string problem;

@@ -68,7 +68,8 @@ class MalformedScene : public ::testing::Test {
 
   // A few by the program, which writes nothing; all of them, hundreds, by what it reads scenes
   // with.
-  void expect_each_refused(const std::vector<MalformedCase>& all) const {
+  void expect_each_refused(const std::vector<MalformedCase>& all, std::size_t at_least = 1) const {
+    ASSERT_GE(all.size(), at_least);
     const std::string scene = (folder_ / "scene/scene.brume").string();
     write("scene.brume", "");
     const std::size_t entries = folder_.entry_count();
@@ -108,15 +109,11 @@ TEST_F(MalformedScene, BaseSceneIsValid) {
 }
 
 TEST_F(MalformedScene, EachCaseIsRefusedInOneLine) {
-  const std::vector<MalformedCase> all = malformed_cases();
-  ASSERT_GE(all.size(), 80u);
-  expect_each_refused(all);
+  expect_each_refused(malformed_cases(), 80);
 }
 
 TEST_F(MalformedScene, EachValueOfACameraIsRefusedInOneLine) {
-  const std::vector<MalformedCase> all = malformed_fields<Camera>("camera", scene_with_camera);
-  ASSERT_GE(all.size(), 100u);
-  expect_each_refused(all);
+  expect_each_refused(malformed_fields<Camera>("camera", scene_with_camera), 100);
 }
 
 TEST_F(MalformedScene, EachValueOfTheMediumAndTheEnvironmentIsRefusedInOneLine) {
@@ -146,40 +143,27 @@ TEST_F(MalformedScene, EachValueOfScatteredCopiesIsRefusedInOneLine) {
 }
 
 TEST_F(MalformedScene, EachValueOfALightIsRefusedInOneLine) {
-  const std::vector<MalformedCase> all = malformed_lights();
-  ASSERT_GE(all.size(), 200u);
-  expect_each_refused(all);
+  expect_each_refused(malformed_lights(), 200);
 }
 
 TEST_F(MalformedScene, EachValueOfAnEmitterIsRefusedInOneLine) {
-  const std::vector<MalformedCase> all =
-      malformed_fields<Emitter>("medium.emitters[0]", scene_with_emitter);
-  ASSERT_GE(all.size(), 140u);
-  expect_each_refused(all);
+  expect_each_refused(malformed_fields<Emitter>("medium.emitters[0]", scene_with_emitter), 140);
 }
 
 TEST_F(MalformedScene, EachValueOfAPrimitiveIsRefusedInOneLine) {
-  const std::vector<MalformedCase> all = malformed_primitives();
-  ASSERT_GE(all.size(), 20u);
-  expect_each_refused(all);
+  expect_each_refused(malformed_primitives(), 20);
 }
 
 TEST_F(MalformedScene, EachValueOfAGroupIsRefusedInOneLine) {
-  const std::vector<MalformedCase> all = malformed_groups();
-  ASSERT_GE(all.size(), 90u);
-  expect_each_refused(all);
+  expect_each_refused(malformed_groups(), 90);
 }
 
 TEST_F(MalformedScene, EachValueOfAKeyframeIsRefusedInOneLine) {
-  const std::vector<MalformedCase> all = malformed_keys();
-  ASSERT_GE(all.size(), 60u);
-  expect_each_refused(all);
+  expect_each_refused(malformed_keys(), 60);
 }
 
 TEST_F(MalformedScene, EachValueOfASplineIsRefusedInOneLine) {
-  const std::vector<MalformedCase> all = malformed_splines();
-  ASSERT_GE(all.size(), 80u);
-  expect_each_refused(all);
+  expect_each_refused(malformed_splines(), 80);
 }
 
 TEST_F(MalformedScene, RefusesFoldersAndDevices) {
