@@ -50,8 +50,7 @@ void set_two_sided(Light& light, bool two_sided) {
 }
 
 Scene lit_by(const Light& light, double depth = 1.0) {
-  Scene scene = cloud_scene(12, depth);
-  scene.film = {32, 24};
+  Scene scene = on_film(cloud_scene(12, depth), {32, 24});
   scene.lights = {light};
   return scene;
 }
@@ -163,8 +162,8 @@ TEST(AreaLight, ReferenceIsTheIntegral) {
 TEST(AreaLight, SlicedAndMarchMatchTheReference) {
   for (const Shape shape : {Shape::rectangle, Shape::disk, Shape::sphere}) {
     for (const bool two_sided : {false, true}) {
-      Scene scene = lit_by(area_light(shape, {1.6, 1.2, 0.9}, 0.8, two_sided), 2.0);
-      scene.film = {8, 6};
+      Scene scene =
+          on_film(lit_by(area_light(shape, {1.6, 1.2, 0.9}, 0.8, two_sided), 2.0), {8, 6});
       const Frame truth = render_frame(scene, reference_settings(1e-4));
       for (const Settings& settings : {sliced(24), marched(200)}) {
         const Frame frame = render_frame(scene, settings);
@@ -179,9 +178,8 @@ TEST(AreaLight, SlicedAndMarchMatchTheReference) {
 // of a sphere, half of which face away, are the farthest apart.
 TEST(AreaLight, SlicedMatchesTheReferenceInFog) {
   for (const Shape shape : {Shape::rectangle, Shape::disk, Shape::sphere}) {
-    Scene scene = lit_by(area_light(shape, {1.6, 1.2, 0.9}, 0.8), 2.0);
-    scene.film = {8, 6};
-    scene.medium.set_homogeneous_density(0.05);
+    Scene scene =
+        in_fog(on_film(lit_by(area_light(shape, {1.6, 1.2, 0.9}, 0.8), 2.0), {8, 6}), 0.05);
     const double bound = shape == Shape::sphere ? 0.1 : 0.02;
     EXPECT_LT(airlight_error(scene, sliced(24), reference_settings(1e-4)), bound)
         << kind_info(scene.lights[0]).name;
@@ -201,9 +199,7 @@ TEST(AreaLight, LightsAWallAsInClosedForm) {
   constexpr double r = 0.3;
   constexpr double d = 1.2;
   for (const Shape shape : {Shape::disk, Shape::sphere}) {
-    Scene scene;
-    scene.film = {9, 9};
-    scene.camera = {{0.0, 0.0, 3.0}, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 0.5};
+    Scene scene = seen_by({{0.0, 0.0, 3.0}, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 0.5}, {9, 9});
     scene.surfaces = {wall(0.0, 1.0)};
     scene.lights = {area_light(shape, {0.0, 0.0, d}, 2.0 * r)};
     set_direction(scene.lights[0], {0.0, 0.0, -1.0});
@@ -222,9 +218,7 @@ TEST(AreaLight, LightsAWallAsInClosedForm) {
 // is h above it and d away, and the panel by its closed form over four corners. A pixel's noise is
 // an eighth of what it sees, or less; bright dots of single points would be off by half.
 TEST(AreaLight, PathsLightAFloorNextToItAsInClosedForm) {
-  Scene scene;
-  scene.film = {15, 15};
-  scene.camera = {{0.0, 0.0, 4.0}, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 30.0};
+  Scene scene = seen_by({{0.0, 0.0, 4.0}, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 30.0}, {15, 15});
   scene.surfaces = {wall(0.0, 10.0, 1.0)};
   const auto expect_radiance = [&scene](auto radiance) {
     const Frame frame = render_frame(scene, path_traced(256));
@@ -269,8 +263,7 @@ TEST(AreaLight, PathsLightAFloorNextToItAsInClosedForm) {
 
 // Scattered once and more often, seen by paths that know nothing of slices and grids.
 TEST(AreaLight, AllOrdersMatchPaths) {
-  Scene scene = lit_by(area_light(Shape::rectangle, {1.6, 1.2, 0.9}, 0.8), 3.0);
-  scene.film = {16, 12};
+  Scene scene = on_film(lit_by(area_light(Shape::rectangle, {1.6, 1.2, 0.9}, 0.8), 3.0), {16, 12});
   expect_all_orders_match_paths(scene, "rectangle");
 }
 
@@ -324,8 +317,7 @@ TEST(AreaLight, HardCasesStayFinite) {
     }
   };
   for (const Shape shape : {Shape::rectangle, Shape::disk, Shape::sphere}) {
-    Scene scene = lit_by(area_light(shape, {0.1, 0.0, 0.0}, 1e-6));
-    scene.film = {4, 3};
+    Scene scene = on_film(lit_by(area_light(shape, {0.1, 0.0, 0.0}, 1e-6)), {4, 3});
     expect_all_finite(scene, "tiny, in a Gaussian");
     scene.lights = {area_light(shape, {0.1, 0.0, 0.0}, 2e5)};
     expect_all_finite(scene, "larger than the scene");
@@ -344,9 +336,8 @@ TEST(AreaLight, HardCasesStayFinite) {
 
 // A panel and a ball next to a floor, without fog.
 Scene light_at_a_floor(const Light& light) {
-  Scene scene;
-  scene.film = {32, 24};
-  scene.camera = {.eye = {0.0, 3.0, 4.0}, .target = {0.0, 0.0, 0.0}, .vertical_fov = 30.0};
+  Scene scene =
+      seen_by({.eye = {0.0, 3.0, 4.0}, .target = {0.0, 0.0, 0.0}, .vertical_fov = 30.0}, {32, 24});
   scene.surfaces = {placed(Primitive::Shape::plane, {20.0, 1.0, 20.0}, {0.0, 0.0, 0.0})};
   scene.surfaces[0].material.reflectance = glm::dvec3(1.0);
   scene.lights = {light};

@@ -55,8 +55,7 @@ Surface box_with_copies() {
 
 // Above a floor in fog, lit from above.
 Scene scene_of(const std::vector<Surface>& surfaces) {
-  Scene scene = in_fog(cloud_scene(10, 0.5), 0.05);
-  scene.film = {32, 24};
+  Scene scene = on_film(in_fog(cloud_scene(10, 0.5), 0.05), {32, 24});
   scene.surfaces = {placed(Primitive::Shape::box, {8.0, 0.1, 8.0}, {0.0, -1.5, 0.0})};
   scene.surfaces.insert(scene.surfaces.end(), surfaces.begin(), surfaces.end());
   return scene;

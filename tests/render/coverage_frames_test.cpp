@@ -24,8 +24,7 @@ Scene with(Scene scene, std::vector<Surface> surfaces, double height = 1.0) {
 
 // The floor as seen from right above, without fog.
 Scene floor_from_above() {
-  Scene scene = lit_from_above();
-  scene.film = {9, 9};
+  Scene scene = on_film(lit_from_above(), {9, 9});
   scene.camera = {{0.3, 0.9, 0.2}, {0.3, 0.0, 0.2}, {0, 0, -1}, 20.0};
   return scene;
 }
@@ -111,8 +110,7 @@ TEST(CoverageFrames, PanesShowWhatIsBehind) {
 TEST(CoverageFrames, PanesInFogAreThoseOfPaths) {
   for (const Surface& hung : {pane(AlphaMode::opaque, 1.0, {0.9, 0.4, 0.1}),
                               pane(AlphaMode::blend, 0.5, glm::dvec3(0.0))}) {
-    Scene scene = in_fog(with(lit_from_above(), {hung}), 0.15);
-    scene.film = {12, 9};
+    Scene scene = on_film(in_fog(with(lit_from_above(), {hung}), 0.15), {12, 9});
     scene.optics.albedo = glm::dvec3(0.8);  // paths end sooner
     const Frame wanted = render_frame(scene, path_traced(128));
     const Frame frame = render_frame(scene, all_orders(24));
@@ -129,9 +127,7 @@ TEST(CoverageFrames, PanesInFogAreThoseOfPaths) {
 // A room with a dark window in bright fog, seen from within: the fog outside neither lights the
 // window's near side nor shines through it more than it lets through.
 TEST(CoverageFrames, WindowsKeepBrightFogOutOfRooms) {
-  Scene scene;
-  scene.film = {10, 10};
-  scene.camera = {{-1.5, 0, 0}, {2, 0, 0}, {0, 1, 0}, 50.0};
+  Scene scene = seen_by({{-1.5, 0, 0}, {2, 0, 0}, {0, 1, 0}, 50.0}, {10, 10});
   scene.medium.set_homogeneous_density(0.1);
   scene.lights = {{.intensity = {3, 3, 3}, .kind = light::Directional{{-1, -0.5, 0.2}, 0.0}}};
   for (const glm::dvec3& side :
@@ -183,8 +179,7 @@ TEST(CoverageFrames, SamplesOfPixelsSeeThroughPanes) {
 
 // Also in the middle of all surfaces, where coordinates have the most digits.
 TEST(CoverageFrames, PanesAreSeenOnceEverywhere) {
-  Scene scene = floor_from_above();
-  scene.film = {41, 41};
+  Scene scene = on_film(floor_from_above(), {41, 41});
   scene.camera = {{1.5, 1.0, 2.0}, {0, 0, 0}, {0, 1, 0}, 40.0};
   Surface veil = pane(AlphaMode::blend, 0.5, glm::dvec3(0.0));
   veil.material.metallic_roughness.base_color = glm::dvec3(0.0);

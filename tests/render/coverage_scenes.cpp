@@ -5,6 +5,7 @@
 
 #include "brume/primitive.h"
 #include "core/scene/materials/texture.h"
+#include "tests/render/test_scenes.h"
 
 namespace brume {
 namespace {
@@ -70,9 +71,7 @@ Surface pane(AlphaMode alpha, double opacity, const glm::dvec3& transmission) {
 }
 
 Scene lit_from_above() {
-  Scene scene;
-  scene.film = {48, 36};
-  scene.camera = {{2.5, 1.6, 4.0}, {0.0, 0.6, 0.0}, {0, 1, 0}, 40.0};
+  Scene scene = seen_by({{2.5, 1.6, 4.0}, {0.0, 0.6, 0.0}, {0, 1, 0}, 40.0}, {48, 36});
   scene.lights = {{.position = {0.3, 2.2, 0.2}, .intensity = {30, 30, 30}}};
   Surface floor = square(12.0);
   floor.material.type = Material::Type::diffuse;

@@ -27,8 +27,7 @@ Light sun(const glm::dvec3& direction, double angular_diameter = 0.0) {
 }
 
 Scene lit_by_sun(double depth = 1.0, double angular_diameter = 0.0) {
-  Scene scene = cloud_scene(30, depth);
-  scene.film = {32, 24};
+  Scene scene = on_film(cloud_scene(30, depth), {32, 24});
   scene.lights = {sun({-0.9, -1.4, -0.6}, angular_diameter)};
   return scene;
 }
@@ -54,8 +53,7 @@ double integral(const Scene& scene, const glm::dvec3& w, double end) {
 
 TEST(DirectionalLight, ReferenceIsTheIntegral) {
   for (const double b0 : {0.0, 0.05}) {
-    Scene scene = lit_by_sun();
-    scene.medium.set_homogeneous_density(b0);
+    Scene scene = in_fog(lit_by_sun(), b0);
     const Frame frame = render_frame(scene, reference_settings());
     const CameraRays rays(scene.camera, scene.film);
     for (const glm::ivec2 pixel : {glm::ivec2(16, 12), {13, 9}, {18, 6}, {2, 2}}) {
@@ -73,8 +71,7 @@ TEST(DirectionalLight, SlicedMatchesTheReference) {
   for (const double depth : {0.3, 3.0}) {
     for (const double b0 : {0.0, 0.05}) {
       for (const bool has_wall : {false, true}) {
-        Scene scene = lit_by_sun(depth);
-        scene.medium.set_homogeneous_density(b0);
+        Scene scene = in_fog(lit_by_sun(depth), b0);
         // In the way of some of the light; fewer pixels show too much of the shadow's edge.
         if (has_wall) {
           scene.surfaces = {wall(0.0, 0.4)};
@@ -94,8 +91,7 @@ TEST(DirectionalLight, SlicedMatchesTheReference) {
 
 TEST(DirectionalLight, MarchMatchesTheReference) {
   for (const double b0 : {0.0, 0.05}) {
-    Scene scene = lit_by_sun();
-    scene.medium.set_homogeneous_density(b0);
+    Scene scene = in_fog(lit_by_sun(), b0);
     EXPECT_LT(airlight_error(scene, marched(400), reference_settings()), 0.005);
   }
 }
@@ -115,9 +111,7 @@ TEST(DirectionalLight, AFarPointIsASun) {
 
 TEST(DirectionalLight, AllOrdersMatchPaths) {
   for (const double b0 : {0.0, 0.1}) {
-    Scene scene = lit_by_sun(3.0);
-    scene.film = {16, 12};
-    scene.medium.set_homogeneous_density(b0);
+    Scene scene = in_fog(on_film(lit_by_sun(3.0), {16, 12}), b0);
     scene.surfaces = {wall(-1.2, 1.5)};
     expect_all_orders_match_paths(scene, "b0 " + std::to_string(b0));
   }

@@ -42,8 +42,7 @@ void expect_same(const Scene& balls, const Settings& settings, const char* what,
 }
 
 TEST(Ellipsoids, ThatAreBallsRenderAsBalls) {
-  Scene scene = in_fog(cloud_scene(20, 2.0), 0.03);
-  scene.film = {16, 12};
+  Scene scene = on_film(in_fog(cloud_scene(20, 2.0), 0.03), {16, 12});
   scene.optics.anisotropy = 0.4;
   scene.surfaces.push_back(wall(-0.6, 1.2));
   expect_same(scene, brume::reference_settings(1e-4), "reference", 1e-6);
@@ -63,8 +62,7 @@ TEST(Ellipsoids, ThatAreBallsRenderAsBalls) {
 
 TEST(Ellipsoids, SlicedIsTheReference) {
   for (unsigned seed = 1; seed <= random_cases(6); ++seed) {
-    Scene scene = ellipsoid_scene(30, 2.0, 12.0, seed);
-    scene.film = {24, 24};
+    Scene scene = on_film(ellipsoid_scene(30, 2.0, 12.0, seed), {24, 24});
     const Frame reference = render_frame(scene, brume::reference_settings(1e-5));
     const Frame frame = render_frame(scene, sliced(32));
     EXPECT_LT(rel_rmse(frame.airlight, reference.airlight), 0.01) << seed;
@@ -84,8 +82,7 @@ TEST(Ellipsoids, AllOrdersMatchPaths) {
 // Flat layers and needles, the eye and a light among them.
 TEST(Ellipsoids, HardCasesAreFinite) {
   for (const double elongation : {100.0, 1000.0, 10000.0}) {
-    Scene scene = ellipsoid_scene(16, 3.0, elongation, 5);
-    scene.film = {16, 12};
+    Scene scene = on_film(ellipsoid_scene(16, 3.0, elongation, 5), {16, 12});
     scene.camera.eye = scene.medium.centers()[0];
     scene.lights[0].position = scene.medium.centers()[2];
     scene.surfaces.push_back(wall(-0.2, 0.8));

@@ -17,9 +17,7 @@ const glm::dvec3 emitted(8.0, 4.0, 2.0);
 
 // A bar above a floor, in thin fog; black but for what it emits.
 Scene bar_in_fog() {
-  Scene scene;
-  scene.camera = {.eye = {0.0, 1.2, 5.0}, .target = {0.0, 0.7, 0.0}};
-  scene.film = {24, 18};
+  Scene scene = seen_by({.eye = {0.0, 1.2, 5.0}, .target = {0.0, 0.7, 0.0}}, {24, 18});
   scene.optics.albedo = glm::dvec3(0.9);
   scene.surfaces = {placed(Primitive::Shape::plane, {8.0, 1.0, 8.0}, {0.0, 0.0, 0.0}),
                     placed(Primitive::Shape::box, {1.6, 0.2, 0.2}, {0.0, 1.2, -0.5})};

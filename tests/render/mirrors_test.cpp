@@ -24,9 +24,8 @@ void make_metal(Surface& surface, double base_color, double roughness) {
 
 // Boxes on a floor, lit from above.
 Scene boxes_on_a_floor() {
-  Scene scene;
-  scene.film = {48, 36};
-  scene.camera = {.eye = {0.0, 1.0, 4.0}, .target = {0.0, 0.2, 0.0}, .vertical_fov = 50.0};
+  Scene scene =
+      seen_by({.eye = {0.0, 1.0, 4.0}, .target = {0.0, 0.2, 0.0}, .vertical_fov = 50.0}, {48, 36});
   scene.surfaces = {placed(Primitive::Shape::plane, {12.0, 1.0, 12.0}, {0.0, 0.0, 0.0}),
                     placed(Primitive::Shape::box, {0.8, 1.0, 0.8}, {-0.8, 0.6, -0.5}),
                     placed(Primitive::Shape::box, {0.8, 1.6, 0.8}, {0.8, 0.9, -1.0})};
@@ -94,9 +93,8 @@ TEST(Mirrors, AreAsBrightInFogAsPathsHaveThem) {
 
 // A glowing wall and a gray sky around what is mirrored.
 Scene glowing_wall(Surface mirror, double roughness) {
-  Scene scene;
-  scene.film = {32, 24};
-  scene.camera = {.eye = {0.0, 1.2, 4.0}, .target = {0.0, 0.3, 0.0}, .vertical_fov = 40.0};
+  Scene scene =
+      seen_by({.eye = {0.0, 1.2, 4.0}, .target = {0.0, 0.3, 0.0}, .vertical_fov = 40.0}, {32, 24});
   scene.surfaces = {std::move(mirror),
                     placed(Primitive::Shape::box, {1.5, 3.0, 0.1}, {0.3, 1.6, -1.5})};
   make_metal(scene.surfaces[0], 0.9, roughness);
@@ -157,8 +155,7 @@ TEST(Mirrors, OfEachOtherEnd) {
 
 // A mirror adds as much to the airlight as paths have it.
 TEST(Mirrors, SendLightIntoTheFog) {
-  Scene scene = in_fog(boxes_on_a_floor(), 0.02);
-  scene.film = {24, 18};
+  Scene scene = on_film(in_fog(boxes_on_a_floor(), 0.02), {24, 18});
   scene.optics.albedo = glm::dvec3(0.8);  // paths end sooner
   scene.surfaces.resize(1);
   scene.camera = {.eye = {0.0, 2.0, 4.0}, .target = {0.0, 2.0, 0.0}, .vertical_fov = 30.0};

@@ -141,9 +141,8 @@ TEST(Orthographic, SlicedAndMarchedAreTheReferenceInFog) {
 // A wall 5 u before the plane of the eye, which looks along -z; 2.6 u high and 3.25 u wide are
 // seen.
 Scene before_a_wall_along_z() {
-  Scene scene;
-  scene.film = {40, 32};
-  scene.camera = {.eye = {0.3, -0.2, 4.0}, .target = {0.3, -0.2, 0.0}, .height = 2.6};
+  Scene scene =
+      seen_by({.eye = {0.3, -0.2, 4.0}, .target = {0.3, -0.2, 0.0}, .height = 2.6}, {40, 32});
   scene.surfaces.push_back(wall(-1.0, 9.0));
   return scene;
 }
@@ -233,8 +232,8 @@ TEST(Orthographic, SeesFromThePlaneOfTheEyeOn) {
 }
 
 TEST(Orthographic, AllOrdersMatchPaths) {
-  Scene scene = seen_in_parallel(in_fog(before_a_wide_wall(cloud_scene(24, 2.5)), 0.05));
-  scene.film = {15, 12};
+  Scene scene =
+      on_film(seen_in_parallel(in_fog(before_a_wide_wall(cloud_scene(24, 2.5)), 0.05)), {15, 12});
   expect_all_orders_match_paths(scene, "in parallel");
 }
 
@@ -272,8 +271,8 @@ TEST(Orthographic, HasNoPerspective) {
 }
 
 TEST(Orthographic, RegionsHaveTheBitsOfTheWhole) {
-  Scene scene = seen_in_parallel(in_fog(before_a_wide_wall(cloud_scene(30, 2.0)), 0.02));
-  scene.film = {150, 110};
+  Scene scene =
+      on_film(seen_in_parallel(in_fog(before_a_wide_wall(cloud_scene(30, 2.0)), 0.02)), {150, 110});
   for (const int samples : {1, 4}) {
     Settings settings = sliced(12);
     settings.airlight_scale = 4;
@@ -289,8 +288,8 @@ TEST(Orthographic, RegionsHaveTheBitsOfTheWhole) {
 
 // Interpolated airlight and several samples a pixel.
 TEST(Orthographic, SampledAndUpsampledFramesAreNear) {
-  Scene scene = seen_in_parallel(in_fog(before_a_wide_wall(cloud_scene(30, 2.0)), 0.02));
-  scene.film = {96, 80};
+  Scene scene =
+      on_film(seen_in_parallel(in_fog(before_a_wide_wall(cloud_scene(30, 2.0)), 0.02)), {96, 80});
   const Frame exact = render_frame(scene, sliced(24));
   Settings settings = sliced(24);
   settings.airlight_scale = 4;

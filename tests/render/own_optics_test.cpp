@@ -29,8 +29,7 @@ Scene with_optics(Scene scene, OpticsOf&& optics_of) {
 
 // Every third is red, every third blue.
 Scene coloured(double depth, int film_width = 24) {
-  Scene scene = cloud_scene(20, depth);
-  scene.film = {film_width, film_width * 3 / 4};
+  Scene scene = on_film(cloud_scene(20, depth), {film_width, film_width * 3 / 4});
   return with_optics(scene, [](std::size_t i) {
     return i % 3 == 0 ? GaussianOptics{red} : i % 3 == 1 ? GaussianOptics{blue} : GaussianOptics{};
   });
@@ -47,8 +46,7 @@ Scene glowing(double depth, int film_width = 24) {
 }
 
 Scene one_gaussian(double depth, const GaussianOptics& optics, double radius = 0.6) {
-  Scene scene = cloud_scene(1, 1.0);
-  scene.film = {24, 18};
+  Scene scene = on_film(cloud_scene(1, 1.0), {24, 18});
   scene.lights.clear();
   scene.medium = {};
   const double density = depth / (radius * std::sqrt(std::numbers::pi));
@@ -57,8 +55,7 @@ Scene one_gaussian(double depth, const GaussianOptics& optics, double radius = 0
 }
 
 TEST(OwnOptics, WhiteIsPlain) {
-  Scene plain = in_fog(cloud_scene(20, 2.0), 0.03);
-  plain.film = {24, 18};
+  Scene plain = on_film(in_fog(cloud_scene(20, 2.0), 0.03), {24, 18});
   plain.surfaces = {wall(-1.0, 1.5)};
   const Scene white =
       with_optics(plain, [](std::size_t) { return GaussianOptics{glm::dvec3(1.0)}; });
@@ -75,8 +72,7 @@ TEST(OwnOptics, WhiteIsPlain) {
 
 // A medium of one albedo is one whose Gaussians all have it.
 TEST(OwnOptics, TheSameForAllIsTheMediums) {
-  Scene medium = cloud_scene(20, 2.0);
-  medium.film = {24, 18};
+  Scene medium = on_film(cloud_scene(20, 2.0), {24, 18});
   medium.optics.albedo = {0.9, 0.6, 0.6};
   Scene own =
       with_optics(medium, [&](std::size_t) { return GaussianOptics{medium.optics.albedo}; });
@@ -301,8 +297,8 @@ TEST(OwnOptics, PathsFindSmallOnes) {
 // Fog far beside it, on grids as coarse as it is large: brighter by 64% where slices are as long as
 // it is far away.
 TEST(OwnOptics, EmissionLightsFogAround) {
-  Scene scene = in_fog(one_gaussian(0.01, {std::nullopt, glm::dvec3(2000.0)}, 0.3), 0.01);
-  scene.film = {6, 4};
+  Scene scene =
+      on_film(in_fog(one_gaussian(0.01, {std::nullopt, glm::dvec3(2000.0)}, 0.3), 0.01), {6, 4});
   scene.optics.albedo = glm::dvec3(0.9);  // paths end sooner
   scene.camera = {{0, 1, 5}, {1.5, 1, 0}, {0, 1, 0}, 15.0};
   const Frame truth = render_frame(scene, path_traced(4096));
@@ -339,8 +335,7 @@ TEST(OwnOptics, HardCasesAreFinite) {
   for (const double albedo : {1e-6, 1.0}) {
     for (const double emission : {0.0, 1e-20, 1e20}) {
       for (const double depth : {1e-9, 1.0, 1e8}) {
-        Scene scene = in_fog(cloud_scene(3, depth), depth > 1.0 ? 0.0 : 0.1);
-        scene.film = {8, 6};
+        Scene scene = on_film(in_fog(cloud_scene(3, depth), depth > 1.0 ? 0.0 : 0.1), {8, 6});
         scene.surfaces = {wall(-1.0, 1.5)};
         scene.optics.albedo = {1e-6, 1.0, 0.5};
         scene = with_optics(scene, [&](std::size_t i) {

@@ -47,9 +47,7 @@ std::vector<PlanCase> with_surfaces() {
 }  // namespace
 
 Scene PlanCase::scene() const {
-  Scene scene;
-  scene.film = {16, 12};
-  scene.camera = {{0, 0, 4}, {0, 0, 0}, {0, 1, 0}, 40.0};
+  Scene scene = seen_by({{0, 0, 4}, {0, 0, 0}, {0, 1, 0}, 40.0}, {16, 12});
   if (lights != Part::none) {
     scene.lights = {{{1, 2, 2}, {8, 8, 8}, {}}, {{-1, 2, 2}, {4, 4, 4}, {}}};
     if (lights == Part::idle) {

@@ -19,8 +19,7 @@ namespace {
 
 Scene lit(const LightProfile& profile, const Light::Kind& kind = light::Point(),
           double depth = 1.0) {
-  Scene scene = cloud_scene(30, depth);
-  scene.film = {16, 12};
+  Scene scene = on_film(cloud_scene(30, depth), {16, 12});
   scene.lights = {{{0.4, 1.2, 0.3}, {6.0, 5.0, 4.0}, kind}};
   *profile_member(scene.lights[0]) = profile;
   return scene;
@@ -63,8 +62,8 @@ TEST(ProfileLight, SlicedMatchesTheReference) {
   const light::Spot cone{{-0.4, -1.2, -0.5}, 20.0, 35.0};
   for (const bool in_cone : {false, true}) {
     for (const double depth : {0.3, 3.0}) {
-      Scene scene = lit(lobed_profile(40.0), in_cone ? Light::Kind(cone) : light::Point(), depth);
-      scene.medium.set_homogeneous_density(0.05);
+      Scene scene = in_fog(
+          lit(lobed_profile(40.0), in_cone ? Light::Kind(cone) : light::Point(), depth), 0.05);
       scene.surfaces = {wall(-1.0, 2.0)};
       const Frame truth = render_frame(scene, reference_settings(1e-4));
       const Frame frame = render_frame(scene, sliced(24));
@@ -80,8 +79,7 @@ TEST(ProfileLight, MarchMatchesTheReference) {
 }
 
 TEST(ProfileLight, AllOrdersMatchPaths) {
-  Scene scene = lit(lobed_profile(0.0), light::Point(), 3.0);
-  scene.film = {16, 12};
+  Scene scene = on_film(lit(lobed_profile(0.0), light::Point(), 3.0), {16, 12});
   scene.surfaces = {wall(-1.2, 1.5)};
   expect_all_orders_match_paths(scene, "profile");
 }
@@ -109,8 +107,7 @@ TEST(ProfileLight, HardCasesAreFinite) {
                                    profile({0.0}, {1e-20})};
   Settings small_grid = all_orders(8, {.nodes = 1000, .directions = 32});
   for (const LightProfile& p : profiles) {
-    Scene scene = lit(p, light::Point(), 5.0);
-    scene.film = {8, 6};
+    Scene scene = on_film(lit(p, light::Point(), 5.0), {8, 6});
     scene.surfaces = {wall(-1.0, 2.0)};
     for (const glm::dvec3& position : {glm::dvec3(0.0), scene.camera.eye, glm::dvec3(0.0, 0.0, 2.0),
                                        glm::dvec3(0.0, 1e6, 0.0), glm::dvec3(0.0, 0.0, -1.0)}) {
@@ -127,9 +124,7 @@ TEST(BeamPictures, SlicedMatchesTheReference) {
   light::Spot spot{{-0.4, -1.2, -0.5}, 33.0, 35.0};
   for (const auto& content : {quadrants_picture(), disc_picture()}) {
     spot.texture = {.file = "a.png", .content = content, .rotation = 20.0, .focus = 0.9};
-    Scene scene = lit({}, spot);
-    scene.film = {32, 24};
-    scene.medium.set_homogeneous_density(0.05);
+    Scene scene = in_fog(on_film(lit({}, spot), {32, 24}), 0.05);
     scene.surfaces = {wall(-1.0, 2.0)};
     const Frame truth = render_frame(scene, reference_settings(1e-3));
     const Frame frame = render_frame(scene, sliced(24));

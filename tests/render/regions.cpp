@@ -29,11 +29,7 @@ Scene scene_of(unsigned seed, const Film& film) {
   Scene scene = random_fog_scene(seed);
   scene.film = film;
   if (seed % 2 == 0) {
-    Surface ball;
-    ball.mesh = ball_mesh(24);
-    ball.scale = 0.7;
-    ball.translate = scene.camera.target;
-    scene.surfaces.push_back(ball);
+    scene.surfaces.push_back(ball_surface(24, 0.7, scene.camera.target));
   }
   if (seed % 3 == 0 && !scene.environment) scene.environment = even_sky(0.3f);
   return scene;

@@ -70,8 +70,7 @@ TEST(Regions, OfRequestsHaveTheBitsOfTheWholePicture) {
   layers.lights = layers.optical_depth = layers.planar_depth = layers.normal = layers.albedo = true;
   layers.position = layers.motion = layers.objects = true;
   for (const unsigned seed : {1u, 2u}) {
-    Scene scene = cloud_scene(12, 2.0, seed);
-    scene.film = {420, 61};
+    Scene scene = on_film(cloud_scene(12, 2.0, seed), {420, 61});
     scene.surfaces.push_back(wall(-0.5, 1.0));
     RenderRequest request{.max_error = seed == 1 ? 0.05 : 0.02,
                           .scattering = Scattering::single,

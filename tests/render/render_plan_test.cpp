@@ -219,8 +219,7 @@ TEST(RenderPlan, RaysAreCastAtHolesAndPanes) {
 }
 
 TEST(RenderPlan, IsSharedByAlbedoGroups) {
-  Scene scene = cloud_scene(3, 1.0);
-  scene.film = {16, 12};
+  Scene scene = on_film(cloud_scene(3, 1.0), {16, 12});
   scene.optics.albedo = {0.9, 0.5, 0.2};
   const RenderPlan plan(scene, scene.film, paper_settings);
   const FrameStatistics statistics = render_frame(scene, paper_settings).statistics;

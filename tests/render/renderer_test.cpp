@@ -18,8 +18,7 @@ namespace brume {
 namespace {
 
 Scene busy_scene() {
-  Scene scene = cloud_scene(80, 2.0);
-  scene.medium.set_homogeneous_density(0.02);
+  Scene scene = in_fog(cloud_scene(80, 2.0), 0.02);
   scene.lights.push_back({{-3, 2, 3}, {3, 5, 8}, {}});
   scene.surfaces.push_back(wall(-1.0, 2.0));
   scene.film = {48, 40};
@@ -31,9 +30,7 @@ std::size_t center_pixel(const Frame& frame) {
 }
 
 TEST(Renderer, DiffuseWallHasTheRadianceItShould) {
-  Scene scene;
-  scene.camera = {{0, 0, 3}, {0, 0, 0}, {0, 1, 0}, 10.0};
-  scene.film = {21, 21};
+  Scene scene = seen_by({{0, 0, 3}, {0, 0, 0}, {0, 1, 0}, 10.0}, {21, 21});
   scene.lights.push_back({{1.5, 0, 2}, {50, 20, 10}, {}});
   scene.surfaces.push_back(wall(0.0, 1.0, 0.8));
   const double d2 = 1.5 * 1.5 + 2.0 * 2.0;
@@ -66,9 +63,7 @@ TEST(Renderer, DiffuseWallHasTheRadianceItShould) {
 }
 
 TEST(Renderer, SurfacesCastShadows) {
-  Scene scene;
-  scene.camera = {{0, 0, 6}, {0, 0, 0}, {0, 1, 0}, 30.0};
-  scene.film = {31, 31};
+  Scene scene = seen_by({{0, 0, 6}, {0, 0, 0}, {0, 1, 0}, 30.0}, {31, 31});
   scene.lights.push_back({{0, 4, 4}, {50, 50, 50}, {}});
   scene.surfaces.push_back(wall(0.0, 3.0));
   const Frame open = render_frame(scene, paper_settings);
@@ -81,14 +76,8 @@ TEST(Renderer, SurfacesCastShadows) {
 }
 
 TEST(Renderer, SurfacesArePlacedByTheirTransform) {
-  Scene scene;
-  scene.camera = {{0, 0, 10}, {0, 0, 0}, {0, 1, 0}, 10.0};
-  scene.film = {9, 9};
-  Surface ball;
-  ball.mesh = ball_mesh(64);
-  ball.scale = 2.0;
-  ball.translate = {0, 0, 1};
-  scene.surfaces.push_back(ball);
+  Scene scene = seen_by({{0, 0, 10}, {0, 0, 0}, {0, 1, 0}, 10.0}, {9, 9});
+  scene.surfaces.push_back(ball_surface(64, 2.0, {0, 0, 1}));
   EXPECT_NEAR(
       render_frame(scene, paper_settings).depth[center_pixel(render_frame(scene, paper_settings))],
       7.0, 1e-2);
@@ -130,8 +119,7 @@ TEST(Renderer, ReusesOnlyUnchangedData) {
 }
 
 TEST(Renderer, StopsOnRequest) {
-  Scene scene = cloud_scene(300, 3.0);
-  scene.film = {1024, 1024};
+  Scene scene = on_film(cloud_scene(300, 3.0), {1024, 1024});
   Settings settings;
   settings.airlight = AirlightMethod::reference;  // minutes, if it went on
   std::stop_source source;
@@ -147,8 +135,7 @@ TEST(Renderer, StopsOnRequest) {
 }
 
 TEST(Renderer, LightsSwitchedOffAreAsIfNotThere) {
-  Scene scene = busy_scene();
-  scene.film = {16, 16};
+  Scene scene = on_film(busy_scene(), {16, 16});
   scene.lights = {{{2, 3, 2}, {10, 10, 10}, {}}, {{-2, 1, 3}, {1, 5, 9}, {}}};
   Scene one = scene;
   scene.lights[1].on = false;
@@ -172,8 +159,7 @@ TEST(Renderer, CountsPairs) {
   EXPECT_GT(frame.statistics.view_pairs, 0u);
   EXPECT_LE(frame.statistics.view_pairs, 80u * 48u * 40u + 80u * 80u);
 
-  Scene small = busy_scene();
-  small.film = {6, 5};
+  Scene small = on_film(busy_scene(), {6, 5});
   Settings reference;
   reference.airlight = AirlightMethod::reference;
   const FrameStatistics counted = render_frame(small, reference).statistics;

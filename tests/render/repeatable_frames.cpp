@@ -19,8 +19,7 @@ constexpr int frame_count = 5;
 
 // A few Gaussians of many move, as in an edit, so that a renderer could patch what it has.
 Scene scene_at(int frame) {
-  Scene scene = cloud_scene(60, 2.0);
-  scene.film = {37, 29};
+  Scene scene = on_film(cloud_scene(60, 2.0), {37, 29});
   scene.camera.eye += glm::dvec3(0.3 * frame, 0.1 * frame, -0.05 * frame);
   scene.medium.set_homogeneous_density(0.02);
   scene.environment = even_sky(0.3f);
@@ -29,11 +28,7 @@ Scene scene_at(int frame) {
   light.intensity = {3.0, 4.0, 5.0};
   scene.lights.push_back(light);
   scene.surfaces.push_back(wall(-1.0, 2.0));
-  Surface ball;
-  ball.mesh = ball_mesh(16);
-  ball.scale = 0.4;
-  ball.translate = {0.1 * (frame / 3), -0.5, 0.3};
-  scene.surfaces.push_back(ball);
+  scene.surfaces.push_back(ball_surface(16, 0.4, {0.1 * (frame / 3), -0.5, 0.3}));
   const std::vector<GaussianId> ids{scene.medium.ids()[2], scene.medium.ids()[30]};
   std::vector<Gaussian> moved{scene.medium.gaussian(2), scene.medium.gaussian(30)};
   moved[0].center.x += 0.07 * frame;

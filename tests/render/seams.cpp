@@ -102,10 +102,7 @@ Scene seam_scene(unsigned seed) {
   if (seed % 2 == 0) scene.medium.set_homogeneous_density(random.power(-2.0, -0.7));
   if (seed % 4 == 1) scene.optics.noise.amplitude = 0.3;
   if (seed % 3 == 0) {
-    Surface& ball = scene.surfaces.emplace_back();
-    ball.mesh = ball_mesh(32);
-    ball.scale = 0.4;
-    ball.translate = random.point(0.7);
+    scene.surfaces.push_back(ball_surface(32, 0.4, random.point(0.7)));
   }
   scene.film = {320, 256};
   return scene;

@@ -19,8 +19,7 @@ namespace brume {
 namespace {
 
 Scene lit_by_spot(const light::Spot& cone, double depth = 1.0) {
-  Scene scene = cloud_scene(30, depth);
-  scene.film = {32, 24};
+  Scene scene = on_film(cloud_scene(30, depth), {32, 24});
   scene.lights = {{{0.9, 1.4, 0.6}, {6.0, 5.0, 4.0}, cone}};
   return scene;
 }
@@ -60,8 +59,7 @@ double integral(const Scene& scene, const glm::dvec3& w, double begin, double en
 
 TEST(SpotLight, ReferenceIsTheIntegral) {
   for (const light::Spot& cone : {smooth, sharp, wide}) {
-    Scene scene = lit_by_spot(cone);
-    scene.medium.set_homogeneous_density(0.05);
+    Scene scene = in_fog(lit_by_spot(cone), 0.05);
     const Frame frame = render_frame(scene, reference_settings());
     const CameraRays rays(scene.camera, scene.film);
     for (const glm::ivec2 pixel : {glm::ivec2(16, 12), {13, 9}, {18, 6}, {20, 14}}) {
@@ -78,9 +76,7 @@ TEST(SpotLight, SlicedMatchesTheReference) {
   for (const light::Spot& cone : {smooth, sharp, wide}) {
     for (const double depth : {0.3, 3.0}) {
       for (const double b0 : {0.0, 0.05}) {
-        Scene scene = lit_by_spot(cone, depth);
-        scene.film = {16, 12};
-        scene.medium.set_homogeneous_density(b0);
+        Scene scene = in_fog(on_film(lit_by_spot(cone, depth), {16, 12}), b0);
         EXPECT_LT(airlight_error(scene, sliced(24), reference_settings()), 0.01)
             << cone.outer_angle << " depth " << depth << " b0 " << b0;
       }
@@ -91,9 +87,7 @@ TEST(SpotLight, SlicedMatchesTheReference) {
 // The lights of a street stand a few centimetres off some rays: slices span wide angles at them,
 // over which cones and peaks of the phase function pass.
 TEST(SpotLight, LightsBesideRaysMatchTheReference) {
-  Scene scene;
-  scene.camera = {{1.0, 1.7, 22.0}, {0.0, 3.0, -10.0}, {0.0, 1.0, 0.0}, 55.0};
-  scene.film = {16, 12};
+  Scene scene = seen_by({{1.0, 1.7, 22.0}, {0.0, 3.0, -10.0}, {0.0, 1.0, 0.0}, 55.0}, {16, 12});
   scene.medium.set_homogeneous_density(0.03);
   const light::Spot downwards{{0.1, -1.0, 0.0}, 30.0, 70.0};
   light::Disk disk{.direction = {0.1, -1.0, 0.0}};
@@ -120,8 +114,7 @@ TEST(SpotLight, LightsBesideRaysMatchTheReference) {
 TEST(SpotLight, NarrowBeamsAreTheIntegral) {
   for (const auto& [inner, outer] :
        {std::pair{2.9, 3.0}, {1.5, 1.9}, {0.5, 1.0}, {1.0, 1.0}, {0.02, 0.05}}) {
-    Scene scene = lit_by_spot({towards_cloud, inner, outer});
-    scene.film = {1, 1};
+    Scene scene = on_film(lit_by_spot({towards_cloud, inner, outer}), {1, 1});
     scene.camera.vertical_fov = 0.01;
     const double distance = glm::length(scene.camera.target - scene.camera.eye);
     const double half_width = 0.1 * outer;
@@ -144,9 +137,7 @@ TEST(SpotLight, NarrowSpotsAreFullOnTheirAxis) {
                                      {0.4, 0.5},
                                      {0.3, 0.3},
                                      {0.02, 0.05}}) {
-    Scene scene;
-    scene.film = {1, 1};
-    scene.camera = {{0.0, 0.0, 9.0}, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 0.001};
+    Scene scene = seen_by({{0.0, 0.0, 9.0}, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 0.001}, {1, 1});
     scene.surfaces = {wall(0.0, 10.0, 1.0)};
     scene.lights = {
         {{0.0, 0.0, 10.0}, glm::dvec3(1000.0), light::Spot{{0.0, 0.0, -1.0}, inner, outer}}};
@@ -176,8 +167,7 @@ TEST(SpotLight, OfAllDirectionsIsAPointLight) {
 
 TEST(SpotLight, AllOrdersMatchPaths) {
   for (const light::Spot& cone : {smooth, wide}) {
-    Scene scene = lit_by_spot(cone, 3.0);
-    scene.film = {16, 12};
+    Scene scene = on_film(lit_by_spot(cone, 3.0), {16, 12});
     scene.surfaces = {wall(-1.2, 1.5)};
     expect_all_orders_match_paths(scene, "to " + std::to_string(cone.outer_angle) + " degrees");
   }
@@ -185,8 +175,7 @@ TEST(SpotLight, AllOrdersMatchPaths) {
 
 // A narrow beam far away keeps its power on a coarse grid.
 TEST(SpotLight, NarrowBeamsAreNotLostBetweenNodes) {
-  Scene scene = cloud_scene(5, 2.0);
-  scene.film = {12, 9};
+  Scene scene = on_film(cloud_scene(5, 2.0), {12, 9});
   scene.lights = {{{0.0, 40.0, 0.0}, glm::dvec3(4000.0), light::Spot{{0.0, -1.0, 0.0}, 0.05, 0.1}}};
   const double expected = mean_airlight(scene, path_traced(4096));
   EXPECT_NEAR(mean_airlight(scene, all_orders(24)), expected, 0.05 * expected);
@@ -217,8 +206,7 @@ TEST(PaperLights, AreIsotropicPointsOnly) {
 
 // Grazing, pointing away, closed, in the eye, inside a Gaussian, along a ray.
 TEST(SpotLight, HardCasesAreFinite) {
-  Scene scene = lit_by_spot(smooth, 5.0);
-  scene.film = {8, 6};
+  Scene scene = on_film(lit_by_spot(smooth, 5.0), {8, 6});
   scene.surfaces = {wall(-1.0, 2.0)};
   Settings small_grid = all_orders(8, {.nodes = 1000, .directions = 32});
   for (const glm::dvec3& position :

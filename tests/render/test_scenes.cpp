@@ -79,6 +79,18 @@ Surface placed(Primitive::Shape shape, const glm::dvec3& size, const glm::dvec3&
   return surface;
 }
 
+Scene seen_by(const Camera& camera, const Film& film) {
+  Scene scene;
+  scene.camera = camera;
+  scene.film = film;
+  return scene;
+}
+
+Scene on_film(Scene scene, const Film& film) {
+  scene.film = film;
+  return scene;
+}
+
 Surface wall(double z, double half, double reflectance) {
   const auto h = static_cast<float>(half);
   const auto z_plane = static_cast<float>(z);
@@ -125,6 +137,14 @@ std::shared_ptr<const TriangleMesh> ball_mesh(int rings) {
     }
   }
   return to_mesh(mesh);
+}
+
+Surface ball_surface(int rings, double radius, const glm::dvec3& center) {
+  Surface surface;
+  surface.mesh = ball_mesh(rings);
+  surface.scale = radius;
+  surface.translate = center;
+  return surface;
 }
 
 std::shared_ptr<const RadianceMap> constant_sky(float radiance) {

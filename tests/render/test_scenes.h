@@ -22,6 +22,11 @@ Scene ellipsoid_scene(int count, double depth, double elongation, unsigned seed 
 // With homogeneous density `b0`, 1/u.
 Scene in_fog(Scene scene, double b0);
 
+// Nothing, seen by a camera.
+Scene seen_by(const Camera& camera, const Film& film);
+// With a film of so many pixels.
+Scene on_film(Scene scene, const Film& film);
+
 // Two triangles across z = `z`, from -`half` to `half` in x and y, facing +z.
 Surface wall(double z, double half, double reflectance = 0.5);
 
@@ -35,6 +40,7 @@ Surface placed(Primitive::Shape shape, const glm::dvec3& size, const glm::dvec3&
 
 // A tessellated unit ball.
 std::shared_ptr<const TriangleMesh> ball_mesh(int rings);
+Surface ball_surface(int rings, double radius, const glm::dvec3& center = {});
 
 // A sky that is the same everywhere.
 std::shared_ptr<const RadianceMap> constant_sky(float radiance);

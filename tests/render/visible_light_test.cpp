@@ -44,9 +44,8 @@ Material metal(double base_color, double roughness) {
 
 // Both above a floor before a wall.
 Scene lights_above_a_floor() {
-  Scene scene;
-  scene.film = {64, 48};
-  scene.camera = {.eye = {0.0, 1.0, 5.0}, .target = {0.0, 0.7, 0.0}, .vertical_fov = 42.0};
+  Scene scene =
+      seen_by({.eye = {0.0, 1.0, 5.0}, .target = {0.0, 0.7, 0.0}, .vertical_fov = 42.0}, {64, 48});
   scene.surfaces = {placed(Primitive::Shape::plane, {12.0, 1.0, 12.0}, {0.0, 0.0, 0.0}),
                     placed(Primitive::Shape::box, {12.0, 8.0, 0.1}, {0.0, 4.0, -2.0})};
   scene.lights = {panel(), ball()};
@@ -192,8 +191,7 @@ TEST(VisibleLights, LookLikeSurfacesThatEmit) {
 
 // All else is as it is without: what lights look like is no part of what they light.
 TEST(VisibleLights, ChangeOnlyThePixelsThatSeeThem) {
-  Scene clear = lights_above_a_floor();
-  clear.film = {36, 27};
+  Scene clear = on_film(lights_above_a_floor(), {36, 27});
   const Scene foggy = in_fog(clear, 0.2);
   const std::vector<int> seen = seen_lights(clear);
   Settings settings = all_orders(24, {.nodes = 2000, .directions = 32});
@@ -241,8 +239,7 @@ double mean(const Frame& frame, int first_row) {
 // The lower half shows a floor, from a mirror to a lacquer of some color.
 TEST(VisibleLights, AreInMirrorsAsPathsHaveThem) {
   for (const auto& [roughness, metallic] : {std::pair(0.0, 1.0), {0.3, 0.0}}) {
-    Scene scene = in_fog(lights_above_a_floor(), 0.05);
-    scene.film = {24, 18};
+    Scene scene = on_film(in_fog(lights_above_a_floor(), 0.05), {24, 18});
     scene.optics.albedo = glm::dvec3(0.9);  // paths end sooner
     scene.surfaces[0].material = metal(0.5, roughness);
     scene.surfaces[0].material.metallic_roughness.metallic = metallic;
@@ -257,8 +254,7 @@ TEST(VisibleLights, AreInMirrorsAsPathsHaveThem) {
 // A lacquer without blue and green keeps the red that it scatters below a light that is black
 // there.
 TEST(VisibleLights, HideWhatHighlightsMirrorAndNothingElse) {
-  Scene scene = lights_above_a_floor();
-  scene.film = {16, 12};
+  Scene scene = on_film(lights_above_a_floor(), {16, 12});
   scene.lights = {panel()};
   scene.lights[0].intensity = glm::dvec3(1e-3);
   scene.surfaces[0].material = metal(1.0, 0.3);

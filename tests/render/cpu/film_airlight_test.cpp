@@ -23,8 +23,7 @@ Settings at_scale(int scale, AirlightMethod method = AirlightMethod::sliced, int
 
 // Far fog, seen past posts that are thinner than the distance between samples, and a ball.
 Scene posts_before_fog() {
-  Scene scene = cloud_scene(40, 2.0);
-  scene.film = {160, 120};
+  Scene scene = on_film(cloud_scene(40, 2.0), {160, 120});
   // From behind: what the posts shade is not in the fog.
   scene.lights[0].position = {1.0, 2.0, -3.0};
   for (const double x : {-0.9, -0.41, 0.03, 0.52, 0.97}) {
@@ -36,11 +35,7 @@ Scene posts_before_fog() {
       scene.surfaces.push_back(post);
     }
   }
-  Surface ball;
-  ball.mesh = ball_mesh(24);
-  ball.scale = 0.35;
-  ball.translate = {-0.2, 0.2, 0.3};
-  scene.surfaces.push_back(ball);
+  scene.surfaces.push_back(ball_surface(24, 0.35, {-0.2, 0.2, 0.3}));
   return scene;
 }
 
@@ -79,8 +74,7 @@ TEST(AirlightScale, ThinObjectsBeforeFarFogHaveNoHalo) {
 }
 
 TEST(AirlightScale, SmoothFogIsAlmostAllInterpolated) {
-  Scene scene = cloud_scene(10, 1.0);
-  scene.film = {320, 240};
+  Scene scene = on_film(cloud_scene(10, 1.0), {320, 240});
   const Frame full = render_frame(scene, at_scale(1));
   const Frame frame = render_frame(scene, at_scale(4));
   EXPECT_LT(errors(frame.airlight, full.airlight).relative_rmse, 0.004);
@@ -90,17 +84,13 @@ TEST(AirlightScale, SmoothFogIsAlmostAllInterpolated) {
 // Steps of a stair, each in front of the next, and a ball: pixels next to a depth edge are
 // extrapolated from samples on their side of it.
 TEST(AirlightScale, EdgesAreUpsampledFromTheirOwnSide) {
-  Scene scene = cloud_scene(10, 1.0);
-  scene.film = {480, 360};
+  Scene scene = on_film(cloud_scene(10, 1.0), {480, 360});
   for (int k = 0; k < 12; ++k) {
     Surface step = wall(1.2, 0.1, 0.8 - 0.15 * k);
     step.translate = {0.0, 0.2 * k - 1.1, 0.0};
     scene.surfaces.push_back(step);
   }
-  Surface& ball = scene.surfaces.emplace_back();
-  ball.mesh = ball_mesh(48);
-  ball.scale = 0.35;
-  ball.translate = {0.6, 0.1, 1.2};
+  scene.surfaces.push_back(ball_surface(48, 0.35, {0.6, 0.1, 1.2}));
   scene.lights[0].position = {-2.0, 3.0, 4.0};
   // Slicing differs most where steps cast shadows, by up to 4% in a pixel at 64 slices.
   Settings settings = at_scale(4, AirlightMethod::sliced, 128);
@@ -118,8 +108,7 @@ TEST(AirlightScale, EdgesAreUpsampledFromTheirOwnSide) {
 
 // The last column and row are samples too, wherever they fall.
 TEST(AirlightScale, AnyFilmIsCovered) {
-  Scene scene = posts_before_fog();
-  scene.medium.set_homogeneous_density(0.01);
+  Scene scene = in_fog(posts_before_fog(), 0.01);
   for (const int width : {1, 2, 5, 9}) {
     for (const int height : {1, 4, 8}) {
       scene.film = {width, height};

@@ -17,8 +17,7 @@ struct MarchedScene {
 constexpr double culling_error = 2e-4;
 
 Scene clump() {
-  Scene scene = cloud_scene(30, 3.0);
-  scene.film = {16, 16};
+  Scene scene = on_film(cloud_scene(30, 3.0), {16, 16});
   return scene;
 }
 

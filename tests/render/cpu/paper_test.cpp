@@ -14,8 +14,7 @@ Settings plain() {
 }
 
 TEST(Paper, SimdFrameIsThePlainFrame) {
-  Scene scene = cloud_scene(200, 2.0);
-  scene.medium.set_homogeneous_density(0.03);
+  Scene scene = in_fog(cloud_scene(200, 2.0), 0.03);
   scene.surfaces.push_back(wall(-0.5, 1.0));
   scene.lights.push_back({{-2, 1, 3}, {1, 5, 9}, {}});
   const Frame fast = render_frame(scene, paper_settings);
@@ -64,8 +63,7 @@ constexpr PaperOptions conserve_energy{.conserve_energy = true};
 constexpr PaperOptions both{.at_mean = true, .conserve_energy = true};
 
 TEST(PaperOptions, SimdFrameIsThePlainFrame) {
-  Scene scene = cloud_scene(200, 2.0);
-  scene.medium.set_homogeneous_density(0.03);
+  Scene scene = in_fog(cloud_scene(200, 2.0), 0.03);
   scene.surfaces.push_back(wall(0.05, 1.0));
   scene.lights.push_back({{-2, 1, 3}, {1, 5, 9}, {}});
   for (const PaperOptions& options : {at_mean, conserve_energy, both}) {
@@ -84,9 +82,7 @@ TEST(PaperOptions, SimdFrameIsThePlainFrame) {
 // before it.
 TEST(PaperOptions, TheMeanIsExactAtSurfaces) {
   for (const double depth : {0.1, 1.0, 5.0}) {
-    Scene scene;
-    scene.film = {24, 24};
-    scene.camera = {{0, 0, 4}, {0, 0, 0}, {0, 1, 0}, 40.0};
+    Scene scene = seen_by({{0, 0, 4}, {0, 0, 0}, {0, 1, 0}, 40.0}, {24, 24});
     scene.lights.push_back({{2, 3, 2}, {10, 10, 10}, {}});
     scene.medium.append({{0, 0, 0}, 1.0, depth / 1.7724538509});
     scene.surfaces.push_back(wall(0.5, 5.0));
@@ -99,14 +95,11 @@ TEST(PaperOptions, TheMeanIsExactAtSurfaces) {
 // fog around them no harm: its own airlight is left alone.
 TEST(PaperOptions, EnergyHalvesTheErrorInClouds) {
   for (const double depth : {0.3, 1.0, 3.0, 10.0}) {
-    Scene scene = cloud_scene(300, depth);
-    scene.film = {16, 16};
+    Scene scene = on_film(cloud_scene(300, depth), {16, 16});
     const Gain g = gain(scene, both);
     EXPECT_LT(g.with, 0.6 * g.published) << depth;
   }
-  Scene scene = cloud_scene(300, 1.0);
-  scene.film = {16, 16};
-  scene.medium.set_homogeneous_density(0.02);
+  Scene scene = in_fog(on_film(cloud_scene(300, 1.0), {16, 16}), 0.02);
   const Gain g = gain(scene, conserve_energy);
   EXPECT_LT(g.with, g.published);
 }

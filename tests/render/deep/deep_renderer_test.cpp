@@ -76,8 +76,7 @@ HeldOutError held_out_error(const DeepFrame& deep, const Frame& wall, double sca
 
 // A cloud whose light is beside the camera, so that walls behind fog cast no shadow on it.
 Scene lit_from_the_front(double depth) {
-  Scene scene = cloud_scene(40, depth);
-  scene.film = {40, 32};
+  Scene scene = on_film(cloud_scene(40, depth), {40, 32});
   scene.lights[0].position = {1.0, 1.0, 5.0};
   return scene;
 }
@@ -203,8 +202,7 @@ TEST(DeepRenderer, WithoutFogSurfacesAreLeft) {
 }
 
 TEST(DeepRenderer, ARegionHasTheSamplesOfTheWholeFrame) {
-  Scene scene = cut_by_a_surface();
-  scene.film = {90, 50};
+  Scene scene = on_film(cut_by_a_surface(), {90, 50});
   const Frame flat = render_frame(scene, sliced(8));
   const DeepFrame whole(scene, sliced(8), deep_error, flat);
   scene.film = film_region(scene.film, {0.3, 0.3}, {0.6, 0.7});

@@ -78,8 +78,7 @@ class Display : public GlTest {
 
 // Fog before a wall, lit from bright to dark.
 Scene scene_with_wall() {
-  Scene scene = cloud_scene(10, 2.0);
-  scene.film = {45, 34};
+  Scene scene = on_film(cloud_scene(10, 2.0), {45, 34});
   scene.surfaces.push_back(wall(-0.5, 1.0));
   return scene;
 }

@@ -11,8 +11,7 @@ namespace {
 
 TEST_F(GlFrames, Ellipsoids) {
   for (const Scattering scattering : {Scattering::single, Scattering::multiple}) {
-    Scene scene = in_fog(ellipsoid_scene(20, 2.0, 12.0), 0.02);
-    scene.film = {32, 24};
+    Scene scene = on_film(in_fog(ellipsoid_scene(20, 2.0, 12.0), 0.02), {32, 24});
     scene.surfaces.push_back(wall(-0.6, 1.2));
     expect_backends_agree(scene, scattering);
   }
@@ -20,8 +19,7 @@ TEST_F(GlFrames, Ellipsoids) {
 
 // Most memory of a work group is asked for by these.
 TEST_F(GlFrames, EllipsoidsWithOpticsOfTheirOwn) {
-  Scene scene = in_fog(ellipsoid_scene(20, 2.0, 12.0, 4), 0.02);
-  scene.film = {32, 24};
+  Scene scene = on_film(in_fog(ellipsoid_scene(20, 2.0, 12.0, 4), 0.02), {32, 24});
   Medium medium;
   for (std::size_t i = 0; i < scene.medium.size(); ++i) {
     Gaussian g = scene.medium.gaussian(i);
@@ -35,8 +33,7 @@ TEST_F(GlFrames, EllipsoidsWithOpticsOfTheirOwn) {
 
 TEST_F(GlFrames, EllipsoidsByThePaper) {
   for (const bool at_mean : {false, true}) {
-    Scene scene = ellipsoid_scene(20, 2.0, 12.0, 2);
-    scene.film = {32, 24};
+    Scene scene = on_film(ellipsoid_scene(20, 2.0, 12.0, 2), {32, 24});
     scene.optics.noise = {.amplitude = 0.4, .frequency = 2.0};
     Settings settings = paper_settings;
     settings.paper.at_mean = at_mean;
@@ -48,8 +45,7 @@ TEST_F(GlFrames, EllipsoidsByThePaper) {
 
 // The eye and the light among needles and discs.
 TEST_F(GlFrames, EllipsoidsAllAround) {
-  Scene scene = ellipsoid_scene(16, 2.0, 200.0, 3);
-  scene.film = {32, 24};
+  Scene scene = on_film(ellipsoid_scene(16, 2.0, 200.0, 3), {32, 24});
   scene.camera.eye = {0.2, 0.1, 0.6};
   scene.lights[0].position = {-0.3, 0.2, -0.4};
   // Needles of less than a pixel differ by the rounding of single precision.

@@ -36,9 +36,7 @@ TEST_F(GlFrames, FogInABallByThePaper) {
 
 // Among Gaussians under a sky, whose light on surfaces goes through the average depth or the grid.
 TEST_F(GlFrames, FogInABallUnderASky) {
-  Scene scene = cloud_scene(10, 0.5);
-  scene.film = {32, 24};
-  scene.medium.set_homogeneous_density(0.5);
+  Scene scene = in_fog(on_film(cloud_scene(10, 0.5), {32, 24}), 0.5);
   scene.optics.extent = 1.2;
   scene.optics.anisotropy = 0.6;
   scene.surfaces = {wall(-1.0, 0.5)};

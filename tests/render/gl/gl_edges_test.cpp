@@ -29,9 +29,7 @@ TEST_F(GlFrames, StepNoMoreAtBordersOfTilesThanWithin) {
 
 // A light in a Gaussian smaller than samples are apart.
 TEST_F(GlFrames, ComputePixelsNearestToALight) {
-  Scene scene;
-  scene.film = {61, 40};
-  scene.camera = {{0.0, 0.0, 4.0}, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 40.0};
+  Scene scene = seen_by({{0.0, 0.0, 4.0}, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 40.0}, {61, 40});
   const CameraRays rays(scene.camera, scene.film);
   scene.lights.push_back(
       {scene.camera.eye + 4.0 * rays.direction(30.5, 22.5), glm::dvec3(10.0), {}});

@@ -128,8 +128,7 @@ TEST_F(GlFrames, RandomScenes) {
 TEST_F(GlFrames, Environments) {
   for (const double anisotropy : {0.0, 0.7, -0.5}) {
     for (const double b0 : {0.0, 0.2}) {
-      Scene scene = cloud_scene(10, 2.0);
-      scene.film = {16, 12};
+      Scene scene = on_film(cloud_scene(10, 2.0), {16, 12});
       scene.lights.clear();
       scene.environment.emplace();
       scene.environment->map = smooth_sky();
@@ -328,8 +327,7 @@ TEST_F(GlSurfaces, MatchTheCpuUnderAnEnvironment) {
 // nothing that stays behind.
 TEST_F(GlFrames, ManyChangesLeakNoObjects) {
   Random random(1);
-  Scene scene = cloud_scene(8, 2.0);
-  scene.film = {20, 15};
+  Scene scene = on_film(cloud_scene(8, 2.0), {20, 15});
   Settings settings = sliced_settings({}, 4);
   settings.optical_depth_table = {16, 8};
   settings.shadow_cells = 16;
@@ -394,8 +392,7 @@ TEST_F(GlFrames, ManyChangesLeakNoObjects) {
 
 // A moved camera makes no table, a moved light one, a changed medium all.
 TEST_F(GlFrames, ReusesUnchangedData) {
-  Scene scene = cloud_scene(10, 2.0);
-  scene.film = {16, 12};
+  Scene scene = on_film(cloud_scene(10, 2.0), {16, 12});
   scene.lights.push_back(scene.lights[0]);
   scene.lights[1].position.x += 1.0;
   const Settings settings = quick_slices();
@@ -453,8 +450,7 @@ class GlFailures : public GlFrames {
   void expect_gl() { EXPECT_EQ(render(scene_, settings_).statistics.backend, "gl"); }
 
   Scene scene_ = [] {
-    Scene scene = cloud_scene(3, 1.0);
-    scene.film = {8, 6};
+    Scene scene = on_film(cloud_scene(3, 1.0), {8, 6});
     return scene;
   }();
   Settings settings_ = sliced_settings({}, 4);

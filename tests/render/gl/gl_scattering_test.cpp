@@ -15,8 +15,7 @@ namespace {
 // Both backends look the same grid up; surfaces hide nodes from each other.
 TEST_F(GlFrames, MultipleScattering) {
   for (const double anisotropy : {0.0, 0.6, 0.85}) {
-    Scene scene = cloud_scene(10, 3.0);
-    scene.film = {16, 12};
+    Scene scene = on_film(cloud_scene(10, 3.0), {16, 12});
     scene.optics.anisotropy = anisotropy;
     scene.optics.albedo = glm::dvec3(0.9);
     Settings settings = quick_slices();
@@ -44,8 +43,7 @@ TEST_F(GlFrames, MultipleScattering) {
 TEST_F(GlFrames, ForwardLobes) {
   for (const double anisotropy : {-0.6, 0.6, 0.9}) {
     for (const bool has_wall : {false, true}) {
-      Scene scene = in_fog(cloud_scene(10, 2.0), 0.05);
-      scene.film = {16, 12};
+      Scene scene = on_film(in_fog(cloud_scene(10, 2.0), 0.05), {16, 12});
       scene.optics.anisotropy = anisotropy;
       scene.environment.emplace().map = smooth_sky();
       if (has_wall) scene.surfaces = {wall(-0.8, 1.5)};
@@ -80,8 +78,7 @@ TEST_F(GlFrames, LightsInFogBeforeAWall) {
        {std::pair("spots", spots), {"profiles", profiles}, {"a picture and a profile", picture}}) {
     SCOPED_TRACE(name);
     for (const Scattering scattering : {Scattering::single, Scattering::multiple}) {
-      Scene scene = in_fog(cloud_scene(10, 2.0), 0.02);
-      scene.film = {24, 18};
+      Scene scene = on_film(in_fog(cloud_scene(10, 2.0), 0.02), {24, 18});
       scene.surfaces.push_back(wall(-0.8, 1.5));
       scene.lights = lights;
       expect_backends_agree(scene, scattering);
@@ -92,8 +89,7 @@ TEST_F(GlFrames, LightsInFogBeforeAWall) {
 TEST_F(GlFrames, GaussiansWithOptics) {
   for (const double b0 : {0.0, 0.05}) {
     for (const Scattering scattering : {Scattering::single, Scattering::multiple}) {
-      Scene scene = in_fog(cloud_scene(10, 2.0), b0);
-      scene.film = {24, 18};
+      Scene scene = on_film(in_fog(cloud_scene(10, 2.0), b0), {24, 18});
       scene.surfaces = {wall(-0.8, 1.5)};
       scene.optics.anisotropy = b0 > 0.0 ? 0.5 : 0.0;
       std::size_t index = 0;
@@ -110,8 +106,7 @@ TEST_F(GlFrames, GaussiansWithOptics) {
 TEST_F(GlFrames, AreaLights) {
   for (const double b0 : {0.0, 0.05}) {
     for (const Scattering scattering : {Scattering::single, Scattering::multiple}) {
-      Scene scene = in_fog(cloud_scene(10, 2.0), b0);
-      scene.film = {24, 18};
+      Scene scene = on_film(in_fog(cloud_scene(10, 2.0), b0), {24, 18});
       scene.surfaces = {wall(-0.8, 1.5), wall(0.0, 0.4)};
       scene.surfaces[1].translate = {0.5, 1.0, 0.3};
       scene.lights = {
@@ -128,8 +123,7 @@ TEST_F(GlFrames, AreaLights) {
 TEST_F(GlFrames, DirectionalLights) {
   for (const double b0 : {0.0, 0.05}) {
     for (const Scattering scattering : {Scattering::single, Scattering::multiple}) {
-      Scene scene = in_fog(cloud_scene(10, 2.0), b0);
-      scene.film = {24, 18};
+      Scene scene = on_film(in_fog(cloud_scene(10, 2.0), b0), {24, 18});
       // One shades the medium and the other.
       scene.surfaces = {wall(-0.8, 1.5), wall(0.0, 0.4)};
       scene.surfaces[1].translate = {0.5, 1.0, 0.3};

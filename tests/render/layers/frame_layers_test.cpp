@@ -17,8 +17,7 @@ namespace {
 
 // Fog that emits, two lights, an environment, a wall.
 Scene lit_scene() {
-  Scene scene = cloud_scene(6, 1.0);
-  scene.film = {16, 12};
+  Scene scene = on_film(cloud_scene(6, 1.0), {16, 12});
   scene.lights[0].name = "key";
   scene.lights.push_back(scene.lights[0]);
   scene.lights[1].position = {-2.0, 1.0, 1.0};
@@ -228,8 +227,7 @@ constexpr double pixel_size = 2.0 * 4.0 * 0.3639702343 / 32.0;
 
 // Two walls, the left one nearer, whose right edge is in the middle of a column of pixels.
 Scene two_walls() {
-  Scene scene = cloud_scene(1, 0.1);
-  scene.film = {32, 32};
+  Scene scene = on_film(cloud_scene(1, 0.1), {32, 32});
   scene.surfaces = {wall(0.0, 1.0, 0.25), wall(-1.0, 9.0, 0.5)};
   scene.surfaces[0].translate = {-1.0 + 0.5 * pixel_size, 0.0, 0.0};
   scene.surfaces[0].name = "left";

@@ -13,9 +13,7 @@ namespace {
 
 // A little of everything.
 Scene small_scene() {
-  Scene scene = cloud_scene(12, 2.0);
-  scene.film = {21, 13};
-  scene.medium.set_homogeneous_density(0.05);
+  Scene scene = in_fog(on_film(cloud_scene(12, 2.0), {21, 13}), 0.05);
   scene.environment = even_sky(0.3f);
   scene.surfaces = {wall(-0.4, 0.7)};
   return scene;
@@ -98,15 +96,11 @@ TEST(PathFrames, MatchTheirChannelsAlone) {
 }
 
 TEST(PathFrames, AClosedRoomKeepsTheSkyOut) {
-  Scene scene = cloud_scene(12, 2.0);
-  scene.film = {12, 12};
+  Scene scene = on_film(cloud_scene(12, 2.0), {12, 12});
   scene.lights.clear();
   scene.medium.set_homogeneous_density(0.1);
   scene.environment = even_sky(100.0f);
-  Surface room;
-  room.mesh = ball_mesh(16);
-  room.scale = 6.0;
-  scene.surfaces = {room};
+  scene.surfaces = {ball_surface(16, 6.0)};
   const Frame frame = render_frame(scene, path_traced(16));
   for (const float x : frame.airlight) EXPECT_EQ(x, 0.0f);
   for (std::size_t i = 0; i < frame.depth.size(); ++i) EXPECT_EQ(frame.beauty[4 * i], 0.0f);

@@ -134,8 +134,7 @@ TEST(CameraRay, InvertsItsDepth) {
   for (const double b0 : {0.0, 0.02, 3.0}) {
     for (const double length : {0.5, 4.0, 30.0, infinity}) {
       for (const double amplitude : {0.0, 0.4}) {
-        Scene scene = cloud_scene(12, 3.0);
-        scene.medium.set_homogeneous_density(b0);
+        Scene scene = in_fog(cloud_scene(12, 3.0), b0);
         scene.optics.noise.amplitude = amplitude;
         MediumIndex index(scene.medium, tolerance);
         index.set_noise(RayNoise(scene.optics.noise, 0.0));

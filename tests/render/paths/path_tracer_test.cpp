@@ -53,8 +53,7 @@ TEST(PathTracer, FirstOrderMatchesTheReferenceInAClump) {
 }
 
 TEST(PathTracer, FirstOrderMatchesTheReferenceInFog) {
-  Scene scene = cloud_scene(20, 1.0);
-  scene.medium.set_homogeneous_density(0.1);
+  Scene scene = in_fog(cloud_scene(20, 1.0), 0.1);
   scene.lights.push_back({{0.4, -0.2, 1.0}, {1.0, 2.0, 3.0}, {}});
   expect_single_scattering(scene, 0.01);
   // One of many lights is chosen at random.
@@ -82,8 +81,7 @@ TEST(PathTracer, FirstOrderMatchesTheReferenceUnderASky) {
 }
 
 TEST(PathTracer, FirstOrderMatchesTheReferenceInShadow) {
-  Scene scene = cloud_scene(20, 2.0);
-  scene.medium.set_homogeneous_density(0.05);
+  Scene scene = in_fog(cloud_scene(20, 2.0), 0.05);
   scene.lights = {{{1.5, 0.2, -3.0}, glm::dvec3(10.0), {}}};
   scene.surfaces = {wall(-1.5, 0.4)};
   expect_single_scattering(scene, 0.01);
@@ -142,12 +140,8 @@ TEST(PathTracer, AWhiteSurfaceInAFurnaceIsConstant) {
   scene.environment = even_sky(1.0f);
   scene.medium.set_homogeneous_density(0.1);
   scene.surfaces = {wall(-0.3, 0.8, 1.0)};
-  Surface ball;
-  ball.mesh = ball_mesh(24);
-  ball.scale = 0.4;
-  ball.translate = {0.3, 0.2, 0.4};
-  ball.material.reflectance = glm::dvec3(1.0);
-  scene.surfaces.push_back(ball);
+  scene.surfaces.push_back(ball_surface(24, 0.4, {0.3, 0.2, 0.4}));
+  scene.surfaces.back().material.reflectance = glm::dvec3(1.0);
   const TracedScene traced(scene);
   // A ball of flat triangles is not quite closed to interpolated normals.
   for (const glm::dvec3& target : {glm::dvec3(-0.4, -0.4, -0.3), glm::dvec3(0.3, 0.2, 0.4)}) {
@@ -159,8 +153,7 @@ TEST(PathTracer, AWhiteSurfaceInAFurnaceIsConstant) {
 
 // Light of an isotropic light at a, gathered from all directions at b, is the same the other way.
 TEST(PathTracer, LightAndEyeCanBeExchanged) {
-  Scene scene = cloud_scene(12, 3.0, 3);
-  scene.medium.set_homogeneous_density(0.05);
+  Scene scene = in_fog(cloud_scene(12, 3.0, 3), 0.05);
   scene.optics.anisotropy = 0.5;
   const glm::dvec3 a(0.2, 0.1, 1.4);
   const glm::dvec3 b(-0.9, 0.8, -0.3);

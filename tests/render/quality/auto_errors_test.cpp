@@ -162,8 +162,7 @@ TEST(AutoErrors, IntervalsHoldOnRandomScenes) {
 
 // A fog scene in which paths end soon.
 Scene thin_scene_of(unsigned seed) {
-  Scene scene = random_fog_scene(seed);
-  scene.film = {12, 9};
+  Scene scene = on_film(random_fog_scene(seed), {12, 9});
   scene.environment.reset();
   scene.optics.albedo = glm::min(scene.optics.albedo, 0.95);
   Medium medium;

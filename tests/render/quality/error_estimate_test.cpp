@@ -66,8 +66,7 @@ TEST(ErrorEstimate, IntervalHoldsTheTruth) {
 }
 
 TEST(ErrorEstimate, ReferenceHasNoError) {
-  Scene scene = cloud_scene(30, 1.0);
-  scene.film = {20, 20};
+  Scene scene = on_film(cloud_scene(30, 1.0), {20, 20});
   const Frame reference = render_frame(scene, method(AirlightMethod::reference));
   const auto sample = ErrorSample::create(scene, scene.camera, reference, 60, 1, 1e-4);
   EXPECT_LT(sample->measure(reference).high, 1e-6);
@@ -115,8 +114,7 @@ constexpr int small_x = 22;
 constexpr int small_y = 13;
 
 Scene thin_cloud(glm::dvec3& cloud_center) {
-  Scene scene = cloud_scene(30, 0.01);
-  scene.film = {40, 40};
+  Scene scene = on_film(cloud_scene(30, 0.01), {40, 40});
   const CameraRays rays(scene.camera, scene.film);
   cloud_center = rays.eye() + 3.0 * rays.direction(small_x + 0.52, small_y + 0.48);
   return scene;
@@ -131,8 +129,7 @@ Light light_at(const glm::dvec3& position, double intensity) {
 
 Scene light_in_view() {
   glm::dvec3 cloud_center;
-  Scene scene = thin_cloud(cloud_center);
-  scene.medium.set_homogeneous_density(0.01);
+  Scene scene = in_fog(thin_cloud(cloud_center), 0.01);
   scene.lights.push_back(light_at(cloud_center, 10.0));
   return scene;
 }
@@ -218,8 +215,7 @@ TEST(ErrorEstimate, ManyLightsLeavePixelsForTheRest) {
 }
 
 TEST(ErrorEstimate, GrowingKeepsPixelsAndNarrowsTheInterval) {
-  Scene scene = cloud_scene(100, 3.0);
-  scene.film = {40, 40};
+  Scene scene = on_film(cloud_scene(100, 3.0), {40, 40});
   const Frame frame = render_frame(scene, method(AirlightMethod::paper));
   auto sample = ErrorSample::create(scene, scene.camera, frame, 60, 1, 1e-3);
   const ErrorEstimate small = sample->measure(frame);
@@ -235,8 +231,7 @@ TEST(ErrorEstimate, GrowingKeepsPixelsAndNarrowsTheInterval) {
 
 // Light of all orders is measured against paths, of which there may be more; that of one is exact.
 TEST(ErrorEstimate, PathsNarrowTheInterval) {
-  Scene scene = cloud_scene(30, 3.0);
-  scene.film = {24, 24};
+  Scene scene = on_film(cloud_scene(30, 3.0), {24, 24});
   Settings settings = method(AirlightMethod::sliced);
   const Frame once = render_frame(scene, settings);
   auto exact = ErrorSample::create(scene, scene.camera, once, 40, 1, 1e-3);
@@ -278,8 +273,7 @@ TEST(ErrorEstimate, LightWhereAllIsBlackIsWrong) {
 
 // The sample grows only while that may decide about the bound.
 TEST(FrameErrors, GrowOnlyWhileTheBoundIsInTheInterval) {
-  Scene scene = cloud_scene(100, 3.0);
-  scene.film = {60, 60};
+  Scene scene = on_film(cloud_scene(100, 3.0), {60, 60});
   const Frame frame = render_frame(scene, method(AirlightMethod::sliced, 8));
   const auto measured = [&](std::optional<double> bound) {
     return FrameErrors(scene, scene.camera, 1).measure(frame, bound)->airlight;

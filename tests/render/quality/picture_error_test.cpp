@@ -180,8 +180,7 @@ TEST(PictureErrors, HaveVisibleLightsInMirrors) {
 
 // The sky behind the fog is a part of the picture alone.
 TEST(PictureErrors, HaveTheSkyBehindTheFog) {
-  Scene scene = cloud_scene(30, 1.0);
-  scene.film = {16, 12};
+  Scene scene = on_film(cloud_scene(30, 1.0), {16, 12});
   scene.environment = white_sky();
   const Settings settings = all_orders(24);
   Frame frame = render_frame(scene, settings);

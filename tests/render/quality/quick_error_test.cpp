@@ -20,8 +20,7 @@ namespace brume {
 namespace {
 
 Scene thick_cloud(int side = 60) {
-  Scene scene = cloud_scene(100, 3.0);
-  scene.film = {side, side};
+  Scene scene = on_film(cloud_scene(100, 3.0), {side, side});
   return scene;
 }
 

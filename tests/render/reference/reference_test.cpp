@@ -91,14 +91,12 @@ double error_against_marching(const Scene& scene, const Marching& marching, doub
 }
 
 TEST(Reference, AgreesWithMarchingThroughAClump) {
-  Scene scene = cloud_scene(12, 2.5, 5);
-  scene.film = {7, 7};
+  Scene scene = on_film(cloud_scene(12, 2.5, 5), {7, 7});
   EXPECT_LT(error_against_marching(scene, Marching(scene), 7.0, 700), 3e-4);
 }
 
 TEST(Reference, AgreesWithMarchingInFogWithTheLightInView) {
-  Scene scene = cloud_scene(6, 1.0, 6);
-  scene.medium.set_homogeneous_density(0.1);
+  Scene scene = in_fog(cloud_scene(6, 1.0, 6), 0.1);
   scene.lights[0].position = {0.35, 0.2, 0.3};
   scene.camera.eye = {0.1, 0.1, 2.0};
   scene.film = {4, 4};
@@ -109,8 +107,7 @@ TEST(Reference, AgreesWithMarchingInFogWithTheLightInView) {
 
 // Extinction is scattering / albedo, per colour channel.
 TEST(Reference, AgreesWithMarchingWhenTheMediumAbsorbs) {
-  Scene scene = cloud_scene(8, 1.5, 4);
-  scene.film = {6, 6};
+  Scene scene = on_film(cloud_scene(8, 1.5, 4), {6, 6});
   scene.optics.albedo = {0.5, 1.0, 0.8};
   const Frame frame = render_frame(scene, reference_settings(1e-4));
   const CameraRays rays(scene.camera, scene.film);
@@ -139,8 +136,7 @@ TEST(Reference, AgreesWithMarchingWhenTheMediumAbsorbs) {
 
 TEST(Reference, AgreesWithMarchingWhenScatteringIsAnisotropic) {
   for (const double g : {0.7, -0.4}) {
-    Scene scene = cloud_scene(8, 1.5, 4);
-    scene.medium.set_homogeneous_density(0.05);
+    Scene scene = in_fog(cloud_scene(8, 1.5, 4), 0.05);
     scene.optics.anisotropy = g;
     scene.lights[0].position = {0.7, 0.5, -1.5};
     scene.surfaces.push_back(wall(-2.5, 100.0));
@@ -151,8 +147,7 @@ TEST(Reference, AgreesWithMarchingWhenScatteringIsAnisotropic) {
 
 // Light shafts: a wall between the light and half of the medium.
 TEST(Reference, SurfacesBlockLightOnItsWayThroughTheMedium) {
-  Scene scene = cloud_scene(10, 1.5, 7);
-  scene.film = {5, 5};
+  Scene scene = on_film(cloud_scene(10, 1.5, 7), {5, 5});
   scene.lights[0].position = {0.2, 0.1, -4.0};
   scene.surfaces.push_back(wall(-2.0, 0.3));
   Marching marching(scene, 100);
@@ -169,9 +164,7 @@ TEST(Reference, SurfacesBlockLightOnItsWayThroughTheMedium) {
 }
 
 TEST(Reference, HalvingTheToleranceChangesNothing) {
-  Scene scene = cloud_scene(60, 3.0, 8);
-  scene.medium.set_homogeneous_density(0.02);
-  scene.film = {16, 16};
+  Scene scene = on_film(in_fog(cloud_scene(60, 3.0, 8), 0.02), {16, 16});
   scene.surfaces.push_back(wall(-0.3, 0.6));
   const Frame coarse = render_frame(scene, reference_settings(1e-4));
   const Frame fine = render_frame(scene, reference_settings(0.5e-4));
@@ -180,8 +173,7 @@ TEST(Reference, HalvingTheToleranceChangesNothing) {
 
 // Forty thin slats between light and medium: no probe of shadow rays would find all their edges.
 TEST(Reference, HalvingTheToleranceChangesNothingBehindAFence) {
-  Scene scene = cloud_scene(20, 1.0, 9);
-  scene.film = {9, 9};
+  Scene scene = on_film(cloud_scene(20, 1.0, 9), {9, 9});
   scene.lights[0].position = {0.0, 4.0, 0.5};
   for (int i = 0; i < 40; ++i) {
     Surface slat = wall(0.0, 1.0);
@@ -207,9 +199,7 @@ TEST(Reference, HalvingTheToleranceChangesNothingBehindAFence) {
 
 // A needle in a haystack: a tiny dense Gaussian in broad haze, and the sharp shadow it casts.
 TEST(Reference, FindsASmallGaussianAndItsShadow) {
-  Scene scene;
-  scene.camera = {{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, 20.0};
-  scene.film = {5, 41};
+  Scene scene = seen_by({{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, 20.0}, {5, 41});
   scene.lights.push_back({{0, 6, 0}, {1, 1, 1}, {}});
   scene.medium.append({{0, 0, 0}, 3.0, 0.05});
   scene.medium.append({{0, 1.5, 0.01}, 0.02, 200.0});

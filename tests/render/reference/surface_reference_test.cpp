@@ -91,8 +91,7 @@ TEST(SurfaceReference, MatchesALightInAnAbsorbingMedium) {
   surface.material.type = Material::Type::phong;
   surface.material.specular = glm::dvec3(0.4);
   surface.material.exponent = 5.0;
-  Scene scene = cloud_scene(5, 1.5);
-  scene.medium.set_homogeneous_density(0.05);
+  Scene scene = in_fog(cloud_scene(5, 1.5), 0.05);
   scene.optics.anisotropy = 0.5;
   const glm::dvec3 light(1.0, 0.5, 2.0);
   scene.lights = {{light, {3, 3, 3}, {}}};
@@ -202,9 +201,7 @@ TEST(SurfaceReference, ErrorFallsWithTheRootOfTheSamples) {
 }
 
 TEST(SurfaceReference, MatchesAFrameForPointLights) {
-  Scene scene;
-  scene.film = {1, 1};
-  scene.camera = {{0.5, 0.1, 2}, {0, 0, 0}, {0, 1, 0}, 1.0};
+  Scene scene = seen_by({{0.5, 0.1, 2}, {0, 0, 0}, {0, 1, 0}, 1.0}, {1, 1});
   scene.lights.push_back({{-0.5, 0.0, 2}, {3, 3, 3}, {}});
   scene.surfaces = {wall(0.0, 1.0, 0.2)};
   Material& material = scene.surfaces[0].material;
@@ -234,10 +231,7 @@ TEST(SurfaceModel, PointSpreadMatchesTheReferenceInFog) {
   };
   const Row rows[] = {{0.1, 0.02, 0.36}, {0.3, 0.02, 0.26}, {1.0, 0.02, 0.01}, {3.0, 0.02, 0.51}};
   Scene scene;
-  Surface ball;
-  ball.mesh = ball_mesh(64);
-  ball.scale = 0.05;
-  scene.surfaces = {ball};
+  scene.surfaces = {ball_surface(64, 0.05)};
   const glm::dvec3 light(0, 0, 1);
   scene.lights.push_back({light, glm::dvec3(1), {}});
   const RayCaster ray_caster(scene.surfaces);

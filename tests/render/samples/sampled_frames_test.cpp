@@ -30,8 +30,7 @@ Surface ball(const glm::dvec3& center, double radius, const glm::dvec3& reflecta
 // Balls near and far, one behind the other, and a small glossy one with a highlight, in a cloud and
 // fog.
 Scene balls_in_fog() {
-  Scene scene = in_fog(cloud_scene(20, 0.5), 0.05);
-  scene.film = {96, 72};
+  Scene scene = on_film(in_fog(cloud_scene(20, 0.5), 0.05), {96, 72});
   scene.surfaces = {ball({-0.5, 0.1, 1.5}, 0.3, {0.8, 0.2, 0.1}),
                     ball({0.4, -0.2, -2.0}, 0.9, {0.1, 0.3, 0.8}),
                     ball({0.5, 0.35, 1.0}, 0.15, glm::dvec3(0.02)), wall(-6.0, 3.0)};
@@ -227,8 +226,7 @@ TEST(SampledPaths, ShareWholeBlocks) {
 }
 
 TEST(SampledPaths, ShareThePathsOfAPixel) {
-  Scene scene = balls_in_fog();
-  scene.medium.set_homogeneous_density(0.0);
+  Scene scene = in_fog(balls_in_fog(), 0.0);
   scene.surfaces.pop_back();
   scene.film = {24, 18};
   const Frame frame = render_frame(scene, with_samples(path_traced(134), 8));
@@ -260,8 +258,7 @@ TEST(SampledFramesOfStoppedJobs, AreNone) {
 }
 
 TEST(Exposures, OfOneSampleAreThoseOfTheCenter) {
-  Scene scene = balls_in_fog();
-  scene.film = {24, 18};
+  Scene scene = on_film(balls_in_fog(), {24, 18});
   scene.camera.aperture = 0.2;
   scene.camera_keys.eye = {{0.0, {0, 0, 4}}, {1.0, {1, 0, 4}}};
   Exposure exposure = exposure_of(scene);
@@ -277,9 +274,7 @@ TEST(Exposures, OfOneSampleAreThoseOfTheCenter) {
 
 // A ball out of focus is as bright in all, but on more pixels.
 TEST(Exposures, BlurWhatIsOutOfFocus) {
-  Scene scene;
-  scene.film = {64, 48};
-  scene.camera = {{0, 0, 4}, {0, 0, 0}, {0, 1, 0}, 40.0};
+  Scene scene = seen_by({{0, 0, 4}, {0, 0, 0}, {0, 1, 0}, 40.0}, {64, 48});
   scene.lights = {{.position = {0, 3, 6}, .intensity = glm::dvec3(60.0)}};
   scene.surfaces = {ball({0, 0, 0}, 0.5, glm::dvec3(0.8))};
   Renderer renderer;
@@ -306,9 +301,7 @@ TEST(Exposures, BlurWhatIsOutOfFocus) {
 
 // A camera that pans by eight pixels while the shutter is open smears an edge over eight pixels.
 TEST(Exposures, BlurWhatMoves) {
-  Scene scene;
-  scene.film = {64, 12};
-  scene.camera = {{0, 0, 4}, {0, 0, 0}, {0, 1, 0}, 10.0};
+  Scene scene = seen_by({{0, 0, 4}, {0, 0, 0}, {0, 1, 0}, 10.0}, {64, 12});
   scene.lights = {{.position = {0, 0, 400}, .intensity = glm::dvec3(1e6)}};
   scene.surfaces = {wall(0.0, 0.5, 1.0)};
   // A pixel is this wide at the wall.

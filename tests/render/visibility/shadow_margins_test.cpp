@@ -118,9 +118,7 @@ TEST(ShadowMargins, LeavePlanesUnshadowedByThemselves) {
 TEST(ShadowMargins, LeaveRoundMeshesUnshadowedByThemselves) {
   for (const double size : {1.0, 1e-3, 1e4}) {
     for (const int rings : {8, 60}) {
-      Scene scene;
-      scene.film = {80, 60};
-      scene.camera = {size * glm::dvec3(0, 0, 4), {0, 0, 0}, {0, 1, 0}, 40.0};
+      Scene scene = seen_by({size * glm::dvec3(0, 0, 4), {0, 0, 0}, {0, 1, 0}, 40.0}, {80, 60});
       scene.lights = {oblique_sun()};
       scene.lights[0].as<light::Directional>()->direction = {0, 0, -1};
       scene.surfaces.emplace_back().mesh = ball_mesh(rings);
