@@ -58,36 +58,22 @@ QString AirbrushTool::hint() const {
 }
 
 void AirbrushTool::add_options(QHBoxLayout& row) {
-  const auto add = [&](const QString& title, const char* name, const NumberDomain& domain,
-                       double Airbrush::*number) {
-    add_number(
-        row, *this, {title, name, domain, ValueField::Scale::logarithmic, 0.01},
-        [this, number] { return airbrush_.*number; },
-        [this, number](double value) {
-          airbrush_.*number = value;
-          Q_EMIT options_changed();
-        });
+  using Scale = ValueField::Scale;
+  const auto add = [&](double& value, const QString& title, const char* name,
+                       const NumberDomain& domain) {
+    const StrokeNumber number = number_of(value, {title, name, domain, Scale::logarithmic, 0.01});
+    add_number(row, *this, number.option, number.get, number.set);
   };
   add_gaussian_options(row, "air");
-  add(tr("Rate"), "air_rate", rate_domain, &Airbrush::rate);
-  add(tr("Speed"), "air_speed", domain::not_negative, &Airbrush::speed);
-  const auto number = [this](const QString& title, const char* name, const NumberDomain& domain,
-                             ValueField::Scale scale, const QString& tip,
-                             double Airbrush::*part) -> StrokeNumber {
-    return {{title, name, domain, scale, 0.01},
-            tip,
-            [this, part] { return airbrush_.*part; },
-            [this, part](double value) {
-              airbrush_.*part = value;
-              Q_EMIT options_changed();
-            }};
-  };
-  add_place_options(row, "air",
-                    {number(tr("Stretch"), "air_stretch", domain::brush_stretch,
-                            ValueField::Scale::logarithmic, stretch_tip(), &Airbrush::stretch),
-                     number(tr("Jitter"), "air_jitter", domain::unit, ValueField::Scale::linear,
-                            tr("Random variation of radius and density: at 1 from half to double"),
-                            &Airbrush::jitter)});
+  add(airbrush_.rate, tr("Rate"), "air_rate", rate_domain);
+  add(airbrush_.speed, tr("Speed"), "air_speed", domain::not_negative);
+  add_place_options(
+      row, "air",
+      {number_of(airbrush_.stretch,
+                 {tr("Stretch"), "air_stretch", domain::brush_stretch, Scale::logarithmic, 0.01},
+                 stretch_tip()),
+       number_of(airbrush_.jitter, {tr("Jitter"), "air_jitter", domain::unit, Scale::linear, 0.01},
+                 tr("Random variation of radius and density: at 1 from half to double"))});
   add_choice(
       row, *this, {{}, "air_side"}, {tr("Outside"), tr("Inside")},
       [this] { return inside_ ? 1 : 0; }, [this](int index) { set_inside(index == 1); });

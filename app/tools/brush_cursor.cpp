@@ -4,7 +4,6 @@
 #include <cmath>
 #include <glm/ext/scalar_constants.hpp>
 #include <glm/gtc/constants.hpp>
-#include <numbers>
 
 #include "app/view/overlay.h"
 #include "app/view/surface_picker.h"

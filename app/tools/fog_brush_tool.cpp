@@ -239,18 +239,22 @@ Gaussian FogBrushTool::coloured(const Gaussian& gaussian) const {
   return result;
 }
 
+StrokeNumber FogBrushTool::number_of(double& value, const NumberOption& option,
+                                     const QString& tip) {
+  return {option, tip, [&value] { return value; },
+          [this, &value](double chosen) {
+            value = chosen;
+            Q_EMIT options_changed();
+          }};
+}
+
 void FogBrushTool::add_place_options(QHBoxLayout& row, const QString& prefix,
                                      std::vector<StrokeNumber> numbers) {
   using Scale = ValueField::Scale;
   numbers.push_back(
-      {{tr("Smoothing, px"), prefix + "_smoothing", smoothing_domain, Scale::linear, 1.0},
-       tr("How far the brush trails behind the mouse, in pixels: steadier lines"),
-       [this] { return stroke_options_.smoothing; },
-       [this](double value) {
-         StrokeOptions options = stroke_options_;
-         options.smoothing = value;
-         set_stroke_options(options);
-       }});
+      number_of(stroke_options_.smoothing,
+                {tr("Smoothing, px"), prefix + "_smoothing", smoothing_domain, Scale::linear, 1.0},
+                tr("How far the brush trails behind the mouse, in pixels: steadier lines")));
   numbers.push_back({{tr("Seed"), prefix + "_seed", seed_domain, Scale::linear, 1.0},
                      tr("Another number makes other random offsets"),
                      [this] { return static_cast<double>(seed_); },

@@ -93,6 +93,8 @@ class FogBrushTool : public BrushTool {
 
   // Widgets of radius, density and colours, and of seed and plane; `prefix` of their object names.
   void add_gaussian_options(QHBoxLayout& row, const QString& prefix);
+  // An option of the tool that is kept at `value`.
+  StrokeNumber number_of(double& value, const NumberOption& option, const QString& tip = {});
   // `numbers` are added to the panel of the stroke.
   void add_place_options(QHBoxLayout& row, const QString& prefix,
                          std::vector<StrokeNumber> numbers);

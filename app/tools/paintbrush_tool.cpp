@@ -36,37 +36,25 @@ void PaintbrushTool::add_options(QHBoxLayout& row) {
 
 void PaintbrushTool::add_brush_options(QHBoxLayout& row, const QString& prefix) {
   using Scale = ValueField::Scale;
-  const auto number = [this, &prefix](const QString& title, const char* name,
-                                      const NumberDomain& domain, Scale scale, const QString& tip,
-                                      double Paintbrush::*part) -> StrokeNumber {
-    return {{title, prefix + '_' + name, domain, scale, 0.01},
-            tip,
-            [this, part] { return brush_.*part; },
-            [this, part](double value) {
-              brush_.*part = value;
-              Q_EMIT options_changed();
-            }};
+  const auto number = [this, &prefix](double& value, const QString& title, const char* name,
+                                      const NumberDomain& domain, Scale scale, const QString& tip) {
+    return number_of(value, {title, prefix + '_' + name, domain, scale, 0.01}, tip);
   };
   add_gaussian_options(row, prefix);
   add_place_options(
       row, prefix,
-      {number(tr("Spacing"), "spacing", domain::brush_spacing, Scale::logarithmic,
-              tr("Distance between Gaussians along the stroke, relative to their radius along it"),
-              &Paintbrush::spacing),
-       number(tr("Scatter"), "scatter", domain::brush_scatter, Scale::linear,
-              tr("Maximum random offset across the stroke, relative to the radius"),
-              &Paintbrush::scatter),
-       number(tr("Stretch"), "stretch", domain::brush_stretch, Scale::logarithmic, stretch_tip(),
-              &Paintbrush::stretch),
-       number(tr("Flow"), "flow", domain::unit, Scale::linear,
-              tr("Share of the density that one pass adds: 1 all of it, less builds up"),
-              &Paintbrush::flow),
-       number(tr("Soft edge"), "falloff", domain::unit, Scale::linear,
-              tr("How much thinner fog is at the rim of the scatter: 0 as dense, 1 nothing"),
-              &Paintbrush::falloff),
-       number(tr("Jitter"), "jitter", domain::unit, Scale::linear,
-              tr("Random variation of radius and density: at 1 from half to double"),
-              &Paintbrush::jitter)});
+      {number(brush_.spacing, tr("Spacing"), "spacing", domain::brush_spacing, Scale::logarithmic,
+              tr("Distance between Gaussians along the stroke, relative to their radius along it")),
+       number(brush_.scatter, tr("Scatter"), "scatter", domain::brush_scatter, Scale::linear,
+              tr("Maximum random offset across the stroke, relative to the radius")),
+       number(brush_.stretch, tr("Stretch"), "stretch", domain::brush_stretch, Scale::logarithmic,
+              stretch_tip()),
+       number(brush_.flow, tr("Flow"), "flow", domain::unit, Scale::linear,
+              tr("Share of the density that one pass adds: 1 all of it, less builds up")),
+       number(brush_.falloff, tr("Soft edge"), "falloff", domain::unit, Scale::linear,
+              tr("How much thinner fog is at the rim of the scatter: 0 as dense, 1 nothing")),
+       number(brush_.jitter, tr("Jitter"), "jitter", domain::unit, Scale::linear,
+              tr("Random variation of radius and density: at 1 from half to double"))});
 }
 
 void PaintbrushTool::begin_stroke(QPointF position) {
