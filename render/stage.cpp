@@ -1,6 +1,8 @@
 #include "brume/stage.h"
 
 #include <array>
+#include <string_view>
+#include <utility>
 
 namespace brume {
 
@@ -28,79 +30,62 @@ std::string to_string(const StageSet& stages) {
   return names;
 }
 
-std::string to_string(Reason reason, std::size_t count) {
-  switch (reason) {
-    case Reason::no_surfaces:
-      return "the scene has no surfaces";
-    case Reason::no_light:
-      return "nothing emits light";
-    case Reason::no_medium:
-      return "the medium is empty";
-    case Reason::no_gaussians:
-      return "the medium has no Gaussians";
-    case Reason::no_environment:
-      return "the scene has none";
-    case Reason::black_environment:
-      return "its intensity is 0";
-    case Reason::no_homogeneous_density:
-      return "the medium's homogeneous density is 0";
-    case Reason::thin_medium:
-      return "the medium is too thin for more than one scattering";
-    case Reason::no_noise:
-      return "its amplitude is 0";
-    case Reason::no_transfer_requested:
-      return "no surface requests it";
-    case Reason::only_direct_light:
-      return "all light is direct";
-    case Reason::transfer_refused:
-      return "metallic-roughness materials and surfaces with copies have none";
-    case Reason::transfer_pending:
-      return "it is not computed yet";
-    case Reason::lights_off:
-      return "switched off: " + std::to_string(count);
-    case Reason::black_lights:
-      return std::to_string(count) + " lights of intensity 0";
-    case Reason::lights_beyond_paper:
-      return "the paper's method has isotropic point lights only; left out: " +
-             std::to_string(count);
-    case Reason::optics_beyond_paper:
-      return "the paper's method has one albedo and no emission; left out: those of Gaussians";
-    case Reason::panes_beyond_reference:
-      return "panes shadow the reference's fog as opaque surfaces do";
-    case Reason::part_of_paths:
-      return "paths carry its light";
-    case Reason::part_of_all_orders:
-      return "it is part of all orders of scattering";
-    case Reason::double_precision:
-      return "double precision was requested";
-    case Reason::march_on_cpu:
-      return "airlight march runs only on the CPU";
-    case Reason::reference_on_cpu:
-      return "airlight reference runs only on the CPU";
-    case Reason::mirrors_on_cpu:
-      return "rays that smooth surfaces mirror are traced on the CPU";
-    case Reason::path_on_cpu:
-      return "airlight path runs only on the CPU";
-    case Reason::coverage_on_cpu:
-      return "surfaces with holes, and panes, are rendered on the CPU";
-    case Reason::copies_on_cpu:
-      return "surfaces with copies are rendered on the CPU";
-    case Reason::visible_lights_on_cpu:
-      return "lights that are visible are rendered on the CPU";
-    case Reason::too_many_slices:
-      return "more slices than fit into a work group";
-    case Reason::too_many_radii:
-      return "optical-depth tables have more radii than fit into a work group";
-    case Reason::center_depths_on_cpu:
-      return "optical depths at the centres are computed on the CPU";
-    case Reason::vertex_light_on_cpu:
-      return "vertex lighting is computed on the CPU";
-    case Reason::environment_on_cpu:
-      return "its grid is computed on the CPU";
-    case Reason::average_depth_on_cpu:
-      return "the grids around surfaces are computed on the CPU";
+namespace {
+
+// In the order of the enumeration; # is the count.
+constexpr auto reason_texts = std::to_array<std::pair<Reason, std::string_view>>({
+    {Reason::no_surfaces, "the scene has no surfaces"},
+    {Reason::no_light, "nothing emits light"},
+    {Reason::no_medium, "the medium is empty"},
+    {Reason::no_gaussians, "the medium has no Gaussians"},
+    {Reason::no_environment, "the scene has none"},
+    {Reason::black_environment, "its intensity is 0"},
+    {Reason::no_homogeneous_density, "the medium's homogeneous density is 0"},
+    {Reason::no_noise, "its amplitude is 0"},
+    {Reason::thin_medium, "the medium is too thin for more than one scattering"},
+    {Reason::no_transfer_requested, "no surface requests it"},
+    {Reason::only_direct_light, "all light is direct"},
+    {Reason::transfer_refused, "metallic-roughness materials and surfaces with copies have none"},
+    {Reason::transfer_pending, "it is not computed yet"},
+    {Reason::lights_off, "switched off: #"},
+    {Reason::black_lights, "# lights of intensity 0"},
+    {Reason::lights_beyond_paper,
+     "the paper's method has isotropic point lights only; left out: #"},
+    {Reason::optics_beyond_paper,
+     "the paper's method has one albedo and no emission; left out: those of Gaussians"},
+    {Reason::panes_beyond_reference, "panes shadow the reference's fog as opaque surfaces do"},
+    {Reason::part_of_paths, "paths carry its light"},
+    {Reason::part_of_all_orders, "it is part of all orders of scattering"},
+    {Reason::double_precision, "double precision was requested"},
+    {Reason::march_on_cpu, "airlight march runs only on the CPU"},
+    {Reason::reference_on_cpu, "airlight reference runs only on the CPU"},
+    {Reason::path_on_cpu, "airlight path runs only on the CPU"},
+    {Reason::mirrors_on_cpu, "rays that smooth surfaces mirror are traced on the CPU"},
+    {Reason::coverage_on_cpu, "surfaces with holes, and panes, are rendered on the CPU"},
+    {Reason::copies_on_cpu, "surfaces with copies are rendered on the CPU"},
+    {Reason::visible_lights_on_cpu, "lights that are visible are rendered on the CPU"},
+    {Reason::too_many_slices, "more slices than fit into a work group"},
+    {Reason::too_many_radii, "optical-depth tables have more radii than fit into a work group"},
+    {Reason::center_depths_on_cpu, "optical depths at the centres are computed on the CPU"},
+    {Reason::vertex_light_on_cpu, "vertex lighting is computed on the CPU"},
+    {Reason::environment_on_cpu, "its grid is computed on the CPU"},
+    {Reason::average_depth_on_cpu, "the grids around surfaces are computed on the CPU"},
+});
+
+constexpr bool is_in_order() {
+  for (std::size_t i = 0; i < reason_texts.size(); ++i) {
+    if (reason_texts[i].first != static_cast<Reason>(i)) return false;
   }
-  return {};
+  return reason_texts.back().first == Reason::average_depth_on_cpu;
+}
+static_assert(is_in_order());
+
+}  // namespace
+
+std::string to_string(Reason reason, std::size_t count) {
+  std::string text(reason_texts[static_cast<std::size_t>(reason)].second);
+  const std::size_t place = text.find('#');
+  return place == std::string::npos ? text : text.replace(place, 1, std::to_string(count));
 }
 
 }  // namespace brume
