@@ -42,6 +42,11 @@ fs::path recovery_folder() {
   return to_path(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation)) / "recovery";
 }
 
+void save(Autosave& autosave) {
+  autosave.save_soon();
+  autosave.wait();
+}
+
 }  // namespace
 
 class AutosaveTest : public QObject {
@@ -53,24 +58,20 @@ class AutosaveTest : public QObject {
     const fs::path folder = to_path(temporary.path());
     Document document;
     Autosave autosave(document, folder / "recovery", nullptr);
-    autosave.save_soon();
-    autosave.wait();
+    save(autosave);
     QVERIFY(copies(folder / "recovery").empty());  // nothing to lose yet
     add_gaussian(document, {{1, 2, 3}, 1.0, 0.5});
-    autosave.save_soon();
-    autosave.wait();
+    save(autosave);
     QCOMPARE(copies(folder / "recovery").size(), 1u);
     const fs::path copy = copies(folder / "recovery").front();
     QVERIFY(std::ranges::equal(load_scene(copy).medium.centers(), document.medium().centers()));
     add_gaussian(document, {{4, 5, 6}, 1.0, 0.5});
-    autosave.save_soon();
-    autosave.wait();
+    save(autosave);
     QCOMPARE(load_scene(copy).medium.size(), 2u);
     document.save(folder / "saved.brume");
     QVERIFY(copies(folder / "recovery").empty());
     document.undo_stack().undo();
-    autosave.save_soon();
-    autosave.wait();
+    save(autosave);
     QCOMPARE(copies(folder / "recovery").size(), 1u);
     document.undo_stack().redo();  // as saved
     QVERIFY(copies(folder / "recovery").empty());
@@ -85,10 +86,7 @@ class AutosaveTest : public QObject {
     Autosave second(two, folder, nullptr);
     add_gaussian(one, {{}, 1.0, 0.5});
     add_gaussian(two, {{}, 2.0, 0.5});
-    for (Autosave* autosave : {&first, &second}) {
-      autosave->save_soon();
-      autosave->wait();
-    }
+    for (Autosave* autosave : {&first, &second}) save(*autosave);
     QCOMPARE(copies(folder).size(), 2u);
     QVERIFY(first.recovery_files().empty());  // both live
     leave_behind(folder, small_scene(), "/nowhere/fog.brume");
@@ -112,8 +110,7 @@ class AutosaveTest : public QObject {
       add_gaussian(document, {{}, 1.0, 0.5});
       fs::remove_all(folder);
       std::ofstream(folder).close();  // a file where the folder was
-      autosave.save_soon();
-      autosave.wait();
+      save(autosave);
     }
     QCOMPARE(failed.count(), 1);
     QVERIFY(!autosave.has_copy());
@@ -228,8 +225,7 @@ class AutosaveTest : public QObject {
     Autosave autosave(document, folder, nullptr);
     add_gaussian(document, {{}, 1.0, 0.5});
     for (int k = 0; k < 2; ++k) {
-      autosave.save_soon();
-      autosave.wait();
+      save(autosave);
       add_gaussian(document, {{}, 1.0, 0.5});  // the second time the copy is replaced
     }
     QCOMPARE(autosave.recovery_files().size(), 1u);

@@ -88,13 +88,7 @@ class Benchmark {
     std::printf("\n%d Gaussians%*s median    worst    longest block\n", count, 12, "");
     save_document(cloud(count), to_path(folder_.filePath("cloud.brume")));
     MainWindow window;
-    window.resize(1280, 800);
-    window.show();
-    begin();
-    window.files().open_file(to_path(folder_.filePath("cloud.brume")));
-    while (window.files().loading().is_running()) QTest::qWait(5);
-    QTest::qWait(1500);
-    report("open (from the file to the first frames)");
+    open(window, "cloud.brume");
 
     Viewport& view = window.viewport();
     Document& document = window.document();
@@ -164,13 +158,7 @@ class Benchmark {
     }
     save_document(scene, to_path(folder_.filePath("groups.brume")));
     MainWindow window;
-    window.resize(1280, 800);
-    window.show();
-    begin();
-    window.files().open_file(to_path(folder_.filePath("groups.brume")));
-    while (window.files().loading().is_running()) QTest::qWait(5);
-    QTest::qWait(1500);
-    report("open (from the file to the first frames)");
+    open(window, "groups.brume");
 
     auto* tree = window.findChild<QTreeWidget*>("outliner_tree");
     const auto click = [tree](int row, int column) {
@@ -213,6 +201,14 @@ class Benchmark {
   }
 
  private:
+  void open(MainWindow& window, const char* name) {
+    window.show();
+    begin();
+    show_scene(window, to_path(folder_.filePath(name)));
+    QTest::qWait(1500);
+    report("open (from the file to the first frames)");
+  }
+
   void stroke(MainWindow& window, const char* name, const char* title) {
     ToolBox& tools = window.tools();
     for (std::size_t k = 0; k < tools.entries().size(); ++k) {
@@ -278,10 +274,7 @@ class Benchmark {
 
 int main(int argc, char** argv) {
   const QTemporaryDir settings;
-  for (const char* name : {"XDG_CONFIG_HOME", "XDG_CACHE_HOME", "XDG_DATA_HOME"}) {
-    qputenv(name, settings.path().toUtf8());
-  }
-  prepare_application();
+  prepare_application_in(settings);
   MeteredApplication application(argc, argv);
   set_up_application(application);
   std::printf("CPU time of the main thread [ms]\n");

@@ -290,10 +290,7 @@ class Gestures {
 
 int main(int argc, char** argv) {
   const QTemporaryDir settings;
-  for (const char* name : {"XDG_CONFIG_HOME", "XDG_CACHE_HOME", "XDG_DATA_HOME"}) {
-    qputenv(name, settings.path().toUtf8());
-  }
-  prepare_application();
+  prepare_application_in(settings);
   QApplication application(argc, argv);
   set_up_application(application);
   std::filesystem::path file = to_path(settings.filePath("scene.brume"));
@@ -304,10 +301,7 @@ int main(int argc, char** argv) {
     save_document(gaussians > 0 ? fog_bank(gaussians) : designers_scene(), file);
   }
   MainWindow window;
-  window.resize(1280, 800);
-  window.show();
-  window.files().open_file(file);
-  while (window.files().loading().is_running()) QTest::qWait(5);
+  show_scene(window, file);
   // Pictures of a half to a sixth of the width then cover the same part of the scene.
   constexpr int divisible = 12;
   const QSize pane = window.viewport().size();

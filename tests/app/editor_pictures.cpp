@@ -238,10 +238,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   const QTemporaryDir settings;
-  for (const char* name : {"XDG_CONFIG_HOME", "XDG_CACHE_HOME", "XDG_DATA_HOME"}) {
-    qputenv(name, settings.path().toUtf8());
-  }
-  prepare_application();
+  prepare_application_in(settings);
   QApplication application(argc, argv);
   set_up_application(application);
   Pictures pictures(argv[1], argv[2]);

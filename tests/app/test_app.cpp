@@ -24,12 +24,9 @@ Suites& suites() {
 // which takes a fraction of the time; ScatteringTest is about all orders.
 int run_suite(int (*run)(int, char**), int argc, char** argv) {
   const QTemporaryDir settings;
-  qputenv("XDG_CONFIG_HOME", settings.path().toUtf8());
-  qputenv("XDG_CACHE_HOME", settings.path().toUtf8());
-  qputenv("XDG_DATA_HOME", settings.path().toUtf8());
   // Qt ends a test that takes five minutes; beside a full load some do.
   qputenv("QTEST_FUNCTION_TIMEOUT", "1200000");
-  prepare_application();
+  prepare_application_in(settings);
   QApplication application(argc, argv);
   set_up_application(application);
   QSettings().setValue("view/scattering", "single");

@@ -15,6 +15,7 @@
 #include "app/files/scene_files.h"
 #include "app/view/surface_picker.h"
 #include "app/viewport/viewport.h"
+#include "app/widgets/application.h"
 #include "app/widgets/number_field.h"
 #include "app/widgets/value_field.h"
 #include "core/io/scene/scene_file.h"
@@ -138,6 +139,20 @@ QString last_step(Document& document) {
 
 int step_count(Document& document) {
   return document.undo_stack().count();
+}
+
+void prepare_application_in(const QTemporaryDir& folder) {
+  for (const char* name : {"XDG_CONFIG_HOME", "XDG_CACHE_HOME", "XDG_DATA_HOME"}) {
+    qputenv(name, folder.path().toUtf8());
+  }
+  prepare_application();
+}
+
+void show_scene(MainWindow& window, const std::filesystem::path& file) {
+  window.resize(1280, 800);
+  window.show();
+  window.files().open_file(file);
+  while (window.files().loading().is_running()) QTest::qWait(5);
 }
 
 bool is_undone(Document& document, const Scene& before) {

@@ -77,6 +77,11 @@ class TestWindow {
   std::unique_ptr<MainWindow> window_;
 };
 
+// For programs beside the tests: settings and caches are in that folder.
+void prepare_application_in(const QTemporaryDir& folder);
+// Shows a window of 1280 x 800 logical pixels with the scene of a file.
+void show_scene(MainWindow& window, const std::filesystem::path& file);
+
 // The step that undo would undo, and how many there are.
 QString last_step(Document& document);
 int step_count(Document& document);
