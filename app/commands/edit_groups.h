@@ -2,7 +2,6 @@
 
 #include <QString>
 #include <functional>
-#include <vector>
 
 #include "app/commands/merge_id.h"
 #include "brume/group.h"

@@ -4,7 +4,6 @@
 #include <QCursor>
 #include <QWidget>
 #include <algorithm>
-#include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <numbers>

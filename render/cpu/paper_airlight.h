@@ -1,7 +1,6 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
 #include "render/geometry/medium_index.h"
 #include "render/geometry/tile_rays.h"

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "render/gl/display_options.h"
 #include "render/gl/film_airlight.h"

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <glm/vec3.hpp>
 #include <vector>
 

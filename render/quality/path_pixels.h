@@ -3,7 +3,6 @@
 #include <array>
 #include <glm/vec3.hpp>
 #include <memory>
-#include <optional>
 #include <stop_token>
 #include <vector>
 

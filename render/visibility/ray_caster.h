@@ -5,7 +5,6 @@
 #include <functional>
 #include <glm/ext/vector_uint3.hpp>
 #include <glm/vec3.hpp>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <span>

@@ -14,7 +14,6 @@
 #include <mutex>
 #include <new>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 #include "brume/mesh_arrays.h"

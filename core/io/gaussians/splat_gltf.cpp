@@ -3,7 +3,6 @@
 #include "core/io/gaussians/splat_gltf.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/mat3x3.hpp>
 #include <map>
