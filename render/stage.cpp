@@ -32,7 +32,7 @@ std::string to_string(const StageSet& stages) {
 
 namespace {
 
-// In the order of the enumeration; # is the count.
+// They are in the order of the enumeration; # is the count.
 constexpr auto reason_texts = std::to_array<std::pair<Reason, std::string_view>>({
     {Reason::no_surfaces, "the scene has no surfaces"},
     {Reason::no_light, "nothing emits light"},

@@ -74,7 +74,7 @@ core/medium/*.[hc]*:core/[a-z_]+.h
 core/scene/fields/*.[hc]*:core/[a-z_]+.h
 core/scene/materials/*.[hc]*:core/[a-z_]+.h core/math/
 core/scene/atmosphere/*.[hc]*:core/[a-z_]+.h core/math/
-core/scene/lights/*.[hc]*:core/[a-z_]+.h core/math/ core/scene/materials/ core/scene/atmosphere/
+core/scene/lights/*.[hc]*:core/[a-z_]+.h core/math/ core/scene/placement.h core/scene/materials/ core/scene/atmosphere/
 core/scene/animation/*.[hc]*:core/[a-z_]+.h core/math/ core/medium/ core/scene/fields/ core/scene/lights/sky.h core/scene/group_effects.h core/scene/imported_scene.h
 core/scene/*.[hc]*:core/[a-z_]+.h core/math/ core/medium/ core/scene/fields/ core/scene/lights/sky.h core/scene/animation/animation.h
 core/transport/*.[hc]*:core/math/ core/medium/ core/scene/

@@ -13,7 +13,7 @@
 namespace brume {
 namespace {
 
-// Of Gaussians that are small in the scene, and as many of others.
+// So many stand for Gaussians that are small in the scene, and as many for others.
 constexpr std::size_t max_lights = 16;
 // Of the diagonal of what they light: small Gaussians have radii below, and lights less than this
 // wide are not split.
@@ -84,30 +84,25 @@ std::vector<Cluster> clusters_of(std::vector<EmittingGaussian> emitters, const M
   return clusters;
 }
 
-// Where a cluster shines from.
+// The places that a cluster shines from.
 struct Shining {
   glm::dvec3 position{0.0};
   std::vector<glm::dvec3> parts{};  // from the position, all alike [u]
   double share = 1.0;               // of what the cluster emits that is in the open
 };
 
-// From its center, or from the middle one of its parts where that lies in a solid.
+// A cluster shines from its center, or from the part next to it where that is in a solid.
 Shining shining_of(const Cluster& cluster, const MediumIndex& medium, const RayCaster* surfaces) {
   Shining shining{cluster.center, emission_parts(cluster.emitters, medium, part_count)};
   if (surfaces) {
-    std::vector<glm::dvec3> all = shining.parts;
-    all.push_back(cluster.center);
-    std::vector<glm::dvec3> open = parts_in_the_open(all, *surfaces);
-    if (open.back() == cluster.center) {
-      open.pop_back();
-    } else {
+    shining.parts = parts_in_the_open(shining.parts, *surfaces);
+    shining.share = static_cast<double>(shining.parts.size()) / part_count;
+    if (!are_on_one_side(shining.parts.front(), cluster.center, *surfaces)) {
       const auto distance = [&](const glm::dvec3& part) {
         return glm::distance(part, cluster.center);
       };
-      shining.position = *std::ranges::min_element(open, {}, distance);
+      shining.position = *std::ranges::min_element(shining.parts, {}, distance);
     }
-    shining.share = static_cast<double>(open.size()) / part_count;
-    shining.parts = std::move(open);
   }
   for (glm::dvec3& part : shining.parts) part -= shining.position;
   return shining;

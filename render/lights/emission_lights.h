@@ -31,7 +31,8 @@ class EmissionLights {
     std::vector<std::size_t> gaussians;
   };
 
-  // Of a medium around surfaces; null: there are none. Cached. Empty after the job was stopped.
+  // Finds those of a medium around surfaces; null: there are none. Cached. Empty after the job was
+  // stopped.
   void update(const MediumIndex& medium, double albedo, const RayCaster* surfaces, const Job& job);
   void clear() { *this = EmissionLights(); }
 

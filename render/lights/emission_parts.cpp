@@ -28,21 +28,11 @@ glm::dvec3 normal_point(int k) {
   return {radii.x * std::cos(angles.x), radii.x * std::sin(angles.x), radii.y * std::cos(angles.y)};
 }
 
-// How many surfaces are between two points.
-int crossings(const RayCaster& surfaces, const glm::dvec3& start, const glm::dvec3& end) {
-  constexpr int max_crossings = 64;
-  const double length = glm::distance(start, end);
-  if (!(length > 0.0)) return 0;
-  const glm::dvec3 direction = (end - start) / length;
-  int count = 0;
-  for (double t = 0.0; count < max_crossings; ++count) {
-    const glm::dvec3 origin = start + t * direction;
-    const double step = 2.0 * rounding_at(origin - surfaces.center());
-    const SurfaceHit hit = surfaces.first_hit(origin, direction);
-    if (!hit || t + hit.distance > length) break;
-    t += hit.distance + step;
-  }
-  return count;
+SurfaceHit hit_through_panes(const RayCaster& surfaces, const glm::dvec3& origin,
+                             const glm::dvec3& direction) {
+  SurfaceHit hit;
+  surfaces.opaque_hits(origin, std::span(&direction, 1), std::span(&hit, 1), 0.0);
+  return hit;
 }
 
 // The mean over parts and the axes' directions of how far they see, at most `far` [u].
@@ -53,7 +43,7 @@ double mean_sight(std::span<const glm::dvec3> parts, const RayCaster& surfaces, 
       for (const double side : {-1.0, 1.0}) {
         glm::dvec3 direction(0.0);
         direction[axis] = side;
-        const SurfaceHit hit = surfaces.first_hit(part, direction);
+        const SurfaceHit hit = hit_through_panes(surfaces, part, direction);
         sum += hit ? std::min(hit.distance, far) : far;
       }
     }
@@ -82,12 +72,26 @@ std::vector<glm::dvec3> emission_parts(std::span<const EmittingGaussian> emitter
   return parts;
 }
 
+bool are_on_one_side(const glm::dvec3& a, const glm::dvec3& b, const RayCaster& surfaces) {
+  constexpr int max_crossings = 64;
+  const double length = glm::distance(a, b);
+  if (!(length > 0.0)) return true;
+  const glm::dvec3 direction = (b - a) / length;
+  int count = 0;
+  for (double t = 0.0; count < max_crossings; ++count) {
+    const glm::dvec3 origin = a + t * direction;
+    const SurfaceHit hit = hit_through_panes(surfaces, origin, direction);
+    if (!hit || t + hit.distance > length) break;
+    t += hit.distance + 2.0 * rounding_at(origin - surfaces.center());
+  }
+  return count % 2 == 0;
+}
+
 std::vector<glm::dvec3> parts_in_the_open(const std::vector<glm::dvec3>& parts,
                                           const RayCaster& surfaces) {
   std::array<std::vector<glm::dvec3>, 2> sides;
   for (const glm::dvec3& part : parts) {
-    const bool is_beyond = crossings(surfaces, parts.front(), part) % 2 == 1;
-    sides[is_beyond ? 1 : 0].push_back(part);
+    sides[are_on_one_side(parts.front(), part, surfaces) ? 0 : 1].push_back(part);
   }
   std::ranges::sort(sides, std::ranges::greater(), &std::vector<glm::dvec3>::size);
   const auto& [more, fewer] = sides;

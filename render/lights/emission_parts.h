@@ -20,9 +20,12 @@ struct EmittingGaussian {
 std::vector<glm::dvec3> emission_parts(std::span<const EmittingGaussian> emitters,
                                        const MediumIndex& medium, int count);
 
-// Those that lie in the open, where others are in solids or below the ground. Surfaces part them in
-// two, by how many are crossed between any of them and the first: more are in the open, unless they
-// see less than half as far.
+// Whether as many surfaces as an even number are between two points: both are in one solid, or
+// neither is. Panes do not count.
+bool are_on_one_side(const glm::dvec3& a, const glm::dvec3& b, const RayCaster& surfaces);
+
+// The parts that lie in the open, where others are in solids or below the ground: those on the side
+// of more of them, unless these see less than half as far. Never empty.
 std::vector<glm::dvec3> parts_in_the_open(const std::vector<glm::dvec3>& parts,
                                           const RayCaster& surfaces);
 

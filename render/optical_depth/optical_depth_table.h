@@ -63,7 +63,7 @@ class OpticalDepthTable {
   // In parallel. Cost: directions^2 * (Gaussians per direction) line integrals.
   OpticalDepthTable(const MediumIndex& medium, const glm::dvec3& light,
                     const OpticalDepthTableSize& size);
-  // Of a light whose parts are at these offsets from it, all alike: exp(-T) is their mean, each
+  // A table of a light whose parts are at these offsets, all alike: exp(-T) is their mean, each
   // towards as far away in the same direction.
   OpticalDepthTable(const MediumIndex& medium, const glm::dvec3& light,
                     std::span<const glm::dvec3> parts, const OpticalDepthTableSize& size);

@@ -39,7 +39,7 @@ constexpr double outstanding = 4.0;
 constexpr double uniform_share = 0.3;
 }  // namespace slice_demand
 
-// Of the points that stand for a surface, one in so many demands slices.
+// One in so many of the points that stand for an area light, or for all that emits, demands slices.
 constexpr int points_per_demand = 4;
 
 // Slices of equal angle at a light: for lights nearer to the range than this fraction of its

@@ -77,7 +77,7 @@ class TestWindow {
   std::unique_ptr<MainWindow> window_;
 };
 
-// For programs beside the tests: settings and caches are in that folder.
+// Programs beside the tests have settings and caches in that folder.
 void prepare_application_in(const QTemporaryDir& folder);
 // Shows a window of 1280 x 800 logical pixels with the scene of a file.
 void show_scene(MainWindow& window, const std::filesystem::path& file);

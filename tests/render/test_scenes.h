@@ -24,7 +24,7 @@ Scene in_fog(Scene scene, double b0);
 
 // Nothing, seen by a camera.
 Scene seen_by(const Camera& camera, const Film& film);
-// With a film of so many pixels.
+// The scene with a film of so many pixels.
 Scene on_film(Scene scene, const Film& film);
 
 // Two triangles across z = `z`, from -`half` to `half` in x and y, facing +z.
@@ -49,7 +49,7 @@ Environment even_sky(float radiance);
 inline const Settings paper_settings{.airlight = AirlightMethod::paper};
 Settings reference_settings(double tolerance = 1e-5);
 Settings sliced(int slices, Scattering scattering = Scattering::single);
-// Of all orders, on a grid that is coarse beside what users get; the bounds of frames hold on it.
+// The grid of all orders here is coarse beside what users get; the bounds of frames hold on it.
 Settings all_orders(int slices, const SourceGridSize& grid = {.nodes = 6000, .directions = 48});
 Settings marched(int steps);
 Settings path_traced(int paths);

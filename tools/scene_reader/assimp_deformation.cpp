@@ -81,10 +81,11 @@ std::vector<Joint> read_bones(const aiMesh& mesh, const std::map<std::string, st
   joints.push_back({node});
   for (std::vector<Influence>& of_vertex : influences) {
     if (of_vertex.empty()) of_vertex.push_back({own, 1.0f});
-    float sum = 0.0f;
-    for (const Influence& influence : of_vertex) sum += influence.weight;
+    double sum = 0.0;
+    for (const Influence& influence : of_vertex) sum += static_cast<double>(influence.weight);
     for (const Influence& influence : of_vertex) {
-      deformation.influences.push_back({influence.joint, influence.weight / sum});
+      const double share = static_cast<double>(influence.weight) / sum;
+      deformation.influences.push_back({influence.joint, static_cast<float>(share)});
     }
     deformation.ends.push_back(static_cast<std::uint32_t>(deformation.influences.size()));
   }

@@ -60,7 +60,10 @@ class Animation {
     } else if (path == "scale") {
       read_track(channel, vectors_, 3, tracks.scale);
     } else if (path == "weights") {
-      weights = read_weights(sampler_of(channel));
+      const std::size_t sampler = sampler_of(channel);
+      auto& found = weights_[sampler];
+      if (!found) found = read_weights(sampler);
+      weights = found;
     } else {
       file_.context().warn(target.path_of("path"),
                            "animations of " + quoted_text(path) + " are left out");
@@ -175,6 +178,7 @@ class Animation {
   const Json::array_t& channels_;
   Known<glm::dvec3> vectors_;
   Known<glm::dquat> quaternions_;
+  Known<MorphWeights> weights_;
 };
 
 }  // namespace

@@ -71,7 +71,7 @@ std::vector<MorphTarget> read_morph_targets(GltfFile& file, JsonObject& primitiv
     bytes += std::span(added.points).size_bytes() + std::span(added.normals).size_bytes();
     if (bytes > limits::scene_bytes / 4) {
       target.fail("POSITION", "the morph targets up to here take more memory than the allowed " +
-                                  std::to_string(limits::scene_bytes) + " bytes");
+                                  std::to_string(limits::scene_bytes / 4) + " bytes");
     }
   }
   return targets;

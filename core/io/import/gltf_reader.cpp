@@ -194,7 +194,7 @@ class GltfReader {
       if (added.deformation) bytes_ += added.deformation->bytes();
       if (bytes_ > limits::scene_bytes / 4) {
         file_.context().fail(path, "the meshes up to here take more memory than the allowed " +
-                                       std::to_string(limits::scene_bytes) + " bytes");
+                                       std::to_string(limits::scene_bytes / 4) + " bytes");
       }
       ++meshes_;
       apply_transform(to_world, file_.context().file(), path.text(), added.mesh);

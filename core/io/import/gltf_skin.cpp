@@ -18,18 +18,22 @@ struct Influences {
 
 std::vector<Influences> read_influences(GltfFile& file, JsonObject& attributes,
                                         std::size_t vertices) {
+  // Vertices have four joints each of a set, seldom more than eight; files may name one array in
+  // hundreds of sets.
+  constexpr std::size_t max_sets = 8;
   std::vector<Influences> sets;
   const auto values = [&](const std::string& key) {
     auto vectors = gltf_vectors<glm::vec4>(file, attributes, key);
     check_value_count(attributes, key, vectors.size(), vertices);
     return vectors;
   };
-  for (;;) {
+  while (sets.size() < max_sets) {
     const std::string set = std::to_string(sets.size());
     Influences influences{values("JOINTS_" + set), values("WEIGHTS_" + set)};
-    if (influences.joints.empty() || influences.weights.empty()) return sets;
+    if (influences.joints.empty() || influences.weights.empty()) break;
     sets.push_back(std::move(influences));
   }
+  return sets;
 }
 
 // Throws unless an influence is by one of the joints.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <glm/common.hpp>
 #include <glm/ext/matrix_transform.hpp>
+#include <ranges>
+#include <unordered_map>
 #include <utility>
 
 #include "brume/error.h"
@@ -76,23 +78,38 @@ NodeMotion::NodeMotion(const std::filesystem::path& file, std::vector<MovingNode
   }
 }
 
-glm::dmat4 NodeMotion::to_world(std::size_t node, double time) const {
-  glm::dmat4 result(1.0);
-  std::size_t depth = 0;
-  for (std::optional<std::size_t> i = node; i; i = nodes_[*i].parent, ++depth) {
-    const auto& [parent, at_rest, transform, tracks] = nodes_[*i];
-    if (!tracks.has_any()) {
-      result = at_rest * result;
-      continue;
+glm::dmat4 NodeMotion::to_parent(std::size_t node, double time) const {
+  const auto& [parent, at_rest, transform, tracks] = nodes_[node];
+  if (!tracks.has_any()) return at_rest;
+  NodeTransform moved = transform;
+  if (tracks.translation) moved.translation = evaluated(*tracks.translation, time);
+  if (tracks.rotation) moved.rotation = evaluated(*tracks.rotation, time);
+  if (tracks.scale) moved.scale = evaluated(*tracks.scale, time);
+  return moved.matrix();
+}
+
+std::vector<glm::dmat4> NodeMotion::to_world(std::span<const std::size_t> nodes,
+                                             double time) const {
+  std::unordered_map<std::size_t, glm::dmat4> known;
+  std::vector<std::size_t> chain;  // up to a known one
+  std::vector<glm::dmat4> transforms;
+  for (const std::size_t node : nodes) {
+    chain.clear();
+    std::optional<std::size_t> i = node;
+    for (; i && !known.contains(*i); i = nodes_[*i].parent) chain.push_back(*i);
+    glm::dmat4 transform = i ? known.at(*i) : glm::dmat4(1.0);
+    for (const std::size_t link : std::views::reverse(chain)) {
+      transform = transform * to_parent(link, time);
+      known.emplace(link, transform);
     }
-    NodeTransform moved = transform;
-    if (tracks.translation) moved.translation = evaluated(*tracks.translation, time);
-    if (tracks.rotation) moved.rotation = evaluated(*tracks.rotation, time);
-    if (tracks.scale) moved.scale = evaluated(*tracks.scale, time);
-    result = moved.matrix() * result;
+    count(1 + chain.size());
+    transforms.push_back(transform);
   }
-  count(depth);
-  return result;
+  return transforms;
+}
+
+glm::dmat4 NodeMotion::to_world(std::size_t node, double time) const {
+  return to_world(std::span(&node, 1), time).front();
 }
 
 void NodeMotion::check_coordinates(const glm::dvec3& point) const {

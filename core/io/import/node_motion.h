@@ -8,6 +8,7 @@
 #include <glm/vec3.hpp>
 #include <memory>
 #include <optional>
+#include <span>
 #include <valarray>
 #include <vector>
 
@@ -65,12 +66,16 @@ class NodeMotion {
   [[nodiscard]] bool moves_any() const { return std::ranges::count(moves_, true) > 0; }
   // Throws InputError where that has taken too long in all.
   [[nodiscard]] glm::dmat4 to_world(std::size_t node, double time) const;
+  // The same of several, of which each ancestor is evaluated once.
+  [[nodiscard]] std::vector<glm::dmat4> to_world(std::span<const std::size_t> nodes,
+                                                 double time) const;
   // Throws InputError unless a point that an animation moves is one of a scene.
   void check_coordinates(const glm::dvec3& point) const;
   // The times of the tracks of a node and of those that it is in, ascending; none twice.
   [[nodiscard]] std::vector<double> times(std::size_t node) const;
 
  private:
+  [[nodiscard]] glm::dmat4 to_parent(std::size_t node, double time) const;
   void count(std::size_t steps) const;
 
   std::filesystem::path file_;

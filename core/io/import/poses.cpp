@@ -31,9 +31,10 @@ Extent extent_of(const Deformation& deformation, const DeformationMotion& motion
     }
     extent.targets.push_back(length);
     double weight = i < motion.weights.size() ? std::abs(motion.weights[i]) : 0.0;
-    for (std::size_t k = 0; motion.track && k < motion.track->values.size(); ++k) {
-      const MorphWeights& weights = motion.track->values[k];
-      if (i < weights.size()) weight = std::max(weight, std::abs(weights[i]));
+    if (motion.track && length > 0.0 && i < motion.track->values.front().size()) {
+      for (const MorphWeights& weights : motion.track->values) {
+        weight = std::max(weight, std::abs(weights[i]));
+      }
     }
     greatest += weight * length;
   }
@@ -96,9 +97,14 @@ Pose pose_at(const DeformationMotion& motion, const NodeMotion& nodes, double ti
   Pose pose{.time = time};
   const MorphWeights weights = motion.track ? value_at(*motion.track, time) : motion.weights;
   pose.weights.assign(std::begin(weights), std::end(weights));
+  std::vector<std::size_t> moving;
   for (const Joint& joint : motion.joints) {
-    pose.joints.push_back(joint.node ? nodes.to_world(*joint.node, time) * joint.to_node
-                                     : joint.to_node);
+    if (joint.node) moving.push_back(*joint.node);
+  }
+  const std::vector<glm::dmat4> transforms = nodes.to_world(moving, time);
+  auto to_world = transforms.begin();
+  for (const Joint& joint : motion.joints) {
+    pose.joints.push_back(joint.node ? *to_world++ * joint.to_node : joint.to_node);
   }
   return pose;
 }
@@ -109,7 +115,7 @@ std::shared_ptr<const Deformation> moving_deformation(Deformation deformation,
   const std::vector<double> times = times_of(motion, nodes);
   if (times.empty()) return nullptr;
   const Extent extent = extent_of(deformation, motion, nodes);
-  // A minute and 2 GB at most.
+  // Of one mesh 2 GB at most.
   constexpr std::size_t max_transforms = std::size_t{1} << 24;
   std::size_t transforms = 0;
   const auto state_at = [&](double time) {
@@ -119,6 +125,12 @@ std::shared_ptr<const Deformation> moving_deformation(Deformation deformation,
       throw InputError(nodes.file(), "", "the animation of its joints takes too long");
     }
     Pose pose = pose_at(motion, nodes, time);
+    // Cubic curves of weights go beyond their keys.
+    double morphed = 0.0;
+    for (std::size_t i = 0; i < std::min(pose.weights.size(), extent.targets.size()); ++i) {
+      morphed += std::abs(pose.weights[i]) * extent.targets[i];
+    }
+    nodes.check_coordinates(glm::dvec3(morphed));
     for (const glm::dmat4& joint : pose.joints) {
       for (const glm::dvec3& corner : extent.corners) {
         nodes.check_coordinates(glm::dvec3(joint * glm::dvec4(corner, 1.0)));
@@ -126,10 +138,14 @@ std::shared_ptr<const Deformation> moving_deformation(Deformation deformation,
     }
     return pose;
   };
+  // When it is largest, of some times: what is hidden is often scaled to nothing at first.
+  constexpr std::size_t max_sizes = 64;
   double size = 0.0;
-  for (const glm::dmat4& joint : state_at(times.front()).joints) {
-    const glm::dvec3 diagonal = extent.corners.back() - extent.corners.front();
-    size = std::max(size, glm::length(glm::dmat3(joint) * diagonal));
+  for (std::size_t k = 0; k < times.size(); k += 1 + (times.size() - 1) / max_sizes) {
+    for (const glm::dmat4& joint : state_at(times[k]).joints) {
+      const glm::dvec3 diagonal = extent.corners.back() - extent.corners.front();
+      size = std::max(size, glm::length(glm::dmat3(joint) * diagonal));
+    }
   }
   constexpr double rounding = 1e-9;
   const PoseMeasure measure{extent, max_share * size + rounding};

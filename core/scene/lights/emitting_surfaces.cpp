@@ -104,27 +104,17 @@ bool has_outside(const MeshArrays& mesh) {
   return volume > 0.0 && edges == reversed;
 }
 
-// The surface at the placement of one of its copies, or at its own.
-Surface at_placement(const Surface& surface, std::size_t copy) {
-  Surface result = surface;
-  if (copy == 0) return result;
-  const CopyPlacement& placement = (*surface.placed_copies)[copy - 1];
-  result.translate = placement.translate;
-  result.rotate = placement.rotate;
-  result.scale = placement.scale;
-  return result;
-}
-
 // Calls visit(piece, surface, copy, triangle) for all triangles of surfaces that emit.
 template <class Visit>
 void for_each_emitting(std::span<const Surface> surfaces, Visit visit) {
   const auto visit_placement = [&visit](const Surface& surface, std::size_t s, std::size_t copy) {
     const MeshArrays& mesh = to_arrays(*surface.mesh);
-    const std::vector<glm::dvec3> points = world_points(at_placement(surface, copy), mesh.points);
+    const Placement placement = placement_of(surface, copy);
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
       Piece piece{.corners = {}, .values = corner_values(mesh, t), .surface = &surface};
       for (int k = 0; k < 3; ++k) {
-        piece.corners[static_cast<std::size_t>(k)] = points[mesh.triangles[t][k]];
+        const glm::dvec3 corner(mesh.points[mesh.triangles[t][k]]);
+        piece.corners[static_cast<std::size_t>(k)] = placement.point_to_world(corner);
       }
       visit(piece, s, copy, t);
     }

@@ -349,8 +349,10 @@ std::vector<PointLight> point_lights(const Scene& scene, LightPoints count) {
   });
   // Reads all vertices.
   const LitRegion region = needs_region ? LitRegion::of(scene) : LitRegion();
-  // A quarter of a light's points for each surface that emits, up to 16 of them.
-  const int share = static_cast<int>(std::clamp<std::size_t>(emitter_count(scene.surfaces), 4, 16));
+  // A sixth of a light's points for each surface that emits, up to 12 of them: with more, software
+  // OpenGL ends its loops early.
+  const int emitters =
+      static_cast<int>(std::clamp<std::size_t>(emitter_count(scene.surfaces), 6, 12));
   // Fewer points for each where all of them would be too many; Fibonacci numbers, as above.
   std::vector<PointLight> lights;
   for (const int max_points : {whole_sphere, whole, 13, 8, 5, 3, 2, 1}) {
@@ -362,7 +364,7 @@ std::vector<PointLight> point_lights(const Scene& scene, LightPoints count) {
     }
     if (count != LightPoints::drawn) {
       const auto points =
-          emitting_points(scene.surfaces, count == LightPoints::few    ? share * max_points / 4
+          emitting_points(scene.surfaces, count == LightPoints::few    ? emitters * max_points / 6
                                           : count == LightPoints::many ? many_points
                                                                        : 1);
       lights.insert(lights.end(), points.begin(), points.end());

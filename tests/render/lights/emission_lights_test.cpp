@@ -48,8 +48,7 @@ struct Made {
   }
 };
 
-// What a light sends far away, in the mean over directions: of what its Gaussians emit, the share
-// that nothing absorbs.
+// The share of what a light's Gaussians emit that gets far away, in the mean over directions.
 double escaping_share(const EmissionLights::Light& light) {
   constexpr double far = 100.0;
   double share = 0.0;
@@ -137,7 +136,7 @@ TEST(EmissionLights, OfManyTheRimIsSeen) {
   EXPECT_NEAR(escaping / all, expected, 0.1 * expected);
 }
 
-// What glows below a floor or within a solid lights nothing, and the light stands in the open.
+// Gaussians light nothing where they are below a floor or in a solid; the light is in the open.
 TEST(EmissionLights, ShineWhereTheyAreInTheOpen) {
   const Surface floor = placed(Primitive::Shape::plane, {40.0, 1.0, 40.0}, glm::dvec3(0.0));
   const Surface log = placed(Primitive::Shape::box, {0.3, 0.3, 0.3}, {0.0, 0.15, 0.0});
@@ -157,6 +156,19 @@ TEST(EmissionLights, ShineWhereTheyAreInTheOpen) {
   }
 }
 
+// The middle of two in lanterns is outside of both.
+TEST(EmissionLights, ShineInLanternsWhoseMiddleIsOutside) {
+  const std::array lanterns{placed(Primitive::Shape::box, glm::dvec3(0.1), {-0.06, 0.0, 0.0}),
+                            placed(Primitive::Shape::box, glm::dvec3(0.1), {0.06, 0.0, 0.0}),
+                            placed(Primitive::Shape::plane, {40.0, 1.0, 40.0}, {0.0, -1.0, 0.0})};
+  const Made made{{hot({-0.06, 0.0, 0.0}, 0.01), hot({0.06, 0.0, 0.0}, 0.01)}, RayCaster(lanterns)};
+  ASSERT_EQ(made.lights.lights().size(), 1u);
+  const EmissionLights::Light& light = made.lights.lights()[0];
+  EXPECT_NEAR(light.source.intensity.x, 2.0 * unattenuated(hot({}, 0.01)), 1e-6);
+  EXPECT_NEAR(std::abs(light.source.position.x), 0.06, 0.04);
+  EXPECT_GT(escaping_share(light), 0.9);
+}
+
 TEST(EmissionLights, KeepsItsRevisionWhileNothingChanges) {
   Made made{{hot({}, 0.02)}};
   const Revision before = made.lights.revision();
@@ -164,6 +176,10 @@ TEST(EmissionLights, KeepsItsRevisionWhileNothingChanges) {
   EXPECT_EQ(made.lights.revision(), before);
   made.lights.update(made.index, 0.5, &room(), {});
   EXPECT_NE(made.lights.revision(), before);
+  const Revision in_the_room = made.lights.revision();
+  made.lights.update(made.index, 0.5, nullptr, {});
+  EXPECT_NE(made.lights.revision(), in_the_room);
+  EXPECT_EQ(made.lights.lights().size(), 1u);
 }
 
 }  // namespace

@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <glm/geometric.hpp>
+#include <memory>
 
 #include "brume/primitive.h"
 #include "core/scene/lights/point_lights.h"
@@ -98,6 +101,33 @@ TEST(EmittingSurfaces, AreAmongTheLightsOfAScene) {
       emitting({.shape = Primitive::Shape::box, .size = {1.0, 1.0, 1.0}}, glm::dvec3(1.0)));
   EXPECT_GT(point_lights(scene, LightPoints::few).size(), 6u);
   EXPECT_TRUE(point_lights(scene, LightPoints::drawn).empty());
+}
+
+// A street of signs was lit by as many points as one of them, most of which stood for several.
+TEST(EmittingSurfaces, ManyGetPointsOfTheirOwn) {
+  constexpr int count = 12;
+  Scene scene;
+  for (int i = 0; i < count; ++i) {
+    Surface& sign = scene.surfaces.emplace_back(
+        emitting({.shape = Primitive::Shape::box, .size = {0.1, 0.1, 1.0}}, glm::dvec3(1.0)));
+    sign.translate.x = 10.0 * i;
+  }
+  for (const bool are_copies : {false, true}) {
+    SCOPED_TRACE(are_copies);
+    if (are_copies) {
+      auto copies = std::make_shared<CopyPlacements>();
+      for (int i = 1; i < count; ++i) copies->push_back({.translate = {10.0 * i, 0.0, 0.0}});
+      scene.surfaces.resize(1);
+      scene.surfaces[0].placed_copies = copies;
+    }
+    std::array<int, count> points{};
+    for (const PointLight& light : point_lights(scene, LightPoints::few)) {
+      const double sign = light.position.x / 10.0;
+      EXPECT_NEAR(sign, std::round(sign), 0.01);
+      ++points[static_cast<std::size_t>(std::lround(sign))];
+    }
+    EXPECT_GE(std::ranges::min(points), 4);  // one for each long side
+  }
 }
 
 }  // namespace
