@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
 #include <utility>
 
 #include "app/document/surface_names.h"
@@ -149,10 +148,16 @@ void visit_imported(const Surface& surface, auto&& visit) {
 
 // The keys of all parts, which are as many as there are samples, a millisecond apart.
 std::vector<Keyframe> imported_keyframes(const Surface& surface) {
-  std::set<double> times;
+  std::vector<double> times;
+  std::vector<double> last;  // of the values before; most have the same
   visit_imported(surface, [&](const auto& keys) {
-    for (const auto& key : keys) times.insert(key.time);
+    const auto same = [](const auto& key, double time) { return key.time == time; };
+    if (std::ranges::equal(keys, last, same)) return;
+    last.clear();
+    for (const auto& key : keys) last.push_back(key.time);
+    times.insert(times.end(), last.begin(), last.end());
   });
+  std::ranges::sort(times);
   constexpr double resolution = 1e-3;
   std::vector<Keyframe> marks;
   for (const double time : times) {

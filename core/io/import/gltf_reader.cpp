@@ -112,8 +112,9 @@ class GltfReader {
     use.weights = gltf_weights(file_, object);
     use.track = animation_.weights[index_of_node];
     const bool has_own_weights = use.weights.size() > 0 || use.track;
-    const bool moves = motion_->moves(index_of_node) && !use.joints;
-    const glm::dmat4 outer = moves ? add_motion(use, object) : node.to_world;
+    // The keys are of primitives without joints.
+    const glm::dmat4 outer =
+        motion_->moves(index_of_node) ? add_motion(use, object) : node.to_world;
     for (glm::dmat4& transform : use.transforms) transform = outer * transform;
     if (!use.joints && !has_own_weights && (use.transforms.size() > 1 || uses_[*index] > 1)) {
       use.placements = placements_of(use.transforms);

@@ -165,6 +165,17 @@ TEST_F(GltfSkin, IsLeftOutWhereItsJointsAreInAnotherScene) {
 TEST_F(GltfSkin, PrimitivesWithoutJointsAreWhereTheNodeIs) {
   builder_.primitive()["attributes"].erase("JOINTS_0");
   expect_points(read(), {{10, 0, 0}, {13, 0, 0}, {13, 3, 0}, {10, 3, 0}});
+  // They move with it, too.
+  builder_.json["animations"] = {
+      {{"samplers",
+        {{{"input", builder_.add({0, 1}, "SCALAR")},
+          {"output", builder_.add({10, 0, 0, 20, 0, 0}, "VEC3")}}}},
+       {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}}}}}};
+  read();
+  Surface surface;
+  surface.imported = read_imported_scene(folder_ / "scene.glb", warnings_);
+  const Surface shown = shown_surfaces(std::span(&surface, 1), 0.5).at(0);
+  EXPECT_LT(glm::distance(world_points(shown).at(0), glm::dvec3(15, 0, 0)), 1e-6);
 }
 
 TEST_F(GltfSkin, IsLeftOutWhereItIsWrong) {
