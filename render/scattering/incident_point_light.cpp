@@ -94,7 +94,14 @@ class PointsAroundLight {
     if (falloff.has_cone()) {
       const double versine = falloff.versine(w);
       if (versine - reach > falloff.dark_versine()) return 0.0;
-      if (!falloff.map() && versine + reach < falloff.full_versine()) return 1.0;
+      if (versine + reach < falloff.full_versine()) {
+        if (!falloff.map()) return 1.0;
+        // Profiles are linear between angles that are seldom closer.
+        constexpr double smooth_reach = 0.1;
+        if (falloff.shape() == LightFalloff::Shape::profile && reach < smooth_reach) {
+          return falloff.by_map(w);
+        }
+      }
     } else if (std::abs(glm::dot(w, falloff.axis())) > reach) {
       return falloff.at(w);  // it is smooth there
     }
@@ -109,7 +116,7 @@ class PointsAroundLight {
       const double cosine =
           normal == glm::dvec3(0.0) ? 1.0 : -glm::dot(normal, from_light) / distance;
       const double weight = p.weight * std::max(cosine, 0.0) / distance2;
-      lit += weight * falloff.at(from_light / distance);
+      lit += weight * falloff.by_map(from_light / distance);
       all += weight;
     }
     return all > 0.0 ? lit / all : 0.0;

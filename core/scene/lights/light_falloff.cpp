@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/trigonometric.hpp>
+#include <glm/vec2.hpp>
 
 #include "core/math/basis.h"
 #include "core/math/infinity.h"
@@ -108,28 +109,40 @@ double LightFalloff::versine(const glm::dvec3& w) const {
   return 0.5 * glm::dot(chord, chord);
 }
 
+double LightFalloff::in_cone(const glm::dvec3& w) const {
+  const double share = std::clamp((dark_versine_ - versine(w)) * per_versine_, 0.0, 1.0);
+  return share * share;
+}
+
+double LightFalloff::by_map(const glm::dvec3& w) const {
+  if (shape_ != Shape::profile) return at(w);
+  const double share = in_cone(w);
+  if (!(share > 0.0)) return 0.0;
+  const glm::dvec3 q(glm::dot(w, azimuth_0_), glm::dot(w, azimuth_90_), glm::dot(w, axis_));
+  const glm::dvec2 place = glm::dvec2(q) / (std::abs(q.x) + std::abs(q.y) + std::abs(q.z));
+  if (q.z >= 0.0) return share * in_square(*map_, place.x, place.y);
+  return share * in_square(*map_, std::copysign(1.0 - std::abs(place.y), place.x),
+                           std::copysign(1.0 - std::abs(place.x), place.y));
+}
+
 double LightFalloff::at(const glm::dvec3& w) const {
   const double cosine = glm::dot(w, axis_);
-  const auto in_cone = [&] {
-    const double share = std::clamp((dark_versine_ - versine(w)) * per_versine_, 0.0, 1.0);
-    return share * share;
-  };
   switch (shape_) {
     case Shape::isotropic:
       return 1.0;
     case Shape::cone:
-      return in_cone();
+      return in_cone(w);
     case Shape::cosine:
       return std::clamp(cosine, 0.0, 1.0);
     case Shape::two_cosines:
       return std::min(std::abs(cosine), 1.0);
     case Shape::profile: {
-      const double share = in_cone();
+      const double share = in_cone(w);
       if (!(share > 0.0)) return 0.0;
       return share * profile_->at({glm::dot(w, azimuth_0_), glm::dot(w, azimuth_90_), cosine});
     }
     case Shape::picture: {
-      const double share = in_cone();
+      const double share = in_cone(w);
       if (!(share > 0.0)) return 0.0;
       const double scale = cotangent_ / cosine;
       return share *

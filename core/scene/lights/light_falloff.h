@@ -57,6 +57,8 @@ class LightFalloff {
 
   // In the unit direction w from the light. In [0, 1].
   [[nodiscard]] double at(const glm::dvec3& w) const;
+  // The same by the map of a profile, as vectors and shaders look it up: several times as fast.
+  [[nodiscard]] double by_map(const glm::dvec3& w) const;
 
   // Parameters t, ascending, at which the line origin + t w, w unit, may enter or leave what the
   // light lights at all, or fully: between two of them the falloff is smooth. NaN-free; +-inf where
@@ -69,6 +71,7 @@ class LightFalloff {
  private:
   void set_profile(const LightProfile& profile);  // within the cone
   void turn_about_axis(double degrees);
+  [[nodiscard]] double in_cone(const glm::dvec3& w) const;
 
   glm::dvec3 axis_{0.0};
   double dark_versine_ = 0.0;

@@ -7,6 +7,8 @@
 #include <glm/trigonometric.hpp>
 #include <random>
 
+#include "core/scene/lights/photometric_profile.h"
+
 namespace brume {
 namespace {
 
@@ -70,6 +72,24 @@ TEST(LightFalloff, SurvivesNoDirectionAndClosedCones) {
 }
 
 // Between neighbouring edges the falloff along a line is 0, 1, or on the slope.
+TEST(LightFalloff, IsTheSameByTheMapOfAProfile) {
+  light::Spot spot;
+  spot.direction = glm::dvec3(0.3, -1.0, 0.2);
+  spot.outer_angle = 70.0;
+  spot.profile.content = std::make_shared<const PhotometricProfile>(
+      std::vector<double>{0.0, 45.0, 90.0, 180.0}, std::vector<double>{0.0, 90.0, 360.0},
+      std::vector<double>{1.0, 3.0, 2.0, 0.5, 1.0, 0.5, 2.0, 1.0, 1.0, 3.0, 2.0, 0.5});
+  const LightFalloff falloff(spot);
+  std::mt19937 engine(3);
+  const auto uniform = [&] { return static_cast<double>(engine()) / 2147483648.0 - 1.0; };
+  for (int i = 0; i < 1000; ++i) {
+    const double x = uniform();
+    const double y = uniform();
+    const glm::dvec3 w = glm::normalize(glm::dvec3(x, y, uniform()));
+    EXPECT_NEAR(falloff.by_map(w), falloff.at(w), 5e-3);
+  }
+}
+
 TEST(LightFalloff, EdgesPartALine) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
