@@ -24,7 +24,7 @@ struct Track {
 // All tracks; and those with keyframes.
 std::vector<Track> tracks(const Scene& scene);
 std::vector<Track> tracks_with_keys(const Scene& scene);
-// Those of surfaces whose imported scenes move by themselves.
+// The rows of surfaces whose imported scenes move by themselves.
 std::vector<Track> imported_tracks(const Scene& scene);
 // The track of one value, by its name in files, of an object of a part: a light, a group, an
 // emitter by its index; of the medium noise is the second. Surfaces and the density have none here.

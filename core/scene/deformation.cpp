@@ -45,6 +45,17 @@ Pose pose_at(const std::vector<Pose>& poses, double time) {
 
 }  // namespace
 
+void add_vertex(std::span<const Influence> of_vertex, std::vector<Influence>& influences,
+                std::vector<std::uint32_t>& ends) {
+  double sum = 0.0;
+  for (const Influence& influence : of_vertex) sum += static_cast<double>(influence.weight);
+  for (const Influence& influence : of_vertex) {
+    const double share = static_cast<double>(influence.weight) / sum;
+    influences.push_back({influence.joint, static_cast<float>(share)});
+  }
+  ends.push_back(static_cast<std::uint32_t>(influences.size()));
+}
+
 Pose mixed(const Pose& a, const Pose& b, double share) {
   Pose pose = a;
   for (std::size_t i = 0; i < pose.weights.size(); ++i) {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <glm/mat4x4.hpp>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "brume/mesh_arrays.h"
@@ -43,6 +44,10 @@ struct Deformation {
 
   [[nodiscard]] std::size_t bytes() const;
 };
+
+// Appends the influences on a vertex, at least one, whose weights are > 0 and add up to anything.
+void add_vertex(std::span<const Influence> of_vertex, std::vector<Influence>& influences,
+                std::vector<std::uint32_t>& ends);
 
 // The mesh in a pose, and at a time [s].
 MeshArrays deformed(const Deformation& deformation, const Pose& pose);

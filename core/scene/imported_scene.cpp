@@ -150,10 +150,11 @@ std::vector<const ImportedPart*> chosen_parts(const ImportedScene& scene,
 CopyPlacements placements_at(const ImportedPart& part, double time) {
   if (part.keys.empty()) return part.placements;
   const auto& [translate, rotate, scale] = part.keys;
-  const CopyPlacement own{value_at(translate, time), value_at(rotate, time), value_at(scale, time)};
-  if (part.placements.empty()) return {own};
+  const CopyPlacement outer{value_at(translate, time), value_at(rotate, time),
+                            value_at(scale, time)};
+  if (part.placements.empty()) return {outer};
   CopyPlacements all;
-  for (const CopyPlacement& inner : part.placements) all.push_back(within(Placement(own), inner));
+  for (const CopyPlacement& inner : part.placements) all.push_back(within(Placement(outer), inner));
   return all;
 }
 

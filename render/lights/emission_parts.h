@@ -20,8 +20,8 @@ struct EmittingGaussian {
 std::vector<glm::dvec3> emission_parts(std::span<const EmittingGaussian> emitters,
                                        const MediumIndex& medium, int count);
 
-// Whether as many surfaces as an even number are between two points: both are in one solid, or
-// neither is. Panes do not count.
+// Whether the number of surfaces between two points is even: both are in one solid, or neither is.
+// Panes do not count.
 bool are_on_one_side(const glm::dvec3& a, const glm::dvec3& b, const RayCaster& surfaces);
 
 // The parts that lie in the open, where others are in solids or below the ground: those on the side

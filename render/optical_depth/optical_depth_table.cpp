@@ -115,7 +115,9 @@ OpticalDepthTable::OpticalDepthTable(const MediumIndex& medium, const glm::dvec3
     if (parts.size() == 1) return;
     for (const std::size_t cell : block.cells) {
       for (std::size_t k = cell * radii; k < (cell + 1) * radii; ++k) {
-        exact[k] = std::min(std::log(static_cast<float>(parts.size()) / exact[k]), opaque);
+        // Rounding may leave more than all of it.
+        const float depth = std::log(static_cast<float>(parts.size()) / exact[k]);
+        exact[k] = std::clamp(depth, 0.0f, opaque);
       }
     }
   });

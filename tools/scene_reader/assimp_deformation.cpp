@@ -77,17 +77,11 @@ std::vector<Joint> read_bones(const aiMesh& mesh, const std::map<std::string, st
       }
     }
   }
-  const auto own = static_cast<std::uint32_t>(joints.size());
+  const auto joint_of_node = static_cast<std::uint32_t>(joints.size());
   joints.push_back({node});
   for (std::vector<Influence>& of_vertex : influences) {
-    if (of_vertex.empty()) of_vertex.push_back({own, 1.0f});
-    double sum = 0.0;
-    for (const Influence& influence : of_vertex) sum += static_cast<double>(influence.weight);
-    for (const Influence& influence : of_vertex) {
-      const double share = static_cast<double>(influence.weight) / sum;
-      deformation.influences.push_back({influence.joint, static_cast<float>(share)});
-    }
-    deformation.ends.push_back(static_cast<std::uint32_t>(deformation.influences.size()));
+    if (of_vertex.empty()) of_vertex.push_back({joint_of_node, 1.0f});
+    add_vertex(of_vertex, deformation.influences, deformation.ends);
   }
   return joints;
 }

@@ -14,10 +14,10 @@
 namespace brume {
 namespace {
 
-light::Spot spot_of(const aiLight& from, const glm::dvec3& direction) {
+light::Spot spot_of(const aiLight& source, const glm::dvec3& direction) {
   // The file's angles are those of the whole cone.
-  const double outer = glm::degrees(0.5 * static_cast<double>(from.mAngleOuterCone));
-  const double inner = glm::degrees(0.5 * static_cast<double>(from.mAngleInnerCone));
+  const double outer = glm::degrees(0.5 * static_cast<double>(source.mAngleOuterCone));
+  const double inner = glm::degrees(0.5 * static_cast<double>(source.mAngleInnerCone));
   light::Spot spot{direction};
   if (outer > 0.0 && outer <= 180.0) spot.outer_angle = outer;
   spot.inner_angle = inner >= 0.0 ? std::min(inner, spot.outer_angle) : 0.0;
@@ -25,13 +25,13 @@ light::Spot spot_of(const aiLight& from, const glm::dvec3& direction) {
 }
 
 // W/sr of a light of intensity 1, or W/m² of a directional one.
-double watts(const aiLight& from, const LightUnits& units, double distance) {
-  const bool is_directional = from.mType == aiLightSource_DIRECTIONAL;
+double watts(const aiLight& source, const LightUnits& units, double distance) {
+  const bool is_directional = source.mType == aiLightSource_DIRECTIONAL;
   if (units.are_watts) return is_directional ? 1.0 : 0.25 * std::numbers::inv_pi;
   if (is_directional) return std::numbers::pi;
   distance = std::max(distance, units.length);
   return std::numbers::pi * distance * distance *
-         std::pow(units.length / distance, decay_exponent(from));
+         std::pow(units.length / distance, decay_exponent(source));
 }
 
 }  // namespace
@@ -53,23 +53,24 @@ int decay_exponent(const aiLight& light) {
   return light.mAttenuationLinear != 0.0f ? 1 : 0;
 }
 
-std::optional<Light> light_of(const aiLight& from, const LightUnits& units,
+std::optional<Light> light_of(const aiLight& source, const LightUnits& units,
                               const glm::dmat4& to_world, const glm::dvec3& center) {
   Light light;
   light.position = glm::dvec3(to_world[3]);
   glm::dvec3 direction = -glm::dvec3(to_world[2]);
   const double length = glm::length(direction);
   direction = length > 0.0 ? direction / length : glm::dvec3(0.0, -1.0, 0.0);
-  if (from.mType == aiLightSource_DIRECTIONAL) {
+  if (source.mType == aiLightSource_DIRECTIONAL) {
     light.kind = light::Directional{direction};
-  } else if (from.mType == aiLightSource_SPOT) {
-    light.kind = spot_of(from, direction);
-  } else if (from.mType != aiLightSource_POINT) {
+  } else if (source.mType == aiLightSource_SPOT) {
+    light.kind = spot_of(source, direction);
+  } else if (source.mType != aiLightSource_POINT) {
     return std::nullopt;
   }
-  const double scale = watts(from, units, glm::distance(light.position, center));
+  const double scale = watts(source, units, glm::distance(light.position, center));
   for (int k = 0; k < 3; ++k) {
-    const double value = scale * static_cast<double>(from.mColorDiffuse[static_cast<unsigned>(k)]);
+    const double value =
+        scale * static_cast<double>(source.mColorDiffuse[static_cast<unsigned>(k)]);
     light.intensity[k] = std::isfinite(value) ? std::clamp(value, 0.0, limits::intensity) : 0.0;
   }
   return light;

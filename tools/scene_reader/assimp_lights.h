@@ -27,7 +27,7 @@ int decay_exponent(const aiLight& light);
 // A point, spot or directional light; nullopt for others. `to_world` places it, shining along -z.
 // Lights here decay by the square of the distance; another one is as bright as in its file at
 // `center`.
-std::optional<Light> light_of(const aiLight& from, const LightUnits& units,
+std::optional<Light> light_of(const aiLight& source, const LightUnits& units,
                               const glm::dmat4& to_world, const glm::dvec3& center);
 
 }  // namespace brume

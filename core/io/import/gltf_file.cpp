@@ -56,8 +56,8 @@ constexpr std::array<std::string_view, 8> read_extensions{"EXT_mesh_gpu_instanci
                                                           "KHR_materials_transmission",
                                                           "KHR_mesh_quantization",
                                                           "KHR_texture_transform"};
-// Without these, materials look different, values stay or nobody is named as the author, and that
-// is all.
+// Extensions without which materials look different, values stay or nobody is named as the author,
+// and that is all.
 bool is_optional(std::string_view extension) {
   return extension == "KHR_animation_pointer" ||
          std::ranges::any_of(std::array{"_materials_", "_texture_", "_xmp"}, [&](const char* part) {

@@ -41,10 +41,10 @@ std::vector<glm::dmat4> gltf_instances(GltfFile& file, JsonObject& node) {
       }
     }
     const glm::dvec3 scale = scales.empty() ? glm::dvec3(1.0) : glm::dvec3(scales[i]);
-    glm::dmat4 own(glm::mat4_cast(glm::normalize(rotation)));
-    for (int k = 0; k < 3; ++k) own[k] *= scale[k];
-    if (!translations.empty()) own[3] = glm::dvec4(glm::dvec3(translations[i]), 1.0);
-    transforms.push_back(own);
+    glm::dmat4 instance(glm::mat4_cast(glm::normalize(rotation)));
+    for (int k = 0; k < 3; ++k) instance[k] *= scale[k];
+    if (!translations.empty()) instance[3] = glm::dvec4(glm::dvec3(translations[i]), 1.0);
+    transforms.push_back(instance);
   }
   return transforms;
 }

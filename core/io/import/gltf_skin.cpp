@@ -103,26 +103,21 @@ void read_gltf_influences(GltfFile& file, JsonObject& attributes, std::size_t jo
   const std::vector<Influences> sets = read_influences(file, attributes, vertices);
   std::vector<Influence> influences;
   std::vector<std::uint32_t> ends;
+  std::vector<Influence> of_vertex;
   for (std::size_t vertex = 0; vertex < vertices && !sets.empty(); ++vertex) {
-    const std::size_t first = influences.size();
-    double sum = 0.0;
+    of_vertex.clear();
     for (std::size_t set = 0; set < sets.size(); ++set) {
       for (int k = 0; k < 4; ++k) {
         const float weight = sets[set].weights[vertex][k];
         if (!(weight > 0.0f && std::isfinite(weight))) continue;
-        influences.push_back(influence_of(attributes, sets, joints, vertex, set, k));
-        sum += static_cast<double>(weight);
+        of_vertex.push_back(influence_of(attributes, sets, joints, vertex, set, k));
       }
     }
-    if (sum == 0.0) {
-      influences.push_back(influence_of(attributes, sets, joints, vertex, 0, 0));
-      influences.back().weight = 1.0f;
-      sum = 1.0;
+    if (of_vertex.empty()) {
+      of_vertex.push_back(influence_of(attributes, sets, joints, vertex, 0, 0));
+      of_vertex.back().weight = 1.0f;
     }
-    for (std::size_t i = first; i < influences.size(); ++i) {
-      influences[i].weight = static_cast<float>(static_cast<double>(influences[i].weight) / sum);
-    }
-    ends.push_back(static_cast<std::uint32_t>(influences.size()));
+    add_vertex(of_vertex, influences, ends);
   }
   deformation.influences = std::move(influences);
   deformation.ends = std::move(ends);

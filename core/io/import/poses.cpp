@@ -115,7 +115,7 @@ std::shared_ptr<const Deformation> moving_deformation(Deformation deformation,
   const std::vector<double> times = times_of(motion, nodes);
   if (times.empty()) return nullptr;
   const Extent extent = extent_of(deformation, motion, nodes);
-  // Of one mesh 2 GB at most.
+  // The poses of one mesh take 2 GB at most.
   constexpr std::size_t max_transforms = std::size_t{1} << 24;
   std::size_t transforms = 0;
   const auto state_at = [&](double time) {
@@ -138,7 +138,7 @@ std::shared_ptr<const Deformation> moving_deformation(Deformation deformation,
     }
     return pose;
   };
-  // When it is largest, of some times: what is hidden is often scaled to nothing at first.
+  // The largest at some of the times counts: what is hidden is often scaled to nothing at first.
   constexpr std::size_t max_sizes = 64;
   double size = 0.0;
   for (std::size_t k = 0; k < times.size(); k += 1 + (times.size() - 1) / max_sizes) {

@@ -59,7 +59,7 @@ double phong_roughness(double exponent) {
   return std::pow(2.0 / (exponent + 2.0), 0.25);
 }
 
-// White where there are none.
+// The mean is white where there are none.
 glm::dvec4 mean_color(const std::vector<glm::vec4>& colors) {
   if (colors.empty()) return glm::dvec4(1.0);
   glm::dvec4 sum(0.0);

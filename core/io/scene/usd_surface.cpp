@@ -160,8 +160,8 @@ void write_copies(UsdText& out, Frames frames, std::size_t i, const std::string&
   write("int[] protoIndices",
         [](const Surface&, const CopyPlacement&) { return std::string("0"); });
   write("point3f[] positions", [&](const Surface& surface, const CopyPlacement& copy) {
-    const glm::dvec3 own = copy.scale / surface.scale * surface.translate;
-    return usd_value(copy.translate - turn(surface, copy) * own);
+    const glm::dvec3 shift = copy.scale / surface.scale * surface.translate;
+    return usd_value(copy.translate - turn(surface, copy) * shift);
   });
   write("quath[] orientations", [&](const Surface& surface, const CopyPlacement& copy) {
     const glm::dquat q = turn(surface, copy);

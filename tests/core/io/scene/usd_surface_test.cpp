@@ -28,13 +28,18 @@ namespace {
 
 using UsdSurface = UsdFile;
 
-TEST_F(UsdSurface, SurfacesAreMeshesInTheirPlaces) {
+Surface placed_box(const std::string& name) {
   Surface box;
-  box.name = "A \"box\"";
+  box.name = name;
   box.primitive = Primitive{};
   box.mesh = mesh_of(*box.primitive);
   box.translate = {1.0, 2.0, 3.0};
   box.scale = 2.0;
+  return box;
+}
+
+TEST_F(UsdSurface, SurfacesAreMeshesInTheirPlaces) {
+  Surface box = placed_box("A \"box\"");
   box.material.reflectance = {0.1, 0.2, 0.3};
   scene_.surfaces = {box, box};
   const std::string text = stage();
@@ -54,12 +59,7 @@ TEST_F(UsdSurface, SurfacesAreMeshesInTheirPlaces) {
 }
 
 TEST_F(UsdSurface, CopiesAreInstances) {
-  Surface box;
-  box.name = "Box";
-  box.primitive = Primitive{};
-  box.mesh = mesh_of(*box.primitive);
-  box.translate = {1.0, 2.0, 3.0};
-  box.scale = 2.0;
+  Surface box = placed_box("Box");
   // Four times as large as the box, with its corner x = 0.5 at 6.
   box.placed_copies =
       std::make_shared<const CopyPlacements>(CopyPlacements{{{2.0, 0.0, 0.0}, {1, 0, 0, 0}, 8.0}});
