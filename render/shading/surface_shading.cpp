@@ -174,7 +174,9 @@ std::uint64_t surface_radiance(const MediumIndex& medium, const RayCaster& ray_c
       if (--area_points == 0) {
         area_sum.add_to(points, {*light.source.area, light.source.area_center, points.origin},
                         radiance);
-        if (is_ggx) add_area_highlight(points, ray_caster, light.source, area_sum, radiance);
+        if (is_ggx && !light.source.is_seen) {
+          add_area_highlight(points, ray_caster, light.source, area_sum, radiance);
+        }
       }
     }
     if (!lighting.point) continue;

@@ -59,7 +59,7 @@ void AddGgxLight(const SurfacePoints& points, const PointLight& source, const Li
     const V cos_eye = max(dot(n, wo), static_cast<float>(min_ggx_cosine));
     const V alpha = ggx::Load(points.ggx.alpha, i);
     V share = source.is_seen ? ggx::Load(points.ggx.lobe, i) : one;
-    if (area > 0.0f) {
+    if (area > 0.0f && !source.is_seen) {
       const V alpha2 = alpha * alpha;
       const V density = ggx_ray_density(ggx_distribution(n, h, alpha2), cos_eye, alpha2);
       const V of_points =

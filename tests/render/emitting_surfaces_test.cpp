@@ -64,6 +64,25 @@ TEST(EmittingSurfacesInFog, LightItAsRectanglesOnTheirSidesDo) {
   EXPECT_NEAR(sum(bar.airlight) / sum(rectangles.airlight), 1.0, 0.03);
 }
 
+// A hand's breadth above the floor, of which no pixel shows the points.
+TEST(EmittingSurfacesInFog, LightAFloorNextToThemAsRectanglesDo) {
+  const auto on_floor = [](Scene scene) {
+    const double down = 1.06;
+    scene.surfaces[1].translate.y -= down;
+    for (Light& light : scene.lights) light.position.y -= down;
+    scene.camera = {.eye = {0.0, 1.2, 1.0}, .target = {0.0, 0.0, 0.0}};
+    scene.surfaces[0].material.reflectance = glm::dvec3(0.5);
+    return render_frame(in_fog(scene, 0.0), sliced(8));
+  };
+  const Frame bar = on_floor(bar_in_fog());
+  const Frame rectangles = on_floor(rectangles_in_fog());
+  ASSERT_EQ(bar.beauty.size(), rectangles.beauty.size());
+  for (std::size_t i = 0; i < bar.beauty.size(); ++i) {
+    if (rectangles.beauty[i] == 0.0f) continue;  // the bar itself
+    EXPECT_NEAR(bar.beauty[i] / rectangles.beauty[i], 1.0, 0.03) << i / 4;
+  }
+}
+
 // Collisions alone find the light nearby: twice the noise of rectangles, not all of it.
 TEST(EmittingSurfacesInFog, PathsFindThemAsTheyFindRectangles) {
   const TracedScene bar(bar_in_fog(), 0.9);

@@ -14,6 +14,7 @@
 
 #include "brume/mesh_arrays.h"
 #include "core/math/max_component.h"
+#include "core/scene/lights/filled_rectangle.h"
 #include "core/scene/lights/point_lights.h"
 #include "core/scene/materials/coverage.h"
 #include "core/scene/placement.h"
@@ -134,6 +135,7 @@ struct Source {
   glm::dvec3 intensity;  // area times radiance [W/sr]
   double area;
   bool is_two_sided;
+  std::array<glm::dvec3, 3> corners;
 
   [[nodiscard]] double power() const { return max_component(intensity); }
   // The side of a cube that its normal points to; one of two opposite ones if it shines to both.
@@ -179,7 +181,7 @@ std::vector<Source> sources_of(std::span<const Surface> surfaces, int max_count)
     const glm::dvec3 intensity = area * piece.radiance();
     if (!(max_component(intensity) > 0.0)) continue;
     sources.push_back({piece.middle(), area_vector(piece.corners) / area, intensity, area,
-                       !closed[piece.surface]});
+                       !closed[piece.surface], piece.corners});
   }
   return sources;
 }
@@ -234,11 +236,29 @@ struct Cluster {
     const Source& nearest = *std::ranges::min_element(
         sources, {}, [&](const Source& source) { return glm::distance(source.position, middle); });
     if (!(glm::length(normal) > 0.0)) normal = nearest.normal;
-    return {.position = nearest.position,
-            .intensity = intensity,
-            .falloff = LightFalloff::of_surface(glm::normalize(normal), nearest.is_two_sided),
-            .radius = std::sqrt(area * std::numbers::inv_pi),
-            .is_seen = true};
+    normal = glm::normalize(normal);
+    PointLight light{.position = nearest.position,
+                     .intensity = intensity,
+                     .falloff = LightFalloff::of_surface(normal, nearest.is_two_sided),
+                     .radius = std::sqrt(area * std::numbers::inv_pi),
+                     .is_seen = true};
+    if (const auto outline = filled_rectangle(triangles(), area, normal)) {
+      light.area = light::Rectangle{.direction = normal,
+                                    .up = outline->up,
+                                    .width = outline->width,
+                                    .height = outline->height,
+                                    .two_sided = nearest.is_two_sided};
+      light.area_center = outline->center;
+      light.area_points = 1;
+    }
+    return light;
+  }
+
+ private:
+  [[nodiscard]] std::vector<std::array<glm::dvec3, 3>> triangles() const {
+    std::vector<std::array<glm::dvec3, 3>> triangles;
+    for (const Source& source : sources) triangles.push_back(source.corners);
+    return triangles;
   }
 };
 

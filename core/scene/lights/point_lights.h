@@ -25,8 +25,8 @@ struct PointLight {
   double radius = 0.0;   // of a disk as large as what it stands for of an area light [u]
   bool is_far = false;   // stands for a directional light
   bool is_seen = false;  // stands for a surface that emits, which is seen
-  // The area light that it stands for, and its middle; null of a disc that is far away but for
-  // LightPoints::drawn.
+  // The area light that it stands for, and its middle: of surfaces that emit the rectangle that its
+  // piece of them fills, if it does; null of a disc that is far away but for LightPoints::drawn.
   std::optional<AreaLight> area{};
   glm::dvec3 area_center{0.0};
   int area_points = 0;  // how many stand for it; they follow each other

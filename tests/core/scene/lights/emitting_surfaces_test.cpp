@@ -6,9 +6,11 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
 #include <memory>
 
 #include "brume/primitive.h"
+#include "core/scene/lights/area_lights.h"
 #include "core/scene/lights/point_lights.h"
 #include "core/scene/materials/texture.h"
 
@@ -61,6 +63,59 @@ TEST(EmittingSurfaces, AnOpenOneShinesToBothSides) {
   for (const PointLight& light : lights) {
     EXPECT_EQ(light.falloff.shape(), LightFalloff::Shape::two_cosines);
   }
+}
+
+// Points stand for rectangles that are as much of the sides as they are, so that a floor next to
+// them is lit as in closed form.
+TEST(EmittingSurfaces, PointsFillTheSidesOfABoxWithRectangles) {
+  Surface bar =
+      emitting({.shape = Primitive::Shape::box, .size = {2.0, 0.1, 0.1}}, glm::dvec3(1.0));
+  const double turn = 0.3;  // about the upright, half of it
+  bar.rotate = {std::cos(turn), 0.0, std::sin(turn), 0.0};
+  const std::vector<PointLight> lights = emitting_points(std::span(&bar, 1), 34);
+  double area = 0.0;
+  for (const PointLight& light : lights) {
+    ASSERT_TRUE(light.area);
+    area += area_of_point(light);
+  }
+  EXPECT_NEAR(area, 4.0 * 2.0 * 0.1 + 2.0 * 0.1 * 0.1, 1e-7);  // meshes are floats
+  const glm::dmat3 turned = glm::mat3_cast(bar.rotate);
+  for (const double along : {0.0, 0.45, 0.9}) {
+    for (const double below : {0.06, 0.1, 0.5}) {
+      const glm::dvec3 floor = turned * glm::dvec3(along, -below, 0.02);
+      double whole = 0.0;
+      for (int axis = 0; axis < 3; ++axis) {
+        for (const double side : {-1.0, 1.0}) {
+          glm::dvec3 normal(0.0), up(0.0);
+          normal[axis] = side;
+          up[(axis + 2) % 3] = 1.0;
+          const light::Rectangle face{.direction = turned * normal,
+                                      .up = turned * up,
+                                      .width = bar.primitive->size[(axis + 1) % 3],
+                                      .height = bar.primitive->size[(axis + 2) % 3]};
+          const glm::dvec3 middle = turned * (0.5 * bar.primitive->size * normal);
+          whole += area_irradiance(face, middle, floor, {0.0, 1.0, 0.0});
+        }
+      }
+      double sum = 0.0;
+      for (const PointLight& light : lights) {
+        sum += area_irradiance(*light.area, light.area_center, floor, {0.0, 1.0, 0.0});
+      }
+      EXPECT_NEAR(sum / whole, 1.0, 0.01) << along << " " << below;
+    }
+  }
+}
+
+// Points that stand for what is no rectangle stay points.
+TEST(EmittingSurfaces, ScatteredPiecesAreNoRectangle) {
+  std::vector<Surface> plates;
+  for (int i = 0; i < 8; ++i) {
+    plates.push_back(
+        emitting({.shape = Primitive::Shape::plane, .size = {0.1, 1.0, 0.1}}, glm::dvec3(1.0)));
+    plates.back().translate = {i, 0.0, 0.3 * i * i};
+  }
+  for (const PointLight& light : emitting_points(plates, 1)) EXPECT_FALSE(light.area);
+  for (const PointLight& light : emitting_points(plates, 8)) EXPECT_TRUE(light.area);
 }
 
 // A screen whose left half is black.
