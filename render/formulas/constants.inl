@@ -13,7 +13,8 @@ CONSTANT tiny_square = 1e-37;
 CONSTANT tiny_sine_square = 1e-14;
 
 // What a point of an area light sends at least to a surface, of what it sends straight ahead: where
-// all of a sphere's points are turned away, the nearest tell whether it is hidden.
+// all of a sphere's points are turned away, the nearest tell whether it is hidden. A light's only
+// point sends nothing below it: in its plane is the surface that emits, which does not light itself.
 CONSTANT least_of_area = 1e-3;
 
 // Sides of the polygon that stands for a disk that shines: at its edge 1% of the radius off.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "render/gl/resources.h"
+#include "render/scattering/node_sight.h"
 #include "render/scattering/source_grid.h"
 
 namespace brume::gl {
@@ -17,9 +18,11 @@ namespace brume::gl {
 void append_nodes(const SourceGrid::Level& level, std::span<const float> values,
                   std::vector<glm::vec4>& target);
 
-// Sets the elements [index] of the uniforms NAME_first and NAME_count, see shaders/source.glsl:
-// where a level lies from `origin`, and the index of its first value.
+// Sets the elements [index] of the uniforms NAME_first, NAME_count and NAME_eye_layers, see
+// shaders/source.glsl: where a level lies from `origin`, the index of its first value, and the
+// eye's layers in it.
 void set_level(const Program& program, const std::string& name, std::size_t index,
-               const SourceGrid::Level& level, const glm::dvec3& origin, std::size_t first_value);
+               const SourceGrid::Level& level, const glm::dvec3& origin, const NodeSight& sight,
+               std::size_t first_value);
 
 }  // namespace brume::gl

@@ -184,6 +184,20 @@ GridOcclusion::GridOcclusion(const RayCaster& ray_caster, std::span<const Surfac
   }
 }
 
+bool GridOcclusion::hides(std::size_t grid_node, std::uint32_t links,
+                          const glm::vec3& offset) const {
+  if (index_.empty() || index_[grid_node] < 0) return false;
+  const auto i = static_cast<std::size_t>(index_[grid_node]);
+  std::span<const Surfel> surfels = surfels_of(i);
+  for (std::uint32_t blocked = nodes_[i].blocked; blocked != 0; blocked &= blocked - 1) {
+    const Surfel& surfel = surfels.front();
+    surfels = surfels.subspan(1);
+    const bool is_asked = (links >> std::countr_zero(blocked) & 1u) != 0;
+    if (is_asked && glm::dot(offset - surfel.offset, surfel.normal) < 0.0f) return true;
+  }
+  return false;
+}
+
 void LevelOcclusion::set(const RayCaster& ray_caster, std::span<const Surface> surfaces) {
   std::vector<Material> materials;
   for (const Surface& surface : surfaces) materials.push_back(surface.material);

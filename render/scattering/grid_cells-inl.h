@@ -42,18 +42,16 @@ constexpr std::array<std::uint32_t, 64> CornerNeighbours() {
 }
 alignas(64) inline constexpr std::array<std::uint32_t, 64> corner_neighbours = CornerNeighbours();
 
-// Drops the corners of a cell beside surfaces that one of them does not see: the one towards the
-// eye, since the nearest to the point itself may be behind a wall; or the next that is in no solid.
-// `node`: the first corner's index.
-HWY_INLINE void HideCorners(const GridLevel& level, std::ptrdiff_t node, float to_eye_x,
-                            float to_eye_y, float to_eye_z, float (&corner_weights)[8]) {
+// Drops the corners of a cell beside surfaces that one of them does not see: `seeing`, or the next
+// that is in no solid. `node`: the first corner's index.
+HWY_INLINE void HideCorners(const GridLevel& level, std::ptrdiff_t node, int seeing,
+                            float (&corner_weights)[8]) {
   const auto blocked_at = [&](int corner) {
     const std::ptrdiff_t row = level.count.x;
     return level.occlusion_bits &
            level.blocked[node + CornerBit(corner, 0) +
                          (CornerBit(corner, 1) + CornerBit(corner, 2) * level.count.y) * row];
   };
-  int seeing = (to_eye_x > 0.0f ? 1 : 0) | (to_eye_y > 0.0f ? 2 : 0) | (to_eye_z > 0.0f ? 4 : 0);
   std::uint32_t blocked = blocked_at(seeing);
   if (blocked == 0) return;
   if ((blocked & GridOcclusion::enclosed_bit) != 0) {
@@ -100,8 +98,9 @@ struct Cells {
   alignas(64) std::int32_t level[max_points];
   // Whether the point is beyond the coarsest of several levels.
   alignas(64) std::int32_t beyond[max_points];
-  alignas(64) std::int32_t node[max_points];  // of the first corner
-  alignas(64) float along[max_points];        // place in the cell along x
+  alignas(64) std::int32_t node[max_points];      // of the first corner
+  alignas(64) std::int32_t first[3][max_points];  // the first corner along each axis
+  alignas(64) float along[max_points];            // place in the cell along x
   // Times `weight`, of the edges along x from corners 0, 2, 4, 6.
   alignas(64) float edge_weights[4][max_points];
 
@@ -155,7 +154,9 @@ struct Cells {
       x = hn::Min(hn::Max(x, hn::Zero(d)), hn::Add(last[k], hn::Set(d, 1.0f)));
       const V low = hn::Min(hn::Floor(x), last[k]);
       f[k] = hn::Sub(x, low);
-      index = hn::Add(hn::Mul(index, count[k]), hn::ConvertTo(di, low));
+      const auto corner = hn::ConvertTo(di, low);
+      hn::Store(corner, di, first[k]);
+      index = hn::Add(hn::Mul(index, count[k]), corner);
     }
     hn::Store(index, di, node);
     hn::Store(f[0], d, along);
@@ -171,6 +172,20 @@ struct Cells {
       split(z[k], f[1], y);
       for (int j = 0; j < 2; ++j) hn::Store(y[j], d, edge_weights[2 * k + j]);
     }
+  }
+
+  // The corner towards the eye, since the nearest to the point itself may be behind a wall; see
+  // NodeSight.
+  HWY_INLINE int EyeCorner(const GridLevel& grid, std::size_t i, float to_eye_x, float to_eye_y,
+                           float to_eye_z) const {
+    const bool is_towards[3] = {to_eye_x > 0.0f, to_eye_y > 0.0f, to_eye_z > 0.0f};
+    int corner = 0;
+    for (int k = 0; k < 3; ++k) {
+      const bool is_high =
+          first[k][i] == grid.eye_layers.cell[k] ? grid.eye_layers.is_high[k] != 0 : is_towards[k];
+      corner |= is_high ? 1 << k : 0;
+    }
+    return corner;
   }
 
   HWY_INLINE void CornerWeights(std::size_t i, float (&corner_weights)[8]) const {

@@ -2,19 +2,20 @@
 
 namespace brume {
 
-GridLevels::GridLevels(const SourceGrid& grid, const glm::dvec3& origin,
-                       std::uint32_t occlusion_bits) {
+GridLevels::GridLevels(const SourceGrid& grid, const glm::dvec3& origin, const NodeSight& sight) {
   for (const SourceGrid::Level& level : grid.levels()) {
-    GridLevel& relative = levels_[count_++];
+    GridLevel& relative = levels_[count_];
     relative.first = glm::vec3(level.first - origin);
     relative.per_unit = 1.0f / level.nodes.spacing;
     relative.count = level.nodes.count;
     relative.values = level.values.data();
     relative.incident = level.incident.data();
-    relative.occlusion_bits = occlusion_bits;
+    relative.occlusion_bits = sight.occlusion_bits;
+    relative.eye_layers = sight.layers[count_];
     if (level.surfaces && !level.surfaces->hidden().empty()) {
       relative.blocked = level.surfaces->hidden().data();
     }
+    ++count_;
   }
 }
 

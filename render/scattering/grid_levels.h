@@ -7,6 +7,7 @@
 #include <span>
 
 #include "render/grid/grid_occlusion.h"
+#include "render/scattering/node_sight.h"
 #include "render/scattering/source_grid.h"
 
 namespace brume {
@@ -20,6 +21,7 @@ struct GridLevel {
   const float* incident = nullptr;
   const std::uint32_t* blocked = nullptr;  // GridOcclusion::hidden(); null: no surfaces
   std::uint32_t occlusion_bits = GridOcclusion::all_bits;
+  NodeSight::Layers eye_layers;
   const float* view = nullptr;  // see SourceLookup::set_view()
   float view_begin = 0.0f;      // distance from where it is used [u]
 };
@@ -27,8 +29,7 @@ struct GridLevel {
 // Those of a grid, fine first. Keeps a reference to it.
 class GridLevels {
  public:
-  // `occlusion_bits`: see SourceGrid.
-  GridLevels(const SourceGrid& grid, const glm::dvec3& origin, std::uint32_t occlusion_bits);
+  GridLevels(const SourceGrid& grid, const glm::dvec3& origin, const NodeSight& sight);
 
   [[nodiscard]] std::size_t size() const { return count_; }
   [[nodiscard]] std::span<GridLevel> all() { return std::span(levels_).first(count_); }

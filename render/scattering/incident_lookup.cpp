@@ -47,8 +47,10 @@ HWY_INLINE void ForEachCell(std::span<const GridLevel> levels, const SurfacePoin
     float corner_weights[8];
     cells.CornerWeights(i, corner_weights);
     if (level.blocked) {
-      HideCorners(level, cells.node[i], points.to_eye.x[k], points.to_eye.y[k], points.to_eye.z[k],
-                  corner_weights);
+      HideCorners(
+          level, cells.node[i],
+          cells.EyeCorner(level, i, points.to_eye.x[k], points.to_eye.y[k], points.to_eye.z[k]),
+          corner_weights);
     }
     visit(i, level, cells.node[i], corner_weights);
   }

@@ -30,10 +30,8 @@ struct DiffuseFactors {
 // a reference to the grid. Thread-safe.
 class IncidentLookup {
  public:
-  // `occlusion_bits`: of the eye, see SourceGrid.
-  IncidentLookup(const SourceGrid& grid, const glm::dvec3& origin,
-                 std::uint32_t occlusion_bits = GridOcclusion::all_bits)
-      : levels_(grid, origin, occlusion_bits) {}
+  IncidentLookup(const SourceGrid& grid, const glm::dvec3& origin, const NodeSight& sight = {})
+      : levels_(grid, origin, sight) {}
 
   // light[k] = that at point k, which is relative to the origin.
   void incident(const SurfacePoints& points, std::span<NodeRadiance> light) const;

@@ -356,21 +356,6 @@ void SourceGrid::remove_scattered() {
   revision_ = new_revision();
 }
 
-std::uint32_t SourceGrid::occlusion_bits(const glm::dvec3& eye) const {
-  for (const Level& level : levels_) {
-    if (!level.surfaces || level.surfaces->hidden().empty()) continue;
-    const glm::dvec3 coordinate = (eye - level.first) / static_cast<double>(level.nodes.spacing);
-    if (glm::any(glm::lessThan(coordinate, glm::dvec3(0.0))) ||
-        glm::any(glm::greaterThan(coordinate, glm::dvec3(level.nodes.count - 1)))) {
-      continue;
-    }
-    const std::size_t nearest = node_index(level.nodes, glm::ivec3(glm::round(coordinate)));
-    const std::uint32_t blocked = level.surfaces->hidden()[nearest];
-    return GridOcclusion::all_bits & ~(blocked & GridOcclusion::enclosed_bit);
-  }
-  return GridOcclusion::all_bits;
-}
-
 std::size_t SourceGrid::bytes() const {
   std::size_t floats = 0;
   for (const Level& level : levels_) {

@@ -123,9 +123,6 @@ class SourceGrid {
   [[nodiscard]] std::span<const Level> levels() const { return levels_; }
   [[nodiscard]] int bands() const { return bands_; }
   [[nodiscard]] std::size_t bytes() const;  // memory
-  // The bits of GridOcclusion::hidden() that count for an eye: within a closed room, which has no
-  // other nodes, not enclosed_bit.
-  [[nodiscard]] std::uint32_t occlusion_bits(const glm::dvec3& eye) const;
   // Whether the fine grid covers receivers in this box.
   [[nodiscard]] bool holds(const Box& box) const;
 

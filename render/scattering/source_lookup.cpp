@@ -79,7 +79,9 @@ HWY_INLINE bool AddOf(std::span<const GridLevel> levels, const PathBatch& rays, 
       float corner_weights[8];
       cells.CornerWeights(i, corner_weights);
       if (level.blocked) {
-        HideCorners(level, cells.node[i], -rays.x[ray], -rays.y[ray], -rays.z[ray], corner_weights);
+        HideCorners(level, cells.node[i],
+                    cells.EyeCorner(level, i, -rays.x[ray], -rays.y[ray], -rays.z[ray]),
+                    corner_weights);
       }
       if (from_view) {
         AddNodes<4, 4>(level.view, level, cells.node[i], corner_weights, sum);
@@ -142,8 +144,8 @@ HWY_EXPORT(AddSource);
 HWY_EXPORT(ClusterTransmittanceAtOrigin);
 
 SourceLookup::SourceLookup(const SourceGrid& grid, const glm::dvec3& origin, bool adds_clusters,
-                           std::uint32_t occlusion_bits)
-    : levels_(grid, origin, occlusion_bits),
+                           const NodeSight& sight)
+    : levels_(grid, origin, sight),
       bands_(grid.bands()),
       adds_clusters_(adds_clusters && grid.bands() > 1) {}
 

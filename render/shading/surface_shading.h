@@ -41,7 +41,7 @@ struct SurfaceLighting {
   // surfaces. `point` is null then, and optical depths of lights are times `extinction`.
   bool incident_is_all = false;
   double extinction = 1.0;
-  std::uint32_t occlusion_bits = GridOcclusion::all_bits;  // see SourceGrid
+  NodeSight sight{};         // of the eye
   double fog_depth = 0.0;    // average optical depth of b0 where it is the same everywhere
   FogBall fog{};             // else of that density in a ball
   double fog_density = 0.0;  // [1/u]
@@ -68,7 +68,7 @@ inline ShVector<glm::dvec3> incident_light(const SurfaceLighting& lighting,
 // With a grid.
 inline IncidentLookup incident_lookup(const SurfaceLighting& lighting,
                                       const SurfacePoints& points) {
-  return {*lighting.incident, points.origin, lighting.occlusion_bits};
+  return {*lighting.incident, points.origin, lighting.sight};
 }
 
 // Calls visit(k, fractions of the environment at point k), without a grid.

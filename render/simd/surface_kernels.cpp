@@ -84,7 +84,8 @@ void PointToLight(const SurfacePoints& points, const PointLight& source, LightAt
     if (!source.falloff.is_isotropic()) {
       const FalloffFloats floats(source.falloff);
       const V sent = floats.At(floats.Components(from_light));
-      arriving *= source.area ? max(sent, least_of_area) : sent;
+      const V seen = source.area_points == 1 ? where(sent > least_of_area, sent) : sent;
+      arriving *= source.area_points > 1 ? max(sent, least_of_area) : seen;
     }
     store(arriving, light.inverse_square, i);
   }

@@ -1,10 +1,15 @@
 // The corners of a grid's cell that count beside surfaces, as grid_cells-inl.h has them.
 #include "constants.glsl"
 
-// The corner that decides: the one towards the eye.
-int eye_corner(vec3 to_eye) {
-  const ivec3 high = ivec3(greaterThan(to_eye, vec3(0.0)));
-  return high.x | (high.y << 1) | (high.z << 2);
+// The corner of a cell that decides: the one towards the eye. `layers`: NodeSight::Layers, with the
+// sides as bits of the fourth.
+int eye_corner(vec3 to_eye, ivec3 cell, ivec4 layers) {
+  int corner = 0;
+  for (int k = 0; k < 3; ++k) {
+    const bool is_high = cell[k] == layers[k] ? ((layers.w >> k) & 1) != 0 : to_eye[k] > 0.0;
+    corner |= is_high ? 1 << k : 0;
+  }
+  return corner;
 }
 
 // Drops the corners that surfaces hide from it, or from the next that is in no solid. The including

@@ -79,7 +79,8 @@ void find_light_in_grid(SurfacePoint point, vec3 to_eye) {
         count.w + ((node.z * count.y + node.y) * count.x + node.x) * grid_functions;
   }
   if (incident_is_all != 0) {
-    hide_corners(eye_corner(to_eye), around_firsts, around_weights);
+    hide_corners(eye_corner(to_eye, ivec3(low), incident_eye_layers[level]), around_firsts,
+                 around_weights);
   }
   around_functions = grid_functions;
   around_scale = incident_scale;

@@ -40,8 +40,9 @@ uniform float fog_radius;
 uniform int incident_levels;                 // 0: there is none
 uniform vec4 incident_first[max_grid_levels];  // as source.glsl has them
 uniform ivec4 incident_count[max_grid_levels];
+uniform ivec4 incident_eye_layers[max_grid_levels];
 
-uniform uint incident_occlusion_bits;        // SourceGrid::occlusion_bits() of the eye
+uniform uint incident_occlusion_bits;        // NodeSight of the eye
 
 uint corner_bits(int first) {
   return floatBitsToUint(incident_values[first].w) & incident_occlusion_bits;
@@ -87,9 +88,13 @@ LightAtPoint point_to_light(int l, SurfacePoint point, int pixel, int pixels) {
   light_at_point.w = inverse * q;
   light_at_point.length_ = square * inverse;
   light_at_point.cosine = -dot(light_at_point.w, point.normal);
-  const float sent = falloff_towards(l, light_at_point.w);
-  light_at_point.inverse_square = (lights[l].area_points > 0 ? max(sent, least_of_area) : sent) /
-                                  max(max(square, lights[l].radius2), tiny);
+  float sent = falloff_towards(l, light_at_point.w);
+  if (lights[l].area_points > 1) {
+    sent = max(sent, least_of_area);
+  } else if (lights[l].area_points == 1 && !(sent > least_of_area)) {
+    sent = 0.0;
+  }
+  light_at_point.inverse_square = sent / max(max(square, lights[l].radius2), tiny);
   light_at_point.depth =
       b0 * length_in_fog(l, point.position, light_at_point.w, light_at_point.length_);
   if (has_depths != 0) {

@@ -7,7 +7,7 @@
 // R G B, and in the first of each node the neighbours that surfaces hide, as bits.
 layout(std430, binding = 7) readonly buffer Source { vec4 source_values[]; };
 
-uniform uint source_occlusion_bits;  // SourceGrid::occlusion_bits() of the eye
+uniform uint source_occlusion_bits;  // NodeSight of the eye
 
 uint corner_bits(int first) { return floatBitsToUint(source_values[first].w) & source_occlusion_bits; }
 
@@ -16,6 +16,7 @@ uniform int source_levels;  // 0: there is no grid
 // z, and the index of its first value.
 uniform vec4 source_first[max_grid_levels];
 uniform ivec4 source_count[max_grid_levels];
+uniform ivec4 source_eye_layers[max_grid_levels];
 uniform int source_surfaces;  // whether they hide nodes from each other
 uniform int source_bands;     // of a node: 1, or 4 where scattering is anisotropic
 uniform float source_harmonics_scale;  // of what the grid holds
@@ -120,7 +121,7 @@ SourceCell source_cell(vec3 p) {
 #else
     const vec3 to_eye = -p;
 #endif
-    hide_corners(eye_corner(to_eye), cell.first, cell.weights);
+    hide_corners(eye_corner(to_eye, ivec3(low), source_eye_layers[level]), cell.first, cell.weights);
   }
   return cell;
 }

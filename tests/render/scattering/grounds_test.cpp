@@ -69,6 +69,23 @@ TEST(Grounds, InDeepFogAreNearlyAsLight) {
   EXPECT_NEAR(mean_airlight(scene), truth, 0.1 * truth);
 }
 
+// An eye that stands on a ground sees none of the nodes below it, however far apart nodes are: rays
+// that rise took their light from there.
+TEST(Grounds, AreNotSeenThroughByWhoStandsOnThem) {
+  Scene scene = fog_over(20.0, 0.05);
+  scene.lights = {{{2.0, 6.0, -2.0}, glm::dvec3(10.0), light::Point()}};
+  scene.camera = {{0, 0.3, 4}, {0, 0.38, 0}, {0, 1, 0}, 2.0};
+  const auto twice_scattered = [&](int nodes) {
+    const SourceGridSize size{.nodes = nodes, .directions = 48};
+    return mean_airlight(scene, all_orders(24, size)) -
+           mean_airlight(scene, sliced(24, Scattering::single));
+  };
+  constexpr double truth = 0.0153;  // 160,000 nodes
+  for (const int nodes : {5'000, 10'000, 20'000}) {
+    EXPECT_NEAR(twice_scattered(nodes) / truth, 1.0, 0.2) << nodes;
+  }
+}
+
 // The grid's layers were centred on a ground alone, and saw through it.
 TEST(Grounds, AreNotSeenThroughWhereNothingStandsOnThem) {
   Scene scene = fog_over(200.0, 0.05);

@@ -5,10 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <vector>
 
 #include "render/geometry/medium_index.h"
+#include "render/scattering/node_sight.h"
 #include "render/scattering/source_view.h"
 #include "tests/random.h"
 #include "tests/render/test_scenes.h"
@@ -219,9 +221,35 @@ TEST(GridOcclusion, NodesAroundTheEyeAreNotEnclosed) {
   const MediumIndex index(cloud(30, 3.0).medium, 1e-4, 0.0);
   const SourceGrid grid(index.gaussians(), {}, content, SourceGridSize{.nodes = 8000}, Job{});
   constexpr std::uint32_t enclosed = GridOcclusion::enclosed_bit;
-  EXPECT_EQ(grid.occlusion_bits({0.1, 0.2, 0.0}), GridOcclusion::all_bits & ~enclosed);
-  EXPECT_EQ(grid.occlusion_bits({2.2, 0.0, 0.0}), GridOcclusion::all_bits);
-  EXPECT_EQ(grid.occlusion_bits({1e12, -1e12, 0.0}), GridOcclusion::all_bits);
+  EXPECT_EQ(NodeSight(grid, {0.1, 0.2, 0.0}).occlusion_bits, GridOcclusion::all_bits & ~enclosed);
+  EXPECT_EQ(NodeSight(grid, {2.2, 0.0, 0.0}).occlusion_bits, GridOcclusion::all_bits);
+  EXPECT_EQ(NodeSight(grid, {1e12, -1e12, 0.0}).occlusion_bits, GridOcclusion::all_bits);
+}
+
+// In the layer of cells that holds an eye and a floor, nodes on the eye's side of it count.
+TEST(NodeSight, IsOnTheEyesSideOfSurfacesInItsOwnLayer) {
+  const std::vector<Surface> floor{
+      placed(Primitive::Shape::plane, {40.0, 1.0, 40.0}, {0.0, 0.0, 0.0})};
+  const RayCaster ray_caster(floor);
+  LevelOcclusion occlusion;
+  occlusion.set(ray_caster, floor);
+  SourceGrid::Content content;
+  content.surfaces = &occlusion;
+  const MediumIndex index(cloud(30, 3.0).medium, 1e-4, 0.0);
+  const SourceGrid grid(index.gaussians(), {}, content, SourceGridSize{.nodes = 8000}, Job{});
+  const SourceGrid::Level& level = grid.levels()[0];
+  const double spacing = static_cast<double>(level.nodes.spacing);
+  const int floor_cell = static_cast<int>(std::floor(-level.first.y / spacing));
+  const double low = level.first.y + spacing * floor_cell;  // the layer below the floor
+  const auto seen_from = [&](double y) { return NodeSight(grid, {0.1, y, 0.2}).layers[0]; };
+  for (const double above : {0.01, 0.9}) {
+    const NodeSight::Layers layers = seen_from(above * (low + spacing));
+    EXPECT_EQ(layers.cell, glm::ivec3(-1, floor_cell, -1)) << above;
+    EXPECT_EQ(layers.is_high.y, 1) << above;
+  }
+  EXPECT_EQ(seen_from(0.5 * low).cell.y, floor_cell);
+  EXPECT_EQ(seen_from(0.5 * low).is_high.y, 0);
+  EXPECT_EQ(seen_from(low + 1.5 * spacing).cell, glm::ivec3(-1));
 }
 
 }  // namespace
