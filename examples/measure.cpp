@@ -12,7 +12,7 @@ int main(int argc, char** argv) {
                                .error = brume::ErrorMeasurement::full,
                                .scattering = brume::Scattering::single};
   using Method = brume::AirlightMethod;
-  for (const Method method : {Method::paper, Method::sliced, Method::march, Method::auto_}) {
+  for (const Method method : {Method::paper, Method::sliced, Method::auto_}) {
     request.airlight = method;
     const brume::Frame frame = *renderer.render(scene, request);
     std::cout << frame.statistics.airlight << ": " << frame.statistics.frame_milliseconds << " ms, "

@@ -154,8 +154,7 @@ StageSet planned_stages(const Content& content, AirlightMethod method, bool has_
   const bool lit_gaussians = content.gaussians && content.point_light();
   // The grid serves airlight and light at surfaces. `paper` has average optical depths, and the
   // integral of the reference is its own.
-  const bool needs_grid =
-      sliced || method == AirlightMethod::march || (content.surfaces && !paper && !path);
+  const bool needs_grid = sliced || (content.surfaces && !paper && !path);
   StageSet stages{Stage::prepare, Stage::composite};
   stages.add(Stage::transfer, has_transfers);
   stages.add(Stage::visibility, content.surfaces || content.visible_lights);

@@ -11,7 +11,6 @@
 #include "render/cpu/film_airlight.h"
 #include "render/cpu/film_samples.h"
 #include "render/cpu/film_slices.h"
-#include "render/cpu/marched_airlight.h"
 #include "render/cpu/pane_layers.h"
 #include "render/cpu/pane_view.h"
 #include "render/cpu/paper_airlight.h"
@@ -59,7 +58,6 @@ struct Renderer::Impl {
   AirlightIntegrator airlight_method(FrameContext& work, StageClock& clock);
   AirlightIntegrator paper(FrameContext& work, StageClock& clock);
   AirlightIntegrator sliced(FrameContext& work, StageClock& clock);
-  AirlightIntegrator march(const FrameContext& work) const;
   AirlightIntegrator reference(FrameContext& work) const;
 };
 
@@ -265,8 +263,6 @@ AirlightIntegrator Renderer::Impl::airlight_method(FrameContext& work, StageCloc
     case AirlightMethod::auto_:
     case AirlightMethod::sliced:
       return sliced(work, clock);
-    case AirlightMethod::march:
-      return march(work);
     case AirlightMethod::reference:
       return reference(work);
     case AirlightMethod::path:  // trace_paths()
@@ -312,17 +308,6 @@ AirlightIntegrator Renderer::Impl::sliced(FrameContext& work, StageClock& clock)
       evaluate, prepare,
       sliced_airlight_along(stages.prepared().medium(), lights, source ? source->function : nullptr,
                             work.settings.slices, work.group.albedo)};
-}
-
-AirlightIntegrator Renderer::Impl::march(const FrameContext& work) const {
-  std::vector<PointSource> lights = work.sources();
-  return {[this, &work, lights = std::move(lights)](auto gaussians, const TileRays& rays,
-                                                    const TileAirlight& out) {
-            return marched_airlight(
-                stages.prepared().medium(), gaussians, stages.prepared().ray_caster(), lights,
-                stages.source_function(work), rays, work.settings.march_steps, out);
-          },
-          {}};
 }
 
 AirlightIntegrator Renderer::Impl::reference(FrameContext& work) const {

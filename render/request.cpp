@@ -30,7 +30,6 @@ Settings settings_of(const RenderRequest& request) {
   settings.airlight = request.airlight;
   settings.max_error = request.max_error;
   settings.scattering = request.scattering;
-  settings.march_steps = request.march_steps;
   settings.paths = request.paths;
   settings.path_seed = request.seed;
   settings.paper = {request.paper_mean, request.paper_energy};
@@ -91,7 +90,6 @@ std::optional<RequestProblem> problem_of(const RenderRequest& request) {
 void check(const RenderRequest& request) {
   if (request.film) check_film("film", *request.film);
   if (request.camera) brume::check(*request.camera);
-  check_count("march_steps", request.march_steps, max_march_steps);
   check_count("paths", request.paths, limits::paths);
   const std::optional<RequestProblem> problem = problem_of(request);
   if (problem) throw DomainError(replaced(problem->option, "-", "_"), problem->why);

@@ -11,7 +11,6 @@ namespace brume {
 
 inline constexpr int min_slices = 4;
 inline constexpr int max_slices = 256;
-inline constexpr int max_march_steps = 65'536;
 
 // The settings of a FrameRenderer for a request, except samples. Threads are no more than there
 // are.

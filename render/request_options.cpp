@@ -148,10 +148,6 @@ bool set_method(RenderRequest& request, std::string_view text) {
   if (is(sliced) && !more.empty()) {
     return set(sliced, more[0] == ':' && set_count(more, min_slices, max_slices, request.slices));
   }
-  if (is(march)) {
-    return set(march,
-               more.starts_with(':') && set_count(more, 1, max_march_steps, request.march_steps));
-  }
   if (is(path)) {
     return set(path, more.starts_with(':') && set_count(more, 1, limits::paths, request.paths));
   }
@@ -173,14 +169,13 @@ RequestOption airlight() {
       return std::string(", ") + method + ":N with N from " + std::to_string(low) + " to " +
              std::to_string(high);
     };
-    return refusal(text, "auto, paper, sliced, reference" + counted("march", 1, max_march_steps) +
-                             counted("path", 1, limits::paths) +
+    return refusal(text, "auto, paper, sliced, reference" + counted("path", 1, limits::paths) +
                              counted("sliced", min_slices, max_slices));
   };
   const auto get = [](const RenderRequest& request) { return airlight_name(settings_of(request)); };
   return {"airlight",
           Type::text,
-          "{auto,paper,sliced,reference,march:STEPS,path:PATHS}",
+          "{auto,paper,sliced,reference,path:PATHS}",
           "how the airlight is computed; sliced:SLICES has its number of slices",
           set,
           get};
@@ -329,7 +324,7 @@ std::vector<RequestOption> make_options() {
                                 "of sliced; multiple: all orders of scattering and reflection")),
       told(with<path>, number("seed", &Request::seed, 0, 4'294'967'295.0,
                               "of path: another seed is another, independent picture")),
-      told(with<paper, sliced, march>,
+      told(with<paper, sliced>,
            choice("airlight-scale", &Request::airlight_scale, scales,
                   "compute the airlight at 1/1, 1/2 or 1/4 of the width and height and upsample "
                   "it; default: 4 for auto, else 1")),

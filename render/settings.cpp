@@ -15,8 +15,6 @@ const char* to_string(AirlightMethod method) {
       return "paper";
     case AirlightMethod::sliced:
       return "sliced";
-    case AirlightMethod::march:
-      return "march";
     case AirlightMethod::reference:
       return "reference";
     case AirlightMethod::path:
@@ -36,8 +34,6 @@ std::string airlight_name(const Settings& settings) {
     if (settings.paper.conserve_energy) name += "+energy";
   }
   if (settings.airlight == AirlightMethod::sliced) name += ':' + std::to_string(settings.slices);
-  if (settings.airlight == AirlightMethod::march)
-    name += ':' + std::to_string(settings.march_steps);
   if (settings.airlight == AirlightMethod::path) name += ':' + std::to_string(settings.paths);
   return name;
 }

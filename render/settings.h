@@ -94,8 +94,7 @@ struct Settings {
   OpticalDepthTableSize optical_depth_table{};
   // `sliced`: cells of a light's shadow map = shadow_cells^2, or for far lights in a room more.
   int shadow_cells = 384;
-  // `sliced` and `march`: environment light in the medium; `sliced`: all that is scattered more
-  // than once.
+  // `sliced`: environment light in the medium, and all that is scattered more than once.
   SourceGridSize source_grid{};
   // Frame::background is filled: for layers.
   bool background_apart = false;
@@ -122,9 +121,6 @@ struct Settings {
   // The greatest share of them left with which merging makes up for its time.
   double merge_share = 0.8;
 
-  // `march`: steps per ray, >= 1.
-  int march_steps = 64;
-
   // `path`: paths per pixel, 1 to max_paths. A frame that differs from the last in nothing but more
   // of them goes on where that stopped.
   int paths = 64;
@@ -148,7 +144,7 @@ inline constexpr int max_paths = limits::paths;
 inline constexpr int edge_samples = 16;
 int chosen_samples(const Scene& scene);
 
-// The method as on the command line, with its parameter: "sliced:24", "march:64", "paper+mean".
+// The method as on the command line, with its parameter: "sliced:24", "path:64", "paper+mean".
 std::string airlight_name(const Settings& settings);
 
 // Reduces the resolution of light tables and shadow maps so that all lights together fit

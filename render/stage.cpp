@@ -57,7 +57,6 @@ constexpr auto reason_texts = std::to_array<std::pair<Reason, std::string_view>>
     {Reason::part_of_paths, "paths carry its light"},
     {Reason::part_of_all_orders, "it is part of all orders of scattering"},
     {Reason::double_precision, "double precision was requested"},
-    {Reason::march_on_cpu, "airlight march runs only on the CPU"},
     {Reason::reference_on_cpu, "airlight reference runs only on the CPU"},
     {Reason::path_on_cpu, "airlight path runs only on the CPU"},
     {Reason::mirrors_on_cpu, "rays that smooth surfaces mirror are traced on the CPU"},

@@ -43,7 +43,6 @@ QString settings_text(const Settings& settings) {
     case AirlightMethod::path:
       return frame_words("path tracing");
     case AirlightMethod::auto_:
-    case AirlightMethod::march:
       break;
   }
   return QString::fromStdString(airlight_name(settings));

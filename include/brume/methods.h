@@ -9,7 +9,6 @@ enum class AirlightMethod {
   auto_,      // the cheapest settings of `sliced` that keep max_error, measured on the frame itself
   paper,      // the paper's approximation, as published
   sliced,     // exact optical depths per slice of the ray, light from a table
-  march,      // ray marching: midpoint rule with exact optical depths, for comparison
   reference,  // the converged integral
   path,       // path tracing: all orders of scattering, surfaces included
 };

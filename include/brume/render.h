@@ -37,8 +37,7 @@ struct RenderRequest {
   std::optional<ErrorMeasurement> error{};  // absent: quick of `auto_`, else none
   Scattering scattering = Scattering::multiple;
   int slices = 24;
-  int march_steps = 64;  // 1 to 65,536
-  int paths = 64;        // per pixel, 1 to limits::paths
+  int paths = 64;  // per pixel, 1 to limits::paths
   std::uint32_t seed = 0;
   std::optional<int> airlight_scale{};  // absent: 4 of `auto_`, else 1
   bool paper_mean = false;

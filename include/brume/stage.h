@@ -96,7 +96,6 @@ enum class Reason {
   part_of_all_orders,
   // On the CPU.
   double_precision,
-  march_on_cpu,
   reference_on_cpu,
   path_on_cpu,
   mirrors_on_cpu,

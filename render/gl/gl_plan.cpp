@@ -30,8 +30,6 @@ std::optional<Reason> refusal(const RenderPlan& plan) {
   switch (settings.airlight) {
     case AirlightMethod::paper:
       return std::nullopt;
-    case AirlightMethod::march:
-      return Reason::march_on_cpu;
     case AirlightMethod::reference:
       return Reason::reference_on_cpu;
     case AirlightMethod::path:

@@ -195,8 +195,7 @@ class ViewsTest : public QObject {
     request.camera = request.scene->camera;
     request.serial = 1;
     request.film = {350, 250};  // long enough to be interrupted
-    request.settings.airlight = AirlightMethod::march;
-    request.settings.march_steps = 400;
+    request.settings.airlight = AirlightMethod::reference;
     for (const int view : {1, 2, 3}) {
       request.view = view;
       service.request(request);

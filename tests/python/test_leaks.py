@@ -41,7 +41,7 @@ def test_media():
 def test_frames(cloud):
     def render():
         frame = brume.render(
-            cloud, size=(200, 200), airlight="march:1", scattering="single", backend="cpu"
+            cloud, size=(200, 200), airlight="paper", scattering="single", backend="cpu"
         )
         return frame.beauty[0], frame.layers
 

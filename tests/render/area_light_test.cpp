@@ -159,17 +159,14 @@ TEST(AreaLight, ReferenceIsTheIntegral) {
   }
 }
 
-TEST(AreaLight, SlicedAndMarchMatchTheReference) {
+TEST(AreaLight, SlicedMatchesTheReference) {
   for (const Shape shape : {Shape::rectangle, Shape::disk, Shape::sphere}) {
     for (const bool two_sided : {false, true}) {
       Scene scene =
           on_film(lit_by(area_light(shape, {1.6, 1.2, 0.9}, 0.8, two_sided), 2.0), {8, 6});
       const Frame truth = render_frame(scene, reference_settings(1e-4));
-      for (const Settings& settings : {sliced(24), marched(200)}) {
-        const Frame frame = render_frame(scene, settings);
-        EXPECT_LT(rel_rmse(frame.airlight, truth.airlight), 0.01)
-            << kind_info(scene.lights[0]).name << " sides " << 1 + two_sided;
-      }
+      EXPECT_LT(rel_rmse(render_frame(scene, sliced(24)).airlight, truth.airlight), 0.01)
+          << kind_info(scene.lights[0]).name << " sides " << 1 + two_sided;
     }
   }
 }

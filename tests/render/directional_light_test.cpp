@@ -89,13 +89,6 @@ TEST(DirectionalLight, SlicedMatchesTheReference) {
   }
 }
 
-TEST(DirectionalLight, MarchMatchesTheReference) {
-  for (const double b0 : {0.0, 0.05}) {
-    Scene scene = in_fog(lit_by_sun(), b0);
-    EXPECT_LT(airlight_error(scene, marched(400), reference_settings()), 0.005);
-  }
-}
-
 TEST(DirectionalLight, AFarPointIsASun) {
   const Scene scene = lit_by_sun();
   Scene point = scene;

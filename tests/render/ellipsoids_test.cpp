@@ -51,7 +51,6 @@ TEST(Ellipsoids, ThatAreBallsRenderAsBalls) {
   expect_same(scene, sliced(24), "sliced", 1e-3);
   // And so do the nodes of a grid, whose boxes are rounded outwards.
   expect_same(scene, all_orders(24), "all orders", 3e-3);
-  expect_same(scene, marched(32), "marched", 1e-5);
   scene.optics.noise = {.amplitude = 0.4, .frequency = 2.0};
   expect_same(scene, sliced(24), "with noise", 1e-3);
   expect_same(scene, paper_settings, "paper with noise", 1e-5);
@@ -86,8 +85,8 @@ TEST(Ellipsoids, HardCasesAreFinite) {
     scene.camera.eye = scene.medium.centers()[0];
     scene.lights[0].position = scene.medium.centers()[2];
     scene.surfaces.push_back(wall(-0.2, 0.8));
-    for (const Settings& settings : {sliced(12), all_orders(12), paper_settings, marched(16),
-                                     path_traced(2), brume::reference_settings(1e-2)}) {
+    for (const Settings& settings : {sliced(12), all_orders(12), paper_settings, path_traced(2),
+                                     brume::reference_settings(1e-2)}) {
       expect_finite(render_frame(scene, settings));
     }
   }

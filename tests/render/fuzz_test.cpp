@@ -69,14 +69,12 @@ std::vector<Settings> fast_methods(unsigned seed) {
   sliced.slices = 4 + static_cast<int>(seed % 13);
   sliced.optical_depth_table = {8, 4};
   sliced.shadow_cells = 16;
-  Settings march = on_one_thread(AirlightMethod::march);
-  march.march_steps = 1 + static_cast<int>(seed % 7);
   Settings coarse = seed % 2 == 0 ? sliced : improved;
   coarse.airlight_scale = seed % 4 < 2 ? 2 : 4;
   Settings multiple = sliced;
   multiple.scattering = Scattering::multiple;
   multiple.scattering_limits = {.degree = 3, .light_degree = 5, .sweeps = 4};
-  std::vector<Settings> methods{paper, improved, sliced, march, coarse};
+  std::vector<Settings> methods{paper, improved, sliced, coarse};
   if (seed % 16 == 0) methods.push_back(multiple);  // slower than all the others
   return methods;
 }

@@ -32,9 +32,8 @@ TEST_P(HardCases, MatchTheGoldenValues) {
 }
 
 TEST_P(HardCases, AreFiniteInEveryLayer) {
-  for (const AirlightMethod method :
-       {AirlightMethod::paper, AirlightMethod::sliced, AirlightMethod::march,
-        AirlightMethod::reference, AirlightMethod::path}) {
+  for (const AirlightMethod method : {AirlightMethod::paper, AirlightMethod::sliced,
+                                      AirlightMethod::reference, AirlightMethod::path}) {
     for (const int scale : {1, 4}) {
       Settings settings;
       settings.airlight = method;

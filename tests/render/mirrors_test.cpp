@@ -265,7 +265,7 @@ TEST(ReflectionLayer, IsBlackButOnSmoothSurfaces) {
   make_metal(scene.surfaces[0], 0.8, 0.49);
   EXPECT_EQ(light_layer_frames(scene, sliced(8), layers), 1u);
   EXPECT_EQ(light_layer_frames(scene, path_traced(8), layers), 1u);
-  EXPECT_EQ(light_layer_frames(scene, marched(8), layers), 0u);
+  EXPECT_EQ(light_layer_frames(scene, reference_settings(), layers), 0u);
 }
 
 // Through fog and a pane, and of the same light in both methods.

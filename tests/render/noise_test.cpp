@@ -71,19 +71,6 @@ TEST(Noise, SlicedConvergesToTheReference) {
   }
 }
 
-TEST(Noise, MarchConvergesToTheReference) {
-  for (const Scene& scene : {noisy(cloud_scene(30, 1.0), 0.4), noisy(eye_inside(), 0.4)}) {
-    Settings settings = method(AirlightMethod::march);
-    settings.march_steps = 96;
-    const Frame reference = render_frame(scene, method(AirlightMethod::reference));
-    const Frame frame = render_frame(scene, settings);
-    EXPECT_LT(rel_rmse(frame.airlight, reference.airlight), 2e-4);
-    for (std::size_t i = 0; i < reference.transmittance.size(); ++i) {
-      ASSERT_NEAR(frame.transmittance[i], reference.transmittance[i], 1e-3);
-    }
-  }
-}
-
 TEST(Noise, PaperInSimdIsThePlainFrame) {
   for (const Scene& scene : {noisy(cloud_scene(300, 1.0), 0.4), noisy(eye_inside(), 0.4),
                              noisy(cut_by_a_surface(), 0.4, 20.0)}) {

@@ -79,7 +79,6 @@ Settings PlanCase::settings() const {
   settings.airlight_scale = scale;
   settings.scattering = scattering;
   settings.slices = 8;
-  settings.march_steps = 8;
   settings.paths = 2;
   settings.reference_tolerance = 0.1;
   settings.optical_depth_table = {16, 8};

@@ -42,9 +42,8 @@ TEST(PlanDecision, EachHasItsScenes) {
   for (const PlanDecision& decision : plan_decisions()) known.add(decision.stage);
   for (const PlanDecision& decision : plan_decisions()) {
     for (const Scene* scene : {&decision.left_out, &decision.made, &decision.needed}) {
-      for (const AirlightMethod method :
-           {AirlightMethod::paper, AirlightMethod::sliced, AirlightMethod::march,
-            AirlightMethod::reference, AirlightMethod::path}) {
+      for (const AirlightMethod method : {AirlightMethod::paper, AirlightMethod::sliced,
+                                          AirlightMethod::reference, AirlightMethod::path}) {
         Settings settings;
         settings.airlight = method;
         for (const SkippedStage& skipped : RenderPlan(*scene, scene->film, settings).skipped) {

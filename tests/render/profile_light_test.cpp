@@ -73,11 +73,6 @@ TEST(ProfileLight, SlicedMatchesTheReference) {
   }
 }
 
-TEST(ProfileLight, MarchMatchesTheReference) {
-  const Scene scene = lit(lobed_profile(40.0));
-  EXPECT_LT(airlight_error(scene, marched(400), reference_settings()), 0.005);
-}
-
 TEST(ProfileLight, AllOrdersMatchPaths) {
   Scene scene = on_film(lit(lobed_profile(0.0), light::Point(), 3.0), {16, 12});
   scene.surfaces = {wall(-1.2, 1.5)};

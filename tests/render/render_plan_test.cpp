@@ -98,8 +98,8 @@ TEST(RenderPlan, RunsWhatScenesNeedAndSaysWhatTheyDoNot) {
 
 // Lights that are off, black skies and Gaussians of no density.
 TEST(RenderPlan, TakesPartsWithoutEffectAsMissing) {
-  for (const PlanCase& c : few_plan_cases(
-           {Method::paper, Method::sliced, Method::march, Method::reference, Method::path})) {
+  for (const PlanCase& c :
+       few_plan_cases({Method::paper, Method::sliced, Method::reference, Method::path})) {
     const RenderPlan whole = plan_of(c);
     for (const SkippedStage& skipped : whole.skipped) ASSERT_FALSE(whole.runs(skipped.stage));
     for (Part PlanCase::*part : {&PlanCase::lights, &PlanCase::sky, &PlanCase::gaussians}) {
@@ -185,8 +185,8 @@ TEST(RenderPlan, WaitsForSharedTransfer) {
 }
 
 TEST(RenderPlan, MatchesTheStatisticsOfFrames) {
-  for (const PlanCase& c : few_plan_cases(
-           {Method::paper, Method::sliced, Method::march, Method::reference, Method::path})) {
+  for (const PlanCase& c :
+       few_plan_cases({Method::paper, Method::sliced, Method::reference, Method::path})) {
     const Scene scene = c.scene();
     const RenderPlan plan(scene, scene.film, c.settings());
     expect_planned(render_frame(scene, c.settings()).statistics, plan, c.name());

@@ -39,13 +39,6 @@ TEST(RepeatableFrames, Paper) {
   expect_repeatable(create_cpu_renderer, paper_settings);
 }
 
-TEST(RepeatableFrames, March) {
-  Settings settings;
-  settings.airlight = AirlightMethod::march;
-  settings.march_steps = 16;
-  expect_repeatable(create_cpu_renderer, settings);
-}
-
 TEST(RepeatableFrames, Paths) {
   Settings settings;
   settings.airlight = AirlightMethod::path;
@@ -60,7 +53,7 @@ TEST(RepeatableFrames, AcrossVectorInstructions) {
   Settings solved = all_orders(16, {.nodes = 2000, .directions = 32});
   for (Scene scene : {cloud_scene(30, 2.0), in_fog(cut_by_a_surface(), 0.05)}) {
     scene.film = {16, 12};
-    for (const Settings& settings : {sliced(16), solved, marched(32), paper_settings}) {
+    for (const Settings& settings : {sliced(16), solved, paper_settings}) {
       std::vector<Frame> frames;
       for (const std::int64_t target : targets) {
         hwy::SetSupportedTargetsForTest(target);

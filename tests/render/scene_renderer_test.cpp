@@ -148,7 +148,6 @@ TEST(SceneRenderer, RefusesWhatCannotBeAsked) {
       {"time", [](RenderRequest& r) { r.time = std::nan(""); }},
       {"max_error", [](RenderRequest& r) { r.max_error = 0.0; }},
       {"slices", [](RenderRequest& r) { r.slices = 1; }},
-      {"march_steps", [](RenderRequest& r) { r.march_steps = 0; }},
       {"paths", [](RenderRequest& r) { r.paths = 0; }},
       {"samples", [](RenderRequest& r) { r.samples = 0; }},
       {"shutter",

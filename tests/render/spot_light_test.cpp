@@ -141,17 +141,11 @@ TEST(SpotLight, NarrowSpotsAreFullOnTheirAxis) {
     scene.surfaces = {wall(0.0, 10.0, 1.0)};
     scene.lights = {
         {{0.0, 0.0, 10.0}, glm::dvec3(1000.0), light::Spot{{0.0, 0.0, -1.0}, inner, outer}}};
-    for (const Settings& settings :
-         {sliced(24), marched(64), reference_settings(), path_traced(4)}) {
+    for (const Settings& settings : {sliced(24), reference_settings(), path_traced(4)}) {
       EXPECT_NEAR(render_frame(scene, settings).beauty[0], 10.0 / std::numbers::pi, 1e-3)
           << inner << " to " << outer;
     }
   }
-}
-
-TEST(SpotLight, MarchMatchesTheReference) {
-  const Scene scene = lit_by_spot(smooth);
-  EXPECT_LT(airlight_error(scene, marched(400), reference_settings()), 0.005);
 }
 
 TEST(SpotLight, OfAllDirectionsIsAPointLight) {

@@ -222,13 +222,6 @@ Settings all_orders(int slices, const SourceGridSize& grid) {
   return settings;
 }
 
-Settings marched(int steps) {
-  Settings settings;
-  settings.airlight = AirlightMethod::march;
-  settings.march_steps = steps;
-  return settings;
-}
-
 Settings path_traced(int paths) {
   Settings settings;
   settings.airlight = AirlightMethod::path;

@@ -51,7 +51,6 @@ Settings reference_settings(double tolerance = 1e-5);
 Settings sliced(int slices, Scattering scattering = Scattering::single);
 // The grid of all orders here is coarse beside what users get; the bounds of frames hold on it.
 Settings all_orders(int slices, const SourceGridSize& grid = {.nodes = 6000, .directions = 48});
-Settings marched(int steps);
 Settings path_traced(int paths);
 
 struct Difference {

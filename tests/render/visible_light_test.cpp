@@ -197,7 +197,7 @@ TEST(VisibleLights, ChangeOnlyThePixelsThatSeeThem) {
   Settings settings = all_orders(24, {.nodes = 2000, .directions = 32});
   settings.samples = 1;
   for (const auto& [scene, method] :
-       {std::pair(clear, settings), {foggy, marched(64)}, {foggy, path_traced(2)}}) {
+       {std::pair(clear, settings), {foggy, reference_settings()}, {foggy, path_traced(2)}}) {
     const Frame shown = render_frame(scene, method);
     const Frame hidden = render_frame(with_hidden(scene), method);
     int changed = 0;
@@ -304,7 +304,7 @@ TEST(VisibleLights, AreSeenAlone) {
     const Scene alone = in_fog(scene, fog);
     Settings settings = all_orders(8);
     settings.samples = 4;
-    for (const Settings& method : {settings, marched(16), path_traced(2), paper_settings}) {
+    for (const Settings& method : {settings, path_traced(2), paper_settings}) {
       const Frame frame = render_frame(alone, method);
       for (std::size_t i = 0; i < seen.size(); ++i) {
         EXPECT_EQ(std::isfinite(frame.depth[i]), seen[i] >= 0);

@@ -51,9 +51,7 @@ TEST_F(CommandLine, RefusesBadUsageInOneLineWithASuggestion) {
     expect_refused({"render", scene_, "-o", out, "--size", size}, {"--size", "WIDTHxHEIGHT"});
   }
   expect_refused({"render", scene_, "-o", out, "--airlight", "papr"},
-                 {"allowed: auto, paper, sliced, reference, march:N"});
-  expect_refused({"render", scene_, "-o", out, "--airlight", "march:0"},
-                 {"march:0", "march:N with N from 1 to 65536"});
+                 {"allowed: auto, paper, sliced, reference, path:N"});
   expect_refused({"render", scene_, "-o", out, "--airlight", "path:8x"},
                  {"path:8x", "path:N with N from 1 to 1000000"});
   expect_refused({"render", scene_, "-o", out, "--airlight", "path:8", "--airlight-scale", "2"},
@@ -101,8 +99,7 @@ TEST_F(CommandLine, RefusesOutputsBeforeItRenders) {
 }
 
 TEST_F(CommandLine, RendersAllLayersToExr) {
-  for (const char* airlight :
-       {"paper", "sliced:24", "reference", "march:24", "march:1", "path:4"}) {
+  for (const char* airlight : {"paper", "sliced:24", "reference", "path:4"}) {
     SCOPED_TRACE(airlight);
     const bool is_sliced = std::string(airlight).starts_with("sliced");
     const ProgramResult result = expect_done(
@@ -282,7 +279,7 @@ TEST_F(CommandLine, RendersWithOpenGl) {
   EXPECT_NE(stats["device"], "");
   EXPECT_LT(stats["error"]["rel_rmse"], 0.02);
   // Methods that it lacks are the CPU's, with a word.
-  const auto [warning, other] = run({"--airlight", "march:8", "--backend", "gl"});
+  const auto [warning, other] = run({"--airlight", "path:8", "--backend", "gl"});
   EXPECT_TRUE(contains(warning, "backend gl: rendered on the CPU: "));
   EXPECT_EQ(other["backend"], "cpu");
   EXPECT_EQ(other["on_cpu"][0]["stage"], "frame");

@@ -18,19 +18,10 @@ std::vector<Settings> tried_settings(const BenchOptions& options) {
   std::vector<Settings> settings = {paper};
   const std::vector<int> slices = options.quick ? std::vector{4, 8, 16, 32, 96}
                                                 : std::vector{4, 6, 8, 12, 16, 24, 32, 48, 64, 128};
-  const std::vector<int> steps =
-      options.quick ? std::vector{4, 16, 64} : std::vector{2, 4, 8, 16, 32, 64, 128, 256};
   for (const int scale : {4, 1}) {
     Settings scaled = base;
     scaled.airlight_scale = scale;
     for (const int k : slices) settings.push_back(sliced_settings(scaled, k));
-    if (scale == 4 && options.quick) continue;
-    for (const int n : steps) {
-      Settings march = scaled;
-      march.airlight = AirlightMethod::march;
-      march.march_steps = n;
-      settings.push_back(march);
-    }
   }
   return settings;
 }
@@ -88,9 +79,7 @@ SceneReport measure_scene(const BenchScene& bench, const BenchOptions& options, 
   for (const Settings& settings : tried_settings(options)) {
     Renderer renderer;
     report.settings.push_back(measure(renderer, scene, settings, reference.sample, seconds));
-    if (gl && settings.airlight != AirlightMethod::march) {
-      report.on_gl.push_back(measure(*gl, scene, settings, reference.sample, seconds));
-    }
+    if (gl) report.on_gl.push_back(measure(*gl, scene, settings, reference.sample, seconds));
   }
   report.peers = other_renderers_of(options.peers, report.name, report.film);
   const auto shown = cheapest_within(report.settings, 0.02);

@@ -17,7 +17,6 @@ Settings at_scale(int scale, AirlightMethod method = AirlightMethod::sliced, int
   settings.airlight = method;
   settings.airlight_scale = scale;
   settings.upsampling_tolerance = 0.01;
-  settings.march_steps = 16;
   return settings;
 }
 
@@ -56,8 +55,7 @@ Errors errors(const std::vector<float>& a, const std::vector<float>& b) {
 // The worst pixel counts: a halo is a few bad pixels, which an average forgives.
 TEST(AirlightScale, ThinObjectsBeforeFarFogHaveNoHalo) {
   const Scene scene = posts_before_fog();
-  for (const AirlightMethod method :
-       {AirlightMethod::sliced, AirlightMethod::paper, AirlightMethod::march}) {
+  for (const AirlightMethod method : {AirlightMethod::sliced, AirlightMethod::paper}) {
     SCOPED_TRACE(to_string(method));
     const Frame full = render_frame(scene, at_scale(1, method));
     for (const int scale : {2, 4}) {

@@ -37,8 +37,7 @@ TEST(GlPlan, LeavesTheCpuWhatOnlyItCan) {
   EXPECT_TRUE(is_on_cpu(plan_of(scene, settings), Stage::eye_depth));
   settings.precision = Settings::Precision::plain_double;
   EXPECT_EQ(refusal_of(scene, settings), Reason::double_precision);
-  for (const AirlightMethod method :
-       {AirlightMethod::march, AirlightMethod::reference, AirlightMethod::path}) {
+  for (const AirlightMethod method : {AirlightMethod::reference, AirlightMethod::path}) {
     settings = {};
     settings.airlight = method;
     const std::optional<Reason> reason = refusal_of(scene, settings);

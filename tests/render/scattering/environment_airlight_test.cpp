@@ -205,20 +205,6 @@ TEST(EnvironmentAirlight, MatchesTheReferenceForAnisotropicMedia) {
   }
 }
 
-// In both methods, which sum the peak each in their own way.
-TEST(EnvironmentAirlight, SlicedMatchesMarched) {
-  Scene scene = lit_cloud(30, 2.0, half_sun_sky());
-  scene.medium.set_homogeneous_density(0.1);
-  scene.surfaces.push_back(wall(0.05, 3.0));
-  for (const double g : {0.8, -0.8}) {
-    scene.optics.anisotropy = g;
-    const Settings fine = sliced_settings({}, 128);
-    Settings march = marched(512);
-    march.source_grid = fine.source_grid;
-    EXPECT_LT(airlight_error(scene, fine, march), 2e-3) << g;
-  }
-}
-
 TEST(DistantLights, ClustersHoldTheSameLights) {
   const auto map = half_sun_sky();
   const std::vector<DistantLight> lights = distant_lights(*map, 96);
@@ -238,8 +224,7 @@ TEST(DistantLights, ClustersHoldTheSameLights) {
 // Fog alone sends each point L e^(-b0 D) from all sides, so L albedo e^(-b0 D) (1 - e^-T) is seen,
 // whatever the phase function.
 TEST(EnvironmentAirlight, MatchesTheClosedFormUnderAUniformSky) {
-  for (const auto method :
-       {AirlightMethod::sliced, AirlightMethod::march, AirlightMethod::reference}) {
+  for (const auto method : {AirlightMethod::sliced, AirlightMethod::reference}) {
     for (const double g : {0.0, 0.7}) {
       Scene scene;
       scene.environment.emplace().map = tinted_sky();
@@ -257,7 +242,7 @@ TEST(EnvironmentAirlight, MatchesTheClosedFormUnderAUniformSky) {
         const double T = b * fog.ray_distance(scene.camera.eye);
         const double exact = glm::dvec3(1.0, 0.5, 2.0)[k] * scene.optics.albedo[k] *
                              std::exp(-b * fog.surface_distance()) * -std::expm1(-T);
-        // The phase function is integrated on rows as wide as its peak; 64 steps are the march's.
+        // The phase function is integrated on rows as wide as its peak.
         EXPECT_NEAR(frame.airlight[c], exact, (g == 0.0 ? 5e-4 : 5e-3) * exact) << c;
       }
     }

@@ -239,8 +239,8 @@ TEST(Environment, ShowsThroughHomogeneousFog) {
   scene.camera = {{0, 0.5, 4}, {0, 0, 0}, {0, 1, 0}, 60.0};
   scene.film = {16, 12};
   scene.medium.set_homogeneous_density(0.05);
-  for (const auto method : {AirlightMethod::paper, AirlightMethod::sliced, AirlightMethod::march,
-                            AirlightMethod::reference}) {
+  for (const auto method :
+       {AirlightMethod::paper, AirlightMethod::sliced, AirlightMethod::reference}) {
     Settings settings;
     settings.airlight = method;
     const Frame frame = render_frame(scene, settings);

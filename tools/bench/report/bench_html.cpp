@@ -126,9 +126,8 @@ std::string to_html(const BenchReport& report) {
   html += style;
   html += std::string("<h1>") + bench_title + "</h1>\n<p>" + marked(bench_lead(report)) + "</p>\n";
   html +=
-      "<p>In the plots, <b style=\"color:#c4a000\">paper</b>, <b "
-      "style=\"color:#1f77b4\">sliced</b> "
-      "and <b style=\"color:#d62728\">march</b>, pale at full resolution, other renderers in other "
+      "<p>In the plots, <b style=\"color:#c4a000\">paper</b> and <b "
+      "style=\"color:#1f77b4\">sliced</b>, pale at full resolution, other renderers in other "
       "colours; the line is the frontier.</p>\n";
   for (const SceneReport& scene : report.scenes) put_scene(scene, html);
   for (const CostCurve& curve : report.curves) put_curve(curve, html);

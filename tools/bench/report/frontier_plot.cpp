@@ -21,8 +21,6 @@ const char* color_of(const Settings& settings) {
     case AirlightMethod::auto_:
     case AirlightMethod::sliced:
       return settings.airlight_scale > 1 ? "#1f77b4" : "#6baed6";
-    case AirlightMethod::march:
-      return settings.airlight_scale > 1 ? "#d62728" : "#f19c99";
     case AirlightMethod::reference:
     case AirlightMethod::path:
       return reference_color;

@@ -40,7 +40,6 @@ ReportTable fastest_table(const std::vector<SceneReport>& scenes) {
     table.heads.push_back(formatted("%g%%", 100.0 * level));
   }
   table.heads.emplace_back("reference");
-  std::size_t marched = 0;
   for (const SceneReport& scene : scenes) {
     auto& row = table.rows.emplace_back();
     row.push_back(formatted("%s: %zu Gaussians", scene.name.c_str(), scene.gaussians));
@@ -51,13 +50,10 @@ ReportTable fastest_table(const std::vector<SceneReport>& scenes) {
         continue;
       }
       const Measurement& m = scene.settings[*best];
-      marched += m.settings.airlight == AirlightMethod::march ? 1 : 0;
       row.push_back(m.setting + ": " + with_spread(m.cpu_milliseconds, 2));
     }
     row.push_back(formatted("%.0f", scene.reference_cpu_milliseconds));
   }
-  table.remark = marched == 0 ? "`march` is never the fastest."
-                              : formatted("`march` is the fastest in %zu of these cells.", marched);
   return table;
 }
 
