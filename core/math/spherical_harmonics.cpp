@@ -193,13 +193,6 @@ std::span<const ShTriple> sh_triples(int order) {
   return lists[static_cast<std::size_t>(order)];
 }
 
-double sh_triple(std::size_t i, std::size_t j, std::size_t k) {
-  for (const ShTriple& triple : sh_triples(sh_max_bands)) {
-    if (triple.i == i && triple.j == j && triple.k == k) return triple.value;
-  }
-  return 0.0;
-}
-
 template <class Value>
 ShVector<Value> sh_product(const ShVector<Value>& f, const ShVector<double>& g) {
   assert(f.order() == g.order());

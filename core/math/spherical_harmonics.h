@@ -119,9 +119,6 @@ struct ShTriple {
 // Made on the first call. Thread-safe.
 std::span<const ShTriple> sh_triples(int order);
 
-// That integral for one triple of indices, 0 where it vanishes.
-double sh_triple(std::size_t i, std::size_t j, std::size_t k);
-
 // The projection of the product f g on the bands of f. Both have the same order.
 template <class Value>
 ShVector<Value> sh_product(const ShVector<Value>& f, const ShVector<double>& g);

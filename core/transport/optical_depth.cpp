@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <numbers>
 
 #include "core/math/special_functions.h"
 
@@ -133,12 +132,6 @@ Real truncated_mean(const LineProfile<Real>& line, Real d) {
 double cutoff_radius(double radius, double density, double eps) {
   const double peak = density * radius * sqrt_pi<double>;
   return peak > eps ? radius * std::sqrt(std::log(peak / eps)) : 0.0;
-}
-
-double cutoff_cone(const glm::dvec3& center, double cutoff_radius, const glm::dvec3& o) {
-  if (cutoff_radius <= 0.0) return 0.0;
-  const double distance = glm::length(center - o);
-  return distance <= cutoff_radius ? std::numbers::pi : std::asin(cutoff_radius / distance);
 }
 
 #define BRUME_OPTICAL_DEPTH(Real)                                                               \

@@ -41,10 +41,6 @@ Real truncated_mean(const LineProfile<Real>& line, Real d);
 // below eps everywhere. Of an ellipsoid that of its greatest radius.
 double cutoff_radius(double radius, double density, double eps);
 
-// Half angle [radians] of the cone around o -> center that contains every ray from o within
-// `cutoff_radius` of the center; pi if o is within it.
-double cutoff_cone(const glm::dvec3& center, double cutoff_radius, const glm::dvec3& o);
-
 #define BRUME_OPTICAL_DEPTH(Real)                                                                \
   extern template LineProfile<Real> line_profile(const GaussianTerm<Real>&, const Vec3<Real>&,   \
                                                  const Vec3<Real>&);                             \

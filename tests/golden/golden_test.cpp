@@ -13,6 +13,7 @@
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <numeric>
 #include <set>
 #include <string>
@@ -222,13 +223,22 @@ std::map<std::string, Quantity<Real>> quantities() {
        }},
       {"lin_point_sh", point_light<Real>},
       {"lin_env_sh", environment<Real>},
-      {"sh_triple", [](const Json& in) { return R{Real(sh_triple(in["i"], in["j"], in["k"]))}; }},
+      {"sh_triple",
+       [](const Json& in) {
+         const auto is_asked = [&](const ShTriple& it) {
+           return it.i == in["i"] && it.j == in["j"] && it.k == in["k"];
+         };
+         const auto found = std::ranges::find_if(sh_triples(sh_max_bands), is_asked);
+         return R{found == sh_triples(sh_max_bands).end() ? Real(0) : Real(found->value)};
+       }},
       {"cull",
        [](const Json& in) {
          // Culling bounds are made once per Gaussian and always in double.
          const Gaussian g{vec<double>(in["b"]), 1.0 / in["a"].get<double>(), in["c"]};
          const double r = cutoff_radius(g.radius, g.density, in["eps"]);
-         return R{Real(r), Real(cutoff_cone(g.center, r, vec<double>(in["o"])))};
+         const double distance = glm::length(g.center - vec<double>(in["o"]));
+         // And the half angle of the cone of rays that the bound lets through.
+         return R{Real(r), Real(r < distance ? std::asin(r / distance) : std::numbers::pi)};
        }},
   };
 }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <filesystem>
 #include <glm/gtc/quaternion.hpp>
@@ -63,7 +62,6 @@ class NodeMotion {
   [[nodiscard]] const std::filesystem::path& file() const { return file_; }
   // Whether a node or one that it is in has a track.
   [[nodiscard]] bool moves(std::size_t node) const { return moves_[node]; }
-  [[nodiscard]] bool moves_any() const { return std::ranges::count(moves_, true) > 0; }
   // Throws InputError where that has taken too long in all.
   [[nodiscard]] glm::dmat4 to_world(std::size_t node, double time) const;
   // The same of several, of which each ancestor is evaluated once.

@@ -176,14 +176,6 @@ TEST(Reach, NothingOutsideReachesTheTolerance) {
     if (glm::length(g.center - A - t * w) <= r) continue;
     ++culled;
     max_ratio = std::max(max_ratio, optical_depth(g, A, B) / eps);
-    // The cone says the same of the whole ray.
-    const double cone = cutoff_cone(g.center, r, A);
-    const double angle =
-        std::acos(std::clamp(glm::dot(glm::normalize(g.center - A), w), -1.0, 1.0));
-    if (angle > cone + 1e-7) {
-      const auto line = line_profile(*StandaloneTerm(g), A, w);
-      ASSERT_LE(optical_depth(*StandaloneTerm(g), line, infinity), eps);
-    }
   }
   EXPECT_LE(max_ratio, 1.0);
   EXPECT_GT(max_ratio, 0.9) << "the bound is tight";
