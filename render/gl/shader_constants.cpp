@@ -24,7 +24,6 @@
 #include "render/geometry/edge_on.h"
 #include "render/geometry/ray_range.h"
 #include "render/geometry/tiles.h"
-#include "render/gl/arithmetic_peak.h"
 #include "render/gl/shader_structs.h"
 #include "render/gl/surface_stage.h"
 #include "render/optical_depth/increment_kernels.h"
@@ -221,7 +220,6 @@ void add_film(Constants& constants) {
   constants.add_double("edge_on_rounding", edge_on_rounding);
   constants.add_double("edge_on_share", edge_on_share);
   constants.add("light_margin", RayCaster::light_margin);
-  constants.add("peak_slices", peak_slices);
 }
 
 void add_display(Constants& constants) {

@@ -46,13 +46,12 @@ void measure_table_one(const TableOneScene& kind, const BenchOptions& options,
   Settings settings = fewest_slices(chooser, scene);
   settings.threads = options.threads;
   const ReferenceSample reference = find_reference(scene, 300, 1e-3);
-  TableOneRow row{kind.name, kind.frames_per_second, {}, {}, {}};
+  TableOneRow row{kind.name, kind.frames_per_second, {}, {}};
   Renderer renderer(transfers);
   static_cast<void>(renderer.render(scene, scene.camera, scene.film, settings));
   // The camera turns as in the editor: each frame shows triangles that the last one did not.
   constexpr double turn = 0.5;
   row.measurement = measure(renderer, scene, settings, reference.sample, 2.0, {turn, 1});
-  row.share = measure_kernel_share(scene, settings, options.quick ? 3 : 9);
   Settings all_orders = settings;
   all_orders.scattering = Scattering::multiple;
   row.all_orders_ratio =

@@ -48,15 +48,6 @@ OrderedJson to_json(const HardCaseRow& row) {
   return json;
 }
 
-OrderedJson to_json(const KernelShare& share) {
-  return {{"limit_per_second", to_json(share.limit_per_second)},
-          {"of_limit", to_json(share.of_limit)},
-          {"of_limit_with_pairs", to_json(share.of_limit_with_pairs)},
-          {"sum_of_limit", to_json(share.sum_of_limit)},
-          {"increments_per_pair", share.increments_per_pair},
-          {"used_lanes", share.used_lanes}};
-}
-
 OrderedJson to_json(const ErrorEstimate& error) {
   return {{"rel_rmse", error.rel_rmse},
           {"low", error.low},
@@ -147,7 +138,6 @@ OrderedJson to_json(const TableOneRow& row) {
   entry["name"] = row.name;
   entry["fps"] = 1e3 / row.measurement.milliseconds.median;
   entry["paper_fps"] = row.paper_fps;
-  entry["kernel"] = to_json(row.share);
   entry["all_orders_ratio"] = to_json(row.all_orders_ratio);
   return entry;
 }

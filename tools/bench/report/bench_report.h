@@ -14,7 +14,6 @@
 #include "tools/bench/measure/fog_banks.h"
 #include "tools/bench/measure/frontier.h"
 #include "tools/bench/measure/hard_cases.h"
-#include "tools/bench/measure/kernel_limit.h"
 #include "tools/bench/measure/measurement.h"
 #include "tools/bench/measure/peers.h"
 #include "tools/bench/measure/plan_decisions.h"
@@ -63,7 +62,6 @@ struct TableOneRow {
   std::string name;
   double paper_fps = 0.0;
   Measurement measurement;
-  KernelShare share;
   Spread all_orders_ratio;  // frame times, all orders of scattering over one
 };
 

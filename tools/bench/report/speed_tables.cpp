@@ -115,23 +115,17 @@ ReportTable table_one_table(const std::vector<TableOneRow>& rows) {
       "The same kinds and sizes, at 800 x 600 with airlight scale 4 and the fewest slices that "
       "meet 2%. The camera orbits the scene by half a degree per frame. The paper's frame rates "
       "are those of a GPU of 2007. All orders is the time of a frame with all orders of "
-      "scattering over that of one with light scattered once, as measured in turn. The share of "
-      "the arithmetic limit is the minimum time of the view pass's arithmetic, on data in "
-      "registers, over the time of the view pass, on one thread.",
-      {"scene", "frames per second", "paper", "setting", "error", "stages, ms", "all orders",
-       "share of the arithmetic limit"},
+      "scattering over that of one with light scattered once, as measured in turn.",
+      {"scene", "frames per second", "paper", "setting", "error", "stages, ms", "all orders"},
       {},
       ""};
   for (const TableOneRow& row : rows) {
     const Measurement& m = row.measurement;
     const Spread& ms = m.milliseconds;
-    const Spread& reached = row.share.of_limit_with_pairs;
     table.rows.push_back({row.name, with_spread({1e3 / ms.median, 1e3 / ms.max, 1e3 / ms.min}, 1),
                           formatted("%.0f", row.paper_fps), m.setting,
                           formatted("%.2f%%", 100.0 * m.error.rel_rmse), stage_times(m),
-                          with_spread(row.all_orders_ratio, 2),
-                          formatted("%.0f%% (%.0f to %.0f)", 100.0 * reached.median,
-                                    100.0 * reached.min, 100.0 * reached.max)});
+                          with_spread(row.all_orders_ratio, 2)});
   }
   return table;
 }
