@@ -189,13 +189,12 @@ TEST(BenchTables, AppearInMarkdownAndHtml) {
   report.curves.push_back({"lights", {{1.0, 2.0}, {10.0, 30.0}}, 1.2});
   report.thread_rows.push_back({1, {4.0, 3.0, 5.0}});
   report.fog_banks.push_back({1'000'000, 160'000, measured(30, 0.018), {2.5, 2.4, 2.7}});
-  report.shot = {{1, 10.0, 3600.0, 0.02}, {2, 8.0, 4500.0, 0.04}};
   report.savings.push_back({Stage::noise, "its amplitude is 0", {1, 1, 1}, {2, 2, 2}, 1e-8});
   report.hard_cases.emplace_back().hard_case.breaks = "x < y";
   report.table_one.push_back({"statue", 101.0, measured(20, 0.01), {1.08, 1.01, 1.2}});
   report.caches = {cached("shadow maps", "statue", 0.3), cached("shadow maps", "box", 0.1)};
   const std::vector<ReportTable> tables = bench_tables(report);
-  EXPECT_EQ(tables.size(), 21u);
+  EXPECT_EQ(tables.size(), 20u);
   const std::string page = to_markdown(report);
   const std::string html = to_html(report);
   for (const ReportTable& table : tables) {
@@ -213,7 +212,6 @@ TEST(BenchTables, AppearInMarkdownAndHtml) {
         "lit ball | 1.1% (1 to 1.2) | 152% (96 to 208)",
         "under a sky | 1.1% (1 to 1.2) | 152% (96 to 208)",
         "floor | 1.1% (1 to 1.2) | 152% (96 to 208)", "bowl | 152% (96 to 208) |",
-        "2 | 4500 | 1.25 | 4.0%",
         "shadow maps | box | 20.0 (19.0 to 21.0) | 22.0 (21.0 to 23.0) | 10% (9 to 12) | 30 | "
         "shadow_map | 1e-06"}) {
     EXPECT_EQ(count(page, std::string("\n| ") + row + " |\n"), 1u) << row;

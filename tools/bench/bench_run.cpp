@@ -175,10 +175,6 @@ BenchReport run_bench(const BenchOptions& options,
   log("many Gaussians");
   report.fog_banks = measure_fog_banks(options.quick);
   measure_merged_media(options, report);
-  if (options.run_brume) {
-    log("shots");
-    report.shot = measure_shot(options.run_brume, options.quick);
-  }
   log("skipped stages");
   for (const PlanDecision& decision : plan_decisions()) {
     report.savings.push_back(measure_saving(decision, options.quick ? 3 : 9));

@@ -15,7 +15,6 @@ struct BenchOptions {
   int threads = 0;                            // 0: all
   Backend backend = Backend::auto_;           // auto_: OpenGL too where there is a GPU
   std::vector<std::filesystem::path> scenes;  // in place of the built-in ones, and of all else
-  RunBrume run_brume{};                       // empty: no shot is measured
   std::vector<OtherRendererRow> peers;        // of other programs, see read_other_renderers()
 };
 

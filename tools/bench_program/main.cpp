@@ -19,7 +19,6 @@
 #include "tools/bench/report/frontier_plot.h"
 #include "tools/brume/command_files.h"
 #include "tools/brume/finite_in.h"
-#include "tools/brume/other_program.h"
 #include "tools/brume/program.h"
 #include "tools/brume/read_scene.h"
 #include "tools/brume/request_arguments.h"
@@ -38,8 +37,7 @@ std::string shown_command(bool quick, bool of_scenes, bool with_peers) {
 
 class BenchCommand final : public Command {
  public:
-  // `program` is the file of `brume`, whose renderings are measured as whole processes.
-  BenchCommand(CLI::App& app, std::filesystem::path program) : program_(std::move(program)) {
+  explicit BenchCommand(CLI::App& app) {
     app.add_option("SCENE", scenes_, "scenes (.brume) instead of the built-in ones")
         ->type_name("FILE");
     app.add_option("-o,--output", output_, "writes NAME.md, NAME.json, NAME.html and NAME.svg");
@@ -82,7 +80,6 @@ class BenchCommand final : public Command {
                          .threads = threads_,
                          .backend = request.backend,
                          .scenes = {scenes_.begin(), scenes_.end()},
-                         .run_brume = [this](const auto& arguments) { return brume(arguments); },
                          .peers = {}};
     if (!peers_.empty()) options.peers = read_other_renderers(peers_);
     std::optional<tbb::global_control> bound;
@@ -109,14 +106,6 @@ class BenchCommand final : public Command {
   }
 
  private:
-  [[nodiscard]] std::string brume(const std::vector<std::string>& arguments) const {
-    std::vector<std::string> all{program_.string()};
-    all.insert(all.end(), arguments.begin(), arguments.end());
-    const ProgramOutput output = run_other_program(all);
-    if (output.exit_code != 0) throw std::runtime_error("brume render has failed");
-    return output.out;
-  }
-
   [[nodiscard]] std::vector<std::string> inputs() const {
     std::vector<std::string> files = scenes_;
     for (const std::string& file : {peers_, compare_}) {
@@ -142,7 +131,6 @@ class BenchCommand final : public Command {
     return done;
   }
 
-  std::filesystem::path program_;
   std::vector<std::string> scenes_;
   std::string output_;
   bool quick_ = false;
@@ -160,9 +148,8 @@ class BenchCommand final : public Command {
 
 int main(int argc, char** argv) {
   using namespace brume;
-  const std::filesystem::path brume = argv[0];
-  const std::array<Subcommand, 1> commands{{{"bench", bench_description, [&](CLI::App& app) {
-                                               return std::make_unique<BenchCommand>(app, brume);
+  const std::array<Subcommand, 1> commands{{{"bench", bench_description, [](CLI::App& app) {
+                                               return std::make_unique<BenchCommand>(app);
                                              }}}};
   return run_program(argc, argv, commands);
 }

@@ -118,13 +118,6 @@ OrderedJson to_json(const FogBankRow& row) {
   return entry;
 }
 
-OrderedJson to_json(const ShotRow& row) {
-  return {{"workers", row.workers},
-          {"seconds", row.seconds},
-          {"frames_per_hour", row.frames_per_hour},
-          {"lost", row.lost}};
-}
-
 OrderedJson to_json(const PlanSaving& saving) {
   return {{"stage", to_string(saving.stage)},
           {"why", saving.why},
@@ -195,7 +188,6 @@ std::string to_json(const BenchReport& report) {
   json["curves"] = to_json(report.curves);
   json["thread_rows"] = to_json(report.thread_rows);
   json["fog_banks"] = to_json(report.fog_banks);
-  json["shot"] = to_json(report.shot);
   json["left_out"] = to_json(report.savings);
   json["hard_cases"] = to_json(report.hard_cases);
   json["table_one"] = to_json(report.table_one);

@@ -17,7 +17,6 @@
 #include "tools/bench/measure/measurement.h"
 #include "tools/bench/measure/peers.h"
 #include "tools/bench/measure/plan_decisions.h"
-#include "tools/bench/measure/shot.h"
 
 namespace brume {
 
@@ -91,7 +90,6 @@ struct BenchReport {
   std::vector<ComparedError> noise;
   std::vector<CostCurve> curves;
   std::vector<ThreadRow> thread_rows;
-  std::vector<ShotRow> shot;
   std::vector<FogBankRow> fog_banks;
   std::vector<PlanSaving> savings;
   std::vector<HardCaseRow> hard_cases;

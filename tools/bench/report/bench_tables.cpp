@@ -28,7 +28,7 @@ std::vector<ReportTable> bench_tables(const BenchReport& report) {
   for (const ReportTable& table :
        {peer_table(report.scenes), gl_table(report), table_one_table(report.table_one),
         cache_table(report.caches), curve_table(report.curves), thread_table(report.thread_rows),
-        fog_bank_table(report.fog_banks), shot_table(report.shot), saving_table(report.savings),
+        fog_bank_table(report.fog_banks), saving_table(report.savings),
         hard_case_table(report.hard_cases)}) {
     tables.push_back(table);
   }

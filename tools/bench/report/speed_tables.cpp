@@ -183,23 +183,6 @@ ReportTable fog_bank_table(const std::vector<FogBankRow>& rows) {
   return table;
 }
 
-ReportTable shot_table(const std::vector<ShotRow>& rows) {
-  ReportTable table{
-      "Shots",
-      "Frames of the animated scene `stage` at 480 x 270, by one `brume render --frames` and by "
-      "several that share the cores; their files are equal, byte for byte. Lost: reading the "
-      "scene, and waiting for files to be written.",
-      {"workers", "frames per hour", "speed-up over one", "lost"},
-      {},
-      ""};
-  for (const ShotRow& row : rows) {
-    table.rows.push_back({formatted("%d", row.workers), formatted("%.0f", row.frames_per_hour),
-                          formatted("%.2f", rows[0].seconds / row.seconds),
-                          formatted("%.1f%%", 100.0 * row.lost)});
-  }
-  return table;
-}
-
 ReportTable saving_table(const std::vector<PlanSaving>& savings) {
   ReportTable table{
       "Skipped stages",

@@ -19,7 +19,6 @@ ReportTable table_one_table(const std::vector<TableOneRow>& rows);
 ReportTable curve_table(const std::vector<CostCurve>& curves);
 ReportTable thread_table(const std::vector<ThreadRow>& rows);
 ReportTable fog_bank_table(const std::vector<FogBankRow>& rows);
-ReportTable shot_table(const std::vector<ShotRow>& rows);
 ReportTable saving_table(const std::vector<PlanSaving>& savings);
 
 }  // namespace brume
