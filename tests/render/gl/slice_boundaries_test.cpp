@@ -412,41 +412,5 @@ INSTANTIATE_TEST_SUITE_P(Backends, SliceBoundaries, testing::Values(Backend::cpu
                            return backend.param == Backend::cpu ? "Cpu" : "Device";
                          });
 
-// Boundaries that others have no counterpart of, within a hundredth of a mean slice and roundings.
-// Nearer ones may have merged into one.
-std::size_t count_missing(const std::vector<float>& some, const std::vector<float>& others) {
-  const float slice = (some.back() - some.front()) / static_cast<float>(some.size());
-  return static_cast<std::size_t>(std::ranges::count_if(some, [&](float t) {
-    const float room = 1e-2f * slice + 1e-5f * t;
-    const auto next = std::ranges::lower_bound(others, t - room);
-    return next == others.end() || *next > t + room;
-  }));
-}
-
-class SlicesOfBackends : public SliceBoundaries {};
-
-// Single precision moves boundaries by roundings; only where a Gaussian falls into another bin of
-// demand by more.
-TEST_P(SlicesOfBackends, Agree) {
-  for (const Case& c : hard_cases()) {
-    SCOPED_TRACE(c.name);
-    const Slices cpu = choose_on_cpu(c);
-    const Slices gl = choose_on_device(device(), c);
-    ASSERT_EQ(cpu.tiles.size(), gl.tiles.size());
-    std::size_t boundaries = 0;
-    std::size_t different = 0;
-    for (std::size_t i = 0; i < cpu.tiles.size(); ++i) {
-      ASSERT_EQ(cpu.tiles[i].empty(), gl.tiles[i].empty());
-      if (cpu.tiles[i].empty()) continue;
-      boundaries += cpu.tiles[i].size() + gl.tiles[i].size();
-      different +=
-          count_missing(cpu.tiles[i], gl.tiles[i]) + count_missing(gl.tiles[i], cpu.tiles[i]);
-    }
-    EXPECT_LE(different, 0.01 * static_cast<double>(boundaries));
-  }
-}
-INSTANTIATE_TEST_SUITE_P(Both, SlicesOfBackends, testing::Values(Backend::device),
-                         [](const auto&) { return "Boundaries"; });
-
 }  // namespace
 }  // namespace brume::gl
