@@ -328,7 +328,8 @@ TEST(EnvironmentAirlight, UpdatesOnlyWhenItsInputsChange) {
   Scene scene = lit_cloud(30, 1.0, half_sun_sky());
   scene.film = {8, 8};
   Renderer renderer;
-  const Settings settings = sliced_settings({}, 12);
+  Settings settings = sliced_settings({}, 12);
+  settings.source_grid = {1000, 24};  // everything is made anew each time
   const auto expect_as_new = [&](const char* what) {
     const Frame kept = render_frame(renderer, scene, settings);
     EXPECT_EQ(kept.airlight, render_frame(scene, settings).airlight) << what;
