@@ -65,7 +65,7 @@ void expect_base_color(AlphaMode alpha, const std::vector<Settings>& all_setting
 
 TEST(VertexColors, AreThoseOfABaseColor) {
   expect_base_color(AlphaMode::opaque,
-                    {sliced(4), sliced(4, Scattering::multiple), path_traced(1)});
+                    {sliced(4), all_orders(4, {.nodes = 20'000}), path_traced(1)});
 }
 
 TEST(VertexColors, HaveAnOpacity) {
