@@ -367,7 +367,7 @@ TEST(EnvironmentAirlight, StopsWithoutLeavingAHalfMadeGrid) {
 }
 
 TEST(EnvironmentAirlight, AutoMeetsItsErrorBound) {
-  Scene scene = lit_cloud(100, 3.0, half_sun_sky());
+  Scene scene = lit_cloud(30, 3.0, half_sun_sky());
   scene.film = {24, 24};
   Renderer renderer;
   const auto frame = render_requested(renderer, scene, scene.camera, scene.film, {});
