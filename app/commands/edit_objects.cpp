@@ -178,6 +178,10 @@ void change_surface(Document& document, std::size_t index, const QString& verb, 
 }
 
 void delete_object(Document& document, const ObjectRef& ref) {
+  if (ref.node) {
+    Q_EMIT document.refused(Document::tr("A node is part of its file. Select its surface."));
+    return;
+  }
   change_list(document, ref, undo_text("Delete %1"), no_merge, [&](auto& list) {
     list.erase(list.begin() + static_cast<std::ptrdiff_t>(ref.index));
   });

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 
 namespace brume {
 
@@ -9,6 +10,8 @@ struct ObjectRef {
   enum class Kind { light, emitter, surface };
   Kind kind = Kind::surface;
   std::size_t index = 0;
+  // The node that is chosen of a surface with an imported scene, which may have fewer by now.
+  std::optional<std::size_t> node{};
 
   bool operator==(const ObjectRef&) const = default;
 };

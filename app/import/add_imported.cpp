@@ -18,6 +18,35 @@ Surface surface_of(const std::shared_ptr<const ImportedScene>& scene) {
   return surface;
 }
 
+namespace {
+
+const Material* find_material(const ImportedScene& scene, const std::string& name) {
+  for (const ImportedPart& part : scene.parts) {
+    if (part.material.name == name) return &part.material;
+  }
+  return nullptr;
+}
+
+// Textures that a changed material has from its file are those of the file that is read again.
+void follow_textures(Material& material, const ImportedScene& scene, const ImportedScene& again) {
+  const Material* from = find_material(scene, material.name);
+  const Material* to = find_material(again, material.name);
+  if (!from || !to) return;
+  const auto textures = textures_of(material.metallic_roughness);
+  for (std::size_t k = 0; k < textures.size(); ++k) {
+    if (*textures[k] == *textures_of(from->metallic_roughness)[k]) {
+      *textures[k] = *textures_of(to->metallic_roughness)[k];
+    }
+  }
+}
+
+}  // namespace
+
+bool has_new_camera(const Scene& scene) {
+  return scene.cameras.empty() &&
+         KeyedCamera{scene.camera, scene.camera_keys} == KeyedCamera{new_scene().camera, {}};
+}
+
 void add_cameras(Document& document, const ImportedScene& scene, const QString& text) {
   CameraList list{camera_in_use(document.scene()), document.scene().cameras};
   if (list.others.size() + scene.cameras.size() > limits::cameras) {
@@ -25,12 +54,18 @@ void add_cameras(Document& document, const ImportedScene& scene, const QString& 
         Document::tr("The scene would have more than %1 cameras.").arg(limits::cameras));
     return;
   }
+  const bool is_first = has_new_camera(document.scene());
   Scene names = document.scene();  // with those that are added
+  if (is_first) names.camera_name.clear();
   for (const NamedCamera& camera : scene.cameras) {
     NamedCamera added = camera;
     added.name = free_camera_name(names, camera.name);
     names.cameras.push_back(added);
     list.others.push_back(std::move(added));
+  }
+  if (is_first) {
+    list.in_use = list.others.front();
+    list.others.erase(list.others.begin());
   }
   set_scene_part(document, std::move(list), text);
 }
@@ -57,6 +92,7 @@ QString replace_imported(Document& document, const ImportedScene& scene,
       return Document::tr("%1 has changed, and has no meshes any more that a surface shows.")
           .arg(name);
     }
+    for (Material& material : surface.materials) follow_textures(material, scene, *again);
     surface.imported = again;
     surface.mesh = std::move(mesh);
   }

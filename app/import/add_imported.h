@@ -12,9 +12,12 @@ class Document;
 // The surface of all nodes of a scene; its parts must not be empty.
 Surface surface_of(const std::shared_ptr<const ImportedScene>& scene);
 
+// Whether the camera of a scene is that of File > New, and the only one.
+bool has_new_camera(const Scene& scene);
+
 // Add the cameras and lights of a scene, each one undo step. Cameras that have the name of another
-// one get a number. Lights take the place of those of a new scene. Beyond the limits of a scene
-// nothing is added, and it says so.
+// one get a number; the first takes the place of that of a new scene. Lights take the place of
+// those of a new scene. Beyond the limits of a scene nothing is added, and it says so.
 void add_cameras(Document& document, const ImportedScene& scene, const QString& text);
 void add_lights(Document& document, const ImportedScene& scene, bool replace, const QString& text);
 

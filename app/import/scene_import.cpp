@@ -1,9 +1,7 @@
 #include "app/import/scene_import.h"
 
 #include <algorithm>
-#include <array>
 #include <exception>
-#include <string_view>
 
 #include "app/commands/edit_medium.h"
 #include "app/commands/scene_part_command.h"
@@ -12,6 +10,7 @@
 #include "app/files/file_dialogs.h"
 #include "app/import/add_imported.h"
 #include "app/import/folder_dialog.h"
+#include "app/import/import_kind.h"
 #include "app/import/scene_dialog.h"
 #include "app/import/volume_dialog.h"
 #include "app/import/vtk_points.h"
@@ -31,33 +30,10 @@ namespace brume {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::array<std::string_view, 2> tables{".csv", ".ply"};
-constexpr std::array<std::string_view, 2> vtk_files{".vtp", ".vtu"};
-constexpr std::array<std::string_view, 3> meshes{".obj", ".stl", ".off"};
-constexpr std::array<std::string_view, 3> scenes{".gltf", ".glb", ".fbx"};
-constexpr std::array<std::string_view, 2> environments{".exr", ".hdr"};
-// Not read, but the refusal says what to do with them.
-constexpr std::array<std::string_view, 4> compressed_splats{".spz", ".sog", ".splat", ".ksplat"};
-
 QString lines_of(const std::vector<std::string>& warnings) {
   QStringList lines;
   for (const std::string& warning : warnings) lines << QString::fromStdString(warning);
   return lines.join('\n');
-}
-
-bool is_one_of(const fs::path& file, const auto& extensions) {
-  return std::ranges::find(extensions, lower_case_extension(file)) != extensions.end();
-}
-
-bool is_volume(const fs::path& file) {
-  return lower_case_extension(file) == ".vdb";
-}
-
-bool has_faces(const fs::path& file) {
-  const std::string bytes = read_bytes(file);
-  return std::ranges::any_of(PlyFile(file, bytes).elements(), [](const PlyFile::Element& element) {
-    return (element.name == "face" || element.name == "tristrips") && element.count > 0;
-  });
 }
 
 std::vector<Gaussian> read_splats(const fs::path& file, const SplatOptions& options,
@@ -71,15 +47,15 @@ std::vector<Gaussian> read_splats(const fs::path& file, const SplatOptions& opti
 }
 
 std::vector<Gaussian> read_any_gaussians(const fs::path& file, const std::stop_token& stop) {
-  return is_one_of(file, vtk_files) ? read_vtk_points(file, nullptr, limits::gaussians, stop)
-                                    : read_gaussians(file);
+  return is_vtk_file(file) ? read_vtk_points(file, nullptr, limits::gaussians, stop)
+                           : read_gaussians(file);
 }
 
 // The sequence that all these files belong to, at least two; nullopt otherwise.
 std::optional<FrameRun> run_of(const std::vector<fs::path>& files) {
   std::optional<FramePattern> pattern;
   for (const fs::path& file : files) {
-    if (!is_volume(file) && !is_one_of(file, tables) && !is_one_of(file, vtk_files)) return {};
+    if (!may_be_frame(file)) return {};
     const auto around = FramePattern::around(file.string());
     if (!around || (pattern && pattern->text() != around->text())) return {};
     pattern = around;
@@ -92,28 +68,8 @@ std::optional<FrameRun> run_of(const std::vector<fs::path>& files) {
 SceneImport::SceneImport(Document& document, BackgroundJob& job, QWidget* window)
     : QObject(window), document_(document), job_(job), window_(window) {}
 
-// By its extension; what may be either of two is by what is in it.
-SceneImport::Kind SceneImport::kind_of(const fs::path& file) {
-  const std::string extension = lower_case_extension(file);
-  const bool is_ply = extension == ".ply";
-  if (is_one_of(file, environments)) return Kind::environment;
-  if ((is_ply || extension == ".gltf" || extension == ".glb") && has_splats(file)) {
-    return Kind::splats;
-  }
-  if (is_one_of(file, scenes)) return Kind::scene;
-  if (extension == ".obj" && obj_has_materials(file)) return Kind::scene;
-  const bool is_mesh = is_ply ? has_faces(file) : is_one_of(file, meshes);
-  return is_mesh ? Kind::mesh : Kind::gaussians;
-}
-
 bool SceneImport::needs_answer(const File& file) {
-  return file.kind == Kind::splats && max_gaussian_count(file.path) > 0;
-}
-
-bool SceneImport::can_import(const fs::path& file) {
-  return is_volume(file) || is_one_of(file, tables) || is_one_of(file, vtk_files) ||
-         is_one_of(file, meshes) || is_one_of(file, scenes) || is_one_of(file, environments) ||
-         is_one_of(file, compressed_splats);
+  return file.kind == ImportKind::splats && max_gaussian_count(file.path) > 0;
 }
 
 void SceneImport::ask() {
@@ -150,7 +106,7 @@ void SceneImport::import_file(const fs::path& given) {
     return;
   }
   start(path, [this, path](const Job& job) -> BackgroundJob::Apply {
-    const File file{path, kind_of(path)};
+    const File file{path, import_kind_of(path)};
     if (!needs_answer(file)) return read(file, {}, job.stop, true);
     return [this, file] {
       ask_about_splats(to_qstring(file.path.filename()), [this, file](const SplatOptions& options) {
@@ -181,7 +137,7 @@ BackgroundJob::Apply SceneImport::read(const File& file, const SplatOptions& opt
                                        const std::stop_token& stop, bool asks) {
   const fs::path& path = file.path;
   switch (file.kind) {
-    case Kind::environment: {
+    case ImportKind::environment: {
       std::vector<std::string> warnings;
       const auto map = read_radiance_map(path, &warnings);
       return [this, path, map, text = lines_of(warnings)] {
@@ -194,9 +150,9 @@ BackgroundJob::Apply SceneImport::read(const File& file, const SplatOptions& opt
                        tr("Import environment %1").arg(to_qstring(path.filename())));
       };
     }
-    case Kind::scene:
+    case ImportKind::scene:
       return read_scene(file, options, stop, asks);
-    case Kind::mesh: {
+    case ImportKind::mesh: {
       std::vector<std::string> warnings;
       const Surface surface = load_surface(path, &warnings);
       return [this, surface, text = lines_of(warnings)] {
@@ -204,10 +160,10 @@ BackgroundJob::Apply SceneImport::read(const File& file, const SplatOptions& opt
         add_surfaces({surface}, tr("Import %1").arg(to_qstring(surface.mesh_file.filename())));
       };
     }
-    case Kind::splats:
-      if (is_one_of(path, scenes)) return read_scene(file, options, stop, asks);
+    case ImportKind::splats:
+      if (is_scene_file(path)) return read_scene(file, options, stop, asks);
       return add_splats(path, options);
-    case Kind::gaussians:
+    case ImportKind::gaussians:
       break;
   }
   return [this, gaussians = read_any_gaussians(path, stop)] {
@@ -226,7 +182,7 @@ BackgroundJob::Apply SceneImport::add_splats(const fs::path& file, const SplatOp
 
 BackgroundJob::Apply SceneImport::read_scene(const File& file, const SplatOptions& options,
                                              const std::stop_token& stop, bool asks) {
-  const bool has_splats = file.kind == Kind::splats;
+  const bool has_splats = file.kind == ImportKind::splats;
   std::vector<std::string> warnings;
   std::vector<Gaussian> gaussians;
   if (has_splats) gaussians = read_splats(file.path, options, &warnings);
@@ -262,10 +218,12 @@ void SceneImport::add_scene(const std::shared_ptr<const ImportedScene>& scene,
   const QString text = tr("Import %1").arg(to_qstring(scene->files.front().filename()));
   const Scene& before = document_.scene();
   const bool is_new = before.lights == new_scene().lights && !before.environment;
+  const bool uses_camera = cameras && !scene->cameras.empty() && has_new_camera(before);
   document_.undo_stack().beginMacro(text);
   if (!gaussians.empty()) add_gaussians(document_, gaussians, tr("Import"));
-  if (!scene->parts.empty()) add_surfaces({surface_of(scene)}, text);
   if (cameras && !scene->cameras.empty()) add_cameras(document_, *scene, text);
+  if (uses_camera) Q_EMIT camera_used();
+  if (!scene->parts.empty()) add_surfaces({surface_of(scene)}, text);
   if (lights && !scene->lights.empty()) add_lights(document_, *scene, is_new, text);
   document_.undo_stack().endMacro();
 }
@@ -330,11 +288,11 @@ void SceneImport::import_each(const std::vector<fs::path>& files,
   start(read_at_once.front(),
         [this, paths = read_at_once, run](const Job& job) -> BackgroundJob::Apply {
           std::vector<File> found;
-          for (const fs::path& path : paths) found.push_back({path, kind_of(path)});
-          if (run && found.front().kind == Kind::splats) {
+          for (const fs::path& path : paths) found.push_back({path, import_kind_of(path)});
+          if (run && found.front().kind == ImportKind::splats) {
             return [this, run = *run] { ask_about_splats(run); };
           }
-          if (run && found.front().kind != Kind::mesh) return read(*run);
+          if (run && found.front().kind != ImportKind::mesh) return read(*run);
           // Once for all of them.
           if (std::ranges::none_of(found, needs_answer)) return read(found, {}, job);
           return [this, found] {
@@ -355,7 +313,7 @@ BackgroundJob::Apply SceneImport::read(const std::vector<File>& files, const Spl
   std::vector<std::string> warnings;
   for (const File& file : files) {
     if (job.stop.stop_requested()) return {};
-    if (file.kind == Kind::mesh) {
+    if (file.kind == ImportKind::mesh) {
       surfaces.push_back(load_surface(file.path, &warnings));
     } else {
       takes.push_back(read(file, options, job.stop, false));
@@ -390,9 +348,13 @@ void SceneImport::import_volume(const fs::path& file, const VolumeFit& how) {
 void SceneImport::add_surfaces(const std::vector<Surface>& added, const QString& text) {
   document_.undo_stack().beginMacro(text);
   Surfaces surfaces = document_.scene().surfaces;
+  const std::size_t first = surfaces.size();
   surfaces.insert(surfaces.end(), added.begin(), added.end());
   set_scene_part(document_, std::move(surfaces), text);
-  Q_EMIT surfaces_added();
+  if (document_.scene().surfaces.size() > first) {
+    document_.set_object(ObjectRef{ObjectRef::Kind::surface, first});
+    Q_EMIT surfaces_added(first);
+  }
   document_.undo_stack().endMacro();
 }
 
@@ -416,7 +378,7 @@ void SceneImport::import_sequence(const fs::path& given) {
       dialog->show();
       return;
     }
-    if (is_one_of(file, vtk_files)) {
+    if (is_vtk_file(file)) {
       auto* dialog = new FolderDialog(file, run, window_);
       connect(dialog, &FolderDialog::requested, this,
               [this, run](const QString& folder) { import_vtk_files(run, to_path(folder)); });
@@ -424,7 +386,7 @@ void SceneImport::import_sequence(const fs::path& given) {
       return;
     }
     start(file, [this, run, file](const Job&) -> BackgroundJob::Apply {
-      if (kind_of(file) != Kind::splats) return read(run);
+      if (import_kind_of(file) != ImportKind::splats) return read(run);
       return [this, run] { ask_about_splats(run); };
     });
   } catch (const std::exception& error) {

@@ -1,13 +1,13 @@
 #pragma once
 
 #include <QObject>
-#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <optional>
 #include <vector>
 
 #include "app/import/frame_run.h"
+#include "app/import/import_kind.h"
 #include "app/import/splat_dialog.h"
 #include "app/import/volume_fit.h"
 #include "app/jobs/background_job.h"
@@ -48,25 +48,23 @@ class SceneImport : public QObject {
   void import_splats(const FrameRun& run, const SplatOptions& options,
                      const std::filesystem::path& folder);
 
-  // Adds surfaces as one undo step; the first ones of a new scene are framed and lit.
+  // Adds surfaces as one undo step; the first of them is selected.
   void add_surfaces(const std::vector<Surface>& added, const QString& text);
-
-  static bool can_import(const std::filesystem::path& file);  // by its extension
 
  Q_SIGNALS:
   void failed(const QString& message);
   void warned(const QString& message);
-  void surfaces_added();  // within the undo step of the import
+  // Within the undo step of the import: surfaces from that one on, and that the scene's camera is
+  // one of the file.
+  void surfaces_added(std::size_t first);
+  void camera_used();
 
  private:
   void start(const std::filesystem::path& file, const BackgroundJob::Work& work);
-  // The kinds of files that are no volumes.
-  enum class Kind : std::uint8_t { gaussians, splats, scene, mesh, environment };
   struct File {
     std::filesystem::path path;
-    Kind kind;
+    ImportKind kind;
   };
-  static Kind kind_of(const std::filesystem::path& file);
   // Whether there are splats of which to ask what they become; throws if they cannot be read.
   static bool needs_answer(const File& file);
   // Asks what the splats of `what`, or of a sequence, become.

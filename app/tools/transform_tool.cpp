@@ -202,10 +202,10 @@ glm::dvec3 MoveTool::way(QPointF position) const {
     const glm::dvec3 direction = rays.direction(position.x(), position.y());
     const auto hit = view().surfaces().hit(rays.origin(position.x(), position.y()), direction);
     // A surface would climb up itself.
-    const ObjectRef itself{ObjectRef::Kind::surface, hit ? view().surfaces().index_of(*hit) : 0};
-    if (hit && document_.object() != itself) {
-      return hit->position - pivot_;
-    }
+    const auto& object = document_.object();
+    const bool is_itself = hit && object && object->kind == ObjectRef::Kind::surface &&
+                           object->index == view().surfaces().index_of(*hit);
+    if (hit && !is_itself) return hit->position - pivot_;
   }
   const glm::dvec3 axis = axis_of(part_);
   const glm::dvec3 way = in_view_plane ? dragged_across(pivot_, rays, start_, position)

@@ -26,6 +26,14 @@ struct GrowingBox {
     if (shape != GaussianShape()) reach *= Ellipsoid<double>(shape).reach();
     include(medium.centers()[index], reach);
   }
+  void include(std::span<const Surface> surfaces) {
+    for (const Surface& surface : with_placed_copies({surfaces.begin(), surfaces.end()})) {
+      const MeshBox around = world_box(surface);
+      if (!(around.low.x <= around.high.x)) continue;
+      include(around.low);
+      include(around.high);
+    }
+  }
 
   [[nodiscard]] std::optional<Sphere> sphere() const {
     if (!(low.x <= high.x)) return std::nullopt;
@@ -44,21 +52,22 @@ std::optional<Sphere> bounding_sphere(const Medium& medium, std::span<const Gaus
   return box.sphere();
 }
 
-Sphere bounding_sphere(const Surface& surface) {
+Sphere bounding_sphere(std::span<const glm::dvec3> points) {
   GrowingBox box;
-  for (const glm::dvec3& p : world_points(surface)) box.include(p);
-  return box.sphere().value_or(Sphere{surface.translate, 1e-6});
+  for (const glm::dvec3& p : points) box.include(p);
+  return box.sphere().value_or(Sphere{glm::dvec3(0.0), 1e-6});
+}
+
+std::optional<Sphere> bounding_sphere(std::span<const Surface> surfaces) {
+  GrowingBox box;
+  box.include(surfaces);
+  return box.sphere();
 }
 
 std::optional<Sphere> bounding_sphere(const Scene& scene) {
   GrowingBox box;
   for (std::size_t i = 0; i < scene.medium.size(); ++i) box.include(scene.medium, i);
-  for (const Surface& surface : with_placed_copies(scene.surfaces)) {
-    const MeshBox around = world_box(surface);
-    if (!(around.low.x <= around.high.x)) continue;
-    box.include(around.low);
-    box.include(around.high);
-  }
+  box.include(scene.surfaces);
   if (!box.sphere()) {
     for (const Light& light : scene.lights) box.include(light.position, glm::dvec3(1.0));
   }

@@ -17,6 +17,8 @@ struct Sphere {
 // surfaces, or else lights). nullopt if empty.
 std::optional<Sphere> bounding_sphere(const Medium& medium, std::span<const GaussianId> ids);
 std::optional<Sphere> bounding_sphere(const Scene& scene);
-Sphere bounding_sphere(const Surface& surface);
+// With their copies; around no points at all one of no size.
+std::optional<Sphere> bounding_sphere(std::span<const Surface> surfaces);
+Sphere bounding_sphere(std::span<const glm::dvec3> points);
 
 }  // namespace brume

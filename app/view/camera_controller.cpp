@@ -8,6 +8,8 @@
 
 #include "app/document/document.h"
 #include "app/view/bounds.h"
+#include "app/view/object_box.h"
+#include "brume/mesh_arrays.h"
 #include "core/scene/cameras.h"
 #include "core/scene/fields/camera_fields.h"
 
@@ -125,7 +127,9 @@ void CameraController::frame_all() {
 void CameraController::frame_selection() {
   if (const auto& object = document_.object()) {
     if (object->kind == ObjectRef::Kind::surface) {
-      return frame(bounding_sphere(document_.scene().surfaces[object->index]));
+      const Surface& surface = document_.scene().surfaces[object->index];
+      if (object->node) return frame(bounding_sphere(box_corners(surface, object->node)));
+      return frame(bounding_sphere(world_points(surface)));
     }
   }
   if (const auto sphere = bounding_sphere(document_.grouped_medium(), document_.selection())) {
@@ -151,10 +155,24 @@ void CameraController::drag(NavigationDrag drag, QPointF movement) {
   if (drag == NavigationDrag::zoom) {
     zoom_by(std::exp(0.005 * (movement.y() - movement.x())));
   } else if (drag == NavigationDrag::orbit && projection_ == Projection::perspective) {
-    navigate_to(orbit(camera_, {movement.x() * half_turn, movement.y() * half_turn}));
+    navigate_to(orbit(camera_, pivot_.value_or(camera_.target),
+                      {movement.x() * half_turn, movement.y() * half_turn}));
   } else {
     navigate_to(pan(camera_, film(), {movement.x(), movement.y()}));
   }
+}
+
+bool CameraController::can_fly() const {
+  return projection_ == Projection::perspective && !camera_.height;
+}
+
+void CameraController::look_around(QPointF movement) {
+  const double per_pixel = glm::radians(camera_.vertical_fov) / film().height;
+  navigate_to(orbit(camera_, camera_.eye, {movement.x() * per_pixel, movement.y() * per_pixel}));
+}
+
+void CameraController::fly(const glm::dvec3& way) {
+  navigate_to(brume::fly(camera_, distance() * way));
 }
 
 }  // namespace brume

@@ -49,9 +49,17 @@ class CameraController : public QObject {
 
   void reset();  // the scene's camera; axis views: frames all Gaussians
   void frame_all();
-  void frame_selection();                            // all if nothing is selected
+  void frame_selection();  // all if nothing is selected
+  void frame(const Sphere& sphere);
   void zoom_by(double factor);                       // scales the distance
   void drag(NavigationDrag drag, QPointF movement);  // in pixels
+  // What drags orbit from now on; nullopt: the target.
+  void set_pivot(const std::optional<glm::dvec3>& pivot) { pivot_ = pivot; }
+  // Axis views and orthographic cameras have no place to fly from.
+  [[nodiscard]] bool can_fly() const;
+  void look_around(QPointF movement);  // in pixels
+  // To the right, up and forth, each times the distance.
+  void fly(const glm::dvec3& way);
 
   void set_navigation(NavigationPreset preset) { navigation_ = preset; }
   [[nodiscard]] NavigationPreset navigation() const { return navigation_; }
@@ -61,7 +69,6 @@ class CameraController : public QObject {
   void scene_camera_asked_for(const brume::Camera& camera);
 
  private:
-  void frame(const Sphere& sphere);
   void navigate_to(const Camera& camera);
   void follow_scene();
   // How many times the pane shows the height of camera().
@@ -71,6 +78,7 @@ class CameraController : public QObject {
   const Projection projection_;
   const QWidget& pane_;
   Camera camera_;
+  std::optional<glm::dvec3> pivot_;
   bool through_ = false;  // the scene's camera
   bool locked_ = false;
   bool shows_frame_ = true;

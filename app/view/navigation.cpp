@@ -21,7 +21,7 @@ double viewing_distance(const CameraRays& rays, const glm::dvec3& point) {
          std::tan(0.5 * glm::radians(Camera{}.vertical_fov));
 }
 
-Camera orbit(const Camera& camera, glm::dvec2 angles) {
+Camera orbit(const Camera& camera, const glm::dvec3& pivot, glm::dvec2 angles) {
   const glm::dvec3 offset = camera.eye - camera.target;
   const double distance = glm::length(offset);
   if (!(distance > 0.0)) return camera;
@@ -35,9 +35,21 @@ Camera orbit(const Camera& camera, glm::dvec2 angles) {
   constexpr double margin = 0.02;
   const double polar = std::acos(std::clamp(glm::dot(offset, up) / distance, -1.0, 1.0));
   const double moved = std::clamp(polar - angles.y, margin, glm::radians(180.0) - margin);
-  const glm::dvec3 tilted = glm::angleAxis(moved - polar, right) * offset;
+  const glm::dquat turn = glm::angleAxis(-angles.x, up) * glm::angleAxis(moved - polar, right);
   Camera result = camera;
-  result.eye = camera.target + glm::angleAxis(-angles.x, up) * tilted;
+  for (glm::dvec3* point : {&result.eye, &result.target}) {
+    *point = pivot + turn * (*point - pivot);
+  }
+  return result;
+}
+
+Camera fly(const Camera& camera, const glm::dvec3& way) {
+  const CameraRays rays(camera, Film());
+  const glm::dvec3 right = glm::cross(rays.forward(), rays.up());
+  const glm::dvec3 shift = way.x * right + way.y * rays.up() + way.z * rays.forward();
+  Camera result = camera;
+  result.eye += shift;
+  result.target += shift;
   return result;
 }
 

@@ -14,8 +14,12 @@ class CameraRays;
 
 // Camera navigation; each function returns the moved camera. The scene's up axis stays upright.
 
-// Orbits the target; angles in radians, positive moves the picture right and down.
-Camera orbit(const Camera& camera, glm::dvec2 angles);
+// Turns eye and target about a pivot: the target orbits it, the eye looks around. Angles in
+// radians, positive ones move what is at the pivot right and down.
+Camera orbit(const Camera& camera, const glm::dvec3& pivot, glm::dvec2 angles);
+
+// Moves eye and target to the right, up and forth in the picture [u].
+Camera fly(const Camera& camera, const glm::dvec3& way);
 
 // Moves eye and target across the view so that the target follows the mouse by `pixels`.
 Camera pan(const Camera& camera, const Film& film, glm::dvec2 pixels);

@@ -81,6 +81,18 @@ glm::dvec3 View::place_under_mouse(double radius) {
   return point ? point->position : camera().target;
 }
 
+std::optional<glm::dvec3> View::point_under(QPointF position) {
+  constexpr double far = 4.0;  // times the distance of the target
+  const CameraRays view = rays();
+  const glm::dvec3 origin = view.origin(position.x(), position.y());
+  const glm::dvec3 direction = view.direction(position.x(), position.y());
+  const auto surface = surfaces_.hit(origin, direction);
+  const auto distance = surface ? std::optional(glm::distance(origin, surface->position))
+                                : fog_on(origin, direction).middle_of_gaussians(min_pointed_effect);
+  if (!distance || *distance > far * target_distance(camera())) return std::nullopt;
+  return origin + *distance * direction;
+}
+
 FogOnRay View::fog_on(const glm::dvec3& origin, const glm::dvec3& direction) const {
   const auto scene = shown_scene();
   const FogInterval in_fog = fog_of(*scene).interval(origin, direction);

@@ -2,18 +2,30 @@
 
 #include <QCoreApplication>
 #include <QMouseEvent>
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "app/view/tool.h"
 #include "app/view/view.h"
 
 namespace brume {
+namespace {
+
+// The right button asks for a menu if the mouse hardly moves meanwhile.
+bool is_slip(QPointF way) {
+  return way.manhattanLength() < MouseDrag::max_slip;
+}
+
+}  // namespace
 
 ViewInput::ViewInput(View& view) : view_(view) {
   // Runs out when no events of the mouse wait any more.
   timer_.setSingleShot(true);
   timer_.setInterval(0);
   connect(&timer_, &QTimer::timeout, this, &ViewInput::flush_moves);
+  connect(&fly_keys_, &FlyKeys::moved, this,
+          [this](const glm::dvec3& way) { view_.camera_controller().fly(fly_speed_ * way); });
   connect(&tool_drag_, &MouseDrag::cancelled, this, &ViewInput::cancel);
   connect(&tool_drag_, &MouseDrag::ended, this, [this] {
     flush_moves();
@@ -63,8 +75,12 @@ void ViewInput::start_drag(const QMouseEvent& event) {
   if (navigation && !tools_own) {
     drag_ = Drag::camera;
     camera_drag_ = *navigation;
+    view_.camera_controller().set_pivot(view_.point_under(event.position()));
   } else if (event.button() == Qt::RightButton) {
     right_press_ = event.position();
+    if (!view_.camera_controller().can_fly()) return;
+    drag_ = Drag::flight;
+    fly_keys_.press();
   } else if (left && tool_) {
     drag_ = Drag::tool;
     tool_drag_.press(event.position(), tool_->draws_strokes());
@@ -99,6 +115,11 @@ void ViewInput::flush_moves() {
     case Drag::camera:
       view_.camera_controller().drag(camera_drag_, step);
       break;
+    case Drag::flight:
+      if (right_press_ && is_slip(path.back() - *right_press_)) break;
+      right_press_.reset();
+      view_.camera_controller().look_around(step);
+      break;
   }
 }
 
@@ -111,9 +132,24 @@ void ViewInput::release(const QMouseEvent& event) {
     tool_drag_.release();
   }
   if (drag_ == Drag::camera && held == Qt::NoButton) drag_ = Drag::none;
+  if (drag_ == Drag::flight && !held.testFlag(Qt::RightButton)) {
+    drag_ = Drag::none;
+    fly_keys_.release();
+    if (fly_keys_.is_used()) right_press_.reset();
+  }
   if (event.button() == Qt::RightButton && right_press_) {
     const QPointF pressed = *std::exchange(right_press_, std::nullopt);
-    if ((event.position() - pressed).manhattanLength() < 4.0) Q_EMIT menu_asked(pressed);
+    if (is_slip(event.position() - pressed)) Q_EMIT menu_asked(pressed);
+  }
+}
+
+void ViewInput::turn_wheel(double angle) {
+  flush_moves();  // they were meant for the view as it was
+  if (drag_ == Drag::flight) {
+    right_press_.reset();
+    fly_speed_ = std::clamp(fly_speed_ * std::pow(1.001, angle), 1e-3, 1e3);
+  } else {
+    view_.camera_controller().zoom_by(std::pow(0.999, angle));
   }
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/view/fly_keys.h"
 #include "app/view/navigation.h"
 #include "app/widgets/mouse_drag.h"
 
@@ -16,8 +17,9 @@ namespace brume {
 class Tool;
 class View;
 
-// Mouse input of a view: camera or tool drags. Moves are collected and delivered together once the
-// event queue is empty: no position is lost, and slow views do not lag behind.
+// Mouse input of a view: camera or tool drags, and flights while the right button is held. Moves
+// are collected and delivered together once the event queue is empty: no position is lost, and slow
+// views do not lag behind.
 class ViewInput : public QObject {
   Q_OBJECT
  public:
@@ -33,6 +35,7 @@ class ViewInput : public QObject {
   void press(const QMouseEvent& event);
   void move(QPointF position);
   void release(const QMouseEvent& event);
+  void turn_wheel(double angle);  // in eighths of degrees
   void leave();
   // Ends the gesture on behalf of the tool.
   void end_gesture();
@@ -45,7 +48,7 @@ class ViewInput : public QObject {
   void menu_asked(QPointF position);  // a click of the right button
 
  private:
-  enum class Drag { none, camera, tool };
+  enum class Drag { none, camera, flight, tool };
   void start_drag(const QMouseEvent& event);
   void release_tool();
   void cancel();
@@ -54,6 +57,8 @@ class ViewInput : public QObject {
   Tool* tool_ = nullptr;
   Drag drag_ = Drag::none;
   MouseDrag tool_drag_{this};
+  FlyKeys fly_keys_{this};
+  double fly_speed_ = 0.5;  // distances per second
   NavigationDrag camera_drag_ = NavigationDrag::orbit;
   std::vector<QPointF> path_;  // collected mouse positions
   QPointF last_position_;

@@ -3,7 +3,6 @@
 #include <QMouseEvent>
 #include <QTabletEvent>
 #include <QVBoxLayout>
-#include <cmath>
 
 #include "app/document/document.h"
 #include "app/view/camera_outline.h"
@@ -234,8 +233,7 @@ void Viewport::tabletEvent(QTabletEvent* event) {
 
 void Viewport::wheelEvent(QWheelEvent* event) {
   Q_EMIT used();
-  input_.flush_moves();  // it was meant for the view as it was
-  camera_controller().zoom_by(std::pow(0.999, event->angleDelta().y()));
+  input_.turn_wheel(event->angleDelta().y());
   event->accept();
 }
 

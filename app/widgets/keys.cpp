@@ -28,6 +28,7 @@ constexpr std::array table = std::to_array<KeyEntry>({
     {"edit.paste", "Ctrl+V"},
     {"edit.paste_in_place", "Ctrl+Shift+V"},
     {"edit.duplicate", "Ctrl+D"},
+    {"edit.drop", "End"},
     {"select.all", "Ctrl+A"},
     {"select.none", "Ctrl+Shift+A"},
     {"select.invert", "Ctrl+I"},

@@ -15,11 +15,13 @@
 #include "app/export/medium_dialog.h"
 #include "app/files/file_dialogs.h"
 #include "app/files/scene_files.h"
+#include "app/import/add_imported.h"
 #include "app/import/imported_reload.h"
 #include "app/import/scene_import.h"
 #include "app/view/bounds.h"
 #include "app/viewport/view_grid.h"
 #include "app/window/dialogs/simplify_dialog.h"
+#include "app/window/import_size.h"
 #include "app/window/pages/message_bar.h"
 #include "core/authoring/simplify.h"
 #include "core/io/disk/file_bytes.h"
@@ -37,21 +39,23 @@ bool is_scene(const std::filesystem::path& file) {
 // light moves outside the scene's contents, brighter by the square of the distance, and the camera
 // frames them unless it is no longer the one of File > New or the view has moved. Without this,
 // most meshes hold that light and that camera inside. Steps of the caller's macro.
-// `framed`: the view where this last left it; undo does not move views.
-void light_new_scene(Document& document, View& view, Camera& framed) {
+// `framed`: the view where this last left it; undo does not move views. Returns whether it framed
+// them.
+bool light_new_scene(Document& document, View& view, Camera& framed) {
   const Scene& scene = document.scene();
-  if (scene.environment || scene.lights != new_scene().lights) return;
+  if (scene.environment || scene.lights != new_scene().lights) return false;
   const auto sphere = bounding_sphere(scene);
-  if (!sphere) return;
-  const bool is_new_camera =
-      KeyedCamera{scene.camera, scene.camera_keys} == KeyedCamera{new_scene().camera, {}};
-  if (is_new_camera && (view.camera() == scene.camera || view.camera() == framed)) {
+  if (!sphere) return false;
+  const bool frames =
+      has_new_camera(scene) && (view.camera() == scene.camera || view.camera() == framed);
+  if (frames) {
     view.camera_controller().frame_all();
     framed = view.camera();
     set_scene_part(document, KeyedCamera{framed, {}}, {});
   }
   const Light light = light_outside(sphere->center, sphere->radius, view.camera().eye);
   set_scene_part(document, Lights{light}, {});
+  return frames;
 }
 
 QString simplify_text(const char* source) {
@@ -104,9 +108,15 @@ FileJobs::FileJobs(const Workspace& work, QWidget* window)
   connect(import_, &SceneImport::warned, messages, &MessageBar::show_note);
   connect(reload_, &ImportedReload::failed, messages, &MessageBar::show_error);
   connect(reload_, &ImportedReload::warned, messages, &MessageBar::show_note);
-  connect(import_, &SceneImport::surfaces_added, this, [this, framed = Camera{}]() mutable {
-    light_new_scene(work_.document, work_.views.perspective(), framed);
-  });
+  connect(import_, &SceneImport::camera_used, this,
+          [this] { work_.views.perspective().camera_controller().look_through_scene_camera(); });
+  auto* size = new ImportSize(work_, this);
+  connect(import_, &SceneImport::surfaces_added, this,
+          [this, size, framed = Camera{}](std::size_t first) mutable {
+            const bool is_framed =
+                light_new_scene(work_.document, work_.views.perspective(), framed);
+            if (!work_.document.scene().surfaces[first].primitive) size->show(first, is_framed);
+          });
 }
 
 void FileJobs::start(const QString& title, const BackgroundJob::Work& job) {

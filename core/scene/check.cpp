@@ -217,6 +217,12 @@ void check_surface(const std::string& place, const Surface& surface) {
   if (!surface.mesh) throw DomainError(place + ".mesh", "there is none");
   if (surface.primitive) check_size(place + ".primitive.size", *surface.primitive);
   check_material(place + ".material", surface.material);
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < surface.materials.size(); ++i) {
+    const std::string material = element(place + ".materials", i);
+    check_own_name(material + ".name", surface.materials[i].name, names);
+    check_material(material, surface.materials[i]);
+  }
   if (surface.copies) check_copies(place + ".copies", *surface.copies);
 }
 

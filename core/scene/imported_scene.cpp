@@ -126,25 +126,61 @@ Surface surface_of(const Surface& whole, const ImportedPart& part, double time) 
   surface.imported = nullptr;
   surface.nodes.clear();
   surface.mesh = mesh_at(part, time);
-  surface.material = part.material;
+  surface.material = material_of(whole, part);
+  surface.materials.clear();
   return surface;
+}
+
+// Whether each node is chosen, or is below one that is.
+std::vector<bool> nodes_below(const ImportedScene& scene, auto is_chosen) {
+  std::vector<bool> result(scene.nodes.size());
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    const std::optional<std::size_t>& parent = scene.nodes[i].parent;
+    result[i] = (parent && result[*parent]) || is_chosen(i);
+  }
+  return result;
+}
+
+std::vector<const ImportedPart*> parts_of(const ImportedScene& scene,
+                                          const std::vector<bool>& nodes) {
+  std::vector<const ImportedPart*> parts;
+  for (const ImportedPart& part : scene.parts) {
+    if (nodes[part.node]) parts.push_back(&part);
+  }
+  return parts;
 }
 
 }  // namespace
 
+std::vector<bool> chosen_nodes(const ImportedScene& scene, std::span<const std::string> nodes) {
+  const std::set<std::string_view> names(nodes.begin(), nodes.end());
+  return nodes_below(scene, [&](std::size_t node) {
+    return names.empty() || names.contains(scene.nodes[node].name);
+  });
+}
+
 std::vector<const ImportedPart*> chosen_parts(const ImportedScene& scene,
                                               std::span<const std::string> nodes) {
-  const std::set<std::string_view> names(nodes.begin(), nodes.end());
-  std::vector<bool> is_chosen(scene.nodes.size(), nodes.empty());
-  for (std::size_t i = 0; i < scene.nodes.size() && !nodes.empty(); ++i) {
-    const ImportedNode& node = scene.nodes[i];
-    is_chosen[i] = (node.parent && is_chosen[*node.parent]) || names.contains(node.name);
+  return parts_of(scene, chosen_nodes(scene, nodes));
+}
+
+std::vector<const ImportedPart*> parts_below(const ImportedScene& scene, std::size_t node) {
+  return parts_of(scene, nodes_below(scene, [node](std::size_t other) { return other == node; }));
+}
+
+const Material& material_of(const Surface& surface, const ImportedPart& part) {
+  const auto own = std::ranges::find(surface.materials, part.material.name, &Material::name);
+  return own == surface.materials.end() ? part.material : *own;
+}
+
+std::vector<std::string> material_names(const Surface& surface) {
+  std::vector<std::string> names;
+  if (!surface.imported) return names;
+  std::set<std::string_view> known;
+  for (const ImportedPart* part : chosen_parts(*surface.imported, surface.nodes)) {
+    if (known.insert(part->material.name).second) names.push_back(part->material.name);
   }
-  std::vector<const ImportedPart*> parts;
-  for (const ImportedPart& part : scene.parts) {
-    if (is_chosen[part.node]) parts.push_back(&part);
-  }
-  return parts;
+  return names;
 }
 
 CopyPlacements placements_at(const ImportedPart& part, double time) {

@@ -39,7 +39,7 @@ struct PlacementKeys {
 struct ImportedPart {
   std::size_t node = 0;
   std::shared_ptr<const TriangleMesh> mesh;  // in the coordinates of its file [u]
-  Material material;
+  Material material;                         // its name is not empty
   // Where the file places a mesh that it has several times, which is in its own coordinates then;
   // else empty.
   CopyPlacements placements{};
@@ -73,10 +73,19 @@ auto textures_of(auto& material) {
 }
 inline constexpr std::array texture_has_colors{true, false, false, true, true};
 
-// The parts of the nodes with these names and of all nodes below them; of all nodes if there is no
-// name.
+// Whether each node has one of these names or is below one that has; all are if there is no name.
+std::vector<bool> chosen_nodes(const ImportedScene& scene, std::span<const std::string> nodes);
+// The parts of these.
 std::vector<const ImportedPart*> chosen_parts(const ImportedScene& scene,
                                               std::span<const std::string> nodes);
+
+// The parts of a node and of all nodes below it.
+std::vector<const ImportedPart*> parts_below(const ImportedScene& scene, std::size_t node);
+
+// The material of a part of an imported scene that a surface shows: its own, or that of the file.
+const Material& material_of(const Surface& surface, const ImportedPart& part);
+// The names of those of the parts that a surface shows, each once, in the order of the file.
+std::vector<std::string> material_names(const Surface& surface);
 
 // The placements of a part's mesh at a time [s]; empty: it is in the file's coordinates.
 CopyPlacements placements_at(const ImportedPart& part, double time);

@@ -49,8 +49,9 @@ struct SurfaceKeys {
 };
 
 // A mesh placed in the scene: world = translate + rotate * (scale * mesh). Or nodes of another
-// program's scene, placed in the same way: frames show them with the meshes and materials of that
-// file (shown_surfaces()); `mesh` is all of them as one, and `material` counts for nothing.
+// program's scene, placed in the same way: frames show them with the meshes of that file and its
+// materials (shown_surfaces()), or those of `materials` with the same names; `mesh` is all of them
+// as one, and `material` counts for nothing.
 struct Surface {
   enum class Transfer { none, shadow, interreflection };
   std::string name{};                    // empty: none of its own
@@ -63,6 +64,7 @@ struct Surface {
   glm::dquat rotate{1.0, 0.0, 0.0, 0.0};  // unit
   double scale = 1.0;                     // > 0
   Material material{};
+  std::vector<Material> materials{};  // in place of those of `imported` that have their names
   SurfaceKeys keys{};
   Transfer transfer = Transfer::none;
   std::optional<Copies> copies{};

@@ -145,7 +145,7 @@ class FirstSceneTest : public QObject {
       window.import({bunny});
       QCOMPARE(document.scene().lights == before.lights, light);
       QCOMPARE(document.scene().camera == before.camera, camera);
-      QCOMPARE(window->viewport().camera() == view, camera);
+      QVERIFY(window->viewport().camera() != view);  // what is imported is framed
       document.create();
     };
     import_leaves(false, false);

@@ -170,7 +170,7 @@ class ImportTest : public QObject {
     QVERIFY(!desk.document().is_modified());
     drop(desk, {desk.file("bad.csv"), desk.file("other.csv")});  // no sequence
     QVERIFY(!desk.document().is_modified());
-    QVERIFY(!SceneImport::can_import("readme.txt"));
+    QVERIFY(!can_import("readme.txt"));
   }
 
   void points_of_vtk_files_bring_radius_and_density() {

@@ -1,7 +1,9 @@
 // Scenes of other programs: imported with their cameras and lights, shown, read again.
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QPushButton>
+#include <QToolButton>
 #include <fstream>
 
 #include "app/commands/scene_part_command.h"
@@ -9,6 +11,7 @@
 #include "app/import/imported_reload.h"
 #include "app/import/scene_dialog.h"
 #include "app/import/scene_import.h"
+#include "app/panels/lists/outliner.h"
 #include "app/window/pages/message_bar.h"
 #include "brume/mesh_arrays.h"
 #include "core/scene/imported_scene.h"
@@ -81,15 +84,78 @@ class SceneImportTest : public QObject {
     QCOMPARE(scene.lights[0].name, std::string("lamp"));
     QCOMPARE(scene.lights[0].intensity, glm::dvec3(1.0));
     QVERIFY(scene.lights[1].as<light::Directional>());
-    // The name is taken.
-    QCOMPARE(scene.cameras.size(), 1u);
-    QCOMPARE(scene.cameras[0].camera.eye, glm::dvec3(0, 0, 4));
-    QVERIFY(scene.cameras[0].name != scene.camera_name);
+    // So does its camera.
+    QVERIFY(scene.cameras.empty());
+    QCOMPARE(scene.camera.eye, glm::dvec3(0, 0, 4));
+    QCOMPARE(scene.camera_name, std::string("Camera"));
+    QVERIFY(document.object() == ObjectRef(ObjectRef::Kind::surface, 0));
     QCOMPARE(step_count(document), 1);
     QCOMPARE(last_step(document), "Import room.glb");
     document.undo_stack().undo();
     QVERIFY(document.scene() == before);
     QVERIFY(!document.is_modified());
+  }
+
+  void a_camera_of_its_own_stays_in_use() {
+    FileDesk desk;
+    const Camera before = desk.scene().camera;
+    write(desk.file("room.glb"), room().binary());
+    drop(desk, {desk.file("room.glb")});
+    QCOMPARE(wait(desk), "");
+    answer(desk, true, false);
+    QVERIFY(desk.scene().camera == before);
+    QCOMPARE(desk.scene().cameras.size(), 1u);
+    QCOMPARE(desk.scene().cameras[0].camera.eye, glm::dvec3(0, 0, 4));
+    QVERIFY(desk.scene().cameras[0].name != desk.scene().camera_name);
+  }
+
+  void nodes_have_rows_and_choose_their_material_to_edit() {
+    FileDesk desk;
+    Document& document = desk.document();
+    GltfBuilder builder = room();
+    builder.json["materials"] = {{{"name", "wood"}}, {{"name", "brick"}}};
+    builder.json["meshes"].push_back(builder.json["meshes"][0]);
+    for (const int k : {0, 1}) builder.json["meshes"][k]["primitives"][0]["material"] = k;
+    builder.json["nodes"][0]["children"] = {1};
+    builder.json["nodes"][1]["mesh"] = 1;
+    builder.json["scenes"][0]["nodes"] = {0};
+    write(desk.file("room.glb"), builder.binary());
+    drop(desk, {desk.file("room.glb")});
+    QCOMPARE(wait(desk), "");
+
+    auto* tree = desk.findChild<Outliner*>();
+    const auto row = [tree](const QString& name) {
+      return tree->findItems(name, Qt::MatchExactly | Qt::MatchRecursive).value(0);
+    };
+    QVERIFY(row("room.glb") && !row("wall"));
+    row("room.glb")->setExpanded(true);
+    QCOMPARE(row("wall")->parent(), row("floor"));
+    QCOMPARE(row("floor")->parent(), row("room.glb"));
+    QTest::mouseClick(tree->viewport(), Qt::LeftButton, {}, cell_position(*tree, row("wall")));
+    QVERIFY(document.object() == ObjectRef(ObjectRef::Kind::surface, 0, 1));
+    auto* materials = desk.findChild<QComboBox*>("surface_material");
+    QCOMPARE(materials->currentText(), "brick");
+
+    enter(desk, "roughness", "0.25");
+    QCOMPARE(last_step(document), "Set roughness of brick of room.glb");
+    const Surface& surface = desk.scene().surfaces[0];
+    QCOMPARE(surface.materials.size(), 1u);
+    QCOMPARE(surface.materials[0].metallic_roughness.roughness, 0.25);
+    const Surfaces shown = document.visible_snapshot()->surfaces;
+    QCOMPARE(shown[0].material.metallic_roughness.roughness, 1.0);
+    QCOMPARE(shown[1].material.metallic_roughness.roughness, 0.25);
+    QVERIFY(row("wall") && row("wall") == tree->currentItem());  // of the new rows
+
+    QTest::keyClick(tree, Qt::Key_Delete);
+    QCOMPARE(desk.scene().surfaces.size(), 1u);
+    materials->setCurrentIndex(0);
+    Q_EMIT materials->activated(0);
+    choose(desk, "material_type", static_cast<int>(Material::Type::diffuse));
+    QVERIFY(document.visible_snapshot()->surfaces[0].material.type == Material::Type::diffuse);
+    click(desk, "restore_material");
+    QCOMPARE(last_step(document), "Restore wood of room.glb");
+    QCOMPARE(desk.scene().surfaces[0].materials.size(), 1u);
+    QVERIFY(!desk.findChild<QToolButton*>("restore_material")->isEnabled());
   }
 
   void what_is_not_wanted_stays_out() {

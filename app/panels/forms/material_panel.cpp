@@ -2,6 +2,7 @@
 
 #include <QComboBox>
 #include <QFormLayout>
+#include <QToolButton>
 #include <algorithm>
 
 #include "app/commands/edit_objects.h"
@@ -14,12 +15,15 @@
 #include "core/io/merl_file.h"
 #include "core/number_domain.h"
 #include "core/scene/fields/copies_fields.h"
+#include "core/scene/imported_scene.h"
 
 namespace brume {
 
 MaterialPanel::MaterialPanel(Document& document, QWidget* parent)
     : SceneForm(document, parent),
       surfaces_(named(new QComboBox(this), "surface")),
+      materials_(named(new QComboBox(this), "surface_material")),
+      restore_(named(new QToolButton(this), "restore_material")),
       type_(named(new QComboBox(this), "material_type")),
       transfer_(named(new QComboBox(this), "transfer")),
       copies_(named(new QComboBox(this), "copies")) {
@@ -42,8 +46,6 @@ MaterialPanel::MaterialPanel(Document& document, QWidget* parent)
     surfaces_->setCurrentIndex(
         std::clamp(index, std::min(0, surfaces_->count() - 1), surfaces_->count() - 1));
     surfaces_->setEnabled(!surfaces.empty());
-    type_->setEnabled(material() != nullptr);
-    if (material()) type_->setCurrentIndex(static_cast<int>(material()->type));
     transfer_->setEnabled(surface() != nullptr);
     if (surface()) transfer_->setCurrentIndex(static_cast<int>(surface()->transfer));
   });
@@ -51,15 +53,25 @@ MaterialPanel::MaterialPanel(Document& document, QWidget* parent)
     change_shown(tr("Set radiance transfer of %1"), no_merge,
                  [index](Surface& s) { s.transfer = static_cast<Surface::Transfer>(index); });
   });
-  on_change(document_, Change::object, this, [this] {
-    const auto& object = document_.object();
-    if (object && object->kind == ObjectRef::Kind::surface) show_surface(object->index);
-  });
+  on_change(document_, Change::object, this, &MaterialPanel::show_object);
   on_change(document_, Change::scene, &reading_, &BackgroundJob::cancel);
   connect(&reading_, &BackgroundJob::failed, this, &MaterialPanel::refused);
   // After the list, which says what surface the fields are about.
   add_placement_fields(*form);
   add_copies_fields(*form);
+  restore_->setText(QStringLiteral("↺"));
+  restore_->setToolTip(tr("The material of the file again"));
+  connect(restore_, &QToolButton::clicked, this,
+          [this] { restore_material(document_, shown_material()); });
+  connect(materials_, &QComboBox::activated, this, &MaterialPanel::refresh);
+  on_refresh([this] { show_materials(); });
+  QHBoxLayout* materials = row_of({materials_, restore_});
+  form->addRow(tr("Material of file"), materials);
+  on_refresh([this, form, materials] {
+    form->setRowVisible(materials, surface() && surface()->imported);
+    type_->setEnabled(material() != nullptr);
+    if (material()) type_->setCurrentIndex(static_cast<int>(material()->type));
+  });
   form->addRow(tr("Material"), type_);
   add_material_fields(*form);
   transfer_->setToolTip(tr("Where light is scattered once; all orders shadow and reflect anyway"));
@@ -72,15 +84,45 @@ void MaterialPanel::show_surface(std::size_t index) {
   surfaces_->setCurrentIndex(static_cast<int>(index));
 }
 
+// Of a chosen node the first material.
+void MaterialPanel::show_object() {
+  const auto& object = document_.object();
+  if (!object || object->kind != ObjectRef::Kind::surface) return;
+  show_surface(object->index);
+  if (!object->node || !surface() || !surface()->imported) return;
+  const ImportedScene& scene = *surface()->imported;
+  if (*object->node >= scene.nodes.size()) return;
+  const auto parts = parts_below(scene, *object->node);
+  if (parts.empty()) return;
+  materials_->setCurrentText(QString::fromStdString(parts.front()->material.name));
+  refresh();
+}
+
+void MaterialPanel::show_materials() {
+  const QString shown = materials_->currentText();
+  materials_->clear();
+  if (!surface()) return;
+  for (const std::string& name : material_names(*surface())) {
+    materials_->addItem(QString::fromStdString(name));
+  }
+  materials_->setCurrentIndex(std::max(0, materials_->findText(shown)));
+  restore_->setEnabled(is_changed(document_.scene(), shown_material()));
+}
+
 const Surface* MaterialPanel::surface() const {
   const Surfaces& surfaces = document_.scene().surfaces;
   const auto index = static_cast<std::size_t>(surfaces_->currentIndex());
   return surfaces_->currentIndex() >= 0 && index < surfaces.size() ? &surfaces[index] : nullptr;
 }
 
-// An imported scene has its own.
+MaterialRef MaterialPanel::shown_material() const {
+  const bool is_imported = surface() && surface()->imported;
+  return {static_cast<std::size_t>(surfaces_->currentIndex()),
+          is_imported ? materials_->currentText().toStdString() : std::string()};
+}
+
 const Material* MaterialPanel::material() const {
-  return surface() && !surface()->imported ? &surface()->material : nullptr;
+  return surface() ? find_material(document_.scene(), shown_material()) : nullptr;
 }
 
 void MaterialPanel::change_shown(const QString& text, MergeId gesture,
@@ -92,7 +134,7 @@ void MaterialPanel::change_shown(const QString& text, MergeId gesture,
 
 void MaterialPanel::change(const QString& text, MergeId gesture,
                            const std::function<void(Material&)>& how) {
-  change_shown(text, gesture, [&](Surface& s) { how(s.material); });
+  change_material(document_, shown_material(), text, gesture, how);
 }
 
 // The entered angles stay while they give the surface's rotation: other angles may give it, too.
@@ -228,15 +270,8 @@ void MaterialPanel::add_material_fields(QFormLayout& form) {
                 change(tr("Set exponent of %1"), gesture,
                        [value](Material& m) { m.exponent = value; });
               }});
-  const auto shown = [this]() -> std::optional<std::size_t> {
-    if (!material() || material()->type != Material::Type::metallic_roughness) return std::nullopt;
-    return static_cast<std::size_t>(surfaces_->currentIndex());
-  };
-  const auto change_surface_at = [this](std::size_t index, const QString& verb, MergeId gesture,
-                                        const std::function<void(Surface&)>& how) {
-    change_surface(document_, index, verb, gesture, how);
-  };
-  auto* metallic_roughness = new MetallicRoughnessForm(document_, {shown, change_surface_at}, this);
+  auto* metallic_roughness = new MetallicRoughnessForm(
+      document_, [this] { return shown_material(); }, this);
   connect(metallic_roughness, &MetallicRoughnessForm::refused, this, &MaterialPanel::refused);
   on_refresh([metallic_roughness] { metallic_roughness->show_current(); });
   form.addRow(metallic_roughness);
@@ -245,7 +280,7 @@ void MaterialPanel::add_material_fields(QFormLayout& form) {
 void MaterialPanel::choose_type(int index) {
   const auto type = static_cast<Material::Type>(index);
   if (type != Material::Type::measured) {
-    set_type(surfaces_->currentIndex(), type, {}, nullptr);
+    set_type(shown_material(), type, {}, nullptr);
     return;
   }
   const std::filesystem::path file =
@@ -256,28 +291,28 @@ void MaterialPanel::choose_type(int index) {
 }
 
 void MaterialPanel::load_measured(const std::filesystem::path& file) {
-  reading_.start([this, file, index = surfaces_->currentIndex()](const Job&) {
-    return [this, file, index, measured = read_merl(file)] {
-      set_type(index, Material::Type::measured, file, measured);
+  reading_.start([this, file, shown = shown_material()](const Job&) {
+    return [this, file, shown, measured = read_merl(file)] {
+      set_type(shown, Material::Type::measured, file, measured);
     };
   });
 }
 
-void MaterialPanel::set_type(int index, Material::Type type, const std::filesystem::path& file,
+void MaterialPanel::set_type(const MaterialRef& ref, Material::Type type,
+                             const std::filesystem::path& file,
                              const std::shared_ptr<const MeasuredBrdf>& measured) {
-  change_surface(document_, static_cast<std::size_t>(index), tr("Set material of %1"), no_merge,
-                 [&](Surface& s) {
-                   if (type == Material::Type::metallic_roughness &&
-                       s.material.metallic_roughness == MetallicRoughness{}) {
-                     // It nearly keeps its looks, instead of glTF's white metal.
-                     s.material.metallic_roughness.base_color = s.material.reflectance;
-                     s.material.metallic_roughness.metallic = 0.0;
-                     s.material.metallic_roughness.roughness = 0.5;
-                   }
-                   s.material.type = type;
-                   s.material.file = file;
-                   s.material.measured = measured;
-                 });
+  change_material(document_, ref, tr("Set material of %1"), no_merge, [&](Material& material) {
+    if (type == Material::Type::metallic_roughness &&
+        material.metallic_roughness == MetallicRoughness{}) {
+      // It nearly keeps its looks, instead of glTF's white metal.
+      material.metallic_roughness.base_color = material.reflectance;
+      material.metallic_roughness.metallic = 0.0;
+      material.metallic_roughness.roughness = 0.5;
+    }
+    material.type = type;
+    material.file = file;
+    material.measured = measured;
+  });
 }
 
 }  // namespace brume

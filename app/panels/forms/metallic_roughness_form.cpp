@@ -24,8 +24,9 @@ bool has_colors(MetallicRoughnessForm::Slot slot) {
 
 }  // namespace
 
-MetallicRoughnessForm::MetallicRoughnessForm(Document& document, Target target, QWidget* parent)
-    : SceneForm(document, parent), target_(std::move(target)) {
+MetallicRoughnessForm::MetallicRoughnessForm(Document& document, std::function<MaterialRef()> shown,
+                                             QWidget* parent)
+    : SceneForm(document, parent), shown_(std::move(shown)) {
   auto* form = new QFormLayout(this);
   form->setContentsMargins(0, 0, 0, 0);
   add_values(*form);
@@ -46,16 +47,15 @@ MetallicRoughnessForm::MetallicRoughnessForm(Document& document, Target target, 
 }
 
 const MetallicRoughness* MetallicRoughnessForm::material() const {
-  const std::optional<std::size_t> index = target_.index();
-  return index ? &document_.scene().surfaces[*index].material.metallic_roughness : nullptr;
+  const Material* shown = find_material(document_.scene(), shown_());
+  const bool is_there = shown && shown->type == Material::Type::metallic_roughness;
+  return is_there ? &shown->metallic_roughness : nullptr;
 }
 
 void MetallicRoughnessForm::change(const QString& verb, MergeId gesture,
                                    const std::function<void(MetallicRoughness&)>& how) {
-  const std::optional<std::size_t> index = target_.index();
-  if (!index) return;
-  target_.change(*index, verb, gesture,
-                 [&](Surface& surface) { how(surface.material.metallic_roughness); });
+  change_material(document_, shown_(), verb, gesture,
+                  [&](Material& m) { how(m.metallic_roughness); });
 }
 
 void MetallicRoughnessForm::add_values(QFormLayout& form) {
@@ -126,15 +126,13 @@ void MetallicRoughnessForm::ask_for_texture(Slot slot) {
 }
 
 void MetallicRoughnessForm::load_texture(Slot slot, const std::filesystem::path& file) {
-  const std::optional<std::size_t> index = target_.index();
-  if (!index) return;
-  reading_.start([this, slot, file, index = *index](const Job&) {
+  reading_.start([this, slot, file, shown = shown_()](const Job&) {
     std::vector<std::string> warnings;
     const auto content = read_texture(file, has_colors(slot), &warnings);
-    return [this, slot, file, index, content, warnings] {
+    return [this, slot, file, shown, content, warnings] {
       for (const std::string& warning : warnings) Q_EMIT refused(QString::fromStdString(warning));
-      target_.change(index, tr("Set texture of %1"), no_merge, [&](Surface& surface) {
-        TextureReference& texture = surface.material.metallic_roughness.*slot;
+      change_material(document_, shown, tr("Set texture of %1"), no_merge, [&](Material& m) {
+        TextureReference& texture = m.metallic_roughness.*slot;
         texture.file = file;
         texture.content = content;
       });

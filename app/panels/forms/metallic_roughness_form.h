@@ -1,28 +1,23 @@
 #pragma once
 
+#include "app/commands/edit_materials.h"
 #include "app/jobs/background_job.h"
 #include "app/panels/forms/scene_form.h"
 #include "brume/scene.h"
 
 namespace brume {
 
-// A surface's metallic-roughness material: its values and textures.
+// The values and textures of a metallic-roughness material.
 class MetallicRoughnessForm : public SceneForm {
   Q_OBJECT
  public:
-  using Change = std::function<void(Surface&)>;
-  struct Target {
-    // Index among the scene's surfaces of the one that is shown; nullopt: none of this material.
-    std::function<std::optional<std::size_t>()> index;
-    // `verb`: see change_surface().
-    std::function<void(std::size_t index, const QString& verb, MergeId gesture, Change)> change;
-  };
-  MetallicRoughnessForm(Document& document, Target target, QWidget* parent);
+  // `shown`: the material that is shown, of any type.
+  MetallicRoughnessForm(Document& document, std::function<MaterialRef()> shown, QWidget* parent);
 
-  // Call when another surface is shown.
+  // Call when another material is shown.
   void show_current() { refresh(); }
 
-  // Loads a texture in the background for the surface that is shown now.
+  // Loads a texture in the background for the material that is shown now.
   using Slot = TextureReference MetallicRoughness::*;
   void load_texture(Slot slot, const std::filesystem::path& file);
 
@@ -35,7 +30,7 @@ class MetallicRoughnessForm : public SceneForm {
   void change(const QString& verb, MergeId gesture,
               const std::function<void(MetallicRoughness&)>& how);
 
-  Target target_;
+  std::function<MaterialRef()> shown_;
   BackgroundJob reading_{BackgroundJob::Policy::latest_wins};
 };
 

@@ -15,6 +15,7 @@
 #include "app/document/paths.h"
 #include "app/panels/lists/group_rows.h"
 #include "app/panels/lists/name_delegate.h"
+#include "app/panels/lists/node_rows.h"
 #include "app/panels/lists/spline_rows.h"
 #include "app/widgets/frame_text.h"
 #include "app/widgets/icons.h"
@@ -60,7 +61,9 @@ Outliner::Outliner(Document& document, QWidget* parent)
     : QTreeWidget(parent),
       document_(document),
       groups_(new GroupRows(document, *this)),
-      splines_(new SplineRows(document, *this)) {
+      splines_(new SplineRows(document, *this)),
+      nodes_(new NodeRows(document, *this,
+                          [](std::size_t surface) { return new_item({}, Kind::node, surface); })) {
   setObjectName("outliner_tree");
   setHeaderHidden(true);
   setColumnCount(3);
@@ -100,6 +103,7 @@ void Outliner::rebuild() {
   const std::optional<SplineId> current_spline = spline_of(currentItem());
   const QSignalBlocker blocker(this);
   clear();
+  nodes_->clear();
   auto* medium = new_item(tr("Medium"), Kind::medium);
   gaussians_ = new_item({}, Kind::gaussians);
   gaussians_->setToolTip(name_column, tr("Drag it onto a group to move the selected Gaussians "
@@ -128,11 +132,13 @@ void Outliner::rebuild() {
   auto* surfaces = new_item(tr("Surfaces"), Kind::surface);
   for (std::size_t k = 0; k < scene.surfaces.size(); ++k) {
     surfaces->addChild(new_object_item({ObjectRef::Kind::surface, k}));
+    nodes_->add_to(*surfaces->child(static_cast<int>(k)), k);
   }
   addTopLevelItem(surfaces);
   // Not all items: those without children would draw their icon as if it were checked.
   for (int k = 0; k < topLevelItemCount(); ++k) topLevelItem(k)->setExpanded(true);
   groups_->expand();
+  nodes_->expand();
   count_gaussians();
   if (current) set_current(*current);
   if (current_group) set_current(Kind::group, *current_group);
@@ -176,6 +182,9 @@ std::optional<ObjectRef> Outliner::object_of(const QTreeWidgetItem* item) {
   if (kind == Kind::light) return ObjectRef{ObjectRef::Kind::light, index};
   if (kind == Kind::emitter) return ObjectRef{ObjectRef::Kind::emitter, index};
   if (kind == Kind::surface) return ObjectRef{ObjectRef::Kind::surface, index};
+  if (kind == Kind::node) {
+    return ObjectRef{ObjectRef::Kind::surface, index, NodeRows::node_of(*item)};
+  }
   return std::nullopt;
 }
 
@@ -183,7 +192,9 @@ void Outliner::set_current(const ObjectRef& ref) {
   QTreeWidgetItem* current = nullptr;
   for (QTreeWidgetItemIterator it(this); *it; ++it) {
     const std::optional<ObjectRef> other = object_of(*it);
-    if (other && other->kind == ref.kind && other->index <= ref.index) current = *it;
+    if (!other || other->kind != ref.kind || other->index > ref.index) continue;
+    if (other == ref || !other->node) current = *it;
+    if (other == ref) break;
   }
   setCurrentItem(current);
 }

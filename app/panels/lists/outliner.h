@@ -10,16 +10,17 @@ namespace brume {
 
 class Document;
 class GroupRows;
+class NodeRows;
 class SplineRows;
 
 // The scene as a tree; a click requests the panel of an item. Lights, emitters and surfaces have an
 // eye that hides and shows them (a light is turned on and off), a lock, and names to edit; the keys
 // and the context menu delete and duplicate them. Rows of groups are GroupRows',
-// those of splines SplineRows'.
+// those of splines SplineRows', those of nodes of imported scenes NodeRows'.
 class Outliner : public QTreeWidget {
   Q_OBJECT
  public:
-  enum class Kind { gaussians, medium, group, spline, emitter, light, environment, surface };
+  enum class Kind { gaussians, medium, group, spline, emitter, light, environment, surface, node };
   explicit Outliner(Document& document, QWidget* parent = nullptr);
 
  Q_SIGNALS:
@@ -59,6 +60,7 @@ class Outliner : public QTreeWidget {
   Document& document_;
   GroupRows* groups_;
   SplineRows* splines_;
+  NodeRows* nodes_;
   QTreeWidgetItem* gaussians_ = nullptr;
   bool is_stale_ = false;  // rows are made anew once the editor of a name has closed
 };

@@ -7,28 +7,19 @@
 #include "app/commands/add_fog.h"
 #include "app/document/document.h"
 #include "app/view/bounds.h"
+#include "app/view/floor.h"
 #include "app/view/navigation.h"
 #include "app/view/paint_point.h"
 #include "app/view/surface_picker.h"
 #include "app/viewport/view_grid.h"
 #include "app/window/dialogs/fog_shape_dialog.h"
 #include "app/window/menus/menus.h"
-#include "brume/mesh_arrays.h"
-#include "core/scene/copies.h"
 
 namespace brume {
 namespace {
 
 constexpr double facing_up = 0.5;      // cosine
 constexpr double enough_ground = 0.2;  // share of what is in view
-
-double lowest_surface(const Scene& scene) {
-  double low = std::numeric_limits<double>::infinity();
-  for (const Surface& surface : with_placed_copies(scene.surfaces)) {
-    low = std::min(low, world_box(surface).low.y);
-  }
-  return std::isfinite(low) ? low : 0.0;
-}
 
 double ground_share(const FindGround& find_ground, const glm::dvec3& around, double size) {
   constexpr int side = 9;

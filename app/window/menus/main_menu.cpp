@@ -145,6 +145,7 @@ void MainMenu::fill_edit_menu(QMenu* menu) {
   });
   add(menu, tr("&Delete"), "edit.delete", [this] { delete_selected(); });
   add(menu, tr("Simplif&y…"), "edit.simplify", [this] { parts_.jobs.simplify(); });
+  add(menu, tr("Drop on Fl&oor"), "edit.drop", [this] { parts_.objects.drop_object(); });
   QAction* rename =
       add(menu, tr("Rena&me"), "edit.rename", [this] { parts_.objects.rename_object(); });
   // Elsewhere F2 edits the cell of a table.

@@ -16,6 +16,7 @@
 #include "app/panels/forms/light_panel.h"
 #include "app/panels/lists/outliner.h"
 #include "app/tools/click_target.h"
+#include "app/view/floor.h"
 #include "app/view/surface_picker.h"
 #include "app/viewport/view_grid.h"
 #include "app/widgets/rows.h"
@@ -81,8 +82,6 @@ void ObjectMenu::add_primitive(Primitive::Shape shape) {
                        rounded(target.z, 3)};
   if (!is_plane) surface.translate.y += 0.5 * size;
   jobs_.import().add_surfaces({surface}, tr("Add %1").arg(primitive_title(shape)));
-  work_.document.set_object(
-      ObjectRef{ObjectRef::Kind::surface, work_.document.scene().surfaces.size() - 1});
 }
 
 void ObjectMenu::add_gaussian_in_view() {
@@ -101,6 +100,17 @@ void ObjectMenu::rename_object() {
   dock->show();
   dock->raise();
   window_.findChild<Outliner*>()->rename_current();
+}
+
+void ObjectMenu::drop_object() {
+  const auto& object = work_.document.object();
+  if (!object || object->kind != ObjectRef::Kind::surface)
+    return work_.show_status(tr("Select a surface to drop it on the floor"));
+  const Scene& scene = work_.document.scene();
+  const double rise =
+      rise_to_floor(scene, work_.views.active().surfaces(), {object->index, std::size_t{1}});
+  change_surface(work_.document, object->index, tr("Drop %1 on the floor"), no_merge,
+                 [rise](Surface& surface) { surface.translate.y += rise; });
 }
 
 void ObjectMenu::show_view_menu(Viewport& view, QPointF position) {
@@ -123,7 +133,8 @@ void ObjectMenu::show_view_menu(Viewport& view, QPointF position) {
   if (const auto& object = work_.document.object()) {
     menu->addSection(object_title(work_.document.scene(), *object));
     add({"tool.move", "tool.rotate", "tool.scale"});
-    add({"edit.rename", "edit.duplicate", "select.hide", "select.lock", "edit.delete"});
+    add({"edit.rename", "edit.duplicate", "edit.drop", "select.hide", "select.lock",
+         "edit.delete"});
   } else if (!work_.document.selection().empty()) {
     menu->addSection(
         tr("%n Gaussian(s)", nullptr, static_cast<int>(work_.document.selection().size())));

@@ -23,6 +23,7 @@ class ObjectMenu : public QObject {
   void fill_add_menu(QMenu& menu);
   void show_view_menu(Viewport& view, QPointF position);
   void rename_object();
+  void drop_object();
 
  private:
   void add_primitive(Primitive::Shape shape);

@@ -71,7 +71,7 @@ class SceneBuilder {
     Material& result = at->second;
     result.type = Material::Type::metallic_roughness;
     result.metallic_roughness = raw.values;
-    result.name = raw.name;
+    result.name = raw.name.empty() ? "material " + std::to_string(index) : raw.name;
     for (std::size_t slot = 0; slot < raw.textures.size(); ++slot) {
       const std::optional<RawTexture>& use = raw.textures[slot];
       if (!use) continue;

@@ -1,8 +1,12 @@
 #include "core/io/scene/material_json.h"
 
+#include <set>
+
+#include "brume/limits.h"
 #include "core/io/scene/fields_json.h"
 #include "core/io/scene/scene_names.h"
 #include "core/scene/fields/material_fields.h"
+#include "core/scene/imported_scene.h"
 
 namespace brume {
 namespace fs = std::filesystem;
@@ -21,15 +25,16 @@ void visit_texture_keys(MaterialOrConst& material, Visit visit) {
 class MaterialReader {
  public:
   MaterialReader(JsonContext& context, SceneReferences& references, SceneBudget& budget,
-                 UnknownKeys& unknown_keys, Surface& surface)
+                 UnknownKeys& unknown_keys, ObjectId& surface)
       : context_(context),
         references_(references),
         budget_(budget),
         unknown_keys_(unknown_keys),
         surface_(surface) {}
 
-  void read(JsonObject& object) {
-    Material& material = surface_.material;
+  // `place`: of the material, among the keys of its surface.
+  void read(JsonObject& object, const std::string& place, Material& material) {
+    place_ = place;
     material.type =
         static_cast<Material::Type>(object.choice("type", scene_names::materials, std::size_t{0}));
     switch (material.type) {
@@ -44,7 +49,7 @@ class MaterialReader {
         read_metallic_roughness(object, material.metallic_roughness);
         break;
     }
-    unknown_keys_.add(surface_.id, "material", object.unknown_keys());
+    unknown_keys_.add(surface_, place, object.unknown_keys());
   }
 
  private:
@@ -61,7 +66,11 @@ class MaterialReader {
         static_cast<AlphaMode>(object.choice("alpha", scene_names::alpha_modes, std::size_t{0}));
     visit_texture_keys(material, [&](const char* key, TextureReference& texture, bool has_colors) {
       auto reference = object.find_object(key);
-      if (reference) read_texture_reference(*reference, key, texture, has_colors);
+      if (!reference) return;
+      const bool may_be_removed = texture.content != nullptr;
+      texture = {};
+      if (may_be_removed && reference->find("file") == nullptr) return;
+      read_texture_reference(*reference, key, texture, has_colors);
     });
   }
 
@@ -77,62 +86,141 @@ class MaterialReader {
     };
     texture.wrap_u = wrap("wrap_u");
     texture.wrap_v = wrap("wrap_v");
-    unknown_keys_.add(surface_.id, std::string("material.") + key, object.unknown_keys());
+    unknown_keys_.add(surface_, place_ + "." + key, object.unknown_keys());
   }
 
   JsonContext& context_;
   SceneReferences& references_;
   SceneBudget& budget_;
   UnknownKeys& unknown_keys_;
-  Surface& surface_;
+  ObjectId& surface_;
+  std::string place_;
 };
 
-void add_metallic_roughness(Json& object, const Surface& surface, const UnknownKeys& unknown_keys,
-                            const fs::path& directory) {
-  const MetallicRoughness& material = surface.material.metallic_roughness;
+// Unknown keys of a material, and the folder of the scene file.
+struct MaterialPlace {
+  const UnknownKeys& unknown_keys;
+  ObjectId surface;
+  std::string place;
+  const fs::path& directory;
+
+  [[nodiscard]] const std::string& unknown(const std::string& member) const {
+    return unknown_keys.of(surface, place + member);
+  }
+};
+
+// Textures that are those of `of_file` are left out.
+void add_metallic_roughness(Json& object, const MetallicRoughness& material,
+                            const MetallicRoughness& of_file, const MaterialPlace& place) {
+  std::vector<const TextureReference*> others;
+  visit_texture_keys(of_file, [&](const char*, const TextureReference& texture, bool) {
+    others.push_back(&texture);
+  });
   write_fields(object, material, NoKeys());
   if (material.alpha != AlphaMode::opaque) {
     object["alpha"] = scene_names::alpha_modes[static_cast<std::size_t>(material.alpha)];
   }
-  visit_texture_keys(material, [&](const char* key, const TextureReference& texture, bool) {
-    if (texture.file.empty()) return;
-    Json& entry = object[key] = Json{{"file", SceneReferences::text_for(texture.file, directory)}};
-    const auto add_wrap = [&](const char* name, TextureWrap wrap) {
-      if (wrap == TextureWrap::repeat) return;
-      entry[name] = scene_names::texture_wraps[static_cast<std::size_t>(wrap)];
-    };
-    add_wrap("wrap_u", texture.wrap_u);
-    add_wrap("wrap_v", texture.wrap_v);
-    add_unknown_keys(entry, unknown_keys.of(surface.id, std::string("material.") + key));
-  });
+  visit_texture_keys(material,
+                     [&, k = 0u](const char* key, const TextureReference& texture, bool) mutable {
+                       if (texture == *others[k++]) return;
+                       Json& entry = object[key] = Json::object();
+                       if (texture.file.empty()) return;
+                       entry["file"] = SceneReferences::text_for(texture.file, place.directory);
+                       const auto add_wrap = [&](const char* name, TextureWrap wrap) {
+                         if (wrap == TextureWrap::repeat) return;
+                         entry[name] = scene_names::texture_wraps[static_cast<std::size_t>(wrap)];
+                       };
+                       add_wrap("wrap_u", texture.wrap_u);
+                       add_wrap("wrap_v", texture.wrap_v);
+                       add_unknown_keys(entry, place.unknown(std::string(".") + key));
+                     });
+}
+
+Json material_to_json(const Material& material, const SurfaceKeys& keys,
+                      const MetallicRoughness& of_file, const MaterialPlace& place) {
+  Json object;
+  if (!material.name.empty()) object["name"] = material.name;
+  object["type"] = scene_names::materials[static_cast<std::size_t>(material.type)];
+  switch (material.type) {
+    case Material::Type::measured:
+      object["file"] = SceneReferences::text_for(material.file, place.directory);
+      break;
+    case Material::Type::diffuse:
+    case Material::Type::phong:
+      write_fields(object, material, keys);
+      break;
+    case Material::Type::metallic_roughness:
+      add_metallic_roughness(object, material.metallic_roughness, of_file, place);
+      break;
+  }
+  add_unknown_keys(object, place.unknown(""));
+  return object;
+}
+
+// Null: its file has none of this name, or is missing.
+const Material* find_material(const ImportedScene& scene, const std::string& name) {
+  for (const ImportedPart& part : scene.parts) {
+    if (part.material.name == name) return &part.material;
+  }
+  return nullptr;
+}
+
+std::string place_of(const Material& material) {
+  return "materials." + material.name;
 }
 
 }  // namespace
 
 void read_material(JsonContext& context, JsonObject& object, SceneReferences& references,
                    SceneBudget& budget, UnknownKeys& unknown_keys, Surface& surface) {
-  MaterialReader(context, references, budget, unknown_keys, surface).read(object);
+  MaterialReader(context, references, budget, unknown_keys, surface.id)
+      .read(object, "material", surface.material);
+}
+
+void read_materials(JsonContext& context, JsonObject& object, SceneReferences& references,
+                    SceneBudget& budget, UnknownKeys& unknown_keys, Surface& surface) {
+  MaterialReader reader(context, references, budget, unknown_keys, surface.id);
+  const Json::array_t& materials = object.array("materials", limits::surfaces);
+  const JsonPath path = object.path_of("materials");
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < materials.size(); ++i) {
+    JsonObject entry(context, materials[i], path.element(i));
+    Material material;
+    material.name = entry.name({});
+    if (!names.insert(material.name).second) {
+      entry.fail("name", "found " + quoted_text(material.name) + " twice; allowed: once");
+    }
+    const Material* const of_file = find_material(*surface.imported, material.name);
+    if (of_file) {
+      const auto from = textures_of(of_file->metallic_roughness);
+      const auto to = textures_of(material.metallic_roughness);
+      for (std::size_t k = 0; k < to.size(); ++k) *to[k] = *from[k];
+    } else if (!references.is_missing(surface.mesh_file)) {
+      context.warn(entry.path_of("name"),
+                   "there is no material " + quoted_text(material.name) + " in " +
+                       quoted_text(surface.mesh_file.filename().string()) + "; it changes nothing");
+    }
+    reader.read(entry, place_of(material), material);
+    surface.materials.push_back(std::move(material));
+  }
 }
 
 Json material_to_json(const Surface& surface, const UnknownKeys& unknown_keys,
                       const fs::path& directory) {
-  const Material& material = surface.material;
-  Json object;
-  object["type"] = scene_names::materials[static_cast<std::size_t>(material.type)];
-  switch (material.type) {
-    case Material::Type::measured:
-      object["file"] = SceneReferences::text_for(material.file, directory);
-      break;
-    case Material::Type::diffuse:
-    case Material::Type::phong:
-      write_fields(object, material, surface.keys);
-      break;
-    case Material::Type::metallic_roughness:
-      add_metallic_roughness(object, surface, unknown_keys, directory);
-      break;
+  return material_to_json(surface.material, surface.keys, {},
+                          {unknown_keys, surface.id, "material", directory});
+}
+
+Json materials_to_json(const Surface& surface, const UnknownKeys& unknown_keys,
+                       const fs::path& directory) {
+  Json list = Json::array();
+  for (const Material& material : surface.materials) {
+    const Material* const of_file = find_material(*surface.imported, material.name);
+    list.push_back(material_to_json(material, {},
+                                    (of_file ? *of_file : Material()).metallic_roughness,
+                                    {unknown_keys, surface.id, place_of(material), directory}));
   }
-  add_unknown_keys(object, unknown_keys.of(surface.id, "material"));
-  return object;
+  return list;
 }
 
 }  // namespace brume

@@ -12,8 +12,13 @@ namespace brume {
 // The material of a surface as scene files have it.
 void read_material(JsonContext& context, JsonObject& object, SceneReferences& references,
                    SceneBudget& budget, UnknownKeys& unknown_keys, Surface& surface);
+// Those that a surface with an imported scene has in place of its file's, from its object.
+void read_materials(JsonContext& context, JsonObject& object, SceneReferences& references,
+                    SceneBudget& budget, UnknownKeys& unknown_keys, Surface& surface);
 // `directory`: of the scene file.
 Json material_to_json(const Surface& surface, const UnknownKeys& unknown_keys,
                       const std::filesystem::path& directory);
+Json materials_to_json(const Surface& surface, const UnknownKeys& unknown_keys,
+                       const std::filesystem::path& directory);
 
 }  // namespace brume

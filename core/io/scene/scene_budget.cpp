@@ -76,7 +76,7 @@ void SceneBudget::reserve_copies(const JsonPath& path, double count, const Surfa
     emitting = is_emissive(surface) ? surface.mesh->n_faces() : 0;
   } else {
     for (const ImportedPart* part : chosen_parts(*surface.imported, surface.nodes)) {
-      if (emits(part->material)) emitting += part->mesh->n_faces();
+      if (emits(material_of(surface, *part))) emitting += part->mesh->n_faces();
     }
   }
   const std::size_t bytes = limits::copy_bytes + light_bytes * emitting;

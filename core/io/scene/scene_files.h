@@ -18,19 +18,23 @@ void visit_files(SceneOrConst& scene, Visit visit) {
     // Without content it is missing.
     if (auto* texture = texture_of(light); texture && texture->content) visit(texture->file);
   }
+  const auto visit_material = [&visit](auto& material) {
+    if (material.type == Material::Type::measured) visit(material.file);
+    if (material.type != Material::Type::metallic_roughness) return;
+    for (auto* texture : textures_of(material.metallic_roughness)) {
+      // Without content it is missing, or one of another scene's file.
+      if (texture->content && !texture->file.empty()) visit(texture->file);
+    }
+  };
   for (auto& surface : scene.surfaces) {
     if (surface.copies && !surface.copies->file.empty()) visit(surface.copies->file);
     if (surface.imported) {
       visit(surface);
+      for (auto& material : surface.materials) visit_material(material);
       continue;
     }
     if (!surface.primitive) visit(surface.mesh_file);
-    if (surface.material.type == Material::Type::measured) visit(surface.material.file);
-    if (surface.material.type == Material::Type::metallic_roughness) {
-      for (auto* texture : textures_of(surface.material.metallic_roughness)) {
-        if (texture->content) visit(texture->file);  // else it is missing
-      }
-    }
+    visit_material(surface.material);
   }
   if (scene.environment && !scene.environment->sky) visit(scene.environment->file);
   for (auto& sequence : scene.sequences) visit(sequence);

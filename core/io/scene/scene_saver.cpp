@@ -187,7 +187,11 @@ Json surface_to_json(const Surface& surface, const UnknownKeys& unknown_keys,
   object["translate"] = to_json(surface.translate);
   object["rotate"] = to_json(surface.rotate);
   object["scale"] = surface.scale;
-  if (!surface.imported) object["material"] = material_to_json(surface, unknown_keys, directory);
+  if (!surface.imported) {
+    object["material"] = material_to_json(surface, unknown_keys, directory);
+  } else if (!surface.materials.empty()) {
+    object["materials"] = materials_to_json(surface, unknown_keys, directory);
+  }
   if (surface.transfer != Surface::Transfer::none) {
     object["transfer"] = scene_names::transfers[static_cast<std::size_t>(surface.transfer)];
   }

@@ -26,8 +26,9 @@ Surface SurfaceReader::read(JsonObject& object) {
     surface.rotate = read_unit_quaternion(context_, *rotate, object.path_of("rotate"));
   }
   surface.scale = object.number("scale", domain::length, surface.scale);
-  // One with a file of its own has its materials from there.
-  if (!surface.imported) {
+  if (surface.imported) {
+    read_materials(context_, object, references_, budget_, unknown_keys_, surface);
+  } else {
     auto material = object.find_object("material");
     if (material) read_material(context_, *material, references_, budget_, unknown_keys_, surface);
   }

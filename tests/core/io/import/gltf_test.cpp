@@ -65,7 +65,7 @@ TEST_F(Gltf, IsTheSameAsTextWithABuffer) {
 
 TEST_F(Gltf, MaterialsHaveTheirNames) {
   GltfBuilder builder;
-  EXPECT_EQ(read(builder)->parts.at(0).material.name, "");
+  EXPECT_EQ(read(builder)->parts.at(0).material.name, "material 0");
   builder.json["materials"] = {{{"name", "Brushed\nbrass"}}};
   builder.primitive()["material"] = 0;
   EXPECT_EQ(read(builder)->parts.at(0).material.name, "Brushedbrass");

@@ -117,6 +117,46 @@ TEST_F(SurfaceFile, IsSavedAsItWas) {
   EXPECT_EQ(content_of(folder_ / "third.brume"), text);
 }
 
+TEST_F(SurfaceFile, MaterialsTakeThePlaceOfThoseOfItsFile) {
+  const std::string town = R"("file": "model/town.gltf", "materials": [ { "name": "material 0", )";
+  const std::vector<Surface> parts =
+      shown(town + R"("type": "metallic_roughness", "base_color": [1, 0, 0] } ])");
+  ASSERT_EQ(parts.size(), 3u);
+  for (const Surface& part : parts) {
+    EXPECT_EQ(part.material.metallic_roughness.base_color, glm::dvec3(1, 0, 0));
+    EXPECT_NE(part.material.metallic_roughness.base_color_texture.content, nullptr)
+        << "textures stay";
+    EXPECT_TRUE(part.materials.empty());
+  }
+  const Material green =
+      shown(town + R"("type": "diffuse", "reflectance": [0, 1, 0] } ])")[0].material;
+  EXPECT_EQ(green.type, Material::Type::diffuse);
+  EXPECT_EQ(green.reflectance, glm::dvec3(0, 1, 0));
+  const std::string removed =
+      town + R"("type": "metallic_roughness", "base_color_texture": {}, "x": 1 } ])";
+  EXPECT_EQ(shown(removed)[0].material.metallic_roughness.base_color_texture, TextureReference());
+
+  save_document(load_document(write(removed)), folder_ / "again.brume");
+  const std::string text = content_of(folder_ / "again.brume");
+  EXPECT_TRUE(contains(text, R"("base_color_texture": {})"));
+  EXPECT_TRUE(contains(text, R"("x": 1)"));
+  EXPECT_EQ(load_scene(folder_ / "again.brume").surfaces[0].materials,
+            load_scene(write(removed)).surfaces[0].materials);
+  save_document(load_document(write(town + R"("type": "metallic_roughness" } ])")),
+                folder_ / "again.brume");
+  EXPECT_FALSE(contains(content_of(folder_ / "again.brume"), "texture"));
+}
+
+TEST_F(SurfaceFile, AMaterialThatItsFileLacksIsWarnedOf) {
+  std::vector<std::string> warnings;
+  const fs::path file = write(
+      R"("file": "model/town.gltf", "materials": [ { "name": "brick", "type": "diffuse" } ])");
+  EXPECT_EQ(load_scene(file, &warnings).surfaces[0].materials.size(), 1u);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_TRUE(contains(warnings[0], "surfaces[].materials[].name"));
+  EXPECT_TRUE(contains(warnings[0], "no material brick in town.gltf"));
+}
+
 TEST_F(SurfaceFile, OneFileIsReadOnce) {
   const Scene scene = load_scene(write(
       R"("file": "model/town.gltf", "nodes": ["tree"] }, { "file": "model/../model/town.gltf")"));
@@ -135,6 +175,9 @@ TEST_F(SurfaceFile, MistakesAreNamed) {
            {R"("file": "model/town.gltf", "nodes": [""])", "nodes[0]", "allowed: a name"},
            {R"("file": "model/town.gltf", "nodes": [])", "nodes", "at least one"},
            {R"("file": "model/town.gltf", "nodes": "house")", "nodes", "allowed: an array"},
+           {R"("file": "model/town.gltf", "materials": [{}])", "materials[0].name", "missing"},
+           {R"("file": "model/town.gltf", "materials": [{"name": "a"}, {"name": "a"}])",
+            "materials[1].name", "found a twice; allowed: once"},
            {R"("file": "model/town.gltf", "mesh": "a.obj")", "mesh", "besides file"},
            {R"("file": "model/town.gltf", "primitive": { "type": "box" })", "file",
             "besides primitive"},
