@@ -200,6 +200,7 @@ std::optional<Frame> GlRenderer::Impl::render(const Scene& scene, const Camera& 
   if (const std::optional<Reason> reason = refusal(plan); why.empty() && reason) {
     why = to_string(*reason);
   }
+  if (why.empty() && camera.clip != Camera().clip) why = to_string(Reason::clipped_on_cpu);
   if (why.empty() && settings.samples > 1) {
     // All pixels as often: whole frames are quick here, and few are read back in between.
     const auto render_film = [&](const Film& shifted, const Settings& single, const Job& part) {

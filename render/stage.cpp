@@ -63,6 +63,7 @@ constexpr auto reason_texts = std::to_array<std::pair<Reason, std::string_view>>
     {Reason::coverage_on_cpu, "surfaces with holes, and panes, are rendered on the CPU"},
     {Reason::copies_on_cpu, "surfaces with copies are rendered on the CPU"},
     {Reason::visible_lights_on_cpu, "lights that are visible are rendered on the CPU"},
+    {Reason::clipped_on_cpu, "walls before the view are left out on the CPU"},
     {Reason::too_many_slices, "more slices than fit into a work group"},
     {Reason::too_many_radii, "optical-depth tables have more radii than fit into a work group"},
     {Reason::center_depths_on_cpu, "optical depths at the centres are computed on the CPU"},

@@ -10,6 +10,7 @@
 #include "app/commands/select_command.h"
 #include "app/commands/undo_text.h"
 #include "app/document/document.h"
+#include "app/document/gaussian_attribute.h"
 #include "core/math/rounded.h"
 
 namespace brume {
@@ -44,7 +45,7 @@ std::uint64_t seed_of(const Document& document) {
   return document.medium().next_id() + 1;
 }
 
-void add_ground_mist(Document& document, const FogPlace& place) {
+FogNumbers ground_mist(const Document& document, const FogPlace& place) {
   FogShape layer;
   layer.size = {1.8 * place.size, 0.06 * place.size, 1.8 * place.size};
   layer.center = place.target;
@@ -54,10 +55,14 @@ void add_ground_mist(Document& document, const FogPlace& place) {
   layer.density = density_over(3.0, place.size);
   layer.jitter = 0.8;
   layer.seed = seed_of(document);
-  add_rounded(document, lay_on_ground(layer, place.find_ground));
+  return layer;
 }
 
-void add_steam(Document& document, const FogPlace& place) {
+void lay(Document& document, const FogNumbers& numbers, const FogPlace& place) {
+  add_rounded(document, lay_on_ground(std::get<FogShape>(numbers), place.find_ground));
+}
+
+FogNumbers steam(const Document& document, const FogPlace& place) {
   FogColumn column;
   column.foot = place.target;
   column.height = std::min(0.45 * place.size, 0.9 * place.headroom);
@@ -68,10 +73,14 @@ void add_steam(Document& document, const FogPlace& place) {
   column.count = 40;
   column.turbulence = 0.7;
   column.seed = seed_of(document);
-  add_rounded(document, rise(column));
+  return column;
 }
 
-void add_smoke_column(Document& document, const FogPlace& place) {
+void add_steam(Document& document, const FogNumbers& numbers, const FogPlace& /*place*/) {
+  add_rounded(document, rise(std::get<FogColumn>(numbers)));
+}
+
+FogNumbers smoke_column(const Document& document, const FogPlace& place) {
   FogColumn column;
   column.foot = place.target;
   column.height = std::min(1.2 * place.size, 0.9 * place.headroom);
@@ -82,13 +91,22 @@ void add_smoke_column(Document& document, const FogPlace& place) {
   column.count = 90;
   column.turbulence = 0.6;
   column.seed = seed_of(document);
-  add_rounded(document, rise(column), {.albedo = glm::dvec3(0.55, 0.53, 0.5)});
+  return column;
 }
 
-void add_haze(Document& document, const FogPlace& place) {
-  const double present = document.medium().homogeneous_density();
-  set_homogeneous_density(document, rounded(present + density_over(0.35, 2.0 * place.size), 2),
-                          no_merge);
+void add_smoke_column(Document& document, const FogNumbers& numbers, const FogPlace& /*place*/) {
+  add_rounded(document, rise(std::get<FogColumn>(numbers)),
+              {.albedo = glm::dvec3(0.55, 0.53, 0.5)});
+}
+
+FogNumbers haze(const Document& /*document*/, const FogPlace& place) {
+  return EvenFog{density_over(0.35, 2.0 * place.size)};
+}
+
+void add_haze(Document& document, const FogNumbers& numbers, const FogPlace& /*place*/) {
+  const double density =
+      document.medium().homogeneous_density() + std::get<EvenFog>(numbers).density;
+  set_homogeneous_density(document, density, no_merge);
 }
 
 // The cloud's extent and spacing are relative to the place's size; it takes half of
@@ -105,14 +123,21 @@ FogShape cloud_on_ground(const Document& document, const FogPlace& place, double
   return cloud;
 }
 
-void add_dust(Document& document, const FogPlace& place) {
-  const FogShape cloud = cloud_on_ground(document, place, 1.8, 0.7, 0.28, 1.0);
-  add_rounded(document, above_ground(fill(cloud), place.find_ground),
+FogNumbers dust(const Document& document, const FogPlace& place) {
+  return cloud_on_ground(document, place, 1.8, 0.7, 0.28, 1.0);
+}
+
+void add_dust(Document& document, const FogNumbers& numbers, const FogPlace& place) {
+  add_rounded(document, above_ground(fill(std::get<FogShape>(numbers)), place.find_ground),
               {.albedo = glm::dvec3(0.95, 0.86, 0.7)});
 }
 
+FogNumbers god_rays(const Document& document, const FogPlace& place) {
+  return cloud_on_ground(document, place, 2.0, 1.0, 0.4, 0.3);
+}
+
 // Even haze, and a sun from beyond if there is none.
-void add_god_rays(Document& document, const FogPlace& place) {
+void add_god_rays(Document& document, const FogNumbers& numbers, const FogPlace& place) {
   const Scene& scene = document.scene();
   const bool has_sun = std::ranges::any_of(
       scene.lights, [](const Light& light) { return light.on && light.as<light::Directional>(); });
@@ -135,25 +160,27 @@ void add_god_rays(Document& document, const FogPlace& place) {
     optics.anisotropy = 0.3;
     set_scene_part(document, optics, undo_text("Set anisotropy"));
   }
-  const FogShape shape = cloud_on_ground(document, place, 2.0, 1.0, 0.4, 0.3);
-  add_rounded(document, above_ground(fill(shape), place.find_ground));
+  add_rounded(document, above_ground(fill(std::get<FogShape>(numbers)), place.find_ground));
 }
 
 constexpr std::array ready_made_fog = std::to_array<FogPreset>({
     {"fog.ground_mist", QT_TRANSLATE_NOOP("Fog", "&Ground Mist"),
      QT_TRANSLATE_NOOP("Fog", "A shallow, patchy layer that lies on the ground in view"),
-     add_ground_mist},
+     ground_mist, lay},
     {"fog.steam", QT_TRANSLATE_NOOP("Fog", "&Steam"),
-     QT_TRANSLATE_NOOP("Fog", "A thin white plume from the ground"), add_steam},
+     QT_TRANSLATE_NOOP("Fog", "A thin white plume from the ground"), steam, add_steam},
     {"fog.smoke_column", QT_TRANSLATE_NOOP("Fog", "S&moke Column"),
-     QT_TRANSLATE_NOOP("Fog", "A dense grey column that bends with the wind"), add_smoke_column},
+     QT_TRANSLATE_NOOP("Fog", "A dense grey column that bends with the wind"), smoke_column,
+     add_smoke_column},
     {"fog.haze", QT_TRANSLATE_NOOP("Fog", "&Haze"),
-     QT_TRANSLATE_NOOP("Fog", "Thin even fog everywhere: more homogeneous density"), add_haze},
+     QT_TRANSLATE_NOOP("Fog", "Thin even fog everywhere: more homogeneous density"), haze,
+     add_haze},
     {"fog.dust", QT_TRANSLATE_NOOP("Fog", "&Dust"),
-     QT_TRANSLATE_NOOP("Fog", "A thin, uneven, ochre cloud above the ground in view"), add_dust},
+     QT_TRANSLATE_NOOP("Fog", "A thin, uneven, ochre cloud above the ground in view"), dust,
+     add_dust},
     {"fog.god_rays", QT_TRANSLATE_NOOP("Fog", "God &Rays"),
      QT_TRANSLATE_NOOP("Fog", "Haze for beams of light, and a sun from beyond if there is none"),
-     add_god_rays},
+     god_rays, add_god_rays},
 });
 
 // A macro of `work` that selects what it adds.
@@ -169,26 +196,71 @@ void as_one_step(Document& document, const QString& text, const std::function<vo
   document.undo_stack().endMacro();
 }
 
+QString problem_of(const FogShape& shape) {
+  return fog_problem(shape);
+}
+QString problem_of(const auto& /*numbers*/) {
+  return {};
+}
+
+// Numbers that are easy to read and to change.
+template <class Numbers>
+Numbers tidy(Numbers numbers) {
+  constexpr int digits = 3;
+  visit_fields<Numbers>([&numbers]<class F>(const F& field) {
+    auto& value = field.of(numbers);
+    if constexpr (std::is_same_v<typename F::Value, glm::dvec3>) {
+      for (int k = 0; k < 3; ++k) value[k] = rounded(value[k], digits);
+    } else if constexpr (std::is_same_v<typename F::Value, double>) {
+      value = rounded(value, digits);
+    }
+  });
+  return numbers;
+}
+
+// Adds fog by numbers that can be adjusted.
+template <class Numbers>
+void perform(Document& document, const QString& title, const Numbers& numbers, const auto& add) {
+  document.last_operation().perform({title, numbers, [&document, add](const std::any& given) {
+                                       const auto& wanted = std::any_cast<const Numbers&>(given);
+                                       const QString problem = problem_of(wanted);
+                                       if (problem.isEmpty()) return add(wanted);
+                                       Q_EMIT document.refused(problem);
+                                     }});
+}
+
 }  // namespace
 
 std::span<const FogPreset> fog_presets() {
   return ready_made_fog;
 }
 
+QString fog_problem(const FogShape& shape) {
+  if (cell_count(shape) <= max_fog_cells) return {};
+  return undo_text("More than %1: make the spacing larger.")
+      .arg(gaussians_text(static_cast<std::size_t>(max_fog_cells)));
+}
+
 void add_fog_preset(Document& document, const FogPreset& preset, const FogPlace& place) {
   const QString title = QCoreApplication::translate("Fog", preset.title).remove('&');
-  as_one_step(document, undo_text("Add %1").arg(title.toLower()),
-              [&] { preset.add(document, place); });
+  const auto add = [&document, &preset, place, title](const auto& numbers) {
+    as_one_step(document, undo_text("Add %1").arg(title.toLower()),
+                [&] { preset.add(document, numbers, place); });
+  };
+  std::visit([&](const auto& numbers) { perform(document, title, tidy(numbers), add); },
+             preset.numbers(document, place));
 }
 
 void add_fog_shape(Document& document, const FogShape& shape) {
   const char* const names[] = {QT_TRANSLATE_NOOP("Undo", "Add fog box"),
                                QT_TRANSLATE_NOOP("Undo", "Add fog sphere"),
                                QT_TRANSLATE_NOOP("Undo", "Add height fog")};
-  const std::vector<Gaussian> gaussians = fill(shape);
-  if (!has_room(document, gaussians.size(), 0)) return;
-  as_one_step(document, undo_text(names[static_cast<int>(shape.kind)]),
-              [&] { add_rounded(document, gaussians); });
+  const QString text = undo_text(names[static_cast<int>(shape.kind)]);
+  perform(document, text, shape, [&document, text](const FogShape& numbers) {
+    const std::vector<Gaussian> gaussians = fill(numbers);
+    if (!has_room(document, gaussians.size(), 0)) return;
+    as_one_step(document, text, [&] { add_rounded(document, gaussians); });
+  });
 }
 
 }  // namespace brume

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <QString>
 #include <span>
+#include <variant>
 
-#include "core/authoring/fog_shapes.h"
+#include "app/commands/operation_numbers.h"
 
 namespace brume {
 
@@ -18,17 +20,25 @@ struct FogPlace {
   FindGround find_ground;  // where the ground is
 };
 
+// The numbers of ready-made fog.
+using FogNumbers = std::variant<FogShape, FogColumn, EvenFog>;
+
 // Ready-made fog, each one step of undo; what it adds is selected.
 struct FogPreset {
   const char* name;  // of its action
   const char* title;
   const char* hint;
-  void (*add)(Document& document, const FogPlace& place);
+  FogNumbers (*numbers)(const Document& document, const FogPlace& place);  // that suit the place
+  void (*add)(Document& document, const FogNumbers& numbers, const FogPlace& place);
 };
 std::span<const FogPreset> fog_presets();
 void add_fog_preset(Document& document, const FogPreset& preset, const FogPlace& place);
 
-// One step of undo, if the budget of Gaussians allows.
+// More would be slow to edit and to render.
+inline constexpr double max_fog_cells = 50'000.0;
+QString fog_problem(const FogShape& shape);  // empty: none
+
+// One step of undo, if the budget of Gaussians allows. Both can be adjusted as the last operation.
 void add_fog_shape(Document& document, const FogShape& shape);
 
 }  // namespace brume

@@ -22,8 +22,8 @@ QString emitter_title(const Emitter& emitter, std::size_t index) {
 }
 
 void add_emitter(Document& document, const glm::dvec3& position, double size) {
-  Emitters emitters = document.scene().emitters;
-  if (emitters.size() >= limits::emitters) return;
+  const std::size_t count = document.scene().emitters.size();
+  if (count >= limits::emitters) return;
   Emitter emitter;
   emitter.position = position;
   emitter.velocity = {0.0, rounded(0.1 * size, 2), 0.0};
@@ -31,10 +31,17 @@ void add_emitter(Document& document, const glm::dvec3& position, double size) {
   emitter.radius = {rounded(born_radius(size), 2), rounded(0.08 * size, 2)};
   emitter.density = {rounded(0.6 / emitter.radius.x, 2), 0.0};
   // No two of a scene alike.
-  emitter.seed = static_cast<std::int64_t>(emitters.size()) + 1;
-  emitters.push_back(emitter);
-  const QString name = emitter_name(emitter, emitters.size() - 1);
-  set_scene_part(document, std::move(emitters), undo_text("Add %1").arg(name));
+  emitter.seed = static_cast<std::int64_t>(count) + 1;
+  const QString text = undo_text("Add %1").arg(emitter_name(emitter, count));
+  document.last_operation().perform(
+      {text, emitter, [&document, text](const std::any& numbers) {
+         Emitters emitters = document.scene().emitters;
+         emitters.push_back(std::any_cast<Emitter>(numbers));
+         const std::size_t index = emitters.size() - 1;
+         set_scene_part(document, std::move(emitters), text);
+         document.set_active_emitter(index);
+         document.set_object(ObjectRef{ObjectRef::Kind::emitter, index});
+       }});
 }
 
 void freeze_particles(Document& document, double time) {

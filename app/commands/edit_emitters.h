@@ -12,7 +12,8 @@ class Document;
 
 // Edits of emitters, each one undo step. `index`: of the scene's emitters.
 
-// Adds an emitter sized for a view `size` u wide.
+// Adds an emitter sized for a view `size` u wide, which becomes the document's object. It can be
+// adjusted as the last operation.
 void add_emitter(Document& document, const glm::dvec3& position, double size);
 // The radius of its particles at birth [u].
 inline double born_radius(double size) {

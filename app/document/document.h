@@ -12,6 +12,7 @@
 #include "app/document/document_change.h"
 #include "app/document/gaussian_attribute.h"
 #include "app/document/grouped_medium.h"
+#include "app/document/last_operation.h"
 #include "app/document/object_ref.h"
 #include "app/document/scene_part.h"
 #include "brume/edits.h"
@@ -45,6 +46,8 @@ class Document : public QObject {
   [[nodiscard]] std::shared_ptr<const Scene> visible_snapshot() const;
 
   [[nodiscard]] QUndoStack& undo_stack() { return undo_stack_; }
+  [[nodiscard]] LastOperation& last_operation() { return last_operation_; }
+  [[nodiscard]] const LastOperation& last_operation() const { return last_operation_; }
   // Whether the scene differs from the file, or that is missing; the selection does not count.
   [[nodiscard]] bool is_modified() const {
     return revision_ != saved_revision_ || is_file_missing_;
@@ -155,6 +158,7 @@ class Document : public QObject {
   mutable Revision visible_medium_of_ = 0;
   mutable std::vector<GaussianId> hidden_in_visible_medium_;
   QUndoStack undo_stack_;
+  LastOperation last_operation_{undo_stack_};
   std::filesystem::path file_;
   std::optional<FileVersion> file_version_;
   bool is_file_missing_ = false;

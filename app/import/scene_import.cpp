@@ -51,6 +51,22 @@ std::vector<Gaussian> read_any_gaussians(const fs::path& file, const std::stop_t
                            : read_gaussians(file);
 }
 
+Surface placed(Surface surface, const ImportPlacement& placement) {
+  surface.scale *= placement.scale;
+  surface.translate = placement.position + placement.scale * surface.translate;
+  return surface;
+}
+
+// They are as opaque as before.
+std::vector<Gaussian> placed(std::vector<Gaussian> gaussians, const ImportPlacement& placement) {
+  for (Gaussian& gaussian : gaussians) {
+    gaussian.center = placement.position + placement.scale * gaussian.center;
+    gaussian.radius *= placement.scale;
+    gaussian.density /= placement.scale;
+  }
+  return gaussians;
+}
+
 // The sequence that all these files belong to, at least two; nullopt otherwise.
 std::optional<FrameRun> run_of(const std::vector<fs::path>& files) {
   std::optional<FramePattern> pattern;
@@ -157,7 +173,10 @@ BackgroundJob::Apply SceneImport::read(const File& file, const SplatOptions& opt
       const Surface surface = load_surface(path, &warnings);
       return [this, surface, text = lines_of(warnings)] {
         if (!text.isEmpty()) Q_EMIT warned(text);
-        add_surfaces({surface}, tr("Import %1").arg(to_qstring(surface.mesh_file.filename())));
+        add_placed(tr("Import %1").arg(to_qstring(surface.mesh_file.filename())),
+                   [this, surface](const QString& name, const ImportPlacement& placement) {
+                     add_surfaces({placed(surface, placement)}, name);
+                   });
       };
     }
     case ImportKind::splats:
@@ -166,9 +185,7 @@ BackgroundJob::Apply SceneImport::read(const File& file, const SplatOptions& opt
     case ImportKind::gaussians:
       break;
   }
-  return [this, gaussians = read_any_gaussians(path, stop)] {
-    add_gaussians(document_, gaussians, tr("Import"));
-  };
+  return [this, gaussians = read_any_gaussians(path, stop)] { add_placed(gaussians); };
 }
 
 BackgroundJob::Apply SceneImport::add_splats(const fs::path& file, const SplatOptions& options) {
@@ -176,7 +193,7 @@ BackgroundJob::Apply SceneImport::add_splats(const fs::path& file, const SplatOp
   std::vector<Gaussian> gaussians = read_splats(file, options, &warnings);
   return [this, gaussians = std::move(gaussians), text = lines_of(warnings)] {
     if (!text.isEmpty()) Q_EMIT warned(text);
-    add_gaussians(document_, gaussians, tr("Import"));
+    add_placed(gaussians);
   };
 }
 
@@ -196,10 +213,7 @@ BackgroundJob::Apply SceneImport::read_scene(const File& file, const SplatOption
   }
   return [this, scene, gaussians, asks, is_empty, text = lines_of(warnings)] {
     if (!text.isEmpty()) Q_EMIT warned(text);
-    if (is_empty) {
-      add_gaussians(document_, gaussians, tr("Import"));
-      return;
-    }
+    if (is_empty) return add_placed(gaussians);
     if (!asks || (scene->cameras.empty() && scene->lights.empty())) {
       add_scene(scene, gaussians, true, true);
       return;
@@ -216,16 +230,38 @@ BackgroundJob::Apply SceneImport::read_scene(const File& file, const SplatOption
 void SceneImport::add_scene(const std::shared_ptr<const ImportedScene>& scene,
                             const std::vector<Gaussian>& gaussians, bool cameras, bool lights) {
   const QString text = tr("Import %1").arg(to_qstring(scene->files.front().filename()));
-  const Scene& before = document_.scene();
-  const bool is_new = before.lights == new_scene().lights && !before.environment;
-  const bool uses_camera = cameras && !scene->cameras.empty() && has_new_camera(before);
-  document_.undo_stack().beginMacro(text);
-  if (!gaussians.empty()) add_gaussians(document_, gaussians, tr("Import"));
-  if (cameras && !scene->cameras.empty()) add_cameras(document_, *scene, text);
-  if (uses_camera) Q_EMIT camera_used();
-  if (!scene->parts.empty()) add_surfaces({surface_of(scene)}, text);
-  if (lights && !scene->lights.empty()) add_lights(document_, *scene, is_new, text);
-  document_.undo_stack().endMacro();
+  const auto add = [this, scene, gaussians, cameras, lights](const QString& name,
+                                                             const ImportPlacement& placement) {
+    const Scene& before = document_.scene();
+    const bool is_new = before.lights == new_scene().lights && !before.environment;
+    const bool has_cameras = cameras && !scene->cameras.empty();
+    const bool uses_camera = has_cameras && has_new_camera(before);
+    document_.undo_stack().beginMacro(name);
+    if (!gaussians.empty()) add_gaussians(document_, gaussians, tr("Import"));
+    if (has_cameras) add_cameras(document_, *scene, name);
+    if (uses_camera) Q_EMIT camera_used();
+    if (!scene->parts.empty()) add_surfaces({placed(surface_of(scene), placement)}, name);
+    if (lights && !scene->lights.empty()) add_lights(document_, *scene, is_new, name);
+    document_.undo_stack().endMacro();
+  };
+  // What else it has stays where the file has it.
+  const bool is_mesh = gaussians.empty() && !scene->parts.empty() &&
+                       !(cameras && !scene->cameras.empty()) && !(lights && !scene->lights.empty());
+  is_mesh ? add_placed(text, add) : add(text, {});
+}
+
+void SceneImport::add_placed(const std::vector<Gaussian>& gaussians) {
+  add_placed(tr("Import"),
+             [this, gaussians](const QString& name, const ImportPlacement& placement) {
+               add_gaussians(document_, placed(gaussians, placement), name);
+             });
+}
+
+void SceneImport::add_placed(const QString& text, const AddPlaced& add) {
+  document_.last_operation().perform(
+      {text, ImportPlacement(), [text, add](const std::any& placement) {
+         add(text, std::any_cast<ImportPlacement>(placement));
+       }});
 }
 
 BackgroundJob::Apply SceneImport::read(const FrameRun& run) {
@@ -340,7 +376,7 @@ void SceneImport::import_volume(const fs::path& file, const VolumeFit& how) {
     if (!gaussians) return {};
     return [this, gaussians, text] {
       if (!text.isEmpty()) Q_EMIT warned(text);
-      add_gaussians(document_, *gaussians, tr("Import"));
+      add_placed(*gaussians);
     };
   });
 }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/commands/operation_numbers.h"
 #include "app/import/frame_run.h"
 #include "app/import/import_kind.h"
 #include "app/import/splat_dialog.h"
@@ -84,6 +85,10 @@ class SceneImport : public QObject {
                                   const std::stop_token& stop, bool asks);
   void add_scene(const std::shared_ptr<const ImportedScene>& scene,
                  const std::vector<Gaussian>& gaussians, bool cameras, bool lights);
+  // Adds something that can be placed otherwise as the last operation.
+  using AddPlaced = std::function<void(const QString& text, const ImportPlacement& placement)>;
+  void add_placed(const QString& text, const AddPlaced& add);
+  void add_placed(const std::vector<Gaussian>& gaussians);
   void import_each(const std::vector<std::filesystem::path>& files,
                    const std::optional<FrameRun>& run);
   void add_sequence(MediumSequence sequence);

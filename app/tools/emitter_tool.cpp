@@ -78,7 +78,6 @@ void EmitterTool::press(QPointF position, Qt::KeyboardModifiers /*modifiers*/) {
   const auto point = paint_at(position);
   if (!point) return;
   add_emitter(document_, point->position, view().distance());
-  document_.set_active_emitter(document_.scene().emitters.size() - 1);
 }
 
 void EmitterTool::move(std::span<const QPointF> path) {

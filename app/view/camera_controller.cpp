@@ -9,6 +9,7 @@
 #include "app/document/document.h"
 #include "app/view/bounds.h"
 #include "app/view/object_box.h"
+#include "app/view/walls.h"
 #include "brume/mesh_arrays.h"
 #include "core/scene/cameras.h"
 #include "core/scene/fields/camera_fields.h"
@@ -22,14 +23,24 @@ bool can_be_stored(const Camera& camera) {
 
 }  // namespace
 
-CameraController::CameraController(const Document& document, Projection projection,
-                                   const QWidget& pane)
-    : document_(document), projection_(projection), pane_(pane), camera_(document.scene().camera) {
+CameraController::CameraController(const Document& document, SurfacePicker& surfaces,
+                                   Projection projection, const QWidget& pane)
+    : document_(document),
+      surfaces_(surfaces),
+      projection_(projection),
+      pane_(pane),
+      camera_(document.scene().camera) {
   on_change(document, Change::part, this, &CameraController::follow_scene);
 }
 
 void CameraController::set_camera(const Camera& camera) {
   if (!can_be_stored(camera)) return;
+  walls_ = {};
+  inside_.reset();
+  show(camera);
+}
+
+void CameraController::show(const Camera& camera) {
   through_ = false;
   camera_ = camera;
   Q_EMIT moved();
@@ -37,7 +48,12 @@ void CameraController::set_camera(const Camera& camera) {
 
 void CameraController::navigate_to(const Camera& camera) {
   if (!through_ || !locked_) {
-    set_camera(camera);
+    if (!can_be_stored(camera)) return;
+    const Camera inside = inside_.value_or(camera_);
+    walls_ = {};
+    if (can_fly()) walls_ = walls_before(surfaces_, inside, camera, film());
+    inside_ = walls_ == Camera().clip ? std::nullopt : std::optional(inside);
+    show(camera);
   } else if (can_be_stored(camera)) {
     Q_EMIT scene_camera_asked_for(camera);
   }
@@ -45,6 +61,8 @@ void CameraController::navigate_to(const Camera& camera) {
 
 void CameraController::look_through_scene_camera() {
   if (projection_ != Projection::perspective) return;
+  walls_ = {};
+  inside_.reset();
   through_ = true;
   camera_ = document_.scene().camera;
   scene_film_ = document_.scene().film;
@@ -71,8 +89,9 @@ double CameraController::margin() const {
 }
 
 Camera CameraController::shown_camera() const {
-  if (!through_ || !shows_frame_) return camera_;
   Camera camera = camera_;
+  camera.clip = walls_;
+  if (!through_ || !shows_frame_) return camera;
   if (camera.height) {
     camera.height = margin() * *camera.height;
     return camera;

@@ -14,9 +14,13 @@ class QWidget;
 namespace brume {
 
 class Document;
+class SurfacePicker;
 
 // The camera of a view, within the limits of scene files. Its moves are not undoable. Axis views
 // pan and zoom but do not orbit.
+//
+// What surfaces come between the eye and the room that it looks at while it moves is not shown,
+// until the way to where it was is free again or it turns away.
 //
 // It can look through the scene's camera: it follows that until it is moved. If it is locked to it,
 // navigation asks for moves of the scene's camera instead.
@@ -24,12 +28,15 @@ class CameraController : public QObject {
   Q_OBJECT
  public:
   // `pane`: its size is the film's.
-  CameraController(const Document& document, Projection projection, const QWidget& pane);
+  CameraController(const Document& document, SurfacePicker& surfaces, Projection projection,
+                   const QWidget& pane);
 
   [[nodiscard]] Projection projection() const { return projection_; }
   [[nodiscard]] const Camera& camera() const { return camera_; }
-  // The camera of the pane's picture: wider than camera() if the scene's film is shown within it.
+  // The camera of the pane's picture: wider than camera() if the scene's film is shown within it,
+  // and without walls before the room.
   [[nodiscard]] Camera shown_camera() const;
+  [[nodiscard]] bool leaves_out_walls() const { return inside_.has_value(); }
   // Ignores cameras outside the limits. Leaves the scene's camera.
   void set_camera(const Camera& camera);
   // In widget coordinates.
@@ -70,15 +77,20 @@ class CameraController : public QObject {
 
  private:
   void navigate_to(const Camera& camera);
+  void show(const Camera& camera);
   void follow_scene();
   // How many times the pane shows the height of camera().
   [[nodiscard]] double margin() const;
 
   const Document& document_;
+  SurfacePicker& surfaces_;
   const Projection projection_;
   const QWidget& pane_;
   Camera camera_;
   std::optional<glm::dvec3> pivot_;
+  // Walls that are left out, and the camera before they were on the way.
+  std::array<ClipPlane, 4> walls_{};
+  std::optional<Camera> inside_;
   bool through_ = false;  // the scene's camera
   bool locked_ = false;
   bool shows_frame_ = true;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_set>
 
 #include "app/widgets/application.h"
 #include "app/widgets/interface_settings.h"
@@ -18,15 +19,42 @@ constexpr std::size_t max_dots = 20'000;
 
 // Alpha for each of `count` shapes: the more there are, the fainter, or they would hide the fog.
 int crowd_alpha(std::size_t count, int few, int many) {
-  constexpr double crowd = 100.0;
-  return std::clamp(static_cast<int>(few * crowd / std::max(1.0, static_cast<double>(count))), many,
-                    few);
+  constexpr double many_shapes = 100.0;
+  return std::clamp(static_cast<int>(few * many_shapes / std::max(1.0, static_cast<double>(count))),
+                    many, few);
 }
 
 // One of so many is drawn.
 std::size_t dot_step(std::size_t count) {
   return std::max<std::size_t>((count + max_dots - 1) / max_dots, 1);
 }
+
+constexpr double crowd = 1000.0;
+
+// In a crowd, one handle is enough for what is nearer together than they are wide; the more there
+// are, the more room they leave.
+class CrowdedFilm {
+ public:
+  explicit CrowdedFilm(std::size_t count) {
+    const double crowds = static_cast<double>(count) / crowd;
+    if (crowds > 1.0) side_ = spacing * (1.0 + std::log10(crowds)) * handle_scale();
+  }
+
+  // Whether there is room for another one, which then takes it.
+  bool take(const glm::dvec3& p) {
+    if (side_ == 0.0) return true;
+    const auto cell = [this](double x) {
+      return static_cast<std::uint32_t>(static_cast<std::int32_t>(std::floor(x / side_)));
+    };
+    return taken_.insert(std::uint64_t{cell(p.x)} << 32U | cell(p.y)).second;
+  }
+
+ private:
+  static constexpr double spacing = 7.0;  // logical pixels
+
+  double side_ = 0.0;
+  std::unordered_set<std::uint64_t> taken_;
+};
 
 QRgb with_alpha(QRgb color, int alpha) {
   return qRgba(qRed(color), qGreen(color), qBlue(color), alpha);
@@ -102,7 +130,9 @@ std::vector<std::size_t> Handles::inside(const std::function<bool(QPointF)>& are
 
 void Handles::draw(Overlay& overlay, const Medium& medium, const CameraRays& rays,
                    std::span<const GaussianId> selected, std::optional<GaussianId> hovered,
-                   bool with_centers) const {
+                   Marks marks) const {
+  const bool with_centers = marks != Marks::outlines;
+  const bool is_quiet = marks == Marks::quiet || static_cast<double>(selected.size()) > crowd;
   const QRgb accent = accent_color().rgb();
   const QRgb plain = qRgb(235, 238, 242);
   const int outline_alpha = crowd_alpha(selected.size(), 220, 28);
@@ -112,34 +142,39 @@ void Handles::draw(Overlay& overlay, const Medium& medium, const CameraRays& ray
     return is_locked(i) || is_behind_surface(medium.centers()[i]);
   };
 
-  const auto add_dot = [&](std::vector<Overlay::Vertex>& shapes, std::size_t i, QRgb color) {
+  const auto add_dot = [&](std::vector<Overlay::Vertex>& shapes, CrowdedFilm& film, std::size_t i,
+                           QRgb color) {
     const glm::dvec3 p = rays.project(medium.centers()[i]);
-    if (p.z > 0.0) shapes.push_back({static_cast<float>(p.x), static_cast<float>(p.y), color});
+    if (p.z <= 0.0 || !film.take(p)) return;
+    shapes.push_back({static_cast<float>(p.x), static_cast<float>(p.y), color});
   };
+  CrowdedFilm film(medium.size());
   const std::size_t step = dot_step(medium.size());
   for (std::size_t i = 0; with_centers && i < medium.size(); i += step) {
     if (is_hidden(i) || std::ranges::binary_search(selected, medium.ids()[i])) continue;
-    add_dot(overlay.dots, i, with_alpha(color_of(i, plain), is_dim(i) ? dot_alpha / 3 : dot_alpha));
+    add_dot(overlay.dots, film, i,
+            with_alpha(color_of(i, plain), is_dim(i) ? dot_alpha / 3 : dot_alpha));
   }
   // Small ones in a crowd, for the same reason.
-  auto& shapes = selected.size() > max_marks ? overlay.dots : overlay.marks;
+  auto& shapes = is_quiet || selected.size() > max_marks ? overlay.dots : overlay.marks;
+  CrowdedFilm film_of_selected(selected.size());
   const std::size_t selected_step = dot_step(selected.size());
   for (std::size_t k = 0; k < selected.size(); k += selected_step) {
     const std::size_t i = *medium.index_of(selected[k]);
     const bool dim = is_dim(i);
-    if (k / selected_step < max_outlines) {
+    if (!is_quiet) {
       overlay.add_outline(rays, medium.gaussian(i),
                           with_alpha(accent, dim ? outline_alpha / 2 : outline_alpha));
     }
     if (with_centers && !is_hidden(i)) {
-      add_dot(shapes, i, with_alpha(accent, dim ? mark_alpha / 2 : mark_alpha));
+      add_dot(shapes, film_of_selected, i, with_alpha(accent, dim ? mark_alpha / 2 : mark_alpha));
     }
   }
   const auto hovered_index = hovered && with_centers ? medium.index_of(*hovered) : std::nullopt;
   if (!hovered_index || is_hidden(*hovered_index)) return;
   const glm::dvec3 p = rays.project(medium.centers()[*hovered_index]);
   if (p.z <= 0.0) return;
-  if (!std::ranges::binary_search(selected, *hovered)) {
+  if (is_quiet || !std::ranges::binary_search(selected, *hovered)) {
     overlay.add_outline(rays, medium.gaussian(*hovered_index), with_alpha(plain, 90));
   }
   overlay.add_circle(p.x, p.y, 7.0, with_alpha(plain, 255));

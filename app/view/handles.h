@@ -38,11 +38,14 @@ class Handles {
   // Film position and depth of a Gaussian's centre; depth <= 0 is behind the eye.
   [[nodiscard]] const glm::dvec3& position(std::size_t index) const { return positions_[index]; }
 
-  // `selected`: sorted ids. Without centers, draws only their outlines. Of very many an even
-  // choice, and each that is selected, up to as many.
+  // What of the selected Gaussians is drawn: all of it, or only their outlines, or small handles
+  // and the outline of one under the mouse.
+  enum class Marks { all, outlines, quiet };
+  // `selected`: sorted ids. In a crowd one handle for each small square of the film, and of very
+  // many an even choice.
   void draw(Overlay& overlay, const Medium& medium, const CameraRays& rays,
             std::span<const GaussianId> selected, std::optional<GaussianId> hovered,
-            bool with_centers) const;
+            Marks marks) const;
 
   // Draws outlines of all visible Gaussians, only the nearest if many.
   void draw_outlines(Overlay& overlay, const Medium& medium, const CameraRays& rays) const;

@@ -18,6 +18,7 @@ ShownHandles::ShownHandles(const Document& document, const CameraController& cam
   });
   on_change(document, Change::hidden_or_locked, this, &ShownHandles::project);
   on_change(document, Change::selection, this, &ShownHandles::changed);
+  connect(&document.last_operation(), &LastOperation::changed, this, &ShownHandles::changed);
   on_change(document, Change::scene, this, [this] {
     hovered_.reset();
     color_by_group();
@@ -82,7 +83,10 @@ bool ShownHandles::use_depth() const {
 
 void ShownHandles::draw(Overlay& overlay) const {
   handles_.draw(overlay, document_.grouped_medium(), camera_.rays(), document_.selection(),
-                hovered_, centers_);
+                hovered_,
+                !centers_                                ? Handles::Marks::outlines
+                : document_.last_operation().operation() ? Handles::Marks::quiet
+                                                         : Handles::Marks::all);
 }
 
 void ShownHandles::draw_outlines(Overlay& overlay) const {

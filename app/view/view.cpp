@@ -27,7 +27,7 @@ View::View(const Document& document, SurfacePicker& surfaces, Projection project
     : document_(document),
       surfaces_(surfaces),
       pane_(pane),
-      camera_(document, projection, pane),
+      camera_(document, surfaces, projection, pane),
       handles_(document, camera_) {}
 
 void View::set_time(double time) {
@@ -115,6 +115,23 @@ std::optional<std::size_t> View::visible_surface(QPointF position) {
   const double depth =
       fog_on(origin, direction).optical_depth(glm::distance(origin, surface->position));
   return depth < std::numbers::ln2 ? std::optional(index) : std::nullopt;
+}
+
+std::optional<std::size_t> View::surface_at_eye() const {
+  constexpr double near = 0.03;  // times the distance of the target
+  if (camera_.leaves_out_walls()) return std::nullopt;
+  const CameraRays view = rays();
+  std::optional<SurfacePoint> hit;
+  for (const double y : {0.2, 0.8, 0.5}) {
+    for (const double x : {0.2, 0.8, 0.5}) {
+      const glm::dvec3 origin = view.origin(x * film().width, y * film().height);
+      hit = surfaces_.hit(origin, view.direction(x * film().width, y * film().height));
+      const bool is_near =
+          hit && glm::distance(origin, hit->position) < near * target_distance(camera());
+      if (!is_near) return std::nullopt;
+    }
+  }
+  return surfaces_.index_of(*hit);
 }
 
 std::optional<GaussianId> View::max_visible(QPointF position) {

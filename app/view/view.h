@@ -71,6 +71,9 @@ class View {
   // The surface at a position, neither hidden nor locked, if the fog before it lets more than half
   // of its light through: else a click means the fog.
   [[nodiscard]] std::optional<std::size_t> visible_surface(QPointF position);
+  // The surface that is so near to the eye, all over the film, that nothing else is seen, as within
+  // a wall.
+  [[nodiscard]] std::optional<std::size_t> surface_at_eye() const;
   // The unlocked Gaussian that absorbs most light at a position; nullopt if negligible.
   [[nodiscard]] std::optional<GaussianId> max_visible(QPointF position);
   [[nodiscard]] SurfacePicker& surfaces() { return surfaces_; }

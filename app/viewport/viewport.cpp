@@ -5,6 +5,7 @@
 #include <QVBoxLayout>
 
 #include "app/document/document.h"
+#include "app/document/surface_names.h"
 #include "app/view/camera_outline.h"
 #include "app/view/ground_grid.h"
 #include "app/view/tool.h"
@@ -119,10 +120,18 @@ void Viewport::show_picture() {
   if ((frame->on_device || frame->cached) && !as_made) return;
   const ErrorMap* error_map = frames_.error_map();
   ColorScale scale = color_scale(frame->frame, mode, error_map);
+  QStringList notes;
+  if (!scale.title.isEmpty()) notes << scale.title;
   if (frame->request.headlight && scale.ticks.isEmpty()) {
-    const QString note = tr("Nothing lights this scene: shown by a headlight");
-    scale.title = scale.title.isEmpty() ? note : scale.title + " · " + note;
+    notes << tr("Nothing lights this scene: shown by a headlight");
   }
+  if (frame->request.camera.clip != Camera().clip) notes << tr("Without the walls before the room");
+  if (const auto surface = frame->request.moving ? std::nullopt : surface_at_eye()) {
+    const QStringList names = surface_names(document_.scene().surfaces);
+    notes << tr("%1 is right before the eye, as if inside it; Home shows all")
+                 .arg(names.value(static_cast<int>(*surface)));
+  }
+  scale.title = notes.join(" · ");
   legend_->show_scale(scale);
   place_legend();
   if (error_map) {

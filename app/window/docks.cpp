@@ -9,6 +9,7 @@
 #include <array>
 
 #include "app/document/document.h"
+#include "app/panels/forms/adjust_panel.h"
 #include "app/panels/forms/emitter_panel.h"
 #include "app/panels/forms/group_panel.h"
 #include "app/panels/forms/light_panel.h"
@@ -57,6 +58,8 @@ Docks::Docks(const Workspace& work, FrameOutput& output, QMainWindow& window)
     connect(form, &SceneForm::refused, this, work_.show_status);
   }
   add_time_panels();
+  auto* adjust = new AdjustPanel(work_.document, &work_.views);
+  connect(adjust, &AdjustPanel::refused, this, work_.show_status);
   on_change(work_.document, Change::object, this, [this] {
     const auto& object = work_.document.object();
     if (!object) return;

@@ -62,12 +62,13 @@ QString simplify_text(const char* source) {
   return QCoreApplication::translate("Simplify", source);
 }
 
-// Background work that simplifies what to_simplify() chooses, within limits. `tell` is called
-// with how many Gaussians became how many, and the error. Nothing is merged if the fog is edited
-// meanwhile.
-BackgroundJob::Work simplifying(Document& document, const SimplifyLimits& limits,
-                                const std::function<void(const QString&)>& tell) {
-  const std::vector<GaussianId> ids = to_simplify(document);
+// Background work that simplifies Gaussians of the document, and hands the result to `done`.
+// `show_status` is called with how many Gaussians became how many, and the error. Nothing is merged
+// if the fog is edited meanwhile.
+BackgroundJob::Work simplifying(Document& document, const std::vector<GaussianId>& ids,
+                                const SimplifyLimits& limits,
+                                const std::function<void(const QString&)>& show_status,
+                                const std::function<void(const Simplified&)>& done) {
   Medium chosen;
   chosen.reserve(ids.size());
   for (const GaussianId id : ids) {
@@ -79,18 +80,22 @@ BackgroundJob::Work simplifying(Document& document, const SimplifyLimits& limits
     if (!found) return {};
     return [=, &document, found = *found] {
       if (document.medium().revision() != revision) {
-        tell(simplify_text("The fog has changed meanwhile; nothing is simplified"));
+        show_status(simplify_text("The fog has changed meanwhile; nothing is simplified"));
       } else if (found.merged.empty()) {
-        tell(simplify_text("No Gaussians can be merged within this error"));
+        show_status(simplify_text("No Gaussians can be merged within this error"));
       } else {
-        apply_simplified(document, ids, found);
-        tell(simplify_text("%1 became %2, with an error of %3%")
-                 .arg(gaussians_text(ids.size()))
-                 .arg(found.kept.size() + found.merged.size())
-                 .arg(number_text(100.0 * found.error)));
+        done(found);
+        show_status(simplify_text("%1 became %2, with an error of %3%")
+                        .arg(gaussians_text(ids.size()))
+                        .arg(found.kept.size() + found.merged.size())
+                        .arg(number_text(100.0 * found.error)));
       }
     };
   };
+}
+
+SimplifyLimits limits_of(const SimplifyNumbers& numbers) {
+  return {.max_error = 0.01 * numbers.max_error, .ellipsoids = numbers.ellipsoids};
 }
 
 }  // namespace
@@ -115,7 +120,9 @@ FileJobs::FileJobs(const Workspace& work, QWidget* window)
           [this, size, framed = Camera{}](std::size_t first) mutable {
             const bool is_framed =
                 light_new_scene(work_.document, work_.views.perspective(), framed);
-            if (!work_.document.scene().surfaces[first].primitive) size->show(first, is_framed);
+            const bool is_new = !work_.document.scene().surfaces[first].primitive &&
+                                !work_.document.last_operation().is_adjusting();
+            if (is_new) size->show(first, is_framed);
           });
 }
 
@@ -163,8 +170,23 @@ void FileJobs::gather_to(const std::filesystem::path& folder) {
 
 void FileJobs::simplify() {
   auto* dialog = new SimplifyDialog(work_.document, window_);
-  connect(dialog, &SimplifyDialog::requested, this, [this](const SimplifyLimits& limits) {
-    start(tr("Simplifying"), simplifying(work_.document, limits, work_.show_status));
+  connect(dialog, &SimplifyDialog::requested, this, [this](const SimplifyNumbers& numbers) {
+    const std::vector<GaussianId> ids = to_simplify(work_.document);
+    LastOperation& last = work_.document.last_operation();
+    const auto apply = [this, ids](const Simplified& found) {
+      apply_simplified(work_.document, ids, found);
+    };
+    const LastOperation::Operation operation{
+        tr("Simplify"), numbers, [this, ids, apply, &last](const std::any& wanted) {
+          adjusting_.start(simplifying(
+              work_.document, ids, limits_of(std::any_cast<SimplifyNumbers>(wanted)),
+              work_.show_status,
+              [apply, &last](const Simplified& found) { last.complete([&] { apply(found); }); }));
+        }};
+    start(tr("Simplifying"), simplifying(work_.document, ids, limits_of(numbers), work_.show_status,
+                                         [apply, operation, &last](const Simplified& found) {
+                                           last.record(operation, [&] { apply(found); });
+                                         }));
   });
   dialog->show();
 }

@@ -39,6 +39,7 @@ class FileJobs : public QObject {
   Workspace work_;
   QWidget* window_;
   BackgroundJob job_{BackgroundJob::Policy::one_at_a_time};
+  BackgroundJob adjusting_{BackgroundJob::Policy::latest_wins};  // what was simplified
   SceneImport* import_;
   ImportedReload* reload_;
 };

@@ -7,6 +7,8 @@
 #include <glm/gtc/constants.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "core/math/infinity.h"
+
 namespace brume {
 
 Film film_region(const Film& film, const glm::dvec2& corner, const glm::dvec2& other) {
@@ -26,6 +28,9 @@ CameraRays::CameraRays(const Camera& camera, const Film& film)
       eye_(camera.eye),
       region_(film.region.value_or(FilmRegion{0, 0, film.width, film.height})),
       shift_(film.shift) {
+  for (const ClipPlane& plane : camera.clip) {
+    if (plane.normal != glm::dvec3(0.0)) clip_.push_back(plane);
+  }
   const glm::dvec2 size(whole_size());
   const glm::dvec3 view = camera.target - camera.eye;
   const double distance = glm::length(view);
@@ -164,6 +169,16 @@ double CameraRays::pixel_half_angle() const {
 
 double CameraRays::pixel_width() const {
   return is_parallel_ ? 2.0 * half_size_.y / region_.full_height : 0.0;
+}
+
+double CameraRays::clip_end(const glm::dvec3& origin, const glm::dvec3& direction) const {
+  double end = 0.0;
+  for (const ClipPlane& plane : clip_) {
+    const double before = glm::dot(plane.point - origin, plane.normal);
+    const double along = glm::dot(direction, plane.normal);
+    if (before > 0.0) end = std::max(end, along > 0.0 ? before / along : infinity);
+  }
+  return end;
 }
 
 }  // namespace brume

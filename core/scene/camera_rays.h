@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <vector>
 
 #include "brume/camera.h"
 #include "core/medium/gaussian_term.h"
@@ -65,6 +66,11 @@ class CameraRays {
     return is_parallel_ ? forward_ : glm::normalize(point - eye_);
   }
 
+  // Where a view ray, which starts at the eye or at its offset from there, has passed the camera's
+  // clipping planes [u]; infinite if it never does.
+  [[nodiscard]] double clip_end(const glm::dvec3& origin, const glm::dvec3& direction) const;
+  [[nodiscard]] const std::vector<ClipPlane>& clip() const { return clip_; }
+
   // The parametrisation of rays, for kernels: the ray through (x, y) on the whole film passes
   // corner + x per_x + y per_y from the eye, at distance 1 along forward().
   struct FilmPlane {
@@ -107,6 +113,7 @@ class CameraRays {
 
  private:
   bool is_parallel_;
+  std::vector<ClipPlane> clip_;
   glm::dvec3 eye_;
   glm::dvec3 forward_;
   glm::dvec3 right_;

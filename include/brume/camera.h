@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
@@ -8,6 +9,14 @@
 #include "brume/keys.h"
 
 namespace brume {
+
+// Nothing before this plane is seen. A normal of no length: there is none.
+struct ClipPlane {
+  glm::dvec3 point{0.0};
+  glm::dvec3 normal{0.0};  // to what is seen
+
+  bool operator==(const ClipPlane&) const = default;
+};
 
 // A camera with a thin lens, or a pinhole, as views and single samples have it; or an orthographic
 // one. vertical_fov is the full vertical angle of view in degrees, in (0, 180).
@@ -24,6 +33,9 @@ struct Camera {
   std::optional<double> focus_distance{};
   // About the way it looks, after `up` [degrees]: positive leans its top to its own right.
   double roll = 0.0;
+  // Surfaces before these are not seen, as walls before a room in an editor's view; they shadow as
+  // ever. Scene files have none.
+  std::array<ClipPlane, 4> clip{};
 
   bool operator==(const Camera&) const = default;
 };

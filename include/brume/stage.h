@@ -102,6 +102,7 @@ enum class Reason {
   coverage_on_cpu,
   copies_on_cpu,
   visible_lights_on_cpu,
+  clipped_on_cpu,
   too_many_slices,
   too_many_radii,
   center_depths_on_cpu,

@@ -84,7 +84,7 @@ void TileSampler::find_parts() {
     std::span<const glm::dvec3> offsets = ray_offsets_;
     if (!offsets.empty()) offsets = offsets.subspan(i, some);
     const std::span<SurfaceHit> hits = std::span(hits_).subspan(i, some);
-    view_.surfaces->ray_caster.first_hits(eye, directions, offsets, hits);
+    view_.surfaces->ray_caster.first_hits(view_.tiles.rays, directions, offsets, hits);
     view_.surfaces->light_shapes.meet(eye, directions, offsets, hits);
   }
   for (std::size_t i = 0; i < count; ++i) {

@@ -177,7 +177,7 @@ class RowHits {
       directions_[i] = rays_.whole_direction(glm::dvec2(pixel) + 0.5 + shift);
       if (!offsets_.empty()) offsets_[i] = rays_.whole_offset(glm::dvec2(pixel) + 0.5 + shift);
     }
-    ray_caster_.first_hits(rays_.eye(), directions_, offsets_, hits_);
+    ray_caster_.first_hits(rays_, directions_, offsets_, hits_);
     light_shapes_.meet(rays_.eye(), directions_, offsets_, hits_);
   }
   [[nodiscard]] const glm::dvec3& direction(int x) const { return directions_[index(x)]; }

@@ -43,7 +43,7 @@ void trace_hits(const RayCaster& ray_caster, const FrameContext& work, Keep keep
     const CameraRays::PixelRectangle rectangle = tiles.rectangle(tile);
     const ViewRays rays(work.rays, rectangle);
     std::array<SurfaceHit, Tiles::pixels> hits;
-    ray_caster.first_hits(work.rays.eye(), rays.directions(), rays.offsets(),
+    ray_caster.first_hits(work.rays, rays.directions(), rays.offsets(),
                           std::span(hits).first(rays.directions().size()));
     std::size_t count = 0;
     Tiles::each_pixel(rectangle, [&](int x, int y) { keep(x, y, hits[count++]); });

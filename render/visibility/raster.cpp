@@ -139,6 +139,18 @@ class CornerWeights {
   V a_, b_, c_;
 };
 
+// The product of a vector and the direction through a pixel, which is 1 along forward.
+struct Linear {
+  V value{}, per_x{}, per_y{};
+
+  Linear() = default;
+  HWY_INLINE Linear(const glm::vec3& v, const Raster::View& view)
+      : value(set(glm::dot(v, view.forward))),
+        per_x(set(glm::dot(v, view.per_x))),
+        per_y(set(glm::dot(v, view.per_y))) {}
+  HWY_INLINE V at(V x, V y) const { return hn::MulAdd(per_x, x, hn::MulAdd(per_y, y, value)); }
+};
+
 // That by the triangle's plane, for one that is far larger than its distance: its corners are so
 // far away that their roundings exceed the eye's distance from the plane.
 class TrianglePlane {
@@ -177,18 +189,6 @@ class TrianglePlane {
   }
 
  private:
-  // The product of a vector and the direction through a pixel, which is 1 along forward.
-  struct Linear {
-    V value{}, per_x{}, per_y{};
-
-    Linear() = default;
-    HWY_INLINE Linear(const glm::vec3& v, const Raster::View& view)
-        : value(set(glm::dot(v, view.forward))),
-          per_x(set(glm::dot(v, view.per_x))),
-          per_y(set(glm::dot(v, view.per_y))) {}
-    HWY_INLINE V at(V x, V y) const { return hn::MulAdd(per_x, x, hn::MulAdd(per_y, y, value)); }
-  };
-
   V height_, first_u_, first_v_;
   Linear steepness_, u_, v_;
 };
@@ -237,8 +237,12 @@ HWY_INLINE void DrawTriangle(const std::array<Raster::Vertex, 3>& corners, std::
       const auto [depth, u, v] = depths.at(px, py, ea, eb, ec);
       const std::size_t k = place(x, y);
       const V previous_depth = hn::LoadU(d, buffer.distance.data() + k);
-      const auto nearer =
-          hn::And(inside, hn::And(hn::Gt(depth, zero), hn::Lt(depth, previous_depth)));
+      auto nearer = hn::And(inside, hn::And(hn::Gt(depth, zero), hn::Lt(depth, previous_depth)));
+      for (std::size_t i = 0; i < view.clip_count; ++i) {
+        const Linear along(view.clip_normals[i], view);
+        nearer =
+            hn::And(nearer, hn::Gt(hn::Mul(depth, along.at(px, py)), set(view.clip_distances[i])));
+      }
       if (hn::AllFalse(d, nearer)) continue;
       hn::BlendedStore(depth, nearer, d, buffer.distance.data() + k);
       hn::BlendedStore(u, nearer, d, buffer.u.data() + k);
@@ -408,6 +412,12 @@ Raster::Raster(const RasterTriangles& triangles, const CameraRays& rays, const g
            rays.first_pixel(),
            film.width,
            film.height};
+  for (const ClipPlane& clip : rays.clip()) {
+    const double distance = glm::dot(clip.point - rays.eye(), clip.normal);
+    if (!(distance > 0.0)) continue;
+    view_.clip_normals.at(view_.clip_count) = glm::vec3(clip.normal);
+    view_.clip_distances.at(view_.clip_count++) = static_cast<float>(distance);
+  }
   const std::size_t vertices = triangles.x.size();
   vertices_.resize(vertices);
   job.parallel_for((vertices + chunk - 1) / chunk, [&](std::size_t i) {

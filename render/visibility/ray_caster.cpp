@@ -102,6 +102,17 @@ std::size_t RayCaster::size() const {
   return impl_->triangle_count;
 }
 
+namespace {
+
+double nearest_of(double nearest, const glm::dvec3& /*origin*/, const glm::dvec3& /*direction*/) {
+  return nearest;
+}
+double nearest_of(const auto& nearest, const glm::dvec3& origin, const glm::dvec3& direction) {
+  return nearest(origin, direction);
+}
+
+}  // namespace
+
 bool RayCaster::shows(std::span<const Surface> surfaces, const glm::dvec3& channels) const {
   if (has_panes() && channels != impl_->channels) return false;
   return std::equal(surfaces.begin(), surfaces.end(), impl_->surfaces.begin(),
@@ -110,18 +121,21 @@ bool RayCaster::shows(std::span<const Surface> surfaces, const glm::dvec3& chann
 }
 
 SurfaceHit RayCaster::first_hit(const glm::dvec3& origin, const glm::dvec3& direction) const {
-  return cast(origin, direction, {});
+  return cast(origin, direction, {}, 0.0);
 }
 
 SurfaceHit RayCaster::first_hit(const CameraRays& rays, double x, double y) const {
   const glm::dvec3 w = rays.direction(x, y);
-  return cast(rays.origin(x, y), w, rays.is_parallel() ? std::optional(w) : std::nullopt);
+  const glm::dvec3 origin = rays.origin(x, y);
+  return cast(origin, w, rays.is_parallel() ? std::optional(w) : std::nullopt,
+              rays.clip_end(origin, w));
 }
 
 SurfaceHit RayCaster::cast(const glm::dvec3& origin, const glm::dvec3& direction,
-                           const std::optional<glm::dvec3>& parallel) const {
+                           const std::optional<glm::dvec3>& parallel, double nearest) const {
   if (empty()) return {};
-  const FloatSegment segment = impl_->to_first_hit(origin, direction);
+  FloatSegment segment = impl_->to_first_hit(origin, direction);
+  segment.tnear = std::max(segment.tnear, nearest - segment.skip);
   RTCRayHit query{};
   impl_->set(query.ray, 0, origin, direction, segment);
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
@@ -160,24 +174,9 @@ HitsOnRay RayCaster::hits_on_ray(const glm::dvec3& origin, const glm::dvec3& dir
   return result;
 }
 
-void RayCaster::first_hits(const glm::dvec3& origin, std::span<const glm::dvec3> directions,
-                           std::span<SurfaceHit> hits, double nearest) const {
-  cast(origin, directions, {}, hits, nearest);
-}
-
-void RayCaster::opaque_hits(const glm::dvec3& origin, std::span<const glm::dvec3> directions,
-                            std::span<SurfaceHit> hits, double nearest) const {
-  cast(origin, directions, {}, hits, nearest, true);
-}
-
-void RayCaster::first_hits(const glm::dvec3& eye, std::span<const glm::dvec3> directions,
-                           std::span<const glm::dvec3> offsets, std::span<SurfaceHit> hits) const {
-  cast(eye, directions, offsets, hits, 0.0);
-}
-
 void RayCaster::cast(const glm::dvec3& eye, std::span<const glm::dvec3> directions,
                      std::span<const glm::dvec3> offsets, std::span<SurfaceHit> hits,
-                     double nearest, bool passes_panes) const {
+                     const auto& nearest, bool passes_panes) const {
   std::fill(hits.begin(), hits.end(), SurfaceHit{});
   if (empty()) return;
   const bool near = offsets.empty() && is_near(eye);
@@ -192,7 +191,8 @@ void RayCaster::cast(const glm::dvec3& eye, std::span<const glm::dvec3> directio
     for (std::size_t k = 0; k < count; ++k) {
       const glm::dvec3 origin = offsets.empty() ? eye : eye + offsets[first + k];
       if (!near) segments[k] = impl_->to_first_hit(origin, directions[first + k]);
-      segments[k].tnear = std::max(nearest - segments[k].skip, 0.0);
+      segments[k].tnear =
+          std::max(nearest_of(nearest, origin, directions[first + k]) - segments[k].skip, 0.0);
       impl_->set(query.ray, k, origin, directions[first + k], segments[k]);
       query.hit.geomID[k] = RTC_INVALID_GEOMETRY_ID;
       query.hit.instID[0][k] = RTC_INVALID_GEOMETRY_ID;
@@ -205,6 +205,22 @@ void RayCaster::cast(const glm::dvec3& eye, std::span<const glm::dvec3> directio
                      query.hit.primID[k], query.hit.u[k], query.hit.v[k]);
     }
   }
+}
+
+void RayCaster::first_hits(const glm::dvec3& origin, std::span<const glm::dvec3> directions,
+                           std::span<SurfaceHit> hits, double nearest) const {
+  cast(origin, directions, {}, hits, nearest);
+}
+
+void RayCaster::opaque_hits(const glm::dvec3& origin, std::span<const glm::dvec3> directions,
+                            std::span<SurfaceHit> hits, double nearest) const {
+  cast(origin, directions, {}, hits, nearest, true);
+}
+
+void RayCaster::first_hits(const CameraRays& rays, std::span<const glm::dvec3> directions,
+                           std::span<const glm::dvec3> offsets, std::span<SurfaceHit> hits) const {
+  cast(rays.eye(), directions, offsets, hits,
+       [&rays](const glm::dvec3& origin, const glm::dvec3& w) { return rays.clip_end(origin, w); });
 }
 
 bool RayCaster::can_rasterize(const CameraRays& rays) const {

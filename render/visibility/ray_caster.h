@@ -105,9 +105,9 @@ class RayCaster {
   void first_hits(const glm::dvec3& origin, std::span<const glm::dvec3> directions,
                   std::span<SurfaceHit> hits, double nearest = 0.0) const;
 
-  // The same for view rays. Parallel ones start at `offsets` from the eye, and see no triangle that
-  // lies along them; without offsets all start at the eye.
-  void first_hits(const glm::dvec3& eye, std::span<const glm::dvec3> directions,
+  // The same for view rays, from their clipping planes on. Parallel ones start at `offsets` from
+  // the eye, and see no triangle that lies along them; without offsets all start at the eye.
+  void first_hits(const CameraRays& rays, std::span<const glm::dvec3> directions,
                   std::span<const glm::dvec3> offsets, std::span<SurfaceHit> hits) const;
   // That of a view ray through a position on the film.
   [[nodiscard]] SurfaceHit first_hit(const CameraRays& rays, double x, double y) const;
@@ -173,9 +173,10 @@ class RayCaster {
   Revision revision_ = new_revision();
   // `parallel`: the direction of the rays beside it.
   [[nodiscard]] SurfaceHit cast(const glm::dvec3& origin, const glm::dvec3& direction,
-                                const std::optional<glm::dvec3>& parallel) const;
+                                const std::optional<glm::dvec3>& parallel, double nearest) const;
+  // `nearest`: a number, or a function of the start and direction of a ray.
   void cast(const glm::dvec3& eye, std::span<const glm::dvec3> directions,
-            std::span<const glm::dvec3> offsets, std::span<SurfaceHit> hits, double nearest,
+            std::span<const glm::dvec3> offsets, std::span<SurfaceHit> hits, const auto& nearest,
             bool passes_panes = false) const;
   void cast_shadow_rays(const SurfacePoints& points, const glm::vec3& position,
                         std::span<const std::uint8_t> pending, LightAtPoints& light) const;

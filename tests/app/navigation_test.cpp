@@ -5,6 +5,7 @@
 #include "app/view/surface_picker.h"
 #include "brume/mesh_arrays.h"
 #include "core/scene/camera_rays.h"
+#include "render/visibility/ray_caster.h"
 #include "tests/app/desk.h"
 
 using namespace brume;
@@ -46,6 +47,59 @@ class NavigationTest : public QObject {
     const double pixel = 0.01 * glm::distance(before.eye, on_box);
     QVERIFY(std::abs(glm::distance(after.eye, on_box) - glm::distance(before.eye, on_box)) < pixel);
     QVERIFY((film_position(desk.view(), on_box) - start).manhattanLength() <= 2);
+  }
+
+  // Out of a room: the wall on the way is left out, and what is in the room stays in sight.
+  void walls_before_the_room_are_left_out() {
+    Scene scene = scene_with_box();
+    Surface room;
+    room.primitive = Primitive{Primitive::Shape::box, glm::dvec3(8.0)};
+    room.mesh = mesh_of(*room.primitive);
+    room.translate = {0.0, 3.0, 0.0};
+    scene.surfaces.push_back(room);
+    scene.camera.eye = {1.0, 1.0, 3.5};
+    scene.camera.target = {1.0, 0.5, 0.5};
+    Desk desk(scene);
+    QVERIFY(desk.picks());
+    const auto seen = [&desk] {
+      const RayCaster caster(desk.scene().surfaces);
+      const Film film = desk.view().film();
+      const SurfaceHit hit =
+          caster.first_hit(desk.view().rays(), 0.5 * film.width, 0.5 * film.height);
+      return hit ? hit.surface : -1;
+    };
+    QVERIFY(!desk.view().camera_controller().leaves_out_walls());
+    QCOMPARE(seen(), 0);
+    // The eye comes nearer to the wall at the right, and passes it.
+    desk.view().camera_controller().zoom_by(1.4);
+    QVERIFY(desk.view().camera().eye.z > 4.0);
+    QVERIFY(desk.view().camera_controller().leaves_out_walls());
+    QCOMPARE(seen(), 0);
+    QVERIFY(desk.view().camera().clip == Camera().clip);  // what is kept of the view
+    // Where it was before, no wall is on the way.
+    desk.view().camera_controller().zoom_by(1.0 / 1.4);
+    QVERIFY(!desk.view().camera_controller().leaves_out_walls());
+
+    const QPoint middle = desk.view().rect().center();
+    desk.drag(middle, middle + QPoint(desk.view().height() / 4, 0), Qt::MiddleButton);
+    const glm::dvec3 eye = desk.view().camera().eye;
+    QVERIFY(std::abs(eye.x) < 4.0 && std::abs(eye.z) < 4.0);
+    desk.view().camera_controller().zoom_by(2.5);
+    QVERIFY(desk.view().camera_controller().leaves_out_walls());
+    QCOMPARE(seen(), 0);
+    desk.view().camera_controller().reset();
+    QVERIFY(!desk.view().camera_controller().leaves_out_walls());
+  }
+
+  void an_eye_in_a_wall_is_told() {
+    Scene scene = scene_with_box();
+    scene.camera.eye = {1.0, 0.5, 0.0};
+    scene.camera.target = {1.0, 0.5, -60.0};
+    Desk desk(scene);
+    QVERIFY(desk.picks());
+    QCOMPARE(desk.view().surface_at_eye(), std::size_t{0});
+    desk.view().camera_controller().frame_all();
+    QVERIFY(!desk.view().surface_at_eye());
   }
 
   void orbits_the_target_where_nothing_is() {

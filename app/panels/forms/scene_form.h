@@ -74,7 +74,7 @@ class SceneForm : public QWidget {
     QString prefix;                     // of the object names of their widgets
     std::function<const Owner*()> get;  // nullptr: there is none
     std::function<void(const Owner&, const FieldInfo&, MergeId)> set;
-    std::function<Track(const Scene&, const FieldInfo&)> track;
+    std::function<Track(const Scene&, const FieldInfo&)> track;  // empty: without keyframes
     QString object = {};  // before the labels, which then say whose value it is: "Noise frequency"
   };
   // A row for one of them: label, unit, tool tip, and a button for keyframes if it can have any.
@@ -134,7 +134,7 @@ void SceneForm::add_field(QFormLayout& form, const F& field,
     fields.set(changed, field.info, gesture);
   };
   KeyButton* keys = nullptr;
-  if constexpr (F::can_have_keys) {
+  if (F::can_have_keys && fields.track) {
     keys = new_key_button(
         name, [track = fields.track, info](const Scene& scene) { return track(scene, info); });
   }

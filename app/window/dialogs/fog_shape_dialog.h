@@ -11,7 +11,7 @@ class QPushButton;
 namespace brume {
 
 class Document;
-class ValueField;
+class NumbersForm;
 
 // Numbers of a shape of fog, to add as often as one likes; not modal.
 class FogShapeDialog : public QDialog {
@@ -33,7 +33,7 @@ class FogShapeDialog : public QDialog {
   QComboBox* kind_;
   QLabel* count_;
   QPushButton* add_;
-  std::vector<std::function<void()>> updates_;  // of the fields
+  NumbersForm* form_ = nullptr;
 };
 
 }  // namespace brume

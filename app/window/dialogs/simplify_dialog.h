@@ -2,9 +2,8 @@
 
 #include <QDialog>
 
-#include "core/authoring/simplify.h"
+#include "app/commands/operation_numbers.h"
 
-class QCheckBox;
 class QLabel;
 
 namespace brume {
@@ -16,18 +15,17 @@ class Document;
 class SimplifyDialog : public QDialog {
   Q_OBJECT
  public:
-  SimplifyDialog(const Document& document, QWidget* window);
+  SimplifyDialog(Document& document, QWidget* window);
 
  Q_SIGNALS:
-  void requested(const SimplifyLimits& limits);
+  void requested(const brume::SimplifyNumbers& numbers);
 
  private:
   void show_count();
 
   const Document& document_;
-  double percent_ = 1.0;
+  SimplifyNumbers numbers_;
   QLabel* count_;
-  QCheckBox* ellipsoids_;
 };
 
 }  // namespace brume

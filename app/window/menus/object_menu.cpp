@@ -63,7 +63,6 @@ void ObjectMenu::fill_add_menu(QMenu& menu) {
     Viewport& view = work_.views.pointed();
     add_emitter(work_.document, view.place_under_mouse(born_radius(view.distance())),
                 view.distance());
-    work_.document.set_object(ObjectRef{ObjectRef::Kind::emitter, work_.document.active_emitter()});
   });
 }
 

@@ -78,7 +78,7 @@ Differences differences(const RayCaster& ray_caster, const CameraRays& rays, con
     const double y = i / static_cast<std::size_t>(film.width);
     EXPECT_GE(hits[i].distance, 0.0f);
     const SurfaceHit hit = ray_caster.hit_of(hits[i]);
-    const SurfaceHit ray = ray_caster.first_hit(rays.eye(), rays.direction(x + 0.5, y + 0.5));
+    const SurfaceHit ray = ray_caster.first_hit(rays, x + 0.5, y + 0.5);
     if (ray) ++result.hits;
     if (!hit && !ray) continue;
     if (hit.surface == ray.surface && hit.triangle == ray.triangle) {
@@ -95,7 +95,7 @@ Differences differences(const RayCaster& ray_caster, const CameraRays& rays, con
   return result;
 }
 
-// On every instruction set of the machine.
+// On every instruction set of the machine, with clipping planes too.
 TEST(Raster, HitsAreThoseOfRays) {
   Random random(3);
   const std::vector<Surface> surfaces = mixed_surfaces(random);
@@ -109,7 +109,13 @@ TEST(Raster, HitsAreThoseOfRays) {
     eye.y = std::abs(eye.y);
     // The widest view puts all but the horizon into the pixels at its center.
     const double fov = n % 5 == 4 ? 179.9 : random.uniform(2.0, 150.0);
-    const Camera camera{eye, random.point(2.0), {0.2, 1, 0.1}, fov};
+    Camera camera{eye, random.point(2.0), {0.2, 1, 0.1}, fov};
+    if (n % 3 == 2) {
+      for (ClipPlane& plane : camera.clip) {
+        plane.normal = glm::normalize(camera.target - eye + random.point(0.5));
+        plane.point = eye + random.uniform(-0.2, 1.0) * (camera.target - eye);
+      }
+    }
     const CameraRays rays(camera, film);
     ASSERT_TRUE(ray_caster.can_rasterize(rays));
     hwy::SetSupportedTargetsForTest(targets[static_cast<std::size_t>(n) % targets.size()]);
@@ -124,6 +130,32 @@ TEST(Raster, HitsAreThoseOfRays) {
   EXPECT_GT(hits, 100'000);
   // Rays that touch an edge.
   EXPECT_LT(others, hits / 5'000);
+}
+
+// Single rays, packets of them and the raster see what is behind the plane, or nothing.
+TEST(Raster, NothingBeforeAClippingPlaneIsSeen) {
+  std::vector<Surface> surfaces(1);
+  surfaces[0].mesh = ball_mesh(24);
+  const RayCaster ray_caster(surfaces);
+  Camera camera{{0.0, 0.0, 5.0}, {0.0, 0.0, 0.0}};
+  camera.clip[0] = {{0.0, 0.0, 0.5}, {0.0, 0.0, -1.0}};
+  const Film film{64, 48};
+  const CameraRays rays(camera, film);
+  int behind = 0;
+  for (int y = 0; y < film.height; ++y) {
+    std::vector<glm::dvec3> row;
+    for (int x = 0; x < film.width; ++x) row.push_back(rays.direction(x + 0.5, y + 0.5));
+    std::vector<SurfaceHit> hits(row.size());
+    ray_caster.first_hits(rays, row, {}, hits);
+    for (std::size_t x = 0; x < row.size(); ++x) {
+      const SurfaceHit one = ray_caster.first_hit(rays, static_cast<double>(x) + 0.5, y + 0.5);
+      EXPECT_EQ(one.distance, hits[x].distance);
+      if (!one) continue;
+      EXPECT_LT((rays.eye() + one.distance * row[x]).z, 0.5 + 1e-5);
+      ++behind;
+    }
+  }
+  EXPECT_GT(behind, 100);
 }
 
 // The interior of a closed mesh has no gaps, its triangles far smaller and far larger than pixels.

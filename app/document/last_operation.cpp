@@ -1,0 +1,57 @@
+#include "app/document/last_operation.h"
+
+#include <QUndoStack>
+
+namespace brume {
+
+LastOperation::LastOperation(QUndoStack& stack) : stack_(stack) {
+  connect(&stack, &QUndoStack::indexChanged, this, &LastOperation::follow);
+}
+
+void LastOperation::perform(const Operation& operation) {
+  record(operation, [&operation] { operation.run(operation.numbers); });
+  if (!step_) forget();  // it was refused
+}
+
+void LastOperation::record(const Operation& operation, const std::function<void()>& work) {
+  operation_ = operation;
+  start_ = stack_.index();
+  step_ = nullptr;
+  complete(work);
+  Q_EMIT changed();
+}
+
+void LastOperation::complete(const std::function<void()>& work) {
+  is_working_ = true;
+  work();
+  is_working_ = false;
+  const bool has_step = operation_ && stack_.index() == start_ + 1;
+  step_ = has_step ? stack_.command(start_) : nullptr;
+}
+
+void LastOperation::adjust(const std::any& numbers) {
+  if (!operation_) return;
+  operation_->numbers = numbers;
+  is_adjusting_ = true;
+  complete([this] {
+    if (step_) stack_.undo();
+    operation_->run(operation_->numbers);
+  });
+  is_adjusting_ = false;
+}
+
+void LastOperation::forget() {
+  if (!operation_) return;
+  operation_.reset();
+  step_ = nullptr;
+  Q_EMIT changed();
+}
+
+void LastOperation::follow() {
+  if (is_working_ || !operation_) return;
+  const int end = step_ ? start_ + 1 : start_;
+  const bool is_last = stack_.index() == end && (!step_ || stack_.command(start_) == step_);
+  if (!is_last) forget();
+}
+
+}  // namespace brume
