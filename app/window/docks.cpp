@@ -7,11 +7,14 @@
 #include <QStyle>
 #include <QUndoView>
 #include <array>
+#include <cmath>
 
 #include "app/document/document.h"
+#include "app/document/timeline.h"
 #include "app/panels/forms/adjust_panel.h"
 #include "app/panels/forms/emitter_panel.h"
 #include "app/panels/forms/group_panel.h"
+#include "app/panels/forms/key_button.h"
 #include "app/panels/forms/light_panel.h"
 #include "app/panels/forms/material_panel.h"
 #include "app/panels/forms/medium_panel.h"
@@ -147,7 +150,8 @@ void Docks::add_time_panels() {
   connect(&views, &ViewGrid::active_changed, timeline_bar_, show_cached);
   window_.addDockWidget(Qt::BottomDockWidgetArea, timeline);
   auto* curves = named(new QDockWidget(tr("Curves"), &window_), "curves_dock");
-  curves->setWidget(new CurvePanel(work_.timeline, work_.document, &window_));
+  auto* curve_panel = new CurvePanel(work_.timeline, work_.document, &window_);
+  curves->setWidget(curve_panel);
   window_.addDockWidget(Qt::BottomDockWidgetArea, curves);
   window_.splitDockWidget(curves, timeline, Qt::Vertical);
   curves->hide();
@@ -156,6 +160,15 @@ void Docks::add_time_panels() {
     curves->setVisible(curves->isHidden());
     if (curves->isVisible()) window_.resizeDocks({curves}, {240}, Qt::Vertical);
   });
+  for (KeyButton* button : window_.findChildren<KeyButton*>()) {
+    connect(button, &KeyButton::time_asked_for, &work_.timeline, [this](double time) {
+      work_.timeline.set_frame(static_cast<int>(std::lround(work_.timeline.frame_of(time))));
+    });
+    connect(button, &KeyButton::curve_asked_for, curves, [curves, curve_panel](const Track& track) {
+      curves->show();
+      curve_panel->show_track(track);
+    });
+  }
 }
 
 void Docks::show_panel_of(Outliner::Kind kind, std::size_t index) {

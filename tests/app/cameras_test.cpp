@@ -9,6 +9,7 @@
 #include <QToolButton>
 
 #include "app/document/keyframe_tracks.h"
+#include "app/panels/forms/key_button.h"
 #include "app/panels/time/timeline_bar.h"
 #include "app/view/camera_outline.h"
 #include "app/view/gizmo.h"
@@ -134,6 +135,39 @@ class CamerasTest : public QObject {
     QTest::mouseClick(key, Qt::LeftButton);
     QCOMPARE(last_step(document), "Delete keyframe of camera roll");
     QCOMPARE(document.scene().camera_keys.roll.size(), 1u);
+  }
+
+  void a_field_has_the_menu_of_its_keys() {
+    Desk desk(tiny_scene());
+    auto* key = desk.findChild<KeyButton*>("camera_roll_key");
+    QWidget& field = *desk.findChild<ValueField*>("camera_roll");
+    QWidget& title = *desk.findChild<QLabel*>("camera_roll_title");
+    QVERIFY(!choose_from_menu(title, {3, 3}, "Show Curve"));
+    const qint64 plain = key->icon().cacheKey();
+    QVERIFY(choose_from_menu(title, {3, 3}, "Insert Keyframe"));
+    QVERIFY(key->isChecked());
+    QVERIFY(choose_from_menu(*field.findChild<QLineEdit*>(), {3, 3}, "Delete Keyframe"));
+    QVERIFY(choose_from_menu(*key, {3, 3}, "Insert Keyframe"));
+    desk.timeline().set_frame(30);
+    QVERIFY(!key->isChecked());
+    QVERIFY(key->icon().cacheKey() != plain);  // in colour: it has keys elsewhere
+    enter(desk, "camera_roll", "20");
+    QSignalSpy times(key, &KeyButton::time_asked_for);
+    QVERIFY(!choose_from_menu(*key, {3, 3}, "Next Keyframe"));
+    QVERIFY(choose_from_menu(*key, {3, 3}, "Previous Keyframe"));
+    QCOMPARE(times.takeFirst().at(0).toDouble(), 0.0);
+    QSignalSpy curves(key, &KeyButton::curve_asked_for);
+    QVERIFY(choose_from_menu(*key, {3, 3}, "Show Curve"));
+    QCOMPARE(curves.size(), 1);
+
+    desk.timeline().set_frame(60);
+    desk.view().setFocus();
+    QTest::mouseMove(&title);
+    QTRY_VERIFY(title.underMouse());
+    QTest::keyClick(&desk.view(), Qt::Key_I);
+    QVERIFY(key->isChecked());
+    QTest::keyClick(&desk.view(), Qt::Key_I);
+    QVERIFY(!key->isChecked());
   }
 
   void orthographic_cameras_are_chosen_set_and_undone() {

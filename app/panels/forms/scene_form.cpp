@@ -47,6 +47,7 @@ void SceneForm::finish_field(const FieldInfo& info, const QString& name, QWidget
 
 void SceneForm::add_keys(QHBoxLayout& row, KeyButton* keys, std::function<bool()> is_there) {
   if (keys == nullptr) return;
+  for (int k = 0; k < row.count(); ++k) keys->watch(*row.itemAt(k)->widget());
   row.addWidget(keys);
   on_refresh([keys, is_there = std::move(is_there)] {
     keys->setEnabled(is_there());
@@ -62,6 +63,7 @@ QLabel* SceneForm::add_number(QFormLayout& form, const QString& title, const Num
   auto* row = new QHBoxLayout;
   row->addWidget(field);
   add_keys(*row, keys, [get = number.get] { return get().has_value(); });
+  if (keys) keys->watch(*label);
   form.addRow(label, row);
   return label;
 }

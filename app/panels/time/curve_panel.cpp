@@ -58,6 +58,14 @@ void CurvePanel::refresh() {
   show_chosen();
 }
 
+// A value may be in a track with others.
+void CurvePanel::show_track(const Track& track) {
+  const auto found = std::ranges::find_if(rows_, [&track](const Track& row) {
+    return row.part == track.part && track.first - row.first < row.count;
+  });
+  if (found != rows_.end()) track_->setCurrentIndex(static_cast<int>(found - rows_.begin()));
+}
+
 void CurvePanel::show_chosen() {
   const auto k = static_cast<std::size_t>(track_->currentIndex());
   editor_->set_track(k < rows_.size() ? std::optional(rows_[k]) : std::nullopt);

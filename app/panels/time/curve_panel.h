@@ -19,6 +19,9 @@ class CurvePanel : public QWidget {
  public:
   CurvePanel(Timeline& timeline, Document& document, QWidget* parent);
 
+  // Those of a value; nothing if it has no keyframes.
+  void show_track(const Track& track);
+
  private:
   void refresh();
   void show_chosen();
