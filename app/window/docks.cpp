@@ -175,10 +175,11 @@ void Docks::show_panel_of(Outliner::Kind kind, std::size_t index) {
   using Kind = Outliner::Kind;
   if (kind == Kind::spline) return work_.tools.activate("spline");
   if (kind == Kind::light) work_.document.set_active_light(index);
+  const bool is_surface = kind == Kind::surface || kind == Kind::node;
   QDockWidget* panel = kind == Kind::gaussians ? gaussians_
                        : kind == Kind::group   ? groups_
                        : kind == Kind::medium  ? medium_
-                       : kind == Kind::surface ? surfaces_
+                       : is_surface            ? surfaces_
                        : kind == Kind::emitter ? emitters_
                                                : lights_;
   panel->show();

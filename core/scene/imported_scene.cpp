@@ -152,16 +152,12 @@ std::vector<const ImportedPart*> parts_of(const ImportedScene& scene,
 
 }  // namespace
 
-std::vector<bool> chosen_nodes(const ImportedScene& scene, std::span<const std::string> nodes) {
-  const std::set<std::string_view> names(nodes.begin(), nodes.end());
-  return nodes_below(scene, [&](std::size_t node) {
-    return names.empty() || names.contains(scene.nodes[node].name);
-  });
-}
-
 std::vector<const ImportedPart*> chosen_parts(const ImportedScene& scene,
                                               std::span<const std::string> nodes) {
-  return parts_of(scene, chosen_nodes(scene, nodes));
+  const std::set<std::string_view> names(nodes.begin(), nodes.end());
+  return parts_of(scene, nodes_below(scene, [&](std::size_t node) {
+                    return names.empty() || names.contains(scene.nodes[node].name);
+                  }));
 }
 
 std::vector<const ImportedPart*> parts_below(const ImportedScene& scene, std::size_t node) {

@@ -73,9 +73,8 @@ auto textures_of(auto& material) {
 }
 inline constexpr std::array texture_has_colors{true, false, false, true, true};
 
-// Whether each node has one of these names or is below one that has; all are if there is no name.
-std::vector<bool> chosen_nodes(const ImportedScene& scene, std::span<const std::string> nodes);
-// The parts of these.
+// The parts of the nodes with these names and of all nodes below them; of all nodes if there is no
+// name.
 std::vector<const ImportedPart*> chosen_parts(const ImportedScene& scene,
                                               std::span<const std::string> nodes);
 

@@ -25,7 +25,8 @@ PaneView::PaneView(const FrameStages& stages, const FrameContext& work)
       const glm::dvec2 place(static_cast<double>(x) + 0.5, static_cast<double>(y) + 0.5);
       const glm::dvec3 origin = work.rays.origin(place.x, place.y);
       const glm::dvec3 direction = work.rays.direction(place.x, place.y);
-      SurfaceHit end = ray_caster.hits_on_ray(origin, direction).end;
+      const double nearest = work.rays.clip_end(origin, direction);
+      SurfaceHit end = ray_caster.hits_on_ray(origin, direction, nearest).end;
       work.light_shapes.meet(origin, direction, end);
       last_.distances[pixel] = end.distance;
       hits_[pixel] = ray_caster.pixel_of(end);

@@ -106,7 +106,9 @@ void TileSampler::add_panes(std::size_t sample, const SurfaceHit& first) {
   }
   const glm::dvec3 eye =
       view_.tiles.rays.eye() + (ray_offsets_.empty() ? glm::dvec3(0.0) : ray_offsets_[sample]);
-  HitsOnRay on_ray = ray_caster.hits_on_ray(eye, directions_[sample]);
+  const glm::dvec3& direction = directions_[sample];
+  HitsOnRay on_ray =
+      ray_caster.hits_on_ray(eye, direction, view_.tiles.rays.clip_end(eye, direction));
   view_.surfaces->light_shapes.meet(eye, directions_[sample], on_ray.end);
   std::erase_if(on_ray.panes,
                 [&](const PaneHit& each) { return !(each.hit.distance < on_ray.end.distance); });

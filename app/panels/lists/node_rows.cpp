@@ -12,6 +12,18 @@ namespace {
 constexpr int node_role = Qt::UserRole + 2;
 constexpr int name_column = 0;
 
+// Whether a surface shows meshes of each node, or of nodes below it.
+std::vector<bool> nodes_with_meshes(const Surface& surface) {
+  const std::vector<ImportedNode>& nodes = surface.imported->nodes;
+  std::vector<bool> result(nodes.size());
+  for (const ImportedPart* part : chosen_parts(*surface.imported, surface.nodes)) {
+    for (std::optional<std::size_t> k = part->node; k && !result[*k]; k = nodes[*k].parent) {
+      result[*k] = true;
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 NodeRows::NodeRows(const Document& document, QTreeWidget& tree,
@@ -55,10 +67,10 @@ void NodeRows::fill(QTreeWidgetItem& item) {
       std::ranges::find(surfaces_, &item, [](const auto& pair) { return pair.second; });
   const Surface& surface = document_.scene().surfaces[row->first];
   const ImportedScene& scene = *surface.imported;
-  const std::vector<bool> is_shown = chosen_nodes(scene, surface.nodes);
+  const std::vector<bool> has_meshes = nodes_with_meshes(surface);
   std::vector<QTreeWidgetItem*> items(scene.nodes.size());
   for (std::size_t k = 0; k < items.size(); ++k) {
-    if (!is_shown[k]) continue;
+    if (!has_meshes[k]) continue;
     const ImportedNode& node = scene.nodes[k];
     QTreeWidgetItem* parent = node.parent ? items[*node.parent] : nullptr;
     items[k] = make_(row->first);

@@ -12,8 +12,8 @@ namespace brume {
 
 class Document;
 
-// The rows of the nodes of imported scenes in the outliner, below those of their surfaces. They are
-// made when the row of the surface is expanded first.
+// The rows of the nodes of imported scenes that have meshes in the outliner, below those of their
+// surfaces. They are made when the row of the surface is expanded first.
 class NodeRows : public QObject {
   Q_OBJECT
  public:
