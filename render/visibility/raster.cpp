@@ -142,7 +142,6 @@ class CornerWeights {
 // The product of a vector and the direction through a pixel, which is 1 along forward.
 struct Linear {
   V value{}, per_x{}, per_y{};
-
   Linear() = default;
   HWY_INLINE Linear(const glm::vec3& v, const Raster::View& view)
       : value(set(glm::dot(v, view.forward))),
@@ -238,10 +237,9 @@ HWY_INLINE void DrawTriangle(const std::array<Raster::Vertex, 3>& corners, std::
       const std::size_t k = place(x, y);
       const V previous_depth = hn::LoadU(d, buffer.distance.data() + k);
       auto nearer = hn::And(inside, hn::And(hn::Gt(depth, zero), hn::Lt(depth, previous_depth)));
-      for (std::size_t i = 0; i < view.clip_count; ++i) {
-        const Linear along(view.clip_normals[i], view);
-        nearer =
-            hn::And(nearer, hn::Gt(hn::Mul(depth, along.at(px, py)), set(view.clip_distances[i])));
+      for (const glm::vec4& plane : view.clip) {
+        const V along = Linear(glm::vec3(plane), view).at(px, py);
+        nearer = hn::And(nearer, hn::Gt(hn::Mul(depth, along), set(plane.w)));
       }
       if (hn::AllFalse(d, nearer)) continue;
       hn::BlendedStore(depth, nearer, d, buffer.distance.data() + k);
@@ -412,11 +410,9 @@ Raster::Raster(const RasterTriangles& triangles, const CameraRays& rays, const g
            rays.first_pixel(),
            film.width,
            film.height};
-  for (const ClipPlane& clip : rays.clip()) {
-    const double distance = glm::dot(clip.point - rays.eye(), clip.normal);
-    if (!(distance > 0.0)) continue;
-    view_.clip_normals.at(view_.clip_count) = glm::vec3(clip.normal);
-    view_.clip_distances.at(view_.clip_count++) = static_cast<float>(distance);
+  for (const ClipPlane& plane : rays.clip()) {
+    const double distance = glm::dot(plane.point - rays.eye(), plane.normal);
+    if (distance > 0.0) view_.clip.emplace_back(glm::vec3(plane.normal), distance);
   }
   const std::size_t vertices = triangles.x.size();
   vertices_.resize(vertices);

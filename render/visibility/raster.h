@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 #include <span>
 #include <vector>
 
@@ -73,11 +74,7 @@ class Raster {
     glm::ivec2 first{0};  // where this film begins on it, in whole blocks
     int width = 0;
     int height = 0;
-    // The camera's clipping planes: their normals, and how far they are before the eye [u]; and
-    // how many there are.
-    std::array<glm::vec3, 4> clip_normals{};
-    std::array<float, 4> clip_distances{};
-    std::size_t clip_count = 0;
+    std::vector<glm::vec4> clip{};  // normals of clipping planes, and how far these are [u]
   };
   // A projected vertex: (x, y) / z is its position in pixels from the whole film's center (which
   // wide views would lose precision without), z its depth along forward. At or behind the eye
