@@ -22,6 +22,10 @@ constexpr double min_share = 1.0 / 64.0;
 constexpr OpticalDepthTableSize table_size{32, 32};
 // Points that stand for a light where it is attenuated by itself and by what is beside it.
 constexpr int part_count = 64;
+// Of them tables take as many as this allows, times the Gaussians of the medium, and no fewer than
+// some: else those of 20,000 flames would take seconds.
+constexpr std::size_t max_depths = std::size_t{1} << 18;
+constexpr std::size_t min_parts = 8;
 
 struct Cluster {
   std::vector<EmittingGaussian> emitters;
@@ -108,6 +112,16 @@ Shining shining_of(const Cluster& cluster, const MediumIndex& medium, const RayC
   return shining;
 }
 
+// Evenly chosen of them.
+std::vector<glm::dvec3> parts_for_table(const std::vector<glm::dvec3>& parts,
+                                        const MediumIndex& medium) {
+  const std::size_t wanted = std::max(max_depths / medium.gaussians().size(), min_parts);
+  if (parts.size() <= wanted) return parts;
+  std::vector<glm::dvec3> chosen;
+  for (std::size_t k = 0; k < wanted; ++k) chosen.push_back(parts[k * parts.size() / wanted]);
+  return chosen;
+}
+
 double diagonal(const MediumIndex& medium, const Box& surfaces) {
   glm::dvec3 low(infinity);
   glm::dvec3 high(-infinity);
@@ -157,8 +171,8 @@ void EmissionLights::update(const MediumIndex& medium, double albedo, const RayC
     if (emitters.empty()) continue;
     for (const Cluster& cluster : clusters_of(std::move(emitters), medium, min_share * extent)) {
       Light& light = lights_.emplace_back();
-      Shining shining = shining_of(cluster, medium, surfaces);
-      parts.push_back(std::move(shining.parts));
+      const Shining shining = shining_of(cluster, medium, surfaces);
+      parts.push_back(parts_for_table(shining.parts, medium));
       light.source.position = shining.position;
       light.source.fog = medium.fog();
       for (const EmittingGaussian& emitter : cluster.emitters) {

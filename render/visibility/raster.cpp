@@ -410,9 +410,9 @@ Raster::Raster(const RasterTriangles& triangles, const CameraRays& rays, const g
            rays.first_pixel(),
            film.width,
            film.height};
-  for (const ClipPlane& plane : rays.clip()) {
-    const double distance = glm::dot(plane.point - rays.eye(), plane.normal);
-    if (distance > 0.0) view_.clip.emplace_back(glm::vec3(plane.normal), distance);
+  for (const ClipPlane& clip : rays.clip()) {
+    const double distance = glm::dot(clip.point - rays.eye(), clip.normal);
+    if (distance > 0.0) view_.clip.emplace_back(glm::vec3(clip.normal), distance);
   }
   const std::size_t vertices = triangles.x.size();
   vertices_.resize(vertices);

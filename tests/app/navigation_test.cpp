@@ -129,9 +129,11 @@ class NavigationTest : public QObject {
       const Camera before = desk.view().camera();
       QTest::mousePress(&desk.view(), Qt::RightButton, {}, QPoint(100, 100));
       QTest::keyPress(&desk.view(), key);
-      QTest::qWaitFor([&] { return desk.view().camera().eye != before.eye; }, patience);
+      const bool has_moved =
+          QTest::qWaitFor([&] { return desk.view().camera().eye != before.eye; }, patience);
       QTest::keyRelease(&desk.view(), key);
       QTest::mouseRelease(&desk.view(), Qt::RightButton, {}, QPoint(100, 100));
+      if (!has_moved) return glm::dvec3(0.0);
       const glm::dvec3 way = desk.view().camera().eye - before.eye;
       const CameraRays rays(before, desk.view().film());
       return glm::normalize(glm::dvec3(glm::dot(way, glm::cross(rays.forward(), rays.up())),
