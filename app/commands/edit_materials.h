@@ -17,9 +17,9 @@ struct MaterialRef {
   std::string name{};  // empty: the surface's own
 };
 
-// As frames show it; nullptr if it is not there, as the own one of an imported scene.
+// The material as frames show it; nullptr if it is not there, as that of an imported scene itself.
 const Material* find_material(const Scene& scene, const MaterialRef& ref);
-// Whether it takes the place of one of an imported scene's file.
+// True if it takes the place of one of an imported scene's file.
 bool is_changed(const Scene& scene, const MaterialRef& ref);
 
 // Edits of one undo step each. `verb` is the text of the step, with %1 for what the material is of.

@@ -13,13 +13,13 @@ struct EvenFog {
   double density = 0.0;  // [1/u]
 };
 
-// What simplifying may change.
+// The change that simplifying may make.
 struct SimplifyNumbers {
   double max_error = 1.0;  // [%]
   bool ellipsoids = true;
 };
 
-// Where and how large imported surfaces or Gaussians are: first scaled about the origin, then
+// The place and the size of imported surfaces or Gaussians are: first scaled about the origin, then
 // moved.
 struct ImportPlacement {
   double scale = 1.0;

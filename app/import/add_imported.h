@@ -12,7 +12,7 @@ class Document;
 // The surface of all nodes of a scene; its parts must not be empty.
 Surface surface_of(const std::shared_ptr<const ImportedScene>& scene);
 
-// Whether the camera of a scene is that of File > New, and the only one.
+// True if the camera of a scene is that of File > New, and the only one.
 bool has_new_camera(const Scene& scene);
 
 // Add the cameras and lights of a scene, each one undo step. Cameras that have the name of another

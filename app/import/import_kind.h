@@ -8,10 +8,10 @@ namespace brume {
 // The kinds of files that are imported and are no volumes.
 enum class ImportKind : std::uint8_t { gaussians, splats, scene, mesh, environment };
 
-// By its extension; what may be either of two is by what is in it. Throws if that cannot be read.
+// The extension tells, or the content where it may be either. Throws if that cannot be read.
 ImportKind import_kind_of(const std::filesystem::path& file);
 
-// By their extensions.
+// The extensions tell.
 bool can_import(const std::filesystem::path& file);
 bool is_volume(const std::filesystem::path& file);
 bool is_vtk_file(const std::filesystem::path& file);

@@ -244,7 +244,7 @@ void SceneImport::add_scene(const std::shared_ptr<const ImportedScene>& scene,
     if (lights && !scene->lights.empty()) add_lights(document_, *scene, is_new, name);
     document_.undo_stack().endMacro();
   };
-  // What else it has stays where the file has it.
+  // All else of the file stays where the file has it.
   const bool is_mesh = gaussians.empty() && !scene->parts.empty() &&
                        !(cameras && !scene->cameras.empty()) && !(lights && !scene->lights.empty());
   is_mesh ? add_placed(text, add) : add(text, {});

@@ -17,7 +17,7 @@ struct Sphere {
 // surfaces, or else lights). nullopt if empty.
 std::optional<Sphere> bounding_sphere(const Medium& medium, std::span<const GaussianId> ids);
 std::optional<Sphere> bounding_sphere(const Scene& scene);
-// With their copies; around no points at all one of no size.
+// Spheres hold copies, too; around no points at all they have no size.
 std::optional<Sphere> bounding_sphere(std::span<const Surface> surfaces);
 Sphere bounding_sphere(std::span<const glm::dvec3> points);
 

@@ -19,7 +19,7 @@ class SurfacePicker;
 // The camera of a view, within the limits of scene files. Its moves are not undoable. Axis views
 // pan and zoom but do not orbit.
 //
-// What surfaces come between the eye and the room that it looks at while it moves is not shown,
+// Surfaces that come between the eye and the room that it looks at while it moves are not shown,
 // until the way to where it was is free again or it turns away.
 //
 // It can look through the scene's camera: it follows that until it is moved. If it is locked to it,
@@ -60,7 +60,7 @@ class CameraController : public QObject {
   void frame(const Sphere& sphere);
   void zoom_by(double factor);                       // scales the distance
   void drag(NavigationDrag drag, QPointF movement);  // in pixels
-  // What drags orbit from now on; nullopt: the target.
+  // Sets the point that drags orbit from now on; nullopt: the target.
   void set_pivot(const std::optional<glm::dvec3>& pivot) { pivot_ = pivot; }
   // Axis views and orthographic cameras have no place to fly from.
   [[nodiscard]] bool can_fly() const;

@@ -26,7 +26,7 @@ double lowest_surface(const Scene& scene, const SurfaceRange& except = {});
 // lowest_surface() [u].
 double floor_below(const Scene& scene, SurfacePicker& picker, const glm::dvec3& point,
                    const SurfaceRange& except = {});
-// How far surfaces have to rise to stand on what lies below their middle [u].
+// The height by which surfaces have to rise to stand on what lies below their middle [u].
 double rise_to_floor(const Scene& scene, SurfacePicker& picker, const SurfaceRange& surfaces);
 
 }  // namespace brume

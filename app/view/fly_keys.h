@@ -19,7 +19,7 @@ class FlyKeys : public QObject {
   void press();  // the button
   void release();
   [[nodiscard]] bool is_running() const { return is_running_; }
-  // Whether a key was pressed since the button was.
+  // True if a key was pressed since the button was.
   [[nodiscard]] bool is_used() const { return is_used_; }
 
  Q_SIGNALS:

@@ -31,7 +31,7 @@ std::size_t dot_step(std::size_t count) {
 
 constexpr double crowd = 1000.0;
 
-// In a crowd, one handle is enough for what is nearer together than they are wide; the more there
+// One handle is enough, in a crowd, for what is nearer together than they are wide; the more there
 // are, the more room they leave.
 class CrowdedFilm {
  public:
@@ -40,7 +40,7 @@ class CrowdedFilm {
     if (crowds > 1.0) side_ = spacing * (1.0 + std::log10(crowds)) * handle_scale();
   }
 
-  // Whether there is room for another one, which then takes it.
+  // True if there is room for another one, which then takes it.
   bool take(const glm::dvec3& p) {
     if (side_ == 0.0) return true;
     const auto cell = [this](double x) {

@@ -38,7 +38,7 @@ class Handles {
   // Film position and depth of a Gaussian's centre; depth <= 0 is behind the eye.
   [[nodiscard]] const glm::dvec3& position(std::size_t index) const { return positions_[index]; }
 
-  // What of the selected Gaussians is drawn: all of it, or only their outlines, or small handles
+  // The part of selected Gaussians that is drawn: all, or only their outlines, or small handles
   // and the outline of one under the mouse.
   enum class Marks { all, outlines, quiet };
   // `selected`: sorted ids. In a crowd one handle for each small square of the film, and of very

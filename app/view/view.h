@@ -61,8 +61,8 @@ class View {
   [[nodiscard]] QPointF mouse_position() const;
   // The center of a ball that is put under the mouse (paint_point()).
   [[nodiscard]] glm::dvec3 place_under_mouse(double radius);
-  // What is seen at a position, unless it is far beyond what is looked at: the surface there, or
-  // else the middle of the fog.
+  // The point seen at a position, unless it is far beyond what is looked at: on the surface, or
+  // else in the middle of the fog.
   [[nodiscard]] std::optional<glm::dvec3> point_under(QPointF position);
   // The fog that is shown, on a ray of unit direction.
   [[nodiscard]] FogOnRay fog_on(const glm::dvec3& origin, const glm::dvec3& direction) const;

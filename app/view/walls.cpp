@@ -48,15 +48,15 @@ std::optional<ClipPlane> inner_side(SurfacePicker& surfaces, const glm::dvec3& e
   const double length = glm::distance(eye, point);
   const glm::dvec3 w = (point - eye) / length;
   std::optional<ClipPlane> side;
-  double at = 0.0;
+  double passed = 0.0;
   for (int k = 0; k < max_sides; ++k) {
-    const auto hit = surfaces.hit(eye + at * w, w);
+    const auto hit = surfaces.hit(eye + passed * w, w);
     if (!hit) break;
     const double distance = glm::dot(hit->position - eye, w);
-    if (distance > length || (side && distance > at + max_thickness * length)) break;
+    if (distance > length || (side && distance > passed + max_thickness * length)) break;
     // Normals are on the side that is seen.
     side = ClipPlane{hit->position - 1e-3 * length * hit->normal, -hit->normal};
-    at = distance + 1e-6 * length;
+    passed = distance + 1e-6 * length;
   }
   return side;
 }

@@ -20,7 +20,7 @@
 namespace brume {
 namespace {
 
-// What is imported into a scene is usually between a twentieth of what is looked at and all of it:
+// Things imported into a scene are usually between a twentieth of what is looked at and all of it:
 // these are ten times as much.
 constexpr double too_large = 10.0;
 constexpr double too_small = 1.0 / 200.0;
@@ -126,7 +126,7 @@ void ImportSize::set_unit(const QString& name, double length) {
   });
 }
 
-// On the floor where the view looked before.
+// The surfaces go to the floor where the view looked before.
 void ImportSize::fit() {
   if (!is_there()) return;
   const Scene& scene = work_.document.scene();

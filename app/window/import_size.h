@@ -8,7 +8,7 @@
 
 namespace brume {
 
-// What is offered once surfaces have been imported that are far too large or small for the scene:
+// The offers once surfaces have been imported that are far too large or small for the scene:
 // to fit them into it, to take their numbers for another unit, to put them on the floor. Each is
 // one undo step, and shows the surfaces again.
 class ImportSize : public QObject {

@@ -174,9 +174,9 @@ double CameraRays::pixel_width() const {
 double CameraRays::clip_end(const glm::dvec3& origin, const glm::dvec3& direction) const {
   double end = 0.0;
   for (const ClipPlane& plane : clip_) {
-    const double before = glm::dot(plane.point - origin, plane.normal);
+    const double distance = glm::dot(plane.point - origin, plane.normal);
     const double along = glm::dot(direction, plane.normal);
-    if (before > 0.0) end = std::max(end, along > 0.0 ? before / along : infinity);
+    if (distance > 0.0) end = std::max(end, along > 0.0 ? distance / along : infinity);
   }
   return end;
 }

@@ -66,8 +66,8 @@ class CameraRays {
     return is_parallel_ ? forward_ : glm::normalize(point - eye_);
   }
 
-  // Where a view ray, which starts at the eye or at its offset from there, has passed the camera's
-  // clipping planes [u]; infinite if it never does.
+  // The distance at which a view ray, from the eye or its offset from there, has passed the
+  // camera's clipping planes [u]; infinite if it never does.
   [[nodiscard]] double clip_end(const glm::dvec3& origin, const glm::dvec3& direction) const;
   [[nodiscard]] const std::vector<ClipPlane>& clip() const { return clip_; }
 

@@ -131,7 +131,7 @@ Surface surface_of(const Surface& whole, const ImportedPart& part, double time) 
   return surface;
 }
 
-// Whether each node is chosen, or is below one that is.
+// One value per node: true if it is chosen, or is below one that is.
 std::vector<bool> nodes_below(const ImportedScene& scene, auto is_chosen) {
   std::vector<bool> result(scene.nodes.size());
   for (std::size_t i = 0; i < result.size(); ++i) {
@@ -165,8 +165,9 @@ std::vector<const ImportedPart*> parts_below(const ImportedScene& scene, std::si
 }
 
 const Material& material_of(const Surface& surface, const ImportedPart& part) {
-  const auto own = std::ranges::find(surface.materials, part.material.name, &Material::name);
-  return own == surface.materials.end() ? part.material : *own;
+  const auto replacement =
+      std::ranges::find(surface.materials, part.material.name, &Material::name);
+  return replacement == surface.materials.end() ? part.material : *replacement;
 }
 
 std::vector<std::string> material_names(const Surface& surface) {

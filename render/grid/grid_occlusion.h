@@ -50,7 +50,7 @@ class GridOcclusion {
   // Per grid node, OccludedNode::blocked, and enclosed_bit; empty: nothing is hidden. Panes hide.
   // Light on both sides of a pane differs: who looks up one side has no use for nodes on the other.
   [[nodiscard]] std::span<const std::uint32_t> hidden() const { return hidden_; }
-  // Whether a point at `offset` from a grid node [u] is behind a surface that blocks one of these
+  // True if a point at `offset` from a grid node [u] is behind a surface that blocks one of these
   // links of the node, as far as it is flat. `links`: bits of neighbours.
   [[nodiscard]] bool hides(std::size_t grid_node, std::uint32_t links,
                            const glm::vec3& offset) const;

@@ -22,7 +22,7 @@ constexpr double min_share = 1.0 / 64.0;
 constexpr OpticalDepthTableSize table_size{32, 32};
 // Points that stand for a light where it is attenuated by itself and by what is beside it.
 constexpr int part_count = 64;
-// Of them tables take as many as this allows, times the Gaussians of the medium, and no fewer than
+// Tables take as many of them as this allows, times the Gaussians of the medium, and no fewer than
 // some: else those of 20,000 flames would take seconds.
 constexpr std::size_t max_depths = std::size_t{1} << 18;
 constexpr std::size_t min_parts = 8;

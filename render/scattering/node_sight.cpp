@@ -7,7 +7,8 @@
 namespace brume {
 namespace {
 
-// In cells from the first node; nullopt outside a level, and where it has no surfaces.
+// The eye's place in cells from the first node; nullopt outside a level, and where it has no
+// surfaces.
 std::optional<glm::dvec3> coordinate_in(const SourceGrid::Level& level, const glm::dvec3& eye) {
   if (!level.surfaces || level.surfaces->hidden().empty()) return std::nullopt;
   const glm::dvec3 coordinate = (eye - level.first) / static_cast<double>(level.nodes.spacing);

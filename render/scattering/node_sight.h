@@ -19,8 +19,8 @@ struct NodeSight {
     glm::ivec3 is_high{0};
   };
 
-  // Of GridOcclusion::hidden() that count: within a closed room, which has no other nodes, not
-  // enclosed_bit.
+  // The bits of GridOcclusion::hidden() that count: within a closed room, which has no other nodes,
+  // not enclosed_bit.
   std::uint32_t occlusion_bits = GridOcclusion::all_bits;
   std::array<Layers, SourceGrid::max_levels> layers{};
 

@@ -1,4 +1,4 @@
-// What is imported is shown at its size, and what is far too large or small is offered to be
+// Imported things are shown at their size; those far too large or small are offered to be
 // changed.
 
 #include <QPushButton>
@@ -60,7 +60,7 @@ class ImportSizeTest : public QObject {
   void what_is_too_large_is_offered_other_units_and_to_fit() {
     TestWindow window(scene_with_floor());
     Document& document = window.document();
-    const Scene before = window.scene();
+    const Scene first_scene = window.scene();
     import_wedge(window, 300.0);
     QVERIFY(bar(window).isVisible());
     QVERIFY(bar(window).message().contains("300 × 300"));
@@ -83,7 +83,7 @@ class ImportSizeTest : public QObject {
     QVERIFY(std::abs(box.low.x + box.high.x) < 1e-6);
     QVERIFY(box.high.x - box.low.x > 0.5 && box.high.x - box.low.x < 2.5);
     QCOMPARE(step_count(document), 5);
-    QVERIFY(is_undone(document, before));
+    QVERIFY(is_undone(document, first_scene));
     QVERIFY(bar(window).isHidden());
   }
 

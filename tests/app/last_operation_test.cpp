@@ -1,4 +1,4 @@
-// What was done last is adjusted, and stays one step.
+// The last operation is adjusted, and stays one step.
 
 #include <QFrame>
 #include <QToolButton>
@@ -38,7 +38,7 @@ class LastOperationTest : public QObject {
   void ready_made_fog_is_adjusted_as_one_step() {
     OperationWindow window;
     Document& document = window.document();
-    const Scene before = window.scene();
+    const Scene first_scene = window.scene();
     QVERIFY(window.panel().isHidden());
     window.choose("fog.ground_mist");
     QVERIFY(window.panel().isVisible());
@@ -49,26 +49,26 @@ class LastOperationTest : public QObject {
     QVERIFY(window.count() > coarse);
     QCOMPARE(step_count(document), 1);
     QCOMPARE(last_step(document), "Add ground mist");
-    QCOMPARE(document.selection().size(), window.count() - before.medium.size());
+    QCOMPARE(document.selection().size(), window.count() - first_scene.medium.size());
     const double density = document.medium().densities().back();
     enter(window, "adjust_density", "*2");
     QVERIFY(std::abs(document.medium().densities().back() / density - 2.0) < 0.01);
     enter(window, "adjust_spacing", "1e-6");  // too many
-    QCOMPARE(window.count(), before.medium.size());
+    QCOMPARE(window.count(), first_scene.medium.size());
     enter(window, "adjust_spacing", QString::number(spacing));
     QCOMPARE(window.count(), coarse);
     QCOMPARE(step_count(document), 1);
     document.undo_stack().undo();
-    QVERIFY(window.scene() == before);
+    QVERIFY(window.scene() == first_scene);
     QVERIFY(window.panel().isHidden());
   }
 
   void a_drag_of_a_number_is_live_and_one_step() {
     OperationWindow window;
     window.choose("fog.haze");
-    const double before = window.document().medium().homogeneous_density();
+    const double first_value = window.document().medium().homogeneous_density();
     drag_title(window, "adjust_density", 40);
-    QVERIFY(window.document().medium().homogeneous_density() > before);
+    QVERIFY(window.document().medium().homogeneous_density() > first_value);
     QCOMPARE(step_count(window.document()), 1);
     QVERIFY(window.panel().isVisible());
   }

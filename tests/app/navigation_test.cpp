@@ -40,12 +40,13 @@ class NavigationTest : public QObject {
     QVERIFY(desk.picks());
     const glm::dvec3 on_box(1.0, 0.5, 0.5);
     const QPoint start = film_position(desk.view(), on_box);
-    const Camera before = desk.view().camera();
+    const Camera first_camera = desk.view().camera();
     desk.drag(start, start + QPoint(60, 25), Qt::MiddleButton);
-    const Camera& after = desk.view().camera();
-    QVERIFY(turn_between(before, after) > 0.1);
-    const double pixel = 0.01 * glm::distance(before.eye, on_box);
-    QVERIFY(std::abs(glm::distance(after.eye, on_box) - glm::distance(before.eye, on_box)) < pixel);
+    const Camera& moved_camera = desk.view().camera();
+    QVERIFY(turn_between(first_camera, moved_camera) > 0.1);
+    const double pixel = 0.01 * glm::distance(first_camera.eye, on_box);
+    QVERIFY(std::abs(glm::distance(moved_camera.eye, on_box) -
+                     glm::distance(first_camera.eye, on_box)) < pixel);
     QVERIFY((film_position(desk.view(), on_box) - start).manhattanLength() <= 2);
   }
 
@@ -76,7 +77,7 @@ class NavigationTest : public QObject {
     QVERIFY(desk.view().camera_controller().leaves_out_walls());
     QCOMPARE(seen(), 0);
     QVERIFY(desk.view().camera().clip == Camera().clip);  // what is kept of the view
-    // Where it was before, no wall is on the way.
+    // No wall is on the way where it was before.
     desk.view().camera_controller().zoom_by(1.0 / 1.4);
     QVERIFY(!desk.view().camera_controller().leaves_out_walls());
 
@@ -105,20 +106,20 @@ class NavigationTest : public QObject {
   void orbits_the_target_where_nothing_is() {
     Desk desk(scene_with_box());
     QVERIFY(desk.picks());
-    const Camera before = desk.view().camera();
+    const Camera first_camera = desk.view().camera();
     desk.drag({20, 20}, {60, 30}, Qt::MiddleButton);
-    QVERIFY(glm::distance(desk.view().camera().target, before.target) < 1e-9);
-    QVERIFY(desk.view().camera().eye != before.eye);
+    QVERIFY(glm::distance(desk.view().camera().target, first_camera.target) < 1e-9);
+    QVERIFY(desk.view().camera().eye != first_camera.eye);
   }
 
   void the_right_button_looks_around() {
     Desk desk(scene_with_box());
-    const Camera before = desk.view().camera();
+    const Camera first_camera = desk.view().camera();
     desk.drag({100, 100}, {180, 100}, Qt::RightButton);
-    const Camera& after = desk.view().camera();
-    QVERIFY(glm::distance(after.eye, before.eye) < 1e-9);
-    QVERIFY(turn_between(before, after) > 0.05);
-    QVERIFY(CameraRays(before, desk.view().film()).project(after.target).x >
+    const Camera& moved_camera = desk.view().camera();
+    QVERIFY(glm::distance(moved_camera.eye, first_camera.eye) < 1e-9);
+    QVERIFY(turn_between(first_camera, moved_camera) > 0.05);
+    QVERIFY(CameraRays(first_camera, desk.view().film()).project(moved_camera.target).x >
             0.5 * desk.view().film().width);
   }
 
@@ -126,16 +127,16 @@ class NavigationTest : public QObject {
     Desk desk(scene_with_box());
     const std::size_t tool = desk.tools().active();
     const auto flown = [&desk](Qt::Key key) {
-      const Camera before = desk.view().camera();
+      const Camera first_camera = desk.view().camera();
       QTest::mousePress(&desk.view(), Qt::RightButton, {}, QPoint(100, 100));
       QTest::keyPress(&desk.view(), key);
       const bool has_moved =
-          QTest::qWaitFor([&] { return desk.view().camera().eye != before.eye; }, patience);
+          QTest::qWaitFor([&] { return desk.view().camera().eye != first_camera.eye; }, patience);
       QTest::keyRelease(&desk.view(), key);
       QTest::mouseRelease(&desk.view(), Qt::RightButton, {}, QPoint(100, 100));
       if (!has_moved) return glm::dvec3(0.0);
-      const glm::dvec3 way = desk.view().camera().eye - before.eye;
-      const CameraRays rays(before, desk.view().film());
+      const glm::dvec3 way = desk.view().camera().eye - first_camera.eye;
+      const CameraRays rays(first_camera, desk.view().film());
       return glm::normalize(glm::dvec3(glm::dot(way, glm::cross(rays.forward(), rays.up())),
                                        glm::dot(way, rays.up()), glm::dot(way, rays.forward())));
     };

@@ -84,7 +84,7 @@ void MaterialPanel::show_surface(std::size_t index) {
   surfaces_->setCurrentIndex(static_cast<int>(index));
 }
 
-// Of a chosen node the first material.
+// The panel has the first material of a chosen node.
 void MaterialPanel::show_object() {
   const auto& object = document_.object();
   if (!object || object->kind != ObjectRef::Kind::surface) return;

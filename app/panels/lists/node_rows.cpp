@@ -12,7 +12,7 @@ namespace {
 constexpr int node_role = Qt::UserRole + 2;
 constexpr int name_column = 0;
 
-// Whether a surface shows meshes of each node, or of nodes below it.
+// True if a surface shows meshes of each node, or of nodes below it.
 std::vector<bool> nodes_with_meshes(const Surface& surface) {
   const std::vector<ImportedNode>& nodes = surface.imported->nodes;
   std::vector<bool> result(nodes.size());

@@ -19,7 +19,7 @@ class CurvePanel : public QWidget {
  public:
   CurvePanel(Timeline& timeline, Document& document, QWidget* parent);
 
-  // Those of a value; nothing if it has no keyframes.
+  // Shows the curves of a value; nothing if it has no keyframes.
   void show_track(const Track& track);
 
  private:

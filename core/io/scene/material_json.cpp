@@ -192,9 +192,9 @@ void read_materials(JsonContext& context, JsonObject& object, SceneReferences& r
     }
     const Material* const of_file = find_material(*surface.imported, material.name);
     if (of_file) {
-      const auto from = textures_of(of_file->metallic_roughness);
-      const auto to = textures_of(material.metallic_roughness);
-      for (std::size_t k = 0; k < to.size(); ++k) *to[k] = *from[k];
+      const auto textures_of_file = textures_of(of_file->metallic_roughness);
+      const auto textures = textures_of(material.metallic_roughness);
+      for (std::size_t k = 0; k < textures.size(); ++k) *textures[k] = *textures_of_file[k];
     } else if (!references.is_missing(surface.mesh_file)) {
       context.warn(entry.path_of("name"),
                    "there is no material " + quoted_text(material.name) + " in " +

@@ -12,7 +12,7 @@ namespace brume {
 // The material of a surface as scene files have it.
 void read_material(JsonContext& context, JsonObject& object, SceneReferences& references,
                    SceneBudget& budget, UnknownKeys& unknown_keys, Surface& surface);
-// Those that a surface with an imported scene has in place of its file's, from its object.
+// The materials that a surface with an imported scene has in place of its file's, from its object.
 void read_materials(JsonContext& context, JsonObject& object, SceneReferences& references,
                     SceneBudget& budget, UnknownKeys& unknown_keys, Surface& surface);
 // `directory`: of the scene file.

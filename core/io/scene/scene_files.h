@@ -22,7 +22,7 @@ void visit_files(SceneOrConst& scene, Visit visit) {
     if (material.type == Material::Type::measured) visit(material.file);
     if (material.type != Material::Type::metallic_roughness) return;
     for (auto* texture : textures_of(material.metallic_roughness)) {
-      // Without content it is missing, or one of another scene's file.
+      // A texture without content is missing, or one of another scene's file.
       if (texture->content && !texture->file.empty()) visit(texture->file);
     }
   };

@@ -59,7 +59,7 @@ void add_orthographic_cameras(std::vector<SpecialScene>& all) {
   all.push_back({"in parallel", before_a_wall(cloud, -0.6, 1.2)});
   all.push_back({"ellipsoids in parallel",
                  before_a_wall(in_parallel(ellipsoid_scene(20, 2.0, 8.0)), -0.6, 1.2)});
-  // From the plane of the eye on, in the middle of all.
+  // Rays begin at the plane of the eye, in the middle of all.
   Scene within = cloud;
   within.camera.eye = cloud.camera.target + 0.05 * (cloud.camera.eye - cloud.camera.target);
   all.push_back({"in parallel, from within", within, true, false});

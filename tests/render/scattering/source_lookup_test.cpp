@@ -226,7 +226,7 @@ TEST(GridOcclusion, NodesAroundTheEyeAreNotEnclosed) {
   EXPECT_EQ(NodeSight(grid, {1e12, -1e12, 0.0}).occlusion_bits, GridOcclusion::all_bits);
 }
 
-// In the layer of cells that holds an eye and a floor, nodes on the eye's side of it count.
+// Nodes on the eye's side of a floor count in the layer of cells that holds both.
 TEST(NodeSight, IsOnTheEyesSideOfSurfacesInItsOwnLayer) {
   const std::vector<Surface> floor{
       placed(Primitive::Shape::plane, {40.0, 1.0, 40.0}, {0.0, 0.0, 0.0})};

@@ -95,7 +95,7 @@ Differences differences(const RayCaster& ray_caster, const CameraRays& rays, con
   return result;
 }
 
-// On every instruction set of the machine, with clipping planes too.
+// All instruction sets of the machine agree, with clipping planes too.
 TEST(Raster, HitsAreThoseOfRays) {
   Random random(3);
   const std::vector<Surface> surfaces = mixed_surfaces(random);
