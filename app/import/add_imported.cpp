@@ -20,23 +20,15 @@ Surface surface_of(const std::shared_ptr<const ImportedScene>& scene) {
 
 namespace {
 
-const Material* find_material(const ImportedScene& scene, const std::string& name) {
-  for (const ImportedPart& part : scene.parts) {
-    if (part.material.name == name) return &part.material;
-  }
-  return nullptr;
-}
-
 // Textures that a changed material has from its file are those of the file that is read again.
 void follow_textures(Material& material, const ImportedScene& scene, const ImportedScene& again) {
-  const Material* from = find_material(scene, material.name);
-  const Material* to = find_material(again, material.name);
-  if (!from || !to) return;
+  const Material* read_again = material_of_file(again, material.name);
+  if (!read_again) return;
+  const auto is_of_file = are_of_file(scene, material);
   const auto textures = textures_of(material.metallic_roughness);
+  const auto textures_again = textures_of(read_again->metallic_roughness);
   for (std::size_t k = 0; k < textures.size(); ++k) {
-    if (*textures[k] == *textures_of(from->metallic_roughness)[k]) {
-      *textures[k] = *textures_of(to->metallic_roughness)[k];
-    }
+    if (is_of_file[k]) *textures[k] = *textures_again[k];
   }
 }
 

@@ -164,6 +164,28 @@ std::vector<const ImportedPart*> parts_below(const ImportedScene& scene, std::si
   return parts_of(scene, nodes_below(scene, [node](std::size_t other) { return other == node; }));
 }
 
+const Material* material_of_file(const ImportedScene& scene, const std::string& name) {
+  for (const ImportedPart& part : scene.parts) {
+    if (part.material.name == name) return &part.material;
+  }
+  return nullptr;
+}
+
+std::array<bool, texture_has_colors.size()> are_of_file(const ImportedScene& scene,
+                                                        const Material& material) {
+  const Material none;
+  const Material* of_file = material_of_file(scene, material.name);
+  const auto textures = textures_of(material.metallic_roughness);
+  const auto originals = textures_of((of_file ? of_file : &none)->metallic_roughness);
+  std::array<bool, texture_has_colors.size()> result{};
+  for (std::size_t k = 0; k < result.size(); ++k) {
+    const bool is_within = !textures[k]->file.empty() && !scene.files.empty() &&
+                           textures[k]->file == scene.files.front();
+    result[k] = is_within || *textures[k] == *originals[k];
+  }
+  return result;
+}
+
 const Material& material_of(const Surface& surface, const ImportedPart& part) {
   const auto replacement =
       std::ranges::find(surface.materials, part.material.name, &Material::name);

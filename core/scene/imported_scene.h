@@ -81,6 +81,13 @@ std::vector<const ImportedPart*> chosen_parts(const ImportedScene& scene,
 // The parts of a node and of all nodes below it.
 std::vector<const ImportedPart*> parts_below(const ImportedScene& scene, std::size_t node);
 
+// The first material of this name in a file; null: it has none.
+const Material* material_of_file(const ImportedScene& scene, const std::string& name);
+// True for each of textures_of() a material in place of one of a file that is the file's: as the
+// file's own material has it, or within the file, where no scene file can name it.
+std::array<bool, texture_has_colors.size()> are_of_file(const ImportedScene& scene,
+                                                        const Material& material);
+
 // The material of a part of an imported scene that a surface shows: its own, or that of the file.
 const Material& material_of(const Surface& surface, const ImportedPart& part);
 // The names of those of the parts that a surface shows, each once, in the order of the file.

@@ -113,9 +113,15 @@ void PathPixels::trace(std::size_t pixel, int count, PixelPaths& paths,
 SurfaceHit PathPixels::view_hit(const Group& group, double x, double y, PathRandom& random) const {
   const glm::dvec3 eye = rays_.origin(x, y);
   const glm::dvec3 w = rays_.direction(x, y);
-  SurfaceHit hit = group.ray_caster ? group.ray_caster->first_hit_by_chance(
-                                          eye, w, [&random] { return random.uniform(); })
-                                    : ray_caster_->first_hit(rays_, x, y);
+  const auto by_chance = [&] {
+    const double clipped = rays_.clip_end(eye, w);
+    if (!std::isfinite(clipped)) return SurfaceHit();
+    SurfaceHit passed = group.ray_caster->first_hit_by_chance(
+        eye + clipped * w, w, [&random] { return random.uniform(); });
+    passed.distance += clipped;
+    return passed;
+  };
+  SurfaceHit hit = group.ray_caster ? by_chance() : ray_caster_->first_hit(rays_, x, y);
   light_shapes_.meet(eye, w, hit);
   return hit;
 }

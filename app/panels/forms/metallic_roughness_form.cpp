@@ -135,6 +135,7 @@ void MetallicRoughnessForm::load_texture(Slot slot, const std::filesystem::path&
         TextureReference& texture = m.metallic_roughness.*slot;
         texture.file = file;
         texture.content = content;
+        texture.uses_second_texcoords = false;
       });
     };
   });

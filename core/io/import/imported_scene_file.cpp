@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
+#include <string>
 #include <utility>
 
 #include "brume/error.h"
@@ -71,7 +73,12 @@ class SceneBuilder {
     Material& result = at->second;
     result.type = Material::Type::metallic_roughness;
     result.metallic_roughness = raw.values;
-    result.name = raw.name.empty() ? "material " + std::to_string(index) : raw.name;
+    const std::string name = raw.name.empty() ? "material " + std::to_string(index) : raw.name;
+    result.name = name;
+    // Materials are told apart by their names.
+    for (int k = 2; !names_.insert(result.name).second; ++k) {
+      result.name = name + " " + std::to_string(k);
+    }
     for (std::size_t slot = 0; slot < raw.textures.size(); ++slot) {
       const std::optional<RawTexture>& use = raw.textures[slot];
       if (!use) continue;
@@ -175,6 +182,7 @@ class SceneBuilder {
   RawScene raw_;
   std::vector<std::string>& warnings_;
   std::map<std::size_t, Material> materials_;
+  std::set<std::string> names_;  // of them
   std::map<TextureOfImage, std::shared_ptr<const Texture>> textures_;
   std::size_t bytes_ = 0;
 };

@@ -25,12 +25,13 @@ void visit_texture_keys(MaterialOrConst& material, Visit visit) {
 class MaterialReader {
  public:
   MaterialReader(JsonContext& context, SceneReferences& references, SceneBudget& budget,
-                 UnknownKeys& unknown_keys, ObjectId& surface)
+                 UnknownKeys& unknown_keys, ObjectId& surface, bool replaces_file)
       : context_(context),
         references_(references),
         budget_(budget),
         unknown_keys_(unknown_keys),
-        surface_(surface) {}
+        surface_(surface),
+        replaces_file_(replaces_file) {}
 
   // `place`: of the material, among the keys of its surface.
   void read(JsonObject& object, const std::string& place, Material& material) {
@@ -65,11 +66,12 @@ class MaterialReader {
     material.alpha =
         static_cast<AlphaMode>(object.choice("alpha", scene_names::alpha_modes, std::size_t{0}));
     visit_texture_keys(material, [&](const char* key, TextureReference& texture, bool has_colors) {
+      const Json* value = object.peek(key);
+      const bool is_empty = value && value->is_object() && value->empty();
       auto reference = object.find_object(key);
       if (!reference) return;
-      const bool may_be_removed = texture.content != nullptr;
       texture = {};
-      if (may_be_removed && reference->find("file") == nullptr) return;
+      if (replaces_file_ && is_empty) return;
       read_texture_reference(*reference, key, texture, has_colors);
     });
   }
@@ -94,6 +96,7 @@ class MaterialReader {
   SceneBudget& budget_;
   UnknownKeys& unknown_keys_;
   ObjectId& surface_;
+  bool replaces_file_;  // a material of an imported scene, whose textures an empty object removes
   std::string place_;
 };
 
@@ -109,20 +112,18 @@ struct MaterialPlace {
   }
 };
 
-// Textures that are those of `of_file` are left out.
+// Textures to leave out, in the order of textures_of().
+using LeftOut = std::array<bool, texture_has_colors.size()>;
+
 void add_metallic_roughness(Json& object, const MetallicRoughness& material,
-                            const MetallicRoughness& of_file, const MaterialPlace& place) {
-  std::vector<const TextureReference*> others;
-  visit_texture_keys(of_file, [&](const char*, const TextureReference& texture, bool) {
-    others.push_back(&texture);
-  });
+                            const LeftOut& left_out, const MaterialPlace& place) {
   write_fields(object, material, NoKeys());
   if (material.alpha != AlphaMode::opaque) {
     object["alpha"] = scene_names::alpha_modes[static_cast<std::size_t>(material.alpha)];
   }
   visit_texture_keys(material,
                      [&, k = 0u](const char* key, const TextureReference& texture, bool) mutable {
-                       if (texture == *others[k++]) return;
+                       if (left_out[k++]) return;
                        Json& entry = object[key] = Json::object();
                        if (texture.file.empty()) return;
                        entry["file"] = SceneReferences::text_for(texture.file, place.directory);
@@ -136,8 +137,8 @@ void add_metallic_roughness(Json& object, const MetallicRoughness& material,
                      });
 }
 
-Json material_to_json(const Material& material, const SurfaceKeys& keys,
-                      const MetallicRoughness& of_file, const MaterialPlace& place) {
+Json material_to_json(const Material& material, const SurfaceKeys& keys, const LeftOut& left_out,
+                      const MaterialPlace& place) {
   Json object;
   if (!material.name.empty()) object["name"] = material.name;
   object["type"] = scene_names::materials[static_cast<std::size_t>(material.type)];
@@ -150,19 +151,11 @@ Json material_to_json(const Material& material, const SurfaceKeys& keys,
       write_fields(object, material, keys);
       break;
     case Material::Type::metallic_roughness:
-      add_metallic_roughness(object, material.metallic_roughness, of_file, place);
+      add_metallic_roughness(object, material.metallic_roughness, left_out, place);
       break;
   }
   add_unknown_keys(object, place.unknown(""));
   return object;
-}
-
-// Null: its file has none of this name, or is missing.
-const Material* find_material(const ImportedScene& scene, const std::string& name) {
-  for (const ImportedPart& part : scene.parts) {
-    if (part.material.name == name) return &part.material;
-  }
-  return nullptr;
 }
 
 std::string place_of(const Material& material) {
@@ -173,13 +166,13 @@ std::string place_of(const Material& material) {
 
 void read_material(JsonContext& context, JsonObject& object, SceneReferences& references,
                    SceneBudget& budget, UnknownKeys& unknown_keys, Surface& surface) {
-  MaterialReader(context, references, budget, unknown_keys, surface.id)
+  MaterialReader(context, references, budget, unknown_keys, surface.id, false)
       .read(object, "material", surface.material);
 }
 
 void read_materials(JsonContext& context, JsonObject& object, SceneReferences& references,
                     SceneBudget& budget, UnknownKeys& unknown_keys, Surface& surface) {
-  MaterialReader reader(context, references, budget, unknown_keys, surface.id);
+  MaterialReader reader(context, references, budget, unknown_keys, surface.id, true);
   const Json::array_t& materials = object.array("materials", limits::surfaces);
   const JsonPath path = object.path_of("materials");
   std::set<std::string> names;
@@ -190,8 +183,7 @@ void read_materials(JsonContext& context, JsonObject& object, SceneReferences& r
     if (!names.insert(material.name).second) {
       entry.fail("name", "found " + quoted_text(material.name) + " twice; allowed: once");
     }
-    const Material* const of_file = find_material(*surface.imported, material.name);
-    if (of_file) {
+    if (const Material* of_file = material_of_file(*surface.imported, material.name)) {
       const auto textures_of_file = textures_of(of_file->metallic_roughness);
       const auto textures = textures_of(material.metallic_roughness);
       for (std::size_t k = 0; k < textures.size(); ++k) *textures[k] = *textures_of_file[k];
@@ -207,7 +199,10 @@ void read_materials(JsonContext& context, JsonObject& object, SceneReferences& r
 
 Json material_to_json(const Surface& surface, const UnknownKeys& unknown_keys,
                       const fs::path& directory) {
-  return material_to_json(surface.material, surface.keys, {},
+  LeftOut none{};
+  const auto textures = textures_of(surface.material.metallic_roughness);
+  for (std::size_t k = 0; k < none.size(); ++k) none[k] = textures[k]->file.empty();
+  return material_to_json(surface.material, surface.keys, none,
                           {unknown_keys, surface.id, "material", directory});
 }
 
@@ -215,9 +210,7 @@ Json materials_to_json(const Surface& surface, const UnknownKeys& unknown_keys,
                        const fs::path& directory) {
   Json list = Json::array();
   for (const Material& material : surface.materials) {
-    const Material* const of_file = find_material(*surface.imported, material.name);
-    list.push_back(material_to_json(material, {},
-                                    (of_file ? *of_file : Material()).metallic_roughness,
+    list.push_back(material_to_json(material, {}, are_of_file(*surface.imported, material),
                                     {unknown_keys, surface.id, place_of(material), directory}));
   }
   return list;

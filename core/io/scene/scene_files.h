@@ -18,23 +18,27 @@ void visit_files(SceneOrConst& scene, Visit visit) {
     // Without content it is missing.
     if (auto* texture = texture_of(light); texture && texture->content) visit(texture->file);
   }
-  const auto visit_material = [&visit](auto& material) {
+  // `left_out`: textures that are no references of their own.
+  const auto visit_material = [&visit](auto& material, const auto& left_out) {
     if (material.type == Material::Type::measured) visit(material.file);
     if (material.type != Material::Type::metallic_roughness) return;
-    for (auto* texture : textures_of(material.metallic_roughness)) {
-      // A texture without content is missing, or one of another scene's file.
-      if (texture->content && !texture->file.empty()) visit(texture->file);
+    const auto textures = textures_of(material.metallic_roughness);
+    for (std::size_t k = 0; k < textures.size(); ++k) {
+      // A texture without content is missing.
+      if (textures[k]->content && !left_out[k]) visit(textures[k]->file);
     }
   };
   for (auto& surface : scene.surfaces) {
     if (surface.copies && !surface.copies->file.empty()) visit(surface.copies->file);
     if (surface.imported) {
       visit(surface);
-      for (auto& material : surface.materials) visit_material(material);
+      for (auto& material : surface.materials) {
+        visit_material(material, are_of_file(*surface.imported, material));
+      }
       continue;
     }
     if (!surface.primitive) visit(surface.mesh_file);
-    visit_material(surface.material);
+    visit_material(surface.material, std::array<bool, texture_has_colors.size()>{});
   }
   if (scene.environment && !scene.environment->sky) visit(scene.environment->file);
   for (auto& sequence : scene.sequences) visit(sequence);

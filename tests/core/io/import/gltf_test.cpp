@@ -71,6 +71,19 @@ TEST_F(Gltf, MaterialsHaveTheirNames) {
   EXPECT_EQ(read(builder)->parts.at(0).material.name, "Brushedbrass");
 }
 
+TEST_F(Gltf, MaterialsOfOneNameAreToldApart) {
+  GltfBuilder builder;
+  builder.json["materials"] = {{{"name", "wood"}}, {{"name", "wood"}}};
+  builder.primitive()["material"] = 0;
+  auto second = builder.primitive();
+  second["material"] = 1;
+  builder.json["meshes"][0]["primitives"].push_back(second);
+  const auto scene = read(builder);
+  ASSERT_EQ(scene->parts.size(), 2u);
+  EXPECT_EQ(scene->parts[0].material.name, "wood");
+  EXPECT_EQ(scene->parts[1].material.name, "wood 2");
+}
+
 TEST_F(Gltf, TransformsOfNodesAreInTheMesh) {
   GltfBuilder builder;
   const double s = std::sqrt(0.5);  // a quarter turn about y: x to -z, z to x

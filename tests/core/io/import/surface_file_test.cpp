@@ -147,6 +147,29 @@ TEST_F(SurfaceFile, MaterialsTakeThePlaceOfThoseOfItsFile) {
   EXPECT_FALSE(contains(content_of(folder_ / "again.brume"), "texture"));
 }
 
+// They were copied twice; one within a GLB named the GLB as an image.
+TEST_F(SurfaceFile, MaterialsAreGatheredWithoutTheTexturesOfTheirFile) {
+  const fs::path file = write(R"("file": "model/town.gltf", "materials": [ { "name": "material 0",
+      "type": "metallic_roughness", "base_color": [1, 0, 0] } ])");
+  const fs::path gathered = folder_ / "gathered";
+  ASSERT_TRUE(gather_scene(load_document(file), gathered, "scene"));
+  EXPECT_FALSE(contains(content_of(gathered / "scene.brume"), "texture"));
+  const Scene scene = load_scene(gathered / "scene.brume");
+  EXPECT_NE(scene.surfaces[0].materials[0].metallic_roughness.base_color_texture.content, nullptr);
+}
+
+// A file that changed may lack a material or its image; what was saved of it is still read.
+TEST_F(SurfaceFile, TexturesAreRemovedWhetherTheFileHasThemOrNot) {
+  for (const std::string name : {"material 0", "brick"}) {
+    const std::string material = R"("file": "model/town.gltf", "materials": [ { "name": ")" + name +
+                                 R"(", "type": "metallic_roughness", "normal_texture": )";
+    EXPECT_EQ(load_scene(write(material + "{} } ]")).surfaces[0].materials.size(), 1u) << name;
+    const std::string error =
+        error_of([&] { (void)load_scene(write(material + R"({"wrap_u": "clamp"} } ])")); });
+    EXPECT_TRUE(contains(error, "normal_texture.file: missing")) << error;
+  }
+}
+
 TEST_F(SurfaceFile, AMaterialThatItsFileLacksIsWarnedOf) {
   std::vector<std::string> warnings;
   const fs::path file = write(
