@@ -19,7 +19,7 @@ constexpr std::array<std::string_view, 2> vtk_files{".vtp", ".vtu"};
 constexpr std::array<std::string_view, 3> meshes{".obj", ".stl", ".off"};
 constexpr std::array<std::string_view, 3> scenes{".gltf", ".glb", ".fbx"};
 constexpr std::array<std::string_view, 2> environments{".exr", ".hdr"};
-// Not read, but the refusal says what to do with them.
+// These are not read; the refusal says what to do with them.
 constexpr std::array<std::string_view, 4> compressed_splats{".spz", ".sog", ".splat", ".ksplat"};
 
 bool is_one_of(const fs::path& file, const auto& extensions) {

@@ -65,7 +65,7 @@ class CameraController : public QObject {
   // Axis views and orthographic cameras have no place to fly from.
   [[nodiscard]] bool can_fly() const;
   void look_around(QPointF movement);  // in pixels
-  // To the right, up and forth, each times the distance.
+  // The way goes right, up and forth, each times the distance.
   void fly(const glm::dvec3& way);
 
   void set_navigation(NavigationPreset preset) { navigation_ = preset; }

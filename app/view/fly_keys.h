@@ -23,7 +23,7 @@ class FlyKeys : public QObject {
   [[nodiscard]] bool is_used() const { return is_used_; }
 
  Q_SIGNALS:
-  // To the right, up and forth, in seconds of flight at the usual speed.
+  // The way is to the right, up and forth, in seconds of flight at the usual speed.
   void moved(const glm::dvec3& way);
 
  protected:

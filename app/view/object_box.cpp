@@ -28,7 +28,7 @@ std::array<glm::dvec3, 8> corners_of(const MeshBox& box) {
   return corners;
 }
 
-// Around a node of an imported scene, in the coordinates of its file; of all if it is not there.
+// The box of a node of an imported scene, in its file's coordinates; of all if it is not there.
 MeshBox box_of(const Surface& surface, std::size_t node) {
   const bool is_there = surface.imported && node < surface.imported->nodes.size();
   const auto parts =
