@@ -148,6 +148,7 @@ void Document::open_unsaved(SceneDocument document, const std::filesystem::path&
 
 void Document::open(SceneDocument document, const std::filesystem::path& file,
                     const std::optional<FileVersion>& version) {
+  last_operation_.forget();
   undo_stack_.clear();
   scene_ = std::move(document.scene);
   extras_ = std::move(document.extras);

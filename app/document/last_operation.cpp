@@ -1,6 +1,7 @@
 #include "app/document/last_operation.h"
 
 #include <QUndoStack>
+#include <utility>
 
 namespace brume {
 
@@ -21,22 +22,28 @@ void LastOperation::record(const Operation& operation, const std::function<void(
   Q_EMIT changed();
 }
 
-void LastOperation::complete(const std::function<void()>& work) {
+bool LastOperation::complete(const std::function<void()>& work) {
   is_working_ = true;
+  if (step_) stack_.undo();
   work();
+  const bool has_made_step = stack_.index() > start_;
+  if (step_ && !has_made_step) stack_.redo();
   is_working_ = false;
   const bool has_step = operation_ && stack_.index() == start_ + 1;
   step_ = has_step ? stack_.command(start_) : nullptr;
+  return has_made_step;
 }
 
 void LastOperation::adjust(const std::any& numbers) {
   if (!operation_) return;
-  operation_->numbers = numbers;
+  std::any former = std::exchange(operation_->numbers, numbers);
+  const auto run = [this] { operation_->run(operation_->numbers); };
   is_adjusting_ = true;
-  complete([this] {
-    if (step_) stack_.undo();
-    operation_->run(operation_->numbers);
-  });
+  if (operation_->runs_in_background) {
+    run();
+  } else if (!complete(run) && operation_) {
+    operation_->numbers = std::move(former);
+  }
   is_adjusting_ = false;
 }
 

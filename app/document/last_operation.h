@@ -12,8 +12,8 @@ class QUndoStack;
 namespace brume {
 
 // The operation that was done last, with the numbers it was done by, to be adjusted: its undo step
-// is taken back and it is done again, so that it stays one step. It is there until something else
-// is done, undone or redone.
+// is taken back and it is done again, so that it stays one step; one that is refused or fails then
+// stays as it was. It is there until something else is done, undone or redone.
 class LastOperation : public QObject {
   Q_OBJECT
  public:
@@ -22,6 +22,7 @@ class LastOperation : public QObject {
     std::any numbers;
     // Does it, as at most one undo step; what runs in the background calls complete() at its end.
     std::function<void(const std::any& numbers)> run;
+    bool runs_in_background = false;  // its end is dropped once changed() tells of another one
   };
 
   explicit LastOperation(QUndoStack& stack);
@@ -31,7 +32,9 @@ class LastOperation : public QObject {
   void record(const Operation& operation, const std::function<void()>& work);
   // Does it again, by other numbers.
   void adjust(const std::any& numbers);
-  void complete(const std::function<void()>& work);
+  // Takes its step back and does `work` in its place. False: that made no step, and the step it
+  // had is there again.
+  bool complete(const std::function<void()>& work);
   void forget();
 
   [[nodiscard]] const std::optional<Operation>& operation() const { return operation_; }

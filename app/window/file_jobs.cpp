@@ -62,21 +62,23 @@ QString simplify_text(const char* source) {
   return QCoreApplication::translate("Simplify", source);
 }
 
-// Background work that simplifies Gaussians of the document, and hands the result to `done`.
-// `show_status` is called with how many Gaussians became how many, and the error. Nothing is merged
-// if the fog is edited meanwhile.
-BackgroundJob::Work simplifying(Document& document, const std::vector<GaussianId>& ids,
+Medium chosen_gaussians(const Medium& medium, const std::vector<GaussianId>& ids) {
+  Medium chosen;
+  chosen.reserve(ids.size());
+  for (const GaussianId id : ids) chosen.append(medium.gaussian(*medium.index_of(id)));
+  return chosen;
+}
+
+// Background work that simplifies Gaussians chosen from the document, and hands the result to
+// `done`. `show_status` is called with how many Gaussians became how many, and the error. Nothing
+// is merged if the fog is edited meanwhile.
+BackgroundJob::Work simplifying(Document& document, const std::shared_ptr<const Medium>& chosen,
                                 const SimplifyLimits& limits,
                                 const std::function<void(const QString&)>& show_status,
                                 const std::function<void(const Simplified&)>& done) {
-  Medium chosen;
-  chosen.reserve(ids.size());
-  for (const GaussianId id : ids) {
-    chosen.append(document.medium().gaussian(*document.medium().index_of(id)));
-  }
   const Revision revision = document.medium().revision();
   return [=, &document](const Job& job) -> BackgroundJob::Apply {
-    const auto found = simplify(chosen, limits, job.stop, job.progress);
+    const auto found = simplify(*chosen, limits, job.stop, job.progress);
     if (!found) return {};
     return [=, &document, found = *found] {
       if (document.medium().revision() != revision) {
@@ -86,7 +88,7 @@ BackgroundJob::Work simplifying(Document& document, const std::vector<GaussianId
       } else {
         done(found);
         show_status(simplify_text("%1 became %2, with an error of %3%")
-                        .arg(gaussians_text(ids.size()))
+                        .arg(gaussians_text(chosen->size()))
                         .arg(found.kept.size() + found.merged.size())
                         .arg(number_text(100.0 * found.error)));
       }
@@ -109,6 +111,10 @@ FileJobs::FileJobs(const Workspace& work, QWidget* window)
   MessageBar* messages = &work_.messages;
   connect(&job_, &BackgroundJob::cancelled, this, [this] { work_.show_status(tr("Cancelled")); });
   connect(&job_, &BackgroundJob::failed, messages, &MessageBar::show_error);
+  connect(&adjusting_, &BackgroundJob::failed, messages, &MessageBar::show_error);
+  // What is computed for an operation is of no use to another one.
+  connect(&work_.document.last_operation(), &LastOperation::changed, &adjusting_,
+          &BackgroundJob::cancel);
   connect(import_, &SceneImport::failed, messages, &MessageBar::show_error);
   connect(import_, &SceneImport::warned, messages, &MessageBar::show_note);
   connect(reload_, &ImportedReload::failed, messages, &MessageBar::show_error);
@@ -172,21 +178,26 @@ void FileJobs::simplify() {
   auto* dialog = new SimplifyDialog(work_.document, window_);
   connect(dialog, &SimplifyDialog::requested, this, [this](const SimplifyNumbers& numbers) {
     const std::vector<GaussianId> ids = to_simplify(work_.document);
+    const auto chosen =
+        std::make_shared<const Medium>(chosen_gaussians(work_.document.medium(), ids));
     LastOperation& last = work_.document.last_operation();
     const auto apply = [this, ids](const Simplified& found) {
       apply_simplified(work_.document, ids, found);
     };
     const LastOperation::Operation operation{
-        tr("Simplify"), numbers, [this, ids, apply, &last](const std::any& wanted) {
+        tr("Simplify"), numbers,
+        [this, chosen, apply, &last](const std::any& wanted) {
           adjusting_.start(simplifying(
-              work_.document, ids, limits_of(std::any_cast<SimplifyNumbers>(wanted)),
+              work_.document, chosen, limits_of(std::any_cast<SimplifyNumbers>(wanted)),
               work_.show_status,
               [apply, &last](const Simplified& found) { last.complete([&] { apply(found); }); }));
-        }};
-    start(tr("Simplifying"), simplifying(work_.document, ids, limits_of(numbers), work_.show_status,
-                                         [apply, operation, &last](const Simplified& found) {
-                                           last.record(operation, [&] { apply(found); });
-                                         }));
+        },
+        true};
+    start(tr("Simplifying"),
+          simplifying(work_.document, chosen, limits_of(numbers), work_.show_status,
+                      [apply, operation, &last](const Simplified& found) {
+                        last.record(operation, [&] { apply(found); });
+                      }));
   });
   dialog->show();
 }

@@ -23,6 +23,7 @@ class FileJobs : public QObject {
 
   [[nodiscard]] SceneImport& import() { return *import_; }
   [[nodiscard]] BackgroundJob& job() { return job_; }
+  [[nodiscard]] BackgroundJob& adjusting() { return adjusting_; }
   // Unless another is running.
   void start(const QString& title, const BackgroundJob::Work& job);
 

@@ -1,6 +1,7 @@
 // The last operation is adjusted, and stays one step.
 
 #include <QFrame>
+#include <QStatusBar>
 #include <QToolButton>
 
 #include "app/commands/add_fog.h"
@@ -27,7 +28,28 @@ class OperationWindow : public TestWindow {
   AdjustPanel& panel() { return *(*this)->findChild<AdjustPanel*>(); }
   void choose(const char* name) { (*this)->findChild<QAction*>(name)->trigger(); }
   std::size_t count() { return document().medium().size(); }
+  void simplify() {
+    choose("edit.simplify");
+    enter(*this, "simplify_error", "2");
+    brume::click(*(*this)->findChild<SimplifyDialog*>(), "simplify_now");
+  }
+  // In percent.
+  void adjust_error(double error) {
+    LastOperation& last = document().last_operation();
+    auto numbers = std::any_cast<SimplifyNumbers>(last.operation()->numbers);
+    numbers.max_error = error;
+    last.adjust(numbers);
+  }
 };
+
+// 300 Gaussians that overlap.
+Scene crowded_scene() {
+  Scene scene = small_scene();
+  scene.medium = {};
+  RandomSource random(3);
+  for (int i = 0; i < 300; ++i) scene.medium.append({0.4 * random.in_ball(), 0.15, 0.2});
+  return scene;
+}
 
 }  // namespace
 
@@ -53,8 +75,12 @@ class LastOperationTest : public QObject {
     const double density = document.medium().densities().back();
     enter(window, "adjust_density", "*2");
     QVERIFY(std::abs(document.medium().densities().back() / density - 2.0) < 0.01);
-    enter(window, "adjust_spacing", "1e-6");  // too many
-    QCOMPARE(window.count(), first_scene.medium.size());
+    const std::size_t fine = window.count();
+    const QString kept_spacing = value(window, "adjust_spacing");
+    enter(window, "adjust_spacing", "1e-6");  // too many: refused, and what was made stays
+    QCOMPARE(window.count(), fine);
+    QCOMPARE(value(window, "adjust_spacing"), kept_spacing);
+    QVERIFY(window.panel().isVisible());
     enter(window, "adjust_spacing", QString::number(spacing));
     QCOMPARE(window.count(), coarse);
     QCOMPARE(step_count(document), 1);
@@ -107,14 +133,8 @@ class LastOperationTest : public QObject {
   }
 
   void simplifying_is_done_again_with_another_error() {
-    Scene scene = small_scene();
-    scene.medium = {};
-    RandomSource random(3);
-    for (int i = 0; i < 300; ++i) scene.medium.append({0.4 * random.in_ball(), 0.15, 0.2});
-    OperationWindow window(scene);
-    window.choose("edit.simplify");
-    enter(window, "simplify_error", "2");
-    click(*window->findChild<SimplifyDialog*>(), "simplify_now");
+    OperationWindow window(crowded_scene());
+    window.simplify();
     QTRY_COMPARE(step_count(window.document()), 1);
     const std::size_t exact = window.count();
     QVERIFY(window.panel().isVisible());
@@ -124,6 +144,41 @@ class LastOperationTest : public QObject {
     QVERIFY(window.panel().isVisible());
     enter(window, "adjust_error", "2");
     QTRY_COMPARE(window.count(), exact);
+  }
+
+  void a_simplification_stays_until_there_is_another() {
+    OperationWindow window(crowded_scene());
+    window.simplify();
+    QTRY_COMPARE(step_count(window.document()), 1);
+    const std::size_t few = window.count();
+    QVERIFY(few < crowded_scene().medium.size());
+    window.adjust_error(1e-6);      // within which nothing can be merged
+    QCOMPARE(window.count(), few);  // while it is computed
+    QVERIFY(window->file_jobs().adjusting().is_running());
+    QTRY_VERIFY(!window->file_jobs().adjusting().is_running());
+    const QString message = window->statusBar()->currentMessage();
+    QVERIFY2(message.contains("No Gaussians"), qPrintable(message));
+    QCOMPARE(window.count(), few);
+    QCOMPARE(step_count(window.document()), 1);
+    QVERIFY(window.panel().isVisible());
+    window.document().create();
+    QVERIFY(window.panel().isHidden());
+  }
+
+  void a_late_result_is_not_that_of_another_operation() {
+    OperationWindow window(crowded_scene());
+    window.simplify();
+    QTRY_COMPARE(step_count(window.document()), 1);
+    const std::size_t few = window.count();
+    window.adjust_error(20.0);
+    add_emitter(window.document(), glm::dvec3(0.0), 1.0);
+    QTRY_VERIFY(!window->file_jobs().adjusting().is_running());
+    QCoreApplication::processEvents();
+    QCOMPARE(window.count(), few);
+    QCOMPARE(step_count(window.document()), 2);
+    enter(window, "adjust_rate", "7");
+    QCOMPARE(window.scene().emitters.size(), 1u);
+    QCOMPARE(step_count(window.document()), 2);
   }
 
   void an_imported_mesh_is_placed() {
