@@ -27,8 +27,8 @@ struct PointRay {
       : direction(rays.towards(point)), origin(point - rays.distance_to(point) * direction) {}
 
   // How far the first surface is [u].
-  [[nodiscard]] double end(SurfacePicker& surfaces) const {
-    const auto hit = surfaces.hit(origin, direction);
+  [[nodiscard]] double end(const CameraRays& rays, SurfacePicker& surfaces) const {
+    const auto hit = surfaces.hit_in_view(rays, origin, direction);
     return hit ? glm::distance(hit->position, origin) : infinity;
   }
 };
@@ -38,7 +38,7 @@ struct PointRay {
 void add_brush_cursor(Overlay& overlay, const CameraRays& rays, SurfacePicker& surfaces,
                       const Gaussian& laid, const glm::dvec3& normal) {
   const auto is_hidden = [&](const glm::dvec3& point) {
-    return rays.distance_to(point) > PointRay(rays, point).end(surfaces);
+    return rays.distance_to(point) > PointRay(rays, point).end(rays, surfaces);
   };
   const QColor accent = accent_color();
   const auto accented = [&](int alpha) {
@@ -88,7 +88,7 @@ void add_ghost(Overlay& overlay, const CameraRays& rays, SurfacePicker& surfaces
     if (!(projected.z > 0.0)) return {};
     const PointRay ray(rays, point);
     const LineProfile<double> line = line_profile(*term, ray.origin, ray.direction);
-    const double depth = optical_depth(*term, line, ray.end(surfaces));
+    const double depth = optical_depth(*term, line, ray.end(rays, surfaces));
     const int alpha = static_cast<int>(-max_alpha * std::expm1(-depth));
     return {{static_cast<float>(projected.x), static_cast<float>(projected.y),
              qRgba(shown.red(), shown.green(), shown.blue(), alpha)},

@@ -200,7 +200,8 @@ glm::dvec3 MoveTool::way(QPointF position) const {
   const bool in_view_plane = part_ == Gizmo::Part::all;
   if (snap_ == Snap::surface && in_view_plane) {
     const glm::dvec3 direction = rays.direction(position.x(), position.y());
-    const auto hit = view().surfaces().hit(rays.origin(position.x(), position.y()), direction);
+    const auto hit =
+        view().surfaces().hit_in_view(rays, rays.origin(position.x(), position.y()), direction);
     // A surface would climb up itself.
     const auto& object = document_.object();
     const bool is_itself = hit && object && object->kind == ObjectRef::Kind::surface &&

@@ -26,6 +26,14 @@ bool flies(int key) {
   return std::ranges::any_of(ways, [key](const Way& way) { return way.key == key; });
 }
 
+// A dialog, or another program, takes the mouse and the keys.
+bool takes_input_away(const QEvent& event) {
+  if (event.type() == QEvent::WindowBlocked) return true;
+  return event.type() == QEvent::ApplicationStateChange &&
+         static_cast<const QApplicationStateChangeEvent&>(event).applicationState() !=
+             Qt::ApplicationActive;
+}
+
 }  // namespace
 
 FlyKeys::FlyKeys(QObject* parent) : QObject(parent) {
@@ -47,6 +55,11 @@ void FlyKeys::release() {
 }
 
 bool FlyKeys::eventFilter(QObject* /*watched*/, QEvent* event) {
+  if (takes_input_away(*event)) {
+    release();
+    Q_EMIT interrupted();
+    return false;
+  }
   const QEvent::Type type = event->type();
   const bool is_press = type == QEvent::KeyPress || type == QEvent::ShortcutOverride;
   if (!is_press && type != QEvent::KeyRelease) return false;

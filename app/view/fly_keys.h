@@ -25,6 +25,7 @@ class FlyKeys : public QObject {
  Q_SIGNALS:
   // The way is to the right, up and forth, in seconds of flight at the usual speed.
   void moved(const glm::dvec3& way);
+  void interrupted();  // released because the button's release will go elsewhere
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

@@ -27,9 +27,9 @@ std::optional<PaintPoint> on_plane(const glm::dvec3& through, const glm::dvec3& 
   return PaintPoint{ray.origin + t * ray.direction, normal, t};
 }
 
-std::optional<PaintPoint> on_surface(SurfacePicker& surfaces, const FilmRay& ray, double radius,
+std::optional<PaintPoint> on_surface(View& view, const FilmRay& ray, double radius,
                                      bool stands = false) {
-  const auto hit = surfaces.hit(ray.origin, ray.direction);
+  const auto hit = view.surfaces().hit_in_view(view.rays(), ray.origin, ray.direction);
   if (!hit) return std::nullopt;
   // The ball touches the surface unless that is seen at a flat angle, where it would come much
   // nearer: on the mouse's ray nine tenths of its optical depth are in front all the same. It does
@@ -49,7 +49,7 @@ std::optional<PaintPoint> begin_under_mouse(View& view, const FilmRay& ray, doub
     return PaintPoint{ray.origin + distance * ray.direction, towards_eye, distance};
   };
   const FogOnRay fog = view.fog_on(ray.origin, ray.direction);
-  auto point = on_surface(view.surfaces(), ray, radius, stands);
+  auto point = on_surface(view, ray, radius, stands);
   if (!point) {
     const auto middle = fog.middle_of_gaussians(min_pointed_effect);
     point = middle ? in_air(*middle) : on_plane(view.pivot(), towards_eye, ray);
@@ -64,7 +64,7 @@ std::optional<PaintPoint> continue_under_mouse(View& view, const FilmRay& ray, d
   const bool began_on_surface = stroke.first.on_surface;
   const PaintPoint& level = began_on_surface ? stroke.last : stroke.first;
   const auto in_air = on_plane(level.unsnapped, -view.rays().forward(), ray);
-  const auto surface = on_surface(view.surfaces(), ray, radius);
+  const auto surface = on_surface(view, ray, radius);
   if (!surface) return in_air;
   constexpr double leap = 1.5;
   const double end = began_on_surface ? leap * stroke.farthest
@@ -91,7 +91,7 @@ std::optional<PaintPoint> free_point(View& view, const PaintTarget& target, cons
     case PaintPlane::wall_z:
       return across_axis({0.0, 0.0, 1.0});
     case PaintPlane::surface:
-      return on_surface(view.surfaces(), ray, 0.0);
+      return on_surface(view, ray, 0.0);
   }
   return std::nullopt;
 }

@@ -1,6 +1,9 @@
 #include "app/view/surface_picker.h"
 
+#include <cmath>
+
 #include "app/document/document.h"
+#include "core/scene/camera_rays.h"
 #include "core/scene/copies.h"
 
 namespace brume {
@@ -38,6 +41,14 @@ std::optional<SurfacePoint> SurfacePicker::hit(const glm::dvec3& origin,
   const SurfaceHit hit = caster_->first_hit(origin, direction);
   if (!hit) return std::nullopt;
   return caster_->point(hit, origin, direction, surfaces_);
+}
+
+std::optional<SurfacePoint> SurfacePicker::hit_in_view(const CameraRays& rays,
+                                                       const glm::dvec3& origin,
+                                                       const glm::dvec3& direction) {
+  const double start = rays.clip_end(origin, direction);
+  if (!std::isfinite(start)) return std::nullopt;
+  return hit(origin + start * direction, direction);
 }
 
 std::size_t SurfacePicker::index_of(const SurfacePoint& point) const {

@@ -7,6 +7,7 @@
 
 namespace brume {
 
+class CameraRays;
 class Document;
 
 // Ray picking of surfaces for tools. The ray caster is rebuilt in the background when surfaces
@@ -19,7 +20,10 @@ class SurfacePicker : public QObject {
   [[nodiscard]] bool is_ready();
   // First hit of a ray of unit direction.
   std::optional<SurfacePoint> hit(const glm::dvec3& origin, const glm::dvec3& direction);
-  // The surface of a point that hit() gave, of the scene's.
+  // First hit of a ray of a view, beyond the walls that the view leaves out.
+  std::optional<SurfacePoint> hit_in_view(const CameraRays& rays, const glm::dvec3& origin,
+                                          const glm::dvec3& direction);
+  // The surface of a point that one of them gave, of the scene's.
   [[nodiscard]] std::size_t index_of(const SurfacePoint& point) const;
 
  private:

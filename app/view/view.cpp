@@ -86,7 +86,7 @@ std::optional<glm::dvec3> View::point_under(QPointF position) {
   const CameraRays view = rays();
   const glm::dvec3 origin = view.origin(position.x(), position.y());
   const glm::dvec3 direction = view.direction(position.x(), position.y());
-  const auto surface = surfaces_.hit(origin, direction);
+  const auto surface = surfaces_.hit_in_view(view, origin, direction);
   const auto distance = surface ? std::optional(glm::distance(origin, surface->position))
                                 : fog_on(origin, direction).middle_of_gaussians(min_pointed_effect);
   if (!distance || *distance > far * target_distance(camera())) return std::nullopt;
@@ -108,7 +108,7 @@ std::optional<std::size_t> View::visible_surface(QPointF position) {
   const CameraRays view = rays();
   const glm::dvec3 origin = view.origin(position.x(), position.y());
   const glm::dvec3 direction = view.direction(position.x(), position.y());
-  const auto surface = surfaces_.hit(origin, direction);
+  const auto surface = surfaces_.hit_in_view(view, origin, direction);
   if (!surface) return std::nullopt;
   const std::size_t index = surfaces_.index_of(*surface);
   if (document_.scene().surfaces[index].locked) return std::nullopt;
@@ -138,7 +138,7 @@ std::optional<GaussianId> View::max_visible(QPointF position) {
   const CameraRays view = rays();
   const glm::dvec3 origin = view.origin(position.x(), position.y());
   const glm::dvec3 direction = view.direction(position.x(), position.y());
-  const auto surface = surfaces_.hit(origin, direction);
+  const auto surface = surfaces_.hit_in_view(view, origin, direction);
   const double distance =
       surface ? glm::distance(surface->position, origin) : std::numeric_limits<double>::infinity();
   const auto scene = document_.visible_snapshot();

@@ -26,6 +26,10 @@ ViewInput::ViewInput(View& view) : view_(view) {
   connect(&timer_, &QTimer::timeout, this, &ViewInput::flush_moves);
   connect(&fly_keys_, &FlyKeys::moved, this,
           [this](const glm::dvec3& way) { view_.camera_controller().fly(fly_speed_ * way); });
+  connect(&fly_keys_, &FlyKeys::interrupted, this, [this] {
+    drag_ = Drag::none;
+    right_press_.reset();
+  });
   connect(&tool_drag_, &MouseDrag::cancelled, this, &ViewInput::cancel);
   connect(&tool_drag_, &MouseDrag::ended, this, [this] {
     flush_moves();

@@ -2,6 +2,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "app/view/paint_point.h"
 #include "app/view/surface_picker.h"
 #include "brume/mesh_arrays.h"
 #include "core/scene/camera_rays.h"
@@ -20,6 +21,19 @@ Scene scene_with_box() {
   box.mesh = mesh_of(*box.primitive);
   box.translate = {1.0, 0.5, 0.0};
   scene.surfaces.push_back(box);
+  return scene;
+}
+
+// The same in a room, with the eye near one of its walls.
+Scene scene_in_room() {
+  Scene scene = scene_with_box();
+  Surface room;
+  room.primitive = Primitive{Primitive::Shape::box, glm::dvec3(8.0)};
+  room.mesh = mesh_of(*room.primitive);
+  room.translate = {0.0, 3.0, 0.0};
+  scene.surfaces.push_back(room);
+  scene.camera.eye = {1.0, 1.0, 3.5};
+  scene.camera.target = {1.0, 0.5, 0.5};
   return scene;
 }
 
@@ -52,15 +66,7 @@ class NavigationTest : public QObject {
 
   // Out of a room: the wall on the way is left out, and what is in the room stays in sight.
   void walls_before_the_room_are_left_out() {
-    Scene scene = scene_with_box();
-    Surface room;
-    room.primitive = Primitive{Primitive::Shape::box, glm::dvec3(8.0)};
-    room.mesh = mesh_of(*room.primitive);
-    room.translate = {0.0, 3.0, 0.0};
-    scene.surfaces.push_back(room);
-    scene.camera.eye = {1.0, 1.0, 3.5};
-    scene.camera.target = {1.0, 0.5, 0.5};
-    Desk desk(scene);
+    Desk desk(scene_in_room());
     QVERIFY(desk.picks());
     const auto seen = [&desk] {
       const RayCaster caster(desk.scene().surfaces);
@@ -90,6 +96,20 @@ class NavigationTest : public QObject {
     QCOMPARE(seen(), 0);
     desk.view().camera_controller().reset();
     QVERIFY(!desk.view().camera_controller().leaves_out_walls());
+  }
+
+  void walls_that_are_left_out_are_not_picked() {
+    Desk desk(scene_in_room());
+    QVERIFY(desk.picks());
+    const QPointF middle = QRectF(desk.view().rect()).center();
+    QCOMPARE(desk.view().visible_surface(middle), std::size_t{0});
+    desk.view().camera_controller().zoom_by(1.4);
+    QVERIFY(desk.view().camera_controller().leaves_out_walls());
+    QCOMPARE(desk.view().visible_surface(middle), std::size_t{0});
+    const auto under = desk.view().point_under(middle);
+    QVERIFY(under && under->z < 1.0);
+    const auto painted = paint_point(desk.view(), {.plane = PaintPlane::surface}, middle, 0.1);
+    QVERIFY(painted && painted->position.z < 1.0);
   }
 
   void an_eye_in_a_wall_is_told() {
@@ -148,6 +168,25 @@ class NavigationTest : public QObject {
     QVERIFY(glm::distance(flown(Qt::Key_Q), {0, -1, 0}) < 1e-9);
     QCOMPARE(desk.tools().active(), tool);
     desk.key(Qt::Key_S);  // a shortcut again
+    QVERIFY(desk.tools().active() != tool);
+  }
+
+  // A dialog that opens meanwhile is told of the button's release, and of keys.
+  void a_dialog_ends_the_flight() {
+    Desk desk(scene_with_box());
+    const std::size_t tool = desk.tools().active();
+    QTest::mousePress(&desk.view(), Qt::RightButton, {}, QPoint(100, 100));
+    QDialog dialog(&desk);
+    QLineEdit line(&dialog);
+    dialog.setModal(true);
+    dialog.show();
+    QTest::keyClicks(&line, "was");
+    QCOMPARE(line.text(), "was");
+    dialog.hide();
+    const Camera first_camera = desk.view().camera();
+    desk.move(QPointF(180, 100), Qt::NoButton);
+    QVERIFY(desk.view().camera() == first_camera);
+    desk.key(Qt::Key_S);
     QVERIFY(desk.tools().active() != tool);
   }
 };

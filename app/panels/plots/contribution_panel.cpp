@@ -61,7 +61,7 @@ void ContributionPanel::compute() {
   const CameraRays rays = view_->rays();
   const glm::dvec3 origin = rays.origin(position_.x(), position_.y());
   const glm::dvec3 direction = rays.direction(position_.x(), position_.y());
-  const auto surface = view_->surfaces().hit(origin, direction);
+  const auto surface = view_->surfaces().hit_in_view(rays, origin, direction);
   const auto scene = view_->shown_scene();
   const FogBall near_fog = fog_of(*scene);
   const FogInterval in_fog = near_fog.interval(origin, direction);
