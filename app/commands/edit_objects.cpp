@@ -134,6 +134,13 @@ bool& shown_member(auto& object) {
   return object.visible;
 }
 
+bool refuses_node(Document& document, const ObjectRef& ref) {
+  if (ref.node) {
+    Q_EMIT document.refused(Document::tr("A node is part of its file. Select its surface."));
+  }
+  return ref.node.has_value();
+}
+
 }  // namespace
 
 std::optional<Object> object_of(const Scene& scene, const ObjectRef& ref) {
@@ -178,16 +185,14 @@ void change_surface(Document& document, std::size_t index, const QString& verb, 
 }
 
 void delete_object(Document& document, const ObjectRef& ref) {
-  if (ref.node) {
-    Q_EMIT document.refused(Document::tr("A node is part of its file. Select its surface."));
-    return;
-  }
+  if (refuses_node(document, ref)) return;
   change_list(document, ref, undo_text("Delete %1"), no_merge, [&](auto& list) {
     list.erase(list.begin() + static_cast<std::ptrdiff_t>(ref.index));
   });
 }
 
 void duplicate_object(Document& document, const ObjectRef& ref) {
+  if (refuses_node(document, ref)) return;
   const std::optional<Object> object = object_of(document.scene(), ref);
   if (!object) return;
   const glm::dvec3 shift(width_of(*object, document.scene()), 0.0, 0.0);
@@ -219,6 +224,7 @@ void rename_object(Document& document, const ObjectRef& ref, const QString& name
 }
 
 void show_object(Document& document, const ObjectRef& ref, bool shown) {
+  if (refuses_node(document, ref)) return;
   const QString verb = ref.kind == Kind::light
                            ? shown ? undo_text("Turn on %1") : undo_text("Turn off %1")
                        : shown ? undo_text("Show %1")
@@ -228,6 +234,7 @@ void show_object(Document& document, const ObjectRef& ref, bool shown) {
 }
 
 void lock_object(Document& document, const ObjectRef& ref, bool locked) {
+  if (refuses_node(document, ref)) return;
   change_object(document, ref, locked ? undo_text("Lock %1") : undo_text("Unlock %1"), no_merge,
                 [locked](auto& object) { object.locked = locked; });
 }

@@ -162,7 +162,11 @@ void Docks::add_time_panels() {
   });
   for (KeyButton* button : window_.findChildren<KeyButton*>()) {
     connect(button, &KeyButton::time_asked_for, &work_.timeline, [this](double time) {
-      work_.timeline.set_frame(static_cast<int>(std::lround(work_.timeline.frame_of(time))));
+      // Between two frames it is the one farther from now, or the same key would be found again.
+      constexpr double slack = 1e-6;  // frames, of rounding
+      const double frame = work_.timeline.frame_of(time);
+      work_.timeline.set_frame(static_cast<int>(
+          time > work_.timeline.time() ? std::ceil(frame - slack) : std::floor(frame + slack)));
     });
     connect(button, &KeyButton::curve_asked_for, curves, [curves, curve_panel](const Track& track) {
       curves->show();

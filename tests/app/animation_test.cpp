@@ -10,6 +10,7 @@
 #include "app/commands/edit_medium.h"
 #include "app/document/timeline.h"
 #include "app/files/scene_files.h"
+#include "app/panels/forms/key_button.h"
 #include "app/tools/airbrush_tool.h"
 #include "app/tools/emitter_tool.h"
 #include "app/tools/tool_box.h"
@@ -139,6 +140,24 @@ class AnimationTest : public QObject {
     const auto particles = particles_at(scene.emitters[0], 14 / 30.0);
     QCOMPARE(last_step(window->document()), QString("Bake %1 Gaussians").arg(particles.size()));
     QVERIFY(window->document().medium().gaussian(5) == particles[0]);
+  }
+
+  // Without the same key again and again.
+  void a_key_between_frames_is_passed() {
+    TestWindow window;
+    Timeline& timeline = window->timeline();
+    timeline.set_frames_per_second(25.0);
+    auto* button = window->findChild<KeyButton*>("camera_roll_key");
+    timeline.set_frame(20);
+    Q_EMIT button->time_asked_for(0.5);
+    QCOMPARE(timeline.frame(), 12);
+    timeline.set_frame(13);
+    Q_EMIT button->time_asked_for(0.5);
+    QCOMPARE(timeline.frame(), 12);
+    Q_EMIT button->time_asked_for(0.5);
+    QCOMPARE(timeline.frame(), 13);
+    Q_EMIT button->time_asked_for(1.16);
+    QCOMPARE(timeline.frame(), 29);
   }
 
   void it_plays_loops_and_stops() {

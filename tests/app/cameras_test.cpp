@@ -166,6 +166,9 @@ class CamerasTest : public QObject {
     QTRY_VERIFY(title.underMouse());
     QTest::keyClick(&desk.view(), Qt::Key_I);
     QVERIFY(key->isChecked());
+    QKeyEvent repeated(QEvent::KeyPress, Qt::Key_I, Qt::NoModifier, "i", true);
+    QApplication::sendEvent(&desk.view(), &repeated);  // as while it is held
+    QVERIFY(key->isChecked());
     QTest::keyClick(&desk.view(), Qt::Key_I);
     QVERIFY(!key->isChecked());
   }

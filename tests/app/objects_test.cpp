@@ -7,6 +7,7 @@
 #include <QTreeWidgetItemIterator>
 #include <fstream>
 
+#include "app/commands/edit_objects.h"
 #include "app/commands/select_command.h"
 #include "app/document/document.h"
 #include "app/panels/lists/outliner.h"
@@ -266,6 +267,25 @@ class ObjectsTest : public QObject {
     window.drag(on_box, on_box + QPoint(40, 0), Qt::RightButton);
     QVERIFY(!QApplication::activePopupWidget());
     QVERIFY(window.is_before());
+  }
+
+  void what_is_locked_is_not_dropped() {
+    ObjectsWindow window;
+    QVERIFY(window.picks());
+    Document& document = window.document();
+    change_surface(document, ball.index, "Lift %1", no_merge, [](Surface& surface) {
+      surface.translate.y = 2.0;
+      surface.locked = true;
+    });
+    QVERIFY(window.picks());
+    document.set_object(ball);
+    invoke(window, "edit.drop");
+    QCOMPARE(window.surfaces()[ball.index].translate.y, 2.0);
+    QCOMPARE(step_count(document), 1);
+    lock_object(document, ball, false);
+    QVERIFY(window.picks());
+    invoke(window, "edit.drop");
+    QVERIFY(window.surfaces()[ball.index].translate.y < 2.0);
   }
 
   void primitives_are_added_and_lit() {

@@ -6,6 +6,7 @@
 #include <QToolButton>
 #include <fstream>
 
+#include "app/commands/edit_objects.h"
 #include "app/commands/scene_part_command.h"
 #include "app/document/document.h"
 #include "app/import/imported_reload.h"
@@ -149,6 +150,17 @@ class SceneImportTest : public QObject {
 
     QTest::keyClick(tree, Qt::Key_Delete);
     QCOMPARE(desk.scene().surfaces.size(), 1u);
+    // The file's other nodes stay as they are, too.
+    const Surfaces before = desk.scene().surfaces;
+    for (const int column : {1, 2}) {
+      QTest::mouseClick(tree->viewport(), Qt::LeftButton, {},
+                        cell_position(*tree, row("wall"), column));
+    }
+    duplicate_object(document, *document.object());
+    show_object(document, *document.object(), false);
+    lock_object(document, *document.object(), true);
+    QVERIFY(desk.scene().surfaces == before);
+    QVERIFY(document.object() == ObjectRef(ObjectRef::Kind::surface, 0, 1));
     materials->setCurrentIndex(0);
     Q_EMIT materials->activated(0);
     choose(desk, "material_type", static_cast<int>(Material::Type::diffuse));

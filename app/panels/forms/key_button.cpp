@@ -77,7 +77,9 @@ bool KeyButton::eventFilter(QObject* watched, QEvent* event) {
                           [](const auto& field) { return field && field->underMouse(); }) &&
       is_key_of("time.set_key", static_cast<const QKeyEvent&>(*event))) {
     event->accept();
-    if (type == QEvent::KeyPress) toggle();
+    // A key that is held is one press.
+    const bool is_repeat = static_cast<const QKeyEvent&>(*event).isAutoRepeat();
+    if (type == QEvent::KeyPress && !is_repeat) toggle();
     return true;
   }
   const bool is_own = std::ranges::any_of(

@@ -220,8 +220,12 @@ void Outliner::click(const QTreeWidgetItem* item, int column) {
   const std::optional<ObjectRef> ref = object_of(item);
   const std::optional<Object> object =
       ref ? brume::object_of(document_.scene(), *ref) : std::nullopt;
-  if (object && column == eye_column) return show_object(document_, *ref, !is_shown(*object));
-  if (object && column == lock_column) return lock_object(document_, *ref, !is_locked(*object));
+  // Rows of nodes have neither eye nor lock.
+  const bool is_node = ref && ref->node;
+  if (object && !is_node && column == eye_column)
+    return show_object(document_, *ref, !is_shown(*object));
+  if (object && !is_node && column == lock_column)
+    return lock_object(document_, *ref, !is_locked(*object));
   if (object) document_.set_object(ref);
   if (const auto group = group_of(item)) {
     groups_->click(*group, column);
@@ -251,7 +255,8 @@ void Outliner::closeEditor(QWidget* editor, QAbstractItemDelegate::EndEditHint h
 
 void Outliner::rename_current() {
   follow_object();
-  if (object_of(currentItem())) editItem(currentItem(), name_column);
+  const std::optional<ObjectRef> object = object_of(currentItem());
+  if (object && !object->node) editItem(currentItem(), name_column);
 }
 
 // They are shortcuts of the window too, for Gaussians.
@@ -295,6 +300,7 @@ void Outliner::contextMenuEvent(QContextMenuEvent* event) {
   const std::optional<SplineId> spline = spline_of(item);
   if (!object && !group && !spline) return;
   setCurrentItem(item);
+  if (ref && ref->node) return document_.set_object(ref);
   auto* menu = new QMenu(this);
   menu->setAttribute(Qt::WA_DeleteOnClose);
   if (group) {

@@ -359,7 +359,8 @@ void MainMenu::fill_theme_menu(QMenu* menu) {
 void MainMenu::delete_selected() {
   if (const auto object = work_.document.object()) {
     delete_object(work_.document, *object);
-    return work_.document.set_object(std::nullopt);  // a second key deletes no other one
+    if (!object->node) work_.document.set_object(std::nullopt);  // a second key deletes no other
+    return;
   }
   delete_selection(work_.document, tr("Delete"));
 }

@@ -106,6 +106,9 @@ void ObjectMenu::drop_object() {
   if (!object || object->kind != ObjectRef::Kind::surface)
     return work_.show_status(tr("Select a surface to drop it on the floor"));
   const Scene& scene = work_.document.scene();
+  if (object->index < scene.surfaces.size() && scene.surfaces[object->index].locked)
+    return work_.show_status(
+        tr("%1 is locked. Unlock it to drop it").arg(object_title(scene, *object)));
   const double rise =
       rise_to_floor(scene, work_.views.active().surfaces(), {object->index, std::size_t{1}});
   change_surface(work_.document, object->index, tr("Drop %1 on the floor"), no_merge,
