@@ -162,7 +162,7 @@ void Docks::add_time_panels() {
   });
   for (KeyButton* button : window_.findChildren<KeyButton*>()) {
     connect(button, &KeyButton::time_asked_for, &work_.timeline, [this](double time) {
-      // Between two frames it is the one farther from now, or the same key would be found again.
+      // The frame is the one farther from now, or the same key would be found again.
       constexpr double slack = 1e-6;  // frames, of rounding
       const double frame = work_.timeline.frame_of(time);
       work_.timeline.set_frame(static_cast<int>(

@@ -142,7 +142,7 @@ class AnimationTest : public QObject {
     QVERIFY(window->document().medium().gaussian(5) == particles[0]);
   }
 
-  // Without the same key again and again.
+  // The same key is not found again and again.
   void a_key_between_frames_is_passed() {
     TestWindow window;
     Timeline& timeline = window->timeline();

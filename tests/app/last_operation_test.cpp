@@ -33,7 +33,7 @@ class OperationWindow : public TestWindow {
     enter(*this, "simplify_error", "2");
     brume::click(*(*this)->findChild<SimplifyDialog*>(), "simplify_now");
   }
-  // In percent.
+  // The error is in percent.
   void adjust_error(double error) {
     LastOperation& last = document().last_operation();
     auto numbers = std::any_cast<SimplifyNumbers>(last.operation()->numbers);
