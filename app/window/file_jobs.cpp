@@ -112,7 +112,7 @@ FileJobs::FileJobs(const Workspace& work, QWidget* window)
   connect(&job_, &BackgroundJob::cancelled, this, [this] { work_.show_status(tr("Cancelled")); });
   connect(&job_, &BackgroundJob::failed, messages, &MessageBar::show_error);
   connect(&adjusting_, &BackgroundJob::failed, messages, &MessageBar::show_error);
-  // What is computed for an operation is of no use to another one.
+  // The result for an operation is of no use to another one.
   connect(&work_.document.last_operation(), &LastOperation::changed, &adjusting_,
           &BackgroundJob::cancel);
   connect(import_, &SceneImport::failed, messages, &MessageBar::show_error);

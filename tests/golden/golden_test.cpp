@@ -237,7 +237,7 @@ std::map<std::string, Quantity<Real>> quantities() {
          const Gaussian g{vec<double>(in["b"]), 1.0 / in["a"].get<double>(), in["c"]};
          const double r = cutoff_radius(g.radius, g.density, in["eps"]);
          const double distance = glm::length(g.center - vec<double>(in["o"]));
-         // And the half angle of the cone of rays that the bound lets through.
+         // The cone of rays that the bound lets through has this half angle.
          return R{Real(r), Real(r < distance ? std::asin(r / distance) : std::numbers::pi)};
        }},
   };

@@ -210,16 +210,20 @@ TEST(GridOcclusion, NodesWithinSolidsAreEnclosed) {
   EXPECT_EQ(enclosed(3.4), 0);  // it reaches beyond the grid
 }
 
-// But for an eye in there they are a room.
-TEST(GridOcclusion, NodesAroundTheEyeAreNotEnclosed) {
-  const std::vector<Surface> surfaces = solid_ball(1.5);
+// The grid of a cloud around surfaces.
+SourceGrid grid_around(const std::vector<Surface>& surfaces) {
   const RayCaster ray_caster(surfaces);
   LevelOcclusion occlusion;
   occlusion.set(ray_caster, surfaces);
   SourceGrid::Content content;
   content.surfaces = &occlusion;
   const MediumIndex index(cloud(30, 3.0).medium, 1e-4, 0.0);
-  const SourceGrid grid(index.gaussians(), {}, content, SourceGridSize{.nodes = 8000}, Job{});
+  return {index.gaussians(), {}, content, SourceGridSize{.nodes = 8000}, Job{}};
+}
+
+// But for an eye in there they are a room.
+TEST(GridOcclusion, NodesAroundTheEyeAreNotEnclosed) {
+  const SourceGrid grid = grid_around(solid_ball(1.5));
   constexpr std::uint32_t enclosed = GridOcclusion::enclosed_bit;
   EXPECT_EQ(NodeSight(grid, {0.1, 0.2, 0.0}).occlusion_bits, GridOcclusion::all_bits & ~enclosed);
   EXPECT_EQ(NodeSight(grid, {2.2, 0.0, 0.0}).occlusion_bits, GridOcclusion::all_bits);
@@ -228,15 +232,8 @@ TEST(GridOcclusion, NodesAroundTheEyeAreNotEnclosed) {
 
 // Nodes on the eye's side of a floor count in the layer of cells that holds both.
 TEST(NodeSight, IsOnTheEyesSideOfSurfacesInItsOwnLayer) {
-  const std::vector<Surface> floor{
-      placed(Primitive::Shape::plane, {40.0, 1.0, 40.0}, {0.0, 0.0, 0.0})};
-  const RayCaster ray_caster(floor);
-  LevelOcclusion occlusion;
-  occlusion.set(ray_caster, floor);
-  SourceGrid::Content content;
-  content.surfaces = &occlusion;
-  const MediumIndex index(cloud(30, 3.0).medium, 1e-4, 0.0);
-  const SourceGrid grid(index.gaussians(), {}, content, SourceGridSize{.nodes = 8000}, Job{});
+  const SourceGrid grid =
+      grid_around({placed(Primitive::Shape::plane, {40.0, 1.0, 40.0}, {0.0, 0.0, 0.0})});
   const SourceGrid::Level& level = grid.levels()[0];
   const double spacing = static_cast<double>(level.nodes.spacing);
   const int floor_cell = static_cast<int>(std::floor(-level.first.y / spacing));
