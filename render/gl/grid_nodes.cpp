@@ -23,14 +23,14 @@ void append_nodes(const SourceGrid::Level& level, std::span<const float> values,
 }
 
 void set_level(const Program& program, const std::string& name, std::size_t index,
-               const SourceGrid::Level& level, const glm::dvec3& origin, const NodeSight& sight,
-               std::size_t first_value) {
+               const SourceGrid::Level& level, const glm::dvec3& origin,
+               const NodeVisibility& visibility, std::size_t first_value) {
   const std::string element = std::to_string(index) + "]";
   program.set((name + "_first[" + element).c_str(),
               glm::vec4(glm::vec3(level.first - origin), 1.0f / level.nodes.spacing));
   program.set((name + "_count[" + element).c_str(),
               glm::ivec4(level.nodes.count, static_cast<int>(first_value)));
-  const NodeSight::Layers& layers = sight.layers[index];
+  const NodeVisibility::Layers& layers = visibility.layers[index];
   const glm::ivec3& high = layers.is_high;
   program.set((name + "_eye_layers[" + element).c_str(),
               glm::ivec4(layers.cell, high.x | high.y << 1 | high.z << 2));

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "render/gl/resources.h"
-#include "render/scattering/node_sight.h"
+#include "render/scattering/node_visibility.h"
 #include "render/scattering/source_grid.h"
 
 namespace brume::gl {
@@ -22,7 +22,7 @@ void append_nodes(const SourceGrid::Level& level, std::span<const float> values,
 // shaders/source.glsl: where a level lies from `origin`, the index of its first value, and the
 // eye's layers in it.
 void set_level(const Program& program, const std::string& name, std::size_t index,
-               const SourceGrid::Level& level, const glm::dvec3& origin, const NodeSight& sight,
-               std::size_t first_value);
+               const SourceGrid::Level& level, const glm::dvec3& origin,
+               const NodeVisibility& visibility, std::size_t first_value);
 
 }  // namespace brume::gl

@@ -98,16 +98,16 @@ void SlicedStage::upload_source(const SourceFunction* source, const glm::dvec3& 
   std::vector<glm::vec4> values;
   std::size_t at = 0;
   bool has_surfaces = false;
-  const NodeSight sight(source->grid(), eye);
+  const NodeVisibility visibility(source->grid(), eye);
   const auto levels = source->grid().levels();
   for (std::size_t k = 0; k < levels.size(); ++k) {
     const SourceGrid::Level& level = levels[k];
-    set_level(program, "source", k, level, eye, sight, at);
+    set_level(program, "source", k, level, eye, visibility, at);
     at += level.values.size() / 4;
     if (is_new) append_nodes(level, level.values, values);
     has_surfaces |= level.surfaces && !level.surfaces->hidden().empty();
   }
-  program.set("source_occlusion_bits", sight.occlusion_bits);
+  program.set("source_occlusion_bits", visibility.occlusion_bits);
   program.set("source_surfaces", has_surfaces ? 1 : 0);
   glm::vec4 factors(0.0f);
   for (std::size_t l = 0; l < parts.factors.size(); ++l) {

@@ -253,11 +253,11 @@ void SurfaceStage::upload_light(const FrameStages& stages, const FrameContext& w
   std::vector<glm::vec4> values;
   program.set("incident_levels",
               lighting.incident ? static_cast<int>(lighting.incident->levels().size()) : 0);
-  program.set("incident_occlusion_bits", lighting.sight.occlusion_bits);
+  program.set("incident_occlusion_bits", lighting.visibility.occlusion_bits);
   std::size_t at = 0;
   for (std::size_t k = 0; lighting.incident && k < lighting.incident->levels().size(); ++k) {
     const SourceGrid::Level& level = lighting.incident->levels()[k];
-    set_level(program, "incident", k, level, center, lighting.sight, at);
+    set_level(program, "incident", k, level, center, lighting.visibility, at);
     at += level.incident.size() / 4;
     if (is_new) append_nodes(level, level.incident, values);
   }

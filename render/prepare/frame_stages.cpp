@@ -369,7 +369,7 @@ SurfaceLighting FrameStages::surface_lighting(const FrameContext& work) const {
     lighting.incident = &source_.grid();
     lighting.incident_is_all = true;
     lighting.extinction = source_.light_extinction();
-    lighting.sight = NodeSight(source_.grid(), work.rays.eye());
+    lighting.visibility = NodeVisibility(source_.grid(), work.rays.eye());
   } else if (work.plan.runs(Stage::surface_scattering)) {
     const bool paper = work.settings.paper_spread;
     lighting.point = paper ? &ScatterTable::paper() : &ScatterTable::point();

@@ -175,7 +175,7 @@ struct Cells {
   }
 
   // The corner towards the eye, since the nearest to the point itself may be behind a wall; see
-  // NodeSight.
+  // NodeVisibility.
   HWY_INLINE int EyeCorner(const GridLevel& grid, std::size_t i, float to_eye_x, float to_eye_y,
                            float to_eye_z) const {
     const bool is_towards[3] = {to_eye_x > 0.0f, to_eye_y > 0.0f, to_eye_z > 0.0f};

@@ -2,7 +2,8 @@
 
 namespace brume {
 
-GridLevels::GridLevels(const SourceGrid& grid, const glm::dvec3& origin, const NodeSight& sight) {
+GridLevels::GridLevels(const SourceGrid& grid, const glm::dvec3& origin,
+                       const NodeVisibility& visibility) {
   for (const SourceGrid::Level& level : grid.levels()) {
     GridLevel& relative = levels_[count_];
     relative.first = glm::vec3(level.first - origin);
@@ -10,8 +11,8 @@ GridLevels::GridLevels(const SourceGrid& grid, const glm::dvec3& origin, const N
     relative.count = level.nodes.count;
     relative.values = level.values.data();
     relative.incident = level.incident.data();
-    relative.occlusion_bits = sight.occlusion_bits;
-    relative.eye_layers = sight.layers[count_];
+    relative.occlusion_bits = visibility.occlusion_bits;
+    relative.eye_layers = visibility.layers[count_];
     if (level.surfaces && !level.surfaces->hidden().empty()) {
       relative.blocked = level.surfaces->hidden().data();
     }

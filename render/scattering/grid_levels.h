@@ -7,7 +7,7 @@
 #include <span>
 
 #include "render/grid/grid_occlusion.h"
-#include "render/scattering/node_sight.h"
+#include "render/scattering/node_visibility.h"
 #include "render/scattering/source_grid.h"
 
 namespace brume {
@@ -21,7 +21,7 @@ struct GridLevel {
   const float* incident = nullptr;
   const std::uint32_t* blocked = nullptr;  // GridOcclusion::hidden(); null: no surfaces
   std::uint32_t occlusion_bits = GridOcclusion::all_bits;
-  NodeSight::Layers eye_layers;
+  NodeVisibility::Layers eye_layers;
   const float* view = nullptr;  // see SourceLookup::set_view()
   float view_begin = 0.0f;      // distance from where it is used [u]
 };
@@ -29,7 +29,7 @@ struct GridLevel {
 // Those of a grid, fine first. Keeps a reference to it.
 class GridLevels {
  public:
-  GridLevels(const SourceGrid& grid, const glm::dvec3& origin, const NodeSight& sight);
+  GridLevels(const SourceGrid& grid, const glm::dvec3& origin, const NodeVisibility& visibility);
 
   [[nodiscard]] std::size_t size() const { return count_; }
   [[nodiscard]] std::span<GridLevel> all() { return std::span(levels_).first(count_); }

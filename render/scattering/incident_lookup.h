@@ -30,8 +30,9 @@ struct DiffuseFactors {
 // a reference to the grid. Thread-safe.
 class IncidentLookup {
  public:
-  IncidentLookup(const SourceGrid& grid, const glm::dvec3& origin, const NodeSight& sight = {})
-      : levels_(grid, origin, sight) {}
+  IncidentLookup(const SourceGrid& grid, const glm::dvec3& origin,
+                 const NodeVisibility& visibility = {})
+      : levels_(grid, origin, visibility) {}
 
   // light[k] = that at point k, which is relative to the origin.
   void incident(const SurfacePoints& points, std::span<NodeRadiance> light) const;

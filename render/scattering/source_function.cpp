@@ -266,7 +266,7 @@ void SourceFunction::find_forward_lobes(std::span<const LightGroup> groups, cons
 SourceLookup SourceFunction::from_eye(const glm::dvec3& eye) const {
   const bool adds_clusters =
       has_forward_lobe() && std::ranges::find(at_nodes_, true) != at_nodes_.end();
-  return {*grid_, eye, adds_clusters, NodeSight(*grid_, eye)};
+  return {*grid_, eye, adds_clusters, NodeVisibility(*grid_, eye)};
 }
 
 SourceFunction::WeightParts SourceFunction::weight_parts() const {

@@ -144,8 +144,8 @@ HWY_EXPORT(AddSource);
 HWY_EXPORT(ClusterTransmittanceAtOrigin);
 
 SourceLookup::SourceLookup(const SourceGrid& grid, const glm::dvec3& origin, bool adds_clusters,
-                           const NodeSight& sight)
-    : levels_(grid, origin, sight),
+                           const NodeVisibility& visibility)
+    : levels_(grid, origin, visibility),
       bands_(grid.bands()),
       adds_clusters_(adds_clusters && grid.bands() > 1) {}
 

@@ -29,9 +29,9 @@ inline constexpr float min_view_spacings = 16.0f;
 // the grid.
 class SourceLookup {
  public:
-  // `adds_clusters`: whether any SourceWeights::at_nodes are not 0. `sight`: of the eye.
+  // `adds_clusters`: whether any SourceWeights::at_nodes are not 0. `visibility`: of the eye.
   SourceLookup(const SourceGrid& grid, const glm::dvec3& origin, bool adds_clusters = false,
-               const NodeSight& sight = {});
+               const NodeVisibility& visibility = {});
 
   // What the harmonics of each level's nodes sum to, R G B 0; see SourceView.
   // Keeps a reference.

@@ -41,10 +41,10 @@ struct SurfaceLighting {
   // surfaces. `point` is null then, and optical depths of lights are times `extinction`.
   bool incident_is_all = false;
   double extinction = 1.0;
-  NodeSight sight{};         // of the eye
-  double fog_depth = 0.0;    // average optical depth of b0 where it is the same everywhere
-  FogBall fog{};             // else of that density in a ball
-  double fog_density = 0.0;  // [1/u]
+  NodeVisibility visibility{};  // of the eye
+  double fog_depth = 0.0;       // average optical depth of b0 where it is the same everywhere
+  FogBall fog{};                // else of that density in a ball
+  double fog_density = 0.0;     // [1/u]
   double albedo = 1.0;
 
   // Average optical depth of fog around x.
@@ -68,7 +68,7 @@ inline ShVector<glm::dvec3> incident_light(const SurfaceLighting& lighting,
 // With a grid.
 inline IncidentLookup incident_lookup(const SurfaceLighting& lighting,
                                       const SurfacePoints& points) {
-  return {*lighting.incident, points.origin, lighting.sight};
+  return {*lighting.incident, points.origin, lighting.visibility};
 }
 
 // Calls visit(k, fractions of the environment at point k), without a grid.

@@ -1,7 +1,7 @@
 // The corners of a grid's cell that count beside surfaces, as grid_cells-inl.h has them.
 #include "constants.glsl"
 
-// The corner of a cell that decides: the one towards the eye. `layers`: NodeSight::Layers, with the
+// The corner of a cell that decides: the one towards the eye. `layers`: NodeVisibility::Layers, with the
 // sides as bits of the fourth.
 int eye_corner(vec3 to_eye, ivec3 cell, ivec4 layers) {
   int corner = 0;

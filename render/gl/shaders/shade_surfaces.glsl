@@ -42,7 +42,7 @@ uniform vec4 incident_first[max_grid_levels];  // as source.glsl has them
 uniform ivec4 incident_count[max_grid_levels];
 uniform ivec4 incident_eye_layers[max_grid_levels];
 
-uniform uint incident_occlusion_bits;        // NodeSight of the eye
+uniform uint incident_occlusion_bits;        // NodeVisibility of the eye
 
 uint corner_bits(int first) {
   return floatBitsToUint(incident_values[first].w) & incident_occlusion_bits;

@@ -7,7 +7,7 @@
 // R G B, and in the first of each node the neighbours that surfaces hide, as bits.
 layout(std430, binding = 7) readonly buffer Source { vec4 source_values[]; };
 
-uniform uint source_occlusion_bits;  // NodeSight of the eye
+uniform uint source_occlusion_bits;  // NodeVisibility of the eye
 
 uint corner_bits(int first) { return floatBitsToUint(source_values[first].w) & source_occlusion_bits; }
 

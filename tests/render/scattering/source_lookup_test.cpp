@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "render/geometry/medium_index.h"
-#include "render/scattering/node_sight.h"
+#include "render/scattering/node_visibility.h"
 #include "render/scattering/source_view.h"
 #include "tests/random.h"
 #include "tests/render/test_scenes.h"
@@ -225,22 +225,23 @@ SourceGrid grid_around(const std::vector<Surface>& surfaces) {
 TEST(GridOcclusion, NodesAroundTheEyeAreNotEnclosed) {
   const SourceGrid grid = grid_around(solid_ball(1.5));
   constexpr std::uint32_t enclosed = GridOcclusion::enclosed_bit;
-  EXPECT_EQ(NodeSight(grid, {0.1, 0.2, 0.0}).occlusion_bits, GridOcclusion::all_bits & ~enclosed);
-  EXPECT_EQ(NodeSight(grid, {2.2, 0.0, 0.0}).occlusion_bits, GridOcclusion::all_bits);
-  EXPECT_EQ(NodeSight(grid, {1e12, -1e12, 0.0}).occlusion_bits, GridOcclusion::all_bits);
+  EXPECT_EQ(NodeVisibility(grid, {0.1, 0.2, 0.0}).occlusion_bits,
+            GridOcclusion::all_bits & ~enclosed);
+  EXPECT_EQ(NodeVisibility(grid, {2.2, 0.0, 0.0}).occlusion_bits, GridOcclusion::all_bits);
+  EXPECT_EQ(NodeVisibility(grid, {1e12, -1e12, 0.0}).occlusion_bits, GridOcclusion::all_bits);
 }
 
 // Nodes on the eye's side of a floor count in the layer of cells that holds both.
-TEST(NodeSight, IsOnTheEyesSideOfSurfacesInItsOwnLayer) {
+TEST(NodeVisibility, IsOnTheEyesSideOfSurfacesInItsOwnLayer) {
   const SourceGrid grid =
       grid_around({placed(Primitive::Shape::plane, {40.0, 1.0, 40.0}, {0.0, 0.0, 0.0})});
   const SourceGrid::Level& level = grid.levels()[0];
   const double spacing = static_cast<double>(level.nodes.spacing);
   const int floor_cell = static_cast<int>(std::floor(-level.first.y / spacing));
   const double low = level.first.y + spacing * floor_cell;  // the layer below the floor
-  const auto seen_from = [&](double y) { return NodeSight(grid, {0.1, y, 0.2}).layers[0]; };
+  const auto seen_from = [&](double y) { return NodeVisibility(grid, {0.1, y, 0.2}).layers[0]; };
   for (const double above : {0.01, 0.9}) {
-    const NodeSight::Layers layers = seen_from(above * (low + spacing));
+    const NodeVisibility::Layers layers = seen_from(above * (low + spacing));
     EXPECT_EQ(layers.cell, glm::ivec3(-1, floor_cell, -1)) << above;
     EXPECT_EQ(layers.is_high.y, 1) << above;
   }

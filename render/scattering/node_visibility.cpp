@@ -1,4 +1,4 @@
-#include "render/scattering/node_sight.h"
+#include "render/scattering/node_visibility.h"
 
 #include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
@@ -21,7 +21,7 @@ std::optional<glm::dvec3> coordinate_in(const SourceGrid::Level& level, const gl
 
 // The corners of a cell are on both sides of each axis: of the one that the eye sees more of, if it
 // does not see as much of both.
-NodeSight::Layers layers_around(const SourceGrid::Level& level, const glm::dvec3& coordinate) {
+NodeVisibility::Layers layers_around(const SourceGrid::Level& level, const glm::dvec3& coordinate) {
   const glm::ivec3 cell = glm::min(glm::ivec3(coordinate), level.nodes.count - 2);
   glm::ivec3 seen_more(0);
   for (int c = 0; c < 8; ++c) {
@@ -37,7 +37,7 @@ NodeSight::Layers layers_around(const SourceGrid::Level& level, const glm::dvec3
       seen_more += 2 * corner - 1;
     }
   }
-  NodeSight::Layers layers;
+  NodeVisibility::Layers layers;
   for (int k = 0; k < 3; ++k) {
     if (seen_more[k] != 0) layers.cell[k] = cell[k];
     layers.is_high[k] = seen_more[k] > 0 ? 1 : 0;
@@ -47,7 +47,7 @@ NodeSight::Layers layers_around(const SourceGrid::Level& level, const glm::dvec3
 
 }  // namespace
 
-NodeSight::NodeSight(const SourceGrid& grid, const glm::dvec3& eye) {
+NodeVisibility::NodeVisibility(const SourceGrid& grid, const glm::dvec3& eye) {
   bool is_finest = true;
   for (std::size_t k = 0; k < grid.levels().size(); ++k) {
     const SourceGrid::Level& level = grid.levels()[k];

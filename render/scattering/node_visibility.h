@@ -12,7 +12,7 @@ namespace brume {
 // nodes that the corner of their cell towards the eye sees. In the layer of cells that holds the
 // eye itself both sides are towards it, and one of them may be behind a surface: below the ground
 // that the eye stands on.
-struct NodeSight {
+struct NodeVisibility {
   // A layer of cells of a level along each axis: the side of its nodes that counts there.
   struct Layers {
     glm::ivec3 cell{-1};  // -1: none
@@ -24,8 +24,8 @@ struct NodeSight {
   std::uint32_t occlusion_bits = GridOcclusion::all_bits;
   std::array<Layers, SourceGrid::max_levels> layers{};
 
-  NodeSight() = default;  // from a place without surfaces
-  NodeSight(const SourceGrid& grid, const glm::dvec3& eye);
+  NodeVisibility() = default;  // from a place without surfaces
+  NodeVisibility(const SourceGrid& grid, const glm::dvec3& eye);
 };
 
 }  // namespace brume
