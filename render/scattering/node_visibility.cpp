@@ -19,8 +19,8 @@ std::optional<glm::dvec3> coordinate_in(const SourceGrid::Level& level, const gl
   return coordinate;
 }
 
-// The corners of a cell are on both sides of each axis: of the one that the eye sees more of, if it
-// does not see as much of both.
+// The side of each axis on which the eye sees more corners of its cell counts; none does if it sees
+// as many on both.
 NodeVisibility::Layers layers_around(const SourceGrid::Level& level, const glm::dvec3& coordinate) {
   const glm::ivec3 cell = glm::min(glm::ivec3(coordinate), level.nodes.count - 2);
   glm::ivec3 seen_more(0);
