@@ -7,7 +7,6 @@
 #include "render/cpu/composite.h"
 #include "render/gl/composite_stage.h"
 #include "render/gl/device.h"
-#include "render/gl/display_stage.h"
 #include "render/gl/egl_context.h"
 #include "render/gl/gl_plan.h"
 #include "render/gl/paper_stage.h"

@@ -12,7 +12,6 @@
 #include "render/cpu/film_samples.h"
 #include "render/cpu/film_slices.h"
 #include "render/cpu/pane_layers.h"
-#include "render/cpu/pane_view.h"
 #include "render/cpu/paper_airlight.h"
 #include "render/cpu/sliced_airlight.h"
 #include "render/cpu/traced_paths.h"

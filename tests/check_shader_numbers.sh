@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Numbers of the shaders have names. Those that C++ has too are generated (render/gl/shader_constants
+# Numbers of the shaders have names. Those that C++ has too are generated (render/gl/shader_source
 # and shader_structs); those of one shader are a `const` at the beginning of a line. Only the small
 # numbers of plain formulas are left.
 set -euo pipefail

@@ -9,7 +9,6 @@
 #include "core/math/infinity.h"
 #include "core/scene/lights/light_falloff.h"
 #include "core/scene/lights/photometry.h"
-#include "core/transport/optical_depth.h"
 #include "core/transport/phase_function.h"
 
 namespace brume {

@@ -1,10 +1,14 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <stop_token>
 #include <vector>
 
+#include "brume/density_grid.h"
+#include "brume/gaussian.h"
 #include "core/fit/fit_gaussian.h"
+#include "core/volume/velocity_grid.h"
 
 namespace brume {
 
@@ -14,5 +18,11 @@ namespace brume {
 // if stopped.
 std::vector<FitGaussian> split_into_gaussians(const DensityGrid& grid, std::size_t count,
                                               FitShape shape, const std::stop_token& stop = {});
+
+// Initial Gaussians of a sequence's next frame: the previous ones advected by its velocity over the
+// time between them [s]. Since solvers use undocumented velocity units, fractions of that time down
+// to 1/32 and 0 are tried, and the best match to the next frame is used. Preserves the order.
+std::vector<Gaussian> next_start(const DensityGrid& next, std::span<const Gaussian> gaussians,
+                                 const VelocityGrid& velocity, double seconds);
 
 }  // namespace brume

@@ -1,6 +1,5 @@
 #include "core/io/frame_loop.h"
 
-#include <algorithm>
 #include <chrono>
 #include <future>
 #include <new>

@@ -1,7 +1,6 @@
 #include "core/math/spherical_harmonics.h"
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 #include "core/math/sphere_rule.h"

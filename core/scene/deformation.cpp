@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <glm/matrix.hpp>
-#include <span>
 #include <utility>
 
 #include "core/math/normals.h"

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <glm/mat4x4.hpp>
-#include <memory>
 #include <span>
 #include <vector>
 

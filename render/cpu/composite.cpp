@@ -1,5 +1,4 @@
 #include "render/cpu/composite.h"
-#include "core/scene/camera_rays.h"
 
 #include <algorithm>
 #include <cmath>

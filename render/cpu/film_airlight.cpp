@@ -10,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "core/scene/camera_rays.h"
 #include "render/cpu/halved_cells.h"
 #include "render/cpu/upsampling.h"
 #include "render/prepare/light_pixels.h"

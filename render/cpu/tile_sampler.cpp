@@ -1,7 +1,6 @@
 #include "render/cpu/tile_sampler.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <glm/common.hpp>
 
-#include "core/scene/camera_rays.h"
 #include "render/cpu/film_airlight.h"
 #include "render/cpu/interpolation_kernels.h"
 #include "render/geometry/tiles.h"

@@ -5,8 +5,6 @@
 #include <numeric>
 #include <utility>
 
-#include "core/scene/camera_rays.h"
-
 namespace brume {
 namespace {
 

@@ -1,5 +1,4 @@
 #include "render/gl/film_airlight.h"
-#include "core/scene/camera_rays.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #include "render/gl/gl_plan.h"
 
-#include "render/gl/shader_constants.h"
+#include "render/gl/shader_source.h"
 
 namespace brume::gl {
 namespace {

@@ -1,6 +1,5 @@
 #include "render/gl/material_stage.h"
 
-#include <algorithm>
 #include <cstring>
 #include <map>
 

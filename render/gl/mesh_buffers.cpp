@@ -1,5 +1,4 @@
 #include "render/gl/mesh_buffers.h"
-#include "core/scene/camera_rays.h"
 
 #include "render/gl/film_airlight.h"
 #include "render/gl/shader_structs.h"

@@ -6,10 +6,9 @@
 #include <vector>
 
 #include "core/math/max_component.h"
-#include "core/scene/camera_rays.h"
 #include "render/geometry/tiles.h"
 #include "render/gl/film_airlight.h"
-#include "render/gl/shader_constants.h"
+#include "render/gl/shader_source.h"
 #include "render/gl/shader_structs.h"
 
 namespace brume::gl {

@@ -6,7 +6,7 @@
 #include <glm/vector_relational.hpp>
 
 #include "brume/mesh_arrays.h"
-#include "core/scene/materials/mean_reflectance.h"
+#include "core/scene/materials/brdf.h"
 
 namespace brume {
 namespace {

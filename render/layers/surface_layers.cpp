@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <map>
 #include <optional>
-#include <string>
 
 #include "core/scene/camera_rays.h"
 #include "core/scene/fields/light_fields.h"

@@ -1,7 +1,5 @@
 // The lights whose shapes smooth surfaces show to the paths of a view.
 
-#include <glm/geometric.hpp>
-
 #include "core/scene/lights/area_lights.h"
 #include "core/scene/lights/point_lights.h"
 #include "render/paths/path_tracer.h"

@@ -8,7 +8,6 @@
 #include "render/geometry/fog_ball.h"
 #include "render/geometry/point_source.h"
 #include "render/paths/area_sampler.h"
-#include "render/paths/emission_sampler.h"
 #include "render/paths/emitter_sampler.h"
 #include "render/paths/environment_sampler.h"
 #include "render/paths/material_sampler.h"

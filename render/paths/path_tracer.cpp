@@ -7,7 +7,6 @@
 
 #include "core/math/infinity.h"
 #include "core/math/max_component.h"
-#include "core/scene/lights/area_lights.h"
 #include "core/transport/light_path.h"
 #include "core/transport/phase_function.h"
 #include "render/paths/direction_sampling.h"

@@ -1,6 +1,5 @@
 #include "render/prepare/film_window.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <glm/common.hpp>
 #include <utility>

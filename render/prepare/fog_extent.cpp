@@ -10,10 +10,8 @@
 #include <vector>
 
 #include "brume/limits.h"
-#include "core/math/infinity.h"
 #include "core/math/random_source.h"
 #include "core/math/sphere_rule.h"
-#include "core/scene/lights/point_lights.h"
 
 namespace brume {
 

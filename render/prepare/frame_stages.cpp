@@ -1,5 +1,4 @@
 #include "render/prepare/frame_stages.h"
-#include "core/scene/camera_rays.h"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +7,6 @@
 #include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
 #include <limits>
-#include <utility>
 
 #include "render/geometry/tiles.h"
 #include "render/prepare/light_limits.h"

@@ -1,5 +1,4 @@
 #include "render/prepare/light_pixels.h"
-#include "core/scene/camera_rays.h"
 
 #include <algorithm>
 #include <cmath>

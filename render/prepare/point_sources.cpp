@@ -1,5 +1,4 @@
 #include "render/prepare/point_sources.h"
-#include "core/scene/camera_rays.h"
 
 #include <algorithm>
 

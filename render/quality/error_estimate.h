@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <glm/vec3.hpp>
 #include <memory>
 #include <optional>
 #include <span>

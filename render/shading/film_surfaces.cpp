@@ -1,13 +1,10 @@
 #include "render/shading/film_surfaces.h"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cmath>
-#include <glm/ext/vector_int2.hpp>
 #include <vector>
 
-#include "core/scene/camera_rays.h"
 #include "render/simd/surface_kernels.h"
 
 namespace brume {

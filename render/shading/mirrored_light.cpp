@@ -10,7 +10,6 @@
 
 #include "core/scene/materials/ggx.h"
 #include "render/geometry/even_points.h"
-#include "render/shading/shared_highlights.h"
 
 namespace brume {
 namespace {

@@ -1,6 +1,5 @@
 #include "render/shading/shared_highlights.h"
 
-#include <algorithm>
 #include <cstdlib>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

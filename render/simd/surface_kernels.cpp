@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "core/scene/camera_rays.h"
-
 // Highway includes this file once per instruction set.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "render/simd/surface_kernels.cpp"

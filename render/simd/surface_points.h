@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <glm/vec3.hpp>
 
 #include "brume/scene.h"

@@ -12,8 +12,6 @@
 #include <numeric>
 #include <optional>
 
-#include "core/scene/mesh.h"
-
 namespace brume {
 namespace {
 

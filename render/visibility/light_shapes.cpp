@@ -9,7 +9,6 @@
 #include "core/math/basis.h"
 #include "core/math/unit_direction.h"
 #include "core/overloaded.h"
-#include "core/scene/lights/area_lights.h"
 #include "render/geometry/rounding.h"
 
 namespace brume {

@@ -5,7 +5,6 @@
 #include <limits>
 #include <utility>
 
-#include "core/scene/camera_rays.h"
 #include "render/simd/gaussian_kernels.h"
 
 // Highway includes this file once per instruction set.

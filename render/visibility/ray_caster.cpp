@@ -5,7 +5,6 @@
 #include <mutex>
 
 #include "brume/limits.h"
-#include "core/scene/camera_rays.h"
 #include "render/geometry/edge_on.h"
 #include "render/visibility/ray_caster_impl.h"
 

@@ -85,9 +85,7 @@ TEST(CopiesFrames, AreThoseOfAsManySurfaces) {
 
 TEST(CopiesFrames, OfTexturedMetalAreThoseOfAsManySurfaces) {
   Surface box = box_with_copies();
-  box.material.type = Material::Type::metallic_roughness;
-  box.material.metallic_roughness.metallic = 0.8;
-  box.material.metallic_roughness.roughness = 0.3;
+  box.material = metallic_roughness(glm::dvec3(1.0), 0.8, 0.3);
   const Frame frame = render_frame(scene_of({box}), sliced(24));
   const Frame truth = render_frame(scene_of(apart(box)), sliced(24));
   EXPECT_LT(rel_rmse(frame.beauty, truth.beauty), 1e-3);
@@ -95,8 +93,7 @@ TEST(CopiesFrames, OfTexturedMetalAreThoseOfAsManySurfaces) {
 
 TEST(CopiesFrames, OfEmittersLightFog) {
   Surface box = box_with_copies();
-  box.material.type = Material::Type::metallic_roughness;
-  box.material.metallic_roughness.emissive = glm::dvec3(5.0);
+  box.material = metallic_roughness(glm::dvec3(1.0), 1.0, 1.0, glm::dvec3(5.0));
   const std::vector<Surface> boxes = apart(box);
   EXPECT_EQ(emitting_triangles(std::span(&box, 1)).size(), emitting_triangles(boxes).size());
   const std::vector<PointLight> lights = emitting_points(std::span(&box, 1), 21);

@@ -17,10 +17,7 @@ Surface square(double side) {
   Surface surface;
   surface.primitive = Primitive{Primitive::Shape::plane, {side, 1.0, side}};
   surface.mesh = mesh_of(*surface.primitive);
-  surface.material.type = Material::Type::metallic_roughness;
-  surface.material.metallic_roughness.base_color = leaf_color;
-  surface.material.metallic_roughness.metallic = 0.0;
-  surface.material.metallic_roughness.roughness = 0.8;
+  surface.material = metallic_roughness(leaf_color, 0.0, 0.8);
   return surface;
 }
 

@@ -13,7 +13,6 @@
 #include "render/grid/density_samples.h"
 #include "render/paths/path_medium.h"
 #include "tests/random.h"
-#include "tests/render/test_meshes.h"
 #include "tests/render/test_scenes.h"
 
 namespace brume {
@@ -76,20 +75,6 @@ TEST(Ellipsoids, AllOrdersMatchPaths) {
   expect_all_orders_match_paths(scene, "ellipsoids");
   scene.surfaces.push_back(wall(-0.5, 1.2));
   expect_all_orders_match_paths(scene, "ellipsoids before a wall");
-}
-
-// Flat layers and needles, the eye and a light among them.
-TEST(Ellipsoids, HardCasesAreFinite) {
-  for (const double elongation : {100.0, 1000.0, 10000.0}) {
-    Scene scene = on_film(ellipsoid_scene(16, 3.0, elongation, 5), {16, 12});
-    scene.camera.eye = scene.medium.centers()[0];
-    scene.lights[0].position = scene.medium.centers()[2];
-    scene.surfaces.push_back(wall(-0.2, 0.8));
-    for (const Settings& settings : {sliced(12), all_orders(12), paper_settings, path_traced(2),
-                                     brume::reference_settings(1e-2)}) {
-      expect_finite(render_frame(scene, settings));
-    }
-  }
 }
 
 TEST(Ellipsoids, AverageDepthInSinglePrecision) {

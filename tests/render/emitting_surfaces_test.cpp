@@ -7,13 +7,12 @@
 
 #include "brume/frame.h"
 #include "tests/render/paths/traced_scene.h"
-#include "tests/render/test_meshes.h"
 #include "tests/render/test_scenes.h"
 
 namespace brume {
 namespace {
 
-const glm::dvec3 emitted(8.0, 4.0, 2.0);
+const glm::dvec3 bar_radiance(8.0, 4.0, 2.0);
 
 // A bar above a floor, in thin fog; black but for what it emits.
 Scene bar_in_fog() {
@@ -21,11 +20,7 @@ Scene bar_in_fog() {
   scene.optics.albedo = glm::dvec3(0.9);
   scene.surfaces = {placed(Primitive::Shape::plane, {8.0, 1.0, 8.0}, {0.0, 0.0, 0.0}),
                     placed(Primitive::Shape::box, {1.6, 0.2, 0.2}, {0.0, 1.2, -0.5})};
-  Material& bar = scene.surfaces[1].material;
-  bar.type = Material::Type::metallic_roughness;
-  bar.metallic_roughness.base_color = glm::dvec3(0.0);
-  bar.metallic_roughness.metallic = 0.0;
-  bar.metallic_roughness.emissive = emitted;
+  scene.surfaces[1].material = metallic_roughness(glm::dvec3(0.0), 0.0, 1.0, bar_radiance);
   return in_fog(scene, 0.05);
 }
 
@@ -40,7 +35,7 @@ Scene rectangles_in_fog() {
       normal[axis] = side;
       up[(axis + 2) % 3] = 1.0;
       Light light{.position = bar.translate + 0.5005 * bar.primitive->size * normal,
-                  .intensity = emitted};
+                  .intensity = bar_radiance};
       light.kind = light::Rectangle{.direction = normal,
                                     .up = up,
                                     .width = bar.primitive->size[(axis + 1) % 3],
@@ -114,12 +109,8 @@ TEST(EmittingSurfacesInFog, AreAWhiteFurnaceFromWithin) {
   Scene scene = bar_in_fog();
   scene.optics.albedo = glm::dvec3(1.0);
   scene.surfaces = {placed(Primitive::Shape::box, {4.0, 4.0, 4.0}, {0.0, 0.0, 0.0})};
-  Material& walls = scene.surfaces[0].material;
-  walls.type = Material::Type::metallic_roughness;
-  walls.metallic_roughness.base_color = glm::dvec3(0.0);
-  walls.metallic_roughness.metallic = 1.0;  // reflects only what Schlick's term adds
-  walls.metallic_roughness.roughness = 1.0;
-  walls.metallic_roughness.emissive = glm::dvec3(1.0);
+  // Reflects only what Schlick's term adds.
+  scene.surfaces[0].material = metallic_roughness(glm::dvec3(0.0), 1.0, 1.0, glm::dvec3(1.0));
   const TracedScene room(in_fog(scene, 0.5), 1.0);
   // Radiance is the same everywhere where walls send 1 and reflect next to nothing.
   const auto radiance = room.airlight({0.0, 0.0, 0.0}, {2.0, 0.3, 0.1}, 128 * path_block).sum;

@@ -15,11 +15,7 @@ namespace brume {
 namespace {
 
 void make_metal(Surface& surface, double base_color, double roughness) {
-  surface.material.type = Material::Type::metallic_roughness;
-  MetallicRoughness& material = surface.material.metallic_roughness;
-  material.base_color = glm::dvec3(base_color);
-  material.metallic = 1.0;
-  material.roughness = roughness;
+  surface.material = metallic_roughness(glm::dvec3(base_color), 1.0, roughness);
 }
 
 // Boxes on a floor, lit from above.

@@ -8,7 +8,7 @@
 #include "core/scene/lights/sky.h"
 #include "core/scene/materials/measured_brdf.h"
 #include "tests/random.h"
-#include "tests/render/test_profiles.h"
+#include "tests/render/test_scenes.h"
 
 namespace brume {
 namespace {

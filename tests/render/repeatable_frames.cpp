@@ -5,7 +5,6 @@
 #include <cstring>
 #include <glm/vec3.hpp>
 #include <string>
-#include <vector>
 
 #include "brume/at_time.h"
 #include "brume/edits.h"

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <optional>
 #include <utility>
-#include <vector>
 
 #include "render/geometry/tiles.h"
 #include "tests/random.h"

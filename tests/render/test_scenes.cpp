@@ -4,9 +4,12 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 #include <numbers>
 
 #include "brume/mesh_arrays.h"
+#include "core/scene/camera_rays.h"
+#include "core/scene/lights/photometric_profile.h"
 #include "core/scene/lights/radiance_map.h"
 #include "core/transport/optical_depth.h"
 #include "tests/random.h"
@@ -139,6 +142,17 @@ std::shared_ptr<const TriangleMesh> ball_mesh(int rings) {
   return to_mesh(mesh);
 }
 
+Material metallic_roughness(const glm::dvec3& base_color, double metallic, double roughness,
+                            const glm::dvec3& emissive) {
+  Material material;
+  material.type = Material::Type::metallic_roughness;
+  material.metallic_roughness.base_color = base_color;
+  material.metallic_roughness.metallic = metallic;
+  material.metallic_roughness.roughness = roughness;
+  material.metallic_roughness.emissive = emissive;
+  return material;
+}
+
 Surface ball_surface(int rings, double radius, const glm::dvec3& center) {
   Surface surface;
   surface.mesh = ball_mesh(rings);
@@ -261,6 +275,70 @@ double plain_density(const Medium& medium, const glm::dvec3& x) {
     sum += g.c * std::exp(-g.a * g.a * glm::dot(off, off));
   }
   return sum;
+}
+
+double plain_airlight(const Scene& scene, const glm::dvec3& w, double begin, double end, int steps,
+                      const std::function<double(const glm::dvec3& x)>& incident) {
+  const double step = (end - begin) / steps;
+  double sum = 0.0;
+  for (int i = 0; i < steps; ++i) {
+    const double t = begin + step * (i + 0.5);
+    const glm::dvec3 x = scene.camera.eye + t * w;
+    const double density = plain_density(scene.medium, x);
+    if (density < 1e-7) continue;
+    const double depth =
+        plain_depth(scene.medium, scene.camera.eye, w, t) + scene.medium.homogeneous_density() * t;
+    sum += density * std::exp(-depth) * incident(x);
+  }
+  return sum * step / (4.0 * std::numbers::pi);
+}
+
+void expect_airlight(const Scene& scene, const Frame& frame,
+                     std::initializer_list<glm::ivec2> pixels,
+                     const std::function<double(const glm::dvec3& w)>& expected) {
+  const CameraRays rays(scene.camera, scene.film);
+  for (const glm::ivec2& pixel : pixels) {
+    const double value = expected(glm::normalize(rays.direction(pixel.x + 0.5, pixel.y + 0.5)));
+    const auto i = static_cast<std::size_t>(3 * (pixel.y * scene.film.width + pixel.x));
+    EXPECT_NEAR(frame.airlight[i], value, 1e-3 * value + 1e-7) << pixel.x << ", " << pixel.y;
+  }
+}
+
+std::shared_ptr<TriangleMesh> turned(const TriangleMesh& mesh, const glm::dquat& q) {
+  MeshArrays arrays = to_arrays(mesh);
+  for (glm::vec3& p : arrays.points) p = glm::vec3(q * glm::dvec3(p));
+  for (glm::vec3& n : arrays.normals) n = glm::vec3(q * glm::dvec3(n));
+  return to_mesh(arrays);
+}
+
+namespace {
+
+// `intensity`: of the polar angle and the azimuth in radians.
+template <class Intensity>
+LightProfile profile(double step, double rotation, Intensity&& intensity) {
+  std::vector<double> polar;
+  std::vector<double> azimuths;
+  std::vector<double> values;
+  for (double p = 0.0; p <= 180.0; p += step) polar.push_back(p);
+  for (double a = 0.0; a <= 360.0; a += step) {
+    azimuths.push_back(a);
+    for (const double p : polar) values.push_back(intensity(glm::radians(p), glm::radians(a)));
+  }
+  return {"profile.ies", std::make_shared<const PhotometricProfile>(polar, azimuths, values),
+          rotation};
+}
+
+}  // namespace
+
+LightProfile cosine_profile() {
+  return profile(1.0, 0.0, [](double p, double) { return std::max(std::cos(p), 0.0); });
+}
+
+LightProfile lobed_profile(double rotation) {
+  return profile(5.0, rotation, [](double p, double a) {
+    return std::exp(-8.0 * std::pow(p - 0.7, 2)) * (1.3 + std::cos(a)) *
+           (1.0 + std::pow(std::sin(a), 2));
+  });
 }
 
 }  // namespace brume

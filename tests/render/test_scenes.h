@@ -1,5 +1,9 @@
 #pragma once
 
+#include <functional>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec2.hpp>
+#include <initializer_list>
 #include <memory>
 #include <string>
 
@@ -7,6 +11,7 @@
 #include "brume/scene.h"
 #include "render/settings.h"
 #include "tools/bench/measure/frames.h"
+#include "tools/bench/scenes/benchmark_meshes.h"
 
 namespace brume {
 
@@ -37,6 +42,9 @@ Scene cut_by_a_surface();
 // A primitive whose middle is at `place`.
 Surface placed(Primitive::Shape shape, const glm::dvec3& size, const glm::dvec3& place,
                double reflectance = 0.5);
+
+Material metallic_roughness(const glm::dvec3& base_color, double metallic, double roughness,
+                             const glm::dvec3& emissive = glm::dvec3(0.0));
 
 // A tessellated unit ball.
 std::shared_ptr<const TriangleMesh> ball_mesh(int rings);
@@ -80,5 +88,22 @@ void expect_finite(const Frame& frame);
 // on in the unit direction w, and the density at x with that of homogeneous fog [1/u].
 double plain_depth(const Medium& medium, const glm::dvec3& x, const glm::dvec3& w, double length);
 double plain_density(const Medium& medium, const glm::dvec3& x);
+// The red airlight that a ray of the camera in a unit direction scatters between two distances, by
+// the middles of so many steps; `incident` is the light that arrives at a point from all around.
+double plain_airlight(const Scene& scene, const glm::dvec3& w, double begin, double end, int steps,
+                      const std::function<double(const glm::dvec3& x)>& incident);
+// Whether the red airlight of pixels is within 0.1% what is `expected` of their rays' directions.
+void expect_airlight(const Scene& scene, const Frame& frame,
+                     std::initializer_list<glm::ivec2> pixels,
+                     const std::function<double(const glm::dvec3& w)>& expected);
+
+// A copy turned by q about the origin.
+std::shared_ptr<TriangleMesh> turned(const TriangleMesh& mesh, const glm::dquat& q);
+
+// At every degree: the cosine of the polar angle below the luminaire, 0 above.
+LightProfile cosine_profile();
+
+// At every 5 degrees: two unlike lobes to the sides.
+LightProfile lobed_profile(double rotation);
 
 }  // namespace brume

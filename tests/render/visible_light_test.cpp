@@ -34,12 +34,7 @@ Light ball() {
 }
 
 Material metal(double base_color, double roughness) {
-  Material material;
-  material.type = Material::Type::metallic_roughness;
-  material.metallic_roughness.base_color = glm::dvec3(base_color);
-  material.metallic_roughness.metallic = 1.0;
-  material.metallic_roughness.roughness = roughness;
-  return material;
+  return metallic_roughness(glm::dvec3(base_color), 1.0, roughness);
 }
 
 // Both above a floor before a wall.

@@ -14,11 +14,9 @@
 #include "tests/tools/command_line.h"
 #include "tools/bench/measure/frontier.h"
 #include "tools/bench/report/bench_compare.h"
-#include "tools/bench/report/bench_html.h"
 #include "tools/bench/report/bench_json.h"
-#include "tools/bench/report/bench_markdown.h"
+#include "tools/bench/report/bench_pages.h"
 #include "tools/bench/report/bench_tables.h"
-#include "tools/bench/report/cache_table.h"
 #include "tools/bench/scenes/table_one_scenes.h"
 
 namespace brume {

@@ -1,13 +1,23 @@
 // Frames of an animation, one file each, from one process or several.
 
+#include <gtest/gtest.h>
+#include <cmath>
 #include <csignal>
+#include <filesystem>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
 #include <nlohmann/json.hpp>
+#include <numbers>
+#include <vector>
 
+#include "core/fit/volume_fitter.h"
 #include "core/io/disk/file_bytes.h"
 #include "core/io/gaussians/gaussian_file.h"
 #include "tests/contains.h"
 #include "tests/tools/command_line.h"
 #include "tests/tools/running_program.h"
+#include "tools/bench/measure/frames.h"
 
 namespace brume {
 namespace {
@@ -216,5 +226,184 @@ TEST_F(FrameSequence, CanBeEndedAndGoOn) {
   }
 }
 
+// --seed, --error, and --stats of a sequence.
+
+using Json = nlohmann::json;
+
+class RenderStatistics : public CommandLine {
+ protected:
+  // The statistics that --stats writes.
+  Json render(std::vector<std::string> more) {
+    expect_done(joined(
+        {"render", scene_, "--backend", "cpu", "--size", "8x6", "--stats", file("s.json")}, more));
+    return Json::parse(content_of(folder_ / "s.json"));
+  }
+  ImageLayers traced(const char* image, std::vector<std::string> more) {
+    seed_ = render(joined({"--airlight", "path:16", "-o", file(image)}, more))["seed"];
+    return read_exr(folder_ / image);
+  }
+
+  Json seed_;
+};
+
+TEST_F(RenderStatistics, SeedsAreIndependentPictures) {
+  const std::vector<float> first = traced("0.exr", {}).channels.at("R");
+  EXPECT_EQ(seed_, 0);
+  EXPECT_EQ(traced("0.exr", {"--seed", "0"}).channels.at("R"), first);
+  const std::vector<float> other = traced("1.exr", {"--seed", "4294967295"}).channels.at("R");
+  EXPECT_EQ(seed_, 4294967295);
+  std::size_t different = 0;
+  double sum = 0.0;
+  double difference = 0.0;
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    different += static_cast<std::size_t>(first[i] != other[i]);
+    sum += static_cast<double>(first[i]);
+    difference += static_cast<double>(other[i] - first[i]);
+  }
+  EXPECT_GT(different, first.size() * 9 / 10);
+  EXPECT_LT(std::abs(difference), 0.3 * sum);  // of 16 paths in 48 pixels
+  for (const char* seed : {"-1", "4294967296", "1.5", "x"}) {
+    expect_refused({"render", scene_, "-o", file("o.exr"), "--seed", seed}, {"--seed"});
+  }
+}
+
+TEST_F(RenderStatistics, NoErrorIsMeasuredWhereNoneIsWanted) {
+  for (const char* method : {"auto", "sliced"}) {
+    SCOPED_TRACE(method);
+    const std::vector<std::string> options{"--airlight",  method,         "-o",
+                                           file("o.exr"), "--scattering", "single"};
+    const auto error = [&](const char* wanted) {
+      return render(joined(options, {"--error", wanted}))["error"];
+    };
+    EXPECT_TRUE(error("none").is_null());
+    EXPECT_FALSE(read_exr(folder_ / "o.exr").metadata.contains("brume:error"));
+    const Json quick = error("quick");
+    EXPECT_GT(quick["pixels"], 0);
+    EXPECT_LE(quick["blocks"]["low"], quick["blocks"]["median"]);
+    EXPECT_LE(quick["blocks"]["median"], quick["blocks"]["high"]);
+    EXPECT_TRUE(read_exr(folder_ / "o.exr").metadata.contains("brume:error"));
+    EXPECT_TRUE(read_exr(folder_ / "o.exr").metadata.contains("brume:block_error"));
+    EXPECT_EQ(render(options)["error"], quick) << "it is the default";
+    EXPECT_GE(error("full")["pixels"], quick["pixels"]);
+  }
+  for (const char* wanted : {"some", "", "Full", "0"}) {
+    expect_refused({"render", scene_, "-o", file("o.exr"), "--error", wanted},
+                   {"--error", "allowed: none, quick, full"});
+  }
+}
+
+// Whatever part of it a process renders, a shot has one setting, and its frames no error.
+TEST_F(RenderStatistics, AutoChoosesOnceForAShot) {
+  const auto frames = [&](const char* which, const std::vector<std::string>& more) {
+    return render(joined({"--frames", which, "--fps", "10", "-o", file("f_%d.exr"), "--scattering",
+                          "single", "--max-error", "0.01"},
+                         more))["frames"];
+  };
+  const Json all = frames("0-3", {});
+  ASSERT_EQ(all.size(), 4u);
+  for (const Json& frame : all) {
+    EXPECT_EQ(frame["airlight"], "sliced");
+    EXPECT_EQ(frame["slices"], all[0]["slices"]);
+    EXPECT_EQ(frame["airlight_scale"], 4);
+    EXPECT_TRUE(frame["error"].is_null());
+  }
+  EXPECT_EQ(frames("3", {})[0]["slices"], all[3]["slices"]);
+  EXPECT_GT(frames("3", {"--error", "quick"})[0]["error"]["pixels"], 0);
+}
+
+TEST_F(RenderStatistics, OfASequenceListItsFrames) {
+  const std::vector<std::string> options = joined(
+      words("--airlight sliced --scattering single --frames 3,0 --fps 10 -o"), {file("f_%d.exr")});
+  const Json frames = render(options)["frames"];
+  ASSERT_EQ(frames.size(), 2u);
+  EXPECT_EQ(frames[0]["frame"], 3);
+  EXPECT_EQ(frames[0]["time"], 0.3);
+  EXPECT_EQ(frames[1]["frame"], 0);
+  EXPECT_EQ(frames[1]["slices"], 24);
+  EXPECT_TRUE(frames[1]["error"].is_null());
+  EXPECT_GT(frames[1]["frame_ms"]["median"], 0.0);
+  const std::vector<std::string> measured = joined(options, {"--error", "full"});
+  EXPECT_GT(render(measured)["frames"][0]["error"]["pixels"], 0);
+  // All are there already.
+  EXPECT_TRUE(render(joined(measured, {"--skip-existing"}))["frames"].empty());
+  expect_refused({"submit", "openjd", scene_, "--frames", "0", "-o", file("f_%d.exr"), "--stats",
+                  file("s.json")},
+                 {"--stats"});
+}
+
+// Sequences of volumes, fitted, as they are seen.
+
+const std::filesystem::path volumes = BRUME_VOLUMES;
+
+// A volume as it is: a Gaussian for each voxel, of its mass, wide enough that they add up evenly.
+std::vector<Gaussian> voxels_of(const DensityGrid& grid) {
+  const double radius = 0.75 * std::cbrt(grid.voxel_volume());
+  const double peak = grid.voxel_volume() / std::pow(std::sqrt(std::numbers::pi) * radius, 3.0);
+  std::vector<Gaussian> voxels;
+  for (const DensityGrid::Block& block : grid.blocks) {
+    for (int i = 0; i < static_cast<int>(DensityGrid::block_size); ++i) {
+      const double density = static_cast<double>(block.values[static_cast<std::size_t>(i)]);
+      const glm::ivec3 voxel = block.corner + glm::ivec3(i / 64, i / 8 % 8, i % 8);
+      if (density > 0.0) voxels.push_back({grid.to_world(voxel), radius, peak * density});
+    }
+  }
+  return voxels;
+}
+
+// Shows an entire volume, lit from the side.
+Scene view_of(const DensityGrid& grid) {
+  glm::dvec3 low(std::numeric_limits<double>::infinity());
+  glm::dvec3 high = -low;
+  for (const Gaussian& voxel : voxels_of(grid)) {
+    low = glm::min(low, voxel.center);
+    high = glm::max(high, voxel.center);
+  }
+  const glm::dvec3 center = 0.5 * (low + high);
+  const double size = glm::length(high - low);
+  Scene scene;
+  scene.film = {32, 32};
+  scene.camera = {center + size * glm::dvec3(1.3, 0.4, 0.9), center, {0.0, 0.0, 1.0}, 45.0};
+  scene.lights = {{center + size * glm::dvec3(-0.7, 1.0, 0.8), glm::dvec3(size * size), {}}};
+  return scene;
+}
+
+std::vector<float> picture(Scene view, const std::vector<Gaussian>& gaussians) {
+  for (const Gaussian& gaussian : gaussians) view.medium.append(gaussian);
+  return render_frame(view, sliced_settings({}, 64)).airlight;
+}
+
+std::vector<float> difference(const std::vector<float>& a, const std::vector<float>& b) {
+  std::vector<float> result;
+  for (std::size_t i = 0; i < a.size(); ++i) result.push_back(a[i] - b[i]);
+  return result;
+}
+
+double norm(const std::vector<float>& values) {
+  double sum = 0.0;
+  for (const float value : values) sum += static_cast<double>(value) * static_cast<double>(value);
+  return std::sqrt(sum);
+}
+
+// A picture of the Gaussians changes from frame to frame as much as one of the smoke itself, within
+// the 10% that the project promises; and what it changes otherwise than the smoke, which is seen as
+// flicker, is less than where each frame is fitted by itself.
+TEST(SequenceView, FittedSmokeDoesNotFlicker) {
+  VolumeFit how;
+  how.options.count = 60;
+  VolumeFitter fitter(how);
+  const FittedVolume first = *fitter.next(volumes / "smoke_0025.vdb");
+  const FittedVolume second = *fitter.next(volumes / "smoke_0026.vdb");
+  const FittedVolume by_itself = *VolumeFitter(how).next(volumes / "smoke_0026.vdb");
+  const Scene view = view_of(first.grid);
+  const std::vector<float> before = picture(view, first.fit.gaussians);
+  const std::vector<float> smoke =
+      difference(picture(view, voxels_of(second.grid)), picture(view, voxels_of(first.grid)));
+  const std::vector<float> fog = difference(picture(view, second.fit.gaussians), before);
+  const std::vector<float> anew = difference(picture(view, by_itself.fit.gaussians), before);
+  EXPECT_NEAR(norm(fog) / norm(smoke), 1.0, 0.1);
+  EXPECT_LT(norm(difference(fog, smoke)), 0.9 * norm(difference(anew, smoke)));
+}
+
 }  // namespace
+
 }  // namespace brume

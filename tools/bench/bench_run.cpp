@@ -4,26 +4,157 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <memory>
 #include <string_view>
 
+#include "core/io/image/image_file.h"
 #include "core/io/scene/scene_file.h"
 #include "core/scene/imported_scene.h"
 #include "core/scene/lights/sky.h"
+#include "render/display/to_display.h"
 #include "render/render_plan.h"
 #include "render/renderer.h"
 #include "render/transfer/transfer_store.h"
-#include "tools/bench/cost_curves.h"
 #include "tools/bench/errors/incident_light_errors.h"
 #include "tools/bench/errors/surface_light_errors.h"
 #include "tools/bench/errors/transfer_errors.h"
 #include "tools/bench/measure/cache_gains.h"
-#include "tools/bench/scene_report.h"
 #include "tools/bench/scenes/benchmark_scenes.h"
 #include "tools/bench/scenes/table_one_scenes.h"
 
 namespace brume {
 namespace {
+
+std::vector<Settings> tried_settings(const BenchOptions& options) {
+  Settings base;
+  base.threads = options.threads;
+  Settings paper = base;
+  paper.airlight = AirlightMethod::paper;
+  std::vector<Settings> settings = {paper};
+  const std::vector<int> slices = options.quick ? std::vector{4, 8, 16, 32, 96}
+                                                : std::vector{4, 6, 8, 12, 16, 24, 32, 48, 64, 128};
+  for (const int scale : {4, 1}) {
+    Settings scaled = base;
+    scaled.airlight_scale = scale;
+    for (const int k : slices) settings.push_back(sliced_settings(scaled, k));
+  }
+  return settings;
+}
+
+// How far apart the airlights of two frames are, pixel by pixel: white is `white`.
+std::string error_map(const Frame& frame, const Frame& reference, double white) {
+  std::vector<std::uint8_t> rgb;
+  for (std::size_t i = 0; i < frame.depth.size(); ++i) {
+    double square = 0.0;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double d =
+          static_cast<double>(frame.airlight[3 * i + c] - reference.airlight[3 * i + c]);
+      square += d * d / 3.0;
+    }
+    const double level = std::min(std::sqrt(square) / white, 1.0);
+    rgb.insert(rgb.end(), 3, static_cast<std::uint8_t>(std::lround(255.0 * level)));
+  }
+  return encode_png(frame.film.width, frame.film.height, rgb);
+}
+
+BenchPicture picture(const Scene& scene, const Settings& settings, bool quick) {
+  const Film film = quick ? Film{64, 48} : Film{120, 90};
+  Settings exact = settings;
+  exact.airlight = AirlightMethod::reference;
+  exact.airlight_scale = 1;
+  exact.reference_tolerance = 1e-3;
+  const Frame frame = *Renderer().render(scene, scene.camera, film, settings);
+  const Frame reference = *Renderer().render(scene, scene.camera, film, exact);
+  double square = 0.0;
+  for (const float x : reference.airlight)
+    square += static_cast<double>(x) * static_cast<double>(x);
+  const double rms = std::sqrt(square / static_cast<double>(reference.airlight.size()));
+  constexpr double white = 0.1;
+  const auto png = [](const Frame& f) {
+    return encode_png(f.film.width, f.film.height, to_display(f, {}));
+  };
+  return {setting_name(settings), png(frame), png(reference),
+          error_map(frame, reference, std::max(white * rms, 1e-30)), white};
+}
+
+// One scene with all settings that are tried, their errors, and a picture. `gl` may be null.
+SceneReport measure_scene(const BenchScene& bench, const BenchOptions& options, GlRenderer* gl) {
+  const Scene& scene = bench.scene;
+  SceneReport report;
+  report.name = bench.name;
+  report.gaussians = scene.medium.size();
+  report.lights = scene.lights.size();
+  report.environment = scene.environment.has_value();
+  report.film = scene.film;
+  const std::size_t pixels = scene.medium.size() > 1000 ? 150 : 400;
+  const ReferenceSample reference = find_reference(scene, options.quick ? pixels / 2 : pixels);
+  const double seconds = options.quick ? 0.15 : 0.4;
+  report.reference_cpu_milliseconds = reference.frame_cpu_milliseconds;
+  for (const Settings& settings : tried_settings(options)) {
+    Renderer renderer;
+    report.settings.push_back(measure(renderer, scene, settings, reference.sample, seconds));
+    if (gl) report.on_gl.push_back(measure(*gl, scene, settings, reference.sample, seconds));
+  }
+  report.peers = other_renderers_of(options.peers, report.name, report.film);
+  const auto shown = cheapest_within(report.settings, 0.02);
+  report.picture = picture(
+      scene, report.settings[shown.value_or(report.settings.size() - 1)].settings, options.quick);
+  return report;
+}
+
+// After a first frame, which makes what the others keep.
+MovedFrames cost(const Scene& scene, const Settings& settings, bool quick) {
+  Renderer renderer;
+  static_cast<void>(renderer.render(scene, scene.camera, scene.film, settings));
+  return moved_frames(renderer, scene, settings, quick ? 3 : 9);
+}
+
+// Varies one parameter at a time; base scene: the box of 1,000 Gaussians with one light, sliced 24.
+std::vector<CostCurve> measure_cost_curves(const BenchOptions& options,
+                                           const std::function<void(const std::string&)>& log) {
+  Settings base;
+  base.threads = options.threads;
+  const auto cpu = [&](const Scene& scene, int slices) {
+    return cost(scene, sliced_settings(base, slices), options.quick).cpu_milliseconds.median;
+  };
+  std::vector<CostCurve> curves;
+  const auto add = [&](const char* over, const std::vector<int>& sizes, const auto& at) {
+    log(std::string("cost over ") + over);
+    CostCurve curve{over, {}, 0.0};
+    for (const int size : sizes) curve.points.push_back({static_cast<double>(size), at(size)});
+    curve.exponent = fitted_exponent(curve.points);
+    curves.push_back(curve);
+  };
+  std::vector<int> counts = {100, 1000, 10'000};
+  if (!options.quick) counts.insert(counts.end(), {100'000, 1'000'000});
+  add("Gaussians", counts, [&](int n) { return cpu(box_scene(n, 1), 24); });
+  add("lights", {1, 2, 4, 8}, [&](int n) { return cpu(box_scene(1000, n), 24); });
+  add("slices", {8, 16, 32, 64, 128}, [&](int k) { return cpu(box_scene(1000, 1), k); });
+  add("pixels", {7'500, 30'000, 120'000}, [&](int pixels) {
+    Scene scene = box_scene(1000, 1);
+    const int height = static_cast<int>(std::lround(std::sqrt(pixels * 0.75)));
+    scene.film = {pixels / height, height};
+    return cpu(scene, 24);
+  });
+  return curves;
+}
+
+// That box at 800 x 600, with 1, 2, 4 ... threads and with all.
+std::vector<ThreadRow> measure_threads(const BenchOptions& options) {
+  const int hardware = tbb::info::default_concurrency();
+  const int all = options.threads > 0 ? std::min(options.threads, hardware) : hardware;
+  Scene scene = box_scene(1000, 1);
+  scene.film = {800, 600};
+  std::vector<ThreadRow> rows;
+  for (int threads = 1; threads <= all;
+       threads = threads < all ? std::min(2 * threads, all) : all + 1) {
+    Settings settings = sliced_settings({}, 24);
+    settings.threads = threads;
+    rows.push_back({threads, cost(scene, settings, options.quick).milliseconds});
+  }
+  return rows;
+}
 
 constexpr Film frontier_film{200, 150};
 

@@ -13,14 +13,12 @@
 #include "core/io/scene/scene_file.h"
 #include "tools/bench/bench_run.h"
 #include "tools/bench/report/bench_compare.h"
-#include "tools/bench/report/bench_html.h"
 #include "tools/bench/report/bench_json.h"
-#include "tools/bench/report/bench_markdown.h"
-#include "tools/bench/report/frontier_plot.h"
+#include "tools/bench/report/bench_pages.h"
+#include "tools/bench/report/plots.h"
 #include "tools/brume/command_files.h"
 #include "tools/brume/finite_in.h"
 #include "tools/brume/program.h"
-#include "tools/brume/read_scene.h"
 #include "tools/brume/request_arguments.h"
 
 namespace brume {

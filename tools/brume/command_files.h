@@ -5,8 +5,11 @@
 #include <filesystem>
 #include <map>
 #include <set>
+#include <string>
 #include <utility>
 #include <vector>
+
+#include "core/io/scene/scene_document.h"
 
 namespace brume {
 
@@ -39,5 +42,15 @@ class CommandFiles {
   std::set<std::filesystem::path> outputs_;  // where their bytes go
   std::vector<std::filesystem::path> made_;  // folders, the outer first
 };
+
+// Loads the scene of a command, whose other files become inputs of it; prints what there is to warn
+// of. Throws InputError.
+SceneDocument read_document(const std::string& file, CommandFiles& files);
+// The same where only files of some frames of sequences may be missing, which are appended to
+// `missing`.
+SceneDocument read_document(const std::string& file, CommandFiles& files,
+                            std::vector<std::filesystem::path>& missing);
+// The scene of it alone.
+Scene read_scene(const std::string& file, CommandFiles& files);
 
 }  // namespace brume

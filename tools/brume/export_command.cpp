@@ -27,7 +27,6 @@
 #include "tools/brume/interruption.h"
 #include "tools/brume/lit_splats.h"
 #include "tools/brume/progress_line.h"
-#include "tools/brume/read_scene.h"
 #include "tools/brume/run_frames.h"
 
 namespace brume {

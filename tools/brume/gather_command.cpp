@@ -6,9 +6,9 @@
 #include "core/io/scene/gather.h"
 #include "core/io/scene/scene_files.h"
 #include "tools/brume/command.h"
+#include "tools/brume/command_files.h"
 #include "tools/brume/interruption.h"
 #include "tools/brume/progress_line.h"
-#include "tools/brume/read_scene.h"
 
 namespace brume {
 namespace {

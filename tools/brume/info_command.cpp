@@ -24,8 +24,8 @@
 #include "render/prepare/deep_fog.h"
 #include "render/prepare/fog_extent.h"
 #include "tools/brume/command.h"
+#include "tools/brume/command_files.h"
 #include "tools/brume/progress_line.h"
-#include "tools/brume/read_scene.h"
 
 namespace brume {
 namespace {

@@ -10,7 +10,6 @@
 #include "core/io/text_scanner.h"
 #include "core/number_domain.h"
 #include "core/scene/cameras.h"
-#include "render/deep/deep_file.h"
 #include "render/request.h"
 #include "tools/brume/command.h"
 #include "tools/brume/finite_in.h"

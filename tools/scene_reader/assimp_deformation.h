@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/io/import/node_motion.h"
 #include "core/io/import/poses.h"
 
 namespace brume {
@@ -23,5 +24,12 @@ std::vector<Joint> read_bones(const aiMesh& mesh, const std::map<std::string, st
 // animation gives them; none without such, since nobody knows their weights at rest then.
 std::shared_ptr<const Track<MorphWeights>> read_morph(const aiScene& scene, const aiMesh& mesh,
                                                       const aiNode& node, Deformation& deformation);
+
+double ticks_per_second(const aiAnimation& animation);
+
+// Sets the tracks of nodes by a scene's first animation. `names`: of nodes, the first of which is
+// the root, which does not move.
+void add_tracks(const aiScene& scene, const std::map<std::string, std::size_t>& names,
+                std::vector<MovingNode>& nodes);
 
 }  // namespace brume

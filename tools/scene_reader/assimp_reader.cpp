@@ -27,11 +27,9 @@
 #include "core/math/basis.h"
 #include "core/number_domain.h"
 #include "core/scene/mesh.h"
-#include "tools/scene_reader/assimp_animation.h"
 #include "tools/scene_reader/assimp_deformation.h"
 #include "tools/scene_reader/assimp_lights.h"
 #include "tools/scene_reader/assimp_materials.h"
-#include "tools/scene_reader/assimp_polygons.h"
 #include "tools/scene_reader/limited_files.h"
 #include "tools/scene_reader/obj_repair.h"
 

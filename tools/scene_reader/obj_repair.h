@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <string>
 
+struct aiScene;
+
 namespace brume {
 
 // Repairs what assimp may refuse an OBJ for: faces that are none (core/io/mesh/obj_corner.h), and
@@ -14,5 +16,9 @@ struct ObjRepair {
   bool has_changed = false;
 };
 ObjRepair repair_obj(std::string& text);
+
+// Cuts the polygons of a scene's meshes into triangles as those of mesh files are (triangulate()):
+// assimp's own step fills some concave ones. The indices of the faces have been checked.
+void cut_polygons(aiScene& scene);
 
 }  // namespace brume

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/io/disk/staging_folder.h"
+#include "core/io/disk/temporary_files.h"
 
 namespace brume {
 

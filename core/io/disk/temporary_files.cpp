@@ -14,6 +14,8 @@
 #include <string>
 #include <utility>
 
+#include "brume/error.h"
+
 namespace brume {
 namespace {
 
@@ -109,6 +111,25 @@ void remove_temporary_files_on_signals() {
     ::sigaction(signal, &action, nullptr);
   }
   ::signal(SIGXFSZ, SIG_IGN);
+}
+
+namespace fs = std::filesystem;
+
+StagingFolder::StagingFolder(const fs::path& parent, const fs::path& user) {
+  static std::atomic<unsigned> counter = 0;
+  std::error_code error;
+  do {
+    path_ = fs::weakly_canonical(parent, error) /
+            (".brume-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".tmp");
+  } while (!error && fs::exists(path_));
+  name_ = TemporaryName(path_);
+  if (!error) fs::create_directory(path_, error);
+  if (error) throw InputError(user, "", "cannot be created: " + error.message());
+}
+
+StagingFolder::~StagingFolder() {
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);
 }
 
 }  // namespace brume

@@ -1,6 +1,5 @@
 #include "core/io/gaussians/gaussian_csv.h"
 
-#include <algorithm>
 #include <array>
 #include <charconv>
 #include <optional>

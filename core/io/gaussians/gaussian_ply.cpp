@@ -9,13 +9,13 @@
 #include <string_view>
 
 #include "brume/error.h"
+#include "core/io/byte_reader.h"
 #include "core/io/disk/atomic_file.h"
 #include "core/io/disk/file_bytes.h"
 #include "core/io/gaussians/dropped_splats.h"
 #include "core/io/gaussians/gaussian_columns.h"
 #include "core/io/gaussians/other_format.h"
-#include "core/io/gaussians/splat_color.h"
-#include "core/io/little_endian.h"
+#include "core/io/gaussians/splat_output.h"
 #include "core/io/ply.h"
 #include "core/medium/splat.h"
 

@@ -12,7 +12,6 @@
 #include "brume/error.h"
 #include "core/io/gaussians/dropped_splats.h"
 #include "core/io/gaussians/gaussian_columns.h"
-#include "core/io/gaussians/splat_color.h"
 #include "core/io/import/gltf_file.h"
 #include "core/io/import/gltf_nodes.h"
 #include "core/medium/splat.h"

@@ -3,11 +3,11 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "core/io/byte_reader.h"
 #include "core/io/disk/atomic_file.h"
 #include "core/io/disk/file_bytes.h"
 #include "core/io/gaussians/splat_gltf.h"
 #include "core/io/import/uri.h"
-#include "core/io/little_endian.h"
 #include "core/medium/splat.h"
 
 namespace brume {

@@ -5,8 +5,8 @@
 #include <initializer_list>
 #include <vector>
 
+#include "core/io/byte_reader.h"
 #include "core/io/disk/atomic_file.h"
-#include "core/io/little_endian.h"
 #include "core/math/spherical_harmonics.h"
 #include "core/medium/splat.h"
 

@@ -15,8 +15,7 @@
 #include "brume/error.h"
 #include "core/io/disk/atomic_file.h"
 #include "core/io/disk/file_bytes.h"
-#include "core/io/image/exr_attributes.h"
-#include "core/io/image/exr_stream.h"
+#include "core/io/image/exr_writing.h"
 #include "core/io/text_scanner.h"
 
 namespace brume {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "core/io/image/exr_view.h"
+#include "core/io/image/image_file.h"
 
 namespace brume {
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <glm/mat4x4.hpp>
 #include <map>
 #include <optional>
 #include <span>
@@ -9,9 +10,17 @@
 
 #include "brume/image_layers.h"
 #include "brume/limits.h"
-#include "core/io/image/exr_view.h"
 
 namespace brume {
+
+// How a rendered picture sees its scene: standard attributes of OpenEXR.
+struct ExrView {
+  // worldToCamera: x to the right, y up, z along the view [u].
+  glm::dmat4 world_to_camera{1.0};
+  // worldToNDC: x and y from (0, 0), the upper left corner of the picture, to (1, 1).
+  glm::dmat4 world_to_ndc{1.0};
+  double frames_per_second = 0.0;  // 0: not known
+};
 
 // OpenEXR. Reads the first flat part, scan lines or tiles, of a file; half and uint channels
 // become float, values that are not finite stay. Throws InputError: no EXR, truncated, deep only,

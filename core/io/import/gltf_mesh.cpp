@@ -1,6 +1,5 @@
 #include "core/io/import/gltf_mesh.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "brume/limits.h"

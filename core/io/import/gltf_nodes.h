@@ -3,8 +3,10 @@
 #include <cstddef>
 #include <glm/mat4x4.hpp>
 #include <optional>
+#include <span>
 #include <vector>
 
+#include "brume/copies.h"
 #include "core/io/import/gltf_file.h"
 #include "core/io/import/node_motion.h"
 
@@ -25,5 +27,12 @@ std::vector<GltfNode> read_gltf_nodes(GltfFile& file);
 
 // The member `key` of an object, a list of elements of the list `nodes`; empty if missing.
 std::vector<std::size_t> gltf_node_indices(GltfFile& file, JsonObject& object, const char* key);
+
+// The transforms of a node's instances within it (EXT_mesh_gpu_instancing); without any, the node
+// is its only one.
+std::vector<glm::dmat4> gltf_instances(GltfFile& file, JsonObject& node);
+
+// Transforms as placements; empty: one of them stretches or mirrors.
+CopyPlacements placements_of(std::span<const glm::dmat4> transforms);
 
 }  // namespace brume

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 #include <map>
 #include <numbers>
 #include <string>
@@ -12,11 +13,9 @@
 #include "brume/limits.h"
 #include "core/io/import/gltf_animation.h"
 #include "core/io/import/gltf_file.h"
-#include "core/io/import/gltf_instances.h"
 #include "core/io/import/gltf_materials.h"
 #include "core/io/import/gltf_mesh.h"
 #include "core/io/import/gltf_nodes.h"
-#include "core/io/import/gltf_skin.h"
 #include "core/io/import/gltf_values.h"
 #include "core/io/import/node_keys.h"
 #include "core/io/import/node_motion.h"
@@ -32,7 +31,6 @@ namespace {
 
 // Nodes may share meshes: nothing in the file bounds how many primitives that are.
 constexpr std::size_t max_primitives = 1 << 20;
-constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
 
 class GltfReader {
  public:
@@ -315,7 +313,7 @@ class GltfReader {
     JsonObject perspective = object.object("perspective");
     static constexpr NumberDomain half_turn{0.0, std::numbers::pi, "a number in (0, pi) radians",
                                             true};
-    const double fov = perspective.number("yfov", half_turn, {}) * degrees_per_radian;
+    const double fov = glm::degrees(perspective.number("yfov", half_turn, {}));
     add_camera(node, camera_of_node(nodes_[node].to_world, center_, std::min(fov, 179.999)));
   }
 
@@ -365,8 +363,8 @@ class GltfReader {
         nearest_number(file_, *spot, "outerConeAngle", outer_angles, std::numbers::pi / 4);
     const NumberDomain inner_angles{0.0, outer, "a number from 0 to outerConeAngle"};
     cone.inner_angle =
-        nearest_number(file_, *spot, "innerConeAngle", inner_angles, 0.0) * degrees_per_radian;
-    cone.outer_angle = outer * degrees_per_radian;
+        glm::degrees(nearest_number(file_, *spot, "innerConeAngle", inner_angles, 0.0));
+    cone.outer_angle = glm::degrees(outer);
     return cone;
   }
 

@@ -5,7 +5,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
-#include <numbers>
+#include <glm/trigonometric.hpp>
 #include <utility>
 
 #include "core/io/import/node_transform.h"
@@ -14,8 +14,6 @@
 
 namespace brume {
 namespace {
-
-constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
 
 template <class Measure>
 auto sampled(const NodeMotion& motion, std::size_t node, const auto& state_at,
@@ -196,7 +194,7 @@ struct CameraMeasure {
     const glm::dvec3 turn = (a.target - a.eye) - (b.target - b.eye);
     return std::max({glm::distance(a.eye, b.eye) / offset,
                      glm::length(turn) / (max_angle * distance_to_target),
-                     std::abs(turned(a.roll, b.roll)) / (max_angle * degrees_per_radian)});
+                     std::abs(turned(a.roll, b.roll)) / glm::degrees(max_angle)});
   }
 };
 
@@ -244,9 +242,8 @@ void add_keys(const NodeMotion& motion, std::size_t node, const glm::dvec3& pivo
     const glm::dvec3 right = glm::cross(forward, camera.up);
     if (glm::length(right) > 0.0) {
       const glm::dvec3 unit_right = glm::normalize(right);
-      state.roll =
-          degrees_per_radian * std::atan2(glm::dot(found.up, unit_right),
-                                          glm::dot(found.up, glm::cross(unit_right, forward)));
+      state.roll = glm::degrees(std::atan2(glm::dot(found.up, unit_right),
+                                           glm::dot(found.up, glm::cross(unit_right, forward))));
       // Roundings of a level camera.
       constexpr double level = 1e-5;
       if (std::abs(state.roll) < level) state.roll = 0.0;

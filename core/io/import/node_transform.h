@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <string>
 

@@ -12,7 +12,7 @@
 #include "brume/error.h"
 #include "core/io/disk/atomic_file.h"
 #include "core/io/disk/file_bytes.h"
-#include "core/io/disk/staging_folder.h"
+#include "core/io/disk/temporary_files.h"
 #include "core/io/frame_pattern.h"
 #include "core/io/scene/scene_file.h"
 #include "core/io/scene/scene_files.h"

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "brume/error.h"
 #include "core/io/text_scanner.h"
 
 namespace brume {

@@ -4,7 +4,6 @@
 #include <type_traits>
 
 #include "core/io/frame_pattern.h"
-#include "core/scene/imported_scene.h"
 
 namespace brume {
 

@@ -1,13 +1,13 @@
 #pragma once
 
 #include <filesystem>
+#include <glm/vec3.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "brume/density_grid.h"
 #include "core/io/volume/volume_file.h"
-#include "core/volume/field_grid.h"
 
 namespace brume {
 
@@ -32,6 +32,19 @@ struct VolumeOpticsNames {
 std::vector<std::string> possible_grids(OpticsRole role, const std::vector<VolumeGridInfo>& grids);
 // Which of these auto_grid takes; no_grid if none.
 std::string default_grid(OpticsRole role, const std::vector<std::string>& possible);
+
+// A sampled quantity of one or three components that has values in some places only, where it is
+// trilinear: a colour, a temperature.
+struct FieldGrid {
+  std::vector<DensityGrid> components;  // 1 or 3, of the same transform
+  DensityGrid coverage;                 // how many values a voxel has
+
+  // The value at a point of the world, a single component in x; nullopt where it has none.
+  [[nodiscard]] std::optional<glm::dvec3> at(const glm::dvec3& world) const;
+};
+
+// Rotates a field about the world origin; its values stay.
+void rotate(FieldGrid& field, const glm::dquat& turn);
 
 struct VolumeOptics {
   std::optional<FieldGrid> color;        // RGB >= 0

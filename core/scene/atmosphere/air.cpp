@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "core/math/color_matching.h"
 #include "core/math/sphere_rule.h"

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <deque>
-#include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <mutex>
 

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <numbers>
 
 #include "core/math/sphere_rule.h"
 #include "core/scene/materials/ggx.h"
+#include "core/scene/materials/ggx_sh.h"
 #include "core/scene/materials/measured_brdf.h"
 
 namespace brume {
@@ -157,6 +159,26 @@ ShVector<glm::dvec3> BrdfSh::operator()(double cos_theta_o) const {
   ShVector<glm::dvec3> result(a.order());
   for (std::size_t i = 0; i < a.size(); ++i) result[i] = (1.0 - t) * a[i] + t * b[i];
   return result;
+}
+
+glm::dvec3 mean_reflectance(const Material& material, const glm::dvec4& color) {
+  if (material.type == Material::Type::diffuse) return material.reflectance;
+  static const QuadratureRule rule = gauss_legendre(32);
+  // `lobe`: the reflected light by the cosine of the eye, whose first harmonic is its integral.
+  const auto mean = [&](auto&& lobe) {
+    glm::dvec3 sum(0.0);
+    for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
+      const double cosine = 0.5 * (1.0 + rule.nodes[i]);
+      sum += rule.weights[i] * cosine * lobe(cosine)[0];
+    }
+    return glm::clamp(std::sqrt(4.0 * std::numbers::pi) * sum, 0.0, 1.0);
+  };
+  if (material.type == Material::Type::metallic_roughness) {
+    const GgxReflection reflection =
+        average_material(material.metallic_roughness, color).reflection;
+    return mean([&](double cosine) { return GgxSh::table()(reflection, cosine); });
+  }
+  return mean(BrdfSh(material, 1));
 }
 
 }  // namespace brume

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 #include <vector>
 
 #include "brume/scene.h"
+#include "brume/surface.h"
 #include "core/math/spherical_harmonics.h"
 
 namespace brume {
@@ -41,5 +44,11 @@ ZonalSh<double> clamped_cosine_sh();
 
 // Per band, the factor of a convolution with max(0, cos theta) / pi.
 const ZonalSh<float>& clamped_cosine_factors();
+
+// The part of light that a material reflects, RGB in [0, 1], of light that comes evenly from all
+// directions: its directional albedo, averaged over a cosine. Highlights of every width are
+// integrated over half vectors; textures count by their averages. `color`: of
+// vertices, see MeshArrays.
+glm::dvec3 mean_reflectance(const Material& material, const glm::dvec4& color = glm::dvec4(1.0));
 
 }  // namespace brume

@@ -15,7 +15,6 @@
 #include "core/fit/fit_error.h"
 #include "core/fit/fit_problem.h"
 #include "core/fit/fit_start.h"
-#include "core/fit/next_start.h"
 #include "core/io/volume/volume_file.h"
 #include "core/volume/medium_grid.h"
 #include "tests/random.h"

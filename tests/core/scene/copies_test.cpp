@@ -9,7 +9,6 @@
 #include "brume/error.h"
 #include "brume/limits.h"
 #include "brume/primitive.h"
-#include "core/scene/check.h"
 #include "core/scene/placement.h"
 
 namespace brume {

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <string_view>
 
-#include "brume/at_time.h"
 #include "brume/keys.h"
 #include "brume/limits.h"
 #include "core/number_domain.h"

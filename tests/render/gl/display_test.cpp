@@ -1,7 +1,7 @@
 // Frames are shown without leaving the device, in textures of its own.
 
 #include "render/display/to_display.h"
-#include "render/gl/display_stage.h"
+#include "render/gl/composite_stage.h"
 
 #include <epoxy/gl.h>
 
@@ -15,7 +15,6 @@
 #include "render/gl_renderer.h"
 #include "tests/contains.h"
 #include "tests/render/gl/gl_test.h"
-#include "tests/render/test_meshes.h"
 #include "tests/render/test_scenes.h"
 
 namespace brume::gl {

@@ -18,7 +18,6 @@
 #include "tests/random.h"
 #include "tests/render/gl/gl_frames.h"
 #include "tests/render/random_scene.h"
-#include "tests/render/test_meshes.h"
 #include "tests/render/test_scenes.h"
 #include "tools/bench/scenes/benchmark_scenes.h"
 

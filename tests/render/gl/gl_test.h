@@ -25,4 +25,23 @@ class GlTest : public testing::Test {
   std::size_t objects_ = 0;  // at the beginning
 };
 
+enum class TestedBackend { cpu, device };
+
+// What is promised of a stage on both backends; `State` has the objects of a context.
+template <class State>
+class BothBackends : public GlTest {
+ protected:
+  State& device() {
+    if (!device_) device_ = std::make_unique<State>();
+    return *device_;
+  }
+  void TearDown() override {
+    device_.reset();
+    GlTest::TearDown();
+  }
+
+ private:
+  std::unique_ptr<State> device_;
+};
+
 }  // namespace brume::gl

@@ -4,12 +4,11 @@
 #include "core/scene/camera_rays.h"
 
 #include <cmath>
-#include <glm/geometric.hpp>
 
 #include "render/visibility/triangle_bvh.h"
 #include "tests/random.h"
 #include "tests/render/gl/gl_test.h"
-#include "tests/render/test_meshes.h"
+#include "tests/render/test_scenes.h"
 
 namespace brume::gl {
 namespace {

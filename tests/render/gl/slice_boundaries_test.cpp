@@ -10,7 +10,7 @@
 #include "core/transport/optical_depth.h"
 #include "render/cpu/film_slices.h"
 #include "render/geometry/ray_range.h"
-#include "render/gl/slice_texture.h"
+#include "render/gl/sliced_stage.h"
 #include "tests/random.h"
 #include "tests/render/gl/gl_test.h"
 
@@ -18,7 +18,7 @@ namespace brume::gl {
 namespace {
 
 // A film of several tiles, the last ones not whole.
-constexpr Film film{90, 50};
+constexpr Film whole_film{90, 50};
 constexpr int scale = 2;
 
 struct Case {
@@ -124,20 +124,21 @@ CameraRays rays_of(const Case& c) {
   Camera camera;
   camera.eye = c.eye;
   camera.target = c.eye - glm::dvec3(0, 0, 1);
-  return {camera, film};
+  return {camera, whole_film};
 }
 
 Frame frame_of(const Case& c) {
   Frame frame;
-  frame.film = film;
-  frame.depth.assign(static_cast<std::size_t>(film.width * film.height), static_cast<float>(c.end));
+  frame.film = whole_film;
+  frame.depth.assign(static_cast<std::size_t>(whole_film.width * whole_film.height),
+                     static_cast<float>(c.end));
   return frame;
 }
 
 FilmWindow window() {
   Settings settings;
   settings.airlight_scale = scale;
-  return {film, settings};
+  return {whole_film, settings};
 }
 
 MediumIndex index_of(const Case& c) {
@@ -149,7 +150,7 @@ MediumIndex index_of(const Case& c) {
 TileCone cone_of(const Case& c, std::size_t tile) {
   const Frame frame = frame_of(c);
   const CameraRays rays = rays_of(c);
-  const Tiles tiles(sample_film(film, scale));
+  const Tiles tiles(sample_film(whole_film, scale));
   const Tiles::Lists lists;
   const RayEnds ends;
   return FilmTiles{tiles, lists, rays, ends, frame, window(), scale}.cone(tile);
@@ -159,7 +160,7 @@ Slices choose_on_cpu(const Case& c) {
   const MediumIndex medium = index_of(c);
   const Frame frame = frame_of(c);
   const CameraRays rays = rays_of(c);
-  const Tiles tiles(sample_film(film, scale));
+  const Tiles tiles(sample_film(whole_film, scale));
   const Tiles::Lists lists = tiles.lists(medium, rays, scale);
   const RayEnds ends;
   const FilmWindow whole = window();
@@ -204,41 +205,32 @@ Slices choose_on_device(DeviceState& device, const Case& c) {
   std::vector<float> depths = frame_of(c).depth;
   // Shaders know no infinity.
   for (float& depth : depths) depth = std::isfinite(depth) ? depth : -1.0f;
-  device.textures.reserve(film);
+  device.textures.reserve(whole_film);
   device.textures.depth.upload(std::span<const float>(depths));
   device.medium.update(medium);
-  device.lists.build(device.programs, device.medium, medium, rays, film, scale, 1 << 28);
+  device.lists.build(device.programs, device.medium, medium, rays, whole_film, scale, 1 << 28);
   device.lights.upload(c.lights, nullptr, rays.eye());
   Settings settings;
   settings.airlight_scale = scale;
-  const RenderPlan plan(Scene(), film, settings);
-  const FilmView view{
-      film, rays,        std::numeric_limits<double>::infinity(), BatchFog(medium, rays.eye()),
-      plan, std::nullopt};
+  const RenderPlan plan(Scene(), whole_film, settings);
+  const FilmView view{whole_film,
+                      rays,
+                      std::numeric_limits<double>::infinity(),
+                      BatchFog(medium, rays.eye()),
+                      plan,
+                      std::nullopt};
   device.slices.choose(device.programs, device.clock, device.lights, c.lights.size(), c.slices,
                        device.lists, view, device.textures);
   const glm::ivec2 tiles = device.lists.tiles();
   return {tiles.x, tiles.y, device.slices.download_tiles(), device.slices.download_nodes()};
 }
 
-enum class Backend { cpu, device };
-
-class SliceBoundaries : public GlTest, public testing::WithParamInterface<Backend> {
+class SliceBoundaries : public BothBackends<DeviceState>,
+                        public testing::WithParamInterface<TestedBackend> {
  protected:
   Slices choose(const Case& c) {
-    return GetParam() == Backend::cpu ? choose_on_cpu(c) : choose_on_device(device(), c);
+    return GetParam() == TestedBackend::cpu ? choose_on_cpu(c) : choose_on_device(device(), c);
   }
-  DeviceState& device() {
-    if (!device_) device_ = std::make_unique<DeviceState>();
-    return *device_;
-  }
-  void TearDown() override {
-    device_.reset();
-    GlTest::TearDown();
-  }
-
- private:
-  std::unique_ptr<DeviceState> device_;
 };
 
 TEST_P(SliceBoundaries, AscendWithinTheRay) {
@@ -407,9 +399,10 @@ TEST_P(SliceBoundaries, MergeAtNodes) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Backends, SliceBoundaries, testing::Values(Backend::cpu, Backend::device),
+INSTANTIATE_TEST_SUITE_P(Backends, SliceBoundaries,
+                         testing::Values(TestedBackend::cpu, TestedBackend::device),
                          [](const auto& backend) {
-                           return backend.param == Backend::cpu ? "Cpu" : "Device";
+                           return backend.param == TestedBackend::cpu ? "Cpu" : "Device";
                          });
 
 }  // namespace

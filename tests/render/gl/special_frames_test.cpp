@@ -8,7 +8,6 @@
 #include "tests/random.h"
 #include "tests/render/fog_ball_frames.h"
 #include "tests/render/gl/gl_frames.h"
-#include "tests/render/test_profiles.h"
 #include "tests/render/test_scenes.h"
 #include "tools/bench/scenes/benchmark_scenes.h"
 

@@ -236,28 +236,15 @@ std::function<float(int, int)> balls(unsigned seed) {
   };
 }
 
-enum class Backend { cpu, device };
-
-class Upsampling : public GlTest,
-                   public testing::WithParamInterface<std::tuple<Backend, int /*scale*/>> {
+class Upsampling : public BothBackends<DeviceState>,
+                   public testing::WithParamInterface<std::tuple<TestedBackend, int /*scale*/>> {
  protected:
   Upsampled upsample(Given given) {
-    given.scale = std::get<1>(GetParam());
-    return std::get<0>(GetParam()) == Backend::cpu ? upsample_on_cpu(given)
-                                                   : upsample_on_device(device(), given);
+    given.scale = scale();
+    return std::get<0>(GetParam()) == TestedBackend::cpu ? upsample_on_cpu(given)
+                                                         : upsample_on_device(device(), given);
   }
   [[nodiscard]] static int scale() { return std::get<1>(GetParam()); }
-  DeviceState& device() {
-    if (!device_) device_ = std::make_unique<DeviceState>();
-    return *device_;
-  }
-  void TearDown() override {
-    device_.reset();
-    GlTest::TearDown();
-  }
-
- private:
-  std::unique_ptr<DeviceState> device_;
 };
 
 TEST_P(Upsampling, PreservesAConstant) {
@@ -449,10 +436,11 @@ TEST_P(Upsampling, EvaluatesPixelsNearLights) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Backends, Upsampling,
-                         testing::Combine(testing::Values(Backend::cpu, Backend::device),
+                         testing::Combine(testing::Values(TestedBackend::cpu,
+                                                          TestedBackend::device),
                                           testing::Values(2, 4)),
                          [](const auto& it) {
-                           const bool is_on_cpu = std::get<0>(it.param) == Backend::cpu;
+                           const bool is_on_cpu = std::get<0>(it.param) == TestedBackend::cpu;
                            return (is_on_cpu ? "Cpu" : "Device") +
                                   std::to_string(std::get<1>(it.param));
                          });

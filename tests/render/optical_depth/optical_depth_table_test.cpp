@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 
-#include "brume/edits.h"
 #include "core/scene/lights/point_lights.h"
 #include "render/renderer.h"
 #include "render/slices/slice_kernels.h"

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "render/prepare/fog_extent.h"
-#include "render/reference/reference_airlight.h"
 #include "render/render_plan.h"
 #include "render/util/job.h"
 #include "render/visibility/exact_occlusion.h"

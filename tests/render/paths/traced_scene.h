@@ -7,7 +7,7 @@
 
 #include "brume/scene.h"
 #include "render/paths/path_tracer.h"
-#include "render/reference/environment_integral.h"
+#include "render/reference/reference_airlight.h"
 
 namespace brume {
 

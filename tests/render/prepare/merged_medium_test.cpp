@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <glm/geometric.hpp>
 
 #include "brume/edits.h"
 #include "brume/render.h"

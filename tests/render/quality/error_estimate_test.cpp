@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "render/prepare/light_pixels.h"
 #include "render/quality/auto_quality.h"
 #include "render/quality/sample_probabilities.h"
 #include "render/quality/view_reference.h"

@@ -10,7 +10,6 @@
 
 #include "render/quality/auto_quality.h"
 #include "render/quality/center_light.h"
-#include "render/renderer.h"
 #include "tests/render/test_scenes.h"
 
 namespace brume {

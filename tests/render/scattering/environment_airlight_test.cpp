@@ -17,7 +17,7 @@
 #include "render/prepare/fog_extent.h"
 #include "render/quality/auto_quality.h"
 #include "render/quality/view_reference.h"
-#include "render/reference/environment_integral.h"
+#include "render/reference/reference_airlight.h"
 #include "render/renderer.h"
 #include "tests/random.h"
 #include "tests/render/test_scenes.h"

@@ -236,18 +236,18 @@ TEST(NodeVisibility, IsOnTheEyesSideOfSurfacesInItsOwnLayer) {
   const SourceGrid grid =
       grid_around({placed(Primitive::Shape::plane, {40.0, 1.0, 40.0}, {0.0, 0.0, 0.0})});
   const SourceGrid::Level& level = grid.levels()[0];
-  const double spacing = static_cast<double>(level.nodes.spacing);
-  const int floor_cell = static_cast<int>(std::floor(-level.first.y / spacing));
-  const double low = level.first.y + spacing * floor_cell;  // the layer below the floor
+  const double cell_side = static_cast<double>(level.nodes.spacing);
+  const int floor_cell = static_cast<int>(std::floor(-level.first.y / cell_side));
+  const double low = level.first.y + cell_side * floor_cell;  // the layer below the floor
   const auto seen_from = [&](double y) { return NodeVisibility(grid, {0.1, y, 0.2}).layers[0]; };
   for (const double above : {0.01, 0.9}) {
-    const NodeVisibility::Layers layers = seen_from(above * (low + spacing));
+    const NodeVisibility::Layers layers = seen_from(above * (low + cell_side));
     EXPECT_EQ(layers.cell, glm::ivec3(-1, floor_cell, -1)) << above;
     EXPECT_EQ(layers.is_high.y, 1) << above;
   }
   EXPECT_EQ(seen_from(0.5 * low).cell.y, floor_cell);
   EXPECT_EQ(seen_from(0.5 * low).is_high.y, 0);
-  EXPECT_EQ(seen_from(low + 1.5 * spacing).cell, glm::ivec3(-1));
+  EXPECT_EQ(seen_from(low + 1.5 * cell_side).cell, glm::ivec3(-1));
 }
 
 }  // namespace

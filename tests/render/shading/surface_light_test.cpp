@@ -8,10 +8,8 @@
 #include <numbers>
 
 #include "core/math/infinity.h"
-#include "core/math/sphere_rule.h"
 #include "core/scene/camera_rays.h"
 #include "core/scene/lights/environment.h"
-#include "core/scene/mesh.h"
 #include "core/transport/average_depth.h"
 #include "render/optical_depth/average_depth_grid.h"
 #include "render/prepare/fog_extent.h"
@@ -21,7 +19,6 @@
 #include "tests/random.h"
 #include "tests/render/test_scenes.h"
 #include "tools/bench/errors/surface_light_errors.h"
-#include "tools/bench/errors/surface_truth.h"
 #include "tools/bench/scenes/benchmark_scenes.h"
 
 namespace brume {

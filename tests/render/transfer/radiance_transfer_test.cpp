@@ -19,7 +19,6 @@
 #include "render/reference/surface_reference.h"
 #include "render/transfer/sh_material.h"
 #include "tests/random.h"
-#include "tests/render/test_meshes.h"
 #include "tests/render/test_scenes.h"
 
 namespace brume {

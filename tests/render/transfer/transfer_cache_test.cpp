@@ -13,7 +13,7 @@
 #include "core/scene/mesh.h"
 #include "tests/contains.h"
 #include "tests/core/io/temporary_folder.h"
-#include "tests/render/test_meshes.h"
+#include "tests/render/test_scenes.h"
 
 namespace brume {
 namespace {

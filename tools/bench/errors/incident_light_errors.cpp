@@ -9,7 +9,6 @@
 #include "render/reference/surface_reference.h"
 #include "render/scattering/environment_light.h"
 #include "render/scattering/source_function.h"
-#include "tools/bench/errors/unbiased_error.h"
 #include "tools/bench/measure/report_text.h"
 #include "tools/bench/scenes/benchmark_scenes.h"
 #include "tools/bench/scenes/hash_random.h"

@@ -5,7 +5,7 @@
 
 #include "brume/scene.h"
 #include "render/settings.h"
-#include "tools/bench/errors/compared_error.h"
+#include "tools/bench/errors/unbiased_error.h"
 
 namespace brume {
 

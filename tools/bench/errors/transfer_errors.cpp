@@ -5,12 +5,12 @@
 #include <glm/gtc/quaternion.hpp>
 #include <numbers>
 
-#include "tools/bench/errors/surface_truth.h"
+#include "tools/bench/errors/surface_light_errors.h"
 #include "tools/bench/measure/frames.h"
 #include "tools/bench/measure/report_text.h"
+#include "tools/bench/scenes/benchmark_meshes.h"
 #include "tools/bench/scenes/benchmark_scenes.h"
 #include "tools/bench/scenes/hash_random.h"
-#include "tools/bench/scenes/transfer_scenes.h"
 
 namespace brume {
 namespace {
@@ -107,6 +107,31 @@ std::vector<ComparedError> measure_transfer(std::size_t samples) {
           light_in_bowl_error(2.0, samples),
           light_in_bowl_error(4.0, samples),
           light_in_bowl_error(20.0, samples)};
+}
+
+Scene bowl_scene(double to, Surface::Transfer transfer) {
+  MeshArrays mesh;
+  add_ball(mesh, 40, {0, 0, 0}, 1.0, to, true);
+  Scene scene;
+  Surface& surface = scene.surfaces.emplace_back();
+  surface.mesh = to_mesh(mesh);
+  surface.transfer = transfer;
+  scene.camera = {{0.4, -0.3, 5.0}, {0, 0, 0}, {0, 1, 0}, 14.0};
+  scene.film = {12, 12};
+  return scene;
+}
+
+Scene ball_over_floor(Surface::Transfer transfer) {
+  MeshArrays mesh;
+  add_floor(mesh, 40, 1.0);
+  add_ball(mesh, 32, {0.3, 0.1, 0.7}, 0.4, std::numbers::pi, false);
+  Scene scene;
+  Surface& surface = scene.surfaces.emplace_back();
+  surface.mesh = to_mesh(mesh);
+  surface.transfer = transfer;
+  scene.camera = {{-1.2, -2.5, 2.6}, {0, 0, 0.2}, {0, 0, 1}, 34.0};
+  scene.film = {16, 12};
+  return scene;
 }
 
 }  // namespace brume

@@ -3,7 +3,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "tools/bench/errors/compared_error.h"
+#include "brume/scene.h"
+#include "tools/bench/errors/unbiased_error.h"
 
 namespace brume {
 
@@ -12,5 +13,13 @@ namespace brume {
 // light; and, without `other`, interreflection in a bowl of radius 1 for lights at several
 // distances, up to two further bounces. `samples`: per run and pixel.
 std::vector<ComparedError> measure_transfer(std::size_t samples);
+
+// Objects that shadow and light themselves, without any light.
+
+// A hollow ball of radius 1, open at the top from the polar angle `to`, seen from above.
+Scene bowl_scene(double to, Surface::Transfer transfer);
+
+// A ball over a floor in one mesh; the floor is at z = 0.
+Scene ball_over_floor(Surface::Transfer transfer);
 
 }  // namespace brume

@@ -2,6 +2,8 @@
 
 #include <array>
 #include <glm/vec3.hpp>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "render/quality/error_estimate.h"
@@ -19,5 +21,12 @@ using Runs = std::array<std::vector<glm::dvec3>, independent_runs>;
 // runs, averaged over all pairs, so noise averages to 0. The interval is 95% by jackknife over
 // runs. At least one point; 0 if noise dominates.
 ErrorEstimate unbiased_error(const Runs& differences, const Runs& values);
+
+// The error of a method compared with that of another.
+struct ComparedError {
+  std::string label;
+  ErrorEstimate error;
+  std::optional<ErrorEstimate> other;
+};
 
 }  // namespace brume

@@ -4,12 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "tools/bench/errors/all_orders_errors.h"
-#include "tools/bench/errors/compared_error.h"
 #include "tools/bench/errors/fog_errors.h"
-#include "tools/bench/errors/light_kinds.h"
-#include "tools/bench/errors/noise_errors.h"
-#include "tools/bench/errors/sample_errors.h"
+#include "tools/bench/errors/scattering_errors.h"
+#include "tools/bench/errors/unbiased_error.h"
 #include "tools/bench/measure/cache_gains.h"
 #include "tools/bench/measure/fog_banks.h"
 #include "tools/bench/measure/frontier.h"

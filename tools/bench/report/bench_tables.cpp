@@ -6,8 +6,7 @@
 #include "brume/version.h"
 #include "render/util/device_name.h"
 #include "tools/bench/measure/report_text.h"
-#include "tools/bench/report/cache_table.h"
-#include "tools/bench/report/error_tables.h"
+#include "tools/bench/report/error_sections.h"
 #include "tools/bench/report/speed_tables.h"
 
 namespace brume {
@@ -20,6 +19,162 @@ std::string bench_lead(const BenchReport& report) {
       "measured on the same frames. A setting meets an error bound if the upper end of its 95%% "
       "interval does.",
       report.command.c_str(), version(), device_name().c_str(), report.threads);
+}
+
+namespace {
+
+// One method and setting after the other, where they were all measured.
+ReportTable setting_table(const std::vector<SceneReport>& scenes) {
+  struct Column {
+    AirlightMethod method;
+    int slices, scale;
+  };
+  constexpr Column columns[] = {{AirlightMethod::paper, 0, 1},
+                                {AirlightMethod::sliced, 8, 1},
+                                {AirlightMethod::sliced, 24, 1},
+                                {AirlightMethod::sliced, 128, 1},
+                                {AirlightMethod::sliced, 24, 4}};
+  const auto find = [](const SceneReport& scene, const Column& column) {
+    return std::ranges::find_if(scene.settings, [&](const Measurement& m) {
+      return m.settings.airlight == column.method && m.settings.airlight_scale == column.scale &&
+             (column.method == AirlightMethod::paper || m.settings.slices == column.slices);
+    });
+  };
+  ReportTable table{"Error per setting", "", {"scene"}, {}, ""};
+  for (const Column& column : columns) {
+    const auto found = find(scenes[0], column);
+    if (found == scenes[0].settings.end()) return {};
+    table.heads.push_back(found->setting);
+  }
+  for (const SceneReport& scene : scenes) {
+    auto& row = table.rows.emplace_back();
+    row.push_back(formatted("%s: %zu Gaussians", scene.name.c_str(), scene.gaussians));
+    for (const Column& column : columns) {
+      row.push_back(formatted("%.2g%%", 100.0 * find(scene, column)->error.rel_rmse));
+    }
+  }
+  return table;
+}
+
+// Those of the sections that error_sections.h describes, in their order.
+std::vector<ReportTable> error_tables(const BenchReport& report) {
+  std::vector<ReportTable> tables;
+  visit_error_sections(report, [&](const char*, const auto& rows, const char* title,
+                                   const char* lead, const auto&... columns) {
+    ReportTable& table = tables.emplace_back(title, lead);
+    table.heads = {columns.head...};
+    for (const auto& row : rows) table.rows.push_back({columns.cell(row.*columns.value)...});
+  });
+  return tables;
+}
+
+ReportTable hard_case_table(const std::vector<HardCaseRow>& rows) {
+  if (rows.empty()) return {};
+  const bool with_gl = rows[0].errors.gl.has_value();
+  ReportTable table{
+      "Edge cases",
+      formatted(
+          "%zu scenes that break careless arithmetic (resources/hard_cases), compared with pixels "
+          "computed independently to eleven digits. The columns are the relative RMSE of the "
+          "airlight: of the reference, in double; of `sliced` with 24 slices, in float; of `auto` "
+          "with a bound of %g%%; and of `paper` in float against the same in double. \"Reported\" "
+          "means that `auto` warned that its error may exceed the bound. A test enforces these "
+          "bounds: reference %g%%, `paper` %g%%, transmittance %g everywhere, `sliced` 1%% or the "
+          "stated bound, `auto` its own bound unless it reported otherwise.",
+          rows.size(), 100.0 * hard_case_max_error, 100.0 * hard_case_reference_bound,
+          100.0 * hard_case_paper_bound, hard_case_transmittance_bound),
+      {"case", "what breaks", "remedy", "reference", "sliced"},
+      {},
+      ""};
+  if (with_gl) table.heads.emplace_back("OpenGL");
+  table.heads.insert(table.heads.end(), {"auto", "paper", "bound of `sliced`"});
+  for (const auto& [hard_case, errors] : rows) {
+    std::vector<std::string> row = {hard_case.name, hard_case.breaks, hard_case.remedy,
+                                    formatted("%.0g", errors.reference.airlight),
+                                    formatted("%.2f%%", 100.0 * errors.sliced.airlight)};
+    if (errors.gl) row.push_back(formatted("%.2f%%", 100.0 * errors.gl->airlight));
+    row.push_back(formatted("%.2f%%", 100.0 * errors.automatic.airlight) +
+                  (errors.automatic.is_told ? ", reported" : ""));
+    row.push_back(formatted("%.0g", errors.paper));
+    row.push_back(formatted("%g%%", 100.0 * hard_case.bound) +
+                  (hard_case.why.empty() ? "" : ": " + hard_case.why));
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+std::string with_quartiles(const Quartiles& q, double scale, int digits, const char* unit) {
+  return formatted("%.*f%s (%.*f to %.*f)", digits, scale * q.median, unit, digits, scale * q.lower,
+                   digits, scale * q.upper);
+}
+
+// A cache over all scenes.
+struct BestGain {
+  const CacheGain* best;
+  double change;
+};
+
+std::vector<BestGain> best_gains(const std::vector<CacheGain>& gains) {
+  std::vector<BestGain> caches;
+  for (const CacheGain& gain : gains) {
+    const auto known = std::ranges::find_if(
+        caches, [&](const BestGain& cache) { return cache.best->cache == gain.cache; });
+    if (known == caches.end()) {
+      caches.push_back({&gain, gain.change});
+      continue;
+    }
+    if (gain.gain.median > known->best->gain.median) known->best = &gain;
+    known->change = std::max(known->change, gain.change);
+  }
+  return caches;
+}
+
+std::string list(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : "; ") + name;
+  return text.empty() ? "none" : text;
+}
+
+std::string verdict(const std::vector<CacheGain>& gains) {
+  std::vector<std::string> too_little;
+  std::vector<std::string> small;
+  for (const BestGain& cache : best_gains(gains)) {
+    if (cache.best->gain.median >= min_cache_gain) continue;
+    const bool may_stay = cache.best->code.lines < small_cache_lines && cache.change == 0.0;
+    (may_stay ? small : too_little).push_back(cache.best->cache);
+  }
+  return formatted(
+             "A cache has to give %.0f%% in one scene, unless it takes less than %d lines and no "
+             "picture differs. Too little: ",
+             100.0 * min_cache_gain, small_cache_lines) +
+         list(too_little) + ". Less, but small and without effect: " + list(small) + '.';
+}
+
+}  // namespace
+
+ReportTable cache_table(const std::vector<CacheGain>& gains) {
+  ReportTable table{
+      "Caches between frames",
+      "What a renderer keeps from frame to frame while the camera orbits scenes like those of "
+      "Table 1, and a bank of small Gaussians; where edits are followed, a hundredth of them is "
+      "thinned between two frames. A pair of frames, with and without one cache: before the "
+      "second, a frame with "
+      "another setting, light or placement replaces that cache. Without, the frame takes longer by "
+      "what the stage that makes the cache takes longer; what other stages then make again is not "
+      "counted. Medians, with quartiles in parentheses. Lines: code that the cache costs. "
+      "Difference: the largest of any pixel, relative to the maximum.",
+      {"cache", "scene", "with, ms", "without, ms", "more frames per second", "lines", "in",
+       "difference"},
+      {},
+      ""};
+  for (const CacheGain& gain : gains) {
+    table.rows.push_back(
+        {gain.cache, gain.scene, with_quartiles(gain.with_ms, 1.0, 1, ""),
+         with_quartiles(gain.without_ms, 1.0, 1, ""), with_quartiles(gain.gain, 100.0, 0, "%"),
+         formatted("%d", gain.code.lines), gain.code.files, formatted("%.0g", gain.change)});
+  }
+  if (!gains.empty()) table.remark = verdict(gains);
+  return table;
 }
 
 std::vector<ReportTable> bench_tables(const BenchReport& report) {

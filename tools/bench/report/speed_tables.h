@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "tools/bench/report/bench_report.h"
-#include "tools/bench/report/report_table.h"
+#include "tools/bench/report/bench_tables.h"
 
 namespace brume {
 

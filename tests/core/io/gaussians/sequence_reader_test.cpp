@@ -7,7 +7,6 @@
 
 #include "brume/error.h"
 #include "core/io/gaussians/sequence_file.h"
-#include "core/scene/animation/sequence_frames.h"
 #include "tests/core/io/input_error.h"
 #include "tests/core/io/temporary_folder.h"
 

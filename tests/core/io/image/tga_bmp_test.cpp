@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
+#include "core/io/byte_reader.h"
 #include "core/io/image/pixel_decoders.h"
-#include "core/io/little_endian.h"
 #include "tests/core/io/input_error.h"
 
 namespace brume {

@@ -20,7 +20,7 @@ void expect_near(const glm::vec4& a, const glm::vec4& b) {
   for (int k = 0; k < 4; ++k) EXPECT_NEAR(a[k], b[k], 1e-6f) << k;
 }
 
-const float half = static_cast<float>(srgb_decoded(0.5));
+const float decoded_half = static_cast<float>(srgb_decoded(0.5));
 
 TEST(MeshColors, OfPlyAreSrgb) {
   const TemporaryFolder folder;
@@ -37,7 +37,7 @@ TEST(MeshColors, OfPlyAreSrgb) {
   const auto floats = colors(ply("property float red\nproperty float green\nproperty float blue\n",
                                  "0 0 0 0.5 2 -1\n1 0 0 nan 0 0\n0 1 0 1 1 1\n"));
   ASSERT_EQ(floats.size(), 3u);
-  expect_near(floats[0], {half, 1.0f, 0.0f, 1.0f});
+  expect_near(floats[0], {decoded_half, 1.0f, 0.0f, 1.0f});
   expect_near(floats[1], {0.0f, 0.0f, 0.0f, 1.0f});
   const auto shorts =
       colors(ply("property ushort red\nproperty ushort green\nproperty ushort blue\n",
@@ -62,8 +62,8 @@ f 3/2 2/1 4/1
 )")));
   ASSERT_EQ(mesh.colors.size(), 6u);
   expect_near(mesh.colors[mesh.triangles[0].x], glm::vec4(1.0f));
-  expect_near(mesh.colors[mesh.triangles[0].y], {half, 0.0f, 1.0f, 1.0f});
-  expect_near(mesh.colors[mesh.triangles[1].y], {half, 0.0f, 1.0f, 1.0f});
+  expect_near(mesh.colors[mesh.triangles[0].y], {decoded_half, 0.0f, 1.0f, 1.0f});
+  expect_near(mesh.colors[mesh.triangles[1].y], {decoded_half, 0.0f, 1.0f, 1.0f});
   expect_near(mesh.colors[mesh.triangles[1].z], glm::vec4(1.0f));
   // A weight is no color.
   EXPECT_TRUE(to_arrays(*read_mesh(folder.write("b.obj",
@@ -84,5 +84,52 @@ TEST(MeshColors, GiveSurfacesAMaterialThatShowsThem) {
   EXPECT_EQ(load_surface(plain).material.type, Material::Type::diffuse);
 }
 
+TEST(MeshTexcoords, OfObjSplitVerticesAtSeams) {
+  const TemporaryFolder folder;
+  // Two triangles fold along 2-3, with other coordinates on either side of it.
+  const MeshArrays mesh = to_arrays(*read_mesh(folder.write("a.obj", R"(
+v 0 0 0
+v 1 0 0
+v 0 1 0
+v 1 1 0.5
+vt 0 0
+vt 1 0
+vt 0 1
+vt 0.25 0.5
+f 1/1 2/2 3/3
+f 3/4 2/4 4/1
+)")));
+  ASSERT_EQ(mesh.points.size(), 6u);
+  ASSERT_EQ(mesh.texcoords.size(), 6u);
+  EXPECT_EQ(mesh.texcoords[mesh.triangles[0].y], glm::vec2(1.0f, 0.0f));
+  EXPECT_EQ(mesh.texcoords[mesh.triangles[1].y], glm::vec2(0.25f, 0.5f));
+  // Normals that the file does not have are smooth across the seam, as without coordinates.
+  EXPECT_EQ(mesh.normals[mesh.triangles[0].y], mesh.normals[mesh.triangles[1].y]);
+}
+
+TEST(MeshTexcoords, OfObjMayBeMissingOrWrong) {
+  const TemporaryFolder folder;
+  const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  EXPECT_TRUE(
+      to_arrays(*read_mesh(folder.write("a.obj", points + "f 1/1 2/2 3/3\n"))).texcoords.empty());
+  const MeshArrays mesh = to_arrays(*read_mesh(
+      folder.write("b.obj", points + "vt nan 1\nvt 0.5 1e300\nvt 0.5\nf 1/1 2/2 3/3\n")));
+  EXPECT_EQ(mesh.texcoords, (std::vector<glm::vec2>{{0, 0}, {0, 0}, {0.5f, 0}}));
+}
+
+TEST(MeshTexcoords, OfPlyAreRead) {
+  const TemporaryFolder folder;
+  for (const auto& [u, v] : {std::pair{"s", "t"}, {"u", "v"}, {"texture_u", "texture_v"}}) {
+    const MeshArrays mesh = to_arrays(*read_mesh(folder.write(
+        "a.ply", std::string("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
+                             "property float y\nproperty float z\nproperty float ") +
+                     u + "\nproperty float " + v +
+                     "\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+                     "0 0 0 0 0.5\n1 0 0 1 0\n0 1 0 0 1\n3 0 1 2\n")));
+    EXPECT_EQ(mesh.texcoords, (std::vector<glm::vec2>{{0, 0.5f}, {1, 0}, {0, 1}})) << u;
+  }
+}
+
 }  // namespace
+
 }  // namespace brume

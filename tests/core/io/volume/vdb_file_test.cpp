@@ -7,7 +7,7 @@
 #include <map>
 #include <type_traits>
 
-#include "core/io/little_endian.h"
+#include "core/io/byte_reader.h"
 #include "core/io/volume/openvdb_grid.h"
 #include "core/io/volume/volume_file.h"
 #include "tests/core/io/folder_test.h"

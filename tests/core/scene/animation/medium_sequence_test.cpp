@@ -10,14 +10,14 @@
 namespace brume {
 namespace {
 
-const glm::dvec3 white(1.0);
+const glm::dvec3 white_albedo(1.0);
 const SequenceFrame frame_11{{1, 4, 7},
                              {{{0, 0, 0}, 1.0, 2.0}, {{1, 0, 0}, 2.0, 1.0}, {{2, 0, 0}, 1.0, 4.0}}};
 const SequenceFrame frame_12{{4, 7, 9},
                              {{{3, 0, 0}, 8.0, 3.0}, {{2, 2, 0}, 1.0, 0.0}, {{5, 0, 0}, 0.5, 8.0}}};
 
 TEST(MediumSequence, InterpolatesByIdAndFadesTheRest) {
-  const auto middle = between_frames(frame_11, frame_12, 0.25, white);
+  const auto middle = between_frames(frame_11, frame_12, 0.25, white_albedo);
   ASSERT_EQ(middle.size(), 4u);
   EXPECT_EQ(middle[0], (Gaussian{{0, 0, 0}, 1.0, 1.5})) << "it dies where it was";
   EXPECT_EQ(middle[1].center, glm::dvec3(1.5, 0, 0));
@@ -61,11 +61,12 @@ MediumSequence smoke() {
 
 TEST(MediumSequence, ShowsItsFramesAtTheirTimes) {
   const MediumSequence sequence = smoke();
-  EXPECT_EQ(sequence_at(sequence, 0.0, white), frame_11.gaussians);
-  EXPECT_EQ(sequence_at(sequence, 2.0, white), frame_11.gaussians);
-  EXPECT_EQ(sequence_at(sequence, 2.1, white), frame_12.gaussians) << "2.1 is no exact number";
-  EXPECT_EQ(sequence_at(sequence, 99.0, white), frame_12.gaussians);
-  EXPECT_EQ(sequence_at(sequence, 2.05, white).size(), 4u);
+  EXPECT_EQ(sequence_at(sequence, 0.0, white_albedo), frame_11.gaussians);
+  EXPECT_EQ(sequence_at(sequence, 2.0, white_albedo), frame_11.gaussians);
+  EXPECT_EQ(sequence_at(sequence, 2.1, white_albedo), frame_12.gaussians)
+      << "2.1 is no exact number";
+  EXPECT_EQ(sequence_at(sequence, 99.0, white_albedo), frame_12.gaussians);
+  EXPECT_EQ(sequence_at(sequence, 2.05, white_albedo).size(), 4u);
   EXPECT_NEAR(end_of(sequence), 2.1, 1e-12);
 }
 
