@@ -13,7 +13,7 @@
 #include "render/deep/deep_file.h"
 #include "render/gl_renderer.h"
 #include "render/layers/frame_layers.h"
-#include "render/prepare/deep_fog.h"
+#include "render/prepare/fog_extent.h"
 #include "render/quality/auto_quality.h"
 #include "render/render_plan.h"
 #include "render/request.h"

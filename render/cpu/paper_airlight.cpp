@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/transport/gaussian_airlight.h"
-#include "core/transport/homogeneous_airlight.h"
+#include "core/transport/closed_form_airlight.h"
 #include "core/transport/view_line.h"
 #include "render/reference/airlight_integral.h"
 #include "render/simd/gaussian_kernels.h"

@@ -37,7 +37,7 @@
 #include "render/slices/lobe_broadening.h"
 #include "render/slices/slice_boundaries.h"
 #include "render/slices/slice_kernels.h"
-#include "render/visibility/surface_materials.h"
+#include "render/visibility/surface_point.h"
 #include "render/visibility/triangle_bvh.h"
 
 namespace brume::gl {
@@ -175,6 +175,20 @@ class Constants {
   void add(const char* name, std::span<const float> values) { add(name, "float", values, ""); }
   void add(const char* name, std::span<const int> values) { add(name, "int", values, ""); }
   void add(const char* name, std::span<const unsigned> values) { add(name, "uint", values, "u"); }
+  // The names are the C++ ones, one after a comma; `a::b` is a_b in shaders.
+  template <class... T>
+  void add_all(std::string_view names, const T&... values) {
+    const auto next_name = [&names] {
+      std::string name(names.substr(0, names.find(',')));
+      names.remove_prefix(std::min(names.size(), name.size() + 2));
+      if (const std::size_t colons = name.find("::"); colons != name.npos) {
+        name.erase(colons, 1);
+        name[colons] = '_';
+      }
+      return name;
+    };
+    (add(next_name().c_str(), values), ...);
+  }
   [[nodiscard]] std::string text() const { return out_.str(); }
 
  private:
@@ -201,6 +215,9 @@ class Constants {
   std::ostringstream out_;
 };
 
+// Constants that shaders call as C++ does.
+#define NAMED(...) #__VA_ARGS__, __VA_ARGS__
+
 // Rows one after another.
 std::vector<float> floats(std::span<const ShRecurrence::Row> rows) {
   std::vector<float> values;
@@ -212,8 +229,8 @@ std::vector<float> floats(std::span<const ShRecurrence::Row> rows) {
 
 // Constants of the kernels of render/simd and render/slices.
 void add_kernels(Constants& constants) {
+  constants.add_all(NAMED(exact_above));
   constants.add("float_epsilon", std::numeric_limits<float>::epsilon());
-  constants.add("exact_above", exact_above);
   constants.add("fog_nodes", coefficient::fog_rule.nodes);
   constants.add("fog_weights", coefficient::fog_rule.weights);
   constants.add("broadening_angles", LobeBroadening::angles);
@@ -229,8 +246,8 @@ void add_kernels(Constants& constants) {
 
 // Constants of light given as spherical harmonics, and of materials.
 void add_reflection(Constants& constants) {
+  constants.add_all(NAMED(source_clusters, grid_bands, light_bits));
   constants.add("max_grid_levels", static_cast<int>(SourceGrid::max_levels));
-  constants.add("source_clusters", source_clusters);
   constants.add("enclosed_bit", GridOcclusion::enclosed_bit);
   constants.add("sh_bands", sh_max_bands);
   constants.add("sh_count", sh_max_bands * sh_max_bands);
@@ -238,8 +255,6 @@ void add_reflection(Constants& constants) {
   constants.add("sh_start", floats(std::span(&recurrence.start, 1)));
   constants.add("sh_up", floats(recurrence.up));
   constants.add("sh_down", floats(recurrence.down));
-  constants.add("grid_bands", grid_bands);
-  constants.add("light_bits", light_bits);
   constants.add("grid_functions", static_cast<int>(sh_size(grid_bands)));
   constants.add("cosine_factors", clamped_cosine_factors());
   constants.add("theta_h_cells", MeasuredBrdf::theta_h_cells);
@@ -253,6 +268,7 @@ void add_reflection(Constants& constants) {
 
 // Constants of metallic-roughness materials and textures.
 void add_materials(Constants& constants) {
+  constants.add_all(NAMED(min_ggx_cosine, min_grazing_cosine, min_normal_height, ggx_vectors));
   const auto encoding = [](brume::Texture::Encoding value) { return static_cast<unsigned>(value); };
   constants.add("texture_linear", encoding(brume::Texture::Encoding::linear));
   constants.add("texture_shared_exponent", encoding(brume::Texture::Encoding::shared_exponent));
@@ -260,17 +276,17 @@ void add_materials(Constants& constants) {
   constants.add("wrap_clamp", static_cast<unsigned>(TextureWrap::clamp));
   constants.add("dielectric_f0", GgxReflection::dielectric_f0);
   constants.add("min_alpha", GgxReflection::min_alpha);
-  constants.add("min_ggx_cosine", min_ggx_cosine);
-  constants.add("min_grazing_cosine", min_grazing_cosine);
-  constants.add("min_normal_height", min_normal_height);
-  constants.add("ggx_vectors", ggx_vectors);
   constants.add("ggx_row", static_cast<int>(GgxSh::row_size));
   constants.add("ggx_angles", GgxSh::angle_intervals);
   constants.add("ggx_roughnesses", GgxSh::roughness_intervals);
 }
 
 void add_slices(Constants& constants) {
-  constants.add("gauss_3_place", gauss_3_place);
+  constants.add_all(NAMED(gauss_3_place, falloff_panel, profile_panel, picture_panel, phase_panel,
+                          wide_falloff, wide_phase, gauss_3_end, gauss_3_middle, bin_room,
+                          slice_opaque, opaque_fog_depth, points_per_demand, near_light_share,
+                          light_slice_share, light_distances, min_gap_of_range, min_gap_of_distance,
+                          node_texture_width, slice_chunk, optics_width, max_table_radii));
   const auto add_shape = [&](const char* name, LightFalloff::Shape shape) {
     constants.add(name, static_cast<int>(shape));
   };
@@ -278,17 +294,6 @@ void add_slices(Constants& constants) {
   add_shape("falloff_cone", LightFalloff::Shape::cone);
   add_shape("falloff_cosine", LightFalloff::Shape::cosine);
   add_shape("falloff_two_cosines", LightFalloff::Shape::two_cosines);
-  constants.add("falloff_panel", falloff_panel);
-  constants.add("profile_panel", profile_panel);
-  constants.add("picture_panel", picture_panel);
-  constants.add("phase_panel", phase_panel);
-  constants.add("wide_falloff", wide_falloff);
-  constants.add("wide_phase", wide_phase);
-  constants.add("gauss_3_end", gauss_3_end);
-  constants.add("gauss_3_middle", gauss_3_middle);
-  constants.add("bin_room", bin_room);
-  constants.add("slice_opaque", slice_opaque);
-  constants.add("opaque_fog_depth", opaque_fog_depth);
   constants.add("bins_per_slice", slice_demand::bins_per_slice);
   constants.add("box_radii", slice_demand::box_radii);
   constants.add("box_share", slice_demand::box_share);
@@ -299,40 +304,21 @@ void add_slices(Constants& constants) {
   constants.add("outstanding_demand", slice_demand::outstanding);
   constants.add("max_front_depth", slice_demand::max_front_depth);
   constants.add("uniform_share", slice_demand::uniform_share);
-  constants.add("points_per_demand", points_per_demand);
-  constants.add("near_light_share", near_light_share);
-  constants.add("light_slice_share", light_slice_share);
-  constants.add("light_distances", light_distances);
-  constants.add("min_gap_of_range", min_gap_of_range);
-  constants.add("min_gap_of_distance", min_gap_of_distance);
   constants.add("max_bins", slice_demand::bins_per_slice * max_slices);
   constants.add("max_boundaries", static_cast<int>(max_slice_boundaries));
-  constants.add("node_texture_width", node_texture_width);
-  constants.add("slice_chunk", slice_chunk);
-  constants.add("optics_width", optics_width);
-  constants.add("max_table_radii", max_table_radii);
 }
 
 // Constants of rays, tiles and upsampling.
 void add_film(Constants& constants) {
-  constants.add("endless", endless);
-  constants.add("max_radiance", max_radiance);
+  constants.add_all(NAMED(endless, max_radiance, bundle_side, coarse_entries,
+                          invocations_per_gaussian, max_relative_step, middle_per_second_difference,
+                          unknown_curvature, halving_samples, max_local_fit_curvature,
+                          min_surface_weight, radii_per_tolerance, free_paths_per_tolerance));
   constants.add("tile_width", Tiles::width);
   constants.add("tile_height", Tiles::height);
   constants.add("group_size", Tiles::pixels);
-  constants.add("bundle_side", bundle_side);
   constants.add("bundle_size", bundle_side * bundle_side);
-  constants.add("coarse_entries", coarse_entries);
-  constants.add("invocations_per_gaussian", invocations_per_gaussian);
   constants.add_double("pixel_rounding", CameraRays::pixel_rounding);
-  constants.add("max_relative_step", max_relative_step);
-  constants.add("middle_per_second_difference", middle_per_second_difference);
-  constants.add("unknown_curvature", unknown_curvature);
-  constants.add("halving_samples", halving_samples);
-  constants.add("max_local_fit_curvature", max_local_fit_curvature);
-  constants.add("min_surface_weight", min_surface_weight);
-  constants.add("radii_per_tolerance", radii_per_tolerance);
-  constants.add("free_paths_per_tolerance", free_paths_per_tolerance);
   constants.add("max_levels", TriangleBvh::max_levels);
   constants.add_double("near_radii", RayCaster::near_radii);
   constants.add_double("start_radii", RayCaster::start_radii);
@@ -343,21 +329,10 @@ void add_film(Constants& constants) {
 }
 
 void add_display(Constants& constants) {
-  constants.add("highlight_start", highlight::start);
-  constants.add("highlight_desaturation", highlight::desaturation);
-  constants.add("highlight_offset", highlight::offset);
-  constants.add("highlight_knee", highlight::knee);
-  constants.add("highlight_slope", highlight::slope);
-  constants.add("srgb_knee", srgb::knee);
-  constants.add("srgb_slope", srgb::slope);
-  constants.add("srgb_gain", srgb::gain);
-  constants.add("srgb_offset", srgb::offset);
-  constants.add("srgb_exponent", srgb::exponent);
-  constants.add("brightest_shown", brightest_shown);
-  constants.add("dither_column_step", dither::column_step);
-  constants.add("dither_row_step", dither::row_step);
-  constants.add("dither_threshold_bits", dither::threshold_bits);
-  constants.add("dither_threshold_unit", dither::threshold_unit);
+  constants.add_all(NAMED(highlight::start, highlight::desaturation, highlight::offset,
+                          highlight::knee, highlight::slope, srgb::knee, srgb::slope, srgb::gain,
+                          srgb::offset, srgb::exponent, brightest_shown, dither::column_step,
+                          dither::row_step, dither::threshold_bits, dither::threshold_unit));
 }
 
 }  // namespace

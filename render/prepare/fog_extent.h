@@ -3,6 +3,7 @@
 #include <glm/vec3.hpp>
 #include <optional>
 #include <span>
+#include <string>
 
 #include "brume/scene.h"
 #include "core/math/infinity.h"
@@ -73,5 +74,12 @@ bool close_in(const RayCaster& surfaces, std::span<const glm::dvec3> lights);
 std::optional<Box> room_around(const RayCaster& surfaces, const glm::dvec3& place);
 // Whether surfaces hide three quarters of the directions around a place.
 bool is_indoors(const RayCaster& surfaces, const glm::dvec3& place);
+
+// The share of light from far away that homogeneous fog lets through to the middle of the scene, of
+// a scene with a directional light or an environment (see FogExtent); else 1.
+double transmittance_of_fog(const Scene& scene);
+
+// A warning where that is less than half. It says how far the fog reaches, and what would help.
+std::optional<std::string> deep_fog_text(const Scene& scene);
 
 }  // namespace brume

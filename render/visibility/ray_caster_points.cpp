@@ -6,7 +6,7 @@
 #include "render/geometry/rounding.h"
 #include "render/simd/surface_kernels.h"
 #include "render/visibility/ray_caster_impl.h"
-#include "render/visibility/surface_materials.h"
+#include "render/visibility/surface_point.h"
 
 namespace brume {
 

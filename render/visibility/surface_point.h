@@ -5,10 +5,12 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <optional>
+#include <span>
 
 #include "brume/scene.h"
 #include "core/scene/materials/ggx.h"
 #include "core/scene/materials/mesh_values.h"
+#include "render/simd/surface_points.h"
 
 namespace brume {
 
@@ -60,5 +62,13 @@ struct MeshFrame {
 // `side`: 1 if that is the mesh's front, else -1; `width`: of what is averaged [u].
 MaterialPoint material_at(const MetallicRoughness& material, const MeshFrame& frame, double width,
                           double side, glm::dvec3& normal);
+
+// A pixel's cone at a grazing angle is taken to be no longer than at this one.
+inline constexpr double min_grazing_cosine = 0.02;
+
+// Sets points.ggx and turns normals by normal maps. `frames` of the points, if is_varied();
+// `distances` from the eye [u].
+void find_materials(std::span<const MeshFrame> frames, std::span<const double> distances,
+                    SurfacePoints& points);
 
 }  // namespace brume

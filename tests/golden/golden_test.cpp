@@ -21,8 +21,7 @@
 
 #include "core/math/spherical_harmonics.h"
 #include "core/transport/average_depth.h"
-#include "core/transport/gaussian_airlight.h"
-#include "core/transport/homogeneous_airlight.h"
+#include "core/transport/closed_form_airlight.h"
 #include "core/transport/point_spread.h"
 #include "render/cpu/paper_airlight.h"
 #include "render/reference/airlight_integral.h"

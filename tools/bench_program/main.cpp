@@ -17,7 +17,6 @@
 #include "tools/bench/report/bench_pages.h"
 #include "tools/bench/report/plots.h"
 #include "tools/brume/command_files.h"
-#include "tools/brume/finite_in.h"
 #include "tools/brume/program.h"
 #include "tools/brume/request_arguments.h"
 

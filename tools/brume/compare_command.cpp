@@ -7,7 +7,7 @@
 #include "core/io/image/image_file.h"
 #include "render/output/compare.h"
 #include "tools/brume/command.h"
-#include "tools/brume/finite_in.h"
+#include "tools/brume/request_arguments.h"
 
 namespace brume {
 namespace {

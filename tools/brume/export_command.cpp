@@ -22,11 +22,11 @@
 #include "core/volume/medium_grid.h"
 #include "tools/brume/command.h"
 #include "tools/brume/command_files.h"
-#include "tools/brume/finite_in.h"
 #include "tools/brume/frame_range.h"
 #include "tools/brume/interruption.h"
 #include "tools/brume/lit_splats.h"
 #include "tools/brume/progress_line.h"
+#include "tools/brume/request_arguments.h"
 #include "tools/brume/run_frames.h"
 
 namespace brume {

@@ -15,10 +15,10 @@
 #include "core/number_domain.h"
 #include "tools/brume/command.h"
 #include "tools/brume/command_files.h"
-#include "tools/brume/finite_in.h"
 #include "tools/brume/frame_range.h"
 #include "tools/brume/interruption.h"
 #include "tools/brume/progress_line.h"
+#include "tools/brume/request_arguments.h"
 #include "tools/brume/run_frames.h"
 
 namespace brume {

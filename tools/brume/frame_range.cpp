@@ -6,7 +6,7 @@
 
 #include "core/io/text_scanner.h"
 #include "tools/brume/command.h"
-#include "tools/brume/finite_in.h"
+#include "tools/brume/request_arguments.h"
 
 namespace brume {
 

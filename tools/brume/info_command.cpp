@@ -21,7 +21,6 @@
 #include "core/scene/imported_scene.h"
 #include "core/scene/mesh.h"
 #include "core/transport/medium_summary.h"
-#include "render/prepare/deep_fog.h"
 #include "render/prepare/fog_extent.h"
 #include "tools/brume/command.h"
 #include "tools/brume/command_files.h"

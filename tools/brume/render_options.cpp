@@ -12,7 +12,6 @@
 #include "core/scene/cameras.h"
 #include "render/request.h"
 #include "tools/brume/command.h"
-#include "tools/brume/finite_in.h"
 #include "tools/brume/frame_range.h"
 #include "tools/brume/request_arguments.h"
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/io/text_scanner.h"
+#include "core/number_domain.h"
 #include "tools/brume/command.h"
 
 namespace brume {
@@ -53,6 +55,18 @@ RenderRequest request_of(const CLI::App& app, const Film& film) {
 void set_option(RenderRequest& request, const std::string& name, const std::string& text) {
   const auto named = [&](const RequestOption& option) { return name == option.name; };
   set(request, *std::ranges::find_if(request_options(), named), text, {});
+}
+
+CLI::Validator finite_in(double low, double high) {
+  const std::string range = "from " + quoted_text(low) + " to " + quoted_text(high);
+  return CLI::Validator(
+      [=](const std::string& text) -> std::string {
+        double value = 0.0;
+        // NaN is in no range.
+        if (CLI::detail::lexical_cast(text, value) && value >= low && value <= high) return {};
+        return "found " + quoted_text(text) + "; allowed: a number " + range;
+      },
+      range);
 }
 
 }  // namespace brume

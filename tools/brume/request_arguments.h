@@ -17,4 +17,7 @@ RenderRequest request_of(const CLI::App& app, const Film& film);
 // Sets one of them by its name. Throws UsageError.
 void set_option(RenderRequest& request, const std::string& name, const std::string& text);
 
+// The check of a numeric option: a number from `low` to `high`. CLI::Range lets NaN through.
+CLI::Validator finite_in(double low, double high);
+
 }  // namespace brume

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "brume/error.h"
-#include "core/io/import/gltf_values.h"
+#include "core/io/import/gltf_nodes.h"
 #include "core/io/import/scene_readers.h"
 #include "core/io/text_scanner.h"
 #include "core/number_domain.h"

@@ -2,13 +2,16 @@
 
 #include <cstddef>
 #include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "brume/copies.h"
 #include "core/io/import/gltf_file.h"
 #include "core/io/import/node_motion.h"
+#include "core/number_domain.h"
 
 namespace brume {
 
@@ -34,5 +37,14 @@ std::vector<glm::dmat4> gltf_instances(GltfFile& file, JsonObject& node);
 
 // Transforms as placements; empty: one of them stretches or mirrors.
 CopyPlacements placements_of(std::span<const glm::dmat4> transforms);
+
+// Numbers of materials and lights as exporters write them: 1.0000001 for 1, a negative intensity.
+// The nearest allowed one is taken, with a warning; what is no number throws InputError.
+double nearest_number(GltfFile& file, JsonObject& object, std::string_view key,
+                      const NumberDomain& domain, double fallback);
+std::vector<double> nearest_numbers(GltfFile& file, JsonObject& object, std::string_view key,
+                                    const NumberDomain& domain, std::vector<double> fallback);
+glm::dvec3 nearest_vector(GltfFile& file, JsonObject& object, std::string_view key,
+                          const NumberDomain& domain, const glm::dvec3& fallback);
 
 }  // namespace brume

@@ -16,7 +16,6 @@
 #include "core/io/import/gltf_materials.h"
 #include "core/io/import/gltf_mesh.h"
 #include "core/io/import/gltf_nodes.h"
-#include "core/io/import/gltf_values.h"
 #include "core/io/import/node_keys.h"
 #include "core/io/import/node_motion.h"
 #include "core/io/import/node_transform.h"

@@ -8,12 +8,12 @@
 #include "brume/mesh_arrays.h"
 #include "core/io/disk/file_bytes.h"
 #include "tests/contains.h"
-#include "tests/core/io/temporary_folder.h"
+#include "tests/core/io/folder_test.h"
 
 namespace brume {
 namespace {
 
-class Files : public testing::Test {
+class Files : public FolderTest {
  protected:
   TemporaryFolder folder_;
 };

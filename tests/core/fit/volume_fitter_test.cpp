@@ -14,8 +14,8 @@
 #include "core/scene/lights/photometry.h"
 #include "core/volume/medium_grid.h"
 #include "tests/core/fit/matter.h"
+#include "tests/core/io/folder_test.h"
 #include "tests/core/io/input_error.h"
-#include "tests/core/io/temporary_folder.h"
 #include "tests/core/io/volume/vdb_test_grid.h"
 #include "tests/random.h"
 
@@ -39,7 +39,7 @@ Numbers::Ptr constant(const char* name, double value) {
                            [=](const glm::dvec3&) { return static_cast<float>(value); });
 }
 
-class VolumeFitterTest : public testing::Test {
+class VolumeFitterTest : public FolderTest {
  protected:
   VolumeFitterTest() { how_.options.count = 10; }
 
@@ -48,7 +48,6 @@ class VolumeFitterTest : public testing::Test {
     return *VolumeFitter(how).next(folder_ / "a.vdb");
   }
 
-  TemporaryFolder folder_;
   VolumeFit how_;
 };
 

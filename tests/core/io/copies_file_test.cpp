@@ -6,8 +6,8 @@
 
 #include "core/io/scene/gather.h"
 #include "core/io/scene/scene_file.h"
+#include "tests/core/io/folder_test.h"
 #include "tests/core/io/input_error.h"
-#include "tests/core/io/temporary_folder.h"
 #include "tests/core/io/triangle_obj.h"
 
 namespace brume {
@@ -67,7 +67,7 @@ TEST(CopiesFile, SaysWhereAndWhatIsWrong) {
   EXPECT_EQ(warnings, std::vector<std::string>{"there are no copies in it"});
 }
 
-class CopiesScene : public ::testing::Test {
+class CopiesScene : public FolderTest {
  protected:
   std::filesystem::path write(const std::string& copies) {
     folder_.write("a.obj", triangle_obj);
@@ -77,8 +77,6 @@ class CopiesScene : public ::testing::Test {
       { "mesh": "a.obj", "copies": { )" +
                                         copies + " } } ] }");
   }
-
-  TemporaryFolder folder_;
 };
 
 TEST_F(CopiesScene, AreSavedAsTheyWere) {

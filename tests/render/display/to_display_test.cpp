@@ -16,7 +16,7 @@
 #include "core/math/srgb.h"
 #include "render/display/color_view.h"
 #include "tests/contains.h"
-#include "tests/core/io/temporary_folder.h"
+#include "tests/core/io/folder_test.h"
 #include "tests/render/display/halving_config.h"
 
 namespace brume {
@@ -158,7 +158,9 @@ std::string refusal(const ColorChoice& choice) {
   return "";
 }
 
-TEST(ColorView, AcesHasDisplaysAndViews) {
+using ColorViews = FolderTest;
+
+TEST_F(ColorViews, AcesHasDisplaysAndViews) {
   const std::vector<ColorDisplay> displays = color_displays(aces_config);
   ASSERT_EQ(displays.size(), 2u);
   EXPECT_EQ(displays[0].name, "sRGB");
@@ -168,7 +170,7 @@ TEST(ColorView, AcesHasDisplaysAndViews) {
 }
 
 // To ACES2065-1 and back: the way in and out agree, primaries and white included.
-TEST(ColorView, UntouchedColoursAreEncodedOnly) {
+TEST_F(ColorViews, UntouchedColoursAreEncodedOnly) {
   const ColorView view({aces_config, "sRGB", "Un-tone-mapped"});
   for (const std::array<float, 3> rgb : {std::array{0.0f, 0.0f, 0.0f},
                                          {1.0f, 1.0f, 1.0f},
@@ -182,7 +184,7 @@ TEST(ColorView, UntouchedColoursAreEncodedOnly) {
 
 // ACES 1.0 shows middle grey, 0.18, as a tenth of its white (4.8 of 48 nits in the cinema), rolls
 // off what is brighter, and takes strong lights towards white.
-TEST(ColorView, AcesIsAces) {
+TEST_F(ColorViews, AcesIsAces) {
   const ColorView view({aces_config, "sRGB", "ACES 1.0 SDR"});
   EXPECT_NEAR(shown(view, {0.18f, 0.18f, 0.18f})[1], srgb(0.1f), 0.01f);
   float last = -1.0f;
@@ -196,9 +198,8 @@ TEST(ColorView, AcesIsAces) {
   EXPECT_GT(shown(view, {100.0f, 1.0f, 1.0f})[1], shown(view, {1.0f, 0.01f, 0.01f})[1]);
 }
 
-TEST(ColorView, ReadsAConfiguration) {
-  const TemporaryFolder folder;
-  const std::string config = folder.write("config.ocio", halving_config).string();
+TEST_F(ColorViews, ReadsAConfiguration) {
+  const std::string config = folder_.write("config.ocio", halving_config).string();
   EXPECT_EQ(shown(ColorView({config, "screen", "half"}), {0.8f, 0.4f, 0.2f}),
             (std::array{0.4f, 0.2f, 0.1f}));
   EXPECT_EQ(refusal({config, "tv", ""}), config + ": found the display tv; allowed: screen");
@@ -206,23 +207,21 @@ TEST(ColorView, ReadsAConfiguration) {
             config + ": found the view x of screen; allowed: plain, half");
 }
 
-TEST(ColorView, BadConfigurationsAreRefusedInOneLine) {
-  const TemporaryFolder folder;
+TEST_F(ColorViews, BadConfigurationsAreRefusedInOneLine) {
   for (const std::string& text :
        {std::string(""), std::string("ocio_profile_version: 9"), std::string("{{{"),
         std::string("ocio_profile_version: 1\ndisplays: {}\n"), std::string(100'000, '[')}) {
-    const std::string config = folder.write("bad.ocio", text).string();
+    const std::string config = folder_.write("bad.ocio", text).string();
     const std::string found = refusal({config, "", ""});
     EXPECT_TRUE(found.starts_with(config + ": ")) << found;
     EXPECT_EQ(found.find('\n'), std::string::npos) << found;
   }
-  EXPECT_NE(refusal({(folder / "none.ocio").string(), "", ""}), "");
+  EXPECT_NE(refusal({(folder_ / "none.ocio").string(), "", ""}), "");
 }
 
 // Rec. 709 goes by ACES2065-1 where a configuration has no name for it; views of data do not.
-TEST(ColorView, ViewsOfDataConvertNothing) {
-  const TemporaryFolder folder;
-  const std::string config = folder
+TEST_F(ColorViews, ViewsOfDataConvertNothing) {
+  const std::string config = folder_
                                  .write("config.ocio", R"(ocio_profile_version: 2
 roles:
   default: Linear
@@ -277,9 +276,8 @@ looks:
     transform: !<FileTransform> {src: gone.spi1d, interpolation: linear}
 )";
 
-TEST(ColorView, ComplaintsAboutOtherViewsAreWarnings) {
-  const TemporaryFolder folder;
-  const std::string config = folder.write("config.ocio", incomplete_config).string();
+TEST_F(ColorViews, ComplaintsAboutOtherViewsAreWarnings) {
+  const std::string config = folder_.write("config.ocio", incomplete_config).string();
   const ColorView view({config, "screen", "plain"});
   EXPECT_EQ(shown(view, {0.8f, 0.4f, 0.2f}), (std::array{0.8f, 0.4f, 0.2f}));
   ASSERT_EQ(view.warnings().size(), 1u);
@@ -290,10 +288,9 @@ TEST(ColorView, ComplaintsAboutOtherViewsAreWarnings) {
   EXPECT_TRUE(ColorView({aces_config, "", ""}).warnings().empty());
 }
 
-TEST(ColorView, FilesAreTheConfigurationAndItsLuts) {
-  const TemporaryFolder folder;
-  const std::string config = folder.write("config.ocio", incomplete_config).string();
-  const std::filesystem::path lut = folder.write(
+TEST_F(ColorViews, FilesAreTheConfigurationAndItsLuts) {
+  const std::string config = folder_.write("config.ocio", incomplete_config).string();
+  const std::filesystem::path lut = folder_.write(
       "luts/curve.spi1d", "Version 1\nFrom 0.0 1.0\nLength 2\nComponents 1\n{\n0.0\n0.5\n}\n");
   using Files = std::vector<std::filesystem::path>;
   EXPECT_EQ(ColorView({config, "screen", "plain"}).files(), Files{config});
@@ -301,7 +298,7 @@ TEST(ColorView, FilesAreTheConfigurationAndItsLuts) {
   EXPECT_TRUE(ColorView({aces_config, "", ""}).files().empty());
 }
 
-TEST(ColorView, ConfigurationsOfOpenColorIoNeedItsVersion) {
+TEST_F(ColorViews, ConfigurationsOfOpenColorIoNeedItsVersion) {
   const std::string found = refusal({"ocio://default", "", ""});
   EXPECT_TRUE(found.empty() || found.find("needs OpenColorIO 2.2 or newer") != std::string::npos)
       << found;
@@ -309,9 +306,8 @@ TEST(ColorView, ConfigurationsOfOpenColorIoNeedItsVersion) {
 }
 
 // OpenColorIO would wait for the other end of a pipe, wherever a configuration names it.
-TEST(ColorView, RefusesPipesInPlaceOfItsFiles) {
-  const TemporaryFolder folder;
-  ASSERT_EQ(::mkfifo((folder / "lut.spi1d").c_str(), 0600), 0);
+TEST_F(ColorViews, RefusesPipesInPlaceOfItsFiles) {
+  ASSERT_EQ(::mkfifo((folder_ / "lut.spi1d").c_str(), 0600), 0);
   const std::string lut = "!<FileTransform> {src: lut.spi1d}";
   const std::string group = "!<GroupTransform> {children: [" + lut + "]}";
   for (const std::string& more :
@@ -319,12 +315,12 @@ TEST(ColorView, RefusesPipesInPlaceOfItsFiles) {
         "  - !<ColorSpace> {name: x, from_reference: " + group + "}\n",
         "looks:\n  - !<Look> {name: x, process_space: linear, transform: " + group + "}\n"}) {
     const std::string config =
-        folder.write("a.ocio", halving_config + more + "search_path: .\n").string();
+        folder_.write("a.ocio", halving_config + more + "search_path: .\n").string();
     EXPECT_EQ(refusal({config, "screen", "half"}),
-              (folder / "lut.spi1d").string() + ": is not a regular file")
+              (folder_ / "lut.spi1d").string() + ": is not a regular file")
         << more;
   }
-  const std::string config = folder.write("a.ocio", halving_config).string();
+  const std::string config = folder_.write("a.ocio", halving_config).string();
   EXPECT_EQ(refusal({config, "screen", "half"}), "");
 }
 

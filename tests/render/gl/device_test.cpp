@@ -10,7 +10,7 @@
 
 #include "render/gl/resources.h"
 #include "render/gl/shader_source.h"
-#include "tests/render/gl/gl_test.h"
+#include "tests/render/gl/gl_frames.h"
 
 namespace brume::gl {
 namespace {

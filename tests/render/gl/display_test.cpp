@@ -14,7 +14,7 @@
 
 #include "render/gl_renderer.h"
 #include "tests/contains.h"
-#include "tests/render/gl/gl_test.h"
+#include "tests/render/gl/gl_frames.h"
 #include "tests/render/test_scenes.h"
 
 namespace brume::gl {

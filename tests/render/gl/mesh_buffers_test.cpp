@@ -7,7 +7,7 @@
 
 #include "render/visibility/triangle_bvh.h"
 #include "tests/random.h"
-#include "tests/render/gl/gl_test.h"
+#include "tests/render/gl/gl_frames.h"
 #include "tests/render/test_scenes.h"
 
 namespace brume::gl {

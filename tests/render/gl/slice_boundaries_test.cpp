@@ -12,7 +12,7 @@
 #include "render/geometry/ray_range.h"
 #include "render/gl/sliced_stage.h"
 #include "tests/random.h"
-#include "tests/render/gl/gl_test.h"
+#include "tests/render/gl/gl_frames.h"
 
 namespace brume::gl {
 namespace {

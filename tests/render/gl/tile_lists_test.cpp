@@ -7,7 +7,6 @@
 
 #include "tests/random.h"
 #include "tests/render/gl/gl_frames.h"
-#include "tests/render/gl/gl_test.h"
 #include "tests/render/test_scenes.h"
 
 namespace brume::gl {

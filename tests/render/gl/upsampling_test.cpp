@@ -15,7 +15,7 @@
 #include "render/gl/shader_source.h"
 #include "render/prepare/light_pixels.h"
 #include "tests/random.h"
-#include "tests/render/gl/gl_test.h"
+#include "tests/render/gl/gl_frames.h"
 
 namespace brume::gl {
 namespace {

@@ -12,7 +12,7 @@
 namespace brume {
 namespace {
 
-constexpr Film film{8, 6};
+constexpr Film small_film{8, 6};
 
 // Looks along -z from 1 u away at the plane z = 0, where a pixel is 1 u wide.
 Camera camera() {
@@ -32,7 +32,7 @@ Light light_at(double x, double y) {
 std::vector<glm::ivec2> pixels_of(const std::vector<Light>& lights, int width) {
   Scene scene;
   scene.lights = lights;
-  return light_pixels(point_lights(scene), CameraRays(camera(), film), film, width);
+  return light_pixels(point_lights(scene), CameraRays(camera(), small_film), small_film, width);
 }
 
 using Pixels = std::vector<glm::ivec2>;

@@ -15,7 +15,7 @@
 #include "core/scene/lights/environment.h"
 #include "core/scene/lights/radiance_map.h"
 #include "core/scene/materials/brdf.h"
-#include "core/transport/homogeneous_airlight.h"
+#include "core/transport/closed_form_airlight.h"
 #include "core/transport/point_spread.h"
 #include "render/reference/airlight_integral.h"
 #include "tests/core/transport/incident_light.h"

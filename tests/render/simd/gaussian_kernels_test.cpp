@@ -10,8 +10,7 @@
 #include <numbers>
 
 #include "brume/scene.h"
-#include "core/transport/gaussian_airlight.h"
-#include "core/transport/homogeneous_airlight.h"
+#include "core/transport/closed_form_airlight.h"
 #include "core/transport/phase_function.h"
 #include "render/cpu/paper_airlight.h"
 #include "render/optical_depth/path_depths.h"

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <limits>
 #include <map>
+#include <numeric>
 
 #include "tools/bench/measure/frames.h"
 #include "tools/bench/scenes/benchmark_scenes.h"
@@ -107,6 +110,85 @@ Measurement measure(FrameRenderer& renderer, const Scene& scene, const Settings&
   result.pairs = first.statistics.view_pairs;
   static_cast<MovedFrames&>(result) = moved_frames(renderer, scene, settings, 3, seconds, step);
   return result;
+}
+
+std::vector<std::size_t> frontier(std::span<const Measurement> settings) {
+  std::vector<std::size_t> order(settings.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, {},
+                           [&](std::size_t i) { return settings[i].cpu_milliseconds.median; });
+  std::vector<std::size_t> result;
+  double min_error = std::numeric_limits<double>::infinity();
+  for (const std::size_t i : order) {
+    if (!(settings[i].error.rel_rmse < min_error)) continue;
+    min_error = settings[i].error.rel_rmse;
+    result.push_back(i);
+  }
+  return result;
+}
+
+std::optional<std::size_t> cheapest_within(std::span<const Measurement> settings, double error) {
+  std::optional<std::size_t> best;
+  for (std::size_t i = 0; i < settings.size(); ++i) {
+    if (!(settings[i].error.high <= error)) continue;
+    if (!best || settings[i].cpu_milliseconds.median < settings[*best].cpu_milliseconds.median) {
+      best = i;
+    }
+  }
+  return best;
+}
+
+double fitted_exponent(std::span<const CostPoint> points) {
+  double x = 0.0;
+  double y = 0.0;
+  double xx = 0.0;
+  double xy = 0.0;
+  for (const CostPoint& point : points) {
+    const double u = std::log(point.size);
+    const double v = std::log(point.cpu_milliseconds);
+    x += u;
+    y += v;
+    xx += u * u;
+    xy += u * v;
+  }
+  const auto n = static_cast<double>(points.size());
+  return (n * xy - x * y) / (n * xx - x * x);
+}
+
+namespace {
+
+constexpr double max_error = 0.02;
+
+FogBankRow measure_bank(int count, bool quick) {
+  const Scene scene = fog_bank(count);
+  const ReferenceSample reference = find_reference(scene, quick ? 50 : 200, 1e-3);
+  FogBankRow row{.gaussians = count};
+  for (const int slices : {8, 12, 16, 24, 32, 48}) {
+    Settings settings = sliced_settings({}, slices);
+    settings.airlight_scale = 4;
+    Renderer renderer;
+    row.measurement = measure(renderer, scene, settings, reference.sample, quick ? 0.5 : 2.0);
+    if (row.measurement.error.rel_rmse <= max_error) break;
+  }
+  const Settings& merging = row.measurement.settings;
+  Renderer renderer;
+  const auto frame = renderer.render(scene, scene.camera, scene.film, merging);
+  row.merged = frame->statistics.gaussians_merged;
+  Settings plain = merging;
+  plain.merge_error = 0.0;
+  row.unmerged_ratio =
+      frame_time_ratio({Renderer(), Renderer()}, scene, {merging, plain}, quick ? 3 : 9);
+  return row;
+}
+
+}  // namespace
+
+std::vector<FogBankRow> measure_fog_banks(bool quick) {
+  std::vector<int> counts{10'000};
+  if (!quick) counts.insert(counts.end(), {100'000, 1'000'000});
+  std::vector<FogBankRow> rows;
+  for (const int count : counts) rows.push_back(measure_bank(count, quick));
+  return rows;
 }
 
 }  // namespace brume

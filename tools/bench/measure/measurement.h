@@ -1,6 +1,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -62,5 +65,31 @@ ReferenceSample find_reference(const Scene& scene, std::size_t pixels, double to
 // A first frame, of which the error is, and moved ones: 3 to 15 in `seconds`.
 Measurement measure(FrameRenderer& renderer, const Scene& scene, const Settings& settings,
                     const ErrorSample& reference, double seconds, const CameraStep& step = {});
+
+// The settings that no other one beats in both CPU time and error, from cheap to costly: indices.
+std::vector<std::size_t> frontier(std::span<const Measurement> settings);
+
+// The cheapest setting (CPU time) whose error, by the upper end of its interval, is at most
+// `error`: an index.
+std::optional<std::size_t> cheapest_within(std::span<const Measurement> settings, double error);
+
+// One point of a cost curve.
+struct CostPoint {
+  double size = 0.0;              // Gaussians, lights, pixels, slices
+  double cpu_milliseconds = 0.0;  // > 0
+};
+
+// Exponent p of cost ~ size^p by least squares of logarithms; at least two sizes.
+double fitted_exponent(std::span<const CostPoint> points);
+
+// A bank of many small Gaussians that fills the view of 800 x 600, with the fewest slices for 2%.
+struct FogBankRow {
+  int gaussians = 0;
+  std::size_t merged = 0;  // into as many; 0: not
+  Measurement measurement{};
+  Spread unmerged_ratio{};  // frame times without merging over those with
+};
+
+std::vector<FogBankRow> measure_fog_banks(bool quick);
 
 }  // namespace brume

@@ -8,8 +8,6 @@
 #include "tools/bench/errors/scattering_errors.h"
 #include "tools/bench/errors/unbiased_error.h"
 #include "tools/bench/measure/cache_gains.h"
-#include "tools/bench/measure/fog_banks.h"
-#include "tools/bench/measure/frontier.h"
 #include "tools/bench/measure/hard_cases.h"
 #include "tools/bench/measure/measurement.h"
 #include "tools/bench/measure/peers.h"

@@ -12,7 +12,7 @@
 #include "core/number_domain.h"
 #include "tools/brume/command.h"
 #include "tools/brume/command_files.h"
-#include "tools/brume/finite_in.h"
+#include "tools/brume/request_arguments.h"
 #include "tools/brume/submit/sequence_job.h"
 #include "tools/brume/submit/slurm_submission.h"
 

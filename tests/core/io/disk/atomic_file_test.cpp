@@ -144,8 +144,6 @@ TEST_F(AtomicFile, RefusesAFolderThatCannotBeWritten) {
   expect_error([&] { write_atomically("/proc/brume-test", "x"); }, "/proc/brume-test");
 }
 
-namespace fs = std::filesystem;
-
 // How a separate process that does `work` ends, with the handlers of the programs.
 int status_of(const std::function<void()>& work) {
   const pid_t child = ::fork();

@@ -11,8 +11,8 @@
 #include "core/io/scene/gather.h"
 #include "core/io/scene/scene_file.h"
 #include "core/io/volume/volume_file.h"
+#include "tests/core/io/folder_test.h"
 #include "tests/core/io/input_error.h"
-#include "tests/core/io/temporary_folder.h"
 
 namespace brume {
 namespace {
@@ -99,12 +99,10 @@ std::vector<Writer> writers() {
   };
 }
 
-class FullDisk : public ::testing::Test {
+class FullDisk : public FolderTest {
  protected:
   FullDisk() : old_(std::signal(SIGXFSZ, SIG_IGN)) {}
   ~FullDisk() override { std::signal(SIGXFSZ, old_); }
-
-  TemporaryFolder folder_;
 
  private:
   void (*old_)(int);

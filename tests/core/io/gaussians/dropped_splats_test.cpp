@@ -13,12 +13,11 @@
 #include "tests/core/io/folder_test.h"
 #include "tests/core/io/gaussians/splat_gltf_builder.h"
 #include "tests/core/io/input_error.h"
-#include "tests/core/io/temporary_folder.h"
 
 namespace brume {
 namespace {
 
-class DroppedSplatsTest : public ::testing::Test {
+class DroppedSplatsTest : public FolderTest {
  protected:
   // A capture of `count` splats whose opacities are `opacity` at these places.
   std::filesystem::path capture(int count, const std::vector<int>& places, const char* opacity) {
@@ -39,7 +38,6 @@ class DroppedSplatsTest : public ::testing::Test {
     return read_gaussians(file, nullptr, limits::gaussians, {}, &warnings_);
   }
 
-  TemporaryFolder folder_;
   std::vector<std::string> warnings_;
 };
 

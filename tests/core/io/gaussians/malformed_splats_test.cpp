@@ -11,9 +11,9 @@
 #include "brume/error.h"
 #include "core/io/gaussians/gaussian_file.h"
 #include "core/io/scene/json_reader.h"
+#include "tests/core/io/folder_test.h"
 #include "tests/core/io/gaussians/splat_gltf_builder.h"
 #include "tests/core/io/input_error.h"
-#include "tests/core/io/temporary_folder.h"
 
 namespace brume {
 namespace {
@@ -21,7 +21,7 @@ namespace {
 constexpr float nan_value = std::numeric_limits<float>::quiet_NaN();
 constexpr float infinite = std::numeric_limits<float>::infinity();
 
-class MalformedSplats : public ::testing::Test {
+class MalformedSplats : public FolderTest {
  protected:
   void expect_refused(const std::string& what, const char* name, const std::string& bytes) {
     SCOPED_TRACE(what);
@@ -43,7 +43,6 @@ class MalformedSplats : public ::testing::Test {
     expect_refused(what, "a.glb", builder.binary());
   }
 
-  TemporaryFolder folder_;
   int count_ = 0;
 };
 

@@ -1,4 +1,3 @@
-#include "core/io/gaussians/sequence_reader.h"
 
 #include <gtest/gtest.h>
 

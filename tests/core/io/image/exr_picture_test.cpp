@@ -23,8 +23,8 @@
 #include "core/io/image/image_file.h"
 #include "core/io/image/radiance_map_file.h"
 #include "core/io/image/texture_file.h"
+#include "tests/core/io/folder_test.h"
 #include "tests/core/io/input_error.h"
-#include "tests/core/io/temporary_folder.h"
 
 namespace brume {
 namespace {
@@ -39,7 +39,7 @@ const Imf::Chromaticities xyz({1.0f, 0.0f}, {0.0f, 1.0f}, {0.0f, 0.0f}, {1.0f / 
 using Channels = std::map<std::string, float>;
 
 // A file of one part for each, of 3 x 2 pixels of one colour.
-class ExrFiles : public ::testing::Test {
+class ExrFiles : public FolderTest {
  protected:
   std::filesystem::path write(const std::vector<Channels>& parts,
                               const Imf::Chromaticities* chromaticities = nullptr,
@@ -85,8 +85,6 @@ class ExrFiles : public ::testing::Test {
   static void expect_color(const glm::vec3& found, const glm::vec3& expected) {
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(found[c], expected[c], 1e-5f) << c;
   }
-
-  TemporaryFolder folder_;
 };
 
 Channels rgb(float red, float green, float blue, const std::string& layer = "") {
@@ -218,7 +216,7 @@ TEST_F(ExrFiles, CubeMapsAreNoSkies) {
   expect_error([&] { read_radiance_map(file); }, "found a cube map");
 }
 
-class DeepExr : public ::testing::Test {
+class DeepExr : public FolderTest {
  protected:
   // Two rows of three pixels, of 0 to 5 samples, in two pieces.
   void write(const DeepExrHeader& header) const {
@@ -245,7 +243,6 @@ class DeepExr : public ::testing::Test {
     EXPECT_EQ(a.mean_alpha, b.mean_alpha);
   }
 
-  TemporaryFolder folder_;
   std::filesystem::path file_ = folder_ / "a.deep.exr";
 };
 

@@ -9,21 +9,17 @@
 #include <numbers>
 
 #include "brume/at_time.h"
-#include "brume/mesh_arrays.h"
-#include "core/io/import/imported_scene_file.h"
 #include "core/scene/animation/animation.h"
-#include "core/scene/imported_scene.h"
 #include "core/scene/placement.h"
 #include "tests/core/io/import/gltf_builder.h"
 #include "tests/core/io/input_error.h"
-#include "tests/core/io/temporary_folder.h"
 
 namespace brume {
 namespace {
 
 const float root_half = std::sqrt(0.5f);
 
-class GltfAnimation : public ::testing::Test {
+class GltfAnimation : public GltfTest {
  protected:
   using Json = GltfBuilder::Json;
 
@@ -41,11 +37,9 @@ class GltfAnimation : public ::testing::Test {
   }
 
   Scene read() {
-    warnings_.clear();
     Scene scene;
     Surface& surface = scene.surfaces.emplace_back();
-    surface.imported =
-        read_imported_scene(folder_.write("scene.glb", builder_.binary()), warnings_);
+    surface.imported = GltfTest::read(builder_);
     surface.mesh = joined_mesh(chosen_parts(*surface.imported, {}));
     return scene;
   }
@@ -59,10 +53,6 @@ class GltfAnimation : public ::testing::Test {
     read();
     return warnings_.empty() ? "" : warnings_.back();
   }
-
-  GltfBuilder builder_;
-  TemporaryFolder folder_;
-  std::vector<std::string> warnings_;
 };
 
 void expect_near(const glm::dvec3& a, const glm::dvec3& b, double tolerance = 1e-6) {

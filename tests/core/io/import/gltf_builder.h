@@ -1,8 +1,14 @@
 #pragma once
 
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
+
+#include "brume/mesh_arrays.h"
+#include "core/io/import/imported_scene_file.h"
+#include "core/scene/imported_scene.h"
+#include "tests/core/io/folder_test.h"
 
 namespace brume {
 
@@ -86,6 +92,21 @@ class GltfBuilder {
   }
 
   std::string buffer_;
+};
+
+// A test that reads such files.
+class GltfTest : public FolderTest {
+ protected:
+  std::shared_ptr<const ImportedScene> read(const GltfBuilder& builder) {
+    warnings_.clear();
+    return read_imported_scene(folder_.write("scene.glb", builder.binary()), warnings_);
+  }
+  MeshArrays mesh_of(const GltfBuilder& builder) {
+    return to_arrays(*read(builder)->parts.at(0).mesh);
+  }
+
+  GltfBuilder builder_;
+  std::vector<std::string> warnings_;
 };
 
 }  // namespace brume

@@ -7,14 +7,10 @@
 #include <glm/trigonometric.hpp>
 #include <span>
 
-#include "brume/mesh_arrays.h"
 #include "brume/surface.h"
-#include "core/io/import/imported_scene_file.h"
 #include "core/math/normals.h"
-#include "core/scene/imported_scene.h"
 #include "tests/core/io/import/gltf_builder.h"
 #include "tests/core/io/input_error.h"
-#include "tests/core/io/temporary_folder.h"
 
 namespace brume {
 namespace {
@@ -26,7 +22,7 @@ std::vector<float> matrix(float scale, const glm::vec3& move) {
 }
 
 // The square, skinned to two joints: nodes 1 and 2.
-class GltfSkin : public ::testing::Test {
+class GltfSkin : public GltfTest {
  protected:
   GltfSkin() {
     builder_.json["nodes"][0]["skin"] = 0;
@@ -54,20 +50,10 @@ class GltfSkin : public ::testing::Test {
     builder_.json["skins"][0]["inverseBindMatrices"] = accessor;
   }
 
-  MeshArrays read() {
-    warnings_.clear();
-    const auto file = folder_.write("scene.glb", builder_.binary());
-    const auto scene = read_imported_scene(file, warnings_);
-    return to_arrays(*scene->parts.at(0).mesh);
-  }
+  MeshArrays read() { return mesh_of(builder_); }
   std::string error() {
-    const auto file = folder_.write("scene.glb", builder_.binary());
-    return error_of([&] { read_imported_scene(file, warnings_); });
+    return error_of([&] { GltfTest::read(builder_); });
   }
-
-  GltfBuilder builder_;
-  TemporaryFolder folder_;
-  std::vector<std::string> warnings_;
 };
 
 void expect_points(const MeshArrays& mesh, const std::vector<glm::vec3>& points) {

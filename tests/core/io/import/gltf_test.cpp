@@ -5,34 +5,18 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "brume/mesh_arrays.h"
 #include "core/io/image/image_file.h"
-#include "core/io/import/imported_scene_file.h"
 #include "core/io/import/scene_readers.h"
-#include "core/scene/imported_scene.h"
 #include "core/scene/materials/texture.h"
 #include "core/scene/mesh.h"
 #include "core/scene/placement.h"
 #include "tests/core/io/import/gltf_builder.h"
 #include "tests/core/io/input_error.h"
-#include "tests/core/io/temporary_folder.h"
 
 namespace brume {
 namespace {
 
-class Gltf : public ::testing::Test {
- protected:
-  std::shared_ptr<const ImportedScene> read(const GltfBuilder& builder) {
-    warnings_.clear();
-    return read_imported_scene(folder_.write("scene.glb", builder.binary()), warnings_);
-  }
-  MeshArrays mesh_of(const GltfBuilder& builder) {
-    return to_arrays(*read(builder)->parts.at(0).mesh);
-  }
-
-  TemporaryFolder folder_;
-  std::vector<std::string> warnings_;
-};
+using Gltf = GltfTest;
 
 // An image of one color as PNG.
 std::string png(std::uint8_t red, std::uint8_t green, std::uint8_t blue) {

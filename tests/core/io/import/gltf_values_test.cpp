@@ -5,25 +5,18 @@
 #include <array>
 #include <numbers>
 
-#include "brume/mesh_arrays.h"
 #include "core/io/image/image_file.h"
-#include "core/io/import/imported_scene_file.h"
-#include "core/scene/imported_scene.h"
 #include "tests/core/io/import/gltf_builder.h"
 #include "tests/core/io/input_error.h"
-#include "tests/core/io/temporary_folder.h"
 
 namespace brume {
 namespace {
 
 using Json = GltfBuilder::Json;
 
-class GltfValues : public ::testing::Test {
+class GltfValues : public GltfTest {
  protected:
-  std::shared_ptr<const ImportedScene> read() {
-    warnings_.clear();
-    return read_imported_scene(folder_.write("scene.glb", builder_.binary()), warnings_);
-  }
+  std::shared_ptr<const ImportedScene> read() { return GltfTest::read(builder_); }
   MetallicRoughness read_material(const Json& material) {
     builder_.json["materials"] = {material};
     builder_.primitive()["material"] = 0;
@@ -38,10 +31,6 @@ class GltfValues : public ::testing::Test {
     return std::ranges::any_of(warnings_,
                                [&](const std::string& line) { return contains(line, text); });
   }
-
-  GltfBuilder builder_;
-  TemporaryFolder folder_;
-  std::vector<std::string> warnings_;
 };
 
 TEST_F(GltfValues, FactorsBeyondTheirRangeAreTheNearestAllowed) {
@@ -184,21 +173,14 @@ TEST_F(GltfValues, CompressedBuffersWithoutOtherDataAreToldToBeMissing) {
 
 // Colors of vertices and texture coordinates of glTF.
 
-class GltfMeshValues : public ::testing::Test {
+class GltfMeshValues : public GltfTest {
  protected:
-  ImportedPart part_of(const GltfBuilder& builder) {
-    warnings_.clear();
-    return read_imported_scene(folder_.write("scene.glb", builder.binary()), warnings_)
-        ->parts.at(0);
-  }
-  std::vector<glm::vec4> colors_of(const GltfBuilder& builder) {
-    return to_arrays(*part_of(builder).mesh).colors;
-  }
+  std::vector<glm::vec4> colors_of(const GltfBuilder& builder) { return mesh_of(builder).colors; }
   // The only warning of a mesh whose `attribute` is left out.
   std::string left_out(const char* attribute, std::size_t accessor) {
     GltfBuilder builder = builder_;
     builder.primitive()["attributes"][attribute] = accessor;
-    const MeshArrays mesh = to_arrays(*part_of(builder).mesh);
+    const MeshArrays mesh = mesh_of(builder);
     EXPECT_EQ(mesh.triangles.size(), 2u);
     EXPECT_TRUE(mesh.colors.empty());
     if (warnings_.size() != 1) return "found " + std::to_string(warnings_.size()) + " warnings";
@@ -222,10 +204,6 @@ class GltfMeshValues : public ::testing::Test {
     builder_.primitive()["attributes"]["TEXCOORD_1"] =
         builder_.add({0.5f, 0, 0.5f, 0, 0.5f, 0, 0.25f, 1}, "VEC2");
   }
-
-  GltfBuilder builder_;
-  TemporaryFolder folder_;
-  std::vector<std::string> warnings_;
 };
 
 TEST_F(GltfMeshValues, HasColorsOfAllTypes) {
@@ -295,14 +273,14 @@ TEST_F(GltfMeshValues, ManyWrongAttributesAreOneWarning) {
   GltfBuilder::Json other = builder_.primitive();
   other["attributes"]["COLOR_0"] = builder_.add({1, 0, 1}, "VEC3");
   builder_.json["meshes"][0]["primitives"].push_back(other);
-  part_of(builder_);
+  read(builder_)->parts.at(0);
   EXPECT_EQ(warnings_.size(), 1u);
 }
 
 TEST_F(GltfMeshValues, AMorphTargetThatIsWrongIsLeftOut) {
   builder_.json["meshes"][0]["weights"] = {1};
   builder_.primitive()["targets"] = {{{"POSITION", builder_.add({0, 0, 1}, "VEC3")}}};
-  EXPECT_EQ(to_arrays(*part_of(builder_).mesh).points.at(2), glm::vec3(1, 1, 0));
+  EXPECT_EQ(to_arrays(*read(builder_)->parts.at(0).mesh).points.at(2), glm::vec3(1, 1, 0));
   ASSERT_EQ(warnings_.size(), 1u);
   EXPECT_TRUE(contains(warnings_[0], "meshes[0].primitives[0].targets[0].POSITION: found 1 values"))
       << warnings_[0];
@@ -310,7 +288,7 @@ TEST_F(GltfMeshValues, AMorphTargetThatIsWrongIsLeftOut) {
 
 TEST_F(GltfMeshValues, HasTwoSetsOfTexcoords) {
   add_textures();
-  const ImportedPart part = part_of(builder_);
+  const ImportedPart part = read(builder_)->parts.at(0);
   EXPECT_TRUE(warnings_.empty());
   const MeshArrays& mesh = to_arrays(*part.mesh);
   // The first set is that of the material's first texture.
@@ -326,7 +304,7 @@ TEST_F(GltfMeshValues, TransformsOfTexturesMakeSets) {
   GltfBuilder::Json& normal = builder_.json["materials"][0]["normalTexture"];
   normal["texCoord"] = 1;
   normal["extensions"]["KHR_texture_transform"]["scale"] = {2.0, 2.0};
-  const MeshArrays mesh = to_arrays(*part_of(builder_).mesh);
+  const MeshArrays mesh = to_arrays(*read(builder_)->parts.at(0).mesh);
   EXPECT_TRUE(warnings_.empty());
   EXPECT_EQ(mesh.texcoords.at(3), glm::vec2(0.25f, 0.0f));
   EXPECT_EQ(mesh.second_texcoords.at(3), glm::vec2(0.5f, -1.0f));
@@ -336,7 +314,7 @@ TEST_F(GltfMeshValues, AThirdSetIsThatOfTheFirstTexture) {
   add_textures();
   builder_.json["materials"][0]["emissiveTexture"] = {{"index", 0}, {"texCoord", 2}};
   builder_.json["materials"][0]["emissiveFactor"] = {1, 1, 1};
-  const ImportedPart part = part_of(builder_);
+  const ImportedPart part = read(builder_)->parts.at(0);
   EXPECT_FALSE(part.material.metallic_roughness.emissive_texture.uses_second_texcoords);
   ASSERT_EQ(warnings_.size(), 1u);
   EXPECT_TRUE(contains(warnings_[0], "emissiveTexture: has texture coordinates of its own"));
@@ -345,7 +323,7 @@ TEST_F(GltfMeshValues, AThirdSetIsThatOfTheFirstTexture) {
 TEST_F(GltfMeshValues, AMissingSetIsAWarning) {
   add_textures();
   builder_.primitive()["attributes"].erase("TEXCOORD_1");
-  const MeshArrays mesh = to_arrays(*part_of(builder_).mesh);
+  const MeshArrays mesh = to_arrays(*read(builder_)->parts.at(0).mesh);
   EXPECT_EQ(mesh.texcoords, std::vector<glm::vec2>(4, {0, 1}));
   EXPECT_EQ(mesh.second_texcoords.at(1), glm::vec2(1.0f, 0.0f));
   ASSERT_EQ(warnings_.size(), 1u);

@@ -7,9 +7,9 @@
 #include "core/io/image/image_file.h"
 #include "core/io/import/imported_scene_file.h"
 #include "core/scene/materials/texture.h"
+#include "tests/core/io/folder_test.h"
 #include "tests/core/io/import/gltf_builder.h"
 #include "tests/core/io/input_error.h"
-#include "tests/core/io/temporary_folder.h"
 
 namespace brume {
 namespace {
@@ -29,7 +29,7 @@ std::string red_png() {
   return encode_png(1, 1, std::vector<std::uint8_t>{255, 0, 0});
 }
 
-class ImportedTextures : public ::testing::Test {
+class ImportedTextures : public FolderTest {
  protected:
   // The base color of the first part.
   const Texture* read(const fs::path& file) {
@@ -62,7 +62,6 @@ class ImportedTextures : public ::testing::Test {
     EXPECT_TRUE(contains(warnings_[0], other));
   }
 
-  TemporaryFolder folder_;
   std::vector<std::string> warnings_;
   std::shared_ptr<const ImportedScene> scene_;
 };

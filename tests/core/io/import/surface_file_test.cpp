@@ -13,16 +13,16 @@
 #include "core/io/scene/scene_files.h"
 #include "core/scene/imported_scene.h"
 #include "core/scene/mesh.h"
+#include "tests/core/io/folder_test.h"
 #include "tests/core/io/import/gltf_builder.h"
 #include "tests/core/io/input_error.h"
-#include "tests/core/io/temporary_folder.h"
 
 namespace brume {
 namespace {
 
 namespace fs = std::filesystem;
 
-class SurfaceFile : public ::testing::Test {
+class SurfaceFile : public FolderTest {
  protected:
   // A tree of two squares below `house`, and one beside it; one has a texture outside its folder.
   SurfaceFile() {
@@ -50,8 +50,6 @@ class SurfaceFile : public ::testing::Test {
   std::vector<Surface> shown(const std::string& surface) {
     return evaluate_at(load_scene(write(surface)), 0.0).surfaces;
   }
-
-  TemporaryFolder folder_;
 };
 
 std::vector<std::string> names(const std::vector<Surface>& surfaces) {

@@ -324,15 +324,14 @@ TEST_F(MeshFile, RefusesBadFilesAndNamesThePlace) {
       {"stl: ascii facet of two", "a.stl", replaced(ascii_stl(), "vertex", "#"), "keyword"},
       {"stl: no facets", "a.stl", "solid a\nendsolid a\n", "no faces"},
   };
-  const TemporaryFolder folder;
   for (const auto& [name, file_name, content, place] : files) {
     SCOPED_TRACE(name);
-    const auto file = folder.write(file_name, content);
+    const auto file = folder_.write(file_name, content);
     expect_error([&] { read_mesh(file); }, {file.string(), place});
   }
-  expect_error([&] { read_mesh(folder / "none.obj"); }, "no such file");
-  std::filesystem::create_directory(folder / "folder.obj");
-  expect_error([&] { read_mesh(folder / "folder.obj"); }, "is a folder");
+  expect_error([&] { read_mesh(folder_ / "none.obj"); }, "no such file");
+  std::filesystem::create_directory(folder_ / "folder.obj");
+  expect_error([&] { read_mesh(folder_ / "folder.obj"); }, "is a folder");
 }
 
 // Whatever is cut off or damaged: a mesh or an InputError, never anything else.

@@ -10,7 +10,7 @@
 #include "core/io/mesh/mesh_file.h"
 #include "core/io/mesh/places.h"
 #include "core/math/normals.h"
-#include "tests/core/io/temporary_folder.h"
+#include "tests/core/io/folder_test.h"
 #include "tests/random.h"
 
 namespace brume {
@@ -18,7 +18,7 @@ namespace {
 
 using Faces = std::vector<std::vector<int>>;  // from 1, as of OBJ
 
-class MeshNormals : public ::testing::Test {
+class MeshNormals : public FolderTest {
  protected:
   MeshArrays read(const std::string& points, const Faces& faces) {
     std::string text = points;
@@ -29,8 +29,6 @@ class MeshNormals : public ::testing::Test {
     }
     return to_arrays(*read_mesh(folder_.write("a.obj", text)));
   }
-
-  TemporaryFolder folder_;
 };
 
 Faces turned(Faces faces) {

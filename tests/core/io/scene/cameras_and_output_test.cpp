@@ -5,13 +5,13 @@
 #include "core/io/scene/scene_file.h"
 #include "core/scene/cameras.h"
 #include "tests/contains.h"
+#include "tests/core/io/folder_test.h"
 #include "tests/core/io/input_error.h"
-#include "tests/core/io/temporary_folder.h"
 
 namespace brume {
 namespace {
 
-class CamerasAndOutput : public ::testing::Test {
+class CamerasAndOutput : public FolderTest {
  protected:
   [[nodiscard]] std::filesystem::path write(const std::string& members) const {
     return folder_.write("a.brume", R"({"format": "brume-scene", "version": 1, )" + members + "}");
@@ -25,8 +25,6 @@ class CamerasAndOutput : public ::testing::Test {
   [[nodiscard]] std::string saved(const Scene& scene) const {
     return document_to_json(scene, folder_.path());
   }
-
-  TemporaryFolder folder_;
 };
 
 TEST_F(CamerasAndOutput, OfAPlainSceneAreNotWritten) {

@@ -7,8 +7,8 @@
 #include "core/io/scene/scene_file.h"
 #include "core/io/scene/scene_files.h"
 #include "core/scene/imported_scene.h"
+#include "tests/core/io/folder_test.h"
 #include "tests/core/io/input_error.h"
-#include "tests/core/io/temporary_folder.h"
 #include "tests/core/io/triangle_obj.h"
 
 namespace brume {
@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 const std::vector<Gaussian> two_gaussians{{{0, 1, 0}, 0.5, 0.1}, {{0, 2, 0}, 0.7, 0.2}};
 
-class Gather : public ::testing::Test {
+class Gather : public FolderTest {
  protected:
   Gather() {
     for (const char* name : {"a", "b", "smoke"}) fs::create_directory(folder_ / name);
@@ -39,7 +39,6 @@ class Gather : public ::testing::Test {
       "surfaces": [ { "mesh": "a/mesh.obj" }, { "mesh": "b/Mesh.OBJ" }, { "mesh": "a/mesh.obj" } ])");
   }
 
-  TemporaryFolder folder_;
   fs::path scene_;
 };
 
@@ -74,7 +73,7 @@ TEST_F(Gather, MakesARelocatableFolder) {
 
 // An OBJ whose textures are beside it, elsewhere by a relative path, and elsewhere by an absolute
 // one.
-class GatherObj : public ::testing::Test {
+class GatherObj : public FolderTest {
  protected:
   GatherObj() {
     const std::string png = encode_png(1, 1, std::vector<std::uint8_t>{255, 0, 0});
@@ -95,7 +94,6 @@ class GatherObj : public ::testing::Test {
                       (folder_ / absolute).string() + "\n");
   }
 
-  TemporaryFolder folder_;
   fs::path scene_;
 };
 

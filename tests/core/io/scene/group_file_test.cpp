@@ -3,8 +3,8 @@
 #include "brume/edits.h"
 #include "core/io/scene/json_reader.h"
 #include "core/io/scene/scene_file.h"
+#include "tests/core/io/folder_test.h"
 #include "tests/core/io/input_error.h"
-#include "tests/core/io/temporary_folder.h"
 
 namespace brume {
 namespace {
@@ -17,10 +17,11 @@ std::string csv_scene(const std::string& groups) {
   return head + (R"({"groups": [)" + groups + R"(], "file": "fog.csv"}})");
 }
 
-TEST(GroupFile, KeepsEveryKey) {
-  const TemporaryFolder folder;
+using GroupFile = FolderTest;
+
+TEST_F(GroupFile, KeepsEveryKey) {
   // The parent comes later.
-  const fs::path file = folder.write("a.brume", head + std::string(R"({
+  const fs::path file = folder_.write("a.brume", head + std::string(R"({
     "groups": [
       {"name": "wisps", "color": [1, 0.5, 0], "parent": "steam", "locked": true,
        "density_factor": 2, "density_offset": -0.5, "radius_factor": 0.5, "radius_offset": 0.1,
@@ -50,68 +51,63 @@ TEST(GroupFile, KeepsEveryKey) {
   EXPECT_EQ(scene.medium.group(1), 0u);
   EXPECT_EQ(scene.medium.group(2), wisps.id);
 
-  save_document(document, folder / "b.brume");
-  const SceneDocument again = load_document(folder / "b.brume");
+  save_document(document, folder_ / "b.brume");
+  const SceneDocument again = load_document(folder_ / "b.brume");
   EXPECT_EQ(again.scene, scene);
-  EXPECT_EQ(document_to_json(again, folder.path()), content_of(folder / "b.brume"));
-  EXPECT_TRUE(contains(content_of(folder / "b.brume"), R"("x": 1)"));
+  EXPECT_EQ(document_to_json(again, folder_.path()), content_of(folder_ / "b.brume"));
+  EXPECT_TRUE(contains(content_of(folder_ / "b.brume"), R"("x": 1)"));
 }
 
-TEST(GroupFile, WithoutGroupsSaysNothingOfThem) {
+TEST_F(GroupFile, WithoutGroupsSaysNothingOfThem) {
   Scene scene;
   scene.medium.append({{}, 1.0, 1.0});
   EXPECT_FALSE(contains(document_to_json(scene, "/"), "group"));
 }
 
 // While its Gaussians are unchanged, the file of the medium keeps their groups.
-TEST(GroupFile, MediumFileHasAColumnOfGroups) {
-  const TemporaryFolder folder;
-  folder.write("fog.csv", "x,y,z,radius,density,group\n0,0,0,1,1,2\n0,0,0,1,1,0\n0,0,0,1,1,1\n");
+TEST_F(GroupFile, MediumFileHasAColumnOfGroups) {
+  folder_.write("fog.csv", "x,y,z,radius,density,group\n0,0,0,1,1,2\n0,0,0,1,1,0\n0,0,0,1,1,1\n");
   const std::string text = csv_scene(R"({"name": "a"}, {"name": "b"})");
-  SceneDocument document = load_document(folder.write("a.brume", text));
+  SceneDocument document = load_document(folder_.write("a.brume", text));
   Scene& scene = document.scene;
   ASSERT_EQ(scene.medium.size(), 3u);
   EXPECT_EQ(scene.medium.group(0), scene.groups[1].id);
   EXPECT_EQ(scene.medium.group(1), 0u);
   EXPECT_EQ(scene.medium.group(2), scene.groups[0].id);
-  EXPECT_TRUE(contains(document_to_json(document, folder.path()), "fog.csv"));
+  EXPECT_TRUE(contains(document_to_json(document, folder_.path()), "fog.csv"));
 
   // With the first group gone, 2 would be another one.
   const Group first = scene.groups[0];
   scene.groups.erase(scene.groups.begin());
-  EXPECT_FALSE(contains(document_to_json(document, folder.path()), "fog.csv"));
+  EXPECT_FALSE(contains(document_to_json(document, folder_.path()), "fog.csv"));
   scene.groups.insert(scene.groups.begin(), first);
-  EXPECT_TRUE(contains(document_to_json(document, folder.path()), "fog.csv"));
+  EXPECT_TRUE(contains(document_to_json(document, folder_.path()), "fog.csv"));
 
   Gaussian moved = scene.medium.gaussian(1);
   moved.group = 1;
   MediumEdit::change(scene.medium, std::vector{scene.medium.ids()[1]}, std::vector{moved})
       .apply(scene.medium);
-  EXPECT_FALSE(contains(document_to_json(document, folder.path()), "fog.csv"));
+  EXPECT_FALSE(contains(document_to_json(document, folder_.path()), "fog.csv"));
 }
 
-TEST(GroupFile, MediumFileOfPlyHasGroupsToo) {
-  const TemporaryFolder folder;
-  folder.write("fog.ply",
-               "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\n"
-               "property float z\nproperty float radius\nproperty float density\n"
-               "property uchar group\nend_header\n0 0 0 1 1 1\n0 0 0 1 1 0\n");
-  const Scene scene = load_scene(folder.write(
+TEST_F(GroupFile, MediumFileOfPlyHasGroupsToo) {
+  folder_.write("fog.ply",
+                "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\n"
+                "property float z\nproperty float radius\nproperty float density\n"
+                "property uchar group\nend_header\n0 0 0 1 1 1\n0 0 0 1 1 0\n");
+  const Scene scene = load_scene(folder_.write(
       "a.brume", head + std::string(R"({"groups": [{"name": "a"}], "file": "fog.ply"}})")));
   EXPECT_EQ(scene.medium.group(0), 1u);
   EXPECT_EQ(scene.medium.group(1), 0u);
 }
 
-TEST(GroupFile, RefusesAGroupThatTheSceneDoesNotHave) {
-  const TemporaryFolder folder;
-  folder.write("fog.csv", "x,y,z,radius,density,group\n0,0,0,1,1,0\n0,0,0,1,1,2\n");
-  const fs::path file = folder.write("a.brume", csv_scene(R"({"name": "a"})"));
+TEST_F(GroupFile, RefusesAGroupThatTheSceneDoesNotHave) {
+  folder_.write("fog.csv", "x,y,z,radius,density,group\n0,0,0,1,1,0\n0,0,0,1,1,2\n");
+  const fs::path file = folder_.write("a.brume", csv_scene(R"({"name": "a"})"));
   expect_error([&] { load_scene(file); }, {"medium.file", "Gaussian 1", "from 0 to 1"});
   // In a scene without groups it is a column like others.
-  EXPECT_EQ(load_scene(folder.write("b.brume", csv_scene(""))).medium.size(), 2u);
+  EXPECT_EQ(load_scene(folder_.write("b.brume", csv_scene(""))).medium.size(), 2u);
 }
-
-namespace fs = std::filesystem;
 
 constexpr const char* text_of_splines = R"({"format": "brume-scene", "version": 1, "medium": {
   "splines": [

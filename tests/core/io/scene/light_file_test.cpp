@@ -13,7 +13,6 @@
 #include "core/scene/materials/texture.h"
 #include "tests/core/io/folder_test.h"
 #include "tests/core/io/input_error.h"
-#include "tests/core/io/temporary_folder.h"
 
 namespace brume {
 namespace {
@@ -121,7 +120,7 @@ TEST_F(LightsInFiles, HaveTheDocumentedCones) {
 
 namespace fs = std::filesystem;
 
-class MaterialFile : public testing::Test {
+class MaterialFile : public FolderTest {
  protected:
   fs::path write(const std::string& material) {
     return folder_.write("a.brume", R"({"format": "brume-scene", "version": 1, "surfaces": [
@@ -132,7 +131,6 @@ class MaterialFile : public testing::Test {
     return error_of([&] { load_document(write(material)); });
   }
 
-  TemporaryFolder folder_;
   const fs::path wood_ =
       folder_.write("wood.png", encode_png(2, 1, std::vector<std::uint8_t>{255, 0, 0, 0, 0, 255}));
 };

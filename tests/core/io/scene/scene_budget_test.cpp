@@ -9,8 +9,8 @@
 #include "core/io/scene/scene_file.h"
 #include "core/scene/animation/particles.h"
 #include "core/scene/mesh.h"
+#include "tests/core/io/folder_test.h"
 #include "tests/core/io/input_error.h"
-#include "tests/core/io/temporary_folder.h"
 #include "tests/core/io/triangle_obj.h"
 
 namespace brume {
@@ -36,10 +36,11 @@ long max_memory() {
   return usage.ru_maxrss;  // [KiB]
 }
 
-TEST(SceneBudget, EmittersShareTheGaussiansOfTheScene) {
-  const TemporaryFolder folder;
+using SceneBudget = FolderTest;
+
+TEST_F(SceneBudget, EmittersShareTheGaussiansOfTheScene) {
   const auto load = [&](const std::string& medium) {
-    return load_scene(folder.write("a.brume", scene_of(R"("medium": { )" + medium + " }")));
+    return load_scene(folder_.write("a.brume", scene_of(R"("medium": { )" + medium + " }")));
   };
   EXPECT_EQ(gaussian_count(load(emitters(100))), limits::gaussians);
   expect_error(
@@ -50,7 +51,7 @@ TEST(SceneBudget, EmittersShareTheGaussiansOfTheScene) {
   expect_error([&] { load(gaussian + emitters(100)); }, "medium.emitters[99]");
 }
 
-TEST(SceneBudget, CountsAllParticlesThatAreEverThere) {
+TEST_F(SceneBudget, CountsAllParticlesThatAreEverThere) {
   Emitter emitter;
   emitter.rate = 7.0;
   emitter.lifetime = 2.3;
@@ -68,30 +69,28 @@ TEST(SceneBudget, CountsAllParticlesThatAreEverThere) {
   for (int i = 0; i < 1000; ++i) {
     EXPECT_LE(particles_at(emitter, 0.01 * i).size(), max_particles(emitter));
   }
-  const TemporaryFolder folder;
   const std::string keyed = R"(, { "position": [0, 0, 0], "rate": 0,
       "keys": { "rate": [ { "time": 5, "value": 1e9 } ] } })";
   expect_error(
       [&] {
         load_scene(
-            folder.write("a.brume", scene_of(R"("medium": { )" + emitters(100, keyed) + " }")));
+            folder_.write("a.brume", scene_of(R"("medium": { )" + emitters(100, keyed) + " }")));
       },
       "medium.emitters[100]: found 10100000 Gaussians");
 }
 
 // Three are left to two frames of two.
-TEST(SceneBudget, SequencesShareTheGaussiansOfTheScene) {
-  const TemporaryFolder folder;
+TEST_F(SceneBudget, SequencesShareTheGaussiansOfTheScene) {
   const std::vector<Gaussian> two{{{0, 0, 0}, 1.0, 1.0}, {{1, 0, 0}, 1.0, 1.0}};
-  write_gaussians(folder / "f_0.ply", two);
-  write_gaussians(folder / "f_1.csv", two);
-  write_gaussians(folder / "f_1.ply", two);
+  write_gaussians(folder_ / "f_0.ply", two);
+  write_gaussians(folder_ / "f_1.csv", two);
+  write_gaussians(folder_ / "f_1.ply", two);
   const auto load = [&](const std::string& name, double left) {
     std::string last = R"(, { "position": [0, 0, 0], "lifetime": 1, "rate": )";
     last += std::to_string(100'000 - left - 1) + " }";
-    return load_scene(folder.write("a.brume", scene_of(R"("medium": { )" + emitters(99, last) +
-                                                       R"(, "sequences": [ { "file": ")" + name +
-                                                       R"(", "first": 0, "last": 1 } ] })")));
+    return load_scene(folder_.write("a.brume", scene_of(R"("medium": { )" + emitters(99, last) +
+                                                        R"(, "sequences": [ { "file": ")" + name +
+                                                        R"(", "first": 0, "last": 1 } ] })")));
   };
   EXPECT_EQ(gaussian_count(load("f_%d.ply", 4)), limits::gaussians);
   const std::string error = error_of([&] { load("f_%d.ply", 3); });
@@ -99,13 +98,12 @@ TEST(SceneBudget, SequencesShareTheGaussiansOfTheScene) {
                            "allowed: at most 1 in addition to the other Gaussians of the scene"}) {
     EXPECT_TRUE(contains(error, part)) << part << " in " << error;
   }
-  std::filesystem::rename(folder / "f_0.ply", folder / "f_0.csv");
+  std::filesystem::rename(folder_ / "f_0.ply", folder_ / "f_0.csv");
   expect_error([&] { load("f_%d.csv", 3); }, "f_1.csv: line 3: found too many Gaussians");
 }
 
 // A mesh of 90,000 triangles, placed as often as surfaces may be.
-TEST(SceneBudget, SurfacesShareTheMemoryOfTheScene) {
-  const TemporaryFolder folder;
+TEST_F(SceneBudget, SurfacesShareTheMemoryOfTheScene) {
   constexpr int side = 213;
   std::string mesh;
   for (int i = 0; i < side * side; ++i) {
@@ -118,15 +116,15 @@ TEST(SceneBudget, SurfacesShareTheMemoryOfTheScene) {
               std::to_string(at + side + 1) + " " + std::to_string(at + side) + "\n";
     }
   }
-  folder.write("grid.obj", mesh);
+  folder_.write("grid.obj", mesh);
   std::string surfaces = R"("surfaces": [ { "mesh": "grid.obj" })";
   for (std::size_t i = 1; i < limits::surfaces; ++i) surfaces += R"(, { "mesh": "grid.obj" })";
-  expect_error([&] { load_scene(folder.write("a.brume", scene_of(surfaces + " ]"))); },
+  expect_error([&] { load_scene(folder_.write("a.brume", scene_of(surfaces + " ]"))); },
                {"a.brume: surfaces[", "bytes of memory so far; allowed: at most 8589934592"});
 }
 
 // Three bytes of text each, and sixteen times that of memory.
-TEST(SceneBudget, BoundsTheMemoryOfUnknownKeys) {
+TEST_F(SceneBudget, BoundsTheMemoryOfUnknownKeys) {
   std::string values = "{}";
   for (int i = 1; i < 8'000'000; ++i) values += ",{}";
   const std::string text = scene_of(R"("mystery": [)" + values + "]");
@@ -137,13 +135,12 @@ TEST(SceneBudget, BoundsTheMemoryOfUnknownKeys) {
 }
 
 // These are as dense as they can be written.
-TEST(SceneBudget, ReadsManyGaussiansWithoutDecimals) {
+TEST_F(SceneBudget, ReadsManyGaussiansWithoutDecimals) {
   std::string values = R"({"center":[0,0,0],"radius":1,"density":1})";
   const std::string one = "," + values;
   for (int i = 1; i < 300'000; ++i) values += one;
-  const TemporaryFolder folder;
   const Scene scene =
-      load_scene(folder.write("a.brume", scene_of(R"("medium":{"gaussians":[)" + values + "]}")));
+      load_scene(folder_.write("a.brume", scene_of(R"("medium":{"gaussians":[)" + values + "]}")));
   EXPECT_EQ(scene.medium.size(), 300'000u);
 }
 
@@ -165,9 +162,8 @@ bool is_visible(const TriangleMesh& mesh) {
   return mesh.points[0] != mesh.points[1];
 }
 
-class MissingFilesTest : public testing::Test {
+class MissingFilesTest : public FolderTest {
  protected:
-  TemporaryFolder folder_;
   fs::path scene_ = folder_.write("scene.brume", scene_text);
   MissingFiles missing_;
 };

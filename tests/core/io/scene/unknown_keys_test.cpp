@@ -6,9 +6,9 @@
 #include "core/io/image/image_file.h"
 #include "core/io/scene/json_reader.h"
 #include "core/io/scene/scene_file.h"
+#include "tests/core/io/folder_test.h"
 #include "tests/core/io/input_error.h"
 #include "tests/core/io/scene/random_scene.h"
-#include "tests/core/io/temporary_folder.h"
 
 namespace brume {
 namespace {
@@ -31,11 +31,12 @@ void add_everywhere(Json& value, int& count) {
   if (value.is_object()) value["later\n"] = Json{++count, {{"a", nullptr}}, "\"x\\"};
 }
 
-TEST(UnknownKeys, ArePreservedAndWarnedOfOncePerKind) {
-  const TemporaryFolder folder;
-  write_files(folder);
+using UnknownKeys = FolderTest;
+
+TEST_F(UnknownKeys, ArePreservedAndWarnedOfOncePerKind) {
+  write_files(folder_);
   const fs::path file =
-      folder.write_scene("a.brume", R"("author": {"name": "\u00e9", "tags": [1, null, 2.5e-7]},
+      folder_.write_scene("a.brume", R"("author": {"name": "\u00e9", "tags": [1, null, 2.5e-7]},
     "camera": {"lens": "x"}, "film": {"gamma": 2},
     "medium": {"kind": 1, "gaussians": [
       {"center": [0, 0, 0], "radius": 1, "density": 1, "colour": "red", "9": []},
@@ -62,48 +63,45 @@ TEST(UnknownKeys, ArePreservedAndWarnedOfOncePerKind) {
         << kind;
   }
   EXPECT_EQ(warnings.size(), 13u);
-  save_document(document, folder / "b.brume");
-  const SceneDocument loaded = load_document(folder / "b.brume");
+  save_document(document, folder_ / "b.brume");
+  const SceneDocument loaded = load_document(folder_ / "b.brume");
   EXPECT_EQ(loaded.extras.unknown_keys, document.extras.unknown_keys);
-  EXPECT_EQ(document_to_json(loaded, folder.path()), content_of(folder / "b.brume"));
-  const std::string text = content_of(folder / "b.brume");
+  EXPECT_EQ(document_to_json(loaded, folder_.path()), content_of(folder_ / "b.brume"));
+  const std::string text = content_of(folder_ / "b.brume");
   EXPECT_TRUE(contains(text, R"("colour": "blue")"));
   EXPECT_TRUE(contains(text, "2.5e-07"));
 }
 
 // Deep unknown values: neither loading nor laying the text out may take exponential time.
-TEST(UnknownKeys, MayBeDeeplyNested) {
-  const TemporaryFolder folder;
+TEST_F(UnknownKeys, MayBeDeeplyNested) {
   const std::string deep =
       std::string(60, '[') + "\"" + std::string(200, 'x') + "\"" + std::string(60, ']');
   const SceneDocument document = load_document(
-      folder.write("a.brume", R"({"format": "brume-scene", "version": 1, "deep": )" + deep + "}"));
-  save_document(document, folder / "b.brume");
-  const SceneDocument loaded = load_document(folder / "b.brume");
+      folder_.write("a.brume", R"({"format": "brume-scene", "version": 1, "deep": )" + deep + "}"));
+  save_document(document, folder_ / "b.brume");
+  const SceneDocument loaded = load_document(folder_ / "b.brume");
   EXPECT_EQ(loaded.extras.unknown_keys, document.extras.unknown_keys);
-  EXPECT_EQ(document_to_json(loaded, folder.path()), content_of(folder / "b.brume"));
+  EXPECT_EQ(document_to_json(loaded, folder_.path()), content_of(folder_ / "b.brume"));
 }
 
-TEST(UnknownKeys, OfEveryObjectComeBack) {
-  const TemporaryFolder folder;
-  write_files(folder);
+TEST_F(UnknownKeys, OfEveryObjectComeBack) {
+  write_files(folder_);
   int count = 0;
   for (unsigned seed = 0; seed < 100; ++seed) {
     SCOPED_TRACE(seed);
-    const Scene scene = RandomScene(seed, folder).make();
-    Json json = Json::parse(document_to_json(scene, folder.path()));
+    const Scene scene = RandomScene(seed, folder_).make();
+    Json json = Json::parse(document_to_json(scene, folder_.path()));
     add_everywhere(json, count);
-    const fs::path file = folder.write("a.brume", json.dump());
-    const std::string saved = document_to_json(load_document(file), folder.path());
+    const fs::path file = folder_.write("a.brume", json.dump());
+    const std::string saved = document_to_json(load_document(file), folder_.path());
     EXPECT_EQ(Json::parse(saved).dump(1), json.dump(1));
   }
 }
 
 // Edits of the objects of a scene by someone who does not know of unknown keys.
-TEST(UnknownKeys, FollowTheirObject) {
-  const TemporaryFolder folder;
-  write_files(folder);
-  SceneDocument document = load_document(folder.write_scene("a.brume", R"("medium": {"gaussians": [
+TEST_F(UnknownKeys, FollowTheirObject) {
+  write_files(folder_);
+  SceneDocument document = load_document(folder_.write_scene("a.brume", R"("medium": {"gaussians": [
       {"center": [0, 0, 0], "radius": 1, "density": 1, "name": "g0"},
       {"center": [1, 0, 0], "radius": 1, "density": 1, "name": "g1"}]},
     "lights": [
@@ -114,7 +112,7 @@ TEST(UnknownKeys, FollowTheirObject) {
         {"time": 2, "value": [3, 3, 3], "name": "t2"}]}}],
     "surfaces": [{"mesh": "bunny.obj", "name": "s0", "material": {"name": "m0"}},
                  {"mesh": "bunny.obj", "material": {"name": "m1"}}])"));
-  const auto saved = [&] { return Json::parse(document_to_json(document, folder.path())); };
+  const auto saved = [&] { return Json::parse(document_to_json(document, folder_.path())); };
   const Json before = saved();
   const SceneDocument untouched = document;
   const auto name = [](const Json& object) { return object.value("name", ""); };

@@ -12,7 +12,6 @@
 #include "core/volume/medium_grid.h"
 #include "tests/core/io/folder_test.h"
 #include "tests/core/io/input_error.h"
-#include "tests/core/io/temporary_folder.h"
 #include "tests/core/io/volume/vdb_test_grid.h"
 #include "tests/random.h"
 
@@ -211,7 +210,7 @@ openvdb::FloatGrid::Ptr some_numbers(const char* name, float value = 1.0f) {
   return vdb_cube<openvdb::FloatGrid>(name, half, voxel, [=](const glm::dvec3&) { return value; });
 }
 
-class VolumeOpticsFile : public testing::Test {
+class VolumeOpticsFile : public FolderTest {
  protected:
   VolumeOptics read(const openvdb::GridCPtrVec& grids, const VolumeOpticsNames& names = {},
                     double temperature_scale = 1.0, std::size_t max_blocks = many) {
@@ -221,8 +220,6 @@ class VolumeOpticsFile : public testing::Test {
   std::string refusal(const openvdb::GridCPtrVec& grids, const VolumeOpticsNames& names = {}) {
     return error_of([&] { read(grids, names); });
   }
-
-  TemporaryFolder folder_;
 };
 
 TEST_F(VolumeOpticsFile, ReadsColoursUnderTheNamesOfPrograms) {
