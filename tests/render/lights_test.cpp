@@ -75,7 +75,7 @@ TEST(SpotLight, SlicedMatchesTheReference) {
 // The lights of a street stand a few centimetres off some rays: slices span wide angles at them,
 // over which cones and peaks of the phase function pass.
 TEST(SpotLight, LightsBesideRaysMatchTheReference) {
-  Scene scene = seen_by({{1.0, 1.7, 22.0}, {0.0, 3.0, -10.0}, {0.0, 1.0, 0.0}, 55.0}, {16, 12});
+  Scene scene = seen_by({{1.0, 1.7, 22.0}, {0.0, 3.0, -10.0}, {0.0, 1.0, 0.0}, 55.0}, {12, 9});
   scene.medium.set_homogeneous_density(0.03);
   const light::Spot downwards{{0.1, -1.0, 0.0}, 30.0, 70.0};
   light::Disk disk{.direction = {0.1, -1.0, 0.0}};

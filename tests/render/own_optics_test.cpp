@@ -209,7 +209,7 @@ TEST(OwnOptics, SlicedMatchesTheReference) {
 }
 
 TEST(OwnOptics, UnderAnEnvironmentSlicedMatchesTheReference) {
-  Scene scene = coloured(2.0, 12);
+  Scene scene = coloured(2.0, 8);
   scene.lights.clear();
   scene.environment = even_sky(1.0f);
   const Frame truth = render_frame(scene, reference_settings(1e-3));
@@ -228,7 +228,8 @@ TEST(OwnOptics, AllOrdersMatchPaths) {
     scene.optics.anisotropy = anisotropy;
     if (has_wall) scene.surfaces = {wall(-1.2, 1.5)};
     if (!is_lit) scene.lights.clear();
-    expect_all_orders_match_paths(scene, "anisotropy " + std::to_string(anisotropy));
+    // Coarser, the light of small Gaussians is 10% off.
+    expect_all_orders_match_paths(scene, "anisotropy " + std::to_string(anisotropy), {});
   }
 }
 

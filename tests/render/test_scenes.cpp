@@ -243,9 +243,10 @@ Settings path_traced(int paths) {
   return settings;
 }
 
-void expect_all_orders_match_paths(const Scene& scene, const std::string& name) {
+void expect_all_orders_match_paths(const Scene& scene, const std::string& name,
+                                   const SourceGridSize& grid) {
   const Frame truth = render_frame(scene, path_traced(256));
-  const Frame frame = render_frame(scene, sliced(24, Scattering::multiple));
+  const Frame frame = render_frame(scene, all_orders(24, grid));
   const Difference airlight = difference(frame.airlight, truth.airlight);
   const double noise = relative_noise(truth)->airlight;
   EXPECT_LT(airlight.relative_rmse, std::hypot(0.03, 1.2 * noise)) << name;

@@ -261,8 +261,8 @@ TEST(GaussianFit, RecoversEllipsoids) {
 // No more elongated than the smoke: few near the limit.
 TEST(GaussianFit, EllipsoidsHalveTheErrorOfSmoke) {
   const DensityGrid grid = read_volume(volumes / "smoke_0025.vdb", "density");
-  const Fit ellipsoids = *fit_gaussians(grid, {100, 0.0});
-  const Fit balls = *fit_gaussians(grid, {100, 0.0, FitShape::ball});
+  const Fit ellipsoids = *fit_gaussians(grid, {60, 0.0});
+  const Fit balls = *fit_gaussians(grid, {60, 0.0, FitShape::ball});
   EXPECT_LT(ellipsoids.density_error, 0.6 * balls.density_error);
   EXPECT_LT(depth_error(grid, ellipsoids.gaussians), depth_error(grid, balls.gaussians));
   std::size_t long_ones = 0;
@@ -271,16 +271,16 @@ TEST(GaussianFit, EllipsoidsHalveTheErrorOfSmoke) {
     const glm::dvec3& s = g.shape.stretch;
     long_ones += std::min({s.x, s.y, s.z}) < 0.2 ? 1 : 0;
   }
-  EXPECT_LT(long_ones, 20u);
+  EXPECT_LT(long_ones, 12u);
 }
 
 // The bounds are those that the project promises for 500 Gaussians.
 TEST(GaussianFit, SimulatedSmokeWithinItsBounds) {
   const DensityGrid first = read_volume(volumes / "smoke_0025.vdb", "density");
   const DensityGrid second = read_volume(volumes / "smoke_0026.vdb", "density");
-  const Fit fit = *fit_gaussians(first, {300, 0.0});
+  const Fit fit = *fit_gaussians(first, {200, 0.0});
   const Refit next = *refit_gaussians(second, fit.gaussians);
-  ASSERT_EQ(next.fit.gaussians.size(), 300u);
+  ASSERT_EQ(next.fit.gaussians.size(), 200u);
   for (const auto& [grid, of] : {std::pair(&first, &fit), std::pair(&second, &next.fit)}) {
     EXPECT_LT(of->density_error, 0.2);
     EXPECT_LT(depth_error(*grid, of->gaussians), 0.06);
@@ -291,14 +291,14 @@ TEST(GaussianFit, SimulatedSmokeWithinItsBounds) {
   // Gaussians that were not relocated have stayed where they were: no flicker.
   std::size_t renewed = 0;
   std::size_t strayed = 0;
-  for (std::size_t i = 0; i < 300; ++i) {
+  for (std::size_t i = 0; i < 200; ++i) {
     renewed += next.renewed[i] ? 1 : 0;
     const Gaussian& a = fit.gaussians[i];
     const Gaussian& b = next.fit.gaussians[i];
     strayed += !next.renewed[i] && glm::length(a.center - b.center) > 2.0 * a.radius ? 1 : 0;
   }
-  EXPECT_LT(renewed, 60u);
-  EXPECT_LT(strayed, 15u);
+  EXPECT_LT(renewed, 40u);
+  EXPECT_LT(strayed, 10u);
 }
 
 // Turning about the z axis while moving along it.
@@ -386,7 +386,7 @@ TEST(GaussianFit, NextFrameFollowsTheVelocity) {
 }
 
 TEST(GaussianFit, IsDeterministicAndStops) {
-  const DensityGrid grid = sampled(some_medium(10, 10), 0.1);
+  const DensityGrid grid = sampled(some_medium(10, 10), 0.2);
   EXPECT_EQ(fit_gaussians(grid, {20, 0.0})->gaussians, fit_gaussians(grid, {20, 0.0})->gaussians);
   std::stop_source source;
   source.request_stop();
