@@ -449,11 +449,12 @@ std::vector<Light> hard_lights() {
        {glm::dvec3(0.0, 0.0, -1.0), glm::dvec3(0.0, 0.0, 1.0), glm::dvec3(1e12, 1e-12, 0.0)}) {
     for (const double outer : {1e-6, 0.5, 90.0, 180.0}) add(light::Spot{direction, 0.0, outer});
     add(light::Directional{direction, 89.0});
-    for (const double size : {1e-6, 1.0, 2e5}) {
-      add(light::Rectangle{direction, direction, size, size});
-      add(light::Disk{direction, size});
-      add(light::Sphere{size, true});
-    }
+  }
+  const glm::dvec3 edge_on(1.0, 0.0, 0.0);
+  for (const double size : {1e-6, 1.0, 2e5}) {
+    add(light::Rectangle{edge_on, edge_on, size, size});
+    add(light::Disk{edge_on, size});
+    add(light::Sphere{size, true});
   }
   for (const auto& [polar, values] :
        {std::pair<std::vector<double>, std::vector<double>>({0.0, 0.5, 1.0}, {1.0, 1.0, 0.0}),
@@ -472,7 +473,7 @@ std::vector<Light> hard_lights() {
 // Each in the eye, in a Gaussian, along a ray, far away and in a surface.
 TEST(Lights, HardCasesAreFinite) {
   const Settings small_grid = all_orders(8, {.nodes = 1000, .directions = 32});
-  Scene scene = on_film(cloud_scene(12, 5.0), {8, 6});
+  Scene scene = on_film(cloud_scene(6, 5.0), {4, 3});
   scene.surfaces = {wall(-1.0, 2.0)};
   for (const Light& light : hard_lights()) {
     SCOPED_TRACE(kind_info(light).name);
@@ -482,9 +483,11 @@ TEST(Lights, HardCasesAreFinite) {
     scene.lights[2].position = {0.0, 0.0, 2.0};
     scene.lights[3].position = {0.0, 1e6, 0.0};
     scene.lights[4].position = {0.0, 0.0, -1.0};
-    for (const Settings& settings : {sliced(8), small_grid, reference_settings(1e-2)}) {
+    for (const Settings& settings : {sliced(8), small_grid}) {
       expect_finite(render_frame(scene, settings));
     }
+    scene.lights.resize(2);
+    expect_finite(render_frame(scene, reference_settings(1e-2)));
   }
 }
 

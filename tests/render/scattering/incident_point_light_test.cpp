@@ -214,7 +214,7 @@ TEST(IncidentPointLight, LightsOnLatticesOfTheGridMatchPaths) {
   scene.camera = {{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, 40.0};
   scene.medium.append({{0, 0, 0}, 1.0, 1.5});
   scene.lights = {{glm::dvec3(0.225), glm::dvec3(10.0), {}}};
-  expect_all_orders_match_paths(scene, "on a quarter of the spacing");
+  expect_all_orders_match_paths(scene, "on a quarter of the spacing", {});
 }
 
 }  // namespace
