@@ -16,11 +16,6 @@ QString emitter_name(const Emitter& emitter, std::size_t index) {
                               : QString::fromStdString(emitter.name);
 }
 
-QString emitter_title(const Emitter& emitter, std::size_t index) {
-  return emitter.name.empty() ? undo_text("Emitter %1").arg(index + 1)
-                              : QString::fromStdString(emitter.name);
-}
-
 void add_emitter(Document& document, const glm::dvec3& position, double size) {
   const std::size_t count = document.scene().emitters.size();
   if (count >= limits::emitters) return;

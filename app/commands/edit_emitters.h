@@ -19,9 +19,8 @@ void add_emitter(Document& document, const glm::dvec3& position, double size);
 inline double born_radius(double size) {
   return 0.02 * size;
 }
-// Its name, or else "emitter 2", "Emitter 2".
+// Its name in undo texts, or else "emitter 2".
 QString emitter_name(const Emitter& emitter, std::size_t index);
-QString emitter_title(const Emitter& emitter, std::size_t index);
 
 // Converts particles and sequences at a time [s] to Gaussians of the medium; emitters and sequences
 // stay.

@@ -42,7 +42,7 @@ Group* find(Groups& groups, GroupId id) {
 void push(Document& document, Groups groups, MediumEdit edit, const QString& text) {
   if (groups == document.scene().groups && edit.empty()) return;
   document.undo_stack().push(
-      new ScenePartCommand(document, std::move(groups), std::move(edit), text));
+      new ScenePartCommand(document, {std::move(groups)}, std::move(edit), text));
 }
 
 // Puts Gaussians into the groups that `group_of` gives.

@@ -28,11 +28,6 @@ QString light_name(const Light& light, std::size_t index) {
                             : QString::fromStdString(light.name);
 }
 
-QString light_title(const Light& light, std::size_t index) {
-  if (!light.name.empty()) return QString::fromStdString(light.name);
-  return undo_text(kind_info(light).title) + ' ' + QString::number(index + 1);
-}
-
 QString light_unit(const Light& light) {
   return QString(strength_info(light).unit).replace("^2", "²");
 }

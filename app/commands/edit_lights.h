@@ -39,9 +39,8 @@ void add_preset(Document& document, const LightPreset& preset, const LightPlace&
 // shoulder of an eye. White diffuse surfaces at the center that face it have a radiance of 1, which
 // is as bright as pictures get without a change of exposure: the intensity is pi distance^2.
 Light light_outside(const glm::dvec3& center, double radius, const glm::dvec3& eye);
-// Its name, or else "light 2", "Spot 2".
+// Its name in undo texts, or else "light 2".
 QString light_name(const Light& light, std::size_t index);
-QString light_title(const Light& light, std::size_t index);
 QString light_unit(const Light& light);  // of its strength
 
 // Keeps its strength at the middle of the region, and the values that both kinds have.

@@ -13,7 +13,7 @@
 #include "app/commands/scene_part_command.h"
 #include "app/commands/undo_text.h"
 #include "app/document/document.h"
-#include "app/document/surface_names.h"
+#include "app/document/object_titles.h"
 #include "brume/limits.h"
 #include "brume/mesh_arrays.h"
 #include "core/math/rounded.h"

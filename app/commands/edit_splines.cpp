@@ -35,7 +35,7 @@ void remove_spline(Document& document, SplineId id, bool with_fog, const QString
   }
   std::erase_if(splines, [id](const PaintedSpline& other) { return other.id == id; });
   document.undo_stack().push(
-      new ScenePartCommand(document, std::move(splines), std::move(edit), step));
+      new ScenePartCommand(document, {std::move(splines)}, std::move(edit), step));
 }
 
 }  // namespace

@@ -1,16 +1,36 @@
 #include "app/commands/scene_part_command.h"
 
+#include <algorithm>
+
 #include "app/commands/gaussian_budget.h"
 #include "app/document/document.h"
 #include "app/document/keyframe_tracks.h"
 
 namespace brume {
+namespace {
 
-ScenePartCommand::ScenePartCommand(Document& document, ScenePart part, MediumEdit edit,
-                                   const QString& text, MergeId merge_id)
+// What the scene has in the place of some parts.
+std::vector<ScenePart> present_parts(const Scene& scene, const std::vector<ScenePart>& parts) {
+  std::vector<ScenePart> present;
+  for (const ScenePart& part : parts) present.push_back(scene_part(scene, part.index()));
+  return present;
+}
+
+// Sets those parts that differ from others of the same kinds.
+void set_changed(Document& document, const std::vector<ScenePart>& parts,
+                 const std::vector<ScenePart>& others) {
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    if (parts[k] != others[k]) document.set_part(parts[k]);
+  }
+}
+
+}  // namespace
+
+ScenePartCommand::ScenePartCommand(Document& document, std::vector<ScenePart> parts,
+                                   MediumEdit edit, const QString& text, MergeId merge_id)
     : SceneCommand(document, text),
-      before_(scene_part(document.scene(), part.index())),
-      after_(std::move(part)),
+      before_(present_parts(document.scene(), parts)),
+      after_(std::move(parts)),
       edit_(std::move(edit)),
       merge_id_(merge_id) {
   setObsolete(before_ == after_ && edit_.empty());
@@ -19,12 +39,12 @@ ScenePartCommand::ScenePartCommand(Document& document, ScenePart part, MediumEdi
 // The part first: listeners to the medium look at it.
 void ScenePartCommand::apply() {
   selection_before_ = document_.selection();
-  if (before_ != after_) document_.set_part(after_);
+  set_changed(document_, after_, before_);
   if (!edit_.empty()) document_.apply(edit_);
 }
 
 void ScenePartCommand::revert() {
-  if (before_ != after_) document_.set_part(before_);
+  set_changed(document_, before_, after_);
   if (edit_.empty()) return;
   document_.apply(edit_.inverted());
   document_.select(selection_before_);
@@ -32,7 +52,10 @@ void ScenePartCommand::revert() {
 
 bool ScenePartCommand::merge(const SceneCommand& later) {
   const auto* command = dynamic_cast<const ScenePartCommand*>(&later);
-  if (!command || command->after_.index() != after_.index()) return false;
+  const auto index = [](const ScenePart& part) { return part.index(); };
+  if (!command || !std::ranges::equal(command->after_, after_, {}, index, index)) {
+    return false;
+  }
   after_ = command->after_;
   edit_.merge(command->edit_);
   setObsolete(before_ == after_ && edit_.empty());
@@ -40,14 +63,21 @@ bool ScenePartCommand::merge(const SceneCommand& later) {
 }
 
 void set_scene_part(Document& document, ScenePart part, const QString& text, MergeId merge_id) {
-  const ScenePart before = scene_part(document.scene(), part.index());
-  if (part == before) return;
-  if (!has_room(document, gaussian_count(part), gaussian_count(before))) {
-    document.announce(Change::part);  // fields show what is, not what was wanted
-    return;
+  set_scene_parts(document, {std::move(part)}, text, merge_id);
+}
+
+void set_scene_parts(Document& document, std::vector<ScenePart> parts, const QString& text,
+                     MergeId merge_id) {
+  const std::vector<ScenePart> before = present_parts(document.scene(), parts);
+  if (parts == before) return;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    if (!has_room(document, gaussian_count(parts[k]), gaussian_count(before[k]))) {
+      document.announce(Change::part);  // fields show what is, not what was wanted
+      return;
+    }
+    key_changes(before[k], parts[k], document.time());
   }
-  key_changes(before, part, document.time());
-  document.undo_stack().push(new ScenePartCommand(document, std::move(part), {}, text, merge_id));
+  document.undo_stack().push(new ScenePartCommand(document, std::move(parts), {}, text, merge_id));
 }
 
 }  // namespace brume

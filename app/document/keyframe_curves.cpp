@@ -74,11 +74,11 @@ std::vector<Curve> curves_of(const Scene& scene, const Track& row) {
     if (value < row.first || value >= row.first + row.count || keys.empty()) return;
     if constexpr (std::is_same_v<T, glm::dquat>) {
       const QString title = QCoreApplication::translate("Curves", "turned, degrees");
-      curves.push_back({{value, 0}, title, domain, turned_angles(keys), true});
+      curves.push_back({{value, 0}, 0, title, domain, turned_angles(keys), true});
     } else {
       constexpr int count = components_of<T>;
       for (int k = 0; k < count; ++k) {
-        curves.push_back({{value, k}, curve_title(name, k, count, domain), domain, keys});
+        curves.push_back({{value, k}, 0, curve_title(name, k, count, domain), domain, keys});
       }
     }
   });

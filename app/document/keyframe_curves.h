@@ -17,7 +17,8 @@ struct CurveId {
 
 // It over time. A rotation is one curve, of how far it has turned [degrees].
 struct Curve : CurveId {
-  QString title;  // "position x", "intensity"
+  std::size_t track = 0;  // its track's place among those shown together
+  QString title;          // "position x", "intensity"
   NumberDomain domain;
   std::variant<Keys<double>, Keys<glm::dvec2>, Keys<glm::dvec3>> keys;
   bool is_rotation = false;  // its keys have no tangents, and move in time only

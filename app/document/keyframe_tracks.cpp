@@ -6,7 +6,7 @@
 #include <map>
 #include <utility>
 
-#include "app/document/surface_names.h"
+#include "app/document/object_titles.h"
 #include "app/document/visit_keyed_part.h"
 #include "core/number_domain.h"
 #include "core/scene/animation/keys_in_domain.h"
@@ -18,6 +18,13 @@ namespace {
 QString track_text(const char* text) {
   return QCoreApplication::translate("KeyRows", text);
 }
+
+// What can have keyframes: its title in lists, and the part of the scene that has it.
+struct Keyed {
+  QString title;
+  std::size_t part;
+  std::optional<ObjectRef> ref{};
+};
 
 // Calls visit(i, value, keys) for the values of a part that can have keys, in order.
 void visit_values(auto& part, auto&& visit) {
@@ -34,16 +41,10 @@ void visit_row(auto& part, const Track& row, auto&& visit) {
   });
 }
 
-// "Camera focus distance"
-QString track_title(const QString& object, const FieldInfo& info) {
-  const QString label = track_text(info.label);
-  return object.isEmpty() ? label : object + ' ' + label.toLower();
-}
-
 // The tracks of values of core/scene/fields; those of values that are keyed jointly are neighbours.
 // `value`: index of the object's first among its part's.
-void add_tracks(std::vector<Track>& rows, const QString& object, std::size_t part,
-                std::size_t& value, const auto& owner, const auto& all_keys) {
+void add_tracks(std::vector<Track>& rows, const Keyed& object, std::size_t& value,
+                const auto& owner, const auto& all_keys) {
   bool is_joint = false;
   visit_keyed_fields(owner, all_keys, [&](const auto& field, const auto&) {
     const FieldInfo& info = field.info;
@@ -51,9 +52,9 @@ void add_tracks(std::vector<Track>& rows, const QString& object, std::size_t par
     if (is_next) {
       ++rows.back().count;
     } else if (is_joint) {
-      rows.push_back({object, part, value, 1});
+      rows.push_back({object.title, {}, object.part, value, 1, object.ref});
     } else if (!info.is_track_optional || is_set(field, owner, all_keys)) {
-      rows.push_back({track_title(object, info), part, value, 1});
+      rows.push_back({object.title, track_text(info.label), object.part, value, 1, object.ref});
     }
     ++value;
   });
@@ -67,7 +68,7 @@ void find_value(Track& track, std::string_view name, const auto& owner, const au
     if (is_found) return;
     is_found = field.info.name == name;
     if (is_found) {
-      track.title = track_title(track.title, field.info);
+      track.value = track_text(field.info.label);
     } else {
       ++track.first;
     }
@@ -75,50 +76,69 @@ void find_value(Track& track, std::string_view name, const auto& owner, const au
 }
 
 // In the order of visit_keyed_surface().
-void add_surface_tracks(std::vector<Track>& rows, const Surfaces& surfaces) {
+std::vector<Track> surface_tracks(const Surfaces& surfaces) {
+  std::vector<Track> rows;
   const QStringList names = surface_names(surfaces);
   std::size_t count = 0;
   for (std::size_t k = 0; k < surfaces.size(); ++k) {
-    const auto add = [&](const QString& title) {
-      rows.push_back({title.arg(names[static_cast<int>(k)]), index_of<Surfaces>(), count++, 1,
-                      ObjectRef{ObjectRef::Kind::surface, k}});
-    };
-    add(track_text("%1 position"));
-    add(track_text("%1 rotation"));
-    add(track_text("%1 scale"));
-    const std::size_t first = rows.size();
-    add_tracks(rows, names[static_cast<int>(k)], index_of<Surfaces>(), count, surfaces[k].material,
-               surfaces[k].keys);
-    for (Track& row : std::span(rows).subspan(first)) row.surface = {ObjectRef::Kind::surface, k};
+    const Keyed object{names[static_cast<int>(k)], index_of<Surfaces>(),
+                       ObjectRef{ObjectRef::Kind::surface, k}};
+    for (const char* value : {"Position", "Rotation", "Scale"}) {
+      rows.push_back({object.title, track_text(value), object.part, count++, 1, object.ref});
+    }
+    add_tracks(rows, object, count, surfaces[k].material, surfaces[k].keys);
   }
+  return rows;
 }
 
-// Calls visit(title, part, object, its keys) for what can have keyframes, in the order of tracks
+// The track of a surface's value, by the names of visit_keyed_surface(); behind the surface if it
+// has none.
+Track surface_value(const Surfaces& surfaces, std::size_t index, std::string_view name) {
+  std::size_t count = 0;
+  const auto skip = [&count](const char*, const auto&...) { ++count; };
+  for (std::size_t k = 0; k < index; ++k) visit_keyed_surface(surfaces[k], skip);
+  std::size_t value = 0;
+  bool is_found = false;
+  visit_keyed_surface(surfaces[index], [&](const char* value_name, const auto&...) {
+    is_found = is_found || value_name == name;
+    if (!is_found) ++value;
+  });
+  std::vector<Track> rows = surface_tracks({surfaces[index]});
+  Track track = value < rows.size() ? rows[value] : Track{{}, {}, index_of<Surfaces>()};
+  track.object = surface_names(surfaces)[static_cast<int>(index)];
+  track.first = count + value;
+  track.ref = ObjectRef{ObjectRef::Kind::surface, index};
+  return track;
+}
+
+// Calls visit(Keyed, object, its keys) for what can have keyframes, in the order of tracks
 // and of the values of each part; with the medium for its density, and with all surfaces at once.
 void visit_objects(const Scene& scene, auto&& visit) {
-  visit(track_text("Camera"), index_of<KeyedCamera>(), scene.camera, scene.camera_keys);
+  visit(Keyed{track_text("Camera"), index_of<KeyedCamera>()}, scene.camera, scene.camera_keys);
   for (std::size_t k = 0; k < scene.lights.size(); ++k) {
     const Light& light = scene.lights[k];
-    visit(track_text("Light %1").arg(k + 1), index_of<Lights>(), light, light.keys);
+    visit(Keyed{light_title(light, k), index_of<Lights>(), ObjectRef{ObjectRef::Kind::light, k}},
+          light, light.keys);
   }
   if (const auto& environment = scene.environment) {
-    visit(track_text("Environment"), index_of<std::optional<Environment>>(), *environment,
-          environment->keys);
-    if (const auto& sky = environment->sky) {
-      visit(track_text("Sky"), index_of<std::optional<Environment>>(), *sky, sky->keys);
-    }
+    constexpr auto part = index_of<std::optional<Environment>>;
+    visit(Keyed{track_text("Environment"), part()}, *environment, environment->keys);
+    if (const auto& sky = environment->sky)
+      visit(Keyed{track_text("Sky"), part()}, *sky, sky->keys);
   }
-  visit(track_text("Homogeneous density"), index_of<KeyedDensity>(), scene.medium, NoKeys());
+  visit(Keyed{{}, index_of<KeyedDensity>()}, scene.medium, NoKeys());
   const MediumOptics& optics = scene.optics;
-  visit(QString(), index_of<MediumOptics>(), optics, optics.keys);
-  visit(track_text("Noise"), index_of<MediumOptics>(), optics.noise, optics.noise.keys);
-  visit(QString(), index_of<Surfaces>(), scene.surfaces, NoKeys());
+  visit(Keyed{{}, index_of<MediumOptics>()}, optics, optics.keys);
+  visit(Keyed{track_text("Noise"), index_of<MediumOptics>()}, optics.noise, optics.noise.keys);
+  visit(Keyed{{}, index_of<Surfaces>()}, scene.surfaces, NoKeys());
   for (const Group& group : scene.groups) {
-    visit(QString::fromStdString(group.name), index_of<Groups>(), group, group.keys);
+    visit(Keyed{QString::fromStdString(group.name), index_of<Groups>()}, group, group.keys);
   }
   for (std::size_t k = 0; k < scene.emitters.size(); ++k) {
     const Emitter& emitter = scene.emitters[k];
-    visit(track_text("Emitter %1").arg(k + 1), index_of<Emitters>(), emitter, emitter.keys);
+    visit(Keyed{emitter_title(emitter, k), index_of<Emitters>(),
+                ObjectRef{ObjectRef::Kind::emitter, k}},
+          emitter, emitter.keys);
   }
 }
 
@@ -170,32 +190,40 @@ std::vector<Keyframe> imported_keyframes(const Surface& surface) {
 
 }  // namespace
 
+QString Track::title() const {
+  if (object.isEmpty() || value.isEmpty()) return object + value;
+  return object + ' ' + value.toLower();
+}
+
 std::vector<Track> tracks(const Scene& scene) {
   std::vector<Track> rows;
   std::size_t last_part = 0;
   std::size_t value = 0;  // of its part
-  visit_objects(
-      scene, [&](const QString& title, std::size_t part, const auto& owner, const auto& all_keys) {
-        if (std::exchange(last_part, part) != part) value = 0;
-        if constexpr (std::is_same_v<decltype(owner), const Medium&>) {
-          rows.push_back({title, part, 0, 1});
-        } else if constexpr (std::is_same_v<decltype(owner), const Surfaces&>) {
-          add_surface_tracks(rows, owner);
-        } else {
-          add_tracks(rows, title, part, value, owner, all_keys);
-        }
-      });
+  visit_objects(scene, [&](const Keyed& object, const auto& owner, const auto& all_keys) {
+    if (std::exchange(last_part, object.part) != object.part) value = 0;
+    if constexpr (std::is_same_v<decltype(owner), const Medium&>) {
+      rows.push_back({{}, track_text("Homogeneous density"), object.part, 0, 1});
+    } else if constexpr (std::is_same_v<decltype(owner), const Surfaces&>) {
+      for (Track& row : surface_tracks(owner)) rows.push_back(std::move(row));
+    } else {
+      add_tracks(rows, object, value, owner, all_keys);
+    }
+  });
   return rows;
 }
 
 Track value_track(const Scene& scene, std::size_t part, std::size_t object, std::string_view name) {
-  Track track{{}, part, 0, 1};
+  Track track{{}, {}, part, 0, 1};
   std::size_t i = 0;
-  visit_objects(scene, [&]<class T>(const QString& title, std::size_t objects_part, const T& owner,
-                                    const auto& all_keys) {
-    if constexpr (!std::is_same_v<T, Medium> && !std::is_same_v<T, Surfaces>) {
-      if (objects_part != part || i > object) return;
-      track.title = title;
+  visit_objects(scene, [&]<class T>(const Keyed& keyed, const T& owner, const auto& all_keys) {
+    if (keyed.part != part) return;
+    if constexpr (std::is_same_v<T, Surfaces>) {
+      track = surface_value(owner, object, name);
+    } else if constexpr (std::is_same_v<T, Medium>) {
+      track.value = track_text("Homogeneous density");
+    } else if (i <= object) {
+      track.object = keyed.title;
+      track.ref = keyed.ref;
       find_value(track, i == object ? name : std::string_view(), owner, all_keys);
       ++i;
     }
@@ -230,14 +258,14 @@ std::vector<Track> imported_tracks(const Scene& scene) {
     bool moves = false;
     visit_imported(scene.surfaces[k], [&moves](const auto&) { moves = true; });
     if (!moves) continue;
-    rows.push_back({track_text("%1 animation").arg(names[static_cast<int>(k)]),
-                    index_of<Surfaces>(), 0, 0, ObjectRef{ObjectRef::Kind::surface, k}});
+    rows.push_back({names[static_cast<int>(k)], track_text("Animation"), index_of<Surfaces>(), 0, 0,
+                    ObjectRef{ObjectRef::Kind::surface, k}});
   }
   return rows;
 }
 
 std::vector<Keyframe> keyframes_of(const Scene& scene, const Track& row) {
-  if (row.count == 0) return imported_keyframes(scene.surfaces[row.surface->index]);
+  if (row.count == 0) return imported_keyframes(scene.surfaces[row.ref->index]);
   std::vector<Keyframe> marks;
   const ScenePart part = scene_part(scene, row.part);
   visit_row(part, row, [&marks](const auto&, const auto& keys) {
@@ -296,6 +324,28 @@ void move_keys(ScenePart& part, const Track& row, std::span<const KeyMove> moves
   });
 }
 
+void paste_keys(ScenePart& part, const Track& row, const ScenePart& copied, const Track& copied_row,
+                std::span<const KeyMove> moves) {
+  using Source = std::variant<const Keys<double>*, const Keys<glm::dvec2>*, const Keys<glm::dvec3>*,
+                              const Keys<glm::dquat>*>;
+  std::vector<Source> sources;
+  visit_row(copied, copied_row,
+            [&sources](const auto&, const auto& keys) { sources.emplace_back(&keys); });
+  std::size_t i = 0;
+  visit_row(part, row, [&]<class T>(const T&, Keys<T>& keys) {
+    const auto* source = i < sources.size() ? std::get_if<const Keys<T>*>(&sources[i]) : nullptr;
+    ++i;
+    if (!source) return;
+    for (const KeyMove& move : moves) {
+      const auto found = find_key(**source, move.from);
+      if (found == (*source)->end()) continue;
+      Key<T> key = *found;
+      key.time = move.to;
+      set_key(keys, key);
+    }
+  });
+}
+
 void set_interpolation(ScenePart& part, const Track& row, std::span<const double> times,
                        Interpolation interpolation) {
   visit_keys(part, row, times,
@@ -346,7 +396,7 @@ void key_changes(const ScenePart& before, ScenePart& after, double time) {
     if (was && *was->first != value && *was->second == keys) changed.push_back(i);
   });
   if (count != were.size()) return;  // a light came or went
-  for (const std::size_t i : changed) set_keys(after, {{}, after.index(), i, 1}, time);
+  for (const std::size_t i : changed) set_keys(after, {{}, {}, after.index(), i, 1}, time);
 }
 
 }  // namespace brume

@@ -13,12 +13,22 @@ namespace brume {
 
 // A track of the timeline: values that are keyframed together.
 struct Track {
-  QString title;         // "Light 1 position"
+  QString object;        // whose values they are, as lists call it: "key", "Camera"; or empty
+  QString value;         // "Position"; empty for values that are keyed jointly
   std::size_t part = 0;  // index of ScenePart
   // Range of the part's animatable values, in the order of core/scene/animation/animation.h.
   std::size_t first = 0;
-  std::size_t count = 1;  // 0: the animation of an imported scene, which stays as it is
-  std::optional<ObjectRef> surface{};  // whose value it is, if of one
+  std::size_t count = 1;           // 0: the animation of an imported scene, which stays as it is
+  std::optional<ObjectRef> ref{};  // whose value it is, if of a light, an emitter or a surface
+
+  [[nodiscard]] QString title() const;  // "key position"
+  bool operator==(const Track&) const = default;
+};
+
+// Some keyframes of a track, by their times [s].
+struct TrackKeys {
+  Track track;
+  std::vector<double> times;
 };
 
 // All tracks; and those with keyframes.
@@ -27,7 +37,7 @@ std::vector<Track> tracks_with_keys(const Scene& scene);
 // The rows of surfaces whose imported scenes move by themselves.
 std::vector<Track> imported_tracks(const Scene& scene);
 // The track of one value, by its name in files, of an object of a part: a light, a group, an
-// emitter by its index; of the medium noise is the second. Surfaces and the density have none here.
+// emitter, a surface by its index; of the medium noise is the second. The density has no name.
 Track value_track(const Scene& scene, std::size_t part, std::size_t object, std::string_view name);
 template <class Part>
 Track value_track(const Scene& scene, std::string_view name, std::size_t object = 0) {
@@ -67,6 +77,9 @@ struct KeyMove {
   double to;
 };
 void move_keys(ScenePart& part, const Track& row, std::span<const KeyMove> moves);
+// Copies keys from a track of a part, which may be another one with values of the same types.
+void paste_keys(ScenePart& part, const Track& row, const ScenePart& copied, const Track& copied_row,
+                std::span<const KeyMove> moves);
 void set_interpolation(ScenePart& part, const Track& row, std::span<const double> times,
                        Interpolation interpolation);
 // Makes them smooth. Tangents begin as the automatic slopes; aligned ones as the mean of what they

@@ -29,6 +29,23 @@ void Timeline::set_range(int first, int last) {
   Q_EMIT changed();
 }
 
+FrameSpan Timeline::shown() const {
+  return shown_.value_or(
+      FrameSpan{static_cast<double>(first_), static_cast<double>(std::max(last_, first_ + 1))});
+}
+
+void Timeline::show_frames(std::optional<FrameSpan> frames) {
+  constexpr double min_length = 0.1;
+  constexpr double max_length = 2.0 * limits::frame;
+  if (frames) {
+    const double length = std::clamp(frames->last - frames->first, min_length, max_length);
+    const double first = std::clamp<double>(frames->first, -limits::frame, limits::frame);
+    frames = FrameSpan{first, first + length};
+  }
+  shown_ = frames;
+  Q_EMIT changed();
+}
+
 void Timeline::set_frames_per_second(double rate) {
   if (rate == frames_per_second_) return;
   frames_per_second_ = rate;

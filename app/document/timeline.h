@@ -3,12 +3,19 @@
 #include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
+#include <optional>
 
 namespace brume {
 
 struct Scene;
 
-// Current frame and playback. Editor state.
+// Frames from one to another, not whole ones.
+struct FrameSpan {
+  double first = 0.0;
+  double last = 1.0;
+};
+
+// Current frame, playback, and what rulers of frames show. Editor state.
 class Timeline : public QObject {
   Q_OBJECT
  public:
@@ -23,6 +30,10 @@ class Timeline : public QObject {
   [[nodiscard]] int first() const { return first_; }
   [[nodiscard]] int last() const { return last_; }
   void set_range(int first, int last);  // clamped to 0 <= first <= last
+  // The frames that rulers show: the range, unless others are asked for. `frames`: at least a
+  // tenth of one; nullopt: the range again.
+  [[nodiscard]] FrameSpan shown() const;
+  void show_frames(std::optional<FrameSpan> frames);
   [[nodiscard]] bool loops() const { return loops_; }
   void set_loop(bool loops);
   // Keeps the frame: its time is another then.
@@ -51,6 +62,7 @@ class Timeline : public QObject {
   int first_ = 0;
   static constexpr int frames_at_first = 120;
   int last_ = frames_at_first;
+  std::optional<FrameSpan> shown_;
   bool loops_ = true;
   QTimer timer_;
   QElapsedTimer clock_;

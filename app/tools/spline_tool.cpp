@@ -238,7 +238,7 @@ void SplineTool::repaint(std::vector<glm::dvec3> points, const QString& text, Me
   }
   mirrored_ = stroke_options();
   document_.undo_stack().push(
-      new ScenePartCommand(document_, std::move(splines), std::move(edit), text, merge_id));
+      new ScenePartCommand(document_, {std::move(splines)}, std::move(edit), text, merge_id));
   if (before.id == 0) {
     const std::optional<std::size_t> dragged = dragged_;
     document_.set_active_spline(id);

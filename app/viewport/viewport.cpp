@@ -5,7 +5,7 @@
 #include <QVBoxLayout>
 
 #include "app/document/document.h"
-#include "app/document/surface_names.h"
+#include "app/document/object_titles.h"
 #include "app/view/camera_outline.h"
 #include "app/view/ground_grid.h"
 #include "app/view/tool.h"

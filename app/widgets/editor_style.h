@@ -1,6 +1,8 @@
 #pragma once
 
+#include <QPainter>
 #include <QProxyStyle>
+#include <QStyleOption>
 
 namespace brume {
 
@@ -14,6 +16,18 @@ class EditorStyle : public QProxyStyle {
     // A light copy of the text below it looks embossed on a dark ground.
     if (hint == SH_EtchDisabledText) return 0;
     return QProxyStyle::styleHint(hint, option, widget, data);
+  }
+
+  // Fusion's outline of check boxes is as dark as a dark ground.
+  void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                     const QWidget* widget) const override {
+    QProxyStyle::drawPrimitive(element, option, painter, widget);
+    if (element != PE_IndicatorCheckBox && element != PE_IndicatorItemViewItemCheck) return;
+    QColor outline = option->palette.color(QPalette::Text);
+    outline.setAlphaF(option->state.testFlag(State_Enabled) ? 0.5F : 0.25F);
+    painter->setPen(outline);
+    painter->setBrush(Qt::NoBrush);
+    painter->drawRect(option->rect.adjusted(0, 0, -1, -1));
   }
 };
 

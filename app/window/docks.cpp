@@ -22,6 +22,7 @@
 #include "app/panels/plots/contribution_panel.h"
 #include "app/panels/plots/performance_panel.h"
 #include "app/panels/time/curve_panel.h"
+#include "app/panels/time/dope_sheet.h"
 #include "app/panels/time/timeline_bar.h"
 #include "app/tools/tool_box.h"
 #include "app/viewport/view_grid.h"
@@ -156,10 +157,18 @@ void Docks::add_time_panels() {
   window_.splitDockWidget(curves, timeline, Qt::Vertical);
   curves->hide();
   connect(timeline_bar_, &TimelineBar::refused, this, work_.show_status);
-  connect(timeline_bar_, &TimelineBar::curves_asked_for, curves, [this, curves] {
-    curves->setVisible(curves->isHidden());
-    if (curves->isVisible()) window_.resizeDocks({curves}, {240}, Qt::Vertical);
-  });
+  const auto show_curves = [this, curves, timeline, curve_panel] {
+    const int height = timeline->height();
+    curves->show();
+    window_.resizeDocks({curves, timeline}, {240, height}, Qt::Vertical);
+    curve_panel->show_tracks(timeline_bar_->sheet().chosen());
+  };
+  connect(timeline_bar_, &TimelineBar::curves_asked_for, curves,
+          [curves, show_curves] { curves->isHidden() ? show_curves() : curves->hide(); });
+  DopeSheet& sheet = timeline_bar_->sheet();
+  connect(&sheet, &DopeSheet::curves_asked_for, curves, show_curves);
+  connect(&sheet, &DopeSheet::chosen_changed, curve_panel,
+          [curve_panel, &sheet] { curve_panel->show_tracks(sheet.chosen()); });
   for (KeyButton* button : window_.findChildren<KeyButton*>()) {
     connect(button, &KeyButton::time_asked_for, &work_.timeline, [this](double time) {
       // The frame is the one farther from now, or the same key would be found again.
@@ -170,7 +179,7 @@ void Docks::add_time_panels() {
     });
     connect(button, &KeyButton::curve_asked_for, curves, [curves, curve_panel](const Track& track) {
       curves->show();
-      curve_panel->show_track(track);
+      curve_panel->show_tracks(std::span(&track, 1));
     });
   }
 }

@@ -156,6 +156,7 @@ void MainWindow::follow_time() {
   on_change(document_, Change::scene, timeline_, [this] {
     timeline_->stop();
     timeline_->set_frame(0);
+    timeline_->show_frames(std::nullopt);
     timeline_->follow(document_.scene());
   });
   on_change(document_, Change::part, timeline_, [this] { timeline_->follow(document_.scene()); });

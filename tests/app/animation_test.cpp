@@ -111,7 +111,7 @@ class AnimationTest : public QObject {
     TestWindow window(scene);
     QVERIFY(window.settle());
     const std::vector<float> before = window.shown().frame.beauty;
-    window->findChild<QSlider*>("frame_slider")->setValue(15);
+    window->timeline().set_frame(15);
     QVERIFY(window.settle());
     QCOMPARE(window.shown().frame.time, 0.5);
     QVERIFY(window.shown().frame.beauty != before);
@@ -124,8 +124,7 @@ class AnimationTest : public QObject {
     TestWindow window(scene);
     QVERIFY(window.settle());
     QCOMPARE(shown_gaussians(window), 6u);
-    auto* slider = window->findChild<QSlider*>("frame_slider");
-    slider->setValue(15);
+    window->timeline().set_frame(15);
     QVERIFY(window.settle());
     QCOMPARE(window.shown().request.scene->time, 0.5);
     QCOMPARE(shown_gaussians(window), 5 + particles_at(window.scene().emitters[0], 0.5).size());

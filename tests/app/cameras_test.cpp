@@ -10,6 +10,7 @@
 
 #include "app/document/keyframe_tracks.h"
 #include "app/panels/forms/key_button.h"
+#include "app/panels/time/dope_sheet.h"
 #include "app/panels/time/timeline_bar.h"
 #include "app/view/camera_outline.h"
 #include "app/view/gizmo.h"
@@ -113,7 +114,7 @@ class CamerasTest : public QObject {
     Document& document = desk.document();
     const auto tracks_shown = [&] {
       QStringList titles;
-      for (const Track& track : tracks_with_keys(document.scene())) titles << track.title;
+      for (const Track& track : tracks_with_keys(document.scene())) titles << track.title();
       return titles;
     };
     auto* key = desk.findChild<QToolButton*>("camera_roll_key");
@@ -250,9 +251,9 @@ class CamerasTest : public QObject {
     Scene scene = tiny_scene();
     scene.camera.aperture = 0.1;
     Desk desk(scene);
-    auto* target = desk.findChild<QComboBox*>("key_target");
-    target->setCurrentText("Camera aperture");
-    QCOMPARE(target->currentText(), "Camera aperture");
+    set_key(desk.document(), "Camera aperture");
+    auto& sheet = *desk.findChild<DopeSheet*>("keys");
+    QTest::mouseClick(&sheet, Qt::LeftButton, {}, sheet.name_position(1));
     desk.findChild<TimelineBar*>()->set_key();
     QCOMPARE(desk.scene().camera_keys.aperture.size(), 1u);
     QVERIFY(desk.scene().camera_keys.eye.empty());

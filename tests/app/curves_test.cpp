@@ -1,17 +1,19 @@
 // Curves of animated values: their keys are moved in time and value with the mouse.
 
-#include <QComboBox>
 #include <QContextMenuEvent>
 #include <QDockWidget>
 #include <QMenu>
 #include <QToolButton>
+#include <QTreeWidget>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
 #include "app/commands/edit_lights.h"
 #include "app/commands/edit_objects.h"
 #include "app/document/timeline.h"
-#include "app/panels/time/curve_editor.h"
+#include "app/panels/time/curve_panel.h"
+#include "app/panels/time/dope_sheet.h"
+#include "app/panels/time/time_ruler.h"
 #include "tests/app/desk.h"
 #include "tests/app/test_window.h"
 
@@ -33,13 +35,17 @@ class Curves {
  public:
   explicit Curves(const Scene& scene = animated_scene(), const char* track = "Light 1 intensity")
       : desk(scene) {
-    desk.findChild<QComboBox*>("curve_track")->setCurrentText(track);
+    show({track});
     QCoreApplication::processEvents();
+  }
+  void show(std::initializer_list<const char*> titles) {
+    std::vector<Track> tracks;
+    for (const char* title : titles) tracks.push_back(find_track(desk.scene(), title));
+    desk.findChild<CurvePanel*>()->show_tracks(tracks);
   }
   CurveEditor& editor() { return *desk.findChild<CurveEditor*>("curves"); }
   const Keys<glm::dvec3>& keys() { return desk.scene().lights.at(0).keys.intensity; }
   QPoint at(double time, double value) { return editor().position(time, value).toPoint(); }
-  QPoint on_ruler(double time) { return {at(time, 0.0).x(), editor().height() - 5}; }
   void drag(QPoint from, QPoint to, Qt::MouseButton button = Qt::LeftButton,
             Qt::KeyboardModifiers modifiers = {}) {
     drag_mouse(editor(), from, to, button, modifiers);
@@ -94,7 +100,7 @@ class CurvesTest : public QObject {
     QVERIFY(dock->isVisible());
     auto* editor = window->findChild<CurveEditor*>("curves");
     QVERIFY(editor->curves().empty());
-    QVERIFY(!window->findChild<QComboBox*>("curve_track")->isEnabled());
+    QCOMPARE(window->findChild<QTreeWidget*>("curve_list")->topLevelItemCount(), 0);
     editor->grab();
     QTest::mouseClick(editor, Qt::LeftButton, {}, QPoint(50, 50));
     QTest::mouseClick(button, Qt::LeftButton);
@@ -110,8 +116,58 @@ class CurvesTest : public QObject {
     QCOMPARE(shown[0].at(0.0), 10.0);
     QCOMPARE(shown[0].at(2.0), 20.0);
     QCOMPARE(shown[2].points().back().value, 60.0);
-    curves.desk.findChild<QComboBox*>("curve_track")->setCurrentText("Light 1 position");
+    curves.show({"Light 1 position"});
     QVERIFY(curves.editor().curves()[0].title.endsWith(" x"));
+  }
+
+  void values_have_axes_of_their_own_and_move_together() {
+    Curves curves;
+    curves.show({"Light 1 position", "Light 1 intensity"});
+    CurveEditor& editor = curves.editor();
+    QCOMPARE(editor.curves().size(), 6u);
+    // 60 W/sr and 3 u both fill the height.
+    const double bright = editor.position(3.0, 60.0, 1).y();
+    const double far = editor.position(0.0, 3.0, 0).y();
+    QVERIFY(bright < 0.2 * editor.height() && far < 0.2 * editor.height());
+    const Scene before = curves.desk.scene();
+    QTest::keyClick(&editor, Qt::Key_A, Qt::ControlModifier);
+    const QPoint from = editor.position(1.0, 10.0, 1).toPoint();
+    curves.drag(from, QPoint(editor.position(1.5, 0.0, 0).toPoint().x(), from.y()));
+    QCOMPARE(last_step(curves.desk.document()), "Move keyframes of 2 values");
+    QVERIFY(std::abs(curves.keys()[0].time - 1.5) < 0.04);
+    QVERIFY(std::abs(curves.desk.scene().lights[0].keys.position[0].time - 0.5) < 0.04);
+    QVERIFY(is_undone(curves.desk.document(), before));
+  }
+
+  void curves_are_hidden_and_isolated_and_follow_the_sheet() {
+    Scene scene = animated_scene();
+    scene.lights[0].name = "key";
+    TestWindow window(scene, {1000, 900});  // the list has room
+    auto& sheet = *window->findChild<DopeSheet*>("keys");
+    auto& editor = *window->findChild<CurveEditor*>("curves");
+    auto& list = *window->findChild<QTreeWidget*>("curve_list");
+    QTest::mouseClick(&sheet, Qt::LeftButton, {}, sheet.name_position(0));  // all of "key"
+    QTest::mouseClick(window->findChild<QToolButton*>("curve"), Qt::LeftButton);
+    QCOMPARE(editor.curves().size(), 6u);
+    QTest::mouseClick(&sheet, Qt::LeftButton, {}, sheet.name_position(2));
+    QCOMPARE(editor.curves().size(), 3u);
+    QTreeWidgetItem* intensity = list.topLevelItem(1);
+    QCOMPARE(intensity->text(0), "key intensity");
+    QCOMPARE(intensity->checkState(0), Qt::Checked);
+    intensity->child(1)->setCheckState(0, Qt::Unchecked);
+    QCOMPARE(editor.curves().size(), 2u);
+    QCOMPARE(intensity->checkState(0), Qt::PartiallyChecked);
+    const QPoint blue = cell_position(list, intensity->child(2));
+    QTest::mouseClick(list.viewport(), Qt::LeftButton, {}, blue);
+    QTest::mouseDClick(list.viewport(), Qt::LeftButton, {}, blue);
+    QCOMPARE(editor.curves().size(), 1u);
+    QCOMPARE(editor.curves()[0].component, 2);
+    QTest::mouseClick(window->findChild<QToolButton*>("all_curves"), Qt::LeftButton);
+    QCOMPARE(editor.curves().size(), 6u);
+    // A keyframe elsewhere leaves what is shown.
+    set_key(window->document(), "Homogeneous density");
+    QCOMPARE(editor.curves().size(), 6u);
+    QCOMPARE(list.topLevelItemCount(), 3);
   }
 
   void a_drag_moves_a_key_in_time_and_value_in_one_step() {
@@ -178,7 +234,8 @@ class CurvesTest : public QObject {
     QVERIFY(QLineF(editor.position(1.0, 10.0), first + QPointF(30, -10)).length() < 1e-6);
     QTest::keyClick(&editor, Qt::Key_Home);
     QVERIFY(QLineF(editor.position(1.0, 10.0), first).length() < 1e-6);
-    QTest::mouseClick(&editor, Qt::LeftButton, {}, curves.on_ruler(2.0));
+    auto* ruler = curves.desk.findChild<CurvePanel*>()->findChild<TimeRuler*>();
+    QTest::mouseClick(ruler, Qt::LeftButton, {}, QPoint(curves.at(2.0, 0.0).x(), 6));
     QVERIFY(std::abs(curves.desk.timeline().frame() - 60) <= 1);
     // The playhead is dragged, too.
     curves.drag(curves.at(curves.desk.timeline().time(), 50.0), curves.at(1.0, 52.0));
@@ -376,7 +433,7 @@ class CurvesTest : public QObject {
     scene.surfaces.back().keys.rotate = {{.time = 0.0, .value = about_y(0)},
                                          {.time = 2.0, .value = about_y(90)},
                                          {.time = 3.0, .value = about_y(30)}};
-    Curves curves(scene, "Plane rotation");
+    Curves curves(scene, "Box rotation");
     Document& document = curves.desk.document();
     const Scene before = document.scene();
     const auto keys = [&]() -> const Keys<glm::dquat>& {

@@ -5,7 +5,7 @@
 #include <QSignalSpy>
 
 #include "app/document/timeline.h"
-#include "app/panels/time/keyframe_track.h"
+#include "app/panels/time/dope_sheet.h"
 #include "app/viewport/viewport.h"
 #include "app/widgets/mouse_drag.h"
 #include "tests/app/desk.h"
@@ -54,11 +54,11 @@ struct Grip {
 std::vector<Grip> grips(Desk& desk) {
   desk.key(Qt::Key_V);
   desk.document().select({2});
-  auto& keys = *desk.findChild<KeyframeTrack*>("keys");
+  auto& keys = *desk.findChild<DopeSheet*>("keys");
   const int frame = static_cast<int>(desk.timeline().frame_of(1.0));
   return {{"light", desk.view(), place_of(desk.view(), desk.document(), 1)},
           {"Gaussian", desk.view(), desk.handle(1)},
-          {"keyframe", keys, keys.position(0, frame)},
+          {"keyframe", keys, keys.position(1, frame)},
           {"title", *desk.findChild<QLabel*>("light_intensity_title"), QPoint(3, 3)}};
 }
 

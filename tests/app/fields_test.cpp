@@ -376,7 +376,6 @@ class FieldsTest : public QObject {
     TestWindow window;
     window->document().select({1});
     window.key(Qt::Key_B);
-    auto& frame_slider = *window->findChild<QSlider*>("frame_slider");
     window->timeline().set_frame(30);
     struct Field {
       QWidget* over;
@@ -400,7 +399,6 @@ class FieldsTest : public QObject {
         spin(window->findChild<QSpinBox*>("frame")),
         choice(window->findChild<QComboBox*>("max_error")),
         choice(window->findChild<QComboBox*>("brush_plane")),
-        {&frame_slider, &frame_slider, [&] { return QString::number(frame_slider.value()); }},
     };
     for (const Field& field : fields) {
       show(*field.over);

@@ -173,20 +173,12 @@ class FirstHourTest : public QObject {
     QVERIFY(std::abs(hour.scene().emitters.back().position.y - top.y) < 1e-3);
 
     // Keyframes of the spot: it brightens.
-    auto* target = hour->findChild<QComboBox*>("key_target");
-    const int intensity = target->findText("intensity", Qt::MatchContains);
-    QVERIFY(intensity >= 0);
     hour.document().set_object(ObjectRef{ObjectRef::Kind::light, hour.scene().lights.size() - 1});
-    for (int k = target->count(); k-- > 0;) {
-      const QString value = target->itemText(k);
-      if (value.contains("4") && value.contains("intensity", Qt::CaseInsensitive)) {
-        target->setCurrentIndex(k);
-        break;
-      }
-    }
-    hour.key(Qt::Key_I);
+    hour->document().set_active_light(hour.scene().lights.size() - 1);
+    auto* key = hour->findChild<QToolButton*>("light_intensity_key");
+    key->click();
     hour->timeline().set_frame(6);
-    hour.key(Qt::Key_I);
+    key->click();
     QVERIFY(has_keys(hour.scene()));
     QVERIFY(!hour.scene().lights.back().keys.intensity.empty());
     hour.key(Qt::Key_Space);  // plays

@@ -79,14 +79,10 @@ class GroupFactorsTest : public QObject {
     Document& document = desk.document();
     desk.group({1});
     desk.click("Group");
-    auto* target = desk.findChild<QComboBox*>("key_target");
-    const int index = target->findText("Group density factor");
-    QVERIFY(index >= 0);
-    target->setCurrentIndex(index);
-    desk.findChild<TimelineBar*>()->set_key();
+    set_key(document, "Group density factor");
     desk.timeline().set_frame(30);
     enter(desk, "group_density_factor", "3");
-    desk.findChild<TimelineBar*>()->set_key();
+    set_key(document, "Group density factor");
     QCOMPARE(desk.groups()[0].keys.density_factor.size(), 2u);
     const double density = document.medium().densities()[0];
     QCOMPARE(desk.shown_medium().densities()[0], 3.0 * density);

@@ -1,16 +1,17 @@
 // Values that have keys: on the timeline, with the mouse.
 
 #include <QCheckBox>
-#include <QComboBox>
+#include <QLineEdit>
+#include <QScrollArea>
 #include <QToolButton>
 
 #include "app/commands/edit_lights.h"
 #include "app/commands/edit_medium.h"
 #include "app/commands/edit_objects.h"
 #include "app/document/timeline.h"
-#include "app/panels/time/keyframe_track.h"
+#include "app/panels/time/dope_sheet.h"
+#include "app/panels/time/time_ruler.h"
 #include "app/panels/time/timeline_bar.h"
-#include "app/widgets/frame_slider.h"
 #include "app/widgets/number_field.h"
 #include "app/widgets/value_field.h"
 #include "brume/at_time.h"
@@ -30,24 +31,40 @@ namespace {
 
 constexpr double frame_seconds = 1.0 / default_frame_rate;
 
-KeyframeTrack& strip(const QWidget& window) {
-  return *window.findChild<KeyframeTrack*>("keys");
+DopeSheet& sheet_of(const QWidget& window) {
+  return *window.findChild<DopeSheet*>("keys");
 }
 
-void choose(const QWidget& window, const char* target) {
-  auto* box = window.findChild<QComboBox*>("key_target");
-  QVERIFY(box->findText(target) >= 0);
-  box->setCurrentText(target);
+std::size_t count_values(const QWidget& window) {
+  return static_cast<std::size_t>(
+      std::ranges::count(sheet_of(window).rows(), false, &DopeRow::is_object));
 }
 
-void set_key_at(Desk& desk, int number) {
+void set_key_at(Desk& desk, int number, const char* track) {
   desk.timeline().set_frame(number);
-  desk.findChild<TimelineBar*>()->set_key();
+  set_key(desk.document(), track);
 }
 
 void move_light(Desk& desk, const glm::dvec3& to) {
   change_light(desk.document(), 0, "Move %1", no_merge,
                [&to](Light& light) { light.position = to; });
+}
+
+// A light with a name, keyed at frames 0, 30 and 60, and one without.
+Scene two_keyed_lights() {
+  Scene scene = small_scene();
+  Light& light = scene.lights.at(0);
+  light.name = "key";
+  light.keys.position = {{.time = 0.0, .value = light.position},
+                         {.time = 2.0, .value = light.position + glm::dvec3(1.0)}};
+  light.keys.intensity = {{.time = 0.0, .value = glm::dvec3(10.0)},
+                          {.time = 1.0, .value = glm::dvec3(30.0)}};
+  Light other = light;
+  other.name.clear();
+  other.keys = {};
+  other.keys.intensity = {{.time = 1.0, .value = glm::dvec3(5.0)}};
+  scene.lights.push_back(other);
+  return scene;
 }
 
 const Light& keyed_light(Desk& desk) {
@@ -64,11 +81,13 @@ class KeysTest : public QObject {
     Desk desk;
     Document& document = desk.document();
     const Scene before = document.scene();
-    QVERIFY(!strip(desk).isVisible());
-    choose(desk, "Light 1 position");
-    set_key_at(desk, 0);
+    const QRect place = sheet_of(desk).parentWidget()->geometry();
+    QCOMPARE(count_values(desk), 0u);
+    set_key_at(desk, 0, "Light 1 position");
     QCOMPARE(last_step(document), "Set keyframe of light 1 position");
-    QVERIFY(strip(desk).isVisible());
+    QCOMPARE(count_values(desk), 1u);
+    QCoreApplication::processEvents();
+    QCOMPARE(sheet_of(desk).parentWidget()->geometry(), place);  // nothing moves
     desk.timeline().set_frame(30);
     move_light(desk, {5, 2, 2});  // sets a key of now
     QCOMPARE(keyed_light(desk).keys.position.size(), 2u);
@@ -96,7 +115,7 @@ class KeysTest : public QObject {
     QCOMPARE(keyed_light(desk).position, glm::dvec3(1, 2, 2));
     document.undo_stack().undo();
     QVERIFY(document.scene() == before);
-    QVERIFY(!strip(desk).isVisible());
+    QCOMPARE(count_values(desk), 0u);
     document.undo_stack().redo();
     document.undo_stack().redo();
     QCOMPARE(keyed_light(desk).position, glm::dvec3(3, 2, 2));
@@ -105,19 +124,18 @@ class KeysTest : public QObject {
   void keys_are_moved_made_and_deleted_with_the_mouse() {
     Desk desk;
     Document& document = desk.document();
-    choose(desk, "Light 1 position");
-    set_key_at(desk, 0);
+    set_key_at(desk, 0, "Light 1 position");
     desk.timeline().set_frame(60);
     move_light(desk, {5, 2, 2});
     const Scene two_keys = document.scene();
-    KeyframeTrack& keys = strip(desk);
+    DopeSheet& keys = sheet_of(desk);
     const auto times = [&] {
       std::vector<int> frames;
       for (const auto& key : keyed_light(desk).keys.position)
         frames.push_back(qRound(key.time / frame_seconds));
       return frames;
     };
-    drag_mouse(keys, keys.position(0, 60), keys.position(0, 90));
+    drag_mouse(keys, keys.position(1, 60), keys.position(1, 90));
     QCOMPARE(times(), (std::vector{0, 90}));
     QCOMPARE(last_step(document), "Move keyframe of light 1 position");
     QCOMPARE(step_count(document), 3);
@@ -125,46 +143,49 @@ class KeysTest : public QObject {
     document.undo_stack().undo();
     QVERIFY(document.scene() == two_keys);
     // There and back is no edit.
-    QTest::mousePress(&keys, Qt::LeftButton, {}, keys.position(0, 60));
-    for (const int to : {80, 60}) move_mouse(keys, keys.position(0, to));
-    QTest::mouseRelease(&keys, Qt::LeftButton, {}, keys.position(0, 60));
+    QTest::mousePress(&keys, Qt::LeftButton, {}, keys.position(1, 60));
+    for (const int to : {80, 60}) move_mouse(keys, keys.position(1, to));
+    QTest::mouseRelease(&keys, Qt::LeftButton, {}, keys.position(1, 60));
     QVERIFY(document.scene() == two_keys);
     QCOMPARE(document.undo_stack().index(), 2);
 
-    QTest::mouseDClick(&keys, Qt::LeftButton, {}, keys.position(0, 30));
+    QTest::mouseDClick(&keys, Qt::LeftButton, {}, keys.position(1, 30));
     QCOMPARE(times(), (std::vector{0, 30, 60}));
     QCOMPARE(keyed_light(desk).position, glm::dvec3(3, 2, 2));  // where it was at that moment
-    QTest::mouseClick(&keys, Qt::LeftButton, {}, keys.position(0, 30));
+    QTest::mouseClick(&keys, Qt::LeftButton, {}, keys.position(1, 30));
     QTest::keyClick(&keys, Qt::Key_Delete);
     QCOMPARE(times(), (std::vector{0, 60}));
     QCOMPARE(last_step(document), "Delete keyframe of light 1 position");
     QCOMPARE(document.medium().size(), 5u);  // Delete meant the key
     document.undo_stack().undo();
     desk.document().select({1});
-    QTest::mouseClick(&keys, Qt::LeftButton, {}, keys.position(0, 30));
+    QTest::mouseClick(&keys, Qt::LeftButton, {}, keys.position(1, 30));
     QTest::keyClick(&keys, Qt::Key_X);  // the other key of Delete
     QCOMPARE(times(), (std::vector{0, 60}));
     QCOMPARE(document.medium().size(), 5u);
     document.undo_stack().undo();
     QCOMPARE(times(), (std::vector{0, 30, 60}));
 
-    // Beside the keys a drag looks through time.
-    drag_mouse(keys, keys.position(0, 40), keys.position(0, 45));
+    // On the ruler a drag looks through time, here nothing.
+    const auto* ruler = desk.findChild<TimeRuler*>("frame_ruler");
+    const auto on_ruler = [&](int frame) { return QPointF(ruler->scale().x_of(frame), 8.0); };
+    drag_mouse(*const_cast<TimeRuler*>(ruler), on_ruler(40), on_ruler(45));
+    QCOMPARE(desk.timeline().frame(), 45);
+    drag_mouse(keys, keys.position(1, 70), keys.position(1, 75));
     QCOMPARE(desk.timeline().frame(), 45);
     QCOMPARE(times(), (std::vector{0, 30, 60}));
   }
 
   void a_key_becomes_linear_by_its_menu() {
     Desk desk;
-    choose(desk, "Light 1 intensity");
-    set_key_at(desk, 0);
-    set_key_at(desk, 60);
-    KeyframeTrack& keys = strip(desk);
-    QVERIFY(choose_from_menu(keys, keys.position(0, 0), "&Linear"));
+    set_key_at(desk, 0, "Light 1 intensity");
+    set_key_at(desk, 60, "Light 1 intensity");
+    DopeSheet& keys = sheet_of(desk);
+    QVERIFY(choose_from_menu(keys, keys.position(1, 0), "&Linear"));
     QCOMPARE(keyed_light(desk).keys.intensity[0].interpolation, Interpolation::linear);
     QCOMPARE(last_step(desk.document()), "Make keyframe of light 1 intensity linear");
     // Later keyframes go on like this.
-    set_key_at(desk, 30);
+    set_key_at(desk, 30, "Light 1 intensity");
     QCOMPARE(keyed_light(desk).keys.intensity[1].interpolation, Interpolation::linear);
   }
 
@@ -172,8 +193,7 @@ class KeysTest : public QObject {
     Desk desk;
     Document& document = desk.document();
     DeskView& view = desk.view();
-    choose(desk, "Camera");
-    click(desk, "key");
+    desk.findChild<TimelineBar*>()->set_key();
     Camera aside = view.camera();
     aside.eye.x = 4.0;
     desk.timeline().set_frame(60);
@@ -193,20 +213,20 @@ class KeysTest : public QObject {
     QCOMPARE(view.camera().eye.x, 0.0);
   }
 
-  // The handle of the slider, the playhead and a key of one frame are above each other.
-  void keys_stand_below_the_slider() {
+  // The number of a frame, the playhead and a key of that frame are above each other.
+  void keys_stand_below_their_frames_on_the_ruler() {
     TestWindow window;
-    choose(window, "Light 1 position");
+    window->document().set_object(ObjectRef{ObjectRef::Kind::light, 0});
     window->timeline().set_frame(60);
-    window.key(Qt::Key_I);
-    const auto* slider = window->findChild<FrameSlider*>("frame_slider");
-    const KeyframeTrack& keys = strip(window);
+    window.key(Qt::Key_I);  // of the place of the chosen object
+    QCOMPARE(last_step(window->document()), "Set keyframe of light 1 position");
+    auto* ruler = window->findChild<TimeRuler*>("frame_ruler");
+    const DopeSheet& keys = sheet_of(window);
     const auto check = [&](int frame) {
-      const double handle =
-          slider->mapTo(&*window, slider->pos()).x() - slider->x() + slider->x_of(frame);
+      const double tick = ruler->mapTo(&*window, QPointF(ruler->scale().x_of(frame), 0.0)).x();
       const double key = keys.mapTo(&*window, keys.position(0, frame)).x();
-      // Both are on whole pixels.
-      QVERIFY2(std::abs(handle - key) <= 1.0, qPrintable(QString("%1 %2").arg(handle).arg(key)));
+      // Keys are on whole pixels.
+      QVERIFY2(std::abs(tick - key) <= 1.0, qPrintable(QString("%1 %2").arg(tick).arg(key)));
     };
     for (const int width : {900, 1300}) {
       window->resize(width, 560);
@@ -217,19 +237,18 @@ class KeysTest : public QObject {
         for (const int frame : {0, 17, 60, last}) check(frame);
       }
     }
-    // A press on the key's place looks at its frame.
+    // A press above the key's place looks at its frame.
     window->timeline().set_range(0, 120);
-    QTest::mousePress(&strip(window), Qt::LeftButton, {}, keys.position(0, 90));
-    QCOMPARE(slider->value(), 90);
-    QTest::mouseRelease(&strip(window), Qt::LeftButton, {}, keys.position(0, 90));
+    QTest::mouseClick(ruler, Qt::LeftButton, {},
+                      QPoint(static_cast<int>(ruler->scale().x_of(90)), 6));
+    QCOMPARE(window->timeline().frame(), 90);
   }
 
   void density_has_keys_too() {
     Desk desk;
     Document& document = desk.document();
     set_homogeneous_density(document, 0.1, no_merge);
-    choose(desk, "Homogeneous density");
-    set_key_at(desk, 0);
+    click(desk, "homogeneous_density_key");
     desk.timeline().set_frame(60);
     set_homogeneous_density(document, 0.3, no_merge);
     QCOMPARE(document.scene().density_keys.size(), 2u);
@@ -246,12 +265,10 @@ class KeysTest : public QObject {
     scene.emitters[0].optics = {glm::dvec3(0.5), glm::dvec3(4.0)};
     Desk desk(scene);
     Document& document = desk.document();
-    auto* box = desk.findChild<QComboBox*>("key_target");
     std::size_t count = 0;
-    for (int k = 0; k < box->count(); ++k) {
-      if (!box->itemText(k).startsWith("Emitter 1")) continue;
-      box->setCurrentIndex(k);
-      set_key_at(desk, 0);
+    for (const Track& track : tracks(document.scene())) {
+      if (track.object != "Emitter 1") continue;
+      set_key_at(desk, 0, qPrintable(track.title()));
       ++count;
     }
     const auto emitter = [&]() -> const Emitter& { return document.scene().emitters[0]; };
@@ -260,7 +277,7 @@ class KeysTest : public QObject {
                 [&](const char* name, const auto& value, const auto& keys, const NumberDomain&) {
                   QVERIFY2(keys.size() == 1 && keys[0].value == value, name);
                 });
-    QCOMPARE(strip(desk).rows().size(), count);
+    QCOMPARE(count_values(desk), count);
     // Edits set a keyframe of now.
     desk.timeline().set_frame(60);
     enter(desk, "emitter_rate", "60");
@@ -278,7 +295,24 @@ class KeysTest : public QObject {
     // Without an albedo of its own there are no keyframes of it.
     click(desk, "emitter_has_albedo");
     QVERIFY(emitter().keys.albedo.empty());
-    QCOMPARE(strip(desk).rows().size(), count - 1);
+    QCOMPARE(count_values(desk), count - 1);
+  }
+
+  void letters_over_a_field_set_and_delete_its_key() {
+    Desk desk;
+    auto* label = desk.findChild<QWidget*>("light_intensity_title");
+    for (const Qt::Key letter : {Qt::Key_I, Qt::Key_K}) {
+      QTest::mouseMove(label, QPoint(4, 4));
+      QTRY_VERIFY(label->underMouse());
+      desk.view().setFocus();
+      QTest::keyClick(&desk.view(), letter);
+      QCOMPARE(keyed_light(desk).keys.intensity.size(), 1u);
+      QTest::keyClick(&desk.view(), letter);
+      QCOMPARE(keyed_light(desk).keys.intensity.size(), 0u);
+      QTest::mouseMove(&desk.view(), QPoint(4, 4));
+      QTRY_VERIFY(!label->underMouse());
+    }
+    QVERIFY(desk.document().locked().empty());
   }
 
   void a_surface_moves_and_changes_its_material() {
@@ -292,16 +326,15 @@ class KeysTest : public QObject {
     Document& document = desk.document();
     document.set_object(ObjectRef{ObjectRef::Kind::surface, index});
     const auto surface = [&]() -> const Surface& { return document.scene().surfaces[index]; };
-    for (const char* value :
-         {"position", "rotation", "scale", "reflectance", "specular", "exponent"}) {
-      choose(desk, (std::string("Floor ") + value).c_str());
-      set_key_at(desk, 0);
+    for (const char* key : {"surface_position_key", "surface_rotation_key", "surface_scale_key",
+                            "reflectance_key", "specular_key", "exponent_key"}) {
+      click(desk, key);
     }
     visit_keyed_surface(
         surface(), [&](const char* name, const auto& value, const auto& keys, const NumberDomain&) {
           QVERIFY2(keys.size() == 1 && keys[0].value == value, name);
         });
-    QCOMPARE(strip(desk).rows().size(), 6u);
+    QCOMPARE(count_values(desk), 6u);
     // Edits of the panel set a keyframe of now.
     desk.timeline().set_frame(60);
     enter(desk, "surface_position_x", "4");
@@ -323,23 +356,23 @@ class KeysTest : public QObject {
     QVERIFY(shown.keys == SurfaceKeys{});
     // Without a highlight there are no keyframes of it.
     brume::choose(desk, "material_type", 0);
-    QCOMPARE(strip(desk).rows().size(), 4u);
+    QCOMPARE(count_values(desk), 4u);
   }
 
   void deleting_a_light_leaves_the_keys_of_the_others() {
     Desk desk;
     Document& document = desk.document();
     add_light(document, light::Point(), {{0, 5, 0}});
-    choose(desk, "Light 2 position");
-    set_key_at(desk, 0);
+    set_key_at(desk, 0, "Light 2 position");
     desk.timeline().set_frame(60);
     change_light(document, 1, "Move %1", no_merge, [](Light& light) {
       light.position = {0, 9, 0};
     });
     const Scene both = document.scene();
     delete_object(document, {ObjectRef::Kind::light, 0});
-    QCOMPARE(strip(desk).rows().size(), 1u);
-    QCOMPARE(strip(desk).rows()[0].title, "Light 1 position");
+    QCOMPARE(count_values(desk), 1u);
+    QCOMPARE(sheet_of(desk).rows()[0].text, "Light 1");
+    QCOMPARE(sheet_of(desk).rows()[1].text, "Position");
     QCOMPARE(keyed_light(desk).keys.position.size(), 2u);
     document.undo_stack().undo();
     QVERIFY(document.scene() == both);
@@ -365,24 +398,150 @@ class KeysTest : public QObject {
     surface.mesh = wheel.mesh;
     surface.imported = imported;
     set_scene_part(desk.document(), surfaces, "Import");
-    KeyframeTrack& keys = strip(desk);
+    DopeSheet& keys = sheet_of(desk);
     const auto frames = [&] {
       std::vector<int> result;
-      for (const Keyframe& key : keyframes_of(desk.scene(), keys.rows().at(0))) {
+      for (const Keyframe& key : keyframes_of(desk.scene(), keys.rows().at(1).tracks.at(0))) {
         result.push_back(qRound(key.time / frame_seconds));
       }
       return result;
     };
-    QCOMPARE(keys.rows().size(), 1u);
-    QCOMPARE(keys.rows()[0].title, "Car animation");
+    QCOMPARE(keys.rows().size(), 2u);
+    QCOMPARE(keys.rows()[1].tracks.at(0).title(), "Car animation");
     QCOMPARE(frames(), (std::vector{0, 30, 60}));
-    drag_mouse(keys, keys.position(0, 30), keys.position(0, 50));
-    QTest::mouseDClick(&keys, Qt::LeftButton, {}, keys.position(0, 40));
+    drag_mouse(keys, keys.position(1, 30), keys.position(1, 50));
+    QTest::mouseDClick(&keys, Qt::LeftButton, {}, keys.position(1, 40));
     QTest::keyClick(&keys, Qt::Key_Delete);
     QCOMPARE(frames(), (std::vector{0, 30, 60}));
     QCOMPARE(step_count(desk.document()), 1);
     desk.document().undo_stack().undo();
     QCOMPARE(keys.rows().size(), 0u);
+  }
+
+  void the_sheet_names_objects_as_the_outliner_and_has_a_filter() {
+    Scene scene = two_keyed_lights();
+    Desk desk(scene);
+    DopeSheet& sheet = sheet_of(desk);
+    const auto texts = [&] {
+      QStringList rows;
+      for (const DopeRow& row : sheet.rows()) rows << row.text;
+      return rows;
+    };
+    QCOMPARE(texts(), (QStringList{"key", "Position", "Intensity", "Light 2", "Intensity"}));
+    QCOMPARE(sheet.rows()[0].keys.size(), 3u);  // of both values
+    type(desk, "dope_filter", "intens");
+    QCOMPARE(texts(), (QStringList{"key", "Intensity", "Light 2", "Intensity"}));
+    type(desk, "dope_filter", "KEY pos");
+    QCOMPARE(texts(), (QStringList{"key", "Position"}));
+    desk.findChild<QLineEdit*>("dope_filter")->clear();
+    // The triangle folds an object's values.
+    QTest::mouseClick(&sheet, Qt::LeftButton, {}, QPoint(8, sheet.name_position(0).y()));
+    QCOMPARE(texts(), (QStringList{"key", "Light 2", "Intensity"}));
+    QTest::mouseClick(&sheet, Qt::LeftButton, {}, QPoint(8, sheet.name_position(0).y()));
+    QCOMPARE(texts().size(), 5);
+    // Names are chosen, an object's with all its values, and keyed together.
+    QTest::mouseClick(&sheet, Qt::LeftButton, {}, sheet.name_position(0));
+    QCOMPARE(sheet.chosen().size(), 2u);
+    QTest::mouseClick(&sheet, Qt::LeftButton, Qt::ControlModifier, sheet.name_position(1));
+    QCOMPARE(sheet.chosen().size(), 1u);
+    QTest::mouseClick(&sheet, Qt::LeftButton, Qt::ControlModifier, sheet.name_position(4));
+    desk.timeline().set_frame(15);
+    desk.findChild<TimelineBar*>()->set_key();
+    QCOMPARE(desk.scene().lights[0].keys.intensity.size(), 3u);
+    QCOMPARE(desk.scene().lights[1].keys.intensity.size(), 2u);
+    QCOMPARE(step_count(desk.document()), 1);
+  }
+
+  void a_rectangle_selects_keys_which_move_together_onto_frames_in_one_step() {
+    Desk desk(two_keyed_lights());
+    Document& document = desk.document();
+    const Scene before = document.scene();
+    DopeSheet& sheet = sheet_of(desk);
+    const auto count = [&] {
+      std::size_t keys = 0;
+      for (const TrackKeys& track : sheet.selection().keys()) keys += track.times.size();
+      return keys;
+    };
+    // Around the keys of 30 to 60 of all rows.
+    drag_mouse(sheet, sheet.position(0, 20) - QPoint(0, 8), sheet.position(4, 70) + QPoint(0, 8));
+    QCOMPARE(count(), 3u);
+    QCOMPARE(step_count(document), 0);
+    drag_mouse(sheet, sheet.position(2, 30), sheet.position(2, 40) + QPoint(2, 0));
+    QCOMPARE(step_count(document), 1);
+    QCOMPARE(last_step(document), "Move keyframes of 3 values");
+    const auto frame_of = [&](const auto& key) { return key.time * default_frame_rate; };
+    const Light& key = document.scene().lights[0];
+    QCOMPARE(frame_of(key.keys.intensity[1]), 40.0);
+    QCOMPARE(frame_of(key.keys.position[1]), 70.0);
+    QCOMPARE(frame_of(key.keys.position[0]), 0.0);
+    QCOMPARE(frame_of(document.scene().lights[1].keys.intensity[0]), 40.0);
+    QCOMPARE(count(), 3u);
+    // They go no further than the start of time; Escape takes them back.
+    QTest::mousePress(&sheet, Qt::LeftButton, {}, sheet.position(2, 40));
+    move_mouse(sheet, sheet.position(2, 0) - QPoint(30, 0));
+    QCOMPARE(frame_of(document.scene().lights[0].keys.position[1]), 30.0);
+    QTest::keyClick(&sheet, Qt::Key_Escape);
+    QTest::mouseRelease(&sheet, Qt::LeftButton, {}, sheet.position(2, 0));
+    QCOMPARE(frame_of(document.scene().lights[0].keys.position[1]), 70.0);
+    QTest::keyClick(&sheet, Qt::Key_Delete);
+    QCOMPARE(last_step(document), "Delete keyframes of 3 values");
+    QCOMPARE(document.scene().lights[0].keys.position.size(), 1u);
+    QCOMPARE(document.medium().size(), 5u);
+    QVERIFY(is_undone(document, before));
+    // Shift adds keys and takes them away; a click on one of several leaves it alone.
+    QTest::keyClick(&sheet, Qt::Key_A, Qt::ControlModifier);
+    QCOMPARE(count(), 5u);
+    QTest::mouseClick(&sheet, Qt::LeftButton, Qt::ShiftModifier, sheet.position(0, 0));
+    QCOMPARE(count(), 3u);
+    QTest::mouseClick(&sheet, Qt::LeftButton, {}, sheet.position(4, 30));
+    QCOMPARE(count(), 1u);
+    QVERIFY(document.scene() == before);
+  }
+
+  void keys_are_copied_to_the_present_frame_and_to_other_values() {
+    Desk desk(two_keyed_lights());
+    Document& document = desk.document();
+    const Scene before = document.scene();
+    DopeSheet& sheet = sheet_of(desk);
+    // Both keys of the first light's intensity, from frame 0, to frame 90 and on.
+    drag_mouse(sheet, sheet.position(2, 0) - QPoint(9, 7), sheet.position(2, 35) + QPoint(0, 7));
+    QTest::keyClick(&sheet, Qt::Key_C, Qt::ControlModifier);
+    desk.timeline().set_frame(90);
+    QTest::keyClick(&sheet, Qt::Key_V, Qt::ControlModifier);
+    QCOMPARE(last_step(document), "Paste keyframes of key intensity");
+    QCOMPARE(step_count(document), 1);
+    const Keys<glm::dvec3>& keys = document.scene().lights[0].keys.intensity;
+    QCOMPARE(keys.size(), 4u);
+    QCOMPARE(keys[2].time, 3.0);
+    QCOMPARE(keys[2].value, keys[0].value);
+    QCOMPARE(keys[3].time, 4.0);
+    QCOMPARE(keys[3].value, keys[1].value);
+    QCOMPARE(sheet.selection().keys().at(0).times.size(), 2u);
+    // Into the other light's, whose name is chosen.
+    QTest::mouseClick(&sheet, Qt::LeftButton, {}, sheet.name_position(4));
+    QTest::keyClick(&sheet, Qt::Key_V, Qt::ControlModifier);
+    QCOMPARE(document.scene().lights[1].keys.intensity.size(), 3u);
+    QCOMPARE(document.scene().lights[1].keys.intensity[2].value, keys[1].value);
+    QCOMPARE(document.medium().size(), 5u);
+    desk.timeline().set_frame(0);
+    QVERIFY(is_undone(document, before));
+  }
+
+  void rulers_zoom_pan_and_fit() {
+    Desk desk(two_keyed_lights());
+    auto& ruler = *desk.findChild<TimeRuler*>("frame_ruler");
+    const QPointF mouse(ruler.scale().x_of(60), 8.0);
+    QWheelEvent wheel(mouse, ruler.mapToGlobal(mouse), {}, {0, 480}, Qt::NoButton, {},
+                      Qt::NoScrollPhase, false);
+    QApplication::sendEvent(&ruler, &wheel);
+    QVERIFY(desk.timeline().shown().first > 10.0 && desk.timeline().shown().last < 110.0);
+    QVERIFY(std::abs(ruler.scale().x_of(60) - mouse.x()) < 1e-6);
+    drag_mouse(ruler, {100, 8}, {130, 8}, Qt::MiddleButton);
+    QVERIFY(std::abs(ruler.scale().x_of(60) - mouse.x() - 30.0) < 1e-6);
+    QTest::keyClick(&sheet_of(desk), Qt::Key_Home);
+    QCOMPARE(desk.timeline().shown().first, 0.0);
+    QCOMPARE(desk.timeline().shown().last, 120.0);
+    QCOMPARE(step_count(desk.document()), 0);
   }
 
   void the_range_holds_all_keys_of_a_scene() {

@@ -310,26 +310,36 @@ class RandomHands {
     const Track& row = rows[below(rows.size())];
     const auto moment = [this] { return static_cast<double>(below(4)); };
     const std::vector times{moment(), moment()};
-    switch (below(8)) {
+    std::vector<TrackKeys> keys{{row, times}};
+    if (const Track& other = rows[below(rows.size())]; other != row) keys.push_back({other, times});
+    switch (below(9)) {
       case 0:
-        return delete_keys(document_, row, times);
+        return delete_keys(document_, keys);
       case 1: {
-        const ScenePart before = scene_part(document_.scene(), row.part);
+        const std::vector<ScenePart> before = parts_of(document_.scene(), keys);
         const MergeId merge_id = new_merge_id();
         for (int step = 0; step < 2; ++step) {
-          const std::vector<KeyMove> moves{{times[0], moment()}, {times[1], moment()}};
-          move_keys(document_, row, before, moves, merge_id);
+          std::vector<TrackMoves> moves;
+          for (const TrackKeys& track : keys) {
+            moves.push_back({track.track, {{times[0], moment()}, {times[1], moment()}}});
+          }
+          move_keys(document_, before, moves, merge_id);
         }
         return;
       }
       case 2:
-        return set_interpolation(document_, row, times, static_cast<Interpolation>(below(3)));
+        return set_interpolation(document_, keys, static_cast<Interpolation>(below(3)));
       case 3:
-        return set_tangents(document_, row, times, static_cast<Tangents>(below(3)));
+        return set_tangents(document_, keys, static_cast<Tangents>(below(3)));
       case 4:
-        return align_keys(document_, row, times);
+        return align_keys(document_, keys);
       case 5:
         return curve_key(row, times);
+      case 6: {
+        const CopiedKeys copied = copy_keys(document_.scene(), keys);
+        paste_keys(document_, copied, std::span(&rows[below(rows.size())], below(2)));
+        return;
+      }
       default:
         return set_keys(document_, row);
     }
@@ -339,7 +349,8 @@ class RandomHands {
     const std::vector<Curve> curves = curves_of(document_.scene(), row);
     if (curves.empty()) return;
     const Curve& curve = curves[below(curves.size())];
-    const ScenePart before = scene_part(document_.scene(), row.part);
+    const std::vector<ScenePart> before =
+        parts_of(document_.scene(), std::vector{TrackKeys{row, times}});
     const MergeId merge_id = new_merge_id();
     const bool turns = below(2) == 0;
     for (int step = 0; step < 2; ++step) {
@@ -349,9 +360,9 @@ class RandomHands {
                     merge_id);
       } else {
         const double shift = below(3);
-        const std::vector<CurveKeyMove> moves{{curve, {times[0], times[0] + shift}, number()},
-                                              {curve, {times[1], times[1] + shift}, number()}};
-        move_curve_keys(document_, row, before, moves, merge_id);
+        const std::vector<CurveKeyMove> moves{{row, curve, {times[0], times[0] + shift}, number()},
+                                              {row, curve, {times[1], times[1] + shift}, number()}};
+        move_curve_keys(document_, before, moves, merge_id);
       }
     }
   }

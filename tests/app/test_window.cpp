@@ -11,6 +11,7 @@
 #include <QTreeWidget>
 #include <algorithm>
 
+#include "app/commands/edit_keys.h"
 #include "app/document/paths.h"
 #include "app/files/scene_files.h"
 #include "app/view/surface_picker.h"
@@ -187,6 +188,17 @@ void drag_mouse(QWidget& widget, QPointF from, QPointF to, Qt::MouseButton butto
     move_mouse(widget, from + (to - from) * k / steps, button, modifiers);
   }
   QTest::mouseRelease(&widget, button, modifiers, to.toPoint());
+}
+
+Track find_track(const Scene& scene, const char* title) {
+  for (const Track& track : tracks(scene)) {
+    if (track.title() == title) return track;
+  }
+  qFatal("there is no track %s", title);
+}
+
+void set_key(Document& document, const char* title) {
+  set_keys(document, find_track(document.scene(), title));
 }
 
 std::string bytes_of(const Document& document) {

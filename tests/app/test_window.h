@@ -4,6 +4,7 @@
 #include <QtTest/QtTest>
 #include <memory>
 
+#include "app/document/keyframe_tracks.h"
 #include "app/jobs/job_bar.h"
 #include "app/window/main_window.h"
 #include "brume/scene.h"
@@ -96,6 +97,10 @@ void move_mouse(QWidget& widget, QPointF to, Qt::MouseButton button = Qt::LeftBu
 // In steps.
 void drag_mouse(QWidget& widget, QPointF from, QPointF to, Qt::MouseButton button = Qt::LeftButton,
                 Qt::KeyboardModifiers modifiers = Qt::NoModifier);
+
+// The track of a title that a scene has: "Light 1 position"; and sets its keyframe.
+Track find_track(const Scene& scene, const char* title);
+void set_key(Document& document, const char* title);
 
 // The text of a document's scene file, all values included.
 std::string bytes_of(const Document& document);

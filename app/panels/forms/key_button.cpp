@@ -14,6 +14,14 @@
 #include "app/widgets/keys.h"
 
 namespace brume {
+namespace {
+
+// Over a field nothing can be locked.
+bool sets_key(const QKeyEvent& event) {
+  return is_key_of("time.set_key", event) || is_key_of("select.lock", event);
+}
+
+}  // namespace
 
 KeyButton::KeyButton(Document& document, std::function<Track(const Scene&)> track, QWidget* parent)
     : QToolButton(parent), document_(document), track_(std::move(track)) {
@@ -25,7 +33,7 @@ KeyButton::KeyButton(Document& document, std::function<Track(const Scene&)> trac
 void KeyButton::toggle() {
   const Track value = track_(document_.scene());
   if (has_key_now()) {
-    delete_keys(document_, value, std::array{document_.time()});
+    delete_keys(document_, std::array{TrackKeys{value, {document_.time()}}});
   } else {
     set_keys(document_, value);
   }
@@ -43,7 +51,8 @@ void KeyButton::refresh() {
   setIcon(has_key || keys().empty() ? icon
                                     : QIcon(icon.pixmap(iconSize(), QIcon::Normal, QIcon::On)));
   setChecked(has_key);
-  setToolTip(has_key ? tr("Delete the keyframe at this time") : tr("Set a keyframe at this time"));
+  setToolTip(has_key ? tr("Delete the keyframe at this time (I or K over the field)")
+                     : tr("Set a keyframe at this time (I or K over the field)"));
 }
 
 std::vector<Keyframe> KeyButton::keys() const {
@@ -75,7 +84,7 @@ bool KeyButton::eventFilter(QObject* watched, QEvent* event) {
   if (is_key && isEnabled() && !qobject_cast<QLineEdit*>(QApplication::focusWidget()) &&
       std::ranges::any_of(watched_,
                           [](const auto& field) { return field && field->underMouse(); }) &&
-      is_key_of("time.set_key", static_cast<const QKeyEvent&>(*event))) {
+      sets_key(static_cast<const QKeyEvent&>(*event))) {
     event->accept();
     // A key that is held is one press.
     const bool is_repeat = static_cast<const QKeyEvent&>(*event).isAutoRepeat();

@@ -22,8 +22,8 @@ class KeyButton : public QToolButton {
   // `track`: of the value alone.
   KeyButton(Document& document, std::function<Track(const Scene&)> track, QWidget* parent);
 
-  // The field or title of the value: a right click opens the menu there, too, and the key
-  // "time.set_key" is the button while the mouse is over it.
+  // The field or title of the value: a right click opens the menu there, too, and the keys
+  // of "time.set_key" and "select.lock" are the button while the mouse is over it.
   void watch(QWidget& field);
   void refresh();
   [[nodiscard]] QSize sizeHint() const override;

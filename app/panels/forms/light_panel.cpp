@@ -19,6 +19,7 @@
 #include "app/document/document.h"
 #include "app/document/gaussian_attribute.h"
 #include "app/document/number_text.h"
+#include "app/document/object_titles.h"
 #include "app/document/paths.h"
 #include "app/files/file_dialogs.h"
 #include "app/panels/forms/environment_panel.h"

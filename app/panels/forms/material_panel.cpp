@@ -8,7 +8,7 @@
 #include "app/commands/edit_objects.h"
 #include "app/document/document.h"
 #include "app/document/euler_angles.h"
-#include "app/document/surface_names.h"
+#include "app/document/object_titles.h"
 #include "app/files/file_dialogs.h"
 #include "app/panels/forms/metallic_roughness_form.h"
 #include "app/widgets/rows.h"
@@ -74,6 +74,13 @@ MaterialPanel::MaterialPanel(Document& document, QWidget* parent)
   });
   form->addRow(tr("Material"), type_);
   add_material_fields(*form);
+  on_refresh([this] {
+    // Keyframes are of a surface's own material, not of those of an imported file.
+    if (!surface() || !surface()->imported) return;
+    for (const char* key : {"reflectance_key", "specular_key", "exponent_key"}) {
+      findChild<QToolButton*>(key)->setEnabled(false);
+    }
+  });
   transfer_->setToolTip(tr("Where light is scattered once; all orders shadow and reflect anyway"));
   form->addRow(tr("Radiance transfer"), transfer_);
   show_length_units(*this, {"surface_position", "surface_size"});
@@ -144,6 +151,13 @@ glm::dvec3 MaterialPanel::angles() const {
              : to_euler_angles(surface()->rotate);
 }
 
+KeyButton* MaterialPanel::new_surface_key(const QString& field, const char* name) {
+  return new_key_button(field, [this, name](const Scene& scene) {
+    return value_track<Surfaces>(scene, name,
+                                 static_cast<std::size_t>(std::max(0, surfaces_->currentIndex())));
+  });
+}
+
 void MaterialPanel::add_placement_fields(QFormLayout& form) {
   add_vector(form, tr("Position"),
              {"surface_position", domain::coordinate, 0.01,
@@ -151,7 +165,8 @@ void MaterialPanel::add_placement_fields(QFormLayout& form) {
               [this](const glm::dvec3& position, MergeId gesture) {
                 change_shown(tr("Move %1"), gesture,
                              [position](Surface& s) { s.translate = position; });
-              }});
+              }},
+             new_surface_key("surface_position", "translate"));
   add_vector(form, tr("Rotation"),
              {"surface_rotation", domain::degrees, 0.5,
               [this] { return value_if(surface(), [this](const Surface&) { return angles(); }); },
@@ -159,7 +174,8 @@ void MaterialPanel::add_placement_fields(QFormLayout& form) {
                 entered_angles_ = degrees;
                 change_shown(tr("Rotate %1"), gesture,
                              [degrees](Surface& s) { s.rotate = from_euler_angles(degrees); });
-              }});
+              }},
+             new_surface_key("surface_rotation", "rotate"));
   add_vector(form, tr("Size"),
              {"surface_size", domain::length, 0.01,
               [this]() -> std::optional<glm::dvec3> {
@@ -177,7 +193,8 @@ void MaterialPanel::add_placement_fields(QFormLayout& form) {
               [this] { return value_if(surface(), &Surface::scale); },
               [this](double scale, MergeId gesture) {
                 change_shown(tr("Scale %1"), gesture, [scale](Surface& s) { s.scale = scale; });
-              }});
+              }},
+             new_surface_key("surface_scale", "scale"));
 }
 
 const Scatter* MaterialPanel::scatter() const {
@@ -249,7 +266,8 @@ void MaterialPanel::add_material_fields(QFormLayout& form) {
              [this](const glm::dvec3& color, MergeId gesture) {
                change(tr("Set reflectance of %1"), gesture,
                       [color](Material& m) { m.reflectance = color; });
-             }});
+             }},
+            new_surface_key("reflectance", "reflectance"));
   add_color(form, tr("Specular"),
             {"specular",
              [this]() -> std::optional<glm::dvec3> {
@@ -259,7 +277,8 @@ void MaterialPanel::add_material_fields(QFormLayout& form) {
              [this](const glm::dvec3& color, MergeId gesture) {
                change(tr("Set specular reflectance of %1"), gesture,
                       [color](Material& m) { m.specular = color; });
-             }});
+             }},
+            new_surface_key("specular", "specular"));
   add_number(form, tr("Exponent"),
              {"exponent", domain::not_negative, ValueField::Scale::logarithmic, 0.01,
               [this]() -> std::optional<double> {
@@ -269,7 +288,8 @@ void MaterialPanel::add_material_fields(QFormLayout& form) {
               [this](double value, MergeId gesture) {
                 change(tr("Set exponent of %1"), gesture,
                        [value](Material& m) { m.exponent = value; });
-              }});
+              }},
+             new_surface_key("exponent", "exponent"));
   auto* metallic_roughness = new MetallicRoughnessForm(
       document_, [this] { return shown_material(); }, this);
   connect(metallic_roughness, &MetallicRoughnessForm::refused, this, &MaterialPanel::refused);

@@ -67,7 +67,10 @@ MediumPanel::MediumPanel(Document& document, Scattering scattering, QWidget* par
               [this] { return std::optional(document_.medium().homogeneous_density()); },
               [this](double value, MergeId gesture) {
                 set_homogeneous_density(document_, value, gesture);
-              }});
+              }},
+             new_key_button("homogeneous_density", [](const Scene& scene) {
+               return value_track<KeyedDensity>(scene, "density");
+             }));
   form->addRow(tr("Preset"), new_presets());
   const auto optics = [this]() -> const MediumOptics& { return document_.scene().optics; };
   const Fields<MediumOptics> fields{

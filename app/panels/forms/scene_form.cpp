@@ -93,7 +93,8 @@ QLabel* SceneForm::add_vector(QFormLayout& form, const QString& title, const Vec
   return label;
 }
 
-void SceneForm::add_color(QFormLayout& form, const QString& title, const Color& color) {
+void SceneForm::add_color(QFormLayout& form, const QString& title, const Color& color,
+                          KeyButton* keys) {
   auto* button = named(new ColorButton(this), color.name);
   connect(button, &ColorButton::edited, this, color.set);
   on_refresh([button, get = color.get] {
@@ -101,7 +102,10 @@ void SceneForm::add_color(QFormLayout& form, const QString& title, const Color& 
     button->setEnabled(value.has_value());
     button->show_color(value.value_or(glm::dvec3(0.0)));
   });
-  form.addRow(title, button);
+  auto* row = new QHBoxLayout;
+  row->addWidget(button);
+  add_keys(*row, keys, [get = color.get] { return get().has_value(); });
+  form.addRow(title, row);
 }
 
 QWidget* SceneForm::add_toggle(QFormLayout& form, const QString& title, const Toggle& toggle) {

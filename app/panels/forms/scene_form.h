@@ -65,7 +65,8 @@ class SceneForm : public QWidget {
                      KeyButton* keys = nullptr);
   QLabel* add_vector(QFormLayout& form, const QString& title, const Vector& vector,  // three fields
                      KeyButton* keys = nullptr);
-  void add_color(QFormLayout& form, const QString& title, const Color& color);
+  void add_color(QFormLayout& form, const QString& title, const Color& color,
+                 KeyButton* keys = nullptr);
   QWidget* add_toggle(QFormLayout& form, const QString& title, const Toggle& toggle);
 
   // An object with values that core/scene/fields describes.

@@ -13,6 +13,7 @@
 #include "app/document/document.h"
 #include "app/document/gaussian_attribute.h"
 #include "app/document/number_text.h"
+#include "app/document/object_titles.h"
 #include "app/view/surface_picker.h"
 #include "app/view/view.h"
 #include "app/widgets/application.h"

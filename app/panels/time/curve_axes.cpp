@@ -1,119 +1,103 @@
 #include "app/panels/time/curve_axes.h"
 
 #include <QPainter>
-#include <QPalette>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "app/document/number_text.h"
 #include "app/document/timeline.h"
 
 namespace brume {
-namespace {
 
-// 1, 2 or 5 times a power of ten, at least `step`.
-double round_step(double step) {
-  const double power = std::pow(10.0, std::floor(std::log10(step)));
-  for (const double factor : {1.0, 2.0, 5.0}) {
-    if (factor * power >= step) return factor * power;
-  }
-  return 10.0 * power;
+CurveAxes::Range CurveAxes::range(std::size_t track) const {
+  return track < ranges_.size() ? ranges_[track] : Range();
 }
 
-}  // namespace
-
-QPointF CurveAxes::position(double time, double value) const {
-  return {(time - shown_.left()) / time_per_pixel(), (shown_.bottom() - value) / value_per_pixel()};
+QPointF CurveAxes::position(double time, double value, std::size_t track) const {
+  return {scale().x_of(timeline_.frame_of(time)),
+          (range(track).high - value) / value_per_pixel(track)};
 }
 
 double CurveAxes::time_at(double x) const {
-  return shown_.left() + x * time_per_pixel();
+  return timeline_.time_of(scale().frame_at(x));
 }
 
-double CurveAxes::value_at(double y) const {
-  return shown_.bottom() - y * value_per_pixel();
+double CurveAxes::value_at(double y, std::size_t track) const {
+  return range(track).high - y * value_per_pixel(track);
 }
 
 double CurveAxes::time_per_pixel() const {
-  return shown_.width() / std::max(1.0, size_.width());
+  return timeline_.time_of(scale().frames_per_pixel());
 }
 
-double CurveAxes::value_per_pixel() const {
-  return shown_.height() / plot_height();
+double CurveAxes::value_per_pixel(std::size_t track) const {
+  const Range shown = range(track);
+  return (shown.high - shown.low) / std::max(1.0, size_.height());
 }
 
-void CurveAxes::fit(const std::vector<Curve>& curves, const Timeline& timeline) {
-  if (curves.empty()) return;
-  double begin = timeline.time_of(timeline.first());
-  double end = timeline.time_of(timeline.last());
-  double low = curves.front().points().front().value;
-  double high = low;
-  const auto include = [&](double time, double value) {
-    begin = std::min(begin, time);
-    end = std::max(end, time);
-    low = std::min(low, value);
-    high = std::max(high, value);
-  };
+void CurveAxes::fit(const std::vector<Curve>& curves) {
+  std::vector<std::optional<Range>> found;
   for (const Curve& curve : curves) {
+    found.resize(std::max(found.size(), curve.track + 1));
+    std::optional<Range>& values = found[curve.track];
+    const auto include = [&values](double value) {
+      if (!values) values = Range{value, value};
+      values->low = std::min(values->low, value);
+      values->high = std::max(values->high, value);
+    };
     const std::vector<Curve::Point> points = curve.points();
-    for (const Curve::Point& point : points) include(point.time, point.value);
+    for (const Curve::Point& point : points) include(point.value);
     constexpr int samples = 200;  // tangents lead beyond the keys
     for (int k = 1; k < samples; ++k) {
-      const double time =
-          std::lerp(points.front().time, points.back().time, static_cast<double>(k) / samples);
-      include(time, curve.at(time));
+      const double part = static_cast<double>(k) / samples;
+      include(curve.at(std::lerp(points.front().time, points.back().time, part)));
     }
   }
-  // A constant has no range of its own.
-  const double range = high > low ? high - low : std::max(1.0, std::abs(high));
-  const double length = std::max(end - begin, timeline.time_of(1));
-  const double middle = 0.5 * (low + high);
-  constexpr double margin = 0.1;
-  shown_ = QRectF(begin - 0.03 * length, middle - (0.5 + margin) * range, 1.06 * length,
-                  (1.0 + 2.0 * margin) * range);
+  ranges_.clear();
+  for (const std::optional<Range>& values : found) {
+    const Range shown = values.value_or(Range());
+    // A constant has no range of its own.
+    const double length =
+        shown.high > shown.low ? shown.high - shown.low : std::max(1.0, std::abs(shown.high));
+    const double middle = 0.5 * (shown.low + shown.high);
+    constexpr double margin = 0.1;
+    ranges_.push_back({middle - (0.5 + margin) * length, middle + (0.5 + margin) * length});
+  }
 }
 
-void CurveAxes::pan(const QPointF& pixels) {
-  shown_.translate(-pixels.x() * time_per_pixel(), pixels.y() * value_per_pixel());
+void CurveAxes::pan(double pixels) {
+  for (std::size_t k = 0; k < ranges_.size(); ++k) {
+    const double shift = pixels * value_per_pixel(k);
+    ranges_[k].low += shift;
+    ranges_[k].high += shift;
+  }
 }
 
-void CurveAxes::zoom(const QPointF& at, double in_time, double in_value) {
-  const double time = time_at(at.x());
-  const double value = value_at(at.y());
-  const double width = std::clamp(shown_.width() * in_time, 1e-3, 1e6);
-  const double height = std::clamp(shown_.height() * in_value, 1e-9, 1e12);
-  shown_ = QRectF(time - (time - shown_.left()) * width / shown_.width(),
-                  value - (value - shown_.top()) * height / shown_.height(), width, height);
+void CurveAxes::zoom(double y, double factor) {
+  for (std::size_t k = 0; k < ranges_.size(); ++k) {
+    const double fixed = value_at(y, k);
+    Range& shown = ranges_[k];
+    const double length = shown.high - shown.low;
+    const double zoomed = std::clamp(length * factor, 1e-9, 1e12) / length;
+    shown = {fixed + zoomed * (shown.low - fixed), fixed + zoomed * (shown.high - fixed)};
+  }
 }
 
-void CurveAxes::paint_grid(QPainter& painter, const QPalette& palette,
-                           const Timeline& timeline) const {
-  constexpr double between_lines = 60.0;  // pixels
-  QColor line = palette.color(QPalette::Text);
+void CurveAxes::paint_values(QPainter& painter, const QWidget& widget, std::size_t track) const {
+  constexpr double between_lines = 42.0;  // pixels
+  QColor line = widget.palette().color(QPalette::Text);
   QColor text = line;
   line.setAlphaF(0.12F);
   text.setAlphaF(0.6F);
-  const double width = size_.width();
-  const QRectF ruler(0.0, plot_height(), width, ruler_height);
-  painter.fillRect(ruler, palette.color(QPalette::AlternateBase));
-  const double frames = timeline.frame_of(shown_.width());
-  const double column = std::max(1.0, round_step(frames * between_lines / width));
-  const double left = timeline.frame_of(shown_.left());
-  for (double f = std::ceil(left / column) * column; f <= left + frames; f += column) {
-    const double x = position(timeline.time_of(f), 0.0).x();
+  const Range shown = range(track);
+  const double step = round_step(between_lines * value_per_pixel(track));
+  for (double k = std::ceil(shown.low / step); k * step <= shown.high; ++k) {
+    const double y = position(0.0, k * step, track).y();
     painter.setPen(line);
-    painter.drawLine(QPointF(x, 0), QPointF(x, size_.height()));
+    painter.drawLine(QPointF(0, y), QPointF(size_.width(), y));
     painter.setPen(text);
-    painter.drawText(QPointF(x + 3, size_.height() - 5), number_text(f));
-  }
-  const double row = round_step(between_lines * 0.7 * value_per_pixel());
-  const double first_row = std::ceil(shown_.top() / row);
-  for (double k = first_row; k * row <= shown_.bottom(); ++k) {
-    const double y = position(0.0, k * row).y();
-    painter.setPen(line);
-    painter.drawLine(QPointF(0, y), QPointF(width, y));
-    painter.setPen(text);
-    painter.drawText(QPointF(4, y - 3), number_text(k * row, 5));
+    painter.drawText(QPointF(4, y - 3), number_text(k * step, 5));
   }
 }
 

@@ -1,43 +1,51 @@
 #pragma once
 
-#include <QRectF>
+#include <QPointF>
 #include <QSizeF>
 #include <vector>
 
 #include "app/document/keyframe_curves.h"
+#include "app/panels/time/time_ruler.h"
 
 class QPainter;
-class QPalette;
 
 namespace brume {
 
 class Timeline;
 
-// The part of the plane of times and values that a curve editor shows, above a ruler of frames.
+// The part of the plane of times and values that a curve editor shows: the frames of the timeline,
+// and of each track the values of an axis of its own, since tracks have different units.
 class CurveAxes {
  public:
-  static constexpr double ruler_height = 18.0;  // pixels
+  explicit CurveAxes(const Timeline& timeline) : timeline_(timeline) {}
 
-  void set_size(const QSizeF& size) { size_ = size; }  // [pixels], with the ruler
-  [[nodiscard]] QPointF position(double time, double value) const;
+  void set_size(const QSizeF& size) { size_ = size; }  // [pixels]
+  [[nodiscard]] FrameScale scale() const { return {timeline_, 0.0, size_.width()}; }
+  // `track`: its place among those shown.
+  [[nodiscard]] QPointF position(double time, double value, std::size_t track) const;
   [[nodiscard]] double time_at(double x) const;  // [s]
-  [[nodiscard]] double value_at(double y) const;
+  [[nodiscard]] double value_at(double y, std::size_t track) const;
   [[nodiscard]] double time_per_pixel() const;  // [s]
-  [[nodiscard]] double value_per_pixel() const;
-  [[nodiscard]] bool is_on_ruler(const QPointF& at) const { return at.y() >= plot_height(); }
+  [[nodiscard]] double value_per_pixel(std::size_t track) const;
 
-  // Shows the curves, and all frames of the timeline.
-  void fit(const std::vector<Curve>& curves, const Timeline& timeline);
-  void pan(const QPointF& pixels);
-  void zoom(const QPointF& at, double in_time, double in_value);  // factors of what is shown
+  // Shows all values of the curves.
+  void fit(const std::vector<Curve>& curves);
+  void pan(double pixels);             // down
+  void zoom(double y, double factor);  // of the values that are shown
 
-  void paint_grid(QPainter& painter, const QPalette& palette, const Timeline& timeline) const;
+  // Lines and numbers of the values of a track.
+  void paint_values(QPainter& painter, const QWidget& widget, std::size_t track) const;
 
  private:
-  [[nodiscard]] double plot_height() const { return std::max(1.0, size_.height() - ruler_height); }
+  struct Range {
+    double low = -1.0;
+    double high = 1.0;
+  };
+  [[nodiscard]] Range range(std::size_t track) const;
 
+  const Timeline& timeline_;
   QSizeF size_{1.0, 1.0};
-  QRectF shown_{0.0, -1.0, 1.0, 2.0};  // time [s] and value; bottom() is the greatest value
+  std::vector<Range> ranges_;  // by track
 };
 
 }  // namespace brume

@@ -22,17 +22,6 @@ namespace {
 constexpr double point_radius = 4.0;   // pixels
 constexpr double handle_radius = 3.0;  // pixels
 
-// Red, green, blue as the axes; further values of a track are dashed.
-QPen curve_pen(const std::vector<Curve>& curves, std::size_t k) {
-  static constexpr std::array colors{0xe0605a, 0x4fae57, 0x5b8def};
-  const Curve& curve = curves[k];
-  QPen pen(QColor(QRgb(colors.at(static_cast<std::size_t>(curve.component)))), 1.6);
-  const std::size_t of_track = curve.value - curves.front().value;
-  if (of_track == 1) pen.setStyle(Qt::DashLine);
-  if (of_track == 2) pen.setStyle(Qt::DotLine);
-  return pen;
-}
-
 }  // namespace
 
 CurveEditor::CurveEditor(Timeline& timeline, Document& document, QWidget* parent)
@@ -41,7 +30,7 @@ CurveEditor::CurveEditor(Timeline& timeline, Document& document, QWidget* parent
   setToolTip(
       tr("Drag keys in time and value, and the ends of their tangents (Alt: one side alone). Shift "
          "or a rectangle selects several. Del to delete, right-click for options, double-click to "
-         "add a key. Drag along the frame numbers to scrub. Wheel to zoom (Shift: time only, Ctrl: "
+         "add a key. Wheel to zoom (Shift: time only, Ctrl: "
          "value only), middle button to pan, Home to fit."));
   on_change(document_, Change::scene, this, [this] {
     drag_ = {};
@@ -54,23 +43,69 @@ CurveEditor::CurveEditor(Timeline& timeline, Document& document, QWidget* parent
   connect(&mouse_, &MouseDrag::ended, this, [this] { drag_ = {}; });
 }
 
-void CurveEditor::set_track(const std::optional<Track>& row) {
-  row_ = row;
+void CurveEditor::set_tracks(std::vector<Track> tracks, std::vector<Hidden> hidden) {
+  tracks_ = std::move(tracks);
+  hidden_ = std::move(hidden);
+  active_ = 0;
   drag_ = {};
   selection_.set({});
   refresh();
-  fit();
+  axes_.fit(curves_);
 }
 
 void CurveEditor::refresh() {
-  curves_ = row_ ? curves_of(document_.scene(), *row_) : std::vector<Curve>();
+  curves_.clear();
+  for (std::size_t k = 0; k < tracks_.size(); ++k) {
+    for (Curve& curve : curves_of(document_.scene(), tracks_[k])) {
+      const bool is_hidden = std::ranges::any_of(hidden_, [&](const Hidden& hidden) {
+        return hidden.track == tracks_[k] && hidden.curve.value == curve.value &&
+               hidden.curve.component == curve.component;
+      });
+      if (is_hidden) continue;
+      curve.track = k;
+      curves_.push_back(std::move(curve));
+    }
+  }
   selection_.prune(curves_);
   update();
 }
 
 void CurveEditor::fit() {
-  axes_.fit(curves_, timeline_);
+  axes_.fit(curves_);
+  double last = 0.0;
+  for (const Curve& curve : curves_) last = std::max(last, curve.points().back().time);
+  fit_frames(timeline_, last);
   update();
+}
+
+const Track& CurveEditor::track_of(const CurveMark& mark) const {
+  return tracks_[curves_[mark.curve].track];
+}
+
+std::vector<TrackKeys> CurveEditor::selected_keys() const {
+  return selection_.keys(curves_, tracks_);
+}
+
+// Red, green, blue as the axes, of a track alone; the hues of several tracks are their own.
+QColor CurveEditor::color(std::size_t curve) const {
+  static constexpr std::array axes{0xe0605a, 0x4fae57, 0x5b8def};
+  static constexpr std::array tracks{0xe0a030, 0x9a7be0, 0x3fb5b0, 0xd06fa8, 0x8fae3c, 0x6f9bd0};
+  const Curve& shown = curves_[curve];
+  if (tracks_.size() < 2) {
+    return QRgb(axes.at(static_cast<std::size_t>(shown.component)));
+  }
+  constexpr std::array brightness{100, 125, 155};
+  return QColor(QRgb(tracks.at(shown.track % tracks.size())))
+      .lighter(brightness.at(static_cast<std::size_t>(shown.component)));
+}
+
+// Further values of a track are dashed.
+QPen CurveEditor::pen(std::size_t curve) const {
+  QPen pen(color(curve), 1.6);
+  const std::size_t of_track = curves_[curve].value - tracks_[curves_[curve].track].first;
+  if (of_track == 1) pen.setStyle(Qt::DashLine);
+  if (of_track == 2) pen.setStyle(Qt::DotLine);
+  return pen;
 }
 
 void CurveEditor::resizeEvent(QResizeEvent*) {
@@ -81,11 +116,6 @@ int CurveEditor::frame_near(double x) const {
   const double last = std::max(timeline_.last(), timeline_.frame());
   return static_cast<int>(
       std::clamp(std::round(timeline_.frame_of(axes_.time_at(x))), 0.0, std::max(last, 0.0)));
-}
-
-double CurveEditor::on_frame(double time) const {
-  const double nearest = timeline_.time_of(std::round(timeline_.frame_of(time)));
-  return std::abs(nearest - time) < min_key_distance ? nearest : time;
 }
 
 double CurveEditor::value_of(const CurveMark& mark) const {
@@ -100,29 +130,30 @@ void CurveEditor::paint_curve(QPainter& painter, std::size_t k) const {
   QPainterPath path;
   constexpr int step = 2;  // pixels
   for (int x = 0; x <= width() + step; x += step) {
-    const QPointF curve_point = position(axes_.time_at(x), curve.at(axes_.time_at(x)));
+    const QPointF curve_point = position(axes_.time_at(x), curve.at(axes_.time_at(x)), curve.track);
     x == 0 ? path.moveTo(curve_point) : path.lineTo(curve_point);
   }
-  const QPen pen = curve_pen(curves_, k);
+  const QPen line = pen(k);
   painter.setBrush(Qt::NoBrush);
-  painter.setPen(pen);
+  painter.setPen(line);
   painter.drawPath(path);
   for (const Curve::Point& point : curve.points()) {
     const bool selected = selection_.contains({k, point.time});
     painter.setPen(QPen(palette().color(selected ? QPalette::Text : QPalette::Base), 1.5));
-    painter.setBrush(pen.color());
-    painter.drawConvexPolygon(key_shape(point.interpolation, position(point.time, point.value),
+    painter.setBrush(line.color());
+    painter.drawConvexPolygon(key_shape(point.interpolation,
+                                        position(point.time, point.value, curve.track),
                                         selected ? point_radius + 1.5 : point_radius));
   }
 }
 
 void CurveEditor::paint_handles(QPainter& painter) const {
   for (const TangentHandle& handle : handles()) {
-    const QColor color = curve_pen(curves_, handle.mark.curve).color();
-    painter.setPen(QPen(color, 1.2, handle.is_automatic ? Qt::DotLine : Qt::SolidLine));
+    const QColor line = color(handle.mark.curve);
+    painter.setPen(QPen(line, 1.2, handle.is_automatic ? Qt::DotLine : Qt::SolidLine));
     painter.drawLine(handle.key, handle.tip);
-    painter.setPen(QPen(color, 1.2));
-    painter.setBrush(handle.is_automatic ? palette().color(QPalette::Base) : color);
+    painter.setPen(QPen(line, 1.2));
+    painter.setBrush(handle.is_automatic ? palette().color(QPalette::Base) : line);
     painter.drawEllipse(handle.tip, handle_radius, handle_radius);
   }
 }
@@ -133,22 +164,20 @@ void CurveEditor::paintEvent(QPaintEvent*) {
   painter.fillRect(rect(), palette().color(QPalette::Base));
   if (curves_.empty()) {
     painter.setPen(palette().color(QPalette::PlaceholderText));
-    painter.drawText(rect().adjusted(12, 12, -12, -12), Qt::AlignCenter | Qt::TextWordWrap,
-                     tr("Nothing is animated yet. Choose a value at the right of the timeline and "
-                        "press I to set its first keyframe."));
+    painter.drawText(
+        rect().adjusted(12, 12, -12, -12), Qt::AlignCenter | Qt::TextWordWrap,
+        tr("No curve is shown. The diamond beside a value sets its first keyframe; the "
+           "list at the left shows and hides the curves of values that have some."));
     return;
   }
-  axes_.paint_grid(painter, palette(), timeline_);
-  painter.setPen(QPen(accent_color(), 1.5));
-  const double now = position(timeline_.time(), 0.0).x();
-  painter.drawLine(QPointF(now, 0), QPointF(now, height()));
+  axes_.paint_values(painter, *this, active_);
+  axes_.scale().paint_lines(painter, *this);
   paint_handles(painter);
   for (std::size_t k = 0; k < curves_.size(); ++k) paint_curve(painter, k);
-  double x = width() - 8.0;
-  for (std::size_t k = curves_.size(); k-- > 0;) {
-    x -= fontMetrics().horizontalAdvance(curves_[k].title) + 10.0;
-    painter.setPen(curve_pen(curves_, k).color());
-    painter.drawText(QPointF(x, fontMetrics().height()), curves_[k].title);
+  if (tracks_.size() > 1) {
+    painter.setPen(palette().color(QPalette::Text));
+    painter.drawText(QPointF(60.0, fontMetrics().height()),
+                     tr("Values of %1").arg(tracks_[active_].title()));
   }
   if (const auto* drawn = std::get_if<RectangleDrag>(&drag_)) {
     QColor fill = accent_color();
@@ -176,13 +205,13 @@ void CurveEditor::press_left(const QPointF& at, bool adds) {
     return;
   }
   if (const auto handle = handle_near(handles(), at)) {
-    drag_ = TangentDrag{scene_part(document_.scene(), row_->part), handle->mark,
+    drag_ = TangentDrag{parts_of(document_.scene(), selected_keys()), handle->mark,
                         value_of(handle->mark), handle->side, new_merge_id()};
     return;
   }
   constexpr double playhead_width = 4.0;  // pixels, to either side
-  const double playhead = position(timeline_.time(), 0.0).x();
-  if (axes_.is_on_ruler(at) || (!adds && std::abs(at.x() - playhead) < playhead_width)) {
+  const double playhead = axes_.scale().x_of(timeline_.frame());
+  if (!adds && std::abs(at.x() - playhead) < playhead_width) {
     drag_ = Scrub{};
     timeline_.set_frame(frame_near(at.x()));
     return;
@@ -192,12 +221,13 @@ void CurveEditor::press_left(const QPointF& at, bool adds) {
 }
 
 void CurveEditor::press_key(const CurveMark& mark, const QPointF& at, bool adds) {
+  active_ = curves_[mark.curve].track;
   if (adds) {
     selection_.toggle(mark);
     return;
   }
   if (!selection_.contains(mark)) selection_.set({mark});
-  KeysDrag keys{.before = scene_part(document_.scene(), row_->part),
+  KeysDrag keys{.before = parts_of(document_.scene(), selected_keys()),
                 .marks = selection_.marks(),
                 .values = {},
                 .grabbed = mark,
@@ -210,7 +240,8 @@ void CurveEditor::press_key(const CurveMark& mark, const QPointF& at, bool adds)
 void CurveEditor::mouseMoveEvent(QMouseEvent* event) {
   const QPointF mouse_position = event->position();
   if (auto* pan = std::get_if<Pan>(&drag_)) {
-    axes_.pan(mouse_position - pan->last);
+    axes_.pan(mouse_position.y() - pan->last.y());
+    pan_frames(timeline_, axes_.scale(), mouse_position.x() - pan->last.x());
     pan->last = mouse_position;
   } else if (std::holds_alternative<Scrub>(drag_)) {
     timeline_.set_frame(frame_near(mouse_position.x()));
@@ -228,23 +259,20 @@ void CurveEditor::mouseMoveEvent(QMouseEvent* event) {
 
 void CurveEditor::drag_keys(KeysDrag& drag, const QPointF& to) {
   const QPointF moved = to - drag.press;
-  const double grabbed_time = drag.grabbed.time;
-  // A key between two frames stays there until it is moved.
-  const double frames = std::round(timeline_.frame_of(moved.x() * axes_.time_per_pixel()));
-  const double frame = std::round(timeline_.frame_of(grabbed_time) + frames);
-  double shift = frames == 0.0 ? 0.0 : timeline_.time_of(frame) - grabbed_time;
-  for (const CurveMark& mark : drag.marks) shift = std::max(shift, std::min(0.0, -mark.time));
+  const double shift =
+      snapped_shift(timeline_, drag.grabbed.time, moved.x() * axes_.scale().frames_per_pixel(),
+                    std::ranges::min(drag.marks, {}, &CurveMark::time).time);
   std::vector<CurveKeyMove> moves;
   std::vector<CurveMark> now;
   for (std::size_t i = 0; i < drag.marks.size(); ++i) {
     const auto [curve, time] = drag.marks[i];
-    const double value = drag.values[i] - moved.y() * axes_.value_per_pixel();
-    const double moved_time = shift == 0.0 ? time : on_frame(time + shift);
-    moves.push_back({curves_[curve], {time, moved_time}, value});
+    const double value = drag.values[i] - moved.y() * axes_.value_per_pixel(curves_[curve].track);
+    const double moved_time = shift == 0.0 ? time : on_frame(timeline_, time + shift);
+    moves.push_back({tracks_[curves_[curve].track], curves_[curve], {time, moved_time}, value});
     now.push_back({curve, moved_time});
   }
   selection_.set(now);
-  move_curve_keys(document_, *row_, drag.before, moves, drag.gesture);
+  move_curve_keys(document_, drag.before, moves, drag.gesture);
 }
 
 // The tangent points at the mouse, which stays on its side of the key.
@@ -252,9 +280,10 @@ void CurveEditor::drag_tangent(const TangentDrag& drag, const QPointF& to, bool 
   const double sign = drag.side == TangentSide::out ? 1.0 : -1.0;
   const double min_distance = axes_.time_per_pixel();
   const double distance = std::max(min_distance, sign * (axes_.time_at(to.x()) - drag.mark.time));
-  const double slope = sign * (axes_.value_at(to.y()) - drag.value) / distance;
-  set_tangent(document_, *row_, curves_[drag.mark.curve], {drag.mark.time, drag.side, slope, alone},
-              drag.gesture);
+  const double value = axes_.value_at(to.y(), curves_[drag.mark.curve].track);
+  const double slope = sign * (value - drag.value) / distance;
+  set_tangent(document_, track_of(drag.mark), curves_[drag.mark.curve],
+              {drag.mark.time, drag.side, slope, alone}, drag.gesture);
 }
 
 void CurveEditor::drag_rectangle(RectangleDrag& drag, const QPointF& to) {
@@ -262,7 +291,8 @@ void CurveEditor::drag_rectangle(RectangleDrag& drag, const QPointF& to) {
   const QRectF area = QRectF(drag.press, to).normalized();
   selection_.set(drag.kept);
   for (const CurveMark& mark : all_marks(curves_)) {
-    if (area.contains(position(mark.time, value_of(mark)))) selection_.add(mark);
+    const std::size_t track = curves_[mark.curve].track;
+    if (area.contains(position(mark.time, value_of(mark), track))) selection_.add(mark);
   }
 }
 
@@ -280,9 +310,9 @@ void CurveEditor::mouseReleaseEvent(QMouseEvent* event) {
 void CurveEditor::cancel_drag() {
   if (const auto* keys = std::get_if<KeysDrag>(&drag_)) {
     selection_.set(keys->marks);
-    set_scene_part(document_, keys->before, {}, keys->gesture);
+    set_scene_parts(document_, keys->before, {}, keys->gesture);
   } else if (const auto* tangent = std::get_if<TangentDrag>(&drag_)) {
-    set_scene_part(document_, tangent->before, {}, tangent->gesture);
+    set_scene_parts(document_, tangent->before, {}, tangent->gesture);
   } else if (const auto* rectangle = std::get_if<RectangleDrag>(&drag_)) {
     selection_.set(rectangle->kept);
   }
@@ -296,15 +326,17 @@ void CurveEditor::mouseDoubleClickEvent(QMouseEvent* event) {
   const int frame = mark ? static_cast<int>(std::round(timeline_.frame_of(mark->time)))
                          : frame_near(event->position().x());
   timeline_.set_frame(frame);
-  if (!mark) set_keys(document_, *row_);
+  if (!mark) set_keys(document_, tracks_[active_]);
 }
 
 void CurveEditor::wheelEvent(QWheelEvent* event) {
   // Qt turns the wheel sideways with some keys.
   const QPoint angle = event->angleDelta();
   const double factor = std::pow(0.999, angle.y() != 0 ? angle.y() : angle.x());
-  axes_.zoom(event->position(), event->modifiers() & Qt::ControlModifier ? 1.0 : factor,
-             event->modifiers() & Qt::ShiftModifier ? 1.0 : factor);
+  if (!(event->modifiers() & Qt::ShiftModifier)) axes_.zoom(event->position().y(), factor);
+  if (!(event->modifiers() & Qt::ControlModifier)) {
+    zoom_frames(timeline_, axes_.scale(), event->position().x(), factor);
+  }
   update();
   event->accept();
 }
@@ -314,34 +346,31 @@ void CurveEditor::contextMenuEvent(QContextMenuEvent* event) {
   if (!mark) return;
   if (!selection_.contains(*mark)) selection_.set({*mark});
   update();
-  std::vector<double> times = selection_.times();
-  // The menu says how the key below the mouse is.
-  std::ranges::rotate(times, std::ranges::find_if(times, [&mark](double time) {
-                        return std::abs(time - mark->time) < min_key_distance;
-                      }));
   const double value = value_of(*mark);
   std::vector<KeyAction> actions{
-      {tr("Align to &Playhead"), [this] { align_keys(document_, *row_, selection_.times()); }}};
+      {tr("Align to &Playhead"), [this] { align_keys(document_, selected_keys()); }}};
   if (selection_.marks().size() > 1) {
     actions.push_back({tr("Same &Value"), [this, value] { level(value); }});
   }
   actions.push_back({tr("&Delete"), [this] { delete_selected(); }});
-  show_key_menu(*this, document_, *row_, times, actions, event->globalPos());
+  // The menu says how the key below the mouse is.
+  show_key_menu(*this, document_, selected_keys(), track_of(*mark), mark->time, actions,
+                event->globalPos());
 }
 
 void CurveEditor::level(double value) {
   std::vector<CurveKeyMove> moves;
   for (const CurveMark& mark : selection_.marks()) {
-    moves.push_back({curves_[mark.curve], {mark.time, mark.time}, value});
+    moves.push_back({track_of(mark), curves_[mark.curve], {mark.time, mark.time}, value});
   }
-  move_curve_keys(document_, *row_, scene_part(document_.scene(), row_->part), moves, no_merge);
+  move_curve_keys(document_, parts_of(document_.scene(), selected_keys()), moves, no_merge);
 }
 
 void CurveEditor::delete_selected() {
-  const std::vector<double> times = selection_.times();
+  const std::vector<TrackKeys> keys = selected_keys();
   selection_.set({});
   drag_ = {};
-  if (row_ && !times.empty()) delete_keys(document_, *row_, times);
+  delete_keys(document_, keys);
 }
 
 // Delete, Home and Ctrl+A are shortcuts of the window too.

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <QWidget>
-#include <optional>
 #include <variant>
 #include <vector>
 
@@ -16,31 +15,39 @@ namespace brume {
 class Document;
 class Timeline;
 
-// The curves of a track: its numbers over time, with their keys as points. Click selects a key,
-// Shift adds to the selection, a drag elsewhere draws a rectangle around more. Selected keys are
-// dragged together in time and value and show their tangents, whose ends are dragged too (Alt: one
-// side alone). Delete deletes; right click opens a menu; double click adds a key. Dragging along
-// the ruler or the playhead scrubs the timeline. The wheel zooms (Shift: time only, Ctrl: value
-// only), the middle button pans, Home fits, Ctrl+A selects all.
+// The curves of tracks: their numbers over time, with their keys as points, below a ruler of
+// frames. The numbers of each track have an axis of their own; the active one, of the key that was
+// selected last, has its values written beside it. Click selects a key, Shift adds to the
+// selection, a drag elsewhere draws a rectangle around more. Selected keys are dragged together in
+// time and value and show their tangents, whose ends are dragged too (Alt: one side alone). Delete
+// deletes; right click opens a menu; double click adds a key. A drag of the playhead scrubs the
+// timeline. The wheel zooms (Shift: time only, Ctrl: value only), the middle button pans, Home
+// fits, Ctrl+A selects all.
 class CurveEditor : public QWidget {
   Q_OBJECT
  public:
   CurveEditor(Timeline& timeline, Document& document, QWidget* parent);
 
-  // Shows a track; none: says how to make one.
-  void set_track(const std::optional<Track>& row);
+  // A number of a track that is not to be shown.
+  struct Hidden {
+    Track track;
+    CurveId curve;
+  };
+  // Shows tracks but for some of their numbers; none: says how to make one.
+  void set_tracks(std::vector<Track> tracks, std::vector<Hidden> hidden);
   void fit();
 
   [[nodiscard]] const std::vector<Curve>& curves() const { return curves_; }
   [[nodiscard]] const CurveSelection& selection() const { return selection_; }
-  [[nodiscard]] QPointF position(double time, double value) const {
-    return axes_.position(time, value);
+  [[nodiscard]] QPointF position(double time, double value, std::size_t track = 0) const {
+    return axes_.position(time, value, track);
   }
+  [[nodiscard]] QColor color(std::size_t curve) const;
   [[nodiscard]] std::vector<TangentHandle> handles() const {
     return tangent_handles(curves_, selection_, axes_);
   }
   [[nodiscard]] QSize sizeHint() const override { return {400, 180}; }
-  [[nodiscard]] QSize minimumSizeHint() const override { return {160, 80}; }
+  [[nodiscard]] QSize minimumSizeHint() const override { return {160, 40}; }
 
  protected:
   bool event(QEvent* event) override;
@@ -57,7 +64,7 @@ class CurveEditor : public QWidget {
  private:
   // The drag of keys while a button is down.
   struct KeysDrag {
-    ScenePart before;
+    std::vector<ScenePart> before;
     std::vector<CurveMark> marks;  // where they were
     std::vector<double> values;
     CurveMark grabbed;
@@ -65,7 +72,7 @@ class CurveEditor : public QWidget {
     MergeId gesture;
   };
   struct TangentDrag {
-    ScenePart before;
+    std::vector<ScenePart> before;
     CurveMark mark;
     double value;  // of the key
     TangentSide side;
@@ -87,8 +94,10 @@ class CurveEditor : public QWidget {
   void drag_keys(KeysDrag& drag, const QPointF& to);
   void drag_tangent(const TangentDrag& drag, const QPointF& to, bool alone);
   void drag_rectangle(RectangleDrag& drag, const QPointF& to);
-  [[nodiscard]] double on_frame(double time) const;  // but for rounding
-  [[nodiscard]] int frame_near(double x) const;      // >= 0
+  [[nodiscard]] const Track& track_of(const CurveMark& mark) const;
+  [[nodiscard]] std::vector<TrackKeys> selected_keys() const;
+  [[nodiscard]] QPen pen(std::size_t curve) const;
+  [[nodiscard]] int frame_near(double x) const;  // >= 0
   [[nodiscard]] double value_of(const CurveMark& mark) const;
   void paint_curve(QPainter& painter, std::size_t k) const;
   void paint_handles(QPainter& painter) const;
@@ -98,9 +107,11 @@ class CurveEditor : public QWidget {
 
   Timeline& timeline_;
   Document& document_;
-  std::optional<Track> row_;
+  std::vector<Track> tracks_;
+  std::vector<Hidden> hidden_;
   std::vector<Curve> curves_;
-  CurveAxes axes_;
+  CurveAxes axes_{timeline_};
+  std::size_t active_ = 0;  // the track whose values are written
   CurveSelection selection_;
   std::variant<std::monostate, KeysDrag, TangentDrag, RectangleDrag, Scrub, Pan> drag_;
   MouseDrag mouse_{this};

@@ -16,9 +16,10 @@ double distance_of(const QPointF& a, const QPointF& b) {
 }
 
 // From a key towards the side of a tangent, as it lies on the screen.
-QPointF tip_of(const QPointF& key, TangentSide side, double slope, const CurveAxes& axes) {
+QPointF tip_of(const QPointF& key, TangentSide side, double slope, double value_per_pixel,
+               const CurveAxes& axes) {
   const double dx = 1.0 / axes.time_per_pixel();
-  const double dy = -slope / axes.value_per_pixel();
+  const double dy = -slope / value_per_pixel;
   const double length = std::hypot(dx, dy);
   const double sign = side == TangentSide::out ? 1.0 : -1.0;
   return key + sign * tangent_length / length * QPointF(dx, dy);
@@ -34,13 +35,21 @@ bool CurveSelection::contains(const CurveMark& mark) const {
   return std::ranges::any_of(marks_, [&mark](const CurveMark& m) { return m.is(mark); });
 }
 
-std::vector<double> CurveSelection::times() const {
-  std::vector<double> times;
-  for (const CurveMark& mark : marks_) times.push_back(mark.time);
-  std::ranges::sort(times);
+std::vector<TrackKeys> CurveSelection::keys(const std::vector<Curve>& curves,
+                                            const std::vector<Track>& tracks) const {
+  std::vector<TrackKeys> keys;
+  for (const CurveMark& mark : marks_) {
+    const Track& track = tracks[curves[mark.curve].track];
+    auto found = std::ranges::find(keys, track, &TrackKeys::track);
+    if (found == keys.end()) found = keys.insert(found, {track, {}});
+    found->times.push_back(mark.time);
+  }
   const auto is_same = [](double a, double b) { return b - a < min_key_distance; };
-  times.erase(std::unique(times.begin(), times.end(), is_same), times.end());
-  return times;
+  for (auto& [track, times] : keys) {
+    std::ranges::sort(times);
+    times.erase(std::unique(times.begin(), times.end(), is_same), times.end());
+  }
+  return keys;
 }
 
 void CurveSelection::add(const CurveMark& mark) {
@@ -71,9 +80,10 @@ std::vector<TangentHandle> tangent_handles(const std::vector<Curve>& curves,
       const Curve::Point& point = points[i];
       const CurveMark mark{k, point.time};
       if (!selection.contains(mark)) continue;
-      const QPointF key = axes.position(point.time, point.value);
+      const QPointF key = axes.position(point.time, point.value, curves[k].track);
       const auto add = [&](TangentSide side, double slope) {
-        handles.push_back({mark, side, key, tip_of(key, side, slope, axes),
+        handles.push_back({mark, side, key,
+                           tip_of(key, side, slope, axes.value_per_pixel(curves[k].track), axes),
                            point.tangents == Tangents::automatic});
       };
       if (i > 0 && points[i - 1].interpolation == Interpolation::smooth) {
@@ -93,7 +103,8 @@ std::optional<CurveMark> mark_near(const std::vector<Curve>& curves, const Curve
   double min_distance = grab_radius;
   for (std::size_t k = 0; k < curves.size(); ++k) {
     for (const Curve::Point& point : curves[k].points()) {
-      const double distance = distance_of(axes.position(point.time, point.value), at);
+      const double distance =
+          distance_of(axes.position(point.time, point.value, curves[k].track), at);
       if (distance > min_distance) continue;
       min_distance = distance;
       nearest = CurveMark{k, point.time};

@@ -24,7 +24,9 @@ class CurveSelection {
   [[nodiscard]] bool contains(const CurveMark& mark) const;
   [[nodiscard]] const std::vector<CurveMark>& marks() const { return marks_; }
   [[nodiscard]] bool empty() const { return marks_.empty(); }
-  [[nodiscard]] std::vector<double> times() const;  // each once, in order
+  // Of the tracks that the curves are of: each time once, in order.
+  [[nodiscard]] std::vector<TrackKeys> keys(const std::vector<Curve>& curves,
+                                            const std::vector<Track>& tracks) const;
   void set(std::vector<CurveMark> marks) { marks_ = std::move(marks); }
   void add(const CurveMark& mark);
   void toggle(const CurveMark& mark);

@@ -1,35 +1,46 @@
 #pragma once
 
 #include <QWidget>
+#include <span>
 #include <vector>
 
-#include "app/document/keyframe_tracks.h"
+#include "app/panels/time/curve_editor.h"
 
-class QComboBox;
+class QMenu;
+class QTreeWidget;
+class QTreeWidgetItem;
 
 namespace brume {
 
-class CurveEditor;
 class Document;
 class Timeline;
 
-// A curve editor with the choice of its track.
+// A curve editor below a ruler of frames, beside the list of all values with keyframes and of their
+// numbers. Checked ones are shown; a double click on one shows it alone.
 class CurvePanel : public QWidget {
   Q_OBJECT
  public:
   CurvePanel(Timeline& timeline, Document& document, QWidget* parent);
 
-  // Shows the curves of a value; nothing if it has no keyframes.
-  void show_track(const Track& track);
+  // Shows the curves of values alone, or of the tracks that they are in; nothing changes if none of
+  // them has keyframes.
+  void show_tracks(std::span<const Track> tracks);
 
  private:
   void refresh();
-  void show_chosen();
+  void fill_list();
+  void follow_list();  // shows what is checked
+  void paint_icons();
+  void check_all(Qt::CheckState state);
+  void isolate(QTreeWidgetItem* item);
+  void show_menu(const QPoint& position);
 
   Document& document_;
-  QComboBox* track_;
+  QTreeWidget* list_;
   CurveEditor* editor_;
-  std::vector<Track> rows_;
+  std::vector<Track> keyed_;  // of the rows of the list
+  std::vector<Track> shown_;
+  std::vector<CurveEditor::Hidden> hidden_;
 };
 
 }  // namespace brume

@@ -2,10 +2,12 @@
 
 #include <QCoreApplication>
 #include <QMenu>
+#include <algorithm>
 #include <cmath>
 
 #include "app/commands/edit_keys.h"
 #include "app/document/document.h"
+#include "app/document/timeline.h"
 
 namespace brume {
 namespace {
@@ -23,11 +25,10 @@ Keyframe keyframe_at(const Scene& scene, const Track& row, double time) {
 
 }  // namespace
 
-void show_key_menu(QWidget& owner, Document& document, const Track& row,
-                   const std::vector<double>& times, const std::vector<KeyAction>& actions,
+void show_key_menu(QWidget& owner, Document& document, const std::vector<TrackKeys>& keys,
+                   const Track& track, double time, const std::vector<KeyAction>& actions,
                    const QPoint& global_position) {
-  if (times.empty()) return;
-  const Keyframe now = keyframe_at(document.scene(), row, times.front());
+  const Keyframe now = keyframe_at(document.scene(), track, time);
   auto* menu = new QMenu(&owner);
   menu->setAttribute(Qt::WA_DeleteOnClose);
   const auto add = [&](const QString& text, bool is_now, auto&& run) {
@@ -37,18 +38,16 @@ void show_key_menu(QWidget& owner, Document& document, const Track& row,
   };
   const auto add_interpolation = [&](const char* text, Interpolation interpolation) {
     add(menu_text(text), now.interpolation == interpolation,
-        [&document, row, times, interpolation] {
-          set_interpolation(document, row, times, interpolation);
-        });
+        [&document, keys, interpolation] { set_interpolation(document, keys, interpolation); });
   };
   add_interpolation(QT_TRANSLATE_NOOP("KeyMenu", "&Smooth"), Interpolation::smooth);
   add_interpolation(QT_TRANSLATE_NOOP("KeyMenu", "&Linear"), Interpolation::linear);
   add_interpolation(QT_TRANSLATE_NOOP("KeyMenu", "&Constant"), Interpolation::constant);
-  if (may_have_tangents(document.scene(), row)) {
+  if (may_have_tangents(document.scene(), track)) {
     menu->addSeparator();
     const auto add_tangents = [&](const char* text, Tangents tangents) {
       add(menu_text(text), now.interpolation == Interpolation::smooth && now.tangents == tangents,
-          [&document, row, times, tangents] { set_tangents(document, row, times, tangents); });
+          [&document, keys, tangents] { set_tangents(document, keys, tangents); });
     };
     add_tangents(QT_TRANSLATE_NOOP("KeyMenu", "Automatic &Tangents"), Tangents::automatic);
     add_tangents(QT_TRANSLATE_NOOP("KeyMenu", "Ali&gned Tangents"), Tangents::aligned);
@@ -57,6 +56,19 @@ void show_key_menu(QWidget& owner, Document& document, const Track& row,
   menu->addSeparator();
   for (const KeyAction& action : actions) menu->addAction(action.text, &owner, action.run);
   menu->popup(global_position);
+}
+
+double snapped_shift(const Timeline& timeline, double grabbed_time, double moved_frames,
+                     double first_time) {
+  const double frames = std::round(moved_frames);
+  if (frames == 0.0) return 0.0;
+  const double frame = std::round(timeline.frame_of(grabbed_time) + frames);
+  return std::max(timeline.time_of(frame) - grabbed_time, -first_time);
+}
+
+double on_frame(const Timeline& timeline, double time) {
+  const double nearest = timeline.time_of(std::round(timeline.frame_of(time)));
+  return std::abs(nearest - time) < min_key_distance ? nearest : time;
 }
 
 QPolygonF key_shape(Interpolation interpolation, const QPointF& center, double radius) {

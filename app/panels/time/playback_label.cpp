@@ -21,11 +21,10 @@ PlaybackLabel::PlaybackLabel(const Timeline& timeline, QWidget* parent)
   setToolTip(
       tr("Frames per second that the view shows, of the scene's rate. Frames that take too long "
          "are dropped, so that time runs as it will; once a loop is cached, none are."));
-  // The slider keeps its place while the numbers change.
+  // What is beside it keeps its place while the numbers come, change and go.
   constexpr int margin = 8;  // pixels
   setContentsMargins(margin, 0, margin, 0);
   setMinimumWidth(fontMetrics().horizontalAdvance(playback_text(2.0, 29.97)) + 2 * margin);
-  hide();
   clock_.start();
   constexpr int interval = 250;  // milliseconds: can be read
   timer_.setInterval(interval);
@@ -45,12 +44,10 @@ void PlaybackLabel::follow() {
   if (plays) {
     rate_.start(clock_.elapsed());
     timer_.start();
-    setText({});
-    show();
   } else {
     timer_.stop();
   }
-  setEnabled(plays);
+  setText({});
 }
 
 void PlaybackLabel::show_rate() {

@@ -11,7 +11,7 @@ namespace brume {
 class Timeline;
 
 // How many of the frames of a second playback shows, and how many it drops: "12 of 30 fps, 18
-// dropped". Hidden until the first playback; of the last one once it has ended.
+// dropped". Empty unless it plays: its room is kept.
 class PlaybackLabel : public PlainLabel {
   Q_OBJECT
  public:

@@ -1,13 +1,14 @@
 #include "app/panels/time/timeline_bar.h"
 
 #include <QCheckBox>
-#include <QComboBox>
+#include <QGridLayout>
 #include <QHBoxLayout>
+#include <QLineEdit>
 #include <QScrollArea>
 #include <QSignalBlocker>
 #include <QSpinBox>
+#include <QStyle>
 #include <QToolButton>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 
@@ -17,9 +18,9 @@
 #include "app/document/number_text.h"
 #include "app/document/timeline.h"
 #include "app/frames/picture_cache.h"
-#include "app/panels/time/keyframe_track.h"
+#include "app/panels/time/dope_sheet.h"
 #include "app/panels/time/playback_label.h"
-#include "app/widgets/frame_slider.h"
+#include "app/panels/time/time_ruler.h"
 #include "app/widgets/icons.h"
 #include "app/widgets/plain_text.h"
 #include "app/widgets/rows.h"
@@ -29,15 +30,32 @@
 namespace brume {
 namespace {
 
-QSpinBox* new_number(TimelineBar* bar, const char* name, const QString& tip) {
+// A frame number behind its label.
+QSpinBox* add_number(QBoxLayout& row, TimelineBar* bar, const char* name, const QString& label,
+                     const QString& tip) {
   auto* box = new WholeNumberBox(tip, 0, limits::frame, bar);
   QObject::connect(box, &WholeNumberBox::refused, bar, &TimelineBar::refused);
   box->setObjectName(name);
   box->setToolTip(tip);
+  box->setAccessibleName(tip);
   box->setButtonSymbols(QAbstractSpinBox::NoButtons);
   box->setKeyboardTracking(false);
   box->setFocusPolicy(Qt::ClickFocus);
+  auto* title = new PlainLabel(bar);
+  title->setText(label);
+  title->setToolTip(tip);
+  row.addSpacing(6);
+  row.addWidget(title);
+  row.addWidget(box);
   return box;
+}
+
+QToolButton* new_button(QWidget* bar, const char* icon, const QString& tip) {
+  auto* button = named(new QToolButton(bar), icon, tip);
+  button->setIcon(load_icon(icon));
+  button->setAutoRaise(true);
+  button->setAccessibleName(tip);
+  return button;
 }
 
 }  // namespace
@@ -48,64 +66,33 @@ TimelineBar::TimelineBar(Timeline& timeline, Document& document, std::function<C
       timeline_(timeline),
       document_(document),
       view_(std::move(view)),
-      slider_(new FrameSlider(this)),
-      playback_(named(new PlaybackLabel(timeline, this), "playback_rate")),
-      target_(named(new QComboBox(this), "key_target")),
-      keys_(named(new KeyframeTrack(timeline, document, this), "keys")),
-      key_area_(new QScrollArea(this)) {
-  const auto button = [this](const char* icon, const QString& tip) {
-    auto* made = named(new QToolButton(this), icon);
-    made->setIcon(load_icon(icon));
-    made->setAutoRaise(true);
-    made->setToolTip(tip);
-    return made;
-  };
-  auto* to_first = button("first_frame", tr("Go to the first frame"));
-  auto* back = button("step_back", tr("Previous frame (,)"));
-  auto* play = button("play", tr("Play (Space)"));
-  auto* forward = button("step_forward", tr("Next frame (.)"));
-  FrameSlider* slider = slider_;
-  slider->setObjectName("frame_slider");
-  slider->setToolTip(
-      tr("Drag to another frame. The bar below shows which frames are cached: bright "
-         "at full quality, dim as they were shown during playback."));
-  auto* frame = new_number(this, "frame", tr("Frame"));
-  auto* seconds = new PlainLabel(this);
-  auto* first = new_number(this, "first_frame_of_range", tr("First frame"));
-  auto* last = new_number(this, "last_frame_of_range", tr("Last frame"));
-  auto* loop = named(new QCheckBox(tr("Loop"), this), "loop");
-
-  target_->setToolTip(tr("The value to set a keyframe for"));
-  target_->setFocusPolicy(Qt::ClickFocus);
-  target_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-  auto* key = button("key", tr("Set a keyframe of this value at the current frame (I)"));
-
-  auto* curves = button("curve", tr("Show or hide the curves of the animated values"));
-
+      ruler_(named(new TimeRuler(timeline, this), "frame_ruler")),
+      sheet_(named(new DopeSheet(timeline, document, this), "keys")),
+      playback_(named(new PlaybackLabel(timeline, this), "playback_rate")) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   auto* row = new QHBoxLayout;
-  column->addLayout(row);
-  key_area_->setWidget(keys_);
-  key_area_->setWidgetResizable(true);
-  key_area_->setFrameShape(QFrame::NoFrame);
-  key_area_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  column->addWidget(key_area_);
-  column->addStretch();
   row->setContentsMargins(8, 2, 8, 2);
-  for (QToolButton* b : {to_first, back, play, forward}) row->addWidget(b);
-  row->addWidget(frame);
-  row->addWidget(slider, 1);
-  row->addWidget(seconds);
-  row->addWidget(playback_);
-  row->addWidget(first);
-  row->addWidget(last);
-  row->addWidget(loop);
-  row->addWidget(target_);
-  row->addWidget(key);
-  row->addWidget(curves);
+  column->addLayout(row);
+  add_playback(*row);
+  add_range(*row);
+  add_sheet(*column);
+}
 
+void TimelineBar::add_playback(QBoxLayout& row) {
+  Timeline& timeline = timeline_;
+  auto* to_first = new_button(this, "first_frame", tr("Go to the first frame"));
+  auto* back = new_button(this, "step_back", tr("Previous frame (,)"));
+  auto* play = new_button(this, "play", tr("Play (Space)"));
+  auto* forward = new_button(this, "step_forward", tr("Next frame (.)"));
+  for (QToolButton* button : {to_first, back, play, forward}) row.addWidget(button);
+  QSpinBox* frame = add_number(row, this, "frame", tr("Frame"), tr("Frame"));
+  auto* seconds = new PlainLabel(this);
+  seconds->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("1000.00 s")));
+  row.addWidget(seconds);
+  row.addWidget(playback_);
+  row.addStretch();
   connect(to_first, &QToolButton::clicked, &timeline,
           [&timeline] { timeline.set_frame(timeline.first()); });
   connect(back, &QToolButton::clicked, &timeline,
@@ -114,13 +101,28 @@ TimelineBar::TimelineBar(Timeline& timeline, Document& document, std::function<C
           [&timeline] { timeline.set_frame(timeline.frame() + 1); });
   connect(play, &QToolButton::clicked, &timeline,
           [&timeline] { timeline.is_playing() ? timeline.stop() : timeline.play(); });
-  connect(slider, &QSlider::valueChanged, &timeline, &Timeline::set_frame);
-  // Keys stand below the frames of the slider.
-  connect(slider, &FrameSlider::moved, keys_, [this, slider] {
-    const int left = slider->x() - key_area_->x();
-    keys_->set_ends(left + slider->x_of(slider->minimum()), left + slider->x_of(slider->maximum()));
-  });
   connect(frame, &QSpinBox::valueChanged, &timeline, &Timeline::set_frame);
+  const auto show = [=, &timeline] {
+    const QSignalBlocker blocker(frame);
+    play->setIcon(load_icon(timeline.is_playing() ? "pause" : "play"));
+    frame->setValue(timeline.frame());
+    seconds->setText(tr("%1 s").arg(fixed_text(timeline.time(), 2)));
+  };
+  connect(&timeline, &Timeline::changed, this, show);
+  show();
+}
+
+void TimelineBar::add_range(QBoxLayout& row) {
+  Timeline& timeline = timeline_;
+  QSpinBox* first =
+      add_number(row, this, "first_frame_of_range", tr("Start"), tr("First frame of the range"));
+  QSpinBox* last =
+      add_number(row, this, "last_frame_of_range", tr("End"), tr("Last frame of the range"));
+  auto* loop = named(new QCheckBox(tr("Loop"), this), "loop",
+                     tr("Playback begins again at the end of the range"));
+  auto* curves = new_button(this, "curve", tr("Show or hide the curves of the animated values"));
+  row.addWidget(loop);
+  row.addWidget(curves);
   connect(first, &QSpinBox::valueChanged, &timeline, [this, &timeline](int value) {
     set_playback(
         {value, std::max(value, timeline.last()), timeline.loops(), timeline.frames_per_second()});
@@ -133,22 +135,9 @@ TimelineBar::TimelineBar(Timeline& timeline, Document& document, std::function<C
     set_playback({timeline.first(), timeline.last(), on, timeline.frames_per_second()});
   });
   connect(curves, &QToolButton::clicked, this, &TimelineBar::curves_asked_for);
-  connect(key, &QToolButton::clicked, this, &TimelineBar::set_key);
-  on_change(document_, Change::scene | Change::part | Change::object, this,
-            &TimelineBar::refresh_targets);
-  on_change(document_, Change::scene | Change::part, this, &TimelineBar::fit_keys);
-  refresh_targets();
-  fit_keys();
-
   const auto show = [=, &timeline] {
-    const QSignalBlocker blockers[]{QSignalBlocker(slider), QSignalBlocker(frame),
-                                    QSignalBlocker(first), QSignalBlocker(last),
+    const QSignalBlocker blockers[]{QSignalBlocker(first), QSignalBlocker(last),
                                     QSignalBlocker(loop)};
-    play->setIcon(load_icon(timeline.is_playing() ? "pause" : "play"));
-    slider->setRange(timeline.first(), timeline.last());
-    slider->setValue(timeline.frame());
-    frame->setValue(timeline.frame());
-    seconds->setText(tr("%1 s").arg(fixed_text(timeline.time(), 2)));
     first->setValue(timeline.first());
     last->setValue(timeline.last());
     loop->setChecked(timeline.loops());
@@ -157,61 +146,66 @@ TimelineBar::TimelineBar(Timeline& timeline, Document& document, std::function<C
   show();
 }
 
+// The area has room for its scroll bar from the start, so that nothing moves when a row appears.
+void TimelineBar::add_sheet(QBoxLayout& column) {
+  auto* filter = named(new QLineEdit(this), "dope_filter",
+                       tr("Shows the values that have this in their names"));
+  filter->setPlaceholderText(tr("Filter"));
+  filter->setAccessibleName(tr("Filter of animated values"));
+  filter->setClearButtonEnabled(true);
+  filter->setFixedWidth(DopeSheet::names_width);
+  auto* area = new QScrollArea(this);
+  area->setWidget(sheet_);
+  area->setWidgetResizable(true);
+  area->setFrameShape(QFrame::NoFrame);
+  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  area->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
+  constexpr int min_height = 22;  // pixels: a row
+  area->setMinimumHeight(min_height);
+  auto* ruler = new QHBoxLayout;
+  ruler->setContentsMargins(0, 0, style()->pixelMetric(QStyle::PM_ScrollBarExtent), 0);
+  ruler->setSpacing(0);
+  ruler->addWidget(filter);
+  ruler->addWidget(ruler_, 1);
+  column.addLayout(ruler);
+  column.addWidget(area, 1);
+  connect(filter, &QLineEdit::textChanged, sheet_, &DopeSheet::set_filter);
+}
+
+QSize TimelineBar::sizeHint() const {
+  constexpr int more_rows = 54;  // pixels: three
+  return {400, minimumSizeHint().height() + more_rows};
+}
+
 void TimelineBar::picture_shown(double time) {
   playback_->picture_shown(time);
 }
 
 void TimelineBar::show_cached(const PictureCache& cache, int view) {
-  std::vector<FrameSlider::Cached> frames;
+  std::vector<TimeRuler::Cached> frames;
   for (const PictureCache::Kept& kept : cache.kept(view)) {
     frames.push_back({static_cast<int>(std::round(timeline_.frame_of(kept.time))), kept.full});
   }
-  slider_->set_cached(std::move(frames));
+  ruler_->set_cached(std::move(frames));
 }
 
 void TimelineBar::set_playback(const Playback& playback) {
   set_scene_part(document_, std::optional(playback), tr("Set playback range"));
 }
 
-void TimelineBar::fit_keys() {
-  constexpr int max_value = 112;  // pixels: six rows
-  key_area_->setVisible(!keys_->rows().empty());
-  key_area_->setFixedHeight(std::min(max_value, keys_->sizeHint().height()));
-}
-
-// Many surfaces give only the selected one: a list of the values of hundreds would be of no use.
-std::vector<Track> TimelineBar::targets() const {
-  constexpr std::size_t max_surfaces = 16;
-  std::vector<Track> rows = tracks(document_.scene());
-  if (document_.scene().surfaces.size() > max_surfaces) {
-    std::erase_if(rows, [this](const Track& row) {
-      return row.surface && row.surface != document_.object();
-    });
-  }
-  return rows;
-}
-
-void TimelineBar::refresh_targets() {
-  rows_ = targets();
-  QStringList titles;
-  for (const Track& row : rows_) titles << row.title;
-  QStringList shown;
-  for (int k = 0; k < target_->count(); ++k) shown << target_->itemText(k);
-  if (titles == shown) return;
-  const QString chosen = target_->currentText();
-  target_->clear();
-  target_->addItems(titles);
-  target_->setCurrentIndex(std::max(0, target_->findText(chosen)));
-}
-
 void TimelineBar::set_key() {
-  const auto k = static_cast<std::size_t>(target_->currentIndex());
-  if (k >= rows_.size()) return;
-  // That of its place is the first: the key is that of the view.
-  if (k == 0) {
+  const std::vector<Track> all = tracks(document_.scene());
+  std::vector<Track> keyed = sheet_->chosen();
+  if (const auto& object = document_.object(); object && keyed.empty()) {
+    const ObjectRef ref{object->kind, object->index};
+    const auto first = std::ranges::find(all, std::optional(ref), &Track::ref);
+    if (first != all.end()) keyed = {*first};
+  }
+  // The place of the camera is the first of all.
+  if (keyed.empty() || keyed == std::vector{all.front()}) {
     set_camera_keys(document_, view_());
   } else {
-    set_keys(document_, rows_[k]);
+    set_keys(document_, keyed);
   }
 }
 

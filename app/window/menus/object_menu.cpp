@@ -11,7 +11,7 @@
 #include "app/commands/edit_objects.h"
 #include "app/commands/select_command.h"
 #include "app/document/document.h"
-#include "app/document/surface_names.h"
+#include "app/document/object_titles.h"
 #include "app/import/scene_import.h"
 #include "app/panels/forms/light_panel.h"
 #include "app/panels/lists/outliner.h"

@@ -1,10 +1,11 @@
-#include "app/document/surface_names.h"
+#include "app/document/object_titles.h"
 
 #include <QCoreApplication>
 #include <QHash>
 #include <array>
 
 #include "app/document/paths.h"
+#include "core/scene/fields/light_fields.h"
 
 namespace brume {
 namespace {
@@ -16,6 +17,17 @@ QString own_name(const Surface& surface) {
 }
 
 }  // namespace
+
+QString light_title(const Light& light, std::size_t index) {
+  if (!light.name.empty()) return QString::fromStdString(light.name);
+  return QCoreApplication::translate("Undo", kind_info(light).title) + ' ' +
+         QString::number(index + 1);
+}
+
+QString emitter_title(const Emitter& emitter, std::size_t index) {
+  return emitter.name.empty() ? QCoreApplication::translate("Undo", "Emitter %1").arg(index + 1)
+                              : QString::fromStdString(emitter.name);
+}
 
 QString primitive_title(Primitive::Shape shape) {
   static constexpr std::array titles{
