@@ -12,6 +12,8 @@ namespace brume {
 
 struct FrameServices;
 
+inline constexpr double max_exposure = 20.0;  // of a view, stops either way
+
 // The frames of one view: when to request which, and what is displayed of them.
 class FrameScheduler : public QObject {
   Q_OBJECT

@@ -7,6 +7,7 @@
 #include "app/commands/edit_objects.h"
 #include "app/document/document.h"
 #include "app/tools/brush_cursor.h"
+#include "app/tools/emitter_mark.h"
 #include "app/tools/option_widgets.h"
 #include "app/view/gizmo.h"
 #include "app/view/view.h"
@@ -19,7 +20,6 @@ namespace brume {
 namespace {
 
 constexpr double pick_radius = 10.0;  // pixels
-constexpr int path_dots = 24;
 
 }  // namespace
 
@@ -102,12 +102,13 @@ void EmitterTool::cancel() {
   drag_.reset();
 }
 
-// The place where a click puts one, and each as a small cone, with the way that its particles go on
-// average as dots.
+// What a click puts where the mouse is, and each emitter that is there.
 void EmitterTool::draw(Overlay& overlay, const CameraRays& rays) const {
   if (const auto point = cursor_ && !hovered_ && !drag_ ? paint_at(*cursor_) : std::nullopt) {
     const Gaussian born{point->position, born_radius(view().distance()), 1.0};
     add_brush_cursor(overlay, rays, view().surfaces(), born, point->normal);
+    const Emitter asked = new_emitter(document_.scene(), point->position, view().distance());
+    add_emitter_mark(overlay, rays, asked, qRgba(235, 238, 242, 130), true, 0.0);
   }
   const Emitters& emitters = document_.scene().emitters;
   for (std::size_t k = 0; k < emitters.size(); ++k) {
@@ -115,20 +116,7 @@ void EmitterTool::draw(Overlay& overlay, const CameraRays& rays) const {
     const bool active = k == document_.active_emitter() || hovered_ == k;
     QColor color = active ? accent_color() : QColor(235, 238, 242);
     color.setAlpha(active ? 255 : 170);
-    const glm::dvec3 projected = rays.project(emitter.position);
-    if (projected.z > 0.0) {
-      overlay.add_circle(projected.x, projected.y, hovered_ == k ? 9.0 : 7.0, color.rgba());
-      overlay.marks.push_back(
-          {static_cast<float>(projected.x), static_cast<float>(projected.y), color.rgba()});
-    }
-    for (int dot = 1; dot <= path_dots; ++dot) {
-      const double age = emitter.lifetime * dot / path_dots;
-      const glm::dvec3 on_film = rays.project(emitter.position + age * emitter.velocity +
-                                              0.5 * age * age * emitter.acceleration);
-      if (on_film.z <= 0.0) continue;
-      overlay.dots.push_back(
-          {static_cast<float>(on_film.x), static_cast<float>(on_film.y), color.rgba()});
-    }
+    add_emitter_mark(overlay, rays, emitter, color.rgba(), active, view().time());
   }
 }
 

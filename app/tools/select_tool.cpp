@@ -9,6 +9,7 @@
 #include "app/commands/edit_objects.h"
 #include "app/document/document.h"
 #include "app/tools/click_target.h"
+#include "app/tools/emitter_mark.h"
 #include "app/view/object_box.h"
 #include "app/view/view.h"
 #include "app/widgets/interface_settings.h"
@@ -127,9 +128,9 @@ void SelectTool::draw(Overlay& overlay, const CameraRays& rays) const {
   sun_.draw(overlay, rays);
   const Scene& scene = document_.scene();
   for (std::size_t k = 0; k < scene.emitters.size(); ++k) {
-    const glm::dvec3 projected = rays.project(scene.emitters[k].position);
-    if (projected.z > 0.0)
-      overlay.add_circle(projected.x, projected.y, emitter_radius * handle_scale(), emitter_color);
+    const bool is_chosen = document_.object() == ObjectRef{ObjectRef::Kind::emitter, k};
+    add_emitter_mark(overlay, rays, scene.emitters[k], is_chosen ? object_color : emitter_color,
+                     is_chosen, view().time());
   }
   const auto& object = document_.object();
   if (object) add_object_outline(overlay, rays, scene, *object, object_color);

@@ -1,10 +1,6 @@
 #include "app/viewport/view_grid.h"
 
 #include <QGridLayout>
-#include <QMenu>
-#include <QToolButton>
-
-#include "app/widgets/application.h"
 
 namespace brume {
 
@@ -30,19 +26,19 @@ void ViewGrid::make_pane(Projection projection) {
   panes_.push_back(pane);
   layout_->addWidget(pane, static_cast<int>(k / 2), static_cast<int>(k % 2));
 
-  auto* title = new QToolButton(pane);
-  titles_.push_back(title);
-  title->setObjectName("pane_title");
-  title->setAutoRaise(true);
-  title->setFocusPolicy(Qt::NoFocus);
-  title->setPopupMode(QToolButton::InstantPopup);
-  title->setToolTip(tr("What this view shows"));
-  title->move(6, 4);
-  auto* menu = new QMenu(title);
-  for (const ViewMode mode : view_modes) {
-    menu->addAction(view_mode_title(mode), pane, [pane, mode] { pane->frames().set_mode(mode); });
+  auto* header = headers_.emplace_back(new ViewHeader(*pane));
+  header->set_menus(menus_);
+  connect(header, &ViewHeader::refused, this, &ViewGrid::failed);
+  pane->installEventFilter(this);
+  const auto update_header = [this, pane, header] {
+    header->refresh(pane == active_ && shows_four_);
+  };
+  for (const auto signal : {&FrameScheduler::frame_shown, &FrameScheduler::picture_changed,
+                            &FrameScheduler::mode_changed}) {
+    connect(&pane->frames(), signal, header, update_header);
   }
-  title->setMenu(menu);
+  connect(&pane->camera_controller(), &CameraController::moved, header, update_header);
+  connect(&pane->frames().quality(), &FrameQuality::settings_changed, header, update_header);
 
   connect(pane, &Viewport::used, this, [this, pane] { activate(*pane); });
   connect(&pane->frames(), &FrameScheduler::failed, this, &ViewGrid::failed);
@@ -50,7 +46,6 @@ void ViewGrid::make_pane(Projection projection) {
           [this, pane](QPointF position) { Q_EMIT pointed_at(*pane, position); });
   connect(pane, &Viewport::menu_asked, this,
           [this, pane](QPointF position) { Q_EMIT menu_asked(*pane, position); });
-  connect(&pane->frames(), &FrameScheduler::mode_changed, this, &ViewGrid::update_titles);
   const auto pass_on = [this, pane](auto signal) {
     return [this, pane, signal] {
       if (pane == active_) Q_EMIT(this->*signal)();
@@ -90,7 +85,7 @@ void ViewGrid::activate(Viewport& pane) {
   active_ = &pane;
   setFocusProxy(&pane);
   pane.frames().set_active(true);
-  update_titles();
+  update_headers();
   Q_EMIT active_changed();
   Q_EMIT mode_changed();
 }
@@ -109,23 +104,28 @@ void ViewGrid::show_four(bool four) {
 
 void ViewGrid::arrange() {
   for (Viewport* pane : panes_) pane->setVisible(shows_four_ || pane == active_);
-  update_titles();
+  update_headers();
 }
 
-void ViewGrid::update_titles() {
+void ViewGrid::update_headers() {
   for (std::size_t k = 0; k < panes_.size(); ++k) {
-    const Viewport& pane = *panes_[k];
-    QString text = projection_title(pane.projection());
-    if (pane.frames().mode() != ViewMode::final)
-      text += " · " + view_mode_title(pane.frames().mode());
-    titles_[k]->setText(text);
-    QPalette colors = palette();
-    const bool marked = &pane == active_ && shows_four_;
-    colors.setColor(QPalette::ButtonText, marked ? accent_color() : QColor(235, 238, 242));
-    titles_[k]->setPalette(colors);
-    titles_[k]->adjustSize();
-    titles_[k]->setVisible(shows_four_ || pane.projection() != Projection::perspective);
+    headers_[k]->refresh(panes_[k] == active_ && shows_four_);
   }
+}
+
+void ViewGrid::set_header_menus(const ViewHeader::Menus& menus) {
+  menus_ = menus;
+  for (ViewHeader* header : headers_) header->set_menus(menus);
+}
+
+// The header of a pane is as wide as it.
+bool ViewGrid::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Resize) {
+    for (std::size_t k = 0; k < headers_.size(); ++k) {
+      if (panes_[k] == watched) headers_[k]->place();
+    }
+  }
+  return QWidget::eventFilter(watched, event);
 }
 
 void ViewGrid::set_tool(Tool* tool) {

@@ -4,11 +4,11 @@
 #include <span>
 #include <vector>
 
+#include "app/viewport/view_header.h"
 #include "app/viewport/view_services.h"
 #include "app/viewport/viewport.h"
 
 class QGridLayout;
-class QToolButton;
 
 namespace brume {
 
@@ -29,6 +29,9 @@ class ViewGrid : public QWidget {
 
   [[nodiscard]] bool shows_four() const { return shows_four_; }
   void show_four(bool four);  // four, or only the active one
+
+  // The menus of the headers of all views.
+  void set_header_menus(const ViewHeader::Menus& menus);
 
   // Settings of all views.
   void set_tool(Tool* tool);
@@ -64,17 +67,21 @@ class ViewGrid : public QWidget {
   void backend_changed();  // of all views
   void failed(const QString& message);
 
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  private:
   void make_pane(Projection projection);
   void activate(Viewport& pane);
   void arrange();
-  void update_titles();
+  void update_headers();
 
   Document& document_;
   ViewServices services_;
   QGridLayout* layout_;
   std::vector<Viewport*> panes_;
-  std::vector<QToolButton*> titles_;  // one per pane
+  std::vector<ViewHeader*> headers_;  // one per pane
+  ViewHeader::Menus menus_{};
   Viewport* active_ = nullptr;
   Tool* tool_ = nullptr;
   bool shows_four_ = false;

@@ -59,6 +59,7 @@ Viewport::Viewport(Document& document, ViewServices& services, Projection projec
   on_change(document, Change::scene, this, [this] {
     input_.end_gesture();
     camera_controller().reset();
+    frames_.set_exposure(0.0);
   });
   on_change(document, Change::part | Change::active_emitter | Change::active_light | Change::object,
             this, &Viewport::update_overlay);
@@ -98,6 +99,11 @@ void Viewport::set_time(double time) {
 void Viewport::show_band(const QRect& rectangle) {
   band_.setVisible(!rectangle.isNull());
   if (!rectangle.isNull()) band_.setGeometry(rectangle);
+}
+
+QString Viewport::camera_title() const {
+  const bool is_through = camera() == document_.scene().camera;
+  return is_through ? QString::fromStdString(document_.scene().camera_name) : tr("Free View");
 }
 
 QString Viewport::gl_problem() const {

@@ -40,6 +40,9 @@ class Viewport : public QWidget, public View {
   // The frame of the scene's camera, and what of it is to be rendered.
   [[nodiscard]] CameraFrame& camera_frame() { return *camera_frame_; }
 
+  // What it looks through: the scene's camera by name, or none.
+  [[nodiscard]] QString camera_title() const;
+
   // Why there is no OpenGL; empty if there is.
   [[nodiscard]] QString gl_problem() const;
   [[nodiscard]] bool has_gl() const { return gl_problem().isEmpty(); }

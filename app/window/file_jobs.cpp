@@ -8,6 +8,7 @@
 #include "app/commands/edit_lights.h"
 #include "app/commands/scene_part_command.h"
 #include "app/commands/simplify_gaussians.h"
+#include "app/document/document.h"
 #include "app/document/gaussian_attribute.h"
 #include "app/document/number_text.h"
 #include "app/document/paths.h"

@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 
 #include "app/commands/edit_output.h"
+#include "app/document/document.h"
 #include "app/document/number_text.h"
 #include "app/document/paths.h"
 #include "app/document/timeline.h"

@@ -2,11 +2,12 @@
 
 #include <QSettings>
 #include <QVariantMap>
+#include <algorithm>
 
 #include "app/document/document.h"
 #include "app/document/paths.h"
 #include "app/files/scene_files.h"
-#include "app/view/view.h"
+#include "app/viewport/viewport.h"
 #include "brume/error.h"
 #include "core/io/scene/fields_json.h"
 #include "core/scene/cameras.h"
@@ -43,9 +44,10 @@ QString saved_view_name(const QVariant& entry) {
 
 }  // namespace
 
-SavedViews::SavedViews(Document& document, SceneFiles& files, View& view, QObject* parent)
+SavedViews::SavedViews(Document& document, SceneFiles& files, Viewport& view, QObject* parent)
     : QObject(parent), document_(document), view_(view) {
   connect(&view.camera_controller(), &CameraController::moved, this, &SavedViews::note_view);
+  connect(&view.frames(), &FrameScheduler::picture_changed, this, &SavedViews::note_view);
   on_change(document, Change::file, this, &SavedViews::note_view);
   // Reloading the same file comes back to the present view.
   connect(&files.loading(), &BackgroundJob::started, this, &SavedViews::store);
@@ -63,6 +65,7 @@ void SavedViews::note_view() {
   }
   camera_ =
       view_.camera() == document_.scene().camera ? std::nullopt : std::optional(view_.camera());
+  exposure_ = view_.frames().exposure();
 }
 
 void SavedViews::restore_view() {
@@ -72,6 +75,8 @@ void SavedViews::restore_view() {
     if (const auto camera = saved_camera(entry.toMap().value("camera").toString())) {
       view_.camera_controller().set_camera(*camera);
     }
+    const double exposure = entry.toMap().value("exposure").toDouble();
+    view_.frames().set_exposure(std::clamp(exposure, -max_exposure, max_exposure));
   }
 }
 
@@ -81,8 +86,10 @@ void SavedViews::store() {
   QSettings settings;
   QVariantList views = settings.value(saved_views_key).toList();
   views.removeIf([&](const QVariant& entry) { return saved_view_name(entry) == name; });
-  if (camera_) {
-    views.prepend(QVariantMap{{"file", name}, {"camera", camera_text(*camera_)}});
+  if (camera_ || exposure_ != 0.0) {
+    views.prepend(QVariantMap{{"file", name},
+                              {"camera", camera_ ? camera_text(*camera_) : QString()},
+                              {"exposure", exposure_}});
   }
   settings.setValue(saved_views_key, QVariantList(views.mid(0, max_saved_views)));
 }

@@ -10,15 +10,16 @@ namespace brume {
 
 class Document;
 class SceneFiles;
-class View;
+class Viewport;
 
 // Opens a scene where its user last looked at it, if that was elsewhere than through the scene's
-// camera. Kept in the user's settings by file, not in the scene: looking around is no edit, so it
-// neither marks a scene as modified nor changes its file, and it is kept without saving.
+// camera, and as brightly. Kept in the user's settings by file, not in the scene: looking around is
+// no edit, so it neither marks a scene as modified nor changes its file, and it is kept without
+// saving.
 class SavedViews : public QObject {
   Q_OBJECT
  public:
-  SavedViews(Document& document, SceneFiles& files, View& view, QObject* parent);
+  SavedViews(Document& document, SceneFiles& files, Viewport& view, QObject* parent);
   ~SavedViews() override;
 
  private:
@@ -27,9 +28,10 @@ class SavedViews : public QObject {
   void store();
 
   Document& document_;
-  View& view_;
+  Viewport& view_;
   std::filesystem::path file_;    // whose view is noted; empty: none
   std::optional<Camera> camera_;  // nullopt: the scene's
+  double exposure_ = 0.0;         // [stops]
 };
 
 }  // namespace brume

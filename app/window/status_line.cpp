@@ -7,6 +7,7 @@
 
 #include "app/document/document.h"
 #include "app/document/number_text.h"
+#include "app/frames/quality_words.h"
 #include "app/jobs/job_bar.h"
 #include "app/tools/tool_box.h"
 #include "app/viewport/view_grid.h"
@@ -17,6 +18,14 @@
 #include "app/window/pages/message_bar.h"
 
 namespace brume {
+namespace {
+
+bool has_fog(const Scene& scene) {
+  return !scene.medium.empty() || scene.medium.homogeneous_density() > 0.0 ||
+         !scene.density_keys.empty() || !scene.emitters.empty() || !scene.sequences.empty();
+}
+
+}  // namespace
 
 StatusLine::StatusLine(const Workspace& work, QMainWindow& window,
                        const std::vector<BackgroundJob*>& jobs)
@@ -26,12 +35,8 @@ StatusLine::StatusLine(const Workspace& work, QMainWindow& window,
       numbers_(new PlainLabel(&window)),
       error_(named(new PlainLabel(&window), "error")),
       quality_(named(new PlainLabel(&window), "quality")) {
-  error_->setToolTip(
-      tr("Relative RMSE of the airlight against the reference, measured on this frame, and of the "
-         "whole picture beside all the light there is; grey while measuring. Of a path-traced "
-         "picture: its noise, the standard error relative to the RMS"));
   // Menu bars do not follow when what is in their corner grows.
-  quality_->setMinimumWidth(quality_->fontMetrics().horizontalAdvance("paper's method · < 0.01 %"));
+  quality_->setMinimumWidth(quality_->fontMetrics().horizontalAdvance("paper's method"));
   quality_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   quality_->setContentsMargins(0, 4, 8, 0);
   window.menuBar()->setCornerWidget(quality_);
@@ -52,7 +57,8 @@ StatusLine::StatusLine(const Workspace& work, QMainWindow& window,
   connect(&views, &ViewGrid::mode_changed, this, &StatusLine::update_error);
   connect(&views, &ViewGrid::backend_changed, this, [this] { fallback_.clear(); });
   connect(&work_.tools, &ToolBox::activated, this, &StatusLine::update_numbers);
-  on_change(work_.document, Change::medium | Change::selection, this, &StatusLine::update_numbers);
+  on_change(work_.document, Change::medium | Change::selection | Change::part, this,
+            &StatusLine::update_numbers);
   on_change(work_.document, Change::scene, this, [this] {
     fallback_.clear();
     unreadable_.clear();
@@ -75,33 +81,30 @@ void StatusLine::update_numbers() {
   }
   numbers_->setText(text);
   const bool is_select = work_.tools.active() == 0;
-  hint_->setText(count == 0 && is_select ? tr("No fog yet. Press B to paint fog, or Shift+A to add "
-                                              "a Gaussian under the mouse.")
-                                         : work_.tools.tool().hint());
+  hint_->setText(
+      !has_fog(work_.document.scene()) && is_select
+          ? tr("No fog yet. Press B to paint fog, or Shift+A to add a Gaussian under the "
+               "mouse.")
+          : work_.tools.tool().hint());
 }
 
 void StatusLine::update_error() {
   const Viewport& view = work_.views.active();
   const RenderedFrame* frame = view.frames().shown();
   if (!frame) return;
-  const FrameQuality& quality = view.frames().quality();
-  QString status = tr("measuring the error");
-  QString corner = settings_text(frame->request.settings);
+  QString numbers = tr("The error is being measured");
   if (const QString paths = paths_text(frame->frame); !paths.isEmpty()) {
-    status = paths;
-    const std::optional<RelativeNoise> noise = relative_noise(frame->frame);
-    if (noise) corner += " · " + percent_text(noise->picture);
-  } else if (const std::optional<FrameError>& error = quality.error()) {
-    status = tr("error %1").arg(errors_text(*error));
-    corner += " · " + percent_text(error->airlight.rel_rmse);
-    if (quality.is_exhausted()) {
-      const QString bound = bound_text(quality.max_error());
-      status += quality.control().may_keep_bound() ? tr(", may exceed %1").arg(bound)
-                                                   : tr(", cannot meet %1").arg(bound);
-    }
+    numbers = paths;
+  } else if (const auto& error = view.frames().quality().error()) {
+    numbers = tr("Error %1").arg(errors_text(*error));
   }
-  error_->setText(status);
-  quality_->setText(corner);
+  error_->setText(quality_words(quality_state(view.frames())));
+  error_->setToolTip(
+      plain_tool_tip(numbers) + "<br><br>" +
+      tr("Relative RMSE of the airlight against the reference, measured on this frame, and of the "
+         "whole picture beside all the light there is. Of a path-traced picture: its noise, the "
+         "standard error relative to the RMS"));
+  quality_->setText(settings_text(frame->request.settings));
   for (QLabel* label : {error_, quality_}) label->setEnabled(view.frames().is_measured());
 }
 

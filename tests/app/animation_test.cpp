@@ -1,12 +1,15 @@
 // Moving things: emitters, the timeline, and the airbrush.
 
 #include <QCheckBox>
+#include <QDockWidget>
+#include <QLabel>
 #include <QPushButton>
-#include <QSlider>
 #include <QSpinBox>
+#include <QStatusBar>
 #include <QToolButton>
 #include <glm/geometric.hpp>
 
+#include "app/commands/edit_emitters.h"
 #include "app/commands/edit_medium.h"
 #include "app/document/timeline.h"
 #include "app/files/scene_files.h"
@@ -14,6 +17,7 @@
 #include "app/tools/airbrush_tool.h"
 #include "app/tools/emitter_tool.h"
 #include "app/tools/tool_box.h"
+#include "app/view/overlay.h"
 #include "app/viewport/viewport.h"
 #include "app/widgets/number_field.h"
 #include "app/widgets/value_field.h"
@@ -103,6 +107,69 @@ class AnimationTest : public QObject {
     QCOMPARE(document.scene().emitters[99].rate, 1000.0);
     QCOMPARE(step_count(document), 2);
     QVERIFY(is_undone(document, before));
+  }
+
+  void an_emitter_of_the_menu_is_chosen_previewed_and_counts_as_fog() {
+    Scene scene = small_scene();
+    scene.medium = {};
+    TestWindow window(scene);
+    const auto hint = [&] {
+      for (const QLabel* label : window->statusBar()->findChildren<QLabel*>()) {
+        if (label->text().startsWith("No fog yet")) return true;
+      }
+      return false;
+    };
+    QVERIFY(hint());
+    set_homogeneous_density(window->document(), 0.1, no_merge);
+    QVERIFY(!hint());
+    window->document().undo_stack().undo();
+    QVERIFY(hint());
+    auto* panel = window->findChild<QDockWidget*>("emitters_dock");
+    panel->hide();
+    invoke(window, "add.emitter");
+    QVERIFY(!hint());
+    QCOMPARE(window->document().object(), (ObjectRef{ObjectRef::Kind::emitter, 0}));
+    QVERIFY(panel->isVisible());
+    // Outlines show particles while there are hardly any.
+    const auto lines = [&] {
+      Overlay overlay;
+      window->tools().tool().draw(overlay, window->viewport().rays());
+      return overlay.lines.size();
+    };
+    const std::size_t previewed = lines();
+    window->timeline().set_frame(60);
+    QVERIFY(previewed > lines() + 100);
+  }
+
+  void an_emitter_starts_and_ends_by_keyframes_of_its_rate() {
+    Scene scene = small_scene();
+    scene.emitters.push_back({.rate = 30.0, .lifetime = 0.5});
+    Desk desk(scene);
+    Document& document = desk.document();
+    const auto emitter = [&]() -> const Emitter& { return document.scene().emitters[0]; };
+    const auto born_by = [&](double time) { return particles_at(emitter(), time).size(); };
+    enter(desk, "emitter_start", "1");
+    QCOMPARE(last_step(document), "Set start of emitter 1");
+    QVERIFY(born_by(0.9) <= 1 && born_by(1.4) > 10);
+    QCOMPARE(value(desk, "emitter_start"), "1");
+    click(desk, "emitter_ends");
+    enter(desk, "emitter_end", "2");
+    QVERIFY(born_by(1.9) > 10);
+    QCOMPARE(born_by(2.6), 0u);
+    enter(desk, "emitter_start", "0.5");
+    QVERIFY(born_by(0.9) > 10);
+    QCOMPARE(value(desk, "emitter_end"), "2");
+    click(desk, "emitter_ends");
+    QVERIFY(born_by(2.6) > 10);
+    enter(desk, "emitter_start", "0");
+    QVERIFY(emitter() == scene.emitters[0]);
+    // What the rate does in between stays.
+    Emitter wild;
+    wild.keys.rate = {{.time = 1.0, .value = 10.0}, {.time = 2.0, .value = 40.0}};
+    set_emission_span(wild, {0.0, 3.0});
+    QCOMPARE(wild.keys.rate.size(), 3u);
+    QCOMPARE(wild.keys.rate[1].value, 40.0);
+    QVERIFY(emission_span(wild).end == 3.0);
   }
 
   void noise_moves_with_the_wind() {

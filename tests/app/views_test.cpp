@@ -2,11 +2,16 @@
 
 #include <QAction>
 #include <QLabel>
+#include <QMenu>
+#include <QMenuBar>
+#include <QToolButton>
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "app/files/scene_files.h"
 #include "app/tools/paintbrush_tool.h"
 #include "app/viewport/view_grid.h"
+#include "core/io/scene/scene_file.h"
 #include "core/scene/cameras.h"
 #include "tests/app/test_window.h"
 
@@ -206,6 +211,65 @@ class ViewsTest : public QObject {
     service.request(request);
     QTRY_VERIFY(came.size() == 4);
     QCOMPARE(came, (std::vector<int>{0, 1, 2, 3}));
+  }
+
+  void headers_say_and_change_what_a_view_shows() {
+    TestWindow window(small_scene(), {1280, 800});
+    Viewport& view = window->viewport();
+    auto& header = *view.findChild<ViewHeader*>("view_header");
+    QVERIFY(header.isVisible() && view.rect().contains(header.geometry()));
+    const auto text = [&](const char* name) {
+      return header.findChild<QToolButton*>(name)->text();
+    };
+    QCOMPARE(text("pane_title"), "Perspective · Final Picture");
+    QCOMPARE(text("header_quality"), "Auto");
+    QCOMPARE(text("header_camera"), "Camera");
+    const Film film = window.shown().request.film;
+    QCOMPARE(label_text(*window, "header_resolution"),
+             QString("%1 × %2").arg(film.width).arg(film.height));
+    view.camera_controller().zoom_by(0.9);
+    QCOMPARE(text("header_camera"), "Free View");
+    window->findChild<QAction*>("airlight_fast")->trigger();
+    QCOMPARE(text("header_quality"), "Fast");
+    window->findChild<QAction*>("airlight_auto")->trigger();
+    view.frames().set_mode(ViewMode::airlight);
+    QCOMPARE(text("pane_title"), "Perspective · Airlight Only");
+    // Exposure is typed and reset.
+    enter(*window, "header_exposure", "1.5");
+    QCOMPARE(view.frames().exposure(), 1.5);
+    QTest::mouseClick(header.findChild<QToolButton*>("header_reset"), Qt::LeftButton);
+    QCOMPARE(view.frames().exposure(), 0.0);
+    for (const char* name :
+         {"header_quality", "header_color", "header_camera", "header_overlays"}) {
+      const auto* button = header.findChild<QToolButton*>(name);
+      QVERIFY2(button->menu() && !button->menu()->actions().isEmpty(), name);
+    }
+    // In a narrow view what has no room is behind a button.
+    window.key(Qt::Key_Q, Qt::ControlModifier | Qt::AltModifier);
+    QCoreApplication::processEvents();
+    for (const Viewport* pane : window->views().panes()) {
+      const auto* narrow = pane->findChild<ViewHeader*>("view_header");
+      QVERIFY(pane->rect().contains(narrow->geometry()));
+    }
+  }
+
+  void exposure_stays_with_its_scene() {
+    TestWindow window;
+    save_document(small_scene(), window.file("other.brume"));
+    window->viewport().frames().set_exposure(2.0);
+    QVERIFY(window.open("other.brume"));
+    QCOMPARE(window->viewport().frames().exposure(), 0.0);
+    QVERIFY(window.open("scene.brume"));
+    QCOMPARE(window->viewport().frames().exposure(), 2.0);
+    window->files().create();
+    QCOMPARE(window->viewport().frames().exposure(), 0.0);
+  }
+
+  void the_menu_of_the_view_fits_on_a_low_screen() {
+    TestWindow window;
+    for (const QAction* action : window->menuBar()->actions()) {
+      QVERIFY2(action->menu()->sizeHint().height() < 640, qPrintable(action->text()));
+    }
   }
 };
 

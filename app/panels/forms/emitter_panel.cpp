@@ -3,11 +3,13 @@
 #include <QFormLayout>
 #include <QListWidget>
 #include <QPushButton>
+#include <algorithm>
 #include <string_view>
 
 #include "app/commands/edit_emitters.h"
 #include "app/commands/edit_objects.h"
 #include "app/document/document.h"
+#include "app/document/object_titles.h"
 #include "app/widgets/emission_editor.h"
 #include "app/widgets/optics_editor.h"
 #include "app/widgets/rows.h"
@@ -19,6 +21,7 @@ EmitterPanel::EmitterPanel(Document& document, QWidget* parent)
   auto* form = new QFormLayout(this);
   form->setContentsMargins(6, 6, 6, 6);
   add_list(*form);
+  add_span(*form);
   add_fields(*form);
   on_change(document_, Change::active_emitter, this, &EmitterPanel::refresh);
   refresh();
@@ -45,11 +48,61 @@ void EmitterPanel::add_list(QFormLayout& form) {
     showing_ = true;
     const int count = static_cast<int>(document_.scene().emitters.size());
     while (list_->count() > count) delete list_->takeItem(list_->count() - 1);
-    while (list_->count() < count) list_->addItem(tr("Emitter %1").arg(list_->count() + 1));
+    while (list_->count() < count) list_->addItem(QString());
+    for (int k = 0; k < count; ++k) {
+      const auto index = static_cast<std::size_t>(k);
+      list_->item(k)->setText(emitter_title(document_.scene().emitters[index], index));
+    }
     list_->setCurrentRow(emitter() ? static_cast<int>(document_.active_emitter()) : -1);
     remove->setEnabled(emitter() != nullptr);
     showing_ = false;
   });
+}
+
+// When it emits, which is in the keyframes of its rate.
+void EmitterPanel::add_span(QFormLayout& form) {
+  const auto span = [this] { return value_if(emitter(), emission_span); };
+  const auto change = [this, span](const QString& verb, MergeId gesture, const auto& how) {
+    if (!emitter()) return;
+    EmissionSpan changed = *span();
+    how(changed);
+    change_emitter(document_, document_.active_emitter(), verb, gesture,
+                   [&changed](Emitter& e) { set_emission_span(e, changed); });
+  };
+  add_number(form, tr("Start, s"),
+             {"emitter_start", domain::not_negative, ValueField::Scale::linear, 0.02,
+              [span] {
+                const auto shown = span();
+                return shown ? std::optional(shown->start) : std::nullopt;
+              },
+              [change](double time, MergeId gesture) {
+                change(tr("Set start of %1"), gesture, [time](EmissionSpan& s) { s.start = time; });
+              }})
+      ->setToolTip(tr("When it begins to emit; its rate is 0 before, by keyframes"));
+  add_toggle(form, tr("Ends"),
+             {"emitter_ends",
+              [span] {
+                const auto shown = span();
+                return shown ? std::optional(shown->end.has_value()) : std::nullopt;
+              },
+              [this, change](bool ends, MergeId gesture) {
+                constexpr double usual_length = 2.0;  // seconds
+                change(ends ? tr("Set end of %1") : tr("Remove end of %1"), gesture,
+                       [this, ends](EmissionSpan& s) {
+                         s.end.reset();
+                         if (ends) s.end = std::max(document_.time(), s.start + usual_length);
+                       });
+              }});
+  add_number(form, tr("End, s"),
+             {"emitter_end", domain::not_negative, ValueField::Scale::linear, 0.02,
+              [span] {
+                const auto shown = span();
+                return shown ? shown->end : std::nullopt;
+              },
+              [change](double time, MergeId gesture) {
+                change(tr("Set end of %1"), gesture, [time](EmissionSpan& s) { s.end = time; });
+              }})
+      ->setToolTip(tr("When it emits no more; its particles live on"));
 }
 
 void EmitterPanel::add_fields(QFormLayout& form) {

@@ -17,6 +17,7 @@ class EmitterPanel : public SceneForm {
  private:
   void add_list(QFormLayout& form);
   void add_fields(QFormLayout& form);
+  void add_span(QFormLayout& form);
   void add_optics(QFormLayout& form);
   [[nodiscard]] const Emitter* emitter() const;  // the active one; may be null
 

@@ -50,8 +50,7 @@ namespace {
 
 constexpr const char* backend_key = "view/backend";
 constexpr const char* navigation_key = "view/navigation";
-constexpr double max_exposure = 20.0;  // stops, either way
-constexpr double tool_step = 1.15;     // of a tool's size by one key
+constexpr double tool_step = 1.15;  // of a tool's size by one key
 
 constexpr double duplicate_shift = 24.0;  // pixels, so that a copy is seen beside its original
 
@@ -225,39 +224,45 @@ void MainMenu::fill_view_menu(QMenu* menu) {
       [this] { work_.views.active().camera_controller().frame_all(); });
   add(menu, tr("&Frame Selection"), "view.frame_selection",
       [this] { work_.views.active().camera_controller().frame_selection(); });
-  add(menu, tr("&Scene Camera"), "view.scene_camera",
+  QMenu* camera = menu->addMenu(tr("&Camera"));
+  add(camera, tr("&Scene Camera"), "view.scene_camera",
       [this] { work_.views.perspective().camera_controller().look_through_scene_camera(); });
-  add(menu, tr("&Look Through Light"), "light.look_through", [this] { look_through_light(); });
-  add(menu, tr("Set Scene Camera &to View"), "view.store_camera", [this] {
+  add(camera, tr("&Look Through Light"), "light.look_through", [this] { look_through_light(); });
+  add(camera, tr("Set Scene Camera &to View"), "view.store_camera", [this] {
     set_scene_camera(work_.document, work_.views.perspective().camera(),
                      tr("Set scene camera to view"));
   });
-  menu->addActions(parts_.output.camera_actions());
+  camera->addActions(parts_.output.camera_actions());
   menu->addSeparator();
   QAction* four = add(menu, tr("F&our Views"), "view.four",
                       [this] { work_.views.show_four(!work_.views.shows_four()); });
   four->setCheckable(true);
-  add_ground_grid_action(*menu, work_.document, work_.views);
   menu->addSeparator();
-  add(menu, tr("Exposure &Up"), "view.exposure_up", [this] { change_exposure(0.5); });
-  add(menu, tr("Exposure &Down"), "view.exposure_down", [this] { change_exposure(-0.5); });
+  QMenu* exposure = menu->addMenu(tr("&Exposure"));
+  add(exposure, tr("Exposure &Up"), "view.exposure_up", [this] { change_exposure(0.5); });
+  add(exposure, tr("Exposure &Down"), "view.exposure_down", [this] { change_exposure(-0.5); });
   fill_mode_menu(menu->addMenu(tr("S&how")));
-  fill_quality_menu(*menu->addMenu(tr("&Quality")), work_.views,
-                    *window_.findChild<PerformancePanel*>());
+  QMenu* quality = menu->addMenu(tr("&Quality"));
+  fill_quality_menu(*quality, work_.views, *window_.findChild<PerformancePanel*>());
   QMenu* color = menu->addMenu(tr("&Color"));
   color->setObjectName("color_menu");
   fill_color_menu(*color, work_.views.color(), work_.show_status);
   fill_backend_menu(menu->addMenu(tr("&Render Device")));
   fill_navigation_menu(menu->addMenu(tr("&Navigation")));
   fill_theme_menu(menu->addMenu(tr("&Theme")));
-  QAction* overlays = add(menu, tr("&Handles and Outlines"), "view.overlays",
-                          [this] { work_.views.show_overlays(!work_.views.shows_overlays()); });
-  overlays->setCheckable(true);
-  overlays->setChecked(true);
+  QMenu* overlays = menu->addMenu(tr("O&verlays"));
+  QAction* handles = add(overlays, tr("&Handles and Outlines"), "view.overlays",
+                         [this] { work_.views.show_overlays(!work_.views.shows_overlays()); });
+  handles->setCheckable(true);
+  handles->setChecked(true);
+  add_ground_grid_action(*overlays, work_.document, work_.views);
+  work_.views.set_header_menus(
+      {.quality = quality, .color = color, .camera = camera, .overlays = overlays});
   menu->addSeparator();
   fill_layout_menu(*menu->addMenu(tr("La&youts")), window_, window_.saveState());
+  QMenu* panels = menu->addMenu(tr("&Panels"));
   for (QDockWidget* dock : window_.findChildren<QDockWidget*>())
-    menu->addAction(dock->toggleViewAction());
+    panels->addAction(dock->toggleViewAction());
 }
 
 void MainMenu::fill_help_menu(QMenu* menu, const QList<QMenu*>& others) {

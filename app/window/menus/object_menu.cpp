@@ -63,6 +63,9 @@ void ObjectMenu::fill_add_menu(QMenu& menu) {
     Viewport& view = work_.views.pointed();
     add_emitter(work_.document, view.place_under_mouse(born_radius(view.distance())),
                 view.distance());
+    auto* panel = window_.findChild<QDockWidget*>("emitters_dock");
+    panel->show();
+    panel->raise();
   });
 }
 
