@@ -59,6 +59,19 @@ std::vector<GaussianId> joined(std::vector<GaussianId> a, const std::vector<Gaus
   return a;
 }
 
+// Those of its submenus, too.
+QList<QAction*> all_actions(const QMenu& menu) {
+  QList<QAction*> actions;
+  for (QAction* action : menu.actions()) {
+    if (const QMenu* submenu = action->menu()) {
+      actions += all_actions(*submenu);
+    } else {
+      actions << action;
+    }
+  }
+  return actions;
+}
+
 }  // namespace
 
 MainMenu::MainMenu(const Workspace& work, const Parts& parts, QMainWindow& window)
@@ -272,7 +285,7 @@ void MainMenu::fill_help_menu(QMenu* menu, const QList<QMenu*>& others) {
   });
   add(menu, tr("&Keyboard Shortcuts"), "help.keys", [this, others] {
     QList<QAction*> actions;
-    for (const QMenu* other : others) actions += other->actions();
+    for (const QMenu* other : others) actions += all_actions(*other);
     show_keys(&window_, actions);
   });
   add(menu, tr("&About Brume"), "", [this] { show_about(&window_); });
