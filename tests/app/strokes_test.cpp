@@ -65,7 +65,7 @@ class Mouse : public QObject {
   // A stroke in two such bursts, with a frame in between.
   bool draw(const std::vector<QPoint>& places) {
     // Into the view first: until it knows of the mouse, moves may be merged.
-    const QPoint corner(20, 20);
+    const QPoint corner(20, 80);  // below the header
     if (!go({&corner, 1}) || !go({&places.front(), 1})) return false;
     QWidget& window = *view_.window();
     const auto in_window = [&](QPoint place) { return view_.mapTo(&window, place); };
