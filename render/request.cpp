@@ -9,6 +9,7 @@
 #include "brume/request_options.h"
 #include "core/io/text_scanner.h"
 #include "core/scene/check.h"
+#include "render/layers/frame_layers.h"
 
 namespace brume {
 namespace {
@@ -78,6 +79,19 @@ std::optional<RequestProblem> problem_of(const RenderRequest& request) {
   const std::string method = to_string(request.airlight);
   if (request.airlight_scale.value_or(1) > 1 && !is_interpolated(request.airlight)) {
     return RequestProblem{"airlight-scale", method + " is never interpolated; allowed: 1"};
+  }
+  if (request.denoise != Denoising::none) {
+    if (request.airlight != AirlightMethod::path || request.paths < 2) {
+      return RequestProblem{"denoise", "it is of the noise of paths; allowed with path:2 or more"};
+    }
+    if (request.film && request.film->region) {
+      return RequestProblem{"denoise", "it takes the pixels around each; allowed: no region"};
+    }
+    if (has_light_layers(request.layers)) {
+      return RequestProblem{"denoise",
+                            "the sum of denoised layers is not the picture; allowed: "
+                            "layers without light"};
+    }
   }
   if (request.deep_error && request.airlight != AirlightMethod::auto_ &&
       request.airlight != AirlightMethod::sliced) {

@@ -23,6 +23,8 @@ constexpr std::array scatterings{std::pair("single", Scattering::single),
 constexpr std::array measurements{std::pair("none", ErrorMeasurement::none),
                                   std::pair("quick", ErrorMeasurement::quick),
                                   std::pair("full", ErrorMeasurement::full)};
+constexpr std::array denoisings{std::pair("none", Denoising::none),
+                                std::pair("solved", Denoising::solved)};
 constexpr std::array scales{std::pair("1", 1), std::pair("2", 2), std::pair("4", 4)};
 constexpr std::array backends{std::pair("auto", Backend::auto_), std::pair("cpu", Backend::cpu),
                               std::pair("gl", Backend::gl)};
@@ -324,6 +326,12 @@ std::vector<RequestOption> make_options() {
                                 "of sliced; multiple: all orders of scattering and reflection")),
       told(with<path>, number("seed", &Request::seed, 0, 4'294'967'295.0,
                               "of path: another seed is another, independent picture")),
+      told(
+          [](const Request& request) { return request.denoise != Denoising::none; },
+          choice("denoise", &Request::denoise, denoisings,
+                 "of path: solved: begin with the picture that sliced solves for, and keep of what "
+                 "paths add only what stands out from their noise; the more paths, the less "
+                 "depends on that picture")),
       told(with<paper, sliced>,
            choice("airlight-scale", &Request::airlight_scale, scales,
                   "compute the airlight at 1/1, 1/2 or 1/4 of the width and height and upsample "

@@ -18,6 +18,7 @@
 #include "render/render_plan.h"
 #include "render/request.h"
 #include "render/samples/brightness.h"
+#include "render/samples/denoised_frame.h"
 #include "render/transfer/transfer_cache.h"
 #include "render/transfer/transfer_store.h"
 
@@ -36,7 +37,8 @@ bool is_evaluated(const Scene& scene, double time) {
 ErrorMeasurement effort_of(const RenderRequest& request) {
   using enum ErrorMeasurement;
   const bool is_truth =
-      request.airlight == AirlightMethod::path || request.airlight == AirlightMethod::reference;
+      (request.airlight == AirlightMethod::path && request.denoise == Denoising::none) ||
+      request.airlight == AirlightMethod::reference;
   if (is_truth) return none;
   return request.error.value_or(request.airlight == AirlightMethod::auto_ ? quick : none);
 }
@@ -53,7 +55,8 @@ void check_layer_memory(const Scene& scene, const Film& film, const OutputLayers
 // error is measured, of a frame without blur. nullopt if stopped.
 std::optional<RequestedFrame> render_view(FrameRenderer& renderer, const Scene& scene,
                                           const ExposedView& view, Settings settings,
-                                          ErrorMeasurement effort, const Job& job) {
+                                          Denoising denoise, ErrorMeasurement effort,
+                                          const Job& job) {
   const Camera& camera = view.camera ? *view.camera : scene.camera;
   settings.samples = samples_of(view.exposure, camera, scene);
   const bool has_blur = is_blurred(view.exposure, camera);
@@ -83,8 +86,10 @@ std::optional<RequestedFrame> render_view(FrameRenderer& renderer, const Scene& 
       with_brightness(renderer, scene, camera, view.film, pictured, {job.stop, {}});
   if (!bright) return std::nullopt;
   found.settings.brightness = bright->brightness;
-  std::optional<Frame> frame =
-      render_exposure(renderer, view, found.settings, is_auto ? job.subrange(0.5, 1.0) : job);
+  const Job rendering = is_auto ? job.subrange(0.5, 1.0) : job;
+  std::optional<Frame> frame = denoise == Denoising::solved
+                                   ? render_denoised(renderer, view, found.settings, rendering)
+                                   : render_exposure(renderer, view, found.settings, rendering);
   if (!frame) return std::nullopt;
   found.frame = std::move(*frame);
   return found;
@@ -204,8 +209,8 @@ std::optional<Frame> SceneRenderer::render(const Scene& asked, const RenderReque
   if (stop.stop_requested()) return std::nullopt;
   const auto& [renderer, problem] = impl_->by(request.backend);
   const ErrorMeasurement effort = effort_of(request);
-  std::optional<RequestedFrame> found =
-      render_view(*renderer, scene, view, settings, effort, job.subrange(0.1, 0.8));
+  std::optional<RequestedFrame> found = render_view(
+      *renderer, scene, view, settings, request.denoise, effort, job.subrange(0.1, 0.8));
   if (!found) return std::nullopt;
 
   Frame frame = std::move(found->frame);
@@ -215,6 +220,7 @@ std::optional<Frame> SceneRenderer::render(const Scene& asked, const RenderReque
   frame.request = std::make_shared<const RenderRequest>(std::move(made));
   FrameStatistics& statistics = frame.statistics;
   statistics.airlight = airlight_name(found->settings);
+  if (request.denoise != Denoising::none) statistics.airlight += "+denoised";
   statistics.transfer_milliseconds = transferring.count();
   if (request.backend == Backend::gl && statistics.backend != "gl") {
     const bool is_device = problem.empty() && !statistics.on_cpu.empty();

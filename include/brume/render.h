@@ -21,6 +21,11 @@ namespace brume {
 // is chosen and measured is the same everywhere. `reference` and `path` have no error.
 enum class ErrorMeasurement { none, quick, full };
 
+// Whether frames of `path` begin with the picture that is solved for, and keep of what paths add to
+// it only what stands out from their noise: a fraction of the noise, and a bias towards that
+// picture that more paths remove. Their error can be measured.
+enum class Denoising { none, solved };
+
 // Opens at a frame's time only: no motion blur.
 inline constexpr Shutter no_shutter{0.0, 0.0};
 
@@ -39,6 +44,7 @@ struct RenderRequest {
   int slices = 24;
   int paths = 64;  // per pixel, 1 to limits::paths
   std::uint32_t seed = 0;
+  Denoising denoise = Denoising::none;  // of `path`
   std::optional<int> airlight_scale{};  // absent: 4 of `auto_`, else 1
   bool paper_mean = false;
   bool paper_energy = false;

@@ -51,6 +51,11 @@ bool has_more_layers(const OutputLayers& layers) {
   return layers != plain;
 }
 
+bool has_light_layers(const OutputLayers& layers) {
+  return layers.lights || layers.environment || layers.emission || layers.direct ||
+         layers.multiple || layers.reflection;
+}
+
 std::size_t layer_bytes(const Scene& scene, const Film& film, const OutputLayers& layers) {
   const auto sources = static_cast<std::size_t>(std::ranges::count_if(
       light_layer_names(scene.lights), [](const std::string& name) { return !name.empty(); }));

@@ -193,6 +193,21 @@ TEST_F(RegionAndCamera, OpenGlRendersItsPartOfThePicture) {
       {"--airlight", "sliced", "--backend", "gl", "--samples", "1", "--scattering", "single"});
 }
 
+TEST_F(RegionAndCamera, DenoisesWholePicturesOfPaths) {
+  const std::vector<std::string> denoised{"render", scene_,  "-o",        file("o.exr"),
+                                          "--size", "24x18", "--denoise", "solved"};
+  expect_done(joined(denoised, {"--airlight", "path:2"}));
+  for (const std::vector<std::string>& others :
+       {std::vector<std::string>{"--airlight", "sliced"},
+        {"--airlight", "path:1"},
+        {"--airlight", "path:8", "--region", "0,0,0.5,0.5"},
+        {"--airlight", "path:8", "--layers", "lights"}}) {
+    expect_refused(joined(denoised, others), {"--denoise", "allowed"});
+  }
+  expect_refused({"render", scene_, "-o", file("o.exr"), "--denoise", "all"},
+                 {"--denoise", "none, solved"});
+}
+
 TEST_F(RegionAndCamera, RefusesOtherRegions) {
   for (const char* region : {"", "0,0,1", "0,0,1,1,1", "0,0,1,x", "0.5,0,0.5,1", "0,1,1,0",
                              "-0.1,0,1,1", "0,0,1,1.1", "nan,0,1,1", "0 0 1 1"}) {

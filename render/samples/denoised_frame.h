@@ -1,0 +1,34 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <optional>
+#include <vector>
+
+#include "render/samples/exposure.h"
+
+namespace brume {
+
+// A picture that is solved for, and two of the same view by paths that are independent of each
+// other and of it: rows of RGB pixels.
+struct SolvedAndTraced {
+  int width = 0;
+  std::vector<glm::vec3> solved;
+  std::vector<glm::vec3> traced[2];
+};
+
+// What to add to the solved picture: its difference from the mean of those by paths, as far as it
+// stands out from their noise. The difference is relative to the solved light around, and split
+// into details of 1, 2, 4 ... 32 pixels and the rest (the a trous algorithm: Holschneider et al.
+// 1989, with the B3 spline of Starck and Murtagh). Each detail is weighed by its power over that
+// and the noise's (Wiener), both taken around the pixel: the power by the product of the two
+// differences, whose noise is independent, the noise by their difference. With more paths it
+// converges to all of the difference. Invalid after the job was stopped.
+std::vector<glm::vec3> significant_difference(const SolvedAndTraced& pictures, const Job& job);
+
+// A frame of `path` that begins with the solved picture (`sliced`, all orders) and keeps of the
+// paths' what is significant. Half of the paths make each of the two pictures; where a lens or a
+// shutter blurs, they are at least 64. nullopt if stopped.
+std::optional<Frame> render_denoised(FrameRenderer& renderer, const ExposedView& view,
+                                     const Settings& settings, const Job& job);
+
+}  // namespace brume
