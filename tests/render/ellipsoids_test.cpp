@@ -77,6 +77,18 @@ TEST(Ellipsoids, AllOrdersMatchPaths) {
   expect_all_orders_match_paths(scene, "ellipsoids before a wall");
 }
 
+TEST(Ellipsoids, HardCasesAreFinite) {
+  Scene scene = on_film(ellipsoid_scene(16, 3.0, 10000.0, 5), {8, 6});
+  scene.camera.eye = scene.medium.centers()[0];
+  scene.lights[0].position = scene.medium.centers()[2];
+  scene.surfaces.push_back(wall(-0.2, 0.8));
+  for (const Settings& settings :
+       {sliced(12), all_orders(12, {.nodes = 1000, .directions = 32}), paper_settings,
+        path_traced(2), brume::reference_settings(1e-2)}) {
+    expect_finite(render_frame(scene, settings));
+  }
+}
+
 TEST(Ellipsoids, AverageDepthInSinglePrecision) {
   Random random(9);
   for (const double stretch : {1e-1, 1e-2, 1e-3, 1e-4}) {

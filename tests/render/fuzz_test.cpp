@@ -97,7 +97,7 @@ std::vector<Settings> path_methods(unsigned) {
   return {path};
 }
 
-// Every third scene has needles and flat layers, some of them as hot as they may be.
+// Every third scene has needles and flat layers, some of them as hot, or as dark, as they may be.
 Scene fuzzed_scene(unsigned seed) {
   Scene scene = random_scene(seed);
   if (seed % 3 != 0) return scene;
@@ -106,9 +106,10 @@ Scene fuzzed_scene(unsigned seed) {
       scene.medium.changed(scene.medium.homogeneous_density(), [&random](Gaussian gaussian) {
         const glm::dvec3 q = random.point(1.0);
         gaussian.set_radii(
-            gaussian.radius * glm::dvec3(1.0, random.power(-3.9, 0.0), random.power(-3.9, 0.0)),
+            gaussian.radius * glm::dvec3(1.0, random.power(-4.0, 0.0), random.power(-4.0, 0.0)),
             glm::normalize(glm::dquat(1.0, q.x, q.y, q.z)));
         if (random.uniform(0.0, 1.0) < 0.1) gaussian.optics.emission = glm::dvec3(1e20);
+        if (random.uniform(0.0, 1.0) < 0.1) gaussian.optics.albedo = glm::dvec3(1e-6);
         return gaussian;
       });
   return scene;

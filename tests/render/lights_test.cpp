@@ -451,9 +451,10 @@ std::vector<Light> hard_lights() {
     add(light::Directional{direction, 89.0});
   }
   const glm::dvec3 edge_on(1.0, 0.0, 0.0);
+  const glm::dvec3 facing(0.0, 0.0, -1.0);
   for (const double size : {1e-6, 1.0, 2e5}) {
     add(light::Rectangle{edge_on, edge_on, size, size});
-    add(light::Disk{edge_on, size});
+    add(light::Disk{size == 1.0 ? facing : edge_on, size});
     add(light::Sphere{size, true});
   }
   for (const auto& [polar, values] :

@@ -325,5 +325,26 @@ TEST(OwnOptics, AreLeftOutByThePaperWithAWord) {
   EXPECT_TRUE(is_left_out(frame, "one albedo and no emission"));
 }
 
+struct HardOptics {
+  double albedo, emission, depth;
+};
+
+TEST(OwnOptics, HardCasesAreFinite) {
+  const Settings small_grid = all_orders(8, {.nodes = 1000, .directions = 32});
+  for (const auto& [albedo, emission, depth] :
+       {HardOptics{1e-6, 1e20, 1e8}, {1e-6, 0.0, 1e-9}, {1.0, 1e20, 1e-9}, {1.0, 1e-20, 1e8}}) {
+    Scene scene = on_film(in_fog(cloud_scene(3, depth), depth > 1.0 ? 0.0 : 0.1), {4, 3});
+    scene.surfaces = {wall(-1.0, 1.5)};
+    scene.optics.albedo = {1e-6, 1.0, 0.5};
+    scene = with_optics(scene, [&](std::size_t i) {
+      return i == 0 ? GaussianOptics{} : GaussianOptics{glm::dvec3(albedo), glm::dvec3(emission)};
+    });
+    for (const Settings& settings :
+         {sliced(8), small_grid, reference_settings(1e-2), path_traced(2)}) {
+      expect_finite(render_frame(scene, settings));
+    }
+  }
+}
+
 }  // namespace
 }  // namespace brume
