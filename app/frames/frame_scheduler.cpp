@@ -28,9 +28,7 @@ constexpr SourceGridSize motion_grid{6'000, 32};
 constexpr int motion_degree = 7;
 constexpr int motion_light_degree = 9;
 constexpr int max_view_paths = 4096;  // per pixel
-// A quarter of the work of one path for each pixel.
 constexpr int preview_divisor = 4;
-constexpr int preview_paths = 4;
 
 bool is_path_traced(const RenderedFrame& frame) {
   return frame.request.settings.airlight == AirlightMethod::path;
@@ -134,13 +132,12 @@ bool FrameScheduler::is_measured() const {
                                         : quality_.is_measured();
 }
 
-// A coarse picture soon, then all pixels with 1 path, 2, 4, 8 ...
+// A coarse picture soon, without paths, then all pixels with 1 path, 2, 4, 8 ...
 void FrameScheduler::ask_for_paths(FrameRequest& request) const {
   request.settings = {};
   request.settings.airlight = AirlightMethod::path;
   if (!shows_paths()) {
     request.divisor = preview_divisor;
-    request.settings.paths = preview_paths;
   } else if (shown_->divisor != 1) {
     request.settings.paths = 1;
   } else {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "render/gl/egl_context.h"
+#include "render/samples/denoised_frame.h"
 
 namespace brume {
 namespace {
@@ -59,8 +60,10 @@ class ChosenRenderer {
       rendered->frame = std::move(shown->frame);
       rendered->on_device = std::move(shown->picture);
     } else {
-      auto frame = renderer_->render(scene, request.camera, film, request.settings, stop, {},
-                                     request.motion);
+      auto frame = request.settings.airlight == AirlightMethod::path
+                       ? trace(request, film, stop)
+                       : renderer_->render(scene, request.camera, film, request.settings, stop, {},
+                                           request.motion);
       if (!frame) return nullptr;
       rendered->frame = std::move(*frame);
     }
@@ -89,6 +92,45 @@ class ChosenRenderer {
     return better ? nullptr : std::move(renderer);
   }
 
+  // The picture by paths begins with the solved one, which a coarse one is alone.
+  std::optional<Frame> trace(const FrameRequest& request, const Film& film,
+                             const std::stop_token& stop) {
+    const Scene& scene = *request.scene;
+    const auto solve = [&] {
+      return renderer_->render(scene, request.camera, film, solved_settings(solved_slices), stop);
+    };
+    if (request.divisor != 1) return solve();
+    const auto is_known = [&] {
+      return traced_ && traced_->view == request.view && traced_->serial == request.serial &&
+             2 * traced_->paths == request.settings.paths;
+    };
+    if (!is_known()) {
+      traced_.reset();
+      std::optional<Frame> solved = solve();
+      if (!solved) return std::nullopt;
+      traced_.emplace(Traced{request.view, request.serial, 0, DenoisedView(*solved)});
+    }
+    std::optional<Frame> frame =
+        renderer_->render(scene, request.camera, film, request.settings, stop);
+    if (!frame) return std::nullopt;
+    traced_->paths = request.settings.paths;
+    traced_->denoised.denoise(*frame, {stop, {}});
+    if (!stop.stop_requested()) return frame;
+    traced_.reset();
+    return std::nullopt;
+  }
+
+  static constexpr int solved_slices = 24;
+
+  // What was traced last.
+  struct Traced {
+    int view;
+    std::uint64_t serial;
+    int paths;  // per pixel
+    DenoisedView denoised;
+  };
+
+  std::optional<Traced> traced_;
   std::unique_ptr<FrameRenderer> renderer_;
   GlRenderer* sharing_ = nullptr;  // the same, where its pictures are for the views
   std::string problem_;            // why it is not what was asked for

@@ -139,19 +139,6 @@ constexpr int least_blurred_paths = 64;
 // Another one than between the shares of share_of_paths().
 constexpr std::uint64_t seed_between_halves = 0xD1B54A32D192ED03u;
 
-// The airlight of a frame's pixels, and what else is in its beauty.
-struct Parts {
-  std::vector<glm::vec3> airlight, others;
-
-  Parts(std::span<const float> air, std::span<const float> beauty) {
-    for (std::size_t i = 0; 4 * i < beauty.size(); ++i) {
-      airlight.emplace_back(air[3 * i], air[3 * i + 1], air[3 * i + 2]);
-      others.push_back(glm::vec3(beauty[4 * i], beauty[4 * i + 1], beauty[4 * i + 2]) -
-                       airlight.back());
-    }
-  }
-};
-
 // Adds the differences of airlight and others to a frame's layers, where nothing gets negative.
 void add(std::span<const glm::vec3> to_airlight, std::span<const glm::vec3> to_others,
          std::vector<float>& airlight, std::vector<float>& beauty) {
@@ -167,6 +154,55 @@ void add(std::span<const glm::vec3> to_airlight, std::span<const glm::vec3> to_o
 }
 
 }  // namespace
+
+AirlightAndOthers::AirlightAndOthers(const std::vector<float>& frame_airlight,
+                                     const std::vector<float>& frame_beauty) {
+  for (std::size_t i = 0; 4 * i < frame_beauty.size(); ++i) {
+    const float* const air = frame_airlight.data() + 3 * i;
+    const float* const all = frame_beauty.data() + 4 * i;
+    airlight.emplace_back(air[0], air[1], air[2]);
+    others.push_back(glm::vec3(all[0], all[1], all[2]) - airlight.back());
+  }
+}
+
+Settings solved_settings(int slices) {
+  Settings settings = sliced_settings({}, slices);
+  settings.scattering = Scattering::multiple;
+  return settings;
+}
+
+void DenoisedView::denoise(Frame& traced, const Job& job) {
+  const AirlightAndOthers now(traced.airlight, traced.beauty);
+  const auto set = [&](std::span<const glm::vec3> to_airlight,
+                       std::span<const glm::vec3> to_others) {
+    for (std::size_t i = 0; i < solved_.airlight.size(); ++i) {
+      const glm::vec3 all = solved_.airlight[i] + solved_.others[i];
+      for (int c = 0; c < 3; ++c) {
+        traced.airlight[3 * i + static_cast<std::size_t>(c)] = solved_.airlight[i][c];
+        traced.beauty[4 * i + static_cast<std::size_t>(c)] = all[c];
+      }
+    }
+    add(to_airlight, to_others, traced.airlight, traced.beauty);
+  };
+  if (last_.airlight.empty()) {
+    const std::vector<glm::vec3> nothing(now.airlight.size(), glm::vec3(0.0f));
+    set(nothing, nothing);
+  } else {
+    // What the newer half of the paths sees by itself.
+    const auto difference = [&](std::span<const glm::vec3> solved,
+                                const std::vector<glm::vec3>& older,
+                                std::span<const glm::vec3> all) {
+      SolvedAndTraced pictures{traced.film.width, {solved.begin(), solved.end()}, {older, {}}};
+      for (std::size_t i = 0; i < all.size(); ++i) {
+        pictures.traced[1].push_back(2.0f * all[i] - older[i]);
+      }
+      return significant_difference(pictures, job);
+    };
+    set(difference(solved_.airlight, last_.airlight, now.airlight),
+        difference(solved_.others, last_.others, now.others));
+  }
+  last_ = now;
+}
 
 std::optional<Frame> render_denoised(FrameRenderer& renderer, const ExposedView& view,
                                      const Settings& settings, const Job& job) {
@@ -184,14 +220,14 @@ std::optional<Frame> render_denoised(FrameRenderer& renderer, const ExposedView&
   ExposedView traced_view = view;
   traced_view.exposure.samples = has_all ? samples : 1;
 
-  Settings solving = settings;
-  solving.airlight = AirlightMethod::sliced;
-  solving.scattering = Scattering::multiple;
+  Settings solving = solved_settings(settings.slices);
+  solving.threads = settings.threads;
   std::optional<Frame> frame =
       render_exposure(renderer, solved_view, solving, job.subrange(0.0, 0.3));
   if (!frame) return std::nullopt;
-  const Parts solved = has_all ? Parts(frame->airlight, frame->beauty)
-                               : Parts(frame->center_airlight(), frame->center_beauty());
+  const AirlightAndOthers solved =
+      has_all ? AirlightAndOthers(frame->airlight, frame->beauty)
+              : AirlightAndOthers(frame->center_airlight(), frame->center_beauty());
   SolvedAndTraced airlight{frame->film.width, solved.airlight, {}};
   SolvedAndTraced others{frame->film.width, solved.others, {}};
   for (int k = 0; k < 2; ++k) {
@@ -203,7 +239,7 @@ std::optional<Frame> render_denoised(FrameRenderer& renderer, const ExposedView&
     const std::optional<Frame> traced = render_exposure(
         renderer, traced_view, tracing, job.subrange(0.3 + 0.35 * k, 0.65 + 0.35 * k));
     if (!traced) return std::nullopt;
-    Parts parts(traced->airlight, traced->beauty);
+    AirlightAndOthers parts(traced->airlight, traced->beauty);
     airlight.traced[k] = std::move(parts.airlight);
     others.traced[k] = std::move(parts.others);
     add_cost(traced->statistics, frame->statistics);

@@ -25,9 +25,36 @@ struct SolvedAndTraced {
 // converges to all of the difference. Invalid after the job was stopped.
 std::vector<glm::vec3> significant_difference(const SolvedAndTraced& pictures, const Job& job);
 
-// A frame of `path` that begins with the solved picture (`sliced`, all orders) and keeps of the
-// paths' what is significant. Half of the paths make each of the two pictures; where a lens or a
-// shutter blurs, they are at least 64. nullopt if stopped.
+// The airlight of a frame's pixels, and what else is in its beauty.
+struct AirlightAndOthers {
+  std::vector<glm::vec3> airlight, others;
+
+  AirlightAndOthers() = default;
+  AirlightAndOthers(const std::vector<float>& frame_airlight,
+                    const std::vector<float>& frame_beauty);
+};
+
+// The settings of the solved picture: `sliced`, all orders.
+Settings solved_settings(int slices);
+
+// Denoises frames of a view of 1, 2, 4 ... paths, each with the paths of the frame before, and of
+// one sample a pixel.
+class DenoisedView {
+ public:
+  // Begins with the solved frame.
+  explicit DenoisedView(const Frame& solved) : solved_(solved.airlight, solved.beauty) {}
+  // Replaces the light of the next frame; that of the first is the solved one's. Invalid after the
+  // job was stopped.
+  void denoise(Frame& traced, const Job& job);
+
+ private:
+  AirlightAndOthers solved_;
+  AirlightAndOthers last_;  // by paths; empty before the first frame
+};
+
+// A frame of `path` that begins with the solved picture and keeps of the paths' what is
+// significant. Half of the paths make each of the two pictures; where a lens or a shutter blurs,
+// they are at least 64. nullopt if stopped.
 std::optional<Frame> render_denoised(FrameRenderer& renderer, const ExposedView& view,
                                      const Settings& settings, const Job& job);
 

@@ -44,6 +44,18 @@ double brightness(const Frame& frame) {
   return sum / static_cast<double>(frame.airlight.size());
 }
 
+// rms(a - b) / rms(b).
+double rms_difference(const std::vector<float>& a, const std::vector<float>& b) {
+  double squares = 0.0;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double gap = static_cast<double>(a[i] - b[i]);
+    squares += gap * gap;
+    sum += static_cast<double>(b[i] * b[i]);
+  }
+  return std::sqrt(squares / sum);
+}
+
 // With the keyboard, as a user would.
 void choose_scattering(TestWindow& window, const QString& text) {
   window->findChild<QDockWidget*>("medium")->raise();
@@ -190,6 +202,7 @@ class ScatteringTest : public QObject {
     const auto state = shown.back().first;
     std::erase_if(shown, [&](const auto& frame) { return frame.first != state; });
     for (std::size_t k = 0; k < shown.size(); ++k) QCOMPARE(shown[k].second, 1 << k);
+    const std::vector<float> beauty_of_paths = frames.shown()->frame.beauty;
     const double traced = brightness(frames.shown()->frame);
 
     // The settled picture of all orders is as bright.
@@ -200,6 +213,8 @@ class ScatteringTest : public QObject {
     const double solved = brightness(frames.shown()->frame);
     QVERIFY2(std::abs(solved / traced - 1.0) < 0.1,
              qPrintable(QString("%1 %2").arg(solved).arg(traced)));
+    // Paths only correct it: two of them alone are several times as far from it.
+    QVERIFY(rms_difference(beauty_of_paths, frames.shown()->frame.beauty) < 0.1);
     // And measured again, though no other frame is needed.
     frames.set_mode(ViewMode::path_traced);
     frames.set_mode(ViewMode::final);

@@ -111,6 +111,27 @@ TEST(DenoisedFrames, HaveAThirdOfTheNoise) {
   EXPECT_FALSE(renderer.render(scene, request, stop.get_token()));
 }
 
+TEST(DenoisedFrames, FollowTheDoublingPathsOfAView) {
+  Scene scene = on_film(cloud_scene(20, 0.5), {32, 24});
+  scene.surfaces = {wall(-3.0, 3.0)};
+  const Frame truth = render_frame(scene, path_traced(512));
+  Renderer renderer;
+  const Frame solved = render_frame(renderer, scene, solved_settings(24));
+  DenoisedView view(solved);
+  Frame noisy, denoised;
+  for (int paths = 1; paths <= 16; paths *= 2) {
+    Settings settings = path_traced(paths);
+    settings.path_seed = 1;
+    denoised = noisy = render_frame(renderer, scene, settings);
+    view.denoise(denoised, {});
+    if (paths == 1) {
+      EXPECT_LT(brume::rel_rmse(denoised.beauty, solved.beauty), 1e-5);  // rounding
+    }
+  }
+  EXPECT_LT(brume::rel_rmse(denoised.airlight, truth.airlight),
+            brume::rel_rmse(noisy.airlight, truth.airlight) / 3.0);
+}
+
 TEST(DenoisedFrames, KeepFilteredEdges) {
   // Two paths a pixel see the centers alone; edges stay those of the solved picture.
   Scene scene = on_film(cloud_scene(20, 0.5), {32, 24});
