@@ -132,15 +132,15 @@ bool FrameScheduler::is_measured() const {
                                         : quality_.is_measured();
 }
 
-// A coarse picture soon, without paths, then all pixels with 1 path, 2, 4, 8 ...
+// A coarse picture soon, without paths, unless there is a fine one; then all pixels with 1 path, 2,
+// 4, 8 ...
 void FrameScheduler::ask_for_paths(FrameRequest& request) const {
   request.settings = {};
   request.settings.airlight = AirlightMethod::path;
-  if (!shows_paths()) {
+  request.settings.paths = 1;
+  if (!shown_ || shown_->request.serial != serial_) {
     request.divisor = preview_divisor;
-  } else if (shown_->divisor != 1) {
-    request.settings.paths = 1;
-  } else {
+  } else if (shows_paths() && shown_->divisor == 1) {
     request.settings.paths = std::min(2 * shown_->request.settings.paths, max_view_paths);
   }
 }
