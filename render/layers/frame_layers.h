@@ -27,7 +27,7 @@ RenderLit render_lit_by(FrameRenderer& renderer, const ExposedView& view);
 
 // Whether a frame has more layers than it was rendered with.
 bool has_more_layers(const OutputLayers& layers);
-// Whether some of them are parts of the light.
+// The same of layers that are parts of the light.
 bool has_light_layers(const OutputLayers& layers);
 
 // Memory of those [bytes].
