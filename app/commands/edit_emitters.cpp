@@ -12,6 +12,25 @@
 #include "core/scene/animation/particles.h"
 
 namespace brume {
+namespace {
+
+Keys<double>::const_iterator first_above_zero(const Keys<double>& keys) {
+  return std::ranges::find_if(keys, [](const Key<double>& key) { return key.value > 0.0; });
+}
+
+// The keyframes of a rate that is 0 outside a span; none if it always is the same.
+Keys<double> span_keys(double rate, const EmissionSpan& span) {
+  Keys<double> keys;
+  const auto add = [&keys](double time, double value) {
+    keys.push_back({.time = time, .value = value, .interpolation = Interpolation::constant});
+  };
+  if (span.start > 0.0) add(0.0, 0.0);
+  if (span.start > 0.0 || span.end) add(span.start, rate);
+  if (span.end) add(*span.end, 0.0);
+  return keys;
+}
+
+}  // namespace
 
 QString emitter_name(const Emitter& emitter, std::size_t index) {
   return emitter.name.empty() ? undo_text("emitter %1").arg(index + 1)
@@ -25,7 +44,7 @@ Emitter new_emitter(const Scene& scene, const glm::dvec3& position, double size)
   emitter.spread = rounded(0.03 * size, 2);
   emitter.radius = {rounded(born_radius(size), 2), rounded(0.08 * size, 2)};
   emitter.density = {rounded(0.6 / emitter.radius.x, 2), 0.0};
-  // No two of a scene alike.
+  // No two emitters of a scene have the same particles.
   emitter.seed = static_cast<std::int64_t>(scene.emitters.size()) + 1;
   return emitter;
 }
@@ -46,46 +65,27 @@ void add_emitter(Document& document, const glm::dvec3& position, double size) {
        }});
 }
 
-EmissionSpan emission_span(const Emitter& emitter) {
+std::optional<EmissionSpan> emission_span(const Emitter& emitter) {
   const Keys<double>& keys = emitter.keys.rate;
-  EmissionSpan span;
-  const auto emits = [](const Key<double>& key) { return key.value > 0.0; };
-  const auto first = std::ranges::find_if(keys, emits);
-  if (first == keys.end()) return span;
-  if (first != keys.begin()) span.start = first->time;
+  if (keys.empty()) return emitter.rate > 0.0 ? std::optional(EmissionSpan{}) : std::nullopt;
+  const auto first = first_above_zero(keys);
+  if (first == keys.end()) return std::nullopt;
+  EmissionSpan span{.start = first->time};
   if (keys.back().value == 0.0) span.end = keys.back().time;
-  return span;
+  return keys == span_keys(first->value, span) ? std::optional(span) : std::nullopt;
 }
 
-void set_emission_span(Emitter& emitter, const EmissionSpan& span) {
-  Keys<double> keys = emitter.keys.rate;
-  const auto emits = [](const Key<double>& key) { return key.value > 0.0; };
-  // What it does between stays; a rate that never was above 0 is that of the emitter.
-  keys.erase(keys.begin(), std::ranges::find_if(keys, emits));
-  while (!keys.empty() && keys.back().value == 0.0) keys.pop_back();
-  const bool is_plain = keys.size() < 2;
-  Key<double> first = keys.empty() ? Key<double>{.value = emitter.rate} : keys.front();
-  const double rate = first.value;
+void set_emission_span(Emitter& emitter, EmissionSpan span) {
+  if (!emission_span(emitter)) return;
   constexpr double min_length = 1e-3;  // seconds, so that keys stay apart
-  std::erase_if(keys, [&span](const Key<double>& key) {
-    return key.time < span.start + min_length || (span.end && key.time > *span.end - min_length);
-  });
-  const Interpolation held = Interpolation::constant;
-  const bool has_start = span.start > 0.0;
-  const bool was_first = first.time < span.start + min_length;
-  if (is_plain) keys.clear();
-  if (has_start || (is_plain ? span.end.has_value() : was_first)) {
-    first.time = span.start;
-    if (is_plain) first.interpolation = held;
-    keys.insert(keys.begin(), first);
-  }
-  if (has_start) keys.insert(keys.begin(), {.time = 0.0, .value = 0.0, .interpolation = held});
-  if (span.end) {
-    keys.back().interpolation = held;
-    keys.push_back({.time = std::max(*span.end, span.start + min_length), .interpolation = held});
-  }
-  emitter.keys.rate = std::move(keys);
-  if (emitter.keys.rate.empty()) emitter.rate = rate;
+  constexpr double last_end = domain::seconds.max_value;
+  span.start = emission_time.nearest(span.start);
+  if (span.start < min_length) span.start = 0.0;
+  if (span.end) span.end = std::clamp(*span.end, span.start + min_length, last_end);
+  Keys<double>& keys = emitter.keys.rate;
+  const double rate = keys.empty() ? emitter.rate : first_above_zero(keys)->value;
+  keys = span_keys(rate, span);
+  if (keys.empty()) emitter.rate = rate;
 }
 
 void freeze_particles(Document& document, double time) {

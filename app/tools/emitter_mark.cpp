@@ -14,21 +14,22 @@ namespace {
 constexpr int path_dots = 24;
 constexpr double max_outlines = 20.0;
 
-// The emitter as if it had run for a lifetime, at most so many particles of it.
+// Outlines show particles as if the emitter had run for a lifetime at its greatest rate, at most so
+// many of them. Its rate at present may be 0, before its start.
 void add_particles(Overlay& overlay, const CameraRays& rays, const Emitter& emitter, QRgb color) {
   if (emitter.lifetime <= 0.0) return;
   Emitter thin = emitter;
   thin.keys = {};
-  thin.rate = std::min(emitter.rate, max_outlines / emitter.lifetime);
+  const double rate = emitter.keys.rate.empty() ? emitter.rate : upper_bound(emitter.keys.rate);
+  thin.rate = std::min(rate, max_outlines / emitter.lifetime);
   for (const Gaussian& particle : particles_at(thin, emitter.lifetime)) {
     overlay.add_outline(rays, particle, color);
   }
 }
 
 bool has_hardly_begun(const Emitter& emitter, double time) {
-  Emitter thin = emitter;
-  if (thin.keys.rate.empty()) thin.rate = std::min(thin.rate, 100.0);
-  return time <= 0.0 || particles_at(thin, time).size() < 3;
+  constexpr double hardly_any = 2.0;  // particles after the first
+  return time <= 0.0 || emitted_until(emitter, time) < hardly_any;
 }
 
 }  // namespace

@@ -102,7 +102,7 @@ void EmitterTool::cancel() {
   drag_.reset();
 }
 
-// What a click puts where the mouse is, and each emitter that is there.
+// A mark shows what a click would put where the mouse is; and one each emitter that is there.
 void EmitterTool::draw(Overlay& overlay, const CameraRays& rays) const {
   if (const auto point = cursor_ && !hovered_ && !drag_ ? paint_at(*cursor_) : std::nullopt) {
     const Gaussian born{point->position, born_radius(view().distance()), 1.0};

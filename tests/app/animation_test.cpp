@@ -138,7 +138,13 @@ class AnimationTest : public QObject {
     };
     const std::size_t previewed = lines();
     window->timeline().set_frame(60);
-    QVERIFY(previewed > lines() + 100);
+    const std::size_t running = lines();
+    QVERIFY(previewed > running + 100);
+    // Neither its rate, which is 0 now, nor the time hides what it will emit.
+    enter(window, "emitter_start", "5");
+    QVERIFY(lines() > running + 100);
+    enter(window, "emitter_start", "1");
+    QVERIFY(lines() < running + 100);
   }
 
   void an_emitter_starts_and_ends_by_keyframes_of_its_rate() {
@@ -163,13 +169,75 @@ class AnimationTest : public QObject {
     QVERIFY(born_by(2.6) > 10);
     enter(desk, "emitter_start", "0");
     QVERIFY(emitter() == scene.emitters[0]);
-    // What the rate does in between stays.
-    Emitter wild;
-    wild.keys.rate = {{.time = 1.0, .value = 10.0}, {.time = 2.0, .value = 40.0}};
-    set_emission_span(wild, {0.0, 3.0});
-    QCOMPARE(wild.keys.rate.size(), 3u);
-    QCOMPARE(wild.keys.rate[1].value, 40.0);
-    QVERIFY(emission_span(wild).end == 3.0);
+  }
+
+  void start_and_end_leave_a_rate_with_other_keyframes() {
+    Scene scene = small_scene();
+    const auto add = [&scene](const Keys<double>& rate) {
+      scene.emitters.emplace_back().keys.rate = rate;
+    };
+    const Interpolation held = Interpolation::constant;
+    add({{1.0, 10.0}, {1.5, 20.0}, {3.0, 30.0}});
+    add({{0.0, 0.0}, {2.0, 100.0}, {4.0, 0.0}});
+    add({{0.0, 10.0, held}, {1.0, 100.0, held}, {2.0, 40.0, held}, {8.0, 70.0, held}});
+    add({{0.0, 0.0, held}, {1.0, 100.0, held}, {2.0, 0.0}});
+    add({});
+    scene.emitters.back().rate = 0.0;
+    Desk desk(scene);
+    const Emitters before = desk.scene().emitters;
+    for (std::size_t k = 0; k < before.size(); ++k) {
+      desk.document().set_active_emitter(k);
+      auto* ends = desk.findChild<QCheckBox*>("emitter_ends");
+      QVERIFY(!ends->isEnabled());
+      QVERIFY(ends->toolTip().contains("dope sheet"));
+      QTest::mouseClick(ends, Qt::LeftButton);
+      enter(desk, "emitter_start", "5");
+      enter(desk, "emitter_end", "0.5");
+      auto* title = desk.findChild<QLabel*>("emitter_start_title");
+      QVERIFY(title->toolTip().contains("dope sheet"));
+      drag_mouse(*title, {1, 1}, {251, 1});
+      QVERIFY(desk.scene().emitters[k] == before[k]);
+    }
+    QCOMPARE(step_count(desk.document()), 0);
+  }
+
+  void a_start_that_passes_the_end_returns_it() {
+    Scene scene = small_scene();
+    scene.emitters.push_back({.rate = 30.0});
+    Desk desk(scene);
+    enter(desk, "emitter_start", "1");
+    click(desk, "emitter_ends");
+    enter(desk, "emitter_end", "5");
+    const Emitter before = desk.scene().emitters[0];
+    auto* title = desk.findChild<QLabel*>("emitter_start_title");
+    QTest::mousePress(title, Qt::LeftButton, {}, {1, 1});
+    move_mouse(*title, {301, 1});
+    QCOMPARE(value(desk, "emitter_start"), "7");
+    QVERIFY(desk.scene().emitters[0].keys.rate.back().time > 7.0);
+    move_mouse(*title, {51, 1});
+    QCOMPARE(value(desk, "emitter_start"), "2");
+    QCOMPARE(value(desk, "emitter_end"), "5");
+    move_mouse(*title, {1, 1});
+    QTest::mouseRelease(title, Qt::LeftButton);
+    QVERIFY(desk.scene().emitters[0] == before);
+  }
+
+  void starts_and_ends_are_times_that_files_have() {
+    Scene scene = small_scene();
+    scene.emitters.push_back({.rate = 30.0});
+    Desk desk(scene);
+    enter(desk, "emitter_start", "5e9");
+    QVERIFY(desk.scene().emitters[0] == scene.emitters[0]);
+    enter(desk, "emitter_start", "999999999");
+    click(desk, "emitter_ends");
+    QCOMPARE(desk.scene().emitters[0].keys.rate.back().time, 1e9);
+    enter(desk, "emitter_end", "5e9");
+    QCOMPARE(desk.scene().emitters[0].keys.rate.back().time, 1e9);
+    // The fields know their keyframes again in the file.
+    desk.document().save(desk.file("late.brume"));
+    desk.open("late.brume");
+    QCOMPARE(value(desk, "emitter_start"), "999999999");
+    QVERIFY(desk.findChild<QCheckBox*>("emitter_ends")->isChecked());
   }
 
   void noise_moves_with_the_wind() {

@@ -1,16 +1,17 @@
 #include "app/panels/forms/emitter_panel.h"
 
 #include <QFormLayout>
+#include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
 #include <algorithm>
 #include <string_view>
 
-#include "app/commands/edit_emitters.h"
 #include "app/commands/edit_objects.h"
 #include "app/document/document.h"
 #include "app/document/object_titles.h"
 #include "app/widgets/emission_editor.h"
+#include "app/widgets/number_field.h"
 #include "app/widgets/optics_editor.h"
 #include "app/widgets/rows.h"
 #include "core/scene/fields/emitter_fields.h"
@@ -59,50 +60,74 @@ void EmitterPanel::add_list(QFormLayout& form) {
   });
 }
 
-// When it emits, which is in the keyframes of its rate.
+std::optional<EmissionSpan> EmitterPanel::span() const {
+  return emitter() ? emission_span(*emitter()) : std::nullopt;
+}
+
+void EmitterPanel::change_span(const QString& verb, MergeId gesture,
+                               const std::function<void(EmissionSpan&)>& how) {
+  const auto shown = span();
+  if (!shown) return;
+  const std::size_t index = document_.active_emitter();
+  const bool goes_on = gesture != no_merge && gesture == span_gesture_.id &&
+                       index == span_gesture_.emitter && *shown == span_gesture_.last;
+  if (!goes_on) span_gesture_ = {gesture, index, *shown, {}};
+  EmissionSpan changed = span_gesture_.first;
+  how(changed);
+  change_emitter(document_, index, verb, gesture,
+                 [&changed](Emitter& e) { set_emission_span(e, changed); });
+  span_gesture_.last = span().value_or(changed);
+}
+
+// The keyframes of the rate hold when it emits.
 void EmitterPanel::add_span(QFormLayout& form) {
-  const auto span = [this] { return value_if(emitter(), emission_span); };
-  const auto change = [this, span](const QString& verb, MergeId gesture, const auto& how) {
-    if (!emitter()) return;
-    EmissionSpan changed = *span();
-    how(changed);
-    change_emitter(document_, document_.active_emitter(), verb, gesture,
-                   [&changed](Emitter& e) { set_emission_span(e, changed); });
-  };
-  add_number(form, tr("Start, s"),
-             {"emitter_start", domain::not_negative, ValueField::Scale::linear, 0.02,
-              [span] {
-                const auto shown = span();
-                return shown ? std::optional(shown->start) : std::nullopt;
-              },
-              [change](double time, MergeId gesture) {
-                change(tr("Set start of %1"), gesture, [time](EmissionSpan& s) { s.start = time; });
-              }})
-      ->setToolTip(tr("When it begins to emit; its rate is 0 before, by keyframes"));
-  add_toggle(form, tr("Ends"),
-             {"emitter_ends",
-              [span] {
-                const auto shown = span();
-                return shown ? std::optional(shown->end.has_value()) : std::nullopt;
-              },
-              [this, change](bool ends, MergeId gesture) {
-                constexpr double usual_length = 2.0;  // seconds
-                change(ends ? tr("Set end of %1") : tr("Remove end of %1"), gesture,
-                       [this, ends](EmissionSpan& s) {
-                         s.end.reset();
-                         if (ends) s.end = std::max(document_.time(), s.start + usual_length);
-                       });
-              }});
-  add_number(form, tr("End, s"),
-             {"emitter_end", domain::not_negative, ValueField::Scale::linear, 0.02,
-              [span] {
-                const auto shown = span();
-                return shown ? shown->end : std::nullopt;
-              },
-              [change](double time, MergeId gesture) {
-                change(tr("Set end of %1"), gesture, [time](EmissionSpan& s) { s.end = time; });
-              }})
-      ->setToolTip(tr("When it emits no more; its particles live on"));
+  QLabel* start_title = add_number(form, tr("Start, s"),
+                                   {"emitter_start", emission_time, ValueField::Scale::linear, 0.02,
+                                    [this] {
+                                      const auto shown = span();
+                                      return shown ? std::optional(shown->start) : std::nullopt;
+                                    },
+                                    [this](double time, MergeId gesture) {
+                                      change_span(tr("Set start of %1"), gesture,
+                                                  [time](EmissionSpan& s) { s.start = time; });
+                                    }});
+  start_title->setToolTip(tr("When it begins to emit; its rate is 0 before, by keyframes"));
+  QWidget* ends =
+      add_toggle(form, tr("Ends"),
+                 {"emitter_ends",
+                  [this] {
+                    const auto shown = span();
+                    return shown ? std::optional(shown->end.has_value()) : std::nullopt;
+                  },
+                  [this](bool is_on, MergeId gesture) {
+                    constexpr double usual_length = 2.0;  // seconds
+                    change_span(is_on ? tr("Set end of %1") : tr("Remove end of %1"), gesture,
+                                [this, is_on](EmissionSpan& s) {
+                                  s.end.reset();
+                                  if (is_on)
+                                    s.end = std::max(document_.time(), s.start + usual_length);
+                                });
+                  }});
+  QLabel* end_title = add_number(form, tr("End, s"),
+                                 {"emitter_end", emission_time, ValueField::Scale::linear, 0.02,
+                                  [this] {
+                                    const auto shown = span();
+                                    return shown ? shown->end : std::nullopt;
+                                  },
+                                  [this](double time, MergeId gesture) {
+                                    change_span(tr("Set end of %1"), gesture,
+                                                [time](EmissionSpan& s) { s.end = time; });
+                                  }});
+  end_title->setToolTip(tr("When it emits no more; its particles live on"));
+  const auto number = [this](const char* name) { return &findChild<ValueField*>(name)->number(); };
+  for (QWidget* widget : std::initializer_list<QWidget*>{start_title, number("emitter_start"), ends,
+                                                         end_title, number("emitter_end")}) {
+    on_refresh([this, widget, usual = widget->toolTip()] {
+      widget->setToolTip(emitter() && !span() ? tr("The rate is 0, or has keyframes of its own: "
+                                                   "edit them in the dope sheet")
+                                              : usual);
+    });
+  }
 }
 
 void EmitterPanel::add_fields(QFormLayout& form) {

@@ -101,6 +101,10 @@ std::size_t max_particles(const Emitter& emitter) {
       std::min(std::ceil(rate * lifetime) + 1.0, double{particle_limit}));
 }
 
+double emitted_until(const Emitter& emitter, double time) {
+  return Births(emitter).count(time);
+}
+
 std::vector<Gaussian> particles_at(const Emitter& emitter, double time) {
   std::vector<Gaussian> particles;
   if (max_particles(emitter) == 0 || !(time >= 0.0)) return particles;
