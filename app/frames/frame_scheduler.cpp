@@ -132,6 +132,14 @@ bool FrameScheduler::is_measured() const {
                                         : quality_.is_measured();
 }
 
+bool FrameScheduler::has_all_paths() const {
+  if (mode_ != ViewMode::path_traced || !is_settled()) return false;
+  const int paths = shown_->request.settings.paths;
+  // Two paths without noise: there is nothing that more of them would change.
+  const bool is_exact = paths > 1 && !shown_->frame.statistics.path_noise;
+  return is_exact || paths >= max_view_paths;
+}
+
 // A coarse picture soon, without paths, unless there is a fine one; then all pixels with 1 path, 2,
 // 4, 8 ...
 void FrameScheduler::ask_for_paths(FrameRequest& request) const {
@@ -361,11 +369,7 @@ void FrameScheduler::use_frame(const std::shared_ptr<const RenderedFrame>& frame
 // One view at a time: the renderer keeps the paths of one picture.
 void FrameScheduler::refine() {
   if (mode_ != ViewMode::path_traced || !active_ || pane_.isHidden() || !shows_paths()) return;
-  const int paths = shown_->request.settings.paths;
-  // Two paths without noise: there is nothing that more of them would change.
-  const bool is_exact = paths > 1 && !shown_->frame.statistics.path_noise;
-  const bool is_done = is_settled() && (is_exact || paths >= max_view_paths);
-  if (!is_done) send(frame_request(false));
+  if (!has_all_paths()) send(frame_request(false));
 }
 
 // One view at a time: each measurement takes all cores.

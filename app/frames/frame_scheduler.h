@@ -55,6 +55,8 @@ class FrameScheduler : public QObject {
   [[nodiscard]] bool is_settled() const;
   // Whether its error is known too, so auto has settled; of a path-traced one, its noise.
   [[nodiscard]] bool is_measured() const;
+  // Whether it is path-traced, and gets no more paths.
+  [[nodiscard]] bool has_all_paths() const;
   // Error map of the displayed frame; may be incomplete; nullptr if not shown.
   [[nodiscard]] const ErrorMap* error_map() const { return error_map_.get(); }
 

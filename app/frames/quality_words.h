@@ -9,17 +9,18 @@ namespace brume {
 
 class FrameScheduler;
 
-// What is known of how exact the shown picture is.
+// It says how exact the shown picture is, as far as that is known.
 struct QualityState {
-  bool is_measured = false;   // the picture at rest and its error, or its noise
-  bool is_exhausted = false;  // `auto` has no finer setting
-  double max_error = 0.0;     // that `auto` is to keep
+  bool is_measured = false;    // the picture at rest and its error, or its noise
+  bool is_auto = false;        // else the method was chosen, and stays
+  bool has_all_paths = false;  // a path-traced picture gets no more
+  double max_error = 0.0;      // that is asked for
   std::optional<FrameError> error{};
   std::optional<double> noise{};  // of a path-traced picture
 };
 
-// "settled", "refining", or what cannot be met and what to do. An error of the airlight that the
-// picture does not show is none that an eye sees.
+// Words for it: "settled", "refining", or what is not met and what to do. An error of the airlight
+// that the picture does not show is none that an eye sees.
 QString quality_words(const QualityState& state);
 QualityState quality_state(const FrameScheduler& frames);
 

@@ -187,15 +187,19 @@ class QualityTest : public QObject {
     QCOMPARE(quality_words(state), "refining");
     state.is_measured = true;
     QCOMPARE(quality_words(state), "settled");
-    state.is_exhausted = true;
+    state.is_auto = true;
     state.error = FrameError{{.rel_rmse = 0.08}, ErrorEstimate{.rel_rmse = 0.008}};
     QCOMPARE(quality_words(state), "settled");  // the picture hides it
     state.error->picture->rel_rmse = 0.05;
     QVERIFY(quality_words(state).startsWith("2 % cannot be met here"));
+    state.is_auto = false;
+    QVERIFY(quality_words(state).startsWith("error above 2 %"));
     state.error->airlight.rel_rmse = 0.01;
     QCOMPARE(quality_words(state), "settled");
     state.noise = 0.3;  // of paths
     QCOMPARE(quality_words(state), "refining");
+    state.has_all_paths = true;
+    QVERIFY(quality_words(state).startsWith("noise above 2 %"));
     state.noise = 0.01;
     QCOMPARE(quality_words(state), "settled");
   }
