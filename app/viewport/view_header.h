@@ -11,9 +11,9 @@ namespace brume {
 class ValueField;
 class Viewport;
 
-// What a view shows, over its upper edge, and the menus to change that: quantity, quality,
-// exposure, colour view, camera, overlays, and the resolution of the picture. What has no room is
-// behind the button at the end.
+// The header over the upper edge of a view says what it shows, with the menus to change that:
+// quantity, quality, exposure, colour view, camera, overlays, and the resolution of the picture.
+// The button at the end has what finds no room.
 class ViewHeader : public QToolBar {
   Q_OBJECT
  public:

@@ -40,7 +40,7 @@ class Viewport : public QWidget, public View {
   // The frame of the scene's camera, and what of it is to be rendered.
   [[nodiscard]] CameraFrame& camera_frame() { return *camera_frame_; }
 
-  // What it looks through: the scene's camera by name, or none.
+  // The name of the scene's camera if it looks through that; or else "Free View".
   [[nodiscard]] QString camera_title() const;
 
   // Why there is no OpenGL; empty if there is.

@@ -74,15 +74,16 @@ double mean_airlight(const Scene& scene, const Settings& settings);
 // The relative RMSE of the airlight that a scene has by some settings, of that by others.
 double airlight_error(const Scene& scene, const Settings& settings, const Settings& truth);
 
-// Whether the statistics say of something left out why, in words that include these.
+// True if the statistics say of something left out why, in words that include these.
 bool is_left_out(const Frame& frame, const std::string& why);
 
-// Whether sliced 24 of all orders is what 256 paths a pixel see: airlight within 3% and their
+// Expects that sliced 24 of all orders is what 256 paths a pixel see: airlight within 3% and their
 // noise, no 2% brighter or darker, the picture no 3%. On a quarter of the usual nodes.
 void expect_all_orders_match_paths(const Scene& scene, const std::string& name,
                                    const SourceGridSize& grid = {.nodes = 20'000});
 
-// Whether all is finite: radiance, alpha, transmittance in [0, 1]; distances > 0, +inf allowed.
+// Expects that all is finite: radiance, alpha, transmittance in [0, 1]; distances > 0, +inf
+// allowed.
 void expect_finite(const Frame& frame);
 
 // For integrals that share no code with those they test: the optical depth of the Gaussians from x
@@ -93,7 +94,7 @@ double plain_density(const Medium& medium, const glm::dvec3& x);
 // the middles of so many steps; `incident` is the light that arrives at a point from all around.
 double plain_airlight(const Scene& scene, const glm::dvec3& w, double begin, double end, int steps,
                       const std::function<double(const glm::dvec3& x)>& incident);
-// Whether the red airlight of pixels is within 0.1% what is `expected` of their rays' directions.
+// Expects the red airlight of pixels within 0.1% of what is `expected` of their rays' directions.
 void expect_airlight(const Scene& scene, const Frame& frame,
                      std::initializer_list<glm::ivec2> pixels,
                      const std::function<double(const glm::dvec3& w)>& expected);

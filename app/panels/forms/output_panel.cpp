@@ -154,7 +154,7 @@ void OutputPanel::add_method(QFormLayout& form) {
   method->addItem(tr("As in the view"));
   method->addItem(tr("Path traced"));
   method->setToolTip(
-      tr("As in the view: by View > Airlight, soon done. Path traced: all light, scattered and "
+      tr("As in the view: by View > Quality, soon done. Path traced: all light, scattered and "
          "reflected any number of times, with noise that four times the paths halve"));
   form.addRow(tr("Method"), method);
   const auto set_paths = [this](std::optional<int> paths, MergeId gesture = no_merge) {

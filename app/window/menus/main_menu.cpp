@@ -59,7 +59,7 @@ std::vector<GaussianId> joined(std::vector<GaussianId> a, const std::vector<Gaus
   return a;
 }
 
-// Those of its submenus, too.
+// The actions of a menu and of its submenus.
 QList<QAction*> all_actions(const QMenu& menu) {
   QList<QAction*> actions;
   for (QAction* action : menu.actions()) {

@@ -22,8 +22,8 @@ void add_fog_menu(QMenuBar& bar, Document& document, ViewGrid& views);
 // A menu of the groups that the selection can be moved to.
 void fill_group_menu(QMenu& menu, Document& document);
 
-// Adds View > Ground Grid. It comes on with a scene that has neither surfaces nor Gaussians and
-// goes off with one that has; until then it stays as the user has set it.
+// Adds View > Overlays > Ground Grid. It comes on with a scene that has neither surfaces nor
+// Gaussians and goes off with one that has; until then it stays as the user has set it.
 QAction* add_ground_grid_action(QMenu& menu, Document& document, ViewGrid& views);
 
 // Fills View > Quality: the method of all views, remembered; and the reference, which the active
