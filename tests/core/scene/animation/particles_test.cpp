@@ -91,6 +91,9 @@ TEST(Particles, AreBornAtAKeyedRate) {
   ASSERT_EQ(late.size(), 80u);
   EXPECT_NEAR(late.back(), 9.0, 1e-6);
   EXPECT_NEAR(late[78], 9.0 - 1.0 / 40.0, 1e-6);
+  EXPECT_EQ(emitted_until(emitter, 0.5), 0.0);
+  EXPECT_NEAR(emitted_until(emitter, 2.0), 10.0, 1e-9);
+  EXPECT_NEAR(emitted_until(emitter, 5.0), 120.0, 1e-9);
   // When it falls to 0, no more are born.
   emitter.keys.rate = {{.time = 0.0, .value = 20.0}, {.time = 1.0, .value = 0.0}};
   EXPECT_EQ(births(1.5).size(), 10u);
