@@ -102,15 +102,19 @@ std::vector<ScenePart> parts_of(const Scene& scene, std::span<const TrackKeys> k
   return parts_of_tracks(scene, keys);
 }
 
-void move_keys(Document& document, std::vector<ScenePart> before, std::span<const TrackMoves> moves,
+void move_keys(Document& document, std::vector<ScenePart> parts, std::span<const TrackMoves> moves,
                MergeId merge_id) {
   if (moves.empty()) return;
   std::size_t count = 0;
   for (const TrackMoves& track : moves) {
-    move_keys(part_of(before, track.track), track.track, track.moves);
+    move_keys(part_of(parts, track.track), track.track, track.moves);
     count += track.moves.size();
   }
-  push(document, std::move(before), move_text(moves, count), merge_id);
+  push(document, std::move(parts), move_text(moves, count), merge_id);
+}
+
+void restore_parts(Document& document, std::vector<ScenePart> parts, MergeId gesture) {
+  push(document, std::move(parts), {}, gesture);
 }
 
 void align_keys(Document& document, std::span<const TrackKeys> keys) {
@@ -122,29 +126,30 @@ void align_keys(Document& document, std::span<const TrackKeys> keys) {
   move_keys(document, parts_of(document.scene(), keys), moves, no_merge);
 }
 
-void move_curve_keys(Document& document, std::vector<ScenePart> before,
+void move_curve_keys(Document& document, std::vector<ScenePart> parts,
                      std::span<const CurveKeyMove> moves, MergeId merge_id) {
   std::vector<TrackMoves> in_time;
-  std::size_t count = 0;
   for (const CurveKeyMove& move : moves) {
     auto track = std::ranges::find(in_time, move.track, &TrackMoves::track);
     if (track == in_time.end()) track = in_time.insert(track, {move.track, {}});
-    // One for the key of all its numbers.
-    const bool is_known = std::ranges::any_of(track->moves, [&move](const KeyMove& other) {
-      return std::abs(other.from - move.time.from) < min_key_distance;
-    });
-    if (is_known) continue;
     track->moves.push_back(move.time);
-    ++count;
   }
   if (in_time.empty()) return;
-  for (const TrackMoves& track : in_time) {
-    move_keys(part_of(before, track.track), track.track, track.moves);
+  std::size_t count = 0;
+  for (TrackMoves& track : in_time) {
+    // One move is that of the key of all its numbers.
+    std::ranges::stable_sort(track.moves, {}, &KeyMove::from);
+    const auto others = std::ranges::unique(track.moves, [](const KeyMove& a, const KeyMove& b) {
+      return is_same_key_time(a.from, b.from);
+    });
+    track.moves.erase(others.begin(), others.end());
+    count += track.moves.size();
+    move_keys(part_of(parts, track.track), track.track, track.moves);
   }
   for (const CurveKeyMove& move : moves) {
-    set_key_value(part_of(before, move.track), move.curve, move.time.to, move.value);
+    set_key_value(part_of(parts, move.track), move.curve, move.time.to, move.value);
   }
-  push(document, std::move(before), move_text(in_time, count), merge_id);
+  push(document, std::move(parts), move_text(in_time, count), merge_id);
 }
 
 void set_tangent(Document& document, const Track& track, const CurveId& curve,
@@ -198,8 +203,8 @@ std::vector<TrackKeys> paste_keys(Document& document, const CopiedKeys& copied,
   for (const TrackKeys& source : copied.keys) {
     if (copied.keys.size() == 1 && !chosen.empty()) {
       for (const Track& track : chosen) add(source, track);
-    } else if (std::ranges::find(all, source.track) != all.end()) {
-      add(source, source.track);
+    } else if (const auto found = std::ranges::find(all, source.track); found != all.end()) {
+      add(source, *found);
     }
   }
   if (pasted.empty()) return {};

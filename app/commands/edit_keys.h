@@ -21,13 +21,15 @@ void delete_keys(Document& document, std::span<const TrackKeys> keys);
 
 // The parts of the scene that tracks are of, as they are at the start of a gesture.
 std::vector<ScenePart> parts_of(const Scene& scene, std::span<const TrackKeys> keys);
-// Moves keyframes in time. `to`: for each time of each track [s].
+// Moves keyframes in time; `parts` are as parts_of() says.
 struct TrackMoves {
   Track track;
   std::vector<KeyMove> moves;
 };
-void move_keys(Document& document, std::vector<ScenePart> before, std::span<const TrackMoves> moves,
+void move_keys(Document& document, std::vector<ScenePart> parts, std::span<const TrackMoves> moves,
                MergeId merge_id);
+// Sets parts back to what they were at the start of a gesture, as its end.
+void restore_parts(Document& document, std::vector<ScenePart> parts, MergeId gesture);
 // Moves the keyframes to the document's time.
 void align_keys(Document& document, std::span<const TrackKeys> keys);
 // Moves keys of curves in time, and sets that number of each.
@@ -37,7 +39,7 @@ struct CurveKeyMove {
   KeyMove time;
   double value;
 };
-void move_curve_keys(Document& document, std::vector<ScenePart> before,
+void move_curve_keys(Document& document, std::vector<ScenePart> parts,
                      std::span<const CurveKeyMove> moves, MergeId merge_id);
 void set_tangent(Document& document, const Track& track, const CurveId& curve,
                  const TangentEdit& edit, MergeId merge_id);

@@ -9,11 +9,22 @@
 namespace brume {
 namespace {
 
-// What the scene has in the place of some parts.
+// The scene's own parts in the place of others.
 std::vector<ScenePart> present_parts(const Scene& scene, const std::vector<ScenePart>& parts) {
   std::vector<ScenePart> present;
   for (const ScenePart& part : parts) present.push_back(scene_part(scene, part.index()));
   return present;
+}
+
+// Whether parts are the same but for the time of their keyframed values, which goes on in playback.
+bool are_same_at(double time, const std::vector<ScenePart>& parts,
+                 const std::vector<ScenePart>& others) {
+  return std::ranges::equal(parts, others, [time](ScenePart part, ScenePart other) {
+    if (part == other) return true;
+    apply_keys(part, time);
+    apply_keys(other, time);
+    return part == other;
+  });
 }
 
 // Sets those parts that differ from others of the same kinds.
@@ -58,7 +69,7 @@ bool ScenePartCommand::merge(const SceneCommand& later) {
   }
   after_ = command->after_;
   edit_.merge(command->edit_);
-  setObsolete(before_ == after_ && edit_.empty());
+  setObsolete(edit_.empty() && are_same_at(document_.time(), before_, after_));
   return true;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "app/document/object_places.h"
 #include "app/document/paths.h"
 #include "core/io/disk/atomic_file.h"
 #include "core/io/scene/scene_file.h"
@@ -40,6 +41,19 @@ void sort_unique(std::vector<GaussianId>& ids) {
 
 bool contains(const std::vector<GaussianId>& sorted, GaussianId id) {
   return std::binary_search(sorted.begin(), sorted.end(), id);
+}
+
+// Where the objects of a part will be, if some come or go.
+std::optional<ObjectPlaces> places_after(const Scene& scene, const ScenePart& part) {
+  const auto find = [&part]<class T>(const std::vector<T>& objects) -> std::optional<ObjectPlaces> {
+    const auto* list = std::get_if<std::vector<T>>(&part);
+    if (!list || list->size() == objects.size()) return std::nullopt;
+    return ObjectPlaces{part.index(), places_in(*list, objects)};
+  };
+  if (auto places = find(scene.lights)) return places;
+  if (auto places = find(scene.surfaces)) return places;
+  if (auto places = find(scene.emitters)) return places;
+  return find(scene.groups);
 }
 
 }  // namespace
@@ -179,7 +193,9 @@ void Document::set_time(double time) {
   if (!has_keys(scene_)) return;
   apply_keys(scene_, time_);
   scene_changed();
-  announce(scene_.groups.empty() ? Changes(Change::part) : Change::part | Change::groups);
+  Changes what = Change::part | Change::time;
+  what.setFlag(Change::groups, !scene_.groups.empty());
+  announce(what);
 }
 
 Gaussian Document::effective_gaussian(std::size_t index) const {
@@ -328,6 +344,7 @@ void Document::apply(const MediumEdit& edit) {
 }
 
 void Document::set_part(const ScenePart& part) {
+  const std::optional<ObjectPlaces> places = places_after(scene_, part);
   set_scene_part(scene_, part);
   if (std::holds_alternative<Splines>(part)) {
     scene_changed();
@@ -346,14 +363,15 @@ void Document::set_part(const ScenePart& part) {
       set_object(ObjectRef{object_->kind, count - 1});
     }
   }
-  if (!std::holds_alternative<Groups>(part)) return announce(Change::part);
-  Changes what = Change::part | Change::groups;
-  if (active_group_ != 0 && !active_group()) {
+  Changes what = Change::part;
+  const bool are_groups = std::holds_alternative<Groups>(part);
+  if (are_groups) what |= Change::groups;
+  if (are_groups && active_group_ != 0 && !active_group()) {
     active_group_ = 0;
     what |= Change::active_group;
   }
-  announce(what);
-  select(selection_);
+  Q_EMIT changed({.what = what, .places = places ? &*places : nullptr});
+  if (are_groups) select(selection_);
 }
 
 void Document::set_revision(std::uint64_t revision) {

@@ -5,6 +5,7 @@
 namespace brume {
 
 class MediumEdit;
+struct ObjectPlaces;
 
 enum class Change : unsigned {
   scene = 1u << 0,   // another one was opened
@@ -21,6 +22,7 @@ enum class Change : unsigned {
   active_spline = 1u << 11,
   file = 1u << 12,      // where the scene is saved, or its version
   modified = 1u << 13,  // whether it differs from the file, or the file is missing
+  time = 1u << 14,  // with a part or groups: they have the values of another time, no other keys
 };
 Q_DECLARE_FLAGS(Changes, Change)
 Q_DECLARE_OPERATORS_FOR_FLAGS(Changes)
@@ -28,7 +30,8 @@ Q_DECLARE_OPERATORS_FOR_FLAGS(Changes)
 // A change of a document.
 struct DocumentChange {
   Changes what;
-  const MediumEdit* edit = nullptr;  // of Change::medium; else null
+  const MediumEdit* edit = nullptr;      // of Change::medium; else null
+  const ObjectPlaces* places = nullptr;  // of Change::part if objects came or went; else null
 };
 
 }  // namespace brume

@@ -1,8 +1,6 @@
 #include "app/document/keyframe_curves.h"
 
 #include <QCoreApplication>
-#include <cstring>
-#include <glm/geometric.hpp>
 
 #include "app/document/visit_keyed_part.h"
 #include "core/scene/animation/keys_in_domain.h"
@@ -32,10 +30,6 @@ QString curve_title(const char* name, int component, int count, const NumberDoma
   return title + ' ' + (has_axes ? "xyz" : "rgb")[component];
 }
 
-bool may_vanish(const char* name) {
-  return std::strcmp(name, "direction") != 0 && std::strcmp(name, "up") != 0;
-}
-
 }  // namespace
 
 double Curve::at(double time) const {
@@ -43,6 +37,15 @@ double Curve::at(double time) const {
       [&](const auto& of) {
         const auto now = value_at(of, time, domain);
         return number_of(now, component);
+      },
+      keys);
+}
+
+double Curve::key_value(double time) const {
+  return std::visit(
+      [&](const auto& all) {
+        const auto found = find_key(all, time);
+        return found == all.end() ? 0.0 : number_of(found->value, component);
       },
       keys);
 }
@@ -66,22 +69,22 @@ std::vector<Curve::Point> Curve::points() const {
 
 std::vector<Curve> curves_of(const Scene& scene, const Track& row) {
   std::vector<Curve> curves;
-  const ScenePart part = scene_part(scene, row.part);
   std::size_t i = 0;
-  visit_keyed_part(part, [&]<class T>(const char* name, const auto&, const Keys<T>& keys,
-                                      const NumberDomain& domain) {
-    const std::size_t value = i++;
-    if (value < row.first || value >= row.first + row.count || keys.empty()) return;
-    if constexpr (std::is_same_v<T, glm::dquat>) {
-      const QString title = QCoreApplication::translate("Curves", "turned, degrees");
-      curves.push_back({{value, 0}, 0, title, domain, turned_angles(keys), true});
-    } else {
-      constexpr int count = components_of<T>;
-      for (int k = 0; k < count; ++k) {
-        curves.push_back({{value, k}, 0, curve_title(name, k, count, domain), domain, keys});
-      }
-    }
-  });
+  visit_scene_values(
+      scene, row.part,
+      [&]<class T>(const char* name, const auto&, const Keys<T>& keys, const NumberDomain& domain) {
+        const std::size_t value = i++;
+        if (!row.has_value(value) || keys.empty()) return;
+        if constexpr (std::is_same_v<T, glm::dquat>) {
+          const QString title = QCoreApplication::translate("Curves", "turned, degrees");
+          curves.push_back({{value, 0}, 0, title, domain, turned_angles(keys), true});
+        } else {
+          constexpr int count = components_of<T>;
+          for (int k = 0; k < count; ++k) {
+            curves.push_back({{value, k}, 0, curve_title(name, k, count, domain), domain, keys});
+          }
+        }
+      });
   return curves;
 }
 
@@ -109,10 +112,7 @@ void set_key_value(ScenePart& part, const CurveId& curve, double time, double va
       [&]<class T>(Keys<T>& keys, std::size_t i, const char* name, const NumberDomain& domain) {
         T changed = keys[i].value;
         number_of(changed, curve.component) = domain.nearest(value);
-        if constexpr (components_of<T> == 3) {
-          if (!may_vanish(name) && glm::length(changed) == 0.0) return;
-        }
-        keys[i].value = changed;
+        if (may_be_value(name, changed)) keys[i].value = changed;
       });
 }
 

@@ -13,9 +13,11 @@ namespace brume {
 struct CurveId {
   std::size_t value = 0;  // index among the part's animatable values, as Track::first
   int component = 0;
+
+  bool operator==(const CurveId&) const = default;
 };
 
-// It over time. A rotation is one curve, of how far it has turned [degrees].
+// That number over time. A rotation is one curve, of how far it has turned [degrees].
 struct Curve : CurveId {
   std::size_t track = 0;  // its track's place among those shown together
   QString title;          // "position x", "intensity"
@@ -33,9 +35,10 @@ struct Curve : CurveId {
     Slopes<double> slopes;
   };
   [[nodiscard]] std::vector<Point> points() const;
+  [[nodiscard]] double key_value(double time) const;  // 0 without a key at the time [s]
 };
 
-// Those of a track that have keys.
+// The curves of a track's numbers that have keys.
 std::vector<Curve> curves_of(const Scene& scene, const Track& row);
 
 // Edits of that number in the key at a time, as far as it is allowed; no effect without such a key.

@@ -19,12 +19,17 @@ QString track_text(const char* text) {
   return QCoreApplication::translate("KeyRows", text);
 }
 
-// What can have keyframes: its title in lists, and the part of the scene that has it.
+// An object that can have keyframes: its title in lists, and where the scene has it.
 struct Keyed {
   QString title;
   std::size_t part;
-  std::optional<ObjectRef> ref{};
+  std::size_t place = 0;  // among the part's
 };
+
+Track new_track(const Keyed& object, const QString& value, std::size_t first,
+                std::size_t count = 1) {
+  return {object.title, value, object.part, first, count, object.place};
+}
 
 // Calls visit(i, value, keys) for the values of a part that can have keys, in order.
 void visit_values(auto& part, auto&& visit) {
@@ -34,15 +39,27 @@ void visit_values(auto& part, auto&& visit) {
   });
 }
 
-// The same for the values of a row.
+// The same for the values of a row; or visit(name, value, keys, domain).
 void visit_row(auto& part, const Track& row, auto&& visit) {
-  visit_values(part, [&](std::size_t i, auto& value, auto& keys) {
-    if (i >= row.first && i < row.first + row.count) visit(value, keys);
-  });
+  std::size_t i = 0;
+  visit_keyed_part(part,
+                   [&](const char* name, auto& value, auto& keys, const NumberDomain& domain) {
+                     const std::size_t index = i++;
+                     if (!row.has_value(index)) return;
+                     if constexpr (requires { visit(name, value, keys, domain); }) {
+                       visit(name, value, keys, domain);
+                     } else {
+                       visit(value, keys);
+                     }
+                   });
+}
+
+bool is_same_domain(const NumberDomain& a, const NumberDomain& b) {
+  return a.min_value == b.min_value && a.max_value == b.max_value && a.open == b.open;
 }
 
 // The tracks of values of core/scene/fields; those of values that are keyed jointly are neighbours.
-// `value`: index of the object's first among its part's.
+// `value` is the index of the object's first among its part's.
 void add_tracks(std::vector<Track>& rows, const Keyed& object, std::size_t& value,
                 const auto& owner, const auto& all_keys) {
   bool is_joint = false;
@@ -52,9 +69,9 @@ void add_tracks(std::vector<Track>& rows, const Keyed& object, std::size_t& valu
     if (is_next) {
       ++rows.back().count;
     } else if (is_joint) {
-      rows.push_back({object.title, {}, object.part, value, 1, object.ref});
+      rows.push_back(new_track(object, {}, value));
     } else if (!info.is_track_optional || is_set(field, owner, all_keys)) {
-      rows.push_back({object.title, track_text(info.label), object.part, value, 1, object.ref});
+      rows.push_back(new_track(object, track_text(info.label), value));
     }
     ++value;
   });
@@ -75,16 +92,15 @@ void find_value(Track& track, std::string_view name, const auto& owner, const au
   });
 }
 
-// In the order of visit_keyed_surface().
+// The tracks of surfaces, in the order of visit_keyed_surface().
 std::vector<Track> surface_tracks(const Surfaces& surfaces) {
   std::vector<Track> rows;
   const QStringList names = surface_names(surfaces);
   std::size_t count = 0;
   for (std::size_t k = 0; k < surfaces.size(); ++k) {
-    const Keyed object{names[static_cast<int>(k)], index_of<Surfaces>(),
-                       ObjectRef{ObjectRef::Kind::surface, k}};
+    const Keyed object{names[static_cast<int>(k)], index_of<Surfaces>(), k};
     for (const char* value : {"Position", "Rotation", "Scale"}) {
-      rows.push_back({object.title, track_text(value), object.part, count++, 1, object.ref});
+      rows.push_back(new_track(object, track_text(value), count++));
     }
     add_tracks(rows, object, count, surfaces[k].material, surfaces[k].keys);
   }
@@ -105,9 +121,9 @@ Track surface_value(const Surfaces& surfaces, std::size_t index, std::string_vie
   });
   std::vector<Track> rows = surface_tracks({surfaces[index]});
   Track track = value < rows.size() ? rows[value] : Track{{}, {}, index_of<Surfaces>()};
-  track.object = surface_names(surfaces)[static_cast<int>(index)];
+  track.object = surface_name(surfaces, index);
   track.first = count + value;
-  track.ref = ObjectRef{ObjectRef::Kind::surface, index};
+  track.place = index;
   return track;
 }
 
@@ -117,28 +133,26 @@ void visit_objects(const Scene& scene, auto&& visit) {
   visit(Keyed{track_text("Camera"), index_of<KeyedCamera>()}, scene.camera, scene.camera_keys);
   for (std::size_t k = 0; k < scene.lights.size(); ++k) {
     const Light& light = scene.lights[k];
-    visit(Keyed{light_title(light, k), index_of<Lights>(), ObjectRef{ObjectRef::Kind::light, k}},
-          light, light.keys);
+    visit(Keyed{light_title(light, k), index_of<Lights>(), k}, light, light.keys);
   }
   if (const auto& environment = scene.environment) {
     constexpr auto part = index_of<std::optional<Environment>>;
     visit(Keyed{track_text("Environment"), part()}, *environment, environment->keys);
     if (const auto& sky = environment->sky)
-      visit(Keyed{track_text("Sky"), part()}, *sky, sky->keys);
+      visit(Keyed{track_text("Sky"), part(), 1}, *sky, sky->keys);
   }
   visit(Keyed{{}, index_of<KeyedDensity>()}, scene.medium, NoKeys());
   const MediumOptics& optics = scene.optics;
   visit(Keyed{{}, index_of<MediumOptics>()}, optics, optics.keys);
-  visit(Keyed{track_text("Noise"), index_of<MediumOptics>()}, optics.noise, optics.noise.keys);
+  visit(Keyed{track_text("Noise"), index_of<MediumOptics>(), 1}, optics.noise, optics.noise.keys);
   visit(Keyed{{}, index_of<Surfaces>()}, scene.surfaces, NoKeys());
-  for (const Group& group : scene.groups) {
-    visit(Keyed{QString::fromStdString(group.name), index_of<Groups>()}, group, group.keys);
+  for (std::size_t k = 0; k < scene.groups.size(); ++k) {
+    const Group& group = scene.groups[k];
+    visit(Keyed{QString::fromStdString(group.name), index_of<Groups>(), k}, group, group.keys);
   }
   for (std::size_t k = 0; k < scene.emitters.size(); ++k) {
     const Emitter& emitter = scene.emitters[k];
-    visit(Keyed{emitter_title(emitter, k), index_of<Emitters>(),
-                ObjectRef{ObjectRef::Kind::emitter, k}},
-          emitter, emitter.keys);
+    visit(Keyed{emitter_title(emitter, k), index_of<Emitters>(), k}, emitter, emitter.keys);
   }
 }
 
@@ -169,7 +183,7 @@ void visit_imported(const Surface& surface, auto&& visit) {
 // The keys of all parts, which are as many as there are samples, a millisecond apart.
 std::vector<Keyframe> imported_keyframes(const Surface& surface) {
   std::vector<double> times;
-  std::vector<double> last;  // of the values before; most have the same
+  std::vector<double> last;  // the times of the values before, which most share
   visit_imported(surface, [&](const auto& keys) {
     const auto same = [](const auto& key, double time) { return key.time == time; };
     if (std::ranges::equal(keys, last, same)) return;
@@ -188,7 +202,35 @@ std::vector<Keyframe> imported_keyframes(const Surface& surface) {
   return marks;
 }
 
+// Sorts keyframes, and keeps the first of those at one time.
+void sort_keyframes(std::vector<Keyframe>& marks) {
+  std::ranges::stable_sort(marks, {}, &Keyframe::time);
+  const auto is_same = [](const Keyframe& a, const Keyframe& b) {
+    return is_same_key_time(a.time, b.time);
+  };
+  const auto others = std::ranges::unique(marks, is_same);
+  marks.erase(others.begin(), others.end());
+}
+
+void add_keyframes(std::vector<Keyframe>& marks, const auto& keys) {
+  for (const auto& key : keys) marks.push_back({key.time, key.interpolation, tangents_of(key)});
+}
+
 }  // namespace
+
+bool Track::operator==(const Track& other) const {
+  return part == other.part && place == other.place && (count == 0) == (other.count == 0) &&
+         value == other.value;
+}
+
+void follow_places(std::vector<Track>& tracks, const ObjectPlaces& places) {
+  std::erase_if(tracks, [&places](Track& track) {
+    if (track.part != places.part) return false;
+    const auto place = places.of(track.place);
+    if (place) track.place = *place;
+    return !place;
+  });
+}
 
 QString Track::title() const {
   if (object.isEmpty() || value.isEmpty()) return object + value;
@@ -198,7 +240,7 @@ QString Track::title() const {
 std::vector<Track> tracks(const Scene& scene) {
   std::vector<Track> rows;
   std::size_t last_part = 0;
-  std::size_t value = 0;  // of its part
+  std::size_t value = 0;  // its index among those of its part
   visit_objects(scene, [&](const Keyed& object, const auto& owner, const auto& all_keys) {
     if (std::exchange(last_part, object.part) != object.part) value = 0;
     if constexpr (std::is_same_v<decltype(owner), const Medium&>) {
@@ -223,7 +265,7 @@ Track value_track(const Scene& scene, std::size_t part, std::size_t object, std:
       track.value = track_text("Homogeneous density");
     } else if (i <= object) {
       track.object = keyed.title;
-      track.ref = keyed.ref;
+      track.place = keyed.place;
       find_value(track, i == object ? name : std::string_view(), owner, all_keys);
       ++i;
     }
@@ -231,23 +273,35 @@ Track value_track(const Scene& scene, std::size_t part, std::size_t object, std:
   return track;
 }
 
-// Copies each part once: there may be many surfaces.
-std::vector<Track> tracks_with_keys(const Scene& scene) {
-  std::vector<Track> rows = tracks(scene);
-  std::map<std::size_t, std::vector<bool>> keyed;  // by part, of its values
-  std::erase_if(rows, [&](const Track& row) {
-    const auto [at, is_new] = keyed.try_emplace(row.part);
-    std::vector<bool>& values = at->second;
+// Each part is visited once: there may be many surfaces.
+std::vector<KeyedTrack> keyed_tracks(const Scene& scene) {
+  std::vector<KeyedTrack> keyed;
+  std::map<std::size_t, std::vector<std::vector<Keyframe>>> all_marks;  // by part and value
+  for (Track& track : tracks(scene)) {
+    const auto [found, is_new] = all_marks.try_emplace(track.part);
+    std::vector<std::vector<Keyframe>>& part_marks = found->second;
     if (is_new) {
-      const ScenePart part = scene_part(scene, row.part);
-      visit_values(part, [&values](std::size_t, const auto&, const auto& keys) {
-        values.push_back(!keys.empty());
-      });
+      visit_scene_values(scene, track.part,
+                         [&](const char*, const auto&, const auto& keys, const NumberDomain&) {
+                           add_keyframes(part_marks.emplace_back(), keys);
+                         });
     }
-    const auto first = values.begin() + static_cast<std::ptrdiff_t>(row.first);
-    return std::none_of(first, first + static_cast<std::ptrdiff_t>(row.count),
-                        [](bool has_keys) { return has_keys; });
-  });
+    std::vector<Keyframe> marks;
+    std::vector<std::size_t> values;
+    for (std::size_t k = track.first; k < track.first + track.count; ++k) {
+      if (!part_marks[k].empty()) values.push_back(k);
+      marks.insert(marks.end(), part_marks[k].begin(), part_marks[k].end());
+    }
+    if (marks.empty()) continue;
+    sort_keyframes(marks);
+    keyed.push_back({std::move(track), std::move(marks), std::move(values)});
+  }
+  return keyed;
+}
+
+std::vector<Track> tracks_with_keys(const Scene& scene) {
+  std::vector<Track> rows;
+  for (KeyedTrack& keyed : keyed_tracks(scene)) rows.push_back(std::move(keyed.track));
   return rows;
 }
 
@@ -258,27 +312,22 @@ std::vector<Track> imported_tracks(const Scene& scene) {
     bool moves = false;
     visit_imported(scene.surfaces[k], [&moves](const auto&) { moves = true; });
     if (!moves) continue;
-    rows.push_back({names[static_cast<int>(k)], track_text("Animation"), index_of<Surfaces>(), 0, 0,
-                    ObjectRef{ObjectRef::Kind::surface, k}});
+    const Keyed object{names[static_cast<int>(k)], index_of<Surfaces>(), k};
+    rows.push_back(new_track(object, track_text("Animation"), 0, 0));
   }
   return rows;
 }
 
 std::vector<Keyframe> keyframes_of(const Scene& scene, const Track& row) {
-  if (row.count == 0) return imported_keyframes(scene.surfaces[row.ref->index]);
+  if (row.count == 0) return imported_keyframes(scene.surfaces[row.place]);
   std::vector<Keyframe> marks;
-  const ScenePart part = scene_part(scene, row.part);
-  visit_row(part, row, [&marks](const auto&, const auto& keys) {
-    for (const auto& key : keys) {
-      const auto is_same = [&key](const Keyframe& mark) {
-        return std::abs(mark.time - key.time) < min_key_distance;
-      };
-      if (std::any_of(marks.begin(), marks.end(), is_same)) continue;
-      marks.push_back({key.time, key.interpolation, tangents_of(key)});
-    }
-  });
-  std::sort(marks.begin(), marks.end(),
-            [](const Keyframe& a, const Keyframe& b) { return a.time < b.time; });
+  std::size_t i = 0;
+  visit_scene_values(scene, row.part,
+                     [&](const char*, const auto&, const auto& keys, const NumberDomain&) {
+                       const std::size_t index = i++;
+                       if (row.has_value(index)) add_keyframes(marks, keys);
+                     });
+  sort_keyframes(marks);
   return marks;
 }
 
@@ -326,24 +375,38 @@ void move_keys(ScenePart& part, const Track& row, std::span<const KeyMove> moves
 
 void paste_keys(ScenePart& part, const Track& row, const ScenePart& copied, const Track& copied_row,
                 std::span<const KeyMove> moves) {
-  using Source = std::variant<const Keys<double>*, const Keys<glm::dvec2>*, const Keys<glm::dvec3>*,
-                              const Keys<glm::dquat>*>;
+  struct Source {
+    std::variant<const Keys<double>*, const Keys<glm::dvec2>*, const Keys<glm::dvec3>*,
+                 const Keys<glm::dquat>*>
+        keys;
+    NumberDomain domain;
+  };
   std::vector<Source> sources;
   visit_row(copied, copied_row,
-            [&sources](const auto&, const auto& keys) { sources.emplace_back(&keys); });
+            [&sources](const char*, const auto&, const auto& keys, const NumberDomain& domain) {
+              sources.push_back({&keys, domain});
+            });
   std::size_t i = 0;
-  visit_row(part, row, [&]<class T>(const T&, Keys<T>& keys) {
-    const auto* source = i < sources.size() ? std::get_if<const Keys<T>*>(&sources[i]) : nullptr;
-    ++i;
-    if (!source) return;
-    for (const KeyMove& move : moves) {
-      const auto found = find_key(**source, move.from);
-      if (found == (*source)->end()) continue;
-      Key<T> key = *found;
-      key.time = move.to;
-      set_key(keys, key);
-    }
-  });
+  visit_row(part, row,
+            [&]<class T>(const char* name, const T&, Keys<T>& keys, const NumberDomain& domain) {
+              if (i >= sources.size()) return;
+              const Source& source = sources[i++];
+              const auto* source_keys = std::get_if<const Keys<T>*>(&source.keys);
+              if (!source_keys) return;
+              for (const KeyMove& move : moves) {
+                const auto found = find_key(**source_keys, move.from);
+                if (found == (*source_keys)->end()) continue;
+                Key<T> key = *found;
+                key.time = move.to;
+                key.value = nearest(domain, key.value);
+                if (!may_be_value(name, key.value)) continue;
+                if (!is_same_domain(source.domain, domain)) {
+                  key.in.reset();
+                  key.out.reset();
+                }
+                set_key(keys, key);
+              }
+            });
 }
 
 void set_interpolation(ScenePart& part, const Track& row, std::span<const double> times,

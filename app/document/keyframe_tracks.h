@@ -1,12 +1,13 @@
 #pragma once
 
 #include <QString>
+#include <cmath>
 #include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
 
-#include "app/document/object_ref.h"
+#include "app/document/object_places.h"
 #include "app/document/scene_part.h"
 
 namespace brume {
@@ -18,12 +19,19 @@ struct Track {
   std::size_t part = 0;  // index of ScenePart
   // Range of the part's animatable values, in the order of core/scene/animation/animation.h.
   std::size_t first = 0;
-  std::size_t count = 1;           // 0: the animation of an imported scene, which stays as it is
-  std::optional<ObjectRef> ref{};  // whose value it is, if of a light, an emitter or a surface
+  std::size_t count = 1;  // 0: the animation of an imported scene, which stays as it is
+  std::size_t place = 0;  // where its object is among the part's
 
   [[nodiscard]] QString title() const;  // "key position"
-  bool operator==(const Track&) const = default;
+  // Whether it has the part's animatable value of an index.
+  [[nodiscard]] bool has_value(std::size_t index) const { return index - first < count; }
+  // Whether it is of the same value of the same object, which may have another name by now, and
+  // its values another place in the part.
+  bool operator==(const Track& other) const;
 };
+
+// Gives tracks of a part the places that objects have now; those of objects that went are gone.
+void follow_places(std::vector<Track>& tracks, const ObjectPlaces& places);
 
 // Some keyframes of a track, by their times [s].
 struct TrackKeys {
@@ -31,9 +39,8 @@ struct TrackKeys {
   std::vector<double> times;
 };
 
-// All tracks; and those with keyframes.
+// All tracks.
 std::vector<Track> tracks(const Scene& scene);
-std::vector<Track> tracks_with_keys(const Scene& scene);
 // The rows of surfaces whose imported scenes move by themselves.
 std::vector<Track> imported_tracks(const Scene& scene);
 // The track of one value, by its name in files, of an object of a part: a light, a group, an
@@ -63,6 +70,20 @@ struct Keyframe {
 };
 std::vector<Keyframe> keyframes_of(const Scene& scene, const Track& row);  // by time
 
+// Whether two moments are one to keyframes [s].
+inline bool is_same_key_time(double a, double b) {
+  return std::abs(a - b) < min_key_distance;
+}
+
+// A track with its keyframes by time; those with any.
+struct KeyedTrack {
+  Track track;
+  std::vector<Keyframe> keys;
+  std::vector<std::size_t> values;  // those of the part's that have keys
+};
+std::vector<KeyedTrack> keyed_tracks(const Scene& scene);
+std::vector<Track> tracks_with_keys(const Scene& scene);
+
 // Whether its curves may have tangents: those of rotations have none.
 bool may_have_tangents(const Scene& scene, const Track& row);
 
@@ -77,7 +98,8 @@ struct KeyMove {
   double to;
 };
 void move_keys(ScenePart& part, const Track& row, std::span<const KeyMove> moves);
-// Copies keys from a track of a part, which may be another one with values of the same types.
+// Copies keys from a track of a part, which may be another one with values of the same types: they
+// are brought into its domains, without their tangents if they come from other ones.
 void paste_keys(ScenePart& part, const Track& row, const ScenePart& copied, const Track& copied_row,
                 std::span<const KeyMove> moves);
 void set_interpolation(ScenePart& part, const Track& row, std::span<const double> times,

@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 #include <QHash>
+#include <algorithm>
 #include <array>
 
 #include "app/document/paths.h"
@@ -14,6 +15,10 @@ QString own_name(const Surface& surface) {
   if (!surface.name.empty()) return QString::fromStdString(surface.name);
   return surface.primitive ? primitive_title(surface.primitive->shape)
                            : to_qstring(surface.mesh_file.filename());
+}
+
+QString numbered(const QString& name, std::ptrdiff_t count) {
+  return count == 1 ? name : QString("%1 (%2)").arg(name).arg(count);
 }
 
 }  // namespace
@@ -36,13 +41,20 @@ QString primitive_title(Primitive::Shape shape) {
   return QCoreApplication::translate("Surfaces", titles.at(static_cast<std::size_t>(shape)));
 }
 
+QString surface_name(const Surfaces& surfaces, std::size_t index) {
+  const QString name = own_name(surfaces[index]);
+  const auto end = surfaces.begin() + static_cast<std::ptrdiff_t>(index) + 1;
+  return numbered(name, std::count_if(surfaces.begin(), end, [&name](const Surface& surface) {
+                    return own_name(surface) == name;
+                  }));
+}
+
 QStringList surface_names(const Surfaces& surfaces) {
   QStringList names;
   QHash<QString, int> counts;
   for (const Surface& surface : surfaces) {
     const QString name = own_name(surface);
-    const int count = ++counts[name];
-    names << (count == 1 ? name : QString("%1 (%2)").arg(name).arg(count));
+    names << numbered(name, ++counts[name]);
   }
   return names;
 }

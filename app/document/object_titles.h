@@ -13,5 +13,6 @@ QString primitive_title(Primitive::Shape shape);  // "Box"
 // The names of surfaces, or else those of their shapes or mesh files; the same ones numbered:
 // "bunny.obj", "bunny.obj (2)".
 QStringList surface_names(const Surfaces& surfaces);
+QString surface_name(const Surfaces& surfaces, std::size_t index);  // of one of them
 
 }  // namespace brume

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <glm/vec3.hpp>
+#include <string_view>
 #include <type_traits>
 #include <variant>
 
@@ -34,6 +36,26 @@ void visit_keyed_part(auto& part, auto&& visit) {
         }
       },
       part);
+}
+
+// The same for a part of a scene. There may be many surfaces: they are not copied.
+void visit_scene_values(const Scene& scene, std::size_t part_index, auto&& visit) {
+  if (part_index == index_of<Surfaces>()) {
+    for (const Surface& surface : scene.surfaces) visit_keyed_surface(surface, visit);
+  } else {
+    const ScenePart part = scene_part(scene, part_index);
+    visit_keyed_part(part, visit);
+  }
+}
+
+// Whether a value of a name may have these numbers, each in its domain: directions have a length.
+template <class T>
+bool may_be_value(std::string_view name, const T& value) {
+  if constexpr (std::is_same_v<T, glm::dvec3>) {
+    return (name != "direction" && name != "up") || value != glm::dvec3(0.0);
+  } else {
+    return true;
+  }
 }
 
 }  // namespace brume

@@ -452,6 +452,36 @@ class CurvesTest : public QObject {
     document.undo_stack().undo();
     QVERIFY(document.scene() == before);
   }
+
+  void the_list_has_the_numbers_that_an_undo_leaves() {
+    Scene scene = small_scene();
+    scene.camera_keys.eye = {{.time = 0.0, .value = scene.camera.eye}};
+    Curves curves(scene, "Camera");
+    auto& list = *curves.desk.findChild<QTreeWidget*>("curve_list");
+    QCOMPARE(list.topLevelItem(0)->childCount(), 3);
+    set_key(curves.desk.document(), "Camera");
+    QVERIFY(list.topLevelItem(0)->childCount() > 3);
+    curves.show({"Camera"});
+    curves.desk.document().undo_stack().undo();
+    QCOMPARE(list.topLevelItem(0)->childCount(), 3);
+    QTreeWidgetItem* top = list.topLevelItem(0);
+    top->child(2)->setCheckState(0, Qt::Unchecked);
+    QCOMPARE(curves.editor().curves().size(), 2u);
+  }
+
+  void a_double_click_adds_a_key_to_the_curve_that_is_nearest() {
+    Curves curves;
+    curves.show({"Light 1 intensity", "Light 1 position"});
+    const CurveEditor& editor = curves.editor();
+    // The position comes first, and is the active one until another is clicked.
+    std::size_t other = 0;
+    while (editor.curves()[other].track == 0) ++other;
+    const Curve& curve = editor.curves()[other];
+    QTest::mouseDClick(&curves.editor(), Qt::LeftButton, {},
+                       editor.position(2.0, curve.at(2.0), curve.track).toPoint());
+    QCOMPARE(curves.desk.scene().lights[0].keys.intensity.size(), 3u);
+    QCOMPARE(curves.desk.scene().lights[0].keys.position.size(), 1u);
+  }
 };
 
 BRUME_APP_SUITE("curves", CurvesTest)

@@ -3,6 +3,7 @@
 #include <QLineEdit>
 #include <QWheelEvent>
 
+#include "app/commands/edit_objects.h"
 #include "app/document/timeline.h"
 #include "app/panels/time/dope_sheet.h"
 #include "app/panels/time/timeline_bar.h"
@@ -143,6 +144,113 @@ class DopeSheetTest : public QObject {
     QCOMPARE(document.medium().size(), 5u);
     desk.timeline().set_frame(0);
     QVERIFY(is_undone(document, before));
+  }
+
+  void pasted_keys_are_brought_into_the_domain_of_the_value() {
+    Scene scene = two_keyed_lights();
+    scene.lights[0].keys.position = {
+        {.time = 0.0, .value = {-3.0, 2.0, 5.0}, .out = glm::dvec3(1.0)}};
+    Desk desk(scene);
+    DopeSheet& sheet = *desk.findChild<DopeSheet*>("keys");
+    QTest::mouseClick(&sheet, Qt::LeftButton, {}, sheet.position(1, 0));
+    QTest::keyClick(&sheet, Qt::Key_C, Qt::ControlModifier);
+    QTest::mouseClick(&sheet, Qt::LeftButton, {}, sheet.name_position(4));
+    desk.timeline().set_frame(90);
+    QTest::keyClick(&sheet, Qt::Key_V, Qt::ControlModifier);
+    // The desk reads what it saves: no intensity is negative.
+    const Keys<glm::dvec3>& keys = desk.scene().lights[1].keys.intensity;
+    QCOMPARE(keys.size(), 2u);
+    QCOMPARE(keys[1].value, glm::dvec3(0.0, 2.0, 5.0));
+    QVERIFY(!keys[1].out);
+  }
+
+  void escape_in_playback_takes_back_what_was_dragged_and_sets_no_keys() {
+    Desk desk(two_keyed_lights());
+    Document& document = desk.document();
+    DopeSheet& sheet = *desk.findChild<DopeSheet*>("keys");
+    const LightKeys before = desk.scene().lights[0].keys;
+    QTest::mousePress(&sheet, Qt::LeftButton, {}, sheet.position(2, 30));
+    desk.timeline().set_frame(20);
+    QTest::keyClick(&sheet, Qt::Key_Escape);
+    QTest::mouseRelease(&sheet, Qt::LeftButton, {}, sheet.position(2, 30));
+    QCOMPARE(step_count(document), 0);
+    QVERIFY(desk.scene().lights[0].keys == before);
+    QTest::mousePress(&sheet, Qt::LeftButton, {}, sheet.position(2, 30));
+    move_mouse(sheet, sheet.position(2, 40));
+    QVERIFY(desk.scene().lights[0].keys != before);
+    desk.timeline().set_frame(25);
+    QTest::keyClick(&sheet, Qt::Key_Escape);
+    QTest::mouseRelease(&sheet, Qt::LeftButton, {}, sheet.position(2, 40));
+    QVERIFY(desk.scene().lights[0].keys == before);
+    QCOMPARE(step_count(document), 0);
+    desk.timeline().set_frame(0);
+  }
+
+  void keys_stay_those_of_their_light_when_others_go_and_come() {
+    Scene scene = two_keyed_lights();
+    scene.lights[0].name.clear();
+    scene.lights[0].keys = {};
+    scene.lights[0].keys.intensity = {{.time = 1.0, .value = glm::dvec3(7.0)}};
+    Desk desk(scene);
+    Document& document = desk.document();
+    DopeSheet& sheet = *desk.findChild<DopeSheet*>("keys");
+    // What is selected of a light that is deleted does not pass to the next one.
+    const auto choose_key = [&](std::size_t row) {
+      QTest::mouseClick(&sheet, Qt::LeftButton, {}, sheet.name_position(row));
+      QTest::mouseClick(&sheet, Qt::LeftButton, {}, sheet.position(row, 30));
+    };
+    choose_key(1);
+    delete_object(document, {ObjectRef::Kind::light, 0});
+    QVERIFY(sheet.selection().empty());
+    QVERIFY(sheet.chosen().empty());
+    document.undo_stack().undo();
+    // What is selected of the next one stays so, under another name too.
+    choose_key(3);
+    rename_object(document, {ObjectRef::Kind::light, 1}, "rim");
+    delete_object(document, {ObjectRef::Kind::light, 0});
+    QCOMPARE(sheet.chosen().size(), 1u);
+    QCOMPARE(sheet.selection().keys().size(), 1u);
+    document.undo_stack().undo();
+    QCOMPARE(sheet.selection().keys().size(), 1u);
+    QTest::keyClick(&sheet, Qt::Key_Delete);
+    QCOMPARE(document.scene().lights[0].keys.intensity.size(), 1u);
+    QVERIFY(document.scene().lights[1].keys.intensity.empty());
+  }
+
+  void lights_of_one_name_are_two_objects() {
+    Scene scene = two_keyed_lights();
+    scene.lights[1].name = "key";
+    Desk desk(scene);
+    DopeSheet& sheet = *desk.findChild<DopeSheet*>("keys");
+    QCOMPARE(sheet.rows().size(), 5u);
+    QCOMPARE(sheet.rows()[3].text, "key");
+    QTest::mouseClick(&sheet, Qt::LeftButton, {}, sheet.name_position(0));
+    QCOMPARE(sheet.chosen().size(), 2u);
+    QTest::mouseClick(&sheet, Qt::LeftButton, {}, QPoint(8, sheet.name_position(0).y()));
+    QCOMPARE(sheet.rows().size(), 3u);
+    QCOMPARE(sheet.rows()[2].text, "Intensity");
+  }
+
+  void a_drag_of_the_last_key_goes_as_far_as_the_mouse() {
+    Scene scene = two_keyed_lights();
+    scene.lights[0].keys.intensity[1].time = 200.0 / default_frame_rate;
+    Desk desk(scene);
+    QCOMPARE(desk.timeline().last(), 200);
+    DopeSheet& sheet = *desk.findChild<DopeSheet*>("keys");
+    drag_mouse(sheet, sheet.position(2, 200), sheet.position(2, 100));
+    QCOMPARE(desk.scene().lights[0].keys.intensity[1].time * default_frame_rate, 100.0);
+  }
+
+  void keys_before_the_start_of_time_are_moved_as_far_as_others() {
+    Scene scene = two_keyed_lights();
+    scene.lights[0].keys.position[0].time = -1.0;
+    Desk desk(scene);
+    DopeSheet& sheet = *desk.findChild<DopeSheet*>("keys");
+    QTest::mouseClick(&sheet, Qt::LeftButton, {}, sheet.position(2, 30));
+    QTest::keyClick(&sheet, Qt::Key_A, Qt::ControlModifier);
+    drag_mouse(sheet, sheet.position(2, 30), sheet.position(2, 35));
+    QCOMPARE(desk.scene().lights[0].keys.intensity[1].time * default_frame_rate, 35.0);
+    QVERIFY(std::abs(desk.scene().lights[0].keys.position[0].time + 25.0 / 30.0) < 1e-9);
   }
 
   void rulers_zoom_pan_and_fit() {

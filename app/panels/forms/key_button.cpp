@@ -60,9 +60,8 @@ std::vector<Keyframe> KeyButton::keys() const {
 }
 
 bool KeyButton::has_key_now() const {
-  return std::ranges::any_of(keys(), [this](const Keyframe& key) {
-    return std::abs(key.time - document_.time()) < min_key_distance;
-  });
+  return std::ranges::any_of(
+      keys(), [this](const Keyframe& key) { return is_same_key_time(key.time, document_.time()); });
 }
 
 void KeyButton::watch(QWidget& field) {

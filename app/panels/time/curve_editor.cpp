@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "app/commands/edit_keys.h"
-#include "app/commands/scene_part_command.h"
 #include "app/document/document.h"
 #include "app/document/timeline.h"
 #include "app/panels/time/key_menu.h"
@@ -32,12 +32,6 @@ CurveEditor::CurveEditor(Timeline& timeline, Document& document, QWidget* parent
          "or a rectangle selects several. Del to delete, right-click for options, double-click to "
          "add a key. Wheel to zoom (Shift: time only, Ctrl: "
          "value only), middle button to pan, Home to fit."));
-  on_change(document_, Change::scene, this, [this] {
-    drag_ = {};
-    selection_.set({});
-    refresh();
-  });
-  on_change(document_, Change::part, this, &CurveEditor::refresh);
   connect(&timeline_, &Timeline::changed, this, qOverload<>(&QWidget::update));
   connect(&mouse_, &MouseDrag::cancelled, this, &CurveEditor::cancel_drag);
   connect(&mouse_, &MouseDrag::ended, this, [this] { drag_ = {}; });
@@ -53,15 +47,37 @@ void CurveEditor::set_tracks(std::vector<Track> tracks, std::vector<Hidden> hidd
   axes_.fit(curves_);
 }
 
+bool CurveEditor::is_hidden(const std::vector<Hidden>& hidden, const Track& track,
+                            const CurveId& curve) {
+  return std::ranges::find(hidden, to_hide(track, curve)) != hidden.end();
+}
+
+CurveEditor::Hidden CurveEditor::to_hide(const Track& track, const CurveId& curve) {
+  return {track, {curve.value - track.first, curve.component}};
+}
+
+std::vector<CurveEditor::Hidden> CurveEditor::shown_numbers() const {
+  std::vector<Hidden> numbers;
+  for (const Curve& curve : curves_) numbers.push_back(to_hide(tracks_[curve.track], curve));
+  return numbers;
+}
+
+void CurveEditor::update_tracks(std::vector<Track> tracks, std::vector<Hidden> hidden) {
+  const bool is_elsewhere = !std::ranges::equal(tracks, tracks_, {}, &Track::first, &Track::first);
+  const std::vector<Hidden> shown_before = shown_numbers();
+  tracks_ = std::move(tracks);
+  hidden_ = std::move(hidden);
+  refresh();
+  const bool are_others = shown_numbers() != shown_before;
+  if (is_elsewhere || are_others) drag_ = {};
+  if (are_others) selection_.set({});  // its marks count the curves
+}
+
 void CurveEditor::refresh() {
   curves_.clear();
   for (std::size_t k = 0; k < tracks_.size(); ++k) {
     for (Curve& curve : curves_of(document_.scene(), tracks_[k])) {
-      const bool is_hidden = std::ranges::any_of(hidden_, [&](const Hidden& hidden) {
-        return hidden.track == tracks_[k] && hidden.curve.value == curve.value &&
-               hidden.curve.component == curve.component;
-      });
-      if (is_hidden) continue;
+      if (is_hidden(hidden_, tracks_[k], curve)) continue;
       curve.track = k;
       curves_.push_back(std::move(curve));
     }
@@ -112,17 +128,8 @@ void CurveEditor::resizeEvent(QResizeEvent*) {
   axes_.set_size(size());
 }
 
-int CurveEditor::frame_near(double x) const {
-  const double last = std::max(timeline_.last(), timeline_.frame());
-  return static_cast<int>(
-      std::clamp(std::round(timeline_.frame_of(axes_.time_at(x))), 0.0, std::max(last, 0.0)));
-}
-
 double CurveEditor::value_of(const CurveMark& mark) const {
-  for (const Curve::Point& point : curves_[mark.curve].points()) {
-    if (mark.is({mark.curve, point.time})) return point.value;
-  }
-  return 0.0;
+  return curves_[mark.curve].key_value(mark.time);
 }
 
 void CurveEditor::paint_curve(QPainter& painter, std::size_t k) const {
@@ -180,11 +187,7 @@ void CurveEditor::paintEvent(QPaintEvent*) {
                      tr("Values of %1").arg(tracks_[active_].title()));
   }
   if (const auto* drawn = std::get_if<RectangleDrag>(&drag_)) {
-    QColor fill = accent_color();
-    painter.setPen(QPen(fill, 1.0, Qt::DashLine));
-    fill.setAlphaF(0.15F);
-    painter.setBrush(fill);
-    painter.drawRect(QRectF(drawn->press, drawn->now).normalized());
+    paint_rubber_band(painter, QRectF(drawn->press, drawn->now));
   }
 }
 
@@ -198,40 +201,41 @@ void CurveEditor::mousePressEvent(QMouseEvent* event) {
   update();
 }
 
-void CurveEditor::press_left(const QPointF& at, bool adds) {
-  const std::optional<CurveMark> mark = mark_near(curves_, axes_, at);
+void CurveEditor::press_left(const QPointF& press, bool adds) {
+  const std::optional<CurveMark> mark = mark_near(curves_, axes_, press);
   if (mark) {
-    press_key(*mark, at, adds);
+    press_key(*mark, press, adds);
     return;
   }
-  if (const auto handle = handle_near(handles(), at)) {
+  if (const auto handle = handle_near(handles(), press)) {
     drag_ = TangentDrag{parts_of(document_.scene(), selected_keys()), handle->mark,
                         value_of(handle->mark), handle->side, new_merge_id()};
     return;
   }
   constexpr double playhead_width = 4.0;  // pixels, to either side
   const double playhead = axes_.scale().x_of(timeline_.frame());
-  if (!adds && std::abs(at.x() - playhead) < playhead_width) {
+  if (!adds && std::abs(press.x() - playhead) < playhead_width) {
     drag_ = Scrub{};
-    timeline_.set_frame(frame_near(at.x()));
+    timeline_.set_frame(axes_.scale().scrub_frame(press.x()));
     return;
   }
   if (!adds) selection_.set({});
-  drag_ = RectangleDrag{at, at, selection_.marks()};
+  drag_ = RectangleDrag{press, press, selection_.marks()};
 }
 
-void CurveEditor::press_key(const CurveMark& mark, const QPointF& at, bool adds) {
+void CurveEditor::press_key(const CurveMark& mark, const QPointF& press, bool adds) {
   active_ = curves_[mark.curve].track;
   if (adds) {
     selection_.toggle(mark);
     return;
   }
   if (!selection_.contains(mark)) selection_.set({mark});
-  KeysDrag keys{.before = parts_of(document_.scene(), selected_keys()),
+  KeysDrag keys{.parts_at_start = parts_of(document_.scene(), selected_keys()),
                 .marks = selection_.marks(),
                 .values = {},
                 .grabbed = mark,
-                .press = at,
+                .press = press,
+                .frames_per_pixel = axes_.scale().frames_per_pixel(),
                 .gesture = new_merge_id()};
   for (const CurveMark& selected : keys.marks) keys.values.push_back(value_of(selected));
   drag_ = std::move(keys);
@@ -244,12 +248,12 @@ void CurveEditor::mouseMoveEvent(QMouseEvent* event) {
     pan_frames(timeline_, axes_.scale(), mouse_position.x() - pan->last.x());
     pan->last = mouse_position;
   } else if (std::holds_alternative<Scrub>(drag_)) {
-    timeline_.set_frame(frame_near(mouse_position.x()));
+    timeline_.set_frame(axes_.scale().scrub_frame(mouse_position.x()));
   } else if (!mouse_.has_begun(mouse_position)) {
     return;
   } else if (auto* keys = std::get_if<KeysDrag>(&drag_)) {
     drag_keys(*keys, mouse_position);
-  } else if (const auto* tangent = std::get_if<TangentDrag>(&drag_)) {
+  } else if (auto* tangent = std::get_if<TangentDrag>(&drag_)) {
     drag_tangent(*tangent, mouse_position, event->modifiers() & Qt::AltModifier);
   } else if (auto* rectangle = std::get_if<RectangleDrag>(&drag_)) {
     drag_rectangle(*rectangle, mouse_position);
@@ -260,7 +264,7 @@ void CurveEditor::mouseMoveEvent(QMouseEvent* event) {
 void CurveEditor::drag_keys(KeysDrag& drag, const QPointF& to) {
   const QPointF moved = to - drag.press;
   const double shift =
-      snapped_shift(timeline_, drag.grabbed.time, moved.x() * axes_.scale().frames_per_pixel(),
+      snapped_shift(timeline_, drag.grabbed.time, moved.x() * drag.frames_per_pixel,
                     std::ranges::min(drag.marks, {}, &CurveMark::time).time);
   std::vector<CurveKeyMove> moves;
   std::vector<CurveMark> now;
@@ -272,16 +276,18 @@ void CurveEditor::drag_keys(KeysDrag& drag, const QPointF& to) {
     now.push_back({curve, moved_time});
   }
   selection_.set(now);
-  move_curve_keys(document_, drag.before, moves, drag.gesture);
+  drag.has_moved = true;
+  move_curve_keys(document_, drag.parts_at_start, moves, drag.gesture);
 }
 
 // The tangent points at the mouse, which stays on its side of the key.
-void CurveEditor::drag_tangent(const TangentDrag& drag, const QPointF& to, bool alone) {
+void CurveEditor::drag_tangent(TangentDrag& drag, const QPointF& to, bool alone) {
   const double sign = drag.side == TangentSide::out ? 1.0 : -1.0;
   const double min_distance = axes_.time_per_pixel();
   const double distance = std::max(min_distance, sign * (axes_.time_at(to.x()) - drag.mark.time));
   const double value = axes_.value_at(to.y(), curves_[drag.mark.curve].track);
-  const double slope = sign * (value - drag.value) / distance;
+  const double slope = sign * (value - drag.key_value) / distance;
+  drag.has_moved = true;
   set_tangent(document_, track_of(drag.mark), curves_[drag.mark.curve],
               {drag.mark.time, drag.side, slope, alone}, drag.gesture);
 }
@@ -289,11 +295,15 @@ void CurveEditor::drag_tangent(const TangentDrag& drag, const QPointF& to, bool 
 void CurveEditor::drag_rectangle(RectangleDrag& drag, const QPointF& to) {
   drag.now = to;
   const QRectF area = QRectF(drag.press, to).normalized();
-  selection_.set(drag.kept);
-  for (const CurveMark& mark : all_marks(curves_)) {
-    const std::size_t track = curves_[mark.curve].track;
-    if (area.contains(position(mark.time, value_of(mark), track))) selection_.add(mark);
+  std::vector<CurveMark> marks = drag.kept;
+  for (std::size_t k = 0; k < curves_.size(); ++k) {
+    for (const Curve::Point& point : curves_[k].points()) {
+      if (area.contains(position(point.time, point.value, curves_[k].track))) {
+        marks.push_back({k, point.time});
+      }
+    }
   }
+  selection_.set(std::move(marks));
 }
 
 void CurveEditor::mouseReleaseEvent(QMouseEvent* event) {
@@ -308,15 +318,16 @@ void CurveEditor::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void CurveEditor::cancel_drag() {
-  if (const auto* keys = std::get_if<KeysDrag>(&drag_)) {
+  // The edit that takes keys back looks at the drag, and may end it.
+  const auto drag = std::exchange(drag_, {});
+  if (const auto* keys = std::get_if<KeysDrag>(&drag)) {
     selection_.set(keys->marks);
-    set_scene_parts(document_, keys->before, {}, keys->gesture);
-  } else if (const auto* tangent = std::get_if<TangentDrag>(&drag_)) {
-    set_scene_parts(document_, tangent->before, {}, tangent->gesture);
-  } else if (const auto* rectangle = std::get_if<RectangleDrag>(&drag_)) {
+    if (keys->has_moved) restore_parts(document_, keys->parts_at_start, keys->gesture);
+  } else if (const auto* tangent = std::get_if<TangentDrag>(&drag)) {
+    if (tangent->has_moved) restore_parts(document_, tangent->parts_at_start, tangent->gesture);
+  } else if (const auto* rectangle = std::get_if<RectangleDrag>(&drag)) {
     selection_.set(rectangle->kept);
   }
-  drag_ = {};
   update();
 }
 
@@ -324,9 +335,11 @@ void CurveEditor::mouseDoubleClickEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton || curves_.empty()) return;
   const auto mark = mark_near(curves_, axes_, event->position());
   const int frame = mark ? static_cast<int>(std::round(timeline_.frame_of(mark->time)))
-                         : frame_near(event->position().x());
+                         : axes_.scale().scrub_frame(event->position().x());
   timeline_.set_frame(frame);
-  if (!mark) set_keys(document_, tracks_[active_]);
+  if (mark) return;
+  active_ = curves_[curve_near(curves_, axes_, event->position())].track;
+  set_keys(document_, tracks_[active_]);
 }
 
 void CurveEditor::wheelEvent(QWheelEvent* event) {

@@ -31,12 +31,20 @@ class CurveEditor : public QWidget {
   // A number of a track that is not to be shown.
   struct Hidden {
     Track track;
-    CurveId curve;
+    CurveId curve;  // its value counts from the track's first
+
+    bool operator==(const Hidden&) const = default;
   };
+  [[nodiscard]] static bool is_hidden(const std::vector<Hidden>& hidden, const Track& track,
+                                      const CurveId& curve);
+  [[nodiscard]] static Hidden to_hide(const Track& track, const CurveId& curve);
   // Shows tracks but for some of their numbers; none: says how to make one.
   void set_tracks(std::vector<Track> tracks, std::vector<Hidden> hidden);
+  // Shows the present curves of these tracks, which may be elsewhere in their part.
+  void update_tracks(std::vector<Track> tracks, std::vector<Hidden> hidden);
   void fit();
 
+  [[nodiscard]] const std::vector<Track>& tracks() const { return tracks_; }
   [[nodiscard]] const std::vector<Curve>& curves() const { return curves_; }
   [[nodiscard]] const CurveSelection& selection() const { return selection_; }
   [[nodiscard]] QPointF position(double time, double value, std::size_t track = 0) const {
@@ -64,19 +72,22 @@ class CurveEditor : public QWidget {
  private:
   // The drag of keys while a button is down.
   struct KeysDrag {
-    std::vector<ScenePart> before;
+    std::vector<ScenePart> parts_at_start;
     std::vector<CurveMark> marks;  // where they were
     std::vector<double> values;
     CurveMark grabbed;
     QPointF press;
+    double frames_per_pixel;  // as at the press: rulers may follow the last key
     MergeId gesture;
+    bool has_moved = false;
   };
   struct TangentDrag {
-    std::vector<ScenePart> before;
+    std::vector<ScenePart> parts_at_start;
     CurveMark mark;
-    double value;  // of the key
+    double key_value;
     TangentSide side;
     MergeId gesture;
+    bool has_moved = false;
   };
   struct RectangleDrag {
     QPointF press;
@@ -89,15 +100,15 @@ class CurveEditor : public QWidget {
   };
 
   void refresh();
-  void press_left(const QPointF& at, bool adds);
-  void press_key(const CurveMark& mark, const QPointF& at, bool adds);
+  [[nodiscard]] std::vector<Hidden> shown_numbers() const;
+  void press_left(const QPointF& press, bool adds);
+  void press_key(const CurveMark& mark, const QPointF& press, bool adds);
   void drag_keys(KeysDrag& drag, const QPointF& to);
-  void drag_tangent(const TangentDrag& drag, const QPointF& to, bool alone);
+  void drag_tangent(TangentDrag& drag, const QPointF& to, bool alone);
   void drag_rectangle(RectangleDrag& drag, const QPointF& to);
   [[nodiscard]] const Track& track_of(const CurveMark& mark) const;
   [[nodiscard]] std::vector<TrackKeys> selected_keys() const;
   [[nodiscard]] QPen pen(std::size_t curve) const;
-  [[nodiscard]] int frame_near(double x) const;  // >= 0
   [[nodiscard]] double value_of(const CurveMark& mark) const;
   void paint_curve(QPainter& painter, std::size_t k) const;
   void paint_handles(QPainter& painter) const;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/panels/time/curve_axes.h"
 
@@ -15,7 +16,7 @@ double distance_of(const QPointF& a, const QPointF& b) {
   return std::hypot(a.x() - b.x(), a.y() - b.y());
 }
 
-// From a key towards the side of a tangent, as it lies on the screen.
+// The end of a tangent, on one side of its key as it lies on the screen.
 QPointF tip_of(const QPointF& key, TangentSide side, double slope, double value_per_pixel,
                const CurveAxes& axes) {
   const double dx = 1.0 / axes.time_per_pixel();
@@ -25,14 +26,28 @@ QPointF tip_of(const QPointF& key, TangentSide side, double slope, double value_
   return key + sign * tangent_length / length * QPointF(dx, dy);
 }
 
+bool is_before(const CurveMark& mark, const CurveMark& other) {
+  return std::pair(mark.curve, mark.time) < std::pair(other.curve, other.time);
+}
+
 }  // namespace
 
 bool CurveMark::is(const CurveMark& other) const {
-  return curve == other.curve && std::abs(time - other.time) < min_key_distance;
+  return curve == other.curve && is_same_key_time(time, other.time);
 }
 
 bool CurveSelection::contains(const CurveMark& mark) const {
-  return std::ranges::any_of(marks_, [&mark](const CurveMark& m) { return m.is(mark); });
+  const auto next = std::lower_bound(marks_.begin(), marks_.end(), mark, is_before);
+  return (next != marks_.end() && next->is(mark)) ||
+         (next != marks_.begin() && (next - 1)->is(mark));
+}
+
+void CurveSelection::set(std::vector<CurveMark> marks) {
+  std::ranges::sort(marks, is_before);
+  const auto doubled =
+      std::ranges::unique(marks, [](const CurveMark& a, const CurveMark& b) { return a.is(b); });
+  marks.erase(doubled.begin(), doubled.end());
+  marks_ = std::move(marks);
 }
 
 std::vector<TrackKeys> CurveSelection::keys(const std::vector<Curve>& curves,
@@ -44,30 +59,24 @@ std::vector<TrackKeys> CurveSelection::keys(const std::vector<Curve>& curves,
     if (found == keys.end()) found = keys.insert(found, {track, {}});
     found->times.push_back(mark.time);
   }
-  const auto is_same = [](double a, double b) { return b - a < min_key_distance; };
   for (auto& [track, times] : keys) {
     std::ranges::sort(times);
-    times.erase(std::unique(times.begin(), times.end(), is_same), times.end());
+    times.erase(std::unique(times.begin(), times.end(), is_same_key_time), times.end());
   }
   return keys;
 }
 
-void CurveSelection::add(const CurveMark& mark) {
-  if (!contains(mark)) marks_.push_back(mark);
-}
-
 void CurveSelection::toggle(const CurveMark& mark) {
-  if (std::erase_if(marks_, [&mark](const CurveMark& m) { return m.is(mark); }) == 0) {
-    marks_.push_back(mark);
-  }
+  if (std::erase_if(marks_, [&mark](const CurveMark& other) { return other.is(mark); }) > 0) return;
+  marks_.insert(std::upper_bound(marks_.begin(), marks_.end(), mark, is_before), mark);
 }
 
 void CurveSelection::prune(const std::vector<Curve>& curves) {
-  if (marks_.empty()) return;
-  const std::vector<CurveMark> there = all_marks(curves);
-  std::erase_if(marks_, [&there](const CurveMark& mark) {
-    return std::ranges::none_of(there, [&mark](const CurveMark& m) { return m.is(mark); });
-  });
+  std::vector<CurveMark> kept;
+  for (const CurveMark& mark : all_marks(curves)) {
+    if (contains(mark)) kept.push_back(mark);
+  }
+  marks_ = std::move(kept);
 }
 
 std::vector<TangentHandle> tangent_handles(const std::vector<Curve>& curves,
@@ -98,13 +107,13 @@ std::vector<TangentHandle> tangent_handles(const std::vector<Curve>& curves,
 }
 
 std::optional<CurveMark> mark_near(const std::vector<Curve>& curves, const CurveAxes& axes,
-                                   const QPointF& at) {
+                                   const QPointF& position) {
   std::optional<CurveMark> nearest;
   double min_distance = grab_radius;
   for (std::size_t k = 0; k < curves.size(); ++k) {
     for (const Curve::Point& point : curves[k].points()) {
       const double distance =
-          distance_of(axes.position(point.time, point.value, curves[k].track), at);
+          distance_of(axes.position(point.time, point.value, curves[k].track), position);
       if (distance > min_distance) continue;
       min_distance = distance;
       nearest = CurveMark{k, point.time};
@@ -114,16 +123,25 @@ std::optional<CurveMark> mark_near(const std::vector<Curve>& curves, const Curve
 }
 
 std::optional<TangentHandle> handle_near(const std::vector<TangentHandle>& handles,
-                                         const QPointF& at) {
+                                         const QPointF& position) {
   std::optional<TangentHandle> nearest;
   double min_distance = grab_radius;
   for (const TangentHandle& handle : handles) {
-    const double distance = distance_of(handle.tip, at);
+    const double distance = distance_of(handle.tip, position);
     if (distance > min_distance) continue;
     min_distance = distance;
     nearest = handle;
   }
   return nearest;
+}
+
+std::size_t curve_near(const std::vector<Curve>& curves, const CurveAxes& axes,
+                       const QPointF& position) {
+  const double time = axes.time_at(position.x());
+  const auto distance = [&](const Curve& curve) {
+    return std::abs(axes.position(time, curve.at(time), curve.track).y() - position.y());
+  };
+  return static_cast<std::size_t>(std::ranges::min_element(curves, {}, distance) - curves.begin());
 }
 
 std::vector<CurveMark> all_marks(const std::vector<Curve>& curves) {

@@ -24,17 +24,16 @@ class CurveSelection {
   [[nodiscard]] bool contains(const CurveMark& mark) const;
   [[nodiscard]] const std::vector<CurveMark>& marks() const { return marks_; }
   [[nodiscard]] bool empty() const { return marks_.empty(); }
-  // Of the tracks that the curves are of: each time once, in order.
+  // The keys of the tracks that the curves are of: each time once, in order.
   [[nodiscard]] std::vector<TrackKeys> keys(const std::vector<Curve>& curves,
                                             const std::vector<Track>& tracks) const;
-  void set(std::vector<CurveMark> marks) { marks_ = std::move(marks); }
-  void add(const CurveMark& mark);
+  void set(std::vector<CurveMark> marks);  // each is taken once
   void toggle(const CurveMark& mark);
   // Forgets keys that are no longer there.
   void prune(const std::vector<Curve>& curves);
 
  private:
-  std::vector<CurveMark> marks_;
+  std::vector<CurveMark> marks_;  // by curve and time
 };
 
 // The end of a tangent, to be dragged.
@@ -52,9 +51,12 @@ std::vector<TangentHandle> tangent_handles(const std::vector<Curve>& curves,
 
 // The mark nearest to a position, if near.
 std::optional<CurveMark> mark_near(const std::vector<Curve>& curves, const CurveAxes& axes,
-                                   const QPointF& at);
+                                   const QPointF& position);
 std::optional<TangentHandle> handle_near(const std::vector<TangentHandle>& handles,
-                                         const QPointF& at);
+                                         const QPointF& position);
+// The curve nearest above or below a position; one of at least one.
+std::size_t curve_near(const std::vector<Curve>& curves, const CurveAxes& axes,
+                       const QPointF& position);
 
 std::vector<CurveMark> all_marks(const std::vector<Curve>& curves);
 

@@ -74,41 +74,77 @@ CurvePanel::CurvePanel(Timeline& timeline, Document& document, QWidget* parent)
   connect(list_, &QTreeWidget::itemChanged, this, &CurvePanel::follow_list);
   connect(list_, &QTreeWidget::itemDoubleClicked, this, &CurvePanel::isolate);
   connect(list_, &QTreeWidget::customContextMenuRequested, this, &CurvePanel::show_menu);
-  on_change(document, Change::scene | Change::part, this, &CurvePanel::refresh);
+  connect(&document, &Document::changed, this, [this](const DocumentChange& change) {
+    if (change.places) follow(*change.places);
+    if (change.what & Change::scene) return clear();
+    if (change.what & Change::part && !(change.what & Change::time)) refresh();
+  });
   refresh();
 }
 
-void CurvePanel::refresh() {
-  std::vector<Track> keyed = tracks_with_keys(document_.scene());
-  if (keyed == keyed_) return;
-  keyed_ = std::move(keyed);
+bool CurvePanel::is_row_of(const Listed& row, const KeyedTrack& keyed) {
+  return row.track == keyed.track && row.track.first == keyed.track.first &&
+         row.track.title() == keyed.track.title() && row.values == keyed.values;
+}
+
+void CurvePanel::clear() {
+  listed_.clear();
+  shown_.clear();
+  hidden_.clear();
+  editor_->set_tracks({}, {});
+  refresh();
+}
+
+void CurvePanel::follow(const ObjectPlaces& places) {
   const std::size_t count = shown_.size();
-  std::erase_if(shown_, [this](const Track& track) {
-    return std::ranges::find(keyed_, track) == keyed_.end();
-  });
-  const bool is_same = shown_.size() == count && count > 0;
-  if (shown_.empty() && !keyed_.empty()) shown_ = {keyed_.front()};
-  fill_list();
-  if (!is_same) editor_->set_tracks(shown_, hidden_);
-  paint_icons();
+  follow_places(shown_, places);
+  std::vector<CurveEditor::Hidden> hidden;
+  for (const CurveEditor::Hidden& number : hidden_) {
+    std::vector<Track> track{number.track};
+    follow_places(track, places);
+    if (!track.empty()) hidden.push_back({track.front(), number.curve});
+  }
+  hidden_ = std::move(hidden);
+  // Keys that are selected are those of the tracks that were shown.
+  if (shown_.size() != count) editor_->set_tracks({}, {});
+}
+
+void CurvePanel::refresh() {
+  const std::vector<KeyedTrack> keyed = keyed_tracks(document_.scene());
+  const bool is_same_list = std::ranges::equal(listed_, keyed, is_row_of);
+  if (!is_same_list) listed_.clear();
+  for (std::size_t k = listed_.size(); k < keyed.size(); ++k) {
+    Listed& row = listed_.emplace_back(Listed{keyed[k].track, keyed[k].values, {}, {}});
+    for (const Curve& curve : curves_of(document_.scene(), row.track)) {
+      row.curves.push_back(curve);
+      row.titles.push_back(curve.title);
+    }
+  }
+  std::vector<Track> shown;
+  for (const Track& track : shown_) {
+    const auto found = std::ranges::find(listed_, track, &Listed::track);
+    if (found != listed_.end()) shown.push_back(found->track);
+  }
+  if (shown.empty() && !listed_.empty()) shown = {listed_.front().track};
+  const bool is_same = shown == editor_->tracks();
+  shown_ = std::move(shown);
+  if (!is_same_list) fill_list();
+  is_same ? editor_->update_tracks(shown_, hidden_) : editor_->set_tracks(shown_, hidden_);
+  if (!is_same_list || !is_same) paint_icons();
 }
 
 void CurvePanel::fill_list() {
   const QSignalBlocker blocker(list_);
   list_->clear();
-  for (const Track& track : keyed_) {
+  for (const auto& [track, values, curves, titles] : listed_) {
     const bool is_shown = std::ranges::find(shown_, track) != shown_.end();
     auto* top = new_item(track.title(), is_shown);
     list_->addTopLevelItem(top);
-    const std::vector<Curve> curves = curves_of(document_.scene(), track);
     if (curves.size() < 2) continue;
     top->setFlags(top->flags() | Qt::ItemIsAutoTristate);
-    for (const Curve& curve : curves) {
-      const bool is_hidden = std::ranges::any_of(hidden_, [&](const CurveEditor::Hidden& hidden) {
-        return hidden.track == track && hidden.curve.value == curve.value &&
-               hidden.curve.component == curve.component;
-      });
-      top->addChild(new_item(curve.title, is_shown && !is_hidden));
+    for (std::size_t k = 0; k < curves.size(); ++k) {
+      const bool is_hidden = CurveEditor::is_hidden(hidden_, track, curves[k]);
+      top->addChild(new_item(titles[k], is_shown && !is_hidden));
     }
     top->setExpanded(is_shown);
   }
@@ -120,12 +156,11 @@ void CurvePanel::follow_list() {
   for (int k = 0; k < list_->topLevelItemCount(); ++k) {
     const QTreeWidgetItem& top = *list_->topLevelItem(k);
     if (top.checkState(0) == Qt::Unchecked) continue;
-    const Track& track = keyed_[static_cast<std::size_t>(k)];
-    shown_.push_back(track);
-    const std::vector<Curve> curves = curves_of(document_.scene(), track);
+    const Listed& row = listed_[static_cast<std::size_t>(k)];
+    shown_.push_back(row.track);
     for (int i = 0; i < top.childCount(); ++i) {
       if (top.child(i)->checkState(0) == Qt::Checked) continue;
-      hidden_.push_back({track, curves.at(static_cast<std::size_t>(i))});
+      hidden_.push_back(CurveEditor::to_hide(row.track, row.curves[static_cast<std::size_t>(i)]));
     }
   }
   editor_->set_tracks(shown_, hidden_);
@@ -151,7 +186,8 @@ void CurvePanel::paint_icons() {
 // A value may be in a track with others.
 void CurvePanel::show_tracks(std::span<const Track> tracks) {
   std::vector<Track> shown;
-  for (const Track& keyed : keyed_) {
+  for (const Listed& row : listed_) {
+    const Track& keyed = row.track;
     const bool is_asked = std::ranges::any_of(tracks, [&keyed](const Track& track) {
       return keyed.part == track.part && track.first - keyed.first < keyed.count;
     });

@@ -27,7 +27,9 @@ class CurvePanel : public QWidget {
   void show_tracks(std::span<const Track> tracks);
 
  private:
+  void clear();  // another scene was opened
   void refresh();
+  void follow(const ObjectPlaces& places);
   void fill_list();
   void follow_list();  // shows what is checked
   void paint_icons();
@@ -38,7 +40,16 @@ class CurvePanel : public QWidget {
   Document& document_;
   QTreeWidget* list_;
   CurveEditor* editor_;
-  std::vector<Track> keyed_;  // of the rows of the list
+  // A row of the list, with the numbers that its children are of.
+  struct Listed {
+    Track track;
+    std::vector<std::size_t> values;  // as those of KeyedTrack
+    std::vector<CurveId> curves;
+    std::vector<QString> titles;
+  };
+  [[nodiscard]] static bool is_row_of(const Listed& row, const KeyedTrack& keyed);
+
+  std::vector<Listed> listed_;
   std::vector<Track> shown_;
   std::vector<CurveEditor::Hidden> hidden_;
 };

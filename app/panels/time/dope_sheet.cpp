@@ -8,7 +8,6 @@
 #include <cmath>
 #include <limits>
 
-#include "app/commands/scene_part_command.h"
 #include "app/document/document.h"
 #include "app/document/timeline.h"
 #include "app/panels/time/key_menu.h"
@@ -22,10 +21,21 @@ constexpr int row_height = 18;
 constexpr int fold_width = 18;  // of the triangle before an object's name
 constexpr double mark_radius = 5.0;
 
+// The place of an object that went.
+constexpr std::size_t no_place = std::numeric_limits<std::size_t>::max();
+
 double first_time(const std::vector<TrackKeys>& keys) {
   double first = std::numeric_limits<double>::infinity();
   for (const TrackKeys& track : keys) first = std::min(first, std::ranges::min(track.times));
   return first;
+}
+
+// Whether two rows are of the same values, at the same places of their parts.
+bool has_same_tracks(const DopeRow& a, const DopeRow& b) {
+  return a.is_object == b.is_object &&
+         std::ranges::equal(a.tracks, b.tracks, [](const Track& track, const Track& other) {
+           return track == other && track.first == other.first && track.count == other.count;
+         });
 }
 
 }  // namespace
@@ -47,7 +57,15 @@ DopeSheet::DopeSheet(Timeline& timeline, Document& document, QWidget* parent)
     choose({});
     refresh();
   });
-  on_change(document_, Change::part | Change::groups, this, &DopeSheet::refresh);
+  connect(&document_, &Document::changed, this, [this](const DocumentChange& change) {
+    if (!(change.what & (Change::part | Change::groups))) return;
+    if (change.what & Change::time) return update();
+    const std::size_t chosen_count = chosen_.size();
+    if (change.places) follow(*change.places);
+    const bool is_chosen_fewer = chosen_.size() < chosen_count;
+    refresh();
+    if (is_chosen_fewer) Q_EMIT chosen_changed();
+  });
   connect(&timeline_, &Timeline::changed, this, qOverload<>(&QWidget::update));
   connect(&mouse_, &MouseDrag::cancelled, this, &DopeSheet::cancel_drag);
   connect(&mouse_, &MouseDrag::ended, this, [this] { drag_ = {}; });
@@ -55,16 +73,41 @@ DopeSheet::DopeSheet(Timeline& timeline, Document& document, QWidget* parent)
 }
 
 void DopeSheet::refresh() {
-  rows_ = dope_rows(document_.scene(), filter_, folded_);
-  selection_.prune(document_.scene());
-  const std::vector<Track> keyed = tracks_with_keys(document_.scene());
-  std::vector<Track> chosen = chosen_;
-  std::erase_if(chosen, [&keyed](const Track& track) {
-    return std::ranges::find(keyed, track) == keyed.end();
-  });
+  const std::vector<KeyedTrack> keyed = keyed_tracks(document_.scene());
+  std::vector<DopeRow> rows = dope_rows(document_.scene(), keyed, filter_, folded_);
+  if (!std::ranges::equal(rows, rows_, has_same_tracks)) drag_ = {};
+  rows_ = std::move(rows);
+  selection_.prune(keyed);
+  std::vector<Track> chosen;
+  for (const Track& track : chosen_) {
+    const auto found = std::ranges::find(keyed, track, &KeyedTrack::track);
+    if (found != keyed.end()) chosen.push_back(found->track);
+  }
   choose(std::move(chosen));
   setMinimumHeight(static_cast<int>(rows_.size()) * row_height + 4);
   update();
+}
+
+void DopeSheet::follow(const ObjectPlaces& places) {
+  drag_ = {};
+  selection_.follow(places);
+  follow_places(chosen_, places);
+  if (copied_) {
+    // What was copied of an object that went is still there to be pasted elsewhere.
+    for (auto& [track, times] : copied_->keys) {
+      if (track.part == places.part) track.place = places.of(track.place).value_or(no_place);
+    }
+  }
+  std::set<DopeObject> folded;
+  for (DopeObject object : folded_) {
+    if (object.part == places.part) {
+      const auto place = places.of(object.place);
+      if (!place) continue;
+      object.place = *place;
+    }
+    folded.insert(object);
+  }
+  folded_ = std::move(folded);
 }
 
 void DopeSheet::set_filter(const QString& filter) {
@@ -110,7 +153,7 @@ std::optional<DopeSheet::Mark> DopeSheet::mark_at(QPointF position) const {
   double min_distance = mark_radius + 2.0;
   for (const Keyframe& key : rows_[*row].keys) {
     const double distance = std::abs(shown.x_of(timeline_.frame_of(key.time)) - position.x());
-    if (distance > min_distance) continue;
+    if (distance > min_distance || !rows_[*row].has_own_key(key.time)) continue;
     min_distance = distance;
     nearest = Mark{*row, key.time};
   }
@@ -118,8 +161,9 @@ std::optional<DopeSheet::Mark> DopeSheet::mark_at(QPointF position) const {
 }
 
 void DopeSheet::choose(std::vector<Track> tracks) {
-  if (tracks == chosen_) return;
-  chosen_ = std::move(tracks);
+  const bool is_same = tracks == chosen_;
+  chosen_ = std::move(tracks);  // they may be elsewhere in their part
+  if (is_same) return;
   update();
   Q_EMIT chosen_changed();
 }
@@ -146,11 +190,7 @@ void DopeSheet::paintEvent(QPaintEvent* event) {
             : tr("No animated value has \"%1\" in its name.").arg(filter_.trimmed()));
   }
   if (const auto* drawn = std::get_if<RectangleDrag>(&drag_)) {
-    QColor fill = accent_color();
-    painter.setPen(QPen(fill, 1.0, Qt::DashLine));
-    fill.setAlphaF(0.15F);
-    painter.setBrush(fill);
-    painter.drawRect(QRectF(drawn->press, drawn->now).normalized());
+    paint_rubber_band(painter, QRectF(drawn->press, drawn->now));
   }
 }
 
@@ -173,7 +213,7 @@ void DopeSheet::paint_row(QPainter& painter, std::size_t k) const {
   if (!row.is_object) return;
   const QRect fold(0, top, fold_width, row_height);
   painter.drawText(fold, Qt::AlignCenter,
-                   folded_.contains(row.text) ? QStringLiteral("▸") : QStringLiteral("▾"));
+                   folded_.contains(row.object) ? QStringLiteral("▸") : QStringLiteral("▾"));
 }
 
 void DopeSheet::paint_keys(QPainter& painter, std::size_t k) const {
@@ -183,7 +223,7 @@ void DopeSheet::paint_keys(QPainter& painter, std::size_t k) const {
   for (const Keyframe& key : row.keys) {
     const double x = shown.x_of(timeline_.frame_of(key.time));
     if (x < names_width - mark_radius || x > width() + mark_radius) continue;
-    const bool is_selected = !row.is_fixed() && selection_.contains(row, key.time);
+    const bool is_selected = row.has_own_key(key.time) && selection_.contains(row, key.time);
     painter.setPen(QPen(is_selected ? Qt::white : palette().color(QPalette::Base), 1.0));
     painter.setBrush(is_selected ? accent_color() : text);
     painter.drawConvexPolygon(key_shape(key.interpolation,
@@ -215,7 +255,7 @@ void DopeSheet::mousePressEvent(QMouseEvent* event) {
 void DopeSheet::press_name(std::size_t row, const QMouseEvent& event) {
   const DopeRow& pressed = rows_[row];
   if (pressed.is_object && event.position().x() < fold_width) {
-    if (!folded_.remove(pressed.text)) folded_.insert(pressed.text);
+    if (folded_.erase(pressed.object) == 0) folded_.insert(pressed.object);
     return refresh();
   }
   std::vector<Track> tracks = pressed.tracks;
@@ -243,10 +283,11 @@ void DopeSheet::press_key(const Mark& mark, const QMouseEvent& event) {
     selection_.set({});
     selection_.add(row, mark.time);
   }
-  drag_ = KeysDrag{.before = parts_of(document_.scene(), selection_.keys()),
+  drag_ = KeysDrag{.parts_at_start = parts_of(document_.scene(), selection_.keys()),
                    .keys = selection_.keys(),
                    .grabbed = mark,
                    .press = event.position(),
+                   .frames_per_pixel = scale().frames_per_pixel(),
                    .gesture = new_merge_id()};
 }
 
@@ -267,8 +308,8 @@ void DopeSheet::mouseMoveEvent(QMouseEvent* event) {
 
 void DopeSheet::drag_keys(KeysDrag& drag, const QPointF& to) {
   const double shift =
-      snapped_shift(timeline_, drag.grabbed.time,
-                    (to.x() - drag.press.x()) * scale().frames_per_pixel(), first_time(drag.keys));
+      snapped_shift(timeline_, drag.grabbed.time, (to.x() - drag.press.x()) * drag.frames_per_pixel,
+                    first_time(drag.keys));
   std::vector<TrackMoves> moves;
   std::vector<TrackKeys> moved;
   for (const TrackKeys& keys : drag.keys) {
@@ -280,7 +321,8 @@ void DopeSheet::drag_keys(KeysDrag& drag, const QPointF& to) {
       moved.back().times.push_back(moved_time);
     }
   }
-  move_keys(document_, drag.before, moves, drag.gesture);
+  drag.has_moved = true;
+  move_keys(document_, drag.parts_at_start, moves, drag.gesture);
   selection_.set(std::move(moved));
 }
 
@@ -315,7 +357,7 @@ void DopeSheet::mouseReleaseEvent(QMouseEvent* event) {
 void DopeSheet::cancel_drag() {
   if (const auto* keys = std::get_if<KeysDrag>(&drag_)) {
     const KeysDrag drag = *keys;
-    set_scene_parts(document_, drag.before, {}, drag.gesture);
+    if (drag.has_moved) restore_parts(document_, drag.parts_at_start, drag.gesture);
     selection_.set(drag.keys);
   } else if (const auto* rectangle = std::get_if<RectangleDrag>(&drag_)) {
     selection_ = rectangle->kept;
@@ -391,7 +433,7 @@ void DopeSheet::paste() {
   if (!copied_) return;
   std::vector<TrackKeys> pasted = paste_keys(document_, *copied_, chosen_);
   selection_.set(std::move(pasted));
-  selection_.prune(document_.scene());
+  selection_.prune(keyed_tracks(document_.scene()));
   update();
 }
 

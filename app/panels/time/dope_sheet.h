@@ -58,11 +58,13 @@ class DopeSheet : public QWidget {
     double time;
   };
   struct KeysDrag {
-    std::vector<ScenePart> before;
+    std::vector<ScenePart> parts_at_start;
     std::vector<TrackKeys> keys;  // where they were
     Mark grabbed;
     QPointF press;
+    double frames_per_pixel;  // as at the press: rulers may follow the last key
     MergeId gesture;
+    bool has_moved = false;
   };
   struct RectangleDrag {
     QPointF press;
@@ -74,6 +76,8 @@ class DopeSheet : public QWidget {
   };
 
   void refresh();
+  // Follows objects that are elsewhere in their part, or gone.
+  void follow(const ObjectPlaces& places);
   [[nodiscard]] FrameScale scale() const;
   [[nodiscard]] int frame_near(double x) const;  // >= 0
   [[nodiscard]] std::optional<std::size_t> row_at(double y) const;
@@ -95,7 +99,7 @@ class DopeSheet : public QWidget {
   Timeline& timeline_;
   Document& document_;
   QString filter_;
-  QSet<QString> folded_;
+  std::set<DopeObject> folded_;
   std::vector<DopeRow> rows_;
   KeySelection selection_;
   std::vector<Track> chosen_;

@@ -18,7 +18,7 @@ QString menu_text(const char* text) {
 
 Keyframe keyframe_at(const Scene& scene, const Track& row, double time) {
   for (const Keyframe& mark : keyframes_of(scene, row)) {
-    if (std::abs(mark.time - time) < min_key_distance) return mark;
+    if (is_same_key_time(mark.time, time)) return mark;
   }
   return {};
 }
@@ -63,12 +63,12 @@ double snapped_shift(const Timeline& timeline, double grabbed_time, double moved
   const double frames = std::round(moved_frames);
   if (frames == 0.0) return 0.0;
   const double frame = std::round(timeline.frame_of(grabbed_time) + frames);
-  return std::max(timeline.time_of(frame) - grabbed_time, -first_time);
+  return std::max(timeline.time_of(frame) - grabbed_time, std::min(0.0, -first_time));
 }
 
 double on_frame(const Timeline& timeline, double time) {
   const double nearest = timeline.time_of(std::round(timeline.frame_of(time)));
-  return std::abs(nearest - time) < min_key_distance ? nearest : time;
+  return is_same_key_time(nearest, time) ? nearest : time;
 }
 
 QPolygonF key_shape(Interpolation interpolation, const QPointF& center, double radius) {

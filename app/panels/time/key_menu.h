@@ -25,14 +25,15 @@ void show_key_menu(QWidget& owner, Document& document, const std::vector<TrackKe
                    const Track& track, double time, const std::vector<KeyAction>& actions,
                    const QPoint& global_position);
 
-// How far keys are moved, so that one of a time is on a frame again [s]: a key between two frames
-// stays there until it is moved by one. No key gets before the start of time.
+// Says how far keys are moved, so that one of a time is on a frame again [s]: a key between two
+// frames stays there until it is moved by one. No key gets before the start of time, or further
+// before it.
 double snapped_shift(const Timeline& timeline, double grabbed_time, double moved_frames,
                      double first_time);
 // A time that is on a frame but for rounding, on that frame.
 double on_frame(const Timeline& timeline, double time);
 
-// How a key is drawn: a diamond is smooth, a square linear, a triangle constant.
+// The shape of a key: a diamond is smooth, a square linear, a triangle constant.
 QPolygonF key_shape(Interpolation interpolation, const QPointF& center, double radius);
 
 }  // namespace brume

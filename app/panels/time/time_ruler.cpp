@@ -39,6 +39,11 @@ double FrameScale::frame_at(double x) const {
   return first_ + (x - left_ - end_margin) * frames_per_pixel_;
 }
 
+int FrameScale::scrub_frame(double x) const {
+  const double last = std::max({timeline_.last(), timeline_.frame(), 0});
+  return static_cast<int>(std::clamp(std::round(frame_at(x)), 0.0, last));
+}
+
 std::vector<double> FrameScale::ticks() const {
   constexpr double min_distance = 56.0;  // pixels
   const double step = std::max(1.0, round_step(min_distance * frames_per_pixel_));
@@ -92,6 +97,14 @@ void fit_frames(Timeline& timeline, double last_key) {
   }
 }
 
+void paint_rubber_band(QPainter& painter, const QRectF& area) {
+  QColor fill = accent_color();
+  painter.setPen(QPen(fill, 1.0, Qt::DashLine));
+  fill.setAlphaF(0.15F);
+  painter.setBrush(fill);
+  painter.drawRect(area.normalized());
+}
+
 TimeRuler::TimeRuler(Timeline& timeline, QWidget* parent) : QWidget(parent), timeline_(timeline) {
   setFixedHeight(ruler_height);
   setMinimumWidth(120);
@@ -117,16 +130,16 @@ void TimeRuler::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   painter.fillRect(rect(), palette().color(QPalette::AlternateBase));
-  const FrameScale at = scale();
-  at.paint_lines(painter, *this);
+  const FrameScale shown = scale();
+  shown.paint_lines(painter, *this);
   paint_cached(painter);
   painter.setPen(palette().color(QPalette::Text));
-  for (const double frame : at.ticks()) {
-    painter.drawText(QPointF(at.x_of(frame) + 3.0, fontMetrics().ascent() + 2.0),
+  for (const double frame : shown.ticks()) {
+    painter.drawText(QPointF(shown.x_of(frame) + 3.0, fontMetrics().ascent() + 2.0),
                      number_text(frame));
   }
   // The head of the playhead is what one takes hold of.
-  const double now = at.x_of(timeline_.frame());
+  const double now = shown.x_of(timeline_.frame());
   constexpr double head = 6.0;  // pixels
   painter.setPen(Qt::NoPen);
   painter.setBrush(accent_color());
@@ -137,21 +150,19 @@ void TimeRuler::paintEvent(QPaintEvent*) {
 
 void TimeRuler::paint_cached(QPainter& painter) const {
   constexpr double thickness = 3.0;  // pixels
-  const FrameScale at = scale();
-  const double step = 1.0 / at.frames_per_pixel();
+  const FrameScale shown = scale();
+  const double step = 1.0 / shown.frames_per_pixel();
   QColor draft = accent_color();
   draft.setAlphaF(0.4F);
   for (const Cached& cached : cached_) {
-    painter.fillRect(QRectF(at.x_of(cached.frame) - 0.5 * step, height() - thickness,
+    painter.fillRect(QRectF(shown.x_of(cached.frame) - 0.5 * step, height() - thickness,
                             std::max(step, 1.0), thickness),
                      cached.full ? accent_color() : draft);
   }
 }
 
 void TimeRuler::scrub_to(double x) {
-  const double last = std::max(timeline_.last(), timeline_.frame());
-  timeline_.set_frame(
-      static_cast<int>(std::clamp(std::round(scale().frame_at(x)), 0.0, std::max(last, 0.0))));
+  timeline_.set_frame(scale().scrub_frame(x));
 }
 
 void TimeRuler::mousePressEvent(QMouseEvent* event) {

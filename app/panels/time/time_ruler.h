@@ -10,7 +10,7 @@ namespace brume {
 
 class Timeline;
 
-// Where frames are across a widget: those that the timeline shows, with a margin at both ends.
+// The frames across a widget: those that the timeline shows, with a margin at both ends.
 class FrameScale {
  public:
   // `left`, `width`: of the widget's part [pixels].
@@ -19,6 +19,8 @@ class FrameScale {
   [[nodiscard]] double x_of(double frame) const;
   [[nodiscard]] double frame_at(double x) const;
   [[nodiscard]] double frames_per_pixel() const { return frames_per_pixel_; }
+  // The frame that the playhead is dragged to: not behind the range, unless it is there already.
+  [[nodiscard]] int scrub_frame(double x) const;
 
   // Frames that have a line, far enough apart for their numbers.
   [[nodiscard]] std::vector<double> ticks() const;
@@ -39,7 +41,10 @@ void pan_frames(Timeline& timeline, const FrameScale& scale, double pixels);
 // Shows the range, and keyframes beyond it until some time [s].
 void fit_frames(Timeline& timeline, double last_key);
 
-// 1, 2 or 5 times a power of ten, at least `step`.
+// A rectangle around what is to be selected.
+void paint_rubber_band(QPainter& painter, const QRectF& area);
+
+// A step of 1, 2 or 5 times a power of ten, at least `step`.
 double round_step(double step);
 
 // A ruler of frames, of the timeline and of the curves: ticks, numbers and the playhead, which a

@@ -58,6 +58,11 @@ QToolButton* new_button(QWidget* bar, const char* icon, const QString& tip) {
   return button;
 }
 
+std::size_t part_of(ObjectRef::Kind kind) {
+  if (kind == ObjectRef::Kind::light) return index_of<Lights>();
+  return kind == ObjectRef::Kind::emitter ? index_of<Emitters>() : index_of<Surfaces>();
+}
+
 }  // namespace
 
 TimelineBar::TimelineBar(Timeline& timeline, Document& document, std::function<Camera()> view,
@@ -197,8 +202,9 @@ void TimelineBar::set_key() {
   const std::vector<Track> all = tracks(document_.scene());
   std::vector<Track> keyed = sheet_->chosen();
   if (const auto& object = document_.object(); object && keyed.empty()) {
-    const ObjectRef ref{object->kind, object->index};
-    const auto first = std::ranges::find(all, std::optional(ref), &Track::ref);
+    const auto first = std::ranges::find_if(all, [&object](const Track& track) {
+      return track.part == part_of(object->kind) && track.place == object->index;
+    });
     if (first != all.end()) keyed = {*first};
   }
   // The place of the camera is the first of all.
