@@ -43,7 +43,7 @@ bool contains(const std::vector<GaussianId>& sorted, GaussianId id) {
   return std::binary_search(sorted.begin(), sorted.end(), id);
 }
 
-// Where the objects of a part will be, if some come or go.
+// Finds the places that the objects of a part will have, if some come or go.
 std::optional<ObjectPlaces> places_after(const Scene& scene, const ScenePart& part) {
   const auto find = [&part]<class T>(const std::vector<T>& objects) -> std::optional<ObjectPlaces> {
     const auto* list = std::get_if<std::vector<T>>(&part);

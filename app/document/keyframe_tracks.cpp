@@ -39,7 +39,7 @@ void visit_values(auto& part, auto&& visit) {
   });
 }
 
-// The same for the values of a row; or visit(name, value, keys, domain).
+// Calls visit(value, keys), or visit(name, value, keys, domain), for the values of a row.
 void visit_row(auto& part, const Track& row, auto&& visit) {
   std::size_t i = 0;
   visit_keyed_part(part,

@@ -7,7 +7,7 @@
 
 namespace brume {
 
-// Where the objects of a scene part are after an edit that some of them came or went by.
+// The places of a scene part's objects after an edit that some of them came or went by.
 struct ObjectPlaces {
   std::size_t part = 0;                            // index of ScenePart
   std::vector<std::optional<std::size_t>> places;  // by the place before; nullopt: it went
@@ -17,8 +17,8 @@ struct ObjectPlaces {
   }
 };
 
-// Where the objects of a list are in another one. Objects that are alike may have gone, each of
-// them, if one did: then none of these is there.
+// Finds the objects of a list in another one. If one of several that are alike went, any of them
+// may have: none of these is found.
 template <class T>
 std::vector<std::optional<std::size_t>> places_in(const std::vector<T>& objects_now,
                                                   const std::vector<T>& objects_before) {

@@ -38,7 +38,7 @@ void visit_keyed_part(auto& part, auto&& visit) {
       part);
 }
 
-// The same for a part of a scene. There may be many surfaces: they are not copied.
+// This visits a part of a scene alike. There may be many surfaces: they are not copied.
 void visit_scene_values(const Scene& scene, std::size_t part_index, auto&& visit) {
   if (part_index == index_of<Surfaces>()) {
     for (const Surface& surface : scene.surfaces) visit_keyed_surface(surface, visit);

@@ -93,7 +93,7 @@ void DopeSheet::follow(const ObjectPlaces& places) {
   selection_.follow(places);
   follow_places(chosen_, places);
   if (copied_) {
-    // What was copied of an object that went is still there to be pasted elsewhere.
+    // Copies of an object's keys stay when it went, to be pasted elsewhere.
     for (auto& [track, times] : copied_->keys) {
       if (track.part == places.part) track.place = places.of(track.place).value_or(no_place);
     }
