@@ -122,7 +122,7 @@ class ChosenRenderer {
 
   static constexpr int solved_slices = 24;
 
-  // What was traced last.
+  // The view that was traced last.
   struct Traced {
     int view;
     std::uint64_t serial;

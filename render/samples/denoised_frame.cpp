@@ -84,7 +84,7 @@ std::vector<float> kept_shares(std::span<const glm::vec3> one, std::span<const g
 
 std::vector<glm::vec3> significant_difference(const SolvedAndTraced& pictures, const Job& job) {
   const std::size_t count = pictures.solved.size();
-  // Of light far below the picture's mean nothing is seen.
+  // Light far below the picture's mean is not seen.
   constexpr float dimmest_share = 1e-3f;
   Image<float> light{pictures.width, std::vector<float>(count)};
   double mean = 0.0;
@@ -188,7 +188,7 @@ void DenoisedView::denoise(Frame& traced, const Job& job) {
     const std::vector<glm::vec3> nothing(now.airlight.size(), glm::vec3(0.0f));
     set(nothing, nothing);
   } else {
-    // What the newer half of the paths sees by itself.
+    // The newer half of the paths sees twice the mean of all less the older half.
     const auto difference = [&](std::span<const glm::vec3> solved,
                                 const std::vector<glm::vec3>& older,
                                 std::span<const glm::vec3> all) {
@@ -212,7 +212,7 @@ std::optional<Frame> render_denoised(FrameRenderer& renderer, const ExposedView&
   Settings half = settings;
   half.samples = samples_of(view.exposure, camera, scene);
   half.paths = (has_blur ? std::max(settings.paths, least_blurred_paths) : settings.paths) / 2;
-  // What is compared has the same samples of pixels: all of them, or, of still frames, centers.
+  // Compared frames have the same samples of pixels: all of them, or, of still ones, centers.
   const int samples = samples_of_paths(half);
   const bool has_all = has_blur || samples == half.samples;
   ExposedView solved_view = view;

@@ -16,13 +16,13 @@ struct SolvedAndTraced {
   std::vector<glm::vec3> traced[2];
 };
 
-// What to add to the solved picture: its difference from the mean of those by paths, as far as it
-// stands out from their noise. The difference is relative to the solved light around, and split
-// into details of 1, 2, 4 ... 32 pixels and the rest (the a trous algorithm: Holschneider et al.
-// 1989, with the B3 spline of Starck and Murtagh). Each detail is weighed by its power over that
-// and the noise's (Wiener), both taken around the pixel: the power by the product of the two
-// differences, whose noise is independent, the noise by their difference. With more paths it
-// converges to all of the difference. Invalid after the job was stopped.
+// The difference of the mean of those by paths from the solved picture, as far as it stands out
+// from their noise. It is taken relative to the solved light around, and split into details of 1,
+// 2, 4 ... 32 pixels and the rest (the a trous algorithm: Holschneider et al. 1989, with the B3
+// spline of Starck and Murtagh). Each detail is weighed by its power over that and the noise's
+// (Wiener), both taken around the pixel: the power by the product of the two differences, whose
+// noise is independent, the noise by their difference. With more paths it converges to all of the
+// difference. Invalid after the job was stopped.
 std::vector<glm::vec3> significant_difference(const SolvedAndTraced& pictures, const Job& job);
 
 // The airlight of a frame's pixels, and what else is in its beauty.

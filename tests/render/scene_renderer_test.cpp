@@ -190,10 +190,10 @@ TEST(RequestOptions, TellWhatTheyWereSetTo) {
       {"time", "-2.5"},         {"slices", "12"},         {"airlight", "sliced:12"},
       {"airlight", "path:7"},   {"airlight", "path:9"},   {"airlight", "paper+mean+energy"},
       {"airlight", "auto"},     {"scattering", "single"}, {"seed", "4294967295"},
-      {"error", "none"},        {"airlight-scale", "2"},  {"paper-spread", "true"},
-      {"max-error", "0.001"},   {"tolerance", "1e-06"},   {"samples", "5"},
-      {"shutter", "-0.5,0.25"}, {"shutter", "none"},      {"deep-error", "0.02"},
-      {"backend", "gl"},        {"threads", "3"}};
+      {"denoise", "solved"},    {"error", "none"},        {"airlight-scale", "2"},
+      {"paper-spread", "true"}, {"max-error", "0.001"},   {"tolerance", "1e-06"},
+      {"samples", "5"},         {"shutter", "-0.5,0.25"}, {"shutter", "none"},
+      {"deep-error", "0.02"},   {"backend", "gl"},        {"threads", "3"}};
   std::set<std::string> known;
   for (const auto& [name, text] : texts) {
     RenderRequest request;
@@ -221,6 +221,7 @@ TEST(RequestOptions, RefuseOtherTexts) {
   }
   for (const char* text : {"", "x", "1,2,3", "0,0"}) EXPECT_NE(set(request, "shutter", text), "");
   for (const char* text : {"", "3", "1.0"}) EXPECT_NE(set(request, "airlight-scale", text), "");
+  for (const char* text : {"", "Solved", "1"}) EXPECT_NE(set(request, "denoise", text), "");
   for (const char* text : {"", "0,0,1", "0,0,1,1,", "0.5,0,0.5,1"}) {
     EXPECT_NE(set(request, "region", text), "") << text;
   }

@@ -21,7 +21,7 @@ PlaybackLabel::PlaybackLabel(const Timeline& timeline, QWidget* parent)
   setToolTip(
       tr("Frames per second that the view shows, of the scene's rate. Frames that take too long "
          "are dropped, so that time runs as it will; once a loop is cached, none are."));
-  // What is beside it keeps its place while the numbers come, change and go.
+  // Its neighbours keep their places while the numbers come, change and go.
   constexpr int margin = 8;  // pixels
   setContentsMargins(margin, 0, margin, 0);
   setMinimumWidth(fontMetrics().horizontalAdvance(playback_text(2.0, 29.97)) + 2 * margin);

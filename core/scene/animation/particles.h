@@ -13,7 +13,7 @@ inline constexpr int particle_limit = 100'000;
 // Maximum number of live particles of an emitter.
 std::size_t max_particles(const Emitter& emitter);
 
-// How many particles an emitter has emitted until a time >= 0 [s]: the integral of its rate.
+// The number of particles emitted until a time >= 0 [s]: the integral of the emitter's rate.
 double emitted_until(const Emitter& emitter, double time);
 
 // The particles of an emitter at a time [s]. Particle k is born at k / rate, or where the rate has
