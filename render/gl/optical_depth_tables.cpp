@@ -222,13 +222,13 @@ void ProfileMaps::upload(std::span<const SlicedLight> lights) {
   std::vector<float> texels(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
   for (std::size_t i = 0; i < maps_.size(); ++i) {
     const IntensityMap& map = *maps_[i];
-    const glm::ivec2 at = place_of(i);
+    const glm::ivec2 corner = place_of(i);
     for (int row = 0; row < map.side; ++row) {
       std::ranges::copy(
           std::span(map.values)
               .subspan(static_cast<std::size_t>(row) * static_cast<std::size_t>(map.side),
                        static_cast<std::size_t>(map.side)),
-          texels.begin() + (at.y + row) * std::ptrdiff_t{size.x} + at.x);
+          texels.begin() + (corner.y + row) * std::ptrdiff_t{size.x} + corner.x);
     }
   }
   texture_.reserve(Texture::Format::r32f, size);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <glm/common.hpp>
+#include <limits>
 #include <span>
 #include <utility>
 
@@ -85,7 +87,9 @@ std::vector<float> kept_shares(std::span<const glm::vec3> one, std::span<const g
 std::vector<glm::vec3> significant_difference(const SolvedAndTraced& pictures, const Job& job) {
   const std::size_t count = pictures.solved.size();
   // Light far below the picture's mean is not seen.
-  constexpr float dimmest_share = 1e-3f;
+  constexpr double dimmest_share = 1e-3;
+  // Greater differences, relative to that, would be no numbers squared.
+  constexpr float max_difference = 1e9f;
   Image<float> light{pictures.width, std::vector<float>(count)};
   double mean = 0.0;
   for (std::size_t i = 0; i < count; ++i) {
@@ -93,20 +97,22 @@ std::vector<glm::vec3> significant_difference(const SolvedAndTraced& pictures, c
     mean += static_cast<double>(light.pixels[i]) / static_cast<double>(count);
   }
   std::vector<glm::vec3> result(count, glm::vec3(0.0f));
-  if (!(mean > 0.0)) {  // nothing to be relative to
+  const auto dimmest = static_cast<float>(dimmest_share * mean);
+  if (!(dimmest > std::numeric_limits<float>::min())) {  // nothing to be relative to
     for (std::size_t i = 0; i < count; ++i) {
       result[i] = 0.5f * (pictures.traced[0][i] + pictures.traced[1][i]) - pictures.solved[i];
     }
     return result;
   }
   light = smoothed(light, 1, job);
-  for (float& value : light.pixels) value += dimmest_share * static_cast<float>(mean);
+  for (float& value : light.pixels) value += dimmest;
 
   std::array<Image<glm::vec3>, 2> rest;
   for (std::size_t k = 0; k < rest.size(); ++k) {
     rest[k] = {pictures.width, std::vector<glm::vec3>(count)};
     for (std::size_t i = 0; i < count; ++i) {
-      rest[k].pixels[i] = (pictures.traced[k][i] - pictures.solved[i]) / light.pixels[i];
+      rest[k].pixels[i] = glm::clamp((pictures.traced[k][i] - pictures.solved[i]) / light.pixels[i],
+                                     -max_difference, max_difference);
     }
   }
   const auto keep = [&](const std::array<Image<glm::vec3>, 2>& details, int step) {
@@ -134,7 +140,7 @@ std::vector<glm::vec3> significant_difference(const SolvedAndTraced& pictures, c
 
 namespace {
 
-constexpr int least_blurred_paths = 64;
+constexpr int min_blurred_paths = 64;
 
 // Another one than between the shares of share_of_paths().
 constexpr std::uint64_t seed_between_halves = 0xD1B54A32D192ED03u;
@@ -211,7 +217,7 @@ std::optional<Frame> render_denoised(FrameRenderer& renderer, const ExposedView&
   const bool has_blur = is_blurred(view.exposure, camera);
   Settings half = settings;
   half.samples = samples_of(view.exposure, camera, scene);
-  half.paths = (has_blur ? std::max(settings.paths, least_blurred_paths) : settings.paths) / 2;
+  half.paths = (has_blur ? std::max(settings.paths, min_blurred_paths) : settings.paths) / 2;
   // Compared frames have the same samples of pixels: all of them, or, of still ones, centers.
   const int samples = samples_of_paths(half);
   const bool has_all = has_blur || samples == half.samples;

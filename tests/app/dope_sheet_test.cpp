@@ -194,7 +194,7 @@ class DopeSheetTest : public QObject {
     Desk desk(scene);
     Document& document = desk.document();
     DopeSheet& sheet = *desk.findChild<DopeSheet*>("keys");
-    // What is selected of a light that is deleted does not pass to the next one.
+    // The selected keys of a light that is deleted do not pass to the next one.
     const auto choose_key = [&](std::size_t row) {
       QTest::mouseClick(&sheet, Qt::LeftButton, {}, sheet.name_position(row));
       QTest::mouseClick(&sheet, Qt::LeftButton, {}, sheet.position(row, 30));
@@ -204,7 +204,7 @@ class DopeSheetTest : public QObject {
     QVERIFY(sheet.selection().empty());
     QVERIFY(sheet.chosen().empty());
     document.undo_stack().undo();
-    // What is selected of the next one stays so, under another name too.
+    // Those of the next one stay selected, under another name too.
     choose_key(3);
     rename_object(document, {ObjectRef::Kind::light, 1}, "rim");
     delete_object(document, {ObjectRef::Kind::light, 0});

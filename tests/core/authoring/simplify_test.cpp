@@ -217,7 +217,7 @@ TEST(Simplify, EllipsoidsAreFewerWithinTheSameError) {
   }
 }
 
-// To balls or to ellipsoids: their own shapes count.
+// Balls and ellipsoids that it simplifies to are judged by their own shapes.
 TEST(Simplify, OfEllipsoids) {
   Random random(6);
   std::vector<Gaussian> bank = fog_bank(3000, 0.8, 5);

@@ -84,6 +84,18 @@ TEST(SignificantDifference, IsAllOfItWhereTheSolvedPictureIsBlack) {
   EXPECT_LT(pictures.error(significant_difference(pictures.all, {})), 1e-6);
 }
 
+TEST(SignificantDifference, IsFiniteWhateverTheSolvedPictureLacks) {
+  for (const float solved : {1e-42f, 1e-20f, 1e25f}) {
+    Pictures pictures(0.5f, 0.0f);
+    pictures.all.solved.assign(pictures.truth.size(), glm::vec3(solved));
+    pictures.all.traced[0][40] = pictures.all.traced[1][40] = glm::vec3(1e28f);
+    pictures.all.traced[1][50] = glm::vec3(1e28f);
+    for (const glm::vec3& difference : significant_difference(pictures.all, {})) {
+      EXPECT_FALSE(std::isnan(difference.x + difference.y + difference.z)) << solved;
+    }
+  }
+}
+
 TEST(DenoisedFrames, HaveAThirdOfTheNoise) {
   Scene scene = on_film(cloud_scene(20, 0.5), {32, 24});
   scene.surfaces = {wall(-3.0, 3.0)};

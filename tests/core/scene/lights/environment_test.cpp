@@ -227,7 +227,7 @@ TEST(SceneSky, FollowsItsKeyframes) {
   EXPECT_EQ(day.environment->map, evaluate_at(under({.elevation = 40.0}), 0.0).environment->map);
 }
 
-// What is made of the map stays as long as nothing changes.
+// Data made of the map stay as long as nothing changes.
 TEST(SceneSky, KeepsItsMap) {
   const Scene first = evaluate_at(under({.elevation = 33.0}), 0.0);
   const Scene again = evaluate_at(under({.elevation = 33.0, .azimuth = 40.0, .sun = false}), 0.0);

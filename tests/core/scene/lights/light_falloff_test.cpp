@@ -135,7 +135,7 @@ Light spot_with(std::shared_ptr<const Texture> content) {
   return {.intensity = {2.0, 4.0, 8.0}, .kind = spot};
 }
 
-// What the lights of a spot send in a direction.
+// The intensity of a spot in a direction.
 glm::dvec3 sent(const Light& light, const glm::dvec3& towards) {
   const glm::dvec3 w = glm::normalize(towards);
   glm::dvec3 sum(0.0);
@@ -149,7 +149,7 @@ void expect_near(const glm::dvec3& a, const glm::dvec3& b, double bound) {
   EXPECT_LT(glm::length(a - b), bound) << a.x << " " << a.y << " " << a.z;
 }
 
-// As seen from a spot that shines ahead: x to the right, y up.
+// A spot that shines ahead sees x to the right, y up.
 TEST(BeamPattern, IsUprightAheadOfTheSpot) {
   const Light light = spot_with(quadrants_picture());
   const double t = std::tan(glm::radians(30.0)) * 0.5;
