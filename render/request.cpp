@@ -52,10 +52,29 @@ RenderRequest chosen(RenderRequest request, const Settings& settings) {
   return request;
 }
 
-void trace_paths(RenderRequest& request, int paths) {
+namespace {
+
+// Why frames of such a request cannot be denoised; empty: they can.
+std::string denoise_problem(const RenderRequest& request) {
+  if (request.airlight != AirlightMethod::path || request.paths < 2) {
+    return "it is of the noise of paths; allowed with path:2 or more";
+  }
+  if (request.film && request.film->region) {
+    return "it takes the pixels around each; allowed: no region";
+  }
+  if (has_light_layers(request.layers)) {
+    return "the sum of denoised layers is not the picture; allowed: layers without light";
+  }
+  return {};
+}
+
+}  // namespace
+
+void trace_paths(RenderRequest& request, int paths, Denoising denoise) {
   request.airlight = AirlightMethod::path;
   request.paths = paths;
   request.airlight_scale.reset();
+  request.denoise = denoise_problem(request).empty() ? denoise : Denoising::none;
 }
 
 Exposure exposure_of(const Scene& animation, const RenderRequest& request) {
@@ -81,17 +100,8 @@ std::optional<RequestProblem> problem_of(const RenderRequest& request) {
     return RequestProblem{"airlight-scale", method + " is never interpolated; allowed: 1"};
   }
   if (request.denoise != Denoising::none) {
-    if (request.airlight != AirlightMethod::path || request.paths < 2) {
-      return RequestProblem{"denoise", "it is of the noise of paths; allowed with path:2 or more"};
-    }
-    if (request.film && request.film->region) {
-      return RequestProblem{"denoise", "it takes the pixels around each; allowed: no region"};
-    }
-    if (has_light_layers(request.layers)) {
-      return RequestProblem{"denoise",
-                            "the sum of denoised layers is not the picture; allowed: "
-                            "layers without light"};
-    }
+    const std::string why = denoise_problem(request);
+    if (!why.empty()) return RequestProblem{"denoise", why};
   }
   if (request.deep_error && request.airlight != AirlightMethod::auto_ &&
       request.airlight != AirlightMethod::sliced) {

@@ -19,8 +19,8 @@ Settings settings_of(const RenderRequest& request);
 // The request with what settings, made of it, chose.
 RenderRequest chosen(RenderRequest request, const Settings& settings);
 
-// Makes it one of paths, which are never interpolated.
-void trace_paths(RenderRequest& request, int paths);
+// Makes it one of paths, which are never interpolated; denoised where its film and layers can be.
+void trace_paths(RenderRequest& request, int paths, Denoising denoise);
 
 // How a request exposes frames of an animation. A deep pixel is one ray.
 Exposure exposure_of(const Scene& animation, const RenderRequest& request);

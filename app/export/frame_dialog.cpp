@@ -11,16 +11,11 @@
 #include "app/files/file_dialogs.h"
 #include "app/files/picture_format.h"
 #include "app/widgets/layer_boxes.h"
+#include "app/widgets/method_box.h"
 #include "app/widgets/rows.h"
 #include "render/settings.h"
 
 namespace brume {
-namespace {
-
-constexpr int first_paths = 256;  // a noise of a few per cent in most scenes
-
-}  // namespace
-
 FrameDialog::FrameDialog(const QString& folder, bool path_traced, const OutputLayers& layers,
                          QWidget* parent)
     : QDialog(parent),
@@ -28,7 +23,7 @@ FrameDialog::FrameDialog(const QString& folder, bool path_traced, const OutputLa
       bits_(named(new QComboBox(this), "frame_bits")),
       file_(named(new QLineEdit(last_folder(FileKind::picture, folder) + "/frame.png", this),
                   "frame_file")),
-      method_(named(new QComboBox(this), "frame_method")),
+      method_(named(new MethodBox(this), "frame_method")),
       paths_(named(new QSpinBox(this), "frame_paths")),
       layers_(new LayerBoxes(this)),
       export_(named(new QPushButton(tr("Export")), "export_frame")) {
@@ -41,14 +36,12 @@ FrameDialog::FrameDialog(const QString& folder, bool path_traced, const OutputLa
   bits_->addItem(tr("16"), 16);
   bits_->setToolTip(tr("Of each value of a PNG: 16 are for further editing"));
   file_->setMinimumWidth(360);
-  method_->addItem(tr("As in View > Quality"), false);
-  method_->addItem(tr("Path traced"), true);
-  method_->setCurrentIndex(path_traced ? 1 : 0);
-  method_->setToolTip(
-      tr("Path traced: all light, scattered and reflected any number of times, with noise that "
-         "four times the paths halve"));
+  if (path_traced) method_->set_paths(Denoising::solved);  // as the view shows them
   paths_->setRange(1, max_paths);
-  paths_->setValue(first_paths);
+  const auto offer_paths = [this] {
+    paths_->setValue(MethodBox::first_paths(method_->paths().value_or(Denoising::solved)));
+  };
+  offer_paths();
 
   auto* form = new QFormLayout(this);
   form->addRow(tr("As"), format_);
@@ -67,7 +60,10 @@ FrameDialog::FrameDialog(const QString& folder, bool path_traced, const OutputLa
     update_enabled();
   });
   connect(file_, &QLineEdit::textChanged, this, &FrameDialog::update_enabled);
-  connect(method_, &QComboBox::currentIndexChanged, this, &FrameDialog::update_enabled);
+  connect(method_, &QComboBox::currentIndexChanged, this, [this, offer_paths] {
+    offer_paths();
+    update_enabled();
+  });
   update_enabled();
 }
 
@@ -75,7 +71,7 @@ void FrameDialog::update_enabled() {
   const QString format = format_->currentData().toString();
   const bool is_deep = format == ".deep.exr";
   method_->setEnabled(!is_deep);
-  paths_->setEnabled(!is_deep && method_->currentData().toBool());
+  paths_->setEnabled(!is_deep && method_->paths());
   layers_->setEnabled(format == ".exr");
   bits_->setEnabled(format == ".png");
   export_->setEnabled(to_path(file_->text()).has_stem());
@@ -95,9 +91,13 @@ void FrameDialog::confirm() {
   const std::filesystem::path file = to_path(file_->text());
   if (!may_replace(this, file, std::nullopt)) return;
   remember_folder(FileKind::picture, file);
-  const bool path_traced = paths_->isEnabled();
-  Q_EMIT requested(file, path_traced ? std::optional(paths_->value()) : std::nullopt,
-                   layers_->layers(), bits_->currentData().toInt());
+  Output output;
+  if (paths_->isEnabled()) {
+    output.paths = paths_->value();
+    output.denoise = method_->paths().value_or(Denoising::none);
+  }
+  output.layers = layers_->layers();
+  Q_EMIT requested(file, output, bits_->currentData().toInt());
   accept();
 }
 

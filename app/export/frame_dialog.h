@@ -2,7 +2,6 @@
 
 #include <QDialog>
 #include <filesystem>
-#include <optional>
 
 class QComboBox;
 class QLineEdit;
@@ -12,6 +11,8 @@ class QSpinBox;
 namespace brume {
 
 class LayerBoxes;
+class MethodBox;
+struct Output;
 struct OutputLayers;
 
 // Dialog to export one frame.
@@ -22,10 +23,9 @@ class FrameDialog : public QDialog {
   FrameDialog(const QString& folder, bool path_traced, const OutputLayers& layers, QWidget* parent);
 
  Q_SIGNALS:
-  // The extension selects the format: .png, .exr or .deep.exr. `paths` per pixel; nullopt: rendered
-  // by the method of the view. `layers`: of .exr. `bits`: of each value of .png, 8 or 16.
-  void requested(const std::filesystem::path& file, std::optional<int> paths,
-                 const brume::OutputLayers& layers, int bits);
+  // The extension selects the format: .png, .exr or .deep.exr. Paths, denoising and layers are set
+  // in `output`, `bits` are those of each value of .png, 8 or 16.
+  void requested(const std::filesystem::path& file, const brume::Output& output, int bits);
 
  private:
   [[nodiscard]] std::filesystem::path with_extension(const QString& name) const;
@@ -36,7 +36,7 @@ class FrameDialog : public QDialog {
   QComboBox* format_;
   QComboBox* bits_;
   QLineEdit* file_;
-  QComboBox* method_;
+  MethodBox* method_;
   QSpinBox* paths_;
   LayerBoxes* layers_;
   QPushButton* export_;

@@ -206,9 +206,11 @@ FrameExportRequest FrameOutput::output_request(bool animation) const {
     request.request.film = film_region(scene.film, {region->left(), region->top()},
                                        {region->right(), region->bottom()});
   }
-  if (output.paths && !is_deep_file(output.file)) trace_paths(request.request, *output.paths);
-  if (output.exposure) request.info.look.exposure = *output.exposure;
   request.request.layers = output.layers;
+  if (output.paths && !is_deep_file(output.file)) {
+    trace_paths(request.request, *output.paths, output.denoise);
+  }
+  if (output.exposure) request.info.look.exposure = *output.exposure;
   const QString camera = QString::fromStdString(scene.camera_name);
   if (animation) {
     request.range = {work_.timeline.first(), work_.timeline.last(),
@@ -334,12 +336,12 @@ void FrameOutput::export_frame() {
   dialog->show();
 }
 
-void FrameOutput::export_frame_to(const std::filesystem::path& file, std::optional<int> paths,
-                                  const OutputLayers& layers, int bits) {
+void FrameOutput::export_frame_to(const std::filesystem::path& file, const Output& output,
+                                  int bits) {
   FrameExportRequest request = view_request(file);
-  request.request.layers = layers;
+  request.request.layers = output.layers;
   request.info.bits = bits;
-  if (paths) trace_paths(request.request, *paths);
+  if (output.paths) trace_paths(request.request, *output.paths, output.denoise);
   queue_->add(request);
 }
 

@@ -42,10 +42,9 @@ class FrameOutput : public QObject {
   // Asks for a file, and exports to it.
   void export_frame();
   void export_animation();
-  // Exports what the view sees, on the scene's film; path-traced with `paths` per pixel, or by the
+  // Exports what the view sees, on the scene's film; by paths if `output` has some, or by the
   // method of the view.
-  void export_frame_to(const std::filesystem::path& file, std::optional<int> paths = {},
-                       const OutputLayers& layers = {}, int bits = 8);
+  void export_frame_to(const std::filesystem::path& file, const Output& output = {}, int bits = 8);
   // The frames of the timeline that are named, numbered or as a video, by the file's extension: as
   // the scene's camera sees them if it has keys, else as the view does.
   void export_animation_to(const std::filesystem::path& file, int first, int last);

@@ -33,6 +33,11 @@ struct OutputLayers {
   bool operator==(const OutputLayers&) const = default;
 };
 
+// Denoised frames of `path` begin with the picture that is solved for, and keep of what paths add
+// to it only what stands out from their noise: they have a fraction of the noise, and a bias
+// towards that picture that more paths remove. Their error can be measured.
+enum class Denoising { none, solved };
+
 // When the shutter is open, from a frame's time on, in frames; open < close. Half a frame is the
 // usual "180 degrees".
 struct Shutter {
@@ -71,6 +76,8 @@ struct Output {
   // .png or .exr, numbered for an animation, or .mp4; absolute; empty: not chosen yet.
   std::filesystem::path file;
   std::optional<int> paths;  // traced per pixel, 1 to limits::paths; absent: as views render
+  // Paths of whole pictures without layers of light.
+  Denoising denoise = Denoising::none;
   // Per pixel of those that need them, 1 to limits::samples; absent: chosen.
   std::optional<int> samples;
   std::optional<Shutter> shutter;  // absent: no motion blur

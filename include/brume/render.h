@@ -21,11 +21,6 @@ namespace brume {
 // is chosen and measured is the same everywhere. `reference` and `path` have no error.
 enum class ErrorMeasurement { none, quick, full };
 
-// Denoised frames of `path` begin with the picture that is solved for, and keep of what paths add
-// to it only what stands out from their noise: they have a fraction of the noise, and a bias
-// towards that picture that more paths remove. Their error can be measured.
-enum class Denoising { none, solved };
-
 // Opens at a frame's time only: no motion blur.
 inline constexpr Shutter no_shutter{0.0, 0.0};
 

@@ -189,6 +189,29 @@ class OutputTest : public QObject {
     QVERIFY(viewer.pictures().at(1)->name == "Camera, frame 0");
   }
 
+  void paths_are_denoised_but_in_layers_of_light() {
+    TestWindow window(tiny_scene());
+    type(window, "output_file", "shot.exr");
+    choose(window, "output_method", 2);
+    QVERIFY(window.scene().output.denoise == Denoising::solved);
+    enter(window, "output_paths", "4");
+    window.key(Qt::Key_F12);
+    QVERIFY(wait_for(queue(window), RenderQueue::State::done));
+    QCOMPARE(read_exr(window.file("shot.exr")).metadata.at("brume:denoise"), "solved");
+
+    click(window, "layer_lights");
+    window.key(Qt::Key_F12);
+    QVERIFY(QTest::qWaitFor([&] { return queue(window).items().size() == 2; }, patience));
+    QVERIFY(wait_for(queue(window), RenderQueue::State::done));
+    const ImageLayers plain = read_exr(window.file("shot.exr"));
+    QVERIFY(plain.channels.contains("airlight.light_1.R"));
+    QVERIFY(!plain.metadata.contains("brume:denoise"));
+
+    window->document().undo_stack().setIndex(0);
+    QVERIFY(window.scene().output == Output{});
+    QCOMPARE(window->findChild<QComboBox*>("output_method")->currentIndex(), 0);
+  }
+
   void more_layers_are_rendered() {
     TestWindow window(tiny_scene());
     type(window, "output_file", "shot.exr");
@@ -271,7 +294,7 @@ class OutputTest : public QObject {
     Scene big = small_scene();
     big.film = {2000, 1500};
     request.scene = std::make_shared<const Scene>(big);
-    trace_paths(request.request, 100'000);  // never done
+    trace_paths(request.request, 100'000, Denoising::none);  // never done
     request.title = "long";
     const int first = renders.add(request);
     request.title = "next";

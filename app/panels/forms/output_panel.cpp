@@ -23,6 +23,7 @@
 #include "app/files/numbered_file.h"
 #include "app/files/picture_format.h"
 #include "app/widgets/layer_boxes.h"
+#include "app/widgets/method_box.h"
 #include "app/widgets/plain_text.h"
 #include "app/widgets/rows.h"
 #include "brume/limits.h"
@@ -35,7 +36,6 @@ namespace {
 constexpr NumberDomain film_side{1, limits::film_side, "a whole number from 1 to 16384"};
 constexpr NumberDomain path_count{1, limits::paths, "a whole number from 1 to 1000000"};
 constexpr NumberDomain frame_number{0, limits::frame, "a whole number from 0 to 1000000"};
-constexpr int first_paths = 256;  // a noise of a few per cent in most scenes
 
 struct SizePreset {
   const char* title;
@@ -150,32 +150,32 @@ void OutputPanel::show_region(const QString& text) {
 }
 
 void OutputPanel::add_method(QFormLayout& form) {
-  auto* method = named(new QComboBox(this), "output_method");
-  method->addItem(tr("As in the view"));
-  method->addItem(tr("Path traced"));
-  method->setToolTip(
-      tr("As in the view: by View > Quality, soon done. Path traced: all light, scattered and "
-         "reflected any number of times, with noise that four times the paths halve"));
+  auto* method = named(new MethodBox(this), "output_method");
   form.addRow(tr("Method"), method);
-  const auto set_paths = [this](std::optional<int> paths, MergeId gesture = no_merge) {
-    change_output(document_, tr("Set method of rendering"), gesture,
-                  [paths](Output& output) { output.paths = paths; });
+  const auto shown = [this]() -> std::optional<Denoising> {
+    return output().paths ? std::optional(output().denoise) : std::nullopt;
   };
-  connect(method, &QComboBox::activated, this, [this, set_paths](int index) {
-    if (output().paths.has_value() != (index == 1)) {
-      set_paths(index == 1 ? std::optional(first_paths) : std::nullopt);
-    }
+  connect(method, &QComboBox::activated, this, [this, method, shown] {
+    const std::optional<Denoising> chosen = method->paths();
+    if (chosen == shown()) return;
+    change_output(document_, tr("Set method of rendering"), no_merge, [chosen](Output& output) {
+      output.denoise = chosen.value_or(Denoising::none);
+      output.paths.reset();
+      if (chosen) output.paths = MethodBox::first_paths(*chosen);
+    });
   });
-  add_number(
-      form, tr("Paths per pixel"),
-      {"output_paths", path_count, ValueField::Scale::logarithmic, 0.02,
-       [this]() -> std::optional<double> {
-         return output().paths ? std::optional<double>(*output().paths) : std::nullopt;
-       },
-       [set_paths](double value, MergeId gesture) { set_paths(rounded_to_int(value), gesture); }})
+  add_number(form, tr("Paths per pixel"),
+             {"output_paths", path_count, ValueField::Scale::logarithmic, 0.02,
+              [this]() -> std::optional<double> {
+                return output().paths ? std::optional<double>(*output().paths) : std::nullopt;
+              },
+              [this](double value, MergeId gesture) {
+                change_output(document_, tr("Set paths per pixel"), gesture,
+                              [value](Output& output) { output.paths = rounded_to_int(value); });
+              }})
       ->setToolTip(tr("Samples of each pixel: four times as many halve the noise and take four "
                       "times as long"));
-  on_refresh([this, method] { method->setCurrentIndex(output().paths ? 1 : 0); });
+  on_refresh([method, shown] { method->set_paths(shown()); });
 }
 
 void OutputPanel::add_frames(QFormLayout& form) {

@@ -6,6 +6,7 @@
 #include "brume/limits.h"
 #include "core/io/disk/file_bytes.h"
 #include "core/io/scene/fields_json.h"
+#include "core/io/scene/scene_names.h"
 #include "core/io/text_scanner.h"
 #include "core/number_domain.h"
 #include "core/scene/cameras.h"
@@ -114,6 +115,8 @@ Output read_output(JsonContext& context, JsonObject& object, const SceneReferenc
   if (object.find("paths") != nullptr) {
     output.paths = static_cast<int>(object.integer("paths", 1, limits::paths, 1));
   }
+  output.denoise =
+      static_cast<Denoising>(object.choice("denoise", scene_names::denoisings, std::size_t{0}));
   if (object.find("samples") != nullptr) {
     output.samples = static_cast<int>(object.integer("samples", 1, limits::samples, 1));
   }
@@ -139,6 +142,9 @@ Json output_to_json(const Output& output, const UnknownKeys& unknown_keys,
   Json object = Json::object();
   if (!output.file.empty()) object["file"] = SceneReferences::text_for(output.file, directory);
   if (output.paths) object["paths"] = *output.paths;
+  if (output.denoise != Denoising::none) {
+    object["denoise"] = scene_names::denoisings[static_cast<std::size_t>(output.denoise)];
+  }
   if (output.samples) object["samples"] = *output.samples;
   if (output.shutter) object["shutter"] = Json{output.shutter->open, output.shutter->close};
   if (output.exposure) object["exposure"] = *output.exposure;

@@ -13,6 +13,7 @@ inline const std::vector<std::string> materials{"diffuse", "phong", "measured",
 inline const std::vector<std::string> texture_wraps{"repeat", "clamp", "mirror"};
 inline const std::vector<std::string> alpha_modes{"opaque", "cutout", "blend"};
 inline const std::vector<std::string> primitives{"plane", "box", "sphere", "cylinder"};
+inline const std::vector<std::string> denoisings{"none", "solved"};
 inline const std::vector<std::string> transfers{"none", "shadow", "interreflection"};
 inline const std::vector<std::string> interpolations{"smooth", "linear", "constant"};
 

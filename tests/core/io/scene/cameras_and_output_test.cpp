@@ -42,8 +42,8 @@ TEST_F(CamerasAndOutput, ComeBackWithTheirUnknownKeys) {
                         "focus_distance": [{"time": 2, "value": 5}]}},
     "cameras": [{"name": "Close", "eye": [1, 0, 0], "vertical_fov": 20, "maker": "B",
                  "keys": {"eye": [{"time": 1, "value": [2, 0, 0]}]}}],
-    "output": {"file": "renders/shot.exr", "paths": 64, "samples": 32, "shutter": [-0.25, 0.25],
-               "exposure": -0.5, "layers": ["Z"],
+    "output": {"file": "renders/shot.exr", "paths": 64, "denoise": "solved", "samples": 32,
+               "shutter": [-0.25, 0.25], "exposure": -0.5, "layers": ["Z"],
                "quality": "high"},
     "timeline": {"last": 9, "frames_per_second": 24})"));
   const Scene& scene = document.scene;
@@ -53,6 +53,7 @@ TEST_F(CamerasAndOutput, ComeBackWithTheirUnknownKeys) {
   EXPECT_EQ(scene.cameras[0].keys.eye.size(), 1U);
   EXPECT_EQ(scene.output.file, std::filesystem::canonical(folder_.path()) / "renders/shot.exr");
   EXPECT_EQ(scene.output.paths, 64);
+  EXPECT_EQ(scene.output.denoise, Denoising::solved);
   EXPECT_EQ(scene.camera.aperture, 0.1);
   EXPECT_EQ(scene.camera.focus_distance, 2.0);
   EXPECT_EQ(scene.camera_keys.aperture.size(), 1U);
@@ -143,6 +144,9 @@ TEST_F(CamerasAndOutput, RefuseMistakes) {
   }
   for (const char* paths : {"0", "-1", "1.5", "1000001", R"("9")", "null"}) {
     expect_refused(std::string(R"("output": {"paths": )") + paths + "}", "output.paths");
+  }
+  for (const char* denoise : {"1", "null", R"("")", R"("path")"}) {
+    expect_refused(std::string(R"("output": {"denoise": )") + denoise + "}", "output.denoise");
   }
   for (const char* samples : {"0", "-1", "1.5", "4097", R"("9")", "null"}) {
     expect_refused(std::string(R"("output": {"samples": )") + samples + "}", "output.samples");

@@ -124,6 +124,7 @@ class RandomScene {
     }
     if (maybe()) scene.output.file = folder_ / (maybe() ? "film.mp4" : "renders/a.exr");
     if (maybe()) scene.output.paths = integer(1, 999);
+    if (maybe()) scene.output.denoise = Denoising::solved;
     if (maybe()) scene.output.exposure = number(-9, 9);
     for (const LayerName& name : layer_names) scene.output.layers.*name.layer = maybe();
     return scene;
