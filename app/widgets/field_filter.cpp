@@ -5,14 +5,19 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QDialog>
+#include <QFormLayout>
+#include <QHelpEvent>
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QMainWindow>
 #include <QScrollBar>
 #include <QSpinBox>
 #include <QTableView>
+#include <QToolTip>
 
 #include "app/widgets/keys.h"
+#include "app/widgets/plain_text.h"
+#include "app/widgets/value_field.h"
 
 namespace brume {
 namespace {
@@ -54,6 +59,43 @@ bool end_typing(QSpinBox& box, int key) {
     return false;
   }
   return leave_field(box);
+}
+
+QWidgetList widgets_in(const QLayoutItem* item) {
+  QWidgetList found;
+  if (!item) return found;
+  if (item->widget()) found << const_cast<QLayoutItem*>(item)->widget();
+  const QLayout* layout = const_cast<QLayoutItem*>(item)->layout();
+  for (int k = 0; layout && k < layout->count(); ++k) found << widgets_in(layout->itemAt(k));
+  return found;
+}
+
+// The label and the values of the row of a form that a widget is in.
+QWidgetList row_with(QWidget* widget) {
+  if (!widget || !widget->parentWidget()) return {};
+  for (const QFormLayout* form : widget->parentWidget()->findChildren<QFormLayout*>()) {
+    for (int row = 0; row < form->rowCount(); ++row) {
+      const QWidgetList widgets = widgets_in(form->itemAt(row, QFormLayout::LabelRole)) +
+                                  widgets_in(form->itemAt(row, QFormLayout::FieldRole));
+      if (widgets.contains(widget)) return widgets;
+    }
+  }
+  return {};
+}
+
+// What a label or value of a form is: its own tool tip, or else that of another widget in the row,
+// and the range of a number.
+QString value_tool_tip(QWidget* widget) {
+  const QWidgetList row = row_with(widget);
+  QString text;
+  const ValueField* number = qobject_cast<ValueField*>(widget);
+  for (QWidget* other : QWidgetList{widget} + row) {
+    if (text.isEmpty()) text = other ? other->toolTip() : QString();
+    if (!number && widget == row.value(0)) number = qobject_cast<ValueField*>(other);
+  }
+  if (row.isEmpty() || text.isEmpty()) return {};
+  if (!Qt::mightBeRichText(text)) text = plain_tool_tip(text);
+  return number ? text + "<br>" + number->range().toHtmlEscaped() : text;
 }
 
 }  // namespace
@@ -123,6 +165,12 @@ bool FieldFilter::eventFilter(QObject* watched, QEvent* event) {
       if (const QLineEdit* line = line_of(widget);
           line && is_of_document(*static_cast<QKeyEvent*>(event), *line)) {
         event->ignore();
+        return true;
+      }
+      break;
+    case QEvent::ToolTip:
+      if (const QString text = value_tool_tip(widget); !text.isEmpty()) {
+        QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(), text, widget);
         return true;
       }
       break;

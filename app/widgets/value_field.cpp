@@ -27,7 +27,6 @@ ValueField::ValueField(const QString& title, const NumberDomain& domain, Scale s
       label_(new QLabel(title, this)),
       field_(new NumberField(this)) {
   label_->setCursor(Qt::SizeHorCursor);
-  label_->setToolTip(tr("Drag to change; Ctrl for fine steps, Shift for coarse"));
   label_->installEventFilter(this);
   label_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
   field_->setMinimumWidth(field_->fontMetrics().horizontalAdvance("00.0000"));
@@ -49,7 +48,10 @@ ValueField::ValueField(const QString& title, const NumberDomain& domain, Scale s
     value_ = pressed_;
     Q_EMIT edited(*pressed_, gesture_);
   });
-  field_->setToolTip(tr("A number, arithmetic as 0.5*3, or a change: *2  /3  +0.1  -=0.1"));
+}
+
+QString ValueField::range() const {
+  return tr("Allowed: %1").arg(domain_.allowed);
 }
 
 QLabel* ValueField::detach_title() {

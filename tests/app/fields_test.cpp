@@ -3,6 +3,8 @@
 
 #include <QComboBox>
 #include <QDockWidget>
+#include <QHelpEvent>
+#include <QLabel>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSlider>
@@ -10,6 +12,7 @@
 #include <QStatusBar>
 #include <QTableView>
 #include <QToolBar>
+#include <QToolTip>
 #include <array>
 #include <functional>
 
@@ -85,6 +88,16 @@ void activate(TestWindow& window) {
   QVERIFY(QTest::qWaitForWindowActive(&*window));
 }
 
+// What resting the mouse over a widget shows; empty: nothing.
+QString tool_tip(QWidget& widget) {
+  const QPoint middle = widget.rect().center();
+  QToolTip::showText(widget.mapToGlobal(middle), "nothing", &widget);
+  QHelpEvent rest(QEvent::ToolTip, middle, widget.mapToGlobal(middle));
+  QApplication::sendEvent(&widget, &rest);
+  const QString text = QToolTip::text();
+  return text == "nothing" ? QString() : text;
+}
+
 QString active_tool(TestWindow& window) {
   return window->tools().entries()[window->tools().active()].name;
 }
@@ -95,6 +108,17 @@ class FieldsTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
+  void tool_tips_of_values_have_sentence_unit_and_range_but_no_syntax() {
+    TestWindow window;
+    auto& focus = *window->findChild<ValueField*>("camera_focus_distance");
+    const QString tip = tool_tip(focus);
+    QVERIFY2(tip.contains("Distance along the view axis of the plane in focus<br>Unit: u<"),
+             qPrintable(tip));
+    QVERIFY2(tip.endsWith("Allowed: a number &gt; 0 (from 1e-12 to 1e12)"), qPrintable(tip));
+    QCOMPARE(tool_tip(focus.number()), tip);
+    QCOMPARE(tool_tip(*window->findChild<QLabel*>("camera_focus_distance_title")), tip);
+  }
+
   void typed_values_are_committed_on_leaving() {
     TestWindow window;
     Document& document = window->document();

@@ -41,8 +41,11 @@ KeyButton* SceneForm::new_key_button(const QString& name,
 }
 
 void SceneForm::finish_field(const FieldInfo& info, const QString& name, QWidget& title) {
-  title.setToolTip(QString(info.says).remove('`'));
-  if (QString(info.unit) == "u") show_length_units(*this, {name.toUtf8().constData()});
+  const QString unit = info.unit;
+  const QString says = fields_text(info.says).remove('`');
+  const bool has_unit = !unit.isEmpty() && unit != "RGB";
+  title.setToolTip(has_unit ? says + '\n' + tr("Unit: %1").arg(unit) : says);
+  if (unit == "u") show_length_units(*this, {name.toUtf8().constData()});
 }
 
 void SceneForm::add_keys(QHBoxLayout& row, KeyButton* keys, std::function<bool()> is_there) {
