@@ -3,6 +3,7 @@
 
 #include <QComboBox>
 #include <QDockWidget>
+#include <QFormLayout>
 #include <QHelpEvent>
 #include <QLabel>
 #include <QScrollArea>
@@ -108,6 +109,27 @@ class FieldsTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
+  void rows_of_all_forms_say_what_they_are() {
+    TestWindow window;
+    QStringList without;
+    for (const QFormLayout* form : window->findChildren<QFormLayout*>()) {
+      for (int row = 0; row < form->rowCount(); ++row) {
+        QLayoutItem* title = form->itemAt(row, QFormLayout::LabelRole);
+        QLayoutItem* value = form->itemAt(row, QFormLayout::FieldRole);
+        if (!title || !value || !title->widget()) continue;
+        while (value->layout()) value = value->layout()->itemAt(0);
+        for (QWidget* widget : {title->widget(), value->widget()}) {
+          const QString tip = tool_tip(*widget);
+          if (tip.isEmpty()) without << title->widget()->property("text").toString();
+          const auto* number = qobject_cast<ValueField*>(value->widget());
+          if (number) QVERIFY2(tip.isEmpty() || tip.contains("Allowed: a"), qPrintable(tip));
+        }
+      }
+    }
+    without.removeDuplicates();
+    QVERIFY2(without.isEmpty(), qPrintable(without.join("; ")));
+  }
+
   void tool_tips_of_values_have_sentence_unit_and_range_but_no_syntax() {
     TestWindow window;
     auto& focus = *window->findChild<ValueField*>("camera_focus_distance");

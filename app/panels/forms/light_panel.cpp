@@ -384,7 +384,8 @@ void LightPanel::add_photometric_fields(QFormLayout& form) {
                                         : tr("Intensity, cd"));
   });
   title->setToolTip(tr("The same in photometric units: 1 W of white light is 683 lm"));
-  add(tr("Luminous flux, lm"), "light_lumen", luminous_flux);
+  add(tr("Luminous flux, lm"), "light_lumen", luminous_flux)
+      ->setToolTip(tr("Light in all directions together"));
   add_number(form, tr("Temperature, K"),
              {"light_temperature", domain::temperature, ValueField::Scale::logarithmic, 0.01,
               [this]() -> std::optional<double> {
@@ -403,7 +404,7 @@ void LightPanel::add_photometric_fields(QFormLayout& form) {
 }
 
 void LightPanel::add_type_field(QFormLayout& form) {
-  auto* type = named(new QComboBox(this), "light_type");
+  auto* type = named(new QComboBox(this), "light_type", tr("What the light comes from"));
   for (const LightKindInfo& info : light_kinds) {
     type->addItem(fields_text(info.label));
     type->setItemData(type->count() - 1, fields_text(info.says), Qt::ToolTipRole);

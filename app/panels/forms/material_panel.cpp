@@ -21,10 +21,10 @@ namespace brume {
 
 MaterialPanel::MaterialPanel(Document& document, QWidget* parent)
     : SceneForm(document, parent),
-      surfaces_(named(new QComboBox(this), "surface")),
+      surfaces_(named(new QComboBox(this), "surface", tr("The surface that is shown here"))),
       materials_(named(new QComboBox(this), "surface_material")),
       restore_(named(new QToolButton(this), "restore_material")),
-      type_(named(new QComboBox(this), "material_type")),
+      type_(named(new QComboBox(this), "material_type", tr("How the surface reflects light"))),
       transfer_(named(new QComboBox(this), "transfer")),
       copies_(named(new QComboBox(this), "copies")) {
   type_->addItems({tr("Diffuse"), tr("Phong"), tr("Measured…"), tr("Metallic-roughness")});
@@ -166,7 +166,8 @@ void MaterialPanel::add_placement_fields(QFormLayout& form) {
                 change_shown(tr("Move %1"), gesture,
                              [position](Surface& s) { s.translate = position; });
               }},
-             new_surface_key("surface_position", "translate"));
+             new_surface_key("surface_position", "translate"))
+      ->setToolTip(tr("Where the origin of the mesh is"));
   add_vector(form, tr("Rotation"),
              {"surface_rotation", domain::degrees, 0.5,
               [this] { return value_if(surface(), [this](const Surface&) { return angles(); }); },
@@ -175,7 +176,8 @@ void MaterialPanel::add_placement_fields(QFormLayout& form) {
                 change_shown(tr("Rotate %1"), gesture,
                              [degrees](Surface& s) { s.rotate = from_euler_angles(degrees); });
               }},
-             new_surface_key("surface_rotation", "rotate"));
+             new_surface_key("surface_rotation", "rotate"))
+      ->setToolTip(tr("Euler angles in degrees"));
   add_vector(form, tr("Size"),
              {"surface_size", domain::length, 0.01,
               [this]() -> std::optional<glm::dvec3> {
@@ -187,14 +189,16 @@ void MaterialPanel::add_placement_fields(QFormLayout& form) {
                   s.primitive->size = size;
                   s.mesh = mesh_of(*s.primitive);
                 });
-              }});
+              }})
+      ->setToolTip(tr("Extent of a box, a plane or another simple shape"));
   add_number(form, tr("Scale"),
              {"surface_scale", domain::length, ValueField::Scale::logarithmic, 0.01,
               [this] { return value_if(surface(), &Surface::scale); },
               [this](double scale, MergeId gesture) {
                 change_shown(tr("Scale %1"), gesture, [scale](Surface& s) { s.scale = scale; });
               }},
-             new_surface_key("surface_scale", "scale"));
+             new_surface_key("surface_scale", "scale"))
+      ->setToolTip(tr("Factor of the size of the mesh"));
 }
 
 const Scatter* MaterialPanel::scatter() const {
@@ -289,7 +293,8 @@ void MaterialPanel::add_material_fields(QFormLayout& form) {
                 change(tr("Set exponent of %1"), gesture,
                        [value](Material& m) { m.exponent = value; });
               }},
-             new_surface_key("exponent", "exponent"));
+             new_surface_key("exponent", "exponent"))
+      ->setToolTip(tr("How sharp the highlight is"));
   auto* metallic_roughness = new MetallicRoughnessForm(
       document_, [this] { return shown_material(); }, this);
   connect(metallic_roughness, &MetallicRoughnessForm::refused, this, &MaterialPanel::refused);

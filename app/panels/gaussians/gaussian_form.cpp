@@ -102,6 +102,7 @@ GaussianForm::GaussianForm(Document& document, QWidget* parent)
   const auto one = [this](std::size_t k) {
     QLabel* title = fields_[k]->detach_title();
     title->setObjectName(fields_[k]->number().objectName() + "_title");
+    title->setToolTip(fields_[k]->toolTip());
     return title;
   };
   layout_ = new QFormLayout(this);
@@ -150,10 +151,13 @@ void GaussianForm::add_field(std::size_t k) {
       is_rotation ? degrees_step : step, this);
   if (!is_rotation && field != GaussianAttribute::density) fields_[k]->number().show_length_unit();
   fields_[k]->number().setObjectName(attribute_name(field).replace(' ', '_'));
-  if (is_of_shape(field)) {
-    fields_[k]->setToolTip(is_rotation ? tr("Euler angles in degrees that turn an ellipsoid's axes")
+  fields_[k]->setToolTip(is_center ? tr("The place of its largest density")
+                         : field == GaussianAttribute::radius
+                             ? tr("At this distance its density is 1/e of the largest")
+                         : field == GaussianAttribute::density
+                             ? tr("The scattering coefficient at its center, per unit of length")
+                         : is_rotation ? tr("Euler angles in degrees that turn an ellipsoid's axes")
                                        : tr("Along its own axes: equal ones make it a ball"));
-  }
   connect(fields_[k], &ValueField::edited, this,
           [this, field](double value, MergeId gesture) { set(field, value, gesture); });
   connect(fields_[k], &ValueField::adjusted, this,

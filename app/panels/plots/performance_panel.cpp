@@ -91,6 +91,7 @@ PerformancePanel::PerformancePanel(std::function<const FrameScheduler&()> active
       frontier_(new FrontierPlot(this)),
       stages_(named(new QTreeWidget(this), "stages")) {
   auto* form = new QFormLayout;
+  max_error_->setToolTip(tr("The error that auto keeps below"));
   form->addRow(tr("Max error"), max_error_);
   time_ = add_row(*form, tr("Frame"), "frame_time",
                   tr("How long the picture took to render, in milliseconds or seconds"));
