@@ -43,7 +43,7 @@ double max_flicker(const std::function<Scene(double)>& scene_at, int frames) {
   constexpr double white_over_mean = 5.0;
   Renderer renderer;
   Settings settings = all_orders(Settings{}.slices);
-  settings.samples = 64;  // edges that cross pixels one by one are not meant
+  settings.samples = 64;  // else edges jump from pixel to pixel
   double white = 0.0;
   double flicker = 0.0;
   std::vector<std::vector<double>> shown;
@@ -91,22 +91,6 @@ TEST(Flicker, OfAMovingLampIsInvisible) {
       [](double t) {
         Scene scene = lamp_over_a_ground();
         scene.lights[0].position += glm::dvec3(0.1 * t, 0.05 * t, 0.05 * t);
-        return scene;
-      },
-      12);
-  EXPECT_LT(flicker, invisible);
-}
-
-TEST(Flicker, OfADriftingCloudIsInvisible) {
-  const Medium still = cloud_scene(40, 2.0).medium;
-  const double flicker = max_flicker(
-      [&](double t) {
-        Scene scene = lamp_over_a_ground();
-        scene.medium = still;
-        for (glm::dvec3& center : scene.medium.columns().centers) {
-          center += glm::dvec3(0.1 * t, 1.5, 0.0);
-        }
-        scene.medium.set_homogeneous_density(0.02);
         return scene;
       },
       12);
