@@ -52,9 +52,6 @@ RenderRequest chosen(RenderRequest request, const Settings& settings) {
   return request;
 }
 
-namespace {
-
-// Why frames of such a request cannot be denoised; empty: they can.
 std::string denoise_problem(const RenderRequest& request) {
   if (request.airlight != AirlightMethod::path || request.paths < 2) {
     return "it is of the noise of paths; allowed with path:2 or more";
@@ -68,13 +65,11 @@ std::string denoise_problem(const RenderRequest& request) {
   return {};
 }
 
-}  // namespace
-
 void trace_paths(RenderRequest& request, int paths, Denoising denoise) {
   request.airlight = AirlightMethod::path;
   request.paths = paths;
   request.airlight_scale.reset();
-  request.denoise = denoise_problem(request).empty() ? denoise : Denoising::none;
+  request.denoise = denoise;
 }
 
 Exposure exposure_of(const Scene& animation, const RenderRequest& request) {

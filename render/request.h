@@ -19,8 +19,11 @@ Settings settings_of(const RenderRequest& request);
 // The request with what settings, made of it, chose.
 RenderRequest chosen(RenderRequest request, const Settings& settings);
 
-// Makes it one of paths, which are never interpolated; denoised where its film and layers can be.
+// Makes it one of paths, which are never interpolated.
 void trace_paths(RenderRequest& request, int paths, Denoising denoise);
+
+// The reason why frames of a request cannot be denoised; empty: they can.
+std::string denoise_problem(const RenderRequest& request);
 
 // How a request exposes frames of an animation. A deep pixel is one ray.
 Exposure exposure_of(const Scene& animation, const RenderRequest& request);

@@ -46,6 +46,7 @@ class Exporter {
     request.time = time;
     // Other files have none.
     if (picture_format(request_.file) != ".exr") request.layers = {};
+    if (!denoise_problem(request).empty()) request.denoise = Denoising::none;
     if (is_deep_file(request_.file)) request.deep_error = DeepSettings{}.error;
     const Job job = job_.subrange(static_cast<double>(k) / count, (k + 1.0) / count);
     auto frame = renderer_.render(*request_.scene, request, job.stop, job.progress);

@@ -83,8 +83,8 @@ QWidgetList row_with(QWidget* widget) {
   return {};
 }
 
-// What a label or value of a form is: its own tool tip, or else that of another widget in the row,
-// and the range of a number.
+// A label or value of a form has its own tool tip, or else that of another widget in the row, and
+// the range of a number.
 QString value_tool_tip(QWidget* widget) {
   const QWidgetList row = row_with(widget);
   QString text;

@@ -3,8 +3,6 @@
 
 #include <QComboBox>
 #include <QDockWidget>
-#include <QFormLayout>
-#include <QHelpEvent>
 #include <QLabel>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -13,7 +11,6 @@
 #include <QStatusBar>
 #include <QTableView>
 #include <QToolBar>
-#include <QToolTip>
 #include <array>
 #include <functional>
 
@@ -89,16 +86,6 @@ void activate(TestWindow& window) {
   QVERIFY(QTest::qWaitForWindowActive(&*window));
 }
 
-// What resting the mouse over a widget shows; empty: nothing.
-QString tool_tip(QWidget& widget) {
-  const QPoint middle = widget.rect().center();
-  QToolTip::showText(widget.mapToGlobal(middle), "nothing", &widget);
-  QHelpEvent rest(QEvent::ToolTip, middle, widget.mapToGlobal(middle));
-  QApplication::sendEvent(&widget, &rest);
-  const QString text = QToolTip::text();
-  return text == "nothing" ? QString() : text;
-}
-
 QString active_tool(TestWindow& window) {
   return window->tools().entries()[window->tools().active()].name;
 }
@@ -109,38 +96,6 @@ class FieldsTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
-  void rows_of_all_forms_say_what_they_are() {
-    TestWindow window;
-    QStringList without;
-    for (const QFormLayout* form : window->findChildren<QFormLayout*>()) {
-      for (int row = 0; row < form->rowCount(); ++row) {
-        QLayoutItem* title = form->itemAt(row, QFormLayout::LabelRole);
-        QLayoutItem* value = form->itemAt(row, QFormLayout::FieldRole);
-        if (!title || !value || !title->widget()) continue;
-        while (value->layout()) value = value->layout()->itemAt(0);
-        for (QWidget* widget : {title->widget(), value->widget()}) {
-          const QString tip = tool_tip(*widget);
-          if (tip.isEmpty()) without << title->widget()->property("text").toString();
-          const auto* number = qobject_cast<ValueField*>(value->widget());
-          if (number) QVERIFY2(tip.isEmpty() || tip.contains("Allowed: a"), qPrintable(tip));
-        }
-      }
-    }
-    without.removeDuplicates();
-    QVERIFY2(without.isEmpty(), qPrintable(without.join("; ")));
-  }
-
-  void tool_tips_of_values_have_sentence_unit_and_range_but_no_syntax() {
-    TestWindow window;
-    auto& focus = *window->findChild<ValueField*>("camera_focus_distance");
-    const QString tip = tool_tip(focus);
-    QVERIFY2(tip.contains("Distance along the view axis of the plane in focus<br>Unit: u<"),
-             qPrintable(tip));
-    QVERIFY2(tip.endsWith("Allowed: a number &gt; 0 (from 1e-12 to 1e12)"), qPrintable(tip));
-    QCOMPARE(tool_tip(focus.number()), tip);
-    QCOMPARE(tool_tip(*window->findChild<QLabel*>("camera_focus_distance_title")), tip);
-  }
-
   void typed_values_are_committed_on_leaving() {
     TestWindow window;
     Document& document = window->document();

@@ -207,6 +207,14 @@ class OutputTest : public QObject {
     QVERIFY(plain.channels.contains("airlight.light_1.R"));
     QVERIFY(!plain.metadata.contains("brume:denoise"));
 
+    // Pictures without layers are denoised whatever layers are chosen.
+    type(window, "output_file", "shot.png");
+    window.key(Qt::Key_F12);
+    QVERIFY(QTest::qWaitFor([&] { return queue(window).items().size() == 3; }, patience));
+    QVERIFY(wait_for(queue(window), RenderQueue::State::done));
+    const QImage png(to_qstring(window.file("shot.png")));
+    QCOMPARE(png.text("brume:denoise"), "solved");
+
     window->document().undo_stack().setIndex(0);
     QVERIFY(window.scene().output == Output{});
     QCOMPARE(window->findChild<QComboBox*>("output_method")->currentIndex(), 0);

@@ -301,6 +301,7 @@ class RandomHands {
     }
     change_output(document_, "Set output", no_merge, [this](Output& output) {
       output.paths = below(2) == 0 ? std::nullopt : std::optional(static_cast<int>(below(3)) + 1);
+      output.denoise = below(2) == 0 ? Denoising::none : Denoising::solved;
       output.layers.depth = below(2) == 0;
     });
   }

@@ -8,6 +8,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
+#include "core/math/srgb.h"
 #include "render/renderer.h"
 #include "tests/render/test_scenes.h"
 
@@ -15,10 +16,6 @@ namespace brume {
 namespace {
 
 constexpr int block_side = 8;
-
-double srgb(double linear) {
-  return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
-}
 
 // The means of blocks of pixels as they are shown, with light of `white` as white.
 std::vector<double> shown_blocks(const Frame& frame, double white) {
@@ -31,7 +28,7 @@ std::vector<double> shown_blocks(const Frame& frame, double white) {
     for (std::size_t c = 0; c < 3; ++c) {
       const double value = std::clamp(double{frame.beauty[4 * i + c]} / white, 0.0, 1.0);
       blocks[3 * static_cast<std::size_t>(y * columns + x) + c] +=
-          srgb(value) / (block_side * block_side);
+          srgb_encoded(value) / (block_side * block_side);
     }
   }
   return blocks;
@@ -64,7 +61,7 @@ double max_flicker(const std::function<Scene(double)>& scene_at, int frames) {
 // A third of the step between two values of 8 bits.
 constexpr double invisible = 1.0 / 255.0 / 3.0;
 
-Scene lamp_over_a_ground() {
+Scene light_over_a_ground() {
   Scene scene;
   scene.film = {48, 32};
   scene.camera = {{0, 2, 8}, {0, 1, 0}, {0, 1, 0}, 50.0};
@@ -78,7 +75,7 @@ Scene lamp_over_a_ground() {
 TEST(Flicker, OfAMovingCameraIsInvisible) {
   const double flicker = max_flicker(
       [](double t) {
-        Scene scene = lamp_over_a_ground();
+        Scene scene = light_over_a_ground();
         scene.camera.eye += glm::dvec3(0.1 * t, 0.03 * t, -0.1 * t);
         return scene;
       },
@@ -86,10 +83,10 @@ TEST(Flicker, OfAMovingCameraIsInvisible) {
   EXPECT_LT(flicker, invisible);
 }
 
-TEST(Flicker, OfAMovingLampIsInvisible) {
+TEST(Flicker, OfAMovingLightIsInvisible) {
   const double flicker = max_flicker(
       [](double t) {
-        Scene scene = lamp_over_a_ground();
+        Scene scene = light_over_a_ground();
         scene.lights[0].position += glm::dvec3(0.1 * t, 0.05 * t, 0.05 * t);
         return scene;
       },
