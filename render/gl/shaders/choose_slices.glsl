@@ -9,7 +9,7 @@
 
 layout(r32f, binding = 0) readonly uniform image2D depths;  // to the surface; < 0: none
 // For each tile: the number of its boundaries, and room for `stride` of them.
-layout(std430, binding = 5) writeonly buffer Chosen { float chosen[]; };
+layout(std430, binding = 5) restrict writeonly buffer Chosen { float chosen[]; };
 
 uniform ivec2 film;
 uniform ivec2 tiles;

@@ -9,8 +9,8 @@ layout(local_size_x = 16, local_size_y = 8) in;
 layout(rgba32f, binding = 0) readonly uniform image2D airlight;  // RGB, transmittance
 layout(rgba32f, binding = 1) writeonly uniform image2D beauty;
 layout(r32f, binding = 2) readonly uniform image2D depths;  // to the surface; < 0: none
-layout(std430, binding = 0) readonly buffer Sky { vec4 sky[]; };
-layout(std430, binding = 1) readonly buffer Behind { vec4 behind[]; };  // RGB of surfaces
+layout(std430, binding = 0) restrict readonly buffer Sky { vec4 sky[]; };
+layout(std430, binding = 1) restrict readonly buffer Behind { vec4 behind[]; };  // RGB of surfaces
 
 uniform ivec2 film;
 uniform ivec2 sky_size;  // 0: there is none

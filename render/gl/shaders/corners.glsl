@@ -4,7 +4,7 @@
 
 // Per triangle three corners with the surface index; then per triangle three vertex normals with
 // the vertex indices of the mesh.
-layout(std430, binding = 5) readonly buffer Corners { TriangleCorner corners[]; };
+layout(std430, binding = 5) restrict readonly buffer Corners { TriangleCorner corners[]; };
 
 uniform double surfaces_radius;  // of the ball around the middle that holds them
 

@@ -2,7 +2,7 @@
 #include "spherical_harmonics.glsl"
 
 // The environment's coefficients R G B 0; then the polynomials of ScatterTable, one after another.
-layout(std430, binding = 7) readonly buffer Inscattering { float inscattering_values[]; };
+layout(std430, binding = 7) restrict readonly buffer Inscattering { float inscattering_values[]; };
 
 uniform int has_inscattering;
 

@@ -8,7 +8,7 @@ layout(rgba32f, binding = 1) writeonly uniform image2D samples;   // one for sca
 layout(rgba32f, binding = 2) writeonly uniform image2D airlight_image;  // RGB, transmittance
 layout(r32f, binding = 3) writeonly uniform image2D pairs_image;
 // Requested exact pixels, x + y << 16, and their batches: PixelBatch.
-layout(std430, binding = 5) readonly buffer Requests { uint requests[]; };
+layout(std430, binding = 5) restrict readonly buffer Requests { uint requests[]; };
 
 uniform ivec2 film;
 uniform ivec2 sample_film;

@@ -5,8 +5,8 @@
 layout(rgba32f, binding = 1) readonly uniform image2D samples;
 
 // The pixels nearest to lights, and where those of each tile begin: TilePixels.
-layout(std430, binding = 0) readonly buffer LightOffsets { uint light_offsets[]; };
-layout(std430, binding = 1) readonly buffer LightPixels { ivec2 light_pixels[]; };
+layout(std430, binding = 0) restrict readonly buffer LightOffsets { uint light_offsets[]; };
+layout(std430, binding = 1) restrict readonly buffer LightPixels { ivec2 light_pixels[]; };
 
 float sample_distance(ivec2 sample_) { return distance_at(min(sample_ * scale, film - 1)); }
 

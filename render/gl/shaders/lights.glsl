@@ -2,8 +2,8 @@
 #include "direction_map.glsl"
 #include "formulas.glsl"
 
-layout(std430, binding = 0) readonly buffer Lights { Light lights[]; };
-layout(std430, binding = 1) readonly buffer Tables { uint tables[]; };
+layout(std430, binding = 0) restrict readonly buffer Lights { Light lights[]; };
+layout(std430, binding = 1) restrict readonly buffer Tables { uint tables[]; };
 
 // Photometric profiles and pictures: see IntensityMap.
 layout(r32f, binding = 5) readonly uniform image2D profiles;

@@ -6,10 +6,10 @@
 
 layout(local_size_x = 64) in;
 
-layout(std430, binding = 3) readonly buffer Rectangles { uvec2 rectangles[]; };
-layout(std430, binding = 4) readonly buffer Totals { TileTotals totals; };
-layout(std430, binding = 5) buffer Cursors { uint cursors[]; };  // per tile
-layout(std430, binding = 6) writeonly buffer Entries { uint list[]; };
+layout(std430, binding = 3) restrict readonly buffer Rectangles { uvec2 rectangles[]; };
+layout(std430, binding = 4) restrict readonly buffer Totals { TileTotals totals; };
+layout(std430, binding = 5) restrict buffer Cursors { uint cursors[]; };  // per tile
+layout(std430, binding = 6) restrict writeonly buffer Entries { uint list[]; };
 
 uniform uint count;
 uniform int columns;

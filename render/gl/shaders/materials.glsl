@@ -5,16 +5,16 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 
 // Texels of all textures and levels; see Texture.
-layout(std430, binding = 0) readonly buffer Texels { uint texels[]; };
+layout(std430, binding = 0) restrict readonly buffer Texels { uint texels[]; };
 // Values of the corners of each triangle: texture coordinates, and from places that are not 0 on
 // second ones and colors.
-layout(std430, binding = 1) readonly buffer MeshValues { float mesh_values[]; };
+layout(std430, binding = 1) restrict readonly buffer MeshValues { float mesh_values[]; };
 // After a vector per pixel, for each pixel those that shade_surfaces.glsl reads.
-layout(std430, binding = 3) writeonly buffer Behind { vec4 behind[]; };
+layout(std430, binding = 3) restrict writeonly buffer Behind { vec4 behind[]; };
 // A MaterialRecord per surface, whose textures are places here: of the encoding, the wraps along u
 // and v, the number of levels, whether it uses second texture coordinates, and for each level width,
 // height and its first texel.
-layout(std430, binding = 7) readonly buffer Records { uint records[]; };
+layout(std430, binding = 7) restrict readonly buffer Records { uint records[]; };
 
 uniform ivec2 film;
 uniform float pixel_angle;  // between neighbouring rays

@@ -7,7 +7,7 @@
 layout(local_size_x = group_size) in;
 
 layout(r32f, binding = 4) writeonly uniform image2D slice_nodes;
-layout(std430, binding = 5) readonly buffer Chosen { float chosen[]; };  // see choose_slices.glsl
+layout(std430, binding = 5) restrict readonly buffer Chosen { float chosen[]; };  // see choose_slices.glsl
 
 uniform ivec2 tiles;
 uniform int stride;

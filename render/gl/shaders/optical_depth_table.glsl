@@ -14,11 +14,11 @@ shared float nearest[max_table_radii];  // all rays have the same boundaries
 #include "increments.glsl"
 #include "compact.glsl"
 
-layout(std430, binding = 0) readonly buffer Centers { double centers[]; };
-layout(std430, binding = 1) readonly buffer Shapes { GaussianShape shapes[]; };
+layout(std430, binding = 0) restrict readonly buffer Centers { double centers[]; };
+layout(std430, binding = 1) restrict readonly buffer Shapes { GaussianShape shapes[]; };
 // Two neighbouring radii in each, in units of `max_depth`, so that a look-up reads one word.
-layout(std430, binding = 2) writeonly buffer Tables { uint tables[]; };
-layout(std430, binding = 4) buffer Totals { uint pairs; };
+layout(std430, binding = 2) restrict writeonly buffer Tables { uint tables[]; };
+layout(std430, binding = 4) restrict buffer Totals { uint pairs; };
 
 uniform uint count;
 uniform dvec3 light;

@@ -3,10 +3,10 @@
 #include "constants.glsl"
 #include "tile_list.glsl"
 
-layout(std430, binding = 0) readonly buffer Lights { PaperLight lights[]; };
+layout(std430, binding = 0) restrict readonly buffer Lights { PaperLight lights[]; };
 // Per light and Gaussian the optical depth from light to Gaussian to eye; then per Gaussian that to
 // the eye.
-layout(std430, binding = 1) readonly buffer Frozen { float frozen[]; };
+layout(std430, binding = 1) restrict readonly buffer Frozen { float frozen[]; };
 
 #include "film.glsl"
 #include "noise.glsl"

@@ -7,12 +7,12 @@
 
 layout(local_size_x = 64) in;
 
-layout(std430, binding = 0) readonly buffer Centers { double centers[]; };  // x y z of each
-layout(std430, binding = 1) readonly buffer Shapes { GaussianShape shapes[]; };
-layout(std430, binding = 2) writeonly buffer Seen { SeenGaussian seen[]; };
+layout(std430, binding = 0) restrict readonly buffer Centers { double centers[]; };  // x y z of each
+layout(std430, binding = 1) restrict readonly buffer Shapes { GaussianShape shapes[]; };
+layout(std430, binding = 2) restrict writeonly buffer Seen { SeenGaussian seen[]; };
 // [x0, x1) x [y0, y1) in tiles: x0 + y0 << 16, x1 + y1 << 16.
-layout(std430, binding = 3) writeonly buffer Rectangles { uvec2 rectangles[]; };
-layout(std430, binding = 4) buffer Totals { TileTotals totals; };
+layout(std430, binding = 3) restrict writeonly buffer Rectangles { uvec2 rectangles[]; };
+layout(std430, binding = 4) restrict buffer Totals { TileTotals totals; };
 
 uniform uint count;
 uniform dvec3 eye;

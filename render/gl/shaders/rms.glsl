@@ -4,7 +4,7 @@
 layout(local_size_x = 1024) in;
 
 layout(rgba32f, binding = 1) readonly uniform image2D samples;
-layout(std430, binding = 4) buffer Totals { UpsamplingTotals totals; };
+layout(std430, binding = 4) restrict buffer Totals { UpsamplingTotals totals; };
 
 uniform ivec2 size;  // of the samples
 

@@ -3,9 +3,9 @@
 
 layout(local_size_x = 1024) in;
 
-layout(std430, binding = 4) buffer Totals { TileTotals totals; };
-layout(std430, binding = 5) buffer Cursors { uint cursors[]; };
-layout(std430, binding = 7) writeonly buffer Offsets { uint offsets[]; };  // one more than tiles
+layout(std430, binding = 4) restrict buffer Totals { TileTotals totals; };
+layout(std430, binding = 5) restrict buffer Cursors { uint cursors[]; };
+layout(std430, binding = 7) restrict writeonly buffer Offsets { uint offsets[]; };  // one more than tiles
 
 uniform int tiles;
 

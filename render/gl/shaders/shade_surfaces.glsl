@@ -9,18 +9,18 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 // RGB per pixel. Not an image: software renderers recompile for other image sizes. Then what
 // materials.glsl has found.
-layout(std430, binding = 3) buffer Behind { vec4 behind[]; };
+layout(std430, binding = 3) restrict buffer Behind { vec4 behind[]; };
 // Incident light at grid nodes, R G B 0 per basis function; in place of the first 0, the bits of
 // GridOcclusion::blocked(). Then vertex lighting of surfaces with radiance transfer: per vertex the
 // outgoing radiance, and per basis function the light still to be reflected. Then average depths
 // around surfaces, four per vector, and the tables of measured materials.
-layout(std430, binding = 6) readonly buffer Arriving { vec4 incident_values[]; };
+layout(std430, binding = 6) restrict readonly buffer Arriving { vec4 incident_values[]; };
 // The lights that reach each pixel, as surface_shadows.glsl writes them.
-layout(std430, binding = 4) readonly buffer Lit { uint lit[]; };
+layout(std430, binding = 4) restrict readonly buffer Lit { uint lit[]; };
 // A SurfaceRecord per surface. From the places named below on the polynomials of point and distant
 // ScatterTable, the environment's coefficients R G B 0 and the polynomials of its ScatterTable, and
 // for each light the density of the medium there.
-layout(std430, binding = 7) readonly buffer Values { float values[]; };
+layout(std430, binding = 7) restrict readonly buffer Values { float values[]; };
 
 uniform float b0;
 uniform float albedo;

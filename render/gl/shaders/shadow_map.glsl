@@ -5,7 +5,7 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(std430, binding = 2) writeonly buffer Shadows { float shadows[]; };
+layout(std430, binding = 2) restrict writeonly buffer Shadows { float shadows[]; };
 
 uniform dvec3 light;
 uniform float nearest;  // hit that counts

@@ -1,5 +1,5 @@
 // Shadows of surfaces in the medium, after lights.glsl.
-layout(std430, binding = 6) readonly buffer Shadows { float shadows[]; };
+layout(std430, binding = 6) restrict readonly buffer Shadows { float shadows[]; };
 
 // Visibility, bilinear over four cells (percentage-closer filtering).
 float lit(int l, vec3 q, float distance_) {

@@ -5,8 +5,8 @@
 
 layout(local_size_x = 256) in;
 
-layout(std430, binding = 6) coherent buffer Entries { uint list[]; };
-layout(std430, binding = 7) readonly buffer Offsets { uint offsets[]; };  // one more than tiles
+layout(std430, binding = 6) restrict coherent buffer Entries { uint list[]; };
+layout(std430, binding = 7) restrict readonly buffer Offsets { uint offsets[]; };  // one more than tiles
 
 uniform uint tiles;
 

@@ -5,7 +5,7 @@
 #include "spherical_harmonics.glsl"
 
 // R G B, and in the first of each node the neighbours that surfaces hide, as bits.
-layout(std430, binding = 7) readonly buffer Source { vec4 source_values[]; };
+layout(std430, binding = 7) restrict readonly buffer Source { vec4 source_values[]; };
 
 uniform uint source_occlusion_bits;  // NodeVisibility of the eye
 
@@ -157,7 +157,9 @@ vec3 source_forward_lobe(bool from_eye, float line_depth) {
   vec3 sum = vec3(0.0);
   if (from_eye && is_on_source(source_levels - 1, source_position(source_levels - 1, eye))) {
     const SourceCell cell = source_cell(eye);
-    for (int c = 0; c < 8; ++c) {
+    // Not unrolled: a software device would compile it for seconds more.
+    const int corners = source_levels > 0 ? 8 : 0;
+    for (int c = 0; c < corners; ++c) {
       sum += cell.weights[c] * source_clusters_at(cell.first[c], false);
     }
     return sum;

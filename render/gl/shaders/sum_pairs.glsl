@@ -2,7 +2,7 @@
 layout(local_size_x = 64) in;
 
 layout(r32f, binding = 0) readonly uniform image2D pairs;
-layout(std430, binding = 0) writeonly buffer Rows { float rows[]; };
+layout(std430, binding = 0) restrict writeonly buffer Rows { float rows[]; };
 
 uniform int width;
 

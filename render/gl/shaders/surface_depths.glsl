@@ -8,10 +8,10 @@
 layout(local_size_x = bundle_size) in;
 #include "compact.glsl"
 
-layout(std430, binding = 0) readonly buffer Centers { double centers[]; };
-layout(std430, binding = 1) readonly buffer Shapes { GaussianShape shapes[]; };
-layout(std430, binding = 3) writeonly buffer Depths { float depths[]; };
-layout(std430, binding = 6) buffer Totals { uint pairs; };
+layout(std430, binding = 0) restrict readonly buffer Centers { double centers[]; };
+layout(std430, binding = 1) restrict readonly buffer Shapes { GaussianShape shapes[]; };
+layout(std430, binding = 3) restrict writeonly buffer Depths { float depths[]; };
+layout(std430, binding = 6) restrict buffer Totals { uint pairs; };
 
 uniform uint count;
 uniform dvec3 light;

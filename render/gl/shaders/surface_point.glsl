@@ -4,7 +4,7 @@
 #include "formulas.glsl"
 #include "rays.glsl"
 
-layout(std430, binding = 2) readonly buffer Hits { PixelHit hits[]; };
+layout(std430, binding = 2) restrict readonly buffer Hits { PixelHit hits[]; };
 
 uniform int triangle_count;
 uniform dvec3 eye;

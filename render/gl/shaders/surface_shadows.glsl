@@ -7,9 +7,9 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 
 // materials.glsl has written its findings here where METALLIC is defined.
-layout(std430, binding = 3) readonly buffer Behind { vec4 behind[]; };
+layout(std430, binding = 3) restrict readonly buffer Behind { vec4 behind[]; };
 // A bit per light; for each 32 lights a word per pixel.
-layout(std430, binding = 6) writeonly buffer Lit { uint lit[]; };
+layout(std430, binding = 6) restrict writeonly buffer Lit { uint lit[]; };
 
 uniform ivec2 film;
 

@@ -4,6 +4,6 @@
 
 layout(local_size_x = group_size) in;
 
-layout(std430, binding = 2) readonly buffer Seen { SeenGaussian seen[]; };
-layout(std430, binding = 3) readonly buffer Offsets { uint offsets[]; };
-layout(std430, binding = 4) readonly buffer Entries { uint list[]; };
+layout(std430, binding = 2) restrict readonly buffer Seen { SeenGaussian seen[]; };
+layout(std430, binding = 3) restrict readonly buffer Offsets { uint offsets[]; };
+layout(std430, binding = 4) restrict readonly buffer Entries { uint list[]; };

@@ -10,7 +10,7 @@ const float far_share = 1.000001;
 // Farther than any hit.
 const float beyond_all = 1e38;
 
-layout(std430, binding = 4) readonly buffer Nodes { BvhNode nodes[]; };
+layout(std430, binding = 4) restrict readonly buffer Nodes { BvhNode nodes[]; };
 
 uniform int node_count;
 

@@ -10,13 +10,13 @@ layout(local_size_x = group_size) in;
 layout(r32f, binding = 0) readonly uniform image2D depths;  // to the surface; < 0: none
 layout(rgba32f, binding = 2) writeonly uniform image2D airlight_image;
 
-layout(std430, binding = 2) readonly buffer Seen { SeenGaussian seen[]; };
-layout(std430, binding = 3) readonly buffer Offsets { uint offsets[]; };
-layout(std430, binding = 4) buffer Totals { UpsamplingTotals totals; };
-layout(std430, binding = 5) writeonly buffer Requests { uint requests[]; };
-layout(std430, binding = 6) readonly buffer Entries { uint list[]; };
+layout(std430, binding = 2) restrict readonly buffer Seen { SeenGaussian seen[]; };
+layout(std430, binding = 3) restrict readonly buffer Offsets { uint offsets[]; };
+layout(std430, binding = 4) restrict buffer Totals { UpsamplingTotals totals; };
+layout(std430, binding = 5) restrict writeonly buffer Requests { uint requests[]; };
+layout(std430, binding = 6) restrict readonly buffer Entries { uint list[]; };
 // For each invocation of interpolate.glsl, whose cell may be curved: CurvedCell::missing and these.
-layout(std430, binding = 7) buffer CurvedCells { uint curved_cells[]; };
+layout(std430, binding = 7) restrict buffer CurvedCells { uint curved_cells[]; };
 
 const uint curved_is_open = 1u << 16;
 const uint curved_is_cell = 1u << 17;

@@ -6,7 +6,7 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(r32f, binding = 0) writeonly uniform image2D depths;  // to the surface; < 0: none
-layout(std430, binding = 2) writeonly buffer Hits { PixelHit hits[]; };
+layout(std430, binding = 2) restrict writeonly buffer Hits { PixelHit hits[]; };
 
 uniform dvec3 eye;
 uniform ivec2 film;

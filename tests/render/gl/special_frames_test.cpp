@@ -25,6 +25,8 @@ Scene before_a_wall(Scene scene, double z = -0.8, double side = 1.5) {
   return scene;
 }
 
+const Light spot{{0.9, 1.4, 0.6}, glm::dvec3(6.0), light::Spot{{-0.9, -1.4, -0.9}, 25.0, 40.0}};
+
 // Gaussians, of which some have an albedo and some an emission.
 Scene with_optics(Scene scene, std::size_t albedo_every, std::size_t emission_every) {
   std::size_t index = 0;
@@ -36,15 +38,6 @@ Scene with_optics(Scene scene, std::size_t albedo_every, std::size_t emission_ev
   return scene;
 }
 
-// Most memory of a work group is asked for by ellipsoids with optics of their own.
-void add_ellipsoids(std::vector<SpecialScene>& all) {
-  const auto in_thin_fog = [](unsigned seed) {
-    return on_film(in_fog(ellipsoid_scene(20, 2.0, 12.0, seed), 0.02), {32, 24});
-  };
-  all.push_back({"ellipsoids", before_a_wall(in_thin_fog(1), -0.6, 1.2)});
-  all.push_back({"ellipsoids with optics", with_optics(in_thin_fog(4), 2, 2), true, false});
-}
-
 Scene in_parallel(Scene scene) {
   scene = on_film(in_fog(scene, 0.02), {32, 24});
   scene.camera.eye = {1.5, 2.0, 4.0};
@@ -53,11 +46,17 @@ Scene in_parallel(Scene scene) {
   return scene;
 }
 
+// Most memory of a work group is asked for by ellipsoids with optics of their own.
+void add_ellipsoids(std::vector<SpecialScene>& all) {
+  const Scene thin = on_film(in_fog(ellipsoid_scene(20, 2.0, 12.0), 0.02), {32, 24});
+  all.push_back({"ellipsoids", before_a_wall(thin, -0.6, 1.2)});
+  const Scene parallel = with_optics(in_parallel(ellipsoid_scene(20, 2.0, 8.0)), 2, 2);
+  all.push_back({"ellipsoids with optics in parallel", before_a_wall(parallel, -0.6, 1.2)});
+}
+
 void add_orthographic_cameras(std::vector<SpecialScene>& all) {
   const Scene cloud = in_parallel(cloud_scene(20, 2.0));
   all.push_back({"in parallel", before_a_wall(cloud, -0.6, 1.2)});
-  all.push_back({"ellipsoids in parallel",
-                 before_a_wall(in_parallel(ellipsoid_scene(20, 2.0, 8.0)), -0.6, 1.2)});
   // Rays begin at the plane of the eye, in the middle of all.
   Scene within = cloud;
   within.camera.eye = cloud.camera.target + 0.05 * (cloud.camera.eye - cloud.camera.target);
@@ -69,6 +68,7 @@ void add_orthographic_cameras(std::vector<SpecialScene>& all) {
     Scene below_sky = before_a_wall(cloud, -0.6, 1.2);
     below_sky.environment = even_sky(0.3f);
     below_sky.optics.anisotropy = anisotropy;
+    below_sky.lights.push_back(spot);
     all.push_back({"in parallel under a sky", below_sky, false, true});
   }
 }
@@ -111,11 +111,10 @@ void add_phase_functions(std::vector<SpecialScene>& all) {
 
 // Beams in the medium and on surfaces, lights with profiles, a picture in a beam.
 void add_beams(std::vector<SpecialScene>& all) {
-  std::vector<Light> profiles{
-      {{0.9, 1.4, 0.6}, glm::dvec3(6.0), light::Spot{{-0.9, -1.4, -0.9}, 25.0, 40.0}},
-      {{-0.3, 1.0, 0.7}, {2.0, 3.0, 4.0}},
-      {{0.5, 0.5, 1.5}, glm::dvec3(1.0)},
-      {{0.6, 1.0, 0.0}, glm::dvec3(1.0)}};
+  std::vector<Light> profiles{spot,
+                              {{-0.3, 1.0, 0.7}, {2.0, 3.0, 4.0}},
+                              {{0.5, 0.5, 1.5}, glm::dvec3(1.0)},
+                              {{0.6, 1.0, 0.0}, glm::dvec3(1.0)}};
   *profile_member(profiles[0]) = lobed_profile(70.0);
   *profile_member(profiles[1]) = cosine_profile();
   *profile_member(profiles[3]) = *profile_member(profiles[1]);
@@ -141,7 +140,8 @@ void add_suns_and_areas(std::vector<SpecialScene>& all) {
   for (const double b0 : {0.0, 0.05}) {
     const Scene alone = before_a_wall(on_film(in_fog(cloud_scene(10, 2.0), b0), {24, 18}));
     Scene with_optics_of_its_own = with_optics(alone, 3, 4);
-    with_optics_of_its_own.optics.anisotropy = b0 > 0.0 ? 0.5 : 0.0;
+    with_optics_of_its_own.optics.anisotropy = 0.5;
+    with_optics_of_its_own.lights.push_back(spot);
     all.push_back({"Gaussians with optics", with_optics_of_its_own});
     // One wall shades the medium and the other.
     Scene scene = before_a_wall(alone, 0.0, 0.4);
