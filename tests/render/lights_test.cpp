@@ -471,24 +471,39 @@ std::vector<Light> hard_lights() {
   return lights;
 }
 
-// Each in the eye, in a Gaussian, along a ray, far away and in a surface.
+// Each in the eye, in a Gaussian, along a ray, far away and in a surface, beside a lamp. Frames
+// have 0 where a sum is no number, so that nothing may be darker than by the lamp alone.
 TEST(Lights, HardCasesAreFinite) {
-  const Settings small_grid = all_orders(8, {.nodes = 1000, .directions = 32});
+  Settings grid = all_orders(8, {.nodes = 1000, .directions = 32});
+  Settings slices = sliced(8);
+  for (Settings* settings : {&grid, &slices}) {
+    settings->optical_depth_table = {16, 8};
+    settings->shadow_cells = 16;
+  }
   Scene scene = on_film(cloud_scene(6, 5.0), {4, 3});
   scene.surfaces = {wall(-1.0, 2.0)};
-  for (const Light& light : hard_lights()) {
-    SCOPED_TRACE(kind_info(light).name);
-    scene.lights.assign(5, light);
-    scene.lights[0].position = scene.camera.eye;
-    scene.lights[1].position = scene.medium.centers()[0];
-    scene.lights[2].position = {0.0, 0.0, 2.0};
-    scene.lights[3].position = {0.0, 1e6, 0.0};
-    scene.lights[4].position = {0.0, 0.0, -1.0};
-    for (const Settings& settings : {sliced(8), small_grid}) {
-      expect_finite(render_frame(scene, settings));
+  const Light lamp = scene.lights[0];
+  for (const Settings& settings : {slices, grid, reference_settings(1e-2)}) {
+    scene.lights = {lamp};
+    const Frame alone = render_frame(scene, settings);
+    for (const Light& light : hard_lights()) {
+      SCOPED_TRACE(kind_info(light).name);
+      scene.lights.assign(5, light);
+      scene.lights[0].position = scene.camera.eye;
+      scene.lights[1].position = scene.medium.centers()[0];
+      scene.lights[2].position = {0.0, 0.0, 2.0};
+      scene.lights[3].position = {0.0, 1e6, 0.0};
+      scene.lights[4].position = {0.0, 0.0, -1.0};
+      if (settings.airlight == AirlightMethod::reference) scene.lights.resize(2);
+      scene.lights.push_back(lamp);
+      const Frame frame = render_frame(scene, settings);
+      expect_finite(frame);
+      for (const auto layer : {&Frame::airlight, &Frame::beauty}) {
+        for (std::size_t i = 0; i < (frame.*layer).size(); ++i) {
+          EXPECT_GE((frame.*layer)[i], 0.9f * (alone.*layer)[i]);
+        }
+      }
     }
-    scene.lights.resize(2);
-    expect_finite(render_frame(scene, reference_settings(1e-2)));
   }
 }
 
